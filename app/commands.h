@@ -1,0 +1,14 @@
+#pragma once
+// The subcommands of the program. Each function adds one to the command line; its callback stores the exit code:
+// 0 done, 1 differences or warnings, 2 wrong input, 3 dressed with a fault.
+#include <CLI/CLI.hpp>
+
+namespace selvedge {
+
+void add_check_command(CLI::App& app, int& exit_code);
+void add_diff_command(CLI::App& app, int& exit_code);
+void add_dress_command(CLI::App& app, int& exit_code);
+void add_mannequin_command(CLI::App& app, int& exit_code);
+void add_render_command(CLI::App& app, int& exit_code);
+
+}  // namespace selvedge

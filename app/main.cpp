@@ -1,0 +1,43 @@
+// selvedge: from a pattern file to a picture of a dressed body. Subcommands live in files of their own.
+#include <cstdio>
+#include <exception>
+
+#include "app/commands.h"
+#include "sim/core/error.h"
+
+namespace {
+
+// Wrong words on the command line get one line, like every other wrong input.
+int report_usage(const CLI::App& app, const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    std::fprintf(stderr, "selvedge: %s (see selvedge --help)\n", error.what());
+    return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"Selvedge: cut, sew and drape garments on an adaptive mesh."};
+    app.set_version_flag("--version", SELVEDGE_VERSION);
+    app.require_subcommand(1);
+    app.footer("Example: selvedge dress patterns/tshirt.json --render tshirt.png");
+
+    int exit_code = 0;
+    selvedge::add_dress_command(app, exit_code);
+    selvedge::add_check_command(app, exit_code);
+    selvedge::add_mannequin_command(app, exit_code);
+    selvedge::add_render_command(app, exit_code);
+    selvedge::add_diff_command(app, exit_code);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return report_usage(app, error);
+    } catch (const selvedge::InputError& error) {
+        std::fprintf(stderr, "selvedge: %s\n", error.what());
+        return 2;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "selvedge: %s\n", error.what());
+        return 2;
+    }
+    return exit_code;
+}

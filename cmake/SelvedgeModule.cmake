@@ -1,0 +1,50 @@
+# Declares the rooms of the house (see docs/architecture.md) and their tests.
+
+add_library(selvedge_flags INTERFACE)
+target_compile_options(selvedge_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow $<$<COMPILE_LANGUAGE:CXX>:-Wconversion> -ffp-contract=off
+  $<$<BOOL:${SELVEDGE_WERROR}>:-Werror>)
+if(SELVEDGE_SANITIZE)
+  target_compile_options(selvedge_flags INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer
+    -fno-sanitize-recover=undefined)
+  target_link_options(selvedge_flags INTERFACE -fsanitize=address,undefined)
+endif()
+
+# selvedge_module(NAME SOURCES ... HEADERS ... [USES module ...] [LINK target ...] [PRIVATE_LINK target ...])
+# makes the library selvedge::NAME from the room that this CMakeLists.txt stands in.
+# Headers form a file set, so that each must compile alone.
+function(selvedge_module NAME)
+  cmake_parse_arguments(ARG "" "" "SOURCES;HEADERS;USES;LINK;PRIVATE_LINK" ${ARGN})
+  set(target selvedge_${NAME})
+  if(ARG_SOURCES)
+    add_library(${target} STATIC ${ARG_SOURCES})
+    set(scope PUBLIC)
+    target_link_libraries(${target} PRIVATE selvedge_flags ${ARG_PRIVATE_LINK})
+  else()
+    add_library(${target} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_sources(${target} ${scope} FILE_SET HEADERS BASE_DIRS ${CMAKE_SOURCE_DIR} FILES ${ARG_HEADERS})
+  foreach(used ${ARG_USES})
+    target_link_libraries(${target} ${scope} selvedge::${used})
+  endforeach()
+  target_link_libraries(${target} ${scope} ${ARG_LINK})
+  add_library(selvedge::${NAME} ALIAS ${target})
+endfunction()
+
+# selvedge_test(NAME SOURCES ... USES module ... [LABELS ...] [LINK ...]) makes one GoogleTest program, run by ctest.
+function(selvedge_test NAME)
+  cmake_parse_arguments(ARG "" "" "SOURCES;USES;LABELS;LINK" ${ARGN})
+  if(NOT ARG_LABELS)
+    set(ARG_LABELS unit)
+  endif()
+  set(target test_${NAME})
+  add_executable(${target} ${ARG_SOURCES})
+  target_include_directories(${target} PRIVATE ${CMAKE_SOURCE_DIR})
+  foreach(used ${ARG_USES})
+    target_link_libraries(${target} PRIVATE selvedge::${used})
+  endforeach()
+  target_link_libraries(${target} PRIVATE selvedge_flags GTest::gtest_main ${ARG_LINK})
+  target_compile_definitions(${target} PRIVATE SELVEDGE_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  gtest_discover_tests(${target} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 600)
+endfunction()

@@ -1,0 +1,10 @@
+# Every package that Selvedge uses, each owned by one room (docs/architecture.md).
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)    # sim/core
+find_package(nlohmann_json 3.11 REQUIRED)      # sim/core/json
+find_package(TBB REQUIRED)                     # sim/core/parallel
+find_package(CGAL 5.5 REQUIRED)                # sim/mesh
+find_package(assimp 5.2 REQUIRED)              # sim/body, in a child process
+find_package(PNG REQUIRED)                     # render/image
+find_package(CLI11 REQUIRED)                   # app
+find_package(GTest REQUIRED)                   # tests

@@ -1,0 +1,33 @@
+#pragma once
+// Plane sections of a body and tape measurements on them: a tape spans hollows, so a girth is the perimeter of the
+// section's convex hull.  (Measurements: docs/mannequin.md)
+#include <optional>
+#include <vector>
+
+#include "sim/body/body.h"
+#include "sim/core/vec.h"
+
+namespace selvedge {
+
+struct Plane {
+    Vec3d point = Vec3d::Zero();
+    Vec3d normal = Vec3d::UnitY();  // unit
+};
+
+// One closed loop of a section, as points in the room in order round the loop.
+struct SectionLoop {
+    std::vector<Vec3d> points;
+    Vec3d centre = Vec3d::Zero();  // centroid of the enclosed area
+    double area = 0;               // m^2
+};
+
+// All closed loops in which the plane cuts the surface. Deterministic order.
+std::vector<SectionLoop> section(const Body& body, const Plane& plane);
+
+// Perimeter of the loop's convex hull, m.
+double tape_length(const SectionLoop& loop, const Plane& plane);
+
+// The loop whose centre is nearest to `near`, if any.
+std::optional<SectionLoop> nearest_loop(const std::vector<SectionLoop>& loops, const Vec3d& near);
+
+}  // namespace selvedge

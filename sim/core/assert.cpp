@@ -1,0 +1,13 @@
+#include "sim/core/assert.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace selvedge {
+
+void assertion_failed(const char* condition, const char* file, int line) {
+    std::fprintf(stderr, "%s:%d: broken promise: %s\n", file, line, condition);
+    std::abort();
+}
+
+}  // namespace selvedge

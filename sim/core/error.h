@@ -1,0 +1,31 @@
+#pragma once
+// Wrong input: thrown where it is found, caught once, in main, printed on one line, exit 2.
+#include <stdexcept>
+#include <string>
+
+namespace selvedge {
+
+// what() reads "file: place: what is wrong"; an empty file or place is left out.
+class InputError : public std::runtime_error {
+ public:
+    InputError(std::string file, std::string place, std::string problem)
+        : std::runtime_error(join(file, place, problem)),
+          file_(std::move(file)),
+          place_(std::move(place)),
+          problem_(std::move(problem)) {}
+
+    const std::string& file() const { return file_; }
+    const std::string& place() const { return place_; }
+    const std::string& problem() const { return problem_; }
+
+ private:
+    static std::string join(const std::string& file, const std::string& place, const std::string& problem) {
+        return (file.empty() ? "" : file + ": ") + (place.empty() ? "" : place + ": ") + problem;
+    }
+
+    std::string file_;
+    std::string place_;
+    std::string problem_;
+};
+
+}  // namespace selvedge

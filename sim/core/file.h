@@ -1,0 +1,16 @@
+#pragma once
+// Reading whole files within a limit, and writing them so that a kill at any moment leaves the old or the new one.
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace selvedge {
+
+// Throws InputError when the file cannot be read, is no regular file, or is larger than max_bytes.
+std::string read_file(const std::filesystem::path& path, std::size_t max_bytes);
+
+// Writes a temporary file beside it, syncs, renames, syncs the folder. Throws InputError when it cannot.
+void write_file_atomically(const std::filesystem::path& path, std::string_view content);
+
+}  // namespace selvedge

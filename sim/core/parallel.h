@@ -1,0 +1,28 @@
+#pragma once
+// Parallel loops (oneTBB). Only loops whose iterations write to disjoint places go through here, so that the result
+// has the same bits for any number of threads.
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+namespace selvedge {
+
+// Holds the number of threads that parallel loops may use while it lives. Pre: threads >= 1.
+class ThreadLimit {
+ public:
+    explicit ThreadLimit(int threads);
+    ~ThreadLimit();
+    ThreadLimit(const ThreadLimit&) = delete;
+    ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+ private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+int available_threads();
+
+// Calls body(first, last) on disjoint ranges that cover 0..count; none is longer than grain.
+void parallel_for(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body);
+
+}  // namespace selvedge

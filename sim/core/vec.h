@@ -1,0 +1,16 @@
+#pragma once
+// Vectors. Double in pattern, mesh and body building; float in the adaptive mesh's and the cloth's state.
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace selvedge {
+
+using Vec2d = Eigen::Vector2d;
+using Vec3d = Eigen::Vector3d;
+using Vec2f = Eigen::Vector2f;
+using Vec3f = Eigen::Vector3f;
+
+// z of the cross product of two plane vectors: positive when b lies to the left of a.
+inline double cross2(const Vec2d& a, const Vec2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+}  // namespace selvedge

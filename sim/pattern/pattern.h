@@ -1,0 +1,81 @@
+#pragma once
+// A garment as a person draws it: panels in the plane, seams between runs of their outlines, and where each panel
+// stands round a body.  (SPEC 3.1; the file format is patterns/FORMAT.md)
+//
+// Metres and radians. Every panel is held as seen from its fabric's right side, counter-clockwise: GarmentCode draws
+// back panels clockwise, so their material x is mirrored on loading (Panel::is_mirrored) and back on saving.
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/core/vec.h"
+
+namespace selvedge {
+
+enum class CurveKind { Line, Quadratic, Cubic, Arc };
+
+// One edge of an outline, from vertex `start` to vertex `end` of its panel.
+struct OutlineEdge {
+    int start = 0;
+    int end = 0;
+    CurveKind kind = CurveKind::Line;
+    std::array<Vec2d, 2> control{Vec2d::Zero(), Vec2d::Zero()};  // Bezier control points, panel coordinates, m
+    double arc_radius = 0;       // Arc only, m
+    bool is_large_arc = false;   // Arc only
+    bool turns_right = false;    // Arc only: in the held (counter-clockwise) frame, seen along the edge
+    std::string label;
+};
+
+struct InternalLine {
+    std::string name;
+    std::vector<Vec2d> points;  // panel coordinates, m
+};
+
+struct Panel {
+    std::string name;
+    std::vector<Vec2d> vertices;     // m, held frame
+    std::vector<OutlineEdge> edges;  // one chained, counter-clockwise loop: edges[i].end == edges[i+1].start.
+                                     // Same order and indices as seams use; see `edge_order` in pattern_file.cpp
+    Vec3d translation = Vec3d::Zero();                            // m
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();       // world = rotation * local + translation
+    bool is_mirrored = false;        // local = (-x, y, 0) instead of (x, y, 0)
+    double grain_angle = 0;          // rad, from the panel's +y to the warp, counter-clockwise in the held frame
+    std::string fabric;              // empty: the pattern's
+    int layer = 0;                   // higher is further out
+    std::vector<int> pins;           // vertices of the outline that do not move
+    std::vector<InternalLine> internal_lines;
+
+    // The panel point u (held frame) in the room, m.
+    Vec3d place(const Vec2d& u) const {
+        return rotation * Vec3d(is_mirrored ? -u.x() : u.x(), u.y(), 0) + translation;
+    }
+};
+
+struct SeamSide {
+    int panel = 0;
+    int edge = 0;  // index into Panel::edges
+
+    auto operator<=>(const SeamSide&) const = default;
+};
+
+// Joins two outline edges of the same or of two panels.
+// is_reversed: the held start of `first` meets the held end of `second` (both outlines run counter-clockwise, so this
+// is how two panels that face the same way join); otherwise start meets start.
+struct Seam {
+    SeamSide first;
+    SeamSide second;
+    bool is_reversed = true;
+};
+
+struct Pattern {
+    std::string name;
+    std::vector<Panel> panels;
+    std::vector<Seam> seams;
+    std::string fabric;            // name of a shipped fabric or file; empty: the default
+    std::string tartan;            // name or threadcount; empty: the default
+    std::string body;              // what the panels were placed for, e.g. "mannequin:sex=female"; empty: GarmentCode's
+    double body_height = 1.7199;   // m, stature of that body, feet at y = 0
+};
+
+}  // namespace selvedge
