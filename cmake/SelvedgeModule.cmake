@@ -2,7 +2,8 @@
 
 add_library(selvedge_flags INTERFACE)
 target_compile_options(selvedge_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow $<$<COMPILE_LANGUAGE:CXX>:-Wconversion> -ffp-contract=off
+  -Wall -Wextra -Wpedantic -Wshadow $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # g++ 12: false alarms on std::string +
+   $<$<COMPILE_LANGUAGE:CXX>:-Wconversion> -ffp-contract=off
   $<$<BOOL:${SELVEDGE_WERROR}>:-Werror>)
 if(SELVEDGE_SANITIZE)
   target_compile_options(selvedge_flags INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer
