@@ -21,9 +21,9 @@ struct OutlineEdge {
     int end = 0;
     CurveKind kind = CurveKind::Line;
     std::array<Vec2d, 2> control{Vec2d::Zero(), Vec2d::Zero()};  // Bezier control points, panel coordinates, m
-    double arc_radius = 0;       // Arc only, m
-    bool is_large_arc = false;   // Arc only
-    bool turns_right = false;    // Arc only: in the held (counter-clockwise) frame, seen along the edge
+    double arc_radius = 0;                                       // Arc only, m
+    bool is_large_arc = false;                                   // Arc only
+    bool turns_right = false;  // Arc only: in the held (counter-clockwise) frame, seen along the edge
     std::string label;
 };
 
@@ -34,22 +34,20 @@ struct InternalLine {
 
 struct Panel {
     std::string name;
-    std::vector<Vec2d> vertices;     // m, held frame
-    std::vector<OutlineEdge> edges;  // one chained, counter-clockwise loop: edges[i].end == edges[i+1].start.
-                                     // Same order and indices as seams use; see `edge_order` in pattern_file.cpp
-    Vec3d translation = Vec3d::Zero();                            // m
-    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();       // world = rotation * local + translation
-    bool is_mirrored = false;        // local = (-x, y, 0) instead of (x, y, 0)
-    double grain_angle = 0;          // rad, from the panel's +y to the warp, counter-clockwise in the held frame
-    std::string fabric;              // empty: the pattern's
-    int layer = 0;                   // higher is further out
-    std::vector<int> pins;           // vertices of the outline that do not move
+    std::vector<Vec2d> vertices;        // m, held frame
+    std::vector<OutlineEdge> edges;     // one chained, counter-clockwise loop: edges[i].end == edges[i+1].start.
+                                        // Same order and indices as seams use; see `edge_order` in pattern_file.cpp
+    Vec3d translation = Vec3d::Zero();  // m
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  // world = rotation * local + translation
+    bool is_mirrored = false;                                // local = (-x, y, 0) instead of (x, y, 0)
+    double grain_angle = 0;  // rad, from the panel's +y to the warp, counter-clockwise in the held frame
+    std::string fabric;      // empty: the pattern's
+    int layer = 0;           // higher is further out
+    std::vector<int> pins;   // vertices of the outline that do not move
     std::vector<InternalLine> internal_lines;
 
     // The panel point u (held frame) in the room, m.
-    Vec3d place(const Vec2d& u) const {
-        return rotation * Vec3d(is_mirrored ? -u.x() : u.x(), u.y(), 0) + translation;
-    }
+    Vec3d place(const Vec2d& u) const { return rotation * Vec3d(is_mirrored ? -u.x() : u.x(), u.y(), 0) + translation; }
 };
 
 struct SeamSide {
@@ -72,10 +70,10 @@ struct Pattern {
     std::string name;
     std::vector<Panel> panels;
     std::vector<Seam> seams;
-    std::string fabric;            // name of a shipped fabric or file; empty: the default
-    std::string tartan;            // name or threadcount; empty: the default
-    std::string body;              // what the panels were placed for, e.g. "mannequin:sex=female"; empty: GarmentCode's
-    double body_height = 1.7199;   // m, stature of that body, feet at y = 0
+    std::string fabric;           // name of a shipped fabric or file; empty: the default
+    std::string tartan;           // name or threadcount; empty: the default
+    std::string body;             // what the panels were placed for, e.g. "mannequin:sex=female"; empty: GarmentCode's
+    double body_height = 1.7199;  // m, stature of that body, feet at y = 0
 };
 
 }  // namespace selvedge

@@ -1,0 +1,187 @@
+#include "sim/pattern/outline.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "sim/core/assert.h"
+
+namespace selvedge {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+struct ArcCircle {
+    Vec2d centre = Vec2d::Zero();
+    double radius = 0;
+    double from = 0;   // rad, angle of the start point
+    double sweep = 0;  // rad, signed: positive turns left
+};
+
+// The radius grows to half the chord where it is too small to span it, as in SVG; the loader reports such arcs.
+ArcCircle circle_of(const Vec2d& start, const Vec2d& end, const OutlineEdge& edge) {
+    const Vec2d chord = end - start;
+    const double half = chord.norm() / 2;
+    const double radius = std::max(edge.arc_radius, half);
+    const double height = std::sqrt(std::max(0.0, radius * radius - half * half));
+    const Vec2d left = half > 0 ? Vec2d(-chord.y(), chord.x()) / (2 * half) : Vec2d(0, 0);
+    // A short arc that turns left has its centre to the left of the chord; either flag moves it across.
+    const double side = edge.turns_right == edge.is_large_arc ? 1.0 : -1.0;
+    const Vec2d centre = (start + end) / 2 + side * height * left;
+    const double short_sweep = 2 * std::asin(std::min(1.0, half / radius));
+    const double sweep = edge.is_large_arc ? 2 * kPi - short_sweep : short_sweep;
+    const Vec2d spoke = start - centre;
+    return {centre, radius, std::atan2(spoke.y(), spoke.x()), edge.turns_right ? -sweep : sweep};
+}
+
+Vec2d arc_point(const ArcCircle& arc, double s) {
+    const double angle = arc.from + s * arc.sweep;
+    return arc.centre + arc.radius * Vec2d(std::cos(angle), std::sin(angle));
+}
+
+// A Bezier curve of degree 1 to 3 raised to a cubic, which keeps it exactly and its parameter too.
+using Cubic = std::array<Vec2d, 4>;
+
+Cubic as_cubic(const Vec2d& start, const Vec2d& end, const OutlineEdge& edge) {
+    switch (edge.kind) {
+        case CurveKind::Quadratic:
+            return {start, start + 2.0 / 3.0 * (edge.control[0] - start), end + 2.0 / 3.0 * (edge.control[0] - end),
+                    end};
+        case CurveKind::Cubic:
+            return {start, edge.control[0], edge.control[1], end};
+        default:
+            return {start, start + (end - start) / 3, end - (end - start) / 3, end};
+    }
+}
+
+Vec2d cubic_point(const Cubic& p, double s) {
+    const double r = 1 - s;
+    return r * r * r * p[0] + 3 * r * r * s * p[1] + 3 * r * s * s * p[2] + s * s * s * p[3];
+}
+
+double cubic_speed(const Cubic& p, double s) {
+    const double r = 1 - s;
+    return (3 * r * r * (p[1] - p[0]) + 6 * r * s * (p[2] - p[1]) + 3 * s * s * (p[3] - p[2])).norm();
+}
+
+// Five-point Gauss-Legendre.
+double gauss_length(const Cubic& p, double from, double to) {
+    constexpr std::array<double, 3> node{0.0, 0.5384693101056831, 0.9061798459386640};
+    constexpr std::array<double, 3> weight{0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
+    const double middle = (from + to) / 2;
+    const double half = (to - from) / 2;
+    double sum = weight[0] * cubic_speed(p, middle);
+    for (std::size_t i = 1; i < 3; ++i) {
+        sum += weight[i] * (cubic_speed(p, middle - half * node[i]) + cubic_speed(p, middle + half * node[i]));
+    }
+    return sum * half;
+}
+
+// Halves the range until two halves agree with the whole: a cusp, where the speed falls to zero, needs it.
+double cubic_length(const Cubic& p, double from, double to, int depth = 0) {
+    const double middle = (from + to) / 2;
+    const double whole = gauss_length(p, from, to);
+    const double halves = gauss_length(p, from, middle) + gauss_length(p, middle, to);
+    if (depth >= 16 || std::abs(halves - whole) <= 1e-10 * halves) return halves;
+    return cubic_length(p, from, middle, depth + 1) + cubic_length(p, middle, to, depth + 1);
+}
+
+// The parameter at which the length from the start reaches the fraction t: bisection on a table, then within its cell.
+double parameter_at(const Cubic& p, double t) {
+    constexpr int kCells = 16;
+    std::array<double, kCells + 1> reached{};
+    for (int i = 0; i < kCells; ++i) {
+        const auto cell = static_cast<std::size_t>(i);
+        reached[cell + 1] = reached[cell] + cubic_length(p, double(i) / kCells, double(i + 1) / kCells);
+    }
+    const double wanted = t * reached.back();
+    const auto above = std::upper_bound(reached.begin() + 1, reached.end() - 1, wanted);
+    const auto cell = static_cast<std::size_t>(above - reached.begin() - 1);
+    double low = double(cell) / kCells;
+    double high = double(cell + 1) / kCells;
+    double reached_low = reached[cell];
+    for (int i = 0; i < 40 && high - low > 1e-12; ++i) {
+        const double middle = (low + high) / 2;
+        const double at_middle = reached_low + gauss_length(p, low, middle);
+        if (at_middle < wanted) {
+            low = middle;
+            reached_low = at_middle;
+        } else {
+            high = middle;
+        }
+    }
+    return (low + high) / 2;
+}
+
+struct Ends {
+    Vec2d start;
+    Vec2d end;
+};
+
+Ends ends_of(const Panel& panel, const OutlineEdge& edge) {
+    const auto count = static_cast<int>(panel.vertices.size());
+    SELVEDGE_ASSERT(edge.start >= 0 && edge.start < count && edge.end >= 0 && edge.end < count);
+    return {panel.vertices[static_cast<std::size_t>(edge.start)], panel.vertices[static_cast<std::size_t>(edge.end)]};
+}
+
+}  // namespace
+
+Vec2d outline_point(const Panel& panel, const OutlineEdge& edge, double t) {
+    const auto [start, end] = ends_of(panel, edge);
+    if (t <= 0) return start;
+    if (t >= 1) return end;
+    if (edge.kind == CurveKind::Line) return start + t * (end - start);
+    if (edge.kind == CurveKind::Arc) return arc_point(circle_of(start, end, edge), t);
+    const Cubic cubic = as_cubic(start, end, edge);
+    return cubic_point(cubic, parameter_at(cubic, t));
+}
+
+double outline_length(const Panel& panel, const OutlineEdge& edge) {
+    const auto [start, end] = ends_of(panel, edge);
+    if (edge.kind == CurveKind::Line) return (end - start).norm();
+    if (edge.kind == CurveKind::Arc) {
+        const ArcCircle arc = circle_of(start, end, edge);
+        return arc.radius * std::abs(arc.sweep);
+    }
+    return cubic_length(as_cubic(start, end, edge), 0, 1);
+}
+
+Vec2d curve_point(const Panel& panel, const OutlineEdge& edge, double s) {
+    const auto [start, end] = ends_of(panel, edge);
+    if (s <= 0) return start;
+    if (s >= 1) return end;
+    if (edge.kind == CurveKind::Arc) return arc_point(circle_of(start, end, edge), s);
+    return cubic_point(as_cubic(start, end, edge), s);
+}
+
+std::vector<Vec2d> outline_polyline(const Panel& panel, const OutlineEdge& edge, double chord_error) {
+    const auto [start, end] = ends_of(panel, edge);
+    if (edge.kind == CurveKind::Line) return {start, end};
+    int segments = 1;
+    if (edge.kind == CurveKind::Arc) {
+        const ArcCircle arc = circle_of(start, end, edge);
+        const double step = 2 * std::acos(std::max(0.0, 1 - chord_error / std::max(arc.radius, chord_error)));
+        segments = static_cast<int>(std::ceil(std::min(4096.0, std::abs(arc.sweep) / std::max(step, 1e-3))));
+    } else {
+        // The chord of a parameter step h is off by at most h^2/8 of the largest second derivative.
+        const Cubic p = as_cubic(start, end, edge);
+        const double bend =
+            6 * std::max((p[0] - 2 * p[1] + p[2]).norm(), (p[1] - 2 * p[2] + p[3]).norm()) / (8 * chord_error);
+        segments = static_cast<int>(std::ceil(std::sqrt(std::clamp(bend, 1.0, 4096.0 * 4096.0))));
+    }
+    std::vector<Vec2d> points;
+    for (int i = 0; i <= segments; ++i) points.push_back(curve_point(panel, edge, double(i) / segments));
+    return points;
+}
+
+double outline_area(const Panel& panel) {
+    double twice = 0;
+    for (const OutlineEdge& edge : panel.edges) {
+        const std::vector<Vec2d> points = outline_polyline(panel, edge, 1e-4);
+        for (std::size_t i = 0; i + 1 < points.size(); ++i) twice += cross2(points[i], points[i + 1]);
+    }
+    return twice / 2;
+}
+
+}  // namespace selvedge

@@ -1,0 +1,26 @@
+#pragma once
+// The curves of an outline: points, tangents and lengths. Lines, quadratic and cubic Beziers and circular arcs are all
+// walked by arc length, so that equal steps give segments of equal length, on both sides of a seam.  (SPEC 3.1)
+#include <vector>
+
+#include "sim/pattern/pattern.h"
+
+namespace selvedge {
+
+// The point at the fraction t in [0, 1] of the edge's length, in panel coordinates, m.
+// t = 0 and t = 1 give the end vertices exactly.
+Vec2d outline_point(const Panel& panel, const OutlineEdge& edge, double t);
+
+// The length of the edge, m, to about 1e-9 of itself.
+double outline_length(const Panel& panel, const OutlineEdge& edge);
+
+// The point at the curve's own parameter s in [0, 1]: as outline_point, but not spaced by length.
+Vec2d curve_point(const Panel& panel, const OutlineEdge& edge, double s);
+
+// A polyline along the edge, both ends included, that keeps within chord_error (m) of it; a line gives two points.
+std::vector<Vec2d> outline_polyline(const Panel& panel, const OutlineEdge& edge, double chord_error);
+
+// The signed area inside the outline, m^2, curves sampled to 0.1 mm: positive for a counter-clockwise panel.
+double outline_area(const Panel& panel);
+
+}  // namespace selvedge
