@@ -1,0 +1,73 @@
+#pragma once
+// A shop mannequin from tape measurements: a subdivision cage from ring counts and a table of figures, bent until the
+// tape reads what was asked.  (definitions of the measures, method, limits: docs/mannequin.md)
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/body/body.h"
+
+namespace selvedge {
+
+enum class Sex { Female, Male };
+
+// All in metres. What is unset follows the others by the base body's proportions; height is then the base body's.
+struct MannequinMeasures {
+    std::optional<double> height;
+    std::optional<double> inseam;    // floor to crotch
+    std::optional<double> shoulder;  // width from joint to joint
+    std::optional<double> arm;       // shoulder joint to wrist
+    std::optional<double> bust;      // male: chest
+    std::optional<double> underbust;
+    std::optional<double> waist;
+    std::optional<double> high_hip;
+    std::optional<double> hip;
+    std::optional<double> neck;
+    std::optional<double> biceps;
+    std::optional<double> elbow;
+    std::optional<double> forearm;
+    std::optional<double> wrist;
+    std::optional<double> thigh;
+    std::optional<double> mid_thigh;
+    std::optional<double> knee;
+    std::optional<double> calf;
+    std::optional<double> ankle;
+};
+
+struct MannequinOptions {
+    Sex sex = Sex::Female;
+    MannequinMeasures measures;
+    int subdivisions = 2;  // 0..4: 4 296, 17 184, 68 736, 274 944 or 1 099 776 triangles
+};
+
+// One measure as asked for and as read off the finished surface, m.
+struct MeasureReading {
+    std::string_view name;
+    std::optional<double> asked;
+    double measured = 0;
+};
+
+struct MeasureReport {
+    std::vector<MeasureReading> readings;  // every measure, lengths first, then girths from the top down
+    std::vector<std::string> messages;     // what could not be met and why; empty when all is within 0.3 %
+    int rounds = 0;                        // of measuring and correcting
+};
+
+struct Mannequin {
+    Body body;  // closed and manifold, in an A-pose, with skeleton and skin weights
+    MeasureReport report;
+};
+
+// Throws InputError when a measure is no number or outside the range that make_mannequin accepts for it.
+// Equal options give equal bits.
+Mannequin make_mannequin(const MannequinOptions& options = {});
+
+// Reads "mannequin:sex=female,bust=92,waist=74" (cm, all parts optional, also "hips" for hip and "resolution" for
+// subdivisions). Throws InputError for what it does not know.
+MannequinOptions parse_mannequin(std::string_view text);
+
+// The measure called `name` (also "hips"), or nullptr.
+std::optional<double>* find_measure(MannequinMeasures& measures, std::string_view name);
+
+}  // namespace selvedge
