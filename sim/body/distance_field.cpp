@@ -1,0 +1,179 @@
+#include "sim/body/distance_field.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <span>
+
+#include "sim/core/assert.h"
+#include "sim/core/parallel.h"
+
+namespace selvedge {
+
+namespace {
+
+constexpr float kUnbounded = std::numeric_limits<float>::infinity();
+constexpr float kHair = 1.0001F;  // bounds are widened by this, for rounding
+constexpr float kHalfDiagonal = 0.8660254F;
+
+// Signed distances along a walk in small strides: each is bounded by the one before. Beyond `reach` only the sign is
+// right and the size is at least reach.
+class DistanceWalk {
+ public:
+    DistanceWalk(const SurfaceBvh& bvh, float stride, float reach) : bvh_(bvh), stride_(stride), reach_(reach) {}
+
+    // Pre: p lies within a stride of the point before.
+    float next(const Vec3f& p) {
+        if (std::abs(distance_) - stride_ > reach_) return distance_ -= std::copysign(stride_, distance_);
+        const float radius = std::min((std::abs(distance_) + stride_) * kHair, known_ ? reach_ * kHair : kUnbounded);
+        const std::optional<ClosestPoint> closest = bvh_.closest(p, radius);
+        // Nothing within reach, and reach is longer than a stride: the sign has not changed.
+        distance_ = closest ? closest->distance : std::copysign(reach_, distance_);
+        known_ = true;
+        return distance_;
+    }
+
+ private:
+    const SurfaceBvh& bvh_;
+    float stride_;
+    float reach_;
+    float distance_ = kUnbounded;
+    bool known_ = false;
+};
+
+}  // namespace
+
+DistanceField::DistanceField(const SurfaceBvh& bvh, const DistanceFieldOptions& options)
+    : cell_(options.cell),
+      band_(options.band),
+      // Nodes of a cell with a point in the band lie within the cell's diagonal of it.
+      limit_(options.band + 2 * kHalfDiagonal * options.cell),
+      to_metres_(limit_ / 32767.0F) {
+    SELVEDGE_ASSERT(cell_ > 0 && 2 * cell_ <= band_);
+    if (bvh.empty()) return;
+    lay_out(bvh);
+    classify_blocks(bvh);
+    parallel_for(blocks_.size(), 16, [&](std::size_t first, std::size_t last) {
+        for (std::size_t block = first; block < last; ++block)
+            if (blocks_[block] >= 0) fill_block(bvh, block, &nodes_[std::size_t(blocks_[block]) * kBlockNodes]);
+    });
+    max_error_ = error_on(bvh);
+}
+
+void DistanceField::lay_out(const SurfaceBvh& bvh) {
+    const float edge = cell_ * kCells;
+    const Vec3f margin = Vec3f::Constant(limit_);
+    origin_ = bvh.low() - margin;
+    const Vec3f extent = bvh.high() + margin - origin_;
+    double count = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double blocks = std::ceil(double(extent[axis]) / double(edge));
+        count *= blocks;
+        SELVEDGE_ASSERT(count < 1e8);
+        size_[std::size_t(axis)] = int(blocks);
+    }
+    blocks_.assign(std::size_t(count), kOutside);
+}
+
+Vec3f DistanceField::block_corner(std::size_t block) const {
+    const std::size_t nx = std::size_t(size_[0]);
+    const std::size_t ny = std::size_t(size_[1]);
+    const Vec3f index(float(block % nx), float(block / nx % ny), float(block / nx / ny));
+    return origin_ + index * (cell_ * kCells);
+}
+
+// A block whose centre is farther than the band and its own half diagonal holds no point of the band.
+void DistanceField::classify_blocks(const SurfaceBvh& bvh) {
+    const float edge = cell_ * kCells;
+    const float reach = band_ + kHalfDiagonal * edge;
+    constexpr std::int32_t kNear = 0;
+    const std::size_t row = std::size_t(size_[0]);
+    parallel_for(blocks_.size() / row, 8, [&](std::size_t first, std::size_t last) {
+        for (std::size_t r = first; r < last; ++r) {
+            DistanceWalk walk(bvh, edge, reach);
+            for (std::size_t block = r * row; block < (r + 1) * row; ++block) {
+                const float distance = walk.next(block_corner(block) + Vec3f::Constant(edge / 2));
+                blocks_[block] = std::abs(distance) < reach ? kNear : (distance < 0 ? kInside : kOutside);
+            }
+        }
+    });
+    std::int32_t count = 0;
+    for (std::int32_t& block : blocks_)
+        if (block == kNear) block = count++;
+    nodes_.resize(std::size_t(count) * kBlockNodes);
+}
+
+// Walks the block's nodes like a plough, so that each is one cell from the one before.
+void DistanceField::fill_block(const SurfaceBvh& bvh, std::size_t block, std::int16_t* nodes) const {
+    const Vec3f corner = block_corner(block);
+    DistanceWalk walk(bvh, cell_, limit_);
+    for (int k = 0; k < kNodes; ++k)
+        for (int jj = 0; jj < kNodes; ++jj) {
+            const int j = k % 2 == 0 ? jj : kNodes - 1 - jj;
+            for (int ii = 0; ii < kNodes; ++ii) {
+                const int i = (k + jj) % 2 == 0 ? ii : kNodes - 1 - ii;
+                const float distance = walk.next(corner + Vec3f(float(i), float(j), float(k)) * cell_);
+                const float held = std::clamp(distance, -limit_, limit_);
+                nodes[i + kNodes * (j + kNodes * k)] = std::int16_t(std::lrint(held / to_metres_));
+            }
+        }
+}
+
+FieldSample DistanceField::sample(const Vec3f& p) const {
+    const Vec3f at = (p - origin_) / cell_;
+    const FieldSample outside{band_, Vec3f::Zero()};
+    // Written so that a NaN is outside too.
+    for (int axis = 0; axis < 3; ++axis)
+        if (!(at[axis] >= 0 && at[axis] < float(size_[std::size_t(axis)] * kCells))) return outside;
+    const int i = int(at.x());
+    const int j = int(at.y());
+    const int k = int(at.z());
+    const std::int32_t block = blocks_[std::size_t(i / kCells + size_[0] * (j / kCells + size_[1] * (k / kCells)))];
+    if (block == kOutside) return outside;
+    if (block == kInside) return {-band_, Vec3f::Zero()};
+
+    const std::int16_t* node = &nodes_[std::size_t(block) * kBlockNodes +
+                                       std::size_t(i % kCells + kNodes * (j % kCells + kNodes * (k % kCells)))];
+    const float fx = at.x() - float(i);
+    const float fy = at.y() - float(j);
+    const float fz = at.z() - float(k);
+    constexpr int kY = kNodes;
+    constexpr int kZ = kNodes * kNodes;
+    const auto value = [&](int offset) { return float(node[offset]); };
+    // Steps along x on the cell's four x edges, then the values there, and so on.
+    const float dx00 = value(1) - value(0), dx10 = value(kY + 1) - value(kY);
+    const float dx01 = value(kZ + 1) - value(kZ), dx11 = value(kZ + kY + 1) - value(kZ + kY);
+    const float v00 = value(0) + fx * dx00, v10 = value(kY) + fx * dx10;
+    const float v01 = value(kZ) + fx * dx01, v11 = value(kZ + kY) + fx * dx11;
+    const float v0 = v00 + fy * (v10 - v00);
+    const float v1 = v01 + fy * (v11 - v01);
+    const float distance = (v0 + fz * (v1 - v0)) * to_metres_;
+    if (std::abs(distance) >= band_) return {std::copysign(band_, distance), Vec3f::Zero()};
+
+    const float dx0 = dx00 + fy * (dx10 - dx00);
+    const float dx1 = dx01 + fy * (dx11 - dx01);
+    const Vec3f steps(dx0 + fz * (dx1 - dx0), (v10 - v00) + fz * ((v11 - v01) - (v10 - v00)), v1 - v0);
+    return {distance, steps * (to_metres_ / cell_)};
+}
+
+// The true distance is 0 on the surface, and there convex features are at their sharpest.
+float DistanceField::error_on(const SurfaceBvh& bvh) const {
+    constexpr std::size_t kGrain = 4096;
+    const std::span<const Vec3f> x = bvh.points();
+    const std::span<const std::array<std::uint32_t, 3>> triangles = bvh.triangles();
+    std::vector<float> worst(triangles.size() / kGrain + 1, 0.0F);
+    parallel_for(worst.size(), 1, [&](std::size_t first, std::size_t last) {
+        for (std::size_t part = first; part < last; ++part)
+            for (std::size_t t = part * kGrain; t < std::min(triangles.size(), (part + 1) * kGrain); ++t) {
+                const Vec3f& a = x[triangles[t][0]];
+                const Vec3f& b = x[triangles[t][1]];
+                const Vec3f& c = x[triangles[t][2]];
+                for (const Vec3f& p :
+                     {a, b, c, Vec3f((a + b) / 2), Vec3f((b + c) / 2), Vec3f((c + a) / 2), Vec3f((a + b + c) / 3)})
+                    worst[part] = std::max(worst[part], std::abs(sample(p).distance));
+            }
+    });
+    return *std::max_element(worst.begin(), worst.end());
+}
+
+}  // namespace selvedge

@@ -1,0 +1,247 @@
+#include "sim/body/surface_bvh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace selvedge {
+
+namespace {
+
+constexpr float kTiny = 1e-30F;  // keeps quotients finite on slivers
+
+struct TrianglePoint {
+    Vec3f point;
+    int feature;  // 0: the face; 1..3: the edge from corner k-1; 4..6: corner k-4
+};
+
+// Ericson, Real-Time Collision Detection, 5.1.5.
+TrianglePoint closest_on_triangle(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Vec3f& c) {
+    const Vec3f ab = b - a;
+    const Vec3f ac = c - a;
+    const float d1 = ab.dot(p - a);
+    const float d2 = ac.dot(p - a);
+    if (d1 <= 0 && d2 <= 0) return {a, 4};
+    const float d3 = ab.dot(p - b);
+    const float d4 = ac.dot(p - b);
+    if (d3 >= 0 && d4 <= d3) return {b, 5};
+    const float vc = d1 * d4 - d3 * d2;
+    if (vc <= 0 && d1 >= 0 && d3 <= 0) return {a + ab * (d1 / std::max(d1 - d3, kTiny)), 1};
+    const float d5 = ab.dot(p - c);
+    const float d6 = ac.dot(p - c);
+    if (d6 >= 0 && d5 <= d6) return {c, 6};
+    const float vb = d5 * d2 - d1 * d6;
+    if (vb <= 0 && d2 >= 0 && d6 <= 0) return {a + ac * (d2 / std::max(d2 - d6, kTiny)), 3};
+    const float va = d3 * d6 - d5 * d4;
+    if (va <= 0 && d4 >= d3 && d5 >= d6) return {b + (c - b) * ((d4 - d3) / std::max(d4 - d3 + d5 - d6, kTiny)), 2};
+    const float scale = 1 / std::max(va + vb + vc, kTiny);
+    return {a + ab * (vb * scale) + ac * (vc * scale), 0};
+}
+
+}  // namespace
+
+struct SurfaceBvh::Best {
+    float squared = 0;  // nothing farther counts
+    std::uint32_t triangle = std::numeric_limits<std::uint32_t>::max();
+    bool found() const { return triangle != std::numeric_limits<std::uint32_t>::max(); }
+};
+
+Vec3f SurfaceBvh::pseudo_normal(std::uint32_t triangle, int feature) const {
+    if (feature == 0) return face_normals_[triangle];
+    if (feature <= 3) return edge_normals_[triangle][std::size_t(feature - 1)];
+    return vertex_normals_[triangles_[triangle][std::size_t(feature - 4)]];
+}
+
+ClosestPoint SurfaceBvh::finish(const Vec3f& p, std::uint32_t triangle) const {
+    const auto [a, b, c] = triangles_[triangle];
+    const TrianglePoint on = closest_on_triangle(p, x_[a], x_[b], x_[c]);
+    const Vec3f outward = pseudo_normal(triangle, on.feature);
+    const Vec3f offset = p - on.point;
+    const float length = offset.norm();
+    const float sign = offset.dot(outward) < 0 ? -1.0F : 1.0F;
+    constexpr float kOnSurface = 1e-6F;  // m, below this the offset's direction is rounding
+    const Vec3f normal = length > kOnSurface ? Vec3f(offset * (sign / length)) : outward;
+    return {.point = on.point, .normal = normal, .distance = sign * length, .triangle = triangle};
+}
+
+// Squared distances to eight triangles at once, without branches: inside the triangle the plane's foot, else the best
+// of three edges.
+void SurfaceBvh::test_packet(const Packet& packet, const Vec3f& p, Best& best) const {
+    Lanes squared;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const float bx = packet.edge1[0][i], by = packet.edge1[1][i], bz = packet.edge1[2][i];
+        const float cx = packet.edge2[0][i], cy = packet.edge2[1][i], cz = packet.edge2[2][i];
+        const float x = p.x() - packet.corner[0][i], y = p.y() - packet.corner[1][i], z = p.z() - packet.corner[2][i];
+        const float d1 = bx * x + by * y + bz * z;
+        const float d2 = cx * x + cy * y + cz * z;
+        const float bb = bx * bx + by * by + bz * bz;
+        const float cc = cx * cx + cy * cy + cz * cz;
+        const float bc = bx * cx + by * cy + bz * cz;
+        const float area = bb * cc - bc * bc;
+        const float v = cc * d1 - bc * d2;
+        const float w = bb * d2 - bc * d1;
+        const float t1 = std::min(std::max(d1 / (bb + kTiny), 0.0F), 1.0F);
+        const float t2 = std::min(std::max(d2 / (cc + kTiny), 0.0F), 1.0F);
+        const float t3 = std::min(std::max((d2 - d1 - bc + bb) / (bb + cc - 2 * bc + kTiny), 0.0F), 1.0F);
+        const float r3 = 1 - t3;
+        const float g1 = t1 * (t1 * bb - 2 * d1);
+        const float g2 = t2 * (t2 * cc - 2 * d2);
+        const float g3 = r3 * (r3 * bb - 2 * d1) + t3 * (t3 * cc - 2 * d2) + 2 * r3 * t3 * bc;
+        const float g12 = g1 < g2 ? g1 : g2;
+        const float edge_v = g3 < g12 ? r3 : (g1 <= g2 ? t1 : 0.0F);
+        const float edge_w = g3 < g12 ? t3 : (g1 <= g2 ? 0.0F : t2);
+        const float inverse = 1 / (area + kTiny);
+        const float inside = std::min(std::min(v, w), area - v - w);
+        const float s = inside >= 0 ? v * inverse : edge_v;
+        const float t = inside >= 0 ? w * inverse : edge_w;
+        const float rx = x - s * bx - t * cx, ry = y - s * by - t * cy, rz = z - s * bz - t * cz;
+        squared[i] = rx * rx + ry * ry + rz * rz;
+    }
+    for (std::size_t i = 0; i < kLanes; ++i)
+        if (squared[i] < best.squared) {
+            best.squared = squared[i];
+            best.triangle = packet.triangle[i];
+        }
+}
+
+namespace {
+
+constexpr std::size_t kStack = 128;  // 4 children a level, 2^32 triangles have 15 levels
+
+template <class Node>
+std::array<float, 4> squared_box_distances(const Node& node, const Vec3f& p) {
+    std::array<float, 4> squared;
+    for (std::size_t k = 0; k < 4; ++k) {
+        float sum = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const float at = p[std::ptrdiff_t(axis)];
+            const float out = std::max(std::max(node.low[axis][k] - at, at - node.high[axis][k]), 0.0F);
+            sum += out * out;
+        }
+        squared[k] = sum;
+    }
+    return squared;
+}
+
+struct Waiting {
+    float key;
+    std::int32_t child;
+};
+
+// A stack that holds a node's children with the nearest on top.
+struct NearFirstStack {
+    std::array<Waiting, kStack> entries;
+    std::size_t size = 0;
+
+    void push(std::size_t bottom, Waiting entry) {
+        std::size_t k = size++;
+        for (; k > bottom && entries[k - 1].key < entry.key; --k) entries[k] = entries[k - 1];
+        entries[k] = entry;
+    }
+};
+
+}  // namespace
+
+std::optional<ClosestPoint> SurfaceBvh::closest(const Vec3f& p, float radius) const {
+    if (nodes_.empty() || !(radius >= 0)) return std::nullopt;
+    Best best;
+    // A hair more, so that a point at exactly the radius is found.
+    best.squared = radius * radius * 1.000002F + kTiny;
+    NearFirstStack stack;
+    stack.push(0, {0, 0});
+    while (stack.size > 0) {
+        const Waiting top = stack.entries[--stack.size];
+        if (top.key >= best.squared) continue;
+        if (top.child < 0) {
+            test_packet(packets_[std::size_t(~top.child)], p, best);
+            continue;
+        }
+        const Node& node = nodes_[std::size_t(top.child)];
+        const std::array<float, 4> squared = squared_box_distances(node, p);
+        const std::size_t bottom = stack.size;
+        for (std::size_t k = 0; k < kChildren; ++k)
+            if (node.child[k] != kNoChild && squared[k] < best.squared) stack.push(bottom, {squared[k], node.child[k]});
+    }
+    if (!best.found()) return std::nullopt;
+    return finish(p, best.triangle);
+}
+
+namespace {
+
+struct Ray {
+    Vec3f origin;
+    Vec3f along;
+};
+
+// Where the segment enters the box, 0..1; infinite when it misses. A zero component gives infinite quotients, which
+// the comparisons take rightly.
+template <class Node>
+float entry_fraction(const Node& node, std::size_t k, const Ray& ray) {
+    float enter = 0;
+    float leave = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const float origin = ray.origin[std::ptrdiff_t(axis)];
+        const float along = ray.along[std::ptrdiff_t(axis)];
+        if (along == 0) {
+            if (origin < node.low[axis][k] || origin > node.high[axis][k])
+                return std::numeric_limits<float>::infinity();
+            continue;
+        }
+        const float a = (node.low[axis][k] - origin) / along;
+        const float b = (node.high[axis][k] - origin) / along;
+        enter = std::max(enter, std::min(a, b) - 1e-6F);
+        leave = std::min(leave, std::max(a, b) + 1e-6F);
+    }
+    return enter <= leave ? enter : std::numeric_limits<float>::infinity();
+}
+
+// Moeller and Trumbore, 1997; in double, so that a ray does not slip between two triangles.
+std::optional<float> hit_fraction(const Ray& ray, const Vec3f& a, const Vec3f& b, const Vec3f& c) {
+    const Vec3d along = ray.along.cast<double>();
+    const Vec3d edge1 = b.cast<double>() - a.cast<double>();
+    const Vec3d edge2 = c.cast<double>() - a.cast<double>();
+    const Vec3d p = along.cross(edge2);
+    const double det = edge1.dot(p);
+    if (det == 0) return std::nullopt;
+    const Vec3d s = ray.origin.cast<double>() - a.cast<double>();
+    const double u = s.dot(p) / det;
+    const Vec3d q = s.cross(edge1);
+    const double v = along.dot(q) / det;
+    const double t = edge2.dot(q) / det;
+    constexpr double kSlack = 1e-9;
+    if (u < -kSlack || v < -kSlack || u + v > 1 + kSlack || t < 0 || t > 1) return std::nullopt;
+    return float(t);
+}
+
+}  // namespace
+
+std::optional<SurfaceHit> SurfaceBvh::first_hit(const Vec3f& from, const Vec3f& to) const {
+    if (nodes_.empty()) return std::nullopt;
+    const Ray ray{from, to - from};
+    std::optional<SurfaceHit> hit;
+    NearFirstStack stack;
+    stack.push(0, {0, 0});
+    while (stack.size > 0) {
+        const Waiting top = stack.entries[--stack.size];
+        if (hit && top.key > hit->fraction) continue;
+        if (top.child >= 0) {
+            const Node& node = nodes_[std::size_t(top.child)];
+            const std::size_t bottom = stack.size;
+            for (std::size_t k = 0; k < kChildren; ++k) {
+                if (node.child[k] == kNoChild) continue;
+                const float enter = entry_fraction(node, k, ray);
+                if (enter <= 1) stack.push(bottom, {enter, node.child[k]});
+            }
+            continue;
+        }
+        for (const std::uint32_t t : packets_[std::size_t(~top.child)].triangle) {
+            const auto [a, b, c] = triangles_[t];
+            const std::optional<float> fraction = hit_fraction(ray, x_[a], x_[b], x_[c]);
+            if (fraction && (!hit || *fraction < hit->fraction))
+                hit = SurfaceHit{from + ray.along * *fraction, face_normals_[t], *fraction, t};
+        }
+    }
+    return hit;
+}
+
+}  // namespace selvedge
