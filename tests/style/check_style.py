@@ -1,0 +1,63 @@
+#!/usr/bin/env python3
+"""Checks the tree's style: check_style.py includes|text|lengths|format [ROOT]. Prints file:line: problem; exit 1 when
+there is any, 77 when the check cannot be made here (ctest then says skipped)."""
+import pathlib
+import sys
+
+import check_format
+import check_includes
+import check_text
+import rules
+from sources import read_tree
+
+SKIPPED = 77
+
+
+def cpp_sources(root):
+    return read_tree(root, rules.SOURCE_FOLDERS, rules.SOURCE_SUFFIXES)
+
+
+def includes(root):
+    sources = cpp_sources(root)
+    for check in (check_includes.check_directions, check_includes.check_packages, check_includes.check_cycles):
+        yield from check(sources)
+    yield from check_includes.check_table()
+
+
+def text(root):
+    yield from check_text.check_lines(read_tree(root, rules.TEXT_FOLDERS, rules.TEXT_SUFFIXES))
+    yield from check_text.check_headers(cpp_sources(root))
+
+
+def lengths(root):
+    sources = cpp_sources(root)
+    for source in sources:
+        for function in check_text.long_functions(source, rules.LONG_FUNCTION_LINES):
+            print(f"long, but passes: {source.path}:{function.line}: {function.name}, {function.length} lines")
+    yield from check_text.check_lengths(sources)
+
+
+def formatting(root):
+    program, why_not = check_format.find_clang_format()
+    if not program:
+        print(f"skipped: {why_not}")
+        sys.exit(SKIPPED)
+    yield from check_format.check_format(root, cpp_sources(root), program)
+
+
+CHECKS = {"includes": includes, "text": text, "lengths": lengths, "format": formatting}
+
+
+def main(arguments):
+    if not arguments or arguments[0] not in CHECKS:
+        print(__doc__, file=sys.stderr)
+        return 2
+    root = arguments[1] if len(arguments) > 1 else pathlib.Path(__file__).parents[2]
+    faults = list(CHECKS[arguments[0]](root))
+    for fault in faults:
+        print(fault)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
