@@ -1,0 +1,63 @@
+// selvedge diff A.png B.png: are two pictures the same, and if not, where do they differ?
+#include <cstdio>
+#include <memory>
+
+#include "app/commands.h"
+#include "render/image/compare.h"
+#include "render/image/png.h"
+
+namespace selvedge {
+namespace {
+
+struct DiffArguments {
+    std::string first;
+    std::string second;
+    std::string output;
+    bool allows_rounding = false;
+};
+
+std::string size_text(const Image& image) {
+    return std::to_string(image.width_px) + "x" + std::to_string(image.height_px);
+}
+
+std::string output_path(const DiffArguments& arguments) {
+    if (!arguments.output.empty()) return arguments.output;
+    return std::filesystem::path(arguments.second).stem().string() + ".diff.png";
+}
+
+int diff(const DiffArguments& arguments) {
+    const Image first = read_png(arguments.first);
+    const Image second = read_png(arguments.second);
+    const Comparison comparison = compare(first, second);
+    const bool is_same = arguments.allows_rounding ? is_alike(comparison) : comparison.is_exact();
+    if (is_same) {
+        std::printf("%s\n", comparison.is_exact() ? "same" : ("alike: " + describe(comparison)).c_str());
+        return 0;
+    }
+    if (!comparison.has_same_size) {
+        std::printf("sizes differ: %s is %s, %s is %s\n", arguments.first.c_str(), size_text(first).c_str(),
+                    arguments.second.c_str(), size_text(second).c_str());
+    } else {
+        std::printf("%s\n", describe(comparison).c_str());
+    }
+    write_png(output_path(arguments), difference_picture(first, second));
+    std::printf("wrote %s\n", output_path(arguments).c_str());
+    return 1;
+}
+
+}  // namespace
+
+void add_diff_command(CLI::App& app, int& exit_code) {
+    auto arguments = std::make_shared<DiffArguments>();
+    CLI::App* command = app.add_subcommand("diff", "Compare two pictures; exit 1 when they differ");
+    command->add_option("A", arguments->first, "PNG picture")->required();
+    command->add_option("B", arguments->second, "PNG picture")->required();
+    command->add_option("-o,--output", arguments->output,
+                        "Difference picture, written when they differ (default: B's name with .diff.png, here)");
+    command->add_flag("--rounding", arguments->allows_rounding,
+                      "Let pass what another CPU's rounding explains: at most 3/255, with 0.01 % of pixels beyond");
+    command->footer("Example: selvedge diff before.png after.png -o difference.png");
+    command->callback([arguments, &exit_code] { exit_code = diff(*arguments); });
+}
+
+}  // namespace selvedge

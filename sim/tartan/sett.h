@@ -1,0 +1,55 @@
+#pragma once
+// A tartan as weavers write it: the threadcount, expanded to one repeat of coloured threads. Weft repeats warp.
+// (docs: TEXTILES "Tartans"; notation of the Scottish Register of Tartans)
+//
+//   B/24 W4 B24 R2 K24 G24 W/2   a slash marks a pivot: laid once at its full count, the stripes between are mirrored
+//   B18 G46 K6 Y40               no slash: repeated end to end
+//   S=#A09060; S/20 K4 S/8       a colour of one's own, before the stripes
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace selvedge {
+
+using Rgb8 = std::array<std::uint8_t, 3>;  // sRGB
+using Palette = std::map<std::string, Rgb8, std::less<>>;
+
+struct SettStripe {
+    std::string code;  // letters of the threadcount, upper case
+    Rgb8 colour{};
+    int threads = 0;
+
+    bool operator==(const SettStripe&) const = default;
+};
+
+// One full repeat, mirrored half included.
+struct Sett {
+    std::string name;
+    std::vector<SettStripe> stripes;
+    bool is_mirrored = false;
+    double thread_spacing = 0.00036;  // m from one thread to the next: 28 per cm, a medium kilting cloth
+};
+
+inline constexpr int kMaxSettThreads = 4096;
+
+int thread_count(const Sett& sett);
+double repeat_size(const Sett& sett);                // m
+std::vector<Rgb8> thread_colours(const Sett& sett);  // one per thread of a repeat
+
+// The same stripes in a repeat of `size` m. Counts give proportions: they are multiplied by the whole number that
+// brings the threads nearest to the sett's spacing, and the spacing takes up the rest. Pre: size > 0.
+Sett with_repeat_size(Sett sett, double size);
+
+// The usual letters (K black, B blue, ...). A tartan's own palette goes before them, since letters are not unique.
+const Palette& standard_palette();
+
+// "#RRGGBB". Throws InputError(file, place, ...).
+Rgb8 parse_colour(std::string_view text, const std::string& file, const std::string& place);
+
+// Throws InputError("threadcount", "stripe 3 'Q5'", what is wrong).
+Sett parse_threadcount(std::string_view text, const Palette& palette = {});
+
+}  // namespace selvedge

@@ -1,0 +1,23 @@
+#pragma once
+// Tartans by name: those that ship with the program (patterns/tartans), each a threadcount with its own palette.
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/tartan/sett.h"
+
+namespace selvedge {
+
+inline constexpr const char* kDefaultTartan = "royal_stewart";
+
+// A shipped tartan by its name ("Black Watch", "black_watch"), or a threadcount ("K/8 R24 W/4").
+// Throws InputError: for an unknown name it lists those that ship, for a threadcount it names the stripe.
+Sett find_tartan(const std::string& name_or_threadcount);
+
+// Names as find_tartan takes them, in alphabetical order.
+std::vector<std::string> shipped_tartans();
+
+// A tartan file: {"name", "threadcount", "palette": {"K": "#101010"}, "repeat_cm"}. Throws InputError(file, path, ...).
+Sett parse_tartan(std::string_view json, const std::string& file);
+
+}  // namespace selvedge

@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include "sim/core/error.h"
+#include "sim/tartan/sett.h"
+
+namespace selvedge {
+namespace {
+
+std::string written(const Sett& sett) {
+    std::string text;
+    for (const SettStripe& stripe : sett.stripes) text += stripe.code + std::to_string(stripe.threads) + " ";
+    return text;
+}
+
+std::string fault_of(const std::string& threadcount) {
+    try {
+        parse_threadcount(threadcount);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Threadcount, pivots_are_laid_once_and_the_stripes_between_are_mirrored) {
+    const Sett sett = parse_threadcount("B/24 W4 K8 R/2");
+    EXPECT_EQ(written(sett), "B24 W4 K8 R2 K8 W4 ");
+    EXPECT_TRUE(sett.is_mirrored);
+    EXPECT_EQ(thread_count(sett), 24 + 2 * (4 + 8) + 2);
+}
+
+TEST(Threadcount, without_slashes_the_stripes_repeat_as_written) {
+    const Sett sett = parse_threadcount("B18 G46 K6");
+    EXPECT_EQ(written(sett), "B18 G46 K6 ");
+    EXPECT_FALSE(sett.is_mirrored);
+}
+
+TEST(Threadcount, may_be_written_without_blanks_with_commas_dots_and_small_letters) {
+    const std::string expected = written(parse_threadcount("B/24 W4 DB/8"));
+    EXPECT_EQ(written(parse_threadcount("B/24W4DB/8")), expected);
+    EXPECT_EQ(written(parse_threadcount("b/24, w4, db/8")), expected);
+    EXPECT_EQ(written(parse_threadcount("... B24 W4 ...")), "B24 W4 ");
+}
+
+TEST(Threadcount, two_pivots_alone_mirror_to_themselves) {
+    EXPECT_EQ(written(parse_threadcount("K/4 R/6")), "K4 R6 ");
+    EXPECT_EQ(written(parse_threadcount("R/6")), "R6 ");
+}
+
+TEST(Threadcount, the_tartans_own_palette_goes_before_the_usual_letters) {
+    const Rgb8 own{1, 2, 3};
+    EXPECT_EQ(parse_threadcount("K4 R4", {{"K", own}}).stripes[0].colour, own);
+    EXPECT_EQ(parse_threadcount("K=#010203; K4 R4").stripes[0].colour, own);
+    EXPECT_EQ(parse_threadcount("K4 R4").stripes[0].colour, standard_palette().at("K"));
+}
+
+TEST(Threadcount, colours_run_thread_by_thread_over_one_repeat) {
+    const std::vector<Rgb8> colours = thread_colours(parse_threadcount("K/2 W1 R/1"));
+    const Rgb8 k = standard_palette().at("K"), w = standard_palette().at("W"), r = standard_palette().at("R");
+    EXPECT_EQ(colours, (std::vector<Rgb8>{k, k, w, r, w}));
+}
+
+TEST(Threadcount, what_is_wrong_is_named_with_its_stripe) {
+    EXPECT_EQ(fault_of("B4 Q5").substr(0, 36), "threadcount: stripe 2 'Q5': no colou");
+    EXPECT_NE(fault_of("B4 W/4").find("stripe 1 'B4': one pivot alone"), std::string::npos);
+    EXPECT_NE(fault_of("B/4 W4").find("stripe 2 'W4': one pivot alone"), std::string::npos);
+    EXPECT_NE(fault_of("B/4 W/4 R/4").find("stripe 2 'W/4': a pivot within"), std::string::npos);
+    EXPECT_NE(fault_of("B4 W").find("stripe 2 'W'"), std::string::npos);
+    EXPECT_NE(fault_of("B4 12").find("stripe 2 '12'"), std::string::npos);
+    EXPECT_NE(fault_of("B0").find("from 1 to"), std::string::npos);
+    EXPECT_NE(fault_of("B99999999999").find("stripe 1"), std::string::npos);
+    EXPECT_NE(fault_of("B-4").find("stripe 1"), std::string::npos);
+    EXPECT_NE(fault_of("B/3000 W2000 B/4").find("more than"), std::string::npos);
+    EXPECT_NE(fault_of("B=#12345 B4").find("hexadecimal"), std::string::npos);
+    EXPECT_NE(fault_of("B=#12345G B4").find("hexadecimal"), std::string::npos);
+    EXPECT_NE(fault_of("").find("no stripes"), std::string::npos);
+    EXPECT_NE(fault_of("K=#000000").find("no stripes"), std::string::npos);
+}
+
+TEST(Sett, a_wished_repeat_keeps_the_proportions_and_the_threads_near_their_spacing) {
+    const Sett sett = with_repeat_size(parse_threadcount("K/4 A4 G16 DB16 W/2"), 0.12);
+    EXPECT_DOUBLE_EQ(repeat_size(sett), 0.12);
+    EXPECT_EQ(thread_count(sett), 78 * 4);
+    EXPECT_EQ(sett.stripes[2].threads, 16 * 4);
+    EXPECT_NEAR(sett.thread_spacing, 0.00036, 0.00004);
+}
+
+TEST(Sett, a_tiny_repeat_keeps_every_thread_and_makes_them_finer) {
+    const Sett sett = with_repeat_size(parse_threadcount("K10 R10"), 0.002);
+    EXPECT_EQ(thread_count(sett), 20);
+    EXPECT_DOUBLE_EQ(sett.thread_spacing, 0.0001);
+}
+
+}  // namespace
+}  // namespace selvedge
