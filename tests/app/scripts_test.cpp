@@ -1,0 +1,49 @@
+// scripts/install_dependencies, seen from systems other than this one.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/app/run_program.h"
+
+namespace selvedge {
+namespace {
+
+const std::string kScript = "bash '" SELVEDGE_SOURCE_DIR "/scripts/install_dependencies'";
+
+// A system that is not Debian 12, and has nothing but a shell.
+std::string on_another_system(const ScratchFolder& folder, const std::string& command) {
+    std::ofstream(folder / "os-release") << "ID=fedora\nVERSION_ID=40\n";
+    return "SELVEDGE_OS_RELEASE='" + folder / "os-release" + "' " + command;
+}
+
+std::string with_a_bare_shell(const ScratchFolder& folder) {
+    const auto result = run_command("ln -s \"$(command -v bash)\" '" + folder / "bash" + "'");
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return "PATH='" + folder.path().string() + "' ";
+}
+
+TEST(InstallDependencies, names_all_missing_packages_on_one_line_where_the_system_is_not_debian_12) {
+    const ScratchFolder folder;
+    const ProgramResult result = run_command(on_another_system(folder, with_a_bare_shell(folder) + kScript + " test"));
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(count_lines(result.err), 1) << result.err;
+    EXPECT_EQ(result.out, "");
+    for (const char* package : {"g++", "cmake", "ninja-build", "libcgal-dev", "libassimp-dev", "libgtest-dev"})
+        EXPECT_NE(result.err.find(package), std::string::npos) << package << " in " << result.err;
+}
+
+TEST(InstallDependencies, goes_on_elsewhere_when_all_is_found) {
+    const ScratchFolder folder;
+    const ProgramResult result = run_command(on_another_system(folder, kScript + " test"));
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out + result.err, "");
+}
+
+TEST(InstallDependencies, refuses_a_purpose_it_does_not_know) {
+    const ProgramResult result = run_command(kScript + " cake");
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(count_lines(result.err), 1) << result.err;
+}
+
+}  // namespace
+}  // namespace selvedge
