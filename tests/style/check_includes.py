@@ -85,3 +85,16 @@ def _find_cycle(graph, node, trail, done):
             return cycle
     done.add(node)
     return None
+
+
+def check_document(text, path="docs/architecture.md"):
+    """The table that people read says the same as the one that is checked."""
+    rows = {}
+    for number, line in enumerate(text.split("\n"), 1):
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        if len(cells) == 2 and cells[0] in rules.MAY_INCLUDE:
+            rows[cells[0]] = (number, sorted(room_name.strip() for room_name in cells[1].split(",")))
+    for room, others in rules.MAY_INCLUDE.items():
+        number, written = rows.get(room, (1, None))
+        if written != (sorted(others) or ["nothing of ours"]):
+            yield Fault(path, number, f"{room} stands otherwise in tests/style/rules.py")

@@ -22,6 +22,8 @@ def includes(root):
     for check in (check_includes.check_directions, check_includes.check_packages, check_includes.check_cycles):
         yield from check(sources)
     yield from check_includes.check_table()
+    document = pathlib.Path(root, "docs", "architecture.md")
+    yield from check_includes.check_document(document.read_text(encoding="utf-8"))
 
 
 def text(root):

@@ -1,5 +1,6 @@
 """Each style check must be able to fail: here every one meets the snippet that it is there for."""
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -8,6 +9,7 @@ import unittest
 import check_format
 import check_includes
 import check_text
+import rules
 from sources import Source, functions_of
 
 PRAGMA = "#pragma once\n// What it is for.\n"
@@ -62,6 +64,15 @@ class Includes(unittest.TestCase):
         faults = check_includes.check_cycles([Source("app/a.h", '#include "bench/c.h"\n'), Source("bench/c.h", ""),
                                               Source("bench/b.h", '#include "app/d.h"\n'), Source("app/d.h", "")])
         self.assertEqual(problems(faults), ["app/a.h:1: a circle: app -> bench -> app"])
+
+
+    def test_a_table_in_the_document_that_says_otherwise_fails(self):
+        rows = [f"| {room} | {', '.join(others) or 'nothing of ours'} |" for room, others in rules.MAY_INCLUDE.items()]
+        self.assertEqual(problems(check_includes.check_document("\n".join(rows))), [])
+        rows[0] = "| sim/core | sim/mesh |"
+        self.assertEqual(problems(check_includes.check_document("\n".join(rows))),
+                         ["docs/architecture.md:1: sim/core stands otherwise in tests/style/rules.py"])
+        self.assertEqual(len(list(check_includes.check_document("\n".join(rows[2:])))), 2)
 
 
 class Text(unittest.TestCase):
@@ -130,6 +141,8 @@ class Program(unittest.TestCase):
         with tempfile.TemporaryDirectory() as root:
             header = pathlib.Path(root, "sim", "core", "a.h")
             header.parent.mkdir(parents=True)
+            pathlib.Path(root, "docs").mkdir()
+            shutil.copy(script.parents[2] / "docs" / "architecture.md", pathlib.Path(root, "docs"))
             for text, exit_code in [(PRAGMA, 0), (PRAGMA + '#include "app/commands.h"\n', 1)]:
                 header.write_text(text, encoding="utf-8")
                 result = subprocess.run([sys.executable, str(script), "includes", root], check=False,
