@@ -1,0 +1,88 @@
+// What every subcommand promises: help with an example, and wrong input said on one line, with exit code 2.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/app/selvedge_program.h"
+
+namespace selvedge {
+namespace {
+
+void expect_one_line_and_exit_2(const std::string& arguments) {
+    SCOPED_TRACE("selvedge " + arguments);
+    const ProgramResult result = run_selvedge(arguments);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(count_lines(result.err), 1) << result.err;
+    EXPECT_EQ(result.err.rfind("selvedge: ", 0), 0U) << result.err;
+    EXPECT_EQ(result.out, "");
+}
+
+TEST(Usage, every_subcommand_explains_itself_with_an_example) {
+    for (const char* command : {"dress", "check", "mannequin", "render", "diff"}) {
+        SCOPED_TRACE(command);
+        const ProgramResult result = run_selvedge(std::string(command) + " --help");
+        EXPECT_EQ(result.exit_code, 0);
+        EXPECT_EQ(result.err, "");
+        EXPECT_NE(result.out.find(std::string("selvedge ") + command), std::string::npos) << result.out;
+    }
+}
+
+TEST(Usage, help_lists_every_subcommand) {
+    const ProgramResult result = run_selvedge("--help");
+    EXPECT_EQ(result.exit_code, 0);
+    for (const char* command : {"dress", "check", "mannequin", "render", "diff"})
+        EXPECT_NE(result.out.find(command), std::string::npos) << command;
+}
+
+TEST(Usage, version_is_one_line) {
+    const ProgramResult result = run_selvedge("--version");
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_EQ(count_lines(result.out), 1) << result.out;
+}
+
+TEST(Usage, words_it_does_not_know_get_one_line) {
+    for (const char* arguments :
+         {"", "knit", "dress", "dress --no-such-option", "check", "render", "diff one.png", "mannequin --sex robot"})
+        expect_one_line_and_exit_2(arguments);
+}
+
+TEST(Usage, a_missing_file_is_named_on_one_line) {
+    const ScratchFolder folder;
+    const std::string missing = "'" + folder / "missing" + "'";
+    for (const std::string& arguments :
+         {"dress " + missing, "check " + missing, "render " + missing + " -o '" + folder / "x.png" + "'",
+          "diff " + missing + " " + missing, "dress " + shipped("tshirt.json") + " --body " + missing + ".obj"}) {
+        expect_one_line_and_exit_2(arguments);
+        EXPECT_NE(run_selvedge(arguments).err.find(folder / "missing"), std::string::npos) << arguments;
+    }
+}
+
+TEST(Usage, values_that_dress_cannot_use_get_one_line) {
+    for (const char* option :
+         {"--fabric no_such_cloth", "--tartan 'no such tartan!'", "--body mannequin:bust", "--body mannequin:bust=wide",
+          "--body mannequin:wings=2", "--body mannequin:bust=-3", "--size 12by30 --render x.png",
+          "--size 0x100 --render x.png", "--size 999999x999999 --render x.png", "--view below --render x.png",
+          "--show bones --render x.png", "--max-level -1", "--max-level 99", "--criteria curvature,taste",
+          "--seconds -1", "--seconds nan", "--threads 0", "--export garment.docx", "--export-body body.docx"})
+        expect_one_line_and_exit_2("dress " + shipped("tshirt.json") + " " + option);
+}
+
+TEST(Usage, a_folder_that_cannot_be_written_is_said_before_the_work) {
+    expect_one_line_and_exit_2("dress " + shipped("tshirt.json") + " --render /no/such/folder/x.png");
+    expect_one_line_and_exit_2("dress " + shipped("tshirt.json") + " --report /no/such/folder/x.json");
+    expect_one_line_and_exit_2("mannequin -o /no/such/folder/x.obj");
+}
+
+TEST(Usage, values_that_mannequin_cannot_use_get_one_line) {
+    for (const char* option : {"--bust wide -o x.obj", "--bust nan -o x.obj", "--bust -3 -o x.obj", "-o x.docx"})
+        expect_one_line_and_exit_2(std::string("mannequin ") + option);
+}
+
+TEST(Usage, a_file_that_is_no_picture_gets_one_line) {
+    const ScratchFolder folder;
+    std::ofstream(folder / "text.png") << "no picture\n";
+    expect_one_line_and_exit_2("diff '" + folder / "text.png" + "' '" + folder / "text.png" + "'");
+}
+
+}  // namespace
+}  // namespace selvedge
