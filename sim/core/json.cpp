@@ -143,7 +143,7 @@ std::string flat_text(const Json& value, bool spaced) {
 // Does it hold only plain values, or arrays of numbers, so that it reads well on one line?
 bool is_flat(const Json& value, int depth = 0) {
     if (is_plain(value)) return true;
-    if (depth == 2) return false;
+    if (depth == 4) return false;
     if (value.is_array()) {
         return std::all_of(value.elements().begin(), value.elements().end(),
                            [&](const Json& element) { return is_flat(element, depth + 1); });

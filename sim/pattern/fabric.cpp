@@ -1,0 +1,89 @@
+#include "sim/pattern/fabric.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <span>
+
+#include "sim/core/embedded.h"
+#include "sim/core/error.h"
+#include "sim/core/json.h"
+
+namespace selvedge {
+
+std::span<const EmbeddedFile> embedded_fabrics();
+
+namespace {
+
+// Which key of a fabric file is which figure, and within what it can be believed.
+struct Figure {
+    const char* key;
+    double Fabric::*value;
+    double least;
+    double most;
+    bool is_required;
+};
+
+constexpr std::array kFigures{
+    Figure{"area_density", &Fabric::area_density, 0.005, 5, true},
+    Figure{"stretch_warp", &Fabric::stretch_warp, 10, 1e6, true},
+    Figure{"stretch_weft", &Fabric::stretch_weft, 10, 1e6, true},
+    Figure{"shear", &Fabric::shear, 0.1, 1e5, true},
+    Figure{"bending_warp", &Fabric::bending_warp, 0, 0.1, true},
+    Figure{"bending_weft", &Fabric::bending_weft, 0, 0.1, true},
+    Figure{"bending_hysteresis", &Fabric::bending_hysteresis, 0, 1, false},
+    Figure{"shear_hysteresis", &Fabric::shear_hysteresis, 0, 1e3, false},
+    Figure{"thickness", &Fabric::thickness, 1e-5, 0.02, true},
+    Figure{"friction", &Fabric::friction, 0, 2, false},
+    Figure{"damping", &Fabric::damping, 0, 100, false},
+    Figure{"air_drag", &Fabric::air_drag, 0, 100, false},
+    Figure{"strain_limit", &Fabric::strain_limit, 1e-4, 2, false},
+};
+
+std::string shipped_name(const EmbeddedFile& file) {
+    return std::filesystem::path(file.name).stem().string();
+}
+
+std::string joined(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+Fabric read_fabric(const JsonView& root, const std::string& file) {
+    Fabric fabric;
+    fabric.name = root.has("name") ? root.at("name").string() : std::filesystem::path(file).stem().string();
+    for (const Figure& figure : kFigures) {
+        if (!root.has(figure.key) && !figure.is_required) continue;
+        fabric.*figure.value = root.at(figure.key).number_between(figure.least, figure.most);
+    }
+    return fabric;
+}
+
+}  // namespace
+
+Fabric parse_fabric(std::string_view text, const std::string& file) {
+    const Json root = parse_json(text, file);
+    return read_fabric(JsonView(root, file), file);
+}
+
+Fabric find_fabric(std::string_view name_or_file) {
+    const std::string name(name_or_file.empty() ? Fabric().name : name_or_file);
+    for (const EmbeddedFile& file : embedded_fabrics()) {
+        if (shipped_name(file) == name) return parse_fabric(file.text, std::string(file.name));
+    }
+    if (name.ends_with(".json")) {
+        const Json root = read_json(name);
+        return read_fabric(JsonView(root, name), name);
+    }
+    throw InputError("", "",
+                     "no fabric '" + name + "': known are " + joined(fabric_names()) + ", or name a .json file");
+}
+
+std::vector<std::string> fabric_names() {
+    std::vector<std::string> names;
+    for (const EmbeddedFile& file : embedded_fabrics()) names.push_back(shipped_name(file));
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+}  // namespace selvedge

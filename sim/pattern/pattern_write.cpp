@@ -1,0 +1,285 @@
+#include "sim/pattern/pattern_write.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "sim/pattern/pattern_read.h"
+
+namespace selvedge {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+// Numbers that say what the file says already keep their text; new ones get nine decimals at most.
+void set_number(Json& place, double value) {
+    if (place.is_number() && std::abs(place.number() - value) <= 1e-9 * std::max(1.0, std::abs(value))) return;
+    place = Json(std::round(value * 1e9) / 1e9 + 0.0);
+}
+
+void set_numbers(Json& place, std::initializer_list<double> values) {
+    if (!place.is_array()) place = Json::array();
+    place.elements().resize(values.size());
+    std::size_t i = 0;
+    for (const double value : values) set_number(place.elements()[i++], value);
+}
+
+// A key that says `usual` when it is not there stays away while its value is the usual one.
+template <class T>
+void set_unless_usual(Json& object, const char* key, const T& value, const T& usual) {
+    if (value == usual && !object.find(key)) return;
+    object[key] = Json(value);
+}
+
+void set_number_unless_zero(Json& object, const char* key, double value) {
+    if (value == 0 && !object.find(key)) return;
+    set_number(object[key], value);
+}
+
+class Writer {
+ public:
+    Writer(const Pattern& pattern, const Json& base)
+        : pattern_(pattern), root_(base.is_object() ? base : Json::object()), units_(units_in_meter(root_)) {}
+
+    Json write() {
+        if (!root_.find("pattern")) begin_specification();
+        Json& garment = root_["pattern"];
+        write_panels(garment["panels"]);
+        write_seams(garment["stitches"]);
+        if (Json* order = garment.find("panel_order")) write_panel_order(*order);
+        write_additions();
+        return std::move(root_);
+    }
+
+ private:
+    void begin_specification() {
+        Json& garment = root_["pattern"];
+        garment["panels"] = Json::object();
+        garment["stitches"] = Json::array();
+        garment["panel_order"] = Json::array();
+        root_["parameters"] = Json::object();
+        root_["parameter_order"] = Json::array();
+        Json& properties = root_["properties"];
+        properties["curvature_coords"] = "relative";
+        properties["normalize_panel_translation"] = false;
+        properties["normalized_edge_loops"] = true;
+        properties["units_in_meter"] = 100;
+    }
+
+    bool is_relative() const {
+        const Json* properties = root_.find("properties");
+        const Json* coords = properties ? properties->find("curvature_coords") : nullptr;
+        return !coords || !coords->is_string() || coords->string() != "absolute";
+    }
+
+    Vec2d in_file(const Panel& panel, const Vec2d& p) const {
+        return units_ * Vec2d(panel.is_mirrored ? -p.x() : p.x(), p.y());
+    }
+
+    void write_panels(Json& panels) {
+        if (!panels.is_object()) panels = Json::object();
+        std::map<std::string, const Panel*> by_name;
+        for (const Panel& panel : pattern_.panels) by_name[panel.name] = &panel;
+        std::erase_if(panels.members(), [&](const Json::Member& member) { return !by_name.contains(member.key); });
+        for (Json::Member& member : panels.members()) {
+            write_panel(member.value, *by_name[member.key]);
+            by_name.erase(member.key);
+        }
+        for (const Panel& panel : pattern_.panels) {
+            if (by_name.contains(panel.name)) write_panel(panels[panel.name], panel);
+        }
+    }
+
+    void write_panel(Json& json, const Panel& panel) {
+        const Vec3d shift = units_ * panel.translation;
+        if (json.find("translation") || !shift.isZero(0)) {
+            set_numbers(json["translation"], {shift.x(), shift.y(), shift.z()});
+        }
+        write_rotation(json, panel);
+        write_vertices(json["vertices"], panel);
+        write_edges(json["edges"], panel);
+        write_panel_additions(json, panel);
+    }
+
+    // Angles that give the panel's rotation already stay: more than one triple gives the same rotation.
+    void write_rotation(Json& json, const Panel& panel) {
+        Vec3d angles = Vec3d::Zero();
+        if (const Json* rotation = json.find("rotation")) {
+            for (Eigen::Index i = 0; i < 3; ++i) {
+                angles[i] = rotation->elements()[static_cast<std::size_t>(i)].number();
+            }
+        }
+        if (rotation_from_degrees(angles).isApprox(panel.rotation, 1e-12)) return;
+        const Vec3d zyx = panel.rotation.eulerAngles(2, 1, 0) / kDegree;
+        set_numbers(json["rotation"], {zyx[2], zyx[1], zyx[0]});
+    }
+
+    void write_vertices(Json& json, const Panel& panel) {
+        if (!json.is_array()) json = Json::array();
+        json.elements().resize(panel.vertices.size());
+        for (std::size_t i = 0; i < panel.vertices.size(); ++i) {
+            const Vec2d p = in_file(panel, panel.vertices[i]);
+            set_numbers(json.elements()[i], {p.x(), p.y()});
+        }
+    }
+
+    void write_edges(Json& json, const Panel& panel) {
+        if (!json.is_array()) json = Json::array();
+        json.elements().resize(panel.edges.size());
+        for (std::size_t i = 0; i < panel.edges.size(); ++i) {
+            const OutlineEdge& edge = panel.edges[i];
+            Json& place = json.elements()[i];
+            if (!place.is_object()) place = Json::object();
+            set_numbers(place["endpoints"], {double(edge.start), double(edge.end)});
+            set_unless_usual(place, "label", edge.label, std::string());
+            write_curvature(place, panel, edge);
+        }
+    }
+
+    void write_curvature(Json& place, const Panel& panel, const OutlineEdge& edge) {
+        if (edge.kind == CurveKind::Line) {
+            if (const Json* curvature = place.find("curvature"); curvature && !curvature->is_null()) {
+                place.erase("curvature");
+            }
+            return;
+        }
+        Json& curvature = place["curvature"];
+        if (edge.kind == CurveKind::Quadratic && curvature.is_array()) return write_control(curvature, panel, edge, 0);
+        if (!curvature.is_object()) curvature = Json::object();
+        curvature["type"] = edge.kind == CurveKind::Arc     ? "circle"
+                            : edge.kind == CurveKind::Cubic ? "cubic"
+                                                            : "quadratic";
+        Json& params = curvature["params"];
+        if (!params.is_array()) params = Json::array();
+        if (edge.kind == CurveKind::Arc) return write_arc(params, panel, edge);
+        const std::size_t count = edge.kind == CurveKind::Cubic ? 2 : 1;
+        params.elements().resize(count);
+        for (std::size_t i = 0; i < count; ++i) write_control(params.elements()[i], panel, edge, i);
+    }
+
+    void write_control(Json& place, const Panel& panel, const OutlineEdge& edge, std::size_t which) {
+        const Vec2d control = in_file(panel, edge.control[which]);
+        if (!is_relative()) return set_numbers(place, {control.x(), control.y()});
+        const Vec2d start = in_file(panel, panel.vertices[static_cast<std::size_t>(edge.start)]);
+        const Vec2d chord = in_file(panel, panel.vertices[static_cast<std::size_t>(edge.end)]) - start;
+        const Vec2d offset = control - start;
+        const double squared = chord.squaredNorm();
+        set_numbers(place, {offset.dot(chord) / squared, cross2(chord, offset) / squared});
+    }
+
+    void write_arc(Json& params, const Panel& panel, const OutlineEdge& edge) {
+        std::vector<Json>& values = params.elements();
+        values.resize(3);
+        set_number(values[0], units_ * edge.arc_radius);
+        set_flag(values[1], edge.is_large_arc);
+        set_flag(values[2], edge.turns_right == panel.is_mirrored);
+    }
+
+    static void set_flag(Json& place, bool value) {
+        if (place.is_bool()) {
+            place = Json(value);
+        } else {
+            set_number(place, value ? 1 : 0);
+        }
+    }
+
+    // What we add stands under one key of the panel, which is made only when there is something to say.
+    void write_panel_additions(Json& json, const Panel& panel) {
+        const Json* found = json.find("selvedge");
+        Json own = found ? *found : Json::object();
+        set_number_unless_zero(own, "grainline", (panel.is_mirrored ? -1 : 1) * panel.grain_angle / kDegree);
+        set_unless_usual(own, "fabric", panel.fabric, std::string());
+        set_number_unless_zero(own, "layer", panel.layer);
+        if (own.find("pins") || !panel.pins.empty()) write_pins(own["pins"], panel);
+        if (own.find("internal_lines") || !panel.internal_lines.empty()) {
+            write_internal_lines(own["internal_lines"], panel);
+        }
+        if (found || !own.members().empty()) json["selvedge"] = std::move(own);
+    }
+
+    static void write_pins(Json& json, const Panel& panel) {
+        if (!json.is_array()) json = Json::array();
+        json.elements().resize(panel.pins.size());
+        for (std::size_t i = 0; i < panel.pins.size(); ++i) set_number(json.elements()[i], panel.pins[i]);
+    }
+
+    void write_internal_lines(Json& json, const Panel& panel) {
+        if (!json.is_array()) json = Json::array();
+        json.elements().resize(panel.internal_lines.size());
+        for (std::size_t i = 0; i < panel.internal_lines.size(); ++i) {
+            const InternalLine& line = panel.internal_lines[i];
+            Json& place = json.elements()[i];
+            if (!place.is_object()) place = Json::object();
+            set_unless_usual(place, "name", line.name, std::string());
+            Json& points = place["points"];
+            if (!points.is_array()) points = Json::array();
+            points.elements().resize(line.points.size());
+            for (std::size_t k = 0; k < line.points.size(); ++k) {
+                const Vec2d p = in_file(panel, line.points[k]);
+                set_numbers(points.elements()[k], {p.x(), p.y()});
+            }
+        }
+    }
+
+    void write_seams(Json& json) {
+        if (!json.is_array()) json = Json::array();
+        json.elements().resize(pattern_.seams.size());
+        for (std::size_t i = 0; i < pattern_.seams.size(); ++i) {
+            const Seam& seam = pattern_.seams[i];
+            Json& place = json.elements()[i];
+            if (!place.is_array()) place = Json::array();
+            place.elements().resize(seam.is_reversed ? 2 : 3);
+            write_side(place.elements()[0], seam.first);
+            write_side(place.elements()[1], seam.second);
+            if (!seam.is_reversed) place.elements()[2] = "right_wrong";
+        }
+    }
+
+    void write_side(Json& json, const SeamSide& side) {
+        if (!json.is_object()) json = Json::object();
+        json["panel"] = pattern_.panels[static_cast<std::size_t>(side.panel)].name;
+        set_number(json["edge"], side.edge);
+    }
+
+    // Names that went leave the order; new ones follow at its end.
+    void write_panel_order(Json& order) {
+        if (!order.is_array()) return;
+        const auto is_listed = [&](const std::string& name) {
+            return std::any_of(order.elements().begin(), order.elements().end(),
+                               [&](const Json& element) { return element.is_string() && element.string() == name; });
+        };
+        std::erase_if(order.elements(), [&](const Json& element) {
+            return element.is_string() &&
+                   std::none_of(pattern_.panels.begin(), pattern_.panels.end(),
+                                [&](const Panel& panel) { return panel.name == element.string(); });
+        });
+        for (const Panel& panel : pattern_.panels) {
+            if (!is_listed(panel.name)) order.push_back(panel.name);
+        }
+    }
+
+    void write_additions() {
+        const Json* found = root_.find("selvedge");
+        Json own = found ? *found : Json::object();
+        set_unless_usual(own, "fabric", pattern_.fabric, std::string());
+        set_unless_usual(own, "tartan", pattern_.tartan, std::string());
+        set_unless_usual(own, "body", pattern_.body, std::string());
+        if (own.find("body_height") || pattern_.body_height != Pattern().body_height) {
+            set_number(own["body_height"], units_ * pattern_.body_height);
+        }
+        if (found || !own.members().empty()) root_["selvedge"] = std::move(own);
+    }
+
+    const Pattern& pattern_;
+    Json root_;
+    double units_;
+};
+
+}  // namespace
+
+Json pattern_as_json(const Pattern& pattern, const Json& base) {
+    return Writer(pattern, base).write();
+}
+
+}  // namespace selvedge
