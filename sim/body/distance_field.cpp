@@ -16,7 +16,7 @@ constexpr float kUnbounded = std::numeric_limits<float>::infinity();
 constexpr float kHair = 1.0001F;  // bounds are widened by this, for rounding
 constexpr float kHalfDiagonal = 0.8660254F;
 
-// Signed distances along a walk in small strides: each is bounded by the one before. Beyond `reach` only the sign is
+// Signed distances along a walk in small strides: the nearest point of one bounds the search for the next. Beyond `reach` only the sign is
 // right and the size is at least reach.
 class DistanceWalk {
  public:
@@ -24,27 +24,34 @@ class DistanceWalk {
 
     // Pre: p lies within a stride of the point before.
     float next(const Vec3f& p) {
-        if (std::abs(distance_) - stride_ > reach_) return distance_ -= std::copysign(stride_, distance_);
-        const float radius = std::min((std::abs(distance_) + stride_) * kHair, known_ ? reach_ * kHair : kUnbounded);
-        const std::optional<ClosestPoint> closest = bvh_.closest(p, radius);
-        // Nothing within reach, and reach is longer than a stride: the sign has not changed.
-        distance_ = closest ? closest->distance : std::copysign(reach_, distance_);
+        if (known_ && std::abs(distance_) - stride_ > reach_) return distance_ -= std::copysign(stride_, distance_);
+        const float nearest = nearest_ ? (p - *nearest_).norm() : kUnbounded;
+        const float reach = known_ ? reach_ : kUnbounded;
+        const std::optional<ClosestPoint> closest = bvh_.closest(p, std::min(nearest, reach) * kHair);
         known_ = true;
-        return distance_;
+        if (closest) {
+            nearest_ = closest->point;
+            return distance_ = closest->distance;
+        }
+        // Nothing within reach, and reach is longer than a stride: the sign has not changed.
+        nearest_.reset();
+        return distance_ = std::copysign(reach_, distance_);
     }
 
  private:
     const SurfaceBvh& bvh_;
     float stride_;
     float reach_;
-    float distance_ = kUnbounded;
+    float distance_ = 0;
     bool known_ = false;
+    std::optional<Vec3f> nearest_;  // a surface point that is not far
 };
 
 }  // namespace
 
 DistanceField::DistanceField(const SurfaceBvh& bvh, const DistanceFieldOptions& options)
     : cell_(options.cell),
+      per_cell_(1 / options.cell),
       band_(options.band),
       // Nodes of a cell with a point in the band lie within the cell's diagonal of it.
       limit_(options.band + 2 * kHalfDiagonal * options.cell),
@@ -71,6 +78,7 @@ void DistanceField::lay_out(const SurfaceBvh& bvh) {
         count *= blocks;
         SELVEDGE_ASSERT(count < 1e8);
         size_[std::size_t(axis)] = int(blocks);
+        cells_[axis] = float(blocks) * kCells;
     }
     blocks_.assign(std::size_t(count), kOutside);
 }
@@ -120,20 +128,21 @@ void DistanceField::fill_block(const SurfaceBvh& bvh, std::size_t block, std::in
 }
 
 FieldSample DistanceField::sample(const Vec3f& p) const {
-    const Vec3f at = (p - origin_) / cell_;
+    const Vec3f at = (p - origin_) * per_cell_;
     const FieldSample outside{band_, Vec3f::Zero()};
     // Written so that a NaN is outside too.
-    for (int axis = 0; axis < 3; ++axis)
-        if (!(at[axis] >= 0 && at[axis] < float(size_[std::size_t(axis)] * kCells))) return outside;
+    if (!((at.array() >= 0).all() && (at.array() < cells_.array()).all())) return outside;
     const int i = int(at.x());
     const int j = int(at.y());
     const int k = int(at.z());
-    const std::int32_t block = blocks_[std::size_t(i / kCells + size_[0] * (j / kCells + size_[1] * (k / kCells)))];
+    const int place = (i >> kCellBits) + size_[0] * ((j >> kCellBits) + size_[1] * (k >> kCellBits));
+    const std::int32_t block = blocks_[std::size_t(place)];
     if (block == kOutside) return outside;
     if (block == kInside) return {-band_, Vec3f::Zero()};
 
-    const std::int16_t* node = &nodes_[std::size_t(block) * kBlockNodes +
-                                       std::size_t(i % kCells + kNodes * (j % kCells + kNodes * (k % kCells)))];
+    constexpr int kWithin = kCells - 1;
+    const int corner = (i & kWithin) + kNodes * ((j & kWithin) + kNodes * (k & kWithin));
+    const std::int16_t* node = &nodes_[std::size_t(block) * kBlockNodes + std::size_t(corner)];
     const float fx = at.x() - float(i);
     const float fy = at.y() - float(j);
     const float fz = at.z() - float(k);
@@ -153,7 +162,7 @@ FieldSample DistanceField::sample(const Vec3f& p) const {
     const float dx0 = dx00 + fy * (dx10 - dx00);
     const float dx1 = dx01 + fy * (dx11 - dx01);
     const Vec3f steps(dx0 + fz * (dx1 - dx0), (v10 - v00) + fz * ((v11 - v01) - (v10 - v00)), v1 - v0);
-    return {distance, steps * (to_metres_ / cell_)};
+    return {distance, steps * (to_metres_ * per_cell_)};
 }
 
 // The true distance is 0 on the surface, and there convex features are at their sharpest.

@@ -36,7 +36,8 @@ class DistanceField {
     std::size_t bytes() const { return blocks_.size() * sizeof(std::int32_t) + nodes_.size() * sizeof(std::int16_t); }
 
  private:
-    static constexpr int kCells = 8;  // per block and axis
+    static constexpr int kCellBits = 3;
+    static constexpr int kCells = 1 << kCellBits;  // per block and axis
     static constexpr int kNodes = kCells + 1;
     static constexpr int kBlockNodes = kNodes * kNodes * kNodes;
     static constexpr std::int32_t kOutside = -1;
@@ -49,12 +50,14 @@ class DistanceField {
     float error_on(const SurfaceBvh& bvh) const;
 
     float cell_;
+    float per_cell_;
     float band_;
     float limit_;      // m, node values are held to +-limit
     float to_metres_;  // of a node's value
     float max_error_ = 0;
     Vec3f origin_ = Vec3f::Zero();
     std::array<int, 3> size_{};         // blocks along each axis
+    Vec3f cells_ = Vec3f::Zero();       // cells along each axis
     std::vector<std::int32_t> blocks_;  // place in nodes_ (in blocks), or kOutside, kInside
     std::vector<std::int16_t> nodes_;
 };

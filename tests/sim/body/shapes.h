@@ -1,0 +1,56 @@
+#pragma once
+// Closed surfaces whose distance is known without a mesh.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include "sim/body/body.h"
+
+namespace selvedge::shapes {
+
+// Axis-aligned box from low to high; each face is parted into cells x cells squares.
+inline Body box(const Vec3d& low, const Vec3d& high, int cells) {
+    Body body;
+    std::map<std::array<int, 3>, int> vertices;
+    const auto vertex = [&](const std::array<int, 3>& grid) {
+        const auto [found, is_new] = vertices.try_emplace(grid, int(body.x.size()));
+        if (is_new) {
+            const Vec3d t = Vec3d(grid[0], grid[1], grid[2]) / cells;
+            body.x.emplace_back(low + (high - low).cwiseProduct(t));
+        }
+        return found->second;
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (const int side : {0, cells})
+            for (int i = 0; i < cells; ++i)
+                for (int j = 0; j < cells; ++j) {
+                    const auto at = [&](int di, int dj) {
+                        std::array<int, 3> grid{};
+                        grid[axis] = side;
+                        grid[(axis + 1) % 3] = i + di;
+                        grid[(axis + 2) % 3] = j + dj;
+                        return vertex(grid);
+                    };
+                    std::array<int, 4> square{at(0, 0), at(1, 0), at(1, 1), at(0, 1)};
+                    if (side == 0) std::swap(square[1], square[3]);
+                    body.triangles.push_back({square[0], square[1], square[2]});
+                    body.triangles.push_back({square[0], square[2], square[3]});
+                }
+    return body;
+}
+
+// A cube's grid pushed out onto the sphere.
+inline Body sphere(const Vec3d& centre, double radius, int cells) {
+    Body body = box(Vec3d::Constant(-1), Vec3d::Constant(1), cells);
+    for (Vec3d& p : body.x) p = centre + radius * p.normalized();
+    return body;
+}
+
+inline double box_distance(const Vec3d& p, const Vec3d& low, const Vec3d& high) {
+    const Vec3d outside = (low - p).cwiseMax(p - high);
+    return outside.cwiseMax(0).norm() + std::min(outside.maxCoeff(), 0.0);
+}
+
+}  // namespace selvedge::shapes
