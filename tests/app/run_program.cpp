@@ -1,9 +1,9 @@
 #include "tests/app/run_program.h"
 
-#include <stdlib.h>
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
