@@ -38,7 +38,7 @@ struct MannequinMeasures {
 struct MannequinOptions {
     Sex sex = Sex::Female;
     MannequinMeasures measures;
-    int subdivisions = 2;  // 0..4: 4 296, 17 184, 68 736, 274 944 or 1 099 776 triangles
+    int subdivisions = 2;  // 1..4: 17 184, 68 736, 274 944 or 1 099 776 triangles
 };
 
 // One measure as asked for and as read off the finished surface, m.

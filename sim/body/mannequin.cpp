@@ -1,0 +1,170 @@
+#include "sim/body/mannequin.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <limits>
+#include <utility>
+
+#include "sim/body/mannequin_measures.h"
+#include "sim/body/mannequin_shape.h"
+
+namespace selvedge {
+
+namespace {
+
+constexpr double kEnough = 0.0015;   // relative error at which calibration stops
+constexpr double kPromised = 0.003;  // relative error beyond which a measure counts as not met
+constexpr int kMaxRounds = 12;
+
+// The measures of a bent body, m.
+struct Readings {
+    double height = 0;
+    double inseam = 0;
+    double shoulder = 0;
+    double arm = 0;
+    GirthValues girths;
+};
+
+// The lowest point of the midplane: nothing but the trunk reaches it.
+double crotch_height(const MannequinBase& base, const std::vector<Vec3d>& x) {
+    double lowest = std::numeric_limits<double>::max();
+    for (std::size_t v = 0; v < x.size(); ++v) {
+        if (std::abs(base.surface.x[v].x()) < 1e-6) lowest = std::min(lowest, x[v].y());
+    }
+    return lowest;
+}
+
+Readings take_measures(const MannequinBase& base, const Body& body, const Landmarks& landmarks) {
+    const HeightRange range = height_range(body);
+    return {.height = range.high - range.low,
+            .inseam = crotch_height(base, body.x),
+            .shoulder = 2 * landmarks.joints[Joint::LeftUpperArm].x(),
+            .arm = arm_length(landmarks.joints),
+            .girths = measure_girths(body, landmarks)};
+}
+
+ShapeParameters first_shape(const MannequinBase& base, const MannequinMeasures& measures, const GirthValues& targets) {
+    const Joints& joints = base.landmarks.joints;
+    ShapeParameters shape;
+    shape.height = measures.height.value_or(base.height);
+    shape.stature = shape.height / base.height;
+    const double head = joints[Joint::Head].y();
+    const double neck_up = (base.height - head) * head_scale(shape);
+    shape.inseam = measures.inseam.value_or(base.landmarks.levels.crotch * (shape.height - neck_up) / head);
+    shape.arm = measures.arm ? *measures.arm / arm_length(joints) : shape.stature;
+    for (std::size_t g = 0; g < kGirthCount; ++g) shape.scale.value[g] = targets.value[g] / base.girths.value[g];
+    shape.bust_ratio = shape.scale[Girth::Bust] / shape.stature;
+    shape.shoulder = measures.shoulder ? *measures.shoulder / (2 * joints[Joint::LeftUpperArm].x())
+                                       : shape.stature * std::pow(shape.bust_ratio, 0.35);
+    return shape;
+}
+
+double relative_error(double value, double wanted) {
+    return std::abs(value / wanted - 1);
+}
+
+// The chest keeps the shoulders wider than asked.
+bool is_shoulder_held(const ShapeParameters& shape, const Readings& readings, const MannequinOptions& options) {
+    const std::optional<double>& asked = options.measures.shoulder;
+    return asked && readings.shoulder > *asked && shape.shoulder < least_shoulder(shape, options.sex);
+}
+
+double worst_error(const Readings& readings, const GirthValues& targets, const MannequinMeasures& asked,
+                   bool is_shoulder_free) {
+    double worst = 0;
+    for (std::size_t g = 0; g < kGirthCount; ++g) {
+        worst = std::max(worst, relative_error(readings.girths.value[g], targets.value[g]));
+    }
+    if (asked.inseam) worst = std::max(worst, relative_error(readings.inseam, *asked.inseam));
+    if (asked.shoulder && is_shoulder_free) worst = std::max(worst, relative_error(readings.shoulder, *asked.shoulder));
+    return worst;
+}
+
+// Scales each parameter by how far off its measure is; the first steps are held back where they are large.
+void correct(ShapeParameters& shape, const Readings& readings, const GirthValues& targets,
+             const MannequinMeasures& asked, bool is_shoulder_free) {
+    const auto step = [](double wanted, double value) { return std::clamp(wanted / value, 0.7, 1.4); };
+    for (std::size_t g = 0; g < kGirthCount; ++g) {
+        shape.scale.value[g] *= std::pow(step(targets.value[g], readings.girths.value[g]), 0.95);
+    }
+    if (asked.inseam) shape.inseam += *asked.inseam - readings.inseam;
+    if (asked.shoulder && is_shoulder_free) shape.shoulder *= step(*asked.shoulder, readings.shoulder);
+}
+
+std::vector<SkinWeights> skin_of(const VertexRows& weights) {
+    constexpr std::size_t kMost = 4;
+    std::vector<SkinWeights> skin(static_cast<std::size_t>(weights.rows()));
+    for (std::size_t v = 0; v < skin.size(); ++v) {
+        std::array<std::pair<double, std::uint16_t>, kJointCount> shares;
+        for (std::size_t j = 0; j < kJointCount; ++j) {
+            shares[j] = {-weights(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(j)),
+                         static_cast<std::uint16_t>(j)};
+        }
+        std::partial_sort(shares.begin(), shares.begin() + kMost, shares.end());  // largest first, then lowest joint
+        double sum = 0;
+        for (std::size_t k = 0; k < kMost; ++k) sum -= shares[k].first;
+        for (std::size_t k = 0; k < kMost; ++k) {
+            if (shares[k].first == 0) break;
+            skin[v].bones[k] = shares[k].second;
+            skin[v].weights[k] = static_cast<float>(-shares[k].first / sum);
+        }
+    }
+    return skin;
+}
+
+std::vector<MeasureReading> read_off(const Readings& readings, const MannequinMeasures& asked) {
+    std::vector<double> values{readings.height, readings.inseam, readings.shoulder, readings.arm};
+    values.insert(values.end(), readings.girths.value.begin(), readings.girths.value.end());
+    std::vector<MeasureReading> lines;
+    for (const MeasureEntry& entry : measure_entries()) {
+        lines.push_back({.name = entry.name, .asked = asked.*entry.value, .measured = values[lines.size()]});
+    }
+    return lines;
+}
+
+std::vector<std::string> unmet(const std::vector<MeasureReading>& readings, bool is_shoulder_free) {
+    std::vector<std::string> messages;
+    for (const MeasureReading& reading : readings) {
+        if (!reading.asked || relative_error(reading.measured, *reading.asked) <= kPromised) continue;
+        char text[160];
+        std::snprintf(
+            text, sizeof text, "%.*s: asked %.1f cm, made %.1f cm%s", static_cast<int>(reading.name.size()),
+            reading.name.data(), 100 * *reading.asked, 100 * reading.measured,
+            reading.name == "shoulder" && !is_shoulder_free ? ": narrower, the arms would cut the chest" : "");
+        messages.emplace_back(text);
+    }
+    return messages;
+}
+
+}  // namespace
+
+Mannequin make_mannequin(const MannequinOptions& options) {
+    check_options(options);
+    const MannequinMeasures& asked = options.measures;
+    const MannequinBase base = make_mannequin_base(options.sex, options.subdivisions);
+    const GirthValues targets = target_girths(base, asked);
+    ShapeParameters shape = first_shape(base, asked, targets);
+
+    Mannequin mannequin{.body = base.surface, .report = {}};
+    for (;;) {
+        BentBody bent = bend_body(base, shape);
+        mannequin.body.x = std::move(bent.x);
+        mannequin.body.bones = make_bones(bent.landmarks.joints);
+        const Readings readings = take_measures(base, mannequin.body, bent.landmarks);
+        mannequin.report.readings = read_off(readings, asked);
+        const bool is_free = !is_shoulder_held(shape, readings, options);
+        const bool is_done = worst_error(readings, targets, asked, is_free) < kEnough;
+        if (++mannequin.report.rounds == kMaxRounds || is_done) {
+            mannequin.report.messages = unmet(mannequin.report.readings, is_free);
+            break;
+        }
+        correct(shape, readings, targets, asked, is_free);
+    }
+    mannequin.body.name = options.sex == Sex::Female ? "mannequin, female" : "mannequin, male";
+    mannequin.body.skin = skin_of(base.weights);
+    return mannequin;
+}
+
+}  // namespace selvedge

@@ -1,0 +1,57 @@
+#pragma once
+// The control cage of the mannequin: which points there are and which quads they form, all from ring counts. Rings run
+// round torso, legs, arms and thumbs; where rings meet (crotch, armhole, thumb) the quads simply go on, so nothing has
+// to be cut or united. Only the left half is listed; the right half is its mirror image.
+#include <array>
+#include <vector>
+
+#include "sim/body/subdivide.h"
+
+namespace selvedge {
+
+enum class CagePart { Torso, Crown, Bridge, Leg, ToeCap, Arm, HandCap, Thumb, ThumbCap };
+inline constexpr int kCagePartCount = 9;
+
+// Ring counts. A torso row is half a ring: columns 0..12 from the front midline over the left side to the back's.
+struct CageCounts {
+    static constexpr int kTorsoColumns = 13;
+    static constexpr int kArmholeRow = 12;   // torso row at the armpit
+    static constexpr int kArmholeRows = 3;   // quads left out, upwards ...
+    static constexpr int kArmholeFirst = 5;  // ... and between these columns
+    static constexpr int kArmholeLast = 8;
+    static constexpr int kShoulderTop = kArmholeRow + kArmholeRows;
+    static constexpr int kNeckBase = kShoulderTop + 4;
+    static constexpr int kNeckTop = kNeckBase + 2;
+    static constexpr int kTorsoRows = kNeckTop + 7 + 1;
+    static constexpr int kBridge = 3;     // points of the perineum, between the legs
+    static constexpr int kLegRing = 16;   // the torso's bottom row and the bridge
+    static constexpr int kAnkleRow = 17;  // leg row where the rings begin to fan out into the foot
+    static constexpr int kLegRows = kAnkleRow + 4 + 5;
+    static constexpr int kArmRing = 12;
+    static constexpr int kShoulderFan = 2;  // arm rows that turn from the armhole into the arm
+    static constexpr int kHandRow = kShoulderFan + 7 + 7;
+    static constexpr int kArmRows = kHandRow + 6;
+    static constexpr int kThumbRow = kHandRow + 1;  // two rows of two quads are left out here, from this column - 1
+    static constexpr int kThumbColumn = 11;
+    static constexpr int kThumbRing = 8;
+    static constexpr int kThumbRows = 3;
+};
+
+struct CageVertex {
+    CagePart part;
+    int row = 0;
+    int column = 0;
+    bool is_on_midplane = false;
+};
+
+struct Cage {
+    std::vector<CageVertex> left;  // the left half with the midplane: vertices 0..left.size()-1
+    std::vector<int> mirror;       // per left vertex its twin; itself on the midplane
+    std::vector<Quad> quads;       // of both halves, counter-clockwise seen from outside
+    int vertex_count = 0;          // of both halves
+};
+
+// Within a part, vertices are numbered row by row: the order of the table of figures.
+Cage make_cage();
+
+}  // namespace selvedge
