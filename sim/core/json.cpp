@@ -42,8 +42,8 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     bool end_object() override { return close(); }
     bool end_array() override { return close(); }
     bool key(std::string& name) override {
+        open_.back().key = name;
         if (!open_.back().keys.insert(name).second) fail("the key '" + name + "' stands here twice");
-        open_.back().key = std::move(name);
         return true;
     }
     bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception& error) override {
@@ -90,8 +90,9 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     [[noreturn]] void fail(const std::string& problem) const {
         std::string path;
         for (const Open& level : open_) {
-            path =
-                level.value->is_array() ? json_path(path, level.value->elements().size()) : json_path(path, level.key);
+            const bool is_innermost = &level == &open_.back();
+            path = level.value->is_object() ? json_path(path, level.key)
+                                            : json_path(path, level.value->elements().size() - (is_innermost ? 0 : 1));
         }
         throw InputError(file_, path, problem);
     }
