@@ -23,7 +23,7 @@ TEST(Usage, every_subcommand_explains_itself_with_an_example) {
         const ProgramResult result = run_selvedge(std::string(command) + " --help");
         EXPECT_EQ(result.exit_code, 0);
         EXPECT_EQ(result.err, "");
-        EXPECT_NE(result.out.find(std::string("selvedge ") + command), std::string::npos) << result.out;
+        EXPECT_NE(result.out.find(std::string("Example: selvedge ") + command), std::string::npos) << result.out;
     }
 }
 
@@ -50,11 +50,18 @@ TEST(Usage, a_missing_file_is_named_on_one_line) {
     const ScratchFolder folder;
     const std::string missing = "'" + folder / "missing" + "'";
     for (const std::string& arguments :
-         {"dress " + missing, "check " + missing, "render " + missing + " -o '" + folder / "x.png" + "'",
-          "diff " + missing + " " + missing, "dress " + shipped("tshirt.json") + " --body " + missing + ".obj"}) {
+         {"dress " + missing, "render " + missing + " -o '" + folder / "x.png" + "'", "diff " + missing + " " + missing,
+          "dress " + shipped("tshirt.json") + " --body " + missing + ".obj"}) {
         expect_one_line_and_exit_2(arguments);
         EXPECT_NE(run_selvedge(arguments).err.find(folder / "missing"), std::string::npos) << arguments;
     }
+}
+
+TEST(Usage, check_lists_a_missing_file_like_any_other_fault) {
+    const ProgramResult result = run_selvedge("check /no/such/pattern.json");
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(count_lines(result.out + result.err), 1) << result.out << result.err;
+    EXPECT_NE((result.out + result.err).find("/no/such/pattern.json"), std::string::npos);
 }
 
 TEST(Usage, values_that_dress_cannot_use_get_one_line) {

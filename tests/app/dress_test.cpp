@@ -1,0 +1,164 @@
+// selvedge dress and render, from outside: what they write, that it is the same for any number of threads, exit codes.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <sstream>
+
+#include "render/image/png.h"
+#include "sim/core/json.h"
+#include "tests/app/selvedge_program.h"
+
+namespace selvedge {
+namespace {
+
+const std::vector<std::string> kWritten = {"picture.png", "garment.obj", "garment.glb",
+                                           "body.obj",    "body.glb",    "report.json"};
+
+// Dresses two squares coarsely and writes everything there is to write.
+ProgramResult dress_into(const ScratchFolder& folder, const std::string& options) {
+    return run_selvedge("dress " + shipped("two_squares.json") + " --body mannequin:resolution=1 --max-level 1" +
+                        " --render '" + folder / "picture.png" + "' --size 160x120 --export '" +
+                        folder / "garment.obj" + "' --export '" + folder / "garment.glb" + "' --export-body '" +
+                        folder / "body.obj" + "' --export-body '" + folder / "body.glb" + "' --report '" +
+                        folder / "report.json" + "' " + options);
+}
+
+class DressCommand : public testing::Test {
+ protected:
+    static void SetUpTestSuite() {
+        folder_ = new ScratchFolder;
+        result_ = new ProgramResult(dress_into(*folder_, "--threads 1"));
+    }
+    static void TearDownTestSuite() {
+        delete folder_;
+        delete result_;
+    }
+    static std::string file(const std::string& name) { return *folder_ / name; }
+    static const ProgramResult& result() { return *result_; }
+
+ private:
+    static inline ScratchFolder* folder_ = nullptr;
+    static inline ProgramResult* result_ = nullptr;
+};
+
+Json report_without_timing(const std::string& file) {
+    Json report = read_json(file);
+    report.erase("timing");
+    return report;
+}
+
+std::vector<std::string> lines_with(const std::string& text, const std::string& beginning) {
+    std::vector<std::string> found;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.rfind(beginning, 0) == 0) found.push_back(line);
+    }
+    return found;
+}
+
+TEST_F(DressCommand, two_squares_dress_without_a_fault) {
+    EXPECT_EQ(result().exit_code, 0) << result().out << result().err;
+    const Json report = read_json(file("report.json"));
+    ASSERT_NE(report.find("faults"), nullptr);
+    EXPECT_TRUE(report.find("faults")->elements().empty()) << write_json(*report.find("faults"));
+    ASSERT_NE(report.find("settled"), nullptr);
+    EXPECT_TRUE(report.find("settled")->boolean());
+}
+
+TEST_F(DressCommand, writes_every_file_it_was_asked_for) {
+    for (const std::string& name : kWritten) EXPECT_GT(content_of(file(name)).size(), 100U) << name;
+    const Image picture = read_png(file("picture.png"));
+    EXPECT_EQ(picture.width_px, 160);
+    EXPECT_EQ(picture.height_px, 120);
+}
+
+TEST_F(DressCommand, the_report_has_every_key_that_scripts_rely_on) {
+    const Json report = read_json(file("report.json"));
+    for (const char* key : {"garment", "body", "settled", "stopped_because", "simulated_seconds", "faults"})
+        EXPECT_NE(report.find(key), nullptr) << key;
+    const std::vector<std::pair<std::string, std::vector<std::string>>> groups = {
+        {"mesh",
+         {"base_triangles", "leaf_triangles", "leaf_vertices", "by_level", "min_angle_deg", "splits", "rejoins",
+          "transitions"}},
+        {"seams", {"count", "open", "worst_length_mismatch"}},
+        {"contact", {"inside", "deepest_m"}},
+        {"stretch", {"warp_weft_p50", "warp_weft_p99", "warp_weft_max", "shear_deg_p99"}},
+        {"timing", {"wall_s", "ms_per_adaption", "ms_per_step", "ms_adapt_plus_4_steps", "phases", "peak_memory_mb"}}};
+    for (const auto& [group, keys] : groups) {
+        ASSERT_NE(report.find(group), nullptr) << group;
+        for (const std::string& key : keys) EXPECT_NE(report.find(group)->find(key), nullptr) << group << '.' << key;
+    }
+}
+
+TEST_F(DressCommand, the_obj_carries_metres_material_coordinates_and_a_group_per_panel) {
+    const std::string text = content_of(file("garment.obj"));
+    const Json report = read_json(file("report.json"));
+    EXPECT_EQ(lines_with(text, "g ").size(), 2U);
+    EXPECT_EQ(static_cast<double>(lines_with(text, "f ").size()),
+              report.find("mesh")->find("leaf_triangles")->number());
+    EXPECT_FALSE(lines_with(text, "vt ").empty());
+    for (const std::string& line : lines_with(text, "v ")) {
+        double x = 0, y = 0, z = 0;
+        std::istringstream(line.substr(2)) >> x >> y >> z;
+        ASSERT_TRUE(std::abs(x) < 1.5 && y > -0.1 && y < 2.2 && std::abs(z) < 1.5) << line;
+    }
+}
+
+TEST_F(DressCommand, two_threads_write_the_same_bytes_as_one) {
+    const ScratchFolder other;
+    const ProgramResult again = dress_into(other, "--threads 2");
+    EXPECT_EQ(again.exit_code, result().exit_code);
+    for (const std::string& name : kWritten) {
+        if (name == "report.json") continue;
+        EXPECT_TRUE(content_of(file(name)) == content_of(other / name)) << name << " differs";
+    }
+    EXPECT_EQ(write_json(report_without_timing(file("report.json"))),
+              write_json(report_without_timing(other / "report.json")));
+}
+
+TEST_F(DressCommand, a_fault_exits_3_is_named_and_still_makes_the_picture) {
+    const ScratchFolder folder;
+    const ProgramResult hasty = dress_into(folder, "--seconds 0.05");
+    EXPECT_EQ(hasty.exit_code, 3) << hasty.err;
+    const Json report = read_json(folder / "report.json");
+    ASSERT_FALSE(report.find("faults")->elements().empty());
+    EXPECT_EQ(report.find("faults")->elements().front().find("kind")->string(), "not_settled");
+    EXPECT_EQ(read_png(folder / "picture.png").width_px, 160);
+}
+
+TEST_F(DressCommand, runs_from_any_folder) {
+    const ScratchFolder folder;
+    const ProgramResult elsewhere = run_command("cd '" + folder.path().string() + "' && '" SELVEDGE_PROGRAM "' dress " +
+                                                shipped("two_squares.json") +
+                                                " --body mannequin:resolution=1 --max-level 0 --seconds 0.05 "
+                                                "--tartan black_watch --fabric denim --render x.png --size 64x64");
+    EXPECT_EQ(elsewhere.exit_code, 3) << elsewhere.err;
+    EXPECT_EQ(read_png(folder / "x.png").width_px, 64);
+}
+
+TEST_F(DressCommand, what_was_exported_can_be_rendered_again) {
+    for (const std::string garment : {"garment.obj", "garment.glb"}) {
+        const ScratchFolder folder;
+        const ProgramResult rendered = run_selvedge("render '" + file(garment) + "' --body '" + file("body.obj") +
+                                                    "' -o '" + folder / "again.png" + "' --size 96x128");
+        EXPECT_EQ(rendered.exit_code, 0) << rendered.err;
+        EXPECT_EQ(read_png(folder / "again.png").height_px, 128);
+    }
+}
+
+TEST_F(DressCommand, each_way_of_looking_gives_another_picture) {
+    const ScratchFolder folder;
+    std::vector<std::string> pictures;
+    for (const std::string options : {"--view front", "--view back", "--view left", "--view three-quarter"}) {
+        const std::string picture = folder / std::to_string(pictures.size()) + ".png";
+        const ProgramResult rendered =
+            run_selvedge("render '" + file("garment.obj") + "' --size 96x96 " + options + " -o '" + picture + "'");
+        ASSERT_EQ(rendered.exit_code, 0) << rendered.err;
+        pictures.push_back(content_of(picture));
+    }
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(pictures[i] == pictures[j]) << i << " and " << j;
+}
+
+}  // namespace
+}  // namespace selvedge
