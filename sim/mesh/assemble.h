@@ -13,7 +13,7 @@ namespace selvedge {
 // Post: merge_seams() of the result has no triangle with two equal vertices and no edge with three triangles, unless
 // the pattern itself sews three edges together.
 // Throws InputError for a self-crossing outline (naming the panel), for a seam to a missing edge or of an edge with
-// itself, and for a pattern that would need more than options.max_triangles.
+// itself, and for a panel that would need more than options.max_triangles.
 GarmentMesh assemble(const Pattern& pattern, const MeshOptions& options = {});
 
 struct SewnMesh {

@@ -27,9 +27,9 @@ struct GarmentMesh {
     std::vector<Vec3d> x;  // positions, m
     std::vector<GarmentTriangle> triangles;
     std::vector<SeamLink> links;
-    std::vector<int> pins;                     // vertices that do not move
+    std::vector<int> pins;  // vertices that do not move
     std::vector<std::string> panel_names;
-    std::vector<double> panel_grain_angles;    // rad, see Panel::grain_angle
+    std::vector<double> panel_grain_angles;  // rad, see Panel::grain_angle
 };
 
 }  // namespace selvedge

@@ -1,0 +1,142 @@
+#include "sim/mesh/delaunay.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_face_base_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <algorithm>
+
+namespace selvedge {
+namespace {
+
+constexpr int kNoVertex = -1;
+
+struct Corners {
+    std::array<int, 3> vertex{kNoVertex, kNoVertex, kNoVertex};  // our vertex at each corner of the face
+    bool is_inside = false;
+};
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
+using FaceBase =
+    CGAL::Triangulation_face_base_with_info_2<Corners, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
+using Triangulation =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure,
+                                               CGAL::No_constraint_intersection_requiring_constructions_tag>;
+using Vertex = Triangulation::Vertex_handle;
+using Face = Triangulation::Face_handle;
+
+int& corner(Face face, int index) {
+    return face->info().vertex[static_cast<std::size_t>(index)];
+}
+
+Kernel::Point_2 point(const Vec2d& p) {
+    return {p.x(), p.y()};
+}
+
+// The outline's points in the plane, in its order, joined by constraints.
+std::vector<Vertex> insert_outline(Triangulation& plane, std::span<const Vec2d> outline) {
+    std::vector<Vertex> handles;
+    for (const Vec2d& p : outline) {
+        handles.push_back(plane.insert(point(p), handles.empty() ? Face() : handles.back()->face()));
+        handles.back()->info() = kNoVertex;
+    }
+    for (std::size_t i = 0; i < handles.size(); ++i) {
+        plane.insert_constraint(handles[i], handles[(i + 1) % handles.size()]);
+    }
+    return handles;
+}
+
+bool insert_interior(Triangulation& plane, std::span<const Vec2d> interior, std::size_t first) {
+    for (std::size_t i = 0; i < interior.size(); ++i) {
+        const std::size_t before = plane.number_of_vertices();
+        const Vertex handle = plane.insert(point(interior[i]));
+        if (plane.number_of_vertices() == before) return false;
+        handle->info() = static_cast<int>(first + i);
+    }
+    return true;
+}
+
+// The face to the left of the edge from a to b; none when ab is no edge or that side is beyond the hull.
+Face left_of(const Triangulation& plane, Vertex a, Vertex b) {
+    Face face;
+    int opposite = 0;
+    if (!plane.is_edge(a, b, face, opposite)) return {};
+    if (face->vertex(Triangulation::ccw(opposite)) != a) face = face->neighbor(opposite);
+    return plane.is_infinite(face) ? Face() : face;
+}
+
+// Gives `vertex` to the corners at `handle` of all faces from `face` counter-clockwise to the next outline edge.
+//
+//        \  ^  /
+//     f2  \ | /  f1       the sector that belongs to this visit of the outline at v; where the outline passes the
+//   -------v------->      same point again, that visit owns other sectors
+//          ^  face
+bool claim_sector(const Triangulation& plane, Face face, Vertex handle, int vertex) {
+    while (true) {
+        const int at = face->index(handle);
+        if (corner(face, at) != kNoVertex) return false;
+        corner(face, at) = vertex;
+        face->info().is_inside = true;
+        const int across = Triangulation::ccw(at);
+        if (face->is_constrained(across)) return true;
+        face = face->neighbor(across);
+        if (plane.is_infinite(face)) return false;
+    }
+}
+
+// Spreads "inside" over all faces that can be reached without crossing the outline.
+void flood(Triangulation& plane) {
+    std::vector<Face> open;
+    for (Face face : plane.finite_face_handles()) {
+        if (face->info().is_inside) open.push_back(face);
+    }
+    while (!open.empty()) {
+        const Face face = open.back();
+        open.pop_back();
+        for (int i = 0; i < 3; ++i) {
+            const Face next = face->neighbor(i);
+            if (face->is_constrained(i) || plane.is_infinite(next) || next->info().is_inside) continue;
+            next->info().is_inside = true;
+            open.push_back(next);
+        }
+    }
+}
+
+std::optional<std::vector<std::array<int, 3>>> collect_inside(Triangulation& plane) {
+    std::vector<std::array<int, 3>> triangles;
+    for (Face face : plane.finite_face_handles()) {
+        if (!face->info().is_inside) continue;
+        std::array<int, 3> triangle{};
+        for (int i = 0; i < 3; ++i) {
+            const int inner = face->vertex(i)->info();
+            triangle[static_cast<std::size_t>(i)] = inner != kNoVertex ? inner : corner(face, i);
+        }
+        if (std::ranges::find(triangle, kNoVertex) != triangle.end()) return std::nullopt;
+        std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+        triangles.push_back(triangle);
+    }
+    std::ranges::sort(triangles);
+    return triangles;
+}
+
+}  // namespace
+
+std::optional<std::vector<std::array<int, 3>>> delaunay_inside(std::span<const Vec2d> outline,
+                                                               std::span<const Vec2d> interior) {
+    Triangulation plane;
+    const std::vector<Vertex> handles = insert_outline(plane, outline);
+    if (plane.dimension() < 2) return std::nullopt;
+    if (!insert_interior(plane, interior, outline.size())) return std::nullopt;
+    for (std::size_t i = 0; i < handles.size(); ++i) {
+        const Face face = left_of(plane, handles[i], handles[(i + 1) % handles.size()]);
+        if (face == Face() || !claim_sector(plane, face, handles[i], static_cast<int>(i))) return std::nullopt;
+    }
+    flood(plane);
+    return collect_inside(plane);
+}
+
+}  // namespace selvedge

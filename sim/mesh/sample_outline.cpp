@@ -1,0 +1,205 @@
+#include "sim/mesh/sample_outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "sim/core/assert.h"
+#include "sim/core/error.h"
+#include "sim/mesh/linked_vertices.h"
+#include "sim/mesh/planar.h"
+#include "sim/pattern/outline.h"
+
+namespace selvedge {
+namespace {
+
+constexpr int kMostSegments = 10000;  // per edge: far beyond any garment, so that wrong units end in a message
+
+// The largest distance, m, of the curve from its chords when cut into `segments`.
+double chord_error_of(const Panel& panel, const OutlineEdge& edge, int segments) {
+    constexpr int kProbes = 6;
+    double worst = 0;
+    Vec2d start = outline_point(panel, edge, 0);
+    for (int i = 0; i < segments; ++i) {
+        const Vec2d end = outline_point(panel, edge, double(i + 1) / segments);
+        for (int probe = 1; probe < kProbes; ++probe) {
+            const double t = (i + double(probe) / kProbes) / segments;
+            worst = std::max(worst, distance_to_segment(outline_point(panel, edge, t), start, end));
+        }
+        start = end;
+    }
+    return worst;
+}
+
+// All edges and all corners of a pattern in one row each, so that they can be grouped.
+struct FlatPattern {
+    const Pattern& pattern;
+    std::vector<int> first_edge;
+    std::vector<int> first_vertex;
+    int edges = 0;
+    int vertices = 0;
+
+    explicit FlatPattern(const Pattern& source) : pattern(source) {
+        for (const Panel& panel : source.panels) {
+            first_edge.push_back(edges);
+            first_vertex.push_back(vertices);
+            edges += static_cast<int>(panel.edges.size());
+            vertices += static_cast<int>(panel.vertices.size());
+        }
+    }
+    int edge(const SeamSide& side) const { return first_edge[static_cast<std::size_t>(side.panel)] + side.edge; }
+    int start(const SeamSide& side) const { return vertex(side, outline_edge(side).start); }
+    int end(const SeamSide& side) const { return vertex(side, outline_edge(side).end); }
+
+    const OutlineEdge& outline_edge(const SeamSide& side) const {
+        return pattern.panels[static_cast<std::size_t>(side.panel)].edges[static_cast<std::size_t>(side.edge)];
+    }
+    std::vector<SeamSide> sides() const {
+        std::vector<SeamSide> all;
+        for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+            for (std::size_t e = 0; e < pattern.panels[p].edges.size(); ++e) {
+                all.push_back({static_cast<int>(p), static_cast<int>(e)});
+            }
+        }
+        return all;
+    }
+
+ private:
+    int vertex(const SeamSide& side, int corner) const {
+        return first_vertex[static_cast<std::size_t>(side.panel)] + corner;
+    }
+};
+
+void require_side(const Pattern& pattern, const SeamSide& side, const std::string& place) {
+    if (side.panel < 0 || side.panel >= static_cast<int>(pattern.panels.size())) {
+        throw InputError("", place, "no panel number " + std::to_string(side.panel));
+    }
+    const Panel& panel = pattern.panels[static_cast<std::size_t>(side.panel)];
+    if (side.edge < 0 || side.edge >= static_cast<int>(panel.edges.size())) {
+        throw InputError("", place, "panel '" + panel.name + "' has no edge " + std::to_string(side.edge));
+    }
+}
+
+void require_seams(const Pattern& pattern) {
+    for (std::size_t i = 0; i < pattern.seams.size(); ++i) {
+        const Seam& seam = pattern.seams[i];
+        const std::string place = "seams[" + std::to_string(i) + "]";
+        require_side(pattern, seam.first, place);
+        require_side(pattern, seam.second, place);
+        if (seam.first == seam.second) throw InputError("", place, "an edge is sewn to itself");
+    }
+}
+
+// Whether two edges of a panel run along each other in opposite directions, as the banks of a slit of no width do.
+bool are_banks(const Panel& panel, const OutlineEdge& a, const OutlineEdge& b) {
+    const auto corner = [&](int index) { return panel.vertices[static_cast<std::size_t>(index)]; };
+    const auto near = [](const Vec2d& p, const Vec2d& q) { return (p - q).norm() < kWeldDistance; };
+    return near(corner(a.start), corner(b.end)) && near(corner(a.end), corner(b.start)) &&
+           near(outline_point(panel, a, 0.5), outline_point(panel, b, 0.5));
+}
+
+// Groups the edges that must have the same number of segments.
+DisjointSets group_edges(const FlatPattern& flat) {
+    DisjointSets groups(static_cast<std::size_t>(flat.edges));
+    for (const Seam& seam : flat.pattern.seams) groups.join(flat.edge(seam.first), flat.edge(seam.second));
+    for (std::size_t p = 0; p < flat.pattern.panels.size(); ++p) {
+        const Panel& panel = flat.pattern.panels[p];
+        for (std::size_t a = 0; a < panel.edges.size(); ++a) {
+            for (std::size_t b = a + 1; b < panel.edges.size(); ++b) {
+                if (!are_banks(panel, panel.edges[a], panel.edges[b])) continue;
+                groups.join(flat.first_edge[p] + static_cast<int>(a), flat.first_edge[p] + static_cast<int>(b));
+            }
+        }
+    }
+    return groups;
+}
+
+DisjointSets group_corners(const FlatPattern& flat) {
+    DisjointSets corners(static_cast<std::size_t>(flat.vertices));
+    for (const Seam& seam : flat.pattern.seams) {
+        const bool reversed = seam.is_reversed;
+        corners.join(flat.start(seam.first), reversed ? flat.end(seam.second) : flat.start(seam.second));
+        corners.join(flat.end(seam.first), reversed ? flat.start(seam.second) : flat.end(seam.second));
+    }
+    return corners;
+}
+
+// Sewing may close an edge into a ring, or bring both ends of two edges together that are not sewn to each other:
+// with too few segments the sewn mesh would collapse there.
+void keep_rings_open(const FlatPattern& flat, DisjointSets& groups, std::vector<int>& counts) {
+    DisjointSets corners = group_corners(flat);
+    std::map<std::pair<int, int>, std::vector<int>> straight;  // ends -> groups of one segment between them
+    for (const SeamSide& side : flat.sides()) {
+        const int group = groups.find(flat.edge(side));
+        int& count = counts[static_cast<std::size_t>(group)];
+        const std::pair<int, int> ends = std::minmax({corners.find(flat.start(side)), corners.find(flat.end(side))});
+        if (ends.first == ends.second) count = std::max(count, 3);
+        if (count != 1) continue;
+        std::vector<int>& same_ends = straight[ends];
+        if (std::ranges::find(same_ends, group) == same_ends.end()) same_ends.push_back(group);
+    }
+    for (const auto& [ends, same_ends] : straight) {
+        if (same_ends.size() < 2) continue;
+        for (int group : same_ends) {
+            int& count = counts[static_cast<std::size_t>(group)];
+            count = std::max(count, 2);
+        }
+    }
+}
+
+}  // namespace
+
+int segments_needed(const Panel& panel, const OutlineEdge& edge, const MeshOptions& options) {
+    const double length = outline_length(panel, edge);
+    const double wanted = std::round(length / options.target_edge);
+    if (!(wanted <= kMostSegments)) {
+        throw InputError("", "panel '" + panel.name + "'",
+                         "an outline edge of " + std::to_string(length) + " m is too long to mesh");
+    }
+    int segments = std::max(1, static_cast<int>(wanted));
+    if (edge.kind == CurveKind::Line) return segments;
+    while (segments < kMostSegments) {
+        const double error = chord_error_of(panel, edge, segments);
+        if (error <= options.chord_error) break;
+        // The error falls with the square of the number: leap as far as is surely needed.
+        const int leap = static_cast<int>(0.7 * segments * std::sqrt(std::min(error / options.chord_error, 1e4)));
+        segments = std::max(segments + 1, leap);
+    }
+    return std::min(segments, kMostSegments);
+}
+
+std::vector<std::vector<int>> count_segments(const Pattern& pattern, const MeshOptions& options) {
+    require_seams(pattern);
+    const FlatPattern flat(pattern);
+    DisjointSets groups = group_edges(flat);
+    std::vector<int> counts(static_cast<std::size_t>(flat.edges), 1);  // valid at each group's representative
+    for (const SeamSide& side : flat.sides()) {
+        const Panel& panel = pattern.panels[static_cast<std::size_t>(side.panel)];
+        int& count = counts[static_cast<std::size_t>(groups.find(flat.edge(side)))];
+        count = std::max(count, segments_needed(panel, flat.outline_edge(side), options));
+    }
+    keep_rings_open(flat, groups, counts);
+
+    std::vector<std::vector<int>> segments(pattern.panels.size());
+    for (const SeamSide& side : flat.sides()) {
+        const int count = counts[static_cast<std::size_t>(groups.find(flat.edge(side)))];
+        segments[static_cast<std::size_t>(side.panel)].push_back(count);
+    }
+    return segments;
+}
+
+SampledOutline sample_outline(const Panel& panel, const std::vector<int>& segments) {
+    SELVEDGE_ASSERT(segments.size() == panel.edges.size());
+    SampledOutline sampled;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        SELVEDGE_ASSERT(segments[i] >= 1);
+        sampled.runs.push_back({static_cast<int>(sampled.points.size()), segments[i]});
+        for (int k = 0; k < segments[i]; ++k) {
+            sampled.points.push_back(outline_point(panel, panel.edges[i], double(k) / segments[i]));
+        }
+    }
+    return sampled;
+}
+
+}  // namespace selvedge
