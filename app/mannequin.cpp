@@ -1,0 +1,81 @@
+// selvedge mannequin: makes a body from measurements, writes it, and prints what was asked beside what the tape reads.
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "app/commands.h"
+#include "sim/body/mannequin.h"
+#include "sim/core/error.h"
+#include "sim/exchange/mesh_file.h"
+
+namespace selvedge {
+namespace {
+
+struct MannequinArguments {
+    MannequinOptions options;  // measures in cm until run
+    std::string sex = "female";
+    std::filesystem::path output;
+};
+
+// "--high-hip,--high_hip": words on the command line are joined by hyphens, in a --body text as the measure is named.
+std::string flags_of(std::string_view name) {
+    const std::string flag = "--" + std::string(name);
+    if (name == "hip") return flag + ",--hips";
+    std::string hyphenated = flag;
+    std::replace(hyphenated.begin(), hyphenated.end(), '_', '-');
+    return hyphenated == flag ? flag : hyphenated + "," + flag;
+}
+
+void add_measures(CLI::App& command, MannequinArguments& arguments) {
+    for (const std::string_view name : measure_names()) {
+        command.add_option(flags_of(name), *find_measure(arguments.options.measures, name))
+            ->type_name("CM")
+            ->group("Measures (what is not given follows the others)");
+    }
+}
+
+void print_readings(const MeasureReport& report) {
+    std::printf("%-10s %9s %9s\n", "cm", "asked", "measured");
+    for (const MeasureReading& reading : report.readings) {
+        std::printf("%-10s ", std::string(reading.name).c_str());
+        reading.asked ? std::printf("%9.1f ", 100 * *reading.asked) : std::printf("%9s ", "-");
+        std::printf("%9.1f\n", 100 * reading.measured);
+    }
+    for (const std::string& message : report.messages) std::printf("not met: %s\n", message.c_str());
+}
+
+int run(MannequinArguments arguments) {
+    arguments.options.sex = arguments.sex == "male" ? Sex::Male : Sex::Female;
+    for (const std::string_view name : measure_names()) {
+        std::optional<double>& measure = *find_measure(arguments.options.measures, name);
+        if (measure) *measure /= 100;
+    }
+    const Mannequin mannequin = make_mannequin(arguments.options);
+    write_body(mannequin.body, arguments.output);
+    print_readings(mannequin.report);
+    std::printf("%s: %zu vertices, %zu triangles\n", arguments.output.string().c_str(), mannequin.body.x.size(),
+                mannequin.body.triangles.size());
+    return mannequin.report.messages.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+void add_mannequin_command(CLI::App& app, int& exit_code) {
+    auto arguments = std::make_shared<MannequinArguments>();
+    CLI::App* command = app.add_subcommand("mannequin", "Make a body from measurements");
+    command->add_option("--sex", arguments->sex, "Which base body")
+        ->check(CLI::IsMember({"female", "male"}))
+        ->capture_default_str();
+    add_measures(*command, *arguments);
+    command->add_option("--resolution", arguments->options.subdivisions, "Steps of subdivision, 1 to 4")
+        ->capture_default_str();
+    command->add_option("-o,--output", arguments->output, "body.glb or body.obj")->required();
+    command->footer(
+        "Exit code: 0 made as asked, 1 made but some measure could not be met, 2 wrong input.\n"
+        "Example: selvedge mannequin --sex female --height 168 --bust 92 --waist 74 --hip 98 -o body.glb");
+    command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace selvedge
