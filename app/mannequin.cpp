@@ -37,11 +37,12 @@ void add_measures(CLI::App& command, MannequinArguments& arguments) {
 }
 
 void print_readings(const MeasureReport& report) {
-    std::printf("%-10s %9s %9s\n", "cm", "asked", "measured");
+    std::printf("%-10s %9s %9s %9s\n", "cm", "asked", "measured", "at height");
     for (const MeasureReading& reading : report.readings) {
         std::printf("%-10s ", std::string(reading.name).c_str());
         reading.asked ? std::printf("%9.1f ", 100 * *reading.asked) : std::printf("%9s ", "-");
-        std::printf("%9.1f\n", 100 * reading.measured);
+        std::printf("%9.1f ", 100 * reading.measured);
+        reading.level ? std::printf("%9.1f\n", 100 * *reading.level) : std::printf("\n");
     }
     for (const std::string& message : report.messages) std::printf("not met: %s\n", message.c_str());
 }

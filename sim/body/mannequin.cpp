@@ -1,6 +1,7 @@
 #include "sim/body/mannequin.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -114,12 +115,20 @@ std::vector<SkinWeights> skin_of(const VertexRows& weights) {
     return skin;
 }
 
-std::vector<MeasureReading> read_off(const Readings& readings, const MannequinMeasures& asked) {
-    std::vector<double> values{readings.height, readings.inseam, readings.shoulder, readings.arm};
-    values.insert(values.end(), readings.girths.value.begin(), readings.girths.value.end());
+std::vector<MeasureReading> read_off(const Readings& readings, const Landmarks& landmarks,
+                                     const MannequinMeasures& asked) {
+    const std::array<double, 4> lengths{readings.height, readings.inseam, readings.shoulder, readings.arm};
     std::vector<MeasureReading> lines;
     for (const MeasureEntry& entry : measure_entries()) {
-        lines.push_back({.name = entry.name, .asked = asked.*entry.value, .measured = values[lines.size()]});
+        const std::size_t line = lines.size();
+        lines.push_back({.name = entry.name, .asked = asked.*entry.value, .measured = 0, .level = {}});
+        if (line < lengths.size()) {
+            lines.back().measured = lengths[line];
+        } else {
+            const auto girth = static_cast<Girth>(line - lengths.size());
+            lines.back().measured = readings.girths[girth];
+            lines.back().level = girth_plane(girth, landmarks).point.y();
+        }
     }
     return lines;
 }
@@ -153,7 +162,7 @@ Mannequin make_mannequin(const MannequinOptions& options) {
         mannequin.body.x = std::move(bent.x);
         mannequin.body.bones = make_bones(bent.landmarks.joints);
         const Readings readings = take_measures(base, mannequin.body, bent.landmarks);
-        mannequin.report.readings = read_off(readings, asked);
+        mannequin.report.readings = read_off(readings, bent.landmarks, asked);
         const bool is_free = !is_shoulder_held(shape, readings, options);
         const bool is_done = worst_error(readings, targets, asked, is_free) < kEnough;
         if (++mannequin.report.rounds == kMaxRounds || is_done) {

@@ -14,30 +14,30 @@ enum class Sex { Female, Male };
 
 // All in metres. What is unset follows the others by the base body's proportions; height is then the base body's.
 struct MannequinMeasures {
-    std::optional<double> height;
-    std::optional<double> inseam;    // floor to crotch
-    std::optional<double> shoulder;  // width from joint to joint
-    std::optional<double> arm;       // shoulder joint to wrist
-    std::optional<double> bust;      // male: chest
-    std::optional<double> underbust;
-    std::optional<double> waist;
-    std::optional<double> high_hip;
-    std::optional<double> hip;
-    std::optional<double> neck;
-    std::optional<double> biceps;
-    std::optional<double> elbow;
-    std::optional<double> forearm;
-    std::optional<double> wrist;
-    std::optional<double> thigh;
-    std::optional<double> mid_thigh;
-    std::optional<double> knee;
-    std::optional<double> calf;
-    std::optional<double> ankle;
+    std::optional<double> height = {};
+    std::optional<double> inseam = {};    // floor to crotch
+    std::optional<double> shoulder = {};  // width from joint to joint
+    std::optional<double> arm = {};       // shoulder joint to wrist
+    std::optional<double> bust = {};      // male: chest
+    std::optional<double> underbust = {};
+    std::optional<double> waist = {};
+    std::optional<double> high_hip = {};
+    std::optional<double> hip = {};
+    std::optional<double> neck = {};
+    std::optional<double> biceps = {};
+    std::optional<double> elbow = {};
+    std::optional<double> forearm = {};
+    std::optional<double> wrist = {};
+    std::optional<double> thigh = {};
+    std::optional<double> mid_thigh = {};
+    std::optional<double> knee = {};
+    std::optional<double> calf = {};
+    std::optional<double> ankle = {};
 };
 
 struct MannequinOptions {
     Sex sex = Sex::Female;
-    MannequinMeasures measures;
+    MannequinMeasures measures = {};
     int subdivisions = 2;  // 1..4: 17 184, 68 736, 274 944 or 1 099 776 triangles
 };
 
@@ -46,6 +46,7 @@ struct MeasureReading {
     std::string_view name;
     std::optional<double> asked;
     double measured = 0;
+    std::optional<double> level;  // of a girth: height of the middle of the tape
 };
 
 struct MeasureReport {
@@ -66,6 +67,9 @@ Mannequin make_mannequin(const MannequinOptions& options = {});
 // Reads "mannequin:sex=female,bust=92,waist=74" (cm, all parts optional, also "hips" for hip and "resolution" for
 // subdivisions). Throws InputError for what it does not know.
 MannequinOptions parse_mannequin(std::string_view text);
+
+// "height", "inseam", ... in the order of the report.
+std::vector<std::string_view> measure_names();
 
 // The measure called `name` (also "hips"), or nullptr.
 std::optional<double>* find_measure(MannequinMeasures& measures, std::string_view name);

@@ -25,7 +25,7 @@ Sex read_sex(std::string_view text) {
 
 std::string known_names() {
     std::string names = "sex, resolution";
-    for (const MeasureEntry& entry : measure_entries()) names += ", " + std::string(entry.name);
+    for (const std::string_view name : measure_names()) names += ", " + std::string(name);
     return names;
 }
 
@@ -53,6 +53,12 @@ void read_setting(MannequinOptions& options, std::string_view setting) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> measure_names() {
+    std::vector<std::string_view> names;
+    for (const MeasureEntry& entry : measure_entries()) names.push_back(entry.name);
+    return names;
+}
 
 std::optional<double>* find_measure(MannequinMeasures& measures, std::string_view name) {
     if (name == "hips") name = "hip";
