@@ -1,0 +1,43 @@
+#pragma once
+// Scene -> picture. Shading in linear light per pixel (Phong), a key light with soft shadows, the room's light dimmed
+// in folds and hollows, woven tartan; 4x multisampled. The same scene gives the same pixels.  (SPEC 6)
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "render/gl/context.h"
+#include "render/image/image.h"
+#include "render/scene/scene.h"
+
+namespace selvedge {
+
+struct RenderOptions {
+    int width_px = 1024;
+    int height_px = 1024;
+    int samples = 4;      // per pixel, of triangles' edges
+    int supersample = 1;  // 2: everything is drawn at twice the size and averaged
+};
+
+// The level's colour in ShowMode::Level; levels beyond the last share it.
+inline constexpr int kLevelColours = 8;
+Rgb8 level_colour(int level);
+
+// Owns a context, so it belongs to one thread, and only one lives at a time.
+class Renderer {
+ public:
+    // Throws InputError when there is no way to draw (render/gl/context.h).
+    explicit Renderer(std::optional<ContextMaker> maker = {});
+    ~Renderer();
+
+    // Any size: a picture is drawn in tiles. Throws InputError when it is over render/image/png.h's limits.
+    // Pre: the scene has a triangle, its numbers are finite.
+    Image draw(const Scene& scene, const RenderOptions& options = {});
+
+    const GlContext& context() const;
+
+ private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace selvedge

@@ -1,0 +1,70 @@
+#include "render/scene/scene.h"
+
+#include <utility>
+
+#include "sim/core/assert.h"
+
+namespace selvedge {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, ShowMode>, 4> kShowModes{
+    {{"tartan", ShowMode::Tartan}, {"level", ShowMode::Level}, {"edges", ShowMode::Edges}, {"plain", ShowMode::Plain}}};
+
+}  // namespace
+
+std::optional<ShowMode> parse_show_mode(std::string_view name) {
+    for (const auto& [known, mode] : kShowModes) {
+        if (known == name) return mode;
+    }
+    return std::nullopt;
+}
+
+std::vector<Vec3f> vertex_normals(const std::vector<Vec3f>& x,
+                                  const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+    std::vector<Vec3f> normals(x.size(), Vec3f::Zero());
+    for (const auto& [a, b, c] : triangles) {
+        SELVEDGE_ASSERT(a < x.size() && b < x.size() && c < x.size());
+        const Vec3f doubled_area = (x[b] - x[a]).cross(x[c] - x[a]);
+        for (const std::uint32_t vertex : {a, b, c}) normals[vertex] += doubled_area;
+    }
+    for (Vec3f& normal : normals) {
+        const float length = normal.norm();
+        normal = length > 0 ? Vec3f(normal / length) : Vec3f(Vec3f::UnitY());
+    }
+    return normals;
+}
+
+BodyItem make_body_item(const Body& body) {
+    BodyItem item;
+    item.x.reserve(body.x.size());
+    for (const Vec3d& point : body.x) item.x.push_back(point.cast<float>());
+    item.triangles.reserve(body.triangles.size());
+    for (const auto& [a, b, c] : body.triangles) {
+        item.triangles.push_back(
+            {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
+    }
+    item.normals = vertex_normals(item.x, item.triangles);
+    return item;
+}
+
+std::vector<Vec3f> scene_points(const Scene& scene) {
+    std::vector<Vec3f> points;
+    for (const ClothItem& cloth : scene.cloths) points.insert(points.end(), cloth.mesh.x.begin(), cloth.mesh.x.end());
+    for (const BodyItem& body : scene.bodies) points.insert(points.end(), body.x.begin(), body.x.end());
+    return points;
+}
+
+Camera frame_scene(const Scene& scene, View view, float aspect) {
+    return frame_points(scene_points(scene), view, {.aspect = aspect});
+}
+
+Light studio_light(const Camera& camera) {
+    const Vec3f back = (camera.eye - camera.target).normalized();
+    const Vec3f right = camera.up.cross(back).normalized();
+    Light light;
+    light.to_key = (-0.62F * right + 0.80F * Vec3f::UnitY() + 0.66F * back).normalized();
+    light.to_fill = (0.85F * right + 0.15F * Vec3f::UnitY() + 0.5F * back).normalized();
+    return light;
+}
+
+}  // namespace selvedge

@@ -1,0 +1,86 @@
+#pragma once
+// What a picture shows, as plain data: whoever has a garment fills it, the renderer draws it, and neither knows the
+// other.  (SPEC 6)
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "render/scene/camera.h"
+#include "sim/body/body.h"
+#include "sim/core/vec.h"
+#include "sim/mesh/plain_mesh.h"
+#include "sim/tartan/sett.h"
+
+namespace selvedge {
+
+enum class ShowMode {
+    Tartan,  // woven from the sett, by material coordinates; plain where the mesh has none
+    Level,   // triangles coloured by their level
+    Edges,   // plain cloth with the triangles' edges
+    Plain,
+};
+
+inline constexpr const char* kShowModeNames = "tartan, level, edges, plain";
+std::optional<ShowMode> parse_show_mode(std::string_view name);
+
+struct ClothItem {
+    PlainMesh mesh;
+    Sett sett;
+    Vec2f sett_position{0, 0};  // m, in the fabric's (weft, warp) directions: where the first stripe begins
+    float sett_scale = 1;       // of the sett's own repeat
+    ShowMode show = ShowMode::Tartan;
+    Rgb8 colour{0xE4, 0xDF, 0xD3};  // where no tartan is woven
+};
+
+struct BodyItem {
+    std::vector<Vec3f> x;        // m
+    std::vector<Vec3f> normals;  // unit
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    Rgb8 colour{0xC9, 0xBB, 0xAE};  // clay
+};
+
+// One key light with shadows, a fill from the other side without, and the light of the room from all round.
+struct Light {
+    Vec3f to_key{-0.5F, 0.7F, 0.6F};  // towards the light, unit or not
+    Vec3f to_fill{0.7F, 0.2F, 0.7F};
+    float key = 0.98F;  // irradiance, 1 makes white white
+    float fill = 0.12F;
+    float sky = 0.40F;     // from above
+    float bounce = 0.20F;  // from below
+};
+
+struct Background {
+    Rgb8 centre{0xF1, 0xEF, 0xEB};
+    Rgb8 edge{0xCC, 0xCA, 0xC6};
+    bool is_transparent = false;  // only the ground's shadow remains of it
+};
+
+struct Scene {
+    std::vector<ClothItem> cloths;
+    std::vector<BodyItem> bodies;
+    Camera camera;
+    Light light;
+    Background background;
+    bool has_ground = true;  // catches shadows; has no horizon
+    float ground_y = 0;      // m
+};
+
+// The surface of a body with its normals.
+BodyItem make_body_item(const Body& body);
+
+// All cloth and body vertices.
+std::vector<Vec3f> scene_points(const Scene& scene);
+
+// The camera that holds the whole scene. Pre: the scene is not empty.
+Camera frame_scene(const Scene& scene, View view, float aspect);
+
+// Lights that stand with the camera, as in a studio: key from the upper left, fill from the right.
+Light studio_light(const Camera& camera);
+
+// Area-weighted vertex normals; +y where a vertex has no area round it.
+std::vector<Vec3f> vertex_normals(const std::vector<Vec3f>& x,
+                                  const std::vector<std::array<std::uint32_t, 3>>& triangles);
+
+}  // namespace selvedge

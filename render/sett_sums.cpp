@@ -1,0 +1,27 @@
+#include "render/sett_sums.h"
+
+#include "render/colour.h"
+#include "sim/core/assert.h"
+
+namespace selvedge {
+
+SettSums sum_sett(const Sett& sett) {
+    const std::vector<Rgb8> colours = thread_colours(sett);
+    SELVEDGE_ASSERT(!colours.empty());
+    Vec3d mean = Vec3d::Zero();
+    for (const Rgb8& colour : colours) mean += to_linear(colour).cast<double>();
+    mean /= static_cast<double>(colours.size());
+
+    SettSums result;
+    result.mean = mean.cast<float>();
+    result.sums.push_back(Vec3f::Zero());
+    Vec3d sum = Vec3d::Zero();
+    for (const Rgb8& colour : colours) {
+        sum += to_linear(colour).cast<double>() - mean;
+        result.sums.push_back(sum.cast<float>());
+    }
+    result.sums.back().setZero();
+    return result;
+}
+
+}  // namespace selvedge

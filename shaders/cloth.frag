@@ -1,0 +1,61 @@
+in vec3 v_position;
+in vec3 v_normal;
+in vec2 v_place;
+in vec3 v_heights;
+in vec2 v_openness;
+flat in uint v_marks;
+
+uniform int show;          // 0 tartan, 1 level, 2 edges, 3 plain
+uniform vec3 cloth_colour;
+uniform vec3 level_colours[8];
+uniform float line_px;     // half the width of an edge's line
+
+out vec4 colour;
+
+// 1 on the nearest edge, 0 away from it; fades where triangles are hardly larger than the line.
+float edge_line() {
+    vec3 distance_px = v_heights / max(fwidth(v_heights), vec3(1e-9));
+    float nearest = min(distance_px.x, min(distance_px.y, distance_px.z));
+    float size_px = max(distance_px.x, max(distance_px.y, distance_px.z));
+    return (1.0 - smoothstep(line_px - 0.5, line_px + 0.5, nearest)) * smoothstep(line_px, 8.0 * line_px, size_px);
+}
+
+// Cloth sinks where it is sewn, and is doubled where it is hemmed.
+float sewn_shade(uint mask, float half_width) {
+    float nearest = 1e9;
+    for (int i = 0; i < 3; ++i) {
+        if ((mask >> i & 1u) != 0u) nearest = min(nearest, v_heights[i]);
+    }
+    if (nearest > 0.02) return 0.0;
+    float pixel = max(max(fwidth(v_heights.x), fwidth(v_heights.y)), fwidth(v_heights.z));
+    float share = half_width / (half_width + pixel);
+    return share * (1.0 - smoothstep(0.3 * half_width, half_width + pixel, nearest));
+}
+
+vec3 cloth_albedo(float side) {
+    if (show == 0) return 0.94 * tartan(v_place, side) + 0.008;  // even black yarn scatters a little light
+    if (show == 1) return level_colours[min(v_marks & 255u, 7u)];
+    return cloth_colour;
+}
+
+void main() {
+    float side = gl_FrontFacing ? 1.0 : -1.0;
+    vec3 albedo = cloth_albedo(side);
+    float lines = edge_line();  // derivatives want every pixel
+    albedo *= 1.0 - 0.55 * sewn_shade(v_marks >> 8 & 7u, 0.0016);
+    albedo *= 1.0 - 0.30 * sewn_shade(v_marks >> 11 & 7u, 0.0020);
+    if (show == 1) albedo = mix(albedo, albedo * 0.35, 0.7 * lines);
+    if (show == 2) albedo = mix(albedo, vec3(0.035, 0.05, 0.09), 0.9 * lines);
+    if (side < 0.0) {
+        float grey = dot(albedo, vec3(0.2126, 0.7152, 0.0722));
+        albedo = mix(albedo, vec3(grey), 0.25) * 0.72;
+    }
+    Surface surface;
+    surface.albedo = albedo;
+    surface.normal = normalize(v_normal) * side;
+    surface.openness = side > 0.0 ? v_openness.x : v_openness.y;
+    surface.gloss = 0.012;
+    surface.shininess = 14.0;
+    surface.sheen = 0.045;
+    colour = vec4(lit(surface, v_position), 1.0);
+}

@@ -1,0 +1,25 @@
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec2 place;     // (weft, warp), m
+layout(location = 3) in vec3 heights;   // m above each of the triangle's edges
+layout(location = 4) in vec2 openness;  // right side, wrong side
+layout(location = 5) in uint marks;     // level, then 3 bits of edges on seams, then 3 bits of edges on hems
+
+uniform mat4 camera;
+
+out vec3 v_position;
+out vec3 v_normal;
+out vec2 v_place;
+out vec3 v_heights;
+out vec2 v_openness;
+flat out uint v_marks;
+
+void main() {
+    v_position = position;
+    v_normal = normal;
+    v_place = place;
+    v_heights = heights;
+    v_openness = openness;
+    v_marks = marks;
+    gl_Position = camera * vec4(position, 1.0);
+}
