@@ -1,0 +1,146 @@
+#pragma once
+// One adaption: refine from level 0 down, then coarsen from the deepest level up, retriangulating after each level.
+// Criteria are asked per edge and combined at compile time: split if any asks and none vetoes, rejoin if any vetoes or
+// all agree.  (SPEC 1.2-1.4)
+//
+// A criterion has       bool wants_split(const AdaptiveMesh&, EdgeId) const;    asked of unsplit edges
+//                       bool allows_rejoin(const AdaptiveMesh&, EdgeId) const;  asked of split edges
+// A veto has            static constexpr bool is_veto = true;
+//                       bool vetoes(const AdaptiveMesh&, EdgeId) const;         asked of both
+// The observer (the cloth, or a surface) holds the state by vertex id, and gets
+//                       on_capacity(n)       before any id of n or above is used: state arrays grow to n
+//                       on_split(c, a, b)    c is new between a and b: set all that the criteria read of it
+//                       on_rejoin(c)         c is about to be freed
+// An adaption in which nothing changes asks each leaf edge once and each parent of two leaves once.
+#include <algorithm>
+#include <concepts>
+#include <optional>
+
+#include "sim/adaptive/adaptive_mesh.h"
+
+namespace selvedge {
+
+struct AdaptOptions {
+    std::optional<int> max_level = {};        // below the mesh's own: deeper edges are rejoined where permitted
+    TransitionCounts* transitions = nullptr;  // counted up when given
+};
+
+struct AdaptReport {
+    int splits = 0;
+    int rejoins = 0;
+    int transitions = 0;
+    bool changed() const { return splits + rejoins > 0; }
+};
+
+template <class S>
+concept AdaptObserver = requires(S& state, VertexId v, std::size_t capacity) {
+    state.on_capacity(capacity);
+    state.on_split(v, v, v);
+    state.on_rejoin(v);
+};
+
+template <class C>
+concept VetoCriterion = requires(const C& criterion, const AdaptiveMesh& mesh, EdgeId e) {
+    requires C::is_veto;
+    { criterion.vetoes(mesh, e) } -> std::same_as<bool>;
+};
+
+template <class C>
+concept EdgeCriterion = VetoCriterion<C> || requires(const C& criterion, const AdaptiveMesh& mesh, EdgeId e) {
+    { criterion.wants_split(mesh, e) } -> std::same_as<bool>;
+    { criterion.allows_rejoin(mesh, e) } -> std::same_as<bool>;
+};
+
+namespace adapt_detail {
+
+template <class C>
+bool asks(const C& criterion, const AdaptiveMesh& mesh, EdgeId e) {
+    if constexpr (VetoCriterion<C>) {
+        return false;
+    } else {
+        return criterion.wants_split(mesh, e);
+    }
+}
+
+template <class C>
+bool agrees(const C& criterion, const AdaptiveMesh& mesh, EdgeId e) {
+    if constexpr (VetoCriterion<C>) {
+        return true;
+    } else {
+        return criterion.allows_rejoin(mesh, e);
+    }
+}
+
+template <class C>
+bool vetoes(const C& criterion, const AdaptiveMesh& mesh, EdgeId e) {
+    if constexpr (VetoCriterion<C>) {
+        return criterion.vetoes(mesh, e);
+    } else {
+        return false;
+    }
+}
+
+template <class... C>
+bool should_split(const AdaptiveMesh& mesh, EdgeId e, const C&... criteria) {
+    return (asks(criteria, mesh, e) || ...) && !(vetoes(criteria, mesh, e) || ...);
+}
+
+template <class... C>
+bool should_rejoin(const AdaptiveMesh& mesh, EdgeId e, const C&... criteria) {
+    return (vetoes(criteria, mesh, e) || ...) || (agrees(criteria, mesh, e) && ...);
+}
+
+template <class State>
+void split(AdaptiveMesh& mesh, State& state, EdgeId e) {
+    const std::size_t capacity = mesh.vertex_capacity();
+    const VertexId centre = mesh.split(e);
+    if (mesh.vertex_capacity() != capacity) state.on_capacity(mesh.vertex_capacity());
+    state.on_split(centre, mesh.end(e, 0), mesh.end(e, 1));
+}
+
+template <class State, class... C>
+int refine_level(AdaptiveMesh& mesh, State& state, int level, const C&... criteria) {
+    int splits = 0;
+    for (const EdgeId e : mesh.unsplit_edges(level)) {
+        if (!mesh.may_split(e) || !should_split(mesh, e, criteria...)) continue;
+        split(mesh, state, e);
+        ++splits;
+    }
+    return splits;
+}
+
+template <class State, class... C>
+int coarsen_level(AdaptiveMesh& mesh, State& state, int level, bool beyond_limit, const C&... criteria) {
+    int rejoins = 0;
+    for (const EdgeId e : mesh.split_edges(level)) {
+        if (!mesh.may_rejoin(e) || !(beyond_limit || should_rejoin(mesh, e, criteria...))) continue;
+        state.on_rejoin(mesh.centre(e));
+        mesh.rejoin(e);
+        ++rejoins;
+    }
+    return rejoins;
+}
+
+}  // namespace adapt_detail
+
+// Pre: state knows mesh.vertex_capacity(). Post: check(mesh) finds nothing that it did not find before; the leaf lists
+// are up to date.
+template <AdaptObserver State, EdgeCriterion... Criteria>
+AdaptReport adapt(AdaptiveMesh& mesh, State& state, const AdaptOptions& options, const Criteria&... criteria) {
+    AdaptReport report;
+    const int limit = std::min(options.max_level.value_or(mesh.max_level()), mesh.max_level());
+    for (int level = 0; level < limit; ++level) {
+        const int splits = adapt_detail::refine_level(mesh, state, level, criteria...);
+        if (splits > 0) report.transitions += mesh.retriangulate(level, options.transitions);
+        report.splits += splits;
+    }
+    for (int level = mesh.max_level() - 1; level >= 0; --level) {
+        const int rejoins = adapt_detail::coarsen_level(mesh, state, level, level >= limit, criteria...);
+        if (rejoins > 0) report.transitions += mesh.retriangulate(level, options.transitions);
+        report.rejoins += rejoins;
+    }
+    mesh.refresh_lists();
+    return report;
+}
+
+}  // namespace selvedge

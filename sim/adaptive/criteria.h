@@ -1,0 +1,73 @@
+#pragma once
+// Criteria that look at the surface alone. Each holds references to the state's arrays (not spans: an adaption may grow
+// them), indexed by vertex id; splits must set them for the new centre.  (SPEC 1.3)
+#include <vector>
+
+#include "sim/adaptive/adaptive_mesh.h"
+#include "sim/core/vec.h"
+
+namespace selvedge {
+
+struct CurvatureOptions {
+    float split_angle = 0.35F;   // rad, a larger angle between the normals of an edge's ends asks for a split
+    float rejoin_angle = 0.10F;  // rad, below split_angle
+};
+
+// Split edges where the cloth bends, rejoin them where it lies flat: at both ends and at the centre, or a symmetric
+// bump would be flattened away.  (thesis 3.4)
+class CurvatureCriterion {
+ public:
+    // normals: unit.
+    explicit CurvatureCriterion(const std::vector<Vec3f>& normals, const CurvatureOptions& options = {});
+
+    bool wants_split(const AdaptiveMesh& mesh, EdgeId e) const {
+        const AdaptiveEdge& edge = mesh.edge(e);
+        return dot(edge.ends[0], edge.ends[1]) < split_cosine_;
+    }
+
+    bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId e) const {
+        const AdaptiveEdge& edge = mesh.edge(e);
+        return dot(edge.ends[0], edge.ends[1]) > rejoin_cosine_ && dot(edge.ends[0], edge.centre) > rejoin_cosine_ &&
+               dot(edge.centre, edge.ends[1]) > rejoin_cosine_;
+    }
+
+ private:
+    float dot(VertexId a, VertexId b) const { return normals_[a.value].dot(normals_[b.value]); }
+
+    const std::vector<Vec3f>& normals_;
+    float split_cosine_;
+    float rejoin_cosine_;
+};
+
+struct LengthOptions {
+    float split_compression = 0.05F;   // of the rest length; an edge compressed by more asks for a split
+    float rejoin_compression = 0.02F;  // below split_compression
+};
+
+// Split edges that are compressed against their rest length: there the cloth must wrinkle.
+// Position is any vector type whose first three coefficients are the position, m.
+template <class Position>
+class LengthCriterion {
+ public:
+    explicit LengthCriterion(const std::vector<Position>& x, const LengthOptions& options = {})
+        : x_(x), split_share_(1.0F - options.split_compression), rejoin_share_(1.0F - options.rejoin_compression) {
+        SELVEDGE_ASSERT(split_share_ < rejoin_share_);
+    }
+
+    bool wants_split(const AdaptiveMesh& mesh, EdgeId e) const { return is_shorter(mesh.edge(e), split_share_); }
+    bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId e) const { return !is_shorter(mesh.edge(e), rejoin_share_); }
+
+ private:
+    bool is_shorter(const AdaptiveEdge& edge, float share) const {
+        const Vec3f a = x_[edge.ends[0].value].template head<3>();
+        const Vec3f b = x_[edge.ends[1].value].template head<3>();
+        const float limit = share * edge.rest_length;
+        return (b - a).squaredNorm() < limit * limit;
+    }
+
+    const std::vector<Position>& x_;
+    float split_share_;
+    float rejoin_share_;
+};
+
+}  // namespace selvedge
