@@ -69,20 +69,21 @@ Face left_of(const Triangulation& plane, Vertex a, Vertex b) {
     return plane.is_infinite(face) ? Face() : face;
 }
 
-// Gives `vertex` to the corners at `handle` of all faces from `face` counter-clockwise to the next outline edge.
+// Gives `vertex` to the corners at `handle` of all faces from `face`, left of the edge by which the outline leaves it,
+// counter-clockwise to the edge by which it arrives, from `previous`. False when another outline edge lies between.
 //
 //        \  ^  /
 //     f2  \ | /  f1       the sector that belongs to this visit of the outline at v; where the outline passes the
 //   -------v------->      same point again, that visit owns other sectors
 //          ^  face
-bool claim_sector(const Triangulation& plane, Face face, Vertex handle, int vertex) {
+bool claim_sector(const Triangulation& plane, Face face, Vertex handle, Vertex previous, int vertex) {
     while (true) {
         const int at = face->index(handle);
         if (corner(face, at) != kNoVertex) return false;
         corner(face, at) = vertex;
         face->info().is_inside = true;
         const int across = Triangulation::ccw(at);
-        if (face->is_constrained(across)) return true;
+        if (face->is_constrained(across)) return face->vertex(Triangulation::cw(at)) == previous;
         face = face->neighbor(across);
         if (plane.is_infinite(face)) return false;
     }
@@ -132,8 +133,10 @@ std::optional<std::vector<std::array<int, 3>>> delaunay_inside(std::span<const V
     if (plane.dimension() < 2) return std::nullopt;
     if (!insert_interior(plane, interior, outline.size())) return std::nullopt;
     for (std::size_t i = 0; i < handles.size(); ++i) {
+        const Vertex previous = handles[(i + handles.size() - 1) % handles.size()];
         const Face face = left_of(plane, handles[i], handles[(i + 1) % handles.size()]);
-        if (face == Face() || !claim_sector(plane, face, handles[i], static_cast<int>(i))) return std::nullopt;
+        if (face == Face() || !claim_sector(plane, face, handles[i], previous, static_cast<int>(i)))
+            return std::nullopt;
     }
     flood(plane);
     return collect_inside(plane);

@@ -78,19 +78,24 @@ bool is_inside(const Vec2d& point, std::span<const Vec2d> outline) {
     return inside;
 }
 
-std::array<double, 3> triangle_angles(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
+double smallest_angle(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
     const auto angle = [](const Vec2d& at, const Vec2d& p, const Vec2d& q) {
         return std::atan2(std::abs(cross2(p - at, q - at)), (p - at).dot(q - at));
     };
-    return {angle(a, b, c), angle(b, c, a), angle(c, a, b)};
+    const double ab = (b - a).squaredNorm();
+    const double bc = (c - b).squaredNorm();
+    const double ca = (a - c).squaredNorm();
+    if (ab <= bc && ab <= ca) return angle(c, a, b);
+    return bc <= ca ? angle(a, b, c) : angle(b, c, a);
 }
 
 void weld(std::vector<Vec2d>& points) {
     for (std::size_t i = 1; i < points.size(); ++i) {
         for (std::size_t k = 0; k < i; ++k) {
-            if ((points[i] - points[k]).squaredNorm() >= kWeldDistance * kWeldDistance) continue;
-            points[i] = points[k];
-            break;
+            if ((points[i] - points[k]).squaredNorm() < kWeldDistance * kWeldDistance) {
+                points[i] = points[k];
+                break;
+            }
         }
     }
 }

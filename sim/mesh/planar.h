@@ -1,6 +1,5 @@
 #pragma once
 // Small geometry of the plane that sampling, triangulating and checking share.
-#include <array>
 #include <optional>
 #include <span>
 #include <utility>
@@ -17,8 +16,8 @@ double distance_to_segment(const Vec2d& point, const Vec2d& start, const Vec2d& 
 double distance_to_outline(const Vec2d& point, std::span<const Vec2d> outline);
 bool is_inside(const Vec2d& point, std::span<const Vec2d> outline);
 
-// The three inner angles, rad; zero where two corners coincide.
-std::array<double, 3> triangle_angles(const Vec2d& a, const Vec2d& b, const Vec2d& c);
+// The angle opposite the shortest side, rad; zero where two corners coincide.
+double smallest_angle(const Vec2d& a, const Vec2d& b, const Vec2d& c);
 
 // Gives samples within kWeldDistance of each other the same coordinates: those of the first.
 void weld(std::vector<Vec2d>& points);

@@ -12,7 +12,8 @@ namespace selvedge {
 namespace {
 
 constexpr double kGoodAngle = 35 * std::numbers::pi / 180;  // rad
-constexpr int kMostRepairs = 40;
+constexpr std::size_t kTriedTriangles = 6;  // the worst ones: beyond them repairs hardly lower the penalty
+constexpr int kMostTries = 200;             // triangulations spent on repairs of one panel
 
 using Triangle = std::array<int, 3>;
 
@@ -20,9 +21,8 @@ const Vec2d& point_of(const PlanarMesh& mesh, int vertex) {
     return mesh.points[static_cast<std::size_t>(vertex)];
 }
 
-double smallest_angle(const PlanarMesh& mesh, const Triangle& t) {
-    const auto angles = triangle_angles(point_of(mesh, t[0]), point_of(mesh, t[1]), point_of(mesh, t[2]));
-    return *std::ranges::min_element(angles);
+double angle_of(const PlanarMesh& mesh, const Triangle& t) {
+    return smallest_angle(point_of(mesh, t[0]), point_of(mesh, t[1]), point_of(mesh, t[2]));
 }
 
 std::span<const Vec2d> outline_of(const PlanarMesh& mesh) {
@@ -81,7 +81,7 @@ double star_quality(const PlanarMesh& mesh, const std::vector<int>& star) {
         const Triangle& t = mesh.triangles[static_cast<std::size_t>(index)];
         const Vec2d& a = point_of(mesh, t[0]);
         if (cross2(point_of(mesh, t[1]) - a, point_of(mesh, t[2]) - a) <= 0) return -1;
-        worst = std::min(worst, smallest_angle(mesh, t));
+        worst = std::min(worst, angle_of(mesh, t));
     }
     return worst;
 }
@@ -133,7 +133,7 @@ void sharpen(PlanarMesh& mesh, const SizeField& size, int rounds) {
 std::vector<int> bad_triangles(const PlanarMesh& mesh) {
     std::vector<std::pair<double, int>> bad;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const double angle = smallest_angle(mesh, mesh.triangles[i]);
+        const double angle = angle_of(mesh, mesh.triangles[i]);
         if (angle < kGoodAngle) bad.emplace_back(angle, static_cast<int>(i));
     }
     std::ranges::sort(bad);
@@ -160,14 +160,19 @@ std::vector<std::vector<Vec2d>> cures_of(const PlanarMesh& mesh, const Triangle&
     return cures;
 }
 
-bool repair_one(PlanarMesh& mesh, const SizeField& size) {
-    for (int index : bad_triangles(mesh)) {
+// Makes the first cure that helps; counts the tries down.
+bool repair_one(PlanarMesh& mesh, const SizeField& size, int& tries_left) {
+    const double helps = 0.98 * angle_penalty(mesh);
+    std::vector<int> bad = bad_triangles(mesh);
+    if (bad.size() > kTriedTriangles) bad.resize(kTriedTriangles);
+    for (int index : bad) {
         const Triangle triangle = mesh.triangles[static_cast<std::size_t>(index)];
         for (std::vector<Vec2d>& points : cures_of(mesh, triangle)) {
+            if (tries_left-- <= 0) return false;
             auto cured = triangulate_anew(std::move(points), mesh.outline_count);
             if (!cured) continue;
             sharpen(*cured, size, 3);
-            if (angle_penalty(*cured) >= 0.98 * angle_penalty(mesh)) continue;
+            if (angle_penalty(*cured) >= helps) continue;
             mesh = std::move(*cured);
             return true;
         }
@@ -180,7 +185,7 @@ bool repair_one(PlanarMesh& mesh, const SizeField& size) {
 double angle_penalty(const PlanarMesh& mesh) {
     double penalty = 0;
     for (const Triangle& t : mesh.triangles) {
-        const double lack = std::max(0.0, kGoodAngle - smallest_angle(mesh, t));
+        const double lack = std::max(0.0, kGoodAngle - angle_of(mesh, t));
         penalty += lack * lack;
     }
     return penalty;
@@ -198,8 +203,8 @@ void relax(PlanarMesh& mesh, const SizeField& size, int rounds) {
 }
 
 void heal(PlanarMesh& mesh, const SizeField& size) {
-    for (int repair = 0; repair < kMostRepairs; ++repair) {
-        if (!repair_one(mesh, size)) break;
+    int tries_left = kMostTries;
+    while (repair_one(mesh, size, tries_left)) {
     }
 }
 

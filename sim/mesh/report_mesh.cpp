@@ -36,7 +36,7 @@ int count_seam_edges(const GarmentMesh& unsewn, const GarmentMesh& sewn) {
 void measure_angles(const GarmentMesh& mesh, MeshReport& report) {
     double smallest = std::numbers::pi;
     for (const GarmentTriangle& triangle : mesh.triangles) {
-        const double angle = std::ranges::min(triangle_angles(triangle.u[0], triangle.u[1], triangle.u[2]));
+        const double angle = smallest_angle(triangle.u[0], triangle.u[1], triangle.u[2]);
         if (angle >= smallest) continue;
         smallest = angle;
         report.min_angle_panel = mesh.panel_names[static_cast<std::size_t>(triangle.panel)];

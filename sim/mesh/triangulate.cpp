@@ -91,7 +91,7 @@ PlanarMesh best_mesh(const Panel& panel, const std::vector<Vec2d>& outline, cons
         relax(*mesh, size, options.relaxations);
         if (!best || angle_penalty(*mesh) < angle_penalty(*best)) best = std::move(mesh);
     }
-    if (!best) refuse(panel, "the outline runs clockwise or crosses itself in a corner");
+    if (!best) refuse(panel, "the outline runs clockwise, or it crosses or pinches itself in a point");
     if (options.relaxations > 0) heal(*best, size);
     return std::move(*best);
 }

@@ -14,10 +14,10 @@ struct TriangulateOptions {
     int max_triangles = 200000;  // of this panel
 };
 
-// segments: per outline edge, see count_segments(). The outline may touch itself along a slit of no width or in a
-// point; both sides keep their own vertices.
-// Throws InputError naming the panel when its outline is open, crosses itself, runs clockwise or has a zero-length
-// edge, or when more than max_triangles would be needed.
+// segments: per outline edge, see count_segments(). The outline may touch itself from outside, along a slit of no
+// width or in a point; both sides keep their own vertices.
+// Throws InputError naming the panel when its outline is open, crosses itself, pinches the cloth to a point, runs
+// clockwise or has an edge without length, or when more than max_triangles would be needed.
 PanelMesh triangulate(const Panel& panel, const std::vector<int>& segments, const TriangulateOptions& options = {});
 
 }  // namespace selvedge

@@ -1,0 +1,123 @@
+#pragma once
+// Panels and small patterns that the tests of sim/mesh share.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/mesh/garment_mesh.h"
+#include "sim/mesh/panel_mesh.h"
+#include "sim/pattern/pattern.h"
+
+namespace selvedge {
+
+inline constexpr double kPi = std::numbers::pi;
+
+// A panel of straight edges through the points, which run counter-clockwise.
+inline Panel polygon(const std::string& name, const std::vector<Vec2d>& points) {
+    Panel panel;
+    panel.name = name;
+    panel.vertices = points;
+    const auto count = static_cast<int>(points.size());
+    for (int i = 0; i < count; ++i) {
+        OutlineEdge edge;
+        edge.start = i;
+        edge.end = (i + 1) % count;
+        panel.edges.push_back(edge);
+    }
+    return panel;
+}
+
+// Edges: 0 bottom, 1 right, 2 top, 3 left.
+inline Panel rectangle(const std::string& name, double width, double height) {
+    return polygon(name, {{0, 0}, {width, 0}, {width, height}, {0, height}});
+}
+
+// A square with a wedge cut out of its bottom edge; the dart's legs are edges 1 and 2, its tip is vertex 2.
+inline Panel square_with_dart(double side, double width, double depth) {
+    const double middle = side / 2;
+    return polygon("darted", {{0, 0},
+                              {middle - width / 2, 0},
+                              {middle, depth},
+                              {middle + width / 2, 0},
+                              {side, 0},
+                              {side, side},
+                              {0, side}});
+}
+
+inline double outline_area_of(const PanelMesh& mesh) {
+    double twice = 0;
+    for (std::size_t i = 0; i < mesh.outline.size(); ++i) {
+        const auto at = static_cast<std::size_t>(mesh.outline[i]);
+        const auto next = static_cast<std::size_t>(mesh.outline[(i + 1) % mesh.outline.size()]);
+        twice += cross2(mesh.u[at], mesh.u[next]);
+    }
+    return twice / 2;
+}
+
+inline double area_of(const std::array<Vec2d, 3>& u) {
+    return cross2(u[1] - u[0], u[2] - u[0]) / 2;
+}
+
+inline double area_of(const PanelMesh& mesh) {
+    double area = 0;
+    for (const auto& t : mesh.triangles) {
+        area += area_of({mesh.u[static_cast<std::size_t>(t[0])], mesh.u[static_cast<std::size_t>(t[1])],
+                         mesh.u[static_cast<std::size_t>(t[2])]});
+    }
+    return area;
+}
+
+// The mesh of one panel as a garment, so that check_mesh() can look at it.
+inline GarmentMesh as_garment(const PanelMesh& mesh) {
+    GarmentMesh garment;
+    for (const Vec2d& u : mesh.u) garment.x.emplace_back(u.x(), u.y(), 0);
+    for (const auto& t : mesh.triangles) {
+        GarmentTriangle triangle{t, {}, 0};
+        for (std::size_t k = 0; k < 3; ++k) triangle.u[k] = mesh.u[static_cast<std::size_t>(t[k])];
+        garment.triangles.push_back(triangle);
+    }
+    garment.panel_names = {"panel"};
+    garment.panel_grain_angles = {0};
+    return garment;
+}
+
+// What a surface is, seen from afar.
+struct Topology {
+    int euler = 0;           // vertices - edges + triangles
+    int boundary_loops = 0;  // for a mesh without bow-tie vertices
+};
+
+inline Topology topology_of(const GarmentMesh& mesh) {
+    std::map<std::pair<int, int>, int> edges;
+    for (const GarmentTriangle& t : mesh.triangles) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::pair<int, int> ends = std::minmax({t.vertices[k], t.vertices[(k + 1) % 3]});
+            ++edges[ends];
+        }
+    }
+    std::map<int, int> next;  // along the boundary
+    for (const GarmentTriangle& t : mesh.triangles) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::pair<int, int> ends = std::minmax({t.vertices[k], t.vertices[(k + 1) % 3]});
+            if (edges[ends] == 1) next[t.vertices[k]] = t.vertices[(k + 1) % 3];
+        }
+    }
+    Topology topology;
+    topology.euler =
+        static_cast<int>(mesh.x.size()) - static_cast<int>(edges.size()) + static_cast<int>(mesh.triangles.size());
+    while (!next.empty()) {
+        ++topology.boundary_loops;
+        for (auto at = next.begin(); at != next.end();) {
+            const int following = at->second;
+            next.erase(at);
+            at = next.find(following);
+        }
+    }
+    return topology;
+}
+
+}  // namespace selvedge

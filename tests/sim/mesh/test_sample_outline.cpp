@@ -1,0 +1,114 @@
+#include <gtest/gtest.h>
+
+#include "sim/core/error.h"
+#include "sim/mesh/planar.h"
+#include "sim/mesh/sample_outline.h"
+#include "sim/pattern/outline.h"
+#include "tests/sim/mesh/shapes.h"
+
+namespace selvedge {
+namespace {
+
+// A half disc: a straight diameter along x and an arc above it.
+Panel half_disc(double radius) {
+    Panel panel = polygon("disc", {{-radius, 0}, {radius, 0}});
+    panel.edges[1].kind = CurveKind::Arc;
+    panel.edges[1].arc_radius = radius;
+    return panel;
+}
+
+TEST(SegmentsNeeded, follows_the_target_length_of_a_straight_edge) {
+    const Panel panel = rectangle("r", 0.5, 0.01);
+    EXPECT_EQ(segments_needed(panel, panel.edges[0], {.target_edge = 0.05}), 10);
+    EXPECT_EQ(segments_needed(panel, panel.edges[0], {.target_edge = 0.1}), 5);
+    EXPECT_EQ(segments_needed(panel, panel.edges[1], {.target_edge = 0.05}), 1);
+}
+
+TEST(SegmentsNeeded, keeps_the_chords_of_arcs_within_the_error) {
+    for (double radius : {0.01, 0.03, 0.08, 0.3, 1.0}) {
+        const Panel panel = half_disc(radius);
+        for (double chord_error : {0.001, 0.003}) {
+            const int n = segments_needed(panel, panel.edges[1], {.target_edge = 10, .chord_error = chord_error});
+            const auto sagitta = [&](int segments) { return radius * (1 - std::cos(kPi / (2 * segments))); };
+            EXPECT_LE(sagitta(n), chord_error * 1.0001) << radius;
+            if (n == 1) continue;
+            EXPECT_GT(sagitta(n - 1), chord_error * 0.9) << "more than needed at radius " << radius;
+        }
+    }
+}
+
+TEST(SegmentsNeeded, refuses_an_edge_in_wrong_units) {
+    const Panel panel = rectangle("huge", 5000, 1);
+    EXPECT_THROW(segments_needed(panel, panel.edges[0], {.target_edge = 0.05}), InputError);
+}
+
+TEST(SampleOutline, keeps_corners_and_spaces_samples_evenly_along_a_curve) {
+    Panel panel = polygon("curved", {{0, 0}, {0.4, 0}, {0.4, 0.5}, {0, 0.3}});
+    panel.edges[2].kind = CurveKind::Cubic;
+    panel.edges[2].control = {Vec2d(0.35, 0.2), Vec2d(0.2, 0.4)};
+    const std::vector<int> segments{3, 2, 7, 4};
+    const SampledOutline outline = sample_outline(panel, segments);
+    ASSERT_EQ(outline.points.size(), 16U);
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(outline.runs[i].segments, segments[i]);
+        EXPECT_EQ(outline.points[static_cast<std::size_t>(outline.runs[i].first)], panel.vertices[i]);
+    }
+    const double length = outline_length(panel, panel.edges[2]);
+    for (std::size_t i = 5; i < 12; ++i) {
+        const double chord = (outline.points[i + 1] - outline.points[i]).norm();
+        EXPECT_LE(chord, length / 7 + 1e-9);
+        EXPECT_GT(chord, 0.97 * length / 7);
+    }
+}
+
+TEST(CountSegments, gives_both_sides_of_a_seam_the_larger_count) {
+    Pattern pattern;
+    pattern.panels = {rectangle("short", 0.5, 0.3), rectangle("long", 0.8, 0.3)};
+    pattern.seams = {{{0, 0}, {1, 2}, true}};
+    const auto segments = count_segments(pattern, {.target_edge = 0.05});
+    EXPECT_EQ(segments[0][0], 16);
+    EXPECT_EQ(segments[1][2], 16);
+    EXPECT_EQ(segments[0][2], 10);
+}
+
+TEST(CountSegments, gives_the_banks_of_a_slit_one_count_although_one_is_sewn_elsewhere) {
+    Pattern pattern;
+    pattern.panels = {polygon("slit", {{0, 0}, {0.5, 0}, {0.5, 0.3}, {0.5, 0}, {1, 0}, {1, 1}, {0, 1}}),
+                      rectangle("gusset", 0.9, 0.2)};
+    pattern.seams = {{{0, 1}, {1, 0}, true}};
+    const auto segments = count_segments(pattern, {.target_edge = 0.05});
+    EXPECT_EQ(segments[0][1], 18);
+    EXPECT_EQ(segments[0][2], 18);
+}
+
+TEST(CountSegments, gives_three_segments_to_an_edge_that_sewing_closes_into_a_ring) {
+    Pattern pattern;
+    pattern.panels = {rectangle("cuff", 0.06, 0.3)};
+    pattern.seams = {{{0, 1}, {0, 3}, true}};
+    const auto segments = count_segments(pattern, {.target_edge = 0.05});
+    EXPECT_EQ(segments[0][0], 3);
+    EXPECT_EQ(segments[0][2], 3);
+}
+
+TEST(CountSegments, keeps_two_straight_edges_apart_whose_ends_are_sewn_together) {
+    Pattern pattern;
+    pattern.panels = {rectangle("front", 0.04, 0.3), rectangle("back", 0.04, 0.3)};
+    pattern.seams = {{{0, 1}, {1, 3}, true}, {{0, 3}, {1, 1}, true}};
+    const auto segments = count_segments(pattern, {.target_edge = 0.05});
+    EXPECT_EQ(segments[0][0], 2);
+    EXPECT_EQ(segments[1][0], 2);
+}
+
+TEST(CountSegments, refuses_seams_that_cannot_be) {
+    Pattern pattern;
+    pattern.panels = {rectangle("only", 0.5, 0.3)};
+    pattern.seams = {{{0, 0}, {0, 4}, true}};
+    EXPECT_THROW(count_segments(pattern, {}), InputError);
+    pattern.seams = {{{0, 0}, {1, 0}, true}};
+    EXPECT_THROW(count_segments(pattern, {}), InputError);
+    pattern.seams = {{{0, 0}, {0, 0}, true}};
+    EXPECT_THROW(count_segments(pattern, {}), InputError);
+}
+
+}  // namespace
+}  // namespace selvedge
