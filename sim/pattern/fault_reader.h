@@ -12,6 +12,9 @@
 
 namespace selvedge {
 
+// No garment reaches further, m, and squares of it stay exact enough.
+inline constexpr double kFarthest = 100;
+
 // A value and its path; no value: not there.
 struct JsonNode {
     const Json* value = nullptr;
@@ -42,6 +45,12 @@ class FaultReader {
     std::optional<bool> flag(const JsonNode& node);  // true, false, 1 or 0
     std::optional<Vec2d> pair(const JsonNode& node);
     std::optional<Vec3d> triple(const JsonNode& node);
+
+    // Lengths in file units, as metres; further than 100 m is an error.
+    std::optional<double> length(const JsonNode& node);
+    std::optional<Vec2d> point(const JsonNode& node);
+
+    double units_in_meter = 100;
 
  private:
     std::string file_;

@@ -24,7 +24,7 @@ struct OutlineEdge {
     double arc_radius = 0;                                       // Arc only, m
     bool is_large_arc = false;                                   // Arc only
     bool turns_right = false;  // Arc only: in the held (counter-clockwise) frame, seen along the edge
-    std::string label;
+    std::string label = {};
 };
 
 struct InternalLine {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "sim/core/json.h"
 #include "sim/pattern/outline.h"
@@ -10,7 +11,7 @@ namespace selvedge {
 namespace {
 
 constexpr double kShortestEdge = 1e-5;   // m
-constexpr double kCrossingError = 5e-4;  // m, how closely curves are followed when looking for crossings
+constexpr double kCrossingError = 1e-4;  // m, how closely curves are followed when looking for crossings
 constexpr double kSeamTolerance = 1e-3;  // m, of difference between the two sides of a seam
 constexpr double kMostGathers = 4;       // a seam side this many times its partner is a slip of the pen
 
@@ -44,15 +45,21 @@ bool touches(const Piece& piece, const Vec2d& p) {
     return side_of(piece, p) == 0 && (p - piece.from).dot(p - piece.to) <= 0;
 }
 
-bool meet(const Piece& a, const Piece& b) {
+// Where two pieces cross or touch, if they do.
+std::optional<Vec2d> meeting(const Piece& a, const Piece& b) {
     const double b_from = side_of(a, b.from);
     const double b_to = side_of(a, b.to);
     const double a_from = side_of(b, a.from);
     const double a_to = side_of(b, a.to);
-    if (((b_from > 0 && b_to < 0) || (b_from < 0 && b_to > 0)) &&
-        ((a_from > 0 && a_to < 0) || (a_from < 0 && a_to > 0)))
-        return true;
-    return touches(a, b.from) || touches(a, b.to) || touches(b, a.from) || touches(b, a.to);
+    const auto parted = [](double one, double other) { return (one > 0 && other < 0) || (one < 0 && other > 0); };
+    if (parted(b_from, b_to) && parted(a_from, a_to)) return Vec2d(b.from + b_from / (b_from - b_to) * (b.to - b.from));
+    for (const Vec2d& p : {b.from, b.to}) {
+        if (touches(a, p)) return p;
+    }
+    for (const Vec2d& p : {a.from, a.to}) {
+        if (touches(b, p)) return p;
+    }
+    return {};
 }
 
 // Neighbours share an end; they cross only where one runs back along the other.
@@ -62,11 +69,13 @@ bool folds_back(const Piece& first, const Piece& next) {
     return cross2(d, e) == 0 && d.dot(e) < 0;
 }
 
-bool are_crossing(const Piece& a, const Piece& b, std::size_t count) {
+std::optional<Vec2d> crossing(const Piece& a, const Piece& b, std::size_t count) {
     const bool b_follows = (a.order + 1) % count == b.order;
     const bool a_follows = (b.order + 1) % count == a.order;
-    if (!b_follows && !a_follows) return meet(a, b);
-    return (b_follows && folds_back(a, b)) || (a_follows && folds_back(b, a));
+    if (!b_follows && !a_follows) return meeting(a, b);
+    if (b_follows && folds_back(a, b)) return b.from;
+    if (a_follows && folds_back(b, a)) return a.from;
+    return {};
 }
 
 std::string in_file_units(const Vec2d& p, const Panel& panel, double units) {
@@ -110,7 +119,8 @@ class ShapeChecker {
         std::vector<std::pair<std::size_t, std::size_t>> found;
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             for (std::size_t k = i + 1; k < pieces.size() && pieces[k].left() <= pieces[i].right(); ++k) {
-                if (!are_crossing(pieces[i], pieces[k], pieces.size())) continue;
+                const std::optional<Vec2d> place = crossing(pieces[i], pieces[k], pieces.size());
+                if (!place) continue;
                 const auto pair = std::minmax(pieces[i].edge, pieces[k].edge);
                 if (std::find(found.begin(), found.end(), std::pair<std::size_t, std::size_t>(pair)) != found.end()) {
                     continue;
@@ -118,8 +128,7 @@ class ShapeChecker {
                 found.emplace_back(pair);
                 add(Severity::Error, json_path(edges, pair.first),
                     "the outline crosses or touches itself: edges " + std::to_string(pair.first) + " and " +
-                        std::to_string(pair.second) + " meet near " +
-                        in_file_units((pieces[k].from + pieces[k].to) / 2, panel, units_));
+                        std::to_string(pair.second) + " meet near " + in_file_units(*place, panel, units_));
                 if (found.size() >= kMostCrossings) return;
             }
         }

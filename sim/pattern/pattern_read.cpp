@@ -8,18 +8,16 @@
 
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/fault_reader.h"
-#include "sim/pattern/outline.h"
+#include "sim/pattern/outline_read.h"
 
 namespace selvedge {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kFarthest = 100;        // m: no garment reaches further, and squares of it stay exact enough
-constexpr std::size_t kMaxEdges = 5000;  // of one panel
 
 using Node = JsonNode;
 
-class Reader : FaultReader {
+class Reader : private FaultReader {
  public:
     Reader(const Json& root, const std::string& file) : FaultReader(file), root_{&root, ""} {}
 
@@ -36,24 +34,8 @@ class Reader : FaultReader {
         if (!pattern) return error(root_, "no key 'pattern': not a garment specification");
         if (!expect(pattern, Json::Kind::Object)) return;
         read_panels(pattern);
-        read_seams(pattern);
+        if (!out_.pattern.panels.empty()) read_seams(pattern);
         read_additions(root_.member("selvedge"));
-    }
-
-    // A length in file units, as metres.
-    std::optional<double> length(const Node& node) {
-        const auto value = number(node);
-        if (!value) return {};
-        if (std::abs(*value) <= kFarthest * units_) return *value / units_;
-        error(node, node.value->number_text() + " is further than 100 m");
-        return {};
-    }
-    std::optional<Vec2d> point(const Node& node) {
-        const auto values = pair(node);
-        if (!values) return {};
-        if (values->cwiseAbs().maxCoeff() <= kFarthest * units_) return Vec2d(*values / units_);
-        error(node, "further than 100 m");
-        return {};
     }
 
     void read_properties() {
@@ -61,8 +43,8 @@ class Reader : FaultReader {
         if (!properties || !expect(properties, Json::Kind::Object)) return;
         const Node units = properties.member("units_in_meter");
         if (units && number(units)) {
-            units_ = units_in_meter(*root_.value);
-            if (units.value->number() != units_) {
+            units_in_meter = selvedge::units_in_meter(*root_.value);
+            if (units.value->number() != units_in_meter) {
                 error(units, units.value->number_text() + " units in a metre: expected 0.001 to 1000000");
             }
         }
@@ -86,7 +68,6 @@ class Reader : FaultReader {
             Panel panel;
             panel.name = member.key;
             const std::size_t before = error_count();
-            edge_counts_.push_back(0);
             if (expect(node, Json::Kind::Object)) read_panel(node, panel);
             out_.is_sound.push_back(error_count() == before);
             out_.places.push_back(node.path);
@@ -96,156 +77,16 @@ class Reader : FaultReader {
 
     void read_panel(const Node& node, Panel& panel) {
         const std::size_t before = error_count();
-        read_vertices(node, panel);
-        read_edges(node, panel);
+        read_outline(*this, node, is_relative_, panel);
         if (const Node translation = node.member("translation")) {
-            if (const auto values = triple(translation)) panel.translation = *values / units_;
+            if (const auto values = triple(translation)) panel.translation = *values / units_in_meter;
             if (panel.translation.cwiseAbs().maxCoeff() > kFarthest) error(translation, "further than 100 m");
         }
         if (const Node rotation = node.member("rotation")) {
             if (const auto angles = triple(rotation)) panel.rotation = rotation_from_degrees(*angles);
         }
-        const bool outline_reads = error_count() == before;
-        if (outline_reads) check_chain(node, panel);
         if (const Node own = node.member("selvedge")) read_panel_additions(own, panel);
-        if (outline_reads && error_count() == before) hold_counter_clockwise(node, panel);
-    }
-
-    void read_vertices(const Node& panel_node, Panel& panel) {
-        const Node vertices = panel_node.member("vertices");
-        if (!vertices) return error(panel_node, "no key 'vertices'");
-        if (!expect(vertices, Json::Kind::Array)) return;
-        for (std::size_t i = 0; i < vertices.size(); ++i) {
-            panel.vertices.push_back(point(vertices.element(i)).value_or(Vec2d::Zero()));
-        }
-    }
-
-    void read_edges(const Node& panel_node, Panel& panel) {
-        const Node edges = panel_node.member("edges");
-        if (!edges) return error(panel_node, "no key 'edges'");
-        if (!expect(edges, Json::Kind::Array)) return;
-        edge_counts_.back() = edges.size();
-        if (edges.size() > kMaxEdges) {
-            return error(edges, std::to_string(edges.size()) + " edges: at most " + std::to_string(kMaxEdges));
-        }
-        if (edges.size() < 2) error(edges, "an outline needs two edges or more");
-        for (std::size_t i = 0; i < edges.size(); ++i) {
-            OutlineEdge edge;
-            const Node node = edges.element(i);
-            if (expect(node, Json::Kind::Object)) read_edge(node, panel, edge);
-            panel.edges.push_back(std::move(edge));
-        }
-    }
-
-    void read_edge(const Node& node, const Panel& panel, OutlineEdge& edge) {
-        const Node endpoints = node.member("endpoints");
-        if (!endpoints) return error(node, "no key 'endpoints'");
-        if (!expect_array(endpoints, 2)) return;
-        const auto start = index(endpoints.element(0), panel.vertices.size(), "vertex");
-        const auto end = index(endpoints.element(1), panel.vertices.size(), "vertex");
-        if (const Node label = node.member("label")) edge.label = text(label).value_or("");
-        if (!start || !end) return;
-        edge.start = *start;
-        edge.end = *end;
-        if (*start == *end) return error(endpoints, "the edge starts and ends at the same vertex");
-        const Node curvature = node.member("curvature");
-        if (!curvature || curvature.value->is_null()) return;
-        read_curvature(curvature, panel, edge);
-    }
-
-    void read_curvature(const Node& node, const Panel& panel, OutlineEdge& edge) {
-        if (node.value->is_array()) {  // as older files have it
-            edge.kind = CurveKind::Quadratic;
-            return read_control(node, panel, edge, 0);
-        }
-        if (!expect(node, Json::Kind::Object)) return;
-        const Node type = node.member("type");
-        const Node params = node.member("params");
-        if (!type) return error(node, "no key 'type'");
-        if (!params) return error(node, "no key 'params'");
-        const auto word = text(type);
-        if (!word) return;
-        if (*word == "circle") return read_arc(params, panel, edge);
-        if (*word != "quadratic" && *word != "cubic") {
-            return error(type, "unknown curvature type '" + *word + "': known are quadratic, cubic, circle");
-        }
-        edge.kind = *word == "cubic" ? CurveKind::Cubic : CurveKind::Quadratic;
-        const std::size_t count = edge.kind == CurveKind::Cubic ? 2 : 1;
-        if (!expect_array(params, count)) return;
-        for (std::size_t i = 0; i < count; ++i) read_control(params.element(i), panel, edge, i);
-    }
-
-    void read_control(const Node& node, const Panel& panel, OutlineEdge& edge, std::size_t which) {
-        if (!is_relative_) {
-            edge.control[which] = point(node).value_or(Vec2d::Zero());
-            return;
-        }
-        if (!expect_array(node, 2)) return;
-        const auto along = number(node.element(0));
-        const auto across = number(node.element(1));
-        if (!along || !across) return;
-        const Vec2d start = panel.vertices[static_cast<std::size_t>(edge.start)];
-        const Vec2d chord = panel.vertices[static_cast<std::size_t>(edge.end)] - start;
-        const Vec2d control = start + *along * chord + *across * Vec2d(-chord.y(), chord.x());
-        if (!(control.cwiseAbs().maxCoeff() <= kFarthest))
-            return error(node, "the control point is further than 100 m");
-        edge.control[which] = control;
-    }
-
-    void read_arc(const Node& params, const Panel& panel, OutlineEdge& edge) {
-        edge.kind = CurveKind::Arc;
-        if (!expect_array(params, 3)) return;
-        const auto radius = length(params.element(0));
-        const auto is_large = flag(params.element(1));
-        const auto bulges_right = flag(params.element(2));
-        if (!radius || !is_large || !bulges_right) return;
-        edge.arc_radius = *radius;
-        edge.is_large_arc = *is_large;
-        edge.turns_right = !*bulges_right;  // an arc that lies to the right of its chord turns left
-        const double chord =
-            (panel.vertices[static_cast<std::size_t>(edge.end)] - panel.vertices[static_cast<std::size_t>(edge.start)])
-                .norm();
-        if (*radius <= 0) return error(params.element(0), "the radius of an arc must be positive");
-        if (*radius * 2 < chord * (1 - 1e-6)) {
-            error(params.element(0), "a radius of " + params.element(0).value->number_text() +
-                                         " is too small for a chord of " + Json(chord * units_).number_text());
-        }
-    }
-
-    // Seams name edges by their place in the file, so the loop must stand in order there.
-    void check_chain(const Node& node, const Panel& panel) {
-        const std::size_t count = panel.edges.size();
-        const Node edges = node.member("edges");
-        std::vector<int> visits(panel.vertices.size(), 0);
-        for (std::size_t i = 0; i < count; ++i) {
-            const OutlineEdge& edge = panel.edges[i];
-            const OutlineEdge& next = panel.edges[(i + 1) % count];
-            if (++visits[static_cast<std::size_t>(edge.start)] == 2) {
-                error(edges.element(i), "the outline passes vertex " + std::to_string(edge.start) + " twice");
-            }
-            if (edge.end == next.start) continue;
-            error(edges.element(i), "the outline is open: this edge ends at vertex " + std::to_string(edge.end) +
-                                        ", the next starts at vertex " + std::to_string(next.start));
-        }
-    }
-
-    // GarmentCode draws back panels clockwise, seen from the front: the order of traversal says which way a panel
-    // faces. Mirroring x turns such a loop counter-clockwise and leaves the order and direction of its edges, so an
-    // edge has the same index, start and end in the file and in the Panel, and a seam means the same in both.
-    void hold_counter_clockwise(const Node& node, Panel& panel) {
-        const double area = outline_area(panel);
-        if (std::abs(area) < 1e-8) return error(node, "the outline encloses no area");
-        if (area > 0) return;
-        panel.is_mirrored = true;
-        for (Vec2d& vertex : panel.vertices) vertex.x() = -vertex.x();
-        for (OutlineEdge& edge : panel.edges) {
-            for (Vec2d& control : edge.control) control.x() = -control.x();
-            edge.turns_right = edge.kind == CurveKind::Arc && !edge.turns_right;
-        }
-        for (InternalLine& line : panel.internal_lines) {
-            for (Vec2d& p : line.points) p.x() = -p.x();
-        }
-        panel.grain_angle = -panel.grain_angle;
+        if (error_count() == before) hold_counter_clockwise(*this, node, panel);
     }
 
     void read_panel_additions(const Node& node, Panel& panel) {
@@ -335,7 +176,9 @@ class Reader : FaultReader {
             error(panel, "no panel '" + *name + "'");
             return {};
         }
-        const auto at = index(edge, edge_counts_[static_cast<std::size_t>(found->second)], "edge");
+        const std::vector<OutlineEdge>& edges = out_.pattern.panels[static_cast<std::size_t>(found->second)].edges;
+        if (edges.empty()) return {};  // they could not be read, which is said there
+        const auto at = index(edge, edges.size(), "edge");
         if (!at) return {};
         const SeamSide side{found->second, *at};
         const auto [earlier, is_new] = sewn_.insert({side, node.path});
@@ -374,10 +217,8 @@ class Reader : FaultReader {
 
     Node root_;
     PatternReading out_;
-    double units_ = 100;
     bool is_relative_ = true;
     std::map<std::string, int> panel_index_;
-    std::vector<std::size_t> edge_counts_;
     std::map<SeamSide, std::string> sewn_;
 };
 

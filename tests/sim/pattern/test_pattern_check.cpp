@@ -1,0 +1,228 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <ostream>
+
+#include "sim/core/error.h"
+#include "sim/pattern/pattern_file.h"
+#include "tests/sim/pattern/sample.h"
+
+namespace selvedge {
+namespace {
+
+std::vector<std::string> faults_of(const std::string& text) {
+    std::vector<std::string> lines;
+    for (const Fault& fault : check_pattern_text(text, "f.json")) lines.push_back(describe(fault));
+    return lines;
+}
+
+// One spoilt place, and the only line that check should print about it.
+struct Case {
+    friend void PrintTo(const Case& spoilt, std::ostream* out) { *out << spoilt.name; }
+
+    std::string name;
+    std::string from;
+    std::string to;
+    std::string line;
+};
+
+class Check : public ::testing::TestWithParam<Case> {};
+
+TEST_P(Check, finds_the_one_fault) {
+    const std::string text = replaced(sample_text(), GetParam().from, GetParam().to);
+    EXPECT_EQ(faults_of(text), std::vector<std::string>{"f.json: " + GetParam().line});
+}
+
+const std::string kFront = "pattern.panels.front";
+
+INSTANTIATE_TEST_SUITE_P(
+    , Check,
+    ::testing::Values(
+        Case{"open_outline", R"({"endpoints": [3, 0]}]},)", R"({"endpoints": [3, 1]}]},)",
+             kFront + ".edges[3]: the outline is open: this edge ends at vertex 1, the next starts at vertex 0"},
+        Case{"passed_twice", R"({"endpoints": [1, 2]},
+              {"endpoints": [2, 3], "curvature": {"type": "circle", "params": [25, 0, 1]}, "label": "lower_interface"})",
+             R"({"endpoints": [1, 2]}, {"endpoints": [2, 1]}, {"endpoints": [1, 3]})",
+             kFront + ".edges[3]: the outline passes vertex 1 twice"},
+        Case{"missing_panel", R"({"panel": "back", "edge": 2})", R"({"panel": "slevee", "edge": 2})",
+             "pattern.stitches[0][1].panel: no panel 'slevee'"},
+        Case{"missing_edge", R"({"panel": "back", "edge": 2})", R"({"panel": "back", "edge": 4})",
+             "pattern.stitches[0][1].edge: no edge 4: there are 4"},
+        Case{"half_an_edge", R"({"panel": "back", "edge": 2})", R"({"panel": "back", "edge": 2.5})",
+             "pattern.stitches[0][1].edge: no edge 2.5: there are 4"},
+        Case{"sewn_twice", R"({"panel": "back", "edge": 2})", R"({"panel": "back", "edge": 0})",
+             "pattern.stitches[1][1]: edge 0 of panel 'back' is sewn already, at pattern.stitches[0][1]"},
+        Case{"unequal_seam", "[5, 50], [35, 50], [40, 0]]", "[5, 50], [35, 50.5], [40, 0]]",
+             "pattern.stitches[0]: warning: the sides differ by 5.0 mm (502.5 and 507.5, ratio 1.01)"},
+        Case{"same_vertex", R"({"endpoints": [1, 2]},
+              {"endpoints": [2, 3], "curv)",
+             R"({"endpoints": [1, 1]},
+              {"endpoints": [2, 3], "curv)",
+             kFront + ".edges[1].endpoints: the edge starts and ends at the same vertex"},
+        Case{"nan", "[35, 50]", "[35, null]", kFront + ".vertices[2][1]: null where a number should be"},
+        Case{"far_away", "[35, 50]", "[35, 1e300]", kFront + ".vertices[2]: further than 100 m"},
+        Case{"far_control", "[[0.5, -0.05]]", "[[0.5, 1e300]]",
+             kFront + ".edges[0].curvature.params[0]: the control point is further than 100 m"},
+        Case{"too_many_numbers", "[35, 50]", "[35, 50, 1]", kFront + ".vertices[2]: 3 values where 2 should be"},
+        Case{"unknown_vertex", R"("endpoints": [2, 3])", R"("endpoints": [2, 7])",
+             kFront + ".edges[2].endpoints[1]: no vertex 7: there are 4"},
+        Case{
+            "unknown_curvature", "\"cubic\"", "\"spline\"",
+            "pattern.panels.back.edges[1].curvature.type: unknown curvature type 'spline': known are quadratic, cubic, "
+            "circle"},
+        Case{"small_arc", "[25, 0, 1]", "[14, 0, 1]",
+             kFront + ".edges[2].curvature.params[0]: a radius of 14 is too small for a chord of 30"},
+        Case{"arc_flag", "[25, 0, 1]", "[25, 0, 2]", kFront + ".edges[2].curvature.params[2]: expected 0 or 1"},
+        Case{"text_for_edges", R"("edges": [{"endpoints": [0, 1]},)",
+             R"("edges": "none", "was": [{"endpoints": [0, 1]},)",
+             "pattern.panels.back.edges: a string where an array should be"},
+        Case{"no_panels", "\"panels\"", "\"pannels\"", "pattern: no key 'panels'"},
+        Case{"units", "\"units_in_meter\": 100", "\"units_in_meter\": 0",
+             "properties.units_in_meter: 0 units in a metre: expected 0.001 to 1000000"},
+        Case{"coords", "\"relative\"", "\"polar\"",
+             "properties.curvature_coords: 'polar' is neither relative nor absolute"},
+        Case{"third_of_a_stitch", R"({"panel": "back", "edge": 2}])", R"({"panel": "back", "edge": 2}, "wrong_right"])",
+             "pattern.stitches[0][2]: 'wrong_right' should be right_wrong"},
+        Case{"pin", R"("back": {)", R"("back": {"selvedge": {"pins": [1, 4]}, )",
+             "pattern.panels.back.selvedge.pins[1]: no vertex 4: there are 4"},
+        Case{"layer", R"("back": {)", R"("back": {"selvedge": {"layer": 0.5}, )",
+             "pattern.panels.back.selvedge.layer: a layer is a whole number from -1000 to 1000"},
+        Case{"fabric", R"("pattern": {)", R"("selvedge": {"fabric": "velour"}, "pattern": {)",
+             "selvedge.fabric: warning: no fabric 'velour' ships with the program"},
+        Case{"height", R"("pattern": {)", R"("selvedge": {"body_height": 1.7}, "pattern": {)",
+             "selvedge.body_height: 1.7 is no body's height"}),
+    [](const auto& spoilt) { return spoilt.param.name; });
+
+// A panel of straight edges through these points, cm; `last` describes the edge that closes it further.
+std::string polygon(const std::string& vertices, int count, const std::string& last = "") {
+    std::string edges;
+    for (int i = 0; i < count; ++i) {
+        edges += (i == 0 ? "" : ",") +
+                 ("{\"endpoints\":[" + std::to_string(i) + "," + std::to_string((i + 1) % count)) + "]" +
+                 (i + 1 == count ? last : "") + "}";
+    }
+    return R"({"pattern":{"panels":{"p":{"vertices":[)" + vertices + R"(],"edges":[)" + edges + "]}}}}";
+}
+
+using Lines = std::vector<std::string>;
+const std::string kEdges = "f.json: pattern.panels.p.edges";
+
+TEST(CheckShape, lines_that_cross) {
+    EXPECT_EQ(faults_of(polygon("[0,0],[40,0],[5,30],[35,30]", 4)),
+              Lines{kEdges + "[1]: the outline crosses or touches itself: edges 1 and 3 meet near (20, 17.143)"});
+}
+
+TEST(CheckShape, a_vertex_on_another_edge) {
+    EXPECT_FALSE(faults_of(polygon("[0,0],[40,0],[40,30],[20,0],[0,30]", 5)).empty());
+    EXPECT_EQ(faults_of(polygon("[0,0],[40,0],[40,30],[20,0.001],[0,30]", 5)), Lines{});
+}
+
+TEST(CheckShape, an_edge_that_runs_back_along_its_neighbour) {
+    const Lines lines = faults_of(polygon("[0,0],[40,0],[20,0],[20,30]", 4));
+    ASSERT_EQ(lines.size(), 2U);  // and its far end lies on the edge before
+    EXPECT_EQ(lines[0], kEdges + "[0]: the outline crosses or touches itself: edges 0 and 1 meet near (40, 0)");
+}
+
+TEST(CheckShape, a_curve_that_cuts_another_edge) {
+    const Lines lines =
+        faults_of(polygon("[0,0],[40,0],[40,30],[0,30]", 4, R"(,"curvature":{"type":"quadratic","params":[[0.5,3]]})"));
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_NE(lines[0].find("edges 1 and 3 meet near (40, "), std::string::npos) << lines[0];
+}
+
+TEST(CheckShape, a_loop_within_one_edge) {
+    const Lines lines = faults_of(
+        polygon("[0,0],[40,0],[40,30],[0,30]", 4, R"(,"curvature":{"type":"cubic","params":[[2,-2],[-1,-2]]})"));
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_NE(lines[0].find("edges 3 and 3 meet"), std::string::npos) << lines[0];
+}
+
+TEST(CheckShape, an_edge_without_length) {
+    EXPECT_EQ(faults_of(polygon("[0,0],[40,0],[40,0],[0,30]", 4)), Lines{kEdges + "[1]: the edge has no length"});
+}
+
+TEST(CheckShape, a_mirrored_panel_is_named_by_the_coordinates_of_its_file) {
+    EXPECT_EQ(faults_of(polygon("[0,0],[35,30],[5,30],[40,0.5]", 4)),
+              Lines{kEdges + "[0]: the outline crosses or touches itself: edges 0 and 2 meet near (20.126, 17.251)"});
+}
+
+TEST(CheckShape, a_panel_without_area) {
+    EXPECT_EQ(faults_of(polygon("[0,0],[40,0],[20,0]", 3)),
+              Lines{"f.json: pattern.panels.p: the outline encloses no area"});
+}
+
+TEST(CheckShape, a_seam_whose_sides_are_no_match_at_all) {
+    std::string text = polygon("[0,0],[40,0],[40,8],[0,30]", 4);
+    text.insert(text.size() - 2, R"(,"stitches":[[{"panel":"p","edge":0},{"panel":"p","edge":1}]])");
+    EXPECT_EQ(faults_of(text),
+              Lines{"f.json: pattern.stitches[0]: the sides differ by 320.0 mm (400.0 and 80.0, ratio 5.00)"});
+}
+
+TEST(CheckFile, lists_every_fault_in_the_order_of_the_file) {
+    std::string text = replaced(sample_text(), "[35, 50], [5, 50]]", "[35, 50], \"x\"]");
+    text = replaced(text, "\"cubic\"", "\"spline\"");
+    text = replaced(text, R"({"panel": "back", "edge": 2})", R"({"panel": "slevee", "edge": 2})");
+    text = replaced(text, R"({"panel": "back", "edge": 0})", R"({"edge": -1})");
+    const std::vector<std::string> lines = faults_of(text);
+    ASSERT_EQ(lines.size(), 4U);
+    EXPECT_EQ(lines[0], "f.json: pattern.panels.front.vertices[3]: a string where an array should be");
+    EXPECT_NE(lines[1].find("spline"), std::string::npos);
+    EXPECT_NE(lines[2].find("slevee"), std::string::npos);
+    EXPECT_EQ(lines[3], "f.json: pattern.stitches[1][1]: no key 'panel'");
+}
+
+TEST(CheckFile, refuses_an_outline_of_one_edge) {
+    EXPECT_EQ(faults_of(R"({"pattern":{"panels":{"p":{"vertices":[[0,0],[1,1]],"edges":[{"endpoints":[0,1]}]}}}})"),
+              Lines{kEdges + ": an outline needs two edges or more"});
+}
+
+TEST(CheckFile, refuses_what_is_no_specification) {
+    EXPECT_EQ(faults_of("[]"), Lines{"f.json: an array where an object should be"});
+    EXPECT_EQ(faults_of("{}"), Lines{"f.json: no key 'pattern': not a garment specification"});
+    EXPECT_EQ(faults_of(R"({"pattern":{"panels":{}}})"), Lines{"f.json: pattern.panels: no panels"});
+    EXPECT_EQ(faults_of("{").size(), 1U);
+    EXPECT_EQ(faults_of(std::string(100, '[')).size(), 1U);
+}
+
+TEST(CheckFile, is_silent_about_a_sound_file) {
+    EXPECT_TRUE(faults_of(sample_text()).empty());
+}
+
+TEST(CheckFile, allows_gathers_with_a_warning) {
+    const std::string text =
+        replaced(sample_text(), "[[0, 0], [40, 0], [35, 50], [5, 50]]", "[[0, 0], [40, 0], [35, 22], [5, 50]]");
+    const std::vector<Fault> faults = check_pattern_text(text, "f.json");
+    ASSERT_EQ(faults.size(), 1U);
+    EXPECT_EQ(faults[0].severity, Severity::Warning);
+    EXPECT_NE(faults[0].problem.find("ratio 2.23"), std::string::npos) << faults[0].problem;
+    EXPECT_EQ(parse_pattern(text, "").pattern.seams.size(), 2U);
+}
+
+TEST(CheckFile, a_seam_of_one_panel_with_itself_is_a_dart_and_fine) {
+    const std::string text = replaced(sample_text(), R"([{"panel": "front", "edge": 1}, {"panel": "back", "edge": 2}])",
+                                      R"([{"panel": "front", "edge": 1}, {"panel": "front", "edge": 3}])");
+    const std::vector<std::string> lines =
+        faults_of(replaced(text, R"([{"panel": "front", "edge": 3}, {"panel": "back", "edge": 0}])",
+                           R"([{"panel": "back", "edge": 2}, {"panel": "back", "edge": 0}])"));
+    EXPECT_TRUE(lines.empty());
+}
+
+TEST(CheckFile, loading_throws_what_check_lists_first) {
+    const std::string text = replaced(sample_text(), "\"cubic\"", "\"spline\"");
+    try {
+        parse_pattern(text, "f.json");
+        FAIL() << "loaded";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.what(), faults_of(text).front());
+    }
+}
+
+TEST(CheckFile, a_missing_file_is_one_fault) {
+    const std::vector<Fault> faults = check_pattern_file("no/such/file.json");
+    ASSERT_EQ(faults.size(), 1U);
+    EXPECT_TRUE(has_error(faults));
+    EXPECT_EQ(faults[0].file, "no/such/file.json");
+}
+
+}  // namespace
+}  // namespace selvedge

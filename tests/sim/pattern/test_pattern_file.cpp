@@ -1,0 +1,247 @@
+#include "sim/pattern/pattern_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+
+#include "sim/core/error.h"
+#include "sim/pattern/outline.h"
+#include "sim/pattern/pattern_read.h"
+#include "tests/sim/pattern/sample.h"
+
+namespace selvedge {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+Pattern sample() {
+    return parse_pattern(sample_text(), "sample.json").pattern;
+}
+
+// How far apart in the room the two ends of a seam side stand from the points that they are sewn to.
+double widest_gap(const Pattern& pattern, const Seam& seam) {
+    const auto end = [&](const SeamSide& side, double t) {
+        const Panel& panel = pattern.panels[static_cast<std::size_t>(side.panel)];
+        return panel.place(outline_point(panel, panel.edges[static_cast<std::size_t>(side.edge)], t));
+    };
+    const double from = seam.is_reversed ? 1 : 0;
+    return std::max((end(seam.first, 0) - end(seam.second, from)).norm(),
+                    (end(seam.first, 1) - end(seam.second, 1 - from)).norm());
+}
+
+TEST(PatternFile, reads_centimetres_as_metres) {
+    const Pattern pattern = sample();
+    ASSERT_EQ(pattern.panels.size(), 2U);
+    EXPECT_EQ(pattern.name, "sample");
+    EXPECT_EQ(pattern.panels[0].name, "front");
+    EXPECT_TRUE(pattern.panels[0].vertices[2].isApprox(Vec2d(0.35, 0.5)));
+    EXPECT_TRUE(pattern.panels[0].translation.isApprox(Vec3d(-0.2, 0.9, 0.18)));
+    EXPECT_EQ(pattern.panels[0].edges[2].label, "lower_interface");
+}
+
+TEST(PatternFile, honours_other_units) {
+    const std::string text = replaced(sample_text(), "\"units_in_meter\": 100", "\"units_in_meter\": 1000");
+    EXPECT_TRUE(parse_pattern(text, "").pattern.panels[0].vertices[2].isApprox(Vec2d(0.035, 0.05)));
+}
+
+TEST(PatternFile, mirrors_what_is_drawn_clockwise_and_places_it_where_it_was) {
+    const Pattern pattern = sample();
+    const Panel& front = pattern.panels[0];
+    const Panel& back = pattern.panels[1];
+    EXPECT_FALSE(front.is_mirrored);
+    EXPECT_TRUE(back.is_mirrored);
+    EXPECT_GT(outline_area(front), 0);
+    EXPECT_GT(outline_area(back), 0);
+    EXPECT_TRUE(back.vertices[2].isApprox(Vec2d(-0.35, 0.5)));
+    EXPECT_TRUE(back.place(back.vertices[2]).isApprox(Vec3d(0.15, 1.4, -0.16)));
+}
+
+TEST(PatternFile, places_control_points_left_of_the_edge_for_a_positive_second_number) {
+    const Pattern pattern = sample();
+    EXPECT_TRUE(pattern.panels[0].edges[0].control[0].isApprox(Vec2d(0.2, -0.02)));
+    // The back's top runs from (5,50) to (35,50): 0.05 to the left of it is up, in the file and mirrored.
+    EXPECT_TRUE(pattern.panels[1].edges[1].control[0].isApprox(Vec2d(-0.14, 0.515)));
+    EXPECT_TRUE(pattern.panels[1].edges[1].control[1].isApprox(Vec2d(-0.26, 0.515)));
+}
+
+TEST(PatternFile, an_arc_flagged_right_bulges_to_the_right_of_its_edge_as_drawn) {
+    const std::string circle = R"("curvature": {"type": "circle", "params": [25, 0, 1]})";
+    const Pattern pattern =
+        parse_pattern(
+            replaced(sample_text(), R"("curvature": {"type": "cubic", "params": [[0.3, 0.05], [0.7, 0.05]]})", circle),
+            "")
+            .pattern;
+    // The front's top runs leftwards: its right is up. The back's runs rightwards in the file: its right is down.
+    EXPECT_NEAR(outline_point(pattern.panels[0], pattern.panels[0].edges[2], 0.5).y(), 0.55, 1e-9);
+    EXPECT_NEAR(outline_point(pattern.panels[1], pattern.panels[1].edges[1], 0.5).y(), 0.45, 1e-9);
+}
+
+TEST(PatternFile, takes_the_bare_pair_of_old_files_for_a_quadratic_curve) {
+    const std::string text =
+        replaced(sample_text(), R"({"type": "quadratic", "params": [[0.5, -0.05]]})", "[0.5, -0.05]");
+    const PatternDocument document = parse_pattern(text, "");
+    EXPECT_EQ(document.pattern.panels[0].edges[0].kind, CurveKind::Quadratic);
+    EXPECT_TRUE(document.pattern.panels[0].edges[0].control[0].isApprox(Vec2d(0.2, -0.02)));
+    EXPECT_NE(write_pattern(document).find("\"curvature\": [0.5, -0.05]"), std::string::npos);
+}
+
+TEST(PatternFile, reads_and_keeps_absolute_control_points) {
+    std::string text = replaced(sample_text(), "\"relative\"", "\"absolute\"");
+    text = replaced(text, "[[0.5, -0.05]]", "[[20, -2]]");
+    text = replaced(text, "[[0.3, 0.05], [0.7, 0.05]]", "[[14, 51.5], [26, 51.5]]");
+    const PatternDocument document = parse_pattern(text, "");
+    EXPECT_TRUE(document.pattern.panels[0].edges[0].control[0].isApprox(Vec2d(0.2, -0.02)));
+    EXPECT_TRUE(document.pattern.panels[1].edges[1].control[0].isApprox(Vec2d(-0.14, 0.515)));
+    EXPECT_EQ(write_json(parse_json(write_pattern(document), ""), -1), write_json(parse_json(text, ""), -1));
+}
+
+TEST(PatternFile, turns_about_x_first_then_y_then_z) {
+    const Eigen::Matrix3d turned = rotation_from_degrees({90, 90, 0});
+    EXPECT_TRUE((turned * Vec3d(0, 1, 0)).isApprox(Vec3d(1, 0, 0), 1e-12));  // y to z, then z to x
+    EXPECT_TRUE((rotation_from_degrees({0, 0, 90}) * Vec3d(1, 0, 0)).isApprox(Vec3d(0, 1, 0), 1e-12));
+}
+
+TEST(PatternFile, seams_join_start_to_end_unless_they_say_right_wrong) {
+    const Pattern pattern = sample();
+    ASSERT_EQ(pattern.seams.size(), 2U);
+    for (const Seam& seam : pattern.seams) {
+        EXPECT_TRUE(seam.is_reversed);
+        EXPECT_NEAR(widest_gap(pattern, seam), 0.34, 1e-9);  // front and back stand that far apart
+    }
+    const std::string other =
+        replaced(sample_text(), R"({"panel": "back", "edge": 2}])", R"({"panel": "back", "edge": 2}, "right_wrong"])");
+    EXPECT_FALSE(parse_pattern(other, "").pattern.seams[0].is_reversed);
+}
+
+std::string with_additions() {
+    std::string text = replaced(sample_text(), R"("pattern": {)",
+                                R"("selvedge": {"fabric": "wool_twill", "tartan": "black_watch", "later": [1.0],
+ "body": "mannequin:sex=female", "body_height": 168}, "pattern": {)");
+    return replaced(text, R"("back": {)",
+                    R"("back": {"selvedge": {"grainline": 30, "fabric": "denim", "layer": 2, "pins": [1, 2],
+ "internal_lines": [{"name": "pleat", "points": [[10, 1], [10, 40]]}]}, )");
+}
+
+TEST(PatternFile, reads_what_we_add_in_the_held_frame) {
+    const Pattern pattern = parse_pattern(with_additions(), "").pattern;
+    EXPECT_EQ(pattern.fabric, "wool_twill");
+    EXPECT_EQ(pattern.tartan, "black_watch");
+    EXPECT_EQ(pattern.body, "mannequin:sex=female");
+    EXPECT_DOUBLE_EQ(pattern.body_height, 1.68);
+    const Panel& back = pattern.panels[1];
+    EXPECT_EQ(back.fabric, "denim");
+    EXPECT_EQ(back.layer, 2);
+    EXPECT_EQ(back.pins, (std::vector<int>{1, 2}));
+    EXPECT_NEAR(back.grain_angle, -30 * kDegree, 1e-12);  // mirrored with its panel
+    ASSERT_EQ(back.internal_lines.size(), 1U);
+    EXPECT_TRUE(back.internal_lines[0].points[1].isApprox(Vec2d(-0.1, 0.4)));
+    EXPECT_DOUBLE_EQ(pattern.panels[0].grain_angle, 0);
+}
+
+TEST(PatternFile, writes_an_unchanged_document_value_for_value_as_it_came) {
+    for (const std::string& text : {sample_text(), with_additions()}) {
+        const PatternDocument document = parse_pattern(text, "");
+        EXPECT_EQ(write_json(parse_json(write_pattern(document), ""), -1), write_json(parse_json(text, ""), -1));
+    }
+}
+
+TEST(PatternFile, writes_only_what_changed) {
+    const std::string text = with_additions();
+    PatternDocument document = parse_pattern(text, "");
+    document.pattern.panels[1].vertices[1].x() = -0.0525;
+    document.pattern.panels[1].grain_angle = 45 * kDegree;
+    document.pattern.panels[0].translation.y() = 0.915;
+    document.pattern.tartan = "anderson";
+    std::string expected = replaced(text, "[5, 50], [35, 50], [40, 0]]", "[5.25, 50], [35, 50], [40, 0]]");
+    expected = replaced(expected, "\"grainline\": 30", "\"grainline\": -45");
+    expected = replaced(expected, "90.0", "91.5");
+    expected = replaced(expected, "black_watch", "anderson");
+    // The back's top is curved relative to its chord, which moved: its control points stay where they are.
+    const PatternDocument again = parse_pattern(write_pattern(document), "");
+    EXPECT_TRUE(again.pattern.panels[1].edges[1].control[0].isApprox(Vec2d(-0.14, 0.515), 1e-8));
+    document.pattern.panels[1].edges[1].control = parse_pattern(expected, "").pattern.panels[1].edges[1].control;
+    EXPECT_EQ(write_json(parse_json(write_pattern(document), ""), -1), write_json(parse_json(expected, ""), -1));
+}
+
+TEST(PatternFile, follows_panels_and_seams_that_come_and_go) {
+    PatternDocument document = parse_pattern(sample_text(), "");
+    Panel third = document.pattern.panels[1];
+    third.name = "lining";
+    document.pattern.panels.push_back(third);
+    document.pattern.panels.erase(document.pattern.panels.begin());
+    document.pattern.seams = {{{0, 2}, {1, 2}, false}};
+    const PatternDocument again = parse_pattern(write_pattern(document), "");
+    ASSERT_EQ(again.pattern.panels.size(), 2U);
+    EXPECT_EQ(again.pattern.panels[1].name, "lining");
+    EXPECT_TRUE(again.pattern.panels[1].is_mirrored);
+    EXPECT_EQ(again.pattern.seams.size(), 1U);
+    EXPECT_EQ(again.pattern.seams[0].second, (SeamSide{1, 2}));
+    EXPECT_FALSE(again.pattern.seams[0].is_reversed);
+    EXPECT_EQ(write_json(*again.json.find("pattern")->find("panel_order"), -1), R"(["back","lining"])");
+}
+
+TEST(PatternFile, writes_a_pattern_that_never_was_a_file) {
+    PatternDocument document{parse_pattern(with_additions(), "").pattern, {}};
+    document.pattern.panels[0].rotation = rotation_from_degrees({20, -35, 110});
+    const Pattern again = parse_pattern(write_pattern(document), "").pattern;
+    ASSERT_EQ(again.panels.size(), 2U);
+    EXPECT_TRUE(again.panels[0].rotation.isApprox(document.pattern.panels[0].rotation, 1e-9));
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Panel& before = document.pattern.panels[i];
+        const Panel& after = again.panels[i];
+        EXPECT_EQ(after.is_mirrored, before.is_mirrored);
+        EXPECT_EQ(after.pins, before.pins);
+        for (std::size_t e = 0; e < before.edges.size(); ++e) {
+            EXPECT_NEAR(outline_length(after, after.edges[e]), outline_length(before, before.edges[e]), 1e-9);
+            EXPECT_TRUE(
+                outline_point(after, after.edges[e], 0.3).isApprox(outline_point(before, before.edges[e], 0.3), 1e-8));
+        }
+    }
+    EXPECT_EQ(again.seams[1].second, document.pattern.seams[1].second);
+}
+
+TEST(PatternFile, saves_to_a_file_that_loads_again) {
+    const auto path = std::filesystem::path(::testing::TempDir()) / "selvedge_saved_specification.json";
+    save_pattern(parse_pattern(sample_text(), ""), path);
+    EXPECT_EQ(load_pattern(path).pattern.name, "selvedge_saved");
+    EXPECT_TRUE(check_pattern_file(path).empty());
+    std::filesystem::remove(path);
+}
+
+class GarmentCodeFiles : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(GarmentCodeFiles, load_with_seams_that_meet_and_come_back_as_they_were) {
+    const char* data = std::getenv("SELVEDGE_TEST_DATA");
+    if (!data) GTEST_SKIP() << "SELVEDGE_TEST_DATA is not set";
+    const auto path = std::filesystem::path(data) / "garmentcode" / GetParam();
+    std::ostringstream text;
+    text << std::ifstream(path).rdbuf();
+    const PatternDocument document = parse_pattern(text.str(), path.string());
+    EXPECT_EQ(write_json(parse_json(write_pattern(document), ""), -1), write_json(parse_json(text.str(), ""), -1));
+    for (const Panel& panel : document.pattern.panels) {
+        EXPECT_GT(outline_area(panel), 0);
+        EXPECT_EQ(panel.is_mirrored, panel.translation.z() < 0) << panel.name;  // backs are drawn clockwise
+    }
+    // Front and back stand half a metre apart. Ends that were swapped would be further from each other, on edges long
+    // enough to tell.
+    for (const Seam& seam : document.pattern.seams) {
+        EXPECT_LT(widest_gap(document.pattern, seam), 0.56);
+        const Panel& panel = document.pattern.panels[static_cast<std::size_t>(seam.first.panel)];
+        if (outline_length(panel, panel.edges[static_cast<std::size_t>(seam.first.edge)]) < 0.1) continue;
+        Seam crossed = seam;
+        crossed.is_reversed = !crossed.is_reversed;
+        EXPECT_LT(widest_gap(document.pattern, seam), widest_gap(document.pattern, crossed));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(, GarmentCodeFiles,
+                         ::testing::Values("shirt_mean_specification.json", "dress_pencil_specification.json",
+                                           "example_handwritten_specification.json"),
+                         [](const auto& file) { return file.param.substr(0, file.param.find('_')); });
+
+}  // namespace
+}  // namespace selvedge

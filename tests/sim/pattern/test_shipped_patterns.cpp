@@ -1,0 +1,102 @@
+// The garments that ship are drafted soundly: each is a test case for the rest of the program.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "sim/pattern/fabric.h"
+#include "sim/pattern/outline.h"
+#include "sim/pattern/pattern_file.h"
+
+namespace selvedge {
+namespace {
+
+std::filesystem::path shipped(const std::string& name) {
+    return std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / (name + ".json");
+}
+
+class ShippedPattern : public ::testing::TestWithParam<const char*> {
+ protected:
+    Pattern pattern = load_pattern(shipped(GetParam())).pattern;
+};
+
+TEST_P(ShippedPattern, has_neither_fault_nor_warning) {
+    for (const Fault& fault : check_pattern_file(shipped(GetParam()))) ADD_FAILURE() << describe(fault);
+}
+
+TEST_P(ShippedPattern, names_a_fabric_a_tartan_and_its_body) {
+    EXPECT_NO_THROW(find_fabric(pattern.fabric));
+    EXPECT_FALSE(pattern.tartan.empty());
+    EXPECT_EQ(pattern.body, "mannequin:sex=female");
+    EXPECT_NEAR(pattern.body_height, 1.606, 1e-9);
+}
+
+// A seam that closes would cross the body if its sides stood on the same side of it.
+TEST_P(ShippedPattern, the_ends_of_its_seams_stand_level_across_the_body) {
+    for (const Seam& seam : pattern.seams) {
+        const auto end = [&](const SeamSide& side, double t) {
+            const Panel& panel = pattern.panels[static_cast<std::size_t>(side.panel)];
+            return panel.place(outline_point(panel, panel.edges[static_cast<std::size_t>(side.edge)], t));
+        };
+        for (const double t : {0.0, 0.5, 1.0}) {
+            const Vec3d gap = end(seam.first, t) - end(seam.second, seam.is_reversed ? 1 - t : t);
+            EXPECT_LT(std::abs(gap.x()), 0.12);
+            EXPECT_LT(std::abs(gap.y()), 0.12);
+            EXPECT_LT(gap.norm(), 0.45);
+        }
+    }
+}
+
+// Reflected left to right, the outlines in the room must be the same set of points.
+TEST_P(ShippedPattern, is_as_long_on_the_left_as_on_the_right) {
+    double left = 0;
+    double right = 0;
+    for (const Panel& panel : pattern.panels) {
+        for (const OutlineEdge& edge : panel.edges) {
+            for (int i = 0; i < 200; ++i) {
+                const double middle = panel.place(outline_point(panel, edge, (i + 0.5) / 200)).x();
+                (middle > 0 ? left : right) += outline_length(panel, edge) / 200;
+            }
+        }
+    }
+    EXPECT_NEAR(left, right, 0.005 * right);
+}
+
+INSTANTIATE_TEST_SUITE_P(, ShippedPattern,
+                         ::testing::Values("tshirt", "tshirt_thesis", "skirt", "poncho", "two_squares"),
+                         [](const auto& garment) { return std::string(garment.param); });
+
+double girth(const Pattern& pattern, int front_edge, int back_edge) {
+    return outline_length(pattern.panels[0], pattern.panels[0].edges[static_cast<std::size_t>(front_edge)]) +
+           outline_length(pattern.panels[1], pattern.panels[1].edges[static_cast<std::size_t>(back_edge)]);
+}
+
+TEST(ShippedSkirt, sits_on_a_waist_of_66_and_a_half_centimetres) {
+    const Pattern skirt = load_pattern(shipped("skirt")).pattern;
+    EXPECT_NEAR(girth(skirt, 2, 1), 0.67, 0.005);
+    EXPECT_GT(girth(skirt, 0, 3), 1.5);
+}
+
+TEST(ShippedShirt, has_ease_round_the_bust_and_sleeves_that_fit_their_armholes) {
+    const Pattern shirt = load_pattern(shipped("tshirt")).pattern;
+    ASSERT_EQ(shirt.panels.size(), 6U);
+    const Panel& front = shirt.panels[0];
+    const double bust = 4 * front.vertices[2].x();
+    EXPECT_GT(bust, 0.838 + 0.06);
+    EXPECT_LT(bust, 0.838 + 0.12);
+    int armhole_seams = 0;
+    for (const Seam& seam : shirt.seams) {
+        if (seam.first.panel > 1 || seam.second.panel < 2) continue;
+        ++armhole_seams;
+        const Panel& body = shirt.panels[static_cast<std::size_t>(seam.first.panel)];
+        const Panel& sleeve = shirt.panels[static_cast<std::size_t>(seam.second.panel)];
+        const double ease = outline_length(sleeve, sleeve.edges[static_cast<std::size_t>(seam.second.edge)]) /
+                            outline_length(body, body.edges[static_cast<std::size_t>(seam.first.edge)]);
+        EXPECT_GT(ease, 0.98);
+        EXPECT_LT(ease, 1.05);
+    }
+    EXPECT_EQ(armhole_seams, 4);
+}
+
+}  // namespace
+}  // namespace selvedge
