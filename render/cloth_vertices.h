@@ -22,7 +22,8 @@ struct ClothVertex {
     std::array<float, 2> place;    // (weft, warp), m: material coordinates turned by the panel's grain
     std::array<float, 3> heights;  // m; at this corner: its height over the opposite edge, else 0
     std::array<float, 2> openness;
-    std::uint32_t marks;  // level | seam edges << 8 | hem edges << 11; edge i is opposite corner i
+    std::array<float, 2> touch;  // m to a seam and a hem that the triangle touches with one corner only
+    std::uint32_t marks;         // level | seam edges << 8 | hem edges << 11; edge i is opposite corner i
 };
 
 // normals: one per vertex of the mesh, also when the mesh has its own. Seam edges are those where material

@@ -17,7 +17,6 @@
 namespace selvedge {
 namespace {
 
-constexpr int kTileSide = 1024;    // px
 constexpr int kShadowSide = 2048;  // px
 
 // Texture units.
@@ -233,7 +232,7 @@ const GlContext& Renderer::context() const {
 
 Image Renderer::draw(const Scene& scene, const RenderOptions& options) {
     check_size(options);
-    SELVEDGE_ASSERT(options.supersample >= 1 && options.samples >= 1);
+    SELVEDGE_ASSERT(options.tile_px >= 1 && options.supersample >= 1 && options.samples >= 1);
     const GladGLContext& gl = impl_->gl;
     impl_->context->make_current();
     const Casters casters = casters_of(scene);
@@ -246,8 +245,8 @@ Image Renderer::draw(const Scene& scene, const RenderOptions& options) {
 
     const Eigen::Matrix4f camera =
         projection_matrix(scene.camera, float(options.width_px) / float(options.height_px)) * view_matrix(scene.camera);
-    const TargetSize size{.width_px = std::min(options.width_px, kTileSide),
-                          .height_px = std::min(options.height_px, kTileSide),
+    const TargetSize size{.width_px = std::min(options.width_px, options.tile_px),
+                          .height_px = std::min(options.height_px, options.tile_px),
                           .samples = options.samples,
                           .supersample = options.supersample};
     const Target target(gl, size);

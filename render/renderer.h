@@ -15,6 +15,7 @@ struct RenderOptions {
     int width_px = 1024;
     int height_px = 1024;
     int samples = 4;      // per pixel, of triangles' edges
+    int tile_px = 1024;   // greatest side of what is drawn at once
     int supersample = 1;  // 2: everything is drawn at twice the size and averaged
 };
 

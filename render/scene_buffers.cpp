@@ -146,8 +146,9 @@ ClothBuffer make_cloth_buffer(const GladGLContext& gl, const ClothItem& item, co
     add_attribute(gl, 2, 2, sizeof(ClothVertex), offsetof(ClothVertex, place));
     add_attribute(gl, 3, 3, sizeof(ClothVertex), offsetof(ClothVertex, heights));
     add_attribute(gl, 4, 2, sizeof(ClothVertex), offsetof(ClothVertex, openness));
-    gl.EnableVertexAttribArray(5);
-    gl.VertexAttribIPointer(5, 1, GL_UNSIGNED_INT, sizeof(ClothVertex),
+    add_attribute(gl, 5, 2, sizeof(ClothVertex), offsetof(ClothVertex, touch));
+    gl.EnableVertexAttribArray(6);
+    gl.VertexAttribIPointer(6, 1, GL_UNSIGNED_INT, sizeof(ClothVertex),
                             reinterpret_cast<const void*>(offsetof(ClothVertex, marks)));
     buffer.vertex_count = static_cast<int>(vertices.size());
     buffer.colour = to_linear(item.colour);

@@ -3,6 +3,7 @@ in vec3 v_normal;
 in vec2 v_place;
 in vec3 v_heights;
 in vec2 v_openness;
+in vec2 v_touch;
 flat in uint v_marks;
 
 uniform int show;          // 0 tartan, 1 level, 2 edges, 3 plain
@@ -21,13 +22,13 @@ float edge_line() {
 }
 
 // Cloth sinks where it is sewn, and is doubled where it is hemmed.
-float sewn_shade(uint mask, float half_width) {
-    float nearest = 1e9;
+float sewn_shade(uint mask, float touch, float half_width) {
+    float nearest = mask == 0u ? touch : 1e9;
     for (int i = 0; i < 3; ++i) {
         if ((mask >> i & 1u) != 0u) nearest = min(nearest, v_heights[i]);
     }
-    if (nearest > 0.02) return 0.0;
-    float pixel = max(max(fwidth(v_heights.x), fwidth(v_heights.y)), fwidth(v_heights.z));
+    vec3 slope = fwidth(v_heights);
+    float pixel = max(max(slope.x, slope.y), slope.z);
     float share = half_width / (half_width + pixel);
     return share * (1.0 - smoothstep(0.3 * half_width, half_width + pixel, nearest));
 }
@@ -42,8 +43,8 @@ void main() {
     float side = gl_FrontFacing ? 1.0 : -1.0;
     vec3 albedo = cloth_albedo(side);
     float lines = edge_line();  // derivatives want every pixel
-    albedo *= 1.0 - 0.55 * sewn_shade(v_marks >> 8 & 7u, 0.0016);
-    albedo *= 1.0 - 0.30 * sewn_shade(v_marks >> 11 & 7u, 0.0020);
+    albedo *= 1.0 - 0.55 * sewn_shade(v_marks >> 8 & 7u, v_touch.x, 0.0016);
+    albedo *= 1.0 - 0.30 * sewn_shade(v_marks >> 11 & 7u, v_touch.y, 0.0020);
     if (show == 1) albedo = mix(albedo, albedo * 0.35, 0.7 * lines);
     if (show == 2) albedo = mix(albedo, vec3(0.035, 0.05, 0.09), 0.9 * lines);
     if (side < 0.0) {

@@ -3,7 +3,8 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 place;     // (weft, warp), m
 layout(location = 3) in vec3 heights;   // m above each of the triangle's edges
 layout(location = 4) in vec2 openness;  // right side, wrong side
-layout(location = 5) in uint marks;     // level, then 3 bits of edges on seams, then 3 bits of edges on hems
+layout(location = 5) in vec2 touch;     // m to a seam and a hem that only a corner touches
+layout(location = 6) in uint marks;     // level, then 3 bits of edges on seams, then 3 bits of edges on hems
 
 uniform mat4 camera;
 
@@ -12,6 +13,7 @@ out vec3 v_normal;
 out vec2 v_place;
 out vec3 v_heights;
 out vec2 v_openness;
+out vec2 v_touch;
 flat out uint v_marks;
 
 void main() {
@@ -20,6 +22,7 @@ void main() {
     v_place = place;
     v_heights = heights;
     v_openness = openness;
+    v_touch = touch;
     v_marks = marks;
     gl_Position = camera * vec4(position, 1.0);
 }

@@ -1,0 +1,84 @@
+#include "render/scene/camera.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+namespace selvedge {
+namespace {
+
+constexpr std::array<View, 5> kAllViews{View::Front, View::Back, View::Left, View::Right, View::ThreeQuarter};
+
+std::vector<Vec3f> figure() {
+    std::vector<Vec3f> points;
+    for (const float y : {0.0F, 0.9F, 1.7F}) {
+        for (int i = 0; i < 12; ++i) {
+            const float angle = float(i) * 0.5236F;
+            points.emplace_back(0.45F * std::cos(angle), y, 0.2F * std::sin(angle));
+        }
+    }
+    return points;
+}
+
+Vec3f on_picture(const Camera& camera, float aspect, const Vec3f& point) {
+    const Eigen::Vector4f clip = projection_matrix(camera, aspect) * view_matrix(camera) * point.homogeneous();
+    return clip.head<3>() / clip.w();
+}
+
+TEST(Camera, every_view_holds_every_point_within_the_margin_and_touches_it) {
+    for (const View view : kAllViews) {
+        for (const float aspect : {0.5F, 1.0F, 2.0F}) {
+            const Camera camera = frame_points(figure(), view, {.aspect = aspect, .margin = 0.1F});
+            float widest = 0;
+            for (const Vec3f& point : figure()) {
+                const Vec3f at = on_picture(camera, aspect, point);
+                widest = std::max({widest, std::abs(at.x()), std::abs(at.y())});
+                EXPECT_LT(std::abs(at.z()), 1) << "cut off by the near or far plane";
+            }
+            EXPECT_NEAR(widest, 0.9F, 1e-3F) << int(view) << " " << aspect;
+        }
+    }
+}
+
+TEST(Camera, the_figure_stands_in_the_middle_of_the_direction_that_binds) {
+    const Camera camera = frame_points(figure(), View::Front, {.aspect = 1});
+    float high = -1, low = 1;
+    for (const Vec3f& point : figure()) {
+        const float y = on_picture(camera, 1, point).y();
+        high = std::max(high, y);
+        low = std::min(low, y);
+    }
+    EXPECT_NEAR(high, -low, 1e-3F);
+}
+
+TEST(Camera, the_bodys_left_is_on_the_right_of_a_picture_from_the_front) {
+    const Vec3f left_hand(0.45F, 0.9F, 0);
+    EXPECT_GT(on_picture(frame_points(figure(), View::Front, {}), 1, left_hand).x(), 0);
+    EXPECT_LT(on_picture(frame_points(figure(), View::Back, {}), 1, left_hand).x(), 0);
+}
+
+TEST(Camera, the_left_view_stands_on_the_bodys_left_and_the_three_quarter_view_in_front_of_it) {
+    EXPECT_GT(frame_points(figure(), View::Left, {}).eye.x(), 1);
+    EXPECT_LT(frame_points(figure(), View::Right, {}).eye.x(), -1);
+    const Vec3f eye = frame_points(figure(), View::ThreeQuarter, {}).eye;
+    EXPECT_GT(eye.x(), 1);
+    EXPECT_GT(eye.z(), 1);
+}
+
+TEST(Camera, a_single_point_and_a_flat_sheet_can_be_framed) {
+    const Camera near_point = frame_points({Vec3f(1, 2, 3)}, View::Front, {});
+    EXPECT_TRUE(near_point.eye.allFinite());
+    EXPECT_GT((near_point.eye - Vec3f(1, 2, 3)).norm(), near_point.near_plane);
+    const Camera edge_on = frame_points({Vec3f(0, 0, -1), Vec3f(0, 0, 1), Vec3f(0, 1, 0)}, View::Front, {});
+    EXPECT_GT(edge_on.eye.z(), 1);
+}
+
+TEST(Camera, views_are_parsed_by_name) {
+    EXPECT_EQ(parse_view("three-quarter"), View::ThreeQuarter);
+    EXPECT_EQ(parse_view("back"), View::Back);
+    EXPECT_FALSE(parse_view("below"));
+}
+
+}  // namespace
+}  // namespace selvedge

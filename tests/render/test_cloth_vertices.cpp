@@ -1,0 +1,80 @@
+#include "render/cloth_vertices.h"
+
+#include <gtest/gtest.h>
+
+namespace selvedge {
+namespace {
+
+// Two triangles of two panels, sewn along the edge 1-2, with material coordinates of their own:
+//   2---3
+//   | \ |
+//   0---1
+PlainMesh sewn_square() {
+    PlainMesh mesh;
+    mesh.x = {{0, 0, 0}, {0.3F, 0, 0}, {0, 0.4F, 0}, {0.3F, 0.4F, 0}};
+    mesh.normals.assign(4, Vec3f(0, 0, 1));
+    mesh.triangles = {{0, 1, 2}, {1, 3, 2}};
+    mesh.u = {{Vec2f(0, 0), Vec2f(0.3F, 0), Vec2f(0, 0.4F)}, {Vec2f(5.3F, 0), Vec2f(5.3F, 0.4F), Vec2f(5, 0.4F)}};
+    mesh.panel = {0, 1};
+    mesh.level = {2, 3};
+    mesh.panel_grain_angles = {0, 1.57079633F};
+    return mesh;
+}
+
+std::vector<ClothVertex> vertices_of(const PlainMesh& mesh) {
+    return make_cloth_vertices(mesh, mesh.normals, std::vector<Openness>(mesh.x.size()));
+}
+
+TEST(ClothVertices, a_seam_is_marked_where_material_coordinates_jump_and_a_hem_where_cloth_ends) {
+    const std::vector<ClothVertex> vertices = vertices_of(sewn_square());
+    ASSERT_EQ(vertices.size(), 6U);
+    const std::uint32_t opposite_first = 1;  // corner 0's opposite edge joins 1 and 2
+    EXPECT_EQ(vertices[0].marks >> 8 & 7U, opposite_first);
+    EXPECT_EQ(vertices[0].marks >> 11 & 7U, 7U & ~opposite_first);
+    EXPECT_EQ(vertices[0].marks & 255U, 2U);
+    EXPECT_EQ(vertices[3].marks & 255U, 3U);
+}
+
+TEST(ClothVertices, an_edge_within_one_panel_is_neither_seam_nor_hem) {
+    PlainMesh mesh = sewn_square();
+    mesh.panel = {0, 0};
+    mesh.u[1] = {Vec2f(0.3F, 0), Vec2f(0.3F, 0.4F), Vec2f(0, 0.4F)};
+    EXPECT_EQ(vertices_of(mesh)[0].marks >> 8 & 7U, 0U);
+}
+
+TEST(ClothVertices, a_dart_is_a_seam_within_one_panel) {
+    PlainMesh mesh = sewn_square();
+    mesh.panel = {0, 0};
+    EXPECT_EQ(vertices_of(mesh)[0].marks >> 8 & 7U, 1U);
+}
+
+TEST(ClothVertices, the_sett_follows_the_grain_of_each_panel) {
+    const std::vector<ClothVertex> vertices = vertices_of(sewn_square());
+    // Straight grain: the warp runs along +y of the panel, the weft along +x.
+    EXPECT_NEAR(vertices[2].place[0], 0, 1e-6F);
+    EXPECT_NEAR(vertices[2].place[1], 0.4F, 1e-6F);
+    // A quarter turn counter-clockwise: the warp runs along -x, the weft along +y.
+    EXPECT_NEAR(vertices[3].place[0], 0, 1e-6F);
+    EXPECT_NEAR(vertices[3].place[1], -5.3F, 1e-6F);
+}
+
+TEST(ClothVertices, heights_are_those_of_the_triangle_and_lie_on_their_own_corner) {
+    const std::vector<ClothVertex> vertices = vertices_of(sewn_square());
+    EXPECT_NEAR(vertices[0].heights[0], 0.3F * 0.4F / 0.5F, 1e-6F);
+    EXPECT_NEAR(vertices[1].heights[1], 0.3F, 1e-6F);
+    EXPECT_NEAR(vertices[2].heights[2], 0.4F, 1e-6F);
+    EXPECT_EQ(vertices[0].heights[1], 0);
+}
+
+TEST(ClothVertices, a_mesh_with_nothing_but_triangles_will_do) {
+    PlainMesh mesh = sewn_square();
+    mesh.u.clear();
+    mesh.panel.clear();
+    mesh.level.clear();
+    mesh.panel_grain_angles.clear();
+    EXPECT_EQ(vertices_of(mesh)[0].marks & 255U, 0U);
+    EXPECT_EQ(vertices_of(mesh)[0].marks >> 8 & 7U, 0U);
+}
+
+}  // namespace
+}  // namespace selvedge
