@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "sim/core/file.h"
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern_file.h"
@@ -65,6 +66,15 @@ TEST_P(ShippedPattern, is_as_long_on_the_left_as_on_the_right) {
 INSTANTIATE_TEST_SUITE_P(, ShippedPattern,
                          ::testing::Values("tshirt", "tshirt_thesis", "skirt", "poncho", "two_squares"),
                          [](const auto& garment) { return std::string(garment.param); });
+
+TEST(FormatGuide, shows_a_garment_that_is_sound) {
+    const std::string guide =
+        read_file(std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / "FORMAT.md", std::size_t{1} << 20);
+    const std::size_t from = guide.find("```json\n") + 8;
+    const std::string example = guide.substr(from, guide.find("```", from) - from);
+    for (const Fault& fault : check_pattern_text(example, "FORMAT.md")) ADD_FAILURE() << describe(fault);
+    EXPECT_TRUE(parse_pattern(example, "FORMAT.md").pattern.panels[1].is_mirrored);
+}
 
 double girth(const Pattern& pattern, int front_edge, int back_edge) {
     return outline_length(pattern.panels[0], pattern.panels[0].edges[static_cast<std::size_t>(front_edge)]) +
