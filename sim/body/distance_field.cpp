@@ -13,11 +13,12 @@ namespace selvedge {
 namespace {
 
 constexpr float kUnbounded = std::numeric_limits<float>::infinity();
-constexpr float kHair = 1.0001F;  // bounds are widened by this, for rounding
+constexpr float kHair = 1.0001F;  // bounds are widened by this
+constexpr float kSpeck = 1e-6F;   // and this, m, for rounding
 constexpr float kHalfDiagonal = 0.8660254F;
 
-// Signed distances along a walk in small strides: the nearest point of one bounds the search for the next. Beyond `reach` only the sign is
-// right and the size is at least reach.
+// Signed distances along a walk in small strides: the nearest point of one bounds the search for the next. Beyond
+// `reach` only the sign is right and the size is at least reach.
 class DistanceWalk {
  public:
     DistanceWalk(const SurfaceBvh& bvh, float stride, float reach) : bvh_(bvh), stride_(stride), reach_(reach) {}
@@ -27,7 +28,7 @@ class DistanceWalk {
         if (known_ && std::abs(distance_) - stride_ > reach_) return distance_ -= std::copysign(stride_, distance_);
         const float nearest = nearest_ ? (p - *nearest_).norm() : kUnbounded;
         const float reach = known_ ? reach_ : kUnbounded;
-        const std::optional<ClosestPoint> closest = bvh_.closest(p, std::min(nearest, reach) * kHair);
+        const std::optional<ClosestPoint> closest = bvh_.closest(p, std::min(nearest, reach) * kHair + kSpeck);
         known_ = true;
         if (closest) {
             nearest_ = closest->point;

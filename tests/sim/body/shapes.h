@@ -1,6 +1,7 @@
 #pragma once
 // Closed surfaces whose distance is known without a mesh.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -51,6 +52,33 @@ inline Body sphere(const Vec3d& centre, double radius, int cells) {
 inline double box_distance(const Vec3d& p, const Vec3d& low, const Vec3d& high) {
     const Vec3d outside = (low - p).cwiseMax(p - high);
     return outside.cwiseMax(0).norm() + std::min(outside.maxCoeff(), 0.0);
+}
+
+// Whether every directed edge is there once and its reverse once.
+inline bool is_closed(const Body& body) {
+    std::map<std::pair<int, int>, int> uses;
+    for (const auto& triangle : body.triangles)
+        for (std::size_t k = 0; k < 3; ++k) ++uses[{triangle[k], triangle[(k + 1) % 3]}];
+    return !uses.empty() && std::all_of(uses.begin(), uses.end(), [&](const auto& use) {
+        return use.second == 1 && uses.contains({use.first.second, use.first.first});
+    });
+}
+
+// m^3; positive when the surface is turned outward.
+inline double volume(const Body& body) {
+    double sum = 0;
+    for (const auto& [a, b, c] : body.triangles)
+        sum += body.x[std::size_t(a)].dot(body.x[std::size_t(b)].cross(body.x[std::size_t(c)])) / 6;
+    return sum;
+}
+
+// One body that holds the surfaces of both.
+inline Body together(const Body& first, const Body& second) {
+    Body body = first;
+    const int offset = int(first.x.size());
+    body.x.insert(body.x.end(), second.x.begin(), second.x.end());
+    for (const auto& [a, b, c] : second.triangles) body.triangles.push_back({a + offset, b + offset, c + offset});
+    return body;
 }
 
 }  // namespace selvedge::shapes

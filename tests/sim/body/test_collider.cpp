@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -83,11 +87,9 @@ TEST(DistanceField, knows_the_side_of_points_beyond_the_band) {
 
 TEST(DistanceField, tells_inside_from_outside_in_a_hollow_shell) {
     // The room in the shell is outside, though no way leads out of it.
-    Body shell = shapes::sphere(Vec3d::Zero(), 0.15, 20);
     Body hollow = shapes::sphere(Vec3d::Zero(), 0.08, 20);
-    const int offset = int(shell.x.size());
-    shell.x.insert(shell.x.end(), hollow.x.begin(), hollow.x.end());
-    for (const auto& [a, b, c] : hollow.triangles) shell.triangles.push_back({a + offset, c + offset, b + offset});
+    for (auto& triangle : hollow.triangles) std::swap(triangle[0], triangle[1]);
+    const Body shell = shapes::together(shapes::sphere(Vec3d::Zero(), 0.15, 20), hollow);
     const DistanceField field{SurfaceBvh(shell)};
     EXPECT_EQ(field.sample({0, 0, 0}).distance, field.band());
     EXPECT_EQ(field.sample({0.115F, 0, 0}).distance, -field.band());
@@ -100,6 +102,19 @@ TEST(DistanceField, max_error_is_no_less_than_any_error_on_the_surface) {
     EXPECT_GT(field.max_error(), 0.0002F);  // a box's edges are sharp
     EXPECT_LT(field.max_error(), 0.0026F);  // half the cell's diagonal bounds any distance field's error
     for (const Vec3f& p : bvh.points()) EXPECT_LE(std::abs(field.sample(p).distance), field.max_error());
+}
+
+TEST(DistanceField, is_sound_where_nodes_lie_in_a_face) {
+    // They are at no distance at all, which once passed for nothing found. The box's height brings a layer of nodes
+    // into its top, to the last bit for some of its depths.
+    const DistanceFieldOptions options;
+    const double margin = double(options.band + std::numbers::sqrt3_v<float> * options.cell);
+    for (int i = 0; i < 40; ++i) {
+        const Vec3d low(-0.04 - 0.001 * i, 1.4 - 0.0007 * i, -0.03);
+        const double top = low.y() + 20 * double(options.cell) - margin;
+        const SurfaceBvh bvh(shapes::box(low, {0.05, top, 0.03}, 1));
+        EXPECT_LT(DistanceField(bvh, options).max_error(), 0.0026F);
+    }
 }
 
 TEST(DistanceField, has_the_same_bits_for_any_number_of_threads) {

@@ -1,0 +1,164 @@
+#include "sim/body/load_body.h"
+
+#include <cctype>
+#include <cmath>
+#include <limits>
+
+#include "sim/body/guarded_import.h"
+#include "sim/core/error.h"
+
+namespace selvedge {
+
+namespace {
+
+struct Range {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+    double extent() const { return high - low; }
+};
+
+Range range_along(const ImportedScene& scene, int axis) {
+    Range range;
+    for (const ImportedMesh& mesh : scene.meshes)
+        for (const Vec3f& p : mesh.x) {
+            range.low = std::min(range.low, double(p[axis]));
+            range.high = std::max(range.high, double(p[axis]));
+        }
+    return range;
+}
+
+bool is_gltf(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
+    return extension != ".obj";
+}
+
+// A body that stands is taller than it is deep, whatever its arms do.
+UpAxis up_axis(const ImportedScene& scene, const std::filesystem::path& path, UpAxis asked) {
+    if (asked != UpAxis::Auto) return asked;
+    if (is_gltf(path)) return UpAxis::Y;
+    return range_along(scene, 2).extent() > range_along(scene, 1).extent() ? UpAxis::Z : UpAxis::Y;
+}
+
+// Bodies are 0.4 to 4 m tall, children and giants included; the three ranges do not meet.
+LengthUnit length_unit(double height, const std::string& file, LengthUnit asked) {
+    if (asked != LengthUnit::Auto) return asked;
+    if (height >= 0.4 && height <= 4) return LengthUnit::Metres;
+    if (height >= 40 && height <= 400) return LengthUnit::Centimetres;
+    if (height > 400 && height <= 4000) return LengthUnit::Millimetres;
+    throw InputError(file, "",
+                     "a body " + std::to_string(height) + " units tall is not one in m, cm or mm: name its unit");
+}
+
+double metres(LengthUnit unit) {
+    switch (unit) {
+        case LengthUnit::Centimetres:
+            return 0.01;
+        case LengthUnit::Millimetres:
+            return 0.001;
+        default:
+            return 1;
+    }
+}
+
+const char* name_of(LengthUnit unit) {
+    switch (unit) {
+        case LengthUnit::Centimetres:
+            return "centimetres";
+        case LengthUnit::Millimetres:
+            return "millimetres";
+        default:
+            return "metres";
+    }
+}
+
+// The file's frame to ours. Z up means the habit of Blender and CAD: the body looks along -y.
+struct Frame {
+    double scale = 1;
+    UpAxis up = UpAxis::Y;
+    double lift = 0;  // m
+
+    Vec3d operator()(const Vec3d& p) const {
+        const Vec3d turned = up == UpAxis::Z ? Vec3d(p.x(), p.z(), -p.y()) : p;
+        return scale * turned + Vec3d(0, lift, 0);
+    }
+};
+
+Frame choose_frame(const ImportedScene& scene, const std::filesystem::path& path, const LoadBodyOptions& options,
+                   LoadBodyReport& report) {
+    report.up = up_axis(scene, path, options.up);
+    const Range height = range_along(scene, report.up == UpAxis::Z ? 2 : 1);
+    report.unit = length_unit(height.extent(), path.string(), options.unit);
+    return {.scale = metres(report.unit), .up = report.up};
+}
+
+struct JoinedScene {
+    Surface surface;
+    std::vector<SkinWeights> skin;  // empty, or beside surface.x
+};
+
+JoinedScene join(const ImportedScene& scene, const Frame& frame) {
+    JoinedScene joined;
+    bool has_skin = !scene.bones.empty();
+    for (const ImportedMesh& mesh : scene.meshes) has_skin = has_skin && mesh.skin.size() == mesh.x.size();
+    for (const ImportedMesh& mesh : scene.meshes) {
+        const int first = int(joined.surface.x.size());
+        for (const Vec3f& p : mesh.x) joined.surface.x.push_back(frame(p.cast<double>()));
+        for (const auto& [a, b, c] : mesh.triangles)
+            joined.surface.triangles.push_back({first + int(a), first + int(b), first + int(c)});
+        if (has_skin) joined.skin.insert(joined.skin.end(), mesh.skin.begin(), mesh.skin.end());
+    }
+    return joined;
+}
+
+void stand_on_floor(Body& body, LoadBodyReport& report) {
+    report.floor_shift = -height_range(body).low;
+    for (Vec3d& p : body.x) p.y() += report.floor_shift;
+    for (Bone& bone : body.bones) bone.joint.y() += report.floor_shift;
+}
+
+std::string counted(int count, const char* what) {
+    return std::to_string(count) + ' ' + what;
+}
+
+void write_notes(LoadBodyReport& report) {
+    std::vector<std::string>& notes = report.notes;
+    const RepairReport& repair = report.repair;
+    if (report.unit != LengthUnit::Metres) notes.push_back(std::string("read as ") + name_of(report.unit));
+    if (report.up == UpAxis::Z) notes.emplace_back("turned from z up to y up");
+    if (std::abs(report.floor_shift) > 1e-4)
+        notes.push_back("moved by " +
+                        counted(int(std::lround(report.floor_shift * 1e4)), "tenths of a mm to stand on the floor"));
+    if (repair.dropped_triangles > 0)
+        notes.push_back("left out " + counted(repair.dropped_triangles, "triangles without area or twice there"));
+    if (repair.turned_triangles > 0)
+        notes.push_back("turned " + counted(repair.turned_triangles, "triangles to face outward"));
+    if (repair.capped_holes > 0) notes.push_back("capped " + counted(repair.capped_holes, "holes"));
+    for (const std::string& dropped : repair.dropped_pieces) notes.push_back("left out " + dropped);
+}
+
+}  // namespace
+
+Body load_body(const std::filesystem::path& path, const LoadBodyOptions& options, LoadBodyReport* report) {
+    LoadBodyReport own;
+    LoadBodyReport& told = report ? *report : own;
+    told = {};
+    const ImportedScene scene = guarded_import(path);
+    const Frame frame = choose_frame(scene, path, options, told);
+    JoinedScene joined = join(scene, frame);
+    Surface surface = repair(std::move(joined.surface), path.string(), options.repair, told.repair);
+
+    Body body;
+    body.name = path.stem().string();
+    body.x = std::move(surface.x);
+    body.triangles = std::move(surface.triangles);
+    body.bones = scene.bones;
+    for (Bone& bone : body.bones) bone.joint = frame(bone.joint);
+    if (!joined.skin.empty())
+        for (const int origin : surface.origin) body.skin.push_back(joined.skin[std::size_t(origin)]);
+    if (options.stands_on_floor) stand_on_floor(body, told);
+    write_notes(told);
+    return body;
+}
+
+}  // namespace selvedge

@@ -1,0 +1,292 @@
+#include "sim/body/load_body.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+#include "sim/body/collider.h"
+#include "sim/core/error.h"
+#include "tests/sim/body/shapes.h"
+#include "tests/sim/body/temporary_folder.h"
+
+namespace selvedge {
+namespace {
+
+// As tall as a person, 40 cm wide, standing on the floor.
+Body post() {
+    return shapes::box({-0.2, 0, -0.1}, {0.2, 1.7, 0.1}, 6);
+}
+
+std::string obj_of(const Body& body, double scale = 1) {
+    std::ostringstream text;
+    text.precision(9);
+    for (const Vec3d& p : body.x) text << "v " << scale * p.x() << ' ' << scale * p.y() << ' ' << scale * p.z() << '\n';
+    for (const auto& [a, b, c] : body.triangles) text << "f " << a + 1 << ' ' << b + 1 << ' ' << c + 1 << '\n';
+    return text.str();
+}
+
+void write(const std::filesystem::path& path, const std::string& content) {
+    std::ofstream(path, std::ios::binary) << content;
+}
+
+class LoadBody : public testing::Test {
+ protected:
+    Body load_text(const std::string& content, const LoadBodyOptions& options = {}) {
+        write(folder_ / "body.obj", content);
+        return load_body(folder_ / "body.obj", options, &report_);
+    }
+    std::string problem_of(const std::string& content, const char* name = "body.obj") {
+        write(folder_ / name, content);
+        try {
+            load_body(folder_ / name);
+        } catch (const InputError& error) {
+            return error.problem();
+        }
+        return "none";
+    }
+    bool noted(const std::string& words) const {
+        return std::any_of(report_.notes.begin(), report_.notes.end(),
+                           [&](const std::string& note) { return note.find(words) != std::string::npos; });
+    }
+
+    TemporaryFolder folder_;
+    LoadBodyReport report_;
+};
+
+TEST_F(LoadBody, takes_a_sound_body_as_it_is_and_notes_nothing) {
+    const Body body = load_text(obj_of(post()));
+    EXPECT_EQ(body.x.size(), post().x.size());
+    EXPECT_EQ(body.triangles.size(), post().triangles.size());
+    EXPECT_TRUE(shapes::is_closed(body));
+    EXPECT_NEAR(shapes::volume(body), 0.4 * 1.7 * 0.2, 1e-6);
+    EXPECT_TRUE(report_.notes.empty());
+    EXPECT_EQ(body.name, "body");
+}
+
+TEST_F(LoadBody, tells_centimetres_and_millimetres_by_the_height) {
+    for (const double scale : {100.0, 1000.0}) {
+        const Body body = load_text(obj_of(post(), scale));
+        EXPECT_NEAR(height_range(body).high, 1.7, 1e-5);
+        EXPECT_TRUE(noted("metres"));
+    }
+    EXPECT_NE(problem_of(obj_of(post(), 10)).find("name its unit"), std::string::npos);
+    EXPECT_NEAR(height_range(load_text(obj_of(post(), 10), {.unit = LengthUnit::Centimetres})).high, 0.17, 1e-6);
+}
+
+TEST_F(LoadBody, turns_a_body_that_lies_along_z_upright_with_its_front_to_the_front) {
+    Body lying = post();
+    lying.x[0] -= Vec3d(0, 0, 0.05);  // a nose, towards -z here
+    Body z_up = lying;
+    for (Vec3d& p : z_up.x) p = Vec3d(p.x(), -p.z(), p.y());
+    const Body body = load_text(obj_of(z_up));
+    EXPECT_EQ(report_.up, UpAxis::Z);
+    EXPECT_TRUE(noted("z up"));
+    EXPECT_NEAR(height_range(body).high, 1.7, 1e-6);
+    EXPECT_GT(shapes::volume(body), 0);
+    for (std::size_t v = 0; v < body.x.size(); ++v) {
+        double nearest = 1;
+        for (const Vec3d& p : lying.x) nearest = std::min(nearest, (p - body.x[v]).norm());
+        EXPECT_LT(nearest, 1e-6);
+    }
+}
+
+TEST_F(LoadBody, stands_it_on_the_floor_and_says_so) {
+    Body floating = post();
+    for (Vec3d& p : floating.x) p.y() += 0.25;
+    EXPECT_NEAR(height_range(load_text(obj_of(floating))).low, 0, 1e-9);
+    EXPECT_NEAR(report_.floor_shift, -0.25, 1e-6);
+    EXPECT_TRUE(noted("floor"));
+    EXPECT_NEAR(height_range(load_text(obj_of(floating), {.stands_on_floor = false})).low, 0.25, 1e-6);
+}
+
+TEST_F(LoadBody, welds_triangles_that_share_no_vertices) {
+    Body soup;
+    for (const auto& triangle : post().triangles) {
+        const int first = int(soup.x.size());
+        for (const int v : triangle) soup.x.push_back(post().x[std::size_t(v)]);
+        soup.triangles.push_back({first, first + 1, first + 2});
+    }
+    const Body body = load_text(obj_of(soup));
+    EXPECT_EQ(body.x.size(), post().x.size());
+    EXPECT_TRUE(shapes::is_closed(body));
+}
+
+TEST_F(LoadBody, caps_a_small_hole_and_says_so) {
+    Body holed = shapes::box({-0.2, 0, -0.1}, {0.2, 1.7, 0.1}, 14);
+    holed.triangles.erase(holed.triangles.begin() + 4, holed.triangles.begin() + 6);
+    const Body body = load_text(obj_of(holed));
+    EXPECT_TRUE(shapes::is_closed(body));
+    EXPECT_TRUE(noted("capped"));
+    EXPECT_EQ(report_.repair.capped_holes, 1);
+    EXPECT_NEAR(shapes::volume(body), 0.4 * 1.7 * 0.2, 1e-6);
+}
+
+TEST_F(LoadBody, refuses_a_body_with_a_missing_side) {
+    Body open = post();
+    std::erase_if(open.triangles, [&](const auto& triangle) {
+        return std::all_of(triangle.begin(), triangle.end(), [&](int v) { return open.x[std::size_t(v)].z() > 0.09; });
+    });
+    EXPECT_NE(problem_of(obj_of(open)).find("it is open"), std::string::npos);
+}
+
+TEST_F(LoadBody, turns_an_inside_out_body_and_single_wrong_triangles) {
+    Body wrong = post();
+    for (auto& triangle : wrong.triangles) std::swap(triangle[0], triangle[1]);
+    for (std::size_t t = 0; t < wrong.triangles.size(); t += 7) std::swap(wrong.triangles[t][0], wrong.triangles[t][1]);
+    const Body body = load_text(obj_of(wrong));
+    EXPECT_TRUE(shapes::is_closed(body));
+    EXPECT_NEAR(shapes::volume(body), 0.4 * 1.7 * 0.2, 1e-6);
+    EXPECT_TRUE(noted("turned"));
+}
+
+TEST_F(LoadBody, keeps_closed_pieces_and_leaves_out_open_and_inner_ones) {
+    const Body hat = shapes::box({-0.1, 1.75, -0.1}, {0.1, 1.8, 0.1}, 2);
+    const Body heart = shapes::box({-0.05, 1.0, -0.05}, {0.05, 1.1, 0.05}, 2);
+    Body lashes;
+    lashes.x = {{0, 1.6, 0.2}, {0.5, 1.6, 0.2}, {0, 1.9, 0.2}};
+    lashes.triangles = {{0, 1, 2}};
+    const Body body =
+        load_text(obj_of(shapes::together(shapes::together(shapes::together(lashes, post()), hat), heart)));
+    EXPECT_EQ(report_.repair.pieces, 2);
+    EXPECT_EQ(report_.repair.dropped_pieces.size(), 2U);
+    EXPECT_TRUE(noted("inside the body"));
+    EXPECT_TRUE(noted("it is open"));
+    EXPECT_TRUE(shapes::is_closed(body));
+    EXPECT_EQ(body.triangles.size(), post().triangles.size() + hat.triangles.size());
+}
+
+TEST_F(LoadBody, refuses_a_surface_that_forks) {
+    Body forked = post();
+    const auto [a, b, c] = forked.triangles.front();
+    forked.x.emplace_back(0.5, 0.5, 0.5);
+    forked.triangles.push_back({a, b, int(forked.x.size()) - 1});
+    EXPECT_NE(problem_of(obj_of(forked)).find("more than two triangles"), std::string::npos);
+}
+
+TEST_F(LoadBody, leaves_out_triangles_without_corners_of_their_own_or_twice_there) {
+    Body doubled = post();
+    doubled.triangles.push_back(doubled.triangles.front());
+    doubled.triangles.push_back({3, 3, 4});
+    const Body body = load_text(obj_of(doubled));
+    EXPECT_EQ(body.triangles.size(), post().triangles.size());
+    EXPECT_EQ(report_.repair.dropped_triangles, 2);
+}
+
+TEST_F(LoadBody, refuses_formats_that_are_not_on_the_list_by_name_and_by_content) {
+    EXPECT_NE(problem_of("ply\nformat ascii 1.0\n", "body.ply").find("not on the list"), std::string::npos);
+    EXPECT_NE(problem_of("ply\nformat ascii 1.0\nelement vertex 3\n").find("not Wavefront OBJ"), std::string::npos);
+    EXPECT_NE(problem_of("<COLLADA/>", "body.gltf").find("not glTF"), std::string::npos);
+    EXPECT_NE(problem_of("v 0 0 0\n", "body.glb").find("not binary glTF"), std::string::npos);
+    EXPECT_NE(problem_of("", "body.obj").find("not Wavefront OBJ"), std::string::npos);
+    EXPECT_THROW(load_body(folder_ / "nothing_here.obj"), InputError);
+}
+
+TEST_F(LoadBody, refuses_numbers_that_are_not_finite_or_without_measure) {
+    EXPECT_NE(problem_of("v 0 0 0\nv 1 0 0\nv 0 nan 0\nf 1 2 3\n"), "none");
+    EXPECT_NE(problem_of("v 0 0 0\nv 1 0 0\nv 0 1e30 0\nf 1 2 3\n"), "none");
+    EXPECT_NE(problem_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"), "none");
+    EXPECT_NE(problem_of("v 0 0 0\nv 1 0 0\nv 0 1 0\n"), "none");
+    EXPECT_NE(problem_of("v 0 0 0\nv 0 1 0\nv 0 2 0\nf 1 1 2\n"), "none");
+}
+
+TEST_F(LoadBody, survives_bytes_changed_anywhere) {
+    std::mt19937 random(17);
+    const std::string sound = obj_of(shapes::box({-0.2, 0, -0.1}, {0.2, 1.7, 0.1}, 2));
+    for (int round = 0; round < 60; ++round) {
+        std::string content = sound;
+        for (unsigned i = 0; i <= random() % 4; ++i) content[random() % content.size()] = char(random());
+        if (round % 5 == 0) content.resize(random() % content.size());
+        write(folder_ / "mutant.obj", content);
+        try {
+            EXPECT_TRUE(shapes::is_closed(load_body(folder_ / "mutant.obj"))) << round;
+        } catch (const InputError&) {
+        }
+    }
+}
+
+// Data that others made.
+class OutsideBodies : public testing::Test {
+ protected:
+    void SetUp() override {
+        const char* folder = std::getenv("SELVEDGE_TEST_DATA");
+        if (!folder) GTEST_SKIP() << "SELVEDGE_TEST_DATA is not set";
+        data_ = folder;
+    }
+    std::filesystem::path data_;
+};
+
+TEST_F(OutsideBodies, serve_as_closed_bodies) {
+    for (const char* name : {"mh_female.obj", "mh_female_cc1.obj", "mh_female_cmu01_01.glb", "CesiumMan.glb"}) {
+        LoadBodyReport report;
+        const Body body = load_body(data_ / "bodies" / name, {}, &report);
+        EXPECT_TRUE(shapes::is_closed(body)) << name;
+        EXPECT_GT(shapes::volume(body), 0.03) << name;
+        EXPECT_NEAR(height_range(body).low, 0, 1e-6) << name;
+        EXPECT_GT(height_range(body).high, 1.4) << name;
+        EXPECT_LT(height_range(body).high, 2.0) << name;
+        EXPECT_EQ(report.repair.pieces, 1) << name;
+    }
+}
+
+TEST_F(OutsideBodies, bring_their_bones_and_weights_along) {
+    const Body body = load_body(data_ / "bodies" / "mh_female_cmu01_01.glb");
+    ASSERT_EQ(body.bones.size(), 31U);
+    ASSERT_EQ(body.skin.size(), body.x.size());
+    for (std::size_t i = 0; i < body.bones.size(); ++i) {
+        EXPECT_LT(body.bones[i].parent, int(i));
+        EXPECT_GE(body.bones[i].joint.y(), 0);
+        EXPECT_LE(body.bones[i].joint.y(), 1.7);
+    }
+    for (const SkinWeights& skin : body.skin)
+        EXPECT_NEAR(skin.weights[0] + skin.weights[1] + skin.weights[2] + skin.weights[3], 1, 1e-5);
+}
+
+TEST_F(OutsideBodies, stand_at_rest_where_their_skeletons_hold_them) {
+    // glTF of a figure modelled with z up: only the skin's matrices set it upright.
+    const Body figure = load_body(data_ / "bodies" / "RiggedFigure.gltf");
+    EXPECT_NEAR(height_range(figure).high, 1.45, 0.05);
+    EXPECT_TRUE(shapes::is_closed(figure));
+}
+
+TEST_F(OutsideBodies, that_crash_readers_are_refused) {
+    TemporaryFolder folder;
+    for (const auto& entry : std::filesystem::directory_iterator(data_ / "hostile")) {
+        EXPECT_THROW(load_body(entry.path()), InputError) << entry.path();
+        for (const char* disguise : {"disguised.obj", "disguised.gltf", "disguised.glb"}) {
+            std::filesystem::copy_file(entry.path(), folder / disguise,
+                                       std::filesystem::copy_options::overwrite_existing);
+            std::filesystem::permissions(folder / disguise, std::filesystem::perms::owner_all);
+            EXPECT_THROW(load_body(folder / disguise), InputError) << entry.path() << " as " << disguise;
+        }
+    }
+}
+
+TEST_F(OutsideBodies, have_a_distance_field_within_a_sixth_of_a_millimetre) {
+    const Body body = load_body(data_ / "bodies" / "mh_female_cc1.obj");
+    const BodyCollider collider(body);
+    std::mt19937 random(9);
+    std::uniform_real_distribution<double> unit(0, 1);
+    std::vector<float> errors;
+    while (errors.size() < 20000) {
+        const auto [a, b, c] = body.triangles[random() % body.triangles.size()];
+        const Vec3d& at = body.x[std::size_t(a)];
+        if (at.y() < 0.5 || at.y() > 1.36 || std::abs(at.x()) > 0.34) continue;  // where garments are
+        const Vec3d normal = (body.x[std::size_t(b)] - at).cross(body.x[std::size_t(c)] - at).normalized();
+        const Vec3f p = (at + normal * (0.016 * unit(random) - 0.004)).cast<float>();
+        const float exact = collider.surface().closest(p, 1)->distance;
+        const Contact contact = collider.contact(p);
+        errors.push_back(std::abs(contact.distance - std::min(exact, collider.band())));
+        if (std::abs(exact) > collider.max_error()) {
+            EXPECT_EQ(contact.distance < 0, exact < 0);
+        }
+    }
+    std::sort(errors.begin(), errors.end());
+    EXPECT_LT(errors[errors.size() * 99 / 100], 0.00015F);
+    EXPECT_LT(errors.back(), collider.max_error());
+}
+
+}  // namespace
+}  // namespace selvedge
