@@ -13,5 +13,8 @@ void main() {
     float key_seen = key_visibility(v_position, vec3(0.0, 1.0, 0.0));
     float away = length(v_position - ground_centre) / ground_radius;
     float dark = (0.30 * (1.0 - key_seen) + 0.62 * (1.0 - v_openness)) * (1.0 - smoothstep(0.35, 1.0, away));
-    colour = is_transparent != 0 ? vec4(vec3(0.0), dark) : vec4(backdrop() * mix(vec3(1.0), vec3(0.05, 0.055, 0.07), dark), 1.0);
+    float passed = 1.0 - 0.94 * dark;
+    // Pictures are laid over each other as sRGB: there the same shadow takes a smaller share.
+    if (is_transparent != 0) colour = vec4(vec3(0.0), 1.0 - pow(passed, 1.0 / 2.2));
+    else colour = vec4(backdrop() * mix(vec3(0.06, 0.06, 0.08), vec3(1.0), 1.0 - dark), 1.0);
 }

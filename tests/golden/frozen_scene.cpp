@@ -1,0 +1,111 @@
+#include "tests/golden/frozen_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/tartan/tartan_file.h"
+
+namespace selvedge {
+namespace {
+
+constexpr float kBallRadius = 0.25F;  // m
+constexpr float kBallHeight = 0.55F;  // of its centre
+constexpr float kClothRadius = kBallRadius + 0.004F;
+constexpr float kHalfSide = 0.55F;
+constexpr std::uint32_t kCells = 48;  // along a side; even, the seam runs along the middle
+
+// Where the sheet's point (x, z) comes to lie: down the ball to its equator by arc length, straight down from there.
+Vec3f drape(const Vec2f& at) {
+    const float reach = at.norm();
+    if (reach == 0) return {0, kBallHeight + kClothRadius, 0};
+    const Vec2f outward = at / reach;
+    const float quarter = 1.5707963F * kClothRadius;
+    const float angle = std::min(reach, quarter) / kClothRadius;
+    const float hanging = std::max(reach - quarter, 0.0F);
+    const float turn = std::atan2(at.y(), at.x());
+    const float fold = 0.22F * hanging * (1 + std::cos(9 * turn));
+    const Vec2f flat = outward * (kClothRadius * std::sin(angle) + fold);
+    return {flat.x(), kBallHeight + kClothRadius * std::cos(angle) - hanging, flat.y()};
+}
+
+Vec2f sheet_point(std::uint32_t i, std::uint32_t j) {
+    constexpr float step = 2 * kHalfSide / float(kCells);
+    return {float(i) * step - kHalfSide, float(j) * step - kHalfSide};
+}
+
+std::uint32_t vertex_at(std::uint32_t i, std::uint32_t j) {
+    return j * (kCells + 1) + i;
+}
+
+// Seen from above, +z runs down: (i, j) (i, j+1) (i+1, j) is counter-clockwise.
+void add_triangle(PlainMesh& mesh, const std::array<std::array<std::uint32_t, 2>, 3>& corners) {
+    const bool is_left = corners[0][0] + corners[1][0] + corners[2][0] < 3 * kCells / 2;
+    std::array<Vec2f, 3> u;
+    Vec2f centre = Vec2f::Zero();
+    for (std::size_t c = 0; c < 3; ++c) {
+        const Vec2f at = sheet_point(corners[c][0], corners[c][1]);
+        u[c] = Vec2f(at.x() + (is_left ? 0.0F : 0.031F), -at.y());  // the setts do not match at the seam
+        centre += at / 3;
+    }
+    mesh.triangles.push_back({vertex_at(corners[0][0], corners[0][1]), vertex_at(corners[1][0], corners[1][1]),
+                              vertex_at(corners[2][0], corners[2][1])});
+    mesh.u.push_back(u);
+    mesh.panel.push_back(is_left ? 0 : 1);
+    mesh.level.push_back(static_cast<std::uint8_t>(std::min(centre.norm() / 0.16F, 4.0F)));
+}
+
+PlainMesh make_sheet() {
+    PlainMesh mesh;
+    for (std::uint32_t j = 0; j <= kCells; ++j) {
+        for (std::uint32_t i = 0; i <= kCells; ++i) mesh.x.push_back(drape(sheet_point(i, j)));
+    }
+    for (std::uint32_t j = 0; j < kCells; ++j) {
+        for (std::uint32_t i = 0; i < kCells; ++i) {
+            add_triangle(mesh, {{{i, j}, {i, j + 1}, {i + 1, j + 1}}});
+            add_triangle(mesh, {{{i, j}, {i + 1, j + 1}, {i + 1, j}}});
+        }
+    }
+    mesh.panel_names = {"left", "right"};
+    mesh.panel_grain_angles = {0, 0.7853982F};
+    mesh.normals = vertex_normals(mesh.x, mesh.triangles);
+    return mesh;
+}
+
+BodyItem make_ball() {
+    constexpr std::uint32_t around = 64, rings = 32;
+    BodyItem ball;
+    for (std::uint32_t ring = 0; ring <= rings; ++ring) {
+        const float polar = 3.14159265F * float(ring) / float(rings);
+        for (std::uint32_t i = 0; i < around; ++i) {
+            const float turn = 6.2831853F * float(i) / float(around);
+            const Vec3f normal(std::sin(polar) * std::sin(turn), std::cos(polar), std::sin(polar) * std::cos(turn));
+            ball.normals.push_back(normal);
+            ball.x.push_back(kBallRadius * normal + Vec3f(0, kBallHeight, 0));
+        }
+    }
+    for (std::uint32_t ring = 0; ring < rings; ++ring) {
+        for (std::uint32_t i = 0; i < around; ++i) {
+            const std::uint32_t a = ring * around + i, b = ring * around + (i + 1) % around;
+            ball.triangles.push_back({a, a + around, b});
+            ball.triangles.push_back({b, a + around, b + around});
+        }
+    }
+    return ball;
+}
+
+}  // namespace
+
+Scene make_frozen_scene(const FrozenOptions& options) {
+    Scene scene;
+    ClothItem cloth;
+    cloth.mesh = make_sheet();
+    cloth.sett = find_tartan("royal_stewart");
+    cloth.show = options.show;
+    scene.cloths.push_back(cloth);
+    if (options.has_ball) scene.bodies.push_back(make_ball());
+    scene.camera = frame_scene(scene, options.view, 1);
+    scene.light = studio_light(scene.camera);
+    return scene;
+}
+
+}  // namespace selvedge

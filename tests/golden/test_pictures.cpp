@@ -1,0 +1,135 @@
+// The golden pictures, and for each kind of fault that they guard against one seeded on purpose: a golden that cannot
+// fail guards nothing.
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "render/renderer.h"
+#include "sim/tartan/tartan_file.h"
+#include "tests/golden/frozen_scene.h"
+#include "tests/golden/golden.h"
+
+namespace selvedge {
+namespace {
+
+constexpr RenderOptions kSmall{.width_px = 256, .height_px = 256};
+
+Image draw(const Scene& scene) {
+    return Renderer().draw(scene, kSmall);
+}
+
+// So near that threads are seen.
+Scene near_scene() {
+    Scene scene = make_frozen_scene({.view = View::Front});
+    scene.camera.target = Vec3f(0.02F, 0.6F, 0.25F);
+    scene.camera.eye = scene.camera.target + Vec3f(0.05F, 0.15F, 0.5F);
+    scene.camera.fov_y = 0.09F;
+    scene.camera.near_plane = 0.1F;
+    return scene;
+}
+
+Scene transparent_scene() {
+    Scene scene = make_frozen_scene();
+    scene.background.is_transparent = true;
+    return scene;
+}
+
+// From below, where the wrong side of the cloth is seen.
+Scene below_scene() {
+    Scene scene = make_frozen_scene({.has_ball = false});
+    scene.camera.eye = Vec3f(0.9F, 0.1F, 2.0F);
+    scene.camera.target = Vec3f(0, 0.5F, 0);
+    scene.camera.near_plane = 0.1F;
+    return scene;
+}
+
+struct GoldenCase {
+    const char* name;
+    std::function<Scene()> make;
+};
+
+const std::vector<GoldenCase>& golden_cases() {
+    static const std::vector<GoldenCase> cases{
+        {"tartan_front", [] { return make_frozen_scene({.view = View::Front}); }},
+        {"tartan_three_quarter", [] { return make_frozen_scene(); }},
+        {"tartan_near", near_scene},
+        {"tartan_below", below_scene},
+        {"tartan_transparent", transparent_scene},
+        {"level", [] { return make_frozen_scene({.show = ShowMode::Level}); }},
+        {"edges_left", [] { return make_frozen_scene({.view = View::Left, .show = ShowMode::Edges}); }},
+        {"plain_back", [] { return make_frozen_scene({.view = View::Back, .show = ShowMode::Plain}); }}};
+    return cases;
+}
+
+class Golden : public testing::TestWithParam<GoldenCase> {};
+
+TEST_P(Golden, picture_is_as_it_was) {
+    EXPECT_TRUE(matches_golden(draw(GetParam().make()), GetParam().name));
+}
+
+INSTANTIATE_TEST_SUITE_P(Picture, Golden, testing::ValuesIn(golden_cases()),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
+// The difference that a fault makes against the stored reference.
+void expect_seen(const Scene& faulty, const std::string& name) {
+    const Comparison comparison = compare(read_reference(name), draw(faulty));
+    EXPECT_FALSE(is_alike(comparison)) << "the golden " << name << " does not see it: " << describe(comparison);
+}
+
+TEST(SeededFault, flipped_normals_are_seen) {
+    Scene scene = make_frozen_scene();
+    for (Vec3f& normal : scene.cloths[0].mesh.normals) normal = -normal;
+    expect_seen(scene, "tartan_three_quarter");
+}
+
+TEST(SeededFault, a_swapped_colour_of_the_finest_stripe_is_seen) {
+    Scene scene = make_frozen_scene();
+    for (SettStripe& stripe : scene.cloths[0].sett.stripes) {
+        if (stripe.code == "Y") stripe.colour = {0xFC, 0xFC, 0xFC};
+    }
+    expect_seen(scene, "tartan_three_quarter");
+}
+
+TEST(SeededFault, a_sett_shifted_by_one_millimetre_is_seen) {
+    Scene scene = make_frozen_scene({.view = View::Front});
+    scene.cloths[0].sett_position.x() += 0.001F;
+    expect_seen(scene, "tartan_front");
+}
+
+TEST(SeededFault, a_grain_turned_by_one_degree_is_seen) {
+    Scene scene = make_frozen_scene({.view = View::Front});
+    scene.cloths[0].mesh.panel_grain_angles[1] += 0.01745F;
+    expect_seen(scene, "tartan_front");
+}
+
+TEST(SeededFault, warp_and_weft_swapped_by_one_thread_are_seen_from_near) {
+    Scene scene = near_scene();
+    scene.cloths[0].sett_position.y() += static_cast<float>(scene.cloths[0].sett.thread_spacing);
+    expect_seen(scene, "tartan_near");
+}
+
+TEST(SeededFault, a_triangle_of_another_level_is_seen) {
+    Scene scene = make_frozen_scene({.show = ShowMode::Level});
+    scene.cloths[0].mesh.level[2940] = 4;
+    expect_seen(scene, "level");
+}
+
+TEST(SeededFault, a_light_moved_by_two_degrees_is_seen) {
+    Scene scene = make_frozen_scene({.view = View::Back, .show = ShowMode::Plain});
+    scene.light.to_key += Vec3f(0.035F, 0, 0);
+    expect_seen(scene, "plain_back");
+}
+
+TEST(SeededFault, a_missing_triangle_is_seen) {
+    Scene scene = make_frozen_scene({.view = View::Left, .show = ShowMode::Edges});
+    PlainMesh& mesh = scene.cloths[0].mesh;
+    mesh.triangles[2372] = {0, 0, 0};
+    expect_seen(scene, "edges_left");
+}
+
+TEST(SeededFault, a_missing_reference_fails) {
+    EXPECT_FALSE(matches_golden(Image(4, 4), "there_is_no_such_picture"));
+}
+
+}  // namespace
+}  // namespace selvedge

@@ -1,0 +1,118 @@
+// What holds for every picture, whatever it shows.
+#include "render/renderer.h"
+
+#include <gtest/gtest.h>
+
+#include "render/image/compare.h"
+#include "render/room_light.h"
+#include "render/shaders.h"
+#include "sim/core/error.h"
+#include "tests/golden/frozen_scene.h"
+
+namespace selvedge {
+namespace {
+
+Scene frozen() {
+    return make_frozen_scene();
+}
+
+TEST(Renderer, the_same_scene_gives_the_same_bits) {
+    const RenderOptions options{.width_px = 96, .height_px = 64};
+    Renderer renderer;
+    const Image first = renderer.draw(frozen(), options);
+    EXPECT_TRUE(first == renderer.draw(frozen(), options)) << "drawn again by the same renderer";
+}
+
+TEST(Renderer, a_picture_in_tiles_is_the_picture_in_one_piece) {
+    Renderer renderer;
+    const Image whole = renderer.draw(frozen(), {.width_px = 150, .height_px = 110});
+    const Image tiled = renderer.draw(frozen(), {.width_px = 150, .height_px = 110, .tile_px = 64});
+    const Comparison comparison = compare(whole, tiled);
+    EXPECT_TRUE(is_alike(comparison, {.tolerance = 3, .share_beyond = 0.002})) << describe(comparison);
+}
+
+TEST(Renderer, supersampling_changes_the_sampling_and_not_the_picture) {
+    Renderer renderer;
+    const Image once = renderer.draw(frozen(), {.width_px = 96, .height_px = 96});
+    const Image twice = renderer.draw(frozen(), {.width_px = 96, .height_px = 96, .supersample = 2});
+    EXPECT_FALSE(once == twice);
+    EXPECT_TRUE(is_alike(compare(once, twice, {.tolerance = 60}), {.tolerance = 60, .share_beyond = 0.05}));
+}
+
+TEST(Renderer, sizes_that_no_picture_has_are_input_errors) {
+    Renderer renderer;
+    for (const auto& [width, height] : {std::pair{0, 100}, {100, -1}, {20000, 10}, {16384, 16384}}) {
+        EXPECT_THROW(renderer.draw(frozen(), {.width_px = width, .height_px = height}), InputError)
+            << width << "x" << height;
+    }
+}
+
+TEST(Renderer, a_picture_of_one_pixel_and_one_of_one_row_can_be_drawn) {
+    Renderer renderer;
+    EXPECT_EQ(renderer.draw(frozen(), {.width_px = 1, .height_px = 1}).pixels.size(), 1U);
+    EXPECT_EQ(renderer.draw(frozen(), {.width_px = 300, .height_px = 1}).width_px, 300);
+}
+
+TEST(Renderer, without_material_coordinates_a_tartan_is_drawn_plain) {
+    Scene scene = frozen();
+    scene.cloths[0].mesh.u.clear();
+    Scene plain = scene;
+    plain.cloths[0].show = ShowMode::Plain;
+    Renderer renderer;
+    const RenderOptions options{.width_px = 64, .height_px = 64};
+    EXPECT_TRUE(renderer.draw(scene, options) == renderer.draw(plain, options));
+}
+
+TEST(Renderer, a_transparent_backdrop_leaves_corners_empty_and_cloth_whole) {
+    Scene scene = frozen();
+    scene.background.is_transparent = true;
+    const Image image = Renderer().draw(scene, {.width_px = 128, .height_px = 128});
+    EXPECT_EQ(image.at(0, 0)[3], 0);
+    EXPECT_EQ(image.at(64, 50)[3], 255);
+}
+
+// From afar every stripe is finer than a pixel: the cloth must have the sett's mean colour and no pattern.
+TEST(Renderer, from_afar_the_tartan_neither_shimmers_nor_shifts_its_colour) {
+    Scene scene = make_frozen_scene({.view = View::Front});
+    scene.cloths[0].sett_scale = 0.002F;
+    Renderer renderer;
+    const RenderOptions options{.width_px = 96, .height_px = 96};
+    const Image here = renderer.draw(scene, options);
+    scene.cloths[0].sett_position = Vec2f(0.00011F, 0.00007F);
+    const Comparison comparison = compare(here, renderer.draw(scene, options));
+    EXPECT_LE(comparison.largest_step, 8) << describe(comparison);
+}
+
+TEST(RoomLight, a_plate_under_another_is_dark_above_and_open_below) {
+    Casters casters;
+    for (const float y : {0.0F, 0.1F}) {
+        const auto base = static_cast<std::uint32_t>(casters.x.size());
+        for (const auto& [x, z] : {std::pair{-1.0F, -1.0F}, {1.0F, -1.0F}, {1.0F, 1.0F}, {-1.0F, 1.0F}}) {
+            casters.x.emplace_back(x, y, z);
+        }
+        casters.triangles.push_back({base, base + 2, base + 1});
+        casters.triangles.push_back({base, base + 3, base + 2});
+    }
+    const auto context = make_context();
+    const std::vector<Openness> open =
+        bake_room_light(context->gl(), casters, {Vec3f(0, 0, 0), Vec3f(0, 0.1F, 0)}, {Vec3f(0, 1, 0), Vec3f(0, 1, 0)});
+    EXPECT_LT(open[0].front, 0.1F);
+    EXPECT_GT(open[0].back, 0.99F);
+    EXPECT_GT(open[1].front, 0.99F);
+    EXPECT_LT(open[1].back, 0.1F);
+}
+
+TEST(Program, a_shader_that_does_not_compile_says_where) {
+    const auto context = make_context();
+    try {
+        const Program program(context->gl(), {{"good.vert", "void main() { gl_Position = vec4(0.0); }"}},
+                              {{"bad.frag", "out vec4 colour;\nvoid main() { colour = vec3(1.0) * tartn; }"}});
+        FAIL() << "no error";
+    } catch (const std::runtime_error& error) {
+        EXPECT_NE(std::string(error.what()).find("bad.frag"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("tartn"), std::string::npos) << error.what();
+    }
+}
+
+}  // namespace
+}  // namespace selvedge
