@@ -10,6 +10,7 @@
 
 #include "sim/body/mannequin_measures.h"
 #include "sim/body/mannequin_shape.h"
+#include "sim/body/self_intersections.h"
 
 namespace selvedge {
 
@@ -18,6 +19,8 @@ namespace {
 constexpr double kEnough = 0.0015;   // relative error at which calibration stops
 constexpr double kPromised = 0.003;  // relative error beyond which a measure counts as not met
 constexpr int kMaxRounds = 12;
+constexpr double kMostClearance = 1.1;  // of the arms from the chest (ShapeParameters)
+constexpr double kClearanceStep = 0.05;
 
 // The measures of a bent body, m.
 struct Readings {
@@ -147,33 +150,54 @@ std::vector<std::string> unmet(const std::vector<MeasureReading>& readings, bool
     return messages;
 }
 
-}  // namespace
-
-Mannequin make_mannequin(const MannequinOptions& options) {
-    check_options(options);
-    const MannequinMeasures& asked = options.measures;
-    const MannequinBase base = make_mannequin_base(options.sex, options.subdivisions);
-    const GirthValues targets = target_girths(base, asked);
-    ShapeParameters shape = first_shape(base, asked, targets);
-
-    Mannequin mannequin{.body = base.surface, .report = {}};
-    for (;;) {
+// Bends, measures and corrects until every girth is right.
+void calibrate(Mannequin& mannequin, ShapeParameters& shape, const MannequinBase& base, const MannequinOptions& options,
+               const GirthValues& targets) {
+    for (int round = 1;; ++round) {
         BentBody bent = bend_body(base, shape);
         mannequin.body.x = std::move(bent.x);
         mannequin.body.bones = make_bones(bent.landmarks.joints);
         const Readings readings = take_measures(base, mannequin.body, bent.landmarks);
-        mannequin.report.readings = read_off(readings, bent.landmarks, asked);
-        const bool is_free = !is_shoulder_held(shape, readings, options);
-        const bool is_done = worst_error(readings, targets, asked, is_free) < kEnough;
-        if (++mannequin.report.rounds == kMaxRounds || is_done) {
-            mannequin.report.messages = unmet(mannequin.report.readings, is_free);
-            break;
+        const bool is_shoulder_free = !is_shoulder_held(shape, readings, options);
+        const double worst = worst_error(readings, targets, options.measures, is_shoulder_free);
+        ++mannequin.report.rounds;
+        if (round == kMaxRounds || worst < kEnough) {
+            mannequin.report.readings = read_off(readings, bent.landmarks, options.measures);
+            mannequin.report.messages = unmet(mannequin.report.readings, is_shoulder_free);
+            return;
         }
-        correct(shape, readings, targets, asked, is_free);
+        correct(shape, readings, targets, options.measures, is_shoulder_free);
     }
+}
+
+std::string describe_cuts(const Body& body, const std::vector<std::array<int, 2>>& cuts) {
+    const auto vertex = static_cast<std::size_t>(body.triangles[static_cast<std::size_t>(cuts.front()[0])][0]);
+    return "the surface cuts itself near " + body.bones[body.skin[vertex].bones[0]].name + " (" +
+           std::to_string(cuts.size()) + " pairs of triangles): these measures do not go together";
+}
+
+}  // namespace
+
+Mannequin make_mannequin(const MannequinOptions& options) {
+    check_options(options);
+    const MannequinBase base = make_mannequin_base(options.sex, options.subdivisions);
+    check_inseam(base, options.measures);
+    const GirthValues targets = target_girths(base, options.measures);
+    ShapeParameters shape = first_shape(base, options.measures, targets);
+
+    Mannequin mannequin{.body = base.surface, .report = {}};
     mannequin.body.name = options.sex == Sex::Female ? "mannequin, female" : "mannequin, male";
     mannequin.body.skin = skin_of(base.weights);
-    return mannequin;
+    for (;;) {
+        calibrate(mannequin, shape, base, options, targets);
+        const auto cuts = self_intersections(mannequin.body);
+        if (cuts.empty()) return mannequin;
+        if (shape.clearance >= kMostClearance) {
+            mannequin.report.messages.push_back(describe_cuts(mannequin.body, cuts));
+            return mannequin;
+        }
+        shape.clearance += kClearanceStep;  // wide chests and arms meet in the armpit first
+    }
 }
 
 }  // namespace selvedge

@@ -50,8 +50,9 @@ struct MeasureReading {
 };
 
 struct MeasureReport {
-    std::vector<MeasureReading> readings;  // every measure, lengths first, then girths from the top down
-    std::vector<std::string> messages;     // what could not be met and why; empty when all is within 0.3 %
+    std::vector<MeasureReading> readings;  // every measure: lengths, then girths of trunk, neck, arm and leg
+    std::vector<std::string> messages;     // what could not be met and why: empty when all asked measures are
+                                           // within 0.3 % and the surface does not cut itself
     int rounds = 0;                        // of measuring and correcting
 };
 

@@ -84,6 +84,11 @@ double follow(const Proportion& proportion, const TrunkRatios& ratios, Sex sex) 
            std::pow(ratios.hip, p.hip) * spread_of_waist(ratios, p.girth, sex);
 }
 
+[[noreturn]] void refuse(const MeasureEntry& entry, double value, double least, double most, const std::string& why) {
+    throw InputError("mannequin", std::string(entry.name),
+                     in_cm(value) + " is not between " + in_cm(least) + " and " + in_cm(most) + why);
+}
+
 }  // namespace
 
 std::span<const MeasureEntry> measure_entries() {
@@ -99,13 +104,21 @@ void check_options(const MannequinOptions& options) {
         const std::optional<double>& value = options.measures.*entry.value;
         if (!value) continue;
         if (*value >= entry.least && *value <= entry.most) continue;  // false for NaN
-        throw InputError("mannequin", std::string(entry.name),
-                         in_cm(*value) + " is not between " + in_cm(entry.least) + " and " + in_cm(entry.most));
+        refuse(entry, *value, entry.least, entry.most, "");
     }
     if (options.subdivisions < 1 || options.subdivisions > 4) {
         throw InputError("mannequin", "resolution",
                          std::to_string(options.subdivisions) + " is not between 1 and 4 steps of subdivision");
     }
+}
+
+void check_inseam(const MannequinBase& base, const MannequinMeasures& measures) {
+    constexpr double kLeast = 0.40;
+    constexpr double kMost = 0.53;
+    if (!measures.inseam) return;
+    const double height = measures.height.value_or(base.height);
+    if (*measures.inseam >= kLeast * height && *measures.inseam <= kMost * height) return;
+    refuse(kEntries[1], *measures.inseam, kLeast * height, kMost * height, " for a height of " + in_cm(height));
 }
 
 GirthValues target_girths(const MannequinBase& base, const MannequinMeasures& measures) {

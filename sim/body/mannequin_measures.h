@@ -22,6 +22,9 @@ const MeasureEntry& measure_entry(Girth girth);
 // Throws InputError that names the measure, its value and its range in cm.
 void check_options(const MannequinOptions& options);
 
+// Legs must leave room for a trunk, and the other way round: throws InputError when they do not.
+void check_inseam(const MannequinBase& base, const MannequinMeasures& measures);
+
 // Every girth that the body is to have, m: as given, or in proportion to bust, waist and hip.
 GirthValues target_girths(const MannequinBase& base, const MannequinMeasures& measures);
 

@@ -10,6 +10,9 @@ namespace {
 
 constexpr double kFigureHeight = 1.6;  // m, of the body that the lengths below were chosen on
 
+// How much of the upper chest's scale is that of the shoulder's width; the rest is the rib cage's.
+constexpr double kShoulderPart = 0.3;
+
 // Crotch, hip, high hip, waist, underbust, bust, upper chest, shoulder, neck base, neck, head.
 constexpr std::size_t kLevelCount = 11;
 
@@ -62,7 +65,7 @@ double trunk_part_of_upper_chest(const ShapeParameters& shape, Sex sex) {
 }
 
 double upper_chest_scale(const ShapeParameters& shape, Sex sex) {
-    return trunk_part_of_upper_chest(shape, sex) + 0.3 * shoulder_width_scale(shape, sex);
+    return trunk_part_of_upper_chest(shape, sex) + kShoulderPart * shoulder_width_scale(shape, sex);
 }
 
 std::vector<double> level_scales(const ShapeParameters& shape, Sex sex) {
@@ -136,9 +139,9 @@ double shoulder_slope_scale(const ShapeParameters& shape) {
     return shape.stature * std::pow(shape.bust_ratio, 0.45);
 }
 
-// 0.9 of the scale of the upper chest, of which the shoulder's own width makes up three tenths.
+// Solves width = clearance * upper chest, where the upper chest is part trunk, part 0.3 width.
 double least_shoulder(const ShapeParameters& shape, Sex sex) {
-    return 0.9 * trunk_part_of_upper_chest(shape, sex) / (1 - 0.9 * 0.3);
+    return shape.clearance * trunk_part_of_upper_chest(shape, sex) / (1 - shape.clearance * kShoulderPart);
 }
 
 TorsoShape::TorsoShape(const MannequinBase& base, const ShapeParameters& shape)

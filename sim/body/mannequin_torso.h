@@ -10,13 +10,14 @@ namespace selvedge {
 
 // What calibration turns until the tape reads as asked.
 struct ShapeParameters {
-    double height = 0;      // m
-    double stature = 1;     // height over the base body's
-    double inseam = 0;      // height that the base body's crotch level goes to, m
-    double arm = 1;         // arm length over the base body's
-    double shoulder = 1;    // shoulder width over the base body's, as far as the chest allows
-    double bust_ratio = 1;  // bust over that of a base body of this height
-    GirthValues scale;      // radial scales at the levels of the girths
+    double height = 0;       // m
+    double stature = 1;      // height over the base body's
+    double inseam = 0;       // height that the base body's crotch level goes to, m
+    double arm = 1;          // arm length over the base body's
+    double shoulder = 1;     // shoulder width over the base body's, as far as the chest allows
+    double clearance = 0.9;  // least shoulder width, in parts of the upper chest's scale
+    double bust_ratio = 1;   // bust over that of a base body of this height
+    GirthValues scale;       // radial scales at the levels of the girths
 };
 
 // The head's size changes with the root of the height ratio: tall people do not have much larger heads.

@@ -210,6 +210,8 @@ TEST(Mannequin, refuses_measures_that_no_body_has) {
     expect_refused({.hip = std::numeric_limits<double>::quiet_NaN()}, "hip");
     expect_refused({.ankle = std::numeric_limits<double>::infinity()}, "ankle");
     expect_refused({.height = -1.7}, "height");
+    expect_refused({.height = 1.5, .inseam = 0.95}, "inseam");
+    expect_refused({.inseam = 1.0}, "inseam");
     EXPECT_THROW(make_mannequin({.subdivisions = 0}), InputError);
     EXPECT_THROW(make_mannequin({.subdivisions = 9}), InputError);
 }
