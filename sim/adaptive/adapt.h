@@ -14,14 +14,13 @@
 // An adaption in which nothing changes asks each leaf edge once and each parent of two leaves once.
 #include <algorithm>
 #include <concepts>
-#include <optional>
 
 #include "sim/adaptive/adaptive_mesh.h"
 
 namespace selvedge {
 
 struct AdaptOptions {
-    std::optional<int> max_level = {};        // below the mesh's own: deeper edges are rejoined where permitted
+    int max_level = kDeepestLevel;            // below the mesh's own: deeper edges are rejoined where permitted
     TransitionCounts* transitions = nullptr;  // counted up when given
 };
 
@@ -113,7 +112,9 @@ template <class State, class... C>
 int coarsen_level(AdaptiveMesh& mesh, State& state, int level, bool beyond_limit, const C&... criteria) {
     int rejoins = 0;
     for (const EdgeId e : mesh.split_edges(level)) {
-        if (!mesh.may_rejoin(e) || !(beyond_limit || should_rejoin(mesh, e, criteria...))) continue;
+        if (!mesh.has_leaf_children(e)) continue;
+        if (!beyond_limit && !should_rejoin(mesh, e, criteria...)) continue;
+        if (!mesh.may_rejoin(e)) continue;  // looks farther than the criteria do, so it comes last
         state.on_rejoin(mesh.centre(e));
         mesh.rejoin(e);
         ++rejoins;
@@ -128,7 +129,7 @@ int coarsen_level(AdaptiveMesh& mesh, State& state, int level, bool beyond_limit
 template <AdaptObserver State, EdgeCriterion... Criteria>
 AdaptReport adapt(AdaptiveMesh& mesh, State& state, const AdaptOptions& options, const Criteria&... criteria) {
     AdaptReport report;
-    const int limit = std::min(options.max_level.value_or(mesh.max_level()), mesh.max_level());
+    const int limit = std::min(options.max_level, mesh.max_level());
     for (int level = 0; level < limit; ++level) {
         const int splits = adapt_detail::refine_level(mesh, state, level, criteria...);
         if (splits > 0) report.transitions += mesh.retriangulate(level, options.transitions);

@@ -32,22 +32,23 @@ bool AdaptiveMesh::may_split(EdgeId e) const {
 }
 
 bool AdaptiveMesh::may_rejoin(EdgeId e) const {
-    if (!is_split(e) || !children_are_unsplit(e)) return false;
-    const auto lets_go = [&](TriangleId side) { return !side || holds_no_split(triangles_[side]); };
+    if (!is_split(e) || !has_leaf_children(e)) return false;
+    const auto lets_go = [&](TriangleId side) { return !side || has_leaf_children(side); };
     return lets_go(edges_[e].sides[0]) && lets_go(edges_[e].sides[1]);
 }
 
-bool AdaptiveMesh::children_are_unsplit(EdgeId e) const {
+bool AdaptiveMesh::has_leaf_children(EdgeId e) const {
     const std::array<EdgeId, 2>& children = edges_[e].children;
     return !edges_[children[0]].centre && !edges_[children[1]].centre;
 }
 
-// Only the four children of C10 can be refined: then an internal edge or a child of an external edge is split.
-bool AdaptiveMesh::holds_no_split(const AdaptiveTriangle& t) const {
-    if (t.configuration != Configuration::C10) return true;
-    const auto is_whole = [&](EdgeId e) { return !edges_[e].centre; };
-    return std::all_of(t.internal_edges.begin(), t.internal_edges.end(), is_whole) &&
-           std::all_of(t.edges.begin(), t.edges.end(), [&](EdgeId e) { return children_are_unsplit(e); });
+// The three internal edges and the six child edges of an S7 triangle are the edges of its four children: none of them
+// is split when all four are leaves. In the other states internal triangles always are.
+bool AdaptiveMesh::has_leaf_children(TriangleId t) const {
+    const AdaptiveTriangle& owner = triangles_[t];
+    if (owner.configuration != Configuration::C10) return true;
+    const auto is_whole = [&](TriangleId child) { return is_leaf(triangles_[child]); };
+    return std::all_of(owner.internal_triangles.begin(), owner.internal_triangles.end(), is_whole);
 }
 
 VertexId AdaptiveMesh::split(EdgeId e) {

@@ -14,8 +14,10 @@
 
 namespace selvedge {
 
+inline constexpr int kDeepestLevel = 15;
+
 struct AdaptiveMeshOptions {
-    int max_level = 3;        // edges are split down to it; 0..15
+    int max_level = 3;        // edges are split down to it; 0..kDeepestLevel
     float seam_ease = 0.05F;  // a seam's sides that differ by no more share their mean length, else the shorter rules
 };
 
@@ -78,6 +80,7 @@ class AdaptiveMesh {
     // Permissions.  (SPEC 1.2, fig. 3.11)
     bool may_split(EdgeId e) const;
     bool may_rejoin(EdgeId e) const;
+    bool has_leaf_children(EdgeId e) const;  // pre: e is split; the first thing that a rejoin needs
 
     // Changes. Splitting or rejoining marks the triangles on both sides; retriangulate() lets each marked triangle
     // make one transition, however many of its edges changed, and returns how many did. A pass changes the edges of
@@ -104,8 +107,7 @@ class AdaptiveMesh {
     void add_base_edges(const GarmentMesh& base);
 
     SplitMask split_mask(const AdaptiveTriangle& t) const;
-    bool children_are_unsplit(EdgeId e) const;
-    bool holds_no_split(const AdaptiveTriangle& t) const;
+    bool has_leaf_children(TriangleId t) const;
     void mark_sides(EdgeId e);
     void release_rejoined();
 

@@ -72,7 +72,7 @@ double edge_length(const GarmentMesh& base, std::span<const BaseSide> edge, doub
 AdaptiveMesh::AdaptiveMesh(const GarmentMesh& base, const AdaptiveMeshOptions& options)
     : options_(options), base_vertices_(base.x.size()), base_triangles_(base.triangles.size()) {
     SELVEDGE_ASSERT(base.links.empty());
-    SELVEDGE_ASSERT(options.max_level >= 0 && options.max_level <= 15);
+    SELVEDGE_ASSERT(options.max_level >= 0 && options.max_level <= kDeepestLevel);
     for (std::size_t i = 0; i < base_vertices_; ++i) vertices_.create({});
     for (const GarmentTriangle& triangle : base.triangles) link(triangles_.create(make_base_triangle(triangle)));
     add_base_edges(base);
