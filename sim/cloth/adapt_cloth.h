@@ -1,0 +1,39 @@
+#pragma once
+// Adapting a cloth: which criteria ask, and what a split or rejoin does to the state of its vertices.  (SPEC 1.3, 1.4)
+#include "sim/adaptive/adapt.h"
+#include "sim/cloth/cloth.h"
+
+namespace selvedge {
+
+class BodyCollider;
+
+// Splits an edge whose chord cuts into the offset surface of the body; lets it rejoin when the chord no longer does.
+// Asked of the parent chord: once the centre lies on the surface the children no longer cut.  (SPEC 1.3)
+struct CollisionCriterion {
+    const std::vector<Vec4f>& x;
+    const BodyCollider& body;
+    float offset = 0.003F;       // m, contact offset
+    float split_depth = 0.001F;  // m, of the chord below the offset surface
+    float rejoin_depth = 0.0004F;
+
+    float depth(const AdaptiveMesh& mesh, EdgeId edge) const;
+    bool wants_split(const AdaptiveMesh& mesh, EdgeId edge) const { return depth(mesh, edge) > split_depth; }
+    bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId edge) const { return depth(mesh, edge) < rejoin_depth; }
+};
+
+struct CriteriaOptions {
+    bool collision = true;
+    bool curvature = true;
+    bool length = true;
+};
+
+struct AdaptClothOptions {
+    CriteriaOptions criteria;
+    float contact_offset = 0.003F;  // m
+};
+
+// One adaption. Post: masses sum to what they were, solver lists and contact points are fresh.
+AdaptReport adapt_cloth(Cloth& cloth, const BodyCollider& body, const AdaptClothOptions& options = {},
+                        const ContactOptions& contact = {});
+
+}  // namespace selvedge

@@ -1,0 +1,106 @@
+#include "sim/cloth/cloth.h"
+
+#include <cmath>
+
+#include "sim/core/assert.h"
+
+namespace selvedge {
+namespace {
+
+constexpr float kRoom = 100;  // m: whatever is further away has been thrown there by an error
+
+float mean_damping(const Cloth& cloth) {
+    double sum = 0;
+    double area = 0;
+    for (const LeafTriangle& triangle : cloth.mesh.leaf_triangles()) {
+        const double a = cross2((triangle.u[1] - triangle.u[0]).cast<double>(), (triangle.u[2] - triangle.u[0]).cast<double>());
+        sum += a * cloth.fabrics[triangle.panel].damping;
+        area += a;
+    }
+    return area > 0 ? static_cast<float>(sum / area) : 0.0F;
+}
+
+void size_state(Cloth& cloth) {
+    const std::size_t capacity = cloth.mesh.vertex_capacity();
+    cloth.x.resize(capacity, Vec4f::Zero());
+    cloth.x_prev.resize(capacity, Vec4f::Zero());
+    cloth.inverse_mass.resize(capacity, 0.0F);
+    cloth.normals.resize(capacity, Vec3f::Zero());
+    cloth.is_pinned.resize(capacity, false);
+}
+
+// A third of each adjacent leaf triangle's mass. Total mass is constant to rounding.
+void refresh_masses(Cloth& cloth) {
+    std::vector<float> mass(cloth.x.size(), 0.0F);
+    for (const LeafTriangle& triangle : cloth.mesh.leaf_triangles()) {
+        const Vec2f e1 = triangle.u[1] - triangle.u[0];
+        const Vec2f e2 = triangle.u[2] - triangle.u[0];
+        const float area = 0.5F * (e1.x() * e2.y() - e1.y() * e2.x());
+        const float third = area * static_cast<float>(cloth.fabrics[triangle.panel].area_density) / 3;
+        for (const VertexId v : triangle.v) mass[v.value] += third;
+    }
+    for (std::size_t v = 0; v < mass.size(); ++v) {
+        cloth.inverse_mass[v] = mass[v] > 0 && !cloth.is_pinned[v] ? 1 / mass[v] : 0.0F;
+    }
+}
+
+}  // namespace
+
+Cloth make_cloth(const GarmentMesh& garment, std::vector<Fabric> fabrics, const ClothOptions& options) {
+    SELVEDGE_ASSERT(garment.links.empty());
+    SELVEDGE_ASSERT(fabrics.size() == garment.panel_names.size());
+    Cloth cloth{.mesh = AdaptiveMesh(garment, {.max_level = options.max_level})};
+    cloth.fabrics = std::move(fabrics);
+    for (const double angle : garment.panel_grain_angles) cloth.grain_angles.push_back(static_cast<float>(angle));
+    cloth.substep = options.substep;
+    size_state(cloth);
+    for (std::size_t v = 0; v < garment.x.size(); ++v) cloth.x[v] = padded(garment.x[v].cast<float>());
+    cloth.x_prev = cloth.x;
+    for (const int pin : garment.pins) cloth.is_pinned[static_cast<std::size_t>(pin)] = true;
+    refresh_elements(cloth);
+    return cloth;
+}
+
+void refresh_elements(Cloth& cloth) {
+    size_state(cloth);
+    refresh_masses(cloth);
+    cloth.damping = mean_damping(cloth);
+    cloth.elements = make_elements(cloth);
+}
+
+void update_normals(Cloth& cloth) {
+    for (const VertexId v : cloth.mesh.leaf_vertices()) cloth.normals[v.value].setZero();
+    for (const LeafTriangle& triangle : cloth.mesh.leaf_triangles()) {
+        const Vec3f x0 = cloth.x[triangle.v[0].value].head<3>();
+        const Vec3f x1 = cloth.x[triangle.v[1].value].head<3>();
+        const Vec3f x2 = cloth.x[triangle.v[2].value].head<3>();
+        const Vec3f area = (x1 - x0).cross(x2 - x0);
+        for (const VertexId v : triangle.v) cloth.normals[v.value] += area;
+    }
+    for (const VertexId v : cloth.mesh.leaf_vertices()) {
+        const float length = cloth.normals[v.value].norm();
+        if (length > 0) cloth.normals[v.value] /= length;
+    }
+}
+
+float rms_speed(const Cloth& cloth) {
+    double energy = 0;
+    double total = 0;
+    for (const std::uint32_t v : cloth.elements.vertices) {
+        if (cloth.inverse_mass[v] <= 0) continue;
+        const double mass = 1.0 / cloth.inverse_mass[v];
+        energy += mass * (cloth.x[v] - cloth.x_prev[v]).squaredNorm();
+        total += mass;
+    }
+    return total > 0 ? static_cast<float>(std::sqrt(energy / total) / cloth.substep) : 0.0F;
+}
+
+std::optional<VertexId> find_bad_vertex(const Cloth& cloth) {
+    for (const std::uint32_t v : cloth.elements.vertices) {
+        const float size = cloth.x[v].cwiseAbs().maxCoeff();
+        if (!(size < kRoom) || !std::isfinite(cloth.x[v].sum())) return VertexId(v);
+    }
+    return std::nullopt;
+}
+
+}  // namespace selvedge

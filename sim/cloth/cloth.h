@@ -1,0 +1,56 @@
+#pragma once
+// A garment as it moves: the adaptive mesh, what it is made of, and the state of every vertex.  (SPEC 1.4, 2)
+//
+// Topology (the mesh) and state (flat arrays indexed by VertexId, sized to the mesh's capacity) are kept apart. The
+// solver reads neither the hierarchy nor the fabrics but `elements`: flat lists made from the leaves after an adaption.
+#include <optional>
+#include <vector>
+
+#include "sim/adaptive/adaptive_mesh.h"
+#include "sim/cloth/contact.h"
+#include "sim/cloth/elements.h"
+#include "sim/core/vec.h"
+#include "sim/mesh/garment_mesh.h"
+#include "sim/pattern/fabric.h"
+
+namespace selvedge {
+
+struct Cloth {
+    AdaptiveMesh mesh;
+    std::vector<Fabric> fabrics{};       // one per panel
+    std::vector<float> grain_angles{};   // one per panel, rad: from the panel's +y to the warp
+
+    std::vector<Vec4f> x{};              // position, m
+    std::vector<Vec4f> x_prev{};         // position one sub-step ago, m: velocity is their difference over the sub-step
+    std::vector<float> inverse_mass{};   // 1/kg; 0 for a vertex that cannot move or is not in use
+    std::vector<Vec3f> normals{};        // unit, of the fabric's right side; see update_normals
+    std::vector<bool> is_pinned{};
+
+    ClothElements elements{};
+    ContactState contacts{};
+    float damping = 0;                 // 1/s, mean over the fabrics' area
+    std::vector<Vec4f> scratch{};
+    float substep = 0;                 // s, the length that x_prev and elements were made for
+};
+
+struct ClothOptions {
+    int max_level = 3;
+    float substep = 1.0F / 960.0F;     // s
+};
+
+// Pre: garment has no links left (strip or merge them) and one fabric per panel. Starts at rest, at level 0.
+Cloth make_cloth(const GarmentMesh& garment, std::vector<Fabric> fabrics, const ClothOptions& options = {});
+
+// Masses (a third of the adjacent leaf triangles' area times density) and solver lists from the present leaves.
+void refresh_elements(Cloth& cloth);
+
+// Area-weighted normals of the leaf triangles.
+void update_normals(Cloth& cloth);
+
+// Root mean square speed over mass, m/s.
+float rms_speed(const Cloth& cloth);
+
+// The first leaf vertex whose position is not finite or left the room (100 m), if any.
+std::optional<VertexId> find_bad_vertex(const Cloth& cloth);
+
+}  // namespace selvedge

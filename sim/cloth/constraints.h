@@ -1,0 +1,24 @@
+#pragma once
+// One pass over each kind of constraint, in list order (Gauss-Seidel): the inner loops of a sub-step.
+#include <span>
+#include <vector>
+
+#include "sim/cloth/elements.h"
+#include "sim/core/vec.h"
+
+namespace selvedge {
+
+// Warp, weft and shear strain of every leaf triangle, by compliance.
+void solve_stretch(std::span<const StretchElement> elements, std::span<const float> inverse_mass, std::span<Vec4f> x);
+
+// Every hinge towards flat, by compliance.
+void solve_bend(std::span<const BendElement> elements, std::span<Vec4f> x);
+
+// Shortens what is longer than its limit. After Provot (1995), for unequal masses.
+void limit_lengths(std::span<const LengthLimit> limits, std::span<Vec4f> x);
+
+// Split edges from coarse to fine: each is shortened to its limit, and its central vertex follows what its ends moved, so
+// that one pass spreads tension over the whole garment. `before` is scratch of the size of x.
+void limit_parents(std::span<const std::vector<ParentLimit>> levels, std::span<Vec4f> x, std::vector<Vec4f>& before);
+
+}  // namespace selvedge

@@ -1,0 +1,53 @@
+#pragma once
+// Keeping cloth outside a body that stands still, at the contact offset, with Coulomb friction.  (SPEC 2, 3.3)
+//
+// A vertex remembers where it last asked the body and how far it may go before it must ask again: the true distance
+// changes no faster than the vertex moves. Edges too long for the body's curvature are sampled between their ends.
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "sim/core/vec.h"
+
+namespace selvedge {
+
+struct Cloth;
+class BodyCollider;
+
+struct ContactOptions {
+    float offset = 0.003F;          // m, kept from the body; never below the collision field's error
+    float friction_scale = 1.0F;    // of the fabrics' friction; 0 while sewing
+    float sample_spacing = 0.025F;  // m, edges longer than this are sampled at least this often
+    float floor = 0.0F;             // m, height of the floor
+};
+
+// A point of the cloth that may not enter the body: a leaf vertex (a == b), or a point of an edge.
+struct ContactPoint {
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+    float t = 0;                    // from a (0) to b (1)
+    float friction = 0;
+    Vec4f asked_at = Vec4f::Zero();
+    float slack = -1;               // m it may move from asked_at before it is asked again; negative: ask now
+};
+
+struct ContactState {
+    std::vector<ContactPoint> points;  // refreshed by an adaption
+};
+
+// Points for the present leaves. What is known of vertices that were points before is kept.
+void refresh_contacts(Cloth& cloth, const ContactOptions& options = {});
+
+// Moves the points between the ends of long edges at least `offset` away from the body and the floor and takes off
+// tangential motion since x_prev up to friction times the depth corrected. First no vertex is left more than max_move (m)
+// from x_prev: the body may be thin.
+void push_out_edges(Cloth& cloth, const BodyCollider& body, const ContactOptions& options, float max_move);
+
+// The same for the vertices themselves. Last in a sub-step: a drawn vertex is never inside.
+void push_out_vertices(Cloth& cloth, const BodyCollider& body, const ContactOptions& options);
+
+// x moved to the contact offset if it is nearer to the body or inside, else x.  (SPEC 3.3, CONTACT: the closest point,
+// unless that lies against `outward`; then along outward.)
+Vec3f outside(const Vec3f& x, const Vec3f& outward, const BodyCollider& body, float offset);
+
+}  // namespace selvedge

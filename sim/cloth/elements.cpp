@@ -1,0 +1,167 @@
+#include "sim/cloth/elements.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim/cloth/cloth.h"
+
+namespace selvedge {
+namespace {
+
+// How much longer than at rest a line at 45 degrees to the threads may grow: shear of some 33 degrees, where woven
+// cloth locks.
+constexpr float kBiasExtension = 0.25F;
+
+Vec2f warp_direction(float grain_angle) { return {-std::sin(grain_angle), std::cos(grain_angle)}; }
+Vec2f weft_direction(float grain_angle) { return {std::cos(grain_angle), std::sin(grain_angle)}; }
+
+// Moves per unit of strain along one thread direction with gradients g on the three vertices.
+std::array<float, 3> thread_moves(const std::array<float, 2>& g, const std::array<float, 3>& w, float compliance) {
+    const std::array<float, 3> gradient{-(g[0] + g[1]), g[0], g[1]};
+    float sum = compliance;
+    for (std::size_t i = 0; i < 3; ++i) sum += w[i] * gradient[i] * gradient[i];
+    std::array<float, 3> moves{};
+    for (std::size_t i = 0; i < 3; ++i) moves[i] = w[i] * gradient[i] / sum;
+    return moves;
+}
+
+float shear_gain(const MaterialFrame& frame, const std::array<float, 3>& w, float compliance) {
+    const auto squared = [](float p, float q) { return p * p + q * q; };
+    return 1 / (compliance + w[0] * squared(frame.a[0] + frame.a[1], frame.b[0] + frame.b[1]) +
+                w[1] * squared(frame.a[0], frame.b[0]) + w[2] * squared(frame.a[1], frame.b[1]));
+}
+
+StretchElement stretch_element(const Cloth& cloth, const LeafTriangle& triangle) {
+    const Fabric& fabric = cloth.fabrics[triangle.panel];
+    const MaterialFrame frame = material_frame(triangle.u, cloth.grain_angles[triangle.panel]);
+    std::array<float, 3> w{};
+    StretchElement element{.a = frame.a, .b = frame.b};
+    for (std::size_t i = 0; i < 3; ++i) {
+        element.vertices[i] = triangle.v[i].value;
+        w[i] = cloth.inverse_mass[triangle.v[i].value];
+    }
+    const float per_stiffness = 1 / (frame.area * cloth.substep * cloth.substep);
+    element.warp = thread_moves(frame.a, w, per_stiffness / static_cast<float>(fabric.stretch_warp));
+    element.weft = thread_moves(frame.b, w, per_stiffness / static_cast<float>(fabric.stretch_weft));
+    element.shear = shear_gain(frame, w, per_stiffness / static_cast<float>(fabric.shear));
+    return element;
+}
+
+// Rigidity against folding about an edge: the cloth bends across it.
+float hinge_rigidity(const Fabric& fabric, const Vec2f& edge, float grain_angle) {
+    const Vec2f along = edge.normalized();
+    const float across_warp = weft_direction(grain_angle).dot(along);  // edge along the weft: the warp bends
+    const float share = across_warp * across_warp;
+    return static_cast<float>(fabric.bending_warp) * share + static_cast<float>(fabric.bending_weft) * (1 - share);
+}
+
+// How much longer than at rest a material line may grow: the fabric's strain limit along the threads, up to the locking
+// shear on the bias.
+float allowed_extension(const Cloth& cloth, const Vec2f& direction, std::uint16_t panel) {
+    const float c = warp_direction(cloth.grain_angles[panel]).dot(direction.normalized());
+    const float c_squared = std::min(1.0F, c * c);
+    return static_cast<float>(cloth.fabrics[panel].strain_limit) + kBiasExtension * 4 * c_squared * (1 - c_squared);
+}
+
+// The limit of an edge on the side that allows less.
+float length_limit(const Cloth& cloth, const AdaptiveEdge& edge, EdgeId id) {
+    float extension = std::numeric_limits<float>::max();
+    for (const TriangleId side : edge.sides) {
+        if (!side) continue;
+        const AdaptiveTriangle& t = cloth.mesh.triangle(side);
+        const std::size_t k = place_of(t, id);
+        extension = std::min(extension, allowed_extension(cloth, t.u[(k + 1) % 3] - t.u[k], t.panel));
+    }
+    return edge.rest_length * (1 + extension);
+}
+
+LengthLimit leaf_limit(const Cloth& cloth, const LeafEdge& leaf) {
+    const float wa = cloth.inverse_mass[leaf.a.value];
+    const float wb = cloth.inverse_mass[leaf.b.value];
+    const float sum = std::max(wa + wb, std::numeric_limits<float>::min());
+    return {.a = leaf.a.value,
+            .b = leaf.b.value,
+            .limit = length_limit(cloth, cloth.mesh.edge(leaf.edge), leaf.edge),
+            .share_a = wa / sum,
+            .share_b = wb / sum};
+}
+
+// Equal shares, for a parent stands for all the cloth between its ends and not for two lumped masses.
+ParentLimit parent_limit(const Cloth& cloth, EdgeId id) {
+    const AdaptiveEdge& edge = cloth.mesh.edge(id);
+    const auto movable = [&](VertexId v) { return cloth.inverse_mass[v.value] > 0 ? 1.0F : 0.0F; };
+    const float a = movable(edge.ends[0]);
+    const float b = movable(edge.ends[1]);
+    const float sum = std::max(a + b, 1.0F);
+    return {.ends = {.a = edge.ends[0].value,
+                     .b = edge.ends[1].value,
+                     .limit = length_limit(cloth, edge, id),
+                     .share_a = a / sum,
+                     .share_b = b / sum},
+            .centre = edge.centre.value,
+            .centre_moves = movable(edge.centre)};
+}
+
+// Isometric bending: sum of q_i x_i is the mean curvature vector about the hinge, with cotangent weights of the unfolded
+// rest state. Energy 1/2 (3 B / (A_left + A_right)) |sum q x|^2.  (Bergou et al. 2006)
+BendElement bend_element(const Cloth& cloth, const Hinge& hinge) {
+    const Vec2f a(-0.5F * hinge.rest_length, 0);
+    const Vec2f b(0.5F * hinge.rest_length, 0);
+    const auto cotangent = [](const Vec2f& p, const Vec2f& q) {
+        return p.dot(q) / std::abs(p.x() * q.y() - p.y() * q.x());
+    };
+    const float left_a = cotangent(b - a, hinge.left_at - a);
+    const float right_a = cotangent(b - a, hinge.right_at - a);
+    const float left_b = cotangent(a - b, hinge.left_at - b);
+    const float right_b = cotangent(a - b, hinge.right_at - b);
+    BendElement element{.vertices = {hinge.a.value, hinge.b.value, hinge.left.value, hinge.right.value},
+                        .q = {left_b + right_b, left_a + right_a, -left_a - left_b, -right_a - right_b}};
+    const float area = 0.5F * hinge.rest_length * (hinge.left_at.y() - hinge.right_at.y());
+    float rigidity = 0;
+    const AdaptiveEdge& edge = cloth.mesh.edge(hinge.edge);
+    for (std::size_t side = 0; side < 2; ++side) {
+        const std::uint16_t panel = cloth.mesh.triangle(edge.sides[side]).panel;
+        rigidity += 0.5F * hinge_rigidity(cloth.fabrics[panel], hinge.along[side], cloth.grain_angles[panel]);
+    }
+    float sum = area / (3 * rigidity * cloth.substep * cloth.substep);
+    for (std::size_t i = 0; i < 4; ++i) sum += cloth.inverse_mass[element.vertices[i]] * element.q[i] * element.q[i];
+    for (std::size_t i = 0; i < 4; ++i) {
+        element.move[i] = cloth.inverse_mass[element.vertices[i]] * element.q[i] / sum;
+    }
+    return element;
+}
+
+}  // namespace
+
+MaterialFrame material_frame(const std::array<Vec2f, 3>& u, float grain_angle) {
+    const Vec2f e1 = u[1] - u[0];
+    const Vec2f e2 = u[2] - u[0];
+    const Vec2f warp = warp_direction(grain_angle);
+    const Vec2f weft = weft_direction(grain_angle);
+    const float s1 = warp.dot(e1);
+    const float s2 = warp.dot(e2);
+    const float t1 = weft.dot(e1);
+    const float t2 = weft.dot(e2);
+    const float det = s1 * t2 - s2 * t1;
+    return {.a = {t2 / det, -t1 / det}, .b = {-s2 / det, s1 / det}, .area = 0.5F * std::abs(det)};
+}
+
+ClothElements make_elements(const Cloth& cloth) {
+    ClothElements elements;
+    elements.vertices.reserve(cloth.mesh.leaf_vertices().size());
+    for (const VertexId v : cloth.mesh.leaf_vertices()) elements.vertices.push_back(v.value);
+    elements.stretch.reserve(cloth.mesh.leaf_triangles().size());
+    for (const LeafTriangle& t : cloth.mesh.leaf_triangles()) elements.stretch.push_back(stretch_element(cloth, t));
+    elements.bend.reserve(cloth.mesh.hinges().size());
+    for (const Hinge& hinge : cloth.mesh.hinges()) elements.bend.push_back(bend_element(cloth, hinge));
+    elements.limits.reserve(cloth.mesh.leaf_edges().size());
+    for (const LeafEdge& edge : cloth.mesh.leaf_edges()) elements.limits.push_back(leaf_limit(cloth, edge));
+    for (int level = 0; level < cloth.mesh.max_level(); ++level) {
+        std::vector<ParentLimit>& parents = elements.parents.emplace_back();
+        for (const EdgeId edge : cloth.mesh.split_edges(level)) parents.push_back(parent_limit(cloth, edge));
+    }
+    return elements;
+}
+
+}  // namespace selvedge

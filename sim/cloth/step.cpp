@@ -1,0 +1,52 @@
+#include "sim/cloth/step.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/cloth/constraints.h"
+
+namespace selvedge {
+namespace {
+
+void predict(Cloth& cloth, const StepOptions& options) {
+    const float h = cloth.substep;
+    const Vec4f fall = padded(options.gravity) * (h * h);
+    const float damping = cloth.damping + options.extra_damping;
+    const float keep = std::max(0.0F, 1 - damping * h);
+    for (const std::uint32_t v : cloth.elements.vertices) {
+        const Vec4f moved = (cloth.x[v] - cloth.x_prev[v]) * keep + fall;
+        cloth.x_prev[v] = cloth.x[v];
+        if (cloth.inverse_mass[v] > 0) cloth.x[v] += moved;
+    }
+}
+
+void pull_seams(Cloth& cloth, std::span<const SeamPull> seams, float gap) {
+    for (const SeamPull& pull : seams) {
+        const float wa = cloth.inverse_mass[pull.a];
+        const float wb = cloth.inverse_mass[pull.b];
+        const Vec4f d = cloth.x[pull.b] - cloth.x[pull.a];
+        const float length = d.norm();
+        if (length <= gap || wa + wb <= 0) continue;
+        const Vec4f c = d * ((length - gap) / length / (wa + wb));
+        cloth.x[pull.a] += c * wa;
+        cloth.x[pull.b] -= c * wb;
+    }
+}
+
+}  // namespace
+
+void step(Cloth& cloth, const BodyCollider& body, const StepOptions& options) {
+    for (int i = 0; i < options.substeps; ++i) {
+        const float to_go = static_cast<float>(options.substeps - 1 - i);
+        predict(cloth, options);
+        limit_parents(cloth.elements.parents, cloth.x, cloth.scratch);
+        solve_bend(cloth.elements.bend, cloth.x);
+        solve_stretch(cloth.elements.stretch, cloth.inverse_mass, cloth.x);
+        limit_lengths(cloth.elements.limits, cloth.x);
+        push_out_edges(cloth, body, options.contact, options.max_move_per_substep);
+        pull_seams(cloth, options.seams, options.seam_gap + to_go * options.seam_gap_rate);
+        push_out_vertices(cloth, body, options.contact);
+    }
+}
+
+}  // namespace selvedge

@@ -1,0 +1,32 @@
+#pragma once
+// Moving the cloth on by one step of small sub-steps: Verlet prediction, then each constraint once, then contacts.
+// (SPEC 2; Macklin et al. 2019)
+#include <span>
+
+#include "sim/cloth/cloth.h"
+#include "sim/cloth/contact.h"
+
+namespace selvedge {
+
+class BodyCollider;
+
+// Two vertices that are pulled together until they are no further apart than the allowed gap: an open seam.
+struct SeamPull {
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+};
+
+struct StepOptions {
+    int substeps = 8;                              // each of Cloth::substep
+    Vec3f gravity = Vec3f(0, -9.81F, 0);           // m/s^2
+    float extra_damping = 0;                       // 1/s, on top of the fabrics'
+    float max_move_per_substep = 0.005F;           // m: contacts see thin parts at this speed
+    ContactOptions contact{};
+    std::span<const SeamPull> seams{};               // open seams
+    float seam_gap = 0;                            // m, allowed at the end of this step
+    float seam_gap_rate = 0;                       // m per sub-step by which the gap shrinks within the step
+};
+
+void step(Cloth& cloth, const BodyCollider& body, const StepOptions& options);
+
+}  // namespace selvedge

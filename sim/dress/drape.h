@@ -1,0 +1,39 @@
+#pragma once
+// Letting a sewn garment fall, adapt and settle.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/cloth/adapt_cloth.h"
+#include "sim/cloth/step.h"
+#include "sim/core/progress.h"
+
+namespace selvedge {
+
+struct DrapeOptions {
+    double max_seconds = 12;           // of simulated time
+    int steps_per_adaption = 4;
+    float rest_speed = 0.01F;          // m/s rms over mass: below it the garment is at rest
+    double rest_time = 0.3;            // s for which it must stay there
+    double relax_time = 0.3;           // s at level 0 without gravity: the seams' tension goes
+    double fall_time = 0.3;            // s at level 0 with gravity, before anything is refined
+    AdaptClothOptions adapt{};
+    ContactOptions contact{};
+};
+
+struct DrapeResult {
+    bool settled = false;
+    std::string stopped_because;
+    std::optional<VertexId> bad_vertex;
+    float rms_speed = 0;               // m/s at the end
+    double simulated_seconds = 0;
+    long splits = 0;
+    long rejoins = 0;
+    long transitions = 0;
+    std::vector<double> adaption_ms;   // wall time, one per adaption
+    std::vector<double> step_ms;       // wall time, one per step of the adaptive part
+};
+
+DrapeResult drape(Cloth& cloth, const BodyCollider& body, const DrapeOptions& options, const Progress& progress);
+
+}  // namespace selvedge

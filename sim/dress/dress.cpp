@@ -1,0 +1,153 @@
+#include "sim/dress/dress.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "sim/adaptive/check.h"
+#include "sim/body/collider.h"
+#include "sim/body/mannequin.h"
+#include "sim/cloth/stretch.h"
+#include "sim/dress/drape.h"
+#include "sim/dress/inspect.h"
+#include "sim/dress/placement.h"
+#include "sim/dress/sewing.h"
+#include "sim/mesh/assemble.h"
+#include "sim/mesh/report_mesh.h"
+
+namespace selvedge {
+namespace {
+
+// Times the phases of one dressing by wall clock.
+class PhaseTimer {
+ public:
+    explicit PhaseTimer(DressTiming& timing) : timing_(timing) {}
+    ~PhaseTimer() { timing_.wall_s = since(start_); }
+    PhaseTimer(const PhaseTimer&) = delete;
+    PhaseTimer& operator=(const PhaseTimer&) = delete;
+
+    void done(const std::string& phase) {
+        timing_.phases_s[phase] = since(phase_start_);
+        phase_start_ = Clock::now();
+    }
+
+ private:
+    using Clock = std::chrono::steady_clock;
+    static double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+    DressTiming& timing_;
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point phase_start_ = start_;
+};
+
+double median(std::vector<double> values) {
+    if (values.empty()) return 0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+double peak_memory_mb() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+std::vector<Fabric> fabrics_of(const Pattern& pattern, const DressOptions& options) {
+    std::vector<Fabric> fabrics;
+    for (const Panel& panel : pattern.panels) {
+        if (options.fabric) {
+            fabrics.push_back(*options.fabric);
+        } else {
+            fabrics.push_back(find_fabric(panel.fabric.empty() ? pattern.fabric : panel.fabric));
+        }
+    }
+    return fabrics;
+}
+
+// The body stands with its feet on the floor, so that patterns and gravity find it where they expect it.
+Pattern placed(const Pattern& pattern, const Body& body, const BodyCollider& collider, DressReport& report) {
+    Pattern moved = pattern;
+    anchor_panels(moved, placed_for(pattern), body);
+    report.notes = clear_panels(moved, collider);
+    return moved;
+}
+
+void lift(GarmentMesh& unsewn, double height, DressReport& report) {
+    if (height == 0) return;
+    for (Vec3d& x : unsewn.x) x.y() += height;
+    report.notes.push_back("all panels moved " + std::to_string(static_cast<int>(std::lround(height * 1000))) +
+                           " mm up, so that the seams can close round the body");
+}
+
+void record_drape(DressReport& report, const DrapeResult& result) {
+    report.settled = result.settled;
+    report.stopped_because = result.stopped_because;
+    report.simulated_seconds = result.simulated_seconds;
+    report.mesh.splits = result.splits;
+    report.mesh.rejoins = result.rejoins;
+    report.mesh.transitions = result.transitions;
+    report.timing.ms_per_adaption = median(result.adaption_ms);
+    report.timing.ms_per_step = median(result.step_ms);
+    report.timing.ms_adapt_plus_4_steps = report.timing.ms_per_adaption + 4 * report.timing.ms_per_step;
+}
+
+void record_mesh(DressReport& report, const Pattern& pattern, const GarmentMesh& unsewn, const GarmentMesh& sewn) {
+    const MeshReport mesh = report_mesh(pattern, unsewn, sewn);
+    report.mesh.base_triangles = mesh.triangles;
+    report.mesh.min_angle_deg = mesh.min_angle_deg;
+    report.seams.count = static_cast<int>(pattern.seams.size());
+    report.seams.worst_length_mismatch = mesh.worst_mismatch ? mesh.worst_mismatch->ratio - 1 : 0;
+}
+
+}  // namespace
+
+Body placed_for(const Pattern& pattern) {
+    if (!pattern.body.empty()) return make_mannequin(parse_mannequin(pattern.body)).body;
+    // GarmentCode's mean body, by its published measurements.
+    MannequinOptions mean;
+    mean.measures.height = pattern.body_height;
+    mean.measures.bust = 0.998;
+    mean.measures.waist = 0.843;
+    mean.measures.hip = 1.035;
+    return make_mannequin(mean).body;
+}
+
+DressedGarment dress(const Pattern& pattern, const Body& body, const DressOptions& options, const Progress& progress) {
+    DressedGarment dressed;
+    DressReport& report = dressed.report;
+    PhaseTimer timer(report.timing);
+    report.garment = pattern.name;
+    report.body = body.name;
+    const std::vector<Fabric> fabrics = fabrics_of(pattern, options);
+
+    selvedge::report(progress, "reading the body", 0);
+    const BodyCollider collider(body);
+    timer.done("body");
+
+    const Pattern moved = placed(pattern, body, collider, report);
+    GarmentMesh unsewn = assemble(moved, options.mesh);
+    lift(unsewn, seam_clearing_lift(unsewn, collider), report);
+    timer.done("mesh");
+
+    const SewingResult sewing = sew_on_body(unsewn, fabrics, collider, {}, progress);
+    record_mesh(report, pattern, unsewn, sewing.sewn);
+    timer.done("sewing");
+
+    Cloth cloth = make_cloth(sewing.sewn, fabrics, {.max_level = options.max_level});
+    DrapeOptions draping{.max_seconds = options.max_seconds};
+    draping.adapt.criteria = options.criteria;
+    const DrapeResult draped = drape(cloth, collider, draping, progress);
+    record_drape(report, draped);
+    timer.done("draping");
+
+    inspect(cloth, collider, moved, sewing, draped, report);
+    dressed.mesh = plain_mesh(cloth, sewing.sewn.panel_names);
+    report.timing.peak_memory_mb = peak_memory_mb();
+    return dressed;
+}
+
+}  // namespace selvedge

@@ -1,0 +1,139 @@
+#include "sim/dress/inspect.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numbers>
+
+#include "sim/adaptive/check.h"
+#include "sim/body/collider.h"
+#include "sim/cloth/stretch.h"
+
+namespace selvedge {
+namespace {
+
+double quantile(std::vector<double> values, double q) {
+    if (values.empty()) return 0;
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
+void add_fault(DressReport& report, std::string kind, std::string place, double value) {
+    report.faults.push_back({std::move(kind), std::move(place), value});
+}
+
+std::string describe_seam(const Pattern& pattern, int seam) {
+    const auto side = [&](const SeamSide& s) {
+        return "'" + pattern.panels[static_cast<std::size_t>(s.panel)].name + "' edge " + std::to_string(s.edge);
+    };
+    const Seam& sewn = pattern.seams[static_cast<std::size_t>(seam)];
+    return "seam " + std::to_string(seam) + ", " + side(sewn.first) + " to " + side(sewn.second);
+}
+
+void inspect_mesh(const Cloth& cloth, DressReport& report) {
+    report.mesh.leaf_triangles = static_cast<int>(cloth.mesh.leaf_triangles().size());
+    report.mesh.leaf_vertices = static_cast<int>(cloth.mesh.leaf_vertices().size());
+    report.mesh.by_level.assign(static_cast<std::size_t>(cloth.mesh.max_level()) + 1, 0);
+    for (const LeafTriangle& t : cloth.mesh.leaf_triangles()) ++report.mesh.by_level[t.level];
+    for (const std::string& broken : check(cloth.mesh)) add_fault(report, "broken_mesh", broken, 0);
+}
+
+void inspect_contact(const Cloth& cloth, const BodyCollider& body, const Pattern& pattern, const FaultLimits& limits,
+                     DressReport& report) {
+    VertexId deepest;
+    for (const VertexId v : cloth.mesh.leaf_vertices()) {
+        const auto closest = body.surface().closest(cloth.x[v.value].head<3>(), std::numeric_limits<float>::infinity());
+        if (!closest || closest->distance >= 0) continue;
+        ++report.contact.inside;
+        if (-closest->distance <= report.contact.deepest_m) continue;
+        report.contact.deepest_m = -closest->distance;
+        deepest = v;
+    }
+    if (report.contact.deepest_m <= limits.depth) return;
+    add_fault(report, "inside_body", describe_place(cloth, pattern, deepest), report.contact.deepest_m);
+}
+
+void inspect_stretch(const Cloth& cloth, const Pattern& pattern, const FaultLimits& limits, DressReport& report) {
+    const std::vector<TriangleStrain> strains = measure_strain(cloth);
+    std::vector<double> threads;
+    std::vector<double> shears;
+    std::size_t worst = 0;
+    const auto larger = [](const TriangleStrain& s) { return std::max(s.warp, s.weft); };
+    for (std::size_t i = 0; i < strains.size(); ++i) {
+        threads.push_back(strains[i].warp);
+        threads.push_back(strains[i].weft);
+        shears.push_back(strains[i].shear * 180 / std::numbers::pi);
+        if (larger(strains[i]) > larger(strains[worst])) worst = i;
+    }
+    if (strains.empty()) return;
+    report.stretch = {.warp_weft_p50 = quantile(threads, 0.5),
+                      .warp_weft_p99 = quantile(threads, 0.99),
+                      .warp_weft_max = larger(strains[worst]),
+                      .shear_deg_p99 = quantile(shears, 0.99)};
+    const std::string place = describe_place(cloth, pattern, cloth.mesh.leaf_triangles()[worst].v[0]);
+    if (report.stretch.warp_weft_p99 > limits.stretch_p99) {
+        add_fault(report, "overstretched", "99th percentile, worst at " + place, report.stretch.warp_weft_p99);
+    }
+    if (report.stretch.warp_weft_max > limits.stretch_max) {
+        add_fault(report, "overstretched", place, report.stretch.warp_weft_max);
+    }
+}
+
+}  // namespace
+
+void inspect(const Cloth& cloth, const BodyCollider& body, const Pattern& pattern, const SewingResult& sewing,
+             const DrapeResult& draped, DressReport& report, const FaultLimits& limits) {
+    report.seams.open = static_cast<int>(sewing.open.size());
+    for (const OpenSeam& open : sewing.open) add_fault(report, "open_seam", describe_seam(pattern, open.seam), open.gap);
+    if (draped.bad_vertex) {
+        add_fault(report, "not_finite", "vertex " + std::to_string(draped.bad_vertex->value), 0);
+    } else {
+        inspect_contact(cloth, body, pattern, limits, report);
+        inspect_stretch(cloth, pattern, limits, report);
+    }
+    if (!draped.settled) add_fault(report, "not_settled", "whole garment, rms speed in m/s", draped.rms_speed);
+    inspect_mesh(cloth, report);
+}
+
+PlainMesh plain_mesh(const Cloth& cloth, const std::vector<std::string>& panel_names) {
+    PlainMesh mesh;
+    mesh.panel_names = panel_names;
+    mesh.panel_grain_angles = cloth.grain_angles;
+    Cloth const& c = cloth;
+    std::vector<std::uint32_t> index(c.x.size(), 0);
+    for (const VertexId v : c.mesh.leaf_vertices()) {
+        index[v.value] = static_cast<std::uint32_t>(mesh.x.size());
+        mesh.x.push_back(c.x[v.value].head<3>());
+    }
+    mesh.normals.assign(mesh.x.size(), Vec3f::Zero());
+    for (const LeafTriangle& t : c.mesh.leaf_triangles()) {
+        const std::array<std::uint32_t, 3> v{index[t.v[0].value], index[t.v[1].value], index[t.v[2].value]};
+        const Vec3f area = (mesh.x[v[1]] - mesh.x[v[0]]).cross(mesh.x[v[2]] - mesh.x[v[0]]);
+        for (const std::uint32_t i : v) mesh.normals[i] += area;
+        mesh.triangles.push_back(v);
+        mesh.u.push_back(t.u);
+        mesh.panel.push_back(t.panel);
+        mesh.level.push_back(t.level);
+    }
+    for (Vec3f& n : mesh.normals) n = n.squaredNorm() > 0 ? Vec3f(n.normalized()) : Vec3f::UnitY();
+    return mesh;
+}
+
+std::string describe_place(const Cloth& cloth, const Pattern& pattern, VertexId vertex) {
+    std::string panels;
+    for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+        const auto touches = [&](TriangleId t) { return cloth.mesh.triangle(t).panel == p; };
+        bool found = false;
+        for (const TriangleId t : cloth.mesh.triangles_at(vertex)) found = found || touches(t);
+        if (found) panels += (panels.empty() ? "'" : " beside '") + pattern.panels[p].name + "'";
+    }
+    const Vec4f& x = cloth.x[vertex.value];
+    char where[96];
+    std::snprintf(where, sizeof where, " at x %.3f y %.3f z %.3f m", static_cast<double>(x.x()),
+                  static_cast<double>(x.y()), static_cast<double>(x.z()));
+    return panels + where;
+}
+
+}  // namespace selvedge

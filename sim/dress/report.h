@@ -1,0 +1,122 @@
+#pragma once
+// What came of dressing: plain data, and its JSON. Every key of the JSON is declared here, once.
+#include <array>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace selvedge {
+
+namespace report_key {
+inline constexpr std::string_view kGarment = "garment";
+inline constexpr std::string_view kBody = "body";
+inline constexpr std::string_view kSettled = "settled";
+inline constexpr std::string_view kStoppedBecause = "stopped_because";
+inline constexpr std::string_view kSimulatedSeconds = "simulated_seconds";
+inline constexpr std::string_view kNotes = "notes";
+
+inline constexpr std::string_view kFaults = "faults";
+inline constexpr std::string_view kKind = "kind";
+inline constexpr std::string_view kPlace = "place";
+inline constexpr std::string_view kValue = "value";
+
+inline constexpr std::string_view kMesh = "mesh";
+inline constexpr std::string_view kBaseTriangles = "base_triangles";
+inline constexpr std::string_view kLeafTriangles = "leaf_triangles";
+inline constexpr std::string_view kLeafVertices = "leaf_vertices";
+inline constexpr std::string_view kByLevel = "by_level";
+inline constexpr std::string_view kMinAngleDeg = "min_angle_deg";
+inline constexpr std::string_view kSplits = "splits";
+inline constexpr std::string_view kRejoins = "rejoins";
+inline constexpr std::string_view kTransitions = "transitions";
+
+inline constexpr std::string_view kSeams = "seams";
+inline constexpr std::string_view kCount = "count";
+inline constexpr std::string_view kOpen = "open";
+inline constexpr std::string_view kWorstLengthMismatch = "worst_length_mismatch";
+
+inline constexpr std::string_view kContact = "contact";
+inline constexpr std::string_view kInside = "inside";
+inline constexpr std::string_view kDeepestM = "deepest_m";
+
+inline constexpr std::string_view kStretch = "stretch";
+inline constexpr std::string_view kWarpWeftP50 = "warp_weft_p50";
+inline constexpr std::string_view kWarpWeftP99 = "warp_weft_p99";
+inline constexpr std::string_view kWarpWeftMax = "warp_weft_max";
+inline constexpr std::string_view kShearDegP99 = "shear_deg_p99";
+
+inline constexpr std::string_view kTiming = "timing";
+inline constexpr std::string_view kWallS = "wall_s";
+inline constexpr std::string_view kMsPerAdaption = "ms_per_adaption";
+inline constexpr std::string_view kMsPerStep = "ms_per_step";
+inline constexpr std::string_view kMsAdaptPlus4Steps = "ms_adapt_plus_4_steps";
+inline constexpr std::string_view kPhases = "phases";
+inline constexpr std::string_view kPeakMemoryMb = "peak_memory_mb";
+}  // namespace report_key
+
+// What is wrong with a dressed garment, and where.
+struct DressFault {
+    std::string kind;   // "not_settled", "open_seam", "inside_body", "overstretched", "not_finite", "broken_mesh"
+    std::string place;  // a seam, panel or point that a tailor can find
+    double value = 0;   // in the unit that the kind implies: m, m/s, strain
+};
+
+struct MeshCounts {
+    int base_triangles = 0;
+    int leaf_triangles = 0;
+    int leaf_vertices = 0;
+    std::vector<int> by_level;     // leaf triangles of each level
+    double min_angle_deg = 0;      // of the base mesh, in material coordinates
+    long splits = 0;               // over the whole run
+    long rejoins = 0;
+    long transitions = 0;
+};
+
+struct SeamCounts {
+    int count = 0;
+    int open = 0;
+    double worst_length_mismatch = 0;  // relative: longer side over shorter, less 1
+};
+
+struct ContactCounts {
+    int inside = 0;        // leaf vertices inside the body
+    double deepest_m = 0;  // 0 when none is inside
+};
+
+// Over the leaf triangles: length of the deformed warp and weft direction less 1, and the angle between them less 90 deg.
+struct StretchFigures {
+    double warp_weft_p50 = 0;
+    double warp_weft_p99 = 0;
+    double warp_weft_max = 0;
+    double shear_deg_p99 = 0;
+};
+
+struct DressTiming {
+    double wall_s = 0;
+    double ms_per_adaption = 0;        // medians over the adaptive drape
+    double ms_per_step = 0;
+    double ms_adapt_plus_4_steps = 0;
+    std::map<std::string, double> phases_s;
+    double peak_memory_mb = 0;
+};
+
+struct DressReport {
+    std::string garment;
+    std::string body;
+    bool settled = false;
+    std::string stopped_because;       // "settled", "time limit", "bad number at ..."
+    double simulated_seconds = 0;
+    std::vector<DressFault> faults;
+    std::vector<std::string> notes;    // what a person should know but is no fault
+    MeshCounts mesh;
+    SeamCounts seams;
+    ContactCounts contact;
+    StretchFigures stretch;
+    DressTiming timing;
+};
+
+// The whole report as JSON text. The same dressing gives the same text but for `timing`.
+std::string to_json(const DressReport& report);
+
+}  // namespace selvedge

@@ -1,0 +1,37 @@
+#pragma once
+// Closing the seams: the panels, still apart and at level 0, are drawn together along their seams without gravity, each
+// colliding with the body from its own side; what has met is merged.  (SPEC 3.1, way b)
+#include <string>
+#include <vector>
+
+#include "sim/cloth/cloth.h"
+#include "sim/core/progress.h"
+#include "sim/mesh/garment_mesh.h"
+
+namespace selvedge {
+
+class BodyCollider;
+
+struct SewingOptions {
+    float closing_speed = 0.6F;      // m/s at which the allowed gap shrinks
+    float closed_gap = 0.002F;       // m, a link shorter than this is closed
+    float patience = 1.5F;           // s of further pulling once the gap should be nil
+    ContactOptions contact;
+};
+
+struct OpenSeam {
+    int seam = 0;     // index into Pattern::seams
+    float gap = 0;    // m, the widest of its links
+};
+
+struct SewingResult {
+    GarmentMesh sewn;                 // links that did not close are left out of the merge
+    std::vector<OpenSeam> open;
+    double simulated_seconds = 0;
+    bool is_finite = true;
+};
+
+SewingResult sew_on_body(const GarmentMesh& unsewn, const std::vector<Fabric>& fabrics, const BodyCollider& body,
+                         const SewingOptions& options, const Progress& progress);
+
+}  // namespace selvedge
