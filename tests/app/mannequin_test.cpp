@@ -12,11 +12,14 @@ ProgramResult make_mannequin_file(const std::string& options, const std::string&
     return run_selvedge("mannequin --resolution 1 " + options + " -o '" + file + "'");
 }
 
-// The last number of the line that begins with the measure's name: what the tape reads, cm.
+// From the line "bust  96.0  96.0  117.1": the measure, what was asked, what the tape reads, and at which height; cm.
 double printed_girth(const std::string& out, const std::string& measure) {
     std::istringstream lines(out);
     for (std::string line; std::getline(lines, line);) {
-        if (line.rfind(measure + " ", 0) == 0) return std::stod(line.substr(line.find_last_of(' ')));
+        std::istringstream words(line);
+        std::string name;
+        double asked = 0, read = 0;
+        if (words >> name >> asked >> read && name == measure) return read;
     }
     ADD_FAILURE() << "no line for " << measure << " in\n" << out;
     return 0;
