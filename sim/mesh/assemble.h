@@ -1,9 +1,8 @@
 #pragma once
 // From a pattern to its unsewn mesh: every panel triangulated, placed in the room, and linked to its neighbours along
-// the seams; and from that to the sewn mesh, in which linked vertices are one.  (SPEC 3.1)
-#include <vector>
-
+// the seams.  (SPEC 3.1)
 #include "sim/mesh/garment_mesh.h"
+#include "sim/mesh/merge_seams.h"
 #include "sim/mesh/mesh_options.h"
 #include "sim/pattern/pattern.h"
 
@@ -15,14 +14,5 @@ namespace selvedge {
 // Throws InputError for a self-crossing outline (naming the panel), for a seam to a missing edge or of an edge with
 // itself, and for a panel that would need more than options.max_triangles.
 GarmentMesh assemble(const Pattern& pattern, const MeshOptions& options = {});
-
-struct SewnMesh {
-    GarmentMesh mesh;
-    std::vector<int> sewn_vertex;  // per vertex of the unsewn mesh: its vertex in `mesh`
-};
-
-// Joins linked vertices, also where several seams meet in one point, at the mean of their positions. Triangles keep
-// their order and their corners' material coordinates; vertices keep their order by first appearance.
-SewnMesh merge_seams(const GarmentMesh& unsewn);
 
 }  // namespace selvedge

@@ -51,9 +51,11 @@ std::vector<Vertex> insert_outline(Triangulation& plane, std::span<const Vec2d> 
 }
 
 bool insert_interior(Triangulation& plane, std::span<const Vec2d> interior, std::size_t first) {
+    Face near;  // where the search for the next point's place starts
     for (std::size_t i = 0; i < interior.size(); ++i) {
         const std::size_t before = plane.number_of_vertices();
-        const Vertex handle = plane.insert(point(interior[i]));
+        const Vertex handle = plane.insert(point(interior[i]), near);
+        near = handle->face();
         if (plane.number_of_vertices() == before) return false;
         handle->info() = static_cast<int>(first + i);
     }

@@ -1,6 +1,7 @@
+#include "sim/mesh/merge_seams.h"
+
 #include <algorithm>
 
-#include "sim/mesh/assemble.h"
 #include "sim/mesh/linked_vertices.h"
 
 namespace selvedge {

@@ -12,8 +12,10 @@ namespace selvedge {
 namespace {
 
 constexpr double kGoodAngle = 35 * std::numbers::pi / 180;  // rad
+constexpr double kWorthMoving = 1e-6;                       // rad, of a smallest angle: less is no gain
 constexpr std::size_t kTriedTriangles = 6;  // the worst ones: beyond them repairs hardly lower the penalty
-constexpr int kMostTries = 200;             // triangulations spent on repairs of one panel
+constexpr double kHelps = 0.98;             // times the penalty: less, and a repair is kept
+constexpr int kMostTries = 150;             // triangulations spent on repairs of one panel
 
 using Triangle = std::array<int, 3>;
 
@@ -97,7 +99,7 @@ void sharpen_vertex(PlanarMesh& mesh, std::size_t vertex, const std::vector<int>
             const double angle = k * std::numbers::pi / 4;
             mesh.points[vertex] = start + step * Vec2d(std::cos(angle), std::sin(angle));
             const double quality = star_quality(mesh, star);
-            if (quality <= best + 1e-9) continue;
+            if (quality <= best + kWorthMoving) continue;
             best = quality;
             better = mesh.points[vertex];
         }
@@ -162,7 +164,7 @@ std::vector<std::vector<Vec2d>> cures_of(const PlanarMesh& mesh, const Triangle&
 
 // Makes the first cure that helps; counts the tries down.
 bool repair_one(PlanarMesh& mesh, const SizeField& size, int& tries_left) {
-    const double helps = 0.98 * angle_penalty(mesh);
+    const double penalty = angle_penalty(mesh);
     std::vector<int> bad = bad_triangles(mesh);
     if (bad.size() > kTriedTriangles) bad.resize(kTriedTriangles);
     for (int index : bad) {
@@ -172,7 +174,7 @@ bool repair_one(PlanarMesh& mesh, const SizeField& size, int& tries_left) {
             auto cured = triangulate_anew(std::move(points), mesh.outline_count);
             if (!cured) continue;
             sharpen(*cured, size, 3);
-            if (angle_penalty(*cured) >= helps) continue;
+            if (angle_penalty(*cured) >= kHelps * penalty) continue;
             mesh = std::move(*cured);
             return true;
         }
@@ -186,7 +188,7 @@ double angle_penalty(const PlanarMesh& mesh) {
     double penalty = 0;
     for (const Triangle& t : mesh.triangles) {
         const double lack = std::max(0.0, kGoodAngle - angle_of(mesh, t));
-        penalty += lack * lack;
+        penalty += lack * lack * lack;
     }
     return penalty;
 }

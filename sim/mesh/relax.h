@@ -16,7 +16,8 @@ struct PlanarMesh {
     std::vector<std::array<int, 3>> triangles;
 };
 
-// How bad the angles are: the sum over all triangles of the squares of what their smallest angle lacks to 35 degrees.
+// How bad the angles are: the sum over all triangles of the cubes of what their smallest angle lacks to 35 degrees, so
+// that few bad ones weigh more than many fair ones.
 double angle_penalty(const PlanarMesh& mesh);
 
 // Moves each interior point to the centre of its neighbourhood (Lloyd), then sharp triangles' points to where their

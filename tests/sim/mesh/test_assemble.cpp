@@ -115,6 +115,28 @@ TEST(MergeSeams, closes_a_dart_to_its_tip) {
     }
 }
 
+TEST(MergeSeams, closes_a_slit_without_width_into_the_ring_it_cut_open) {
+    Pattern pattern;
+    pattern.panels = {polygon(
+        "poncho",
+        {{0, 0}, {0.4, 0}, {0.4, 0.3}, {0.3, 0.5}, {0.5, 0.5}, {0.4, 0.3}, {0.4, 0}, {0.8, 0}, {0.8, 0.8}, {0, 0.8}})};
+    pattern.seams = {{{0, 1}, {0, 5}, true}};
+    const GarmentMesh sewn = sew_soundly(pattern);
+    const Topology topology = topology_of(sewn);
+    EXPECT_EQ(topology.euler, 0);
+    EXPECT_EQ(topology.boundary_loops, 2);
+    EXPECT_EQ(report_mesh(pattern, assemble(pattern), sewn).seam_edges, 6);
+}
+
+TEST(MergeSeams, leaves_three_panels_on_one_edge_for_the_check_to_find) {
+    Pattern pattern = two_squares();
+    pattern.panels.push_back(rectangle("third", 0.3, 0.3));
+    pattern.seams.push_back({{0, 1}, {2, 3}, true});
+    const auto faults = check_mesh(merge_seams(assemble(pattern)).mesh);
+    ASSERT_EQ(faults.size(), 6U) << "one for each seam edge";
+    EXPECT_NE(faults[0].find("3 triangles meet"), std::string::npos) << faults[0];
+}
+
 TEST(MergeSeams, merges_the_corner_where_three_seams_meet) {
     Pattern pattern;
     pattern.panels = {rectangle("floor", 0.2, 0.2), rectangle("wall", 0.2, 0.2), rectangle("side", 0.2, 0.2)};

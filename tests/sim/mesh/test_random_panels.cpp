@@ -30,12 +30,13 @@ Panel random_panel(std::mt19937& random) {
 TEST(RandomPanels, become_sound_meshes_that_keep_their_outline) {
     std::mt19937 random(1);
     std::uniform_int_distribution<int> segment_count(1, 9);
-    for (int run = 0; run < 400; ++run) {
+    for (int run = 0; run < 200; ++run) {
         const Panel panel = random_panel(random);
         std::vector<int> segments;
         for (std::size_t i = 0; i < panel.edges.size(); ++i) segments.push_back(segment_count(random));
         if (outline_area_of({panel.vertices, {}, {0, 1, 2}, {}}) <= 0 && panel.vertices.size() == 3) continue;
-        const PanelMesh mesh = triangulate(panel, segments);
+        const bool is_relaxed = run % 4 == 0;  // what comes before relaxing must hold too, and is quick
+        const PanelMesh mesh = triangulate(panel, segments, {.relaxations = is_relaxed ? 12 : 0});
         const GarmentMesh garment = as_garment(mesh);
         const std::vector<std::string> faults = check_mesh(garment);
         ASSERT_TRUE(faults.empty()) << "run " << run << ": " << faults[0];
@@ -55,7 +56,7 @@ TEST(RandomPanels, become_sound_meshes_that_keep_their_outline) {
 // in which inner edges of both sides can fall on each other.
 TEST(RandomPanels, sewn_to_their_mirror_image_are_closed_surfaces) {
     std::mt19937 random(2);
-    for (int run = 0; run < 200; ++run) {
+    for (int run = 0; run < 100; ++run) {
         Pattern pattern;
         const Panel front = random_panel(random);
         std::vector<Vec2d> mirrored;
@@ -65,7 +66,7 @@ TEST(RandomPanels, sewn_to_their_mirror_image_are_closed_surfaces) {
         for (int i = 0; i < corners; ++i) {
             pattern.seams.push_back({{0, i}, {1, (2 * corners - 2 - i) % corners}, true});
         }
-        const GarmentMesh sewn = merge_seams(assemble(pattern)).mesh;
+        const GarmentMesh sewn = merge_seams(assemble(pattern, {.relaxations = run % 4 == 0 ? 12 : 0})).mesh;
         const std::vector<std::string> faults = check_mesh(sewn);
         ASSERT_TRUE(faults.empty()) << "run " << run << ": " << faults[0];
         const Topology topology = topology_of(sewn);

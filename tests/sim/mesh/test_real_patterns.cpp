@@ -44,7 +44,7 @@ TEST_P(RealPatterns, are_sewn_into_one_sound_surface_at_every_size) {
         EXPECT_EQ(topology.boundary_loops, GetParam().boundary_loops);
         EXPECT_EQ(topology.euler, 2 - GetParam().boundary_loops);
         const MeshReport report = report_mesh(pattern_, unsewn, sewn);
-        EXPECT_GT(report.min_angle_deg, target_edge < 0.055 ? 20 : 15) << target_edge << " " << report.min_angle_panel;
+        EXPECT_GT(report.min_angle_deg, 21) << target_edge << " " << report.min_angle_panel;
         ASSERT_TRUE(report.worst_mismatch);
         EXPECT_NEAR(report.worst_mismatch->ratio, GetParam().worst_ratio, 0.01);
     }
