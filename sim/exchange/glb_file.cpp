@@ -1,0 +1,339 @@
+#include "sim/exchange/glb_file.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <span>
+
+#include "sim/core/assert.h"
+#include "sim/core/json.h"
+#include "sim/exchange/panel_parts.h"
+
+namespace selvedge {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "glTF is little-endian");
+
+constexpr std::uint32_t kMagic = 0x46546C67;      // "glTF"
+constexpr std::uint32_t kJsonChunk = 0x4E4F534A;  // "JSON"
+constexpr std::uint32_t kBinChunk = 0x004E4942;   // "BIN"
+
+enum class Component : int { UnsignedShort = 5123, UnsignedInt = 5125, Float = 5126 };
+enum class Target : int { None = 0, Vertices = 34962, Indices = 34963 };
+
+// A float with as many digits as it has, so that bounds in JSON equal the floats in the buffer.
+Json number(float value) {
+    char digits[32];
+    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value);
+    static_cast<void>(error);  // 32 characters hold any float
+    return Json::number_as_written(double(value), std::string(digits, end));
+}
+
+template <class Vector>
+Json numbers(const Vector& v) {
+    Json array = Json::array();
+    for (const float value : v) array.push_back(number(value));
+    return array;
+}
+
+// The document under construction: arrays of JSON, and the buffer that they point into.
+struct Document {
+    Json accessors = Json::array();
+    Json views = Json::array();
+    std::string buffer;
+
+    // Element: a flat struct of components, whose size is a multiple of 4 bytes. Gives the accessor's index.
+    template <class Element>
+    std::size_t add(std::span<const Element> elements, Component component, const char* type, Target target) {
+        static_assert(sizeof(Element) % 4 == 0);
+        Json view = Json::object();
+        view["buffer"] = 0;
+        view["byteOffset"] = buffer.size();
+        view["byteLength"] = elements.size_bytes();
+        if (target != Target::None) view["target"] = int(target);
+        views.push_back(std::move(view));
+        buffer.append(reinterpret_cast<const char*>(elements.data()), elements.size_bytes());
+
+        Json accessor = Json::object();
+        accessor["bufferView"] = views.elements().size() - 1;
+        accessor["componentType"] = int(component);
+        accessor["count"] = elements.size();
+        accessor["type"] = type;
+        accessors.push_back(std::move(accessor));
+        return accessors.elements().size() - 1;
+    }
+
+    std::size_t add_positions(std::span<const Vec3f> x) {
+        const std::size_t index = add(x, Component::Float, "VEC3", Target::Vertices);
+        Vec3f low = x.front();
+        Vec3f high = x.front();
+        for (const Vec3f& p : x) {
+            low = low.cwiseMin(p);
+            high = high.cwiseMax(p);
+        }
+        accessors.elements()[index]["min"] = numbers(low);
+        accessors.elements()[index]["max"] = numbers(high);
+        return index;
+    }
+
+    std::size_t add_indices(std::span<const std::array<std::uint32_t, 3>> triangles) {
+        const std::span<const std::uint32_t> flat(triangles.front().data(), triangles.size() * 3);
+        return add(flat, Component::UnsignedInt, "SCALAR", Target::Indices);
+    }
+};
+
+void append_word(std::string& bytes, std::uint32_t word) {
+    bytes.append(reinterpret_cast<const char*>(&word), sizeof word);
+}
+
+void append_chunk(std::string& bytes, std::uint32_t kind, std::string_view content, char padding) {
+    const std::size_t padded = (content.size() + 3) / 4 * 4;
+    append_word(bytes, std::uint32_t(padded));
+    append_word(bytes, kind);
+    bytes += content;
+    bytes.append(padded - content.size(), padding);
+}
+
+std::string container(Json root, Document document) {
+    root["accessors"] = std::move(document.accessors);
+    root["bufferViews"] = std::move(document.views);
+    Json buffer = Json::object();
+    buffer["byteLength"] = document.buffer.size();
+    root["buffers"] = Json::array({std::move(buffer)});
+    const std::string json = write_json(root, -1);
+
+    std::string chunks;
+    append_chunk(chunks, kJsonChunk, json, ' ');
+    append_chunk(chunks, kBinChunk, document.buffer, '\0');
+    constexpr std::size_t kHeader = 12;
+    SELVEDGE_ASSERT(chunks.size() + kHeader <= UINT32_MAX);
+    std::string bytes;
+    append_word(bytes, kMagic);
+    append_word(bytes, 2);
+    append_word(bytes, std::uint32_t(chunks.size() + kHeader));
+    return bytes + chunks;
+}
+
+Json root_object() {
+    Json asset = Json::object();
+    asset["generator"] = "Selvedge";
+    asset["version"] = "2.0";
+    Json root = Json::object();
+    root["asset"] = std::move(asset);
+    root["scene"] = 0;
+    return root;
+}
+
+Json scene_of(std::vector<Json> nodes) {
+    Json scene = Json::object();
+    scene["nodes"] = Json::array(std::move(nodes));
+    return Json::array({std::move(scene)});
+}
+
+Json mesh_node(const char* name) {
+    Json node = Json::object();
+    node["name"] = name;
+    node["mesh"] = 0;
+    return node;
+}
+
+Json one_mesh(const char* name, Json primitives) {
+    Json mesh = Json::object();
+    mesh["name"] = name;
+    mesh["primitives"] = std::move(primitives);
+    return Json::array({std::move(mesh)});
+}
+
+// A panel's name is its material's, for most programs show no other name of a primitive.
+Json panel_materials(const std::vector<PanelPart>& parts) {
+    Json materials = Json::array();
+    for (const PanelPart& part : parts) {
+        Json surface = Json::object();
+        surface["metallicFactor"] = 0;
+        surface["roughnessFactor"] = 1;
+        Json material = Json::object();
+        material["name"] = part.name;
+        material["doubleSided"] = true;
+        material["pbrMetallicRoughness"] = std::move(surface);
+        materials.push_back(std::move(material));
+    }
+    return materials;
+}
+
+Json panel_primitive(const PanelPart& part, std::size_t material, const std::vector<Vec3f>& x,
+                     const std::vector<Vec3f>& normals, Document& document) {
+    std::vector<Vec3f> part_x, part_normals;
+    for (const std::uint32_t v : part.vertices) {
+        part_x.push_back(x[v]);
+        part_normals.push_back(normals[v]);
+    }
+    std::vector<Vec2f> downward;
+    for (const Vec2f& u : part.u) downward.emplace_back(u.x(), 1 - u.y());
+
+    Json attributes = Json::object();
+    attributes["POSITION"] = document.add_positions(part_x);
+    attributes["NORMAL"] =
+        document.add(std::span<const Vec3f>(part_normals), Component::Float, "VEC3", Target::Vertices);
+    if (!downward.empty())
+        attributes["TEXCOORD_0"] =
+            document.add(std::span<const Vec2f>(downward), Component::Float, "VEC2", Target::Vertices);
+    Json extras = Json::object();
+    extras["panel"] = part.name;
+    extras["grain_angle"] = number(part.grain_angle);
+    Json primitive = Json::object();
+    primitive["attributes"] = std::move(attributes);
+    primitive["indices"] = document.add_indices(part.triangles);
+    primitive["material"] = material;
+    primitive["extras"] = std::move(extras);
+    return primitive;
+}
+
+}  // namespace
+
+std::string garment_glb(const PlainMesh& mesh) {
+    const std::vector<PanelPart> parts = split_by_panel(mesh);
+    const std::vector<Vec3f> normals =
+        mesh.normals.size() == mesh.x.size() ? mesh.normals : vertex_normals(mesh.x, mesh.triangles);
+    Document document;
+    Json primitives = Json::array();
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        primitives.push_back(panel_primitive(parts[i], i, mesh.x, normals, document));
+    Json root = root_object();
+    root["scenes"] = scene_of({0});
+    root["nodes"] = Json::array({mesh_node("garment")});
+    root["meshes"] = one_mesh("garment", std::move(primitives));
+    root["materials"] = panel_materials(parts);
+    return container(std::move(root), std::move(document));
+}
+
+namespace {
+
+struct FourBones {
+    std::array<std::uint16_t, 4> bones;
+};
+struct FourWeights {
+    std::array<float, 4> weights;
+};
+
+void add_skin_attributes(const Body& body, Json& attributes, Document& document) {
+    std::vector<FourBones> bones;
+    std::vector<FourWeights> weights;
+    for (const SkinWeights& skin : body.skin) {
+        bones.push_back({skin.bones});
+        weights.push_back({skin.weights});
+        // glTF wants bone 0 where nothing pulls.
+        for (std::size_t k = 0; k < 4; ++k)
+            if (skin.weights[k] == 0) bones.back().bones[k] = 0;
+    }
+    attributes["JOINTS_0"] =
+        document.add(std::span<const FourBones>(bones), Component::UnsignedShort, "VEC4", Target::Vertices);
+    attributes["WEIGHTS_0"] =
+        document.add(std::span<const FourWeights>(weights), Component::Float, "VEC4", Target::Vertices);
+}
+
+// Joints do not turn in the rest pose, so that a bind matrix is a shift.
+Json skin_of(const Body& body, std::size_t armature, Document& document) {
+    std::vector<std::array<float, 16>> inverse_binds;
+    Json joints = Json::array();
+    for (std::size_t i = 0; i < body.bones.size(); ++i) {
+        const Vec3f shift = -body.bones[i].joint.cast<float>();
+        inverse_binds.push_back({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, shift.x(), shift.y(), shift.z(), 1});
+        joints.push_back(armature + 1 + i);
+    }
+    Json skin = Json::object();
+    skin["inverseBindMatrices"] =
+        document.add(std::span<const std::array<float, 16>>(inverse_binds), Component::Float, "MAT4", Target::None);
+    skin["skeleton"] = armature;
+    skin["joints"] = std::move(joints);
+    return Json::array({std::move(skin)});
+}
+
+// The armature, a common root that skins must have, then a node per bone.
+void add_bone_nodes(const Body& body, Json& nodes) {
+    const std::size_t armature = nodes.elements().size();
+    std::vector<Json> children(body.bones.size() + 1, Json::array());
+    for (std::size_t i = 0; i < body.bones.size(); ++i) {
+        SELVEDGE_ASSERT(body.bones[i].parent < int(body.bones.size()));
+        children[std::size_t(body.bones[i].parent + 1)].push_back(armature + 1 + i);
+    }
+    for (std::size_t i = 0; i <= body.bones.size(); ++i) {
+        Json node = Json::object();
+        node["name"] = i == 0 ? "armature" : body.bones[i - 1].name;
+        if (i > 0) {
+            const Bone& bone = body.bones[i - 1];
+            const Vec3d from = bone.parent < 0 ? Vec3d(Vec3d::Zero()) : body.bones[std::size_t(bone.parent)].joint;
+            node["translation"] = numbers(Vec3f((bone.joint - from).cast<float>()));
+        }
+        if (!children[i].elements().empty()) node["children"] = std::move(children[i]);
+        nodes.push_back(std::move(node));
+    }
+}
+
+Json body_primitive(const Body& body, Document& document) {
+    std::vector<Vec3f> x;
+    for (const Vec3d& p : body.x) x.push_back(p.cast<float>());
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    for (const auto& [a, b, c] : body.triangles)
+        triangles.push_back({std::uint32_t(a), std::uint32_t(b), std::uint32_t(c)});
+    const std::vector<Vec3f> normals = vertex_normals(x, triangles);
+    Json attributes = Json::object();
+    attributes["POSITION"] = document.add_positions(x);
+    attributes["NORMAL"] = document.add(std::span<const Vec3f>(normals), Component::Float, "VEC3", Target::Vertices);
+    if (!body.skin.empty() && !body.bones.empty()) add_skin_attributes(body, attributes, document);
+    Json primitive = Json::object();
+    primitive["attributes"] = std::move(attributes);
+    primitive["indices"] = document.add_indices(triangles);
+    return primitive;
+}
+
+}  // namespace
+
+std::string body_glb(const Body& body) {
+    Document document;
+    Json root = root_object();
+    root["meshes"] = one_mesh("body", Json::array({body_primitive(body, document)}));
+    Json nodes = Json::array({mesh_node("body")});
+    if (body.bones.empty()) {
+        root["scenes"] = scene_of({0});
+    } else {
+        constexpr std::size_t kArmature = 1;
+        add_bone_nodes(body, nodes);
+        root["scenes"] = scene_of({0, kArmature});
+        if (!body.skin.empty()) {
+            nodes.elements()[0]["skin"] = 0;
+            root["skins"] = skin_of(body, kArmature, document);
+        }
+    }
+    root["nodes"] = std::move(nodes);
+    return container(std::move(root), std::move(document));
+}
+
+std::vector<std::pair<std::string, float>> grain_angles_in_glb(std::string_view bytes, const std::string& file) {
+    constexpr std::size_t kJsonStart = 20;
+    if (bytes.size() < kJsonStart) return {};
+    std::uint32_t length = 0;
+    std::memcpy(&length, bytes.data() + 12, sizeof length);
+    const Json root = parse_json(bytes.substr(kJsonStart, length), file);
+    std::vector<std::pair<std::string, float>> angles;
+    const Json* meshes = root.find("meshes");
+    if (!meshes || !meshes->is_array()) return {};
+    for (const Json& mesh : meshes->elements()) {
+        const Json* primitives = mesh.find("primitives");
+        if (!primitives || !primitives->is_array()) continue;
+        for (const Json& primitive : primitives->elements()) {
+            const Json* extras = primitive.find("extras");
+            const Json* name = extras ? extras->find("panel") : nullptr;
+            const Json* angle = extras ? extras->find("grain_angle") : nullptr;
+            if (name && name->is_string() && angle && angle->is_number())
+                angles.emplace_back(name->string(), float(angle->number()));
+        }
+    }
+    return angles;
+}
+
+}  // namespace selvedge

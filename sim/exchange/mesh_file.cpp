@@ -1,0 +1,132 @@
+#include "sim/exchange/mesh_file.h"
+
+#include <cctype>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/body/guarded_import.h"
+#include "sim/body/weld.h"
+#include "sim/core/error.h"
+#include "sim/core/file.h"
+#include "sim/exchange/glb_file.h"
+#include "sim/exchange/obj_text.h"
+#include "sim/exchange/panel_parts.h"
+
+namespace selvedge {
+
+namespace {
+
+enum class MeshFormat { Obj, Glb };
+
+MeshFormat format_of(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
+    if (extension == ".obj") return MeshFormat::Obj;
+    if (extension == ".glb") return MeshFormat::Glb;
+    throw InputError(path.string(), "", "'" + extension + "' is no mesh format: .obj and .glb are");
+}
+
+template <class Vector>
+void check_finite(const std::vector<Vector>& x, const std::filesystem::path& path) {
+    for (std::size_t v = 0; v < x.size(); ++v)
+        if (!x[v].allFinite())
+            throw InputError(path.string(), "vertex " + std::to_string(v), "not written: it is not finite");
+}
+
+void check_corners(const PlainMesh& mesh, const std::filesystem::path& path) {
+    for (std::size_t t = 0; t < mesh.u.size(); ++t)
+        for (const Vec2f& u : mesh.u[t])
+            if (!u.allFinite())
+                throw InputError(path.string(), "triangle " + std::to_string(t),
+                                 "not written: a material coordinate is not finite");
+}
+
+void check_some(std::size_t triangles, const std::filesystem::path& path) {
+    if (triangles == 0) throw InputError(path.string(), "", "not written: there are no triangles");
+}
+
+// A name for the mesh that serves as a panel's: glTF names primitives by nothing but their materials.
+std::string panel_name(const ImportedMesh& mesh, MeshFormat format) {
+    if (format == MeshFormat::Glb && !mesh.material.empty()) return mesh.material;
+    return mesh.name;
+}
+
+void add_panel(const ImportedMesh& part, PlainMesh& mesh, std::vector<Vec3d>& corners) {
+    const std::uint32_t first = std::uint32_t(corners.size());
+    const std::uint16_t panel = std::uint16_t(mesh.panel_names.size());
+    for (const Vec3f& p : part.x) corners.push_back(p.cast<double>());
+    for (const auto& [a, b, c] : part.triangles) {
+        mesh.triangles.push_back({first + a, first + b, first + c});
+        mesh.panel.push_back(panel);
+        if (!part.u.empty()) mesh.u.push_back({part.u[a], part.u[b], part.u[c]});
+    }
+}
+
+// Files part vertices where texture coordinates jump; in a PlainMesh corners do.
+void merge_positions(const std::vector<Vec3d>& corners, PlainMesh& mesh) {
+    constexpr double kSame = 1e-6;  // m
+    const std::vector<int> same = weld(corners, kSame);
+    std::vector<std::uint32_t> place(corners.size());
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        if (same[i] == int(i)) {
+            place[i] = std::uint32_t(mesh.x.size());
+            mesh.x.push_back(corners[i].cast<float>());
+        } else {
+            place[i] = place[std::size_t(same[i])];
+        }
+    }
+    for (auto& triangle : mesh.triangles)
+        for (std::uint32_t& v : triangle) v = place[v];
+}
+
+void add_grain_angles(const std::filesystem::path& path, MeshFormat format, PlainMesh& mesh) {
+    const std::string content = read_file(path, ImportLimits().file_bytes);
+    const auto angles =
+        format == MeshFormat::Obj ? grain_angles_in_obj(content) : grain_angles_in_glb(content, path.string());
+    mesh.panel_grain_angles.assign(mesh.panel_names.size(), 0.0F);
+    for (std::size_t panel = 0; panel < mesh.panel_names.size(); ++panel)
+        for (const auto& [name, angle] : angles)
+            if (name == mesh.panel_names[panel]) mesh.panel_grain_angles[panel] = angle;
+}
+
+}  // namespace
+
+void write_garment(const PlainMesh& mesh, const std::filesystem::path& path) {
+    const MeshFormat format = format_of(path);
+    check_some(mesh.triangles.size(), path);
+    check_finite(mesh.x, path);
+    check_finite(mesh.normals, path);
+    check_corners(mesh, path);
+    write_file_atomically(path, format == MeshFormat::Obj ? garment_obj(mesh) : garment_glb(mesh));
+}
+
+void write_body(const Body& body, const std::filesystem::path& path) {
+    const MeshFormat format = format_of(path);
+    check_some(body.triangles.size(), path);
+    check_finite(body.x, path);
+    write_file_atomically(path, format == MeshFormat::Obj ? body_obj(body) : body_glb(body));
+}
+
+PlainMesh read_garment(const std::filesystem::path& path) {
+    const MeshFormat format = format_of(path);
+    const ImportedScene scene = guarded_import(path);
+    PlainMesh mesh;
+    std::vector<Vec3d> corners;
+    bool has_u = true;
+    for (const ImportedMesh& part : scene.meshes) {
+        if (part.triangles.empty()) continue;
+        if (mesh.panel_names.size() > UINT16_MAX) throw InputError(path.string(), "", "more than 65,536 panels");
+        has_u = has_u && !part.u.empty();
+        add_panel(part, mesh, corners);
+        mesh.panel_names.push_back(panel_name(part, format));
+    }
+    if (!has_u) mesh.u.clear();
+    merge_positions(corners, mesh);
+    mesh.normals = vertex_normals(mesh.x, mesh.triangles);
+    add_grain_angles(path, format, mesh);
+    return mesh;
+}
+
+}  // namespace selvedge

@@ -1,0 +1,122 @@
+#include "sim/exchange/obj_text.h"
+
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+
+#include "sim/exchange/panel_parts.h"
+
+namespace selvedge {
+
+namespace {
+
+constexpr std::string_view kGrainComment = "# grain_angle ";
+
+// The shortest text that reads back as the same float; std::to_chars knows no locale.
+template <class Number>
+void append_number(std::string& text, Number number) {
+    char digits[32];
+    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, number);
+    static_cast<void>(error);  // 32 characters hold any float
+    text.append(digits, end);
+}
+
+template <class Vector>
+void append_vector(std::string& text, std::string_view keyword, const Vector& v) {
+    text += keyword;
+    for (const float number : v) {
+        text += ' ';
+        append_number(text, number + 0.0F);  // no "-0"
+    }
+    text += '\n';
+}
+
+// OBJ parts names at blanks.
+std::string one_word(const std::string& name) {
+    std::string word;
+    for (const char c : name)
+        word += std::isspace(static_cast<unsigned char>(c)) || std::iscntrl(static_cast<unsigned char>(c)) ? '_' : c;
+    return word.empty() ? "unnamed" : word;
+}
+
+void append_points(std::string& text, const std::vector<Vec3f>& x, const std::vector<Vec3f>& normals) {
+    for (const Vec3f& p : x) append_vector(text, "v", p);
+    for (const Vec3f& normal : normals) append_vector(text, "vn", normal);
+}
+
+// position/texture/normal, counted from 1; without a texture coordinate position//normal.
+void append_corner(std::string& text, std::size_t vertex, std::optional<std::size_t> texture) {
+    text += ' ';
+    append_number(text, vertex + 1);
+    text += '/';
+    if (texture) append_number(text, *texture + 1);
+    text += '/';
+    append_number(text, vertex + 1);
+}
+
+void append_part(std::string& text, const PanelPart& part, std::size_t first_texture) {
+    for (const Vec2f& u : part.u) append_vector(text, "vt", u);
+    text += "g " + one_word(part.name) + '\n';
+    text += kGrainComment;
+    append_number(text, part.grain_angle);
+    text += '\n';
+    for (const auto& triangle : part.triangles) {
+        text += 'f';
+        for (const std::uint32_t corner : triangle)
+            append_corner(text, part.vertices[corner],
+                          part.u.empty() ? std::nullopt : std::optional(first_texture + corner));
+        text += '\n';
+    }
+}
+
+}  // namespace
+
+std::string garment_obj(const PlainMesh& mesh) {
+    std::string text = "# Selvedge garment: metres, y up; vt = material coordinates in metres; grain_angle in rad\n";
+    append_points(text, mesh.x,
+                  mesh.normals.size() == mesh.x.size() ? mesh.normals : vertex_normals(mesh.x, mesh.triangles));
+    std::size_t textures = 0;
+    for (const PanelPart& part : split_by_panel(mesh)) {
+        append_part(text, part, textures);
+        textures += part.u.size();
+    }
+    return text;
+}
+
+std::string body_obj(const Body& body) {
+    std::string text = "# Selvedge body: metres, y up\n";
+    std::vector<Vec3f> x;
+    x.reserve(body.x.size());
+    for (const Vec3d& p : body.x) x.push_back(p.cast<float>());
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    triangles.reserve(body.triangles.size());
+    for (const auto& [a, b, c] : body.triangles)
+        triangles.push_back({std::uint32_t(a), std::uint32_t(b), std::uint32_t(c)});
+    append_points(text, x, vertex_normals(x, triangles));
+    text += "g " + one_word(body.name.empty() ? "body" : body.name) + '\n';
+    for (const auto& triangle : triangles) {
+        text += 'f';
+        for (const std::uint32_t v : triangle) append_corner(text, v, std::nullopt);
+        text += '\n';
+    }
+    return text;
+}
+
+std::vector<std::pair<std::string, float>> grain_angles_in_obj(std::string_view text) {
+    std::vector<std::pair<std::string, float>> angles;
+    std::string group;
+    while (!text.empty()) {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        text.remove_prefix(std::min(text.size(), line.size() + 1));
+        if (line.starts_with("g ")) group = line.substr(2);
+        if (!line.starts_with(kGrainComment)) continue;
+        float angle = 0;
+        const std::string_view number = line.substr(kGrainComment.size());
+        const auto result = std::from_chars(number.data(), number.data() + number.size(), angle);
+        if (result.ec == std::errc() && std::isfinite(angle)) angles.emplace_back(group, angle);
+    }
+    return angles;
+}
+
+}  // namespace selvedge

@@ -1,0 +1,20 @@
+#pragma once
+// Wavefront OBJ as text: garments with a group per panel, bodies.
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "sim/body/body.h"
+#include "sim/mesh/plain_mesh.h"
+
+namespace selvedge {
+
+std::string garment_obj(const PlainMesh& mesh);
+std::string body_obj(const Body& body);
+
+// Group names with the grain angles (rad) that garment_obj wrote in comments behind them; none in others' files.
+std::vector<std::pair<std::string, float>> grain_angles_in_obj(std::string_view text);
+
+}  // namespace selvedge

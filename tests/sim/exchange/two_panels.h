@@ -1,0 +1,21 @@
+#pragma once
+// Two panels of two triangles each, sewn along the edge from vertex 1 to vertex 2, where material coordinates jump.
+#include "sim/mesh/plain_mesh.h"
+
+namespace selvedge {
+
+inline PlainMesh two_panels() {
+    PlainMesh mesh;
+    mesh.x = {{0, 1, 0}, {0.1F, 1, 0}, {0.1F, 1.3F, 0}, {0, 1.3F, 0}, {0.2F, 1, -0.05F}, {0.2F, 1.3F, -0.05F}};
+    mesh.normals.assign(mesh.x.size(), Vec3f::UnitZ());
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}};
+    const Vec2f a(0, 0), b(0.1F, 0), c(0.1F, 0.3F), d(0, 0.3F);
+    const Vec2f p(-0.7F, 0.013F), q(-0.588F, 0.013F), r(-0.588F, 0.313F), s(-0.7F, 0.313F);
+    mesh.u = {{a, b, c}, {a, c, d}, {p, q, r}, {p, r, s}};
+    mesh.panel = {0, 0, 1, 1};
+    mesh.panel_names = {"front", "left sleeve"};
+    mesh.panel_grain_angles = {0.0F, 0.7853982F};
+    return mesh;
+}
+
+}  // namespace selvedge
