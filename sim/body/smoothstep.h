@@ -1,4 +1,5 @@
 #pragma once
+// A soft switch between 0 and 1.
 #include <algorithm>
 
 namespace selvedge {
