@@ -185,6 +185,14 @@ void write_indented(const Json& value, std::size_t step, std::size_t column, std
 
 }  // namespace
 
+// Here rather than in the header: a variant's moves, unfolded at each use, are slow to compile.
+Json::Json() = default;
+Json::Json(const Json& other) = default;
+Json::Json(Json&& other) noexcept = default;
+Json& Json::operator=(const Json& other) = default;
+Json& Json::operator=(Json&& other) noexcept = default;
+Json::~Json() = default;
+
 Json::Json(double value) {
     if (!std::isfinite(value)) return;
     std::array<char, 32> text{};

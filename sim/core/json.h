@@ -18,7 +18,12 @@ class Json {
     struct Member;
     enum class Kind { Null, Bool, Number, String, Array, Object };
 
-    Json() = default;  // null
+    Json();  // null
+    Json(const Json& other);
+    Json(Json&& other) noexcept;
+    Json& operator=(const Json& other);
+    Json& operator=(Json&& other) noexcept;
+    ~Json();
     Json(bool value) : value_(value) {}
     Json(double value);  // a number that is not finite becomes null: JSON has no other word for it
     Json(std::string value) : value_(std::move(value)) {}
