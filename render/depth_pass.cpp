@@ -1,10 +1,9 @@
 #include "render/depth_pass.h"
 
-#include <glad/gl.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "render/gl/gl.h"
 #include "render/shaders.h"
 #include "sim/core/assert.h"
 

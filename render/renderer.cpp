@@ -1,12 +1,11 @@
 #include "render/renderer.h"
 
-#include <glad/gl.h>
-
 #include <algorithm>
 #include <array>
 
 #include "render/colour.h"
 #include "render/depth_pass.h"
+#include "render/gl/gl.h"
 #include "render/image/png.h"
 #include "render/scene_buffers.h"
 #include "render/shaders.h"

@@ -1,10 +1,9 @@
 #include "render/scene_buffers.h"
 
-#include <glad/gl.h>
-
 #include <cstddef>
 
 #include "render/colour.h"
+#include "render/gl/gl.h"
 #include "render/room_light.h"
 #include "render/sett_sums.h"
 

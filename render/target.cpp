@@ -1,7 +1,6 @@
 #include "render/target.h"
 
-#include <glad/gl.h>
-
+#include "render/gl/gl.h"
 #include "render/shaders.h"
 #include "sim/core/assert.h"
 

@@ -1,11 +1,10 @@
 #include "render/gl/context.h"
 
-#include <glad/gl.h>
-
 #include <cstdlib>
 #include <stdexcept>
 #include <vector>
 
+#include "render/gl/gl.h"
 #include "render/gl/makers.h"
 #include "sim/core/error.h"
 

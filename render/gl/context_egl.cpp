@@ -16,7 +16,6 @@ struct Egl {
     PFNEGLGETPROCADDRESSPROC get_proc = library.function<PFNEGLGETPROCADDRESSPROC>("eglGetProcAddress");
     PFNEGLGETPLATFORMDISPLAYPROC get_display = library.function<PFNEGLGETPLATFORMDISPLAYPROC>("eglGetPlatformDisplay");
     PFNEGLINITIALIZEPROC initialize = library.function<PFNEGLINITIALIZEPROC>("eglInitialize");
-    PFNEGLTERMINATEPROC terminate = library.function<PFNEGLTERMINATEPROC>("eglTerminate");
     PFNEGLBINDAPIPROC bind_api = library.function<PFNEGLBINDAPIPROC>("eglBindAPI");
     PFNEGLCHOOSECONFIGPROC choose_config = library.function<PFNEGLCHOOSECONFIGPROC>("eglChooseConfig");
     PFNEGLCREATECONTEXTPROC create = library.function<PFNEGLCREATECONTEXTPROC>("eglCreateContext");
@@ -67,10 +66,10 @@ class SurfacelessContext final : public GlContext {
         if (context_ == EGL_NO_CONTEXT) throw std::runtime_error("makes no core profile context");
     }
 
+    // The display stays: it is one for the whole process, and others may have contexts on it.
     void destroy() {
         egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         if (context_ != EGL_NO_CONTEXT) egl_.destroy(display_, context_);
-        egl_.terminate(display_);
     }
 
     Egl egl_;

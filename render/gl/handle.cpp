@@ -1,6 +1,6 @@
 #include "render/gl/handle.h"
 
-#include <glad/gl.h>
+#include "render/gl/gl.h"
 
 namespace selvedge {
 

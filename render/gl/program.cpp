@@ -1,8 +1,8 @@
 #include "render/gl/program.h"
 
-#include <glad/gl.h>
-
 #include <stdexcept>
+
+#include "render/gl/gl.h"
 
 namespace selvedge {
 namespace {
