@@ -42,7 +42,7 @@ class Opennesses {
 };
 
 std::vector<Vec3f> normals_of(const PlainMesh& mesh) {
-    return mesh.normals.size() == mesh.x.size() ? mesh.normals : vertex_normals(mesh.x, mesh.triangles);
+    return mesh.normals.size() == mesh.x.size() ? mesh.normals : smooth_normals(mesh.x, mesh.triangles);
 }
 
 constexpr std::uint32_t kGroundCells = 144;  // each way

@@ -19,7 +19,7 @@ std::optional<ShowMode> parse_show_mode(std::string_view name) {
     return std::nullopt;
 }
 
-std::vector<Vec3f> vertex_normals(const std::vector<Vec3f>& x,
+std::vector<Vec3f> smooth_normals(const std::vector<Vec3f>& x,
                                   const std::vector<std::array<std::uint32_t, 3>>& triangles) {
     std::vector<Vec3f> normals(x.size(), Vec3f::Zero());
     for (const auto& [a, b, c] : triangles) {
@@ -43,7 +43,7 @@ BodyItem make_body_item(const Body& body) {
         item.triangles.push_back(
             {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
     }
-    item.normals = vertex_normals(item.x, item.triangles);
+    item.normals = smooth_normals(item.x, item.triangles);
     return item;
 }
 

@@ -80,7 +80,7 @@ Camera frame_scene(const Scene& scene, View view, float aspect);
 Light studio_light(const Camera& camera);
 
 // Area-weighted vertex normals; +y where a vertex has no area round it.
-std::vector<Vec3f> vertex_normals(const std::vector<Vec3f>& x,
+std::vector<Vec3f> smooth_normals(const std::vector<Vec3f>& x,
                                   const std::vector<std::array<std::uint32_t, 3>>& triangles);
 
 }  // namespace selvedge
