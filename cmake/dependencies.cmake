@@ -1,6 +1,6 @@
 # Every package that Selvedge uses, each owned by one room (docs/architecture.md).
-option(BUILD_TESTING "Build the tests" ON)       # before CGAL, which would declare it switched off
-set(BUILD_TESTING ON)
+option(SELVEDGE_TESTS "Build the tests" ON)
+set(BUILD_TESTING ${SELVEDGE_TESTS})  # CGAL's package would declare it, switched off
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)    # sim/core
 find_package(nlohmann_json 3.11 REQUIRED)      # sim/core/json
