@@ -162,6 +162,8 @@ void check_scene(const ImportedScene& scene, const std::string& file, const Impo
 ImportedScene guarded_import(const std::filesystem::path& path, const ImportLimits& limits) {
     const std::string importer = importer_for(path, read_file(path, limits.file_bytes));
     ImportAnswer answer = run_guarded(path, importer, limits);
+    // With one importer left to assimp, "no suitable reader" means that this one found the content broken.
+    if (answer.failure.starts_with("No suitable reader")) answer.failure = "its content is broken";
     if (!answer.failure.empty()) throw InputError(path.string(), "", "cannot be read: " + tidy(answer.failure));
     check_scene(answer.scene, path.string(), limits);
     return std::move(answer.scene);
