@@ -1,6 +1,7 @@
 #include "sim/cloth/adapt_cloth.h"
 
 #include "sim/adaptive/criteria.h"
+#include "sim/adaptive/foresight.h"
 #include "sim/body/collider.h"
 
 namespace selvedge {
@@ -35,31 +36,29 @@ struct ClothObserver {
     void on_rejoin(VertexId) {}
 };
 
-// Adds the criteria that are switched on one by one, so that each combination is a function of its own and no edge asks
-// what is switched off.
+// The criteria that are switched on, each combination a function of its own: no edge asks what is switched off.
 template <class... Chosen>
-AdaptReport adapt_with(Cloth& cloth, ClothObserver& observer, const CriteriaOptions& left, const Chosen&... chosen) {
-    CriteriaOptions rest = left;
-    if (left.collision) {
-        rest.collision = false;
-        if constexpr (sizeof...(Chosen) == 0) {
-            const CollisionCriterion collision{.x = cloth.x, .body = observer.body, .offset = observer.offset};
-            return adapt_with(cloth, observer, rest, collision);
-        }
-    }
-    if (left.curvature) {
-        rest.curvature = false;
-        if constexpr (sizeof...(Chosen) <= 1) {
-            return adapt_with(cloth, observer, rest, chosen..., CurvatureCriterion(cloth.normals));
-        }
-    }
-    if (left.length) {
-        rest.length = false;
-        if constexpr (sizeof...(Chosen) <= 2) {
-            return adapt_with(cloth, observer, rest, chosen..., LengthCriterion<Vec4f>(cloth.x));
-        }
-    }
-    return adapt(cloth.mesh, observer, AdaptOptions{}, chosen...);
+AdaptReport with_length(Cloth& cloth, ClothObserver& observer, const AdaptClothOptions& options,
+                        const Chosen&... chosen) {
+    const ShortestEdgeCriterion shortest{options.shortest_edge};
+    const KeepSplitCriterion keep{options.keeps_split};
+    if (!options.criteria.length) return adapt(cloth.mesh, observer, AdaptOptions{}, shortest, keep, chosen...);
+    const LengthCriterion<Vec4f> length(cloth.x);
+    return adapt(cloth.mesh, observer, AdaptOptions{}, shortest, keep, chosen..., length);
+}
+
+template <class... Chosen>
+AdaptReport with_curvature(Cloth& cloth, ClothObserver& observer, const AdaptClothOptions& options,
+                           const Chosen&... chosen) {
+    if (!options.criteria.curvature) return with_length(cloth, observer, options, chosen...);
+    const CurvatureCriterion curvature(cloth.normals);
+    return with_length(cloth, observer, options, chosen..., Foresight(curvature));
+}
+
+AdaptReport with_collision(Cloth& cloth, ClothObserver& observer, const AdaptClothOptions& options) {
+    if (!options.criteria.collision) return with_curvature(cloth, observer, options);
+    const CollisionCriterion collision{.x = cloth.x, .body = observer.body, .offset = options.contact_offset};
+    return with_curvature(cloth, observer, options, collision);
 }
 
 }  // namespace
@@ -73,7 +72,7 @@ AdaptReport adapt_cloth(Cloth& cloth, const BodyCollider& body, const AdaptCloth
                         const ContactOptions& contact) {
     update_normals(cloth);
     ClothObserver observer{cloth, body, options.contact_offset};
-    const AdaptReport report = adapt_with(cloth, observer, options.criteria);
+    const AdaptReport report = with_collision(cloth, observer, options);
     if (report.changed()) {
         refresh_elements(cloth);
         refresh_contacts(cloth, contact);

@@ -21,6 +21,23 @@ struct CollisionCriterion {
     bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId edge) const { return depth(mesh, edge) < rejoin_depth; }
 };
 
+// Vetoes the split of edges that are short enough: below that size cloth of a real weight only crumples, and the solver
+// has to carry the whole garment's tension through vertices that weigh next to nothing.
+struct ShortestEdgeCriterion {
+    static constexpr bool is_veto = true;
+    float length = 0.02F;  // m
+
+    bool vetoes(const AdaptiveMesh& mesh, EdgeId edge) const { return mesh.rest_length(edge) < length; }
+};
+
+// Keeps what is split while the cloth comes to rest, so that edges near a threshold do not split and rejoin for ever.
+struct KeepSplitCriterion {
+    bool is_on = false;
+
+    bool wants_split(const AdaptiveMesh&, EdgeId) const { return false; }
+    bool allows_rejoin(const AdaptiveMesh&, EdgeId) const { return !is_on; }
+};
+
 struct CriteriaOptions {
     bool collision = true;
     bool curvature = true;
@@ -30,6 +47,8 @@ struct CriteriaOptions {
 struct AdaptClothOptions {
     CriteriaOptions criteria;
     float contact_offset = 0.003F;  // m
+    float shortest_edge = 0.02F;    // m, an edge shorter than this is not split
+    bool keeps_split = false;       // no edge rejoins
 };
 
 // One adaption. Post: masses sum to what they were, solver lists and contact points are fresh.

@@ -35,7 +35,7 @@ struct Cloth {
 
 struct ClothOptions {
     int max_level = 3;
-    float substep = 1.0F / 960.0F;     // s
+    float substep = 1.0F / 1440.0F;  // s
 };
 
 // Pre: garment has no links left (strip or merge them) and one fabric per panel. Starts at rest, at level 0.

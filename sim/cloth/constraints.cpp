@@ -1,20 +1,43 @@
 #include "sim/cloth/constraints.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace selvedge {
 namespace {
 
 constexpr float kTiny = 1e-12F;
-constexpr float kParentRelaxation = 0.5F;  // full steps overshoot where many parents meet
 
-void shorten(const LengthLimit& limit, std::span<Vec4f> x, float relaxation) {
-    const Vec4f d = x[limit.b] - x[limit.a];
-    const float squared = d.squaredNorm();
-    if (squared <= limit.limit * limit.limit) return;
-    const Vec4f c = d * (relaxation * (1 - limit.limit / std::sqrt(squared)));
-    x[limit.a] += c * limit.share_a;
-    x[limit.b] -= c * limit.share_b;
+// The two thread directions of a triangle, unit, and how long they are.
+struct Threads {
+    Vec4f warp;
+    Vec4f weft;
+    float warp_length;
+    float weft_length;
+};
+
+Threads threads_of(const StretchElement& e, const Vec4f& x0, const Vec4f& x1, const Vec4f& x2) {
+    const Vec4f e1 = x1 - x0;
+    const Vec4f e2 = x2 - x0;
+    Threads t{.warp = e1 * e.a[0] + e2 * e.a[1], .weft = e1 * e.b[0] + e2 * e.b[1], .warp_length = 0, .weft_length = 0};
+    t.warp_length = std::sqrt(t.warp.squaredNorm() + kTiny);
+    t.weft_length = std::sqrt(t.weft.squaredNorm() + kTiny);
+    t.warp /= t.warp_length;
+    t.weft /= t.weft_length;
+    return t;
+}
+
+void limit_parent(const StretchElement& e, std::span<Vec4f> x) {
+    Vec4f& x0 = x[e.vertices[0]];
+    Vec4f& x1 = x[e.vertices[1]];
+    Vec4f& x2 = x[e.vertices[2]];
+    const Threads t = threads_of(e, x0, x1, x2);
+    if (t.warp_length <= 1 && t.weft_length <= 1) return;
+    const Vec4f along_warp = t.warp * std::min(0.0F, 1 - t.warp_length);
+    const Vec4f along_weft = t.weft * std::min(0.0F, 1 - t.weft_length);
+    x0 += along_warp * e.warp[0] + along_weft * e.weft[0];
+    x1 += along_warp * e.warp[1] + along_weft * e.weft[1];
+    x2 += along_warp * e.warp[2] + along_weft * e.weft[2];
 }
 
 }  // namespace
@@ -24,20 +47,13 @@ void solve_stretch(std::span<const StretchElement> elements, std::span<const flo
         Vec4f& x0 = x[e.vertices[0]];
         Vec4f& x1 = x[e.vertices[1]];
         Vec4f& x2 = x[e.vertices[2]];
-        const Vec4f e1 = x1 - x0;
-        const Vec4f e2 = x2 - x0;
-        Vec4f warp = e1 * e.a[0] + e2 * e.a[1];
-        Vec4f weft = e1 * e.b[0] + e2 * e.b[1];
-        const float warp_length = std::sqrt(warp.squaredNorm() + kTiny);
-        const float weft_length = std::sqrt(weft.squaredNorm() + kTiny);
-        warp /= warp_length;
-        weft /= weft_length;
-        const Vec4f along_warp = warp * (1 - warp_length);
-        const Vec4f along_weft = weft * (1 - weft_length);
+        const Threads t = threads_of(e, x0, x1, x2);
+        const Vec4f along_warp = t.warp * (1 - t.warp_length);
+        const Vec4f along_weft = t.weft * (1 - t.weft_length);
         // The shear condition is the cosine between the two directions; its gradients are taken at unit length.
-        const float shear = -warp.dot(weft) * e.shear;
-        const Vec4f shear1 = (weft * e.a[0] + warp * e.b[0]) * shear;
-        const Vec4f shear2 = (weft * e.a[1] + warp * e.b[1]) * shear;
+        const float shear = -t.warp.dot(t.weft) * e.shear;
+        const Vec4f shear1 = (t.weft * e.a[0] + t.warp * e.b[0]) * shear;
+        const Vec4f shear2 = (t.weft * e.a[1] + t.warp * e.b[1]) * shear;
         x0 += along_warp * e.warp[0] + along_weft * e.weft[0] - (shear1 + shear2) * inverse_mass[e.vertices[0]];
         x1 += along_warp * e.warp[1] + along_weft * e.weft[1] + shear1 * inverse_mass[e.vertices[1]];
         x2 += along_warp * e.warp[2] + along_weft * e.weft[2] + shear2 * inverse_mass[e.vertices[2]];
@@ -53,17 +69,23 @@ void solve_bend(std::span<const BendElement> elements, std::span<Vec4f> x) {
 }
 
 void limit_lengths(std::span<const LengthLimit> limits, std::span<Vec4f> x) {
-    for (const LengthLimit& limit : limits) shorten(limit, x, 1.0F);
+    for (const LengthLimit& limit : limits) {
+        const Vec4f d = x[limit.b] - x[limit.a];
+        const float squared = d.squaredNorm();
+        if (squared <= limit.limit * limit.limit) continue;
+        const Vec4f c = d * (1 - limit.limit / std::sqrt(squared));
+        x[limit.a] += c * limit.share_a;
+        x[limit.b] -= c * limit.share_b;
+    }
 }
 
-void limit_parents(std::span<const std::vector<ParentLimit>> levels, std::span<Vec4f> x, std::vector<Vec4f>& before) {
-    if (levels.empty() || levels.front().empty()) return;
+void limit_parents(std::span<const ParentLevel> levels, std::span<Vec4f> x, std::vector<Vec4f>& before) {
+    if (levels.empty() || levels.front().triangles.empty()) return;
     before.assign(x.begin(), x.end());
-    for (const std::vector<ParentLimit>& level : levels) {
-        for (const ParentLimit& parent : level) shorten(parent.ends, x, kParentRelaxation);
-        for (const ParentLimit& parent : level) {
-            const Vec4f moved = (x[parent.ends.a] - before[parent.ends.a]) + (x[parent.ends.b] - before[parent.ends.b]);
-            x[parent.centre] += moved * (0.5F * parent.centre_moves);
+    for (const ParentLevel& level : levels) {
+        for (const StretchElement& triangle : level.triangles) limit_parent(triangle, x);
+        for (const EdgeCentre& c : level.centres) {
+            x[c.centre] += ((x[c.a] - before[c.a]) + (x[c.b] - before[c.b])) * (0.5F * c.moves);
         }
     }
 }

@@ -17,8 +17,8 @@ void solve_bend(std::span<const BendElement> elements, std::span<Vec4f> x);
 // Shortens what is longer than its limit. After Provot (1995), for unequal masses.
 void limit_lengths(std::span<const LengthLimit> limits, std::span<Vec4f> x);
 
-// Split edges from coarse to fine: each is shortened to its limit, and its central vertex follows what its ends moved, so
-// that one pass spreads tension over the whole garment. `before` is scratch of the size of x.
-void limit_parents(std::span<const std::vector<ParentLimit>> levels, std::span<Vec4f> x, std::vector<Vec4f>& before);
+// Refined triangles from coarse to fine: what stretches one beyond its threads is taken back, and the centres of its edges
+// follow, so that one pass spreads tension over the whole garment. `before` is scratch of the size of x.
+void limit_parents(std::span<const ParentLevel> levels, std::span<Vec4f> x, std::vector<Vec4f>& before);
 
 }  // namespace selvedge

@@ -87,20 +87,45 @@ LengthLimit leaf_limit(const Cloth& cloth, const LeafEdge& leaf) {
             .share_b = wb / sum};
 }
 
-// Equal shares, for a parent stands for all the cloth between its ends and not for two lumped masses.
-ParentLimit parent_limit(const Cloth& cloth, EdgeId id) {
-    const AdaptiveEdge& edge = cloth.mesh.edge(id);
-    const auto movable = [&](VertexId v) { return cloth.inverse_mass[v.value] > 0 ? 1.0F : 0.0F; };
-    const float a = movable(edge.ends[0]);
-    const float b = movable(edge.ends[1]);
-    const float sum = std::max(a + b, 1.0F);
-    return {.ends = {.a = edge.ends[0].value,
-                     .b = edge.ends[1].value,
-                     .limit = length_limit(cloth, edge, id),
-                     .share_a = a / sum,
-                     .share_b = b / sum},
-            .centre = edge.centre.value,
-            .centre_moves = movable(edge.centre)};
+StretchElement parent_element(const Cloth& cloth, const AdaptiveTriangle& triangle, const std::vector<float>& mass) {
+    const Fabric& fabric = cloth.fabrics[triangle.panel];
+    const MaterialFrame frame = material_frame(triangle.u, cloth.grain_angles[triangle.panel]);
+    std::array<float, 3> w{};
+    StretchElement element{.a = frame.a, .b = frame.b};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t v = triangle.vertices[i].value;
+        element.vertices[i] = v;
+        w[i] = cloth.inverse_mass[v] > 0 ? 1 / mass[v] : 0.0F;
+    }
+    const float per_stiffness = 1 / (frame.area * cloth.substep * cloth.substep);
+    element.warp = thread_moves(frame.a, w, per_stiffness / static_cast<float>(fabric.stretch_warp));
+    element.weft = thread_moves(frame.b, w, per_stiffness / static_cast<float>(fabric.stretch_weft));
+    return element;
+}
+
+// A refined triangle moves the cloth about its vertices with it. So a vertex weighs as much there as all that follows it:
+// its own mass, and half of that of each centre between it and another. Then no correction changes the momentum.
+std::vector<ParentLevel> parent_levels(const Cloth& cloth) {
+    std::vector<float> mass(cloth.inverse_mass.size(), 0.0F);
+    for (std::size_t v = 0; v < mass.size(); ++v) {
+        if (cloth.inverse_mass[v] > 0) mass[v] = 1 / cloth.inverse_mass[v];
+    }
+    std::vector<ParentLevel> levels(static_cast<std::size_t>(cloth.mesh.max_level()));
+    for (int level = cloth.mesh.max_level() - 1; level >= 0; --level) {
+        ParentLevel& parents = levels[static_cast<std::size_t>(level)];
+        for (const EdgeId e : cloth.mesh.split_edges(level)) {
+            const std::uint32_t a = cloth.mesh.end(e, 0).value;
+            const std::uint32_t b = cloth.mesh.end(e, 1).value;
+            const std::uint32_t c = cloth.mesh.centre(e).value;
+            mass[a] += 0.5F * mass[c];
+            mass[b] += 0.5F * mass[c];
+            parents.centres.push_back({a, b, c, cloth.inverse_mass[c] > 0 ? 1.0F : 0.0F});
+        }
+        for (const TriangleId t : cloth.mesh.refined_triangles(level)) {
+            parents.triangles.push_back(parent_element(cloth, cloth.mesh.triangle(t), mass));
+        }
+    }
+    return levels;
 }
 
 // Isometric bending: sum of q_i x_i is the mean curvature vector about the hinge, with cotangent weights of the unfolded
@@ -157,10 +182,7 @@ ClothElements make_elements(const Cloth& cloth) {
     for (const Hinge& hinge : cloth.mesh.hinges()) elements.bend.push_back(bend_element(cloth, hinge));
     elements.limits.reserve(cloth.mesh.leaf_edges().size());
     for (const LeafEdge& edge : cloth.mesh.leaf_edges()) elements.limits.push_back(leaf_limit(cloth, edge));
-    for (int level = 0; level < cloth.mesh.max_level(); ++level) {
-        std::vector<ParentLimit>& parents = elements.parents.emplace_back();
-        for (const EdgeId edge : cloth.mesh.split_edges(level)) parents.push_back(parent_limit(cloth, edge));
-    }
+    elements.parents = parent_levels(cloth);
     return elements;
 }
 

@@ -50,11 +50,19 @@ struct LengthLimit {
     float share_b = 0;
 };
 
-// A split edge as its children see it: a one-sided limit, and the central vertex that follows the ends' correction.
-struct ParentLimit {
-    LengthLimit ends;
+// The centre of a split edge: it follows what the ends are moved.
+struct EdgeCentre {
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
     std::uint32_t centre = 0;
-    float centre_moves = 0;        // 1, or 0 for a pinned vertex
+    float moves = 0;               // 1, or 0 for a pinned vertex
+};
+
+// One level of the hierarchy as the levels below see it. However cloth folds, the mean of its deformation over a triangle
+// stretches no thread by more than the threads themselves are: a refined triangle is a one-sided limit.
+struct ParentLevel {
+    std::vector<StretchElement> triangles;
+    std::vector<EdgeCentre> centres;
 };
 
 struct ClothElements {
@@ -62,7 +70,7 @@ struct ClothElements {
     std::vector<StretchElement> stretch;            // one per leaf triangle
     std::vector<BendElement> bend;                  // one per inner leaf edge
     std::vector<LengthLimit> limits;                // one per leaf edge: the fabric's strain limit
-    std::vector<std::vector<ParentLimit>> parents;  // by level, coarse to fine
+    std::vector<ParentLevel> parents;               // coarse to fine
 };
 
 struct Cloth;

@@ -17,7 +17,7 @@ struct SeamPull {
 };
 
 struct StepOptions {
-    int substeps = 8;                              // each of Cloth::substep
+    int substeps = 12;                             // each of Cloth::substep
     Vec3f gravity = Vec3f(0, -9.81F, 0);           // m/s^2
     float extra_damping = 0;                       // 1/s, on top of the fabrics'
     float max_move_per_substep = 0.005F;           // m: contacts see thin parts at this speed

@@ -47,15 +47,19 @@ void step_once(Cloth& cloth, const BodyCollider& body, const StepOptions& steppi
 }
 
 // Adapts and steps until the garment has been at rest for long enough, or time is up, or a number went bad.
-void run_adaptive(Cloth& cloth, const BodyCollider& body, const StepOptions& stepping, const DrapeOptions& options,
+void run_adaptive(Cloth& cloth, const BodyCollider& body, StepOptions stepping, DrapeOptions options,
                   DrapeResult& result, const Progress& progress) {
+    const double start = result.simulated_seconds;
     double at_rest = 0;
     while (result.simulated_seconds < options.max_seconds) {
         adapt_once(cloth, body, options, result);
+        const float elapsed = static_cast<float>(result.simulated_seconds - start);
+        stepping.extra_damping = kFallDamping + options.damping_growth * elapsed;
         for (int i = 0; i < options.steps_per_adaption; ++i) step_once(cloth, body, stepping, result);
         result.bad_vertex = find_bad_vertex(cloth);
         if (result.bad_vertex) return;
         result.rms_speed = rms_speed(cloth);
+        options.adapt.keeps_split = result.rms_speed < options.calm_speed;
         const double frame = double(step_seconds(cloth, stepping)) * options.steps_per_adaption;
         at_rest = result.rms_speed < options.rest_speed ? at_rest + frame : 0;
         report(progress, "draping", std::max(result.simulated_seconds / options.max_seconds, at_rest / options.rest_time));

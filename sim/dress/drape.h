@@ -13,6 +13,8 @@ namespace selvedge {
 struct DrapeOptions {
     double max_seconds = 12;           // of simulated time
     int steps_per_adaption = 4;
+    float calm_speed = 0.05F;          // m/s rms over mass: below it no edge rejoins any more
+    float damping_growth = 4;          // 1/s per second of the adaptive drape, so that it comes to rest
     float rest_speed = 0.01F;          // m/s rms over mass: below it the garment is at rest
     double rest_time = 0.3;            // s for which it must stay there
     double relax_time = 0.3;           // s at level 0 without gravity: the seams' tension goes

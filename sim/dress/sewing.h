@@ -14,7 +14,7 @@ class BodyCollider;
 
 struct SewingOptions {
     float closing_speed = 0.6F;      // m/s at which the allowed gap shrinks
-    float closed_gap = 0.002F;       // m, a link shorter than this is closed
+    float closed_gap = 0.006F;       // m, a link shorter than this is closed: two contact offsets may lie between its ends
     float patience = 1.5F;           // s of further pulling once the gap should be nil
     ContactOptions contact;
 };
