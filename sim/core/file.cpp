@@ -46,6 +46,13 @@ void write_all(int fd, std::string_view content, const std::filesystem::path& pa
     }
 }
 
+// A new file takes the place of what a link points to, not of the link.
+std::filesystem::path behind_links(const std::filesystem::path& path) {
+    std::error_code error;
+    const std::filesystem::path target = std::filesystem::canonical(path, error);
+    return error ? path : target;
+}
+
 }  // namespace
 
 std::string read_file(const std::filesystem::path& path, std::size_t max_bytes) {
@@ -55,9 +62,9 @@ std::string read_file(const std::filesystem::path& path, std::size_t max_bytes) 
     if (::fstat(file.get(), &status) != 0) fail(path, "read");
     if (!S_ISREG(status.st_mode)) throw InputError(path.string(), "", "not a regular file");
     if (static_cast<std::size_t>(status.st_size) > max_bytes) {
-        throw InputError(path.string(), "",
-                         "file of " + std::to_string(status.st_size) + " bytes is over the limit of " +
-                             std::to_string(max_bytes));
+        throw InputError(
+            path.string(), "",
+            "file of " + std::to_string(status.st_size) + " bytes is over the limit of " + std::to_string(max_bytes));
     }
     std::string content(static_cast<std::size_t>(status.st_size), '\0');
     std::size_t done = 0;
@@ -72,7 +79,8 @@ std::string read_file(const std::filesystem::path& path, std::size_t max_bytes) 
     return content;
 }
 
-void write_file_atomically(const std::filesystem::path& path, std::string_view content) {
+void write_file_atomically(const std::filesystem::path& name, std::string_view content) {
+    const std::filesystem::path path = behind_links(name);
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
     const std::filesystem::path temporary =
         folder / ("." + path.filename().string() + "." + std::to_string(::getpid()) + ".tmp");

@@ -10,7 +10,8 @@ namespace selvedge {
 // Throws InputError when the file cannot be read, is no regular file, or is larger than max_bytes.
 std::string read_file(const std::filesystem::path& path, std::size_t max_bytes);
 
-// Writes a temporary file beside it, syncs, renames, syncs the folder. Throws InputError when it cannot.
+// Writes a temporary file beside it, syncs, renames, syncs the folder; a link stays, and what it points to is written.
+// Throws InputError when it cannot.
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
 }  // namespace selvedge

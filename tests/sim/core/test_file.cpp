@@ -45,5 +45,14 @@ TEST_F(File, leaves_the_old_file_when_the_new_one_cannot_take_its_place) {
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
 }
 
+TEST_F(File, writes_what_a_link_points_to_and_leaves_the_link) {
+    std::filesystem::create_directories(folder_ / "elsewhere");
+    write_file_atomically(folder_ / "elsewhere" / "a.txt", "old");
+    std::filesystem::create_symlink(folder_ / "elsewhere" / "a.txt", folder_ / "link.txt");
+    write_file_atomically(folder_ / "link.txt", "new");
+    EXPECT_TRUE(std::filesystem::is_symlink(folder_ / "link.txt"));
+    EXPECT_EQ(read_file(folder_ / "elsewhere" / "a.txt", 100), "new");
+}
+
 }  // namespace
 }  // namespace selvedge
