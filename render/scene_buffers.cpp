@@ -41,10 +41,6 @@ class Opennesses {
     std::size_t taken_ = 0;
 };
 
-std::vector<Vec3f> normals_of(const PlainMesh& mesh) {
-    return mesh.normals.size() == mesh.x.size() ? mesh.normals : smooth_normals(mesh.x, mesh.triangles);
-}
-
 constexpr std::uint32_t kGroundCells = 144;  // each way
 
 // A fine square sheet, for the room's light is held by its vertices.
@@ -136,7 +132,7 @@ void upload_sett(const GladGLContext& gl, const ClothItem& item, ClothBuffer& bu
 }
 
 ClothBuffer make_cloth_buffer(const GladGLContext& gl, const ClothItem& item, const std::vector<Openness>& openness) {
-    const std::vector<ClothVertex> vertices = make_cloth_vertices(item.mesh, normals_of(item.mesh), openness);
+    const std::vector<ClothVertex> vertices = make_cloth_vertices(item.mesh, vertex_normals(item.mesh), openness);
     ClothBuffer buffer{.vertex_array = VertexArray(gl), .vertices = Buffer(gl)};
     gl.BindVertexArray(buffer.vertex_array.id());
     upload(gl, GL_ARRAY_BUFFER, buffer.vertices, vertices);
@@ -179,7 +175,7 @@ SceneBuffers make_scene_buffers(const GladGLContext& gl, const Scene& scene, con
     const BodyItem ground = scene.has_ground ? make_ground(buffers.ground_centre, buffers.ground_radius) : BodyItem{};
 
     LitPoints points;
-    for (const ClothItem& cloth : scene.cloths) points.add(cloth.mesh.x, normals_of(cloth.mesh));
+    for (const ClothItem& cloth : scene.cloths) points.add(cloth.mesh.x, vertex_normals(cloth.mesh));
     for (const BodyItem& body : scene.bodies) points.add(body.x, body.normals);
     points.add(ground.x, ground.normals);
     Opennesses openness(bake_room_light(gl, casters, points.x, points.normals));

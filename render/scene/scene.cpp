@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "sim/core/assert.h"
-
 namespace selvedge {
 namespace {
 
@@ -19,21 +17,6 @@ std::optional<ShowMode> parse_show_mode(std::string_view name) {
     return std::nullopt;
 }
 
-std::vector<Vec3f> smooth_normals(const std::vector<Vec3f>& x,
-                                  const std::vector<std::array<std::uint32_t, 3>>& triangles) {
-    std::vector<Vec3f> normals(x.size(), Vec3f::Zero());
-    for (const auto& [a, b, c] : triangles) {
-        SELVEDGE_ASSERT(a < x.size() && b < x.size() && c < x.size());
-        const Vec3f doubled_area = (x[b] - x[a]).cross(x[c] - x[a]);
-        for (const std::uint32_t vertex : {a, b, c}) normals[vertex] += doubled_area;
-    }
-    for (Vec3f& normal : normals) {
-        const float length = normal.norm();
-        normal = length > 0 ? Vec3f(normal / length) : Vec3f(Vec3f::UnitY());
-    }
-    return normals;
-}
-
 BodyItem make_body_item(const Body& body) {
     BodyItem item;
     item.x.reserve(body.x.size());
@@ -43,7 +26,7 @@ BodyItem make_body_item(const Body& body) {
         item.triangles.push_back(
             {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
     }
-    item.normals = smooth_normals(item.x, item.triangles);
+    item.normals = vertex_normals(item.x, item.triangles);
     return item;
 }
 

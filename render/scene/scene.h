@@ -79,8 +79,4 @@ Camera frame_scene(const Scene& scene, View view, float aspect);
 // Lights that stand with the camera, as in a studio: key from the upper left, fill from the right.
 Light studio_light(const Camera& camera);
 
-// Area-weighted vertex normals; +y where a vertex has no area round it.
-std::vector<Vec3f> smooth_normals(const std::vector<Vec3f>& x,
-                                  const std::vector<std::array<std::uint32_t, 3>>& triangles);
-
 }  // namespace selvedge

@@ -197,8 +197,7 @@ Json panel_primitive(const PanelPart& part, std::size_t material, const std::vec
 
 std::string garment_glb(const PlainMesh& mesh) {
     const std::vector<PanelPart> parts = split_by_panel(mesh);
-    const std::vector<Vec3f> normals =
-        mesh.normals.size() == mesh.x.size() ? mesh.normals : vertex_normals(mesh.x, mesh.triangles);
+    const std::vector<Vec3f> normals = vertex_normals(mesh);
     Document document;
     Json primitives = Json::array();
     for (std::size_t i = 0; i < parts.size(); ++i)

@@ -74,8 +74,7 @@ void append_part(std::string& text, const PanelPart& part, std::size_t first_tex
 
 std::string garment_obj(const PlainMesh& mesh) {
     std::string text = "# Selvedge garment: metres, y up; vt = material coordinates in metres; grain_angle in rad\n";
-    append_points(text, mesh.x,
-                  mesh.normals.size() == mesh.x.size() ? mesh.normals : vertex_normals(mesh.x, mesh.triangles));
+    append_points(text, mesh.x, vertex_normals(mesh));
     std::size_t textures = 0;
     for (const PanelPart& part : split_by_panel(mesh)) {
         append_part(text, part, textures);

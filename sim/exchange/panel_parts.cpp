@@ -67,19 +67,4 @@ std::vector<PanelPart> split_by_panel(const PlainMesh& mesh) {
     return parts;
 }
 
-std::vector<Vec3f> vertex_normals(const std::vector<Vec3f>& x,
-                                  const std::vector<std::array<std::uint32_t, 3>>& triangles) {
-    std::vector<Vec3d> sums(x.size(), Vec3d::Zero());
-    for (const auto& [a, b, c] : triangles) {
-        const Vec3d at = x[a].cast<double>();
-        const Vec3d area = (x[b].cast<double>() - at).cross(x[c].cast<double>() - at);
-        for (const std::uint32_t v : {a, b, c}) sums[v] += area;
-    }
-    std::vector<Vec3f> normals;
-    normals.reserve(x.size());
-    for (const Vec3d& sum : sums)
-        normals.push_back(sum.isZero(0) ? Vec3f(Vec3f::UnitY()) : Vec3f(sum.stableNormalized().cast<float>()));
-    return normals;
-}
-
 }  // namespace selvedge

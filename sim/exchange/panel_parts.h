@@ -22,8 +22,4 @@ struct PanelPart {
 // One part per panel that has triangles, in the order of the panels.
 std::vector<PanelPart> split_by_panel(const PlainMesh& mesh);
 
-// Unit normals at vertices, weighted by the area of the triangles about them; +y where there are none.
-std::vector<Vec3f> vertex_normals(const std::vector<Vec3f>& x,
-                                  const std::vector<std::array<std::uint32_t, 3>>& triangles);
-
 }  // namespace selvedge

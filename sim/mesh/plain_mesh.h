@@ -21,4 +21,12 @@ struct PlainMesh {
     std::vector<float> panel_grain_angles;  // rad
 };
 
+// Unit normals at vertices, weighted by the area of the triangles about them; +y where there is no area.
+// Pre: indices are in range.
+std::vector<Vec3f> vertex_normals(const std::vector<Vec3f>& x,
+                                  const std::vector<std::array<std::uint32_t, 3>>& triangles);
+
+// The mesh's own normals where it has one for each vertex, else those that follow from its triangles.
+std::vector<Vec3f> vertex_normals(const PlainMesh& mesh);
+
 }  // namespace selvedge

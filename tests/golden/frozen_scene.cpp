@@ -67,7 +67,7 @@ PlainMesh make_sheet() {
     }
     mesh.panel_names = {"left", "right"};
     mesh.panel_grain_angles = {0, 0.7853982F};
-    mesh.normals = smooth_normals(mesh.x, mesh.triangles);
+    mesh.normals = vertex_normals(mesh.x, mesh.triangles);
     return mesh;
 }
 

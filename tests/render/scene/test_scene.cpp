@@ -22,12 +22,6 @@ TEST(Scene, a_bodys_normals_are_unit_and_point_outward) {
     }
 }
 
-TEST(Scene, a_vertex_without_area_round_it_has_a_normal_all_the_same) {
-    const std::vector<Vec3f> normals = smooth_normals({{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {5, 5, 5}}, {{0, 2, 1}});
-    EXPECT_EQ(normals[0], Vec3f(0, 1, 0));
-    EXPECT_EQ(normals[3], Vec3f(0, 1, 0));
-}
-
 TEST(Scene, is_framed_with_cloth_and_bodies) {
     Scene scene;
     scene.bodies.push_back(make_body_item(tetrahedron()));

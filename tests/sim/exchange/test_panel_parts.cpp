@@ -43,15 +43,5 @@ TEST(PanelParts, leave_out_panels_without_triangles) {
     EXPECT_EQ(parts[0].name, "left sleeve");
 }
 
-TEST(VertexNormals, are_unit_and_point_to_the_side_from_which_triangles_run_counter_clockwise) {
-    const PlainMesh mesh = two_panels();
-    const std::vector<Vec3f> normals = vertex_normals(mesh.x, mesh.triangles);
-    for (const Vec3f& normal : normals) {
-        EXPECT_NEAR(normal.norm(), 1, 1e-6);
-        EXPECT_GT(normal.z(), 0.8F);
-    }
-    EXPECT_EQ(vertex_normals({Vec3f::Zero()}, {}).front(), Vec3f::UnitY());
-}
-
 }  // namespace
 }  // namespace selvedge
