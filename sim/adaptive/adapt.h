@@ -80,12 +80,12 @@ bool vetoes(const C& criterion, const AdaptiveMesh& mesh, EdgeId e) {
 }
 
 template <class... C>
-bool should_split(const AdaptiveMesh& mesh, EdgeId e, const C&... criteria) {
+bool should_split([[maybe_unused]] const AdaptiveMesh& mesh, [[maybe_unused]] EdgeId e, const C&... criteria) {
     return (asks(criteria, mesh, e) || ...) && !(vetoes(criteria, mesh, e) || ...);
 }
 
 template <class... C>
-bool should_rejoin(const AdaptiveMesh& mesh, EdgeId e, const C&... criteria) {
+bool should_rejoin([[maybe_unused]] const AdaptiveMesh& mesh, [[maybe_unused]] EdgeId e, const C&... criteria) {
     return (vetoes(criteria, mesh, e) || ...) || (agrees(criteria, mesh, e) && ...);
 }
 

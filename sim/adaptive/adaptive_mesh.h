@@ -94,7 +94,7 @@ class AdaptiveMesh {
 
     // One transition by itself, to test and to measure. Conformity is the caller's care.
     // Pre: t is regular, the edges that `to` has split are split, no internal element is refined.
-    void change_configuration(TriangleId t, Configuration to);
+    void change_configuration(TriangleId id, Configuration to);
 
  private:
     struct Level {

@@ -26,16 +26,16 @@ class DistanceWalk {
     // Pre: p lies within a stride of the point before.
     float next(const Vec3f& p) {
         if (known_ && std::abs(distance_) - stride_ > reach_) return distance_ -= std::copysign(stride_, distance_);
-        const float nearest = nearest_ ? (p - *nearest_).norm() : kUnbounded;
+        const float nearest = has_nearest_ ? (p - nearest_).norm() : kUnbounded;
         const float reach = known_ ? reach_ : kUnbounded;
         const std::optional<ClosestPoint> closest = bvh_.closest(p, std::min(nearest, reach) * kHair + kSpeck);
         known_ = true;
+        has_nearest_ = closest.has_value();
         if (closest) {
             nearest_ = closest->point;
             return distance_ = closest->distance;
         }
         // Nothing within reach, and reach is longer than a stride: the sign has not changed.
-        nearest_.reset();
         return distance_ = std::copysign(reach_, distance_);
     }
 
@@ -45,7 +45,8 @@ class DistanceWalk {
     float reach_;
     float distance_ = 0;
     bool known_ = false;
-    std::optional<Vec3f> nearest_;  // a surface point that is not far
+    bool has_nearest_ = false;
+    Vec3f nearest_ = Vec3f::Zero();  // a surface point that is not far
 };
 
 }  // namespace

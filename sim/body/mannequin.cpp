@@ -10,6 +10,7 @@
 
 #include "sim/body/mannequin_measures.h"
 #include "sim/body/mannequin_shape.h"
+#include "sim/body/mannequin_stance.h"
 #include "sim/body/self_intersections.h"
 
 namespace selvedge {
@@ -28,6 +29,7 @@ struct Readings {
     double inseam = 0;
     double shoulder = 0;
     double arm = 0;
+    LegGap leg_gap;
     GirthValues girths;
 };
 
@@ -42,14 +44,21 @@ double crotch_height(const MannequinBase& base, const std::vector<Vec3d>& x) {
 
 Readings take_measures(const MannequinBase& base, const Body& body, const Landmarks& landmarks) {
     const HeightRange range = height_range(body);
+    const double crotch = crotch_height(base, body.x);
     return {.height = range.high - range.low,
-            .inseam = crotch_height(base, body.x),
+            .inseam = crotch,
             .shoulder = 2 * landmarks.joints[Joint::LeftUpperArm].x(),
             .arm = arm_length(landmarks.joints),
+            .leg_gap = measure_leg_gap(body.x, crotch, landmarks.joints),
             .girths = measure_girths(body, landmarks)};
 }
 
-ShapeParameters first_shape(const MannequinBase& base, const MannequinMeasures& measures, const GirthValues& targets) {
+double wanted_stance(const MannequinOptions& options) {
+    return options.stance.value_or(kUsualStance);
+}
+
+ShapeParameters first_shape(const MannequinBase& base, const MannequinOptions& options, const GirthValues& targets) {
+    const MannequinMeasures& measures = options.measures;
     const Joints& joints = base.landmarks.joints;
     ShapeParameters shape;
     shape.height = measures.height.value_or(base.height);
@@ -59,6 +68,7 @@ ShapeParameters first_shape(const MannequinBase& base, const MannequinMeasures& 
     shape.inseam = measures.inseam.value_or(base.landmarks.levels.crotch * (shape.height - neck_up) / head);
     shape.arm = measures.arm ? *measures.arm / arm_length(joints) : shape.stature;
     for (std::size_t g = 0; g < kGirthCount; ++g) shape.scale.value[g] = targets.value[g] / base.girths.value[g];
+    shape.stance = wanted_stance(options);
     shape.bust_ratio = shape.scale[Girth::Bust] / shape.stature;
     shape.shoulder = measures.shoulder ? *measures.shoulder / (2 * joints[Joint::LeftUpperArm].x())
                                        : shape.stature * std::pow(shape.bust_ratio, 0.35);
@@ -150,6 +160,24 @@ std::vector<std::string> unmet(const std::vector<MeasureReading>& readings, bool
     return messages;
 }
 
+// The stance in the report, and what there is to say about it.
+void report_stance(MeasureReport& report, const LegGap& gap, double stance, const MannequinOptions& options) {
+    report.stance = {
+        .asked = options.stance, .made = stance, .is_opened = stance > wanted_stance(options), .gap = gap.width};
+    char text[160];
+    if (options.stance && report.stance.is_opened) {
+        std::snprintf(text, sizeof text,
+                      "stance: asked %.1f degrees, made %.1f degrees: with less the thighs would touch",
+                      degrees(*options.stance), degrees(stance));
+        report.messages.emplace_back(text);
+    }
+    if (gap.width < kLeastLegGap) {
+        std::snprintf(text, sizeof text, "stance: even at %.1f degrees the thighs are only %.1f mm apart",
+                      degrees(stance), 1000 * gap.width);
+        report.messages.emplace_back(text);
+    }
+}
+
 // Bends, measures and corrects until every girth is right.
 void calibrate(Mannequin& mannequin, ShapeParameters& shape, const MannequinBase& base, const MannequinOptions& options,
                const GirthValues& targets) {
@@ -160,13 +188,16 @@ void calibrate(Mannequin& mannequin, ShapeParameters& shape, const MannequinBase
         const Readings readings = take_measures(base, mannequin.body, bent.landmarks);
         const bool is_shoulder_free = !is_shoulder_held(shape, readings, options);
         const double worst = worst_error(readings, targets, options.measures, is_shoulder_free);
+        const std::optional<double> stance = better_stance(shape.stance, wanted_stance(options), readings.leg_gap);
         ++mannequin.report.rounds;
-        if (round == kMaxRounds || worst < kEnough) {
+        if (round == kMaxRounds || (worst < kEnough && !stance)) {
             mannequin.report.readings = read_off(readings, bent.landmarks, options.measures);
             mannequin.report.messages = unmet(mannequin.report.readings, is_shoulder_free);
+            report_stance(mannequin.report, readings.leg_gap, shape.stance, options);
             return;
         }
         correct(shape, readings, targets, options.measures, is_shoulder_free);
+        shape.stance = stance.value_or(shape.stance);
     }
 }
 
@@ -183,7 +214,7 @@ Mannequin make_mannequin(const MannequinOptions& options) {
     const MannequinBase base = make_mannequin_base(options.sex, options.subdivisions);
     check_inseam(base, options.measures);
     const GirthValues targets = target_girths(base, options.measures);
-    ShapeParameters shape = first_shape(base, options.measures, targets);
+    ShapeParameters shape = first_shape(base, options, targets);
 
     Mannequin mannequin{.body = base.surface, .report = {}};
     mannequin.body.name = options.sex == Sex::Female ? "mannequin, female" : "mannequin, male";

@@ -24,14 +24,14 @@ class Json {
     Json& operator=(const Json& other);
     Json& operator=(Json&& other) noexcept;
     ~Json();
-    Json(bool value) : value_(value) {}
+    Json(bool value);
     Json(double value);  // a number that is not finite becomes null: JSON has no other word for it
-    Json(std::string value) : value_(std::move(value)) {}
-    Json(std::string_view value) : value_(std::string(value)) {}
-    Json(const char* value) : value_(std::string(value)) {}
+    Json(std::string value);
+    Json(std::string_view value);
+    Json(const char* value);
     template <std::integral T>
     requires(!std::same_as<T, bool>) Json(T value)
-        : value_(Number{static_cast<double>(value), std::to_string(value)}) {}
+        : Json(number_as_written(static_cast<double>(value), std::to_string(value))) {}
 
     static Json array(std::vector<Json> elements = {});
     static Json object();

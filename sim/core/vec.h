@@ -12,8 +12,12 @@ using Vec3f = Eigen::Vector3f;
 using Vec4f = Eigen::Vector4f;  // a point or direction with a fourth 0, so that it fills one vector register
 
 // z of the cross product of two plane vectors: positive when b lies to the left of a.
-inline double cross2(const Vec2d& a, const Vec2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+inline double cross2(const Vec2d& a, const Vec2d& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
 
-inline Vec4f padded(const Vec3f& v) { return {v.x(), v.y(), v.z(), 0.0F}; }
+inline Vec4f padded(const Vec3f& v) {
+    return {v.x(), v.y(), v.z(), 0.0F};
+}
 
 }  // namespace selvedge
