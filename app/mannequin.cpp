@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/commands.h"
+#include "app/output_files.h"
 #include "sim/body/mannequin.h"
 #include "sim/core/error.h"
 #include "sim/exchange/mesh_file.h"
@@ -48,6 +49,7 @@ void print_readings(const MeasureReport& report) {
 }
 
 int run(MannequinArguments arguments) {
+    check_output(arguments.output, kMeshExtensions);
     arguments.options.sex = arguments.sex == "male" ? Sex::Male : Sex::Female;
     for (const std::string_view name : measure_names()) {
         std::optional<double>& measure = *find_measure(arguments.options.measures, name);

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "render/gl/context.h"
 #include "render/image/png.h"
 #include "render/level_legend.h"
 #include "render/renderer.h"
@@ -168,6 +169,10 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
     })->type_name("X,Y");
     command.add_flag("--transparent", options.is_transparent, "No backdrop: only garment, body and shadow")
         ->group("Picture");
+}
+
+void check_can_draw() {
+    make_context();
 }
 
 Image draw_picture(const PlainMesh& garment, const Body* body, const PictureOptions& options) {

@@ -29,6 +29,9 @@ struct PictureOptions {
 // is checked while the command line is read, before any work. `options` must outlive the command line.
 void add_picture_options(CLI::App& command, PictureOptions& options);
 
+// Throws InputError when there is no way to draw (render/gl/context.h): to be asked before long work.
+void check_can_draw();
+
 // The garment alone when body is null. Triangles with numbers that are not finite are left out. Throws InputError when
 // nothing is left to draw, or there is no way to draw (render/gl/context.h).
 Image draw_picture(const PlainMesh& garment, const Body* body, const PictureOptions& options);

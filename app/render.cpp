@@ -2,11 +2,11 @@
 #include <cstdio>
 #include <memory>
 
+#include "app/body_options.h"
 #include "app/commands.h"
+#include "app/output_files.h"
 #include "app/picture.h"
 #include "render/image/png.h"
-#include "sim/body/load_body.h"
-#include "sim/body/mannequin.h"
 #include "sim/exchange/mesh_file.h"
 
 namespace selvedge {
@@ -14,20 +14,16 @@ namespace {
 
 struct RenderArguments {
     std::string garment;
-    std::string body;
+    BodyOptions body;
     std::string output;
     PictureOptions picture;
 };
 
-Body read_body(const std::string& text) {
-    if (text == "mannequin" || text.starts_with("mannequin:")) return make_mannequin(parse_mannequin(text)).body;
-    return load_body(text);
-}
-
 int render(const RenderArguments& arguments) {
+    check_output(arguments.output, kPictureExtensions);
     const PlainMesh garment = read_garment(arguments.garment);
     std::optional<Body> body;
-    if (!arguments.body.empty()) body = read_body(arguments.body);
+    if (!arguments.body.source.empty()) body = make_body(arguments.body).body;
     write_png(arguments.output, draw_picture(garment, body ? &*body : nullptr, arguments.picture));
     std::printf("wrote %s\n", arguments.output.c_str());
     return 0;
@@ -39,7 +35,7 @@ void add_render_command(CLI::App& app, int& exit_code) {
     auto arguments = std::make_shared<RenderArguments>();
     CLI::App* command = app.add_subcommand("render", "Draw a garment from an OBJ or GLB file");
     command->add_option("MESH", arguments->garment, "Garment, as dress exports it (.obj or .glb)")->required();
-    command->add_option("-b,--body", arguments->body, "Body that wears it: a file, or mannequin[:bust=92,...]");
+    add_body_options(*command, arguments->body, "Body that wears it: a file, or mannequin[:bust=92,...]");
     command->add_option("-o,--output", arguments->output, "PNG file to write")->required();
     add_picture_options(*command, arguments->picture);
     command->footer(

@@ -33,9 +33,11 @@ function(selvedge_module NAME)
   add_library(selvedge::${NAME} ALIAS ${target})
 endfunction()
 
-# selvedge_test(NAME SOURCES ... USES module ... [LABELS ...] [LINK ...]) makes one GoogleTest program, run by ctest.
+# selvedge_test(NAME SOURCES ... USES module ... [LABELS ...] [LINK ...] [TOGETHER suite])
+# makes one GoogleTest program. ctest runs each of its tests in a process of its own, but those of the suite TOGETHER in
+# one, for they share what is costly to prepare.
 function(selvedge_test NAME)
-  cmake_parse_arguments(ARG "" "" "SOURCES;USES;LABELS;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "TOGETHER" "SOURCES;USES;LABELS;LINK" ${ARGN})
   if(NOT ARG_LABELS)
     set(ARG_LABELS unit)
   endif()
@@ -47,5 +49,12 @@ function(selvedge_test NAME)
   endforeach()
   target_link_libraries(${target} PRIVATE selvedge_flags GTest::gtest_main ${ARG_LINK})
   target_compile_definitions(${target} PRIVATE SELVEDGE_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
-  gtest_discover_tests(${target} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 600)
+  set(alone "*")
+  if(ARG_TOGETHER)
+    set(alone "-${ARG_TOGETHER}.*")
+    add_test(NAME ${ARG_TOGETHER} COMMAND ${target} --gtest_filter=${ARG_TOGETHER}.*)
+    set_tests_properties(${ARG_TOGETHER} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 600)
+  endif()
+  gtest_discover_tests(${target} TEST_FILTER "${alone}" DISCOVERY_TIMEOUT 60
+    PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 600)
 endfunction()

@@ -1,6 +1,7 @@
 // What every subcommand promises: help with an example, and wrong input said on one line, with exit code 2.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include "tests/app/selvedge_program.h"
@@ -80,6 +81,29 @@ TEST(Usage, a_folder_that_cannot_be_written_is_said_before_the_work) {
     expect_one_line_and_exit_2("dress " + shipped("tshirt.json") + " --render /no/such/folder/x.png");
     expect_one_line_and_exit_2("dress " + shipped("tshirt.json") + " --report /no/such/folder/x.json");
     expect_one_line_and_exit_2("mannequin -o /no/such/folder/x.obj");
+}
+
+TEST(Usage, dress_writes_over_nothing_that_it_reads_and_no_file_twice) {
+    const ScratchFolder folder;
+    std::filesystem::copy_file(SELVEDGE_SOURCE_DIR "/patterns/two_squares.json", folder / "garment.json");
+    const std::string before = content_of(folder / "garment.json");
+    const std::string dress = "cd '" + folder.path().string() + "' && '" SELVEDGE_PROGRAM "' dress garment.json ";
+    for (const char* outputs :
+         {"--report ./garment.json", "--export a.obj --export-body ./a.obj", "--render a.png --report ./a.png"}) {
+        const ProgramResult result = run_command(dress + outputs);
+        EXPECT_EQ(result.exit_code, 2) << outputs;
+        EXPECT_EQ(count_lines(result.err), 1) << result.err;
+    }
+    EXPECT_EQ(content_of(folder / "garment.json"), before);
+}
+
+TEST(Usage, dress_refuses_a_name_that_is_no_file_or_has_the_wrong_ending) {
+    const ScratchFolder folder;
+    ASSERT_EQ(run_command("mkfifo '" + folder / "pipe" + "'").exit_code, 0);
+    expect_one_line_and_exit_2("dress " + shipped("tshirt.json") + " --report '" + folder / "pipe" + "'");
+    for (const char* option : {"--report /tmp", "--report /tmp/", "--render x.jpg", "--export x.ply", "--edge-length 0",
+                               "--body-unit feet", "--body-up x"})
+        expect_one_line_and_exit_2("dress " + shipped("tshirt.json") + " " + option);
 }
 
 TEST(Usage, values_that_mannequin_cannot_use_get_one_line) {

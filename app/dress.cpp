@@ -1,0 +1,253 @@
+// selvedge dress GARMENT: puts a garment on a body, and writes its picture, its mesh and what came of it.
+#include "sim/dress/dress.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/body_options.h"
+#include "app/commands.h"
+#include "app/output_files.h"
+#include "app/picture.h"
+#include "app/progress_bar.h"
+#include "render/image/png.h"
+#include "sim/core/error.h"
+#include "sim/core/file.h"
+#include "sim/core/parallel.h"
+#include "sim/dress/report.h"
+#include "sim/exchange/mesh_file.h"
+#include "sim/pattern/pattern_file.h"
+#include "sim/tartan/tartan_file.h"
+
+namespace selvedge {
+namespace {
+
+using Path = std::filesystem::path;
+
+constexpr int kFinestLevel = 8;  // of 5 cm edges it makes 0.2 mm: a thread
+
+struct DressArguments {
+    Path garment;
+    BodyOptions body;
+    std::string fabric;
+    DressOptions dress;
+    std::optional<int> threads;  // none: as many as the machine has
+    bool is_quiet = false;
+
+    PictureOptions picture;
+    Path picture_file;  // an empty path: not wanted
+    Path report_file;
+    std::vector<Path> garment_files;
+    std::vector<Path> body_files;
+};
+
+template <class T>
+struct Limits {
+    T least;
+    T most;
+};
+
+template <class T>
+CLI::Option* add_number(CLI::App& command, const std::string& name, Limits<T> limits, const std::string& help,
+                        const std::function<void(T)>& take) {
+    const auto check_and_take = [=](const T& value) {
+        const bool is_within = value >= limits.least && value <= limits.most;  // NaN is not
+        if (!is_within) {
+            throw InputError(
+                "", name,
+                "must be from " + CLI::detail::to_string(limits.least) + " to " + CLI::detail::to_string(limits.most));
+        }
+        take(value);
+    };
+    return command.add_option_function<T>(name, check_and_take, help);
+}
+
+CriteriaOptions parse_criteria(const std::string& text) {
+    CriteriaOptions criteria{.collision = false, .curvature = false, .length = false};
+    for (const std::string& name : CLI::detail::split(text, ',')) {
+        if (name == "collision") {
+            criteria.collision = true;
+        } else if (name == "curvature") {
+            criteria.curvature = true;
+        } else if (name == "length") {
+            criteria.length = true;
+        } else {
+            throw InputError("", "--criteria", "'" + name + "' is none of collision, curvature, length");
+        }
+    }
+    return criteria;
+}
+
+std::vector<Path> all_outputs(const DressArguments& arguments) {
+    std::vector<Path> outputs = arguments.garment_files;
+    outputs.insert(outputs.end(), arguments.body_files.begin(), arguments.body_files.end());
+    for (const Path& file : {arguments.picture_file, arguments.report_file}) {
+        if (!file.empty()) outputs.push_back(file);
+    }
+    return outputs;
+}
+
+void check_outputs(const DressArguments& arguments) {
+    if (!arguments.picture_file.empty()) check_output(arguments.picture_file, kPictureExtensions);
+    if (!arguments.report_file.empty()) check_output(arguments.report_file);
+    for (const Path& file : arguments.garment_files) check_output(file, kMeshExtensions);
+    for (const Path& file : arguments.body_files) check_output(file, kMeshExtensions);
+    std::vector<Path> inputs{arguments.garment};
+    if (arguments.body.is_file()) inputs.emplace_back(arguments.body.source);
+    check_apart(all_outputs(arguments), inputs);
+}
+
+// What the command line leaves open, the pattern says.
+void fill_in(DressArguments& arguments, const Pattern& pattern) {
+    if (!arguments.fabric.empty()) arguments.dress.fabric = find_fabric(arguments.fabric);
+    if (!arguments.picture.sett && !pattern.tartan.empty()) arguments.picture.sett = find_tartan(pattern.tartan);
+    if (arguments.body.source.empty())
+        arguments.body.source = pattern.body.empty() ? "mannequin:sex=female" : pattern.body;
+}
+
+// What became of the files that were asked for.
+struct Writing {
+    std::vector<std::string> written;
+    std::vector<std::string> failures;
+};
+
+// Every file is tried, whatever became of the others: a garment that burst has no mesh to export, yet has a report.
+Writing write_outputs(const DressArguments& arguments, const DressedGarment& dressed, const Body& body) {
+    Writing writing;
+    const auto write = [&](const Path& file, const auto& how) {
+        try {
+            how(file);
+            writing.written.push_back(file.string());
+        } catch (const InputError& error) {
+            writing.failures.emplace_back(error.what());
+        }
+    };
+    if (!arguments.report_file.empty()) {
+        write(arguments.report_file, [&](const Path& file) { write_file_atomically(file, to_json(dressed.report)); });
+    }
+    for (const Path& file : arguments.garment_files)
+        write(file, [&](const Path& mesh_file) { write_garment(dressed.mesh, mesh_file); });
+    for (const Path& file : arguments.body_files)
+        write(file, [&](const Path& mesh_file) { write_body(body, mesh_file); });
+    if (!arguments.picture_file.empty()) {
+        write(arguments.picture_file,
+              [&](const Path& file) { write_png(file, draw_picture(dressed.mesh, &body, arguments.picture)); });
+    }
+    return writing;
+}
+
+std::string spoken(std::string kind) {
+    std::replace(kind.begin(), kind.end(), '_', ' ');
+    return kind;
+}
+
+void print_summary(const DressReport& report) {
+    std::printf("%s on %s: %d triangles (%d before refining), ", report.garment.c_str(), report.body.c_str(),
+                report.mesh.leaf_triangles, report.mesh.base_triangles);
+    if (report.settled) {
+        std::printf("settled after %.2f simulated seconds\n", report.simulated_seconds);
+    } else {
+        std::printf("stopped after %.2f simulated seconds: %s\n", report.simulated_seconds,
+                    report.stopped_because.c_str());
+    }
+    for (const std::string& note : report.notes) std::printf("note: %s\n", note.c_str());
+}
+
+void print_faults(const DressReport& report) {
+    for (const DressFault& fault : report.faults)
+        std::printf("fault: %s: %s (%.4g)\n", spoken(fault.kind).c_str(), fault.place.c_str(), fault.value);
+}
+
+int run(DressArguments arguments) {
+    check_outputs(arguments);
+    const Pattern pattern = load_pattern(arguments.garment).pattern;
+    fill_in(arguments, pattern);
+    if (!arguments.picture_file.empty()) check_can_draw();
+
+    std::optional<ThreadLimit> limit;
+    if (arguments.threads) limit.emplace(*arguments.threads);
+    const NotedBody wearer = make_body(arguments.body);
+    ProgressBar bar(progress_bar_options(arguments.is_quiet));
+    DressedGarment dressed = dress(pattern, wearer.body, arguments.dress, bar.progress());
+    bar.finish();
+    DressReport& report = dressed.report;
+    report.notes.insert(report.notes.begin(), wearer.notes.begin(), wearer.notes.end());
+
+    const Writing writing = write_outputs(arguments, dressed, wearer.body);
+    if (!arguments.is_quiet) print_summary(report);
+    print_faults(report);
+    if (!arguments.is_quiet)
+        for (const std::string& file : writing.written) std::printf("wrote %s\n", file.c_str());
+    for (const std::string& failure : writing.failures) std::fprintf(stderr, "selvedge: %s\n", failure.c_str());
+    if (!report.faults.empty()) return 3;
+    return writing.failures.empty() ? 0 : 2;
+}
+
+void add_garment_options(CLI::App& command, DressArguments& arguments) {
+    DressOptions& dress = arguments.dress;
+    command.add_option("GARMENT", arguments.garment, "Garment file (patterns/FORMAT.md)")
+        ->required()
+        ->type_name("FILE");
+    command.add_option("--fabric", arguments.fabric, "A shipped fabric or a fabric file (default: the pattern's)")
+        ->type_name("NAME|FILE");
+    add_number<double>(command, "--edge-length", {0.5, 50}, "Edge length of the base mesh in cm (default 5)",
+                       [&dress](double length_cm) { dress.mesh.target_edge = length_cm / 100; })
+        ->type_name("CM");
+    add_number<int>(command, "--max-level", {0, kFinestLevel}, "Times an edge may be halved (default 3)",
+                    [&dress](int level) { dress.max_level = level; })
+        ->type_name("N");
+    command
+        .add_option_function<std::string>(
+            "--criteria", [&dress](const std::string& text) { dress.criteria = parse_criteria(text); },
+            "What asks for smaller triangles (default collision,curvature,length)")
+        ->type_name("NAMES");
+}
+
+void add_run_options(CLI::App& command, DressArguments& arguments) {
+    add_number<double>(command, "--seconds", {0.01, 600}, "Longest simulated time of the drape (default 12)",
+                       [&arguments](double seconds) { arguments.dress.max_seconds = seconds; })
+        ->type_name("S");
+    add_number<int>(command, "--threads", {1, 1024}, "Threads to use (default: all there are); the result is the same",
+                    [&arguments](int threads) { arguments.threads = threads; })
+        ->type_name("N");
+    command.add_flag("-q,--quiet", arguments.is_quiet, "Show no progress, and print only faults");
+}
+
+void add_output_options(CLI::App& command, DressArguments& arguments) {
+    const auto add = [&](const char* name, auto& files, const char* help, const char* type) {
+        command.add_option(name, files, help)->type_name(type)->group("Output")->allow_extra_args(false);
+    };
+    add("--render", arguments.picture_file, "Picture of the dressed body", "PNG");
+    add("--export", arguments.garment_files, "The garment as .obj or .glb; may be repeated", "FILE");
+    add("--export-body", arguments.body_files, "The body as .obj or .glb; may be repeated", "FILE");
+    add("--report", arguments.report_file, "What came of it, as JSON", "JSON");
+}
+
+}  // namespace
+
+void add_dress_command(CLI::App& app, int& exit_code) {
+    auto arguments = std::make_shared<DressArguments>();
+    CLI::App* command = app.add_subcommand("dress", "Put a garment on a body");
+    add_garment_options(*command, *arguments);
+    add_run_options(*command, *arguments);
+    add_body_options(*command, arguments->body,
+                     "Body that wears it: mannequin[:sex=female,bust=92,...] or a file (default: the pattern's, or "
+                     "mannequin:sex=female)");
+    add_output_options(*command, *arguments);
+    add_picture_options(*command, arguments->picture);
+    command->footer(
+        "Exit code: 0 dressed, 2 wrong input or a file that could not be written, 3 dressed with a fault.\n"
+        "Examples:\n"
+        "  selvedge dress patterns/tshirt.json --render tshirt.png\n"
+        "  selvedge dress patterns/skirt.json --body mannequin:waist=68,hip=96 --tartan 'Black Watch' \\\n"
+        "      --render skirt.png --view three-quarter --export skirt.glb --export-body body.glb\n"
+        "  selvedge dress patterns/tshirt.json --body scan.obj --body-unit cm --fabric silk --report tshirt.json");
+    command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace selvedge
