@@ -1,5 +1,7 @@
 #include "sim/cloth/adapt_cloth.h"
 
+#include <algorithm>
+
 #include "sim/adaptive/criteria.h"
 #include "sim/adaptive/foresight.h"
 #include "sim/body/collider.h"
@@ -63,9 +65,16 @@ AdaptReport with_collision(Cloth& cloth, ClothObserver& observer, const AdaptClo
 
 }  // namespace
 
-float CollisionCriterion::depth(const AdaptiveMesh& mesh, EdgeId edge) const {
-    const Vec4f middle = (x[mesh.end(edge, 0).value] + x[mesh.end(edge, 1).value]) * 0.5F;
-    return offset - body.contact(middle.head<3>()).distance;
+float CollisionCriterion::depth(const AdaptiveMesh& mesh, EdgeId id) const {
+    const AdaptiveEdge& edge = mesh.edge(id);
+    const auto depth_at = [&](const Vec4f& p) { return offset - body.contact(p.head<3>()).distance; };
+    float deepest = depth_at((x[edge.ends[0].value] + x[edge.ends[1].value]) * 0.5F);
+    for (const TriangleId side : edge.sides) {
+        if (!side) continue;
+        const std::array<VertexId, 3>& v = mesh.triangle(side).vertices;
+        deepest = std::max(deepest, depth_at((x[v[0].value] + x[v[1].value] + x[v[2].value]) * (1.0F / 3.0F)));
+    }
+    return deepest;
 }
 
 AdaptReport adapt_cloth(Cloth& cloth, const BodyCollider& body, const AdaptClothOptions& options,

@@ -7,8 +7,8 @@ namespace selvedge {
 
 class BodyCollider;
 
-// Splits an edge whose chord cuts into the offset surface of the body; lets it rejoin when the chord no longer does.
-// Asked of the parent chord: once the centre lies on the surface the children no longer cut.  (SPEC 1.3)
+// Splits an edge that cuts into the offset surface of the body, or whose triangles do; lets it rejoin when they no
+// longer would. Asked of the parent chord: once the centre lies on the surface the children no longer cut.  (SPEC 1.3)
 struct CollisionCriterion {
     const std::vector<Vec4f>& x;
     const BodyCollider& body;
@@ -16,6 +16,8 @@ struct CollisionCriterion {
     float split_depth = 0.001F;  // m, of the chord below the offset surface
     float rejoin_depth = 0.0004F;
 
+    // How deep the chord's middle or that of a triangle beside it, both at the edge's own level, lies below the offset
+    // surface, m.
     float depth(const AdaptiveMesh& mesh, EdgeId edge) const;
     bool wants_split(const AdaptiveMesh& mesh, EdgeId edge) const { return depth(mesh, edge) > split_depth; }
     bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId edge) const { return depth(mesh, edge) < rejoin_depth; }

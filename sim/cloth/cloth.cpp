@@ -13,7 +13,8 @@ float mean_damping(const Cloth& cloth) {
     double sum = 0;
     double area = 0;
     for (const LeafTriangle& triangle : cloth.mesh.leaf_triangles()) {
-        const double a = cross2((triangle.u[1] - triangle.u[0]).cast<double>(), (triangle.u[2] - triangle.u[0]).cast<double>());
+        const double a =
+            cross2((triangle.u[1] - triangle.u[0]).cast<double>(), (triangle.u[2] - triangle.u[0]).cast<double>());
         sum += a * cloth.fabrics[triangle.panel].damping;
         area += a;
     }
@@ -83,16 +84,16 @@ void update_normals(Cloth& cloth) {
     }
 }
 
-float rms_speed(const Cloth& cloth) {
+float rms_speed(const Cloth& cloth, const std::vector<Vec4f>& before, double seconds) {
     double energy = 0;
     double total = 0;
     for (const std::uint32_t v : cloth.elements.vertices) {
         if (cloth.inverse_mass[v] <= 0) continue;
         const double mass = 1.0 / cloth.inverse_mass[v];
-        energy += mass * (cloth.x[v] - cloth.x_prev[v]).squaredNorm();
+        energy += mass * (cloth.x[v] - before[v]).squaredNorm();
         total += mass;
     }
-    return total > 0 ? static_cast<float>(std::sqrt(energy / total) / cloth.substep) : 0.0F;
+    return total > 0 ? static_cast<float>(std::sqrt(energy / total) / seconds) : 0.0F;
 }
 
 std::optional<VertexId> find_bad_vertex(const Cloth& cloth) {

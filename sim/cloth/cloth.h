@@ -17,19 +17,20 @@ namespace selvedge {
 
 struct Cloth {
     AdaptiveMesh mesh;
-    std::vector<Fabric> fabrics{};       // one per panel
-    std::vector<float> grain_angles{};   // one per panel, rad: from the panel's +y to the warp
+    std::vector<Fabric> fabrics{};      // one per panel
+    std::vector<float> grain_angles{};  // one per panel, rad: from the panel's +y to the warp
 
-    std::vector<Vec4f> x{};              // position, m
-    std::vector<Vec4f> x_prev{};         // position one sub-step ago, m: velocity is their difference over the sub-step
-    std::vector<float> inverse_mass{};   // 1/kg; 0 for a vertex that cannot move or is not in use
-    std::vector<Vec3f> normals{};        // unit, of the fabric's right side; see update_normals
+    std::vector<Vec4f> x{};             // position, m
+    std::vector<Vec4f> x_prev{};        // position one sub-step ago, m: velocity is their difference over the sub-step
+    std::vector<float> inverse_mass{};  // 1/kg; 0 for a vertex that cannot move or is not in use
+    std::vector<Vec3f> normals{};       // unit, of the fabric's right side; see update_normals
     std::vector<bool> is_pinned{};
 
     ClothElements elements{};
     ContactState contacts{};
     float damping = 0;                 // 1/s, mean over the fabrics' area
-    std::vector<Vec4f> scratch{};
+    std::vector<Vec4f> scratch{};      // of the solver
+    std::vector<std::uint32_t> hot{};  // of the solver
     float substep = 0;                 // s, the length that x_prev and elements were made for
 };
 
@@ -47,8 +48,9 @@ void refresh_elements(Cloth& cloth);
 // Area-weighted normals of the leaf triangles.
 void update_normals(Cloth& cloth);
 
-// Root mean square speed over mass, m/s.
-float rms_speed(const Cloth& cloth);
+// Root mean square, over mass, of the mean speed with which the cloth came from `before` to where it is, m/s: its
+// kinetic energy, but for what trembles to and fro within `seconds`. Pre: nothing was split or rejoined in between.
+float rms_speed(const Cloth& cloth, const std::vector<Vec4f>& before, double seconds);
 
 // The first leaf vertex whose position is not finite or left the room (100 m), if any.
 std::optional<VertexId> find_bad_vertex(const Cloth& cloth);

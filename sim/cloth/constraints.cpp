@@ -7,6 +7,7 @@ namespace selvedge {
 namespace {
 
 constexpr float kTiny = 1e-12F;
+constexpr int kHotRounds = 4;
 
 // The two thread directions of a triangle, unit, and how long they are.
 struct Threads {
@@ -27,14 +28,33 @@ Threads threads_of(const StretchElement& e, const Vec4f& x0, const Vec4f& x1, co
     return t;
 }
 
-void limit_parent(const StretchElement& e, std::span<Vec4f> x) {
+// Returns the length of the longer of warp and weft before.
+float solve_triangle(const StretchElement& e, std::span<const float> inverse_mass, std::span<Vec4f> x) {
     Vec4f& x0 = x[e.vertices[0]];
     Vec4f& x1 = x[e.vertices[1]];
     Vec4f& x2 = x[e.vertices[2]];
     const Threads t = threads_of(e, x0, x1, x2);
-    if (t.warp_length <= 1 && t.weft_length <= 1) return;
-    const Vec4f along_warp = t.warp * std::min(0.0F, 1 - t.warp_length);
-    const Vec4f along_weft = t.weft * std::min(0.0F, 1 - t.weft_length);
+    const Vec4f along_warp = t.warp * (1 - t.warp_length);
+    const Vec4f along_weft = t.weft * (1 - t.weft_length);
+    // The shear condition is the cosine between the two directions; its gradients are taken at unit length.
+    const float shear = -t.warp.dot(t.weft) * e.shear;
+    const Vec4f shear1 = (t.weft * e.a[0] + t.warp * e.b[0]) * shear;
+    const Vec4f shear2 = (t.weft * e.a[1] + t.warp * e.b[1]) * shear;
+    x0 += along_warp * e.warp[0] + along_weft * e.weft[0] - (shear1 + shear2) * inverse_mass[e.vertices[0]];
+    x1 += along_warp * e.warp[1] + along_weft * e.weft[1] + shear1 * inverse_mass[e.vertices[1]];
+    x2 += along_warp * e.warp[2] + along_weft * e.weft[2] + shear2 * inverse_mass[e.vertices[2]];
+    return std::max(t.warp_length, t.weft_length);
+}
+
+// Takes back what warp and weft are longer than `longest`.
+void limit_triangle(const StretchElement& e, std::span<Vec4f> x, float longest) {
+    Vec4f& x0 = x[e.vertices[0]];
+    Vec4f& x1 = x[e.vertices[1]];
+    Vec4f& x2 = x[e.vertices[2]];
+    const Threads t = threads_of(e, x0, x1, x2);
+    if (t.warp_length <= longest && t.weft_length <= longest) return;
+    const Vec4f along_warp = t.warp * std::min(0.0F, longest - t.warp_length);
+    const Vec4f along_weft = t.weft * std::min(0.0F, longest - t.weft_length);
     x0 += along_warp * e.warp[0] + along_weft * e.weft[0];
     x1 += along_warp * e.warp[1] + along_weft * e.weft[1];
     x2 += along_warp * e.warp[2] + along_weft * e.weft[2];
@@ -42,21 +62,14 @@ void limit_parent(const StretchElement& e, std::span<Vec4f> x) {
 
 }  // namespace
 
-void solve_stretch(std::span<const StretchElement> elements, std::span<const float> inverse_mass, std::span<Vec4f> x) {
-    for (const StretchElement& e : elements) {
-        Vec4f& x0 = x[e.vertices[0]];
-        Vec4f& x1 = x[e.vertices[1]];
-        Vec4f& x2 = x[e.vertices[2]];
-        const Threads t = threads_of(e, x0, x1, x2);
-        const Vec4f along_warp = t.warp * (1 - t.warp_length);
-        const Vec4f along_weft = t.weft * (1 - t.weft_length);
-        // The shear condition is the cosine between the two directions; its gradients are taken at unit length.
-        const float shear = -t.warp.dot(t.weft) * e.shear;
-        const Vec4f shear1 = (t.weft * e.a[0] + t.warp * e.b[0]) * shear;
-        const Vec4f shear2 = (t.weft * e.a[1] + t.warp * e.b[1]) * shear;
-        x0 += along_warp * e.warp[0] + along_weft * e.weft[0] - (shear1 + shear2) * inverse_mass[e.vertices[0]];
-        x1 += along_warp * e.warp[1] + along_weft * e.weft[1] + shear1 * inverse_mass[e.vertices[1]];
-        x2 += along_warp * e.warp[2] + along_weft * e.weft[2] + shear2 * inverse_mass[e.vertices[2]];
+void solve_stretch(std::span<const StretchElement> elements, std::span<const float> inverse_mass, std::span<Vec4f> x,
+                   float hot_strain, std::vector<std::uint32_t>& hot) {
+    hot.clear();
+    for (std::uint32_t i = 0; i < elements.size(); ++i) {
+        if (solve_triangle(elements[i], inverse_mass, x) > 1 + hot_strain) hot.push_back(i);
+    }
+    for (int round = 0; round < kHotRounds; ++round) {
+        for (const std::uint32_t i : hot) limit_triangle(elements[i], x, 1 + hot_strain);
     }
 }
 
@@ -83,7 +96,7 @@ void limit_parents(std::span<const ParentLevel> levels, std::span<Vec4f> x, std:
     if (levels.empty() || levels.front().triangles.empty()) return;
     before.assign(x.begin(), x.end());
     for (const ParentLevel& level : levels) {
-        for (const StretchElement& triangle : level.triangles) limit_parent(triangle, x);
+        for (const StretchElement& triangle : level.triangles) limit_triangle(triangle, x, 1);
         for (const EdgeCentre& c : level.centres) {
             x[c.centre] += ((x[c.a] - before[c.a]) + (x[c.b] - before[c.b])) * (0.5F * c.moves);
         }

@@ -1,5 +1,6 @@
 #pragma once
 // One pass over each kind of constraint, in list order (Gauss-Seidel): the inner loops of a sub-step.
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -8,8 +9,10 @@
 
 namespace selvedge {
 
-// Warp, weft and shear strain of every leaf triangle, by compliance.
-void solve_stretch(std::span<const StretchElement> elements, std::span<const float> inverse_mass, std::span<Vec4f> x);
+// Warp, weft and shear strain of every leaf triangle, by compliance. Where warp or weft is stretched by more than
+// `hot_strain` one pass does not bring it home: there the excess is taken back in further rounds. `hot` is scratch.
+void solve_stretch(std::span<const StretchElement> elements, std::span<const float> inverse_mass, std::span<Vec4f> x,
+                   float hot_strain, std::vector<std::uint32_t>& hot);
 
 // Every hinge towards flat, by compliance.
 void solve_bend(std::span<const BendElement> elements, std::span<Vec4f> x);
@@ -17,8 +20,8 @@ void solve_bend(std::span<const BendElement> elements, std::span<Vec4f> x);
 // Shortens what is longer than its limit. After Provot (1995), for unequal masses.
 void limit_lengths(std::span<const LengthLimit> limits, std::span<Vec4f> x);
 
-// Refined triangles from coarse to fine: what stretches one beyond its threads is taken back, and the centres of its edges
-// follow, so that one pass spreads tension over the whole garment. `before` is scratch of the size of x.
+// Refined triangles from coarse to fine: what stretches one beyond its threads is taken back, and the centres of its
+// edges follow, so that one pass spreads tension over the whole garment. `before` is scratch of the size of x.
 void limit_parents(std::span<const ParentLevel> levels, std::span<Vec4f> x, std::vector<Vec4f>& before);
 
 }  // namespace selvedge

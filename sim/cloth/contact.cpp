@@ -11,25 +11,29 @@ namespace {
 
 constexpr float kSlackMargin = 0.0005F;  // m, more than the field over-estimates
 
-Vec3f xyz(const Vec4f& v) { return v.head<3>(); }
-
-// Moves the point's vertices so that the point moves by `shift`, in proportion to their share of it.
-void move_point(Cloth& cloth, const ContactPoint& point, const Vec4f& shift) {
-    if (point.a == point.b) {
-        if (cloth.inverse_mass[point.a] > 0) cloth.x[point.a] += shift;
-        return;
-    }
-    const float share_a = cloth.inverse_mass[point.a] > 0 ? 1 - point.t : 0.0F;
-    const float share_b = cloth.inverse_mass[point.b] > 0 ? point.t : 0.0F;
-    const float sum = share_a * share_a + share_b * share_b;
-    if (sum <= 0) return;
-    cloth.x[point.a] += shift * (share_a / sum);
-    cloth.x[point.b] += shift * (share_b / sum);
+Vec3f xyz(const Vec4f& v) {
+    return v.head<3>();
 }
 
 Vec4f at(const std::vector<Vec4f>& x, const ContactPoint& point) {
-    if (point.a == point.b) return x[point.a];
-    return x[point.a] + (x[point.b] - x[point.a]) * point.t;
+    if (point.vertex_count == 1) return x[point.vertices[0]];
+    Vec4f sum = x[point.vertices[0]] * point.shares[0] + x[point.vertices[1]] * point.shares[1];
+    if (point.vertex_count == 3) sum += x[point.vertices[2]] * point.shares[2];
+    return sum;
+}
+
+// Moves the point's vertices so that the point moves by `shift`, each in proportion to its share of it.
+void move_point(Cloth& cloth, const ContactPoint& point, const Vec4f& shift) {
+    std::array<float, 3> shares{};
+    float sum = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(point.vertex_count); ++i) {
+        shares[i] = cloth.inverse_mass[point.vertices[i]] > 0 ? point.shares[i] : 0.0F;
+        sum += shares[i] * shares[i];
+    }
+    if (sum <= 0) return;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(point.vertex_count); ++i) {
+        cloth.x[point.vertices[i]] += shift * (shares[i] / sum);
+    }
 }
 
 // Coulomb: the tangential move since the last sub-step shrinks by up to friction times the depth.
@@ -64,42 +68,68 @@ void push_out_point(Cloth& cloth, ContactPoint& point, const BodyCollider& body,
     apply_contact(cloth, point, contact.normal, options.offset - contact.distance, friction);
 }
 
-}  // namespace
-
-void refresh_contacts(Cloth& cloth, const ContactOptions& options) {
-    std::vector<ContactPoint>& points = cloth.contacts.points;
-    std::vector<std::uint32_t> known(cloth.x.size(), UINT32_MAX);
-    for (std::uint32_t i = 0; i < points.size(); ++i) {
-        if (points[i].a == points[i].b) known[points[i].a] = i;
-    }
-    std::vector<ContactPoint> fresh;
-    fresh.reserve(points.size());
+std::vector<float> vertex_friction(const Cloth& cloth) {
     std::vector<float> friction(cloth.x.size(), 0.0F);
     for (const LeafTriangle& triangle : cloth.mesh.leaf_triangles()) {
         const float mu = static_cast<float>(cloth.fabrics[triangle.panel].friction);
         for (const VertexId v : triangle.v) friction[v.value] = std::max(friction[v.value], mu);
     }
-    for (const VertexId v : cloth.mesh.leaf_vertices()) {
-        ContactPoint point{.a = v.value, .b = v.value, .t = 0, .friction = friction[v.value]};
-        if (known[v.value] != UINT32_MAX) {
-            point.asked_at = points[known[v.value]].asked_at;
-            point.slack = points[known[v.value]].slack;
-        }
-        fresh.push_back(point);
-    }
-    for (const LeafEdge& edge : cloth.mesh.leaf_edges()) {
-        const int samples = static_cast<int>(std::ceil(edge.rest_length / options.sample_spacing)) - 1;
-        for (int i = 1; i <= samples; ++i) {
-            fresh.push_back({.a = edge.a.value,
-                             .b = edge.b.value,
-                             .t = static_cast<float>(i) / static_cast<float>(samples + 1),
-                             .friction = std::max(friction[edge.a.value], friction[edge.b.value])});
-        }
-    }
-    points = std::move(fresh);
+    return friction;
 }
 
-void push_out_edges(Cloth& cloth, const BodyCollider& body, const ContactOptions& options, float max_move) {
+// What is known of a vertex that was a point before is kept.
+void add_vertices(const Cloth& cloth, const std::vector<float>& friction, std::vector<ContactPoint>& points) {
+    std::vector<const ContactPoint*> known(cloth.x.size(), nullptr);
+    for (const ContactPoint& point : cloth.contacts.points) {
+        if (point.vertex_count == 1) known[point.vertices[0]] = &point;
+    }
+    for (const VertexId v : cloth.mesh.leaf_vertices()) {
+        ContactPoint point{.vertices = {v.value, 0, 0}, .friction = friction[v.value]};
+        if (known[v.value]) {
+            point.asked_at = known[v.value]->asked_at;
+            point.slack = known[v.value]->slack;
+        }
+        points.push_back(point);
+    }
+}
+
+void add_edges(const Cloth& cloth, const std::vector<float>& friction, float spacing,
+               std::vector<ContactPoint>& points) {
+    for (const LeafEdge& edge : cloth.mesh.leaf_edges()) {
+        const int samples = static_cast<int>(std::ceil(edge.rest_length / spacing)) - 1;
+        for (int i = 1; i <= samples; ++i) {
+            const float t = static_cast<float>(i) / static_cast<float>(samples + 1);
+            points.push_back({.vertices = {edge.a.value, edge.b.value, 0},
+                              .shares = {1 - t, t, 0},
+                              .vertex_count = 2,
+                              .friction = std::max(friction[edge.a.value], friction[edge.b.value])});
+        }
+    }
+}
+
+void add_triangles(const Cloth& cloth, std::vector<ContactPoint>& points) {
+    constexpr float kThird = 1.0F / 3.0F;
+    for (const LeafTriangle& triangle : cloth.mesh.leaf_triangles()) {
+        points.push_back({.vertices = {triangle.v[0].value, triangle.v[1].value, triangle.v[2].value},
+                          .shares = {kThird, kThird, kThird},
+                          .vertex_count = 3,
+                          .friction = static_cast<float>(cloth.fabrics[triangle.panel].friction)});
+    }
+}
+
+}  // namespace
+
+void refresh_contacts(Cloth& cloth, const ContactOptions& options) {
+    std::vector<ContactPoint> fresh;
+    fresh.reserve(cloth.contacts.points.size());
+    const std::vector<float> friction = vertex_friction(cloth);
+    add_vertices(cloth, friction, fresh);
+    add_edges(cloth, friction, options.sample_spacing, fresh);
+    add_triangles(cloth, fresh);
+    cloth.contacts.points = std::move(fresh);
+}
+
+void push_out_between(Cloth& cloth, const BodyCollider& body, const ContactOptions& options, float max_move) {
     for (const std::uint32_t v : cloth.elements.vertices) limit_move(cloth, v, max_move);
     std::vector<ContactPoint>& points = cloth.contacts.points;
     for (std::size_t i = cloth.elements.vertices.size(); i < points.size(); ++i) {

@@ -2,7 +2,8 @@
 // Keeping cloth outside a body that stands still, at the contact offset, with Coulomb friction.  (SPEC 2, 3.3)
 //
 // A vertex remembers where it last asked the body and how far it may go before it must ask again: the true distance
-// changes no faster than the vertex moves. Edges too long for the body's curvature are sampled between their ends.
+// changes no faster than the vertex moves. Between vertices the cloth is sampled too: in the middle of every triangle,
+// and along edges that are long for the body's curvature.
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -21,27 +22,28 @@ struct ContactOptions {
     float floor = 0.0F;             // m, height of the floor
 };
 
-// A point of the cloth that may not enter the body: a leaf vertex (a == b), or a point of an edge.
+// A point of the cloth that may not enter the body: a leaf vertex, a point of an edge, or the middle of a triangle.
 struct ContactPoint {
-    std::uint32_t a = 0;
-    std::uint32_t b = 0;
-    float t = 0;                    // from a (0) to b (1)
+    std::array<std::uint32_t, 3> vertices{};
+    std::array<float, 3> shares{1, 0, 0};  // of each vertex in the point; they sum to 1
+    int vertex_count = 1;
     float friction = 0;
+    float slack = -1;  // m it may move from asked_at before it is asked again; negative: ask now
     Vec4f asked_at = Vec4f::Zero();
-    float slack = -1;               // m it may move from asked_at before it is asked again; negative: ask now
 };
 
 struct ContactState {
-    std::vector<ContactPoint> points;  // refreshed by an adaption
+    std::vector<ContactPoint>
+        points;  // leaf vertices first, then points of edges and triangles; refreshed by an adaption
 };
 
 // Points for the present leaves. What is known of vertices that were points before is kept.
 void refresh_contacts(Cloth& cloth, const ContactOptions& options = {});
 
-// Moves the points between the ends of long edges at least `offset` away from the body and the floor and takes off
-// tangential motion since x_prev up to friction times the depth corrected. First no vertex is left more than max_move (m)
-// from x_prev: the body may be thin.
-void push_out_edges(Cloth& cloth, const BodyCollider& body, const ContactOptions& options, float max_move);
+// Moves the points between vertices at least `offset` away from the body and the floor and takes off
+// tangential motion since x_prev up to friction times the depth corrected. First no vertex is left more than max_move
+// (m) from x_prev: the body may be thin.
+void push_out_between(Cloth& cloth, const BodyCollider& body, const ContactOptions& options, float max_move);
 
 // The same for the vertices themselves. Last in a sub-step: a drawn vertex is never inside.
 void push_out_vertices(Cloth& cloth, const BodyCollider& body, const ContactOptions& options);

@@ -13,8 +13,12 @@ namespace {
 // cloth locks.
 constexpr float kBiasExtension = 0.25F;
 
-Vec2f warp_direction(float grain_angle) { return {-std::sin(grain_angle), std::cos(grain_angle)}; }
-Vec2f weft_direction(float grain_angle) { return {std::cos(grain_angle), std::sin(grain_angle)}; }
+Vec2f warp_direction(float grain_angle) {
+    return {-std::sin(grain_angle), std::cos(grain_angle)};
+}
+Vec2f weft_direction(float grain_angle) {
+    return {std::cos(grain_angle), std::sin(grain_angle)};
+}
 
 // Moves per unit of strain along one thread direction with gradients g on the three vertices.
 std::array<float, 3> thread_moves(const std::array<float, 2>& g, const std::array<float, 3>& w, float compliance) {
@@ -103,8 +107,8 @@ StretchElement parent_element(const Cloth& cloth, const AdaptiveTriangle& triang
     return element;
 }
 
-// A refined triangle moves the cloth about its vertices with it. So a vertex weighs as much there as all that follows it:
-// its own mass, and half of that of each centre between it and another. Then no correction changes the momentum.
+// A refined triangle moves the cloth about its vertices with it. So a vertex weighs as much there as all that follows
+// it: its own mass, and half of that of each centre between it and another. Then no correction changes the momentum.
 std::vector<ParentLevel> parent_levels(const Cloth& cloth) {
     std::vector<float> mass(cloth.inverse_mass.size(), 0.0F);
     for (std::size_t v = 0; v < mass.size(); ++v) {
@@ -128,8 +132,8 @@ std::vector<ParentLevel> parent_levels(const Cloth& cloth) {
     return levels;
 }
 
-// Isometric bending: sum of q_i x_i is the mean curvature vector about the hinge, with cotangent weights of the unfolded
-// rest state. Energy 1/2 (3 B / (A_left + A_right)) |sum q x|^2.  (Bergou et al. 2006)
+// Isometric bending: sum of q_i x_i is the mean curvature vector about the hinge, with cotangent weights of the
+// unfolded rest state. Energy 1/2 (3 B / (A_left + A_right)) |sum q x|^2.  (Bergou et al. 2006)
 BendElement bend_element(const Cloth& cloth, const Hinge& hinge) {
     const Vec2f a(-0.5F * hinge.rest_length, 0);
     const Vec2f b(0.5F * hinge.rest_length, 0);

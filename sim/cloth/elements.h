@@ -27,26 +27,26 @@ MaterialFrame material_frame(const std::array<Vec2f, 3>& u, float grain_angle);
 // Warp, weft and shear of one leaf triangle.
 struct StretchElement {
     std::array<std::uint32_t, 3> vertices{};
-    std::array<float, 2> a{};      // see MaterialFrame
+    std::array<float, 2> a{};  // see MaterialFrame
     std::array<float, 2> b{};
-    std::array<float, 3> warp{};   // what each vertex moves along the warp per unit of strain, m
+    std::array<float, 3> warp{};  // what each vertex moves along the warp per unit of strain, m
     std::array<float, 3> weft{};
-    float shear = 0;               // gain of the shear condition, 1 / sum of w |grad|^2 + compliance
+    float shear = 0;  // gain of the shear condition, 1 / sum of w |grad|^2 + compliance
 };
 
 // One hinge: sum of q_i x_i vanishes where the cloth is flat.
 struct BendElement {
     std::array<std::uint32_t, 4> vertices{};
     std::array<float, 4> q{};
-    std::array<float, 4> move{};   // w_i q_i gain
+    std::array<float, 4> move{};  // w_i q_i gain
 };
 
 // |x_a - x_b| may not exceed `limit`.
 struct LengthLimit {
     std::uint32_t a = 0;
     std::uint32_t b = 0;
-    float limit = 0;               // m
-    float share_a = 0;             // 0..1, of the correction that a takes
+    float limit = 0;    // m
+    float share_a = 0;  // 0..1, of the correction that a takes
     float share_b = 0;
 };
 
@@ -55,22 +55,22 @@ struct EdgeCentre {
     std::uint32_t a = 0;
     std::uint32_t b = 0;
     std::uint32_t centre = 0;
-    float moves = 0;               // 1, or 0 for a pinned vertex
+    float moves = 0;  // 1, or 0 for a pinned vertex
 };
 
-// One level of the hierarchy as the levels below see it. However cloth folds, the mean of its deformation over a triangle
-// stretches no thread by more than the threads themselves are: a refined triangle is a one-sided limit.
+// One level of the hierarchy as the levels below see it. However cloth folds, the mean of its deformation over a
+// triangle stretches no thread by more than the threads themselves are: a refined triangle is a one-sided limit.
 struct ParentLevel {
     std::vector<StretchElement> triangles;
     std::vector<EdgeCentre> centres;
 };
 
 struct ClothElements {
-    std::vector<std::uint32_t> vertices;            // leaf vertices
-    std::vector<StretchElement> stretch;            // one per leaf triangle
-    std::vector<BendElement> bend;                  // one per inner leaf edge
-    std::vector<LengthLimit> limits;                // one per leaf edge: the fabric's strain limit
-    std::vector<ParentLevel> parents;               // coarse to fine
+    std::vector<std::uint32_t> vertices;  // leaf vertices
+    std::vector<StretchElement> stretch;  // one per leaf triangle
+    std::vector<BendElement> bend;        // one per inner leaf edge
+    std::vector<LengthLimit> limits;      // one per leaf edge: the fabric's strain limit
+    std::vector<ParentLevel> parents;     // coarse to fine
 };
 
 struct Cloth;

@@ -8,6 +8,8 @@
 namespace selvedge {
 namespace {
 
+constexpr float kHotStrain = 0.03F;  // of warp or weft: few triangles are, and those are where a seam would burst
+
 void predict(Cloth& cloth, const StepOptions& options) {
     const float h = cloth.substep;
     const Vec4f fall = padded(options.gravity) * (h * h);
@@ -41,9 +43,9 @@ void step(Cloth& cloth, const BodyCollider& body, const StepOptions& options) {
         predict(cloth, options);
         limit_parents(cloth.elements.parents, cloth.x, cloth.scratch);
         solve_bend(cloth.elements.bend, cloth.x);
-        solve_stretch(cloth.elements.stretch, cloth.inverse_mass, cloth.x);
+        solve_stretch(cloth.elements.stretch, cloth.inverse_mass, cloth.x, kHotStrain, cloth.hot);
         limit_lengths(cloth.elements.limits, cloth.x);
-        push_out_edges(cloth, body, options.contact, options.max_move_per_substep);
+        push_out_between(cloth, body, options.contact, options.max_move_per_substep);
         pull_seams(cloth, options.seams, options.seam_gap + to_go * options.seam_gap_rate);
         push_out_vertices(cloth, body, options.contact);
     }

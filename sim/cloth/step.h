@@ -17,14 +17,14 @@ struct SeamPull {
 };
 
 struct StepOptions {
-    int substeps = 12;                             // each of Cloth::substep
-    Vec3f gravity = Vec3f(0, -9.81F, 0);           // m/s^2
-    float extra_damping = 0;                       // 1/s, on top of the fabrics'
-    float max_move_per_substep = 0.005F;           // m: contacts see thin parts at this speed
+    int substeps = 12;                    // each of Cloth::substep
+    Vec3f gravity = Vec3f(0, -9.81F, 0);  // m/s^2
+    float extra_damping = 0;              // 1/s, on top of the fabrics'
+    float max_move_per_substep = 0.005F;  // m: contacts see thin parts at this speed
     ContactOptions contact{};
-    std::span<const SeamPull> seams{};               // open seams
-    float seam_gap = 0;                            // m, allowed at the end of this step
-    float seam_gap_rate = 0;                       // m per sub-step by which the gap shrinks within the step
+    std::span<const SeamPull> seams{};  // open seams
+    float seam_gap = 0;                 // m, allowed at the end of this step
+    float seam_gap_rate = 0;            // m per sub-step by which the gap shrinks within the step
 };
 
 void step(Cloth& cloth, const BodyCollider& body, const StepOptions& options);

@@ -7,9 +7,9 @@
 namespace selvedge {
 
 struct TriangleStrain {
-    float warp = 0;       // length of the deformed warp direction less 1
+    float warp = 0;  // length of the deformed warp direction less 1
     float weft = 0;
-    float shear = 0;      // rad, angle between the deformed warp and weft directions less a right angle, unsigned
+    float shear = 0;  // rad, angle between the deformed warp and weft directions less a right angle, unsigned
 };
 
 // One per leaf triangle, in their order.

@@ -55,14 +55,16 @@ void run_adaptive(Cloth& cloth, const BodyCollider& body, StepOptions stepping, 
         adapt_once(cloth, body, options, result);
         const float elapsed = static_cast<float>(result.simulated_seconds - start);
         stepping.extra_damping = kFallDamping + options.damping_growth * elapsed;
+        const std::vector<Vec4f> before = cloth.x;
         for (int i = 0; i < options.steps_per_adaption; ++i) step_once(cloth, body, stepping, result);
         result.bad_vertex = find_bad_vertex(cloth);
         if (result.bad_vertex) return;
-        result.rms_speed = rms_speed(cloth);
-        options.adapt.keeps_split = result.rms_speed < options.calm_speed;
         const double frame = double(step_seconds(cloth, stepping)) * options.steps_per_adaption;
+        result.rms_speed = rms_speed(cloth, before, frame);
+        options.adapt.keeps_split = result.rms_speed < options.calm_speed;
         at_rest = result.rms_speed < options.rest_speed ? at_rest + frame : 0;
-        report(progress, "draping", std::max(result.simulated_seconds / options.max_seconds, at_rest / options.rest_time));
+        report(progress, "draping",
+               std::max(result.simulated_seconds / options.max_seconds, at_rest / options.rest_time));
         if (at_rest >= options.rest_time) {
             result.settled = true;
             return;

@@ -11,14 +11,14 @@
 namespace selvedge {
 
 struct DrapeOptions {
-    double max_seconds = 12;           // of simulated time
+    double max_seconds = 12;  // of simulated time
     int steps_per_adaption = 4;
-    float calm_speed = 0.05F;          // m/s rms over mass: below it no edge rejoins any more
-    float damping_growth = 4;          // 1/s per second of the adaptive drape, so that it comes to rest
-    float rest_speed = 0.01F;          // m/s rms over mass: below it the garment is at rest
-    double rest_time = 0.3;            // s for which it must stay there
-    double relax_time = 0.3;           // s at level 0 without gravity: the seams' tension goes
-    double fall_time = 0.3;            // s at level 0 with gravity, before anything is refined
+    float calm_speed = 0.05F;  // m/s rms over mass: below it no edge rejoins any more
+    float damping_growth = 4;  // 1/s per second of the adaptive drape, so that it comes to rest
+    float rest_speed = 0.01F;  // m/s rms over mass: below it the garment is at rest
+    double rest_time = 0.5;    // s for which it must stay there
+    double relax_time = 0.3;   // s at level 0 without gravity: the seams' tension goes
+    double fall_time = 0.3;    // s at level 0 with gravity, before anything is refined
     AdaptClothOptions adapt{};
     ContactOptions contact{};
 };
@@ -27,13 +27,13 @@ struct DrapeResult {
     bool settled = false;
     std::string stopped_because;
     std::optional<VertexId> bad_vertex;
-    float rms_speed = 0;               // m/s at the end
+    float rms_speed = 0;  // m/s at the end
     double simulated_seconds = 0;
     long splits = 0;
     long rejoins = 0;
     long transitions = 0;
-    std::vector<double> adaption_ms;   // wall time, one per adaption
-    std::vector<double> step_ms;       // wall time, one per step of the adaptive part
+    std::vector<double> adaption_ms;  // wall time, one per adaption
+    std::vector<double> step_ms;      // wall time, one per step of the adaptive part
 };
 
 DrapeResult drape(Cloth& cloth, const BodyCollider& body, const DrapeOptions& options, const Progress& progress);

@@ -68,19 +68,23 @@ std::vector<Fabric> fabrics_of(const Pattern& pattern, const DressOptions& optio
     return fabrics;
 }
 
-// The body stands with its feet on the floor, so that patterns and gravity find it where they expect it.
-Pattern placed(const Pattern& pattern, const Body& body, const BodyCollider& collider, DressReport& report) {
+Pattern anchored(const Pattern& pattern, const Body& body) {
     Pattern moved = pattern;
     anchor_panels(moved, placed_for(pattern), body);
-    report.notes = clear_panels(moved, collider);
     return moved;
 }
 
-void lift(GarmentMesh& unsewn, double height, DressReport& report) {
-    if (height == 0) return;
-    for (Vec3d& x : unsewn.x) x.y() += height;
-    report.notes.push_back("all panels moved " + std::to_string(static_cast<int>(std::lround(height * 1000))) +
+// The unsewn garment where it can be sewn: clear of the body, and at a height at which its seams can close.
+GarmentMesh place(const Pattern& pattern, const BodyCollider& collider, const MeshOptions& options,
+                  DressReport& report) {
+    GarmentMesh unsewn = assemble(pattern, options);
+    report.notes = clear_panels(unsewn, collider);
+    const double lift = seam_clearing_lift(unsewn, collider);
+    if (lift == 0) return unsewn;
+    for (Vec3d& x : unsewn.x) x.y() += lift;
+    report.notes.push_back("all panels moved " + std::to_string(std::lround(lift * 1000)) +
                            " mm up, so that the seams can close round the body");
+    return unsewn;
 }
 
 void record_drape(DressReport& report, const DrapeResult& result) {
@@ -128,9 +132,8 @@ DressedGarment dress(const Pattern& pattern, const Body& body, const DressOption
     const BodyCollider collider(body);
     timer.done("body");
 
-    const Pattern moved = placed(pattern, body, collider, report);
-    GarmentMesh unsewn = assemble(moved, options.mesh);
-    lift(unsewn, seam_clearing_lift(unsewn, collider), report);
+    const Pattern moved = anchored(pattern, body);
+    const GarmentMesh unsewn = place(moved, collider, options.mesh, report);
     timer.done("mesh");
 
     const SewingResult sewing = sew_on_body(unsewn, fabrics, collider, {}, progress);

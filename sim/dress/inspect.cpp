@@ -86,7 +86,8 @@ void inspect_stretch(const Cloth& cloth, const Pattern& pattern, const FaultLimi
 void inspect(const Cloth& cloth, const BodyCollider& body, const Pattern& pattern, const SewingResult& sewing,
              const DrapeResult& draped, DressReport& report, const FaultLimits& limits) {
     report.seams.open = static_cast<int>(sewing.open.size());
-    for (const OpenSeam& open : sewing.open) add_fault(report, "open_seam", describe_seam(pattern, open.seam), open.gap);
+    for (const OpenSeam& open : sewing.open)
+        add_fault(report, "open_seam", describe_seam(pattern, open.seam), open.gap);
     if (draped.bad_vertex) {
         add_fault(report, "not_finite", "vertex " + std::to_string(draped.bad_vertex->value), 0);
     } else {

@@ -1,11 +1,12 @@
 #include "sim/dress/placement.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "sim/body/collider.h"
 #include "sim/body/section.h"
-#include "sim/pattern/outline.h"
 
 namespace selvedge {
 namespace {
@@ -32,31 +33,52 @@ Vec3d torso_centre(const Body& body, double y) {
     return {centre.x(), y, centre.z()};
 }
 
-std::vector<Vec3d> sample_panel(const Panel& panel) {
-    constexpr int kSteps = 24;  // across the larger side of the panel's box
-    Vec2d low = panel.vertices.front();
-    Vec2d high = low;
-    for (const Vec2d& u : panel.vertices) {
-        low = low.cwiseMin(u);
-        high = high.cwiseMax(u);
-    }
+// A panel as it is placed: its vertices, the points between them, and which way its right side looks.
+struct PlacedPanel {
     std::vector<Vec3d> points;
-    for (const OutlineEdge& edge : panel.edges) {
-        for (int i = 0; i < kSteps; ++i) points.push_back(panel.place(outline_point(panel, edge, i / double(kSteps))));
+    Vec3d normal = Vec3d::Zero();
+};
+
+std::vector<PlacedPanel> placed_panels(const GarmentMesh& unsewn) {
+    std::vector<PlacedPanel> panels(unsewn.panel_names.size());
+    for (const GarmentTriangle& triangle : unsewn.triangles) {
+        PlacedPanel& panel = panels[static_cast<std::size_t>(triangle.panel)];
+        std::array<Vec3d, 3> x;
+        for (std::size_t i = 0; i < 3; ++i) x[i] = unsewn.x[static_cast<std::size_t>(triangle.vertices[i])];
+        for (std::size_t i = 0; i < 3; ++i) {
+            panel.points.push_back(x[i]);
+            panel.points.push_back((x[i] + x[(i + 1) % 3]) * 0.5);
+        }
+        panel.normal += (x[1] - x[0]).cross(x[2] - x[0]);
     }
-    // Between opposite outline points lies the panel: chords to the box's centre are enough to see a body poke through.
-    const Vec3d centre = panel.place((low + high) * 0.5);
-    const std::size_t outline = points.size();
-    for (std::size_t i = 0; i < outline; ++i) {
-        for (int k = 1; k < 8; ++k) points.push_back(points[i] + (centre - points[i]) * (k / 8.0));
-    }
-    return points;
+    for (PlacedPanel& panel : panels) panel.normal.normalize();
+    return panels;
 }
 
-bool is_clear(const std::vector<Vec3d>& points, const Vec3d& shift, const BodyCollider& body) {
-    return std::all_of(points.begin(), points.end(), [&](const Vec3d& p) {
+bool is_clear(const PlacedPanel& panel, double move, const BodyCollider& body) {
+    const Vec3d shift = panel.normal * move;
+    return std::all_of(panel.points.begin(), panel.points.end(), [&](const Vec3d& p) {
         return body.contact((p + shift).cast<float>()).distance >= static_cast<float>(kClearance);
     });
+}
+
+// The least move that clears the panel; none when even the longest does not.
+std::optional<double> clearing_move(const PlacedPanel& panel, const BodyCollider& body) {
+    for (double move = 0; move <= kLongestMove; move += kMoveStep) {
+        if (is_clear(panel, move, body)) return move;
+    }
+    return std::nullopt;
+}
+
+void move_panel(GarmentMesh& unsewn, std::size_t panel, const Vec3d& shift) {
+    std::vector<bool> is_of_panel(unsewn.x.size(), false);
+    for (const GarmentTriangle& triangle : unsewn.triangles) {
+        if (static_cast<std::size_t>(triangle.panel) != panel) continue;
+        for (const int v : triangle.vertices) is_of_panel[static_cast<std::size_t>(v)] = true;
+    }
+    for (std::size_t v = 0; v < unsewn.x.size(); ++v) {
+        if (is_of_panel[v]) unsewn.x[v] += shift;
+    }
 }
 
 // How deep the line from a to b runs through the body at its deepest, m.
@@ -112,21 +134,17 @@ void anchor_panels(Pattern& pattern, const Body& from, const Body& onto) {
     }
 }
 
-std::vector<std::string> clear_panels(Pattern& pattern, const BodyCollider& body) {
+std::vector<std::string> clear_panels(GarmentMesh& unsewn, const BodyCollider& body) {
     std::vector<std::string> notes;
-    for (Panel& panel : pattern.panels) {
-        const std::vector<Vec3d> points = sample_panel(panel);
-        const Vec3d normal = panel.rotation * Vec3d(0, 0, panel.is_mirrored ? -1 : 1);
-        for (double move = 0; move <= kLongestMove; move += kMoveStep) {
-            if (!is_clear(points, normal * move, body)) continue;
-            panel.translation += normal * move;
-            if (move > 0) {
-                notes.push_back("panel '" + panel.name + "' moved " +
-                                std::to_string(static_cast<int>(std::lround(move * 1000))) +
-                                " mm outward, clear of the body");
-            }
-            break;
-        }
+    const std::vector<PlacedPanel> panels = placed_panels(unsewn);
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        const std::optional<double> move = clearing_move(panels[i], body);
+        const std::string name = "panel '" + unsewn.panel_names[i] + "'";
+        if (!move) notes.push_back(name + " stands in the body, and nowhere near is clear of it");
+        if (!move || *move == 0) continue;
+        move_panel(unsewn, i, panels[i].normal * *move);
+        const long millimetres = std::lround(*move * 1000);
+        notes.push_back(name + " moved " + std::to_string(millimetres) + " mm outward, clear of the body");
     }
     return notes;
 }

@@ -17,11 +17,11 @@ void anchor_panels(Pattern& pattern, const Body& from, const Body& onto);
 
 // Moves panels that a body pokes through out along their front normal until they are clear of it, and returns what was
 // done as notes ("panel 'front' moved 42 mm outward").
-std::vector<std::string> clear_panels(Pattern& pattern, const BodyCollider& body);
+std::vector<std::string> clear_panels(GarmentMesh& unsewn, const BodyCollider& body);
 
-// How far up (m, negative: down) the whole unsewn garment should go so that its seams can close: the body stands between
-// the two sides of a shoulder seam that lies too low, and of an underarm seam that lies too high. The lift is the one
-// for which the straight lines between linked vertices run least deep through the body.
+// How far up (m, negative: down) the whole unsewn garment should go so that its seams can close: the body stands
+// between the two sides of a shoulder seam that lies too low, and of an underarm seam that lies too high. The lift is
+// the one for which the straight lines between linked vertices run least deep through the body.
 double seam_clearing_lift(const GarmentMesh& unsewn, const BodyCollider& body);
 
 }  // namespace selvedge

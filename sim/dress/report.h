@@ -66,9 +66,9 @@ struct MeshCounts {
     int base_triangles = 0;
     int leaf_triangles = 0;
     int leaf_vertices = 0;
-    std::vector<int> by_level;     // leaf triangles of each level
-    double min_angle_deg = 0;      // of the base mesh, in material coordinates
-    long splits = 0;               // over the whole run
+    std::vector<int> by_level;  // leaf triangles of each level
+    double min_angle_deg = 0;   // of the base mesh, in material coordinates
+    long splits = 0;            // over the whole run
     long rejoins = 0;
     long transitions = 0;
 };
@@ -84,7 +84,8 @@ struct ContactCounts {
     double deepest_m = 0;  // 0 when none is inside
 };
 
-// Over the leaf triangles: length of the deformed warp and weft direction less 1, and the angle between them less 90 deg.
+// Over the leaf triangles: length of the deformed warp and weft direction less 1, and the angle between them less 90
+// deg.
 struct StretchFigures {
     double warp_weft_p50 = 0;
     double warp_weft_p99 = 0;
@@ -94,7 +95,7 @@ struct StretchFigures {
 
 struct DressTiming {
     double wall_s = 0;
-    double ms_per_adaption = 0;        // medians over the adaptive drape
+    double ms_per_adaption = 0;  // medians over the adaptive drape
     double ms_per_step = 0;
     double ms_adapt_plus_4_steps = 0;
     std::map<std::string, double> phases_s;
@@ -105,10 +106,10 @@ struct DressReport {
     std::string garment;
     std::string body;
     bool settled = false;
-    std::string stopped_because;       // "settled", "time limit", "bad number at ..."
+    std::string stopped_because;  // "settled", "time limit", "bad number at ..."
     double simulated_seconds = 0;
     std::vector<DressFault> faults;
-    std::vector<std::string> notes;    // what a person should know but is no fault
+    std::vector<std::string> notes;  // what a person should know but is no fault
     MeshCounts mesh;
     SeamCounts seams;
     ContactCounts contact;

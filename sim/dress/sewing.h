@@ -13,19 +13,19 @@ namespace selvedge {
 class BodyCollider;
 
 struct SewingOptions {
-    float closing_speed = 0.6F;      // m/s at which the allowed gap shrinks
-    float closed_gap = 0.006F;       // m, a link shorter than this is closed: two contact offsets may lie between its ends
-    float patience = 1.5F;           // s of further pulling once the gap should be nil
+    float closing_speed = 0.6F;  // m/s at which the allowed gap shrinks
+    float closed_gap = 0.006F;   // m, a link shorter than this is closed: two contact offsets may lie between its ends
+    float patience = 1.5F;       // s of further pulling once the gap should be nil
     ContactOptions contact;
 };
 
 struct OpenSeam {
-    int seam = 0;     // index into Pattern::seams
-    float gap = 0;    // m, the widest of its links
+    int seam = 0;   // index into Pattern::seams
+    float gap = 0;  // m, the widest of its links
 };
 
 struct SewingResult {
-    GarmentMesh sewn;                 // links that did not close are left out of the merge
+    GarmentMesh sewn;  // links that did not close are left out of the merge
     std::vector<OpenSeam> open;
     double simulated_seconds = 0;
     bool is_finite = true;
