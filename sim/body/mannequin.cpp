@@ -49,7 +49,7 @@ Readings take_measures(const MannequinBase& base, const Body& body, const Landma
             .inseam = crotch,
             .shoulder = 2 * landmarks.joints[Joint::LeftUpperArm].x(),
             .arm = arm_length(landmarks.joints),
-            .leg_gap = measure_leg_gap(body.x, crotch, landmarks.joints),
+            .leg_gap = measure_leg_gap(body, crotch, landmarks.joints),
             .girths = measure_girths(body, landmarks)};
 }
 
@@ -172,8 +172,8 @@ void report_stance(MeasureReport& report, const LegGap& gap, double stance, cons
         report.messages.emplace_back(text);
     }
     if (gap.width < kLeastLegGap) {
-        std::snprintf(text, sizeof text, "stance: even at %.1f degrees the thighs are only %.1f mm apart",
-                      degrees(stance), 1000 * gap.width);
+        std::snprintf(text, sizeof text, "stance: at %.1f degrees the thighs are only %.1f mm apart", degrees(stance),
+                      1000 * gap.width);
         report.messages.emplace_back(text);
     }
 }

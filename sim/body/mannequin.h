@@ -39,6 +39,10 @@ struct MannequinOptions {
     Sex sex = Sex::Female;
     MannequinMeasures measures = {};
     int subdivisions = 2;  // 1..4: 17 184, 68 736, 274 944 or 1 099 776 triangles
+
+    // Each leg's angle outward from the vertical, hip joint to ankle, 0 to 10 degrees, rad; unset: 0.9 degrees. Thick
+    // thighs open it until they are 8 mm apart.
+    std::optional<double> stance = {};
 };
 
 // One measure as asked for and as read off the finished surface, m.
@@ -49,11 +53,21 @@ struct MeasureReading {
     std::optional<double> level;  // of a girth: height of the middle of the tape
 };
 
+// How the legs stand.
+struct StanceReading {
+    std::optional<double> asked;  // rad
+    double made = 0;              // rad
+    bool is_opened = false;       // beyond what was asked or is usual, because the thighs would touch
+    double gap = 0;               // least distance between the legs from 4 cm below the crotch downward, m
+};
+
 struct MeasureReport {
     std::vector<MeasureReading> readings;  // every measure: lengths, then girths of trunk, neck, arm and leg
-    std::vector<std::string> messages;     // what could not be met and why: empty when all asked measures are
-                                           // within 0.3 % and the surface does not cut itself
-    int rounds = 0;                        // of measuring and correcting
+    StanceReading stance;
+    std::vector<std::string> messages;  // what could not be met and why: empty when all asked measures are
+                                        // within 0.3 %, the legs stand as asked and apart, and
+                                        // the surface does not cut itself
+    int rounds = 0;                     // of measuring and correcting
 };
 
 struct Mannequin {
@@ -65,8 +79,8 @@ struct Mannequin {
 // Equal options give equal bits.
 Mannequin make_mannequin(const MannequinOptions& options = {});
 
-// Reads "mannequin:sex=female,bust=92,waist=74" (cm, all parts optional, also "hips" for hip and "resolution" for
-// subdivisions). Throws InputError for what it does not know.
+// Reads "mannequin:sex=female,bust=92,waist=74" (cm, all parts optional, also "hips" for hip, "resolution" for
+// subdivisions and "stance" in degrees). Throws InputError for what it does not know.
 MannequinOptions parse_mannequin(std::string_view text);
 
 // "height", "inseam", ... in the order of the report.

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdio>
 
+#include "sim/body/mannequin_stance.h"
 #include "sim/core/error.h"
 
 namespace selvedge {
@@ -105,6 +106,12 @@ void check_options(const MannequinOptions& options) {
         if (!value) continue;
         if (*value >= entry.least && *value <= entry.most) continue;  // false for NaN
         refuse(entry, *value, entry.least, entry.most, "");
+    }
+    if (options.stance && !(*options.stance >= 0 && *options.stance <= kMostStance)) {  // also for NaN
+        char text[64];
+        std::snprintf(text, sizeof text, "%.4g degrees is not between 0 and %.4g degrees", degrees(*options.stance),
+                      degrees(kMostStance));
+        throw InputError("mannequin", "stance", text);
     }
     if (options.subdivisions < 1 || options.subdivisions > 4) {
         throw InputError("mannequin", "resolution",

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "sim/body/mannequin_measures.h"
+#include "sim/body/mannequin_stance.h"
 #include "sim/core/error.h"
 
 namespace selvedge {
@@ -24,7 +25,7 @@ Sex read_sex(std::string_view text) {
 }
 
 std::string known_names() {
-    std::string names = "sex, resolution";
+    std::string names = "sex, resolution, stance";
     for (const std::string_view name : measure_names()) names += ", " + std::string(name);
     return names;
 }
@@ -44,6 +45,9 @@ void read_setting(MannequinOptions& options, std::string_view setting) {
             throw InputError("mannequin", "resolution", "'" + std::string(value) + "' is not a number of steps");
         }
         options.subdivisions = static_cast<int>(steps);
+    } else if (name == "stance") {
+        if (options.stance) throw InputError("mannequin", "stance", "given twice");
+        options.stance = radians(read_number(name, value));
     } else if (std::optional<double>* measure = find_measure(options.measures, name)) {
         if (*measure) throw InputError("mannequin", std::string(name), "given twice");
         *measure = read_number(name, value) / 100;

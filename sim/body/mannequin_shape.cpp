@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "sim/body/mannequin_stance.h"
 #include "sim/core/parallel.h"
 
 namespace selvedge {
@@ -33,6 +34,7 @@ Joints bend_joints(const MannequinBase& base, const ShapeParameters& shape, cons
     set_leg(Joint::LeftLowerLeg, 0.5);
     set_leg(Joint::LeftFoot, 0.35);
     set_leg(Joint::LeftToe, 0.35);
+    set_stance(to, shape.stance);
     mirror_left_side(to);
     return to;
 }

@@ -16,6 +16,7 @@ struct ShapeParameters {
     double arm = 1;          // arm length over the base body's
     double shoulder = 1;     // shoulder width over the base body's, as far as the chest allows
     double clearance = 0.9;  // least shoulder width, in parts of the upper chest's scale
+    double stance = 0;       // of each leg, outward from the vertical, rad
     double bust_ratio = 1;   // bust over that of a base body of this height
     GirthValues scale;       // radial scales at the levels of the girths
 };

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "sim/body/mannequin.h"
 #include "sim/core/error.h"
 
@@ -24,6 +26,16 @@ TEST(ParseMannequin, reads_centimetres) {
     EXPECT_DOUBLE_EQ(options.measures.bust.value(), 1.0);
     EXPECT_DOUBLE_EQ(options.measures.hip.value(), 0.98);
     EXPECT_FALSE(options.measures.waist.has_value());
+}
+
+TEST(ParseMannequin, reads_the_stance_in_degrees) {
+    EXPECT_FALSE(parse_mannequin("mannequin").stance.has_value());
+    EXPECT_NEAR(parse_mannequin("mannequin:stance=1.5").stance.value(), 0.0261799, 1e-7);
+    EXPECT_EQ(parse_mannequin("mannequin:stance=0").stance.value(), 0);
+    EXPECT_EQ(parse_mannequin("mannequin:stance=10").stance.value(), 10 * std::numbers::pi / 180);
+    EXPECT_EQ(refusal("mannequin:stance=12"), "mannequin: stance: 12 degrees is not between 0 and 10 degrees");
+    EXPECT_EQ(refusal("mannequin:stance=wide"), "mannequin: stance: 'wide' is not a number");
+    EXPECT_NE(refusal("mannequin:stance=1,stance=2").find("given twice"), std::string::npos);
 }
 
 TEST(ParseMannequin, takes_nothing_for_the_default_body) {
@@ -63,7 +75,7 @@ TEST(ParseMannequin, says_what_is_wrong) {
     EXPECT_EQ(refusal("mannequin:resolution=2.5"), "mannequin: resolution: '2.5' is not a number of steps");
     EXPECT_EQ(refusal("mannequin:resolution=7"),
               "mannequin: resolution: 7 is not between 1 and 4 steps of subdivision");
-    EXPECT_NE(refusal("mannequin:busst=92").find("busst: no such measure; known are sex, resolution, height"),
+    EXPECT_NE(refusal("mannequin:busst=92").find("busst: no such measure; known are sex, resolution, stance, height"),
               std::string::npos);
     EXPECT_NE(refusal("mannequin:bust=90,,").find("'name=value' expected"), std::string::npos);
     EXPECT_NE(refusal("mannequins").find("':' expected"), std::string::npos);
