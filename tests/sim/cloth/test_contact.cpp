@@ -1,0 +1,187 @@
+// The body is never entered, whatever moves, and friction holds or lets go where Coulomb says.
+#include "sim/cloth/contact.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "tests/sim/body/shapes.h"
+#include "tests/sim/cloth/fixtures.h"
+
+namespace selvedge::test {
+namespace {
+
+constexpr float kOffset = 0.003F;
+
+// What is left of the offset when the distance field errs by all it may.
+float least_clearance(const BodyCollider& body) {
+    return kOffset - body.max_error() - 1e-4F;
+}
+
+TEST(Outside, leaves_alone_what_is_far_enough_away) {
+    for (const Vec3f& x : {Vec3f(0, 1.16F, 0), Vec3f(0.5F, 1, 0), Vec3f(0, 1.1531F, 0)}) {
+        EXPECT_EQ(outside(x, Vec3f::UnitY(), ball(), kOffset), x);
+    }
+}
+
+TEST(Outside, moves_what_is_inside_or_too_near_onto_the_offset_surface) {
+    std::mt19937 random(5);
+    for (int i = 0; i < 500; ++i) {
+        const Vec3f direction = Vec3f(draw(random, -1, 1), draw(random, -1, 1), draw(random, -1, 1)).normalized();
+        const Vec3f x = Vec3f(0, 1, 0) + direction * draw(random, 0.05F, 0.1525F);
+        const Vec3f moved = outside(x, direction, ball(), kOffset);
+        EXPECT_NEAR(exact_distance(ball(), moved), kOffset, ball().max_error() + 2e-4F);
+        EXPECT_LT((moved - x).normalized().cross(direction).norm(), 0.1F) << "it left sideways";
+    }
+}
+
+TEST(Outside, leaves_a_thin_part_on_the_side_that_the_cloth_is_on) {
+    const Obstacle plate(shapes::box(Vec3d(-0.2, 0.99, -0.2), Vec3d(0.2, 1.0, 0.2), 8));
+    const Vec3f nearer_to_the_top(0.01F, 0.998F, 0.02F);
+    EXPECT_NEAR(outside(nearer_to_the_top, Vec3f::UnitY(), plate.collider, kOffset).y(), 1.003F, 5e-4F);
+    EXPECT_NEAR(outside(nearer_to_the_top, -Vec3f::UnitY(), plate.collider, kOffset).y(), 0.987F, 5e-4F);
+}
+
+TEST(RefreshContacts, samples_every_edge_longer_than_the_spacing) {
+    Cloth cloth = make_patch(find_fabric("silk"), {.side = 0.4, .quads = 4});
+    for (const int level : {0, 1, 2, 3}) {
+        refine(cloth, level);
+        std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<float>> samples;
+        std::size_t vertices = 0;
+        for (const ContactPoint& point : cloth.contacts.points) {
+            EXPECT_NEAR(point.shares[0] + point.shares[1] + point.shares[2], 1, 1e-5F);
+            if (point.vertex_count == 1) ++vertices;
+            if (point.vertex_count != 2) continue;
+            const auto [a, b, unused] = point.vertices;
+            samples[std::minmax(a, b)].push_back(a < b ? point.shares[1] : point.shares[0]);
+        }
+        EXPECT_EQ(vertices, cloth.mesh.leaf_vertices().size());
+        for (const LeafEdge& edge : cloth.mesh.leaf_edges()) {
+            std::vector<float> t = samples[std::minmax(edge.a.value, edge.b.value)];
+            t.push_back(0);
+            t.push_back(1);
+            std::sort(t.begin(), t.end());
+            for (std::size_t i = 1; i < t.size(); ++i) EXPECT_LE((t[i] - t[i - 1]) * edge.rest_length, 0.0251F);
+            if (edge.rest_length < 0.0249F) {
+                EXPECT_EQ(t.size(), 2U) << "a short edge needs no sample";
+            }
+        }
+    }
+}
+
+// Two triangles whose long diagonal crosses a small ball between its ends.
+TEST(PushOutBetween, keeps_the_middle_of_a_long_edge_out_of_a_small_ball) {
+    const Obstacle small(shapes::sphere(Vec3d(0, 1, 0), 0.04, 16));
+    Cloth cloth = make_patch(undamped(), {.side = 0.2, .quads = 1, .height = 1.06});
+    run(cloth, small.collider, {.extra_damping = 4, .contact = {.floor = kNoFloor}}, 0.5);
+    ASSERT_FALSE(find_bad_vertex(cloth).has_value());
+    float highest = 0;
+    for (const LeafEdge& edge : cloth.mesh.leaf_edges()) {
+        for (int i = 0; i <= 100; ++i) {
+            const Vec4f& a = cloth.x[edge.a.value];
+            const Vec3f p = (a + (cloth.x[edge.b.value] - a) * (float(i) / 100)).head<3>();
+            EXPECT_GT(exact_distance(small.collider, p), -0.0005F);
+            highest = std::max(highest, p.y());
+        }
+    }
+    EXPECT_GT(highest, 1.03F) << "it fell past the ball, so nothing was tested";
+}
+
+// Each vertex walks at random near the ball; whatever the slack says, no vertex may be left nearer than the offset.
+TEST(PushOutVertices, the_slack_never_hides_a_contact) {
+    std::mt19937 random(21);
+    Cloth cloth = make_patch(undamped(), {.side = 0.4, .quads = 8, .height = 1.12});
+    const ContactOptions options{.friction_scale = 0, .floor = kNoFloor};
+    push_out_vertices(cloth, ball(), options);
+    const float least = least_clearance(ball());
+    long pushed = 0;
+    for (int round = 0; round < 300; ++round) {
+        const float reach = round % 10 == 0 ? 0.03F : 0.002F;
+        cloth.x_prev = cloth.x;
+        for (const VertexId v : cloth.mesh.leaf_vertices()) {
+            Vec4f& x = cloth.x[v.value];
+            const Vec4f home = Vec4f(0, 1, 0, 0) - x;
+            for (int axis = 0; axis < 3; ++axis) x[axis] += draw(random, -reach, reach) + home[axis] * 0.01F;
+            if (exact_distance(ball(), x.head<3>()) < kOffset) ++pushed;
+        }
+        push_out_vertices(cloth, ball(), options);
+        ASSERT_GT(deepest(cloth, ball()), least) << "in round " << round;
+    }
+    EXPECT_GT(pushed, 5000) << "hardly anything came near the ball, so nothing was tested";
+}
+
+TEST(PushOutVertices, a_falling_cloth_never_comes_nearer_than_the_offset) {
+    Cloth cloth = make_patch(undamped("silk"), {.side = 0.4, .quads = 8, .height = 1.25});
+    const float least = least_clearance(ball());
+    for (int i = 0; i < 120; ++i) {
+        step(cloth, ball(), {.contact = {.floor = kNoFloor}});
+        ASSERT_GT(deepest(cloth, ball()), least) << "after step " << i;
+    }
+    EXPECT_LT(deepest(cloth, ball()), 2 * kOffset) << "it never reached the ball, so nothing was tested";
+}
+
+TEST(PushOutVertices, the_floor_holds_what_falls_past_the_body) {
+    Cloth cloth = make_patch(undamped(), {.side = 0.2, .quads = 2, .height = 0.1});
+    run(cloth, nothing_near(), {.extra_damping = 2, .contact = {.floor = 0.02F}}, 1.0);
+    for (const VertexId v : cloth.mesh.leaf_vertices()) EXPECT_NEAR(cloth.x[v.value].y(), 0.023F, 1e-4F);
+}
+
+// A patch that lies on the upper side of a slab tilted by `angle_deg` about z, and what it does in `seconds`.
+class Slope {
+ public:
+    Slope(double angle_deg, double mu)
+        : turn_(Eigen::AngleAxisd(-angle_deg * std::numbers::pi / 180, Vec3d::UnitZ())), slab_(tilted(turn_)) {
+        Fabric fabric = undamped();
+        fabric.friction = mu;
+        cloth_ = make_patch(fabric, {.side = 0.1, .quads = 2, .height = kOffset});
+        const Vec3d start = Vec3d(0, 2, 0) + turn_ * Vec3d(-0.3, 0, 0);
+        move_to(cloth_, turn_.toRotationMatrix().cast<float>(), start.cast<float>());
+    }
+
+    // m, down the slope.
+    double slide(double seconds) {
+        const Vec3d before = centre_of_mass(cloth_);
+        run(cloth_, slab_.collider, {}, seconds);
+        return (centre_of_mass(cloth_) - before).dot(turn_ * Vec3d::UnitX());
+    }
+
+ private:
+    static Body tilted(const Eigen::AngleAxisd& turn) {
+        Body body = shapes::box(Vec3d(-0.5, -0.06, -0.15), Vec3d(0.5, 0, 0.15), 4);
+        for (Vec3d& p : body.x) p = turn * p + Vec3d(0, 2, 0);
+        return body;
+    }
+
+    Eigen::AngleAxisd turn_;
+    Obstacle slab_;
+    Cloth cloth_ = make_patch(undamped());
+};
+
+TEST(Friction, holds_on_a_slope_flatter_than_its_angle) {
+    for (const double angle_deg : {5.0, 15.0, 25.0}) {
+        const double limit = std::tan(angle_deg * std::numbers::pi / 180);
+        EXPECT_LT(std::abs(Slope(angle_deg, 1.15 * limit).slide(1.0)), 0.001) << angle_deg << " deg";
+    }
+}
+
+TEST(Friction, slides_on_a_slope_steeper_than_its_angle_as_fast_as_coulomb_says) {
+    constexpr double kSeconds = 0.4;
+    for (const double angle_deg : {15.0, 25.0, 35.0}) {
+        const double angle = angle_deg * std::numbers::pi / 180;
+        const double mu = 0.5 * std::tan(angle);
+        const double expected = 0.5 * 9.81 * (std::sin(angle) - mu * std::cos(angle)) * kSeconds * kSeconds;
+        EXPECT_NEAR(Slope(angle_deg, mu).slide(kSeconds), expected, 0.1 * expected) << angle_deg << " deg";
+    }
+}
+
+TEST(Friction, none_at_all_lets_it_slide_freely) {
+    const double angle = 20 * std::numbers::pi / 180;
+    const double expected = 0.5 * 9.81 * std::sin(angle) * 0.4 * 0.4;
+    EXPECT_NEAR(Slope(20, 0).slide(0.4), expected, 0.1 * expected);
+}
+
+}  // namespace
+}  // namespace selvedge::test
