@@ -100,9 +100,10 @@ TEST(Usage, dress_writes_over_nothing_that_it_reads_and_no_file_twice) {
 TEST(Usage, dress_refuses_a_name_that_is_no_file_or_has_the_wrong_ending) {
     const ScratchFolder folder;
     ASSERT_EQ(run_command("mkfifo '" + folder / "pipe" + "'").exit_code, 0);
-    expect_one_line_and_exit_2("dress " + shipped("tshirt.json") + " --report '" + folder / "pipe" + "'");
-    for (const char* option : {"--report /tmp", "--report /tmp/", "--render x.jpg", "--export x.ply", "--edge-length 0",
-                               "--body-unit feet", "--body-up x"})
+    for (const char* name : {"pipe", "", "."})
+        expect_one_line_and_exit_2("dress " + shipped("tshirt.json") + " --report '" + folder / name + "'");
+    for (const char* option :
+         {"--render x.jpg", "--export x.ply", "--edge-length 0", "--body-unit feet", "--body-up x"})
         expect_one_line_and_exit_2("dress " + shipped("tshirt.json") + " " + option);
 }
 
