@@ -1,0 +1,155 @@
+// Whole dressings: what ships is put on the mannequin, and what others drew on a mannequin of their measurements.
+#include "sim/dress/dress.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "sim/body/mannequin.h"
+#include "sim/body/surface_bvh.h"
+#include "sim/pattern/pattern_file.h"
+#include "tests/sim/body/shapes.h"
+#include "tests/sim/dress/shapes.h"
+
+namespace selvedge::test {
+namespace {
+
+const Body& mannequin() {
+    static const Body body = make_mannequin({.subdivisions = 1}).body;
+    return body;
+}
+
+Pattern shipped(const std::string& name) {
+    return load_pattern(std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / (name + ".json")).pattern;
+}
+
+DressOptions up_to_level(int max_level) {
+    DressOptions options;
+    options.max_level = max_level;
+    return options;
+}
+
+// Every fault on a line of its own, for the message of a failing test.
+std::string list_faults(const DressReport& report) {
+    std::string text;
+    for (const DressFault& fault : report.faults) {
+        text += fault.kind + ": " + fault.place + " (" + std::to_string(fault.value) + ")\n";
+    }
+    return text;
+}
+
+// What a report that names no fault claims, looked at without its help.
+void expect_dressed(const DressedGarment& dressed, const Body& body) {
+    EXPECT_EQ(list_faults(dressed.report), "");
+    EXPECT_TRUE(dressed.report.settled) << dressed.report.stopped_because;
+    EXPECT_EQ(dressed.report.seams.open, 0);
+    ASSERT_EQ(int(dressed.mesh.triangles.size()), dressed.report.mesh.leaf_triangles);
+    const SurfaceBvh surface(body);
+    float deepest = 0;
+    float lowest = 10;
+    for (const Vec3f& x : dressed.mesh.x) {
+        ASSERT_TRUE(x.allFinite());
+        deepest = std::max(deepest, -surface.closest(x, std::numeric_limits<float>::infinity())->distance);
+        lowest = std::min(lowest, x.y());
+    }
+    EXPECT_LT(deepest, 0.0005F);
+    EXPECT_GT(lowest, 0.2F) << "it fell off";
+}
+
+TEST(Dress, two_squares_hang_on_the_mannequin_without_a_fault) {
+    const DressedGarment dressed = dress(shipped("two_squares"), mannequin(), up_to_level(1));
+    expect_dressed(dressed, mannequin());
+    EXPECT_EQ(dressed.report.mesh.by_level.size(), 2U);
+}
+
+TEST(Dress, a_tshirt_sits_on_the_mannequin_without_a_fault) {
+    expect_dressed(dress(shipped("tshirt"), mannequin(), up_to_level(1)), mannequin());
+}
+
+TEST(Dress, a_tshirt_of_three_levels_sits_on_the_mannequin_without_a_fault) {
+    const DressedGarment dressed = dress(shipped("tshirt"), mannequin(), up_to_level(3));
+    expect_dressed(dressed, mannequin());
+    EXPECT_GT(dressed.report.mesh.leaf_triangles, 2 * dressed.report.mesh.base_triangles);
+    EXPECT_GE(dressed.report.mesh.base_triangles, 300);
+    EXPECT_LE(dressed.report.mesh.base_triangles, 900);
+}
+
+TEST(Dress, the_same_dressing_gives_the_same_bits_and_the_same_report_but_for_timing) {
+    const Pattern pattern = shipped("two_squares");
+    DressOptions options = up_to_level(1);
+    options.mesh.target_edge = 0.08;
+    std::set<std::string> phases;
+    const Progress progress = [&](std::string_view phase, double fraction) {
+        phases.insert(std::string(phase));
+        EXPECT_GE(fraction, 0) << phase;
+        EXPECT_LE(fraction, 1 + 1e-6) << phase;
+    };
+    DressedGarment first = dress(pattern, mannequin(), options, progress);
+    DressedGarment second = dress(pattern, mannequin(), options);
+    EXPECT_GE(phases.size(), 2U);
+    EXPECT_EQ(first.mesh.x, second.mesh.x);
+    EXPECT_EQ(first.mesh.triangles, second.mesh.triangles);
+    first.report.timing = {};
+    second.report.timing = {};
+    EXPECT_EQ(to_json(first.report), to_json(second.report));
+}
+
+class DressABox : public testing::Test {
+ protected:
+    // Fits no garment: 0.64 m round.
+    DressReport put_on(Pattern pattern, double max_seconds) const {
+        pattern.body = "mannequin:sex=female,height=170,resolution=1";
+        DressOptions options = up_to_level(0);
+        options.max_seconds = max_seconds;
+        return dress(pattern, box_, options).report;
+    }
+    const Body box_ = shapes::box(Vec3d(-0.1, 0, -0.06), Vec3d(0.1, 1.7, 0.06), 12);
+};
+
+TEST_F(DressABox, what_has_no_time_to_come_to_rest_is_not_settled_and_says_so) {
+    const DressReport report = put_on(tube(0.40, 0.3, 1.2, 0.15), 0.7);
+    EXPECT_FALSE(report.settled);
+    EXPECT_NE(list_faults(report).find("not_settled"), std::string::npos) << list_faults(report);
+}
+
+TEST_F(DressABox, a_tube_that_is_less_than_half_as_wide_as_the_body_never_passes) {
+    const DressReport report = put_on(tube(0.15, 0.3, 0.8, 0.15), 2);
+    const std::string faults = list_faults(report);
+    EXPECT_TRUE(faults.find("open_seam") != std::string::npos || faults.find("overstretched") != std::string::npos)
+        << faults;
+}
+
+// Published patterns, on the mannequin of the mean measurements that lie beside them.
+class PublishedPattern : public testing::TestWithParam<const char*> {
+ protected:
+    static std::filesystem::path folder() {
+        const char* data = std::getenv("SELVEDGE_TEST_DATA");
+        return data ? std::filesystem::path(data) / "garmentcode" : std::filesystem::path();
+    }
+    // Bust, waist, hips and height of mean_all_measurements.yaml.
+    static Body mean_body() {
+        return make_mannequin(parse_mannequin("mannequin:height=171.99,bust=99.84,waist=84.33,hips=103.48")).body;
+    }
+};
+
+TEST_P(PublishedPattern, is_dressed_without_a_fault) {
+    if (folder().empty()) GTEST_SKIP() << "SELVEDGE_TEST_DATA is not set";
+    const Body body = mean_body();
+    expect_dressed(dress(load_pattern(folder() / GetParam()).pattern, body), body);
+}
+
+INSTANTIATE_TEST_SUITE_P(GarmentCode, PublishedPattern,
+                         testing::Values("shirt_mean_specification.json", "dress_pencil_specification.json"),
+                         [](const auto& instance) {
+                             const std::string name = instance.param;
+                             return name.substr(0, name.find("_specification"));
+                         });
+
+}  // namespace
+}  // namespace selvedge::test
