@@ -43,10 +43,10 @@ template <class... Chosen>
 AdaptReport with_length(Cloth& cloth, ClothObserver& observer, const AdaptClothOptions& options,
                         const Chosen&... chosen) {
     const ShortestEdgeCriterion shortest{options.shortest_edge};
-    const KeepSplitCriterion keep{options.keeps_split};
-    if (!options.criteria.length) return adapt(cloth.mesh, observer, AdaptOptions{}, shortest, keep, chosen...);
+    const HoldCriterion hold{options.may_rejoin};
+    if (!options.criteria.length) return adapt(cloth.mesh, observer, AdaptOptions{}, shortest, hold, chosen...);
     const LengthCriterion<Vec4f> length(cloth.x);
-    return adapt(cloth.mesh, observer, AdaptOptions{}, shortest, keep, chosen..., length);
+    return adapt(cloth.mesh, observer, AdaptOptions{}, shortest, hold, chosen..., length);
 }
 
 template <class... Chosen>

@@ -32,12 +32,12 @@ struct ShortestEdgeCriterion {
     bool vetoes(const AdaptiveMesh& mesh, EdgeId edge) const { return mesh.rest_length(edge) < length; }
 };
 
-// Keeps what is split while the cloth comes to rest, so that edges near a threshold do not split and rejoin for ever.
-struct KeepSplitCriterion {
-    bool is_on = false;
+// While the cloth comes to rest it keeps what is split, so that edges near a threshold do not split and rejoin for ever.
+struct HoldCriterion {
+    bool may_rejoin = true;
 
     bool wants_split(const AdaptiveMesh&, EdgeId) const { return false; }
-    bool allows_rejoin(const AdaptiveMesh&, EdgeId) const { return !is_on; }
+    bool allows_rejoin(const AdaptiveMesh&, EdgeId) const { return may_rejoin; }
 };
 
 struct CriteriaOptions {
@@ -47,10 +47,10 @@ struct CriteriaOptions {
 };
 
 struct AdaptClothOptions {
-    CriteriaOptions criteria;
+    CriteriaOptions criteria{};
     float contact_offset = 0.003F;  // m
     float shortest_edge = 0.02F;    // m, an edge shorter than this is not split
-    bool keeps_split = false;       // no edge rejoins
+    bool may_rejoin = true;
 };
 
 // One adaption. Post: masses sum to what they were, solver lists and contact points are fresh.

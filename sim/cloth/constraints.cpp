@@ -7,7 +7,9 @@ namespace selvedge {
 namespace {
 
 constexpr float kTiny = 1e-12F;
-constexpr int kHotRounds = 4;
+constexpr int kHotRounds = 8;
+constexpr float kParentsLongest = 1.00001F;  // one-sided limits would gather rounding errors into a drift
+
 
 // The two thread directions of a triangle, unit, and how long they are.
 struct Threads {
@@ -96,7 +98,7 @@ void limit_parents(std::span<const ParentLevel> levels, std::span<Vec4f> x, std:
     if (levels.empty() || levels.front().triangles.empty()) return;
     before.assign(x.begin(), x.end());
     for (const ParentLevel& level : levels) {
-        for (const StretchElement& triangle : level.triangles) limit_triangle(triangle, x, 1);
+        for (const StretchElement& triangle : level.triangles) limit_triangle(triangle, x, kParentsLongest);
         for (const EdgeCentre& c : level.centres) {
             x[c.centre] += ((x[c.a] - before[c.a]) + (x[c.b] - before[c.b])) * (0.5F * c.moves);
         }

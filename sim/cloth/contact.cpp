@@ -48,12 +48,6 @@ void apply_contact(Cloth& cloth, const ContactPoint& point, const Vec3f& normal,
     move_point(cloth, point, tangential * -std::min(1.0F, friction * depth / length));
 }
 
-void limit_move(Cloth& cloth, std::uint32_t vertex, float max_move) {
-    const Vec4f moved = cloth.x[vertex] - cloth.x_prev[vertex];
-    const float length = moved.norm();
-    if (length > max_move) cloth.x[vertex] = cloth.x_prev[vertex] + moved * (max_move / length);
-}
-
 void push_out_point(Cloth& cloth, ContactPoint& point, const BodyCollider& body, const ContactOptions& options) {
     const Vec4f x = at(cloth.x, point);
     const float friction = point.friction * options.friction_scale;
@@ -129,8 +123,7 @@ void refresh_contacts(Cloth& cloth, const ContactOptions& options) {
     cloth.contacts.points = std::move(fresh);
 }
 
-void push_out_between(Cloth& cloth, const BodyCollider& body, const ContactOptions& options, float max_move) {
-    for (const std::uint32_t v : cloth.elements.vertices) limit_move(cloth, v, max_move);
+void push_out_between(Cloth& cloth, const BodyCollider& body, const ContactOptions& options) {
     std::vector<ContactPoint>& points = cloth.contacts.points;
     for (std::size_t i = cloth.elements.vertices.size(); i < points.size(); ++i) {
         push_out_point(cloth, points[i], body, options);

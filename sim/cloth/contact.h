@@ -40,10 +40,9 @@ struct ContactState {
 // Points for the present leaves. What is known of vertices that were points before is kept.
 void refresh_contacts(Cloth& cloth, const ContactOptions& options = {});
 
-// Moves the points between vertices at least `offset` away from the body and the floor and takes off
-// tangential motion since x_prev up to friction times the depth corrected. First no vertex is left more than max_move
-// (m) from x_prev: the body may be thin.
-void push_out_between(Cloth& cloth, const BodyCollider& body, const ContactOptions& options, float max_move);
+// Moves the points between vertices at least `offset` away from the body and the floor and takes off tangential motion
+// since x_prev up to friction times the depth corrected.
+void push_out_between(Cloth& cloth, const BodyCollider& body, const ContactOptions& options);
 
 // The same for the vertices themselves. Last in a sub-step: a drawn vertex is never inside.
 void push_out_vertices(Cloth& cloth, const BodyCollider& body, const ContactOptions& options);

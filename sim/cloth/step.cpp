@@ -22,6 +22,15 @@ void predict(Cloth& cloth, const StepOptions& options) {
     }
 }
 
+// Contacts see thin parts, and remember their side of them, only if no vertex jumps.
+void limit_moves(Cloth& cloth, float max_move) {
+    for (const std::uint32_t v : cloth.elements.vertices) {
+        const Vec4f moved = cloth.x[v] - cloth.x_prev[v];
+        const float length = moved.norm();
+        if (length > max_move) cloth.x[v] = cloth.x_prev[v] + moved * (max_move / length);
+    }
+}
+
 void pull_seams(Cloth& cloth, std::span<const SeamPull> seams, float gap) {
     for (const SeamPull& pull : seams) {
         const float wa = cloth.inverse_mass[pull.a];
@@ -45,8 +54,10 @@ void step(Cloth& cloth, const BodyCollider& body, const StepOptions& options) {
         solve_bend(cloth.elements.bend, cloth.x);
         solve_stretch(cloth.elements.stretch, cloth.inverse_mass, cloth.x, kHotStrain, cloth.hot);
         limit_lengths(cloth.elements.limits, cloth.x);
-        push_out_between(cloth, body, options.contact, options.max_move_per_substep);
+        limit_moves(cloth, options.max_move_per_substep);
+        push_out_between(cloth, body, options.contact);
         pull_seams(cloth, options.seams, options.seam_gap + to_go * options.seam_gap_rate);
+        limit_moves(cloth, options.max_move_per_substep);
         push_out_vertices(cloth, body, options.contact);
     }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 namespace selvedge {
 namespace {
@@ -19,15 +20,8 @@ float step_seconds(const Cloth& cloth, const StepOptions& stepping) {
     return cloth.substep * static_cast<float>(stepping.substeps);
 }
 
-// Steps the level-0 cloth for a while. False when a number went bad.
-bool run_coarse(Cloth& cloth, const BodyCollider& body, const StepOptions& stepping, double seconds,
-                DrapeResult& result) {
-    for (double t = 0; t < seconds; t += step_seconds(cloth, stepping)) {
-        step(cloth, body, stepping);
-        result.simulated_seconds += step_seconds(cloth, stepping);
-    }
-    result.bad_vertex = find_bad_vertex(cloth);
-    return !result.bad_vertex;
+double frame_seconds(const Cloth& cloth, const StepOptions& stepping, const DrapeOptions& options) {
+    return static_cast<double>(step_seconds(cloth, stepping)) * options.steps_per_adaption;
 }
 
 void adapt_once(Cloth& cloth, const BodyCollider& body, const DrapeOptions& options, DrapeResult& result) {
@@ -46,44 +40,54 @@ void step_once(Cloth& cloth, const BodyCollider& body, const StepOptions& steppi
     result.simulated_seconds += step_seconds(cloth, stepping);
 }
 
-// Adapts and steps until the garment has been at rest for long enough, or time is up, or a number went bad.
-void run_adaptive(Cloth& cloth, const BodyCollider& body, StepOptions stepping, DrapeOptions options,
-                  DrapeResult& result, const Progress& progress) {
+// One adaption and its steps. False when a number went bad.
+bool run_frame(Cloth& cloth, const BodyCollider& body, const StepOptions& stepping, const DrapeOptions& options,
+               DrapeResult& result) {
+    adapt_once(cloth, body, options, result);
+    const std::vector<Vec4f> before = cloth.x;
+    for (int i = 0; i < options.steps_per_adaption; ++i) step_once(cloth, body, stepping, result);
+    result.rms_speed = rms_speed(cloth, before, frame_seconds(cloth, stepping, options));
+    result.bad_vertex = find_bad_vertex(cloth);
+    return !result.bad_vertex;
+}
+
+// Without gravity and friction the tension of the seams goes, and what was crumpled in sewing slides flat.
+bool relax(Cloth& cloth, const BodyCollider& body, const DrapeOptions& options, DrapeResult& result) {
+    StepOptions stepping{.gravity = Vec3f::Zero(), .extra_damping = kRelaxDamping, .contact = options.contact};
+    stepping.contact.friction_scale = 0;
+    DrapeOptions coarse = options;
+    coarse.adapt.shortest_edge = std::numeric_limits<float>::max();
+    for (double t = 0; t < options.relax_time; t += frame_seconds(cloth, stepping, options)) {
+        const bool is_coarse = t < options.coarse_time;
+        if (!run_frame(cloth, body, stepping, is_coarse ? coarse : options, result)) return false;
+    }
+    return true;
+}
+
+// Until the garment has been at rest for long enough, or time is up, or a number went bad.
+void fall(Cloth& cloth, const BodyCollider& body, DrapeOptions options, DrapeResult& result,
+          const Progress& progress) {
+    StepOptions stepping{.contact = options.contact};
     const double start = result.simulated_seconds;
     double at_rest = 0;
-    while (result.simulated_seconds < options.max_seconds) {
-        adapt_once(cloth, body, options, result);
+    while (result.simulated_seconds < options.max_seconds && at_rest < options.rest_time) {
         const float elapsed = static_cast<float>(result.simulated_seconds - start);
         stepping.extra_damping = kFallDamping + options.damping_growth * elapsed;
-        const std::vector<Vec4f> before = cloth.x;
-        for (int i = 0; i < options.steps_per_adaption; ++i) step_once(cloth, body, stepping, result);
-        result.bad_vertex = find_bad_vertex(cloth);
-        if (result.bad_vertex) return;
-        const double frame = double(step_seconds(cloth, stepping)) * options.steps_per_adaption;
-        result.rms_speed = rms_speed(cloth, before, frame);
-        options.adapt.keeps_split = result.rms_speed < options.calm_speed;
-        at_rest = result.rms_speed < options.rest_speed ? at_rest + frame : 0;
-        report(progress, "draping",
-               std::max(result.simulated_seconds / options.max_seconds, at_rest / options.rest_time));
-        if (at_rest >= options.rest_time) {
-            result.settled = true;
-            return;
-        }
+        if (!run_frame(cloth, body, stepping, options, result)) return;
+        options.adapt.may_rejoin = result.rms_speed >= options.calm_speed;
+        at_rest = result.rms_speed < options.rest_speed ? at_rest + frame_seconds(cloth, stepping, options) : 0;
+        const double fraction = std::max(result.simulated_seconds / options.max_seconds, at_rest / options.rest_time);
+        report(progress, "draping", std::min(1.0, fraction));
     }
+    result.settled = at_rest >= options.rest_time;
 }
 
 }  // namespace
 
 DrapeResult drape(Cloth& cloth, const BodyCollider& body, const DrapeOptions& options, const Progress& progress) {
     DrapeResult result;
-    StepOptions stepping{.gravity = Vec3f::Zero(), .extra_damping = kRelaxDamping, .contact = options.contact};
-    stepping.contact.friction_scale = 0;
     refresh_contacts(cloth, options.contact);
-    bool is_sound = run_coarse(cloth, body, stepping, options.relax_time, result);
-
-    stepping = {.extra_damping = kFallDamping, .contact = options.contact};
-    if (is_sound) is_sound = run_coarse(cloth, body, stepping, options.fall_time, result);
-    if (is_sound) run_adaptive(cloth, body, stepping, options, result, progress);
+    if (relax(cloth, body, options, result)) fall(cloth, body, options, result, progress);
     report(progress, "draping", 1);
     result.stopped_because = result.bad_vertex ? "bad number" : result.settled ? "settled" : "time limit";
     return result;

@@ -102,23 +102,19 @@ PlainMesh plain_mesh(const Cloth& cloth, const std::vector<std::string>& panel_n
     PlainMesh mesh;
     mesh.panel_names = panel_names;
     mesh.panel_grain_angles = cloth.grain_angles;
-    Cloth const& c = cloth;
-    std::vector<std::uint32_t> index(c.x.size(), 0);
-    for (const VertexId v : c.mesh.leaf_vertices()) {
+    std::vector<std::uint32_t> index(cloth.x.size(), 0);
+    for (const VertexId v : cloth.mesh.leaf_vertices()) {
         index[v.value] = static_cast<std::uint32_t>(mesh.x.size());
-        mesh.x.push_back(c.x[v.value].head<3>());
+        mesh.x.push_back(cloth.x[v.value].head<3>());
     }
-    mesh.normals.assign(mesh.x.size(), Vec3f::Zero());
-    for (const LeafTriangle& t : c.mesh.leaf_triangles()) {
+    for (const LeafTriangle& t : cloth.mesh.leaf_triangles()) {
         const std::array<std::uint32_t, 3> v{index[t.v[0].value], index[t.v[1].value], index[t.v[2].value]};
-        const Vec3f area = (mesh.x[v[1]] - mesh.x[v[0]]).cross(mesh.x[v[2]] - mesh.x[v[0]]);
-        for (const std::uint32_t i : v) mesh.normals[i] += area;
         mesh.triangles.push_back(v);
         mesh.u.push_back(t.u);
         mesh.panel.push_back(t.panel);
         mesh.level.push_back(t.level);
     }
-    for (Vec3f& n : mesh.normals) n = n.squaredNorm() > 0 ? Vec3f(n.normalized()) : Vec3f::UnitY();
+    mesh.normals = vertex_normals(mesh.x, mesh.triangles);
     return mesh;
 }
 
