@@ -32,7 +32,8 @@ struct ShortestEdgeCriterion {
     bool vetoes(const AdaptiveMesh& mesh, EdgeId edge) const { return mesh.rest_length(edge) < length; }
 };
 
-// While the cloth comes to rest it keeps what is split, so that edges near a threshold do not split and rejoin for ever.
+// While the cloth comes to rest it keeps what is split, so that edges near a threshold do not split and rejoin for
+// ever.
 struct HoldCriterion {
     bool may_rejoin = true;
 

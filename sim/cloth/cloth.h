@@ -28,10 +28,10 @@ struct Cloth {
 
     ClothElements elements{};
     ContactState contacts{};
-    float damping = 0;                 // 1/s, mean over the fabrics' area
-    std::vector<Vec4f> scratch{};      // of the solver
-    std::vector<std::uint32_t> hot{};  // of the solver
-    float substep = 0;                 // s, the length that x_prev and elements were made for
+    float damping = 0;                        // 1/s, mean over the fabrics' area
+    std::vector<Vec4f> scratch{};             // of the solver
+    std::vector<std::uint32_t> over_limit{};  // of the solver
+    float substep = 0;                        // s, the length that x_prev and elements were made for
 };
 
 struct ClothOptions {

@@ -7,9 +7,7 @@ namespace selvedge {
 namespace {
 
 constexpr float kTiny = 1e-12F;
-constexpr int kHotRounds = 8;
-constexpr float kParentsLongest = 1.00001F;  // one-sided limits would gather rounding errors into a drift
-
+constexpr int kMoreRounds = 8;  // for the few triangles that one pass leaves over their limit
 
 // The two thread directions of a triangle, unit, and how long they are.
 struct Threads {
@@ -30,8 +28,7 @@ Threads threads_of(const StretchElement& e, const Vec4f& x0, const Vec4f& x1, co
     return t;
 }
 
-// Returns the length of the longer of warp and weft before.
-float solve_triangle(const StretchElement& e, std::span<const float> inverse_mass, std::span<Vec4f> x) {
+void solve_triangle(const StretchElement& e, std::span<const float> inverse_mass, std::span<Vec4f> x) {
     Vec4f& x0 = x[e.vertices[0]];
     Vec4f& x1 = x[e.vertices[1]];
     Vec4f& x2 = x[e.vertices[2]];
@@ -45,33 +42,36 @@ float solve_triangle(const StretchElement& e, std::span<const float> inverse_mas
     x0 += along_warp * e.warp[0] + along_weft * e.weft[0] - (shear1 + shear2) * inverse_mass[e.vertices[0]];
     x1 += along_warp * e.warp[1] + along_weft * e.weft[1] + shear1 * inverse_mass[e.vertices[1]];
     x2 += along_warp * e.warp[2] + along_weft * e.weft[2] + shear2 * inverse_mass[e.vertices[2]];
-    return std::max(t.warp_length, t.weft_length);
 }
 
-// Takes back what warp and weft are longer than `longest`.
-void limit_triangle(const StretchElement& e, std::span<Vec4f> x, float longest) {
+// Takes back what warp and weft are longer than they may be. False when there was nothing to take.
+bool limit_triangle(const StretchElement& e, std::span<Vec4f> x) {
     Vec4f& x0 = x[e.vertices[0]];
     Vec4f& x1 = x[e.vertices[1]];
     Vec4f& x2 = x[e.vertices[2]];
     const Threads t = threads_of(e, x0, x1, x2);
-    if (t.warp_length <= longest && t.weft_length <= longest) return;
-    const Vec4f along_warp = t.warp * std::min(0.0F, longest - t.warp_length);
-    const Vec4f along_weft = t.weft * std::min(0.0F, longest - t.weft_length);
+    if (t.warp_length <= e.longest_warp && t.weft_length <= e.longest_weft) return false;
+    const Vec4f along_warp = t.warp * std::min(0.0F, e.longest_warp - t.warp_length);
+    const Vec4f along_weft = t.weft * std::min(0.0F, e.longest_weft - t.weft_length);
     x0 += along_warp * e.warp[0] + along_weft * e.weft[0];
     x1 += along_warp * e.warp[1] + along_weft * e.weft[1];
     x2 += along_warp * e.warp[2] + along_weft * e.weft[2];
+    return true;
 }
 
 }  // namespace
 
-void solve_stretch(std::span<const StretchElement> elements, std::span<const float> inverse_mass, std::span<Vec4f> x,
-                   float hot_strain, std::vector<std::uint32_t>& hot) {
-    hot.clear();
+void solve_stretch(std::span<const StretchElement> elements, std::span<const float> inverse_mass, std::span<Vec4f> x) {
+    for (const StretchElement& e : elements) solve_triangle(e, inverse_mass, x);
+}
+
+void limit_stretch(std::span<const StretchElement> elements, std::span<Vec4f> x, std::vector<std::uint32_t>& over) {
+    over.clear();
     for (std::uint32_t i = 0; i < elements.size(); ++i) {
-        if (solve_triangle(elements[i], inverse_mass, x) > 1 + hot_strain) hot.push_back(i);
+        if (limit_triangle(elements[i], x)) over.push_back(i);
     }
-    for (int round = 0; round < kHotRounds; ++round) {
-        for (const std::uint32_t i : hot) limit_triangle(elements[i], x, 1 + hot_strain);
+    for (int round = 0; round < kMoreRounds; ++round) {
+        for (const std::uint32_t i : over) limit_triangle(elements[i], x);
     }
 }
 
@@ -98,7 +98,7 @@ void limit_parents(std::span<const ParentLevel> levels, std::span<Vec4f> x, std:
     if (levels.empty() || levels.front().triangles.empty()) return;
     before.assign(x.begin(), x.end());
     for (const ParentLevel& level : levels) {
-        for (const StretchElement& triangle : level.triangles) limit_triangle(triangle, x, kParentsLongest);
+        for (const StretchElement& triangle : level.triangles) limit_triangle(triangle, x);
         for (const EdgeCentre& c : level.centres) {
             x[c.centre] += ((x[c.a] - before[c.a]) + (x[c.b] - before[c.b])) * (0.5F * c.moves);
         }

@@ -9,10 +9,12 @@
 
 namespace selvedge {
 
-// Warp, weft and shear strain of every leaf triangle, by compliance. Where warp or weft is stretched by more than
-// `hot_strain` one pass does not bring it home: there the excess is taken back in further rounds. `hot` is scratch.
-void solve_stretch(std::span<const StretchElement> elements, std::span<const float> inverse_mass, std::span<Vec4f> x,
-                   float hot_strain, std::vector<std::uint32_t>& hot);
+// Warp, weft and shear strain of every leaf triangle, by compliance.
+void solve_stretch(std::span<const StretchElement> elements, std::span<const float> inverse_mass, std::span<Vec4f> x);
+
+// Takes back what warp and weft are stretched beyond their limit, and again where one pass does not bring it home.
+// Shear is left out: one pass weighs it as high as the threads, and it must not hold them apart. `over` is scratch.
+void limit_stretch(std::span<const StretchElement> elements, std::span<Vec4f> x, std::vector<std::uint32_t>& over);
 
 // Every hinge towards flat, by compliance.
 void solve_bend(std::span<const BendElement> elements, std::span<Vec4f> x);

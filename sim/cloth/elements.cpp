@@ -48,6 +48,7 @@ StretchElement stretch_element(const Cloth& cloth, const LeafTriangle& triangle)
     const float per_stiffness = 1 / (frame.area * cloth.substep * cloth.substep);
     element.warp = thread_moves(frame.a, w, per_stiffness / static_cast<float>(fabric.stretch_warp));
     element.weft = thread_moves(frame.b, w, per_stiffness / static_cast<float>(fabric.stretch_weft));
+    element.longest_warp = element.longest_weft = 1 + static_cast<float>(fabric.strain_limit);
     element.shear = shear_gain(frame, w, per_stiffness / static_cast<float>(fabric.shear));
     return element;
 }
@@ -91,6 +92,13 @@ LengthLimit leaf_limit(const Cloth& cloth, const LeafEdge& leaf) {
             .share_b = wb / sum};
 }
 
+// The strain that the leaves may find for themselves before their parents act: that of the load which garments seldom
+// carry more of. Never nil, or rounding errors would gather into a drift.
+float slack(double stiffness, const Fabric& fabric) {
+    constexpr double kUsualLoad = 5;  // N/m
+    return static_cast<float>(std::min(fabric.strain_limit, std::max(1e-5, kUsualLoad / stiffness)));
+}
+
 StretchElement parent_element(const Cloth& cloth, const AdaptiveTriangle& triangle, const std::vector<float>& mass) {
     const Fabric& fabric = cloth.fabrics[triangle.panel];
     const MaterialFrame frame = material_frame(triangle.u, cloth.grain_angles[triangle.panel]);
@@ -104,6 +112,8 @@ StretchElement parent_element(const Cloth& cloth, const AdaptiveTriangle& triang
     const float per_stiffness = 1 / (frame.area * cloth.substep * cloth.substep);
     element.warp = thread_moves(frame.a, w, per_stiffness / static_cast<float>(fabric.stretch_warp));
     element.weft = thread_moves(frame.b, w, per_stiffness / static_cast<float>(fabric.stretch_weft));
+    element.longest_warp = 1 + slack(fabric.stretch_warp, fabric);
+    element.longest_weft = 1 + slack(fabric.stretch_weft, fabric);
     return element;
 }
 

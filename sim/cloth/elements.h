@@ -31,6 +31,8 @@ struct StretchElement {
     std::array<float, 2> b{};
     std::array<float, 3> warp{};  // what each vertex moves along the warp per unit of strain, m
     std::array<float, 3> weft{};
+    float longest_warp = 1;  // the length that the warp direction may reach
+    float longest_weft = 1;
     float shear = 0;  // gain of the shear condition, 1 / sum of w |grad|^2 + compliance
 };
 

@@ -8,8 +8,6 @@
 namespace selvedge {
 namespace {
 
-constexpr float kHotStrain = 0.03F;  // of warp or weft: few triangles are, and those are where a seam would burst
-
 void predict(Cloth& cloth, const StepOptions& options) {
     const float h = cloth.substep;
     const Vec4f fall = padded(options.gravity) * (h * h);
@@ -52,7 +50,8 @@ void step(Cloth& cloth, const BodyCollider& body, const StepOptions& options) {
         predict(cloth, options);
         limit_parents(cloth.elements.parents, cloth.x, cloth.scratch);
         solve_bend(cloth.elements.bend, cloth.x);
-        solve_stretch(cloth.elements.stretch, cloth.inverse_mass, cloth.x, kHotStrain, cloth.hot);
+        solve_stretch(cloth.elements.stretch, cloth.inverse_mass, cloth.x);
+        limit_stretch(cloth.elements.stretch, cloth.x, cloth.over_limit);
         limit_lengths(cloth.elements.limits, cloth.x);
         limit_moves(cloth, options.max_move_per_substep);
         push_out_between(cloth, body, options.contact);

@@ -65,8 +65,7 @@ bool relax(Cloth& cloth, const BodyCollider& body, const DrapeOptions& options, 
 }
 
 // Until the garment has been at rest for long enough, or time is up, or a number went bad.
-void fall(Cloth& cloth, const BodyCollider& body, DrapeOptions options, DrapeResult& result,
-          const Progress& progress) {
+void fall(Cloth& cloth, const BodyCollider& body, DrapeOptions options, DrapeResult& result, const Progress& progress) {
     StepOptions stepping{.contact = options.contact};
     const double start = result.simulated_seconds;
     double at_rest = 0;

@@ -18,8 +18,8 @@ struct DressOptions {
     MeshOptions mesh;
     int max_level = 3;
     CriteriaOptions criteria{};
-    double max_seconds = 12;       // of simulated time, sewing not counted
-    std::optional<Fabric> fabric{}; // instead of the pattern's
+    double max_seconds = 12;         // of simulated time, sewing not counted
+    std::optional<Fabric> fabric{};  // instead of the pattern's
 };
 
 // The garment as it hangs: its leaf triangles.
