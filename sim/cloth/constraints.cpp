@@ -44,19 +44,20 @@ void solve_triangle(const StretchElement& e, std::span<const float> inverse_mass
     x2 += along_warp * e.warp[2] + along_weft * e.weft[2] + shear2 * inverse_mass[e.vertices[2]];
 }
 
-// Takes back what warp and weft are longer than they may be. False when there was nothing to take.
-bool limit_triangle(const StretchElement& e, std::span<Vec4f> x) {
+// Takes back what warp and weft are longer than they may be, and returns the longer of the two as it was.
+float limit_triangle(const StretchElement& e, std::span<Vec4f> x, float longest_warp, float longest_weft) {
     Vec4f& x0 = x[e.vertices[0]];
     Vec4f& x1 = x[e.vertices[1]];
     Vec4f& x2 = x[e.vertices[2]];
     const Threads t = threads_of(e, x0, x1, x2);
-    if (t.warp_length <= e.longest_warp && t.weft_length <= e.longest_weft) return false;
-    const Vec4f along_warp = t.warp * std::min(0.0F, e.longest_warp - t.warp_length);
-    const Vec4f along_weft = t.weft * std::min(0.0F, e.longest_weft - t.weft_length);
+    const float longer = std::max(t.warp_length, t.weft_length);
+    if (t.warp_length <= longest_warp && t.weft_length <= longest_weft) return longer;
+    const Vec4f along_warp = t.warp * std::min(0.0F, longest_warp - t.warp_length);
+    const Vec4f along_weft = t.weft * std::min(0.0F, longest_weft - t.weft_length);
     x0 += along_warp * e.warp[0] + along_weft * e.weft[0];
     x1 += along_warp * e.warp[1] + along_weft * e.weft[1];
     x2 += along_warp * e.warp[2] + along_weft * e.weft[2];
-    return true;
+    return longer;
 }
 
 }  // namespace
@@ -68,10 +69,11 @@ void solve_stretch(std::span<const StretchElement> elements, std::span<const flo
 void limit_stretch(std::span<const StretchElement> elements, std::span<Vec4f> x, std::vector<std::uint32_t>& over) {
     over.clear();
     for (std::uint32_t i = 0; i < elements.size(); ++i) {
-        if (limit_triangle(elements[i], x)) over.push_back(i);
+        const StretchElement& e = elements[i];
+        if (limit_triangle(e, x, e.slack_warp, e.slack_weft) > e.longest) over.push_back(i);
     }
     for (int round = 0; round < kMoreRounds; ++round) {
-        for (const std::uint32_t i : over) limit_triangle(elements[i], x);
+        for (const std::uint32_t i : over) limit_triangle(elements[i], x, elements[i].longest, elements[i].longest);
     }
 }
 
@@ -98,7 +100,7 @@ void limit_parents(std::span<const ParentLevel> levels, std::span<Vec4f> x, std:
     if (levels.empty() || levels.front().triangles.empty()) return;
     before.assign(x.begin(), x.end());
     for (const ParentLevel& level : levels) {
-        for (const StretchElement& triangle : level.triangles) limit_triangle(triangle, x);
+        for (const StretchElement& e : level.triangles) limit_triangle(e, x, e.slack_warp, e.slack_weft);
         for (const EdgeCentre& c : level.centres) {
             x[c.centre] += ((x[c.a] - before[c.a]) + (x[c.b] - before[c.b])) * (0.5F * c.moves);
         }

@@ -12,8 +12,9 @@ namespace selvedge {
 // Warp, weft and shear strain of every leaf triangle, by compliance.
 void solve_stretch(std::span<const StretchElement> elements, std::span<const float> inverse_mass, std::span<Vec4f> x);
 
-// Takes back what warp and weft are stretched beyond their limit, and again where one pass does not bring it home.
-// Shear is left out: one pass weighs it as high as the threads, and it must not hold them apart. `over` is scratch.
+// Takes back what warp and weft are stretched beyond their slack; and what is beyond the fabric's strain limit again
+// and again. Shear is left out: one pass weighs it as high as the threads, and it must not hold them apart. `over` is
+// scratch.
 void limit_stretch(std::span<const StretchElement> elements, std::span<Vec4f> x, std::vector<std::uint32_t>& over);
 
 // Every hinge towards flat, by compliance.

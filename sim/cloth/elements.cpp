@@ -36,6 +36,20 @@ float shear_gain(const MaterialFrame& frame, const std::array<float, 3>& w, floa
                 w[1] * squared(frame.a[0], frame.b[0]) + w[2] * squared(frame.a[1], frame.b[1]));
 }
 
+// One pass of Gauss-Seidel leaves threads longer than their stiffness would. What they may be stretched before that is
+// taken back is the strain under the load which garments seldom carry more of; never nil, or rounding errors would
+// gather into a drift.
+float slack_length(double stiffness, const Fabric& fabric) {
+    constexpr double kUsualLoad = 2.5;  // N/m: a shirt hangs from its shoulders with some 1.6
+    return 1 + static_cast<float>(std::min(fabric.strain_limit, std::max(1e-5, kUsualLoad / stiffness)));
+}
+
+void set_limits(StretchElement& element, const Fabric& fabric) {
+    element.slack_warp = slack_length(fabric.stretch_warp, fabric);
+    element.slack_weft = slack_length(fabric.stretch_weft, fabric);
+    element.longest = 1 + static_cast<float>(fabric.strain_limit);
+}
+
 StretchElement stretch_element(const Cloth& cloth, const LeafTriangle& triangle) {
     const Fabric& fabric = cloth.fabrics[triangle.panel];
     const MaterialFrame frame = material_frame(triangle.u, cloth.grain_angles[triangle.panel]);
@@ -48,7 +62,7 @@ StretchElement stretch_element(const Cloth& cloth, const LeafTriangle& triangle)
     const float per_stiffness = 1 / (frame.area * cloth.substep * cloth.substep);
     element.warp = thread_moves(frame.a, w, per_stiffness / static_cast<float>(fabric.stretch_warp));
     element.weft = thread_moves(frame.b, w, per_stiffness / static_cast<float>(fabric.stretch_weft));
-    element.longest_warp = element.longest_weft = 1 + static_cast<float>(fabric.strain_limit);
+    set_limits(element, fabric);
     element.shear = shear_gain(frame, w, per_stiffness / static_cast<float>(fabric.shear));
     return element;
 }
@@ -92,13 +106,6 @@ LengthLimit leaf_limit(const Cloth& cloth, const LeafEdge& leaf) {
             .share_b = wb / sum};
 }
 
-// The strain that the leaves may find for themselves before their parents act: that of the load which garments seldom
-// carry more of. Never nil, or rounding errors would gather into a drift.
-float slack(double stiffness, const Fabric& fabric) {
-    constexpr double kUsualLoad = 5;  // N/m
-    return static_cast<float>(std::min(fabric.strain_limit, std::max(1e-5, kUsualLoad / stiffness)));
-}
-
 StretchElement parent_element(const Cloth& cloth, const AdaptiveTriangle& triangle, const std::vector<float>& mass) {
     const Fabric& fabric = cloth.fabrics[triangle.panel];
     const MaterialFrame frame = material_frame(triangle.u, cloth.grain_angles[triangle.panel]);
@@ -112,8 +119,7 @@ StretchElement parent_element(const Cloth& cloth, const AdaptiveTriangle& triang
     const float per_stiffness = 1 / (frame.area * cloth.substep * cloth.substep);
     element.warp = thread_moves(frame.a, w, per_stiffness / static_cast<float>(fabric.stretch_warp));
     element.weft = thread_moves(frame.b, w, per_stiffness / static_cast<float>(fabric.stretch_weft));
-    element.longest_warp = 1 + slack(fabric.stretch_warp, fabric);
-    element.longest_weft = 1 + slack(fabric.stretch_weft, fabric);
+    set_limits(element, fabric);
     return element;
 }
 

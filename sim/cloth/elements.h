@@ -31,9 +31,10 @@ struct StretchElement {
     std::array<float, 2> b{};
     std::array<float, 3> warp{};  // what each vertex moves along the warp per unit of strain, m
     std::array<float, 3> weft{};
-    float longest_warp = 1;  // the length that the warp direction may reach
-    float longest_weft = 1;
-    float shear = 0;  // gain of the shear condition, 1 / sum of w |grad|^2 + compliance
+    float slack_warp = 1;  // length of the warp direction under the load that garments usually carry
+    float slack_weft = 1;
+    float longest = 1;  // length of either at the fabric's strain limit
+    float shear = 0;    // gain of the shear condition, 1 / sum of w |grad|^2 + compliance
 };
 
 // One hinge: sum of q_i x_i vanishes where the cloth is flat.
