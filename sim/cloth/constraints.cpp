@@ -33,8 +33,8 @@ void solve_triangle(const StretchElement& e, std::span<const float> inverse_mass
     Vec4f& x1 = x[e.vertices[1]];
     Vec4f& x2 = x[e.vertices[2]];
     const Threads t = threads_of(e, x0, x1, x2);
-    const Vec4f along_warp = t.warp * (1 - t.warp_length);
-    const Vec4f along_weft = t.weft * (1 - t.weft_length);
+    const Vec4f along_warp = t.warp * ((1 - t.warp_length) * (t.warp_length < 1 ? e.push : 1));
+    const Vec4f along_weft = t.weft * ((1 - t.weft_length) * (t.weft_length < 1 ? e.push : 1));
     // The shear condition is the cosine between the two directions; its gradients are taken at unit length.
     const float shear = -t.warp.dot(t.weft) * e.shear;
     const Vec4f shear1 = (t.weft * e.a[0] + t.warp * e.b[0]) * shear;

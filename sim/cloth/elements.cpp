@@ -50,6 +50,18 @@ void set_limits(StretchElement& element, const Fabric& fabric) {
     element.longest = 1 + static_cast<float>(fabric.strain_limit);
 }
 
+// Whether a seam edge of the triangle has to be shorter than the triangle's own copy of it: there the cloth is
+// gathered, in puckers finer than the mesh.  (SPEC 3.2)
+bool is_gathered(const AdaptiveMesh& mesh, const LeafTriangle& leaf) {
+    constexpr float kEase = 0.95F;
+    const AdaptiveTriangle& triangle = mesh.triangle(leaf.triangle);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const float own = (triangle.u[(k + 1) % 3] - triangle.u[k]).norm();
+        if (mesh.rest_length(triangle.edges[k]) < kEase * own) return true;
+    }
+    return false;
+}
+
 StretchElement stretch_element(const Cloth& cloth, const LeafTriangle& triangle) {
     const Fabric& fabric = cloth.fabrics[triangle.panel];
     const MaterialFrame frame = material_frame(triangle.u, cloth.grain_angles[triangle.panel]);
@@ -63,6 +75,7 @@ StretchElement stretch_element(const Cloth& cloth, const LeafTriangle& triangle)
     element.warp = thread_moves(frame.a, w, per_stiffness / static_cast<float>(fabric.stretch_warp));
     element.weft = thread_moves(frame.b, w, per_stiffness / static_cast<float>(fabric.stretch_weft));
     set_limits(element, fabric);
+    element.push = is_gathered(cloth.mesh, triangle) ? 0.0F : 1.0F;
     element.shear = shear_gain(frame, w, per_stiffness / static_cast<float>(fabric.shear));
     return element;
 }

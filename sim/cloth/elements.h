@@ -34,6 +34,7 @@ struct StretchElement {
     float slack_warp = 1;  // length of the warp direction under the load that garments usually carry
     float slack_weft = 1;
     float longest = 1;  // length of either at the fabric's strain limit
+    float push = 1;     // how much of a compression is resisted: 0 where a seam gathers the cloth
     float shear = 0;    // gain of the shear condition, 1 / sum of w |grad|^2 + compliance
 };
 

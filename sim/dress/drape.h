@@ -16,7 +16,7 @@ struct DrapeOptions {
     float calm_speed = 0.05F;  // m/s rms over mass: below it no edge rejoins any more
     float damping_growth = 4;  // 1/s per second of the adaptive drape, so that it comes to rest
     float rest_speed = 0.01F;  // m/s rms over mass: below it the garment is at rest
-    double rest_time = 0.5;    // s for which it must stay there
+    double rest_time = 1.0;    // s for which it must stay there
     double relax_time = 0.6;   // s without gravity and friction
     double coarse_time = 0.2;  // s of them at level 0
     AdaptClothOptions adapt{};
