@@ -195,8 +195,9 @@ void add_garment_options(CLI::App& command, DressArguments& arguments) {
         ->type_name("FILE");
     command.add_option("--fabric", arguments.fabric, "A shipped fabric or a fabric file (default: the pattern's)")
         ->type_name("NAME|FILE");
-    add_number<double>(command, "--edge-length", {0.5, 50}, "Edge length of the base mesh in cm (default 5)",
-                       [&dress](double length_cm) { dress.mesh.target_edge = length_cm / 100; })
+    add_number<double>(command, "--edge-length", {0.5, 50},
+                       "Edge length of the base mesh in cm (default: the pattern's, or 5)",
+                       [&dress](double length_cm) { dress.edge_length = length_cm / 100; })
         ->type_name("CM");
     add_number<int>(command, "--max-level", {0, kFinestLevel}, "Times an edge may be halved (default 3)",
                     [&dress](int level) { dress.max_level = level; })

@@ -75,9 +75,11 @@ Pattern anchored(const Pattern& pattern, const Body& body) {
 }
 
 // The unsewn garment where it can be sewn: clear of the body, and at a height at which its seams can close.
-GarmentMesh place(const Pattern& pattern, const BodyCollider& collider, const MeshOptions& options,
+GarmentMesh place(const Pattern& pattern, const BodyCollider& collider, const DressOptions& options,
                   DressReport& report) {
-    GarmentMesh unsewn = assemble(pattern, options);
+    MeshOptions meshing = options.mesh;
+    meshing.target_edge = options.edge_length.value_or(pattern.edge_length.value_or(meshing.target_edge));
+    GarmentMesh unsewn = assemble(pattern, meshing);
     report.notes = clear_panels(unsewn, collider);
     const double lift = seam_clearing_lift(unsewn, collider);
     if (lift == 0) return unsewn;
@@ -133,7 +135,7 @@ DressedGarment dress(const Pattern& pattern, const Body& body, const DressOption
     timer.done("body");
 
     const Pattern moved = anchored(pattern, body);
-    const GarmentMesh unsewn = place(moved, collider, options.mesh, report);
+    const GarmentMesh unsewn = place(moved, collider, options, report);
     timer.done("mesh");
 
     const SewingResult sewing = sew_on_body(unsewn, fabrics, collider, {}, progress);

@@ -15,7 +15,8 @@
 namespace selvedge {
 
 struct DressOptions {
-    MeshOptions mesh;
+    MeshOptions mesh{};
+    std::optional<double> edge_length{};  // m, of the base mesh, instead of the pattern's
     int max_level = 3;
     CriteriaOptions criteria{};
     double max_seconds = 12;         // of simulated time, sewing not counted

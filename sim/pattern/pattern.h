@@ -74,6 +74,7 @@ struct Pattern {
     std::string tartan;           // name or threadcount; empty: the default
     std::string body;             // what the panels were placed for, e.g. "mannequin:sex=female"; empty: GarmentCode's
     double body_height = 1.7199;  // m, stature of that body, feet at y = 0
+    std::optional<double> edge_length;  // m, of the base mesh; none: the mesher's usual one
 };
 
 }  // namespace selvedge

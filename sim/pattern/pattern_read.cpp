@@ -203,6 +203,12 @@ class Reader : private FaultReader {
                 pattern.body_height = value.value_or(pattern.body_height);
             }
         }
+        if (const Node edge = node.member("edge_length")) {
+            pattern.edge_length = length(edge);
+            if (pattern.edge_length && (*pattern.edge_length < 0.005 || *pattern.edge_length > 0.5)) {
+                error(edge, edge.value->number_text() + " is no edge length of a mesh: 0.5 to 50 cm are");
+            }
+        }
     }
 
     std::string read_fabric_name(const Node& node) {

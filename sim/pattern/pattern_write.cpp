@@ -268,6 +268,8 @@ class Writer {
         if (own.find("body_height") || pattern_.body_height != Pattern().body_height) {
             set_number(own["body_height"], units_ * pattern_.body_height);
         }
+        if (pattern_.edge_length) set_number(own["edge_length"], units_ * *pattern_.edge_length);
+        if (!pattern_.edge_length) own.erase("edge_length");
         if (found || !own.members().empty()) root_["selvedge"] = std::move(own);
     }
 

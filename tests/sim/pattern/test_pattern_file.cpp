@@ -120,7 +120,7 @@ TEST(PatternFile, seams_join_start_to_end_unless_they_say_right_wrong) {
 std::string with_additions() {
     std::string text = replaced(sample_text(), R"("pattern": {)",
                                 R"("selvedge": {"fabric": "wool_twill", "tartan": "black_watch", "later": [1.0],
- "body": "mannequin:sex=female", "body_height": 168}, "pattern": {)");
+ "body": "mannequin:sex=female", "body_height": 168, "edge_length": 8}, "pattern": {)");
     return replaced(text, R"("back": {)",
                     R"("back": {"selvedge": {"grainline": 30, "fabric": "denim", "layer": 2, "pins": [1, 2],
  "internal_lines": [{"name": "pleat", "points": [[10, 1], [10, 40]]}]}, )");
@@ -132,6 +132,7 @@ TEST(PatternFile, reads_what_we_add_in_the_held_frame) {
     EXPECT_EQ(pattern.tartan, "black_watch");
     EXPECT_EQ(pattern.body, "mannequin:sex=female");
     EXPECT_DOUBLE_EQ(pattern.body_height, 1.68);
+    EXPECT_DOUBLE_EQ(pattern.edge_length.value_or(0), 0.08);
     const Panel& back = pattern.panels[1];
     EXPECT_EQ(back.fabric, "denim");
     EXPECT_EQ(back.layer, 2);
