@@ -29,7 +29,7 @@ namespace {
 
 using Path = std::filesystem::path;
 
-constexpr int kFinestLevel = 8;  // of 5 cm edges it makes 0.2 mm: a thread
+constexpr int kFinestLevel = 8;  // with --shortest-edge 0.1: 1 mm
 
 struct DressArguments {
     Path garment;
@@ -202,6 +202,10 @@ void add_garment_options(CLI::App& command, DressArguments& arguments) {
     add_number<int>(command, "--max-level", {0, kFinestLevel}, "Times an edge may be halved (default 3)",
                     [&dress](int level) { dress.max_level = level; })
         ->type_name("N");
+    add_number<double>(command, "--shortest-edge", {0.1, 50},
+                       "Edges shorter than this, in cm, are not halved (default 2)",
+                       [&dress](double length_cm) { dress.shortest_edge = length_cm / 100; })
+        ->type_name("CM");
     command
         .add_option_function<std::string>(
             "--criteria", [&dress](const std::string& text) { dress.criteria = parse_criteria(text); },

@@ -61,6 +61,17 @@ double metres(LengthUnit unit) {
     }
 }
 
+// Whatever unit was named: nothing larger is a person, and the collision field grows with the volume.
+void check_size(const ImportedScene& scene, double scale, const std::string& file) {
+    constexpr double kLargest = 5;  // m
+    for (int axis = 0; axis < 3; ++axis) {
+        const double extent = range_along(scene, axis).extent() * scale;
+        if (extent <= kLargest) continue;
+        throw InputError(file, "",
+                         "a body of " + std::to_string(extent) + " m is too large to dress: is its unit right?");
+    }
+}
+
 const char* name_of(LengthUnit unit) {
     switch (unit) {
         case LengthUnit::Centimetres:
@@ -89,6 +100,7 @@ Frame choose_frame(const ImportedScene& scene, const std::filesystem::path& path
     report.up = up_axis(scene, path, options.up);
     const Range height = range_along(scene, report.up == UpAxis::Z ? 2 : 1);
     report.unit = length_unit(height.extent(), path.string(), options.unit);
+    check_size(scene, metres(report.unit), path.string());
     return {.scale = metres(report.unit), .up = report.up};
 }
 

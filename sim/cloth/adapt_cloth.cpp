@@ -15,13 +15,7 @@ struct ClothObserver {
     const BodyCollider& body;
     float offset;
 
-    void on_capacity(std::size_t capacity) {
-        cloth.x.resize(capacity, Vec4f::Zero());
-        cloth.x_prev.resize(capacity, Vec4f::Zero());
-        cloth.inverse_mass.resize(capacity, 0.0F);
-        cloth.normals.resize(capacity, Vec3f::Zero());
-        cloth.is_pinned.resize(capacity, false);
-    }
+    void on_capacity(std::size_t capacity) { size_state(cloth, capacity); }
 
     // The mean of the ends, and of their previous positions, so that velocity is averaged; out of the body if it fell
     // inside, without gaining speed from that.
@@ -59,7 +53,7 @@ AdaptReport with_curvature(Cloth& cloth, ClothObserver& observer, const AdaptClo
 
 AdaptReport with_collision(Cloth& cloth, ClothObserver& observer, const AdaptClothOptions& options) {
     if (!options.criteria.collision) return with_curvature(cloth, observer, options);
-    const CollisionCriterion collision{.x = cloth.x, .body = observer.body, .offset = options.contact_offset};
+    const CollisionCriterion collision{.x = cloth.x, .body = observer.body, .offset = observer.offset};
     return with_curvature(cloth, observer, options, collision);
 }
 
@@ -80,7 +74,7 @@ float CollisionCriterion::depth(const AdaptiveMesh& mesh, EdgeId id) const {
 AdaptReport adapt_cloth(Cloth& cloth, const BodyCollider& body, const AdaptClothOptions& options,
                         const ContactOptions& contact) {
     update_normals(cloth);
-    ClothObserver observer{cloth, body, options.contact_offset};
+    ClothObserver observer{cloth, body, contact.offset};
     const AdaptReport report = with_collision(cloth, observer, options);
     if (report.changed()) {
         refresh_elements(cloth);

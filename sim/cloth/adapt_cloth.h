@@ -49,8 +49,7 @@ struct CriteriaOptions {
 
 struct AdaptClothOptions {
     CriteriaOptions criteria{};
-    float contact_offset = 0.003F;  // m
-    float shortest_edge = 0.02F;    // m, an edge shorter than this is not split
+    float shortest_edge = 0.02F;  // m, an edge shorter than this is not split
     bool may_rejoin = true;
 };
 

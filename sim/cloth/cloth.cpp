@@ -13,31 +13,19 @@ float mean_damping(const Cloth& cloth) {
     double sum = 0;
     double area = 0;
     for (const LeafTriangle& triangle : cloth.mesh.leaf_triangles()) {
-        const double a =
-            cross2((triangle.u[1] - triangle.u[0]).cast<double>(), (triangle.u[2] - triangle.u[0]).cast<double>());
+        const double a = material_area(triangle.u);
         sum += a * cloth.fabrics[triangle.panel].damping;
         area += a;
     }
     return area > 0 ? static_cast<float>(sum / area) : 0.0F;
 }
 
-void size_state(Cloth& cloth) {
-    const std::size_t capacity = cloth.mesh.vertex_capacity();
-    cloth.x.resize(capacity, Vec4f::Zero());
-    cloth.x_prev.resize(capacity, Vec4f::Zero());
-    cloth.inverse_mass.resize(capacity, 0.0F);
-    cloth.normals.resize(capacity, Vec3f::Zero());
-    cloth.is_pinned.resize(capacity, false);
-}
-
 // A third of each adjacent leaf triangle's mass. Total mass is constant to rounding.
 void refresh_masses(Cloth& cloth) {
     std::vector<float> mass(cloth.x.size(), 0.0F);
     for (const LeafTriangle& triangle : cloth.mesh.leaf_triangles()) {
-        const Vec2f e1 = triangle.u[1] - triangle.u[0];
-        const Vec2f e2 = triangle.u[2] - triangle.u[0];
-        const float area = 0.5F * (e1.x() * e2.y() - e1.y() * e2.x());
-        const float third = area * static_cast<float>(cloth.fabrics[triangle.panel].area_density) / 3;
+        const float third =
+            material_area(triangle.u) * static_cast<float>(cloth.fabrics[triangle.panel].area_density) / 3;
         for (const VertexId v : triangle.v) mass[v.value] += third;
     }
     for (std::size_t v = 0; v < mass.size(); ++v) {
@@ -47,6 +35,14 @@ void refresh_masses(Cloth& cloth) {
 
 }  // namespace
 
+void size_state(Cloth& cloth, std::size_t capacity) {
+    cloth.x.resize(capacity, Vec4f::Zero());
+    cloth.x_prev.resize(capacity, Vec4f::Zero());
+    cloth.inverse_mass.resize(capacity, 0.0F);
+    cloth.normals.resize(capacity, Vec3f::Zero());
+    cloth.is_pinned.resize(capacity, false);
+}
+
 Cloth make_cloth(const GarmentMesh& garment, std::vector<Fabric> fabrics, const ClothOptions& options) {
     SELVEDGE_ASSERT(garment.links.empty());
     SELVEDGE_ASSERT(fabrics.size() == garment.panel_names.size());
@@ -54,7 +50,7 @@ Cloth make_cloth(const GarmentMesh& garment, std::vector<Fabric> fabrics, const 
     cloth.fabrics = std::move(fabrics);
     for (const double angle : garment.panel_grain_angles) cloth.grain_angles.push_back(static_cast<float>(angle));
     cloth.substep = options.substep;
-    size_state(cloth);
+    size_state(cloth, cloth.mesh.vertex_capacity());
     for (std::size_t v = 0; v < garment.x.size(); ++v) cloth.x[v] = padded(garment.x[v].cast<float>());
     cloth.x_prev = cloth.x;
     for (const int pin : garment.pins) cloth.is_pinned[static_cast<std::size_t>(pin)] = true;
@@ -63,7 +59,7 @@ Cloth make_cloth(const GarmentMesh& garment, std::vector<Fabric> fabrics, const 
 }
 
 void refresh_elements(Cloth& cloth) {
-    size_state(cloth);
+    size_state(cloth, cloth.mesh.vertex_capacity());
     refresh_masses(cloth);
     cloth.damping = mean_damping(cloth);
     cloth.elements = make_elements(cloth);

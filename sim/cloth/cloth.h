@@ -42,6 +42,9 @@ struct ClothOptions {
 // Pre: garment has no links left (strip or merge them) and one fabric per panel. Starts at rest, at level 0.
 Cloth make_cloth(const GarmentMesh& garment, std::vector<Fabric> fabrics, const ClothOptions& options = {});
 
+// Grows the state arrays to `capacity` vertices.
+void size_state(Cloth& cloth, std::size_t capacity);
+
 // Masses (a third of the adjacent leaf triangles' area times density) and solver lists from the present leaves.
 void refresh_elements(Cloth& cloth);
 

@@ -49,11 +49,12 @@ void apply_contact(Cloth& cloth, const ContactPoint& point, const Vec3f& normal,
 }
 
 void push_out_point(Cloth& cloth, ContactPoint& point, const BodyCollider& body, const ContactOptions& options) {
-    const Vec4f x = at(cloth.x, point);
     const float friction = point.friction * options.friction_scale;
-    if (x.y() < options.floor + options.offset) {
-        apply_contact(cloth, point, Vec3f::UnitY(), options.floor + options.offset - x.y(), friction);
+    const float above_floor = at(cloth.x, point).y() - options.floor;
+    if (above_floor < options.offset) {
+        apply_contact(cloth, point, Vec3f::UnitY(), options.offset - above_floor, friction);
     }
+    const Vec4f x = at(cloth.x, point);
     if (point.slack > 0 && (x - point.asked_at).squaredNorm() < point.slack * point.slack) return;
     const Contact contact = body.contact(xyz(x));
     point.asked_at = x;
@@ -136,13 +137,16 @@ void push_out_vertices(Cloth& cloth, const BodyCollider& body, const ContactOpti
 }
 
 Vec3f outside(const Vec3f& x, const Vec3f& outward, const BodyCollider& body, float offset) {
+    constexpr float kReach = 0.05F;  // m
     const Contact contact = body.contact(x);
     if (contact.distance >= offset) return x;
-    if (contact.normal.dot(outward) >= 0) return x + contact.normal * (offset - contact.distance);
-    constexpr float kReach = 0.05F;
+    const Vec3f nearest = x + contact.normal * (offset - contact.distance);
+    if (contact.normal.dot(outward) >= 0 || outward.squaredNorm() <= 0) return nearest;
     const Vec3f direction = outward.normalized();
-    const auto hit = body.surface().first_hit(x, x + direction * kReach);
-    return hit ? Vec3f(hit->point + direction * offset) : Vec3f(x + contact.normal * (offset - contact.distance));
+    const auto ahead = body.surface().first_hit(x, x + direction * kReach);
+    if (ahead) return ahead->point + direction * offset;
+    const auto behind = body.surface().first_hit(x, x - direction * kReach);
+    return behind && contact.distance > 0 ? Vec3f(behind->point + direction * offset) : nearest;
 }
 
 }  // namespace selvedge

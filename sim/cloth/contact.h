@@ -47,8 +47,9 @@ void push_out_between(Cloth& cloth, const BodyCollider& body, const ContactOptio
 // The same for the vertices themselves. Last in a sub-step: a drawn vertex is never inside.
 void push_out_vertices(Cloth& cloth, const BodyCollider& body, const ContactOptions& options);
 
-// x moved to the contact offset if it is nearer to the body or inside, else x.  (SPEC 3.3, CONTACT: the closest point,
-// unless that lies against `outward`; then along outward.)
+// x moved to the contact offset if it is nearer to the body or inside, else x: by way of the closest point, which takes
+// the wrong side far less often than a ray; where it lies against `outward`, by a ray along outward, ahead or behind.
+// (SPEC 3.3; thesis figs. 4.9, 4.10)
 Vec3f outside(const Vec3f& x, const Vec3f& outward, const BodyCollider& body, float offset);
 
 }  // namespace selvedge

@@ -20,7 +20,7 @@ void predict(Cloth& cloth, const StepOptions& options) {
     }
 }
 
-// Contacts see thin parts, and remember their side of them, only if no vertex jumps.
+// Contacts see thin parts of the body only if no vertex jumps over them.
 void limit_moves(Cloth& cloth, float max_move) {
     for (const std::uint32_t v : cloth.elements.vertices) {
         const Vec4f moved = cloth.x[v] - cloth.x_prev[v];

@@ -57,7 +57,8 @@ bool relax(Cloth& cloth, const BodyCollider& body, const DrapeOptions& options, 
     stepping.contact.friction_scale = 0;
     DrapeOptions coarse = options;
     coarse.adapt.shortest_edge = std::numeric_limits<float>::max();
-    for (double t = 0; t < options.relax_time; t += frame_seconds(cloth, stepping, options)) {
+    const double seconds = std::min(options.relax_time, options.max_seconds);
+    for (double t = 0; t < seconds; t += frame_seconds(cloth, stepping, options)) {
         const bool is_coarse = t < options.coarse_time;
         if (!run_frame(cloth, body, stepping, is_coarse ? coarse : options, result)) return false;
     }
@@ -69,13 +70,14 @@ void fall(Cloth& cloth, const BodyCollider& body, DrapeOptions options, DrapeRes
     StepOptions stepping{.contact = options.contact};
     const double start = result.simulated_seconds;
     double at_rest = 0;
+    double fraction = 0;
     while (result.simulated_seconds < options.max_seconds && at_rest < options.rest_time) {
         const float elapsed = static_cast<float>(result.simulated_seconds - start);
         stepping.extra_damping = kFallDamping + options.damping_growth * elapsed;
         if (!run_frame(cloth, body, stepping, options, result)) return;
         options.adapt.may_rejoin = result.rms_speed >= options.calm_speed;
         at_rest = result.rms_speed < options.rest_speed ? at_rest + frame_seconds(cloth, stepping, options) : 0;
-        const double fraction = std::max(result.simulated_seconds / options.max_seconds, at_rest / options.rest_time);
+        fraction = std::max({fraction, result.simulated_seconds / options.max_seconds, at_rest / options.rest_time});
         report(progress, "draping", std::min(1.0, fraction));
     }
     result.settled = at_rest >= options.rest_time;
@@ -86,7 +88,8 @@ void fall(Cloth& cloth, const BodyCollider& body, DrapeOptions options, DrapeRes
 DrapeResult drape(Cloth& cloth, const BodyCollider& body, const DrapeOptions& options, const Progress& progress) {
     DrapeResult result;
     refresh_contacts(cloth, options.contact);
-    if (relax(cloth, body, options, result)) fall(cloth, body, options, result, progress);
+    result.bad_vertex = find_bad_vertex(cloth);
+    if (!result.bad_vertex && relax(cloth, body, options, result)) fall(cloth, body, options, result, progress);
     report(progress, "draping", 1);
     result.stopped_because = result.bad_vertex ? "bad number" : result.settled ? "settled" : "time limit";
     return result;

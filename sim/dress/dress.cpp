@@ -5,12 +5,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numbers>
 
-#include "sim/adaptive/check.h"
 #include "sim/body/collider.h"
 #include "sim/body/mannequin.h"
-#include "sim/cloth/stretch.h"
 #include "sim/dress/drape.h"
 #include "sim/dress/inspect.h"
 #include "sim/dress/placement.h"
@@ -25,11 +22,9 @@ namespace {
 class PhaseTimer {
  public:
     explicit PhaseTimer(DressTiming& timing) : timing_(timing) {}
-    ~PhaseTimer() { timing_.wall_s = since(start_); }
-    PhaseTimer(const PhaseTimer&) = delete;
-    PhaseTimer& operator=(const PhaseTimer&) = delete;
 
     void done(const std::string& phase) {
+        timing_.wall_s = since(start_);
         timing_.phases_s[phase] = since(phase_start_);
         phase_start_ = Clock::now();
     }
@@ -80,12 +75,14 @@ GarmentMesh place(const Pattern& pattern, const BodyCollider& collider, const Dr
     MeshOptions meshing = options.mesh;
     meshing.target_edge = options.edge_length.value_or(pattern.edge_length.value_or(meshing.target_edge));
     GarmentMesh unsewn = assemble(pattern, meshing);
-    report.notes = clear_panels(unsewn, collider);
     const double lift = seam_clearing_lift(unsewn, collider);
-    if (lift == 0) return unsewn;
     for (Vec3d& x : unsewn.x) x.y() += lift;
-    report.notes.push_back("all panels moved " + std::to_string(std::lround(lift * 1000)) +
-                           " mm up, so that the seams can close round the body");
+    if (lift != 0) {
+        const std::string millimetres = std::to_string(std::lround(std::abs(lift) * 1000));
+        report.notes.push_back("all panels moved " + millimetres + (lift > 0 ? " mm up" : " mm down") +
+                               ", so that the seams can close round the body");
+    }
+    for (std::string& note : clear_panels(unsewn, collider)) report.notes.push_back(std::move(note));
     return unsewn;
 }
 
@@ -145,12 +142,14 @@ DressedGarment dress(const Pattern& pattern, const Body& body, const DressOption
     Cloth cloth = make_cloth(sewing.sewn, fabrics, {.max_level = options.max_level});
     DrapeOptions draping{.max_seconds = options.max_seconds};
     draping.adapt.criteria = options.criteria;
+    draping.adapt.shortest_edge = static_cast<float>(options.shortest_edge);
     const DrapeResult draped = drape(cloth, collider, draping, progress);
     record_drape(report, draped);
     timer.done("draping");
 
     inspect(cloth, collider, moved, sewing, draped, report);
     dressed.mesh = plain_mesh(cloth, sewing.sewn.panel_names);
+    timer.done("inspection");
     report.timing.peak_memory_mb = peak_memory_mb();
     return dressed;
 }

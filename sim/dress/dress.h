@@ -18,6 +18,7 @@ struct DressOptions {
     MeshOptions mesh{};
     std::optional<double> edge_length{};  // m, of the base mesh, instead of the pattern's
     int max_level = 3;
+    double shortest_edge = 0.02;  // m, an edge shorter than this is not split, whatever max_level says
     CriteriaOptions criteria{};
     double max_seconds = 12;         // of simulated time, sewing not counted
     std::optional<Fabric> fabric{};  // instead of the pattern's

@@ -89,7 +89,7 @@ void inspect(const Cloth& cloth, const BodyCollider& body, const Pattern& patter
     for (const OpenSeam& open : sewing.open)
         add_fault(report, "open_seam", describe_seam(pattern, open.seam), open.gap);
     if (draped.bad_vertex) {
-        add_fault(report, "not_finite", "vertex " + std::to_string(draped.bad_vertex->value), 0);
+        add_fault(report, "not_finite", describe_place(cloth, pattern, *draped.bad_vertex), 0);
     } else {
         inspect_contact(cloth, body, pattern, limits, report);
         inspect_stretch(cloth, pattern, limits, report);

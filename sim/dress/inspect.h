@@ -23,7 +23,7 @@ void inspect(const Cloth& cloth, const BodyCollider& body, const Pattern& patter
 // The leaf triangles as they hang, with the material coordinates and level of each.
 PlainMesh plain_mesh(const Cloth& cloth, const std::vector<std::string>& panel_names);
 
-// "'front' beside 'left_sleeve', 12.3 cm right of centre, 134 cm up": where a person would look.
+// "'front' beside 'left_sleeve' at x 0.123 y 1.340 z 0.051 m": where a person would look.
 std::string describe_place(const Cloth& cloth, const Pattern& pattern, VertexId vertex);
 
 }  // namespace selvedge

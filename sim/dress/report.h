@@ -95,7 +95,7 @@ struct StretchFigures {
 
 struct DressTiming {
     double wall_s = 0;
-    double ms_per_adaption = 0;  // medians over the adaptive drape
+    double ms_per_adaption = 0;  // medians over the drape
     double ms_per_step = 0;
     double ms_adapt_plus_4_steps = 0;
     std::map<std::string, double> phases_s;
@@ -106,7 +106,7 @@ struct DressReport {
     std::string garment;
     std::string body;
     bool settled = false;
-    std::string stopped_because;  // "settled", "time limit", "bad number at ..."
+    std::string stopped_because;  // "settled", "time limit" or "bad number"
     double simulated_seconds = 0;
     std::vector<DressFault> faults;
     std::vector<std::string> notes;  // what a person should know but is no fault

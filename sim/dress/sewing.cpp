@@ -34,7 +34,7 @@ std::vector<OpenSeam> open_seams(const Cloth& cloth, const std::vector<SeamLink>
     std::map<int, float> widest;
     for (const SeamLink& link : links) {
         const float gap = gap_of(cloth, link);
-        if (gap > closed_gap) widest[link.seam] = std::max(widest[link.seam], gap);
+        if (!(gap <= closed_gap)) widest[link.seam] = std::max(widest[link.seam], gap);
     }
     std::vector<OpenSeam> open;
     for (const auto& [seam, gap] : widest) open.push_back({seam, gap});
@@ -45,7 +45,7 @@ std::vector<OpenSeam> open_seams(const Cloth& cloth, const std::vector<SeamLink>
 GarmentMesh merge_closed(const GarmentMesh& unsewn, const Cloth& cloth, float closed_gap) {
     GarmentMesh moved = unsewn;
     for (std::size_t v = 0; v < moved.x.size(); ++v) moved.x[v] = cloth.x[v].head<3>().cast<double>();
-    std::erase_if(moved.links, [&](const SeamLink& link) { return gap_of(cloth, link) > closed_gap; });
+    std::erase_if(moved.links, [&](const SeamLink& link) { return !(gap_of(cloth, link) <= closed_gap); });
     return merge_seams(moved).mesh;
 }
 
@@ -74,8 +74,8 @@ SewingResult sew_on_body(const GarmentMesh& unsewn, const std::vector<Fabric>& f
         stepping.seam_gap_rate = stepping.seam_gap > 0 ? options.closing_speed * cloth.substep : 0;
         step(cloth, body, stepping);
         report(progress, "sewing", std::min(1.0F, seconds / limit));
-        result.is_finite = !find_bad_vertex(cloth).has_value();
-        if (!result.is_finite) break;
+        result.bad_vertex = find_bad_vertex(cloth);
+        if (result.bad_vertex) break;
         if (stepping.seam_gap <= 0 && widest_gap(cloth, unsewn.links) < options.closed_gap) break;
     }
     report(progress, "sewing", 1);

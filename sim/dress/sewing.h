@@ -1,6 +1,7 @@
 #pragma once
 // Closing the seams: the panels, still apart and at level 0, are drawn together along their seams without gravity, each
 // colliding with the body from its own side; what has met is merged.  (SPEC 3.1, way b)
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,7 @@ struct SewingResult {
     GarmentMesh sewn;  // links that did not close are left out of the merge
     std::vector<OpenSeam> open;
     double simulated_seconds = 0;
-    bool is_finite = true;
+    std::optional<VertexId> bad_vertex;  // of the unsewn mesh, where a number went bad; `sewn` is then not to be used
 };
 
 SewingResult sew_on_body(const GarmentMesh& unsewn, const std::vector<Fabric>& fabrics, const BodyCollider& body,

@@ -190,8 +190,8 @@ TEST(AdaptCloth, rejoins_nothing_while_told_to_keep_what_is_split) {
     wave(cloth, 0.1F);
     ASSERT_GT(adapt_cloth(cloth, nothing_near()).splits, 0);
     wave(cloth, 0);
-    EXPECT_EQ(adapt_cloth(cloth, nothing_near(), {.criteria = {}, .keeps_split = true}).rejoins, 0);
-    EXPECT_GT(adapt_cloth(cloth, nothing_near(), {.criteria = {}, .keeps_split = false}).rejoins, 0);
+    EXPECT_EQ(adapt_cloth(cloth, nothing_near(), {.criteria = {}, .may_rejoin = false}).rejoins, 0);
+    EXPECT_GT(adapt_cloth(cloth, nothing_near(), {.criteria = {}, .may_rejoin = true}).rejoins, 0);
 }
 
 }  // namespace

@@ -120,7 +120,8 @@ TEST(PushOutVertices, a_falling_cloth_never_comes_nearer_than_the_offset) {
         step(cloth, ball(), {.contact = {.floor = kNoFloor}});
         ASSERT_GT(deepest(cloth, ball()), least) << "after step " << i;
     }
-    EXPECT_LT(deepest(cloth, ball()), 2 * kOffset) << "it never reached the ball, so nothing was tested";
+    // The middles of its triangles touch first, and keep their corners some millimetres further off.
+    EXPECT_LT(deepest(cloth, ball()), 3 * kOffset) << "it never reached the ball, so nothing was tested";
 }
 
 TEST(PushOutVertices, the_floor_holds_what_falls_past_the_body) {
