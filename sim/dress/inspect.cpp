@@ -9,6 +9,7 @@
 #include "sim/adaptive/check.h"
 #include "sim/body/collider.h"
 #include "sim/cloth/stretch.h"
+#include "sim/dress/fit.h"
 
 namespace selvedge {
 namespace {
@@ -55,29 +56,64 @@ void inspect_contact(const Cloth& cloth, const BodyCollider& body, const Pattern
     add_fault(report, "inside_body", describe_place(cloth, pattern, deepest), report.contact.deepest_m);
 }
 
-void inspect_stretch(const Cloth& cloth, const Pattern& pattern, const FaultLimits& limits, DressReport& report) {
-    const std::vector<TriangleStrain> strains = measure_strain(cloth);
+float larger_of(const TriangleStrain& strain) {
+    return std::max(strain.warp, strain.weft);
+}
+
+Vec3d middle_of(const Cloth& cloth, const LeafTriangle& t) {
+    return ((cloth.x[t.v[0].value] + cloth.x[t.v[1].value] + cloth.x[t.v[2].value]) / 3.0F).head<3>().cast<double>();
+}
+
+StretchFigures stretch_figures(const std::vector<TriangleStrain>& strains) {
     std::vector<double> threads;
     std::vector<double> shears;
+    StretchFigures figures;
+    for (const TriangleStrain& strain : strains) {
+        threads.push_back(strain.warp);
+        threads.push_back(strain.weft);
+        shears.push_back(strain.shear * 180 / std::numbers::pi);
+        figures.warp_weft_max = std::max(figures.warp_weft_max, static_cast<double>(larger_of(strain)));
+    }
+    figures.warp_weft_p50 = quantile(threads, 0.5);
+    figures.warp_weft_p99 = quantile(threads, 0.99);
+    figures.shear_deg_p99 = quantile(shears, 0.99);
+    return figures;
+}
+
+// "smaller than the body and the gap kept from it by up to 7.3 cm, between 1.14 and 1.26 m up: it stretches there"
+std::string describe_tight(const std::vector<TightLevel>& tight) {
+    double least = 0;
+    for (const TightLevel& level : tight) least = std::max(least, level.body_girth - level.garment_girth);
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "smaller than the body and the gap kept from it by up to %.1f cm, between %.2f and %.2f m up: it "
+                  "stretches there",
+                  least * 100, tight.front().y, tight.back().y);
+    return text;
+}
+
+// A garment that is drafted smaller than the body has to stretch where it is: that is a note. Elsewhere it is a fault.
+void inspect_stretch(const Cloth& cloth, const Body& body, const Pattern& pattern, const FaultLimits& limits,
+                     DressReport& report) {
+    const std::vector<TriangleStrain> strains = measure_strain(cloth);
+    report.stretch = stretch_figures(strains);
+    const std::vector<TightLevel> tight = tight_levels(plain_mesh(cloth, {}), body);
+    if (!tight.empty()) report.notes.push_back(describe_tight(tight));
+    std::vector<TriangleStrain> free;
     std::size_t worst = 0;
-    const auto larger = [](const TriangleStrain& s) { return std::max(s.warp, s.weft); };
     for (std::size_t i = 0; i < strains.size(); ++i) {
-        threads.push_back(strains[i].warp);
-        threads.push_back(strains[i].weft);
-        shears.push_back(strains[i].shear * 180 / std::numbers::pi);
-        if (larger(strains[i]) > larger(strains[worst])) worst = i;
+        if (is_tight_at(tight, middle_of(cloth, cloth.mesh.leaf_triangles()[i]))) continue;
+        if (free.empty() || larger_of(strains[i]) > larger_of(strains[worst])) worst = i;
+        free.push_back(strains[i]);
     }
-    if (strains.empty()) return;
-    report.stretch = {.warp_weft_p50 = quantile(threads, 0.5),
-                      .warp_weft_p99 = quantile(threads, 0.99),
-                      .warp_weft_max = larger(strains[worst]),
-                      .shear_deg_p99 = quantile(shears, 0.99)};
+    if (free.empty()) return;
+    const StretchFigures figures = stretch_figures(free);
     const std::string place = describe_place(cloth, pattern, cloth.mesh.leaf_triangles()[worst].v[0]);
-    if (report.stretch.warp_weft_p99 > limits.stretch_p99) {
-        add_fault(report, "overstretched", "99th percentile, worst at " + place, report.stretch.warp_weft_p99);
+    if (figures.warp_weft_p99 > limits.stretch_p99) {
+        add_fault(report, "overstretched", "99th percentile, worst at " + place, figures.warp_weft_p99);
     }
-    if (report.stretch.warp_weft_max > limits.stretch_max) {
-        add_fault(report, "overstretched", place, report.stretch.warp_weft_max);
+    if (figures.warp_weft_max > limits.stretch_max) {
+        add_fault(report, "overstretched", place, figures.warp_weft_max);
     }
 }
 
@@ -92,7 +128,7 @@ void inspect(const Cloth& cloth, const BodyCollider& body, const Pattern& patter
         add_fault(report, "not_finite", describe_place(cloth, pattern, *draped.bad_vertex), 0);
     } else {
         inspect_contact(cloth, body, pattern, limits, report);
-        inspect_stretch(cloth, pattern, limits, report);
+        inspect_stretch(cloth, body.body(), pattern, limits, report);
     }
     if (!draped.settled) add_fault(report, "not_settled", "whole garment, rms speed in m/s", draped.rms_speed);
     inspect_mesh(cloth, report);
