@@ -1,19 +1,44 @@
 #include "tests/golden/golden.h"
 
 #include <cstdlib>
-#include <filesystem>
+#include <functional>
+#include <optional>
 #include <sstream>
 
 #include "render/image/png.h"
+#include "tests/golden/blocks.h"
 
 namespace selvedge {
 namespace {
 
-std::filesystem::path reference_path(const std::string& name) {
-    return std::filesystem::path(SELVEDGE_SOURCE_DIR) / "tests/golden/reference" / (name + ".png");
+// What is wrong with the second picture, by the first; nothing when they are alike.
+using Judge = std::function<std::optional<std::string>(const Image&, const Image&)>;
+
+testing::AssertionResult matches(const Image& image, const std::string& name, const Judge& judge) {
+    const std::filesystem::path path = reference_path(name + ".png");
+    if (is_to_be_renewed(name)) {
+        write_png(path, image);
+        return testing::AssertionSuccess() << "renewed: look at " << path;
+    }
+    const std::string out = name + ".out.png", diff = name + ".diff.png";
+    if (!std::filesystem::exists(path)) {
+        write_png(out, image);
+        return testing::AssertionFailure() << "no reference " << path << "; wrote " << out;
+    }
+    const Image reference = read_png(path);
+    const std::optional<std::string> problem = judge(reference, image);
+    if (!problem) return testing::AssertionSuccess();
+    write_png(out, image);
+    write_png(diff, difference_picture(reference, image));
+    return testing::AssertionFailure() << name << ": " << *problem << "; wrote " << out << " and " << diff;
 }
 
-// SELVEDGE_RENEW_GOLDENS holds names with commas between.
+}  // namespace
+
+std::filesystem::path reference_path(const std::string& file) {
+    return std::filesystem::path(SELVEDGE_SOURCE_DIR) / "tests/golden/reference" / file;
+}
+
 bool is_to_be_renewed(const std::string& name) {
     const char* names = std::getenv("SELVEDGE_RENEW_GOLDENS");
     std::istringstream list(names == nullptr ? "" : names);
@@ -23,28 +48,24 @@ bool is_to_be_renewed(const std::string& name) {
     return false;
 }
 
-}  // namespace
-
 Image read_reference(const std::string& name) {
-    return read_png(reference_path(name));
+    return read_png(reference_path(name + ".png"));
 }
 
 testing::AssertionResult matches_golden(const Image& image, const std::string& name) {
-    if (is_to_be_renewed(name)) {
-        write_png(reference_path(name), image);
-        return testing::AssertionSuccess() << "renewed: look at " << reference_path(name);
-    }
-    const std::string out = name + ".out.png", diff = name + ".diff.png";
-    if (!std::filesystem::exists(reference_path(name))) {
-        write_png(out, image);
-        return testing::AssertionFailure() << "no reference " << reference_path(name) << "; wrote " << out;
-    }
-    const Image reference = read_reference(name);
-    const Comparison comparison = compare(reference, image);
-    if (is_alike(comparison)) return testing::AssertionSuccess();
-    write_png(out, image);
-    write_png(diff, difference_picture(reference, image));
-    return testing::AssertionFailure() << name << ": " << describe(comparison) << "; wrote " << out << " and " << diff;
+    return matches(image, name, [](const Image& reference, const Image& now) -> std::optional<std::string> {
+        const Comparison comparison = compare(reference, now);
+        if (is_alike(comparison)) return std::nullopt;
+        return describe(comparison);
+    });
+}
+
+testing::AssertionResult matches_golden_by_blocks(const Image& image, const std::string& name) {
+    return matches(image, name, [](const Image& reference, const Image& now) -> std::optional<std::string> {
+        const BlockComparison comparison = compare_blocks(reference, now);
+        if (is_alike(comparison)) return std::nullopt;
+        return describe(comparison);
+    });
 }
 
 }  // namespace selvedge

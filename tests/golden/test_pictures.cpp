@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <ostream>
 
 #include "render/renderer.h"
 #include "sim/tartan/tartan_file.h"
@@ -47,6 +48,11 @@ struct GoldenCase {
     const char* name;
     std::function<Scene()> make;
 };
+
+// How GoogleTest and ctest name the case.
+void PrintTo(const GoldenCase& golden, std::ostream* out) {
+    *out << golden.name;
+}
 
 const std::vector<GoldenCase>& golden_cases() {
     static const std::vector<GoldenCase> cases{
