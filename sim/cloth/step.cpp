@@ -42,6 +42,17 @@ void pull_seams(Cloth& cloth, std::span<const SeamPull> seams, float gap) {
     }
 }
 
+// Threads rub against each other: neighbours lose part of what they move against one another, which stills the tremble
+// of single vertices and leaves what the cloth does as a whole. Momentum is kept.
+void rub(Cloth& cloth, float rate, float seconds) {
+    const float lost = 1 - std::exp(-rate * seconds);
+    for (const LengthLimit& edge : cloth.elements.limits) {
+        const Vec4f against = (cloth.x[edge.b] - cloth.x_prev[edge.b]) - (cloth.x[edge.a] - cloth.x_prev[edge.a]);
+        cloth.x_prev[edge.a] -= against * (lost * edge.share_a);
+        cloth.x_prev[edge.b] += against * (lost * edge.share_b);
+    }
+}
+
 }  // namespace
 
 void step(Cloth& cloth, const BodyCollider& body, const StepOptions& options) {
@@ -59,6 +70,7 @@ void step(Cloth& cloth, const BodyCollider& body, const StepOptions& options) {
         limit_moves(cloth, options.max_move_per_substep);
         push_out_vertices(cloth, body, options.contact);
     }
+    rub(cloth, options.internal_damping, cloth.substep * static_cast<float>(options.substeps));
 }
 
 }  // namespace selvedge

@@ -109,12 +109,14 @@ double blocked_cost(const GarmentMesh& unsewn, double lift, const BodyCollider& 
 
 double seam_clearing_lift(const GarmentMesh& unsewn, const BodyCollider& body) {
     constexpr int kStepsEachWay = 12;
-    constexpr double kStep = 0.01;  // m
+    constexpr double kStep = 0.01;          // m
+    constexpr double kWorthPerStep = 0.05;  // of the cost as placed, which each step away has to save
+    const double as_placed = blocked_cost(unsewn, 0, body);
     double best = 0;
-    double least = blocked_cost(unsewn, 0, body);
-    for (int i = 1; i <= kStepsEachWay && least > 0; ++i) {
+    double least = as_placed;
+    for (int i = 1; i <= kStepsEachWay && as_placed > 0; ++i) {
         for (const double lift : {i * kStep, -i * kStep}) {
-            const double cost = blocked_cost(unsewn, lift, body);
+            const double cost = blocked_cost(unsewn, lift, body) + i * kWorthPerStep * as_placed;
             if (cost >= least) continue;
             least = cost;
             best = lift;
