@@ -26,7 +26,7 @@ struct ClothObserver {
         cloth.x[c.value] = padded(outside(middle.head<3>(), normal, body, offset));
         cloth.x_prev[c.value] = cloth.x[c.value] - velocity;
         cloth.normals[c.value] = normal.squaredNorm() > 0 ? Vec3f(normal.normalized()) : Vec3f::Zero();
-        cloth.is_pinned[c.value] = false;
+        cloth.is_pinned[c.value] = cloth.is_pinned[a.value] && cloth.is_pinned[b.value];  // a pinned waistband stays up
     }
 
     void on_rejoin(VertexId) {}

@@ -92,14 +92,16 @@ double blocked_depth(const Vec3d& a, const Vec3d& b, const BodyCollider& body) {
     return deepest;
 }
 
-// Squares: one seam held far back is worse than several that slide a little.
+// Squares: one seam held far back is worse than several that slide a little. But what is deeper than a lift can cure,
+// such as a tight skirt round legs apart, does not count for more.
 double blocked_cost(const GarmentMesh& unsewn, double lift, const BodyCollider& body) {
+    constexpr double kDeepest = 0.04;  // m
     const Vec3d up(0, lift, 0);
     double cost = 0;
     for (const SeamLink& link : unsewn.links) {
         const Vec3d& a = unsewn.x[static_cast<std::size_t>(link.a)];
         const Vec3d& b = unsewn.x[static_cast<std::size_t>(link.b)];
-        const double depth = blocked_depth(a + up, b + up, body);
+        const double depth = std::min(kDeepest, blocked_depth(a + up, b + up, body));
         cost += depth * depth;
     }
     return cost;
