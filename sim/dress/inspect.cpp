@@ -117,6 +117,18 @@ void inspect_stretch(const Cloth& cloth, const Body& body, const Pattern& patter
     }
 }
 
+// Not a fault of the drape, but nobody wants it: what did not hold on the body lies about its feet.
+void inspect_floor(const Cloth& cloth, DressReport& report) {
+    constexpr float kNear = 0.02F;   // m, above the floor
+    constexpr double kShare = 0.05;  // of the vertices
+    const auto lies = [&](VertexId v) { return cloth.x[v.value].y() < kNear; };
+    const std::span<const VertexId> vertices = cloth.mesh.leaf_vertices();
+    const auto lying = std::count_if(vertices.begin(), vertices.end(), lies);
+    if (static_cast<double>(lying) > kShare * static_cast<double>(vertices.size())) {
+        report.notes.push_back("the garment lies on the floor: it does not hold on this body");
+    }
+}
+
 }  // namespace
 
 void inspect(const Cloth& cloth, const BodyCollider& body, const Pattern& pattern, const SewingResult& sewing,
@@ -129,6 +141,7 @@ void inspect(const Cloth& cloth, const BodyCollider& body, const Pattern& patter
     } else {
         inspect_contact(cloth, body, pattern, limits, report);
         inspect_stretch(cloth, body.body(), pattern, limits, report);
+        inspect_floor(cloth, report);
     }
     if (!draped.settled) add_fault(report, "not_settled", "whole garment, rms speed in m/s", draped.rms_speed);
     inspect_mesh(cloth, report);
