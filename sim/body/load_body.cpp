@@ -2,6 +2,7 @@
 
 #include <cctype>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 #include "sim/body/guarded_import.h"
@@ -129,6 +130,14 @@ void stand_on_floor(Body& body, LoadBodyReport& report) {
     for (Bone& bone : body.bones) bone.joint.y() += report.floor_shift;
 }
 
+// "moved 0.9 mm down to stand on the floor"
+std::string describe_shift(double shift) {
+    char text[64];
+    std::snprintf(text, sizeof text, "moved %.1f mm %s to stand on the floor", std::abs(shift) * 1000,
+                  shift > 0 ? "up" : "down");
+    return text;
+}
+
 std::string counted(int count, const char* what) {
     return std::to_string(count) + ' ' + what;
 }
@@ -138,9 +147,7 @@ void write_notes(LoadBodyReport& report) {
     const RepairReport& repair = report.repair;
     if (report.unit != LengthUnit::Metres) notes.push_back(std::string("read as ") + name_of(report.unit));
     if (report.up == UpAxis::Z) notes.emplace_back("turned from z up to y up");
-    if (std::abs(report.floor_shift) > 1e-4)
-        notes.push_back("moved by " +
-                        counted(int(std::lround(report.floor_shift * 1e4)), "tenths of a mm to stand on the floor"));
+    if (std::abs(report.floor_shift) > 1e-4) notes.push_back(describe_shift(report.floor_shift));
     if (repair.dropped_triangles > 0)
         notes.push_back("left out " + counted(repair.dropped_triangles, "triangles without area or twice there"));
     if (repair.turned_triangles > 0)
