@@ -36,6 +36,11 @@ float shear_gain(const MaterialFrame& frame, const std::array<float, 3>& w, floa
                 w[1] * squared(frame.a[0], frame.b[0]) + w[2] * squared(frame.a[1], frame.b[1]));
 }
 
+// Over a sub-step, of a triangle of that stiffness.  (XPBD)
+float compliance_of(const Cloth& cloth, const MaterialFrame& frame, double stiffness) {
+    return 1 / (frame.area * cloth.substep * cloth.substep) / static_cast<float>(stiffness);
+}
+
 // One pass of Gauss-Seidel leaves threads longer than their stiffness would. What they may be stretched before that is
 // taken back is the strain under the load which garments seldom carry more of; never nil, or rounding errors would
 // gather into a drift.
@@ -44,10 +49,18 @@ float slack_length(double stiffness, const Fabric& fabric) {
     return 1 + static_cast<float>(std::min(fabric.strain_limit, std::max(1e-5, kUsualLoad / stiffness)));
 }
 
-void set_limits(StretchElement& element, const Fabric& fabric) {
+// Warp and weft of a triangle, a leaf or a parent, whose vertices have the inverse masses w. Without shear.
+StretchElement thread_element(const Cloth& cloth, std::uint16_t panel, const std::array<VertexId, 3>& vertices,
+                              const MaterialFrame& frame, const std::array<float, 3>& w) {
+    const Fabric& fabric = cloth.fabrics[panel];
+    StretchElement element{.a = frame.a, .b = frame.b};
+    for (std::size_t i = 0; i < 3; ++i) element.vertices[i] = vertices[i].value;
+    element.warp = thread_moves(frame.a, w, compliance_of(cloth, frame, fabric.stretch_warp));
+    element.weft = thread_moves(frame.b, w, compliance_of(cloth, frame, fabric.stretch_weft));
     element.slack_warp = slack_length(fabric.stretch_warp, fabric);
     element.slack_weft = slack_length(fabric.stretch_weft, fabric);
     element.longest = 1 + static_cast<float>(fabric.strain_limit);
+    return element;
 }
 
 // Whether a seam edge of the triangle has to be shorter than the triangle's own copy of it: there the cloth is
@@ -63,20 +76,12 @@ bool is_gathered(const AdaptiveMesh& mesh, const LeafTriangle& leaf) {
 }
 
 StretchElement stretch_element(const Cloth& cloth, const LeafTriangle& triangle) {
-    const Fabric& fabric = cloth.fabrics[triangle.panel];
     const MaterialFrame frame = material_frame(triangle.u, cloth.grain_angles[triangle.panel]);
     std::array<float, 3> w{};
-    StretchElement element{.a = frame.a, .b = frame.b};
-    for (std::size_t i = 0; i < 3; ++i) {
-        element.vertices[i] = triangle.v[i].value;
-        w[i] = cloth.inverse_mass[triangle.v[i].value];
-    }
-    const float per_stiffness = 1 / (frame.area * cloth.substep * cloth.substep);
-    element.warp = thread_moves(frame.a, w, per_stiffness / static_cast<float>(fabric.stretch_warp));
-    element.weft = thread_moves(frame.b, w, per_stiffness / static_cast<float>(fabric.stretch_weft));
-    set_limits(element, fabric);
+    for (std::size_t i = 0; i < 3; ++i) w[i] = cloth.inverse_mass[triangle.v[i].value];
+    StretchElement element = thread_element(cloth, triangle.panel, triangle.v, frame, w);
     element.push = is_gathered(cloth.mesh, triangle) ? 0.0F : 1.0F;
-    element.shear = shear_gain(frame, w, per_stiffness / static_cast<float>(fabric.shear));
+    element.shear = shear_gain(frame, w, compliance_of(cloth, frame, cloth.fabrics[triangle.panel].shear));
     return element;
 }
 
@@ -120,20 +125,13 @@ LengthLimit leaf_limit(const Cloth& cloth, const LeafEdge& leaf) {
 }
 
 StretchElement parent_element(const Cloth& cloth, const AdaptiveTriangle& triangle, const std::vector<float>& mass) {
-    const Fabric& fabric = cloth.fabrics[triangle.panel];
     const MaterialFrame frame = material_frame(triangle.u, cloth.grain_angles[triangle.panel]);
     std::array<float, 3> w{};
-    StretchElement element{.a = frame.a, .b = frame.b};
     for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t v = triangle.vertices[i].value;
-        element.vertices[i] = v;
         w[i] = cloth.inverse_mass[v] > 0 ? 1 / mass[v] : 0.0F;
     }
-    const float per_stiffness = 1 / (frame.area * cloth.substep * cloth.substep);
-    element.warp = thread_moves(frame.a, w, per_stiffness / static_cast<float>(fabric.stretch_warp));
-    element.weft = thread_moves(frame.b, w, per_stiffness / static_cast<float>(fabric.stretch_weft));
-    set_limits(element, fabric);
-    return element;
+    return thread_element(cloth, triangle.panel, triangle.vertices, frame, w);
 }
 
 // A refined triangle moves the cloth about its vertices with it. So a vertex weighs as much there as all that follows
