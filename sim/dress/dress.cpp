@@ -2,12 +2,12 @@
 
 #include <sys/resource.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 
 #include "sim/body/collider.h"
 #include "sim/body/mannequin.h"
+#include "sim/core/quantile.h"
 #include "sim/dress/drape.h"
 #include "sim/dress/inspect.h"
 #include "sim/dress/placement.h"
@@ -37,13 +37,6 @@ class PhaseTimer {
     Clock::time_point start_ = Clock::now();
     Clock::time_point phase_start_ = start_;
 };
-
-double median(std::vector<double> values) {
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 double peak_memory_mb() {
     rusage usage{};
@@ -93,8 +86,8 @@ void record_drape(DressReport& report, const DrapeResult& result) {
     report.mesh.splits = result.splits;
     report.mesh.rejoins = result.rejoins;
     report.mesh.transitions = result.transitions;
-    report.timing.ms_per_adaption = median(result.adaption_ms);
-    report.timing.ms_per_step = median(result.step_ms);
+    report.timing.ms_per_adaption = quantile(result.adaption_ms, 0.5);
+    report.timing.ms_per_step = quantile(result.step_ms, 0.5);
     report.timing.ms_adapt_plus_4_steps = report.timing.ms_per_adaption + 4 * report.timing.ms_per_step;
 }
 

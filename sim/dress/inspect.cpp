@@ -9,17 +9,11 @@
 #include "sim/adaptive/check.h"
 #include "sim/body/collider.h"
 #include "sim/cloth/stretch.h"
+#include "sim/core/quantile.h"
 #include "sim/dress/fit.h"
 
 namespace selvedge {
 namespace {
-
-double quantile(std::vector<double> values, double q) {
-    if (values.empty()) return 0;
-    const auto at = values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), at, values.end());
-    return *at;
-}
 
 void add_fault(DressReport& report, std::string kind, std::string place, double value) {
     report.faults.push_back({std::move(kind), std::move(place), value});
