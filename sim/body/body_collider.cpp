@@ -1,7 +1,10 @@
 #include "sim/body/body_collider.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 
@@ -9,8 +12,7 @@ namespace selvedge {
 
 namespace {
 
-constexpr float kTrustedGradient = 0.95F;  // below, the cell spans a crease (0.2 % of samples near a body)
-constexpr float kGuardReach = 0.0015F;     // m, how far the field may be off there
+constexpr float kGuardReach = 0.0015F;  // m, how far the field may be off at a crease
 
 }  // namespace
 
@@ -20,11 +22,29 @@ BodyCollider::BodyCollider(const Body& body, const DistanceFieldOptions& options
 Contact BodyCollider::contact(const Vec3f& p) const {
     const FieldSample sample = field_.sample(p);
     if (sample.distance >= band()) return {band(), Vec3f::Zero()};
-    const float length = sample.gradient.norm();
-    if (length >= kTrustedGradient) return {sample.distance, sample.gradient / length};
+    const Vec3f& g = sample.gradient;
+    const float length = std::sqrt(g.x() * g.x() + g.y() * g.y() + g.z() * g.z());
+    if (length < DistanceField::kTrustedGradient) return exact_contact(p, sample.distance);
+    return {sample.distance, g * (1 / length)};
+}
 
-    const bool is_deep = sample.distance <= -band();
-    const float reach = std::abs(sample.distance) + std::max(kGuardReach, max_error());
+void BodyCollider::contacts(std::span<ContactBlock> blocks, float reach) const {
+    constexpr std::size_t kAtOnce = 64;
+    std::array<std::uint16_t, kAtOnce> doubtful;
+    for (std::size_t first = 0; first < blocks.size(); first += kAtOnce) {
+        const std::span<ContactBlock> some = blocks.subspan(first, std::min(kAtOnce, blocks.size() - first));
+        field_.sample(some, reach, doubtful);
+        for (std::size_t b = 0; b < some.size(); ++b)
+            for (unsigned lanes = doubtful[b]; lanes != 0; lanes &= lanes - 1) {
+                const std::size_t i = std::size_t(std::countr_zero(lanes));
+                some[b].set(i, exact_contact(some[b].point(i), some[b].distance[i]));
+            }
+    }
+}
+
+Contact BodyCollider::exact_contact(const Vec3f& p, float field_distance) const {
+    const bool is_deep = field_distance <= -band();
+    const float reach = std::abs(field_distance) + std::max(kGuardReach, max_error());
     std::optional<ClosestPoint> closest = is_deep ? std::nullopt : bvh_.closest(p, reach);
     if (!closest) closest = bvh_.closest(p, std::numeric_limits<float>::infinity());
     if (!closest || closest->distance >= band()) return {band(), Vec3f::Zero()};

@@ -14,6 +14,7 @@ class BodyCollider final : public Collider {
     explicit BodyCollider(const Body& body, const DistanceFieldOptions& options = {});
 
     Contact contact(const Vec3f& p) const override;
+    void contacts(std::span<ContactBlock> blocks, float reach) const override;
     std::optional<SurfaceHit> first_hit(const Vec3f& from, const Vec3f& to) const override {
         return bvh_.first_hit(from, to);
     }
@@ -26,6 +27,8 @@ class BodyCollider final : public Collider {
     const DistanceField& field() const { return field_; }
 
  private:
+    Contact exact_contact(const Vec3f& p, float field_distance) const;
+
     const Body& body_;
     SurfaceBvh bvh_;
     DistanceField field_;

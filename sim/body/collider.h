@@ -1,29 +1,13 @@
 #pragma once
 // What cloth may not enter: how far it is, and which way out.  (SPEC 3.3)
-#include <array>
-#include <cstddef>
 #include <optional>
 #include <span>
 
+#include "sim/body/contact_block.h"
 #include "sim/body/surface_bvh.h"
 #include "sim/core/vec.h"
 
 namespace selvedge {
-
-struct Contact {
-    float distance = 0;            // m, negative inside; band() when it is at least that far outside
-    Vec3f normal = Vec3f::Zero();  // unit, the way out; zero when distance is band()
-};
-
-// Points that are asked about at once, and what is known of them. Spare lanes hold any point, a copy of another say.
-inline constexpr std::size_t kContactLanes = 16;
-
-struct alignas(64) ContactBlock {
-    using Lanes = std::array<float, kContactLanes>;
-    Lanes x{}, y{}, z{};  // asked, m
-    Lanes distance{};     // answer, as in Contact
-    Lanes nx{}, ny{}, nz{};
-};
 
 class Collider {
  public:

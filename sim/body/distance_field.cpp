@@ -7,6 +7,7 @@
 
 #include "sim/core/assert.h"
 #include "sim/core/parallel.h"
+#include "sim/core/simd_level.h"
 
 namespace selvedge {
 
@@ -16,6 +17,7 @@ constexpr float kUnbounded = std::numeric_limits<float>::infinity();
 constexpr float kHair = 1.0001F;  // bounds are widened by this
 constexpr float kSpeck = 1e-6F;   // and this, m, for rounding
 constexpr float kHalfDiagonal = 0.8660254F;
+constexpr std::int16_t kFarNode = 32767;  // at the limit
 
 // Signed distances along a walk in small strides: the nearest point of one bounds the search for the next. Beyond
 // `reach` only the sign is right and the size is at least reach.
@@ -57,14 +59,13 @@ DistanceField::DistanceField(const SurfaceBvh& bvh, const DistanceFieldOptions& 
       band_(options.band),
       // Nodes of a cell with a point in the band lie within the cell's diagonal of it.
       limit_(options.band + 2 * kHalfDiagonal * options.cell),
-      to_metres_(limit_ / 32767.0F) {
+      to_metres_(limit_ / float(kFarNode)) {
     SELVEDGE_ASSERT(cell_ > 0 && 2 * cell_ <= band_);
-    if (bvh.empty()) return;
     lay_out(bvh);
     classify_blocks(bvh);
     parallel_for(blocks_.size(), 16, [&](std::size_t first, std::size_t last) {
         for (std::size_t block = first; block < last; ++block)
-            if (blocks_[block] >= 0) fill_block(bvh, block, &nodes_[std::size_t(blocks_[block]) * kBlockNodes]);
+            if (blocks_[block] >= kFirstNear) fill_block(bvh, block, &nodes_[std::size_t(blocks_[block])]);
     });
     max_error_ = error_on(bvh);
 }
@@ -96,7 +97,7 @@ Vec3f DistanceField::block_corner(std::size_t block) const {
 void DistanceField::classify_blocks(const SurfaceBvh& bvh) {
     const float edge = cell_ * kCells;
     const float reach = band_ + kHalfDiagonal * edge;
-    constexpr std::int32_t kNear = 0;
+    constexpr std::int32_t kNear = -1;
     const std::size_t row = std::size_t(size_[0]);
     parallel_for(blocks_.size() / row, 8, [&](std::size_t first, std::size_t last) {
         for (std::size_t r = first; r < last; ++r) {
@@ -107,10 +108,16 @@ void DistanceField::classify_blocks(const SurfaceBvh& bvh) {
             }
         }
     });
-    std::int32_t count = 0;
+    std::int32_t count = kFirstNear;
     for (std::int32_t& block : blocks_)
-        if (block == kNear) block = count++;
-    nodes_.resize(std::size_t(count) * kBlockNodes);
+        if (block == kNear) {
+            SELVEDGE_ASSERT(count < std::numeric_limits<std::int32_t>::max() - kBlockNodes);
+            block = count;
+            count += kBlockNodes;
+        }
+    nodes_.resize(std::size_t(count));
+    std::fill_n(nodes_.begin() + kOutside, kBlockNodes, kFarNode);
+    std::fill_n(nodes_.begin() + kInside, kBlockNodes, std::int16_t(-kFarNode));
 }
 
 // Walks the block's nodes like a plough, so that each is one cell from the one before.
@@ -144,7 +151,7 @@ FieldSample DistanceField::sample(const Vec3f& p) const {
 
     constexpr int kWithin = kCells - 1;
     const int corner = (i & kWithin) + kNodes * ((j & kWithin) + kNodes * (k & kWithin));
-    const std::int16_t* node = &nodes_[std::size_t(block) * kBlockNodes + std::size_t(corner)];
+    const std::int16_t* node = &nodes_[std::size_t(block + corner)];
     const float fx = at.x() - float(i);
     const float fy = at.y() - float(j);
     const float fz = at.z() - float(k);
@@ -165,6 +172,34 @@ FieldSample DistanceField::sample(const Vec3f& p) const {
     const float dx1 = dx01 + fy * (dx11 - dx01);
     const Vec3f steps(dx0 + fz * (dx1 - dx0), (v10 - v00) + fz * ((v11 - v01) - (v10 - v00)), v1 - v0);
     return {distance, steps * (to_metres_ * per_cell_)};
+}
+
+FieldView DistanceField::view() const {
+    const auto last = [&](int axis) { return std::nextafter(cells_[axis], 0.0F); };
+    return {.blocks = blocks_.data(),
+            .nodes = nodes_.data(),
+            .origin = {origin_.x(), origin_.y(), origin_.z()},
+            .last = {last(0), last(1), last(2)},
+            .size = {size_[0], size_[1]},
+            .per_cell = per_cell_,
+            .to_metres = to_metres_,
+            .to_gradient = to_metres_ * per_cell_,
+            .band = band_,
+            .trusted = kTrustedGradient};
+}
+
+void DistanceField::sample(std::span<ContactBlock> blocks, float reach, std::span<std::uint16_t> doubtful) const {
+    SELVEDGE_ASSERT(doubtful.size() >= blocks.size());
+    if (blocks.empty()) return;
+    float* rows = blocks.front().x.data();
+    switch (simd_level()) {
+        case SimdLevel::Avx512:
+            return sample_blocks_avx512(view(), rows, blocks.size(), reach, doubtful.data());
+        case SimdLevel::Avx2:
+            return sample_blocks_avx2(view(), rows, blocks.size(), reach, doubtful.data());
+        case SimdLevel::Plain:
+            return sample_blocks_plain(view(), rows, blocks.size(), reach, doubtful.data());
+    }
 }
 
 // The true distance is 0 on the surface, and there convex features are at their sharpest.

@@ -5,8 +5,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "sim/body/contact_block.h"
+#include "sim/body/field_kernel.h"
 #include "sim/body/surface_bvh.h"
 #include "sim/core/vec.h"
 
@@ -29,6 +32,15 @@ class DistanceField {
 
     FieldSample sample(const Vec3f& p) const;
 
+    // The same for every lane of every block, to the same bits at every SimdLevel; normals are gradients of unit length
+    // where sample() gives any. doubtful[block] gets a bit for each lane (0 lowest) that lies nearer than `reach` (m)
+    // and has no gradient that can be trusted: it is at a crease, or inside and out of the band.
+    // Pre: as many places in doubtful as blocks.
+    void sample(std::span<ContactBlock> blocks, float reach, std::span<std::uint16_t> doubtful) const;
+
+    // A shorter gradient tells that the cell spans a crease.
+    static constexpr float kTrustedGradient = 0.95F;
+
     float band() const { return band_; }
     // Largest error of sample() on the surface itself, m: measured at every vertex, edge and triangle. Off the surface
     // it is less outside convex places; outside concave ones the field reads low, and |gradient| < 1 tells.
@@ -40,14 +52,17 @@ class DistanceField {
     static constexpr int kCells = 1 << kCellBits;  // per block and axis
     static constexpr int kNodes = kCells + 1;
     static constexpr int kBlockNodes = kNodes * kNodes * kNodes;
-    static constexpr std::int32_t kOutside = -1;
-    static constexpr std::int32_t kInside = -2;
+    // Blocks out of the band share these two, all of whose nodes lie at the limit.
+    static constexpr std::int32_t kOutside = 0;
+    static constexpr std::int32_t kInside = kBlockNodes;
+    static constexpr std::int32_t kFirstNear = 2 * kBlockNodes;
 
     void lay_out(const SurfaceBvh& bvh);
     void classify_blocks(const SurfaceBvh& bvh);
     void fill_block(const SurfaceBvh& bvh, std::size_t block, std::int16_t* nodes) const;
     Vec3f block_corner(std::size_t block) const;
     float error_on(const SurfaceBvh& bvh) const;
+    FieldView view() const;
 
     float cell_;
     float per_cell_;
@@ -58,7 +73,7 @@ class DistanceField {
     Vec3f origin_ = Vec3f::Zero();
     std::array<int, 3> size_{};         // blocks along each axis
     Vec3f cells_ = Vec3f::Zero();       // cells along each axis
-    std::vector<std::int32_t> blocks_;  // place in nodes_ (in blocks), or kOutside, kInside
+    std::vector<std::int32_t> blocks_;  // first node of each
     std::vector<std::int16_t> nodes_;
 };
 

@@ -129,6 +129,11 @@ typedef std::int32_t Ints __attribute__((vector_size(16)));
     return a - Floats{};
 }
 
+// a where the comparison holds, elsewhere +0.
+[[gnu::always_inline]] inline Floats where(Ints comparison, Floats a) {
+    return Floats(comparison & Ints(a));
+}
+
 // The halves of what gather_pairs() gave, with their signs.
 [[gnu::always_inline]] inline Floats first_of(Ints pairs) {
     return to_float((pairs << 16) >> 16);
