@@ -5,6 +5,7 @@
 
 namespace selvedge {
 
+void add_bench_command(CLI::App& app, int& exit_code);
 void add_check_command(CLI::App& app, int& exit_code);
 void add_diff_command(CLI::App& app, int& exit_code);
 void add_dress_command(CLI::App& app, int& exit_code);

@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
     selvedge::add_mannequin_command(app, exit_code);
     selvedge::add_render_command(app, exit_code);
     selvedge::add_diff_command(app, exit_code);
+    selvedge::add_bench_command(app, exit_code);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -19,7 +19,7 @@ void expect_one_line_and_exit_2(const std::string& arguments) {
 }
 
 TEST(Usage, every_subcommand_explains_itself_with_an_example) {
-    for (const char* command : {"dress", "check", "mannequin", "render", "diff"}) {
+    for (const char* command : {"dress", "check", "mannequin", "render", "diff", "bench"}) {
         SCOPED_TRACE(command);
         const ProgramResult result = run_selvedge(std::string(command) + " --help");
         EXPECT_EQ(result.exit_code, 0);
@@ -33,7 +33,7 @@ TEST(Usage, every_subcommand_explains_itself_with_an_example) {
 TEST(Usage, help_lists_every_subcommand) {
     const ProgramResult result = run_selvedge("--help");
     EXPECT_EQ(result.exit_code, 0);
-    for (const char* command : {"dress", "check", "mannequin", "render", "diff"})
+    for (const char* command : {"dress", "check", "mannequin", "render", "diff", "bench"})
         EXPECT_NE(result.out.find(command), std::string::npos) << command;
 }
 

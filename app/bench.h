@@ -1,0 +1,28 @@
+#pragma once
+// The subcommands of `selvedge bench`. Each function adds one, in a file of its own; its callback stores the exit code.
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "bench/table.h"
+
+namespace selvedge {
+
+void add_bench_thesis(CLI::App& bench, int& exit_code);
+
+// --json FILE, which every experiment has. The path must outlive the parsing.
+void add_json_option(CLI::App& command, std::string& path);
+
+// Throws InputError when the file of --json cannot be written; call it before the work begins.
+void check_json_output(const std::string& path);
+
+// Prints one table as Markdown.
+void print_table(const Table& table);
+
+// Writes a document to the file of --json; does nothing when there is no path.
+void write_json_output(const std::string& path, const Json& document);
+
+// {"tables": [...]}
+Json document_of(const std::vector<Table>& tables);
+
+}  // namespace selvedge

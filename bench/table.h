@@ -1,0 +1,49 @@
+#pragma once
+// A table of figures as an experiment leaves it: printed for people as Markdown, kept for programs as JSON.
+#include <concepts>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/core/json.h"
+
+namespace selvedge {
+
+// Text, a number or nothing at all (not measured, or not known).
+class Cell {
+ public:
+    Cell() = default;
+    Cell(std::string text) : text_(std::move(text)) {}
+    Cell(const char* text) : text_(text) {}
+    // Printed with so many decimals; JSON keeps all of it.
+    Cell(double number, int decimals) : number_(number), decimals_(decimals) {}
+    template <std::integral T>
+    Cell(T count) : number_(static_cast<double>(count)) {}
+
+    std::string to_text() const;  // "-" when there is nothing
+    Json to_json() const;         // a string, a number, or null when there is nothing
+    bool is_number() const { return number_.has_value(); }
+
+ private:
+    std::string text_;
+    std::optional<double> number_;
+    int decimals_ = 0;
+};
+
+struct Table {
+    std::string name;    // for choosing it, such as "3.2"
+    std::string title;   // one line
+    std::string note{};  // how it was measured, in sentences; may be empty
+    std::vector<std::string> columns{};
+    std::vector<std::vector<Cell>> rows{};  // each as long as columns
+
+    void add_row(std::vector<Cell> row);  // pre: as long as columns
+};
+
+// A heading, the note, and the rows under each other; columns of numbers are flush right.
+std::string to_markdown(const Table& table);
+
+// {"name": ..., "title": ..., "note": ..., "columns": [...], "rows": [[...], ...]}
+Json to_json(const Table& table);
+
+}  // namespace selvedge
