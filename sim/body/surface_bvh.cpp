@@ -40,19 +40,13 @@ TrianglePoint closest_on_triangle(const Vec3f& p, const Vec3f& a, const Vec3f& b
 
 }  // namespace
 
-struct SurfaceBvh::Best {
-    float squared = 0;  // nothing farther counts
-    std::uint32_t triangle = std::numeric_limits<std::uint32_t>::max();
-    bool found() const { return triangle != std::numeric_limits<std::uint32_t>::max(); }
-};
-
 Vec3f SurfaceBvh::pseudo_normal(std::uint32_t triangle, int feature) const {
     if (feature == 0) return face_normals_[triangle];
     if (feature <= 3) return edge_normals_[triangle][std::size_t(feature - 1)];
     return vertex_normals_[triangles_[triangle][std::size_t(feature - 4)]];
 }
 
-ClosestPoint SurfaceBvh::finish(const Vec3f& p, std::uint32_t triangle) const {
+ClosestPoint SurfaceBvh::closest_on(std::uint32_t triangle, const Vec3f& p) const {
     const auto [a, b, c] = triangles_[triangle];
     const TrianglePoint on = closest_on_triangle(p, x_[a], x_[b], x_[c]);
     const Vec3f outward = pseudo_normal(triangle, on.feature);
@@ -62,46 +56,6 @@ ClosestPoint SurfaceBvh::finish(const Vec3f& p, std::uint32_t triangle) const {
     constexpr float kOnSurface = 1e-6F;  // m, below this the offset's direction is rounding
     const Vec3f normal = length > kOnSurface ? Vec3f(offset * (sign / length)) : outward;
     return {.point = on.point, .normal = normal, .distance = sign * length, .triangle = triangle};
-}
-
-// Squared distances to eight triangles at once, without branches: inside the triangle the plane's foot, else the best
-// of three edges.
-void SurfaceBvh::test_packet(const Packet& packet, const Vec3f& p, Best& best) const {
-    Lanes squared;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const float bx = packet.edge1[0][i], by = packet.edge1[1][i], bz = packet.edge1[2][i];
-        const float cx = packet.edge2[0][i], cy = packet.edge2[1][i], cz = packet.edge2[2][i];
-        const float x = p.x() - packet.corner[0][i], y = p.y() - packet.corner[1][i], z = p.z() - packet.corner[2][i];
-        const float d1 = bx * x + by * y + bz * z;
-        const float d2 = cx * x + cy * y + cz * z;
-        const float bb = bx * bx + by * by + bz * bz;
-        const float cc = cx * cx + cy * cy + cz * cz;
-        const float bc = bx * cx + by * cy + bz * cz;
-        const float area = bb * cc - bc * bc;
-        const float v = cc * d1 - bc * d2;
-        const float w = bb * d2 - bc * d1;
-        const float t1 = std::min(std::max(d1 / (bb + kTiny), 0.0F), 1.0F);
-        const float t2 = std::min(std::max(d2 / (cc + kTiny), 0.0F), 1.0F);
-        const float t3 = std::min(std::max((d2 - d1 - bc + bb) / (bb + cc - 2 * bc + kTiny), 0.0F), 1.0F);
-        const float r3 = 1 - t3;
-        const float g1 = t1 * (t1 * bb - 2 * d1);
-        const float g2 = t2 * (t2 * cc - 2 * d2);
-        const float g3 = r3 * (r3 * bb - 2 * d1) + t3 * (t3 * cc - 2 * d2) + 2 * r3 * t3 * bc;
-        const float g12 = g1 < g2 ? g1 : g2;
-        const float edge_v = g3 < g12 ? r3 : (g1 <= g2 ? t1 : 0.0F);
-        const float edge_w = g3 < g12 ? t3 : (g1 <= g2 ? 0.0F : t2);
-        const float inverse = 1 / (area + kTiny);
-        const float inside = std::min(std::min(v, w), area - v - w);
-        const float s = inside >= 0 ? v * inverse : edge_v;
-        const float t = inside >= 0 ? w * inverse : edge_w;
-        const float rx = x - s * bx - t * cx, ry = y - s * by - t * cy, rz = z - s * bz - t * cz;
-        squared[i] = rx * rx + ry * ry + rz * rz;
-    }
-    for (std::size_t i = 0; i < kLanes; ++i)
-        if (squared[i] < best.squared) {
-            best.squared = squared[i];
-            best.triangle = packet.triangle[i];
-        }
 }
 
 namespace {
@@ -142,9 +96,15 @@ struct NearFirstStack {
 
 }  // namespace
 
+std::size_t SurfaceBvh::bytes() const {
+    const auto size_of = [](const auto& list) { return list.size() * sizeof(list[0]); };
+    return size_of(nodes_) + size_of(packets_) + size_of(x_) + size_of(triangles_) + size_of(face_normals_) +
+           size_of(vertex_normals_) + size_of(edge_normals_);
+}
+
 std::optional<ClosestPoint> SurfaceBvh::closest(const Vec3f& p, float radius) const {
     if (nodes_.empty() || !(radius >= 0)) return std::nullopt;
-    Best best;
+    NearestTriangle best;
     // A hair more, so that a point at exactly the radius is found.
     best.squared = radius * radius * 1.000002F + kTiny;
     NearFirstStack stack;
@@ -153,7 +113,7 @@ std::optional<ClosestPoint> SurfaceBvh::closest(const Vec3f& p, float radius) co
         const Waiting top = stack.entries[--stack.size];
         if (top.key >= best.squared) continue;
         if (top.child < 0) {
-            test_packet(packets_[std::size_t(~top.child)], p, best);
+            best.test(kernel_, packets_[std::size_t(~top.child)], p);
             continue;
         }
         const Node& node = nodes_[std::size_t(top.child)];
@@ -163,7 +123,7 @@ std::optional<ClosestPoint> SurfaceBvh::closest(const Vec3f& p, float radius) co
             if (node.child[k] != kNoChild && squared[k] < best.squared) stack.push(bottom, {squared[k], node.child[k]});
     }
     if (!best.found()) return std::nullopt;
-    return finish(p, best.triangle);
+    return closest_on(best.triangle, p);
 }
 
 namespace {

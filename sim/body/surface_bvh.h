@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/body/body.h"
+#include "sim/body/triangle_packet.h"
 #include "sim/core/vec.h"
 
 namespace selvedge {
@@ -37,6 +38,9 @@ class SurfaceBvh {
     // The surface point nearest to p, if there is one within radius (m, may be infinite).
     std::optional<ClosestPoint> closest(const Vec3f& p, float radius) const;
 
+    // The nearest point of that one triangle; the sign is right only if the surface has no nearer one.
+    ClosestPoint closest_on(std::uint32_t triangle, const Vec3f& p) const;
+
     // Where the segment first meets the surface, from either side.
     std::optional<SurfaceHit> first_hit(const Vec3f& from, const Vec3f& to) const;
 
@@ -44,6 +48,8 @@ class SurfaceBvh {
     std::span<const Vec3f> points() const { return x_; }
     std::span<const std::array<std::uint32_t, 3>> triangles() const { return triangles_; }
     bool empty() const { return nodes_.empty(); }
+    bool has_area(std::uint32_t triangle) const { return face_normals_[triangle] != Vec3f::Zero(); }
+    std::size_t bytes() const;
 
     // Its box, m.
     const Vec3f& low() const { return low_; }
@@ -51,29 +57,21 @@ class SurfaceBvh {
 
  private:
     static constexpr int kChildren = 4;
-    static constexpr int kLanes = 8;
     static constexpr std::int32_t kNoChild = INT32_MIN;
-    using Lanes = std::array<float, kLanes>;
 
     struct Node {
         std::array<std::array<float, kChildren>, 3> low;
         std::array<std::array<float, kChildren>, 3> high;
         std::array<std::int32_t, kChildren> child;  // a node; ~packet; or kNoChild
     };
-    struct Packet {
-        std::array<Lanes, 3> corner, edge1, edge2;   // first corner and the two edges from it
-        std::array<std::uint32_t, kLanes> triangle;  // spare lanes repeat the last
-    };
-    struct Best;
     struct Builder;
 
     void make_normals(const Body& body);
-    void test_packet(const Packet& packet, const Vec3f& p, Best& best) const;
-    ClosestPoint finish(const Vec3f& p, std::uint32_t triangle) const;
     Vec3f pseudo_normal(std::uint32_t triangle, int feature) const;
 
     std::vector<Node> nodes_;  // the first is the root
-    std::vector<Packet> packets_;
+    std::vector<TrianglePacket> packets_;
+    PacketKernel kernel_ = packet_kernel();
     std::vector<Vec3f> x_;
     std::vector<std::array<std::uint32_t, 3>> triangles_;
     std::vector<Vec3f> face_normals_;

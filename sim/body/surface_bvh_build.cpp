@@ -47,6 +47,8 @@ Vec3f as_unit(const Vec3d& v) {
 // Splits the triangles in halves along the longest axis of their centroids, twice per node; every packet but the last
 // is full.
 struct SurfaceBvh::Builder {
+    static constexpr std::size_t kInPacket = TrianglePacket::kLanes;
+
     SurfaceBvh& bvh;
     std::vector<Vec3f> centroids;
     std::vector<std::uint32_t> order;
@@ -62,8 +64,8 @@ struct SurfaceBvh::Builder {
         for (std::size_t i = range.first; i < range.last; ++i) box.extend(centroids[order[i]]);
         int axis = 0;
         box.sizes().maxCoeff(&axis);
-        const std::size_t packets = (range.size() + kLanes - 1) / kLanes;
-        const std::size_t middle = range.first + (packets / 2) * kLanes;
+        const std::size_t packets = (range.size() + kInPacket - 1) / kInPacket;
+        const std::size_t middle = range.first + (packets / 2) * kInPacket;
         const auto begin = order.begin();
         std::nth_element(begin + std::ptrdiff_t(range.first), begin + std::ptrdiff_t(middle),
                          begin + std::ptrdiff_t(range.last), [&](std::uint32_t i, std::uint32_t j) {
@@ -79,7 +81,7 @@ struct SurfaceBvh::Builder {
         for (int round = 0; round < 2; ++round) {
             std::vector<Range> next;
             for (const Range& half : halves) {
-                if (half.size() <= kLanes) {
+                if (half.size() <= kInPacket) {
                     next.push_back(half);
                     continue;
                 }
@@ -93,22 +95,10 @@ struct SurfaceBvh::Builder {
     }
 
     std::int32_t add_packet(Range range, Eigen::AlignedBox3f& box) {
-        Packet packet{};
-        for (std::size_t lane = 0; lane < kLanes; ++lane) {
-            const std::uint32_t t = order[range.first + std::min(lane, range.size() - 1)];
-            const auto [a, b, c] = bvh.triangles_[t];
-            const Vec3f corner = bvh.x_[a];
-            const Vec3f edge1 = bvh.x_[b] - corner;
-            const Vec3f edge2 = bvh.x_[c] - corner;
-            for (int axis = 0; axis < 3; ++axis) {
-                packet.corner[std::size_t(axis)][lane] = corner[axis];
-                packet.edge1[std::size_t(axis)][lane] = edge1[axis];
-                packet.edge2[std::size_t(axis)][lane] = edge2[axis];
-            }
-            packet.triangle[lane] = t;
+        const std::span<const std::uint32_t> chosen(&order[range.first], range.size());
+        for (const std::uint32_t t : chosen)
             for (const std::uint32_t v : bvh.triangles_[t]) box.extend(bvh.x_[v]);
-        }
-        bvh.packets_.push_back(packet);
+        bvh.packets_.push_back(make_packet(bvh.x_, bvh.triangles_, chosen));
         return ~std::int32_t(bvh.packets_.size() - 1);
     }
 
@@ -120,7 +110,7 @@ struct SurfaceBvh::Builder {
         std::size_t k = 0;
         for (const Range& part : children_of(range)) {
             Eigen::AlignedBox3f child_box;
-            node.child[k] = part.size() <= kLanes ? add_packet(part, child_box) : add_node(part, child_box);
+            node.child[k] = part.size() <= kInPacket ? add_packet(part, child_box) : add_node(part, child_box);
             for (int axis = 0; axis < 3; ++axis) {
                 node.low[std::size_t(axis)][k] = child_box.min()[axis];
                 node.high[std::size_t(axis)][k] = child_box.max()[axis];
@@ -152,7 +142,7 @@ SurfaceBvh::SurfaceBvh(const Body& body) {
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
         const auto [a, b, c] = triangles_[t];
         builder.centroids.emplace_back((x_[a] + x_[b] + x_[c]) / 3.0F);
-        if (face_normals_[t] != Vec3f::Zero()) builder.order.push_back(t);
+        if (has_area(t)) builder.order.push_back(t);
     }
     if (builder.order.empty()) return;
     Eigen::AlignedBox3f box;

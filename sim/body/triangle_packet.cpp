@@ -1,0 +1,32 @@
+#include "sim/body/triangle_packet.h"
+
+#include <algorithm>
+
+#include "sim/core/assert.h"
+#include "sim/core/simd_level.h"
+
+namespace selvedge {
+
+TrianglePacket make_packet(std::span<const Vec3f> points, std::span<const std::array<std::uint32_t, 3>> triangles,
+                           std::span<const std::uint32_t> chosen) {
+    SELVEDGE_ASSERT(!chosen.empty() && chosen.size() <= TrianglePacket::kLanes);
+    TrianglePacket packet{};
+    for (std::size_t lane = 0; lane < TrianglePacket::kLanes; ++lane) {
+        packet.triangle[lane] = chosen[std::min(lane, chosen.size() - 1)];
+        const auto [a, b, c] = triangles[packet.triangle[lane]];
+        const Vec3f edge1 = points[b] - points[a];
+        const Vec3f edge2 = points[c] - points[a];
+        for (int axis = 0; axis < 3; ++axis) {
+            packet.corner[std::size_t(axis)][lane] = points[a][axis];
+            packet.edge1[std::size_t(axis)][lane] = edge1[axis];
+            packet.edge2[std::size_t(axis)][lane] = edge2[axis];
+        }
+    }
+    return packet;
+}
+
+PacketKernel packet_kernel() {
+    return simd_level() == SimdLevel::Plain ? &squared_distances_plain : &squared_distances_avx2;
+}
+
+}  // namespace selvedge

@@ -1,0 +1,45 @@
+#pragma once
+// Eight triangles at once: squared distances from a point, what trees and grids over a surface end in.  (SPEC 3.3)
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include "sim/body/packet_kernel.h"
+#include "sim/core/vec.h"
+
+namespace selvedge {
+
+struct TrianglePacket {
+    static constexpr std::size_t kLanes = 8;
+    using Lanes = std::array<float, kLanes>;
+
+    std::array<Lanes, 3> corner, edge1, edge2;   // first corner and the two edges from it, m
+    std::array<std::uint32_t, kLanes> triangle;  // spare lanes repeat the last
+};
+
+// Pre: 1 to 8 `chosen`, which are indices into triangles.
+TrianglePacket make_packet(std::span<const Vec3f> points, std::span<const std::array<std::uint32_t, 3>> triangles,
+                           std::span<const std::uint32_t> chosen);
+
+struct NearestTriangle {
+    static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+    float squared = 0;  // m^2, nothing farther counts
+    std::uint32_t triangle = kNone;
+    bool found() const { return triangle != kNone; }
+
+    // Of triangles equally far the first that was tested stays.
+    void test(PacketKernel kernel, const TrianglePacket& packet, const Vec3f& p) {
+        TrianglePacket::Lanes squares;
+        kernel(packet.corner[0].data(), p.data(), squares.data());
+        for (std::size_t i = 0; i < TrianglePacket::kLanes; ++i)
+            if (squares[i] < squared) {
+                squared = squares[i];
+                triangle = packet.triangle[i];
+            }
+    }
+};
+
+}  // namespace selvedge
