@@ -64,7 +64,7 @@ endfunction()
 # the linker could take for another file's: what it defines inline is always inlined or has internal linkage.
 function(selvedge_simd_sources)
   cmake_parse_arguments(ARG "" "" "AVX2;AVX512" ${ARGN})
-  set_source_files_properties(${ARG_AVX2} PROPERTIES COMPILE_OPTIONS "-mavx2")
+  set_source_files_properties(${ARG_AVX2} PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma")
   set_source_files_properties(${ARG_AVX512} PROPERTIES COMPILE_OPTIONS
-    "-mavx512f;-mavx512bw;-mavx512dq;-mavx512vl;-mprefer-vector-width=512;-Wno-maybe-uninitialized")  # g++ 12: false
+    "-mfma;-mavx512f;-mavx512bw;-mavx512dq;-mavx512vl;-mprefer-vector-width=512;-Wno-maybe-uninitialized;-Wno-uninitialized")  # g++ 12: false
 endfunction()

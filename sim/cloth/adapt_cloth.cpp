@@ -5,6 +5,7 @@
 #include "sim/adaptive/criteria.h"
 #include "sim/adaptive/foresight.h"
 #include "sim/body/collider.h"
+#include "sim/cloth/bias.h"
 
 namespace selvedge {
 namespace {
@@ -26,6 +27,7 @@ struct ClothObserver {
         cloth.x[c.value] = padded(outside(middle.head<3>(), normal, body, offset));
         cloth.x_prev[c.value] = cloth.x[c.value] - velocity;
         cloth.normals[c.value] = normal.squaredNorm() > 0 ? Vec3f(normal.normalized()) : Vec3f::Zero();
+        if (c.value < cloth.contacts.asked.size()) cloth.contacts.asked[c.value].w() = -1;
         cloth.is_pinned[c.value] = cloth.is_pinned[a.value] && cloth.is_pinned[b.value];  // a pinned waistband stays up
     }
 
@@ -74,10 +76,11 @@ float CollisionCriterion::depth(const AdaptiveMesh& mesh, EdgeId id) const {
 AdaptReport adapt_cloth(Cloth& cloth, const Collider& body, const AdaptClothOptions& options,
                         const ContactOptions& contact) {
     update_normals(cloth);
+    keep_bias(cloth);
     ClothObserver observer{cloth, body, contact.offset};
     const AdaptReport report = with_collision(cloth, observer, options);
     if (report.changed()) {
-        refresh_elements(cloth);
+        refresh_solver(cloth);
         refresh_contacts(cloth, contact);
     }
     return report;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "sim/cloth/bias.h"
 #include "sim/core/assert.h"
 
 namespace selvedge {
@@ -50,19 +51,21 @@ Cloth make_cloth(const GarmentMesh& garment, std::vector<Fabric> fabrics, const 
     cloth.fabrics = std::move(fabrics);
     for (const double angle : garment.panel_grain_angles) cloth.grain_angles.push_back(static_cast<float>(angle));
     cloth.substep = options.substep;
+    cloth.bend_interval = options.bend_interval;
     size_state(cloth, cloth.mesh.vertex_capacity());
     for (std::size_t v = 0; v < garment.x.size(); ++v) cloth.x[v] = padded(garment.x[v].cast<float>());
     cloth.x_prev = cloth.x;
     for (const int pin : garment.pins) cloth.is_pinned[static_cast<std::size_t>(pin)] = true;
-    refresh_elements(cloth);
+    refresh_solver(cloth);
     return cloth;
 }
 
-void refresh_elements(Cloth& cloth) {
+void refresh_solver(Cloth& cloth) {
     size_state(cloth, cloth.mesh.vertex_capacity());
     refresh_masses(cloth);
     cloth.damping = mean_damping(cloth);
-    cloth.elements = make_elements(cloth);
+    hand_on_bias(cloth);
+    make_blocks(cloth, cloth.solver.blocks, cloth.solver.scratch);
 }
 
 void update_normals(Cloth& cloth) {
@@ -83,19 +86,19 @@ void update_normals(Cloth& cloth) {
 float rms_speed(const Cloth& cloth, const std::vector<Vec4f>& before, double seconds) {
     double energy = 0;
     double total = 0;
-    for (const std::uint32_t v : cloth.elements.vertices) {
-        if (cloth.inverse_mass[v] <= 0) continue;
-        const double mass = 1.0 / cloth.inverse_mass[v];
-        energy += mass * (cloth.x[v] - before[v]).squaredNorm();
+    for (const VertexId v : cloth.mesh.leaf_vertices()) {
+        if (cloth.inverse_mass[v.value] <= 0) continue;
+        const double mass = 1.0 / cloth.inverse_mass[v.value];
+        energy += mass * (cloth.x[v.value] - before[v.value]).squaredNorm();
         total += mass;
     }
     return total > 0 ? static_cast<float>(std::sqrt(energy / total) / seconds) : 0.0F;
 }
 
 std::optional<VertexId> find_bad_vertex(const Cloth& cloth) {
-    for (const std::uint32_t v : cloth.elements.vertices) {
-        const float size = cloth.x[v].cwiseAbs().maxCoeff();
-        if (!(size < kRoom) || !std::isfinite(cloth.x[v].sum())) return VertexId(v);
+    for (const VertexId v : cloth.mesh.leaf_vertices()) {
+        const float size = cloth.x[v.value].cwiseAbs().maxCoeff();
+        if (!(size < kRoom) || !std::isfinite(cloth.x[v.value].sum())) return v;
     }
     return std::nullopt;
 }

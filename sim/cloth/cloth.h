@@ -2,18 +2,28 @@
 // A garment as it moves: the adaptive mesh, what it is made of, and the state of every vertex.  (SPEC 1.4, 2)
 //
 // Topology (the mesh) and state (flat arrays indexed by VertexId, sized to the mesh's capacity) are kept apart. The
-// solver reads neither the hierarchy nor the fabrics but `elements`: flat lists made from the leaves after an adaption.
+// solver reads neither the hierarchy nor the fabrics but blocks of constraints, made after an adaption.
 #include <optional>
 #include <vector>
 
 #include "sim/adaptive/adaptive_mesh.h"
 #include "sim/cloth/contact.h"
-#include "sim/cloth/elements.h"
+#include "sim/cloth/solver_lists.h"
 #include "sim/core/vec.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/fabric.h"
 
 namespace selvedge {
+
+// What the solver works on, in the memory of the last step.
+struct SolverState {
+    std::vector<Vec4f> points;   // positions with the inverse mass as fourth; one spare point behind them
+    std::vector<Vec4f> before;   // one sub-step ago
+    std::vector<Vec4f> carried;  // before the parents moved them
+    SolverBlocks blocks;
+    SolverScratch scratch;
+    std::size_t count = 0;  // sub-steps so far
+};
 
 struct Cloth {
     AdaptiveMesh mesh;
@@ -26,17 +36,20 @@ struct Cloth {
     std::vector<Vec3f> normals{};       // unit, of the fabric's right side; see update_normals
     std::vector<bool> is_pinned{};
 
-    ClothElements elements{};
+    std::vector<Vec3f> bias{};                    // by TriangleId: of warp, weft and shear, see solver_blocks.h
+    std::vector<std::array<Vec2f, 3>> bias_of{};  // by TriangleId: the corners that the bias belongs to
+
+    SolverState solver{};
     ContactState contacts{};
-    float damping = 0;                        // 1/s, mean over the fabrics' area
-    std::vector<Vec4f> scratch{};             // of the solver
-    std::vector<std::uint32_t> over_limit{};  // of the solver
-    float substep = 0;                        // s, the length that x_prev and elements were made for
+    float damping = 0;      // 1/s, mean over the fabrics' area
+    float substep = 0;      // s, the length that x_prev and the solver's blocks were made for
+    int bend_interval = 3;  // sub-steps from one visit of the hinges to the next
 };
 
 struct ClothOptions {
     int max_level = 3;
     float substep = 1.0F / 1440.0F;  // s
+    int bend_interval = 3;           // sub-steps; hinges are so soft that they need not be visited in each
 };
 
 // Pre: garment has no links left (strip or merge them) and one fabric per panel. Starts at rest, at level 0.
@@ -45,8 +58,8 @@ Cloth make_cloth(const GarmentMesh& garment, std::vector<Fabric> fabrics, const 
 // Grows the state arrays to `capacity` vertices.
 void size_state(Cloth& cloth, std::size_t capacity);
 
-// Masses (a third of the adjacent leaf triangles' area times density) and solver lists from the present leaves.
-void refresh_elements(Cloth& cloth);
+// Masses (a third of the adjacent leaf triangles' area times density) and the solver's blocks from the present leaves.
+void refresh_solver(Cloth& cloth);
 
 // Area-weighted normals of the leaf triangles.
 void update_normals(Cloth& cloth);

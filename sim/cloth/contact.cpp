@@ -5,135 +5,173 @@
 
 #include "sim/body/collider.h"
 #include "sim/cloth/cloth.h"
+#include "sim/cloth/kernels.h"
 
 namespace selvedge {
 namespace {
 
-constexpr float kSlackMargin = 0.0005F;  // m, more than the field over-estimates
+constexpr float kSlackMargin = 0.0005F;  // m, more than a field over-estimates
 
-Vec3f xyz(const Vec4f& v) {
-    return v.head<3>();
+float* floats(std::vector<Vec4f>& points) {
+    return points.front().data();
 }
 
-Vec4f at(const std::vector<Vec4f>& x, const ContactPoint& point) {
-    if (point.vertex_count == 1) return x[point.vertices[0]];
-    Vec4f sum = x[point.vertices[0]] * point.shares[0] + x[point.vertices[1]] * point.shares[1];
-    if (point.vertex_count == 3) sum += x[point.vertices[2]] * point.shares[2];
+Vec4f mixed(const std::vector<Vec4f>& points, const ContactSample& sample) {
+    Vec4f sum = points[sample.vertices[0]] * sample.shares[0] + points[sample.vertices[1]] * sample.shares[1] +
+                points[sample.vertices[2]] * sample.shares[2];
+    sum.w() = 0;
     return sum;
 }
 
-// Moves the point's vertices so that the point moves by `shift`, each in proportion to its share of it.
-void move_point(Cloth& cloth, const ContactPoint& point, const Vec4f& shift) {
+// Moves the sample's vertices so that the sample moves by `shift`, each in proportion to its share of it. What is moved
+// only every so many sub-steps gains as much less speed by it.
+void move_sample(SolverState& solver, const ContactSample& sample, const Vec4f& shift, float still) {
     std::array<float, 3> shares{};
     float sum = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(point.vertex_count); ++i) {
-        shares[i] = cloth.inverse_mass[point.vertices[i]] > 0 ? point.shares[i] : 0.0F;
+    for (std::size_t i = 0; i < 3; ++i) {
+        shares[i] = solver.points[sample.vertices[i]].w() > 0 ? sample.shares[i] : 0.0F;
         sum += shares[i] * shares[i];
     }
     if (sum <= 0) return;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(point.vertex_count); ++i) {
-        cloth.x[point.vertices[i]] += shift * (shares[i] / sum);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec4f moved = shift * (shares[i] / sum);
+        solver.points[sample.vertices[i]] += moved;
+        solver.before[sample.vertices[i]] += moved * still;
     }
 }
 
 // Coulomb: the tangential move since the last sub-step shrinks by up to friction times the depth.
-void apply_contact(Cloth& cloth, const ContactPoint& point, const Vec3f& normal, float depth, float friction) {
-    const Vec4f n = padded(normal);
-    move_point(cloth, point, n * depth);
-    if (friction <= 0) return;
-    const Vec4f moved = at(cloth.x, point) - at(cloth.x_prev, point);
-    const Vec4f tangential = moved - n * moved.dot(n);
+void apply_contact(SolverState& solver, const ContactSample& sample, const Vec4f& normal, float depth, float friction,
+                   float still) {
+    move_sample(solver, sample, normal * depth, still);
+    const Vec4f moved = mixed(solver.points, sample) - mixed(solver.before, sample);
+    const Vec4f tangential = moved - normal * moved.dot(normal);
     const float length = tangential.norm();
-    if (length <= 1e-12F) return;
-    move_point(cloth, point, tangential * -std::min(1.0F, friction * depth / length));
+    if (friction <= 0 || length <= 1e-12F) return;
+    move_sample(solver, sample, tangential * -std::min(1.0F, friction * depth / length), still);
 }
 
-void push_out_point(Cloth& cloth, ContactPoint& point, const Collider& body, const ContactOptions& options) {
-    const float friction = point.friction * options.friction_scale;
-    const float above_floor = at(cloth.x, point).y() - options.floor;
-    if (above_floor < options.offset) {
-        apply_contact(cloth, point, Vec3f::UnitY(), options.offset - above_floor, friction);
+void push_off_floor(SolverState& solver, const ContactSample& sample, const ContactOptions& options, float still) {
+    const float depth = options.offset - (mixed(solver.points, sample).y() - options.floor);
+    if (depth > 0) {
+        apply_contact(solver, sample, Vec4f::UnitY(), depth, sample.friction * options.friction_scale, still);
     }
-    const Vec4f x = at(cloth.x, point);
-    if (point.slack > 0 && (x - point.asked_at).squaredNorm() < point.slack * point.slack) return;
-    const Contact contact = body.contact(xyz(x));
-    point.asked_at = x;
-    point.slack = contact.distance - options.offset - kSlackMargin;
-    if (contact.distance >= options.offset) return;
-    apply_contact(cloth, point, contact.normal, options.offset - contact.distance, friction);
 }
 
-std::vector<float> vertex_friction(const Cloth& cloth) {
-    std::vector<float> friction(cloth.x.size(), 0.0F);
+void push_out_sample(SolverState& solver, ContactSample& sample, const Collider& body, const ContactOptions& options) {
+    const float still = 1 - 1 / static_cast<float>(options.sample_interval);
+    push_off_floor(solver, sample, options, still);
+    const Vec4f x = mixed(solver.points, sample);
+    if (sample.slack > 0 && (x - sample.asked_at).squaredNorm() < sample.slack * sample.slack) return;
+    const Contact contact = body.contact(x.head<3>());
+    sample.asked_at = x;
+    sample.slack = contact.distance - options.offset - kSlackMargin;
+    if (contact.distance >= options.offset) return;
+    apply_contact(solver, sample, padded(contact.normal), options.offset - contact.distance,
+                  sample.friction * options.friction_scale, still);
+}
+
+void refresh_friction(const Cloth& cloth, std::vector<float>& friction) {
+    friction.assign(cloth.x.size() + 1, 0.0F);
     for (const LeafTriangle& triangle : cloth.mesh.leaf_triangles()) {
         const float mu = static_cast<float>(cloth.fabrics[triangle.panel].friction);
         for (const VertexId v : triangle.v) friction[v.value] = std::max(friction[v.value], mu);
     }
-    return friction;
 }
 
-// What is known of a vertex that was a point before is kept.
-void add_vertices(const Cloth& cloth, const std::vector<float>& friction, std::vector<ContactPoint>& points) {
-    std::vector<const ContactPoint*> known(cloth.x.size(), nullptr);
-    for (const ContactPoint& point : cloth.contacts.points) {
-        if (point.vertex_count == 1) known[point.vertices[0]] = &point;
-    }
-    for (const VertexId v : cloth.mesh.leaf_vertices()) {
-        ContactPoint point{.vertices = {v.value, 0, 0}, .friction = friction[v.value]};
-        if (known[v.value]) {
-            point.asked_at = known[v.value]->asked_at;
-            point.slack = known[v.value]->slack;
-        }
-        points.push_back(point);
-    }
-}
-
-void add_edges(const Cloth& cloth, const std::vector<float>& friction, float spacing,
-               std::vector<ContactPoint>& points) {
+void add_edges(const Cloth& cloth, float spacing, const std::vector<float>& friction,
+               std::vector<ContactSample>& samples) {
     for (const LeafEdge& edge : cloth.mesh.leaf_edges()) {
-        const int samples = static_cast<int>(std::ceil(edge.rest_length / spacing)) - 1;
-        for (int i = 1; i <= samples; ++i) {
-            const float t = static_cast<float>(i) / static_cast<float>(samples + 1);
-            points.push_back({.vertices = {edge.a.value, edge.b.value, 0},
-                              .shares = {1 - t, t, 0},
-                              .vertex_count = 2,
-                              .friction = std::max(friction[edge.a.value], friction[edge.b.value])});
+        const int count = static_cast<int>(std::ceil(edge.rest_length / spacing)) - 1;
+        for (int i = 1; i <= count; ++i) {
+            const float t = static_cast<float>(i) / static_cast<float>(count + 1);
+            samples.push_back({.vertices = {edge.a.value, edge.b.value, edge.b.value},
+                               .shares = {1 - t, t, 0},
+                               .friction = std::max(friction[edge.a.value], friction[edge.b.value])});
         }
     }
 }
 
-void add_triangles(const Cloth& cloth, std::vector<ContactPoint>& points) {
+void add_triangles(const Cloth& cloth, std::vector<ContactSample>& samples) {
     constexpr float kThird = 1.0F / 3.0F;
     for (const LeafTriangle& triangle : cloth.mesh.leaf_triangles()) {
-        points.push_back({.vertices = {triangle.v[0].value, triangle.v[1].value, triangle.v[2].value},
-                          .shares = {kThird, kThird, kThird},
-                          .vertex_count = 3,
-                          .friction = static_cast<float>(cloth.fabrics[triangle.panel].friction)});
+        samples.push_back({.vertices = {triangle.v[0].value, triangle.v[1].value, triangle.v[2].value},
+                           .shares = {kThird, kThird, kThird},
+                           .friction = static_cast<float>(cloth.fabrics[triangle.panel].friction)});
     }
+}
+
+// What the collider says of the points whose offsets are in `asking`, sixteen by sixteen; the last block is filled up
+// with the spare point.
+void ask(ContactState& contacts, const std::vector<Vec4f>& points, std::size_t count, const Collider& body,
+         float reach) {
+    const std::uint32_t spare = static_cast<std::uint32_t>(4 * (points.size() - 1));
+    const std::size_t blocks = (count + kBlock - 1) / kBlock;
+    std::fill(contacts.asking.begin() + static_cast<std::ptrdiff_t>(count),
+              contacts.asking.begin() + static_cast<std::ptrdiff_t>(blocks * kBlock), spare);
+    contacts.blocks.resize(blocks);
+    for (std::size_t i = 0; i < blocks * kBlock; ++i) {
+        const Vec4f& p = points[contacts.asking[i] / 4];
+        ContactBlock& block = contacts.blocks[i / kBlock];
+        block.x[i % kBlock] = p.x();
+        block.y[i % kBlock] = p.y();
+        block.z[i % kBlock] = p.z();
+    }
+    body.contacts(contacts.blocks, reach);
 }
 
 }  // namespace
 
 void refresh_contacts(Cloth& cloth, const ContactOptions& options) {
-    std::vector<ContactPoint> fresh;
-    fresh.reserve(cloth.contacts.points.size());
-    const std::vector<float> friction = vertex_friction(cloth);
-    add_vertices(cloth, friction, fresh);
-    add_edges(cloth, friction, options.sample_spacing, fresh);
-    add_triangles(cloth, fresh);
-    cloth.contacts.points = std::move(fresh);
+    constexpr float kAskNow = -1;
+    ContactState& contacts = cloth.contacts;
+    contacts.asked.resize(cloth.x.size() + 1, Vec4f(0, 0, 0, kAskNow));
+    refresh_friction(cloth, contacts.friction);
+    contacts.samples.clear();
+    add_edges(cloth, options.sample_spacing, contacts.friction, contacts.samples);
+    add_triangles(cloth, contacts.samples);
 }
 
-void push_out_between(Cloth& cloth, const Collider& body, const ContactOptions& options) {
-    std::vector<ContactPoint>& points = cloth.contacts.points;
-    for (std::size_t i = cloth.elements.vertices.size(); i < points.size(); ++i) {
-        push_out_point(cloth, points[i], body, options);
+void forget_contacts(Cloth& cloth) {
+    for (Vec4f& asked : cloth.contacts.asked) asked.w() = -1;
+    for (ContactSample& sample : cloth.contacts.samples) sample.slack = -1;
+}
+
+void push_out_samples(Cloth& cloth, const Collider& body, const ContactOptions& options) {
+    for (ContactSample& sample : cloth.contacts.samples) push_out_sample(cloth.solver, sample, body, options);
+}
+
+void hold_vertices(Cloth& cloth, const Kernels& loops, const Collider& body, float longest_move,
+                   const ContactOptions& options) {
+    ContactState& contacts = cloth.contacts;
+    SolverState& solver = cloth.solver;
+    contacts.asking.resize(solver.points.size() + kBlock);
+    const std::size_t count = loops.hold_moves(
+        floats(solver.points), floats(solver.before), floats(contacts.asked), solver.points.size() - 1,
+        {.longest_move = longest_move, .floor = options.floor + options.offset}, contacts.asking.data());
+    if (count == 0) return;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint32_t v = contacts.asking[i] / 4;
+        if (solver.points[v].y() >= options.floor + options.offset) continue;
+        push_off_floor(solver, {.vertices = {v, v, v}, .shares = {1, 0, 0}, .friction = contacts.friction[v]}, options,
+                       0);
     }
-}
-
-void push_out_vertices(Cloth& cloth, const Collider& body, const ContactOptions& options) {
-    const std::size_t count = cloth.elements.vertices.size();  // they come first in the list
-    for (std::size_t i = 0; i < count; ++i) push_out_point(cloth, cloth.contacts.points[i], body, options);
+    ask(contacts, solver.points, count, body, options.offset);
+    for (std::size_t i = 0; i < contacts.blocks.size(); ++i) {
+        const ContactBlock& block = contacts.blocks[i];
+        const ContactReply said{.x = block.x.data(),
+                                .y = block.y.data(),
+                                .z = block.z.data(),
+                                .distance = block.distance.data(),
+                                .nx = block.nx.data(),
+                                .ny = block.ny.data(),
+                                .nz = block.nz.data(),
+                                .offset = options.offset,
+                                .margin = kSlackMargin,
+                                .friction_scale = options.friction_scale};
+        loops.reply(said, &contacts.asking[i * kBlock], contacts.friction.data(), floats(solver.before),
+                    floats(solver.points), floats(contacts.asked));
+    }
 }
 
 Vec3f outside(const Vec3f& x, const Vec3f& outward, const Collider& body, float offset) {

@@ -3,74 +3,148 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/cloth/constraints.h"
+#include "sim/cloth/kernels.h"
 
 namespace selvedge {
 namespace {
 
-void predict(Cloth& cloth, const StepOptions& options) {
+constexpr std::size_t kMostOver = 512;  // triangles that are beyond the strain limit and get more rounds
+constexpr int kRounds = 8;
+
+float* floats(std::vector<Vec4f>& points) {
+    return points.front().data();
+}
+
+// Positions with inverse masses; the spare point stands far from everything.
+void load_points(Cloth& cloth) {
+    const Vec4f far_away(0, 1e4F, 0, 0);
+    SolverState& solver = cloth.solver;
+    const std::size_t count = cloth.x.size();
+    solver.points.resize(count + 1);
+    solver.before.resize(count + 1);
+    for (std::size_t v = 0; v < count; ++v) {
+        solver.points[v] = cloth.x[v];
+        solver.points[v].w() = cloth.inverse_mass[v];
+        solver.before[v] = cloth.x_prev[v];
+        solver.before[v].w() = cloth.inverse_mass[v];
+    }
+    solver.points[count] = far_away;
+    solver.before[count] = far_away;
+}
+
+void store_points(Cloth& cloth) {
+    for (std::size_t v = 0; v < cloth.x.size(); ++v) {
+        cloth.x[v] = cloth.solver.points[v];
+        cloth.x[v].w() = 0;
+        cloth.x_prev[v] = cloth.solver.before[v];
+        cloth.x_prev[v].w() = 0;
+    }
+}
+
+Motion motion_of(const Cloth& cloth, const StepOptions& options) {
     const float h = cloth.substep;
-    const Vec4f fall = padded(options.gravity) * (h * h);
-    const float damping = cloth.damping + options.extra_damping;
-    const float keep = std::max(0.0F, 1 - damping * h);
-    for (const std::uint32_t v : cloth.elements.vertices) {
-        const Vec4f moved = (cloth.x[v] - cloth.x_prev[v]) * keep + fall;
-        cloth.x_prev[v] = cloth.x[v];
-        if (cloth.inverse_mass[v] > 0) cloth.x[v] += moved;
+    const Vec3f fall = options.gravity * (h * h);
+    return {.keep = std::max(0.0F, 1 - (cloth.damping + options.extra_damping) * h),
+            .fall = {fall.x(), fall.y(), fall.z()}};
+}
+
+void limit_parents(SolverState& solver, const Kernels& loops) {
+    if (solver.blocks.parents.empty() || solver.blocks.parents.front().triangles.empty()) return;
+    solver.carried = solver.points;
+    for (const ParentLevel& level : solver.blocks.parents) {
+        loops.limit_parents(level.triangles, floats(solver.points));
+        loops.carry_centres(level.centres, floats(solver.carried), floats(solver.points));
     }
 }
 
-// Contacts see thin parts of the body only if no vertex jumps over them.
-void limit_moves(Cloth& cloth, float max_move) {
-    for (const std::uint32_t v : cloth.elements.vertices) {
-        const Vec4f moved = cloth.x[v] - cloth.x_prev[v];
-        const float length = moved.norm();
-        if (length > max_move) cloth.x[v] = cloth.x_prev[v] + moved * (max_move / length);
-    }
-}
-
-void pull_seams(Cloth& cloth, std::span<const SeamPull> seams, float gap) {
+void pull_seams(SolverState& solver, std::span<const SeamPull> seams, float gap) {
     for (const SeamPull& pull : seams) {
-        const float wa = cloth.inverse_mass[pull.a];
-        const float wb = cloth.inverse_mass[pull.b];
-        const Vec4f d = cloth.x[pull.b] - cloth.x[pull.a];
+        Vec4f& a = solver.points[pull.a];
+        Vec4f& b = solver.points[pull.b];
+        const Vec4f d = padded((b - a).head<3>());
         const float length = d.norm();
-        if (length <= gap || wa + wb <= 0) continue;
-        const Vec4f c = d * ((length - gap) / length / (wa + wb));
-        cloth.x[pull.a] += c * wa;
-        cloth.x[pull.b] -= c * wb;
+        if (length <= gap || a.w() + b.w() <= 0) continue;
+        const Vec4f c = d * ((length - gap) / length / (a.w() + b.w()));
+        a += c * a.w();
+        b -= c * b.w();
     }
 }
 
-// Threads rub against each other: neighbours lose part of what they move against one another, which stills the tremble
-// of single vertices and leaves what the cloth does as a whole. Momentum is kept.
-void rub(Cloth& cloth, float rate, float seconds) {
-    const float lost = 1 - std::exp(-rate * seconds);
-    for (const LengthLimit& edge : cloth.elements.limits) {
-        const Vec4f against = (cloth.x[edge.b] - cloth.x_prev[edge.b]) - (cloth.x[edge.a] - cloth.x_prev[edge.a]);
-        cloth.x_prev[edge.a] -= against * (lost * edge.share_a);
-        cloth.x_prev[edge.b] += against * (lost * edge.share_b);
+// Takes back what warp and weft of the triangle in this lane are longer than the fabric lets them be.
+void limit_lane(const StretchBlock& block, const StretchRecord& record, std::size_t at, std::vector<Vec4f>& points) {
+    std::array<Vec4f*, 3> x{};
+    for (std::size_t i = 0; i < 3; ++i) x[i] = &points[block.vertices[i][at] / 4];
+    const Vec4f e1 = padded((*x[1] - *x[0]).head<3>());
+    const Vec4f e2 = padded((*x[2] - *x[0]).head<3>());
+    const auto limit = [&](float g1, float g2) {
+        const Vec4f direction = e1 * g1 + e2 * g2;
+        const float length = direction.norm();
+        if (!(length > record.longest[at])) return;
+        const std::array<float, 3> gradient{-(g1 + g2), g1, g2};
+        float sum = 0;
+        for (std::size_t i = 0; i < 3; ++i) sum += x[i]->w() * gradient[i] * gradient[i];
+        if (sum <= 0) return;
+        const Vec4f back = direction * ((record.longest[at] - length) / (length * sum));
+        for (std::size_t i = 0; i < 3; ++i) *x[i] += back * (x[i]->w() * gradient[i]);
+    };
+    limit(block.a[0][at], block.a[1][at]);
+    limit(block.b[0][at], block.b[1][at]);
+}
+
+// The few triangles that one pass leaves beyond the fabric's strain limit get more.
+void limit_over(SolverState& solver) {
+    for (int round = 0; round < kRounds; ++round) {
+        for (const std::uint32_t lane : solver.blocks.over) {
+            limit_lane(solver.blocks.stretch[lane / kBlock], solver.blocks.records[lane / kBlock], lane % kBlock,
+                       solver.points);
+        }
     }
+}
+
+void solve_internal(Cloth& cloth, const Kernels& loops, bool is_last) {
+    SolverState& solver = cloth.solver;
+    limit_parents(solver, loops);
+    if (solver.count++ % static_cast<std::size_t>(cloth.bend_interval) == 0) {
+        loops.solve_bend(solver.blocks.bend, floats(solver.points));
+    }
+    loops.solve_stretch(solver.blocks.stretch, is_last ? solver.blocks.records.data() : nullptr, floats(solver.points));
+    limit_over(solver);
+}
+
+// Biases follow what strain and stress are now.
+void finish_step(Cloth& cloth, const Kernels& loops, const StepOptions& options) {
+    const float seconds = cloth.substep * static_cast<float>(options.substeps);
+    const auto share = [&](float rate) { return 1 - std::exp(-rate * seconds); };
+    SolverState& solver = cloth.solver;
+    std::vector<std::uint32_t>& over = solver.blocks.over;
+    over.resize(kMostOver);
+    over.resize(loops.finish_step(solver.blocks.stretch, solver.blocks.records, floats(solver.points),
+                                  floats(solver.before),
+                                  {.stretch_gain = share(options.stretch_bias_rate),
+                                   .shear_gain = share(options.shear_bias_rate),
+                                   .most_over = kMostOver,
+                                   .rubbed = share(options.internal_damping)},
+                                  over.data()));
 }
 
 }  // namespace
 
 void step(Cloth& cloth, const Collider& body, const StepOptions& options) {
+    const Kernels& loops = kernels(simd_level());
+    const Motion motion = motion_of(cloth, options);
+    SolverState& solver = cloth.solver;
+    load_points(cloth);
     for (int i = 0; i < options.substeps; ++i) {
+        const bool is_last = i + 1 == options.substeps;
+        loops.predict(floats(solver.points), floats(solver.before), cloth.x.size(), motion);
+        solve_internal(cloth, loops, is_last);
+        if (is_last) finish_step(cloth, loops, options);
+        if (i % options.contact.sample_interval == 0) push_out_samples(cloth, body, options.contact);
         const float to_go = static_cast<float>(options.substeps - 1 - i);
-        predict(cloth, options);
-        limit_parents(cloth.elements.parents, cloth.x, cloth.scratch);
-        solve_bend(cloth.elements.bend, cloth.x);
-        solve_stretch(cloth.elements.stretch, cloth.inverse_mass, cloth.x);
-        limit_stretch(cloth.elements.stretch, cloth.x, cloth.over_limit);
-        limit_lengths(cloth.elements.limits, cloth.x);
-        limit_moves(cloth, options.max_move_per_substep);
-        push_out_between(cloth, body, options.contact);
-        pull_seams(cloth, options.seams, options.seam_gap + to_go * options.seam_gap_rate);
-        limit_moves(cloth, options.max_move_per_substep);
-        push_out_vertices(cloth, body, options.contact);
+        pull_seams(solver, options.seams, options.seam_gap + to_go * options.seam_gap_rate);
+        hold_vertices(cloth, loops, body, options.max_move_per_substep, options.contact);
     }
-    rub(cloth, options.internal_damping, cloth.substep * static_cast<float>(options.substeps));
+    store_points(cloth);
 }
 
 }  // namespace selvedge

@@ -20,7 +20,9 @@ struct StepOptions {
     int substeps = 12;                    // each of Cloth::substep
     Vec3f gravity = Vec3f(0, -9.81F, 0);  // m/s^2
     float extra_damping = 0;              // 1/s, on top of the fabrics'
-    float internal_damping = 20;          // 1/s, of the motion of neighbouring vertices against each other
+    float internal_damping = 40;          // 1/s, of the motion of neighbouring vertices against each other
+    float stretch_bias_rate = 3;          // 1/s, how fast biases follow (solver_blocks.h): slower than what the cloth
+    float shear_bias_rate = 1.2F;         // does by itself, or they feed its motion
     float max_move_per_substep = 0.005F;  // m: contacts see thin parts at this speed
     ContactOptions contact{};
     std::span<const SeamPull> seams{};  // open seams

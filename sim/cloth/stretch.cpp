@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/cloth/material_frame.h"
+
 namespace selvedge {
 
 std::vector<TriangleStrain> measure_strain(const Cloth& cloth) {

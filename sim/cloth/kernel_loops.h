@@ -1,0 +1,371 @@
+#pragma once
+// The loops of kernels.h, written once and compiled for each kind of vector instructions: included by
+// kernels_plain.cpp, kernels_avx2.cpp and kernels_avx512.cpp alone. All of it has internal linkage
+// (sim/core/simd_level.h).
+#include <cstring>
+
+#include "sim/cloth/kernels.h"
+#include "sim/core/simd_points.h"
+
+namespace selvedge {
+namespace {
+
+using lanes::Floats;
+using lanes::Rows;
+using lanes::Xyz;
+
+constexpr float kTiny = 1e-18F;  // m^2, under a root
+
+[[gnu::always_inline]] inline Floats load_at(const BlockFloats& values, std::size_t at) {
+    return lanes::load(&values[at]);
+}
+
+[[gnu::always_inline]] inline Floats dot(const Xyz& p, const Xyz& q) {
+    return lanes::multiply_add(p.x, q.x, lanes::multiply_add(p.y, q.y, p.z * q.z));
+}
+[[gnu::always_inline]] inline Xyz combined(const Xyz& p, Floats s, const Xyz& q, Floats t) {
+    return {lanes::multiply_add(p.x, s, q.x * t), lanes::multiply_add(p.y, s, q.y * t),
+            lanes::multiply_add(p.z, s, q.z * t)};
+}
+[[gnu::always_inline]] inline Rows difference(const Rows& a, const Rows& b) {
+    return {{a.row[0] - b.row[0], a.row[1] - b.row[1], a.row[2] - b.row[2], a.row[3] - b.row[3]}};
+}
+// Each point moved by its inverse mass times what stands in its place in `by`, whose fourth floats are 0.
+[[gnu::always_inline]] inline Rows pushed(const Rows& p, const Rows& by) {
+    Rows moved;
+    for (int j = 0; j < 4; ++j) moved.row[j] = lanes::multiply_add(by.row[j], lanes::fourths(p.row[j]), p.row[j]);
+    return moved;
+}
+
+// The deformed warp and weft directions of triangles, unit, and their lengths.
+struct Threads {
+    Xyz warp, weft;
+    Floats warp_length, weft_length;
+};
+
+template <class Block>
+[[gnu::always_inline]] inline Threads directions(const Block& block, std::size_t at, const Rows& x0, const Rows& x1,
+                                                 const Rows& x2) {
+    const Xyz e1 = lanes::transposed(difference(x1, x0));
+    const Xyz e2 = lanes::transposed(difference(x2, x0));
+    return {.warp = combined(e1, load_at(block.a[0], at), e2, load_at(block.a[1], at)),
+            .weft = combined(e1, load_at(block.b[0], at), e2, load_at(block.b[1], at)),
+            .warp_length = Floats{},
+            .weft_length = Floats{}};
+}
+
+[[gnu::always_inline]] inline Floats normalise(Xyz& p) {
+    const Floats squared =
+        lanes::multiply_add(p.x, p.x, lanes::multiply_add(p.y, p.y, lanes::multiply_add(p.z, p.z, lanes::all(kTiny))));
+    const Floats inverse = lanes::inverse_root(squared);
+    p = {p.x * inverse, p.y * inverse, p.z * inverse};
+    return squared * inverse;
+}
+
+struct Corners {
+    Rows x0, x1, x2;
+};
+template <class Block>
+[[gnu::always_inline]] inline Corners corners_of(const Block& block, std::size_t at, const float* points) {
+    return {lanes::gather_points(points, &block.vertices[0][at]), lanes::gather_points(points, &block.vertices[1][at]),
+            lanes::gather_points(points, &block.vertices[2][at])};
+}
+template <class Block>
+[[gnu::always_inline]] inline void put_corners(const Block& block, std::size_t at, const Corners& c, float* points) {
+    lanes::scatter_points(points, &block.vertices[0][at], c.x0);
+    lanes::scatter_points(points, &block.vertices[1][at], c.x1);
+    lanes::scatter_points(points, &block.vertices[2][at], c.x2);
+}
+
+struct Strains {
+    Floats warp, weft, shear;
+};
+
+// Strains with their bias; a compression counts as much as it is resisted.
+[[gnu::always_inline]] inline Strains biased_strains(const StretchBlock& block, std::size_t at, const Threads& t) {
+    const Floats push = load_at(block.push, at);
+    const auto resisted = [&](Floats strain) {
+        return lanes::multiply_add(push, lanes::lesser(strain, Floats{}), lanes::greater(strain, Floats{}));
+    };
+    return {resisted(t.warp_length - 1.0F + load_at(block.bias[0], at)),
+            resisted(t.weft_length - 1.0F + load_at(block.bias[1], at)),
+            dot(t.warp, t.weft) + load_at(block.bias[2], at)};
+}
+
+// The three conditions of each triangle are solved together: warp and weft are at right angles, so that the shear is
+// what is coupled with either.
+[[gnu::always_inline]] inline Strains multipliers(const StretchBlock& block, std::size_t at, const Strains& strain) {
+    const Floats warp = load_at(block.warp, at);
+    const Floats weft = load_at(block.weft, at);
+    const Floats cross = load_at(block.cross, at);
+    const Floats both = lanes::multiply_add(strain.warp, warp, strain.weft * weft);
+    const Floats shear = lanes::multiply_add(cross, both, -strain.shear) * load_at(block.shear, at);
+    return {-lanes::multiply_add(cross, shear, strain.warp) * warp,
+            -lanes::multiply_add(cross, shear, strain.weft) * weft, shear};
+}
+
+[[gnu::always_inline]] inline Corners corrected(const StretchBlock& block, std::size_t at, const Corners& c,
+                                                const Threads& t, const Strains& m) {
+    const Floats a0 = load_at(block.a[0], at), a1 = load_at(block.a[1], at);
+    const Floats b0 = load_at(block.b[0], at), b1 = load_at(block.b[1], at);
+    const Rows f1 = lanes::rows_of(combined(t.warp, lanes::multiply_add(m.warp, a0, m.shear * b0), t.weft,
+                                            lanes::multiply_add(m.weft, b0, m.shear * a0)));
+    const Rows f2 = lanes::rows_of(combined(t.warp, lanes::multiply_add(m.warp, a1, m.shear * b1), t.weft,
+                                            lanes::multiply_add(m.weft, b1, m.shear * a1)));
+    const Rows f0 = difference(difference({}, f1), f2);
+    return {pushed(c.x0, f0), pushed(c.x1, f1), pushed(c.x2, f2)};
+}
+
+template <bool keeps_multipliers>
+[[gnu::always_inline]] inline void stretch_loop(std::span<const StretchBlock> blocks, StretchRecord* records,
+                                                float* points) {
+    for (const StretchBlock& block : blocks) {
+        for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+            const Corners c = corners_of(block, at, points);
+            Threads t = directions(block, at, c.x0, c.x1, c.x2);
+            t.warp_length = normalise(t.warp);
+            t.weft_length = normalise(t.weft);
+            const Strains m = multipliers(block, at, biased_strains(block, at, t));
+            if constexpr (keeps_multipliers) {
+                StretchRecord& record = records[static_cast<std::size_t>(&block - blocks.data())];
+                lanes::store(&record.multiplier[0][at], m.warp);
+                lanes::store(&record.multiplier[1][at], m.weft);
+                lanes::store(&record.multiplier[2][at], m.shear);
+            }
+            put_corners(block, at, corrected(block, at, c, t, m), points);
+        }
+    }
+}
+
+void solve_stretch(std::span<const StretchBlock> blocks, StretchRecord* records, float* points) {
+    if (records) {
+        stretch_loop<true>(blocks, records, points);
+    } else {
+        stretch_loop<false>(blocks, records, points);
+    }
+}
+
+// One direction of refined triangles: how much of it is taken back, per length of it.
+[[gnu::always_inline]] inline Floats excess(const Xyz& direction, Floats longest) {
+    const Floats squared = dot(direction, direction) + lanes::all(kTiny);
+    return lanes::lesser(longest * lanes::inverse_root(squared) - 1.0F, Floats{});
+}
+
+void limit_parents(std::span<const LimitBlock> blocks, float* points) {
+    for (const LimitBlock& block : blocks) {
+        for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+            Corners c = corners_of(block, at, points);
+            const Threads t = directions(block, at, c.x0, c.x1, c.x2);
+            const Floats warp = excess(t.warp, load_at(block.longest_warp, at));
+            const Floats weft = excess(t.weft, load_at(block.longest_weft, at));
+            if (lanes::bits(lanes::lesser(warp, weft) < 0.0F) == 0) continue;
+            const auto add = [&](Rows& x, std::size_t i) {
+                const Rows by = lanes::rows_of(
+                    combined(t.warp, warp * load_at(block.warp[i], at), t.weft, weft * load_at(block.weft[i], at)));
+                for (int j = 0; j < 4; ++j) x.row[j] = x.row[j] + by.row[j];
+            };
+            add(c.x0, 0);
+            add(c.x1, 1);
+            add(c.x2, 2);
+            put_corners(block, at, c, points);
+        }
+    }
+}
+
+template <int j>
+[[gnu::always_inline]] inline void bend_row(std::array<Rows, 4>& x, const std::array<Floats, 4>& q, Floats gain) {
+    Floats bent = lanes::spread<j>(q[0]) * x[0].row[j];
+    for (std::size_t i = 1; i < 4; ++i) bent = lanes::multiply_add(lanes::spread<j>(q[i]), x[i].row[j], bent);
+    bent = lanes::with_fourths(bent * lanes::spread<j>(-gain), Floats{});
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Floats weight = lanes::fourths(x[i].row[j]);
+        x[i].row[j] = lanes::multiply_add(bent, lanes::spread<j>(q[i]) * weight, x[i].row[j]);
+    }
+}
+
+void solve_bend(std::span<const BendBlock> blocks, float* points) {
+    for (const BendBlock& block : blocks) {
+        for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+            std::array<Rows, 4> x;
+            std::array<Floats, 4> q;
+            for (std::size_t i = 0; i < 4; ++i) {
+                x[i] = lanes::gather_points(points, &block.vertices[i][at]);
+                q[i] = load_at(block.q[i], at);
+            }
+            const Floats gain = load_at(block.gain, at);
+            bend_row<0>(x, q, gain);
+            bend_row<1>(x, q, gain);
+            bend_row<2>(x, q, gain);
+            bend_row<3>(x, q, gain);
+            for (std::size_t i = 0; i < 4; ++i) lanes::scatter_points(points, &block.vertices[i][at], x[i]);
+        }
+    }
+}
+
+void predict(float* points, float* before, std::size_t count, const Motion& motion) {
+    Floats fall{};
+    for (std::size_t i = 0; i < lanes::kCount; ++i) fall[i] = i % 4 < 3 ? motion.fall[i % 4] : 0.0F;
+    const Floats keep = lanes::all(motion.keep);
+    for (std::size_t i = 0; i < 4 * count; i += lanes::kCount) {  // a fourth's move is 0
+        const Floats x = lanes::load(points + i);
+        const Floats move = lanes::multiply_add(x - lanes::load(before + i), keep, fall);
+        lanes::store(before + i, x);
+        lanes::store(points + i, x + lanes::where(lanes::fourths(x) > 0.0F, move));
+    }
+}
+
+void carry_centres(std::span<const EdgeCentre> centres, const float* before, float* points) {
+    typedef float Point __attribute__((vector_size(16)));
+    const auto at = [](const float* from, std::uint32_t offset) {
+        Point p;
+        std::memcpy(&p, from + offset, sizeof p);
+        return p;
+    };
+    for (const EdgeCentre& c : centres) {
+        const Point moved = (at(points, c.a) - at(before, c.a)) + (at(points, c.b) - at(before, c.b));
+        const Point centre = at(points, c.centre) + moved * 0.5F;
+        std::memcpy(points + c.centre, &centre, sizeof centre);
+    }
+}
+
+[[gnu::always_inline]] inline void move_bias(BlockFloats& bias, std::size_t at, Floats error, float gain, float least,
+                                             float most) {
+    const Floats moved = lanes::load(&bias[at]) + error * lanes::all(gain);
+    lanes::store(&bias[at], lanes::lesser(lanes::greater(moved, lanes::all(least)), lanes::all(most)));
+}
+
+// Corners lose a share of what they move against their mean; pushes in proportion to inverse mass keep the momentum.
+[[gnu::always_inline]] inline Corners rubbed(const Corners& now, const Corners& was, float share) {
+    Corners slower;
+    for (int j = 0; j < 4; ++j) {
+        const Floats v0 = now.x0.row[j] - was.x0.row[j];
+        const Floats v1 = now.x1.row[j] - was.x1.row[j];
+        const Floats v2 = now.x2.row[j] - was.x2.row[j];
+        const Floats w0 = lanes::fourths(now.x0.row[j]);
+        const Floats w1 = lanes::fourths(now.x1.row[j]);
+        const Floats w2 = lanes::fourths(now.x2.row[j]);
+        const Floats mean = (v0 + v1 + v2) * lanes::all(1.0F / 3.0F);
+        const Floats gain = lanes::all(share) / lanes::greater(w0 + w1 + w2, lanes::all(kTiny));
+        slower.x0.row[j] = lanes::multiply_add(v0 - mean, w0 * gain, was.x0.row[j]);
+        slower.x1.row[j] = lanes::multiply_add(v1 - mean, w1 * gain, was.x1.row[j]);
+        slower.x2.row[j] = lanes::multiply_add(v2 - mean, w2 * gain, was.x2.row[j]);
+    }
+    return slower;
+}
+
+std::size_t finish_step(std::span<StretchBlock> blocks, std::span<const StretchRecord> records, const float* points,
+                        float* before, const StepEnd& end, std::uint32_t* over) {
+    constexpr float kMoreShear = 4;  // shear angles are that much larger than strains
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        StretchBlock& block = blocks[i];
+        const StretchRecord& record = records[i];
+        for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+            const Corners c = corners_of(block, at, points);
+            Threads t = directions(block, at, c.x0, c.x1, c.x2);
+            t.warp_length = normalise(t.warp);
+            t.weft_length = normalise(t.weft);
+            const auto stress = [&](std::size_t k) {
+                return load_at(record.multiplier[k], at) * load_at(record.compliance[k], at);
+            };
+            const Floats push = load_at(block.push, at);
+            move_bias(block.bias[0], at, (t.warp_length - 1.0F + stress(0)) * push, end.stretch_gain, end.least_bias,
+                      end.most_bias);
+            move_bias(block.bias[1], at, (t.weft_length - 1.0F + stress(1)) * push, end.stretch_gain, end.least_bias,
+                      end.most_bias);
+            move_bias(block.bias[2], at, dot(t.warp, t.weft) + stress(2), end.shear_gain, -kMoreShear * end.most_bias,
+                      kMoreShear * end.most_bias);
+            const Corners was = corners_of(block, at, before);
+            put_corners(block, at, rubbed(c, was, end.rubbed), before);
+            const Floats longest = load_at(record.longest, at);
+            unsigned hot = lanes::bits(lanes::greater(t.warp_length, t.weft_length) > longest);
+            for (; hot != 0 && count < end.most_over; hot &= hot - 1) {
+                over[count++] =
+                    static_cast<std::uint32_t>(i * kBlock + at) + static_cast<std::uint32_t>(__builtin_ctz(hot));
+            }
+        }
+    }
+    return count;
+}
+
+// Of rows of points as they stand in memory: the squared length of each, in all four places.
+[[gnu::always_inline]] inline Floats squared_lengths(Floats move) {
+    const Floats squares = move * move;
+    const Floats pairs = squares + lanes::shuffle<0xB1>(squares, squares);
+    return pairs + lanes::shuffle<0x4E>(pairs, pairs);
+}
+
+// Moves that are longer than the longest are shortened.
+[[gnu::always_inline]] inline Floats shortened(Floats move, Floats longest_squared) {
+    const Floats squared = squared_lengths(move);
+    if (lanes::bits(squared > longest_squared) == 0) [[likely]]
+        return move;
+    return move * lanes::root(longest_squared / lanes::greater(squared, longest_squared));
+}
+
+std::size_t hold_moves(float* points, const float* before, const float* asked, std::size_t count,
+                       const MoveLimits& limits, std::uint32_t* found) {
+    const Floats longest_squared = lanes::all(limits.longest_move * limits.longest_move);
+    Floats low = lanes::all(-1e30F);
+    for (std::size_t i = 1; i < lanes::kCount; i += 4) low[i] = limits.floor;
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < 4 * count; i += lanes::kCount) {
+        const Floats was = lanes::load(points + i);
+        const Floats from = lanes::load(before + i);
+        const Floats x = lanes::with_fourths(from + shortened(was - from, longest_squared), was);
+        lanes::store(points + i, x);
+        const Floats at = lanes::load(asked + i);
+        const Floats slack = lanes::greater(at, Floats{});
+        const Floats squared = squared_lengths(lanes::with_fourths(x - at, Floats{}));
+        // The slack of a point, and its inverse mass, stand fourth: bit 3 of its four.
+        const unsigned far = lanes::bits(squared >= slack * slack) | (lanes::bits(x < low) << 2);
+        unsigned asking = far & lanes::bits(x > 0.0F) & 0x8888U;
+        for (; asking != 0; asking &= asking - 1) {
+            found[n++] = static_cast<std::uint32_t>(i) + static_cast<std::uint32_t>(__builtin_ctz(asking)) - 3U;
+        }
+    }
+    return n;
+}
+
+// Where the contact block has a point deeper than the offset, and what its friction takes off.
+[[gnu::always_inline]] inline Xyz replied(const Xyz& x, const Xyz& from, const Xyz& normal, Floats depth,
+                                          Floats friction) {
+    const Xyz out{x.x + normal.x * depth, x.y + normal.y * depth, x.z + normal.z * depth};
+    const Xyz moved{out.x - from.x, out.y - from.y, out.z - from.z};
+    const Floats along = dot(moved, normal);
+    const Xyz slid{moved.x - normal.x * along, moved.y - normal.y * along, moved.z - normal.z * along};
+    const Floats inverse = lanes::inverse_root(dot(slid, slid) + lanes::all(kTiny));
+    const Floats taken = lanes::lesser(friction * depth * inverse, lanes::all(1.0F));
+    return {out.x - slid.x * taken, out.y - slid.y * taken, out.z - slid.z * taken};
+}
+
+void reply(const ContactReply& said, const std::uint32_t* offsets, const float* friction, const float* before,
+           float* points, float* asked) {
+    const Floats margin = lanes::all(said.offset + said.margin);
+    for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+        Floats mu{};
+        for (std::size_t i = 0; i < lanes::kCount; ++i) mu[i] = friction[offsets[at + i] / 4] * said.friction_scale;
+        const Xyz x{lanes::load(said.x + at), lanes::load(said.y + at), lanes::load(said.z + at)};
+        const Xyz normal{lanes::load(said.nx + at), lanes::load(said.ny + at), lanes::load(said.nz + at)};
+        const Floats distance = lanes::load(said.distance + at);
+        const Floats depth = lanes::greater(lanes::all(said.offset) - distance, Floats{});
+        const Xyz from = lanes::transposed(lanes::gather_points(before, offsets + at));
+        const Rows as_it_was = lanes::gather_points(points, offsets + at);
+        Rows moved = lanes::rows_of(replied(x, from, normal, depth, mu));
+        for (int j = 0; j < 4; ++j) moved.row[j] = lanes::with_fourths(moved.row[j], as_it_was.row[j]);
+        lanes::scatter_points(points, offsets + at, moved);
+        lanes::scatter_points(asked, offsets + at, lanes::rows_of(x, distance - margin));
+    }
+}
+
+constexpr Kernels kLoops{.predict = predict,
+                         .solve_stretch = solve_stretch,
+                         .solve_bend = solve_bend,
+                         .limit_parents = limit_parents,
+                         .carry_centres = carry_centres,
+                         .finish_step = finish_step,
+                         .hold_moves = hold_moves,
+                         .reply = reply};
+
+}  // namespace
+}  // namespace selvedge

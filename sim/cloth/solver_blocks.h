@@ -1,0 +1,81 @@
+#pragma once
+// What the solver's inner loops read: constraints in blocks of sixteen that share no vertex, one array per figure, with
+// everything that does not change between two adaptions worked out beforehand.
+//
+// Stretch and shear after Baraff and Witkin (1998), conditions on the deformed warp and weft directions of a triangle;
+// bending after Bergou et al. (2006), isometric; both as compliant constraints, visited once per sub-step (Macklin et
+// al. 2019, "Small Steps"), so that stiffness has units.
+//
+// One visit per sub-step is not enough to reach the strain that belongs to a load: cloth would hang too long. So each
+// condition has a bias, which is moved slowly until strain and stress agree with the fabric (finish_step).
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace selvedge {
+
+inline constexpr std::size_t kBlock = 16;
+using BlockFloats = std::array<float, kBlock>;
+using BlockPoints = std::array<std::uint32_t, kBlock>;  // four times a vertex's index: where its floats begin
+
+// Warp, weft and shear of leaf triangles. With e1 = x1 - x0, e2 = x2 - x0 the deformed warp direction is a0 e1 + a1 e2,
+// the deformed weft direction b0 e1 + b1 e2; both have length 1 at rest.
+struct alignas(64) StretchBlock {
+    std::array<BlockPoints, 3> vertices{};
+    std::array<BlockFloats, 2> a{}, b{};
+    BlockFloats warp{}, weft{}, shear{};  // 1 / (sum of w |grad|^2 + compliance); of shear: what is left of it when
+                                          // warp and weft have been eliminated
+    BlockFloats cross{};                // sum of w grad grad between shear and warp, and between shear and weft
+    BlockFloats push{};                 // how much of a compression is resisted: 0 where a seam gathers the cloth
+    std::array<BlockFloats, 3> bias{};  // of warp, weft and shear: added to the strain that is seen
+};
+
+// What finish_step needs besides: the last multipliers of warp, weft and shear, and the compliances over a sub-step.
+struct alignas(64) StretchRecord {
+    std::array<BlockFloats, 3> multiplier{};
+    std::array<BlockFloats, 3> compliance{};
+    BlockFloats longest{};  // length of warp and weft at the fabric's strain limit
+};
+
+// However cloth folds, the mean of its deformation over a triangle stretches no thread by more than the threads
+// themselves are: a refined triangle is a one-sided limit.
+struct alignas(64) LimitBlock {
+    std::array<BlockPoints, 3> vertices{};
+    std::array<BlockFloats, 2> a{}, b{};
+    BlockFloats longest_warp{}, longest_weft{};  // lengths of the directions above which they are taken back
+    std::array<BlockFloats, 3> warp{}, weft{};   // what each vertex moves along the direction per unit of excess, m
+};
+
+// Hinges: sum of q_i x_i vanishes where the cloth is flat.
+struct alignas(64) BendBlock {
+    std::array<BlockPoints, 4> vertices{};
+    std::array<BlockFloats, 4> q{};
+    BlockFloats gain{};  // 1 / (sum of w q^2 + compliance)
+};
+
+// The centre of a split edge: it follows what the ends are moved. Offsets as in BlockPoints.
+struct EdgeCentre {
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+    std::uint32_t centre = 0;
+};
+
+// One level of the hierarchy as the levels below see it.
+struct ParentLevel {
+    std::vector<LimitBlock> triangles;
+    std::vector<EdgeCentre> centres;  // that may move
+};
+
+struct SolverBlocks {
+    std::vector<StretchBlock> stretch;  // colour by colour, so that no block shares a vertex within itself
+    std::vector<StretchRecord> records;
+    std::vector<std::uint32_t> leaf_of;  // lane by lane: index into leaf_triangles(), or kSpare
+    std::vector<std::uint32_t> over;     // lanes beyond the fabric's strain limit at the end of the last step
+    std::vector<BendBlock> bend;
+    std::vector<ParentLevel> parents;  // coarse to fine
+};
+
+inline constexpr std::uint32_t kSpare = UINT32_MAX;
+
+}  // namespace selvedge
