@@ -47,10 +47,15 @@ namespace selvedge {
 
 // To be called with a type of the source's own, that no other source can name.
 template <class OwnedByOneSource>
-void squared_distances_of(const float* packet, const float* p, float* squared) {
+unsigned squared_distances_of(const float* packet, const float* p, float limit, float* squared) {
     constexpr std::size_t kTriangles = 8;
-    for (std::size_t i = 0; i < kTriangles; i += lanes::kCount)
-        lanes::store(squared + i, squared_distances(packet + i, p));
+    unsigned nearer = 0;
+    for (std::size_t i = 0; i < kTriangles; i += lanes::kCount) {
+        const lanes::Floats squares = squared_distances(packet + i, p);
+        lanes::store(squared + i, squares);
+        nearer |= lanes::bits(squares < limit) << i;
+    }
+    return nearer;
 }
 
 }  // namespace selvedge

@@ -1,6 +1,9 @@
 #include "sim/body/surface_bvh.h"
 
+#include <immintrin.h>
+
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -62,19 +65,26 @@ namespace {
 
 constexpr std::size_t kStack = 128;  // 4 children a level, 2^32 triangles have 15 levels
 
-template <class Node>
-std::array<float, 4> squared_box_distances(const Node& node, const Vec3f& p) {
+// Squared distances of the children's boxes, and a bit for each that is nearer than the root of `limit`.
+struct BoxDistances {
     std::array<float, 4> squared;
-    for (std::size_t k = 0; k < 4; ++k) {
-        float sum = 0;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const float at = p[std::ptrdiff_t(axis)];
-            const float out = std::max(std::max(node.low[axis][k] - at, at - node.high[axis][k]), 0.0F);
-            sum += out * out;
-        }
-        squared[k] = sum;
+    unsigned nearer;
+};
+
+template <class Node>
+BoxDistances box_distances(const Node& node, const Vec3f& p, float limit) {
+    __m128 sum = _mm_setzero_ps();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const __m128 at = _mm_set1_ps(p[std::ptrdiff_t(axis)]);
+        const __m128 below = _mm_sub_ps(_mm_loadu_ps(node.low[axis].data()), at);
+        const __m128 above = _mm_sub_ps(at, _mm_loadu_ps(node.high[axis].data()));
+        const __m128 out = _mm_max_ps(_mm_setzero_ps(), _mm_max_ps(below, above));  // keeps NaN
+        sum = _mm_add_ps(sum, _mm_mul_ps(out, out));
     }
-    return squared;
+    BoxDistances boxes;
+    _mm_storeu_ps(boxes.squared.data(), sum);
+    boxes.nearer = unsigned(_mm_movemask_ps(_mm_cmplt_ps(sum, _mm_set1_ps(limit))));
+    return boxes;
 }
 
 struct Waiting {
@@ -117,10 +127,12 @@ std::optional<ClosestPoint> SurfaceBvh::closest(const Vec3f& p, float radius) co
             continue;
         }
         const Node& node = nodes_[std::size_t(top.child)];
-        const std::array<float, 4> squared = squared_box_distances(node, p);
+        const BoxDistances boxes = box_distances(node, p, best.squared);
         const std::size_t bottom = stack.size;
-        for (std::size_t k = 0; k < kChildren; ++k)
-            if (node.child[k] != kNoChild && squared[k] < best.squared) stack.push(bottom, {squared[k], node.child[k]});
+        for (unsigned nearer = boxes.nearer; nearer != 0; nearer &= nearer - 1) {
+            const std::size_t k = std::size_t(std::countr_zero(nearer));
+            stack.push(bottom, {boxes.squared[k], node.child[k]});
+        }
     }
     if (!best.found()) return std::nullopt;
     return closest_on(best.triangle, p);

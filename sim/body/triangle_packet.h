@@ -1,6 +1,7 @@
 #pragma once
 // Eight triangles at once: squared distances from a point, what trees and grids over a surface end in.  (SPEC 3.3)
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -33,12 +34,13 @@ struct NearestTriangle {
     // Of triangles equally far the first that was tested stays.
     void test(PacketKernel kernel, const TrianglePacket& packet, const Vec3f& p) {
         TrianglePacket::Lanes squares;
-        kernel(packet.corner[0].data(), p.data(), squares.data());
-        for (std::size_t i = 0; i < TrianglePacket::kLanes; ++i)
-            if (squares[i] < squared) {
-                squared = squares[i];
-                triangle = packet.triangle[i];
-            }
+        unsigned nearer = kernel(packet.corner[0].data(), p.data(), squared, squares.data());
+        for (; nearer != 0; nearer &= nearer - 1) {
+            const std::size_t i = std::size_t(std::countr_zero(nearer));
+            if (squares[i] >= squared) continue;
+            squared = squares[i];
+            triangle = packet.triangle[i];
+        }
     }
 };
 
