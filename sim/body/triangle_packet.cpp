@@ -29,4 +29,16 @@ PacketKernel packet_kernel() {
     return simd_level() == SimdLevel::Plain ? &squared_distances_plain : &squared_distances_avx2;
 }
 
+GroupKernel group_kernel() {
+    switch (simd_level()) {
+        case SimdLevel::Plain:
+            return &nearest_in_packet_plain;
+        case SimdLevel::Avx2:
+            return &nearest_in_packet_avx2;
+        case SimdLevel::Avx512:
+            break;
+    }
+    return &nearest_in_packet_avx512;
+}
+
 }  // namespace selvedge

@@ -7,6 +7,7 @@
 #include <limits>
 #include <span>
 
+#include "sim/body/group_kernel.h"
 #include "sim/body/packet_kernel.h"
 #include "sim/core/vec.h"
 
@@ -41,6 +42,25 @@ struct NearestTriangle {
             squared = squares[i];
             triangle = packet.triangle[i];
         }
+    }
+};
+
+// Points that lie close together, and what is nearest to each. Spare lanes repeat one.
+struct alignas(64) PointGroup {
+    static constexpr std::size_t kPoints = 16;
+
+    std::array<float, kPoints> x{}, y{}, z{};  // m
+    std::array<float, kPoints> squared{};      // m^2, nothing farther counts
+    std::array<std::uint32_t, kPoints> triangle{};
+
+    Vec3f point(std::size_t lane) const { return {x[lane], y[lane], z[lane]}; }
+    // Forgets what was found and looks no farther than this.
+    void start(std::size_t lane, const Vec3f& p, float radius) {
+        x[lane] = p.x();
+        y[lane] = p.y();
+        z[lane] = p.z();
+        squared[lane] = radius * radius;
+        triangle[lane] = NearestTriangle::kNone;
     }
 };
 

@@ -128,6 +128,17 @@ typedef std::int32_t Ints __attribute__((vector_size(16)));
 [[gnu::always_inline]] inline Floats all(float a) {
     return a - Floats{};
 }
+[[gnu::always_inline]] inline Ints load_ints(const std::uint32_t* from) {
+    Ints a;
+    std::memcpy(&a, from, sizeof a);
+    return a;
+}
+[[gnu::always_inline]] inline void store_ints(std::uint32_t* to, Ints a) {
+    std::memcpy(to, &a, sizeof a);
+}
+[[gnu::always_inline]] inline Ints all_ints(std::int32_t a) {
+    return a - Ints{};
+}
 
 // a where the comparison holds, elsewhere +0.
 [[gnu::always_inline]] inline Floats where(Ints comparison, Floats a) {
