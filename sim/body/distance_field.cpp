@@ -1,6 +1,7 @@
 #include "sim/body/distance_field.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <span>
@@ -255,6 +256,9 @@ FieldView DistanceField::view() const {
             .band = band_,
             .trusted = kTrustedGradient};
 }
+
+// Kernels take a block for seven rows of floats.
+static_assert(sizeof(ContactBlock) == 7 * sizeof(ContactBlock::Lanes) && offsetof(ContactBlock, x) == 0);
 
 void DistanceField::sample(std::span<ContactBlock> blocks, float reach, std::span<std::uint16_t> doubtful) const {
     SELVEDGE_ASSERT(doubtful.size() >= blocks.size());

@@ -42,19 +42,20 @@ struct LanePoints {
 [[gnu::always_inline]] inline lanes::Floats squared_distance_to(const float* packet, const TriangleProducts& products,
                                                                 std::size_t i, const LanePoints& p) {
     using lanes::Floats;
-    const auto row = [&](std::size_t r) { return packet[r * kGroupTriangles + i]; };
-    const auto clamped = [&](Floats t) { return lanes::lesser(lanes::greater(t, lanes::all(0)), lanes::all(1)); };
-    const float bx = row(3), by = row(4), bz = row(5), cx = row(6), cy = row(7), cz = row(8);
+    const float* row = packet + i;
+    const float bx = row[3 * kGroupTriangles], by = row[4 * kGroupTriangles], bz = row[5 * kGroupTriangles],
+                cx = row[6 * kGroupTriangles], cy = row[7 * kGroupTriangles], cz = row[8 * kGroupTriangles];
     const float bb = products.bb[i], cc = products.cc[i], bc = products.bc[i];
 
-    const Floats x = p.x - row(0), y = p.y - row(1), z = p.z - row(2);
+    const Floats x = p.x - row[0 * kGroupTriangles], y = p.y - row[1 * kGroupTriangles],
+                 z = p.z - row[2 * kGroupTriangles];
     const Floats d1 = bx * x + by * y + bz * z;
     const Floats d2 = cx * x + cy * y + cz * z;
     const Floats v = (cc * d1 - bc * d2) * products.per_area[i];
     const Floats w = (bb * d2 - bc * d1) * products.per_area[i];
-    const Floats t1 = clamped(d1 * products.per_bb[i]);
-    const Floats t2 = clamped(d2 * products.per_cc[i]);
-    const Floats t3 = clamped((d2 - d1 - bc + bb) * products.per_third[i]);
+    const Floats t1 = lanes::held_to_unit(d1 * products.per_bb[i]);
+    const Floats t2 = lanes::held_to_unit(d2 * products.per_cc[i]);
+    const Floats t3 = lanes::held_to_unit((d2 - d1 - bc + bb) * products.per_third[i]);
     const Floats r3 = 1 - t3;
     const Floats g1 = t1 * (t1 * bb - 2 * d1);
     const Floats g2 = t2 * (t2 * cc - 2 * d2);

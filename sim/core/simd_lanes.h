@@ -140,6 +140,10 @@ typedef std::int32_t Ints __attribute__((vector_size(16)));
     return a - Ints{};
 }
 
+[[gnu::always_inline]] inline Floats held_to_unit(Floats a) {
+    return lesser(greater(a, all(0)), all(1));
+}
+
 // a where the comparison holds, elsewhere +0.
 [[gnu::always_inline]] inline Floats where(Ints comparison, Floats a) {
     return Floats(comparison & Ints(a));
