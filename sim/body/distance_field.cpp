@@ -1,6 +1,7 @@
 #include "sim/body/distance_field.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <span>
@@ -48,6 +49,71 @@ class DistanceWalk {
     float distance_ = 0;
     bool known_ = false;
     bool has_nearest_ = false;
+    Vec3f nearest_ = Vec3f::Zero();  // a surface point that is not far
+};
+
+// The nodes of a block, three by three of them after the other up a column and down the next, so that sixteen in a row
+// lie together and none is farther than three cells from the one before.
+constexpr int kNodesOfAxis = 9;
+
+consteval auto order_of_nodes() {
+    std::array<std::array<int, 3>, kNodesOfAxis * kNodesOfAxis * kNodesOfAxis> order{};
+    std::size_t count = 0;
+    for (int column = 0; column < 9; ++column) {
+        const int row = column / 3;
+        const int left = 3 * (row % 2 == 0 ? column % 3 : 2 - column % 3);
+        for (int layer = 0; layer < kNodesOfAxis; ++layer)
+            for (int j = 0; j < 3; ++j)
+                for (int i = 0; i < 3; ++i)
+                    order[count++] = {left + i, 3 * row + j, column % 2 == 0 ? layer : kNodesOfAxis - 1 - layer};
+    }
+    return order;
+}
+
+constexpr auto kNodeOrder = order_of_nodes();
+
+// Signed distances of points in groups, held to the limit. What is nearest to one point bounds the search for the next
+// group.
+class GroupWalk {
+ public:
+    GroupWalk(const SurfaceBvh& bvh, float limit) : bvh_(bvh), limit_(limit) {}
+
+    void start(PointGroup& group, std::size_t lane, const Vec3f& p) {
+        if (!is_known_) meet(p);
+        const float nearest = (p - nearest_).norm() * kHair + kSpeck;
+        group.start(lane, p, std::min(nearest, limit_ * kHair + kSpeck));
+    }
+
+    // Pre: each point lies nearer than the limit to the one before.
+    std::array<float, PointGroup::kPoints> finish(PointGroup& group) {
+        bvh_.find_nearest(group);
+        std::array<float, PointGroup::kPoints> distances;
+        for (std::size_t i = 0; i < PointGroup::kPoints; ++i) {
+            // Nothing within the limit: on the side of the point before.
+            distances[i] = std::copysign(limit_, last_);
+            if (group.triangle[i] != NearestTriangle::kNone) {
+                const ClosestPoint closest = bvh_.closest_on(group.triangle[i], group.point(i));
+                distances[i] = std::clamp(closest.distance, -limit_, limit_);
+                nearest_ = closest.point;
+            }
+            last_ = distances[i];
+        }
+        return distances;
+    }
+
+ private:
+    void meet(const Vec3f& p) {
+        is_known_ = true;
+        const std::optional<ClosestPoint> closest = bvh_.closest(p, kUnbounded);
+        if (!closest) return;
+        nearest_ = closest->point;
+        last_ = closest->distance;
+    }
+
+    const SurfaceBvh& bvh_;
+    float limit_;
+    bool is_known_ = false;
+    float last_ = 0;                 // distance of the last point
     Vec3f nearest_ = Vec3f::Zero();  // a surface point that is not far
 };
 
@@ -120,20 +186,23 @@ void DistanceField::classify_blocks(const SurfaceBvh& bvh) {
     std::fill_n(nodes_.begin() + kInside, kBlockNodes, std::int16_t(-kFarNode));
 }
 
-// Walks the block's nodes like a plough, so that each is one cell from the one before.
+// Signed distances of all nodes, sixteen neighbours in one search.
 void DistanceField::fill_block(const SurfaceBvh& bvh, std::size_t block, std::int16_t* nodes) const {
+    constexpr std::size_t kAtOnce = PointGroup::kPoints;
     const Vec3f corner = block_corner(block);
-    DistanceWalk walk(bvh, cell_, limit_);
-    for (int k = 0; k < kNodes; ++k)
-        for (int jj = 0; jj < kNodes; ++jj) {
-            const int j = k % 2 == 0 ? jj : kNodes - 1 - jj;
-            for (int ii = 0; ii < kNodes; ++ii) {
-                const int i = (k + jj) % 2 == 0 ? ii : kNodes - 1 - ii;
-                const float distance = walk.next(corner + Vec3f(float(i), float(j), float(k)) * cell_);
-                const float held = std::clamp(distance, -limit_, limit_);
-                nodes[i + kNodes * (j + kNodes * k)] = std::int16_t(std::lrint(held / to_metres_));
-            }
+    GroupWalk walk(bvh, limit_);
+    for (std::size_t first = 0; first < kNodeOrder.size(); first += kAtOnce) {
+        PointGroup group;
+        for (std::size_t i = 0; i < kAtOnce; ++i) {
+            const auto& [x, y, z] = kNodeOrder[std::min(first + i, kNodeOrder.size() - 1)];
+            walk.start(group, i, corner + Vec3f(float(x), float(y), float(z)) * cell_);
         }
+        const std::array<float, kAtOnce> distances = walk.finish(group);
+        for (std::size_t i = 0; i < std::min(kAtOnce, kNodeOrder.size() - first); ++i) {
+            const auto& [x, y, z] = kNodeOrder[first + i];
+            nodes[x + kNodes * (y + kNodes * z)] = std::int16_t(std::lrint(distances[i] / to_metres_));
+        }
+    }
 }
 
 FieldSample DistanceField::sample(const Vec3f& p) const {
@@ -187,6 +256,9 @@ FieldView DistanceField::view() const {
             .band = band_,
             .trusted = kTrustedGradient};
 }
+
+// Kernels take a block for seven rows of floats.
+static_assert(sizeof(ContactBlock) == 7 * sizeof(ContactBlock::Lanes) && offsetof(ContactBlock, x) == 0);
 
 void DistanceField::sample(std::span<ContactBlock> blocks, float reach, std::span<std::uint16_t> doubtful) const {
     SELVEDGE_ASSERT(doubtful.size() >= blocks.size());

@@ -10,9 +10,6 @@ namespace selvedge {
     using lanes::Floats;
     constexpr std::size_t kRow = 8;
     const Floats tiny = lanes::all(1e-30F);  // keeps quotients finite on slivers
-    const Floats zero = lanes::all(0);
-    const Floats one = lanes::all(1);
-    const auto clamped = [&](Floats t) { return lanes::lesser(lanes::greater(t, zero), one); };
 
     const Floats x = p[0] - lanes::load(row), y = p[1] - lanes::load(row + kRow),
                  z = p[2] - lanes::load(row + 2 * kRow);
@@ -26,9 +23,9 @@ namespace selvedge {
     const Floats area = bb * cc - bc * bc;
     const Floats v = cc * d1 - bc * d2;
     const Floats w = bb * d2 - bc * d1;
-    const Floats t1 = clamped(d1 / (bb + tiny));
-    const Floats t2 = clamped(d2 / (cc + tiny));
-    const Floats t3 = clamped((d2 - d1 - bc + bb) / (bb + cc - 2 * bc + tiny));
+    const Floats t1 = lanes::held_to_unit(d1 / (bb + tiny));
+    const Floats t2 = lanes::held_to_unit(d2 / (cc + tiny));
+    const Floats t3 = lanes::held_to_unit((d2 - d1 - bc + bb) / (bb + cc - 2 * bc + tiny));
     const Floats r3 = 1 - t3;
     const Floats g1 = t1 * (t1 * bb - 2 * d1);
     const Floats g2 = t2 * (t2 * cc - 2 * d2);
@@ -38,7 +35,7 @@ namespace selvedge {
     const Floats edge_v = on_third ? r3 : lanes::where(on_first, t1);
     const Floats edge_w = on_third ? t3 : lanes::where(~on_first, t2);
     const Floats inverse = 1 / (area + tiny);
-    const auto is_inside = lanes::lesser(lanes::lesser(v, w), area - v - w) >= zero;
+    const auto is_inside = lanes::lesser(lanes::lesser(v, w), area - v - w) >= lanes::all(0);
     const Floats s = is_inside ? v * inverse : edge_v;
     const Floats t = is_inside ? w * inverse : edge_w;
     const Floats rx = x - s * bx - t * cx, ry = y - s * by - t * cy, rz = z - s * bz - t * cz;
@@ -47,10 +44,15 @@ namespace selvedge {
 
 // To be called with a type of the source's own, that no other source can name.
 template <class OwnedByOneSource>
-void squared_distances_of(const float* packet, const float* p, float* squared) {
+unsigned squared_distances_of(const float* packet, const float* p, float limit, float* squared) {
     constexpr std::size_t kTriangles = 8;
-    for (std::size_t i = 0; i < kTriangles; i += lanes::kCount)
-        lanes::store(squared + i, squared_distances(packet + i, p));
+    unsigned nearer = 0;
+    for (std::size_t i = 0; i < kTriangles; i += lanes::kCount) {
+        const lanes::Floats squares = squared_distances(packet + i, p);
+        lanes::store(squared + i, squares);
+        nearer |= lanes::bits(squares < limit) << i;
+    }
+    return nearer;
 }
 
 }  // namespace selvedge

@@ -7,8 +7,8 @@ struct Mine;
 
 }  // namespace
 
-void squared_distances_plain(const float* packet, const float* p, float* squared) {
-    squared_distances_of<Mine>(packet, p, squared);
+unsigned squared_distances_plain(const float* packet, const float* p, float limit, float* squared) {
+    return squared_distances_of<Mine>(packet, p, limit, squared);
 }
 
 }  // namespace selvedge

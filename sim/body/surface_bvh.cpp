@@ -1,6 +1,9 @@
 #include "sim/body/surface_bvh.h"
 
+#include <immintrin.h>
+
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -62,24 +65,33 @@ namespace {
 
 constexpr std::size_t kStack = 128;  // 4 children a level, 2^32 triangles have 15 levels
 
-template <class Node>
-std::array<float, 4> squared_box_distances(const Node& node, const Vec3f& p) {
+// Squared distances of the children's boxes, and a bit for each that is nearer than the root of `limit`.
+struct BoxDistances {
     std::array<float, 4> squared;
-    for (std::size_t k = 0; k < 4; ++k) {
-        float sum = 0;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const float at = p[std::ptrdiff_t(axis)];
-            const float out = std::max(std::max(node.low[axis][k] - at, at - node.high[axis][k]), 0.0F);
-            sum += out * out;
-        }
-        squared[k] = sum;
+    unsigned nearer;
+};
+
+// From the box low..high, a point where they are equal.
+template <class Node>
+BoxDistances box_distances(const Node& node, const Vec3f& low, const Vec3f& high, float limit) {
+    __m128 sum = _mm_setzero_ps();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto a = std::ptrdiff_t(axis);
+        const __m128 below = _mm_sub_ps(_mm_loadu_ps(node.low[axis].data()), _mm_set1_ps(high[a]));
+        const __m128 above = _mm_sub_ps(_mm_set1_ps(low[a]), _mm_loadu_ps(node.high[axis].data()));
+        const __m128 out = _mm_max_ps(_mm_setzero_ps(), _mm_max_ps(below, above));  // keeps NaN
+        sum = _mm_add_ps(sum, _mm_mul_ps(out, out));
     }
-    return squared;
+    BoxDistances boxes;
+    _mm_storeu_ps(boxes.squared.data(), sum);
+    boxes.nearer = unsigned(_mm_movemask_ps(_mm_cmplt_ps(sum, _mm_set1_ps(limit))));
+    return boxes;
 }
 
 struct Waiting {
-    float key;
-    std::int32_t child;
+    float key;           // squared distance of its box
+    std::int32_t child;  // a node, or ~packet
+    std::int32_t place;  // of its box: node * 4 + which of the four
 };
 
 // A stack that holds a node's children with the nearest on top.
@@ -91,6 +103,15 @@ struct NearFirstStack {
         std::size_t k = size++;
         for (; k > bottom && entries[k - 1].key < entry.key; --k) entries[k] = entries[k - 1];
         entries[k] = entry;
+    }
+
+    template <class Node>
+    void push_nearer(const Node& node, std::int32_t index, const BoxDistances& boxes) {
+        const std::size_t bottom = size;
+        for (unsigned nearer = boxes.nearer; nearer != 0; nearer &= nearer - 1) {
+            const std::size_t k = std::size_t(std::countr_zero(nearer));
+            push(bottom, {boxes.squared[k], node.child[k], index * 4 + std::int32_t(k)});
+        }
     }
 };
 
@@ -108,7 +129,7 @@ std::optional<ClosestPoint> SurfaceBvh::closest(const Vec3f& p, float radius) co
     // A hair more, so that a point at exactly the radius is found.
     best.squared = radius * radius * 1.000002F + kTiny;
     NearFirstStack stack;
-    stack.push(0, {0, 0});
+    stack.push(0, {0, 0, 0});
     while (stack.size > 0) {
         const Waiting top = stack.entries[--stack.size];
         if (top.key >= best.squared) continue;
@@ -117,13 +138,43 @@ std::optional<ClosestPoint> SurfaceBvh::closest(const Vec3f& p, float radius) co
             continue;
         }
         const Node& node = nodes_[std::size_t(top.child)];
-        const std::array<float, 4> squared = squared_box_distances(node, p);
-        const std::size_t bottom = stack.size;
-        for (std::size_t k = 0; k < kChildren; ++k)
-            if (node.child[k] != kNoChild && squared[k] < best.squared) stack.push(bottom, {squared[k], node.child[k]});
+        stack.push_nearer(node, top.child, box_distances(node, p, p, best.squared));
     }
     if (!best.found()) return std::nullopt;
     return closest_on(best.triangle, p);
+}
+
+// Low and high corner of a child's box.
+std::array<float, 6> SurfaceBvh::box_at(std::int32_t place) const {
+    const Node& node = nodes_[std::size_t(place / kChildren)];
+    const std::size_t k = std::size_t(place % kChildren);
+    return {node.low[0][k], node.low[1][k], node.low[2][k], node.high[0][k], node.high[1][k], node.high[2][k]};
+}
+
+void SurfaceBvh::find_nearest(PointGroup& group) const {
+    if (nodes_.empty()) return;
+    Vec3f low = group.point(0);
+    Vec3f high = low;
+    for (std::size_t i = 1; i < PointGroup::kPoints; ++i) {
+        low = low.cwiseMin(group.point(i));
+        high = high.cwiseMax(group.point(i));
+    }
+    float farthest = *std::max_element(group.squared.begin(), group.squared.end());
+    NearFirstStack stack;
+    stack.push(0, {0, 0, 0});
+    while (stack.size > 0) {
+        const Waiting top = stack.entries[--stack.size];
+        if (top.key >= farthest) continue;
+        if (top.child < 0) {
+            const TrianglePacket& packet = packets_[std::size_t(~top.child)];
+            const std::array<float, 6> box = box_at(top.place);
+            farthest = group_kernel_(packet.corner[0].data(), packet.triangle.data(), box.data(), group.x.data(),
+                                     group.triangle.data());
+            continue;
+        }
+        const Node& node = nodes_[std::size_t(top.child)];
+        stack.push_nearer(node, top.child, box_distances(node, low, high, farthest));
+    }
 }
 
 namespace {
@@ -180,7 +231,7 @@ std::optional<SurfaceHit> SurfaceBvh::first_hit(const Vec3f& from, const Vec3f& 
     const Ray ray{from, to - from};
     std::optional<SurfaceHit> hit;
     NearFirstStack stack;
-    stack.push(0, {0, 0});
+    stack.push(0, {0, 0, 0});
     while (stack.size > 0) {
         const Waiting top = stack.entries[--stack.size];
         if (hit && top.key > hit->fraction) continue;
@@ -190,7 +241,7 @@ std::optional<SurfaceHit> SurfaceBvh::first_hit(const Vec3f& from, const Vec3f& 
             for (std::size_t k = 0; k < kChildren; ++k) {
                 if (node.child[k] == kNoChild) continue;
                 const float enter = entry_fraction(node, k, ray);
-                if (enter <= 1) stack.push(bottom, {enter, node.child[k]});
+                if (enter <= 1) stack.push(bottom, {enter, node.child[k], 0});
             }
             continue;
         }

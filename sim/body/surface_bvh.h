@@ -38,6 +38,10 @@ class SurfaceBvh {
     // The surface point nearest to p, if there is one within radius (m, may be infinite).
     std::optional<ClosestPoint> closest(const Vec3f& p, float radius) const;
 
+    // The triangle nearest to each point of the group, if one is nearer than its `squared` says; that is brought down
+    // to it, but for rounding. One search for all: cheap where the points lie close together.
+    void find_nearest(PointGroup& group) const;
+
     // The nearest point of that one triangle; the sign is right only if the surface has no nearer one.
     ClosestPoint closest_on(std::uint32_t triangle, const Vec3f& p) const;
 
@@ -67,11 +71,13 @@ class SurfaceBvh {
     struct Builder;
 
     void make_normals(const Body& body);
+    std::array<float, 6> box_at(std::int32_t place) const;
     Vec3f pseudo_normal(std::uint32_t triangle, int feature) const;
 
     std::vector<Node> nodes_;  // the first is the root
     std::vector<TrianglePacket> packets_;
     PacketKernel kernel_ = packet_kernel();
+    GroupKernel group_kernel_ = group_kernel();
     std::vector<Vec3f> x_;
     std::vector<std::array<std::uint32_t, 3>> triangles_;
     std::vector<Vec3f> face_normals_;

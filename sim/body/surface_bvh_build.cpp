@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim/core/assert.h"
 
@@ -107,6 +108,7 @@ struct SurfaceBvh::Builder {
         bvh.nodes_.emplace_back();
         Node node{};
         node.child.fill(kNoChild);
+        for (auto& low : node.low) low.fill(std::numeric_limits<float>::infinity());  // spare children are far away
         std::size_t k = 0;
         for (const Range& part : children_of(range)) {
             Eigen::AlignedBox3f child_box;

@@ -1,11 +1,16 @@
 #include "sim/body/triangle_packet.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "sim/core/assert.h"
 #include "sim/core/simd_level.h"
 
 namespace selvedge {
+
+// Kernels take a packet for nine rows of floats, and a group for four.
+static_assert(offsetof(TrianglePacket, triangle) == 9 * sizeof(TrianglePacket::Lanes));
+static_assert(offsetof(PointGroup, triangle) == 4 * PointGroup::kPoints * sizeof(float));
 
 TrianglePacket make_packet(std::span<const Vec3f> points, std::span<const std::array<std::uint32_t, 3>> triangles,
                            std::span<const std::uint32_t> chosen) {
@@ -27,6 +32,18 @@ TrianglePacket make_packet(std::span<const Vec3f> points, std::span<const std::a
 
 PacketKernel packet_kernel() {
     return simd_level() == SimdLevel::Plain ? &squared_distances_plain : &squared_distances_avx2;
+}
+
+GroupKernel group_kernel() {
+    switch (simd_level()) {
+        case SimdLevel::Plain:
+            return &nearest_in_packet_plain;
+        case SimdLevel::Avx2:
+            return &nearest_in_packet_avx2;
+        case SimdLevel::Avx512:
+            break;
+    }
+    return &nearest_in_packet_avx512;
 }
 
 }  // namespace selvedge

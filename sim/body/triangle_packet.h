@@ -1,11 +1,13 @@
 #pragma once
 // Eight triangles at once: squared distances from a point, what trees and grids over a surface end in.  (SPEC 3.3)
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
 
+#include "sim/body/group_kernel.h"
 #include "sim/body/packet_kernel.h"
 #include "sim/core/vec.h"
 
@@ -33,12 +35,32 @@ struct NearestTriangle {
     // Of triangles equally far the first that was tested stays.
     void test(PacketKernel kernel, const TrianglePacket& packet, const Vec3f& p) {
         TrianglePacket::Lanes squares;
-        kernel(packet.corner[0].data(), p.data(), squares.data());
-        for (std::size_t i = 0; i < TrianglePacket::kLanes; ++i)
-            if (squares[i] < squared) {
-                squared = squares[i];
-                triangle = packet.triangle[i];
-            }
+        unsigned nearer = kernel(packet.corner[0].data(), p.data(), squared, squares.data());
+        for (; nearer != 0; nearer &= nearer - 1) {
+            const std::size_t i = std::size_t(std::countr_zero(nearer));
+            if (squares[i] >= squared) continue;
+            squared = squares[i];
+            triangle = packet.triangle[i];
+        }
+    }
+};
+
+// Points that lie close together, and what is nearest to each. Spare lanes repeat one.
+struct alignas(64) PointGroup {
+    static constexpr std::size_t kPoints = 16;
+
+    std::array<float, kPoints> x{}, y{}, z{};  // m
+    std::array<float, kPoints> squared{};      // m^2, nothing farther counts
+    std::array<std::uint32_t, kPoints> triangle{};
+
+    Vec3f point(std::size_t lane) const { return {x[lane], y[lane], z[lane]}; }
+    // Forgets what was found and looks no farther than this.
+    void start(std::size_t lane, const Vec3f& p, float radius) {
+        x[lane] = p.x();
+        y[lane] = p.y();
+        z[lane] = p.z();
+        squared[lane] = radius * radius;
+        triangle[lane] = NearestTriangle::kNone;
     }
 };
 

@@ -15,8 +15,8 @@ namespace selvedge::lanes {
 inline namespace avx512 {
 
 inline constexpr std::size_t kCount = 16;
-typedef float Floats __attribute__((vector_size(64)));
-typedef std::int32_t Ints __attribute__((vector_size(64)));  // a comparison gives 0 or -1 in each lane
+using Floats [[gnu::vector_size(64)]] = float;
+using Ints [[gnu::vector_size(64)]] = std::int32_t;  // a comparison gives 0 or -1 in each lane
 
 [[gnu::always_inline]] inline Floats greater(Floats a, Floats b) {
     return _mm512_max_ps(a, b);
@@ -47,8 +47,8 @@ typedef std::int32_t Ints __attribute__((vector_size(64)));  // a comparison giv
 inline namespace avx2 {
 
 inline constexpr std::size_t kCount = 8;
-typedef float Floats __attribute__((vector_size(32)));
-typedef std::int32_t Ints __attribute__((vector_size(32)));
+using Floats [[gnu::vector_size(32)]] = float;
+using Ints [[gnu::vector_size(32)]] = std::int32_t;
 
 [[gnu::always_inline]] inline Floats greater(Floats a, Floats b) {
     return _mm256_max_ps(a, b);
@@ -80,8 +80,8 @@ typedef std::int32_t Ints __attribute__((vector_size(32)));
 inline namespace plain {
 
 inline constexpr std::size_t kCount = 4;
-typedef float Floats __attribute__((vector_size(16)));
-typedef std::int32_t Ints __attribute__((vector_size(16)));
+using Floats [[gnu::vector_size(16)]] = float;
+using Ints [[gnu::vector_size(16)]] = std::int32_t;
 
 [[gnu::always_inline]] inline Floats greater(Floats a, Floats b) {
     return _mm_max_ps(a, b);
@@ -127,6 +127,21 @@ typedef std::int32_t Ints __attribute__((vector_size(16)));
 }
 [[gnu::always_inline]] inline Floats all(float a) {
     return a - Floats{};
+}
+[[gnu::always_inline]] inline Ints load_ints(const std::uint32_t* from) {
+    Ints a;
+    std::memcpy(&a, from, sizeof a);
+    return a;
+}
+[[gnu::always_inline]] inline void store_ints(std::uint32_t* to, Ints a) {
+    std::memcpy(to, &a, sizeof a);
+}
+[[gnu::always_inline]] inline Ints all_ints(std::int32_t a) {
+    return a - Ints{};
+}
+
+[[gnu::always_inline]] inline Floats held_to_unit(Floats a) {
+    return lesser(greater(a, all(0)), all(1));
 }
 
 // a where the comparison holds, elsewhere +0.

@@ -42,7 +42,7 @@ std::string_view name_of(SimdLevel level) {
 }
 
 SimdLevel detected_simd_level() {
-    if (!__builtin_cpu_supports("avx2")) return SimdLevel::Plain;
+    if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) return SimdLevel::Plain;
     const bool has_avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
                             __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
     return has_avx512 ? SimdLevel::Avx512 : SimdLevel::Avx2;

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <random>
+#include <string>
+#include <vector>
 
 #include "sim/core/simd_level.h"
 #include "tests/sim/body/shapes.h"
@@ -83,6 +86,69 @@ TEST(SurfaceBvh, has_the_same_bits_at_every_simd_level) {
         ASSERT_EQ(a.distance, b.distance);
     }
 }
+
+// Neighbours in space, and at last a group that is scattered.
+std::vector<PointGroup> groups_about_figure(float radius) {
+    std::vector<PointGroup> groups;
+    const std::vector<Vec3f> points = points_about_figure();
+    for (std::size_t g = 0; g < 400; ++g) {
+        PointGroup& group = groups.emplace_back();
+        for (std::size_t i = 0; i < PointGroup::kPoints; ++i) {
+            const Vec3f step(float(i % 3), float(i / 3 % 3), float(i / 9));
+            group.start(i, g < 399 ? Vec3f(points[g] + 0.003F * step) : points[400 + i], radius);
+        }
+    }
+    return groups;
+}
+
+class GroupsAtLevel : public testing::TestWithParam<SimdLevel> {
+ protected:
+    void SetUp() override {
+        if (GetParam() > detected_simd_level()) GTEST_SKIP() << "not on this processor";
+    }
+};
+
+TEST_P(GroupsAtLevel, find_what_each_point_would) {
+    const SimdLimit limit(GetParam());
+    const SurfaceBvh surface(figure());
+    constexpr float kRadius = 0.02F;
+    int found = 0;
+    for (PointGroup& group : groups_about_figure(kRadius)) {
+        surface.find_nearest(group);
+        for (std::size_t i = 0; i < PointGroup::kPoints; ++i) {
+            const float exact = std::abs(surface.closest(group.point(i), kFar)->distance);
+            if (group.triangle[i] == NearestTriangle::kNone) {
+                EXPECT_GT(exact, kRadius - 1e-6F);
+                continue;
+            }
+            ++found;
+            EXPECT_NEAR(std::abs(surface.closest_on(group.triangle[i], group.point(i)).distance), exact, 2e-6F);
+            EXPECT_NEAR(std::sqrt(group.squared[i]), exact, 1e-5F);
+        }
+    }
+    EXPECT_GT(found, 2000);
+}
+
+TEST_P(GroupsAtLevel, have_the_bits_of_every_other_level) {
+    const auto distances_at = [](SimdLevel level) {
+        const SimdLimit limit(level);
+        const SurfaceBvh surface(figure());
+        std::vector<float> squares;
+        for (PointGroup& group : groups_about_figure(0.05F)) {
+            surface.find_nearest(group);
+            squares.insert(squares.end(), group.squared.begin(), group.squared.end());
+            for (const std::uint32_t triangle : group.triangle) squares.push_back(float(triangle));
+        }
+        return squares;
+    };
+    EXPECT_EQ(distances_at(GetParam()), distances_at(SimdLevel::Plain));
+}
+
+std::string level_name(const testing::TestParamInfo<SimdLevel>& info) {
+    return std::string(name_of(info.param));
+}
+INSTANTIATE_TEST_SUITE_P(Kernels, GroupsAtLevel, testing::Values(SimdLevel::Plain, SimdLevel::Avx2, SimdLevel::Avx512),
+                         level_name);
 
 }  // namespace
 }  // namespace selvedge
