@@ -6,6 +6,7 @@ if(TARGET OpenMeshCore)
   if(openmesh_headers)
     target_include_directories(refine SYSTEM PRIVATE ${openmesh_headers})  # its warnings are its own
   endif()
+  target_compile_definitions(refine PRIVATE NDEBUG)  # OpenMesh's own asserts
   target_link_libraries(refine PRIVATE selvedge::adaptive selvedge_flags OpenMeshCore)
   target_include_directories(refine PRIVATE ${CMAKE_SOURCE_DIR})
 endif()
