@@ -34,7 +34,8 @@ bool AdaptiveMesh::may_split(EdgeId e) const {
 
 bool AdaptiveMesh::may_rejoin(EdgeId e) const {
     if (!is_split(e) || !has_leaf_children(e)) return false;
-    const auto lets_go = [&](TriangleId side) { return !side || has_leaf_children(side); };
+    // One that is marked has let another edge go in this pass.
+    const auto lets_go = [&](TriangleId side) { return !side || triangles_[side].marked || has_leaf_children(side); };
     return lets_go(edges_[e].sides[0]) && lets_go(edges_[e].sides[1]);
 }
 
@@ -52,28 +53,27 @@ bool AdaptiveMesh::has_leaf_children(TriangleId t) const {
     return std::all_of(owner.internal_triangles.begin(), owner.internal_triangles.end(), is_whole);
 }
 
+// That both sides are regular is looked at when they are retriangulated.
 VertexId AdaptiveMesh::split(EdgeId e) {
-    SELVEDGE_ASSERT(may_split(e));
     AdaptiveEdge& edge = edges_[e];
+    SELVEDGE_ASSERT(!edge.centre && edge.level < options_.max_level);
     const VertexId centre = vertices_.take<1>()[0];
     edge.children = edges_.take<2>();
     edge.centre = centre;
-    grow_lists();
-    AdaptiveEdge child;
-    child.rest_length = 0.5F * edge.rest_length;
-    child.level = static_cast<std::uint8_t>(edge.level + 1);
-    child.ends = {edge.ends[0], centre};
-    edges_[edge.children[0]] = child;
-    child.ends = {centre, edge.ends[1]};
-    edges_[edge.children[1]] = child;
-    vertices_[centre] = {.parent = e, .level = child.level};
+    grow_lists_with_pools();
+    const auto level = static_cast<std::uint8_t>(edge.level + 1);
+    const float half = 0.5F * edge.rest_length;
+    edges_[edge.children[0]].set({edge.ends[0], centre}, {}, half, level);
+    edges_[edge.children[1]].set({centre, edge.ends[1]}, {}, half, level);
+    vertices_[centre] = {.parent = e, .level = level};
     splitting_.push_back(e);
     mark_sides(e);
     return centre;
 }
 
+// That no child of the sides is refined is looked at when they are retriangulated.
 void AdaptiveMesh::rejoin(EdgeId e) {
-    SELVEDGE_ASSERT(may_rejoin(e));
+    SELVEDGE_ASSERT(is_split(e) && has_leaf_children(e));
     edges_[e].rejoining = true;
     rejoining_.push_back(e);
     mark_sides(e);
@@ -125,6 +125,7 @@ void AdaptiveMesh::release_rejoined() {
 void AdaptiveMesh::grow_lists() {
     levels_.grow(edges_.capacity(), triangles_.capacity());
     keeper_.grow(vertices_.capacity(), edges_.capacity(), triangles_.capacity());
+    listed_capacity_ = vertices_.capacity() + edges_.capacity() + triangles_.capacity();
 }
 
 // A base vertex knows with which base triangle its fan starts; a centre lies on an edge, and the triangles beside the

@@ -115,6 +115,9 @@ class AdaptiveMesh {
     void add_base_fans();
     void list_base();
     void grow_lists();
+    void grow_lists_with_pools() {
+        if (vertices_.capacity() + edges_.capacity() + triangles_.capacity() != listed_capacity_) grow_lists();
+    }
 
     bool is_alive(VertexId v) const { return v.value < base_vertices_ || bool(vertices_[v].parent); }
     SplitMask split_mask(const AdaptiveTriangle& t) const;
@@ -144,6 +147,7 @@ class AdaptiveMesh {
     std::vector<EdgeId> rejoining_;
     LevelLists levels_;
     LeafKeeper keeper_;
+    std::size_t listed_capacity_ = 0;  // of all pools, when the lists were last sized to them
 };
 
 constexpr AdaptiveMesh::BytesPerElement AdaptiveMesh::bytes_per_element() {

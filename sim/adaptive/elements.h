@@ -28,6 +28,18 @@ struct AdaptiveEdge {
     std::uint8_t level = 0;
     bool rejoining = false;  // counts as unsplit; its children go when the pass is over
 
+    // An unsplit edge. Field by field: an edge made elsewhere and copied here would wait for its own stores.
+    void set(const std::array<VertexId, 2>& new_ends, const std::array<TriangleId, 2>& new_sides, float length,
+             std::uint8_t new_level) {
+        ends = new_ends;
+        centre = {};
+        children = {};
+        sides = new_sides;
+        rest_length = length;
+        level = new_level;
+        rejoining = false;
+    }
+
     void bury() { ends[0] = {}; }
     bool is_alive() const { return bool(ends[0]); }
     bool operator==(const AdaptiveEdge&) const = default;

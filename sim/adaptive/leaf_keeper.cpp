@@ -24,16 +24,15 @@ Unfolded unfold(const std::array<Vec2f, 3>& u) {
     return {along_x, along_y, along_x * arm_x + along_y * arm_y, along_x * arm_y - along_y * arm_x};
 }
 
-// Puts an entry where there is a gap, or at the end. Returns where.
+// Where the next entry goes: into a gap, or at the end, which is made longer.
 template <class Entry>
-std::uint32_t fill(std::vector<Entry>& list, std::vector<std::uint32_t>& gaps, const Entry& entry) {
+std::uint32_t next_place(std::vector<Entry>& list, std::vector<std::uint32_t>& gaps) {
     if (gaps.empty()) {
-        list.push_back(entry);
+        list.emplace_back();
         return static_cast<std::uint32_t>(list.size() - 1);
     }
     const std::uint32_t at = gaps.back();
     gaps.pop_back();
-    list[at] = entry;
     return at;
 }
 
@@ -156,7 +155,8 @@ void LeafKeeper::put_in_triangles(const AdaptiveMesh& mesh) {
 void LeafKeeper::put_in(VertexId v) {
     Place& place = vertices_.by_id[v.value];
     if (is_listed(place)) return;
-    place = fill(lists_.vertices, gaps_.vertices, v);
+    place = next_place(lists_.vertices, gaps_.vertices);
+    lists_.vertices[place] = v;
     changes_.vertices_come.push_back(v);
 }
 
@@ -165,23 +165,21 @@ void LeafKeeper::put_in(const AdaptiveMesh& mesh, EdgeId e) {
     const AdaptiveEdge& edge = mesh.edge(e);
     if (is_listed(place) || edge.centre) return;
     changes_.edges_come.push_back(e);
-    const LeafEdge leaf{edge.ends[0], edge.ends[1], edge.rest_length, e};
     if (!has_hinge(edge)) {
-        place = fill(boundary_, gaps_.boundary, leaf) | kIsBoundary;
+        const Place at = next_place(boundary_, gaps_.boundary);
+        boundary_[at] = {edge.ends[0], edge.ends[1], edge.rest_length, e};
+        place = at | kIsBoundary;
         return;
     }
-    Hinge hinge;
-    hinge.a = leaf.a;
-    hinge.b = leaf.b;
-    hinge.rest_length = leaf.rest_length;
+    place = next_place(lists_.edges, gaps_.hinges);
+    lists_.edges[place] = {edge.ends[0], edge.ends[1], edge.rest_length, e};
+    if (place == lists_.hinges.size()) lists_.hinges.emplace_back();
+    Hinge& hinge = lists_.hinges[place];
+    hinge.a = edge.ends[0];
+    hinge.b = edge.ends[1];
+    hinge.rest_length = edge.rest_length;
     hinge.edge = e;
-    place = fill(lists_.edges, gaps_.hinges, leaf);
-    if (place == lists_.hinges.size()) {
-        lists_.hinges.push_back(hinge);
-    } else {
-        lists_.hinges[place] = hinge;
-        if (place < old_hinges_) mark_fresh(e, place);
-    }
+    if (place < old_hinges_) mark_fresh(e, place);
 }
 
 void LeafKeeper::put_in(const AdaptiveMesh& mesh, TriangleId id) {
@@ -189,8 +187,13 @@ void LeafKeeper::put_in(const AdaptiveMesh& mesh, TriangleId id) {
     const AdaptiveTriangle& t = mesh.triangle(id);
     if (is_listed(place) || !is_leaf(t)) return;
     changes_.triangles_come.push_back(id);
-    const LeafTriangle leaf{t.vertices, t.u, id, t.panel, t.level};
-    place = fill(lists_.triangles, gaps_.triangles, leaf);
+    place = next_place(lists_.triangles, gaps_.triangles);
+    LeafTriangle& leaf = lists_.triangles[place];
+    leaf.v = t.vertices;
+    leaf.u = t.u;
+    leaf.triangle = id;
+    leaf.panel = t.panel;
+    leaf.level = t.level;
     add_areas(leaf, 1.0);
     write_hinges(t);
 }

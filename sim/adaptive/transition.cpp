@@ -94,6 +94,7 @@ struct AdaptiveMesh::Change::One {
     std::array<EdgeId, 3> edges;
 
     static void make(AdaptiveMesh& mesh, TriangleId id) {
+        SELVEDGE_ASSERT(mesh.triangles_[id].regular);
         One one{mesh, mesh.triangles_[id], {}, {}, {}, {}, {}};
         one.look_round();
         one.release_edges_and_triangles();
@@ -129,6 +130,7 @@ struct AdaptiveMesh::Change::One {
             constexpr std::size_t slot = from.triangle_count - 1U - i;
             if constexpr (is_released(plan.drops_triangle, plan.triangle_over, slot)) {
                 const TriangleId id = owner.internal_triangles[slot];
+                SELVEDGE_ASSERT(is_leaf(mesh.triangles_[id]));
                 mesh.keeper_.note_lost(id);
                 mesh.triangles_.release(id);
             }
@@ -147,7 +149,7 @@ struct AdaptiveMesh::Change::One {
     void take_ids() {
         const std::array<TriangleId, new_triangles> free_triangles = mesh.triangles_.template take<new_triangles>();
         const std::array<EdgeId, new_edges> free_edges = mesh.edges_.template take<new_edges>();
-        if constexpr (new_triangles + new_edges > 0) mesh.grow_lists();
+        if constexpr (new_triangles + new_edges > 0) mesh.grow_lists_with_pools();
         for_each_slot<to.triangle_count>([&](auto i) {
             if constexpr (plan.triangle_from[i] != kNoSlot) {
                 triangles[i] = owner.internal_triangles[plan.triangle_from[i]];
@@ -206,12 +208,9 @@ struct AdaptiveMesh::Change::One {
             constexpr std::size_t left = slot_beside(to, i, 0), right = slot_beside(to, i, 1);
             AdaptiveEdge& edge = mesh.edges_[edges[i]];
             if constexpr (plan.edge_from[i] == kNoSlot) {
-                AdaptiveEdge made;
-                made.ends = {point<drawn.points[0]>(), point<drawn.points[1]>()};
-                made.sides = {triangles[left], triangles[right]};
-                made.rest_length = (material<drawn.points[1]>() - material<drawn.points[0]>()).norm();
-                made.level = static_cast<std::uint8_t>(owner.level + 1);
-                edge = made;
+                const float length = (material<drawn.points[1]>() - material<drawn.points[0]>()).norm();
+                edge.set({point<drawn.points[0]>(), point<drawn.points[1]>()}, {triangles[left], triangles[right]},
+                         length, inner_level());
             } else {
                 if constexpr (plan.triangle_from[left] == kNoSlot) edge.sides[0] = triangles[left];
                 if constexpr (plan.triangle_from[right] == kNoSlot) edge.sides[1] = triangles[right];
@@ -234,20 +233,25 @@ struct AdaptiveMesh::Change::One {
     template <std::size_t kSlot>
     void write(AdaptiveTriangle& triangle) {
         constexpr InternalTriangle drawn = to.triangles[kSlot];
-        AdaptiveTriangle made;
-        made.panel = owner.panel;
-        made.level = static_cast<std::uint8_t>(owner.level + 1);
-        made.regular = makes_regular;
         for_each_slot<3>([&](auto k) {
-            made.vertices[k] = point<drawn.points[k]>();
-            made.u[k] = material<drawn.points[k]>();
-            made.edges[k] = edge<drawn.edges[k]>();
+            triangle.vertices[k] = point<drawn.points[k]>();
+            triangle.u[k] = material<drawn.points[k]>();
+            const EdgeId e = edge<drawn.edges[k]>();
+            triangle.edges[k] = e;
             if constexpr (drawn.edges[k] >= 3 && drawn.edges[k] < kFirstInternalEdge) {
-                mesh.edges_[made.edges[k]].sides[side_of[(drawn.edges[k] - 3U) / 2U]] = triangles[kSlot];
+                mesh.edges_[e].sides[side_of[(drawn.edges[k] - 3U) / 2U]] = triangles[kSlot];
             }
         });
-        triangle = made;
+        triangle.internal_triangles = {};
+        triangle.internal_edges = {};
+        triangle.panel = owner.panel;
+        triangle.level = inner_level();
+        triangle.configuration = Configuration::C0;
+        triangle.regular = makes_regular;
+        triangle.marked = false;
     }
+
+    std::uint8_t inner_level() const { return static_cast<std::uint8_t>(owner.level + 1); }
 
     void finish(TriangleId id) {
         for_each_slot<4>([&](auto i) {

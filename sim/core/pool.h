@@ -66,7 +66,7 @@ class Pool {
     void grow() {
         const std::size_t first = capacity();
         blocks_.emplace_back(kBlockSize);
-        free_.resize(capacity());
+        free_.resize(first + kBlockSize);
         for (std::size_t i = capacity(); i > first; --i) {
             free_[free_count_++] = ElementId(static_cast<std::uint32_t>(i - 1));
         }
