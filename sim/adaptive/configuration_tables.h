@@ -94,18 +94,35 @@ inline constexpr std::array<Layout, kConfigurations> kLayouts = {
     draw(kTwoSplit, 0), draw(kTwoSplitOther, 0), draw(kTwoSplit, 1),  draw(kTwoSplitOther, 1),
     draw(kTwoSplit, 2), draw(kTwoSplitOther, 2), draw(kThreeSplit, 0)};
 
-// Pairs what is dropped with what is created, in the order of the slots.
-template <std::size_t kSlots>
-constexpr std::array<std::uint8_t, kSlots> take_over(const std::array<bool, kSlots>& drops,
-                                                     const std::array<std::uint8_t, kSlots>& from, std::size_t count) {
+// How many corners and edges a triangle need not be told when it takes the place of another.
+constexpr int likeness(const InternalTriangle& a, const InternalTriangle& b) {
+    int same = 0;
+    for (std::size_t k = 0; k < 3; ++k) same += int{a.points[k] == b.points[k]} + int{a.edges[k] == b.edges[k]};
+    return same;
+}
+
+constexpr int likeness(const InternalEdge& a, const InternalEdge& b) {
+    return int{a.points[0] == b.points[0]} + int{a.points[1] == b.points[1]};
+}
+
+// Pairs what is created with what is dropped, slot by slot with the most alike that is left.
+template <class Element, std::size_t kSlots>
+constexpr std::array<std::uint8_t, kSlots> take_over(const std::array<Element, kSlots>& old,
+                                                     std::array<bool, kSlots> left,
+                                                     const std::array<Element, kSlots>& made,
+                                                     const std::array<std::uint8_t, kSlots>& made_from,
+                                                     std::size_t count) {
     std::array<std::uint8_t, kSlots> over{};
     over.fill(kNoSlot);
-    std::size_t dropped = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        if (from[i] != kNoSlot) continue;
-        while (dropped < kSlots && !drops[dropped]) ++dropped;
-        if (dropped == kSlots) break;
-        over[i] = static_cast<std::uint8_t>(dropped++);
+        if (made_from[i] != kNoSlot) continue;
+        int most = -1;
+        for (std::uint8_t j = 0; j < kSlots; ++j) {
+            if (!left[j] || likeness(old[j], made[i]) <= most) continue;
+            most = likeness(old[j], made[i]);
+            over[i] = j;
+        }
+        if (over[i] != kNoSlot) left[over[i]] = false;
     }
     return over;
 }
@@ -128,8 +145,9 @@ constexpr Transition compare(const Layout& from, const Layout& to) {
         plan.drops_edge[i] = slot_of(to, from.edges[i]) == kNoSlot;
         plan.work += plan.drops_edge[i];
     }
-    plan.triangle_over = take_over(plan.drops_triangle, plan.triangle_from, to.triangle_count);
-    plan.edge_over = take_over(plan.drops_edge, plan.edge_from, to.edge_count);
+    plan.triangle_over =
+        take_over(from.triangles, plan.drops_triangle, to.triangles, plan.triangle_from, to.triangle_count);
+    plan.edge_over = take_over(from.edges, plan.drops_edge, to.edges, plan.edge_from, to.edge_count);
     return plan;
 }
 

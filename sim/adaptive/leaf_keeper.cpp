@@ -207,17 +207,11 @@ void LeafKeeper::write_hinges(const AdaptiveTriangle& t) {
         if ((place & kIsBoundary) != 0 || !is_listed(place)) continue;
         Hinge& hinge = lists_.hinges[place & kPosition];
         const auto lane = static_cast<Eigen::Index>(k);
-        const Vec2f at(unfolded.at_x[lane], unfolded.at_y[lane]);
-        const Vec2f along(unfolded.along_x[lane], unfolded.along_y[lane]);
-        if (hinge.a == t.vertices[k]) {
-            hinge.left = t.vertices[(k + 2) % 3];
-            hinge.left_at = at;
-            hinge.along[0] = along;
-        } else {
-            hinge.right = t.vertices[(k + 2) % 3];
-            hinge.right_at = -at;
-            hinge.along[1] = -along;
-        }
+        const bool is_left = hinge.a == t.vertices[k];
+        const float sign = is_left ? 1.0F : -1.0F;
+        (is_left ? hinge.left : hinge.right) = t.vertices[(k + 2) % 3];
+        (is_left ? hinge.left_at : hinge.right_at) = sign * Vec2f(unfolded.at_x[lane], unfolded.at_y[lane]);
+        hinge.along[is_left ? 0 : 1] = sign * Vec2f(unfolded.along_x[lane], unfolded.along_y[lane]);
         if ((place & kPosition) >= old_hinges_ || (place & kIsFresh) != 0) continue;
         changes_.hinges_changed.push_back(t.edges[k]);
         mark_fresh(t.edges[k], place);

@@ -66,6 +66,10 @@ struct LeafChanges {
     void clear();
 };
 
-float material_area(const std::array<Vec2f, 3>& u);  // m^2
+// m^2
+inline float material_area(const std::array<Vec2f, 3>& u) {
+    const Vec2f a = u[1] - u[0], b = u[2] - u[0];
+    return 0.5F * (a.x() * b.y() - a.y() * b.x());
+}
 
 }  // namespace selvedge

@@ -209,8 +209,14 @@ struct AdaptiveMesh::Change::One {
             AdaptiveEdge& edge = mesh.edges_[edges[i]];
             if constexpr (plan.edge_from[i] == kNoSlot) {
                 const float length = (material<drawn.points[1]>() - material<drawn.points[0]>()).norm();
-                edge.set({point<drawn.points[0]>(), point<drawn.points[1]>()}, {triangles[left], triangles[right]},
-                         length, inner_level());
+                const std::array<VertexId, 2> ends{point<drawn.points[0]>(), point<drawn.points[1]>()};
+                if constexpr (plan.edge_over[i] == kNoSlot) {
+                    edge.set(ends, {triangles[left], triangles[right]}, length, inner_level());
+                } else {
+                    edge.ends = ends;
+                    edge.sides = {triangles[left], triangles[right]};
+                    edge.rest_length = length;
+                }
             } else {
                 if constexpr (plan.triangle_from[left] == kNoSlot) edge.sides[0] = triangles[left];
                 if constexpr (plan.triangle_from[right] == kNoSlot) edge.sides[1] = triangles[right];
@@ -229,25 +235,40 @@ struct AdaptiveMesh::Change::One {
         });
     }
 
+    // What the triangle whose place it takes has at the same corner need not be written again.
+    static constexpr bool has_point(std::size_t slot, std::size_t k) {
+        const std::uint8_t old = plan.triangle_over[slot];
+        return old != kNoSlot && from.triangles[old].points[k] == to.triangles[slot].points[k];
+    }
+    static constexpr bool has_edge(std::size_t slot, std::size_t k) {
+        const std::uint8_t old = plan.triangle_over[slot];
+        const LocalEdge edge = to.triangles[slot].edges[k];
+        return old != kNoSlot && edge < kFirstInternalEdge && from.triangles[old].edges[k] == edge;
+    }
+
     // An external edge that is left whole lies one level above and keeps the owner as its side.
     template <std::size_t kSlot>
     void write(AdaptiveTriangle& triangle) {
         constexpr InternalTriangle drawn = to.triangles[kSlot];
         for_each_slot<3>([&](auto k) {
-            triangle.vertices[k] = point<drawn.points[k]>();
-            triangle.u[k] = material<drawn.points[k]>();
+            if constexpr (!has_point(kSlot, k)) {
+                triangle.vertices[k] = point<drawn.points[k]>();
+                triangle.u[k] = material<drawn.points[k]>();
+            }
+            if constexpr (has_edge(kSlot, k)) return;
             const EdgeId e = edge<drawn.edges[k]>();
             triangle.edges[k] = e;
             if constexpr (drawn.edges[k] >= 3 && drawn.edges[k] < kFirstInternalEdge) {
                 mesh.edges_[e].sides[side_of[(drawn.edges[k] - 3U) / 2U]] = triangles[kSlot];
             }
         });
+        triangle.regular = makes_regular;
+        if constexpr (plan.triangle_over[kSlot] != kNoSlot) return;
         triangle.internal_triangles = {};
         triangle.internal_edges = {};
         triangle.panel = owner.panel;
         triangle.level = inner_level();
         triangle.configuration = Configuration::C0;
-        triangle.regular = makes_regular;
         triangle.marked = false;
     }
 

@@ -64,9 +64,10 @@ class Pool {
 
  private:
     void grow() {
-        const std::size_t first = capacity();
+        const std::size_t first = capacity_;
         blocks_.emplace_back(kBlockSize);
-        free_.resize(first + kBlockSize);
+        capacity_ = blocks_.size() * kBlockSize;
+        free_.resize(capacity_);
         for (std::size_t i = capacity(); i > first; --i) {
             free_[free_count_++] = ElementId(static_cast<std::uint32_t>(i - 1));
         }
@@ -75,6 +76,7 @@ class Pool {
     std::vector<std::vector<T>> blocks_;  // the inner vectors never grow
     std::vector<ElementId> free_;         // as many as there may be; the first free_count_ are
     std::size_t free_count_ = 0;
+    std::size_t capacity_ = 0;
 };
 
 }  // namespace selvedge
