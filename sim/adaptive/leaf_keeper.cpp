@@ -1,5 +1,6 @@
 #include "sim/adaptive/leaf_keeper.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "sim/adaptive/adaptive_mesh.h"
@@ -54,13 +55,22 @@ bool has_hinge(const AdaptiveEdge& edge) {
 
 }  // namespace
 
+// All that is needed for as many elements is reserved here, so that refresh() allocates nothing but for the lists
+// themselves while they grow.
 void LeafKeeper::grow(std::size_t vertices, std::size_t edges, std::size_t triangles) {
     const auto enlarge = [](auto& places, std::size_t size) {
         if (places.by_id.size() < size) places.by_id.resize(size, kUnlisted);
     };
+    const auto reserve = [](std::size_t size, auto&... lists) {
+        (lists.reserve(lists.capacity() < size ? std::max(size, 2 * lists.capacity()) : 0), ...);
+    };
     enlarge(vertices_, vertices);
     enlarge(edges_, edges);
     enlarge(triangles_, triangles);
+    reserve(vertices, vertices_.noted, changes_.vertices_gone, changes_.vertices_come, gaps_.vertices);
+    reserve(edges, edges_.noted, changes_.edges_gone, changes_.edges_come, changes_.hinges_changed, fresh_,
+            gaps_.hinges, gaps_.boundary);
+    reserve(triangles, triangles_.noted, changes_.triangles_gone, changes_.triangles_come, gaps_.triangles);
 }
 
 void LeafKeeper::refresh(const AdaptiveMesh& mesh) {
