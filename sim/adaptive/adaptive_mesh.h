@@ -77,7 +77,8 @@ class AdaptiveMesh {
     // What the last refresh_lists(), and so the last adaption, did to them.
     const LeafChanges& changes() const { return keeper_.changes(); }
 
-    // The elements of one level, 0..max_level, as the last retriangulate() left them.
+    // The elements of one level, 0..max_level, as the last retriangulate() left them. At the deepest level, where no
+    // edge may split, none are listed.
     std::span<const EdgeId> unsplit_edges(int level) const { return levels_.unsplit(level); }
     std::span<const EdgeId> split_edges(int level) const { return levels_.split(level); }
     std::span<const TriangleId> refined_triangles(int level) const { return levels_.refined(level); }
@@ -108,7 +109,6 @@ class AdaptiveMesh {
     void change_configuration(TriangleId id, Configuration to);
 
  private:
-    friend class LeafKeeper;
     struct Change;  // the transitions, one function each
 
     void add_base_edges(const GarmentMesh& base);
@@ -119,7 +119,6 @@ class AdaptiveMesh {
         if (vertices_.capacity() + edges_.capacity() + triangles_.capacity() != listed_capacity_) grow_lists();
     }
 
-    bool is_alive(VertexId v) const { return v.value < base_vertices_ || bool(vertices_[v].parent); }
     SplitMask split_mask(const AdaptiveTriangle& t) const;
     bool has_leaf_children(TriangleId t) const;
     void mark_sides(EdgeId e);

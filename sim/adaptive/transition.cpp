@@ -131,7 +131,7 @@ struct AdaptiveMesh::Change::One {
             if constexpr (is_released(plan.drops_triangle, plan.triangle_over, slot)) {
                 const TriangleId id = owner.internal_triangles[slot];
                 SELVEDGE_ASSERT(is_leaf(mesh.triangles_[id]));
-                mesh.keeper_.note_lost(id);
+                mesh.keeper_.note_released(id);
                 mesh.triangles_.release(id);
             }
         });
@@ -139,7 +139,7 @@ struct AdaptiveMesh::Change::One {
             constexpr std::size_t slot = from.edge_count - 1U - i;
             if constexpr (is_released(plan.drops_edge, plan.edge_over, slot)) {
                 const EdgeId id = owner.internal_edges[slot];
-                mesh.keeper_.note_lost(id);
+                mesh.keeper_.note_released(id);
                 mesh.levels_.remove_unsplit(owner.level + 1, id);
                 mesh.edges_.release(id);
             }
@@ -155,7 +155,7 @@ struct AdaptiveMesh::Change::One {
                 triangles[i] = owner.internal_triangles[plan.triangle_from[i]];
             } else if constexpr (plan.triangle_over[i] != kNoSlot) {
                 triangles[i] = owner.internal_triangles[plan.triangle_over[i]];
-                mesh.keeper_.note_lost(triangles[i]);
+                mesh.keeper_.note_rewritten(triangles[i]);
             } else {
                 triangles[i] = free_triangles[count_new(plan.triangle_from, plan.triangle_over, i)];
             }
@@ -165,7 +165,7 @@ struct AdaptiveMesh::Change::One {
                 edges[i] = owner.internal_edges[plan.edge_from[i]];
             } else if constexpr (plan.edge_over[i] != kNoSlot) {
                 edges[i] = owner.internal_edges[plan.edge_over[i]];
-                mesh.keeper_.note_lost(edges[i]);
+                mesh.keeper_.note_rewritten(edges[i]);
             } else {
                 edges[i] = free_edges[count_new(plan.edge_from, plan.edge_over, i)];
                 mesh.levels_.add_unsplit(owner.level + 1, edges[i]);
