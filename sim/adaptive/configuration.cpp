@@ -1,149 +1,11 @@
 #include "sim/adaptive/configuration.h"
 
-#include <initializer_list>
+#include "sim/adaptive/configuration_tables.h"
+#include "sim/core/assert.h"
 
 namespace selvedge {
-namespace {
 
-using Points = std::array<LocalPoint, 3>;
-
-constexpr LocalPoint V0 = 0, V1 = 1, V2 = 2, M0 = 3, M1 = 4, M2 = 5;
-
-// The five drawings; every other configuration is one of them turned by one or two corners.
-constexpr std::initializer_list<Points> kOneSplit = {{V0, M0, V2}, {M0, V1, V2}};
-constexpr std::initializer_list<Points> kTwoSplit = {{M0, V1, M1}, {V0, M0, V2}, {M0, M1, V2}};
-constexpr std::initializer_list<Points> kTwoSplitOther = {{M0, V1, M1}, {V0, M0, M1}, {V0, M1, V2}};
-constexpr std::initializer_list<Points> kThreeSplit = {{V0, M0, M2}, {V1, M1, M0}, {V2, M2, M1}, {M0, M1, M2}};
-
-constexpr LocalPoint turned(LocalPoint p, unsigned turns) {
-    const unsigned base = p < 3 ? 0 : 3;
-    return static_cast<LocalPoint>(base + (p - base + turns) % 3);
-}
-
-// Turned by `turns` corners, then written with its least point first.
-constexpr Points turned(const Points& points, unsigned turns) {
-    const Points t{turned(points[0], turns), turned(points[1], turns), turned(points[2], turns)};
-    std::size_t least = 0;
-    if (t[1] < t[least]) least = 1;
-    if (t[2] < t[least]) least = 2;
-    return {t[least], t[(least + 1) % 3], t[(least + 2) % 3]};
-}
-
-constexpr InternalEdge between(LocalPoint a, LocalPoint b) {
-    return a < b ? InternalEdge{{a, b}} : InternalEdge{{b, a}};
-}
-
-// The local edge between two points that lie on an external edge; kNoSlot for any other two.
-constexpr LocalEdge external_edge(const InternalEdge& edge) {
-    for (std::uint8_t k = 0; k < 3; ++k) {
-        const auto start = static_cast<LocalPoint>(k), end = turned(start, 1), middle = static_cast<LocalPoint>(3 + k);
-        if (edge == between(start, end)) return k;
-        if (edge == between(start, middle)) return static_cast<LocalEdge>(3 + 2 * k);
-        if (edge == between(middle, end)) return static_cast<LocalEdge>(4 + 2 * k);
-    }
-    return kNoSlot;
-}
-
-constexpr std::uint8_t slot_of(const Layout& layout, const InternalEdge& edge) {
-    for (std::uint8_t i = 0; i < layout.edge_count; ++i) {
-        if (layout.edges[i] == edge) return i;
-    }
-    return kNoSlot;
-}
-
-constexpr std::uint8_t slot_of(const Layout& layout, const Points& points) {
-    for (std::uint8_t i = 0; i < layout.triangle_count; ++i) {
-        if (layout.triangles[i].points == points) return i;
-    }
-    return kNoSlot;
-}
-
-// The local number of an edge of an internal triangle; a new internal edge is added to the layout.
-constexpr LocalEdge find_or_add(Layout& layout, const InternalEdge& edge) {
-    const LocalEdge external = external_edge(edge);
-    if (external != kNoSlot) return external;
-    std::uint8_t slot = slot_of(layout, edge);
-    if (slot == kNoSlot) {
-        slot = layout.edge_count++;
-        layout.edges[slot] = edge;
-    }
-    return static_cast<LocalEdge>(kFirstInternalEdge + slot);
-}
-
-constexpr Layout draw(std::initializer_list<Points> drawing, unsigned turns) {
-    Layout layout;
-    for (const Points& drawn : drawing) {
-        const std::uint8_t slot = layout.triangle_count++;
-        InternalTriangle& triangle = layout.triangles[slot];
-        triangle.points = turned(drawn, turns);
-        for (std::size_t k = 0; k < 3; ++k) {
-            const LocalPoint a = triangle.points[k], b = triangle.points[(k + 1) % 3];
-            triangle.edges[k] = find_or_add(layout, between(a, b));
-            if (triangle.edges[k] < 3) layout.slot_at_unsplit[triangle.edges[k]] = slot;
-            if (a >= 3) layout.split = static_cast<SplitMask>(layout.split | 1U << (a - 3));
-        }
-    }
-    return layout;
-}
-
-constexpr std::array<Layout, kConfigurations> kLayouts = {
-    Layout{},           draw(kOneSplit, 0),      draw(kOneSplit, 1),  draw(kOneSplit, 2),
-    draw(kTwoSplit, 0), draw(kTwoSplitOther, 0), draw(kTwoSplit, 1),  draw(kTwoSplitOther, 1),
-    draw(kTwoSplit, 2), draw(kTwoSplitOther, 2), draw(kThreeSplit, 0)};
-
-constexpr Transition compare(const Layout& from, const Layout& to) {
-    Transition plan;
-    for (std::uint8_t i = 0; i < to.triangle_count; ++i) {
-        plan.triangle_from[i] = slot_of(from, to.triangles[i].points);
-        plan.work += plan.triangle_from[i] == kNoSlot;
-    }
-    for (std::uint8_t i = 0; i < to.edge_count; ++i) {
-        plan.edge_from[i] = slot_of(from, to.edges[i]);
-        plan.work += plan.edge_from[i] == kNoSlot;
-    }
-    for (std::uint8_t i = 0; i < from.triangle_count; ++i) {
-        plan.drops_triangle[i] = slot_of(to, from.triangles[i].points) == kNoSlot;
-        plan.work += plan.drops_triangle[i];
-    }
-    for (std::uint8_t i = 0; i < from.edge_count; ++i) {
-        plan.drops_edge[i] = slot_of(to, from.edges[i]) == kNoSlot;
-        plan.work += plan.drops_edge[i];
-    }
-    return plan;
-}
-
-using TransitionTable = std::array<std::array<Transition, kConfigurations>, kConfigurations>;
-
-constexpr TransitionTable compare_all() {
-    TransitionTable table{};
-    for (std::size_t from = 0; from < kConfigurations; ++from) {
-        for (std::size_t to = 0; to < kConfigurations; ++to) table[from][to] = compare(kLayouts[from], kLayouts[to]);
-    }
-    return table;
-}
-
-constexpr TransitionTable kTransitions = compare_all();
-
-constexpr std::array<std::array<Configuration, 8>, kConfigurations> choose_least_work() {
-    std::array<std::array<Configuration, 8>, kConfigurations> chosen{};
-    for (std::size_t from = 0; from < kConfigurations; ++from) {
-        std::array<int, 8> least{};
-        least.fill(1000);
-        for (std::size_t to = 0; to < kConfigurations; ++to) {
-            const std::size_t split = kLayouts[to].split;
-            if (kTransitions[from][to].work >= least[split]) continue;
-            least[split] = kTransitions[from][to].work;
-            chosen[from][split] = static_cast<Configuration>(to);
-        }
-    }
-    return chosen;
-}
-
-constexpr std::array<std::array<Configuration, 8>, kConfigurations> kLeastWork = choose_least_work();
-
-constexpr std::array<std::uint8_t, 8> kStateOfSplit = {0, 1, 2, 4, 3, 6, 5, 7};
-
-}  // namespace
+using namespace configuration_tables;
 
 const Layout& layout(Configuration c) {
     return kLayouts[index_of(c)];
@@ -159,6 +21,24 @@ std::size_t state_of(SplitMask split) {
 
 std::size_t state_of(Configuration c) {
     return state_of(layout(c).split);
+}
+
+bool has_two_ways(SplitMask split) {
+    const std::size_t state = state_of(split);
+    return 4 <= state && state <= 6;
+}
+
+EitherWay either_way(SplitMask split) {
+    SELVEDGE_ASSERT(has_two_ways(split));
+    const std::size_t first = 2 * state_of(split) - 4;  // S4: C4 and C5
+    EitherWay ways{{static_cast<Configuration>(first), static_cast<Configuration>(first + 1)}, {}};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Layout& own = kLayouts[first + i];
+        for (std::size_t k = 0; k < own.edge_count; ++k) {
+            if (slot_of(kLayouts[first + 1 - i], own.edges[k]) == kNoSlot) ways.diagonals[i] = own.edges[k];
+        }
+    }
+    return ways;
 }
 
 Configuration least_work(Configuration from, SplitMask split) {

@@ -56,12 +56,16 @@ struct Layout {
     std::uint8_t edge_count = 0;
     SplitMask split = 0;
     std::array<std::uint8_t, 3> slot_at_unsplit{kNoSlot, kNoSlot, kNoSlot};  // the triangle that borders Ek whole
+    std::array<std::uint8_t, 3> slot_at_corner{kNoSlot, kNoSlot, kNoSlot};   // the first one anticlockwise round Vk
 };
 
-// How to pass from one configuration to another directly: what both share keeps its ids.
+// How to pass from one configuration to another directly: what both share keeps its ids; of the rest, a new element
+// takes over the id of an old one as long as there are any.
 struct Transition {
     std::array<std::uint8_t, 4> triangle_from{kNoSlot, kNoSlot, kNoSlot, kNoSlot};  // per new slot: the old, or create
     std::array<std::uint8_t, 3> edge_from{kNoSlot, kNoSlot, kNoSlot};
+    std::array<std::uint8_t, 4> triangle_over{kNoSlot, kNoSlot, kNoSlot, kNoSlot};  // per new slot: whose id it takes
+    std::array<std::uint8_t, 3> edge_over{kNoSlot, kNoSlot, kNoSlot};
     std::array<bool, 4> drops_triangle{};  // per old slot
     std::array<bool, 3> drops_edge{};
     int work = 0;  // triangles and edges that are destroyed or created
@@ -73,6 +77,15 @@ const Transition& transition(Configuration from, Configuration to);
 // S0..S7 as 0..7: S1 S2 S3 have E0, E1, E2 split, S4 S5 S6 have E0E1, E1E2, E2E0.
 std::size_t state_of(SplitMask split);
 std::size_t state_of(Configuration c);
+
+// The two configurations of a state with two split edges, each with the internal edge that the other has not.
+struct EitherWay {
+    std::array<Configuration, 2> configurations;
+    std::array<InternalEdge, 2> diagonals;  // from a vertex to the midpoint of the edge opposite
+};
+
+bool has_two_ways(SplitMask split);
+EitherWay either_way(SplitMask split);  // pre: has_two_ways(split)
 
 // The configuration that conforms to `split` with the least work from `from`; where two are equal, the first.
 Configuration least_work(Configuration from, SplitMask split);
