@@ -73,9 +73,9 @@ class Visibility {
 
 struct BackFaceCriterion {
     static constexpr bool is_veto = true;
-    const Visibility& visibility;
+    const Visibility* visibility;
 
-    bool vetoes(const AdaptiveMesh& mesh, EdgeId e) const { return visibility.is_hidden(mesh, e); }
+    bool vetoes(const AdaptiveMesh& mesh, EdgeId e) const { return visibility->is_hidden(mesh, e); }
 };
 
 }  // namespace selvedge

@@ -55,19 +55,19 @@ class TriangleBudget {
 // Keeps splits below the band and, where even the greatest thresholds leave too many triangles, rejoins.
 struct BudgetVeto {
     static constexpr bool is_veto = true;
-    const TriangleBudget& budget;
+    const TriangleBudget* budget;
 
     bool vetoes(const AdaptiveMesh& mesh, EdgeId e) const {
-        return mesh.is_split(e) ? budget.must_rejoin() : !budget.may_split();
+        return mesh.is_split(e) ? budget->must_rejoin() : !budget->may_split();
     }
 };
 
 // Keeps rejoins above the band. It asks for no split: what to split is for the others to say.
 struct BudgetCriterion {
-    const TriangleBudget& budget;
+    const TriangleBudget* budget;
 
     bool wants_split(const AdaptiveMesh&, EdgeId) const { return false; }
-    bool allows_rejoin(const AdaptiveMesh&, EdgeId) const { return budget.may_rejoin(); }
+    bool allows_rejoin(const AdaptiveMesh&, EdgeId) const { return budget->may_rejoin(); }
 };
 
 // Thresholds times a scale.

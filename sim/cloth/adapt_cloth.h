@@ -1,6 +1,13 @@
 #pragma once
 // Adapting a cloth: which criteria ask, and what a split or rejoin does to the state of its vertices.  (SPEC 1.3, 1.4)
+#include <span>
+
 #include "sim/adaptive/adapt.h"
+#include "sim/adaptive/back_face.h"
+#include "sim/adaptive/buckling.h"
+#include "sim/adaptive/criteria.h"
+#include "sim/adaptive/minimum_level.h"
+#include "sim/adaptive/triangle_budget.h"
 #include "sim/cloth/cloth.h"
 
 namespace selvedge {
@@ -45,12 +52,21 @@ struct CriteriaOptions {
     bool collision = true;
     bool curvature = true;
     bool length = true;
+    bool buckling = false;
 };
 
 struct AdaptClothOptions {
     CriteriaOptions criteria{};
-    float shortest_edge = 0.02F;  // m, an edge shorter than this is not split
+    CurvatureOptions curvature{};
+    LengthOptions length{};
+    BucklingOptions buckling{};
+    std::span<const MinimumLevelDisc> minimum_levels{};
+    Visibility* visibility = nullptr;  // what it does not see is coarsened, when given
+    TriangleBudget* budget = nullptr;  // kept to, when given: it scales the thresholds of all but collision
+    float shortest_edge = 0.02F;       // m, an edge shorter than this is not split
+    int max_level = kDeepestLevel;     // below the mesh's own
     bool may_rejoin = true;
+    TransitionCounts* transitions = nullptr;  // counted up when given
 };
 
 // One adaption. Post: masses sum to what they were, solver lists and contact points are fresh.

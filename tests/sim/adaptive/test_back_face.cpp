@@ -76,7 +76,7 @@ class BackFace : public testing::TestWithParam<ViewPoint> {
         visibility_.look(mesh_, state_.x, state_.normals);
         state_.visibility = &visibility_;
         const CurvatureCriterion curvature(state_.normals, bent_);
-        const AdaptReport report = adapt(mesh_, state_, {}, curvature, BackFaceCriterion{visibility_});
+        const AdaptReport report = adapt(mesh_, state_, {}, curvature, BackFaceCriterion{&visibility_});
         EXPECT_TRUE(check(mesh_).empty()) << check(mesh_).front();
         return report;
     }

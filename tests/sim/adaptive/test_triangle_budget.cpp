@@ -44,7 +44,7 @@ struct WavySheet {
         }
         budget.start(mesh);
         const CurvatureCriterion curvature(normals, scaled(CurvatureOptions{}, budget.scale()));
-        adapt(mesh, *this, {}, curvature, BudgetCriterion{budget}, BudgetVeto{budget});
+        adapt(mesh, *this, {}, curvature, BudgetCriterion{&budget}, BudgetVeto{&budget});
     }
 
     double miss() const {
@@ -98,7 +98,7 @@ TEST(TriangleBudget, a_target_below_what_any_threshold_leaves_is_met_all_the_sam
     sheet.budget.set_target(1000);
     for (int i = 0; i < kAdaptionsPerSecond; ++i) {
         sheet.budget.start(sheet.mesh);
-        adapt(sheet.mesh, sheet, {}, Demanding{}, BudgetCriterion{sheet.budget}, BudgetVeto{sheet.budget});
+        adapt(sheet.mesh, sheet, {}, Demanding{}, BudgetCriterion{&sheet.budget}, BudgetVeto{&sheet.budget});
     }
     EXPECT_LT(sheet.miss(), 0.05);
 }
@@ -109,7 +109,7 @@ TEST(TriangleBudget, a_flat_sheet_stays_coarse_however_great_the_target) {
         sheet.budget.start(sheet.mesh);
         adapt(sheet.mesh, sheet, {},
               CurvatureCriterion(sheet.normals, scaled(CurvatureOptions{}, sheet.budget.scale())),
-              BudgetVeto{sheet.budget});
+              BudgetVeto{&sheet.budget});
     }
     EXPECT_EQ(sheet.mesh.leaf_triangles().size(), sheet.mesh.base_triangle_count());
 }
