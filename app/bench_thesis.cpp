@@ -8,6 +8,7 @@
 
 #include "app/bench.h"
 #include "app/output_files.h"
+#include "app/picture.h"
 #include "bench/thesis/thesis.h"
 #include "render/image/png.h"
 #include "sim/core/error.h"
@@ -23,6 +24,8 @@ struct ThesisArguments {
     std::string json;
     ThesisOptions options;
 };
+
+constexpr std::size_t kMostRows = 24;  // of a series, printed
 
 using Names = std::vector<std::string>;
 
@@ -59,10 +62,13 @@ class Run {
     explicit Run(const ThesisArguments& arguments)
         : arguments_(arguments), wants_all_(arguments.tables.empty() && arguments.figures.empty()) {}
 
+    bool wants(const Experiment& experiment) const {
+        if (experiment.makes_pictures_only && arguments_.folder.empty()) return false;
+        return wants_all_ || any_of(experiment.tables, arguments_.tables) ||
+               any_of(experiment.figures, arguments_.figures);
+    }
+
     void measure(const Experiment& experiment) {
-        if (!wants_all_ && !any_of(experiment.tables, arguments_.tables) &&
-            !any_of(experiment.figures, arguments_.figures))
-            return;
         const ThesisResult result = experiment.measure(arguments_.options);
         for (const Table& table : result.tables)
             if (wants_all_ || has(arguments_.tables, table.name)) show(table);
@@ -85,6 +91,7 @@ class Run {
     }
 
     void show(const Figure& figure) {
+        print_table(thinned(figure.series, kMostRows));
         figures_.push_back(figure.series);
         if (arguments_.folder.empty()) return;
         const std::string stem = "figure-" + figure.series.name;
@@ -121,7 +128,12 @@ int run(const ThesisArguments& arguments) {
     check_folder(arguments.folder);
     check_json_output(arguments.json);
     Run run(arguments);
-    for (const Experiment& experiment : thesis_experiments()) run.measure(experiment);
+    for (const Experiment& experiment : thesis_experiments()) {
+        if (run.wants(experiment) && experiment.makes_pictures_only) check_can_draw();
+    }
+    for (const Experiment& experiment : thesis_experiments()) {
+        if (run.wants(experiment)) run.measure(experiment);
+    }
     write_json_output(arguments.json, run.document());
     return 0;
 }
@@ -133,7 +145,9 @@ void add_bench_thesis(CLI::App& bench, int& exit_code) {
     CLI::App* command = bench.add_subcommand("thesis", "The thesis' tables and figures, measured here");
     command->add_option("--table", arguments->tables, "Only these tables, such as 3.1 (default: all)");
     command->add_option("--figure", arguments->figures, "Only these figures, such as 3.25 (default: all)");
-    command->add_option("--out", arguments->folder, "Write figures here: series as CSV and a plot, captures as PNG")
+    command
+        ->add_option("--out", arguments->folder,
+                     "Write figures here: series as CSV and plot, pictures (3.23, 3.24) as PNG")
         ->type_name("DIR");
     command->add_flag("--quick", arguments->options.is_quick, "Tiny sizes, one run: does all work? Times mean nothing");
     add_json_option(*command, arguments->json);

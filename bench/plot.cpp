@@ -1,8 +1,8 @@
 #include "bench/plot.h"
 
-#include <cstdio>
+#include <cstdlib>
 
-#include "sim/core/json.h"
+#include "sim/core/file.h"
 
 namespace selvedge {
 namespace {
@@ -15,15 +15,19 @@ std::string csv_word(const std::string& text) {
 }
 
 std::string csv_cell(const Cell& cell) {
-    const Json json = cell.to_json();
-    if (json.is_null()) return "";
-    return json.is_number() ? json.number_text() : csv_word(json.string());
+    return cell.is_empty() ? "" : csv_word(cell.to_text());
 }
 
 // In gnuplot's single quotes.
 std::string quoted(const std::string& text) {
     std::string out = "'";
     for (const char c : text) out += c == '\'' ? "''" : std::string(1, c);
+    return out + "'";
+}
+
+std::string shell_word(const std::string& text) {
+    std::string out = "'";
+    for (const char c : text) out += c == '\'' ? "'\\''" : std::string(1, c);
     return out + "'";
 }
 
@@ -61,11 +65,10 @@ std::string to_csv(const Table& table) {
 }
 
 bool plot(const Figure& figure, const std::filesystem::path& png) {
-    FILE* gnuplot = popen("gnuplot >/dev/null 2>&1", "w");
-    if (gnuplot == nullptr) return false;
-    const std::string script = script_of(figure, png);
-    std::fwrite(script.data(), 1, script.size(), gnuplot);
-    return pclose(gnuplot) == 0;
+    std::filesystem::path script = png;
+    script.replace_extension(".gnuplot");
+    write_file_atomically(script, script_of(figure, png));
+    return std::system(("gnuplot " + shell_word(script.string()) + " >/dev/null 2>&1").c_str()) == 0;
 }
 
 }  // namespace selvedge

@@ -15,10 +15,10 @@ struct Figure {
     std::string right_column;     // drawn against an axis of its own, on the right; empty: none
 };
 
-// The columns' names, then a row per line; numbers with all their digits, names and text quoted where they must be.
+// The columns' names, then a row per line; numbers with the digits that are printed, text quoted where it must be.
 std::string to_csv(const Table& table);
 
-// Draws it into a PNG file. False when there is no gnuplot to do so, or it would not.
+// Draws it into a PNG file by a script that is left beside it. False when there is no gnuplot, or it would not.
 bool plot(const Figure& figure, const std::filesystem::path& png);
 
 }  // namespace selvedge

@@ -25,7 +25,7 @@ struct DropOptions {
     std::optional<int> uniform_level{};  // the same level everywhere; none: adaptive by the criteria
     CriteriaOptions criteria{};
     double seconds = 2.0;
-    double shift = 0;                                   // m, of the start along x: for runs that should hardly differ
+    double shift = 0;                                   // m, of the start along z: for runs that should hardly differ
     bool times_parts = false;                           // collision and drawing too, which makes the run slower
     std::function<void(const Cloth&, double)> watch{};  // called after each frame with its time, s
 };
@@ -36,7 +36,7 @@ struct DropFrame {
     std::size_t triangles = 0;  // leaves
     double adaption = 0;
     double steps = 0;      // all four, collision and all
-    double collision = 0;  // of them: what they take more than the same steps without contact points
+    double collision = 0;  // of them: what they take more than the same steps with nothing near
     double drawing = 0;    // making the arrays that the renderer draws; no drawing itself
 };
 
@@ -58,6 +58,6 @@ double mean_distance(const DropRun& a, const DropRun& b);
 std::unique_ptr<Collider> make_drop_object(DropObject object);
 const char* name_of(DropObject object);
 inline constexpr float kDropRadius = 0.25F;     // m
-inline constexpr float kDropHalfLength = 0.8F;  // m
+inline constexpr float kDropHalfLength = 0.6F;  // m
 
 }  // namespace selvedge

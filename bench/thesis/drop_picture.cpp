@@ -55,7 +55,7 @@ Image DropPainter::draw(const Cloth& cloth, DropObject object) {
     Scene scene;
     scene.cloths.push_back({.mesh = plain_mesh(cloth, {"cloth"}), .sett = {}, .show = ShowMode::Level});
     scene.bodies.push_back(object_item(object));
-    scene.camera = {.eye = Vec3f(1.6F, 1.3F, 3.6F), .target = Vec3f(0, -0.1F, 0)};
+    scene.camera = {.eye = Vec3f(1.25F, 1.0F, 2.9F), .target = Vec3f(0, -0.08F, 0)};
     scene.light = studio_light(scene.camera);
     scene.has_ground = false;
     Image image = renderer_.draw(scene, {.width_px = side_px_, .height_px = side_px_});

@@ -31,6 +31,7 @@ struct Experiment {
     std::vector<std::string> tables;
     std::vector<std::string> figures;
     ThesisResult (*measure)(const ThesisOptions&);
+    bool makes_pictures_only = false;
 };
 
 std::vector<Experiment> thesis_experiments();

@@ -47,7 +47,8 @@ AdaptReport adapt_switched(Cloth& cloth, ClothObserver& observer, const AdaptClo
     const bool sees = options.visibility != nullptr, counts = options.budget != nullptr;
     const float scale = counts ? options.budget->scale() : 1.0F;
 
-    const CollisionCriterion collision{.x = cloth.x, .body = observer.body, .offset = observer.offset};
+    const CollisionCriterion collision{
+        .x = cloth.x, .body = observer.body, .offset = observer.offset, .touch = options.collision_touch};
     const CurvatureCriterion curvature(cloth.normals, scaled(options.curvature, scale));
     const Foresight foresight(curvature);
     const LengthCriterion<Vec4f> length(cloth.x, scaled(options.length, scale));
@@ -65,15 +66,27 @@ AdaptReport adapt_switched(Cloth& cloth, ClothObserver& observer, const AdaptClo
 
 }  // namespace
 
+float CollisionCriterion::distance(VertexId v) const {
+    return body.contact(x[v.value].head<3>()).distance;
+}
+
+float CollisionCriterion::depth(std::span<const VertexId> corners) const {
+    const float share = 1.0F / static_cast<float>(corners.size());
+    Vec4f middle = Vec4f::Zero();
+    for (const VertexId v : corners) middle += x[v.value];
+    middle *= share;
+    const float above = body.contact(middle.head<3>()).distance - offset;
+    if (above >= touch || touch <= 0) return -above;
+    float corners_above = -offset;
+    for (const VertexId v : corners) corners_above += distance(v) * share;
+    return std::max(0.0F, corners_above) - above;
+}
+
 float CollisionCriterion::depth(const AdaptiveMesh& mesh, EdgeId id) const {
     const AdaptiveEdge& edge = mesh.edge(id);
-    const auto depth_at = [&](const Vec4f& p) { return offset - body.contact(p.head<3>()).distance; };
-    float deepest = depth_at((x[edge.ends[0].value] + x[edge.ends[1].value]) * 0.5F);
-    for (const TriangleId side : edge.sides) {
-        if (!side) continue;
-        const std::array<VertexId, 3>& v = mesh.triangle(side).vertices;
-        deepest = std::max(deepest, depth_at((x[v[0].value] + x[v[1].value] + x[v[2].value]) * (1.0F / 3.0F)));
-    }
+    float deepest = depth(edge.ends);
+    for (const TriangleId side : edge.sides)
+        if (side) deepest = std::max(deepest, depth(mesh.triangle(side).vertices));
     return deepest;
 }
 

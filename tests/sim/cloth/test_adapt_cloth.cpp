@@ -104,6 +104,21 @@ TEST_F(Drape, goes_no_deeper_than_asked_for) {
     EXPECT_TRUE(cloth_.mesh.split_edges(1).empty());
 }
 
+TEST(CollisionCriterion, counts_an_edge_that_is_held_off_when_told_how_near_that_is) {
+    const float offset = ContactOptions{}.offset;
+    const SphereCollider ball{Vec3f(0, 2 - 0.25F - offset, 0), 0.25F};  // the cloth lies on it, at the contact offset
+    Cloth cloth = make_patch(find_fabric("silk"), {.side = 1.0, .quads = 5});
+    AdaptClothOptions options{.criteria = {.curvature = false, .length = false}};
+    EXPECT_FALSE(adapt_cloth(cloth, ball, options).changed()) << "nothing cuts it";
+    options.collision_touch = 0.001F;
+    EXPECT_GT(adapt_cloth(cloth, ball, options).splits, 0);
+    const std::size_t fine = cloth.mesh.leaf_triangles().size();
+    EXPECT_FALSE(adapt_cloth(cloth, ball, options).changed()) << "it does not flicker";
+    EXPECT_LT(fine, cloth.mesh.base_triangle_count() * 4) << "far from the ball it stays coarse";
+    adapt_cloth(cloth, NoBody{}, options);
+    EXPECT_LT(cloth.mesh.leaf_triangles().size(), fine) << "it rejoins when the ball is gone";
+}
+
 TEST_F(Drape, asks_for_buckling_when_that_alone_is_switched_on) {
     options_.criteria = {.collision = false, .curvature = false, .length = false, .buckling = true};
     options_.shortest_edge = 0;
