@@ -35,23 +35,25 @@ Visibility::Seen Visibility::seen(const std::array<Vec3f, 3>& x, const std::arra
 }
 
 void Visibility::pass_up(const AdaptiveMesh& mesh) {
-    constexpr std::uint32_t kAllLevels = (1U << kRejoinShift) - 1;
     for (int level = mesh.max_level(); level >= 0; --level) {
-        const std::uint32_t this_level = 1U << level;
-        for (const TriangleId id : mesh.leaf_triangles(level))
-            mark_corners(mesh.triangle(id), leaf_seen_[id.value], kAllLevels & ~(this_level - 1));
         for (const TriangleId id : mesh.refined_triangles(level)) {
             const AdaptiveTriangle& t = mesh.triangle(id);
             for (std::size_t i = 0; i < layout(t.configuration).triangle_count; ++i)
                 leaf_seen_[id.value] |= leaf_seen_[t.internal_triangles[i].value];
-            mark_corners(t, leaf_seen_[id.value], this_level);
+            mark_corners(t.vertices, leaf_seen_[id.value], 1U << level);
         }
     }
 }
 
-void Visibility::mark_corners(const AdaptiveTriangle& triangle, Seen how, std::uint32_t levels) {
+void Visibility::mark_leaf(const LeafTriangle& leaf, Seen how) {
+    constexpr std::uint32_t kAllLevels = (1U << kRejoinShift) - 1;
+    leaf_seen_[leaf.triangle.value] = how;
+    mark_corners(leaf.v, how, kAllLevels & ~((1U << leaf.level) - 1));
+}
+
+void Visibility::mark_corners(const std::array<VertexId, 3>& corners, Seen how, std::uint32_t levels) {
     const std::uint32_t bits = ((how & 1) != 0 ? levels : 0U) | ((how & 2) != 0 ? levels << kRejoinShift : 0U);
-    for (const VertexId v : triangle.vertices) seen_levels_[v.value] |= bits;
+    for (const VertexId v : corners) seen_levels_[v.value] |= bits;
 }
 
 bool Visibility::is_hidden(const AdaptiveMesh& mesh, EdgeId e) const {

@@ -38,7 +38,7 @@ class Visibility {
         for (const LeafTriangle& leaf : mesh.leaf_triangles()) {
             const auto at = [&](std::size_t k) { return Vec3f(x[leaf.v[k].value].template head<3>()); };
             const auto normal = [&](std::size_t k) { return normals[leaf.v[k].value]; };
-            leaf_seen_[leaf.triangle.value] = seen({at(0), at(1), at(2)}, {normal(0), normal(1), normal(2)});
+            mark_leaf(leaf, seen({at(0), at(1), at(2)}, {normal(0), normal(1), normal(2)}));
         }
         pass_up(mesh);
     }
@@ -60,7 +60,8 @@ class Visibility {
     Seen seen(const std::array<Vec3f, 3>& x, const std::array<Vec3f, 3>& normals) const;
     float facing(const Vec3f& at, const Vec3f& normal) const;
     void pass_up(const AdaptiveMesh& mesh);
-    void mark_corners(const AdaptiveTriangle& triangle, Seen how, std::uint32_t levels);
+    void mark_leaf(const LeafTriangle& leaf, Seen how);
+    void mark_corners(const std::array<VertexId, 3>& corners, Seen how, std::uint32_t levels);
 
     ViewPoint view_;
     float least_facing_split_;  // cosine between normal and direction to the viewer

@@ -66,27 +66,24 @@ AdaptReport adapt_switched(Cloth& cloth, ClothObserver& observer, const AdaptClo
 
 }  // namespace
 
-float CollisionCriterion::distance(VertexId v) const {
-    return body.contact(x[v.value].head<3>()).distance;
-}
-
-float CollisionCriterion::depth(std::span<const VertexId> corners) const {
-    const float share = 1.0F / static_cast<float>(corners.size());
-    Vec4f middle = Vec4f::Zero();
-    for (const VertexId v : corners) middle += x[v.value];
-    middle *= share;
-    const float above = body.contact(middle.head<3>()).distance - offset;
-    if (above >= touch || touch <= 0) return -above;
-    float corners_above = -offset;
-    for (const VertexId v : corners) corners_above += distance(v) * share;
-    return std::max(0.0F, corners_above) - above;
+float CollisionCriterion::height(std::span<const VertexId> corners) const {
+    float sum = 0;
+    for (const VertexId v : corners) sum += body.contact(x[v.value].head<3>()).distance - offset;
+    return sum / static_cast<float>(corners.size());
 }
 
 float CollisionCriterion::depth(const AdaptiveMesh& mesh, EdgeId id) const {
     const AdaptiveEdge& edge = mesh.edge(id);
-    float deepest = depth(edge.ends);
-    for (const TriangleId side : edge.sides)
-        if (side) deepest = std::max(deepest, depth(mesh.triangle(side).vertices));
+    const auto depth_at = [&](const Vec4f& middle, std::span<const VertexId> corners) {
+        const float below = offset - body.contact(middle.head<3>()).distance;
+        return touch > 0 && below > -touch ? below + std::max(0.0F, height(corners)) : below;
+    };
+    float deepest = depth_at((x[edge.ends[0].value] + x[edge.ends[1].value]) * 0.5F, edge.ends);
+    for (const TriangleId side : edge.sides) {
+        if (!side) continue;
+        const std::array<VertexId, 3>& v = mesh.triangle(side).vertices;
+        deepest = std::max(deepest, depth_at((x[v[0].value] + x[v[1].value] + x[v[2].value]) * (1.0F / 3.0F), v));
+    }
     return deepest;
 }
 

@@ -33,8 +33,7 @@ struct CollisionCriterion {
     bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId edge) const { return depth(mesh, edge) < rejoin_depth; }
 
  private:
-    float depth(std::span<const VertexId> corners) const;
-    float distance(VertexId v) const;
+    float height(std::span<const VertexId> corners) const;  // mean, of the corners above the offset surface, m
 };
 
 // Vetoes the split of edges that are short enough: below that size cloth of a real weight only crumples, and the solver
