@@ -7,9 +7,7 @@
 namespace selvedge {
 namespace {
 
-constexpr std::size_t kVertexBytes = Pool<AdaptiveVertex, VertexId>::kBytesPerElement;
-constexpr std::size_t kEdgeBytes = Pool<AdaptiveEdge, EdgeId>::kBytesPerElement;
-constexpr std::size_t kTriangleBytes = Pool<AdaptiveTriangle, TriangleId>::kBytesPerElement;
+constexpr AdaptiveMesh::BytesPerElement kBytes = AdaptiveMesh::bytes_per_element();
 constexpr std::size_t kThesisVertex = 144, kThesisEdge = 52, kThesisTriangle = 120;
 
 // What stands in the cloth's state arrays for one vertex.
@@ -26,7 +24,7 @@ std::size_t list_bytes(const LeafLists& leaves) {
 }
 
 void add_elements(Table& table) {
-    table.add_row({"one element", Cell(), kVertexBytes, kEdgeBytes, kTriangleBytes, Cell(), Cell(), Cell(), Cell()});
+    table.add_row({"one element", Cell(), kBytes.vertex, kBytes.edge, kBytes.triangle, Cell(), Cell(), Cell(), Cell()});
     table.add_row({"one element, the thesis", Cell(), kThesisVertex, kThesisEdge, kThesisTriangle, Cell(), Cell(),
                    Cell(), Cell()});
 }
@@ -36,10 +34,10 @@ void add_hierarchy(Table& table, AdaptiveMesh& mesh, int level) {
     set_uniform_level(mesh, none, level);
     const std::size_t vertices = mesh.vertices().size(), edges = mesh.edges().size(),
                       triangles = mesh.triangles().size();
-    const std::size_t ours = vertices * kVertexBytes + edges * kEdgeBytes + triangles * kTriangleBytes;
+    const std::size_t ours = vertices * kBytes.vertex + edges * kBytes.edge + triangles * kBytes.triangle;
     const std::size_t thesis = vertices * kThesisVertex + edges * kThesisEdge + triangles * kThesisTriangle;
-    table.add_row({std::to_string(mesh.base_triangle_count()) + " triangles", level, vertices * kVertexBytes,
-                   edges * kEdgeBytes, triangles * kTriangleBytes, ours, thesis, list_bytes(mesh.leaves()),
+    table.add_row({std::to_string(mesh.base_triangle_count()) + " triangles", level, vertices * kBytes.vertex,
+                   edges * kBytes.edge, triangles * kBytes.triangle, ours, thesis, list_bytes(mesh.leaves()),
                    vertices * kClothBytes});
 }
 
