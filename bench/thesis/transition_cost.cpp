@@ -75,10 +75,11 @@ std::string name_of(std::size_t configuration) {
 }
 
 Table ends_table(const Costs& costs) {
-    Table table{.name = "3.2",
-                .title = "Clearing a configuration and configuring from C0",
-                .note = "us of one transition of one triangle: median of runs over 512 triangles that are all changed.",
-                .columns = {"configuration", "clearing to C0, us", "configuring from C0, us"}};
+    Table table{
+        .name = "3.2",
+        .title = "Clearing a configuration and configuring from C0",
+        .note = "us of one transition of one triangle: median of runs over many triangles that are all changed.",
+        .columns = {"configuration", "clearing to C0, us", "configuring from C0, us"}};
     for (std::size_t c = 1; c < kConfigurations; ++c)
         table.add_row({name_of(c), Cell(costs.direct[c][0], 3), Cell(costs.direct[0][c], 3)});
     return table;

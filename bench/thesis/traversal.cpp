@@ -91,8 +91,9 @@ ThesisResult measure_traversal(const ThesisOptions& options) {
                 .note =
                     "Base mesh of 128 triangles, the same level everywhere. At each leaf a rest length or an area "
                     "is summed. us, median of runs.",
-                .columns = {"level", "leaf edges", "edges by recursion, us", "edges by list, us", "ratio",
-                            "leaf triangles", "triangles by recursion, us", "triangles by list, us", "ratio "}};
+                .columns = {"level", "leaf edges", "edges by recursion, us", "edges by list, us",
+                            "edges: recursion / list", "leaf triangles", "triangles by recursion, us",
+                            "triangles by list, us", "triangles: recursion / list"}};
     const int runs = options.is_quick ? 1 : 101;
     for (int level = 0; level <= mesh.max_level(); ++level) {
         set_uniform_level(mesh, none, level);
