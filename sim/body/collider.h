@@ -1,37 +1,51 @@
 #pragma once
-// What cloth asks of a body that stands still: how far, and which way out. The distance field answers; where it cannot
-// be trusted (creases, deep inside) the exact surface does.  (SPEC 3.3)
-#include "sim/body/body.h"
-#include "sim/body/distance_field.h"
+// What cloth may not enter: how far it is, and which way out.  (SPEC 3.3)
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+
 #include "sim/body/surface_bvh.h"
+#include "sim/core/vec.h"
 
 namespace selvedge {
 
 struct Contact {
     float distance = 0;            // m, negative inside; band() when it is at least that far outside
-    Vec3f normal = Vec3f::Zero();  // unit, the way out of the body; zero when distance is band()
+    Vec3f normal = Vec3f::Zero();  // unit, the way out; zero when distance is band()
 };
 
-class BodyCollider {
+// Points that are asked about at once, and what is known of them. Spare lanes hold any point, a copy of another say.
+inline constexpr std::size_t kContactLanes = 16;
+
+struct alignas(64) ContactBlock {
+    using Lanes = std::array<float, kContactLanes>;
+    Lanes x{}, y{}, z{};  // asked, m
+    Lanes distance{};     // answer, as in Contact
+    Lanes nx{}, ny{}, nz{};
+};
+
+class Collider {
  public:
-    // The body must outlive the collider. Pre: it is closed.
-    explicit BodyCollider(const Body& body, const DistanceFieldOptions& options = {});
+    Collider() = default;
+    Collider(const Collider&) = delete;
+    Collider& operator=(const Collider&) = delete;
+    virtual ~Collider() = default;
 
-    Contact contact(const Vec3f& p) const;
+    virtual Contact contact(const Vec3f& p) const = 0;
 
-    // Distances are at most this far off where contact() did not ask the exact surface, m (see DistanceField).
-    float max_error() const { return field_.max_error(); }
+    // contact() for every lane of every block. Only what is nearer than `reach` (m) matters to the caller: an answer
+    // of at least reach may be too small, by any amount; too large it is by max_error() at most, like every answer;
+    // and its normal is worth nothing. So a point may move by distance - max_error() before it can touch.
+    virtual void contacts(std::span<ContactBlock> blocks, float reach) const;
+
+    // Where the segment first meets the surface, from either side.
+    virtual std::optional<SurfaceHit> first_hit(const Vec3f& from, const Vec3f& to) const = 0;
+
     // Nothing is known of distances beyond this outside, m.
-    float band() const { return field_.band(); }
-
-    const Body& body() const { return body_; }
-    const SurfaceBvh& surface() const { return bvh_; }
-    const DistanceField& field() const { return field_; }
-
- private:
-    const Body& body_;
-    SurfaceBvh bvh_;
-    DistanceField field_;
+    virtual float band() const = 0;
+    // Distances are at most this much too large, m; and where they are below the reach, too small.
+    virtual float max_error() const = 0;
 };
 
 }  // namespace selvedge

@@ -12,7 +12,7 @@ namespace {
 // What a split and a rejoin do to the state of the cloth.
 struct ClothObserver {
     Cloth& cloth;
-    const BodyCollider& body;
+    const Collider& body;
     float offset;
 
     void on_capacity(std::size_t capacity) { size_state(cloth, capacity); }
@@ -71,7 +71,7 @@ float CollisionCriterion::depth(const AdaptiveMesh& mesh, EdgeId id) const {
     return deepest;
 }
 
-AdaptReport adapt_cloth(Cloth& cloth, const BodyCollider& body, const AdaptClothOptions& options,
+AdaptReport adapt_cloth(Cloth& cloth, const Collider& body, const AdaptClothOptions& options,
                         const ContactOptions& contact) {
     update_normals(cloth);
     ClothObserver observer{cloth, body, contact.offset};

@@ -5,13 +5,13 @@
 
 namespace selvedge {
 
-class BodyCollider;
+class Collider;
 
 // Splits an edge that cuts into the offset surface of the body, or whose triangles do; lets it rejoin when they no
 // longer would. Asked of the parent chord: once the centre lies on the surface the children no longer cut.  (SPEC 1.3)
 struct CollisionCriterion {
     const std::vector<Vec4f>& x;
-    const BodyCollider& body;
+    const Collider& body;
     float offset = 0.003F;       // m, contact offset
     float split_depth = 0.001F;  // m, of the chord below the offset surface
     float rejoin_depth = 0.0004F;
@@ -54,7 +54,7 @@ struct AdaptClothOptions {
 };
 
 // One adaption. Post: masses sum to what they were, solver lists and contact points are fresh.
-AdaptReport adapt_cloth(Cloth& cloth, const BodyCollider& body, const AdaptClothOptions& options = {},
+AdaptReport adapt_cloth(Cloth& cloth, const Collider& body, const AdaptClothOptions& options = {},
                         const ContactOptions& contact = {});
 
 }  // namespace selvedge

@@ -48,7 +48,7 @@ void apply_contact(Cloth& cloth, const ContactPoint& point, const Vec3f& normal,
     move_point(cloth, point, tangential * -std::min(1.0F, friction * depth / length));
 }
 
-void push_out_point(Cloth& cloth, ContactPoint& point, const BodyCollider& body, const ContactOptions& options) {
+void push_out_point(Cloth& cloth, ContactPoint& point, const Collider& body, const ContactOptions& options) {
     const float friction = point.friction * options.friction_scale;
     const float above_floor = at(cloth.x, point).y() - options.floor;
     if (above_floor < options.offset) {
@@ -124,28 +124,28 @@ void refresh_contacts(Cloth& cloth, const ContactOptions& options) {
     cloth.contacts.points = std::move(fresh);
 }
 
-void push_out_between(Cloth& cloth, const BodyCollider& body, const ContactOptions& options) {
+void push_out_between(Cloth& cloth, const Collider& body, const ContactOptions& options) {
     std::vector<ContactPoint>& points = cloth.contacts.points;
     for (std::size_t i = cloth.elements.vertices.size(); i < points.size(); ++i) {
         push_out_point(cloth, points[i], body, options);
     }
 }
 
-void push_out_vertices(Cloth& cloth, const BodyCollider& body, const ContactOptions& options) {
+void push_out_vertices(Cloth& cloth, const Collider& body, const ContactOptions& options) {
     const std::size_t count = cloth.elements.vertices.size();  // they come first in the list
     for (std::size_t i = 0; i < count; ++i) push_out_point(cloth, cloth.contacts.points[i], body, options);
 }
 
-Vec3f outside(const Vec3f& x, const Vec3f& outward, const BodyCollider& body, float offset) {
+Vec3f outside(const Vec3f& x, const Vec3f& outward, const Collider& body, float offset) {
     constexpr float kReach = 0.05F;  // m
     const Contact contact = body.contact(x);
     if (contact.distance >= offset) return x;
     const Vec3f nearest = x + contact.normal * (offset - contact.distance);
     if (contact.normal.dot(outward) >= 0 || outward.squaredNorm() <= 0) return nearest;
     const Vec3f direction = outward.normalized();
-    const auto ahead = body.surface().first_hit(x, x + direction * kReach);
+    const auto ahead = body.first_hit(x, x + direction * kReach);
     if (ahead) return ahead->point + direction * offset;
-    const auto behind = body.surface().first_hit(x, x - direction * kReach);
+    const auto behind = body.first_hit(x, x - direction * kReach);
     return behind && contact.distance > 0 ? Vec3f(behind->point + direction * offset) : nearest;
 }
 

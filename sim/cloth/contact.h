@@ -13,7 +13,7 @@
 namespace selvedge {
 
 struct Cloth;
-class BodyCollider;
+class Collider;
 
 struct ContactOptions {
     float offset = 0.003F;          // m, kept from the body; never below the collision field's error
@@ -42,14 +42,14 @@ void refresh_contacts(Cloth& cloth, const ContactOptions& options = {});
 
 // Moves the points between vertices at least `offset` away from the body and the floor and takes off tangential motion
 // since x_prev up to friction times the depth corrected.
-void push_out_between(Cloth& cloth, const BodyCollider& body, const ContactOptions& options);
+void push_out_between(Cloth& cloth, const Collider& body, const ContactOptions& options);
 
 // The same for the vertices themselves. Last in a sub-step: a drawn vertex is never inside.
-void push_out_vertices(Cloth& cloth, const BodyCollider& body, const ContactOptions& options);
+void push_out_vertices(Cloth& cloth, const Collider& body, const ContactOptions& options);
 
 // x moved to the contact offset if it is nearer to the body or inside, else x: by way of the closest point, which takes
 // the wrong side far less often than a ray; where it lies against `outward`, by a ray along outward, ahead or behind.
 // (SPEC 3.3; thesis figs. 4.9, 4.10)
-Vec3f outside(const Vec3f& x, const Vec3f& outward, const BodyCollider& body, float offset);
+Vec3f outside(const Vec3f& x, const Vec3f& outward, const Collider& body, float offset);
 
 }  // namespace selvedge

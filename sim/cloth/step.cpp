@@ -55,7 +55,7 @@ void rub(Cloth& cloth, float rate, float seconds) {
 
 }  // namespace
 
-void step(Cloth& cloth, const BodyCollider& body, const StepOptions& options) {
+void step(Cloth& cloth, const Collider& body, const StepOptions& options) {
     for (int i = 0; i < options.substeps; ++i) {
         const float to_go = static_cast<float>(options.substeps - 1 - i);
         predict(cloth, options);

@@ -8,7 +8,7 @@
 
 namespace selvedge {
 
-class BodyCollider;
+class Collider;
 
 // Two vertices that are pulled together until they are no further apart than the allowed gap: an open seam.
 struct SeamPull {
@@ -28,6 +28,6 @@ struct StepOptions {
     float seam_gap_rate = 0;            // m per sub-step by which the gap shrinks within the step
 };
 
-void step(Cloth& cloth, const BodyCollider& body, const StepOptions& options);
+void step(Cloth& cloth, const Collider& body, const StepOptions& options);
 
 }  // namespace selvedge

@@ -24,7 +24,7 @@ double frame_seconds(const Cloth& cloth, const StepOptions& stepping, const Drap
     return static_cast<double>(step_seconds(cloth, stepping)) * options.steps_per_adaption;
 }
 
-void adapt_once(Cloth& cloth, const BodyCollider& body, const DrapeOptions& options, DrapeResult& result) {
+void adapt_once(Cloth& cloth, const Collider& body, const DrapeOptions& options, DrapeResult& result) {
     const auto start = Clock::now();
     const AdaptReport adapted = adapt_cloth(cloth, body, options.adapt, options.contact);
     result.adaption_ms.push_back(ms_since(start));
@@ -33,7 +33,7 @@ void adapt_once(Cloth& cloth, const BodyCollider& body, const DrapeOptions& opti
     result.transitions += adapted.transitions;
 }
 
-void step_once(Cloth& cloth, const BodyCollider& body, const StepOptions& stepping, DrapeResult& result) {
+void step_once(Cloth& cloth, const Collider& body, const StepOptions& stepping, DrapeResult& result) {
     const auto start = Clock::now();
     step(cloth, body, stepping);
     result.step_ms.push_back(ms_since(start));
@@ -41,7 +41,7 @@ void step_once(Cloth& cloth, const BodyCollider& body, const StepOptions& steppi
 }
 
 // One adaption and its steps. False when a number went bad.
-bool run_frame(Cloth& cloth, const BodyCollider& body, const StepOptions& stepping, const DrapeOptions& options,
+bool run_frame(Cloth& cloth, const Collider& body, const StepOptions& stepping, const DrapeOptions& options,
                DrapeResult& result) {
     adapt_once(cloth, body, options, result);
     const std::vector<Vec4f> before = cloth.x;
@@ -52,7 +52,7 @@ bool run_frame(Cloth& cloth, const BodyCollider& body, const StepOptions& steppi
 }
 
 // Without gravity and friction the tension of the seams goes, and what was crumpled in sewing slides flat.
-bool relax(Cloth& cloth, const BodyCollider& body, const DrapeOptions& options, DrapeResult& result) {
+bool relax(Cloth& cloth, const Collider& body, const DrapeOptions& options, DrapeResult& result) {
     StepOptions stepping{.gravity = Vec3f::Zero(), .extra_damping = kRelaxDamping, .contact = options.contact};
     stepping.contact.friction_scale = 0;
     DrapeOptions coarse = options;
@@ -66,7 +66,7 @@ bool relax(Cloth& cloth, const BodyCollider& body, const DrapeOptions& options, 
 }
 
 // Until the garment has been at rest for long enough, or time is up, or a number went bad.
-void fall(Cloth& cloth, const BodyCollider& body, DrapeOptions options, DrapeResult& result, const Progress& progress) {
+void fall(Cloth& cloth, const Collider& body, DrapeOptions options, DrapeResult& result, const Progress& progress) {
     StepOptions stepping{.contact = options.contact};
     const double start = result.simulated_seconds;
     double at_rest = 0;
@@ -85,7 +85,7 @@ void fall(Cloth& cloth, const BodyCollider& body, DrapeOptions options, DrapeRes
 
 }  // namespace
 
-DrapeResult drape(Cloth& cloth, const BodyCollider& body, const DrapeOptions& options, const Progress& progress) {
+DrapeResult drape(Cloth& cloth, const Collider& body, const DrapeOptions& options, const Progress& progress) {
     DrapeResult result;
     refresh_contacts(cloth, options.contact);
     result.bad_vertex = find_bad_vertex(cloth);

@@ -36,6 +36,6 @@ struct DrapeResult {
     std::vector<double> step_ms;      // wall time, one per step of the adaptive part
 };
 
-DrapeResult drape(Cloth& cloth, const BodyCollider& body, const DrapeOptions& options, const Progress& progress);
+DrapeResult drape(Cloth& cloth, const Collider& body, const DrapeOptions& options, const Progress& progress);
 
 }  // namespace selvedge

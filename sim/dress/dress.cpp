@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "sim/body/collider.h"
+#include "sim/body/body_collider.h"
 #include "sim/body/mannequin.h"
 #include "sim/core/quantile.h"
 #include "sim/dress/drape.h"

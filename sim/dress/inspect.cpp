@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "sim/adaptive/check.h"
-#include "sim/body/collider.h"
+#include "sim/body/body_collider.h"
 #include "sim/cloth/stretch.h"
 #include "sim/core/quantile.h"
 #include "sim/dress/fit.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "sim/body/collider.h"
+#include "sim/body/body_collider.h"
 #include "sim/body/section.h"
 
 namespace selvedge {

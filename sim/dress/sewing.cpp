@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "sim/body/body_collider.h"
 #include "sim/cloth/step.h"
 #include "sim/mesh/assemble.h"
 

@@ -1,4 +1,4 @@
-#include "sim/body/collider.h"
+#include "sim/body/body_collider.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <random>
 #include <sstream>
 
-#include "sim/body/collider.h"
+#include "sim/body/body_collider.h"
 #include "sim/core/error.h"
 #include "tests/sim/body/shapes.h"
 #include "tests/sim/body/temporary_folder.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "sim/body/collider.h"
+#include "sim/body/body_collider.h"
 #include "sim/mesh/assemble.h"
 #include "tests/sim/body/shapes.h"
 #include "tests/sim/dress/shapes.h"

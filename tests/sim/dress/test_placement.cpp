@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "sim/body/collider.h"
+#include "sim/body/body_collider.h"
 #include "sim/body/mannequin.h"
 #include "sim/mesh/assemble.h"
 #include "tests/sim/body/shapes.h"

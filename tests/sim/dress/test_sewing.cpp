@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/body/collider.h"
+#include "sim/body/body_collider.h"
 #include "sim/mesh/assemble.h"
 #include "sim/mesh/check_mesh.h"
 #include "tests/sim/body/shapes.h"

@@ -1,0 +1,34 @@
+#pragma once
+// A body that stands still, as cloth meets it. The distance field answers; where it cannot be trusted (creases, deep
+// inside) the exact surface does.  (SPEC 3.3)
+#include "sim/body/body.h"
+#include "sim/body/collider.h"
+#include "sim/body/distance_field.h"
+#include "sim/body/surface_bvh.h"
+
+namespace selvedge {
+
+class BodyCollider final : public Collider {
+ public:
+    // The body must outlive the collider. Pre: it is closed.
+    explicit BodyCollider(const Body& body, const DistanceFieldOptions& options = {});
+
+    Contact contact(const Vec3f& p) const override;
+    std::optional<SurfaceHit> first_hit(const Vec3f& from, const Vec3f& to) const override {
+        return bvh_.first_hit(from, to);
+    }
+    float band() const override { return field_.band(); }
+    // Of the field; where the exact surface was asked there is none.
+    float max_error() const override { return field_.max_error(); }
+
+    const Body& body() const { return body_; }
+    const SurfaceBvh& surface() const { return bvh_; }
+    const DistanceField& field() const { return field_; }
+
+ private:
+    const Body& body_;
+    SurfaceBvh bvh_;
+    DistanceField field_;
+};
+
+}  // namespace selvedge
