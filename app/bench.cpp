@@ -37,6 +37,7 @@ void add_bench_command(CLI::App& app, int& exit_code) {
     CLI::App* command = app.add_subcommand("bench", "Measure, and print the figures as Markdown tables");
     command->require_subcommand(1);
     command->footer("Example: selvedge bench thesis --table 3.6 --json figures.json");
+    add_bench_drop(*command, exit_code);
     add_bench_thesis(*command, exit_code);
 }
 
