@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "bench/support/bias_theory.h"
 #include "bench/support/cloth_run.h"
 #include "bench/support/material_points.h"
 #include "sim/adaptive/square.h"
@@ -41,10 +42,6 @@ double weight_density(const Fabric& fabric, const BiasStripOptions& options) {
 
 }  // namespace
 
-double bias_stiffness(const Fabric& fabric) {
-    return 4 / (1 / fabric.stretch_warp + 1 / fabric.stretch_weft + 1 / fabric.shear);
-}
-
 BiasStrip measure_bias(const Fabric& fabric, const BiasStripOptions& options) {
     const double width = options.element;
     Fabric weight = fabric;
@@ -64,7 +61,7 @@ BiasStrip measure_bias(const Fabric& fabric, const BiasStripOptions& options) {
     const double measured = (line(kFrom).y() - line(kTo).y()) / rest - 1;
     const double own = (kLength - (kFrom + kTo) / 2) * width * fabric.area_density;  // kg/m, below the gauge's middle
     const double force = kG * (own + width * weight.area_density);
-    result.stiffness_ratio = force / bias_stiffness(fabric) / measured;
+    result.stiffness_ratio = bias_strain(fabric, force) / measured;
     return result;
 }
 

@@ -5,9 +5,6 @@
 
 namespace selvedge {
 
-// 4/E45 = 1/E_warp + 1/E_weft + 1/G, N/m; the model of a fabric has no lateral contraction.
-double bias_stiffness(const Fabric& fabric);
-
 struct BiasStripOptions {
     double element = 0.1;  // m, edge of the coarse quads; as wide is the strip, and four times as long
     int level = 3;
@@ -17,7 +14,7 @@ struct BiasStripOptions {
 };
 
 struct BiasStrip {
-    double stiffness_ratio = 0;  // measured over the fabric's
+    double stiffness_ratio = 0;  // strain expected over strain measured
     bool is_at_rest = false;
 };
 

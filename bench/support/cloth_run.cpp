@@ -74,7 +74,7 @@ void pin_where(ClothRun& run, const std::function<bool(const Vec3d&)>& is_pinned
 
 void run_frame(ClothRun& run, const Collider& body) {
     const RunOptions& options = run.options;
-    if (options.is_adaptive) adapt_run(run, body);
+    if (options.is_adaptive && run.frames++ % options.frames_per_adaption == 0) adapt_run(run, body);
     StepOptions stepping{.substeps = options.substeps, .gravity = options.gravity, .contact = contact_options(options)};
     stepping.extra_damping = options.extra_damping;
     stepping.max_move_per_substep = 0.1F;  // m: what the experiments fall on has no thin parts
@@ -142,7 +142,8 @@ Energy energy(const ClothRun& run) {
     for (const VertexId id : cloth.mesh.leaf_vertices()) {
         energy.kinetic += 0.5 * mass[id.value] * v[id.value].squaredNorm();
         const Vec3d gravity = run.options.gravity.cast<double>();
-        energy.potential -= mass[id.value] * gravity.dot(cloth.x[id.value].head<3>().cast<double>());
+        const Vec4f x = (cloth.x[id.value] + cloth.x_prev[id.value]) * 0.5F;
+        energy.potential -= mass[id.value] * gravity.dot(x.head<3>().cast<double>());
     }
     const std::vector<TriangleStrain> strains = measure_strain(cloth);
     for (std::size_t i = 0; i < strains.size(); ++i) {

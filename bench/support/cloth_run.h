@@ -16,8 +16,9 @@ class Collider;
 
 struct RunOptions {
     int level = 3;             // of all leaves; of the finest ones when adaptive
-    bool is_adaptive = false;  // starts at level 0 and adapts before every frame, by all criteria
-    int substeps = 8;          // per frame
+    bool is_adaptive = false;  // starts at level 0, and adapts by all criteria
+    int frames_per_adaption = 4;
+    int substeps = 8;  // per frame
     double frame_seconds = 1.0 / 60;
     float contact_offset = 1e-4F;  // m
     float extra_damping = 0;       // 1/s, on top of the fabrics'
@@ -27,6 +28,7 @@ struct RunOptions {
 struct ClothRun {
     Cloth cloth;
     RunOptions options;  // level, frame_seconds and substeps are settled at the start; the others may change
+    int frames = 0;      // that were run
 };
 
 // At rest where the mesh stands. Pins: the mesh's, and the middle of every edge between two of them.
@@ -55,7 +57,7 @@ MeasuredMesh measured(const ClothRun& run);
 struct Energy {
     double kinetic = 0;
     double potential = 0;  // of gravity, above y = 0
-    double elastic = 0;    // what warp, weft and shear strain store by the fabric's figures; bending is left out
+    double elastic = 0;    // what warp, weft and shear strain store by the fabric's figures, now; without bending
 };
 Energy energy(const ClothRun& run);
 
