@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "sim/mesh/assemble.h"
@@ -85,10 +86,10 @@ std::vector<int> vertices_of(const GarmentMesh& mesh, int panel) {
     return vertices;
 }
 
-Specimen sew_specimen(const Pattern& pattern, double edge_length, double mesh_angle) {
+Specimen sew_specimen(const Pattern& pattern, const std::vector<Fabric>& fabrics, double edge_length,
+                      double mesh_angle) {
     const MeshOptions meshing{.target_edge = edge_length, .chord_error = kChordError};
-    Specimen specimen;
-    specimen.mesh = merge_seams(assemble(pattern, meshing)).mesh;
+    Specimen specimen{.mesh = merge_seams(assemble(pattern, meshing)).mesh, .fabrics = fabrics};
     specimen.mesh.pins = vertices_of(specimen.mesh, Specimen::kHolder);
     specimen.mesh_angle = mesh_angle;
     return specimen;
@@ -110,8 +111,18 @@ Specimen cut_strip(const Fabric& fabric, const StripCut& cut, const SpecimenFram
         fabrics.push_back(fabric);
         fabrics.back().area_density = cut.weight / (kG * bar);
     }
-    Specimen specimen = sew_specimen(pattern, cut.edge_length, cut.mesh_angle);
-    specimen.fabrics = std::move(fabrics);
+    return sew_specimen(pattern, fabrics, cut.edge_length, cut.mesh_angle);
+}
+
+Specimen cut_ridge_strip(const Fabric& fabric, const StripCut& cut, const SpecimenFrame& frame) {
+    Pattern pattern;
+    pattern.panels = {rectangle("left", cut, -cut.length, 0, frame), rectangle("right", cut, 0, cut.length, frame)};
+    pattern.seams.push_back({.first = {0, 2}, .second = {1, 0}});
+    Specimen specimen = sew_specimen(pattern, {fabric, fabric}, cut.edge_length, cut.mesh_angle);
+    const std::vector<int> left = specimen.mesh.pins;
+    const std::vector<int> right = vertices_of(specimen.mesh, Specimen::kCloth);
+    specimen.mesh.pins.clear();
+    std::ranges::set_intersection(left, right, std::back_inserter(specimen.mesh.pins));
     return specimen;
 }
 
@@ -121,9 +132,7 @@ Specimen cut_disc(const Fabric& fabric, const DiscCut& cut) {
     pattern.seams = {{.first = {0, 0}, .second = {1, 5}}, {.first = {0, 1}, .second = {1, 4}},
                      {.first = {0, 2}, .second = {2, 5}}, {.first = {0, 3}, .second = {2, 4}},
                      {.first = {1, 0}, .second = {2, 3}}, {.first = {1, 3}, .second = {2, 0}}};
-    Specimen specimen = sew_specimen(pattern, cut.edge_length, cut.mesh_angle);
-    specimen.fabrics.assign(3, fabric);
-    return specimen;
+    return sew_specimen(pattern, {fabric, fabric, fabric}, cut.edge_length, cut.mesh_angle);
 }
 
 }  // namespace selvedge

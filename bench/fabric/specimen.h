@@ -21,7 +21,7 @@ struct StripCut {
 };
 
 struct Specimen {
-    GarmentMesh mesh;  // sewn; all vertices of what holds the specimen are pins
+    GarmentMesh mesh;  // sewn, with its pins: all vertices of what holds the specimen
     std::vector<Fabric> fabrics;
     double mesh_angle = 0;
 
@@ -40,6 +40,11 @@ struct SpecimenFrame {
 
 // The strip stands flat where the frame puts it, a = l = 0 at the origin.
 Specimen cut_strip(const Fabric& fabric, const StripCut& cut, const SpecimenFrame& frame);
+
+// A strip of twice the length laid over a ridge at l = 0: pinned there along a seam, it droops on both sides, and is
+// level at the ridge by symmetry. (A clamp that holds the cells behind it would let the cloth bend over half a cell
+// more than it should.) The half with l < 0 is the panel kHolder. No weight.
+Specimen cut_ridge_strip(const Fabric& fabric, const StripCut& cut, const SpecimenFrame& frame);
 
 // Cusick's disc, level, its support's centre at the origin.
 struct DiscCut {

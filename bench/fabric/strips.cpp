@@ -105,12 +105,16 @@ Reading test_cantilever(const Fabric& tested, ThreadDirection direction, const M
     StripCut cut{.mesh_angle = mesh.angle, .warp_angle = warp_angle(direction)};
     cut.length = std::cbrt(kPeirceQ * reading.expected / w);
     const SpecimenFrame level{.across = Vec3d::UnitZ(), .along = Vec3d::UnitX()};
-    const Specimen specimen = cut_strip(fabric, cut, level);
+    const Specimen specimen = cut_ridge_strip(fabric, cut, level);
     ClothRun run = start_run(specimen.mesh, specimen.fabrics, run_options(mesh, stepping));
     reading.is_at_rest = run_to_rest(run, NoBody(), {.least_seconds = 0.4, .max_seconds = 6});
-    const Vec3d tip = mean_material_point(run.cloth, Specimen::kCloth, specimen.material(0, cut.length),
-                                          specimen.material(cut.width, cut.length));
-    const double q = q_of_chord_angle(std::clamp(std::atan2(-tip.y(), tip.x()), 1e-3, 1.55));
+    const auto end = [&](int panel, double l) {
+        return mean_material_point(run.cloth, panel, specimen.material(0, l), specimen.material(cut.width, l));
+    };
+    const Vec3d right = end(Specimen::kCloth, cut.length);
+    const Vec3d left = end(Specimen::kHolder, -cut.length);
+    const double dip = std::atan2(-right.y() - left.y(), right.x() - left.x());
+    const double q = q_of_chord_angle(std::clamp(dip, 1e-3, 1.55));
     reading.measured = w * std::pow(cut.length, 3) / q;
     return reading;
 }

@@ -33,8 +33,9 @@ struct Reading {
     double error() const { return measured / expected - 1; }
 };
 
-// Peirce's cantilever: a strip whose chord should dip 41.5 degrees. Reads the bending rigidity, N m, by the exact
-// elastica from the angle that it does dip. Internal friction is left out, in cloth and theory.
+// Peirce's cantilever: a strip whose chord should dip 41.5 degrees, on both sides of a ridge. Reads the bending
+// rigidity, N m, by the exact elastica from the mean angle that it does dip. Internal friction is left out, in cloth
+// and theory.
 Reading test_cantilever(const Fabric& fabric, ThreadDirection direction, const MeshSetting& mesh,
                         const Stepping& stepping = {});
 
