@@ -48,12 +48,12 @@ DropQuality DropJudge::quality() const {
     return mean;
 }
 
-Drop run_drop(const DropOptions& options) {
+SphereDrop run_sphere_drop(const SphereDropOptions& options) {
     const DropScene& scene = options.scene;
     const SphereCollider sphere(Vec3f::Zero(), static_cast<float>(scene.radius));
     const RunOptions running{.level = scene.level, .substeps = options.substeps, .frame_seconds = scene.frame_seconds};
     const GarmentMesh square = drop_square(options.base_quads, options.shift, scene);
-    Drop drop{.run = start_run(square, {drop_fabric()}, running), .quality = {}};
+    SphereDrop drop{.run = start_run(square, {drop_fabric()}, running), .quality = {}};
     pin_centre(drop.run, options.shift, scene);
     DropJudge judge(measured(drop.run), scene);
     std::vector<double> seconds;

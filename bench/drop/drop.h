@@ -34,7 +34,7 @@ class DropJudge {
 
 enum class DropClock { ThreadTime, WallTime };
 
-struct DropOptions {
+struct SphereDropOptions {
     int base_quads = 3;
     int substeps = 8;  // per frame
     double shift = 0;  // m, of the start, sideways
@@ -42,12 +42,12 @@ struct DropOptions {
     DropScene scene{};
 };
 
-struct Drop {
+struct SphereDrop {
     ClothRun run;  // as it is after the last frame
     DropQuality quality;
     double ms_per_frame = 0;  // median over the second half of the frames
 };
 
-Drop run_drop(const DropOptions& options);
+SphereDrop run_sphere_drop(const SphereDropOptions& options);
 
 }  // namespace selvedge

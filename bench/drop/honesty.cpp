@@ -53,12 +53,12 @@ WeightlessFigures weightless(ClothRun& run, const DropScene& scene, double secon
     return figures;
 }
 
-ConvergedFigures compare_converged(const Drop& drop, const DropOptions& options, int converged_substeps) {
-    DropOptions fine = options;
+ConvergedFigures compare_converged(const SphereDrop& drop, const SphereDropOptions& options, int converged_substeps) {
+    SphereDropOptions fine = options;
     fine.substeps = converged_substeps;
-    const Drop converged = run_drop(fine);
+    const SphereDrop converged = run_sphere_drop(fine);
     fine.shift += 0.001;
-    const Drop shifted = run_drop(fine);
+    const SphereDrop shifted = run_sphere_drop(fine);
     const MeasuredMesh mesh = measured(converged.run);
     const std::vector<Vec3d> x = positions(converged.run);
     return {.substeps = converged_substeps,

@@ -28,6 +28,6 @@ struct ConvergedFigures {
     ShapeDistance distance;     // from the run judged to the converged one, after the last frame
     ShapeDistance noise_floor;  // between two converged runs whose start differs by a millimetre
 };
-ConvergedFigures compare_converged(const Drop& drop, const DropOptions& options, int converged_substeps);
+ConvergedFigures compare_converged(const SphereDrop& drop, const SphereDropOptions& options, int converged_substeps);
 
 }  // namespace selvedge

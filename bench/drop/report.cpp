@@ -8,7 +8,7 @@
 namespace selvedge {
 namespace {
 
-DropOptions options_for(const DropExperiment& experiment, int substeps) {
+SphereDropOptions options_for(const DropExperiment& experiment, int substeps) {
     return {.base_quads = base_quads_for(experiment.triangles, experiment.scene),
             .substeps = substeps,
             .clock = experiment.threads > 1 ? DropClock::WallTime : DropClock::ThreadTime,
@@ -33,9 +33,9 @@ DropTrial search(const DropExperiment& experiment, std::vector<DropTrial>& trial
     return *std::ranges::find(trials, wanted, &DropTrial::substeps);
 }
 
-void measure_honesty(const DropOptions& options, DropReport& report, const Progress& progress) {
+void measure_honesty(const SphereDropOptions& options, DropReport& report, const Progress& progress) {
     selvedge::report(progress, "converged runs", 0);
-    Drop drop = run_drop(options);
+    SphereDrop drop = run_sphere_drop(options);
     report.converged = compare_converged(drop, options, std::max(64, 4 * options.substeps));
     selvedge::report(progress, "without gravity", 0);
     ClothRun copy = drop.run;
@@ -131,11 +131,11 @@ DropReport measure_drop(const DropExperiment& experiment, const Progress& progre
     const int base_quads = base_quads_for(experiment.triangles, experiment.scene);
     report.triangles = triangle_count(base_quads, experiment.scene.level);
     report.chosen = search(experiment, report.trials, progress);
-    const DropOptions options = options_for(experiment, report.chosen.substeps);
+    const SphereDropOptions options = options_for(experiment, report.chosen.substeps);
     std::vector<double> medians;
     for (int i = 0; i < experiment.repetitions; ++i) {
         selvedge::report(progress, "timing", double(i) / experiment.repetitions);
-        medians.push_back(run_drop(options).ms_per_frame);
+        medians.push_back(run_sphere_drop(options).ms_per_frame);
     }
     report.ms_per_frame = medians.empty() ? report.chosen.ms_per_frame : quantile(medians, 0.5);
     if (experiment.is_honest) measure_honesty(options, report, progress);

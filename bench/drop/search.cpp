@@ -17,8 +17,8 @@ std::vector<std::string> missed_gates(const DropTrial& trial, const DropGates& g
 
 }  // namespace
 
-DropTrial try_drop(const DropOptions& options, const DropGates& gates) {
-    const Drop drop = run_drop(options);
+DropTrial try_drop(const SphereDropOptions& options, const DropGates& gates) {
+    const SphereDrop drop = run_sphere_drop(options);
     DropTrial trial;
     trial.substeps = options.substeps;
     trial.quality = drop.quality;

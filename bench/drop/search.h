@@ -26,7 +26,7 @@ struct DropTrial {
     bool passes() const { return missed.empty(); }
 };
 
-DropTrial try_drop(const DropOptions& options, const DropGates& gates);
+DropTrial try_drop(const SphereDropOptions& options, const DropGates& gates);
 
 // The least n in 1..most that passes, if passing once means passing with more: gallops 2, 4, 8 .. and bisects. Each n
 // is asked once.
