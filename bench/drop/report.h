@@ -41,7 +41,7 @@ inline constexpr std::string_view kTrials = "trials";
 struct DropExperiment {
     int triangles = 1152;
     int threads = 1;
-    std::optional<int> substeps;  // none: searched for
+    std::optional<int> substeps{};  // none: searched for
     int most_substeps = 256;
     int repetitions = 5;
     bool is_honest = true;  // whether rest, energy and convergence are measured too

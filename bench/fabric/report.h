@@ -11,8 +11,8 @@
 namespace selvedge {
 
 struct FabricExperiment {
-    std::vector<std::string> fabrics;  // empty: all that ship, or four of them when quick
-    bool is_quick = false;             // levels 1 and 2 at 17 degrees alone
+    std::vector<std::string> fabrics{};  // empty: all that ship, or four of them when quick
+    bool is_quick = false;               // levels 1 and 2 at 17 degrees alone
     Stepping stepping{};
 };
 
