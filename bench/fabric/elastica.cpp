@@ -9,7 +9,7 @@
 namespace selvedge {
 namespace {
 
-constexpr int kSteps = 2000;
+constexpr int kSteps = 500;
 
 // How the section's width grows along the strip: 1 + growth s, s from 0 at the clamp to 1.
 struct Sector {
@@ -70,7 +70,7 @@ double chord_angle(const Droop& droop) {
 double q_of_chord_angle(double angle) {
     double low = std::log(1e-4);
     double high = std::log(1e5);
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < 28; ++i) {
         const double middle = (low + high) / 2;
         (chord_angle(droop(std::exp(middle))) > angle ? high : low) = middle;
     }
