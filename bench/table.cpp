@@ -12,7 +12,7 @@ using TextRow = std::vector<std::string>;
 
 bool is_number_column(const Table& table, std::size_t column) {
     const auto is_number_or_empty = [&](const std::vector<Cell>& row) {
-        return row[column].is_number() || row[column].to_json().is_null();
+        return row[column].is_number() || row[column].is_empty();
     };
     return !table.rows.empty() && std::all_of(table.rows.begin(), table.rows.end(), is_number_or_empty);
 }
@@ -71,6 +71,17 @@ std::string to_markdown(const Table& table) {
     text += line_of(lines[0], widths, flush_right) + rule_of(widths, flush_right);
     for (std::size_t i = 1; i < lines.size(); ++i) text += line_of(lines[i], widths, flush_right);
     return text;
+}
+
+Table thinned(const Table& table, std::size_t most) {
+    if (table.rows.size() <= most) return table;
+    const std::size_t stride = (table.rows.size() + most - 1) / most;
+    Table part = table;
+    part.rows.clear();
+    for (std::size_t i = (table.rows.size() - 1) % stride; i < table.rows.size(); i += stride)
+        part.rows.push_back(table.rows[i]);
+    part.note += (part.note.empty() ? "" : " ") + std::string("One row in ") + std::to_string(stride) + " is printed.";
+    return part;
 }
 
 Json to_json(const Table& table) {

@@ -23,6 +23,7 @@ class Cell {
     std::string to_text() const;  // "-" when there is nothing
     Json to_json() const;         // a string, a number, or null when there is nothing
     bool is_number() const { return number_.has_value(); }
+    bool is_empty() const { return !number_ && text_.empty(); }
 
  private:
     std::string text_;
@@ -42,6 +43,9 @@ struct Table {
 
 // A heading, the note, and the rows under each other; columns of numbers are flush right.
 std::string to_markdown(const Table& table);
+
+// Some of its rows, evenly spread, the last among them, when there are more than `most`; the note says so.
+Table thinned(const Table& table, std::size_t most);
 
 // {"name": ..., "title": ..., "note": ..., "columns": [...], "rows": [[...], ...]}
 Json to_json(const Table& table);

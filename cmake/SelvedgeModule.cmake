@@ -58,3 +58,13 @@ function(selvedge_test NAME)
   gtest_discover_tests(${target} TEST_FILTER "${alone}" DISCOVERY_TIMEOUT 60
     PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 600)
 endfunction()
+
+# selvedge_simd_sources(AVX2 file ... AVX512 file ...)
+# compiles these sources of the room for those instructions (sim/core/simd_level.h). Such a file may hold nothing that
+# the linker could take for another file's: what it defines inline is always inlined or has internal linkage.
+function(selvedge_simd_sources)
+  cmake_parse_arguments(ARG "" "" "AVX2;AVX512" ${ARGN})
+  set_source_files_properties(${ARG_AVX2} PROPERTIES COMPILE_OPTIONS "-mavx2")
+  set_source_files_properties(${ARG_AVX512} PROPERTIES COMPILE_OPTIONS
+    "-mavx512f;-mavx512bw;-mavx512dq;-mavx512vl;-mprefer-vector-width=512;-Wno-maybe-uninitialized")  # g++ 12: false
+endfunction()

@@ -20,7 +20,8 @@ TriangleId AdaptiveMesh::leaf_at(EdgeId e, int side) const {
     if (!owner) return owner;
     const AdaptiveTriangle& t = triangles_[owner];
     if (is_leaf(t)) return owner;
-    return t.internal_triangles[layout(t.configuration).slot_at_unsplit[place_of(t, e)]];
+    const std::uint8_t slot = layout(t.configuration).slot_at_unsplit[place_of(t, e)];
+    return slot == kNoSlot ? TriangleId{} : t.internal_triangles[slot];
 }
 
 // Sides name triangles at the edge's own level, so that the internal triangle of an irregular S1..S6 owner, which
@@ -33,7 +34,8 @@ bool AdaptiveMesh::may_split(EdgeId e) const {
 
 bool AdaptiveMesh::may_rejoin(EdgeId e) const {
     if (!is_split(e) || !has_leaf_children(e)) return false;
-    const auto lets_go = [&](TriangleId side) { return !side || has_leaf_children(side); };
+    // One that is marked has let another edge go in this pass.
+    const auto lets_go = [&](TriangleId side) { return !side || triangles_[side].marked || has_leaf_children(side); };
     return lets_go(edges_[e].sides[0]) && lets_go(edges_[e].sides[1]);
 }
 
@@ -51,23 +53,27 @@ bool AdaptiveMesh::has_leaf_children(TriangleId t) const {
     return std::all_of(owner.internal_triangles.begin(), owner.internal_triangles.end(), is_whole);
 }
 
+// That both sides are regular is looked at when they are retriangulated.
 VertexId AdaptiveMesh::split(EdgeId e) {
-    SELVEDGE_ASSERT(may_split(e));
     AdaptiveEdge& edge = edges_[e];
-    AdaptiveEdge child;
-    child.rest_length = 0.5F * edge.rest_length;
-    child.level = static_cast<std::uint8_t>(edge.level + 1);
-    edge.centre = vertices_.create({.first_triangle = {}, .level = child.level});
-    for (std::size_t i = 0; i < 2; ++i) {
-        child.ends = i == 0 ? std::array{edge.ends[0], edge.centre} : std::array{edge.centre, edge.ends[1]};
-        edge.children[i] = edges_.create(child);
-    }
+    SELVEDGE_ASSERT(!edge.centre && edge.level < options_.max_level);
+    const VertexId centre = vertices_.take<1>()[0];
+    edge.children = edges_.take<2>();
+    edge.centre = centre;
+    grow_lists_with_pools();
+    const auto level = static_cast<std::uint8_t>(edge.level + 1);
+    const float half = 0.5F * edge.rest_length;
+    edges_[edge.children[0]].set({edge.ends[0], centre}, {}, half, level);
+    edges_[edge.children[1]].set({centre, edge.ends[1]}, {}, half, level);
+    vertices_[centre] = {.parent = e, .level = level};
+    splitting_.push_back(e);
     mark_sides(e);
-    return edge.centre;
+    return centre;
 }
 
+// That no child of the sides is refined is looked at when they are retriangulated.
 void AdaptiveMesh::rejoin(EdgeId e) {
-    SELVEDGE_ASSERT(may_rejoin(e));
+    SELVEDGE_ASSERT(is_split(e) && has_leaf_children(e));
     edges_[e].rejoining = true;
     rejoining_.push_back(e);
     mark_sides(e);
@@ -81,12 +87,34 @@ void AdaptiveMesh::mark_sides(EdgeId e) {
     }
 }
 
+// Last to first, so that none moves when all of a level were split.
+void AdaptiveMesh::list_split() {
+    for (std::size_t i = splitting_.size(); i-- > 0;) {
+        levels_.remove_unsplit(edges_[splitting_[i]].level, splitting_[i]);
+    }
+    for (const EdgeId e : splitting_) {
+        const AdaptiveEdge& edge = edges_[e];
+        levels_.add_split(edge.level, e);
+        for (const EdgeId child : edge.children) levels_.add_unsplit(edge.level + 1, child);
+        keeper_.note(e);
+    }
+    splitting_.clear();
+}
+
 // In the reverse order of split(), so that splitting again finds the same ids.
 void AdaptiveMesh::release_rejoined() {
     for (; !rejoining_.empty(); rejoining_.pop_back()) {
-        AdaptiveEdge& edge = edges_[rejoining_.back()];
-        edges_.release(edge.children[1]);
-        edges_.release(edge.children[0]);
+        const EdgeId e = rejoining_.back();
+        AdaptiveEdge& edge = edges_[e];
+        for (std::size_t i = 2; i-- > 0;) {
+            levels_.remove_unsplit(edge.level + 1, edge.children[i]);
+            keeper_.note_lost(edge.children[i]);
+            edges_.release(edge.children[i]);
+        }
+        levels_.remove_split(edge.level, e);
+        levels_.add_unsplit(edge.level, e);
+        keeper_.note_lost(edge.centre);
+        keeper_.note(e);
         vertices_.release(edge.centre);
         edge.children = {};
         edge.centre = {};
@@ -94,43 +122,40 @@ void AdaptiveMesh::release_rejoined() {
     }
 }
 
-// The lists of one level follow from those of the level above.
-void AdaptiveMesh::list_level(std::size_t level) {
-    Level& own = levels_[level];
-    own.unsplit.clear();
-    own.split.clear();
-    own.leaves.clear();
-    own.refined.clear();
-    if (level == 0) {
-        for (std::uint32_t e = 0; e < base_edges_; ++e) list(EdgeId(e), own);
-        for (std::uint32_t t = 0; t < base_triangles_; ++t) list(TriangleId(t), own);
-        return;
-    }
-    const Level& above = levels_[level - 1];
-    for (const EdgeId e : above.split) {
-        for (const EdgeId child : edges_[e].children) list(child, own);
-    }
-    for (const TriangleId t : above.refined) {
-        const AdaptiveTriangle& owner = triangles_[t];
-        const Layout& inside = layout(owner.configuration);
-        for (std::size_t i = 0; i < inside.edge_count; ++i) list(owner.internal_edges[i], own);
-        for (std::size_t i = 0; i < inside.triangle_count; ++i) list(owner.internal_triangles[i], own);
-    }
+void AdaptiveMesh::grow_lists() {
+    levels_.grow(edges_.capacity(), triangles_.capacity());
+    keeper_.grow(vertices_.capacity(), edges_.capacity(), triangles_.capacity());
+    listed_capacity_ = vertices_.capacity() + edges_.capacity() + triangles_.capacity();
 }
 
-void AdaptiveMesh::list(EdgeId e, Level& into) const {
-    (is_split(e) ? into.split : into.unsplit).push_back(e);
+// A base vertex knows with which base triangle its fan starts; a centre lies on an edge, and the triangles beside the
+// child edges border it. What was split in this pass has no sides yet and is passed over.
+TriangleId AdaptiveMesh::first_at(VertexId v, std::size_t fan) const {
+    if (v.value < base_vertices_) {
+        const std::size_t place = fan_starts_[v.value] + fan;
+        return place < fan_starts_[v.value + 1] ? first_inside(fans_[place], v) : TriangleId{};
+    }
+    if (fan > 0) return {};
+    const AdaptiveEdge& parent = edges_[vertices_[v].parent];
+    const std::size_t child = parent.sides[0] ? 1 : 0, side = 1 - child;  // the side that the child has on its left
+    EdgeId e = parent.children[child];
+    while (edges_[e].centre && edges_[edges_[e].children[1 - child]].sides[side]) e = edges_[e].children[1 - child];
+    return leaf_at(e, static_cast<int>(side));
 }
 
-void AdaptiveMesh::list(TriangleId t, Level& into) const {
-    (is_leaf(triangles_[t]) ? into.leaves : into.refined).push_back(t);
+TriangleId AdaptiveMesh::first_inside(TriangleId owner, VertexId v) const {
+    while (!is_leaf(triangles_[owner])) {
+        const AdaptiveTriangle& t = triangles_[owner];
+        owner = t.internal_triangles[layout(t.configuration).slot_at_corner[corner_at(t, v)]];
+    }
+    return owner;
 }
 
-void AdaptiveMesh::refresh_lists() {
-    if (changed_from_ > max_level()) return;
-    for (int level = changed_from_; level <= max_level(); ++level) list_level(static_cast<std::size_t>(level));
-    gather_leaves(*this, leaves_);
-    changed_from_ = max_level() + 1;
+TriangleId AdaptiveMesh::next_at(VertexId v, TriangleId id) const {
+    const AdaptiveTriangle& t = triangles_[id];
+    const std::size_t before = (corner_at(t, v) + 2) % 3;
+    const EdgeId e = t.edges[before];
+    return leaf_at(e, edges_[e].ends[0] == t.vertices[before] ? 1 : 0);
 }
 
 }  // namespace selvedge

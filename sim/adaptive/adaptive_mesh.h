@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "sim/adaptive/elements.h"
+#include "sim/adaptive/leaf_keeper.h"
 #include "sim/adaptive/leaf_lists.h"
+#include "sim/adaptive/level_lists.h"
 #include "sim/core/pool.h"
 #include "sim/mesh/garment_mesh.h"
 
@@ -59,23 +61,32 @@ class AdaptiveMesh {
     // The leaf triangle on one side of an unsplit edge; none at a boundary. It may be one level deeper than the edge.
     TriangleId leaf_at(EdgeId e, int side) const;
 
-    // for (TriangleId t : mesh.triangles_at(v)): the leaf triangles round a vertex, by rising id.
+    // for (TriangleId t : mesh.triangles_at(v)): the leaf triangles round a vertex, anticlockwise from edge to edge;
+    // at a boundary from one end to the other. No list is kept for it: it goes by the sides of the edges.
     class TrianglesAt;
     TrianglesAt triangles_at(VertexId v) const;
 
     // Leaf lists, as refresh_lists() left them.
-    std::span<const VertexId> leaf_vertices() const { return leaves_.vertices; }
-    std::span<const LeafEdge> leaf_edges() const { return leaves_.edges; }
-    std::span<const LeafTriangle> leaf_triangles() const { return leaves_.triangles; }
-    std::span<const Hinge> hinges() const { return leaves_.hinges; }
-    std::span<const float> vertex_areas() const { return leaves_.vertex_areas; }  // m^2, by vertex id
-    const LeafLists& leaves() const { return leaves_; }
+    std::span<const VertexId> leaf_vertices() const { return leaves().vertices; }
+    std::span<const LeafEdge> leaf_edges() const { return leaves().edges; }
+    std::span<const LeafTriangle> leaf_triangles() const { return leaves().triangles; }
+    std::span<const Hinge> hinges() const { return leaves().hinges; }
+    std::span<const float> vertex_areas() const { return leaves().vertex_areas; }  // m^2, by vertex id
+    const LeafLists& leaves() const { return keeper_.lists(); }
 
-    // The elements of one level, 0..max_level, parted into leaves and parents.
-    std::span<const EdgeId> unsplit_edges(int level) const { return at_level(level).unsplit; }
-    std::span<const EdgeId> split_edges(int level) const { return at_level(level).split; }
-    std::span<const TriangleId> leaf_triangles(int level) const { return at_level(level).leaves; }
-    std::span<const TriangleId> refined_triangles(int level) const { return at_level(level).refined; }
+    // What the last refresh_lists(), and so the last adaption, did to them.
+    const LeafChanges& changes() const { return keeper_.changes(); }
+
+    // The elements of one level, 0..max_level, as the last retriangulate() left them.
+    std::span<const EdgeId> unsplit_edges(int level) const { return levels_.unsplit(level); }
+    std::span<const EdgeId> split_edges(int level) const { return levels_.split(level); }
+    std::span<const TriangleId> refined_triangles(int level) const { return levels_.refined(level); }
+
+    // Memory per element, alive or free, with its places in the lists; not the lists themselves.
+    struct BytesPerElement {
+        std::size_t vertex, edge, triangle;
+    };
+    static constexpr BytesPerElement bytes_per_element();
 
     // Permissions.  (SPEC 1.2, fig. 3.11)
     bool may_split(EdgeId e) const;
@@ -89,43 +100,36 @@ class AdaptiveMesh {
     void rejoin(EdgeId e);
     int retriangulate(int level, TransitionCounts* counts = nullptr);
 
-    // Brings the lists of levels and leaves up to date; does nothing when nothing has changed.
-    void refresh_lists();
+    // Brings the leaf lists up to date with what has changed since the last time, in place, and tells what it did.
+    void refresh_lists() { keeper_.refresh(*this); }
 
     // One transition by itself, to test and to measure. Conformity is the caller's care.
     // Pre: t is regular, the edges that `to` has split are split, no internal element is refined.
     void change_configuration(TriangleId id, Configuration to);
 
  private:
-    struct Level {
-        std::vector<EdgeId> unsplit, split;
-        std::vector<TriangleId> leaves, refined;
-    };
-    struct Stencil;
+    friend class LeafKeeper;
+    struct Change;  // the transitions, one function each
 
-    const Level& at_level(int level) const { return levels_[static_cast<std::size_t>(level)]; }
     void add_base_edges(const GarmentMesh& base);
+    void add_base_fans();
+    void list_base();
+    void grow_lists();
+    void grow_lists_with_pools() {
+        if (vertices_.capacity() + edges_.capacity() + triangles_.capacity() != listed_capacity_) grow_lists();
+    }
 
+    bool is_alive(VertexId v) const { return v.value < base_vertices_ || bool(vertices_[v].parent); }
     SplitMask split_mask(const AdaptiveTriangle& t) const;
     bool has_leaf_children(TriangleId t) const;
     void mark_sides(EdgeId e);
+    void list_split();
     void release_rejoined();
 
-    Stencil stencil_of(const AdaptiveTriangle& owner) const;
-    void drop_unshared(const AdaptiveTriangle& owner, const Transition& plan);
-    void keep_shared(AdaptiveTriangle& owner, const Transition& plan) const;
-    void create_missing(AdaptiveTriangle& owner);
-    EdgeId create_internal_edge(const AdaptiveTriangle& owner, const InternalEdge& drawn, const Stencil& stencil);
-    TriangleId create_internal_triangle(const AdaptiveTriangle& owner, const InternalTriangle& drawn,
-                                        const Stencil& stencil);
-    void set_sides(TriangleId id, TriangleId value);
-    TriangleId& next_at(TriangleId t, VertexId v);
-    void link(TriangleId id);
-    void unlink(TriangleId id);
-
-    void list_level(std::size_t level);
-    void list(EdgeId e, Level& into) const;
-    void list(TriangleId t, Level& into) const;
+    // Going round a vertex: the first leaf triangle of each of its fans, and the one after.
+    TriangleId first_at(VertexId v, std::size_t fan) const;
+    TriangleId next_at(VertexId v, TriangleId t) const;
+    TriangleId first_inside(TriangleId owner, VertexId v) const;
 
     AdaptiveMeshOptions options_;
     std::size_t base_vertices_ = 0;
@@ -134,35 +138,47 @@ class AdaptiveMesh {
     Pool<AdaptiveVertex, VertexId> vertices_;
     Pool<AdaptiveEdge, EdgeId> edges_;
     Pool<AdaptiveTriangle, TriangleId> triangles_;
+    // The base triangle that each fan of a base vertex starts with: one fan as a rule, several where sheets touch in a
+    // vertex alone. By vertex, those of v from fan_starts_[v] to fan_starts_[v + 1].
+    std::vector<TriangleId> fans_;
+    std::vector<std::uint32_t> fan_starts_;
     std::vector<TriangleId> marked_;
+    std::vector<EdgeId> splitting_;
     std::vector<EdgeId> rejoining_;
-    std::vector<Level> levels_;
-    LeafLists leaves_;
-    int changed_from_ = 0;  // the lists of this level and of all deeper ones are out of date or of order
+    LevelLists levels_;
+    LeafKeeper keeper_;
+    std::size_t listed_capacity_ = 0;  // of all pools, when the lists were last sized to them
 };
 
-// A range over the list that runs through the corners at one vertex.
+constexpr AdaptiveMesh::BytesPerElement AdaptiveMesh::bytes_per_element() {
+    return {decltype(vertices_)::kBytesPerElement + LeafKeeper::kBytesPerId + LeafKeeper::kBytesPerArea,
+            decltype(edges_)::kBytesPerElement + LeafKeeper::kBytesPerId + LevelLists::kBytesPerId,
+            decltype(triangles_)::kBytesPerElement + LeafKeeper::kBytesPerId + LevelLists::kBytesPerId};
+}
+
 class AdaptiveMesh::TrianglesAt {
  public:
     class Iterator {
      public:
-        Iterator(const AdaptiveMesh& mesh, VertexId v, TriangleId t) : mesh_(&mesh), vertex_(v), triangle_(t) {}
-        TriangleId operator*() const { return triangle_; }
+        Iterator(const AdaptiveMesh& mesh, VertexId v, TriangleId t) : mesh_(&mesh), vertex_(v), first_(t), at_(t) {}
+        TriangleId operator*() const { return at_; }
         Iterator& operator++() {
-            const AdaptiveTriangle& t = mesh_->triangle(triangle_);
-            triangle_ = t.next[corner_at(t, vertex_)];
+            at_ = mesh_->next_at(vertex_, at_);
+            if (!at_ || at_ == first_) at_ = first_ = mesh_->first_at(vertex_, ++fan_);
             return *this;
         }
-        bool operator!=(const Iterator& other) const { return triangle_ != other.triangle_; }
+        bool operator!=(const Iterator& other) const { return at_ != other.at_; }
 
      private:
         const AdaptiveMesh* mesh_;
         VertexId vertex_;
-        TriangleId triangle_;
+        TriangleId first_;
+        TriangleId at_;
+        std::size_t fan_ = 0;
     };
 
     TrianglesAt(const AdaptiveMesh& mesh, VertexId v) : mesh_(mesh), vertex_(v) {}
-    Iterator begin() const { return {mesh_, vertex_, mesh_.vertex(vertex_).first_triangle}; }
+    Iterator begin() const { return {mesh_, vertex_, mesh_.first_at(vertex_, 0)}; }
     Iterator end() const { return {mesh_, vertex_, TriangleId{}}; }
 
  private:

@@ -1,7 +1,9 @@
 // Building the adaptive mesh's level 0 from a sewn garment.
 #include <algorithm>
+#include <numeric>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "sim/adaptive/adaptive_mesh.h"
 #include "sim/core/error.h"
@@ -74,10 +76,48 @@ AdaptiveMesh::AdaptiveMesh(const GarmentMesh& base, const AdaptiveMeshOptions& o
     SELVEDGE_ASSERT(base.links.empty());
     SELVEDGE_ASSERT(options.max_level >= 0 && options.max_level <= kDeepestLevel);
     for (std::size_t i = 0; i < base_vertices_; ++i) vertices_.create({});
-    for (const GarmentTriangle& triangle : base.triangles) link(triangles_.create(make_base_triangle(triangle)));
+    for (const GarmentTriangle& triangle : base.triangles) triangles_.create(make_base_triangle(triangle));
     add_base_edges(base);
-    levels_.resize(static_cast<std::size_t>(options.max_level) + 1);
+    add_base_fans();
+    levels_.set_levels(options.max_level + 1);
+    grow_lists();
+    list_base();
     refresh_lists();
+}
+
+void AdaptiveMesh::list_base() {
+    for (std::uint32_t i = 0; i < base_vertices_; ++i) keeper_.note(VertexId(i));
+    for (std::uint32_t i = 0; i < base_edges_; ++i) keeper_.note(EdgeId(i));
+    for (std::uint32_t i = 0; i < base_triangles_; ++i) keeper_.note(TriangleId(i));
+    for (std::uint32_t i = 0; i < base_edges_; ++i) levels_.add_unsplit(0, EdgeId(i));
+}
+
+// A corner starts a fan when no triangle lies clockwise of it; in a fan that closes, its lowest triangle does.
+void AdaptiveMesh::add_base_fans() {
+    const auto clockwise_of = [&](TriangleId id, VertexId v) {
+        const AdaptiveTriangle& t = triangles_[id];
+        const std::size_t k = corner_at(t, v);
+        const AdaptiveEdge& edge = edges_[t.edges[k]];
+        return edge.sides[edge.ends[0] == v ? 1 : 0];
+    };
+    const auto starts_fan = [&](TriangleId first, VertexId v) {
+        TriangleId t = clockwise_of(first, v);
+        while (t && t > first) t = clockwise_of(t, v);
+        return !t ? !clockwise_of(first, v) : t == first;
+    };
+    std::vector<std::pair<VertexId, TriangleId>> found;
+    for (std::uint32_t i = 0; i < base_triangles_; ++i) {
+        for (const VertexId v : triangles_[TriangleId(i)].vertices) {
+            if (starts_fan(TriangleId(i), v)) found.emplace_back(v, TriangleId(i));
+        }
+    }
+    std::sort(found.begin(), found.end());
+    fan_starts_.assign(base_vertices_ + 1, 0);
+    for (const auto& [v, t] : found) {
+        fans_.push_back(t);
+        ++fan_starts_[v.value + 1];
+    }
+    std::partial_sum(fan_starts_.begin(), fan_starts_.end(), fan_starts_.begin());
 }
 
 void AdaptiveMesh::add_base_edges(const GarmentMesh& base) {

@@ -134,6 +134,7 @@ class Checker {
 
     void check_children(EdgeId e, const AdaptiveEdge& edge) {
         expect(mesh_.vertex(edge.centre).level == edge.level + 1, "edge", e, "its centre has the wrong level");
+        expect(mesh_.vertex(edge.centre).parent == e, "edge", e, "its centre knows another edge");
         for (std::size_t i = 0; i < 2; ++i) {
             const AdaptiveEdge& child = mesh_.edge(edge.children[i]);
             expect(child.ends[i] == edge.ends[i] && child.ends[1 - i] == edge.centre, "edge", e,
@@ -228,7 +229,7 @@ class Checker {
                "finds the wrong leaf triangle");
     }
 
-    // Each vertex lists its leaf triangles, each once, by rising id.
+    // Going round a vertex passes each of its leaf triangles once.
     void check_adjacency() {
         std::vector<std::vector<TriangleId>> expected(mesh_.vertices().capacity());
         std::sort(reached_.leaf_triangles.begin(), reached_.leaf_triangles.end());
@@ -241,6 +242,7 @@ class Checker {
                 listed.push_back(t);
                 if (listed.size() > expected[v.value].size()) break;
             }
+            std::sort(listed.begin(), listed.end());
             expect(listed == expected[v.value], "vertex", v, "its adjacent triangles are not those round it");
         }
     }
@@ -282,6 +284,29 @@ class Checker {
             if (mesh_.edge(e).sides[0] && mesh_.edge(e).sides[1]) inner.push_back(e);
         }
         expect_same("hinges", inner, mesh_.hinges(), [](const Hinge& h) { return h.edge; });
+        check_levels();
+        check_leaf_contents();
+        check_vertex_areas();
+    }
+
+    void check_levels() {
+        for (int level = 0; level <= mesh_.max_level(); ++level) {
+            std::vector<EdgeId> unsplit, split;
+            std::vector<TriangleId> refined;
+            for_each_reached<EdgeId>(reached_.edges, [&](EdgeId e) {
+                if (mesh_.level(e) == level) (mesh_.is_split(e) ? split : unsplit).push_back(e);
+            });
+            for_each_reached<TriangleId>(reached_.triangles, [&](TriangleId t) {
+                if (mesh_.triangle(t).level == level && !is_leaf(mesh_.triangle(t))) refined.push_back(t);
+            });
+            const auto same = [](auto id) { return id; };
+            expect_same("level's unsplit edges", unsplit, mesh_.unsplit_edges(level), same);
+            expect_same("level's split edges", split, mesh_.split_edges(level), same);
+            expect_same("level's refined triangles", refined, mesh_.refined_triangles(level), same);
+        }
+    }
+
+    void check_leaf_contents() {
         for (const LeafEdge& e : mesh_.leaf_edges()) {
             expect(e.a == mesh_.end(e.edge, 0) && e.b == mesh_.end(e.edge, 1) &&
                        e.rest_length == mesh_.rest_length(e.edge),
@@ -290,6 +315,45 @@ class Checker {
         for (const LeafTriangle& t : mesh_.leaf_triangles()) {
             expect(t.v == mesh_.triangle(t.triangle).vertices && t.u == mesh_.triangle(t.triangle).u, "triangle",
                    t.triangle, "its leaf is out of date");
+        }
+        for (std::size_t i = 0; i < mesh_.hinges().size() && i < mesh_.leaf_edges().size(); ++i) {
+            const Hinge& h = mesh_.hinges()[i];
+            expect(h.edge == mesh_.leaf_edges()[i].edge, "edge", h.edge, "its hinge stands elsewhere than it does");
+            if (reached_.edges[h.edge.value] > 0 && !mesh_.is_split(h.edge)) check_hinge(h);
+        }
+    }
+
+    void check_hinge(const Hinge& h) {
+        expect(h.a == mesh_.end(h.edge, 0) && h.b == mesh_.end(h.edge, 1) && h.rest_length == mesh_.rest_length(h.edge),
+               "edge", h.edge, "its hinge is out of date");
+        check_half_hinge(h, 0, h.left, h.left_at);
+        check_half_hinge(h, 1, h.right, h.right_at);
+    }
+
+    void check_half_hinge(const Hinge& h, int side, VertexId opposite, const Vec2f& at) {
+        const TriangleId leaf = mesh_.leaf_at(h.edge, side);
+        if (!leaf) return expect(false, "edge", h.edge, "its hinge has no triangle at a side");
+        const AdaptiveTriangle& t = mesh_.triangle(leaf);
+        const std::size_t a = corner_at(t, h.a), b = corner_at(t, h.b), c = 3 - a - b;
+        if (c > 2) return expect(false, "edge", h.edge, "its hinge is not at its triangle");
+        const Vec2f along = (t.u[b] - t.u[a]).normalized(), arm = t.u[c] - 0.5F * (t.u[a] + t.u[b]);
+        const Vec2f expected(along.dot(arm), along.x() * arm.y() - along.y() * arm.x());
+        const float tolerance = 1e-5F * (arm.norm() + t.u[c].norm());
+        expect(opposite == t.vertices[c] && (at - expected).norm() <= tolerance &&
+                   (h.along[static_cast<std::size_t>(side)] - along).norm() <= 1e-4F,
+               "edge", h.edge, "a half of its hinge is out of date");
+    }
+
+    void check_vertex_areas() {
+        std::vector<double> sums(mesh_.vertices().capacity());
+        for (const TriangleId t : reached_.leaf_triangles) {
+            const double third = double(material_area(mesh_.triangle(t).u)) / 3.0;
+            for (const VertexId v : mesh_.triangle(t).vertices) sums[v.value] += third;
+        }
+        for (const VertexId v : reached_.leaf_vertices) {
+            const bool is_known = v.value < mesh_.vertex_areas().size();
+            expect(is_known && std::abs(double(mesh_.vertex_areas()[v.value]) - sums[v.value]) <= 1e-6 * sums[v.value],
+                   "vertex", v, "its area is out of date");
         }
     }
 

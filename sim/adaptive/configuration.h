@@ -56,12 +56,16 @@ struct Layout {
     std::uint8_t edge_count = 0;
     SplitMask split = 0;
     std::array<std::uint8_t, 3> slot_at_unsplit{kNoSlot, kNoSlot, kNoSlot};  // the triangle that borders Ek whole
+    std::array<std::uint8_t, 3> slot_at_corner{kNoSlot, kNoSlot, kNoSlot};   // the first one anticlockwise round Vk
 };
 
-// How to pass from one configuration to another directly: what both share keeps its ids.
+// How to pass from one configuration to another directly: what both share keeps its ids; of the rest, a new element
+// takes over the id of an old one as long as there are any.
 struct Transition {
     std::array<std::uint8_t, 4> triangle_from{kNoSlot, kNoSlot, kNoSlot, kNoSlot};  // per new slot: the old, or create
     std::array<std::uint8_t, 3> edge_from{kNoSlot, kNoSlot, kNoSlot};
+    std::array<std::uint8_t, 4> triangle_over{kNoSlot, kNoSlot, kNoSlot, kNoSlot};  // per new slot: whose id it takes
+    std::array<std::uint8_t, 3> edge_over{kNoSlot, kNoSlot, kNoSlot};
     std::array<bool, 4> drops_triangle{};  // per old slot
     std::array<bool, 3> drops_edge{};
     int work = 0;  // triangles and edges that are destroyed or created

@@ -9,10 +9,12 @@
 
 namespace selvedge {
 
+// Its leaf triangles are found by going round it from edge to edge: AdaptiveMesh::triangles_at().
 struct AdaptiveVertex {
-    TriangleId first_triangle;  // head of the list of its leaf triangles, see AdaptiveTriangle::next
-    std::uint8_t level = 0;     // of the leaf edges that it was born with; 0 in the base mesh
+    EdgeId parent;           // whose centre it is; none in the base mesh
+    std::uint8_t level = 0;  // of the edges that it was born with; 0 in the base mesh
 
+    void bury() { parent = {}; }
     bool operator==(const AdaptiveVertex&) const = default;
 };
 
@@ -26,6 +28,20 @@ struct AdaptiveEdge {
     std::uint8_t level = 0;
     bool rejoining = false;  // counts as unsplit; its children go when the pass is over
 
+    // An unsplit edge. Field by field: an edge made elsewhere and copied here would wait for its own stores.
+    void set(const std::array<VertexId, 2>& new_ends, const std::array<TriangleId, 2>& new_sides, float length,
+             std::uint8_t new_level) {
+        ends = new_ends;
+        centre = {};
+        children = {};
+        sides = new_sides;
+        rest_length = length;
+        level = new_level;
+        rejoining = false;
+    }
+
+    void bury() { ends[0] = {}; }
+    bool is_alive() const { return bool(ends[0]); }
     bool operator==(const AdaptiveEdge&) const = default;
 };
 
@@ -35,13 +51,14 @@ struct AdaptiveTriangle {
     std::array<Vec2f, 3> u{Vec2f::Zero(), Vec2f::Zero(), Vec2f::Zero()};  // material coordinates per corner, m
     std::array<TriangleId, 4> internal_triangles;                         // by the configuration's layout
     std::array<EdgeId, 3> internal_edges;
-    std::array<TriangleId, 3> next;  // per corner: the next leaf triangle round that vertex, by rising id
     std::uint16_t panel = 0;
     std::uint8_t level = 0;
     Configuration configuration : 4 = Configuration::C0;
     bool regular : 1 = true;  // a base triangle or a child of C10: the only ones that may be refined
     bool marked : 1 = false;  // waits for its transition
 
+    void bury() { vertices[0] = {}; }
+    bool is_alive() const { return bool(vertices[0]); }
     bool operator==(const AdaptiveTriangle&) const = default;
 };
 

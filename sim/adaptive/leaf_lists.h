@@ -1,6 +1,7 @@
 #pragma once
 // Flat lists of the leaf elements: all that the inner loops of simulation and drawing read.  (SPEC 1.4, table 3.6)
-// Their order depends on the topology alone: level by level, children in their parents' order.
+// They are kept, not gathered: what changes is put in place of what went, and the last fill what stays empty. Their
+// order depends on the history of the mesh, and is the same for the same history.
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -9,8 +10,6 @@
 #include "sim/core/vec.h"
 
 namespace selvedge {
-
-class AdaptiveMesh;
 
 struct LeafEdge {
     VertexId a, b;
@@ -44,6 +43,7 @@ struct Hinge {
     bool operator==(const Hinge&) const = default;
 };
 
+// Edges that have a hinge come first: hinges[i] belongs to edges[i]. The rest are boundary edges.
 struct LeafLists {
     std::vector<VertexId> vertices;
     std::vector<LeafEdge> edges;
@@ -54,9 +54,22 @@ struct LeafLists {
     bool operator==(const LeafLists&) const = default;
 };
 
-// Fills the lists anew, in the capacity that they have.
-void gather_leaves(const AdaptiveMesh& mesh, LeafLists& lists);
+// What the lists lost and gained. An id that went and came again stands in both: it may be another element, or have
+// other content. A leaf edge that came or went with triangles at both sides came or went with its hinge; the hinges of
+// edges that stayed, but whose triangles did not, are changed.
+struct LeafChanges {
+    std::vector<VertexId> vertices_gone, vertices_come;
+    std::vector<EdgeId> edges_gone, edges_come;
+    std::vector<TriangleId> triangles_gone, triangles_come;
+    std::vector<EdgeId> hinges_changed;
 
-float material_area(const std::array<Vec2f, 3>& u);  // m^2
+    void clear();
+};
+
+// m^2
+inline float material_area(const std::array<Vec2f, 3>& u) {
+    const Vec2f a = u[1] - u[0], b = u[2] - u[0];
+    return 0.5F * (a.x() * b.y() - a.y() * b.x());
+}
 
 }  // namespace selvedge

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "sim/adaptive/criteria.h"
 #include "sim/adaptive/foresight.h"
+#include "sim/adaptive/switched.h"
 #include "sim/body/collider.h"
 
 namespace selvedge {
@@ -14,8 +14,13 @@ struct ClothObserver {
     Cloth& cloth;
     const Collider& body;
     float offset;
+    Visibility* visibility;
+    TriangleBudget* budget;
 
-    void on_capacity(std::size_t capacity) { size_state(cloth, capacity); }
+    void on_capacity(std::size_t capacity) {
+        size_state(cloth, capacity);
+        if (visibility != nullptr) visibility->on_capacity(capacity);
+    }
 
     // The mean of the ends, and of their previous positions, so that velocity is averaged; out of the body if it fell
     // inside, without gaining speed from that.
@@ -27,46 +32,57 @@ struct ClothObserver {
         cloth.x_prev[c.value] = cloth.x[c.value] - velocity;
         cloth.normals[c.value] = normal.squaredNorm() > 0 ? Vec3f(normal.normalized()) : Vec3f::Zero();
         cloth.is_pinned[c.value] = cloth.is_pinned[a.value] && cloth.is_pinned[b.value];  // a pinned waistband stays up
+        if (visibility != nullptr) visibility->on_split(c, a, b);
+        if (budget != nullptr) budget->on_split();
     }
 
-    void on_rejoin(VertexId) {}
+    void on_rejoin(VertexId) {
+        if (budget != nullptr) budget->on_rejoin();
+    }
 };
 
-// The criteria that are switched on, each combination a function of its own: no edge asks what is switched off.
-template <class... Chosen>
-AdaptReport with_length(Cloth& cloth, ClothObserver& observer, const AdaptClothOptions& options,
-                        const Chosen&... chosen) {
-    const ShortestEdgeCriterion shortest{options.shortest_edge};
-    const HoldCriterion hold{options.may_rejoin};
-    if (!options.criteria.length) return adapt(cloth.mesh, observer, AdaptOptions{}, shortest, hold, chosen...);
-    const LengthCriterion<Vec4f> length(cloth.x);
-    return adapt(cloth.mesh, observer, AdaptOptions{}, shortest, hold, chosen..., length);
-}
+// All criteria, each with its switch.
+AdaptReport adapt_switched(Cloth& cloth, ClothObserver& observer, const AdaptClothOptions& options) {
+    const CriteriaOptions& on = options.criteria;
+    const bool sees = options.visibility != nullptr, counts = options.budget != nullptr;
+    const float scale = counts ? options.budget->scale() : 1.0F;
 
-template <class... Chosen>
-AdaptReport with_curvature(Cloth& cloth, ClothObserver& observer, const AdaptClothOptions& options,
-                           const Chosen&... chosen) {
-    if (!options.criteria.curvature) return with_length(cloth, observer, options, chosen...);
-    const CurvatureCriterion curvature(cloth.normals);
-    return with_length(cloth, observer, options, chosen..., Foresight(curvature));
-}
-
-AdaptReport with_collision(Cloth& cloth, ClothObserver& observer, const AdaptClothOptions& options) {
-    if (!options.criteria.collision) return with_curvature(cloth, observer, options);
-    const CollisionCriterion collision{.x = cloth.x, .body = observer.body, .offset = observer.offset};
-    return with_curvature(cloth, observer, options, collision);
+    const CollisionCriterion collision{
+        .x = cloth.x, .body = observer.body, .offset = observer.offset, .touch = options.collision_touch};
+    const CurvatureCriterion curvature(cloth.normals, scaled(options.curvature, scale));
+    const Foresight foresight(curvature);
+    const LengthCriterion<Vec4f> length(cloth.x, scaled(options.length, scale));
+    const BucklingCriterion<Vec4f> buckling(cloth.x, scaled(options.buckling, scale));
+    const MinimumLevelCriterion minimum{options.minimum_levels};
+    const BackFaceCriterion back_face{options.visibility};
+    const BudgetVeto veto{options.budget};
+    const BudgetCriterion keep{options.budget};
+    return adapt(cloth.mesh, observer, {.max_level = options.max_level, .transitions = options.transitions},
+                 ShortestEdgeCriterion{options.shortest_edge}, HoldCriterion{options.may_rejoin},
+                 Switched(counts, veto), Switched(sees, back_face), Switched(on.collision, collision),
+                 Switched(on.curvature, foresight), Switched(on.length, length), Switched(on.buckling, buckling),
+                 Switched(!options.minimum_levels.empty(), minimum), Switched(counts, keep));
 }
 
 }  // namespace
 
+float CollisionCriterion::height(std::span<const VertexId> corners) const {
+    float sum = 0;
+    for (const VertexId v : corners) sum += body.contact(x[v.value].head<3>()).distance - offset;
+    return sum / static_cast<float>(corners.size());
+}
+
 float CollisionCriterion::depth(const AdaptiveMesh& mesh, EdgeId id) const {
     const AdaptiveEdge& edge = mesh.edge(id);
-    const auto depth_at = [&](const Vec4f& p) { return offset - body.contact(p.head<3>()).distance; };
-    float deepest = depth_at((x[edge.ends[0].value] + x[edge.ends[1].value]) * 0.5F);
+    const auto depth_at = [&](const Vec4f& middle, std::span<const VertexId> corners) {
+        const float below = offset - body.contact(middle.head<3>()).distance;
+        return touch > 0 && below > -touch ? below + std::max(0.0F, height(corners)) : below;
+    };
+    float deepest = depth_at((x[edge.ends[0].value] + x[edge.ends[1].value]) * 0.5F, edge.ends);
     for (const TriangleId side : edge.sides) {
         if (!side) continue;
         const std::array<VertexId, 3>& v = mesh.triangle(side).vertices;
-        deepest = std::max(deepest, depth_at((x[v[0].value] + x[v[1].value] + x[v[2].value]) * (1.0F / 3.0F)));
+        deepest = std::max(deepest, depth_at((x[v[0].value] + x[v[1].value] + x[v[2].value]) * (1.0F / 3.0F), v));
     }
     return deepest;
 }
@@ -74,8 +90,10 @@ float CollisionCriterion::depth(const AdaptiveMesh& mesh, EdgeId id) const {
 AdaptReport adapt_cloth(Cloth& cloth, const Collider& body, const AdaptClothOptions& options,
                         const ContactOptions& contact) {
     update_normals(cloth);
-    ClothObserver observer{cloth, body, contact.offset};
-    const AdaptReport report = with_collision(cloth, observer, options);
+    if (options.visibility != nullptr) options.visibility->look(cloth.mesh, cloth.x, cloth.normals);
+    if (options.budget != nullptr) options.budget->start(cloth.mesh);
+    ClothObserver observer{cloth, body, contact.offset, options.visibility, options.budget};
+    const AdaptReport report = adapt_switched(cloth, observer, options);
     if (report.changed()) {
         refresh_elements(cloth);
         refresh_contacts(cloth, contact);

@@ -2,6 +2,7 @@
 // Elements addressed by typed 32-bit ids. The pool grows by whole blocks and never moves an element while it lives;
 // ids are freed last-in first-out, so that splitting again what was just rejoined finds the ids it had.
 // In steady state (no more elements alive than once before) nothing is allocated.
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -11,6 +12,12 @@
 
 namespace selvedge {
 
+// An element that can tell by itself that it is dead: no link to what it was must look sound.
+template <class T>
+concept Buriable = requires(T& element) {
+    element.bury();
+};
+
 template <class T, class ElementId>
 class Pool {
  public:
@@ -19,40 +26,57 @@ class Pool {
 
     // Takes the id that was released last, or the lowest that was never used.
     ElementId create(const T& element) {
-        if (free_.empty()) grow();
-        const ElementId id = free_.back();
-        free_.pop_back();
+        const ElementId id = take<1>()[0];
         (*this)[id] = element;
         return id;
     }
 
-    // Pre: id is alive. What is left behind is T{}, so that no stale link looks sound.
+    // Takes several at once, the last released first. What they hold is left to the caller to overwrite.
+    template <std::size_t kCount>
+    std::array<ElementId, kCount> take() {
+        if (free_count_ < kCount) grow();
+        std::array<ElementId, kCount> ids;
+        for (std::size_t i = 0; i < kCount; ++i) ids[i] = free_[free_count_ - 1 - i];
+        free_count_ -= kCount;
+        return ids;
+    }
+
+    // Pre: id is alive. What is left behind is buried, or else T{}, so that no stale link looks sound.
     void release(ElementId id) {
-        SELVEDGE_ASSERT(free_.size() < capacity());
-        (*this)[id] = T{};
-        free_.push_back(id);
+        SELVEDGE_ASSERT(free_count_ < free_.size());
+        if constexpr (Buriable<T>) {
+            (*this)[id].bury();
+        } else {
+            (*this)[id] = T{};
+        }
+        free_[free_count_++] = id;
     }
 
     T& operator[](ElementId id) { return blocks_[id.value >> kBlockBits][id.value & (kBlockSize - 1)]; }
     const T& operator[](ElementId id) const { return blocks_[id.value >> kBlockBits][id.value & (kBlockSize - 1)]; }
 
-    std::size_t size() const { return capacity() - free_.size(); }        // elements alive
-    std::size_t capacity() const { return blocks_.size() * kBlockSize; }  // every id is below it
-    std::span<const ElementId> free_ids() const { return free_; }         // the next to be taken is the last
+    std::size_t size() const { return capacity() - free_count_; }                        // elements alive
+    std::size_t capacity() const { return blocks_.size() * kBlockSize; }                 // every id is below it
+    std::span<const ElementId> free_ids() const { return {free_.data(), free_count_}; }  // the next is the last
 
     // What one element costs, its place in the free list included.
     static constexpr std::size_t kBytesPerElement = sizeof(T) + sizeof(ElementId);
 
  private:
     void grow() {
-        const std::size_t first = capacity();
+        const std::size_t first = capacity_;
         blocks_.emplace_back(kBlockSize);
-        free_.reserve(capacity());
-        for (std::size_t i = capacity(); i > first; --i) free_.push_back(ElementId(static_cast<std::uint32_t>(i - 1)));
+        capacity_ = blocks_.size() * kBlockSize;
+        free_.resize(capacity_);
+        for (std::size_t i = capacity(); i > first; --i) {
+            free_[free_count_++] = ElementId(static_cast<std::uint32_t>(i - 1));
+        }
     }
 
     std::vector<std::vector<T>> blocks_;  // the inner vectors never grow
-    std::vector<ElementId> free_;
+    std::vector<ElementId> free_;         // as many as there may be; the first free_count_ are
+    std::size_t free_count_ = 0;
+    std::size_t capacity_ = 0;
 };
 
 }  // namespace selvedge

@@ -35,6 +35,17 @@ TEST(Table, json_keeps_the_digits_that_are_not_printed_and_says_null_where_nothi
     EXPECT_TRUE(rows[1].elements()[1].is_null());
 }
 
+TEST(Thinned, keeps_a_few_rows_the_last_among_them_and_says_so) {
+    Table table{.name = "1", .title = "long", .columns = {"i"}};
+    for (int i = 0; i < 100; ++i) table.add_row({i});
+    const Table part = thinned(table, 24);
+    EXPECT_LE(part.rows.size(), 24U);
+    EXPECT_GE(part.rows.size(), 20U);
+    EXPECT_EQ(part.rows.back()[0].to_text(), "99");
+    EXPECT_NE(part.note.find("One row in 5"), std::string::npos) << part.note;
+    EXPECT_EQ(thinned(table, 100).rows.size(), 100U);
+}
+
 TEST(Timing, is_the_middle_and_the_least_of_the_runs) {
     const Timing timing = timing_of({3, 1, 2, 9, 8});
     EXPECT_EQ(timing.median, 3);

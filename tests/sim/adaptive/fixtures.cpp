@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -31,11 +32,24 @@ void add_quad(GarmentMesh& mesh, const std::array<int, 4>& v, const std::array<V
     mesh.triangles.push_back(triangle_of({v[0], v[2], v[3]}, {u[0], u[2], u[3]}, panel));
 }
 
+// What is free is left out: all free elements look alike.
 template <class T, class ElementId>
 std::vector<T> contents(const Pool<T, ElementId>& pool) {
     std::vector<T> all;
     for (std::uint32_t i = 0; i < pool.capacity(); ++i) all.push_back(pool[ElementId(i)]);
+    for (const ElementId id : pool.free_ids()) all[id.value] = T{};
     return all;
+}
+
+LeafLists sorted(LeafLists leaves) {
+    const auto sort_by = [](auto& list, auto&& id_of) {
+        std::sort(list.begin(), list.end(), [&](const auto& a, const auto& b) { return id_of(a) < id_of(b); });
+    };
+    sort_by(leaves.vertices, [](VertexId v) { return v; });
+    sort_by(leaves.edges, [](const LeafEdge& e) { return e.edge; });
+    sort_by(leaves.triangles, [](const LeafTriangle& t) { return t.triangle; });
+    sort_by(leaves.hinges, [](const Hinge& h) { return h.edge; });
+    return leaves;
 }
 
 }  // namespace
@@ -152,7 +166,7 @@ Snapshot::Snapshot(const AdaptiveMesh& mesh)
     : vertices(contents(mesh.vertices())),
       edges(contents(mesh.edges())),
       triangles(contents(mesh.triangles())),
-      leaves(mesh.leaves()) {}
+      leaves(sorted(mesh.leaves())) {}
 
 Snapshot Snapshot::cut_to(const AdaptiveMesh& base) const {
     Snapshot part = *this;

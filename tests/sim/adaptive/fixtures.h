@@ -55,7 +55,7 @@ struct ChosenEdges {
     bool allows_rejoin(const AdaptiveMesh&, EdgeId e) const { return !chosen.contains(e); }
 };
 
-// All that a mesh holds, to compare bit by bit.
+// All that a mesh holds, to compare bit by bit; its leaf lists sorted by id, for their order is history.
 struct Snapshot {
     std::vector<AdaptiveVertex> vertices;
     std::vector<AdaptiveEdge> edges;

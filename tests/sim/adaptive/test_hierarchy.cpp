@@ -45,13 +45,10 @@ TEST(Hierarchy, is_sound_at_every_uniform_level_and_comes_back) {
 }
 
 TEST(Hierarchy, costs_fewer_bytes_per_element_than_the_thesis) {
-    using Mesh = AdaptiveMesh;
-    constexpr std::size_t vertex = std::remove_cvref_t<decltype(std::declval<Mesh>().vertices())>::kBytesPerElement;
-    constexpr std::size_t edge = std::remove_cvref_t<decltype(std::declval<Mesh>().edges())>::kBytesPerElement;
-    constexpr std::size_t triangle = std::remove_cvref_t<decltype(std::declval<Mesh>().triangles())>::kBytesPerElement;
-    EXPECT_LE(vertex + sizeof(float), 16U);  // with its material area; the thesis: 144
-    EXPECT_LE(edge, 40U);                    // 52
-    EXPECT_LE(triangle, 96U);                // 120, corner coordinates not counted
+    constexpr AdaptiveMesh::BytesPerElement bytes = AdaptiveMesh::bytes_per_element();
+    EXPECT_LE(bytes.vertex, 28U);    // the thesis: 144
+    EXPECT_LE(bytes.edge, 48U);      // 52
+    EXPECT_LE(bytes.triangle, 92U);  // 120, corner coordinates not counted
 }
 
 TEST(Hierarchy, halves_rest_lengths_and_takes_internal_ones_from_the_material) {

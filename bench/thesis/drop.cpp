@@ -1,0 +1,179 @@
+#include "bench/thesis/drop.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench/timing.h"
+#include "render/cloth_vertices.h"
+#include "sim/adaptive/square.h"
+#include "sim/adaptive/uniform.h"
+#include "sim/body/analytic_collider.h"
+#include "sim/cloth/step.h"
+#include "sim/dress/inspect.h"
+
+namespace selvedge {
+namespace {
+
+constexpr int kStepsPerFrame = 4;
+constexpr double kFrameSeconds = 1.0 / 30;
+constexpr int kGridSide = 33;
+constexpr double kSide = 1.0;              // m, of the cloth
+constexpr double kBeside = 0.15;           // m, how far from the middle a cloth starts that falls off
+constexpr float kSlipperyFriction = 0.2F;  // of the fabric's, so that it does fall off
+constexpr float kNoFloor = -1000.0F;       // m
+constexpr float kTouch = 0.001F;           // m: an edge that contacts between vertices hold off counts as cutting
+
+Cloth make_drop_cloth(const DropOptions& options) {
+    GarmentMesh base =
+        make_square({.columns = 4, .rows = 4, .width = kSide, .depth = kSide, .height = kDropRadius + 0.1});
+    for (Vec3d& x : base.x) x += Vec3d(0, 0, options.shift + (options.falls_off ? kBeside : 0.0));
+    return make_cloth(base, {find_fabric("cotton_shirting")});
+}
+
+struct Scene {
+    Cloth cloth;
+    std::unique_ptr<Collider> object;
+    StepOptions stepping{};
+    AdaptClothOptions adapting{};
+    DropRun run{};
+};
+
+// A disc that holds the whole cloth.
+MinimumLevelDisc everywhere(int level) {
+    return {.panel = 0, .centre = Vec2f::Zero(), .radius = 10.0F * static_cast<float>(kSide), .level = level};
+}
+
+Scene make_scene(const DropOptions& options) {
+    Scene scene{.cloth = make_drop_cloth(options), .object = make_drop_object(options.object)};
+    scene.stepping.contact.floor = kNoFloor;
+    scene.adapting.collision_touch = kTouch;
+    if (options.falls_off) scene.stepping.contact.friction_scale = kSlipperyFriction;
+    scene.adapting.criteria = options.criteria;
+    scene.adapting.shortest_edge = 0;
+    refresh_contacts(scene.cloth, scene.stepping.contact);
+    if (options.uniform_level) {
+        const MinimumLevelDisc disc = everywhere(*options.uniform_level);
+        adapt_cloth(scene.cloth, *scene.object,
+                    {.criteria = {.collision = false, .curvature = false, .length = false},
+                     .minimum_levels = {&disc, 1},
+                     .shortest_edge = 0},
+                    scene.stepping.contact);
+    }
+    return scene;
+}
+
+// With a uniform level: the pass that asks every edge and changes nothing.
+void adapt_frame(Scene& scene, const DropOptions& options) {
+    if (options.uniform_level) {
+        NoState none;
+        set_uniform_level(scene.cloth.mesh, none, *options.uniform_level);
+    } else {
+        adapt_cloth(scene.cloth, *scene.object, scene.adapting, scene.stepping.contact);
+    }
+}
+
+void step_frame(Cloth& cloth, const Collider& object, const StepOptions& stepping) {
+    for (int i = 0; i < kStepsPerFrame; ++i) step(cloth, object, stepping);
+}
+
+void draw_frame(const Cloth& cloth) {
+    const PlainMesh mesh = plain_mesh(cloth, {"cloth"});
+    keep(make_cloth_vertices(mesh, vertex_normals(mesh), std::vector<Openness>(mesh.x.size())));
+}
+
+DropFrame run_frame(Scene& scene, const DropOptions& options) {
+    DropFrame frame;
+    frame.adaption = 1e3 * time_once([&] { adapt_frame(scene, options); });
+    frame.triangles = scene.cloth.mesh.leaf_triangles().size();
+    double free_steps = 0;
+    if (options.times_parts) {
+        Cloth free = scene.cloth;
+        refresh_contacts(free, scene.stepping.contact);
+        free_steps = 1e3 * time_once([&] { step_frame(free, NoBody{}, scene.stepping); });
+    }
+    frame.steps = 1e3 * time_once([&] { step_frame(scene.cloth, *scene.object, scene.stepping); });
+    if (options.times_parts) {
+        frame.collision = std::max(0.0, frame.steps - free_steps);
+        frame.drawing = 1e3 * time_once([&] { draw_frame(scene.cloth); });
+    }
+    return frame;
+}
+
+// The share of each corner in p, as the leaf triangle has it in material coordinates.
+Vec3f barycentric(const std::array<Vec2f, 3>& u, const Vec2f& p) {
+    const auto area = [](const Vec2f& a, const Vec2f& b) { return a.x() * b.y() - a.y() * b.x(); };
+    const float whole = area(u[1] - u[0], u[2] - u[0]);
+    const float b = area(p - u[0], u[2] - u[0]) / whole, c = area(u[1] - u[0], p - u[0]) / whole;
+    return {1 - b - c, b, c};
+}
+
+// Pre: material coordinates run over a square of kSide, as make_square has it.
+std::vector<Vec3f> sample_grid(const Cloth& cloth) {
+    std::vector<Vec3f> grid(std::size_t{kGridSide} * kGridSide, Vec3f::Zero());
+    Vec2f low = Vec2f::Constant(1e6F);
+    for (const LeafTriangle& t : cloth.mesh.leaf_triangles())
+        for (const Vec2f& u : t.u) low = low.cwiseMin(u);
+    const float spacing = static_cast<float>(kSide) / (kGridSide - 1);
+    for (const LeafTriangle& t : cloth.mesh.leaf_triangles()) {
+        const Vec2f from = (t.u[0].cwiseMin(t.u[1]).cwiseMin(t.u[2]) - low) / spacing;
+        const Vec2f to = (t.u[0].cwiseMax(t.u[1]).cwiseMax(t.u[2]) - low) / spacing;
+        for (int row = static_cast<int>(std::lround(from.y())); row <= std::lround(to.y()); ++row) {
+            for (int column = static_cast<int>(std::lround(from.x())); column <= std::lround(to.x()); ++column) {
+                const Vec2f u = low + spacing * Vec2f(static_cast<float>(column), static_cast<float>(row));
+                const Vec3f share = barycentric(t.u, u);
+                if (share.minCoeff() < -1e-4F) continue;
+                Vec3f& x = grid[static_cast<std::size_t>(row * kGridSide + column)];
+                x.setZero();
+                for (std::size_t k = 0; k < 3; ++k) x += share[static_cast<int>(k)] * cloth.x[t.v[k].value].head<3>();
+            }
+        }
+    }
+    return grid;
+}
+
+}  // namespace
+
+std::unique_ptr<Collider> make_drop_object(DropObject object) {
+    if (object == DropObject::Sphere) return std::make_unique<SphereCollider>(Vec3f::Zero(), kDropRadius);
+    return std::make_unique<CylinderCollider>(CylinderShape{.radius = kDropRadius, .half_length = kDropHalfLength});
+}
+
+const char* name_of(DropObject object) {
+    return object == DropObject::Sphere ? "sphere" : "cylinder";
+}
+
+DropRun run_drop(const DropOptions& options) {
+    Scene scene = make_scene(options);
+    scene.adapting.transitions = &scene.run.transitions;
+    const int frames = static_cast<int>(std::lround(options.seconds / kFrameSeconds));
+    for (int i = 0; i < frames; ++i) {
+        DropFrame& frame = scene.run.frames.emplace_back(run_frame(scene, options));
+        frame.time = (i + 1) * kFrameSeconds;
+        if (options.watch) options.watch(scene.cloth, frame.time);
+    }
+    scene.run.grid = sample_grid(scene.cloth);
+    return std::move(scene.run);
+}
+
+DropRun run_drop_repeatedly(const DropOptions& options, int runs) {
+    DropRun run = run_drop(options);
+    for (int i = 1; i < runs; ++i) {
+        const DropRun again = run_drop(options);
+        for (std::size_t f = 0; f < run.frames.size(); ++f) {
+            DropFrame& least = run.frames[f];
+            least.adaption = std::min(least.adaption, again.frames[f].adaption);
+            least.steps = std::min(least.steps, again.frames[f].steps);
+            least.collision = std::min(least.collision, again.frames[f].collision);
+            least.drawing = std::min(least.drawing, again.frames[f].drawing);
+        }
+    }
+    return run;
+}
+
+double mean_distance(const DropRun& a, const DropRun& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.grid.size(); ++i) sum += static_cast<double>((a.grid[i] - b.grid[i]).norm());
+    return sum / static_cast<double>(a.grid.size());
+}
+
+}  // namespace selvedge

@@ -1,0 +1,50 @@
+#pragma once
+// The experiments of the thesis' chapters 3 and 4 (SPEC 1.5, 3.3), under the thesis' own table and figure numbers.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bench/plot.h"
+#include "bench/table.h"
+#include "render/image/image.h"
+
+namespace selvedge {
+
+struct ThesisOptions {
+    bool is_quick = false;  // tiny sizes and one run each: to see that all works, the times mean nothing
+};
+
+struct Capture {
+    std::string name;    // of the figure, such as "3.23"
+    std::string moment;  // such as "0.4s"
+    Image image;
+};
+
+struct ThesisResult {
+    std::vector<Table> tables;
+    std::vector<Figure> figures;
+    std::vector<Capture> captures;
+};
+
+// What is measured together. The names of what it makes stand first, so that nothing runs that nobody asked for.
+struct Experiment {
+    std::vector<std::string> tables;
+    std::vector<std::string> figures;
+    ThesisResult (*measure)(const ThesisOptions&);
+    bool makes_pictures_only = false;
+};
+
+std::vector<Experiment> thesis_experiments();
+
+// One file each.
+ThesisResult measure_transition_cost(const ThesisOptions& options);
+ThesisResult measure_traversal(const ThesisOptions& options);
+ThesisResult measure_uniform_refinement(const ThesisOptions& options);
+ThesisResult measure_memory(const ThesisOptions& options);
+ThesisResult measure_uniform_drops(const ThesisOptions& options);
+ThesisResult measure_adaptive_drops(const ThesisOptions& options);
+ThesisResult measure_drop_captures(const ThesisOptions& options);
+ThesisResult measure_drop_timings(const ThesisOptions& options);
+ThesisResult measure_point_search(const ThesisOptions& options);
+
+}  // namespace selvedge

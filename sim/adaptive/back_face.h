@@ -1,0 +1,82 @@
+#pragma once
+// Back-face coarsening: where the cloth's right side is turned away from the viewer, nothing needs to be fine. The band
+// in which fine passes into coarse lies wholly on the side that is not seen.  (thesis 5; SPEC 1.3)
+//
+// An edge that does not split keeps the triangles beside it coarse, and by the permissions also holds back its
+// neighbours' finer edges: at most one ring of triangles of the edge's own level. So an edge is vetoed only when all
+// triangles of its level that touch its two triangles are hidden; a triangle is hidden when none of its leaves is seen.
+#include <cstdint>
+#include <vector>
+
+#include "sim/adaptive/adaptive_mesh.h"
+#include "sim/core/vec.h"
+
+namespace selvedge {
+
+struct ViewPoint {
+    Vec3f eye = Vec3f::UnitZ();  // where the viewer stands, m; orthographic: unit vector from the cloth to the viewer
+    bool is_orthographic = false;
+};
+
+struct BackFaceOptions {
+    float split_margin = 0.10F;   // rad beyond the silhouette that still count as seen: no split is refused there
+    float rejoin_margin = 0.25F;  // above split_margin: no rejoin is forced there, so that nothing flickers
+};
+
+// What is seen of a mesh. Part of the state that the adaption's observer keeps: pass its calls on.
+class Visibility {
+ public:
+    explicit Visibility(const ViewPoint& view, const BackFaceOptions& options = {});
+
+    void move_to(const ViewPoint& view) { view_ = view; }
+
+    // Looks at all leaves; before each adaption. A leaf counts as seen when its plane or the normal of one of its
+    // vertices is. Position is any vector type whose first three coefficients are the position, m; normals: unit.
+    template <class Position>
+    void look(const AdaptiveMesh& mesh, const std::vector<Position>& x, const std::vector<Vec3f>& normals) {
+        start(mesh);
+        for (const LeafTriangle& leaf : mesh.leaf_triangles()) {
+            const auto at = [&](std::size_t k) { return Vec3f(x[leaf.v[k].value].template head<3>()); };
+            const auto normal = [&](std::size_t k) { return normals[leaf.v[k].value]; };
+            mark_leaf(leaf, seen({at(0), at(1), at(2)}, {normal(0), normal(1), normal(2)}));
+        }
+        pass_up(mesh);
+    }
+
+    void on_capacity(std::size_t vertices) { seen_levels_.resize(vertices, 0); }
+    // The triangles round the new centre lie within those that touch both a and b.
+    void on_split(VertexId c, VertexId a, VertexId b) {
+        seen_levels_[c.value] = seen_levels_[a.value] & seen_levels_[b.value];
+    }
+
+    // Whether all triangles of the edge's level round its two triangles are hidden.
+    bool is_hidden(const AdaptiveMesh& mesh, EdgeId e) const;
+
+ private:
+    // Bit 0: seen, or within the split margin; bit 1: within the rejoin margin.
+    using Seen = std::uint8_t;
+
+    void start(const AdaptiveMesh& mesh);
+    Seen seen(const std::array<Vec3f, 3>& x, const std::array<Vec3f, 3>& normals) const;
+    float facing(const Vec3f& at, const Vec3f& normal) const;
+    void pass_up(const AdaptiveMesh& mesh);
+    void mark_leaf(const LeafTriangle& leaf, Seen how);
+    void mark_corners(const std::array<VertexId, 3>& corners, Seen how, std::uint32_t levels);
+
+    ViewPoint view_;
+    float least_facing_split_;  // cosine between normal and direction to the viewer
+    float least_facing_rejoin_;
+    std::vector<Seen> leaf_seen_;  // by triangle id, parents too
+    // By vertex id: bit l is set when a triangle of level l at this vertex is seen, or a leaf above level l; the same
+    // for the rejoin margin 16 bits higher.
+    std::vector<std::uint32_t> seen_levels_;
+};
+
+struct BackFaceCriterion {
+    static constexpr bool is_veto = true;
+    const Visibility* visibility;
+
+    bool vetoes(const AdaptiveMesh& mesh, EdgeId e) const { return visibility->is_hidden(mesh, e); }
+};
+
+}  // namespace selvedge

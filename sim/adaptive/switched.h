@@ -1,0 +1,30 @@
+#pragma once
+// A criterion that is asked only while it is switched on: off, it asks for nothing, agrees to all and vetoes nothing.
+// So one adapt() over all criteria serves every combination that a user can choose. One function for each combination
+// would double with each criterion; a switch is one bool in a register, and always goes the same way.
+#include "sim/adaptive/adapt.h"
+
+namespace selvedge {
+
+template <EdgeCriterion Criterion>
+struct Switched {
+    bool is_on;
+    const Criterion& criterion;  // outlives this
+
+    bool wants_split(const AdaptiveMesh& mesh, EdgeId e) const { return is_on && criterion.wants_split(mesh, e); }
+    bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId e) const { return !is_on || criterion.allows_rejoin(mesh, e); }
+};
+
+template <VetoCriterion Criterion>
+struct Switched<Criterion> {
+    static constexpr bool is_veto = true;
+    bool is_on;
+    const Criterion& criterion;  // outlives this
+
+    bool vetoes(const AdaptiveMesh& mesh, EdgeId e) const { return is_on && criterion.vetoes(mesh, e); }
+};
+
+template <class Criterion>
+Switched(bool, const Criterion&) -> Switched<Criterion>;
+
+}  // namespace selvedge

@@ -1,0 +1,131 @@
+// The criteria that adapt_cloth switches on by its options, on cloth that moves.
+#include "sim/cloth/adapt_cloth.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/adaptive/check.h"
+#include "sim/body/analytic_collider.h"
+#include "tests/sim/cloth/fixtures.h"
+
+namespace selvedge::test {
+namespace {
+
+// A cloth of 1 m falls on a ball of 0.25 m, one adaption for each fourth step.
+class Drape : public testing::Test {
+ protected:
+    const SphereCollider ball_{Vec3f::Zero(), 0.25F};
+    Cloth cloth_ = make_patch(find_fabric("cotton_shirting"), {.side = 1.0, .quads = 6, .height = 0.26});
+    StepOptions stepping_;
+    AdaptClothOptions options_;
+
+    void SetUp() override {
+        stepping_.contact.floor = kNoFloor;
+        refresh_contacts(cloth_);
+    }
+
+    // One adaption and a thirtieth of a second.
+    AdaptReport run_once() {
+        const AdaptReport report = adapt_cloth(cloth_, ball_, options_);
+        const float step_seconds = cloth_.substep * static_cast<float>(stepping_.substeps);
+        for (float t = 0; t < 1.0F / 30 - 1e-4F; t += step_seconds) step(cloth_, ball_, stepping_);
+        return report;
+    }
+    void run(double seconds) {
+        for (int i = 0; i < static_cast<int>(30 * seconds); ++i) run_once();
+    }
+    std::size_t leaves() const { return cloth_.mesh.leaf_triangles().size(); }
+};
+
+TEST_F(Drape, keeps_to_a_triangle_budget_that_steps_up_and_down) {
+    TriangleBudget budget({.target = 500});
+    options_.budget = &budget;
+    run(0.5);
+    for (const std::size_t target : {500U, 1200U, 400U, 900U}) {
+        budget.set_target(target);
+        run(1.0);
+        for (int i = 0; i < 15; ++i) {
+            run_once();
+            EXPECT_NEAR(static_cast<double>(leaves()), static_cast<double>(target), 0.05 * static_cast<double>(target));
+        }
+        EXPECT_TRUE(check(cloth_.mesh).empty());
+    }
+    EXPECT_FALSE(find_bad_vertex(cloth_).has_value());
+}
+
+TEST_F(Drape, counts_its_transitions_on_demand) {
+    TransitionCounts counts;
+    options_.transitions = &counts;
+    long made = 0;
+    for (int i = 0; i < 10; ++i) made += run_once().transitions;
+    std::uint64_t counted = 0;
+    for (const auto& row : counts.by_configuration)
+        for (const std::uint64_t n : row) counted += n;
+    EXPECT_GT(made, 0);
+    EXPECT_EQ(counted, static_cast<std::uint64_t>(made));
+}
+
+TEST(AdaptClothTo, a_viewer_from_below_sees_none_of_the_right_side_so_that_all_of_it_is_coarse) {
+    Cloth cloth = make_patch(find_fabric("silk"), {.side = 1.0, .quads = 6});
+    const auto adapt_waves = [&](Visibility* visibility) {
+        for (int i = 0; i < 4; ++i) {
+            for (const VertexId v : cloth.mesh.leaf_vertices())
+                cloth.x[v.value].y() = 2 + 0.05F * std::sin(12 * cloth.x[v.value].x());
+            adapt_cloth(cloth, NoBody{}, {.visibility = visibility});
+        }
+        return cloth.mesh.leaf_triangles().size();
+    };
+    Visibility from_below({.eye = Vec3f(0, -1, 0), .is_orthographic = true});
+    Visibility from_above({.eye = Vec3f(0, 1, 0), .is_orthographic = true});
+    const std::size_t everywhere = adapt_waves(nullptr);
+    ASSERT_GT(everywhere, 2 * cloth.mesh.base_triangle_count());
+    EXPECT_EQ(adapt_waves(&from_below), cloth.mesh.base_triangle_count());
+    EXPECT_EQ(adapt_waves(&from_above), everywhere);
+}
+
+TEST_F(Drape, is_fine_where_it_was_painted) {
+    const MinimumLevelDisc disc{.panel = 0, .centre = Vec2f(0.1F, 0.1F), .radius = 0.05F, .level = 2};
+    options_.minimum_levels = {&disc, 1};
+    for (int i = 0; i < 10; ++i) {
+        run_once();
+        for (const LeafTriangle& t : cloth_.mesh.leaf_triangles()) {
+            if (distance_to_triangle(disc.centre, t.u) <= disc.radius) {
+                EXPECT_GE(t.level, 2);
+            }
+        }
+    }
+}
+
+TEST_F(Drape, goes_no_deeper_than_asked_for) {
+    options_.max_level = 1;
+    run(0.5);
+    EXPECT_GT(cloth_.mesh.split_edges(0).size(), 0U);
+    EXPECT_TRUE(cloth_.mesh.split_edges(1).empty());
+}
+
+TEST(CollisionCriterion, counts_an_edge_that_is_held_off_when_told_how_near_that_is) {
+    const float offset = ContactOptions{}.offset;
+    const SphereCollider ball{Vec3f(0, 2 - 0.25F - offset, 0), 0.25F};  // the cloth lies on it, at the contact offset
+    Cloth cloth = make_patch(find_fabric("silk"), {.side = 1.0, .quads = 5});
+    AdaptClothOptions options{.criteria = {.curvature = false, .length = false}};
+    EXPECT_FALSE(adapt_cloth(cloth, ball, options).changed()) << "nothing cuts it";
+    options.collision_touch = 0.001F;
+    EXPECT_GT(adapt_cloth(cloth, ball, options).splits, 0);
+    const std::size_t fine = cloth.mesh.leaf_triangles().size();
+    EXPECT_FALSE(adapt_cloth(cloth, ball, options).changed()) << "it does not flicker";
+    EXPECT_LT(fine, cloth.mesh.base_triangle_count() * 4) << "far from the ball it stays coarse";
+    adapt_cloth(cloth, NoBody{}, options);
+    EXPECT_LT(cloth.mesh.leaf_triangles().size(), fine) << "it rejoins when the ball is gone";
+}
+
+TEST_F(Drape, asks_for_buckling_when_that_alone_is_switched_on) {
+    options_.criteria = {.collision = false, .curvature = false, .length = false, .buckling = true};
+    options_.shortest_edge = 0;
+    EXPECT_FALSE(adapt_cloth(cloth_, ball_, options_).changed()) << "flat and at rest";
+    for (const VertexId v : cloth_.mesh.leaf_vertices()) cloth_.x[v.value].x() *= 0.97F;
+    EXPECT_GT(adapt_cloth(cloth_, ball_, options_).splits, 0);
+}
+
+}  // namespace
+}  // namespace selvedge::test
