@@ -38,7 +38,10 @@ void add_bench_command(CLI::App& app, int& exit_code) {
     command->require_subcommand(1);
     command->footer("Example: selvedge bench thesis --table 3.6 --json figures.json");
     add_bench_collide(*command, exit_code);
+    add_bench_drop(*command, exit_code);
+    add_bench_fabric(*command, exit_code);
     add_bench_thesis(*command, exit_code);
+    add_bench_tshirt(*command, exit_code);
 }
 
 }  // namespace selvedge

@@ -9,7 +9,10 @@
 namespace selvedge {
 
 void add_bench_collide(CLI::App& bench, int& exit_code);
+void add_bench_drop(CLI::App& bench, int& exit_code);
+void add_bench_fabric(CLI::App& bench, int& exit_code);
 void add_bench_thesis(CLI::App& bench, int& exit_code);
+void add_bench_tshirt(CLI::App& bench, int& exit_code);
 
 // --json FILE, which every experiment has. The path must outlive the parsing.
 void add_json_option(CLI::App& command, std::string& path);

@@ -1,0 +1,167 @@
+#include "bench/drop/report.h"
+
+#include <algorithm>
+
+#include "sim/core/parallel.h"
+#include "sim/core/quantile.h"
+
+namespace selvedge {
+namespace {
+
+SphereDropOptions options_for(const DropExperiment& experiment, int substeps) {
+    return {.base_quads = base_quads_for(experiment.triangles, experiment.scene),
+            .substeps = substeps,
+            .clock = experiment.threads > 1 ? DropClock::WallTime : DropClock::ThreadTime,
+            .scene = experiment.scene};
+}
+
+// Tries what the search asks for, and keeps all trials by rising sub-steps.
+DropTrial search(const DropExperiment& experiment, std::vector<DropTrial>& trials, const Progress& progress) {
+    const auto passes = [&](int substeps) {
+        report(progress, "searching: " + std::to_string(substeps) + " sub-steps", 0);
+        trials.push_back(try_drop(options_for(experiment, substeps), experiment.gates));
+        return trials.back().passes();
+    };
+    std::optional<int> found;
+    if (experiment.substeps) {
+        if (passes(*experiment.substeps)) found = experiment.substeps;
+    } else {
+        found = find_least(experiment.most_substeps, passes);
+    }
+    const int wanted = found.value_or(trials.back().substeps);
+    std::ranges::sort(trials, {}, &DropTrial::substeps);
+    return *std::ranges::find(trials, wanted, &DropTrial::substeps);
+}
+
+void measure_honesty(const SphereDropOptions& options, DropReport& report, const Progress& progress) {
+    selvedge::report(progress, "converged runs", 0);
+    SphereDrop drop = run_sphere_drop(options);
+    report.converged = compare_converged(drop, options, std::max(64, 4 * options.substeps));
+    selvedge::report(progress, "without gravity", 0);
+    ClothRun copy = drop.run;
+    report.weightless = weightless(copy, options.scene);
+    selvedge::report(progress, "coming to rest", 0);
+    report.rest = rest_after(drop.run, options.scene);
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+    return text;
+}
+
+std::vector<Cell> trial_cells(const DropTrial& trial) {
+    const DropQuality& q = trial.quality;
+    return {trial.substeps,
+            Cell(trial.ms_per_frame, 4),
+            Cell(q.p99_stretch, 4),
+            Cell(q.max_stretch, 4),
+            Cell(q.p1_compression, 4),
+            Cell(q.area_error, 4),
+            Cell(1e3 * q.least_gap, 3),
+            Cell(trial.bias.stiffness_ratio, 3),
+            trial.passes() ? "all met" : "missed: " + joined(trial.missed)};
+}
+
+Table trial_table(const DropReport& report) {
+    Table table{
+        .name = "drop",
+        .title = std::to_string(report.triangles) + " triangles dropped on a sphere, " +
+                 std::to_string(report.threads) + (report.threads > 1 ? " threads" : " thread"),
+        .note = "Sub-steps per frame of 1/60 s, each number tried once; ms per frame: median of frames 46 to 90."};
+    table.columns = {"sub-steps",  "ms per frame",  "p99 stretch",    "max stretch", "p1",
+                     "area error", "least gap, mm", "bias stiffness", "gates"};
+    for (const DropTrial& trial : report.trials) table.add_row(trial_cells(trial));
+    return table;
+}
+
+Table honesty_table(const DropReport& report) {
+    Table table{.name = "drop honesty", .title = "What the chosen setting does when nobody times it"};
+    table.columns = {"figure", "value"};
+    const ConvergedFigures& converged = *report.converged;
+    table.add_row({"kinetic energy after 10 s of rest, mJ", Cell(1e3 * report.rest.kinetic_energy, 4)});
+    table.add_row({"rms speed then, mm/s", Cell(1e3 * report.rest.rms_speed, 3)});
+    table.add_row({"rms net speed over the last second, mm/s", Cell(1e3 * report.rest.net_speed, 3)});
+    table.add_row({"energy growth without gravity", Cell(report.weightless.energy_growth, 5)});
+    table.add_row({"kinetic energy growth without gravity", Cell(report.weightless.kinetic_growth, 5)});
+    table.add_row({"sub-steps of the converged run", converged.substeps});
+    table.add_row({"mean distance to it, mm", Cell(1e3 * converged.distance.mean, 2)});
+    table.add_row({"rms distance to it, mm", Cell(1e3 * converged.distance.rms, 2)});
+    table.add_row({"mean noise floor, mm", Cell(1e3 * converged.noise_floor.mean, 2)});
+    table.add_row({"rms noise floor, mm", Cell(1e3 * converged.noise_floor.rms, 2)});
+    return table;
+}
+
+Json trial_json(const DropTrial& trial, double ms_per_frame, int triangles) {
+    const DropQuality& q = trial.quality;
+    Json json = Json::object();
+    json[drop_key::kUsPerTriangleFrame] = 1e3 * ms_per_frame / triangles;
+    json[drop_key::kMsPerFrame] = ms_per_frame;
+    json[drop_key::kP99Stretch] = q.p99_stretch;
+    json[drop_key::kMaxStretch] = q.max_stretch;
+    json[drop_key::kAreaError] = q.area_error;
+    json[drop_key::kSubsteps] = trial.substeps;
+    json[drop_key::kP1Compression] = q.p1_compression;
+    json[drop_key::kLeastGapM] = q.least_gap;
+    json[drop_key::kBiasStiffnessRatio] = trial.bias.stiffness_ratio;
+    json[drop_key::kMeetsGates] = trial.passes();
+    json[drop_key::kMissed] = Json::array({trial.missed.begin(), trial.missed.end()});
+    return json;
+}
+
+void add_honesty(const DropReport& report, Json& json) {
+    json[drop_key::kRestKineticEnergyJ] = report.rest.kinetic_energy;
+    json[drop_key::kRestRmsSpeed] = report.rest.rms_speed;
+    json[drop_key::kRestNetSpeed] = report.rest.net_speed;
+    json[drop_key::kWeightlessEnergyGrowth] = report.weightless.energy_growth;
+    json[drop_key::kWeightlessKineticGrowth] = report.weightless.kinetic_growth;
+    json[drop_key::kConvergedSubsteps] = report.converged->substeps;
+    json[drop_key::kDistanceMeanM] = report.converged->distance.mean;
+    json[drop_key::kDistanceRmsM] = report.converged->distance.rms;
+    json[drop_key::kNoiseFloorMeanM] = report.converged->noise_floor.mean;
+    json[drop_key::kNoiseFloorRmsM] = report.converged->noise_floor.rms;
+}
+
+}  // namespace
+
+DropReport measure_drop(const DropExperiment& experiment, const Progress& progress) {
+    const ThreadLimit limit(experiment.threads);
+    DropReport report;
+    report.threads = experiment.threads;
+    const int base_quads = base_quads_for(experiment.triangles, experiment.scene);
+    report.triangles = triangle_count(base_quads, experiment.scene.level);
+    report.chosen = search(experiment, report.trials, progress);
+    const SphereDropOptions options = options_for(experiment, report.chosen.substeps);
+    std::vector<double> medians;
+    for (int i = 0; i < experiment.repetitions; ++i) {
+        selvedge::report(progress, "timing", double(i) / experiment.repetitions);
+        medians.push_back(run_sphere_drop(options).ms_per_frame);
+    }
+    report.ms_per_frame = medians.empty() ? report.chosen.ms_per_frame : quantile(medians, 0.5);
+    if (experiment.is_honest) measure_honesty(options, report, progress);
+    return report;
+}
+
+std::vector<Table> tables_of(const DropReport& report) {
+    Table chosen{.name = "drop result", .title = "The cheapest setting that meets the gates"};
+    if (!report.chosen.passes()) chosen.title = "No setting meets the gates; the last one tried";
+    chosen.columns = {"triangles", "threads", "sub-steps", "ms per frame", "us per triangle and frame", "p99 stretch"};
+    chosen.add_row({report.triangles, report.threads, report.chosen.substeps, Cell(report.ms_per_frame, 4),
+                    Cell(1e3 * report.ms_per_frame / report.triangles, 5), Cell(report.chosen.quality.p99_stretch, 4)});
+    std::vector<Table> tables{trial_table(report), chosen};
+    if (report.converged) tables.push_back(honesty_table(report));
+    return tables;
+}
+
+Json to_json(const DropReport& report) {
+    Json json = trial_json(report.chosen, report.ms_per_frame, report.triangles);
+    json[drop_key::kTriangles] = report.triangles;
+    json[drop_key::kThreads] = report.threads;
+    if (report.converged) add_honesty(report, json);
+    Json& trials = json[drop_key::kTrials] = Json::array();
+    for (const DropTrial& trial : report.trials)
+        trials.push_back(trial_json(trial, trial.ms_per_frame, report.triangles));
+    return json;
+}
+
+}  // namespace selvedge

@@ -1,0 +1,68 @@
+#pragma once
+// The whole drop experiment, and its figures as tables and JSON. Every key of the JSON is declared here, once.
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "bench/drop/honesty.h"
+#include "bench/drop/search.h"
+#include "bench/table.h"
+#include "sim/core/progress.h"
+
+namespace selvedge {
+
+namespace drop_key {
+inline constexpr std::string_view kUsPerTriangleFrame = "us_per_triangle_frame";
+inline constexpr std::string_view kMsPerFrame = "ms_per_frame";
+inline constexpr std::string_view kP99Stretch = "p99_stretch";
+inline constexpr std::string_view kMaxStretch = "max_stretch";
+inline constexpr std::string_view kAreaError = "area_error";
+inline constexpr std::string_view kSubsteps = "substeps";
+inline constexpr std::string_view kTriangles = "triangles";
+inline constexpr std::string_view kThreads = "threads";
+inline constexpr std::string_view kMeetsGates = "meets_gates";
+inline constexpr std::string_view kMissed = "missed";
+inline constexpr std::string_view kP1Compression = "p1_compression";
+inline constexpr std::string_view kLeastGapM = "least_gap_m";
+inline constexpr std::string_view kBiasStiffnessRatio = "bias_stiffness_ratio";
+inline constexpr std::string_view kRestKineticEnergyJ = "rest_kinetic_energy_j";
+inline constexpr std::string_view kRestRmsSpeed = "rest_rms_speed";
+inline constexpr std::string_view kRestNetSpeed = "rest_net_speed";
+inline constexpr std::string_view kWeightlessEnergyGrowth = "weightless_energy_growth";
+inline constexpr std::string_view kWeightlessKineticGrowth = "weightless_kinetic_growth";
+inline constexpr std::string_view kConvergedSubsteps = "converged_substeps";
+inline constexpr std::string_view kDistanceMeanM = "distance_mean_m";
+inline constexpr std::string_view kDistanceRmsM = "distance_rms_m";
+inline constexpr std::string_view kNoiseFloorMeanM = "noise_floor_mean_m";
+inline constexpr std::string_view kNoiseFloorRmsM = "noise_floor_rms_m";
+inline constexpr std::string_view kTrials = "trials";
+}  // namespace drop_key
+
+struct DropExperiment {
+    int triangles = 1152;
+    int threads = 1;
+    std::optional<int> substeps{};  // none: searched for
+    int most_substeps = 256;
+    int repetitions = 5;
+    bool is_honest = true;  // whether rest, energy and convergence are measured too
+    DropGates gates{};
+    DropScene scene{};
+};
+
+struct DropReport {
+    int triangles = 0;
+    int threads = 1;
+    DropTrial chosen;         // the cheapest that passes, or the last tried when none does
+    double ms_per_frame = 0;  // median over the repetitions' medians
+    RestFigures rest;
+    WeightlessFigures weightless;
+    std::optional<ConvergedFigures> converged;  // none when honesty was not asked for
+    std::vector<DropTrial> trials;              // by sub-steps
+};
+
+DropReport measure_drop(const DropExperiment& experiment, const Progress& progress = {});
+
+std::vector<Table> tables_of(const DropReport& report);
+Json to_json(const DropReport& report);
+
+}  // namespace selvedge

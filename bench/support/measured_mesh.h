@@ -1,0 +1,69 @@
+#pragma once
+// What an experiment measures on cloth, whoever simulated it: a mesh as plain edges and triangles, and how far given
+// positions strain it.
+#include <array>
+#include <vector>
+
+#include "sim/core/vec.h"
+#include "sim/mesh/garment_mesh.h"
+
+namespace selvedge {
+
+// An edge along warp or weft.
+struct ThreadEdge {
+    int a = 0;
+    int b = 0;
+    double rest_length = 0;  // m
+};
+
+struct MeasuredMesh {
+    std::vector<int> vertices;        // those in use: indices into the positions
+    std::vector<ThreadEdge> threads;  // never the others: those carry shear
+    std::vector<std::array<int, 3>> triangles;
+    double rest_area = 0;  // m^2
+};
+
+// A corner of a triangle of a mesh: vertex and material coordinates, m.
+struct MeasuredCorner {
+    int vertex = 0;
+    Vec2d u = Vec2d::Zero();
+};
+
+// Collects triangles, each edge once. grain_angle: as Panel::grain_angle, rad.
+class MeasuredMeshBuilder {
+ public:
+    void add(const std::array<MeasuredCorner, 3>& corners, double grain_angle);
+    MeasuredMesh finish();
+
+ private:
+    struct Edge {
+        int a, b;
+        double rest_length;
+        bool is_thread;
+    };
+    MeasuredMesh mesh_;
+    std::vector<Edge> edges_;
+};
+
+MeasuredMesh measured(const GarmentMesh& mesh);
+
+struct ThreadStretch {
+    double p1 = 0;  // 1st percentile, negative where threads are compressed
+    double p99 = 0;
+    double max = 0;
+};
+ThreadStretch thread_stretch(const MeasuredMesh& mesh, const std::vector<Vec3d>& x);
+
+// Area of all triangles over their area at rest.
+double area_ratio(const MeasuredMesh& mesh, const std::vector<Vec3d>& x);
+
+bool all_finite(const MeasuredMesh& mesh, const std::vector<Vec3d>& x);
+
+// How far the vertices lie from where they are in another run, m.
+struct ShapeDistance {
+    double mean = 0;
+    double rms = 0;
+};
+ShapeDistance shape_distance(const MeasuredMesh& mesh, const std::vector<Vec3d>& a, const std::vector<Vec3d>& b);
+
+}  // namespace selvedge

@@ -1,0 +1,116 @@
+#include "bench/tshirt/dressing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "sim/dress/drape.h"
+#include "sim/dress/dress.h"
+#include "sim/dress/placement.h"
+#include "sim/dress/sewing.h"
+#include "sim/mesh/assemble.h"
+
+namespace selvedge {
+namespace {
+
+// The points that split the triangles of a body: those on an edge are shared by its two sides.
+class SplitPoints {
+ public:
+    SplitPoints(Body& body, int parts) : body_(body), parts_(parts) {}
+
+    // Weights sum to parts; they belong to the corners.
+    int at(const std::array<int, 3>& corners, const std::array<int, 3>& weights) {
+        std::array<std::array<int, 2>, 3> key{};  // vertex and weight, those without weight last
+        Vec3d x = Vec3d::Zero();
+        for (std::size_t k = 0; k < 3; ++k) {
+            key[k] = weights[k] > 0 ? std::array{corners[k], weights[k]} : std::array{-1, 0};
+            x += weights[k] * body_.x[static_cast<std::size_t>(corners[k])];
+        }
+        std::ranges::sort(key);
+        const auto [place, is_new] = known_.try_emplace(key, static_cast<int>(body_.x.size()));
+        if (key[1][0] < 0) return key[2][0];  // a corner
+        if (is_new) body_.x.emplace_back(x / parts_);
+        return place->second;
+    }
+
+ private:
+    Body& body_;
+    int parts_;
+    std::map<std::array<std::array<int, 2>, 3>, int> known_;
+};
+
+void split_triangle(const std::array<int, 3>& corners, int parts, SplitPoints& points,
+                    std::vector<std::array<int, 3>>& into) {
+    const auto point = [&](int i, int j) { return points.at(corners, {parts - i - j, i, j}); };
+    for (int i = 0; i < parts; ++i) {
+        for (int j = 0; i + j < parts; ++j) {
+            into.push_back({point(i, j), point(i + 1, j), point(i, j + 1)});
+            if (i + j + 1 < parts) into.push_back({point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)});
+        }
+    }
+}
+
+std::vector<Fabric> fabrics_of(const Pattern& pattern) {
+    std::vector<Fabric> fabrics;
+    for (const Panel& panel : pattern.panels)
+        fabrics.push_back(find_fabric(panel.fabric.empty() ? pattern.fabric : panel.fabric));
+    return fabrics;
+}
+
+GarmentMesh placed_panels(const Pattern& pattern, const Body& body, const BodyCollider& collider,
+                          const DressingOptions& options) {
+    Pattern moved = pattern;
+    anchor_panels(moved, placed_for(pattern), body);
+    MeshOptions meshing;
+    meshing.target_edge = options.edge_length.value_or(pattern.edge_length.value_or(meshing.target_edge));
+    GarmentMesh unsewn = assemble(moved, meshing);
+    const double lift = seam_clearing_lift(unsewn, collider);
+    for (Vec3d& x : unsewn.x) x.y() += lift;
+    clear_panels(unsewn, collider);
+    return unsewn;
+}
+
+// Splits shorter and shorter edges, and lets the cloth settle after each round.
+void refine_on(Dressing& dressing, const BodyCollider& collider, int least_leaves) {
+    constexpr int kRounds = 24;
+    constexpr int kFrames = 15;  // of an adaption and four steps
+    constexpr float kShorter = 0.93F;
+    constexpr double kMargin = 1.04;  // what the garment does next may rejoin some
+    const StepOptions stepping{.extra_damping = 8};
+    for (int round = 0; round < kRounds; ++round) {
+        if (static_cast<double>(dressing.cloth.mesh.leaf_triangles().size()) >= kMargin * least_leaves) return;
+        dressing.shortest_edge *= kShorter;
+        for (int frame = 0; frame < kFrames; ++frame) {
+            adapt_cloth(dressing.cloth, collider, {.shortest_edge = dressing.shortest_edge});
+            for (int i = 0; i < 4; ++i) step(dressing.cloth, collider, stepping);
+        }
+    }
+}
+
+}  // namespace
+
+Body split_triangles(const Body& body, int triangles) {
+    const double ratio = triangles / static_cast<double>(body.triangles.size());
+    const int parts = std::max(1, static_cast<int>(std::ceil(std::sqrt(ratio) - 1e-9)));
+    Body split{.name = body.name, .x = body.x, .triangles = {}, .bones = {}, .skin = {}};
+    SplitPoints points(split, parts);
+    for (const auto& corners : body.triangles) split_triangle(corners, parts, points, split.triangles);
+    return split;
+}
+
+Dressing dress_cloth(const Pattern& pattern, const Body& body, const BodyCollider& collider,
+                     const DressingOptions& options, const Progress& progress) {
+    const std::vector<Fabric> fabrics = fabrics_of(pattern);
+    const SewingResult sewing =
+        sew_on_body(placed_panels(pattern, body, collider, options), fabrics, collider, {}, progress);
+    Dressing dressing{.cloth = make_cloth(sewing.sewn, fabrics, {.max_level = options.max_level}),
+                      .shortest_edge = options.shortest_edge};
+    DrapeOptions draping;
+    draping.adapt.shortest_edge = options.shortest_edge;
+    dressing.is_settled = drape(dressing.cloth, collider, draping, progress).settled;
+    refine_on(dressing, collider, options.least_leaves);
+    return dressing;
+}
+
+}  // namespace selvedge

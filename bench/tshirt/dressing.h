@@ -1,0 +1,33 @@
+#pragma once
+// A garment dressed and settled, kept as a cloth that can move on.
+#include <optional>
+
+#include "sim/body/body.h"
+#include "sim/body/body_collider.h"
+#include "sim/cloth/cloth.h"
+#include "sim/core/progress.h"
+#include "sim/pattern/pattern.h"
+
+namespace selvedge {
+
+// Each triangle in n^2 of the same plane, n the least with which there are `triangles` or more: the same shape, as a
+// denser body. No skeleton.
+Body split_triangles(const Body& body, int triangles);
+
+struct DressingOptions {
+    std::optional<double> edge_length{};  // m, of the base mesh, instead of the pattern's
+    int max_level = 3;
+    float shortest_edge = 0.02F;  // m, where refining begins
+    int least_leaves = 0;         // a settled garment with fewer is refined on, with ever shorter edges
+};
+
+struct Dressing {
+    Cloth cloth;
+    float shortest_edge = 0;  // m, that was come to
+    bool is_settled = false;
+};
+
+Dressing dress_cloth(const Pattern& pattern, const Body& body, const BodyCollider& collider,
+                     const DressingOptions& options = {}, const Progress& progress = {});
+
+}  // namespace selvedge

@@ -1,0 +1,133 @@
+#include "bench/tshirt/tshirt.h"
+
+#include <cmath>
+
+#include "sim/body/mannequin.h"
+#include "sim/core/parallel.h"
+#include "sim/dress/dress.h"
+#include "sim/pattern/pattern_file.h"
+
+namespace selvedge {
+namespace {
+
+constexpr int kManyLeaves = 25000;
+constexpr int kDenseBody = 500000;       // triangles
+constexpr int kUsualLeaves = 5400;       // of the shipped T-shirt with its own options
+constexpr double kUsualEdge = 0.05;      // m
+constexpr float kUsualShortest = 0.02F;  // m
+
+// The body of the pattern, with at least so many triangles.
+Body mannequin_for(const Pattern& pattern, int triangles) {
+    const Body body = placed_for(pattern);
+    return static_cast<int>(body.triangles.size()) >= triangles ? body : split_triangles(body, triangles);
+}
+
+TshirtRow sway_row(const std::string& what, Cloth cloth, const BodyCollider& collider, const SwayOptions& options) {
+    return {.what = what,
+            .body_triangles = static_cast<int>(collider.body().triangles.size()),
+            .figures = sway(cloth, collider, options)};
+}
+
+// A finer base mesh and shorter edges alike: the same garment, refined alike, in smaller triangles.
+DressingOptions finer_dressing(int leaves) {
+    const double scale = std::sqrt(static_cast<double>(kUsualLeaves) / leaves);
+    return {.edge_length = kUsualEdge * scale,
+            .shortest_edge = kUsualShortest * static_cast<float>(scale),
+            .least_leaves = leaves};
+}
+
+double us_per_leaf(const SwayFigures& figures) {
+    return 1e3 * figures.ms_median / figures.leaf_triangles;
+}
+
+Json row_json(const TshirtRow& row) {
+    const SwayFigures& f = row.figures;
+    Json json = Json::object();
+    json[tshirt_key::kLeafTriangles] = f.leaf_triangles;
+    json[tshirt_key::kMsAdaptPlus4Steps] = f.ms_median;
+    json[tshirt_key::kMsAdaptPlus4StepsP95] = f.ms_p95;
+    json[tshirt_key::kAdaptShare] = f.adapt_share;
+    json[tshirt_key::kCollisionShare] = f.collision_share;
+    json[tshirt_key::kP99Stretch] = f.p99_stretch;
+    json[tshirt_key::kBodyTriangles] = row.body_triangles;
+    json[tshirt_key::kMsAdaption] = f.ms_adaption;
+    json[tshirt_key::kMs4Steps] = f.ms_steps;
+    json[tshirt_key::kUsPerLeaf] = us_per_leaf(f);
+    json[tshirt_key::kChangesPerAdaption] = f.changes_per_adaption;
+    if (f.allocations_per_adaption) json[tshirt_key::kAllocationsPerAdaption] = *f.allocations_per_adaption;
+    if (f.allocations_per_step) json[tshirt_key::kAllocationsPerStep] = *f.allocations_per_step;
+    return json;
+}
+
+}  // namespace
+
+TshirtReport measure_tshirt(const TshirtExperiment& experiment, const Progress& progress) {
+    const ThreadLimit limit(experiment.threads);
+    const Pattern pattern = load_pattern(experiment.pattern).pattern;
+    const Body body = mannequin_for(pattern, experiment.body_triangles);
+    const BodyCollider collider(body);
+    TshirtReport report{.threads = experiment.threads, .rows = {}};
+    SwayOptions options = experiment.sway;
+    options.by_wall_clock = experiment.threads > 1;
+
+    const Dressing usual = dress_cloth(pattern, body, collider, {.least_leaves = experiment.least_leaves}, progress);
+    options.shortest_edge = usual.shortest_edge;
+    report.rows.push_back(sway_row("as asked for", usual.cloth, collider, options));
+    if (!experiment.has_growth) return report;
+
+    const Body dense = mannequin_for(pattern, kDenseBody);
+    const BodyCollider dense_collider(dense);
+    report.rows.push_back(sway_row("dense body", usual.cloth, dense_collider, options));
+    const Dressing many = dress_cloth(pattern, body, collider, finer_dressing(kManyLeaves), progress);
+    options.shortest_edge = many.shortest_edge;
+    report.rows.push_back(sway_row("many leaves", many.cloth, collider, options));
+    return report;
+}
+
+Table table_of(const TshirtReport& report) {
+    Table table{.name = "tshirt",
+                .title = "One adaption and four steps of 1/120 s, " + std::to_string(report.threads) +
+                         (report.threads > 1 ? " threads" : " thread"),
+                .note =
+                    "Gravity leans by 5 degrees and goes round once a second. Contact's share: what the steps take "
+                    "less with nothing to collide with."};
+    table.columns = {"garment",
+                     "leaf triangles",
+                     "body triangles",
+                     "ms, median",
+                     "p95",
+                     "us per leaf",
+                     "adaption, %",
+                     "contact, %",
+                     "p99 stretch, %",
+                     "changes per adaption",
+                     "allocations per adaption",
+                     "per step"};
+    for (const TshirtRow& row : report.rows) {
+        const SwayFigures& f = row.figures;
+        const auto optional_cell = [](const std::optional<double>& v) { return v ? Cell(*v, 1) : Cell(); };
+        table.add_row({row.what, f.leaf_triangles, row.body_triangles, Cell(f.ms_median, 3), Cell(f.ms_p95, 3),
+                       Cell(us_per_leaf(f), 3), Cell(100 * f.adapt_share, 1), Cell(100 * f.collision_share, 1),
+                       Cell(100 * f.p99_stretch, 2), Cell(f.changes_per_adaption, 1),
+                       optional_cell(f.allocations_per_adaption), optional_cell(f.allocations_per_step)});
+    }
+    return table;
+}
+
+Json to_json(const TshirtReport& report) {
+    Json json = row_json(report.rows.front());
+    json[tshirt_key::kThreads] = report.threads;
+    Json& rows = json[tshirt_key::kRows] = Json::array();
+    for (const TshirtRow& row : report.rows) {
+        Json row_with_name = row_json(row);
+        row_with_name["garment"] = row.what;
+        rows.push_back(std::move(row_with_name));
+    }
+    if (report.rows.size() < 3) return json;
+    const SwayFigures& asked = report.rows[0].figures;
+    json[tshirt_key::kGrowthWithBody] = report.rows[1].figures.ms_median / asked.ms_median;
+    json[tshirt_key::kGrowthWithLeaves] = us_per_leaf(report.rows[2].figures) / us_per_leaf(asked);
+    return json;
+}
+
+}  // namespace selvedge

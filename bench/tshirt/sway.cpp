@@ -1,0 +1,143 @@
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "bench/timing.h"
+#include "bench/tshirt/tshirt.h"
+#include "sim/body/analytic_collider.h"
+#include "sim/cloth/adapt_cloth.h"
+#include "sim/cloth/step.h"
+#include "sim/cloth/stretch.h"
+#include "sim/core/quantile.h"
+
+namespace selvedge {
+namespace {
+
+constexpr int kSteps = 4;  // of 1/120 s, to an adaption
+
+double now(bool by_wall_clock) {
+    if (!by_wall_clock) return thread_seconds();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+Vec3f leaning_gravity(double seconds) {
+    const double lean = 5 * std::numbers::pi / 180;
+    const double turn = 2 * std::numbers::pi * seconds;
+    return (9.81 * Vec3d(std::sin(lean) * std::cos(turn), -std::cos(lean), std::sin(lean) * std::sin(turn)))
+        .cast<float>();
+}
+
+// What a run changes besides the mesh, so that the same steps can be taken twice.
+struct MovingState {
+    std::vector<Vec4f> x;
+    std::vector<Vec4f> x_prev;
+    ContactState contacts;
+};
+
+MovingState state_of(const Cloth& cloth) {
+    return {cloth.x, cloth.x_prev, cloth.contacts};
+}
+
+void restore(Cloth& cloth, const MovingState& state) {
+    cloth.x = state.x;
+    cloth.x_prev = state.x_prev;
+    cloth.contacts = state.contacts;
+}
+
+// Adds up what the cycles took.
+class Cycles {
+ public:
+    Cycles(Cloth& cloth, const Collider& body, const SwayOptions& options)
+        : cloth_(cloth), body_(body), options_(options) {}
+
+    void run(int cycle, bool is_measured) {
+        seconds_ = cycle * kSteps / 120.0;
+        const std::size_t allocated = allocations();
+        const double start = now(options_.by_wall_clock);
+        const AdaptReport adapted = adapt_cloth(cloth_, body_, {.shortest_edge = options_.shortest_edge});
+        const double adapted_at = now(options_.by_wall_clock);
+        const std::size_t allocated_by_adaption = allocations() - allocated;
+        const bool compares = cycle % options_.shares_every == 0;
+        const double without = compares ? steps_without_body() : 0;
+        const std::size_t before_steps = allocations();
+        const double with = four_steps(body_);
+        if (!is_measured) return;
+        const std::size_t allocated_by_steps = allocations() - before_steps;
+        if (compares) shares_.push_back((with - without) / (with + adapted_at - start));
+        if (compares) return;  // the steps before have warmed what these find
+        add(adapted_at - start, with, adapted.splits + adapted.rejoins);
+        adaption_allocations_ += allocated_by_adaption;
+        step_allocations_ += allocated_by_steps;
+    }
+
+    SwayFigures figures() const {
+        const auto count = static_cast<double>(whole_.size());
+        SwayFigures f;
+        f.leaf_triangles = static_cast<int>(cloth_.mesh.leaf_triangles().size());
+        f.ms_median = 1e3 * quantile(whole_, 0.5);
+        f.ms_p95 = 1e3 * quantile(whole_, 0.95);
+        f.ms_adaption = 1e3 * quantile(adaptions_, 0.5);
+        f.ms_steps = 1e3 * quantile(steps_, 0.5);
+        f.adapt_share = f.ms_adaption / f.ms_median;
+        f.collision_share = quantile(shares_, 0.5);
+        f.p99_stretch = stretch_ / count;
+        f.changes_per_adaption = changes_ / count;
+        if (options_.allocations != nullptr) {
+            f.allocations_per_adaption = static_cast<double>(adaption_allocations_) / count;
+            f.allocations_per_step = static_cast<double>(step_allocations_) / count / kSteps;
+        }
+        return f;
+    }
+
+ private:
+    std::size_t allocations() const { return options_.allocations == nullptr ? 0 : options_.allocations(); }
+
+    double four_steps(const Collider& body) {
+        const double start = now(options_.by_wall_clock);
+        for (int i = 0; i < kSteps; ++i) {
+            step(cloth_, body, {.gravity = leaning_gravity(seconds_ + i / 120.0), .extra_damping = 2});
+        }
+        return now(options_.by_wall_clock) - start;
+    }
+
+    double steps_without_body() {
+        const MovingState state = state_of(cloth_);
+        const double seconds = four_steps(NoBody());
+        restore(cloth_, state);
+        return seconds;
+    }
+
+    void add(double adaption, double steps, int changes) {
+        adaptions_.push_back(adaption);
+        steps_.push_back(steps);
+        whole_.push_back(adaption + steps);
+        changes_ += changes;
+        std::vector<double> strains;
+        for (const TriangleStrain& strain : measure_strain(cloth_)) {
+            strains.push_back(static_cast<double>(strain.warp));
+            strains.push_back(static_cast<double>(strain.weft));
+        }
+        stretch_ += quantile(strains, 0.99);
+    }
+
+    Cloth& cloth_;
+    const Collider& body_;
+    const SwayOptions& options_;
+    double seconds_ = 0;
+    std::vector<double> adaptions_, steps_, whole_, shares_;
+    double stretch_ = 0;
+    double changes_ = 0;
+    std::size_t adaption_allocations_ = 0;
+    std::size_t step_allocations_ = 0;
+};
+
+}  // namespace
+
+SwayFigures sway(Cloth& cloth, const Collider& body, const SwayOptions& options) {
+    Cycles cycles(cloth, body, options);
+    for (int cycle = 0; cycle < options.settling_cycles + options.cycles; ++cycle)
+        cycles.run(cycle, cycle >= options.settling_cycles);
+    return cycles.figures();
+}
+
+}  // namespace selvedge

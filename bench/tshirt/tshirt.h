@@ -1,0 +1,86 @@
+#pragma once
+// What one adaption and four steps cost a garment that moves a little on a body, and what part of it is adaption and
+// what part contact. (thesis, fig. 4.12: about 22 ms for a T-shirt of 6,199 triangles on a character of 67,000)
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "bench/table.h"
+#include "bench/tshirt/dressing.h"
+
+namespace selvedge {
+
+struct SwayOptions {
+    float shortest_edge = 0.02F;             // m
+    int cycles = 90;                         // of one adaption and four steps of 1/120 s
+    int settling_cycles = 15;                // before, not measured
+    bool by_wall_clock = false;              // else by the processor time of this thread
+    int shares_every = 5;                    // cycles, of which one is run without the body too
+    std::size_t (*allocations)() = nullptr;  // how often this program asked for memory so far; none: not counted
+};
+
+// Gravity leans by 5 degrees and goes round once a second, so that the garment shifts on the body all the time.
+struct SwayFigures {
+    int leaf_triangles = 0;  // at the end
+    double ms_median = 0;    // of one adaption and four steps
+    double ms_p95 = 0;
+    double ms_adaption = 0;           // medians
+    double ms_steps = 0;              // of four
+    double adapt_share = 0;           // of the whole, by the medians
+    double collision_share = 0;       // of the whole: what the same four steps take less with nothing to collide with
+    double p99_stretch = 0;           // of warp and weft of the leaf triangles, mean over the cycles
+    double changes_per_adaption = 0;  // splits and rejoins
+    std::optional<double> allocations_per_adaption;  // none: not counted
+    std::optional<double> allocations_per_step;
+};
+
+SwayFigures sway(Cloth& cloth, const Collider& body, const SwayOptions& options);
+
+namespace tshirt_key {
+inline constexpr std::string_view kLeafTriangles = "leaf_triangles";
+inline constexpr std::string_view kMsAdaptPlus4Steps = "ms_adapt_plus_4_steps";
+inline constexpr std::string_view kMsAdaptPlus4StepsP95 = "ms_adapt_plus_4_steps_p95";
+inline constexpr std::string_view kAdaptShare = "adapt_share";
+inline constexpr std::string_view kCollisionShare = "collision_share";
+inline constexpr std::string_view kP99Stretch = "p99_stretch";
+inline constexpr std::string_view kBodyTriangles = "body_triangles";
+inline constexpr std::string_view kThreads = "threads";
+inline constexpr std::string_view kMsAdaption = "ms_adaption";
+inline constexpr std::string_view kMs4Steps = "ms_4_steps";
+inline constexpr std::string_view kUsPerLeaf = "us_per_leaf";
+inline constexpr std::string_view kChangesPerAdaption = "changes_per_adaption";
+inline constexpr std::string_view kAllocationsPerAdaption = "allocations_per_adaption";
+inline constexpr std::string_view kAllocationsPerStep = "allocations_per_step";
+inline constexpr std::string_view kRows = "rows";
+inline constexpr std::string_view kGrowthWithLeaves = "us_per_leaf_growth_with_leaves";
+inline constexpr std::string_view kGrowthWithBody = "growth_with_body";
+}  // namespace tshirt_key
+
+struct TshirtExperiment {
+    std::filesystem::path pattern;
+    int threads = 1;
+    int body_triangles = 67000;  // at least
+    int least_leaves = 6000;
+    bool has_growth = true;  // rows of 25,000 leaves and of 500,000 triangles of the body too
+    SwayOptions sway{};
+};
+
+struct TshirtRow {
+    std::string what;
+    int body_triangles = 0;
+    SwayFigures figures;
+};
+
+struct TshirtReport {
+    int threads = 1;
+    std::vector<TshirtRow> rows;  // the first is the garment asked for
+};
+
+TshirtReport measure_tshirt(const TshirtExperiment& experiment, const Progress& progress = {});
+
+Table table_of(const TshirtReport& report);
+Json to_json(const TshirtReport& report);
+
+}  // namespace selvedge

@@ -1,0 +1,116 @@
+// The drop on a sphere: its scene, and what is said of a run. Coarser than what is measured, the same in all else.
+#include "bench/drop/drop.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "bench/drop/honesty.h"
+
+namespace selvedge {
+namespace {
+
+constexpr DropScene kCoarse{.level = 1};
+
+SphereDropOptions coarse(int substeps) {
+    return {.base_quads = 3, .substeps = substeps, .scene = kCoarse};
+}
+
+TEST(Drop, has_the_four_sizes_of_the_comparison) {
+    EXPECT_EQ(base_quads_for(1152), 3);
+    EXPECT_EQ(base_quads_for(4608), 6);
+    EXPECT_EQ(base_quads_for(15488), 11);
+    EXPECT_EQ(base_quads_for(61952), 22);
+    EXPECT_EQ(base_quads_for(1), 3);
+    EXPECT_EQ(base_quads_for(16000), 11);
+    EXPECT_EQ(base_quads_for(1000000), 22);
+    for (const int quads : {3, 6, 11, 22}) EXPECT_EQ(base_quads_for(triangle_count(quads, 3)), quads);
+    EXPECT_EQ(triangle_count(11, 3), 15488);
+}
+
+TEST(Drop, starts_as_a_level_square_of_a_metre_just_above_the_sphere) {
+    const GarmentMesh square = drop_square(6);
+    Eigen::AlignedBox3d box;
+    for (const Vec3d& x : square.x) box.extend(x);
+    EXPECT_TRUE(box.min().isApprox(Vec3d(-0.5, 0.256, -0.5)));
+    EXPECT_TRUE(box.max().isApprox(Vec3d(0.5, 0.256, 0.5)));
+    EXPECT_EQ(square.triangles.size(), 72U);
+}
+
+TEST(Drop, is_looked_at_seven_times) {
+    int samples = 0;
+    for (int frame = 1; frame <= 90; ++frame) samples += is_sampled(frame) ? 1 : 0;
+    EXPECT_EQ(samples, 7);
+    EXPECT_TRUE(is_sampled(30));
+    EXPECT_TRUE(is_sampled(90));
+    EXPECT_FALSE(is_sampled(20));
+}
+
+TEST(Drop, pins_the_middle_of_even_and_of_odd_grids_and_nothing_else) {
+    for (const int quads : {2, 3}) {
+        SphereDropOptions options = coarse(4);
+        options.base_quads = quads;
+        options.scene.frames = 1;
+        const SphereDrop drop = run_sphere_drop(options);
+        std::vector<Vec3d> pinned;
+        for (const VertexId v : drop.run.cloth.mesh.leaf_vertices())
+            if (drop.run.cloth.is_pinned[v.value]) pinned.push_back(positions(drop.run)[v.value]);
+        ASSERT_EQ(pinned.size(), 1U);
+        EXPECT_LT((pinned[0] - Vec3d(0, 0.256, 0)).norm(), 1e-6);
+    }
+}
+
+TEST(Drop, hangs_over_the_sphere_and_no_vertex_is_inside) {
+    const SphereDrop drop = run_sphere_drop(coarse(16));
+    EXPECT_TRUE(drop.quality.is_finite);
+    EXPECT_GE(drop.quality.least_gap, 0);
+    EXPECT_LT(drop.quality.least_gap, 0.01);
+    double lowest = 1;
+    for (const int v : measured(drop.run).vertices)
+        lowest = std::min(lowest, positions(drop.run)[static_cast<std::size_t>(v)].y());
+    EXPECT_LT(lowest, 0);
+}
+
+TEST(Drop, more_substeps_stretch_less) {
+    EXPECT_LT(run_sphere_drop(coarse(32)).quality.p99_stretch, run_sphere_drop(coarse(1)).quality.p99_stretch);
+}
+
+TEST(DropJudge, finds_a_vertex_inside_the_sphere_and_means_the_samples) {
+    const GarmentMesh square = flat_grid(10);
+    DropJudge judge(measured(square));
+    judge.sample(square.x);
+    std::vector<Vec3d> x = square.x;
+    for (Vec3d& p : x) p *= 1.02;
+    judge.sample(x);
+    EXPECT_NEAR(judge.quality().p99_stretch, 0.01, 1e-12);
+    EXPECT_NEAR(judge.quality().max_stretch, 0.02, 1e-12);
+    EXPECT_NEAR(judge.quality().area_error, (1.02 * 1.02 - 1) / 2, 1e-12);
+    EXPECT_NEAR(judge.quality().least_gap, 0.006, 1e-9);
+    x[60] = Vec3d(0, 0.24, 0);
+    judge.sample(x);
+    EXPECT_NEAR(judge.quality().least_gap, -0.01, 1e-9);
+}
+
+TEST(DropHonesty, a_weightless_cloth_at_rest_keeps_no_energy) {
+    SphereDropOptions options = coarse(8);
+    options.scene.frames = 30;
+    SphereDrop drop = run_sphere_drop(options);
+    const double kinetic = energy(drop.run).kinetic;
+    ASSERT_GT(kinetic, 0);
+    const WeightlessFigures figures = weightless(drop.run, options.scene, 1);
+    EXPECT_GE(figures.energy_growth, 0);
+    EXPECT_GT(figures.kinetic_end, 0);
+    EXPECT_LT(figures.kinetic_end, kinetic);
+}
+
+TEST(DropHonesty, the_same_run_lies_no_distance_from_itself) {
+    SphereDropOptions options = coarse(8);
+    options.scene.frames = 30;
+    const SphereDrop drop = run_sphere_drop(options);
+    const ConvergedFigures figures = compare_converged(drop, options, options.substeps);
+    EXPECT_EQ(figures.distance.rms, 0);
+    EXPECT_GE(figures.noise_floor.mean, 0.0003);  // the pinned vertex and what lies about it moved by a millimetre
+}
+
+}  // namespace
+}  // namespace selvedge
