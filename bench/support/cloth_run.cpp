@@ -30,7 +30,7 @@ ContactOptions contact_options(const RunOptions& options) {
 }
 
 void refresh(ClothRun& run) {
-    refresh_elements(run.cloth);
+    refresh_solver(run.cloth);
     refresh_contacts(run.cloth, contact_options(run.options));
     update_normals(run.cloth);
 }
