@@ -104,6 +104,13 @@ struct Strains {
             -lanes::multiply_add(cross, shear, strain.weft) * weft, shear};
 }
 
+// Less than what meets the conditions at once: with all of it, neighbours that share vertices drive each other to and
+// fro, and every sub-step turns that into speed.
+[[gnu::always_inline]] inline Strains relaxed(const Strains& m) {
+    constexpr float kRelaxation = 0.75F;
+    return {m.warp * kRelaxation, m.weft * kRelaxation, m.shear * kRelaxation};
+}
+
 [[gnu::always_inline]] inline Corners corrected(const StretchBlock& block, std::size_t at, const Corners& c,
                                                 const Threads& t, const Strains& m) {
     const Floats a0 = load_at(block.a[0], at), a1 = load_at(block.a[1], at);
@@ -117,15 +124,16 @@ struct Strains {
 }
 
 template <bool keeps_multipliers>
-[[gnu::always_inline]] inline void stretch_loop(std::span<const StretchBlock> blocks, StretchRecord* records,
-                                                float* points) {
+[[gnu::always_inline]] inline std::size_t stretch_loop(std::span<const StretchBlock> blocks, StretchRecord* records,
+                                                       float* points, std::uint32_t* over) {
+    std::size_t count = 0;
     for (const StretchBlock& block : blocks) {
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
             const Corners c = corners_of(block, at, points);
             Threads t = directions(block, at, c.x0, c.x1, c.x2);
             t.warp_length = normalise(t.warp);
             t.weft_length = normalise(t.weft);
-            const Strains m = multipliers(block, at, biased_strains(block, at, t));
+            const Strains m = relaxed(multipliers(block, at, biased_strains(block, at, t)));
             if constexpr (keeps_multipliers) {
                 StretchRecord& record = records[static_cast<std::size_t>(&block - blocks.data())];
                 lanes::store(&record.multiplier[0][at], m.warp);
@@ -133,16 +141,22 @@ template <bool keeps_multipliers>
                 lanes::store(&record.multiplier[2][at], m.shear);
             }
             put_corners(block, at, corrected(block, at, c, t, m), points);
+            const Floats longest = load_at(block.longest, at);
+            unsigned hot = lanes::bits(lanes::greater(t.warp_length, t.weft_length) > longest);
+            for (; hot != 0; hot &= hot - 1) {
+                const std::size_t block_begin = static_cast<std::size_t>(&block - blocks.data()) * kBlock;
+                over[count++] =
+                    static_cast<std::uint32_t>(block_begin + at) + static_cast<std::uint32_t>(__builtin_ctz(hot));
+            }
         }
     }
+    return count;
 }
 
-void solve_stretch(std::span<const StretchBlock> blocks, StretchRecord* records, float* points) {
-    if (records) {
-        stretch_loop<true>(blocks, records, points);
-    } else {
-        stretch_loop<false>(blocks, records, points);
-    }
+std::size_t solve_stretch(std::span<const StretchBlock> blocks, StretchRecord* records, float* points,
+                          std::uint32_t* over) {
+    return records ? stretch_loop<true>(blocks, records, points, over)
+                   : stretch_loop<false>(blocks, nullptr, points, over);
 }
 
 // One direction of refined triangles: how much of it is taken back, per length of it.
@@ -253,16 +267,23 @@ void carry_centres(std::span<const EdgeCentre> centres, const float* before, flo
     return slower;
 }
 
-std::size_t finish_step(std::span<StretchBlock> blocks, std::span<const StretchRecord> records, const float* points,
-                        float* before, const StepEnd& end, std::uint32_t* over) {
+// Half-way between two sub-steps: what trembles to and fro from one to the next is not seen.
+[[gnu::always_inline]] inline Rows middle(const Rows& a, const Rows& b) {
+    Rows sum;
+    for (int j = 0; j < 4; ++j) sum.row[j] = (a.row[j] + b.row[j]) * lanes::all(0.5F);
+    return sum;
+}
+
+void finish_step(std::span<StretchBlock> blocks, std::span<const StretchRecord> records, const float* points,
+                 float* before, const StepEnd& end) {
     constexpr float kMoreShear = 4;  // shear angles are that much larger than strains
-    std::size_t count = 0;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         StretchBlock& block = blocks[i];
         const StretchRecord& record = records[i];
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
             const Corners c = corners_of(block, at, points);
-            Threads t = directions(block, at, c.x0, c.x1, c.x2);
+            const Corners was = corners_of(block, at, before);
+            Threads t = directions(block, at, middle(c.x0, was.x0), middle(c.x1, was.x1), middle(c.x2, was.x2));
             t.warp_length = normalise(t.warp);
             t.weft_length = normalise(t.weft);
             const auto stress = [&](std::size_t k) {
@@ -275,17 +296,9 @@ std::size_t finish_step(std::span<StretchBlock> blocks, std::span<const StretchR
                       end.most_bias);
             move_bias(block.bias[2], at, dot(t.warp, t.weft) + stress(2), end.shear_gain, -kMoreShear * end.most_bias,
                       kMoreShear * end.most_bias);
-            const Corners was = corners_of(block, at, before);
             put_corners(block, at, rubbed(c, was, end.rubbed), before);
-            const Floats longest = load_at(record.longest, at);
-            unsigned hot = lanes::bits(lanes::greater(t.warp_length, t.weft_length) > longest);
-            for (; hot != 0 && count < end.most_over; hot &= hot - 1) {
-                over[count++] =
-                    static_cast<std::uint32_t>(i * kBlock + at) + static_cast<std::uint32_t>(__builtin_ctz(hot));
-            }
         }
     }
-    return count;
 }
 
 // Of rows of points as they stand in memory: the squared length of each, in all four places.

@@ -26,8 +26,7 @@ struct StepEnd {
     float shear_gain = 0;
     float least_bias = -0.02F;  // of warp and weft: cloth that is held compressed must not learn to be longer
     float most_bias = 0.3F;
-    std::size_t most_over = 0;  // lanes that are told at most
-    float rubbed = 0;           // share of the corners' motion against each other that is lost
+    float rubbed = 0;  // share of the corners' motion against each other that is lost
 };
 
 // What a collider said of sixteen points, and what is made of it.
@@ -44,8 +43,10 @@ struct Kernels {
     // Verlet: before := points, points += keep (points - before) + fall.
     void (*predict)(float* points, float* before, std::size_t count, const Motion& motion);
 
-    // One pass over warp, weft and shear; with `records` the multipliers are kept.
-    void (*solve_stretch)(std::span<const StretchBlock> blocks, StretchRecord* records, float* points);
+    // One pass over warp, weft and shear; with `records` the multipliers are kept. The lanes whose warp or weft was
+    // beyond the fabric's strain limit go into `over`, which has room for all; returns how many.
+    std::size_t (*solve_stretch)(std::span<const StretchBlock> blocks, StretchRecord* records, float* points,
+                                 std::uint32_t* over);
 
     // One pass over hinges.
     void (*solve_bend)(std::span<const BendBlock> blocks, float* points);
@@ -58,9 +59,8 @@ struct Kernels {
 
     // Once per step: moves each bias towards the one with which strain and stress agree with the fabric; and threads
     // rub against each other: neighbours lose part of what they move against one another, the cloth as a whole nothing.
-    // The lanes whose warp or weft is beyond the fabric's strain limit go into `over`; returns how many.
-    std::size_t (*finish_step)(std::span<StretchBlock> blocks, std::span<const StretchRecord> records,
-                               const float* points, float* before, const StepEnd& end, std::uint32_t* over);
+    void (*finish_step)(std::span<StretchBlock> blocks, std::span<const StretchRecord> records, const float* points,
+                        float* before, const StepEnd& end);
 
     // Shortens what moved too far since `before`; then finds the movable points that are farther from where they last
     // asked the body than their slack (asked: that place, and fourth the slack in m; below 0: ask now), or too low.

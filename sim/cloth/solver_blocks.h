@@ -26,16 +26,16 @@ struct alignas(64) StretchBlock {
     std::array<BlockFloats, 2> a{}, b{};
     BlockFloats warp{}, weft{}, shear{};  // 1 / (sum of w |grad|^2 + compliance); of shear: what is left of it when
                                           // warp and weft have been eliminated
-    BlockFloats cross{};                // sum of w grad grad between shear and warp, and between shear and weft
-    BlockFloats push{};                 // how much of a compression is resisted: 0 where a seam gathers the cloth
-    std::array<BlockFloats, 3> bias{};  // of warp, weft and shear: added to the strain that is seen
+    BlockFloats cross{};                  // sum of w grad grad between shear and warp, and between shear and weft
+    BlockFloats longest{};                // length of warp and weft at the fabric's strain limit
+    BlockFloats push{};                   // how much of a compression is resisted: 0 where a seam gathers the cloth
+    std::array<BlockFloats, 3> bias{};    // of warp, weft and shear: added to the strain that is seen
 };
 
 // What finish_step needs besides: the last multipliers of warp, weft and shear, and the compliances over a sub-step.
 struct alignas(64) StretchRecord {
     std::array<BlockFloats, 3> multiplier{};
     std::array<BlockFloats, 3> compliance{};
-    BlockFloats longest{};  // length of warp and weft at the fabric's strain limit
 };
 
 // However cloth folds, the mean of its deformation over a triangle stretches no thread by more than the threads
@@ -71,7 +71,7 @@ struct SolverBlocks {
     std::vector<StretchBlock> stretch;  // colour by colour, so that no block shares a vertex within itself
     std::vector<StretchRecord> records;
     std::vector<std::uint32_t> leaf_of;  // lane by lane: index into leaf_triangles(), or kSpare
-    std::vector<std::uint32_t> over;     // lanes beyond the fabric's strain limit at the end of the last step
+    std::vector<std::uint32_t> over;     // scratch: lanes that one pass found beyond the fabric's strain limit
     std::vector<BendBlock> bend;
     std::vector<ParentLevel> parents;  // coarse to fine
 };

@@ -83,8 +83,8 @@ void make_stretch(const Cloth& cloth, SolverBlocks& blocks, BlockColoring& color
     for (const LeafTriangle& leaf : leaves) coloring.add<3>({leaf.v[0].value, leaf.v[1].value, leaf.v[2].value});
     const std::vector<std::uint32_t>& lanes = coloring.assign();
     clear_blocks(blocks.stretch, coloring.block_count(), spare_offset(cloth));
+    blocks.over.resize(coloring.block_count() * kBlock);
     blocks.records.assign(coloring.block_count(), {});
-    blocks.over.clear();
     blocks.leaf_of.assign(coloring.block_count() * kBlock, kSpare);
     for (std::size_t i = 0; i < leaves.size(); ++i) {
         const LeafTriangle& leaf = leaves[i];
@@ -97,7 +97,7 @@ void make_stretch(const Cloth& cloth, SolverBlocks& blocks, BlockColoring& color
         lane.set_gains(frame, w,
                        {compliance_of(cloth, frame, fabric.stretch_warp),
                         compliance_of(cloth, frame, fabric.stretch_weft), compliance_of(cloth, frame, fabric.shear)});
-        lane.record.longest[lane.at] = 1 + static_cast<float>(fabric.strain_limit);
+        lane.block.longest[lane.at] = 1 + static_cast<float>(fabric.strain_limit);
         lane.block.push[lane.at] = is_gathered(cloth.mesh, leaf) ? 0.0F : 1.0F;
         const Vec3f& bias = cloth.bias[leaf.triangle.value];
         for (int k = 0; k < 3; ++k) lane.block.bias[static_cast<std::size_t>(k)][lane.at] = bias[k];

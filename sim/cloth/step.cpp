@@ -71,7 +71,7 @@ void pull_seams(SolverState& solver, std::span<const SeamPull> seams, float gap)
 }
 
 // Takes back what warp and weft of the triangle in this lane are longer than the fabric lets them be.
-void limit_lane(const StretchBlock& block, const StretchRecord& record, std::size_t at, std::vector<Vec4f>& points) {
+void limit_lane(const StretchBlock& block, std::size_t at, std::vector<Vec4f>& points) {
     std::array<Vec4f*, 3> x{};
     for (std::size_t i = 0; i < 3; ++i) x[i] = &points[block.vertices[i][at] / 4];
     const Vec4f e1 = padded((*x[1] - *x[0]).head<3>());
@@ -79,24 +79,24 @@ void limit_lane(const StretchBlock& block, const StretchRecord& record, std::siz
     const auto limit = [&](float g1, float g2) {
         const Vec4f direction = e1 * g1 + e2 * g2;
         const float length = direction.norm();
-        if (!(length > record.longest[at])) return;
+        if (!(length > block.longest[at])) return;
         const std::array<float, 3> gradient{-(g1 + g2), g1, g2};
         float sum = 0;
         for (std::size_t i = 0; i < 3; ++i) sum += x[i]->w() * gradient[i] * gradient[i];
         if (sum <= 0) return;
-        const Vec4f back = direction * ((record.longest[at] - length) / (length * sum));
+        const Vec4f back = direction * ((block.longest[at] - length) / (length * sum));
         for (std::size_t i = 0; i < 3; ++i) *x[i] += back * (x[i]->w() * gradient[i]);
     };
     limit(block.a[0][at], block.a[1][at]);
     limit(block.b[0][at], block.b[1][at]);
 }
 
-// The few triangles that one pass leaves beyond the fabric's strain limit get more.
-void limit_over(SolverState& solver) {
+// The few triangles that one pass finds beyond the fabric's strain limit get more.
+void limit_over(SolverState& solver, std::size_t count) {
+    const std::span<const std::uint32_t> over(solver.blocks.over.data(), std::min(count, kMostOver));
     for (int round = 0; round < kRounds; ++round) {
-        for (const std::uint32_t lane : solver.blocks.over) {
-            limit_lane(solver.blocks.stretch[lane / kBlock], solver.blocks.records[lane / kBlock], lane % kBlock,
-                       solver.points);
+        for (const std::uint32_t lane : over) {
+            limit_lane(solver.blocks.stretch[lane / kBlock], lane % kBlock, solver.points);
         }
     }
 }
@@ -107,8 +107,10 @@ void solve_internal(Cloth& cloth, const Kernels& loops, bool is_last) {
     if (solver.count++ % static_cast<std::size_t>(cloth.bend_interval) == 0) {
         loops.solve_bend(solver.blocks.bend, floats(solver.points));
     }
-    loops.solve_stretch(solver.blocks.stretch, is_last ? solver.blocks.records.data() : nullptr, floats(solver.points));
-    limit_over(solver);
+    const std::size_t over =
+        loops.solve_stretch(solver.blocks.stretch, is_last ? solver.blocks.records.data() : nullptr,
+                            floats(solver.points), solver.blocks.over.data());
+    limit_over(solver, over);
 }
 
 // Biases follow what strain and stress are now.
@@ -116,15 +118,10 @@ void finish_step(Cloth& cloth, const Kernels& loops, const StepOptions& options)
     const float seconds = cloth.substep * static_cast<float>(options.substeps);
     const auto share = [&](float rate) { return 1 - std::exp(-rate * seconds); };
     SolverState& solver = cloth.solver;
-    std::vector<std::uint32_t>& over = solver.blocks.over;
-    over.resize(kMostOver);
-    over.resize(loops.finish_step(solver.blocks.stretch, solver.blocks.records, floats(solver.points),
-                                  floats(solver.before),
-                                  {.stretch_gain = share(options.stretch_bias_rate),
-                                   .shear_gain = share(options.shear_bias_rate),
-                                   .most_over = kMostOver,
-                                   .rubbed = share(options.internal_damping)},
-                                  over.data()));
+    loops.finish_step(solver.blocks.stretch, solver.blocks.records, floats(solver.points), floats(solver.before),
+                      {.stretch_gain = share(options.stretch_bias_rate),
+                       .shear_gain = share(options.shear_bias_rate),
+                       .rubbed = share(options.internal_damping)});
 }
 
 }  // namespace
