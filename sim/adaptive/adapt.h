@@ -125,23 +125,29 @@ int coarsen_level(AdaptiveMesh& mesh, State& state, int level, bool beyond_limit
 }  // namespace adapt_detail
 
 // Pre: state knows mesh.vertex_capacity(). Post: check(mesh) finds nothing that it did not find before; the leaf lists
-// are up to date.
-template <AdaptObserver State, EdgeCriterion... Criteria>
-AdaptReport adapt(AdaptiveMesh& mesh, State& state, const AdaptOptions& options, const Criteria&... criteria) {
+// are up to date, and mesh.changes() tells what became of them. For the choice see sim/adaptive/diagonal.h.
+template <class Choice, AdaptObserver State, EdgeCriterion... Criteria>
+AdaptReport adapt_choosing(const Choice& choice, AdaptiveMesh& mesh, State& state, const AdaptOptions& options,
+                           const Criteria&... criteria) {
     AdaptReport report;
     const int limit = std::min(options.max_level, mesh.max_level());
     for (int level = 0; level < limit; ++level) {
         const int splits = adapt_detail::refine_level(mesh, state, level, criteria...);
-        if (splits > 0) report.transitions += mesh.retriangulate(level, options.transitions);
+        if (splits > 0) report.transitions += mesh.retriangulate(level, options.transitions, choice);
         report.splits += splits;
     }
     for (int level = mesh.max_level() - 1; level >= 0; --level) {
         const int rejoins = adapt_detail::coarsen_level(mesh, state, level, level >= limit, criteria...);
-        if (rejoins > 0) report.transitions += mesh.retriangulate(level, options.transitions);
+        if (rejoins > 0) report.transitions += mesh.retriangulate(level, options.transitions, choice);
         report.rejoins += rejoins;
     }
     mesh.refresh_lists();
     return report;
+}
+
+template <AdaptObserver State, EdgeCriterion... Criteria>
+AdaptReport adapt(AdaptiveMesh& mesh, State& state, const AdaptOptions& options, const Criteria&... criteria) {
+    return adapt_choosing(LeastWork{}, mesh, state, options, criteria...);
 }
 
 }  // namespace selvedge

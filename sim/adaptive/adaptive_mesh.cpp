@@ -108,12 +108,12 @@ void AdaptiveMesh::release_rejoined() {
         AdaptiveEdge& edge = edges_[e];
         for (std::size_t i = 2; i-- > 0;) {
             levels_.remove_unsplit(edge.level + 1, edge.children[i]);
-            keeper_.note_lost(edge.children[i]);
+            keeper_.note_released(edge.children[i]);
             edges_.release(edge.children[i]);
         }
         levels_.remove_split(edge.level, e);
         levels_.add_unsplit(edge.level, e);
-        keeper_.note_lost(edge.centre);
+        keeper_.note_released(edge.centre);
         keeper_.note(e);
         vertices_.release(edge.centre);
         edge.children = {};

@@ -2,11 +2,13 @@
 // The edge-based adaptive mesh: a hierarchy of edges and triangles over a sewn base mesh, changed one edge at a time.
 // It knows topology, levels and material coordinates; positions and all other state live beside it, in flat arrays
 // indexed by vertex id.  (thesis ch. 3; SPEC 1.1-1.2)  What asks for changes is adapt(), sim/adaptive/adapt.h.
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "sim/adaptive/diagonal.h"
 #include "sim/adaptive/elements.h"
 #include "sim/adaptive/leaf_keeper.h"
 #include "sim/adaptive/leaf_lists.h"
@@ -77,7 +79,8 @@ class AdaptiveMesh {
     // What the last refresh_lists(), and so the last adaption, did to them.
     const LeafChanges& changes() const { return keeper_.changes(); }
 
-    // The elements of one level, 0..max_level, as the last retriangulate() left them.
+    // The elements of one level, 0..max_level, as the last retriangulate() left them. At the deepest level, where no
+    // edge may split, none are listed.
     std::span<const EdgeId> unsplit_edges(int level) const { return levels_.unsplit(level); }
     std::span<const EdgeId> split_edges(int level) const { return levels_.split(level); }
     std::span<const TriangleId> refined_triangles(int level) const { return levels_.refined(level); }
@@ -100,6 +103,10 @@ class AdaptiveMesh {
     void rejoin(EdgeId e);
     int retriangulate(int level, TransitionCounts* counts = nullptr);
 
+    // The same, with another choice where two configurations conform: see sim/adaptive/diagonal.h.
+    template <class Choice>
+    int retriangulate(int level, TransitionCounts* counts, const Choice& choice);
+
     // Brings the leaf lists up to date with what has changed since the last time, in place, and tells what it did.
     void refresh_lists() { keeper_.refresh(*this); }
 
@@ -108,7 +115,6 @@ class AdaptiveMesh {
     void change_configuration(TriangleId id, Configuration to);
 
  private:
-    friend class LeafKeeper;
     struct Change;  // the transitions, one function each
 
     void add_base_edges(const GarmentMesh& base);
@@ -119,12 +125,14 @@ class AdaptiveMesh {
         if (vertices_.capacity() + edges_.capacity() + triangles_.capacity() != listed_capacity_) grow_lists();
     }
 
-    bool is_alive(VertexId v) const { return v.value < base_vertices_ || bool(vertices_[v].parent); }
     SplitMask split_mask(const AdaptiveTriangle& t) const;
     bool has_leaf_children(TriangleId t) const;
     void mark_sides(EdgeId e);
     void list_split();
     void release_rejoined();
+    template <class Choose>
+    int retriangulate_marked(int level, TransitionCounts* counts, const Choose& choose);
+    Diagonal diagonal(const AdaptiveTriangle& t, const InternalEdge& drawn) const;
 
     // Going round a vertex: the first leaf triangle of each of its fans, and the one after.
     TriangleId first_at(VertexId v, std::size_t fan) const;
@@ -154,6 +162,46 @@ constexpr AdaptiveMesh::BytesPerElement AdaptiveMesh::bytes_per_element() {
     return {decltype(vertices_)::kBytesPerElement + LeafKeeper::kBytesPerId + LeafKeeper::kBytesPerArea,
             decltype(edges_)::kBytesPerElement + LeafKeeper::kBytesPerId + LevelLists::kBytesPerId,
             decltype(triangles_)::kBytesPerElement + LeafKeeper::kBytesPerId + LevelLists::kBytesPerId};
+}
+
+// What each marked triangle is to become is asked of choose(triangle, split mask).
+template <class Choose>
+int AdaptiveMesh::retriangulate_marked(int level, TransitionCounts* counts, const Choose& choose) {
+    list_split();
+    // Coarsening undoes a refinement last to first, so that ids come back in the order in which they were taken.
+    if (!rejoining_.empty()) std::reverse(marked_.begin(), marked_.end());
+    int transitions = 0;
+    for (const TriangleId id : marked_) {
+        AdaptiveTriangle& t = triangles_[id];
+        SELVEDGE_ASSERT(t.level == level);
+        t.marked = false;
+        const Configuration from = t.configuration, to = choose(t, split_mask(t));
+        if (from == to) continue;
+        change_configuration(id, to);
+        if (counts != nullptr) ++counts->by_configuration[index_of(from)][index_of(to)];
+        ++transitions;
+    }
+    marked_.clear();
+    release_rejoined();
+    return transitions;
+}
+
+template <class Choice>
+int AdaptiveMesh::retriangulate(int level, TransitionCounts* counts, const Choice& choice) {
+    return retriangulate_marked(level, counts, [&](const AdaptiveTriangle& t, SplitMask split) {
+        const Configuration least = least_work(t.configuration, split);
+        if (least == t.configuration || !has_two_ways(split)) return least;
+        const EitherWay ways = either_way(split);
+        const float first = choice.cost(diagonal(t, ways.diagonals[0]));
+        const float second = choice.cost(diagonal(t, ways.diagonals[1]));
+        if (first == second) return least;
+        return ways.configurations[first < second ? 0 : 1];
+    });
+}
+
+template <>
+inline int AdaptiveMesh::retriangulate(int level, TransitionCounts* counts, const LeastWork&) {
+    return retriangulate(level, counts);
 }
 
 class AdaptiveMesh::TrianglesAt {

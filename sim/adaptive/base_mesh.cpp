@@ -79,7 +79,7 @@ AdaptiveMesh::AdaptiveMesh(const GarmentMesh& base, const AdaptiveMeshOptions& o
     for (const GarmentTriangle& triangle : base.triangles) triangles_.create(make_base_triangle(triangle));
     add_base_edges(base);
     add_base_fans();
-    levels_.set_levels(options.max_level + 1);
+    levels_.set_deepest(options.max_level);
     grow_lists();
     list_base();
     refresh_lists();

@@ -290,7 +290,7 @@ class Checker {
     }
 
     void check_levels() {
-        for (int level = 0; level <= mesh_.max_level(); ++level) {
+        for (int level = 0; level < mesh_.max_level(); ++level) {
             std::vector<EdgeId> unsplit, split;
             std::vector<TriangleId> refined;
             for_each_reached<EdgeId>(reached_.edges, [&](EdgeId e) {

@@ -1,6 +1,7 @@
 #include "sim/adaptive/configuration.h"
 
 #include "sim/adaptive/configuration_tables.h"
+#include "sim/core/assert.h"
 
 namespace selvedge {
 
@@ -20,6 +21,24 @@ std::size_t state_of(SplitMask split) {
 
 std::size_t state_of(Configuration c) {
     return state_of(layout(c).split);
+}
+
+bool has_two_ways(SplitMask split) {
+    const std::size_t state = state_of(split);
+    return 4 <= state && state <= 6;
+}
+
+EitherWay either_way(SplitMask split) {
+    SELVEDGE_ASSERT(has_two_ways(split));
+    const std::size_t first = 2 * state_of(split) - 4;  // S4: C4 and C5
+    EitherWay ways{{static_cast<Configuration>(first), static_cast<Configuration>(first + 1)}, {}};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Layout& own = kLayouts[first + i];
+        for (std::size_t k = 0; k < own.edge_count; ++k) {
+            if (slot_of(kLayouts[first + 1 - i], own.edges[k]) == kNoSlot) ways.diagonals[i] = own.edges[k];
+        }
+    }
+    return ways;
 }
 
 Configuration least_work(Configuration from, SplitMask split) {

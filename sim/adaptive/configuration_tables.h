@@ -105,7 +105,7 @@ constexpr int likeness(const InternalEdge& a, const InternalEdge& b) {
     return int{a.points[0] == b.points[0]} + int{a.points[1] == b.points[1]};
 }
 
-// Pairs what is created with what is dropped, slot by slot with the most alike that is left.
+// Pairs what is created with what is dropped, the most alike first.
 template <class Element, std::size_t kSlots>
 constexpr std::array<std::uint8_t, kSlots> take_over(const std::array<Element, kSlots>& old,
                                                      std::array<bool, kSlots> left,
@@ -114,17 +114,23 @@ constexpr std::array<std::uint8_t, kSlots> take_over(const std::array<Element, k
                                                      std::size_t count) {
     std::array<std::uint8_t, kSlots> over{};
     over.fill(kNoSlot);
-    for (std::size_t i = 0; i < count; ++i) {
-        if (made_from[i] != kNoSlot) continue;
+    for (;;) {
         int most = -1;
-        for (std::uint8_t j = 0; j < kSlots; ++j) {
-            if (!left[j] || likeness(old[j], made[i]) <= most) continue;
-            most = likeness(old[j], made[i]);
-            over[i] = j;
+        std::size_t slot = 0;
+        std::uint8_t place = kNoSlot;
+        for (std::size_t i = 0; i < count; ++i) {
+            for (std::uint8_t j = 0; j < kSlots; ++j) {
+                if (made_from[i] != kNoSlot || over[i] != kNoSlot || !left[j]) continue;
+                if (likeness(old[j], made[i]) <= most) continue;
+                most = likeness(old[j], made[i]);
+                slot = i;
+                place = j;
+            }
         }
-        if (over[i] != kNoSlot) left[over[i]] = false;
+        if (place == kNoSlot) return over;
+        over[slot] = place;
+        left[place] = false;
     }
-    return over;
 }
 
 constexpr Transition compare(const Layout& from, const Layout& to) {

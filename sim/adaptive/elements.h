@@ -14,7 +14,6 @@ struct AdaptiveVertex {
     EdgeId parent;           // whose centre it is; none in the base mesh
     std::uint8_t level = 0;  // of the edges that it was born with; 0 in the base mesh
 
-    void bury() { parent = {}; }
     bool operator==(const AdaptiveVertex&) const = default;
 };
 
@@ -40,8 +39,6 @@ struct AdaptiveEdge {
         rejoining = false;
     }
 
-    void bury() { ends[0] = {}; }
-    bool is_alive() const { return bool(ends[0]); }
     bool operator==(const AdaptiveEdge&) const = default;
 };
 
@@ -57,8 +54,6 @@ struct AdaptiveTriangle {
     bool regular : 1 = true;  // a base triangle or a child of C10: the only ones that may be refined
     bool marked : 1 = false;  // waits for its transition
 
-    void bury() { vertices[0] = {}; }
-    bool is_alive() const { return bool(vertices[0]); }
     bool operator==(const AdaptiveTriangle&) const = default;
 };
 

@@ -82,7 +82,7 @@ void LeafKeeper::refresh(const AdaptiveMesh& mesh) {
     lists_.edges.resize(old_hinges_);
     take_out_triangles();
     take_out_edges();
-    take_out_vertices(mesh);
+    take_out_vertices();
     put_in_edges(mesh);
     put_in_triangles(mesh);
     for (const EdgeId e : fresh_) edges_.by_id[e.value] &= ~kIsFresh;
@@ -100,10 +100,11 @@ void LeafKeeper::take_out_triangles() {
         place &= ~kNoted;
         if (!is_listed(place)) continue;
         changes_.triangles_gone.push_back(t);
-        add_areas(lists_.triangles[place], -1.0);
-        lists_.triangles[place].triangle = {};
-        gaps_.triangles.push_back(place);
-        place = kUnlisted;
+        const Place at = place & kPosition;
+        add_areas(lists_.triangles[at], -1.0);
+        lists_.triangles[at].triangle = {};
+        gaps_.triangles.push_back(at);
+        place = kUnlisted | (place & kIsReleased);
     }
 }
 
@@ -117,36 +118,37 @@ void LeafKeeper::take_out_edges() {
         const Place at = place & kPosition;
         (is_boundary ? boundary_ : lists_.edges)[at].edge = {};
         (is_boundary ? gaps_.boundary : gaps_.hinges).push_back(at);
-        place = kUnlisted;
+        place = kUnlisted | (place & kIsReleased);
     }
 }
 
-void LeafKeeper::take_out_vertices(const AdaptiveMesh& mesh) {
+void LeafKeeper::take_out_vertices() {
     for (const VertexId v : vertices_.noted) {
         Place& place = vertices_.by_id[v.value];
-        place &= ~kNoted;
+        const bool is_released = (place & kIsReleased) != 0;
         if (is_listed(place)) {
+            const Place at = place & kPosition;
             changes_.vertices_gone.push_back(v);
-            lists_.vertices[place] = {};
-            gaps_.vertices.push_back(place);
-            place = kUnlisted;
+            lists_.vertices[at] = {};
+            gaps_.vertices.push_back(at);
         }
-        if (mesh.is_alive(v)) put_in(v);
+        place = kUnlisted;
+        if (!is_released) put_in(v);
     }
 }
 
 void LeafKeeper::put_in_edges(const AdaptiveMesh& mesh) {
     for (const EdgeId e : edges_.noted) {
+        if (was_released(edges_, e)) continue;
         const AdaptiveEdge& edge = mesh.edge(e);
-        if (!edge.is_alive()) continue;
         put_in(mesh, e);
         if (!edge.centre) continue;
         put_in(edge.centre);
         for (const EdgeId child : edge.children) put_in(mesh, child);
     }
     for (const TriangleId t : triangles_.noted) {
+        if ((triangles_.by_id[t.value] & kIsReleased) != 0) continue;
         const AdaptiveTriangle& owner = mesh.triangle(t);
-        if (!owner.is_alive()) continue;
         const std::size_t count = layout(owner.configuration).edge_count;
         for (std::size_t i = 0; i < count; ++i) put_in(mesh, owner.internal_edges[i]);
     }
@@ -154,8 +156,8 @@ void LeafKeeper::put_in_edges(const AdaptiveMesh& mesh) {
 
 void LeafKeeper::put_in_triangles(const AdaptiveMesh& mesh) {
     for (const TriangleId t : triangles_.noted) {
+        if (was_released(triangles_, t)) continue;
         const AdaptiveTriangle& owner = mesh.triangle(t);
-        if (!owner.is_alive()) continue;
         put_in(mesh, t);
         const std::size_t count = layout(owner.configuration).triangle_count;
         for (std::size_t i = 0; i < count; ++i) put_in(mesh, owner.internal_triangles[i]);

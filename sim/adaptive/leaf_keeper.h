@@ -19,16 +19,20 @@ class LeafKeeper {
     static constexpr std::size_t kBytesPerId = sizeof(std::uint32_t);
     static constexpr std::size_t kBytesPerArea = sizeof(double) + sizeof(float);
 
-    // To be noted: a triangle or an edge that became a leaf or a parent or holds other elements, and whatever was
-    // released or written over. What is new is found through the element that holds it.
+    // To be noted: a triangle or an edge that became a leaf or a parent or holds other elements, and whatever
+    // is released or written over. What is new is found through the element that holds it.
     void note(VertexId v) { note(vertices_, v); }
     void note(EdgeId e) { note(edges_, e); }
     void note(TriangleId t) { note(triangles_, t); }
 
-    // The same for an element that only matters if a list holds it: one that goes, or is written over.
-    void note_lost(VertexId v) { note_lost(vertices_, v); }
-    void note_lost(EdgeId e) { note_lost(edges_, e); }
-    void note_lost(TriangleId t) { note_lost(triangles_, t); }
+    // The same for what is released, which only matters to what knows of it ...
+    void note_released(VertexId v) { note_released(vertices_, v); }
+    void note_released(EdgeId e) { note_released(edges_, e); }
+    void note_released(TriangleId t) { note_released(triangles_, t); }
+
+    // ... and for what is written over, which only matters if a list holds it.
+    void note_rewritten(EdgeId e) { note_rewritten(edges_, e); }
+    void note_rewritten(TriangleId t) { note_rewritten(triangles_, t); }
 
     // Pre: before an id of that number or above is noted.
     void grow(std::size_t vertices, std::size_t edges, std::size_t triangles);
@@ -44,7 +48,8 @@ class LeafKeeper {
     static constexpr Place kNoted = 1U << 31U;
     static constexpr Place kIsBoundary = 1U << 30U;  // of edges: in the list of those
     static constexpr Place kIsFresh = 1U << 29U;     // of edges: its hinge is known to have changed
-    static constexpr Place kUnlisted = kIsFresh - 1;
+    static constexpr Place kIsReleased = 1U << 28U;  // since it was noted; it may have been taken again for another
+    static constexpr Place kUnlisted = kIsReleased - 1;
     static constexpr Place kPosition = kUnlisted;
 
     template <class ElementId>
@@ -58,19 +63,35 @@ class LeafKeeper {
     template <class ElementId>
     static void note(Places<ElementId>& places, ElementId id) {
         Place& place = places.by_id[id.value];
-        if ((place & kNoted) != 0) return;
-        place |= kNoted;
-        places.noted.push_back(id);
+        if ((place & kNoted) == 0) places.noted.push_back(id);
+        place = (place | kNoted) & ~kIsReleased;
     }
 
     template <class ElementId>
-    static void note_lost(Places<ElementId>& places, ElementId id) {
+    static void note_released(Places<ElementId>& places, ElementId id) {
+        Place& place = places.by_id[id.value];
+        if (!is_listed(place) && (place & kNoted) == 0) return;
+        note(places, id);
+        place |= kIsReleased;
+    }
+
+    template <class ElementId>
+    static void note_rewritten(Places<ElementId>& places, ElementId id) {
         if (is_listed(places.by_id[id.value])) note(places, id);
+    }
+
+    // Asked once per noted id, last of all: forgets it. One that lives again was created, and is found as such.
+    template <class ElementId>
+    static bool was_released(Places<ElementId>& places, ElementId id) {
+        Place& place = places.by_id[id.value];
+        const bool is_released = (place & kIsReleased) != 0;
+        place &= ~kIsReleased;
+        return is_released;
     }
 
     void take_out_triangles();
     void take_out_edges();
-    void take_out_vertices(const AdaptiveMesh& mesh);
+    void take_out_vertices();
     void put_in_edges(const AdaptiveMesh& mesh);
     void put_in_triangles(const AdaptiveMesh& mesh);
     void put_in(const AdaptiveMesh& mesh, EdgeId e);

@@ -1,6 +1,7 @@
 #pragma once
 // The elements of each level by what they are now: edges that are unsplit or split, triangles that are refined. Each
-// knows its place, so that it can leave when it changes: the last one takes its place.  (SPEC 1.4)
+// knows its place, so that it can leave when it changes: the last one takes its place. At the deepest level nothing
+// changes, so nothing is listed.  (SPEC 1.4)
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -14,22 +15,26 @@ class LevelLists {
  public:
     static constexpr std::size_t kBytesPerId = sizeof(std::uint32_t);
 
-    void set_levels(int count) { levels_.resize(static_cast<std::size_t>(count)); }
+    void set_deepest(int level) { levels_.resize(static_cast<std::size_t>(level)); }
     void grow(std::size_t edges, std::size_t triangles) {
         if (edge_places_.size() < edges) edge_places_.resize(edges);
         if (triangle_places_.size() < triangles) triangle_places_.resize(triangles);
     }
 
-    std::span<const EdgeId> unsplit(int level) const { return at(level).unsplit; }
-    std::span<const EdgeId> split(int level) const { return at(level).split; }
-    std::span<const TriangleId> refined(int level) const { return at(level).refined; }
+    std::span<const EdgeId> unsplit(int level) const { return lists(level, &Level::unsplit); }
+    std::span<const EdgeId> split(int level) const { return lists(level, &Level::split); }
+    std::span<const TriangleId> refined(int level) const { return lists(level, &Level::refined); }
 
-    void add_unsplit(int level, EdgeId e) { add(at(level).unsplit, edge_places_, e); }
+    void add_unsplit(int level, EdgeId e) {
+        if (is_listed(level)) add(at(level).unsplit, edge_places_, e);
+    }
     void add_split(int level, EdgeId e) { add(at(level).split, edge_places_, e); }
     void add_refined(int level, TriangleId t) { add(at(level).refined, triangle_places_, t); }
 
     // Pre: it stands in that list.
-    void remove_unsplit(int level, EdgeId e) { remove(at(level).unsplit, edge_places_, e); }
+    void remove_unsplit(int level, EdgeId e) {
+        if (is_listed(level)) remove(at(level).unsplit, edge_places_, e);
+    }
     void remove_split(int level, EdgeId e) { remove(at(level).split, edge_places_, e); }
     void remove_refined(int level, TriangleId t) { remove(at(level).refined, triangle_places_, t); }
 
@@ -39,7 +44,13 @@ class LevelLists {
         std::vector<TriangleId> refined;
     };
 
-    const Level& at(int level) const { return levels_[static_cast<std::size_t>(level)]; }
+    bool is_listed(int level) const { return static_cast<std::size_t>(level) < levels_.size(); }
+
+    template <class List>
+    std::span<const typename List::value_type> lists(int level, List Level::*list) const {
+        if (!is_listed(level)) return {};
+        return levels_[static_cast<std::size_t>(level)].*list;
+    }
     Level& at(int level) { return levels_[static_cast<std::size_t>(level)]; }
 
     template <class ElementId>

@@ -82,6 +82,7 @@ struct AdaptiveMesh::Change::One {
     static constexpr const Layout& to = kLayouts[kTo];
     static constexpr const Transition& plan = kTransitions[kFrom][kTo];
     static constexpr bool makes_regular = static_cast<Configuration>(kTo) == Configuration::C10;
+    static constexpr bool made_regular = static_cast<Configuration>(kFrom) == Configuration::C10;
     static constexpr std::size_t new_triangles = count_new(plan.triangle_from, plan.triangle_over, to.triangle_count);
     static constexpr std::size_t new_edges = count_new(plan.edge_from, plan.edge_over, to.edge_count);
 
@@ -131,7 +132,7 @@ struct AdaptiveMesh::Change::One {
             if constexpr (is_released(plan.drops_triangle, plan.triangle_over, slot)) {
                 const TriangleId id = owner.internal_triangles[slot];
                 SELVEDGE_ASSERT(is_leaf(mesh.triangles_[id]));
-                mesh.keeper_.note_lost(id);
+                mesh.keeper_.note_released(id);
                 mesh.triangles_.release(id);
             }
         });
@@ -139,7 +140,7 @@ struct AdaptiveMesh::Change::One {
             constexpr std::size_t slot = from.edge_count - 1U - i;
             if constexpr (is_released(plan.drops_edge, plan.edge_over, slot)) {
                 const EdgeId id = owner.internal_edges[slot];
-                mesh.keeper_.note_lost(id);
+                mesh.keeper_.note_released(id);
                 mesh.levels_.remove_unsplit(owner.level + 1, id);
                 mesh.edges_.release(id);
             }
@@ -155,7 +156,7 @@ struct AdaptiveMesh::Change::One {
                 triangles[i] = owner.internal_triangles[plan.triangle_from[i]];
             } else if constexpr (plan.triangle_over[i] != kNoSlot) {
                 triangles[i] = owner.internal_triangles[plan.triangle_over[i]];
-                mesh.keeper_.note_lost(triangles[i]);
+                mesh.keeper_.note_rewritten(triangles[i]);
             } else {
                 triangles[i] = free_triangles[count_new(plan.triangle_from, plan.triangle_over, i)];
             }
@@ -165,7 +166,7 @@ struct AdaptiveMesh::Change::One {
                 edges[i] = owner.internal_edges[plan.edge_from[i]];
             } else if constexpr (plan.edge_over[i] != kNoSlot) {
                 edges[i] = owner.internal_edges[plan.edge_over[i]];
-                mesh.keeper_.note_lost(edges[i]);
+                mesh.keeper_.note_rewritten(edges[i]);
             } else {
                 edges[i] = free_edges[count_new(plan.edge_from, plan.edge_over, i)];
                 mesh.levels_.add_unsplit(owner.level + 1, edges[i]);
@@ -229,7 +230,7 @@ struct AdaptiveMesh::Change::One {
             AdaptiveTriangle& triangle = mesh.triangles_[triangles[i]];
             if constexpr (plan.triangle_from[i] == kNoSlot) {
                 write<i>(triangle);
-            } else {
+            } else if constexpr (makes_regular != made_regular) {
                 triangle.regular = makes_regular;
             }
         });
@@ -262,7 +263,9 @@ struct AdaptiveMesh::Change::One {
                 mesh.edges_[e].sides[side_of[(drawn.edges[k] - 3U) / 2U]] = triangles[kSlot];
             }
         });
-        triangle.regular = makes_regular;
+        if constexpr (makes_regular != made_regular || plan.triangle_over[kSlot] == kNoSlot) {
+            triangle.regular = makes_regular;
+        }
         if constexpr (plan.triangle_over[kSlot] != kNoSlot) return;
         triangle.internal_triangles = {};
         triangle.internal_edges = {};
@@ -295,23 +298,17 @@ void AdaptiveMesh::change_configuration(TriangleId id, Configuration to) {
 }
 
 int AdaptiveMesh::retriangulate(int level, TransitionCounts* counts) {
-    list_split();
-    // Coarsening undoes a refinement last to first, so that ids come back in the order in which they were taken.
-    if (!rejoining_.empty()) std::reverse(marked_.begin(), marked_.end());
-    int transitions = 0;
-    for (const TriangleId id : marked_) {
-        AdaptiveTriangle& t = triangles_[id];
-        SELVEDGE_ASSERT(t.level == level);
-        t.marked = false;
-        const Configuration from = t.configuration, to = least_work(from, split_mask(t));
-        if (from == to) continue;
-        change_configuration(id, to);
-        if (counts != nullptr) ++counts->by_configuration[index_of(from)][index_of(to)];
-        ++transitions;
-    }
-    marked_.clear();
-    release_rejoined();
-    return transitions;
+    return retriangulate_marked(
+        level, counts, [](const AdaptiveTriangle& t, SplitMask split) { return least_work(t.configuration, split); });
+}
+
+Diagonal AdaptiveMesh::diagonal(const AdaptiveTriangle& t, const InternalEdge& drawn) const {
+    const auto vertex = [&](LocalPoint p) { return p < 3 ? t.vertices[p] : edges_[t.edges[p - 3U]].centre; };
+    const auto material = [&](LocalPoint p) -> Vec2f {
+        if (p < 3) return t.u[p];
+        return 0.5F * (t.u[p - 3U] + t.u[(p - 2U) % 3]);
+    };
+    return {vertex(drawn.points[0]), vertex(drawn.points[1]), material(drawn.points[0]), material(drawn.points[1])};
 }
 
 SplitMask AdaptiveMesh::split_mask(const AdaptiveTriangle& t) const {

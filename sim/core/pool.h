@@ -12,12 +12,6 @@
 
 namespace selvedge {
 
-// An element that can tell by itself that it is dead: no link to what it was must look sound.
-template <class T>
-concept Buriable = requires(T& element) {
-    element.bury();
-};
-
 template <class T, class ElementId>
 class Pool {
  public:
@@ -41,14 +35,10 @@ class Pool {
         return ids;
     }
 
-    // Pre: id is alive. What is left behind is buried, or else T{}, so that no stale link looks sound.
+    // Pre: id is alive. What is left behind is not touched: it would have to be fetched for that. An id that is both
+    // reached and free tells of a stale link.
     void release(ElementId id) {
         SELVEDGE_ASSERT(free_count_ < free_.size());
-        if constexpr (Buriable<T>) {
-            (*this)[id].bury();
-        } else {
-            (*this)[id] = T{};
-        }
         free_[free_count_++] = id;
     }
 

@@ -123,12 +123,16 @@ GarmentMesh front_and_back(int rows, double back_ratio) {
 }
 
 EdgeId edge_between(const AdaptiveMesh& mesh, VertexId a, VertexId b) {
-    for (int level = 0; level <= mesh.max_level(); ++level) {
-        for (const auto& list : {mesh.unsplit_edges(level), mesh.split_edges(level)}) {
-            for (const EdgeId e : list) {
-                const std::array<VertexId, 2>& ends = mesh.edge(e).ends;
-                if (ends == std::array{a, b} || ends == std::array{b, a}) return e;
-            }
+    const auto joins = [&](EdgeId e) {
+        const std::array<VertexId, 2>& ends = mesh.edge(e).ends;
+        return ends == std::array{a, b} || ends == std::array{b, a};
+    };
+    for (const LeafEdge& e : mesh.leaf_edges()) {
+        if (joins(e.edge)) return e.edge;
+    }
+    for (int level = 0; level < mesh.max_level(); ++level) {
+        for (const EdgeId e : mesh.split_edges(level)) {
+            if (joins(e)) return e;
         }
     }
     ADD_FAILURE() << "no edge between " << a.value << " and " << b.value;

@@ -76,7 +76,8 @@ TEST(Permission, denies_a_split_at_the_maximum_level_and_of_a_split_edge) {
     AdaptiveMesh mesh(one_triangle(), {.max_level = 1});
     NoState state;
     set_uniform_level(mesh, state, 1);
-    for (const EdgeId e : mesh.unsplit_edges(1)) EXPECT_FALSE(mesh.may_split(e));
+    ASSERT_EQ(mesh.leaf_edges().size(), 9U);
+    for (const LeafEdge& e : mesh.leaf_edges()) EXPECT_FALSE(mesh.may_split(e.edge));
     for (const EdgeId e : mesh.split_edges(0)) EXPECT_FALSE(mesh.may_split(e));
 }
 
