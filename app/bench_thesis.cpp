@@ -97,6 +97,7 @@ class Run {
         const std::string stem = "figure-" + figure.series.name;
         write_file_atomically(file(stem + ".csv"), to_csv(figure.series));
         std::printf("wrote %s\n", file(stem + ".csv").c_str());
+        if (!figure.is_plotted) return;
         if (plot(figure, file(stem + ".png"))) {
             std::printf("wrote %s\n", file(stem + ".png").c_str());
         } else if (!std::exchange(has_said_no_plot_, true)) {

@@ -11,6 +11,7 @@ namespace selvedge {
 struct Figure {
     Table series;  // columns of numbers; the first is x
     std::string y_label;
+    bool is_plotted = true;       // else the series is for reading alone
     bool is_logarithmic = false;  // both axes
     std::string right_column;     // drawn against an axis of its own, on the right; empty: none
 };

@@ -49,6 +49,7 @@ Scene make_scene(const DropOptions& options) {
     scene.adapting.collision_touch = kTouch;
     if (options.falls_off) scene.stepping.contact.friction_scale = kSlipperyFriction;
     scene.adapting.criteria = options.criteria;
+    scene.adapting.diagonal = options.diagonal;
     scene.adapting.shortest_edge = 0;
     refresh_contacts(scene.cloth, scene.stepping.contact);
     if (options.uniform_level) {

@@ -24,6 +24,7 @@ struct DropOptions {
     bool falls_off = false;              // dropped beside the middle and with less friction: it slides off again
     std::optional<int> uniform_level{};  // the same level everywhere; none: adaptive by the criteria
     CriteriaOptions criteria{};
+    DiagonalChoice diagonal = DiagonalChoice::LeastWork;
     double seconds = 2.0;
     double shift = 0;                                   // m, of the start along z: for runs that should hardly differ
     bool times_parts = false;                           // collision and drawing too, which makes the run slower

@@ -9,6 +9,7 @@ std::vector<Experiment> thesis_experiments() {
             {{"3.11"}, {}, measure_memory},
             {{"3.12", "3.13"}, {}, measure_uniform_drops},
             {{"3.1", "3.14"}, {}, measure_adaptive_drops},
+            {{}, {"3.9"}, measure_tie_breakers},
             {{}, {"3.23", "3.24"}, measure_drop_captures, true},
             {{}, {"3.25", "3.26", "3.27", "3.28", "3.29", "3.30"}, measure_drop_timings},
             {{"4.1"}, {}, measure_point_search}};

@@ -43,6 +43,7 @@ ThesisResult measure_uniform_refinement(const ThesisOptions& options);
 ThesisResult measure_memory(const ThesisOptions& options);
 ThesisResult measure_uniform_drops(const ThesisOptions& options);
 ThesisResult measure_adaptive_drops(const ThesisOptions& options);
+ThesisResult measure_tie_breakers(const ThesisOptions& options);
 ThesisResult measure_drop_captures(const ThesisOptions& options);
 ThesisResult measure_drop_timings(const ThesisOptions& options);
 ThesisResult measure_point_search(const ThesisOptions& options);

@@ -44,7 +44,9 @@ struct ClothObserver {
 };
 
 // All criteria, each with its switch.
-AdaptReport adapt_switched(Cloth& cloth, ClothObserver& observer, const AdaptClothOptions& options) {
+template <class Choice>
+AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& observer,
+                           const AdaptClothOptions& options) {
     const CriteriaOptions& on = options.criteria;
     const bool sees = options.visibility != nullptr, counts = options.budget != nullptr;
     const float scale = counts ? options.budget->scale() : 1.0F;
@@ -59,11 +61,26 @@ AdaptReport adapt_switched(Cloth& cloth, ClothObserver& observer, const AdaptClo
     const BackFaceCriterion back_face{options.visibility};
     const BudgetVeto veto{options.budget};
     const BudgetCriterion keep{options.budget};
-    return adapt(cloth.mesh, observer, {.max_level = options.max_level, .transitions = options.transitions},
-                 ShortestEdgeCriterion{options.shortest_edge}, HoldCriterion{options.may_rejoin},
-                 Switched(counts, veto), Switched(sees, back_face), Switched(on.collision, collision),
-                 Switched(on.curvature, foresight), Switched(on.length, length), Switched(on.buckling, buckling),
-                 Switched(!options.minimum_levels.empty(), minimum), Switched(counts, keep));
+    return adapt_choosing(
+        choice, cloth.mesh, observer, {.max_level = options.max_level, .transitions = options.transitions},
+        ShortestEdgeCriterion{options.shortest_edge}, HoldCriterion{options.may_rejoin}, Switched(counts, veto),
+        Switched(sees, back_face), Switched(on.collision, collision), Switched(on.curvature, foresight),
+        Switched(on.length, length), Switched(on.buckling, buckling),
+        Switched(!options.minimum_levels.empty(), minimum), Switched(counts, keep));
+}
+
+AdaptReport adapt_chosen(Cloth& cloth, ClothObserver& observer, const AdaptClothOptions& options) {
+    switch (options.diagonal) {
+        case DiagonalChoice::Length:
+            return adapt_switched(ShortestDiagonal(cloth.x), cloth, observer, options);
+        case DiagonalChoice::RestLength:
+            return adapt_switched(ShortestRestDiagonal{}, cloth, observer, options);
+        case DiagonalChoice::Curvature:
+            return adapt_switched(FlattestDiagonal{cloth.normals}, cloth, observer, options);
+        case DiagonalChoice::LeastWork:
+            break;
+    }
+    return adapt_switched(LeastWork{}, cloth, observer, options);
 }
 
 }  // namespace
@@ -96,7 +113,7 @@ AdaptReport adapt_cloth(Cloth& cloth, const Collider& body, const AdaptClothOpti
     if (options.visibility != nullptr) options.visibility->look(cloth.mesh, cloth.x, cloth.normals);
     if (options.budget != nullptr) options.budget->start(cloth.mesh);
     ClothObserver observer{cloth, body, contact.offset, options.visibility, options.budget};
-    const AdaptReport report = adapt_switched(cloth, observer, options);
+    const AdaptReport report = adapt_chosen(cloth, observer, options);
     if (report.changed()) {
         refresh_solver(cloth);
         refresh_contacts(cloth, contact);

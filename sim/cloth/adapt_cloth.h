@@ -61,6 +61,9 @@ struct CriteriaOptions {
     bool buckling = false;
 };
 
+// What decides between two diagonals where either conforms, see sim/adaptive/diagonal.h.
+enum class DiagonalChoice { LeastWork, Length, RestLength, Curvature };
+
 struct AdaptClothOptions {
     CriteriaOptions criteria{};
     CurvatureOptions curvature{};
@@ -73,6 +76,7 @@ struct AdaptClothOptions {
     float shortest_edge = 0.02F;       // m, an edge shorter than this is not split
     int max_level = kDeepestLevel;     // below the mesh's own
     bool may_rejoin = true;
+    DiagonalChoice diagonal = DiagonalChoice::LeastWork;
     TransitionCounts* transitions = nullptr;  // counted up when given
 };
 

@@ -39,6 +39,7 @@ TEST(Thesis, no_name_is_promised_twice_and_none_of_the_thesis_is_missing) {
     }
     for (int i = 1; i <= 14; ++i) EXPECT_TRUE(tables.contains("3." + std::to_string(i))) << i;
     EXPECT_TRUE(tables.contains("4.1"));
+    EXPECT_TRUE(figures.contains("3.9"));
     for (int i = 21; i <= 30; ++i) EXPECT_TRUE(figures.contains("3." + std::to_string(i))) << i;
 }
 
@@ -144,6 +145,16 @@ TEST(Thesis, transition_frequencies_sum_to_the_total_that_the_title_names) {
     EXPECT_GT(count, 50);
     EXPECT_NE(table.title.find("of " + std::to_string(static_cast<int>(count))), std::string::npos) << table.title;
     EXPECT_EQ(table_named(result, "3.14").rows.size(), 8U);
+}
+
+TEST(Thesis, tie_breakers_stand_side_by_side_on_both_objects) {
+    const ThesisResult result = measure_tie_breakers(kQuick);
+    const Table& table = result.figures.at(0).series;
+    EXPECT_EQ(table.name, "3.9");
+    ASSERT_EQ(table.rows.size(), 8U);
+    std::set<std::string> names;
+    for (std::size_t row = 0; row < 8; ++row) names.insert(table.rows[row][1].to_text());
+    EXPECT_EQ(names, (std::set<std::string>{"least work", "length", "rest length", "curvature"}));
 }
 
 TEST(Drop, does_the_same_each_time) {
