@@ -37,6 +37,7 @@ WeightlessFigures weightless(ClothRun& run, const DropScene& scene, double secon
     const Energy start = energy(run);
     const int window = frames_in(0.25, scene);
     WeightlessFigures figures;
+    double first = 0;
     double before = 0;
     double highest = 0;
     for (int frame = 0; frame < frames_in(seconds, scene); ++frame) {
@@ -47,7 +48,8 @@ WeightlessFigures weightless(ClothRun& run, const DropScene& scene, double secon
         highest = std::max(highest, now.kinetic);
         figures.kinetic_end = now.kinetic;
         if ((frame + 1) % window != 0) continue;
-        if (before > 0) figures.kinetic_growth = std::max(figures.kinetic_growth, highest / before - 1);
+        if (first == 0) first = highest;
+        if (before > 0) figures.kinetic_growth = std::max(figures.kinetic_growth, (highest - before) / first);
         before = std::exchange(highest, 0.0);
     }
     return figures;

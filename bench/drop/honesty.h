@@ -17,8 +17,8 @@ RestFigures rest_after(ClothRun& run, const DropScene& scene, double seconds = 1
 // reported too.
 struct WeightlessFigures {
     double energy_growth = 0;   // greatest energy over that at the start, less 1; 0 when it never grows
-    double kinetic_growth = 0;  // the same of the greatest kinetic energy of a quarter of a second over that of the
-                                // quarter before, from the second on
+    double kinetic_growth = 0;  // most that the highest kinetic energy of a quarter of a second exceeds that of the
+                                // quarter before, of that of the first
     double kinetic_end = 0;     // J
 };
 WeightlessFigures weightless(ClothRun& run, const DropScene& scene, double seconds = 3);
