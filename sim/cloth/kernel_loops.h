@@ -128,6 +128,7 @@ template <bool keeps_multipliers>
                                                        float* points, std::uint32_t* over) {
     std::size_t count = 0;
     for (const StretchBlock& block : blocks) {
+        bool is_over = false;
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
             const Corners c = corners_of(block, at, points);
             Threads t = directions(block, at, c.x0, c.x1, c.x2);
@@ -141,14 +142,9 @@ template <bool keeps_multipliers>
                 lanes::store(&record.multiplier[2][at], m.shear);
             }
             put_corners(block, at, corrected(block, at, c, t, m), points);
-            const Floats longest = load_at(block.longest, at);
-            unsigned hot = lanes::bits(lanes::greater(t.warp_length, t.weft_length) > longest);
-            for (; hot != 0; hot &= hot - 1) {
-                const std::size_t block_begin = static_cast<std::size_t>(&block - blocks.data()) * kBlock;
-                over[count++] =
-                    static_cast<std::uint32_t>(block_begin + at) + static_cast<std::uint32_t>(__builtin_ctz(hot));
-            }
+            is_over |= lanes::bits(lanes::greater(t.warp_length, t.weft_length) > load_at(block.longest, at)) != 0;
         }
+        if (is_over) over[count++] = static_cast<std::uint32_t>(&block - blocks.data());
     }
     return count;
 }
@@ -157,6 +153,24 @@ std::size_t solve_stretch(std::span<const StretchBlock> blocks, StretchRecord* r
                           std::uint32_t* over) {
     return records ? stretch_loop<true>(blocks, records, points, over)
                    : stretch_loop<false>(blocks, nullptr, points, over);
+}
+
+// What warp and weft are beyond the fabric's strain limit, and nothing else.
+void limit_stretch(std::span<const StretchBlock> blocks, std::span<const std::uint32_t> over, float* points) {
+    for (const std::uint32_t i : over) {
+        const StretchBlock& block = blocks[i];
+        for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+            const Corners c = corners_of(block, at, points);
+            Threads t = directions(block, at, c.x0, c.x1, c.x2);
+            t.warp_length = normalise(t.warp);
+            t.weft_length = normalise(t.weft);
+            const Floats longest = load_at(block.longest, at);
+            const Strains back{lanes::lesser(longest - t.warp_length, Floats{}) * load_at(block.warp, at),
+                               lanes::lesser(longest - t.weft_length, Floats{}) * load_at(block.weft, at), Floats{}};
+            if (lanes::bits(lanes::lesser(back.warp, back.weft) < 0.0F) == 0) continue;
+            put_corners(block, at, corrected(block, at, c, t, back), points);
+        }
+    }
 }
 
 // One direction of refined triangles: how much of it is taken back, per length of it.
@@ -373,6 +387,7 @@ void reply(const ContactReply& said, const std::uint32_t* offsets, const float* 
 
 constexpr Kernels kLoops{.predict = predict,
                          .solve_stretch = solve_stretch,
+                         .limit_stretch = limit_stretch,
                          .solve_bend = solve_bend,
                          .limit_parents = limit_parents,
                          .carry_centres = carry_centres,

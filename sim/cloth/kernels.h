@@ -43,10 +43,13 @@ struct Kernels {
     // Verlet: before := points, points += keep (points - before) + fall.
     void (*predict)(float* points, float* before, std::size_t count, const Motion& motion);
 
-    // One pass over warp, weft and shear; with `records` the multipliers are kept. The lanes whose warp or weft was
-    // beyond the fabric's strain limit go into `over`, which has room for all; returns how many.
+    // One pass over warp, weft and shear; with `records` the multipliers are kept. The blocks in which warp or
+    // weft was beyond the fabric's strain limit go into `over`, which has room for all; returns how many.
     std::size_t (*solve_stretch)(std::span<const StretchBlock> blocks, StretchRecord* records, float* points,
                                  std::uint32_t* over);
+
+    // Takes back what warp and weft in the blocks `over` are beyond the fabric's strain limit.
+    void (*limit_stretch)(std::span<const StretchBlock> blocks, std::span<const std::uint32_t> over, float* points);
 
     // One pass over hinges.
     void (*solve_bend)(std::span<const BendBlock> blocks, float* points);

@@ -71,7 +71,7 @@ struct SolverBlocks {
     std::vector<StretchBlock> stretch;  // colour by colour, so that no block shares a vertex within itself
     std::vector<StretchRecord> records;
     std::vector<std::uint32_t> leaf_of;  // lane by lane: index into leaf_triangles(), or kSpare
-    std::vector<std::uint32_t> over;     // scratch: lanes that one pass found beyond the fabric's strain limit
+    std::vector<std::uint32_t> over;     // scratch: blocks that one pass found beyond the fabric's strain limit
     std::vector<BendBlock> bend;
     std::vector<ParentLevel> parents;  // coarse to fine
 };

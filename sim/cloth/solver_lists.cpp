@@ -83,7 +83,7 @@ void make_stretch(const Cloth& cloth, SolverBlocks& blocks, BlockColoring& color
     for (const LeafTriangle& leaf : leaves) coloring.add<3>({leaf.v[0].value, leaf.v[1].value, leaf.v[2].value});
     const std::vector<std::uint32_t>& lanes = coloring.assign();
     clear_blocks(blocks.stretch, coloring.block_count(), spare_offset(cloth));
-    blocks.over.resize(coloring.block_count() * kBlock);
+    blocks.over.resize(coloring.block_count());
     blocks.records.assign(coloring.block_count(), {});
     blocks.leaf_of.assign(coloring.block_count() * kBlock, kSpare);
     for (std::size_t i = 0; i < leaves.size(); ++i) {
@@ -205,7 +205,7 @@ std::array<float, 4> hinge_weights(const Hinge& hinge) {
     return {left_b + right_b, left_a + right_a, -left_a - left_b, -right_a - right_b};
 }
 
-// Energy 1/2 (3 B / (A_left + A_right)) |sum q x|^2, of a hinge that is visited every `interval` sub-steps: what it
+// Energy 1/2 B / (A_left + A_right) |sum q x|^2, of a hinge that is visited every `interval` sub-steps: what it
 // does lasts that long, so the move that it makes at once counts as often. One visit leaves half of what it should take
 // away on an average; where the fabric's compliance is larger than that, it is made smaller by as much.
 void set_bend(const Cloth& cloth, const Hinge& hinge, int interval, BendBlock& block, std::size_t at) {
@@ -225,7 +225,7 @@ void set_bend(const Cloth& cloth, const Hinge& hinge, int interval, BendBlock& b
         block.q[i][at] = q[i];
     }
     const float visits = static_cast<float>(interval);
-    const float compliance = area / (3 * rigidity * cloth.substep * cloth.substep * visits);
+    const float compliance = area / (rigidity * cloth.substep * cloth.substep * visits);
     const float seen = sum * visits * (interval > 1 ? 2.0F : 1.0F);
     block.gain[at] = 1 / (seen + std::max(0.5F * compliance, compliance - 0.5F * seen));
 }

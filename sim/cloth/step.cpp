@@ -8,8 +8,7 @@
 namespace selvedge {
 namespace {
 
-constexpr std::size_t kMostOver = 512;  // triangles that are beyond the strain limit and get more rounds
-constexpr int kRounds = 8;
+constexpr int kRounds = 3;  // more, for the few blocks that one pass leaves beyond the strain limit
 
 float* floats(std::vector<Vec4f>& points) {
     return points.front().data();
@@ -70,37 +69,6 @@ void pull_seams(SolverState& solver, std::span<const SeamPull> seams, float gap)
     }
 }
 
-// Takes back what warp and weft of the triangle in this lane are longer than the fabric lets them be.
-void limit_lane(const StretchBlock& block, std::size_t at, std::vector<Vec4f>& points) {
-    std::array<Vec4f*, 3> x{};
-    for (std::size_t i = 0; i < 3; ++i) x[i] = &points[block.vertices[i][at] / 4];
-    const Vec4f e1 = padded((*x[1] - *x[0]).head<3>());
-    const Vec4f e2 = padded((*x[2] - *x[0]).head<3>());
-    const auto limit = [&](float g1, float g2) {
-        const Vec4f direction = e1 * g1 + e2 * g2;
-        const float length = direction.norm();
-        if (!(length > block.longest[at])) return;
-        const std::array<float, 3> gradient{-(g1 + g2), g1, g2};
-        float sum = 0;
-        for (std::size_t i = 0; i < 3; ++i) sum += x[i]->w() * gradient[i] * gradient[i];
-        if (sum <= 0) return;
-        const Vec4f back = direction * ((block.longest[at] - length) / (length * sum));
-        for (std::size_t i = 0; i < 3; ++i) *x[i] += back * (x[i]->w() * gradient[i]);
-    };
-    limit(block.a[0][at], block.a[1][at]);
-    limit(block.b[0][at], block.b[1][at]);
-}
-
-// The few triangles that one pass finds beyond the fabric's strain limit get more.
-void limit_over(SolverState& solver, std::size_t count) {
-    const std::span<const std::uint32_t> over(solver.blocks.over.data(), std::min(count, kMostOver));
-    for (int round = 0; round < kRounds; ++round) {
-        for (const std::uint32_t lane : over) {
-            limit_lane(solver.blocks.stretch[lane / kBlock], lane % kBlock, solver.points);
-        }
-    }
-}
-
 void solve_internal(Cloth& cloth, const Kernels& loops, bool is_last) {
     SolverState& solver = cloth.solver;
     limit_parents(solver, loops);
@@ -110,7 +78,10 @@ void solve_internal(Cloth& cloth, const Kernels& loops, bool is_last) {
     const std::size_t over =
         loops.solve_stretch(solver.blocks.stretch, is_last ? solver.blocks.records.data() : nullptr,
                             floats(solver.points), solver.blocks.over.data());
-    limit_over(solver, over);
+    const std::span<const std::uint32_t> blocks_over(solver.blocks.over.data(), over);
+    for (int round = 0; round < kRounds; ++round) {
+        loops.limit_stretch(solver.blocks.stretch, blocks_over, floats(solver.points));
+    }
 }
 
 // Biases follow what strain and stress are now.
