@@ -81,7 +81,7 @@ bool vetoes(const C& criterion, const AdaptiveMesh& mesh, EdgeId e) {
 
 template <class... C>
 bool should_split([[maybe_unused]] const AdaptiveMesh& mesh, [[maybe_unused]] EdgeId e, const C&... criteria) {
-    return (asks(criteria, mesh, e) || ...) && !(vetoes(criteria, mesh, e) || ...);
+    return !(vetoes(criteria, mesh, e) || ...) && (asks(criteria, mesh, e) || ...);  // vetoes are cheap
 }
 
 template <class... C>

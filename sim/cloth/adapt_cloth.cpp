@@ -64,9 +64,9 @@ AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& ob
     return adapt_choosing(
         choice, cloth.mesh, observer, {.max_level = options.max_level, .transitions = options.transitions},
         ShortestEdgeCriterion{options.shortest_edge}, HoldCriterion{options.may_rejoin}, Switched(counts, veto),
-        Switched(sees, back_face), Switched(on.collision, collision), Switched(on.curvature, foresight),
-        Switched(on.length, length), Switched(on.buckling, buckling),
-        Switched(!options.minimum_levels.empty(), minimum), Switched(counts, keep));
+        Switched(sees, back_face), Switched(on.length, length), Switched(on.buckling, buckling),
+        Switched(on.curvature, foresight), Switched(!options.minimum_levels.empty(), minimum), Switched(counts, keep),
+        Switched(on.collision, collision));  // the dearest last: one that asks, or disagrees, is enough
 }
 
 AdaptReport adapt_chosen(Cloth& cloth, ClothObserver& observer, const AdaptClothOptions& options) {

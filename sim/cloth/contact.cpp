@@ -10,7 +10,7 @@
 namespace selvedge {
 namespace {
 
-constexpr float kSlackMargin = 0.0005F;  // m, more than a field over-estimates
+constexpr float kSlackMargin = 0.0007F;  // m, more than a field over-estimates
 
 float* floats(std::vector<Vec4f>& points) {
     return points.front().data();
@@ -58,17 +58,27 @@ void push_off_floor(SolverState& solver, const ContactSample& sample, const Cont
     }
 }
 
-void push_out_sample(SolverState& solver, ContactSample& sample, const Collider& body, const ContactOptions& options) {
-    const float still = 1 - 1 / static_cast<float>(options.sample_interval);
-    push_off_floor(solver, sample, options, still);
-    const Vec4f x = mixed(solver.points, sample);
-    if (sample.slack > 0 && (x - sample.asked_at).squaredNorm() < sample.slack * sample.slack) return;
-    const Contact contact = body.contact(x.head<3>());
-    sample.asked_at = x;
-    sample.slack = contact.distance - options.offset - kSlackMargin;
-    if (contact.distance >= options.offset) return;
-    apply_contact(solver, sample, padded(contact.normal), options.offset - contact.distance,
-                  sample.friction * options.friction_scale, still);
+// The samples that must ask, and where they are.
+void find_asking_samples(const SolverState& solver, ContactState& contacts) {
+    contacts.asking.clear();
+    for (std::size_t i = 0; i < contacts.samples.size(); ++i) {
+        ContactSample& sample = contacts.samples[i];
+        const Vec4f x = mixed(solver.points, sample);
+        if (sample.slack > 0 && (x - sample.asked_at).squaredNorm() < sample.slack * sample.slack) continue;
+        sample.asked_at = x;
+        contacts.asking.push_back(static_cast<std::uint32_t>(i));
+    }
+}
+
+// One after the other, each from where those before have moved it: what it is too deep is less by that.
+void reply_to_sample(SolverState& solver, ContactSample& sample, const Contact& said, const ContactOptions& options,
+                     float still) {
+    sample.slack = said.distance - options.offset - kSlackMargin;
+    if (said.distance >= options.offset) return;
+    const Vec4f normal = padded(said.normal);
+    const float moved = normal.dot(mixed(solver.points, sample) - sample.asked_at);
+    const float depth = options.offset - said.distance - moved;
+    if (depth > 0) apply_contact(solver, sample, normal, depth, sample.friction * options.friction_scale, still);
 }
 
 void refresh_friction(const Cloth& cloth, std::vector<float>& friction) {
@@ -101,23 +111,19 @@ void add_triangles(const Cloth& cloth, std::vector<ContactSample>& samples) {
     }
 }
 
-// What the collider says of the points whose offsets are in `asking`, sixteen by sixteen; the last block is filled up
-// with the spare point.
-void ask(ContactState& contacts, const std::vector<Vec4f>& points, std::size_t count, const Collider& body,
+// What the collider says of `count` points, sixteen by sixteen; the last block is filled up with the last point.
+template <class PointAt>
+void ask(std::vector<ContactBlock>& blocks, std::size_t count, const PointAt& point_at, const Collider& body,
          float reach) {
-    const std::uint32_t spare = static_cast<std::uint32_t>(4 * (points.size() - 1));
-    const std::size_t blocks = (count + kBlock - 1) / kBlock;
-    std::fill(contacts.asking.begin() + static_cast<std::ptrdiff_t>(count),
-              contacts.asking.begin() + static_cast<std::ptrdiff_t>(blocks * kBlock), spare);
-    contacts.blocks.resize(blocks);
-    for (std::size_t i = 0; i < blocks * kBlock; ++i) {
-        const Vec4f& p = points[contacts.asking[i] / 4];
-        ContactBlock& block = contacts.blocks[i / kBlock];
+    blocks.resize((count + kBlock - 1) / kBlock);
+    for (std::size_t i = 0; i < blocks.size() * kBlock; ++i) {
+        const Vec4f& p = point_at(std::min(i, count - 1));
+        ContactBlock& block = blocks[i / kBlock];
         block.x[i % kBlock] = p.x();
         block.y[i % kBlock] = p.y();
         block.z[i % kBlock] = p.z();
     }
-    body.contacts(contacts.blocks, reach);
+    body.contacts(blocks, reach);
 }
 
 }  // namespace
@@ -138,7 +144,19 @@ void forget_contacts(Cloth& cloth) {
 }
 
 void push_out_samples(Cloth& cloth, const Collider& body, const ContactOptions& options) {
-    for (ContactSample& sample : cloth.contacts.samples) push_out_sample(cloth.solver, sample, body, options);
+    SolverState& solver = cloth.solver;
+    ContactState& contacts = cloth.contacts;
+    const float still = 1 - 1 / static_cast<float>(options.sample_interval);
+    find_asking_samples(solver, contacts);
+    if (contacts.asking.empty()) return;
+    const auto asked_at = [&](std::size_t i) -> const Vec4f& { return contacts.samples[contacts.asking[i]].asked_at; };
+    ask(contacts.blocks, contacts.asking.size(), asked_at, body, options.offset);
+    for (std::size_t i = 0; i < contacts.asking.size(); ++i) {
+        const ContactBlock& block = contacts.blocks[i / kBlock];
+        const std::size_t at = i % kBlock;
+        const Contact said{block.distance[at], Vec3f(block.nx[at], block.ny[at], block.nz[at])};
+        reply_to_sample(solver, contacts.samples[contacts.asking[i]], said, options, still);
+    }
 }
 
 void hold_vertices(Cloth& cloth, const Kernels& loops, const Collider& body, float longest_move,
@@ -156,7 +174,10 @@ void hold_vertices(Cloth& cloth, const Kernels& loops, const Collider& body, flo
         push_off_floor(solver, {.vertices = {v, v, v}, .shares = {1, 0, 0}, .friction = contacts.friction[v]}, options,
                        0);
     }
-    ask(contacts, solver.points, count, body, options.offset);
+    const std::uint32_t spare = static_cast<std::uint32_t>(4 * (solver.points.size() - 1));
+    std::fill_n(contacts.asking.begin() + static_cast<std::ptrdiff_t>(count), kBlock, spare);
+    const auto point_at = [&](std::size_t i) -> const Vec4f& { return solver.points[contacts.asking[i] / 4]; };
+    ask(contacts.blocks, (count + kBlock - 1) / kBlock * kBlock, point_at, body, options.offset);
     for (std::size_t i = 0; i < contacts.blocks.size(); ++i) {
         const ContactBlock& block = contacts.blocks[i];
         const ContactReply said{.x = block.x.data(),
