@@ -108,7 +108,7 @@ TEST(Step, pinned_vertices_do_not_move_at_all) {
     Cloth cloth = make_patch(find_fabric("jersey"));
     cloth.is_pinned[0] = true;
     cloth.is_pinned[4] = true;
-    refresh_elements(cloth);
+    refresh_solver(cloth);
     const Vec4f first = cloth.x[0];
     const Vec4f second = cloth.x[4];
     for (int i = 0; i < 60; ++i) {
