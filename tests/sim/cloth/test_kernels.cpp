@@ -129,8 +129,8 @@ TEST_P(KernelsAtLevel, bending_pushes_nothing_and_turns_nothing) {
 }
 
 // What follows a refined triangle weighs upon its corners by halves. That keeps the momentum; the angular momentum only
-// where all corners weigh the same, and at the outline they do not: it turns by some millimetres of an arm of 0.1 m.
-TEST_P(KernelsAtLevel, limits_of_refined_triangles_push_nothing_and_turn_next_to_nothing) {
+// where a corner stands in the middle of its neighbours, and here it is shaken by 0.03 m out of it.
+TEST_P(KernelsAtLevel, limits_of_refined_triangles_push_nothing_and_turn_little) {
     std::mt19937 random(13);
     Cloth cloth = flat_patch(2);
     shake(cloth, 0.03F, random);
@@ -138,7 +138,7 @@ TEST_P(KernelsAtLevel, limits_of_refined_triangles_push_nothing_and_turn_next_to
     for (const std::size_t level : {0U, 1U}) {
         expect_no_push<LimitBlock>(
             cloth, cloth.solver.blocks.parents[level].triangles,
-            [&](auto one, Points& points) { limit_and_carry(cloth, loops(), one, level, points); }, 0.006);
+            [&](auto one, Points& points) { limit_and_carry(cloth, loops(), one, level, points); }, 0.02);
     }
 }
 
