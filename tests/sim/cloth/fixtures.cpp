@@ -54,7 +54,7 @@ void pin_upper_edge(Cloth& cloth) {
     for (const VertexId v : cloth.mesh.leaf_vertices()) {
         cloth.is_pinned[v.value] = cloth.is_pinned[v.value] || cloth.x[v.value].y() > 2 - 1e-5F;
     }
-    refresh_elements(cloth);
+    refresh_solver(cloth);
 }
 
 }  // namespace
@@ -98,7 +98,7 @@ Cloth make_strip(const Fabric& fabric, const StripOptions& options) {
 void refine(Cloth& cloth, int level) {
     Midpoints state{cloth};
     set_uniform_level(cloth.mesh, state, level);
-    refresh_elements(cloth);
+    refresh_solver(cloth);
     refresh_contacts(cloth);
     update_normals(cloth);
 }
@@ -137,6 +137,13 @@ Vec3d centre_of_mass(const Cloth& cloth) {
         sum += cloth.x[v.value].head<3>().cast<double>() / double(cloth.inverse_mass[v.value]);
     }
     return sum / total_mass(cloth);
+}
+
+std::vector<Vec4f> solver_points(const Cloth& cloth, const std::vector<Vec4f>& x) {
+    std::vector<Vec4f> points = x;
+    for (std::size_t v = 0; v < points.size(); ++v) points[v].w() = cloth.inverse_mass[v];
+    points.push_back(Vec4f(0, 1e4F, 0, 0));
+    return points;
 }
 
 float exact_distance(const BodyCollider& body, const Vec3f& p) {

@@ -66,6 +66,9 @@ void move_to(Cloth& cloth, const Eigen::Matrix3f& rotation, const Vec3f& shift);
 double total_mass(const Cloth& cloth);  // kg, of what is not pinned
 Vec3d centre_of_mass(const Cloth& cloth);
 
+// Places as the solver's loops want them: with inverse masses, and the spare point behind them.
+std::vector<Vec4f> solver_points(const Cloth& cloth, const std::vector<Vec4f>& x);
+
 // Signed distance by the exact surface, m, negative inside.
 float exact_distance(const BodyCollider& body, const Vec3f& p);
 float deepest(const Cloth& cloth, const BodyCollider& body);  // least exact distance of a leaf vertex, m

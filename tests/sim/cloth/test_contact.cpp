@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 
+#include "sim/cloth/kernels.h"
 #include "tests/sim/body/shapes.h"
 #include "tests/sim/cloth/fixtures.h"
 
@@ -50,15 +51,17 @@ TEST(RefreshContacts, samples_every_edge_longer_than_the_spacing) {
     for (const int level : {0, 1, 2, 3}) {
         refine(cloth, level);
         std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<float>> samples;
-        std::size_t vertices = 0;
-        for (const ContactPoint& point : cloth.contacts.points) {
-            EXPECT_NEAR(point.shares[0] + point.shares[1] + point.shares[2], 1, 1e-5F);
-            if (point.vertex_count == 1) ++vertices;
-            if (point.vertex_count != 2) continue;
-            const auto [a, b, unused] = point.vertices;
-            samples[std::minmax(a, b)].push_back(a < b ? point.shares[1] : point.shares[0]);
+        std::size_t middles = 0;
+        for (const ContactSample& sample : cloth.contacts.samples) {
+            EXPECT_NEAR(sample.shares[0] + sample.shares[1] + sample.shares[2], 1, 1e-5F);
+            const auto [a, b, c] = sample.vertices;
+            if (b != c) {
+                ++middles;
+            } else {
+                samples[std::minmax(a, b)].push_back(a < b ? sample.shares[1] : sample.shares[0]);
+            }
         }
-        EXPECT_EQ(vertices, cloth.mesh.leaf_vertices().size());
+        EXPECT_EQ(middles, cloth.mesh.leaf_triangles().size());
         for (const LeafEdge& edge : cloth.mesh.leaf_edges()) {
             std::vector<float> t = samples[std::minmax(edge.a.value, edge.b.value)];
             t.push_back(0);
@@ -73,7 +76,7 @@ TEST(RefreshContacts, samples_every_edge_longer_than_the_spacing) {
 }
 
 // Two triangles whose long diagonal crosses a small ball between its ends.
-TEST(PushOutBetween, keeps_the_middle_of_a_long_edge_out_of_a_small_ball) {
+TEST(PushOutSamples, keeps_the_middle_of_a_long_edge_out_of_a_small_ball) {
     const Obstacle small(shapes::sphere(Vec3d(0, 1, 0), 0.04, 16));
     Cloth cloth = make_patch(undamped(), {.side = 0.2, .quads = 1, .height = 1.06});
     run(cloth, small.collider, {.extra_damping = 4, .contact = {.floor = kNoFloor}}, 0.5);
@@ -90,12 +93,19 @@ TEST(PushOutBetween, keeps_the_middle_of_a_long_edge_out_of_a_small_ball) {
     EXPECT_GT(highest, 1.03F) << "it fell past the ball, so nothing was tested";
 }
 
+// Holds all vertices outside of the ball, wherever they came from.
+void hold(Cloth& cloth) {
+    cloth.solver.points = solver_points(cloth, cloth.x);
+    cloth.solver.before = solver_points(cloth, cloth.x_prev);
+    hold_vertices(cloth, kernels(simd_level()), ball(), 1, {.friction_scale = 0, .floor = kNoFloor});
+    for (std::size_t v = 0; v < cloth.x.size(); ++v) cloth.x[v] = padded(cloth.solver.points[v].head<3>());
+}
+
 // Each vertex walks at random near the ball; whatever the slack says, no vertex may be left nearer than the offset.
-TEST(PushOutVertices, the_slack_never_hides_a_contact) {
+TEST(HoldVertices, the_slack_never_hides_a_contact) {
     std::mt19937 random(21);
     Cloth cloth = make_patch(undamped(), {.side = 0.4, .quads = 8, .height = 1.12});
-    const ContactOptions options{.friction_scale = 0, .floor = kNoFloor};
-    push_out_vertices(cloth, ball(), options);
+    hold(cloth);
     const float least = least_clearance(ball());
     long pushed = 0;
     for (int round = 0; round < 300; ++round) {
@@ -107,13 +117,13 @@ TEST(PushOutVertices, the_slack_never_hides_a_contact) {
             for (int axis = 0; axis < 3; ++axis) x[axis] += draw(random, -reach, reach) + home[axis] * 0.01F;
             if (exact_distance(ball(), x.head<3>()) < kOffset) ++pushed;
         }
-        push_out_vertices(cloth, ball(), options);
+        hold(cloth);
         ASSERT_GT(deepest(cloth, ball()), least) << "in round " << round;
     }
     EXPECT_GT(pushed, 5000) << "hardly anything came near the ball, so nothing was tested";
 }
 
-TEST(PushOutVertices, a_falling_cloth_never_comes_nearer_than_the_offset) {
+TEST(HoldVertices, a_falling_cloth_never_comes_nearer_than_the_offset) {
     Cloth cloth = make_patch(undamped("silk"), {.side = 0.4, .quads = 8, .height = 1.25});
     const float least = least_clearance(ball());
     for (int i = 0; i < 120; ++i) {
@@ -124,7 +134,7 @@ TEST(PushOutVertices, a_falling_cloth_never_comes_nearer_than_the_offset) {
     EXPECT_LT(deepest(cloth, ball()), 3 * kOffset) << "it never reached the ball, so nothing was tested";
 }
 
-TEST(PushOutVertices, the_floor_holds_what_falls_past_the_body) {
+TEST(HoldVertices, the_floor_holds_what_falls_past_the_body) {
     Cloth cloth = make_patch(undamped(), {.side = 0.2, .quads = 2, .height = 0.1});
     run(cloth, nothing_near(), {.extra_damping = 2, .contact = {.floor = 0.02F}}, 1.0);
     for (const VertexId v : cloth.mesh.leaf_vertices()) EXPECT_NEAR(cloth.x[v.value].y(), 0.023F, 1e-4F);

@@ -55,12 +55,13 @@ float farthest_move(const Cloth& cloth, const std::vector<Vec4f>& from) {
     return farthest;
 }
 
+// But for rounding, which makes some thousandths of a millimetre in 120 sub-steps.
 TEST(Step, a_flat_patch_at_rest_stays_where_it_is_without_gravity) {
     Cloth cloth = make_patch(find_fabric("denim"), {.height = 0.5});
     refine(cloth, 1);
     const std::vector<Vec4f> start = cloth.x;
     for (int i = 0; i < 10; ++i) step(cloth, nothing_near(), {.gravity = Vec3f::Zero(), .contact = kNoContact});
-    EXPECT_LT(farthest_move(cloth, start), 1e-6F);
+    EXPECT_LT(farthest_move(cloth, start), 1e-5F);
 }
 
 // Nothing but rounding is at work, and that has no direction.
@@ -108,7 +109,7 @@ TEST(Step, pinned_vertices_do_not_move_at_all) {
     Cloth cloth = make_patch(find_fabric("jersey"));
     cloth.is_pinned[0] = true;
     cloth.is_pinned[4] = true;
-    refresh_elements(cloth);
+    refresh_solver(cloth);
     const Vec4f first = cloth.x[0];
     const Vec4f second = cloth.x[4];
     for (int i = 0; i < 60; ++i) {

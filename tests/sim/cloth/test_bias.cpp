@@ -1,0 +1,147 @@
+// The biases of warp, weft and shear outlive an adaption, and bring cloth to the strain of its stiffness.
+#include "sim/cloth/bias.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "sim/body/analytic_collider.h"
+#include "sim/cloth/adapt_cloth.h"
+#include "sim/cloth/stretch.h"
+#include "tests/sim/cloth/fixtures.h"
+
+namespace selvedge::test {
+namespace {
+
+struct BiasedLeaf {
+    LeafTriangle leaf;
+    Vec3f bias = Vec3f::Zero();
+};
+
+// What the solver works with.
+std::vector<BiasedLeaf> biases(const Cloth& cloth) {
+    const SolverBlocks& blocks = cloth.solver.blocks;
+    std::vector<BiasedLeaf> found;
+    for (std::size_t lane = 0; lane < blocks.leaf_of.size(); ++lane) {
+        if (blocks.leaf_of[lane] == kSpare) continue;
+        const auto& b = blocks.stretch[lane / kBlock].bias;
+        const std::size_t at = lane % kBlock;
+        found.push_back({cloth.mesh.leaf_triangles()[blocks.leaf_of[lane]], Vec3f(b[0][at], b[1][at], b[2][at])});
+    }
+    return found;
+}
+
+// Each leaf's own.
+void learn(Cloth& cloth, float scale) {
+    SolverBlocks& blocks = cloth.solver.blocks;
+    for (std::size_t lane = 0; lane < blocks.leaf_of.size(); ++lane) {
+        if (blocks.leaf_of[lane] == kSpare) continue;
+        const LeafTriangle& leaf = cloth.mesh.leaf_triangles()[blocks.leaf_of[lane]];
+        const float value = scale * (1 + static_cast<float>(leaf.triangle.value));
+        auto& b = blocks.stretch[lane / kBlock].bias;
+        b[0][lane % kBlock] = value;
+        b[1][lane % kBlock] = 2 * value;
+        b[2][lane % kBlock] = -value;
+    }
+}
+
+Vec2f middle(const LeafTriangle& leaf) {
+    return (leaf.u[0] + leaf.u[1] + leaf.u[2]) / 3;
+}
+
+bool is_inside(const Vec2f& p, const LeafTriangle& leaf) {
+    return distance_to_triangle(p, leaf.u) <= 0;
+}
+
+const MinimumLevelDisc kDab{.panel = 0, .centre = Vec2f(0.05F, 0.03F), .radius = 0.04F, .level = 1};
+constexpr CriteriaOptions kNone{.collision = false, .curvature = false, .length = false};
+
+AdaptReport split_under_dab(Cloth& cloth) {
+    return adapt_cloth(cloth, NoBody{}, {.criteria = kNone, .minimum_levels = {&kDab, 1}});
+}
+AdaptReport rejoin(Cloth& cloth) {
+    return adapt_cloth(cloth, NoBody{}, {.criteria = kNone});
+}
+
+TEST(Bias, stays_with_triangles_that_stay_and_goes_to_the_children_of_those_that_are_refined) {
+    Cloth cloth = make_patch(find_fabric("silk"));
+    learn(cloth, 1e-4F);
+    const std::vector<BiasedLeaf> before = biases(cloth);
+    ASSERT_GT(split_under_dab(cloth).splits, 0);
+    int kept = 0, handed_on = 0;
+    for (const BiasedLeaf& now : biases(cloth)) {
+        const auto from = std::find_if(before.begin(), before.end(),
+                                       [&](const BiasedLeaf& old) { return is_inside(middle(now.leaf), old.leaf); });
+        ASSERT_NE(from, before.end());
+        EXPECT_EQ(now.bias, from->bias);
+        ++(now.leaf.u == from->leaf.u ? kept : handed_on);
+    }
+    EXPECT_GT(kept, 0);
+    EXPECT_GT(handed_on, 0);
+}
+
+TEST(Bias, of_a_triangle_that_comes_back_is_the_mean_of_what_was_inside_it) {
+    Cloth cloth = make_patch(find_fabric("silk"));
+    ASSERT_GT(split_under_dab(cloth).splits, 0);
+    learn(cloth, 1e-4F);
+    const std::vector<BiasedLeaf> before = biases(cloth);
+    ASSERT_GT(rejoin(cloth).rejoins, 0);
+    ASSERT_EQ(cloth.mesh.leaf_triangles().size(), cloth.mesh.base_triangle_count());
+    for (const BiasedLeaf& now : biases(cloth)) {
+        Vec3f sum = Vec3f::Zero();
+        for (const BiasedLeaf& old : before) {
+            if (is_inside(middle(old.leaf), now.leaf)) sum += old.bias * material_area(old.leaf.u);
+        }
+        const Vec3f mean = sum / material_area(now.leaf.u);
+        EXPECT_LT((now.bias - mean).norm(), 1e-4F * mean.norm());
+    }
+}
+
+TEST(Bias, of_children_that_come_again_is_the_one_that_their_parent_has_by_then) {
+    Cloth cloth = make_patch(find_fabric("silk"));
+    split_under_dab(cloth);
+    learn(cloth, 1e-4F);
+    rejoin(cloth);
+    learn(cloth, -3e-4F);
+    const std::vector<BiasedLeaf> before = biases(cloth);
+    ASSERT_GT(split_under_dab(cloth).splits, 0);
+    for (const BiasedLeaf& now : biases(cloth)) {
+        const auto from = std::find_if(before.begin(), before.end(),
+                                       [&](const BiasedLeaf& old) { return is_inside(middle(now.leaf), old.leaf); });
+        ASSERT_NE(from, before.end());
+        EXPECT_EQ(now.bias, from->bias);
+    }
+}
+
+TEST(Bias, an_adaption_that_changes_nothing_leaves_it_alone) {
+    Cloth cloth = make_patch(find_fabric("silk"));
+    learn(cloth, 1e-4F);
+    ASSERT_FALSE(rejoin(cloth).changed());
+    refresh_solver(cloth);
+    for (const BiasedLeaf& leaf : biases(cloth)) {
+        EXPECT_EQ(leaf.bias.x(), 1e-4F * (1 + static_cast<float>(leaf.leaf.triangle.value)));
+    }
+}
+
+// At a depth below the clamp the strip carries what hangs below: strain w (L - depth) / k.
+TEST(Bias, brings_a_hanging_strip_to_the_strain_of_its_stiffness) {
+    Fabric fabric = find_fabric("cotton_shirting");
+    fabric.stretch_warp = 60;  // N/m
+    fabric.strain_limit = 0.5;
+    const float weight = static_cast<float>(fabric.area_density) * 9.81F;  // N/m^2
+    for (const int level : {0, 1}) {
+        Cloth cloth = make_strip(fabric, {.level = level});
+        run(cloth, nothing_near(), {.extra_damping = 4, .contact = {.floor = kNoFloor}}, 5.0);
+        const std::vector<TriangleStrain> strains = measure_strain(cloth);
+        for (std::size_t i = 0; i < strains.size(); ++i) {
+            const float hanging = 1 + middle(cloth.mesh.leaf_triangles()[i]).y();  // m, the upper edge is at y = 0
+            const float expected = weight * hanging / static_cast<float>(fabric.stretch_warp);
+            EXPECT_NEAR(strains[i].warp, expected, 0.1F * expected + 0.001F) << hanging << " m, level " << level;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace selvedge::test

@@ -1,0 +1,155 @@
+// Blocks of constraints share no vertex, and nothing is lost or doubled in them.
+#include "sim/cloth/coloring.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "tests/sim/cloth/fixtures.h"
+
+namespace selvedge::test {
+namespace {
+
+using Corners = std::vector<std::uint32_t>;  // sorted
+
+template <class Block>
+Corners corners_at(const Block& block, std::size_t at) {
+    Corners corners;
+    for (const BlockPoints& points : block.vertices) corners.push_back(points[at] / 4);
+    std::sort(corners.begin(), corners.end());
+    return corners;
+}
+
+// The constraints of all lanes that are not spare. Fails where a block touches a vertex twice.
+template <class Block>
+std::multiset<Corners> constraints_of(const std::vector<Block>& blocks, const Cloth& cloth) {
+    const std::uint32_t spare = static_cast<std::uint32_t>(cloth.mesh.vertex_capacity());
+    std::multiset<Corners> found;
+    for (const Block& block : blocks) {
+        std::set<std::uint32_t> touched;
+        for (std::size_t at = 0; at < kBlock; ++at) {
+            const Corners corners = corners_at(block, at);
+            if (corners.front() == spare) {
+                EXPECT_EQ(corners.back(), spare) << "a lane is spare as a whole";
+                continue;
+            }
+            for (const std::uint32_t v : corners) EXPECT_TRUE(touched.insert(v).second) << "twice in a block: " << v;
+            found.insert(corners);
+        }
+    }
+    return found;
+}
+
+Corners sorted(std::initializer_list<VertexId> vertices) {
+    Corners corners;
+    for (const VertexId v : vertices) corners.push_back(v.value);
+    std::sort(corners.begin(), corners.end());
+    return corners;
+}
+
+void expect_sound_blocks(const Cloth& cloth) {
+    std::multiset<Corners> leaves, hinges;
+    for (const LeafTriangle& t : cloth.mesh.leaf_triangles()) leaves.insert(sorted({t.v[0], t.v[1], t.v[2]}));
+    for (const Hinge& h : cloth.mesh.hinges()) hinges.insert(sorted({h.a, h.b, h.left, h.right}));
+    const SolverBlocks& blocks = cloth.solver.blocks;
+    EXPECT_EQ(constraints_of(blocks.stretch, cloth), leaves);
+    EXPECT_EQ(constraints_of(blocks.bend, cloth), hinges);
+    EXPECT_EQ(blocks.records.size(), blocks.stretch.size());
+    ASSERT_EQ(blocks.parents.size(), static_cast<std::size_t>(cloth.mesh.max_level()));
+    for (int level = 0; level < cloth.mesh.max_level(); ++level) {
+        std::multiset<Corners> refined;
+        for (const TriangleId t : cloth.mesh.refined_triangles(level)) {
+            const std::array<VertexId, 3>& v = cloth.mesh.triangle(t).vertices;
+            refined.insert(sorted({v[0], v[1], v[2]}));
+        }
+        EXPECT_EQ(constraints_of(blocks.parents[static_cast<std::size_t>(level)].triangles, cloth), refined);
+    }
+}
+
+void expect_each_leaf_in_its_lane(const Cloth& cloth) {
+    const SolverBlocks& blocks = cloth.solver.blocks;
+    ASSERT_EQ(blocks.leaf_of.size(), blocks.stretch.size() * kBlock);
+    std::vector<int> seen(cloth.mesh.leaf_triangles().size(), 0);
+    for (std::size_t lane = 0; lane < blocks.leaf_of.size(); ++lane) {
+        if (blocks.leaf_of[lane] == kSpare) continue;
+        const LeafTriangle& leaf = cloth.mesh.leaf_triangles()[blocks.leaf_of[lane]];
+        EXPECT_EQ(corners_at(blocks.stretch[lane / kBlock], lane % kBlock), sorted({leaf.v[0], leaf.v[1], leaf.v[2]}));
+        ++seen[blocks.leaf_of[lane]];
+    }
+    EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), std::ptrdiff_t(seen.size()));
+}
+
+// Triangles about one vertex, all of the same size.
+GarmentMesh fan(int count) {
+    GarmentMesh mesh;
+    mesh.panel_names = {"fan"};
+    mesh.panel_grain_angles = {0};
+    std::vector<Vec2d> u{Vec2d::Zero()};
+    for (int i = 0; i < count; ++i) {
+        const double angle = 2 * std::numbers::pi * i / count;
+        u.push_back(Vec2d(std::cos(angle), std::sin(angle)));
+    }
+    for (const Vec2d& p : u) mesh.x.push_back(Vec3d(p.x(), 1, -p.y()));
+    for (int i = 0; i < count; ++i) {
+        const int a = 1 + i, b = 1 + (i + 1) % count;
+        mesh.triangles.push_back({.vertices = {0, a, b}, .u = {u[0], u[std::size_t(a)], u[std::size_t(b)]}});
+    }
+    return mesh;
+}
+
+TEST(BlockColoring, gives_each_constraint_one_lane_of_a_block_without_common_vertices) {
+    std::mt19937 random(5);
+    BlockColoring coloring;
+    for (int run = 0; run < 3; ++run) {
+        std::vector<std::array<std::uint32_t, 3>> constraints;
+        coloring.start(300);
+        for (int i = 0; i < 2000; ++i) {
+            const auto among = [&](std::uint32_t least) { return least + static_cast<std::uint32_t>(random() % 100); };
+            constraints.push_back({among(0), among(100), among(200)});
+            coloring.add<3>(constraints.back());
+        }
+        const std::vector<std::uint32_t>& lanes = coloring.assign();
+        ASSERT_EQ(lanes.size(), constraints.size());
+        std::set<std::uint32_t> taken;
+        std::set<std::pair<std::uint32_t, std::uint32_t>> touched;  // block, vertex
+        for (std::size_t i = 0; i < lanes.size(); ++i) {
+            EXPECT_LT(lanes[i], coloring.block_count() * kBlock);
+            EXPECT_TRUE(taken.insert(lanes[i]).second) << "two in one lane";
+            const auto block = static_cast<std::uint32_t>(lanes[i] / kBlock);
+            for (const std::uint32_t v : constraints[i]) EXPECT_TRUE(touched.insert({block, v}).second);
+        }
+    }
+}
+
+TEST(BlockColoring, has_no_block_for_nothing) {
+    BlockColoring coloring;
+    coloring.start(10);
+    EXPECT_TRUE(coloring.assign().empty());
+    EXPECT_EQ(coloring.block_count(), 0U);
+}
+
+TEST(SolverBlocks, hold_every_leaf_hinge_and_refined_triangle_once) {
+    Cloth cloth = make_patch(find_fabric("silk"));
+    for (const int level : {0, 1, 3, 2}) {
+        refine(cloth, level);
+        expect_sound_blocks(cloth);
+        expect_each_leaf_in_its_lane(cloth);
+    }
+    EXPECT_EQ(cloth.solver.blocks.parents[1].centres.size(), cloth.mesh.split_edges(1).size());
+}
+
+// More triangles than there are colours meet in one vertex.
+TEST(SolverBlocks, hold_a_fan_of_a_hundred_triangles) {
+    Cloth cloth = make_cloth(fan(100), {find_fabric("silk")}, {.max_level = 1});
+    expect_sound_blocks(cloth);
+    refine(cloth, 1);
+    expect_sound_blocks(cloth);
+    for (int i = 0; i < 20; ++i) step(cloth, nothing_near(), {.contact = {.floor = kNoFloor}});
+    EXPECT_FALSE(find_bad_vertex(cloth).has_value());
+}
+
+}  // namespace
+}  // namespace selvedge::test

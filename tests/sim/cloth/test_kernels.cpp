@@ -1,0 +1,285 @@
+// No internal constraint pushes or turns the cloth as a whole, and all kinds of vector instructions agree.
+#include "sim/cloth/kernels.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <functional>
+
+#include "sim/cloth/adapt_cloth.h"
+#include "sim/cloth/stretch.h"
+#include "tests/sim/cloth/fixtures.h"
+
+namespace selvedge::test {
+namespace {
+
+using Points = std::vector<Vec4f>;
+
+float* floats(Points& points) {
+    return points.front().data();
+}
+
+bool have_same_bits(const Points& a, const Points& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec4f)) == 0;
+}
+
+// One change of positions: what it does to momentum and to angular momentum, compared with the sum of what it does to
+// the single vertices.
+struct Push {
+    Vec3d linear = Vec3d::Zero();
+    Vec3d angular = Vec3d::Zero();
+    double size = 0;  // sum of |m dx|
+};
+Push push_between(const Cloth& cloth, const Points& before, const Points& after) {
+    Push push;
+    for (const VertexId v : cloth.mesh.leaf_vertices()) {
+        if (cloth.inverse_mass[v.value] <= 0) continue;
+        const Vec3d x = before[v.value].head<3>().cast<double>();
+        const Vec3d impulse = (after[v.value].head<3>().cast<double>() - x) / double(cloth.inverse_mass[v.value]);
+        push.linear += impulse;
+        push.angular += x.cross(impulse);
+        push.size += impulse.norm();
+    }
+    return push;
+}
+
+// The forces of a constraint pass through the positions that it saw, so blocks are solved one by one: within a block no
+// two share a vertex.
+template <class Block>
+void expect_no_push(const Cloth& cloth, const std::vector<Block>& blocks,
+                    const std::function<void(std::span<const Block>, Points&)>& solve, double torque_share) {
+    double size = 0;
+    Vec3d linear = Vec3d::Zero();
+    Points points = solver_points(cloth, cloth.x);
+    for (const Block& block : blocks) {
+        const Points before = points;
+        solve(std::span(&block, 1), points);
+        const Push push = push_between(cloth, before, points);
+        EXPECT_LT(push.linear.norm(), 1e-3 * push.size + 1e-10);
+        EXPECT_LT(push.angular.norm(), torque_share * push.size + 1e-10);
+        size += push.size;
+        linear += push.linear;
+    }
+    EXPECT_GT(size, 1e-5) << "nothing was corrected, so nothing was tested";
+    EXPECT_LT(linear.norm(), 1e-4 * size);
+}
+
+// About the origin and not at a height, and stiff in bending, so that float steps of the positions are small against
+// the corrections.
+Cloth flat_patch(int level) {
+    Fabric fabric = find_fabric("denim");
+    fabric.bending_warp = 0.2;  // N m
+    fabric.bending_weft = 0.1;
+    Cloth cloth = make_patch(fabric, {.height = 0});
+    refine(cloth, level);
+    return cloth;
+}
+
+Cloth shaken_patch(std::mt19937& random, float reach) {
+    Cloth cloth = flat_patch(1);
+    shake(cloth, reach, random);
+    return cloth;
+}
+
+void centre_split_edges(Cloth& cloth) {
+    for (int level = 0; level < cloth.mesh.max_level(); ++level) {
+        for (const EdgeId e : cloth.mesh.split_edges(level)) {
+            cloth.x[cloth.mesh.centre(e).value] =
+                (cloth.x[cloth.mesh.end(e, 0).value] + cloth.x[cloth.mesh.end(e, 1).value]) / 2;
+        }
+    }
+}
+
+// One block of refined triangles with all that hangs on it.
+void limit_and_carry(const Cloth& cloth, const Kernels& loops, std::span<const LimitBlock> blocks, std::size_t level,
+                     Points& points) {
+    Points carried = points;
+    loops.limit_parents(blocks, floats(points));
+    for (std::size_t below = level; below < cloth.solver.blocks.parents.size(); ++below) {
+        loops.carry_centres(cloth.solver.blocks.parents[below].centres, floats(carried), floats(points));
+    }
+}
+
+class KernelsAtLevel : public testing::TestWithParam<SimdLevel> {
+ protected:
+    void SetUp() override {
+        if (GetParam() > detected_simd_level()) GTEST_SKIP() << "not on this processor";
+    }
+    const Kernels& loops() const { return kernels(GetParam()); }
+};
+
+// Shear is taken at unit length of warp and weft, so its torque vanishes only to the order of their strain, which is
+// some 20 % here: a wrong gradient would turn by the arm, 0.05 m, and more.
+TEST_P(KernelsAtLevel, stretch_and_shear_push_and_turn_nothing_as_a_whole) {
+    std::mt19937 random(11);
+    const Cloth cloth = shaken_patch(random, 0.01F);
+    expect_no_push<StretchBlock>(
+        cloth, cloth.solver.blocks.stretch,
+        [&](auto one, Points& points) { loops().solve_stretch(one, nullptr, floats(points)); }, 0.01);
+}
+
+TEST_P(KernelsAtLevel, bending_pushes_nothing_and_turns_nothing) {
+    std::mt19937 random(12);
+    const Cloth cloth = shaken_patch(random, 0.01F);
+    expect_no_push<BendBlock>(
+        cloth, cloth.solver.blocks.bend, [&](auto one, Points& points) { loops().solve_bend(one, floats(points)); },
+        0.005);
+}
+
+// What follows a refined triangle weighs upon its corners by halves. That keeps the momentum; the angular momentum only
+// where a corner stands in the middle of its neighbours, and here it is shaken by 0.03 m out of it.
+TEST_P(KernelsAtLevel, limits_of_refined_triangles_push_nothing_and_turn_little) {
+    std::mt19937 random(13);
+    Cloth cloth = flat_patch(2);
+    shake(cloth, 0.03F, random);
+    centre_split_edges(cloth);
+    for (const std::size_t level : {0U, 1U}) {
+        expect_no_push<LimitBlock>(
+            cloth, cloth.solver.blocks.parents[level].triangles,
+            [&](auto one, Points& points) { limit_and_carry(cloth, loops(), one, level, points); }, 0.02);
+    }
+}
+
+TEST_P(KernelsAtLevel, bending_leaves_a_flat_patch_flat_however_it_lies) {
+    Cloth cloth = make_patch(find_fabric("denim"), {.height = 0});
+    refine(cloth, 2);
+    move_to(cloth, Eigen::AngleAxisf(1.0F, Vec3f(1, 2, 3).normalized()).toRotationMatrix(), Vec3f(0.1F, 0.2F, 0.3F));
+    Points points = solver_points(cloth, cloth.x);
+    loops().solve_bend(cloth.solver.blocks.bend, floats(points));
+    for (const VertexId v : cloth.mesh.leaf_vertices()) {
+        EXPECT_LT((points[v.value] - padded(cloth.x[v.value].head<3>())).head<3>().norm(), 1e-6F);
+    }
+}
+
+float thread_length(const LimitBlock& block, std::size_t at, const std::array<BlockFloats, 2>& along,
+                    const Points& points) {
+    const auto corner = [&](std::size_t i) { return Vec3f(points[block.vertices[i][at] / 4].head<3>()); };
+    return (along[0][at] * (corner(1) - corner(0)) + along[1][at] * (corner(2) - corner(0))).norm();
+}
+
+TEST_P(KernelsAtLevel, a_limit_takes_back_what_is_longer_and_touches_nothing_shorter) {
+    std::mt19937 random(14);
+    const Cloth cloth = shaken_patch(random, 0.01F);
+    int longer = 0, shorter = 0;
+    for (const LimitBlock& block : cloth.solver.blocks.parents[0].triangles) {
+        const Points before = solver_points(cloth, cloth.x);
+        Points after = before;
+        loops().limit_parents(std::span(&block, 1), floats(after));
+        for (std::size_t at = 0; at < kBlock; ++at) {
+            if (block.vertices[0][at] / 4 + 1 == before.size()) continue;
+            const float warp = thread_length(block, at, block.a, before);
+            const float weft = thread_length(block, at, block.b, before);
+            const bool is_warp = warp > block.longest_warp[at], is_weft = weft > block.longest_weft[at];
+            if (!is_warp && !is_weft) {
+                for (const BlockPoints& v : block.vertices) EXPECT_EQ(after[v[at] / 4], before[v[at] / 4]);
+                ++shorter;
+            } else if (!is_weft) {
+                const float now = thread_length(block, at, block.a, after);
+                EXPECT_LT(now, warp);
+                EXPECT_GT(now, block.longest_warp[at] - 1e-5F) << "half is taken back at most";
+                ++longer;
+            }
+        }
+    }
+    EXPECT_GT(longer, 0);
+    EXPECT_GT(shorter, 0);
+}
+
+// Every loop once, over a shaken patch that has two pinned vertices.
+struct Sweep {
+    Points points, before, asked;
+    std::vector<StretchRecord> records;
+    std::vector<StretchBlock> stretch;
+    std::vector<std::uint32_t> over, found;
+};
+Sweep swept(const Kernels& loops) {
+    std::mt19937 random(15);
+    Cloth cloth = flat_patch(2);
+    shake(cloth, 0.004F, random);
+    cloth.is_pinned[0] = cloth.is_pinned[7] = true;
+    refresh_solver(cloth);
+    const SolverBlocks& blocks = cloth.solver.blocks;
+    Sweep s;
+    s.points = s.before = solver_points(cloth, cloth.x);
+    s.asked.assign(s.points.size(), Vec4f(0, 0, 0, 0.1F));
+    s.records = blocks.records;
+    s.stretch = blocks.stretch;
+    loops.predict(floats(s.points), floats(s.before), cloth.x.size(), {.keep = 0.9F, .fall = {1e-4F, -1e-3F, 2e-4F}});
+    for (std::size_t level = 0; level < blocks.parents.size(); ++level) {
+        limit_and_carry(cloth, loops, blocks.parents[level].triangles, level, s.points);
+    }
+    loops.solve_bend(blocks.bend, floats(s.points));
+    loops.solve_stretch(s.stretch, s.records.data(), floats(s.points));
+    s.over.resize(64);
+    s.over.resize(loops.finish_step(s.stretch, s.records, floats(s.points), floats(s.before),
+                                    {.stretch_gain = 0.1F, .shear_gain = 0.05F, .most_over = 64, .rubbed = 0.2F},
+                                    s.over.data()));
+    s.found.resize(s.points.size() + kBlock);
+    s.found.resize(loops.hold_moves(floats(s.points), floats(s.before), floats(s.asked), cloth.x.size(),
+                                    {.longest_move = 0.003F, .floor = -0.01F}, s.found.data()));
+    return s;
+}
+
+TEST_P(KernelsAtLevel, never_move_what_is_pinned) {
+    std::mt19937 random(15);
+    Cloth cloth = flat_patch(2);
+    shake(cloth, 0.004F, random);
+    const Sweep s = swept(loops());
+    for (const std::size_t v : {0U, 7U}) EXPECT_EQ(s.points[v].head<3>(), cloth.x[v].head<3>());
+    EXPECT_NE(s.points[1].head<3>(), cloth.x[1].head<3>());
+}
+
+INSTANTIATE_TEST_SUITE_P(Simd, KernelsAtLevel, testing::Values(SimdLevel::Plain, SimdLevel::Avx2, SimdLevel::Avx512),
+                         [](const auto& instance) { return std::string(name_of(instance.param)); });
+
+bool have_same_bits(const std::vector<StretchBlock>& a, const std::vector<StretchBlock>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const StretchBlock& p, const StretchBlock& q) { return p.bias == q.bias; });
+}
+
+TEST(Kernels, of_avx2_and_avx512_give_the_same_bits) {
+    if (detected_simd_level() < SimdLevel::Avx512) GTEST_SKIP() << "no AVX-512 on this processor";
+    const Sweep narrow = swept(kernels(SimdLevel::Avx2)), wide = swept(kernels(SimdLevel::Avx512));
+    EXPECT_TRUE(have_same_bits(narrow.points, wide.points));
+    EXPECT_TRUE(have_same_bits(narrow.before, wide.before));
+    EXPECT_TRUE(have_same_bits(narrow.stretch, wide.stretch));
+    EXPECT_EQ(narrow.over, wide.over);
+    EXPECT_EQ(narrow.found, wide.found);
+    EXPECT_FALSE(narrow.over.empty());
+    EXPECT_FALSE(narrow.found.empty());
+}
+
+TEST(Kernels, without_fused_multiplication_are_off_by_rounding_only) {
+    if (detected_simd_level() < SimdLevel::Avx2) GTEST_SKIP() << "no AVX2 on this processor";
+    constexpr float kFewUlps = 4 * 1.2e-7F;  // of a metre
+    const Sweep plain = swept(kernels(SimdLevel::Plain)), fused = swept(kernels(SimdLevel::Avx2));
+    ASSERT_EQ(plain.points.size(), fused.points.size());
+    for (std::size_t v = 0; v < plain.points.size(); ++v) {
+        EXPECT_LT((plain.points[v] - fused.points[v]).head<3>().norm(), kFewUlps);
+        EXPECT_LT((plain.before[v] - fused.before[v]).head<3>().norm(), kFewUlps);
+    }
+    EXPECT_EQ(plain.over, fused.over);
+    EXPECT_EQ(plain.found, fused.found);
+}
+
+// A patch on the ball that splits and rejoins, with contacts and friction.
+Points dropped(SimdLevel level) {
+    const SimdLimit limit(level);
+    Cloth cloth = make_patch(find_fabric("silk"), {.side = 0.5, .quads = 6, .height = 1.16});
+    for (int i = 0; i < 60; ++i) {
+        if (i % 4 == 0) adapt_cloth(cloth, ball());
+        step(cloth, ball(), {});
+    }
+    EXPECT_GT(cloth.mesh.leaf_triangles().size(), cloth.mesh.base_triangle_count());
+    return cloth.x;
+}
+
+TEST(Kernels, of_avx2_and_avx512_dress_a_ball_with_the_same_bits) {
+    if (detected_simd_level() < SimdLevel::Avx512) GTEST_SKIP() << "no AVX-512 on this processor";
+    EXPECT_TRUE(have_same_bits(dropped(SimdLevel::Avx2), dropped(SimdLevel::Avx512)));
+}
+
+}  // namespace
+}  // namespace selvedge::test
