@@ -10,13 +10,19 @@ std::span<const TriangleId> inside(const AdaptiveTriangle& triangle) {
 }
 
 void set_bias(Cloth& cloth, TriangleId t, const Vec3f& bias) {
-    cloth.bias[t.value] = bias;
-    cloth.bias_of[t.value] = cloth.mesh.triangle(t).u;
+    cloth.bias[t.value] = {.value = bias, .u = cloth.mesh.triangle(t).u, .adaption = cloth.adaptions};
+}
+
+// An id may have been given to another triangle, or given back and taken again in an earlier adaption.
+bool is_known(const Cloth& cloth, TriangleId t) {
+    const KeptBias& kept = cloth.bias[t.value];
+    return kept.adaption == cloth.adaptions && kept.u == cloth.mesh.triangle(t).u;
 }
 
 }  // namespace
 
 void keep_bias(Cloth& cloth) {
+    ++cloth.adaptions;
     const SolverBlocks& blocks = cloth.solver.blocks;
     const std::span<const LeafTriangle> leaves = cloth.mesh.leaf_triangles();
     for (std::size_t lane = 0; lane < blocks.leaf_of.size(); ++lane) {
@@ -31,7 +37,7 @@ void keep_bias(Cloth& cloth) {
             float area = 0;
             for (const TriangleId child : inside(cloth.mesh.triangle(t))) {
                 const float a = material_area(cloth.mesh.triangle(child).u);
-                sum += a * cloth.bias[child.value];
+                sum += a * cloth.bias[child.value].value;
                 area += a;
             }
             set_bias(cloth, t, sum / area);
@@ -40,13 +46,11 @@ void keep_bias(Cloth& cloth) {
 }
 
 void hand_on_bias(Cloth& cloth) {
-    cloth.bias.resize(cloth.mesh.triangles().capacity(), Vec3f::Zero());
-    cloth.bias_of.resize(cloth.mesh.triangles().capacity(), {Vec2f::Zero(), Vec2f::Zero(), Vec2f::Zero()});
+    cloth.bias.resize(cloth.mesh.triangles().capacity());
     for (int level = 0; level < cloth.mesh.max_level(); ++level) {
         for (const TriangleId t : cloth.mesh.refined_triangles(level)) {
             for (const TriangleId child : inside(cloth.mesh.triangle(t))) {
-                if (cloth.bias_of[child.value] == cloth.mesh.triangle(child).u) continue;
-                set_bias(cloth, child, cloth.bias[t.value]);
+                if (!is_known(cloth, child)) set_bias(cloth, child, cloth.bias[t.value].value);
             }
         }
     }

@@ -25,6 +25,13 @@ struct SolverState {
     std::size_t count = 0;  // sub-steps so far
 };
 
+// What the solver has learnt about a triangle, see solver_blocks.h.
+struct KeptBias {
+    Vec3f value = Vec3f::Zero();                                          // of warp, weft and shear
+    std::array<Vec2f, 3> u{Vec2f::Zero(), Vec2f::Zero(), Vec2f::Zero()};  // the corners of the triangle, m
+    std::uint32_t adaption = 0;                                           // when it was last noted
+};
+
 struct Cloth {
     AdaptiveMesh mesh;
     std::vector<Fabric> fabrics{};      // one per panel
@@ -36,8 +43,8 @@ struct Cloth {
     std::vector<Vec3f> normals{};       // unit, of the fabric's right side; see update_normals
     std::vector<bool> is_pinned{};
 
-    std::vector<Vec3f> bias{};                    // by TriangleId: of warp, weft and shear, see solver_blocks.h
-    std::vector<std::array<Vec2f, 3>> bias_of{};  // by TriangleId: the corners that the bias belongs to
+    std::vector<KeptBias> bias{};  // by TriangleId, as keep_bias and hand_on_bias left it
+    std::uint32_t adaptions = 0;   // so far
 
     SolverState solver{};
     ContactState contacts{};

@@ -99,7 +99,7 @@ void make_stretch(const Cloth& cloth, SolverBlocks& blocks, BlockColoring& color
                         compliance_of(cloth, frame, fabric.stretch_weft), compliance_of(cloth, frame, fabric.shear)});
         lane.block.longest[lane.at] = 1 + static_cast<float>(fabric.strain_limit);
         lane.block.push[lane.at] = is_gathered(cloth.mesh, leaf) ? 0.0F : 1.0F;
-        const Vec3f& bias = cloth.bias[leaf.triangle.value];
+        const Vec3f& bias = cloth.bias[leaf.triangle.value].value;
         for (int k = 0; k < 3; ++k) lane.block.bias[static_cast<std::size_t>(k)][lane.at] = bias[k];
         blocks.leaf_of[lanes[i]] = static_cast<std::uint32_t>(i);
     }

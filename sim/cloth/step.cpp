@@ -8,7 +8,9 @@
 namespace selvedge {
 namespace {
 
-constexpr int kRounds = 3;  // more, for the few blocks that one pass leaves beyond the strain limit
+constexpr int kRounds = 2;  // more, for the few blocks that one pass leaves beyond the strain limit
+
+constexpr float kCalmSpeed = 0.05F;  // m/s rms: below it biases slow down
 
 float* floats(std::vector<Vec4f>& points) {
     return points.front().data();
@@ -84,14 +86,28 @@ void solve_internal(Cloth& cloth, const Kernels& loops, bool is_last) {
     }
 }
 
-// Biases follow what strain and stress are now.
+// Root mean square over mass of the speed with which the cloth went from where the step began to where it is, m/s.
+float net_speed(const Cloth& cloth, float seconds) {
+    double energy = 0;
+    double mass = 0;
+    for (std::size_t v = 0; v < cloth.x.size(); ++v) {
+        const Vec4f& p = cloth.solver.points[v];
+        if (p.w() <= 0) continue;
+        energy += (p - cloth.x[v]).head<3>().squaredNorm() / p.w();
+        mass += 1 / p.w();
+    }
+    return mass > 0 ? static_cast<float>(std::sqrt(energy / mass)) / seconds : 0.0F;
+}
+
+// Biases follow what strain and stress are now; ever slower as the cloth comes to rest, or they would keep it awake.
 void finish_step(Cloth& cloth, const Kernels& loops, const StepOptions& options) {
     const float seconds = cloth.substep * static_cast<float>(options.substeps);
     const auto share = [&](float rate) { return 1 - std::exp(-rate * seconds); };
+    const float briskness = std::min(1.0F, net_speed(cloth, seconds) / kCalmSpeed);
     SolverState& solver = cloth.solver;
     loops.finish_step(solver.blocks.stretch, solver.blocks.records, floats(solver.points), floats(solver.before),
-                      {.stretch_gain = share(options.stretch_bias_rate),
-                       .shear_gain = share(options.shear_bias_rate),
+                      {.stretch_gain = share(options.stretch_bias_rate * briskness),
+                       .shear_gain = share(options.shear_bias_rate * briskness),
                        .rubbed = share(options.internal_damping)});
 }
 

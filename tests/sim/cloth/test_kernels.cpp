@@ -117,7 +117,11 @@ TEST_P(KernelsAtLevel, stretch_and_shear_push_and_turn_nothing_as_a_whole) {
     const Cloth cloth = shaken_patch(random, 0.01F);
     expect_no_push<StretchBlock>(
         cloth, cloth.solver.blocks.stretch,
-        [&](auto one, Points& points) { loops().solve_stretch(one, nullptr, floats(points)); }, 0.01);
+        [&](auto one, Points& points) {
+            std::vector<std::uint32_t> over(one.size());
+            loops().solve_stretch(one, nullptr, floats(points), over.data());
+        },
+        0.01);
 }
 
 TEST_P(KernelsAtLevel, bending_pushes_nothing_and_turns_nothing) {
@@ -211,11 +215,11 @@ Sweep swept(const Kernels& loops) {
         limit_and_carry(cloth, loops, blocks.parents[level].triangles, level, s.points);
     }
     loops.solve_bend(blocks.bend, floats(s.points));
-    loops.solve_stretch(s.stretch, s.records.data(), floats(s.points));
-    s.over.resize(64);
-    s.over.resize(loops.finish_step(s.stretch, s.records, floats(s.points), floats(s.before),
-                                    {.stretch_gain = 0.1F, .shear_gain = 0.05F, .most_over = 64, .rubbed = 0.2F},
-                                    s.over.data()));
+    s.over.resize(s.stretch.size());
+    s.over.resize(loops.solve_stretch(s.stretch, s.records.data(), floats(s.points), s.over.data()));
+    loops.limit_stretch(s.stretch, s.over, floats(s.points));
+    loops.finish_step(s.stretch, s.records, floats(s.points), floats(s.before),
+                      {.stretch_gain = 0.1F, .shear_gain = 0.05F, .rubbed = 0.2F});
     s.found.resize(s.points.size() + kBlock);
     s.found.resize(loops.hold_moves(floats(s.points), floats(s.before), floats(s.asked), cloth.x.size(),
                                     {.longest_move = 0.003F, .floor = -0.01F}, s.found.data()));
