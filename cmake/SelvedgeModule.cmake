@@ -16,6 +16,10 @@ elseif(SELVEDGE_SANITIZE)
   message(FATAL_ERROR "SELVEDGE_SANITIZE is address, thread or empty, not '${SELVEDGE_SANITIZE}'")
 endif()
 
+if(SELVEDGE_FUZZ)
+  target_compile_options(selvedge_flags INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
 # selvedge_module(NAME SOURCES ... HEADERS ... [USES module ...] [LINK target ...] [PRIVATE_LINK target ...])
 # makes the library selvedge::NAME from the room that this CMakeLists.txt stands in.
 # Headers form a file set, so that each must compile alone.
