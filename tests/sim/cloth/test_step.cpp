@@ -108,6 +108,14 @@ TEST(Step, a_crumpled_patch_gains_no_momentum_of_its_own) {
     }
 }
 
+TEST(Step, no_spare_lane_is_taken_for_a_triangle_beyond_its_strain_limit) {
+    Cloth cloth = make_patch(find_fabric("denim"));
+    refine(cloth, 1);
+    step(cloth, nothing_near(), {.contact = kNoContact});
+    for (const std::uint32_t lane : cloth.solver.blocks.over) EXPECT_NE(cloth.solver.blocks.leaf_of[lane], kSpare);
+    EXPECT_LE(cloth.solver.blocks.over.size(), cloth.mesh.leaf_triangles().size());
+}
+
 TEST(Step, pinned_vertices_do_not_move_at_all) {
     Cloth cloth = make_patch(find_fabric("jersey"));
     cloth.is_pinned[0] = true;
