@@ -5,10 +5,19 @@ target_compile_options(selvedge_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # g++ 12: false alarms on std::string +
    $<$<COMPILE_LANGUAGE:CXX>:-Wconversion> -ffp-contract=off
   $<$<BOOL:${SELVEDGE_WERROR}>:-Werror>)
-if(SELVEDGE_SANITIZE)
+if(SELVEDGE_SANITIZE STREQUAL "address")
   target_compile_options(selvedge_flags INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer
     -fno-sanitize-recover=undefined)
   target_link_options(selvedge_flags INTERFACE -fsanitize=address,undefined)
+elseif(SELVEDGE_SANITIZE STREQUAL "thread")
+  target_compile_options(selvedge_flags INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
+  target_link_options(selvedge_flags INTERFACE -fsanitize=thread)
+elseif(SELVEDGE_SANITIZE)
+  message(FATAL_ERROR "SELVEDGE_SANITIZE is address, thread or empty, not '${SELVEDGE_SANITIZE}'")
+endif()
+
+if(SELVEDGE_FUZZ)
+  target_compile_options(selvedge_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
 # selvedge_module(NAME SOURCES ... HEADERS ... [USES module ...] [LINK target ...] [PRIVATE_LINK target ...])

@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/stretch.h"
+#include "sim/core/parallel.h"
+#include "tests/sim/body/shapes.h"
 #include "tests/sim/cloth/fixtures.h"
 
 namespace selvedge::test {
@@ -103,6 +106,14 @@ TEST(Step, a_crumpled_patch_gains_no_momentum_of_its_own) {
         EXPECT_GT(fastest, 0.1) << "it hardly moved, so nothing was tested";
         EXPECT_LT(drift, 0.01 * fastest) << "m/s of the centre of mass, level " << level;
     }
+}
+
+TEST(Step, no_spare_lane_is_taken_for_a_triangle_beyond_its_strain_limit) {
+    Cloth cloth = make_patch(find_fabric("denim"));
+    refine(cloth, 1);
+    step(cloth, nothing_near(), {.contact = kNoContact});
+    for (const std::uint32_t lane : cloth.solver.blocks.over) EXPECT_NE(cloth.solver.blocks.leaf_of[lane], kSpare);
+    EXPECT_LE(cloth.solver.blocks.over.size(), cloth.mesh.leaf_triangles().size());
 }
 
 TEST(Step, pinned_vertices_do_not_move_at_all) {
@@ -215,6 +226,31 @@ std::vector<std::string> shipped() {
 }
 INSTANTIATE_TEST_SUITE_P(Shipped, EveryFabric, testing::ValuesIn(shipped()),
                          [](const auto& instance) { return instance.param; });
+
+// FNV-1a over the positions of every step, and of the step before.
+std::uint64_t hash_of_500_steps(int threads) {
+    const ThreadLimit limit(threads);
+    const Obstacle sphere(shapes::sphere(Vec3d(0, 1, 0), 0.15, 24));
+    Cloth cloth = make_patch(find_fabric("silk"), {.side = 0.5, .quads = 8, .height = 1.2});
+    std::uint64_t hash = 14695981039346656037U;
+    const auto add = [&](const std::vector<Vec4f>& points) {
+        for (const Vec4f& p : points) {
+            for (const float value : p) hash = (hash ^ std::bit_cast<std::uint32_t>(value)) * 1099511628211U;
+        }
+    };
+    for (int i = 0; i < 500; ++i) {
+        if (i % 4 == 0) adapt_cloth(cloth, sphere.collider);
+        step(cloth, sphere.collider, {});
+        add(cloth.x);
+        add(cloth.x_prev);
+    }
+    EXPECT_GT(cloth.mesh.leaf_triangles().size(), cloth.mesh.base_triangle_count());
+    return hash;
+}
+
+TEST(Step, one_and_two_threads_give_the_same_bits_over_500_steps) {
+    EXPECT_EQ(hash_of_500_steps(1), hash_of_500_steps(2));
+}
 
 TEST(Step, the_same_run_twice_gives_the_same_bits) {
     const Cloth first = drop_on_ball("silk", {}, 1.0).cloth;

@@ -1,0 +1,48 @@
+// Bytes become what happens to a small cloth: its fabric, levels, criteria, pins, steps and where the body is. Whatever
+// random runs look for stops the fuzzer, as does a failed assertion or what a sanitizer finds.
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <span>
+
+#include "tests/sim/cloth/random_run.h"
+
+namespace selvedge::test {
+namespace {
+
+// Byte by byte; zeros when they have run out.
+class ByteChoices final : public Choices {
+ public:
+    explicit ByteChoices(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+
+    std::uint32_t next(std::uint32_t below) override {
+        if (is_empty()) return 0;
+        const std::uint32_t value = bytes_.front();
+        bytes_ = bytes_.subspan(1);
+        return value % below;
+    }
+    bool is_empty() const { return bytes_.empty(); }
+
+ private:
+    std::span<const std::uint8_t> bytes_;
+};
+
+void run(std::span<const std::uint8_t> bytes) {
+    constexpr int kMostActs = 40;
+    ByteChoices choices(bytes);
+    RandomRun cloth(choices);
+    for (int i = 0; i < kMostActs && !choices.is_empty(); ++i) {
+        const auto fault = cloth.act();
+        if (!fault) continue;
+        std::fprintf(stderr, "act %d: %s\n", i, fault->c_str());
+        std::abort();
+    }
+}
+
+}  // namespace
+}  // namespace selvedge::test
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    selvedge::test::run({data, size});
+    return 0;
+}

@@ -1,0 +1,308 @@
+#include "tests/sim/cloth/random_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/adaptive/check.h"
+#include "sim/adaptive/square.h"
+#include "sim/cloth/material_frame.h"
+#include "sim/cloth/stretch.h"
+
+namespace selvedge::test {
+namespace {
+
+constexpr float kRadius = 0.12F;  // m, of the body
+constexpr double kGravity = 9.81;
+
+// Warp, weft and shear of each leaf, each about its bias or about none.
+double strain_energy(const Cloth& cloth) {
+    const SolverBlocks& blocks = cloth.solver.blocks;
+    const std::vector<TriangleStrain> strains = measure_strain(cloth);
+    double sum = 0;
+    for (std::size_t lane = 0; lane < blocks.leaf_of.size(); ++lane) {
+        if (blocks.leaf_of[lane] == kSpare) continue;
+        const LeafTriangle& leaf = cloth.mesh.leaf_triangles()[blocks.leaf_of[lane]];
+        const TriangleStrain& strain = strains[blocks.leaf_of[lane]];
+        const auto& bias = blocks.stretch[lane / kBlock].bias;
+        const auto energy = [&](double value, std::size_t k, double stiffness) {
+            const double most = std::abs(value) + std::abs(double(bias[k][lane % kBlock]));
+            return 0.5 * material_area(leaf.u) * stiffness * most * most;
+        };
+        const Fabric& fabric = cloth.fabrics[leaf.panel];
+        sum += energy(double(strain.warp), 0, fabric.stretch_warp) +
+               energy(double(strain.weft), 1, fabric.stretch_weft) +
+               energy(std::sin(double(strain.shear)), 2, fabric.shear);
+    }
+    return sum;
+}
+
+// What a limit takes back, over - 1 per length, becomes speed within one sub-step: 1/2 m (over length / substep)^2, and
+// twice that, for limits are met one after the other and undo each other's work.
+double taken_back(double over, double mass, double area, float substep) {
+    const double speed = std::max(0.0, over) * std::sqrt(2 * area) / double(substep);
+    return mass * speed * speed;
+}
+
+double limit_energy(const Cloth& cloth, const LimitBlock& block, std::size_t at) {
+    if (block.vertices[0][at] / 4 == cloth.mesh.vertex_capacity()) return 0;
+    const auto x = [&](std::size_t i) { return cloth.x[block.vertices[i][at] / 4]; };
+    const Vec4f e1 = x(1) - x(0), e2 = x(2) - x(0);
+    const double warp = double((block.a[0][at] * e1 + block.a[1][at] * e2).norm() - block.longest_warp[at]);
+    const double weft = double((block.b[0][at] * e1 + block.b[1][at] * e2).norm() - block.longest_weft[at]);
+    const float cross = block.a[0][at] * block.b[1][at] - block.a[1][at] * block.b[0][at];
+    const double area = 0.5 / std::abs(double(cross));
+    const double mass = area * cloth.fabrics.front().area_density;
+    return taken_back(warp, mass, area, cloth.substep) + taken_back(weft, mass, area, cloth.substep);
+}
+
+// Of leaves beyond the fabric's strain limit and of refined triangles beyond theirs.
+double limit_energy(const Cloth& cloth) {
+    const Fabric& fabric = cloth.fabrics.front();
+    double sum = 0;
+    const std::vector<TriangleStrain> strains = measure_strain(cloth);
+    for (std::size_t i = 0; i < strains.size(); ++i) {
+        const double area = double(material_area(cloth.mesh.leaf_triangles()[i].u));
+        for (const float strain : {strains[i].warp, strains[i].weft}) {
+            sum += taken_back(double(strain) - fabric.strain_limit, area * fabric.area_density, area, cloth.substep);
+        }
+    }
+    for (const ParentLevel& level : cloth.solver.blocks.parents) {
+        for (const LimitBlock& block : level.triangles) {
+            for (std::size_t at = 0; at < kBlock; ++at) sum += limit_energy(cloth, block, at);
+        }
+    }
+    return sum;
+}
+
+// 1/2 (3 B / area) |sum q x|^2, of cotangents q.
+double hinge_energy(const Cloth& cloth, const Hinge& hinge) {
+    const Vec2f a(-0.5F * hinge.rest_length, 0), b(0.5F * hinge.rest_length, 0);
+    const auto cotangent = [](const Vec2f& p, const Vec2f& q) {
+        return p.dot(q) / std::abs(p.x() * q.y() - p.y() * q.x());
+    };
+    const float la = cotangent(b - a, hinge.left_at - a), ra = cotangent(b - a, hinge.right_at - a);
+    const float lb = cotangent(a - b, hinge.left_at - b), rb = cotangent(a - b, hinge.right_at - b);
+    const auto x = [&](VertexId v) { return cloth.x[v.value]; };
+    const Vec4f bent =
+        (lb + rb) * x(hinge.a) + (la + ra) * x(hinge.b) - (la + lb) * x(hinge.left) - (ra + rb) * x(hinge.right);
+    const double area = 0.5 * double(hinge.rest_length * (hinge.left_at.y() - hinge.right_at.y()));
+    const Fabric& fabric = cloth.fabrics.front();
+    return 1.5 * std::max(fabric.bending_warp, fabric.bending_weft) / area * double(bent.squaredNorm());
+}
+
+double mass_of(const Cloth& cloth) {
+    double sum = 0;
+    for (const VertexId v : cloth.mesh.leaf_vertices()) {
+        const double own = double(cloth.mesh.vertex_areas()[v.value]) * cloth.fabrics.front().area_density;
+        sum += cloth.inverse_mass[v.value] > 0 ? 1 / double(cloth.inverse_mass[v.value]) : own;
+    }
+    return sum;
+}
+
+Cloth any_patch(Choices& choices) {
+    const int quads = 2 + static_cast<int>(choices.next(4));
+    const double side = choices.log_between(0.1, 0.8);
+    const GarmentMesh square =
+        make_square({.columns = quads, .rows = quads, .width = side, .depth = side, .height = 0.45});
+    Cloth cloth = make_cloth(square, {any_fabric(choices)}, {.max_level = 1 + static_cast<int>(choices.next(3))});
+    cloth.grain_angles = {choices.between(-3, 3)};
+    refresh_solver(cloth);
+    refresh_contacts(cloth);
+    return cloth;
+}
+
+std::string figures(const char* what, double value, double most) {
+    return std::string(what) + " " + std::to_string(value) + " of " + std::to_string(most);
+}
+
+}  // namespace
+
+double Choices::log_between(double low, double high) {
+    return low * std::pow(high / low, double(next(256)) / 255);
+}
+
+Fabric any_fabric(Choices& choices) {
+    const auto from_zero = [&](double most) {
+        return choices.one_in(8) ? 0.0 : choices.log_between(1e-6 * most, most);
+    };
+    Fabric fabric;
+    fabric.area_density = choices.log_between(0.005, 5);
+    fabric.stretch_warp = choices.log_between(10, 1e6);
+    fabric.stretch_weft = choices.log_between(10, 1e6);
+    fabric.shear = choices.log_between(0.1, 1e5);
+    fabric.bending_warp = from_zero(0.1);
+    fabric.bending_weft = from_zero(0.1);
+    fabric.bending_hysteresis = from_zero(1);
+    fabric.shear_hysteresis = from_zero(1e3);
+    fabric.thickness = choices.log_between(1e-5, 0.02);
+    fabric.friction = from_zero(2);
+    fabric.damping = from_zero(100);
+    fabric.air_drag = from_zero(100);
+    fabric.strain_limit = choices.log_between(1e-4, 2);
+    return fabric;
+}
+
+Energy energy_of(const Cloth& cloth) {
+    Energy energy{.kinetic = 0, .elastic = strain_energy(cloth) + limit_energy(cloth), .lift = 0};
+    for (const VertexId v : cloth.mesh.leaf_vertices()) {
+        if (cloth.inverse_mass[v.value] <= 0) continue;
+        const double mass = 1 / double(cloth.inverse_mass[v.value]);
+        const double moved = double((cloth.x[v.value] - cloth.x_prev[v.value]).squaredNorm());
+        energy.kinetic += 0.5 * mass * moved / (double(cloth.substep) * double(cloth.substep));
+        energy.lift += mass * kGravity * double(cloth.x[v.value].y());
+    }
+    for (const Hinge& hinge : cloth.mesh.hinges()) energy.elastic += hinge_energy(cloth, hinge);
+    return energy;
+}
+
+RandomRun::RandomRun(Choices& choices)
+    : choices_(choices),
+      cloth_(any_patch(choices)),
+      mass_(mass_of(cloth_)),
+      sphere_(Vec3f(0, 0.3F, 0), kRadius),
+      visibility_({.eye = Vec3f(0, 1, 0.5F).normalized(), .is_orthographic = true}) {
+    change_time();
+    change_criteria();
+}
+
+// Of the base mesh, for a vertex that goes takes its pin with it.
+void RandomRun::change_pins() {
+    const VertexId v(choices_.next(static_cast<std::uint32_t>(cloth_.mesh.base_vertex_count())));
+    cloth_.is_pinned[v.value] = !cloth_.is_pinned[v.value];
+    cloth_.x_prev[v.value] = cloth_.x[v.value];
+    forget_contacts(cloth_);
+    refresh_solver(cloth_);
+}
+
+void RandomRun::change_body() {
+    is_away_ = choices_.one_in(2);
+    const Vec3f centre(choices_.between(-0.15F, 0.15F), choices_.between(0, 0.4F), choices_.between(-0.15F, 0.15F));
+    std::destroy_at(&sphere_);
+    std::construct_at(&sphere_, centre, kRadius);
+    forget_contacts(cloth_);
+}
+
+// The speed is kept.
+void RandomRun::change_time() {
+    const double seconds = choices_.log_between(1.0 / 500, 1.0 / 5);
+    stepping_.substeps = 1 + static_cast<int>(choices_.next(24));
+    const float substep = static_cast<float>(seconds) / static_cast<float>(stepping_.substeps);
+    for (const VertexId v : cloth_.mesh.leaf_vertices()) {
+        const Vec4f moved = cloth_.x[v.value] - cloth_.x_prev[v.value];
+        cloth_.x_prev[v.value] = cloth_.x[v.value] - moved * (substep / cloth_.substep);
+    }
+    cloth_.substep = substep;
+    cloth_.bend_interval = 1 + static_cast<int>(choices_.next(4));
+    refresh_solver(cloth_);
+}
+
+void RandomRun::change_criteria() {
+    options_.criteria = {.collision = choices_.one_in(2),
+                         .curvature = choices_.one_in(2),
+                         .length = choices_.one_in(2),
+                         .buckling = choices_.one_in(2)};
+    options_.max_level = static_cast<int>(choices_.next(4));
+    options_.shortest_edge = choices_.between(0, 0.03F);
+    options_.may_rejoin = !choices_.one_in(4);
+    options_.collision_touch = choices_.one_in(2) ? 0.001F : 0.0F;
+    options_.visibility = choices_.one_in(4) ? &visibility_ : nullptr;
+    options_.budget = choices_.one_in(4) ? &budget_ : nullptr;
+    budget_.set_target(20 + choices_.next(400));
+    disc_ = {.panel = 0,
+             .centre = Vec2f(choices_.between(-0.4F, 0.4F), choices_.between(-0.4F, 0.4F)),
+             .radius = choices_.between(0, 0.2F),
+             .level = static_cast<int>(choices_.next(4))};
+    options_.minimum_levels = choices_.one_in(2) ? std::span(&disc_, 1) : std::span<const MinimumLevelDisc>();
+}
+
+void RandomRun::change_something() {
+    switch (choices_.next(8)) {
+        case 0:
+            return change_pins();
+        case 1:
+            return change_body();
+        case 2:
+            return change_time();
+        case 3:
+        case 4:
+            return change_criteria();
+        default:
+            return;
+    }
+}
+
+const Collider& RandomRun::body() const {
+    return is_away_ ? static_cast<const Collider&>(nothing_) : sphere_;
+}
+
+bool RandomRun::is_inside_body() const {
+    const auto leaves = cloth_.mesh.leaf_vertices();
+    return std::any_of(leaves.begin(), leaves.end(), [&](VertexId v) {
+        return cloth_.inverse_mass[v.value] > 0 &&
+               body().contact(cloth_.x[v.value].head<3>()).distance < stepping_.contact.offset - 1e-4F;
+    });
+}
+
+double RandomRun::depth() const {
+    float least = stepping_.contact.offset;
+    const auto look = [&](const Vec4f& x) {
+        least = std::min({least, body().contact(x.head<3>()).distance, x.y() - stepping_.contact.floor});
+    };
+    for (const VertexId v : cloth_.mesh.leaf_vertices()) look(cloth_.x[v.value]);
+    for (const ContactSample& sample : cloth_.contacts.samples) {
+        const auto part = [&](std::size_t i) { return Vec4f(cloth_.x[sample.vertices[i]] * sample.shares[i]); };
+        look(part(0) + part(1) + part(2));
+    }
+    return double(stepping_.contact.offset - least);
+}
+
+std::optional<std::string> RandomRun::fault() const {
+    if (const auto bad = find_bad_vertex(cloth_)) return "vertex " + std::to_string(bad->value) + " is a bad number";
+    for (const VertexId v : cloth_.mesh.leaf_vertices()) {
+        if (!cloth_.x_prev[v.value].allFinite()) return "a speed is no number";
+    }
+    const double mass = mass_of(cloth_);
+    if (!(std::abs(mass - mass_) < 1e-5 * mass_)) return figures("the mass is", mass, mass_);
+    return std::nullopt;
+}
+
+// Kinetic energy comes from what the cloth had, what its strains held, what it fell, and what pushes it out of the
+// body: that is done within one sub-step, so that nothing gets more speed by it than its depth over that time.
+std::optional<std::string> RandomRun::energy_fault(const Energy& before, double depth) {
+    const Energy now = energy_of(cloth_);
+    const double pushed = depth / double(cloth_.substep);
+    const double margin = 0.5 * mass_ * 0.2 * 0.2;
+    const double most = before.kinetic + before.elastic + std::max(0.0, before.lift - now.lift) +
+                        0.5 * mass_ * pushed * pushed + margin;
+    if (now.kinetic <= most) return std::nullopt;
+    return figures("kinetic energy (J)", now.kinetic, most);
+}
+
+void RandomRun::adapt() {
+    const AdaptReport report = adapt_cloth(cloth_, body(), options_);
+    changes_ += report.splits + report.rejoins;
+}
+
+std::optional<std::string> RandomRun::make_step() {
+    const Energy before = energy_of(cloth_);
+    const double deepest = depth();
+    step(cloth_, body(), stepping_);
+    for (const VertexId v : cloth_.mesh.leaf_vertices()) cloth_.x_prev[v.value].y() += kick_ * cloth_.substep;
+    if (auto broken = fault()) return broken;
+    if (is_inside_body()) return "a vertex is inside the body";
+    return energy_fault(before, deepest);
+}
+
+std::optional<std::string> RandomRun::act() {
+    change_something();
+    adapt();
+    if (const auto broken = check(cloth_.mesh); !broken.empty()) return broken.front();
+    if (auto broken = fault()) return broken;
+    const int steps = 1 + static_cast<int>(choices_.next(4));
+    for (int i = 0; i < steps; ++i) {
+        if (auto broken = make_step()) return broken;
+    }
+    return std::nullopt;
+}
+
+}  // namespace selvedge::test

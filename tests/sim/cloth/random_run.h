@@ -1,0 +1,80 @@
+#pragma once
+// A small cloth to which anything happens that may happen to a cloth: any fabric, levels and criteria that are
+// switched while it moves, pins, a body that is taken away and put back, steps of any length. After each act it is
+// looked at whether all is still sound. What happens is decided by a source of choices: random numbers, or bytes.
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "sim/body/analytic_collider.h"
+#include "sim/cloth/adapt_cloth.h"
+#include "sim/cloth/step.h"
+
+namespace selvedge::test {
+
+class Choices {
+ public:
+    virtual ~Choices() = default;
+    virtual std::uint32_t next(std::uint32_t below) = 0;  // 0 .. below - 1
+
+    float between(float low, float high) { return low + (high - low) * static_cast<float>(next(256)) / 255; }
+    // Evenly over the orders of magnitude.
+    double log_between(double low, double high);
+    bool one_in(std::uint32_t n) { return next(n) == 0; }
+};
+
+// Any fabric that a file may hold (sim/pattern/fabric.cpp).
+Fabric any_fabric(Choices& choices);
+
+// What a cloth can do work with, J.
+struct Energy {
+    double kinetic = 0;
+    double elastic = 0;  // of warp, weft, shear and hinges, about the bias or about none, whichever is more
+    double lift = 0;     // against gravity
+};
+Energy energy_of(const Cloth& cloth);
+
+class RandomRun {
+ public:
+    explicit RandomRun(Choices& choices);
+
+    // Changes something or nothing, adapts once and makes some steps. What is found broken, in words; nothing if all is
+    // sound.
+    std::optional<std::string> act();
+
+    // Every vertex gets this speed downwards, m/s, after each step from now on.
+    void kick(float speed) { kick_ = speed; }
+
+    const Cloth& cloth() const { return cloth_; }
+    long changes() const { return changes_; }  // splits and rejoins so far
+
+ private:
+    void change_pins();
+    void change_body();
+    void change_time();
+    void change_criteria();
+    void change_something();
+    void adapt();
+    std::optional<std::string> make_step();
+    std::optional<std::string> energy_fault(const Energy& before, double depth);
+    std::optional<std::string> fault() const;
+    const Collider& body() const;
+    bool is_inside_body() const;
+    double depth() const;  // m, of the deepest vertex or contact sample below the contact offset
+
+    Choices& choices_;
+    Cloth cloth_;
+    double mass_ = 0;  // kg, pinned vertices and all
+    SphereCollider sphere_;
+    NoBody nothing_;
+    bool is_away_ = false;
+    StepOptions stepping_;
+    AdaptClothOptions options_;
+    MinimumLevelDisc disc_;
+    TriangleBudget budget_;
+    Visibility visibility_;
+    long changes_ = 0;
+    float kick_ = 0;
+};
+
+}  // namespace selvedge::test

@@ -1,0 +1,19 @@
+// Anything may happen to a cloth, 10,000 adaptions long.
+#include <gtest/gtest.h>
+
+#include "tests/sim/cloth/random_seeds.h"
+
+namespace selvedge::test {
+namespace {
+
+TEST(LongRandomRuns, stay_sound_over_10000_adaptions) {
+    for (unsigned seed = 1000; seed < 1400; ++seed) run_seed(seed);
+}
+
+// Limits of strain that were met one after the other drove a cloth that hung from five pins to strains of 40 %.
+TEST(LongRandomRuns, stay_sound_where_limits_undo_each_others_work) {
+    run_seed(600);
+}
+
+}  // namespace
+}  // namespace selvedge::test
