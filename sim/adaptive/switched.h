@@ -8,6 +8,8 @@ namespace selvedge {
 
 template <EdgeCriterion Criterion>
 struct Switched {
+    Switched(bool on, const Criterion& asked) : is_on(on), criterion(asked) {}
+
     bool is_on;
     const Criterion& criterion;  // outlives this
 
@@ -18,6 +20,8 @@ struct Switched {
 template <VetoCriterion Criterion>
 struct Switched<Criterion> {
     static constexpr bool is_veto = true;
+    Switched(bool on, const Criterion& asked) : is_on(on), criterion(asked) {}
+
     bool is_on;
     const Criterion& criterion;  // outlives this
 

@@ -73,6 +73,7 @@ void find_asking_samples(const SolverState& solver, ContactState& contacts) {
 // One after the other, each from where those before have moved it: what it is too deep is less by that.
 void reply_to_sample(SolverState& solver, ContactSample& sample, const Contact& said, const ContactOptions& options,
                      float still) {
+    if (sample.slack == ContactSample::kNew) still = 1;  // what it stands in so deep it has not run into
     sample.slack = said.distance - options.offset - kSlackMargin;
     if (said.distance >= options.offset) return;
     const Vec4f normal = padded(said.normal);
@@ -140,7 +141,7 @@ void refresh_contacts(Cloth& cloth, const ContactOptions& options) {
 
 void forget_contacts(Cloth& cloth) {
     for (Vec4f& asked : cloth.contacts.asked) asked.w() = -1;
-    for (ContactSample& sample : cloth.contacts.samples) sample.slack = -1;
+    for (ContactSample& sample : cloth.contacts.samples) sample.slack = ContactSample::kNew;
 }
 
 void push_out_samples(Cloth& cloth, const Collider& body, const ContactOptions& options) {

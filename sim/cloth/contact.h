@@ -22,16 +22,18 @@ struct ContactOptions {
     float offset = 0.003F;          // m, kept from the body; never below the collision field's error
     float friction_scale = 1.0F;    // of the fabrics' friction; 0 while sewing
     float sample_spacing = 0.025F;  // m, edges longer than this are sampled at least this often
-    int sample_interval = 2;        // sub-steps from one look at the samples to the next
+    int sample_interval = 1;        // sub-steps from one look at the samples to the next
     float floor = 0.0F;             // m, height of the floor
 };
 
 // A point of the cloth between vertices: of an edge, or the middle of a triangle.
 struct ContactSample {
+    static constexpr float kNew = -1e6F;  // slack of one that never asked
+
     std::array<std::uint32_t, 3> vertices{};
     std::array<float, 3> shares{};  // of each vertex in the point; they sum to 1
     float friction = 0;
-    float slack = -1;  // m it may move from asked_at before it is asked again; negative: ask now
+    float slack = kNew;  // m it may move from asked_at before it is asked again; negative: ask now
     Vec4f asked_at = Vec4f::Zero();
 };
 

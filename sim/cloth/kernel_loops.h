@@ -41,6 +41,7 @@ constexpr float kTiny = 1e-18F;  // m^2, under a root
 struct Threads {
     Xyz warp, weft;
     Floats warp_length, weft_length;
+    Floats warp_share, weft_share;  // their lengths, at most 1: short threads turn farther, so shear moves them less
 };
 
 template <class Block>
@@ -51,7 +52,9 @@ template <class Block>
     return {.warp = combined(e1, load_at(block.a[0], at), e2, load_at(block.a[1], at)),
             .weft = combined(e1, load_at(block.b[0], at), e2, load_at(block.b[1], at)),
             .warp_length = Floats{},
-            .weft_length = Floats{}};
+            .weft_length = Floats{},
+            .warp_share = Floats{},
+            .weft_share = Floats{}};
 }
 
 [[gnu::always_inline]] inline Floats normalise(Xyz& p) {
@@ -60,6 +63,13 @@ template <class Block>
     const Floats inverse = lanes::inverse_root(squared);
     p = {p.x * inverse, p.y * inverse, p.z * inverse};
     return squared * inverse;
+}
+
+[[gnu::always_inline]] inline void normalise(Threads& t) {
+    t.warp_length = normalise(t.warp);
+    t.weft_length = normalise(t.weft);
+    t.warp_share = lanes::lesser(t.warp_length, lanes::all(1.0F));
+    t.weft_share = lanes::lesser(t.weft_length, lanes::all(1.0F));
 }
 
 struct Corners {
@@ -89,7 +99,7 @@ struct Strains {
     };
     return {resisted(t.warp_length - 1.0F + load_at(block.bias[0], at)),
             resisted(t.weft_length - 1.0F + load_at(block.bias[1], at)),
-            dot(t.warp, t.weft) + load_at(block.bias[2], at)};
+            dot(t.warp, t.weft) * t.warp_share * t.weft_share + load_at(block.bias[2], at)};
 }
 
 // The three conditions of each triangle are solved together: warp and weft are at right angles, so that the shear is
@@ -104,21 +114,31 @@ struct Strains {
             -lanes::multiply_add(cross, shear, strain.weft) * weft, shear};
 }
 
+// How much of their corrections warp and weft may take at once: half where shear has laid one along the other, for then
+// each moves what the other moves as well.
+[[gnu::always_inline]] inline Floats share_of_both(Floats cosine) {
+    return lanes::multiply_add(lanes::greater(cosine, -cosine), lanes::all(-0.5F), lanes::all(1.0F));
+}
+
 // Less than what meets the conditions at once: with all of it, neighbours that share vertices drive each other to and
 // fro, and every sub-step turns that into speed.
-[[gnu::always_inline]] inline Strains relaxed(const Strains& m) {
+[[gnu::always_inline]] inline Strains relaxed(const Strains& m, Floats share) {
     constexpr float kRelaxation = 0.75F;
-    return {m.warp * kRelaxation, m.weft * kRelaxation, m.shear * kRelaxation};
+    share = share * kRelaxation;
+    return {m.warp * share, m.weft * share, m.shear * share};
 }
 
 [[gnu::always_inline]] inline Corners corrected(const StretchBlock& block, std::size_t at, const Corners& c,
                                                 const Threads& t, const Strains& m) {
-    const Floats a0 = load_at(block.a[0], at), a1 = load_at(block.a[1], at);
-    const Floats b0 = load_at(block.b[0], at), b1 = load_at(block.b[1], at);
-    const Rows f1 = lanes::rows_of(combined(t.warp, lanes::multiply_add(m.warp, a0, m.shear * b0), t.weft,
-                                            lanes::multiply_add(m.weft, b0, m.shear * a0)));
-    const Rows f2 = lanes::rows_of(combined(t.warp, lanes::multiply_add(m.warp, a1, m.shear * b1), t.weft,
-                                            lanes::multiply_add(m.weft, b1, m.shear * a1)));
+    const Floats along_warp = m.shear * t.warp_share;
+    const Floats along_weft = m.shear * t.weft_share;
+    const auto force = [&](std::size_t i) {
+        const Floats a = load_at(block.a[i], at), b = load_at(block.b[i], at);
+        return lanes::rows_of(combined(t.warp, lanes::multiply_add(m.warp, a, along_warp * b), t.weft,
+                                       lanes::multiply_add(m.weft, b, along_weft * a)));
+    };
+    const Rows f1 = force(0);
+    const Rows f2 = force(1);
     const Rows f0 = difference(difference({}, f1), f2);
     return {pushed(c.x0, f0), pushed(c.x1, f1), pushed(c.x2, f2)};
 }
@@ -132,9 +152,9 @@ template <bool keeps_multipliers>
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
             const Corners c = corners_of(block, at, points);
             Threads t = directions(block, at, c.x0, c.x1, c.x2);
-            t.warp_length = normalise(t.warp);
-            t.weft_length = normalise(t.weft);
-            const Strains m = relaxed(multipliers(block, at, biased_strains(block, at, t)));
+            normalise(t);
+            const Strains m =
+                relaxed(multipliers(block, at, biased_strains(block, at, t)), share_of_both(dot(t.warp, t.weft)));
             if constexpr (keeps_multipliers) {
                 StretchRecord& record = records[static_cast<std::size_t>(&block - blocks.data())];
                 lanes::store(&record.multiplier[0][at], m.warp);
@@ -162,11 +182,12 @@ void limit_stretch(std::span<const StretchBlock> blocks, std::span<const std::ui
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
             const Corners c = corners_of(block, at, points);
             Threads t = directions(block, at, c.x0, c.x1, c.x2);
-            t.warp_length = normalise(t.warp);
-            t.weft_length = normalise(t.weft);
+            normalise(t);
             const Floats longest = load_at(block.longest, at);
-            const Strains back{lanes::lesser(longest - t.warp_length, Floats{}) * load_at(block.warp, at),
-                               lanes::lesser(longest - t.weft_length, Floats{}) * load_at(block.weft, at), Floats{}};
+            const Floats share = share_of_both(dot(t.warp, t.weft));
+            const Strains back{lanes::lesser(longest - t.warp_length, Floats{}) * load_at(block.warp, at) * share,
+                               lanes::lesser(longest - t.weft_length, Floats{}) * load_at(block.weft, at) * share,
+                               Floats{}};
             if (lanes::bits(lanes::lesser(back.warp, back.weft) < 0.0F) == 0) continue;
             put_corners(block, at, corrected(block, at, c, t, back), points);
         }
@@ -288,8 +309,8 @@ void carry_centres(std::span<const EdgeCentre> centres, const float* before, flo
     return sum;
 }
 
-void finish_step(std::span<StretchBlock> blocks, std::span<const StretchRecord> records, const float* points,
-                 float* before, const StepEnd& end) {
+void update_bias(std::span<StretchBlock> blocks, std::span<const StretchRecord> records, const float* points,
+                 const float* before, const BiasGains& gains) {
     constexpr float kMoreShear = 4;  // shear angles are that much larger than strains
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         StretchBlock& block = blocks[i];
@@ -298,19 +319,26 @@ void finish_step(std::span<StretchBlock> blocks, std::span<const StretchRecord> 
             const Corners c = corners_of(block, at, points);
             const Corners was = corners_of(block, at, before);
             Threads t = directions(block, at, middle(c.x0, was.x0), middle(c.x1, was.x1), middle(c.x2, was.x2));
-            t.warp_length = normalise(t.warp);
-            t.weft_length = normalise(t.weft);
+            normalise(t);
             const auto stress = [&](std::size_t k) {
                 return load_at(record.multiplier[k], at) * load_at(record.compliance[k], at);
             };
             const Floats push = load_at(block.push, at);
-            move_bias(block.bias[0], at, (t.warp_length - 1.0F + stress(0)) * push, end.stretch_gain, end.least_bias,
-                      end.most_bias);
-            move_bias(block.bias[1], at, (t.weft_length - 1.0F + stress(1)) * push, end.stretch_gain, end.least_bias,
-                      end.most_bias);
-            move_bias(block.bias[2], at, dot(t.warp, t.weft) + stress(2), end.shear_gain, -kMoreShear * end.most_bias,
-                      kMoreShear * end.most_bias);
-            put_corners(block, at, rubbed(c, was, end.rubbed), before);
+            move_bias(block.bias[0], at, (t.warp_length - 1.0F + stress(0)) * push, gains.stretch, gains.least,
+                      gains.most);
+            move_bias(block.bias[1], at, (t.weft_length - 1.0F + stress(1)) * push, gains.stretch, gains.least,
+                      gains.most);
+            move_bias(block.bias[2], at, dot(t.warp, t.weft) + stress(2), gains.shear, -kMoreShear * gains.most,
+                      kMoreShear * gains.most);
+        }
+    }
+}
+
+void rub(std::span<const StretchBlock> blocks, const float* points, float* before, float share) {
+    for (const StretchBlock& block : blocks) {
+        for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+            const Corners now = corners_of(block, at, points);
+            put_corners(block, at, rubbed(now, corners_of(block, at, before), share), before);
         }
     }
 }
@@ -391,7 +419,8 @@ constexpr Kernels kLoops{.predict = predict,
                          .solve_bend = solve_bend,
                          .limit_parents = limit_parents,
                          .carry_centres = carry_centres,
-                         .finish_step = finish_step,
+                         .update_bias = update_bias,
+                         .rub = rub,
                          .hold_moves = hold_moves,
                          .reply = reply};
 

@@ -21,12 +21,11 @@ struct MoveLimits {
     float floor;         // m: what is lower asks, whatever it knows of the body
 };
 
-struct StepEnd {
-    float stretch_gain = 0;  // share of the error that is added to the bias of warp and weft
-    float shear_gain = 0;
-    float least_bias = -0.02F;  // of warp and weft: cloth that is held compressed must not learn to be longer
-    float most_bias = 0.3F;
-    float rubbed = 0;  // share of the corners' motion against each other that is lost
+struct BiasGains {
+    float stretch = 0;  // share of the error that is added to the bias of warp and weft
+    float shear = 0;
+    float least = -0.02F;  // of warp and weft: cloth that is held compressed must not learn to be longer
+    float most = 0.3F;
 };
 
 // What a collider said of sixteen points, and what is made of it.
@@ -60,10 +59,13 @@ struct Kernels {
     // Moves the centres by half of what the ends of their edges moved since `before`.
     void (*carry_centres)(std::span<const EdgeCentre> centres, const float* before, float* points);
 
-    // Once per step: moves each bias towards the one with which strain and stress agree with the fabric; and threads
-    // rub against each other: neighbours lose part of what they move against one another, the cloth as a whole nothing.
-    void (*finish_step)(std::span<StretchBlock> blocks, std::span<const StretchRecord> records, const float* points,
-                        float* before, const StepEnd& end);
+    // Moves each bias towards the one with which strain and stress agree with the fabric.
+    void (*update_bias)(std::span<StretchBlock> blocks, std::span<const StretchRecord> records, const float* points,
+                        const float* before, const BiasGains& gains);
+
+    // Threads rub against each other: corners lose a share of what they moved against one another since `before`, the
+    // cloth as a whole nothing.
+    void (*rub)(std::span<const StretchBlock> blocks, const float* points, float* before, float share);
 
     // Shortens what moved too far since `before`; then finds the movable points that are farther from where they last
     // asked the body than their slack (asked: that place, and fourth the slack in m; below 0: ask now), or too low.

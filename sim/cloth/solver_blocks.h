@@ -7,7 +7,7 @@
 // al. 2019, "Small Steps"), so that stiffness has units.
 //
 // One visit per sub-step is not enough to reach the strain that belongs to a load: cloth would hang too long. So each
-// condition has a bias, which is moved slowly until strain and stress agree with the fabric (finish_step).
+// condition has a bias, which is moved slowly until strain and stress agree with the fabric (update_bias).
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -32,7 +32,7 @@ struct alignas(64) StretchBlock {
     std::array<BlockFloats, 3> bias{};    // of warp, weft and shear: added to the strain that is seen
 };
 
-// What finish_step needs besides: the last multipliers of warp, weft and shear, and the compliances over a sub-step.
+// What update_bias needs besides: the last multipliers of warp, weft and shear, and the compliances over a sub-step.
 struct alignas(64) StretchRecord {
     std::array<BlockFloats, 3> multiplier{};
     std::array<BlockFloats, 3> compliance{};

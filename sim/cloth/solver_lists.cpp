@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/material_frame.h"
@@ -84,6 +85,7 @@ void make_stretch(const Cloth& cloth, SolverBlocks& blocks, BlockColoring& color
     const std::vector<std::uint32_t>& lanes = coloring.assign();
     clear_blocks(blocks.stretch, coloring.block_count(), spare_offset(cloth));
     blocks.over.resize(coloring.block_count());
+    for (StretchBlock& block : blocks.stretch) block.longest.fill(std::numeric_limits<float>::max());
     blocks.records.assign(coloring.block_count(), {});
     blocks.leaf_of.assign(coloring.block_count() * kBlock, kSpare);
     for (std::size_t i = 0; i < leaves.size(); ++i) {

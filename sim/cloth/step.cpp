@@ -8,8 +8,6 @@
 namespace selvedge {
 namespace {
 
-constexpr int kRounds = 2;  // more, for the few blocks that one pass leaves beyond the strain limit
-
 constexpr float kCalmSpeed = 0.05F;  // m/s rms: below it biases slow down
 
 float* floats(std::vector<Vec4f>& points) {
@@ -71,7 +69,7 @@ void pull_seams(SolverState& solver, std::span<const SeamPull> seams, float gap)
     }
 }
 
-void solve_internal(Cloth& cloth, const Kernels& loops, bool is_last) {
+void solve_internal(Cloth& cloth, const Kernels& loops, int limit_rounds, bool is_last) {
     SolverState& solver = cloth.solver;
     limit_parents(solver, loops);
     if (solver.count++ % static_cast<std::size_t>(cloth.bend_interval) == 0) {
@@ -81,7 +79,7 @@ void solve_internal(Cloth& cloth, const Kernels& loops, bool is_last) {
         loops.solve_stretch(solver.blocks.stretch, is_last ? solver.blocks.records.data() : nullptr,
                             floats(solver.points), solver.blocks.over.data());
     const std::span<const std::uint32_t> blocks_over(solver.blocks.over.data(), over);
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < limit_rounds; ++round) {
         loops.limit_stretch(solver.blocks.stretch, blocks_over, floats(solver.points));
     }
 }
@@ -99,16 +97,23 @@ float net_speed(const Cloth& cloth, float seconds) {
     return mass > 0 ? static_cast<float>(std::sqrt(energy / mass)) / seconds : 0.0F;
 }
 
+float step_seconds(const Cloth& cloth, const StepOptions& options) {
+    return cloth.substep * static_cast<float>(options.substeps);
+}
+
+// Share of a difference that goes within a step at that rate (1/s).
+float share_in(float seconds, float rate) {
+    return 1 - std::exp(-rate * seconds);
+}
+
 // Biases follow what strain and stress are now; ever slower as the cloth comes to rest, or they would keep it awake.
-void finish_step(Cloth& cloth, const Kernels& loops, const StepOptions& options) {
-    const float seconds = cloth.substep * static_cast<float>(options.substeps);
-    const auto share = [&](float rate) { return 1 - std::exp(-rate * seconds); };
+void update_bias(Cloth& cloth, const Kernels& loops, const StepOptions& options) {
+    const float seconds = step_seconds(cloth, options);
     const float briskness = std::min(1.0F, net_speed(cloth, seconds) / kCalmSpeed);
     SolverState& solver = cloth.solver;
-    loops.finish_step(solver.blocks.stretch, solver.blocks.records, floats(solver.points), floats(solver.before),
-                      {.stretch_gain = share(options.stretch_bias_rate * briskness),
-                       .shear_gain = share(options.shear_bias_rate * briskness),
-                       .rubbed = share(options.internal_damping)});
+    loops.update_bias(solver.blocks.stretch, solver.blocks.records, floats(solver.points), floats(solver.before),
+                      {.stretch = share_in(seconds, options.stretch_bias_rate * briskness),
+                       .shear = share_in(seconds, options.shear_bias_rate * briskness)});
 }
 
 }  // namespace
@@ -121,13 +126,20 @@ void step(Cloth& cloth, const Collider& body, const StepOptions& options) {
     for (int i = 0; i < options.substeps; ++i) {
         const bool is_last = i + 1 == options.substeps;
         loops.predict(floats(solver.points), floats(solver.before), cloth.x.size(), motion);
-        solve_internal(cloth, loops, is_last);
-        if (is_last) finish_step(cloth, loops, options);
+        solve_internal(cloth, loops, options.limit_rounds, is_last);
+        if (is_last) update_bias(cloth, loops, options);
         if (i % options.contact.sample_interval == 0) push_out_samples(cloth, body, options.contact);
         const float to_go = static_cast<float>(options.substeps - 1 - i);
-        pull_seams(solver, options.seams, options.seam_gap + to_go * options.seam_gap_rate);
+        const float gap = options.seam_gap + to_go * options.seam_gap_rate;
+        pull_seams(solver, options.seams, gap);
+        hold_vertices(cloth, loops, body, options.max_move_per_substep, options.contact);
+        if (options.seams.empty()) continue;
+        // What was drawn deep into the body came out on different sides of a ridge: close it along the surface.
+        pull_seams(solver, options.seams, gap);
         hold_vertices(cloth, loops, body, options.max_move_per_substep, options.contact);
     }
+    loops.rub(solver.blocks.stretch, floats(solver.points), floats(solver.before),
+              share_in(step_seconds(cloth, options), options.internal_damping));
     store_points(cloth);
 }
 

@@ -63,6 +63,7 @@ SewingResult sew_on_body(const GarmentMesh& unsewn, const std::vector<Fabric>& f
     StepOptions stepping{.gravity = Vec3f::Zero(), .extra_damping = kSewingDamping, .contact = options.contact};
     stepping.contact.friction_scale = 0;
     stepping.stretch_bias_rate = stepping.shear_bias_rate = 0;  // the seams pull harder than any load
+    stepping.limit_rounds = 0;
     stepping.seams = pulls;
     const float start_gap = widest_gap(cloth, unsewn.links);
     const float step_seconds = cloth.substep * static_cast<float>(stepping.substeps);

@@ -218,8 +218,8 @@ Sweep swept(const Kernels& loops) {
     s.over.resize(s.stretch.size());
     s.over.resize(loops.solve_stretch(s.stretch, s.records.data(), floats(s.points), s.over.data()));
     loops.limit_stretch(s.stretch, s.over, floats(s.points));
-    loops.finish_step(s.stretch, s.records, floats(s.points), floats(s.before),
-                      {.stretch_gain = 0.1F, .shear_gain = 0.05F, .rubbed = 0.2F});
+    loops.update_bias(s.stretch, s.records, floats(s.points), floats(s.before), {.stretch = 0.1F, .shear = 0.05F});
+    loops.rub(s.stretch, floats(s.points), floats(s.before), 0.2F);
     s.found.resize(s.points.size() + kBlock);
     s.found.resize(loops.hold_moves(floats(s.points), floats(s.before), floats(s.asked), cloth.x.size(),
                                     {.longest_move = 0.003F, .floor = -0.01F}, s.found.data()));
