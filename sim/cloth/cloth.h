@@ -50,13 +50,13 @@ struct Cloth {
     ContactState contacts{};
     float damping = 0;      // 1/s, mean over the fabrics' area
     float substep = 0;      // s, the length that x_prev and the solver's blocks were made for
-    int bend_interval = 3;  // sub-steps from one visit of the hinges to the next
+    int bend_interval = 2;  // sub-steps from one visit of the hinges to the next
 };
 
 struct ClothOptions {
     int max_level = 3;
     float substep = 1.0F / 1440.0F;  // s
-    int bend_interval = 3;           // sub-steps; hinges are so soft that they need not be visited in each
+    int bend_interval = 2;           // sub-steps; hinges are so soft that they need not be visited in each
 };
 
 // Pre: garment has no links left (strip or merge them) and one fabric per panel. Starts at rest, at level 0.

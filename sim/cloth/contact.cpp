@@ -103,9 +103,14 @@ void add_edges(const Cloth& cloth, float spacing, const std::vector<float>& fric
     }
 }
 
-void add_triangles(const Cloth& cloth, std::vector<ContactSample>& samples) {
+float longest_edge(const std::array<Vec2f, 3>& u) {
+    return std::sqrt(std::max({(u[1] - u[0]).squaredNorm(), (u[2] - u[1]).squaredNorm(), (u[0] - u[2]).squaredNorm()}));
+}
+
+void add_triangles(const Cloth& cloth, float least_edge, std::vector<ContactSample>& samples) {
     constexpr float kThird = 1.0F / 3.0F;
     for (const LeafTriangle& triangle : cloth.mesh.leaf_triangles()) {
+        if (longest_edge(triangle.u) < least_edge) continue;
         samples.push_back({.vertices = {triangle.v[0].value, triangle.v[1].value, triangle.v[2].value},
                            .shares = {kThird, kThird, kThird},
                            .friction = static_cast<float>(cloth.fabrics[triangle.panel].friction)});
@@ -136,7 +141,7 @@ void refresh_contacts(Cloth& cloth, const ContactOptions& options) {
     refresh_friction(cloth, contacts.friction);
     contacts.samples.clear();
     add_edges(cloth, options.sample_spacing, contacts.friction, contacts.samples);
-    add_triangles(cloth, contacts.samples);
+    add_triangles(cloth, options.sampled_edge, contacts.samples);
 }
 
 void forget_contacts(Cloth& cloth) {

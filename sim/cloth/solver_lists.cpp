@@ -208,8 +208,9 @@ std::array<float, 4> hinge_weights(const Hinge& hinge) {
 }
 
 // Energy 1/2 B / (A_left + A_right) |sum q x|^2, of a hinge that is visited every `interval` sub-steps: what it
-// does lasts that long, so the move that it makes at once counts as often. One visit leaves half of what it should take
-// away on an average; where the fabric's compliance is larger than that, it is made smaller by as much.
+// does lasts that long, so the move that it makes at once counts as often. Hinges that share vertices take half of each
+// other's corrections away on an average, and what a visit takes too little adds to the compliance: where the fabric's
+// is larger, it is made smaller by as much.
 void set_bend(const Cloth& cloth, const Hinge& hinge, int interval, BendBlock& block, std::size_t at) {
     const std::array<std::uint32_t, 4> vertices{hinge.a.value, hinge.b.value, hinge.left.value, hinge.right.value};
     const std::array<float, 4> q = hinge_weights(hinge);
@@ -228,8 +229,8 @@ void set_bend(const Cloth& cloth, const Hinge& hinge, int interval, BendBlock& b
     }
     const float visits = static_cast<float>(interval);
     const float compliance = area / (rigidity * cloth.substep * cloth.substep * visits);
-    const float seen = sum * visits * (interval > 1 ? 2.0F : 1.0F);
-    block.gain[at] = 1 / (seen + std::max(0.5F * compliance, compliance - 0.5F * seen));
+    const float seen = sum * visits * (interval > 2 ? 2.0F : 1.0F);
+    block.gain[at] = 1 / (seen + std::max(0.0F, compliance - (seen - 0.5F * sum)));
 }
 
 void make_bend(const Cloth& cloth, SolverBlocks& blocks, BlockColoring& coloring) {

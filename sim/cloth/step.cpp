@@ -8,8 +8,6 @@
 namespace selvedge {
 namespace {
 
-constexpr float kCalmSpeed = 0.05F;  // m/s rms: below it biases slow down
-
 float* floats(std::vector<Vec4f>& points) {
     return points.front().data();
 }
@@ -84,19 +82,6 @@ void solve_internal(Cloth& cloth, const Kernels& loops, int limit_rounds, bool i
     }
 }
 
-// Root mean square over mass of the speed with which the cloth went from where the step began to where it is, m/s.
-float net_speed(const Cloth& cloth, float seconds) {
-    double energy = 0;
-    double mass = 0;
-    for (std::size_t v = 0; v < cloth.x.size(); ++v) {
-        const Vec4f& p = cloth.solver.points[v];
-        if (p.w() <= 0) continue;
-        energy += (p - cloth.x[v]).head<3>().squaredNorm() / p.w();
-        mass += 1 / p.w();
-    }
-    return mass > 0 ? static_cast<float>(std::sqrt(energy / mass)) / seconds : 0.0F;
-}
-
 float step_seconds(const Cloth& cloth, const StepOptions& options) {
     return cloth.substep * static_cast<float>(options.substeps);
 }
@@ -106,14 +91,13 @@ float share_in(float seconds, float rate) {
     return 1 - std::exp(-rate * seconds);
 }
 
-// Biases follow what strain and stress are now; ever slower as the cloth comes to rest, or they would keep it awake.
+// Biases follow what strain and stress are now.
 void update_bias(Cloth& cloth, const Kernels& loops, const StepOptions& options) {
     const float seconds = step_seconds(cloth, options);
-    const float briskness = std::min(1.0F, net_speed(cloth, seconds) / kCalmSpeed);
     SolverState& solver = cloth.solver;
-    loops.update_bias(solver.blocks.stretch, solver.blocks.records, floats(solver.points), floats(solver.before),
-                      {.stretch = share_in(seconds, options.stretch_bias_rate * briskness),
-                       .shear = share_in(seconds, options.shear_bias_rate * briskness)});
+    loops.update_bias(
+        solver.blocks.stretch, solver.blocks.records, floats(solver.points), floats(solver.before),
+        {.stretch = share_in(seconds, options.stretch_bias_rate), .shear = share_in(seconds, options.shear_bias_rate)});
 }
 
 }  // namespace

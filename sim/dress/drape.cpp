@@ -76,6 +76,10 @@ void fall(Cloth& cloth, const Collider& body, DrapeOptions options, DrapeResult&
         stepping.extra_damping = kFallDamping + options.damping_growth * elapsed;
         if (!run_frame(cloth, body, stepping, options, result)) return;
         options.adapt.may_rejoin = result.rms_speed >= options.calm_speed;
+        // Biases ever slower as the garment comes to rest, or they would keep it awake.
+        const float briskness = std::min(1.0F, result.rms_speed / options.calm_speed);
+        stepping.stretch_bias_rate = StepOptions{}.stretch_bias_rate * briskness;
+        stepping.shear_bias_rate = StepOptions{}.shear_bias_rate * briskness;
         at_rest = result.rms_speed < options.rest_speed ? at_rest + frame_seconds(cloth, stepping, options) : 0;
         fraction = std::max({fraction, result.simulated_seconds / options.max_seconds, at_rest / options.rest_time});
         report(progress, "draping", std::min(1.0, fraction));
