@@ -22,7 +22,7 @@ struct ContactOptions {
     float offset = 0.003F;          // m, kept from the body; never below the collision field's error
     float friction_scale = 1.0F;    // of the fabrics' friction; 0 while sewing
     float sample_spacing = 0.025F;  // m, edges longer than this are sampled at least this often
-    float sampled_edge = 0.015F;    // m: triangles with shorter edges cannot cut a body between their vertices
+    float sampled_edge = 0.02F;     // m: triangles of shorter edges dip less than the offset (L^2 / 8R, R over 2 cm)
     int sample_interval = 1;        // sub-steps from one look at the samples to the next
     float floor = 0.0F;             // m, height of the floor
 };
