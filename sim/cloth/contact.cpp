@@ -10,10 +10,10 @@
 namespace selvedge {
 namespace {
 
-constexpr float kSlackMargin = 0.0007F;  // m, more than a field over-estimates
-
-float* floats(std::vector<Vec4f>& points) {
-    return points.front().data();
+// By how much a distance is taken to be too large, m: never less than the collider says.
+float slack_margin(const Collider& body) {
+    constexpr float kLeast = 0.0007F;
+    return std::max(kLeast, body.max_error());
 }
 
 Vec4f mixed(const std::vector<Vec4f>& points, const ContactSample& sample) {
@@ -72,9 +72,9 @@ void find_asking_samples(const SolverState& solver, ContactState& contacts) {
 
 // One after the other, each from where those before have moved it: what it is too deep is less by that.
 void reply_to_sample(SolverState& solver, ContactSample& sample, const Contact& said, const ContactOptions& options,
-                     float still) {
+                     float margin, float still) {
     if (sample.slack == ContactSample::kNew) still = 1;  // what it stands in so deep it has not run into
-    sample.slack = said.distance - options.offset - kSlackMargin;
+    sample.slack = said.distance - options.offset - margin;
     if (said.distance >= options.offset) return;
     const Vec4f normal = padded(said.normal);
     const float moved = normal.dot(mixed(solver.points, sample) - sample.asked_at);
@@ -153,6 +153,7 @@ void push_out_samples(Cloth& cloth, const Collider& body, const ContactOptions& 
     SolverState& solver = cloth.solver;
     ContactState& contacts = cloth.contacts;
     const float still = 1 - 1 / static_cast<float>(options.sample_interval);
+    const float margin = slack_margin(body);
     find_asking_samples(solver, contacts);
     if (contacts.asking.empty()) return;
     const auto asked_at = [&](std::size_t i) -> const Vec4f& { return contacts.samples[contacts.asking[i]].asked_at; };
@@ -161,7 +162,7 @@ void push_out_samples(Cloth& cloth, const Collider& body, const ContactOptions& 
         const ContactBlock& block = contacts.blocks[i / kBlock];
         const std::size_t at = i % kBlock;
         const Contact said{block.distance[at], Vec3f(block.nx[at], block.ny[at], block.nz[at])};
-        reply_to_sample(solver, contacts.samples[contacts.asking[i]], said, options, still);
+        reply_to_sample(solver, contacts.samples[contacts.asking[i]], said, options, margin, still);
     }
 }
 
@@ -184,6 +185,7 @@ void hold_vertices(Cloth& cloth, const Kernels& loops, const Collider& body, flo
     std::fill_n(contacts.asking.begin() + static_cast<std::ptrdiff_t>(count), kBlock, spare);
     const auto point_at = [&](std::size_t i) -> const Vec4f& { return solver.points[contacts.asking[i] / 4]; };
     ask(contacts.blocks, (count + kBlock - 1) / kBlock * kBlock, point_at, body, options.offset);
+    const float margin = slack_margin(body);
     for (std::size_t i = 0; i < contacts.blocks.size(); ++i) {
         const ContactBlock& block = contacts.blocks[i];
         const ContactReply said{.x = block.x.data(),
@@ -194,7 +196,7 @@ void hold_vertices(Cloth& cloth, const Kernels& loops, const Collider& body, flo
                                 .ny = block.ny.data(),
                                 .nz = block.nz.data(),
                                 .offset = options.offset,
-                                .margin = kSlackMargin,
+                                .margin = margin,
                                 .friction_scale = options.friction_scale};
         loops.reply(said, &contacts.asking[i * kBlock], contacts.friction.data(), floats(solver.before),
                     floats(solver.points), floats(contacts.asked));

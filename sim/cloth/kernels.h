@@ -81,4 +81,10 @@ struct Kernels {
 
 const Kernels& kernels(SimdLevel level);
 
+// The floats of points, as the loops take them. Pre: there is one.
+template <class Point>
+float* floats(std::vector<Point>& points) {
+    return points.front().data();
+}
+
 }  // namespace selvedge

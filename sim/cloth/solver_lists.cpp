@@ -51,29 +51,32 @@ bool is_gathered(const AdaptiveMesh& mesh, const LeafTriangle& leaf) {
     return false;
 }
 
+// The corners and directions of a triangle, a leaf or a parent.
+template <class Block>
+void set_frame(Block& block, std::size_t at, const std::array<VertexId, 3>& v, const MaterialFrame& frame) {
+    for (std::size_t i = 0; i < 3; ++i) block.vertices[i][at] = 4 * v[i].value;
+    for (std::size_t i = 0; i < 2; ++i) {
+        block.a[i][at] = frame.a[i];
+        block.b[i][at] = frame.b[i];
+    }
+}
+
 struct StretchLane {
     StretchBlock& block;
     StretchRecord& record;
     std::size_t at;
 
-    void set_frame(const std::array<VertexId, 3>& v, const MaterialFrame& frame) {
-        for (std::size_t i = 0; i < 3; ++i) block.vertices[i][at] = 4 * v[i].value;
-        for (std::size_t i = 0; i < 2; ++i) {
-            block.a[i][at] = frame.a[i];
-            block.b[i][at] = frame.b[i];
-        }
-    }
-
     // Pre: two vertices at least can move.
     void set_gains(const MaterialFrame& frame, const Weights& w, const std::array<float, 3>& compliance) {
-        const float shear = weighed({frame.a[0], frame.a[1]}, w) + weighed({frame.b[0], frame.b[1]}, w);
+        const float of_warp = weighed(frame.a, w);
+        const float of_weft = weighed(frame.b, w);
         const float cross = weighed_cross(frame, w);
-        const float warp = 1 / (weighed(frame.a, w) + compliance[0]);
-        const float weft = 1 / (weighed(frame.b, w) + compliance[1]);
+        const float warp = 1 / (of_warp + compliance[0]);
+        const float weft = 1 / (of_weft + compliance[1]);
         block.warp[at] = warp;
         block.weft[at] = weft;
         block.cross[at] = cross;
-        block.shear[at] = 1 / (shear + compliance[2] - cross * cross * (warp + weft));
+        block.shear[at] = 1 / (of_warp + of_weft + compliance[2] - cross * cross * (warp + weft));
         for (std::size_t k = 0; k < 3; ++k) record.compliance[k][at] = compliance[k];
     }
 };
@@ -95,7 +98,7 @@ void make_stretch(const Cloth& cloth, SolverBlocks& blocks, BlockColoring& color
         StretchLane lane{blocks.stretch[lanes[i] / kBlock], blocks.records[lanes[i] / kBlock], lanes[i] % kBlock};
         Weights w{};
         for (std::size_t k = 0; k < 3; ++k) w[k] = cloth.inverse_mass[leaf.v[k].value];
-        lane.set_frame(leaf.v, frame);
+        set_frame(lane.block, lane.at, leaf.v, frame);
         lane.set_gains(frame, w,
                        {compliance_of(cloth, frame, fabric.stretch_warp),
                         compliance_of(cloth, frame, fabric.stretch_weft), compliance_of(cloth, frame, fabric.shear)});
@@ -124,18 +127,14 @@ void set_limit(const Cloth& cloth, const AdaptiveTriangle& triangle, const std::
     for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t v = triangle.vertices[i].value;
         w[i] = cloth.inverse_mass[v] > 0 ? 1 / masses[v] : 0.0F;
-        block.vertices[i][at] = 4 * v;
     }
+    set_frame(block, at, triangle.vertices, frame);
     block.longest_warp[at] = longest_of(fabric.stretch_warp, fabric);
     block.longest_weft[at] = longest_of(fabric.stretch_weft, fabric);
     const float warp = kRelaxation / (weighed(frame.a, w) + compliance_of(cloth, frame, fabric.stretch_warp));
     const float weft = kRelaxation / (weighed(frame.b, w) + compliance_of(cloth, frame, fabric.stretch_weft));
     const std::array<float, 3> grad_a{-(frame.a[0] + frame.a[1]), frame.a[0], frame.a[1]};
     const std::array<float, 3> grad_b{-(frame.b[0] + frame.b[1]), frame.b[0], frame.b[1]};
-    for (std::size_t i = 0; i < 2; ++i) {
-        block.a[i][at] = frame.a[i];
-        block.b[i][at] = frame.b[i];
-    }
     for (std::size_t i = 0; i < 3; ++i) {
         block.warp[i][at] = w[i] * grad_a[i] * warp;
         block.weft[i][at] = w[i] * grad_b[i] * weft;

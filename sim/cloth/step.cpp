@@ -8,10 +8,6 @@
 namespace selvedge {
 namespace {
 
-float* floats(std::vector<Vec4f>& points) {
-    return points.front().data();
-}
-
 // Positions with inverse masses; the spare point stands far from everything.
 void load_points(Cloth& cloth) {
     const Vec4f far_away(0, 1e4F, 0, 0);

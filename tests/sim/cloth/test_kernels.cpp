@@ -17,10 +17,6 @@ namespace {
 
 using Points = std::vector<Vec4f>;
 
-float* floats(Points& points) {
-    return points.front().data();
-}
-
 bool have_same_bits(const Points& a, const Points& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec4f)) == 0;
 }
