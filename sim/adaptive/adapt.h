@@ -11,6 +11,7 @@
 //                       on_capacity(n)       before any id of n or above is used: state arrays grow to n
 //                       on_split(c, a, b)    c is new between a and b: set all that the criteria read of it
 //                       on_rejoin(c)         c is about to be freed
+// and, if it wants to,  before(t), after(t)  t changes its configuration: what is inside it goes and comes
 // An adaption in which nothing changes asks each leaf edge once and each parent of two leaves once.
 #include <algorithm>
 #include <concepts>
@@ -79,14 +80,26 @@ bool vetoes(const C& criterion, const AdaptiveMesh& mesh, EdgeId e) {
     }
 }
 
+// Vetoes are cheap, and mesh.may_split() looks no farther than the sides.
 template <class... C>
-bool should_split([[maybe_unused]] const AdaptiveMesh& mesh, [[maybe_unused]] EdgeId e, const C&... criteria) {
-    return !(vetoes(criteria, mesh, e) || ...) && (asks(criteria, mesh, e) || ...);  // vetoes are cheap
+bool should_split(const AdaptiveMesh& mesh, EdgeId e, const C&... criteria) {
+    return !(vetoes(criteria, mesh, e) || ...) && mesh.may_split(e) && (asks(criteria, mesh, e) || ...);
 }
 
 template <class... C>
 bool should_rejoin([[maybe_unused]] const AdaptiveMesh& mesh, [[maybe_unused]] EdgeId e, const C&... criteria) {
     return (vetoes(criteria, mesh, e) || ...) || (agrees(criteria, mesh, e) && ...);
+}
+
+// Told of transitions if it has ears for them.
+template <class State, class Choice>
+int retriangulate(AdaptiveMesh& mesh, State& state, int level, TransitionCounts* counts, const Choice& choice) {
+    if constexpr (requires(TriangleId t) { state.before(t), state.after(t); }) {
+        return mesh.retriangulate(level, counts, choice, state);
+    } else {
+        NoWatch watch;
+        return mesh.retriangulate(level, counts, choice, watch);
+    }
 }
 
 template <class State>
@@ -101,7 +114,7 @@ template <class State, class... C>
 int refine_level(AdaptiveMesh& mesh, State& state, int level, const C&... criteria) {
     int splits = 0;
     for (const EdgeId e : mesh.unsplit_edges(level)) {
-        if (!mesh.may_split(e) || !should_split(mesh, e, criteria...)) continue;
+        if (!should_split(mesh, e, criteria...)) continue;
         split(mesh, state, e);
         ++splits;
     }
@@ -133,12 +146,12 @@ AdaptReport adapt_choosing(const Choice& choice, AdaptiveMesh& mesh, State& stat
     const int limit = std::min(options.max_level, mesh.max_level());
     for (int level = 0; level < limit; ++level) {
         const int splits = adapt_detail::refine_level(mesh, state, level, criteria...);
-        if (splits > 0) report.transitions += mesh.retriangulate(level, options.transitions, choice);
+        if (splits > 0) report.transitions += adapt_detail::retriangulate(mesh, state, level, options.transitions, choice);
         report.splits += splits;
     }
     for (int level = mesh.max_level() - 1; level >= 0; --level) {
         const int rejoins = adapt_detail::coarsen_level(mesh, state, level, level >= limit, criteria...);
-        if (rejoins > 0) report.transitions += mesh.retriangulate(level, options.transitions, choice);
+        if (rejoins > 0) report.transitions += adapt_detail::retriangulate(mesh, state, level, options.transitions, choice);
         report.rejoins += rejoins;
     }
     mesh.refresh_lists();

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "sim/adaptive/diagonal.h"
@@ -23,6 +24,12 @@ inline constexpr int kDeepestLevel = 15;
 struct AdaptiveMeshOptions {
     int max_level = 3;        // edges are split down to it; 0..kDeepestLevel
     float seam_ease = 0.05F;  // a seam's sides that differ by no more share their mean length, else the shorter rules
+};
+
+// Sees transitions, and does nothing.
+struct NoWatch {
+    void before(TriangleId) {}
+    void after(TriangleId) {}
 };
 
 // How often each transition was made, by (from, to).
@@ -74,6 +81,7 @@ class AdaptiveMesh {
     std::span<const LeafTriangle> leaf_triangles() const { return leaves().triangles; }
     std::span<const Hinge> hinges() const { return leaves().hinges; }
     std::span<const float> vertex_areas() const { return leaves().vertex_areas; }  // m^2, by vertex id
+    const Hinge* hinge(EdgeId e) const { return keeper_.hinge(e); }  // of a leaf edge; none at a boundary
     const LeafLists& leaves() const { return keeper_.lists(); }
 
     // What the last refresh_lists(), and so the last adaption, did to them.
@@ -103,9 +111,10 @@ class AdaptiveMesh {
     void rejoin(EdgeId e);
     int retriangulate(int level, TransitionCounts* counts = nullptr);
 
-    // The same, with another choice where two configurations conform: see sim/adaptive/diagonal.h.
-    template <class Choice>
-    int retriangulate(int level, TransitionCounts* counts, const Choice& choice);
+    // The same, with another choice where two configurations conform: see sim/adaptive/diagonal.h. `watch` is told of
+    // each transition before and after: watch.before(t), watch.after(t).
+    template <class Choice, class Watch>
+    int retriangulate(int level, TransitionCounts* counts, const Choice& choice, Watch& watch);
 
     // Brings the leaf lists up to date with what has changed since the last time, in place, and tells what it did.
     void refresh_lists() { keeper_.refresh(*this); }
@@ -130,8 +139,10 @@ class AdaptiveMesh {
     void mark_sides(EdgeId e);
     void list_split();
     void release_rejoined();
-    template <class Choose>
-    int retriangulate_marked(int level, TransitionCounts* counts, const Choose& choose);
+    template <class Choose, class Watch>
+    int retriangulate_marked(int level, TransitionCounts* counts, const Choose& choose, Watch& watch);
+    template <class Choice>
+    Configuration chosen(const AdaptiveTriangle& t, SplitMask split, const Choice& choice) const;
     Diagonal diagonal(const AdaptiveTriangle& t, const InternalEdge& drawn) const;
 
     // Going round a vertex: the first leaf triangle of each of its fans, and the one after.
@@ -165,8 +176,8 @@ constexpr AdaptiveMesh::BytesPerElement AdaptiveMesh::bytes_per_element() {
 }
 
 // What each marked triangle is to become is asked of choose(triangle, split mask).
-template <class Choose>
-int AdaptiveMesh::retriangulate_marked(int level, TransitionCounts* counts, const Choose& choose) {
+template <class Choose, class Watch>
+int AdaptiveMesh::retriangulate_marked(int level, TransitionCounts* counts, const Choose& choose, Watch& watch) {
     list_split();
     // Coarsening undoes a refinement last to first, so that ids come back in the order in which they were taken.
     if (!rejoining_.empty()) std::reverse(marked_.begin(), marked_.end());
@@ -177,7 +188,9 @@ int AdaptiveMesh::retriangulate_marked(int level, TransitionCounts* counts, cons
         t.marked = false;
         const Configuration from = t.configuration, to = choose(t, split_mask(t));
         if (from == to) continue;
+        watch.before(id);
         change_configuration(id, to);
+        watch.after(id);
         if (counts != nullptr) ++counts->by_configuration[index_of(from)][index_of(to)];
         ++transitions;
     }
@@ -186,22 +199,27 @@ int AdaptiveMesh::retriangulate_marked(int level, TransitionCounts* counts, cons
     return transitions;
 }
 
-template <class Choice>
-int AdaptiveMesh::retriangulate(int level, TransitionCounts* counts, const Choice& choice) {
-    return retriangulate_marked(level, counts, [&](const AdaptiveTriangle& t, SplitMask split) {
-        const Configuration least = least_work(t.configuration, split);
-        if (least == t.configuration || !has_two_ways(split)) return least;
-        const EitherWay ways = either_way(split);
-        const float first = choice.cost(diagonal(t, ways.diagonals[0]));
-        const float second = choice.cost(diagonal(t, ways.diagonals[1]));
-        if (first == second) return least;
-        return ways.configurations[first < second ? 0 : 1];
-    });
+template <class Choice, class Watch>
+int AdaptiveMesh::retriangulate(int level, TransitionCounts* counts, const Choice& choice, Watch& watch) {
+    const auto choose = [&](const AdaptiveTriangle& t, SplitMask split) {
+        if constexpr (std::is_same_v<Choice, LeastWork>) {
+            return least_work(t.configuration, split);
+        } else {
+            return chosen(t, split, choice);
+        }
+    };
+    return retriangulate_marked(level, counts, choose, watch);
 }
 
-template <>
-inline int AdaptiveMesh::retriangulate(int level, TransitionCounts* counts, const LeastWork&) {
-    return retriangulate(level, counts);
+template <class Choice>
+Configuration AdaptiveMesh::chosen(const AdaptiveTriangle& t, SplitMask split, const Choice& choice) const {
+    const Configuration least = least_work(t.configuration, split);
+    if (least == t.configuration || !has_two_ways(split)) return least;
+    const EitherWay ways = either_way(split);
+    const float first = choice.cost(diagonal(t, ways.diagonals[0]));
+    const float second = choice.cost(diagonal(t, ways.diagonals[1]));
+    if (first == second) return least;
+    return ways.configurations[first < second ? 0 : 1];
 }
 
 class AdaptiveMesh::TrianglesAt {

@@ -34,12 +34,24 @@ class LeafKeeper {
     void note_rewritten(EdgeId e) { note_rewritten(edges_, e); }
     void note_rewritten(TriangleId t) { note_rewritten(triangles_, t); }
 
+    // A triangle that becomes refined, or a leaf again.
+    void note_refined(TriangleId t) {
+        Place& place = triangles_.by_id[t.value];
+        if ((place & kIsRefinedNoted) != 0) return;
+        place |= kIsRefinedNoted;
+        refined_noted_.push_back(t);
+    }
+
     // Pre: before an id of that number or above is noted.
     void grow(std::size_t vertices, std::size_t edges, std::size_t triangles);
 
     void refresh(const AdaptiveMesh& mesh);
 
     const LeafLists& lists() const { return lists_; }
+    const Hinge* hinge(EdgeId e) const {
+        const Place place = edges_.by_id[e.value];
+        return is_listed(place) && (place & kIsBoundary) == 0 ? &lists_.hinges[place & kPosition] : nullptr;
+    }
     const LeafChanges& changes() const { return changes_; }  // what the last refresh() did
 
  private:
@@ -48,6 +60,7 @@ class LeafKeeper {
     static constexpr Place kNoted = 1U << 31U;
     static constexpr Place kIsBoundary = 1U << 30U;  // of edges: in the list of those
     static constexpr Place kIsFresh = 1U << 29U;     // of edges: its hinge is known to have changed
+    static constexpr Place kIsRefinedNoted = kIsFresh;  // of triangles
     static constexpr Place kIsReleased = 1U << 28U;  // since it was noted; it may have been taken again for another
     static constexpr Place kUnlisted = kIsReleased - 1;
     static constexpr Place kPosition = kUnlisted;
@@ -111,6 +124,7 @@ class LeafKeeper {
     Places<EdgeId> edges_;
     Places<TriangleId> triangles_;
     std::vector<EdgeId> fresh_;  // those that are marked so
+    std::vector<TriangleId> refined_noted_;
     std::size_t old_hinges_ = 0;
     struct Gaps {
         std::vector<Place> vertices, hinges, boundary, triangles;

@@ -56,11 +56,12 @@ struct LeafLists {
 
 // What the lists lost and gained. An id that went and came again stands in both: it may be another element, or have
 // other content. A leaf edge that came or went with triangles at both sides came or went with its hinge; the hinges of
-// edges that stayed, but whose triangles did not, are changed.
+// edges that stayed, but whose triangles did not, are changed. refined_changed: triangles that became refined, or no
+// longer are, at any level, or did both; they may be gone since.
 struct LeafChanges {
     std::vector<VertexId> vertices_gone, vertices_come;
     std::vector<EdgeId> edges_gone, edges_come;
-    std::vector<TriangleId> triangles_gone, triangles_come;
+    std::vector<TriangleId> triangles_gone, triangles_come, refined_changed;
     std::vector<EdgeId> hinges_changed;
 
     void clear();

@@ -287,6 +287,7 @@ struct AdaptiveMesh::Change::One {
         owner.configuration = static_cast<Configuration>(kTo);
         if constexpr (from.triangle_count == 0) mesh.levels_.add_refined(owner.level, id);
         if constexpr (to.triangle_count == 0) mesh.levels_.remove_refined(owner.level, id);
+        if constexpr (from.triangle_count == 0 || to.triangle_count == 0) mesh.keeper_.note_refined(id);
         mesh.keeper_.note(id);
     }
 };
@@ -298,8 +299,8 @@ void AdaptiveMesh::change_configuration(TriangleId id, Configuration to) {
 }
 
 int AdaptiveMesh::retriangulate(int level, TransitionCounts* counts) {
-    return retriangulate_marked(
-        level, counts, [](const AdaptiveTriangle& t, SplitMask split) { return least_work(t.configuration, split); });
+    NoWatch watch;
+    return retriangulate(level, counts, LeastWork{}, watch);
 }
 
 Diagonal AdaptiveMesh::diagonal(const AdaptiveTriangle& t, const InternalEdge& drawn) const {

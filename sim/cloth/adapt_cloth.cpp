@@ -17,6 +17,10 @@ struct ClothObserver {
     float offset;
     Visibility* visibility;
     TriangleBudget* budget;
+    BiasHandover biases{cloth};
+
+    void before(TriangleId t) { biases.before(t); }
+    void after(TriangleId t) { biases.after(t); }
 
     void on_capacity(std::size_t capacity) {
         size_state(cloth, capacity);
@@ -109,13 +113,13 @@ float CollisionCriterion::depth(const AdaptiveMesh& mesh, EdgeId id) const {
 AdaptReport adapt_cloth(Cloth& cloth, const Collider& body, const AdaptClothOptions& options,
                         const ContactOptions& contact) {
     update_normals(cloth);
-    keep_bias(cloth);
+    ++cloth.adaptions;
     if (options.visibility != nullptr) options.visibility->look(cloth.mesh, cloth.x, cloth.normals);
     if (options.budget != nullptr) options.budget->start(cloth.mesh);
     ClothObserver observer{cloth, body, contact.offset, options.visibility, options.budget};
     const AdaptReport report = adapt_chosen(cloth, observer, options);
     if (report.changed()) {
-        refresh_solver(cloth);
+        update_solver(cloth);
         refresh_contacts(cloth, contact);
     }
     return report;

@@ -1,5 +1,7 @@
 #include "sim/cloth/bias.h"
 
+#include <algorithm>
+
 #include "sim/cloth/cloth.h"
 
 namespace selvedge {
@@ -10,49 +12,68 @@ std::span<const TriangleId> inside(const AdaptiveTriangle& triangle) {
 }
 
 void set_bias(Cloth& cloth, TriangleId t, const Vec3f& bias) {
-    cloth.bias[t.value] = {.value = bias, .u = cloth.mesh.triangle(t).u, .adaption = cloth.adaptions};
+    if (t.value >= cloth.bias.size()) cloth.bias.resize(cloth.mesh.triangles().capacity());
+    cloth.bias[t.value] = {.value = bias, .adaption = cloth.adaptions};
 }
 
-// An id may have been given to another triangle, or given back and taken again in an earlier adaption.
-bool is_known(const Cloth& cloth, TriangleId t) {
-    const KeptBias& kept = cloth.bias[t.value];
-    return kept.adaption == cloth.adaptions && kept.u == cloth.mesh.triangle(t).u;
+bool is_kept(const Cloth& cloth, TriangleId t) {
+    return t.value < cloth.bias.size() && cloth.bias[t.value].adaption == cloth.adaptions;
+}
+
+Vec3f bias_in(const Cloth& cloth, std::uint32_t lane) {
+    const std::array<BlockFloats, 3>& bias = cloth.solver.blocks.stretch[lane / kBlock].bias;
+    const std::size_t at = lane % kBlock;
+    return {bias[0][at], bias[1][at], bias[2][at]};
 }
 
 }  // namespace
 
-void keep_bias(Cloth& cloth) {
-    ++cloth.adaptions;
-    const SolverBlocks& blocks = cloth.solver.blocks;
-    const std::span<const LeafTriangle> leaves = cloth.mesh.leaf_triangles();
-    for (std::size_t lane = 0; lane < blocks.leaf_of.size(); ++lane) {
-        if (blocks.leaf_of[lane] == kSpare) continue;
-        const std::array<BlockFloats, 3>& bias = blocks.stretch[lane / kBlock].bias;
-        const std::size_t at = lane % kBlock;
-        set_bias(cloth, leaves[blocks.leaf_of[lane]].triangle, {bias[0][at], bias[1][at], bias[2][at]});
-    }
-    for (int level = cloth.mesh.max_level() - 1; level >= 0; --level) {
-        for (const TriangleId t : cloth.mesh.refined_triangles(level)) {
-            Vec3f sum = Vec3f::Zero();
-            float area = 0;
-            for (const TriangleId child : inside(cloth.mesh.triangle(t))) {
-                const float a = material_area(cloth.mesh.triangle(child).u);
-                sum += a * cloth.bias[child.value].value;
-                area += a;
-            }
-            set_bias(cloth, t, sum / area);
-        }
+Vec3f kept_bias(const Cloth& cloth, TriangleId t) {
+    if (is_kept(cloth, t)) return cloth.bias[t.value].value;
+    const std::uint32_t lane = stretch_lane(cloth, t, cloth.mesh.triangle(t).vertices);
+    return lane == kSpare ? Vec3f(Vec3f::Zero()) : bias_in(cloth, lane);
+}
+
+void keep_bias(Cloth& cloth, TriangleId t) {
+    if (is_kept(cloth, t)) return;
+    set_bias(cloth, t, bias_in(cloth, cloth.solver.lanes.stretch_of[t.value]));
+}
+
+void keep_biases(Cloth& cloth) {
+    for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles()) {
+        set_bias(cloth, leaf.triangle, kept_bias(cloth, leaf.triangle));
     }
 }
 
-void hand_on_bias(Cloth& cloth) {
-    cloth.bias.resize(cloth.mesh.triangles().capacity());
-    for (int level = 0; level < cloth.mesh.max_level(); ++level) {
-        for (const TriangleId t : cloth.mesh.refined_triangles(level)) {
-            for (const TriangleId child : inside(cloth.mesh.triangle(t))) {
-                if (!is_known(cloth, child)) set_bias(cloth, child, cloth.bias[t.value].value);
-            }
-        }
+void BiasHandover::before(TriangleId t) {
+    const AdaptiveTriangle& triangle = cloth_.mesh.triangle(t);
+    count_ = 0;
+    if (is_leaf(triangle)) {
+        mean_ = kept_bias(cloth_, t);
+        return;
+    }
+    Vec3f sum = Vec3f::Zero();
+    float area = 0;
+    for (const TriangleId child : inside(triangle)) {
+        const AdaptiveTriangle& one = cloth_.mesh.triangle(child);
+        const float a = material_area(one.u);
+        sum += a * kept_bias(cloth_, child);
+        area += a;
+        inside_[count_] = child;
+        corners_[count_++] = one.vertices;
+    }
+    mean_ = sum / area;
+}
+
+void BiasHandover::after(TriangleId t) {
+    const AdaptiveTriangle& triangle = cloth_.mesh.triangle(t);
+    if (is_leaf(triangle)) set_bias(cloth_, t, mean_);
+    for (const TriangleId child : inside(triangle)) {
+        const auto end = inside_.begin() + static_cast<std::ptrdiff_t>(count_);
+        const auto was = std::find(inside_.begin(), end, child);
+        const bool stays = was != end && corners_[static_cast<std::size_t>(was - inside_.begin())] ==
+                                             cloth_.mesh.triangle(child).vertices;
+        if (!stays) set_bias(cloth_, child, mean_);
     }
 }
 

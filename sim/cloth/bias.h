@@ -1,14 +1,37 @@
 #pragma once
-// The biases of the stretch conditions while triangles come and go.  (solver_blocks.h)
+// The biases of the stretch conditions while triangles come and go: they live in the solver's blocks, and are kept by
+// TriangleId in Cloth::bias while an adaption is under way.  (solver_blocks.h)
+#include <array>
+#include <cstddef>
+
+#include "sim/core/ids.h"
+#include "sim/core/vec.h"
+
 namespace selvedge {
 
 struct Cloth;
 
-// From the solver's blocks to Cloth::bias, leaf by leaf; a refined triangle gets the mean of what is inside it, so that
-// it has one when it becomes a leaf. Before an adaption.
-void keep_bias(Cloth& cloth);
+// What was kept of that triangle since Cloth::adaptions was last counted up, else what its lane has; 0 if it has none.
+Vec3f kept_bias(const Cloth& cloth, TriangleId t);
 
-// Triangles that are new get the bias of the triangle that they are inside of. After an adaption.
-void hand_on_bias(Cloth& cloth);
+// From a leaf's lane to Cloth::bias, if nothing was kept of it yet. The second: of all leaves.
+void keep_bias(Cloth& cloth, TriangleId t);
+void keep_biases(Cloth& cloth);
+
+// While what is inside a triangle goes and comes: what stays keeps its bias, what is new gets the mean of what was
+// there, weighed by area.
+class BiasHandover {
+ public:
+    explicit BiasHandover(Cloth& cloth) : cloth_(cloth) {}
+    void before(TriangleId t);
+    void after(TriangleId t);
+
+ private:
+    Cloth& cloth_;
+    Vec3f mean_ = Vec3f::Zero();
+    std::array<TriangleId, 4> inside_{};
+    std::array<std::array<VertexId, 3>, 4> corners_{};
+    std::size_t count_ = 0;
+};
 
 }  // namespace selvedge

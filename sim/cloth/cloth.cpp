@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "sim/cloth/bias.h"
 #include "sim/core/assert.h"
 
 namespace selvedge {
@@ -21,16 +20,42 @@ float mean_damping(const Cloth& cloth) {
     return area > 0 ? static_cast<float>(sum / area) : 0.0F;
 }
 
-// A third of each adjacent leaf triangle's mass. Total mass is constant to rounding.
+void set_inverse_mass(Cloth& cloth, std::uint32_t v) {
+    const auto mass = static_cast<float>(cloth.mass_sums[v]);
+    cloth.inverse_mass[v] = mass > 0 && !cloth.is_pinned[v] ? 1 / mass : 0.0F;
+}
+
+// Each leaf gives a third of its mass to each of its corners. Total mass is constant to rounding.
 void refresh_masses(Cloth& cloth) {
-    std::vector<float> mass(cloth.x.size(), 0.0F);
+    cloth.mass_sums.assign(cloth.x.size(), 0.0);
     for (const LeafTriangle& triangle : cloth.mesh.leaf_triangles()) {
-        const float third =
-            material_area(triangle.u) * static_cast<float>(cloth.fabrics[triangle.panel].area_density) / 3;
-        for (const VertexId v : triangle.v) mass[v.value] += third;
+        const auto third = static_cast<double>(third_of_mass(cloth, triangle.u, triangle.panel));
+        for (const VertexId v : triangle.v) cloth.mass_sums[v.value] += third;
     }
-    for (std::size_t v = 0; v < mass.size(); ++v) {
-        cloth.inverse_mass[v] = mass[v] > 0 && !cloth.is_pinned[v] ? 1 / mass[v] : 0.0F;
+    for (std::uint32_t v = 0; v < cloth.x.size(); ++v) set_inverse_mass(cloth, v);
+}
+
+// What went still stands in the solver's lanes.
+void update_masses(Cloth& cloth) {
+    const LeafChanges& changes = cloth.mesh.changes();
+    const SolverState& solver = cloth.solver;
+    cloth.mass_sums.resize(cloth.x.size(), 0.0);
+    for (const TriangleId t : changes.triangles_gone) {
+        const std::uint32_t lane = solver.lanes.stretch_of[t.value];
+        const StretchBlock& block = solver.blocks.stretch[lane / kBlock];
+        const auto third = static_cast<double>(solver.blocks.thirds[lane]);
+        for (const BlockPoints& corner : block.vertices) {
+            cloth.mass_sums[corner[lane % kBlock] / 4] -= third;
+            set_inverse_mass(cloth, corner[lane % kBlock] / 4);
+        }
+    }
+    for (const TriangleId t : changes.triangles_come) {
+        const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
+        const auto third = static_cast<double>(third_of_mass(cloth, triangle.u, triangle.panel));
+        for (const VertexId v : triangle.vertices) {
+            cloth.mass_sums[v.value] += third;
+            set_inverse_mass(cloth, v.value);
+        }
     }
 }
 
@@ -60,12 +85,21 @@ Cloth make_cloth(const GarmentMesh& garment, std::vector<Fabric> fabrics, const 
     return cloth;
 }
 
+float third_of_mass(const Cloth& cloth, const std::array<Vec2f, 3>& u, std::uint16_t panel) {
+    return material_area(u) * static_cast<float>(cloth.fabrics[panel].area_density) / 3;
+}
+
 void refresh_solver(Cloth& cloth) {
+    ++cloth.adaptions;
     size_state(cloth, cloth.mesh.vertex_capacity());
     refresh_masses(cloth);
     cloth.damping = mean_damping(cloth);
-    hand_on_bias(cloth);
-    make_blocks(cloth, cloth.solver.blocks, cloth.solver.scratch);
+    make_blocks(cloth);
+}
+
+void update_solver(Cloth& cloth) {
+    update_masses(cloth);
+    change_blocks(cloth);
 }
 
 void update_normals(Cloth& cloth) {

@@ -21,15 +21,14 @@ struct SolverState {
     std::vector<Vec4f> before;   // one sub-step ago
     std::vector<Vec4f> carried;  // before the parents moved them
     SolverBlocks blocks;
-    SolverScratch scratch;
+    SolverLanes lanes;
     std::size_t count = 0;  // sub-steps so far
 };
 
-// What the solver has learnt about a triangle, see solver_blocks.h.
+// What the solver has learnt about a triangle, see solver_blocks.h and bias.h.
 struct KeptBias {
-    Vec3f value = Vec3f::Zero();                                          // of warp, weft and shear
-    std::array<Vec2f, 3> u{Vec2f::Zero(), Vec2f::Zero(), Vec2f::Zero()};  // the corners of the triangle, m
-    std::uint32_t adaption = 0;                                           // when it was last noted
+    Vec3f value = Vec3f::Zero();  // of warp, weft and shear
+    std::uint32_t adaption = 0;   // when it was noted
 };
 
 struct Cloth {
@@ -43,8 +42,9 @@ struct Cloth {
     std::vector<Vec3f> normals{};       // unit, of the fabric's right side; see update_normals
     std::vector<bool> is_pinned{};
 
-    std::vector<KeptBias> bias{};  // by TriangleId, as keep_bias and hand_on_bias left it
-    std::uint32_t adaptions = 0;   // so far
+    std::vector<KeptBias> bias{};      // by TriangleId, while an adaption is under way
+    std::uint32_t adaptions = 0;       // so far
+    std::vector<double> mass_sums{};   // kg by vertex, pinned or not; sums of floats, so that they can be undone exactly
 
     SolverState solver{};
     ContactState contacts{};
@@ -65,8 +65,15 @@ Cloth make_cloth(const GarmentMesh& garment, std::vector<Fabric> fabrics, const 
 // Grows the state arrays to `capacity` vertices.
 void size_state(Cloth& cloth, std::size_t capacity);
 
-// Masses (a third of the adjacent leaf triangles' area times density) and the solver's blocks from the present leaves.
+// A third of the mass of a triangle of that panel, kg: what it gives to each of its corners.
+float third_of_mass(const Cloth& cloth, const std::array<Vec2f, 3>& u, std::uint16_t panel);
+
+// Masses (a third of the adjacent leaf triangles' area times density) and the solver's blocks, all anew from the
+// present leaves: after pins, fabrics or the mesh were changed from outside.
 void refresh_solver(Cloth& cloth);
+
+// The same after one adaption, at a cost in proportion to what it changed: see mesh.changes().
+void update_solver(Cloth& cloth);
 
 // Area-weighted normals of the leaf triangles.
 void update_normals(Cloth& cloth);

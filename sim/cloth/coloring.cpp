@@ -5,20 +5,58 @@ namespace selvedge {
 void BlockColoring::start(std::size_t vertices) {
     used_.assign(vertices, 0);
     colors_.clear();
-    counts_.clear();
-    alone_ = 0;
+    block_colors_.clear();
+    for (std::vector<std::uint32_t>& lanes : free_lanes_) lanes.clear();
+    runs_.clear();
+    blocks_in_runs_ = 0;
 }
 
+// Blocks are made colour by colour, so that those of one colour lie side by side; lanes are given away from the first.
 const std::vector<std::uint32_t>& BlockColoring::assign() {
-    blocks_ = 0;
-    next_.clear();
-    for (const std::uint32_t count : counts_) {
-        next_.push_back(static_cast<std::uint32_t>(blocks_ * kBlock));
-        blocks_ += (count + kBlock - 1) / kBlock;
+    std::array<std::uint32_t, kColors + 1> counts{};
+    for (const std::uint32_t color : colors_) ++counts[color];
+    std::array<std::uint32_t, kColors + 1> next{};
+    for (std::uint32_t color = 0; color <= kColors; ++color) {
+        const std::uint32_t per_block = color < kColors ? kBlock : 1;
+        const std::uint32_t blocks = (counts[color] + per_block - 1) / per_block;
+        next[color] = static_cast<std::uint32_t>(block_colors_.size() * kBlock);
+        block_colors_.insert(block_colors_.end(), blocks, color);
+        if (color == kColors) break;
+        const std::uint32_t end = next[color] + blocks * static_cast<std::uint32_t>(kBlock);
+        for (std::uint32_t lane = end; lane-- > next[color] + counts[color];) free_lanes_[color].push_back(lane);
     }
     lanes_.clear();
-    for (const std::uint32_t color : colors_) lanes_.push_back(next_[color]++);
+    for (const std::uint32_t color : colors_) {
+        lanes_.push_back(next[color]);
+        next[color] += color < kColors ? 1 : static_cast<std::uint32_t>(kBlock);
+    }
     return lanes_;
+}
+
+std::uint32_t BlockColoring::take_lane(std::uint32_t color) {
+    std::vector<std::uint32_t>& free = free_lanes_[color];
+    if (free.empty()) {
+        const auto first = static_cast<std::uint32_t>(block_colors_.size() * kBlock);
+        const auto count = color < kColors ? static_cast<std::uint32_t>(kBlock) : 1U;
+        for (std::uint32_t i = count; i-- > 0;) free.push_back(first + i);
+        block_colors_.push_back(color);
+    }
+    const std::uint32_t lane = free.back();
+    free.pop_back();
+    return lane;
+}
+
+const std::vector<BlockColoring::Run>& BlockColoring::runs() {
+    for (; blocks_in_runs_ < block_colors_.size(); ++blocks_in_runs_) {
+        const std::size_t i = blocks_in_runs_;
+        const bool goes_on = i > 0 && block_colors_[i] < kColors && block_colors_[i] == block_colors_[i - 1];
+        if (goes_on) {
+            ++runs_.back().count;
+        } else {
+            runs_.push_back({i, 1});
+        }
+    }
+    return runs_;
 }
 
 }  // namespace selvedge

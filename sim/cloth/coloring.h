@@ -7,8 +7,9 @@
 
 namespace selvedge {
 
-// Greedy, in the order of calling: each constraint gets the first colour that none of its vertices has. Keeps its
-// memory between uses.
+// Greedy: each constraint gets the first colour that none of its vertices has. All at once, in the order of calling
+// add(), blocks of one colour behind each other; then one by one, as constraints come and go: what comes takes a lane
+// that is free in a block of its colour, or a new block at the end. Keeps its memory between uses.
 class BlockColoring {
  public:
     // Forgets all constraints. Vertices are below this number.
@@ -17,37 +18,57 @@ class BlockColoring {
     // Constraint by constraint; vertices: N indices.
     template <std::size_t N>
     void add(const std::array<std::uint32_t, N>& vertices) {
-        std::uint64_t used = 0;
-        for (const std::uint32_t v : vertices) used |= used_[v];
-        const std::uint32_t color = first_free(used);
-        if (color < kColors) {
-            for (const std::uint32_t v : vertices) used_[v] |= std::uint64_t{1} << color;
-        }
-        colors_.push_back(color);
-        if (color >= counts_.size()) counts_.resize(color + 1, 0);
-        ++counts_[color];
+        colors_.push_back(color_for(vertices));
     }
 
     // The lane of each constraint, in the order of adding: block lane / kBlock, place lane % kBlock. Every colour
     // begins a new block.
     const std::vector<std::uint32_t>& assign();
-    std::size_t block_count() const { return blocks_; }  // after assign()
+    std::size_t block_count() const { return block_colors_.size(); }  // after assign()
+
+    // After assign(). insert() gives a lane; block_count() may be one more then.
+    template <std::size_t N>
+    std::uint32_t insert(const std::array<std::uint32_t, N>& vertices) {
+        return take_lane(color_for(vertices));
+    }
+    // Pre: the constraint that has this lane has these vertices.
+    template <std::size_t N>
+    void remove(std::uint32_t lane, const std::array<std::uint32_t, N>& vertices) {
+        const std::uint32_t color = block_colors_[lane / kBlock];
+        if (color < kColors) {
+            for (const std::uint32_t v : vertices) used_[v] &= ~(std::uint64_t{1} << color);
+        }
+        free_lanes_[color].push_back(lane);
+    }
+
+    // Blocks of one colour, or of constraints that may stand beside each other, one behind the other.
+    struct Run {
+        std::size_t first, count;
+    };
+    // All blocks, in their order. Two blocks of one run share no vertex.
+    const std::vector<Run>& runs();
 
  private:
     static constexpr std::uint32_t kColors = 64;  // beyond: a vertex of more; such constraints get blocks of their own
 
-    std::uint32_t first_free(std::uint64_t used) {
-        if (~used != 0) return static_cast<std::uint32_t>(__builtin_ctzll(~used));
-        return kColors + alone_++;
+    template <std::size_t N>
+    std::uint32_t color_for(const std::array<std::uint32_t, N>& vertices) {
+        std::uint64_t used = 0;
+        for (const std::uint32_t v : vertices) used |= used_[v];
+        if (~used == 0) return kColors;
+        const auto color = static_cast<std::uint32_t>(__builtin_ctzll(~used));
+        for (const std::uint32_t v : vertices) used_[v] |= std::uint64_t{1} << color;
+        return color;
     }
+    std::uint32_t take_lane(std::uint32_t color);
 
-    std::vector<std::uint64_t> used_;  // by vertex: a bit for each colour
-    std::vector<std::uint32_t> colors_;
-    std::vector<std::uint32_t> counts_;
-    std::vector<std::uint32_t> next_;
+    std::vector<std::uint64_t> used_;    // by vertex: a bit for each colour
+    std::vector<std::uint32_t> colors_;  // by constraint, between start() and assign()
     std::vector<std::uint32_t> lanes_;
-    std::uint32_t alone_ = 0;
-    std::size_t blocks_ = 0;
+    std::vector<std::uint32_t> block_colors_;                           // kColors: of one constraint alone
+    std::array<std::vector<std::uint32_t>, kColors + 1> free_lanes_{};  // by colour, the next last
+    std::vector<Run> runs_;
+    std::size_t blocks_in_runs_ = 0;
 };
 
 }  // namespace selvedge

@@ -251,6 +251,87 @@ void solve_bend(std::span<const BendBlock> blocks, float* points) {
     }
 }
 
+// Of one corner of each triangle or hinge.
+[[gnu::always_inline]] inline Floats value_at(const BlockPoints& corners, std::size_t at, const float* by_vertex) {
+    return lanes::gather(by_vertex, lanes::load_ints(&corners[at]) >> 2);
+}
+
+// Of a direction whose gradients are -(g0 + g1), g0 and g1, or of two: the sum of w g g'.
+using Gradient = std::array<Floats, 3>;
+[[gnu::always_inline]] inline Gradient gradient(const std::array<BlockFloats, 2>& g, std::size_t at) {
+    const Floats g0 = load_at(g[0], at), g1 = load_at(g[1], at);
+    return {-(g0 + g1), g0, g1};
+}
+[[gnu::always_inline]] inline Floats weighed(const Gradient& f, const Gradient& g, const std::array<Floats, 3>& w) {
+    return w[0] * f[0] * g[0] + w[1] * f[1] * g[1] + w[2] * f[2] * g[2];
+}
+
+void weigh_stretch(std::span<StretchBlock> blocks, std::span<const StretchRecord> records,
+                   const float* inverse_masses) {
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        StretchBlock& block = blocks[i];
+        for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+            const std::array<Floats, 3> w{value_at(block.vertices[0], at, inverse_masses),
+                                          value_at(block.vertices[1], at, inverse_masses),
+                                          value_at(block.vertices[2], at, inverse_masses)};
+            const Gradient a = gradient(block.a, at), b = gradient(block.b, at);
+            const Floats of_warp = weighed(a, a, w), of_weft = weighed(b, b, w), cross = weighed(a, b, w);
+            const Floats warp = 1.0F / (of_warp + load_at(records[i].compliance[0], at));
+            const Floats weft = 1.0F / (of_weft + load_at(records[i].compliance[1], at));
+            const Floats shear = of_warp + of_weft + load_at(records[i].compliance[2], at);
+            lanes::store(&block.warp[at], warp);
+            lanes::store(&block.weft[at], weft);
+            lanes::store(&block.cross[at], cross);
+            lanes::store(&block.shear[at], 1.0F / (shear - cross * cross * (warp + weft)));
+        }
+    }
+}
+
+// Half of an excess is taken back per level: what is left the levels below see.
+void weigh_limits(std::span<LimitBlock> blocks, std::span<const LimitRecord> records, const float* masses) {
+    constexpr float kRelaxation = 0.5F;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        LimitBlock& block = blocks[i];
+        for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+            std::array<Floats, 3> w;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Floats mass = value_at(block.vertices[k], at, masses);
+                w[k] = lanes::where(mass > 0.0F, 1.0F / lanes::greater(mass, lanes::all(kTiny)));
+            }
+            const Gradient a = gradient(block.a, at), b = gradient(block.b, at);
+            const Floats warp = kRelaxation / (weighed(a, a, w) + load_at(records[i].compliance[0], at));
+            const Floats weft = kRelaxation / (weighed(b, b, w) + load_at(records[i].compliance[1], at));
+            for (std::size_t k = 0; k < 3; ++k) {
+                lanes::store(&block.warp[k][at], w[k] * a[k] * warp);
+                lanes::store(&block.weft[k][at], w[k] * b[k] * weft);
+            }
+        }
+    }
+}
+
+// Of hinges that are visited every `interval` sub-steps: what a visit does lasts that long, so the move that it makes at
+// once counts as often. Hinges that share vertices take half of each other's corrections away on an average, and what a
+// visit takes too little adds to the compliance: where the fabric's is larger, it is made smaller by as much.
+void weigh_bend(std::span<BendBlock> blocks, std::span<const BendRecord> records, int interval,
+                const float* inverse_masses) {
+    const float visits = static_cast<float>(interval);
+    const float weight = visits * (interval > 2 ? 2.0F : 1.0F);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        BendBlock& block = blocks[i];
+        for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+            Floats sum{};
+            for (std::size_t k = 0; k < 4; ++k) {
+                const Floats q = load_at(block.q[k], at);
+                sum = sum + value_at(block.vertices[k], at, inverse_masses) * q * q;
+            }
+            const Floats seen = sum * weight;
+            const Floats compliance = load_at(records[i].compliance[0], at) / lanes::all(visits);
+            const Floats left = lanes::greater(compliance - (seen - sum * 0.5F), Floats{});
+            lanes::store(&block.gain[at], 1.0F / (seen + left));
+        }
+    }
+}
+
 void predict(float* points, float* before, std::size_t count, const Motion& motion) {
     Floats fall{};
     for (std::size_t i = 0; i < lanes::kCount; ++i) fall[i] = i % 4 < 3 ? motion.fall[i % 4] : 0.0F;
@@ -413,7 +494,10 @@ void reply(const ContactReply& said, const std::uint32_t* offsets, const float* 
     }
 }
 
-constexpr Kernels kLoops{.predict = predict,
+constexpr Kernels kLoops{.weigh_stretch = weigh_stretch,
+                         .weigh_bend = weigh_bend,
+                         .weigh_limits = weigh_limits,
+                         .predict = predict,
                          .solve_stretch = solve_stretch,
                          .limit_stretch = limit_stretch,
                          .solve_bend = solve_bend,

@@ -39,6 +39,15 @@ struct ContactReply {
 };
 
 struct Kernels {
+    // Gains of constraints from the inverse masses of their vertices (1/kg; 0: cannot move), after an adaption.
+    void (*weigh_stretch)(std::span<StretchBlock> blocks, std::span<const StretchRecord> records,
+                          const float* inverse_masses);
+    void (*weigh_bend)(std::span<BendBlock> blocks, std::span<const BendRecord> records, int interval,
+                       const float* inverse_masses);
+
+    // What refined triangles move their corners by. masses: of a corner with all that follows it, kg; 0: cannot move.
+    void (*weigh_limits)(std::span<LimitBlock> blocks, std::span<const LimitRecord> records, const float* masses);
+
     // Verlet: before := points, points += keep (points - before) + fall.
     void (*predict)(float* points, float* before, std::size_t count, const Motion& motion);
 

@@ -32,7 +32,7 @@ struct alignas(64) StretchBlock {
     std::array<BlockFloats, 3> bias{};    // of warp, weft and shear: added to the strain that is seen
 };
 
-// What update_bias needs besides: the last multipliers of warp, weft and shear, and the compliances over a sub-step.
+// What is needed now and then besides: the last multipliers of warp, weft and shear, and the compliances over a sub-step.
 struct alignas(64) StretchRecord {
     std::array<BlockFloats, 3> multiplier{};
     std::array<BlockFloats, 3> compliance{};
@@ -47,11 +47,21 @@ struct alignas(64) LimitBlock {
     std::array<BlockFloats, 3> warp{}, weft{};   // what each vertex moves along the direction per unit of excess, m
 };
 
+// The compliances of warp and weft over a sub-step.
+struct alignas(64) LimitRecord {
+    std::array<BlockFloats, 2> compliance{};
+};
+
 // Hinges: sum of q_i x_i vanishes where the cloth is flat.
 struct alignas(64) BendBlock {
     std::array<BlockPoints, 4> vertices{};
     std::array<BlockFloats, 4> q{};
     BlockFloats gain{};  // 1 / (sum of w q^2 + compliance)
+};
+
+// The compliance over a sub-step.
+struct alignas(64) BendRecord {
+    std::array<BlockFloats, 1> compliance{};
 };
 
 // The centre of a split edge: it follows what the ends are moved. Offsets as in BlockPoints.
@@ -64,15 +74,18 @@ struct EdgeCentre {
 // One level of the hierarchy as the levels below see it.
 struct ParentLevel {
     std::vector<LimitBlock> triangles;
+    std::vector<LimitRecord> records;
     std::vector<EdgeCentre> centres;  // that may move
 };
 
 struct SolverBlocks {
-    std::vector<StretchBlock> stretch;  // colour by colour, so that no block shares a vertex within itself
+    std::vector<StretchBlock> stretch;  // no block shares a vertex within itself
     std::vector<StretchRecord> records;
-    std::vector<std::uint32_t> leaf_of;  // lane by lane: index into leaf_triangles(), or kSpare
+    std::vector<std::uint32_t> triangle_of;  // lane by lane: the TriangleId, or kSpare
+    std::vector<float> thirds;           // lane by lane: a third of the leaf's mass, kg
     std::vector<std::uint32_t> over;     // scratch: blocks that one pass found beyond the fabric's strain limit
     std::vector<BendBlock> bend;
+    std::vector<BendRecord> bend_records;
     std::vector<ParentLevel> parents;  // coarse to fine
 };
 

@@ -2,35 +2,108 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <type_traits>
 
+#include "sim/cloth/bias.h"
 #include "sim/cloth/cloth.h"
+#include "sim/cloth/kernels.h"
 #include "sim/cloth/material_frame.h"
 
 namespace selvedge {
 namespace {
 
-using Weights = std::array<float, 3>;
+// Spare lanes stand on a point of its own behind those of the mesh, which cannot move; their compliance only keeps
+// their gains finite.
+template <class Block>
+Block spare_block(std::size_t vertices) {
+    Block block{};
+    for (BlockPoints& points : block.vertices) points.fill(static_cast<std::uint32_t>(4 * vertices));
+    if constexpr (std::is_same_v<Block, StretchBlock>) block.longest.fill(std::numeric_limits<float>::max());
+    if constexpr (std::is_same_v<Block, LimitBlock>) {
+        block.longest_warp.fill(1);
+        block.longest_weft.fill(1);
+    }
+    return block;
+}
+template <class Record>
+Record spare_record() {
+    Record record{};
+    for (BlockFloats& compliance : record.compliance) compliance.fill(1);
+    return record;
+}
 
-// What a spare lane stands on: a point of its own behind those of the mesh, which cannot move.
-std::uint32_t spare_offset(const Cloth& cloth) {
-    return static_cast<std::uint32_t>(4 * cloth.mesh.vertex_capacity());
+// Blocks are rows of sixteen values of four bytes.
+template <class Block>
+void copy_lane(const Block& from, Block& to, std::size_t at) {
+    constexpr std::size_t kValue = sizeof(float), kRow = kBlock * kValue;
+    static_assert(sizeof(Block) % kRow == 0 && std::is_trivially_copyable_v<Block>);
+    const auto* source = static_cast<const std::byte*>(static_cast<const void*>(&from));
+    auto* target = static_cast<std::byte*>(static_cast<void*>(&to));
+    for (std::size_t place = at * kValue; place < sizeof(Block); place += kRow) {
+        std::memcpy(target + place, source + place, kValue);
+    }
 }
 
 template <class Block>
-void clear_blocks(std::vector<Block>& blocks, std::size_t count, std::uint32_t spare) {
-    Block empty{};
-    for (BlockPoints& points : empty.vertices) points.fill(spare);
-    blocks.assign(count, empty);
+std::array<std::uint32_t, std::tuple_size_v<decltype(Block::vertices)>> corners_at(const Block& block,
+                                                                                  std::size_t at) {
+    std::array<std::uint32_t, std::tuple_size_v<decltype(Block::vertices)>> corners{};
+    for (std::size_t k = 0; k < corners.size(); ++k) corners[k] = block.vertices[k][at] / 4;
+    return corners;
 }
 
-// Sum of w grad^2 of a direction with the gradients -(g0 + g1), g0, g1.
-float weighed(const std::array<float, 2>& g, const Weights& w) {
-    return w[0] * (g[0] + g[1]) * (g[0] + g[1]) + w[1] * g[0] * g[0] + w[2] * g[1] * g[1];
+std::array<std::uint32_t, 3> indices(const std::array<VertexId, 3>& v) {
+    return {v[0].value, v[1].value, v[2].value};
+}
+std::array<std::uint32_t, 4> indices(const Hinge& hinge) {
+    return {hinge.a.value, hinge.b.value, hinge.left.value, hinge.right.value};
 }
 
-float weighed_cross(const MaterialFrame& f, const Weights& w) {
-    return w[0] * (f.a[0] + f.a[1]) * (f.b[0] + f.b[1]) + w[1] * f.a[0] * f.b[0] + w[2] * f.a[1] * f.b[1];
+// Blocks of one kind with their records and colours.
+template <class Block, class Record>
+struct BlockLists {
+    std::vector<Block>& blocks;
+    std::vector<Record>& records;
+    BlockColoring& coloring;
+
+    // As many as were coloured, all spare.
+    void make(std::size_t vertices) {
+        blocks.assign(coloring.block_count(), spare_block<Block>(vertices));
+        records.assign(coloring.block_count(), spare_record<Record>());
+    }
+    template <std::size_t N>
+    std::uint32_t take(const std::array<std::uint32_t, N>& corners, std::size_t vertices) {
+        const std::uint32_t lane = coloring.insert(corners);
+        if (coloring.block_count() > blocks.size()) {
+            blocks.push_back(spare_block<Block>(vertices));
+            records.push_back(spare_record<Record>());
+        }
+        return lane;
+    }
+    void give_back(std::uint32_t lane, std::size_t vertices) {
+        Block& block = blocks[lane / kBlock];
+        const std::size_t at = lane % kBlock;
+        coloring.remove(lane, corners_at(block, at));
+        copy_lane(spare_block<Block>(vertices), block, at);
+        copy_lane(spare_record<Record>(), records[lane / kBlock], at);
+    }
+};
+
+using StretchLists = BlockLists<StretchBlock, StretchRecord>;
+using LimitLists = BlockLists<LimitBlock, LimitRecord>;
+using BendLists = BlockLists<BendBlock, BendRecord>;
+
+StretchLists stretch_lists(SolverState& solver) {
+    return {solver.blocks.stretch, solver.blocks.records, solver.lanes.stretch};
+}
+BendLists bend_lists(SolverState& solver) {
+    return {solver.blocks.bend, solver.blocks.bend_records, solver.lanes.bend};
+}
+LimitLists limit_lists(SolverState& solver, std::size_t level) {
+    ParentLevel& parents = solver.blocks.parents[level];
+    return {parents.triangles, parents.records, solver.lanes.limits[level]};
 }
 
 // Over a sub-step, of a triangle of that stiffness.  (XPBD)
@@ -40,9 +113,8 @@ float compliance_of(const Cloth& cloth, const MaterialFrame& frame, double stiff
 
 // Whether a seam edge of the triangle has to be shorter than the triangle's own copy of it: there the cloth is
 // gathered, in puckers finer than the mesh.  (SPEC 3.2)
-bool is_gathered(const AdaptiveMesh& mesh, const LeafTriangle& leaf) {
+bool is_gathered(const AdaptiveMesh& mesh, const AdaptiveTriangle& triangle) {
     constexpr float kEase = 0.95F;
-    const AdaptiveTriangle& triangle = mesh.triangle(leaf.triangle);
     for (std::size_t k = 0; k < 3; ++k) {
         const float own = (triangle.u[(k + 1) % 3] - triangle.u[k]).squaredNorm();
         const float rest = mesh.rest_length(triangle.edges[k]);
@@ -61,53 +133,26 @@ void set_frame(Block& block, std::size_t at, const std::array<VertexId, 3>& v, c
     }
 }
 
-struct StretchLane {
-    StretchBlock& block;
-    StretchRecord& record;
-    std::size_t at;
-
-    // Pre: two vertices at least can move.
-    void set_gains(const MaterialFrame& frame, const Weights& w, const std::array<float, 3>& compliance) {
-        const float of_warp = weighed(frame.a, w);
-        const float of_weft = weighed(frame.b, w);
-        const float cross = weighed_cross(frame, w);
-        const float warp = 1 / (of_warp + compliance[0]);
-        const float weft = 1 / (of_weft + compliance[1]);
-        block.warp[at] = warp;
-        block.weft[at] = weft;
-        block.cross[at] = cross;
-        block.shear[at] = 1 / (of_warp + of_weft + compliance[2] - cross * cross * (warp + weft));
-        for (std::size_t k = 0; k < 3; ++k) record.compliance[k][at] = compliance[k];
-    }
-};
-
-void make_stretch(const Cloth& cloth, SolverBlocks& blocks, BlockColoring& coloring) {
-    coloring.start(cloth.mesh.vertex_capacity());
-    const std::span<const LeafTriangle> leaves = cloth.mesh.leaf_triangles();
-    for (const LeafTriangle& leaf : leaves) coloring.add<3>({leaf.v[0].value, leaf.v[1].value, leaf.v[2].value});
-    const std::vector<std::uint32_t>& lanes = coloring.assign();
-    clear_blocks(blocks.stretch, coloring.block_count(), spare_offset(cloth));
-    blocks.over.resize(coloring.block_count());
-    for (StretchBlock& block : blocks.stretch) block.longest.fill(std::numeric_limits<float>::max());
-    blocks.records.assign(coloring.block_count(), {});
-    blocks.leaf_of.assign(coloring.block_count() * kBlock, kSpare);
-    for (std::size_t i = 0; i < leaves.size(); ++i) {
-        const LeafTriangle& leaf = leaves[i];
-        const Fabric& fabric = cloth.fabrics[leaf.panel];
-        const MaterialFrame frame = material_frame(leaf.u, cloth.grain_angles[leaf.panel]);
-        StretchLane lane{blocks.stretch[lanes[i] / kBlock], blocks.records[lanes[i] / kBlock], lanes[i] % kBlock};
-        Weights w{};
-        for (std::size_t k = 0; k < 3; ++k) w[k] = cloth.inverse_mass[leaf.v[k].value];
-        set_frame(lane.block, lane.at, leaf.v, frame);
-        lane.set_gains(frame, w,
-                       {compliance_of(cloth, frame, fabric.stretch_warp),
-                        compliance_of(cloth, frame, fabric.stretch_weft), compliance_of(cloth, frame, fabric.shear)});
-        lane.block.longest[lane.at] = 1 + static_cast<float>(fabric.strain_limit);
-        lane.block.push[lane.at] = is_gathered(cloth.mesh, leaf) ? 0.0F : 1.0F;
-        const Vec3f& bias = cloth.bias[leaf.triangle.value].value;
-        for (int k = 0; k < 3; ++k) lane.block.bias[static_cast<std::size_t>(k)][lane.at] = bias[k];
-        blocks.leaf_of[lanes[i]] = static_cast<std::uint32_t>(i);
-    }
+// All but the gains. t: a leaf.
+void set_stretch(Cloth& cloth, TriangleId t, std::uint32_t lane) {
+    const AdaptiveTriangle& leaf = cloth.mesh.triangle(t);
+    SolverBlocks& blocks = cloth.solver.blocks;
+    StretchBlock& block = blocks.stretch[lane / kBlock];
+    StretchRecord& record = blocks.records[lane / kBlock];
+    const std::size_t at = lane % kBlock;
+    const Fabric& fabric = cloth.fabrics[leaf.panel];
+    const MaterialFrame frame = material_frame(leaf.u, cloth.grain_angles[leaf.panel]);
+    set_frame(block, at, leaf.vertices, frame);
+    block.longest[at] = 1 + static_cast<float>(fabric.strain_limit);
+    block.push[at] = is_gathered(cloth.mesh, leaf) ? 0.0F : 1.0F;
+    const Vec3f bias = kept_bias(cloth, t);
+    for (std::size_t k = 0; k < 3; ++k) block.bias[k][at] = bias[static_cast<Eigen::Index>(k)];
+    record.compliance[0][at] = compliance_of(cloth, frame, fabric.stretch_warp);
+    record.compliance[1][at] = compliance_of(cloth, frame, fabric.stretch_weft);
+    record.compliance[2][at] = compliance_of(cloth, frame, fabric.shear);
+    blocks.triangle_of[lane] = t.value;
+    blocks.thirds[lane] = third_of_mass(cloth, leaf.u, leaf.panel);
+    cloth.solver.lanes.stretch_of[t.value] = lane;
 }
 
 // A refined triangle lets its threads grow by what the fabric gives under the load that garments usually carry.
@@ -117,72 +162,22 @@ float longest_of(double stiffness, const Fabric& fabric) {
     return 1 + static_cast<float>(std::min(fabric.strain_limit, std::max(kLeast, kUsualLoad / stiffness)));
 }
 
-// Half of an excess is taken back per level: what is left the levels below see.
-void set_limit(const Cloth& cloth, const AdaptiveTriangle& triangle, const std::vector<float>& masses,
-               LimitBlock& block, std::size_t at) {
-    constexpr float kRelaxation = 0.5F;
+// All but what the corners are moved. t: refined.
+void set_limit(Cloth& cloth, TriangleId t, std::uint32_t lane) {
+    const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
+    ParentLevel& parents = cloth.solver.blocks.parents[triangle.level];
+    LimitBlock& block = parents.triangles[lane / kBlock];
+    LimitRecord& record = parents.records[lane / kBlock];
+    const std::size_t at = lane % kBlock;
     const Fabric& fabric = cloth.fabrics[triangle.panel];
     const MaterialFrame frame = material_frame(triangle.u, cloth.grain_angles[triangle.panel]);
-    Weights w{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t v = triangle.vertices[i].value;
-        w[i] = cloth.inverse_mass[v] > 0 ? 1 / masses[v] : 0.0F;
-    }
     set_frame(block, at, triangle.vertices, frame);
     block.longest_warp[at] = longest_of(fabric.stretch_warp, fabric);
     block.longest_weft[at] = longest_of(fabric.stretch_weft, fabric);
-    const float warp = kRelaxation / (weighed(frame.a, w) + compliance_of(cloth, frame, fabric.stretch_warp));
-    const float weft = kRelaxation / (weighed(frame.b, w) + compliance_of(cloth, frame, fabric.stretch_weft));
-    const std::array<float, 3> grad_a{-(frame.a[0] + frame.a[1]), frame.a[0], frame.a[1]};
-    const std::array<float, 3> grad_b{-(frame.b[0] + frame.b[1]), frame.b[0], frame.b[1]};
-    for (std::size_t i = 0; i < 3; ++i) {
-        block.warp[i][at] = w[i] * grad_a[i] * warp;
-        block.weft[i][at] = w[i] * grad_b[i] * weft;
-    }
-}
-
-void make_limits(const Cloth& cloth, int level, const std::vector<float>& masses, ParentLevel& parents,
-                 BlockColoring& coloring) {
-    const std::span<const TriangleId> refined = cloth.mesh.refined_triangles(level);
-    coloring.start(cloth.mesh.vertex_capacity());
-    for (const TriangleId t : refined) {
-        const std::array<VertexId, 3>& v = cloth.mesh.triangle(t).vertices;
-        coloring.add<3>({v[0].value, v[1].value, v[2].value});
-    }
-    const std::vector<std::uint32_t>& lanes = coloring.assign();
-    clear_blocks(parents.triangles, coloring.block_count(), spare_offset(cloth));
-    for (LimitBlock& block : parents.triangles) {
-        block.longest_warp.fill(1);
-        block.longest_weft.fill(1);
-    }
-    for (std::size_t i = 0; i < refined.size(); ++i) {
-        set_limit(cloth, cloth.mesh.triangle(refined[i]), masses, parents.triangles[lanes[i] / kBlock],
-                  lanes[i] % kBlock);
-    }
-}
-
-// A refined triangle moves the cloth about its vertices with it. So a vertex weighs as much there as all that follows
-// it: its own mass, and half of that of each centre between it and another. Then no correction changes the momentum.
-void make_parents(const Cloth& cloth, SolverBlocks& blocks, SolverScratch& scratch) {
-    std::vector<float>& masses = scratch.masses;
-    masses.resize(cloth.inverse_mass.size());
-    for (std::size_t v = 0; v < masses.size(); ++v) {
-        masses[v] = cloth.inverse_mass[v] > 0 ? 1 / cloth.inverse_mass[v] : 0.0F;
-    }
-    blocks.parents.resize(static_cast<std::size_t>(cloth.mesh.max_level()));
-    for (int level = cloth.mesh.max_level() - 1; level >= 0; --level) {
-        ParentLevel& parents = blocks.parents[static_cast<std::size_t>(level)];
-        parents.centres.clear();
-        for (const EdgeId e : cloth.mesh.split_edges(level)) {
-            const std::uint32_t a = cloth.mesh.end(e, 0).value;
-            const std::uint32_t b = cloth.mesh.end(e, 1).value;
-            const std::uint32_t c = cloth.mesh.centre(e).value;
-            masses[a] += 0.5F * masses[c];
-            masses[b] += 0.5F * masses[c];
-            if (cloth.inverse_mass[c] > 0) parents.centres.push_back({4 * a, 4 * b, 4 * c});
-        }
-        make_limits(cloth, level, masses, parents, scratch.coloring);
-    }
+    record.compliance[0][at] = compliance_of(cloth, frame, fabric.stretch_warp);
+    record.compliance[1][at] = compliance_of(cloth, frame, fabric.stretch_weft);
+    cloth.solver.lanes.limit_of[t.value] = lane;
+    cloth.solver.lanes.limit_level[t.value] = triangle.level;
 }
 
 // Rigidity against folding about an edge: the cloth bends across it.
@@ -206,12 +201,9 @@ std::array<float, 4> hinge_weights(const Hinge& hinge) {
     return {left_b + right_b, left_a + right_a, -left_a - left_b, -right_a - right_b};
 }
 
-// Energy 1/2 B / (A_left + A_right) |sum q x|^2, of a hinge that is visited every `interval` sub-steps: what it
-// does lasts that long, so the move that it makes at once counts as often. Hinges that share vertices take half of each
-// other's corrections away on an average, and what a visit takes too little adds to the compliance: where the fabric's
-// is larger, it is made smaller by as much.
-void set_bend(const Cloth& cloth, const Hinge& hinge, int interval, BendBlock& block, std::size_t at) {
-    const std::array<std::uint32_t, 4> vertices{hinge.a.value, hinge.b.value, hinge.left.value, hinge.right.value};
+// All but the gain. Energy 1/2 B / (A_left + A_right) |sum q x|^2.
+void set_bend(Cloth& cloth, const Hinge& hinge, std::uint32_t lane) {
+    const std::array<std::uint32_t, 4> corners = indices(hinge);
     const std::array<float, 4> q = hinge_weights(hinge);
     const float area = 0.5F * hinge.rest_length * (hinge.left_at.y() - hinge.right_at.y());
     const AdaptiveEdge& edge = cloth.mesh.edge(hinge.edge);
@@ -220,35 +212,207 @@ void set_bend(const Cloth& cloth, const Hinge& hinge, int interval, BendBlock& b
         const std::uint16_t panel = cloth.mesh.triangle(edge.sides[side]).panel;
         rigidity += 0.5F * hinge_rigidity(cloth.fabrics[panel], hinge.along[side], cloth.grain_angles[panel]);
     }
-    float sum = 0;
+    BendBlock& block = cloth.solver.blocks.bend[lane / kBlock];
+    const std::size_t at = lane % kBlock;
     for (std::size_t i = 0; i < 4; ++i) {
-        sum += cloth.inverse_mass[vertices[i]] * q[i] * q[i];
-        block.vertices[i][at] = 4 * vertices[i];
+        block.vertices[i][at] = 4 * corners[i];
         block.q[i][at] = q[i];
     }
-    const float visits = static_cast<float>(interval);
-    const float compliance = area / (rigidity * cloth.substep * cloth.substep * visits);
-    const float seen = sum * visits * (interval > 2 ? 2.0F : 1.0F);
-    block.gain[at] = 1 / (seen + std::max(0.0F, compliance - (seen - 0.5F * sum)));
+    cloth.solver.blocks.bend_records[lane / kBlock].compliance[0][at] =
+        area / (rigidity * cloth.substep * cloth.substep);
+    cloth.solver.lanes.bend_of[hinge.edge.value] = lane;
 }
 
-void make_bend(const Cloth& cloth, SolverBlocks& blocks, BlockColoring& coloring) {
-    coloring.start(cloth.mesh.vertex_capacity());
+void make_stretch(Cloth& cloth) {
+    SolverState& solver = cloth.solver;
+    StretchLists lists = stretch_lists(solver);
+    const std::span<const LeafTriangle> leaves = cloth.mesh.leaf_triangles();
+    lists.coloring.start(solver.lanes.vertices);
+    for (const LeafTriangle& leaf : leaves) lists.coloring.add(indices(leaf.v));
+    const std::vector<std::uint32_t>& lanes = lists.coloring.assign();
+    lists.make(solver.lanes.vertices);
+    solver.blocks.triangle_of.assign(lists.blocks.size() * kBlock, kSpare);
+    solver.blocks.thirds.assign(lists.blocks.size() * kBlock, 0.0F);
+    solver.lanes.stretch_of.assign(cloth.mesh.triangles().capacity(), kSpare);
+    for (std::size_t i = 0; i < leaves.size(); ++i) set_stretch(cloth, leaves[i].triangle, lanes[i]);
+}
+
+void make_bend(Cloth& cloth) {
+    SolverState& solver = cloth.solver;
+    BendLists lists = bend_lists(solver);
     const std::span<const Hinge> hinges = cloth.mesh.hinges();
-    for (const Hinge& h : hinges) coloring.add<4>({h.a.value, h.b.value, h.left.value, h.right.value});
-    const std::vector<std::uint32_t>& lanes = coloring.assign();
-    clear_blocks(blocks.bend, coloring.block_count(), spare_offset(cloth));
-    for (std::size_t i = 0; i < hinges.size(); ++i) {
-        set_bend(cloth, hinges[i], cloth.bend_interval, blocks.bend[lanes[i] / kBlock], lanes[i] % kBlock);
+    lists.coloring.start(solver.lanes.vertices);
+    for (const Hinge& hinge : hinges) lists.coloring.add(indices(hinge));
+    const std::vector<std::uint32_t>& lanes = lists.coloring.assign();
+    lists.make(solver.lanes.vertices);
+    solver.lanes.bend_of.assign(cloth.mesh.edges().capacity(), kSpare);
+    for (std::size_t i = 0; i < hinges.size(); ++i) set_bend(cloth, hinges[i], lanes[i]);
+}
+
+void make_limits(Cloth& cloth, int level) {
+    SolverState& solver = cloth.solver;
+    LimitLists lists = limit_lists(solver, static_cast<std::size_t>(level));
+    const std::span<const TriangleId> refined = cloth.mesh.refined_triangles(level);
+    lists.coloring.start(solver.lanes.vertices);
+    for (const TriangleId t : refined) lists.coloring.add(indices(cloth.mesh.triangle(t).vertices));
+    const std::vector<std::uint32_t>& lanes = lists.coloring.assign();
+    lists.make(solver.lanes.vertices);
+    for (std::size_t i = 0; i < refined.size(); ++i) set_limit(cloth, refined[i], lanes[i]);
+}
+
+void list_centres(Cloth& cloth) {
+    for (int level = 0; level < cloth.mesh.max_level(); ++level) {
+        std::vector<EdgeCentre>& centres = cloth.solver.blocks.parents[static_cast<std::size_t>(level)].centres;
+        centres.clear();
+        for (const EdgeId e : cloth.mesh.split_edges(level)) {
+            const AdaptiveEdge& edge = cloth.mesh.edge(e);
+            if (cloth.inverse_mass[edge.centre.value] <= 0) continue;
+            centres.push_back({4 * edge.ends[0].value, 4 * edge.ends[1].value, 4 * edge.centre.value});
+        }
     }
+}
+
+// A refined triangle moves the cloth about its vertices with it. So a vertex weighs as much there as all that follows
+// it: its own mass, and half of that of each centre between it and another. Then no correction changes the momentum.
+void weigh_parents(Cloth& cloth, const Kernels& loops) {
+    SolverState& solver = cloth.solver;
+    std::vector<float>& masses = solver.lanes.masses;
+    masses.assign(solver.lanes.vertices + 1, 0.0F);
+    for (const VertexId v : cloth.mesh.leaf_vertices()) {
+        const float inverse = cloth.inverse_mass[v.value];
+        masses[v.value] = inverse > 0 ? 1 / inverse : 0.0F;
+    }
+    const auto add = [&](std::uint32_t to, float mass) {
+        if (masses[to / 4] > 0) masses[to / 4] += 0.5F * mass;
+    };
+    for (std::size_t level = solver.blocks.parents.size(); level-- > 0;) {
+        ParentLevel& parents = solver.blocks.parents[level];
+        for (const EdgeCentre& c : parents.centres) {
+            add(c.a, masses[c.centre / 4]);
+            add(c.b, masses[c.centre / 4]);
+        }
+        loops.weigh_limits(parents.triangles, parents.records, masses.data());
+    }
+}
+
+void weigh_blocks(Cloth& cloth) {
+    const Kernels& loops = kernels(simd_level());
+    SolverState& solver = cloth.solver;
+    solver.lanes.inverse_masses = cloth.inverse_mass;
+    solver.lanes.inverse_masses.push_back(0.0F);
+    const float* inverse_masses = solver.lanes.inverse_masses.data();
+    loops.weigh_stretch(solver.blocks.stretch, solver.blocks.records, inverse_masses);
+    loops.weigh_bend(solver.blocks.bend, solver.blocks.bend_records, cloth.bend_interval, inverse_masses);
+    weigh_parents(cloth, loops);
+    solver.blocks.over.resize(solver.blocks.stretch.size());
+}
+
+void change_stretch(Cloth& cloth, const LeafChanges& changes) {
+    SolverState& solver = cloth.solver;
+    StretchLists lists = stretch_lists(solver);
+    for (const TriangleId t : changes.triangles_gone) {
+        std::uint32_t& lane = solver.lanes.stretch_of[t.value];
+        keep_bias(cloth, t);
+        lists.give_back(lane, solver.lanes.vertices);
+        solver.blocks.triangle_of[lane] = kSpare;
+        lane = kSpare;
+    }
+    solver.lanes.stretch_of.resize(cloth.mesh.triangles().capacity(), kSpare);
+    for (const TriangleId t : changes.triangles_come) {
+        const std::uint32_t lane = lists.take(indices(cloth.mesh.triangle(t).vertices), solver.lanes.vertices);
+        solver.blocks.triangle_of.resize(lists.blocks.size() * kBlock, kSpare);
+        solver.blocks.thirds.resize(lists.blocks.size() * kBlock, 0.0F);
+        set_stretch(cloth, t, lane);
+    }
+}
+
+void change_bend(Cloth& cloth, const LeafChanges& changes) {
+    SolverState& solver = cloth.solver;
+    BendLists lists = bend_lists(solver);
+    solver.lanes.bend_of.resize(cloth.mesh.edges().capacity(), kSpare);
+    const auto take_out = [&](EdgeId e) {
+        std::uint32_t& lane = solver.lanes.bend_of[e.value];
+        if (lane != kSpare) lists.give_back(lane, solver.lanes.vertices);
+        lane = kSpare;
+    };
+    const auto put_in = [&](EdgeId e) {
+        const Hinge* hinge = cloth.mesh.hinge(e);
+        if (hinge != nullptr) set_bend(cloth, *hinge, lists.take(indices(*hinge), solver.lanes.vertices));
+    };
+    for (const EdgeId e : changes.edges_gone) take_out(e);
+    for (const EdgeId e : changes.hinges_changed) take_out(e);
+    for (const EdgeId e : changes.edges_come) put_in(e);
+    for (const EdgeId e : changes.hinges_changed) put_in(e);
+}
+
+// One that was released was a leaf by then, and one whose id is another's now is looked at as that.
+void change_limits(Cloth& cloth, const LeafChanges& changes) {
+    SolverState& solver = cloth.solver;
+    solver.lanes.limit_of.resize(cloth.mesh.triangles().capacity(), kSpare);
+    solver.lanes.limit_level.resize(cloth.mesh.triangles().capacity(), 0);
+    for (const TriangleId t : changes.refined_changed) {
+        std::uint32_t& lane = solver.lanes.limit_of[t.value];
+        if (lane == kSpare) continue;
+        limit_lists(solver, solver.lanes.limit_level[t.value]).give_back(lane, solver.lanes.vertices);
+        lane = kSpare;
+    }
+    for (const TriangleId t : changes.refined_changed) {
+        const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
+        if (is_leaf(triangle)) continue;
+        LimitLists lists = limit_lists(solver, triangle.level);
+        set_limit(cloth, t, lists.take(indices(triangle.vertices), solver.lanes.vertices));
+    }
+}
+
+// Lanes that are put in one by one lie less well in memory than those that are put in all at once.
+bool is_worn(const Cloth& cloth) {
+    const std::size_t leaves = cloth.mesh.leaf_triangles().size();
+    const SolverState& solver = cloth.solver;
+    return solver.lanes.vertices != cloth.mesh.vertex_capacity() || solver.lanes.inserted > leaves ||
+           solver.blocks.stretch.size() * kBlock > 2 * leaves + 64 * kBlock;
 }
 
 }  // namespace
 
-void make_blocks(const Cloth& cloth, SolverBlocks& blocks, SolverScratch& scratch) {
-    make_stretch(cloth, blocks, scratch.coloring);
-    make_parents(cloth, blocks, scratch);
-    make_bend(cloth, blocks, scratch.coloring);
+std::uint32_t stretch_lane(const Cloth& cloth, TriangleId t, const std::array<VertexId, 3>& corners) {
+    const SolverState& solver = cloth.solver;
+    if (t.value >= solver.lanes.stretch_of.size()) return kSpare;
+    const std::uint32_t lane = solver.lanes.stretch_of[t.value];
+    if (lane == kSpare || corners_at(solver.blocks.stretch[lane / kBlock], lane % kBlock) != indices(corners)) {
+        return kSpare;
+    }
+    return lane;
+}
+
+void make_blocks(Cloth& cloth) {
+    SolverState& solver = cloth.solver;
+    keep_biases(cloth);
+    solver.lanes.vertices = cloth.mesh.vertex_capacity();
+    solver.lanes.inserted = 0;
+    const auto levels = static_cast<std::size_t>(cloth.mesh.max_level());
+    solver.blocks.parents.resize(levels);
+    solver.lanes.limits.resize(levels);
+    solver.lanes.limit_of.assign(cloth.mesh.triangles().capacity(), kSpare);
+    solver.lanes.limit_level.assign(cloth.mesh.triangles().capacity(), 0);
+    make_stretch(cloth);
+    make_bend(cloth);
+    for (int level = 0; level < cloth.mesh.max_level(); ++level) make_limits(cloth, level);
+    list_centres(cloth);
+    weigh_blocks(cloth);
+}
+
+void change_blocks(Cloth& cloth) {
+    const LeafChanges& changes = cloth.mesh.changes();
+    cloth.solver.lanes.inserted += changes.triangles_come.size();
+    if (is_worn(cloth)) {
+        make_blocks(cloth);
+        return;
+    }
+    change_stretch(cloth, changes);
+    change_bend(cloth, changes);
+    change_limits(cloth, changes);
+    list_centres(cloth);
+    weigh_blocks(cloth);
 }
 
 }  // namespace selvedge

@@ -1,5 +1,7 @@
 #pragma once
-// Makes the solver's blocks from the leaves of a cloth and from its hierarchy.
+// Makes the solver's blocks from the leaves of a cloth and from its hierarchy, and keeps them up to date at a cost in
+// proportion to what an adaption changed: each constraint has a lane, and leaves it when it goes.
+#include "sim/adaptive/adaptive_mesh.h"
 #include "sim/cloth/coloring.h"
 #include "sim/cloth/solver_blocks.h"
 
@@ -7,14 +9,29 @@ namespace selvedge {
 
 struct Cloth;
 
-// Memory that is kept between two makings.
-struct SolverScratch {
-    BlockColoring coloring;
-    std::vector<float> masses;  // by vertex, kg
+// Where the constraints of a cloth stand in its blocks. kSpare: it has none.
+struct SolverLanes {
+    BlockColoring stretch, bend;
+    std::vector<BlockColoring> limits;              // by level
+    std::vector<std::uint32_t> stretch_of;          // by TriangleId, of leaves
+    std::vector<std::uint32_t> bend_of;             // by EdgeId
+    std::vector<std::uint32_t> limit_of;            // by TriangleId, of refined triangles
+    std::vector<std::uint8_t> limit_level;          // by TriangleId: in whose blocks
+    std::size_t vertices = 0;                       // the spare point's index; 0: none were made yet
+    std::size_t inserted = 0;                       // leaves since all were made anew
+    std::vector<float> inverse_masses;              // scratch, by vertex
+    std::vector<float> masses;                      // scratch, by vertex, with all that follows it
 };
 
-// Makes all blocks anew, in the memory that they have. Biases are taken from Cloth::bias.
-// Pre: masses are those of the present leaves.
-void make_blocks(const Cloth& cloth, SolverBlocks& blocks, SolverScratch& scratch);
+// Makes all blocks anew, in the memory that they have. Pre: masses are those of the present leaves.
+void make_blocks(Cloth& cloth);
+
+// After an adaption: the lanes of what went, by mesh.changes(), are given to what came. Makes all anew where that is
+// dearer, or where the blocks were made for fewer vertices. Pre: masses are those of the present leaves; the blocks
+// were those of the leaves before.
+void change_blocks(Cloth& cloth);
+
+// The lane of a leaf if it has one that was made for these corners, else kSpare.
+std::uint32_t stretch_lane(const Cloth& cloth, TriangleId t, const std::array<VertexId, 3>& corners);
 
 }  // namespace selvedge

@@ -39,6 +39,9 @@ using Ints [[gnu::vector_size(64)]] = std::int32_t;  // a comparison gives 0 or 
 [[gnu::always_inline]] inline Ints gather(const std::int32_t* from, Ints index) {
     return Ints(_mm512_i32gather_epi32(__m512i(index), from, 4));
 }
+[[gnu::always_inline]] inline Floats gather(const float* from, Ints index) {
+    return _mm512_i32gather_ps(__m512i(index), from, 4);
+}
 [[gnu::always_inline]] inline Ints gather_pairs(const std::int16_t* from, Ints index) {
     return Ints(_mm512_i32gather_epi32(__m512i(index), from, 2));
 }
@@ -70,6 +73,9 @@ using Ints [[gnu::vector_size(32)]] = std::int32_t;
 }
 [[gnu::always_inline]] inline Ints gather(const std::int32_t* from, Ints index) {
     return Ints(_mm256_i32gather_epi32(from, __m256i(index), 4));
+}
+[[gnu::always_inline]] inline Floats gather(const float* from, Ints index) {
+    return _mm256_i32gather_ps(from, __m256i(index), 4);
 }
 [[gnu::always_inline]] inline Ints gather_pairs(const std::int16_t* from, Ints index) {
     const void* untyped = from;
@@ -103,6 +109,9 @@ using Ints [[gnu::vector_size(16)]] = std::int32_t;
 }
 [[gnu::always_inline]] inline Ints gather(const std::int32_t* from, Ints index) {
     return Ints{from[index[0]], from[index[1]], from[index[2]], from[index[3]]};
+}
+[[gnu::always_inline]] inline Floats gather(const float* from, Ints index) {
+    return Floats{from[index[0]], from[index[1]], from[index[2]], from[index[3]]};
 }
 [[gnu::always_inline]] inline Ints gather_pairs(const std::int16_t* from, Ints index) {
     std::int32_t pairs[4];
