@@ -36,7 +36,6 @@ struct ClothObserver {
         cloth.x[c.value] = padded(outside(middle.head<3>(), normal, body, offset));
         cloth.x_prev[c.value] = cloth.x[c.value] - velocity;
         cloth.normals[c.value] = normal.squaredNorm() > 0 ? Vec3f(normal.normalized()) : Vec3f::Zero();
-        if (c.value < cloth.contacts.asked.size()) cloth.contacts.asked[c.value].w() = -1;
         cloth.is_pinned[c.value] = cloth.is_pinned[a.value] && cloth.is_pinned[b.value];  // a pinned waistband stays up
         if (visibility != nullptr) visibility->on_split(c, a, b);
         if (budget != nullptr) budget->on_split();
@@ -120,7 +119,7 @@ AdaptReport adapt_cloth(Cloth& cloth, const Collider& body, const AdaptClothOpti
     const AdaptReport report = adapt_chosen(cloth, observer, options);
     if (report.changed()) {
         update_solver(cloth);
-        refresh_contacts(cloth, contact);
+        update_contacts(cloth, contact);
     }
     return report;
 }

@@ -20,7 +20,8 @@ const std::vector<std::uint32_t>& BlockColoring::assign() {
         const std::uint32_t per_block = color < kColors ? kBlock : 1;
         const std::uint32_t blocks = (counts[color] + per_block - 1) / per_block;
         next[color] = static_cast<std::uint32_t>(block_colors_.size() * kBlock);
-        block_colors_.insert(block_colors_.end(), blocks, color);
+        for (std::uint32_t i = 0; i < blocks; ++i) block_colors_.push_back(color < kColors ? color : kColors + i);
+        alone_ = color < kColors ? 0 : blocks;
         if (color == kColors) break;
         const std::uint32_t end = next[color] + blocks * static_cast<std::uint32_t>(kBlock);
         for (std::uint32_t lane = end; lane-- > next[color] + counts[color];) free_lanes_[color].push_back(lane);
@@ -39,7 +40,7 @@ std::uint32_t BlockColoring::take_lane(std::uint32_t color) {
         const auto first = static_cast<std::uint32_t>(block_colors_.size() * kBlock);
         const auto count = color < kColors ? static_cast<std::uint32_t>(kBlock) : 1U;
         for (std::uint32_t i = count; i-- > 0;) free.push_back(first + i);
-        block_colors_.push_back(color);
+        block_colors_.push_back(color < kColors ? color : kColors + alone_++);
     }
     const std::uint32_t lane = free.back();
     free.pop_back();
@@ -49,8 +50,7 @@ std::uint32_t BlockColoring::take_lane(std::uint32_t color) {
 const std::vector<BlockColoring::Run>& BlockColoring::runs() {
     for (; blocks_in_runs_ < block_colors_.size(); ++blocks_in_runs_) {
         const std::size_t i = blocks_in_runs_;
-        const bool goes_on = i > 0 && block_colors_[i] < kColors && block_colors_[i] == block_colors_[i - 1];
-        if (goes_on) {
+        if (i > 0 && block_colors_[i] == block_colors_[i - 1]) {
             ++runs_.back().count;
         } else {
             runs_.push_back({i, 1});

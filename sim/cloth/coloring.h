@@ -38,18 +38,23 @@ class BlockColoring {
         if (color < kColors) {
             for (const std::uint32_t v : vertices) used_[v] &= ~(std::uint64_t{1} << color);
         }
-        free_lanes_[color].push_back(lane);
+        free_lanes_[list_of(color)].push_back(lane);
     }
 
-    // Blocks of one colour, or of constraints that may stand beside each other, one behind the other.
+    // By block. Constraints of one colour share no vertex, whichever blocks they stand in.
+    const std::vector<std::uint32_t>& colors() const { return block_colors_; }
+
+    // Blocks of one colour, one behind the other.
     struct Run {
         std::size_t first, count;
     };
-    // All blocks, in their order. Two blocks of one run share no vertex.
+    // All blocks, in their order.
     const std::vector<Run>& runs();
 
  private:
-    static constexpr std::uint32_t kColors = 64;  // beyond: a vertex of more; such constraints get blocks of their own
+    // From there on: of vertices that have them all; such constraints get blocks, and colours, of their own.
+    static constexpr std::uint32_t kColors = 64;
+    static constexpr std::size_t list_of(std::uint32_t color) { return color < kColors ? color : kColors; }
 
     template <std::size_t N>
     std::uint32_t color_for(const std::array<std::uint32_t, N>& vertices) {
@@ -65,10 +70,11 @@ class BlockColoring {
     std::vector<std::uint64_t> used_;    // by vertex: a bit for each colour
     std::vector<std::uint32_t> colors_;  // by constraint, between start() and assign()
     std::vector<std::uint32_t> lanes_;
-    std::vector<std::uint32_t> block_colors_;                           // kColors: of one constraint alone
+    std::vector<std::uint32_t> block_colors_;                           
     std::array<std::vector<std::uint32_t>, kColors + 1> free_lanes_{};  // by colour, the next last
     std::vector<Run> runs_;
     std::size_t blocks_in_runs_ = 0;
+    std::uint32_t alone_ = 0;  // blocks of one constraint
 };
 
 }  // namespace selvedge

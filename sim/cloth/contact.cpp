@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/body/collider.h"
+#include "sim/cloth/block_lanes.h"
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/kernels.h"
 
@@ -16,190 +17,240 @@ float slack_margin(const Collider& body) {
     return std::max(kLeast, body.max_error());
 }
 
-Vec4f mixed(const std::vector<Vec4f>& points, const ContactSample& sample) {
-    Vec4f sum = points[sample.vertices[0]] * sample.shares[0] + points[sample.vertices[1]] * sample.shares[1] +
-                points[sample.vertices[2]] * sample.shares[2];
-    sum.w() = 0;
-    return sum;
+ContactLimits limits_for(const Collider& body, const ContactOptions& options) {
+    return {.floor = options.floor + options.offset,
+            .offset = options.offset,
+            .margin = slack_margin(body),
+            .friction_scale = options.friction_scale};
 }
 
-// Moves the sample's vertices so that the sample moves by `shift`, each in proportion to its share of it. What is moved
-// only every so many sub-steps gains as much less speed by it.
-void move_sample(SolverState& solver, const ContactSample& sample, const Vec4f& shift, float still) {
-    std::array<float, 3> shares{};
-    float sum = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        shares[i] = solver.points[sample.vertices[i]].w() > 0 ? sample.shares[i] : 0.0F;
-        sum += shares[i] * shares[i];
-    }
-    if (sum <= 0) return;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Vec4f moved = shift * (shares[i] / sum);
-        solver.points[sample.vertices[i]] += moved;
-        solver.before[sample.vertices[i]] += moved * still;
-    }
+Vec4f nothing_known() {
+    return {0, 0, 0, ContactKnowledge::kUnknown};
 }
 
-// Coulomb: the tangential move since the last sub-step shrinks by up to friction times the depth.
-void apply_contact(SolverState& solver, const ContactSample& sample, const Vec4f& normal, float depth, float friction,
-                   float still) {
-    move_sample(solver, sample, normal * depth, still);
-    const Vec4f moved = mixed(solver.points, sample) - mixed(solver.before, sample);
-    const Vec4f tangential = moved - normal * moved.dot(normal);
-    const float length = tangential.norm();
-    if (friction <= 0 || length <= 1e-12F) return;
-    move_sample(solver, sample, tangential * -std::min(1.0F, friction * depth / length), still);
-}
-
-void push_off_floor(SolverState& solver, const ContactSample& sample, const ContactOptions& options, float still) {
-    const float depth = options.offset - (mixed(solver.points, sample).y() - options.floor);
-    if (depth > 0) {
-        apply_contact(solver, sample, Vec4f::UnitY(), depth, sample.friction * options.friction_scale, still);
-    }
-}
-
-// The samples that must ask, and where they are.
-void find_asking_samples(const SolverState& solver, ContactState& contacts) {
-    contacts.asking.clear();
-    for (std::size_t i = 0; i < contacts.samples.size(); ++i) {
-        ContactSample& sample = contacts.samples[i];
-        const Vec4f x = mixed(solver.points, sample);
-        if (sample.slack > 0 && (x - sample.asked_at).squaredNorm() < sample.slack * sample.slack) continue;
-        sample.asked_at = x;
-        contacts.asking.push_back(static_cast<std::uint32_t>(i));
-    }
-}
-
-// One after the other, each from where those before have moved it: what it is too deep is less by that.
-void reply_to_sample(SolverState& solver, ContactSample& sample, const Contact& said, const ContactOptions& options,
-                     float margin, float still) {
-    if (sample.slack == ContactSample::kNew) still = 1;  // what it stands in so deep it has not run into
-    sample.slack = said.distance - options.offset - margin;
-    if (said.distance >= options.offset) return;
-    const Vec4f normal = padded(said.normal);
-    const float moved = normal.dot(mixed(solver.points, sample) - sample.asked_at);
-    const float depth = options.offset - said.distance - moved;
-    if (depth > 0) apply_contact(solver, sample, normal, depth, sample.friction * options.friction_scale, still);
-}
-
-void refresh_friction(const Cloth& cloth, std::vector<float>& friction) {
-    friction.assign(cloth.x.size() + 1, 0.0F);
-    for (const LeafTriangle& triangle : cloth.mesh.leaf_triangles()) {
-        const float mu = static_cast<float>(cloth.fabrics[triangle.panel].friction);
-        for (const VertexId v : triangle.v) friction[v.value] = std::max(friction[v.value], mu);
-    }
-}
-
-void add_edges(const Cloth& cloth, float spacing, const std::vector<float>& friction,
-               std::vector<ContactSample>& samples) {
-    for (const LeafEdge& edge : cloth.mesh.leaf_edges()) {
-        const int count = static_cast<int>(std::ceil(edge.rest_length / spacing)) - 1;
-        for (int i = 1; i <= count; ++i) {
-            const float t = static_cast<float>(i) / static_cast<float>(count + 1);
-            samples.push_back({.vertices = {edge.a.value, edge.b.value, edge.b.value},
-                               .shares = {1 - t, t, 0},
-                               .friction = std::max(friction[edge.a.value], friction[edge.b.value])});
-        }
-    }
+// A vertex that joins fabrics has the greatest of their frictions.
+void add_friction(const Cloth& cloth, ContactState& contacts, TriangleId t) {
+    const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
+    const float mu = static_cast<float>(cloth.fabrics[triangle.panel].friction);
+    for (const VertexId v : triangle.vertices) contacts.friction[v.value] = std::max(contacts.friction[v.value], mu);
 }
 
 float longest_edge(const std::array<Vec2f, 3>& u) {
     return std::sqrt(std::max({(u[1] - u[0]).squaredNorm(), (u[2] - u[1]).squaredNorm(), (u[0] - u[2]).squaredNorm()}));
 }
 
-void add_triangles(const Cloth& cloth, float least_edge, std::vector<ContactSample>& samples) {
-    constexpr float kThird = 1.0F / 3.0F;
-    for (const LeafTriangle& triangle : cloth.mesh.leaf_triangles()) {
-        if (longest_edge(triangle.u) < least_edge) continue;
-        samples.push_back({.vertices = {triangle.v[0].value, triangle.v[1].value, triangle.v[2].value},
-                           .shares = {kThird, kThird, kThird},
-                           .friction = static_cast<float>(cloth.fabrics[triangle.panel].friction)});
+// The lanes of samples, by what they sample.
+class SampleLists {
+ public:
+    explicit SampleLists(Cloth& cloth) : cloth_(cloth), contacts_(cloth.contacts) {}
+
+    void make_all() {
+        contacts_.vertices = cloth_.mesh.vertex_capacity();
+        contacts_.inserted = 0;
+        contacts_.coloring.start(contacts_.vertices + 1);
+        contacts_.coloring.assign();
+        contacts_.samples.clear();
+        contacts_.next.clear();
+        contacts_.of_triangle.assign(cloth_.mesh.triangles().capacity(), kSpare);
+        contacts_.of_edge.assign(cloth_.mesh.edges().capacity(), kSpare);
+        for (const LeafEdge& edge : cloth_.mesh.leaf_edges()) add(edge.edge);
+        for (const LeafTriangle& triangle : cloth_.mesh.leaf_triangles()) add(triangle.triangle);
     }
+
+    void change() {
+        const LeafChanges& changes = cloth_.mesh.changes();
+        contacts_.of_triangle.resize(cloth_.mesh.triangles().capacity(), kSpare);
+        contacts_.of_edge.resize(cloth_.mesh.edges().capacity(), kSpare);
+        for (const EdgeId e : changes.edges_gone) remove(e);
+        for (const TriangleId t : changes.triangles_gone) remove(t);
+        for (const EdgeId e : changes.edges_come) add(e);
+        for (const TriangleId t : changes.triangles_come) add(t);
+    }
+
+ private:
+    // Evenly along an edge, so that no part of it is longer than the spacing.
+    void add(EdgeId e) {
+        const AdaptiveEdge& edge = cloth_.mesh.edge(e);
+        const int count = static_cast<int>(std::ceil(edge.rest_length / contacts_.spacing)) - 1;
+        std::uint32_t next = kSpare;
+        for (int i = 1; i <= count; ++i) {
+            const float t = static_cast<float>(i) / static_cast<float>(count + 1);
+            const std::uint32_t lane = put_edge({edge.ends[0].value, edge.ends[1].value}, t);
+            contacts_.next[lane] = next;
+            next = lane;
+        }
+        contacts_.of_edge[e.value] = next;
+    }
+
+    void add(TriangleId t) {
+        constexpr float kThird = 1.0F / 3.0F;
+        const AdaptiveTriangle& triangle = cloth_.mesh.triangle(t);
+        if (longest_edge(triangle.u) < contacts_.sampled_edge) return;
+        const std::array<std::uint32_t, 3> v{triangle.vertices[0].value, triangle.vertices[1].value,
+                                             triangle.vertices[2].value};
+        const float friction = static_cast<float>(cloth_.fabrics[triangle.panel].friction);
+        contacts_.of_triangle[t.value] = put(contacts_.coloring.insert(v), v, {kThird, kThird, kThird}, friction);
+    }
+
+    void remove(EdgeId e) {
+        for (std::uint32_t lane = contacts_.of_edge[e.value]; lane != kSpare; lane = contacts_.next[lane]) {
+            const SampleBlock& block = contacts_.samples[lane / kBlock];
+            const std::size_t at = lane % kBlock;
+            contacts_.coloring.remove<2>(lane, {block.vertices[0][at] / 4, block.vertices[1][at] / 4});
+            clear(lane);
+        }
+        contacts_.of_edge[e.value] = kSpare;
+    }
+
+    void remove(TriangleId t) {
+        const std::uint32_t lane = contacts_.of_triangle[t.value];
+        if (lane == kSpare) return;
+        contacts_.coloring.remove(lane, corners_at(contacts_.samples[lane / kBlock], lane % kBlock));
+        clear(lane);
+        contacts_.of_triangle[t.value] = kSpare;
+    }
+
+    std::uint32_t put_edge(const std::array<std::uint32_t, 2>& v, float t) {
+        const auto spare = static_cast<std::uint32_t>(contacts_.vertices);
+        return put(contacts_.coloring.insert(v), {v[0], v[1], spare}, {1 - t, t, 0},
+                   std::max(contacts_.friction[v[0]], contacts_.friction[v[1]]));
+    }
+
+    std::uint32_t put(std::uint32_t lane, const std::array<std::uint32_t, 3>& v, const std::array<float, 3>& shares,
+                      float friction) {
+        if (contacts_.coloring.block_count() > contacts_.samples.size()) {
+            contacts_.samples.push_back(spare_samples());
+            contacts_.next.resize(contacts_.samples.size() * kBlock, kSpare);
+        }
+        SampleBlock& block = contacts_.samples[lane / kBlock];
+        const std::size_t at = lane % kBlock;
+        for (std::size_t k = 0; k < 3; ++k) {
+            block.vertices[k][at] = 4 * v[k];
+            block.shares[k][at] = shares[k];
+        }
+        block.friction[at] = friction;
+        block.slack[at] = ContactKnowledge::kUnknown;
+        ++contacts_.inserted;
+        return lane;
+    }
+
+    void clear(std::uint32_t lane) { copy_lane(spare_samples(), contacts_.samples[lane / kBlock], lane % kBlock); }
+
+    SampleBlock spare_samples() const {
+        constexpr float kFar = 1e6F;  // m
+        SampleBlock block = spare_block<SampleBlock>(contacts_.vertices);
+        block.slack.fill(kFar);
+        return block;
+    }
+
+    Cloth& cloth_;
+    ContactState& contacts_;
+};
+
+void size_contacts(Cloth& cloth, ContactState& contacts) {
+    contacts.asked.resize(cloth.x.size() + 1, nothing_known());
+    contacts.plane.resize(cloth.x.size() + 1, Vec4f::Zero());
+    contacts.friction.resize(cloth.x.size() + 1, 0.0F);
 }
 
-// What the collider says of `count` points, sixteen by sixteen; the last block is filled up with the last point.
-template <class PointAt>
-void ask(std::vector<ContactBlock>& blocks, std::size_t count, const PointAt& point_at, const Collider& body,
-         float reach) {
-    blocks.resize((count + kBlock - 1) / kBlock);
-    for (std::size_t i = 0; i < blocks.size() * kBlock; ++i) {
-        const Vec4f& p = point_at(std::min(i, count - 1));
-        ContactBlock& block = blocks[i / kBlock];
-        block.x[i % kBlock] = p.x();
-        block.y[i % kBlock] = p.y();
-        block.z[i % kBlock] = p.z();
+// Puts out what touches, block by block: each sees where those before have moved it.
+void meet_samples(SolverState& solver, SampleBlock& samples, const Kernels& loops, const Collider& body,
+                  const ContactLimits& limits) {
+    ContactBlock block;
+    const SampleState state = loops.look_at_samples(samples, floats(solver.points), block);
+    if (state.asks) {
+        body.contacts({&block, 1}, limits.offset);
+        loops.answer_samples(block, limits, samples);
     }
-    body.contacts(blocks, reach);
+    if (state.asks || state.touches) {
+        loops.push_samples(samples, limits, floats(solver.points), floats(solver.before));
+    }
 }
 
 }  // namespace
 
 void refresh_contacts(Cloth& cloth, const ContactOptions& options) {
-    constexpr float kAskNow = -1;
     ContactState& contacts = cloth.contacts;
-    contacts.asked.resize(cloth.x.size() + 1, Vec4f(0, 0, 0, kAskNow));
-    refresh_friction(cloth, contacts.friction);
-    contacts.samples.clear();
-    add_edges(cloth, options.sample_spacing, contacts.friction, contacts.samples);
-    add_triangles(cloth, options.sampled_edge, contacts.samples);
+    size_contacts(cloth, contacts);
+    std::fill(contacts.friction.begin(), contacts.friction.end(), 0.0F);
+    for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles()) add_friction(cloth, contacts, leaf.triangle);
+    contacts.spacing = options.sample_spacing;
+    contacts.sampled_edge = options.sampled_edge;
+    SampleLists(cloth).make_all();
+}
+
+void update_contacts(Cloth& cloth, const ContactOptions& options) {
+    ContactState& contacts = cloth.contacts;
+    const bool is_made = contacts.vertices == cloth.mesh.vertex_capacity() &&
+                         contacts.spacing == options.sample_spacing && contacts.sampled_edge == options.sampled_edge;
+    if (!is_made || contacts.inserted > 2 * cloth.mesh.leaf_triangles().size() + 64 * kBlock) {
+        refresh_contacts(cloth, options);
+        return;
+    }
+    const LeafChanges& changes = cloth.mesh.changes();
+    for (const VertexId v : changes.vertices_come) {
+        contacts.asked[v.value] = nothing_known();
+        contacts.friction[v.value] = 0;
+    }
+    for (const TriangleId t : changes.triangles_come) add_friction(cloth, contacts, t);
+    SampleLists(cloth).change();
 }
 
 void forget_contacts(Cloth& cloth) {
-    for (Vec4f& asked : cloth.contacts.asked) asked.w() = -1;
-    for (ContactSample& sample : cloth.contacts.samples) sample.slack = ContactSample::kNew;
+    std::fill(cloth.contacts.asked.begin(), cloth.contacts.asked.end(), nothing_known());
+    for (SampleBlock& block : cloth.contacts.samples) block.slack.fill(ContactKnowledge::kUnknown);
 }
 
-void push_out_samples(Cloth& cloth, const Collider& body, const ContactOptions& options) {
-    SolverState& solver = cloth.solver;
-    ContactState& contacts = cloth.contacts;
-    const float still = 1 - 1 / static_cast<float>(options.sample_interval);
-    const float margin = slack_margin(body);
-    find_asking_samples(solver, contacts);
-    if (contacts.asking.empty()) return;
-    const auto asked_at = [&](std::size_t i) -> const Vec4f& { return contacts.samples[contacts.asking[i]].asked_at; };
-    ask(contacts.blocks, contacts.asking.size(), asked_at, body, options.offset);
-    for (std::size_t i = 0; i < contacts.asking.size(); ++i) {
-        const ContactBlock& block = contacts.blocks[i / kBlock];
-        const std::size_t at = i % kBlock;
-        const Contact said{block.distance[at], Vec3f(block.nx[at], block.ny[at], block.nz[at])};
-        reply_to_sample(solver, contacts.samples[contacts.asking[i]], said, options, margin, still);
+std::size_t sample_count(const ContactState& contacts) {
+    std::size_t count = 0;
+    for (std::size_t lane = 0; lane < contacts.samples.size() * kBlock; ++lane) {
+        count += contacts.samples[lane / kBlock].shares[0][lane % kBlock] > 0 ? 1 : 0;
     }
+    return count;
+}
+
+std::optional<Vec3f> sample_at(const ContactState& contacts, std::size_t lane, const std::vector<Vec4f>& x) {
+    const SampleBlock& block = contacts.samples[lane / kBlock];
+    const std::size_t at = lane % kBlock;
+    if (block.shares[0][at] <= 0) return std::nullopt;
+    Vec3f sum = Vec3f::Zero();
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (block.shares[k][at] > 0) sum += block.shares[k][at] * x[block.vertices[k][at] / 4].head<3>();
+    }
+    return sum;
+}
+
+void push_out_samples(Cloth& cloth, const Kernels& loops, const Collider& body, const ContactOptions& options) {
+    const ContactLimits limits = limits_for(body, options);
+    for (SampleBlock& samples : cloth.contacts.samples) meet_samples(cloth.solver, samples, loops, body, limits);
 }
 
 void hold_vertices(Cloth& cloth, const Kernels& loops, const Collider& body, float longest_move,
                    const ContactOptions& options) {
     ContactState& contacts = cloth.contacts;
     SolverState& solver = cloth.solver;
+    ContactLimits limits = limits_for(body, options);
+    limits.longest_move = longest_move;
+    const ContactKnowledge known{floats(contacts.asked), floats(contacts.plane)};
     contacts.asking.resize(solver.points.size() + kBlock);
-    const std::size_t count = loops.hold_moves(
-        floats(solver.points), floats(solver.before), floats(contacts.asked), solver.points.size() - 1,
-        {.longest_move = longest_move, .floor = options.floor + options.offset}, contacts.asking.data());
+    const std::size_t count = loops.hold_moves(floats(solver.points), floats(solver.before), known,
+                                               contacts.friction.data(), solver.points.size() - 1, limits,
+                                               contacts.asking.data());
     if (count == 0) return;
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::uint32_t v = contacts.asking[i] / 4;
-        if (solver.points[v].y() >= options.floor + options.offset) continue;
-        push_off_floor(solver, {.vertices = {v, v, v}, .shares = {1, 0, 0}, .friction = contacts.friction[v]}, options,
-                       0);
-    }
     const std::uint32_t spare = static_cast<std::uint32_t>(4 * (solver.points.size() - 1));
     std::fill_n(contacts.asking.begin() + static_cast<std::ptrdiff_t>(count), kBlock, spare);
-    const auto point_at = [&](std::size_t i) -> const Vec4f& { return solver.points[contacts.asking[i] / 4]; };
-    ask(contacts.blocks, (count + kBlock - 1) / kBlock * kBlock, point_at, body, options.offset);
-    const float margin = slack_margin(body);
+    contacts.blocks.resize((count + kBlock - 1) / kBlock);
+    for (std::size_t i = 0; i < contacts.blocks.size() * kBlock; ++i) {
+        const Vec4f& p = solver.points[contacts.asking[i] / 4];
+        ContactBlock& block = contacts.blocks[i / kBlock];
+        block.x[i % kBlock] = p.x();
+        block.y[i % kBlock] = p.y();
+        block.z[i % kBlock] = p.z();
+    }
+    body.contacts(contacts.blocks, limits.offset);
     for (std::size_t i = 0; i < contacts.blocks.size(); ++i) {
-        const ContactBlock& block = contacts.blocks[i];
-        const ContactReply said{.x = block.x.data(),
-                                .y = block.y.data(),
-                                .z = block.z.data(),
-                                .distance = block.distance.data(),
-                                .nx = block.nx.data(),
-                                .ny = block.ny.data(),
-                                .nz = block.nz.data(),
-                                .offset = options.offset,
-                                .margin = margin,
-                                .friction_scale = options.friction_scale};
-        loops.reply(said, &contacts.asking[i * kBlock], contacts.friction.data(), floats(solver.before),
-                    floats(solver.points), floats(contacts.asked));
+        loops.answer_vertices(contacts.blocks[i], &contacts.asking[i * kBlock], contacts.friction.data(), limits,
+                              floats(solver.before), floats(solver.points), known);
     }
 }
 

@@ -1,15 +1,16 @@
 #pragma once
 // Keeping cloth outside of what it may not enter, at the contact offset, with Coulomb friction.  (SPEC 2, 3.3)
 //
-// A point remembers where it last asked the collider and how far it may go before it must ask again: the true distance
-// changes no faster than the point moves. Between vertices the cloth is sampled too: in the middle of every triangle,
-// and along edges that are long for the body's curvature.
-#include <array>
+// Vertices are held outside, and between them the cloth is sampled: in the middle of triangles that are large enough to
+// dip into a body, and along edges that are long for its curvature. What a point knows: contact_blocks.h.
 #include <cstdint>
-#include <span>
+#include <optional>
 #include <vector>
 
 #include "sim/body/contact_block.h"
+#include "sim/cloth/coloring.h"
+#include "sim/cloth/contact_blocks.h"
+#include "sim/core/ids.h"
 #include "sim/core/vec.h"
 
 namespace selvedge {
@@ -23,38 +24,43 @@ struct ContactOptions {
     float friction_scale = 1.0F;    // of the fabrics' friction; 0 while sewing
     float sample_spacing = 0.025F;  // m, edges longer than this are sampled at least this often
     float sampled_edge = 0.02F;     // m: triangles of shorter edges dip less than the offset (L^2 / 8R, R over 2 cm)
-    int sample_interval = 1;        // sub-steps from one look at the samples to the next
     float floor = 0.0F;             // m, height of the floor
 };
 
-// A point of the cloth between vertices: of an edge, or the middle of a triangle.
-struct ContactSample {
-    static constexpr float kNew = -1e6F;  // slack of one that never asked
-
-    std::array<std::uint32_t, 3> vertices{};
-    std::array<float, 3> shares{};  // of each vertex in the point; they sum to 1
-    float friction = 0;
-    float slack = kNew;  // m it may move from asked_at before it is asked again; negative: ask now
-    Vec4f asked_at = Vec4f::Zero();
-};
-
 struct ContactState {
-    std::vector<Vec4f> asked;     // by vertex: where it last asked; fourth: its slack, m
+    std::vector<Vec4f> asked;     // by vertex, see ContactKnowledge
+    std::vector<Vec4f> plane;     // by vertex
     std::vector<float> friction;  // by vertex
-    std::vector<ContactSample> samples;
+    std::vector<SampleBlock> samples;
     std::vector<std::uint32_t> asking;  // scratch
     std::vector<ContactBlock> blocks;   // scratch
+
+    // Where the samples stand.
+    BlockColoring coloring;
+    std::vector<std::uint32_t> of_triangle;  // by TriangleId: its lane, or kSpare
+    std::vector<std::uint32_t> of_edge;      // by EdgeId: its first lane, or kSpare
+    std::vector<std::uint32_t> next;         // by lane: the next of the same edge, or kSpare
+    float spacing = 0, sampled_edge = 0;     // m, that they were made for
+    std::size_t vertices = 0;                // the spare point's index
+    std::size_t inserted = 0;                // since all were made anew
 };
 
-// Friction and samples for the present leaves. What is known of vertices is kept.
+// Friction and samples for the present leaves, all anew. What is known of vertices is kept.
 void refresh_contacts(Cloth& cloth, const ContactOptions& options = {});
+
+// The same after one adaption, at a cost in proportion to what it changed: see mesh.changes().
+void update_contacts(Cloth& cloth, const ContactOptions& options = {});
 
 // Forgets what is known: when the collider is another, or has moved.
 void forget_contacts(Cloth& cloth);
 
+// The number of samples, and where the lane'th one is, in positions x; none where the lane is spare.
+std::size_t sample_count(const ContactState& contacts);
+std::optional<Vec3f> sample_at(const ContactState& contacts, std::size_t lane, const std::vector<Vec4f>& x);
+
 // Moves the samples between vertices, in Cloth::solver, at least `offset` away from the collider and the floor and
 // takes off tangential motion since the last sub-step up to friction times the depth corrected.
-void push_out_samples(Cloth& cloth, const Collider& body, const ContactOptions& options);
+void push_out_samples(Cloth& cloth, const Kernels& loops, const Collider& body, const ContactOptions& options);
 
 // The same for the vertices themselves, none of which moves farther than longest_move (m) before: contacts see thin
 // parts of the body only if no vertex jumps over them. Last in a sub-step: a drawn vertex is never inside.

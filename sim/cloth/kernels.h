@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <span>
 
+#include "sim/body/contact_block.h"
+#include "sim/cloth/contact_blocks.h"
 #include "sim/cloth/solver_blocks.h"
 #include "sim/core/simd_level.h"
 
@@ -16,11 +18,6 @@ struct Motion {
     std::array<float, 3> fall{};  // m, that every sub-step adds: acceleration times h^2
 };
 
-struct MoveLimits {
-    float longest_move;  // m per sub-step
-    float floor;         // m: what is lower asks, whatever it knows of the body
-};
-
 struct BiasGains {
     float stretch = 0;  // share of the error that is added to the bias of warp and weft
     float shear = 0;
@@ -28,14 +25,17 @@ struct BiasGains {
     float most = 0.3F;
 };
 
-// What a collider said of sixteen points, and what is made of it.
-struct ContactReply {
-    const float *x, *y, *z;  // asked, m
-    const float* distance;
-    const float *nx, *ny, *nz;
-    float offset;  // m, kept from the body
-    float margin;  // m, by which a distance may be too large
-    float friction_scale;
+struct ContactLimits {
+    float longest_move = 0;  // m per sub-step
+    float floor = 0;         // m: height of the floor's offset surface
+    float offset = 0;        // m, kept from the body
+    float margin = 0;        // m, by which a collider's distance may be too large
+    float friction_scale = 1;
+};
+
+// Of sixteen samples: whether one must ask the collider, and whether one touches as far as is known.
+struct SampleState {
+    bool asks, touches;
 };
 
 struct Kernels {
@@ -51,13 +51,15 @@ struct Kernels {
     // Verlet: before := points, points += keep (points - before) + fall.
     void (*predict)(float* points, float* before, std::size_t count, const Motion& motion);
 
-    // One pass over warp, weft and shear; with `records` the multipliers are kept. The blocks in which warp or
-    // weft was beyond the fabric's strain limit go into `over`, which has room for all; returns how many.
+    // One pass over warp, weft and shear; with `records` the multipliers are kept. The lanes in which warp or weft was
+    // beyond the fabric's strain limit go into `over`, which has room for all; returns how many.
     std::size_t (*solve_stretch)(std::span<const StretchBlock> blocks, StretchRecord* records, float* points,
                                  std::uint32_t* over);
 
-    // Takes back what warp and weft in the blocks `over` are beyond the fabric's strain limit.
-    void (*limit_stretch)(std::span<const StretchBlock> blocks, std::span<const std::uint32_t> over, float* points);
+    // Takes back what warp and weft in the lanes `over` are beyond the fabric's strain limit. colors: of each block;
+    // lanes of one colour share no vertex. spare: a block of spare lanes.
+    void (*limit_stretch)(std::span<const StretchBlock> blocks, std::span<const std::uint32_t> colors,
+                          std::span<const std::uint32_t> over, const StretchBlock& spare, float* points);
 
     // One pass over hinges.
     void (*solve_bend)(std::span<const BendBlock> blocks, float* points);
@@ -76,16 +78,22 @@ struct Kernels {
     // cloth as a whole nothing.
     void (*rub)(std::span<const StretchBlock> blocks, const float* points, float* before, float share);
 
-    // Shortens what moved too far since `before`; then finds the movable points that are farther from where they last
-    // asked the body than their slack (asked: that place, and fourth the slack in m; below 0: ask now), or too low.
-    // Their offsets go into `found`; returns how many. Pre: found has room for all.
-    std::size_t (*hold_moves)(float* points, const float* before, const float* asked, std::size_t count,
-                              const MoveLimits& limits, std::uint32_t* found);
+    // Shortens what moved too far since `before`, and puts what touches the body, as far as is known, or is below the
+    // floor onto its offset surface; friction takes tangential motion since `before` off, by up to its coefficient times
+    // the depth. The offsets of the movable points that must ask the collider go into `found`; returns how many.
+    // Points, and what belongs to them, come in whole groups of sixteen. Pre: found has room for all.
+    std::size_t (*hold_moves)(float* points, const float* before, const ContactKnowledge& known, const float* friction,
+                              std::size_t count, const ContactLimits& limits, std::uint32_t* found);
 
-    // Moves sixteen points out of the body, takes off tangential motion since `before` by up to friction times the
-    // depth, and notes where they asked. friction: by vertex.
-    void (*reply)(const ContactReply& said, const std::uint32_t* offsets, const float* friction, const float* before,
-                  float* points, float* asked);
+    // The same for sixteen points that have asked; notes what they now know.
+    void (*answer_vertices)(const ContactBlock& said, const std::uint32_t* offsets, const float* friction,
+                            const ContactLimits& limits, const float* before, float* points,
+                            const ContactKnowledge& known);
+
+    // Where the samples are, ready to ask; notes what they now know when they have; and puts those that touch out.
+    SampleState (*look_at_samples)(const SampleBlock& block, const float* points, ContactBlock& at_points);
+    void (*answer_samples)(const ContactBlock& said, const ContactLimits& limits, SampleBlock& block);
+    void (*push_samples)(SampleBlock& block, const ContactLimits& limits, float* points, float* before);
 };
 
 const Kernels& kernels(SimdLevel level);

@@ -83,7 +83,8 @@ struct SolverBlocks {
     std::vector<StretchRecord> records;
     std::vector<std::uint32_t> triangle_of;  // lane by lane: the TriangleId, or kSpare
     std::vector<float> thirds;           // lane by lane: a third of the leaf's mass, kg
-    std::vector<std::uint32_t> over;     // scratch: blocks that one pass found beyond the fabric's strain limit
+    std::vector<std::uint32_t> over;     // scratch: lanes that one pass found beyond the fabric's strain limit
+    StretchBlock spare{};                // of spare lanes
     std::vector<BendBlock> bend;
     std::vector<BendRecord> bend_records;
     std::vector<ParentLevel> parents;  // coarse to fine

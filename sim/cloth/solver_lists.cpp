@@ -2,57 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <limits>
-#include <type_traits>
 
 #include "sim/cloth/bias.h"
+#include "sim/cloth/block_lanes.h"
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/kernels.h"
 #include "sim/cloth/material_frame.h"
 
 namespace selvedge {
 namespace {
-
-// Spare lanes stand on a point of its own behind those of the mesh, which cannot move; their compliance only keeps
-// their gains finite.
-template <class Block>
-Block spare_block(std::size_t vertices) {
-    Block block{};
-    for (BlockPoints& points : block.vertices) points.fill(static_cast<std::uint32_t>(4 * vertices));
-    if constexpr (std::is_same_v<Block, StretchBlock>) block.longest.fill(std::numeric_limits<float>::max());
-    if constexpr (std::is_same_v<Block, LimitBlock>) {
-        block.longest_warp.fill(1);
-        block.longest_weft.fill(1);
-    }
-    return block;
-}
-template <class Record>
-Record spare_record() {
-    Record record{};
-    for (BlockFloats& compliance : record.compliance) compliance.fill(1);
-    return record;
-}
-
-// Blocks are rows of sixteen values of four bytes.
-template <class Block>
-void copy_lane(const Block& from, Block& to, std::size_t at) {
-    constexpr std::size_t kValue = sizeof(float), kRow = kBlock * kValue;
-    static_assert(sizeof(Block) % kRow == 0 && std::is_trivially_copyable_v<Block>);
-    const auto* source = static_cast<const std::byte*>(static_cast<const void*>(&from));
-    auto* target = static_cast<std::byte*>(static_cast<void*>(&to));
-    for (std::size_t place = at * kValue; place < sizeof(Block); place += kRow) {
-        std::memcpy(target + place, source + place, kValue);
-    }
-}
-
-template <class Block>
-std::array<std::uint32_t, std::tuple_size_v<decltype(Block::vertices)>> corners_at(const Block& block,
-                                                                                  std::size_t at) {
-    std::array<std::uint32_t, std::tuple_size_v<decltype(Block::vertices)>> corners{};
-    for (std::size_t k = 0; k < corners.size(); ++k) corners[k] = block.vertices[k][at] / 4;
-    return corners;
-}
 
 std::array<std::uint32_t, 3> indices(const std::array<VertexId, 3>& v) {
     return {v[0].value, v[1].value, v[2].value};
@@ -304,7 +262,7 @@ void weigh_blocks(Cloth& cloth) {
     loops.weigh_stretch(solver.blocks.stretch, solver.blocks.records, inverse_masses);
     loops.weigh_bend(solver.blocks.bend, solver.blocks.bend_records, cloth.bend_interval, inverse_masses);
     weigh_parents(cloth, loops);
-    solver.blocks.over.resize(solver.blocks.stretch.size());
+    solver.blocks.over.resize(solver.blocks.stretch.size() * kBlock);
 }
 
 void change_stretch(Cloth& cloth, const LeafChanges& changes) {
@@ -389,6 +347,7 @@ void make_blocks(Cloth& cloth) {
     keep_biases(cloth);
     solver.lanes.vertices = cloth.mesh.vertex_capacity();
     solver.lanes.inserted = 0;
+    solver.blocks.spare = spare_block<StretchBlock>(solver.lanes.vertices);
     const auto levels = static_cast<std::size_t>(cloth.mesh.max_level());
     solver.blocks.parents.resize(levels);
     solver.lanes.limits.resize(levels);

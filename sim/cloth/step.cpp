@@ -72,9 +72,10 @@ void solve_internal(Cloth& cloth, const Kernels& loops, int limit_rounds, bool i
     const std::size_t over =
         loops.solve_stretch(solver.blocks.stretch, is_last ? solver.blocks.records.data() : nullptr,
                             floats(solver.points), solver.blocks.over.data());
-    const std::span<const std::uint32_t> blocks_over(solver.blocks.over.data(), over);
+    const std::span<const std::uint32_t> lanes_over(solver.blocks.over.data(), over);
     for (int round = 0; round < limit_rounds; ++round) {
-        loops.limit_stretch(solver.blocks.stretch, blocks_over, floats(solver.points));
+        loops.limit_stretch(solver.blocks.stretch, solver.lanes.stretch.colors(), lanes_over, solver.blocks.spare,
+                            floats(solver.points));
     }
 }
 
@@ -108,7 +109,7 @@ void step(Cloth& cloth, const Collider& body, const StepOptions& options) {
         loops.predict(floats(solver.points), floats(solver.before), cloth.x.size(), motion);
         solve_internal(cloth, loops, options.limit_rounds, is_last);
         if (is_last) update_bias(cloth, loops, options);
-        if (i % options.contact.sample_interval == 0) push_out_samples(cloth, body, options.contact);
+        push_out_samples(cloth, loops, body, options.contact);
         const float to_go = static_cast<float>(options.substeps - 1 - i);
         const float gap = options.seam_gap + to_go * options.seam_gap_rate;
         pull_seams(solver, options.seams, gap);

@@ -1,0 +1,370 @@
+#pragma once
+// The loops over constraints, see kernels.h. For kernels only (sim/core/simd_level.h).
+#include "sim/cloth/loop_parts.h"
+
+namespace selvedge {
+namespace {
+
+struct Strains {
+    Floats warp, weft, shear;
+};
+
+// Strains with their bias; a compression counts as much as it is resisted.
+[[gnu::always_inline]] inline Strains biased_strains(const StretchBlock& block, std::size_t at, const Threads& t) {
+    const Floats push = load_at(block.push, at);
+    const auto resisted = [&](Floats strain) {
+        return lanes::multiply_add(push, lanes::lesser(strain, Floats{}), lanes::greater(strain, Floats{}));
+    };
+    return {resisted(t.warp_length - 1.0F + load_at(block.bias[0], at)),
+            resisted(t.weft_length - 1.0F + load_at(block.bias[1], at)),
+            dot(t.warp, t.weft) * t.warp_share * t.weft_share + load_at(block.bias[2], at)};
+}
+
+// The three conditions of each triangle are solved together: warp and weft are at right angles, so that the shear is
+// what is coupled with either.
+[[gnu::always_inline]] inline Strains multipliers(const StretchBlock& block, std::size_t at, const Strains& strain) {
+    const Floats warp = load_at(block.warp, at);
+    const Floats weft = load_at(block.weft, at);
+    const Floats cross = load_at(block.cross, at);
+    const Floats both = lanes::multiply_add(strain.warp, warp, strain.weft * weft);
+    const Floats shear = lanes::multiply_add(cross, both, -strain.shear) * load_at(block.shear, at);
+    return {-lanes::multiply_add(cross, shear, strain.warp) * warp,
+            -lanes::multiply_add(cross, shear, strain.weft) * weft, shear};
+}
+
+// How much of their corrections warp and weft may take at once: half where shear has laid one along the other, for then
+// each moves what the other moves as well.
+[[gnu::always_inline]] inline Floats share_of_both(Floats cosine) {
+    return lanes::multiply_add(lanes::greater(cosine, -cosine), lanes::all(-0.5F), lanes::all(1.0F));
+}
+
+// Less than what meets the conditions at once: with all of it, neighbours that share vertices drive each other to and
+// fro, and every sub-step turns that into speed.
+[[gnu::always_inline]] inline Strains relaxed(const Strains& m, Floats share) {
+    constexpr float kRelaxation = 0.75F;
+    share = share * kRelaxation;
+    return {m.warp * share, m.weft * share, m.shear * share};
+}
+
+[[gnu::always_inline]] inline Corners corrected(const StretchBlock& block, std::size_t at, const Corners& c,
+                                                const Threads& t, const Strains& m) {
+    const Floats along_warp = m.shear * t.warp_share;
+    const Floats along_weft = m.shear * t.weft_share;
+    const auto force = [&](std::size_t i) {
+        const Floats a = load_at(block.a[i], at), b = load_at(block.b[i], at);
+        return lanes::rows_of(combined(t.warp, lanes::multiply_add(m.warp, a, along_warp * b), t.weft,
+                                       lanes::multiply_add(m.weft, b, along_weft * a)));
+    };
+    const Rows f1 = force(0);
+    const Rows f2 = force(1);
+    const Rows f0 = difference(difference({}, f1), f2);
+    return {pushed(c.x0, f0), pushed(c.x1, f1), pushed(c.x2, f2)};
+}
+
+template <bool keeps_multipliers>
+[[gnu::always_inline]] inline std::size_t stretch_loop(std::span<const StretchBlock> blocks, StretchRecord* records,
+                                                       float* points, std::uint32_t* over) {
+    std::size_t count = 0;
+    for (const StretchBlock& block : blocks) {
+        for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+            const Corners c = corners_of(block, at, points);
+            Threads t = directions(block, at, c.x0, c.x1, c.x2);
+            normalise(t);
+            const Strains m =
+                relaxed(multipliers(block, at, biased_strains(block, at, t)), share_of_both(dot(t.warp, t.weft)));
+            if constexpr (keeps_multipliers) {
+                StretchRecord& record = records[static_cast<std::size_t>(&block - blocks.data())];
+                lanes::store(&record.multiplier[0][at], m.warp);
+                lanes::store(&record.multiplier[1][at], m.weft);
+                lanes::store(&record.multiplier[2][at], m.shear);
+            }
+            put_corners(block, at, corrected(block, at, c, t, m), points);
+            unsigned found = lanes::bits(lanes::greater(t.warp_length, t.weft_length) > load_at(block.longest, at));
+            for (; found != 0; found &= found - 1) {
+                const auto lane = at + static_cast<std::size_t>(__builtin_ctz(found));
+                over[count++] = static_cast<std::uint32_t>(lane + kBlock * std::size_t(&block - blocks.data()));
+            }
+        }
+    }
+    return count;
+}
+
+std::size_t solve_stretch(std::span<const StretchBlock> blocks, StretchRecord* records, float* points,
+                          std::uint32_t* over) {
+    return records ? stretch_loop<true>(blocks, records, points, over)
+                   : stretch_loop<false>(blocks, nullptr, points, over);
+}
+
+// What a lane needs to be taken back to the fabric's strain limit.
+void pack_lane(const StretchBlock& from, std::size_t at, StretchBlock& to, std::size_t place) {
+    for (std::size_t k = 0; k < 3; ++k) to.vertices[k][place] = from.vertices[k][at];
+    for (std::size_t k = 0; k < 2; ++k) {
+        to.a[k][place] = from.a[k][at];
+        to.b[k][place] = from.b[k][at];
+    }
+    to.warp[place] = from.warp[at];
+    to.weft[place] = from.weft[at];
+    to.longest[place] = from.longest[at];
+}
+
+// What warp and weft are beyond the fabric's strain limit, and nothing else.
+void limit_block(const StretchBlock& block, float* points) {
+    for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+        const Corners c = corners_of(block, at, points);
+        Threads t = directions(block, at, c.x0, c.x1, c.x2);
+        normalise(t);
+        const Floats longest = load_at(block.longest, at);
+        const Floats share = share_of_both(dot(t.warp, t.weft));
+        const Strains back{lanes::lesser(longest - t.warp_length, Floats{}) * load_at(block.warp, at) * share,
+                           lanes::lesser(longest - t.weft_length, Floats{}) * load_at(block.weft, at) * share,
+                           Floats{}};
+        if (lanes::bits(lanes::lesser(back.warp, back.weft) < 0.0F) == 0) continue;
+        put_corners(block, at, corrected(block, at, c, t, back), points);
+    }
+}
+
+// Lanes of one colour share no vertex, whichever blocks they stand in: sixteen of them make a block of their own.
+void limit_stretch(std::span<const StretchBlock> blocks, std::span<const std::uint32_t> colors,
+                   std::span<const std::uint32_t> over, const StretchBlock& spare, float* points) {
+    for (std::size_t i = 0; i < over.size();) {
+        StretchBlock packed = spare;
+        const std::uint32_t color = colors[over[i] / kBlock];
+        for (std::size_t n = 0; n < kBlock && i < over.size() && colors[over[i] / kBlock] == color; ++n, ++i) {
+            pack_lane(blocks[over[i] / kBlock], over[i] % kBlock, packed, n);
+        }
+        limit_block(packed, points);
+    }
+}
+
+// One direction of refined triangles: how much of it is taken back, per length of it.
+[[gnu::always_inline]] inline Floats excess(const Xyz& direction, Floats longest) {
+    const Floats squared = dot(direction, direction) + lanes::all(kTiny);
+    return lanes::lesser(longest * lanes::inverse_root(squared) - 1.0F, Floats{});
+}
+
+void limit_parents(std::span<const LimitBlock> blocks, float* points) {
+    for (const LimitBlock& block : blocks) {
+        for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+            Corners c = corners_of(block, at, points);
+            const Threads t = directions(block, at, c.x0, c.x1, c.x2);
+            const Floats warp = excess(t.warp, load_at(block.longest_warp, at));
+            const Floats weft = excess(t.weft, load_at(block.longest_weft, at));
+            if (lanes::bits(lanes::lesser(warp, weft) < 0.0F) == 0) continue;
+            const auto add = [&](Rows& x, std::size_t i) {
+                const Rows by = lanes::rows_of(
+                    combined(t.warp, warp * load_at(block.warp[i], at), t.weft, weft * load_at(block.weft[i], at)));
+                for (int j = 0; j < 4; ++j) x.row[j] = x.row[j] + by.row[j];
+            };
+            add(c.x0, 0);
+            add(c.x1, 1);
+            add(c.x2, 2);
+            put_corners(block, at, c, points);
+        }
+    }
+}
+
+template <int j>
+[[gnu::always_inline]] inline void bend_row(std::array<Rows, 4>& x, const std::array<Floats, 4>& q, Floats gain) {
+    Floats bent = lanes::spread<j>(q[0]) * x[0].row[j];
+    for (std::size_t i = 1; i < 4; ++i) bent = lanes::multiply_add(lanes::spread<j>(q[i]), x[i].row[j], bent);
+    bent = lanes::with_fourths(bent * lanes::spread<j>(-gain), Floats{});
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Floats weight = lanes::fourths(x[i].row[j]);
+        x[i].row[j] = lanes::multiply_add(bent, lanes::spread<j>(q[i]) * weight, x[i].row[j]);
+    }
+}
+
+void solve_bend(std::span<const BendBlock> blocks, float* points) {
+    for (const BendBlock& block : blocks) {
+        for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+            std::array<Rows, 4> x;
+            std::array<Floats, 4> q;
+            for (std::size_t i = 0; i < 4; ++i) {
+                x[i] = lanes::gather_points(points, &block.vertices[i][at]);
+                q[i] = load_at(block.q[i], at);
+            }
+            const Floats gain = load_at(block.gain, at);
+            bend_row<0>(x, q, gain);
+            bend_row<1>(x, q, gain);
+            bend_row<2>(x, q, gain);
+            bend_row<3>(x, q, gain);
+            for (std::size_t i = 0; i < 4; ++i) lanes::scatter_points(points, &block.vertices[i][at], x[i]);
+        }
+    }
+}
+
+// Of one corner of each triangle or hinge.
+[[gnu::always_inline]] inline Floats value_at(const BlockPoints& corners, std::size_t at, const float* by_vertex) {
+    return lanes::gather(by_vertex, lanes::load_ints(&corners[at]) >> 2);
+}
+
+// Of a direction whose gradients are -(g0 + g1), g0 and g1, or of two: the sum of w g g'.
+using Gradient = std::array<Floats, 3>;
+[[gnu::always_inline]] inline Gradient gradient(const std::array<BlockFloats, 2>& g, std::size_t at) {
+    const Floats g0 = load_at(g[0], at), g1 = load_at(g[1], at);
+    return {-(g0 + g1), g0, g1};
+}
+[[gnu::always_inline]] inline Floats weighed(const Gradient& f, const Gradient& g, const std::array<Floats, 3>& w) {
+    return w[0] * f[0] * g[0] + w[1] * f[1] * g[1] + w[2] * f[2] * g[2];
+}
+
+void weigh_stretch(std::span<StretchBlock> blocks, std::span<const StretchRecord> records,
+                   const float* inverse_masses) {
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        StretchBlock& block = blocks[i];
+        for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+            const std::array<Floats, 3> w{value_at(block.vertices[0], at, inverse_masses),
+                                          value_at(block.vertices[1], at, inverse_masses),
+                                          value_at(block.vertices[2], at, inverse_masses)};
+            const Gradient a = gradient(block.a, at), b = gradient(block.b, at);
+            const Floats of_warp = weighed(a, a, w), of_weft = weighed(b, b, w), cross = weighed(a, b, w);
+            const Floats warp = 1.0F / (of_warp + load_at(records[i].compliance[0], at));
+            const Floats weft = 1.0F / (of_weft + load_at(records[i].compliance[1], at));
+            const Floats shear = of_warp + of_weft + load_at(records[i].compliance[2], at);
+            lanes::store(&block.warp[at], warp);
+            lanes::store(&block.weft[at], weft);
+            lanes::store(&block.cross[at], cross);
+            lanes::store(&block.shear[at], 1.0F / (shear - cross * cross * (warp + weft)));
+        }
+    }
+}
+
+// Half of an excess is taken back per level: what is left the levels below see.
+void weigh_limits(std::span<LimitBlock> blocks, std::span<const LimitRecord> records, const float* masses) {
+    constexpr float kRelaxation = 0.5F;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        LimitBlock& block = blocks[i];
+        for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+            std::array<Floats, 3> w;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Floats mass = value_at(block.vertices[k], at, masses);
+                w[k] = lanes::where(mass > 0.0F, 1.0F / lanes::greater(mass, lanes::all(kTiny)));
+            }
+            const Gradient a = gradient(block.a, at), b = gradient(block.b, at);
+            const Floats warp = kRelaxation / (weighed(a, a, w) + load_at(records[i].compliance[0], at));
+            const Floats weft = kRelaxation / (weighed(b, b, w) + load_at(records[i].compliance[1], at));
+            for (std::size_t k = 0; k < 3; ++k) {
+                lanes::store(&block.warp[k][at], w[k] * a[k] * warp);
+                lanes::store(&block.weft[k][at], w[k] * b[k] * weft);
+            }
+        }
+    }
+}
+
+// Of hinges that are visited every `interval` sub-steps: what a visit does lasts that long, so the move that it makes at
+// once counts as often. Hinges that share vertices take half of each other's corrections away on an average, and what a
+// visit takes too little adds to the compliance: where the fabric's is larger, it is made smaller by as much.
+void weigh_bend(std::span<BendBlock> blocks, std::span<const BendRecord> records, int interval,
+                const float* inverse_masses) {
+    const float visits = static_cast<float>(interval);
+    const float weight = visits * (interval > 2 ? 2.0F : 1.0F);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        BendBlock& block = blocks[i];
+        for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+            Floats sum{};
+            for (std::size_t k = 0; k < 4; ++k) {
+                const Floats q = load_at(block.q[k], at);
+                sum = sum + value_at(block.vertices[k], at, inverse_masses) * q * q;
+            }
+            const Floats seen = sum * weight;
+            const Floats compliance = load_at(records[i].compliance[0], at) / lanes::all(visits);
+            const Floats left = lanes::greater(compliance - (seen - sum * 0.5F), Floats{});
+            lanes::store(&block.gain[at], 1.0F / (seen + left));
+        }
+    }
+}
+
+void predict(float* points, float* before, std::size_t count, const Motion& motion) {
+    Floats fall{};
+    for (std::size_t i = 0; i < lanes::kCount; ++i) fall[i] = i % 4 < 3 ? motion.fall[i % 4] : 0.0F;
+    const Floats keep = lanes::all(motion.keep);
+    for (std::size_t i = 0; i < 4 * count; i += lanes::kCount) {  // a fourth's move is 0
+        const Floats x = lanes::load(points + i);
+        const Floats move = lanes::multiply_add(x - lanes::load(before + i), keep, fall);
+        lanes::store(before + i, x);
+        lanes::store(points + i, x + lanes::where(lanes::fourths(x) > 0.0F, move));
+    }
+}
+
+void carry_centres(std::span<const EdgeCentre> centres, const float* before, float* points) {
+    typedef float Point __attribute__((vector_size(16)));
+    const auto at = [](const float* from, std::uint32_t offset) {
+        Point p;
+        std::memcpy(&p, from + offset, sizeof p);
+        return p;
+    };
+    for (const EdgeCentre& c : centres) {
+        const Point moved = (at(points, c.a) - at(before, c.a)) + (at(points, c.b) - at(before, c.b));
+        const Point centre = at(points, c.centre) + moved * 0.5F;
+        std::memcpy(points + c.centre, &centre, sizeof centre);
+    }
+}
+
+[[gnu::always_inline]] inline void move_bias(BlockFloats& bias, std::size_t at, Floats error, float gain, float least,
+                                             float most) {
+    const Floats moved = lanes::load(&bias[at]) + error * lanes::all(gain);
+    lanes::store(&bias[at], lanes::lesser(lanes::greater(moved, lanes::all(least)), lanes::all(most)));
+}
+
+// Corners lose a share of what they move against their mean; pushes in proportion to inverse mass keep the momentum.
+[[gnu::always_inline]] inline Corners rubbed(const Corners& now, const Corners& was, float share) {
+    Corners slower;
+    for (int j = 0; j < 4; ++j) {
+        const Floats v0 = now.x0.row[j] - was.x0.row[j];
+        const Floats v1 = now.x1.row[j] - was.x1.row[j];
+        const Floats v2 = now.x2.row[j] - was.x2.row[j];
+        const Floats w0 = lanes::fourths(now.x0.row[j]);
+        const Floats w1 = lanes::fourths(now.x1.row[j]);
+        const Floats w2 = lanes::fourths(now.x2.row[j]);
+        const Floats mean = (v0 + v1 + v2) * lanes::all(1.0F / 3.0F);
+        const Floats gain = lanes::all(share) / lanes::greater(w0 + w1 + w2, lanes::all(kTiny));
+        slower.x0.row[j] = lanes::multiply_add(v0 - mean, w0 * gain, was.x0.row[j]);
+        slower.x1.row[j] = lanes::multiply_add(v1 - mean, w1 * gain, was.x1.row[j]);
+        slower.x2.row[j] = lanes::multiply_add(v2 - mean, w2 * gain, was.x2.row[j]);
+    }
+    return slower;
+}
+
+// Half-way between two sub-steps: what trembles to and fro from one to the next is not seen.
+[[gnu::always_inline]] inline Rows middle(const Rows& a, const Rows& b) {
+    Rows sum;
+    for (int j = 0; j < 4; ++j) sum.row[j] = (a.row[j] + b.row[j]) * lanes::all(0.5F);
+    return sum;
+}
+
+void update_bias(std::span<StretchBlock> blocks, std::span<const StretchRecord> records, const float* points,
+                 const float* before, const BiasGains& gains) {
+    constexpr float kMoreShear = 4;  // shear angles are that much larger than strains
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        StretchBlock& block = blocks[i];
+        const StretchRecord& record = records[i];
+        for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+            const Corners c = corners_of(block, at, points);
+            const Corners was = corners_of(block, at, before);
+            Threads t = directions(block, at, middle(c.x0, was.x0), middle(c.x1, was.x1), middle(c.x2, was.x2));
+            normalise(t);
+            const auto stress = [&](std::size_t k) {
+                return load_at(record.multiplier[k], at) * load_at(record.compliance[k], at);
+            };
+            const Floats push = load_at(block.push, at);
+            move_bias(block.bias[0], at, (t.warp_length - 1.0F + stress(0)) * push, gains.stretch, gains.least,
+                      gains.most);
+            move_bias(block.bias[1], at, (t.weft_length - 1.0F + stress(1)) * push, gains.stretch, gains.least,
+                      gains.most);
+            move_bias(block.bias[2], at, dot(t.warp, t.weft) + stress(2), gains.shear, -kMoreShear * gains.most,
+                      kMoreShear * gains.most);
+        }
+    }
+}
+
+void rub(std::span<const StretchBlock> blocks, const float* points, float* before, float share) {
+    for (const StretchBlock& block : blocks) {
+        for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+            const Corners now = corners_of(block, at, points);
+            put_corners(block, at, rubbed(now, corners_of(block, at, before), share), before);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace selvedge

@@ -1,0 +1,245 @@
+#pragma once
+// The loops that keep points of the cloth outside of a body, see kernels.h. For kernels only (sim/core/simd_level.h).
+#include "sim/cloth/loop_parts.h"
+
+namespace selvedge {
+namespace {
+
+// Of rows of points as they stand in memory: the squared length of each, in all four places.
+[[gnu::always_inline]] inline Floats squared_lengths(Floats move) {
+    const Floats squares = move * move;
+    const Floats pairs = squares + lanes::shuffle<0xB1>(squares, squares);
+    return pairs + lanes::shuffle<0x4E>(pairs, pairs);
+}
+
+// Moves that are longer than the longest are shortened.
+[[gnu::always_inline]] inline Floats shortened(Floats move, Floats longest_squared) {
+    const Floats squared = squared_lengths(move);
+    if (lanes::bits(squared > longest_squared) == 0) [[likely]]
+        return move;
+    return move * lanes::root(longest_squared / lanes::greater(squared, longest_squared));
+}
+
+// What is known of points, and what they are to do.
+struct Nearness {
+    Xyz normal;
+    Floats height;  // above the offset surface, m
+    Ints asks;      // must ask the collider
+    Ints may_touch; // may be below the offset surface, as far as is known
+};
+
+// x: where they are; asked and plane: what they know, with slack and height fourth.
+[[gnu::always_inline]] inline Nearness near(const Xyz& x, const Xyz& asked, Floats slack, const Xyz& normal,
+                                            Floats height) {
+    const Xyz moved{x.x - asked.x, x.y - asked.y, x.z - asked.z};
+    const Floats squared = dot(moved, moved);
+    const Floats free = lanes::greater(slack, Floats{});
+    const Ints is_near = squared >= free * free;
+    const Ints is_lost = (squared > kPlaneReach * kPlaneReach) | (slack < ContactKnowledge::kLost);
+    const Floats now = height + dot(normal, moved);
+    return {normal, now, is_near & is_lost, is_near & ~is_lost & (now < 0.0F)};
+}
+
+// Where points are that lie `depth` below the offset surface (0: above), when they are put onto it and friction has
+// taken off what it does of their way from `from`.
+[[gnu::always_inline]] inline Xyz put_out(const Xyz& x, const Xyz& from, const Xyz& normal, Floats depth,
+                                          Floats friction) {
+    const Xyz out{x.x + normal.x * depth, x.y + normal.y * depth, x.z + normal.z * depth};
+    const Xyz moved{out.x - from.x, out.y - from.y, out.z - from.z};
+    const Floats along = dot(moved, normal);
+    const Xyz slid{moved.x - normal.x * along, moved.y - normal.y * along, moved.z - normal.z * along};
+    const Floats inverse = lanes::inverse_root(dot(slid, slid) + lanes::all(kTiny));
+    const Floats taken = lanes::lesser(friction * depth * inverse, lanes::all(1.0F));
+    return {out.x - slid.x * taken, out.y - slid.y * taken, out.z - slid.z * taken};
+}
+
+// kCount points that stand behind each other in memory. Lane 4 k + j holds point kCount / 4 j + k.
+[[gnu::always_inline]] inline Rows rows_at(const float* points) {
+    Rows rows;
+    for (std::size_t j = 0; j < 4; ++j) rows.row[j] = lanes::load(points + j * lanes::kCount);
+    return rows;
+}
+constexpr std::size_t lane_of_point(std::size_t i) {
+    constexpr std::size_t kPerRow = lanes::kCount / 4;
+    return 4 * (i % kPerRow) + i / kPerRow;
+}
+[[gnu::always_inline]] inline Floats fourth_of(const Rows& p) {
+    const Floats zw01 = lanes::unpack_high(p.row[0], p.row[1]);
+    const Floats zw23 = lanes::unpack_high(p.row[2], p.row[3]);
+    return lanes::shuffle<0xEE>(zw01, zw23);
+}
+
+// Moves of a group of points since `before` that are longer than the longest are shortened.
+[[gnu::always_inline]] inline Rows shortened(const Rows& was, const Rows& from, Floats longest_squared) {
+    Rows rows;
+    for (std::size_t j = 0; j < 4; ++j) {
+        const Floats move = shortened(was.row[j] - from.row[j], longest_squared);
+        rows.row[j] = lanes::with_fourths(from.row[j] + move, was.row[j]);
+    }
+    return rows;
+}
+
+[[gnu::always_inline]] inline Floats friction_of(const float* friction, float scale) {
+    Floats mu{};
+    for (std::size_t i = 0; i < lanes::kCount; ++i) mu[lane_of_point(i)] = friction[i] * scale;
+    return mu;
+}
+
+// Puts those out that touch the body or are below the floor.
+[[gnu::always_inline]] inline Rows held(const Xyz& x, const Rows& was, const Rows& from, const Nearness& known,
+                                        Ints below, const float* friction, const ContactLimits& limits) {
+    const Xyz before = lanes::transposed(from);
+    const Floats mu = friction_of(friction, limits.friction_scale);
+    const Xyz out = put_out(x, before, known.normal, lanes::where(known.may_touch, -known.height), mu);
+    const Xyz up{Floats{}, lanes::all(1.0F), Floats{}};
+    const Floats depth = lanes::greater(lanes::where(below, limits.floor - out.y), Floats{});
+    return lanes::rows_of(put_out(out, before, up, depth, mu), fourth_of(was));
+}
+
+std::size_t hold_moves(float* points, const float* before, const ContactKnowledge& known, const float* friction,
+                       std::size_t count, const ContactLimits& limits, std::uint32_t* found) {
+    const Floats longest_squared = lanes::all(limits.longest_move * limits.longest_move);
+    std::size_t n = 0;
+    for (std::size_t first = 0; first < count; first += lanes::kCount) {
+        const std::size_t i = 4 * first;
+        const Rows from = rows_at(before + i);
+        const Rows was = shortened(rows_at(points + i), from, longest_squared);
+        for (std::size_t j = 0; j < 4; ++j) lanes::store(points + i + j * lanes::kCount, was.row[j]);
+        const Xyz x = lanes::transposed(was);
+        const Rows asked = rows_at(known.asked + i), plane = rows_at(known.plane + i);
+        Nearness here = near(x, lanes::transposed(asked), fourth_of(asked), lanes::transposed(plane), fourth_of(plane));
+        const Ints moves = fourth_of(was) > 0.0F;
+        const Ints below = (x.y < limits.floor) & moves;
+        here.may_touch &= moves;
+        if (lanes::bits(here.may_touch | below) != 0) {
+            const Rows out = held(x, was, from, here, below, friction + first, limits);
+            for (std::size_t j = 0; j < 4; ++j) lanes::store(points + i + j * lanes::kCount, out.row[j]);
+        }
+        const unsigned asking = lanes::bits(here.asks & moves);
+        if (asking == 0) [[likely]]
+            continue;
+        for (std::size_t k = 0; k < lanes::kCount; ++k) {
+            if ((asking >> lane_of_point(k) & 1U) != 0) found[n++] = static_cast<std::uint32_t>(i + 4 * k);
+        }
+    }
+    return n;
+}
+
+[[gnu::always_inline]] inline Xyz load_xyz(const ContactBlock& said, std::size_t at) {
+    return {lanes::load(&said.x[at]), lanes::load(&said.y[at]), lanes::load(&said.z[at])};
+}
+[[gnu::always_inline]] inline Xyz load_normal(const ContactBlock& said, std::size_t at) {
+    return {lanes::load(&said.nx[at]), lanes::load(&said.ny[at]), lanes::load(&said.nz[at])};
+}
+
+void answer_vertices(const ContactBlock& said, const std::uint32_t* offsets, const float* friction,
+                     const ContactLimits& limits, const float* before, float* points, const ContactKnowledge& known) {
+    for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+        Floats mu{};
+        for (std::size_t i = 0; i < lanes::kCount; ++i) mu[i] = friction[offsets[at + i] / 4] * limits.friction_scale;
+        const Xyz x = load_xyz(said, at), normal = load_normal(said, at);
+        const Floats height = lanes::load(&said.distance[at]) - limits.offset;
+        const Floats depth = lanes::greater(-height, Floats{});
+        const Xyz from = lanes::transposed(lanes::gather_points(before, offsets + at));
+        const Rows as_it_was = lanes::gather_points(points, offsets + at);
+        Rows moved = lanes::rows_of(put_out(x, from, normal, depth, mu));
+        for (int j = 0; j < 4; ++j) moved.row[j] = lanes::with_fourths(moved.row[j], as_it_was.row[j]);
+        lanes::scatter_points(points, offsets + at, moved);
+        lanes::scatter_points(known.asked, offsets + at, lanes::rows_of(x, height - limits.margin));
+        lanes::scatter_points(known.plane, offsets + at, lanes::rows_of(normal, height));
+    }
+}
+
+[[gnu::always_inline]] inline Xyz mixed(const SampleBlock& block, std::size_t at, const Corners& c) {
+    const Xyz p = lanes::transposed(c.x0), q = lanes::transposed(c.x1), r = lanes::transposed(c.x2);
+    const Floats s = load_at(block.shares[0], at), t = load_at(block.shares[1], at), u = load_at(block.shares[2], at);
+    return {lanes::multiply_add(p.x, s, lanes::multiply_add(q.x, t, r.x * u)),
+            lanes::multiply_add(p.y, s, lanes::multiply_add(q.y, t, r.y * u)),
+            lanes::multiply_add(p.z, s, lanes::multiply_add(q.z, t, r.z * u))};
+}
+
+[[gnu::always_inline]] inline Nearness near(const SampleBlock& block, std::size_t at, const Xyz& x) {
+    return near(x, {load_at(block.asked[0], at), load_at(block.asked[1], at), load_at(block.asked[2], at)},
+                load_at(block.slack, at),
+                {load_at(block.normal[0], at), load_at(block.normal[1], at), load_at(block.normal[2], at)},
+                load_at(block.height, at));
+}
+
+SampleState look_at_samples(const SampleBlock& block, const float* points, ContactBlock& at_points) {
+    unsigned asks = 0, touches = 0;
+    for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+        const Xyz x = mixed(block, at, corners_of(block, at, points));
+        lanes::store(&at_points.x[at], x.x);
+        lanes::store(&at_points.y[at], x.y);
+        lanes::store(&at_points.z[at], x.z);
+        const Nearness here = near(block, at, x);
+        asks |= lanes::bits(here.asks);
+        touches |= lanes::bits(here.may_touch);
+    }
+    return {asks != 0, touches != 0};
+}
+
+void answer_samples(const ContactBlock& said, const ContactLimits& limits, SampleBlock& block) {
+    for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+        const Xyz x = load_xyz(said, at), normal = load_normal(said, at);
+        const Floats height = lanes::load(&said.distance[at]) - limits.offset;
+        const Ints is_new = load_at(block.slack, at) < ContactKnowledge::kLost;
+        lanes::store(&block.sunk[at], lanes::where(is_new, lanes::greater(-height, Floats{})));
+        lanes::store(&block.asked[0][at], x.x);
+        lanes::store(&block.asked[1][at], x.y);
+        lanes::store(&block.asked[2][at], x.z);
+        lanes::store(&block.slack[at], height - limits.margin);
+        lanes::store(&block.normal[0][at], normal.x);
+        lanes::store(&block.normal[1][at], normal.y);
+        lanes::store(&block.normal[2][at], normal.z);
+        lanes::store(&block.height[at], height);
+    }
+}
+
+// How far each corner moves when a sample does by 1: in proportion to its share of it, if it can move.
+struct CornerShares {
+    Floats s0, s1, s2;
+};
+[[gnu::always_inline]] inline CornerShares corner_shares(const SampleBlock& block, std::size_t at, const Corners& c) {
+    const auto share = [&](std::size_t i, const Rows& x) {
+        return lanes::where(fourth_of(x) > 0.0F, load_at(block.shares[i], at));
+    };
+    const Floats s0 = share(0, c.x0), s1 = share(1, c.x1), s2 = share(2, c.x2);
+    const Floats sum = lanes::multiply_add(s0, s0, lanes::multiply_add(s1, s1, s2 * s2));
+    const Floats scale = lanes::where(sum > 0.0F, 1.0F / lanes::greater(sum, lanes::all(kTiny)));
+    return {s0 * scale, s1 * scale, s2 * scale};
+}
+[[gnu::always_inline]] inline Rows shifted(const Rows& x, const Xyz& by, Floats share) {
+    const Rows shift = lanes::rows_of({by.x * share, by.y * share, by.z * share});
+    Rows moved;
+    for (int j = 0; j < 4; ++j) moved.row[j] = x.row[j] + shift.row[j];
+    return moved;
+}
+[[gnu::always_inline]] inline Corners shifted(const Corners& c, const Xyz& by, const CornerShares& shares) {
+    return {shifted(c.x0, by, shares.s0), shifted(c.x1, by, shares.s1), shifted(c.x2, by, shares.s2)};
+}
+
+// What a sample stood in when it was new it has not run into: it is lifted out of that without gaining speed.
+void push_samples(SampleBlock& block, const ContactLimits& limits, float* points, float* before) {
+    for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+        const Corners c = corners_of(block, at, points);
+        const Xyz x = mixed(block, at, c);
+        const Nearness here = near(block, at, x);
+        const Floats depth = lanes::where(here.may_touch, -here.height);
+        if (lanes::bits(depth > 0.0F) == 0) continue;
+        const CornerShares shares = corner_shares(block, at, c);
+        Corners from = corners_of(block, at, before);
+        const Floats sunk = load_at(block.sunk, at);
+        if (lanes::bits(sunk > 0.0F) != 0) {
+            from = shifted(from, {here.normal.x * sunk, here.normal.y * sunk, here.normal.z * sunk}, shares);
+            put_corners(block, at, from, before);
+            lanes::store(&block.sunk[at], Floats{});
+        }
+        const Floats mu = load_at(block.friction, at) * limits.friction_scale;
+        const Xyz out = put_out(x, mixed(block, at, from), here.normal, depth, mu);
+        put_corners(block, at, shifted(c, {out.x - x.x, out.y - x.y, out.z - x.z}, shares), points);
+    }
+}
+
+}  // namespace
+}  // namespace selvedge

@@ -1,0 +1,90 @@
+#pragma once
+// What the loops of constraint_loops.h and contact_loops.h share. For kernels only (sim/core/simd_level.h).
+#include <cstring>
+
+#include "sim/cloth/kernels.h"
+#include "sim/core/simd_points.h"
+
+namespace selvedge {
+namespace {
+
+using lanes::Floats;
+using lanes::Ints;
+using lanes::Rows;
+using lanes::Xyz;
+
+constexpr float kTiny = 1e-18F;  // m^2, under a root
+
+[[gnu::always_inline]] inline Floats load_at(const BlockFloats& values, std::size_t at) {
+    return lanes::load(&values[at]);
+}
+
+[[gnu::always_inline]] inline Floats dot(const Xyz& p, const Xyz& q) {
+    return lanes::multiply_add(p.x, q.x, lanes::multiply_add(p.y, q.y, p.z * q.z));
+}
+[[gnu::always_inline]] inline Xyz combined(const Xyz& p, Floats s, const Xyz& q, Floats t) {
+    return {lanes::multiply_add(p.x, s, q.x * t), lanes::multiply_add(p.y, s, q.y * t),
+            lanes::multiply_add(p.z, s, q.z * t)};
+}
+[[gnu::always_inline]] inline Rows difference(const Rows& a, const Rows& b) {
+    return {{a.row[0] - b.row[0], a.row[1] - b.row[1], a.row[2] - b.row[2], a.row[3] - b.row[3]}};
+}
+// Each point moved by its inverse mass times what stands in its place in `by`, whose fourth floats are 0.
+[[gnu::always_inline]] inline Rows pushed(const Rows& p, const Rows& by) {
+    Rows moved;
+    for (int j = 0; j < 4; ++j) moved.row[j] = lanes::multiply_add(by.row[j], lanes::fourths(p.row[j]), p.row[j]);
+    return moved;
+}
+
+// The deformed warp and weft directions of triangles, unit, and their lengths.
+struct Threads {
+    Xyz warp, weft;
+    Floats warp_length, weft_length;
+    Floats warp_share, weft_share;  // their lengths, at most 1: short threads turn farther, so shear moves them less
+};
+
+template <class Block>
+[[gnu::always_inline]] inline Threads directions(const Block& block, std::size_t at, const Rows& x0, const Rows& x1,
+                                                 const Rows& x2) {
+    const Xyz e1 = lanes::transposed(difference(x1, x0));
+    const Xyz e2 = lanes::transposed(difference(x2, x0));
+    return {.warp = combined(e1, load_at(block.a[0], at), e2, load_at(block.a[1], at)),
+            .weft = combined(e1, load_at(block.b[0], at), e2, load_at(block.b[1], at)),
+            .warp_length = Floats{},
+            .weft_length = Floats{},
+            .warp_share = Floats{},
+            .weft_share = Floats{}};
+}
+
+[[gnu::always_inline]] inline Floats normalise(Xyz& p) {
+    const Floats squared =
+        lanes::multiply_add(p.x, p.x, lanes::multiply_add(p.y, p.y, lanes::multiply_add(p.z, p.z, lanes::all(kTiny))));
+    const Floats inverse = lanes::inverse_root(squared);
+    p = {p.x * inverse, p.y * inverse, p.z * inverse};
+    return squared * inverse;
+}
+
+[[gnu::always_inline]] inline void normalise(Threads& t) {
+    t.warp_length = normalise(t.warp);
+    t.weft_length = normalise(t.weft);
+    t.warp_share = lanes::lesser(t.warp_length, lanes::all(1.0F));
+    t.weft_share = lanes::lesser(t.weft_length, lanes::all(1.0F));
+}
+
+struct Corners {
+    Rows x0, x1, x2;
+};
+template <class Block>
+[[gnu::always_inline]] inline Corners corners_of(const Block& block, std::size_t at, const float* points) {
+    return {lanes::gather_points(points, &block.vertices[0][at]), lanes::gather_points(points, &block.vertices[1][at]),
+            lanes::gather_points(points, &block.vertices[2][at])};
+}
+template <class Block>
+[[gnu::always_inline]] inline void put_corners(const Block& block, std::size_t at, const Corners& c, float* points) {
+    lanes::scatter_points(points, &block.vertices[0][at], c.x0);
+    lanes::scatter_points(points, &block.vertices[1][at], c.x1);
+    lanes::scatter_points(points, &block.vertices[2][at], c.x2);
+}
+
+}  // namespace
+}  // namespace selvedge
