@@ -7,6 +7,10 @@
 //                       bool allows_rejoin(const AdaptiveMesh&, EdgeId) const;  asked of split edges
 // A veto has            static constexpr bool is_veto = true;
 //                       bool vetoes(const AdaptiveMesh&, EdgeId) const;         asked of both
+// A batch has           static constexpr bool is_batch = true;  and is a criterion that is dear to ask: asked last, and
+// of
+//                       many at once. note(e) for each edge that is left undecided; then look(mesh), which gives them
+//                       back in order; then it is asked as others are.
 // The observer (the cloth, or a surface) holds the state by vertex id, and gets
 //                       on_capacity(n)       before any id of n or above is used: state arrays grow to n
 //                       on_split(c, a, b)    c is new between a and b: set all that the criteria read of it
@@ -15,6 +19,8 @@
 // An adaption in which nothing changes asks each leaf edge once and each parent of two leaves once.
 #include <algorithm>
 #include <concepts>
+#include <span>
+#include <type_traits>
 
 #include "sim/adaptive/adaptive_mesh.h"
 
@@ -51,11 +57,18 @@ concept EdgeCriterion = VetoCriterion<C> || requires(const C& criterion, const A
     { criterion.allows_rejoin(mesh, e) } -> std::same_as<bool>;
 };
 
+template <class C>
+concept BatchCriterion = EdgeCriterion<C> && requires(const C& criterion, const AdaptiveMesh& mesh, EdgeId e) {
+    requires C::is_batch;
+    criterion.note(e);
+    { criterion.look(mesh) } -> std::convertible_to<std::span<const EdgeId>>;
+};
+
 namespace adapt_detail {
 
 template <class C>
 bool asks(const C& criterion, const AdaptiveMesh& mesh, EdgeId e) {
-    if constexpr (VetoCriterion<C>) {
+    if constexpr (VetoCriterion<C> || BatchCriterion<C>) {
         return false;
     } else {
         return criterion.wants_split(mesh, e);
@@ -64,7 +77,7 @@ bool asks(const C& criterion, const AdaptiveMesh& mesh, EdgeId e) {
 
 template <class C>
 bool agrees(const C& criterion, const AdaptiveMesh& mesh, EdgeId e) {
-    if constexpr (VetoCriterion<C>) {
+    if constexpr (VetoCriterion<C> || BatchCriterion<C>) {
         return true;
     } else {
         return criterion.allows_rejoin(mesh, e);
@@ -80,15 +93,32 @@ bool vetoes(const C& criterion, const AdaptiveMesh& mesh, EdgeId e) {
     }
 }
 
-// Vetoes are cheap, and mesh.may_split() looks no farther than the sides.
 template <class... C>
-bool should_split(const AdaptiveMesh& mesh, EdgeId e, const C&... criteria) {
-    return !(vetoes(criteria, mesh, e) || ...) && mesh.may_split(e) && (asks(criteria, mesh, e) || ...);
+bool is_vetoed([[maybe_unused]] const AdaptiveMesh& mesh, [[maybe_unused]] EdgeId e, const C&... criteria) {
+    return (vetoes(criteria, mesh, e) || ...);
 }
 
 template <class... C>
-bool should_rejoin([[maybe_unused]] const AdaptiveMesh& mesh, [[maybe_unused]] EdgeId e, const C&... criteria) {
-    return (vetoes(criteria, mesh, e) || ...) || (agrees(criteria, mesh, e) && ...);
+inline constexpr bool has_batch = (BatchCriterion<C> || ...);
+
+template <class... C>
+void note([[maybe_unused]] EdgeId e, const C&... criteria) {
+    const auto one = [&](const auto& criterion) {
+        if constexpr (BatchCriterion<std::remove_cvref_t<decltype(criterion)>>) criterion.note(e);
+    };
+    (one(criteria), ...);
+}
+
+// Calls then(e, criterion) for each edge that the batch was noted for.
+template <class Then, class... C>
+void look(const AdaptiveMesh& mesh, const Then& then, const C&... criteria) {
+    static_assert((static_cast<int>(BatchCriterion<C>) + ... + 0) <= 1, "one batch at most");
+    const auto one = [&](const auto& criterion) {
+        if constexpr (BatchCriterion<std::remove_cvref_t<decltype(criterion)>>) {
+            for (const EdgeId e : criterion.look(mesh)) then(e, criterion);
+        }
+    };
+    (one(criteria), ...);
 }
 
 // Told of transitions if it has ears for them.
@@ -110,28 +140,54 @@ void split(AdaptiveMesh& mesh, State& state, EdgeId e) {
     state.on_split(centre, mesh.end(e, 0), mesh.end(e, 1));
 }
 
+// Vetoes are cheap, and mesh.may_split() looks no farther than the sides.
 template <class State, class... C>
 int refine_level(AdaptiveMesh& mesh, State& state, int level, const C&... criteria) {
     int splits = 0;
-    for (const EdgeId e : mesh.unsplit_edges(level)) {
-        if (!should_split(mesh, e, criteria...)) continue;
+    const auto split_one = [&](EdgeId e) {
         split(mesh, state, e);
         ++splits;
+    };
+    for (const EdgeId e : mesh.unsplit_edges(level)) {
+        if (is_vetoed(mesh, e, criteria...) || !mesh.may_split(e)) continue;
+        if ((asks(criteria, mesh, e) || ...)) {
+            split_one(e);
+        } else {
+            note(e, criteria...);
+        }
     }
+    const auto ask = [&](EdgeId e, const auto& criterion) {
+        if (criterion.wants_split(mesh, e)) split_one(e);
+    };
+    look(mesh, ask, criteria...);
     return splits;
 }
 
 template <class State, class... C>
 int coarsen_level(AdaptiveMesh& mesh, State& state, int level, bool beyond_limit, const C&... criteria) {
     int rejoins = 0;
-    for (const EdgeId e : mesh.split_edges(level)) {
-        if (!mesh.has_leaf_children(e)) continue;
-        if (!beyond_limit && !should_rejoin(mesh, e, criteria...)) continue;
-        if (!mesh.may_rejoin(e)) continue;  // looks farther than the criteria do, so it comes last
+    const auto rejoin_one = [&](EdgeId e) {
+        if (!mesh.may_rejoin(e)) return;  // looks farther than the criteria do, so it comes last
         state.on_rejoin(mesh.centre(e));
         mesh.rejoin(e);
         ++rejoins;
+    };
+    for (const EdgeId e : mesh.split_edges(level)) {
+        if (!mesh.has_leaf_children(e)) continue;
+        if (beyond_limit || is_vetoed(mesh, e, criteria...)) {
+            rejoin_one(e);
+        } else if ((agrees(criteria, mesh, e) && ...)) {
+            if constexpr (has_batch<C...>) {
+                note(e, criteria...);
+            } else {
+                rejoin_one(e);
+            }
+        }
     }
+    const auto ask = [&](EdgeId e, const auto& criterion) {
+        if (criterion.allows_rejoin(mesh, e)) rejoin_one(e);
+    };
+    look(mesh, ask, criteria...);
     return rejoins;
 }
 
@@ -146,12 +202,14 @@ AdaptReport adapt_choosing(const Choice& choice, AdaptiveMesh& mesh, State& stat
     const int limit = std::min(options.max_level, mesh.max_level());
     for (int level = 0; level < limit; ++level) {
         const int splits = adapt_detail::refine_level(mesh, state, level, criteria...);
-        if (splits > 0) report.transitions += adapt_detail::retriangulate(mesh, state, level, options.transitions, choice);
+        if (splits > 0)
+            report.transitions += adapt_detail::retriangulate(mesh, state, level, options.transitions, choice);
         report.splits += splits;
     }
     for (int level = mesh.max_level() - 1; level >= 0; --level) {
         const int rejoins = adapt_detail::coarsen_level(mesh, state, level, level >= limit, criteria...);
-        if (rejoins > 0) report.transitions += adapt_detail::retriangulate(mesh, state, level, options.transitions, choice);
+        if (rejoins > 0)
+            report.transitions += adapt_detail::retriangulate(mesh, state, level, options.transitions, choice);
         report.rejoins += rejoins;
     }
     mesh.refresh_lists();

@@ -81,7 +81,7 @@ class AdaptiveMesh {
     std::span<const LeafTriangle> leaf_triangles() const { return leaves().triangles; }
     std::span<const Hinge> hinges() const { return leaves().hinges; }
     std::span<const float> vertex_areas() const { return leaves().vertex_areas; }  // m^2, by vertex id
-    const Hinge* hinge(EdgeId e) const { return keeper_.hinge(e); }  // of a leaf edge; none at a boundary
+    const Hinge* hinge(EdgeId e) const { return keeper_.hinge(e); }                // of a leaf edge; none at a boundary
     const LeafLists& leaves() const { return keeper_.lists(); }
 
     // What the last refresh_lists(), and so the last adaption, did to them.

@@ -24,6 +24,7 @@ class CurvatureCriterion {
         const AdaptiveEdge& edge = mesh.edge(e);
         return dot(edge.ends[0], edge.ends[1]) < split_cosine_;
     }
+    bool wants_split(const AdaptiveMesh&, const LeafEdge& e) const { return dot(e.a, e.b) < split_cosine_; }
 
     bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId e) const {
         const AdaptiveEdge& edge = mesh.edge(e);

@@ -5,20 +5,59 @@
 // are flat and never ask, so that their triangles stay in S1..S6 and the fold stays at level 1, however much the edges
 // across it ask. With foresight an edge also asks when a finer edge of its triangles does. It is a choice of the
 // criterion, made outside of the mesh; the permissions stay as they are.
-#include <algorithm>
+#include <cstdint>
+#include <vector>
 
 #include "sim/adaptive/adapt.h"
 
 namespace selvedge {
 
+// What a criterion says of the leaf edges that are there before an adaption, asked in one flat loop. Edges that are
+// made, or made anew, while it is under way are to be forgotten: see forget().
+class LeafAnswers {
+ public:
+    template <EdgeCriterion Criterion>
+    void ask(const AdaptiveMesh& mesh, const Criterion& criterion) {
+        answers_.assign(mesh.edges().capacity(), Answer::None);
+        for (const LeafEdge& e : mesh.leaf_edges()) {
+            answers_[e.edge.value] = criterion.wants_split(mesh, e) ? Answer::Yes : Answer::No;
+        }
+    }
+
+    template <EdgeCriterion Criterion>
+    bool wants_split(const AdaptiveMesh& mesh, EdgeId e, const Criterion& criterion) const {
+        const Answer answer = e.value < answers_.size() ? answers_[e.value] : Answer::None;
+        if (answer == Answer::No || mesh.is_split(e)) return false;
+        return answer == Answer::Yes || criterion.wants_split(mesh, e);
+    }
+
+    // The edges that are new when t has changed its configuration.
+    void forget(const AdaptiveMesh& mesh, TriangleId t) {
+        const AdaptiveTriangle& owner = mesh.triangle(t);
+        for (std::size_t i = 0; i < layout(owner.configuration).edge_count; ++i) forget(owner.internal_edges[i]);
+        for (const EdgeId e : owner.edges) {
+            if (!mesh.is_split(e)) continue;
+            for (const EdgeId child : mesh.edge(e).children) forget(child);
+        }
+    }
+
+ private:
+    enum class Answer : std::uint8_t { None, No, Yes };
+    void forget(EdgeId e) {
+        if (e.value < answers_.size()) answers_[e.value] = Answer::None;
+    }
+
+    std::vector<Answer> answers_;  // by EdgeId
+};
+
 template <EdgeCriterion Criterion>
 class Foresight {
  public:
-    explicit Foresight(const Criterion& criterion) : criterion_(criterion) {}  // pre: outlives this
+    // Pre: both outlive this; answers are those of the criterion, or there are none.
+    explicit Foresight(const Criterion& criterion, const LeafAnswers& answers = kNone)
+        : criterion_(criterion), answers_(answers) {}
 
-    bool wants_split(const AdaptiveMesh& mesh, EdgeId e) const {
-        return criterion_.wants_split(mesh, e) || finer_edges_ask(mesh, e);
-    }
+    bool wants_split(const AdaptiveMesh& mesh, EdgeId e) const { return asks(mesh, e) || finer_edges_ask(mesh, e); }
 
     // Else what was split for others' sake would rejoin and split again, turn by turn.
     bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId e) const {
@@ -26,6 +65,10 @@ class Foresight {
     }
 
  private:
+    static inline const LeafAnswers kNone{};
+
+    bool asks(const AdaptiveMesh& mesh, EdgeId e) const { return answers_.wants_split(mesh, e, criterion_); }
+
     bool finer_edges_ask(const AdaptiveMesh& mesh, EdgeId e) const {
         if (mesh.level(e) + 1 >= mesh.max_level()) return false;
         const auto asks_inside = [&](TriangleId side) { return side && edges_inside_ask(mesh, mesh.triangle(side)); };
@@ -34,17 +77,19 @@ class Foresight {
     }
 
     bool edges_inside_ask(const AdaptiveMesh& mesh, const AdaptiveTriangle& owner) const {
-        const auto asks = [&](EdgeId e) {
-            return mesh.level(e) > owner.level && !mesh.is_split(e) && criterion_.wants_split(mesh, e);
-        };
-        for (std::size_t i = 0; i < layout(owner.configuration).triangle_count; ++i) {
-            const std::array<EdgeId, 3>& edges = mesh.triangle(owner.internal_triangles[i]).edges;
-            if (std::any_of(edges.begin(), edges.end(), asks)) return true;
+        for (std::size_t i = 0; i < layout(owner.configuration).edge_count; ++i) {
+            if (asks(mesh, owner.internal_edges[i])) return true;
+        }
+        for (const EdgeId e : owner.edges) {
+            if (!mesh.is_split(e)) continue;
+            const std::array<EdgeId, 2>& children = mesh.edge(e).children;
+            if (asks(mesh, children[0]) || asks(mesh, children[1])) return true;
         }
         return false;
     }
 
     const Criterion& criterion_;
+    const LeafAnswers& answers_;
 };
 
 }  // namespace selvedge

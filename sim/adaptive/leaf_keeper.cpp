@@ -70,8 +70,8 @@ void LeafKeeper::grow(std::size_t vertices, std::size_t edges, std::size_t trian
     reserve(vertices, vertices_.noted, changes_.vertices_gone, changes_.vertices_come, gaps_.vertices);
     reserve(edges, edges_.noted, changes_.edges_gone, changes_.edges_come, changes_.hinges_changed, fresh_,
             gaps_.hinges, gaps_.boundary);
-    reserve(triangles, triangles_.noted, changes_.triangles_gone, changes_.triangles_come,
-            changes_.refined_changed, refined_noted_, gaps_.triangles);
+    reserve(triangles, triangles_.noted, changes_.triangles_gone, changes_.triangles_come, changes_.refined_changed,
+            refined_noted_, gaps_.triangles);
 }
 
 void LeafKeeper::refresh(const AdaptiveMesh& mesh) {

@@ -58,10 +58,10 @@ class LeafKeeper {
     // Where an id stands in its list, with marks above.
     using Place = std::uint32_t;
     static constexpr Place kNoted = 1U << 31U;
-    static constexpr Place kIsBoundary = 1U << 30U;  // of edges: in the list of those
-    static constexpr Place kIsFresh = 1U << 29U;     // of edges: its hinge is known to have changed
+    static constexpr Place kIsBoundary = 1U << 30U;     // of edges: in the list of those
+    static constexpr Place kIsFresh = 1U << 29U;        // of edges: its hinge is known to have changed
     static constexpr Place kIsRefinedNoted = kIsFresh;  // of triangles
-    static constexpr Place kIsReleased = 1U << 28U;  // since it was noted; it may have been taken again for another
+    static constexpr Place kIsReleased = 1U << 28U;     // since it was noted; it may have been taken again for another
     static constexpr Place kUnlisted = kIsReleased - 1;
     static constexpr Place kPosition = kUnlisted;
 

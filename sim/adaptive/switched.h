@@ -28,6 +28,23 @@ struct Switched<Criterion> {
     bool vetoes(const AdaptiveMesh& mesh, EdgeId e) const { return is_on && criterion.vetoes(mesh, e); }
 };
 
+// Off, it is noted as well and agrees.
+template <BatchCriterion Criterion>
+struct Switched<Criterion> {
+    static constexpr bool is_batch = true;
+    Switched(bool on, const Criterion& asked) : is_on(on), criterion(asked) {}
+
+    bool is_on;
+    const Criterion& criterion;  // outlives this
+
+    void note(EdgeId e) const { criterion.note(e); }
+    std::span<const EdgeId> look(const AdaptiveMesh& mesh) const {
+        return is_on ? criterion.look(mesh) : criterion.noted();
+    }
+    bool wants_split(const AdaptiveMesh& mesh, EdgeId e) const { return is_on && criterion.wants_split(mesh, e); }
+    bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId e) const { return !is_on || criterion.allows_rejoin(mesh, e); }
+};
+
 template <class Criterion>
 Switched(bool, const Criterion&) -> Switched<Criterion>;
 

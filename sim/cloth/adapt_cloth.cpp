@@ -20,7 +20,10 @@ struct ClothObserver {
     BiasHandover biases{cloth};
 
     void before(TriangleId t) { biases.before(t); }
-    void after(TriangleId t) { biases.after(t); }
+    void after(TriangleId t) {
+        biases.after(t);
+        cloth.adapting.curvature.forget(cloth.mesh, t);
+    }
 
     void on_capacity(std::size_t capacity) {
         size_state(cloth, capacity);
@@ -54,10 +57,14 @@ AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& ob
     const bool sees = options.visibility != nullptr, counts = options.budget != nullptr;
     const float scale = counts ? options.budget->scale() : 1.0F;
 
-    const CollisionCriterion collision{
-        .x = cloth.x, .body = observer.body, .offset = observer.offset, .touch = options.collision_touch};
+    const CollisionCriterion collision{.x = cloth.x,
+                                       .body = observer.body,
+                                       .batch = cloth.adapting.collision,
+                                       .offset = observer.offset,
+                                       .touch = options.collision_touch};
     const CurvatureCriterion curvature(cloth.normals, scaled(options.curvature, scale));
-    const Foresight foresight(curvature);
+    if (on.curvature) cloth.adapting.curvature.ask(cloth.mesh, curvature);
+    const Foresight foresight(curvature, cloth.adapting.curvature);
     const LengthCriterion<Vec4f> length(cloth.x, scaled(options.length, scale));
     const BucklingCriterion<Vec4f> buckling(cloth.x, scaled(options.buckling, scale));
     const MinimumLevelCriterion minimum{options.minimum_levels};
@@ -69,7 +76,7 @@ AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& ob
         ShortestEdgeCriterion{options.shortest_edge}, HoldCriterion{options.may_rejoin}, Switched(counts, veto),
         Switched(sees, back_face), Switched(on.length, length), Switched(on.buckling, buckling),
         Switched(on.curvature, foresight), Switched(!options.minimum_levels.empty(), minimum), Switched(counts, keep),
-        Switched(on.collision, collision));  // the dearest last: one that asks, or disagrees, is enough
+        Switched(on.collision, collision));
 }
 
 AdaptReport adapt_chosen(Cloth& cloth, ClothObserver& observer, const AdaptClothOptions& options) {
@@ -87,27 +94,6 @@ AdaptReport adapt_chosen(Cloth& cloth, ClothObserver& observer, const AdaptCloth
 }
 
 }  // namespace
-
-float CollisionCriterion::height(std::span<const VertexId> corners) const {
-    float sum = 0;
-    for (const VertexId v : corners) sum += body.contact(x[v.value].head<3>()).distance - offset;
-    return sum / static_cast<float>(corners.size());
-}
-
-float CollisionCriterion::depth(const AdaptiveMesh& mesh, EdgeId id) const {
-    const AdaptiveEdge& edge = mesh.edge(id);
-    const auto depth_at = [&](const Vec4f& middle, std::span<const VertexId> corners) {
-        const float below = offset - body.contact(middle.head<3>()).distance;
-        return touch > 0 && below > -touch ? below + std::max(0.0F, height(corners)) : below;
-    };
-    float deepest = depth_at((x[edge.ends[0].value] + x[edge.ends[1].value]) * 0.5F, edge.ends);
-    for (const TriangleId side : edge.sides) {
-        if (!side) continue;
-        const std::array<VertexId, 3>& v = mesh.triangle(side).vertices;
-        deepest = std::max(deepest, depth_at((x[v[0].value] + x[v[1].value] + x[v[2].value]) * (1.0F / 3.0F), v));
-    }
-    return deepest;
-}
 
 AdaptReport adapt_cloth(Cloth& cloth, const Collider& body, const AdaptClothOptions& options,
                         const ContactOptions& contact) {

@@ -9,32 +9,11 @@
 #include "sim/adaptive/minimum_level.h"
 #include "sim/adaptive/triangle_budget.h"
 #include "sim/cloth/cloth.h"
+#include "sim/cloth/collision_criterion.h"
 
 namespace selvedge {
 
 class Collider;
-
-// Splits an edge that cuts into the offset surface of the body, or whose triangles do; lets it rejoin when they no
-// longer would. Asked of the parent chord: once the centre lies on the surface the children no longer cut.  (SPEC 1.3)
-// Contacts between vertices hold such chords off, so that they touch the surface from outside and their ends stand away
-// from it by what they would have cut: with `touch` above 0 that counts too.
-struct CollisionCriterion {
-    const std::vector<Vec4f>& x;
-    const Collider& body;
-    float offset = 0.003F;       // m, contact offset
-    float split_depth = 0.001F;  // m, of the chord below the offset surface
-    float rejoin_depth = 0.0004F;
-    float touch = 0;  // m above the offset surface at which a middle is taken to be held off
-
-    // How deep the chord's middle or that of a triangle beside it, both at the edge's own level, lies below the offset
-    // surface, or, held off, below its ends or corners, m.
-    float depth(const AdaptiveMesh& mesh, EdgeId edge) const;
-    bool wants_split(const AdaptiveMesh& mesh, EdgeId edge) const { return depth(mesh, edge) > split_depth; }
-    bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId edge) const { return depth(mesh, edge) < rejoin_depth; }
-
- private:
-    float height(std::span<const VertexId> corners) const;  // mean, of the corners above the offset surface, m
-};
 
 // Vetoes the split of edges that are short enough: below that size cloth of a real weight only crumples, and the solver
 // has to carry the whole garment's tension through vertices that weigh next to nothing.

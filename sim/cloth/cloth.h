@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "sim/adaptive/adaptive_mesh.h"
+#include "sim/adaptive/foresight.h"
+#include "sim/cloth/collision_criterion.h"
 #include "sim/cloth/contact.h"
 #include "sim/cloth/solver_lists.h"
 #include "sim/core/vec.h"
@@ -31,6 +33,12 @@ struct KeptBias {
     std::uint32_t adaption = 0;   // when it was noted
 };
 
+// What criteria remember while an adaption is under way, in the memory of the last one.
+struct CriteriaMemory {
+    LeafAnswers curvature;
+    CollisionBatch collision;
+};
+
 struct Cloth {
     AdaptiveMesh mesh;
     std::vector<Fabric> fabrics{};      // one per panel
@@ -42,12 +50,13 @@ struct Cloth {
     std::vector<Vec3f> normals{};       // unit, of the fabric's right side; see update_normals
     std::vector<bool> is_pinned{};
 
-    std::vector<KeptBias> bias{};      // by TriangleId, while an adaption is under way
-    std::uint32_t adaptions = 0;       // so far
-    std::vector<double> mass_sums{};   // kg by vertex, pinned or not; sums of floats, so that they can be undone exactly
+    std::vector<KeptBias> bias{};     // by TriangleId, while an adaption is under way
+    std::uint32_t adaptions = 0;      // so far
+    std::vector<double> mass_sums{};  // kg by vertex, pinned or not; sums of floats, so that they can be undone exactly
 
     SolverState solver{};
     ContactState contacts{};
+    CriteriaMemory adapting{};
     float damping = 0;      // 1/s, mean over the fabrics' area
     float substep = 0;      // s, the length that x_prev and the solver's blocks were made for
     int bend_interval = 2;  // sub-steps from one visit of the hinges to the next

@@ -70,7 +70,7 @@ class BlockColoring {
     std::vector<std::uint64_t> used_;    // by vertex: a bit for each colour
     std::vector<std::uint32_t> colors_;  // by constraint, between start() and assign()
     std::vector<std::uint32_t> lanes_;
-    std::vector<std::uint32_t> block_colors_;                           
+    std::vector<std::uint32_t> block_colors_;
     std::array<std::vector<std::uint32_t>, kColors + 1> free_lanes_{};  // by colour, the next last
     std::vector<Run> runs_;
     std::size_t blocks_in_runs_ = 0;

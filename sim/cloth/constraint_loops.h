@@ -251,9 +251,9 @@ void weigh_limits(std::span<LimitBlock> blocks, std::span<const LimitRecord> rec
     }
 }
 
-// Of hinges that are visited every `interval` sub-steps: what a visit does lasts that long, so the move that it makes at
-// once counts as often. Hinges that share vertices take half of each other's corrections away on an average, and what a
-// visit takes too little adds to the compliance: where the fabric's is larger, it is made smaller by as much.
+// Of hinges that are visited every `interval` sub-steps: what a visit does lasts that long, so the move that it makes
+// at once counts as often. Hinges that share vertices take half of each other's corrections away on an average, and
+// what a visit takes too little adds to the compliance: where the fabric's is larger, it is made smaller by as much.
 void weigh_bend(std::span<BendBlock> blocks, std::span<const BendRecord> records, int interval,
                 const float* inverse_masses) {
     const float visits = static_cast<float>(interval);

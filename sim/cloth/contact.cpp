@@ -188,6 +188,7 @@ void update_contacts(Cloth& cloth, const ContactOptions& options) {
         return;
     }
     const LeafChanges& changes = cloth.mesh.changes();
+    for (const VertexId v : changes.vertices_gone) contacts.friction[v.value] = 0;
     for (const VertexId v : changes.vertices_come) {
         contacts.asked[v.value] = nothing_known();
         contacts.friction[v.value] = 0;
@@ -233,9 +234,9 @@ void hold_vertices(Cloth& cloth, const Kernels& loops, const Collider& body, flo
     limits.longest_move = longest_move;
     const ContactKnowledge known{floats(contacts.asked), floats(contacts.plane)};
     contacts.asking.resize(solver.points.size() + kBlock);
-    const std::size_t count = loops.hold_moves(floats(solver.points), floats(solver.before), known,
-                                               contacts.friction.data(), solver.points.size() - 1, limits,
-                                               contacts.asking.data());
+    const std::size_t count =
+        loops.hold_moves(floats(solver.points), floats(solver.before), known, contacts.friction.data(),
+                         solver.points.size() - 1, limits, contacts.asking.data());
     if (count == 0) return;
     const std::uint32_t spare = static_cast<std::uint32_t>(4 * (solver.points.size() - 1));
     std::fill_n(contacts.asking.begin() + static_cast<std::ptrdiff_t>(count), kBlock, spare);

@@ -2,8 +2,8 @@
 // What points of the cloth know of the body, as the inner loops read it.
 //
 // A point remembers where it last asked the collider and how far it may go before it can touch: the true distance
-// changes no faster than the point moves. Where it may touch, and has not gone far, it takes the body for the plane that
-// it saw there; only when it has gone farther it asks again. So cloth that lies still asks nothing.
+// changes no faster than the point moves. Where it may touch, and has not gone far, it takes the body for the plane
+// that it saw there; only when it has gone farther it asks again. So cloth that lies still asks nothing.
 #include <array>
 
 #include "sim/cloth/solver_blocks.h"

@@ -23,9 +23,9 @@ namespace {
 // What is known of points, and what they are to do.
 struct Nearness {
     Xyz normal;
-    Floats height;  // above the offset surface, m
-    Ints asks;      // must ask the collider
-    Ints may_touch; // may be below the offset surface, as far as is known
+    Floats height;   // above the offset surface, m
+    Ints asks;       // must ask the collider
+    Ints may_touch;  // may be below the offset surface, as far as is known
 };
 
 // x: where they are; asked and plane: what they know, with slack and height fourth.

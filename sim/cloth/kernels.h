@@ -79,8 +79,8 @@ struct Kernels {
     void (*rub)(std::span<const StretchBlock> blocks, const float* points, float* before, float share);
 
     // Shortens what moved too far since `before`, and puts what touches the body, as far as is known, or is below the
-    // floor onto its offset surface; friction takes tangential motion since `before` off, by up to its coefficient times
-    // the depth. The offsets of the movable points that must ask the collider go into `found`; returns how many.
+    // floor onto its offset surface; friction takes tangential motion since `before` off, by up to its coefficient
+    // times the depth. The offsets of the movable points that must ask the collider go into `found`; returns how many.
     // Points, and what belongs to them, come in whole groups of sixteen. Pre: found has room for all.
     std::size_t (*hold_moves)(float* points, const float* before, const ContactKnowledge& known, const float* friction,
                               std::size_t count, const ContactLimits& limits, std::uint32_t* found);

@@ -32,7 +32,8 @@ struct alignas(64) StretchBlock {
     std::array<BlockFloats, 3> bias{};    // of warp, weft and shear: added to the strain that is seen
 };
 
-// What is needed now and then besides: the last multipliers of warp, weft and shear, and the compliances over a sub-step.
+// What is needed now and then besides: the last multipliers of warp, weft and shear, and the compliances over a
+// sub-step.
 struct alignas(64) StretchRecord {
     std::array<BlockFloats, 3> multiplier{};
     std::array<BlockFloats, 3> compliance{};
@@ -82,9 +83,9 @@ struct SolverBlocks {
     std::vector<StretchBlock> stretch;  // no block shares a vertex within itself
     std::vector<StretchRecord> records;
     std::vector<std::uint32_t> triangle_of;  // lane by lane: the TriangleId, or kSpare
-    std::vector<float> thirds;           // lane by lane: a third of the leaf's mass, kg
-    std::vector<std::uint32_t> over;     // scratch: lanes that one pass found beyond the fabric's strain limit
-    StretchBlock spare{};                // of spare lanes
+    std::vector<float> thirds;               // lane by lane: a third of the leaf's mass, kg
+    std::vector<std::uint32_t> over;         // scratch: lanes that one pass found beyond the fabric's strain limit
+    StretchBlock spare{};                    // of spare lanes
     std::vector<BendBlock> bend;
     std::vector<BendRecord> bend_records;
     std::vector<ParentLevel> parents;  // coarse to fine

@@ -12,15 +12,15 @@ struct Cloth;
 // Where the constraints of a cloth stand in its blocks. kSpare: it has none.
 struct SolverLanes {
     BlockColoring stretch, bend;
-    std::vector<BlockColoring> limits;              // by level
-    std::vector<std::uint32_t> stretch_of;          // by TriangleId, of leaves
-    std::vector<std::uint32_t> bend_of;             // by EdgeId
-    std::vector<std::uint32_t> limit_of;            // by TriangleId, of refined triangles
-    std::vector<std::uint8_t> limit_level;          // by TriangleId: in whose blocks
-    std::size_t vertices = 0;                       // the spare point's index; 0: none were made yet
-    std::size_t inserted = 0;                       // leaves since all were made anew
-    std::vector<float> inverse_masses;              // scratch, by vertex
-    std::vector<float> masses;                      // scratch, by vertex, with all that follows it
+    std::vector<BlockColoring> limits;      // by level
+    std::vector<std::uint32_t> stretch_of;  // by TriangleId, of leaves
+    std::vector<std::uint32_t> bend_of;     // by EdgeId
+    std::vector<std::uint32_t> limit_of;    // by TriangleId, of refined triangles
+    std::vector<std::uint8_t> limit_level;  // by TriangleId: in whose blocks
+    std::size_t vertices = 0;               // the spare point's index; 0: none were made yet
+    std::size_t inserted = 0;               // leaves since all were made anew
+    std::vector<float> inverse_masses;      // scratch, by vertex
+    std::vector<float> masses;              // scratch, by vertex, with all that follows it
 };
 
 // Makes all blocks anew, in the memory that they have. Pre: masses are those of the present leaves.

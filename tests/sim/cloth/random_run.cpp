@@ -18,20 +18,19 @@ constexpr double kGravity = 9.81;
 double strain_energy(const Cloth& cloth) {
     const SolverBlocks& blocks = cloth.solver.blocks;
     const std::vector<TriangleStrain> strains = measure_strain(cloth);
+    const std::span<const LeafTriangle> leaves = cloth.mesh.leaf_triangles();
     double sum = 0;
-    for (std::size_t lane = 0; lane < blocks.leaf_of.size(); ++lane) {
-        if (blocks.leaf_of[lane] == kSpare) continue;
-        const LeafTriangle& leaf = cloth.mesh.leaf_triangles()[blocks.leaf_of[lane]];
-        const TriangleStrain& strain = strains[blocks.leaf_of[lane]];
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+        const std::uint32_t lane = cloth.solver.lanes.stretch_of[leaves[i].triangle.value];
         const auto& bias = blocks.stretch[lane / kBlock].bias;
         const auto energy = [&](double value, std::size_t k, double stiffness) {
             const double most = std::abs(value) + std::abs(double(bias[k][lane % kBlock]));
-            return 0.5 * material_area(leaf.u) * stiffness * most * most;
+            return 0.5 * material_area(leaves[i].u) * stiffness * most * most;
         };
-        const Fabric& fabric = cloth.fabrics[leaf.panel];
-        sum += energy(double(strain.warp), 0, fabric.stretch_warp) +
-               energy(double(strain.weft), 1, fabric.stretch_weft) +
-               energy(std::sin(double(strain.shear)), 2, fabric.shear);
+        const Fabric& fabric = cloth.fabrics[leaves[i].panel];
+        sum += energy(double(strains[i].warp), 0, fabric.stretch_warp) +
+               energy(double(strains[i].weft), 1, fabric.stretch_weft) +
+               energy(std::sin(double(strains[i].shear)), 2, fabric.shear);
     }
     return sum;
 }
@@ -249,9 +248,9 @@ double RandomRun::depth() const {
         least = std::min({least, body().contact(x.head<3>()).distance, x.y() - stepping_.contact.floor});
     };
     for (const VertexId v : cloth_.mesh.leaf_vertices()) look(cloth_.x[v.value]);
-    for (const ContactSample& sample : cloth_.contacts.samples) {
-        const auto part = [&](std::size_t i) { return Vec4f(cloth_.x[sample.vertices[i]] * sample.shares[i]); };
-        look(part(0) + part(1) + part(2));
+    for (std::size_t lane = 0; lane < kBlock * cloth_.contacts.samples.size(); ++lane) {
+        const std::optional<Vec3f> sample = sample_at(cloth_.contacts, lane, cloth_.x);
+        if (sample) look(padded(*sample));
     }
     return double(stepping_.contact.offset - least);
 }

@@ -20,15 +20,21 @@ struct BiasedLeaf {
     Vec3f bias = Vec3f::Zero();
 };
 
+LeafTriangle leaf_of(const Cloth& cloth, std::uint32_t triangle) {
+    const std::span<const LeafTriangle> leaves = cloth.mesh.leaf_triangles();
+    return *std::find_if(leaves.begin(), leaves.end(),
+                         [&](const LeafTriangle& t) { return t.triangle.value == triangle; });
+}
+
 // What the solver works with.
 std::vector<BiasedLeaf> biases(const Cloth& cloth) {
     const SolverBlocks& blocks = cloth.solver.blocks;
     std::vector<BiasedLeaf> found;
-    for (std::size_t lane = 0; lane < blocks.leaf_of.size(); ++lane) {
-        if (blocks.leaf_of[lane] == kSpare) continue;
+    for (std::size_t lane = 0; lane < blocks.triangle_of.size(); ++lane) {
+        if (blocks.triangle_of[lane] == kSpare) continue;
         const auto& b = blocks.stretch[lane / kBlock].bias;
         const std::size_t at = lane % kBlock;
-        found.push_back({cloth.mesh.leaf_triangles()[blocks.leaf_of[lane]], Vec3f(b[0][at], b[1][at], b[2][at])});
+        found.push_back({leaf_of(cloth, blocks.triangle_of[lane]), Vec3f(b[0][at], b[1][at], b[2][at])});
     }
     return found;
 }
@@ -36,9 +42,9 @@ std::vector<BiasedLeaf> biases(const Cloth& cloth) {
 // Each leaf's own.
 void learn(Cloth& cloth, float scale) {
     SolverBlocks& blocks = cloth.solver.blocks;
-    for (std::size_t lane = 0; lane < blocks.leaf_of.size(); ++lane) {
-        if (blocks.leaf_of[lane] == kSpare) continue;
-        const LeafTriangle& leaf = cloth.mesh.leaf_triangles()[blocks.leaf_of[lane]];
+    for (std::size_t lane = 0; lane < blocks.triangle_of.size(); ++lane) {
+        if (blocks.triangle_of[lane] == kSpare) continue;
+        const LeafTriangle leaf = leaf_of(cloth, blocks.triangle_of[lane]);
         const float value = scale * (1 + static_cast<float>(leaf.triangle.value));
         auto& b = blocks.stretch[lane / kBlock].bias;
         b[0][lane % kBlock] = value;

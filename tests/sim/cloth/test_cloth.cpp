@@ -45,7 +45,7 @@ TEST(Cloth, weighs_the_same_after_any_number_of_adaptions) {
         EXPECT_TRUE(check(cloth.mesh).empty()) << check(cloth.mesh).front();
     }
     EXPECT_GT(changes, 100) << "the waves made hardly anything split, so nothing was tested";
-    const std::vector<std::uint32_t>& lanes = cloth.solver.blocks.leaf_of;
+    const std::vector<std::uint32_t>& lanes = cloth.solver.blocks.triangle_of;
     const auto spare = std::count(lanes.begin(), lanes.end(), kSpare);
     EXPECT_EQ(lanes.size() - static_cast<std::size_t>(spare), cloth.mesh.leaf_triangles().size());
 }
@@ -130,7 +130,7 @@ TEST_F(BallUnderAPatch, lets_the_edges_rejoin_once_it_is_away) {
     move_to(cloth_, Eigen::Matrix3f::Identity(), Vec3f(0, 1, 0));
     for (int i = 0; i <= cloth_.mesh.max_level(); ++i) adapt_once();
     EXPECT_EQ(cloth_.mesh.leaf_triangles().size(), cloth_.mesh.base_triangle_count());
-    EXPECT_GT(cloth_.contacts.samples.size(), cloth_.mesh.leaf_triangles().size()) << "0.25 m edges have samples";
+    EXPECT_GT(sample_count(cloth_.contacts), cloth_.mesh.leaf_triangles().size()) << "0.25 m edges have samples";
 }
 
 TEST_F(BallUnderAPatch, does_not_flicker_while_nothing_moves) {

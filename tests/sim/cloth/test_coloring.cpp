@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <map>
 #include <numbers>
 #include <set>
 
+#include "sim/cloth/adapt_cloth.h"
 #include "tests/sim/cloth/fixtures.h"
 
 namespace selvedge::test {
@@ -16,7 +19,7 @@ namespace {
 using Corners = std::vector<std::uint32_t>;  // sorted
 
 template <class Block>
-Corners corners_at(const Block& block, std::size_t at) {
+Corners sorted_corners_at(const Block& block, std::size_t at) {
     Corners corners;
     for (const BlockPoints& points : block.vertices) corners.push_back(points[at] / 4);
     std::sort(corners.begin(), corners.end());
@@ -31,7 +34,7 @@ std::multiset<Corners> constraints_of(const std::vector<Block>& blocks, const Cl
     for (const Block& block : blocks) {
         std::set<std::uint32_t> touched;
         for (std::size_t at = 0; at < kBlock; ++at) {
-            const Corners corners = corners_at(block, at);
+            const Corners corners = sorted_corners_at(block, at);
             if (corners.front() == spare) {
                 EXPECT_EQ(corners.back(), spare) << "a lane is spare as a whole";
                 continue;
@@ -71,15 +74,16 @@ void expect_sound_blocks(const Cloth& cloth) {
 
 void expect_each_leaf_in_its_lane(const Cloth& cloth) {
     const SolverBlocks& blocks = cloth.solver.blocks;
-    ASSERT_EQ(blocks.leaf_of.size(), blocks.stretch.size() * kBlock);
-    std::vector<int> seen(cloth.mesh.leaf_triangles().size(), 0);
-    for (std::size_t lane = 0; lane < blocks.leaf_of.size(); ++lane) {
-        if (blocks.leaf_of[lane] == kSpare) continue;
-        const LeafTriangle& leaf = cloth.mesh.leaf_triangles()[blocks.leaf_of[lane]];
-        EXPECT_EQ(corners_at(blocks.stretch[lane / kBlock], lane % kBlock), sorted({leaf.v[0], leaf.v[1], leaf.v[2]}));
-        ++seen[blocks.leaf_of[lane]];
+    ASSERT_EQ(blocks.triangle_of.size(), blocks.stretch.size() * kBlock);
+    std::set<std::uint32_t> seen;
+    for (std::size_t lane = 0; lane < blocks.triangle_of.size(); ++lane) {
+        if (blocks.triangle_of[lane] == kSpare) continue;
+        const std::array<VertexId, 3>& v = cloth.mesh.triangle(TriangleId(blocks.triangle_of[lane])).vertices;
+        EXPECT_EQ(sorted_corners_at(blocks.stretch[lane / kBlock], lane % kBlock), sorted({v[0], v[1], v[2]}));
+        EXPECT_TRUE(seen.insert(blocks.triangle_of[lane]).second) << "twice";
     }
-    EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), std::ptrdiff_t(seen.size()));
+    for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles()) EXPECT_TRUE(seen.contains(leaf.triangle.value));
+    EXPECT_EQ(seen.size(), cloth.mesh.leaf_triangles().size());
 }
 
 // Triangles about one vertex, all of the same size.
@@ -139,6 +143,105 @@ TEST(SolverBlocks, hold_every_leaf_hinge_and_refined_triangle_once) {
         expect_each_leaf_in_its_lane(cloth);
     }
     EXPECT_EQ(cloth.solver.blocks.parents[1].centres.size(), cloth.mesh.split_edges(1).size());
+}
+
+TEST(BlockColoring, gives_the_lanes_of_what_goes_to_what_comes_and_keeps_colours_apart) {
+    std::mt19937 random(6);
+    using Corners3 = std::array<std::uint32_t, 3>;
+    BlockColoring coloring;
+    coloring.start(60);
+    coloring.assign();
+    std::map<std::uint32_t, Corners3> by_lane;
+    for (int i = 0; i < 4000; ++i) {
+        if (random() % 100 < 45 && !by_lane.empty()) {
+            const auto one = std::next(by_lane.begin(), std::ptrdiff_t(random() % by_lane.size()));
+            coloring.remove(one->first, one->second);
+            by_lane.erase(one);
+            continue;
+        }
+        const auto among = [&](std::uint32_t least) { return least + static_cast<std::uint32_t>(random() % 20); };
+        const Corners3 corners{among(0), among(20), among(40)};
+        const std::uint32_t lane = coloring.insert(corners);
+        EXPECT_LT(lane, coloring.block_count() * kBlock);
+        EXPECT_TRUE(by_lane.emplace(lane, corners).second) << "two in one lane";
+    }
+    std::set<std::pair<std::uint32_t, std::uint32_t>> touched;  // colour, vertex
+    for (const auto& [lane, corners] : by_lane) {
+        for (const std::uint32_t v : corners) {
+            EXPECT_TRUE(touched.insert({coloring.colors()[lane / kBlock], v}).second);
+        }
+    }
+    std::size_t next = 0;
+    for (const BlockColoring::Run& run : coloring.runs()) {
+        EXPECT_EQ(run.first, next);
+        for (std::size_t i = 1; i < run.count; ++i) {
+            EXPECT_EQ(coloring.colors()[run.first + i], coloring.colors()[run.first]);
+        }
+        next += run.count;
+    }
+    EXPECT_EQ(next, coloring.block_count());
+}
+
+// What a lane holds, by its corners: whichever lane it is.
+template <class Block, class Record>
+std::map<Corners, std::vector<float>> contents(const std::vector<Block>& blocks, const std::vector<Record>& records,
+                                               const Cloth& cloth) {
+    std::map<Corners, std::vector<float>> found;
+    const auto add_column = [](const auto& rows, std::size_t at, std::vector<float>& to) {
+        std::array<float, sizeof(rows) / sizeof(float)> values;
+        std::memcpy(values.data(), &rows, sizeof(rows));
+        for (std::size_t i = at; i < values.size(); i += kBlock) to.push_back(values[i]);
+    };
+    for (std::size_t lane = 0; lane < blocks.size() * kBlock; ++lane) {
+        const Block& block = blocks[lane / kBlock];
+        const Corners corners = sorted_corners_at(block, lane % kBlock);
+        if (corners.front() == cloth.mesh.vertex_capacity()) continue;
+        std::vector<float>& values = found[corners];
+        add_column(block, lane % kBlock, values);
+        if constexpr (!std::is_same_v<Record, StretchRecord>) add_column(records[lane / kBlock], lane % kBlock, values);
+    }
+    return found;
+}
+
+void expect_alike(const std::map<Corners, std::vector<float>>& a, const std::map<Corners, std::vector<float>>& b) {
+    ASSERT_EQ(a.size(), b.size());
+    for (auto i = a.begin(), j = b.begin(); i != a.end(); ++i, ++j) {
+        ASSERT_EQ(i->first, j->first);
+        for (std::size_t k = 0; k < i->second.size(); ++k) {
+            EXPECT_NEAR(i->second[k], j->second[k], 1e-5F * std::abs(j->second[k])) << "figure " << k;
+        }
+    }
+}
+
+TEST(SolverBlocks, that_change_with_the_mesh_hold_what_blocks_made_anew_hold) {
+    std::mt19937 random(7);
+    Cloth cloth = make_patch(find_fabric("denim"), {.side = 0.4});
+    cloth.is_pinned[3] = true;
+    refresh_solver(cloth);
+    refresh_contacts(cloth);
+    int in_place = 0;
+    for (int i = 0; i < 40; ++i) {
+        shake(cloth, 0.004F, random);
+        const std::size_t inserted = cloth.solver.lanes.inserted;
+        if (!adapt_cloth(cloth, nothing_near(), {.shortest_edge = 0}).changed()) continue;
+        in_place += cloth.solver.lanes.inserted > inserted ? 1 : 0;
+        expect_sound_blocks(cloth);
+        expect_each_leaf_in_its_lane(cloth);
+        Cloth anew = cloth;
+        refresh_solver(anew);
+        refresh_contacts(anew);
+        const SolverBlocks &now = cloth.solver.blocks, &then = anew.solver.blocks;
+        expect_alike(contents(now.stretch, now.records, cloth), contents(then.stretch, then.records, anew));
+        expect_alike(contents(now.bend, now.bend_records, cloth), contents(then.bend, then.bend_records, anew));
+        for (std::size_t level = 0; level < now.parents.size(); ++level) {
+            const ParentLevel &a = now.parents[level], &b = then.parents[level];
+            expect_alike(contents(a.triangles, a.records, cloth), contents(b.triangles, b.records, anew));
+            EXPECT_EQ(a.centres.size(), b.centres.size());
+        }
+        EXPECT_EQ(cloth.contacts.friction, anew.contacts.friction);
+        EXPECT_EQ(sample_count(cloth.contacts), sample_count(anew.contacts));
+    }
+    EXPECT_GT(in_place, 5);
 }
 
 // More triangles than there are colours meet in one vertex.

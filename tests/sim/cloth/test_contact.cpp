@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 
+#include "sim/cloth/block_lanes.h"
 #include "sim/cloth/kernels.h"
 #include "tests/sim/body/shapes.h"
 #include "tests/sim/cloth/fixtures.h"
@@ -52,13 +53,17 @@ TEST(RefreshContacts, samples_every_edge_longer_than_the_spacing_and_triangles_t
         refine(cloth, level);
         std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<float>> samples;
         std::size_t middles = 0;
-        for (const ContactSample& sample : cloth.contacts.samples) {
-            EXPECT_NEAR(sample.shares[0] + sample.shares[1] + sample.shares[2], 1, 1e-5F);
-            const auto [a, b, c] = sample.vertices;
-            if (b != c) {
+        for (std::size_t lane = 0; lane < kBlock * cloth.contacts.samples.size(); ++lane) {
+            const SampleBlock& block = cloth.contacts.samples[lane / kBlock];
+            const std::array<float, 3> shares{block.shares[0][lane % kBlock], block.shares[1][lane % kBlock],
+                                              block.shares[2][lane % kBlock]};
+            if (shares[0] == 0) continue;
+            EXPECT_NEAR(shares[0] + shares[1] + shares[2], 1, 1e-5F);
+            const auto [a, b, c] = corners_at(block, lane % kBlock);
+            if (shares[2] > 0) {
                 ++middles;
             } else {
-                samples[std::minmax(a, b)].push_back(a < b ? sample.shares[1] : sample.shares[0]);
+                samples[std::minmax(a, b)].push_back(a < b ? shares[1] : shares[0]);
             }
         }
         const auto is_long = [&](const LeafTriangle& t) {

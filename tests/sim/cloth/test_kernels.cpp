@@ -114,7 +114,7 @@ TEST_P(KernelsAtLevel, stretch_and_shear_push_and_turn_nothing_as_a_whole) {
     expect_no_push<StretchBlock>(
         cloth, cloth.solver.blocks.stretch,
         [&](auto one, Points& points) {
-            std::vector<std::uint32_t> over(one.size());
+            std::vector<std::uint32_t> over(one.size() * kBlock);
             loops().solve_stretch(one, nullptr, floats(points), over.data());
         },
         0.01);
@@ -189,7 +189,7 @@ TEST_P(KernelsAtLevel, a_limit_takes_back_what_is_longer_and_touches_nothing_sho
 
 // Every loop once, over a shaken patch that has two pinned vertices.
 struct Sweep {
-    Points points, before, asked;
+    Points points, before, asked, plane;
     std::vector<StretchRecord> records;
     std::vector<StretchBlock> stretch;
     std::vector<std::uint32_t> over, found;
@@ -204,6 +204,11 @@ Sweep swept(const Kernels& loops) {
     Sweep s;
     s.points = s.before = solver_points(cloth, cloth.x);
     s.asked.assign(s.points.size(), Vec4f(0, 0, 0, 0.1F));
+    s.plane.assign(s.points.size(), Vec4f(0, 1, 0, -0.002F));
+    for (std::size_t v = 0; v < s.points.size(); v += 3) {
+        s.asked[v] = s.points[v];  // lies on the body
+        s.asked[v].w() = 0;
+    }
     s.records = blocks.records;
     s.stretch = blocks.stretch;
     loops.predict(floats(s.points), floats(s.before), cloth.x.size(), {.keep = 0.9F, .fall = {1e-4F, -1e-3F, 2e-4F}});
@@ -211,14 +216,16 @@ Sweep swept(const Kernels& loops) {
         limit_and_carry(cloth, loops, blocks.parents[level].triangles, level, s.points);
     }
     loops.solve_bend(blocks.bend, floats(s.points));
-    s.over.resize(s.stretch.size());
+    s.over.resize(s.stretch.size() * kBlock);
     s.over.resize(loops.solve_stretch(s.stretch, s.records.data(), floats(s.points), s.over.data()));
-    loops.limit_stretch(s.stretch, s.over, floats(s.points));
+    loops.limit_stretch(s.stretch, cloth.solver.lanes.stretch.colors(), s.over, blocks.spare, floats(s.points));
     loops.update_bias(s.stretch, s.records, floats(s.points), floats(s.before), {.stretch = 0.1F, .shear = 0.05F});
     loops.rub(s.stretch, floats(s.points), floats(s.before), 0.2F);
     s.found.resize(s.points.size() + kBlock);
-    s.found.resize(loops.hold_moves(floats(s.points), floats(s.before), floats(s.asked), cloth.x.size(),
-                                    {.longest_move = 0.003F, .floor = -0.01F}, s.found.data()));
+    const std::vector<float> friction(s.points.size(), 0.4F);
+    s.found.resize(loops.hold_moves(floats(s.points), floats(s.before), {floats(s.asked), floats(s.plane)},
+                                    friction.data(), cloth.x.size(), {.longest_move = 0.003F, .floor = -0.01F},
+                                    s.found.data()));
     return s;
 }
 

@@ -114,8 +114,8 @@ TEST(Step, no_spare_lane_is_taken_for_a_triangle_beyond_its_strain_limit) {
     step(cloth, nothing_near(), {.contact = kNoContact});
     const SolverBlocks& blocks = cloth.solver.blocks;
     std::size_t spares = 0;
-    for (std::size_t lane = 0; lane < blocks.leaf_of.size(); ++lane) {
-        if (blocks.leaf_of[lane] != kSpare) continue;
+    for (std::size_t lane = 0; lane < blocks.triangle_of.size(); ++lane) {
+        if (blocks.triangle_of[lane] != kSpare) continue;
         ++spares;
         EXPECT_GT(blocks.stretch[lane / kBlock].longest[lane % kBlock], 1e30F) << "a spare lane would count as over";
     }
