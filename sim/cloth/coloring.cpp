@@ -8,7 +8,6 @@ void BlockColoring::start(std::size_t vertices) {
     block_colors_.clear();
     for (std::vector<std::uint32_t>& lanes : free_lanes_) lanes.clear();
     runs_.clear();
-    blocks_in_runs_ = 0;
 }
 
 // Blocks are made colour by colour, so that those of one colour lie side by side; lanes are given away from the first.
@@ -20,7 +19,7 @@ const std::vector<std::uint32_t>& BlockColoring::assign() {
         const std::uint32_t per_block = color < kColors ? kBlock : 1;
         const std::uint32_t blocks = (counts[color] + per_block - 1) / per_block;
         next[color] = static_cast<std::uint32_t>(block_colors_.size() * kBlock);
-        for (std::uint32_t i = 0; i < blocks; ++i) block_colors_.push_back(color < kColors ? color : kColors + i);
+        for (std::uint32_t i = 0; i < blocks; ++i) add_block(color < kColors ? color : kColors + i);
         alone_ = color < kColors ? 0 : blocks;
         if (color == kColors) break;
         const std::uint32_t end = next[color] + blocks * static_cast<std::uint32_t>(kBlock);
@@ -40,23 +39,20 @@ std::uint32_t BlockColoring::take_lane(std::uint32_t color) {
         const auto first = static_cast<std::uint32_t>(block_colors_.size() * kBlock);
         const auto count = color < kColors ? static_cast<std::uint32_t>(kBlock) : 1U;
         for (std::uint32_t i = count; i-- > 0;) free.push_back(first + i);
-        block_colors_.push_back(color < kColors ? color : kColors + alone_++);
+        add_block(color < kColors ? color : kColors + alone_++);
     }
     const std::uint32_t lane = free.back();
     free.pop_back();
     return lane;
 }
 
-const std::vector<BlockColoring::Run>& BlockColoring::runs() {
-    for (; blocks_in_runs_ < block_colors_.size(); ++blocks_in_runs_) {
-        const std::size_t i = blocks_in_runs_;
-        if (i > 0 && block_colors_[i] == block_colors_[i - 1]) {
-            ++runs_.back().count;
-        } else {
-            runs_.push_back({i, 1});
-        }
+void BlockColoring::add_block(std::uint32_t color) {
+    if (!block_colors_.empty() && block_colors_.back() == color) {
+        ++runs_.back().count;
+    } else {
+        runs_.push_back({block_colors_.size(), 1});
     }
-    return runs_;
+    block_colors_.push_back(color);
 }
 
 }  // namespace selvedge

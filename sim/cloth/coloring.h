@@ -49,7 +49,7 @@ class BlockColoring {
         std::size_t first, count;
     };
     // All blocks, in their order.
-    const std::vector<Run>& runs();
+    const std::vector<Run>& runs() const { return runs_; }
 
  private:
     // From there on: of vertices that have them all; such constraints get blocks, and colours, of their own.
@@ -66,6 +66,7 @@ class BlockColoring {
         return color;
     }
     std::uint32_t take_lane(std::uint32_t color);
+    void add_block(std::uint32_t color);
 
     std::vector<std::uint64_t> used_;    // by vertex: a bit for each colour
     std::vector<std::uint32_t> colors_;  // by constraint, between start() and assign()
@@ -73,7 +74,6 @@ class BlockColoring {
     std::vector<std::uint32_t> block_colors_;
     std::array<std::vector<std::uint32_t>, kColors + 1> free_lanes_{};  // by colour, the next last
     std::vector<Run> runs_;
-    std::size_t blocks_in_runs_ = 0;
     std::uint32_t alone_ = 0;  // blocks of one constraint
 };
 

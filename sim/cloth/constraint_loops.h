@@ -124,12 +124,11 @@ void limit_block(const StretchBlock& block, float* points) {
 }
 
 // Lanes of one colour share no vertex, whichever blocks they stand in: sixteen of them make a block of their own.
-void limit_stretch(std::span<const StretchBlock> blocks, std::span<const std::uint32_t> colors,
-                   std::span<const std::uint32_t> over, const StretchBlock& spare, float* points) {
+void limit_stretch(std::span<const StretchBlock> blocks, std::span<const std::uint32_t> over, const StretchBlock& spare,
+                   float* points) {
     for (std::size_t i = 0; i < over.size();) {
         StretchBlock packed = spare;
-        const std::uint32_t color = colors[over[i] / kBlock];
-        for (std::size_t n = 0; n < kBlock && i < over.size() && colors[over[i] / kBlock] == color; ++n, ++i) {
+        for (std::size_t n = 0; n < kBlock && i < over.size(); ++n, ++i) {
             pack_lane(blocks[over[i] / kBlock], over[i] % kBlock, packed, n);
         }
         limit_block(packed, points);

@@ -7,6 +7,7 @@
 #include "sim/cloth/block_lanes.h"
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/kernels.h"
+#include "sim/cloth/team_work.h"
 
 namespace selvedge {
 namespace {
@@ -221,37 +222,44 @@ std::optional<Vec3f> sample_at(const ContactState& contacts, std::size_t lane, c
     return sum;
 }
 
-void push_out_samples(Cloth& cloth, const Kernels& loops, const Collider& body, const ContactOptions& options) {
+void push_out_samples(Cloth& cloth, const Kernels& loops, const Collider& body, const ContactOptions& options,
+                      TeamMember& member) {
     const ContactLimits limits = limits_for(body, options);
-    for (SampleBlock& samples : cloth.contacts.samples) meet_samples(cloth.solver, samples, loops, body, limits);
+    ContactState& contacts = cloth.contacts;
+    for_runs(member, contacts.coloring.runs(), [&](std::size_t, std::size_t first, std::size_t count) {
+        for (std::size_t i = first; i < first + count; ++i) {
+            meet_samples(cloth.solver, contacts.samples[i], loops, body, limits);
+        }
+    });
 }
 
 void hold_vertices(Cloth& cloth, const Kernels& loops, const Collider& body, float longest_move,
-                   const ContactOptions& options) {
+                   const ContactOptions& options, TeamMember& member) {
     ContactState& contacts = cloth.contacts;
     SolverState& solver = cloth.solver;
     ContactLimits limits = limits_for(body, options);
     limits.longest_move = longest_move;
     const ContactKnowledge known{floats(contacts.asked), floats(contacts.plane)};
-    contacts.asking.resize(solver.points.size() + kBlock);
-    const std::size_t count =
-        loops.hold_moves(floats(solver.points), floats(solver.before), known, contacts.friction.data(),
-                         solver.points.size() - 1, limits, contacts.asking.data());
+    const auto [begin, end] = member.part_of(solver.points.size() - 1, kBlock);
+    auto& [asking, blocks] = contacts.scratch[member.index()];
+    asking.resize(end - begin + kBlock);
+    const std::size_t count = loops.hold_moves(floats(solver.points), floats(solver.before), known,
+                                               contacts.friction.data(), begin, end, limits, asking.data());
     if (count == 0) return;
     const std::uint32_t spare = static_cast<std::uint32_t>(4 * (solver.points.size() - 1));
-    std::fill_n(contacts.asking.begin() + static_cast<std::ptrdiff_t>(count), kBlock, spare);
-    contacts.blocks.resize((count + kBlock - 1) / kBlock);
-    for (std::size_t i = 0; i < contacts.blocks.size() * kBlock; ++i) {
-        const Vec4f& p = solver.points[contacts.asking[i] / 4];
-        ContactBlock& block = contacts.blocks[i / kBlock];
+    std::fill_n(asking.begin() + static_cast<std::ptrdiff_t>(count), kBlock, spare);
+    blocks.resize((count + kBlock - 1) / kBlock);
+    for (std::size_t i = 0; i < blocks.size() * kBlock; ++i) {
+        const Vec4f& p = solver.points[asking[i] / 4];
+        ContactBlock& block = blocks[i / kBlock];
         block.x[i % kBlock] = p.x();
         block.y[i % kBlock] = p.y();
         block.z[i % kBlock] = p.z();
     }
-    body.contacts(contacts.blocks, limits.offset);
-    for (std::size_t i = 0; i < contacts.blocks.size(); ++i) {
-        loops.answer_vertices(contacts.blocks[i], &contacts.asking[i * kBlock], contacts.friction.data(), limits,
-                              floats(solver.before), floats(solver.points), known);
+    body.contacts(blocks, limits.offset);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        loops.answer_vertices(blocks[i], &asking[i * kBlock], contacts.friction.data(), limits, floats(solver.before),
+                              floats(solver.points), known);
     }
 }
 

@@ -56,10 +56,10 @@ struct Kernels {
     std::size_t (*solve_stretch)(std::span<const StretchBlock> blocks, StretchRecord* records, float* points,
                                  std::uint32_t* over);
 
-    // Takes back what warp and weft in the lanes `over` are beyond the fabric's strain limit. colors: of each block;
-    // lanes of one colour share no vertex. spare: a block of spare lanes.
-    void (*limit_stretch)(std::span<const StretchBlock> blocks, std::span<const std::uint32_t> colors,
-                          std::span<const std::uint32_t> over, const StretchBlock& spare, float* points);
+    // Takes back what warp and weft in the lanes `over` are beyond the fabric's strain limit. Pre: all blocks are of
+    // one colour. spare: a block of spare lanes.
+    void (*limit_stretch)(std::span<const StretchBlock> blocks, std::span<const std::uint32_t> over,
+                          const StretchBlock& spare, float* points);
 
     // One pass over hinges.
     void (*solve_bend)(std::span<const BendBlock> blocks, float* points);
@@ -81,9 +81,9 @@ struct Kernels {
     // Shortens what moved too far since `before`, and puts what touches the body, as far as is known, or is below the
     // floor onto its offset surface; friction takes tangential motion since `before` off, by up to its coefficient
     // times the depth. The offsets of the movable points that must ask the collider go into `found`; returns how many.
-    // Points, and what belongs to them, come in whole groups of sixteen. Pre: found has room for all.
+    // Pre: begin and end, of points, are multiples of sixteen; found has room for all.
     std::size_t (*hold_moves)(float* points, const float* before, const ContactKnowledge& known, const float* friction,
-                              std::size_t count, const ContactLimits& limits, std::uint32_t* found);
+                              std::size_t begin, std::size_t end, const ContactLimits& limits, std::uint32_t* found);
 
     // The same for sixteen points that have asked; notes what they now know.
     void (*answer_vertices)(const ContactBlock& said, const std::uint32_t* offsets, const float* friction,

@@ -79,13 +79,19 @@ struct ParentLevel {
     std::vector<EdgeCentre> centres;  // that may move
 };
 
+inline constexpr std::size_t kMostMembers = 8;
+using OverCounts = std::array<std::uint32_t, kMostMembers>;
+
 struct SolverBlocks {
     std::vector<StretchBlock> stretch;  // no block shares a vertex within itself
     std::vector<StretchRecord> records;
     std::vector<std::uint32_t> triangle_of;  // lane by lane: the TriangleId, or kSpare
     std::vector<float> thirds;               // lane by lane: a third of the leaf's mass, kg
-    std::vector<std::uint32_t> over;         // scratch: lanes that one pass found beyond the fabric's strain limit
-    StretchBlock spare{};                    // of spare lanes
+    std::vector<std::uint32_t>
+        over;  // scratch: lanes that one pass found beyond the fabric's strain limit, counted from
+               // the first block of those that were looked at together, and kept from there on
+    std::vector<OverCounts> over_counts;  // scratch: how many, by run of blocks and member of the team
+    StretchBlock spare{};                 // of spare lanes
     std::vector<BendBlock> bend;
     std::vector<BendRecord> bend_records;
     std::vector<ParentLevel> parents;  // coarse to fine

@@ -263,6 +263,7 @@ void weigh_blocks(Cloth& cloth) {
     loops.weigh_bend(solver.blocks.bend, solver.blocks.bend_records, cloth.bend_interval, inverse_masses);
     weigh_parents(cloth, loops);
     solver.blocks.over.resize(solver.blocks.stretch.size() * kBlock);
+    solver.blocks.over_counts.resize(solver.lanes.stretch.runs().size());
 }
 
 void change_stretch(Cloth& cloth, const LeafChanges& changes) {

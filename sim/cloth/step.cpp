@@ -4,54 +4,164 @@
 #include <cmath>
 
 #include "sim/cloth/kernels.h"
+#include "sim/cloth/team_work.h"
+#include "sim/core/team.h"
 
 namespace selvedge {
 namespace {
 
+constexpr std::size_t kLeastLeaves = 2000;  // below that the members would wait longer than they work
+
+// One step, as one member of the team sees it.
+struct Stepper {
+    Cloth& cloth;
+    const Kernels& loops;
+    const Collider& body;
+    const StepOptions& options;
+    TeamMember& member;
+
+    float* points() const { return floats(cloth.solver.points); }
+    float* before() const { return floats(cloth.solver.before); }
+    std::span<StretchBlock> stretch(std::size_t first, std::size_t count) const {
+        return std::span(cloth.solver.blocks.stretch).subspan(first, count);
+    }
+    float seconds() const { return cloth.substep * static_cast<float>(options.substeps); }
+
+    // Share of a difference that goes within a step at that rate (1/s).
+    float share_at(float rate) const { return 1 - std::exp(-rate * seconds()); }
+
+    void step();
+    void substep(int i);
+    void load_points();
+    void store_points();
+    void predict();
+    void limit_parents();
+    void solve_bend();
+    void solve_stretch(bool is_last);
+    void limit_stretch();
+    void update_bias();
+    void pull_seams(float gap);
+    void hold();
+    void rub();
+};
+
+void Stepper::step() {
+    load_points();
+    for (int i = 0; i < options.substeps; ++i) substep(i);
+    rub();
+    store_points();
+}
+
+void Stepper::substep(int i) {
+    const bool is_last = i + 1 == options.substeps;
+    predict();
+    limit_parents();
+    const std::size_t count = cloth.solver.count + static_cast<std::size_t>(i);
+    if (count % static_cast<std::size_t>(cloth.bend_interval) == 0) solve_bend();
+    solve_stretch(is_last);
+    for (int round = 0; round < options.limit_rounds; ++round) limit_stretch();
+    if (is_last) update_bias();
+    push_out_samples(cloth, loops, body, options.contact, member);
+    const float to_go = static_cast<float>(options.substeps - 1 - i);
+    const float gap = options.seam_gap + to_go * options.seam_gap_rate;
+    pull_seams(gap);
+    hold();
+    if (options.seams.empty()) return;
+    // What was drawn deep into the body came out on different sides of a ridge: close it along the surface.
+    pull_seams(gap);
+    hold();
+}
+
 // Positions with inverse masses; the spare point stands far from everything.
-void load_points(Cloth& cloth) {
-    const Vec4f far_away(0, 1e4F, 0, 0);
+void Stepper::load_points() {
     SolverState& solver = cloth.solver;
-    const std::size_t count = cloth.x.size();
-    solver.points.resize(count + 1);
-    solver.before.resize(count + 1);
-    for (std::size_t v = 0; v < count; ++v) {
+    const auto [begin, end] = member.part_of(cloth.x.size(), kBlock);
+    for (std::size_t v = begin; v < end; ++v) {
         solver.points[v] = cloth.x[v];
         solver.points[v].w() = cloth.inverse_mass[v];
         solver.before[v] = cloth.x_prev[v];
         solver.before[v].w() = cloth.inverse_mass[v];
     }
-    solver.points[count] = far_away;
-    solver.before[count] = far_away;
+    if (member.is_first()) solver.points.back() = solver.before.back() = Vec4f(0, 1e4F, 0, 0);
 }
 
-void store_points(Cloth& cloth) {
-    for (std::size_t v = 0; v < cloth.x.size(); ++v) {
-        cloth.x[v] = cloth.solver.points[v];
-        cloth.x[v].w() = 0;
-        cloth.x_prev[v] = cloth.solver.before[v];
-        cloth.x_prev[v].w() = 0;
+void Stepper::store_points() {
+    const auto [begin, end] = member.part_of(cloth.x.size(), kBlock);
+    for (std::size_t v = begin; v < end; ++v) {
+        cloth.x[v] = padded(cloth.solver.points[v].head<3>());
+        cloth.x_prev[v] = padded(cloth.solver.before[v].head<3>());
     }
 }
 
-Motion motion_of(const Cloth& cloth, const StepOptions& options) {
-    const float h = cloth.substep;
-    const Vec3f fall = options.gravity * (h * h);
-    return {.keep = std::max(0.0F, 1 - (cloth.damping + options.extra_damping) * h),
-            .fall = {fall.x(), fall.y(), fall.z()}};
+// Members predict the points that they hold.
+void Stepper::predict() {
+    const Vec3f fall = options.gravity * (cloth.substep * cloth.substep);
+    const Motion motion{.keep = std::max(0.0F, 1 - (cloth.damping + options.extra_damping) * cloth.substep),
+                        .fall = {fall.x(), fall.y(), fall.z()}};
+    const auto [begin, end] = member.part_of(cloth.x.size(), kBlock);
+    loops.predict(points() + 4 * begin, before() + 4 * begin, end - begin, motion);
+    SolverState& solver = cloth.solver;
+    if (!solver.blocks.parents.empty()) {
+        std::copy_n(solver.points.begin() + static_cast<std::ptrdiff_t>(begin), end - begin,
+                    solver.carried.begin() + static_cast<std::ptrdiff_t>(begin));
+    }
+    member.wait();
 }
 
-void limit_parents(SolverState& solver, const Kernels& loops) {
-    if (solver.blocks.parents.empty() || solver.blocks.parents.front().triangles.empty()) return;
-    solver.carried = solver.points;
-    for (const ParentLevel& level : solver.blocks.parents) {
-        loops.limit_parents(level.triangles, floats(solver.points));
-        loops.carry_centres(level.centres, floats(solver.carried), floats(solver.points));
+void Stepper::limit_parents() {
+    SolverState& solver = cloth.solver;
+    for (std::size_t level = 0; level < solver.blocks.parents.size(); ++level) {
+        const ParentLevel& parents = solver.blocks.parents[level];
+        for_runs(member, solver.lanes.limits[level].runs(), [&](std::size_t, std::size_t first, std::size_t count) {
+            loops.limit_parents(std::span(parents.triangles).subspan(first, count), points());
+        });
+        const auto [begin, end] = member.part_of(parents.centres.size());
+        loops.carry_centres(std::span(parents.centres).subspan(begin, end - begin), floats(solver.carried), points());
+        member.wait();
     }
 }
 
-void pull_seams(SolverState& solver, std::span<const SeamPull> seams, float gap) {
-    for (const SeamPull& pull : seams) {
+void Stepper::solve_bend() {
+    const SolverState& solver = cloth.solver;
+    for_runs(member, solver.lanes.bend.runs(), [&](std::size_t, std::size_t first, std::size_t count) {
+        loops.solve_bend(std::span(solver.blocks.bend).subspan(first, count), points());
+    });
+}
+
+// Each member notes the lanes that it finds beyond the fabric's strain limit behind the first of its blocks.
+void Stepper::solve_stretch(bool is_last) {
+    SolverBlocks& blocks = cloth.solver.blocks;
+    const std::vector<BlockColoring::Run>& runs = cloth.solver.lanes.stretch.runs();
+    for (std::size_t run = 0; run < runs.size(); ++run) blocks.over_counts[run][member.index()] = 0;
+    for_runs(member, runs, [&](std::size_t run, std::size_t first, std::size_t count) {
+        blocks.over_counts[run][member.index()] = static_cast<std::uint32_t>(loops.solve_stretch(
+            stretch(first, count), is_last ? &blocks.records[first] : nullptr, points(), &blocks.over[first * kBlock]));
+    });
+}
+
+void Stepper::limit_stretch() {
+    SolverBlocks& blocks = cloth.solver.blocks;
+    for_runs(member, cloth.solver.lanes.stretch.runs(), [&](std::size_t run, std::size_t first, std::size_t count) {
+        const std::span<const std::uint32_t> over(&blocks.over[first * kBlock],
+                                                  blocks.over_counts[run][member.index()]);
+        loops.limit_stretch(stretch(first, count), over, blocks.spare, points());
+    });
+}
+
+// Biases follow what strain and stress are now.
+void Stepper::update_bias() {
+    SolverBlocks& blocks = cloth.solver.blocks;
+    const auto [begin, end] = member.part_of(blocks.stretch.size());
+    loops.update_bias(stretch(begin, end - begin), std::span(blocks.records).subspan(begin, end - begin), points(),
+                      before(),
+                      {.stretch = share_at(options.stretch_bias_rate), .shear = share_at(options.shear_bias_rate)});
+    member.wait();
+}
+
+// Pre: the team is one where there are seams.
+void Stepper::pull_seams(float gap) {
+    SolverState& solver = cloth.solver;
+    for (const SeamPull& pull : options.seams) {
         Vec4f& a = solver.points[pull.a];
         Vec4f& b = solver.points[pull.b];
         const Vec4f d = padded((b - a).head<3>());
@@ -63,65 +173,31 @@ void pull_seams(SolverState& solver, std::span<const SeamPull> seams, float gap)
     }
 }
 
-void solve_internal(Cloth& cloth, const Kernels& loops, int limit_rounds, bool is_last) {
-    SolverState& solver = cloth.solver;
-    limit_parents(solver, loops);
-    if (solver.count++ % static_cast<std::size_t>(cloth.bend_interval) == 0) {
-        loops.solve_bend(solver.blocks.bend, floats(solver.points));
-    }
-    const std::size_t over =
-        loops.solve_stretch(solver.blocks.stretch, is_last ? solver.blocks.records.data() : nullptr,
-                            floats(solver.points), solver.blocks.over.data());
-    const std::span<const std::uint32_t> lanes_over(solver.blocks.over.data(), over);
-    for (int round = 0; round < limit_rounds; ++round) {
-        loops.limit_stretch(solver.blocks.stretch, solver.lanes.stretch.colors(), lanes_over, solver.blocks.spare,
-                            floats(solver.points));
-    }
+void Stepper::hold() {
+    hold_vertices(cloth, loops, body, options.max_move_per_substep, options.contact, member);
 }
 
-float step_seconds(const Cloth& cloth, const StepOptions& options) {
-    return cloth.substep * static_cast<float>(options.substeps);
-}
-
-// Share of a difference that goes within a step at that rate (1/s).
-float share_in(float seconds, float rate) {
-    return 1 - std::exp(-rate * seconds);
-}
-
-// Biases follow what strain and stress are now.
-void update_bias(Cloth& cloth, const Kernels& loops, const StepOptions& options) {
-    const float seconds = step_seconds(cloth, options);
-    SolverState& solver = cloth.solver;
-    loops.update_bias(
-        solver.blocks.stretch, solver.blocks.records, floats(solver.points), floats(solver.before),
-        {.stretch = share_in(seconds, options.stretch_bias_rate), .shear = share_in(seconds, options.shear_bias_rate)});
+void Stepper::rub() {
+    member.wait();
+    for_runs(member, cloth.solver.lanes.stretch.runs(), [&](std::size_t, std::size_t first, std::size_t count) {
+        loops.rub(stretch(first, count), points(), before(), share_at(options.internal_damping));
+    });
 }
 
 }  // namespace
 
 void step(Cloth& cloth, const Collider& body, const StepOptions& options) {
-    const Kernels& loops = kernels(simd_level());
-    const Motion motion = motion_of(cloth, options);
     SolverState& solver = cloth.solver;
-    load_points(cloth);
-    for (int i = 0; i < options.substeps; ++i) {
-        const bool is_last = i + 1 == options.substeps;
-        loops.predict(floats(solver.points), floats(solver.before), cloth.x.size(), motion);
-        solve_internal(cloth, loops, options.limit_rounds, is_last);
-        if (is_last) update_bias(cloth, loops, options);
-        push_out_samples(cloth, loops, body, options.contact);
-        const float to_go = static_cast<float>(options.substeps - 1 - i);
-        const float gap = options.seam_gap + to_go * options.seam_gap_rate;
-        pull_seams(solver, options.seams, gap);
-        hold_vertices(cloth, loops, body, options.max_move_per_substep, options.contact);
-        if (options.seams.empty()) continue;
-        // What was drawn deep into the body came out on different sides of a ridge: close it along the surface.
-        pull_seams(solver, options.seams, gap);
-        hold_vertices(cloth, loops, body, options.max_move_per_substep, options.contact);
-    }
-    loops.rub(solver.blocks.stretch, floats(solver.points), floats(solver.before),
-              share_in(step_seconds(cloth, options), options.internal_damping));
-    store_points(cloth);
+    const std::size_t count = cloth.x.size() + 1;
+    solver.points.resize(count);
+    solver.before.resize(count);
+    solver.carried.resize(count);
+    const Kernels& loops = kernels(simd_level());
+    const bool is_divided = options.seams.empty() && cloth.mesh.leaf_triangles().size() >= kLeastLeaves;
+    run_on_team(is_divided ? static_cast<int>(kMostMembers) : 1, [&](TeamMember& member) {
+        Stepper{cloth, loops, body, options, member}.step();
+    });
+    solver.count += static_cast<std::size_t>(options.substeps);
 }
 
 }  // namespace selvedge

@@ -61,6 +61,10 @@ int available_threads() {
     return tbb::info::default_concurrency();
 }
 
+int allowed_threads() {
+    return static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+}
+
 void parallel_for(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) {
     SELVEDGE_ASSERT(grain > 0);
     LoopOrder order;

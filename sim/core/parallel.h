@@ -21,6 +21,7 @@ class ThreadLimit {
 };
 
 int available_threads();
+int allowed_threads();  // by the limits that live
 
 // Calls body(first, last) on disjoint ranges that cover 0..count; none is longer than grain.
 void parallel_for(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body);
