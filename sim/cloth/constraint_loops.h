@@ -46,8 +46,9 @@ struct Strains {
     return {m.warp * share, m.weft * share, m.shear * share};
 }
 
-[[gnu::always_inline]] inline Corners corrected(const StretchBlock& block, std::size_t at, const Corners& c,
-                                                const Threads& t, const Strains& m) {
+template <class Block>
+[[gnu::always_inline]] inline Corners corrected(const Block& block, std::size_t at, const Corners& c, const Threads& t,
+                                                const Strains& m) {
     const Floats along_warp = m.shear * t.warp_share;
     const Floats along_weft = m.shear * t.weft_share;
     const auto force = [&](std::size_t i) {
@@ -61,10 +62,30 @@ struct Strains {
     return {pushed(c.x0, f0), pushed(c.x1, f1), pushed(c.x2, f2)};
 }
 
+// Lanes beyond the fabric's strain limit, side by side.
+struct OverLanes {
+    OverBlock* blocks;
+    const OverBlock& spare;
+    std::size_t count = 0;
+
+    void add(const StretchBlock& from, std::size_t at) {
+        OverBlock& to = blocks[count / kBlock];
+        const std::size_t place = count++ % kBlock;
+        if (place == 0) to = spare;
+        for (std::size_t k = 0; k < 3; ++k) to.vertices[k][place] = from.vertices[k][at];
+        for (std::size_t k = 0; k < 2; ++k) {
+            to.a[k][place] = from.a[k][at];
+            to.b[k][place] = from.b[k][at];
+        }
+        to.warp[place] = from.warp[at];
+        to.weft[place] = from.weft[at];
+        to.longest[place] = from.longest[at];
+    }
+};
+
 template <bool keeps_multipliers>
 [[gnu::always_inline]] inline std::size_t stretch_loop(std::span<const StretchBlock> blocks, StretchRecord* records,
-                                                       float* points, std::uint32_t* over) {
-    std::size_t count = 0;
+                                                       float* points, OverLanes over) {
     for (const StretchBlock& block : blocks) {
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
             const Corners c = corners_of(block, at, points);
@@ -81,57 +102,34 @@ template <bool keeps_multipliers>
             put_corners(block, at, corrected(block, at, c, t, m), points);
             unsigned found = lanes::bits(lanes::greater(t.warp_length, t.weft_length) > load_at(block.longest, at));
             for (; found != 0; found &= found - 1) {
-                const auto lane = at + static_cast<std::size_t>(__builtin_ctz(found));
-                over[count++] = static_cast<std::uint32_t>(lane + kBlock * std::size_t(&block - blocks.data()));
+                over.add(block, at + static_cast<std::size_t>(__builtin_ctz(found)));
             }
         }
     }
-    return count;
+    return (over.count + kBlock - 1) / kBlock;
 }
 
-std::size_t solve_stretch(std::span<const StretchBlock> blocks, StretchRecord* records, float* points,
-                          std::uint32_t* over) {
-    return records ? stretch_loop<true>(blocks, records, points, over)
-                   : stretch_loop<false>(blocks, nullptr, points, over);
-}
-
-// What a lane needs to be taken back to the fabric's strain limit.
-void pack_lane(const StretchBlock& from, std::size_t at, StretchBlock& to, std::size_t place) {
-    for (std::size_t k = 0; k < 3; ++k) to.vertices[k][place] = from.vertices[k][at];
-    for (std::size_t k = 0; k < 2; ++k) {
-        to.a[k][place] = from.a[k][at];
-        to.b[k][place] = from.b[k][at];
-    }
-    to.warp[place] = from.warp[at];
-    to.weft[place] = from.weft[at];
-    to.longest[place] = from.longest[at];
+std::size_t solve_stretch(std::span<const StretchBlock> blocks, StretchRecord* records, float* points, OverBlock* over,
+                          const OverBlock& spare) {
+    return records ? stretch_loop<true>(blocks, records, points, {over, spare})
+                   : stretch_loop<false>(blocks, nullptr, points, {over, spare});
 }
 
 // What warp and weft are beyond the fabric's strain limit, and nothing else.
-void limit_block(const StretchBlock& block, float* points) {
-    for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
-        const Corners c = corners_of(block, at, points);
-        Threads t = directions(block, at, c.x0, c.x1, c.x2);
-        normalise(t);
-        const Floats longest = load_at(block.longest, at);
-        const Floats share = share_of_both(dot(t.warp, t.weft));
-        const Strains back{lanes::lesser(longest - t.warp_length, Floats{}) * load_at(block.warp, at) * share,
-                           lanes::lesser(longest - t.weft_length, Floats{}) * load_at(block.weft, at) * share,
-                           Floats{}};
-        if (lanes::bits(lanes::lesser(back.warp, back.weft) < 0.0F) == 0) continue;
-        put_corners(block, at, corrected(block, at, c, t, back), points);
-    }
-}
-
-// Lanes of one colour share no vertex, whichever blocks they stand in: sixteen of them make a block of their own.
-void limit_stretch(std::span<const StretchBlock> blocks, std::span<const std::uint32_t> over, const StretchBlock& spare,
-                   float* points) {
-    for (std::size_t i = 0; i < over.size();) {
-        StretchBlock packed = spare;
-        for (std::size_t n = 0; n < kBlock && i < over.size(); ++n, ++i) {
-            pack_lane(blocks[over[i] / kBlock], over[i] % kBlock, packed, n);
+void limit_stretch(std::span<const OverBlock> blocks, float* points) {
+    for (const OverBlock& block : blocks) {
+        for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+            const Corners c = corners_of(block, at, points);
+            Threads t = directions(block, at, c.x0, c.x1, c.x2);
+            normalise(t);
+            const Floats longest = load_at(block.longest, at);
+            const Floats share = share_of_both(dot(t.warp, t.weft));
+            const Strains back{lanes::lesser(longest - t.warp_length, Floats{}) * load_at(block.warp, at) * share,
+                               lanes::lesser(longest - t.weft_length, Floats{}) * load_at(block.weft, at) * share,
+                               Floats{}};
+            if (lanes::bits(lanes::lesser(back.warp, back.weft) < 0.0F) == 0) continue;
+            put_corners(block, at, corrected(block, at, c, t, back), points);
         }
-        limit_block(packed, points);
     }
 }
 

@@ -53,15 +53,14 @@ struct Kernels {
     // be lost.
     void (*predict)(float* points, float* before, float* lost, std::size_t count, const Motion& motion);
 
-    // One pass over warp, weft and shear; with `records` the multipliers are kept. The lanes in which warp or weft was
-    // beyond the fabric's strain limit go into `over`, which has room for all; returns how many.
+    // One pass over warp, weft and shear; with `records` the multipliers are kept. Lanes in which warp or weft was
+    // beyond the fabric's strain limit are copied into `over`, which has room for as many blocks; returns into how
+    // many. Pre: all blocks are of one colour. spare: of spare lanes.
     std::size_t (*solve_stretch)(std::span<const StretchBlock> blocks, StretchRecord* records, float* points,
-                                 std::uint32_t* over);
+                                 OverBlock* over, const OverBlock& spare);
 
-    // Takes back what warp and weft in the lanes `over` are beyond the fabric's strain limit. Pre: all blocks are of
-    // one colour. spare: a block of spare lanes.
-    void (*limit_stretch)(std::span<const StretchBlock> blocks, std::span<const std::uint32_t> over,
-                          const StretchBlock& spare, float* points);
+    // Takes back what warp and weft are beyond the fabric's strain limit.
+    void (*limit_stretch)(std::span<const OverBlock> blocks, float* points);
 
     // One pass over hinges.
     void (*solve_bend)(std::span<const BendBlock> blocks, float* points);

@@ -75,6 +75,14 @@ struct alignas(64) LimitRecord {
     BlockFloats easy_shear{};                  // stress that what is inside carries well by itself
 };
 
+// Copies of the lanes of stretch blocks of one colour that were beyond the fabric's strain limit, side by side.
+struct alignas(64) OverBlock {
+    std::array<BlockPoints, 3> vertices{};
+    std::array<BlockFloats, 2> a{}, b{};
+    BlockFloats warp{}, weft{};
+    BlockFloats longest{};
+};
+
 // Stress of warp, weft and shear, and a spare: of each triangle behind its id, and first a place for no triangle.
 struct CarriedStress {
     std::vector<Vec4f> own;    // what a refined triangle carries as a limit
@@ -116,11 +124,11 @@ struct SolverBlocks {
     std::vector<StretchRecord> records;
     std::vector<std::uint32_t> triangle_of;  // lane by lane: the TriangleId, or kSpare
     std::vector<float> thirds;               // lane by lane: a third of the leaf's mass, kg
-    std::vector<std::uint32_t>
-        over;  // scratch: lanes that one pass found beyond the fabric's strain limit, counted from
-               // the first block of those that were looked at together, and kept from there on
-    std::vector<OverCounts> over_counts;  // scratch: how many, by run of blocks and member of the team
-    StretchBlock spare{};                 // of spare lanes
+    // Scratch: what one pass found, from the first of the blocks that it looked at on; and how many blocks of it there
+    // are, by run of blocks and member of the team.
+    std::vector<OverBlock> over;
+    std::vector<OverCounts> over_counts;
+    OverBlock spare{};  // of spare lanes
     std::vector<BendBlock> bend;
     std::vector<BendRecord> bend_records;
     std::vector<ParentLevel> parents;  // coarse to fine

@@ -370,7 +370,7 @@ void weigh_blocks(Cloth& cloth) {
     loops.weigh_bend(solver.blocks.bend, solver.blocks.bend_records, cloth.bend_interval, inverse_masses);
     add_easy_shear_of_leaves(solver);
     weigh_parents(cloth, loops);
-    solver.blocks.over.resize(solver.blocks.stretch.size() * kBlock);
+    solver.blocks.over.resize(solver.blocks.stretch.size());
     solver.blocks.over_counts.resize(solver.lanes.stretch.runs().size());
 }
 
@@ -475,7 +475,7 @@ void make_blocks(Cloth& cloth) {
     keep_biases(cloth);
     solver.lanes.vertices = cloth.mesh.vertex_capacity();
     solver.lanes.inserted = 0;
-    solver.blocks.spare = spare_block<StretchBlock>(solver.lanes.vertices);
+    solver.blocks.spare = spare_block<OverBlock>(solver.lanes.vertices);
     const auto levels = static_cast<std::size_t>(cloth.mesh.max_level());
     solver.blocks.parents.resize(levels);
     solver.lanes.limits.resize(levels);

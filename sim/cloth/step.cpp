@@ -131,23 +131,22 @@ void Stepper::solve_bend() {
     });
 }
 
-// Each member notes the lanes that it finds beyond the fabric's strain limit behind the first of its blocks.
+// Each member copies the lanes that it finds beyond the fabric's strain limit to where the first of its blocks stands.
 void Stepper::solve_stretch(bool is_last) {
     SolverBlocks& blocks = cloth.solver.blocks;
     const std::vector<BlockColoring::Run>& runs = cloth.solver.lanes.stretch.runs();
     for (std::size_t run = 0; run < runs.size(); ++run) blocks.over_counts[run][member.index()] = 0;
     for_runs(member, runs, [&](std::size_t run, std::size_t first, std::size_t count) {
-        blocks.over_counts[run][member.index()] = static_cast<std::uint32_t>(loops.solve_stretch(
-            stretch(first, count), is_last ? &blocks.records[first] : nullptr, points(), &blocks.over[first * kBlock]));
+        StretchRecord* const records = is_last ? &blocks.records[first] : nullptr;
+        blocks.over_counts[run][member.index()] = static_cast<std::uint32_t>(
+            loops.solve_stretch(stretch(first, count), records, points(), &blocks.over[first], blocks.spare));
     });
 }
 
 void Stepper::limit_stretch() {
-    SolverBlocks& blocks = cloth.solver.blocks;
-    for_runs(member, cloth.solver.lanes.stretch.runs(), [&](std::size_t run, std::size_t first, std::size_t count) {
-        const std::span<const std::uint32_t> over(&blocks.over[first * kBlock],
-                                                  blocks.over_counts[run][member.index()]);
-        loops.limit_stretch(stretch(first, count), over, blocks.spare, points());
+    const SolverBlocks& blocks = cloth.solver.blocks;
+    for_runs(member, cloth.solver.lanes.stretch.runs(), [&](std::size_t run, std::size_t first, std::size_t) {
+        loops.limit_stretch({&blocks.over[first], blocks.over_counts[run][member.index()]}, points());
     });
 }
 

@@ -114,8 +114,8 @@ TEST_P(KernelsAtLevel, stretch_and_shear_push_and_turn_nothing_as_a_whole) {
     expect_no_push<StretchBlock>(
         cloth, cloth.solver.blocks.stretch,
         [&](auto one, Points& points) {
-            std::vector<std::uint32_t> over(one.size() * kBlock);
-            loops().solve_stretch(one, nullptr, floats(points), over.data());
+            std::vector<OverBlock> over(one.size());
+            loops().solve_stretch(one, nullptr, floats(points), over.data(), cloth.solver.blocks.spare);
         },
         0.01);
 }
@@ -234,10 +234,11 @@ Sweep swept(const Kernels& loops) {
     loops.solve_bend(blocks.bend, floats(s.points));
     for (const BlockColoring::Run& run : cloth.solver.lanes.stretch.runs()) {
         const std::span<StretchBlock> some = std::span(s.stretch).subspan(run.first, run.count);
-        std::vector<std::uint32_t> over(run.count * kBlock);
-        over.resize(loops.solve_stretch(some, &s.records[run.first], floats(s.points), over.data()));
-        loops.limit_stretch(some, over, blocks.spare, floats(s.points));
-        s.over.insert(s.over.end(), over.begin(), over.end());
+        std::vector<OverBlock> over(run.count);
+        over.resize(loops.solve_stretch(some, &s.records[run.first], floats(s.points), over.data(), blocks.spare));
+        loops.limit_stretch(over, floats(s.points));
+        for (const OverBlock& block : over)
+            s.over.insert(s.over.end(), block.vertices[0].begin(), block.vertices[0].end());
     }
     move_biases(loops, s, blocks.carried);
     loops.rub(s.stretch, floats(s.points), floats(s.before), 0.2F);
