@@ -1,5 +1,5 @@
 #pragma once
-// What the loops of constraint_loops.h and contact_loops.h share. For kernels only (sim/core/simd_level.h).
+// What the loops of constraint_loops.h, bend_loops.h and contact_loops.h share. For kernels only (sim/core/simd_level.h).
 #include <cstring>
 
 #include "sim/cloth/kernels.h"
@@ -34,6 +34,37 @@ constexpr float kTiny = 1e-18F;  // m^2, under a root
     Rows moved;
     for (int j = 0; j < 4; ++j) moved.row[j] = lanes::multiply_add(by.row[j], lanes::fourths(p.row[j]), p.row[j]);
     return moved;
+}
+
+// Of one corner of each triangle or hinge.
+[[gnu::always_inline]] inline Floats value_at(const BlockPoints& corners, std::size_t at, const float* by_vertex) {
+    return lanes::gather(by_vertex, lanes::load_ints(&corners[at]) >> 2);
+}
+
+// Whether one of a block's sixteen is above 0.
+[[gnu::always_inline]] inline bool has_positive(const BlockFloats& values) {
+    unsigned found = 0;
+    for (std::size_t at = 0; at < kBlock; at += lanes::kCount) found |= lanes::bits(load_at(values, at) > 0.0F);
+    return found != 0;
+}
+
+// The nearest to `value` that is within `reach` of nil.
+[[gnu::always_inline]] inline Floats held_within(Floats value, Floats reach) {
+    return lanes::lesser(lanes::greater(value, -reach), reach);
+}
+
+// Of rows of points as they stand in memory: the squared length of each, in all four places.
+[[gnu::always_inline]] inline Floats squared_lengths(Floats move) {
+    const Floats squares = move * move;
+    const Floats pairs = squares + lanes::shuffle<0xB1>(squares, squares);
+    return pairs + lanes::shuffle<0x4E>(pairs, pairs);
+}
+
+// Half-way between two sub-steps: what trembles to and fro from one to the next is not seen.
+[[gnu::always_inline]] inline Rows middle(const Rows& a, const Rows& b) {
+    Rows sum;
+    for (int j = 0; j < 4; ++j) sum.row[j] = (a.row[j] + b.row[j]) * lanes::all(0.5F);
+    return sum;
 }
 
 // The deformed warp and weft directions of triangles, unit, and their lengths.
