@@ -1,6 +1,6 @@
 #pragma once
 // What triangles and hinges have learnt, biases and friction, while they come and go: it lives in the solver's blocks,
-// and is kept by TriangleId in Cloth::bias, by EdgeId in Cloth::bend, while an adaption is under way.  (solver_blocks.h)
+// and is kept by TriangleId in Cloth::bias, by EdgeId in Cloth::bend, while an adaption is under way. (solver_blocks.h)
 #include <array>
 #include <cstddef>
 

@@ -198,8 +198,8 @@ void weigh_stretch(std::span<StretchBlock> blocks, std::span<const StretchRecord
             const Floats weft = 1.0F / (of_weft + load_at(records[i].compliance[1], at));
             const Floats compliance = load_at(records[i].compliance[2], at);
             const Floats of_shear = of_warp + of_weft - cross * cross * (warp + weft);
-            const Floats spring = lanes::lesser(compliance / lanes::greater(of_shear, lanes::all(kTiny)) + kRoom,
-                                                lanes::all(kStick));
+            const Floats spring =
+                lanes::lesser(compliance / lanes::greater(of_shear, lanes::all(kTiny)) + kRoom, lanes::all(kStick));
             lanes::store(&block.warp[at], warp);
             lanes::store(&block.weft[at], weft);
             lanes::store(&block.cross[at], cross);

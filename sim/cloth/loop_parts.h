@@ -1,5 +1,6 @@
 #pragma once
-// What the loops of constraint_loops.h, bend_loops.h and contact_loops.h share. For kernels only (sim/core/simd_level.h).
+// What the loops of constraint_loops.h, bend_loops.h and contact_loops.h share. For kernels only
+// (sim/core/simd_level.h).
 #include <cstring>
 
 #include "sim/cloth/kernels.h"

@@ -122,8 +122,8 @@ struct SolverBlocks {
     StretchBlock spare{};                 // of spare lanes
     std::vector<BendBlock> bend;
     std::vector<BendRecord> bend_records;
-    int bend_interval = 0;  // sub-steps from one visit of the hinges to the next; 0: none was weighed yet
-    float bend_time = 0;    // s^2, what their pulls were made for: the sub-step's square times the interval
+    int bend_interval = 0;             // sub-steps from one visit of the hinges to the next; 0: none was weighed yet
+    float bend_time = 0;               // s^2, what their pulls were made for: the sub-step's square times the interval
     std::vector<ParentLevel> parents;  // coarse to fine
 };
 

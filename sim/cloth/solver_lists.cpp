@@ -194,6 +194,7 @@ void set_memory(Cloth& cloth, EdgeId edge, std::uint32_t lane) {
 // three edges of a triangle share it, and their frictions add up to 1 to 1.7 times as much, 1.44 on an average.
 void set_bend(Cloth& cloth, const Hinge& hinge, std::uint32_t lane) {
     constexpr float kFrictionShare = 1 / 1.44F;
+    constexpr float kLeast = 1e-12F;  // N m: what bends more easily is limp, and has no spring for friction to act on
     const std::array<std::uint32_t, 4> corners = indices(hinge);
     const std::array<float, 4> q = hinge_weights(hinge);
     const float area = 0.5F * hinge.rest_length * (hinge.left_at.y() - hinge.right_at.y());
@@ -207,8 +208,8 @@ void set_bend(Cloth& cloth, const Hinge& hinge, std::uint32_t lane) {
         block.q[i][at] = q[i];
     }
     block.bow[at] = 0.25F / (hinge.rest_length * hinge.rest_length);
-    record.compliance[0][at] = area / (fabric.rigidity * time);
-    record.friction[at] = 0.5F * fabric.hysteresis * time * kFrictionShare;
+    record.compliance[0][at] = area / (std::max(fabric.rigidity, kLeast) * time);
+    record.friction[at] = fabric.rigidity > kLeast ? 0.5F * fabric.hysteresis * time * kFrictionShare : 0.0F;
     record.length[at] = hinge.rest_length;
     set_memory(cloth, hinge.edge, lane);
     cloth.solver.lanes.bend_of[hinge.edge.value] = lane;

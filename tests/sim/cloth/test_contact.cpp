@@ -10,8 +10,8 @@
 
 #include "sim/cloth/block_lanes.h"
 #include "sim/cloth/kernels.h"
-#include "tests/sim/body/shapes.h"
 #include "sim/core/team.h"
+#include "tests/sim/body/shapes.h"
 #include "tests/sim/cloth/fixtures.h"
 
 namespace selvedge::test {
