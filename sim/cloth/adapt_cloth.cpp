@@ -22,6 +22,7 @@ struct ClothObserver {
     void before(TriangleId t) { biases.before(t); }
     void after(TriangleId t) {
         biases.after(t);
+        note_children(cloth, t);
         cloth.adapting.curvature.forget(cloth.mesh, t);
     }
 

@@ -12,9 +12,24 @@ std::span<const TriangleId> inside(const AdaptiveTriangle& triangle) {
     return {triangle.internal_triangles.data(), layout(triangle.configuration).triangle_count};
 }
 
-void set_bias(Cloth& cloth, TriangleId t, const Vec3f& bias, float anchor) {
+void set_kept(Cloth& cloth, TriangleId t, const Vec3f& value, const Vec3f& limit) {
     if (t.value >= cloth.bias.size()) cloth.bias.resize(cloth.mesh.triangles().capacity());
-    cloth.bias[t.value] = {.value = bias, .anchor = anchor, .adaption = cloth.adaptions};
+    cloth.bias[t.value] = {.value = value, .limit = limit, .adaption = cloth.adaptions};
+}
+
+// A triangle that is refined goes on to carry what it did: its leaves, of less mass, carry little with the same bias.
+Vec3f limit_of_leaf(const Vec3f& value) {
+    return {std::max(0.0F, value.x()), std::max(0.0F, value.y()), value.z()};
+}
+void set_leaf(Cloth& cloth, TriangleId t, const Vec3f& value, float anchor) {
+    set_kept(cloth, t, value, limit_of_leaf(value));
+    cloth.bias[t.value].anchor = anchor;
+}
+
+// And back: leaves take back three quarters of a strain, limits half of it.
+Vec3f leaf_of_limit(const Vec3f& mean, const Vec3f& limit) {
+    constexpr float kSame = 2.0F / 3.0F;
+    return {std::max(mean.x(), kSame * limit.x()), std::max(mean.y(), kSame * limit.y()), mean.z()};
 }
 
 bool is_kept(const Cloth& cloth, TriangleId t) {
@@ -59,6 +74,13 @@ KeptBend handed_on(const AdaptiveEdge& to, float held, float pull) {
     return {.held = held, .pull = pull, .corners = {to.ends[0].value, to.ends[1].value, kSpare, kSpare}};
 }
 
+Vec3f limit_in(const Cloth& cloth, TriangleId t, std::uint32_t lane) {
+    const SolverState& solver = cloth.solver;
+    const auto& bias = solver.blocks.parents[solver.lanes.limit_level[t.value]].records[lane / kBlock].bias;
+    const std::size_t at = lane % kBlock;
+    return {bias[0][at], bias[1][at], bias[2][at]};
+}
+
 }  // namespace
 
 KeptBias kept_bias(const Cloth& cloth, TriangleId t) {
@@ -67,16 +89,32 @@ KeptBias kept_bias(const Cloth& cloth, TriangleId t) {
     return lane == kSpare ? KeptBias{} : bias_in(cloth, lane);
 }
 
+Vec3f kept_limit(const Cloth& cloth, TriangleId t) {
+    if (is_kept(cloth, t)) return cloth.bias[t.value].limit;
+    const std::uint32_t lane = limit_lane(cloth, t);
+    return lane == kSpare ? Vec3f(Vec3f::Zero()) : limit_in(cloth, t, lane);
+}
+
 void keep_bias(Cloth& cloth, TriangleId t) {
     if (is_kept(cloth, t)) return;
     const KeptBias kept = bias_in(cloth, cloth.solver.lanes.stretch_of[t.value]);
-    set_bias(cloth, t, kept.value, kept.anchor);
+    set_leaf(cloth, t, kept.value, kept.anchor);
+}
+
+void keep_limit(Cloth& cloth, TriangleId t) {
+    if (is_kept(cloth, t)) return;
+    set_kept(cloth, t, Vec3f::Zero(), limit_in(cloth, t, cloth.solver.lanes.limit_of[t.value]));
 }
 
 void keep_biases(Cloth& cloth) {
     for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles()) {
         const KeptBias kept = kept_bias(cloth, leaf.triangle);
-        set_bias(cloth, leaf.triangle, kept.value, kept.anchor);
+        set_leaf(cloth, leaf.triangle, kept.value, kept.anchor);
+    }
+    for (int level = 0; level < cloth.mesh.max_level(); ++level) {
+        for (const TriangleId t : cloth.mesh.refined_triangles(level)) {
+            set_kept(cloth, t, Vec3f::Zero(), kept_limit(cloth, t));
+        }
     }
 }
 
@@ -87,8 +125,10 @@ void BiasHandover::before(TriangleId t) {
         const KeptBias kept = kept_bias(cloth_, t);
         mean_ = kept.value;
         mean_anchor_ = kept.anchor;
+        limit_ = limit_of_leaf(mean_);
         return;
     }
+    limit_ = kept_limit(cloth_, t);
     Vec3f sum = Vec3f::Zero();
     float anchors = 0, area = 0;
     for (const TriangleId child : inside(triangle)) {
@@ -107,13 +147,14 @@ void BiasHandover::before(TriangleId t) {
 
 void BiasHandover::after(TriangleId t) {
     const AdaptiveTriangle& triangle = cloth_.mesh.triangle(t);
-    if (is_leaf(triangle)) set_bias(cloth_, t, mean_, mean_anchor_);
+    if (is_leaf(triangle)) return set_leaf(cloth_, t, leaf_of_limit(mean_, limit_), mean_anchor_);
+    set_kept(cloth_, t, Vec3f::Zero(), limit_);
     for (const TriangleId child : inside(triangle)) {
         const auto end = inside_.begin() + static_cast<std::ptrdiff_t>(count_);
         const auto was = std::find(inside_.begin(), end, child);
         const bool stays = was != end && corners_[static_cast<std::size_t>(was - inside_.begin())] ==
                                              cloth_.mesh.triangle(child).vertices;
-        if (!stays) set_bias(cloth_, child, mean_, mean_anchor_);
+        if (!stays) set_leaf(cloth_, child, mean_, mean_anchor_);
     }
 }
 

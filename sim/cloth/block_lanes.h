@@ -28,6 +28,9 @@ template <class Record>
 Record spare_record() {
     Record record{};
     for (BlockFloats& compliance : record.compliance) compliance.fill(1);
+    if constexpr (std::is_same_v<Record, LimitRecord>) {
+        for (BlockFloats& length : record.free_length) length.fill(1);
+    }
     return record;
 }
 

@@ -98,6 +98,9 @@ void refresh_solver(Cloth& cloth) {
 }
 
 void update_solver(Cloth& cloth) {
+    for (const VertexId v : cloth.mesh.changes().vertices_come) {
+        if (v.value < cloth.solver.lost.size()) cloth.solver.lost[v.value].setZero();
+    }
     update_masses(cloth);
     change_blocks(cloth);
 }

@@ -11,6 +11,7 @@
 #include "sim/cloth/collision_criterion.h"
 #include "sim/cloth/contact.h"
 #include "sim/cloth/solver_lists.h"
+#include "sim/core/team.h"
 #include "sim/core/vec.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/fabric.h"
@@ -21,15 +22,18 @@ namespace selvedge {
 struct SolverState {
     std::vector<Vec4f> points;   // positions with the inverse mass as fourth; one spare point behind them
     std::vector<Vec4f> before;   // one sub-step ago
+    std::vector<Vec4f> lost;     // what rounding took from the last moves
     std::vector<Vec4f> carried;  // before the parents moved them
     SolverBlocks blocks;
     SolverLanes lanes;
     std::size_t count = 0;  // sub-steps so far
+    TeamTrial trial;        // whether more threads are faster; the result is the same
 };
 
 // What the solver has learnt about a triangle, see solver_blocks.h and bias.h.
 struct KeptBias {
     Vec3f value = Vec3f::Zero();  // of warp, weft and shear
+    Vec3f limit = Vec3f::Zero();  // the same as a refined triangle
     float anchor = 0;             // of friction in shear
     std::uint32_t adaption = 0;   // when it was noted
 };

@@ -1,6 +1,6 @@
 #pragma once
 // The loops over triangles, see kernels.h. For kernels only (sim/core/simd_level.h).
-#include "sim/cloth/loop_parts.h"
+#include "sim/cloth/stress_loops.h"
 
 namespace selvedge {
 namespace {
@@ -151,17 +151,29 @@ void limit_stretch(std::span<const StretchBlock> blocks, std::span<const std::ui
     return lanes::lesser(longest * lanes::inverse_root(squared) - 1.0F, Floats{});
 }
 
-void limit_parents(std::span<const LimitBlock> blocks, float* points) {
+template <bool keeps_multipliers>
+[[gnu::always_inline]] inline void limit_loop(std::span<const LimitBlock> blocks, LimitRecord* records, float* points) {
     for (const LimitBlock& block : blocks) {
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
             Corners c = corners_of(block, at, points);
             const Threads t = directions(block, at, c.x0, c.x1, c.x2);
             const Floats warp = excess(t.warp, load_at(block.longest_warp, at));
             const Floats weft = excess(t.weft, load_at(block.longest_weft, at));
+            const Floats of_warp = warp * load_at(block.gain[0], at);
+            const Floats of_weft = weft * load_at(block.gain[1], at);
+            // Where nothing is pushed together there is not more shear than that.
+            const Floats shear = held_within(load_at(block.shear, at), lanes::root(of_warp * of_weft));
+            if constexpr (keeps_multipliers) {
+                LimitRecord& record = records[static_cast<std::size_t>(&block - blocks.data())];
+                lanes::store(&record.multiplier[0][at], of_warp);
+                lanes::store(&record.multiplier[1][at], of_weft);
+                lanes::store(&record.multiplier[2][at], shear);
+            }
             if (lanes::bits(lanes::lesser(warp, weft) < 0.0F) == 0) continue;
             const auto add = [&](Rows& x, std::size_t i) {
-                const Rows by = lanes::rows_of(
-                    combined(t.warp, warp * load_at(block.warp[i], at), t.weft, weft * load_at(block.weft[i], at)));
+                const Floats a = load_at(block.warp[i], at), b = load_at(block.weft[i], at);
+                const Rows by = lanes::rows_of(combined(t.warp, lanes::multiply_add(of_warp, a, shear * b), t.weft,
+                                                        lanes::multiply_add(of_weft, b, shear * a)));
                 for (int j = 0; j < 4; ++j) x.row[j] = x.row[j] + by.row[j];
             };
             add(c.x0, 0);
@@ -170,6 +182,10 @@ void limit_parents(std::span<const LimitBlock> blocks, float* points) {
             put_corners(block, at, c, points);
         }
     }
+}
+
+void limit_parents(std::span<const LimitBlock> blocks, LimitRecord* records, float* points) {
+    records ? limit_loop<true>(blocks, records, points) : limit_loop<false>(blocks, nullptr, points);
 }
 
 // Of a direction whose gradients are -(g0 + g1), g0 and g1, or of two: the sum of w g g'.
@@ -210,10 +226,11 @@ void weigh_stretch(std::span<StretchBlock> blocks, std::span<const StretchRecord
 }
 
 // Half of an excess is taken back per level: what is left the levels below see.
-void weigh_limits(std::span<LimitBlock> blocks, std::span<const LimitRecord> records, const float* masses) {
+void weigh_limits(std::span<LimitBlock> blocks, std::span<LimitRecord> records, const float* masses) {
     constexpr float kRelaxation = 0.5F;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         LimitBlock& block = blocks[i];
+        LimitRecord& record = records[i];
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
             std::array<Floats, 3> w;
             for (std::size_t k = 0; k < 3; ++k) {
@@ -221,25 +238,35 @@ void weigh_limits(std::span<LimitBlock> blocks, std::span<const LimitRecord> rec
                 w[k] = lanes::where(mass > 0.0F, 1.0F / lanes::greater(mass, lanes::all(kTiny)));
             }
             const Gradient a = gradient(block.a, at), b = gradient(block.b, at);
-            const Floats warp = kRelaxation / (weighed(a, a, w) + load_at(records[i].compliance[0], at));
-            const Floats weft = kRelaxation / (weighed(b, b, w) + load_at(records[i].compliance[1], at));
+            const Floats of_warp = weighed(a, a, w), of_weft = weighed(b, b, w);
+            const std::array<Floats, 3> seen{of_warp, of_weft, of_warp + of_weft};
+            std::array<Floats, 3> gain;
             for (std::size_t k = 0; k < 3; ++k) {
-                lanes::store(&block.warp[k][at], w[k] * a[k] * warp);
-                lanes::store(&block.weft[k][at], w[k] * b[k] * weft);
+                const Floats compliance = load_at(record.compliance[k], at);
+                gain[k] = kRelaxation / (seen[k] + compliance);
+                lanes::store(&record.per_stress[k][at], 1.0F / (gain[k] * compliance));
+                lanes::store(&block.warp[k][at], w[k] * a[k]);
+                lanes::store(&block.weft[k][at], w[k] * b[k]);
             }
+            lanes::store(&block.gain[0][at], gain[0]);
+            lanes::store(&block.gain[1][at], gain[1]);
+            lanes::store(&record.per_shear[at], gain[2]);
+            apply_bias(block, record, at);
         }
     }
 }
 
-void predict(float* points, float* before, std::size_t count, const Motion& motion) {
+void predict(float* points, float* before, float* lost, std::size_t count, const Motion& motion) {
     Floats fall{};
     for (std::size_t i = 0; i < lanes::kCount; ++i) fall[i] = i % 4 < 3 ? motion.fall[i % 4] : 0.0F;
     const Floats keep = lanes::all(motion.keep);
     for (std::size_t i = 0; i < 4 * count; i += lanes::kCount) {  // a fourth's move is 0
         const Floats x = lanes::load(points + i);
-        const Floats move = lanes::multiply_add(x - lanes::load(before + i), keep, fall);
+        const Floats move = lanes::multiply_add(x - lanes::load(before + i), keep, fall) + lanes::load(lost + i);
+        const Floats moved = x + lanes::where(lanes::fourths(x) > 0.0F, move);
+        lanes::store(lost + i, lanes::where(lanes::fourths(x) > 0.0F, move - (moved - x)));
         lanes::store(before + i, x);
-        lanes::store(points + i, x + lanes::where(lanes::fourths(x) > 0.0F, move));
+        lanes::store(points + i, moved);
     }
 }
 
@@ -255,12 +282,6 @@ void carry_centres(std::span<const EdgeCentre> centres, const float* before, flo
         const Point centre = at(points, c.centre) + moved * 0.5F;
         std::memcpy(points + c.centre, &centre, sizeof centre);
     }
-}
-
-[[gnu::always_inline]] inline void move_bias(BlockFloats& bias, std::size_t at, Floats error, float gain, float least,
-                                             float most) {
-    const Floats moved = lanes::load(&bias[at]) + error * lanes::all(gain);
-    lanes::store(&bias[at], lanes::lesser(lanes::greater(moved, lanes::all(least)), lanes::all(most)));
 }
 
 // Corners lose a share of what they move against their mean; pushes in proportion to inverse mass keep the momentum.
@@ -283,8 +304,7 @@ void carry_centres(std::span<const EdgeCentre> centres, const float* before, flo
 }
 
 void update_bias(std::span<StretchBlock> blocks, std::span<const StretchRecord> records, const float* points,
-                 const float* before, const BiasGains& gains) {
-    constexpr float kMoreShear = 4;  // shear angles are that much larger than strains
+                 const float* before, const BiasGains& gains, const float* above, float* below) {
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         StretchBlock& block = blocks[i];
         const StretchRecord& record = records[i];
@@ -293,17 +313,16 @@ void update_bias(std::span<StretchBlock> blocks, std::span<const StretchRecord> 
             const Corners was = corners_of(block, at, before);
             Threads t = directions(block, at, middle(c.x0, was.x0), middle(c.x1, was.x1), middle(c.x2, was.x2));
             normalise(t);
-            const auto stress = [&](std::size_t k) {
-                return load_at(record.multiplier[k], at) * load_at(record.compliance[k], at);
-            };
+            const Xyz own = stress_of(record, at);
+            const Xyz all = sum_of(own, load_places(above, &record.parent[at]));
+            const Floats of_area = load_at(record.of_area, at);
+            add_to_places(below, &record.parent[at], {own.x * of_area, own.y * of_area, own.z * of_area});
             const Floats push = load_at(block.push, at);
-            move_bias(block.bias[0], at, (t.warp_length - 1.0F + stress(0)) * push, gains.stretch, gains.least,
-                      gains.most);
-            move_bias(block.bias[1], at, (t.weft_length - 1.0F + stress(1)) * push, gains.stretch, gains.least,
-                      gains.most);
+            move_bias(block.bias[0], at, (t.warp_length - 1.0F - all.x) * push, gains.stretch, gains.least, gains.most);
+            move_bias(block.bias[1], at, (t.weft_length - 1.0F - all.y) * push, gains.stretch, gains.least, gains.most);
             const Floats shear = dot(t.warp, t.weft);
             const Floats rubbed_off = held_within(shear - load_at(block.anchor, at), load_at(block.slip, at)) * kStick;
-            move_bias(block.bias[2], at, shear + rubbed_off + stress(2), gains.shear, -kMoreShear * gains.most,
+            move_bias(block.bias[2], at, shear + rubbed_off - all.z, gains.shear, -kMoreShear * gains.most,
                       kMoreShear * gains.most);
         }
     }

@@ -160,7 +160,7 @@ void meet_samples(SolverState& solver, SampleBlock& samples, const Kernels& loop
     ContactBlock block;
     const SampleState state = loops.look_at_samples(samples, floats(solver.points), block);
     if (state.asks) {
-        body.contacts({&block, 1}, limits.offset);
+        body.contacts({&block, 1}, limits.offset + kPlaneReach);
         loops.answer_samples(block, limits, samples);
     }
     if (state.asks || state.touches) {
@@ -256,7 +256,7 @@ void hold_vertices(Cloth& cloth, const Kernels& loops, const Collider& body, flo
         block.y[i % kBlock] = p.y();
         block.z[i % kBlock] = p.z();
     }
-    body.contacts(blocks, limits.offset);
+    body.contacts(blocks, limits.offset + kPlaneReach);
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         loops.answer_vertices(blocks[i], &asking[i * kBlock], contacts.friction.data(), limits, floats(solver.before),
                               floats(solver.points), known);

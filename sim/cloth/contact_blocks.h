@@ -10,6 +10,7 @@
 
 namespace selvedge {
 
+// Colliders are asked with a reach of so much more than the contact offset, so that a plane within it can be trusted.
 inline constexpr float kPlaneReach = 0.001F;  // m: the plane is off by at most its square / (2 R), 0.05 mm at R = 1 cm
 
 // By vertex, four floats each.

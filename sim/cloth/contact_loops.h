@@ -18,7 +18,8 @@ struct Nearness {
     Xyz normal;
     Floats height;   // above the offset surface, m
     Ints asks;       // must ask the collider
-    Ints may_touch;  // may be below the offset surface, as far as is known
+    Ints is_known;   // near it, and height is what it is
+    Ints may_touch;  // and below the offset surface
 };
 
 // x: where they are; asked and plane: what they know, with slack and height fourth.
@@ -30,7 +31,8 @@ struct Nearness {
     const Ints is_near = squared >= free * free;
     const Ints is_lost = (squared > kPlaneReach * kPlaneReach) | (slack < ContactKnowledge::kLost);
     const Floats now = height + dot(normal, moved);
-    return {normal, now, is_near & is_lost, is_near & ~is_lost & (now < 0.0F)};
+    const Ints is_known = is_near & ~is_lost;
+    return {normal, now, is_near & is_lost, is_known, is_known & (now < 0.0F)};
 }
 
 // Where points are that lie `depth` below the offset surface (0: above), when they are put onto it and friction has
@@ -78,15 +80,18 @@ constexpr std::size_t lane_of_point(std::size_t i) {
     return mu;
 }
 
-// Puts those out that touch the body or are below the floor.
+// Puts those out that are below the floor, and then those that touch the body: what is between both stays outside of
+// the body.
 [[gnu::always_inline]] inline Rows held(const Xyz& x, const Rows& was, const Rows& from, const Nearness& known,
                                         Ints below, const float* friction, const ContactLimits& limits) {
     const Xyz before = lanes::transposed(from);
     const Floats mu = friction_of(friction, limits.friction_scale);
-    const Xyz out = put_out(x, before, known.normal, lanes::where(known.may_touch, -known.height), mu);
     const Xyz up{Floats{}, lanes::all(1.0F), Floats{}};
-    const Floats depth = lanes::greater(lanes::where(below, limits.floor - out.y), Floats{});
-    return lanes::rows_of(put_out(out, before, up, depth, mu), fourth_of(was));
+    const Xyz above = put_out(x, before, up, lanes::where(below, limits.floor - x.y), mu);
+    const Xyz lift{above.x - x.x, above.y - x.y, above.z - x.z};
+    const Floats height = lanes::lesser(known.height + dot(known.normal, lift), Floats{});
+    const Xyz out = put_out(above, before, known.normal, lanes::where(known.is_known, -height), mu);
+    return lanes::rows_of(out, fourth_of(was));
 }
 
 std::size_t hold_moves(float* points, const float* before, const ContactKnowledge& known, const float* friction,
@@ -104,6 +109,7 @@ std::size_t hold_moves(float* points, const float* before, const ContactKnowledg
         const Ints moves = fourth_of(was) > 0.0F;
         const Ints below = (x.y < limits.floor) & moves;
         here.may_touch &= moves;
+        here.is_known &= moves;
         if (lanes::bits(here.may_touch | below) != 0) {
             const Rows out = held(x, was, from, here, below, friction + first, limits);
             for (std::size_t j = 0; j < 4; ++j) lanes::store(points + i + j * lanes::kCount, out.row[j]);

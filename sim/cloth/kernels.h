@@ -55,10 +55,12 @@ struct Kernels {
                                       int interval, const float* inverse_masses);
 
     // What refined triangles move their corners by. masses: of a corner with all that follows it, kg; 0: cannot move.
-    void (*weigh_limits)(std::span<LimitBlock> blocks, std::span<const LimitRecord> records, const float* masses);
+    void (*weigh_limits)(std::span<LimitBlock> blocks, std::span<LimitRecord> records, const float* masses);
 
-    // Verlet: before := points, points += keep (points - before) + fall.
-    void (*predict)(float* points, float* before, std::size_t count, const Motion& motion);
+    // Verlet: before := points, points += keep (points - before) + fall. What rounding takes from a move goes into
+    // `lost` and is added to the next one: a move is a few steps of a float long, so that a hundredth of gravity would
+    // be lost.
+    void (*predict)(float* points, float* before, float* lost, std::size_t count, const Motion& motion);
 
     // One pass over warp, weft and shear; anchors of friction follow. With `records` the multipliers are kept. The
     // lanes in which warp or weft was beyond the fabric's strain limit go into `over`, which has room for all; returns
@@ -74,15 +76,24 @@ struct Kernels {
     // One pass over hinges; anchors of friction follow.
     void (*solve_bend)(std::span<BendBlock> blocks, float* points);
 
-    // Takes back what warp and weft of refined triangles are longer than they may be.
-    void (*limit_parents)(std::span<const LimitBlock> blocks, float* points);
+    // Takes back what warp and weft of refined triangles are longer than they may be, with the shear that goes with it;
+    // with `records` the multipliers are kept.
+    void (*limit_parents)(std::span<const LimitBlock> blocks, LimitRecord* records, float* points);
 
     // Moves the centres by half of what the ends of their edges moved since `before`.
     void (*carry_centres)(std::span<const EdgeCentre> centres, const float* before, float* points);
 
-    // Moves each bias towards the one with which strain and stress agree with the fabric.
+    // What a level of refined triangles carries, by the last multipliers; and with all that each is inside of. Levels
+    // go coarse to fine. The arrays are those of CarriedStress.
+    void (*carry_stress)(std::span<const LimitRecord> records, float* own, float* above);
+
+    // Moves each bias towards the one with which strain and stress agree with the fabric, whoever carries the stress.
+    // First the leaves, then the refined triangles, fine to coarse. below: nothing before, and after.
     void (*update_bias)(std::span<StretchBlock> blocks, std::span<const StretchRecord> records, const float* points,
-                        const float* before, const BiasGains& gains);
+                        const float* before, const BiasGains& gains, const float* above, float* below);
+    void (*update_parents)(std::span<LimitBlock> blocks, std::span<LimitRecord> records, const float* points,
+                           const float* before, const BiasGains& gains, const float* own, const float* above,
+                           float* below);
 
     // Moves the pull of each hinge that has one by that share of what its last visit gave too little.
     void (*update_bend)(std::span<BendBlock> blocks, std::span<const BendRecord> records, const float* points,

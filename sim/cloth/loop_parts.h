@@ -15,6 +15,7 @@ using lanes::Rows;
 using lanes::Xyz;
 
 constexpr float kTiny = 1e-18F;  // m^2, under a root
+constexpr float kMoreShear = 4;  // shear angles are that much larger than strains
 
 [[gnu::always_inline]] inline Floats load_at(const BlockFloats& values, std::size_t at) {
     return lanes::load(&values[at]);
@@ -59,13 +60,6 @@ constexpr float kTiny = 1e-18F;  // m^2, under a root
     const Floats squares = move * move;
     const Floats pairs = squares + lanes::shuffle<0xB1>(squares, squares);
     return pairs + lanes::shuffle<0x4E>(pairs, pairs);
-}
-
-// Half-way between two sub-steps: what trembles to and fro from one to the next is not seen.
-[[gnu::always_inline]] inline Rows middle(const Rows& a, const Rows& b) {
-    Rows sum;
-    for (int j = 0; j < 4; ++j) sum.row[j] = (a.row[j] + b.row[j]) * lanes::all(0.5F);
-    return sum;
 }
 
 // The deformed warp and weft directions of triangles, unit, and their lengths.
@@ -116,6 +110,19 @@ template <class Block>
     lanes::scatter_points(points, &block.vertices[0][at], c.x0);
     lanes::scatter_points(points, &block.vertices[1][at], c.x1);
     lanes::scatter_points(points, &block.vertices[2][at], c.x2);
+}
+
+// Half-way between two sub-steps: what trembles to and fro from one to the next is not seen.
+[[gnu::always_inline]] inline Rows middle(const Rows& a, const Rows& b) {
+    Rows sum;
+    for (int j = 0; j < 4; ++j) sum.row[j] = (a.row[j] + b.row[j]) * lanes::all(0.5F);
+    return sum;
+}
+
+[[gnu::always_inline]] inline void move_bias(BlockFloats& bias, std::size_t at, Floats error, float gain, float least,
+                                             float most) {
+    const Floats moved = lanes::load(&bias[at]) + error * lanes::all(gain);
+    lanes::store(&bias[at], lanes::lesser(lanes::greater(moved, lanes::all(least)), lanes::all(most)));
 }
 
 }  // namespace

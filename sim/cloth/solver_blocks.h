@@ -13,6 +13,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/core/ids.h"
+#include "sim/core/vec.h"
+
 namespace selvedge {
 
 inline constexpr std::size_t kBlock = 16;
@@ -34,25 +37,51 @@ struct alignas(64) StretchBlock {
     BlockFloats anchor{};                 // the strain may be from it before it follows
 };
 
+inline constexpr std::uint32_t kNoPlace = 0;
+inline std::uint32_t place_of(TriangleId t) {
+    return 4 * (t.value + 1);
+}
+
 // What is needed now and then besides: the last multipliers of warp, weft and shear, and the compliances over a
 // sub-step.
 struct alignas(64) StretchRecord {
     std::array<BlockFloats, 3> multiplier{};
     std::array<BlockFloats, 3> compliance{};
+    BlockPoints parent{};   // the place of what carries the leaf's tension with it, in CarriedStress
+    BlockFloats of_area{};  // the leaf's, of its parent's
 };
 
 // However cloth folds, the mean of its deformation over a triangle stretches no thread by more than the threads
-// themselves are: a refined triangle is a one-sided limit.
+// themselves are: a refined triangle is a one-sided limit. Its corners weigh what hangs on them, so that it carries
+// with ease what the leaves in it can not: it has a bias too, and what it carries counts as stress of the leaves.
 struct alignas(64) LimitBlock {
     std::array<BlockPoints, 3> vertices{};
     std::array<BlockFloats, 2> a{}, b{};
     BlockFloats longest_warp{}, longest_weft{};  // lengths of the directions above which they are taken back
-    std::array<BlockFloats, 3> warp{}, weft{};   // what each vertex moves along the direction per unit of excess, m
+    BlockFloats shear{};                         // multiplier of shear, as far as the tensions allow it
+    std::array<BlockFloats, 2> gain{};           // multipliers of warp and weft per unit of excess
+    std::array<BlockFloats, 3> warp{}, weft{};   // what each vertex moves along the direction per unit of multiplier, m
 };
 
-// The compliances of warp and weft over a sub-step.
+// What update_parents needs besides. Stress is by the stiffness: the strain that the fabric should have.
 struct alignas(64) LimitRecord {
-    std::array<BlockFloats, 2> compliance{};
+    BlockPoints place{}, parent{};             // places in CarriedStress
+    std::array<BlockPoints, 3> neighbours{};   // those of the triangles beside it; its own where there is none
+    BlockFloats of_area{};                     // the triangle's, of its parent's
+    std::array<BlockFloats, 2> free_length{};  // of warp and weft: the length that they may have without any bias
+    std::array<BlockFloats, 3> bias{};         // how much shorter than that they are held; and of shear
+    std::array<BlockFloats, 3> multiplier{};   // the last ones, of warp, weft and shear
+    std::array<BlockFloats, 3> compliance{};   // over a sub-step
+    std::array<BlockFloats, 3> per_stress{};   // bias that makes a unit of stress
+    BlockFloats per_shear{};                   // multiplier that a unit of the bias of shear makes
+    BlockFloats easy_shear{};                  // stress that what is inside carries well by itself
+};
+
+// Stress of warp, weft and shear, and a spare: of each triangle behind its id, and first a place for no triangle.
+struct CarriedStress {
+    std::vector<Vec4f> own;    // what a refined triangle carries as a limit
+    std::vector<Vec4f> above;  // what it and all that it is inside of carry
+    std::vector<Vec4f> below;  // scratch: mean of what is inside of it
 };
 
 // Hinges: the sum of q_i x_i, m, vanishes where the cloth is flat, and stands for an angle a as 2 sin(a/2) times the
@@ -125,6 +154,7 @@ struct SolverBlocks {
     int bend_interval = 0;             // sub-steps from one visit of the hinges to the next; 0: none was weighed yet
     float bend_time = 0;               // s^2, what their pulls were made for: the sub-step's square times the interval
     std::vector<ParentLevel> parents;  // coarse to fine
+    CarriedStress carried;
 };
 
 inline constexpr std::uint32_t kSpare = UINT32_MAX;

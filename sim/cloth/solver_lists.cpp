@@ -110,6 +110,9 @@ void set_stretch(Cloth& cloth, TriangleId t, std::uint32_t lane) {
     record.compliance[0][at] = compliance_of(cloth, frame, fabric.stretch_warp);
     record.compliance[1][at] = compliance_of(cloth, frame, fabric.stretch_weft);
     record.compliance[2][at] = compliance_of(cloth, frame, fabric.shear);
+    const ParentOf& parent = cloth.solver.lanes.parent_of[t.value];
+    record.parent[at] = parent.place;
+    record.of_area[at] = parent.of_area;
     blocks.triangle_of[lane] = t.value;
     blocks.thirds[lane] = third_of_mass(cloth, leaf.u, leaf.panel);
     cloth.solver.lanes.stretch_of[t.value] = lane;
@@ -122,22 +125,75 @@ float longest_of(double stiffness, const Fabric& fabric) {
     return 1 + static_cast<float>(std::min(fabric.strain_limit, std::max(kLeast, kUsualLoad / stiffness)));
 }
 
-// All but what the corners are moved. t: refined.
+// The refined triangle of the same panel across an edge, or else the triangle itself.
+TriangleId beside(const AdaptiveMesh& mesh, TriangleId t, std::size_t edge) {
+    const AdaptiveTriangle& triangle = mesh.triangle(t);
+    const AdaptiveEdge& shared = mesh.edge(triangle.edges[edge]);
+    const TriangleId other = shared.sides[0] == t ? shared.sides[1] : shared.sides[0];
+    if (!other || is_leaf(mesh.triangle(other)) || mesh.triangle(other).panel != triangle.panel) return t;
+    return other;
+}
+
+LimitRecord& limit_record(SolverState& solver, TriangleId t) {
+    const std::uint32_t lane = solver.lanes.limit_of[t.value];
+    return solver.blocks.parents[solver.lanes.limit_level[t.value]].records[lane / kBlock];
+}
+
+// It knows those beside it, and they know it.
+void join_neighbours(Cloth& cloth, TriangleId t, LimitRecord& record, std::size_t at) {
+    SolverState& solver = cloth.solver;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const TriangleId other = beside(cloth.mesh, t, k);
+        record.neighbours[k][at] = place_of(other);
+        if (other == t || solver.lanes.limit_of[other.value] == kSpare) continue;
+        const std::size_t side = place_of(cloth.mesh.triangle(other), cloth.mesh.triangle(t).edges[k]);
+        const std::size_t other_at = solver.lanes.limit_of[other.value] % kBlock;
+        limit_record(solver, other).neighbours[side][other_at] = place_of(t);
+    }
+}
+
+// Those that knew it stand alone there.
+void leave_neighbours(SolverState& solver, TriangleId t) {
+    const LimitRecord& record = limit_record(solver, t);
+    const std::size_t at = solver.lanes.limit_of[t.value] % kBlock;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const TriangleId other(record.neighbours[k][at] / 4 - 1);
+        if (other == t || solver.lanes.limit_of[other.value] == kSpare) continue;
+        LimitRecord& knows = limit_record(solver, other);
+        const std::size_t other_at = solver.lanes.limit_of[other.value] % kBlock;
+        for (BlockPoints& places : knows.neighbours) {
+            if (places[other_at] == place_of(t)) places[other_at] = place_of(other);
+        }
+    }
+    for (std::vector<Vec4f>* stress : {&solver.blocks.carried.own, &solver.blocks.carried.above}) {
+        (*stress)[t.value + 1].setZero();
+    }
+}
+
+// All but the gains and what the corners are moved. t: refined.
 void set_limit(Cloth& cloth, TriangleId t, std::uint32_t lane) {
     const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
     ParentLevel& parents = cloth.solver.blocks.parents[triangle.level];
-    LimitBlock& block = parents.triangles[lane / kBlock];
     LimitRecord& record = parents.records[lane / kBlock];
     const std::size_t at = lane % kBlock;
     const Fabric& fabric = cloth.fabrics[triangle.panel];
     const MaterialFrame frame = material_frame(triangle.u, cloth.grain_angles[triangle.panel]);
-    set_frame(block, at, triangle.vertices, frame);
-    block.longest_warp[at] = longest_of(fabric.stretch_warp, fabric);
-    block.longest_weft[at] = longest_of(fabric.stretch_weft, fabric);
-    record.compliance[0][at] = compliance_of(cloth, frame, fabric.stretch_warp);
-    record.compliance[1][at] = compliance_of(cloth, frame, fabric.stretch_weft);
+    set_frame(parents.triangles[lane / kBlock], at, triangle.vertices, frame);
+    const std::array<double, 3> stiffness{fabric.stretch_warp, fabric.stretch_weft, fabric.shear};
+    const Vec3f bias = kept_limit(cloth, t);
+    for (std::size_t k = 0; k < 3; ++k) {
+        record.compliance[k][at] = compliance_of(cloth, frame, stiffness[k]);
+        record.bias[k][at] = bias[static_cast<Eigen::Index>(k)];
+        if (k < 2) record.free_length[k][at] = longest_of(stiffness[k], fabric);
+    }
+    const ParentOf& parent = cloth.solver.lanes.parent_of[t.value];
+    record.place[at] = place_of(t);
+    record.parent[at] = parent.place;
+    record.of_area[at] = parent.of_area;
+    cloth.solver.blocks.carried.below[t.value + 1].setZero();
     cloth.solver.lanes.limit_of[t.value] = lane;
     cloth.solver.lanes.limit_level[t.value] = triangle.level;
+    join_neighbours(cloth, t, record, at);
 }
 
 // Rigidity against folding about an edge: the cloth bends across it.
@@ -225,7 +281,6 @@ void make_stretch(Cloth& cloth) {
     lists.make(solver.lanes.vertices);
     solver.blocks.triangle_of.assign(lists.blocks.size() * kBlock, kSpare);
     solver.blocks.thirds.assign(lists.blocks.size() * kBlock, 0.0F);
-    solver.lanes.stretch_of.assign(cloth.mesh.triangles().capacity(), kSpare);
     for (std::size_t i = 0; i < leaves.size(); ++i) set_stretch(cloth, leaves[i].triangle, lanes[i]);
 }
 
@@ -252,6 +307,28 @@ void make_limits(Cloth& cloth, int level) {
     for (std::size_t i = 0; i < refined.size(); ++i) set_limit(cloth, refined[i], lanes[i]);
 }
 
+void size_triangles(Cloth& cloth) {
+    SolverState& solver = cloth.solver;
+    const std::size_t capacity = cloth.mesh.triangles().capacity();
+    solver.lanes.stretch_of.resize(capacity, kSpare);
+    solver.lanes.limit_of.resize(capacity, kSpare);
+    solver.lanes.limit_level.resize(capacity, 0);
+    solver.lanes.parent_of.resize(capacity);
+    solver.lanes.easy_shear.resize(capacity + 1, 0.0F);
+    CarriedStress& carried = solver.blocks.carried;
+    for (std::vector<Vec4f>* stress : {&carried.own, &carried.above, &carried.below}) {
+        stress->resize(capacity + 1, Vec4f::Zero());
+    }
+}
+
+void forget_triangles(SolverState& solver) {
+    solver.lanes.stretch_of.clear();
+    solver.lanes.limit_of.clear();
+    solver.lanes.limit_level.clear();
+    solver.lanes.parent_of.clear();
+    solver.blocks.carried = {};
+}
+
 void list_centres(Cloth& cloth) {
     for (int level = 0; level < cloth.mesh.max_level(); ++level) {
         std::vector<EdgeCentre>& centres = cloth.solver.blocks.parents[static_cast<std::size_t>(level)].centres;
@@ -260,6 +337,35 @@ void list_centres(Cloth& cloth) {
             const AdaptiveEdge& edge = cloth.mesh.edge(e);
             if (cloth.inverse_mass[edge.centre.value] <= 0) continue;
             centres.push_back({4 * edge.ends[0].value, 4 * edge.ends[1].value, 4 * edge.centre.value});
+        }
+    }
+}
+
+// Stress of shear that what is inside a refined triangle carries well by itself. A triangle gives so much stress per
+// unit of its bias.
+void add_easy_shear(SolverLanes& lanes, std::uint32_t parent, float of_area, float per_bias, float inside) {
+    constexpr float kEasyBias = 0.04F;  // more of it takes long to be learnt
+    lanes.easy_shear[parent / 4] += of_area * (kEasyBias * per_bias + inside);
+}
+
+void add_easy_shear_of_leaves(SolverState& solver) {
+    std::fill(solver.lanes.easy_shear.begin(), solver.lanes.easy_shear.end(), 0.0F);
+    for (std::size_t i = 0; i < solver.blocks.stretch.size(); ++i) {
+        const StretchRecord& record = solver.blocks.records[i];
+        for (std::size_t at = 0; at < kBlock; ++at) {
+            const float per_bias = solver.blocks.stretch[i].shear[at] * record.compliance[2][at];
+            add_easy_shear(solver.lanes, record.parent[at], record.of_area[at], per_bias, 0);
+        }
+    }
+}
+
+void add_easy_shear_of_limits(SolverState& solver, ParentLevel& parents) {
+    for (LimitRecord& record : parents.records) {
+        for (std::size_t at = 0; at < kBlock; ++at) {
+            const float inside = solver.lanes.easy_shear[record.place[at] / 4];
+            const float per_bias = record.per_shear[at] * record.compliance[2][at];
+            record.easy_shear[at] = inside;
+            add_easy_shear(solver.lanes, record.parent[at], record.of_area[at], per_bias, inside);
         }
     }
 }
@@ -284,6 +390,7 @@ void weigh_parents(Cloth& cloth, const Kernels& loops) {
             add(c.b, masses[c.centre / 4]);
         }
         loops.weigh_limits(parents.triangles, parents.records, masses.data());
+        add_easy_shear_of_limits(solver, parents);
     }
 }
 
@@ -321,6 +428,7 @@ void weigh_blocks(Cloth& cloth) {
     solver.lanes.inverse_masses.push_back(0.0F);
     loops.weigh_stretch(solver.blocks.stretch, solver.blocks.records, solver.lanes.inverse_masses.data());
     weigh_hinges(cloth, loops);
+    add_easy_shear_of_leaves(solver);
     weigh_parents(cloth, loops);
     solver.blocks.over.resize(solver.blocks.stretch.size() * kBlock);
     solver.blocks.over_counts.resize(solver.lanes.stretch.runs().size());
@@ -336,7 +444,6 @@ void change_stretch(Cloth& cloth, const LeafChanges& changes) {
         solver.blocks.triangle_of[lane] = kSpare;
         lane = kSpare;
     }
-    solver.lanes.stretch_of.resize(cloth.mesh.triangles().capacity(), kSpare);
     for (const TriangleId t : changes.triangles_come) {
         const std::uint32_t lane = lists.take(indices(cloth.mesh.triangle(t).vertices), solver.lanes.vertices);
         solver.blocks.triangle_of.resize(lists.blocks.size() * kBlock, kSpare);
@@ -369,11 +476,11 @@ void change_bend(Cloth& cloth, const LeafChanges& changes) {
 // One that was released was a leaf by then, and one whose id is another's now is looked at as that.
 void change_limits(Cloth& cloth, const LeafChanges& changes) {
     SolverState& solver = cloth.solver;
-    solver.lanes.limit_of.resize(cloth.mesh.triangles().capacity(), kSpare);
-    solver.lanes.limit_level.resize(cloth.mesh.triangles().capacity(), 0);
     for (const TriangleId t : changes.refined_changed) {
         std::uint32_t& lane = solver.lanes.limit_of[t.value];
         if (lane == kSpare) continue;
+        keep_limit(cloth, t);
+        leave_neighbours(solver, t);
         limit_lists(solver, solver.lanes.limit_level[t.value]).give_back(lane, solver.lanes.vertices);
         lane = kSpare;
     }
@@ -394,6 +501,26 @@ bool is_worn(const Cloth& cloth) {
 }
 
 }  // namespace
+
+std::uint32_t limit_lane(const Cloth& cloth, TriangleId t) {
+    const SolverState& solver = cloth.solver;
+    if (t.value >= solver.lanes.limit_of.size()) return kSpare;
+    const std::uint32_t lane = solver.lanes.limit_of[t.value];
+    if (lane == kSpare) return kSpare;
+    const LimitBlock& block = solver.blocks.parents[solver.lanes.limit_level[t.value]].triangles[lane / kBlock];
+    return corners_at(block, lane % kBlock) == indices(cloth.mesh.triangle(t).vertices) ? lane : kSpare;
+}
+
+void note_children(Cloth& cloth, TriangleId t) {
+    const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
+    std::vector<ParentOf>& parent_of = cloth.solver.lanes.parent_of;
+    const float area = material_area(triangle.u);
+    for (std::size_t i = 0; i < layout(triangle.configuration).triangle_count; ++i) {
+        const TriangleId child = triangle.internal_triangles[i];
+        if (child.value >= parent_of.size()) parent_of.resize(cloth.mesh.triangles().capacity());
+        parent_of[child.value] = {place_of(t), material_area(cloth.mesh.triangle(child).u) / area};
+    }
+}
 
 std::uint32_t stretch_lane(const Cloth& cloth, TriangleId t, const std::array<VertexId, 3>& corners) {
     const SolverState& solver = cloth.solver;
@@ -425,8 +552,11 @@ void make_blocks(Cloth& cloth) {
     const auto levels = static_cast<std::size_t>(cloth.mesh.max_level());
     solver.blocks.parents.resize(levels);
     solver.lanes.limits.resize(levels);
-    solver.lanes.limit_of.assign(cloth.mesh.triangles().capacity(), kSpare);
-    solver.lanes.limit_level.assign(cloth.mesh.triangles().capacity(), 0);
+    forget_triangles(solver);
+    size_triangles(cloth);
+    for (int level = 0; level < cloth.mesh.max_level(); ++level) {
+        for (const TriangleId t : cloth.mesh.refined_triangles(level)) note_children(cloth, t);
+    }
     make_stretch(cloth);
     make_bend(cloth);
     for (int level = 0; level < cloth.mesh.max_level(); ++level) make_limits(cloth, level);
@@ -441,6 +571,7 @@ void change_blocks(Cloth& cloth) {
         make_blocks(cloth);
         return;
     }
+    size_triangles(cloth);
     change_stretch(cloth, changes);
     change_bend(cloth, changes);
     change_limits(cloth, changes);

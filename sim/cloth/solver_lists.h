@@ -9,6 +9,12 @@ namespace selvedge {
 
 struct Cloth;
 
+// The refined triangle that another is inside of.
+struct ParentOf {
+    std::uint32_t place = kNoPlace;  // in CarriedStress
+    float of_area = 1;               // share of the parent's area
+};
+
 // Where the constraints of a cloth stand in its blocks. kSpare: it has none.
 struct SolverLanes {
     BlockColoring stretch, bend;
@@ -17,6 +23,7 @@ struct SolverLanes {
     std::vector<std::uint32_t> bend_of;     // by EdgeId
     std::vector<std::uint32_t> limit_of;    // by TriangleId, of refined triangles
     std::vector<std::uint8_t> limit_level;  // by TriangleId: in whose blocks
+    std::vector<ParentOf> parent_of;        // by TriangleId
     std::size_t vertices = 0;               // the spare point's index; 0: none were made yet
     std::size_t inserted = 0;               // leaves since all were made anew
     struct HeldHinge {
@@ -24,6 +31,7 @@ struct SolverLanes {
         float held;  // of its friction, -1 to 1
     };
     std::vector<HeldHinge> held;        // scratch: whose anchors wait for the hinges to be weighed
+    std::vector<float> easy_shear;      // scratch, as places, see LimitRecord
     std::vector<float> inverse_masses;  // scratch, by vertex
     std::vector<float> masses;          // scratch, by vertex, with all that follows it
 };
@@ -35,6 +43,12 @@ void make_blocks(Cloth& cloth);
 // dearer, or where the blocks were made for fewer vertices. Pre: masses are those of the present leaves; the blocks
 // were those of the leaves before.
 void change_blocks(Cloth& cloth);
+
+// While an adaption is under way: t has other triangles inside.
+void note_children(Cloth& cloth, TriangleId t);
+
+// The lane of a refined triangle if it has one that was made for its corners, else kSpare.
+std::uint32_t limit_lane(const Cloth& cloth, TriangleId t);
 
 // The lane of a leaf if it has one that was made for these corners, else kSpare.
 std::uint32_t stretch_lane(const Cloth& cloth, TriangleId t, const std::array<VertexId, 3>& corners);

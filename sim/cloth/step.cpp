@@ -1,7 +1,9 @@
 #include "sim/cloth/step.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <functional>
 
 #include "sim/cloth/kernels.h"
 #include "sim/cloth/team_work.h"
@@ -35,7 +37,7 @@ struct Stepper {
     void load_points();
     void store_points();
     void predict();
-    void limit_parents();
+    void limit_parents(bool is_last);
     void solve_bend();
     void solve_stretch(bool is_last);
     void limit_stretch();
@@ -56,7 +58,7 @@ void Stepper::step() {
 void Stepper::substep(int i) {
     const bool is_last = i + 1 == options.substeps;
     predict();
-    limit_parents();
+    limit_parents(is_last);
     const std::size_t count = cloth.solver.count + static_cast<std::size_t>(i);
     if (count % static_cast<std::size_t>(cloth.solver.blocks.bend_interval) == 0) solve_bend();
     solve_stretch(is_last);
@@ -103,8 +105,8 @@ void Stepper::predict() {
     const Motion motion{.keep = std::max(0.0F, 1 - (cloth.damping + options.extra_damping) * cloth.substep),
                         .fall = {fall.x(), fall.y(), fall.z()}};
     const auto [begin, end] = member.part_of(cloth.x.size(), kBlock);
-    loops.predict(points() + 4 * begin, before() + 4 * begin, end - begin, motion);
     SolverState& solver = cloth.solver;
+    loops.predict(points() + 4 * begin, before() + 4 * begin, floats(solver.lost) + 4 * begin, end - begin, motion);
     if (!solver.blocks.parents.empty()) {
         std::copy_n(solver.points.begin() + static_cast<std::ptrdiff_t>(begin), end - begin,
                     solver.carried.begin() + static_cast<std::ptrdiff_t>(begin));
@@ -112,12 +114,13 @@ void Stepper::predict() {
     member.wait();
 }
 
-void Stepper::limit_parents() {
+void Stepper::limit_parents(bool is_last) {
     SolverState& solver = cloth.solver;
     for (std::size_t level = 0; level < solver.blocks.parents.size(); ++level) {
-        const ParentLevel& parents = solver.blocks.parents[level];
+        ParentLevel& parents = solver.blocks.parents[level];
         for_runs(member, solver.lanes.limits[level].runs(), [&](std::size_t, std::size_t first, std::size_t count) {
-            loops.limit_parents(std::span(parents.triangles).subspan(first, count), points());
+            loops.limit_parents(std::span(parents.triangles).subspan(first, count),
+                                is_last ? &parents.records[first] : nullptr, points());
         });
         const auto [begin, end] = member.part_of(parents.centres.size());
         loops.carry_centres(std::span(parents.centres).subspan(begin, end - begin), floats(solver.carried), points());
@@ -161,14 +164,32 @@ void Stepper::update_bend() {
                       share_at(options.bend_bias_rate));
 }
 
-// Biases follow what strain and stress are now.
+// Biases follow what strain and stress are now: what each level carries is summed up, coarse to fine for what is below
+// it, fine to coarse for what is above.
 void Stepper::update_bias() {
     SolverBlocks& blocks = cloth.solver.blocks;
-    const auto [begin, end] = member.part_of(blocks.stretch.size());
-    loops.update_bias(stretch(begin, end - begin), std::span(blocks.records).subspan(begin, end - begin), points(),
-                      before(),
-                      {.stretch = share_at(options.stretch_bias_rate), .shear = share_at(options.shear_bias_rate)});
-    member.wait();
+    const BiasGains gains{.stretch = share_at(options.stretch_bias_rate), .shear = share_at(options.shear_bias_rate)};
+    float* const own = floats(blocks.carried.own);
+    float* const above = floats(blocks.carried.above);
+    float* const below = floats(blocks.carried.below);
+    for (const ParentLevel& level : blocks.parents) {
+        const auto [begin, end] = member.part_of(level.records.size());
+        loops.carry_stress(std::span(level.records).subspan(begin, end - begin), own, above);
+        member.wait();
+    }
+    for_runs(member, cloth.solver.lanes.stretch.runs(), [&](std::size_t, std::size_t first, std::size_t count) {
+        loops.update_bias(stretch(first, count), std::span(blocks.records).subspan(first, count), points(), before(),
+                          gains, above, below);
+    });
+    for (std::size_t level = blocks.parents.size(); level-- > 0;) {
+        ParentLevel& parents = blocks.parents[level];
+        for_runs(member, cloth.solver.lanes.limits[level].runs(),
+                 [&](std::size_t, std::size_t first, std::size_t count) {
+                     loops.update_parents(std::span(parents.triangles).subspan(first, count),
+                                          std::span(parents.records).subspan(first, count), points(), before(), gains,
+                                          own, above, below);
+                 });
+    }
 }
 
 // Pre: the team is one where there are seams.
@@ -205,11 +226,14 @@ void step(Cloth& cloth, const Collider& body, const StepOptions& options) {
     solver.points.resize(count);
     solver.before.resize(count);
     solver.carried.resize(count);
+    solver.lost.resize(count, Vec4f::Zero());
     const Kernels& loops = kernels(simd_level());
-    const bool is_divided = options.seams.empty() && cloth.mesh.leaf_triangles().size() >= kLeastLeaves;
-    run_on_team(is_divided ? static_cast<int>(kMostMembers) : 1, [&](TeamMember& member) {
-        Stepper{cloth, loops, body, options, member}.step();
-    });
+    const bool may_divide = options.seams.empty() && cloth.mesh.leaf_triangles().size() >= kLeastLeaves;
+    const int most = may_divide && solver.trial.is_better() ? static_cast<int>(kMostMembers) : 1;
+    const auto start = std::chrono::steady_clock::now();
+    const auto work = [&](TeamMember& member) { Stepper{cloth, loops, body, options, member}.step(); };
+    run_on_team(most, std::cref(work));  // by reference: a function that holds more would allocate
+    if (may_divide) solver.trial.note(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     solver.count += static_cast<std::size_t>(options.substeps);
 }
 

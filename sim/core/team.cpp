@@ -3,8 +3,8 @@
 #include <immintrin.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
-#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -96,15 +96,28 @@ void Team::run(const std::function<void(TeamMember&)>& work) {
 }
 
 void run_on_team(int most, const std::function<void(TeamMember&)>& work) {
-    static std::mutex mutex;
+    static std::atomic<bool> is_busy = false;
     static std::map<int, std::unique_ptr<Team>> teams;  // by size; they sleep while they have nothing to do
     const int size = std::min({most, allowed_threads(), available_threads()});
-    const std::unique_lock<std::mutex> lock(mutex, std::try_to_lock);
     TeamMember alone;
-    if (size <= 1 || !lock.owns_lock()) return work(alone);
+    if (size <= 1 || is_busy.exchange(true, std::memory_order_acquire)) return work(alone);
     std::unique_ptr<Team>& team = teams[size];
     if (!team) team = std::make_unique<Team>(size);
     team->run(work);
+    is_busy.store(false, std::memory_order_release);
+}
+
+bool TeamTrial::is_better() const {
+    const int at = count_ % kPeriod;
+    return at < kTried || (at >= 2 * kTried && together_ < alone_);
+}
+
+// The least of some counts: what disturbs a step only makes it longer.
+void TeamTrial::note(double seconds) {
+    const int at = count_++ % kPeriod;
+    if (at == 0) together_ = alone_ = std::numeric_limits<double>::max();
+    if (at < kTried) together_ = std::min(together_, seconds);
+    if (at >= kTried && at < 2 * kTried) alone_ = std::min(alone_, seconds);
 }
 
 }  // namespace selvedge

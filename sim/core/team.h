@@ -74,4 +74,17 @@ class Team {
 // Calls work on a team of at most `most` threads: the process' own if it is free, else the caller alone.
 void run_on_team(int most, const std::function<void(TeamMember&)>& work);
 
+// Whether a team does a work, that comes again and again and gives the same either way, in less time than one thread:
+// processors that share their units, or are at other work, make it slower. Tries both from time to time.
+class TeamTrial {
+ public:
+    bool is_better() const;     // asked before each work ...
+    void note(double seconds);  // ... what it took
+
+ private:
+    static constexpr int kTried = 4, kPeriod = 128;
+    int count_ = 0;
+    double together_ = 0, alone_ = 0;  // s
+};
+
 }  // namespace selvedge

@@ -150,5 +150,47 @@ TEST(Bias, brings_a_hanging_strip_to_the_strain_of_its_stiffness) {
     }
 }
 
+// Of the whole strip, N/m at its clamp, by fifteen times its own weight: leaves of level 2 could carry a fraction of
+// it.
+TEST(Bias, of_refined_triangles_brings_heavy_loads_to_the_strain_of_the_stiffness_at_each_level) {
+    const Fabric fabric = find_fabric("cotton_shirting");
+    const float g = 15 * 9.81F;                                                                        // m/s^2
+    const double expected = fabric.area_density * static_cast<double>(g) / (2 * fabric.stretch_warp);  // mean over 1 m
+    for (const int level : {0, 1, 2}) {
+        Cloth cloth = make_strip(fabric, {.mesh_angle = 0.3, .level = level});
+        move_to(cloth, Eigen::Matrix3f::Identity(), Vec3f(0, 1, 0));  // the free end is where floats are fine
+        run(cloth, nothing_near(), {.gravity = Vec3f(0, -g, 0), .extra_damping = 10, .contact = {.floor = kNoFloor}},
+            5.0);
+        double strain = 0, area = 0;
+        const std::vector<TriangleStrain> strains = measure_strain(cloth);
+        for (std::size_t i = 0; i < strains.size(); ++i) {
+            const double a = material_area(cloth.mesh.leaf_triangles()[i].u);
+            strain += a * static_cast<double>(strains[i].warp);
+            area += a;
+        }
+        EXPECT_NEAR(strain / area, expected, 0.1 * expected) << "level " << level;
+    }
+}
+
+TEST(Bias, of_a_leaf_is_what_it_goes_on_to_carry_with_as_a_refined_triangle) {
+    Cloth cloth = make_patch(find_fabric("silk"));
+    learn(cloth, 1e-4F);
+    const std::vector<BiasedLeaf> before = biases(cloth);
+    ASSERT_GT(split_under_dab(cloth).splits, 0);
+    int refined = 0;
+    for (const LimitRecord& record : cloth.solver.blocks.parents[0].records) {
+        for (std::size_t at = 0; at < kBlock; ++at) {
+            if (record.place[at] == kNoPlace) continue;
+            const TriangleId id(record.place[at] / 4 - 1);
+            const auto was = std::find_if(before.begin(), before.end(),
+                                          [&](const BiasedLeaf& old) { return old.leaf.triangle == id; });
+            ASSERT_NE(was, before.end());
+            for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(record.bias[k][at], was->bias[static_cast<int>(k)]);
+            ++refined;
+        }
+    }
+    EXPECT_GT(refined, 0);
+}
+
 }  // namespace
 }  // namespace selvedge::test

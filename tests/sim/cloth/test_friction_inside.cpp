@@ -225,7 +225,8 @@ struct Shearing {
         std::vector<Vec4f> before = points;
         for (int i = 0; i < 20; ++i) {
             loops.solve_stretch(blocks.stretch, blocks.records.data(), floats(points), blocks.over.data());
-            loops.update_bias(blocks.stretch, blocks.records, floats(points), floats(before), {.shear = 1});
+            loops.update_bias(blocks.stretch, blocks.records, floats(points), floats(before), {.shear = 1},
+                              floats(blocks.carried.above), floats(blocks.carried.below));
         }
         const StretchRecord& record = blocks.records.front();
         return -double(record.multiplier[2][0] * record.compliance[2][0]) * cloth.fabrics.front().shear;

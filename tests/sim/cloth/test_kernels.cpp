@@ -92,9 +92,9 @@ void centre_split_edges(Cloth& cloth) {
 
 // One block of refined triangles with all that hangs on it.
 void limit_and_carry(const Cloth& cloth, const Kernels& loops, std::span<const LimitBlock> blocks, std::size_t level,
-                     Points& points) {
+                     Points& points, LimitRecord* records = nullptr) {
     Points carried = points;
-    loops.limit_parents(blocks, floats(points));
+    loops.limit_parents(blocks, records, floats(points));
     for (std::size_t below = level; below < cloth.solver.blocks.parents.size(); ++below) {
         loops.carry_centres(cloth.solver.blocks.parents[below].centres, floats(carried), floats(points));
     }
@@ -168,7 +168,7 @@ TEST_P(KernelsAtLevel, a_limit_takes_back_what_is_longer_and_touches_nothing_sho
     for (const LimitBlock& block : cloth.solver.blocks.parents[0].triangles) {
         const Points before = solver_points(cloth, cloth.x);
         Points after = before;
-        loops().limit_parents(std::span(&block, 1), floats(after));
+        loops().limit_parents(std::span(&block, 1), nullptr, floats(after));
         for (std::size_t at = 0; at < kBlock; ++at) {
             if (block.vertices[0][at] / 4 + 1 == before.size()) continue;
             const float warp = thread_length(block, at, block.a, before);
@@ -191,12 +191,24 @@ TEST_P(KernelsAtLevel, a_limit_takes_back_what_is_longer_and_touches_nothing_sho
 
 // Every loop once, over a shaken patch that has two pinned vertices.
 struct Sweep {
-    Points points, before, asked, plane;
+    Points points, before, lost, asked, plane;
     std::vector<StretchRecord> records;
     std::vector<StretchBlock> stretch;
     std::vector<BendBlock> bend;
+    std::vector<ParentLevel> parents;
     std::vector<std::uint32_t> over, found;
 };
+void move_biases(const Kernels& loops, Sweep& s, CarriedStress stress) {
+    const BiasGains gains{.stretch = 0.1F, .shear = 0.05F};
+    float *const own = floats(stress.own), *const above = floats(stress.above), *const below = floats(stress.below);
+    for (const ParentLevel& level : s.parents) loops.carry_stress(level.records, own, above);
+    loops.update_bias(s.stretch, s.records, floats(s.points), floats(s.before), gains, above, below);
+    for (std::size_t i = s.parents.size(); i-- > 0;) {
+        loops.update_parents(s.parents[i].triangles, s.parents[i].records, floats(s.points), floats(s.before), gains,
+                             own, above, below);
+    }
+}
+
 Sweep swept(const Kernels& loops) {
     std::mt19937 random(15);
     Cloth cloth = flat_patch(2);
@@ -206,6 +218,7 @@ Sweep swept(const Kernels& loops) {
     const SolverBlocks& blocks = cloth.solver.blocks;
     Sweep s;
     s.points = s.before = solver_points(cloth, cloth.x);
+    s.lost.assign(s.points.size(), Vec4f::Zero());
     s.asked.assign(s.points.size(), Vec4f(0, 0, 0, 0.1F));
     s.plane.assign(s.points.size(), Vec4f(0, 1, 0, -0.002F));
     for (std::size_t v = 0; v < s.points.size(); v += 3) {
@@ -215,19 +228,22 @@ Sweep swept(const Kernels& loops) {
     s.records = blocks.records;
     s.stretch = blocks.stretch;
     s.bend = blocks.bend;
-    loops.predict(floats(s.points), floats(s.before), cloth.x.size(), {.keep = 0.9F, .fall = {1e-4F, -1e-3F, 2e-4F}});
+    s.parents = blocks.parents;
+    loops.predict(floats(s.points), floats(s.before), floats(s.lost), cloth.x.size(),
+                  {.keep = 0.9F, .fall = {1e-4F, -1e-3F, 2e-4F}});
     for (std::size_t level = 0; level < blocks.parents.size(); ++level) {
-        limit_and_carry(cloth, loops, blocks.parents[level].triangles, level, s.points);
+        limit_and_carry(cloth, loops, blocks.parents[level].triangles, level, s.points,
+                        s.parents[level].records.data());
     }
     loops.solve_bend(s.bend, floats(s.points));
     for (const BlockColoring::Run& run : cloth.solver.lanes.stretch.runs()) {
-        const std::span<StretchBlock> one = std::span(s.stretch).subspan(run.first, run.count);
-        std::vector<std::uint32_t> over(one.size() * kBlock);
-        over.resize(loops.solve_stretch(one, &s.records[run.first], floats(s.points), over.data()));
-        loops.limit_stretch(one, over, blocks.spare, floats(s.points));
+        const std::span<StretchBlock> some = std::span(s.stretch).subspan(run.first, run.count);
+        std::vector<std::uint32_t> over(run.count * kBlock);
+        over.resize(loops.solve_stretch(some, &s.records[run.first], floats(s.points), over.data()));
+        loops.limit_stretch(some, over, blocks.spare, floats(s.points));
         s.over.insert(s.over.end(), over.begin(), over.end());
     }
-    loops.update_bias(s.stretch, s.records, floats(s.points), floats(s.before), {.stretch = 0.1F, .shear = 0.05F});
+    move_biases(loops, s, blocks.carried);
     loops.update_bend(s.bend, blocks.bend_records, floats(s.points), floats(s.before), 0.1F);
     loops.rub(s.stretch, floats(s.points), floats(s.before), 0.2F);
     s.found.resize(s.points.size() + kBlock);
@@ -261,6 +277,18 @@ bool have_same_bits(const std::vector<BendBlock>& a, const std::vector<BendBlock
     });
 }
 
+bool have_same_bits(const std::vector<ParentLevel>& a, const std::vector<ParentLevel>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const ParentLevel& p, const ParentLevel& q) {
+        return std::equal(p.records.begin(), p.records.end(), q.records.begin(), q.records.end(),
+                          [](const LimitRecord& r, const LimitRecord& t) { return r.bias == t.bias; });
+    });
+}
+
+bool has_learnt(const std::vector<ParentLevel>& parents) {
+    const auto learnt = [](const LimitRecord& record) { return record.bias != LimitRecord{}.bias; };
+    return std::ranges::all_of(parents, [&](const ParentLevel& p) { return std::ranges::any_of(p.records, learnt); });
+}
+
 TEST(Kernels, of_avx2_and_avx512_give_the_same_bits) {
     if (detected_simd_level() < SimdLevel::Avx512) GTEST_SKIP() << "no AVX-512 on this processor";
     const Sweep narrow = swept(kernels(SimdLevel::Avx2)), wide = swept(kernels(SimdLevel::Avx512));
@@ -268,6 +296,8 @@ TEST(Kernels, of_avx2_and_avx512_give_the_same_bits) {
     EXPECT_TRUE(have_same_bits(narrow.before, wide.before));
     EXPECT_TRUE(have_same_bits(narrow.stretch, wide.stretch));
     EXPECT_TRUE(have_same_bits(narrow.bend, wide.bend));
+    EXPECT_TRUE(have_same_bits(narrow.parents, wide.parents));
+    EXPECT_TRUE(has_learnt({narrow.parents[0], narrow.parents[1]}));
     EXPECT_EQ(narrow.over, wide.over);
     EXPECT_EQ(narrow.found, wide.found);
     EXPECT_FALSE(narrow.over.empty());
