@@ -47,24 +47,29 @@ template <int j>
 }
 
 template <int j>
-[[gnu::always_inline]] inline void bend_row(HingeRows& hinges, const BendGains& g) {
+[[gnu::always_inline]] inline Floats bent_row(const HingeRows& hinges) {
     Floats bent = lanes::spread<j>(hinges.q[0]) * hinges.x[0].row[j];
     for (std::size_t i = 1; i < 4; ++i) {
         bent = lanes::multiply_add(lanes::spread<j>(hinges.q[i]), hinges.x[i].row[j], bent);
     }
-    bent = lanes::with_fourths(bent, Floats{});
-    const BendGains row{lanes::spread<j>(g.gain), lanes::spread<j>(g.bow), lanes::spread<j>(g.most)};
-    push_row<j>(hinges, bent * -folded_gain(row, squared_lengths(bent)));
+    return bent;
+}
+template <int j>
+[[gnu::always_inline]] inline void push_back(HingeRows& hinges, Floats bent, Floats gain) {
+    push_row<j>(hinges, lanes::with_fourths(bent * lanes::spread<j>(-gain), Floats{}));
 }
 
 void bend_purely(const BendBlock& block, float* points) {
     for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
         HingeRows hinges = hinges_of(block, at, points);
-        const BendGains g{load_at(block.gain, at), load_at(block.bow, at), load_at(block.most, at)};
-        bend_row<0>(hinges, g);
-        bend_row<1>(hinges, g);
-        bend_row<2>(hinges, g);
-        bend_row<3>(hinges, g);
+        const Rows bent{{bent_row<0>(hinges), bent_row<1>(hinges), bent_row<2>(hinges), bent_row<3>(hinges)}};
+        const Xyz vector = lanes::transposed(bent);
+        const Floats gain = folded_gain({load_at(block.gain, at), load_at(block.bow, at), load_at(block.most, at)},
+                                        dot(vector, vector));
+        push_back<0>(hinges, bent.row[0], gain);
+        push_back<1>(hinges, bent.row[1], gain);
+        push_back<2>(hinges, bent.row[2], gain);
+        push_back<3>(hinges, bent.row[3], gain);
         put_hinges(block, at, hinges, points);
     }
 }

@@ -5,6 +5,13 @@
 namespace selvedge {
 namespace {
 
+// Of rows of points as they stand in memory: the squared length of each, in all four places.
+[[gnu::always_inline]] inline Floats squared_lengths(Floats move) {
+    const Floats squares = move * move;
+    const Floats pairs = squares + lanes::shuffle<0xB1>(squares, squares);
+    return pairs + lanes::shuffle<0x4E>(pairs, pairs);
+}
+
 // Moves that are longer than the longest are shortened.
 [[gnu::always_inline]] inline Floats shortened(Floats move, Floats longest_squared) {
     const Floats squared = squared_lengths(move);

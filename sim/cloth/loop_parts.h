@@ -55,13 +55,6 @@ constexpr float kMoreShear = 4;  // shear angles are that much larger than strai
     return lanes::lesser(lanes::greater(value, -reach), reach);
 }
 
-// Of rows of points as they stand in memory: the squared length of each, in all four places.
-[[gnu::always_inline]] inline Floats squared_lengths(Floats move) {
-    const Floats squares = move * move;
-    const Floats pairs = squares + lanes::shuffle<0xB1>(squares, squares);
-    return pairs + lanes::shuffle<0x4E>(pairs, pairs);
-}
-
 // The deformed warp and weft directions of triangles, unit, and their lengths.
 struct Threads {
     Xyz warp, weft;
