@@ -39,6 +39,10 @@ void add_bench_tshirt(CLI::App& bench, int& exit_code) {
         ->check(CLI::Range(1, 5000000));
     command->add_option("--min-leaves", experiment.least_leaves, "Refined until there are so many (default 6000)")
         ->check(CLI::Range(0, 1000000));
+    command->add_option("--max-stretch", experiment.most_stretch, "Of warp and weft, 99th percentile (default 0.05)")
+        ->check(CLI::Range(1e-4, 1.0));
+    command->add_option("--substeps", experiment.substeps, "Per step, instead of searching for the fewest")
+        ->check(CLI::Range(1, 1000));
     command->add_option("--cycles", experiment.sway.cycles, "Adaptions that are measured (default 90)")
         ->check(CLI::Range(1, 100000));
     command->add_flag("--no-growth{false}", experiment.has_growth,

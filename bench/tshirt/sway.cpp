@@ -74,6 +74,7 @@ class Cycles {
         const auto count = static_cast<double>(whole_.size());
         SwayFigures f;
         f.leaf_triangles = static_cast<int>(cloth_.mesh.leaf_triangles().size());
+        f.substeps = options_.substeps;
         f.ms_median = 1e3 * quantile(whole_, 0.5);
         f.ms_p95 = 1e3 * quantile(whole_, 0.95);
         f.ms_adaption = 1e3 * quantile(adaptions_, 0.5);
@@ -95,7 +96,8 @@ class Cycles {
     double four_steps(const Collider& body) {
         const double start = now(options_.by_wall_clock);
         for (int i = 0; i < kSteps; ++i) {
-            step(cloth_, body, {.gravity = leaning_gravity(seconds_ + i / 120.0), .extra_damping = 2});
+            step(cloth_, body,
+                 {.substeps = options_.substeps, .gravity = leaning_gravity(seconds_ + i / 120.0), .extra_damping = 2});
         }
         return now(options_.by_wall_clock) - start;
     }

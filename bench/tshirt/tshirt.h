@@ -14,6 +14,7 @@ namespace selvedge {
 
 struct SwayOptions {
     float shortest_edge = 0.02F;             // m
+    int substeps = 12;                       // per step
     int cycles = 90;                         // of one adaption and four steps of 1/120 s
     int settling_cycles = 15;                // before, not measured
     bool by_wall_clock = false;              // else by the processor time of this thread
@@ -24,6 +25,7 @@ struct SwayOptions {
 // Gravity leans by 5 degrees and goes round once a second, so that the garment shifts on the body all the time.
 struct SwayFigures {
     int leaf_triangles = 0;  // at the end
+    int substeps = 0;        // per step
     double ms_median = 0;    // of one adaption and four steps
     double ms_p95 = 0;
     double ms_adaption = 0;           // medians
@@ -45,6 +47,7 @@ inline constexpr std::string_view kMsAdaptPlus4StepsP95 = "ms_adapt_plus_4_steps
 inline constexpr std::string_view kAdaptShare = "adapt_share";
 inline constexpr std::string_view kCollisionShare = "collision_share";
 inline constexpr std::string_view kP99Stretch = "p99_stretch";
+inline constexpr std::string_view kSubsteps = "substeps";
 inline constexpr std::string_view kBodyTriangles = "body_triangles";
 inline constexpr std::string_view kThreads = "threads";
 inline constexpr std::string_view kMsAdaption = "ms_adaption";
@@ -63,7 +66,9 @@ struct TshirtExperiment {
     int threads = 1;
     int body_triangles = 67000;  // at least
     int least_leaves = 6000;
-    bool has_growth = true;  // rows of 25,000 leaves and of 500,000 triangles of the body too
+    double most_stretch = 0.05;     // of warp and weft, 99th percentile
+    std::optional<int> substeps{};  // per step; none: the least with which the stretch is no more
+    bool has_growth = true;         // rows of 25,000 leaves and of 500,000 triangles of the body too
     SwayOptions sway{};
 };
 

@@ -105,6 +105,14 @@ void update_solver(Cloth& cloth) {
     change_blocks(cloth);
 }
 
+void set_substep(Cloth& cloth, float substep) {
+    for (std::size_t v = 0; v < cloth.x.size(); ++v) {
+        cloth.x_prev[v] = cloth.x[v] - (cloth.x[v] - cloth.x_prev[v]) * (substep / cloth.substep);
+    }
+    cloth.substep = substep;
+    refresh_solver(cloth);
+}
+
 void update_normals(Cloth& cloth) {
     for (const VertexId v : cloth.mesh.leaf_vertices()) cloth.normals[v.value].setZero();
     for (const LeafTriangle& triangle : cloth.mesh.leaf_triangles()) {

@@ -99,6 +99,9 @@ void refresh_solver(Cloth& cloth);
 // The same after one adaption, at a cost in proportion to what it changed: see mesh.changes().
 void update_solver(Cloth& cloth);
 
+// Another length of sub-steps, s. Speeds are kept.
+void set_substep(Cloth& cloth, float substep);
+
 // Area-weighted normals of the leaf triangles.
 void update_normals(Cloth& cloth);
 

@@ -185,14 +185,8 @@ void RandomRun::change_body() {
 void RandomRun::change_time() {
     const double seconds = choices_.log_between(1.0 / 500, 1.0 / 5);
     stepping_.substeps = 1 + static_cast<int>(choices_.next(24));
-    const float substep = static_cast<float>(seconds) / static_cast<float>(stepping_.substeps);
-    for (const VertexId v : cloth_.mesh.leaf_vertices()) {
-        const Vec4f moved = cloth_.x[v.value] - cloth_.x_prev[v.value];
-        cloth_.x_prev[v.value] = cloth_.x[v.value] - moved * (substep / cloth_.substep);
-    }
-    cloth_.substep = substep;
     cloth_.bend_interval = 1 + static_cast<int>(choices_.next(4));
-    refresh_solver(cloth_);
+    set_substep(cloth_, static_cast<float>(seconds) / static_cast<float>(stepping_.substeps));
 }
 
 void RandomRun::change_criteria() {
