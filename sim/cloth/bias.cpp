@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/cloth/block_lanes.h"
 #include "sim/cloth/cloth.h"
 
 namespace selvedge {
@@ -20,8 +21,9 @@ void set_kept(Cloth& cloth, TriangleId t, const Vec3f& value, const Vec3f& limit
 Vec3f limit_of_leaf(const Vec3f& value) {
     return {std::max(0.0F, value.x()), std::max(0.0F, value.y()), value.z()};
 }
-void set_leaf(Cloth& cloth, TriangleId t, const Vec3f& value) {
+void set_leaf(Cloth& cloth, TriangleId t, const Vec3f& value, float anchor) {
     set_kept(cloth, t, value, limit_of_leaf(value));
+    cloth.bias[t.value].anchor = anchor;
 }
 
 // And back: leaves take back three quarters of a strain, limits half of it.
@@ -34,10 +36,42 @@ bool is_kept(const Cloth& cloth, TriangleId t) {
     return t.value < cloth.bias.size() && cloth.bias[t.value].adaption == cloth.adaptions;
 }
 
-Vec3f bias_in(const Cloth& cloth, std::uint32_t lane) {
-    const std::array<BlockFloats, 3>& bias = cloth.solver.blocks.stretch[lane / kBlock].bias;
+KeptBias bias_in(const Cloth& cloth, std::uint32_t lane) {
+    const StretchBlock& block = cloth.solver.blocks.stretch[lane / kBlock];
+    const std::array<BlockFloats, 3>& bias = block.bias;
     const std::size_t at = lane % kBlock;
-    return {bias[0][at], bias[1][at], bias[2][at]};
+    return {.value = Vec3f(bias[0][at], bias[1][at], bias[2][at]), .anchor = block.anchor[at]};
+}
+
+bool has_ends(const AdaptiveEdge& edge, const std::array<std::uint32_t, 4>& corners) {
+    return edge.ends[0].value == corners[0] && edge.ends[1].value == corners[1];
+}
+
+void set_bend(Cloth& cloth, EdgeId e, const KeptBend& bend) {
+    if (e.value >= cloth.bend.size()) cloth.bend.resize(cloth.mesh.edges().capacity());
+    cloth.bend[e.value] = bend;
+    cloth.bend[e.value].adaption = cloth.adaptions;
+}
+
+// An id may have been given to another edge since.
+bool is_kept(const Cloth& cloth, EdgeId e) {
+    return e.value < cloth.bend.size() && cloth.bend[e.value].adaption == cloth.adaptions &&
+           has_ends(cloth.mesh.edge(e), cloth.bend[e.value].corners);
+}
+
+KeptBend bend_in(const Cloth& cloth, std::uint32_t lane) {
+    const BendBlock& block = cloth.solver.blocks.bend[lane / kBlock];
+    const std::size_t at = lane % kBlock;
+    const float off = bending_now(cloth, block, at) - block.anchor[at];
+    return {.held = block.slip[at] > 0 ? std::clamp(off / block.slip[at], -1.0F, 1.0F) : 0.0F,
+            .pull = block.pull[at],
+            .anchor = block.anchor[at],
+            .corners = corners_at(block, at)};
+}
+
+// For an edge that has had no lane.
+KeptBend handed_on(const AdaptiveEdge& to, float held, float pull) {
+    return {.held = held, .pull = pull, .corners = {to.ends[0].value, to.ends[1].value, kSpare, kSpare}};
 }
 
 Vec3f limit_in(const Cloth& cloth, TriangleId t, std::uint32_t lane) {
@@ -49,10 +83,10 @@ Vec3f limit_in(const Cloth& cloth, TriangleId t, std::uint32_t lane) {
 
 }  // namespace
 
-Vec3f kept_bias(const Cloth& cloth, TriangleId t) {
-    if (is_kept(cloth, t)) return cloth.bias[t.value].value;
+KeptBias kept_bias(const Cloth& cloth, TriangleId t) {
+    if (is_kept(cloth, t)) return cloth.bias[t.value];
     const std::uint32_t lane = stretch_lane(cloth, t, cloth.mesh.triangle(t).vertices);
-    return lane == kSpare ? Vec3f(Vec3f::Zero()) : bias_in(cloth, lane);
+    return lane == kSpare ? KeptBias{} : bias_in(cloth, lane);
 }
 
 Vec3f kept_limit(const Cloth& cloth, TriangleId t) {
@@ -63,7 +97,8 @@ Vec3f kept_limit(const Cloth& cloth, TriangleId t) {
 
 void keep_bias(Cloth& cloth, TriangleId t) {
     if (is_kept(cloth, t)) return;
-    set_leaf(cloth, t, bias_in(cloth, cloth.solver.lanes.stretch_of[t.value]));
+    const KeptBias kept = bias_in(cloth, cloth.solver.lanes.stretch_of[t.value]);
+    set_leaf(cloth, t, kept.value, kept.anchor);
 }
 
 void keep_limit(Cloth& cloth, TriangleId t) {
@@ -73,7 +108,8 @@ void keep_limit(Cloth& cloth, TriangleId t) {
 
 void keep_biases(Cloth& cloth) {
     for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles()) {
-        set_leaf(cloth, leaf.triangle, kept_bias(cloth, leaf.triangle));
+        const KeptBias kept = kept_bias(cloth, leaf.triangle);
+        set_leaf(cloth, leaf.triangle, kept.value, kept.anchor);
     }
     for (int level = 0; level < cloth.mesh.max_level(); ++level) {
         for (const TriangleId t : cloth.mesh.refined_triangles(level)) {
@@ -86,35 +122,78 @@ void BiasHandover::before(TriangleId t) {
     const AdaptiveTriangle& triangle = cloth_.mesh.triangle(t);
     count_ = 0;
     if (is_leaf(triangle)) {
-        mean_ = kept_bias(cloth_, t);
+        const KeptBias kept = kept_bias(cloth_, t);
+        mean_ = kept.value;
+        mean_anchor_ = kept.anchor;
         limit_ = limit_of_leaf(mean_);
         return;
     }
     limit_ = kept_limit(cloth_, t);
     Vec3f sum = Vec3f::Zero();
-    float area = 0;
+    float anchors = 0, area = 0;
     for (const TriangleId child : inside(triangle)) {
         const AdaptiveTriangle& one = cloth_.mesh.triangle(child);
         const float a = material_area(one.u);
-        sum += a * kept_bias(cloth_, child);
+        const KeptBias kept = kept_bias(cloth_, child);
+        sum += a * kept.value;
+        anchors += a * kept.anchor;
         area += a;
         inside_[count_] = child;
         corners_[count_++] = one.vertices;
     }
     mean_ = sum / area;
+    mean_anchor_ = anchors / area;
 }
 
 void BiasHandover::after(TriangleId t) {
     const AdaptiveTriangle& triangle = cloth_.mesh.triangle(t);
-    if (is_leaf(triangle)) return set_leaf(cloth_, t, leaf_of_limit(mean_, limit_));
+    if (is_leaf(triangle)) return set_leaf(cloth_, t, leaf_of_limit(mean_, limit_), mean_anchor_);
     set_kept(cloth_, t, Vec3f::Zero(), limit_);
     for (const TriangleId child : inside(triangle)) {
         const auto end = inside_.begin() + static_cast<std::ptrdiff_t>(count_);
         const auto was = std::find(inside_.begin(), end, child);
         const bool stays = was != end && corners_[static_cast<std::size_t>(was - inside_.begin())] ==
                                              cloth_.mesh.triangle(child).vertices;
-        if (!stays) set_leaf(cloth_, child, mean_);
+        if (!stays) set_leaf(cloth_, child, mean_, mean_anchor_);
     }
+}
+
+KeptBend kept_bend(const Cloth& cloth, EdgeId e) {
+    if (is_kept(cloth, e)) return cloth.bend[e.value];
+    const std::uint32_t lane = bend_lane(cloth, e);
+    return lane == kSpare ? KeptBend{} : bend_in(cloth, lane);
+}
+
+void keep_bend(Cloth& cloth, EdgeId e) {
+    const std::uint32_t lane = bend_lane(cloth, e);
+    if (lane != kSpare) set_bend(cloth, e, bend_in(cloth, lane));
+}
+
+void keep_bends(Cloth& cloth) {
+    for (const Hinge& hinge : cloth.mesh.hinges()) keep_bend(cloth, hinge.edge);
+}
+
+void split_bend(Cloth& cloth, VertexId centre) {
+    const EdgeId e = cloth.mesh.vertex(centre).parent;
+    const KeptBend kept = kept_bend(cloth, e);
+    for (const EdgeId child : cloth.mesh.edge(e).children) {
+        set_bend(cloth, child, handed_on(cloth.mesh.edge(child), kept.held, kept.pull));
+    }
+}
+
+void rejoin_bend(Cloth& cloth, VertexId centre) {
+    const EdgeId e = cloth.mesh.vertex(centre).parent;
+    const AdaptiveEdge& edge = cloth.mesh.edge(e);
+    const KeptBend a = kept_bend(cloth, edge.children[0]), b = kept_bend(cloth, edge.children[1]);
+    set_bend(cloth, e, handed_on(edge, 0.5F * (a.held + b.held), 0.5F * (a.pull + b.pull)));
+}
+
+float bending_now(const Cloth& cloth, const BendBlock& block, std::size_t at) {
+    const auto point = [&](std::size_t i) -> Vec3f { return cloth.x[block.vertices[i][at] / 4].head<3>(); };
+    const Vec3f edge = point(1) - point(0);
+    const Vec3f left = block.q[2][at] * (point(2) - point(0));
+    const Vec3f right = block.q[3][at] * (point(3) - point(0));
+    return (left + right + block.q[1][at] * edge).dot(edge.cross(right - left).normalized());
 }
 
 }  // namespace selvedge

@@ -1,6 +1,6 @@
 #pragma once
-// The biases of the stretch conditions while triangles come and go: they live in the solver's blocks, and are kept by
-// TriangleId in Cloth::bias while an adaption is under way.  (solver_blocks.h)
+// What triangles and hinges have learnt, biases and friction, while they come and go: it lives in the solver's blocks,
+// and is kept by TriangleId in Cloth::bias, by EdgeId in Cloth::bend, while an adaption is under way. (solver_blocks.h)
 #include <array>
 #include <cstddef>
 
@@ -9,10 +9,13 @@
 
 namespace selvedge {
 
+struct BendBlock;
 struct Cloth;
+struct KeptBend;
+struct KeptBias;
 
 // What was kept of that triangle since Cloth::adaptions was last counted up, else what its lane has; 0 if it has none.
-Vec3f kept_bias(const Cloth& cloth, TriangleId t);
+KeptBias kept_bias(const Cloth& cloth, TriangleId t);
 
 // The same of a refined triangle's.
 Vec3f kept_limit(const Cloth& cloth, TriangleId t);
@@ -33,10 +36,24 @@ class BiasHandover {
  private:
     Cloth& cloth_;
     Vec3f mean_ = Vec3f::Zero();   // of what was inside
+    float mean_anchor_ = 0;        // the same
     Vec3f limit_ = Vec3f::Zero();  // the triangle's own when it is refined
     std::array<TriangleId, 4> inside_{};
     std::array<std::array<VertexId, 3>, 4> corners_{};
     std::size_t count_ = 0;
 };
+
+// The same of an edge's hinge; nothing if it is new in flat cloth. keep_bend(): from the edge's lane, if it has one.
+KeptBend kept_bend(const Cloth& cloth, EdgeId e);
+void keep_bend(Cloth& cloth, EdgeId e);
+void keep_bends(Cloth& cloth);
+
+// When an edge has been split its halves get what it has; when it is about to be rejoined it gets their mean. centre:
+// of the edge. Where the hinge of an edge that stays is changed it keeps its own.
+void split_bend(Cloth& cloth, VertexId centre);
+void rejoin_bend(Cloth& cloth, VertexId centre);
+
+// How much a hinge is bent now, along its normal as the kernels measure it, m.
+float bending_now(const Cloth& cloth, const BendBlock& block, std::size_t at);
 
 }  // namespace selvedge

@@ -34,7 +34,17 @@ struct SolverState {
 struct KeptBias {
     Vec3f value = Vec3f::Zero();  // of warp, weft and shear
     Vec3f limit = Vec3f::Zero();  // the same as a refined triangle
+    float anchor = 0;             // of friction in shear
     std::uint32_t adaption = 0;   // when it was noted
+};
+
+// The same of a hinge. Corners, vertex indices: of a hinge that has had no lane the two ends of its edge only.
+struct KeptBend {
+    float held = 0;    // friction, of the most that there can be, -1 to 1
+    float pull = 0;    // s^2 N, of the time that SolverBlocks::bend_time says
+    float anchor = 0;  // m, for those corners
+    std::array<std::uint32_t, 4> corners{kSpare, kSpare, kSpare, kSpare};
+    std::uint32_t adaption = 0;
 };
 
 // What criteria remember while an adaption is under way, in the memory of the last one.
@@ -55,6 +65,7 @@ struct Cloth {
     std::vector<bool> is_pinned{};
 
     std::vector<KeptBias> bias{};     // by TriangleId, while an adaption is under way
+    std::vector<KeptBend> bend{};     // by EdgeId, the same
     std::uint32_t adaptions = 0;      // so far
     std::vector<double> mass_sums{};  // kg by vertex, pinned or not; sums of floats, so that they can be undone exactly
 
@@ -63,13 +74,13 @@ struct Cloth {
     CriteriaMemory adapting{};
     float damping = 0;      // 1/s, mean over the fabrics' area
     float substep = 0;      // s, the length that x_prev and the solver's blocks were made for
-    int bend_interval = 2;  // sub-steps from one visit of the hinges to the next
+    int bend_interval = 2;  // sub-steps from one visit of the hinges to the next, where visits can do that much
 };
 
 struct ClothOptions {
     int max_level = 3;
     float substep = 1.0F / 1440.0F;  // s
-    int bend_interval = 2;           // sub-steps; hinges are so soft that they need not be visited in each
+    int bend_interval = 2;           // sub-steps; most hinges are so soft that they need not be visited in each
 };
 
 // Pre: garment has no links left (strip or merge them) and one fabric per panel. Starts at rest, at level 0.

@@ -1,5 +1,5 @@
 #pragma once
-// The loops over constraints, see kernels.h. For kernels only (sim/core/simd_level.h).
+// The loops over triangles, see kernels.h. For kernels only (sim/core/simd_level.h).
 #include "sim/cloth/stress_loops.h"
 
 namespace selvedge {
@@ -9,6 +9,16 @@ struct Strains {
     Floats warp, weft, shear;
 };
 
+// Shear, and by how much friction between the threads holds it back from where it slips to.
+[[gnu::always_inline]] inline Floats shear_of(const Threads& t) {
+    return dot(t.warp, t.weft) * t.warp_share * t.weft_share;
+}
+[[gnu::always_inline]] inline Floats held_shear(StretchBlock& block, std::size_t at, Floats shear) {
+    const Floats off = held_within(shear - load_at(block.anchor, at), load_at(block.slip, at));
+    lanes::store(&block.anchor[at], shear - off);
+    return off * load_at(block.stick, at);
+}
+
 // Strains with their bias; a compression counts as much as it is resisted.
 [[gnu::always_inline]] inline Strains biased_strains(const StretchBlock& block, std::size_t at, const Threads& t) {
     const Floats push = load_at(block.push, at);
@@ -16,8 +26,7 @@ struct Strains {
         return lanes::multiply_add(push, lanes::lesser(strain, Floats{}), lanes::greater(strain, Floats{}));
     };
     return {resisted(t.warp_length - 1.0F + load_at(block.bias[0], at)),
-            resisted(t.weft_length - 1.0F + load_at(block.bias[1], at)),
-            dot(t.warp, t.weft) * t.warp_share * t.weft_share + load_at(block.bias[2], at)};
+            resisted(t.weft_length - 1.0F + load_at(block.bias[1], at)), shear_of(t) + load_at(block.bias[2], at)};
 }
 
 // The three conditions of each triangle are solved together: warp and weft are at right angles, so that the shear is
@@ -84,15 +93,17 @@ struct OverLanes {
 };
 
 template <bool keeps_multipliers>
-[[gnu::always_inline]] inline std::size_t stretch_loop(std::span<const StretchBlock> blocks, StretchRecord* records,
+[[gnu::always_inline]] inline std::size_t stretch_loop(std::span<StretchBlock> blocks, StretchRecord* records,
                                                        float* points, OverLanes over) {
-    for (const StretchBlock& block : blocks) {
+    for (StretchBlock& block : blocks) {
+        const bool rubs = has_positive(block.stick);
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
             const Corners c = corners_of(block, at, points);
             Threads t = directions(block, at, c.x0, c.x1, c.x2);
             normalise(t);
-            const Strains m =
-                relaxed(multipliers(block, at, biased_strains(block, at, t)), share_of_both(dot(t.warp, t.weft)));
+            Strains strains = biased_strains(block, at, t);
+            if (rubs) strains.shear = strains.shear + held_shear(block, at, shear_of(t));
+            const Strains m = relaxed(multipliers(block, at, strains), share_of_both(dot(t.warp, t.weft)));
             if constexpr (keeps_multipliers) {
                 StretchRecord& record = records[static_cast<std::size_t>(&block - blocks.data())];
                 lanes::store(&record.multiplier[0][at], m.warp);
@@ -109,7 +120,7 @@ template <bool keeps_multipliers>
     return (over.count + kBlock - 1) / kBlock;
 }
 
-std::size_t solve_stretch(std::span<const StretchBlock> blocks, StretchRecord* records, float* points, OverBlock* over,
+std::size_t solve_stretch(std::span<StretchBlock> blocks, StretchRecord* records, float* points, OverBlock* over,
                           const OverBlock& spare) {
     return records ? stretch_loop<true>(blocks, records, points, {over, spare})
                    : stretch_loop<false>(blocks, nullptr, points, {over, spare});
@@ -137,10 +148,6 @@ void limit_stretch(std::span<const OverBlock> blocks, float* points) {
 [[gnu::always_inline]] inline Floats excess(const Xyz& direction, Floats longest) {
     const Floats squared = dot(direction, direction) + lanes::all(kTiny);
     return lanes::lesser(longest * lanes::inverse_root(squared) - 1.0F, Floats{});
-}
-
-[[gnu::always_inline]] inline Floats held_within(Floats value, Floats most) {
-    return lanes::lesser(lanes::greater(value, -most), most);
 }
 
 template <bool keeps_multipliers>
@@ -180,41 +187,6 @@ void limit_parents(std::span<const LimitBlock> blocks, LimitRecord* records, flo
     records ? limit_loop<true>(blocks, records, points) : limit_loop<false>(blocks, nullptr, points);
 }
 
-template <int j>
-[[gnu::always_inline]] inline void bend_row(std::array<Rows, 4>& x, const std::array<Floats, 4>& q, Floats gain) {
-    Floats bent = lanes::spread<j>(q[0]) * x[0].row[j];
-    for (std::size_t i = 1; i < 4; ++i) bent = lanes::multiply_add(lanes::spread<j>(q[i]), x[i].row[j], bent);
-    bent = lanes::with_fourths(bent * lanes::spread<j>(-gain), Floats{});
-    for (std::size_t i = 0; i < 4; ++i) {
-        const Floats weight = lanes::fourths(x[i].row[j]);
-        x[i].row[j] = lanes::multiply_add(bent, lanes::spread<j>(q[i]) * weight, x[i].row[j]);
-    }
-}
-
-void solve_bend(std::span<const BendBlock> blocks, float* points) {
-    for (const BendBlock& block : blocks) {
-        for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
-            std::array<Rows, 4> x;
-            std::array<Floats, 4> q;
-            for (std::size_t i = 0; i < 4; ++i) {
-                x[i] = lanes::gather_points(points, &block.vertices[i][at]);
-                q[i] = load_at(block.q[i], at);
-            }
-            const Floats gain = load_at(block.gain, at);
-            bend_row<0>(x, q, gain);
-            bend_row<1>(x, q, gain);
-            bend_row<2>(x, q, gain);
-            bend_row<3>(x, q, gain);
-            for (std::size_t i = 0; i < 4; ++i) lanes::scatter_points(points, &block.vertices[i][at], x[i]);
-        }
-    }
-}
-
-// Of one corner of each triangle or hinge.
-[[gnu::always_inline]] inline Floats value_at(const BlockPoints& corners, std::size_t at, const float* by_vertex) {
-    return lanes::gather(by_vertex, lanes::load_ints(&corners[at]) >> 2);
-}
-
 // Of a direction whose gradients are -(g0 + g1), g0 and g1, or of two: the sum of w g g'.
 using Gradient = std::array<Floats, 3>;
 [[gnu::always_inline]] inline Gradient gradient(const std::array<BlockFloats, 2>& g, std::size_t at) {
@@ -225,8 +197,10 @@ using Gradient = std::array<Floats, 3>;
     return w[0] * f[0] * g[0] + w[1] * f[1] * g[1] + w[2] * f[2] * g[2];
 }
 
+// Friction's spring in shear may not ask for more than a visit can give.
 void weigh_stretch(std::span<StretchBlock> blocks, std::span<const StretchRecord> records,
                    const float* inverse_masses) {
+    constexpr float kRoom = 0.25F;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         StretchBlock& block = blocks[i];
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
@@ -237,11 +211,15 @@ void weigh_stretch(std::span<StretchBlock> blocks, std::span<const StretchRecord
             const Floats of_warp = weighed(a, a, w), of_weft = weighed(b, b, w), cross = weighed(a, b, w);
             const Floats warp = 1.0F / (of_warp + load_at(records[i].compliance[0], at));
             const Floats weft = 1.0F / (of_weft + load_at(records[i].compliance[1], at));
-            const Floats shear = of_warp + of_weft + load_at(records[i].compliance[2], at);
+            const Floats compliance = load_at(records[i].compliance[2], at);
+            const Floats of_shear = of_warp + of_weft - cross * cross * (warp + weft);
+            const Floats spring =
+                lanes::lesser(compliance / lanes::greater(of_shear, lanes::all(kTiny)) + kRoom, lanes::all(kStick));
             lanes::store(&block.warp[at], warp);
             lanes::store(&block.weft[at], weft);
             lanes::store(&block.cross[at], cross);
-            lanes::store(&block.shear[at], 1.0F / (shear - cross * cross * (warp + weft)));
+            lanes::store(&block.shear[at], 1.0F / (of_shear + compliance));
+            lanes::store(&block.stick[at], lanes::where(load_at(block.slip, at) > 0.0F, spring));
         }
     }
 }
@@ -273,29 +251,6 @@ void weigh_limits(std::span<LimitBlock> blocks, std::span<LimitRecord> records, 
             lanes::store(&block.gain[1][at], gain[1]);
             lanes::store(&record.per_shear[at], gain[2]);
             apply_bias(block, record, at);
-        }
-    }
-}
-
-// Of hinges that are visited every `interval` sub-steps: what a visit does lasts that long, so the move that it makes
-// at once counts as often. Hinges that share vertices take half of each other's corrections away on an average, and
-// what a visit takes too little adds to the compliance: where the fabric's is larger, it is made smaller by as much.
-void weigh_bend(std::span<BendBlock> blocks, std::span<const BendRecord> records, int interval,
-                const float* inverse_masses) {
-    const float visits = static_cast<float>(interval);
-    const float weight = visits * (interval > 2 ? 2.0F : 1.0F);
-    for (std::size_t i = 0; i < blocks.size(); ++i) {
-        BendBlock& block = blocks[i];
-        for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
-            Floats sum{};
-            for (std::size_t k = 0; k < 4; ++k) {
-                const Floats q = load_at(block.q[k], at);
-                sum = sum + value_at(block.vertices[k], at, inverse_masses) * q * q;
-            }
-            const Floats seen = sum * weight;
-            const Floats compliance = load_at(records[i].compliance[0], at) / lanes::all(visits);
-            const Floats left = lanes::greater(compliance - (seen - sum * 0.5F), Floats{});
-            lanes::store(&block.gain[at], 1.0F / (seen + left));
         }
     }
 }
@@ -364,7 +319,9 @@ void update_bias(std::span<StretchBlock> blocks, std::span<const StretchRecord> 
             const Floats push = load_at(block.push, at);
             move_bias(block.bias[0], at, (t.warp_length - 1.0F - all.x) * push, gains.stretch, gains.least, gains.most);
             move_bias(block.bias[1], at, (t.weft_length - 1.0F - all.y) * push, gains.stretch, gains.least, gains.most);
-            move_bias(block.bias[2], at, dot(t.warp, t.weft) - all.z, gains.shear, -kMoreShear * gains.most,
+            const Floats shear = dot(t.warp, t.weft);
+            const Floats rubbed_off = held_within(shear - load_at(block.anchor, at), load_at(block.slip, at)) * kStick;
+            move_bias(block.bias[2], at, shear + rubbed_off - all.z, gains.shear, -kMoreShear * gains.most,
                       kMoreShear * gains.most);
         }
     }

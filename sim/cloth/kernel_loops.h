@@ -2,6 +2,7 @@
 // The loops of kernels.h, written once and compiled for each kind of vector instructions: included by
 // kernels_plain.cpp, kernels_avx2.cpp and kernels_avx512.cpp alone. All of it has internal linkage
 // (sim/core/simd_level.h).
+#include "sim/cloth/bend_loops.h"
 #include "sim/cloth/constraint_loops.h"
 #include "sim/cloth/contact_loops.h"
 
@@ -10,6 +11,7 @@ namespace {
 
 constexpr Kernels kLoops{.weigh_stretch = weigh_stretch,
                          .weigh_bend = weigh_bend,
+                         .count_short_hinges = count_short_hinges,
                          .weigh_limits = weigh_limits,
                          .predict = predict,
                          .solve_stretch = solve_stretch,
@@ -20,6 +22,7 @@ constexpr Kernels kLoops{.weigh_stretch = weigh_stretch,
                          .carry_stress = carry_stress,
                          .update_bias = update_bias,
                          .update_parents = update_parents,
+                         .update_bend = update_bend,
                          .rub = rub,
                          .hold_moves = hold_moves,
                          .answer_vertices = answer_vertices,

@@ -1,5 +1,6 @@
 #pragma once
-// What the loops of constraint_loops.h and contact_loops.h share. For kernels only (sim/core/simd_level.h).
+// What the loops of constraint_loops.h, bend_loops.h and contact_loops.h share. For kernels only
+// (sim/core/simd_level.h).
 #include <cstring>
 
 #include "sim/cloth/kernels.h"
@@ -35,6 +36,23 @@ constexpr float kMoreShear = 4;  // shear angles are that much larger than strai
     Rows moved;
     for (int j = 0; j < 4; ++j) moved.row[j] = lanes::multiply_add(by.row[j], lanes::fourths(p.row[j]), p.row[j]);
     return moved;
+}
+
+// Of one corner of each triangle or hinge.
+[[gnu::always_inline]] inline Floats value_at(const BlockPoints& corners, std::size_t at, const float* by_vertex) {
+    return lanes::gather(by_vertex, lanes::load_ints(&corners[at]) >> 2);
+}
+
+// Whether one of a block's sixteen is above 0.
+[[gnu::always_inline]] inline bool has_positive(const BlockFloats& values) {
+    unsigned found = 0;
+    for (std::size_t at = 0; at < kBlock; at += lanes::kCount) found |= lanes::bits(load_at(values, at) > 0.0F);
+    return found != 0;
+}
+
+// The nearest to `value` that is within `reach` of nil.
+[[gnu::always_inline]] inline Floats held_within(Floats value, Floats reach) {
+    return lanes::lesser(lanes::greater(value, -reach), reach);
 }
 
 // The deformed warp and weft directions of triangles, unit, and their lengths.

@@ -33,6 +33,8 @@ struct alignas(64) StretchBlock {
     BlockFloats longest{};                // length of warp and weft at the fabric's strain limit
     BlockFloats push{};                   // how much of a compression is resisted: 0 where a seam gathers the cloth
     std::array<BlockFloats, 3> bias{};    // of warp, weft and shear: added to the strain that is seen
+    BlockFloats stick{}, slip{};          // friction in shear: what it adds per strain beyond the anchor, and how far
+    BlockFloats anchor{};                 // the strain may be from it before it follows
 };
 
 inline constexpr std::uint32_t kNoPlace = 0;
@@ -90,17 +92,43 @@ struct CarriedStress {
     std::vector<Vec4f> below;  // scratch: mean of what is inside of it
 };
 
-// Hinges: sum of q_i x_i vanishes where the cloth is flat.
+// Hinges: the sum of q_i x_i, m, vanishes where the cloth is flat, and stands for an angle a as 2 sin(a/2) times the
+// edge's length. Multipliers are of the moment per length over the time between two visits, s^2 N.
+//
+// A hinge has internal friction: a spring from where it is bent to an anchor, which follows where the spring would pull
+// harder than the fabric's friction (Prandtl's element, Jenkins' cell). Bending is measured for that along the hinge's
+// normal: a number, which turns with the cloth, where a vector would hold it back from turning. Where one visit cannot
+// give what the fabric's rigidity asks, a pull, learnt slowly as the biases of stretch are, adds to it.
 struct alignas(64) BendBlock {
     std::array<BlockPoints, 4> vertices{};
     std::array<BlockFloats, 4> q{};
-    BlockFloats gain{};  // 1 / (sum of w q^2 + compliance)
+    BlockFloats gain{};        // multiplier per bending, 1 / (sum of w q^2 + compliance), for small angles
+    BlockFloats bow{};         // 1 / (2 edge length)^2, 1/m^2
+    BlockFloats most{};        // gain above which neighbours would drive each other to and fro
+    BlockFloats remembers{};   // 1 where there is friction or may be a pull, else 0: what follows is of those
+    BlockFloats half{};        // half the sum of w q^2
+    BlockFloats stick{};       // multiplier per bending beyond the anchor
+    BlockFloats slip{};        // m, how far the bending may be from the anchor before it follows
+    BlockFloats anchor{};      // m
+    BlockFloats pull{};        // added to the multiplier
+    BlockFloats multiplier{};  // of the last visit
 };
 
-// The compliance over a sub-step.
+// What is needed now and then besides: the compliance and the friction over a sub-step; and, of the time between two
+// visits, what update_bend goes by.
 struct alignas(64) BendRecord {
     std::array<BlockFloats, 1> compliance{};
+    BlockFloats friction{};  // multiplier of the friction at most
+    BlockFloats length{};    // of the edge, m
+    BlockFloats rigidity{};  // 1 / compliance
+    BlockFloats limit{};     // as `friction`
+    BlockFloats learns{};    // how much of a missing multiplier the pull may take up: gain over rigidity
+    BlockFloats most_pull{};
 };
+
+// Friction's springs are that much stiffer than the fabric: it slips at a small part of the curvatures or shears over
+// which its loop is measured, and the solver need not follow anything harder.
+inline constexpr float kStick = 4;
 
 // The centre of a split edge: it follows what the ends are moved. Offsets as in BlockPoints.
 struct EdgeCentre {
@@ -131,6 +159,8 @@ struct SolverBlocks {
     OverBlock spare{};  // of spare lanes
     std::vector<BendBlock> bend;
     std::vector<BendRecord> bend_records;
+    int bend_interval = 0;             // sub-steps from one visit of the hinges to the next; 0: none was weighed yet
+    float bend_time = 0;               // s^2, what their pulls were made for: the sub-step's square times the interval
     std::vector<ParentLevel> parents;  // coarse to fine
     CarriedStress carried;
 };

@@ -103,8 +103,10 @@ void set_stretch(Cloth& cloth, TriangleId t, std::uint32_t lane) {
     set_frame(block, at, leaf.vertices, frame);
     block.longest[at] = 1 + static_cast<float>(fabric.strain_limit);
     block.push[at] = is_gathered(cloth.mesh, leaf) ? 0.0F : 1.0F;
-    const Vec3f bias = kept_bias(cloth, t);
-    for (std::size_t k = 0; k < 3; ++k) block.bias[k][at] = bias[static_cast<Eigen::Index>(k)];
+    block.slip[at] = static_cast<float>(fabric.shear_hysteresis / (2 * fabric.shear)) / kStick;
+    const KeptBias kept = kept_bias(cloth, t);
+    for (std::size_t k = 0; k < 3; ++k) block.bias[k][at] = kept.value[static_cast<Eigen::Index>(k)];
+    block.anchor[at] = kept.anchor;
     record.compliance[0][at] = compliance_of(cloth, frame, fabric.stretch_warp);
     record.compliance[1][at] = compliance_of(cloth, frame, fabric.stretch_weft);
     record.compliance[2][at] = compliance_of(cloth, frame, fabric.shear);
@@ -215,25 +217,57 @@ std::array<float, 4> hinge_weights(const Hinge& hinge) {
     return {left_b + right_b, left_a + right_a, -left_a - left_b, -right_a - right_b};
 }
 
-// All but the gain. Energy 1/2 B / (A_left + A_right) |sum q x|^2.
+// What belongs to the fabric and the shape of a hinge.
+struct HingeFabric {
+    float rigidity = 0;    // N m
+    float hysteresis = 0;  // N, KES 2HB
+};
+HingeFabric hinge_fabric(const Cloth& cloth, const Hinge& hinge) {
+    HingeFabric mean;
+    const AdaptiveEdge& edge = cloth.mesh.edge(hinge.edge);
+    for (std::size_t side = 0; side < 2; ++side) {
+        const std::uint16_t panel = cloth.mesh.triangle(edge.sides[side]).panel;
+        const Fabric& fabric = cloth.fabrics[panel];
+        mean.rigidity += 0.5F * hinge_rigidity(fabric, hinge.along[side], cloth.grain_angles[panel]);
+        mean.hysteresis += 0.5F * static_cast<float>(fabric.bending_hysteresis);
+    }
+    return mean;
+}
+
+// Where nothing was kept of an edge, friction starts from how the cloth is bent.
+void set_memory(Cloth& cloth, EdgeId edge, std::uint32_t lane) {
+    BendBlock& block = cloth.solver.blocks.bend[lane / kBlock];
+    const std::size_t at = lane % kBlock;
+    const KeptBend kept = kept_bend(cloth, edge);
+    block.pull[at] = kept.pull;
+    block.anchor[at] = kept.anchor;
+    if (kept.corners != corners_at(block, at)) cloth.solver.lanes.held.push_back({lane, kept.held});
+}
+
+// All but the gains. Energy 1/2 B / (A_left + A_right) |sum q x|^2.
+//
+// A moment is the derivative of energy by sum q x where the cloth bends across the edge alone. Bent elsewhere, the
+// three edges of a triangle share it, and their frictions add up to 1 to 1.7 times as much, 1.44 on an average.
 void set_bend(Cloth& cloth, const Hinge& hinge, std::uint32_t lane) {
+    constexpr float kFrictionShare = 1 / 1.44F;
+    constexpr float kLeast = 1e-12F;  // N m: what bends more easily is limp, and has no spring for friction to act on
     const std::array<std::uint32_t, 4> corners = indices(hinge);
     const std::array<float, 4> q = hinge_weights(hinge);
     const float area = 0.5F * hinge.rest_length * (hinge.left_at.y() - hinge.right_at.y());
-    const AdaptiveEdge& edge = cloth.mesh.edge(hinge.edge);
-    float rigidity = 0;
-    for (std::size_t side = 0; side < 2; ++side) {
-        const std::uint16_t panel = cloth.mesh.triangle(edge.sides[side]).panel;
-        rigidity += 0.5F * hinge_rigidity(cloth.fabrics[panel], hinge.along[side], cloth.grain_angles[panel]);
-    }
+    const float time = cloth.substep * cloth.substep;
+    const HingeFabric fabric = hinge_fabric(cloth, hinge);
     BendBlock& block = cloth.solver.blocks.bend[lane / kBlock];
+    BendRecord& record = cloth.solver.blocks.bend_records[lane / kBlock];
     const std::size_t at = lane % kBlock;
     for (std::size_t i = 0; i < 4; ++i) {
         block.vertices[i][at] = 4 * corners[i];
         block.q[i][at] = q[i];
     }
-    cloth.solver.blocks.bend_records[lane / kBlock].compliance[0][at] =
-        area / (rigidity * cloth.substep * cloth.substep);
+    block.bow[at] = 0.25F / (hinge.rest_length * hinge.rest_length);
+    record.compliance[0][at] = area / (std::max(fabric.rigidity, kLeast) * time);
+    record.friction[at] = fabric.rigidity > kLeast ? 0.5F * fabric.hysteresis * time * kFrictionShare : 0.0F;
+    record.length[at] = hinge.rest_length;
+    set_memory(cloth, hinge.edge, lane);
     cloth.solver.lanes.bend_of[hinge.edge.value] = lane;
 }
 
@@ -360,14 +394,40 @@ void weigh_parents(Cloth& cloth, const Kernels& loops) {
     }
 }
 
+// Where more than one hinge of so many is too stiff for a visit now and then, all are visited in each sub-step; until
+// far fewer are.
+int chosen_interval(const Cloth& cloth, const Kernels& loops) {
+    constexpr std::size_t kFew = 20, kFewer = 40;
+    if (cloth.bend_interval == 1) return 1;
+    const SolverBlocks& blocks = cloth.solver.blocks;
+    const std::size_t count = loops.count_short_hinges(blocks.bend, blocks.bend_records, cloth.bend_interval,
+                                                       cloth.solver.lanes.inverse_masses.data());
+    return (blocks.bend_interval == 1 ? kFewer : kFew) * count < cloth.mesh.hinges().size() ? cloth.bend_interval : 1;
+}
+
+void weigh_hinges(Cloth& cloth, const Kernels& loops) {
+    SolverBlocks& blocks = cloth.solver.blocks;
+    blocks.bend_interval = chosen_interval(cloth, loops);
+    const float time = cloth.substep * cloth.substep * static_cast<float>(blocks.bend_interval);
+    const float scale = blocks.bend_time > 0 ? time / blocks.bend_time : 1.0F;
+    loops.weigh_bend(blocks.bend, blocks.bend_records, {.interval = blocks.bend_interval, .pull_scale = scale},
+                     cloth.solver.lanes.inverse_masses.data());
+    blocks.bend_time = time;
+    for (const auto& [lane, held] : cloth.solver.lanes.held) {
+        BendBlock& block = blocks.bend[lane / kBlock];
+        const std::size_t at = lane % kBlock;
+        block.anchor[at] = bending_now(cloth, block, at) - held * block.slip[at];
+    }
+    cloth.solver.lanes.held.clear();
+}
+
 void weigh_blocks(Cloth& cloth) {
     const Kernels& loops = kernels(simd_level());
     SolverState& solver = cloth.solver;
     solver.lanes.inverse_masses = cloth.inverse_mass;
     solver.lanes.inverse_masses.push_back(0.0F);
-    const float* inverse_masses = solver.lanes.inverse_masses.data();
-    loops.weigh_stretch(solver.blocks.stretch, solver.blocks.records, inverse_masses);
-    loops.weigh_bend(solver.blocks.bend, solver.blocks.bend_records, cloth.bend_interval, inverse_masses);
+    loops.weigh_stretch(solver.blocks.stretch, solver.blocks.records, solver.lanes.inverse_masses.data());
+    weigh_hinges(cloth, loops);
     add_easy_shear_of_leaves(solver);
     weigh_parents(cloth, loops);
     solver.blocks.over.resize(solver.blocks.stretch.size());
@@ -405,6 +465,8 @@ void change_bend(Cloth& cloth, const LeafChanges& changes) {
         const Hinge* hinge = cloth.mesh.hinge(e);
         if (hinge != nullptr) set_bend(cloth, *hinge, lists.take(indices(*hinge), solver.lanes.vertices));
     };
+    for (const EdgeId e : changes.edges_come) keep_bend(cloth, e);  // it may have gone and come again
+    for (const EdgeId e : changes.hinges_changed) keep_bend(cloth, e);
     for (const EdgeId e : changes.edges_gone) take_out(e);
     for (const EdgeId e : changes.hinges_changed) take_out(e);
     for (const EdgeId e : changes.edges_come) put_in(e);
@@ -470,9 +532,20 @@ std::uint32_t stretch_lane(const Cloth& cloth, TriangleId t, const std::array<Ve
     return lane;
 }
 
+std::uint32_t bend_lane(const Cloth& cloth, EdgeId e) {
+    const SolverState& solver = cloth.solver;
+    if (e.value >= solver.lanes.bend_of.size()) return kSpare;
+    const std::uint32_t lane = solver.lanes.bend_of[e.value];
+    if (lane == kSpare) return kSpare;
+    const std::array<VertexId, 2>& ends = cloth.mesh.edge(e).ends;
+    const std::array<std::uint32_t, 4> corners = corners_at(solver.blocks.bend[lane / kBlock], lane % kBlock);
+    return corners[0] == ends[0].value && corners[1] == ends[1].value ? lane : kSpare;
+}
+
 void make_blocks(Cloth& cloth) {
     SolverState& solver = cloth.solver;
     keep_biases(cloth);
+    keep_bends(cloth);
     solver.lanes.vertices = cloth.mesh.vertex_capacity();
     solver.lanes.inserted = 0;
     solver.blocks.spare = spare_block<OverBlock>(solver.lanes.vertices);

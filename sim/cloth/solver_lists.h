@@ -26,9 +26,14 @@ struct SolverLanes {
     std::vector<ParentOf> parent_of;        // by TriangleId
     std::size_t vertices = 0;               // the spare point's index; 0: none were made yet
     std::size_t inserted = 0;               // leaves since all were made anew
-    std::vector<float> easy_shear;          // scratch, as places, see LimitRecord
-    std::vector<float> inverse_masses;      // scratch, by vertex
-    std::vector<float> masses;              // scratch, by vertex, with all that follows it
+    struct HeldHinge {
+        std::uint32_t lane;
+        float held;  // of its friction, -1 to 1
+    };
+    std::vector<HeldHinge> held;        // scratch: whose anchors wait for the hinges to be weighed
+    std::vector<float> easy_shear;      // scratch, as places, see LimitRecord
+    std::vector<float> inverse_masses;  // scratch, by vertex
+    std::vector<float> masses;          // scratch, by vertex, with all that follows it
 };
 
 // Makes all blocks anew, in the memory that they have. Pre: masses are those of the present leaves.
@@ -47,5 +52,8 @@ std::uint32_t limit_lane(const Cloth& cloth, TriangleId t);
 
 // The lane of a leaf if it has one that was made for these corners, else kSpare.
 std::uint32_t stretch_lane(const Cloth& cloth, TriangleId t, const std::array<VertexId, 3>& corners);
+
+// The lane of an edge's hinge if it has one that was made for these ends, else kSpare.
+std::uint32_t bend_lane(const Cloth& cloth, EdgeId e);
 
 }  // namespace selvedge

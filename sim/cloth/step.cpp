@@ -41,6 +41,7 @@ struct Stepper {
     void solve_bend();
     void solve_stretch(bool is_last);
     void limit_stretch();
+    void update_bend();
     void update_bias();
     void pull_seams(float gap);
     void hold();
@@ -59,10 +60,13 @@ void Stepper::substep(int i) {
     predict();
     limit_parents(is_last);
     const std::size_t count = cloth.solver.count + static_cast<std::size_t>(i);
-    if (count % static_cast<std::size_t>(cloth.bend_interval) == 0) solve_bend();
+    if (count % static_cast<std::size_t>(cloth.solver.blocks.bend_interval) == 0) solve_bend();
     solve_stretch(is_last);
     for (int round = 0; round < options.limit_rounds; ++round) limit_stretch();
-    if (is_last) update_bias();
+    if (is_last) {
+        update_bend();
+        update_bias();
+    }
     push_out_samples(cloth, loops, body, options.contact, member);
     const float to_go = static_cast<float>(options.substeps - 1 - i);
     const float gap = options.seam_gap + to_go * options.seam_gap_rate;
@@ -125,7 +129,7 @@ void Stepper::limit_parents(bool is_last) {
 }
 
 void Stepper::solve_bend() {
-    const SolverState& solver = cloth.solver;
+    SolverState& solver = cloth.solver;
     for_runs(member, solver.lanes.bend.runs(), [&](std::size_t, std::size_t first, std::size_t count) {
         loops.solve_bend(std::span(solver.blocks.bend).subspan(first, count), points());
     });
@@ -148,6 +152,15 @@ void Stepper::limit_stretch() {
     for_runs(member, cloth.solver.lanes.stretch.runs(), [&](std::size_t run, std::size_t first, std::size_t) {
         loops.limit_stretch({&blocks.over[first], blocks.over_counts[run][member.index()]}, points());
     });
+}
+
+// Pulls of stiff hinges follow what the fabric asks. No other member needs to have done its part.
+void Stepper::update_bend() {
+    SolverBlocks& blocks = cloth.solver.blocks;
+    const auto [begin, end] = member.part_of(blocks.bend.size());
+    loops.update_bend(std::span(blocks.bend).subspan(begin, end - begin),
+                      std::span(blocks.bend_records).subspan(begin, end - begin), points(), before(),
+                      share_at(options.bend_bias_rate));
 }
 
 // Biases follow what strain and stress are now: what each level carries is summed up, coarse to fine for what is below

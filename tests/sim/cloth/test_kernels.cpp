@@ -44,12 +44,12 @@ Push push_between(const Cloth& cloth, const Points& before, const Points& after)
 // The forces of a constraint pass through the positions that it saw, so blocks are solved one by one: within a block no
 // two share a vertex.
 template <class Block>
-void expect_no_push(const Cloth& cloth, const std::vector<Block>& blocks,
-                    const std::function<void(std::span<const Block>, Points&)>& solve, double torque_share) {
+void expect_no_push(const Cloth& cloth, std::vector<Block> blocks,
+                    const std::function<void(std::span<Block>, Points&)>& solve, double torque_share) {
     double size = 0;
     Vec3d linear = Vec3d::Zero();
     Points points = solver_points(cloth, cloth.x);
-    for (const Block& block : blocks) {
+    for (Block& block : blocks) {
         const Points before = points;
         solve(std::span(&block, 1), points);
         const Push push = push_between(cloth, before, points);
@@ -68,6 +68,8 @@ Cloth flat_patch(int level) {
     Fabric fabric = find_fabric("denim");
     fabric.bending_warp = 0.2;  // N m
     fabric.bending_weft = 0.1;
+    fabric.bending_hysteresis = 0.5;  // N
+    fabric.shear_hysteresis = 4;      // N/m
     Cloth cloth = make_patch(fabric, {.height = 0});
     refine(cloth, level);
     return cloth;
@@ -192,6 +194,7 @@ struct Sweep {
     Points points, before, lost, asked, plane;
     std::vector<StretchRecord> records;
     std::vector<StretchBlock> stretch;
+    std::vector<BendBlock> bend;
     std::vector<ParentLevel> parents;
     std::vector<std::uint32_t> over, found;
 };
@@ -224,6 +227,7 @@ Sweep swept(const Kernels& loops) {
     }
     s.records = blocks.records;
     s.stretch = blocks.stretch;
+    s.bend = blocks.bend;
     s.parents = blocks.parents;
     loops.predict(floats(s.points), floats(s.before), floats(s.lost), cloth.x.size(),
                   {.keep = 0.9F, .fall = {1e-4F, -1e-3F, 2e-4F}});
@@ -231,7 +235,7 @@ Sweep swept(const Kernels& loops) {
         limit_and_carry(cloth, loops, blocks.parents[level].triangles, level, s.points,
                         s.parents[level].records.data());
     }
-    loops.solve_bend(blocks.bend, floats(s.points));
+    loops.solve_bend(s.bend, floats(s.points));
     for (const BlockColoring::Run& run : cloth.solver.lanes.stretch.runs()) {
         const std::span<StretchBlock> some = std::span(s.stretch).subspan(run.first, run.count);
         std::vector<OverBlock> over(run.count);
@@ -241,6 +245,7 @@ Sweep swept(const Kernels& loops) {
             s.over.insert(s.over.end(), block.vertices[0].begin(), block.vertices[0].end());
     }
     move_biases(loops, s, blocks.carried);
+    loops.update_bend(s.bend, blocks.bend_records, floats(s.points), floats(s.before), 0.1F);
     loops.rub(s.stretch, floats(s.points), floats(s.before), 0.2F);
     s.found.resize(s.points.size() + kBlock);
     const std::vector<float> friction(s.points.size(), 0.4F);
@@ -263,8 +268,14 @@ INSTANTIATE_TEST_SUITE_P(Simd, KernelsAtLevel, testing::Values(SimdLevel::Plain,
                          [](const auto& instance) { return std::string(name_of(instance.param)); });
 
 bool have_same_bits(const std::vector<StretchBlock>& a, const std::vector<StretchBlock>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](const StretchBlock& p, const StretchBlock& q) { return p.bias == q.bias; });
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const StretchBlock& p, const StretchBlock& q) {
+        return p.bias == q.bias && p.anchor == q.anchor;
+    });
+}
+bool have_same_bits(const std::vector<BendBlock>& a, const std::vector<BendBlock>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const BendBlock& p, const BendBlock& q) {
+        return p.anchor == q.anchor && p.pull == q.pull && p.multiplier == q.multiplier;
+    });
 }
 
 bool have_same_bits(const std::vector<ParentLevel>& a, const std::vector<ParentLevel>& b) {
@@ -285,6 +296,7 @@ TEST(Kernels, of_avx2_and_avx512_give_the_same_bits) {
     EXPECT_TRUE(have_same_bits(narrow.points, wide.points));
     EXPECT_TRUE(have_same_bits(narrow.before, wide.before));
     EXPECT_TRUE(have_same_bits(narrow.stretch, wide.stretch));
+    EXPECT_TRUE(have_same_bits(narrow.bend, wide.bend));
     EXPECT_TRUE(have_same_bits(narrow.parents, wide.parents));
     EXPECT_TRUE(has_learnt({narrow.parents[0], narrow.parents[1]}));
     EXPECT_EQ(narrow.over, wide.over);

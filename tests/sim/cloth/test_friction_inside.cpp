@@ -1,0 +1,378 @@
+// Friction inside the fabric, in bending and in shear: loops as wide as measured, bends that stay, no energy gained.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "sim/cloth/adapt_cloth.h"
+#include "sim/cloth/bias.h"
+#include "sim/cloth/kernels.h"
+#include "tests/sim/cloth/fixtures.h"
+
+namespace selvedge::test {
+namespace {
+
+// Alike along warp and weft, without damping.
+Fabric rubbing(double bending_hysteresis, double shear_hysteresis = 0) {
+    Fabric fabric = undamped();
+    fabric.bending_warp = fabric.bending_weft = 1e-5;  // N m
+    fabric.bending_hysteresis = bending_hysteresis;
+    fabric.shear_hysteresis = shear_hysteresis;
+    return fabric;
+}
+
+// Rolled about a level axis, from where it hung flat, without stretch. At rest. curvature: 1/m.
+void roll(Cloth& cloth, const std::vector<Vec4f>& flat, float curvature) {
+    for (const VertexId v : cloth.mesh.leaf_vertices()) {
+        const Vec4f& p = flat[v.value];
+        const float angle = curvature * p.y();
+        if (angle == 0) {
+            cloth.x[v.value] = p;
+        } else {
+            cloth.x[v.value] = Vec4f(p.x(), std::sin(angle) / curvature, (1 - std::cos(angle)) / curvature, 0);
+        }
+    }
+    cloth.x_prev = cloth.x;
+}
+
+// What all hinges are bent by, lane by lane, m; 0 in spare lanes.
+std::vector<float> bendings(const Cloth& cloth) {
+    const std::vector<BendBlock>& blocks = cloth.solver.blocks.bend;
+    std::vector<float> all(blocks.size() * kBlock, 0.0F);
+    for (const Hinge& hinge : cloth.mesh.hinges()) {
+        const std::uint32_t lane = bend_lane(cloth, hinge.edge);
+        all[lane] = bending_now(cloth, blocks[lane / kBlock], lane % kBlock);
+    }
+    return all;
+}
+
+double area_of(const Cloth& cloth) {
+    double area = 0;
+    for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles()) area += static_cast<double>(material_area(leaf.u));
+    return area;
+}
+
+// A strip turned on its mesh, flat, and what a small curvature bends its hinges by, per curvature, m^2.
+struct Roll {
+    Cloth cloth;
+    std::vector<Vec4f> flat;
+    std::vector<float> per_curvature;
+
+    explicit Roll(const Fabric& fabric)
+        : cloth(make_strip(fabric, {.width = 0.2, .length = 0.2, .mesh_angle = 0.3, .level = 2})), flat(cloth.x) {
+        constexpr float kLittle = 0.1F;  // 1/m
+        roll(cloth, flat, kLittle);
+        per_curvature = bendings(cloth);
+        for (float& b : per_curvature) b /= kLittle;
+        roll(cloth, flat, 0);
+        cloth.is_pinned.assign(cloth.is_pinned.size(), false);
+        refresh_solver(cloth);
+        EXPECT_EQ(per_curvature.size(), kBlock * cloth.solver.blocks.bend.size());
+    }
+    Roll(const Roll&) = delete;
+    Roll& operator=(const Roll&) = delete;
+
+    // By the work that the hinges do when the curvature changes, N.
+    double moment() const {
+        const SolverBlocks& blocks = cloth.solver.blocks;
+        double work = 0;
+        for (std::size_t lane = 0; lane < per_curvature.size(); ++lane) {
+            work += double(blocks.bend[lane / kBlock].multiplier[lane % kBlock]) * double(per_curvature[lane]);
+        }
+        const double time = double(cloth.substep) * double(cloth.substep) * blocks.bend_interval;
+        return work / time / area_of(cloth);
+    }
+    double moment_at(float curvature) {
+        roll(cloth, flat, curvature);
+        std::vector<Vec4f> points = solver_points(cloth, cloth.x);
+        kernels(simd_level()).solve_bend(cloth.solver.blocks.bend, floats(points));
+        return moment();
+    }
+    // The curvature that fits its hinges best, 1/m.
+    double curvature() const {
+        const std::vector<float> now = bendings(cloth);
+        double both = 0, one = 0;
+        for (std::size_t lane = 0; lane < now.size(); ++lane) {
+            both += double(now[lane]) * double(per_curvature[lane]);
+            one += double(per_curvature[lane]) * double(per_curvature[lane]);
+        }
+        return both / one;
+    }
+};
+
+// So heavy that no visit moves it: its multipliers are moments.
+Fabric heavy(Fabric fabric) {
+    fabric.area_density = 1e6;  // kg/m^2
+    return fabric;
+}
+
+constexpr float kMost = 20;  // 1/m
+
+void bend_slowly(Roll& strip, float from, float to) {
+    constexpr int kSteps = 40;
+    for (int i = 0; i <= kSteps; ++i) strip.moment_at(from + (to - from) * static_cast<float>(i) / kSteps);
+}
+
+double loop_width(double hysteresis) {
+    Roll strip(heavy(rubbing(hysteresis)));
+    bend_slowly(strip, 0, kMost);
+    bend_slowly(strip, kMost, -kMost);
+    bend_slowly(strip, -kMost, 0);
+    const double going_up = strip.moment_at(0);
+    bend_slowly(strip, 0, kMost);
+    bend_slowly(strip, kMost, 0);
+    return going_up - strip.moment_at(0);
+}
+
+TEST(FrictionInside, makes_a_loop_of_moment_against_curvature_that_is_2hb_wide) {
+    for (const double hysteresis : {5e-5, 1e-4}) {
+        EXPECT_NEAR(loop_width(hysteresis), hysteresis, 0.25 * hysteresis);
+    }
+}
+
+TEST(FrictionInside, leaves_the_slope_of_the_loop_to_the_rigidity) {
+    Roll strip(heavy(rubbing(1e-4)));
+    bend_slowly(strip, 0, kMost);
+    const double before = strip.moment_at(kMost);
+    EXPECT_NEAR((strip.moment_at(kMost + 2) - before) / 2, 1e-5, 0.3e-5);
+}
+
+// Taken as twice the sine of half the angle, it would fall short by a fifth.
+TEST(FrictionInside, leaves_the_moment_of_sharp_folds_in_proportion_to_their_angle) {
+    Roll strip(heavy(rubbing(1e-4)));
+    const double slip = 2 * 1e-4 / 1e-5;  // 1/m, far beyond where friction slips
+    const float start = static_cast<float>(slip);
+    bend_slowly(strip, 0, start);
+    const double at_start = strip.moment_at(start), a_little_on = strip.moment_at(start + 2);
+    bend_slowly(strip, start, 5 * start);
+    const double slope = (a_little_on - at_start) / 2;
+    EXPECT_NEAR((strip.moment_at(5 * start) - at_start) / double(4 * start), slope, 0.08 * slope);
+}
+
+TEST(FrictionInside, costs_nothing_where_the_fabric_has_none) {
+    const auto is_any = [](const BlockFloats& row) { return std::ranges::any_of(row, [](float f) { return f > 0; }); };
+    const auto remember = [&](const Cloth& cloth) {
+        return std::ranges::any_of(cloth.solver.blocks.bend, [&](const BendBlock& b) { return is_any(b.remembers); }) ||
+               std::ranges::any_of(cloth.solver.blocks.stretch, [&](const StretchBlock& b) { return is_any(b.stick); });
+    };
+    EXPECT_FALSE(remember(make_strip(rubbing(0), {.level = 2})));
+    EXPECT_TRUE(remember(make_strip(rubbing(1e-4), {.level = 2})));
+    EXPECT_TRUE(remember(make_strip(rubbing(0, 2), {.level = 2})));
+}
+
+TEST(FrictionInside, does_not_hold_bent_cloth_back_from_turning) {
+    Roll strip(heavy(rubbing(1e-4)));
+    bend_slowly(strip, 0, kMost);
+    const double before = strip.moment();
+    move_to(strip.cloth, Eigen::AngleAxisf(2.0F, Vec3f(1, 2, 3).normalized()).toRotationMatrix(), Vec3f::Zero());
+    std::vector<Vec4f> points = solver_points(strip.cloth, strip.cloth.x);
+    kernels(simd_level()).solve_bend(strip.cloth.solver.blocks.bend, floats(points));
+    EXPECT_NEAR(strip.moment(), before, 0.02 * before);
+}
+
+TEST(FrictionInside, does_nothing_in_limp_cloth) {
+    Fabric fabric = rubbing(1e-4);
+    fabric.bending_warp = fabric.bending_weft = 0;
+    Cloth cloth = make_patch(fabric, {.height = 1});
+    std::mt19937 random(6);
+    shake(cloth, 0.01F, random);
+    run(cloth, nothing_near(), {.contact = {.floor = kNoFloor}}, 0.1);
+    EXPECT_FALSE(find_bad_vertex(cloth).has_value());
+}
+
+const StepOptions kFree{.gravity = Vec3f::Zero(), .extra_damping = 5, .contact = {.floor = kNoFloor}};
+
+// Of a strip that was flat when it was made, bent, and let go, 1/m.
+double residual(Roll& strip, double seconds) {
+    run(strip.cloth, nothing_near(), kFree, seconds);
+    return strip.curvature();
+}
+
+TEST(FrictionInside, keeps_a_bend_that_was_let_go_in_proportion_to_2hb) {
+    std::vector<double> kept;
+    for (const double hysteresis : {0.0, 5e-5, 1e-4}) {
+        Roll strip(rubbing(hysteresis));
+        roll(strip.cloth, strip.flat, kMost);
+        kept.push_back(residual(strip, 3));
+    }
+    EXPECT_NEAR(kept[0], 0, 0.2);
+    const double balanced = 0.5 * 1e-4 / 1e-5;  // 1/m, where the rigidity pulls as hard as friction holds
+    EXPECT_GT(kept[2], 0.4 * balanced);
+    EXPECT_LT(kept[2], 1.3 * balanced);
+    EXPECT_NEAR(kept[1] / kept[2], 0.5, 0.15);
+}
+
+TEST(FrictionInside, brings_cloth_to_rest_and_does_not_let_it_creep) {
+    Roll strip(rubbing(1e-4));
+    roll(strip.cloth, strip.flat, kMost);
+    const double soon = residual(strip, 3);
+    EXPECT_NEAR(residual(strip, 6), soon, 0.02 * soon);
+}
+
+// Shear, in all leaves the same, as a loop of slow steps; the stress that the biases have settled on, N/m.
+struct Shearing {
+    Cloth cloth = make_patch(heavy(rubbing(0, 2.5)), {.height = 0});
+    std::vector<Vec4f> flat = cloth.x;
+
+    double stress_at(float shear) {
+        for (const VertexId v : cloth.mesh.leaf_vertices()) {
+            cloth.x[v.value] = flat[v.value] + Vec4f(shear * flat[v.value].z(), 0, 0, 0);
+        }
+        SolverBlocks& blocks = cloth.solver.blocks;
+        const Kernels& loops = kernels(simd_level());
+        std::vector<Vec4f> points = solver_points(cloth, cloth.x);
+        std::vector<Vec4f> before = points;
+        for (int i = 0; i < 20; ++i) {
+            loops.solve_stretch(blocks.stretch, blocks.records.data(), floats(points), blocks.over.data(),
+                                blocks.spare);
+            loops.update_bias(blocks.stretch, blocks.records, floats(points), floats(before), {.shear = 1},
+                              floats(blocks.carried.above), floats(blocks.carried.below));
+        }
+        const StretchRecord& record = blocks.records.front();
+        return -double(record.multiplier[2][0] * record.compliance[2][0]) * cloth.fabrics.front().shear;
+    }
+};
+
+TEST(FrictionInside, makes_a_loop_of_stress_against_shear_that_is_2hg_wide) {
+    Shearing patch;
+    constexpr float kShear = 0.1F;  // rad
+    patch.stress_at(kShear);
+    const double down = patch.stress_at(0);
+    patch.stress_at(-kShear);
+    EXPECT_NEAR(std::abs(patch.stress_at(0) - down), 2.5, 0.05);
+}
+
+// Flat strips that are set swinging, without any damping: the most kinetic energy that each half of a second knows, of
+// what they were given.
+std::vector<double> swing(double hysteresis) {
+    constexpr float kSpeed = 40;               // 1/(m s), of the parabola about the middle
+    constexpr float kMean = 0.2F * 0.2F / 12;  // m^2, so that the strip as a whole stays
+    constexpr int kWindows = 8;
+    const StepOptions options{.gravity = Vec3f::Zero(), .internal_damping = 0, .contact = {.floor = kNoFloor}};
+    Roll strip(rubbing(hysteresis));
+    Cloth& cloth = strip.cloth;
+    for (const VertexId v : cloth.mesh.leaf_vertices()) {
+        const float y = cloth.x[v.value].y() - static_cast<float>(centre_of_mass(cloth).y());
+        cloth.x_prev[v.value].z() -= kSpeed * (y * y - kMean) * cloth.substep;
+    }
+    const double given = double(speed_now(cloth));
+    std::vector<double> shares(kWindows, 0.0);
+    for (double& share : shares) {
+        for (int i = 0; i < 50; ++i) {
+            run(cloth, nothing_near(), options, 0.01);
+            share = std::max(share, std::pow(double(speed_now(cloth)) / given, 2));
+        }
+    }
+    return shares;
+}
+
+TEST(FrictionInside, takes_energy_and_never_gives_any) {
+    const std::vector<double> elastic = swing(0), rubbed = swing(1e-4);
+    for (std::size_t i = 0; i < rubbed.size(); ++i) EXPECT_LT(rubbed[i], i == 0 ? 1.001 : rubbed[i - 1] + 0.003);
+    EXPECT_LT(rubbed.back(), 0.5 * elastic.back());
+}
+
+// By the solver's blocks: of the friction that there can be.
+float held_now(const Cloth& cloth, EdgeId e) {
+    const std::uint32_t lane = bend_lane(cloth, e);
+    const BendBlock& block = cloth.solver.blocks.bend[lane / kBlock];
+    return (bending_now(cloth, block, lane % kBlock) - block.anchor[lane % kBlock]) / block.slip[lane % kBlock];
+}
+
+const MinimumLevelDisc kDab{.panel = 0, .centre = Vec2f(0.05F, 0.03F), .radius = 0.04F, .level = 1};
+
+TEST(FrictionInside, goes_on_where_edges_stay_and_where_they_are_split) {
+    Cloth cloth = make_patch(rubbing(1e-4), {.height = 0});
+    std::mt19937 random(3);
+    shake(cloth, 0.01F, random);
+    std::vector<Vec4f> points = solver_points(cloth, cloth.x);
+    kernels(simd_level()).solve_bend(cloth.solver.blocks.bend, floats(points));
+    std::map<EdgeId, KeptBend> before;
+    for (const Hinge& hinge : cloth.mesh.hinges()) before[hinge.edge] = kept_bend(cloth, hinge.edge);
+    const AdaptClothOptions options{.criteria = {.collision = false, .curvature = false, .length = false},
+                                    .minimum_levels = {&kDab, 1}};
+    ASSERT_GT(adapt_cloth(cloth, nothing_near(), options).splits, 0);
+    int kept = 0, handed_on = 0;
+    for (const EdgeId e : cloth.mesh.split_edges(0)) {
+        for (const EdgeId child : cloth.mesh.edge(e).children) {
+            if (!before.contains(e)) continue;
+            EXPECT_NEAR(held_now(cloth, child), before[e].held, 0.01);
+            handed_on += before[e].held != 0;
+        }
+    }
+    for (const Hinge& hinge : cloth.mesh.hinges()) {
+        if (!before.contains(hinge.edge) || cloth.mesh.level(hinge.edge) > 0) continue;
+        EXPECT_NEAR(held_now(cloth, hinge.edge), before[hinge.edge].held, 0.01);
+        kept += before[hinge.edge].held != 0;
+    }
+    EXPECT_GT(kept, 10);
+    EXPECT_GT(handed_on, 0);
+}
+
+TEST(FrictionInside, of_an_edge_that_comes_back_is_the_mean_of_its_halves) {
+    Cloth cloth = make_patch(rubbing(1e-4), {.height = 0});
+    const AdaptClothOptions coarse{.criteria = {.collision = false, .curvature = false, .length = false}};
+    AdaptClothOptions fine = coarse;
+    fine.minimum_levels = {&kDab, 1};
+    ASSERT_GT(adapt_cloth(cloth, nothing_near(), fine).splits, 0);
+    std::mt19937 random(4);
+    shake(cloth, 0.01F, random);
+    std::vector<Vec4f> points = solver_points(cloth, cloth.x);
+    kernels(simd_level()).solve_bend(cloth.solver.blocks.bend, floats(points));
+    std::map<EdgeId, float> mean;
+    for (const EdgeId e : cloth.mesh.split_edges(0)) {
+        const std::array<EdgeId, 2>& halves = cloth.mesh.edge(e).children;
+        if (cloth.mesh.hinge(halves[0]) == nullptr) continue;
+        mean[e] = 0.5F * (held_now(cloth, halves[0]) + held_now(cloth, halves[1]));
+    }
+    ASSERT_GT(adapt_cloth(cloth, nothing_near(), coarse).rejoins, 0);
+    ASSERT_FALSE(mean.empty());
+    for (const auto& [e, held] : mean) EXPECT_NEAR(held_now(cloth, e), held, 0.02);
+}
+
+TEST(FrictionInside, of_hinges_that_stay_outlives_blocks_that_are_made_anew) {
+    Cloth cloth = make_patch(rubbing(1e-4), {.height = 0});
+    std::mt19937 random(5);
+    shake(cloth, 0.01F, random);
+    std::vector<Vec4f> points = solver_points(cloth, cloth.x);
+    kernels(simd_level()).solve_bend(cloth.solver.blocks.bend, floats(points));
+    const SolverBlocks before = cloth.solver.blocks;
+    refresh_solver(cloth);
+    for (std::size_t i = 0; i < before.bend.size(); ++i) {
+        EXPECT_EQ(cloth.solver.blocks.bend[i].anchor, before.bend[i].anchor);
+        EXPECT_EQ(cloth.solver.blocks.bend[i].pull, before.bend[i].pull);
+    }
+}
+
+// Light cloth of much rigidity: no visit can do what it asks.
+TEST(FrictionInside, of_stiff_hinges_is_learnt_by_visits_in_each_substep_and_pulls_outlive_a_change_of_time) {
+    Fabric fabric = rubbing(1e-4);
+    fabric.bending_warp = fabric.bending_weft = 1e-3;
+    Cloth cloth = make_patch(fabric, {.height = 0});
+    refine(cloth, 2);
+    SolverBlocks& blocks = cloth.solver.blocks;
+    ASSERT_EQ(blocks.bend_interval, 1);
+    for (std::size_t i = 0; i < blocks.bend.size(); ++i) {
+        for (std::size_t at = 0; at < kBlock; ++at) {
+            blocks.bend[i].pull[at] = 0.5F * blocks.bend_records[i].most_pull[at];
+        }
+    }
+    const std::vector<BendBlock> before = blocks.bend;
+    constexpr float kShorter = 0.9F;
+    cloth.substep *= kShorter;
+    refresh_solver(cloth);
+    int pulls = 0;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        for (std::size_t at = 0; at < kBlock; ++at) {
+            const float expected = kShorter * kShorter * before[i].pull[at];
+            if (blocks.bend_records[i].most_pull[at] < expected || expected == 0) continue;
+            EXPECT_NEAR(blocks.bend[i].pull[at], expected, 1e-4F * expected);
+            ++pulls;
+        }
+    }
+    EXPECT_GT(pulls, 10);
+}
+
+}  // namespace
+}  // namespace selvedge::test
