@@ -163,6 +163,7 @@ struct HingeGains {
     Floats rigidity, limit, most, half;
     Floats gain, spring, stick;
     Floats is_short;  // 1 where the fabric asks for more than a visit can give, else 0
+    Floats wanted;    // gain that it asks for
 };
 [[gnu::always_inline]] inline HingeGains weighed(const BendBlock& block, const BendRecord& record, std::size_t at,
                                                  int interval, const float* inverse_masses) {
@@ -193,7 +194,8 @@ struct HingeGains {
             .gain = gain,
             .spring = spring,
             .stick = stick,
-            .is_short = lanes::where(is_short, one)};
+            .is_short = lanes::where(is_short, one),
+            .wanted = wanted};
 }
 
 void weigh_bend(std::span<BendBlock> blocks, std::span<BendRecord> records, const HingeVisits& visits,
@@ -226,7 +228,7 @@ std::size_t count_short_hinges(std::span<const BendBlock> blocks, std::span<cons
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
             const HingeGains g = weighed(blocks[i], records[i], at, interval, inverse_masses);
-            const auto found = (g.is_short > 0.0F) & (load_at(records[i].length, at) > 0.0F);
+            const auto found = (g.gain * 2.0F < g.wanted) & (load_at(records[i].length, at) > 0.0F);
             count += static_cast<std::size_t>(__builtin_popcount(lanes::bits(found)));
         }
     }

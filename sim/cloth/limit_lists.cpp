@@ -1,0 +1,206 @@
+#include "sim/cloth/limit_lists.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/cloth/bias.h"
+#include "sim/cloth/block_lists.h"
+#include "sim/cloth/cloth.h"
+#include "sim/cloth/kernels.h"
+
+namespace selvedge {
+namespace {
+
+using LimitLists = BlockLists<LimitBlock, LimitRecord>;
+
+LimitLists limit_lists(SolverState& solver, std::size_t level) {
+    ParentLevel& parents = solver.blocks.parents[level];
+    return {parents.triangles, parents.records, solver.lanes.limits[level]};
+}
+
+// A refined triangle lets its threads grow by what the fabric gives under the load that garments usually carry.
+float longest_of(double stiffness, const Fabric& fabric) {
+    constexpr double kUsualLoad = 2.5;  // N/m: a shirt hangs from its shoulders with some 1.6
+    constexpr double kLeast = 0.002;    // so that the leaves carry what they can by themselves
+    return 1 + static_cast<float>(std::min(fabric.strain_limit, std::max(kLeast, kUsualLoad / stiffness)));
+}
+
+// The refined triangle of the same panel across an edge, or else the triangle itself.
+TriangleId beside(const AdaptiveMesh& mesh, TriangleId t, std::size_t edge) {
+    const AdaptiveTriangle& triangle = mesh.triangle(t);
+    const AdaptiveEdge& shared = mesh.edge(triangle.edges[edge]);
+    const TriangleId other = shared.sides[0] == t ? shared.sides[1] : shared.sides[0];
+    if (!other || is_leaf(mesh.triangle(other)) || mesh.triangle(other).panel != triangle.panel) return t;
+    return other;
+}
+
+LimitRecord& limit_record(SolverState& solver, TriangleId t) {
+    const std::uint32_t lane = solver.lanes.limit_of[t.value];
+    return solver.blocks.parents[solver.lanes.limit_level[t.value]].records[lane / kBlock];
+}
+
+// It knows those beside it, and they know it.
+void join_neighbours(Cloth& cloth, TriangleId t, LimitRecord& record, std::size_t at) {
+    SolverState& solver = cloth.solver;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const TriangleId other = beside(cloth.mesh, t, k);
+        record.neighbours[k][at] = place_of(other);
+        if (other == t || solver.lanes.limit_of[other.value] == kSpare) continue;
+        const std::size_t side = place_of(cloth.mesh.triangle(other), cloth.mesh.triangle(t).edges[k]);
+        const std::size_t other_at = solver.lanes.limit_of[other.value] % kBlock;
+        limit_record(solver, other).neighbours[side][other_at] = place_of(t);
+    }
+}
+
+// Those that knew it stand alone there.
+void leave_neighbours(SolverState& solver, TriangleId t) {
+    const LimitRecord& record = limit_record(solver, t);
+    const std::size_t at = solver.lanes.limit_of[t.value] % kBlock;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const TriangleId other(record.neighbours[k][at] / 4 - 1);
+        if (other == t || solver.lanes.limit_of[other.value] == kSpare) continue;
+        LimitRecord& knows = limit_record(solver, other);
+        const std::size_t other_at = solver.lanes.limit_of[other.value] % kBlock;
+        for (BlockPoints& places : knows.neighbours) {
+            if (places[other_at] == place_of(t)) places[other_at] = place_of(other);
+        }
+    }
+    for (std::vector<Vec4f>* stress : {&solver.blocks.carried.own, &solver.blocks.carried.above}) {
+        (*stress)[t.value + 1].setZero();
+    }
+}
+
+// All but the gains and what the corners are moved. t: refined.
+void set_limit(Cloth& cloth, TriangleId t, std::uint32_t lane) {
+    const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
+    ParentLevel& parents = cloth.solver.blocks.parents[triangle.level];
+    LimitRecord& record = parents.records[lane / kBlock];
+    const std::size_t at = lane % kBlock;
+    const Fabric& fabric = cloth.fabrics[triangle.panel];
+    const MaterialFrame frame = material_frame(triangle.u, cloth.grain_angles[triangle.panel]);
+    set_frame(parents.triangles[lane / kBlock], at, triangle.vertices, frame);
+    const std::array<double, 3> stiffness{fabric.stretch_warp, fabric.stretch_weft, fabric.shear};
+    const Vec3f bias = kept_limit(cloth, t);
+    for (std::size_t k = 0; k < 3; ++k) {
+        record.compliance[k][at] = compliance_of(cloth, frame, stiffness[k]);
+        record.bias[k][at] = bias[static_cast<Eigen::Index>(k)];
+        if (k < 2) record.free_length[k][at] = longest_of(stiffness[k], fabric);
+    }
+    const ParentOf& parent = cloth.solver.lanes.parent_of[t.value];
+    record.place[at] = place_of(t);
+    record.parent[at] = parent.place;
+    record.of_area[at] = parent.of_area;
+    cloth.solver.blocks.carried.below[t.value + 1].setZero();
+    cloth.solver.lanes.limit_of[t.value] = lane;
+    cloth.solver.lanes.limit_level[t.value] = triangle.level;
+    join_neighbours(cloth, t, record, at);
+}
+
+// Stress of shear that what is inside a refined triangle carries well by itself. A triangle gives so much stress per
+// unit of its bias.
+void add_easy_shear(SolverLanes& lanes, std::uint32_t parent, float of_area, float per_bias, float inside) {
+    constexpr float kEasyBias = 0.04F;  // more of it takes long to be learnt
+    lanes.easy_shear[parent / 4] += of_area * (kEasyBias * per_bias + inside);
+}
+
+void add_easy_shear_of_leaves(SolverState& solver) {
+    std::fill(solver.lanes.easy_shear.begin(), solver.lanes.easy_shear.end(), 0.0F);
+    for (std::size_t i = 0; i < solver.blocks.stretch.size(); ++i) {
+        const StretchRecord& record = solver.blocks.records[i];
+        for (std::size_t at = 0; at < kBlock; ++at) {
+            const float per_bias = solver.blocks.stretch[i].shear[at] * record.compliance[2][at];
+            add_easy_shear(solver.lanes, record.parent[at], record.of_area[at], per_bias, 0);
+        }
+    }
+}
+
+void add_easy_shear_of_limits(SolverState& solver, ParentLevel& parents) {
+    for (LimitRecord& record : parents.records) {
+        for (std::size_t at = 0; at < kBlock; ++at) {
+            const float inside = solver.lanes.easy_shear[record.place[at] / 4];
+            const float per_bias = record.per_shear[at] * record.compliance[2][at];
+            record.easy_shear[at] = inside;
+            add_easy_shear(solver.lanes, record.parent[at], record.of_area[at], per_bias, inside);
+        }
+    }
+}
+
+}  // namespace
+
+void make_limits(Cloth& cloth, int level) {
+    SolverState& solver = cloth.solver;
+    LimitLists lists = limit_lists(solver, static_cast<std::size_t>(level));
+    const std::span<const TriangleId> refined = cloth.mesh.refined_triangles(level);
+    lists.coloring.start(solver.lanes.vertices);
+    for (const TriangleId t : refined) lists.coloring.add(indices(cloth.mesh.triangle(t).vertices));
+    const std::vector<std::uint32_t>& lanes = lists.coloring.assign();
+    lists.make(solver.lanes.vertices);
+    for (std::size_t i = 0; i < refined.size(); ++i) set_limit(cloth, refined[i], lanes[i]);
+}
+
+// One that was released was a leaf by then, and one whose id is another's now is looked at as that.
+void change_limits(Cloth& cloth, const LeafChanges& changes) {
+    SolverState& solver = cloth.solver;
+    for (const TriangleId t : changes.refined_changed) {
+        std::uint32_t& lane = solver.lanes.limit_of[t.value];
+        if (lane == kSpare) continue;
+        keep_limit(cloth, t);
+        leave_neighbours(solver, t);
+        limit_lists(solver, solver.lanes.limit_level[t.value]).give_back(lane, solver.lanes.vertices);
+        lane = kSpare;
+    }
+    for (const TriangleId t : changes.refined_changed) {
+        const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
+        if (is_leaf(triangle)) continue;
+        LimitLists lists = limit_lists(solver, triangle.level);
+        set_limit(cloth, t, lists.take(indices(triangle.vertices), solver.lanes.vertices));
+    }
+}
+
+void list_centres(Cloth& cloth) {
+    for (int level = 0; level < cloth.mesh.max_level(); ++level) {
+        std::vector<EdgeCentre>& centres = cloth.solver.blocks.parents[static_cast<std::size_t>(level)].centres;
+        centres.clear();
+        for (const EdgeId e : cloth.mesh.split_edges(level)) {
+            const AdaptiveEdge& edge = cloth.mesh.edge(e);
+            if (cloth.inverse_mass[edge.centre.value] <= 0) continue;
+            centres.push_back({4 * edge.ends[0].value, 4 * edge.ends[1].value, 4 * edge.centre.value});
+        }
+    }
+}
+
+// A refined triangle moves the cloth about its vertices with it. So a vertex weighs as much there as all that follows
+// it: its own mass, and half of that of each centre between it and another. Then no correction changes the momentum.
+void weigh_limits(Cloth& cloth, const Kernels& loops) {
+    SolverState& solver = cloth.solver;
+    add_easy_shear_of_leaves(solver);
+    std::vector<float>& masses = solver.lanes.masses;
+    masses.assign(solver.lanes.vertices + 1, 0.0F);
+    for (const VertexId v : cloth.mesh.leaf_vertices()) {
+        const float inverse = cloth.inverse_mass[v.value];
+        masses[v.value] = inverse > 0 ? 1 / inverse : 0.0F;
+    }
+    const auto add = [&](std::uint32_t to, float mass) {
+        if (masses[to / 4] > 0) masses[to / 4] += 0.5F * mass;
+    };
+    for (std::size_t level = solver.blocks.parents.size(); level-- > 0;) {
+        ParentLevel& parents = solver.blocks.parents[level];
+        for (const EdgeCentre& c : parents.centres) {
+            add(c.a, masses[c.centre / 4]);
+            add(c.b, masses[c.centre / 4]);
+        }
+        loops.weigh_limits(parents.triangles, parents.records, masses.data());
+        add_easy_shear_of_limits(solver, parents);
+    }
+}
+
+std::uint32_t limit_lane(const Cloth& cloth, TriangleId t) {
+    const SolverState& solver = cloth.solver;
+    if (t.value >= solver.lanes.limit_of.size()) return kSpare;
+    const std::uint32_t lane = solver.lanes.limit_of[t.value];
+    if (lane == kSpare) return kSpare;
+    const LimitBlock& block = solver.blocks.parents[solver.lanes.limit_level[t.value]].triangles[lane / kBlock];
+    return corners_at(block, lane % kBlock) == indices(cloth.mesh.triangle(t).vertices) ? lane : kSpare;
+}
+
+}  // namespace selvedge
