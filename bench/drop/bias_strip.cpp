@@ -50,7 +50,8 @@ BiasStrip measure_bias(const Fabric& fabric, const BiasStripOptions& options) {
         start_run(hanging_strip(width), {fabric, weight},
                   {.level = options.level, .substeps = options.substeps, .frame_seconds = options.frame_seconds});
     BiasStrip result;
-    result.is_at_rest = run_to_rest(run, NoBody());
+    const RestOptions resting;
+    result.is_at_rest = run_to_rest(run, NoBody(), resting);
 
     const double top = width * (kLength + 1);  // material height of the clamp
     const auto line = [&](double below) {
@@ -58,7 +59,8 @@ BiasStrip measure_bias(const Fabric& fabric, const BiasStripOptions& options) {
         return mean_material_point(run.cloth, 0, Vec2d(0, height), Vec2d(width, height));
     };
     const double rest = (kTo - kFrom) * width;
-    const double measured = (line(kFrom).y() - line(kTo).y()) / rest - 1;
+    const auto strain = [&] { return (line(kFrom).y() - line(kTo).y()) / rest - 1; };
+    const double measured = mean_reading(run, NoBody(), resting.damping, strain);
     const double own = (kLength - (kFrom + kTo) / 2) * width * fabric.area_density;  // kg/m, below the gauge's middle
     const double force = kG * (own + width * weight.area_density);
     result.stiffness_ratio = bias_strain(fabric, force) / measured;

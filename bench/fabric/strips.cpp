@@ -58,6 +58,7 @@ double strain_between(const Specimen& specimen, const ClothRun& run, const Strip
 // in a second.
 Reading hang(const Fabric& fabric, ThreadDirection direction, const StripCut& cut, const MeshSetting& mesh,
              const Stepping& stepping) {
+    constexpr float kDamping = 10;  // 1/s
     const bool is_bias = direction == ThreadDirection::Bias;
     const double margin = is_bias ? 1.25 * cut.width : 0;  // threads that end in a clamp keep cloth from shearing
     const double from = margin;
@@ -69,8 +70,9 @@ Reading hang(const Fabric& fabric, ThreadDirection direction, const StripCut& cu
     ClothRun run = start_run(specimen.mesh, specimen.fabrics, run_options(mesh, stepping));
     reading.is_at_rest = run_to_rest(
         run, NoBody(),
-        {.damping = 10, .least_seconds = 0.6, .max_seconds = 4, .rest_speed = 0.005 * reading.expected * cut.length});
-    reading.measured = strain_between(specimen, run, cut, from, to);
+        {.damping = kDamping, .least_seconds = 0.6, .max_seconds = 4, .rest_speed = 0.005 * reading.expected * cut.length});
+    const auto strain = [&] { return strain_between(specimen, run, cut, from, to); };
+    reading.measured = mean_reading(run, NoBody(), kDamping, strain);
     return reading;
 }
 

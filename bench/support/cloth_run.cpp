@@ -1,6 +1,7 @@
 #include "bench/support/cloth_run.h"
 
 #include <cmath>
+#include <utility>
 
 #include "sim/adaptive/uniform.h"
 #include "sim/cloth/adapt_cloth.h"
@@ -95,6 +96,19 @@ bool run_to_rest(ClothRun& run, const Collider& body, const RestOptions& options
     }
     run.options.extra_damping = damping;
     return is_at_rest;
+}
+
+double mean_reading(ClothRun& run, const Collider& body, double damping, const std::function<double()>& read) {
+    constexpr double kSeconds = 1;
+    const auto frames = static_cast<int>(std::ceil(kSeconds / run.options.frame_seconds));
+    const float kept = std::exchange(run.options.extra_damping, static_cast<float>(damping));
+    double sum = 0;
+    for (int i = 0; i < frames; ++i) {
+        run_frame(run, body);
+        sum += read();
+    }
+    run.options.extra_damping = kept;
+    return sum / frames;
 }
 
 std::vector<Vec3d> positions(const ClothRun& run) {

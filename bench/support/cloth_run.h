@@ -48,6 +48,9 @@ struct RestOptions {
 // Frames until the cloth is at rest, or time is up. True when it came to rest.
 bool run_to_rest(ClothRun& run, const Collider& body, const RestOptions& options = {});
 
+// The mean of what is read over one more second with that damping (1/s): what trembles about its rest is read at it.
+double mean_reading(ClothRun& run, const Collider& body, double damping, const std::function<double()>& read);
+
 std::vector<Vec3d> positions(const ClothRun& run);   // m, by vertex id
 std::vector<Vec3d> velocities(const ClothRun& run);  // m/s, by vertex id; 0 where pinned
 std::vector<double> masses(const ClothRun& run);     // kg, by vertex id; 0 where pinned
