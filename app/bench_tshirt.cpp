@@ -39,14 +39,17 @@ void add_bench_tshirt(CLI::App& bench, int& exit_code) {
         ->check(CLI::Range(1, 5000000));
     command->add_option("--min-leaves", experiment.least_leaves, "Refined until there are so many (default 6000)")
         ->check(CLI::Range(0, 1000000));
-    command->add_option("--max-stretch", experiment.most_stretch, "Of warp and weft, 99th percentile (default 0.05)")
+    command
+        ->add_option("--max-stretch", experiment.most_stretch,
+                     "Share of length, 99th percentile of warp and weft (default 0.05)")
         ->check(CLI::Range(1e-4, 1.0));
     command->add_option("--substeps", experiment.substeps, "Per step, instead of searching for the fewest")
         ->check(CLI::Range(1, 1000));
     command->add_option("--cycles", experiment.sway.cycles, "Adaptions that are measured (default 90)")
         ->check(CLI::Range(1, 100000));
-    command->add_flag("--no-growth{false}", experiment.has_growth,
-                      "Leave out the rows of 25,000 leaves and of a body of 500,000 triangles");
+    command->add_flag(
+        "--no-growth{false}", experiment.has_growth,
+        "Leave out the other rows: a body of 500,000 triangles, the sub-steps of dressing, 25,000 leaves");
     add_json_option(*command, arguments->json);
     command->footer("Example: selvedge bench tshirt --threads 1 --json tshirt.json");
     command->callback([arguments, &exit_code] { exit_code = run(*arguments); });

@@ -76,7 +76,7 @@ void refine_on(Dressing& dressing, const BodyCollider& collider, int least_leave
     constexpr int kRounds = 24;
     constexpr int kFrames = 15;  // of an adaption and four steps
     constexpr float kShorter = 0.93F;
-    constexpr double kMargin = 1.12;  // what the garment does next may rejoin some
+    constexpr double kMargin = 1.12;  // what the garment does next rejoins up to a tenth
     const StepOptions stepping{.extra_damping = 8};
     for (int round = 0; round < kRounds; ++round) {
         if (static_cast<double>(dressing.cloth.mesh.leaf_triangles().size()) >= kMargin * least_leaves) return;

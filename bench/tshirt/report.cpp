@@ -37,16 +37,18 @@ DressingOptions finer_dressing(int leaves) {
             .least_leaves = leaves};
 }
 
-// With the fewest sub-steps that keep the stretch below what is allowed, or with those of dressing.
+// With the fewest sub-steps that keep the stretch below what is allowed, at most those of dressing.
 TshirtRow cheapest_row(const Cloth& cloth, const BodyCollider& collider, SwayOptions& options,
                        const TshirtExperiment& experiment) {
     constexpr int kFewest = 3;
     const int most = options.substeps;
-    for (options.substeps = kFewest; options.substeps < most; ++options.substeps) {
+    for (options.substeps = kFewest;; ++options.substeps) {
         TshirtRow row = sway_row("as asked for", cloth, collider, options);
         if (row.figures.p99_stretch <= experiment.most_stretch) return row;
+        if (options.substeps < most) continue;
+        row.what = "stretch not met";
+        return row;
     }
-    return sway_row("as asked for", cloth, collider, options);
 }
 
 double us_per_leaf(const SwayFigures& figures) {

@@ -7,10 +7,11 @@
 //                       bool allows_rejoin(const AdaptiveMesh&, EdgeId) const;  asked of split edges
 // A veto has            static constexpr bool is_veto = true;
 //                       bool vetoes(const AdaptiveMesh&, EdgeId) const;         asked of both
-// A batch has           static constexpr bool is_batch = true;  and is a criterion that is dear to ask: asked last, and
-// of
-//                       many at once. note(e) for each edge that is left undecided; then look(mesh), which gives them
-//                       back in order; then it is asked as others are.
+// A batch has           static constexpr bool is_batch = true;
+//                       and is a criterion that is dear to ask: many edges at once, and only those that the others
+//                       leave undecided. note(e) for each of them; look(mesh) gives them back in order; then it is
+//                       asked as others are, and what it says holds if the others, asked again, have not changed their
+//                       minds.
 // The observer (the cloth, or a surface) holds the state by vertex id, and gets
 //                       on_capacity(n)       before any id of n or above is used: state arrays grow to n
 //                       on_split(c, a, b)    c is new between a and b: set all that the criteria read of it
@@ -157,7 +158,7 @@ int refine_level(AdaptiveMesh& mesh, State& state, int level, const C&... criter
         }
     }
     const auto ask = [&](EdgeId e, const auto& criterion) {
-        if (criterion.wants_split(mesh, e)) split_one(e);
+        if (criterion.wants_split(mesh, e) && !is_vetoed(mesh, e, criteria...)) split_one(e);
     };
     look(mesh, ask, criteria...);
     return splits;
@@ -185,7 +186,7 @@ int coarsen_level(AdaptiveMesh& mesh, State& state, int level, bool beyond_limit
         }
     }
     const auto ask = [&](EdgeId e, const auto& criterion) {
-        if (criterion.allows_rejoin(mesh, e)) rejoin_one(e);
+        if (criterion.allows_rejoin(mesh, e) && (agrees(criteria, mesh, e) && ...)) rejoin_one(e);
     };
     look(mesh, ask, criteria...);
     return rejoins;

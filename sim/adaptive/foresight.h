@@ -36,9 +36,11 @@ class LeafAnswers {
         const AdaptiveTriangle& owner = mesh.triangle(t);
         for (std::size_t i = 0; i < layout(owner.configuration).edge_count; ++i) forget(owner.internal_edges[i]);
         for (const EdgeId e : owner.edges) {
-            if (!mesh.is_split(e)) continue;
-            for (const EdgeId child : mesh.edge(e).children) forget(child);
+            if (mesh.is_split(e)) forget_children(mesh, e);
         }
+    }
+    void forget_children(const AdaptiveMesh& mesh, EdgeId e) {
+        for (const EdgeId child : mesh.edge(e).children) forget(child);
     }
 
  private:

@@ -42,6 +42,7 @@ struct ClothObserver {
         cloth.normals[c.value] = normal.squaredNorm() > 0 ? Vec3f(normal.normalized()) : Vec3f::Zero();
         cloth.is_pinned[c.value] = cloth.is_pinned[a.value] && cloth.is_pinned[b.value];  // a pinned waistband stays up
         split_bend(cloth, c);
+        cloth.adapting.curvature.forget_children(cloth.mesh, cloth.mesh.vertex(c).parent);
         if (visibility != nullptr) visibility->on_split(c, a, b);
         if (budget != nullptr) budget->on_split();
     }

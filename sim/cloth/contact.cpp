@@ -47,7 +47,6 @@ class SampleLists {
 
     void make_all() {
         contacts_.vertices = cloth_.mesh.vertex_capacity();
-        contacts_.inserted = 0;
         contacts_.coloring.start(contacts_.vertices + 1);
         contacts_.coloring.assign();
         contacts_.samples.clear();
@@ -56,6 +55,7 @@ class SampleLists {
         contacts_.of_edge.assign(cloth_.mesh.edges().capacity(), kSpare);
         for (const LeafEdge& edge : cloth_.mesh.leaf_edges()) add(edge.edge);
         for (const LeafTriangle& triangle : cloth_.mesh.leaf_triangles()) add(triangle.triangle);
+        contacts_.inserted = 0;
     }
 
     void change() {
@@ -200,7 +200,11 @@ void update_contacts(Cloth& cloth, const ContactOptions& options) {
 
 void forget_contacts(Cloth& cloth) {
     std::fill(cloth.contacts.asked.begin(), cloth.contacts.asked.end(), nothing_known());
-    for (SampleBlock& block : cloth.contacts.samples) block.slack.fill(ContactKnowledge::kUnknown);
+    for (SampleBlock& block : cloth.contacts.samples) {
+        for (std::size_t at = 0; at < kBlock; ++at) {
+            if (block.shares[0][at] > 0) block.slack[at] = ContactKnowledge::kUnknown;
+        }
+    }
 }
 
 std::size_t sample_count(const ContactState& contacts) {

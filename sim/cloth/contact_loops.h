@@ -17,7 +17,7 @@ namespace {
     const Floats squared = squared_lengths(move);
     if (lanes::bits(squared > longest_squared) == 0) [[likely]]
         return move;
-    return move * lanes::root(longest_squared / lanes::greater(squared, longest_squared));
+    return move * lanes::root(longest_squared / lanes::greater(squared, longest_squared + lanes::all(kTiny)));
 }
 
 // What is known of points, and what they are to do.

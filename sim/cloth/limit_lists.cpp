@@ -99,7 +99,7 @@ void set_limit(Cloth& cloth, TriangleId t, std::uint32_t lane) {
 // Stress of shear that what is inside a refined triangle carries well by itself. A triangle gives so much stress per
 // unit of its bias.
 void add_easy_shear(SolverLanes& lanes, std::uint32_t parent, float of_area, float per_bias, float inside) {
-    constexpr float kEasyBias = 0.04F;  // more of it takes long to be learnt
+    constexpr float kEasyBias = 0.05F;  // more of it takes long to be learnt
     lanes.easy_shear[parent / 4] += of_area * (kEasyBias * per_bias + inside);
 }
 

@@ -108,7 +108,8 @@ void forget_triangles(SolverState& solver) {
     solver.lanes.limit_of.clear();
     solver.lanes.limit_level.clear();
     solver.lanes.parent_of.clear();
-    solver.blocks.carried = {};
+    CarriedStress& carried = solver.blocks.carried;
+    for (std::vector<Vec4f>* stress : {&carried.own, &carried.above, &carried.below}) stress->clear();
 }
 
 void weigh_blocks(Cloth& cloth) {

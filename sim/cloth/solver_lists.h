@@ -1,6 +1,7 @@
 #pragma once
-// Makes the solver's blocks from the leaves of a cloth and from its hierarchy, and keeps them up to date at a cost in
-// proportion to what an adaption changed: each constraint has a lane, and leaves it when it goes.
+// Makes the solver's blocks from the leaves of a cloth and from its hierarchy, and keeps them up to date: each
+// constraint has a lane, and leaves it when it goes, at a cost in proportion to what an adaption changed. Gains are
+// worked out anew for all, in flat loops.
 #include "sim/adaptive/adaptive_mesh.h"
 #include "sim/cloth/coloring.h"
 #include "sim/cloth/solver_blocks.h"

@@ -32,8 +32,12 @@ struct Stepper {
     // Share of a difference that goes within a step at that rate (1/s).
     float share_at(float rate) const { return 1 - std::exp(-rate * seconds()); }
 
-    void step();
+    void step() noexcept;  // a member that left would leave the others waiting
     void substep(int i);
+    bool visits_hinges(int i) const {
+        const std::size_t count = cloth.solver.count + static_cast<std::size_t>(i);
+        return count % static_cast<std::size_t>(cloth.solver.blocks.bend_interval) == 0;
+    }
     void load_points();
     void store_points();
     void predict();
@@ -48,7 +52,7 @@ struct Stepper {
     void rub();
 };
 
-void Stepper::step() {
+void Stepper::step() noexcept {
     load_points();
     for (int i = 0; i < options.substeps; ++i) substep(i);
     rub();
@@ -59,12 +63,12 @@ void Stepper::substep(int i) {
     const bool is_last = i + 1 == options.substeps;
     predict();
     limit_parents(is_last);
-    const std::size_t count = cloth.solver.count + static_cast<std::size_t>(i);
-    if (count % static_cast<std::size_t>(cloth.solver.blocks.bend_interval) == 0) solve_bend();
+    if (visits_hinges(i)) solve_bend();
     solve_stretch(is_last);
     for (int round = 0; round < options.limit_rounds; ++round) limit_stretch();
     if (is_last) {
-        update_bend();
+        // Not where a short step had no visit: what was met then is not what hinges meet now.
+        if (options.substeps >= cloth.solver.blocks.bend_interval) update_bend();
         update_bias();
     }
     push_out_samples(cloth, loops, body, options.contact, member);

@@ -9,6 +9,7 @@ namespace selvedge {
 
 // Colour by colour: blocks of one colour share no vertex, so that members may divide them, and all have done theirs
 // before the next colour begins. What is too short for that the first member does alone.
+// The spare point that all spare lanes stand on cannot move: whoever writes it writes the bits that it has.
 // work(run, first block, number of blocks). Post: all members see what all have done.
 template <class Work>
 void for_runs(TeamMember& member, const std::vector<BlockColoring::Run>& runs, const Work& work) {

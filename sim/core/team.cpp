@@ -81,10 +81,6 @@ Team::~Team() {
     for (std::thread& thread : impl_->threads) thread.join();
 }
 
-int Team::size() const {
-    return static_cast<int>(impl_->threads.size()) + 1;
-}
-
 void Team::run(const std::function<void(TeamMember&)>& work) {
     TeamMember caller;
     caller.count_ = impl_->threads.size() + 1;

@@ -60,8 +60,6 @@ class Team {
     Team(const Team&) = delete;
     Team& operator=(const Team&) = delete;
 
-    int size() const;
-
     // Calls work once on each thread, with its member, and comes back when all are done. Pre: it throws nothing; one
     // caller at a time.
     void run(const std::function<void(TeamMember&)>& work);
