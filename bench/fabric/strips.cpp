@@ -68,9 +68,11 @@ Reading hang(const Fabric& fabric, ThreadDirection direction, const StripCut& cu
     reading.expected = is_bias ? bias_strain(fabric, force) : force / stiffness(fabric, direction);
     const Specimen specimen = cut_strip(fabric, cut, {});
     ClothRun run = start_run(specimen.mesh, specimen.fabrics, run_options(mesh, stepping));
-    reading.is_at_rest = run_to_rest(
-        run, NoBody(),
-        {.damping = kDamping, .least_seconds = 0.6, .max_seconds = 4, .rest_speed = 0.005 * reading.expected * cut.length});
+    reading.is_at_rest = run_to_rest(run, NoBody(),
+                                     {.damping = kDamping,
+                                      .least_seconds = 0.6,
+                                      .max_seconds = 4,
+                                      .rest_speed = 0.005 * reading.expected * cut.length});
     const auto strain = [&] { return strain_between(specimen, run, cut, from, to); };
     reading.measured = mean_reading(run, NoBody(), kDamping, strain);
     return reading;
