@@ -11,7 +11,7 @@
 namespace selvedge {
 
 // Colliders are asked with a reach of so much more than the contact offset, so that a plane within it can be trusted.
-inline constexpr float kPlaneReach = 0.001F;  // m: the plane is off by at most its square / (2 R), 0.05 mm at R = 1 cm
+inline constexpr float kPlaneReach = 0.0002F;  // m: a plane is off by at most its square / (2 R), 2 um at R = 1 cm
 
 // By vertex, four floats each.
 struct ContactKnowledge {
