@@ -70,12 +70,8 @@ class Pass {
     std::size_t step_with_slack(const std::vector<ContactBlock>& asked, Contact* answers) {
         const std::size_t count = list_active(asked);
         for (std::size_t k = 0; k < count; ++k) {
-            const ContactBlock& from = asked[active_[k] / kContactLanes];
-            const std::size_t lane = active_[k] % kContactLanes;
-            ContactBlock& to = work_[k / kContactLanes];
-            to.x[k % kContactLanes] = from.x[lane];
-            to.y[k % kContactLanes] = from.y[lane];
-            to.z[k % kContactLanes] = from.z[lane];
+            const Vec3f p = asked[active_[k] / kContactLanes].point(active_[k] % kContactLanes);
+            work_[k / kContactLanes].set_point(k % kContactLanes, p);
         }
         collider_.contacts({work_.data(), (count + kContactLanes - 1) / kContactLanes}, offset_);
         const float surely_free = offset_ + collider_.max_error();
@@ -113,10 +109,7 @@ PassPoints::PassPoints(const ClothPoints& points) {
         count_ = x.size();
         std::vector<ContactBlock>& blocks = steps_.emplace_back((x.size() + kContactLanes - 1) / kContactLanes);
         for (std::size_t i = 0; i < blocks.size() * kContactLanes; ++i) {
-            const Vec3f& p = x[std::min(i, x.size() - 1)];
-            blocks[i / kContactLanes].x[i % kContactLanes] = p.x();
-            blocks[i / kContactLanes].y[i % kContactLanes] = p.y();
-            blocks[i / kContactLanes].z[i % kContactLanes] = p.z();
+            blocks[i / kContactLanes].set_point(i % kContactLanes, x[std::min(i, x.size() - 1)]);
         }
     }
 }

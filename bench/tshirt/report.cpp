@@ -112,8 +112,8 @@ Table table_of(const TshirtReport& report) {
                  (report.threads > 1 ? " threads" : " thread"),
         .note =
             "Gravity leans by 5 degrees and goes round once a second. Sub-steps per step: the fewest with which the "
-            "99th percentile of stretch is at most what was asked for. Contact's share: what the steps take "
-            "less with nothing to collide with."};
+            "99th percentile of stretch is at most what was asked for, or what was given; in the last two rows "
+            "those of dressing. Contact's share: what the steps take less with nothing to collide with."};
     table.columns = {"garment",        "leaf triangles",       "body triangles",
                      "sub-steps",      "ms, median",           "p95",
                      "us per leaf",    "adaption, %",          "contact, %",

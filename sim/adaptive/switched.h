@@ -6,8 +6,10 @@
 
 namespace selvedge {
 
+// Off, a batch is noted as well, and agrees.
 template <EdgeCriterion Criterion>
 struct Switched {
+    static constexpr bool is_batch = BatchCriterion<Criterion>;
     Switched(bool on, const Criterion& asked) : is_on(on), criterion(asked) {}
 
     bool is_on;
@@ -15,6 +17,11 @@ struct Switched {
 
     bool wants_split(const AdaptiveMesh& mesh, EdgeId e) const { return is_on && criterion.wants_split(mesh, e); }
     bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId e) const { return !is_on || criterion.allows_rejoin(mesh, e); }
+
+    void note(EdgeId e) const requires is_batch { criterion.note(e); }
+    std::span<const EdgeId> look(const AdaptiveMesh& mesh) const requires is_batch {
+        return is_on ? criterion.look(mesh) : criterion.noted();
+    }
 };
 
 template <VetoCriterion Criterion>
@@ -26,23 +33,6 @@ struct Switched<Criterion> {
     const Criterion& criterion;  // outlives this
 
     bool vetoes(const AdaptiveMesh& mesh, EdgeId e) const { return is_on && criterion.vetoes(mesh, e); }
-};
-
-// Off, it is noted as well and agrees.
-template <BatchCriterion Criterion>
-struct Switched<Criterion> {
-    static constexpr bool is_batch = true;
-    Switched(bool on, const Criterion& asked) : is_on(on), criterion(asked) {}
-
-    bool is_on;
-    const Criterion& criterion;  // outlives this
-
-    void note(EdgeId e) const { criterion.note(e); }
-    std::span<const EdgeId> look(const AdaptiveMesh& mesh) const {
-        return is_on ? criterion.look(mesh) : criterion.noted();
-    }
-    bool wants_split(const AdaptiveMesh& mesh, EdgeId e) const { return is_on && criterion.wants_split(mesh, e); }
-    bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId e) const { return !is_on || criterion.allows_rejoin(mesh, e); }
 };
 
 template <class Criterion>

@@ -22,6 +22,11 @@ struct alignas(64) ContactBlock {
     Lanes nx{}, ny{}, nz{};  // its normal
 
     Vec3f point(std::size_t lane) const { return {x[lane], y[lane], z[lane]}; }
+    void set_point(std::size_t lane, const Vec3f& p) {
+        x[lane] = p.x();
+        y[lane] = p.y();
+        z[lane] = p.z();
+    }
     void set(std::size_t lane, const Contact& contact) {
         distance[lane] = contact.distance;
         nx[lane] = contact.normal.x();

@@ -38,9 +38,7 @@ bool is_kept(const Cloth& cloth, TriangleId t) {
 
 KeptBias bias_in(const Cloth& cloth, std::uint32_t lane) {
     const StretchBlock& block = cloth.solver.blocks.stretch[lane / kBlock];
-    const std::array<BlockFloats, 3>& bias = block.bias;
-    const std::size_t at = lane % kBlock;
-    return {.value = Vec3f(bias[0][at], bias[1][at], bias[2][at]), .anchor = block.anchor[at]};
+    return {.value = lane_of(block.bias, lane % kBlock), .anchor = block.anchor[lane % kBlock]};
 }
 
 bool has_ends(const AdaptiveEdge& edge, const std::array<std::uint32_t, 4>& corners) {
@@ -76,16 +74,14 @@ KeptBend handed_on(const AdaptiveEdge& to, float held, float pull) {
 
 Vec3f limit_in(const Cloth& cloth, TriangleId t, std::uint32_t lane) {
     const SolverState& solver = cloth.solver;
-    const auto& bias = solver.blocks.parents[solver.lanes.limit_level[t.value]].records[lane / kBlock].bias;
-    const std::size_t at = lane % kBlock;
-    return {bias[0][at], bias[1][at], bias[2][at]};
+    return lane_of(solver.blocks.parents[solver.lanes.limit_level[t.value]].records[lane / kBlock].bias, lane % kBlock);
 }
 
 }  // namespace
 
 KeptBias kept_bias(const Cloth& cloth, TriangleId t) {
     if (is_kept(cloth, t)) return cloth.bias[t.value];
-    const std::uint32_t lane = stretch_lane(cloth, t, cloth.mesh.triangle(t).vertices);
+    const std::uint32_t lane = stretch_lane(cloth, t);
     return lane == kSpare ? KeptBias{} : bias_in(cloth, lane);
 }
 

@@ -46,6 +46,14 @@ void copy_lane(const Block& from, Block& to, std::size_t at) {
     }
 }
 
+// Three figures of one lane.
+inline Vec3f lane_of(const std::array<BlockFloats, 3>& rows, std::size_t at) {
+    return {rows[0][at], rows[1][at], rows[2][at]};
+}
+inline void set_lane(std::array<BlockFloats, 3>& rows, std::size_t at, const Vec3f& values) {
+    for (std::size_t k = 0; k < 3; ++k) rows[k][at] = values[static_cast<Eigen::Index>(k)];
+}
+
 // Vertex indices.
 template <class Block>
 auto corners_at(const Block& block, std::size_t at) {

@@ -27,10 +27,15 @@ struct BlockLists {
     std::vector<Record>& records;
     BlockColoring& coloring;
 
-    // As many as were coloured, all spare.
-    void make(std::size_t vertices) {
+    // Anew, for all of these: corners_of(item) are the vertices of a constraint, set(item, lane) puts it into its lane.
+    template <class Items, class CornersOf, class Set>
+    void make(const Items& items, std::size_t vertices, const CornersOf& corners_of, const Set& set) {
+        coloring.start(vertices);
+        for (const auto& item : items) coloring.add(corners_of(item));
+        const std::vector<std::uint32_t>& lanes = coloring.assign();
         blocks.assign(coloring.block_count(), spare_block<Block>(vertices));
         records.assign(coloring.block_count(), spare_record<Record>());
+        for (std::size_t i = 0; i < lanes.size(); ++i) set(items[i], lanes[i]);
     }
     template <std::size_t N>
     std::uint32_t take(const std::array<std::uint32_t, N>& corners, std::size_t vertices) {
@@ -41,12 +46,14 @@ struct BlockLists {
         }
         return lane;
     }
-    void give_back(std::uint32_t lane, std::size_t vertices) {
+    // Post: the lane is kSpare.
+    void give_back(std::uint32_t& lane, std::size_t vertices) {
         Block& block = blocks[lane / kBlock];
         const std::size_t at = lane % kBlock;
         coloring.remove(lane, corners_at(block, at));
         copy_lane(spare_block<Block>(vertices), block, at);
         copy_lane(spare_record<Record>(), records[lane / kBlock], at);
+        lane = kSpare;
     }
 };
 

@@ -23,10 +23,7 @@ std::array<Vec4f, kPoints> middles(const AdaptiveMesh& mesh, EdgeId id, const st
 }
 
 void put_point(std::vector<ContactBlock>& blocks, std::size_t i, const Vec4f& p) {
-    ContactBlock& block = blocks[i / kContactLanes];
-    block.x[i % kContactLanes] = p.x();
-    block.y[i % kContactLanes] = p.y();
-    block.z[i % kContactLanes] = p.z();
+    blocks[i / kContactLanes].set_point(i % kContactLanes, p.head<3>());
 }
 
 }  // namespace
@@ -51,10 +48,10 @@ std::span<const EdgeId> CollisionCriterion::look(const AdaptiveMesh& mesh) const
     for (std::size_t i = 0; i < edges.size(); ++i) {
         const std::array<Vec4f, kPoints> points = middles(mesh, edges[i], x);
         for (std::size_t k = 0; k < kPoints; ++k) put_point(batch.blocks, kPoints * i + k, points[k]);
-        if (i + 1 < edges.size()) continue;
-        for (std::size_t k = kPoints * edges.size(); k < kContactLanes * batch.blocks.size(); ++k) {
-            put_point(batch.blocks, k, points[0]);
-        }
+    }
+    const Vec4f& any = x[mesh.end(edges.back(), 0).value];
+    for (std::size_t lane = kPoints * edges.size(); lane < kContactLanes * batch.blocks.size(); ++lane) {
+        put_point(batch.blocks, lane, any);
     }
     // What is farther away than this neither splits nor keeps anything, however far it is.
     const float reach = touch > 0 ? offset + touch : offset - std::min(split_depth, rejoin_depth);

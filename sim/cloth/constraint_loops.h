@@ -105,10 +105,7 @@ template <bool keeps_multipliers>
             if (rubs) strains.shear = strains.shear + held_shear(block, at, shear_of(t));
             const Strains m = relaxed(multipliers(block, at, strains), share_of_both(dot(t.warp, t.weft)));
             if constexpr (keeps_multipliers) {
-                StretchRecord& record = records[static_cast<std::size_t>(&block - blocks.data())];
-                lanes::store(&record.multiplier[0][at], m.warp);
-                lanes::store(&record.multiplier[1][at], m.weft);
-                lanes::store(&record.multiplier[2][at], m.shear);
+                store_three(records[&block - blocks.data()].multiplier, at, m.warp, m.weft, m.shear);
             }
             put_corners(block, at, corrected(block, at, c, t, m), points);
             unsigned found = lanes::bits(lanes::greater(t.warp_length, t.weft_length) > load_at(block.longest, at));
@@ -163,10 +160,7 @@ template <bool keeps_multipliers>
             // Where nothing is pushed together there is not more shear than that.
             const Floats shear = held_within(load_at(block.shear, at), lanes::root(of_warp * of_weft));
             if constexpr (keeps_multipliers) {
-                LimitRecord& record = records[static_cast<std::size_t>(&block - blocks.data())];
-                lanes::store(&record.multiplier[0][at], of_warp);
-                lanes::store(&record.multiplier[1][at], of_weft);
-                lanes::store(&record.multiplier[2][at], shear);
+                store_three(records[&block - blocks.data()].multiplier, at, of_warp, of_weft, shear);
             }
             if (lanes::bits(lanes::lesser(warp, weft) < 0.0F) == 0) continue;
             const auto add = [&](Rows& x, std::size_t i) {
@@ -308,10 +302,7 @@ void update_bias(std::span<StretchBlock> blocks, std::span<const StretchRecord> 
         StretchBlock& block = blocks[i];
         const StretchRecord& record = records[i];
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
-            const Corners c = corners_of(block, at, points);
-            const Corners was = corners_of(block, at, before);
-            Threads t = directions(block, at, middle(c.x0, was.x0), middle(c.x1, was.x1), middle(c.x2, was.x2));
-            normalise(t);
+            const Threads t = middle_threads(block, at, points, before);
             const Xyz own = stress_of(record, at);
             const Xyz all = sum_of(own, load_places(above, &record.parent[at]));
             const Floats of_area = load_at(record.of_area, at);

@@ -254,11 +254,7 @@ void hold_vertices(Cloth& cloth, const Kernels& loops, const Collider& body, flo
     std::fill_n(asking.begin() + static_cast<std::ptrdiff_t>(count), kBlock, spare);
     blocks.resize((count + kBlock - 1) / kBlock);
     for (std::size_t i = 0; i < blocks.size() * kBlock; ++i) {
-        const Vec4f& p = solver.points[asking[i] / 4];
-        ContactBlock& block = blocks[i / kBlock];
-        block.x[i % kBlock] = p.x();
-        block.y[i % kBlock] = p.y();
-        block.z[i % kBlock] = p.z();
+        blocks[i / kBlock].set_point(i % kBlock, solver.points[asking[i] / 4].head<3>());
     }
     body.contacts(blocks, limits.offset + kPlaneReach);
     for (std::size_t i = 0; i < blocks.size(); ++i) {

@@ -165,9 +165,7 @@ void answer_vertices(const ContactBlock& said, const std::uint32_t* offsets, con
 }
 
 [[gnu::always_inline]] inline Nearness near(const SampleBlock& block, std::size_t at, const Xyz& x) {
-    return near(x, {load_at(block.asked[0], at), load_at(block.asked[1], at), load_at(block.asked[2], at)},
-                load_at(block.slack, at),
-                {load_at(block.normal[0], at), load_at(block.normal[1], at), load_at(block.normal[2], at)},
+    return near(x, load_three(block.asked, at), load_at(block.slack, at), load_three(block.normal, at),
                 load_at(block.height, at));
 }
 
@@ -191,13 +189,9 @@ void answer_samples(const ContactBlock& said, const ContactLimits& limits, Sampl
         const Floats height = lanes::load(&said.distance[at]) - limits.offset;
         const Ints is_new = load_at(block.slack, at) < ContactKnowledge::kLost;
         lanes::store(&block.sunk[at], lanes::where(is_new, lanes::greater(-height, Floats{})));
-        lanes::store(&block.asked[0][at], x.x);
-        lanes::store(&block.asked[1][at], x.y);
-        lanes::store(&block.asked[2][at], x.z);
+        store_three(block.asked, at, x.x, x.y, x.z);
         lanes::store(&block.slack[at], height - limits.margin);
-        lanes::store(&block.normal[0][at], normal.x);
-        lanes::store(&block.normal[1][at], normal.y);
-        lanes::store(&block.normal[2][at], normal.z);
+        store_three(block.normal, at, normal.x, normal.y, normal.z);
         lanes::store(&block.height[at], height);
     }
 }

@@ -107,14 +107,10 @@ int chosen_interval(const Cloth& cloth, const Kernels& loops) {
 
 void make_hinges(Cloth& cloth) {
     SolverState& solver = cloth.solver;
-    BendLists lists = bend_lists(solver);
-    const std::span<const Hinge> hinges = cloth.mesh.hinges();
-    lists.coloring.start(solver.lanes.vertices);
-    for (const Hinge& hinge : hinges) lists.coloring.add(indices(hinge));
-    const std::vector<std::uint32_t>& lanes = lists.coloring.assign();
-    lists.make(solver.lanes.vertices);
     solver.lanes.bend_of.assign(cloth.mesh.edges().capacity(), kSpare);
-    for (std::size_t i = 0; i < hinges.size(); ++i) set_bend(cloth, hinges[i], lanes[i]);
+    bend_lists(solver).make(
+        cloth.mesh.hinges(), solver.lanes.vertices, [](const Hinge& hinge) { return indices(hinge); },
+        [&](const Hinge& hinge, std::uint32_t lane) { set_bend(cloth, hinge, lane); });
 }
 
 void change_hinges(Cloth& cloth, const LeafChanges& changes) {
@@ -124,7 +120,6 @@ void change_hinges(Cloth& cloth, const LeafChanges& changes) {
     const auto take_out = [&](EdgeId e) {
         std::uint32_t& lane = solver.lanes.bend_of[e.value];
         if (lane != kSpare) lists.give_back(lane, solver.lanes.vertices);
-        lane = kSpare;
     };
     const auto put_in = [&](EdgeId e) {
         const Hinge* hinge = cloth.mesh.hinge(e);

@@ -57,7 +57,7 @@ void leave_neighbours(SolverState& solver, TriangleId t) {
     const LimitRecord& record = limit_record(solver, t);
     const std::size_t at = solver.lanes.limit_of[t.value] % kBlock;
     for (std::size_t k = 0; k < 3; ++k) {
-        const TriangleId other(record.neighbours[k][at] / 4 - 1);
+        const TriangleId other = triangle_at(record.neighbours[k][at]);
         if (other == t || solver.lanes.limit_of[other.value] == kSpare) continue;
         LimitRecord& knows = limit_record(solver, other);
         const std::size_t other_at = solver.lanes.limit_of[other.value] % kBlock;
@@ -80,10 +80,9 @@ void set_limit(Cloth& cloth, TriangleId t, std::uint32_t lane) {
     const MaterialFrame frame = material_frame(triangle.u, cloth.grain_angles[triangle.panel]);
     set_frame(parents.triangles[lane / kBlock], at, triangle.vertices, frame);
     const std::array<double, 3> stiffness{fabric.stretch_warp, fabric.stretch_weft, fabric.shear};
-    const Vec3f bias = kept_limit(cloth, t);
+    set_lane(record.bias, at, kept_limit(cloth, t));
     for (std::size_t k = 0; k < 3; ++k) {
         record.compliance[k][at] = compliance_of(cloth, frame, stiffness[k]);
-        record.bias[k][at] = bias[static_cast<Eigen::Index>(k)];
         if (k < 2) record.free_length[k][at] = longest_of(stiffness[k], fabric);
     }
     const ParentOf& parent = cloth.solver.lanes.parent_of[t.value];
@@ -129,13 +128,11 @@ void add_easy_shear_of_limits(SolverState& solver, ParentLevel& parents) {
 
 void make_limits(Cloth& cloth, int level) {
     SolverState& solver = cloth.solver;
-    LimitLists lists = limit_lists(solver, static_cast<std::size_t>(level));
-    const std::span<const TriangleId> refined = cloth.mesh.refined_triangles(level);
-    lists.coloring.start(solver.lanes.vertices);
-    for (const TriangleId t : refined) lists.coloring.add(indices(cloth.mesh.triangle(t).vertices));
-    const std::vector<std::uint32_t>& lanes = lists.coloring.assign();
-    lists.make(solver.lanes.vertices);
-    for (std::size_t i = 0; i < refined.size(); ++i) set_limit(cloth, refined[i], lanes[i]);
+    limit_lists(solver, static_cast<std::size_t>(level))
+        .make(
+            cloth.mesh.refined_triangles(level), solver.lanes.vertices,
+            [&](TriangleId t) { return indices(cloth.mesh.triangle(t).vertices); },
+            [&](TriangleId t, std::uint32_t lane) { set_limit(cloth, t, lane); });
 }
 
 // One that was released was a leaf by then, and one whose id is another's now is looked at as that.
@@ -147,7 +144,6 @@ void change_limits(Cloth& cloth, const LeafChanges& changes) {
         keep_limit(cloth, t);
         leave_neighbours(solver, t);
         limit_lists(solver, solver.lanes.limit_level[t.value]).give_back(lane, solver.lanes.vertices);
-        lane = kSpare;
     }
     for (const TriangleId t : changes.refined_changed) {
         const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);

@@ -112,6 +112,28 @@ template <class Block>
     return sum;
 }
 
+// So are the threads of triangles.
+template <class Block>
+[[gnu::always_inline]] inline Threads middle_threads(const Block& block, std::size_t at, const float* points,
+                                                     const float* before) {
+    const Corners c = corners_of(block, at, points);
+    const Corners was = corners_of(block, at, before);
+    Threads t = directions(block, at, middle(c.x0, was.x0), middle(c.x1, was.x1), middle(c.x2, was.x2));
+    normalise(t);
+    return t;
+}
+
+// Three figures of each lane.
+using Three = std::array<BlockFloats, 3>;
+[[gnu::always_inline]] inline Xyz load_three(const Three& rows, std::size_t at) {
+    return {load_at(rows[0], at), load_at(rows[1], at), load_at(rows[2], at)};
+}
+[[gnu::always_inline]] inline void store_three(Three& rows, std::size_t at, Floats a, Floats b, Floats c) {
+    lanes::store(&rows[0][at], a);
+    lanes::store(&rows[1][at], b);
+    lanes::store(&rows[2][at], c);
+}
+
 [[gnu::always_inline]] inline void move_bias(BlockFloats& bias, std::size_t at, Floats error, float gain, float least,
                                              float most) {
     const Floats moved = lanes::load(&bias[at]) + error * lanes::all(gain);

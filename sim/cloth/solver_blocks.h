@@ -41,6 +41,9 @@ inline constexpr std::uint32_t kNoPlace = 0;
 inline std::uint32_t place_of(TriangleId t) {
     return 4 * (t.value + 1);
 }
+inline TriangleId triangle_at(std::uint32_t place) {  // pre: not kNoPlace
+    return TriangleId(place / 4 - 1);
+}
 
 // What is needed now and then besides: the last multipliers of warp, weft and shear, and the compliances over a
 // sub-step.

@@ -45,7 +45,7 @@ void set_stretch(Cloth& cloth, TriangleId t, std::uint32_t lane) {
     block.push[at] = is_gathered(cloth.mesh, leaf) ? 0.0F : 1.0F;
     block.slip[at] = static_cast<float>(fabric.shear_hysteresis / (2 * fabric.shear)) / kStick;
     const KeptBias kept = kept_bias(cloth, t);
-    for (std::size_t k = 0; k < 3; ++k) block.bias[k][at] = kept.value[static_cast<Eigen::Index>(k)];
+    set_lane(block.bias, at, kept.value);
     block.anchor[at] = kept.anchor;
     record.compliance[0][at] = compliance_of(cloth, frame, fabric.stretch_warp);
     record.compliance[1][at] = compliance_of(cloth, frame, fabric.stretch_weft);
@@ -53,6 +53,8 @@ void set_stretch(Cloth& cloth, TriangleId t, std::uint32_t lane) {
     const ParentOf& parent = cloth.solver.lanes.parent_of[t.value];
     record.parent[at] = parent.place;
     record.of_area[at] = parent.of_area;
+    blocks.triangle_of.resize(blocks.stretch.size() * kBlock, kSpare);
+    blocks.thirds.resize(blocks.stretch.size() * kBlock, 0.0F);
     blocks.triangle_of[lane] = t.value;
     blocks.thirds[lane] = third_of_mass(cloth, leaf.u, leaf.panel);
     cloth.solver.lanes.stretch_of[t.value] = lane;
@@ -60,15 +62,11 @@ void set_stretch(Cloth& cloth, TriangleId t, std::uint32_t lane) {
 
 void make_stretch(Cloth& cloth) {
     SolverState& solver = cloth.solver;
-    StretchLists lists = stretch_lists(solver);
-    const std::span<const LeafTriangle> leaves = cloth.mesh.leaf_triangles();
-    lists.coloring.start(solver.lanes.vertices);
-    for (const LeafTriangle& leaf : leaves) lists.coloring.add(indices(leaf.v));
-    const std::vector<std::uint32_t>& lanes = lists.coloring.assign();
-    lists.make(solver.lanes.vertices);
-    solver.blocks.triangle_of.assign(lists.blocks.size() * kBlock, kSpare);
-    solver.blocks.thirds.assign(lists.blocks.size() * kBlock, 0.0F);
-    for (std::size_t i = 0; i < leaves.size(); ++i) set_stretch(cloth, leaves[i].triangle, lanes[i]);
+    solver.blocks.triangle_of.clear();
+    solver.blocks.thirds.clear();
+    stretch_lists(solver).make(
+        cloth.mesh.leaf_triangles(), solver.lanes.vertices, [](const LeafTriangle& leaf) { return indices(leaf.v); },
+        [&](const LeafTriangle& leaf, std::uint32_t lane) { set_stretch(cloth, leaf.triangle, lane); });
 }
 
 void change_stretch(Cloth& cloth, const LeafChanges& changes) {
@@ -77,15 +75,11 @@ void change_stretch(Cloth& cloth, const LeafChanges& changes) {
     for (const TriangleId t : changes.triangles_gone) {
         std::uint32_t& lane = solver.lanes.stretch_of[t.value];
         keep_bias(cloth, t);
-        lists.give_back(lane, solver.lanes.vertices);
         solver.blocks.triangle_of[lane] = kSpare;
-        lane = kSpare;
+        lists.give_back(lane, solver.lanes.vertices);
     }
     for (const TriangleId t : changes.triangles_come) {
-        const std::uint32_t lane = lists.take(indices(cloth.mesh.triangle(t).vertices), solver.lanes.vertices);
-        solver.blocks.triangle_of.resize(lists.blocks.size() * kBlock, kSpare);
-        solver.blocks.thirds.resize(lists.blocks.size() * kBlock, 0.0F);
-        set_stretch(cloth, t, lane);
+        set_stretch(cloth, t, lists.take(indices(cloth.mesh.triangle(t).vertices), solver.lanes.vertices));
     }
 }
 
@@ -150,14 +144,13 @@ void note_children(Cloth& cloth, TriangleId t) {
     }
 }
 
-std::uint32_t stretch_lane(const Cloth& cloth, TriangleId t, const std::array<VertexId, 3>& corners) {
+std::uint32_t stretch_lane(const Cloth& cloth, TriangleId t) {
     const SolverState& solver = cloth.solver;
     if (t.value >= solver.lanes.stretch_of.size()) return kSpare;
     const std::uint32_t lane = solver.lanes.stretch_of[t.value];
-    if (lane == kSpare || corners_at(solver.blocks.stretch[lane / kBlock], lane % kBlock) != indices(corners)) {
-        return kSpare;
-    }
-    return lane;
+    if (lane == kSpare) return kSpare;
+    const StretchBlock& block = solver.blocks.stretch[lane / kBlock];
+    return corners_at(block, lane % kBlock) == indices(cloth.mesh.triangle(t).vertices) ? lane : kSpare;
 }
 
 void make_blocks(Cloth& cloth) {

@@ -51,8 +51,8 @@ void note_children(Cloth& cloth, TriangleId t);
 // The lane of a refined triangle if it has one that was made for its corners, else kSpare.
 std::uint32_t limit_lane(const Cloth& cloth, TriangleId t);
 
-// The lane of a leaf if it has one that was made for these corners, else kSpare.
-std::uint32_t stretch_lane(const Cloth& cloth, TriangleId t, const std::array<VertexId, 3>& corners);
+// The same of a leaf.
+std::uint32_t stretch_lane(const Cloth& cloth, TriangleId t);
 
 // The lane of an edge's hinge if it has one that was made for these ends, else kSpare.
 std::uint32_t bend_lane(const Cloth& cloth, EdgeId e);

@@ -27,10 +27,9 @@ struct Stepper {
     std::span<StretchBlock> stretch(std::size_t first, std::size_t count) const {
         return std::span(cloth.solver.blocks.stretch).subspan(first, count);
     }
-    float seconds() const { return cloth.substep * static_cast<float>(options.substeps); }
 
     // Share of a difference that goes within a step at that rate (1/s).
-    float share_at(float rate) const { return 1 - std::exp(-rate * seconds()); }
+    float share_at(float rate) const { return 1 - std::exp(-rate * step_seconds(cloth, options)); }
 
     void step() noexcept;  // a member that left would leave the others waiting
     void substep(int i);
@@ -222,6 +221,10 @@ void Stepper::rub() {
 }
 
 }  // namespace
+
+float step_seconds(const Cloth& cloth, const StepOptions& options) {
+    return cloth.substep * static_cast<float>(options.substeps);
+}
 
 void step(Cloth& cloth, const Collider& body, const StepOptions& options) {
     SolverState& solver = cloth.solver;

@@ -32,6 +32,9 @@ struct StepOptions {
     float seam_gap_rate = 0;            // m per sub-step by which the gap shrinks within the step
 };
 
+// s, simulated.
+float step_seconds(const Cloth& cloth, const StepOptions& options);
+
 void step(Cloth& cloth, const Collider& body, const StepOptions& options);
 
 }  // namespace selvedge

@@ -124,10 +124,7 @@ void update_parents(std::span<LimitBlock> blocks, std::span<LimitRecord> records
         LimitBlock& block = blocks[i];
         LimitRecord& record = records[i];
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
-            const Corners c = corners_of(block, at, points);
-            const Corners was = corners_of(block, at, before);
-            Threads t = directions(block, at, middle(c.x0, was.x0), middle(c.x1, was.x1), middle(c.x2, was.x2));
-            normalise(t);
+            const Threads t = middle_threads(block, at, points, before);
             const Stress stress = summed_stress(record, at, carried, above, below);
             move_biases(record, at, stress, t.warp_length - 1.0F, t.weft_length - 1.0F, gains);
             apply_bias(block, record, at);

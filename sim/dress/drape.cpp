@@ -16,10 +16,6 @@ double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-float step_seconds(const Cloth& cloth, const StepOptions& stepping) {
-    return cloth.substep * static_cast<float>(stepping.substeps);
-}
-
 double frame_seconds(const Cloth& cloth, const StepOptions& stepping, const DrapeOptions& options) {
     return static_cast<double>(step_seconds(cloth, stepping)) * options.steps_per_adaption;
 }

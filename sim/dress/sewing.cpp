@@ -66,13 +66,13 @@ SewingResult sew_on_body(const GarmentMesh& unsewn, const std::vector<Fabric>& f
     stepping.limit_rounds = 0;
     stepping.seams = pulls;
     const float start_gap = widest_gap(cloth, unsewn.links);
-    const float step_seconds = cloth.substep * static_cast<float>(stepping.substeps);
+    const float step_time = step_seconds(cloth, stepping);
     const float limit = start_gap / options.closing_speed + options.patience;
 
     SewingResult result;
     float seconds = 0;
     while (seconds < limit) {
-        seconds += step_seconds;
+        seconds += step_time;
         stepping.seam_gap = std::max(0.0F, start_gap - options.closing_speed * seconds);
         stepping.seam_gap_rate = stepping.seam_gap > 0 ? options.closing_speed * cloth.substep : 0;
         step(cloth, body, stepping);

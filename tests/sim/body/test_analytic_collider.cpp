@@ -116,10 +116,7 @@ TEST(Collider, answers_many_points_as_it_does_one) {
     const std::vector<Vec3f> points = points_about({0, 1, 0}, 3 * kContactLanes);
     std::array<ContactBlock, 3> blocks;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        ContactBlock& block = blocks[i / kContactLanes];
-        block.x[i % kContactLanes] = points[i].x();
-        block.y[i % kContactLanes] = points[i].y();
-        block.z[i % kContactLanes] = points[i].z();
+        blocks[i / kContactLanes].set_point(i % kContactLanes, points[i]);
     }
     sphere.contacts(blocks, 1.0F);
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -181,7 +181,7 @@ TEST(Bias, of_a_leaf_is_what_it_goes_on_to_carry_with_as_a_refined_triangle) {
     for (const LimitRecord& record : cloth.solver.blocks.parents[0].records) {
         for (std::size_t at = 0; at < kBlock; ++at) {
             if (record.place[at] == kNoPlace) continue;
-            const TriangleId id(record.place[at] / 4 - 1);
+            const TriangleId id = triangle_at(record.place[at]);
             const auto was = std::find_if(before.begin(), before.end(),
                                           [&](const BiasedLeaf& old) { return old.leaf.triangle == id; });
             ASSERT_NE(was, before.end());

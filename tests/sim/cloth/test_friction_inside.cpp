@@ -273,6 +273,14 @@ TEST(FrictionInside, takes_energy_and_never_gives_any) {
     EXPECT_LT(rubbed.back(), 0.5 * elastic.back());
 }
 
+// Shakes the cloth and lets its hinges see that.
+void bend_at_random(Cloth& cloth, unsigned seed) {
+    std::mt19937 random(seed);
+    shake(cloth, 0.01F, random);
+    std::vector<Vec4f> points = solver_points(cloth, cloth.x);
+    kernels(simd_level()).solve_bend(cloth.solver.blocks.bend, floats(points));
+}
+
 // By the solver's blocks: of the friction that there can be.
 float held_now(const Cloth& cloth, EdgeId e) {
     const std::uint32_t lane = bend_lane(cloth, e);
@@ -284,10 +292,7 @@ const MinimumLevelDisc kDab{.panel = 0, .centre = Vec2f(0.05F, 0.03F), .radius =
 
 TEST(FrictionInside, goes_on_where_edges_stay_and_where_they_are_split) {
     Cloth cloth = make_patch(rubbing(1e-4), {.height = 0});
-    std::mt19937 random(3);
-    shake(cloth, 0.01F, random);
-    std::vector<Vec4f> points = solver_points(cloth, cloth.x);
-    kernels(simd_level()).solve_bend(cloth.solver.blocks.bend, floats(points));
+    bend_at_random(cloth, 3);
     std::map<EdgeId, KeptBend> before;
     for (const Hinge& hinge : cloth.mesh.hinges()) before[hinge.edge] = kept_bend(cloth, hinge.edge);
     const AdaptClothOptions options{.criteria = {.collision = false, .curvature = false, .length = false},
@@ -316,10 +321,7 @@ TEST(FrictionInside, of_an_edge_that_comes_back_is_the_mean_of_its_halves) {
     AdaptClothOptions fine = coarse;
     fine.minimum_levels = {&kDab, 1};
     ASSERT_GT(adapt_cloth(cloth, nothing_near(), fine).splits, 0);
-    std::mt19937 random(4);
-    shake(cloth, 0.01F, random);
-    std::vector<Vec4f> points = solver_points(cloth, cloth.x);
-    kernels(simd_level()).solve_bend(cloth.solver.blocks.bend, floats(points));
+    bend_at_random(cloth, 4);
     std::map<EdgeId, float> mean;
     for (const EdgeId e : cloth.mesh.split_edges(0)) {
         const std::array<EdgeId, 2>& halves = cloth.mesh.edge(e).children;
@@ -333,10 +335,7 @@ TEST(FrictionInside, of_an_edge_that_comes_back_is_the_mean_of_its_halves) {
 
 TEST(FrictionInside, of_hinges_that_stay_outlives_blocks_that_are_made_anew) {
     Cloth cloth = make_patch(rubbing(1e-4), {.height = 0});
-    std::mt19937 random(5);
-    shake(cloth, 0.01F, random);
-    std::vector<Vec4f> points = solver_points(cloth, cloth.x);
-    kernels(simd_level()).solve_bend(cloth.solver.blocks.bend, floats(points));
+    bend_at_random(cloth, 5);
     const SolverBlocks before = cloth.solver.blocks;
     refresh_solver(cloth);
     for (std::size_t i = 0; i < before.bend.size(); ++i) {
