@@ -72,12 +72,52 @@ KeptBend handed_on(const AdaptiveEdge& to, float held, float pull) {
     return {.held = held, .pull = pull, .corners = {to.ends[0].value, to.ends[1].value, kSpare, kSpare}};
 }
 
+// A visit makes a multiplier of share (s + b) / (seen + c) of a strain s and a bias b, and s / c is wanted. So the bias
+// is in proportion to (seen + (1 - share) c) / c. c: the compliance over a sub-step, to which it is as 1 to its square.
+float fitted(float bias, float seen, float compliance, float share, float ratio) {
+    const float then = compliance / (ratio * ratio);
+    const float sum = seen + (1 - share) * compliance;
+    return sum > 0 ? bias * (seen + (1 - share) * then) / sum * (ratio * ratio) : bias;
+}
+
+void fit_lane(StretchBlock& block, const StretchRecord& record, std::size_t at, float ratio) {
+    const std::array<float, 3> gains{block.warp[at], block.weft[at], block.shear[at]};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const float compliance = record.compliance[k][at];
+        block.bias[k][at] = fitted(block.bias[k][at], 1 / gains[k] - compliance, compliance, kLeafShare, ratio);
+    }
+}
+
+// What is seen of a refined triangle includes the bias: all of a multiplier is made by it.
+void fit_lane(LimitRecord& record, std::size_t at, float ratio) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        const float compliance = record.compliance[k][at];
+        const float seen = (kLimitShare * record.per_stress[k][at] - 1) * compliance;
+        record.bias[k][at] = fitted(record.bias[k][at], seen, compliance, 0, ratio);
+    }
+}
+
 Vec3f limit_in(const Cloth& cloth, TriangleId t, std::uint32_t lane) {
     const SolverState& solver = cloth.solver;
     return lane_of(solver.blocks.parents[solver.lanes.limit_level[t.value]].records[lane / kBlock].bias, lane % kBlock);
 }
 
 }  // namespace
+
+void fit_biases(Cloth& cloth, float ratio) {
+    SolverBlocks& blocks = cloth.solver.blocks;
+    for (std::size_t lane = 0; lane < blocks.triangle_of.size(); ++lane) {
+        if (blocks.triangle_of[lane] == kSpare) continue;
+        fit_lane(blocks.stretch[lane / kBlock], blocks.records[lane / kBlock], lane % kBlock, ratio);
+    }
+    for (ParentLevel& level : blocks.parents) {
+        for (LimitRecord& record : level.records) {
+            for (std::size_t at = 0; at < kBlock; ++at) {
+                if (record.place[at] != kNoPlace) fit_lane(record, at, ratio);
+            }
+        }
+    }
+}
 
 KeptBias kept_bias(const Cloth& cloth, TriangleId t) {
     if (is_kept(cloth, t)) return cloth.bias[t.value];

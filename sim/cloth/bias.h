@@ -25,6 +25,10 @@ void keep_bias(Cloth& cloth, TriangleId t);
 void keep_limit(Cloth& cloth, TriangleId t);
 void keep_biases(Cloth& cloth);
 
+// Biases make up for what a visit cannot do, and a visit can do more when sub-steps are shorter: to be called before
+// Cloth::substep becomes its `ratio`-fold, so that what they have learnt is of use with it.
+void fit_biases(Cloth& cloth, float ratio);
+
 // While what is inside a triangle goes and comes: what stays keeps its bias, what is new gets the mean of what was
 // there, weighed by area; a leaf that is refined goes on with its bias as a limit, and back.
 class BiasHandover {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "sim/cloth/bias.h"
 #include "sim/core/assert.h"
 
 namespace selvedge {
@@ -109,6 +110,7 @@ void set_substep(Cloth& cloth, float substep) {
     for (std::size_t v = 0; v < cloth.x.size(); ++v) {
         cloth.x_prev[v] = cloth.x[v] - (cloth.x[v] - cloth.x_prev[v]) * (substep / cloth.substep);
     }
+    fit_biases(cloth, substep / cloth.substep);
     cloth.substep = substep;
     refresh_solver(cloth);
 }

@@ -47,11 +47,8 @@ struct Strains {
     return lanes::multiply_add(lanes::greater(cosine, -cosine), lanes::all(-0.5F), lanes::all(1.0F));
 }
 
-// Less than what meets the conditions at once: with all of it, neighbours that share vertices drive each other to and
-// fro, and every sub-step turns that into speed.
 [[gnu::always_inline]] inline Strains relaxed(const Strains& m, Floats share) {
-    constexpr float kRelaxation = 0.75F;
-    share = share * kRelaxation;
+    share = share * kLeafShare;
     return {m.warp * share, m.weft * share, m.shear * share};
 }
 
@@ -218,9 +215,7 @@ void weigh_stretch(std::span<StretchBlock> blocks, std::span<const StretchRecord
     }
 }
 
-// Half of an excess is taken back per level: what is left the levels below see.
 void weigh_limits(std::span<LimitBlock> blocks, std::span<LimitRecord> records, const float* masses) {
-    constexpr float kRelaxation = 0.5F;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         LimitBlock& block = blocks[i];
         LimitRecord& record = records[i];
@@ -236,7 +231,7 @@ void weigh_limits(std::span<LimitBlock> blocks, std::span<LimitRecord> records, 
             std::array<Floats, 3> gain;
             for (std::size_t k = 0; k < 3; ++k) {
                 const Floats compliance = load_at(record.compliance[k], at);
-                gain[k] = kRelaxation / (seen[k] + compliance);
+                gain[k] = kLimitShare / (seen[k] + compliance);
                 lanes::store(&record.per_stress[k][at], 1.0F / (gain[k] * compliance));
                 lanes::store(&block.warp[k][at], w[k] * a[k]);
                 lanes::store(&block.weft[k][at], w[k] * b[k]);

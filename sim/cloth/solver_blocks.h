@@ -37,6 +37,12 @@ struct alignas(64) StretchBlock {
     BlockFloats anchor{};                 // the strain may be from it before it follows
 };
 
+// Shares of what meets the conditions at once that a visit takes. With all of a leaf's, neighbours that share vertices
+// drive each other to and fro, and every sub-step turns that into speed; of a refined triangle's excess half, for what
+// is left the levels below see.
+inline constexpr float kLeafShare = 0.75F;
+inline constexpr float kLimitShare = 0.5F;
+
 inline constexpr std::uint32_t kNoPlace = 0;
 inline std::uint32_t place_of(TriangleId t) {
     return 4 * (t.value + 1);

@@ -19,6 +19,7 @@ struct DrapeOptions {
     double rest_time = 1.0;    // s for which it must stay there
     double relax_time = 0.6;   // s without gravity and friction
     double coarse_time = 0.2;  // s of them at level 0
+    double finish_time = 0.2;  // s in finer sub-steps, at the end
     AdaptClothOptions adapt{};
     ContactOptions contact{};
 };

@@ -12,8 +12,8 @@ namespace selvedge {
 // What counts as a fault.
 struct FaultLimits {
     double depth = 0.0005;      // m, of a vertex inside the body
-    double stretch_p99 = 0.05;  // warp or weft
-    double stretch_max = 0.15;
+    double stretch_p99 = 0.02;  // warp or weft, beyond the strain limit of the fabric
+    double stretch_max = 0.12;  // the same
 };
 
 // Fills in mesh counts, contact, stretch, open seams and faults.

@@ -150,6 +150,17 @@ TEST(Bias, brings_a_hanging_strip_to_the_strain_of_its_stiffness) {
     }
 }
 
+double mean_warp_strain(const Cloth& cloth) {
+    double strain = 0, area = 0;
+    const std::vector<TriangleStrain> strains = measure_strain(cloth);
+    for (std::size_t i = 0; i < strains.size(); ++i) {
+        const double a = material_area(cloth.mesh.leaf_triangles()[i].u);
+        strain += a * static_cast<double>(strains[i].warp);
+        area += a;
+    }
+    return strain / area;
+}
+
 // Of the whole strip, N/m at its clamp, by fifteen times its own weight: leaves of level 2 could carry a fraction of
 // it.
 TEST(Bias, of_refined_triangles_brings_heavy_loads_to_the_strain_of_the_stiffness_at_each_level) {
@@ -161,14 +172,25 @@ TEST(Bias, of_refined_triangles_brings_heavy_loads_to_the_strain_of_the_stiffnes
         move_to(cloth, Eigen::Matrix3f::Identity(), Vec3f(0, 1, 0));  // the free end is where floats are fine
         run(cloth, nothing_near(), {.gravity = Vec3f(0, -g, 0), .extra_damping = 10, .contact = {.floor = kNoFloor}},
             5.0);
-        double strain = 0, area = 0;
-        const std::vector<TriangleStrain> strains = measure_strain(cloth);
-        for (std::size_t i = 0; i < strains.size(); ++i) {
-            const double a = material_area(cloth.mesh.leaf_triangles()[i].u);
-            strain += a * static_cast<double>(strains[i].warp);
-            area += a;
-        }
-        EXPECT_NEAR(strain / area, expected, 0.1 * expected) << "level " << level;
+        EXPECT_NEAR(mean_warp_strain(cloth), expected, 0.1 * expected) << "level " << level;
+    }
+}
+
+// What 12 sub-steps per step have learnt would make the strip far too short with 48.
+TEST(Bias, fits_sub_steps_of_another_length) {
+    const Fabric fabric = find_fabric("cotton_shirting");
+    const float g = 15 * 9.81F;  // m/s^2
+    for (const int level : {0, 1}) {
+        Cloth cloth = make_strip(fabric, {.mesh_angle = 0.3, .level = level});
+        move_to(cloth, Eigen::Matrix3f::Identity(), Vec3f(0, 1, 0));
+        StepOptions stepping{.gravity = Vec3f(0, -g, 0), .extra_damping = 10, .contact = {.floor = kNoFloor}};
+        run(cloth, nothing_near(), stepping, 5.0);
+        const double learnt = mean_warp_strain(cloth);
+        constexpr int kTimes = 4;
+        set_substep(cloth, cloth.substep / kTimes);
+        stepping.substeps *= kTimes;
+        run(cloth, nothing_near(), stepping, 0.1);
+        EXPECT_NEAR(mean_warp_strain(cloth), learnt, 0.2 * learnt) << "level " << level;
     }
 }
 

@@ -68,15 +68,18 @@ TEST(Dress, two_squares_hang_on_the_mannequin_without_a_fault) {
     EXPECT_EQ(dressed.report.mesh.by_level.size(), 2U);
 }
 
-// At level 0 and at the usual levels the T-shirt's largest strain is 5 to 8 %. At level 1 a triangle or two at the
-// armpit reach 5 to 17 %, by the smallest change of the body (docs/measurements.md, known limits): no other fault is
-// allowed.
-TEST(Dress, a_tshirt_of_one_level_has_no_fault_but_stretch_at_the_armpit) {
-    const DressedGarment dressed = dress(shipped("tshirt"), mannequin(), up_to_level(1));
-    for (const DressFault& fault : dressed.report.faults) EXPECT_EQ(fault.kind, "overstretched") << fault.place;
-    EXPECT_LT(dressed.report.stretch.warp_weft_p99, 0.05);
-    EXPECT_LT(dressed.report.stretch.warp_weft_max, 0.25);
-    EXPECT_TRUE(dressed.report.settled);
+TEST(Dress, a_tshirt_of_one_level_sits_on_the_mannequin_without_a_fault) {
+    expect_dressed(dress(shipped("tshirt"), mannequin(), up_to_level(1)), mannequin());
+}
+
+// Where its seams meet under the arms single triangles used to stay stretched, on other bodies others.
+TEST(Dress, no_triangle_stays_stretched_under_the_arms) {
+    for (const double height : {1.679, 1.680, 1.681}) {
+        const Body body = make_mannequin({.measures = {.height = height}, .subdivisions = 1}).body;
+        const DressedGarment dressed = dress(shipped("tshirt_thesis"), body, up_to_level(3));
+        expect_dressed(dressed, body);
+        EXPECT_LT(dressed.report.stretch.warp_weft_max, 0.1) << height;
+    }
 }
 
 TEST(Dress, a_tshirt_of_no_level_sits_on_the_mannequin_without_a_fault) {

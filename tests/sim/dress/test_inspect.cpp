@@ -75,6 +75,14 @@ TEST_F(Inspect, finds_cloth_that_is_stretched_throughout) {
     EXPECT_EQ(report.faults.size(), 1U) << "8 % is no fault of the maximum";
 }
 
+TEST_F(Inspect, lets_a_fabric_stretch_that_is_made_to) {
+    for (Fabric& fabric : cloth_.fabrics) fabric.strain_limit = 0.1;  // a knit's
+    deform([](const Vec3f& x) { return Vec3f(x.x(), 1.08F * x.y(), x.z()); });
+    EXPECT_EQ(find(look(), "overstretched"), nullptr);
+    deform([](const Vec3f& x) { return Vec3f(x.x(), 1.08F * x.y(), x.z()); });
+    EXPECT_NE(find(look(), "overstretched"), nullptr);
+}
+
 TEST_F(Inspect, finds_one_triangle_that_is_torn_apart_and_says_where) {
     const LeafTriangle& torn = cloth_.mesh.leaf_triangles()[3];
     cloth_.x[torn.v[0].value].z() += 0.1F;
