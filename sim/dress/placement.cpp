@@ -109,19 +109,25 @@ double blocked_cost(const GarmentMesh& unsewn, double lift, const BodyCollider& 
 
 }  // namespace
 
+// Behind a hump of cost a sleeve may be wholly on the other side of the arm, which costs little too: as far as that a
+// garment goes only if its way is clear there.
 double seam_clearing_lift(const GarmentMesh& unsewn, const BodyCollider& body) {
     constexpr int kStepsEachWay = 12;
-    constexpr double kStep = 0.01;          // m
-    constexpr double kWorthPerStep = 0.05;  // of the cost as placed, which each step away has to save
+    constexpr double kStep = 0.01;               // m
+    constexpr double kWorthPerStep = 0.05;       // of the cost as placed, which each step away has to save
+    constexpr double kHump = 1.2, kClear = 0.1;  // of the cost as placed
     const double as_placed = blocked_cost(unsewn, 0, body);
     double best = 0;
     double least = as_placed;
-    for (int i = 1; i <= kStepsEachWay && as_placed > 0; ++i) {
-        for (const double lift : {i * kStep, -i * kStep}) {
-            const double cost = blocked_cost(unsewn, lift, body) + i * kWorthPerStep * as_placed;
-            if (cost >= least) continue;
-            least = cost;
-            best = lift;
+    for (const double way : {kStep, -kStep}) {
+        bool is_behind = false;
+        for (int i = 1; i <= kStepsEachWay && as_placed > 0; ++i) {
+            const double cost = blocked_cost(unsewn, i * way, body);
+            is_behind |= cost > kHump * as_placed;
+            const double with_way = cost + i * kWorthPerStep * as_placed;
+            if (with_way >= least || (is_behind && cost > kClear * as_placed)) continue;
+            least = with_way;
+            best = i * way;
         }
     }
     return best;

@@ -165,6 +165,26 @@ TEST(SeamClearingLift, lowers_a_seam_under_a_body_that_lies_too_high) {
     EXPECT_LT(blocked_depth(unsewn, lift, collider), 1e-3);
 }
 
+// A sleeve, 6 cm high, has the middle of three bars in it. Above and below that its seams would be freer, but not free.
+TEST(SeamClearingLift, does_not_take_a_sleeve_off_an_arm) {
+    Body body;
+    for (const double low : {1.1, 1.25, 1.4}) {
+        const Body bar = shapes::box(Vec3d(-0.3, low, -0.1), Vec3d(0.3, low + 0.1, 0.1), 8);
+        const int first = int(body.x.size());
+        body.x.insert(body.x.end(), bar.x.begin(), bar.x.end());
+        for (const auto& t : bar.triangles) body.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    }
+    GarmentMesh unsewn;
+    for (const double height : {1.27, 1.33}) {
+        for (const double x : {-0.1, 0.0, 0.1}) {
+            const int first = int(unsewn.x.size());
+            unsewn.x.insert(unsewn.x.end(), {Vec3d(x, height, 0.2), Vec3d(x, height, -0.2)});
+            unsewn.links.push_back({.a = first, .b = first + 1});
+        }
+    }
+    EXPECT_EQ(seam_clearing_lift(unsewn, BodyCollider(body, kCoarse)), 0);
+}
+
 TEST(SeamClearingLift, is_nothing_where_nothing_is_in_the_way) {
     const Body body = column(1.3);
     const BodyCollider collider(body, kCoarse);
