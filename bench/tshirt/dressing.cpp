@@ -108,6 +108,7 @@ Dressing dress_cloth(const Pattern& pattern, const Body& body, const BodyCollide
                       .shortest_edge = options.shortest_edge};
     DrapeOptions draping;
     draping.adapt.shortest_edge = options.shortest_edge;
+    draping.finish_time = 0;  // the garment goes on with the usual sub-steps
     dressing.is_settled = drape(dressing.cloth, collider, draping, progress).settled;
     refine_on(dressing, collider, options.least_leaves);
     return dressing;

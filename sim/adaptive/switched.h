@@ -6,7 +6,7 @@
 
 namespace selvedge {
 
-// Off, a batch is noted as well, and agrees.
+// A batch is noted even while it is off: then it agrees to all.
 template <EdgeCriterion Criterion>
 struct Switched {
     static constexpr bool is_batch = BatchCriterion<Criterion>;

@@ -132,11 +132,11 @@ void solve_bend(std::span<BendBlock> blocks, float* points) {
 
 // Towards what the fabric's rigidity and friction say of the curvature half-way between two sub-steps.
 //
-// The sharper a hinge is folded, the less pull it keeps, and beyond 37 degrees none: there one cell is the whole fold,
-// neighbours cannot balance what it learns, and creases would tremble.
+// The sharper a hinge is folded, the less pull it keeps, that of friction too, and beyond 37 degrees none: there one
+// cell is the whole fold, neighbours cannot balance what it learns, and creases would tremble.
 void update_bend(std::span<BendBlock> blocks, std::span<const BendRecord> records, const float* points,
                  const float* before, float share) {
-    constexpr float kSharp = 0.1F;  // sin^2 of half the angle
+    constexpr float kSharpest = 0.1F;  // sin^2 of half the angle
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         BendBlock& block = blocks[i];
         const BendRecord& record = records[i];
@@ -154,7 +154,7 @@ void update_bend(std::span<BendBlock> blocks, std::span<const BendRecord> record
             const Floats error = elastic + rubbed - load_at(block.multiplier, at);
             const Floats pull =
                 lanes::multiply_add(error * load_at(record.learns, at), lanes::all(share), load_at(block.pull, at));
-            const Floats flatness = lanes::greater(lanes::all(0.0F), lanes::all(1.0F) - squared_sine * (1 / kSharp));
+            const Floats flatness = lanes::greater(lanes::all(0.0F), lanes::all(1.0F) - squared_sine * (1 / kSharpest));
             lanes::store(&block.pull[at], held_within(pull, load_at(record.most_pull, at) * flatness));
         }
     }

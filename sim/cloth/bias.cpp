@@ -26,9 +26,9 @@ void set_leaf(Cloth& cloth, TriangleId t, const Vec3f& value, float anchor) {
     cloth.bias[t.value].anchor = anchor;
 }
 
-// And back: leaves take back three quarters of a strain, limits half of it.
+// And back: the same share of a strain is taken back.
 Vec3f leaf_of_limit(const Vec3f& mean, const Vec3f& limit) {
-    constexpr float kSame = 2.0F / 3.0F;
+    constexpr float kSame = kLimitShare / kLeafShare;
     return {std::max(mean.x(), kSame * limit.x()), std::max(mean.y(), kSame * limit.y()), mean.z()};
 }
 
@@ -88,7 +88,7 @@ void fit_lane(StretchBlock& block, const StretchRecord& record, std::size_t at, 
     }
 }
 
-// What is seen of a refined triangle includes the bias: all of a multiplier is made by it.
+// All of a multiplier is made by the bias. Of warp and weft roughly so: there is a length that is free without any.
 void fit_lane(LimitRecord& record, std::size_t at, float ratio) {
     for (std::size_t k = 0; k < 3; ++k) {
         const float compliance = record.compliance[k][at];

@@ -99,7 +99,8 @@ void refresh_solver(Cloth& cloth);
 // The same after one adaption, in place: see mesh.changes(). What stays only gets its gains anew.
 void update_solver(Cloth& cloth);
 
-// Another length of sub-steps, s. Speeds are kept.
+// Another length of sub-steps, s. Speeds are kept; what has been learnt is fitted, and fits shorter ones better: for
+// longer ones its errors grow too.
 void set_substep(Cloth& cloth, float substep);
 
 // Area-weighted normals of the leaf triangles.

@@ -112,7 +112,7 @@ template <class Block>
     return sum;
 }
 
-// So are the threads of triangles.
+// The threads of triangles, half-way between two sub-steps.
 template <class Block>
 [[gnu::always_inline]] inline Threads middle_threads(const Block& block, std::size_t at, const float* points,
                                                      const float* before) {

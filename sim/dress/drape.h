@@ -19,7 +19,7 @@ struct DrapeOptions {
     double rest_time = 1.0;    // s for which it must stay there
     double relax_time = 0.6;   // s without gravity and friction
     double coarse_time = 0.2;  // s of them at level 0
-    double finish_time = 0.2;  // s in finer sub-steps, at the end
+    double finish_time = 0.2;  // s of all in finer sub-steps, at the end; longer if it takes longer to rest
     AdaptClothOptions adapt{};
     ContactOptions contact{};
 };
@@ -28,7 +28,7 @@ struct DrapeResult {
     bool settled = false;
     std::string stopped_because;
     std::optional<VertexId> bad_vertex;
-    float rms_speed = 0;  // m/s at the end
+    float rms_speed = 0;  // m/s at the end; `settled` is of before it was finished
     double simulated_seconds = 0;
     long splits = 0;
     long rejoins = 0;

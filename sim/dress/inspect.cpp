@@ -91,6 +91,15 @@ std::string describe_tight(const std::vector<TightLevel>& tight) {
     return text;
 }
 
+void inspect_rest(const DrapeResult& draped, DressReport& report) {
+    if (!draped.settled) {
+        add_fault(report, "not_settled", "whole garment, rms speed in m/s", draped.rms_speed);
+    } else if (draped.rms_speed > DrapeOptions{}.rest_speed) {
+        const long speed = std::lround(1000 * draped.rms_speed);
+        report.notes.push_back("had settled, but moves by " + std::to_string(speed) + " mm/s in finer sub-steps");
+    }
+}
+
 // A garment that is drafted smaller than the body has to stretch where it is: that is a note. Elsewhere it is a fault.
 void inspect_stretch(const Cloth& cloth, const Body& body, const Pattern& pattern, const FaultLimits& limits,
                      DressReport& report) {
@@ -147,7 +156,7 @@ void inspect(const Cloth& cloth, const BodyCollider& body, const Pattern& patter
         inspect_stretch(cloth, body.body(), pattern, limits, report);
         inspect_floor(cloth, report);
     }
-    if (!draped.settled) add_fault(report, "not_settled", "whole garment, rms speed in m/s", draped.rms_speed);
+    inspect_rest(draped, report);
     inspect_mesh(cloth, report);
 }
 

@@ -117,11 +117,12 @@ double seam_clearing_lift(const GarmentMesh& unsewn, const BodyCollider& body) {
     constexpr double kWorthPerStep = 0.05;       // of the cost as placed, which each step away has to save
     constexpr double kHump = 1.2, kClear = 0.1;  // of the cost as placed
     const double as_placed = blocked_cost(unsewn, 0, body);
+    if (as_placed <= 0) return 0;
     double best = 0;
     double least = as_placed;
     for (const double way : {kStep, -kStep}) {
         bool is_behind = false;
-        for (int i = 1; i <= kStepsEachWay && as_placed > 0; ++i) {
+        for (int i = 1; i <= kStepsEachWay; ++i) {
             const double cost = blocked_cost(unsewn, i * way, body);
             is_behind |= cost > kHump * as_placed;
             const double with_way = cost + i * kWorthPerStep * as_placed;

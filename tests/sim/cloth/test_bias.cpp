@@ -180,7 +180,7 @@ TEST(Bias, of_refined_triangles_brings_heavy_loads_to_the_strain_of_the_stiffnes
 TEST(Bias, fits_sub_steps_of_another_length) {
     const Fabric fabric = find_fabric("cotton_shirting");
     const float g = 15 * 9.81F;  // m/s^2
-    for (const int level : {0, 1}) {
+    for (const int level : {0, 1, 2}) {
         Cloth cloth = make_strip(fabric, {.mesh_angle = 0.3, .level = level});
         move_to(cloth, Eigen::Matrix3f::Identity(), Vec3f(0, 1, 0));
         StepOptions stepping{.gravity = Vec3f(0, -g, 0), .extra_damping = 10, .contact = {.floor = kNoFloor}};
@@ -190,7 +190,7 @@ TEST(Bias, fits_sub_steps_of_another_length) {
         set_substep(cloth, cloth.substep / kTimes);
         stepping.substeps *= kTimes;
         run(cloth, nothing_near(), stepping, 0.1);
-        EXPECT_NEAR(mean_warp_strain(cloth), learnt, 0.2 * learnt) << "level " << level;
+        EXPECT_NEAR(mean_warp_strain(cloth), learnt, (level < 2 ? 0.2 : 0.7) * learnt) << "level " << level;
     }
 }
 
