@@ -131,12 +131,8 @@ void solve_bend(std::span<BendBlock> blocks, float* points) {
 }
 
 // Towards what the fabric's rigidity and friction say of the curvature half-way between two sub-steps.
-//
-// The sharper a hinge is folded, the less pull it keeps, that of friction too, and beyond 37 degrees none: there one
-// cell is the whole fold, neighbours cannot balance what it learns, and creases would tremble.
 void update_bend(std::span<BendBlock> blocks, std::span<const BendRecord> records, const float* points,
                  const float* before, float share) {
-    constexpr float kSharpest = 0.1F;  // sin^2 of half the angle
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         BendBlock& block = blocks[i];
         const BendRecord& record = records[i];
@@ -147,15 +143,14 @@ void update_bend(std::span<BendBlock> blocks, std::span<const BendRecord> record
             for (std::size_t k = 0; k < 4; ++k) hinges.x[k] = middle(hinges.x[k], was.x[k]);
             const Bent bent = bent_by(hinges);
             const Floats rigidity = load_at(record.rigidity, at);
-            const Floats squared_sine = dot(bent.vector, bent.vector) * load_at(block.bow, at);
-            const Floats elastic = rigidity * fold_share(squared_sine) * bent.along;
+            const Floats elastic =
+                rigidity * fold_share(dot(bent.vector, bent.vector) * load_at(block.bow, at)) * bent.along;
             const Floats rubbed =
                 held_within((bent.along - load_at(block.anchor, at)) * rigidity * kStick, load_at(record.limit, at));
             const Floats error = elastic + rubbed - load_at(block.multiplier, at);
             const Floats pull =
                 lanes::multiply_add(error * load_at(record.learns, at), lanes::all(share), load_at(block.pull, at));
-            const Floats flatness = lanes::greater(lanes::all(0.0F), lanes::all(1.0F) - squared_sine * (1 / kSharpest));
-            lanes::store(&block.pull[at], held_within(pull, load_at(record.most_pull, at) * flatness));
+            lanes::store(&block.pull[at], held_within(pull, load_at(record.most_pull, at)));
         }
     }
 }
