@@ -5,17 +5,23 @@
 namespace selvedge {
 namespace {
 
+constexpr const char* kBias = "bias";  // the gate
+
 std::vector<std::string> missed_gates(const DropTrial& trial, const DropGates& gates) {
     std::vector<std::string> missed;
     if (!trial.quality.is_finite) return {"finite"};
     if (!(trial.quality.p99_stretch <= gates.max_stretch)) missed.emplace_back("stretch");
     if (!(trial.quality.area_error <= gates.max_area_error)) missed.emplace_back("area");
     if (!(trial.quality.least_gap >= 0)) missed.emplace_back("inside");
-    if (!(std::abs(trial.bias.stiffness_ratio - 1) <= gates.max_bias_error)) missed.emplace_back("bias");
+    if (!(std::abs(trial.bias.stiffness_ratio - 1) <= gates.max_bias_error)) missed.emplace_back(kBias);
     return missed;
 }
 
 }  // namespace
+
+bool DropTrial::misses_only_bias() const {
+    return missed == std::vector<std::string>{kBias};
+}
 
 DropTrial try_drop(const SphereDropOptions& options, const DropGates& gates) {
     const SphereDrop drop = run_sphere_drop(options);
