@@ -31,7 +31,7 @@ class Trials {
     // The fewest that pass. Stretch and area grow better with more; the strip on the bias is read a little higher or
     // lower each time, so that from there on one after the other is tried, half as many again at most.
     std::optional<int> fewest() {
-        const auto holds = [&](int substeps) { return at(substeps).misses_only_bias() || at(substeps).passes(); };
+        const auto holds = [&](int substeps) { return at(substeps).passes_but_for_bias(); };
         const std::optional<int> least = find_least(experiment_.most_substeps, holds);
         if (!least) return std::nullopt;
         const int last = std::min(experiment_.most_substeps, *least + *least / 2);
@@ -50,12 +50,13 @@ class Trials {
 // Keeps all trials by rising sub-steps.
 DropTrial search(const DropExperiment& experiment, std::vector<DropTrial>& trials, const Progress& progress) {
     Trials tried(experiment, trials, progress);
-    int wanted = 0;
-    if (experiment.substeps) {
-        wanted = tried.at(*experiment.substeps).substeps;
+    std::optional<int> found = experiment.substeps;
+    if (found) {
+        tried.at(*found);
     } else {
-        wanted = tried.fewest().value_or(trials.back().substeps);
+        found = tried.fewest();
     }
+    const int wanted = found.value_or(trials.back().substeps);
     std::ranges::sort(trials, {}, &DropTrial::substeps);
     return *std::ranges::find(trials, wanted, &DropTrial::substeps);
 }

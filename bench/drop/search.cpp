@@ -1,5 +1,6 @@
 #include "bench/drop/search.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace selvedge {
@@ -19,8 +20,8 @@ std::vector<std::string> missed_gates(const DropTrial& trial, const DropGates& g
 
 }  // namespace
 
-bool DropTrial::misses_only_bias() const {
-    return missed == std::vector<std::string>{kBias};
+bool DropTrial::passes_but_for_bias() const {
+    return std::ranges::all_of(missed, [](const std::string& gate) { return gate == kBias; });
 }
 
 DropTrial try_drop(const SphereDropOptions& options, const DropGates& gates) {

@@ -24,7 +24,7 @@ struct DropTrial {
     double ms_per_frame = 0;
     std::vector<std::string> missed;  // names of the gates
     bool passes() const { return missed.empty(); }
-    bool misses_only_bias() const;
+    bool passes_but_for_bias() const;
 };
 
 DropTrial try_drop(const SphereDropOptions& options, const DropGates& gates);

@@ -99,8 +99,8 @@ int finishing_substeps(float shortest_edge) {
 }
 
 // Single triangles where much cloth meets, as under an arm, stay stretched by up to 20 % however long they are left:
-// one visit per sub-step cannot move what so many others hold. Finer sub-steps leave 8 %. What that sets in motion gets
-// some time to come to rest again.
+// one visit per sub-step cannot move what so many others hold. Finer sub-steps leave 10 %. What that sets in motion
+// gets some time to come to rest again.
 void finish(Cloth& cloth, const Collider& body, const DrapeOptions& options, DrapeResult& result) {
     const int finer = finishing_substeps(options.adapt.shortest_edge);
     StepOptions stepping{.extra_damping = kFinishDamping, .contact = options.contact};
@@ -128,7 +128,8 @@ DrapeResult drape(Cloth& cloth, const Collider& body, const DrapeOptions& option
     result.bad_vertex = find_bad_vertex(cloth);
     if (!result.bad_vertex && relax(cloth, body, options, result)) fall(cloth, body, options, result, progress);
     result.stopped_because = result.settled ? "settled" : "time limit";
-    const bool has_time = result.simulated_seconds + options.finish_time <= options.max_seconds + 1e-6;
+    const bool has_time =
+        options.finish_time > 0 && result.simulated_seconds + options.finish_time <= options.max_seconds + 1e-6;
     if (!result.bad_vertex && has_time) finish(cloth, body, options, result);
     if (result.bad_vertex) result.stopped_because = "bad number";
     report(progress, "draping", 1);
