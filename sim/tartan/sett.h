@@ -25,11 +25,21 @@ struct SettStripe {
     bool operator==(const SettStripe&) const = default;
 };
 
+// How warp and weft cross.
+enum class Weave {
+    Plain,    // over one, under one
+    Twill22,  // over two, under two: tartans
+    Twill31,  // warp over three, under one: denim
+};
+
 // One full repeat, mirrored half included.
 struct Sett {
     std::string name;
-    std::vector<SettStripe> stripes;
+    std::vector<SettStripe> stripes;  // of the warp
     bool is_mirrored = false;
+    std::vector<SettStripe> weft_stripes{};  // empty: the weft repeats the warp
+    bool is_weft_mirrored = false;           // read only when there are weft stripes
+    Weave weave = Weave::Twill22;
     double thread_spacing = 0.00036;  // m from one thread to the next: 28 per cm, a medium kilting cloth
 };
 
