@@ -31,13 +31,14 @@ class Visibility {
     void move_to(const ViewPoint& view) { view_ = view; }
 
     // Looks at all leaves; before each adaption. A leaf counts as seen when its plane or the normal of one of its
-    // vertices is. Position is any vector type whose first three coefficients are the position, m; normals: unit.
-    template <class Position>
-    void look(const AdaptiveMesh& mesh, const std::vector<Position>& x, const std::vector<Vec3f>& normals) {
+    // vertices is. Position is any vector type whose first three coefficients are the position, m;
+    // Normal, unit, likewise.
+    template <class Position, class Normal>
+    void look(const AdaptiveMesh& mesh, const std::vector<Position>& x, const std::vector<Normal>& normals) {
         start(mesh);
         for (const LeafTriangle& leaf : mesh.leaf_triangles()) {
             const auto at = [&](std::size_t k) { return Vec3f(x[leaf.v[k].value].template head<3>()); };
-            const auto normal = [&](std::size_t k) { return normals[leaf.v[k].value]; };
+            const auto normal = [&](std::size_t k) { return Vec3f(normals[leaf.v[k].value].template head<3>()); };
             mark_leaf(leaf, seen({at(0), at(1), at(2)}, {normal(0), normal(1), normal(2)}));
         }
         pass_up(mesh);

@@ -1,6 +1,7 @@
 #pragma once
 // Criteria that look at the surface alone. Each holds references to the state's arrays (not spans: an adaption may grow
 // them), indexed by vertex id; splits must set them for the new centre.  (SPEC 1.3)
+#include <cmath>
 #include <vector>
 
 #include "sim/adaptive/adaptive_mesh.h"
@@ -15,10 +16,16 @@ struct CurvatureOptions {
 
 // Split edges where the cloth bends, rejoin them where it lies flat: at both ends and at the centre, or a symmetric
 // bump would be flattened away.  (thesis 3.4)
+// Normal: a vector of three, or of four with a fourth 0; unit.
+template <class Normal>
 class CurvatureCriterion {
  public:
-    // normals: unit.
-    explicit CurvatureCriterion(const std::vector<Vec3f>& normals, const CurvatureOptions& options = {});
+    explicit CurvatureCriterion(const std::vector<Normal>& normals, const CurvatureOptions& options = {})
+        : normals_(normals),
+          split_cosine_(std::cos(options.split_angle)),
+          rejoin_cosine_(std::cos(options.rejoin_angle)) {
+        SELVEDGE_ASSERT(options.rejoin_angle < options.split_angle);
+    }
 
     bool wants_split(const AdaptiveMesh& mesh, EdgeId e) const {
         const AdaptiveEdge& edge = mesh.edge(e);
@@ -35,7 +42,7 @@ class CurvatureCriterion {
  private:
     float dot(VertexId a, VertexId b) const { return normals_[a.value].dot(normals_[b.value]); }
 
-    const std::vector<Vec3f>& normals_;
+    const std::vector<Normal>& normals_;
     float split_cosine_;
     float rejoin_cosine_;
 };

@@ -56,7 +56,7 @@ class Folds : public testing::Test {
     GarmentMesh base = make_square({.columns = 8, .rows = 8});
     AdaptiveMesh mesh{base};
     FoldedState state{base, mesh};
-    CurvatureCriterion curvature{state.normals};
+    CurvatureCriterion<Vec3f> curvature{state.normals};
 };
 
 TEST_F(Folds, along_the_mesh_stay_coarse_without_foresight) {

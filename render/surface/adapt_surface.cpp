@@ -1,0 +1,129 @@
+#include "render/surface/adapt_surface.h"
+
+#include "sim/adaptive/foresight.h"
+
+namespace selvedge {
+namespace {
+
+struct Observer : SurfaceObserver {
+    Observer(CurvedSurface& surface, Entrance entrance, Visibility* seen)
+        : SurfaceObserver(surface, entrance), visibility(seen) {}
+
+    void on_capacity(std::size_t capacity) {
+        SurfaceObserver::on_capacity(capacity);
+        if (visibility != nullptr) visibility->on_capacity(capacity);
+    }
+    void on_split(VertexId c, VertexId a, VertexId b) {
+        SurfaceObserver::on_split(c, a, b);
+        if (visibility != nullptr) visibility->on_split(c, a, b);
+    }
+
+    Visibility* visibility;
+};
+
+// All that ask for finer triangles, each with its switch, as one: so that foresight serves them all.
+struct Wish {
+    const SurfaceCriteria& on;
+    CurvatureCriterion<Vec4f> curvature;
+    BucklingCriterion<Vec4f> buckling;
+    LengthCriterion<Vec4f> length;
+
+    template <class Edge>
+    bool wants_split(const AdaptiveMesh& mesh, const Edge& e) const {
+        return (on.curvature && curvature.wants_split(mesh, e)) ||
+               (on.buckling && buckling.wants_split(mesh, id_of(e))) ||
+               (on.length && length.wants_split(mesh, id_of(e)));
+    }
+    bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId e) const {
+        return (!on.curvature || curvature.allows_rejoin(mesh, e)) &&
+               (!on.buckling || buckling.allows_rejoin(mesh, e)) && (!on.length || length.allows_rejoin(mesh, e));
+    }
+
+ private:
+    static EdgeId id_of(EdgeId e) { return e; }
+    static EdgeId id_of(const LeafEdge& e) { return e.edge; }
+};
+
+// What is turned away, and what is too short, is not to be split.
+struct CoarseVeto {
+    static constexpr bool is_veto = true;
+    const Visibility* visibility;  // none: all is seen
+    float shortest_edge;
+
+    bool vetoes(const AdaptiveMesh& mesh, EdgeId e) const {
+        return mesh.rest_length(e) < shortest_edge || (visibility != nullptr && visibility->is_hidden(mesh, e));
+    }
+};
+
+// Nothing rejoins before its vertex has arrived in the middle: neither for a veto's sake nor with all agreed. Nor does
+// an edge split before its ends have arrived on their curves: it would be judged by a length that it will not have.
+struct VetoOnArrival {
+    static constexpr bool is_veto = true;
+    const CurvedSurface& surface;
+    const CoarseVeto& veto;
+
+    bool vetoes(const AdaptiveMesh& mesh, EdgeId e) const {
+        const AdaptiveEdge& edge = mesh.edge(e);
+        if (mesh.is_split(e)) return shown(edge.centre) <= 0 && veto.vetoes(mesh, e);
+        return shown(edge.ends[0]) < 1 || shown(edge.ends[1]) < 1 || veto.vetoes(mesh, e);
+    }
+    float shown(VertexId v) const { return surface.shown[v.value]; }
+};
+struct HoldUntilArrival {
+    const CurvedSurface& surface;
+
+    bool wants_split(const AdaptiveMesh&, EdgeId) const { return false; }
+    bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId e) const { return surface.shown[mesh.centre(e).value] <= 0; }
+};
+
+// Which vertices are to glide to the middle of their edges: those whose edges may go and are asked to.
+template <class Criterion>
+void note_leaving(CurvedSurface& surface, int max_level, const CoarseVeto& veto, const Criterion& criterion) {
+    const AdaptiveMesh& mesh = surface.mesh;
+    const auto is_to_go = [&](EdgeId e) {
+        if (!mesh.has_leaf_children(e) || !mesh.may_rejoin(e)) return false;
+        return mesh.level(e) >= max_level || veto.vetoes(mesh, e) || criterion.allows_rejoin(mesh, e);
+    };
+    for (int level = 0; level < mesh.max_level(); ++level) {
+        for (const EdgeId e : mesh.split_edges(level)) surface.is_leaving[mesh.centre(e).value] = is_to_go(e);
+    }
+}
+
+template <class Criterion>
+AdaptReport adapt_with(CurvedSurface& surface, const AdaptSurfaceOptions& options, const CoarseVeto& veto,
+                       const Criterion& criterion) {
+    using Entrance = SurfaceObserver::Entrance;
+    Observer observer(surface, options.glides ? Entrance::Middle : Entrance::Curve, options.visibility);
+    const AdaptOptions limits{.max_level = options.max_level};
+    if (!options.glides) return adapt(surface.mesh, observer, limits, veto, criterion);
+    note_leaving(surface, options.max_level, veto, criterion);
+    return adapt(surface.mesh, observer, limits, VetoOnArrival{surface, veto}, HoldUntilArrival{surface}, criterion);
+}
+
+}  // namespace
+
+AdaptReport adapt_surface(CurvedSurface& surface, const AdaptSurfaceOptions& options) {
+    const SurfaceCriteria& on = options.criteria;
+    if (options.visibility != nullptr) options.visibility->look(surface.mesh, surface.x, surface.normals);
+    const Wish wish{on, CurvatureCriterion(surface.normals, on.curvature_angles),
+                    BucklingCriterion<Vec4f>(surface.x, on.buckling_ratios),
+                    LengthCriterion<Vec4f>(surface.x, on.compressions)};
+    const CoarseVeto veto{options.visibility, on.shortest_edge};
+    const AdaptReport report = adapt_with(surface, options, veto, Foresight(wish));
+    if (report.changed()) plan_surface(surface);
+    return report;
+}
+
+void settle_surface(CurvedSurface& surface, std::span<const Vec4f> x, std::span<const Vec4f> normals,
+                    const AdaptSurfaceOptions& options, const MoveOptions& move) {
+    constexpr int kMostRounds = 12;
+    AdaptSurfaceOptions at_once = options;
+    at_once.glides = false;
+    move_surface(surface, x, normals, move);
+    for (int round = 0; round < kMostRounds && adapt_surface(surface, at_once).changed(); ++round) {
+        move_surface(surface, x, normals, move);
+    }
+    update_light_normals(surface);
+}
+
+}  // namespace selvedge

@@ -1,0 +1,38 @@
+#pragma once
+// Where the drawn surface is fine and where it is coarse. It touches nothing but what is drawn.  (SPEC 1.3, 5)
+#include <optional>
+
+#include "render/surface/curved_surface.h"
+#include "sim/adaptive/back_face.h"
+#include "sim/adaptive/buckling.h"
+#include "sim/adaptive/criteria.h"
+
+namespace selvedge {
+
+struct SurfaceCriteria {
+    bool curvature = true;
+    bool buckling = true;  // edges that are shorter than their material
+    bool length = false;   // the same question, asked later
+    CurvatureOptions curvature_angles{.split_angle = 0.16F, .rejoin_angle = 0.07F};  // of curves' normals
+    BucklingOptions buckling_ratios{.split_ratio = 1.02F, .rejoin_ratio = 1.01F};
+    LengthOptions compressions{};
+    float shortest_edge = 0.002F;  // m; shorter ones are not split
+};
+
+struct AdaptSurfaceOptions {
+    SurfaceCriteria criteria{};
+    int max_level = kDeepestLevel;     // or the surface's own
+    Visibility* visibility = nullptr;  // with it what is turned away is kept coarse; made here for each adaption
+    // A picture by itself is fine at once. One of a film is not: vertices glide in and out (update_surface), and an
+    // edge is rejoined when its vertex has glided to its middle.
+    bool glides = false;
+};
+
+// After update_surface(). Post: the plan is that of the mesh; the next update_surface() moves what is new.
+AdaptReport adapt_surface(CurvedSurface& surface, const AdaptSurfaceOptions& options = {});
+
+// Until no edge changes any more, for a picture by itself: adapts and updates in turns.
+void settle_surface(CurvedSurface& surface, std::span<const Vec4f> x, std::span<const Vec4f> normals,
+                    const AdaptSurfaceOptions& options = {}, const MoveOptions& move = {});
+
+}  // namespace selvedge

@@ -1,0 +1,123 @@
+#include "render/surface/curved_mesh.h"
+
+#include <string>
+
+#include "sim/core/assert.h"
+#include "sim/core/error.h"
+
+namespace selvedge {
+namespace {
+
+// As long in the plane as it lies in the room.
+std::array<Vec2d, 3> laid_flat(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+    const double length = (b - a).norm();
+    if (length <= 0) return {Vec2d::Zero(), Vec2d::Zero(), Vec2d(0, (c - a).norm())};
+    const Vec3d along = (b - a) / length;
+    const double x = along.dot(c - a);
+    return {Vec2d::Zero(), Vec2d(length, 0), Vec2d(x, (c - a - x * along).norm())};
+}
+
+GarmentMesh base_of(const PlainMesh& coarse) {
+    GarmentMesh base;
+    base.x.reserve(coarse.x.size());
+    for (const Vec3f& x : coarse.x) base.x.push_back(x.cast<double>());
+    base.triangles.reserve(coarse.triangles.size());
+    for (std::size_t t = 0; t < coarse.triangles.size(); ++t) {
+        const auto& [a, b, c] = coarse.triangles[t];
+        GarmentTriangle triangle{.vertices = {static_cast<int>(a), static_cast<int>(b), static_cast<int>(c)}};
+        if (coarse.u.empty()) {
+            triangle.u = laid_flat(base.x[a], base.x[b], base.x[c]);
+        } else {
+            for (std::size_t k = 0; k < 3; ++k) triangle.u[k] = coarse.u[t][k].cast<double>();
+        }
+        triangle.panel = coarse.panel.empty() ? 0 : coarse.panel[t];
+        base.triangles.push_back(triangle);
+    }
+    return base;
+}
+
+void check_size(const PlainMesh& coarse, int level) {
+    const std::size_t most = kMostDrawnTriangles >> (2 * level);
+    if (coarse.triangles.size() <= most) return;
+    throw InputError("", "surface",
+                     std::to_string(coarse.triangles.size()) + " triangles at level " + std::to_string(level) +
+                         " are more than " + std::to_string(kMostDrawnTriangles) + ": choose a lower level");
+}
+
+// Leaves in the order of their base triangles.
+class MeshWriter {
+ public:
+    MeshWriter(const CurvedSurface& surface, const PlainMesh& coarse, const std::vector<Vec4f>& normals)
+        : surface_(surface), coarse_(coarse), normals_(normals), places_(surface.mesh.vertex_capacity(), kNone) {
+        mesh_.panel_names = coarse.panel_names;
+        mesh_.panel_grain_angles = coarse.panel_grain_angles;
+    }
+
+    PlainMesh write() {
+        for (std::uint32_t t = 0; t < surface_.mesh.base_triangle_count(); ++t) {
+            base_level_ = coarse_.level.empty() ? 0 : coarse_.level[t];
+            write(TriangleId(t));
+        }
+        return std::move(mesh_);
+    }
+
+ private:
+    static constexpr std::uint32_t kNone = ~0U;
+
+    void write(TriangleId id) {
+        const AdaptiveTriangle& t = surface_.mesh.triangle(id);
+        if (!is_leaf(t)) {
+            for (std::size_t i = 0; i < layout(t.configuration).triangle_count; ++i) write(t.internal_triangles[i]);
+            return;
+        }
+        mesh_.triangles.push_back({place(t.vertices[0]), place(t.vertices[1]), place(t.vertices[2])});
+        if (!coarse_.u.empty()) mesh_.u.push_back(t.u);
+        if (!coarse_.panel.empty()) mesh_.panel.push_back(t.panel);
+        mesh_.level.push_back(static_cast<std::uint8_t>(base_level_ + t.level));
+    }
+
+    std::uint32_t place(VertexId v) {
+        std::uint32_t& at = places_[v.value];
+        if (at == kNone) {
+            at = static_cast<std::uint32_t>(mesh_.x.size());
+            mesh_.x.emplace_back(surface_.x[v.value].head<3>());
+            mesh_.normals.emplace_back(normals_[v.value].head<3>());
+        }
+        return at;
+    }
+
+    const CurvedSurface& surface_;
+    const PlainMesh& coarse_;
+    const std::vector<Vec4f>& normals_;
+    std::vector<std::uint32_t> places_;  // by VertexId
+    int base_level_ = 0;
+    PlainMesh mesh_;
+};
+
+void refine(CurvedSurface& surface, const CurvedMeshOptions& options) {
+    const std::vector<Vec4f> x = surface.x, normals = surface.normals;
+    if (options.level) {
+        set_surface_level(surface, *options.level);
+        update_surface(surface, x, normals, options.move);
+        return;
+    }
+    std::optional<Visibility> visibility;
+    if (options.view) visibility.emplace(*options.view);
+    settle_surface(surface, x, normals,
+                   {.criteria = options.criteria, .visibility = visibility ? &*visibility : nullptr}, options.move);
+}
+
+}  // namespace
+
+PlainMesh curved_mesh(const PlainMesh& coarse, const CurvedMeshOptions& options) {
+    const int level = options.level.value_or(options.deepest_level);
+    SELVEDGE_ASSERT(level >= 0 && level <= kMostSurfaceLevel);
+    check_size(coarse, level);
+    CurvedSurface surface =
+        make_curved_surface(base_of(coarse), {.modifier = curve_modifier(options.kind), .max_level = level});
+    refine(surface, options);
+    const bool recomputes = options.light_normals == LightNormals::Recomputed;
+    return MeshWriter(surface, coarse, recomputes ? surface.light_normals : surface.normals).write();
+}
+
+}  // namespace selvedge

@@ -1,0 +1,189 @@
+#include "render/surface/curved_surface.h"
+
+#include <algorithm>
+
+#include "render/surface/lift.h"
+#include "sim/adaptive/uniform.h"
+#include "sim/core/assert.h"
+
+namespace selvedge {
+namespace {
+
+constexpr float kNoArea = 1e-30F;
+
+void size_arrays(CurvedSurface& surface, std::size_t capacity) {
+    surface.x.resize(capacity, Vec4f::Zero());
+    surface.normals.resize(capacity, Vec4f::UnitY());
+    surface.light_normals.resize(capacity, Vec4f::UnitY());
+    surface.shown.resize(capacity, 1.0F);
+    surface.is_leaving.resize(capacity, false);
+}
+
+void make_root(CurvedSurface& surface, EdgeId e) {
+    if (surface.places.size() <= e.value) surface.places.resize(surface.mesh.edges().capacity());
+    surface.places[e.value] = {.root = e, .from = 0, .span = static_cast<std::uint16_t>(surface.weights.steps())};
+}
+
+CurveEnds ends_of(const CurvedSurface& surface, VertexId a, VertexId b, float rest_length) {
+    return {surface.x[a.value], surface.x[b.value], surface.normals[a.value], surface.normals[b.value], rest_length};
+}
+
+// Of the vertex's way from the middle of its edge to its curve, after this move.
+float glided(CurvedSurface& surface, const SurfacePlan::Point& point, float way, float longest_glide) {
+    float& shown = surface.shown[point.v.value];
+    const float step = way > longest_glide ? longest_glide / way : 1.0F;
+    if (surface.is_leaving[point.v.value]) {
+        shown = std::max(0.0F, shown - step);
+    } else if (surface.shown[point.a.value] >= 1 && surface.shown[point.b.value] >= 1) {
+        shown = std::min(1.0F, shown + step);
+    }
+    return shown;
+}
+
+Vec4f glide(CurvedSurface& surface, const SurfacePlan::Point& point, const Vec4f& where, float longest_glide) {
+    if (surface.shown[point.v.value] >= 1 && !surface.is_leaving[point.v.value]) return where;
+    const Vec4f middle = (surface.x[point.a.value] + surface.x[point.b.value]) * 0.5F;
+    const Vec4f way = where - middle;
+    return middle + way * glided(surface, point, way.norm(), longest_glide);
+}
+
+void move_level(CurvedSurface& surface, std::size_t level, const Lift& lift, float longest_glide) {
+    const SurfacePlan& plan = surface.plan;
+    const auto first = [level](const std::vector<std::size_t>& ends) { return level == 0 ? 0 : ends[level - 1]; };
+    for (std::size_t i = first(plan.curve_ends); i < plan.curve_ends[level]; ++i) {
+        const SurfacePlan::Curve& curve = plan.curves[i];
+        surface.curves[i] = make_edge_curve(ends_of(surface, curve.a, curve.b, curve.rest_length), surface.modifier);
+    }
+    for (std::size_t i = first(plan.point_ends); i < plan.point_ends[level]; ++i) {
+        const SurfacePlan::Point& point = plan.points[i];
+        const EdgeCurve& curve = surface.curves[point.curve];
+        const Vec4f where = surface.weights.point(curve, point.step);
+        surface.normals[point.v.value] = surface.weights.normal(curve, point.step);
+        surface.x[point.v.value] = glide(surface, point, lift.lifted(point, where), longest_glide);
+    }
+}
+
+}  // namespace
+
+CurvedSurface make_curved_surface(const GarmentMesh& base, const SurfaceOptions& options) {
+    CurvedSurface surface{.mesh = AdaptiveMesh(base, {.max_level = options.max_level}),
+                          .modifier = options.modifier,
+                          .weights = CurveWeights(options.max_level)};
+    size_arrays(surface, surface.mesh.vertex_capacity());
+    for (std::size_t i = 0; i < base.x.size(); ++i) surface.x[i] = padded(base.x[i].cast<float>());
+    surface.places.resize(surface.mesh.edges().capacity());
+    for (std::uint32_t e = 0; e < surface.mesh.base_edge_count(); ++e) make_root(surface, EdgeId(e));
+    leaf_normals(surface.mesh, surface.x, surface.normals);
+    surface.light_normals = surface.normals;
+    plan_surface(surface);
+    return surface;
+}
+
+void SurfaceObserver::on_capacity(std::size_t capacity) {
+    size_arrays(surface_, capacity);
+}
+
+// Where its root's curve has it now: that is what deeper edges are asked by.
+void SurfaceObserver::on_split(VertexId c, VertexId a, VertexId b) {
+    const AdaptiveMesh& mesh = surface_.mesh;
+    const EdgeId e = mesh.vertex(c).parent;
+    if (surface_.places.size() < mesh.edges().capacity()) surface_.places.resize(mesh.edges().capacity());
+    const EdgePlace place = surface_.places[e.value];
+    const auto half = static_cast<std::uint16_t>(place.span / 2);
+    const auto middle = static_cast<std::uint16_t>(place.from + half);
+    const auto [first, second] = mesh.edge(e).children;
+    surface_.places[first.value] = {place.root, place.from, half};
+    surface_.places[second.value] = {place.root, middle, half};
+
+    const AdaptiveEdge& root = mesh.edge(place.root);
+    const EdgeCurve curve =
+        make_edge_curve(ends_of(surface_, root.ends[0], root.ends[1], root.rest_length), surface_.modifier);
+    const bool is_whole = entrance_ == Entrance::Curve;
+    surface_.shown[c.value] = is_whole ? 1.0F : 0.0F;
+    surface_.is_leaving[c.value] = false;
+    surface_.normals[c.value] = surface_.weights.normal(curve, middle);
+    surface_.light_normals[c.value] = surface_.normals[c.value];
+    surface_.x[c.value] =
+        is_whole ? surface_.weights.point(curve, middle) : Vec4f((surface_.x[a.value] + surface_.x[b.value]) * 0.5F);
+}
+
+void SurfaceObserver::after(TriangleId t) {
+    const AdaptiveTriangle& owner = surface_.mesh.triangle(t);
+    for (std::size_t i = 0; i < layout(owner.configuration).edge_count; ++i)
+        make_root(surface_, owner.internal_edges[i]);
+}
+
+void plan_surface(CurvedSurface& surface) {
+    const AdaptiveMesh& mesh = surface.mesh;
+    SurfacePlan& plan = surface.plan;
+    plan.curves.clear();
+    plan.points.clear();
+    plan.curve_ends.clear();
+    plan.point_ends.clear();
+    std::vector<std::uint32_t> curve_of(mesh.edges().capacity());
+    for (int level = 0; level < mesh.max_level(); ++level) {
+        for (const EdgeId e : mesh.split_edges(level)) {
+            const AdaptiveEdge& edge = mesh.edge(e);
+            const EdgePlace& place = surface.places[e.value];
+            if (place.root == e) {
+                curve_of[e.value] = static_cast<std::uint32_t>(plan.curves.size());
+                plan.curves.push_back({edge.ends[0], edge.ends[1], edge.rest_length});
+            }
+            plan.points.push_back({.v = edge.centre,
+                                   .a = edge.ends[0],
+                                   .b = edge.ends[1],
+                                   .curve = curve_of[place.root.value],
+                                   .step = place.from + place.span / 2U});
+        }
+        plan.curve_ends.push_back(plan.curves.size());
+        plan.point_ends.push_back(plan.points.size());
+    }
+    surface.curves.resize(plan.curves.size());
+}
+
+void move_surface(CurvedSurface& surface, std::span<const Vec4f> x, std::span<const Vec4f> normals,
+                  const MoveOptions& options) {
+    const std::size_t base = surface.mesh.base_vertex_count();
+    SELVEDGE_ASSERT(x.size() >= base && normals.size() >= base);
+    std::copy_n(x.begin(), base, surface.x.begin());
+    std::copy_n(normals.begin(), base, surface.normals.begin());
+    const Lift lift(surface, options);
+    for (std::size_t level = 0; level < surface.plan.point_ends.size(); ++level)
+        move_level(surface, level, lift, options.longest_glide);
+}
+
+void leaf_normals(const AdaptiveMesh& mesh, const std::vector<Vec4f>& x, std::vector<Vec4f>& normals) {
+    normals.resize(mesh.vertex_capacity());
+    for (const VertexId v : mesh.leaf_vertices()) normals[v.value].setZero();
+    for (const LeafTriangle& t : mesh.leaf_triangles()) {
+        const Vec4f a = x[t.v[0].value];
+        const Vec4f area = (x[t.v[1].value] - a).cross3(x[t.v[2].value] - a);
+        for (const VertexId v : t.v) normals[v.value] += area;
+    }
+    for (const VertexId v : mesh.leaf_vertices()) {
+        Vec4f& normal = normals[v.value];
+        const float squared = normal.squaredNorm();
+        normal = squared > kNoArea ? Vec4f(normal / std::sqrt(squared)) : Vec4f(Vec4f::UnitY());
+    }
+}
+
+void update_light_normals(CurvedSurface& surface) {
+    leaf_normals(surface.mesh, surface.x, surface.light_normals);
+}
+
+void update_surface(CurvedSurface& surface, std::span<const Vec4f> x, std::span<const Vec4f> normals,
+                    const MoveOptions& options) {
+    move_surface(surface, x, normals, options);
+    update_light_normals(surface);
+}
+
+AdaptReport set_surface_level(CurvedSurface& surface, int level) {
+    SurfaceObserver observer(surface, SurfaceObserver::Entrance::Curve);
+    const AdaptReport report = set_uniform_level(surface.mesh, observer, level);
+    std::fill(surface.shown.begin(), surface.shown.end(), 1.0F);
+    std::fill(surface.is_leaving.begin(), surface.is_leaving.end(), false);
+    plan_surface(surface);
+    return report;
+}
+
+}  // namespace selvedge

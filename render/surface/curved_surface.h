@@ -1,0 +1,120 @@
+#pragma once
+// The surface that is drawn: the coarse cloth's triangles as the base of an adaptive mesh of its own, each new vertex
+// on the curve of a root edge.  (thesis ch. 6; SPEC 5)
+//
+// A root edge is an edge of the base, or one inside a refined triangle. Vertices on it stand on its curve, at t =
+// i/2^k, whatever has been split since; the ends of a root edge are older than it. So curves are made level by level,
+// each vertex is evaluated once, and none moves because another comes or goes.
+//
+//   base edges -> their vertices -> edges inside triangles of level 0 -> their vertices -> ... of level 1 -> ...
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/surface/edge_curve.h"
+#include "sim/adaptive/adapt.h"
+#include "sim/adaptive/adaptive_mesh.h"
+#include "sim/core/vec.h"
+#include "sim/mesh/garment_mesh.h"
+
+namespace selvedge {
+
+class Collider;
+
+struct SurfaceOptions {
+    CurveModifier modifier{};
+    int max_level = 3;
+};
+
+// Where an edge lies on its root's curve, in steps of 1/2^max_level.
+struct EdgePlace {
+    EdgeId root;
+    std::uint16_t from = 0;
+    std::uint16_t span = 0;
+};
+
+// What update_surface() goes through, level by level; made anew when the mesh has changed.
+struct SurfacePlan {
+    struct Curve {
+        VertexId a, b;
+        float rest_length = 0;  // m
+    };
+    struct Point {
+        VertexId v;
+        VertexId a, b;            // ends of the edge whose centre it is
+        std::uint32_t curve = 0;  // index
+        std::uint32_t step = 0;   // t in steps of 1/2^max_level
+    };
+    std::vector<Curve> curves;
+    std::vector<Point> points;
+    std::vector<std::size_t> curve_ends, point_ends;  // by level: one past its last
+};
+
+struct CurvedSurface {
+    AdaptiveMesh mesh;
+    CurveModifier modifier{};
+    CurveWeights weights{0};
+
+    // By VertexId, sized to the mesh's capacity; with a fourth 0.
+    std::vector<Vec4f> x{};              // as drawn, m
+    std::vector<Vec4f> normals{};        // unit, of the curves: what the ends' normals say
+    std::vector<Vec4f> light_normals{};  // unit, of the triangles as drawn
+    std::vector<float> shown{};          // 0: in the middle of its edge's ends, 1: on the curve
+    std::vector<bool> is_leaving{};      // on its way to the middle, where it may go
+    std::vector<EdgePlace> places{};     // by EdgeId
+
+    SurfacePlan plan{};
+    std::vector<EdgeCurve> curves{};  // as the plan has them
+    std::vector<float> clear{};       // m from the body, scratch
+};
+
+// At level 0: as the base is. Pre: base is sewn. Throws InputError as AdaptiveMesh does.
+CurvedSurface make_curved_surface(const GarmentMesh& base, const SurfaceOptions& options = {});
+
+struct MoveOptions {
+    const Collider* body = nullptr;  // that the surface must not dip into: vertices are lifted to its offset surface
+    float offset = 0.003F;           // m, of that surface: the cloth's contacts'
+    float longest_glide = 0.0002F;   // m that a vertex may glide to or from its edge's middle in one move
+};
+
+// Moves the surface to where the cloth is: one frame. x, normals: of the base's vertices, with a fourth 0; normals
+// unit. A new vertex glides from the middle of its edge to its curve when the ends of the edge have arrived, one that
+// is to go glides back (see adapt_surface.h), so that none jumps because of a change of level.
+void update_surface(CurvedSurface& surface, std::span<const Vec4f> x, std::span<const Vec4f> normals,
+                    const MoveOptions& options = {});
+
+// The same in two: positions and curves' normals; then what the light needs. Interpolated normals hide the detail that
+// the surface has, so they are made anew from its triangles, weighted by area.  (thesis fig. 6.6)
+void move_surface(CurvedSurface& surface, std::span<const Vec4f> x, std::span<const Vec4f> normals,
+                  const MoveOptions& options = {});
+void update_light_normals(CurvedSurface& surface);
+
+// Area-weighted normals of a mesh's leaves, by VertexId: what a coarse cloth gives the surface. (Other weights, and at
+// hems normals that go on bending, came no nearer to a finer simulation: docs/measurements.md.)
+void leaf_normals(const AdaptiveMesh& mesh, const std::vector<Vec4f>& x, std::vector<Vec4f>& normals);
+
+// Every leaf at that level, all new vertices where they belong. Pre: 0 <= level <= max_level.
+AdaptReport set_surface_level(CurvedSurface& surface, int level);
+
+// The plan for the present mesh: after every adaption that changed it.
+void plan_surface(CurvedSurface& surface);
+
+// Keeps the surface's arrays while an adaption is under way.
+class SurfaceObserver {
+ public:
+    // Where a new vertex starts.
+    enum class Entrance { Middle, Curve };
+    SurfaceObserver(CurvedSurface& surface, Entrance entrance) : surface_(surface), entrance_(entrance) {}
+
+    void on_capacity(std::size_t capacity);
+    void on_split(VertexId c, VertexId a, VertexId b);
+    void on_rejoin(VertexId) {}
+    void before(TriangleId) {}
+    void after(TriangleId t);
+
+ private:
+    CurvedSurface& surface_;
+    Entrance entrance_;
+};
+
+}  // namespace selvedge

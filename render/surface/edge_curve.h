@@ -1,0 +1,62 @@
+#pragma once
+// The curve of an edge: a cubic from the normals at its ends, as curved PN triangles have it (Vlachos et al. 2001),
+// bent further or less by a modifier, held as a Lagrange curve through four points.  (thesis figs. 6.1, 6.3; SPEC 5)
+//
+//            L1 ------ L2           a at t = 0, L1 at 1/3, L2 at 2/3, b at 1
+//          /              \         .
+//        a                  b
+#include <vector>
+
+#include "render/surface/curve_modifier.h"
+#include "sim/core/vec.h"
+
+namespace selvedge {
+
+// All vectors have a fourth 0.
+struct CurveEnds {
+    Vec4f a, b;                // m
+    Vec4f normal_a, normal_b;  // unit
+    float rest_length = 0;     // m
+};
+
+struct EdgeCurve {
+    Vec4f a, l1, l2, b;                        // m
+    Vec4f normal_a, normal_between, normal_b;  // control normals of a quadratic; the middle one is unit too
+};
+
+EdgeCurve make_edge_curve(const CurveEnds& ends, const CurveModifier& modifier);
+
+// Arc over chord of the curve with M = 1, by Gauss' rule with three points. va, vb: where the ends' inner control
+// points stand off the chord, three times, m.
+float arc_over_chord(const Vec4f& chord, const Vec4f& va, const Vec4f& vb);
+
+// The normal in the middle of an edge, before it is brought to unit length with the ends': the mean of the ends'
+// mirrored at the plane that halves the edge.  (Vlachos et al. 2001, 3.3)
+Vec4f normal_between(const CurveEnds& ends);
+
+// Weights of a curve's points and of its normals at t = i / 2^max_level.  (thesis table 6.1)
+class CurveWeights {
+ public:
+    explicit CurveWeights(int max_level);
+
+    const Vec4f& points(std::size_t i) const { return points_[i]; }    // of a, L1, L2, b
+    const Vec4f& normals(std::size_t i) const { return normals_[i]; }  // of a's, the middle, b's
+    std::size_t steps() const { return points_.size() - 1; }           // 2^max_level
+
+    Vec4f point(const EdgeCurve& curve, std::size_t i) const {
+        const Vec4f& w = points_[i];
+        return curve.a * w[0] + curve.l1 * w[1] + curve.l2 * w[2] + curve.b * w[3];
+    }
+    Vec4f normal(const EdgeCurve& curve, std::size_t i) const {
+        const Vec4f& w = normals_[i];
+        return (curve.normal_a * w[0] + curve.normal_between * w[1] + curve.normal_b * w[2]).normalized();
+    }
+
+ private:
+    std::vector<Vec4f> points_, normals_;
+};
+
+// Weights at any t.
+Vec4f lagrange_weights(double t);
+
+}  // namespace selvedge

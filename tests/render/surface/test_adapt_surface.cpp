@@ -1,0 +1,160 @@
+#include "render/surface/adapt_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "sim/adaptive/check.h"
+#include "tests/render/surface/fixtures.h"
+
+namespace selvedge::test {
+namespace {
+
+constexpr float kMostJump = 0.0005F;  // m
+
+std::size_t triangles(const CurvedSurface& surface) {
+    return surface.mesh.leaf_triangles().size();
+}
+
+CurvedSurface settled(const GarmentMesh& base, const AdaptSurfaceOptions& options = {}) {
+    CurvedSurface surface = make_curved_surface(base, {.max_level = 3});
+    const Coarse coarse = coarse_of(base);
+    settle_surface(surface, coarse.x, coarse.normals, options);
+    return surface;
+}
+
+TEST(AdaptSurface, leaves_flat_cloth_as_it_is) {
+    const GarmentMesh base = shaped_square(4, [](double x, double y) { return Vec3d(x, 0, -y); });
+    EXPECT_EQ(triangles(settled(base)), base.triangles.size());
+}
+
+TEST(AdaptSurface, refines_what_is_bent_and_keeps_what_is_flat) {
+    // The left half is flat, the right half an arch.
+    const GarmentMesh base = shaped_square(8, [](double x, double y) {
+        return x < 0 ? Vec3d(x, 0, -y) : Vec3d(0.2 * std::sin(x / 0.2), 0.2 * std::cos(x / 0.2) - 0.2, -y);
+    });
+    const CurvedSurface surface = settled(base);
+    EXPECT_GT(triangles(surface), 2 * base.triangles.size());
+    EXPECT_LT(triangles(surface), base.triangles.size() << 6);
+    for (const LeafTriangle& t : surface.mesh.leaf_triangles()) {
+        const float right =
+            std::max({surface.x[t.v[0].value].x(), surface.x[t.v[1].value].x(), surface.x[t.v[2].value].x()});
+        if (right < -0.26F) {
+            EXPECT_EQ(t.level, 0);
+        }
+    }
+    EXPECT_TRUE(check(surface.mesh).empty());
+}
+
+TEST(AdaptSurface, refines_edges_that_are_shorter_than_their_material) {
+    const GarmentMesh base = shaped_square(4, [](double x, double y) { return Vec3d(0.9 * x, 0, -y); });
+    const SurfaceCriteria only_buckling{.curvature = false, .buckling = true};
+    const SurfaceCriteria none{.curvature = false, .buckling = false};
+    EXPECT_GT(triangles(settled(base, {.criteria = only_buckling})), 8 * base.triangles.size());
+    EXPECT_EQ(triangles(settled(base, {.criteria = none})), base.triangles.size());
+}
+
+TEST(AdaptSurface, keeps_what_is_turned_away_coarse) {
+    const GarmentMesh base = shaped_square(8, [](double x, double y) {
+        return Vec3d(0.16 * std::sin(6 * x), 0.16 * std::cos(6 * x), -y);  // nearly a closed tube
+    });
+    Visibility from_above({.eye = Vec3f(0, 5, 0)});
+    const CurvedSurface all = settled(base), seen = settled(base, {.visibility = &from_above});
+    EXPECT_LT(5 * triangles(seen), 4 * triangles(all));
+    const auto fine_on_top = [](const CurvedSurface& surface) {
+        const auto leaves = surface.mesh.leaf_triangles();
+        return std::count_if(leaves.begin(), leaves.end(), [&](const LeafTriangle& t) {
+            const auto is_on_top = [&](VertexId v) { return surface.x[v.value].y() > 0.03F; };
+            return std::all_of(t.v.begin(), t.v.end(), is_on_top);
+        });
+    };
+    EXPECT_EQ(fine_on_top(seen), fine_on_top(all));
+}
+
+TEST(AdaptSurface, never_splits_below_the_shortest_edge) {
+    const CurvedSurface surface = settled(shaped_square(4, on_waves), {.criteria = {.shortest_edge = 0.1F}});
+    for (const LeafEdge& e : surface.mesh.leaf_edges()) EXPECT_GE(e.rest_length, 0.05F);
+    EXPECT_GT(triangles(surface), triangles(make_curved_surface(shaped_square(4, on_waves))));
+}
+
+// Where each vertex was, and where a new one appears to come from.
+float greatest_jump(const CurvedSurface& before, const CurvedSurface& after) {
+    float most = 0;
+    for (const VertexId v : after.mesh.leaf_vertices()) {
+        const EdgeId parent = after.mesh.vertex(v).parent;
+        const bool was_there = v.value < before.x.size() && v.value >= before.mesh.base_vertex_count() && parent &&
+                               parent.value < before.mesh.edges().capacity() && before.mesh.edge(parent).centre == v &&
+                               before.mesh.edge(parent).ends == after.mesh.edge(parent).ends;
+        if (was_there) {
+            most = std::max(most, (after.x[v.value] - before.x[v.value]).norm());
+        } else if (parent) {
+            const auto [a, b] = after.mesh.edge(parent).ends;
+            most = std::max(most, (after.x[v.value] - (after.x[a.value] + after.x[b.value]) * 0.5F).norm());
+        }
+    }
+    return most;
+}
+
+// What rejoins must stand in the middle of its edge when it goes.
+float greatest_leap_of_what_went(const CurvedSurface& before, const CurvedSurface& after) {
+    float most = 0;
+    for (int level = 0; level < before.mesh.max_level(); ++level) {
+        for (const EdgeId e : before.mesh.split_edges(level)) {
+            if (after.mesh.is_split(e) && after.mesh.centre(e) == before.mesh.centre(e)) continue;
+            const auto [a, b] = before.mesh.edge(e).ends;
+            const Vec4f middle = (before.x[a.value] + before.x[b.value]) * 0.5F;
+            most = std::max(most, (before.x[before.mesh.centre(e).value] - middle).norm());
+        }
+    }
+    return most;
+}
+
+TEST(AdaptSurface, glides_so_that_no_vertex_jumps_and_arrives_where_it_would_be_at_once) {
+    const GarmentMesh base = shaped_square(6, on_waves);
+    const Coarse coarse = coarse_of(base);
+    CurvedSurface surface = make_curved_surface(base, {.max_level = 3});
+    update_surface(surface, coarse.x, coarse.normals);
+    int still = 0;
+    for (int frame = 0; frame < 600 && still < 30; ++frame) {
+        const CurvedSurface before = surface;
+        const bool changed = adapt_surface(surface, {.glides = true}).changed();
+        update_surface(surface, coarse.x, coarse.normals);
+        ASSERT_LT(greatest_jump(before, surface), kMostJump);
+        ASSERT_LT(greatest_leap_of_what_went(before, surface), 1e-6F);
+        still = changed || surface.x != before.x ? 0 : still + 1;
+    }
+    EXPECT_EQ(still, 30);
+    // Which edges are split may differ within the hysteresis; where their vertices stand may not.
+    const ByMaterial uniform = by_material(surface_at_level(base, 3)), glided = by_material(surface);
+    for (const auto& [material, x] : glided) EXPECT_EQ(x, uniform.at(material));
+    const double at_once = static_cast<double>(by_material(settled(base)).size());
+    EXPECT_NEAR(static_cast<double>(glided.size()), at_once, 0.1 * at_once);
+}
+
+TEST(AdaptSurface, glides_out_and_rejoins_what_is_no_longer_seen) {
+    const GarmentMesh base =
+        shaped_square(8, [](double x, double y) { return Vec3d(0.16 * std::sin(6 * x), 0.16 * std::cos(6 * x), -y); });
+    const Coarse coarse = coarse_of(base);
+    Visibility view({.eye = Vec3f(0, 5, 0)});
+    CurvedSurface surface = settled(base, {.visibility = &view});
+    const CurvedSurface start = surface;
+    float angle = 0;
+    int splits = 0, rejoins = 0;
+    for (int frame = 0; frame < 900; ++frame) {
+        angle = std::min(3.14159F, angle + 0.01F);
+        view.move_to({.eye = Vec3f(5 * std::sin(angle), 5 * std::cos(angle), 0)});
+        const CurvedSurface before = surface;
+        const AdaptReport report = adapt_surface(surface, {.visibility = &view, .glides = true});
+        update_surface(surface, coarse.x, coarse.normals);
+        splits += report.splits;
+        rejoins += report.rejoins;
+        ASSERT_LT(greatest_jump(before, surface), kMostJump) << frame;
+        ASSERT_LT(greatest_leap_of_what_went(before, surface), 1e-6F) << frame;
+    }
+    EXPECT_GT(splits, 100);
+    EXPECT_GT(rejoins, 100);
+    EXPECT_TRUE(check(surface.mesh).empty());
+}
+
+}  // namespace
+}  // namespace selvedge::test

@@ -1,0 +1,169 @@
+#include "render/surface/curved_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "sim/adaptive/check.h"
+#include "sim/body/analytic_collider.h"
+#include "tests/render/surface/fixtures.h"
+#include "tests/sim/adaptive/fixtures.h"
+
+namespace selvedge::test {
+namespace {
+
+// The mean distance from the arch's cylinder, m.
+float off_the_arch(const CurvedSurface& surface) {
+    float sum = 0;
+    for (const VertexId v : surface.mesh.leaf_vertices()) sum += std::abs(surface.x[v.value].head<2>().norm() - 0.4F);
+    return sum / static_cast<float>(surface.mesh.leaf_vertices().size());
+}
+
+TEST(CurvedSurface, has_four_times_the_triangles_with_each_level) {
+    const GarmentMesh base = shaped_square(4, on_waves);
+    for (int level = 0; level <= 3; ++level) {
+        const CurvedSurface surface = surface_at_level(base, level);
+        EXPECT_EQ(surface.mesh.leaf_triangles().size(), base.triangles.size() << (2 * level));
+        EXPECT_TRUE(check(surface.mesh).empty());
+    }
+}
+
+TEST(CurvedSurface, goes_through_the_coarse_cloths_vertices) {
+    const GarmentMesh base = shaped_square(4, on_waves);
+    const CurvedSurface surface = surface_at_level(base, 3);
+    for (std::size_t v = 0; v < base.x.size(); ++v)
+        EXPECT_EQ(Vec3f(surface.x[v].head<3>()), Vec3f(base.x[v].cast<float>()));
+}
+
+TEST(CurvedSurface, of_a_coarse_arch_is_rounder_than_its_facets) {
+    const GarmentMesh base = shaped_square(8, on_arch);
+    const float flat = off_the_arch(surface_at_level(base, 2, SurfaceKind::Flat));
+    const float curved = off_the_arch(surface_at_level(base, 2));
+    EXPECT_GT(flat, 0.001F);
+    EXPECT_LT(curved, 0.4F * flat);
+}
+
+TEST(CurvedSurface, has_each_vertex_at_the_same_place_whatever_else_is_split) {
+    const GarmentMesh base = shaped_square(4, on_waves);
+    const Coarse coarse = coarse_of(base);
+    const ByMaterial uniform = by_material(surface_at_level(base, 3));
+    std::mt19937 random(7);
+    for (int round = 0; round < 20; ++round) {
+        CurvedSurface surface = make_curved_surface(base, {.max_level = 3});
+        SurfaceObserver observer(surface, SurfaceObserver::Entrance::Curve);
+        for (int i = 0; i < 5; ++i)
+            adapt(surface.mesh, observer, {},
+                  RandomCriterion{.random = random, .split_share = 0.3, .rejoin_share = 0.2});
+        plan_surface(surface);
+        move_surface(surface, coarse.x, coarse.normals);
+        ASSERT_GT(surface.mesh.leaf_triangles().size(), base.triangles.size());
+        for (const auto& [material, x] : by_material(surface)) {
+            ASSERT_TRUE(uniform.contains(material));
+            EXPECT_EQ(x, uniform.at(material));
+        }
+    }
+}
+
+TEST(CurvedSurface, has_new_vertices_on_their_curves_while_an_adaption_is_under_way) {
+    const GarmentMesh base = shaped_square(4, on_waves);
+    CurvedSurface surface = make_curved_surface(base, {.max_level = 2});
+    const Coarse coarse = coarse_of(base);
+    update_surface(surface, coarse.x, coarse.normals);
+    set_surface_level(surface, 2);
+    const std::vector<Vec4f> at_once = surface.x;
+    move_surface(surface, coarse.x, coarse.normals);
+    for (const VertexId v : surface.mesh.leaf_vertices())
+        EXPECT_LT((surface.x[v.value] - at_once[v.value]).norm(), 1e-6F);
+}
+
+TEST(CurvedSurface, comes_back_bit_by_bit_when_it_is_coarsened_and_refined_again) {
+    const GarmentMesh base = shaped_square(4, on_waves);
+    CurvedSurface surface = surface_at_level(base, 3);
+    const Coarse coarse = coarse_of(base);
+    const ByMaterial before = by_material(surface);
+    set_surface_level(surface, 1);
+    update_surface(surface, coarse.x, coarse.normals);
+    EXPECT_LT(by_material(surface).size(), before.size());
+    set_surface_level(surface, 3);
+    update_surface(surface, coarse.x, coarse.normals);
+    EXPECT_EQ(by_material(surface), before);
+}
+
+TEST(CurvedSurface, moves_with_the_cloth) {
+    const GarmentMesh base = shaped_square(4, on_waves);
+    CurvedSurface surface = surface_at_level(base, 2);
+    const std::vector<Vec4f> before = surface.x;
+    Coarse coarse = coarse_of(base);
+    const Vec4f shift(0.25F, -0.5F, 1, 0);
+    for (Vec4f& x : coarse.x) x += shift;
+    update_surface(surface, coarse.x, coarse.normals);
+    for (const VertexId v : surface.mesh.leaf_vertices())
+        EXPECT_LT((surface.x[v.value] - before[v.value] - shift).norm(), 1e-5F);
+}
+
+TEST(CurvedSurface, closes_over_a_seam_where_material_coordinates_jump) {
+    const GarmentMesh base = tube(6, 3);
+    const CurvedSurface surface = surface_at_level(base, 2);
+    // At the seam two material points share each vertex: their positions are one.
+    std::map<std::uint32_t, std::pair<float, float>> range;  // of u along the tube's girth, by vertex
+    for (const LeafTriangle& t : surface.mesh.leaf_triangles()) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            auto [found, is_new] = range.try_emplace(t.v[k].value, t.u[k].x(), t.u[k].x());
+            found->second.first = std::min(found->second.first, t.u[k].x());
+            found->second.second = std::max(found->second.second, t.u[k].x());
+        }
+    }
+    const auto jumps = std::count_if(range.begin(), range.end(),
+                                     [](const auto& at) { return at.second.second - at.second.first > 0.5F; });
+    EXPECT_EQ(jumps, 3 * 4 + 1);
+    EXPECT_TRUE(check(surface.mesh).empty());
+}
+
+TEST(CurvedSurface, is_lit_by_the_normals_of_its_triangles) {
+    const CurvedSurface surface = surface_at_level(shaped_square(4, on_waves), 3);
+    std::vector<Vec4f> made_anew;
+    leaf_normals(surface.mesh, surface.x, made_anew);
+    float most = 0;
+    for (const VertexId v : surface.mesh.leaf_vertices()) {
+        EXPECT_NEAR(surface.light_normals[v.value].norm(), 1, 1e-5F);
+        EXPECT_EQ(surface.light_normals[v.value], made_anew[v.value]);
+        most = std::max(most, (surface.light_normals[v.value] - surface.normals[v.value]).norm());
+    }
+    EXPECT_GT(most, 0.02F);  // interpolated ones hide something
+}
+
+TEST(CurvedSurface, does_not_dip_into_the_body_that_the_cloth_lies_on) {
+    constexpr float radius = 0.15F, offset = 0.003F;
+    const SphereCollider ball(Vec3f::Zero(), radius);
+    // A cap whose coarse vertices lie on the offset surface: flat chords dip deep.
+    const GarmentMesh base = shaped_square(4, [&](double x, double y) {
+        return Vec3d(Vec3d(0.7 * x, 0.4, -0.7 * y).normalized() * double(radius + offset));
+    });
+    const auto deepest = [&](const MoveOptions& options) {
+        CurvedSurface surface =
+            make_curved_surface(base, {.modifier = curve_modifier(SurfaceKind::Flat), .max_level = 3});
+        const Coarse coarse = coarse_of(base);
+        set_surface_level(surface, 3);
+        update_surface(surface, coarse.x, coarse.normals, options);
+        float least = 1;
+        for (const VertexId v : surface.mesh.leaf_vertices())
+            least = std::min(least, surface.x[v.value].norm() - radius);
+        return least;
+    };
+    EXPECT_LT(deepest({}), 0);
+    EXPECT_GT(deepest({.body = &ball, .offset = offset}), offset - 1e-4F);
+}
+
+TEST(CurvedSurface, far_from_the_body_is_left_alone) {
+    const SphereCollider ball(Vec3f(0, -2, 0), 0.2F);
+    const GarmentMesh base = shaped_square(4, on_waves);
+    CurvedSurface surface = surface_at_level(base, 2);
+    const std::vector<Vec4f> before = surface.x;
+    const Coarse coarse = coarse_of(base);
+    update_surface(surface, coarse.x, coarse.normals, {.body = &ball});
+    EXPECT_EQ(surface.x, before);
+}
+
+}  // namespace
+}  // namespace selvedge::test

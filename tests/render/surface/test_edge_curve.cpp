@@ -1,0 +1,143 @@
+#include "render/surface/edge_curve.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace selvedge {
+namespace {
+
+// An edge along x whose end normals lean outwards by the angle: an arch.
+CurveEnds arch(float angle, float r = 1) {
+    const float s = std::sin(angle), c = std::cos(angle);
+    return {.a = Vec4f(0, 0, 0, 0),
+            .b = Vec4f(1, 0, 0, 0),
+            .normal_a = Vec4f(-s, c, 0, 0),
+            .normal_b = Vec4f(s, c, 0, 0),
+            .rest_length = r};
+}
+
+float arc_length(const EdgeCurve& curve) {
+    const CurveWeights weights(9);
+    float length = 0;
+    for (std::size_t i = 0; i < weights.steps(); ++i)
+        length += (weights.point(curve, i + 1) - weights.point(curve, i)).norm();
+    return length;
+}
+
+Vec4f bezier(const CurveEnds& ends, float t) {
+    const Vec4f d = ends.b - ends.a;
+    const Vec4f p1 = (2 * ends.a + ends.b - d.dot(ends.normal_a) * ends.normal_a) / 3;
+    const Vec4f p2 = (ends.a + 2 * ends.b + d.dot(ends.normal_b) * ends.normal_b) / 3;
+    const float s = 1 - t;
+    return s * s * s * ends.a + 3 * s * s * t * p1 + 3 * s * t * t * p2 + t * t * t * ends.b;
+}
+
+TEST(CurveWeights, are_those_of_the_thesis_table_6_1) {
+    const CurveWeights weights(3);
+    const std::array<std::array<float, 4>, 5> table{{{1024, 0, 0, 0},
+                                                     {455, 819, -315, 65},
+                                                     {120, 1080, -216, 40},
+                                                     {-35, 945, 135, -21},
+                                                     {-64, 576, 576, -64}}};  // of 1024
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            EXPECT_EQ(weights.points(i)[static_cast<int>(k)], table[i][k] / 1024) << i << " " << k;
+            EXPECT_EQ(weights.points(8 - i)[static_cast<int>(3 - k)], table[i][k] / 1024) << i << " " << k;
+        }
+    }
+}
+
+TEST(CurveWeights, sum_to_one_at_any_level) {
+    for (const int level : {0, 1, 4, 7}) {
+        const CurveWeights weights(level);
+        EXPECT_EQ(weights.steps(), std::size_t{1} << level);
+        for (std::size_t i = 0; i <= weights.steps(); ++i) EXPECT_NEAR(weights.points(i).sum(), 1, 1e-6F);
+    }
+}
+
+TEST(EdgeCurve, unmodified_is_the_curve_of_a_pn_triangle) {
+    CurveEnds ends = arch(0.5F);
+    ends.normal_b = Vec4f(0.2F, 0.7F, 0.4F, 0).normalized();
+    const EdgeCurve curve = make_edge_curve(ends, curve_modifier(SurfaceKind::Constant));
+    const CurveWeights weights(4);
+    for (std::size_t i = 0; i <= 16; ++i) {
+        const float t = static_cast<float>(i) / 16;
+        EXPECT_LT((weights.point(curve, i) - bezier(ends, t)).norm(), 1e-6F) << t;
+    }
+}
+
+TEST(EdgeCurve, flat_is_its_chord_and_every_curve_starts_and_ends_at_the_ends) {
+    const CurveWeights weights(3);
+    for (int k = 0; k < kSurfaceKinds; ++k) {
+        const CurveEnds ends = arch(0.4F, 1.08F);
+        const EdgeCurve curve = make_edge_curve(ends, curve_modifier(static_cast<SurfaceKind>(k)));
+        EXPECT_EQ(weights.point(curve, 0), ends.a);
+        EXPECT_EQ(weights.point(curve, 8), ends.b);
+        const float height = weights.point(curve, 4).y();
+        if (static_cast<SurfaceKind>(k) == SurfaceKind::Flat) {
+            EXPECT_EQ(height, 0);
+        } else {
+            EXPECT_GT(height, 0.05F);
+        }
+    }
+}
+
+TEST(EdgeCurve, the_shorter_an_edge_is_of_its_material_the_further_the_higher_powers_bend_it) {
+    const CurveWeights weights(1);
+    const auto height = [&](SurfaceKind kind, float r) {
+        return weights.point(make_edge_curve(arch(0.3F, r), curve_modifier(kind)), 1).y();
+    };
+    EXPECT_EQ(height(SurfaceKind::Constant, 1.2F), height(SurfaceKind::Constant, 0.9F));
+    EXPECT_LT(height(SurfaceKind::Linear, 1.2F), height(SurfaceKind::Quadratic, 1.2F));
+    EXPECT_LT(height(SurfaceKind::Quadratic, 1.2F), height(SurfaceKind::Cubic, 1.2F));
+    EXPECT_GT(height(SurfaceKind::Linear, 0.9F), height(SurfaceKind::Cubic, 0.9F));
+}
+
+TEST(EdgeCurve, arc_over_chord_is_that_of_the_curve) {
+    for (const float degrees : {0.0F, 5.0F, 20.0F, 45.0F}) {
+        const CurveEnds ends = arch(degrees * std::numbers::pi_v<float> / 180);
+        const Vec4f d = ends.b - ends.a;
+        const float arc =
+            arc_over_chord(d, -d.dot(ends.normal_a) * ends.normal_a, d.dot(ends.normal_b) * ends.normal_b);
+        EXPECT_NEAR(arc, arc_length(make_edge_curve(ends, curve_modifier(SurfaceKind::Constant))), 2e-3F) << degrees;
+    }
+}
+
+TEST(EdgeCurve, quadratic_restores_too_little_of_a_30_degree_arch_a_quarter_short) {
+    const EdgeCurve curve =
+        make_edge_curve(arch(std::numbers::pi_v<float> / 6, 1.25F), {.k = {0, 0, 1, 0}, .soft_cap = 1});
+    EXPECT_NEAR(arc_length(curve), 1.063F, 0.005F);
+}
+
+TEST(EdgeCurve, restoring_makes_the_curve_as_long_as_the_material) {
+    for (float degrees = 10; degrees <= 45; degrees += 5) {
+        for (float r = 1; r <= 1.1F; r += 0.02F) {
+            const CurveEnds ends = arch(degrees * std::numbers::pi_v<float> / 180, r);
+            const float length = arc_length(make_edge_curve(ends, curve_modifier(SurfaceKind::Restore)));
+            EXPECT_NEAR(length, r, 0.015F) << degrees << " degrees, r " << r;
+        }
+    }
+}
+
+TEST(EdgeCurve, in_the_middle_of_an_arch_the_normal_stands_straight_up) {
+    const EdgeCurve curve = make_edge_curve(arch(0.4F), {});
+    const Vec4f middle = CurveWeights(1).normal(curve, 1);
+    EXPECT_NEAR(middle.y(), 1, 1e-6F);
+    EXPECT_NEAR(middle.norm(), 1, 1e-6F);
+}
+
+TEST(EdgeCurve, an_edge_without_length_is_a_point) {
+    CurveEnds ends = arch(0.4F);
+    ends.b = ends.a;
+    for (int k = 0; k < kSurfaceKinds; ++k) {
+        const EdgeCurve curve = make_edge_curve(ends, curve_modifier(static_cast<SurfaceKind>(k)));
+        const CurveWeights weights(3);
+        EXPECT_TRUE(weights.point(curve, 3).isZero());
+        EXPECT_NEAR(weights.normal(curve, 3).norm(), 1, 1e-6F);
+    }
+}
+
+}  // namespace
+}  // namespace selvedge
