@@ -1,4 +1,4 @@
-// selvedge bench thesis: the tables and figures of the thesis' chapters 3 and 4, measured here.
+// selvedge bench thesis: the tables and figures of the thesis' chapters 3, 4 and 6, measured here.
 #include <unistd.h>
 
 #include <algorithm>
@@ -130,7 +130,7 @@ int run(const ThesisArguments& arguments) {
     check_json_output(arguments.json);
     Run run(arguments);
     for (const Experiment& experiment : thesis_experiments()) {
-        if (run.wants(experiment) && experiment.makes_pictures_only) check_can_draw();
+        if (run.wants(experiment) && (experiment.makes_pictures_only || experiment.draws)) check_can_draw();
     }
     for (const Experiment& experiment : thesis_experiments()) {
         if (run.wants(experiment)) run.measure(experiment);
@@ -148,7 +148,7 @@ void add_bench_thesis(CLI::App& bench, int& exit_code) {
     command->add_option("--figure", arguments->figures, "Only these figures, such as 3.25 (default: all)");
     command
         ->add_option("--out", arguments->folder,
-                     "Write figures here: series as CSV and plot, pictures (3.23, 3.24) as PNG")
+                     "Write figures here: series as CSV and plot, pictures (3.23, 3.24, 6.2, 6.3, 6.6) as PNG")
         ->type_name("DIR");
     command->add_flag("--quick", arguments->options.is_quick, "Tiny sizes, one run: does all work? Times mean nothing");
     add_json_option(*command, arguments->json);

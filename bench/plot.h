@@ -13,7 +13,7 @@ struct Figure {
     std::string y_label;
     bool is_plotted = true;       // else the series is for reading alone
     bool is_logarithmic = false;  // both axes
-    std::string right_column;     // drawn against an axis of its own, on the right; empty: none
+    std::string right_column{};   // drawn against an axis of its own, on the right; empty: none
 };
 
 // The columns' names, then a row per line; numbers with the digits that are printed, text quoted where it must be.

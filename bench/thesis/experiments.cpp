@@ -12,7 +12,11 @@ std::vector<Experiment> thesis_experiments() {
             {{}, {"3.9"}, measure_tie_breakers},
             {{}, {"3.23", "3.24"}, measure_drop_captures, true},
             {{}, {"3.25", "3.26", "3.27", "3.28", "3.29", "3.30"}, measure_drop_timings},
-            {{"4.1"}, {}, measure_point_search}};
+            {{"4.1"}, {}, measure_point_search},
+            {{"6.2", "6.3"}, {"6.2", "6.3"}, measure_curved_surface, false, true},
+            {{"6.2-distance"}, {}, measure_surface_distance},
+            {{}, {"6.4", "6.5"}, measure_curve_modifiers},
+            {{}, {"6.6"}, measure_surface_lighting, true}};
 }
 
 }  // namespace selvedge

@@ -13,7 +13,7 @@
 namespace selvedge {
 namespace {
 
-constexpr double kSquareSide = 1.0;                  // m
+constexpr double kSquareSide = 0.5;                  // m: its edges are 5 cm, as garments have them
 constexpr double kPinnedWidth = 0.8;                 // of the side, between the pinned corners
 constexpr double kFlagWidth = 1.2, kFlagDrop = 0.8;  // m
 constexpr int kStepsPerFrame = 4;

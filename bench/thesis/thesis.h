@@ -1,5 +1,5 @@
 #pragma once
-// The experiments of the thesis' chapters 3 and 4 (SPEC 1.5, 3.3), under the thesis' own table and figure numbers.
+// The experiments of the thesis' chapters 3, 4 and 6 (SPEC 1.5, 3.3, 5), under the thesis' own table and figure numbers.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -32,6 +32,7 @@ struct Experiment {
     std::vector<std::string> figures;
     ThesisResult (*measure)(const ThesisOptions&);
     bool makes_pictures_only = false;
+    bool draws = false;  // needs a way to draw
 };
 
 std::vector<Experiment> thesis_experiments();
@@ -47,5 +48,9 @@ ThesisResult measure_tie_breakers(const ThesisOptions& options);
 ThesisResult measure_drop_captures(const ThesisOptions& options);
 ThesisResult measure_drop_timings(const ThesisOptions& options);
 ThesisResult measure_point_search(const ThesisOptions& options);
+ThesisResult measure_curved_surface(const ThesisOptions& options);
+ThesisResult measure_surface_distance(const ThesisOptions& options);
+ThesisResult measure_curve_modifiers(const ThesisOptions& options);
+ThesisResult measure_surface_lighting(const ThesisOptions& options);
 
 }  // namespace selvedge

@@ -28,20 +28,14 @@ struct Wish {
     BucklingCriterion<Vec4f> buckling;
     LengthCriterion<Vec4f> length;
 
-    template <class Edge>
-    bool wants_split(const AdaptiveMesh& mesh, const Edge& e) const {
-        return (on.curvature && curvature.wants_split(mesh, e)) ||
-               (on.buckling && buckling.wants_split(mesh, id_of(e))) ||
-               (on.length && length.wants_split(mesh, id_of(e)));
+    bool wants_split(const AdaptiveMesh& mesh, EdgeId e) const {
+        return (on.curvature && curvature.wants_split(mesh, e)) || (on.buckling && buckling.wants_split(mesh, e)) ||
+               (on.length && length.wants_split(mesh, e));
     }
     bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId e) const {
         return (!on.curvature || curvature.allows_rejoin(mesh, e)) &&
                (!on.buckling || buckling.allows_rejoin(mesh, e)) && (!on.length || length.allows_rejoin(mesh, e));
     }
-
- private:
-    static EdgeId id_of(EdgeId e) { return e; }
-    static EdgeId id_of(const LeafEdge& e) { return e.edge; }
 };
 
 // What is turned away, and what is too short, is not to be split.
@@ -80,10 +74,10 @@ struct HoldUntilArrival {
 template <class Criterion>
 void note_leaving(CurvedSurface& surface, int max_level, const CoarseVeto& veto, const Criterion& criterion) {
     const AdaptiveMesh& mesh = surface.mesh;
-    const auto is_to_go = [&](EdgeId e) {
-        if (!mesh.has_leaf_children(e) || !mesh.may_rejoin(e)) return false;
-        return mesh.level(e) >= max_level || veto.vetoes(mesh, e) || criterion.allows_rejoin(mesh, e);
+    const auto is_asked_to = [&](EdgeId e) {
+        return mesh.level(e) >= max_level || criterion.allows_rejoin(mesh, e) || veto.vetoes(mesh, e);
     };
+    const auto is_to_go = [&](EdgeId e) { return is_asked_to(e) && mesh.has_leaf_children(e) && mesh.may_rejoin(e); };
     for (int level = 0; level < mesh.max_level(); ++level) {
         for (const EdgeId e : mesh.split_edges(level)) surface.is_leaving[mesh.centre(e).value] = is_to_go(e);
     }

@@ -64,7 +64,7 @@ CurveWeights::CurveWeights(int max_level) {
     for (int i = 0; i <= steps; ++i) {
         const double t = static_cast<double>(i) / steps;
         points_.push_back(lagrange_weights(t));
-        normals_.push_back(Eigen::Vector4d((1 - t) * (1 - t), 2 * t * (1 - t), t * t, 0).cast<float>());
+        normals_.push_back(Eigen::Vector4d((1 - t) * (1 - t), t * (1 - t), t * t, 0).cast<float>());
     }
 }
 

@@ -21,7 +21,7 @@ struct CurveEnds {
 
 struct EdgeCurve {
     Vec4f a, l1, l2, b;                        // m
-    Vec4f normal_a, normal_between, normal_b;  // control normals of a quadratic; the middle one is unit too
+    Vec4f normal_a, normal_between, normal_b;  // of a quadratic; unit
 };
 
 EdgeCurve make_edge_curve(const CurveEnds& ends, const CurveModifier& modifier);
@@ -34,7 +34,8 @@ float arc_over_chord(const Vec4f& chord, const Vec4f& va, const Vec4f& vb);
 // mirrored at the plane that halves the edge.  (Vlachos et al. 2001, 3.3)
 Vec4f normal_between(const CurveEnds& ends);
 
-// Weights of a curve's points and of its normals at t = i / 2^max_level.  (thesis table 6.1)
+// Weights of a curve's points and of its normals at t = i / 2^max_level.  (thesis table 6.1; Vlachos et al. 2001, whose
+// normals have no factor 2 in the middle: with it they are noisier, and no nearer to anything)
 class CurveWeights {
  public:
     explicit CurveWeights(int max_level);

@@ -19,6 +19,7 @@ Visibility::Visibility(const ViewPoint& view, const BackFaceOptions& options)
 }
 
 void Visibility::start(const AdaptiveMesh& mesh) {
+    vertex_seen_.resize(mesh.vertex_capacity());
     leaf_seen_.assign(mesh.triangles().capacity(), 0);
     seen_levels_.assign(mesh.vertex_capacity(), 0);
 }
@@ -27,11 +28,8 @@ float Visibility::facing(const Vec3f& at, const Vec3f& normal) const {
     return normal.dot(view_.is_orthographic ? view_.eye : Vec3f((view_.eye - at).normalized()));
 }
 
-Visibility::Seen Visibility::seen(const std::array<Vec3f, 3>& x, const std::array<Vec3f, 3>& normals) const {
-    const Vec3f plane = (x[1] - x[0]).cross(x[2] - x[0]).normalized();
-    float most = facing((x[0] + x[1] + x[2]) / 3.0F, plane);
-    for (std::size_t k = 0; k < 3; ++k) most = std::max(most, facing(x[k], normals[k]));
-    return static_cast<Seen>((most > least_facing_split_ ? 1 : 0) | (most > least_facing_rejoin_ ? 2 : 0));
+Visibility::Seen Visibility::seen_plane(const std::array<Vec3f, 3>& x) const {
+    return seen(facing((x[0] + x[1] + x[2]) / 3.0F, (x[1] - x[0]).cross(x[2] - x[0]).normalized()));
 }
 
 void Visibility::pass_up(const AdaptiveMesh& mesh) {

@@ -36,10 +36,14 @@ class Visibility {
     template <class Position, class Normal>
     void look(const AdaptiveMesh& mesh, const std::vector<Position>& x, const std::vector<Normal>& normals) {
         start(mesh);
+        const auto at = [&](VertexId v) { return Vec3f(x[v.value].template head<3>()); };
+        for (const VertexId v : mesh.leaf_vertices())
+            vertex_seen_[v.value] = seen(facing(at(v), normals[v.value].template head<3>()));
         for (const LeafTriangle& leaf : mesh.leaf_triangles()) {
-            const auto at = [&](std::size_t k) { return Vec3f(x[leaf.v[k].value].template head<3>()); };
-            const auto normal = [&](std::size_t k) { return Vec3f(normals[leaf.v[k].value].template head<3>()); };
-            mark_leaf(leaf, seen({at(0), at(1), at(2)}, {normal(0), normal(1), normal(2)}));
+            Seen how = 0;
+            for (const VertexId v : leaf.v) how |= vertex_seen_[v.value];
+            if (how != kWhollySeen) how |= seen_plane({at(leaf.v[0]), at(leaf.v[1]), at(leaf.v[2])});
+            mark_leaf(leaf, how);
         }
         pass_up(mesh);
     }
@@ -56,9 +60,13 @@ class Visibility {
  private:
     // Bit 0: seen, or within the split margin; bit 1: within the rejoin margin.
     using Seen = std::uint8_t;
+    static constexpr Seen kWhollySeen = 3;
 
     void start(const AdaptiveMesh& mesh);
-    Seen seen(const std::array<Vec3f, 3>& x, const std::array<Vec3f, 3>& normals) const;
+    Seen seen(float facing) const {
+        return static_cast<Seen>((facing > least_facing_split_ ? 1 : 0) | (facing > least_facing_rejoin_ ? 2 : 0));
+    }
+    Seen seen_plane(const std::array<Vec3f, 3>& x) const;
     float facing(const Vec3f& at, const Vec3f& normal) const;
     void pass_up(const AdaptiveMesh& mesh);
     void mark_leaf(const LeafTriangle& leaf, Seen how);
@@ -67,7 +75,8 @@ class Visibility {
     ViewPoint view_;
     float least_facing_split_;  // cosine between normal and direction to the viewer
     float least_facing_rejoin_;
-    std::vector<Seen> leaf_seen_;  // by triangle id, parents too
+    std::vector<Seen> vertex_seen_;  // by vertex id
+    std::vector<Seen> leaf_seen_;    // by triangle id, parents too
     // By vertex id: bit l is set when a triangle of level l at this vertex is seen, or a leaf above level l; the same
     // for the rejoin margin 16 bits higher.
     std::vector<std::uint32_t> seen_levels_;
