@@ -38,7 +38,8 @@ TEST(Thesis, no_name_is_promised_twice_and_none_of_the_thesis_is_missing) {
         for (const std::string& name : experiment.figures) EXPECT_TRUE(figures.insert(name).second) << name;
     }
     for (int i = 1; i <= 14; ++i) EXPECT_TRUE(tables.contains("3." + std::to_string(i))) << i;
-    EXPECT_TRUE(tables.contains("4.1"));
+    for (const char* name : {"4.1", "6.2", "6.3"}) EXPECT_TRUE(tables.contains(name)) << name;
+    for (const char* name : {"6.4", "6.5", "6.6"}) EXPECT_TRUE(figures.contains(name)) << name;
     EXPECT_TRUE(figures.contains("3.9"));
     for (int i = 21; i <= 30; ++i) EXPECT_TRUE(figures.contains("3." + std::to_string(i))) << i;
 }
@@ -215,6 +216,51 @@ TEST(Thesis, grid_and_octree_hold_the_same_points_and_all_of_them_when_they_fill
         if (row > 0) {
             EXPECT_LT(number(table, row, 1), number(table, row - 1, 1));
         }
+    }
+}
+
+TEST(Thesis, curved_surfaces_are_drawn_at_four_levels_and_adaptively_and_no_vertex_jumps) {
+    const ThesisResult result = measure_curved_surface(kQuick);
+    EXPECT_EQ(table_names(result), (std::set<std::string>{"6.2", "6.3"}));
+    for (const Table& table : result.tables) {
+        ASSERT_EQ(table.rows.size(), 7U);
+        const double base = number(table, 0, 1);
+        EXPECT_NEAR(base, 250, 5) << table.name;
+        for (std::size_t level = 1; level < 4; ++level)
+            EXPECT_EQ(number(table, level, 1), base * static_cast<double>(1 << (2 * level))) << table.name;
+        for (const std::size_t adaptive : {4U, 5U}) {
+            EXPECT_GE(number(table, adaptive, 1), base) << table.name;
+            EXPECT_LT(number(table, adaptive, 1), base * 64) << table.name;
+            EXPECT_LT(number(table, adaptive, 6), 0.5) << table.name;
+        }
+    }
+    for (const Capture& capture : result.captures) EXPECT_EQ(capture.image.width_px, 3 * 96 + 2 * 4);
+}
+
+TEST(Thesis, of_two_pictures_of_one_surface_that_with_normals_of_its_triangles_differs) {
+    const ThesisResult result = measure_surface_lighting(kQuick);
+    const Image& pair = result.captures.front().image;
+    int differ = 0;
+    for (int y = 0; y < 96; ++y)
+        for (int x = 0; x < 96; ++x) differ += pair.at(x, y) != pair.at(x + 100, y) ? 1 : 0;
+    EXPECT_GT(differ, 500);
+}
+
+TEST(Thesis, a_surface_through_sampled_points_is_nearer_to_the_fine_cloth_when_it_is_curved) {
+    const Table table = measure_surface_distance(kQuick).tables.front();
+    ASSERT_EQ(table.rows.size(), 6U);
+    const double flat = number(table, 0, 1);
+    for (std::size_t kind = 1; kind < 6; ++kind) EXPECT_LT(number(table, kind, 1), flat);
+}
+
+TEST(Thesis, a_modifier_bends_more_the_shorter_an_edge_is) {
+    const ThesisResult result = measure_curve_modifiers(kQuick);
+    const Table& m = result.figures.front().series;
+    ASSERT_EQ(m.rows.size(), 81U);
+    for (std::size_t i = 1; i < m.rows.size(); ++i) {
+        EXPECT_EQ(number(m, i, 1), 0);
+        EXPECT_EQ(number(m, i, 2), 1);
+        for (std::size_t kind = 3; kind <= 6; ++kind) EXPECT_GE(number(m, i, kind), number(m, i - 1, kind));
     }
 }
 
