@@ -1,5 +1,7 @@
 #include "render/surface/adapt_surface.h"
 
+#include <cmath>
+
 #include "sim/adaptive/foresight.h"
 
 namespace selvedge {
@@ -24,17 +26,28 @@ struct Observer : SurfaceObserver {
 // All that ask for finer triangles, each with its switch, as one: so that foresight serves them all.
 struct Wish {
     const SurfaceCriteria& on;
+    const CurvedSurface& surface;
     CurvatureCriterion<Vec4f> curvature;
     BucklingCriterion<Vec4f> buckling;
     LengthCriterion<Vec4f> length;
 
     bool wants_split(const AdaptiveMesh& mesh, EdgeId e) const {
-        return (on.curvature && curvature.wants_split(mesh, e)) || (on.buckling && buckling.wants_split(mesh, e)) ||
-               (on.length && length.wants_split(mesh, e));
+        const bool asks = (on.curvature && curvature.wants_split(mesh, e)) ||
+                          (on.buckling && buckling.wants_split(mesh, e)) || (on.length && length.wants_split(mesh, e));
+        return asks && bulge(mesh.edge(e)) > on.least_bulge;
     }
     bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId e) const {
-        return (!on.curvature || curvature.allows_rejoin(mesh, e)) &&
-               (!on.buckling || buckling.allows_rejoin(mesh, e)) && (!on.length || length.allows_rejoin(mesh, e));
+        const bool agrees = (!on.curvature || curvature.allows_rejoin(mesh, e)) &&
+                            (!on.buckling || buckling.allows_rejoin(mesh, e)) &&
+                            (!on.length || length.allows_rejoin(mesh, e));
+        return agrees || bulge(mesh.edge(e)) < 0.5F * on.least_bulge;
+    }
+
+    // At most what the middle of a curve with M = 1 leaves its chord by, m.
+    float bulge(const AdaptiveEdge& e) const {
+        const auto [a, b] = e.ends;
+        const Vec4f d = surface.x[b.value] - surface.x[a.value];
+        return (std::abs(d.dot(surface.normals[a.value])) + std::abs(d.dot(surface.normals[b.value]))) / 8;
     }
 };
 
@@ -99,7 +112,7 @@ AdaptReport adapt_with(CurvedSurface& surface, const AdaptSurfaceOptions& option
 AdaptReport adapt_surface(CurvedSurface& surface, const AdaptSurfaceOptions& options) {
     const SurfaceCriteria& on = options.criteria;
     if (options.visibility != nullptr) options.visibility->look(surface.mesh, surface.x, surface.normals);
-    const Wish wish{on, CurvatureCriterion(surface.normals, on.curvature_angles),
+    const Wish wish{on, surface, CurvatureCriterion(surface.normals, on.curvature_angles),
                     BucklingCriterion<Vec4f>(surface.x, on.buckling_ratios),
                     LengthCriterion<Vec4f>(surface.x, on.compressions)};
     const CoarseVeto veto{options.visibility, on.shortest_edge};

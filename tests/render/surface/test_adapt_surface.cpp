@@ -47,11 +47,15 @@ TEST(AdaptSurface, refines_what_is_bent_and_keeps_what_is_flat) {
 }
 
 TEST(AdaptSurface, refines_edges_that_are_shorter_than_their_material) {
-    const GarmentMesh base = shaped_square(4, [](double x, double y) { return Vec3d(0.9 * x, 0, -y); });
+    // Too flat for the curvature criterion, a tenth too short.
+    const GarmentMesh base =
+        shaped_square(4, [](double x, double y) { return Vec3d(0.9 * x, 0.15 * (0.25 - x * x - y * y), -0.9 * y); });
     const SurfaceCriteria only_buckling{.curvature = false, .buckling = true};
     const SurfaceCriteria none{.curvature = false, .buckling = false};
     EXPECT_GT(triangles(settled(base, {.criteria = only_buckling})), 8 * base.triangles.size());
+    const SurfaceCriteria only_curvature{.curvature = true, .buckling = false};
     EXPECT_EQ(triangles(settled(base, {.criteria = none})), base.triangles.size());
+    EXPECT_EQ(triangles(settled(base, {.criteria = only_curvature})), base.triangles.size());
 }
 
 TEST(AdaptSurface, keeps_what_is_turned_away_coarse) {
@@ -69,6 +73,15 @@ TEST(AdaptSurface, keeps_what_is_turned_away_coarse) {
         });
     };
     EXPECT_EQ(fine_on_top(seen), fine_on_top(all));
+}
+
+TEST(AdaptSurface, splits_no_edge_whose_curve_hardly_leaves_its_chord) {
+    const GarmentMesh base = shaped_square(4, on_waves);
+    const std::size_t fine = triangles(settled(base)),
+                      coarse = triangles(settled(base, {.criteria = {.least_bulge = 0.004F}}));
+    EXPECT_LT(2 * coarse, fine);
+    EXPECT_GT(coarse, base.triangles.size());
+    EXPECT_EQ(triangles(settled(base, {.criteria = {.least_bulge = 1}})), base.triangles.size());
 }
 
 TEST(AdaptSurface, never_splits_below_the_shortest_edge) {
