@@ -45,12 +45,21 @@ struct Sett {
 
 inline constexpr int kMaxSettThreads = 4096;
 
-int thread_count(const Sett& sett);
-double repeat_size(const Sett& sett);                // m
-std::vector<Rgb8> thread_colours(const Sett& sett);  // one per thread of a repeat
+// The stripes that the weft lays down: its own, or those of the warp where it has none.
+const std::vector<SettStripe>& weft_stripes(const Sett& sett);
 
-// The same stripes in a repeat of `size` m. Counts give proportions: they are multiplied by the whole number that
-// brings the threads nearest to the sett's spacing, and the spacing takes up the rest. Pre: size > 0.
+// Warp and weft may differ in their threads per repeat, and so in the size of it. The threads of the warp lie side by
+// side along the weft, so the warp's repeat is measured along the weft, and the weft's along the warp.
+int thread_count(const Sett& sett);  // of the warp's repeat
+int weft_thread_count(const Sett& sett);
+double repeat_size(const Sett& sett);                     // m, of the warp
+double weft_repeat_size(const Sett& sett);                // m
+std::vector<Rgb8> thread_colours(const Sett& sett);       // one per thread of the warp's repeat
+std::vector<Rgb8> weft_thread_colours(const Sett& sett);  // one per thread of the weft's repeat
+
+// The same stripes in a repeat of the warp of `size` m; the weft's keeps its proportion to it. Counts give
+// proportions: they are multiplied by the whole number that brings the threads nearest to the sett's spacing, and the
+// spacing takes up the rest. Pre: size > 0.
 Sett with_repeat_size(Sett sett, double size);
 
 // The usual letters (K black, B blue, ...). A tartan's own palette goes before them, since letters are not unique.
