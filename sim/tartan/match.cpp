@@ -7,11 +7,13 @@
 #include <numeric>
 
 #include "sim/core/assert.h"
+#include "sim/core/error.h"
 #include "sim/pattern/seam_name.h"
 #include "sim/tartan/best_shift.h"
 #include "sim/tartan/offset_graph.h"
 #include "sim/tartan/seam_course.h"
 #include "sim/tartan/sett_repeat.h"
+#include "sim/tartan/tartan_file.h"
 
 namespace selvedge {
 namespace {
@@ -266,6 +268,19 @@ class FamilyMatch {
 };
 
 }  // namespace
+
+bool is_sett_of(const MatchedSett& matched, const Sett& sett) {
+    const auto is_near = [](double a, double b) { return std::abs(a - b) < 1e-4; };
+    if (!is_near(matched.repeat.x(), repeat_size(sett)) || !is_near(matched.repeat.y(), weft_repeat_size(sett))) {
+        return false;
+    }
+    try {
+        const Sett same = with_repeat_size(find_tartan(matched.tartan), matched.repeat.x());
+        return thread_colours(same) == thread_colours(sett) && weft_thread_colours(same) == weft_thread_colours(sett);
+    } catch (const InputError&) {
+        return false;  // a tartan that does not ship here
+    }
+}
 
 SettMatch match_sett(const Pattern& pattern, const Sett& sett, const MatchOptions& options) {
     const std::array<StripeRepeat, 2> repeats{warp_repeat(sett), weft_repeat(sett)};

@@ -23,7 +23,7 @@ struct MatchOptions {
 };
 
 // The mismatch at a point of a seam is the distance, across the stripes, from where a stripe arrives to the nearest
-// place of the sett that goes on with it, at most half a repeat. Points lie at most 4 mm apart; those count where
+// place of the sett that goes on with it, at most half a repeat. Points lie a millimetre apart; those count where
 // stripes cross the seam at 15 degrees or more, the worse family counts.
 struct SeamMatch {
     int seam = 0;  // index into Pattern::seams
@@ -45,5 +45,8 @@ struct SettMatch {
 // Pre: the pattern's indices are in range, and so are those of the options. Offsets of the pattern that are not finite
 // count as 0.
 SettMatch match_sett(const Pattern& pattern, const Sett& sett, const MatchOptions& options = {});
+
+// Whether offsets that were found for `matched` serve a cloth in this sett: the same colours in the same places.
+bool is_sett_of(const MatchedSett& matched, const Sett& sett);
 
 }  // namespace selvedge

@@ -9,7 +9,7 @@ namespace selvedge {
 namespace {
 
 constexpr double kEase = 1e-3;          // m; what checking a pattern calls a difference, too
-constexpr double kPointSpacing = 4e-3;  // m: the finest lines of a tartan are some 2 mm wide
+constexpr double kPointSpacing = 1e-3;  // m: the finest lines of a tartan are some 2 mm wide
 constexpr double kChordError = 1e-6;    // m
 
 // An outline edge as a polyline that is walked by its length.
@@ -87,7 +87,7 @@ SeamCourse find_course(const Pattern& pattern, const Seam& seam) {
     course.first_length = first.length();
     course.second_length = second.length();
     const double longer = std::max(first.length(), second.length());
-    const int steps = static_cast<int>(std::clamp(std::ceil(longer / kPointSpacing), 16.0, 256.0));
+    const int steps = static_cast<int>(std::clamp(std::ceil(longer / kPointSpacing), 64.0, 1024.0));
     for (int i = 0; i <= steps; ++i) {
         const double t = double(i) / steps;
         course.points.push_back(

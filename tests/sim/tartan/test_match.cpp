@@ -283,6 +283,15 @@ TEST(Match, warp_and_weft_may_repeat_at_different_sizes) {
     EXPECT_LT(match.seams[0].after, kExact);
 }
 
+TEST(Match, offsets_serve_the_sett_that_they_were_found_for_and_no_other) {
+    const Sett sett = find_tartan("gordon");
+    const MatchedSett matched{"Gordon", Vec2d(repeat_size(sett), repeat_size(sett))};
+    EXPECT_TRUE(is_sett_of(matched, sett));
+    EXPECT_FALSE(is_sett_of(matched, with_repeat_size(sett, 0.09)));
+    EXPECT_FALSE(is_sett_of(matched, with_repeat_size(find_tartan("anderson"), repeat_size(sett))));
+    EXPECT_FALSE(is_sett_of({"no such tartan", matched.repeat}, sett));
+}
+
 // A chain of hundreds of tubes: ended by what it finds, not by a clock.
 TEST(Match, thousands_of_panels_are_matched_to_the_last) {
     Pattern pattern;
