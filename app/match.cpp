@@ -18,6 +18,7 @@
 #include "sim/core/json.h"
 #include "sim/pattern/pattern_file.h"
 #include "sim/pattern/seam_name.h"
+#include "sim/tartan/sett_repeat.h"
 #include "sim/tartan/tartan_file.h"
 
 namespace selvedge {
@@ -25,11 +26,14 @@ namespace {
 
 using Path = std::filesystem::path;
 
+constexpr std::size_t kMostNames = 60;  // listed when one is not known
+
 struct MatchArguments {
     Path garment;
     Path output;  // empty: the garment file itself
     Path json_file;
     std::vector<std::string> seams;
+    std::string centre;  // a panel; empty: none
     std::string tartan;  // empty: the pattern's
     std::optional<double> sett_size_cm;
     bool is_dry = false;
@@ -37,13 +41,12 @@ struct MatchArguments {
 
 // All that they are called, or the first few of very many.
 std::string known_names(const Pattern& pattern) {
-    constexpr std::size_t kMost = 60;
     std::string names;
-    for (std::size_t i = 0; i < pattern.seams.size() && i < kMost; ++i) {
+    for (std::size_t i = 0; i < pattern.seams.size() && i < kMostNames; ++i) {
         names += (names.empty() ? "" : ", ") + seam_name(pattern, pattern.seams[i]);
     }
     if (pattern.seams.empty()) return "none: nothing is sewn";
-    return pattern.seams.size() > kMost ? names + ", ..." : names;
+    return pattern.seams.size() > kMostNames ? names + ", ..." : names;
 }
 
 std::vector<int> seams_of(const Pattern& pattern, const std::vector<std::string>& names) {
@@ -57,6 +60,17 @@ std::vector<int> seams_of(const Pattern& pattern, const std::vector<std::string>
         }
     }
     return seams;
+}
+
+std::optional<int> centred_panel(const Pattern& pattern, const std::string& name, const Sett& sett) {
+    if (name.empty()) return {};
+    if (!warp_repeat(sett).mirror) throw InputError("", "--centre", "the sett has no mirror to be centred");
+    std::string known;
+    for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+        if (pattern.panels[p].name == name) return static_cast<int>(p);
+        if (p < kMostNames) known += (known.empty() ? "" : ", ") + pattern.panels[p].name;
+    }
+    throw InputError("", "--centre", "no panel '" + name.substr(0, 64) + "'; known are " + known);
 }
 
 std::string tartan_of(const MatchArguments& arguments, const Pattern& pattern) {
@@ -126,7 +140,9 @@ int run(const MatchArguments& arguments) {
     PatternDocument document = load_pattern(arguments.garment);
     Pattern& pattern = document.pattern;
     const Sett sett = sett_of(arguments, pattern);
-    const SettMatch match = match_sett(pattern, sett, {.first_seams = seams_of(pattern, arguments.seams)});
+    const SettMatch match = match_sett(pattern, sett,
+                                       {.first_seams = seams_of(pattern, arguments.seams),
+                                        .centred_panel = centred_panel(pattern, arguments.centre, sett)});
     const MatchedSett matched{tartan_of(arguments, pattern), Vec2d(repeat_size(sett), weft_repeat_size(sett))};
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) pattern.panels[p].sett_offset = match.offsets[p];
     pattern.matched_sett = matched;
@@ -156,6 +172,11 @@ void add_match_command(CLI::App& app, int& exit_code) {
                      "them, or labels of edges")
         ->type_name("NAME,...")
         ->delimiter(',');
+    command
+        ->add_option("--centre", arguments->centre,
+                     "Panel in whose middle the sett should mirror, where seams leave the choice (default: the first "
+                     "panel stays)")
+        ->type_name("PANEL");
     command->add_option("--tartan", arguments->tartan, "A shipped tartan or a threadcount (default: the pattern's)")
         ->type_name("NAME");
     command->add_option("--sett-size", arguments->sett_size_cm, "Size of the tartan's repeat in cm (default its own)")

@@ -97,7 +97,9 @@ std::optional<float> take_number(std::string_view& text) {
 }  // namespace
 
 std::string garment_obj(const PlainMesh& mesh) {
-    std::string text = "# Selvedge garment: metres, y up; vt = material coordinates in metres; grain_angle in rad, sett_offset in metres\n";
+    std::string text =
+        "# Selvedge garment: metres, y up; vt = material coordinates in metres; grain_angle in rad, sett_offset in "
+        "metres\n";
     append_points(text, mesh.x, vertex_normals(mesh));
     std::size_t textures = 0;
     for (const PanelPart& part : split_by_panel(mesh)) {

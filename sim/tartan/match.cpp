@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <numeric>
 
 #include "sim/core/assert.h"
 #include "sim/core/error.h"
+#include "sim/pattern/outline.h"
 #include "sim/pattern/seam_name.h"
 #include "sim/tartan/best_shift.h"
 #include "sim/tartan/offset_graph.h"
@@ -27,6 +29,10 @@ constexpr double kWritten = 1e-6;                  // m, the step of offsets in 
 constexpr double kSameSample = 1e-5;               // m, samples that are one
 
 using Family = Eigen::Index;  // 0: the warp's stripes, 1: the weft's
+
+double as_written(double offset, double repeat) {
+    return std::round(wrapped(offset, repeat) / kWritten) * kWritten;
+}
 
 struct Lines {
     StripeRepeat repeat;
@@ -207,11 +213,25 @@ std::vector<int> levels_of(const std::vector<SeamLines>& seams, const std::vecto
     return levels;
 }
 
+// The weft offset near the panel's own that puts a mirror of the warp's stripes midway between its outermost points.
+double centred_offset(const Panel& panel, const StripeRepeat& repeat, double offset) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const OutlineEdge& edge : panel.edges) {
+        for (const Vec2d& u : outline_polyline(panel, edge, kMet)) {
+            const double across = std::cos(panel.grain_angle) * u.x() + std::sin(panel.grain_angle) * u.y();
+            low = std::min(low, across);
+            high = std::max(high, across);
+        }
+    }
+    const double centred = *repeat.mirror - (low + high) / 2;
+    return offset + wrapped(centred - offset, repeat.size / 2);  // it mirrors half a repeat further, too
+}
+
 // One family's problem, on panels in the order of their names, so that the order in the file does not matter.
 class FamilyMatch {
  public:
-    FamilyMatch(const Pattern& pattern, const std::vector<SeamLines>& seams, const std::vector<int>& first_seams,
-                Family f)
+    FamilyMatch(const Pattern& pattern, const std::vector<SeamLines>& seams, const MatchOptions& options, Family f)
         : seams_(seams), family_(f), panels_(pattern.panels.size()), node_(pattern.panels.size()) {
         std::iota(panels_.begin(), panels_.end(), 0U);
         std::sort(panels_.begin(), panels_.end(),
@@ -219,7 +239,10 @@ class FamilyMatch {
         for (std::size_t n = 0; n < panels_.size(); ++n) node_[panels_[n]] = static_cast<int>(n);
         problem_.nodes = static_cast<int>(panels_.size());
         for (const std::size_t panel : panels_) problem_.rank.push_back(static_cast<int>(panel));
-        add_terms(levels_of(seams, first_seams, f));
+        if (options.centred_panel) {
+            problem_.rank[static_cast<std::size_t>(node_[static_cast<std::size_t>(*options.centred_panel)])] = -1;
+        }
+        add_terms(levels_of(seams, options.first_seams, f));
     }
 
     void solve(Offsets& offsets) {
@@ -229,7 +252,7 @@ class FamilyMatch {
         const std::vector<double> found = solve_offsets(problem_, start);
         for (std::size_t n = 0; n < panels_.size(); ++n) {
             if (std::abs(wrapped(found[n] - start[n], problem_.repeat)) < kWritten) continue;
-            offsets[panels_[n]][family_] = std::round(wrapped(found[n], problem_.repeat) / kWritten) * kWritten;
+            offsets[panels_[n]][family_] = as_written(found[n], problem_.repeat);
         }
     }
 
@@ -294,7 +317,13 @@ SettMatch match_sett(const Pattern& pattern, const Sett& sett, const MatchOption
         before.push_back(panel.sett_offset.allFinite() ? panel.sett_offset : Vec2d(0, 0));
     }
     SettMatch match{.offsets = before, .seams = {}};
-    for (Family f = 0; f < 2; ++f) FamilyMatch(pattern, seams, options.first_seams, f).solve(match.offsets);
+    if (options.centred_panel && repeats[0].mirror) {
+        const auto panel = static_cast<std::size_t>(*options.centred_panel);
+        SELVEDGE_ASSERT(panel < pattern.panels.size());
+        const double offset = centred_offset(pattern.panels[panel], repeats[0], before[panel].x());
+        match.offsets[panel].x() = as_written(offset, repeats[0].size);
+    }
+    for (Family f = 0; f < 2; ++f) FamilyMatch(pattern, seams, options, f).solve(match.offsets);
 
     for (std::size_t s = 0; s < seams.size(); ++s) {
         const SeamLines& seam = seams[s];

@@ -10,6 +10,7 @@
 // Seams that are named first win, each strictly before the next, and all of them before the rest. Of the rest those
 // that can meet within 6 mm all along win over those whose shape or ease forbids it, and the longest that are crossed
 // most squarely are joined first. Same input, same bits; the order of the panels does not matter.
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,10 @@
 namespace selvedge {
 
 struct MatchOptions {
-    std::vector<int> first_seams;  // indices into Pattern::seams, the most important first
+    std::vector<int> first_seams{};  // indices into Pattern::seams, the most important first
+    // Where seams leave a choice the first panel of the pattern that they join keeps its offset, or this one; the
+    // nearest mirror of the warp's stripes is put in its middle, as far as they have one.
+    std::optional<int> centred_panel{};
 };
 
 // The mismatch at a point of a seam is the distance, across the stripes, from where a stripe arrives to the nearest

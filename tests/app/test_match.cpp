@@ -148,6 +148,8 @@ TEST(MatchCommand, a_wrong_word_gets_one_line) {
         EXPECT_NE(result.err.find(said), std::string::npos) << result.err;
     };
     expect_line("--seams hem", "no seam 'hem'; known are front.1+back.2, front.3+back.0");
+    expect_line("--centre sleeve", "no panel 'sleeve'; known are front, back");
+    expect_line("--centre front --tartan buchanan", "no mirror");
     expect_line("--sett-size 0", "--sett-size");
     expect_line("--sett-size nan", "--sett-size");
     expect_line("--tartan plaid", "none is called 'plaid'");

@@ -177,6 +177,19 @@ TEST(Match, an_eased_seam_is_matched_from_its_lower_end) {
     EXPECT_NEAR(std::remainder(hem, repeat_size(one_way_sett())), 0, kExact);
 }
 
+TEST(Match, a_sett_may_be_centred_on_a_panel_and_the_others_follow) {
+    const Sett sett = mirrored_sett();
+    const Pattern pattern = tube(0.0171);
+    const SettMatch match = match_sett(pattern, sett, {.centred_panel = 1});
+    // The back is 0.4 m wide from x = 0.03 on; the sett mirrors 5 mm from its start and 25 mm further.
+    EXPECT_NEAR(std::remainder(0.23 + match.offsets[1].x() - 0.005, 0.025), 0, kExact);
+    EXPECT_LE(std::abs(match.offsets[1].x()), 0.0125 + kExact);
+    EXPECT_EQ(match.offsets[1].y(), 0);
+    EXPECT_NEAR(match.offsets[0].y(), 0.0171, kExact);
+    for (const SeamMatch& seam : match.seams) EXPECT_LT(seam.after, kExact);
+    EXPECT_TRUE(match_sett(pattern, one_way_sett(), {.centred_panel = 0}).offsets[0].isZero(0));
+}
+
 TEST(Match, matching_again_changes_nothing) {
     for (const Sett& sett : {mirrored_sett(), one_way_sett()}) {
         for (const Pattern& pattern : {tube(0.0171), ring(), chevron()}) {
