@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "sim/core/file.h"
 #include "sim/core/json.h"
 #include "sim/pattern/pattern_file.h"
 #include "sim/pattern/seam_name.h"
@@ -21,10 +22,10 @@ constexpr const char* kPatterns[] = {"poncho.json", "skirt.json", "tshirt.json",
 class Copy {
  public:
     explicit Copy(const std::string& name) : path_(folder_ / name) {
-        PatternDocument document = load_pattern(SELVEDGE_SOURCE_DIR "/patterns/" + name);
-        for (Panel& panel : document.pattern.panels) panel.sett_offset = {0, 0};
-        document.pattern.matched_sett.reset();
-        save_pattern(document, path_);
+        Json json = read_json(SELVEDGE_SOURCE_DIR "/patterns/" + name);
+        json.find("selvedge")->erase("matched_sett");
+        for (Json::Member& panel : json.find("pattern")->find("panels")->members()) panel.value.erase("selvedge");
+        write_file_atomically(path_, write_json(json));
     }
 
     const std::string& path() const { return path_; }
@@ -90,7 +91,7 @@ TEST(MatchCommand, changes_nothing_in_the_file_but_offsets_and_what_they_are_for
             panel.value.erase("selvedge");
         }
     }
-    EXPECT_EQ(moved, 1);
+    EXPECT_EQ(moved, 1);  // the front stays, the back follows
     EXPECT_EQ(write_json(after), write_json(before));
 }
 
