@@ -27,6 +27,7 @@ constexpr double kNearlyMet = 2e-3;                // m, what nobody sees from a
 constexpr double kMatchable = 6e-3;                // m, a seam that can do no better gives way to those that can
 constexpr double kWritten = 1e-6;                  // m, the step of offsets in files
 constexpr double kSameSample = 1e-5;               // m, samples that are one
+constexpr double kMostSamples = 2e5;               // of a garment, to keep the time of thousands of seams within bounds
 
 using Family = Eigen::Index;  // 0: the warp's stripes, 1: the weft's
 
@@ -78,17 +79,18 @@ SeamLines find_lines(const Pattern& pattern, const Seam& seam, const std::array<
     return found;
 }
 
-// Samples that lie within a hundredth of a millimetre become one: a seam that is straight on both sides has a single
-// one. `values` are wrapped about the first.
-std::vector<OffsetSample> merge_samples(std::vector<OffsetSample> samples, double repeat) {
+// Samples that lie within a hundredth of a millimetre become one, so that a seam that is straight on both sides has a
+// single one. `most`: about how many may be left of a seam that cannot meet anyway.
+std::vector<OffsetSample> merge_samples(std::vector<OffsetSample> samples, double repeat, double most) {
     const double about = samples.front().value;
     for (OffsetSample& sample : samples) sample.value = about + wrapped(sample.value - about, repeat);
     std::sort(samples.begin(), samples.end(),
               [](const OffsetSample& a, const OffsetSample& b) { return a.value < b.value; });
+    const double same = std::max(kSameSample, (samples.back().value - samples.front().value) / most);
     std::vector<OffsetSample> merged;
     double from = 0;
     for (const OffsetSample& sample : samples) {
-        if (merged.empty() || sample.value - from > kSameSample) {
+        if (merged.empty() || sample.value - from > same) {
             from = sample.value;
             merged.push_back(sample);
             continue;
@@ -102,7 +104,7 @@ std::vector<OffsetSample> merge_samples(std::vector<OffsetSample> samples, doubl
 }
 
 // Crossing lines weigh by the square of how squarely they cross; lines along the seam by its length alone.
-std::vector<OffsetSample> samples_of(const SeamLines& seam, Family f) {
+std::vector<OffsetSample> samples_of(const SeamLines& seam, Family f, double most = 1024) {
     const Lines& lines = seam.lines[static_cast<std::size_t>(f)];
     const double step = seam.length() / static_cast<double>(seam.course.points.size());
     std::vector<OffsetSample> samples;
@@ -113,7 +115,7 @@ std::vector<OffsetSample> samples_of(const SeamLines& seam, Family f) {
         sum += samples.back().weight;
     }
     if (seam.course.is_eased) return {{samples[seam.course.anchor].value, sum}};
-    return merge_samples(std::move(samples), lines.repeat.size);
+    return merge_samples(std::move(samples), lines.repeat.size, most);
 }
 
 double weight_of(const OffsetTerm& term) {
@@ -263,6 +265,7 @@ class FamilyMatch {
             double weight = 0;
             const std::string* name = nullptr;
         };
+        const double most = std::clamp(kMostSamples / static_cast<double>(seams_.size() + 1), 32.0, 1024.0);
         std::vector<Ordered> ordered;
         for (std::size_t s = 0; s < seams_.size(); ++s) {
             const SeamLines& seam = seams_[s];
@@ -273,7 +276,7 @@ class FamilyMatch {
                             .b = node_[static_cast<std::size_t>(seam.seam->second.panel)],
                             .is_mirrored = lines.is_mirrored,
                             .level = levels[s],
-                            .samples = samples_of(seam, family_)};
+                            .samples = samples_of(seam, family_, most)};
             const double weight = weight_of(term);
             ordered.push_back({std::move(term), weight, &seam.name});
         }

@@ -27,12 +27,15 @@ struct State {
     std::vector<bool> is_fixed;             // by piece: a mirrored cycle holds it
 };
 
-using Block = std::vector<int>;  // nodes that move together
+struct Block {
+    std::vector<int> nodes;  // move together
+    int tried = 0;           // the last move in which it was asked
+};
 
 class Solver {
  public:
     Solver(const OffsetProblem& problem, const std::vector<double>& start)
-        : problem_(problem), terms_of_(at(problem.nodes)), stamp_(at(problem.nodes), 0) {
+        : problem_(problem), terms_of_(at(problem.nodes)), stamp_(at(problem.nodes), 0), moved_(at(problem.nodes), 0) {
         state_.offset = start;
         state_.sign.assign(at(problem.nodes), 1);
         state_.is_fixed.assign(at(problem.nodes), false);
@@ -130,27 +133,37 @@ class Solver {
 
     // Moves a block to where the level's seams about it are best off; `within`: only those between these two pieces.
     // Gives whether it moved.
-    bool move(const Block& block, const std::pair<int, int>* within = nullptr) {
+    bool move(Block& block, const std::pair<int, int>* within = nullptr) {
         ++now_;
-        for (const int n : block) stamp_[at(n)] = now_;
-        std::vector<ShiftTerm> shifts;
-        for (const int n : block) {
+        for (const int n : block.nodes) stamp_[at(n)] = now_;
+        std::vector<const OffsetTerm*> terms;
+        int news = 0;  // the last move of anything that counts
+        for (const int n : block.nodes) {
             for (const std::size_t t : terms_of_[at(n)]) {
                 const OffsetTerm& term = problem_.terms[t];
-                if (term.level != level_) continue;
+                if (term.level != level_ || factor(term) == 0) continue;
                 if (n != term.a && stamp_[at(term.a)] == now_) continue;  // is met at a
                 if (within != nullptr && !is_within(term, *within)) continue;
-                const int by = factor(term);
-                if (by == 0) continue;
-                for (const OffsetSample& sample : term.samples) {
-                    shifts.push_back({value(term) + sample.value, sample.weight, by});
-                }
+                terms.push_back(&term);
+                news = std::max({news, moved_[at(term.a)], moved_[at(term.b)]});
             }
         }
-        if (shifts.empty()) return false;
+        const bool is_settled = block.tried > news;
+        block.tried = now_;
+        if (is_settled || terms.empty()) return false;
+        std::vector<ShiftTerm> shifts;
+        for (const OffsetTerm* term : terms) {
+            for (const OffsetSample& sample : term->samples) {
+                shifts.push_back({value(*term) + sample.value, sample.weight, factor(*term)});
+            }
+        }
         const double shift = best_shift(shifts, problem_.repeat);
-        for (const int n : block) state_.offset[at(n)] += state_.sign[at(n)] * shift;
-        return shift != 0;
+        if (shift == 0) return false;
+        for (const int n : block.nodes) {
+            state_.offset[at(n)] += state_.sign[at(n)] * shift;
+            moved_[at(n)] = now_;
+        }
+        return true;
     }
 
     bool is_within(const OffsetTerm& term, const std::pair<int, int>& pieces) const {
@@ -171,15 +184,16 @@ class Solver {
         if (can_move_both ? size(small) > size(large) : !state_.is_fixed[at(large)]) std::swap(large, small);
         if (state_.is_fixed[at(small)]) return;  // both are held
         const int product = state_.sign[at(term.a)] * state_.sign[at(term.b)];
-        Block& moving = state_.members[at(small)];
+        std::vector<int>& moving = state_.members[at(small)];
         if (product != (term.is_mirrored ? -1 : 1)) {
             for (const int n : moving) state_.sign[at(n)] *= -1;
         }
         const std::pair<int, int> pieces(large, small);
-        if (how != Join::AsItStands) move(moving, &pieces);
-        blocks_.push_back(moving);
+        blocks_.push_back({.nodes = moving});
+        if (how != Join::AsItStands) move(blocks_.back(), &pieces);
+        blocks_.back().tried = 0;  // it has not been asked about all seams yet
         for (const int n : moving) state_.piece[at(n)] = large;
-        Block& all = state_.members[at(large)];
+        std::vector<int>& all = state_.members[at(large)];
         all.insert(all.end(), moving.begin(), moving.end());
         moving.clear();
     }
@@ -191,7 +205,7 @@ class Solver {
                 const int piece = state_.piece[at(n)];
                 if (is_added[at(piece)] || state_.is_fixed[at(piece)]) continue;
                 is_added[at(piece)] = true;
-                blocks_.push_back(state_.members[at(piece)]);
+                blocks_.push_back({.nodes = state_.members[at(piece)]});
             }
         }
     }
@@ -199,7 +213,7 @@ class Solver {
     void sweep() {
         for (int round = 0; round < kMostSweeps; ++round) {
             bool has_moved = false;
-            for (const Block& block : blocks_) has_moved = move(block) || has_moved;
+            for (Block& block : blocks_) has_moved = move(block) || has_moved;
             if (!has_moved) return;
         }
     }
@@ -230,7 +244,8 @@ class Solver {
     State state_;
     std::vector<Block> blocks_;  // of the level: what may be moved by itself
     int level_ = 0;
-    std::vector<int> stamp_;  // per node: the last move in which it was
+    std::vector<int> stamp_;  // per node: the last move in which it was asked
+    std::vector<int> moved_;  // per node: the last move in which it moved
     int now_ = 0;
 };
 

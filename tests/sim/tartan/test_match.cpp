@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <random>
 
+#include "sim/pattern/pattern_file.h"
 #include "sim/tartan/tartan_file.h"
 #include "tests/sim/tartan/seamed_panels.h"
 
@@ -303,6 +305,33 @@ TEST(Match, offsets_serve_the_sett_that_they_were_found_for_and_no_other) {
     EXPECT_FALSE(is_sett_of(matched, with_repeat_size(sett, 0.09)));
     EXPECT_FALSE(is_sett_of(matched, with_repeat_size(find_tartan("anderson"), repeat_size(sett))));
     EXPECT_FALSE(is_sett_of({"no such tartan", matched.repeat}, sett));
+}
+
+TEST(Match, other_peoples_patterns_meet_at_their_straight_seams_and_are_told_as_the_colours_show) {
+    const char* data = std::getenv("SELVEDGE_TEST_DATA");
+    if (!data) GTEST_SKIP() << "SELVEDGE_TEST_DATA is not set";
+    const Sett sett = find_tartan("black_watch");
+    for (const char* name : {"shirt_mean", "dress_pencil", "example_handwritten"}) {
+        const std::string file = std::string(data) + "/garmentcode/" + name + "_specification.json";
+        const Pattern pattern = load_pattern(file).pattern;
+        const SettMatch match = match_sett(pattern, sett);
+        const Pattern after = matched(pattern, sett);
+        int straight = 0;
+        for (const SeamMatch& seam : match.seams) {
+            const Seam& sewn = pattern.seams[static_cast<std::size_t>(seam.seam)];
+            EXPECT_NEAR(seam.after, seen_mismatch(after, sewn, sett), 5e-4) << name << " " << seam.name;
+            const Panel& first = panel_at(pattern, sewn.first);
+            const Panel& second = panel_at(pattern, sewn.second);
+            const OutlineEdge& a = first.edges[static_cast<std::size_t>(sewn.first.edge)];
+            const OutlineEdge& b = second.edges[static_cast<std::size_t>(sewn.second.edge)];
+            const double difference = outline_length(first, a) - outline_length(second, b);
+            if (a.kind != CurveKind::Line || b.kind != CurveKind::Line || std::abs(difference) > 1e-3) continue;
+            if (seam.length < 0.04 || sewn.first.panel == sewn.second.panel) continue;
+            EXPECT_LT(seam.after, 5e-4) << name << " " << seam.name;
+            ++straight;
+        }
+        EXPECT_GE(straight, 2) << name;
+    }
 }
 
 // A chain of hundreds of tubes: ended by what it finds, not by a clock.
