@@ -94,8 +94,9 @@ void check_arguments(const MatchArguments& arguments) {
     if (!arguments.json_file.empty()) check_apart({arguments.json_file}, {arguments.garment});
 }
 
-double rounded(double value, double step) {
-    return std::round(value / step) * step + 0.0;
+// To so many parts of one: short when written as decimals.
+double rounded(double value, double parts) {
+    return std::round(value * parts) / parts + 0.0;
 }
 
 std::string to_json(const SettMatch& match, const MatchedSett& sett) {
@@ -103,18 +104,18 @@ std::string to_json(const SettMatch& match, const MatchedSett& sett) {
     for (const SeamMatch& seam : match.seams) {
         Json entry = Json::object();
         entry["name"] = seam.name;
-        entry["length_m"] = rounded(seam.length, 1e-5);
-        entry["before_mm"] = rounded(1e3 * seam.before, 1e-3);
-        entry["after_mm"] = rounded(1e3 * seam.after, 1e-3);
-        entry["rms_before_mm"] = rounded(1e3 * seam.rms_before, 1e-3);
-        entry["rms_after_mm"] = rounded(1e3 * seam.rms_after, 1e-3);
-        entry["met"] = rounded(seam.met, 1e-3);
+        entry["length_m"] = rounded(seam.length, 1e5);
+        entry["before_mm"] = rounded(1e3 * seam.before, 1e3);
+        entry["after_mm"] = rounded(1e3 * seam.after, 1e3);
+        entry["rms_before_mm"] = rounded(1e3 * seam.rms_before, 1e3);
+        entry["rms_after_mm"] = rounded(1e3 * seam.rms_after, 1e3);
+        entry["met"] = rounded(seam.met, 1e3);
         if (!seam.why.empty()) entry["why"] = seam.why;
         seams.push_back(std::move(entry));
     }
     Json root = Json::object();
     root["tartan"] = sett.tartan;
-    root["repeat_m"] = Json::array({rounded(sett.repeat.x(), 1e-6), rounded(sett.repeat.y(), 1e-6)});
+    root["repeat_m"] = Json::array({rounded(sett.repeat.x(), 1e6), rounded(sett.repeat.y(), 1e6)});
     root["seams"] = std::move(seams);
     return write_json(root);
 }
