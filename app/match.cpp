@@ -172,7 +172,8 @@ void add_match_command(CLI::App& app, int& exit_code) {
                      "Seams to match first, the most important first (default: the longest). Names as the table has "
                      "them, or labels of edges")
         ->type_name("NAME,...")
-        ->delimiter(',');
+        ->delimiter(',')
+        ->allow_extra_args(false);
     command
         ->add_option("--centre", arguments->centre,
                      "Panel in whose middle the sett should mirror, where seams leave the choice (default: the first "

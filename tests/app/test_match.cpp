@@ -137,6 +137,7 @@ TEST(MatchCommand, seams_go_by_their_own_names_too) {
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_NE(result.out.find("\nright side "), std::string::npos) << result.out;
     EXPECT_EQ(load_pattern(copy.path()).pattern.seams[1].name, "right side");
+    EXPECT_EQ(run_selvedge("match --seams front.1+back.2 '" + copy.path() + "'").exit_code, 0);
 }
 
 TEST(MatchCommand, a_wrong_word_gets_one_line) {
