@@ -22,6 +22,7 @@
 #include "sim/dress/report.h"
 #include "sim/exchange/mesh_file.h"
 #include "sim/pattern/pattern_file.h"
+#include "sim/tartan/match.h"
 #include "sim/tartan/tartan_file.h"
 
 namespace selvedge {
@@ -158,6 +159,17 @@ void print_summary(const DressReport& report) {
     for (const std::string& note : report.notes) std::printf("note: %s\n", note.c_str());
 }
 
+// Offsets that were found for one sett do not serve another.
+void print_sett_note(const Pattern& pattern, const PictureOptions& picture) {
+    if (!pattern.matched_sett) return;
+    const MatchedSett& matched = *pattern.matched_sett;
+    if (!is_sett_of(matched, sett_of(picture))) {
+        std::printf(
+            "note: the setts were matched for %s, repeat %.4g cm, and may not meet at the seams (selvedge match)\n",
+            matched.tartan.c_str(), 100 * matched.repeat.x());
+    }
+}
+
 void print_faults(const DressReport& report) {
     for (const DressFault& fault : report.faults)
         std::printf("fault: %s: %s (%.4g)\n", spoken(fault.kind).c_str(), fault.place.c_str(), fault.value);
@@ -180,6 +192,7 @@ int run(DressArguments arguments) {
 
     const Writing writing = write_outputs(arguments, dressed, wearer.body);
     if (!arguments.is_quiet) print_summary(report);
+    if (!arguments.is_quiet && !arguments.picture_file.empty()) print_sett_note(pattern, arguments.picture);
     print_faults(report);
     if (!arguments.is_quiet)
         for (const std::string& file : writing.written) std::printf("wrote %s\n", file.c_str());

@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
     selvedge::add_dress_command(app, exit_code);
     selvedge::add_check_command(app, exit_code);
     selvedge::add_mannequin_command(app, exit_code);
+    selvedge::add_match_command(app, exit_code);
     selvedge::add_render_command(app, exit_code);
     selvedge::add_diff_command(app, exit_code);
     selvedge::add_bench_command(app, exit_code);

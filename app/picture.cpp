@@ -109,8 +109,7 @@ PlainMesh without_bad_numbers(PlainMesh mesh) {
 ClothItem make_cloth_item(const PlainMesh& garment, const PictureOptions& options) {
     ClothItem item;
     item.mesh = without_bad_numbers(garment);
-    item.sett = options.sett ? *options.sett : find_tartan(kDefaultTartan);
-    if (options.sett_size) item.sett = with_repeat_size(item.sett, *options.sett_size);
+    item.sett = sett_of(options);
     item.sett_position = options.sett_position.cast<float>();
     item.show = options.show;
     return item;
@@ -169,6 +168,11 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
     })->type_name("X,Y");
     command.add_flag("--transparent", options.is_transparent, "No backdrop: only garment, body and shadow")
         ->group("Picture");
+}
+
+Sett sett_of(const PictureOptions& options) {
+    const Sett sett = options.sett ? *options.sett : find_tartan(kDefaultTartan);
+    return options.sett_size ? with_repeat_size(sett, *options.sett_size) : sett;
 }
 
 void check_can_draw() {

@@ -29,6 +29,9 @@ struct PictureOptions {
 // is checked while the command line is read, before any work. `options` must outlive the command line.
 void add_picture_options(CLI::App& command, PictureOptions& options);
 
+// What the cloth is drawn in: the tartan that was asked for, at the size that was asked for.
+Sett sett_of(const PictureOptions& options);
+
 // Throws InputError when there is no way to draw (render/gl/context.h): to be asked before long work.
 void check_can_draw();
 

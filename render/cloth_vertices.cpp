@@ -8,15 +8,21 @@
 namespace selvedge {
 namespace {
 
-// The warp runs at `grain` from +y, counter-clockwise; the weft a quarter turn clockwise from it.
-std::array<float, 2> turned_to_grain(const Vec2f& u, float grain) {
+// The warp runs at `grain` from +y, counter-clockwise; the weft a quarter turn clockwise from it. The sett's offset
+// comes after the turn.
+std::array<float, 2> turned_to_grain(const Vec2f& u, float grain, const Vec2f& offset) {
     const float c = std::cos(grain), s = std::sin(grain);
-    return {c * u.x() + s * u.y(), -s * u.x() + c * u.y()};
+    return {c * u.x() + s * u.y() + offset.x(), -s * u.x() + c * u.y() + offset.y()};
 }
 
 float grain_of(const PlainMesh& mesh, std::size_t triangle) {
     const std::size_t panel = mesh.panel.empty() ? 0 : mesh.panel[triangle];
     return panel < mesh.panel_grain_angles.size() ? mesh.panel_grain_angles[panel] : 0.0F;
+}
+
+Vec2f sett_offset_of(const PlainMesh& mesh, std::size_t triangle) {
+    const std::size_t panel = mesh.panel.empty() ? 0 : mesh.panel[triangle];
+    return panel < mesh.panel_sett_offsets.size() ? mesh.panel_sett_offsets[panel] : Vec2f(0, 0);
 }
 
 std::array<float, 3> to_array(const Vec3f& v) {
@@ -42,7 +48,9 @@ std::vector<ClothVertex> make_cloth_vertices(const PlainMesh& mesh, const std::v
             ClothVertex vertex{};
             vertex.position = to_array(mesh.x[v]);
             vertex.normal = to_array(normals[v]);
-            if (!mesh.u.empty()) vertex.place = turned_to_grain(mesh.u[t][corner], grain_of(mesh, t));
+            if (!mesh.u.empty()) {
+                vertex.place = turned_to_grain(mesh.u[t][corner], grain_of(mesh, t), sett_offset_of(mesh, t));
+            }
             vertex.heights[corner] = heights[corner];
             vertex.openness = {openness[v].front, openness[v].back};
             vertex.touch = {touches[t][corner].seam, touches[t][corner].hem};

@@ -19,7 +19,7 @@ struct Openness {
 struct ClothVertex {
     std::array<float, 3> position;  // m
     std::array<float, 3> normal;
-    std::array<float, 2> place;    // (weft, warp), m: material coordinates turned by the panel's grain
+    std::array<float, 2> place;    // (weft, warp), m: material coordinates turned by the panel's grain, and its offset
     std::array<float, 3> heights;  // m; at this corner: its height over the opposite edge, else 0
     std::array<float, 2> openness;
     std::array<float, 2> touch;  // m to a seam and a hem that the triangle touches with one corner only

@@ -57,6 +57,7 @@ struct Cloth {
     AdaptiveMesh mesh;
     std::vector<Fabric> fabrics{};      // one per panel
     std::vector<float> grain_angles{};  // one per panel, rad: from the panel's +y to the warp
+    std::vector<Vec2f> sett_offsets{};  // one per panel or none, m: see Panel::sett_offset
 
     std::vector<Vec4f> x{};             // position, m
     std::vector<Vec4f> x_prev{};        // position one sub-step ago, m: velocity is their difference over the sub-step

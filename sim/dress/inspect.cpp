@@ -164,6 +164,7 @@ PlainMesh plain_mesh(const Cloth& cloth, const std::vector<std::string>& panel_n
     PlainMesh mesh;
     mesh.panel_names = panel_names;
     mesh.panel_grain_angles = cloth.grain_angles;
+    mesh.panel_sett_offsets = cloth.sett_offsets;
     std::vector<std::uint32_t> index(cloth.x.size(), 0);
     for (const VertexId v : cloth.mesh.leaf_vertices()) {
         index[v.value] = static_cast<std::uint32_t>(mesh.x.size());

@@ -185,6 +185,7 @@ Json panel_primitive(const PanelPart& part, std::size_t material, const std::vec
     Json extras = Json::object();
     extras["panel"] = part.name;
     extras["grain_angle"] = number(part.grain_angle);
+    if (!part.sett_offset.isZero(0)) extras["sett_offset"] = numbers(part.sett_offset);
     Json primitive = Json::object();
     primitive["attributes"] = std::move(attributes);
     primitive["indices"] = document.add_indices(part.triangles);
@@ -312,27 +313,51 @@ std::string body_glb(const Body& body) {
     return container(std::move(root), std::move(document));
 }
 
-std::vector<std::pair<std::string, float>> grain_angles_in_glb(std::string_view bytes, const std::string& file) {
+namespace {
+
+// Calls take(panel, value) for each primitive whose extras name a panel and have the key.
+template <class Take>
+void for_each_extra(std::string_view bytes, const std::string& file, std::string_view key, const Take& take) {
     constexpr std::size_t kJsonStart = 20;
-    if (bytes.size() < kJsonStart) return {};
+    if (bytes.size() < kJsonStart) return;
     std::uint32_t length = 0;
     std::memcpy(&length, bytes.data() + 12, sizeof length);
     const Json root = parse_json(bytes.substr(kJsonStart, length), file);
-    std::vector<std::pair<std::string, float>> angles;
     const Json* meshes = root.find("meshes");
-    if (!meshes || !meshes->is_array()) return {};
+    if (!meshes || !meshes->is_array()) return;
     for (const Json& mesh : meshes->elements()) {
         const Json* primitives = mesh.find("primitives");
         if (!primitives || !primitives->is_array()) continue;
         for (const Json& primitive : primitives->elements()) {
             const Json* extras = primitive.find("extras");
             const Json* name = extras ? extras->find("panel") : nullptr;
-            const Json* angle = extras ? extras->find("grain_angle") : nullptr;
-            if (name && name->is_string() && angle && angle->is_number())
-                angles.emplace_back(name->string(), float(angle->number()));
+            const Json* value = extras ? extras->find(key) : nullptr;
+            if (name && name->is_string() && value) take(name->string(), *value);
         }
     }
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, float>> grain_angles_in_glb(std::string_view bytes, const std::string& file) {
+    std::vector<std::pair<std::string, float>> angles;
+    for_each_extra(bytes, file, "grain_angle", [&](const std::string& panel, const Json& angle) {
+        if (angle.is_number()) angles.emplace_back(panel, float(angle.number()));
+    });
     return angles;
+}
+
+std::vector<std::pair<std::string, Vec2f>> sett_offsets_in_glb(std::string_view bytes, const std::string& file) {
+    std::vector<std::pair<std::string, Vec2f>> offsets;
+    for_each_extra(bytes, file, "sett_offset", [&](const std::string& panel, const Json& offset) {
+        if (!offset.is_array() || offset.elements().size() != 2) return;
+        const Json& weft = offset.elements()[0];
+        const Json& warp = offset.elements()[1];
+        if (!weft.is_number() || !warp.is_number()) return;
+        const Vec2f value(float(weft.number()), float(warp.number()));
+        if (value.allFinite()) offsets.emplace_back(panel, value);
+    });
+    return offsets;
 }
 
 }  // namespace selvedge

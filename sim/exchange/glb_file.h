@@ -18,4 +18,7 @@ std::string body_glb(const Body& body);
 // Pre: a loader has accepted the bytes; `file` names them in errors.
 std::vector<std::pair<std::string, float>> grain_angles_in_glb(std::string_view bytes, const std::string& file);
 
+// The same for sett offsets (m, weft and warp), which garment_glb writes where a panel has one.
+std::vector<std::pair<std::string, Vec2f>> sett_offsets_in_glb(std::string_view bytes, const std::string& file);
+
 }  // namespace selvedge

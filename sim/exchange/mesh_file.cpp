@@ -81,14 +81,22 @@ void merge_positions(const std::vector<Vec3d>& corners, PlainMesh& mesh) {
         for (std::uint32_t& v : triangle) v = place[v];
 }
 
-void add_grain_angles(const std::filesystem::path& path, MeshFormat format, PlainMesh& mesh) {
-    const std::string content = read_file(path, ImportLimits().file_bytes);
-    const auto angles =
-        format == MeshFormat::Obj ? grain_angles_in_obj(content) : grain_angles_in_glb(content, path.string());
-    mesh.panel_grain_angles.assign(mesh.panel_names.size(), 0.0F);
+template <class T>
+std::vector<T> by_panel(const std::vector<std::pair<std::string, T>>& named, const PlainMesh& mesh, const T& usual) {
+    std::vector<T> values(mesh.panel_names.size(), usual);
     for (std::size_t panel = 0; panel < mesh.panel_names.size(); ++panel)
-        for (const auto& [name, angle] : angles)
-            if (name == mesh.panel_names[panel]) mesh.panel_grain_angles[panel] = angle;
+        for (const auto& [name, value] : named)
+            if (name == mesh.panel_names[panel]) values[panel] = value;
+    return values;
+}
+
+void add_panel_figures(const std::filesystem::path& path, MeshFormat format, PlainMesh& mesh) {
+    const std::string content = read_file(path, ImportLimits().file_bytes);
+    const bool is_obj = format == MeshFormat::Obj;
+    mesh.panel_grain_angles =
+        by_panel(is_obj ? grain_angles_in_obj(content) : grain_angles_in_glb(content, path.string()), mesh, 0.0F);
+    mesh.panel_sett_offsets = by_panel(
+        is_obj ? sett_offsets_in_obj(content) : sett_offsets_in_glb(content, path.string()), mesh, Vec2f(0, 0));
 }
 
 }  // namespace
@@ -125,7 +133,7 @@ PlainMesh read_garment(const std::filesystem::path& path) {
     if (!has_u) mesh.u.clear();
     merge_positions(corners, mesh);
     mesh.normals = vertex_normals(mesh.x, mesh.triangles);
-    add_grain_angles(path, format, mesh);
+    add_panel_figures(path, format, mesh);
     return mesh;
 }
 

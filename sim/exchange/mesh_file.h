@@ -18,7 +18,7 @@ void write_body(const Body& body, const std::filesystem::path& path);
 
 // A garment that was exported as .obj or .glb, by us or by others: groups or primitives become panels, texture
 // coordinates become material coordinates (m), vertices at equal positions become one. What assimp cannot keep is read
-// beside it: the grain angles that write_garment leaves. Throws InputError as load_body does.
+// beside it: the grain angles and sett offsets that write_garment leaves. Throws InputError as load_body does.
 PlainMesh read_garment(const std::filesystem::path& path);
 
 }  // namespace selvedge

@@ -12,6 +12,7 @@ namespace selvedge {
 namespace {
 
 constexpr std::string_view kGrainComment = "# grain_angle ";
+constexpr std::string_view kOffsetComment = "# sett_offset ";
 
 // The shortest text that reads back as the same float; std::to_chars knows no locale.
 template <class Number>
@@ -61,6 +62,8 @@ void append_part(std::string& text, const PanelPart& part, std::size_t first_tex
     text += kGrainComment;
     append_number(text, part.grain_angle);
     text += '\n';
+    if (!part.sett_offset.isZero(0))
+        append_vector(text, kOffsetComment.substr(0, kOffsetComment.size() - 1), part.sett_offset);
     for (const auto& triangle : part.triangles) {
         text += 'f';
         for (const std::uint32_t corner : triangle)
@@ -70,10 +73,33 @@ void append_part(std::string& text, const PanelPart& part, std::size_t first_tex
     }
 }
 
+// Calls take(group, rest of the line) for each comment that stands in a group.
+template <class Take>
+void for_each_comment(std::string_view text, std::string_view comment, const Take& take) {
+    std::string group;
+    while (!text.empty()) {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        text.remove_prefix(std::min(text.size(), line.size() + 1));
+        if (line.starts_with("g ")) group = line.substr(2);
+        if (line.starts_with(comment)) take(group, line.substr(comment.size()));
+    }
+}
+
+// The number that `text` begins with, which is taken from it; none where there is none, or it is not finite.
+std::optional<float> take_number(std::string_view& text) {
+    float number = 0;
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (result.ec != std::errc() || !std::isfinite(number)) return {};
+    text.remove_prefix(static_cast<std::size_t>(result.ptr - text.data()));
+    return number;
+}
+
 }  // namespace
 
 std::string garment_obj(const PlainMesh& mesh) {
-    std::string text = "# Selvedge garment: metres, y up; vt = material coordinates in metres; grain_angle in rad\n";
+    std::string text =
+        "# Selvedge garment: metres, y up; vt = material coordinates in metres; grain_angle in rad, sett_offset in "
+        "metres\n";
     append_points(text, mesh.x, vertex_normals(mesh));
     std::size_t textures = 0;
     for (const PanelPart& part : split_by_panel(mesh)) {
@@ -104,18 +130,22 @@ std::string body_obj(const Body& body) {
 
 std::vector<std::pair<std::string, float>> grain_angles_in_obj(std::string_view text) {
     std::vector<std::pair<std::string, float>> angles;
-    std::string group;
-    while (!text.empty()) {
-        const std::string_view line = text.substr(0, text.find('\n'));
-        text.remove_prefix(std::min(text.size(), line.size() + 1));
-        if (line.starts_with("g ")) group = line.substr(2);
-        if (!line.starts_with(kGrainComment)) continue;
-        float angle = 0;
-        const std::string_view number = line.substr(kGrainComment.size());
-        const auto result = std::from_chars(number.data(), number.data() + number.size(), angle);
-        if (result.ec == std::errc() && std::isfinite(angle)) angles.emplace_back(group, angle);
-    }
+    for_each_comment(text, kGrainComment, [&](const std::string& group, std::string_view numbers) {
+        if (const std::optional<float> angle = take_number(numbers)) angles.emplace_back(group, *angle);
+    });
     return angles;
+}
+
+std::vector<std::pair<std::string, Vec2f>> sett_offsets_in_obj(std::string_view text) {
+    std::vector<std::pair<std::string, Vec2f>> offsets;
+    for_each_comment(text, kOffsetComment, [&](const std::string& group, std::string_view numbers) {
+        const std::optional<float> weft = take_number(numbers);
+        if (!numbers.starts_with(' ')) return;
+        numbers.remove_prefix(1);
+        const std::optional<float> warp = take_number(numbers);
+        if (weft && warp) offsets.emplace_back(group, Vec2f(*weft, *warp));
+    });
+    return offsets;
 }
 
 }  // namespace selvedge

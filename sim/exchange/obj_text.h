@@ -17,4 +17,7 @@ std::string body_obj(const Body& body);
 // Group names with the grain angles (rad) that garment_obj wrote in comments behind them; none in others' files.
 std::vector<std::pair<std::string, float>> grain_angles_in_obj(std::string_view text);
 
+// The same for sett offsets (m, weft and warp), which garment_obj writes where a panel has one.
+std::vector<std::pair<std::string, Vec2f>> sett_offsets_in_obj(std::string_view text);
+
 }  // namespace selvedge

@@ -53,6 +53,7 @@ std::vector<PanelPart> split_by_panel(const PlainMesh& mesh) {
         PanelPart part;
         part.name = panel_name(mesh, panel);
         if (panel < mesh.panel_grain_angles.size()) part.grain_angle = mesh.panel_grain_angles[panel];
+        if (panel < mesh.panel_sett_offsets.size()) part.sett_offset = mesh.panel_sett_offsets[panel];
         Copies copies{std::vector<std::uint32_t>(mesh.x.size(), kNone), {}};
         for (const std::size_t t : triangles_of_panel[panel]) {
             std::array<std::uint32_t, 3> corners{};

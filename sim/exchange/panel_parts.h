@@ -14,6 +14,7 @@ namespace selvedge {
 struct PanelPart {
     std::string name;
     float grain_angle = 0;                                // rad
+    Vec2f sett_offset = Vec2f::Zero();                    // m, see Panel::sett_offset
     std::vector<std::uint32_t> vertices;                  // of the mesh, one per vertex of the part
     std::vector<Vec2f> u;                                 // m, beside `vertices`; empty when the mesh has none
     std::vector<std::array<std::uint32_t, 3>> triangles;  // of the part's vertices

@@ -48,6 +48,9 @@ void check_indices(const GarmentMesh& mesh, Faults& faults) {
         if (!is_vertex(pin)) faults.push_back("pin: no vertex " + std::to_string(pin));
     }
     if (mesh.panel_grain_angles.size() != mesh.panel_names.size()) faults.push_back("panels: not one grain angle each");
+    if (!mesh.panel_sett_offsets.empty() && mesh.panel_sett_offsets.size() != mesh.panel_names.size()) {
+        faults.push_back("panels: not one sett offset each");
+    }
 }
 
 void check_shapes(const GarmentMesh& mesh, Faults& faults) {

@@ -29,7 +29,8 @@ struct GarmentMesh {
     std::vector<SeamLink> links;
     std::vector<int> pins;  // vertices that do not move
     std::vector<std::string> panel_names;
-    std::vector<double> panel_grain_angles;  // rad, see Panel::grain_angle
+    std::vector<double> panel_grain_angles;   // rad, see Panel::grain_angle
+    std::vector<Vec2d> panel_sett_offsets{};  // m, see Panel::sett_offset; empty: none is moved
 };
 
 }  // namespace selvedge

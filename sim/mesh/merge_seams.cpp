@@ -36,6 +36,7 @@ SewnMesh merge_seams(const GarmentMesh& unsewn) {
     }
     sewn.mesh.panel_names = unsewn.panel_names;
     sewn.mesh.panel_grain_angles = unsewn.panel_grain_angles;
+    sewn.mesh.panel_sett_offsets = unsewn.panel_sett_offsets;
     return sewn;
 }
 

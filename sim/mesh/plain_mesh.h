@@ -18,7 +18,8 @@ struct PlainMesh {
     std::vector<std::uint16_t> panel;     // per triangle; empty: one group
     std::vector<std::uint8_t> level;      // per triangle; empty: all 0
     std::vector<std::string> panel_names;
-    std::vector<float> panel_grain_angles;  // rad
+    std::vector<float> panel_grain_angles;    // rad
+    std::vector<Vec2f> panel_sett_offsets{};  // m, (weft, warp), see Panel::sett_offset; empty: none is moved
 };
 
 // Unit normals at vertices, weighted by the area of the triangles about them; +y where there is no area.

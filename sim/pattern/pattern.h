@@ -40,10 +40,12 @@ struct Panel {
     Vec3d translation = Vec3d::Zero();  // m
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  // world = rotation * local + translation
     bool is_mirrored = false;                                // local = (-x, y, 0) instead of (x, y, 0)
-    double grain_angle = 0;  // rad, from the panel's +y to the warp, counter-clockwise in the held frame
-    std::string fabric;      // empty: the pattern's
-    int layer = 0;           // higher is further out
-    std::vector<int> pins;   // vertices of the outline that do not move
+    double grain_angle = 0;             // rad, from the panel's +y to the warp, counter-clockwise in the held frame
+    Vec2d sett_offset = Vec2d::Zero();  // m, how far the sett is moved under the panel: added to its points, turned to
+                                        // the grain, (weft, warp), on the fabric's right side
+    std::string fabric;                 // empty: the pattern's
+    int layer = 0;                      // higher is further out
+    std::vector<int> pins;              // vertices of the outline that do not move
     std::vector<InternalLine> internal_lines;
 
     // The panel point u (held frame) in the room, m.
@@ -64,14 +66,24 @@ struct Seam {
     SeamSide first;
     SeamSide second;
     bool is_reversed = true;
+    std::string name = {};  // the pattern's own; empty: see seam_name
+};
+
+// What the panels' sett offsets were found for.
+struct MatchedSett {
+    std::string tartan;            // name or threadcount
+    Vec2d repeat = Vec2d::Zero();  // m, of the warp and of the weft
+
+    bool operator==(const MatchedSett&) const = default;
 };
 
 struct Pattern {
     std::string name;
     std::vector<Panel> panels;
     std::vector<Seam> seams;
-    std::string fabric;           // name of a shipped fabric or file; empty: the default
-    std::string tartan;           // name or threadcount; empty: the default
+    std::string fabric;                            // name of a shipped fabric or file; empty: the default
+    std::string tartan;                            // name or threadcount; empty: the default
+    std::optional<MatchedSett> matched_sett = {};  // none: nobody matched it
     std::string body;             // what the panels were placed for, e.g. "mannequin:sex=female"; empty: GarmentCode's
     double body_height = 1.7199;  // m, stature of that body, feet at y = 0
     std::optional<double> edge_length;  // m, of the base mesh; none: the mesher's usual one

@@ -92,6 +92,7 @@ class Reader : private FaultReader {
     void read_panel_additions(const Node& node, Panel& panel) {
         if (!expect(node, Json::Kind::Object)) return;
         if (const Node grain = node.member("grainline")) panel.grain_angle = number(grain).value_or(0) * kDegree;
+        if (const Node offset = node.member("sett_offset")) panel.sett_offset = point(offset).value_or(Vec2d::Zero());
         if (const Node fabric = node.member("fabric")) panel.fabric = read_fabric_name(fabric);
         if (const Node layer = node.member("layer")) {
             const auto value = number(layer);
@@ -162,7 +163,8 @@ class Reader : private FaultReader {
         return seam;
     }
 
-    std::optional<SeamSide> read_side(const Node& node) {
+    // {"panel": NAME, "edge": INDEX}
+    std::optional<SeamSide> read_edge(const Node& node) {
         if (!expect(node, Json::Kind::Object)) return {};
         const Node panel = node.member("panel");
         const Node edge = node.member("edge");
@@ -180,11 +182,18 @@ class Reader : private FaultReader {
         if (edges.empty()) return {};  // they could not be read, which is said there
         const auto at = index(edge, edges.size(), "edge");
         if (!at) return {};
-        const SeamSide side{found->second, *at};
-        const auto [earlier, is_new] = sewn_.insert({side, node.path});
+        return SeamSide{found->second, *at};
+    }
+
+    // An edge that no other stitch has named.
+    std::optional<SeamSide> read_side(const Node& node) {
+        const auto side = read_edge(node);
+        if (!side) return {};
+        const auto [earlier, is_new] = sewn_.insert({*side, node.path});
         if (!is_new) {
-            error(node,
-                  "edge " + std::to_string(*at) + " of panel '" + *name + "' is sewn already, at " + earlier->second);
+            error(node, "edge " + std::to_string(side->edge) + " of panel '" +
+                            out_.pattern.panels[static_cast<std::size_t>(side->panel)].name + "' is sewn already, at " +
+                            earlier->second);
         }
         return side;
     }
@@ -194,6 +203,8 @@ class Reader : private FaultReader {
         Pattern& pattern = out_.pattern;
         if (const Node fabric = node.member("fabric")) pattern.fabric = read_fabric_name(fabric);
         if (const Node tartan = node.member("tartan")) pattern.tartan = text(tartan).value_or("");
+        if (const Node matched = node.member("matched_sett")) read_matched_sett(matched);
+        if (const Node names = node.member("seam_names")) read_seam_names(names);
         if (const Node body = node.member("body")) pattern.body = text(body).value_or("");
         if (const Node height = node.member("body_height")) {
             const auto value = length(height);
@@ -207,6 +218,42 @@ class Reader : private FaultReader {
             pattern.edge_length = length(edge);
             if (pattern.edge_length && (*pattern.edge_length < 0.005 || *pattern.edge_length > 0.5)) {
                 error(edge, edge.value->number_text() + " is no edge length of a mesh: 0.5 to 50 cm are");
+            }
+        }
+    }
+
+    void read_matched_sett(const Node& node) {
+        if (!expect(node, Json::Kind::Object)) return;
+        MatchedSett matched;
+        if (const Node tartan = node.member("tartan")) matched.tartan = text(tartan).value_or("");
+        const Node repeat = node.member("repeat");
+        if (!repeat) return error(node, "no key 'repeat'");
+        const auto size = point(repeat);
+        if (size && size->minCoeff() <= 0) return error(repeat, "a repeat is longer than nothing");
+        matched.repeat = size.value_or(Vec2d::Zero());
+        out_.pattern.matched_sett = std::move(matched);
+    }
+
+    // {NAME: {"panel", "edge"}}: the seam at that edge.
+    void read_seam_names(const Node& names) {
+        if (!expect(names, Json::Kind::Object)) return;
+        for (const Json::Member& member : names.value->members()) {
+            const Node node{&member.value, json_path(names.path, member.key)};
+            if (member.key.empty() || member.key.find_first_of(",+") != std::string::npos) {
+                error(node, "a seam's name is not empty, and has no comma and no plus sign");
+            }
+            const auto side = read_edge(node);
+            if (!side) continue;
+            std::vector<Seam>& seams = out_.pattern.seams;
+            const auto seam = std::find_if(seams.begin(), seams.end(), [&](const Seam& candidate) {
+                return candidate.first == *side || candidate.second == *side;
+            });
+            if (seam == seams.end()) {
+                error(node, "this edge is not sewn");
+            } else if (!seam->name.empty()) {
+                error(node, "the seam is named '" + seam->name + "' already");
+            } else {
+                seam->name = member.key;
             }
         }
     }

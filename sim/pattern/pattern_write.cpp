@@ -189,6 +189,9 @@ class Writer {
         const Json* found = json.find("selvedge");
         Json own = found ? *found : Json::object();
         set_number_unless_zero(own, "grainline", (panel.is_mirrored ? -1 : 1) * panel.grain_angle / kDegree);
+        if (own.find("sett_offset") || !panel.sett_offset.isZero(0)) {
+            set_numbers(own["sett_offset"], {units_ * panel.sett_offset.x(), units_ * panel.sett_offset.y()});
+        }
         set_unless_usual(own, "fabric", panel.fabric, std::string());
         set_number_unless_zero(own, "layer", panel.layer);
         if (own.find("pins") || !panel.pins.empty()) write_pins(own["pins"], panel);
@@ -236,7 +239,7 @@ class Writer {
         }
     }
 
-    void write_side(Json& json, const SeamSide& side) {
+    void write_side(Json& json, const SeamSide& side) const {
         if (!json.is_object()) json = Json::object();
         json["panel"] = pattern_.panels[static_cast<std::size_t>(side.panel)].name;
         set_number(json["edge"], side.edge);
@@ -264,6 +267,8 @@ class Writer {
         Json own = found ? *found : Json::object();
         set_unless_usual(own, "fabric", pattern_.fabric, std::string());
         set_unless_usual(own, "tartan", pattern_.tartan, std::string());
+        write_matched_sett(own);
+        write_seam_names(own);
         set_unless_usual(own, "body", pattern_.body, std::string());
         if (own.find("body_height") || pattern_.body_height != Pattern().body_height) {
             set_number(own["body_height"], units_ * pattern_.body_height);
@@ -271,6 +276,38 @@ class Writer {
         if (pattern_.edge_length) set_number(own["edge_length"], units_ * *pattern_.edge_length);
         if (!pattern_.edge_length) own.erase("edge_length");
         if (found || !own.members().empty()) root_["selvedge"] = std::move(own);
+    }
+
+    void write_matched_sett(Json& own) const {
+        if (!pattern_.matched_sett) return own.erase("matched_sett");
+        const MatchedSett& matched = *pattern_.matched_sett;
+        Json& json = own["matched_sett"];
+        if (!json.is_object()) json = Json::object();
+        set_unless_usual(json, "tartan", matched.tartan, std::string());
+        set_numbers(json["repeat"], {units_ * matched.repeat.x(), units_ * matched.repeat.y()});
+    }
+
+    // A name that stands at either side of its seam already stays there.
+    void write_seam_names(Json& own) const {
+        std::map<std::string, const Seam*> by_name;
+        for (const Seam& seam : pattern_.seams) {
+            if (!seam.name.empty()) by_name[seam.name] = &seam;
+        }
+        if (by_name.empty()) return own.erase("seam_names");
+        Json& names = own["seam_names"];
+        if (!names.is_object()) names = Json::object();
+        std::erase_if(names.members(), [&](const Json::Member& member) { return !by_name.contains(member.key); });
+        for (const auto& [name, seam] : by_name) {
+            Json& place = names[name];
+            if (!is_at(place, seam->first) && !is_at(place, seam->second)) write_side(place, seam->first);
+        }
+    }
+
+    bool is_at(const Json& json, const SeamSide& side) const {
+        const Json* panel = json.find("panel");
+        const Json* edge = json.find("edge");
+        return panel && edge && panel->is_string() && edge->is_number() && edge->number() == side.edge &&
+               panel->string() == pattern_.panels[static_cast<std::size_t>(side.panel)].name;
     }
 
     const Pattern& pattern_;

@@ -41,21 +41,46 @@ Palette read_palette(const JsonView& view) {
     return palette;
 }
 
+// The threadcount under `key`; what is wrong in it is told with the file and the key.
+Sett read_threadcount(const JsonView& view, const std::string& key, const Palette& palette) {
+    const JsonView text = view.at(key);
+    try {
+        return parse_threadcount(text.string(), palette);
+    } catch (const InputError& error) {
+        if (error.file() == view.file()) throw;
+        throw InputError(view.file(), key,
+                         error.place().empty() ? error.problem() : error.place() + ": " + error.problem());
+    }
+}
+
+void read_weft(const JsonView& view, const Palette& palette, Sett& sett) {
+    Sett weft = read_threadcount(view, "weft", palette);
+    if (!sett.weft_stripes.empty() || !weft.weft_stripes.empty()) view.at("weft").fail("the weft is given twice");
+    sett.weft_stripes = std::move(weft.stripes);
+    sett.is_weft_mirrored = weft.is_mirrored;
+}
+
+void read_register(const JsonView& entry, Sett& sett) {
+    sett.register_name = entry.at("name").string();
+    sett.register_number = entry.at("number").integer();
+    if (sett.register_number < 1) entry.at("number").fail("a reference number is 1 or more");
+}
+
 }  // namespace
 
 Sett parse_tartan(std::string_view json, const std::string& file) {
     const Json document = parse_json(json, file);
     const JsonView view(document, file);
     const Palette palette = view.has("palette") ? read_palette(view.at("palette")) : Palette{};
-    Sett sett;
-    try {
-        sett = parse_threadcount(view.at("threadcount").string(), palette);
-    } catch (const InputError& error) {
-        if (error.file() == file) throw;
-        throw InputError(file, "threadcount",
-                         error.place().empty() ? error.problem() : error.place() + ": " + error.problem());
+    Sett sett = read_threadcount(view, "threadcount", palette);
+    if (view.has("weft")) read_weft(view, palette, sett);
+    if (view.has("weave")) {
+        const std::optional<Weave> weave = parse_weave(view.at("weave").string());
+        if (!weave) view.at("weave").fail(std::string("a weave is one of ") + kWeaveNames);
+        sett.weave = *weave;
     }
     sett.name = view.at("name").string();
+    if (view.has("register")) read_register(view.at("register"), sett);
     if (view.has("repeat_cm")) sett = with_repeat_size(sett, view.at("repeat_cm").number_between(0.1, 500) / 100);
     return sett;
 }

@@ -17,7 +17,8 @@ Sett find_tartan(const std::string& name_or_threadcount);
 // Names as find_tartan takes them, in alphabetical order.
 std::vector<std::string> shipped_tartans();
 
-// A tartan file: {"name", "threadcount", "palette": {"K": "#101010"}, "repeat_cm"}. Throws InputError(file, path, ...).
+// A tartan file: {"name", "threadcount", "weft", "weave", "palette": {"K": "#101010"}, "repeat_cm", "register":
+// {"name", "number"}}; all but the first two may be left out. Throws InputError(file, path, ...).
 Sett parse_tartan(std::string_view json, const std::string& file);
 
 }  // namespace selvedge

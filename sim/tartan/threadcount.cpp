@@ -1,4 +1,5 @@
-// The reading of threadcounts: words, then stripes, then the mirrored or plain repeat.
+// The reading of threadcounts: words, then the sections of warp, weft and weave, then stripes, then the mirrored or
+// plain repeat.
 #include <algorithm>
 #include <charconv>
 #include <utility>
@@ -29,8 +30,8 @@ char upper(char c) {
     return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
 }
 
-// Words end at blanks, commas, semicolons and, as threadcounts are also written "B24W4", where a letter follows a
-// count. A colour's digits are none.
+// Words end at blanks, commas, semicolons, behind a colon and, as threadcounts are also written "B24W4", where a letter
+// follows a count. A colour's digits are none.
 std::vector<Word> split_words(std::string_view text) {
     std::vector<std::string> words;
     std::string word;
@@ -45,6 +46,7 @@ std::vector<Word> split_words(std::string_view text) {
         const bool is_colour = word.find('=') != std::string::npos;
         if (!is_colour && is_letter(c) && !word.empty() && is_digit(word.back())) finish();
         word += c;
+        if (c == ':') finish();
     }
     finish();
     std::vector<Word> result;
@@ -110,31 +112,102 @@ void check_pivots(const std::vector<ReadStripe>& stripes, const std::vector<Word
     }
 }
 
-}  // namespace
+std::string lower(std::string text) {
+    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return text;
+}
 
-Sett parse_threadcount(std::string_view text, const Palette& palette) {
-    Palette colours = palette;
-    std::vector<Word> words;
+// What stands between the words "weft:" and "weave:".
+struct Sections {
+    std::vector<Word> warp;
+    std::vector<Word> weft;
+    bool has_weft = false;
+    std::vector<Word> weave;
+    bool has_weave = false;
+    Palette colours;
+};
+
+Sections split_sections(std::string_view text, const Palette& palette) {
+    Sections sections;
+    sections.colours = palette;
+    std::vector<Word>* section = &sections.warp;
+    const auto begin = [&](const Word& word, bool& is_there, std::vector<Word>& words) {
+        if (std::exchange(is_there, true)) fail(word, "given twice");
+        section = &words;
+    };
     for (const Word& word : split_words(text)) {
-        if (word.text.find('=') != std::string::npos) {
-            add_colour(word, colours);
+        if (word.text.ends_with(':')) {
+            const std::string name = lower(word.text);
+            if (name == "weft:") {
+                begin(word, sections.has_weft, sections.weft);
+            } else if (name == "weave:") {
+                begin(word, sections.has_weave, sections.weave);
+            } else {
+                fail(word, "only weft: and weave: end in a colon");
+            }
+        } else if (word.text.find('=') != std::string::npos) {
+            add_colour(word, sections.colours);
         } else if (word.text != "...") {  // some write the dots of "and so on" round a repeat
-            words.push_back(word);
+            section->push_back(word);
         }
     }
-    if (words.empty()) throw InputError("threadcount", "", "no stripes: write, for example, B/24 W4 B24 R/2");
+    return sections;
+}
 
+struct Repeat {
+    std::vector<SettStripe> stripes;
+    bool is_mirrored = false;
+};
+
+Repeat expand(const std::vector<Word>& words, const Palette& colours, const std::string& whose) {
+    if (words.empty()) {
+        throw InputError("threadcount", "", "no stripes" + whose + ": write, for example, B/24 W4 B24 R/2");
+    }
     std::vector<ReadStripe> read;
     for (const Word& word : words) read.push_back(parse_stripe(word, colours));
     check_pivots(read, words);
-
-    Sett sett;
-    sett.is_mirrored = read.front().is_pivot;
-    for (const ReadStripe& stripe : read) sett.stripes.push_back(stripe.stripe);
-    for (std::size_t i = read.size() - 1; sett.is_mirrored && i-- > 1;) sett.stripes.push_back(read[i].stripe);
-    if (thread_count(sett) > kMaxSettThreads) {
-        throw InputError("threadcount", "", "more than " + std::to_string(kMaxSettThreads) + " threads in a repeat");
+    Repeat repeat;
+    repeat.is_mirrored = read.front().is_pivot;
+    int threads = 0;
+    const auto lay = [&](const SettStripe& stripe) {
+        repeat.stripes.push_back(stripe);
+        threads = std::min(threads + stripe.threads, kMaxSettThreads + 1);
+    };
+    for (const ReadStripe& stripe : read) lay(stripe.stripe);
+    for (std::size_t i = read.size() - 1; repeat.is_mirrored && i-- > 1;) lay(read[i].stripe);
+    if (threads > kMaxSettThreads) {
+        throw InputError("threadcount", "",
+                         "more than " + std::to_string(kMaxSettThreads) + " threads in a repeat" + whose);
     }
+    return repeat;
+}
+
+}  // namespace
+
+std::optional<Weave> parse_weave(std::string_view name) {
+    const std::string plain = lower(std::string(name));
+    if (plain == "plain") return Weave::Plain;
+    if (plain == "twill") return Weave::Twill22;
+    if (plain == "denim") return Weave::Twill31;
+    return {};
+}
+
+Sett parse_threadcount(std::string_view text, const Palette& palette) {
+    const Sections sections = split_sections(text, palette);
+    Sett sett;
+    Repeat warp = expand(sections.warp, sections.colours, "");
+    sett.stripes = std::move(warp.stripes);
+    sett.is_mirrored = warp.is_mirrored;
+    if (sections.has_weft) {
+        Repeat weft = expand(sections.weft, sections.colours, " of the weft");
+        sett.weft_stripes = std::move(weft.stripes);
+        sett.is_weft_mirrored = weft.is_mirrored;
+    }
+    if (!sections.has_weave) return sett;
+    const std::optional<Weave> weave =
+        sections.weave.size() == 1 ? parse_weave(sections.weave.front().text) : std::nullopt;
+    if (!weave) throw InputError("threadcount", "weave", std::string("one word is wanted: ") + kWeaveNames);
+    sett.weave = *weave;
     return sett;
 }
 

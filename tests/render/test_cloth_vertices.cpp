@@ -58,6 +58,16 @@ TEST(ClothVertices, the_sett_follows_the_grain_of_each_panel) {
     EXPECT_NEAR(vertices[3].place[1], -5.3F, 1e-6F);
 }
 
+TEST(ClothVertices, the_offset_of_a_panels_sett_comes_after_the_turn_to_its_grain) {
+    PlainMesh mesh = sewn_square();
+    mesh.panel_sett_offsets = {{0.01F, 0.02F}, {-0.5F, 0.25F}};
+    const std::vector<ClothVertex> vertices = vertices_of(mesh);
+    EXPECT_NEAR(vertices[2].place[0], 0.01F, 1e-6F);
+    EXPECT_NEAR(vertices[2].place[1], 0.42F, 1e-6F);
+    EXPECT_NEAR(vertices[3].place[0], -0.5F, 1e-6F);
+    EXPECT_NEAR(vertices[3].place[1], -5.05F, 1e-6F);
+}
+
 TEST(ClothVertices, heights_are_those_of_the_triangle_and_lie_on_their_own_corner) {
     const std::vector<ClothVertex> vertices = vertices_of(sewn_square());
     EXPECT_NEAR(vertices[0].heights[0], 0.3F * 0.4F / 0.5F, 1e-6F);

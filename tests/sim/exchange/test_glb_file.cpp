@@ -152,6 +152,12 @@ TEST(GlbFile, of_a_body_without_bones_has_no_skin) {
     EXPECT_EQ(file.root.find("nodes")->elements().size(), 1U);
 }
 
+TEST(GlbFile, gives_back_the_sett_offsets_that_it_wrote_where_there_are_any) {
+    const auto offsets = sett_offsets_in_glb(garment_glb(two_panels()), "test.glb");
+    ASSERT_EQ(offsets.size(), 1U);
+    EXPECT_EQ(offsets[0], (std::pair<std::string, Vec2f>("left sleeve", Vec2f(0.0123F, -0.05F))));
+}
+
 TEST(GlbFile, gives_back_the_grain_angles_that_it_wrote) {
     const auto angles = grain_angles_in_glb(garment_glb(two_panels()), "test.glb");
     ASSERT_EQ(angles.size(), 2U);

@@ -27,6 +27,7 @@ void expect_same_garment(const PlainMesh& read, const PlainMesh& written, float 
     EXPECT_EQ(read.x.size(), written.x.size());
     EXPECT_EQ(read.panel, written.panel);
     EXPECT_EQ(read.panel_grain_angles, written.panel_grain_angles);
+    EXPECT_EQ(read.panel_sett_offsets, written.panel_sett_offsets);
     for (std::size_t t = 0; t < read.triangles.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k) {
             EXPECT_EQ(read.x[read.triangles[t][k]], written.x[written.triangles[t][k]]);

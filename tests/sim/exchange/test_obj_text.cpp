@@ -63,6 +63,14 @@ TEST(ObjText, gives_back_the_grain_angles_that_it_wrote) {
     EXPECT_TRUE(grain_angles_in_obj("g a\nf 1 2 3\n# grain_angle many\n# grain_angle").empty());
 }
 
+TEST(ObjText, gives_back_the_sett_offsets_that_it_wrote_where_there_are_any) {
+    const auto offsets = sett_offsets_in_obj(garment_obj(two_panels()));
+    ASSERT_EQ(offsets.size(), 1U);
+    EXPECT_EQ(offsets[0], (std::pair<std::string, Vec2f>("left_sleeve", Vec2f(0.0123F, -0.05F))));
+    EXPECT_TRUE(
+        sett_offsets_in_obj("g a\n# sett_offset 1\n# sett_offset 1 x\n# sett_offset nan 1\n# sett_offset").empty());
+}
+
 TEST(ObjText, writes_a_body_as_one_group) {
     Body body;
     body.name = "mannequin female";

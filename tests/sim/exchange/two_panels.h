@@ -15,6 +15,7 @@ inline PlainMesh two_panels() {
     mesh.panel = {0, 0, 1, 1};
     mesh.panel_names = {"front", "left sleeve"};
     mesh.panel_grain_angles = {0.0F, 0.7853982F};
+    mesh.panel_sett_offsets = {{0, 0}, {0.0123F, -0.05F}};
     return mesh;
 }
 

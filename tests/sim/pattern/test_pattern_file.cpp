@@ -120,9 +120,12 @@ TEST(PatternFile, seams_join_start_to_end_unless_they_say_right_wrong) {
 std::string with_additions() {
     std::string text = replaced(sample_text(), R"("pattern": {)",
                                 R"("selvedge": {"fabric": "wool_twill", "tartan": "black_watch", "later": [1.0],
+ "matched_sett": {"repeat": [14.90, 7], "tartan": "black_watch"},
+ "seam_names": {"left side": {"panel": "back", "edge": 2}},
  "body": "mannequin:sex=female", "body_height": 168, "edge_length": 8}, "pattern": {)");
-    return replaced(text, R"("back": {)",
-                    R"("back": {"selvedge": {"grainline": 30, "fabric": "denim", "layer": 2, "pins": [1, 2],
+    return replaced(
+        text, R"("back": {)",
+        R"("back": {"selvedge": {"grainline": 30, "sett_offset": [1.50, -2], "fabric": "denim", "layer": 2, "pins": [1, 2],
  "internal_lines": [{"name": "pleat", "points": [[10, 1], [10, 40]]}]}, )");
 }
 
@@ -137,7 +140,14 @@ TEST(PatternFile, reads_what_we_add_in_the_held_frame) {
     EXPECT_EQ(back.fabric, "denim");
     EXPECT_EQ(back.layer, 2);
     EXPECT_EQ(back.pins, (std::vector<int>{1, 2}));
-    EXPECT_NEAR(back.grain_angle, -30 * kDegree, 1e-12);  // mirrored with its panel
+    EXPECT_NEAR(back.grain_angle, -30 * kDegree, 1e-12);          // mirrored with its panel
+    EXPECT_TRUE(back.sett_offset.isApprox(Vec2d(0.015, -0.02)));  // of the fabric, which does not turn over
+    EXPECT_TRUE(pattern.panels[0].sett_offset.isZero(0));
+    ASSERT_TRUE(pattern.matched_sett);
+    EXPECT_EQ(pattern.matched_sett->tartan, "black_watch");
+    EXPECT_TRUE(pattern.matched_sett->repeat.isApprox(Vec2d(0.149, 0.07)));
+    EXPECT_EQ(pattern.seams[0].name, "left side");
+    EXPECT_EQ(pattern.seams[1].name, "");
     ASSERT_EQ(back.internal_lines.size(), 1U);
     EXPECT_TRUE(back.internal_lines[0].points[1].isApprox(Vec2d(-0.1, 0.4)));
     EXPECT_DOUBLE_EQ(pattern.panels[0].grain_angle, 0);
@@ -166,6 +176,25 @@ TEST(PatternFile, writes_only_what_changed) {
     EXPECT_TRUE(again.pattern.panels[1].edges[1].control[0].isApprox(Vec2d(-0.14, 0.515), 1e-8));
     document.pattern.panels[1].edges[1].control = parse_pattern(expected, "").pattern.panels[1].edges[1].control;
     EXPECT_EQ(write_json(parse_json(write_pattern(document), ""), -1), write_json(parse_json(expected, ""), -1));
+}
+
+TEST(PatternFile, writes_offsets_of_setts_names_of_seams_and_what_was_matched_shortly_and_in_order) {
+    PatternDocument document = parse_pattern(sample_text(), "");
+    document.pattern.panels[0].sett_offset = {0.0123456789, 0.1 + 0.2};
+    document.pattern.seams[1].name = "right side";
+    document.pattern.matched_sett = {"gordon", {0.189, 0.189}};
+    const PatternDocument again = parse_pattern(write_pattern(document), "");
+    EXPECT_EQ(write_json(*again.json.find("pattern")->find("panels")->find("front")->find("selvedge"), -1),
+              R"({"sett_offset":[1.23456789,30]})");
+    EXPECT_EQ(write_json(*again.json.find("selvedge"), -1),
+              R"({"matched_sett":{"tartan":"gordon","repeat":[18.9,18.9]},)"
+              R"("seam_names":{"right side":{"panel":"front","edge":3}}})");
+    EXPECT_EQ(again.pattern.seams[1].name, "right side");
+    EXPECT_TRUE(again.pattern.matched_sett->repeat.isApprox(Vec2d(0.189, 0.189)));
+    document.pattern = parse_pattern(sample_text(), "").pattern;
+    document.json = again.json;
+    EXPECT_EQ(write_pattern(document).find("gordon"), std::string::npos);
+    EXPECT_EQ(write_pattern(document).find("right side"), std::string::npos);
 }
 
 TEST(PatternFile, follows_panels_and_seams_that_come_and_go) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "sim/core/error.h"
 
 namespace selvedge {
@@ -56,6 +58,41 @@ TEST(TartanFile, an_unknown_name_is_answered_with_those_there_are) {
         EXPECT_NE(error.problem().find("'blakc watch'"), std::string::npos);
         EXPECT_NE(error.problem().find("black_watch"), std::string::npos);
     }
+}
+
+TEST(TartanFile, twelve_or_more_name_their_entry_in_the_register_and_no_two_the_same) {
+    std::set<int> numbers;
+    for (const std::string& name : shipped_tartans()) {
+        const Sett sett = find_tartan(name);
+        EXPECT_EQ(sett.register_number > 0, !sett.register_name.empty()) << name;
+        if (sett.register_number == 0) continue;
+        EXPECT_TRUE(numbers.insert(sett.register_number).second) << name;
+    }
+    EXPECT_GE(numbers.size(), 12U);
+    EXPECT_EQ(find_tartan("black_watch").register_number, 277);
+}
+
+TEST(TartanFile, may_say_a_weft_and_a_weave) {
+    const Sett sett = parse_tartan(
+        R"({"name": "x", "threadcount": "B4", "weft": "W/2 B/1", "weave": "denim", "repeat_cm": 1,
+            "register": {"name": "X", "number": 7}})",
+        "x.json");
+    EXPECT_EQ(sett.weave, Weave::Twill31);
+    EXPECT_TRUE(sett.is_weft_mirrored);
+    EXPECT_EQ(sett.register_number, 7);
+    EXPECT_DOUBLE_EQ(repeat_size(sett), 0.01);
+    EXPECT_DOUBLE_EQ(weft_repeat_size(sett), 0.0075);
+}
+
+TEST(TartanFile, faults_of_weft_weave_and_register_name_their_place) {
+    const auto fault = [](const std::string& more) {
+        return fault_of(R"({"name": "x", "threadcount": "K4 weft: W4", )" + more + "}");
+    };
+    EXPECT_NE(fault(R"("weft": "R4")").find("mine.json: weft: the weft is given twice"), std::string::npos);
+    EXPECT_NE(fault(R"("weft": "Q4")").find("mine.json: weft: stripe 1 'Q4'"), std::string::npos);
+    EXPECT_NE(fault(R"("weave": "satin")").find("mine.json: weave: "), std::string::npos);
+    EXPECT_NE(fault(R"("register": {"name": "X"})").find("register"), std::string::npos);
+    EXPECT_NE(fault(R"("register": {"name": "X", "number": 0})").find("register.number"), std::string::npos);
 }
 
 TEST(TartanFile, faults_name_the_file_and_the_place) {

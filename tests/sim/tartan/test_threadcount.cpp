@@ -84,6 +84,50 @@ TEST(Sett, a_wished_repeat_keeps_the_proportions_and_the_threads_near_their_spac
     EXPECT_NEAR(sett.thread_spacing, 0.00036, 0.00004);
 }
 
+TEST(Threadcount, may_say_a_weft_with_pivots_of_its_own_and_the_weave) {
+    const Sett sett = parse_threadcount("K20 R6 Weft: K/8 W4 G/2 weave: Denim");
+    EXPECT_EQ(written(sett), "K20 R6 ");
+    EXPECT_FALSE(sett.is_mirrored);
+    EXPECT_TRUE(sett.is_weft_mirrored);
+    EXPECT_EQ(weft_thread_count(sett), 8 + 2 * 4 + 2);
+    EXPECT_EQ(weft_thread_colours(sett).size(), 18U);
+    EXPECT_EQ(sett.weave, Weave::Twill31);
+    EXPECT_EQ(parse_threadcount("K/4 R/6weft:W1weave:plain").weave, Weave::Plain);
+    EXPECT_EQ(parse_threadcount("K4 weave: twill").weave, Weave::Twill22);
+}
+
+TEST(Threadcount, a_weft_that_is_not_said_repeats_the_warp) {
+    const Sett sett = parse_threadcount("K/4 R/6");
+    EXPECT_TRUE(sett.weft_stripes.empty());
+    EXPECT_EQ(weft_thread_colours(sett), thread_colours(sett));
+    EXPECT_EQ(sett.weave, Weave::Twill22);
+}
+
+TEST(Threadcount, what_is_wrong_with_weft_and_weave_is_named) {
+    EXPECT_NE(fault_of("K4 weft:").find("no stripes of the weft"), std::string::npos);
+    EXPECT_NE(fault_of("weft: K4").find("no stripes"), std::string::npos);
+    EXPECT_NE(fault_of("K4 weft: W/4 R4").find("stripe 4 'R4': one pivot alone"), std::string::npos);
+    EXPECT_NE(fault_of("K4 weft: R4 weft: W4").find("given twice"), std::string::npos);
+    EXPECT_NE(fault_of("K4 weave: satin").find("plain, twill, denim"), std::string::npos);
+    EXPECT_NE(fault_of("K4 weave:").find("plain, twill, denim"), std::string::npos);
+    EXPECT_NE(fault_of("K4 weave: plain twill").find("plain, twill, denim"), std::string::npos);
+    EXPECT_NE(fault_of("K4 warp: R4").find("end in a colon"), std::string::npos);
+    EXPECT_NE(fault_of("K4 weft: R4096 W1").find("more than"), std::string::npos);
+}
+
+TEST(Sett, a_wished_repeat_is_the_warps_and_the_weft_keeps_its_proportion) {
+    const Sett sett = with_repeat_size(parse_threadcount("K20 R20 weft: W7 G3"), 0.12);
+    EXPECT_DOUBLE_EQ(repeat_size(sett), 0.12);
+    EXPECT_DOUBLE_EQ(weft_repeat_size(sett), 0.03);
+    EXPECT_NEAR(sett.thread_spacing, 0.00036, 0.00004);
+}
+
+TEST(Sett, no_repeat_outgrows_the_most_threads_because_of_its_weft) {
+    const Sett sett = with_repeat_size(parse_threadcount("K2 R2 weft: W4000"), 1);
+    EXPECT_EQ(thread_count(sett), 4);
+    EXPECT_EQ(weft_thread_count(sett), 4000);
+}
+
 TEST(Sett, a_tiny_repeat_keeps_every_thread_and_makes_them_finer) {
     const Sett sett = with_repeat_size(parse_threadcount("K10 R10"), 0.002);
     EXPECT_EQ(thread_count(sett), 20);

@@ -1,0 +1,204 @@
+// selvedge match GARMENT: moves the sett under each panel so that stripes go on across the seams, and writes the
+// offsets into the garment file.
+#include "sim/tartan/match.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/commands.h"
+#include "app/output_files.h"
+#include "sim/core/error.h"
+#include "sim/core/file.h"
+#include "sim/core/json.h"
+#include "sim/pattern/pattern_file.h"
+#include "sim/pattern/seam_name.h"
+#include "sim/tartan/sett_repeat.h"
+#include "sim/tartan/tartan_file.h"
+
+namespace selvedge {
+namespace {
+
+using Path = std::filesystem::path;
+
+constexpr std::size_t kMostNames = 60;  // listed when one is not known
+
+struct MatchArguments {
+    Path garment;
+    Path output;  // empty: the garment file itself
+    Path json_file;
+    std::vector<std::string> seams;
+    std::string centre;  // a panel; empty: none
+    std::string tartan;  // empty: the pattern's
+    std::optional<double> sett_size_cm;
+    bool is_dry = false;
+};
+
+// All that they are called, or the first few of very many.
+std::string known_names(const Pattern& pattern) {
+    std::string names;
+    for (std::size_t i = 0; i < pattern.seams.size() && i < kMostNames; ++i) {
+        names += (names.empty() ? "" : ", ") + seam_name(pattern, pattern.seams[i]);
+    }
+    if (pattern.seams.empty()) return "none: nothing is sewn";
+    return pattern.seams.size() > kMostNames ? names + ", ..." : names;
+}
+
+std::vector<int> seams_of(const Pattern& pattern, const std::vector<std::string>& names) {
+    std::vector<int> seams;
+    for (const std::string& name : names) {
+        const std::vector<int> found = find_seams(pattern, name);
+        if (found.empty())
+            throw InputError("", "--seams", "no seam '" + name.substr(0, 64) + "'; known are " + known_names(pattern));
+        for (const int seam : found) {
+            if (std::find(seams.begin(), seams.end(), seam) == seams.end()) seams.push_back(seam);
+        }
+    }
+    return seams;
+}
+
+std::optional<int> centred_panel(const Pattern& pattern, const std::string& name, const Sett& sett) {
+    if (name.empty()) return {};
+    if (!warp_repeat(sett).mirror) throw InputError("", "--centre", "the sett has no mirror to be centred");
+    std::string known;
+    for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+        if (pattern.panels[p].name == name) return static_cast<int>(p);
+        if (p < kMostNames) known += (known.empty() ? "" : ", ") + pattern.panels[p].name;
+    }
+    throw InputError("", "--centre", "no panel '" + name.substr(0, 64) + "'; known are " + known);
+}
+
+std::string tartan_of(const MatchArguments& arguments, const Pattern& pattern) {
+    if (!arguments.tartan.empty()) return arguments.tartan;
+    return pattern.tartan.empty() ? kDefaultTartan : pattern.tartan;
+}
+
+Sett sett_of(const MatchArguments& arguments, const Pattern& pattern) {
+    const Sett sett = find_tartan(tartan_of(arguments, pattern));
+    return arguments.sett_size_cm ? with_repeat_size(sett, *arguments.sett_size_cm / 100) : sett;
+}
+
+void check_arguments(const MatchArguments& arguments) {
+    const std::optional<double>& size = arguments.sett_size_cm;
+    if (size && !(*size >= 0.1 && *size <= 500)) throw InputError("", "--sett-size", "must be from 0.1 to 500 cm");
+    std::vector<Path> outputs;
+    if (!arguments.is_dry) outputs.push_back(arguments.output.empty() ? arguments.garment : arguments.output);
+    if (!arguments.json_file.empty()) outputs.push_back(arguments.json_file);
+    for (const Path& file : outputs) check_output(file);
+    check_apart(outputs, {});
+    if (!arguments.json_file.empty()) check_apart({arguments.json_file}, {arguments.garment});
+}
+
+// To so many parts of one: short when written as decimals.
+double rounded(double value, double parts) {
+    return std::round(value * parts) / parts + 0.0;
+}
+
+std::string to_json(const SettMatch& match, const MatchedSett& sett) {
+    Json seams = Json::array();
+    for (const SeamMatch& seam : match.seams) {
+        Json entry = Json::object();
+        entry["name"] = seam.name;
+        entry["length_m"] = rounded(seam.length, 1e5);
+        entry["before_mm"] = rounded(1e3 * seam.before, 1e3);
+        entry["after_mm"] = rounded(1e3 * seam.after, 1e3);
+        entry["rms_before_mm"] = rounded(1e3 * seam.rms_before, 1e3);
+        entry["rms_after_mm"] = rounded(1e3 * seam.rms_after, 1e3);
+        entry["met"] = rounded(seam.met, 1e3);
+        if (!seam.why.empty()) entry["why"] = seam.why;
+        seams.push_back(std::move(entry));
+    }
+    Json root = Json::object();
+    root["tartan"] = sett.tartan;
+    root["repeat_m"] = Json::array({rounded(sett.repeat.x(), 1e6), rounded(sett.repeat.y(), 1e6)});
+    root["seams"] = std::move(seams);
+    return write_json(root);
+}
+
+void print_table(const SettMatch& match, const MatchedSett& sett) {
+    std::printf("%s, repeat %.1f cm", sett.tartan.c_str(), 100 * sett.repeat.x());
+    if (sett.repeat.x() != sett.repeat.y()) std::printf(", of the weft %.1f cm", 100 * sett.repeat.y());
+    std::printf("\n");
+    if (match.seams.empty()) return void(std::printf("no seams: nothing to match\n"));
+    std::size_t width = 4;
+    for (const SeamMatch& seam : match.seams) width = std::max(width, std::min<std::size_t>(seam.name.size(), 60));
+    std::printf("%-*s %9s %10s %9s %7s\n", static_cast<int>(width), "seam", "length cm", "before mm", "after mm",
+                "met %");
+    for (const SeamMatch& seam : match.seams) {
+        std::printf("%-*s %9.1f %10.1f %9.1f %7.0f%s%s\n", static_cast<int>(width), seam.name.c_str(),
+                    100 * seam.length, 1e3 * seam.before, 1e3 * seam.after, 100 * seam.met,
+                    seam.why.empty() ? "" : "  ", seam.why.c_str());
+    }
+}
+
+int run(const MatchArguments& arguments) {
+    check_arguments(arguments);
+    PatternDocument document = load_pattern(arguments.garment);
+    Pattern& pattern = document.pattern;
+    const Sett sett = sett_of(arguments, pattern);
+    const SettMatch match = match_sett(pattern, sett,
+                                       {.first_seams = seams_of(pattern, arguments.seams),
+                                        .centred_panel = centred_panel(pattern, arguments.centre, sett)});
+    const MatchedSett matched{tartan_of(arguments, pattern), Vec2d(repeat_size(sett), weft_repeat_size(sett))};
+    for (std::size_t p = 0; p < pattern.panels.size(); ++p) pattern.panels[p].sett_offset = match.offsets[p];
+    pattern.matched_sett = matched;
+
+    print_table(match, matched);
+    if (!arguments.json_file.empty()) write_file_atomically(arguments.json_file, to_json(match, matched));
+    if (arguments.is_dry) return 0;
+    const Path& target = arguments.output.empty() ? arguments.garment : arguments.output;
+    save_pattern(document, target);
+    std::printf("wrote %s\n", target.string().c_str());
+    return 0;
+}
+
+}  // namespace
+
+void add_match_command(CLI::App& app, int& exit_code) {
+    auto arguments = std::make_shared<MatchArguments>();
+    CLI::App* command = app.add_subcommand("match", "Match the tartan at a garment's seams");
+    command->add_option("GARMENT", arguments->garment, "Garment file (patterns/FORMAT.md)")
+        ->required()
+        ->type_name("FILE");
+    command->add_option("-o,--output", arguments->output, "Garment file to write (default: GARMENT itself)")
+        ->type_name("FILE");
+    command
+        ->add_option("--seams", arguments->seams,
+                     "Seams to match first, the most important first (default: the longest). Names as the table has "
+                     "them, or labels of edges")
+        ->type_name("NAME,...")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command
+        ->add_option("--centre", arguments->centre,
+                     "Panel in whose middle the sett should mirror, where seams leave the choice (default: the first "
+                     "panel stays)")
+        ->type_name("PANEL");
+    command->add_option("--tartan", arguments->tartan, "A shipped tartan or a threadcount (default: the pattern's)")
+        ->type_name("NAME");
+    command->add_option("--sett-size", arguments->sett_size_cm, "Size of the tartan's repeat in cm (default its own)")
+        ->type_name("CM");
+    command->add_option("--json", arguments->json_file, "The table as JSON")->type_name("JSON");
+    command->add_flag("--dry-run", arguments->is_dry, "Find and show, but leave the garment as it is");
+    command->footer(
+        "Before and after: the largest distance along the seam, across the stripes, from where a stripe arrives to "
+        "where\n"
+        "the other side goes on with it; stripes that meet the seam at less than 15 degrees do not count. met: the "
+        "share\n"
+        "of the seam where they meet within 2 mm. A seam with ease or gathers is matched from its lower end, or in "
+        "its\n"
+        "middle if it lies level.\n"
+        "Exit code: 0 done, whatever could be matched; 2 wrong input or a file that could not be written.\n"
+        "Examples:\n"
+        "  selvedge match tshirt.json\n"
+        "  selvedge match skirt.json -o matched.json --seams front.1+back.2,front.3+back.0 --tartan gordon\n"
+        "  selvedge match tshirt.json --dry-run --sett-size 12 --json seams.json");
+    command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace selvedge

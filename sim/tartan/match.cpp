@@ -1,0 +1,351 @@
+#include "sim/tartan/match.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numeric>
+
+#include "sim/core/assert.h"
+#include "sim/core/error.h"
+#include "sim/pattern/outline.h"
+#include "sim/pattern/seam_name.h"
+#include "sim/tartan/best_shift.h"
+#include "sim/tartan/offset_graph.h"
+#include "sim/tartan/seam_course.h"
+#include "sim/tartan/sett_repeat.h"
+#include "sim/tartan/tartan_file.h"
+
+namespace selvedge {
+namespace {
+
+constexpr double kCrossing = 0.25881904510252074;  // sin 15 degrees
+constexpr double kOpposed = -3e-4;                 // mean product of directions: one degree either way on both sides
+constexpr double kMet = 5e-4;                      // m, a seam that meets
+constexpr double kNearlyMet = 2e-3;                // m, what nobody sees from a step away
+constexpr double kMatchable = 6e-3;                // m, a seam that can do no better gives way to those that can
+constexpr double kWritten = 1e-6;                  // m, the step of offsets in files
+constexpr double kSameSample = 1e-5;               // m, samples that are one
+constexpr double kMostSamples = 2e5;               // of a garment, to keep the time of thousands of seams within bounds
+
+using Family = Eigen::Index;  // 0: the warp's stripes, 1: the weft's
+
+double as_written(double offset, double repeat) {
+    return std::round(wrapped(offset, repeat) / kWritten) * kWritten;
+}
+
+struct Lines {
+    StripeRepeat repeat;
+    bool is_mirrored = false;  // matched by the mirror image
+    bool is_crossing = false;
+
+    // What must be 0 modulo the repeat, without offsets.
+    double value(const CoursePoint& point, Family f) const {
+        return is_mirrored ? point.first[f] + point.second[f] - 2 * *repeat.mirror : point.first[f] - point.second[f];
+    }
+    double moved(double value, const Vec2d& first, const Vec2d& second, Family f) const {
+        return wrapped(value + first[f] + (is_mirrored ? second[f] : -second[f]), repeat.size);
+    }
+};
+
+struct SeamLines {
+    const Seam* seam = nullptr;
+    std::string name;
+    SeamCourse course;
+    std::array<Lines, 2> lines;
+
+    double length() const { return 0.5 * (course.first_length + course.second_length); }
+    bool counts(const CoursePoint& point, Family f) const {
+        return lines[static_cast<std::size_t>(f)].repeat.size > 0 && point.crossing[f] >= kCrossing;
+    }
+};
+
+using Offsets = std::vector<Vec2d>;
+
+const Vec2d& offset_of(const Offsets& offsets, const SeamSide& side) {
+    return offsets[static_cast<std::size_t>(side.panel)];
+}
+
+SeamLines find_lines(const Pattern& pattern, const Seam& seam, const std::array<StripeRepeat, 2>& repeats) {
+    SeamLines found{.seam = &seam, .name = seam_name(pattern, seam), .course = find_course(pattern, seam), .lines = {}};
+    for (Family f = 0; f < 2; ++f) {
+        Lines& lines = found.lines[static_cast<std::size_t>(f)];
+        lines.repeat = repeats[static_cast<std::size_t>(f)];
+        lines.is_mirrored = lines.repeat.mirror && found.course.agreement[f] < kOpposed;
+        lines.is_crossing = std::any_of(found.course.points.begin(), found.course.points.end(),
+                                        [&](const CoursePoint& point) { return found.counts(point, f); });
+    }
+    return found;
+}
+
+// Samples that lie within a hundredth of a millimetre become one, so that a seam that is straight on both sides has a
+// single one. `most`: about how many may be left of a seam that cannot meet anyway.
+std::vector<OffsetSample> merge_samples(std::vector<OffsetSample> samples, double repeat, double most) {
+    const double about = samples.front().value;
+    for (OffsetSample& sample : samples) sample.value = about + wrapped(sample.value - about, repeat);
+    std::sort(samples.begin(), samples.end(),
+              [](const OffsetSample& a, const OffsetSample& b) { return a.value < b.value; });
+    const double same = std::max(kSameSample, (samples.back().value - samples.front().value) / most);
+    std::vector<OffsetSample> merged;
+    double from = 0;
+    for (const OffsetSample& sample : samples) {
+        if (merged.empty() || sample.value - from > same) {
+            from = sample.value;
+            merged.push_back(sample);
+            continue;
+        }
+        OffsetSample& last = merged.back();
+        const double sum = last.weight + sample.weight;
+        if (sum > 0) last.value += (sample.value - last.value) * sample.weight / sum;
+        last.weight = sum;
+    }
+    return merged;
+}
+
+// Crossing lines weigh by the square of how squarely they cross; lines along the seam by its length alone.
+std::vector<OffsetSample> samples_of(const SeamLines& seam, Family f, double most = 1024) {
+    const Lines& lines = seam.lines[static_cast<std::size_t>(f)];
+    const double step = seam.length() / static_cast<double>(seam.course.points.size());
+    std::vector<OffsetSample> samples;
+    double sum = 0;
+    for (const CoursePoint& point : seam.course.points) {
+        const double crossing = point.crossing[f];
+        samples.push_back({lines.value(point, f), step * (lines.is_crossing ? crossing * crossing : 1)});
+        sum += samples.back().weight;
+    }
+    if (seam.course.is_eased) return {{samples[seam.course.anchor].value, sum}};
+    return merge_samples(std::move(samples), lines.repeat.size, most);
+}
+
+double weight_of(const OffsetTerm& term) {
+    double sum = 0;
+    for (const OffsetSample& sample : term.samples) sum += sample.weight;
+    return sum;
+}
+
+// The worse family's mismatch at a point, m; none: no stripe crosses the seam there.
+std::optional<double> mismatch_at(const SeamLines& seam, const CoursePoint& point, const Vec2d& first,
+                                  const Vec2d& second) {
+    std::optional<double> worse;
+    for (Family f = 0; f < 2; ++f) {
+        if (!seam.counts(point, f)) continue;
+        const Lines& lines = seam.lines[static_cast<std::size_t>(f)];
+        worse = std::max(worse.value_or(0), std::abs(lines.moved(lines.value(point, f), first, second, f)));
+    }
+    return worse;
+}
+
+struct Mismatch {
+    double largest = 0;
+    double rms = 0;
+    double met = 1;
+    bool is_anchored = false;  // it meets where an eased seam is matched from
+};
+
+Mismatch measure(const SeamLines& seam, const Vec2d& first, const Vec2d& second) {
+    Mismatch mismatch;
+    double squares = 0;
+    int count = 0, met = 0;
+    for (const CoursePoint& point : seam.course.points) {
+        const std::optional<double> worse = mismatch_at(seam, point, first, second);
+        if (!worse) continue;
+        mismatch.largest = std::max(mismatch.largest, *worse);
+        squares += *worse * *worse;
+        ++count;
+        met += *worse <= kNearlyMet ? 1 : 0;
+    }
+    mismatch.is_anchored = mismatch_at(seam, seam.course.points[seam.course.anchor], first, second) <= kMet;
+    if (count == 0) return mismatch;
+    mismatch.rms = std::sqrt(squares / count);
+    mismatch.met = double(met) / count;
+    return mismatch;
+}
+
+// The least mismatch that offsets of its own could give the seam, as far as the solver's measure finds it.
+double mismatch_alone(const SeamLines& seam) {
+    if (seam.seam->first.panel == seam.seam->second.panel) return 0;
+    Vec2d shift = Vec2d::Zero();
+    for (Family f = 0; f < 2; ++f) {
+        if (!seam.lines[static_cast<std::size_t>(f)].is_crossing) continue;
+        std::vector<ShiftTerm> terms;
+        for (const OffsetSample& sample : samples_of(seam, f)) terms.push_back({sample.value, sample.weight, 1});
+        shift[f] = best_shift(terms, seam.lines[static_cast<std::size_t>(f)].repeat.size);
+    }
+    return measure(seam, shift, Vec2d::Zero()).largest;
+}
+
+bool is_opposed_without_mirror(const SeamLines& seam) {
+    for (Family f = 0; f < 2; ++f) {
+        const Lines& lines = seam.lines[static_cast<std::size_t>(f)];
+        if (lines.is_crossing && !lines.repeat.mirror && seam.course.agreement[f] < kOpposed) return true;
+    }
+    return false;
+}
+
+std::string reason(const SeamLines& seam, const Mismatch& after) {
+    const SeamCourse& course = seam.course;
+    if (after.largest <= kMet) return "";
+    std::array<char, 96> text{};
+    if (course.is_eased) {
+        const char* place = course.is_upright ? "matched from its lower end" : "matched in its middle";
+        std::snprintf(text.data(), text.size(), "its sides differ by %.1f mm: %s",
+                      1e3 * std::abs(course.first_length - course.second_length),
+                      after.is_anchored ? place : "other seams hold its panels");
+        return text.data();
+    }
+    if (seam.seam->first.panel == seam.seam->second.panel) return "both sides belong to one panel";
+    if (is_opposed_without_mirror(seam)) return "its sides run in opposite directions, and the sett has no mirror";
+    if (mismatch_alone(seam) > kMet) return "its sides meet the stripes at different angles";
+    return "other seams hold its panels";
+}
+
+// Which seams go first: those that were named, in their order; the rest that can meet; the rest that cannot; and then,
+// in the same order, those that the stripes only run along.
+std::vector<int> levels_of(const std::vector<SeamLines>& seams, const std::vector<int>& first_seams, Family f) {
+    const int named = static_cast<int>(first_seams.size());
+    std::vector<int> levels;
+    for (const SeamLines& seam : seams) levels.push_back(mismatch_alone(seam) <= kMatchable ? named : named + 1);
+    for (int i = named; i-- > 0;) {
+        levels[static_cast<std::size_t>(first_seams[static_cast<std::size_t>(i)])] = i;
+    }
+    for (std::size_t s = 0; s < seams.size(); ++s) {
+        if (!seams[s].lines[static_cast<std::size_t>(f)].is_crossing) levels[s] += named + 2;
+    }
+    return levels;
+}
+
+// The weft offset near the panel's own that puts a mirror of the warp's stripes midway between its outermost points.
+double centred_offset(const Panel& panel, const StripeRepeat& repeat, double offset) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const OutlineEdge& edge : panel.edges) {
+        for (const Vec2d& u : outline_polyline(panel, edge, kMet)) {
+            const double across = std::cos(panel.grain_angle) * u.x() + std::sin(panel.grain_angle) * u.y();
+            low = std::min(low, across);
+            high = std::max(high, across);
+        }
+    }
+    const double centred = *repeat.mirror - (low + high) / 2;
+    return offset + wrapped(centred - offset, repeat.size / 2);  // it mirrors half a repeat further, too
+}
+
+// One family's problem, on panels in the order of their names, so that the order in the file does not matter.
+class FamilyMatch {
+ public:
+    FamilyMatch(const Pattern& pattern, const std::vector<SeamLines>& seams, const MatchOptions& options, Family f)
+        : seams_(seams), family_(f), panels_(pattern.panels.size()), node_(pattern.panels.size()) {
+        std::iota(panels_.begin(), panels_.end(), 0U);
+        std::sort(panels_.begin(), panels_.end(),
+                  [&](std::size_t a, std::size_t b) { return pattern.panels[a].name < pattern.panels[b].name; });
+        for (std::size_t n = 0; n < panels_.size(); ++n) node_[panels_[n]] = static_cast<int>(n);
+        problem_.nodes = static_cast<int>(panels_.size());
+        for (const std::size_t panel : panels_) problem_.rank.push_back(static_cast<int>(panel));
+        if (options.centred_panel) {
+            problem_.rank[static_cast<std::size_t>(node_[static_cast<std::size_t>(*options.centred_panel)])] = -1;
+        }
+        add_terms(levels_of(seams, options.first_seams, f));
+    }
+
+    void solve(Offsets& offsets) {
+        if (problem_.terms.empty()) return;
+        std::vector<double> start;
+        for (const std::size_t panel : panels_) start.push_back(offsets[panel][family_]);
+        const std::vector<double> found = solve_offsets(problem_, start);
+        for (std::size_t n = 0; n < panels_.size(); ++n) {
+            if (std::abs(wrapped(found[n] - start[n], problem_.repeat)) < kWritten) continue;
+            offsets[panels_[n]][family_] = as_written(found[n], problem_.repeat);
+        }
+    }
+
+ private:
+    void add_terms(const std::vector<int>& levels) {
+        struct Ordered {
+            OffsetTerm term;
+            double weight = 0;
+            const std::string* name = nullptr;
+        };
+        const double most = std::clamp(kMostSamples / static_cast<double>(seams_.size() + 1), 32.0, 1024.0);
+        std::vector<Ordered> ordered;
+        for (std::size_t s = 0; s < seams_.size(); ++s) {
+            const SeamLines& seam = seams_[s];
+            const Lines& lines = seam.lines[static_cast<std::size_t>(family_)];
+            if (lines.repeat.size <= 0 || seam.length() <= 0) continue;
+            problem_.repeat = lines.repeat.size;
+            OffsetTerm term{.a = node_[static_cast<std::size_t>(seam.seam->first.panel)],
+                            .b = node_[static_cast<std::size_t>(seam.seam->second.panel)],
+                            .is_mirrored = lines.is_mirrored,
+                            .level = levels[s],
+                            .samples = samples_of(seam, family_, most)};
+            const double weight = weight_of(term);
+            ordered.push_back({std::move(term), weight, &seam.name});
+        }
+        std::sort(ordered.begin(), ordered.end(), [](const Ordered& a, const Ordered& b) {
+            return a.weight != b.weight ? a.weight > b.weight : *a.name < *b.name;
+        });
+        for (Ordered& entry : ordered) problem_.terms.push_back(std::move(entry.term));
+    }
+
+    const std::vector<SeamLines>& seams_;
+    Family family_;
+    std::vector<std::size_t> panels_;  // by node
+    std::vector<int> node_;            // by panel
+    OffsetProblem problem_;
+};
+
+}  // namespace
+
+bool is_sett_of(const MatchedSett& matched, const Sett& sett) {
+    const auto is_near = [](double a, double b) { return std::abs(a - b) < 1e-4; };
+    if (!is_near(matched.repeat.x(), repeat_size(sett)) || !is_near(matched.repeat.y(), weft_repeat_size(sett))) {
+        return false;
+    }
+    try {
+        const Sett same = with_repeat_size(find_tartan(matched.tartan), matched.repeat.x());
+        return thread_colours(same) == thread_colours(sett) && weft_thread_colours(same) == weft_thread_colours(sett);
+    } catch (const InputError&) {
+        return false;  // a tartan that does not ship here
+    }
+}
+
+SettMatch match_sett(const Pattern& pattern, const Sett& sett, const MatchOptions& options) {
+    const std::array<StripeRepeat, 2> repeats{warp_repeat(sett), weft_repeat(sett)};
+    std::vector<SeamLines> seams;
+    for (const Seam& seam : pattern.seams) seams.push_back(find_lines(pattern, seam, repeats));
+    for (const int seam : options.first_seams) {
+        SELVEDGE_ASSERT(seam >= 0 && seam < static_cast<int>(pattern.seams.size()));
+    }
+    Offsets before;
+    for (const Panel& panel : pattern.panels) {
+        before.push_back(panel.sett_offset.allFinite() ? panel.sett_offset : Vec2d(0, 0));
+    }
+    SettMatch match{.offsets = before, .seams = {}};
+    if (options.centred_panel && repeats[0].mirror) {
+        const auto panel = static_cast<std::size_t>(*options.centred_panel);
+        SELVEDGE_ASSERT(panel < pattern.panels.size());
+        const double offset = centred_offset(pattern.panels[panel], repeats[0], before[panel].x());
+        match.offsets[panel].x() = as_written(offset, repeats[0].size);
+    }
+    for (Family f = 0; f < 2; ++f) FamilyMatch(pattern, seams, options, f).solve(match.offsets);
+
+    for (std::size_t s = 0; s < seams.size(); ++s) {
+        const SeamLines& seam = seams[s];
+        const auto at = [&](const Offsets& offsets) {
+            return measure(seam, offset_of(offsets, seam.seam->first), offset_of(offsets, seam.seam->second));
+        };
+        const Mismatch was = at(before);
+        const Mismatch is = at(match.offsets);
+        match.seams.push_back({.seam = static_cast<int>(s),
+                               .name = seam.name,
+                               .length = seam.length(),
+                               .before = was.largest,
+                               .after = is.largest,
+                               .rms_before = was.rms,
+                               .rms_after = is.rms,
+                               .met = is.met,
+                               .why = reason(seam, is)});
+    }
+    return match;
+}
+
+}  // namespace selvedge

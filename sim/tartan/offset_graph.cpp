@@ -1,0 +1,259 @@
+#include "sim/tartan/offset_graph.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "sim/core/assert.h"
+#include "sim/tartan/best_shift.h"
+
+namespace selvedge {
+namespace {
+
+constexpr int kMostSweeps = 40;
+constexpr double kSame = 1e-9;  // of the whole cost
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+// Where the panels stand, and which of them move as one piece: a piece that moves by d moves its node n by sign[n] * d.
+struct State {
+    std::vector<double> offset;
+    std::vector<int> sign;
+    std::vector<int> piece;
+    std::vector<std::vector<int>> members;  // by piece
+    std::vector<bool> is_fixed;             // by piece: a mirrored cycle holds it
+};
+
+struct Block {
+    std::vector<int> nodes;  // move together
+    int tried = 0;           // the last move in which it was asked
+};
+
+class Solver {
+ public:
+    Solver(const OffsetProblem& problem, const std::vector<double>& start)
+        : problem_(problem), terms_of_(at(problem.nodes)), stamp_(at(problem.nodes), 0), moved_(at(problem.nodes), 0) {
+        state_.offset = start;
+        state_.sign.assign(at(problem.nodes), 1);
+        state_.is_fixed.assign(at(problem.nodes), false);
+        for (int n = 0; n < problem.nodes; ++n) {
+            state_.piece.push_back(n);
+            state_.members.push_back({n});
+        }
+        for (std::size_t t = 0; t < problem.terms.size(); ++t) {
+            const OffsetTerm& term = problem.terms[t];
+            terms_of_[at(term.a)].push_back(t);
+            if (term.b != term.a) terms_of_[at(term.b)].push_back(t);
+        }
+    }
+
+    std::vector<double> solve(const std::vector<double>& start) {
+        std::vector<int> levels;
+        for (const OffsetTerm& term : problem_.terms) levels.push_back(term.level);
+        std::sort(levels.begin(), levels.end());
+        levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+        std::size_t last = 0;
+        std::vector<std::vector<std::size_t>> terms(levels.size());
+        for (std::size_t t = 0; t < problem_.terms.size(); ++t) {
+            const auto found = std::lower_bound(levels.begin(), levels.end(), problem_.terms[t].level);
+            last = static_cast<std::size_t>(found - levels.begin());
+            terms[last].push_back(t);
+        }
+        for (std::size_t i = 0; i < levels.size(); ++i) solve_level(levels[i], terms[i]);
+        for (std::size_t p = 0; p < state_.members.size(); ++p) settle(p, start);
+        return state_.offset;
+    }
+
+ private:
+    enum class Join { AsItStands, InOrder, InReverse };
+
+    // From several starts; the first of those that end equally well.
+    void solve_level(int level, std::vector<std::size_t> terms) {
+        level_ = level;
+        if (terms.size() == 1) {  // most levels of named seams
+            blocks_.clear();
+            join(problem_.terms[terms.front()], Join::InOrder);
+            add_whole_pieces(terms);
+            sweep();
+            return hold(terms);
+        }
+        const State before = state_;
+        State best;
+        double least = 0;
+        for (const Join how : {Join::AsItStands, Join::InOrder, Join::InReverse}) {
+            state_ = before;
+            blocks_.clear();
+            add_whole_pieces(terms);  // as they are before they are joined
+            if (how == Join::InReverse) std::reverse(terms.begin(), terms.end());
+            for (const std::size_t t : terms) join(problem_.terms[t], how);
+            add_whole_pieces(terms);
+            sweep();
+            const double reached = cost(terms);
+            if (how != Join::AsItStands && reached >= least - kSame * scale(terms)) continue;
+            least = reached;
+            best = std::move(state_);
+        }
+        state_ = std::move(best);
+        hold(terms);
+    }
+
+    double value(const OffsetTerm& term) const {
+        const double other = state_.offset[at(term.b)];
+        return state_.offset[at(term.a)] + (term.is_mirrored ? other : -other);
+    }
+
+    double cost(const std::vector<std::size_t>& terms) const {
+        double sum = 0;
+        for (const std::size_t t : terms) {
+            const OffsetTerm& term = problem_.terms[t];
+            for (const OffsetSample& sample : term.samples) {
+                sum += sample.weight * std::abs(wrapped(value(term) + sample.value, problem_.repeat));
+            }
+        }
+        return sum;
+    }
+
+    double scale(const std::vector<std::size_t>& terms) const {
+        double sum = 0;
+        for (const std::size_t t : terms) {
+            for (const OffsetSample& sample : problem_.terms[t].samples) sum += sample.weight * problem_.repeat;
+        }
+        return sum;
+    }
+
+    // By how much the term's value changes when the stamped nodes move by 1.
+    int factor(const OffsetTerm& term) const {
+        const int of_a = stamp_[at(term.a)] == now_ ? state_.sign[at(term.a)] : 0;
+        const int of_b = stamp_[at(term.b)] == now_ ? state_.sign[at(term.b)] : 0;
+        return of_a + (term.is_mirrored ? of_b : -of_b);
+    }
+
+    // Moves a block to where the level's seams about it are best off; `within`: only those between these two pieces.
+    // Gives whether it moved.
+    bool move(Block& block, const std::pair<int, int>* within = nullptr) {
+        ++now_;
+        for (const int n : block.nodes) stamp_[at(n)] = now_;
+        std::vector<const OffsetTerm*> terms;
+        int news = 0;  // the last move of anything that counts
+        for (const int n : block.nodes) {
+            for (const std::size_t t : terms_of_[at(n)]) {
+                const OffsetTerm& term = problem_.terms[t];
+                if (term.level != level_ || factor(term) == 0) continue;
+                if (n != term.a && stamp_[at(term.a)] == now_) continue;  // is met at a
+                if (within != nullptr && !is_within(term, *within)) continue;
+                terms.push_back(&term);
+                news = std::max({news, moved_[at(term.a)], moved_[at(term.b)]});
+            }
+        }
+        const bool is_settled = block.tried > news;
+        block.tried = now_;
+        if (is_settled || terms.empty()) return false;
+        std::vector<ShiftTerm> shifts;
+        for (const OffsetTerm* term : terms) {
+            for (const OffsetSample& sample : term->samples) {
+                shifts.push_back({value(*term) + sample.value, sample.weight, factor(*term)});
+            }
+        }
+        const double shift = best_shift(shifts, problem_.repeat);
+        if (shift == 0) return false;
+        for (const int n : block.nodes) {
+            state_.offset[at(n)] += state_.sign[at(n)] * shift;
+            moved_[at(n)] = now_;
+        }
+        return true;
+    }
+
+    bool is_within(const OffsetTerm& term, const std::pair<int, int>& pieces) const {
+        const auto is_one = [&](int n) {
+            const int piece = state_.piece[at(n)];
+            return piece == pieces.first || piece == pieces.second;
+        };
+        return is_one(term.a) && is_one(term.b);
+    }
+
+    // Joins the pieces at both ends of a term, so that the term no longer changes when they move together.
+    void join(const OffsetTerm& term, Join how) {
+        int large = state_.piece[at(term.a)];
+        int small = state_.piece[at(term.b)];
+        if (large == small) return;
+        const auto size = [&](int piece) { return state_.members[at(piece)].size(); };
+        const bool can_move_both = !state_.is_fixed[at(large)] && !state_.is_fixed[at(small)];
+        if (can_move_both ? size(small) > size(large) : !state_.is_fixed[at(large)]) std::swap(large, small);
+        if (state_.is_fixed[at(small)]) return;  // both are held
+        const int product = state_.sign[at(term.a)] * state_.sign[at(term.b)];
+        std::vector<int>& moving = state_.members[at(small)];
+        if (product != (term.is_mirrored ? -1 : 1)) {
+            for (const int n : moving) state_.sign[at(n)] *= -1;
+        }
+        const std::pair<int, int> pieces(large, small);
+        blocks_.push_back({.nodes = moving});
+        if (how != Join::AsItStands) move(blocks_.back(), &pieces);
+        blocks_.back().tried = 0;  // it has not been asked about all seams yet
+        for (const int n : moving) state_.piece[at(n)] = large;
+        std::vector<int>& all = state_.members[at(large)];
+        all.insert(all.end(), moving.begin(), moving.end());
+        moving.clear();
+    }
+
+    void add_whole_pieces(const std::vector<std::size_t>& terms) {
+        std::vector<bool> is_added(state_.members.size(), false);
+        for (const std::size_t t : terms) {
+            for (const int n : {problem_.terms[t].a, problem_.terms[t].b}) {
+                const int piece = state_.piece[at(n)];
+                if (is_added[at(piece)] || state_.is_fixed[at(piece)]) continue;
+                is_added[at(piece)] = true;
+                blocks_.push_back({.nodes = state_.members[at(piece)]});
+            }
+        }
+    }
+
+    void sweep() {
+        for (int round = 0; round < kMostSweeps; ++round) {
+            bool has_moved = false;
+            for (Block& block : blocks_) has_moved = move(block) || has_moved;
+            if (!has_moved) return;
+        }
+    }
+
+    // A term within a piece that changes as the piece moves holds it from now on.
+    void hold(const std::vector<std::size_t>& terms) {
+        for (const std::size_t t : terms) {
+            const OffsetTerm& term = problem_.terms[t];
+            const int piece = state_.piece[at(term.a)];
+            if (piece != state_.piece[at(term.b)]) continue;
+            const int product = state_.sign[at(term.a)] * state_.sign[at(term.b)];
+            if (product != (term.is_mirrored ? -1 : 1)) state_.is_fixed[at(piece)] = true;
+        }
+    }
+
+    // What may still be moved freely is moved so that its node of lowest rank stands where it stood.
+    void settle(std::size_t piece, const std::vector<double>& start) {
+        const std::vector<int>& members = state_.members[piece];
+        if (members.empty() || state_.is_fixed[piece]) return;
+        const int keeps = *std::min_element(members.begin(), members.end(),
+                                            [&](int a, int b) { return problem_.rank[at(a)] < problem_.rank[at(b)]; });
+        const double shift = state_.sign[at(keeps)] * (start[at(keeps)] - state_.offset[at(keeps)]);
+        for (const int n : members) state_.offset[at(n)] += state_.sign[at(n)] * shift;
+    }
+
+    const OffsetProblem& problem_;
+    std::vector<std::vector<std::size_t>> terms_of_;
+    State state_;
+    std::vector<Block> blocks_;  // of the level: what may be moved by itself
+    int level_ = 0;
+    std::vector<int> stamp_;  // per node: the last move in which it was asked
+    std::vector<int> moved_;  // per node: the last move in which it moved
+    int now_ = 0;
+};
+
+}  // namespace
+
+std::vector<double> solve_offsets(const OffsetProblem& problem, const std::vector<double>& start) {
+    SELVEDGE_ASSERT(problem.repeat > 0 && start.size() == at(problem.nodes) && problem.rank.size() == start.size());
+    return Solver(problem, start).solve(start);
+}
+
+}  // namespace selvedge
