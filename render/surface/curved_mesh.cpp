@@ -51,6 +51,7 @@ class MeshWriter {
         : surface_(surface), coarse_(coarse), normals_(normals), places_(surface.mesh.vertex_capacity(), kNone) {
         mesh_.panel_names = coarse.panel_names;
         mesh_.panel_grain_angles = coarse.panel_grain_angles;
+        mesh_.panel_sett_offsets = coarse.panel_sett_offsets;
     }
 
     PlainMesh write() {

@@ -19,6 +19,7 @@ PlainMesh ridge() {
     mesh.level = {1, 0, 0, 0};
     mesh.panel_names = {"left", "right"};
     mesh.panel_grain_angles = {0, 0.5F};
+    mesh.panel_sett_offsets = {Vec2f(0.01F, 0), Vec2f(0, 0.02F)};
     return mesh;
 }
 
@@ -34,6 +35,7 @@ TEST(CurvedMesh, carries_panels_names_grain_and_material_over_and_counts_levels_
     ASSERT_EQ(drawn.triangles.size(), 4U * 16U);
     EXPECT_EQ(drawn.panel_names, coarse.panel_names);
     EXPECT_EQ(drawn.panel_grain_angles, coarse.panel_grain_angles);
+    EXPECT_EQ(drawn.panel_sett_offsets, coarse.panel_sett_offsets);
     EXPECT_NEAR(area_of(drawn.u), area_of(coarse.u), 1e-5F);
     for (std::size_t t = 0; t < drawn.triangles.size(); ++t) {
         EXPECT_EQ(drawn.panel[t], t < 32 ? 0 : 1);
