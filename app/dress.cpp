@@ -15,6 +15,7 @@
 #include "app/output_files.h"
 #include "app/picture.h"
 #include "app/progress_bar.h"
+#include "app/turntable.h"
 #include "render/image/png.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
@@ -40,6 +41,7 @@ struct DressArguments {
     bool is_quiet = false;
 
     PictureOptions picture;
+    TurntableOptions turntable;
     Path picture_file;  // an empty path: not wanted
     Path report_file;
     std::vector<Path> garment_files;
@@ -86,7 +88,7 @@ CriteriaOptions parse_criteria(const std::string& text) {
 std::vector<Path> all_outputs(const DressArguments& arguments) {
     std::vector<Path> outputs = arguments.garment_files;
     outputs.insert(outputs.end(), arguments.body_files.begin(), arguments.body_files.end());
-    for (const Path& file : {arguments.picture_file, arguments.report_file}) {
+    for (const Path& file : {arguments.picture_file, arguments.report_file, arguments.turntable.file}) {
         if (!file.empty()) outputs.push_back(file);
     }
     return outputs;
@@ -95,6 +97,7 @@ std::vector<Path> all_outputs(const DressArguments& arguments) {
 void check_outputs(const DressArguments& arguments) {
     if (!arguments.picture_file.empty()) check_output(arguments.picture_file, kPictureExtensions);
     if (!arguments.report_file.empty()) check_output(arguments.report_file);
+    check_turntable(arguments.turntable, arguments.picture);
     for (const Path& file : arguments.garment_files) check_output(file, kMeshExtensions);
     for (const Path& file : arguments.body_files) check_output(file, kMeshExtensions);
     std::vector<Path> inputs{arguments.garment};
@@ -119,6 +122,7 @@ struct Writing {
 // Every file is tried, whatever became of the others: a garment that burst has no mesh to export, yet has a report.
 Writing write_outputs(const DressArguments& arguments, const DressedGarment& dressed, const Body& body) {
     Writing writing;
+    const Sitter sitter{.garment = dressed.mesh, .body = &body, .hierarchy = &dressed.hierarchy};
     const auto write = [&](const Path& file, const auto& how) {
         try {
             how(file);
@@ -136,7 +140,13 @@ Writing write_outputs(const DressArguments& arguments, const DressedGarment& dre
         write(file, [&](const Path& mesh_file) { write_body(body, mesh_file); });
     if (!arguments.picture_file.empty()) {
         write(arguments.picture_file,
-              [&](const Path& file) { write_png(file, draw_picture(dressed.mesh, &body, arguments.picture)); });
+              [&](const Path& file) { write_png(file, draw_picture(sitter, arguments.picture)); });
+    }
+    if (!arguments.turntable.file.empty()) {
+        write(arguments.turntable.file, [&](const Path&) {
+            ProgressBar bar(progress_bar_options(arguments.is_quiet));
+            write_turntable(sitter, arguments.picture, arguments.turntable, bar.progress());
+        });
     }
     return writing;
 }
@@ -167,7 +177,7 @@ int run(DressArguments arguments) {
     check_outputs(arguments);
     const Pattern pattern = load_pattern(arguments.garment).pattern;
     fill_in(arguments, pattern);
-    if (!arguments.picture_file.empty()) check_can_draw();
+    if (!arguments.picture_file.empty() || !arguments.turntable.file.empty()) check_can_draw();
 
     std::optional<ThreadLimit> limit;
     if (arguments.threads) limit.emplace(*arguments.threads);
@@ -245,6 +255,7 @@ void add_dress_command(CLI::App& app, int& exit_code) {
                      "mannequin:sex=female)");
     add_output_options(*command, *arguments);
     add_picture_options(*command, arguments->picture);
+    add_turntable_options(*command, arguments->turntable);
     command->footer(
         "Exit code: 0 dressed, 2 wrong input or a file that could not be written, 3 dressed with a fault.\n"
         "Examples:\n"
