@@ -63,7 +63,7 @@ std::vector<float> chosen_strain(const PlainMesh& mesh, ShowMode mode) {
 const char* strain_title(ShowMode mode) {
     if (mode == ShowMode::StrainWarp) return "Strain along the warp";
     if (mode == ShowMode::StrainWeft) return "Strain along the weft";
-    return "Strain, the greater of warp and weft";
+    return "Strain, the greater";
 }
 
 // The map spans all but one in a hundred; beyond it its ends stand for more.
