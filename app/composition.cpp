@@ -118,6 +118,12 @@ Camera camera_at(const std::array<Vec3f, 2>& eye_and_target, const std::vector<V
     return camera;
 }
 
+// Lines that are drawn as tubes are as wide in large pictures as in ones of 1024 px, and keep their pixels in small
+// ones.
+float line_scale(const PictureOptions& options) {
+    return std::max(1.0F, float(std::min(options.width_px, options.height_px)) / 1024);
+}
+
 // m of the scene to one pixel, about where the camera looks.
 float pixel_size(const Camera& camera, const PictureOptions& options) {
     return 2 * (camera.eye - camera.target).norm() * std::tan(camera.fov_y / 2) / float(options.height_px);
@@ -266,7 +272,7 @@ std::optional<Legend> fill(Scene& scene, const Sitter& sitter, const PictureOpti
 
 // Beside or behind each other, as the picture shows them larger.
 Legend fill_model(Scene& scene, const Sitter& sitter, const PictureOptions& options, const std::vector<float>& turns) {
-    constexpr float line_px = 0.55F;
+    const float line_px = 0.55F * line_scale(options);
     Legend legend;
     float least = std::numeric_limits<float>::infinity();
     for (const StackSide side : {StackSide::Right, StackSide::Behind}) {
@@ -305,7 +311,7 @@ RenderOptions render_options(const PictureOptions& options) {
 
 Composition compose(const Sitter& sitter, const PictureOptions& options, const std::vector<float>& turns) {
     check_can_show(options.show, sitter.body != nullptr, sitter.hierarchy != nullptr);
-    constexpr float line_px = 2.4F;
+    const float line_px = 2.4F * line_scale(options);
     Composition composition;
     Scene& scene = composition.scene;
     scene = bare_scene(sitter, options);

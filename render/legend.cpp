@@ -86,8 +86,8 @@ class Pen {
     void text(int x, int y, const std::string& words, const Rgba8& colour) const {
         draw_text(image_, left(x), top(y), words, {.scale = scale_, .colour = colour});
     }
-    void text_at_right(const std::string& words, const Rgba8& colour) const {
-        text(inner() - text_width(words), 0, words, colour);
+    void text_at_right(int y, const std::string& words, const Rgba8& colour) const {
+        text(inner() - text_width(words), y, words, colour);
     }
     int scale() const { return scale_; }
 
@@ -110,7 +110,7 @@ void draw_rows(Pen& pen, const Legend& legend, std::size_t rows) {
             pen.box(0, 0, kSwatch, kSwatch, opaque(legend.rows[i].colour));
             const int room = pen.inner() - kSwatch - kGap - figure_room(legend.rows[i].figure);
             pen.text(kSwatch + kGap, 1, shortened(legend.rows[i].label, room), kInk);
-            pen.text_at_right(legend.rows[i].figure, kSoftInk);
+            pen.text_at_right(1, legend.rows[i].figure, kSoftInk);
         }
         pen.down(kRow);
     }
@@ -173,7 +173,7 @@ void draw_legend(Image& image, const Legend& legend, Corner corner) {
     if (!legend.notes.empty()) pen.down(kBetween);
     for (const auto& [name, figure] : legend.notes) {
         pen.text(0, 0, name, kSoftInk);
-        pen.text_at_right(figure, kInk);
+        pen.text_at_right(0, figure, kInk);
         pen.down(kRow);
     }
 }

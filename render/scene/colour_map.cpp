@@ -40,8 +40,8 @@ std::vector<Rgb8> even_map(std::span<const Vec3f> corners) {
 }
 
 // Hues a golden angle apart never come close; three lightnesses in turn help where hues are confused.
-Vec3f kind(std::size_t index, std::array<float, 3> lightness, float chroma) {
-    const float hue = std::fmod(250 + 137.50776F * float(index), 360.0F);
+Vec3f kind(std::size_t index, float first_hue_deg, std::array<float, 3> lightness, float chroma) {
+    const float hue = std::fmod(first_hue_deg + 137.50776F * float(index), 360.0F);
     return from_polar(lightness[index % 3], chroma, hue);
 }
 
@@ -85,11 +85,11 @@ std::vector<Rgb8> sequential_map() {
 }
 
 Rgb8 kind_colour(std::size_t index) {
-    return from_oklab(kind(index, {0.76F, 0.84F, 0.68F}, 0.075F));
+    return from_oklab(kind(index, 100, {0.84F, 0.71F, 0.77F}, 0.075F));
 }
 
 Rgb8 line_colour(std::size_t index) {
-    return from_oklab(kind(index, {0.52F, 0.66F, 0.42F}, 0.145F));
+    return from_oklab(kind(index, 250, {0.52F, 0.66F, 0.42F}, 0.145F));
 }
 
 }  // namespace selvedge
