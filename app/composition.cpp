@@ -188,6 +188,7 @@ struct Frame {
     FrameOptions options;
     float zoom = 1;
     bool holds_bodies = false;
+    bool is_detail = false;  // the figure is cut off, wherever the legend goes
 
     Camera camera() const { return zoomed(frame_points(points, direction, options), zoom); }
 };
@@ -212,16 +213,22 @@ std::array<Frame, 2> with_room(const Frame& frame, const LegendPlace& legend, co
     return frames;
 }
 
-// The corner that is clear of the figure; else room is made for the legend, so that the figure stays as large as it
-// can; else the corner where it hides least.
-Shot clear_of_legend(const Frame& frame, const Legend& legend, const Silhouette& figure,
-                     const PictureOptions& options) {
-    Shot best{.camera = frame.camera()};
-    const auto try_corner = [&](const Camera& camera, Corner corner, bool is_larger) {
+// Marks reach beyond the cloth that they are on.
+PixelBox with_edge(const LegendPlace& place) {
+    const int edge = 6 * place.scale;
+    return {place.box.left - edge, place.box.top - edge, place.box.width + 2 * edge, place.box.height + 2 * edge};
+}
+
+// The corner that is clear of the figure; else, where the camera may move, room is made for the legend, so that the
+// figure stays as large as it can; else the corner where it hides least.
+Shot clear_of_legend(const Camera& camera, bool may_move, const Frame& frame, const Legend& legend,
+                     const Silhouette& figure, const PictureOptions& options) {
+    Shot best{.camera = camera};
+    const auto try_corner = [&](const Camera& tried, Corner corner, bool is_larger) {
         const auto place = place_legend(legend, options.width_px, options.height_px, corner);
         if (!place) return;
-        const auto [cloth, body] = figure.under(place->box, camera);
-        const Shot shot{.camera = camera,
+        const auto [cloth, body] = figure.under(with_edge(*place), tried);
+        const Shot shot{.camera = tried,
                         .corner = corner,
                         .hidden = cloth + (frame.holds_bodies ? body : 0),
                         .beside = frame.holds_bodies ? 0 : body};
@@ -229,12 +236,12 @@ Shot clear_of_legend(const Frame& frame, const Legend& legend, const Silhouette&
         if (shot.hidden < best.hidden || is_as_clear) best = shot;
     };
     for (const Corner corner : {Corner::LowerLeft, Corner::LowerRight, Corner::UpperLeft, Corner::UpperRight})
-        try_corner(best.camera, corner, false);
+        try_corner(camera, corner, false);
     const auto place = place_legend(legend, options.width_px, options.height_px, Corner::LowerLeft);
-    if (best.hidden == 0 || !place) return best;
+    if (best.hidden == 0 || !place || !may_move) return best;
     for (const Frame& roomy : with_room(frame, *place, options)) {
-        const Camera camera = roomy.camera();
-        try_corner(camera, Corner::LowerLeft, pixel_size(camera, options) < pixel_size(best.camera, options));
+        const Camera farther = roomy.camera();
+        try_corner(farther, Corner::LowerLeft, pixel_size(farther, options) < pixel_size(best.camera, options));
     }
     return best;
 }
@@ -255,6 +262,7 @@ Frame make_frame(const Scene& scene, const PictureOptions& options, const Vec3f&
                 .options = {.aspect = aspect_of(options), .margin = frames_garment ? 0.12F : 0.07F},
                 .holds_bodies = !frames_garment};
     if (options.camera) frame.zoom = options.camera->zoom;
+    frame.is_detail = frame.zoom > 1 || (options.view && is_detail(*options.view));
     if (options.view && is_detail(*options.view)) {
         frame.points = detail_patch(scene.cloths.front().mesh.x, *options.view);
         frame.options.margin = 0;
@@ -320,15 +328,15 @@ Composition compose(const Sitter& sitter, const PictureOptions& options, const s
 
     const Frame frame = make_frame(scene, options, composition.axis, turns);
     const bool is_placed = options.camera && options.camera->eye_and_target;
-    const auto camera_of = [&] {
-        return is_placed ? camera_at(*options.camera->eye_and_target, scene_points(scene)) : frame.camera();
-    };
-    scene.camera = camera_of();
+    scene.camera = is_placed ? camera_at(*options.camera->eye_and_target,
+                                         at_all_turns(scene_points(scene), composition.axis, turns))
+                             : frame.camera();
     if (options.show != ShowMode::Hierarchy)
         composition.legend = fill(scene, sitter, options, line_px * pixel_size(scene.camera, options));
-    if (composition.legend && !is_placed) {
+    if (composition.legend) {
         const Silhouette figure(scene, options, composition.axis, turns);
-        const Shot shot = clear_of_legend(frame, *composition.legend, figure, options);
+        const Shot shot =
+            clear_of_legend(scene.camera, !is_placed && !frame.is_detail, frame, *composition.legend, figure, options);
         scene.camera = shot.camera;
         composition.corner = shot.corner;
     }

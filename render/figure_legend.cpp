@@ -37,7 +37,7 @@ std::string millimetres(double metres) {
 double round_up(double value) {
     SELVEDGE_ASSERT(value > 0 && std::isfinite(value));
     const double power = std::pow(10, std::floor(std::log10(value)));
-    for (const double step : {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0}) {
+    for (const double step : {1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0}) {
         if (value <= step * power * (1 + 1e-6)) return step * power;
     }
     return 10 * power;

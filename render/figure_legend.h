@@ -6,7 +6,7 @@
 
 namespace selvedge {
 
-// The least of 1, 2, 3, 4, 5, 6, 8 times a power of ten that is no less. Pre: value > 0, finite.
+// The least of 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten that is no less. Pre: value > 0, finite.
 double round_up(double value);
 
 // The map's ends in percent, its middle 0; the 99th percentile, the greatest and the least of `strains`, 0.01 being one

@@ -7,7 +7,7 @@ namespace {
 
 TEST(FigureLegend, limits_are_round_and_never_below_the_figure) {
     for (const auto& [value, round] :
-         {std::pair{0.01, 0.01}, {0.011, 0.02}, {0.037, 0.04}, {0.071, 0.08}, {0.081, 0.1}, {6.0, 6.0}, {0.3, 0.3}})
+         {std::pair{0.01, 0.01}, {0.011, 0.012}, {0.037, 0.04}, {0.071, 0.08}, {0.081, 0.1}, {6.0, 6.0}, {0.3, 0.3}})
         EXPECT_NEAR(round_up(value), round, 1e-9 * round) << value;
 }
 
