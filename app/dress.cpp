@@ -177,7 +177,7 @@ int run(DressArguments arguments) {
     check_outputs(arguments);
     const Pattern pattern = load_pattern(arguments.garment).pattern;
     fill_in(arguments, pattern);
-    if (!arguments.picture_file.empty() || !arguments.turntable.file.empty()) check_can_draw();
+    if (!arguments.picture_file.empty() || !arguments.turntable.file.empty()) check_can_draw(arguments.picture);
 
     std::optional<ThreadLimit> limit;
     if (arguments.threads) limit.emplace(*arguments.threads);

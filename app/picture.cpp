@@ -135,8 +135,14 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
         ->group("Picture");
 }
 
-void check_can_draw() {
-    make_context();
+void check_can_draw(const PictureOptions& options) {
+    const auto context = make_context();
+    const int most = context->most_samples();
+    if (options.samples <= most) return;
+    throw InputError("", "--samples",
+                     std::string(name(context->maker())) + " takes at most " + std::to_string(most) +
+                         " per pixel here, not " + std::to_string(options.samples) +
+                         ": --supersample smooths edges as well");
 }
 
 void check_can_show(ShowMode show, bool has_body, bool has_hierarchy) {

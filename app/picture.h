@@ -35,8 +35,9 @@ struct PictureOptions {
 // the command line.
 void add_picture_options(CLI::App& command, PictureOptions& options);
 
-// Throws InputError when there is no way to draw (render/gl/context.h): to be asked before long work.
-void check_can_draw();
+// Throws InputError when there is no way to draw (render/gl/context.h), or none with so many samples: to be asked
+// before long work.
+void check_can_draw(const PictureOptions& options = {});
 
 // Who is drawn. What is null is not there.
 struct Sitter {

@@ -33,6 +33,7 @@ void check_outputs(const RenderArguments& arguments) {
 
 int render(const RenderArguments& arguments) {
     check_outputs(arguments);
+    check_can_draw(arguments.picture);
     check_can_show(arguments.picture.show, !arguments.body.source.empty(), false);
     const PlainMesh garment = read_garment(arguments.garment);
     std::optional<Body> body;

@@ -42,13 +42,11 @@ void check_size(const RenderOptions& options) {
 }
 
 void check_samples(const GlContext& context, const RenderOptions& options) {
-    GLint most = 1;
-    context.gl().GetIntegerv(GL_MAX_SAMPLES, &most);
+    const int most = context.most_samples();
     if (options.samples <= most) return;
     throw InputError("", "samples",
                      std::string(name(context.maker())) + " takes at most " + std::to_string(most) +
-                         " samples per pixel here, not " + std::to_string(options.samples) +
-                         "; drawing larger and averaging smooths as well");
+                         " samples per pixel here, not " + std::to_string(options.samples));
 }
 
 // A part of the picture, px from its lower left.

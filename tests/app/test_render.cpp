@@ -107,6 +107,13 @@ TEST_F(RenderCommand, cameras_samples_and_films_that_cannot_be_are_said_on_one_l
     expect_refused("--turntable out/", "not a folder");
 }
 
+TEST_F(RenderCommand, more_samples_than_there_are_get_one_line_that_names_another_way) {
+    const ProgramResult result = render("-o x.png --samples 8");
+    if (result.exit_code == 0) GTEST_SKIP() << "eight samples can be drawn here";
+    expect_refused("-o x.png --samples 8", "--supersample");
+    EXPECT_EQ(render("-o x.png --samples 1 --supersample 2").exit_code, 0);
+}
+
 TEST_F(RenderCommand, a_turntable_of_frames_turns_once_and_begins_with_the_picture) {
     const ProgramResult result = render("--view three-quarter --turntable out/ --frames 4 --transparent");
     ASSERT_EQ(result.exit_code, 0) << result.err;
