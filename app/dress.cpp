@@ -262,6 +262,7 @@ void add_dress_command(CLI::App& app, int& exit_code) {
         "  selvedge dress patterns/tshirt.json --render tshirt.png\n"
         "  selvedge dress patterns/skirt.json --body mannequin:waist=68,hip=96 --tartan 'Black Watch' \\\n"
         "      --render skirt.png --view three-quarter --export skirt.glb --export-body body.glb\n"
+        "  selvedge dress patterns/tshirt.json --show hierarchy --render levels.png --turntable levels.mp4\n"
         "  selvedge dress patterns/tshirt.json --body scan.obj --body-unit cm --fabric silk --report tshirt.json");
     command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }

@@ -26,7 +26,8 @@ FilmKind film_kind(const std::filesystem::path& path);
 void check_film(const std::filesystem::path& path, const FilmFormat& format);
 
 // What stands at the path is replaced when the film is whole; until then the film has another name, and goes with the
-// object. Frames are written as frame_0001.png and so on, one by one.
+// object. Frames are written as frame_0001.png and so on, one by one; those of an earlier, longer film beyond them
+// stay.
 class FilmWriter {
  public:
     FilmWriter(const std::filesystem::path& path, const FilmFormat& format);

@@ -50,6 +50,12 @@ std::vector<LegendRow> level_rows(const Levels& levels) {
     return rows;
 }
 
+// A mesh that was read from a file has no levels: all are drawn as level 0.
+std::vector<std::array<std::string, 2>> level_notes(bool are_known) {
+    if (are_known) return {};
+    return {{"levels", "not known"}};
+}
+
 std::vector<float> chosen_strain(const PlainMesh& mesh, ShowMode mode) {
     std::vector<float> values;
     for (const MeshStrain& strain : measure_strain(mesh)) {
@@ -203,7 +209,7 @@ Legend show_vertices(Scene& scene) {
                  level < 2 ? BallDetail::Fine : BallDetail::Coarse);
     }
     scene.solids.push_back(std::move(solid));
-    return {.title = "Vertices by level", .rows = level_rows(levels)};
+    return {.title = "Vertices by level", .rows = level_rows(levels), .notes = level_notes(!mesh.vertex_level.empty())};
 }
 
 void paint_levels(ClothItem& cloth) {
@@ -280,7 +286,9 @@ Legend fill_hierarchy(Scene& scene, const TriangleHierarchy& hierarchy, StackSid
 
 Legend level_legend(const PlainMesh& mesh) {
     if (!mesh.level.empty()) return {.title = "Triangles by level", .rows = level_rows(mesh.level)};
-    return {.title = "Triangles by level", .rows = level_rows(std::vector<int>(mesh.triangles.size(), 0))};
+    return {.title = "Triangles by level",
+            .rows = level_rows(std::vector<int>(mesh.triangles.size(), 0)),
+            .notes = level_notes(false)};
 }
 
 }  // namespace selvedge

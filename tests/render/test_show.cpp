@@ -117,6 +117,19 @@ TEST(Show, the_level_legend_counts_triangles_up_to_the_highest_level) {
     EXPECT_EQ(legend.rows[1].figure, "2");
 }
 
+TEST(Show, levels_that_a_mesh_does_not_know_are_not_made_up) {
+    for (const ShowMode mode : {ShowMode::Level, ShowMode::Vertices}) {
+        Scene known = stretched(mode), unknown = stretched(mode);
+        unknown.cloths[0].mesh.level.clear();
+        unknown.cloths[0].mesh.vertex_level.clear();
+        EXPECT_TRUE(fill_show(known)->notes.empty());
+        const auto legend = fill_show(unknown);
+        ASSERT_EQ(legend->notes.size(), 1U);
+        EXPECT_EQ(legend->notes[0][1], "not known");
+        EXPECT_EQ(legend->rows.size(), 1U);
+    }
+}
+
 TEST(Show, a_hierarchy_becomes_a_scene_of_leaves_and_outlines) {
     const std::array<Vec2f, 3> u{Vec2f(0, 0), Vec2f(1, 0), Vec2f(0, 1)};
     Scene scene;
