@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "render/renderer.h"
 #include "render/scene/views.h"
@@ -198,18 +199,25 @@ struct Shot {
     Camera camera;
     Corner corner = Corner::LowerLeft;
     long hidden = std::numeric_limits<long>::max();  // triangles under the legend that the frame is there to show
-    long beside = 0;                                 // others
+    float pixel_size = 0;                            // m
+    long beside = 0;                                 // triangles under the legend that are only in the picture
+
+    auto cost() const { return std::tuple(hidden, pixel_size, beside); }
 };
 
-// Strips kept free for the legend, at the left or below.
-std::array<Frame, 2> with_room(const Frame& frame, const LegendPlace& legend, const PictureOptions& options) {
+// A strip kept free for the legend, at the left or below; or more room all round.
+std::vector<Frame> with_room(const Frame& frame, const LegendPlace& legend, const PictureOptions& options) {
     const float edge = 8.0F * float(legend.scale);
     const float right = float(legend.box.left + legend.box.width) + edge;
     const float top = float(options.height_px - legend.box.top) + edge;
     const float margin = frame.options.margin / 2;  // is free already, of each side
-    std::array<Frame, 2> frames{frame, frame};
+    std::vector<Frame> frames{frame, frame};
     frames[0].options.free_left = std::max(right / float(options.width_px) - margin, 0.0F);
     frames[1].options.free_below = std::max(top / float(options.height_px) - margin, 0.0F);
+    for (const float more : {0.08F, 0.16F, 0.24F, 0.32F}) {
+        frames.push_back(frame);
+        frames.back().options.margin += more;
+    }
     return frames;
 }
 
@@ -224,25 +232,23 @@ PixelBox with_edge(const LegendPlace& place) {
 Shot clear_of_legend(const Camera& camera, bool may_move, const Frame& frame, const Legend& legend,
                      const Silhouette& figure, const PictureOptions& options) {
     Shot best{.camera = camera};
-    const auto try_corner = [&](const Camera& tried, Corner corner, bool is_larger) {
-        const auto place = place_legend(legend, options.width_px, options.height_px, corner);
-        if (!place) return;
-        const auto [cloth, body] = figure.under(with_edge(*place), tried);
-        const Shot shot{.camera = tried,
-                        .corner = corner,
-                        .hidden = cloth + (frame.holds_bodies ? body : 0),
-                        .beside = frame.holds_bodies ? 0 : body};
-        const bool is_as_clear = shot.hidden == best.hidden && (is_larger || shot.beside < best.beside);
-        if (shot.hidden < best.hidden || is_as_clear) best = shot;
+    const auto try_corners = [&](const Camera& tried) {
+        for (const Corner corner : {Corner::LowerLeft, Corner::LowerRight, Corner::UpperLeft, Corner::UpperRight}) {
+            const auto place = place_legend(legend, options.width_px, options.height_px, corner);
+            if (!place) return;
+            const auto [cloth, body] = figure.under(with_edge(*place), tried);
+            const Shot shot{.camera = tried,
+                            .corner = corner,
+                            .hidden = cloth + (frame.holds_bodies ? body : 0),
+                            .pixel_size = pixel_size(tried, options),
+                            .beside = frame.holds_bodies ? 0 : body};
+            if (shot.cost() < best.cost()) best = shot;
+        }
     };
-    for (const Corner corner : {Corner::LowerLeft, Corner::LowerRight, Corner::UpperLeft, Corner::UpperRight})
-        try_corner(camera, corner, false);
+    try_corners(camera);
     const auto place = place_legend(legend, options.width_px, options.height_px, Corner::LowerLeft);
     if (best.hidden == 0 || !place || !may_move) return best;
-    for (const Frame& roomy : with_room(frame, *place, options)) {
-        const Camera farther = roomy.camera();
-        try_corner(farther, Corner::LowerLeft, pixel_size(farther, options) < pixel_size(best.camera, options));
-    }
+    for (const Frame& roomy : with_room(frame, *place, options)) try_corners(roomy.camera());
     return best;
 }
 
