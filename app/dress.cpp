@@ -15,6 +15,7 @@
 #include "app/output_files.h"
 #include "app/picture.h"
 #include "app/progress_bar.h"
+#include "app/turntable.h"
 #include "render/image/png.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
@@ -41,9 +42,11 @@ struct DressArguments {
     bool is_quiet = false;
 
     PictureOptions picture;
+    TurntableOptions turntable;
     Path picture_file;  // an empty path: not wanted
     Path report_file;
     std::vector<Path> garment_files;
+    bool exports_surface = false;  // the curved surface, not the cloth's own triangles
     std::vector<Path> body_files;
 };
 
@@ -87,7 +90,7 @@ CriteriaOptions parse_criteria(const std::string& text) {
 std::vector<Path> all_outputs(const DressArguments& arguments) {
     std::vector<Path> outputs = arguments.garment_files;
     outputs.insert(outputs.end(), arguments.body_files.begin(), arguments.body_files.end());
-    for (const Path& file : {arguments.picture_file, arguments.report_file}) {
+    for (const Path& file : {arguments.picture_file, arguments.report_file, arguments.turntable.file}) {
         if (!file.empty()) outputs.push_back(file);
     }
     return outputs;
@@ -96,6 +99,7 @@ std::vector<Path> all_outputs(const DressArguments& arguments) {
 void check_outputs(const DressArguments& arguments) {
     if (!arguments.picture_file.empty()) check_output(arguments.picture_file, kPictureExtensions);
     if (!arguments.report_file.empty()) check_output(arguments.report_file);
+    check_turntable(arguments.turntable, arguments.picture);
     for (const Path& file : arguments.garment_files) check_output(file, kMeshExtensions);
     for (const Path& file : arguments.body_files) check_output(file, kMeshExtensions);
     std::vector<Path> inputs{arguments.garment};
@@ -120,6 +124,7 @@ struct Writing {
 // Every file is tried, whatever became of the others: a garment that burst has no mesh to export, yet has a report.
 Writing write_outputs(const DressArguments& arguments, const DressedGarment& dressed, const Body& body) {
     Writing writing;
+    const Sitter sitter{.garment = dressed.mesh, .body = &body, .hierarchy = &dressed.hierarchy};
     const auto write = [&](const Path& file, const auto& how) {
         try {
             how(file);
@@ -131,13 +136,23 @@ Writing write_outputs(const DressArguments& arguments, const DressedGarment& dre
     if (!arguments.report_file.empty()) {
         write(arguments.report_file, [&](const Path& file) { write_file_atomically(file, to_json(dressed.report)); });
     }
-    for (const Path& file : arguments.garment_files)
-        write(file, [&](const Path& mesh_file) { write_garment(dressed.mesh, mesh_file); });
+    for (const Path& file : arguments.garment_files) {
+        write(file, [&](const Path& mesh_file) {
+            const SurfaceChoice surface = arguments.exports_surface ? arguments.picture.surface : SurfaceChoice{};
+            write_garment(drawn_mesh(dressed.mesh, &body, surface), mesh_file);
+        });
+    }
     for (const Path& file : arguments.body_files)
         write(file, [&](const Path& mesh_file) { write_body(body, mesh_file); });
     if (!arguments.picture_file.empty()) {
         write(arguments.picture_file,
-              [&](const Path& file) { write_png(file, draw_picture(dressed.mesh, &body, arguments.picture)); });
+              [&](const Path& file) { write_png(file, draw_picture(sitter, arguments.picture)); });
+    }
+    if (!arguments.turntable.file.empty()) {
+        write(arguments.turntable.file, [&](const Path&) {
+            ProgressBar bar(progress_bar_options(arguments.is_quiet));
+            write_turntable(sitter, arguments.picture, arguments.turntable, bar.progress());
+        });
     }
     return writing;
 }
@@ -179,7 +194,7 @@ int run(DressArguments arguments) {
     check_outputs(arguments);
     const Pattern pattern = load_pattern(arguments.garment).pattern;
     fill_in(arguments, pattern);
-    if (!arguments.picture_file.empty()) check_can_draw();
+    if (!arguments.picture_file.empty() || !arguments.turntable.file.empty()) check_can_draw(arguments.picture);
 
     std::optional<ThreadLimit> limit;
     if (arguments.threads) limit.emplace(*arguments.threads);
@@ -242,6 +257,9 @@ void add_output_options(CLI::App& command, DressArguments& arguments) {
     };
     add("--render", arguments.picture_file, "Picture of the dressed body", "PNG");
     add("--export", arguments.garment_files, "The garment as .obj or .glb; may be repeated", "FILE");
+    command.add_flag("--export-surface", arguments.exports_surface, "Exports carry the curved surface (--surface)")
+        ->group("Output")
+        ->needs(command.get_option("--surface"));
     add("--export-body", arguments.body_files, "The body as .obj or .glb; may be repeated", "FILE");
     add("--report", arguments.report_file, "What came of it, as JSON", "JSON");
 }
@@ -256,14 +274,16 @@ void add_dress_command(CLI::App& app, int& exit_code) {
     add_body_options(*command, arguments->body,
                      "Body that wears it: mannequin[:sex=female,bust=92,...] or a file (default: the pattern's, or "
                      "mannequin:sex=female)");
-    add_output_options(*command, *arguments);
     add_picture_options(*command, arguments->picture);
+    add_output_options(*command, *arguments);
+    add_turntable_options(*command, arguments->turntable);
     command->footer(
         "Exit code: 0 dressed, 2 wrong input or a file that could not be written, 3 dressed with a fault.\n"
         "Examples:\n"
         "  selvedge dress patterns/tshirt.json --render tshirt.png\n"
         "  selvedge dress patterns/skirt.json --body mannequin:waist=68,hip=96 --tartan 'Black Watch' \\\n"
         "      --render skirt.png --view three-quarter --export skirt.glb --export-body body.glb\n"
+        "  selvedge dress patterns/tshirt.json --show hierarchy --render levels.png --turntable levels.mp4\n"
         "  selvedge dress patterns/tshirt.json --body scan.obj --body-unit cm --fabric silk --report tshirt.json");
     command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }

@@ -1,12 +1,11 @@
 #include "app/picture.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 
+#include "app/composition.h"
 #include "render/gl/context.h"
 #include "render/image/png.h"
-#include "render/level_legend.h"
 #include "render/renderer.h"
 #include "sim/core/error.h"
 #include "sim/tartan/tartan_file.h"
@@ -66,76 +65,32 @@ T known(const std::optional<T>& value, const std::string& option, const std::str
     return *value;
 }
 
+int parse_samples(const std::string& text) {
+    for (const int samples : {1, 2, 4, 8}) {
+        if (text == std::to_string(samples)) return samples;
+    }
+    throw InputError("", "--samples", "'" + text + "' is none of 1, 2, 4, 8");
+}
+
 Framing parse_framing(const std::string& text) {
     if (text == "all") return Framing::All;
     if (text == "garment") return Framing::Garment;
     throw InputError("", "--frame", "'" + text + "' is none of all, garment");
 }
 
-bool is_finite(const PlainMesh& mesh, std::size_t triangle) {
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-        if (!mesh.x[mesh.triangles[triangle][corner]].allFinite()) return false;
-        if (!mesh.u.empty() && !mesh.u[triangle][corner].allFinite()) return false;
+struct Limits {
+    int least;
+    int most;
+};
+
+int parse_count(const std::string& option, const std::string& text, Limits limits) {
+    int value = 0;
+    if (!parse_int(text, value) || value < limits.least || value > limits.most) {
+        throw InputError(
+            "", option,
+            "'" + text + "' is not from " + std::to_string(limits.least) + " to " + std::to_string(limits.most));
     }
-    return true;
-}
-
-template <class T>
-void keep(std::vector<T>& values, const std::vector<std::size_t>& kept) {
-    if (values.empty()) return;
-    for (std::size_t i = 0; i < kept.size(); ++i) values[i] = values[kept[i]];
-    values.resize(kept.size());
-}
-
-// A garment that burst must still have its picture. Vertices that are left without a triangle move to one that is not.
-PlainMesh without_bad_numbers(PlainMesh mesh) {
-    std::vector<std::size_t> kept;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        if (is_finite(mesh, t)) kept.push_back(t);
-    }
-    if (kept.empty()) throw InputError("", "picture", "the garment has no triangle that can be drawn");
-    keep(mesh.triangles, kept);
-    keep(mesh.u, kept);
-    keep(mesh.panel, kept);
-    keep(mesh.level, kept);
-    const Vec3f somewhere = mesh.x[mesh.triangles.front().front()];
-    for (Vec3f& x : mesh.x) x = x.allFinite() ? x : somewhere;
-    const bool has_normals =
-        std::all_of(mesh.normals.begin(), mesh.normals.end(), [](const Vec3f& normal) { return normal.allFinite(); });
-    if (!has_normals) mesh.normals.clear();
-    return mesh;
-}
-
-ClothItem make_cloth_item(const PlainMesh& garment, const PictureOptions& options) {
-    ClothItem item;
-    item.mesh = without_bad_numbers(garment);
-    item.sett = sett_of(options);
-    item.sett_position = options.sett_position.cast<float>();
-    item.show = options.show;
-    return item;
-}
-
-float lowest(const std::vector<Vec3f>& points) {
-    float low = points.front().y();
-    for (const Vec3f& point : points) low = std::min(low, point.y());
-    return low;
-}
-
-Scene make_scene(const PlainMesh& garment, const Body* body, const PictureOptions& options) {
-    Scene scene;
-    scene.cloths.push_back(make_cloth_item(garment, options));
-    if (body != nullptr) scene.bodies.push_back(make_body_item(*body));
-    const float aspect = float(options.width_px) / float(options.height_px);
-    const bool frames_garment = options.framing == Framing::Garment || body == nullptr;
-    scene.camera = frame_points(frames_garment ? scene.cloths.front().mesh.x : scene_points(scene), options.view,
-                                {.aspect = aspect, .margin = frames_garment ? 0.12F : 0.07F});
-    scene.light = studio_light(scene.camera);
-    scene.background.is_transparent = options.is_transparent;
-    // A garment alone that hangs high has no floor to stand on.
-    const float low = lowest(scene_points(scene));
-    scene.has_ground = low < 0.3F;
-    scene.ground_y = std::min(0.0F, low);
-    return scene;
+    return value;
 }
 
 }  // namespace
@@ -148,9 +103,19 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
     add("--size", "Size of the picture in pixels (default 1024x1024)", [&](Text text) {
         parse_size(text, options);
     })->type_name("WxH");
-    add("--view", std::string("From where: ") + kViewNames + " (default front)", [&](Text text) {
-        options.view = known(parse_view(text), "--view", text, kViewNames);
-    })->type_name("VIEW");
+    add("--samples", "Samples per pixel of edges: 1, 2, 4 or 8 (default 4)", [&](Text text) {
+        options.samples = parse_samples(text);
+    })->type_name("N");
+    add("--supersample", "Draws so many times as large and averages, 1 to 4 (default 1)", [&](Text text) {
+        options.supersample = parse_count("--supersample", text, {.least = 1, .most = 4});
+    })->type_name("N");
+    CLI::Option* view = add("--view", std::string("From where: ") + kViewNames + " (default front)", [&](Text text) {
+                            options.view = known(parse_view(text), "--view", text, kViewNames);
+                        })->type_name("VIEW");
+    add("--camera", "From where, in numbers: AZIMUTH,ELEVATION[,ZOOM] in degrees, or the eye and its target in m",
+        [&](Text text) { options.camera = parse_camera(text); })
+        ->type_name("NUMBERS")
+        ->excludes(view);
     add("--frame", "What fills the picture: all, garment (default all)", [&](Text text) {
         options.framing = parse_framing(text);
     })->type_name("WHAT");
@@ -166,6 +131,7 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
     add("--sett-position", "Where the sett begins, across and along the grain in cm (default 0,0)", [&](Text text) {
         options.sett_position = parse_sett_position(text);
     })->type_name("X,Y");
+    add_surface_options(command, options.surface);
     command.add_flag("--transparent", options.is_transparent, "No backdrop: only garment, body and shadow")
         ->group("Picture");
 }
@@ -175,15 +141,30 @@ Sett sett_of(const PictureOptions& options) {
     return options.sett_size ? with_repeat_size(sett, *options.sett_size) : sett;
 }
 
-void check_can_draw() {
-    make_context();
+void check_can_draw(const PictureOptions& options) {
+    const auto context = make_context();
+    const int most = context->most_samples();
+    if (options.samples <= most) return;
+    throw InputError("", "--samples",
+                     std::string(name(context->maker())) + " takes at most " + std::to_string(most) +
+                         " per pixel here, not " + std::to_string(options.samples) +
+                         ": --supersample smooths edges as well");
 }
 
-Image draw_picture(const PlainMesh& garment, const Body* body, const PictureOptions& options) {
-    const Scene scene = make_scene(garment, body, options);
-    Renderer renderer;
-    Image image = renderer.draw(scene, {.width_px = options.width_px, .height_px = options.height_px});
-    if (options.show == ShowMode::Level) draw_level_legend(image, scene.cloths.front().mesh);
+void check_can_show(ShowMode show, bool has_body, bool has_hierarchy) {
+    if (show == ShowMode::Clearance && !has_body)
+        throw InputError("", "--show", "'clearance' is measured from a body: name one with --body");
+    if (show == ShowMode::Hierarchy && !has_hierarchy) {
+        throw InputError("", "--show",
+                         "'hierarchy' shows refined triangles, and a mesh file holds only the last ones: "
+                         "use selvedge dress --show hierarchy");
+    }
+}
+
+Image draw_picture(const Sitter& sitter, const PictureOptions& options) {
+    const Composition composition = compose(sitter, options);
+    Image image = Renderer().draw(composition.scene, render_options(options));
+    if (composition.legend) draw_legend(image, *composition.legend, composition.corner);
     return image;
 }
 

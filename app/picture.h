@@ -3,10 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 
+#include "app/camera_option.h"
+#include "app/surface_options.h"
 #include "render/image/image.h"
 #include "render/scene/scene.h"
 #include "sim/body/body.h"
 #include "sim/mesh/plain_mesh.h"
+#include "sim/mesh/triangle_hierarchy.h"
 #include "sim/tartan/sett.h"
 
 namespace selvedge {
@@ -16,27 +19,43 @@ enum class Framing { All, Garment };
 struct PictureOptions {
     int width_px = 1024;
     int height_px = 1024;
-    View view = View::Front;
+    int samples = 4;
+    int supersample = 1;
+    std::optional<View> view;            // none: from the front; a hierarchy from above
+    std::optional<CameraChoice> camera;  // instead of a view
     Framing framing = Framing::All;
     ShowMode show = ShowMode::Tartan;
     std::optional<Sett> sett;             // none: kDefaultTartan
     std::optional<double> sett_size;      // m, of one repeat; none: the tartan's own
     Vec2d sett_position = Vec2d::Zero();  // m, (weft, warp)
     bool is_transparent = false;
+    SurfaceChoice surface{};  // the cloth's own triangles, or curved ones over them
 };
 
-// Adds --size, --view, --frame, --show, --tartan, --sett-size, --sett-position and --transparent. What they are given
-// is checked while the command line is read, before any work. `options` must outlive the command line.
+// Adds --size, --samples, --supersample, --view, --camera, --frame, --show, --tartan, --sett-size, --sett-position,
+// --transparent and those of surfaces. What they are given is checked while the command line is read, before any work.
+// `options` must outlive the command line.
 void add_picture_options(CLI::App& command, PictureOptions& options);
 
 // What the cloth is drawn in: the tartan that was asked for, at the size that was asked for.
 Sett sett_of(const PictureOptions& options);
 
-// Throws InputError when there is no way to draw (render/gl/context.h): to be asked before long work.
-void check_can_draw();
+// Throws InputError when there is no way to draw (render/gl/context.h), or none with so many samples: to be asked
+// before long work.
+void check_can_draw(const PictureOptions& options = {});
 
-// The garment alone when body is null. Triangles with numbers that are not finite are left out. Throws InputError when
-// nothing is left to draw, or there is no way to draw (render/gl/context.h).
-Image draw_picture(const PlainMesh& garment, const Body* body, const PictureOptions& options);
+// Who is drawn. What is null is not there.
+struct Sitter {
+    const PlainMesh& garment;
+    const Body* body = nullptr;
+    const TriangleHierarchy* hierarchy = nullptr;
+};
+
+// Throws InputError when the mode asks for a body or a hierarchy that will not be there: to be asked before long work.
+void check_can_show(ShowMode show, bool has_body, bool has_hierarchy);
+
+// Triangles with numbers that are not finite are left out. Throws InputError when nothing is left to draw, there is no
+// way to draw (render/gl/context.h), or the mode asks for what is not there.
+Image draw_picture(const Sitter& sitter, const PictureOptions& options);
 
 }  // namespace selvedge

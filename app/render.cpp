@@ -6,7 +6,10 @@
 #include "app/commands.h"
 #include "app/output_files.h"
 #include "app/picture.h"
+#include "app/progress_bar.h"
+#include "app/turntable.h"
 #include "render/image/png.h"
+#include "sim/core/error.h"
 #include "sim/exchange/mesh_file.h"
 
 namespace selvedge {
@@ -17,15 +20,35 @@ struct RenderArguments {
     BodyOptions body;
     std::string output;
     PictureOptions picture;
+    TurntableOptions turntable;
+    bool is_quiet = false;
 };
 
+void check_outputs(const RenderArguments& arguments) {
+    if (arguments.output.empty() && arguments.turntable.file.empty())
+        throw InputError("", "render", "nothing to write: name a picture with -o or a film with --turntable");
+    if (!arguments.output.empty()) check_output(arguments.output, kPictureExtensions);
+    check_turntable(arguments.turntable, arguments.picture);
+}
+
 int render(const RenderArguments& arguments) {
-    check_output(arguments.output, kPictureExtensions);
+    check_outputs(arguments);
+    check_can_draw(arguments.picture);
+    check_can_show(arguments.picture.show, !arguments.body.source.empty(), false);
     const PlainMesh garment = read_garment(arguments.garment);
     std::optional<Body> body;
     if (!arguments.body.source.empty()) body = make_body(arguments.body).body;
-    write_png(arguments.output, draw_picture(garment, body ? &*body : nullptr, arguments.picture));
-    std::printf("wrote %s\n", arguments.output.c_str());
+    const Sitter sitter{.garment = garment, .body = body ? &*body : nullptr};
+    if (!arguments.output.empty()) {
+        write_png(arguments.output, draw_picture(sitter, arguments.picture));
+        std::printf("wrote %s\n", arguments.output.c_str());
+    }
+    if (!arguments.turntable.file.empty()) {
+        ProgressBar bar(progress_bar_options(arguments.is_quiet));
+        write_turntable(sitter, arguments.picture, arguments.turntable, bar.progress());
+        bar.finish();
+        std::printf("wrote %s\n", arguments.turntable.file.c_str());
+    }
     return 0;
 }
 
@@ -36,13 +59,17 @@ void add_render_command(CLI::App& app, int& exit_code) {
     CLI::App* command = app.add_subcommand("render", "Draw a garment from an OBJ or GLB file");
     command->add_option("MESH", arguments->garment, "Garment, as dress exports it (.obj or .glb)")->required();
     add_body_options(*command, arguments->body, "Body that wears it: a file, or mannequin[:bust=92,...]");
-    command->add_option("-o,--output", arguments->output, "PNG file to write")->required();
+    command->add_option("-o,--output", arguments->output, "PNG file to write");
+    command->add_flag("-q,--quiet", arguments->is_quiet, "Show no progress");
     add_picture_options(*command, arguments->picture);
+    add_turntable_options(*command, arguments->turntable);
     command->footer(
         "Examples:\n"
         "  selvedge render tshirt.obj --body body.obj -o tshirt.png --view three-quarter\n"
         "  selvedge render tshirt.glb -o levels.png --show level --size 2048x2048\n"
-        "  selvedge render tshirt.glb -o check.png --tartan 'K/8 W/8' --sett-size 4");
+        "  selvedge render tshirt.glb -o check.png --tartan 'K/8 W/8' --sett-size 4\n"
+        "  selvedge render tshirt.glb --body body.obj -o armpit.png --camera 60,-10,3\n"
+        "  selvedge render tshirt.glb --body body.obj --turntable tshirt.mp4 --size 720x960");
     command->callback([arguments, &exit_code] { exit_code = render(*arguments); });
 }
 

@@ -19,7 +19,7 @@ namespace {
 constexpr int kShadowSide = 2048;  // px
 
 // Texture units.
-constexpr int kShadowMapUnit = 0, kShadowDepthUnit = 1, kSettUnit = 2;
+constexpr int kShadowMapUnit = 0, kShadowDepthUnit = 1, kSettUnit = 2, kPaintUnit = 7;
 
 constexpr std::array<Rgb8, kLevelColours> kLevels{{{0x3F, 0x6C, 0x9E},
                                                    {0x53, 0xB3, 0xA4},
@@ -39,6 +39,14 @@ void check_size(const RenderOptions& options) {
                      "cannot draw " + std::to_string(options.width_px) + "x" + std::to_string(options.height_px) +
                          ": sides are from 1 to " + std::to_string(kMaxImageSide) + ", with at most " +
                          std::to_string(kMaxImagePixels / 1000000) + " million pixels");
+}
+
+void check_samples(const GlContext& context, const RenderOptions& options) {
+    const int most = context.most_samples();
+    if (options.samples <= most) return;
+    throw InputError("", "samples",
+                     std::string(name(context.maker())) + " takes at most " + std::to_string(most) +
+                         " samples per pixel here, not " + std::to_string(options.samples));
 }
 
 // A part of the picture, px from its lower left.
@@ -125,6 +133,7 @@ struct Renderer::Impl {
           gl(context->gl()),
           cloth(make_program(gl, {"cloth.vert"}, {"light.glsl", "tartan.glsl", "cloth.frag"})),
           body(make_program(gl, {"body.vert"}, {"light.glsl", "body.frag"})),
+          solid(make_program(gl, {"solid.vert"}, {"light.glsl", "solid.frag"})),
           ground(make_program(gl, {"body.vert"}, {"backdrop.glsl", "light.glsl", "ground.frag"})),
           backdrop(make_program(gl, {"screen.vert"}, {"backdrop.glsl", "backdrop.frag"})),
           no_vertices(gl),
@@ -196,7 +205,8 @@ struct Renderer::Impl {
     void draw_cloth(const ClothBuffer& buffer) const {
         gl.ActiveTexture(GL_TEXTURE0 + kSettUnit);
         gl.BindTexture(GL_TEXTURE_2D, buffer.sett_sums.id());
-        cloth.set("show", static_cast<int>(buffer.show));
+        cloth.set("show", cloth_look(buffer.show, buffer.paint));
+        bind_paint(gl, cloth, buffer.paint, kPaintUnit);
         cloth.set("cloth_colour", buffer.colour);
         cloth.set("sett_threads", std::max(buffer.sett_threads, 1));
         cloth.set("sett_mean", buffer.sett_mean);
@@ -206,18 +216,29 @@ struct Renderer::Impl {
         gl.DrawArrays(GL_TRIANGLES, 0, buffer.vertex_count);
     }
 
+    void draw_solids(const Frame& frame, const SceneBuffers& buffers) const {
+        if (buffers.solids.empty()) return;
+        solid.use();
+        set_light(solid, frame);
+        for (const SolidBuffer& buffer : buffers.solids) {
+            gl.BindVertexArray(buffer.vertex_array.id());
+            gl.DrawElements(GL_TRIANGLES, buffer.index_count, GL_UNSIGNED_INT, nullptr);
+        }
+    }
+
     void draw_tile(const Frame& frame, const SceneBuffers& buffers, const DepthPass& shadow) const {
         bind_shadow(shadow);
         if (!frame.scene.background.is_transparent) draw_backdrop(frame);
         if (buffers.ground) draw_ground(frame, buffers);
         draw_bodies(frame, buffers);
         draw_cloths(frame, buffers);
+        draw_solids(frame, buffers);
         gl.BindSampler(kShadowMapUnit, 0);
     }
 
     std::unique_ptr<GlContext> context;
     const GladGLContext& gl;
-    Program cloth, body, ground, backdrop;
+    Program cloth, body, solid, ground, backdrop;
     VertexArray no_vertices;
     Sampler shadow_sampler;
 };
@@ -234,6 +255,7 @@ Image Renderer::draw(const Scene& scene, const RenderOptions& options) {
     SELVEDGE_ASSERT(options.tile_px >= 1 && options.supersample >= 1 && options.samples >= 1);
     const GladGLContext& gl = impl_->gl;
     impl_->context->make_current();
+    check_samples(*impl_->context, options);
     const Casters casters = casters_of(scene);
     const SceneBuffers buffers = make_scene_buffers(gl, scene, casters);
 

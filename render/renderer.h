@@ -30,8 +30,8 @@ class Renderer {
     explicit Renderer(std::optional<ContextMaker> maker = {});
     ~Renderer();
 
-    // Any size: a picture is drawn in tiles. Throws InputError when it is over render/image/png.h's limits.
-    // Pre: the scene has a triangle, its numbers are finite.
+    // Any size: a picture is drawn in tiles. Throws InputError when it is over render/image/png.h's limits, or wants
+    // more samples than the context can take. Pre: the scene has a triangle, its numbers are finite.
     Image draw(const Scene& scene, const RenderOptions& options = {});
 
     const GlContext& context() const;

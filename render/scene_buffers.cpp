@@ -145,6 +145,7 @@ ClothBuffer make_cloth_buffer(const GladGLContext& gl, const ClothItem& item, co
     gl.EnableVertexAttribArray(6);
     gl.VertexAttribIPointer(6, 1, GL_UNSIGNED_INT, sizeof(ClothVertex),
                             reinterpret_cast<const void*>(offsetof(ClothVertex, marks)));
+    buffer.paint = make_paint_buffer(gl, item);
     buffer.vertex_count = static_cast<int>(vertices.size());
     buffer.colour = to_linear(item.colour);
     const bool can_weave = !item.sett.stripes.empty() && !item.mesh.u.empty();
@@ -186,6 +187,7 @@ SceneBuffers make_scene_buffers(const GladGLContext& gl, const Scene& scene, con
     for (const BodyItem& body : scene.bodies) {
         buffers.bodies.push_back(make_surface_buffer(gl, body, openness.take(body.x.size())));
     }
+    for (const SolidItem& solid : scene.solids) buffers.solids.push_back(make_solid_buffer(gl, solid));
     if (scene.has_ground)
         buffers.ground = make_surface_buffer(gl, ground, softened_ground(openness.take(ground.x.size())));
     return buffers;

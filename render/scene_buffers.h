@@ -3,10 +3,12 @@
 #include <optional>
 #include <vector>
 
+#include "render/cloth_paint.h"
 #include "render/cloth_vertices.h"
 #include "render/depth_pass.h"
 #include "render/gl/handle.h"
 #include "render/scene/scene.h"
+#include "render/solid_buffer.h"
 
 namespace selvedge {
 
@@ -21,6 +23,7 @@ struct ClothBuffer {
     Vec2f sett_position = Vec2f::Zero();
     ShowMode show = ShowMode::Plain;  // Tartan only where there is a sett and material coordinates
     Vec3f colour = Vec3f::Zero();     // linear
+    PaintBuffer paint{};
 };
 
 // A body, or the ground.
@@ -35,6 +38,7 @@ struct SurfaceBuffer {
 struct SceneBuffers {
     std::vector<ClothBuffer> cloths;
     std::vector<SurfaceBuffer> bodies;
+    std::vector<SolidBuffer> solids;
     std::optional<SurfaceBuffer> ground;
     Vec3f ground_centre = Vec3f::Zero();
     float ground_radius = 1;  // m

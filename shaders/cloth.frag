@@ -4,12 +4,16 @@ in vec2 v_place;
 in vec3 v_heights;
 in vec2 v_openness;
 in vec2 v_touch;
+in float v_paint;
 flat in uint v_marks;
 
-uniform int show;          // 0 tartan, 1 level, 2 edges, 3 plain
+uniform int show;          // 0 tartan, 1 level, 2 edges, 3 plain, 4 painted
 uniform vec3 cloth_colour;
 uniform vec3 level_colours[8];
 uniform float line_px;     // half the width of an edge's line
+uniform sampler2D paint_map;
+uniform int paint_colours;
+uniform float edge_ink;    // 0..1, of edges on plain and painted cloth
 
 out vec4 colour;
 
@@ -33,9 +37,18 @@ float sewn_shade(uint mask, float touch, float half_width) {
     return share * (1.0 - smoothstep(0.3 * half_width, half_width + pixel, nearest));
 }
 
+// Between two of the map's colours they are mixed.
+vec3 painted() {
+    float at = clamp(v_paint, 0.0, 1.0) * float(paint_colours - 1);
+    int below = int(min(at, float(paint_colours - 2)));
+    return mix(texelFetch(paint_map, ivec2(below, 0), 0).rgb, texelFetch(paint_map, ivec2(below + 1, 0), 0).rgb,
+               at - float(below));
+}
+
 vec3 cloth_albedo(float side) {
     if (show == 0) return 0.94 * tartan(v_place, side) + 0.008;  // even black yarn scatters a little light
     if (show == 1) return level_colours[min(v_marks & 255u, 7u)];
+    if (show == 4) return painted();
     return cloth_colour;
 }
 
@@ -47,6 +60,7 @@ void main() {
     albedo *= 1.0 - 0.30 * sewn_shade(v_marks >> 11 & 7u, v_touch.y, 0.0020);
     if (show == 1) albedo = mix(albedo, albedo * 0.35, 0.7 * lines);
     if (show == 2) albedo = mix(albedo, vec3(0.035, 0.05, 0.09), 0.9 * lines);
+    if (show > 2) albedo = mix(albedo, albedo * 0.25, edge_ink * lines);
     if (side < 0.0) {
         float grey = dot(albedo, vec3(0.2126, 0.7152, 0.0722));
         albedo = mix(albedo, vec3(grey), 0.25) * 0.72;

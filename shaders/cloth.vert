@@ -5,6 +5,7 @@ layout(location = 3) in vec3 heights;   // m above each of the triangle's edges
 layout(location = 4) in vec2 openness;  // right side, wrong side
 layout(location = 5) in vec2 touch;     // m to a seam and a hem that only a corner touches
 layout(location = 6) in uint marks;     // level, then 3 bits of edges on seams, then 3 bits of edges on hems
+layout(location = 7) in float paint;    // along the map of painted modes, 0..1
 
 uniform mat4 camera;
 
@@ -14,6 +15,7 @@ out vec2 v_place;
 out vec3 v_heights;
 out vec2 v_openness;
 out vec2 v_touch;
+out float v_paint;
 flat out uint v_marks;
 
 void main() {
@@ -23,6 +25,7 @@ void main() {
     v_heights = heights;
     v_openness = openness;
     v_touch = touch;
+    v_paint = paint;
     v_marks = marks;
     gl_Position = camera * vec4(position, 1.0);
 }

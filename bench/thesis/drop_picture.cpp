@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "render/level_legend.h"
+#include "render/show.h"
 #include "sim/dress/inspect.h"
 
 namespace selvedge {
@@ -59,7 +59,7 @@ Image DropPainter::draw(const Cloth& cloth, DropObject object) {
     scene.light = studio_light(scene.camera);
     scene.has_ground = false;
     Image image = renderer_.draw(scene, {.width_px = side_px_, .height_px = side_px_});
-    draw_level_legend(image, scene.cloths.front().mesh);
+    draw_legend(image, level_legend(scene.cloths.front().mesh), Corner::LowerLeft);
     return image;
 }
 

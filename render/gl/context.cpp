@@ -52,6 +52,12 @@ void GlContext::load_functions(GetProcAddress get_proc) {
     if (version < GLAD_MAKE_VERSION(3, 3)) throw std::runtime_error("no OpenGL 3.3");
 }
 
+int GlContext::most_samples() const {
+    GLint most = 1;
+    gl_->GetIntegerv(GL_MAX_SAMPLES, &most);
+    return most;
+}
+
 std::string GlContext::description() const {
     return text_of(gl_->GetString(GL_RENDERER)) + ", OpenGL " + text_of(gl_->GetString(GL_VERSION));
 }

@@ -11,11 +11,22 @@
 namespace selvedge {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, View>, 5> kViews{{{"front", View::Front},
-                                                                   {"back", View::Back},
-                                                                   {"left", View::Left},
-                                                                   {"right", View::Right},
-                                                                   {"three-quarter", View::ThreeQuarter}}};
+struct NamedView {
+    std::string_view name;
+    View view;
+    Direction direction;
+};
+
+// A little from above, so that the ground is seen as ground.
+constexpr std::array<NamedView, 9> kViews{{{"front", View::Front, {0, 0.07F}},
+                                           {"back", View::Back, {3.1415927F, 0.07F}},
+                                           {"left", View::Left, {1.5707963F, 0.07F}},
+                                           {"right", View::Right, {-1.5707963F, 0.07F}},
+                                           {"three-quarter", View::ThreeQuarter, {0.62F, 0.16F}},
+                                           {"three-quarter-back", View::ThreeQuarterBack, {3.1415927F - 0.62F, 0.16F}},
+                                           {"top", View::Top, {0, 1.45F}},
+                                           {"close", View::Close, {0.22F, 0.12F}},
+                                           {"hem", View::Hem, {0.22F, 0.12F}}}};
 
 struct Axes {
     Vec3f right;
@@ -23,27 +34,8 @@ struct Axes {
     Vec3f back;  // from the target to the eye
 };
 
-float azimuth(View view) {
-    constexpr float quarter = 1.5707963F;
-    switch (view) {
-        case View::Front:
-            return 0;
-        case View::Back:
-            return 2 * quarter;
-        case View::Left:
-            return quarter;
-        case View::Right:
-            return -quarter;
-        case View::ThreeQuarter:
-            return 0.62F;
-    }
-    return 0;
-}
-
-// A little from above, so that the ground is seen as ground.
-Axes axes_of(View view) {
-    const float angle = azimuth(view);
-    const float pitch = view == View::ThreeQuarter ? 0.16F : 0.07F;
+Axes axes_of(const Direction& direction) {
+    const float angle = direction.azimuth, pitch = direction.elevation;
     Axes axes;
     axes.back = {std::sin(angle) * std::cos(pitch), std::sin(pitch), std::cos(angle) * std::cos(pitch)};
     axes.right = Vec3f::UnitY().cross(axes.back).normalized();
@@ -51,37 +43,52 @@ Axes axes_of(View view) {
     return axes;
 }
 
-// Along one picture axis: a point at s across and b towards the eye is inside when |s - centre| <= (distance - b) t.
-// So the greatest of s + b t and the least of s - b t bound the distance, and their mean is the centre.
+// Along one picture axis: a point at s across and b towards the eye is inside when
+// -(distance - b) before <= s - centre <= (distance - b) after. So the greatest of s + b after and the least of
+// s - b before bound the distance, and between them lies the centre.
 struct Extent {
-    float t = 1;
+    float before = 1;
+    float after = 1;
     float high = -std::numeric_limits<float>::infinity();
     float low = std::numeric_limits<float>::infinity();
 
     void add(float s, float b) {
-        high = std::max(high, s + b * t);
-        low = std::min(low, s - b * t);
+        high = std::max(high, s + b * after);
+        low = std::min(low, s - b * before);
     }
-    float distance() const { return (high - low) / (2 * t); }
-    float centre() const { return (high + low) / 2; }
+    float least_distance() const { return (high - low) / (before + after); }
+    float centre(float distance) const { return (high - distance * after + low + distance * before) / 2; }
 };
 
 }  // namespace
 
 std::optional<View> parse_view(std::string_view name) {
-    for (const auto& [known, view] : kViews) {
-        if (known == name) return view;
+    for (const NamedView& known : kViews) {
+        if (known.name == name) return known.view;
     }
     return std::nullopt;
 }
 
+Direction direction_of(View view) {
+    for (const NamedView& known : kViews) {
+        if (known.view == view) return known.direction;
+    }
+    return {};
+}
+
 Camera frame_points(const std::vector<Vec3f>& points, View view, const FrameOptions& options) {
+    return frame_points(points, direction_of(view), options);
+}
+
+Camera frame_points(const std::vector<Vec3f>& points, const Direction& direction, const FrameOptions& options) {
     SELVEDGE_ASSERT(!points.empty() && options.aspect > 0);
     Camera camera;
-    const Axes axes = axes_of(view);
-    const float half = std::tan(camera.fov_y / 2) * (1 - options.margin);
-    Extent across{.t = half * options.aspect};
-    Extent upward{.t = half};
+    const Axes axes = axes_of(direction);
+    const float half = std::tan(camera.fov_y / 2), all = 1 - options.margin;
+    Extent across{.before = half * options.aspect * (all - 2 * options.free_left),
+                  .after = half * options.aspect * all};
+    Extent upward{.before = half * (all - 2 * options.free_below), .after = half * all};
+    SELVEDGE_ASSERT(across.before + across.after > 0 && upward.before + upward.after > 0);
     float nearest = -std::numeric_limits<float>::infinity();
     float farthest = std::numeric_limits<float>::infinity();
     for (const Vec3f& point : points) {
@@ -92,12 +99,27 @@ Camera frame_points(const std::vector<Vec3f>& points, View view, const FrameOpti
         farthest = std::min(farthest, b);
     }
     constexpr float least_clearance = 0.05F;  // m: a flat thing seen edge-on would touch the eye
-    const float distance = std::max({across.distance(), upward.distance(), nearest + least_clearance});
-    camera.eye = across.centre() * axes.right + upward.centre() * axes.up + distance * axes.back;
+    const float distance = std::max({across.least_distance(), upward.least_distance(), nearest + least_clearance});
+    camera.eye = across.centre(distance) * axes.right + upward.centre(distance) * axes.up + distance * axes.back;
     camera.target = camera.eye - (distance - (nearest + farthest) / 2) * axes.back;
     camera.up = axes.up;
     camera.near_plane = std::max(0.2F * (distance - nearest), 0.01F);
     camera.far_plane = (distance - farthest) * 4 + 20;
+    return camera;
+}
+
+Camera zoomed(Camera camera, float times) {
+    SELVEDGE_ASSERT(times > 0);
+    camera.fov_y = 2 * std::atan(std::tan(camera.fov_y / 2) / times);
+    return camera;
+}
+
+Camera turned(Camera camera, float angle, const Vec3f& axis) {
+    const float c = std::cos(angle), s = std::sin(angle);
+    const auto turn = [&](const Vec3f& v) { return Vec3f(c * v.x() - s * v.z(), v.y(), s * v.x() + c * v.z()); };
+    camera.eye = axis + turn(camera.eye - axis);
+    camera.target = axis + turn(camera.target - axis);
+    camera.up = turn(camera.up);
     return camera;
 }
 

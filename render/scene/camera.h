@@ -9,11 +9,20 @@
 
 namespace selvedge {
 
-// Seen from: +z is the front of a body, +x its left.
-enum class View { Front, Back, Left, Right, ThreeQuarter };
+// Seen from: +z is the front of a body, +x its left. Close and Hem are details of a garment (render/scene/views.h).
+enum class View { Front, Back, Left, Right, ThreeQuarter, ThreeQuarterBack, Top, Close, Hem };
 
-inline constexpr const char* kViewNames = "front, back, left, right, three-quarter";
+inline constexpr const char* kViewNames =
+    "front, back, left, right, three-quarter, three-quarter-back, top, close, hem";
 std::optional<View> parse_view(std::string_view name);
+
+// Where the eye stands, seen from what it looks at.
+struct Direction {
+    float azimuth = 0;    // rad, from the front towards the body's left
+    float elevation = 0;  // rad, above the horizon; less than a quarter turn
+};
+
+Direction direction_of(View view);
 
 struct Camera {
     Vec3f eye{0, 1, 5};     // m
@@ -27,10 +36,21 @@ struct Camera {
 struct FrameOptions {
     float aspect = 1;      // width over height
     float margin = 0.07F;  // of the picture's half extent, left free all round
+    // Shares of the width and height that are kept free beside the margin, for a legend.
+    float free_left = 0;
+    float free_below = 0;
 };
 
-// The camera at `view` that holds all points, as near as it can be. Pre: aspect > 0, points not empty.
+// The camera at `view` that holds all points, as near as it can be. Pre: aspect > 0, points not empty, something is
+// left of the picture.
 Camera frame_points(const std::vector<Vec3f>& points, View view, const FrameOptions& options);
+Camera frame_points(const std::vector<Vec3f>& points, const Direction& direction, const FrameOptions& options);
+
+// The same camera with a lens that shows everything `times` as large, about the middle. Pre: times > 0.
+Camera zoomed(Camera camera, float times);
+
+// The same camera after the scene turned by `angle` (rad, anticlockwise from above) about the upright through `axis`.
+Camera turned(Camera camera, float angle, const Vec3f& axis);
 
 Eigen::Matrix4f view_matrix(const Camera& camera);
 Eigen::Matrix4f projection_matrix(const Camera& camera, float aspect);

@@ -5,8 +5,18 @@
 namespace selvedge {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, ShowMode>, 4> kShowModes{
-    {{"tartan", ShowMode::Tartan}, {"level", ShowMode::Level}, {"edges", ShowMode::Edges}, {"plain", ShowMode::Plain}}};
+constexpr std::array<std::pair<std::string_view, ShowMode>, 12> kShowModes{{{"tartan", ShowMode::Tartan},
+                                                                            {"level", ShowMode::Level},
+                                                                            {"edges", ShowMode::Edges},
+                                                                            {"plain", ShowMode::Plain},
+                                                                            {"vertices", ShowMode::Vertices},
+                                                                            {"hierarchy", ShowMode::Hierarchy},
+                                                                            {"strain-warp", ShowMode::StrainWarp},
+                                                                            {"strain-weft", ShowMode::StrainWeft},
+                                                                            {"strain", ShowMode::Strain},
+                                                                            {"clearance", ShowMode::Clearance},
+                                                                            {"panels", ShowMode::Panels},
+                                                                            {"seams", ShowMode::Seams}}};
 
 }  // namespace
 
@@ -47,6 +57,15 @@ Light studio_light(const Camera& camera) {
     Light light;
     light.to_key = (-0.62F * right + 0.80F * Vec3f::UnitY() + 0.66F * back).normalized();
     light.to_fill = (0.85F * right + 0.15F * Vec3f::UnitY() + 0.5F * back).normalized();
+    return light;
+}
+
+Light even_light(const Camera& camera) {
+    Light light = studio_light(camera);
+    light.key = 0.52F;
+    light.fill = 0.16F;
+    light.sky = 0.60F;
+    light.bounce = 0.42F;
     return light;
 }
 

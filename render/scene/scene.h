@@ -20,10 +20,29 @@ enum class ShowMode {
     Level,   // triangles coloured by their level
     Edges,   // plain cloth with the triangles' edges
     Plain,
+    // What these show is in ClothItem::paint and Scene::solids (render/show.h):
+    Vertices,    // spheres that halve with each level
+    Hierarchy,   // the levels' triangles stacked beside the flat panels
+    StrainWarp,  // along the warp
+    StrainWeft,
+    Strain,     // the one of the two that is further from rest
+    Clearance,  // how far the cloth stands off the body
+    Panels,
+    Seams,
 };
 
-inline constexpr const char* kShowModeNames = "tartan, level, edges, plain";
+inline constexpr const char* kShowModeNames =
+    "tartan, level, edges, plain, vertices, hierarchy, strain-warp, strain-weft, strain, clearance, panels, seams";
 std::optional<ShowMode> parse_show_mode(std::string_view name);
+
+// Colours that belong to triangles and their corners, by way of a map: between corners the map is followed, where
+// colours themselves would be mixed.
+struct ClothPaint {
+    std::vector<Rgb8> map;                     // at least two
+    std::vector<std::array<float, 3>> places;  // per triangle, of its corners along the map, 0..1
+
+    bool operator==(const ClothPaint&) const = default;
+};
 
 struct ClothItem {
     PlainMesh mesh;
@@ -31,7 +50,9 @@ struct ClothItem {
     Vec2f sett_position{0, 0};  // m, in the fabric's (weft, warp) directions: where the first stripe begins
     float sett_scale = 1;       // of the sett's own repeat
     ShowMode show = ShowMode::Tartan;
-    Rgb8 colour{0xE4, 0xDF, 0xD3};  // where no tartan is woven
+    Rgb8 colour{0xE4, 0xDF, 0xD3};      // where no tartan is woven
+    std::optional<ClothPaint> paint{};  // in the modes that follow Plain
+    float ink = 0;                      // 0..1, of the triangles' edges in them
 };
 
 struct BodyItem {
@@ -39,6 +60,16 @@ struct BodyItem {
     std::vector<Vec3f> normals;  // unit
     std::vector<std::array<std::uint32_t, 3>> triangles;
     Rgb8 colour{0xC9, 0xBB, 0xAE};  // clay
+};
+
+// A surface with colours of its own: marks on the cloth. It casts no shadow.
+struct SolidItem {
+    std::vector<Vec3f> x;        // m
+    std::vector<Vec3f> normals;  // unit
+    std::vector<Rgb8> colours;   // per vertex
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+
+    bool operator==(const SolidItem&) const = default;
 };
 
 // One key light with shadows, a fill from the other side without, and the light of the room from all round.
@@ -60,6 +91,7 @@ struct Background {
 struct Scene {
     std::vector<ClothItem> cloths;
     std::vector<BodyItem> bodies;
+    std::vector<SolidItem> solids{};
     Camera camera;
     Light light;
     Background background;
@@ -78,5 +110,8 @@ Camera frame_scene(const Scene& scene, View view, float aspect);
 
 // Lights that stand with the camera, as in a studio: key from the upper left, fill from the right.
 Light studio_light(const Camera& camera);
+
+// The same, softer: colours that stand for figures must not be taken for others in shade.
+Light even_light(const Camera& camera);
 
 }  // namespace selvedge

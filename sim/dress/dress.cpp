@@ -9,6 +9,7 @@
 #include "sim/body/mannequin.h"
 #include "sim/core/quantile.h"
 #include "sim/dress/drape.h"
+#include "sim/dress/hierarchy.h"
 #include "sim/dress/inspect.h"
 #include "sim/dress/placement.h"
 #include "sim/dress/sewing.h"
@@ -142,6 +143,7 @@ DressedGarment dress(const Pattern& pattern, const Body& body, const DressOption
 
     inspect(cloth, collider, moved, sewing, draped, report);
     dressed.mesh = plain_mesh(cloth, sewing.sewn.panel_names);
+    dressed.hierarchy = triangle_hierarchy(cloth);
     timer.done("inspection");
     report.timing.peak_memory_mb = peak_memory_mb();
     return dressed;

@@ -9,6 +9,7 @@
 #include "sim/dress/report.h"
 #include "sim/mesh/mesh_options.h"
 #include "sim/mesh/plain_mesh.h"
+#include "sim/mesh/triangle_hierarchy.h"
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/pattern.h"
 
@@ -24,9 +25,10 @@ struct DressOptions {
     std::optional<Fabric> fabric{};  // instead of the pattern's
 };
 
-// The garment as it hangs: its leaf triangles.
+// The garment as it hangs: its leaf triangles, and all that they came from.
 struct DressedGarment {
     PlainMesh mesh;
+    TriangleHierarchy hierarchy;
     DressReport report;
 };
 

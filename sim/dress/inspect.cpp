@@ -169,6 +169,7 @@ PlainMesh plain_mesh(const Cloth& cloth, const std::vector<std::string>& panel_n
     for (const VertexId v : cloth.mesh.leaf_vertices()) {
         index[v.value] = static_cast<std::uint32_t>(mesh.x.size());
         mesh.x.push_back(cloth.x[v.value].head<3>());
+        mesh.vertex_level.push_back(cloth.mesh.vertex(v).level);
     }
     for (const LeafTriangle& t : cloth.mesh.leaf_triangles()) {
         const std::array<std::uint32_t, 3> v{index[t.v[0].value], index[t.v[1].value], index[t.v[2].value]};

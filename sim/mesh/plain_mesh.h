@@ -14,9 +14,10 @@ struct PlainMesh {
     std::vector<Vec3f> x;        // positions, m
     std::vector<Vec3f> normals;  // per vertex, unit
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    std::vector<std::array<Vec2f, 3>> u;  // per corner, m; empty when there are none
-    std::vector<std::uint16_t> panel;     // per triangle; empty: one group
-    std::vector<std::uint8_t> level;      // per triangle; empty: all 0
+    std::vector<std::array<Vec2f, 3>> u;     // per corner, m; empty when there are none
+    std::vector<std::uint16_t> panel;        // per triangle; empty: one group
+    std::vector<std::uint8_t> level;         // per triangle; empty: all 0
+    std::vector<std::uint8_t> vertex_level;  // per vertex: of the edges it was born with; empty: not known
     std::vector<std::string> panel_names;
     std::vector<float> panel_grain_angles;    // rad
     std::vector<Vec2f> panel_sett_offsets{};  // m, (weft, warp), see Panel::sett_offset; empty: none is moved

@@ -126,6 +126,18 @@ TEST_F(DressCommand, a_fault_exits_3_is_named_and_still_makes_the_picture) {
     EXPECT_EQ(read_png(folder / "picture.png").width_px, 160);
 }
 
+TEST_F(DressCommand, shows_the_hierarchy_and_films_it) {
+    const ScratchFolder folder;
+    const ProgramResult shown = run_command("cd '" + folder.path().string() + "' && '" SELVEDGE_PROGRAM "' dress " +
+                                            shipped("two_squares.json") +
+                                            " --body mannequin:resolution=1 --max-level 1 --seconds 0.05 -q --size "
+                                            "96x96 --show hierarchy --render x.png --turntable out/ --frames 2");
+    EXPECT_EQ(shown.exit_code, 3) << shown.err;
+    EXPECT_EQ(read_png(folder / "x.png").width_px, 96);
+    EXPECT_EQ(read_png(folder / "out/frame_0002.png").width_px, 96);
+    EXPECT_EQ(shown.err, "");
+}
+
 TEST_F(DressCommand, runs_from_any_folder) {
     const ScratchFolder folder;
     const ProgramResult elsewhere = run_command("cd '" + folder.path().string() + "' && '" SELVEDGE_PROGRAM "' dress " +

@@ -69,12 +69,31 @@ TEST(Usage, check_lists_a_missing_file_like_any_other_fault) {
 }
 
 TEST(Usage, values_that_dress_cannot_use_get_one_line) {
-    for (const char* option :
-         {"--fabric no_such_cloth", "--tartan 'no such tartan!'", "--body mannequin:bust", "--body mannequin:bust=wide",
-          "--body mannequin:wings=2", "--body mannequin:bust=-3", "--size 12by30 --render x.png",
-          "--size 0x100 --render x.png", "--size 999999x999999 --render x.png", "--view below --render x.png",
-          "--show bones --render x.png", "--max-level -1", "--max-level 99", "--criteria curvature,taste",
-          "--seconds -1", "--seconds nan", "--threads 0", "--export garment.docx", "--export-body body.docx"})
+    for (const char* option : {"--fabric no_such_cloth",
+                               "--tartan 'no such tartan!'",
+                               "--body mannequin:bust",
+                               "--body mannequin:bust=wide",
+                               "--body mannequin:wings=2",
+                               "--body mannequin:bust=-3",
+                               "--size 12by30 --render x.png",
+                               "--size 0x100 --render x.png",
+                               "--size 999999x999999 --render x.png",
+                               "--view below --render x.png",
+                               "--show bones --render x.png",
+                               "--camera 1 --render x.png",
+                               "--samples 5 --render x.png",
+                               "--supersample x --render x.png",
+                               "--turntable film.avi",
+                               "--turntable /no/such/folder/film.mp4",
+                               "--turntable out/ --frames 0",
+                               "--max-level -1",
+                               "--max-level 99",
+                               "--criteria curvature,taste",
+                               "--seconds -1",
+                               "--seconds nan",
+                               "--threads 0",
+                               "--export garment.docx",
+                               "--export-body body.docx"})
         expect_one_line_and_exit_2("dress " + shipped("tshirt.json") + " " + option);
 }
 

@@ -8,7 +8,8 @@
 namespace selvedge {
 namespace {
 
-constexpr std::array<View, 5> kAllViews{View::Front, View::Back, View::Left, View::Right, View::ThreeQuarter};
+constexpr std::array<View, 7> kAllViews{
+    View::Front, View::Back, View::Left, View::Right, View::ThreeQuarter, View::ThreeQuarterBack, View::Top};
 
 std::vector<Vec3f> figure() {
     std::vector<Vec3f> points;
@@ -72,6 +73,42 @@ TEST(Camera, a_single_point_and_a_flat_sheet_can_be_framed) {
     EXPECT_GT((near_point.eye - Vec3f(1, 2, 3)).norm(), near_point.near_plane);
     const Camera edge_on = frame_points({Vec3f(0, 0, -1), Vec3f(0, 0, 1), Vec3f(0, 1, 0)}, View::Front, {});
     EXPECT_GT(edge_on.eye.z(), 1);
+}
+
+TEST(Camera, room_that_is_kept_free_stays_free_and_the_figure_fills_the_rest) {
+    const FrameOptions beside{.aspect = 1, .margin = 0.1F, .free_left = 0.3F},
+        below{.aspect = 0.6F, .free_below = 0.2F};
+    float left = 1, right = -1, low = 1, high = -1;
+    for (const Vec3f& point : figure()) {
+        left = std::min(left, on_picture(frame_points(figure(), View::Front, beside), 1, point).x());
+        right = std::max(right, on_picture(frame_points(figure(), View::Front, beside), 1, point).x());
+        low = std::min(low, on_picture(frame_points(figure(), View::Front, below), 0.6F, point).y());
+        high = std::max(high, on_picture(frame_points(figure(), View::Front, below), 0.6F, point).y());
+    }
+    EXPECT_GE(left, -0.9F + 0.6F - 1e-3F);
+    EXPECT_LE(right, 0.9F + 1e-3F);
+    EXPECT_GE(low, -0.93F + 0.4F - 1e-3F);
+    EXPECT_NEAR(high - low, 1.86F - 0.4F, 1e-2F);
+}
+
+TEST(Camera, zoomed_shows_everything_so_many_times_as_large) {
+    const Camera camera = frame_points(figure(), View::ThreeQuarter, {});
+    for (const float times : {0.5F, 2.0F, 7.0F}) {
+        const Vec3f at = on_picture(camera, 1, figure()[3]), larger = on_picture(zoomed(camera, times), 1, figure()[3]);
+        EXPECT_NEAR(larger.x(), times * at.x(), 1e-3F);
+        EXPECT_NEAR(larger.y(), times * at.y(), 1e-3F);
+    }
+}
+
+TEST(Camera, turned_sees_the_scene_as_if_it_had_turned) {
+    const Camera camera = frame_points(figure(), View::ThreeQuarter, {});
+    const Vec3f axis(0.2F, 0, -0.1F);
+    const float angle = 0.7F;
+    for (const Vec3f& point : figure()) {
+        const Vec3f turned_point = axis + Eigen::AngleAxisf(angle, Vec3f::UnitY()) * Vec3f(point - axis);
+        const Vec3f expected = on_picture(camera, 1, turned_point);
+        EXPECT_LT((on_picture(turned(camera, angle, axis), 1, point) - expected).norm(), 1e-3F);
+    }
 }
 
 TEST(Camera, views_are_parsed_by_name) {

@@ -1,0 +1,371 @@
+#include "app/composition.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "render/renderer.h"
+#include "render/scene/views.h"
+#include "render/show.h"
+#include "sim/core/error.h"
+#include "sim/dress/clearance.h"
+#include "sim/tartan/tartan_file.h"
+
+namespace selvedge {
+namespace {
+
+bool is_finite(const PlainMesh& mesh, std::size_t triangle) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        if (!mesh.x[mesh.triangles[triangle][corner]].allFinite()) return false;
+        if (!mesh.u.empty() && !mesh.u[triangle][corner].allFinite()) return false;
+    }
+    return true;
+}
+
+template <class T>
+void keep(std::vector<T>& values, const std::vector<std::size_t>& kept) {
+    if (values.empty()) return;
+    for (std::size_t i = 0; i < kept.size(); ++i) values[i] = values[kept[i]];
+    values.resize(kept.size());
+}
+
+// A garment that burst must still have its picture. Vertices that are left without a triangle move to one that is not.
+PlainMesh without_bad_numbers(PlainMesh mesh) {
+    std::vector<std::size_t> kept;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (is_finite(mesh, t)) kept.push_back(t);
+    }
+    if (kept.empty()) throw InputError("", "picture", "the garment has no triangle that can be drawn");
+    keep(mesh.triangles, kept);
+    keep(mesh.u, kept);
+    keep(mesh.panel, kept);
+    keep(mesh.level, kept);
+    const Vec3f somewhere = mesh.x[mesh.triangles.front().front()];
+    for (Vec3f& x : mesh.x) x = x.allFinite() ? x : somewhere;
+    const bool has_normals =
+        std::all_of(mesh.normals.begin(), mesh.normals.end(), [](const Vec3f& normal) { return normal.allFinite(); });
+    if (!has_normals) mesh.normals.clear();
+    return mesh;
+}
+
+ClothItem make_cloth_item(const PlainMesh& garment, const PictureOptions& options) {
+    ClothItem item;
+    item.mesh = without_bad_numbers(garment);
+    item.sett = sett_of(options);
+    item.sett_position = options.sett_position.cast<float>();
+    item.show = options.show;
+    if (wants_material(item.show) && item.mesh.u.empty())
+        throw InputError("", "--show", "strain is measured from material coordinates, and the mesh has none");
+    return item;
+}
+
+float lowest(const std::vector<Vec3f>& points) {
+    float low = points.front().y();
+    for (const Vec3f& point : points) low = std::min(low, point.y());
+    return low;
+}
+
+// The upright through the middle of the points.
+Vec3f upright_through(const std::vector<Vec3f>& points) {
+    Vec3f low = points.front(), high = points.front();
+    for (const Vec3f& x : points) {
+        low = low.cwiseMin(x);
+        high = high.cwiseMax(x);
+    }
+    const Vec3f middle = (low + high) / 2;
+    return {middle.x(), 0, middle.z()};
+}
+
+std::vector<Vec3f> at_all_turns(const std::vector<Vec3f>& points, const Vec3f& axis, const std::vector<float>& turns) {
+    std::vector<Vec3f> swept;
+    swept.reserve(points.size() * turns.size());
+    for (const float angle : turns) {
+        const float c = std::cos(angle), s = std::sin(angle);
+        for (const Vec3f& point : points) {
+            const Vec3f v = point - axis;
+            swept.push_back(axis + Vec3f(c * v.x() + s * v.z(), v.y(), -s * v.x() + c * v.z()));
+        }
+    }
+    return swept;
+}
+
+float aspect_of(const PictureOptions& options) {
+    return float(options.width_px) / float(options.height_px);
+}
+
+Direction direction_wanted(const PictureOptions& options) {
+    constexpr Direction from_above{.azimuth = 0.30F, .elevation = 0.62F};
+    if (options.camera) return options.camera->direction;
+    if (options.view) return direction_of(*options.view);
+    return options.show == ShowMode::Hierarchy ? from_above : direction_of(View::Front);
+}
+
+// The frame is chosen for the points; nothing of the scene is cut off by the near or far plane.
+Camera camera_at(const std::array<Vec3f, 2>& eye_and_target, const std::vector<Vec3f>& points) {
+    Camera camera{.eye = eye_and_target[0], .target = eye_and_target[1]};
+    const Vec3f back = (camera.eye - camera.target).normalized();
+    if (std::abs(back.y()) > 0.999F) camera.up = -Vec3f::UnitZ();
+    float nearest = std::numeric_limits<float>::infinity(), farthest = 0;
+    for (const Vec3f& point : points) {
+        const float depth = (camera.eye - point).dot(back);
+        nearest = std::min(nearest, depth);
+        farthest = std::max(farthest, depth);
+    }
+    camera.near_plane = std::max(0.2F * nearest, 0.01F);
+    camera.far_plane = 4 * farthest + 20;
+    return camera;
+}
+
+// Lines that are drawn as tubes are as wide in large pictures as in ones of 1024 px, and keep their pixels in small
+// ones.
+float line_scale(const PictureOptions& options) {
+    return std::max(1.0F, float(std::min(options.width_px, options.height_px)) / 1024);
+}
+
+// m of the scene to one pixel, about where the camera looks.
+float pixel_size(const Camera& camera, const PictureOptions& options) {
+    return 2 * (camera.eye - camera.target).norm() * std::tan(camera.fov_y / 2) / float(options.height_px);
+}
+
+// Triangles of the scene as boxes of pixels, at every turn.
+class Silhouette {
+ public:
+    Silhouette(const Scene& scene, const PictureOptions& options, const Vec3f& axis, const std::vector<float>& turns)
+        : scene_(scene), options_(options), axis_(axis), turns_(turns) {}
+
+    // How many boxes of triangles lie over the legend's.
+    struct Cover {
+        long cloth = 0;
+        long body = 0;
+    };
+    Cover under(const PixelBox& legend, const Camera& camera) const {
+        Cover cover;
+        for (const float angle : turns_) {
+            const Eigen::Matrix4f matrix =
+                projection_matrix(camera, aspect_of(options_)) * view_matrix(turned(camera, angle, axis_));
+            for (const ClothItem& cloth : scene_.cloths)
+                cover.cloth += count_over(matrix, cloth.mesh.x, cloth.mesh.triangles, legend);
+            for (const BodyItem& body : scene_.bodies) cover.body += count_over(matrix, body.x, body.triangles, legend);
+        }
+        return cover;
+    }
+
+ private:
+    long count_over(const Eigen::Matrix4f& matrix, const std::vector<Vec3f>& x,
+                    const std::vector<std::array<std::uint32_t, 3>>& triangles, const PixelBox& legend) const {
+        std::vector<Vec2f> at;
+        at.reserve(x.size());
+        for (const Vec3f& point : x) at.push_back(on_picture(matrix, point));
+        const Vec2f low(float(legend.left), float(legend.top));
+        const Vec2f high(float(legend.left + legend.width), float(legend.top + legend.height));
+        return std::count_if(triangles.begin(), triangles.end(), [&](const auto& t) {
+            const Vec2f least = at[t[0]].cwiseMin(at[t[1]]).cwiseMin(at[t[2]]);
+            const Vec2f most = at[t[0]].cwiseMax(at[t[1]]).cwiseMax(at[t[2]]);
+            return (least.array() < high.array()).all() && (most.array() > low.array()).all();
+        });
+    }
+
+    // px from the upper left; far off what is behind the eye.
+    Vec2f on_picture(const Eigen::Matrix4f& matrix, const Vec3f& point) const {
+        const Eigen::Vector4f clip = matrix * point.homogeneous();
+        if (clip.w() <= 0) return {-1e6F, -1e6F};
+        return {(0.5F + 0.5F * clip.x() / clip.w()) * float(options_.width_px),
+                (0.5F - 0.5F * clip.y() / clip.w()) * float(options_.height_px)};
+    }
+
+    const Scene& scene_;
+    const PictureOptions& options_;
+    const Vec3f& axis_;
+    const std::vector<float>& turns_;
+};
+
+// What is framed, and how.
+struct Frame {
+    std::vector<Vec3f> points;
+    Direction direction;
+    FrameOptions options;
+    float zoom = 1;
+    bool holds_bodies = false;
+    bool is_detail = false;  // the figure is cut off, wherever the legend goes
+
+    Camera camera() const { return zoomed(frame_points(points, direction, options), zoom); }
+};
+
+// A camera, and where the legend goes with it.
+struct Shot {
+    Camera camera;
+    Corner corner = Corner::LowerLeft;
+    long hidden = std::numeric_limits<long>::max();  // triangles under the legend that the frame is there to show
+    float pixel_size = 0;                            // m
+    long beside = 0;                                 // triangles under the legend that are only in the picture
+
+    auto cost() const { return std::tuple(hidden, pixel_size, beside); }
+};
+
+// A strip kept free for the legend, at the left or below; or more room all round.
+std::vector<Frame> with_room(const Frame& frame, const LegendPlace& legend, const PictureOptions& options) {
+    const float edge = 8.0F * float(legend.scale);
+    const float right = float(legend.box.left + legend.box.width) + edge;
+    const float top = float(options.height_px - legend.box.top) + edge;
+    const float margin = frame.options.margin / 2;  // is free already, of each side
+    std::vector<Frame> frames{frame, frame};
+    frames[0].options.free_left = std::max(right / float(options.width_px) - margin, 0.0F);
+    frames[1].options.free_below = std::max(top / float(options.height_px) - margin, 0.0F);
+    for (const float more : {0.08F, 0.16F, 0.24F, 0.32F}) {
+        frames.push_back(frame);
+        frames.back().options.margin += more;
+    }
+    return frames;
+}
+
+// Marks reach beyond the cloth that they are on.
+PixelBox with_edge(const LegendPlace& place) {
+    const int edge = 6 * place.scale;
+    return {place.box.left - edge, place.box.top - edge, place.box.width + 2 * edge, place.box.height + 2 * edge};
+}
+
+// The corner that is clear of the figure; else, where the camera may move, room is made for the legend, so that the
+// figure stays as large as it can; else the corner where it hides least.
+Shot clear_of_legend(const Camera& camera, bool may_move, const Frame& frame, const Legend& legend,
+                     const Silhouette& figure, const PictureOptions& options) {
+    Shot best{.camera = camera};
+    const auto try_corners = [&](const Camera& tried) {
+        for (const Corner corner : {Corner::LowerLeft, Corner::LowerRight, Corner::UpperLeft, Corner::UpperRight}) {
+            const auto place = place_legend(legend, options.width_px, options.height_px, corner);
+            if (!place) return;
+            const auto [cloth, body] = figure.under(with_edge(*place), tried);
+            const Shot shot{.camera = tried,
+                            .corner = corner,
+                            .hidden = cloth + (frame.holds_bodies ? body : 0),
+                            .pixel_size = pixel_size(tried, options),
+                            .beside = frame.holds_bodies ? 0 : body};
+            if (shot.cost() < best.cost()) best = shot;
+        }
+    };
+    try_corners(camera);
+    const auto place = place_legend(legend, options.width_px, options.height_px, Corner::LowerLeft);
+    if (best.hidden == 0 || !place || !may_move) return best;
+    for (const Frame& roomy : with_room(frame, *place, options)) try_corners(roomy.camera());
+    return best;
+}
+
+Scene bare_scene(const Sitter& sitter, const PictureOptions& options) {
+    Scene scene;
+    if (options.show == ShowMode::Hierarchy) return scene;
+    scene.cloths.push_back(make_cloth_item(sitter.garment, options));
+    if (sitter.body != nullptr) scene.bodies.push_back(make_body_item(*sitter.body));
+    return scene;
+}
+
+Frame make_frame(const Scene& scene, const PictureOptions& options, const Vec3f& axis,
+                 const std::vector<float>& turns) {
+    const bool frames_garment = options.framing == Framing::Garment || scene.bodies.empty();
+    Frame frame{.points = frames_garment ? scene.cloths.front().mesh.x : scene_points(scene),
+                .direction = direction_wanted(options),
+                .options = {.aspect = aspect_of(options), .margin = frames_garment ? 0.12F : 0.07F},
+                .holds_bodies = !frames_garment};
+    if (options.camera) frame.zoom = options.camera->zoom;
+    frame.is_detail = frame.zoom > 1 || (options.view && is_detail(*options.view));
+    if (options.view && is_detail(*options.view)) {
+        frame.points = detail_patch(scene.cloths.front().mesh.x, *options.view);
+        frame.options.margin = 0;
+    }
+    frame.points = at_all_turns(frame.points, axis, turns);
+    return frame;
+}
+
+// Strain and hierarchy are of the triangles that were simulated. A figure that turns is seen from all round.
+void curve(Scene& scene, const Sitter& sitter, const PictureOptions& options, const std::vector<float>& turns) {
+    if (wants_material(options.show) || options.show == ShowMode::Hierarchy) return;
+    std::optional<ViewPoint> view;
+    if (turns.size() == 1) view = ViewPoint{.eye = scene.camera.eye};
+    PlainMesh& mesh = scene.cloths.front().mesh;
+    mesh = drawn_mesh(mesh, sitter.body, options.surface, view);
+}
+
+std::optional<Legend> fill(Scene& scene, const Sitter& sitter, const PictureOptions& options, float line_radius) {
+    ShowFacts facts{.clearance = {}, .line_radius = line_radius};
+    if (options.show == ShowMode::Clearance)
+        facts.clearance = measure_clearance(scene.cloths.front().mesh.x, *sitter.body);
+    return fill_show(scene, facts);
+}
+
+// Beside or behind each other, as the picture shows them larger.
+Legend fill_model(Scene& scene, const Sitter& sitter, const PictureOptions& options, const std::vector<float>& turns) {
+    const float line_px = 0.55F * line_scale(options);
+    Legend legend;
+    float least = std::numeric_limits<float>::infinity();
+    for (const StackSide side : {StackSide::Right, StackSide::Behind}) {
+        Scene candidate;
+        fill_hierarchy(candidate, *sitter.hierarchy, side);
+        const Vec3f axis = upright_through(scene_points(candidate));
+        const float pixel = pixel_size(make_frame(candidate, options, axis, turns).camera(), options);
+        if (pixel >= least) continue;
+        least = pixel;
+        legend = fill_hierarchy(scene, *sitter.hierarchy, side, {.clearance = {}, .line_radius = line_px * pixel});
+    }
+    return legend;
+}
+
+void set_ground(Scene& scene) {
+    // A garment alone that hangs high has no floor to stand on.
+    const float low = lowest(scene_points(scene));
+    scene.has_ground = low < 0.3F;
+    scene.ground_y = std::min(0.0F, low);
+    // What lies on the floor is laid on something, and is not taken for the floor.
+    if (scene.cloths.front().show == ShowMode::Hierarchy) scene.ground_y -= 0.01F;
+}
+
+void set_light(Scene& scene, const PictureOptions& options) {
+    scene.light = is_painted(options.show) ? even_light(scene.camera) : studio_light(scene.camera);
+}
+
+}  // namespace
+
+RenderOptions render_options(const PictureOptions& options) {
+    return {.width_px = options.width_px,
+            .height_px = options.height_px,
+            .samples = options.samples,
+            .supersample = options.supersample};
+}
+
+Composition compose(const Sitter& sitter, const PictureOptions& options, const std::vector<float>& turns) {
+    check_can_show(options.show, sitter.body != nullptr, sitter.hierarchy != nullptr);
+    const float line_px = 2.4F * line_scale(options);
+    Composition composition;
+    Scene& scene = composition.scene;
+    scene = bare_scene(sitter, options);
+    if (options.show == ShowMode::Hierarchy) composition.legend = fill_model(scene, sitter, options, turns);
+    composition.axis = upright_through(scene_points(scene));
+
+    const Frame frame = make_frame(scene, options, composition.axis, turns);
+    const bool is_placed = options.camera && options.camera->eye_and_target;
+    scene.camera = is_placed ? camera_at(*options.camera->eye_and_target,
+                                         at_all_turns(scene_points(scene), composition.axis, turns))
+                             : frame.camera();
+    curve(scene, sitter, options, turns);
+    if (options.show != ShowMode::Hierarchy)
+        composition.legend = fill(scene, sitter, options, line_px * pixel_size(scene.camera, options));
+    if (composition.legend) {
+        const Silhouette figure(scene, options, composition.axis, turns);
+        const Shot shot =
+            clear_of_legend(scene.camera, !is_placed && !frame.is_detail, frame, *composition.legend, figure, options);
+        scene.camera = shot.camera;
+        composition.corner = shot.corner;
+    }
+    set_light(scene, options);
+    scene.background.is_transparent = options.is_transparent;
+    set_ground(scene);
+    return composition;
+}
+
+Scene turned(const Composition& composition, const PictureOptions& options, float angle) {
+    Scene scene = composition.scene;
+    scene.camera = turned(scene.camera, angle, composition.axis);
+    set_light(scene, options);
+    return scene;
+}
+
+}  // namespace selvedge

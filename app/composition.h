@@ -1,0 +1,31 @@
+#pragma once
+// What a picture shows and from where: the scene, with its camera set so that it holds the figure and leaves room for
+// the legend.
+#include <optional>
+#include <vector>
+
+#include "app/picture.h"
+#include "render/legend.h"
+#include "render/renderer.h"
+#include "render/scene/scene.h"
+
+namespace selvedge {
+
+struct Composition {
+    Scene scene;
+    std::optional<Legend> legend;
+    Corner corner = Corner::LowerLeft;  // where it is drawn
+    Vec3f axis = Vec3f::Zero();         // an upright through it is what the figure turns about
+};
+
+// For a figure that turns by these angles (rad): it stays in the picture, and clear of the legend, at all of them.
+// Throws InputError when nothing is left to draw, or the mode asks for what is not there.
+Composition compose(const Sitter& sitter, const PictureOptions& options, const std::vector<float>& turns = {0});
+
+// The scene after a turn, its lights with the camera.
+Scene turned(const Composition& composition, const PictureOptions& options, float angle);
+
+// One picture of the scene, with the legend.
+RenderOptions render_options(const PictureOptions& options);
+
+}  // namespace selvedge

@@ -1,0 +1,117 @@
+#include "render/image/text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "render/image/glyphs.h"
+
+namespace selvedge {
+namespace {
+
+constexpr int kSpace = 3;  // px, between words
+constexpr int kGap = 1;    // px, between letters
+
+struct Letter {
+    Glyph glyph{};
+    int first = 0;  // column
+    int width = 0;  // px
+};
+
+bool is_follower(char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
+}
+
+// Figures keep their cell, so that columns of numbers stand below each other.
+Letter find_letter(char code) {
+    Letter letter{.glyph = find_glyph(code), .first = 0, .width = kGlyphWidth};
+    if (code == ' ') return {.glyph = letter.glyph, .first = 0, .width = kSpace};
+    if (std::isdigit(static_cast<unsigned char>(code)) != 0) return letter;
+    unsigned columns = 0;
+    for (const std::uint8_t row : letter.glyph) columns |= row;
+    while (letter.width > 1 && (columns & 1U) == 0) columns >>= 1U, --letter.width;
+    while (letter.first < letter.width - 1 && (columns >> (letter.width - 1 - letter.first) & 1U) == 0) ++letter.first;
+    letter.width -= letter.first;
+    return letter;
+}
+
+bool is_set(const Letter& letter, int column, int row) {
+    if (column < 0 || column >= kGlyphWidth || row < 0 || row >= kGlyphHeight) return false;
+    return (letter.glyph[static_cast<std::size_t>(row)] >> (kGlyphWidth - 1 - column) & 1U) != 0;
+}
+
+// How much of the pixel (x, y), at `scale` to one of the letter's, is ink: where two pixels of a stroke touch by their
+// corners only, the steps between them are filled to a slant.
+float ink_at(const Letter& letter, int x, int y, int scale) {
+    const int column = x / scale, row = y / scale;
+    if (is_set(letter, column, row)) return 1;
+    const float across = (float(x % scale) + 0.5F) / float(scale), down = (float(y % scale) + 0.5F) / float(scale);
+    for (const int side : {-1, 1}) {
+        for (const int end : {-1, 1}) {
+            if (!is_set(letter, column + side, row) || !is_set(letter, column, row + end)) continue;
+            if (is_set(letter, column + side, row + end)) continue;
+            const float to_side = side > 0 ? 1 - across : across, to_end = end > 0 ? 1 - down : down;
+            return std::clamp((0.5F - to_side - to_end) * float(scale) + 0.5F, 0.0F, 1.0F);
+        }
+    }
+    return 0;
+}
+
+void lay_over(Rgba8& under, const Rgba8& colour, float share) {
+    const float over = share * float(colour[3]) / 255;
+    const float below = float(under[3]) / 255 * (1 - over);
+    const float all = over + below;
+    if (all <= 0) return;
+    for (std::size_t i = 0; i < 3; ++i) {
+        under[i] = static_cast<std::uint8_t>(std::lround((float(colour[i]) * over + float(under[i]) * below) / all));
+    }
+    under[3] = static_cast<std::uint8_t>(std::lround(255 * all));
+}
+
+void draw_letter(Image& image, int left, int top, const Letter& letter, const TextOptions& options) {
+    for (int y = 0; y < kGlyphHeight * options.scale; ++y) {
+        for (int x = 0; x < letter.width * options.scale; ++x) {
+            const float ink = ink_at(letter, x + letter.first * options.scale, y, options.scale);
+            if (ink > 0 && image.contains(left + x, top + y))
+                lay_over(image.at(left + x, top + y), options.colour, ink);
+        }
+    }
+}
+
+}  // namespace
+
+void fill_box(Image& image, const PixelBox& box, const Rgba8& colour) {
+    fill_rounded(image, box, 0, colour);
+}
+
+void fill_rounded(Image& image, const PixelBox& box, int radius, const Rgba8& colour) {
+    for (int y = std::max(box.top, 0); y < std::min(box.top + box.height, image.height_px); ++y) {
+        for (int x = std::max(box.left, 0); x < std::min(box.left + box.width, image.width_px); ++x) {
+            const float inside_x = float(std::min(x - box.left, box.left + box.width - 1 - x)) + 0.5F;
+            const float inside_y = float(std::min(y - box.top, box.top + box.height - 1 - y)) + 0.5F;
+            const float off =
+                std::hypot(std::max(float(radius) - inside_x, 0.0F), std::max(float(radius) - inside_y, 0.0F));
+            const float inside = radius > 0 ? std::clamp(float(radius) + 0.5F - off, 0.0F, 1.0F) : 1.0F;
+            lay_over(image.at(x, y), colour, inside);
+        }
+    }
+}
+
+int text_width(std::string_view text) {
+    int width = 0;
+    for (const char code : text) {
+        if (!is_follower(code)) width += find_letter(code).width + kGap;
+    }
+    return std::max(width - kGap, 0);
+}
+
+void draw_text(Image& image, int left, int top, std::string_view text, const TextOptions& options) {
+    for (const char code : text) {
+        if (is_follower(code)) continue;
+        const Letter letter = find_letter(code);
+        draw_letter(image, left, top, letter, options);
+        left += (letter.width + kGap) * options.scale;
+    }
+}
+
+}  // namespace selvedge

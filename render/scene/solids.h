@@ -1,0 +1,20 @@
+#pragma once
+// Balls and tubes of coloured triangles, by which things are marked on cloth.
+#include <vector>
+
+#include "render/scene/scene.h"
+
+namespace selvedge {
+
+// Triangles of a ball: 20 of an icosahedron, each cut in four so many times.
+enum class BallDetail { Coarse = 1, Fine = 2 };
+
+void add_ball(SolidItem& solid, const Vec3f& centre, float radius, const Rgb8& colour, BallDetail detail);
+
+// Along a path of points, round its bends, with round ends. Points that coincide with the one before are passed over.
+void add_tube(SolidItem& solid, const std::vector<Vec3f>& path, float radius, const Rgb8& colour);
+
+// The edges of one triangle, as thin as that: three straight tubes.
+void add_outline(SolidItem& solid, const std::array<Vec3f, 3>& triangle, float radius, const Rgb8& colour);
+
+}  // namespace selvedge

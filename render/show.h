@@ -1,0 +1,33 @@
+#pragma once
+// From a mesh and a mode to what is drawn: paint, marks and the legend that explains them.  (SPEC 6, thesis 3.7)
+#include <optional>
+#include <vector>
+
+#include "render/legend.h"
+#include "render/scene/hierarchy.h"
+#include "render/scene/scene.h"
+
+namespace selvedge {
+
+struct ShowFacts {
+    std::vector<float> clearance{};  // m, one per vertex of the garment; Clearance asks for them
+    float line_radius = 0.003F;      // m, of the lines of Seams and of outlines in Hierarchy
+};
+
+// Whether the mode reads the garment's material coordinates.
+bool wants_material(ShowMode mode);
+
+// Whether colours stand for figures or kinds, so that they want even light.
+bool is_painted(ShowMode mode);
+
+// Fills in what the mode of the scene's first cloth shows, and returns the legend, where it has one.
+// Pre: the mode is not Hierarchy; material coordinates and facts that it asks for are there, and finite.
+std::optional<Legend> fill_show(Scene& scene, const ShowFacts& facts = {});
+
+// The same for Hierarchy: the model becomes the scene's only cloth.
+Legend fill_hierarchy(Scene& scene, const TriangleHierarchy& hierarchy, StackSide side, const ShowFacts& facts = {});
+
+// How many triangles each level has, up to the highest.
+Legend level_legend(const PlainMesh& mesh);
+
+}  // namespace selvedge
