@@ -13,7 +13,7 @@ struct SurfaceCriteria {
     bool curvature = true;
     bool buckling = true;  // edges that are shorter than their material
     bool length = false;   // the same question, asked later
-    CurvatureOptions curvature_angles{.split_angle = 0.16F, .rejoin_angle = 0.07F};  // of curves' normals
+    CurvatureOptions curvature_angles{.split_angle = 0.12F, .rejoin_angle = 0.05F};  // of curves' normals
     BucklingOptions buckling_ratios{.split_ratio = 1.02F, .rejoin_ratio = 1.01F};
     LengthOptions compressions{};
     float least_bulge = 0.0002F;   // m that a curve leaves its chord; with less an edge is not split, with half of it
