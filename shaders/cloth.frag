@@ -10,6 +10,9 @@ uniform int show;          // 0 tartan, 1 level, 2 edges, 3 plain
 uniform vec3 cloth_colour;
 uniform vec3 level_colours[8];
 uniform float line_px;     // half the width of an edge's line
+uniform float gloss;
+uniform float roughness;
+uniform float sheen;
 
 out vec4 colour;
 
@@ -39,8 +42,19 @@ vec3 cloth_albedo(float side) {
     return cloth_colour;
 }
 
+// How the key light runs along the threads: what makes one flank of a yarn lighter than the other.
+vec2 light_along_threads() {
+    vec3 right = dFdx(v_position), up = dFdy(v_position);
+    vec2 place_right = dFdx(v_place), place_up = dFdy(v_place);
+    float turn = place_right.x * place_up.y - place_right.y * place_up.x;
+    vec3 weft = right * place_up.y - up * place_right.y, warp = up * place_right.x - right * place_up.x;
+    if (abs(turn) < 1e-20) return vec2(0.0);
+    return sign(turn) * vec2(dot(normalize(weft), to_key), dot(normalize(warp), to_key));
+}
+
 void main() {
     float side = gl_FrontFacing ? 1.0 : -1.0;
+    weave_light = light_along_threads();
     vec3 albedo = cloth_albedo(side);
     float lines = edge_line();  // derivatives want every pixel
     albedo *= 1.0 - 0.55 * sewn_shade(v_marks >> 8 & 7u, v_touch.x, 0.0016);
@@ -55,8 +69,8 @@ void main() {
     surface.albedo = albedo;
     surface.normal = normalize(v_normal) * side;
     surface.openness = side > 0.0 ? v_openness.x : v_openness.y;
-    surface.gloss = 0.012;
-    surface.shininess = 14.0;
-    surface.sheen = 0.045;
+    surface.gloss = gloss;
+    surface.roughness = roughness;
+    surface.sheen = sheen;
     colour = vec4(lit(surface, v_position), 1.0);
 }

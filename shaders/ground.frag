@@ -5,6 +5,7 @@ in float v_openness;
 uniform vec3 ground_centre;
 uniform float ground_radius;
 uniform int is_transparent;
+uniform int supersample;
 
 out vec4 colour;
 
@@ -15,6 +16,7 @@ void main() {
     float dark = (0.30 * (1.0 - key_seen) + 0.62 * (1.0 - v_openness)) * (1.0 - smoothstep(0.35, 1.0, away));
     float passed = 1.0 - 0.94 * dark;
     // Pictures are laid over each other as sRGB: there the same shadow takes a smaller share.
-    if (is_transparent != 0) colour = vec4(vec3(0.0), 1.0 - pow(passed, 1.0 / 2.2));
-    else colour = vec4(backdrop() * mix(vec3(0.06, 0.06, 0.08), vec3(1.0), 1.0 - dark), 1.0);
+    float alpha = is_transparent != 0 ? 1.0 - pow(passed, 1.0 / 2.2) : 1.0 - passed;
+    float blue = is_transparent != 0 ? 0.0 : 0.02 * dark * backdrop(gl_FragCoord.xy / float(supersample)).b;
+    colour = vec4(0.0, 0.0, blue, alpha);
 }

@@ -25,6 +25,15 @@ enum class ShowMode {
 inline constexpr const char* kShowModeNames = "tartan, level, edges, plain";
 std::optional<ShowMode> parse_show_mode(std::string_view name);
 
+// How a surface takes light beyond its colour.
+struct Material {
+    float gloss = 0.008F;     // share of light that is mirrored, 0..1: wool 0.005, cotton 0.008, silk 0.05
+    float roughness = 0.35F;  // 0..1, of the highlight: silk 0.25, wool 0.5
+    float sheen = 0.045F;     // share of light that fibres on the surface catch at the rim: wool 0.06, silk 0.02
+
+    bool operator==(const Material&) const = default;
+};
+
 struct ClothItem {
     PlainMesh mesh;
     Sett sett;
@@ -32,6 +41,9 @@ struct ClothItem {
     float sett_scale = 1;       // of the sett's own repeat
     ShowMode show = ShowMode::Tartan;
     Rgb8 colour{0xE4, 0xDF, 0xD3};  // where no tartan is woven
+    Material material{};
+
+    bool operator==(const ClothItem&) const = default;
 };
 
 struct BodyItem {
@@ -39,6 +51,9 @@ struct BodyItem {
     std::vector<Vec3f> normals;  // unit
     std::vector<std::array<std::uint32_t, 3>> triangles;
     Rgb8 colour{0xC9, 0xBB, 0xAE};  // clay
+    Material material{.gloss = 0.017F, .roughness = 0.29F, .sheen = 0.05F};
+
+    bool operator==(const BodyItem&) const = default;
 };
 
 // One key light with shadows, a fill from the other side without, and the light of the room from all round.

@@ -19,6 +19,8 @@ struct PlainMesh {
     std::vector<std::uint8_t> level;      // per triangle; empty: all 0
     std::vector<std::string> panel_names;
     std::vector<float> panel_grain_angles;  // rad
+
+    bool operator==(const PlainMesh&) const = default;
 };
 
 // Unit normals at vertices, weighted by the area of the triangles about them; +y where there is no area.

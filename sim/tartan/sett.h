@@ -41,6 +41,8 @@ struct Sett {
     bool is_weft_mirrored = false;           // read only when there are weft stripes
     Weave weave = Weave::Twill22;
     double thread_spacing = 0.00036;  // m from one thread to the next: 28 per cm, a medium kilting cloth
+
+    bool operator==(const Sett&) const = default;
 };
 
 inline constexpr int kMaxSettThreads = 4096;

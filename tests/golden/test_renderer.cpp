@@ -93,9 +93,9 @@ TEST(RoomLight, a_plate_under_another_is_dark_above_and_open_below) {
         casters.triangles.push_back({base, base + 2, base + 1});
         casters.triangles.push_back({base, base + 3, base + 2});
     }
-    const auto context = make_context();
-    const std::vector<Openness> open =
-        bake_room_light(context->gl(), casters, {Vec3f(0, 0, 0), Vec3f(0, 0.1F, 0)}, {Vec3f(0, 1, 0), Vec3f(0, 1, 0)});
+    const std::vector<Openness> open = bake_room_light(
+        casters,
+        {.x = {Vec3f(0, 0, 0), Vec3f(0, 0.1F, 0)}, .normals = {Vec3f(0, 1, 0), Vec3f(0, 1, 0)}, .two_sided = 2});
     EXPECT_LT(open[0].front, 0.1F);
     EXPECT_GT(open[0].back, 0.99F);
     EXPECT_GT(open[1].front, 0.99F);

@@ -10,7 +10,7 @@ namespace {
 
 TEST(SettSums, the_mean_over_any_stretch_is_that_of_its_threads) {
     const Sett sett = find_tartan("royal_stewart");
-    const SettSums table = sum_sett(sett);
+    const SettSums table = sum_warp(sett);
     const std::vector<Rgb8> colours = thread_colours(sett);
     ASSERT_EQ(table.sums.size(), colours.size() + 1);
     for (const auto& [first, last] : {std::pair<std::size_t, std::size_t>{0, 424}, {3, 4}, {100, 190}, {420, 424}}) {
@@ -23,7 +23,7 @@ TEST(SettSums, the_mean_over_any_stretch_is_that_of_its_threads) {
 }
 
 TEST(SettSums, begin_and_end_at_nothing_so_that_they_repeat_with_the_sett) {
-    const SettSums table = sum_sett(find_tartan("buchanan"));
+    const SettSums table = sum_warp(find_tartan("buchanan"));
     EXPECT_EQ(table.sums.front(), Vec3f(0, 0, 0));
     EXPECT_EQ(table.sums.back(), Vec3f(0, 0, 0));
 }

@@ -1,0 +1,32 @@
+#pragma once
+// All that casts shadows, as one mesh, and the parallel views of it that shadows and the room's light are made from.
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "render/scene/scene.h"
+#include "sim/core/vec.h"
+
+namespace selvedge {
+
+// A ball that holds all that casts shadows.
+struct Bounds {
+    Vec3f centre = Vec3f::Zero();
+    float radius = 1;  // m
+};
+
+struct Casters {
+    std::vector<Vec3f> x;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+
+    bool operator==(const Casters&) const = default;
+};
+
+Casters casters_of(const Scene& scene);
+
+Bounds bounds_of(const std::vector<Vec3f>& points);
+
+// Room to -1..1 in all three, looking from `direction` (unit) towards the ball's centre; depth grows away from it.
+Eigen::Matrix4f parallel_matrix(const Bounds& bounds, const Vec3f& direction);
+
+}  // namespace selvedge
