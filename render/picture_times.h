@@ -10,7 +10,8 @@ struct PictureTimes {
     double compare = 0;     // what has changed since the last picture
     double room_light = 0;  // baking
     double upload = 0;
-    double shadow = 0;
+    double shadow = 0;  // the key light's depth map
+    double mask = 0;    // which pixels see the key light
     double draw = 0;
     double finish = 0;  // resolving samples, encoding
     double read_back = 0;

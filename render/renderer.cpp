@@ -8,6 +8,7 @@
 #include "render/image/png.h"
 #include "render/prepared_scene.h"
 #include "render/shaders.h"
+#include "render/shadow_mask.h"
 #include "render/target.h"
 #include "sim/core/assert.h"
 #include "sim/core/error.h"
@@ -16,7 +17,7 @@ namespace selvedge {
 namespace {
 
 // Texture units.
-constexpr int kShadowMapUnit = 0, kShadowDepthUnit = 1, kShadowNearestUnit = 2, kSettUnit = 3;
+constexpr int kShadowMaskUnit = 0, kSettUnit = 1;
 
 constexpr std::array<Rgb8, kLevelColours> kLevels{{{0x3F, 0x6C, 0x9E},
                                                    {0x53, 0xB3, 0xA4},
@@ -105,10 +106,7 @@ void set_light(const Program& program, const Frame& frame) {
     program.set("bounce_irradiance", light.bounce);
     program.set("shadow_matrix", frame.shadow_matrix);
     program.set("shadow_width", frame.shadow_width);
-    program.set("shadow_map", kShadowMapUnit);
-    program.set("shadow_depth", kShadowDepthUnit);
-    program.set("shadow_nearest", kShadowNearestUnit);
-    program.set("shadow_reach", kShadowReach);
+    program.set("shadow_mask", kShadowMaskUnit);
 }
 
 void set_material(const Program& program, const Material& material) {
@@ -127,34 +125,35 @@ struct Renderer::Impl {
     explicit Impl(std::optional<ContextMaker> maker)
         : context(make_context(maker)),
           gl(context->gl()),
-          cloth(make_program(gl, {"cloth.vert"}, {"light.glsl", "tartan.glsl", "cloth.frag"})),
-          body(make_program(gl, {"body.vert"}, {"light.glsl", "body.frag"})),
-          ground(make_program(gl, {"body.vert"}, {"backdrop.glsl", "light.glsl", "ground.frag"})),
-          prepared(gl),
-          shadow_sampler(gl) {
-        gl.SamplerParameteri(shadow_sampler.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-        gl.SamplerParameteri(shadow_sampler.id(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-        gl.SamplerParameteri(shadow_sampler.id(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-        gl.SamplerParameteri(shadow_sampler.id(), GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+          cloth_place(make_program(gl, {"cloth.vert"}, {"shadow.glsl", "place.frag"})),
+          body_place(make_program(gl, {"body.vert"}, {"shadow.glsl", "place.frag"})),
+          cloth(make_program(gl, {"cloth.vert"}, {"shadow.glsl", "light.glsl", "tartan.glsl", "cloth.frag"})),
+          body(make_program(gl, {"body.vert"}, {"shadow.glsl", "light.glsl", "body.frag"})),
+          ground(make_program(gl, {"body.vert"}, {"backdrop.glsl", "shadow.glsl", "light.glsl", "ground.frag"})),
+          prepared(gl) {}
+
+    // Of the last picture, where they have the same size.
+    void make_targets(const TargetSize& size) {
+        if (target && target->size() == size) return;
+        target.reset();  // before the next takes its memory
+        mask.reset();
+        target.emplace(gl, size);
+        mask.emplace(gl, size.width_px * size.supersample, size.height_px * size.supersample);
     }
 
-    const Target& target_of(const TargetSize& size) {
-        if (!target || !(target->size() == size)) {
-            target.reset();  // before the next takes its memory
-            target.emplace(gl, size);
-        }
-        return *target;
-    }
-
-    void bind_shadow(const ShadowMap& shadow) const {
-        const auto bind = [&](int unit, unsigned texture) {
-            gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-            gl.BindTexture(GL_TEXTURE_2D, texture);
-        };
-        bind(kShadowMapUnit, shadow.depth());
-        bind(kShadowDepthUnit, shadow.depth());
-        bind(kShadowNearestUnit, shadow.nearest());
-        gl.BindSampler(kShadowMapUnit, shadow_sampler.id());
+    // Of all that is seen of the scene: which of its places the key light reaches.
+    void draw_mask(const Frame& frame) const {
+        const SceneBuffers& buffers = prepared.buffers();
+        mask->begin();
+        body_place.use();
+        set_light(body_place, frame);
+        if (buffers.ground) draw_surface(*buffers.ground);
+        for (const SurfaceBuffer& surface : buffers.bodies) draw_surface(surface);
+        cloth_place.use();
+        set_light(cloth_place, frame);
+        cloth_place.set("is_two_sided", 1);
+        for (const ClothBuffer& buffer : buffers.cloths) draw_triangles(buffer);
+        mask->finish(prepared.shadow(), prepared.shadow_width());
     }
 
     // Drawn first: nothing lies below it but the backdrop, over which it is laid at last.
@@ -207,25 +206,32 @@ struct Renderer::Impl {
         cloth.set("thread_spacing", buffer.thread_spacing);
         cloth.set("sett_position", buffer.sett_position);
         set_material(cloth, buffer.material);
+        draw_triangles(buffer);
+    }
+
+    void draw_triangles(const ClothBuffer& buffer) const {
         gl.BindVertexArray(buffer.vertex_array.id());
         gl.DrawArrays(GL_TRIANGLES, 0, buffer.vertex_count);
     }
 
     void draw_tile(const Frame& frame) const {
-        bind_shadow(prepared.shadow());
+        const SceneBuffers& buffers = prepared.buffers();
+        target->begin();
+        gl.ActiveTexture(GL_TEXTURE0 + kShadowMaskUnit);
+        gl.BindTexture(GL_TEXTURE_2D, mask->texture());
         gl.Enable(GL_DEPTH_TEST);
-        if (prepared.buffers().ground) draw_ground(frame, prepared.buffers());
-        draw_bodies(frame, prepared.buffers());
-        draw_cloths(frame, prepared.buffers());
-        gl.BindSampler(kShadowMapUnit, 0);
+        if (buffers.ground) draw_ground(frame, buffers);
+        draw_bodies(frame, buffers);
+        draw_cloths(frame, buffers);
     }
 
     std::unique_ptr<GlContext> context;
     const GladGLContext& gl;
+    Program cloth_place, body_place;
     Program cloth, body, ground;
     PreparedScene prepared;
-    std::optional<Target> target;  // of the last picture
-    Sampler shadow_sampler;
+    std::optional<Target> target;
+    std::optional<ShadowMask> mask;
 };
 
 Renderer::Renderer(std::optional<ContextMaker> maker) : impl_(std::make_unique<Impl>(maker)) {}
@@ -248,7 +254,7 @@ Image Renderer::draw(const Scene& scene, const RenderOptions& options) {
                           .height_px = std::min(options.height_px, options.tile_px),
                           .samples = options.samples,
                           .supersample = options.supersample};
-    const Target& target = impl_->target_of(size);
+    impl_->make_targets(size);
     Image image(options.width_px, options.height_px);
     for (int low = 0; low < options.height_px; low += size.height_px) {
         for (int left = 0; left < options.width_px; left += size.width_px) {
@@ -259,12 +265,13 @@ Image Renderer::draw(const Scene& scene, const RenderOptions& options) {
                               .camera = tile_matrix(tile, options) * camera,
                               .shadow_matrix = unit_cube_matrix() * impl_->prepared.key_matrix(),
                               .shadow_width = impl_->prepared.shadow_width()};
-            target.begin();
+            impl_->draw_mask(frame);
+            clock.lap(&PictureTimes::mask);
             impl_->draw_tile(frame);
             clock.lap(&PictureTimes::draw);
-            target.finish([&](const Program& program) { set_backdrop(program, frame); });
+            impl_->target->finish([&](const Program& program) { set_backdrop(program, frame); });
             clock.lap(&PictureTimes::finish);
-            copy_tile(image, target.read(), tile);
+            copy_tile(image, impl_->target->read(), tile);
             clock.lap(&PictureTimes::read_back);
         }
     }

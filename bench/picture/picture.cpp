@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <map>
 
 #include "bench/timing.h"
@@ -68,6 +69,16 @@ void move_cloth(Scene& scene, const Scene& rest, float amount, int picture) {
     }
 }
 
+double processor_ms() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+double median(const std::vector<double>& values) {
+    return values.empty() ? 0 : quantile(values, 0.5);
+}
+
 class Stopwatch {
  public:
     Stopwatch(Renderer& renderer, RenderOptions options) : renderer_(renderer), options_(options) {}
@@ -76,6 +87,7 @@ class Stopwatch {
     void draw(const Scene& scene, bool with_parts) {
         PictureTimes times;
         options_.times = with_parts ? &times : nullptr;
+        const double processor_start = processor_ms();
         const auto start = std::chrono::steady_clock::now();
         keep(renderer_.draw(scene, options_));
         const auto end = std::chrono::steady_clock::now();
@@ -83,17 +95,18 @@ class Stopwatch {
             parts_.push_back(times);
         } else {
             totals_.push_back(std::chrono::duration<double, std::milli>(end - start).count());
+            processor_.push_back(processor_ms() - processor_start);
         }
     }
 
     PictureFigure figure(const std::string& kind) const {
-        PictureFigure figure{.kind = kind, .total = totals_.empty() ? 0 : quantile(totals_, 0.5), .parts = {}};
+        PictureFigure figure{.kind = kind, .total = median(totals_), .processor = median(processor_), .parts = {}};
         for (const auto part :
              {&PictureTimes::compare, &PictureTimes::room_light, &PictureTimes::upload, &PictureTimes::shadow,
-              &PictureTimes::draw, &PictureTimes::finish, &PictureTimes::read_back}) {
+              &PictureTimes::mask, &PictureTimes::draw, &PictureTimes::finish, &PictureTimes::read_back}) {
             std::vector<double> values;
             for (const PictureTimes& times : parts_) values.push_back(times.*part);
-            if (!values.empty()) figure.parts.*part = quantile(values, 0.5);
+            figure.parts.*part = median(values);
         }
         return figure;
     }
@@ -101,7 +114,7 @@ class Stopwatch {
  private:
     Renderer& renderer_;
     RenderOptions options_;
-    std::vector<double> totals_;
+    std::vector<double> totals_, processor_;
     std::vector<PictureTimes> parts_;
 };
 
@@ -151,22 +164,23 @@ PictureReport measure_pictures(const Scene& given, const PictureExperiment& expe
 }
 
 Table table_of(const PictureReport& report) {
-    Table table{
-        .name = "picture",
-        .title = "What a picture costs, ms",
-        .note = std::to_string(report.width_px) + " x " + std::to_string(report.height_px) + ", cloth of " +
-                std::to_string(report.cloth_triangles) + " triangles on a body of " +
-                std::to_string(report.body_triangles) +
-                ". Medians by wall clock. The parts are taken from other pictures than the whole, as they wait "
-                "for each other.",
-        .columns = {"picture", "whole", "compare", "room light", "upload", "shadow", "draw", "finish", "read back"}};
+    Table table{.name = "picture",
+                .title = "What a picture costs, ms",
+                .note = std::to_string(report.width_px) + " x " + std::to_string(report.height_px) + ", cloth of " +
+                        std::to_string(report.cloth_triangles) + " triangles on a body of " +
+                        std::to_string(report.body_triangles) +
+                        ". Medians by wall clock, and processor time of all threads. The parts are taken from other "
+                        "pictures than the whole, as they wait "
+                        "for each other.",
+                .columns = {"picture", "whole", "processor", "compare", "room light", "upload", "shadow", "mask",
+                            "draw", "finish", "read back"}};
     for (const PictureFigure& figure : report.figures) {
         const PictureTimes& parts = figure.parts;
         const bool has_parts = parts.draw > 0;
         const auto cell = [&](double value) { return has_parts ? Cell(value, 1) : Cell(); };
-        table.add_row({figure.kind, Cell(figure.total, 1), cell(parts.compare), cell(parts.room_light),
-                       cell(parts.upload), cell(parts.shadow), cell(parts.draw), cell(parts.finish),
-                       cell(parts.read_back)});
+        table.add_row({figure.kind, Cell(figure.total, 1), Cell(figure.processor, 1), cell(parts.compare),
+                       cell(parts.room_light), cell(parts.upload), cell(parts.shadow), cell(parts.mask),
+                       cell(parts.draw), cell(parts.finish), cell(parts.read_back)});
     }
     return table;
 }

@@ -20,7 +20,8 @@ struct PictureExperiment {
 
 struct PictureFigure {
     std::string kind;
-    double total = 0;  // ms, median over the pictures
+    double total = 0;      // ms by wall clock, median over the pictures
+    double processor = 0;  // ms of processor time of all threads
     PictureTimes parts;
 };
 
