@@ -77,7 +77,8 @@ std::vector<Openness> bake_room_light(const Casters& casters, const LitPoints& p
                                       const RoomLightOptions& options) {
     SELVEDGE_ASSERT(points.x.size() == points.normals.size());
     const std::vector<DepthRange> pictures = draw_axes(casters, options);
-    const float fade = options.fade / (2 * bounds_of(casters.x).radius);
+    const float width = 2 * bounds_of(casters.x).radius, texel = width / static_cast<float>(options.side_px);
+    const float reach = std::max(options.reach, texel), fade = std::max(options.fade, 2 * texel) / width;
     std::vector<Openness> result(points.x.size());
     parallel_for(points.x.size(), 8192, [&](std::size_t first, std::size_t last) {
         std::vector<Sums> sums(last - first);
@@ -86,7 +87,7 @@ std::vector<Openness> bake_room_light(const Casters& casters, const LitPoints& p
             const LookOut look{.picture = pictures[static_cast<std::size_t>(i)], .fade = fade};
             for (std::size_t p = first; p < last; ++p) {
                 const float cosine = points.normals[p].dot(axis);
-                const Vec3f off = options.reach * points.normals[p];
+                const Vec3f off = reach * points.normals[p];
                 const float weight = std::abs(cosine);
                 Sums& sum = sums[p - first];
                 sum.weight += weight;

@@ -12,8 +12,8 @@ namespace selvedge {
 struct RoomLightOptions {
     int axes = 40;         // each is looked along both ways
     int side_px = 320;     // of each depth picture
-    float reach = 0.007F;  // m off the surface from which a point looks out
-    float fade = 0.012F;   // m: a blocker nearer than this along the ray counts in part
+    float reach = 0.007F;  // m off the surface from which a point looks out; at least a texel
+    float fade = 0.012F;   // m: a blocker nearer than this along the ray counts in part; at least two texels
 };
 
 struct LitPoints {

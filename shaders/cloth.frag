@@ -61,10 +61,7 @@ void main() {
     albedo *= 1.0 - 0.30 * sewn_shade(v_marks >> 11 & 7u, v_touch.y, 0.0020);
     if (show == 1) albedo = mix(albedo, albedo * 0.35, 0.7 * lines);
     if (show == 2) albedo = mix(albedo, vec3(0.035, 0.05, 0.09), 0.9 * lines);
-    if (side < 0.0) {
-        float grey = dot(albedo, vec3(0.2126, 0.7152, 0.0722));
-        albedo = mix(albedo, vec3(grey), 0.25) * 0.72;
-    }
+    if (side < 0.0) albedo *= 0.86;  // told from the right side, also where both are alike
     Surface surface;
     surface.albedo = albedo;
     surface.normal = normalize(v_normal) * side;

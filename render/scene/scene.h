@@ -60,10 +60,10 @@ struct BodyItem {
 struct Light {
     Vec3f to_key{-0.5F, 0.7F, 0.6F};  // towards the light, unit or not
     Vec3f to_fill{0.7F, 0.2F, 0.7F};
-    float key = 0.98F;  // irradiance, 1 makes white white
+    float key = 0.90F;  // irradiance, 1 makes white white
     float fill = 0.12F;
-    float sky = 0.40F;     // from above
-    float bounce = 0.20F;  // from below
+    float sky = 0.36F;     // from above
+    float bounce = 0.19F;  // from below
 };
 
 struct Background {
