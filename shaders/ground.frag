@@ -13,7 +13,7 @@ out vec4 colour;
 void main() {
     float key_seen = key_visibility(v_position, vec3(0.0, 1.0, 0.0));
     float away = length(v_position - ground_centre) / ground_radius;
-    float dark = (0.30 * (1.0 - key_seen) + 0.62 * (1.0 - v_openness)) * (1.0 - smoothstep(0.35, 1.0, away));
+    float dark = (0.30 * (1.0 - key_seen) + 0.72 * (1.0 - v_openness)) * (1.0 - smoothstep(0.35, 1.0, away));
     float passed = 1.0 - 0.94 * dark;
     // Pictures are laid over each other as sRGB: there the same shadow takes a smaller share.
     float alpha = is_transparent != 0 ? 1.0 - pow(passed, 1.0 / 2.2) : 1.0 - passed;

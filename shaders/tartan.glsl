@@ -89,8 +89,8 @@ vec3 weave_detail(vec2 t, vec2 width, float side, bool is_near) {
 // float is nothing, and so is that of every product.
 float yarn_relief(float across, float along, vec2 dives, vec2 light) {
     vec2 depth = dives * vec2(pow(1.0 - along, 3.0), along * along * along);
-    float round_of = 1.0 + 2.2 * (1.0 / 12.0 - across * across);
-    float dive_of = 1.0 - 0.55 * (depth.x + depth.y - 0.25 * (dives.x + dives.y));
+    float round_of = 1.0 + 2.6 * (1.0 / 12.0 - across * across);
+    float dive_of = 1.0 - 0.72 * (depth.x + depth.y - 0.25 * (dives.x + dives.y));
     float bend = 0.9 * across * light.x + 0.35 * (depth.y - depth.x) * light.y;
     return round_of * dive_of * (1.0 + bend) - 1.0;
 }

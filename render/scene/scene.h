@@ -50,7 +50,7 @@ struct BodyItem {
     std::vector<Vec3f> x;        // m
     std::vector<Vec3f> normals;  // unit
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    Rgb8 colour{0xC9, 0xBB, 0xAE};  // clay
+    Rgb8 colour{0xD0, 0xBF, 0xB0};  // between clay and skin
     Material material{.gloss = 0.017F, .roughness = 0.29F, .sheen = 0.05F};
 
     bool operator==(const BodyItem&) const = default;
