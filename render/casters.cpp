@@ -32,6 +32,13 @@ Bounds bounds_of(const std::vector<Vec3f>& points) {
     return bounds;
 }
 
+Bounds steady_bounds_of(const std::vector<Vec3f>& points) {
+    const Bounds tight = bounds_of(points);
+    const float step = std::exp2(std::floor(std::log2(tight.radius)) - 4);  // a sixteenth of the radius, or less
+    return {.centre = step * (tight.centre / step).array().round().matrix(),
+            .radius = step * std::ceil(tight.radius / step + 1)};  // the centre moved by less than a step
+}
+
 Eigen::Matrix4f parallel_matrix(const Bounds& bounds, const Vec3f& direction) {
     const Vec3f helper = std::abs(direction.y()) < 0.9F ? Vec3f(Vec3f::UnitY()) : Vec3f(Vec3f::UnitX());
     const Vec3f right = helper.cross(direction).normalized();

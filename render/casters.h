@@ -26,6 +26,10 @@ Casters casters_of(const Scene& scene);
 
 Bounds bounds_of(const std::vector<Vec3f>& points);
 
+// A somewhat larger ball, the same for points that differ a little: what is drawn within it does not swim when cloth
+// moves.
+Bounds steady_bounds_of(const std::vector<Vec3f>& points);
+
 // Room to -1..1 in all three, looking from `direction` (unit) towards the ball's centre; depth grows away from it.
 Eigen::Matrix4f parallel_matrix(const Bounds& bounds, const Vec3f& direction);
 

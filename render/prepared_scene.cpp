@@ -27,7 +27,7 @@ void PreparedScene::prepare(const Scene& scene, PartClock& clock) {
     clock.lap(&PictureTimes::compare);
     if (!is_same) {
         Casters casters = casters_of(scene);
-        bounds_ = bounds_of(casters.x);
+        bounds_ = steady_bounds_of(casters.x);
         const Ground ground = make_ground(scene, bounds_);
         LitPoints points = lit_points(scene, ground);
         if (!(casters == casters_ && points == points_)) openness_ = bake_room_light(casters, points);

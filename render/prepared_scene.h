@@ -23,8 +23,6 @@ class PreparedScene {
     float shadow_width() const { return 2 * bounds_.radius; }          // m
 
  private:
-    void prepare_light(const Scene& scene, const Ground& ground);
-
     const GladGLContext& gl_;
     std::optional<Scene> scene_;  // that the rest was made from
     Casters casters_;

@@ -54,8 +54,7 @@ struct Sums {
     float weight = 0;
 };
 
-std::vector<DepthRange> draw_axes(const Casters& casters, const RoomLightOptions& options) {
-    const Bounds bounds = bounds_of(casters.x);
+std::vector<DepthRange> draw_axes(const Casters& casters, const Bounds& bounds, const RoomLightOptions& options) {
     std::vector<DepthRange> pictures(static_cast<std::size_t>(options.axes));
     parallel_for(pictures.size(), 1, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
@@ -76,8 +75,9 @@ void LitPoints::add(const std::vector<Vec3f>& more_x, const std::vector<Vec3f>& 
 std::vector<Openness> bake_room_light(const Casters& casters, const LitPoints& points,
                                       const RoomLightOptions& options) {
     SELVEDGE_ASSERT(points.x.size() == points.normals.size());
-    const std::vector<DepthRange> pictures = draw_axes(casters, options);
-    const float width = 2 * bounds_of(casters.x).radius, texel = width / static_cast<float>(options.side_px);
+    const Bounds bounds = steady_bounds_of(casters.x);
+    const std::vector<DepthRange> pictures = draw_axes(casters, bounds, options);
+    const float width = 2 * bounds.radius, texel = width / static_cast<float>(options.side_px);
     const float reach = std::max(options.reach, texel), fade = std::max(options.fade, 2 * texel) / width;
     std::vector<Openness> result(points.x.size());
     parallel_for(points.x.size(), 8192, [&](std::size_t first, std::size_t last) {
