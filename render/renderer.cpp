@@ -168,8 +168,10 @@ struct Renderer::Impl {
     }
 
     void draw_surface(const SurfaceBuffer& surface) const {
+        if (surface.is_closed) gl.Enable(GL_CULL_FACE);
         gl.BindVertexArray(surface.vertex_array.id());
         gl.DrawElements(GL_TRIANGLES, surface.index_count, GL_UNSIGNED_INT, nullptr);
+        gl.Disable(GL_CULL_FACE);
     }
 
     void draw_bodies(const Frame& frame, const SceneBuffers& buffers) const {

@@ -41,6 +41,18 @@ void add_attribute(const GladGLContext& gl, GLuint index, int floats, std::size_
                            reinterpret_cast<const void*>(offset));
 }
 
+// A closed surface faces as much one way as the other; one with a hole lacks what the hole would face.
+bool is_closed(const BodyItem& item) {
+    Vec3d facing = Vec3d::Zero();
+    double area = 0;
+    for (const auto& [a, b, c] : item.triangles) {
+        const Vec3f doubled = (item.x[b] - item.x[a]).cross(item.x[c] - item.x[a]);
+        facing += doubled.cast<double>();
+        area += double(doubled.norm());
+    }
+    return facing.norm() < 1e-4 * area;
+}
+
 SurfaceBuffer make_surface_buffer(const GladGLContext& gl, const BodyItem& item,
                                   const std::vector<Openness>& openness) {
     std::vector<SurfaceVertex> vertices;
@@ -57,6 +69,7 @@ SurfaceBuffer make_surface_buffer(const GladGLContext& gl, const BodyItem& item,
     add_attribute(gl, 2, 1, sizeof(SurfaceVertex), offsetof(SurfaceVertex, openness));
     upload(gl, GL_ELEMENT_ARRAY_BUFFER, buffer.indices, item.triangles);
     buffer.index_count = static_cast<int>(item.triangles.size() * 3);
+    buffer.is_closed = is_closed(item);
     buffer.colour = to_linear(item.colour);
     buffer.material = item.material;
     return buffer;

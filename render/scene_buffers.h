@@ -31,6 +31,7 @@ struct SurfaceBuffer {
     Buffer vertices;
     Buffer indices;
     int index_count = 0;
+    bool is_closed = false;        // its inside is not seen
     Vec3f colour = Vec3f::Zero();  // linear
     Material material{};
 };

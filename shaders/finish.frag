@@ -7,7 +7,10 @@ uniform int is_transparent;
 
 out vec4 colour;
 
-vec3 shoulder(vec3 x) { return mix(x, 0.9 + 0.1 * (1.0 - exp(-(x - 0.9) / 0.1)), step(0.9, x)); }
+vec3 shoulder(vec3 x) {
+    vec3 over = max(x - 0.9, 0.0);
+    return min(x, 0.9) + 0.1 * over / (0.1 + over);
+}
 
 vec3 encode(vec3 x) { return mix(12.92 * x, 1.055 * pow(max(x, 1e-6), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, x)); }
 
