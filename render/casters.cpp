@@ -7,15 +7,32 @@
 
 namespace selvedge {
 
-Casters casters_of(const Scene& scene) {
+namespace {
+
+void add(Casters& casters, const std::vector<Vec3f>& x, const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+    const auto base = static_cast<std::uint32_t>(casters.x.size());
+    casters.x.insert(casters.x.end(), x.begin(), x.end());
+    for (const auto& [a, b, c] : triangles) casters.triangles.push_back({a + base, b + base, c + base});
+}
+
+}  // namespace
+
+Casters cloth_casters_of(const Scene& scene) {
     Casters casters;
-    const auto add = [&](const std::vector<Vec3f>& x, const std::vector<std::array<std::uint32_t, 3>>& triangles) {
-        const auto base = static_cast<std::uint32_t>(casters.x.size());
-        casters.x.insert(casters.x.end(), x.begin(), x.end());
-        for (const auto& [a, b, c] : triangles) casters.triangles.push_back({a + base, b + base, c + base});
-    };
-    for (const ClothItem& cloth : scene.cloths) add(cloth.mesh.x, cloth.mesh.triangles);
-    for (const BodyItem& body : scene.bodies) add(body.x, body.triangles);
+    for (const ClothItem& cloth : scene.cloths) add(casters, cloth.mesh.x, cloth.mesh.triangles);
+    return casters;
+}
+
+Casters body_casters_of(const Scene& scene) {
+    Casters casters;
+    for (const BodyItem& body : scene.bodies) add(casters, body.x, body.triangles);
+    return casters;
+}
+
+Casters casters_of(const Scene& scene) {
+    Casters casters = cloth_casters_of(scene);
+    const Casters bodies = body_casters_of(scene);
+    add(casters, bodies.x, bodies.triangles);
     return casters;
 }
 

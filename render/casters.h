@@ -13,6 +13,8 @@ namespace selvedge {
 struct Bounds {
     Vec3f centre = Vec3f::Zero();
     float radius = 1;  // m
+
+    bool operator==(const Bounds&) const = default;
 };
 
 struct Casters {
@@ -22,7 +24,9 @@ struct Casters {
     bool operator==(const Casters&) const = default;
 };
 
-Casters casters_of(const Scene& scene);
+Casters cloth_casters_of(const Scene& scene);
+Casters body_casters_of(const Scene& scene);
+Casters casters_of(const Scene& scene);  // both
 
 Bounds bounds_of(const std::vector<Vec3f>& points);
 

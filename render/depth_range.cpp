@@ -30,14 +30,14 @@ void widen(DepthRange::Span& span, float depth) {
 }
 
 void draw_triangle(DepthRange& picture, const Vec3f& a, const Vec3f& b, const Vec3f& c) {
-    const float area = (b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y());
-    if (std::abs(area) < 1e-9F) return;
     const float last = static_cast<float>(picture.side_px - 1);
     const int left = static_cast<int>(std::ceil(std::max(std::min({a.x(), b.x(), c.x()}), 0.0F)));
     const int right = static_cast<int>(std::floor(std::min(std::max({a.x(), b.x(), c.x()}), last)));
     const int low = static_cast<int>(std::ceil(std::max(std::min({a.y(), b.y(), c.y()}), 0.0F)));
     const int high = static_cast<int>(std::floor(std::min(std::max({a.y(), b.y(), c.y()}), last)));
     if (left > right || low > high) return;
+    const float area = (b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y());
+    if (std::abs(area) < 1e-9F) return;
     const float sign = area > 0 ? 1.0F : -1.0F;
     const Edge to_a(b, c, sign), to_b(c, a, sign), to_c(a, b, sign);
     const float inverse = sign / area;
@@ -54,18 +54,21 @@ void draw_triangle(DepthRange& picture, const Vec3f& a, const Vec3f& b, const Ve
 
 }  // namespace
 
-DepthRange draw_depth_range(const Casters& casters, const Bounds& bounds, const Vec3f& direction, int side_px) {
+DepthRange empty_depth_range(const Bounds& bounds, const Vec3f& direction, int side_px) {
     DepthRange picture;
     picture.matrix = texel_matrix(side_px) * parallel_matrix(bounds, direction);
     picture.side_px = side_px;
     picture.spans.resize(static_cast<std::size_t>(side_px) * static_cast<std::size_t>(side_px));
+    return picture;
+}
+
+void draw_casters(DepthRange& picture, const Casters& casters) {
     const Eigen::Matrix3f turn = picture.matrix.block<3, 3>(0, 0);
     const Vec3f shift = picture.matrix.block<3, 1>(0, 3);
     std::vector<Vec3f> seen;
     seen.reserve(casters.x.size());
     for (const Vec3f& point : casters.x) seen.emplace_back(turn * point + shift);
     for (const auto& [a, b, c] : casters.triangles) draw_triangle(picture, seen[a], seen[b], seen[c]);
-    return picture;
 }
 
 }  // namespace selvedge

@@ -24,7 +24,10 @@ struct DepthRange {
     }
 };
 
-// Pre: direction is unit, triangles' indices are in range.
-DepthRange draw_depth_range(const Casters& casters, const Bounds& bounds, const Vec3f& direction, int side_px);
+// Nothing yet. Pre: direction is unit.
+DepthRange empty_depth_range(const Bounds& bounds, const Vec3f& direction, int side_px);
+
+// Adds casters; in which order they are added does not matter. Pre: triangles' indices are in range.
+void draw_casters(DepthRange& picture, const Casters& casters);
 
 }  // namespace selvedge

@@ -30,7 +30,9 @@ void PreparedScene::prepare(const Scene& scene, PartClock& clock) {
         bounds_ = steady_bounds_of(casters.x);
         const Ground ground = make_ground(scene, bounds_);
         LitPoints points = lit_points(scene, ground);
-        if (!(casters == casters_ && points == points_)) openness_ = bake_room_light(casters, points);
+        if (!(casters == casters_ && points == points_)) {
+            openness_ = room_light_.bake(cloth_casters_of(scene), body_casters_of(scene), points);
+        }
         clock.lap(&PictureTimes::room_light);
         points_ = std::move(points);
         if (!(casters == casters_)) {

@@ -28,6 +28,7 @@ class PreparedScene {
     Casters casters_;
     Bounds bounds_;
     LitPoints points_;
+    RoomLight room_light_;
     std::vector<Openness> openness_;
     SceneBuffers buffers_;
     ShadowMap shadow_;

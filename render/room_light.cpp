@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/depth_range.h"
 #include "sim/core/assert.h"
 #include "sim/core/parallel.h"
 
@@ -54,17 +53,6 @@ struct Sums {
     float weight = 0;
 };
 
-std::vector<DepthRange> draw_axes(const Casters& casters, const Bounds& bounds, const RoomLightOptions& options) {
-    std::vector<DepthRange> pictures(static_cast<std::size_t>(options.axes));
-    parallel_for(pictures.size(), 1, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            pictures[i] =
-                draw_depth_range(casters, bounds, axis_direction(static_cast<int>(i), options.axes), options.side_px);
-        }
-    });
-    return pictures;
-}
-
 }  // namespace
 
 void LitPoints::add(const std::vector<Vec3f>& more_x, const std::vector<Vec3f>& more_normals) {
@@ -72,11 +60,37 @@ void LitPoints::add(const std::vector<Vec3f>& more_x, const std::vector<Vec3f>& 
     normals.insert(normals.end(), more_normals.begin(), more_normals.end());
 }
 
-std::vector<Openness> bake_room_light(const Casters& casters, const LitPoints& points,
+void RoomLight::draw_bodies(const Casters& bodies, const Bounds& bounds, const RoomLightOptions& options) {
+    const auto axes = static_cast<std::size_t>(options.axes);
+    const bool is_kept = body_pictures_.size() == axes && body_pictures_[0].side_px == options.side_px &&
+                         bounds == bounds_ && bodies == bodies_;
+    if (is_kept) return;
+    body_pictures_.resize(axes);
+    parallel_for(axes, 1, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const Vec3f axis = axis_direction(static_cast<int>(i), options.axes);
+            body_pictures_[i] = empty_depth_range(bounds, axis, options.side_px);
+            draw_casters(body_pictures_[i], bodies);
+        }
+    });
+    bodies_ = bodies;
+    bounds_ = bounds;
+}
+
+std::vector<Openness> RoomLight::bake(const Casters& cloths, const Casters& bodies, const LitPoints& points,
                                       const RoomLightOptions& options) {
-    SELVEDGE_ASSERT(points.x.size() == points.normals.size());
-    const Bounds bounds = steady_bounds_of(casters.x);
-    const std::vector<DepthRange> pictures = draw_axes(casters, bounds, options);
+    SELVEDGE_ASSERT(points.x.size() == points.normals.size() && options.axes >= 1);
+    std::vector<Vec3f> all = cloths.x;
+    all.insert(all.end(), bodies.x.begin(), bodies.x.end());
+    const Bounds bounds = steady_bounds_of(all);
+    draw_bodies(bodies, bounds, options);
+    pictures_.resize(body_pictures_.size());
+    parallel_for(pictures_.size(), 1, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            pictures_[i] = body_pictures_[i];
+            draw_casters(pictures_[i], cloths);
+        }
+    });
     const float width = 2 * bounds.radius, texel = width / static_cast<float>(options.side_px);
     const float reach = std::max(options.reach, texel), fade = std::max(options.fade, 2 * texel) / width;
     std::vector<Openness> result(points.x.size());
@@ -84,7 +98,7 @@ std::vector<Openness> bake_room_light(const Casters& casters, const LitPoints& p
         std::vector<Sums> sums(last - first);
         for (int i = 0; i < options.axes; ++i) {
             const Vec3f axis = axis_direction(i, options.axes);
-            const LookOut look{.picture = pictures[static_cast<std::size_t>(i)], .fade = fade};
+            const LookOut look{.picture = pictures_[static_cast<std::size_t>(i)], .fade = fade};
             for (std::size_t p = first; p < last; ++p) {
                 const float cosine = points.normals[p].dot(axis);
                 const Vec3f off = reach * points.normals[p];

@@ -6,6 +6,7 @@
 
 #include "render/casters.h"
 #include "render/cloth_vertices.h"
+#include "render/depth_range.h"
 
 namespace selvedge {
 
@@ -25,7 +26,19 @@ struct LitPoints {
     bool operator==(const LitPoints&) const = default;
 };
 
-std::vector<Openness> bake_room_light(const Casters& casters, const LitPoints& points,
-                                      const RoomLightOptions& options = {});
+// Keeps the bodies' depth pictures from one baking to the next, for cloth moves more often than they do.
+class RoomLight {
+ public:
+    std::vector<Openness> bake(const Casters& cloths, const Casters& bodies, const LitPoints& points,
+                               const RoomLightOptions& options = {});
+
+ private:
+    void draw_bodies(const Casters& bodies, const Bounds& bounds, const RoomLightOptions& options);
+
+    Casters bodies_;  // that the pictures show
+    Bounds bounds_;
+    std::vector<DepthRange> body_pictures_;
+    std::vector<DepthRange> pictures_;  // of all; kept for their memory
+};
 
 }  // namespace selvedge

@@ -152,11 +152,11 @@ TEST(Flicker, is_seen_where_there_is_some) {
 
 TEST(Flicker, light_on_the_ball_hardly_changes_when_cloth_moves_by_a_tenth_of_a_millimetre) {
     Scene scene = make_frozen_scene();
-    const Casters before = casters_of(scene);
+    const Casters before = cloth_casters_of(scene), bodies = body_casters_of(scene);
     for (Vec3f& x : scene.cloths[0].mesh.x) x.y() += 0.0001F;
-    const Casters after = casters_of(scene);
+    const Casters after = cloth_casters_of(scene);
     const LitPoints ball{.x = scene.bodies[0].x, .normals = scene.bodies[0].normals};
-    const std::vector<Openness> a = bake_room_light(before, ball), b = bake_room_light(after, ball);
+    const std::vector<Openness> a = RoomLight().bake(before, bodies, ball), b = RoomLight().bake(after, bodies, ball);
     float greatest = 0;
     for (std::size_t i = 0; i < a.size(); ++i) greatest = std::max(greatest, std::abs(a[i].front - b[i].front));
     EXPECT_LT(greatest, 0.04F);
@@ -188,8 +188,8 @@ TEST(RoomLight, a_plate_under_another_is_dark_above_and_open_below) {
         casters.triangles.push_back({base, base + 2, base + 1});
         casters.triangles.push_back({base, base + 3, base + 2});
     }
-    const std::vector<Openness> open = bake_room_light(
-        casters,
+    const std::vector<Openness> open = RoomLight().bake(
+        casters, {},
         {.x = {Vec3f(0, 0, 0), Vec3f(0, 0.1F, 0)}, .normals = {Vec3f(0, 1, 0), Vec3f(0, 1, 0)}, .two_sided = 2});
     EXPECT_LT(open[0].front, 0.1F);
     EXPECT_GT(open[0].back, 0.99F);
