@@ -12,16 +12,16 @@ const vec3 kKeyColour = vec3(1.0, 0.965, 0.92);
 const vec3 kSkyColour = vec3(0.95, 0.98, 1.03);
 const vec3 kBounceColour = vec3(1.03, 1.0, 0.96);
 
-// 0..1: how much of the key light is seen: of the five places about the pixel that shadow_mask holds, that which is
+// 0..1: how much of the key light is seen: of the nine places about the pixel that shadow_mask holds, that which is
 // most likely this one.
 float key_visibility(vec3 x, vec3 normal) {
     float depth = shadow_place(x, normal).z;
     ivec2 at = ivec2(gl_FragCoord.xy), last = textureSize(shadow_mask, 0) - 1;
     vec2 best = texelFetch(shadow_mask, at, 0).rg;
     float near = 0.001 / shadow_width;
-    int others = abs(best.y - depth) < 4.0 * near ? 0 : 4;  // a count, not a branch, which software GL does not take
+    int others = abs(best.y - depth) < 4.0 * near ? 0 : 9;  // a count, not a branch, which software GL does not take
     for (int i = 0; i < others; ++i) {
-        ivec2 step_px = ivec2(i & 1, 1 - (i & 1)) * (1 - (i & 2));
+        ivec2 step_px = ivec2(i % 3 - 1, i / 3 - 1);
         vec2 other = texelFetch(shadow_mask, clamp(at + step_px, ivec2(0), last), 0).rg;
         if (abs(other.y - depth) + near < abs(best.y - depth)) best = other;
     }
@@ -41,7 +41,7 @@ struct Surface {
 // "Practical Realtime Strategies for Accurate Indirect Occlusion" (2016), eq. 10. No hollow is quite without light.
 vec3 with_own_light(float openness, vec3 albedo) {
     vec3 a = 2.0404 * albedo - 0.3324, b = 0.6417 - 4.7951 * albedo, c = 2.7552 * albedo + 0.6903;
-    float least = mix(0.13, 1.0, openness);
+    float least = mix(0.2, 1.0, openness);
     return max(vec3(least), ((least * a + b) * least + c) * least);
 }
 
