@@ -1,5 +1,5 @@
-in vec3 v_position;
-in vec3 v_normal;
+centroid in vec3 v_position;  // on the triangle even where its pixel is mostly beside it
+centroid in vec3 v_normal;
 in vec2 v_place;
 in vec3 v_heights;
 in vec2 v_openness;

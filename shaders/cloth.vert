@@ -8,8 +8,8 @@ layout(location = 6) in uint marks;     // level, then 3 bits of edges on seams,
 
 uniform mat4 camera;
 
-out vec3 v_position;
-out vec3 v_normal;
+centroid out vec3 v_position;
+centroid out vec3 v_normal;
 out vec2 v_place;
 out vec3 v_heights;
 out vec2 v_openness;

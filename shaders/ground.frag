@@ -1,5 +1,5 @@
-in vec3 v_position;
-in vec3 v_normal;
+centroid in vec3 v_position;  // on the triangle even where its pixel is mostly beside it
+centroid in vec3 v_normal;
 in float v_openness;
 
 uniform vec3 ground_centre;

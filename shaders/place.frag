@@ -1,5 +1,5 @@
-in vec3 v_position;
-in vec3 v_normal;
+centroid in vec3 v_position;  // on the triangle even where its pixel is mostly beside it
+centroid in vec3 v_normal;
 
 uniform int is_two_sided;
 

@@ -2,7 +2,7 @@
 // again. The further the blocker, the softer its edge.
 // Apart from the drawing of surfaces, since these are drawn in triangles hardly larger than a pixel, each of which has
 // whole blocks of pixels shaded.
-uniform sampler2D places;            // of shadow.glsl; w below 0 where nothing is
+uniform sampler2D places;            // of shadow.glsl; w below 0 where no key light falls or nothing is
 uniform sampler2DShadow shadow_map;  // shadow_depth, compared and softened
 uniform sampler2D shadow_depth;
 uniform sampler2D shadow_nearest;    // the least depth within shadow_reach, coarsely
@@ -55,5 +55,6 @@ void main() {
     bool is_edge = blockers.x > 0.5 && blockers.x < float(kBlockerTaps) - 0.5;
     float radius = clamp((place.z - blockers.y) * kLightSize, kLeastBlur / shadow_width, most);
     float seen = lit_share(place.xyz, radius, place.w, is_edge ? kShadowTaps : 0);
-    mask = vec2(is_edge ? seen : (blockers.x > 0.5 ? 0.0 : 1.0), place.z);
+    if (!is_edge) seen = blockers.x > 0.5 || place.w < 0.0 ? 0.0 : 1.0;
+    mask = vec2(seen, place.z);
 }
