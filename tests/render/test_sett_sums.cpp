@@ -28,6 +28,14 @@ TEST(SettSums, begin_and_end_at_nothing_so_that_they_repeat_with_the_sett) {
     EXPECT_EQ(table.sums.back(), Vec3f(0, 0, 0));
 }
 
+TEST(SettSums, a_weft_of_its_own_has_its_own_table_and_else_the_warps) {
+    Sett sett = find_tartan("buchanan");
+    EXPECT_EQ(sum_weft(sett).sums, sum_warp(sett).sums);
+    sett.weft_stripes = parse_threadcount("K/3 W5 R/2").stripes;
+    EXPECT_EQ(sum_weft(sett).threads(), 15) << "both halves: 3 5 2 5";
+    EXPECT_EQ(sum_warp(sett).sums, sum_warp(find_tartan("buchanan")).sums);
+}
+
 TEST(Colour, srgb_bytes_become_linear_light) {
     EXPECT_FLOAT_EQ(to_linear(std::uint8_t{0}), 0);
     EXPECT_FLOAT_EQ(to_linear(std::uint8_t{255}), 1);
