@@ -11,6 +11,7 @@ namespace selvedge {
 void add_bench_collide(CLI::App& bench, int& exit_code);
 void add_bench_drop(CLI::App& bench, int& exit_code);
 void add_bench_fabric(CLI::App& bench, int& exit_code);
+void add_bench_picture(CLI::App& bench, int& exit_code);
 void add_bench_thesis(CLI::App& bench, int& exit_code);
 void add_bench_tshirt(CLI::App& bench, int& exit_code);
 

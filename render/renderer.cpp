@@ -4,11 +4,11 @@
 #include <array>
 
 #include "render/colour.h"
-#include "render/depth_pass.h"
 #include "render/gl/gl.h"
 #include "render/image/png.h"
-#include "render/scene_buffers.h"
+#include "render/prepared_scene.h"
 #include "render/shaders.h"
+#include "render/shadow_mask.h"
 #include "render/target.h"
 #include "sim/core/assert.h"
 #include "sim/core/error.h"
@@ -16,10 +16,8 @@
 namespace selvedge {
 namespace {
 
-constexpr int kShadowSide = 2048;  // px
-
 // Texture units.
-constexpr int kShadowMapUnit = 0, kShadowDepthUnit = 1, kSettUnit = 2, kPaintUnit = 7;
+constexpr int kShadowMaskUnit = 0, kSettUnit = 1, kPaintUnit = 7;
 
 constexpr std::array<Rgb8, kLevelColours> kLevels{{{0x3F, 0x6C, 0x9E},
                                                    {0x53, 0xB3, 0xA4},
@@ -86,7 +84,7 @@ struct Frame {
     Tile tile;
     Eigen::Matrix4f camera;         // room to the tile's clip space
     Eigen::Matrix4f shadow_matrix;  // room to 0..1
-    float shadow_width = 1;         // m
+    float shadow_width = 1;         // m, of the map
 };
 
 Eigen::Matrix4f unit_cube_matrix() {
@@ -97,10 +95,9 @@ Eigen::Matrix4f unit_cube_matrix() {
 }
 
 void set_backdrop(const Program& program, const Frame& frame) {
-    const float supersample = float(frame.options.supersample);
-    program.set("tile_origin_px", Vec2f(Vec2f(float(frame.tile.left), float(frame.tile.low)) * supersample));
-    program.set("picture_size_px",
-                Vec2f(Vec2f(float(frame.options.width_px), float(frame.options.height_px)) * supersample));
+    program.set("is_transparent", frame.scene.background.is_transparent ? 1 : 0);
+    program.set("tile_origin_px", Vec2f(float(frame.tile.left), float(frame.tile.low)));
+    program.set("picture_size_px", Vec2f(float(frame.options.width_px), float(frame.options.height_px)));
     program.set("backdrop_centre", to_linear(frame.scene.background.centre));
     program.set("backdrop_edge", to_linear(frame.scene.background.edge));
 }
@@ -117,8 +114,13 @@ void set_light(const Program& program, const Frame& frame) {
     program.set("bounce_irradiance", light.bounce);
     program.set("shadow_matrix", frame.shadow_matrix);
     program.set("shadow_width", frame.shadow_width);
-    program.set("shadow_map", kShadowMapUnit);
-    program.set("shadow_depth", kShadowDepthUnit);
+    program.set("shadow_mask", kShadowMaskUnit);
+}
+
+void set_material(const Program& program, const Material& material) {
+    program.set("gloss", material.gloss);
+    program.set("roughness", material.roughness);
+    program.set("sheen", material.sheen);
 }
 
 }  // namespace
@@ -131,67 +133,68 @@ struct Renderer::Impl {
     explicit Impl(std::optional<ContextMaker> maker)
         : context(make_context(maker)),
           gl(context->gl()),
-          cloth(make_program(gl, {"cloth.vert"}, {"light.glsl", "tartan.glsl", "cloth.frag"})),
-          body(make_program(gl, {"body.vert"}, {"light.glsl", "body.frag"})),
-          solid(make_program(gl, {"solid.vert"}, {"light.glsl", "solid.frag"})),
-          ground(make_program(gl, {"body.vert"}, {"backdrop.glsl", "light.glsl", "ground.frag"})),
-          backdrop(make_program(gl, {"screen.vert"}, {"backdrop.glsl", "backdrop.frag"})),
-          no_vertices(gl),
-          shadow_sampler(gl) {
-        gl.SamplerParameteri(shadow_sampler.id(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-        gl.SamplerParameteri(shadow_sampler.id(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-        gl.SamplerParameteri(shadow_sampler.id(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-        gl.SamplerParameteri(shadow_sampler.id(), GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+          cloth_place(make_program(gl, {"cloth.vert"}, {"shadow.glsl", "place.frag"})),
+          body_place(make_program(gl, {"body.vert"}, {"shadow.glsl", "place.frag"})),
+          cloth(make_program(gl, {"cloth.vert"}, {"shadow.glsl", "light.glsl", "tartan.glsl", "cloth.frag"})),
+          body(make_program(gl, {"body.vert"}, {"shadow.glsl", "light.glsl", "body.frag"})),
+          solid(make_program(gl, {"solid.vert"}, {"shadow.glsl", "light.glsl", "solid.frag"})),
+          ground(make_program(gl, {"body.vert"}, {"backdrop.glsl", "shadow.glsl", "light.glsl", "ground.frag"})),
+          prepared(gl) {}
+
+    // Of the last picture, where they have the same size.
+    void make_targets(const TargetSize& size) {
+        if (target && target->size() == size) return;
+        target.reset();  // before the next takes its memory
+        mask.reset();
+        target.emplace(gl, size);
+        mask.emplace(gl, size.width_px * size.supersample, size.height_px * size.supersample);
     }
 
-    void bind_shadow(const DepthPass& shadow) const {
-        for (const int unit : {kShadowMapUnit, kShadowDepthUnit}) {
-            gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-            gl.BindTexture(GL_TEXTURE_2D, shadow.texture());
-        }
-        gl.BindSampler(kShadowMapUnit, shadow_sampler.id());
+    // Of all that is seen of the scene: which of its places the key light reaches.
+    void draw_mask(const Frame& frame) const {
+        const SceneBuffers& buffers = prepared.buffers();
+        mask->begin();
+        body_place.use();
+        set_light(body_place, frame);
+        if (buffers.ground) draw_surface(*buffers.ground);
+        for (const SurfaceBuffer& surface : buffers.bodies) draw_surface(surface);
+        for (const SolidBuffer& buffer : buffers.solids) draw_solid(buffer);
+        cloth_place.use();
+        set_light(cloth_place, frame);
+        cloth_place.set("is_two_sided", 1);
+        for (const ClothBuffer& buffer : buffers.cloths) draw_triangles(buffer);
+        mask->finish(prepared.shadow(), prepared.shadow_width());
     }
 
-    void draw_backdrop(const Frame& frame) const {
-        gl.Disable(GL_DEPTH_TEST);
-        backdrop.use();
-        set_backdrop(backdrop, frame);
-        gl.BindVertexArray(no_vertices.id());
-        gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    }
-
-    // Drawn first and blended: nothing lies below it.
+    // Drawn first: nothing lies below it but the backdrop, over which it is laid at last.
     void draw_ground(const Frame& frame, const SceneBuffers& buffers) const {
-        gl.Enable(GL_DEPTH_TEST);
-        gl.Enable(GL_BLEND);
-        gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
         ground.use();
         set_backdrop(ground, frame);
         set_light(ground, frame);
         ground.set("ground_centre", buffers.ground_centre);
         ground.set("ground_radius", buffers.ground_radius);
-        ground.set("is_transparent", frame.scene.background.is_transparent ? 1 : 0);
+        ground.set("supersample", frame.options.supersample);
         draw_surface(*buffers.ground);
-        gl.Disable(GL_BLEND);
     }
 
     void draw_surface(const SurfaceBuffer& surface) const {
+        if (surface.is_closed) gl.Enable(GL_CULL_FACE);
         gl.BindVertexArray(surface.vertex_array.id());
         gl.DrawElements(GL_TRIANGLES, surface.index_count, GL_UNSIGNED_INT, nullptr);
+        gl.Disable(GL_CULL_FACE);
     }
 
     void draw_bodies(const Frame& frame, const SceneBuffers& buffers) const {
-        gl.Enable(GL_DEPTH_TEST);
         body.use();
         set_light(body, frame);
         for (const SurfaceBuffer& surface : buffers.bodies) {
             body.set("body_colour", surface.colour);
+            set_material(body, surface.material);
             draw_surface(surface);
         }
     }
 
     void draw_cloths(const Frame& frame, const SceneBuffers& buffers) const {
-        gl.Enable(GL_DEPTH_TEST);
         cloth.use();
         set_light(cloth, frame);
         cloth.set("sett_sums", kSettUnit);
@@ -208,10 +211,18 @@ struct Renderer::Impl {
         cloth.set("show", cloth_look(buffer.show, buffer.paint));
         bind_paint(gl, cloth, buffer.paint, kPaintUnit);
         cloth.set("cloth_colour", buffer.colour);
-        cloth.set("sett_threads", std::max(buffer.sett_threads, 1));
-        cloth.set("sett_mean", buffer.sett_mean);
+        cloth.set("warp_threads", std::max(buffer.warp.threads(), 1));
+        cloth.set("weft_threads", std::max(buffer.weft.threads(), 1));
+        cloth.set("warp_mean", buffer.warp.mean);
+        cloth.set("weft_mean", buffer.weft.mean);
+        cloth.set("weave", static_cast<int>(buffer.weave));
         cloth.set("thread_spacing", buffer.thread_spacing);
         cloth.set("sett_position", buffer.sett_position);
+        set_material(cloth, buffer.material);
+        draw_triangles(buffer);
+    }
+
+    void draw_triangles(const ClothBuffer& buffer) const {
         gl.BindVertexArray(buffer.vertex_array.id());
         gl.DrawArrays(GL_TRIANGLES, 0, buffer.vertex_count);
     }
@@ -220,27 +231,33 @@ struct Renderer::Impl {
         if (buffers.solids.empty()) return;
         solid.use();
         set_light(solid, frame);
-        for (const SolidBuffer& buffer : buffers.solids) {
-            gl.BindVertexArray(buffer.vertex_array.id());
-            gl.DrawElements(GL_TRIANGLES, buffer.index_count, GL_UNSIGNED_INT, nullptr);
-        }
+        for (const SolidBuffer& buffer : buffers.solids) draw_solid(buffer);
     }
 
-    void draw_tile(const Frame& frame, const SceneBuffers& buffers, const DepthPass& shadow) const {
-        bind_shadow(shadow);
-        if (!frame.scene.background.is_transparent) draw_backdrop(frame);
+    void draw_solid(const SolidBuffer& buffer) const {
+        gl.BindVertexArray(buffer.vertex_array.id());
+        gl.DrawElements(GL_TRIANGLES, buffer.index_count, GL_UNSIGNED_INT, nullptr);
+    }
+
+    void draw_tile(const Frame& frame) const {
+        const SceneBuffers& buffers = prepared.buffers();
+        target->begin();
+        gl.ActiveTexture(GL_TEXTURE0 + kShadowMaskUnit);
+        gl.BindTexture(GL_TEXTURE_2D, mask->texture());
+        gl.Enable(GL_DEPTH_TEST);
         if (buffers.ground) draw_ground(frame, buffers);
         draw_bodies(frame, buffers);
         draw_cloths(frame, buffers);
         draw_solids(frame, buffers);
-        gl.BindSampler(kShadowMapUnit, 0);
     }
 
     std::unique_ptr<GlContext> context;
     const GladGLContext& gl;
-    Program cloth, body, solid, ground, backdrop;
-    VertexArray no_vertices;
-    Sampler shadow_sampler;
+    Program cloth_place, body_place;
+    Program cloth, body, solid, ground;
+    PreparedScene prepared;
+    std::optional<Target> target;
+    std::optional<ShadowMask> mask;
 };
 
 Renderer::Renderer(std::optional<ContextMaker> maker) : impl_(std::make_unique<Impl>(maker)) {}
@@ -256,34 +273,33 @@ Image Renderer::draw(const Scene& scene, const RenderOptions& options) {
     const GladGLContext& gl = impl_->gl;
     impl_->context->make_current();
     check_samples(*impl_->context, options);
-    const Casters casters = casters_of(scene);
-    const SceneBuffers buffers = make_scene_buffers(gl, scene, casters);
-
-    const Bounds bounds = bounds_of(casters.x);
-    const Eigen::Matrix4f key_matrix = parallel_matrix(bounds, scene.light.to_key.normalized());
-    const DepthPass shadow(gl, casters, kShadowSide);
-    shadow.draw(key_matrix);
-
+    PartClock clock(gl, options.times);
+    impl_->prepared.prepare(scene, clock);
     const Eigen::Matrix4f camera =
         projection_matrix(scene.camera, float(options.width_px) / float(options.height_px)) * view_matrix(scene.camera);
     const TargetSize size{.width_px = std::min(options.width_px, options.tile_px),
                           .height_px = std::min(options.height_px, options.tile_px),
                           .samples = options.samples,
                           .supersample = options.supersample};
-    const Target target(gl, size);
+    impl_->make_targets(size);
     Image image(options.width_px, options.height_px);
     for (int low = 0; low < options.height_px; low += size.height_px) {
         for (int left = 0; left < options.width_px; left += size.width_px) {
             const Tile tile{.left = left, .low = low, .size = size};
-            target.begin();
-            impl_->draw_tile({.scene = scene,
+            const Frame frame{.scene = scene,
                               .options = options,
                               .tile = tile,
                               .camera = tile_matrix(tile, options) * camera,
-                              .shadow_matrix = unit_cube_matrix() * key_matrix,
-                              .shadow_width = 2 * bounds.radius},
-                             buffers, shadow);
-            copy_tile(image, target.finish(Vec2f(float(left), float(low))), tile);
+                              .shadow_matrix = unit_cube_matrix() * impl_->prepared.key_matrix(),
+                              .shadow_width = impl_->prepared.shadow_width()};
+            impl_->draw_mask(frame);
+            clock.lap(&PictureTimes::mask);
+            impl_->draw_tile(frame);
+            clock.lap(&PictureTimes::draw);
+            impl_->target->finish([&](const Program& program) { set_backdrop(program, frame); });
+            clock.lap(&PictureTimes::finish);
+            copy_tile(image, impl_->target->read(), tile);
+            clock.lap(&PictureTimes::read_back);
         }
     }
     return image;

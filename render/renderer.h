@@ -7,6 +7,7 @@
 
 #include "render/gl/context.h"
 #include "render/image/image.h"
+#include "render/picture_times.h"
 #include "render/scene/scene.h"
 
 namespace selvedge {
@@ -14,16 +15,18 @@ namespace selvedge {
 struct RenderOptions {
     int width_px = 1024;
     int height_px = 1024;
-    int samples = 4;      // per pixel, of triangles' edges
-    int tile_px = 1024;   // greatest side of what is drawn at once
-    int supersample = 1;  // 2: everything is drawn at twice the size and averaged
+    int samples = 4;                // per pixel, of triangles' edges
+    int tile_px = 1024;             // greatest side of what is drawn at once
+    int supersample = 1;            // 2: everything is drawn at twice the size and averaged
+    PictureTimes* times = nullptr;  // filled when given; the parts then wait for each other
 };
 
 // The level's colour in ShowMode::Level; levels beyond the last share it.
 inline constexpr int kLevelColours = 8;
 Rgb8 level_colour(int level);
 
-// Owns a context, so it belongs to one thread, and only one lives at a time.
+// Owns a context, so it belongs to one thread, and only one lives at a time. Keeps what a scene has in common with the
+// one drawn before, and asks nothing else of it: the same scene has the same bits whatever was drawn before.
 class Renderer {
  public:
     // Throws InputError when there is no way to draw (render/gl/context.h).

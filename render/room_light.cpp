@@ -9,90 +9,113 @@
 namespace selvedge {
 namespace {
 
-struct DepthPicture {
-    Vec3f direction;  // towards the light, unit
-    Eigen::Matrix4f matrix;
+// One of the two ways along an axis: towards the light, +1 along the axis, -1 against it.
+struct LookOut {
+    const DepthRange& picture;
     float fade = 0;  // in units of depth
-    int side_px = 0;
-    std::vector<float> depths;
 
-    float at(int x, int y) const {
-        x = std::clamp(x, 0, side_px - 1);
-        y = std::clamp(y, 0, side_px - 1);
-        return depths[static_cast<std::size_t>(y) * static_cast<std::size_t>(side_px) + static_cast<std::size_t>(x)];
-    }
-
-    // 1 when the point at this depth sees out past what this texel holds; 1 is the depth of nothing.
-    float is_open(int x, int y, float depth) const {
-        const float blocker = at(x, y);
-        return blocker >= 1 ? 1 : std::clamp(1 - (depth - blocker) / fade, 0.0F, 1.0F);
+    // 1 when the point at this depth sees out past what this texel holds.
+    float is_open(int x, int y, float depth, bool is_along) const {
+        x = std::clamp(x, 0, picture.side_px - 1);
+        y = std::clamp(y, 0, picture.side_px - 1);
+        const DepthRange::Span& span = picture.at(x, y);
+        const float behind = is_along ? depth - span.nearest : span.farthest - depth;
+        return std::clamp(1 - behind / fade, 0.0F, 1.0F);
     }
 
     // Bilinear, so that it changes smoothly from vertex to vertex.
-    float openness(const Vec3f& point) const {
-        const Eigen::Vector4f clip = matrix * point.homogeneous();
-        const float x = (clip.x() * 0.5F + 0.5F) * static_cast<float>(side_px) - 0.5F;
-        const float y = (clip.y() * 0.5F + 0.5F) * static_cast<float>(side_px) - 0.5F;
-        const float depth = clip.z() * 0.5F + 0.5F;
-        const int left = static_cast<int>(std::floor(x)), low = static_cast<int>(std::floor(y));
-        if (left < -1 || low < -1 || left >= side_px || low >= side_px) return 1;
-        const float s = x - static_cast<float>(left), t = y - static_cast<float>(low);
-        return (1 - t) * ((1 - s) * is_open(left, low, depth) + s * is_open(left + 1, low, depth)) +
-               t * ((1 - s) * is_open(left, low + 1, depth) + s * is_open(left + 1, low + 1, depth));
+    float openness(const Vec3f& point, bool is_along) const {
+        const Eigen::Matrix4f& m = picture.matrix;
+        const Vec3f at = m.block<3, 3>(0, 0) * point + m.block<3, 1>(0, 3);
+        const float x = std::floor(at.x()), y = std::floor(at.y());
+        const float side = static_cast<float>(picture.side_px);
+        if (!(x >= -1 && y >= -1 && x < side && y < side)) return 1;
+        const int left = static_cast<int>(x), low = static_cast<int>(y);
+        const float s = at.x() - x, t = at.y() - y;
+        return (1 - t) *
+                   ((1 - s) * is_open(left, low, at.z(), is_along) + s * is_open(left + 1, low, at.z(), is_along)) +
+               t * ((1 - s) * is_open(left, low + 1, at.z(), is_along) +
+                    s * is_open(left + 1, low + 1, at.z(), is_along));
     }
 };
 
-// Evenly over the whole sphere (Fibonacci's spiral).
-Vec3f sphere_direction(int i, int count) {
-    const double y = 1 - 2 * (i + 0.5) / count;
+// Evenly over half the sphere (Fibonacci's spiral); with their opposites, over all of it.
+Vec3f axis_direction(int i, int count) {
+    const double y = 1 - (i + 0.5) / count;
     const double radius = std::sqrt(1 - y * y);
     const double angle = i * 2.399963229728653;
     return Vec3d(radius * std::cos(angle), y, radius * std::sin(angle)).cast<float>();
 }
 
 struct Sums {
-    float front = 0, front_weight = 0;
-    float back = 0, back_weight = 0;
+    float front = 0;
+    float back = 0;
+    float weight = 0;
 };
-
-void add_direction(Sums& sums, const DepthPicture& picture, const Vec3f& point, const Vec3f& normal, float reach) {
-    const float cosine = normal.dot(picture.direction);
-    if (cosine > 0) {
-        sums.front += cosine * picture.openness(point + reach * normal);
-        sums.front_weight += cosine;
-    } else {
-        sums.back -= cosine * picture.openness(point - reach * normal);
-        sums.back_weight -= cosine;
-    }
-}
 
 }  // namespace
 
-std::vector<Openness> bake_room_light(const GladGLContext& gl, const Casters& casters, const std::vector<Vec3f>& points,
-                                      const std::vector<Vec3f>& normals, const RoomLightOptions& options) {
-    SELVEDGE_ASSERT(points.size() == normals.size());
-    const Bounds bounds = bounds_of(casters.x);
-    const DepthPass pass(gl, casters, options.side_px);
-    std::vector<Sums> sums(points.size());
-    for (int i = 0; i < options.directions; ++i) {
-        DepthPicture picture;
-        picture.direction = sphere_direction(i, options.directions);
-        picture.matrix = parallel_matrix(bounds, picture.direction);
-        picture.fade = options.fade / (2 * bounds.radius);
-        picture.side_px = options.side_px;
-        pass.draw(picture.matrix);
-        picture.depths = pass.read();
-        parallel_for(points.size(), 4096, [&](std::size_t first, std::size_t last) {
+void LitPoints::add(const std::vector<Vec3f>& more_x, const std::vector<Vec3f>& more_normals) {
+    x.insert(x.end(), more_x.begin(), more_x.end());
+    normals.insert(normals.end(), more_normals.begin(), more_normals.end());
+}
+
+void RoomLight::draw_bodies(const Casters& bodies, const Bounds& bounds, const RoomLightOptions& options) {
+    const auto axes = static_cast<std::size_t>(options.axes);
+    const bool is_kept = body_pictures_.size() == axes && body_pictures_[0].side_px == options.side_px &&
+                         bounds == bounds_ && bodies == bodies_;
+    if (is_kept) return;
+    body_pictures_.resize(axes);
+    parallel_for(axes, 1, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const Vec3f axis = axis_direction(static_cast<int>(i), options.axes);
+            body_pictures_[i] = empty_depth_range(bounds, axis, options.side_px);
+            draw_casters(body_pictures_[i], bodies);
+        }
+    });
+    bodies_ = bodies;
+    bounds_ = bounds;
+}
+
+std::vector<Openness> RoomLight::bake(const Casters& cloths, const Casters& bodies, const LitPoints& points,
+                                      const RoomLightOptions& options) {
+    SELVEDGE_ASSERT(points.x.size() == points.normals.size() && options.axes >= 1);
+    std::vector<Vec3f> all = cloths.x;
+    all.insert(all.end(), bodies.x.begin(), bodies.x.end());
+    const Bounds bounds = steady_bounds_of(all);
+    draw_bodies(bodies, bounds, options);
+    pictures_.resize(body_pictures_.size());
+    parallel_for(pictures_.size(), 1, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            pictures_[i] = body_pictures_[i];
+            draw_casters(pictures_[i], cloths);
+        }
+    });
+    const float width = 2 * bounds.radius, texel = width / static_cast<float>(options.side_px);
+    const float reach = std::max(options.reach, texel), fade = std::max(options.fade, 2 * texel) / width;
+    std::vector<Openness> result(points.x.size());
+    parallel_for(points.x.size(), 8192, [&](std::size_t first, std::size_t last) {
+        std::vector<Sums> sums(last - first);
+        for (int i = 0; i < options.axes; ++i) {
+            const Vec3f axis = axis_direction(i, options.axes);
+            const LookOut look{.picture = pictures_[static_cast<std::size_t>(i)], .fade = fade};
             for (std::size_t p = first; p < last; ++p) {
-                add_direction(sums[p], picture, points[p], normals[p], options.reach);
+                const float cosine = points.normals[p].dot(axis);
+                const Vec3f off = reach * points.normals[p];
+                const float weight = std::abs(cosine);
+                Sums& sum = sums[p - first];
+                sum.weight += weight;
+                sum.front += weight * look.openness(points.x[p] + off, cosine > 0);
+                if (p < points.two_sided) sum.back += weight * look.openness(points.x[p] - off, cosine <= 0);
             }
-        });
-    }
-    std::vector<Openness> result(points.size());
-    for (std::size_t p = 0; p < points.size(); ++p) {
-        if (sums[p].front_weight > 0) result[p].front = sums[p].front / sums[p].front_weight;
-        if (sums[p].back_weight > 0) result[p].back = sums[p].back / sums[p].back_weight;
-    }
+        }
+        for (std::size_t p = first; p < last; ++p) {
+            const Sums& sum = sums[p - first];
+            if (!(sum.weight > 0)) continue;
+            result[p].front = sum.front / sum.weight;
+            if (p < points.two_sided) result[p].back = sum.back / sum.weight;
+        }
+    });
     return result;
 }
 

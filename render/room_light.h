@@ -1,23 +1,44 @@
 #pragma once
 // How much of the room's light reaches a point past all the cloth and body round it (ambient occlusion): the share of
 // directions, weighted by the cosine, in which it sees out. Baked per vertex from depth pictures taken from all round,
-// so it is smooth and has no noise.
+// so it is smooth, has no noise, and stands still when the camera moves.
 #include <vector>
 
+#include "render/casters.h"
 #include "render/cloth_vertices.h"
-#include "render/depth_pass.h"
+#include "render/depth_range.h"
 
 namespace selvedge {
 
 struct RoomLightOptions {
-    int directions = 80;
+    int axes = 40;         // each is looked along both ways
     int side_px = 320;     // of each depth picture
-    float reach = 0.007F;  // m off the surface from which a point looks out
-    float fade = 0.012F;   // m: a blocker nearer than this along the ray counts in part
+    float reach = 0.007F;  // m off the surface from which a point looks out; at least a texel
+    float fade = 0.012F;   // m: a blocker nearer than this along the ray counts in part; at least two texels
 };
 
-// Pre: one unit normal per point.
-std::vector<Openness> bake_room_light(const GladGLContext& gl, const Casters& casters, const std::vector<Vec3f>& points,
-                                      const std::vector<Vec3f>& normals, const RoomLightOptions& options = {});
+struct LitPoints {
+    std::vector<Vec3f> x;
+    std::vector<Vec3f> normals;  // unit, one per point
+    std::size_t two_sided = 0;   // so many, the first, are lit from behind too; the others' backs stay 1
+
+    void add(const std::vector<Vec3f>& more_x, const std::vector<Vec3f>& more_normals);
+    bool operator==(const LitPoints&) const = default;
+};
+
+// Keeps the bodies' depth pictures from one baking to the next, for cloth moves more often than they do.
+class RoomLight {
+ public:
+    std::vector<Openness> bake(const Casters& cloths, const Casters& bodies, const LitPoints& points,
+                               const RoomLightOptions& options = {});
+
+ private:
+    void draw_bodies(const Casters& bodies, const Bounds& bounds, const RoomLightOptions& options);
+
+    Casters bodies_;  // that the pictures show
+    Bounds bounds_;
+    std::vector<DepthRange> body_pictures_;
+    std::vector<DepthRange> pictures_;  // of all; kept for their memory
+};
 
 }  // namespace selvedge

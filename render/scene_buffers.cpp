@@ -1,11 +1,10 @@
 #include "render/scene_buffers.h"
 
+#include <algorithm>
 #include <cstddef>
 
 #include "render/colour.h"
 #include "render/gl/gl.h"
-#include "render/room_light.h"
-#include "render/sett_sums.h"
 
 namespace selvedge {
 namespace {
@@ -16,20 +15,9 @@ struct SurfaceVertex {
     float openness;
 };
 
-// Everything that is lit, in the order cloths, bodies, ground.
-struct LitPoints {
-    std::vector<Vec3f> x;
-    std::vector<Vec3f> normals;
-
-    void add(const std::vector<Vec3f>& more_x, const std::vector<Vec3f>& more_normals) {
-        x.insert(x.end(), more_x.begin(), more_x.end());
-        normals.insert(normals.end(), more_normals.begin(), more_normals.end());
-    }
-};
-
 class Opennesses {
  public:
-    explicit Opennesses(std::vector<Openness> all) : all_(std::move(all)) {}
+    explicit Opennesses(const std::vector<Openness>& all) : all_(all) {}
     std::vector<Openness> take(std::size_t count) {
         const auto first = all_.begin() + static_cast<std::ptrdiff_t>(taken_);
         taken_ += count;
@@ -37,53 +25,9 @@ class Opennesses {
     }
 
  private:
-    std::vector<Openness> all_;
+    const std::vector<Openness>& all_;
     std::size_t taken_ = 0;
 };
-
-constexpr std::uint32_t kGroundCells = 144;  // each way
-
-// A fine square sheet, for the room's light is held by its vertices.
-BodyItem make_ground(const Vec3f& centre, float radius) {
-    constexpr std::uint32_t cells = kGroundCells;
-    BodyItem ground;
-    for (std::uint32_t j = 0; j <= cells; ++j) {
-        for (std::uint32_t i = 0; i <= cells; ++i) {
-            const Vec2f at = Vec2f(float(i), float(j)) * (2 * radius / float(cells)) - Vec2f(radius, radius);
-            ground.x.emplace_back(centre.x() + at.x(), centre.y(), centre.z() - at.y());
-        }
-    }
-    ground.normals.assign(ground.x.size(), Vec3f::UnitY());
-    for (std::uint32_t j = 0; j < cells; ++j) {
-        for (std::uint32_t i = 0; i < cells; ++i) {
-            const std::uint32_t a = j * (cells + 1) + i, b = a + 1, c = a + cells + 1, d = c + 1;
-            ground.triangles.push_back({a, b, d});
-            ground.triangles.push_back({a, d, c});
-        }
-    }
-    return ground;
-}
-
-// One step of [1 2 1]/4 along the ground's rows or columns.
-void soften_ground(std::vector<Openness>& openness, std::size_t step) {
-    constexpr std::size_t side = kGroundCells + 1;
-    const std::vector<Openness> before = openness;
-    for (std::size_t i = 0; i < openness.size(); ++i) {
-        const std::size_t place = step == 1 ? i % side : i / side;
-        if (place == 0 || place + 1 == side) continue;
-        openness[i].front = 0.25F * (before[i - step].front + 2 * before[i].front + before[i + step].front);
-    }
-}
-
-// Each of the finitely many directions throws a faint shadow of its own on the ground: melt them into one.
-std::vector<Openness> softened_ground(std::vector<Openness> openness) {
-    constexpr int rounds = 14;  // spreads by the square root of half of it, in cells
-    for (int round = 0; round < rounds; ++round) {
-        soften_ground(openness, 1);
-        soften_ground(openness, kGroundCells + 1);
-    }
-    return openness;
-}
 
 template <class T>
 void upload(const GladGLContext& gl, GLenum target, const Buffer& buffer, const std::vector<T>& data) {
@@ -95,6 +39,18 @@ void add_attribute(const GladGLContext& gl, GLuint index, int floats, std::size_
     gl.EnableVertexAttribArray(index);
     gl.VertexAttribPointer(index, floats, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
                            reinterpret_cast<const void*>(offset));
+}
+
+// A closed surface faces as much one way as the other; one with a hole lacks what the hole would face.
+bool is_closed(const BodyItem& item) {
+    Vec3d facing = Vec3d::Zero();
+    double area = 0;
+    for (const auto& [a, b, c] : item.triangles) {
+        const Vec3f doubled = (item.x[b] - item.x[a]).cross(item.x[c] - item.x[a]);
+        facing += doubled.cast<double>();
+        area += double(doubled.norm());
+    }
+    return facing.norm() < 1e-4 * area;
 }
 
 SurfaceBuffer make_surface_buffer(const GladGLContext& gl, const BodyItem& item,
@@ -113,20 +69,26 @@ SurfaceBuffer make_surface_buffer(const GladGLContext& gl, const BodyItem& item,
     add_attribute(gl, 2, 1, sizeof(SurfaceVertex), offsetof(SurfaceVertex, openness));
     upload(gl, GL_ELEMENT_ARRAY_BUFFER, buffer.indices, item.triangles);
     buffer.index_count = static_cast<int>(item.triangles.size() * 3);
+    buffer.is_closed = is_closed(item);
     buffer.colour = to_linear(item.colour);
+    buffer.material = item.material;
     return buffer;
 }
 
-void upload_sett(const GladGLContext& gl, const ClothItem& item, ClothBuffer& buffer) {
-    const SettSums sett = sum_sett(item.sett);
-    buffer.sett_mean = sett.mean;
-    buffer.sett_threads = thread_count(item.sett);
+// Two rows, the longer setts' length: warp, weft.
+void upload_setts(const GladGLContext& gl, const ClothItem& item, ClothBuffer& buffer) {
+    buffer.warp = sum_warp(item.sett);
+    buffer.weft = sum_weft(item.sett);
+    buffer.weave = item.sett.weave;
     buffer.thread_spacing = static_cast<float>(item.sett.thread_spacing) * item.sett_scale;
     buffer.sett_position = item.sett_position;
+    const std::size_t width = std::max(buffer.warp.sums.size(), buffer.weft.sums.size());
+    std::vector<Vec3f> rows(2 * width, Vec3f::Zero());
+    std::copy(buffer.warp.sums.begin(), buffer.warp.sums.end(), rows.begin());
+    std::copy(buffer.weft.sums.begin(), buffer.weft.sums.end(), rows.begin() + static_cast<std::ptrdiff_t>(width));
     buffer.sett_sums = Texture(gl);
     gl.BindTexture(GL_TEXTURE_2D, buffer.sett_sums.id());
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, static_cast<GLsizei>(sett.sums.size()), 1, 0, GL_RGB, GL_FLOAT,
-                  sett.sums.data());
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, static_cast<GLsizei>(width), 2, 0, GL_RGB, GL_FLOAT, rows.data());
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
@@ -148,48 +110,31 @@ ClothBuffer make_cloth_buffer(const GladGLContext& gl, const ClothItem& item, co
     buffer.paint = make_paint_buffer(gl, item);
     buffer.vertex_count = static_cast<int>(vertices.size());
     buffer.colour = to_linear(item.colour);
+    buffer.material = item.material;
     const bool can_weave = !item.sett.stripes.empty() && !item.mesh.u.empty();
     buffer.show = item.show == ShowMode::Tartan && !can_weave ? ShowMode::Plain : item.show;
-    if (buffer.show == ShowMode::Tartan) upload_sett(gl, item, buffer);
+    if (buffer.show == ShowMode::Tartan) upload_setts(gl, item, buffer);
     return buffer;
 }
 
 }  // namespace
 
-Casters casters_of(const Scene& scene) {
-    Casters casters;
-    const auto add = [&](const std::vector<Vec3f>& x, const std::vector<std::array<std::uint32_t, 3>>& triangles) {
-        const auto base = static_cast<std::uint32_t>(casters.x.size());
-        casters.x.insert(casters.x.end(), x.begin(), x.end());
-        for (const auto& [a, b, c] : triangles) casters.triangles.push_back({a + base, b + base, c + base});
-    };
-    for (const ClothItem& cloth : scene.cloths) add(cloth.mesh.x, cloth.mesh.triangles);
-    for (const BodyItem& body : scene.bodies) add(body.x, body.triangles);
-    return casters;
-}
-
-SceneBuffers make_scene_buffers(const GladGLContext& gl, const Scene& scene, const Casters& casters) {
+SceneBuffers make_scene_buffers(const GladGLContext& gl, const Scene& scene, const Ground& ground,
+                                const std::vector<Openness>& openness) {
     SceneBuffers buffers;
-    const Bounds bounds = bounds_of(casters.x);
-    buffers.ground_centre = {bounds.centre.x(), scene.ground_y, bounds.centre.z()};
-    buffers.ground_radius = 1.8F * bounds.radius;
-    const BodyItem ground = scene.has_ground ? make_ground(buffers.ground_centre, buffers.ground_radius) : BodyItem{};
-
-    LitPoints points;
-    for (const ClothItem& cloth : scene.cloths) points.add(cloth.mesh.x, vertex_normals(cloth.mesh));
-    for (const BodyItem& body : scene.bodies) points.add(body.x, body.normals);
-    points.add(ground.x, ground.normals);
-    Opennesses openness(bake_room_light(gl, casters, points.x, points.normals));
-
+    buffers.ground_centre = ground.centre;
+    buffers.ground_radius = ground.radius;
+    Opennesses each(openness);
     for (const ClothItem& cloth : scene.cloths) {
-        buffers.cloths.push_back(make_cloth_buffer(gl, cloth, openness.take(cloth.mesh.x.size())));
+        buffers.cloths.push_back(make_cloth_buffer(gl, cloth, each.take(cloth.mesh.x.size())));
     }
     for (const BodyItem& body : scene.bodies) {
-        buffers.bodies.push_back(make_surface_buffer(gl, body, openness.take(body.x.size())));
+        buffers.bodies.push_back(make_surface_buffer(gl, body, each.take(body.x.size())));
+    }
+    if (scene.has_ground) {
+        buffers.ground = make_surface_buffer(gl, ground.sheet, softened_ground(each.take(ground.sheet.x.size())));
     }
     for (const SolidItem& solid : scene.solids) buffers.solids.push_back(make_solid_buffer(gl, solid));
-    if (scene.has_ground)
-        buffers.ground = make_surface_buffer(gl, ground, softened_ground(openness.take(ground.x.size())));
     return buffers;
 }
 

@@ -1,13 +1,14 @@
 #pragma once
-// A scene on its way to GL: what casts shadows, the room's light on every vertex, and the buffers that are drawn.
+// A scene as GL holds it: the buffers that are drawn, with the room's light on every vertex.
 #include <optional>
 #include <vector>
 
 #include "render/cloth_paint.h"
 #include "render/cloth_vertices.h"
-#include "render/depth_pass.h"
 #include "render/gl/handle.h"
+#include "render/ground.h"
 #include "render/scene/scene.h"
+#include "render/sett_sums.h"
 #include "render/solid_buffer.h"
 
 namespace selvedge {
@@ -16,14 +17,15 @@ struct ClothBuffer {
     VertexArray vertex_array;
     Buffer vertices;
     int vertex_count = 0;
-    Texture sett_sums{};  // when it is woven
-    Vec3f sett_mean = Vec3f::Zero();
-    int sett_threads = 0;
+    Texture sett_sums{};      // when it is woven
+    SettSums warp{}, weft{};  // without their sums
+    Weave weave = Weave::Twill22;
     float thread_spacing = 1;  // m, scaled
     Vec2f sett_position = Vec2f::Zero();
     ShowMode show = ShowMode::Plain;  // Tartan only where there is a sett and material coordinates
     Vec3f colour = Vec3f::Zero();     // linear
     PaintBuffer paint{};
+    Material material{};
 };
 
 // A body, or the ground.
@@ -32,7 +34,9 @@ struct SurfaceBuffer {
     Buffer vertices;
     Buffer indices;
     int index_count = 0;
+    bool is_closed = false;        // its inside is not seen
     Vec3f colour = Vec3f::Zero();  // linear
+    Material material{};
 };
 
 struct SceneBuffers {
@@ -44,9 +48,8 @@ struct SceneBuffers {
     float ground_radius = 1;  // m
 };
 
-Casters casters_of(const Scene& scene);
-
-// Bakes the room's light and uploads. Pre: the scene is not empty and all its numbers are finite.
-SceneBuffers make_scene_buffers(const GladGLContext& gl, const Scene& scene, const Casters& casters);
+// openness: of the cloths' vertices, then the bodies', then the ground's, as baked.
+SceneBuffers make_scene_buffers(const GladGLContext& gl, const Scene& scene, const Ground& ground,
+                                const std::vector<Openness>& openness);
 
 }  // namespace selvedge

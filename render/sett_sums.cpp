@@ -4,9 +4,9 @@
 #include "sim/core/assert.h"
 
 namespace selvedge {
+namespace {
 
-SettSums sum_sett(const Sett& sett) {
-    const std::vector<Rgb8> colours = thread_colours(sett);
+SettSums sum_colours(const std::vector<Rgb8>& colours) {
     SELVEDGE_ASSERT(!colours.empty());
     Vec3d mean = Vec3d::Zero();
     for (const Rgb8& colour : colours) mean += to_linear(colour).cast<double>();
@@ -22,6 +22,16 @@ SettSums sum_sett(const Sett& sett) {
     }
     result.sums.back().setZero();
     return result;
+}
+
+}  // namespace
+
+SettSums sum_warp(const Sett& sett) {
+    return sum_colours(thread_colours(sett));
+}
+
+SettSums sum_weft(const Sett& sett) {
+    return sum_colours(weft_thread_colours(sett));
 }
 
 }  // namespace selvedge

@@ -7,7 +7,7 @@
 
 namespace selvedge {
 
-// Stages by file name, such as {"backdrop.glsl", "backdrop.frag"}, joined in that order.
+// Stages by file name, such as {"shadow.glsl", "place.frag"}, joined in that order.
 Program make_program(const GladGLContext& gl, std::initializer_list<std::string_view> vertex,
                      std::initializer_list<std::string_view> fragment);
 

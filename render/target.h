@@ -1,10 +1,11 @@
 #pragma once
-// Where a tile of a picture is drawn: our own framebuffer, multisampled and in linear half floats, resolved, finished
-// to sRGB bytes and read back.
+// Where a tile of a picture is drawn: our own framebuffer, multisampled and in linear half floats; its samples are
+// averaged, laid over the backdrop, encoded as sRGB bytes and read back.
+#include <functional>
+
 #include "render/gl/handle.h"
 #include "render/gl/program.h"
 #include "render/image/image.h"
-#include "sim/core/vec.h"
 
 namespace selvedge {
 
@@ -13,29 +14,31 @@ struct TargetSize {
     int height_px = 0;
     int samples = 4;
     int supersample = 1;  // pixels drawn per finished pixel, each way
+
+    bool operator==(const TargetSize&) const = default;
 };
 
 class Target {
  public:
     Target(const GladGLContext& gl, const TargetSize& size);
 
+    const TargetSize& size() const { return size_; }
+
     void begin() const;  // binds and clears to transparent
 
-    // Resolves, finishes and reads. tile_origin_px: of this tile in the picture, from the lower left.
-    // The result's first row is the lowest.
-    Image finish(const Vec2f& tile_origin_px) const;
+    // Averages, lays over the backdrop and encodes. set_backdrop sets what backdrop.glsl asks of a program.
+    void finish(const std::function<void(const Program&)>& set_backdrop) const;
+
+    Image read() const;  // the first row is the lowest
 
  private:
-    void make_drawn(const TargetSize& size);
-
     const GladGLContext& gl_;
     TargetSize size_;
     Program program_;
     VertexArray no_vertices_;
-    Renderbuffer drawn_colour_, drawn_depth_;
+    Texture drawn_colour_;
+    Renderbuffer drawn_depth_;
     Framebuffer drawn_;
-    Texture resolved_colour_;
-    Framebuffer resolved_;
     Texture finished_colour_;
     Framebuffer finished_;
 };

@@ -1,8 +1,11 @@
-in vec3 v_position;
-in vec3 v_normal;
+centroid in vec3 v_position;  // on the triangle even where its pixel is mostly beside it
+centroid in vec3 v_normal;
 in float v_openness;
 
 uniform vec3 body_colour;
+uniform float gloss;
+uniform float roughness;
+uniform float sheen;
 
 out vec4 colour;
 
@@ -11,8 +14,8 @@ void main() {
     surface.albedo = body_colour;
     surface.normal = normalize(v_normal);
     surface.openness = v_openness;
-    surface.gloss = 0.05;
-    surface.shininess = 22.0;
-    surface.sheen = 0.05;
+    surface.gloss = gloss;
+    surface.roughness = roughness;
+    surface.sheen = sheen;
     colour = vec4(lit(surface, v_position), 1.0);
 }

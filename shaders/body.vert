@@ -4,8 +4,8 @@ layout(location = 2) in float openness;
 
 uniform mat4 camera;
 
-out vec3 v_position;
-out vec3 v_normal;
+centroid out vec3 v_position;
+centroid out vec3 v_normal;
 out float v_openness;
 
 void main() {

@@ -1,5 +1,5 @@
-in vec3 v_position;
-in vec3 v_normal;
+centroid in vec3 v_position;  // on the triangle even where its pixel is mostly beside it
+centroid in vec3 v_normal;
 in vec2 v_place;
 in vec3 v_heights;
 in vec2 v_openness;
@@ -14,6 +14,9 @@ uniform float line_px;     // half the width of an edge's line
 uniform sampler2D paint_map;
 uniform int paint_colours;
 uniform float edge_ink;    // 0..1, of edges on plain and painted cloth
+uniform float gloss;
+uniform float roughness;
+uniform float sheen;
 
 out vec4 colour;
 
@@ -52,8 +55,19 @@ vec3 cloth_albedo(float side) {
     return cloth_colour;
 }
 
+// How the key light runs along the threads: what makes one flank of a yarn lighter than the other.
+vec2 light_along_threads() {
+    vec3 right = dFdx(v_position), up = dFdy(v_position);
+    vec2 place_right = dFdx(v_place), place_up = dFdy(v_place);
+    float turn = place_right.x * place_up.y - place_right.y * place_up.x;
+    vec3 weft = right * place_up.y - up * place_right.y, warp = up * place_right.x - right * place_up.x;
+    if (abs(turn) < 1e-20) return vec2(0.0);
+    return sign(turn) * vec2(dot(normalize(weft), to_key), dot(normalize(warp), to_key));
+}
+
 void main() {
     float side = gl_FrontFacing ? 1.0 : -1.0;
+    weave_light = light_along_threads();
     vec3 albedo = cloth_albedo(side);
     float lines = edge_line();  // derivatives want every pixel
     albedo *= 1.0 - 0.55 * sewn_shade(v_marks >> 8 & 7u, v_touch.x, 0.0016);
@@ -61,16 +75,13 @@ void main() {
     if (show == 1) albedo = mix(albedo, albedo * 0.35, 0.7 * lines);
     if (show == 2) albedo = mix(albedo, vec3(0.035, 0.05, 0.09), 0.9 * lines);
     if (show > 2) albedo = mix(albedo, albedo * 0.25, edge_ink * lines);
-    if (side < 0.0) {
-        float grey = dot(albedo, vec3(0.2126, 0.7152, 0.0722));
-        albedo = mix(albedo, vec3(grey), 0.25) * 0.72;
-    }
+    if (side < 0.0) albedo *= 0.86;  // told from the right side, also where both are alike
     Surface surface;
     surface.albedo = albedo;
     surface.normal = normalize(v_normal) * side;
     surface.openness = side > 0.0 ? v_openness.x : v_openness.y;
-    surface.gloss = 0.012;
-    surface.shininess = 14.0;
-    surface.sheen = 0.045;
+    surface.gloss = gloss;
+    surface.roughness = roughness;
+    surface.sheen = sheen;
     colour = vec4(lit(surface, v_position), 1.0);
 }

@@ -9,8 +9,8 @@ layout(location = 7) in float paint;    // along the map of painted modes, 0..1
 
 uniform mat4 camera;
 
-out vec3 v_position;
-out vec3 v_normal;
+centroid out vec3 v_position;
+centroid out vec3 v_normal;
 out vec2 v_place;
 out vec3 v_heights;
 out vec2 v_openness;

@@ -1,10 +1,11 @@
-in vec3 v_position;
-in vec3 v_normal;
+centroid in vec3 v_position;  // on the triangle even where its pixel is mostly beside it
+centroid in vec3 v_normal;
 in float v_openness;
 
 uniform vec3 ground_centre;
 uniform float ground_radius;
 uniform int is_transparent;
+uniform int supersample;
 
 out vec4 colour;
 
@@ -12,9 +13,10 @@ out vec4 colour;
 void main() {
     float key_seen = key_visibility(v_position, vec3(0.0, 1.0, 0.0));
     float away = length(v_position - ground_centre) / ground_radius;
-    float dark = (0.30 * (1.0 - key_seen) + 0.62 * (1.0 - v_openness)) * (1.0 - smoothstep(0.35, 1.0, away));
+    float dark = (0.30 * (1.0 - key_seen) + 0.72 * (1.0 - v_openness)) * (1.0 - smoothstep(0.35, 1.0, away));
     float passed = 1.0 - 0.94 * dark;
     // Pictures are laid over each other as sRGB: there the same shadow takes a smaller share.
-    if (is_transparent != 0) colour = vec4(vec3(0.0), 1.0 - pow(passed, 1.0 / 2.2));
-    else colour = vec4(backdrop() * mix(vec3(0.06, 0.06, 0.08), vec3(1.0), 1.0 - dark), 1.0);
+    float alpha = is_transparent != 0 ? 1.0 - pow(passed, 1.0 / 2.2) : 1.0 - passed;
+    float blue = is_transparent != 0 ? 0.0 : 0.02 * dark * backdrop(gl_FragCoord.xy / float(supersample)).b;
+    colour = vec4(0.0, 0.0, blue, alpha);
 }

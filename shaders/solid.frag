@@ -10,7 +10,7 @@ void main() {
     surface.normal = normalize(v_normal);
     surface.openness = 1.0;
     surface.gloss = 0.04;
-    surface.shininess = 30.0;
+    surface.roughness = 0.3;
     surface.sheen = 0.0;
     colour = vec4(lit(surface, v_position), 1.0);
 }

@@ -1,27 +1,50 @@
-// A woven tartan from its sett: 2/2 twill, weft repeating warp. Filtered over the pixel without mipmaps: stripe
-// colours by sums along the sett, so that neither edges nor stripes finer than a pixel alias; the twill itself thread
-// by thread when near, and fading to the even mixture that the eye sees when threads are finer than a pixel.
-uniform sampler2D sett_sums;  // texel k: sum over the threads before k of (colour - mean); periodic, as its total is 0
-uniform int sett_threads;
-uniform vec3 sett_mean;
+// A woven cloth from its setts, warp and weft each with one of its own: plain weave, 2/2 twill or 3/1 twill. Filtered
+// over the pixel's footprint, each way by itself, without mipmaps: stripe colours by sums along the setts, so that
+// neither edges nor stripes finer than a pixel alias; the crossing threads one by one when near, fading to the mixture
+// that the eye sees when threads are finer than a pixel; and nearer still the round of each yarn and its twist.
+// Every one of these has the same mean colour.
+uniform sampler2D sett_sums;  // row 0 warp, row 1 weft; texel k: sum over the threads before k of (colour - mean)
+uniform int warp_threads;     // of a repeat
+uniform int weft_threads;
+uniform vec3 warp_mean;
+uniform vec3 weft_mean;
+uniform int weave;             // 0 plain, 1 2/2 twill, 2 3/1 twill
 uniform float thread_spacing;  // m
 uniform vec2 sett_position;    // m
 
-int sett_index(float thread) { return int(thread - floor(thread / float(sett_threads)) * float(sett_threads)); }
+vec2 weave_light = vec2(0.0);  // of the direction to the key light: its parts along weft and warp
 
-vec3 sett_sum(float t) {
+const float kTwoPi = 6.2831853;
+
+struct ThreadSystem {
+    int row;
+    int threads;
+    vec3 mean;
+};
+
+ThreadSystem warp_system() { return ThreadSystem(0, warp_threads, warp_mean); }
+ThreadSystem weft_system() { return ThreadSystem(1, weft_threads, weft_mean); }
+
+int sett_index(float thread, int threads) {
+    float count = float(threads);
+    return clamp(int(thread - floor((thread + 0.5) / count) * count + 0.5), 0, threads - 1);
+}
+
+vec3 sett_sum(ThreadSystem system, float t) {
     float thread = floor(t);
-    int k = clamp(sett_index(thread), 0, sett_threads - 1);
-    return mix(texelFetch(sett_sums, ivec2(k, 0), 0).rgb, texelFetch(sett_sums, ivec2(k + 1, 0), 0).rgb, t - thread);
+    int k = sett_index(thread, system.threads);
+    return mix(texelFetch(sett_sums, ivec2(k, system.row), 0).rgb,
+               texelFetch(sett_sums, ivec2(k + 1, system.row), 0).rgb, t - thread);
 }
 
-vec3 mean_colour(float t, float width) {
-    return sett_mean + (sett_sum(t + 0.5 * width) - sett_sum(t - 0.5 * width)) / width;
+vec3 mean_colour(ThreadSystem system, float t, float width) {
+    return system.mean + (sett_sum(system, t + 0.5 * width) - sett_sum(system, t - 0.5 * width)) / width;
 }
 
-vec3 thread_colour(float thread) {
-    int k = clamp(sett_index(thread), 0, sett_threads - 1);
-    return sett_mean + texelFetch(sett_sums, ivec2(k + 1, 0), 0).rgb - texelFetch(sett_sums, ivec2(k, 0), 0).rgb;
+vec3 thread_colour(ThreadSystem system, float thread) {
+    int k = sett_index(thread, system.threads);
+    return system.mean + texelFetch(sett_sums, ivec2(k + 1, system.row), 0).rgb -
+           texelFetch(sett_sums, ivec2(k, system.row), 0).rgb;
 }
 
 // How much of the pixel [t - width/2, t + width/2] lies on the thread [thread, thread + 1].
@@ -30,44 +53,76 @@ float coverage(float thread, float t, float width) {
     return max(high - low, 0.0) / width;
 }
 
-bool is_warp_on_top(float end, float pick) {
-    float diagonal = end - pick;
-    return diagonal - 4.0 * floor(diagonal / 4.0) < 1.5;
+// Whether the warp lies on top, seen from `side`.
+bool is_warp_seen(float end, float pick, float side) {
+    float period = weave == 0 ? 2.0 : 4.0;
+    float over = weave == 0 ? 1.0 : (weave == 1 ? 2.0 : 3.0);
+    float place = end - pick;
+    place -= period * floor((place + 0.5) / period);
+    return (place < over - 0.5) == (side > 0.0);
 }
 
-// What the weave adds to the even mixture of warp and weft, over the threads that the pixel covers (4 x 4 at most).
-vec3 weave_detail(vec2 t, vec2 width, float side) {
+// Of what is seen from `side`.
+float warp_share(float side) { return weave == 2 ? 0.5 + 0.25 * side : 0.5; }
+
+// What the weave adds to the mixture of warp and weft, over the threads that the pixel covers, 4 x 4 at most.
+vec3 weave_detail(vec2 t, vec2 width, float side, bool is_near) {
     vec2 first = floor(t - 0.5 * width);
+    float share = warp_share(side);
+    int count = is_near ? 4 : 0;  // a count, not a branch: software GL works through both sides of a branch
     vec3 detail = vec3(0.0);
-    for (int j = 0; j < 4; ++j) {
+    for (int j = 0; j < count; ++j) {
         float pick = first.y + float(j);
         float pick_share = coverage(pick, t.y, width.y);
-        vec3 weft = thread_colour(pick);
-        for (int i = 0; i < 4; ++i) {
+        vec3 weft = thread_colour(weft_system(), pick);
+        for (int i = 0; i < count; ++i) {
             float end = first.x + float(i);
-            float sign_of_top = is_warp_on_top(end, pick) ? side : -side;
-            detail += coverage(end, t.x, width.x) * pick_share * 0.5 * sign_of_top * (thread_colour(end) - weft);
+            float seen = is_warp_seen(end, pick, side) ? 1.0 - share : -share;
+            detail += coverage(end, t.x, width.x) * pick_share * seen * (thread_colour(warp_system(), end) - weft);
         }
     }
     return detail;
 }
 
-// Threads are round: darker where they dive under the next. Seen only from near.
-float thread_relief(vec2 t, float side) {
-    vec2 across = fract(t) - 0.5;
-    float off = is_warp_on_top(floor(t.x), floor(t.y)) == (side > 0.0) ? across.x : across.y;
-    return 1.12 - 1.6 * off * off;
+// The light that a round yarn takes at a place on its float, over its mean: across in -0.5..0.5, along in 0..1 within
+// the crossing, dives: whether the yarn goes under at the crossing's beginning and end. Every term's mean over a
+// float is nothing, and so is that of every product.
+float yarn_relief(float across, float along, vec2 dives, vec2 light) {
+    vec2 depth = dives * vec2(pow(1.0 - along, 3.0), along * along * along);
+    float round_of = 1.0 + 2.6 * (1.0 / 12.0 - across * across);
+    float dive_of = 1.0 - 0.72 * (depth.x + depth.y - 0.25 * (dives.x + dives.y));
+    float bend = 0.9 * across * light.x + 0.35 * (depth.y - depth.x) * light.y;
+    return round_of * dive_of * (1.0 + bend) - 1.0;
+}
+
+// Fibres wind round the yarn; every thread is a little otherwise. Means are nothing: whole waves to a crossing.
+float yarn_twist(float across, float along, float thread, float width) {
+    float own = fract(sin(thread * 12.9898) * 43758.547);
+    float strand = cos(kTwoPi * (3.0 * along + 1.4 * across + own)) * (1.0 - smoothstep(0.07, 0.16, width));
+    float fibre = cos(kTwoPi * (8.0 * along + 3.1 * across + 5.0 * own)) * (1.0 - smoothstep(0.025, 0.06, width));
+    return (0.085 * strand + 0.05 * fibre) * (1.0 - 3.0 * across * across);
+}
+
+float thread_relief(vec2 t, float side, float width) {
+    vec2 cell = floor(t), at = fract(t);
+    bool is_warp = is_warp_seen(cell.x, cell.y, side);
+    vec2 next = is_warp ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
+    vec2 dives = vec2(is_warp_seen(cell.x - next.x, cell.y - next.y, side) != is_warp,
+                      is_warp_seen(cell.x + next.x, cell.y + next.y, side) != is_warp);
+    vec2 place = is_warp ? at : at.yx;  // across, along
+    float relief = yarn_relief(place.x - 0.5, place.y, dives, is_warp ? weave_light : weave_light.yx);
+    return relief + yarn_twist(place.x - 0.5, place.y, is_warp ? cell.x : cell.y + 0.37, width);
 }
 
 // place: (weft, warp) in m on the fabric; side: 1 seen from the right side, -1 from the wrong one.
 vec3 tartan(vec2 place, float side) {
     vec2 t = (place - sett_position) / thread_spacing;
-    vec2 width = max(fwidth(t), vec2(0.02));
-    vec3 colour = 0.5 * (mean_colour(t.x, width.x) + mean_colour(t.y, width.y));
+    vec2 width = max(fwidth(t), vec2(0.01));
+    vec3 colour = mix(mean_colour(weft_system(), t.y, width.y), mean_colour(warp_system(), t.x, width.x),
+                      warp_share(side));
     float widest = max(width.x, width.y);
     float detail = 1.0 - smoothstep(0.9, 2.6, widest);
-    if (detail <= 0.0) return colour;
-    colour += detail * weave_detail(t, width, side);
-    float relief = 1.0 - smoothstep(0.25, 0.7, widest);
-    return max(colour, vec3(0.0)) * mix(1.0, thread_relief(t, side), relief);
+    colour += detail * weave_detail(t, width, side, detail > 0.0);
+    float relief = 1.0 - smoothstep(0.22, 0.6, widest);
+    return max(colour, vec3(0.0)) * (1.0 + relief * thread_relief(t, side, widest));
 }

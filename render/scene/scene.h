@@ -44,22 +44,37 @@ struct ClothPaint {
     bool operator==(const ClothPaint&) const = default;
 };
 
+// How a surface takes light beyond its colour.
+struct Material {
+    float gloss = 0.008F;     // share of light that is mirrored, 0..1: wool 0.005, cotton 0.008, silk 0.05
+    float roughness = 0.35F;  // 0..1, of the highlight: silk 0.25, wool 0.5
+    float sheen = 0.045F;     // share of light that fibres on the surface catch at the rim: wool 0.06, silk 0.02
+
+    bool operator==(const Material&) const = default;
+};
+
 struct ClothItem {
     PlainMesh mesh;
     Sett sett;
     Vec2f sett_position{0, 0};  // m, in the fabric's (weft, warp) directions: where the first stripe begins
     float sett_scale = 1;       // of the sett's own repeat
     ShowMode show = ShowMode::Tartan;
-    Rgb8 colour{0xE4, 0xDF, 0xD3};      // where no tartan is woven
+    Rgb8 colour{0xE4, 0xDF, 0xD3};  // where no tartan is woven
+    Material material{};
     std::optional<ClothPaint> paint{};  // in the modes that follow Plain
     float ink = 0;                      // 0..1, of the triangles' edges in them
+
+    bool operator==(const ClothItem&) const = default;
 };
 
 struct BodyItem {
     std::vector<Vec3f> x;        // m
     std::vector<Vec3f> normals;  // unit
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    Rgb8 colour{0xC9, 0xBB, 0xAE};  // clay
+    Rgb8 colour{0xD0, 0xBF, 0xB0};  // between clay and skin
+    Material material{.gloss = 0.017F, .roughness = 0.29F, .sheen = 0.05F};
+
+    bool operator==(const BodyItem&) const = default;
 };
 
 // A surface with colours of its own: marks on the cloth. It casts no shadow.
@@ -76,10 +91,10 @@ struct SolidItem {
 struct Light {
     Vec3f to_key{-0.5F, 0.7F, 0.6F};  // towards the light, unit or not
     Vec3f to_fill{0.7F, 0.2F, 0.7F};
-    float key = 0.98F;  // irradiance, 1 makes white white
+    float key = 0.90F;  // irradiance, 1 makes white white
     float fill = 0.12F;
-    float sky = 0.40F;     // from above
-    float bounce = 0.20F;  // from below
+    float sky = 0.36F;     // from above
+    float bounce = 0.19F;  // from below
 };
 
 struct Background {

@@ -82,9 +82,16 @@ class MeshWriter {
         if (at == kNone) {
             at = static_cast<std::uint32_t>(mesh_.x.size());
             mesh_.x.emplace_back(surface_.x[v.value].head<3>());
+            mesh_.vertex_level.push_back(level_of(v));
             mesh_.normals.emplace_back(normals_[v.value].head<3>());
         }
         return at;
+    }
+
+    std::uint8_t level_of(VertexId v) const {
+        const bool is_base = v.value < surface_.mesh.base_vertex_count();
+        if (is_base) return coarse_.vertex_level.empty() ? std::uint8_t{0} : coarse_.vertex_level[v.value];
+        return static_cast<std::uint8_t>(base_level_ + surface_.mesh.vertex(v).level);
     }
 
     const CurvedSurface& surface_;

@@ -21,6 +21,8 @@ struct PlainMesh {
     std::vector<std::string> panel_names;
     std::vector<float> panel_grain_angles;    // rad
     std::vector<Vec2f> panel_sett_offsets{};  // m, (weft, warp), see Panel::sett_offset; empty: none is moved
+
+    bool operator==(const PlainMesh&) const = default;
 };
 
 // Unit normals at vertices, weighted by the area of the triangles about them; +y where there is no area.

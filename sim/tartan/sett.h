@@ -52,6 +52,8 @@ struct Sett {
     double thread_spacing = 0.00036;  // m from one thread to the next: 28 per cm, a medium kilting cloth
     std::string register_name{};      // as the Scottish Register of Tartans has it; empty: not there, or not known
     int register_number = 0;          // its reference number there; 0: none
+
+    bool operator==(const Sett&) const = default;
 };
 
 inline constexpr int kMaxSettThreads = 4096;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include "sim/core/json.h"
 #include "tests/app/selvedge_program.h"
@@ -34,6 +35,20 @@ TEST(BenchCommand, writes_a_series_as_csv_and_says_on_one_line_that_it_cannot_dr
     EXPECT_NE(result.out.find(line), std::string::npos) << result.out;
     EXPECT_EQ(result.out.find(line), result.out.rfind(line)) << "once is enough";
     EXPECT_FALSE(std::filesystem::exists(folder / "figures/figure-3.21.png"));
+}
+
+TEST(BenchCommand, a_picture_is_measured_for_every_kind_of_change) {
+    const ScratchFolder folder;
+    const std::string sheet = folder / "sheet.obj";
+    std::ofstream(sheet) << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n";
+    const ProgramResult result = run_selvedge("bench picture '" + sheet + "' --side 64 --pictures 1 --triangles 30 " +
+                                              "--json '" + folder / "picture.json" + "'");
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const Json json = read_json(folder / "picture.json");
+    const Json& table = json.find("tables")->elements()[0];
+    EXPECT_NE(table.find("note")->string().find("cloth of 32 triangles"), std::string::npos);
+    ASSERT_EQ(table.find("rows")->elements().size(), 4U);
+    for (const Json& row : table.find("rows")->elements()) EXPECT_GT(row.elements()[1].number(), 0);
 }
 
 TEST(BenchCommand, a_table_that_is_not_there_gets_one_line_with_those_that_are) {

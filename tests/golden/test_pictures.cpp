@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <ostream>
+#include <string_view>
 
 #include "render/renderer.h"
 #include "sim/tartan/tartan_file.h"
@@ -44,6 +45,33 @@ Scene below_scene() {
     return scene;
 }
 
+// Warp and weft of unlike setts and colours.
+Sett denim() {
+    Sett sett = parse_threadcount("I=#2E4468; I24 R2");
+    sett.weft_stripes = parse_threadcount("W9 G3").stripes;
+    sett.weave = Weave::Twill31;
+    sett.thread_spacing = 0.0005;
+    return sett;
+}
+
+Sett linen() {
+    Sett sett = parse_threadcount("N=#C9BDA4; N12 W4 B2");
+    sett.weave = Weave::Plain;
+    return sett;
+}
+
+Scene woven(Scene scene, const Sett& sett) {
+    scene.cloths[0].sett = sett;
+    return scene;
+}
+
+Scene silk_scene() {
+    Scene scene = make_frozen_scene({.show = ShowMode::Plain});
+    scene.cloths[0].colour = {0x7A, 0x1F, 0x3D};
+    scene.cloths[0].material = {.gloss = 0.05F, .roughness = 0.25F, .sheen = 0.02F};
+    return scene;
+}
+
 struct GoldenCase {
     const char* name;
     std::function<Scene()> make;
@@ -61,6 +89,10 @@ const std::vector<GoldenCase>& golden_cases() {
         {"tartan_near", near_scene},
         {"tartan_below", below_scene},
         {"tartan_transparent", transparent_scene},
+        {"denim_near", [] { return woven(near_scene(), denim()); }},
+        {"denim_below", [] { return woven(below_scene(), denim()); }},
+        {"linen_near", [] { return woven(near_scene(), linen()); }},
+        {"silk", silk_scene},
         {"level", [] { return make_frozen_scene({.show = ShowMode::Level}); }},
         {"edges_left", [] { return make_frozen_scene({.view = View::Left, .show = ShowMode::Edges}); }},
         {"plain_back", [] { return make_frozen_scene({.view = View::Back, .show = ShowMode::Plain}); }}};
@@ -82,11 +114,64 @@ void expect_seen(const Scene& faulty, const std::string& name) {
     EXPECT_FALSE(is_alike(comparison)) << "the golden " << name << " does not see it: " << describe(comparison);
 }
 
-TEST(SeededFault, flipped_normals_are_seen) {
-    Scene scene = make_frozen_scene();
-    for (Vec3f& normal : scene.cloths[0].mesh.normals) normal = -normal;
-    expect_seen(scene, "tartan_three_quarter");
+std::vector<GoldenCase> cases_that(bool (*is_wanted)(const GoldenCase&)) {
+    std::vector<GoldenCase> wanted;
+    for (const GoldenCase& golden : golden_cases()) {
+        if (is_wanted(golden)) wanted.push_back(golden);
+    }
+    return wanted;
 }
+
+bool is_woven(const GoldenCase& golden) {
+    return golden.make().cloths[0].show == ShowMode::Tartan;
+}
+
+bool is_near(const GoldenCase& golden) {
+    return std::string_view(golden.name).ends_with("_near");
+}
+
+// Every golden, by every fault that its kind of picture can show.
+class GoldenFault : public testing::TestWithParam<GoldenCase> {};
+
+TEST_P(GoldenFault, flipped_normals_are_seen) {
+    Scene scene = GetParam().make();
+    for (Vec3f& normal : scene.cloths[0].mesh.normals) normal = -normal;
+    expect_seen(scene, GetParam().name);
+}
+
+TEST_P(GoldenFault, swapped_colours_are_seen) {
+    Scene scene = GetParam().make();
+    ClothItem& cloth = scene.cloths[0];
+    std::swap(cloth.colour[0], cloth.colour[2]);
+    for (std::uint8_t& level : cloth.mesh.level) level ^= 1;
+    for (auto* stripes : {&cloth.sett.stripes, &cloth.sett.weft_stripes}) {
+        for (SettStripe& stripe : *stripes) std::swap(stripe.colour[0], stripe.colour[2]);
+    }
+    expect_seen(scene, GetParam().name);
+}
+
+class WovenGoldenFault : public GoldenFault {};
+class NearGoldenFault : public GoldenFault {};
+
+TEST_P(WovenGoldenFault, a_sett_shifted_by_one_millimetre_is_seen) {
+    Scene scene = GetParam().make();
+    scene.cloths[0].sett_position += Vec2f(0.001F, 0.001F);
+    expect_seen(scene, GetParam().name);
+}
+
+TEST_P(NearGoldenFault, another_weave_is_seen_from_near) {
+    Scene scene = GetParam().make();
+    Weave& weave = scene.cloths[0].sett.weave;
+    weave = weave == Weave::Plain ? Weave::Twill22 : Weave::Plain;
+    expect_seen(scene, GetParam().name);
+}
+
+INSTANTIATE_TEST_SUITE_P(Picture, GoldenFault, testing::ValuesIn(golden_cases()),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+INSTANTIATE_TEST_SUITE_P(Picture, WovenGoldenFault, testing::ValuesIn(cases_that(is_woven)),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+INSTANTIATE_TEST_SUITE_P(Picture, NearGoldenFault, testing::ValuesIn(cases_that(is_near)),
+                         [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(SeededFault, a_swapped_colour_of_the_finest_stripe_is_seen) {
     Scene scene = make_frozen_scene();

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "render/image/compare.h"
 #include "render/room_light.h"
 #include "render/shaders.h"
@@ -83,6 +85,99 @@ TEST(Renderer, from_afar_the_tartan_neither_shimmers_nor_shifts_its_colour) {
     EXPECT_LE(comparison.largest_step, 8) << describe(comparison);
 }
 
+// Grey at a place of the picture, px from its upper left, between the pixels round it.
+double grey_at(const Image& image, const Vec2f& at) {
+    const int x = static_cast<int>(std::floor(at.x() - 0.5F)), y = static_cast<int>(std::floor(at.y() - 0.5F));
+    const double s = at.x() - 0.5 - x, t = at.y() - 0.5 - y;
+    const auto grey = [&](int i, int j) { return (image.at(i, j)[0] + image.at(i, j)[1] + image.at(i, j)[2]) / 3.0; };
+    return (1 - t) * ((1 - s) * grey(x, y) + s * grey(x + 1, y)) +
+           t * ((1 - s) * grey(x, y + 1) + s * grey(x + 1, y + 1));
+}
+
+Vec2f place_in_picture(const Camera& camera, const Vec3f& x, int side_px) {
+    const Eigen::Vector4f clip = projection_matrix(camera, 1) * view_matrix(camera) * x.homogeneous();
+    const auto side = static_cast<float>(side_px);
+    return {(clip.x() / clip.w() + 1) / 2 * side, (1 - clip.y() / clip.w()) / 2 * side};
+}
+
+Scene turned(Scene scene, float angle) {
+    const Eigen::Matrix3f turn = Eigen::AngleAxisf(angle, Vec3f::UnitY()).toRotationMatrix();
+    scene.camera.eye = scene.camera.target + turn * (scene.camera.eye - scene.camera.target);
+    scene.camera.up = turn * scene.camera.up;
+    return scene;
+}
+
+// Bytes by which the spots of a matt dome, under a light that stands still, change at most from one small turn of the
+// camera to the next.
+double greatest_flicker(const Scene& scene) {
+    constexpr int side = 256, turns = 8;
+    Renderer renderer;
+    std::vector<double> before;
+    double greatest = 0;
+    for (int i = 0; i < turns; ++i) {
+        const Scene now = turned(scene, 0.004F * float(i));
+        const Image image = renderer.draw(now, {.width_px = side, .height_px = side});
+        std::vector<double> greys;
+        const PlainMesh& mesh = now.cloths[0].mesh;
+        for (std::size_t v = 0; v < mesh.x.size(); ++v) {
+            const Vec3f& x = mesh.x[v];
+            const bool is_seen = x.y() > 0.62F && mesh.normals[v].dot((scene.camera.eye - x).normalized()) > 0.4F;
+            if (is_seen) greys.push_back(grey_at(image, place_in_picture(now.camera, x, side)));
+        }
+        for (std::size_t v = 0; v < before.size(); ++v) greatest = std::max(greatest, std::abs(greys[v] - before[v]));
+        before = greys;
+    }
+    return greatest;
+}
+
+Scene matt_dome() {
+    Scene scene = make_frozen_scene({.view = View::Front, .show = ShowMode::Plain});
+    scene.cloths[0].material = {.gloss = 0, .roughness = 0.5F, .sheen = 0};
+    scene.cloths[0].mesh.panel.assign(scene.cloths[0].mesh.panel.size(), 0);  // no seam
+    scene.cloths[0].mesh.u.clear();
+    scene.camera.eye += Vec3f(0, 1.2F, 0);
+    scene.cloths[0].colour = {0x90, 0x90, 0x90};
+    return scene;
+}
+
+TEST(Flicker, a_still_spot_keeps_its_light_when_the_camera_turns) {
+    EXPECT_LT(greatest_flicker(matt_dome()), 2);
+}
+
+TEST(Flicker, is_seen_where_there_is_some) {
+    Scene scene = matt_dome();
+    scene.cloths[0].show = ShowMode::Edges;  // lines about as wide as a pixel, whose share of it changes
+    EXPECT_GT(greatest_flicker(scene), 8);
+}
+
+TEST(Flicker, light_on_the_ball_hardly_changes_when_cloth_moves_by_a_tenth_of_a_millimetre) {
+    Scene scene = make_frozen_scene();
+    const Casters before = cloth_casters_of(scene), bodies = body_casters_of(scene);
+    for (Vec3f& x : scene.cloths[0].mesh.x) x.y() += 0.0001F;
+    const Casters after = cloth_casters_of(scene);
+    const LitPoints ball{.x = scene.bodies[0].x, .normals = scene.bodies[0].normals};
+    const std::vector<Openness> a = RoomLight().bake(before, bodies, ball), b = RoomLight().bake(after, bodies, ball);
+    float greatest = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) greatest = std::max(greatest, std::abs(a[i].front - b[i].front));
+    EXPECT_LT(greatest, 0.04F);
+    EXPECT_GT(greatest, 0);
+}
+
+TEST(Renderer, a_picture_does_not_depend_on_those_before_it) {
+    const RenderOptions options{.width_px = 96, .height_px = 64};
+    const Scene scene = frozen();
+    const Image alone = Renderer().draw(scene, options);
+    Scene moved = scene, lit = scene, plain = scene;
+    for (Vec3f& x : moved.cloths[0].mesh.x) x *= 1.01F;
+    lit.light.to_key.x() += 0.5F;
+    plain.cloths[0].show = ShowMode::Plain;
+    for (const Scene& other : {moved, lit, plain, turned(scene, 0.3F)}) {
+        Renderer renderer;
+        EXPECT_FALSE(renderer.draw(other, options) == alone);
+        EXPECT_TRUE(renderer.draw(scene, options) == alone);
+    }
+}
+
 TEST(RoomLight, a_plate_under_another_is_dark_above_and_open_below) {
     Casters casters;
     for (const float y : {0.0F, 0.1F}) {
@@ -93,9 +188,9 @@ TEST(RoomLight, a_plate_under_another_is_dark_above_and_open_below) {
         casters.triangles.push_back({base, base + 2, base + 1});
         casters.triangles.push_back({base, base + 3, base + 2});
     }
-    const auto context = make_context();
-    const std::vector<Openness> open =
-        bake_room_light(context->gl(), casters, {Vec3f(0, 0, 0), Vec3f(0, 0.1F, 0)}, {Vec3f(0, 1, 0), Vec3f(0, 1, 0)});
+    const std::vector<Openness> open = RoomLight().bake(
+        casters, {},
+        {.x = {Vec3f(0, 0, 0), Vec3f(0, 0.1F, 0)}, .normals = {Vec3f(0, 1, 0), Vec3f(0, 1, 0)}, .two_sided = 2});
     EXPECT_LT(open[0].front, 0.1F);
     EXPECT_GT(open[0].back, 0.99F);
     EXPECT_GT(open[1].front, 0.99F);

@@ -10,7 +10,7 @@ namespace {
 
 TEST(SettSums, the_mean_over_any_stretch_is_that_of_its_threads) {
     const Sett sett = find_tartan("royal_stewart");
-    const SettSums table = sum_sett(sett);
+    const SettSums table = sum_warp(sett);
     const std::vector<Rgb8> colours = thread_colours(sett);
     ASSERT_EQ(table.sums.size(), colours.size() + 1);
     for (const auto& [first, last] : {std::pair<std::size_t, std::size_t>{0, 424}, {3, 4}, {100, 190}, {420, 424}}) {
@@ -23,9 +23,17 @@ TEST(SettSums, the_mean_over_any_stretch_is_that_of_its_threads) {
 }
 
 TEST(SettSums, begin_and_end_at_nothing_so_that_they_repeat_with_the_sett) {
-    const SettSums table = sum_sett(find_tartan("buchanan"));
+    const SettSums table = sum_warp(find_tartan("buchanan"));
     EXPECT_EQ(table.sums.front(), Vec3f(0, 0, 0));
     EXPECT_EQ(table.sums.back(), Vec3f(0, 0, 0));
+}
+
+TEST(SettSums, a_weft_of_its_own_has_its_own_table_and_else_the_warps) {
+    Sett sett = find_tartan("buchanan");
+    EXPECT_EQ(sum_weft(sett).sums, sum_warp(sett).sums);
+    sett.weft_stripes = parse_threadcount("K/3 W5 R/2").stripes;
+    EXPECT_EQ(sum_weft(sett).threads(), 15) << "both halves: 3 5 2 5";
+    EXPECT_EQ(sum_warp(sett).sums, sum_warp(find_tartan("buchanan")).sums);
 }
 
 TEST(Colour, srgb_bytes_become_linear_light) {

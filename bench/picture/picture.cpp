@@ -1,0 +1,188 @@
+#include "bench/picture/picture.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <map>
+
+#include "bench/timing.h"
+#include "sim/core/quantile.h"
+
+namespace selvedge {
+namespace {
+
+// Each triangle in four of the same plane.
+PlainMesh split_in_four(const PlainMesh& mesh) {
+    PlainMesh split;
+    split.panel_names = mesh.panel_names;
+    split.panel_grain_angles = mesh.panel_grain_angles;
+    split.x = mesh.x;
+    std::map<std::array<std::uint32_t, 2>, std::uint32_t> middles;
+    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+        const auto [found, is_new] =
+            middles.try_emplace({std::min(a, b), std::max(a, b)}, static_cast<std::uint32_t>(split.x.size()));
+        if (is_new) split.x.push_back((mesh.x[a] + mesh.x[b]) / 2);
+        return found->second;
+    };
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto& [a, b, c] = mesh.triangles[t];
+        const std::uint32_t bc = middle(b, c), ca = middle(c, a), ab = middle(a, b);
+        for (const auto& triangle : {std::array{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {bc, ca, ab}}) {
+            split.triangles.push_back(triangle);
+        }
+        if (!mesh.panel.empty()) split.panel.insert(split.panel.end(), 4, mesh.panel[t]);
+        if (!mesh.level.empty()) split.level.insert(split.level.end(), 4, mesh.level[t]);
+        if (mesh.u.empty()) continue;
+        const auto& [ua, ub, uc] = mesh.u[t];
+        const Vec2f ubc = (ub + uc) / 2, uca = (uc + ua) / 2, uab = (ua + ub) / 2;
+        for (const auto& u : {std::array{ua, uab, uca}, {uab, ub, ubc}, {uca, ubc, uc}, {ubc, uca, uab}}) {
+            split.u.push_back(u);
+        }
+    }
+    return split;
+}
+
+std::size_t triangles_of(const Scene& scene) {
+    std::size_t count = 0;
+    for (const ClothItem& cloth : scene.cloths) count += cloth.mesh.triangles.size();
+    return count;
+}
+
+void turn_camera(Scene& scene, float angle) {
+    const Eigen::Matrix3f turn = Eigen::AngleAxisf(angle, Vec3f::UnitY()).toRotationMatrix();
+    scene.camera.eye = scene.camera.target + turn * (scene.camera.eye - scene.camera.target);
+    scene.camera.up = turn * scene.camera.up;
+}
+
+void move_cloth(Scene& scene, const Scene& rest, float amount, int picture) {
+    for (std::size_t i = 0; i < scene.cloths.size(); ++i) {
+        PlainMesh& mesh = scene.cloths[i].mesh;
+        const PlainMesh& before = rest.cloths[i].mesh;
+        const std::vector<Vec3f> normals = vertex_normals(before.x, before.triangles);
+        for (std::size_t v = 0; v < mesh.x.size(); ++v) {
+            const float phase = 25 * before.x[v].y() + 0.7F * float(picture);
+            mesh.x[v] = before.x[v] + amount * (1 + std::sin(phase)) * normals[v];
+        }
+        mesh.normals = vertex_normals(mesh.x, mesh.triangles);
+    }
+}
+
+double processor_ms() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+double median(const std::vector<double>& values) {
+    return values.empty() ? 0 : quantile(values, 0.5);
+}
+
+class Stopwatch {
+ public:
+    Stopwatch(Renderer& renderer, RenderOptions options) : renderer_(renderer), options_(options) {}
+
+    // Measures either the whole, in which nothing waits but for the picture, or its parts.
+    void draw(const Scene& scene, bool with_parts) {
+        PictureTimes times;
+        options_.times = with_parts ? &times : nullptr;
+        const double processor_start = processor_ms();
+        const auto start = std::chrono::steady_clock::now();
+        keep(renderer_.draw(scene, options_));
+        const auto end = std::chrono::steady_clock::now();
+        if (with_parts) {
+            parts_.push_back(times);
+        } else {
+            totals_.push_back(std::chrono::duration<double, std::milli>(end - start).count());
+            processor_.push_back(processor_ms() - processor_start);
+        }
+    }
+
+    PictureFigure figure(const std::string& kind) const {
+        PictureFigure figure{.kind = kind, .total = median(totals_), .processor = median(processor_), .parts = {}};
+        for (const auto part :
+             {&PictureTimes::compare, &PictureTimes::room_light, &PictureTimes::upload, &PictureTimes::shadow,
+              &PictureTimes::mask, &PictureTimes::draw, &PictureTimes::finish, &PictureTimes::read_back}) {
+            std::vector<double> values;
+            for (const PictureTimes& times : parts_) values.push_back(times.*part);
+            figure.parts.*part = median(values);
+        }
+        return figure;
+    }
+
+ private:
+    Renderer& renderer_;
+    RenderOptions options_;
+    std::vector<double> totals_, processor_;
+    std::vector<PictureTimes> parts_;
+};
+
+}  // namespace
+
+PictureReport measure_pictures(const Scene& given, const PictureExperiment& experiment) {
+    Scene scene = given;
+    for (ClothItem& cloth : scene.cloths) {
+        while (triangles_of(scene) < static_cast<std::size_t>(experiment.triangles)) {
+            cloth.mesh = split_in_four(cloth.mesh);
+        }
+    }
+    const float aspect = float(experiment.render.width_px) / float(experiment.render.height_px);
+    scene.camera = frame_scene(scene, experiment.view, aspect);
+    scene.light = studio_light(scene.camera);
+    PictureReport report{.cloth_triangles = triangles_of(scene),
+                         .width_px = experiment.render.width_px,
+                         .height_px = experiment.render.height_px,
+                         .figures = {}};
+    for (const BodyItem& body : scene.bodies) report.body_triangles += body.triangles.size();
+
+    Renderer renderer;
+    Stopwatch first(renderer, experiment.render);
+    first.draw(scene, false);
+    report.figures.push_back(first.figure("first"));
+    Stopwatch turning(renderer, experiment.render);
+    for (int i = 0; i < 2 * experiment.pictures; ++i) {
+        turn_camera(scene, experiment.turn);
+        scene.light = studio_light(scene.camera);
+        turning.draw(scene, i % 2 == 1);
+    }
+    report.figures.push_back(turning.figure("camera and its lights turn"));
+    Stopwatch looking(renderer, experiment.render);
+    for (int i = 0; i < 2 * experiment.pictures; ++i) {
+        turn_camera(scene, experiment.turn);
+        looking.draw(scene, i % 2 == 1);
+    }
+    report.figures.push_back(looking.figure("camera turns"));
+    Stopwatch moving(renderer, experiment.render);
+    const Scene rest = scene;
+    for (int i = 0; i < 2 * experiment.pictures; ++i) {
+        move_cloth(scene, rest, experiment.ripple, i);
+        moving.draw(scene, i % 2 == 1);
+    }
+    report.figures.push_back(moving.figure("cloth moves"));
+    return report;
+}
+
+Table table_of(const PictureReport& report) {
+    Table table{.name = "picture",
+                .title = "What a picture costs, ms",
+                .note = std::to_string(report.width_px) + " x " + std::to_string(report.height_px) + ", cloth of " +
+                        std::to_string(report.cloth_triangles) + " triangles on a body of " +
+                        std::to_string(report.body_triangles) +
+                        ". Medians by wall clock, and processor time of all threads. The parts are taken from other "
+                        "pictures than the whole, as they wait "
+                        "for each other.",
+                .columns = {"picture", "whole", "processor", "compare", "room light", "upload", "shadow", "mask",
+                            "draw", "finish", "read back"}};
+    for (const PictureFigure& figure : report.figures) {
+        const PictureTimes& parts = figure.parts;
+        const bool has_parts = parts.draw > 0;
+        const auto cell = [&](double value) { return has_parts ? Cell(value, 1) : Cell(); };
+        table.add_row({figure.kind, Cell(figure.total, 1), Cell(figure.processor, 1), cell(parts.compare),
+                       cell(parts.room_light), cell(parts.upload), cell(parts.shadow), cell(parts.mask),
+                       cell(parts.draw), cell(parts.finish), cell(parts.read_back)});
+    }
+    return table;
+}
+
+}  // namespace selvedge

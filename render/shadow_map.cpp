@@ -1,0 +1,111 @@
+#include "render/shadow_map.h"
+
+#include <cmath>
+
+#include "render/gl/gl.h"
+#include "render/shaders.h"
+#include "sim/core/assert.h"
+
+namespace selvedge {
+namespace {
+
+constexpr int kDepthSide = 2048;  // px
+constexpr int kTileSide = 128;    // px
+constexpr int kTexelsOfTile = kDepthSide / kTileSide;
+
+GLsizeiptr byte_size(std::size_t count, std::size_t size) {
+    return static_cast<GLsizeiptr>(count * size);
+}
+
+void set_nearest_filter(const GladGLContext& gl) {
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+void make_depth(const GladGLContext& gl, const Texture& texture, const Framebuffer& framebuffer) {
+    gl.BindTexture(GL_TEXTURE_2D, texture.id());
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, kDepthSide, kDepthSide, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
+                  nullptr);
+    set_nearest_filter(gl);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, texture.id(), 0);
+    gl.DrawBuffer(GL_NONE);
+    gl.ReadBuffer(GL_NONE);
+    SELVEDGE_ASSERT(gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+}
+
+void make_tiles(const GladGLContext& gl, const Texture& texture, const Framebuffer& framebuffer) {
+    gl.BindTexture(GL_TEXTURE_2D, texture.id());
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_R32F, kTileSide, kTileSide, 0, GL_RED, GL_FLOAT, nullptr);
+    set_nearest_filter(gl);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.id(), 0);
+    SELVEDGE_ASSERT(gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+}
+
+}  // namespace
+
+ShadowMap::ShadowMap(const GladGLContext& gl)
+    : gl_(gl),
+      depth_program_(make_program(gl, {"depth.vert"}, {"depth.frag"})),
+      tile_program_(make_program(gl, {"screen.vert"}, {"depth_tile.frag"})),
+      spread_program_(make_program(gl, {"screen.vert"}, {"depth_spread.frag"})),
+      vertex_array_(gl),
+      no_vertices_(gl),
+      positions_(gl),
+      indices_(gl),
+      depth_(gl),
+      tiles_(gl),
+      nearest_(gl),
+      depth_frame_(gl),
+      tiles_frame_(gl),
+      nearest_frame_(gl) {
+    make_depth(gl, depth_, depth_frame_);
+    make_tiles(gl, tiles_, tiles_frame_);
+    make_tiles(gl, nearest_, nearest_frame_);
+}
+
+void ShadowMap::load(const Casters& casters) {
+    index_count_ = static_cast<int>(casters.triangles.size() * 3);
+    gl_.BindVertexArray(vertex_array_.id());
+    gl_.BindBuffer(GL_ARRAY_BUFFER, positions_.id());
+    gl_.BufferData(GL_ARRAY_BUFFER, byte_size(casters.x.size(), sizeof(Vec3f)), casters.x.data(), GL_STATIC_DRAW);
+    gl_.EnableVertexAttribArray(0);
+    gl_.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vec3f), nullptr);
+    gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
+    gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, byte_size(casters.triangles.size(), sizeof(casters.triangles[0])),
+                   casters.triangles.data(), GL_STATIC_DRAW);
+}
+
+void ShadowMap::draw(const Eigen::Matrix4f& matrix, float reach) const {
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, depth_frame_.id());
+    gl_.Viewport(0, 0, kDepthSide, kDepthSide);
+    gl_.Enable(GL_DEPTH_TEST);
+    gl_.Disable(GL_BLEND);
+    gl_.Clear(GL_DEPTH_BUFFER_BIT);
+    depth_program_.use();
+    depth_program_.set("camera", matrix);
+    gl_.BindVertexArray(vertex_array_.id());
+    gl_.DrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+
+    gl_.Disable(GL_DEPTH_TEST);
+    gl_.ActiveTexture(GL_TEXTURE0);
+    draw_nearest(tile_program_, {tiles_frame_.id(), kTileSide}, depth_.id(), kTexelsOfTile);
+    const int spread = static_cast<int>(std::ceil(reach * kTileSide)) + 1;
+    draw_nearest(spread_program_, {nearest_frame_.id(), kTileSide}, tiles_.id(), spread);
+}
+
+void ShadowMap::draw_nearest(const Program& program, const View& to, unsigned from, int cells) const {
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, to.framebuffer);
+    gl_.Viewport(0, 0, to.side_px, to.side_px);
+    program.use();
+    program.set("depths", 0);
+    program.set("cells", cells);
+    gl_.BindTexture(GL_TEXTURE_2D, from);
+    gl_.BindVertexArray(no_vertices_.id());
+    gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace selvedge
