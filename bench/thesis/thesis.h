@@ -1,5 +1,6 @@
 #pragma once
-// The experiments of the thesis' chapters 3, 4 and 6 (SPEC 1.5, 3.3, 5), under the thesis' own table and figure numbers.
+// The experiments of the thesis' chapters 3, 4 and 6 (SPEC 1.5, 3.3, 5), under the thesis' own table and figure
+// numbers.
 #include <filesystem>
 #include <string>
 #include <vector>
