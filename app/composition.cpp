@@ -56,6 +56,7 @@ ClothItem make_cloth_item(const PlainMesh& garment, const PictureOptions& option
     item.sett = sett_of(options);
     item.sett_position = options.sett_position.cast<float>();
     item.show = options.show;
+    item.material = options.material;
     if (wants_material(item.show) && item.mesh.u.empty())
         throw InputError("", "--show", "strain is measured from material coordinates, and the mesh has none");
     return item;

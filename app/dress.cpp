@@ -205,6 +205,7 @@ int run(DressArguments arguments) {
     DressReport& report = dressed.report;
     report.notes.insert(report.notes.begin(), wearer.notes.begin(), wearer.notes.end());
 
+    arguments.picture.material = material_of(find_fabric(arguments.fabric.empty() ? pattern.fabric : arguments.fabric));
     const Writing writing = write_outputs(arguments, dressed, wearer.body);
     if (!arguments.is_quiet) print_summary(report);
     if (!arguments.is_quiet && !arguments.picture_file.empty()) print_sett_note(pattern, arguments.picture);

@@ -136,6 +136,12 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
         ->group("Picture");
 }
 
+Material material_of(const Fabric& fabric) {
+    return {.gloss = static_cast<float>(fabric.gloss),
+            .roughness = static_cast<float>(fabric.roughness),
+            .sheen = static_cast<float>(fabric.sheen)};
+}
+
 Sett sett_of(const PictureOptions& options) {
     const Sett sett = options.sett ? *options.sett : find_tartan(kDefaultTartan);
     return options.sett_size ? with_repeat_size(sett, *options.sett_size) : sett;

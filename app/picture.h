@@ -10,6 +10,7 @@
 #include "sim/body/body.h"
 #include "sim/mesh/plain_mesh.h"
 #include "sim/mesh/triangle_hierarchy.h"
+#include "sim/pattern/fabric.h"
 #include "sim/tartan/sett.h"
 
 namespace selvedge {
@@ -29,6 +30,7 @@ struct PictureOptions {
     std::optional<double> sett_size;      // m, of one repeat; none: the tartan's own
     Vec2d sett_position = Vec2d::Zero();  // m, (weft, warp)
     bool is_transparent = false;
+    Material material{};      // how the cloth takes light
     SurfaceChoice surface{};  // the cloth's own triangles, or curved ones over them
 };
 
@@ -36,6 +38,9 @@ struct PictureOptions {
 // --transparent and those of surfaces. What they are given is checked while the command line is read, before any work.
 // `options` must outlive the command line.
 void add_picture_options(CLI::App& command, PictureOptions& options);
+
+// How a fabric takes light.
+Material material_of(const Fabric& fabric);
 
 // What the cloth is drawn in: the tartan that was asked for, at the size that was asked for.
 Sett sett_of(const PictureOptions& options);

@@ -61,6 +61,12 @@ void add_render_command(CLI::App& app, int& exit_code) {
     add_body_options(*command, arguments->body, "Body that wears it: a file, or mannequin[:bust=92,...]");
     command->add_option("-o,--output", arguments->output, "PNG file to write");
     command->add_flag("-q,--quiet", arguments->is_quiet, "Show no progress");
+    command
+        ->add_option_function<std::string>(
+            "--fabric",
+            [arguments](const std::string& name) { arguments->picture.material = material_of(find_fabric(name)); },
+            "A shipped fabric or a fabric file: how it takes light")
+        ->type_name("NAME|FILE");
     add_picture_options(*command, arguments->picture);
     add_turntable_options(*command, arguments->turntable);
     command->footer(

@@ -37,6 +37,9 @@ constexpr std::array kFigures{
     Figure{"damping", &Fabric::damping, 0, 100, false},
     Figure{"air_drag", &Fabric::air_drag, 0, 100, false},
     Figure{"strain_limit", &Fabric::strain_limit, 1e-4, 2, false},
+    Figure{"gloss", &Fabric::gloss, 0, 1, false},
+    Figure{"roughness", &Fabric::roughness, 0.05, 1, false},
+    Figure{"sheen", &Fabric::sheen, 0, 1, false},
 };
 
 std::string shipped_name(const EmbeddedFile& file) {

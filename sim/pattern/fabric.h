@@ -21,6 +21,9 @@ struct Fabric {
     double damping = 0.6;           // 1/s, of all motion
     double air_drag = 0.0;          // kg/(m^2 s), per area and speed
     double strain_limit = 0.03;     // beyond this warp or weft strain the cloth no longer gives
+    double gloss = 0.008;           // how it takes light: share that is mirrored,
+    double roughness = 0.35;        // spread of the highlight, 0..1,
+    double sheen = 0.045;           // share that fibres on its surface catch at the rim
 };
 
 // The fabric of a shipped name (patterns/fabrics), or of a file when the text ends in .json; empty: the default.

@@ -48,6 +48,41 @@ class RenderCommand : public testing::Test {
     ScratchFolder folder_;
 };
 
+TEST_F(RenderCommand, a_curved_surface_is_another_picture_and_flat_with_its_own_triangles_is_not) {
+    ASSERT_EQ(render("--show plain -o own.png").exit_code, 0);
+    ASSERT_EQ(render("--show plain --surface flat --surface-level 0 -o flat.png").exit_code, 0);
+    ASSERT_EQ(render("--show plain --surface constant --surface-level 3 -o curved.png").exit_code, 0);
+    ASSERT_EQ(render("--show plain --surface constant -o adaptive.png").exit_code, 0);
+    EXPECT_EQ(picture("own.png"), picture("flat.png"));
+    EXPECT_FALSE(picture("own.png") == picture("curved.png"));
+    EXPECT_FALSE(picture("own.png") == picture("adaptive.png"));
+}
+
+TEST_F(RenderCommand, back_faces_are_coarse_only_where_they_are_not_seen) {
+    const std::string edges = "--show edges --surface constant --size 256x256 ";
+    ASSERT_EQ(render(edges + "-o front.png").exit_code, 0);
+    ASSERT_EQ(render(edges + "--back-face-coarsening -o front_coarsened.png").exit_code, 0);
+    EXPECT_EQ(picture("front.png"), picture("front_coarsened.png"));
+    ASSERT_EQ(render(edges + "--view back -o back.png").exit_code, 0);
+    ASSERT_EQ(render(edges + "--view back --back-face-coarsening -o back_coarsened.png").exit_code, 0);
+    EXPECT_FALSE(picture("back.png") == picture("back_coarsened.png"));
+}
+
+TEST_F(RenderCommand, surfaces_are_refused_by_one_line) {
+    expect_refused("-o x.png --surface wavy", "--surface: 'wavy' is none of flat, constant");
+    expect_refused("-o x.png --surface flat --surface-level 9", "'9' is neither adaptive nor a level from 0 to 6");
+    expect_refused("-o x.png --surface flat --surface-level -1", "neither adaptive nor a level");
+    expect_refused("-o x.png --surface-level 2", "--surface");
+    expect_refused("-o x.png --surface flat --surface-normals rough", "none of recomputed, interpolated");
+    expect_refused("-o x.png --fabric velour", "no fabric 'velour'");
+}
+
+TEST_F(RenderCommand, silk_takes_light_otherwise_than_wool) {
+    ASSERT_EQ(render("--show plain --fabric silk -o silk.png").exit_code, 0);
+    ASSERT_EQ(render("--show plain --fabric wool_twill -o wool.png").exit_code, 0);
+    EXPECT_FALSE(picture("silk.png") == picture("wool.png"));
+}
+
 TEST_F(RenderCommand, every_mode_that_a_mesh_file_can_show_gives_another_picture) {
     std::vector<Image> pictures;
     for (const std::string mode : {"tartan", "plain", "edges", "level", "vertices", "strain-warp", "strain-weft",

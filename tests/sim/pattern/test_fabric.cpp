@@ -48,11 +48,20 @@ TEST(Fabric, the_default_is_the_shipped_cotton_shirting) {
     EXPECT_EQ(shipped.thickness, Fabric().thickness);
     EXPECT_EQ(shipped.friction, Fabric().friction);
     EXPECT_EQ(shipped.strain_limit, Fabric().strain_limit);
+    EXPECT_EQ(shipped.gloss, Fabric().gloss);
+    EXPECT_EQ(shipped.roughness, Fabric().roughness);
+    EXPECT_EQ(shipped.sheen, Fabric().sheen);
 }
 
 TEST(Fabric, silk_is_limper_than_wool_and_wool_than_denim) {
     EXPECT_LT(find_fabric("silk").bending_warp, find_fabric("wool_twill").bending_warp);
     EXPECT_LT(find_fabric("wool_twill").bending_warp, find_fabric("denim").bending_warp);
+}
+
+TEST(Fabric, silk_shines_and_wool_does_not) {
+    EXPECT_GT(find_fabric("silk").gloss, 5 * find_fabric("wool_twill").gloss);
+    EXPECT_LT(find_fabric("silk").roughness, find_fabric("wool_twill").roughness);
+    EXPECT_LT(find_fabric("silk").sheen, find_fabric("wool_twill").sheen);
 }
 
 TEST(Fabric, an_unknown_name_lists_the_known_ones) {
