@@ -138,6 +138,21 @@ TEST_F(DressCommand, shows_the_hierarchy_and_films_it) {
     EXPECT_EQ(shown.err, "");
 }
 
+TEST_F(DressCommand, exports_carry_the_curved_surface_when_asked_to) {
+    const ScratchFolder folder;
+    const auto triangles = [&](const std::string& options) {
+        const ProgramResult dressed = run_selvedge("dress " + shipped("two_squares.json") +
+                                                   " --body mannequin:resolution=1 --max-level 0 --seconds 0.05 -q "
+                                                   "--export '" +
+                                                   folder / "x.obj" + "' " + options);
+        EXPECT_EQ(dressed.exit_code, 3) << dressed.err;
+        return lines_with(content_of(folder / "x.obj"), "f ").size();
+    };
+    const std::size_t own = triangles("");
+    EXPECT_EQ(triangles("--surface quadratic --surface-level 1 --export-surface"), 4 * own);
+    EXPECT_EQ(triangles("--surface quadratic --surface-level 1"), own);
+}
+
 TEST_F(DressCommand, runs_from_any_folder) {
     const ScratchFolder folder;
     const ProgramResult elsewhere = run_command("cd '" + folder.path().string() + "' && '" SELVEDGE_PROGRAM "' dress " +
