@@ -107,6 +107,10 @@ void check_outputs(const DressArguments& arguments) {
     check_apart(all_outputs(arguments), inputs);
 }
 
+bool draws(const DressArguments& arguments) {
+    return !arguments.picture_file.empty() || !arguments.turntable.file.empty();
+}
+
 // What the command line leaves open, the pattern says.
 void fill_in(DressArguments& arguments, const Pattern& pattern) {
     if (!arguments.fabric.empty()) arguments.dress.fabric = find_fabric(arguments.fabric);
@@ -194,7 +198,7 @@ int run(DressArguments arguments) {
     check_outputs(arguments);
     const Pattern pattern = load_pattern(arguments.garment).pattern;
     fill_in(arguments, pattern);
-    if (!arguments.picture_file.empty() || !arguments.turntable.file.empty()) check_can_draw(arguments.picture);
+    if (draws(arguments)) check_can_draw(arguments.picture);
 
     std::optional<ThreadLimit> limit;
     if (arguments.threads) limit.emplace(*arguments.threads);
@@ -208,7 +212,7 @@ int run(DressArguments arguments) {
     arguments.picture.material = material_of(find_fabric(arguments.fabric.empty() ? pattern.fabric : arguments.fabric));
     const Writing writing = write_outputs(arguments, dressed, wearer.body);
     if (!arguments.is_quiet) print_summary(report);
-    if (!arguments.is_quiet && !arguments.picture_file.empty()) print_sett_note(pattern, arguments.picture);
+    if (!arguments.is_quiet && draws(arguments)) print_sett_note(pattern, arguments.picture);
     print_faults(report);
     if (!arguments.is_quiet)
         for (const std::string& file : writing.written) std::printf("wrote %s\n", file.c_str());

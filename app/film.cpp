@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -146,8 +147,9 @@ class FilmWriter::Encoder {
     Encoder(const fs::path& path, FilmKind kind, const FilmFormat& format)
         : path_(path),
           temporary_(path.parent_path() / ("." + path.filename().string() + "." + std::to_string(::getpid()) + ".tmp")),
-          process_(encoder_words(kind, format, temporary_)) {}
+          process_(std::in_place, encoder_words(kind, format, temporary_)) {}
     ~Encoder() {
+        process_.reset();  // so that it does not write on
         std::error_code ignored;
         fs::remove(temporary_, ignored);
     }
@@ -155,25 +157,25 @@ class FilmWriter::Encoder {
     Encoder& operator=(const Encoder&) = delete;
 
     void add(const Image& image) {
-        if (process_.write(as_rgb(image))) return;
-        process_.finish();
+        if (process_->write(as_rgb(image))) return;
+        process_->finish();
         fail();
     }
     void finish() {
-        if (!process_.finish()) fail();
+        if (!process_->finish()) fail();
         if (::rename(temporary_.c_str(), path_.c_str()) != 0)
             throw InputError(path_.string(), "", std::string("cannot write: ") + std::strerror(errno));
     }
 
  private:
     [[noreturn]] void fail() const {
-        const std::string words = process_.complaint();
+        const std::string words = process_->complaint();
         throw InputError(path_.string(), "", "ffmpeg could not write it" + (words.empty() ? "" : ": " + words));
     }
 
     fs::path path_;
     fs::path temporary_;
-    PipedProcess process_;
+    std::optional<PipedProcess> process_;
 };
 
 FilmWriter::FilmWriter(const fs::path& path, const FilmFormat& format) : path_(path), kind_(film_kind(path)) {

@@ -1,5 +1,8 @@
 #include "app/turntable.h"
 
+#include <algorithm>
+#include <vector>
+
 #include "app/composition.h"
 #include "app/film.h"
 #include "render/renderer.h"
@@ -11,6 +14,13 @@ namespace {
 FilmFormat film_format(const PictureOptions& picture, const TurntableOptions& options) {
     return {
         .width_px = picture.width_px, .height_px = picture.height_px, .frames_per_second = options.frames_per_second};
+}
+
+// So many angles of one turn, rad.
+std::vector<float> turn_in(int count) {
+    std::vector<float> turns;
+    for (int i = 0; i < count; ++i) turns.push_back(6.2831853F * float(i) / float(count));
+    return turns;
 }
 
 void add_count(CLI::App& command, const char* name, int& value, int most, const char* help) {
@@ -42,9 +52,9 @@ void check_turntable(const TurntableOptions& options, const PictureOptions& pict
 
 void write_turntable(const Sitter& sitter, const PictureOptions& picture, const TurntableOptions& options,
                      const Progress& progress) {
-    std::vector<float> turns;
-    for (int i = 0; i < options.frames; ++i) turns.push_back(6.2831853F * float(i) / float(options.frames));
-    const Composition composition = compose(sitter, picture, turns);
+    constexpr int most_framed = 48;  // angles are enough to find the frame for all of them
+    const std::vector<float> turns = turn_in(options.frames);
+    const Composition composition = compose(sitter, picture, turn_in(std::min(options.frames, most_framed)));
     Renderer renderer;
     FilmWriter film(options.file, film_format(picture, options));
     for (std::size_t i = 0; i < turns.size(); ++i) {

@@ -57,14 +57,14 @@ ShadowMap::ShadowMap(const GladGLContext& gl)
       positions_(gl),
       indices_(gl),
       depth_(gl),
-      tiles_(gl),
       nearest_(gl),
+      rows_(gl),
       depth_frame_(gl),
-      tiles_frame_(gl),
-      nearest_frame_(gl) {
+      nearest_frame_(gl),
+      rows_frame_(gl) {
     make_depth(gl, depth_, depth_frame_);
-    make_tiles(gl, tiles_, tiles_frame_);
     make_tiles(gl, nearest_, nearest_frame_);
+    make_tiles(gl, rows_, rows_frame_);
 }
 
 void ShadowMap::load(const Casters& casters) {
@@ -92,9 +92,14 @@ void ShadowMap::draw(const Eigen::Matrix4f& matrix, float reach) const {
 
     gl_.Disable(GL_DEPTH_TEST);
     gl_.ActiveTexture(GL_TEXTURE0);
-    draw_nearest(tile_program_, {tiles_frame_.id(), kTileSide}, depth_.id(), kTexelsOfTile);
-    const int spread = static_cast<int>(std::ceil(reach * kTileSide)) + 1;
-    draw_nearest(spread_program_, {nearest_frame_.id(), kTileSide}, tiles_.id(), spread);
+    draw_nearest(tile_program_, {nearest_frame_.id(), kTileSide}, depth_.id(), kTexelsOfTile);
+    const int spread = std::min(static_cast<int>(std::ceil(reach * kTileSide)) + 1, kTileSide);
+    // Within a square: along rows, then, the rows' tiles being read for the last time, back along columns.
+    spread_program_.use();
+    spread_program_.set("along_columns", 0);
+    draw_nearest(spread_program_, {rows_frame_.id(), kTileSide}, nearest_.id(), spread);
+    spread_program_.set("along_columns", 1);
+    draw_nearest(spread_program_, {nearest_frame_.id(), kTileSide}, rows_.id(), spread);
 }
 
 void ShadowMap::draw_nearest(const Program& program, const View& to, unsigned from, int cells) const {

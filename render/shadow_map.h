@@ -36,8 +36,8 @@ class ShadowMap {
     Program depth_program_, tile_program_, spread_program_;
     VertexArray vertex_array_, no_vertices_;
     Buffer positions_, indices_;
-    Texture depth_, tiles_, nearest_;
-    Framebuffer depth_frame_, tiles_frame_, nearest_frame_;
+    Texture depth_, nearest_, rows_;
+    Framebuffer depth_frame_, nearest_frame_, rows_frame_;
 };
 
 }  // namespace selvedge

@@ -114,13 +114,15 @@ Legend show_panels(ClothItem& cloth) {
         mesh.panel.empty() ? 1 : std::size_t{1} + *std::max_element(mesh.panel.begin(), mesh.panel.end());
     Legend legend{.title = "Panels"};
     ClothPaint paint;
+    constexpr std::size_t kMostColours = 256;  // a map has to fit a texture; colours have come round long before
     for (std::size_t panel = 0; panel < panels; ++panel) {
-        paint.map.push_back(kind_colour(panel));
-        legend.rows.push_back({kind_colour(panel), panel_name(mesh, panel)});
+        if (panel < kMostColours) paint.map.push_back(kind_colour(panel));
+        legend.rows.push_back({kind_colour(panel % kMostColours), panel_name(mesh, panel)});
     }
     if (panels == 1) paint.map.push_back(paint.map.front());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const float place = place_of(mesh.panel.empty() ? 0 : mesh.panel[t], paint.map.size());
+        const std::size_t panel = mesh.panel.empty() ? 0 : mesh.panel[t];
+        const float place = place_of(panel % kMostColours, paint.map.size());
         paint.places.push_back({place, place, place});
     }
     cloth.paint = std::move(paint);

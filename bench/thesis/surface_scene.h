@@ -27,7 +27,7 @@ SurfaceScene make_surface_scene(SurfaceExperiment experiment, int level = 0);
 // One frame.
 void run_frame(SurfaceScene& scene);
 
-// Frames until it stands still (square), or as many as make up so many seconds (flag).
+// As many frames as make up so many seconds.
 void run_for(SurfaceScene& scene, double seconds);
 
 }  // namespace selvedge

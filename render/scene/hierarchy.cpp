@@ -69,9 +69,10 @@ Layout lay_out(const std::vector<Box>& boxes, float width_over_height) {
     for (const Box& box : boxes) {
         widest = std::max(widest, box.size().x());
         greatest = std::max(greatest, box.size().maxCoeff());
-        all += box.size().x() + kPanelGap;
+        all += box.size().x();
     }
     const float gap = kPanelGap * greatest;
+    all += gap * static_cast<float>(boxes.size());
     Layout best;
     float least = std::numeric_limits<float>::infinity();
     constexpr int tries = 24;

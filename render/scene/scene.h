@@ -25,7 +25,7 @@ enum class ShowMode {
     Hierarchy,   // the levels' triangles stacked beside the flat panels
     StrainWarp,  // along the warp
     StrainWeft,
-    Strain,     // the one of the two that is further from rest
+    Strain,     // the greater of the two
     Clearance,  // how far the cloth stands off the body
     Panels,
     Seams,

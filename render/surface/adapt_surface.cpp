@@ -1,5 +1,6 @@
 #include "render/surface/adapt_surface.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/adaptive/foresight.h"
@@ -23,10 +24,24 @@ struct Observer : SurfaceObserver {
     Visibility* visibility;
 };
 
+// What is turned away, too short or deep enough is not to be split.
+struct CoarseVeto {
+    static constexpr bool is_veto = true;
+    const Visibility* visibility;  // none: all is seen
+    float shortest_edge;
+    int max_level;
+
+    bool vetoes(const AdaptiveMesh& mesh, EdgeId e) const {
+        return mesh.level(e) >= max_level || mesh.rest_length(e) < shortest_edge ||
+               (visibility != nullptr && visibility->is_hidden(mesh, e));
+    }
+};
+
 // All that ask for finer triangles, each with its switch, as one: so that foresight serves them all.
 struct Wish {
     const SurfaceCriteria& on;
     const CurvedSurface& surface;
+    const CoarseVeto& veto;  // what it keeps coarse is not asked for by way of its neighbours either
     CurvatureCriterion<Vec4f> curvature;
     BucklingCriterion<Vec4f> buckling;
     LengthCriterion<Vec4f> length;
@@ -34,7 +49,7 @@ struct Wish {
     bool wants_split(const AdaptiveMesh& mesh, EdgeId e) const {
         const bool asks = (on.curvature && curvature.wants_split(mesh, e)) ||
                           (on.buckling && buckling.wants_split(mesh, e)) || (on.length && length.wants_split(mesh, e));
-        return asks && bulge(mesh.edge(e)) > on.least_bulge;
+        return asks && bulge(mesh.edge(e)) > on.least_bulge && !veto.vetoes(mesh, e);
     }
     bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId e) const {
         const bool agrees = (!on.curvature || curvature.allows_rejoin(mesh, e)) &&
@@ -51,17 +66,6 @@ struct Wish {
     }
 };
 
-// What is turned away, and what is too short, is not to be split.
-struct CoarseVeto {
-    static constexpr bool is_veto = true;
-    const Visibility* visibility;  // none: all is seen
-    float shortest_edge;
-
-    bool vetoes(const AdaptiveMesh& mesh, EdgeId e) const {
-        return mesh.rest_length(e) < shortest_edge || (visibility != nullptr && visibility->is_hidden(mesh, e));
-    }
-};
-
 // Nothing rejoins before its vertex has arrived in the middle: neither for a veto's sake nor with all agreed. Nor does
 // an edge split before its ends have arrived on their curves: it would be judged by a length that it will not have.
 struct VetoOnArrival {
@@ -72,9 +76,10 @@ struct VetoOnArrival {
     bool vetoes(const AdaptiveMesh& mesh, EdgeId e) const {
         const AdaptiveEdge& edge = mesh.edge(e);
         if (mesh.is_split(e)) return shown(edge.centre) <= 0 && veto.vetoes(mesh, e);
-        return shown(edge.ends[0]) < 1 || shown(edge.ends[1]) < 1 || veto.vetoes(mesh, e);
+        return !stands(edge.ends[0]) || !stands(edge.ends[1]) || veto.vetoes(mesh, e);
     }
     float shown(VertexId v) const { return surface.shown[v.value]; }
+    bool stands(VertexId v) const { return shown(v) >= 1 && !surface.is_leaving[v.value]; }
 };
 struct HoldUntilArrival {
     const CurvedSurface& surface;
@@ -85,12 +90,12 @@ struct HoldUntilArrival {
 
 // Which vertices are to glide to the middle of their edges: those whose edges may go and are asked to.
 template <class Criterion>
-void note_leaving(CurvedSurface& surface, int max_level, const CoarseVeto& veto, const Criterion& criterion) {
+void note_leaving(CurvedSurface& surface, const CoarseVeto& veto, const Criterion& criterion) {
     const AdaptiveMesh& mesh = surface.mesh;
-    const auto is_asked_to = [&](EdgeId e) {
-        return mesh.level(e) >= max_level || criterion.allows_rejoin(mesh, e) || veto.vetoes(mesh, e);
+    const auto is_to_go = [&](EdgeId e) {
+        return mesh.has_leaf_children(e) && (criterion.allows_rejoin(mesh, e) || veto.vetoes(mesh, e)) &&
+               mesh.may_rejoin(e);
     };
-    const auto is_to_go = [&](EdgeId e) { return is_asked_to(e) && mesh.has_leaf_children(e) && mesh.may_rejoin(e); };
     for (int level = 0; level < mesh.max_level(); ++level) {
         for (const EdgeId e : mesh.split_edges(level)) surface.is_leaving[mesh.centre(e).value] = is_to_go(e);
     }
@@ -101,10 +106,9 @@ AdaptReport adapt_with(CurvedSurface& surface, const AdaptSurfaceOptions& option
                        const Criterion& criterion) {
     using Entrance = SurfaceObserver::Entrance;
     Observer observer(surface, options.glides ? Entrance::Middle : Entrance::Curve, options.visibility);
-    const AdaptOptions limits{.max_level = options.max_level};
-    if (!options.glides) return adapt(surface.mesh, observer, limits, veto, criterion);
-    note_leaving(surface, options.max_level, veto, criterion);
-    return adapt(surface.mesh, observer, limits, VetoOnArrival{surface, veto}, HoldUntilArrival{surface}, criterion);
+    if (!options.glides) return adapt(surface.mesh, observer, {}, veto, criterion);
+    note_leaving(surface, veto, criterion);
+    return adapt(surface.mesh, observer, {}, VetoOnArrival{surface, veto}, HoldUntilArrival{surface}, criterion);
 }
 
 }  // namespace
@@ -112,10 +116,13 @@ AdaptReport adapt_with(CurvedSurface& surface, const AdaptSurfaceOptions& option
 AdaptReport adapt_surface(CurvedSurface& surface, const AdaptSurfaceOptions& options) {
     const SurfaceCriteria& on = options.criteria;
     if (options.visibility != nullptr) options.visibility->look(surface.mesh, surface.x, surface.normals);
-    const Wish wish{on, surface, CurvatureCriterion(surface.normals, on.curvature_angles),
+    const CoarseVeto veto{options.visibility, on.shortest_edge, options.max_level};
+    const Wish wish{on,
+                    surface,
+                    veto,
+                    CurvatureCriterion(surface.normals, on.curvature_angles),
                     BucklingCriterion<Vec4f>(surface.x, on.buckling_ratios),
                     LengthCriterion<Vec4f>(surface.x, on.compressions)};
-    const CoarseVeto veto{options.visibility, on.shortest_edge};
     const AdaptReport report = adapt_with(surface, options, veto, Foresight(wish));
     if (report.changed()) plan_surface(surface);
     return report;
@@ -126,6 +133,8 @@ void settle_surface(CurvedSurface& surface, std::span<const Vec4f> x, std::span<
     constexpr int kMostRounds = 12;
     AdaptSurfaceOptions at_once = options;
     at_once.glides = false;
+    std::fill(surface.shown.begin(), surface.shown.end(), 1.0F);
+    std::fill(surface.is_leaving.begin(), surface.is_leaving.end(), false);
     move_surface(surface, x, normals, move);
     for (int round = 0; round < kMostRounds && adapt_surface(surface, at_once).changed(); ++round) {
         move_surface(surface, x, normals, move);

@@ -16,8 +16,8 @@ struct SurfaceCriteria {
     CurvatureOptions curvature_angles{.split_angle = 0.12F, .rejoin_angle = 0.05F};  // of curves' normals
     BucklingOptions buckling_ratios{.split_ratio = 1.02F, .rejoin_ratio = 1.01F};
     LengthOptions compressions{};
-    float least_bulge = 0.0002F;   // m that a curve leaves its chord; with less an edge is not split, with half of it
-                                   // it agrees to rejoin, whatever the others say
+    float least_bulge = 0.0002F;   // m that a curve with M = 1 leaves its chord; with less an edge is not split, with
+                                   // half of it it agrees to rejoin, whatever the others say
     float shortest_edge = 0.002F;  // m; shorter ones are not split
 };
 

@@ -1,5 +1,6 @@
 #include "render/surface/curved_mesh.h"
 
+#include <algorithm>
 #include <string>
 
 #include "sim/core/assert.h"
@@ -74,7 +75,7 @@ class MeshWriter {
         mesh_.triangles.push_back({place(t.vertices[0]), place(t.vertices[1]), place(t.vertices[2])});
         if (!coarse_.u.empty()) mesh_.u.push_back(t.u);
         if (!coarse_.panel.empty()) mesh_.panel.push_back(t.panel);
-        mesh_.level.push_back(static_cast<std::uint8_t>(base_level_ + t.level));
+        mesh_.level.push_back(level_from_base(t.level));
     }
 
     std::uint32_t place(VertexId v) {
@@ -91,7 +92,10 @@ class MeshWriter {
     std::uint8_t level_of(VertexId v) const {
         const bool is_base = v.value < surface_.mesh.base_vertex_count();
         if (is_base) return coarse_.vertex_level.empty() ? std::uint8_t{0} : coarse_.vertex_level[v.value];
-        return static_cast<std::uint8_t>(base_level_ + surface_.mesh.vertex(v).level);
+        return level_from_base(surface_.mesh.vertex(v).level);
+    }
+    std::uint8_t level_from_base(int level) const {
+        return static_cast<std::uint8_t>(std::min(base_level_ + level, 255));
     }
 
     const CurvedSurface& surface_;

@@ -24,7 +24,8 @@ struct CurvedMeshOptions {
 inline constexpr int kMostSurfaceLevel = 6;
 inline constexpr std::size_t kMostDrawnTriangles = 20'000'000;
 
-// Material coordinates, panels and names are the coarse mesh's; levels count on from its. A triangle without material
+// Material coordinates, panels and names are the coarse mesh's; levels count on from its, to 255 at most; a vertex on
+// an edge between triangles of two levels counts on from the first of them. A triangle without material
 // coordinates is as long as it lies. Throws InputError for a mesh on which no surface can stand (an edge with three
 // triangles, a triangle with two equal corners), or that would have more than kMostDrawnTriangles.
 PlainMesh curved_mesh(const PlainMesh& coarse, const CurvedMeshOptions& options = {});

@@ -59,7 +59,9 @@ void move_level(CurvedSurface& surface, std::size_t level, const Lift& lift, flo
         const EdgeCurve& curve = surface.curves[point.curve];
         const Vec4f where = surface.weights.point(curve, point.step);
         surface.normals[point.v.value] = surface.weights.normal(curve, point.step);
-        surface.x[point.v.value] = glide(surface, point, lift.lifted(point, where), longest_glide);
+        const Vec4f lifted = lift.lifted(point, where);
+        surface.x[point.v.value] = glide(surface, point, lifted, longest_glide);
+        lift.note_moved(point.v, (surface.x[point.v.value] - lifted).norm());
     }
 }
 
@@ -120,7 +122,8 @@ void plan_surface(CurvedSurface& surface) {
     plan.points.clear();
     plan.curve_ends.clear();
     plan.point_ends.clear();
-    std::vector<std::uint32_t> curve_of(mesh.edges().capacity());
+    std::vector<std::uint32_t>& curve_of = plan.curve_of;
+    curve_of.resize(mesh.edges().capacity());
     for (int level = 0; level < mesh.max_level(); ++level) {
         for (const EdgeId e : mesh.split_edges(level)) {
             const AdaptiveEdge& edge = mesh.edge(e);

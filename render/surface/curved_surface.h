@@ -48,6 +48,7 @@ struct SurfacePlan {
     std::vector<Curve> curves;
     std::vector<Point> points;
     std::vector<std::size_t> curve_ends, point_ends;  // by level: one past its last
+    std::vector<std::uint32_t> curve_of;              // by EdgeId, of roots; scratch
 };
 
 struct CurvedSurface {

@@ -14,6 +14,11 @@ class Lift {
     // A vertex of an edge, moved to the offset surface if it was nearer to the body or inside, else `where`.
     Vec4f lifted(const SurfacePlan::Point& point, const Vec4f& where) const;
 
+    // It stands so far, m, from where it was lifted to: so much nearer to the body it may be.
+    void note_moved(VertexId v, float distance) const {
+        if (body_ != nullptr) surface_.clear[v.value] -= distance;
+    }
+
  private:
     CurvedSurface& surface_;
     const Collider* body_;

@@ -10,7 +10,7 @@ namespace {
 constexpr double kSame = 1e-9;  // of the whole cost: sums that differ by less are equal
 
 struct Kink {
-    double at = 0;       // m, in [0, repeat)
+    double at = 0;       // m, in [0, repeat]
     double steeper = 0;  // change of slope
 };
 
@@ -42,8 +42,11 @@ double best_shift(const std::vector<ShiftTerm>& terms, double repeat) {
         const double weight = term.weight;
         cost += weight * std::min(phase, repeat - phase);
         slope += weight * factor * (phase > 0 && phase <= repeat / 2 ? 1 : -1);
-        add_kinks(phase_of(-phase, repeat), factor, 2 * weight * factor, repeat, kinks);
-        add_kinks(phase_of(repeat / 2 - phase, repeat), factor, -2 * weight * factor, repeat, kinks);
+        // Not by phase_of: what rounds to a whole repeat lies there, and not at 0, or the slope before 0 is another.
+        const double zero = phase > 0 ? repeat - phase : 0;
+        const double farthest = phase <= repeat / 2 ? repeat / 2 - phase : repeat + (repeat / 2 - phase);
+        add_kinks(zero, factor, 2 * weight * factor, repeat, kinks);
+        add_kinks(farthest, factor, -2 * weight * factor, repeat, kinks);
         scale += weight * repeat;
     }
     std::sort(kinks.begin(), kinks.end(), [](const Kink& a, const Kink& b) { return a.at < b.at; });

@@ -230,7 +230,8 @@ double centred_offset(const Panel& panel, const StripeRepeat& repeat, double off
     return offset + wrapped(centred - offset, repeat.size / 2);  // it mirrors half a repeat further, too
 }
 
-// One family's problem, on panels in the order of their names, so that the order in the file does not matter.
+// One family's problem, on panels in the order of their names, so that the order in the file does not matter but for
+// which of them keeps its offset.
 class FamilyMatch {
  public:
     FamilyMatch(const Pattern& pattern, const std::vector<SeamLines>& seams, const MatchOptions& options, Family f)

@@ -27,7 +27,8 @@ struct MatchOptions {
 };
 
 // The mismatch at a point of a seam is the distance, across the stripes, from where a stripe arrives to the nearest
-// place of the sett that goes on with it, at most half a repeat. Points lie a millimetre apart; those count where
+// place of the sett that goes on with it, at most half a repeat. Points lie a millimetre apart, or 1,024 to the
+// seam; those count where
 // stripes cross the seam at 15 degrees or more, the worse family counts.
 struct SeamMatch {
     int seam = 0;  // index into Pattern::seams

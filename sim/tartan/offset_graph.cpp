@@ -55,12 +55,10 @@ class Solver {
         for (const OffsetTerm& term : problem_.terms) levels.push_back(term.level);
         std::sort(levels.begin(), levels.end());
         levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
-        std::size_t last = 0;
         std::vector<std::vector<std::size_t>> terms(levels.size());
         for (std::size_t t = 0; t < problem_.terms.size(); ++t) {
             const auto found = std::lower_bound(levels.begin(), levels.end(), problem_.terms[t].level);
-            last = static_cast<std::size_t>(found - levels.begin());
-            terms[last].push_back(t);
+            terms[static_cast<std::size_t>(found - levels.begin())].push_back(t);
         }
         for (std::size_t i = 0; i < levels.size(); ++i) solve_level(levels[i], terms[i]);
         for (std::size_t p = 0; p < state_.members.size(); ++p) settle(p, start);

@@ -1,7 +1,7 @@
 #pragma once
 // A tartan as weavers write it: the threadcount, expanded to one repeat of coloured threads. The weft repeats the warp
 // unless it has a threadcount of its own.
-// (docs: TEXTILES "Tartans"; notation of the Scottish Register of Tartans)
+// (Notation of the Scottish Register of Tartans.)
 //
 //   B/24 W4 B24 R2 K24 G24 W/2   a slash marks a pivot: laid once at its full count, the stripes between are mirrored
 //   B18 G46 K6 Y40               no slash: repeated end to end

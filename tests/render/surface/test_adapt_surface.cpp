@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "sim/adaptive/check.h"
+#include "sim/body/analytic_collider.h"
 #include "tests/render/surface/fixtures.h"
 
 namespace selvedge::test {
@@ -167,6 +168,61 @@ TEST(AdaptSurface, glides_out_and_rejoins_what_is_no_longer_seen) {
     EXPECT_GT(splits, 100);
     EXPECT_GT(rejoins, 100);
     EXPECT_TRUE(check(surface.mesh).empty());
+}
+
+TEST(AdaptSurface, glides_down_to_a_lower_level_too) {
+    const GarmentMesh base = shaped_square(6, on_waves);
+    const Coarse coarse = coarse_of(base);
+    CurvedSurface surface = settled(base);
+    const auto deepest = [&] {
+        int level = 0;
+        for (const LeafTriangle& t : surface.mesh.leaf_triangles()) level = std::max<int>(level, t.level);
+        return level;
+    };
+    ASSERT_EQ(deepest(), 3);
+    for (int frame = 0; frame < 300; ++frame) {
+        const CurvedSurface before = surface;
+        adapt_surface(surface, {.max_level = 1, .glides = true});
+        update_surface(surface, coarse.x, coarse.normals);
+        ASSERT_LT(greatest_jump(before, surface), kMostJump) << frame;
+        ASSERT_LT(greatest_leap_of_what_went(before, surface), 1e-6F) << frame;
+    }
+    EXPECT_EQ(deepest(), 1);
+}
+
+TEST(AdaptSurface, settles_at_once_whatever_was_on_its_way) {
+    const GarmentMesh base = shaped_square(6, on_waves);
+    const Coarse coarse = coarse_of(base);
+    CurvedSurface surface = make_curved_surface(base, {.max_level = 3});
+    for (int frame = 0; frame < 5; ++frame) {
+        adapt_surface(surface, {.glides = true});
+        update_surface(surface, coarse.x, coarse.normals);
+    }
+    settle_surface(surface, coarse.x, coarse.normals);
+    const std::vector<Vec4f> at_rest = surface.x;
+    update_surface(surface, coarse.x, coarse.normals);
+    EXPECT_EQ(surface.x, at_rest);
+    const ByMaterial uniform = by_material(surface_at_level(base, 3));
+    for (const auto& [material, x] : by_material(surface)) EXPECT_EQ(x, uniform.at(material));
+}
+
+TEST(AdaptSurface, keeps_clear_of_the_body_while_vertices_glide) {
+    constexpr float radius = 0.15F, offset = 0.003F;
+    const SphereCollider ball(Vec3f::Zero(), radius);
+    const GarmentMesh base = shaped_square(4, [&](double x, double y) {
+        return Vec3d(Vec3d(0.7 * x, 0.4, -0.7 * y).normalized() * double(radius + offset));
+    });
+    const Coarse coarse = coarse_of(base);
+    CurvedSurface surface = make_curved_surface(base, {.max_level = 3});
+    const MoveOptions move{.body = &ball, .offset = offset};
+    for (int frame = 0; frame < 200; ++frame) {
+        adapt_surface(surface, {.max_level = frame < 100 ? 3 : 1, .glides = true});
+        update_surface(surface, coarse.x, coarse.normals, move);
+        for (const VertexId v : surface.mesh.leaf_vertices()) {
+            if (surface.shown[v.value] < 1) continue;
+            ASSERT_GT(surface.x[v.value].norm(), radius + offset - 1e-4F) << frame;
+        }
+    }
 }
 
 }  // namespace

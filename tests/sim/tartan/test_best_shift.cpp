@@ -34,6 +34,12 @@ TEST(BestShift, stays_where_nothing_is_better) {
     EXPECT_EQ(best_shift({}, 0.1), 0);
 }
 
+TEST(BestShift, is_not_led_astray_by_what_rounding_leaves_of_nothing_or_of_half_a_repeat) {
+    EXPECT_NEAR(best_shift({{1.7e-18, 1, 1}, {0.03, 2, 1}}, 0.2), -0.03, 1e-12);
+    EXPECT_NEAR(best_shift({{std::nextafter(0.1, 1.0), 1, 1}, {0, 2, 1}}, 0.2), 0, 1e-12);
+    EXPECT_NEAR(best_shift({{-1.7e-18, 1, 1}, {0.03, 2, -1}}, 0.2), 0.03, 1e-12);
+}
+
 TEST(BestShift, no_shift_on_a_fine_grid_is_better) {
     std::mt19937 random(5);
     const auto number = [&] { return double(random() % 100001) / 100000.0; };
