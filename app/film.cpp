@@ -122,10 +122,11 @@ FilmKind film_kind(const fs::path& path) {
     const std::string extension = lower_extension(path);
     std::error_code ignored;
     if (fs::is_directory(path, ignored) || !path.has_filename()) return FilmKind::Frames;
+    if (extension == ".frames") return FilmKind::Frames;
     if (extension == ".mp4") return FilmKind::Mp4;
     if (extension == ".gif") return FilmKind::Gif;
     throw InputError(path.string(), "",
-                     "cannot write: a film's name should end in .mp4, .gif or, for a folder of frames, in /");
+                     "cannot write: a film's name should end in .mp4, .gif or, for a folder of frames, in / or .frames");
 }
 
 void check_film(const fs::path& path, const FilmFormat& format) {

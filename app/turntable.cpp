@@ -36,7 +36,7 @@ void add_count(CLI::App& command, const char* name, int& value, int most, const 
 void add_turntable_options(CLI::App& command, TurntableOptions& options) {
     command
         .add_option("--turntable", options.file,
-                    "Film of one turn: .mp4 or .gif (by ffmpeg), or a folder for frames, ending in /")
+                    "Film of one turn: .mp4 or .gif (by ffmpeg), or a folder for frames, ending in / or .frames")
         ->type_name("FILE|FOLDER/")
         ->group("Film");
     add_count(command, "--frames", options.frames, 3600, "Frames of the turn (default 100)");

@@ -159,6 +159,8 @@ TEST_F(RenderCommand, a_turntable_of_frames_turns_once_and_begins_with_the_pictu
         for (std::size_t i = 0; i + 1 < frames.size(); ++i) EXPECT_FALSE(frames[i] == frames.back());
     }
     EXPECT_FALSE(is_there("out/frame_0005.png"));
+    ASSERT_EQ(render("--view three-quarter --turntable turn.frames --frames 2 --transparent").exit_code, 0);
+    EXPECT_EQ(picture("turn.frames/frame_0001.png"), frames.front());
 }
 
 // What is drawn, in pixels: of rows for no zoom, of columns for nothing cut off.
