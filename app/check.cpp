@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "sim/core/error.h"
 #include "sim/pattern/pattern_file.h"
+#include "sim/tartan/tartan_file.h"
 
 namespace selvedge {
 namespace {
@@ -15,11 +17,26 @@ struct CheckArguments {
     bool is_strict = false;
 };
 
+// What the pattern names is looked up as dressing it would.
+void add_faults_of_names(const std::string& file, std::vector<Fault>& faults) {
+    const Pattern pattern = load_pattern(file).pattern;
+    try {
+        if (!pattern.tartan.empty()) find_tartan(pattern.tartan);
+    } catch (const InputError& error) {
+        const std::string place = error.place() == "tartan" ? "" : error.place() + ": ";
+        faults.push_back({.severity = Severity::Error,
+                          .file = file,
+                          .place = "selvedge.tartan",
+                          .problem = place + error.problem()});
+    }
+}
+
 int check_files(const CheckArguments& arguments) {
     bool has_warning = false;
     bool has_fault = false;
     for (const std::string& file : arguments.files) {
-        const std::vector<Fault> faults = check_pattern_file(file);
+        std::vector<Fault> faults = check_pattern_file(file);
+        if (!has_error(faults)) add_faults_of_names(file, faults);
         for (const Fault& fault : faults) std::printf("%s\n", describe(fault).c_str());
         has_warning = has_warning || !faults.empty();
         has_fault = has_fault || has_error(faults);

@@ -313,8 +313,9 @@ Legend fill_model(Scene& scene, const Sitter& sitter, const PictureOptions& opti
 void set_ground(Scene& scene) {
     // A garment alone that hangs high has no floor to stand on.
     const float low = lowest(scene_points(scene));
-    scene.has_ground = low < 0.3F;
     scene.ground_y = std::min(0.0F, low);
+    // Nor is there one for who looks from below it.
+    scene.has_ground = low < 0.3F && scene.camera.eye.y() > scene.ground_y;
     // What lies on the floor is laid on something, and is not taken for the floor.
     if (scene.cloths.front().show == ShowMode::Hierarchy) scene.ground_y -= 0.01F;
 }

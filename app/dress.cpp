@@ -264,7 +264,8 @@ void add_output_options(CLI::App& command, DressArguments& arguments) {
     add("--export", arguments.garment_files, "The garment as .obj or .glb; may be repeated", "FILE");
     command.add_flag("--export-surface", arguments.exports_surface, "Exports carry the curved surface (--surface)")
         ->group("Output")
-        ->needs(command.get_option("--surface"));
+        ->needs(command.get_option("--surface"))
+        ->needs(command.get_option("--export"));
     add("--export-body", arguments.body_files, "The body as .obj or .glb; may be repeated", "FILE");
     add("--report", arguments.report_file, "What came of it, as JSON", "JSON");
 }

@@ -31,9 +31,25 @@ std::string lower_extension(const fs::path& path) {
     return extension;
 }
 
+std::string frame_name(int number) {
+    std::array<char, 32> name{};
+    std::snprintf(name.data(), name.size(), "frame_%04d.png", number);
+    return name.data();
+}
+
 // "out/" is "out" when the folder is to be made.
 fs::path folder_of_frames(const fs::path& path) {
     return path.has_filename() ? path : path.parent_path();
+}
+
+// Of an earlier, longer film: they would be taken for this one's.
+void check_no_more_frames(const fs::path& folder, int frames) {
+    std::error_code ignored;
+    const fs::path next = folder / frame_name(frames + 1);
+    if (!fs::exists(next, ignored)) return;
+    throw InputError(folder.string(), "",
+                     "cannot write: '" + next.filename().string() +
+                         "' of an earlier, longer film is there: remove it and those after it, or name another folder");
 }
 
 void check_folder(const fs::path& path) {
@@ -125,13 +141,19 @@ FilmKind film_kind(const fs::path& path) {
     if (extension == ".frames") return FilmKind::Frames;
     if (extension == ".mp4") return FilmKind::Mp4;
     if (extension == ".gif") return FilmKind::Gif;
-    throw InputError(path.string(), "",
-                     "cannot write: a film's name should end in .mp4, .gif or, for a folder of frames, in / or .frames");
+    throw InputError(
+        path.string(), "",
+        "cannot write: a film's name should end in .mp4, .gif or, for a folder of frames, in / or .frames");
 }
 
 void check_film(const fs::path& path, const FilmFormat& format) {
     const FilmKind kind = film_kind(path);
-    if (kind == FilmKind::Frames) return check_folder(path);
+    if (kind == FilmKind::Frames) {
+        check_folder(path);
+        return check_no_more_frames(folder_of_frames(path), format.frames);
+    }
+    if (kind == FilmKind::Gif && format.frames_per_second > 50)
+        throw InputError("", "--fps", "a .gif film has at most 50 frames per second");
     check_output(path, kFilmExtensions);
     if (kind == FilmKind::Mp4 && (format.width_px % 2 != 0 || format.height_px % 2 != 0))
         throw InputError("", "--size", "an .mp4 film has sides of even numbers of pixels");
@@ -200,9 +222,7 @@ FilmWriter::~FilmWriter() = default;
 void FilmWriter::add(const Image& image) {
     ++frames_;
     if (encoder_) return encoder_->add(image);
-    std::array<char, 32> name{};
-    std::snprintf(name.data(), name.size(), "frame_%04d.png", frames_);
-    write_png(folder_of_frames(path_) / name.data(), image);
+    write_png(folder_of_frames(path_) / frame_name(frames_), image);
 }
 
 void FilmWriter::finish() {

@@ -15,19 +15,19 @@ struct FilmFormat {
     int width_px = 0;
     int height_px = 0;
     int frames_per_second = 25;
+    int frames = 1;
 };
 
-// By its ending; frames where it names a folder: one that is there, or a name that ends in '/'.
+// By its ending; frames where it names a folder: one that is there, or a name that ends in '/' or .frames.
 // Throws InputError for any other name.
 FilmKind film_kind(const std::filesystem::path& path);
 
-// Throws InputError when such a film cannot be written there, or ffmpeg is asked for and missing: to be asked before
-// long work.
+// Throws InputError when such a film cannot be written there, where frames of a longer one are, or ffmpeg is asked for
+// and missing: to be asked before long work.
 void check_film(const std::filesystem::path& path, const FilmFormat& format);
 
 // What stands at the path is replaced when the film is whole; until then the film has another name, and goes with the
-// object. Frames are written as frame_0001.png and so on, one by one; those of an earlier, longer film beyond them
-// stay.
+// object. Frames are written as frame_0001.png and so on, one by one.
 class FilmWriter {
  public:
     FilmWriter(const std::filesystem::path& path, const FilmFormat& format);

@@ -147,6 +147,7 @@ int run(const MatchArguments& arguments) {
     const MatchedSett matched{tartan_of(arguments, pattern), Vec2d(repeat_size(sett), weft_repeat_size(sett))};
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) pattern.panels[p].sett_offset = match.offsets[p];
     pattern.matched_sett = matched;
+    if (!arguments.tartan.empty()) pattern.tartan = matched.tartan;  // the offsets serve no other
 
     print_table(match, matched);
     if (!arguments.json_file.empty()) write_file_atomically(arguments.json_file, to_json(match, matched));
@@ -179,7 +180,9 @@ void add_match_command(CLI::App& app, int& exit_code) {
                      "Panel in whose middle the sett should mirror, where seams leave the choice (default: the first "
                      "panel stays)")
         ->type_name("PANEL");
-    command->add_option("--tartan", arguments->tartan, "A shipped tartan or a threadcount (default: the pattern's)")
+    command
+        ->add_option("--tartan", arguments->tartan,
+                     "A shipped tartan or a threadcount, which becomes the garment's (default: the garment's)")
         ->type_name("NAME");
     command->add_option("--sett-size", arguments->sett_size_cm, "Size of the tartan's repeat in cm (default its own)")
         ->type_name("CM");

@@ -103,7 +103,7 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
     add("--size", "Size of the picture in pixels (default 1024x1024)", [&](Text text) {
         parse_size(text, options);
     })->type_name("WxH");
-    add("--samples", "Samples per pixel of edges: 1, 2, 4 or 8 (default 4)", [&](Text text) {
+    add("--samples", "Samples per pixel of edges: 1, 2, 4 or, where the renderer can, 8 (default 4)", [&](Text text) {
         options.samples = parse_samples(text);
     })->type_name("N");
     add("--supersample", "Draws so many times as large and averages, 1 to 4 (default 1)", [&](Text text) {
@@ -122,9 +122,11 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
     add("--show", std::string("How the cloth is drawn: ") + kShowModeNames + " (default tartan)", [&](Text text) {
         options.show = known(parse_show_mode(text), "--show", text, kShowModeNames);
     })->type_name("MODE");
-    add("--tartan", "A shipped tartan or a threadcount, such as 'B/24 W4 B24 R/2'", [&](Text text) {
-        options.sett = find_tartan(text);
-    })->type_name("NAME");
+    add("--tartan",
+        std::string("A shipped tartan or a threadcount, such as 'B/24 W4 B24 R/2' (default the pattern's, or ") +
+            kDefaultTartan + ")",
+        [&](Text text) { options.sett = find_tartan(text); })
+        ->type_name("NAME");
     add("--sett-size", "Size of the tartan's repeat in cm (default its own)", [&](Text text) {
         options.sett_size = parse_sett_size(text);
     })->type_name("CM");

@@ -72,9 +72,9 @@ void add_render_command(CLI::App& app, int& exit_code) {
     command->footer(
         "Examples:\n"
         "  selvedge render tshirt.obj --body body.obj -o tshirt.png --view three-quarter\n"
-        "  selvedge render tshirt.glb -o levels.png --show level --size 2048x2048\n"
+        "  selvedge render tshirt.glb -o mesh.png --show edges --size 2048x2048\n"
         "  selvedge render tshirt.glb -o check.png --tartan 'K/8 W/8' --sett-size 4\n"
-        "  selvedge render tshirt.glb --body body.obj -o armpit.png --camera 60,-10,3\n"
+        "  selvedge render tshirt.glb --body body.obj -o side.png --camera 60,-10,2 --frame garment\n"
         "  selvedge render tshirt.glb --body body.obj --turntable tshirt.mp4 --size 720x960");
     command->callback([arguments, &exit_code] { exit_code = render(*arguments); });
 }

@@ -45,7 +45,7 @@ void add_surface_options(CLI::App& command, SurfaceChoice& choice) {
                                 " (default: the triangles themselves)",
                             [&](Text text) { choice.kind = parse_kind(text); })
                             ->type_name("KIND");
-    add("--surface-level", "How often its edges are halved: a number, or adaptive (default adaptive, to 3)",
+    add("--surface-level", "How often its edges are halved: 0 to 6, or adaptive (default adaptive, to 3)",
         [&](Text text) { choice.level = parse_level(text); })
         ->type_name("N|adaptive")
         ->needs(kind);
@@ -53,7 +53,9 @@ void add_surface_options(CLI::App& command, SurfaceChoice& choice) {
         [&](Text text) { choice.light_normals = parse_normals(text); })
         ->type_name("WHICH")
         ->needs(kind);
-    command.add_flag("--back-face-coarsening", choice.coarsens_back_faces, "Keep coarse what is turned away")
+    command
+        .add_flag("--back-face-coarsening", choice.coarsens_back_faces,
+                  "Keep coarse what is turned away, in pictures of an adaptive surface")
         ->group("Surface")
         ->needs(kind);
 }
@@ -65,7 +67,11 @@ PlainMesh drawn_mesh(const PlainMesh& garment, const Body* body, const SurfaceCh
     if (choice.coarsens_back_faces) options.view = view;
     std::optional<BodyCollider> collider;
     if (body != nullptr) options.move.body = &collider.emplace(*body);
-    return curved_mesh(garment, options);
+    try {
+        return curved_mesh(garment, options);
+    } catch (const InputError& error) {
+        throw InputError("", "--surface", error.place() + ": " + error.problem());
+    }
 }
 
 }  // namespace selvedge

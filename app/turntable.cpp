@@ -12,8 +12,10 @@ namespace selvedge {
 namespace {
 
 FilmFormat film_format(const PictureOptions& picture, const TurntableOptions& options) {
-    return {
-        .width_px = picture.width_px, .height_px = picture.height_px, .frames_per_second = options.frames_per_second};
+    return {.width_px = picture.width_px,
+            .height_px = picture.height_px,
+            .frames_per_second = options.frames_per_second,
+            .frames = options.frames};
 }
 
 // So many angles of one turn, rad.
@@ -28,7 +30,10 @@ void add_count(CLI::App& command, const char* name, int& value, int most, const 
         if (count < 1 || count > most) throw InputError("", name, "must be from 1 to " + std::to_string(most));
         value = count;
     };
-    command.add_option_function<int>(name, check_and_take, help)->type_name("N")->group("Film");
+    command.add_option_function<int>(name, check_and_take, help)
+        ->type_name("N")
+        ->group("Film")
+        ->needs(command.get_option("--turntable"));
 }
 
 }  // namespace

@@ -49,6 +49,20 @@ TEST(CheckCommand, an_open_outline_is_named_with_file_and_place) {
     EXPECT_NE(said.find("pattern.panels.square"), std::string::npos) << said;
 }
 
+TEST(CheckCommand, a_tartan_that_dressing_would_refuse_is_a_fault) {
+    const auto with_tartan = [](const std::string& tartan) {
+        std::string text = square_pattern(0);
+        return text.insert(1, R"("selvedge": {"tartan": ")" + tartan + R"("}, )");
+    };
+    EXPECT_EQ(check_text(with_tartan("gordon")).exit_code, 0);
+    for (const char* tartan : {"nosuch", "B24 W4 weft: Q3"}) {
+        const ProgramResult result = check_text(with_tartan(tartan));
+        EXPECT_EQ(result.exit_code, 2) << tartan;
+        EXPECT_EQ(count_lines(result.out), 1) << result.out;
+        EXPECT_NE(result.out.find("pattern.json: selvedge.tartan: "), std::string::npos) << result.out;
+    }
+}
+
 TEST(CheckCommand, text_that_is_no_json_is_a_fault) {
     EXPECT_EQ(check_text("{\"pattern\": ").exit_code, 2);
     EXPECT_EQ(check_text("").exit_code, 2);
