@@ -1,6 +1,7 @@
 #include "render/surface/curved_mesh.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
 
 #include "sim/core/assert.h"
@@ -48,8 +49,12 @@ void check_size(const PlainMesh& coarse, int level) {
 // Leaves in the order of their base triangles.
 class MeshWriter {
  public:
-    MeshWriter(const CurvedSurface& surface, const PlainMesh& coarse, const std::vector<Vec4f>& normals)
-        : surface_(surface), coarse_(coarse), normals_(normals), places_(surface.mesh.vertex_capacity(), kNone) {
+    MeshWriter(const CurvedSurface& surface, const PlainMesh& coarse, LightNormals which)
+        : surface_(surface),
+          coarse_(coarse),
+          normals_(which == LightNormals::Recomputed ? surface.light_normals : surface.normals),
+          sided_normals_(which == LightNormals::Recomputed ? surface.creases.light_normals : surface.creases.normals),
+          places_(surface.mesh.vertex_capacity(), kNone) {
         mesh_.panel_names = coarse.panel_names;
         mesh_.panel_grain_angles = coarse.panel_grain_angles;
         mesh_.panel_sett_offsets = coarse.panel_sett_offsets;
@@ -58,7 +63,8 @@ class MeshWriter {
     PlainMesh write() {
         for (std::uint32_t t = 0; t < surface_.mesh.base_triangle_count(); ++t) {
             base_level_ = coarse_.level.empty() ? 0 : coarse_.level[t];
-            write(TriangleId(t));
+            base_ = TriangleId(t);
+            write(base_);
         }
         return std::move(mesh_);
     }
@@ -79,13 +85,20 @@ class MeshWriter {
     }
 
     std::uint32_t place(VertexId v) {
-        std::uint32_t& at = places_[v.value];
-        if (at == kNone) {
-            at = static_cast<std::uint32_t>(mesh_.x.size());
-            mesh_.x.emplace_back(surface_.x[v.value].head<3>());
-            mesh_.vertex_level.push_back(level_of(v));
-            mesh_.normals.emplace_back(normals_[v.value].head<3>());
+        if (!surface_.creases.empty()) {
+            const auto vertex = sided(surface_.creases, surface_.mesh, v, root_of(surface_, v), base_);
+            if (vertex)
+                return place(sided_places_.try_emplace(*vertex, kNone).first->second, v, sided_normals_.at(*vertex));
         }
+        return place(places_[v.value], v, normals_[v.value]);
+    }
+
+    std::uint32_t place(std::uint32_t& at, VertexId v, const Vec4f& normal) {
+        if (at != kNone) return at;
+        at = static_cast<std::uint32_t>(mesh_.x.size());
+        mesh_.x.emplace_back(surface_.x[v.value].head<3>());
+        mesh_.vertex_level.push_back(level_of(v));
+        mesh_.normals.emplace_back(normal.head<3>());
         return at;
     }
 
@@ -101,7 +114,10 @@ class MeshWriter {
     const CurvedSurface& surface_;
     const PlainMesh& coarse_;
     const std::vector<Vec4f>& normals_;
+    const std::map<SidedVertex, Vec4f>& sided_normals_;
+    std::map<SidedVertex, std::uint32_t> sided_places_;
     std::vector<std::uint32_t> places_;  // by VertexId
+    TriangleId base_;                    // that is being written
     int base_level_ = 0;
     PlainMesh mesh_;
 };
@@ -125,11 +141,10 @@ PlainMesh curved_mesh(const PlainMesh& coarse, const CurvedMeshOptions& options)
     const int level = options.level.value_or(options.deepest_level);
     SELVEDGE_ASSERT(level >= 0 && level <= kMostSurfaceLevel);
     check_size(coarse, level);
-    CurvedSurface surface =
-        make_curved_surface(base_of(coarse), {.modifier = curve_modifier(options.kind), .max_level = level});
+    CurvedSurface surface = make_curved_surface(
+        base_of(coarse), {.modifier = curve_modifier(options.kind), .max_level = level, .creases = options.creases});
     refine(surface, options);
-    const bool recomputes = options.light_normals == LightNormals::Recomputed;
-    return MeshWriter(surface, coarse, recomputes ? surface.light_normals : surface.normals).write();
+    return MeshWriter(surface, coarse, options.light_normals).write();
 }
 
 }  // namespace selvedge

@@ -18,7 +18,9 @@ struct CurvedMeshOptions {
     SurfaceCriteria criteria{};
     std::optional<ViewPoint> view{};  // with it what is turned away is kept coarse; adaptive only
     LightNormals light_normals = LightNormals::Recomputed;
-    MoveOptions move{};  // the body that it must not dip into
+    MoveOptions move{};                 // the body that it must not dip into
+    std::vector<CreaseEdge> creases{};  // edges between two triangles of the mesh that stay sharp; their vertices come
+                                        // once for each side
 };
 
 inline constexpr int kMostSurfaceLevel = 6;

@@ -47,18 +47,58 @@ Vec4f glide(CurvedSurface& surface, const SurfacePlan::Point& point, const Vec4f
     return middle + way * glided(surface, point, way.norm(), longest_glide);
 }
 
+// As seen from a side of the root edge.
+CurveEnds ends_from(const CurvedSurface& surface, const SurfacePlan::Curve& curve, TriangleId side) {
+    const Creases& creases = surface.creases;
+    const auto normal = [&](VertexId v) {
+        const auto vertex = sided(creases, surface.mesh, v, root_of(surface, v), creases.base_of[side.value]);
+        return vertex ? creases.normals.at(*vertex) : surface.normals[v.value];
+    };
+    return {surface.x[curve.a.value], surface.x[curve.b.value], normal(curve.a), normal(curve.b), curve.rest_length};
+}
+
+// Where there are creases; also notes the normals of both sides for the points that will stand on one.
+EdgeCurve creased_curve(CurvedSurface& surface, const SurfacePlan::Curve& curve) {
+    const std::array<TriangleId, 2>& sides = surface.mesh.edge(curve.root).sides;
+    const bool is_crease =
+        curve.root.value < surface.creases.is_crease.size() && surface.creases.is_crease[curve.root.value];
+    if (!is_crease) return make_edge_curve(ends_from(surface, curve, sides[0] ? sides[0] : sides[1]), surface.modifier);
+    return make_crease_curve(ends_from(surface, curve, sides[0]), ends_from(surface, curve, sides[1]),
+                             surface.modifier);
+}
+
+void note_crease_normals(CurvedSurface& surface, const SurfacePlan::Point& point) {
+    const SurfacePlan::Curve& curve = surface.plan.curves[point.curve];
+    const EdgeId root = curve.root;
+    if (root.value >= surface.creases.is_crease.size() || !surface.creases.is_crease[root.value]) return;
+    Vec4f sum = Vec4f::Zero();
+    for (std::uint32_t side = 0; side < 2; ++side) {
+        const TriangleId triangle = surface.mesh.edge(root).sides[side];
+        const EdgeCurve seen = make_edge_curve(ends_from(surface, curve, triangle), surface.modifier);
+        sum += surface.creases.normals[{point.v, side}] = surface.weights.normal(seen, point.step);
+    }
+    if (sum.squaredNorm() > 0) surface.normals[point.v.value] = sum.normalized();
+}
+
 void move_level(CurvedSurface& surface, std::size_t level, const Lift& lift, float longest_glide) {
     const SurfacePlan& plan = surface.plan;
+    const bool has_creases = !surface.creases.empty();
     const auto first = [level](const std::vector<std::size_t>& ends) { return level == 0 ? 0 : ends[level - 1]; };
     for (std::size_t i = first(plan.curve_ends); i < plan.curve_ends[level]; ++i) {
         const SurfacePlan::Curve& curve = plan.curves[i];
-        surface.curves[i] = make_edge_curve(ends_of(surface, curve.a, curve.b, curve.rest_length), surface.modifier);
+        if (has_creases) {
+            surface.curves[i] = creased_curve(surface, curve);
+        } else {
+            surface.curves[i] =
+                make_edge_curve(ends_of(surface, curve.a, curve.b, curve.rest_length), surface.modifier);
+        }
     }
     for (std::size_t i = first(plan.point_ends); i < plan.point_ends[level]; ++i) {
         const SurfacePlan::Point& point = plan.points[i];
         const EdgeCurve& curve = surface.curves[point.curve];
         const Vec4f where = surface.weights.point(curve, point.step);
         surface.normals[point.v.value] = surface.weights.normal(curve, point.step);
+        if (has_creases) note_crease_normals(surface, point);
         const Vec4f lifted = lift.lifted(point, where);
         surface.x[point.v.value] = glide(surface, point, lifted, longest_glide);
         lift.note_moved(point.v, (surface.x[point.v.value] - lifted).norm());
@@ -66,6 +106,11 @@ void move_level(CurvedSurface& surface, std::size_t level, const Lift& lift, flo
 }
 
 }  // namespace
+
+EdgeId root_of(const CurvedSurface& surface, VertexId v) {
+    const EdgeId parent = surface.mesh.vertex(v).parent;
+    return parent ? surface.places[parent.value].root : EdgeId{};
+}
 
 CurvedSurface make_curved_surface(const GarmentMesh& base, const SurfaceOptions& options) {
     CurvedSurface surface{.mesh = AdaptiveMesh(base, {.max_level = options.max_level}),
@@ -75,6 +120,8 @@ CurvedSurface make_curved_surface(const GarmentMesh& base, const SurfaceOptions&
     for (std::size_t i = 0; i < base.x.size(); ++i) surface.x[i] = padded(base.x[i].cast<float>());
     surface.places.resize(surface.mesh.edges().capacity());
     for (std::uint32_t e = 0; e < surface.mesh.base_edge_count(); ++e) make_root(surface, EdgeId(e));
+    surface.creases = find_creases(surface.mesh, options.creases);
+    if (!surface.creases.empty()) update_base_normals(surface.creases, surface.mesh, surface.x);
     leaf_normals(surface.mesh, surface.x, surface.normals);
     surface.light_normals = surface.normals;
     plan_surface(surface);
@@ -113,6 +160,7 @@ void SurfaceObserver::after(TriangleId t) {
     const AdaptiveTriangle& owner = surface_.mesh.triangle(t);
     for (std::size_t i = 0; i < layout(owner.configuration).edge_count; ++i)
         make_root(surface_, owner.internal_edges[i]);
+    if (!surface_.creases.empty()) note_children(surface_.creases, surface_.mesh, t);
 }
 
 void plan_surface(CurvedSurface& surface) {
@@ -130,7 +178,7 @@ void plan_surface(CurvedSurface& surface) {
             const EdgePlace& place = surface.places[e.value];
             if (place.root == e) {
                 curve_of[e.value] = static_cast<std::uint32_t>(plan.curves.size());
-                plan.curves.push_back({edge.ends[0], edge.ends[1], edge.rest_length});
+                plan.curves.push_back({edge.ends[0], edge.ends[1], edge.rest_length, e});
             }
             plan.points.push_back({.v = edge.centre,
                                    .a = edge.ends[0],
@@ -150,6 +198,7 @@ void move_surface(CurvedSurface& surface, std::span<const Vec4f> x, std::span<co
     SELVEDGE_ASSERT(x.size() >= base && normals.size() >= base);
     std::copy_n(x.begin(), base, surface.x.begin());
     std::copy_n(normals.begin(), base, surface.normals.begin());
+    if (!surface.creases.empty()) update_base_normals(surface.creases, surface.mesh, surface.x);
     const Lift lift(surface, options);
     for (std::size_t level = 0; level < surface.plan.point_ends.size(); ++level)
         move_level(surface, level, lift, options.longest_glide);
@@ -172,6 +221,10 @@ void leaf_normals(const AdaptiveMesh& mesh, const std::vector<Vec4f>& x, std::ve
 
 void update_light_normals(CurvedSurface& surface) {
     leaf_normals(surface.mesh, surface.x, surface.light_normals);
+    if (surface.creases.empty()) return;
+    std::vector<EdgeId> roots(surface.mesh.vertex_capacity());
+    for (const VertexId v : surface.mesh.leaf_vertices()) roots[v.value] = root_of(surface, v);
+    update_light_normals(surface.creases, surface.mesh, roots, surface.x);
 }
 
 void update_surface(CurvedSurface& surface, std::span<const Vec4f> x, std::span<const Vec4f> normals,

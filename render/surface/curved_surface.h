@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "render/surface/creases.h"
 #include "render/surface/edge_curve.h"
 #include "sim/adaptive/adapt.h"
 #include "sim/adaptive/adaptive_mesh.h"
@@ -24,6 +25,7 @@ class Collider;
 struct SurfaceOptions {
     CurveModifier modifier{};
     int max_level = 3;
+    std::vector<CreaseEdge> creases{};  // that stay sharp
 };
 
 // Where an edge lies on its root's curve, in steps of 1/2^max_level.
@@ -38,6 +40,7 @@ struct SurfacePlan {
     struct Curve {
         VertexId a, b;
         float rest_length = 0;  // m
+        EdgeId root;
     };
     struct Point {
         VertexId v;
@@ -64,6 +67,7 @@ struct CurvedSurface {
     std::vector<bool> is_leaving{};      // on its way to the middle, where it may go
     std::vector<EdgePlace> places{};     // by EdgeId
 
+    Creases creases{};
     SurfacePlan plan{};
     std::vector<EdgeCurve> curves{};  // as the plan has them
     std::vector<float> clear{};       // m from the body, scratch
@@ -93,6 +97,9 @@ void update_light_normals(CurvedSurface& surface);
 // Area-weighted normals of a mesh's leaves, by VertexId: what a coarse cloth gives the surface. (Other weights, and at
 // hems normals that go on bending, came no nearer to a finer simulation: docs/measurements.md.)
 void leaf_normals(const AdaptiveMesh& mesh, const std::vector<Vec4f>& x, std::vector<Vec4f>& normals);
+
+// The root edge on whose curve a new vertex stands; none for one of the base.
+EdgeId root_of(const CurvedSurface& surface, VertexId v);
 
 // Every leaf at that level, all new vertices where they belong. Pre: 0 <= level <= max_level.
 AdaptReport set_surface_level(CurvedSurface& surface, int level);

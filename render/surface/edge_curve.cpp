@@ -30,11 +30,14 @@ Vec4f normal_between(const CurveEnds& ends) {
     return squared > kShortest ? Vec4f(sum - d * (2 * d.dot(sum) / squared)) : sum;
 }
 
+namespace {
+
 // With va = -(d.nA) nA and vb = (d.nB) nB the Bezier control points are P1 = (2A + B + va) / 3 and
 // P2 = (A + 2B + vb) / 3; at thirds of the parameter they leave the chord by (4 va + 2 vb) / 27 and (2 va + 4 vb) / 27.
-EdgeCurve make_edge_curve(const CurveEnds& ends, const CurveModifier& modifier) {
+// Made for each root edge in each frame: inline in both that follow.
+[[gnu::always_inline]] inline EdgeCurve bend(const CurveEnds& ends, const Vec4f& va, const Vec4f& vb,
+                                             const CurveModifier& modifier) {
     const Vec4f d = ends.b - ends.a;
-    const Vec4f va = ends.normal_a * -d.dot(ends.normal_a), vb = ends.normal_b * d.dot(ends.normal_b);
     const float squared = d.squaredNorm();
     float m = 0;
     if (squared > kShortest) {
@@ -51,6 +54,17 @@ EdgeCurve make_edge_curve(const CurveEnds& ends, const CurveModifier& modifier) 
     curve.normal_between = with_length_one(normal_between(ends), ends.normal_a);
     curve.normal_b = ends.normal_b;
     return curve;
+}
+
+}  // namespace
+
+EdgeCurve make_edge_curve(const CurveEnds& ends, const CurveModifier& modifier) {
+    const Vec4f d = ends.b - ends.a;
+    return bend(ends, ends.normal_a * -d.dot(ends.normal_a), ends.normal_b * d.dot(ends.normal_b), modifier);
+}
+
+EdgeCurve bent_curve(const CurveEnds& ends, const Vec4f& va, const Vec4f& vb, const CurveModifier& modifier) {
+    return bend(ends, va, vb, modifier);
 }
 
 Vec4f lagrange_weights(double t) {

@@ -26,6 +26,9 @@ struct EdgeCurve {
 
 EdgeCurve make_edge_curve(const CurveEnds& ends, const CurveModifier& modifier);
 
+// The same with other tangents: P1 = (2A + B + va) / 3, P2 = (A + 2B + vb) / 3.
+EdgeCurve bent_curve(const CurveEnds& ends, const Vec4f& va, const Vec4f& vb, const CurveModifier& modifier);
+
 // Arc over chord of the curve with M = 1, by Gauss' rule with three points. va, vb: where the ends' inner control
 // points stand off the chord, three times, m.
 float arc_over_chord(const Vec4f& chord, const Vec4f& va, const Vec4f& vb);

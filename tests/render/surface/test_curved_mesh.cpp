@@ -82,6 +82,20 @@ TEST(CurvedMesh, of_a_mesh_without_material_coordinates_has_none) {
     for (const Vec3f& x : drawn.x) EXPECT_TRUE(x.allFinite());
 }
 
+TEST(CurvedMesh, of_a_crease_has_each_vertex_once_for_each_side) {
+    const PlainMesh smooth = curved_mesh(ridge(), {.level = 2});
+    for (const LightNormals which : {LightNormals::Recomputed, LightNormals::Interpolated}) {
+        const PlainMesh sharp = curved_mesh(ridge(), {.level = 2, .light_normals = which, .creases = {{1, 2}}});
+        ASSERT_EQ(sharp.x.size(), smooth.x.size() + 5);
+        EXPECT_EQ(sharp.triangles.size(), smooth.triangles.size());
+        for (std::size_t t = 0; t < sharp.triangles.size(); ++t) {
+            const auto& [a, b, c] = sharp.triangles[t];
+            const Vec3f normal = (sharp.x[b] - sharp.x[a]).cross(sharp.x[c] - sharp.x[a]).normalized();
+            for (const std::uint32_t v : {a, b, c}) EXPECT_GT(sharp.normals[v].dot(normal), 0.9999F);
+        }
+    }
+}
+
 TEST(CurvedMesh, adaptive_is_coarser_where_it_is_turned_away) {
     const PlainMesh all = curved_mesh(ridge());
     const PlainMesh seen = curved_mesh(ridge(), {.view = ViewPoint{.eye = Vec3f(0, -5, 0)}});

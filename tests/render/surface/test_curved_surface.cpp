@@ -165,5 +165,58 @@ TEST(CurvedSurface, far_from_the_body_is_left_alone) {
     EXPECT_EQ(surface.x, before);
 }
 
+// A roof: two planes that meet in a ridge along y; its edges are the crease.
+struct Roof {
+    GarmentMesh base = shaped_square(4, [](double x, double y) { return Vec3d(x, 0.25 - std::abs(x), -y); });
+    std::vector<CreaseEdge> ridge;
+
+    Roof() {
+        for (int row = 0; row < 4; ++row) ridge.push_back({5 * row + 2, 5 * (row + 1) + 2});
+    }
+    CurvedSurface surface(const std::vector<CreaseEdge>& creases) const {
+        CurvedSurface surface = make_curved_surface(base, {.max_level = 3, .creases = creases});
+        const Coarse coarse = coarse_of(base);
+        set_surface_level(surface, 3);
+        update_surface(surface, coarse.x, coarse.normals);
+        return surface;
+    }
+};
+
+// How far the surface stands off the two planes, m.
+float off_the_roof(const CurvedSurface& surface) {
+    float most = 0;
+    for (const VertexId v : surface.mesh.leaf_vertices()) {
+        const Vec4f& x = surface.x[v.value];
+        most = std::max(most, std::abs(x.y() - (0.25F - std::abs(x.x()))));
+    }
+    return most;
+}
+
+TEST(CurvedSurface, stays_sharp_along_a_crease_and_is_rounded_off_without_one) {
+    const Roof roof;
+    EXPECT_GT(off_the_roof(roof.surface({})), 0.01F);
+    EXPECT_LT(off_the_roof(roof.surface(roof.ridge)), 1e-6F);
+}
+
+TEST(CurvedSurface, is_lit_on_each_side_of_a_crease_by_that_sides_normal) {
+    const Roof roof;
+    const CurvedSurface surface = roof.surface(roof.ridge);
+    const float slope = std::sqrt(0.5F);
+    EXPECT_EQ(surface.creases.light_normals.size(), 2U * (4 * 8 + 1));
+    for (const auto& [vertex, normal] : surface.creases.light_normals) {
+        EXPECT_NEAR(std::abs(normal.x()), slope, 1e-5F);
+        EXPECT_NEAR(normal.y(), slope, 1e-5F);
+    }
+    EXPECT_TRUE(surface_at_level(roof.base, 3).creases.empty());
+}
+
+TEST(CurvedSurface, ends_a_crease_smoothly_where_it_ends) {
+    const Roof roof;
+    const CurvedSurface half = roof.surface({roof.ridge[0], roof.ridge[1]});
+    for (const VertexId v : half.mesh.leaf_vertices()) EXPECT_TRUE(half.x[v.value].allFinite());
+    EXPECT_TRUE(check(half.mesh).empty());
+    EXPECT_GT(off_the_roof(half), 0.01F);
+}
+
 }  // namespace
 }  // namespace selvedge::test
