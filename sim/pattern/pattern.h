@@ -25,11 +25,23 @@ struct OutlineEdge {
     bool is_large_arc = false;                                   // Arc only
     bool turns_right = false;  // Arc only: in the held (counter-clockwise) frame, seen along the edge
     std::string label = {};
+
+    bool operator==(const OutlineEdge&) const = default;
 };
 
 struct InternalLine {
     std::string name;
     std::vector<Vec2d> points;  // panel coordinates, m
+
+    bool operator==(const InternalLine&) const = default;
+};
+
+// A mark on the outline that is matched to another's when a seam is sewn.
+struct Notch {
+    int edge = 0;    // index into Panel::edges
+    double t = 0.5;  // 0..1, fraction of the edge's length from its start
+
+    bool operator==(const Notch&) const = default;
 };
 
 struct Panel {
@@ -47,9 +59,16 @@ struct Panel {
     int layer = 0;                      // higher is further out
     std::vector<int> pins;              // vertices of the outline that do not move
     std::vector<InternalLine> internal_lines;
+    std::vector<Notch> notches = {};
+    double wrap_radius = 0;  // m; 0: flat, else the panel is bent round an upright of its own, parallel to its y, that
+                             // stands so far behind x = 0 on the fabric's wrong side: it starts as part of a cylinder
+    std::string mirror_of = {};                // the panel that this one is kept a mirror image of; empty: none
+    std::optional<Vec2d> sheet_position = {};  // m, of the panel's origin on the drafting sheet; none: laid out
 
     // The panel point u (held frame) in the room, m.
-    Vec3d place(const Vec2d& u) const { return rotation * Vec3d(is_mirrored ? -u.x() : u.x(), u.y(), 0) + translation; }
+    Vec3d place(const Vec2d& u) const;
+
+    bool operator==(const Panel&) const = default;
 };
 
 struct SeamSide {
@@ -67,6 +86,9 @@ struct Seam {
     SeamSide second;
     bool is_reversed = true;
     std::string name = {};  // the pattern's own; empty: see seam_name
+    bool is_eased = false;  // sides of different length are meant to be
+
+    bool operator==(const Seam&) const = default;
 };
 
 // What the panels' sett offsets were found for.
@@ -87,6 +109,8 @@ struct Pattern {
     std::string body;             // what the panels were placed for, e.g. "mannequin:sex=female"; empty: GarmentCode's
     double body_height = 1.7199;  // m, stature of that body, feet at y = 0
     std::optional<double> edge_length;  // m, of the base mesh; none: the mesher's usual one
+
+    bool operator==(const Pattern&) const = default;
 };
 
 }  // namespace selvedge

@@ -1,0 +1,86 @@
+#pragma once
+// The truth of the editor: the pattern that is being edited, what of it is selected, and how it came to be. Views read
+// it; whoever wants a change runs a command.
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "editor/document/command.h"
+#include "editor/document/pattern_patch.h"
+#include "editor/document/selection.h"
+#include "sim/pattern/pattern_file.h"
+
+namespace selvedge {
+
+struct HistoryEntry {
+    std::string label;
+    PatternPatch patch;
+    Selection before;  // what was selected then
+    Selection after;
+};
+
+class Document {
+ public:
+    // Gets a line for each change (journal.h); never fails a change.
+    using Journal = std::function<void(std::string_view line)>;
+
+    explicit Document(PatternDocument source = {});
+
+    const Pattern& pattern() const { return source_.pattern; }
+    const Selection& selection() const { return selection_; }
+
+    // Counts up with every change of the pattern, undone and tried ones included.
+    std::uint64_t revision() const { return revision_; }
+
+    // Parts that are not there are left out.
+    void select(Selection selection);
+
+    // Throws DraftError, with nothing changed, when the command cannot be carried out. What it made is selected.
+    void run(const Command& command);
+
+    // Shows what a command would do, as long as a drag lasts: the next one takes its place, `keep` makes it history,
+    // `drop` takes it back. Any other change drops it first. Throws as run; the pattern is then as before the drag.
+    void attempt(const Command& command);
+    void keep();
+    void drop();
+    bool is_attempting() const { return is_attempting_; }
+
+    bool can_undo() const { return position_ > 0; }
+    bool can_redo() const { return position_ < history_.size(); }
+    void undo();  // nothing where there is nothing to undo
+    void redo();
+
+    // Entries before the position are done, those from it on are undone.
+    const std::vector<HistoryEntry>& history() const { return history_; }
+    std::size_t position() const { return position_; }
+    void go_to(std::size_t position);  // undoes or redoes so far. Pre: at most history().size()
+
+    // The pattern as a file.
+    std::string text() const;
+
+    bool has_unsaved_changes() const;
+    void mark_saved();
+
+    void set_journal(Journal journal) { journal_ = std::move(journal); }
+
+ private:
+    void note(std::string_view line) const;
+    void set_pattern(Pattern pattern);
+    void clean_selection();
+
+    PatternDocument source_;
+    Selection selection_;
+    std::vector<HistoryEntry> history_;
+    std::size_t position_ = 0;
+    std::optional<std::size_t> saved_position_ = 0;  // none: what was saved can no longer be reached
+    std::uint64_t revision_ = 0;
+    bool is_attempting_ = false;
+    Pattern before_attempt_;
+    std::string attempted_;  // label
+    Selection selected_before_;
+    Journal journal_;
+};
+
+}  // namespace selvedge

@@ -1,0 +1,51 @@
+#pragma once
+// Making panels, cutting them apart and joining them. All throw DraftError and leave the pattern as it was when the
+// result would be no panel. Names that are taken get a number: front, front_2.
+#include <string>
+#include <vector>
+
+#include "sim/pattern/pattern.h"
+
+namespace selvedge {
+
+// A name that no panel has: `wanted`, else with the lowest number that is free.
+std::string free_panel_name(const Pattern& pattern, const std::string& wanted);
+
+// Panels of one counter-clockwise outline. Points in any direction of turning; they are put counter-clockwise.
+Panel make_polygon(std::vector<Vec2d> points);
+Panel make_rectangle(const Vec2d& low, const Vec2d& high);
+Panel make_ellipse(const Vec2d& centre, const Vec2d& radii);  // four cubic arcs
+
+// Adds it under a free name; returns its index. Throws when its outline is none.
+int add_panel(Pattern& pattern, Panel panel);
+
+// Removes panels with their seams; panels that mirror one of them stand alone.
+void remove_panels(Pattern& pattern, const std::vector<int>& panels);
+
+// A copy beside it, unsewn, moved on the sheet by `shift`.
+int duplicate_panel(Pattern& pattern, int panel, const Vec2d& shift);
+
+// The panel's mirror image for the body's other side: geometry mirrored on the sheet, placed mirrored in the room
+// (x to -x), moved on the sheet by `shift`. `is_linked`: kept a mirror image from then on.
+int symmetric_copy(Pattern& pattern, int panel, bool is_linked, const Vec2d& shift);
+
+// After `changed` of the pattern changed (compared with `before`): panels that mirror each other follow. Whichever side
+// was edited leads.
+void update_mirrors(Pattern& pattern, const Pattern& before);
+
+// Cuts the panel along the path, which begins and ends on its outline (ends are moved to the nearest point of it) and
+// keeps inside. The panel keeps the side on the left of the path, the new one the right. `is_sewn`: the cut is sewn up.
+// Returns the new panel's index.
+int cut_panel(Pattern& pattern, int panel, const std::vector<Vec2d>& path, bool is_sewn);
+
+// Joins the two panels of a seam to one in the plane, along that seam; the second is turned and moved to the first.
+// Its sides must be of one length, to 1 mm, and have one shape. Returns the index of the joined panel.
+int merge_panels(Pattern& pattern, int seam);
+
+// The panel with its mirror image over a straight edge, as one: what was cut on the fold is opened.
+void unfold_panel(Pattern& pattern, SeamSide fold);
+
+// Cuts a wedge of the width and depth out of the panel at the fraction t of an edge, and sews its legs together.
+void insert_dart(Pattern& pattern, SeamSide at, double t, double width, double depth);
+
+}  // namespace selvedge
