@@ -59,25 +59,31 @@ struct SetFabric {
     }
 };
 
-// A name or a threadcount; empty: the default.
+// A name or a threadcount; empty: the default. Its size and position: see Pattern.
 struct SetTartan {
     static constexpr const char* name = "set_tartan";
     std::string tartan{};
+    std::optional<double> size{};
+    Vec2d position = Vec2d::Zero();
 
     template <class Visitor>
     void fields(Visitor&& visit) {
         visit("tartan", tartan);
+        visit("size", size);
+        visit("position", position);
     }
 };
 
-// Such as mannequin:sex=female,bust=92.
+// What the panels are placed for, such as mannequin:sex=female,bust=92.
 struct SetBody {
     static constexpr const char* name = "set_body";
     std::string body{};
+    std::vector<Vec3d> shifts{};  // m, of each panel, so that it stands about the new body as about the old; or none
 
     template <class Visitor>
     void fields(Visitor&& visit) {
         visit("body", body);
+        visit("shifts", shifts);
     }
 };
 
@@ -95,9 +101,12 @@ struct SetEdgeLength {
 // Moves the tartan under the panels so that its stripes go on across seams.
 struct MatchSetts {
     static constexpr const char* name = "match_setts";
+    std::vector<int> first_seams{};  // matched before the others
 
     template <class Visitor>
-    void fields(Visitor&&) {}
+    void fields(Visitor&& visit) {
+        visit("first_seams", first_seams);
+    }
 };
 
 // The whole garment in the room: the thesis' GT XYZ.

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "editor/document/carry_out.h"
 #include "editor/document/command.h"
 #include "editor/document/pattern_patch.h"
 #include "editor/document/selection.h"
@@ -17,8 +18,9 @@ namespace selvedge {
 struct HistoryEntry {
     std::string label;
     PatternPatch patch;
+    std::optional<PanelRename> rename = {};
     Selection before;  // what was selected then
-    Selection after;
+    Selection after = {};
 };
 
 class Document {
@@ -41,7 +43,7 @@ class Document {
     void run(const Command& command);
 
     // Shows what a command would do, as long as a drag lasts: the next one takes its place, `keep` makes it history,
-    // `drop` takes it back. Any other change drops it first. Throws as run; the pattern is then as before the drag.
+    // `drop` takes it back. Any other change drops it first. Throws as run; what was shown before it then stays.
     void attempt(const Command& command);
     void keep();
     void drop();
@@ -66,9 +68,10 @@ class Document {
     void set_journal(Journal journal) { journal_ = std::move(journal); }
 
  private:
-    void note(std::string_view line) const;
-    void set_pattern(Pattern pattern);
-    void clean_selection();
+    void note(const Json& line) const;
+    void show(Pattern pattern, const Selection& selected);
+    void remember(HistoryEntry entry);
+    void rename_in_file(const PanelRename& rename);
 
     PatternDocument source_;
     Selection selection_;
@@ -78,8 +81,8 @@ class Document {
     std::uint64_t revision_ = 0;
     bool is_attempting_ = false;
     Pattern before_attempt_;
-    std::string attempted_;  // label
     Selection selected_before_;
+    std::string attempted_;  // its label; empty: nothing that could be carried out yet
     Journal journal_;
 };
 

@@ -105,6 +105,8 @@ struct Pattern {
     std::vector<Seam> seams;
     std::string fabric;                            // name of a shipped fabric or file; empty: the default
     std::string tartan;                            // name or threadcount; empty: the default
+    std::optional<double> sett_size = {};          // m, of the warp's repeat; none: the tartan's own
+    Vec2d sett_position = Vec2d::Zero();           // m, (weft, warp): where the sett begins under all panels
     std::optional<MatchedSett> matched_sett = {};  // none: nobody matched it
     std::string body;             // what the panels were placed for, e.g. "mannequin:sex=female"; empty: GarmentCode's
     double body_height = 1.7199;  // m, stature of that body, feet at y = 0

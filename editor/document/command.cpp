@@ -1,0 +1,137 @@
+#include "editor/document/command.h"
+
+namespace selvedge {
+namespace {
+
+std::string counted(const std::string& verb, std::size_t count, const std::string& one) {
+    if (count == 1) return verb + " " + one;
+    return verb + " " + std::to_string(count) + " " + (one.ends_with("ch") ? one + "es" : one + "s");
+}
+
+std::string label(const RenamePattern&) {
+    return "Rename the garment";
+}
+std::string label(const SetFabric&) {
+    return "Change fabric";
+}
+std::string label(const SetTartan&) {
+    return "Change tartan";
+}
+std::string label(const SetBody&) {
+    return "Change body";
+}
+std::string label(const SetEdgeLength&) {
+    return "Change mesh size";
+}
+std::string label(const MatchSetts&) {
+    return "Match at seams";
+}
+std::string label(const TranslateAll&) {
+    return "Move the garment";
+}
+std::string label(const RemoveParts& command) {
+    const std::size_t others = command.internal_lines.size() + command.notches.size() + command.seams.size();
+    if (!command.panels.empty()) return counted("Delete", command.panels.size(), "panel");
+    if (!command.vertices.empty()) return counted("Delete", command.vertices.size(), "point");
+    if (others == command.seams.size()) return counted("Delete", others, "seam");
+    if (others == command.notches.size()) return counted("Delete", others, "notch");
+    return "Delete";
+}
+std::string label(const AddPanels& command) {
+    return counted("Add", command.panels.size(), "panel");
+}
+std::string label(const RenamePanel&) {
+    return "Rename panel";
+}
+std::string label(const DuplicatePanel&) {
+    return "Duplicate panel";
+}
+std::string label(const SymmetricCopy&) {
+    return "Symmetric copy";
+}
+std::string label(const UnlinkPanel&) {
+    return "Unlink panel";
+}
+std::string label(const MovePanels& command) {
+    return counted("Move", command.panels.size(), "panel");
+}
+std::string label(const TransformPanels& command) {
+    return counted(command.what, command.panels.size(), "panel");
+}
+std::string label(const PlacePanel&) {
+    return "Place panel";
+}
+std::string label(const SetGrain&) {
+    return "Turn grain";
+}
+std::string label(const SetSettOffset&) {
+    return "Move sett";
+}
+std::string label(const SetPins&) {
+    return "Pin points";
+}
+std::string label(const SetLayer&) {
+    return "Change layer";
+}
+std::string label(const CutPanel&) {
+    return "Cut panel";
+}
+std::string label(const MergePanels&) {
+    return "Merge panels";
+}
+std::string label(const UnfoldPanel&) {
+    return "Unfold panel";
+}
+std::string label(const MoveVertices& command) {
+    return counted("Move", command.vertices.size(), "point");
+}
+std::string label(const TransformVertices& command) {
+    return counted(command.what, command.vertices.size(), "point");
+}
+std::string label(const SetCurve&) {
+    return "Bend edge";
+}
+std::string label(const AddVertex&) {
+    return "Add point";
+}
+std::string label(const AddDart&) {
+    return "Add dart";
+}
+std::string label(const AddInternalLine&) {
+    return "Add internal line";
+}
+std::string label(const SetInternalLine&) {
+    return "Change internal line";
+}
+std::string label(const AddNotch&) {
+    return "Add notch";
+}
+std::string label(const MoveNotch&) {
+    return "Move notch";
+}
+std::string label(const SewEdges&) {
+    return "Sew";
+}
+std::string label(const SewRuns&) {
+    return "Sew freely";
+}
+std::string label(const ReverseSeam&) {
+    return "Reverse seam";
+}
+std::string label(const NameSeam&) {
+    return "Name seam";
+}
+std::string label(const AcceptEase&) {
+    return "Accept ease";
+}
+std::string label(const EvenSeam&) {
+    return "Even seam";
+}
+
+}  // namespace
+
+std::string label_of(const Command& command) {
+    return std::visit([](const auto& given) { return label(given); }, command);
+}
+
+}  // namespace selvedge

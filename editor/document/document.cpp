@@ -1,0 +1,142 @@
+#include "editor/document/document.h"
+
+#include <algorithm>
+
+#include "editor/document/carry_out.h"
+#include "editor/document/clean_selection.h"
+#include "editor/document/command_json.h"
+#include "editor/document/journal.h"
+#include "editor/drafting/panel_edit.h"
+#include "sim/core/assert.h"
+#include "sim/pattern/pattern_write.h"
+
+namespace selvedge {
+namespace {
+
+struct Changed {
+    Pattern pattern;
+    Outcome outcome = {};
+};
+
+Changed changed_by(const Pattern& before, const Command& command) {
+    Changed changed{.pattern = before};
+    changed.outcome = carry_out(changed.pattern, command);
+    update_mirrors(changed.pattern, before);
+    return changed;
+}
+
+}  // namespace
+
+Document::Document(PatternDocument source) : source_(std::move(source)) {}
+
+void Document::select(Selection selection) {
+    selection_ = clean_selection(std::move(selection), source_.pattern);
+}
+
+void Document::run(const Command& command) {
+    drop();
+    Changed changed = changed_by(source_.pattern, command);
+    HistoryEntry entry{.label = label_of(command),
+                       .patch = difference(source_.pattern, changed.pattern),
+                       .rename = changed.outcome.rename,
+                       .before = selection_};
+    if (entry.rename) rename_in_file(*entry.rename);
+    show(std::move(changed.pattern), changed.outcome.selection.value_or(selection_));
+    note(journal_line(command));
+    remember(std::move(entry));
+}
+
+void Document::attempt(const Command& command) {
+    const Pattern& before = is_attempting_ ? before_attempt_ : source_.pattern;
+    Changed changed = changed_by(before, command);
+    SELVEDGE_ASSERT(!changed.outcome.rename);  // names are not dragged
+    if (!is_attempting_) {
+        before_attempt_ = source_.pattern;
+        selected_before_ = selection_;
+        is_attempting_ = true;
+    }
+    attempted_ = label_of(command);
+    show(std::move(changed.pattern), changed.outcome.selection.value_or(selected_before_));
+    note(journal_attempt(command));
+}
+
+void Document::keep() {
+    if (!is_attempting_) return;
+    is_attempting_ = false;
+    note(journal_word(JournalWord::Keep));
+    remember({.label = attempted_, .patch = difference(before_attempt_, source_.pattern), .before = selected_before_});
+}
+
+void Document::drop() {
+    if (!is_attempting_) return;
+    is_attempting_ = false;
+    show(std::move(before_attempt_), selected_before_);
+    note(journal_word(JournalWord::Drop));
+}
+
+// What changes nothing is nothing to undo.
+void Document::remember(HistoryEntry entry) {
+    if (entry.patch.is_empty()) return;
+    entry.after = selection_;
+    history_.erase(history_.begin() + static_cast<std::ptrdiff_t>(position_), history_.end());
+    if (saved_position_ && *saved_position_ > position_) saved_position_.reset();
+    history_.push_back(std::move(entry));
+    ++position_;
+}
+
+void Document::undo() {
+    drop();
+    if (!can_undo()) return;
+    const HistoryEntry& entry = history_[--position_];
+    Pattern pattern = source_.pattern;
+    selvedge::undo(pattern, entry.patch);
+    if (entry.rename) rename_in_file({.from = entry.rename->to, .to = entry.rename->from});
+    show(std::move(pattern), entry.before);
+    note(journal_word(JournalWord::Undo));
+}
+
+void Document::redo() {
+    drop();
+    if (!can_redo()) return;
+    const HistoryEntry& entry = history_[position_++];
+    Pattern pattern = source_.pattern;
+    apply(pattern, entry.patch);
+    if (entry.rename) rename_in_file(*entry.rename);
+    show(std::move(pattern), entry.after);
+    note(journal_word(JournalWord::Redo));
+}
+
+void Document::go_to(std::size_t position) {
+    SELVEDGE_ASSERT(position <= history_.size());
+    drop();
+    while (position_ > position) undo();
+    while (position_ < position) redo();
+}
+
+std::string Document::text() const {
+    return write_pattern(source_);
+}
+
+bool Document::has_unsaved_changes() const {
+    return is_attempting_ || saved_position_ != position_;
+}
+
+void Document::mark_saved() {
+    saved_position_ = position_;
+}
+
+void Document::show(Pattern pattern, const Selection& selected) {
+    source_.pattern = std::move(pattern);
+    select(selected);
+    ++revision_;
+}
+
+void Document::rename_in_file(const PanelRename& rename) {
+    rename_panel_in_file(source_.json, rename.from, rename.to);
+}
+
+void Document::note(const Json& line) const {
+    if (journal_) journal_(write_json(line, -1));
+}
+
+}  // namespace selvedge

@@ -1,0 +1,40 @@
+#pragma once
+// The journal of a document: a line of JSON for each change, from which the document can be made again after a program
+// was killed. What keeps the lines is not known here.
+//
+//   {"selvedge_journal": 1, "file": "shirt.json", "text": "..."}    the first line: what was opened, as it was then
+//   {"do": {"move_vertices": {...}}}                                 a command
+//   {"try": {...}}, then {"keep": true} or {"drop": true}            a drag, with each of its moves
+//   {"undo": true}, {"redo": true}
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "editor/document/command.h"
+#include "sim/core/json.h"
+
+namespace selvedge {
+
+class Document;
+
+enum class JournalWord { Keep, Drop, Undo, Redo };
+
+Json journal_line(const Command& command);
+Json journal_attempt(const Command& command);
+Json journal_word(JournalWord word);
+
+// The first line. `file`: where the document is saved; empty: nowhere yet. `text`: the document when the journal
+// begins.
+std::string journal_head(std::string_view file, std::string_view text);
+
+// What can be had from a journal. Lines that are torn or unknown end it: what came before them holds.
+struct Recovery {
+    std::string file;
+    std::string text = {};  // of the document as it was when the journal ended, a drag that was under way included
+    int changes = 0;        // that were made since its first line
+};
+
+// None: it has no sound first line.
+std::optional<Recovery> recover(std::string_view journal);
+
+}  // namespace selvedge
