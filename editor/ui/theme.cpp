@@ -1,0 +1,117 @@
+#include "editor/ui/theme.h"
+
+#include <imgui.h>
+
+#include <cmath>
+
+namespace selvedge {
+namespace {
+
+ImVec4 colour(const Rgb8& rgb, float alpha = 1) {
+    return {static_cast<float>(rgb[0]) / 255, static_cast<float>(rgb[1]) / 255, static_cast<float>(rgb[2]) / 255,
+            alpha};
+}
+
+ImVec4 mixed(const Rgb8& a, const Rgb8& b, float share) {
+    const ImVec4 x = colour(a), y = colour(b);
+    return {x.x + (y.x - x.x) * share, x.y + (y.y - x.y) * share, x.z + (y.z - x.z) * share, 1};
+}
+
+ImFont* add_font(const std::string& bytes, float size_px) {
+    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    // Latin with its accents, dashes and quotes, arrows, mathematical signs.
+    static constexpr ImWchar kRanges[] = {0x20, 0x17F, 0x2010, 0x2044, 0x2190, 0x2193, 0x2200, 0x2265, 0};
+    ImFontConfig config;
+    config.SizePixels = size_px;
+    if (bytes.empty()) return atlas.AddFontDefault(&config);
+    config.FontDataOwnedByAtlas = false;
+    config.OversampleH = 2;
+    config.OversampleV = 2;
+    config.PixelSnapH = false;
+    void* data = const_cast<char*>(bytes.data());  // it is read only
+    return atlas.AddFontFromMemoryTTF(data, static_cast<int>(bytes.size()), size_px, &config, kRanges);
+}
+
+void set_sizes(ImGuiStyle& style, float scale) {
+    style = ImGuiStyle();
+    style.WindowPadding = {10, 10};
+    style.FramePadding = {7, 4};
+    style.ItemSpacing = {8, 6};
+    style.ItemInnerSpacing = {6, 4};
+    style.ScrollbarSize = 11;
+    style.GrabMinSize = 10;
+    style.WindowRounding = 6;
+    style.ChildRounding = 0;
+    style.FrameRounding = 4;
+    style.PopupRounding = 6;
+    style.GrabRounding = 4;
+    style.TabRounding = 4;
+    style.ScrollbarRounding = 6;
+    style.WindowBorderSize = 1;
+    style.ChildBorderSize = 0;
+    style.FrameBorderSize = 1;
+    style.PopupBorderSize = 1;
+    style.WindowTitleAlign = {0, 0.5F};
+    style.ScaleAllSizes(scale);
+}
+
+}  // namespace
+
+Fonts load_fonts(const FontFiles& files, const Theme& theme, float scale) {
+    ImGui::GetIO().Fonts->Clear();
+    const float size = std::round(theme.font_px * scale);
+    const std::string& bold = files.bold.empty() ? files.regular : files.bold;
+    return {.regular = add_font(files.regular, size),
+            .bold = add_font(bold, size),
+            .large = add_font(bold, std::round(size * 1.6F))};
+}
+
+void apply_theme(const Theme& theme, float scale) {
+    ImGuiStyle& style = ImGui::GetStyle();
+    set_sizes(style, scale);
+    const ImVec4 clear(0, 0, 0, 0);
+    const auto set = [&](ImGuiCol which, const ImVec4& value) { style.Colors[which] = value; };
+    set(ImGuiCol_Text, colour(theme.ink));
+    set(ImGuiCol_TextDisabled, colour(theme.faint));
+    set(ImGuiCol_WindowBg, colour(theme.panel));
+    set(ImGuiCol_ChildBg, clear);
+    set(ImGuiCol_PopupBg, colour(theme.field));
+    set(ImGuiCol_Border, colour(theme.line));
+    set(ImGuiCol_FrameBg, colour(theme.field));
+    set(ImGuiCol_FrameBgHovered, mixed(theme.field, theme.accent, 0.06F));
+    set(ImGuiCol_FrameBgActive, mixed(theme.field, theme.accent, 0.12F));
+    set(ImGuiCol_TitleBg, colour(theme.panel));
+    set(ImGuiCol_TitleBgActive, mixed(theme.panel, theme.accent, 0.12F));
+    set(ImGuiCol_TitleBgCollapsed, colour(theme.panel));
+    set(ImGuiCol_MenuBarBg, colour(theme.panel));
+    set(ImGuiCol_ScrollbarBg, clear);
+    set(ImGuiCol_ScrollbarGrab, mixed(theme.line, theme.faint, 0.2F));
+    set(ImGuiCol_ScrollbarGrabHovered, mixed(theme.line, theme.faint, 0.5F));
+    set(ImGuiCol_ScrollbarGrabActive, colour(theme.faint));
+    set(ImGuiCol_CheckMark, colour(theme.accent));
+    set(ImGuiCol_SliderGrab, colour(theme.accent));
+    set(ImGuiCol_SliderGrabActive, colour(theme.accent));
+    set(ImGuiCol_Button, colour(theme.field));
+    set(ImGuiCol_ButtonHovered, mixed(theme.field, theme.accent, 0.12F));
+    set(ImGuiCol_ButtonActive, mixed(theme.field, theme.accent, 0.25F));
+    set(ImGuiCol_Header, mixed(theme.panel, theme.accent, 0.18F));
+    set(ImGuiCol_HeaderHovered, mixed(theme.panel, theme.accent, 0.12F));
+    set(ImGuiCol_HeaderActive, mixed(theme.panel, theme.accent, 0.28F));
+    set(ImGuiCol_Separator, colour(theme.line));
+    set(ImGuiCol_SeparatorHovered, colour(theme.accent));
+    set(ImGuiCol_SeparatorActive, colour(theme.accent));
+    set(ImGuiCol_ResizeGrip, clear);
+    set(ImGuiCol_Tab, clear);
+    set(ImGuiCol_TabHovered, mixed(theme.panel, theme.accent, 0.12F));
+    set(ImGuiCol_TabActive, mixed(theme.panel, theme.accent, 0.18F));
+    set(ImGuiCol_PlotLines, colour(theme.accent));
+    set(ImGuiCol_PlotHistogram, colour(theme.accent));
+    set(ImGuiCol_TableHeaderBg, mixed(theme.panel, theme.line, 0.5F));
+    set(ImGuiCol_TableBorderStrong, colour(theme.line));
+    set(ImGuiCol_TableBorderLight, mixed(theme.panel, theme.line, 0.5F));
+    set(ImGuiCol_TextSelectedBg, mixed(theme.field, theme.accent, 0.35F));
+    set(ImGuiCol_DragDropTarget, colour(theme.accent));
+    set(ImGuiCol_NavHighlight, colour(theme.accent));
+}
+
+}  // namespace selvedge

@@ -1,0 +1,42 @@
+#pragma once
+// How the editor looks: calm paper greys, dark ink, one accent. All sizes follow the font, and so the screen's scale.
+#include <string>
+
+#include "sim/tartan/sett.h"
+
+struct ImFont;
+
+namespace selvedge {
+
+struct Theme {
+    Rgb8 desk{0xE9, 0xE7, 0xE2};    // behind all
+    Rgb8 panel{0xF7, 0xF6, 0xF3};   // boxes and lists
+    Rgb8 field{0xFF, 0xFF, 0xFF};   // what can be typed into
+    Rgb8 line{0xD5, 0xD2, 0xCB};    // between things
+    Rgb8 ink{0x26, 0x29, 0x2E};     // words
+    Rgb8 faint{0x77, 0x78, 0x7A};   // words that matter less
+    Rgb8 accent{0x1F, 0x6F, 0x8B};  // what is chosen or does something
+    Rgb8 warning{0x9A, 0x66, 0x0E};
+    Rgb8 error{0xAE, 0x2F, 0x27};
+    float font_px = 15;  // at scale 1
+};
+
+// The bytes of font files; empty: ImGui's own is used.
+struct FontFiles {
+    std::string regular{};
+    std::string bold{};
+};
+
+struct Fonts {
+    ImFont* regular = nullptr;
+    ImFont* bold = nullptr;
+    ImFont* large = nullptr;  // titles
+};
+
+// Fills the current context's font atlas. The bytes must outlive it.
+Fonts load_fonts(const FontFiles& files, const Theme& theme, float scale);
+
+// Sets the current context's style.
+void apply_theme(const Theme& theme, float scale);
+
+}  // namespace selvedge
