@@ -3,11 +3,10 @@
 #include <cmath>
 
 #include "sim/pattern/outline.h"
+#include "sim/pattern/outline_crossing.h"
 
 namespace selvedge {
 namespace {
-
-constexpr std::size_t kMaxEdges = 5000;  // of one panel
 
 class OutlineReader {
  public:
@@ -36,8 +35,8 @@ class OutlineReader {
         const JsonNode edges = node.member("edges");
         if (!edges) return reader_.error(node, "no key 'edges'");
         if (!reader_.expect(edges, Json::Kind::Array)) return;
-        if (edges.size() > kMaxEdges) {
-            return reader_.error(edges, std::to_string(edges.size()) + " edges: at most " + std::to_string(kMaxEdges));
+        if (edges.size() > kMostEdges) {
+            return reader_.error(edges, std::to_string(edges.size()) + " edges: at most " + std::to_string(kMostEdges));
         }
         if (edges.size() < 2) reader_.error(edges, "an outline needs two edges or more");
         for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -154,7 +153,7 @@ void read_outline(FaultReader& reader, const JsonNode& panel_node, bool is_relat
 // the same index, start and end in the file and in the Panel, and a seam means the same in both.
 void hold_counter_clockwise(FaultReader& reader, const JsonNode& panel_node, Panel& panel) {
     const double area = outline_area(panel);
-    if (std::abs(area) < 1e-8) return reader.error(panel_node, "the outline encloses no area");
+    if (std::abs(area) < kSmallestArea) return reader.error(panel_node, "the outline encloses no area");
     if (area > 0) return;
     panel.is_mirrored = true;
     for (Vec2d& vertex : panel.vertices) vertex.x() = -vertex.x();

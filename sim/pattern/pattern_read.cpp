@@ -34,6 +34,7 @@ class Reader : private FaultReader {
         if (!pattern) return error(root_, "no key 'pattern': not a garment specification");
         if (!expect(pattern, Json::Kind::Object)) return;
         read_panels(pattern);
+        check_mirrors();
         if (!out_.pattern.panels.empty()) read_seams(pattern);
         read_additions(root_.member("selvedge"));
     }
@@ -109,6 +110,51 @@ class Reader : private FaultReader {
             }
         }
         if (const Node lines = node.member("internal_lines")) read_internal_lines(lines, panel);
+        if (const Node notches = node.member("notches")) read_notches(notches, panel);
+        if (const Node wrap = node.member("wrap_radius")) {
+            panel.wrap_radius = length(wrap).value_or(0);
+            if (panel.wrap_radius < 0) error(wrap, "the radius of a wrap is not negative");
+        }
+        if (const Node other = node.member("mirror_of")) {
+            const auto name = text(other);
+            if (name) mirrors_.push_back({other, panel.name, *name});
+            panel.mirror_of = name.value_or("");
+        }
+        if (const Node position = node.member("sheet_position")) panel.sheet_position = point(position);
+    }
+
+    // [{"edge": INDEX, "at": FRACTION}]. A fraction counts from the start of its edge, which is the same vertex in the
+    // file and in the Panel.
+    void read_notches(const Node& notches, Panel& panel) {
+        if (!expect(notches, Json::Kind::Array)) return;
+        for (std::size_t i = 0; i < notches.size(); ++i) {
+            const Node node = notches.element(i);
+            if (!expect(node, Json::Kind::Object)) continue;
+            const Node edge = node.member("edge");
+            const Node at = node.member("at");
+            if (!edge) error(node, "no key 'edge'");
+            if (!at) error(node, "no key 'at'");
+            if (!edge || !at) continue;
+            const auto edge_index = index(edge, panel.edges.size(), "edge");
+            const auto fraction = number(at);
+            if (fraction && !(*fraction >= 0 && *fraction <= 1)) error(at, "a notch lies from 0 to 1 along its edge");
+            if (edge_index && fraction) panel.notches.push_back({*edge_index, *fraction});
+        }
+    }
+
+    // One panel leads and the other follows: no panel follows one that follows.
+    void check_mirrors() {
+        for (const Mirror& mirror : mirrors_) {
+            const auto found = panel_index_.find(mirror.of);
+            if (found == panel_index_.end()) {
+                error(mirror.node, "no panel '" + mirror.of + "'");
+            } else if (mirror.of == mirror.panel) {
+                error(mirror.node, "a panel is no mirror image of itself");
+            } else if (const Panel& other = out_.pattern.panels[static_cast<std::size_t>(found->second)];
+                       !other.mirror_of.empty()) {
+                error(mirror.node, "panel '" + mirror.of + "' is a mirror image itself, of '" + other.mirror_of + "'");
+            }
+        }
     }
 
     void read_internal_lines(const Node& lines, Panel& panel) {
@@ -205,6 +251,7 @@ class Reader : private FaultReader {
         if (const Node tartan = node.member("tartan")) pattern.tartan = text(tartan).value_or("");
         if (const Node matched = node.member("matched_sett")) read_matched_sett(matched);
         if (const Node names = node.member("seam_names")) read_seam_names(names);
+        if (const Node eased = node.member("eased")) read_eased(eased);
         if (const Node body = node.member("body")) pattern.body = text(body).value_or("");
         if (const Node height = node.member("body_height")) {
             const auto value = length(height);
@@ -242,20 +289,33 @@ class Reader : private FaultReader {
             if (member.key.empty() || member.key.find_first_of(",+") != std::string::npos) {
                 error(node, "a seam's name is not empty, and has no comma and no plus sign");
             }
-            const auto side = read_edge(node);
-            if (!side) continue;
-            std::vector<Seam>& seams = out_.pattern.seams;
-            const auto seam = std::find_if(seams.begin(), seams.end(), [&](const Seam& candidate) {
-                return candidate.first == *side || candidate.second == *side;
-            });
-            if (seam == seams.end()) {
-                error(node, "this edge is not sewn");
-            } else if (!seam->name.empty()) {
-                error(node, "the seam is named '" + seam->name + "' already");
-            } else {
-                seam->name = member.key;
-            }
+            Seam* seam = read_seam_at(node);
+            if (seam && !seam->name.empty()) error(node, "the seam is named '" + seam->name + "' already");
+            if (seam && seam->name.empty()) seam->name = member.key;
         }
+    }
+
+    // [{"panel", "edge"}]: the seams at those edges.
+    void read_eased(const Node& eased) {
+        if (!expect(eased, Json::Kind::Array)) return;
+        for (std::size_t i = 0; i < eased.size(); ++i) {
+            Seam* seam = read_seam_at(eased.element(i));
+            if (seam && seam->is_eased) error(eased.element(i), "the seam is listed already");
+            if (seam) seam->is_eased = true;
+        }
+    }
+
+    // The seam at an edge that {"panel", "edge"} names; null, and an error, when there is none.
+    Seam* read_seam_at(const Node& node) {
+        const auto side = read_edge(node);
+        if (!side) return nullptr;
+        std::vector<Seam>& seams = out_.pattern.seams;
+        const auto seam = std::find_if(seams.begin(), seams.end(), [&](const Seam& candidate) {
+            return candidate.first == *side || candidate.second == *side;
+        });
+        if (seam != seams.end()) return &*seam;
+        error(node, "this edge is not sewn");
+        return nullptr;
     }
 
     std::string read_fabric_name(const Node& node) {
@@ -268,11 +328,18 @@ class Reader : private FaultReader {
         return *name;
     }
 
+    struct Mirror {
+        Node node;
+        std::string panel;
+        std::string of;
+    };
+
     Node root_;
     PatternReading out_;
     bool is_relative_ = true;
     std::map<std::string, int> panel_index_;
     std::map<SeamSide, std::string> sewn_;
+    std::vector<Mirror> mirrors_;
 };
 
 }  // namespace

@@ -198,6 +198,14 @@ class Writer {
         if (own.find("internal_lines") || !panel.internal_lines.empty()) {
             write_internal_lines(own["internal_lines"], panel);
         }
+        if (own.find("notches") || !panel.notches.empty()) write_notches(own["notches"], panel);
+        set_number_unless_zero(own, "wrap_radius", units_ * panel.wrap_radius);
+        if (panel.mirror_of.empty()) own.erase("mirror_of");
+        set_unless_usual(own, "mirror_of", panel.mirror_of, std::string());
+        if (!panel.sheet_position) own.erase("sheet_position");
+        if (const auto& position = panel.sheet_position) {
+            set_numbers(own["sheet_position"], {units_ * position->x(), units_ * position->y()});
+        }
         if (found || !own.members().empty()) json["selvedge"] = std::move(own);
     }
 
@@ -205,6 +213,17 @@ class Writer {
         if (!json.is_array()) json = Json::array();
         json.elements().resize(panel.pins.size());
         for (std::size_t i = 0; i < panel.pins.size(); ++i) set_number(json.elements()[i], panel.pins[i]);
+    }
+
+    static void write_notches(Json& json, const Panel& panel) {
+        if (!json.is_array()) json = Json::array();
+        json.elements().resize(panel.notches.size());
+        for (std::size_t i = 0; i < panel.notches.size(); ++i) {
+            Json& place = json.elements()[i];
+            if (!place.is_object()) place = Json::object();
+            set_number(place["edge"], panel.notches[i].edge);
+            set_number(place["at"], panel.notches[i].t);
+        }
     }
 
     void write_internal_lines(Json& json, const Panel& panel) {
@@ -269,6 +288,7 @@ class Writer {
         set_unless_usual(own, "tartan", pattern_.tartan, std::string());
         write_matched_sett(own);
         write_seam_names(own);
+        write_eased(own);
         set_unless_usual(own, "body", pattern_.body, std::string());
         if (own.find("body_height") || pattern_.body_height != Pattern().body_height) {
             set_number(own["body_height"], units_ * pattern_.body_height);
@@ -303,6 +323,31 @@ class Writer {
         }
     }
 
+    // As names do, an eased seam stays where it stands in the list, at either of its sides; new ones follow at the end.
+    void write_eased(Json& own) const {
+        Json* found = own.find("eased");
+        Json list = found && found->is_array() ? *found : Json::array();
+        const auto is_of = [&](const Seam& seam, const Json& json) {
+            return seam.is_eased && (is_at(json, seam.first) || is_at(json, seam.second));
+        };
+        const std::size_t removed = std::erase_if(list.elements(), [&](const Json& json) {
+            return std::none_of(pattern_.seams.begin(), pattern_.seams.end(),
+                                [&](const Seam& seam) { return is_of(seam, json); });
+        });
+        for (const Seam& seam : pattern_.seams) {
+            const std::vector<Json>& listed = list.elements();
+            if (!seam.is_eased ||
+                std::any_of(listed.begin(), listed.end(), [&](const Json& json) { return is_of(seam, json); })) {
+                continue;
+            }
+            Json place;
+            write_side(place, seam.first);
+            list.push_back(std::move(place));
+        }
+        if (list.elements().empty() && (removed > 0 || !found)) return own.erase("eased");
+        own["eased"] = std::move(list);
+    }
+
     bool is_at(const Json& json, const SeamSide& side) const {
         const Json* panel = json.find("panel");
         const Json* edge = json.find("edge");
@@ -315,7 +360,37 @@ class Writer {
     double units_;
 };
 
+void rename_text(Json* text, const std::string& from, const std::string& to) {
+    if (text && text->is_string() && text->string() == from) *text = to;
+}
+
 }  // namespace
+
+void rename_panel_in_file(Json& specification, const std::string& from, const std::string& to) {
+    Json* garment = specification.find("pattern");
+    Json* panels = garment ? garment->find("panels") : nullptr;
+    if (!panels || !panels->is_object() || !panels->find(from) || panels->find(to)) return;
+    for (Json::Member& panel : panels->members()) {
+        if (panel.key == from) panel.key = to;
+        if (Json* own = panel.value.find("selvedge")) rename_text(own->find("mirror_of"), from, to);
+    }
+    if (Json* order = garment->find("panel_order"); order && order->is_array()) {
+        for (Json& name : order->elements()) rename_text(&name, from, to);
+    }
+    if (Json* stitches = garment->find("stitches"); stitches && stitches->is_array()) {
+        for (Json& stitch : stitches->elements()) {
+            if (!stitch.is_array()) continue;
+            for (Json& side : stitch.elements()) rename_text(side.find("panel"), from, to);
+        }
+    }
+    Json* own = specification.find("selvedge");
+    if (Json* names = own ? own->find("seam_names") : nullptr; names && names->is_object()) {
+        for (Json::Member& name : names->members()) rename_text(name.value.find("panel"), from, to);
+    }
+    if (Json* eased = own ? own->find("eased") : nullptr; eased && eased->is_array()) {
+        for (Json& side : eased->elements()) rename_text(side.find("panel"), from, to);
+    }
+}
 
 Json pattern_as_json(const Pattern& pattern, const Json& base) {
     return Writer(pattern, base).write();

@@ -109,6 +109,34 @@ INSTANTIATE_TEST_SUITE_P(
              "pattern.stitches[0][2]: 'wrong_right' should be right_wrong"},
         Case{"pin", R"("back": {)", R"("back": {"selvedge": {"pins": [1, 4]}, )",
              "pattern.panels.back.selvedge.pins[1]: no vertex 4: there are 4"},
+        Case{"notch_of_no_edge", R"("back": {)", R"("back": {"selvedge": {"notches": [{"edge": 4, "at": 0.5}]}, )",
+             "pattern.panels.back.selvedge.notches[0].edge: no edge 4: there are 4"},
+        Case{"notch_nowhere", R"("back": {)", R"("back": {"selvedge": {"notches": [{"edge": 3}]}, )",
+             "pattern.panels.back.selvedge.notches[0]: no key 'at'"},
+        Case{"notch_beyond", R"("back": {)", R"("back": {"selvedge": {"notches": [{"edge": 3, "at": 1.5}]}, )",
+             "pattern.panels.back.selvedge.notches[0].at: a notch lies from 0 to 1 along its edge"},
+        Case{"worded_notch", R"("back": {)", R"("back": {"selvedge": {"notches": [3]}, )",
+             "pattern.panels.back.selvedge.notches[0]: a number where an object should be"},
+        Case{"wrap", R"("back": {)", R"("back": {"selvedge": {"wrap_radius": -1}, )",
+             "pattern.panels.back.selvedge.wrap_radius: the radius of a wrap is not negative"},
+        Case{"huge_wrap", R"("back": {)", R"("back": {"selvedge": {"wrap_radius": 1e6}, )",
+             "pattern.panels.back.selvedge.wrap_radius: further than 100 m"},
+        Case{"mirror_of_nothing", R"("back": {)", R"("back": {"selvedge": {"mirror_of": "fornt"}, )",
+             "pattern.panels.back.selvedge.mirror_of: no panel 'fornt'"},
+        Case{"mirror_of_itself", R"("back": {)", R"("back": {"selvedge": {"mirror_of": "back"}, )",
+             "pattern.panels.back.selvedge.mirror_of: a panel is no mirror image of itself"},
+        Case{"mirror_of_a_number", R"("back": {)", R"("back": {"selvedge": {"mirror_of": 1}, )",
+             "pattern.panels.back.selvedge.mirror_of: a number where a string should be"},
+        Case{"sheet", R"("back": {)", R"("back": {"selvedge": {"sheet_position": [1]}, )",
+             "pattern.panels.back.selvedge.sheet_position: 1 values where 2 should be"},
+        Case{"eased_and_not_sewn", R"("pattern": {)",
+             R"("selvedge": {"eased": [{"panel": "back", "edge": 1}]}, "pattern": {)",
+             "selvedge.eased[0]: this edge is not sewn"},
+        Case{"eased_nowhere", R"("pattern": {)", R"("selvedge": {"eased": [{"edge": 1}]}, "pattern": {)",
+             "selvedge.eased[0]: no key 'panel'"},
+        Case{"eased_twice", R"("pattern": {)",
+             R"("selvedge": {"eased": [{"panel": "back", "edge": 2}, {"panel": "front", "edge": 1}]}, "pattern": {)",
+             "selvedge.eased[1]: the seam is listed already"},
         Case{"layer", R"("back": {)", R"("back": {"selvedge": {"layer": 0.5}, )",
              "pattern.panels.back.selvedge.layer: a layer is a whole number from -1000 to 1000"},
         Case{"fabric", R"("pattern": {)", R"("selvedge": {"fabric": "velour"}, "pattern": {)",
@@ -220,6 +248,23 @@ TEST(CheckFile, allows_gathers_with_a_warning) {
     EXPECT_EQ(faults[0].severity, Severity::Warning);
     EXPECT_NE(faults[0].problem.find("ratio 2.23"), std::string::npos) << faults[0].problem;
     EXPECT_EQ(parse_pattern(text, "").pattern.seams.size(), 2U);
+}
+
+TEST(CheckFile, does_not_warn_of_a_seam_that_is_eased) {
+    std::string text =
+        replaced(sample_text(), "[[0, 0], [40, 0], [35, 50], [5, 50]]", "[[0, 0], [40, 0], [35, 22], [5, 50]]");
+    text = replaced(text, R"("pattern": {)", R"("selvedge": {"eased": [{"panel": "back", "edge": 2}]}, "pattern": {)");
+    EXPECT_EQ(faults_of(text), Lines{});
+}
+
+TEST(CheckFile, refuses_a_mirror_image_of_a_mirror_image) {
+    std::string text = replaced(sample_text(), R"("back": {)", R"("back": {"selvedge": {"mirror_of": "front"}, )");
+    EXPECT_EQ(faults_of(text), Lines{});
+    text = replaced(text, R"("front": {)", R"("front": {"selvedge": {"mirror_of": "back"}, )");
+    EXPECT_EQ(
+        faults_of(text),
+        (Lines{"f.json: pattern.panels.front.selvedge.mirror_of: panel 'back' is a mirror image itself, of 'front'",
+               "f.json: pattern.panels.back.selvedge.mirror_of: panel 'front' is a mirror image itself, of 'back'"}));
 }
 
 TEST(CheckFile, a_seam_of_one_panel_with_itself_is_a_dart_and_fine) {

@@ -62,6 +62,20 @@ TEST(PatternFuzz, loads_or_refuses_whatever_stands_in_the_file) {
     EXPECT_LT(loaded, 2700);
 }
 
+TEST(PatternFuzz, loads_or_refuses_whatever_stands_in_what_drafting_adds) {
+    const std::string text =
+        replaced(replaced(sample_text(), R"("back": {)",
+                          R"("back": {"selvedge": {"notches": [{"edge": 1, "at": 0.25}, {"edge": 0, "at": 1}],
+ "wrap_radius": 15, "mirror_of": "front", "sheet_position": [120, -7]}, )"),
+                 R"("pattern": {)", R"("selvedge": {"eased": [{"panel": "back", "edge": 2}]}, "pattern": {)");
+    std::mt19937 random(5);
+    int loaded = 0;
+    for (int i = 0; i < 1500; ++i) loaded += survives(spoil(text, random)) ? 1 : 0;
+    for (int i = 0; i < 1500; ++i) loaded += survives(spoil_number(text, random)) ? 1 : 0;
+    EXPECT_GT(loaded, 300);
+    EXPECT_LT(loaded, 2700);
+}
+
 TEST(PatternFuzz, refuses_a_file_cut_short_anywhere) {
     const std::string text = sample_text();
     for (std::size_t length = 0; length + 2 < text.size(); length += 7) {
