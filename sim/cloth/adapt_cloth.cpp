@@ -72,6 +72,7 @@ AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& ob
     const LengthCriterion<Vec4f> length(cloth.x, scaled(options.length, scale));
     const BucklingCriterion<Vec4f> buckling(cloth.x, scaled(options.buckling, scale));
     const MinimumLevelCriterion minimum{options.minimum_levels};
+    const KeptVertexCriterion kept{options.kept_vertices};
     const BackFaceCriterion back_face{options.visibility};
     const BudgetVeto veto{options.budget};
     const BudgetCriterion keep{options.budget};
@@ -80,7 +81,7 @@ AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& ob
         ShortestEdgeCriterion{options.shortest_edge}, HoldCriterion{options.may_rejoin}, Switched(counts, veto),
         Switched(sees, back_face), Switched(on.length, length), Switched(on.buckling, buckling),
         Switched(on.curvature, foresight), Switched(!options.minimum_levels.empty(), minimum), Switched(counts, keep),
-        Switched(on.collision, collision));
+        Switched(!options.kept_vertices.empty(), kept), Switched(on.collision, collision));
 }
 
 AdaptReport adapt_chosen(Cloth& cloth, ClothObserver& observer, const AdaptClothOptions& options) {

@@ -1,5 +1,6 @@
 #pragma once
 // Adapting a cloth: which criteria ask, and what a split or rejoin does to the state of its vertices.  (SPEC 1.3, 1.4)
+#include <algorithm>
 #include <span>
 
 #include "sim/adaptive/adapt.h"
@@ -33,6 +34,16 @@ struct HoldCriterion {
     bool allows_rejoin(const AdaptiveMesh&, EdgeId) const { return may_rejoin; }
 };
 
+// Keeps single vertices: what is pinned or pulled by hand. Lists are short.
+struct KeptVertexCriterion {
+    std::span<const VertexId> vertices;
+
+    bool wants_split(const AdaptiveMesh&, EdgeId) const { return false; }
+    bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId edge) const {
+        return std::ranges::find(vertices, mesh.centre(edge)) == vertices.end();
+    }
+};
+
 struct CriteriaOptions {
     bool collision = true;
     bool curvature = true;
@@ -50,10 +61,11 @@ struct AdaptClothOptions {
     BucklingOptions buckling{};
     float collision_touch = 0;  // m, see CollisionCriterion::touch
     std::span<const MinimumLevelDisc> minimum_levels{};
-    Visibility* visibility = nullptr;  // what it does not see is coarsened, when given
-    TriangleBudget* budget = nullptr;  // kept to, when given: it scales the thresholds of all but collision
-    float shortest_edge = 0.02F;       // m, an edge shorter than this is not split
-    int max_level = kDeepestLevel;     // below the mesh's own
+    std::span<const VertexId> kept_vertices{};  // never rejoined, but where a limit of levels or a veto asks for it
+    Visibility* visibility = nullptr;           // what it does not see is coarsened, when given
+    TriangleBudget* budget = nullptr;           // kept to, when given: it scales the thresholds of all but collision
+    float shortest_edge = 0.02F;                // m, an edge shorter than this is not split
+    int max_level = kDeepestLevel;              // below the mesh's own
     bool may_rejoin = true;
     DiagonalChoice diagonal = DiagonalChoice::LeastWork;
     TransitionCounts* transitions = nullptr;  // counted up when given

@@ -39,7 +39,8 @@ struct Stepper {
     }
     void load_points();
     void store_points();
-    void predict();
+    void predict(int i);
+    void lead(int i, std::size_t begin, std::size_t end);
     void limit_parents(bool is_last);
     void solve_bend();
     void solve_stretch(bool is_last);
@@ -60,7 +61,7 @@ void Stepper::step() noexcept {
 
 void Stepper::substep(int i) {
     const bool is_last = i + 1 == options.substeps;
-    predict();
+    predict(i);
     limit_parents(is_last);
     if (visits_hinges(i)) solve_bend();
     solve_stretch(is_last);
@@ -103,18 +104,28 @@ void Stepper::store_points() {
 }
 
 // Members predict the points that they hold.
-void Stepper::predict() {
+void Stepper::predict(int i) {
     const Vec3f fall = options.gravity * (cloth.substep * cloth.substep);
     const Motion motion{.keep = std::max(0.0F, 1 - (cloth.damping + options.extra_damping) * cloth.substep),
                         .fall = {fall.x(), fall.y(), fall.z()}};
     const auto [begin, end] = member.part_of(cloth.x.size(), kBlock);
     SolverState& solver = cloth.solver;
     loops.predict(points() + 4 * begin, before() + 4 * begin, floats(solver.lost) + 4 * begin, end - begin, motion);
+    lead(i, begin, end);
     if (!solver.blocks.parents.empty()) {
         std::copy_n(solver.points.begin() + static_cast<std::ptrdiff_t>(begin), end - begin,
                     solver.carried.begin() + static_cast<std::ptrdiff_t>(begin));
     }
     member.wait();
+}
+
+void Stepper::lead(int i, std::size_t begin, std::size_t end) {
+    const float share = 1 / static_cast<float>(options.substeps - i);
+    for (const LedVertex& led : options.led) {
+        if (led.vertex < begin || led.vertex >= end) continue;
+        Vec4f& x = cloth.solver.points[led.vertex];
+        x.head<3>() += (led.to - x.head<3>()) * share;
+    }
 }
 
 void Stepper::limit_parents(bool is_last) {

@@ -16,6 +16,12 @@ struct SeamPull {
     std::uint32_t b = 0;
 };
 
+// A vertex that does not move by itself but is led: evenly, until at the end of a step it is there.
+struct LedVertex {
+    std::uint32_t vertex = 0;  // pinned
+    Vec3f to = Vec3f::Zero();  // m, outside of the body
+};
+
 struct StepOptions {
     int substeps = 12;                    // each of Cloth::substep
     Vec3f gravity = Vec3f(0, -9.81F, 0);  // m/s^2
@@ -30,6 +36,7 @@ struct StepOptions {
     std::span<const SeamPull> seams{};  // open seams
     float seam_gap = 0;                 // m, allowed at the end of this step
     float seam_gap_rate = 0;            // m per sub-step by which the gap shrinks within the step
+    std::span<const LedVertex> led{};
 };
 
 // s, simulated.

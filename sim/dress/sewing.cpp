@@ -50,42 +50,62 @@ GarmentMesh merge_closed(const GarmentMesh& unsewn, const Cloth& cloth, float cl
     return merge_seams(moved).mesh;
 }
 
-}  // namespace
+Cloth apart(const GarmentMesh& unsewn, const std::vector<Fabric>& fabrics) {
+    GarmentMesh panels = unsewn;
+    panels.links.clear();
+    return make_cloth(panels, fabrics, {.max_level = 0});
+}
 
-SewingResult sew_on_body(const GarmentMesh& unsewn, const std::vector<Fabric>& fabrics, const BodyCollider& body,
-                         const SewingOptions& options, const Progress& progress) {
-    GarmentMesh apart = unsewn;
-    apart.links.clear();
-    Cloth cloth = make_cloth(apart, fabrics, {.max_level = 0});
-    refresh_contacts(cloth, options.contact);
-
-    const std::vector<SeamPull> pulls = pulls_of(unsewn.links);
+StepOptions stepping_for(const SewingOptions& options, const std::vector<SeamPull>& pulls) {
     StepOptions stepping{.gravity = Vec3f::Zero(), .extra_damping = kSewingDamping, .contact = options.contact};
     stepping.contact.friction_scale = 0;
     stepping.stretch_bias_rate = stepping.shear_bias_rate = 0;  // the seams pull harder than any load
     stepping.limit_rounds = 0;
     stepping.seams = pulls;
-    const float start_gap = widest_gap(cloth, unsewn.links);
-    const float step_time = step_seconds(cloth, stepping);
-    const float limit = start_gap / options.closing_speed + options.patience;
+    return stepping;
+}
 
-    SewingResult result;
-    float seconds = 0;
-    while (seconds < limit) {
-        seconds += step_time;
-        stepping.seam_gap = std::max(0.0F, start_gap - options.closing_speed * seconds);
-        stepping.seam_gap_rate = stepping.seam_gap > 0 ? options.closing_speed * cloth.substep : 0;
-        step(cloth, body, stepping);
-        report(progress, "sewing", std::min(1.0F, seconds / limit));
-        result.bad_vertex = find_bad_vertex(cloth);
-        if (result.bad_vertex) break;
-        if (stepping.seam_gap <= 0 && widest_gap(cloth, unsewn.links) < options.closed_gap) break;
+}  // namespace
+
+SewingRun::SewingRun(GarmentMesh unsewn, const std::vector<Fabric>& fabrics, const SewingOptions& options)
+    : unsewn_(std::move(unsewn)),
+      options_(options),
+      cloth_(apart(unsewn_, fabrics)),
+      pulls_(pulls_of(unsewn_.links)),
+      start_gap_(widest_gap(cloth_, unsewn_.links)),
+      limit_(start_gap_ / options.closing_speed + options.patience) {
+    refresh_contacts(cloth_, options.contact);
+}
+
+bool SewingRun::advance(const BodyCollider& body) {
+    StepOptions stepping = stepping_for(options_, pulls_);
+    seconds_ += step_seconds(cloth_, stepping);
+    stepping.seam_gap = std::max(0.0F, start_gap_ - options_.closing_speed * seconds_);
+    stepping.seam_gap_rate = stepping.seam_gap > 0 ? options_.closing_speed * cloth_.substep : 0;
+    step(cloth_, body, stepping);
+    bad_vertex_ = find_bad_vertex(cloth_);
+    if (bad_vertex_) return false;
+    if (stepping.seam_gap <= 0 && widest_gap(cloth_, unsewn_.links) < options_.closed_gap) return false;
+    return seconds_ < limit_;
+}
+
+SewingResult SewingRun::result() const {
+    return {.sewn = merge_closed(unsewn_, cloth_, options_.closed_gap),
+            .open = open_seams(cloth_, unsewn_.links, options_.closed_gap),
+            .simulated_seconds = seconds_,
+            .bad_vertex = bad_vertex_};
+}
+
+SewingResult sew_on_body(const GarmentMesh& unsewn, const std::vector<Fabric>& fabrics, const BodyCollider& body,
+                         const SewingOptions& options, const Progress& progress) {
+    SewingRun run(unsewn, fabrics, options);
+    bool goes_on = true;
+    while (goes_on) {
+        goes_on = run.advance(body);
+        report(progress, "sewing", run.fraction());
     }
     report(progress, "sewing", 1);
-    result.simulated_seconds = seconds;
-    result.open = open_seams(cloth, unsewn.links, options.closed_gap);
-    result.sewn = merge_closed(unsewn, cloth, options.closed_gap);
-    return result;
+    return run.result();
 }
 
 }  // namespace selvedge
