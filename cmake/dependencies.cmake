@@ -10,3 +10,5 @@ find_package(assimp 5.2 REQUIRED)              # sim/body, in a child process
 find_package(PNG REQUIRED)                     # render/image
 find_package(CLI11 REQUIRED)                   # app
 find_package(GTest REQUIRED)                   # tests
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui>=1.86)  # editor, app/ui_draw

@@ -1,7 +1,7 @@
 #pragma once
 // What is kept of a scene from one picture to the next: a turning camera asks for nothing new, moving cloth for all
 // but what it did not change. What is kept was made from equal input, so a picture does not depend on those before.
-#include <optional>
+#include <memory>
 
 #include "render/picture_times.h"
 #include "render/room_light.h"
@@ -16,6 +16,7 @@ class PreparedScene {
 
     // Pre: the scene is not empty and all its numbers are finite.
     void prepare(const Scene& scene, PartClock& clock);
+    void prepare(const SceneView& view, PartClock& clock);
 
     const SceneBuffers& buffers() const { return buffers_; }
     const ShadowMap& shadow() const { return shadow_; }
@@ -23,8 +24,11 @@ class PreparedScene {
     float shadow_width() const { return 2 * bounds_.radius; }          // m
 
  private:
+    void build(const Scene& scene, PartClock& clock);
+    void turn_light(const Light& light, PartClock& clock);
+
     const GladGLContext& gl_;
-    std::optional<Scene> scene_;  // that the rest was made from
+    std::shared_ptr<const Scene> scene_;  // that the rest was made from
     Casters casters_;
     Bounds bounds_;
     LitPoints points_;

@@ -77,9 +77,16 @@ void copy_tile(Image& image, const Image& tile_image, const Tile& tile) {
     }
 }
 
+// How what is prepared is looked at.
+struct SceneLook {
+    const Camera& camera;
+    const Light& light;
+    const Background& background;
+};
+
 // One view of the scene, as the shaders ask for it.
 struct Frame {
-    const Scene& scene;
+    const SceneLook& look;
     const RenderOptions& options;
     Tile tile;
     Eigen::Matrix4f camera;         // room to the tile's clip space
@@ -95,17 +102,17 @@ Eigen::Matrix4f unit_cube_matrix() {
 }
 
 void set_backdrop(const Program& program, const Frame& frame) {
-    program.set("is_transparent", frame.scene.background.is_transparent ? 1 : 0);
+    program.set("is_transparent", frame.look.background.is_transparent ? 1 : 0);
     program.set("tile_origin_px", Vec2f(float(frame.tile.left), float(frame.tile.low)));
     program.set("picture_size_px", Vec2f(float(frame.options.width_px), float(frame.options.height_px)));
-    program.set("backdrop_centre", to_linear(frame.scene.background.centre));
-    program.set("backdrop_edge", to_linear(frame.scene.background.edge));
+    program.set("backdrop_centre", to_linear(frame.look.background.centre));
+    program.set("backdrop_edge", to_linear(frame.look.background.edge));
 }
 
 void set_light(const Program& program, const Frame& frame) {
-    const Light& light = frame.scene.light;
+    const Light& light = frame.look.light;
     program.set("camera", frame.camera);
-    program.set("eye", frame.scene.camera.eye);
+    program.set("eye", frame.look.camera.eye);
     program.set("to_key", Vec3f(light.to_key.normalized()));
     program.set("to_fill", Vec3f(light.to_fill.normalized()));
     program.set("key_irradiance", light.key);
@@ -130,9 +137,11 @@ Rgb8 level_colour(int level) {
 }
 
 struct Renderer::Impl {
-    explicit Impl(std::optional<ContextMaker> maker)
-        : context(make_context(maker)),
-          gl(context->gl()),
+    explicit Impl(std::unique_ptr<GlContext> own) : Impl(*own) { owned = std::move(own); }
+
+    explicit Impl(GlContext& shared)
+        : context(shared),
+          gl(shared.gl()),
           cloth_place(make_program(gl, {"cloth.vert"}, {"shadow.glsl", "place.frag"})),
           body_place(make_program(gl, {"body.vert"}, {"shadow.glsl", "place.frag"})),
           cloth(make_program(gl, {"cloth.vert"}, {"shadow.glsl", "light.glsl", "tartan.glsl", "cloth.frag"})),
@@ -140,6 +149,24 @@ struct Renderer::Impl {
           solid(make_program(gl, {"solid.vert"}, {"shadow.glsl", "light.glsl", "solid.frag"})),
           ground(make_program(gl, {"body.vert"}, {"backdrop.glsl", "shadow.glsl", "light.glsl", "ground.frag"})),
           prepared(gl) {}
+
+    void begin(const RenderOptions& options) const {
+        check_size(options);
+        SELVEDGE_ASSERT(options.tile_px >= 1 && options.supersample >= 1 && options.samples >= 1);
+        context.make_current();
+        check_samples(context, options);
+    }
+
+    // The finished tile goes into the texture upside down, for that holds the picture's upper row first.
+    void lay_tile(const PictureTexture& to, const Tile& tile) const {
+        const int width = std::min(tile.size.width_px, to.width_px() - tile.left);
+        const int height = std::min(tile.size.height_px, to.height_px() - tile.low);
+        const int top = to.height_px() - tile.low;
+        gl.BindFramebuffer(GL_READ_FRAMEBUFFER, target->finished_framebuffer());
+        gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, to.framebuffer());
+        gl.BlitFramebuffer(0, 0, width, height, tile.left, top, tile.left + width, top - height, GL_COLOR_BUFFER_BIT,
+                           GL_NEAREST);
+    }
 
     // Of the last picture, where they have the same size.
     void make_targets(const TargetSize& size) {
@@ -251,7 +278,40 @@ struct Renderer::Impl {
         draw_solids(frame, buffers);
     }
 
-    std::unique_ptr<GlContext> context;
+    // Of what is prepared. Calls `take` for each tile, once it is finished.
+    template <class Take>
+    void draw_tiles(const SceneLook& look, const RenderOptions& options, PartClock& clock, const Take& take) {
+        const Eigen::Matrix4f room_to_picture =
+            projection_matrix(look.camera, float(options.width_px) / float(options.height_px)) *
+            view_matrix(look.camera);
+        const TargetSize size{.width_px = std::min(options.width_px, options.tile_px),
+                              .height_px = std::min(options.height_px, options.tile_px),
+                              .samples = options.samples,
+                              .supersample = options.supersample};
+        make_targets(size);
+        for (int low = 0; low < options.height_px; low += size.height_px) {
+            for (int left = 0; left < options.width_px; left += size.width_px) {
+                const Tile tile{.left = left, .low = low, .size = size};
+                const Frame frame{.look = look,
+                                  .options = options,
+                                  .tile = tile,
+                                  .camera = tile_matrix(tile, options) * room_to_picture,
+                                  .shadow_matrix = unit_cube_matrix() * prepared.key_matrix(),
+                                  .shadow_width = prepared.shadow_width()};
+                draw_mask(frame);
+                clock.lap(&PictureTimes::mask);
+                draw_tile(frame);
+                clock.lap(&PictureTimes::draw);
+                target->finish([&](const Program& program) { set_backdrop(program, frame); });
+                clock.lap(&PictureTimes::finish);
+                take(tile);
+                clock.lap(&PictureTimes::read_back);
+            }
+        }
+    }
+
+    std::unique_ptr<GlContext> owned;  // outlives what follows
+    GlContext& context;
     const GladGLContext& gl;
     Program cloth_place, body_place;
     Program cloth, body, solid, ground;
@@ -260,49 +320,33 @@ struct Renderer::Impl {
     std::optional<ShadowMask> mask;
 };
 
-Renderer::Renderer(std::optional<ContextMaker> maker) : impl_(std::make_unique<Impl>(maker)) {}
+Renderer::Renderer(std::optional<ContextMaker> maker) : impl_(std::make_unique<Impl>(make_context(maker))) {}
+Renderer::Renderer(GlContext& shared) : impl_(std::make_unique<Impl>(shared)) {}
 Renderer::~Renderer() = default;
 
 const GlContext& Renderer::context() const {
-    return *impl_->context;
+    return impl_->context;
 }
 
 Image Renderer::draw(const Scene& scene, const RenderOptions& options) {
-    check_size(options);
-    SELVEDGE_ASSERT(options.tile_px >= 1 && options.supersample >= 1 && options.samples >= 1);
-    const GladGLContext& gl = impl_->gl;
-    impl_->context->make_current();
-    check_samples(*impl_->context, options);
-    PartClock clock(gl, options.times);
+    impl_->begin(options);
+    PartClock clock(impl_->gl, options.times);
     impl_->prepared.prepare(scene, clock);
-    const Eigen::Matrix4f camera =
-        projection_matrix(scene.camera, float(options.width_px) / float(options.height_px)) * view_matrix(scene.camera);
-    const TargetSize size{.width_px = std::min(options.width_px, options.tile_px),
-                          .height_px = std::min(options.height_px, options.tile_px),
-                          .samples = options.samples,
-                          .supersample = options.supersample};
-    impl_->make_targets(size);
     Image image(options.width_px, options.height_px);
-    for (int low = 0; low < options.height_px; low += size.height_px) {
-        for (int left = 0; left < options.width_px; left += size.width_px) {
-            const Tile tile{.left = left, .low = low, .size = size};
-            const Frame frame{.scene = scene,
-                              .options = options,
-                              .tile = tile,
-                              .camera = tile_matrix(tile, options) * camera,
-                              .shadow_matrix = unit_cube_matrix() * impl_->prepared.key_matrix(),
-                              .shadow_width = impl_->prepared.shadow_width()};
-            impl_->draw_mask(frame);
-            clock.lap(&PictureTimes::mask);
-            impl_->draw_tile(frame);
-            clock.lap(&PictureTimes::draw);
-            impl_->target->finish([&](const Program& program) { set_backdrop(program, frame); });
-            clock.lap(&PictureTimes::finish);
-            copy_tile(image, impl_->target->read(), tile);
-            clock.lap(&PictureTimes::read_back);
-        }
-    }
+    const SceneLook look{.camera = scene.camera, .light = scene.light, .background = scene.background};
+    impl_->draw_tiles(look, options, clock, [&](const Tile& tile) { copy_tile(image, impl_->target->read(), tile); });
     return image;
+}
+
+void Renderer::draw(const SceneView& view, PictureTexture& to, const RenderOptions& wished) {
+    RenderOptions options = wished;
+    options.width_px = to.width_px();
+    options.height_px = to.height_px();
+    impl_->begin(options);
+    PartClock clock(impl_->gl, options.times);
+    impl_->prepared.prepare(view, clock);
+    const SceneLook look{.camera = view.camera, .light = view.light, .background = view.scene->background};
+    impl_->draw_tiles(look, options, clock, [&](const Tile& tile) { impl_->lay_tile(to, tile); });
 }
 
 }  // namespace selvedge

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "render/gl/context.h"
+#include "render/gl/picture_texture.h"
 #include "render/image/image.h"
 #include "render/picture_times.h"
 #include "render/scene/scene.h"
@@ -25,17 +26,22 @@ struct RenderOptions {
 inline constexpr int kLevelColours = 8;
 Rgb8 level_colour(int level);
 
-// Owns a context, so it belongs to one thread, and only one lives at a time. Keeps what a scene has in common with the
+// Belongs to one thread; with a context of its own, only one lives at a time. Keeps what a scene has in common with the
 // one drawn before, and asks nothing else of it: the same scene has the same bits whatever was drawn before.
 class Renderer {
  public:
     // Throws InputError when there is no way to draw (render/gl/context.h).
     explicit Renderer(std::optional<ContextMaker> maker = {});
+    explicit Renderer(GlContext& shared);  // which must outlive it
     ~Renderer();
 
     // Any size: a picture is drawn in tiles. Throws InputError when it is over render/image/png.h's limits, or wants
     // more samples than the context can take. Pre: the scene has a triangle, its numbers are finite.
     Image draw(const Scene& scene, const RenderOptions& options = {});
+
+    // The same picture, of the texture's size, left with GL; the texture's first row is the picture's uppermost. Leaves
+    // GL's state as it pleases. Pre: the texture belongs to this renderer's context.
+    void draw(const SceneView& view, PictureTexture& to, const RenderOptions& options = {});
 
     const GlContext& context() const;
 

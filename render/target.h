@@ -29,7 +29,8 @@ class Target {
     // Averages, lays over the backdrop and encodes. set_backdrop sets what backdrop.glsl asks of a program.
     void finish(const std::function<void(const Program&)>& set_backdrop) const;
 
-    Image read() const;  // the first row is the lowest
+    unsigned finished_framebuffer() const { return finished_.id(); }  // the first row is the lowest
+    Image read() const;                                               // the first row is the lowest
 
  private:
     const GladGLContext& gl_;

@@ -6,6 +6,7 @@
 
 #include "render/gl/gl.h"
 #include "render/gl/makers.h"
+#include "sim/core/assert.h"
 #include "sim/core/error.h"
 
 namespace selvedge {
@@ -27,7 +28,10 @@ std::unique_ptr<GlContext> make(ContextMaker maker) {
             return make_osmesa_context();
         case ContextMaker::Egl:
             return make_egl_context();
+        case ContextMaker::Window:
+            break;
     }
+    SELVEDGE_ASSERT(!"a window makes its own context");
     return nullptr;
 }
 
@@ -38,6 +42,7 @@ std::string text_of(const GLubyte* text) {
 }  // namespace
 
 const char* name(ContextMaker maker) {
+    if (maker == ContextMaker::Window) return "window";
     return maker == ContextMaker::OSMesa ? "osmesa" : "egl";
 }
 

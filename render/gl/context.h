@@ -1,6 +1,6 @@
 #pragma once
-// A place to draw without a window. Two makers stand behind one interface; a window's would be a third. Their
-// libraries are opened at run time, so that the program starts where one is absent.
+// A place to draw, behind one interface. Two makers need no window: their libraries are opened at run time, so that the
+// program starts where one is absent. A window's context is made with the window (app/window.h).
 // One thread owns every context, and draws to framebuffers of its own, so that the makers' pictures are the same.
 #include <memory>
 #include <optional>
@@ -11,7 +11,7 @@ struct GladGLContext;
 
 namespace selvedge {
 
-enum class ContextMaker { OSMesa, Egl };
+enum class ContextMaker { OSMesa, Egl, Window };
 
 const char* name(ContextMaker maker);
 
@@ -48,7 +48,7 @@ class GlContext {
 
 // A current context by `maker`; without one, by that which the environment names in SELVEDGE_GL (osmesa or egl), or
 // else OSMesa's and, where it is absent, EGL's. Throws InputError with every maker's reason when there is none.
-// No other context may be current.
+// No other context may be current. Pre: not a window's.
 std::unique_ptr<GlContext> make_context(std::optional<ContextMaker> maker = {});
 
 }  // namespace selvedge

@@ -3,6 +3,7 @@
 // other.  (SPEC 6)
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -112,6 +113,14 @@ struct Scene {
     Background background;
     bool has_ground = true;  // catches shadows; has no horizon
     float ground_y = 0;      // m
+};
+
+// A scene seen otherwise than by the camera and light in it. Whoever shares a scene does not change it any more: the
+// same pointer is the same matter, and nothing is compared.
+struct SceneView {
+    std::shared_ptr<const Scene> scene;
+    Camera camera;
+    Light light;
 };
 
 // The surface of a body with its normals.

@@ -1,0 +1,177 @@
+#include "app/ui_draw.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+
+#include "render/gl/gl.h"
+#include "render/shaders.h"
+#include "sim/core/assert.h"
+
+namespace selvedge {
+namespace {
+
+constexpr UiTexture kFont = 0;
+
+void add_attribute(const GladGLContext& gl, GLuint index, int parts, GLenum type, std::size_t offset) {
+    gl.EnableVertexAttribArray(index);
+    gl.VertexAttribPointer(index, parts, type, type == GL_UNSIGNED_BYTE ? GL_TRUE : GL_FALSE, sizeof(ImDrawVert),
+                           reinterpret_cast<const void*>(offset));
+}
+
+// For this frame only: the memory before may still be read.
+template <class T>
+void stream(const GladGLContext& gl, GLenum target, const ImVector<T>& data) {
+    gl.BufferData(target, static_cast<GLsizeiptr>(data.size_in_bytes()), data.Data, GL_STREAM_DRAW);
+}
+
+Texture make_texture(const GladGLContext& gl, int width_px, int height_px, const void* rgba, GLint wrap) {
+    Texture texture(gl);
+    gl.ActiveTexture(GL_TEXTURE0);
+    gl.BindTexture(GL_TEXTURE_2D, texture.id());
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width_px, height_px, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
+    return texture;
+}
+
+// px of the framebuffer, from its lower left, as GL has it.
+struct PixelBox {
+    int left = 0, low = 0, width = 0, height = 0;
+    bool is_empty() const { return width <= 0 || height <= 0; }
+};
+
+PixelBox clip_box(const ImVec4& clip, const ImDrawData& data, const PictureTexture& to) {
+    const auto pixel = [](float at, float from, float scale, int most) {
+        return static_cast<int>(std::clamp((at - from) * scale, 0.0F, float(most)));
+    };
+    const ImVec2 low = data.DisplayPos, scale = data.FramebufferScale;
+    const int left = pixel(clip.x, low.x, scale.x, to.width_px()), right = pixel(clip.z, low.x, scale.x, to.width_px());
+    const int top = pixel(clip.y, low.y, scale.y, to.height_px());
+    const int bottom = pixel(clip.w, low.y, scale.y, to.height_px());
+    return {.left = left, .low = to.height_px() - bottom, .width = right - left, .height = bottom - top};
+}
+
+}  // namespace
+
+struct UiDraw::Impl {
+    explicit Impl(GlContext& made_elsewhere)
+        : context(made_elsewhere),
+          gl(made_elsewhere.gl()),
+          program(make_program(gl, {"ui.vert"}, {"ui.frag"})),
+          vertex_array(gl),
+          vertices(gl),
+          indices(gl) {
+        gl.BindVertexArray(vertex_array.id());
+        gl.BindBuffer(GL_ARRAY_BUFFER, vertices.id());
+        gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.id());
+        add_attribute(gl, 0, 2, GL_FLOAT, offsetof(ImDrawVert, pos));
+        add_attribute(gl, 1, 2, GL_FLOAT, offsetof(ImDrawVert, uv));
+        add_attribute(gl, 2, 4, GL_UNSIGNED_BYTE, offsetof(ImDrawVert, col));
+    }
+
+    void take_font(ImFontAtlas& atlas) {
+        if (atlas.TexPixelsAlpha8 == nullptr && atlas.TexPixelsRGBA32 == nullptr) return;
+        unsigned char* pixels = nullptr;
+        int width_px = 0, height_px = 0;
+        atlas.GetTexDataAsRGBA32(&pixels, &width_px, &height_px);
+        owned.insert_or_assign(kFont, make_texture(gl, width_px, height_px, pixels, GL_CLAMP_TO_EDGE));
+        atlas.ClearTexData();
+    }
+
+    unsigned texture_of(UiTexture number) const {
+        const auto lent_one = lent.find(number);
+        if (lent_one != lent.end()) return lent_one->second;
+        const auto own = owned.find(number);
+        return own == owned.end() ? 0 : own->second.id();
+    }
+
+    void begin(const ImDrawData& data, const PictureTexture& to) const {
+        gl.BindFramebuffer(GL_FRAMEBUFFER, to.framebuffer());
+        gl.Viewport(0, 0, to.width_px(), to.height_px());
+        gl.Disable(GL_DEPTH_TEST);
+        gl.Disable(GL_CULL_FACE);
+        gl.Disable(GL_MULTISAMPLE);
+        gl.Disable(GL_SCISSOR_TEST);
+        gl.ClearColor(0, 0, 0, 1);
+        gl.Clear(GL_COLOR_BUFFER_BIT);
+        gl.Enable(GL_SCISSOR_TEST);
+        gl.Enable(GL_BLEND);
+        gl.BlendEquation(GL_FUNC_ADD);
+        gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);  // stays opaque
+        program.use();
+        program.set("picture", 0);
+        program.set("display_low", Vec2f(data.DisplayPos.x, data.DisplayPos.y));
+        program.set("display_size", Vec2f(data.DisplaySize.x, data.DisplaySize.y));
+        gl.ActiveTexture(GL_TEXTURE0);
+        gl.BindVertexArray(vertex_array.id());
+        gl.BindBuffer(GL_ARRAY_BUFFER, vertices.id());
+    }
+
+    void draw_list(const ImDrawList& list, const ImDrawData& data, const PictureTexture& to) const {
+        stream(gl, GL_ARRAY_BUFFER, list.VtxBuffer);
+        stream(gl, GL_ELEMENT_ARRAY_BUFFER, list.IdxBuffer);
+        for (const ImDrawCmd& command : list.CmdBuffer) {
+            if (command.UserCallback != nullptr) continue;  // only ImDrawCallback_ResetRenderState, which asks nothing
+            draw_command(command, data, to);
+        }
+    }
+
+    void draw_command(const ImDrawCmd& command, const ImDrawData& data, const PictureTexture& to) const {
+        const PixelBox box = clip_box(command.ClipRect, data, to);
+        const unsigned texture =
+            texture_of(static_cast<UiTexture>(reinterpret_cast<std::uintptr_t>(command.GetTexID())));
+        if (box.is_empty() || texture == 0) return;
+        gl.Scissor(box.left, box.low, box.width, box.height);
+        gl.BindTexture(GL_TEXTURE_2D, texture);
+        constexpr GLenum index_type = sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
+        gl.DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), index_type,
+                                  reinterpret_cast<const void*>(command.IdxOffset * sizeof(ImDrawIdx)),
+                                  static_cast<GLint>(command.VtxOffset));
+    }
+
+    GlContext& context;
+    const GladGLContext& gl;
+    Program program;
+    VertexArray vertex_array;
+    Buffer vertices, indices;
+    std::map<UiTexture, Texture> owned;  // the font, pictures
+    std::map<UiTexture, unsigned> lent;
+};
+
+UiDraw::UiDraw(GlContext& context) : impl_(std::make_unique<Impl>(context)) {}
+UiDraw::~UiDraw() = default;
+
+void UiDraw::hold(const PictureToHold& picture) {
+    const Image& image = picture.picture;
+    SELVEDGE_ASSERT(picture.texture != kFont && image.width_px >= 1 && image.height_px >= 1);
+    impl_->lent.erase(picture.texture);
+    impl_->owned.insert_or_assign(
+        picture.texture, make_texture(impl_->gl, image.width_px, image.height_px, image.pixels.data(), GL_REPEAT));
+}
+
+void UiDraw::lend(UiTexture number, unsigned texture) {
+    SELVEDGE_ASSERT(number != kFont);
+    impl_->owned.erase(number);
+    impl_->lent.insert_or_assign(number, texture);
+}
+
+void UiDraw::draw(PictureTexture& to) {
+    impl_->context.make_current();
+    impl_->take_font(*ImGui::GetIO().Fonts);
+    const ImDrawData* data = ImGui::GetDrawData();
+    SELVEDGE_ASSERT(data != nullptr && data->Valid);
+    impl_->begin(*data, to);
+    for (int i = 0; i < data->CmdListsCount; ++i) impl_->draw_list(*data->CmdLists[i], *data, to);
+    impl_->gl.Disable(GL_SCISSOR_TEST);
+    impl_->gl.Disable(GL_BLEND);
+}
+
+}  // namespace selvedge

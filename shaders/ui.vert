@@ -1,0 +1,16 @@
+layout(location = 0) in vec2 position;  // as ImGui has it
+layout(location = 1) in vec2 place;
+layout(location = 2) in vec4 colour;  // sRGB, straight alpha
+
+uniform vec2 display_low;  // its upper left
+uniform vec2 display_size;
+
+out vec2 v_place;
+out vec4 v_colour;
+
+void main() {
+    v_place = place;
+    v_colour = colour;
+    vec2 at = (position - display_low) / display_size;
+    gl_Position = vec4(2.0 * at.x - 1.0, 1.0 - 2.0 * at.y, 0.0, 1.0);
+}

@@ -1,0 +1,166 @@
+// ImGui's lists, drawn without a window.
+#include "app/ui_draw.h"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include "render/gl/gl.h"
+#include "sim/core/error.h"
+
+namespace selvedge {
+namespace {
+
+constexpr int kSide = 100;  // px
+constexpr UiTexture kPicture = 5, kScene = 6;
+constexpr Rgba8 kRed{255, 0, 0, 255}, kGreen{0, 255, 0, 255}, kBlue{0, 0, 255, 255}, kBlack{0, 0, 0, 255};
+constexpr Rgba8 kWhite{255, 255, 255, 255};
+
+ImTextureID id_of(UiTexture number) {
+    return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(number));
+}
+
+class ImGuiContextOwner {
+ public:
+    explicit ImGuiContextOwner(float scale) : context_(ImGui::CreateContext()) {
+        ImGui::SetCurrentContext(context_);
+        ImGuiIO& io = ImGui::GetIO();
+        io.IniFilename = nullptr;
+        io.DisplaySize = {kSide, kSide};
+        io.DisplayFramebufferScale = {scale, scale};
+        io.DeltaTime = 1.0F / 60;
+        io.Fonts->AddFontDefault();
+        io.Fonts->Build();
+    }
+    ~ImGuiContextOwner() { ImGui::DestroyContext(context_); }
+    ImGuiContextOwner(const ImGuiContextOwner&) = delete;
+    ImGuiContextOwner& operator=(const ImGuiContextOwner&) = delete;
+
+ private:
+    ImGuiContext* context_;
+};
+
+// Half red, half green; two pixels of each, for pixels are mixed with their neighbours.
+PictureToHold red_and_green() {
+    PictureToHold held{.texture = kPicture, .picture = Image(4, 1, kRed)};
+    held.picture.at(2, 0) = held.picture.at(3, 0) = kGreen;
+    return held;
+}
+
+void fill_blue(const GladGLContext& gl, PictureTexture& texture) {
+    texture.resize(8, 8);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, texture.framebuffer());
+    gl.ClearColor(0, 0, 1, 1);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+}
+
+// A square that is clipped to its upper half, a picture twice over, a scene's texture, one that stands for nothing,
+// half a white over nothing, and text.
+void make_lists() {
+    ImGui::NewFrame();
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.PushClipRect({10, 10}, {20, 15});
+    list.AddRectFilled({10, 10}, {20, 20}, IM_COL32_WHITE);
+    list.PopClipRect();
+    list.AddImage(id_of(kPicture), {30, 10}, {70, 20}, {0, 0}, {2, 1});
+    list.AddImage(id_of(kScene), {10, 40}, {30, 60});
+    list.AddImage(id_of(77), {40, 40}, {60, 60});
+    list.AddRectFilled({70, 40}, {90, 60}, IM_COL32(255, 255, 255, 128));
+    list.AddText({10, 80}, IM_COL32_WHITE, "Selvedge");
+    ImGui::Render();
+}
+
+struct DrawnFrames {
+    Image first, second;
+};
+
+DrawnFrames draw_frames(ContextMaker maker, float scale) {
+    const ImGuiContextOwner imgui(scale);
+    const std::unique_ptr<GlContext> context = make_context(maker);
+    UiDraw drawer(*context);
+    PictureTexture scene(context->gl()), to(context->gl());
+    fill_blue(context->gl(), scene);
+    drawer.hold(red_and_green());
+    drawer.lend(kScene, scene.texture());
+    to.resize(static_cast<int>(kSide * scale), static_cast<int>(kSide * scale));
+    DrawnFrames frames;
+    for (Image* frame : {&frames.first, &frames.second}) {
+        make_lists();
+        drawer.draw(to);
+        *frame = to.read();
+    }
+    return frames;
+}
+
+int lit_pixels(const Image& image, int top, int bottom) {
+    int count = 0;
+    for (int y = top; y < bottom; ++y) {
+        for (int x = 0; x < image.width_px; ++x) count += image.at(x, y)[0] > 128 ? 1 : 0;
+    }
+    return count;
+}
+
+TEST(UiDraw, clips_repeats_pictures_and_shows_scenes) {
+    const Image image = draw_frames(ContextMaker::OSMesa, 1).first;
+    EXPECT_EQ(image.at(12, 12), kWhite);
+    EXPECT_EQ(image.at(12, 16), kBlack) << "below the clip rectangle";
+    EXPECT_EQ(image.at(35, 15), kRed);
+    EXPECT_EQ(image.at(45, 15), kGreen);
+    EXPECT_EQ(image.at(55, 15), kRed) << "the picture repeats";
+    EXPECT_EQ(image.at(65, 15), kGreen);
+    EXPECT_EQ(image.at(20, 50), kBlue);
+    EXPECT_EQ(image.at(50, 50), kBlack) << "a number that stands for nothing";
+    EXPECT_EQ(image.at(80, 50), (Rgba8{128, 128, 128, 255})) << "half a white, and opaque";
+}
+
+TEST(UiDraw, writes_text) {
+    const Image image = draw_frames(ContextMaker::OSMesa, 1).first;
+    EXPECT_GT(lit_pixels(image, 78, 96), 60);
+    EXPECT_EQ(lit_pixels(image, 64, 78), 0);
+}
+
+TEST(UiDraw, a_larger_scale_draws_the_same_at_more_pixels) {
+    const Image image = draw_frames(ContextMaker::OSMesa, 2).first;
+    EXPECT_EQ(image.width_px, 2 * kSide);
+    EXPECT_EQ(image.at(24, 28), kWhite);
+    EXPECT_EQ(image.at(24, 32), kBlack);
+    EXPECT_EQ(image.at(110, 30), kRed);
+    EXPECT_EQ(image.at(40, 100), kBlue);
+}
+
+TEST(UiDraw, the_same_lists_have_the_same_bits) {
+    const DrawnFrames frames = draw_frames(ContextMaker::OSMesa, 1);
+    EXPECT_EQ(frames.first, frames.second) << "the font stays when its pixels are gone from memory";
+    EXPECT_EQ(frames.first, draw_frames(ContextMaker::OSMesa, 1).first);
+}
+
+TEST(UiDraw, both_makers_draw_the_same) {
+    const Image osmesa = draw_frames(ContextMaker::OSMesa, 1).first;
+    try {
+        make_context(ContextMaker::Egl);
+    } catch (const InputError& error) {
+        GTEST_SKIP() << error.problem();
+    }
+    EXPECT_EQ(osmesa, draw_frames(ContextMaker::Egl, 1).first);
+}
+
+TEST(UiDraw, a_font_atlas_built_anew_takes_the_place_of_the_old) {
+    const ImGuiContextOwner imgui(1);
+    const std::unique_ptr<GlContext> context = make_context(ContextMaker::OSMesa);
+    UiDraw drawer(*context);
+    PictureTexture to(context->gl());
+    to.resize(kSide, kSide);
+    make_lists();
+    drawer.draw(to);
+    const int before = lit_pixels(to.read(), 78, kSide);
+    ImFontConfig large;
+    large.SizePixels = 20;
+    ImGui::GetIO().Fonts->Clear();
+    ImGui::GetIO().Fonts->AddFontDefault(&large);
+    ImGui::GetIO().Fonts->Build();
+    make_lists();
+    drawer.draw(to);
+    EXPECT_GT(lit_pixels(to.read(), 78, kSide), before + before / 4);
+}
+
+}  // namespace
+}  // namespace selvedge
