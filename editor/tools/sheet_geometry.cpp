@@ -1,0 +1,178 @@
+#include "editor/tools/sheet_geometry.h"
+
+#include <algorithm>
+
+#include "editor/drafting/sheet_layout.h"
+#include "sim/mesh/planar.h"
+#include "sim/pattern/outline.h"
+
+namespace selvedge {
+namespace {
+
+EdgeShape shape_of(const Panel& panel, const OutlineEdge& edge) {
+    EdgeShape shape;
+    shape.points = outline_polyline(panel, edge, kShapeError);
+    shape.reached.push_back(0);
+    for (std::size_t i = 0; i < shape.points.size(); ++i) {
+        shape.box.extend(shape.points[i]);
+        if (i == 0) continue;
+        shape.reached.push_back(shape.reached.back() + (shape.points[i] - shape.points[i - 1]).norm());
+    }
+    shape.length = shape.reached.back();
+    return shape;
+}
+
+PanelShape shape_of(const Panel& panel) {
+    PanelShape shape;
+    shape.panel = panel;
+    for (const OutlineEdge& edge : panel.edges) {
+        shape.edges.push_back(shape_of(panel, edge));
+        const EdgeShape& last = shape.edges.back();
+        shape.outline.insert(shape.outline.end(), last.points.begin(), last.points.end() - 1);
+        shape.box.extend(last.box);
+    }
+    return shape;
+}
+
+// The segment of the polyline in which the length is reached, and how far in it.
+struct Segment {
+    std::size_t index = 0;
+    double share = 0;
+};
+
+Segment segment_at(const EdgeShape& shape, double t) {
+    const double wanted = std::clamp(t, 0.0, 1.0) * shape.length;
+    const auto above = std::upper_bound(shape.reached.begin() + 1, shape.reached.end() - 1, wanted);
+    const auto index = static_cast<std::size_t>(above - shape.reached.begin() - 1);
+    const double length = shape.reached[index + 1] - shape.reached[index];
+    return {index, length > 0 ? std::clamp((wanted - shape.reached[index]) / length, 0.0, 1.0) : 0};
+}
+
+bool is_index(int index, std::size_t size) {
+    return index >= 0 && static_cast<std::size_t>(index) < size;
+}
+
+}  // namespace
+
+Vec2d EdgeShape::at(double t) const {
+    const auto [i, share] = segment_at(*this, t);
+    return points[i] + share * (points[i + 1] - points[i]);
+}
+
+Vec2d EdgeShape::tangent(double t) const {
+    const std::size_t i = segment_at(*this, t).index;
+    const Vec2d along = points[i + 1] - points[i];
+    const double size = along.norm();
+    return size > 0 ? Vec2d(along / size) : Vec2d(0, 0);
+}
+
+EdgeHit nearest(const EdgeShape& shape, const Vec2d& u) {
+    EdgeHit best{0, shape.points.front(), (u - shape.points.front()).norm()};
+    for (std::size_t i = 0; i + 1 < shape.points.size(); ++i) {
+        const Vec2d along = shape.points[i + 1] - shape.points[i];
+        const double square = along.squaredNorm();
+        const double share = square > 0 ? std::clamp((u - shape.points[i]).dot(along) / square, 0.0, 1.0) : 0;
+        const Vec2d point = shape.points[i] + share * along;
+        const double distance = (u - point).norm();
+        if (distance >= best.distance) continue;
+        const double reached = shape.reached[i] + share * (shape.reached[i + 1] - shape.reached[i]);
+        best = {shape.length > 0 ? reached / shape.length : 0, point, distance};
+    }
+    return best;
+}
+
+bool PanelShape::contains(const Vec2d& u) const {
+    return outline.size() > 2 && box.contains(u) && is_inside(u, outline);
+}
+
+void SheetGeometry::update(const Pattern& pattern, std::uint64_t revision) {
+    if (revision_ == revision) return;
+    revision_ = revision;
+    const std::vector<Vec2d> origins = sheet_positions(pattern);
+    std::vector<PanelShape> kept = std::move(panels_);
+    panels_.clear();
+    for (std::size_t i = 0; i < pattern.panels.size(); ++i) {
+        const Panel& panel = pattern.panels[i];
+        const auto same = std::find_if(kept.begin(), kept.end(), [&](const PanelShape& old) {
+            return old.panel.name == panel.name && old.panel.vertices == panel.vertices &&
+                   old.panel.edges == panel.edges;
+        });
+        if (same != kept.end()) {
+            const bool is_unchanged = same->panel == panel;
+            panels_.push_back(std::move(*same));
+            kept.erase(same);
+            if (!is_unchanged) panels_.back().panel = panel;
+            if (!is_unchanged) panels_.back().version = next_version_++;
+        } else {
+            panels_.push_back(shape_of(panel));
+            panels_.back().version = next_version_++;
+        }
+        panels_.back().origin = origins[i];
+    }
+    seams_ = pattern.seams;
+}
+
+const PanelShape* SheetGeometry::find(const std::string& panel) const {
+    const auto found = std::find_if(panels_.begin(), panels_.end(),
+                                    [&](const PanelShape& shape) { return shape.panel.name == panel; });
+    return found == panels_.end() ? nullptr : &*found;
+}
+
+const EdgeShape* SheetGeometry::edge(const PartRef& ref) const {
+    const PanelShape* shape = find(ref.panel);
+    if (shape == nullptr || !is_index(ref.index, shape->edges.size())) return nullptr;
+    return &shape->edges[static_cast<std::size_t>(ref.index)];
+}
+
+std::optional<Vec2d> SheetGeometry::vertex(const PartRef& ref) const {
+    const PanelShape* shape = find(ref.panel);
+    if (shape == nullptr || !is_index(ref.index, shape->panel.vertices.size())) return {};
+    return shape->on_sheet(shape->panel.vertices[static_cast<std::size_t>(ref.index)]);
+}
+
+std::optional<int> SheetGeometry::seam_of(const PartRef& edge) const {
+    const auto is_it = [&](const SeamSide& side) {
+        return side.edge == edge.index && is_index(side.panel, panels_.size()) &&
+               panels_[static_cast<std::size_t>(side.panel)].panel.name == edge.panel;
+    };
+    for (std::size_t i = 0; i < seams_.size(); ++i) {
+        if (is_it(seams_[i].first) || is_it(seams_[i].second)) return static_cast<int>(i);
+    }
+    return {};
+}
+
+SheetBox SheetGeometry::box() const {
+    SheetBox box;
+    for (const PanelShape& shape : panels_) box.extend(shape.sheet_box());
+    return box;
+}
+
+SheetBox SheetGeometry::box_of(const Selection& selection) const {
+    SheetBox box;
+    const auto extend_edge = [&](const PartRef& ref) {
+        const PanelShape* shape = find(ref.panel);
+        if (const EdgeShape* found = edge(ref)) box.extend(SheetBox(found->box).translate(shape->origin));
+    };
+    for (const std::string& panel : selection.panels) {
+        if (const PanelShape* shape = find(panel)) box.extend(shape->sheet_box());
+    }
+    for (const PartRef& ref : selection.vertices) {
+        if (const std::optional<Vec2d> point = vertex(ref)) box.extend(*point);
+    }
+    for (const PartRef& ref : selection.edges) extend_edge(ref);
+    for (const int seam : selection.seams) {
+        if (!is_index(seam, seams_.size())) continue;
+        for (const SeamSide& side : {seams_[static_cast<std::size_t>(seam)].first, seams_[static_cast<std::size_t>(seam)].second}) {
+            if (is_index(side.panel, panels_.size())) {
+                extend_edge({panels_[static_cast<std::size_t>(side.panel)].panel.name, side.edge});
+            }
+        }
+    }
+    return box;
+}
+
+Vec2d sheet_point(const PanelShape& shape, int edge, double t) {
+    return shape.on_sheet(shape.edges.at(static_cast<std::size_t>(edge)).at(t));
+}
+
+}  // namespace selvedge
