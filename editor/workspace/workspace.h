@@ -7,7 +7,7 @@
 
 #include "editor/document/document.h"
 #include "editor/workspace/drape.h"
-#include "editor/workspace/hover.h"
+#include "editor/tools/hover.h"
 #include "editor/workspace/messages.h"
 #include "render/scene/scene.h"
 
