@@ -1,0 +1,128 @@
+#include "editor/ui/action.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <utility>
+
+namespace selvedge {
+namespace {
+
+constexpr std::array<std::pair<Key, std::string_view>, 20> kKeyNames{{{Key::Space, "Space"},
+                                                                      {Key::Escape, "Esc"},
+                                                                      {Key::Enter, "Enter"},
+                                                                      {Key::Tab, "Tab"},
+                                                                      {Key::Backspace, "Backspace"},
+                                                                      {Key::Insert, "Insert"},
+                                                                      {Key::Delete, "Del"},
+                                                                      {Key::Right, "Right"},
+                                                                      {Key::Left, "Left"},
+                                                                      {Key::Down, "Down"},
+                                                                      {Key::Up, "Up"},
+                                                                      {Key::PageUp, "PageUp"},
+                                                                      {Key::PageDown, "PageDown"},
+                                                                      {Key::Home, "Home"},
+                                                                      {Key::End, "End"},
+                                                                      {Key::KeypadDecimal, "Num."},
+                                                                      {Key::KeypadAdd, "Num+"},
+                                                                      {Key::KeypadSubtract, "Num-"},
+                                                                      {Key::KeypadMultiply, "Num*"},
+                                                                      {Key::KeypadEnter, "NumEnter"}}};
+
+std::string lower(std::string_view text) {
+    std::string result(text);
+    for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return result;
+}
+
+std::string key_words(Key key) {
+    for (const auto& [known, name] : kKeyNames) {
+        if (known == key) return std::string(name);
+    }
+    const int code = static_cast<int>(key);
+    if (key >= Key::F1 && key <= Key::F12) return "F" + std::to_string(code - static_cast<int>(Key::F1) + 1);
+    if (key >= Key::Keypad0 && key <= Key::Keypad9) {
+        return "Num" + std::to_string(code - static_cast<int>(Key::Keypad0));
+    }
+    return std::string(1, static_cast<char>(code));
+}
+
+Key parse_key(const std::string& name) {
+    for (const auto& [key, known] : kKeyNames) {
+        if (lower(known) == name) return key;
+    }
+    if (name == "escape") return Key::Escape;
+    if (name == "return") return Key::Enter;
+    if (name == "delete") return Key::Delete;
+    for (int i = static_cast<int>(Key::F1); i <= static_cast<int>(Key::KeypadEnter); ++i) {
+        if (lower(key_words(static_cast<Key>(i))) == name) return static_cast<Key>(i);
+    }
+    if (name.size() != 1) return Key::None;
+    return key_of(static_cast<char>(std::toupper(static_cast<unsigned char>(name[0]))));
+}
+
+// Greater is better; none: letters are missing. Runs of letters, and beginnings of words, are what people type.
+std::optional<int> score(const std::string& text, const std::string& wanted) {
+    int total = 0, run = 0;
+    std::size_t at = 0;
+    for (const char c : wanted) {
+        const std::size_t found = text.find(c, at);
+        if (found == std::string::npos) return std::nullopt;
+        const bool begins_word = found == 0 || text[found - 1] == ' ';
+        run = found == at && at > 0 ? run + 1 : 0;
+        total += 1 + 3 * run + (begins_word ? 4 : 0) - static_cast<int>(std::min<std::size_t>(found - at, 5));
+        at = found + 1;
+    }
+    return total;
+}
+
+}  // namespace
+
+std::string words_of(const Chord& chord) {
+    if (chord.key == Key::None) return "";
+    return std::string(chord.modifiers.ctrl ? "Ctrl+" : "") + (chord.modifiers.shift ? "Shift+" : "") +
+           (chord.modifiers.alt ? "Alt+" : "") + key_words(chord.key);
+}
+
+std::string chord_words(const Action& action) {
+    return action.chords.empty() ? "" : words_of(action.chords.front());
+}
+
+const Action* find_action(const std::vector<Action>& actions, std::string_view id) {
+    const auto found =
+        std::find_if(actions.begin(), actions.end(), [&](const Action& action) { return action.id == id; });
+    return found == actions.end() ? nullptr : &*found;
+}
+
+std::optional<Chord> parse_chord(std::string_view text) {
+    Chord chord;
+    std::string rest = lower(text);
+    const auto take = [&](const char* prefix, bool& is_held) {
+        if (!rest.starts_with(prefix)) return false;
+        rest.erase(0, std::string_view(prefix).size());
+        is_held = true;
+        return true;
+    };
+    while (take("ctrl+", chord.modifiers.ctrl) || take("shift+", chord.modifiers.shift) ||
+           take("alt+", chord.modifiers.alt)) {
+    }
+    chord.key = parse_key(rest);
+    return chord.key == Key::None ? std::nullopt : std::optional(chord);
+}
+
+std::vector<const Action*> search(const std::vector<Action>& actions, std::string_view wanted) {
+    std::vector<std::pair<int, const Action*>> found;
+    const std::string letters = lower(wanted);
+    for (const Action& action : actions) {
+        const auto in_title = score(lower(action.title), letters);
+        const auto in_both = score(lower(action.menu + " " + action.title), letters);
+        if (in_title || in_both)
+            found.emplace_back(std::max(in_title.value_or(-100) + 2, in_both.value_or(-100)), &action);
+    }
+    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<const Action*> sorted;
+    for (const auto& [points, action] : found) sorted.push_back(action);
+    return sorted;
+}
+
+}  // namespace selvedge
