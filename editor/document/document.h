@@ -64,6 +64,7 @@ class Document {
 
     bool has_unsaved_changes() const;
     void mark_saved();
+    void mark_changed() { saved_position_.reset(); }  // what is shown is saved nowhere
 
     void set_journal(Journal journal) { journal_ = std::move(journal); }
 

@@ -30,6 +30,11 @@ void Drape::wear(std::optional<std::string> text) {
     own_body_ = std::move(text);
 }
 
+void Drape::begin_document() {
+    taken_revision_.reset();
+    session_.reset();
+}
+
 void Drape::begin_body(const std::string& text) {
     wanted_body_ = text;
     making_ = std::async(std::launch::async, maker_, text);

@@ -37,6 +37,9 @@ class Drape {
     // waits, but with SessionDrive::Caller for the body.
     void follow(const Document& document, Messages& messages);
 
+    // Another document is followed from now on: panels stand where it places them.
+    void begin_document();
+
     // A body of one's own, instead of the document's, until `wear({})`.
     void wear(std::optional<std::string> text);
     bool is_making_body() const { return making_.valid(); }

@@ -1,0 +1,70 @@
+#pragma once
+// All that the editor holds: what is worked on, the views onto it, and what lies open about them.
+#include <deque>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "editor/tools/tool_host.h"
+#include "editor/ui/action.h"
+#include "editor/ui/action_finder.h"
+#include "editor/ui/file_browser.h"
+#include "editor/ui/frame_output.h"
+#include "editor/ui/services.h"
+#include "editor/ui/theme.h"
+#include "editor/workspace/widget_map.h"
+#include "editor/workspace/workspace.h"
+
+namespace selvedge {
+
+// Asked in a bar above the views: nothing waits for the answer.
+struct Question {
+    struct Answer {
+        std::string label;
+        std::function<void(Desk&)> run;
+    };
+    std::string words;
+    std::vector<Answer> answers;
+};
+
+enum class InspectorTab { Properties, Seams, Cloth, Body, Drape, History };
+enum class FocusedView { Sheet, Fitting };
+
+// Which parts of the window are there, and how large.
+struct DeskLayout {
+    bool has_sheet = true;
+    bool has_fitting = true;
+    bool has_inspectors = true;
+    bool has_tools = true;
+    float sheet_share = 0.5F;    // of the width that both views have
+    float inspector_width = 20;  // in heights of the font
+    InspectorTab tab = InspectorTab::Properties;
+};
+
+struct Desk {
+    Desk(Services given, SessionDrive drive);
+
+    Services services;
+    Workspace workspace;
+    ToolHost tools;
+    std::vector<Action> actions;
+    Theme theme;
+    Fonts fonts;
+    DeskLayout layout;
+    ActionFinder finder;
+    FileBrowser browser;
+    std::deque<Question> questions;
+    std::vector<Panel> clipboard;
+    WidgetMap widgets;
+    FocusedView focused = FocusedView::Sheet;
+    bool shows_start_page = true;
+    bool wants_to_close = false;
+    float user_scale = 1;      // of the interface, on top of the screen's
+    int documents_opened = 0;  // so far: views begin anew with each
+};
+
+// Makes the document's changes go to the journal, beginning now.
+void begin_journal(Desk& desk);
+
+}  // namespace selvedge

@@ -1,0 +1,193 @@
+#include "editor/ui/files.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "editor/ui/desk.h"
+#include "sim/core/error.h"
+
+namespace selvedge {
+namespace {
+
+void say_error(Desk& desk, const InputError& error) {
+    desk.workspace.messages.say({.kind = MessageKind::Error, .words = error.what(), .places = {}});
+}
+
+// Runs what may fail on wrong input. False: it did, and was said.
+template <class Function>
+bool try_to(Desk& desk, Function&& function) {
+    try {
+        function();
+        return true;
+    } catch (const InputError& error) {
+        say_error(desk, error);
+        return false;
+    }
+}
+
+void show_document(Desk& desk, PatternDocument source, const std::string& file) {
+    desk.workspace.document = std::make_unique<Document>(std::move(source));
+    desk.workspace.file = file;
+    desk.workspace.drape.begin_document();
+    desk.tools.choose(*desk.workspace.document, ToolKind::Select);
+    desk.shows_start_page = false;
+    ++desk.documents_opened;
+    begin_journal(desk);
+}
+
+// Does it at once where nothing would be lost.
+void after_asking(Desk& desk, std::function<void(Desk&)> go_on) {
+    if (!desk.workspace.document->has_unsaved_changes()) return go_on(desk);
+    const auto save_first = [go_on](Desk& asked) {
+        if (save(asked)) go_on(asked);
+    };
+    desk.questions.push_front({"'" + document_name(desk) + "' has changes that are not saved.",
+                               {{"Save", save_first}, {"Discard", go_on}, {"Cancel", [](Desk&) {}}}});
+}
+
+std::string with_ending(std::string file, const std::string& ending) {
+    return file.ends_with(ending) ? file : file + ending;
+}
+
+void write_document(Desk& desk, const std::string& file) {
+    Document& document = *desk.workspace.document;
+    document.keep();
+    desk.services.save(file, document.text());
+    document.mark_saved();
+    desk.workspace.file = file;
+    desk.services.remember_file(file);
+    desk.workspace.messages.note("Saved as " + file);
+    begin_journal(desk);
+}
+
+}  // namespace
+
+std::string document_name(const Desk& desk) {
+    const std::string& file = desk.workspace.file;
+    if (file.empty()) return "untitled";
+    return file.substr(file.find_last_of('/') + 1);
+}
+
+void new_document(Desk& desk) {
+    after_asking(desk, [](Desk& asked) { show_document(asked, {}, ""); });
+}
+
+void open_file(Desk& desk, const std::string& file) {
+    after_asking(desk, [file](Desk& asked) {
+        try_to(asked, [&] {
+            show_document(asked, asked.services.load(file), file);
+            asked.services.remember_file(file);
+        });
+    });
+}
+
+void open_example(Desk& desk, const Example& example) {
+    after_asking(desk, [example](Desk& asked) {
+        try_to(asked, [&] { show_document(asked, parse_pattern(example.text, example.title), ""); });
+    });
+}
+
+void recover_journal(Desk& desk, const LeftJournal& journal) {
+    const auto go_on = [journal](Desk& asked) {
+        const bool is_open = try_to(asked, [&] {
+            show_document(asked, parse_pattern(journal.recovery.text, journal.recovery.file), journal.recovery.file);
+        });
+        if (!is_open) return;
+        asked.workspace.document->mark_changed();
+        begin_journal(asked);  // so that it can be recovered again
+        asked.services.discard_journal(journal.id);
+        asked.workspace.messages.note("Recovered '" + document_name(asked) + "': save it to keep it");
+    };
+    after_asking(desk, go_on);
+}
+
+void take_dropped_file(Desk& desk, const std::string& file) {
+    const auto ends_with = [&](std::initializer_list<const char*> endings) {
+        return std::any_of(endings.begin(), endings.end(), [&](const char* ending) { return file.ends_with(ending); });
+    };
+    if (ends_with({".json"})) return open_file(desk, file);
+    if (ends_with({".obj", ".glb", ".gltf", ".fbx", ".stl"})) return desk.workspace.drape.wear(file);
+    desk.workspace.messages.warn("'" + file + "' is neither a garment (.json) nor a body (.obj, .glb)");
+}
+
+bool save(Desk& desk) {
+    if (desk.workspace.file.empty()) {
+        browse_to_save(desk);
+        return false;
+    }
+    return try_to(desk, [&] { write_document(desk, desk.workspace.file); });
+}
+
+void save_as(Desk& desk, const std::string& file) {
+    const std::string target = with_ending(file, ".json");
+    const auto write = [target](Desk& asked) { try_to(asked, [&] { write_document(asked, target); }); };
+    if (target == desk.workspace.file || !desk.services.exists(target)) return write(desk);
+    desk.questions.push_front(
+        {"There is a file '" + target + "' already.", {{"Replace", write}, {"Cancel", [](Desk&) {}}}});
+}
+
+void close(Desk& desk) {
+    after_asking(desk, [](Desk& asked) {
+        asked.services.end_journal();
+        asked.wants_to_close = true;
+    });
+}
+
+void browse_to_open(Desk& desk) {
+    desk.browser.open({.title = "Open a garment",
+                       .verb = "Open",
+                       .endings = {".json"},
+                       .choose = [](Desk& asked, const std::string& file) { open_file(asked, file); }},
+                      desk.services);
+}
+
+void browse_to_save(Desk& desk) {
+    desk.browser.open({.title = "Save the garment",
+                       .verb = "Save",
+                       .endings = {".json"},
+                       .is_saving = true,
+                       .name = desk.workspace.file.empty() ? "garment.json" : document_name(desk),
+                       .choose = [](Desk& asked, const std::string& file) { save_as(asked, file); }},
+                      desk.services);
+}
+
+void browse_to_export(Desk& desk, const std::string& ending) {
+    std::string name = document_name(desk);
+    if (name.ends_with(".json")) name.resize(name.size() - 5);
+    desk.browser.open(
+        {.title = "Export",
+         .verb = "Export",
+         .endings = {ending},
+         .is_saving = true,
+         .name = name + ending,
+         .choose = [ending](Desk& asked, const std::string& file) { export_to(asked, with_ending(file, ending)); }},
+        desk.services);
+}
+
+void browse_for_body(Desk& desk) {
+    desk.browser.open({.title = "Put it on a body",
+                       .verb = "Wear",
+                       .endings = {".obj", ".glb", ".gltf", ".fbx", ".stl"},
+                       .choose = [](Desk& asked, const std::string& file) { asked.workspace.drape.wear(file); }},
+                      desk.services);
+}
+
+void offer_recovery(Desk& desk) {
+    for (const LeftJournal& journal : desk.services.left_journals()) {
+        const std::string name =
+            journal.recovery.file.empty() ? "an unsaved garment" : "'" + journal.recovery.file + "'";
+        desk.questions.push_back({"The editor ended " + journal.age + " without saving " + name + " (" +
+                                      std::to_string(journal.recovery.changes) + " changes).",
+                                  {{"Recover", [journal](Desk& asked) { recover_journal(asked, journal); }},
+                                   {"Discard", [journal](Desk& asked) { asked.services.discard_journal(journal.id); }},
+                                   {"Later", [](Desk&) {}}}});
+    }
+}
+
+void begin_journal(Desk& desk) {
+    Document& document = *desk.workspace.document;
+    desk.services.begin_journal(journal_head(desk.workspace.file, document.text()));
+    document.set_journal([&desk](std::string_view line) { desk.services.note_in_journal(line); });
+}
+
+}  // namespace selvedge
