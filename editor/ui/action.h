@@ -20,10 +20,10 @@ struct Chord {
 };
 
 struct Action {
-    std::string id;     // for scripts: "file.save"
-    std::string menu;   // "File"
-    std::string title;  // "Save"
-    std::string tip{};  // a sentence; empty: the title says it
+    std::string id{};     // for scripts: "file.save"
+    std::string menu{};   // "File"
+    std::string title{};  // "Save"
+    std::string tip{};    // a sentence; empty: the title says it
     std::vector<Chord> chords{};
     bool begins_group = false;  // a line above it in its menu
     std::function<void(Desk&)> run{};

@@ -21,11 +21,8 @@ void note_widget(WidgetMap& widgets, const std::string& name) {
 }
 
 void tip(const std::string& words) {
-    constexpr float kMoment = 0.4F;  // s
+    if (words.empty() || ImGui::GetIO().MouseDown[0]) return;
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-    if (ImGui::GetCurrentContext() == nullptr || words.empty()) return;
-    if (ImGui::GetIO().MouseDelta.x != 0 || ImGui::GetIO().MouseDown[0]) return;
-    static_cast<void>(kMoment);
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
     ImGui::TextUnformatted(words.c_str());

@@ -13,7 +13,7 @@ struct Desk;
 // Notes where the last item stands.
 void note_widget(WidgetMap& widgets, const std::string& name);
 
-// A tooltip for the last item, after a moment.
+// A tooltip for the last item.
 void tip(const std::string& words);
 
 bool button(Desk& desk, const std::string& name, const std::string& label);

@@ -1,0 +1,187 @@
+#include "editor/ui/bars.h"
+
+#include <imgui.h>
+
+#include <cstdio>
+
+#include "editor/ui/actions.h"
+#include "editor/ui/desk.h"
+#include "editor/ui/files.h"
+#include "editor/ui/widgets.h"
+
+namespace selvedge {
+namespace {
+
+void show_recent_files(Desk& desk) {
+    const std::vector<std::string> files = desk.services.recent_files();
+    if (!ImGui::BeginMenu("Open recent", !files.empty())) return;
+    for (const std::string& file : files) {
+        if (ImGui::MenuItem(file.c_str())) open_file(desk, file);
+    }
+    ImGui::EndMenu();
+}
+
+void show_action(Desk& desk, const Action& action) {
+    if (action.begins_group) ImGui::Separator();
+    const bool is_on = action.is_on && action.is_on(desk);
+    const bool can = !action.can || action.can(desk);
+    const std::string keys = chord_words(action);
+    if (ImGui::MenuItem(action.title.c_str(), keys.c_str(), is_on, can)) run_action(desk, action);
+    note_widget(desk.widgets, "menu." + action.id);
+    tip(action.tip);
+    if (action.id == "file.open") show_recent_files(desk);
+}
+
+const char* words_of(SessionStage stage) {
+    switch (stage) {
+        case SessionStage::Empty:
+            return "Nothing to drape";
+        case SessionStage::Placed:
+            return "Placed";
+        case SessionStage::Sewing:
+            return "Sewing";
+        case SessionStage::Draping:
+            return "Draping";
+        case SessionStage::Settled:
+            return "At rest";
+        case SessionStage::Failed:
+            return "Failed";
+    }
+    return "";
+}
+
+std::string drape_words(const SessionFrame& frame) {
+    char figures[96];
+    const SessionStatistics& statistics = frame.statistics;
+    std::snprintf(figures, sizeof figures, "%d triangles   %.1f ms", statistics.leaf_triangles, statistics.times.frame);
+    const std::string stage = words_of(frame.stage);
+    const bool moves = frame.stage == SessionStage::Sewing || frame.stage == SessionStage::Draping;
+    return stage + (moves && !frame.is_running ? " (paused)" : "") + "   " + figures;
+}
+
+void show_message(Desk& desk) {
+    const Messages& messages = desk.workspace.messages;
+    if (!desk.tools.message().empty()) {
+        const Rgb8& colour = desk.tools.is_message_error() ? desk.theme.error : desk.theme.ink;
+        return coloured_text(colour, desk.tools.message());
+    }
+    if (const Message* message = messages.shown()) {
+        const Rgb8& colour = message->kind == MessageKind::Error     ? desk.theme.error
+                             : message->kind == MessageKind::Warning ? desk.theme.warning
+                                                                     : desk.theme.ink;
+        return coloured_text(colour, message->words);
+    }
+    ImGui::TextDisabled("%s", desk.tools.hint(*desk.workspace.document).c_str());
+}
+
+void show_icon(Desk& desk, const char* action, const char* icon, float side_px) {
+    const Action* found = find_action(desk.actions, action);
+    if (found != nullptr) icon_button(desk, *found, icon, side_px);
+}
+
+}  // namespace
+
+void show_menu_bar(Desk& desk) {
+    if (!ImGui::BeginMainMenuBar()) return;
+    for (const std::string& menu : menu_names()) {
+        const bool is_open = ImGui::BeginMenu(menu.c_str());
+        note_widget(desk.widgets, "menu." + menu);
+        if (!is_open) continue;
+        for (const Action& action : desk.actions) {
+            if (action.menu == menu) show_action(desk, action);
+        }
+        ImGui::EndMenu();
+    }
+    const std::string name =
+        document_name(desk) + (desk.workspace.document->has_unsaved_changes() ? "  (unsaved)" : "");
+    const float width = ImGui::CalcTextSize(name.c_str()).x;
+    ImGui::SameLine(ImGui::GetWindowWidth() - width - ImGui::GetFontSize());
+    ImGui::TextDisabled("%s", name.c_str());
+    ImGui::EndMainMenuBar();
+}
+
+float show_question(Desk& desk) {
+    if (desk.questions.empty()) return 0;
+    const float top = ImGui::GetFrameHeight();
+    const float height = 2 * ImGui::GetFrameHeight();
+    ImGui::SetNextWindowPos({0, top});
+    ImGui::SetNextWindowSize({ImGui::GetIO().DisplaySize.x, height});
+    const Rgb8& tint = desk.theme.warning;
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(0xFB, 0xF1, 0xDC, 255));
+    ImGui::PushStyleColor(ImGuiCol_Border, IM_COL32(tint[0], tint[1], tint[2], 120));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+    ImGui::Begin("##question", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoFocusOnAppearing);
+    const Question question = desk.questions.front();  // answers may ask another
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(question.words.c_str());
+    const Question::Answer* given = nullptr;
+    for (const Question::Answer& answer : question.answers) {
+        ImGui::SameLine();
+        if (button(desk, "answer." + answer.label, answer.label)) given = &answer;
+    }
+    ImGui::End();
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor(2);
+    if (given != nullptr) {
+        desk.questions.pop_front();
+        given->run(desk);
+    }
+    return height;
+}
+
+void show_tool_bar(Desk& desk) {
+    const float side = ImGui::GetContentRegionAvail().x;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 1});
+    for (const ToolInfo& tool : all_tools()) {
+        const std::string id(tool.id);
+        show_icon(desk, ("tool." + id).c_str(), id.c_str(), side);
+    }
+    ImGui::PopStyleVar();
+}
+
+void show_fitting_bar(Desk& desk) {
+    const float side = ImGui::GetFrameHeight();
+    const bool is_running = desk.workspace.drape.frame()->is_running;
+    show_icon(desk, "simulate.run", is_running ? "pause" : "play", side);
+    ImGui::SameLine();
+    show_icon(desk, "simulate.reset", "reset", side);
+    ImGui::SameLine(0, ImGui::GetFontSize());
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 10);
+    const Action* shown = nullptr;
+    for (const Action& action : desk.actions) {
+        if (action.id.starts_with("view.") && action.title.starts_with("Show ") && action.is_on(desk)) shown = &action;
+    }
+    if (ImGui::BeginCombo("##show", shown == nullptr ? "" : shown->title.c_str() + 5)) {
+        for (const Action& action : desk.actions) {
+            if (!action.title.starts_with("Show ")) continue;
+            if (ImGui::Selectable(action.title.c_str() + 5, &action == shown)) run_action(desk, action);
+        }
+        ImGui::EndCombo();
+    }
+    tip("What the cloth shows");
+    for (const auto& [action, icon] :
+         {std::pair("view.body", "body"), std::pair("view.threads", "threads"), std::pair("view.points", "points")}) {
+        ImGui::SameLine();
+        show_icon(desk, action, icon, side);
+    }
+}
+
+void show_status_bar(Desk& desk) {
+    const std::shared_ptr<const SessionFrame> frame = desk.workspace.drape.frame();
+    const std::string figures = drape_words(*frame);
+    const float width = ImGui::CalcTextSize(figures.c_str()).x + ImGui::GetFontSize();
+    ImGui::PushTextWrapPos(ImGui::GetContentRegionMax().x - width);
+    show_message(desk);
+    ImGui::PopTextWrapPos();
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - width + ImGui::GetFontSize());
+    if (frame->problem.empty()) {
+        ImGui::TextDisabled("%s", figures.c_str());
+    } else {
+        coloured_text(desk.theme.error, figures);
+        tip(frame->problem);
+    }
+}
+
+}  // namespace selvedge
