@@ -1,0 +1,66 @@
+#include "editor/ui/script.h"
+
+#include <algorithm>
+#include <array>
+
+#include "sim/core/error.h"
+
+namespace selvedge {
+namespace {
+
+constexpr std::array<std::string_view, 19> kVerbs{"open",   "new",    "save",       "do",     "action", "key",  "type",
+                                                  "move",   "press",  "release",    "click",  "double", "drag", "wheel",
+                                                  "frames", "settle", "screenshot", "export", "wear"};
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t\r");
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+// Words between blanks; quotes hold blanks together.
+std::vector<std::string> words_of(std::string_view text) {
+    std::vector<std::string> words;
+    std::string word;
+    bool is_quoted = false, has_word = false;
+    for (const char c : text) {
+        if (c == '"') {
+            is_quoted = !is_quoted;
+            has_word = true;
+        } else if (c == ' ' && !is_quoted) {
+            if (has_word) words.push_back(word);
+            word.clear();
+            has_word = false;
+        } else {
+            word += c;
+            has_word = true;
+        }
+    }
+    if (has_word) words.push_back(word);
+    return words;
+}
+
+}  // namespace
+
+std::vector<ScriptStep> parse_script(std::string_view text, const std::string& file) {
+    std::vector<ScriptStep> steps;
+    int number = 0;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view line = trimmed(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+        ++number;
+        if (line.empty() || line.front() == '#') continue;
+        const std::size_t blank = std::min(line.find(' '), line.size());
+        ScriptStep step{.line = number, .verb = std::string(line.substr(0, blank)), .words = {}, .rest = {}};
+        step.rest = trimmed(line.substr(blank));
+        step.words = words_of(step.rest);
+        if (std::find(kVerbs.begin(), kVerbs.end(), step.verb) == kVerbs.end()) {
+            throw InputError(file, "line " + std::to_string(number), "there is no step '" + step.verb + "'");
+        }
+        steps.push_back(std::move(step));
+    }
+    return steps;
+}
+
+}  // namespace selvedge

@@ -1,0 +1,158 @@
+#include "editor/document/document.h"
+
+#include <gtest/gtest.h>
+
+#include "editor/drafting/draft_error.h"
+
+namespace selvedge {
+namespace {
+
+PatternDocument shipped(const std::string& name) {
+    return load_pattern(std::string(SELVEDGE_SOURCE_DIR) + "/patterns/" + name);
+}
+
+Command move_point(const std::string& panel, int vertex, const Vec2d& by) {
+    return MoveVertices{.vertices = {{panel, vertex}}, .by = by};
+}
+
+const Panel& panel_named(const Document& document, const std::string& name) {
+    for (const Panel& panel : document.pattern().panels) {
+        if (panel.name == name) return panel;
+    }
+    throw std::runtime_error("no panel " + name);
+}
+
+TEST(Document, a_command_is_undone_and_redone_byte_for_byte) {
+    Document document(shipped("tshirt.json"));
+    const std::string first = document.text();
+    document.run(move_point("front", 0, Vec2d(0.01, 0.02)));
+    const std::string second = document.text();
+    EXPECT_NE(first, second);
+    document.undo();
+    EXPECT_EQ(document.text(), first);
+    EXPECT_FALSE(document.can_undo());
+    document.redo();
+    EXPECT_EQ(document.text(), second);
+    EXPECT_FALSE(document.can_redo());
+}
+
+TEST(Document, a_failed_command_changes_nothing) {
+    Document document(shipped("tshirt.json"));
+    const Pattern before = document.pattern();
+    EXPECT_THROW(document.run(move_point("nobody", 0, Vec2d(0.01, 0))), DraftError);
+    EXPECT_THROW(document.run(SetFabric{.panel = "", .fabric = "cardboard"}), DraftError);
+    EXPECT_THROW(document.run(ReverseSeam{.seam = 99}), DraftError);
+    EXPECT_THROW(document.run(SetPins{.panel = "front", .vertices = {77}}), DraftError);
+    EXPECT_EQ(document.pattern(), before);
+    EXPECT_TRUE(document.history().empty());
+}
+
+TEST(Document, a_drag_is_one_entry_of_the_history) {
+    Document document(shipped("tshirt.json"));
+    const std::string first = document.text();
+    const Vec2d start = panel_named(document, "front").vertices[0];
+    for (int i = 1; i <= 10; ++i) document.attempt(move_point("front", 0, Vec2d(0.001 * i, 0)));
+    EXPECT_TRUE(document.is_attempting());
+    EXPECT_NEAR(panel_named(document, "front").vertices[0].x() - start.x(), 0.010, 1e-12);
+    document.keep();
+    ASSERT_EQ(document.history().size(), 1U);
+    EXPECT_EQ(document.history()[0].label, "Move point");
+    document.undo();
+    EXPECT_EQ(document.text(), first);
+}
+
+TEST(Document, a_dropped_drag_leaves_no_trace) {
+    Document document(shipped("tshirt.json"));
+    const Pattern before = document.pattern();
+    document.attempt(move_point("front", 0, Vec2d(0.05, 0)));
+    document.drop();
+    EXPECT_EQ(document.pattern(), before);
+    EXPECT_TRUE(document.history().empty());
+    EXPECT_FALSE(document.has_unsaved_changes());
+}
+
+TEST(Document, a_drag_that_goes_wrong_stays_at_its_last_sound_place) {
+    Document document(shipped("tshirt.json"));
+    document.attempt(move_point("front", 0, Vec2d(0.01, 0)));
+    const Pattern sound = document.pattern();
+    EXPECT_THROW(document.attempt(move_point("front", 0, Vec2d(0.30, 0.45))), DraftError);  // through the other side
+    EXPECT_EQ(document.pattern(), sound);
+    document.keep();
+    EXPECT_EQ(document.pattern(), sound);
+    EXPECT_EQ(document.history().size(), 1U);
+}
+
+TEST(Document, what_changes_nothing_is_nothing_to_undo) {
+    Document document(shipped("tshirt.json"));
+    document.run(SetLayer{.panel = "front", .layer = 0});
+    EXPECT_TRUE(document.history().empty());
+}
+
+TEST(Document, a_new_command_forgets_what_was_undone) {
+    Document document(shipped("tshirt.json"));
+    document.run(SetLayer{.panel = "front", .layer = 1});
+    document.run(SetLayer{.panel = "front", .layer = 2});
+    document.go_to(1);
+    document.run(SetLayer{.panel = "back", .layer = 3});
+    ASSERT_EQ(document.history().size(), 2U);
+    EXPECT_EQ(panel_named(document, "front").layer, 1);
+    document.go_to(0);
+    EXPECT_EQ(panel_named(document, "back").layer, 0);
+}
+
+TEST(Document, knows_whether_it_is_saved) {
+    Document document(shipped("tshirt.json"));
+    EXPECT_FALSE(document.has_unsaved_changes());
+    document.run(SetLayer{.panel = "front", .layer = 1});
+    EXPECT_TRUE(document.has_unsaved_changes());
+    document.mark_saved();
+    EXPECT_FALSE(document.has_unsaved_changes());
+    document.undo();
+    EXPECT_TRUE(document.has_unsaved_changes());
+    document.redo();
+    EXPECT_FALSE(document.has_unsaved_changes());
+    document.undo();
+    document.run(SetLayer{.panel = "front", .layer = 2});  // what was saved cannot be come back to
+    document.undo();
+    EXPECT_TRUE(document.has_unsaved_changes());
+}
+
+TEST(Document, a_renamed_panel_keeps_its_place_in_the_file) {
+    Document document(shipped("tshirt.json"));
+    const std::string first = document.text();
+    document.run(RenamePanel{.panel = "front", .to = "vorn"});
+    const std::string renamed = document.text();
+    EXPECT_LT(renamed.find("\"vorn\""), renamed.find("\"back\""));
+    EXPECT_EQ(renamed.find("\"front\""), std::string::npos);
+    EXPECT_THROW(document.run(RenamePanel{.panel = "vorn", .to = "back"}), DraftError);
+    document.undo();
+    EXPECT_EQ(document.text(), first);
+}
+
+TEST(Document, the_selection_follows_what_is_there) {
+    Document document(shipped("tshirt.json"));
+    Selection selection;
+    selection.panels = {"front", "nobody"};
+    selection.vertices = {{"front", 2}, {"front", 99}};
+    selection.seams = {0, 99};
+    document.select(selection);
+    EXPECT_EQ(document.selection().panels, (std::set<std::string>{"front"}));
+    EXPECT_EQ(document.selection().vertices, (std::set<PartRef>{{"front", 2}}));
+    EXPECT_EQ(document.selection().seams, (std::set<int>{0}));
+    document.run(RemoveParts{.panels = {"front"}});
+    EXPECT_TRUE(document.selection().is_empty());
+    document.undo();
+    EXPECT_EQ(document.selection().panels, (std::set<std::string>{"front"}));
+}
+
+TEST(Document, matching_at_seams_is_a_command) {
+    Document document(shipped("tshirt.json"));
+    document.run(SetTartan{.tartan = "black_watch"});
+    document.run(MatchSetts{});
+    ASSERT_TRUE(document.pattern().matched_sett);
+    EXPECT_EQ(document.pattern().matched_sett->tartan, "black_watch");
+    EXPECT_THROW(document.run(SetTartan{.tartan = "Q5 nonsense"}), DraftError);
+}
+
+}  // namespace
+}  // namespace selvedge

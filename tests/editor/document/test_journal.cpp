@@ -1,0 +1,129 @@
+#include "editor/document/journal.h"
+
+#include <gtest/gtest.h>
+
+#include "editor/document/command_json.h"
+#include "editor/document/document.h"
+#include "sim/core/error.h"
+
+namespace selvedge {
+namespace {
+
+PatternDocument shipped(const std::string& name) {
+    return load_pattern(std::string(SELVEDGE_SOURCE_DIR) + "/patterns/" + name);
+}
+
+// A document whose journal is written down.
+struct Journaled {
+    explicit Journaled(const std::string& name) : document(shipped(name)) {
+        text = journal_head(name, document.text()) + "\n";
+        document.set_journal([this](std::string_view line) { text += std::string(line) + "\n"; });
+    }
+    Document document;
+    std::string text;
+};
+
+TEST(Journal, gives_back_all_that_was_done) {
+    Journaled journaled("tshirt.json");
+    Document& document = journaled.document;
+    document.run(MoveVertices{.vertices = {{"front", 0}}, .by = Vec2d(0.0123456789, -0.02)});
+    document.run(AddVertex{.panel = "back", .edge = 2, .t = 1.0 / 3});
+    document.undo();
+    document.run(SetGrain{.panel = "back", .angle = 0.1});
+    document.attempt(MoveVertices{.vertices = {{"back", 1}}, .by = Vec2d(0.01, 0)});
+    document.attempt(MoveVertices{.vertices = {{"back", 1}}, .by = Vec2d(0.011, 0)});
+    document.keep();
+    const auto recovery = recover(journaled.text);
+    ASSERT_TRUE(recovery);
+    EXPECT_EQ(recovery->file, "tshirt.json");
+    EXPECT_EQ(recovery->text, document.text());
+}
+
+TEST(Journal, gives_back_a_drag_that_was_under_way) {
+    Journaled journaled("tshirt.json");
+    journaled.document.attempt(MoveVertices{.vertices = {{"back", 1}}, .by = Vec2d(0.01, 0)});
+    const auto recovery = recover(journaled.text);
+    ASSERT_TRUE(recovery);
+    EXPECT_EQ(recovery->text, journaled.document.text());
+}
+
+TEST(Journal, torn_at_any_byte_gives_back_what_came_before) {
+    Journaled journaled("two_squares.json");
+    std::vector<std::string> states{journaled.document.text()};
+    for (int i = 0; i < 5; ++i) {
+        journaled.document.run(SetLayer{.panel = journaled.document.pattern().panels[0].name, .layer = i + 1});
+        states.push_back(journaled.document.text());
+    }
+    const std::size_t head = journaled.text.find('\n') + 1;
+    for (std::size_t size = 0; size < journaled.text.size(); ++size) {
+        const auto recovery = recover(std::string_view(journaled.text).substr(0, size));
+        EXPECT_EQ(recovery.has_value(), size >= head);
+        if (recovery) EXPECT_EQ(recovery->text, states[static_cast<std::size_t>(recovery->changes)]);
+    }
+}
+
+TEST(Journal, lines_that_are_no_journals_end_it) {
+    Journaled journaled("two_squares.json");
+    journaled.document.run(SetEdgeLength{.length = 0.03});
+    const std::string sound = journaled.document.text();
+    for (const char* line :
+         {"nonsense", "{\"do\": {\"fly\": {}}}", "{\"do\": {\"set_layer\": {\"panel\": 3}}}", "{}"}) {
+        const auto recovery = recover(journaled.text + line + "\n{\"undo\":true}\n");
+        ASSERT_TRUE(recovery) << line;
+        EXPECT_EQ(recovery->text, sound) << line;
+    }
+    EXPECT_FALSE(recover(""));
+    EXPECT_FALSE(recover("{\"selvedge_journal\": 1}\n"));
+    EXPECT_FALSE(recover("{\"selvedge_journal\": 2, \"file\": \"\", \"text\": \"{}\"}\n"));
+}
+
+TEST(CommandJson, every_command_survives) {
+    Panel panel;
+    panel.name = "gore";
+    panel.vertices = {{0, 0}, {0.2, 0}, {0.1, 0.3}};
+    panel.edges = {{.start = 0, .end = 1, .kind = CurveKind::Cubic, .control = {Vec2d(0.1, -0.01), Vec2d(0.15, 0)}},
+                   {.start = 1, .end = 2, .kind = CurveKind::Arc, .arc_radius = 0.4, .turns_right = true},
+                   {.start = 2, .end = 0, .label = "side"}};
+    panel.notches = {{.edge = 1, .t = 0.25}};
+    panel.sheet_position = Vec2d(1, 2);
+    panel.internal_lines = {{"pocket", {{0.05, 0.05}, {0.1, 0.05}}}};
+    const std::vector<Command> commands{
+        AddPanels{.panels = {panel}},
+        SetBody{.body = "mannequin:bust=92", .shifts = {Vec3d(0, 0.01, 0)}},
+        TransformPanels{.panels = {"a", "b"}, .map = {.x_axis = {0, 1}, .y_axis = {-1, 0}}, .what = "Rotate"},
+        SetEdgeLength{},
+        SewRuns{.first = {{"a", 1, 0.25, 1}}, .second = {{"b", 2, 0, 0.5}, {"b", 3, 0, 1}}, .is_reversed = false},
+        PlacePanel{.panel = "a", .translation = Vec3d(1, 2, 3), .wrap_radius = 0.2},
+        SetTartan{.tartan = "K/8 R24 W/4", .size = 0.1, .position = Vec2d(0.01, 0)},
+        RemoveParts{.vertices = {{"a", 1}}, .seams = {2, 3}}};
+    for (const Command& command : commands) {
+        const std::string text = write_json(to_json(command));
+        const Json json = parse_json(text, "test");
+        const Command again = parse_command(JsonView(json, "test"));
+        EXPECT_EQ(again.index(), command.index());
+        EXPECT_EQ(write_json(to_json(again)), text);
+    }
+    const Json json = to_json(commands[0]);
+    EXPECT_EQ(std::get<AddPanels>(parse_command(JsonView(json, "test"))).panels[0], panel);
+}
+
+TEST(CommandJson, says_where_it_is_wrong) {
+    const auto problem_of = [](const std::string& text) {
+        const Json json = parse_json(text, "script");
+        try {
+            parse_command(JsonView(json, "script"));
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(problem_of(R"({"fly": {}})"), "script: there is no command 'fly'");
+    EXPECT_EQ(problem_of(R"({"set_layer": {"layr": 1}})"), "script: set_layer.layr: there is no such field");
+    EXPECT_NE(problem_of(R"({"move_vertices": {"by": [1]}})"), "");
+    EXPECT_NE(problem_of(R"({"move_vertices": {"by": [1, 1e300]}})"), "");
+    EXPECT_NE(problem_of(R"({"set_curve": {"curve": {"kind": "wavy"}}})"), "");
+    EXPECT_NE(problem_of(R"({"undo": {}, "redo": {}})"), "");
+}
+
+}  // namespace
+}  // namespace selvedge
