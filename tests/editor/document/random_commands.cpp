@@ -21,7 +21,7 @@ int RandomCommands::pick(std::size_t count) {
 }
 
 double RandomCommands::between(double least, double most) {
-    return least + (most - least) * (random_() % 100001) / 100000.0;
+    return least + (most - least) * static_cast<double>(random_() % 100001) / 100000.0;
 }
 
 Vec2d RandomCommands::some_shift(double most) {

@@ -58,7 +58,9 @@ TEST(Journal, torn_at_any_byte_gives_back_what_came_before) {
     for (std::size_t size = 0; size < journaled.text.size(); ++size) {
         const auto recovery = recover(std::string_view(journaled.text).substr(0, size));
         EXPECT_EQ(recovery.has_value(), size >= head);
-        if (recovery) EXPECT_EQ(recovery->text, states[static_cast<std::size_t>(recovery->changes)]);
+        if (recovery) {
+            EXPECT_EQ(recovery->text, states[static_cast<std::size_t>(recovery->changes)]);
+        }
     }
 }
 
