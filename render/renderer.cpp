@@ -144,10 +144,12 @@ struct Renderer::Impl {
           gl(shared.gl()),
           cloth_place(make_program(gl, {"cloth.vert"}, {"shadow.glsl", "place.frag"})),
           body_place(make_program(gl, {"body.vert"}, {"shadow.glsl", "place.frag"})),
-          cloth(make_program(gl, {"cloth.vert"}, {"shadow.glsl", "light.glsl", "tartan.glsl", "cloth.frag"})),
-          body(make_program(gl, {"body.vert"}, {"shadow.glsl", "light.glsl", "body.frag"})),
-          solid(make_program(gl, {"solid.vert"}, {"shadow.glsl", "light.glsl", "solid.frag"})),
-          ground(make_program(gl, {"body.vert"}, {"backdrop.glsl", "shadow.glsl", "light.glsl", "ground.frag"})),
+          cloth(make_program(gl, {"cloth.vert"},
+                             {"shadow.glsl", "light.glsl", "key_shadow.glsl", "tartan.glsl", "cloth.frag"})),
+          body(make_program(gl, {"body.vert"}, {"shadow.glsl", "light.glsl", "key_shadow.glsl", "body.frag"})),
+          solid(make_program(gl, {"solid.vert"}, {"shadow.glsl", "light.glsl", "key_shadow.glsl", "solid.frag"})),
+          ground(make_program(gl, {"body.vert"},
+                              {"backdrop.glsl", "shadow.glsl", "light.glsl", "key_shadow.glsl", "ground.frag"})),
           prepared(gl) {}
 
     void begin(const RenderOptions& options) const {

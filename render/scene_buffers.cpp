@@ -41,18 +41,6 @@ void add_attribute(const GladGLContext& gl, GLuint index, int floats, std::size_
                            reinterpret_cast<const void*>(offset));
 }
 
-// A closed surface faces as much one way as the other; one with a hole lacks what the hole would face.
-bool is_closed(const BodyItem& item) {
-    Vec3d facing = Vec3d::Zero();
-    double area = 0;
-    for (const auto& [a, b, c] : item.triangles) {
-        const Vec3f doubled = (item.x[b] - item.x[a]).cross(item.x[c] - item.x[a]);
-        facing += doubled.cast<double>();
-        area += double(doubled.norm());
-    }
-    return facing.norm() < 1e-4 * area;
-}
-
 SurfaceBuffer make_surface_buffer(const GladGLContext& gl, const BodyItem& item,
                                   const std::vector<Openness>& openness) {
     std::vector<SurfaceVertex> vertices;
@@ -118,6 +106,17 @@ ClothBuffer make_cloth_buffer(const GladGLContext& gl, const ClothItem& item, co
 }
 
 }  // namespace
+
+bool is_closed(const BodyItem& item) {
+    Vec3d facing = Vec3d::Zero();
+    double area = 0;
+    for (const auto& [a, b, c] : item.triangles) {
+        const Vec3f doubled = (item.x[b] - item.x[a]).cross(item.x[c] - item.x[a]);
+        facing += doubled.cast<double>();
+        area += double(doubled.norm());
+    }
+    return facing.norm() < 1e-4 * area;
+}
 
 SceneBuffers make_scene_buffers(const GladGLContext& gl, const Scene& scene, const Ground& ground,
                                 const std::vector<Openness>& openness) {

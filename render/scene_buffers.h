@@ -48,6 +48,9 @@ struct SceneBuffers {
     float ground_radius = 1;  // m
 };
 
+// A closed surface faces as much one way as the other; one with a hole lacks what the hole would face.
+bool is_closed(const BodyItem& item);
+
 // openness: of the cloths' vertices, then the bodies', then the ground's, as baked.
 SceneBuffers make_scene_buffers(const GladGLContext& gl, const Scene& scene, const Ground& ground,
                                 const std::vector<Openness>& openness);

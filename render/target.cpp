@@ -16,7 +16,7 @@ void check_framebuffer(const GladGLContext& gl) {
 Target::Target(const GladGLContext& gl, const TargetSize& size)
     : gl_(gl),
       size_(size),
-      program_(make_program(gl, {"screen.vert"}, {"backdrop.glsl", "finish.frag"})),
+      program_(make_program(gl, {"screen.vert"}, {"backdrop.glsl", "encode.glsl", "finish.frag"})),
       no_vertices_(gl),
       drawn_colour_(gl),
       drawn_depth_(gl),

@@ -1,32 +1,15 @@
-// Phong's light per pixel: a key light with a soft shadow, a fill, and the room's light from all round, dimmed where
-// little of the room is seen. Linear throughout.
+// Phong's light: a key light, a fill, and the room's light from all round, dimmed where little of the room is seen.
+// Linear throughout. Wants to_key declared before it.
 uniform vec3 eye;
 uniform vec3 to_fill;
 uniform float key_irradiance;
 uniform float fill_irradiance;
 uniform float sky_irradiance;
 uniform float bounce_irradiance;
-uniform sampler2D shadow_mask;  // by pixel: how much of the key light is seen, and at which depth from the light
 
 const vec3 kKeyColour = vec3(1.0, 0.965, 0.92);
 const vec3 kSkyColour = vec3(0.95, 0.98, 1.03);
 const vec3 kBounceColour = vec3(1.03, 1.0, 0.96);
-
-// 0..1: how much of the key light is seen: of the nine places about the pixel that shadow_mask holds, that which is
-// most likely this one.
-float key_visibility(vec3 x, vec3 normal) {
-    float depth = shadow_place(x, normal).z;
-    ivec2 at = ivec2(gl_FragCoord.xy), last = textureSize(shadow_mask, 0) - 1;
-    vec2 best = texelFetch(shadow_mask, at, 0).rg;
-    float near = 0.001 / shadow_width;
-    int others = abs(best.y - depth) < 4.0 * near ? 0 : 9;  // a count, not a branch, which software GL does not take
-    for (int i = 0; i < others; ++i) {
-        ivec2 step_px = ivec2(i % 3 - 1, i / 3 - 1);
-        vec2 other = texelFetch(shadow_mask, clamp(at + step_px, ivec2(0), last), 0).rg;
-        if (abs(other.y - depth) + near < abs(best.y - depth)) best = other;
-    }
-    return best.x;
-}
 
 struct Surface {
     vec3 albedo;
@@ -45,10 +28,11 @@ vec3 with_own_light(float openness, vec3 albedo) {
     return max(vec3(least), ((least * a + b) * least + c) * least);
 }
 
-vec3 lit(Surface surface, vec3 x) {
+// key_seen: 0..1 of the key light.
+vec3 lit_by(Surface surface, vec3 x, float key_seen) {
     vec3 to_eye = normalize(eye - x);
     vec3 normal = surface.normal;
-    vec3 key = kKeyColour * key_irradiance * key_visibility(x, normal) * max(dot(normal, to_key), 0.0);
+    vec3 key = kKeyColour * key_irradiance * key_seen * max(dot(normal, to_key), 0.0);
     vec3 room = mix(kBounceColour * bounce_irradiance, kSkyColour * sky_irradiance, 0.5 + 0.5 * normal.y);
     room += kSkyColour * fill_irradiance * max(dot(normal, to_fill), 0.0);
     room *= with_own_light(surface.openness, surface.albedo);

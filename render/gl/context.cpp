@@ -57,6 +57,10 @@ void GlContext::load_functions(GetProcAddress get_proc) {
     if (version < GLAD_MAKE_VERSION(3, 3)) throw std::runtime_error("no OpenGL 3.3");
 }
 
+void GlContext::finish() const {
+    gl_->Finish();
+}
+
 int GlContext::most_samples() const {
     GLint most = 1;
     gl_->GetIntegerv(GL_MAX_SAMPLES, &most);

@@ -30,6 +30,9 @@ class GlContext {
     // Renderer and version, as the driver names itself.
     std::string description() const;
 
+    // Waits until all is drawn, for benchmarks. Pre: current.
+    void finish() const;
+
     // Per pixel that a framebuffer can have. Pre: current.
     int most_samples() const;
 

@@ -1,0 +1,44 @@
+// Cloth of a draft, three vertices to a triangle. Light is worked out at vertices and encoded, so that a pixel is its
+// picture's colour times that.
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec2 place;  // (weft, warp) in m, or along the map of a painted mode
+layout(location = 3) in uint marks;  // as in cloth.vert
+
+uniform mat4 camera;
+uniform vec2 place_scale;
+uniform vec2 place_offset;
+uniform vec3 cloth_colour;  // sRGB; white where a picture tells
+uniform vec3 level_colours[8];
+uniform float level_share;  // 1: coloured by level
+uniform int all_lines;      // 1: every edge is drawn, 0: seams and hems
+
+out vec2 v_place;
+out vec3 v_front;  // colour seen on the right side
+out vec3 v_back;
+out vec3 v_edges;  // height over each edge that is drawn, 1 at the corner; 1 throughout over others
+
+// Cloth's inside is mostly in the shade of its outside.
+vec3 light_on(vec3 side_normal, float openness, float key_seen) {
+    Surface surface;
+    surface.albedo = vec3(1.0);
+    surface.normal = side_normal;
+    surface.openness = openness;
+    surface.gloss = 0.0;
+    surface.roughness = 0.5;
+    surface.sheen = 0.0;
+    return encode(lit_by(surface, position, key_seen));
+}
+
+void main() {
+    vec3 colour = mix(cloth_colour, level_colours[min(marks & 255u, 7u)], level_share);
+    v_front = colour * light_on(normal, 0.8, 1.0);
+    v_back = colour * light_on(-normal, 0.5, 0.35);
+    v_place = place * place_scale + place_offset;
+    int corner = gl_VertexID % 3;
+    uint lines = all_lines != 0 ? 7u : (marks >> 8 | marks >> 11) & 7u;
+    vec3 heights = vec3(corner == 0, corner == 1, corner == 2);
+    v_edges = vec3((lines & 1u) != 0u ? heights.x : 1.0, (lines & 2u) != 0u ? heights.y : 1.0,
+                   (lines & 4u) != 0u ? heights.z : 1.0);
+    gl_Position = camera * vec4(position, 1.0);
+}
