@@ -12,8 +12,8 @@ struct Hover {
     std::optional<PartRef> edge{};
     std::optional<PartRef> notch{};
     std::optional<PartRef> internal_line{};
-    std::string panel{};         // of all of these, or alone; empty: nothing is under the cursor
-    std::optional<int> seam{};   // index into Pattern::seams: that of the edge
+    std::string panel{};        // of all of these, or alone; empty: nothing is under the cursor
+    std::optional<int> seam{};  // index into Pattern::seams: that of the edge
 
     bool operator==(const Hover&) const = default;
 };

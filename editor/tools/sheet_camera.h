@@ -10,10 +10,10 @@ inline constexpr double kMinSheetScale = 15;     // px/m: 80 m on a screen
 inline constexpr double kMaxSheetScale = 60000;  // px/m: a millimetre is 60 px
 
 struct SheetCamera {
-    Vec2d centre = Vec2d::Zero();         // m, in the middle of the view
-    double scale = 600;                   // px/m
-    Vec2d view_low = Vec2d::Zero();       // px, upper left corner
-    Vec2d view_size = Vec2d(1000, 800);   // px
+    Vec2d centre = Vec2d::Zero();        // m, in the middle of the view
+    double scale = 600;                  // px/m
+    Vec2d view_low = Vec2d::Zero();      // px, upper left corner
+    Vec2d view_size = Vec2d(1000, 800);  // px
 
     bool operator==(const SheetCamera&) const = default;
 };

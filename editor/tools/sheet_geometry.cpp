@@ -162,7 +162,8 @@ SheetBox SheetGeometry::box_of(const Selection& selection) const {
     for (const PartRef& ref : selection.edges) extend_edge(ref);
     for (const int seam : selection.seams) {
         if (!is_index(seam, seams_.size())) continue;
-        for (const SeamSide& side : {seams_[static_cast<std::size_t>(seam)].first, seams_[static_cast<std::size_t>(seam)].second}) {
+        for (const SeamSide& side :
+             {seams_[static_cast<std::size_t>(seam)].first, seams_[static_cast<std::size_t>(seam)].second}) {
             if (is_index(side.panel, panels_.size())) {
                 extend_edge({panels_[static_cast<std::size_t>(side.panel)].panel.name, side.edge});
             }

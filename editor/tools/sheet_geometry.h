@@ -33,12 +33,12 @@ struct EdgeHit {
 EdgeHit nearest(const EdgeShape& shape, const Vec2d& u);
 
 struct PanelShape {
-    Panel panel;                    // what it was made from
-    Vec2d origin = Vec2d::Zero();   // m, of the panel's frame on the sheet
-    std::vector<EdgeShape> edges;   // one per edge of the panel
-    std::vector<Vec2d> outline;     // all of them as one closed polyline, each point once
-    SheetBox box;                   // of the outline
-    std::uint64_t version = 0;      // another number: another panel value
+    Panel panel;                   // what it was made from
+    Vec2d origin = Vec2d::Zero();  // m, of the panel's frame on the sheet
+    std::vector<EdgeShape> edges;  // one per edge of the panel
+    std::vector<Vec2d> outline;    // all of them as one closed polyline, each point once
+    SheetBox box;                  // of the outline
+    std::uint64_t version = 0;     // another number: another panel value
 
     Vec2d on_sheet(const Vec2d& u) const { return u + origin; }
     Vec2d in_panel(const Vec2d& sheet) const { return sheet - origin; }
@@ -59,7 +59,7 @@ class SheetGeometry {
     std::optional<Vec2d> vertex(const PartRef& ref) const;  // on the sheet, m
     std::optional<int> seam_of(const PartRef& edge) const;  // the first seam that joins the edge
 
-    SheetBox box() const;                            // of all panels, on the sheet
+    SheetBox box() const;  // of all panels, on the sheet
     SheetBox box_of(const Selection& selection) const;
 
  private:

@@ -64,9 +64,8 @@ void offer_lines(const PanelShape& shape, const Vec2d& u, const PickOptions& opt
         for (std::size_t i = 0; i < shape.edges.size(); ++i) {
             if (shape.edges[i].box.exteriorDistance(u) > options.tolerance) continue;
             const EdgeHit hit = nearest(shape.edges[i], u);
-            best.offer(
-                {PickKind::Edge, shape.panel.name, static_cast<int>(i), 0, hit.t, shape.on_sheet(hit.point)},
-                hit.distance);
+            best.offer({PickKind::Edge, shape.panel.name, static_cast<int>(i), 0, hit.t, shape.on_sheet(hit.point)},
+                       hit.distance);
         }
     }
     if (!options.internal_lines) return;
@@ -108,9 +107,9 @@ bool panel_is_in(const PanelShape& shape, const SheetBox& box, BoxRule rule) {
     if (shape.box.isEmpty()) return false;
     if (rule == BoxRule::Inside) return box.contains(shape.box);
     if (!box.intersects(shape.box)) return false;
-    return shape.contains(box.center()) || std::any_of(shape.edges.begin(), shape.edges.end(), [&](const EdgeShape& edge) {
-        return edge_is_in(edge, box, rule);
-    });
+    return shape.contains(box.center()) ||
+           std::any_of(shape.edges.begin(), shape.edges.end(),
+                       [&](const EdgeShape& edge) { return edge_is_in(edge, box, rule); });
 }
 
 }  // namespace

@@ -72,8 +72,9 @@ Snap snap_to_direction(const SheetGeometry& geometry, const Vec2d& wanted, const
     const double step = std::numbers::pi / 4;
     const long eighth = std::lround(std::atan2(away.y(), away.x()) / step);
     const double diagonal = std::sqrt(0.5);
-    const std::array<Vec2d, 8> directions{Vec2d(1, 0),  Vec2d(diagonal, diagonal),   Vec2d(0, 1),  Vec2d(-diagonal, diagonal),
-                                          Vec2d(-1, 0), Vec2d(-diagonal, -diagonal), Vec2d(0, -1), Vec2d(diagonal, -diagonal)};
+    const std::array<Vec2d, 8> directions{
+        Vec2d(1, 0),  Vec2d(diagonal, diagonal),   Vec2d(0, 1),  Vec2d(-diagonal, diagonal),
+        Vec2d(-1, 0), Vec2d(-diagonal, -diagonal), Vec2d(0, -1), Vec2d(diagonal, -diagonal)};
     const Vec2d direction = directions[static_cast<std::size_t>((eighth + 8) % 8)];
     double length = away.dot(direction);
     Snap result{Vec2d::Zero(), SnapKind::Direction, {}};

@@ -14,15 +14,15 @@ namespace selvedge {
 enum class SnapKind { None, Point, Midpoint, Direction, Guide, Grid };
 
 struct SnapOptions {
-    bool is_on = true;       // all of it, but for directions
+    bool is_on = true;         // all of it, but for directions
     double tolerance = 0.005;  // m
     double grid = 0.01;        // m; 0: none
     bool to_points = true;
     bool to_guides = true;
-    bool to_directions = false;         // multiples of 45 degrees from the origin: while Shift is held
-    std::optional<Vec2d> origin{};      // on the sheet, m: where directions begin; also a point to align with
-    std::vector<Vec2d> more_points{};   // on the sheet, m: of what is being drawn
-    std::set<PartRef> moving{};         // vertices that move along: nothing snaps to these
+    bool to_directions = false;        // multiples of 45 degrees from the origin: while Shift is held
+    std::optional<Vec2d> origin{};     // on the sheet, m: where directions begin; also a point to align with
+    std::vector<Vec2d> more_points{};  // on the sheet, m: of what is being drawn
+    std::set<PartRef> moving{};        // vertices that move along: nothing snaps to these
     std::set<std::string> moving_panels{};
 };
 

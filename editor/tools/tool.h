@@ -15,6 +15,7 @@
 #include "editor/tools/snap.h"
 #include "editor/tools/tool_overlay.h"
 #include "editor/ui/input.h"
+#include "editor/workspace/messages.h"
 
 namespace selvedge {
 
@@ -28,12 +29,12 @@ struct ToolContext {
     Document& document;
     const SheetGeometry& geometry;
     Hover& hover;
-    std::string& message;                             // to be read by the person; stays until the next one
-    double px = 0.001;                                // m: what a px of the interface is on the sheet
-    double grid = 0.01;                               // m, to snap to; 0: none
+    Messages& messages;
+    double px = 0.001;   // m: what a px of the interface is on the sheet
+    double grid = 0.01;  // m, to snap to; 0: none
     bool is_snapping = true;
-    std::optional<std::vector<double>> typed{};       // what is being typed, where it can be read
-    SheetPointer pointer{};                           // where the mouse was last
+    std::optional<std::vector<double>> typed{};  // what is being typed, where it can be read
+    SheetPointer pointer{};                      // where the mouse was last
 };
 
 inline constexpr double kPickTolerance = 7;  // px

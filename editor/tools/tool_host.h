@@ -1,6 +1,6 @@
 #pragma once
-// Holds the tool that is at work and hands it what a person does. Errors of drafts end here: their words become the
-// status message, their places are lit up.
+// Holds the tool that is at work and hands it what a person does. Errors of drafts end here, as
+// messages.
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,6 +11,13 @@
 
 namespace selvedge {
 
+// What tools work on: parts of the workspace.
+struct ToolDesk {
+    Document& document;
+    Hover& hover;
+    Messages& messages;
+};
+
 class ToolHost {
  public:
     ToolHost();
@@ -19,36 +26,30 @@ class ToolHost {
     const ToolInfo& info() const { return info_of(kind_); }
 
     // What was begun is given up.
-    void choose(Document& document, ToolKind kind);
+    void choose(ToolDesk desk, ToolKind kind);
 
     // Once per frame, before anything else: where the sheet lies. `ui_scale`: of the interface, 1 at 96 dpi.
     void begin_frame(const Document& document, const SheetCamera& camera, double ui_scale);
 
     // The mouse in px of the view. Only the left button; the sheet's view pans and zooms by itself.
-    void move(Document& document, const Vec2d& px, const Modifiers& modifiers);
-    void press(Document& document, const Vec2d& px, const Modifiers& modifiers);
-    void release(Document& document, const Vec2d& px, const Modifiers& modifiers);
-    void double_click(Document& document, const Vec2d& px, const Modifiers& modifiers);
-    void leave();  // the mouse left the view
+    void move(ToolDesk desk, const Vec2d& px, const Modifiers& modifiers);
+    void press(ToolDesk desk, const Vec2d& px, const Modifiers& modifiers);
+    void release(ToolDesk desk, const Vec2d& px, const Modifiers& modifiers);
+    void double_click(ToolDesk desk, const Vec2d& px, const Modifiers& modifiers);
+    void leave(ToolDesk desk);  // the mouse left the view
 
     // Return whether it was used. Text: what letters and digits write. Keys choose tools, too.
-    bool key(Document& document, Key key, const Modifiers& modifiers);
-    bool text(Document& document, std::string_view typed);
-    bool cancel(Document& document);
+    bool key(ToolDesk desk, Key key, const Modifiers& modifiers);
+    bool text(ToolDesk desk, std::string_view typed);
+    bool cancel(ToolDesk desk);
 
     // Runs a command as tools do: an error becomes the message. Returns whether it was carried out.
-    bool run(Document& document, const Command& command);
+    bool run(ToolDesk desk, const Command& command);
 
-    ToolOverlay overlay(Document& document);
-    std::string hint(Document& document);
+    ToolOverlay overlay(ToolDesk desk);
+    std::string hint(ToolDesk desk);
 
     const SheetGeometry& geometry() const { return geometry_; }
-    const Hover& hover() const { return hover_; }
-    void set_hover(const Hover& hover) { hover_ = hover; }  // of another view
-    const std::string& message() const { return message_; }
-    bool is_message_error() const { return is_error_; }
-    const std::vector<DraftPlace>& lit_places() const { return lit_places_; }
-    void clear_message();
     const TypedInput& typed() const { return typed_; }
     bool is_dragging() const { return state_ == MouseState::Dragging; }
     const SheetPointer& pointer() const { return pointer_; }
@@ -58,27 +59,23 @@ class ToolHost {
  private:
     enum class MouseState { Up, Pressed, Dragging };
 
-    ToolContext context(Document& document);
+    ToolContext context(ToolDesk desk);
     template <class Action>
-    bool guarded(Document& document, Action&& action);
-    bool key_unguarded(Document& document, Key key, const Modifiers& modifiers);
-    bool nudge(Document& document, Key key, const Modifiers& modifiers);
-    bool remove_selected(Document& document);
-    bool select_all(Document& document);
+    bool guarded(ToolDesk desk, Action&& action);
+    bool key_unguarded(ToolDesk desk, Key key, const Modifiers& modifiers);
+    bool nudge(ToolDesk desk, Key key, const Modifiers& modifiers);
+    bool remove_selected(ToolDesk desk);
+    bool select_all(ToolDesk desk);
 
     ToolKind kind_ = ToolKind::Select;
     std::unique_ptr<Tool> tool_;
     SheetCamera camera_;
     double ui_scale_ = 1;
     SheetGeometry geometry_;
-    Hover hover_;
     SheetPointer pointer_;
     Vec2d pressed_px_ = Vec2d::Zero();
     MouseState state_ = MouseState::Up;
     TypedInput typed_;
-    std::string message_;
-    bool is_error_ = false;
-    std::vector<DraftPlace> lit_places_;
 };
 
 }  // namespace selvedge

@@ -44,7 +44,7 @@ struct ToolOverlay {
     std::vector<OverlayLine> lines{};
     std::vector<OverlayHandle> handles{};
     std::vector<OverlayLabel> labels{};
-    std::set<PartRef> handle_edges{};  // edges whose curve handles are shown
+    std::set<PartRef> handle_edges{};    // edges whose curve handles are shown
     std::vector<std::string> readout{};  // beside the cursor, a line each
     bool shows_vertices = false;         // of panels that have something selected, as handles
     bool shows_sewing = false;           // seams stand out from the outlines

@@ -1,0 +1,312 @@
+#include "editor/tools/draw_tools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "editor/drafting/draft_error.h"
+#include "editor/drafting/panel_edit.h"
+#include "editor/tools/outline_tools.h"
+#include "editor/tools/overlay_parts.h"
+#include "editor/tools/selected_parts.h"
+
+namespace selvedge {
+namespace {
+
+// The panel that the point lies in, the one drawn last.
+const PanelShape* panel_at(const SheetGeometry& geometry, const Vec2d& sheet) {
+    const PanelShape* found = nullptr;
+    for (const PanelShape& shape : geometry.panels()) {
+        if (shape.contains(shape.in_panel(sheet))) found = &shape;
+    }
+    return found;
+}
+
+// The panel that the path runs through.
+const PanelShape& panel_under(const SheetGeometry& geometry, const std::vector<Vec2d>& path) {
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        if (const PanelShape* shape = panel_at(geometry, (path[i] + path[i + 1]) / 2)) return *shape;
+    }
+    throw DraftError("Draw the line over a panel");
+}
+
+std::vector<Vec2d> in_panel(const PanelShape& shape, std::vector<Vec2d> path) {
+    for (Vec2d& point : path) point = shape.in_panel(point);
+    return path;
+}
+
+bool is_enter(Key key) {
+    return key == Key::Enter || key == Key::KeypadEnter;
+}
+
+}  // namespace
+
+// --- point by point
+
+void PathTool::hover(ToolContext& context, const SheetPointer& pointer) {
+    Tool::hover(context, pointer);
+    path_.aim(context, pointer);
+    refine_aim(context, pointer);
+}
+
+void PathTool::click(ToolContext& context, const SheetPointer& pointer) {
+    hover(context, pointer);
+    modifiers_ = pointer.modifiers;
+    path_.add(false);
+    if (is_done(context)) finish(context);
+}
+
+// Where a person drags instead of clicking, the point is where the button came up.
+void PathTool::drop(ToolContext& context, const SheetPointer& pointer) {
+    click(context, pointer);
+}
+
+void PathTool::double_click(ToolContext& context, const SheetPointer& pointer) {
+    modifiers_ = pointer.modifiers;
+    if (path_.points().size() > 1) finish(context);
+}
+
+bool PathTool::key(ToolContext& context, Key key, const Modifiers& modifiers) {
+    if (path_.is_empty()) return false;
+    if (key == Key::Backspace) {
+        path_.remove_last();
+        hover(context, context.pointer);
+        return true;
+    }
+    if (!is_enter(key)) return false;
+    modifiers_ = modifiers;
+    finish(context);
+    return true;
+}
+
+bool PathTool::enter(ToolContext& context, const std::vector<double>& numbers) {
+    if (numbers.size() != 1 || path_.is_empty()) return false;
+    if (!(numbers[0] > 0)) throw DraftError("A length is more than nothing");
+    path_.add_at_length(numbers[0] / 100);
+    if (is_done(context)) finish(context);
+    return true;
+}
+
+bool PathTool::cancel(ToolContext&) {
+    const bool was_begun = !path_.is_empty();
+    path_.clear();
+    return was_begun;
+}
+
+void PathTool::draw(const ToolContext& context, ToolOverlay& overlay) const {
+    path_.draw(context, overlay, is_closed());
+}
+
+// What cannot be made stays drawn, so that its points can be taken back.
+void PathTool::finish(ToolContext& context) {
+    context.document.run(command(context));
+    path_.clear();
+}
+
+// --- polygon
+
+void PolygonTool::click(ToolContext& context, const SheetPointer& pointer) {
+    hover(context, pointer);
+    if (path_.is_closing(kPickTolerance * context.px)) {
+        context.document.run(command(context));
+        path_.clear();
+    } else {
+        path_.add(pointer.modifiers.ctrl);
+    }
+}
+
+bool PolygonTool::is_done(const ToolContext&) const {
+    return false;
+}
+
+Command PolygonTool::command(const ToolContext& context) const {
+    return AddPanels{{placed_before_body(context.document.pattern(), outline_through(path_.points()))}};
+}
+
+std::string PolygonTool::hint(const ToolContext&) const {
+    if (path_.is_empty()) return "Click the first point of the panel";
+    return "Click points (Ctrl: on a curve, Shift: 45\u00b0) or type a length; the first point or Enter closes, "
+           "Backspace takes back";
+}
+
+// --- internal line
+
+Command InternalLineTool::command(const ToolContext& context) const {
+    const std::vector<Vec2d> path = path_.places();
+    if (path.size() < 2) throw DraftError("A line needs two points");
+    const PanelShape& shape = panel_under(context.geometry, path);
+    return AddInternalLine{shape.panel.name, {.name = "", .points = in_panel(shape, path)}};
+}
+
+std::string InternalLineTool::hint(const ToolContext&) const {
+    if (path_.is_empty()) return "Click the first point inside a panel";
+    return "Click points or type a length (cm); Enter or double click ends";
+}
+
+// --- cut
+
+void CutTool::refine_aim(const ToolContext& context, const SheetPointer& pointer) {
+    const std::optional<EdgePlace> place = edge_place(context, pointer);
+    if (!place || pointer.modifiers.shift) return;
+    const PanelShape* shape = context.geometry.find(place->edge.panel);
+    path_.aim_at(sheet_point(*shape, place->edge.index, place->t));
+}
+
+// The second time that the line comes to an outline.
+bool CutTool::is_done(const ToolContext& context) const {
+    if (path_.points().size() < 2) return false;
+    PickOptions options = pick_options(context);
+    options.vertices = options.notches = options.internal_lines = options.panels = false;
+    return pick(context.geometry, path_.points().back().at, options).kind == PickKind::Edge;
+}
+
+Command CutTool::command(const ToolContext& context) const {
+    const std::vector<Vec2d> path = path_.places();
+    if (path.size() < 2) throw DraftError("A cut needs two points");
+    const PanelShape& shape = panel_under(context.geometry, path);
+    return CutPanel{shape.panel.name, in_panel(shape, path), !modifiers_.alt};
+}
+
+std::string CutTool::hint(const ToolContext&) const {
+    if (path_.is_empty()) return "Click the edge where the cut begins";
+    return "Click on to the other edge: cut, and sewn again; with Alt: not sewn";
+}
+
+// --- mirror
+
+bool MirrorTool::is_done(const ToolContext&) const {
+    return path_.points().size() == 2;
+}
+
+Command MirrorTool::command(const ToolContext& context) const {
+    const std::vector<Vec2d> axis = path_.places();
+    const Vec2d along = axis.at(1) - axis.at(0);
+    if (!(along.norm() > 0)) throw DraftError("The axis needs two points");
+    const std::optional<Command> command =
+        transform_selected(context.geometry, context.document.selection(), mirror_over(axis[0], along), "Mirror");
+    if (!command) throw DraftError("Select first what is to be mirrored");
+    return *command;
+}
+
+void MirrorTool::draw(const ToolContext& context, ToolOverlay& overlay) const {
+    PathTool::draw(context, overlay);
+    if (path_.is_empty()) return;
+    const Vec2d along = path_.aimed() - path_.points().front().at;
+    if (!(along.norm() > 0)) return;
+    const PlaneMap map = mirror_over(path_.aimed(), along);
+    for (const std::string& name : touched_panels(context.document.selection())) {
+        const PanelShape* shape = context.geometry.find(name);
+        if (shape == nullptr) continue;
+        OverlayLine ghost{.points = {}, .tone = OverlayTone::Faint, .is_dashed = true};
+        for (const Vec2d& point : shape->outline) ghost.points.push_back(apply(map, shape->on_sheet(point)));
+        if (!ghost.points.empty()) ghost.points.push_back(ghost.points.front());
+        overlay.lines.push_back(std::move(ghost));
+    }
+}
+
+std::string MirrorTool::hint(const ToolContext& context) const {
+    if (context.document.selection().is_empty()) return "Select first what is to be mirrored";
+    return "Click two points of the axis; Shift: 45\u00b0";
+}
+
+// --- boxes
+
+void BoxTool::aim(const ToolContext& context, const SheetPointer& pointer) {
+    SnapOptions options = snap_options(context, pointer.modifiers);
+    options.to_directions = false;
+    options.origin = from_;
+    aimed_ = snap(context.geometry, pointer.at, options);
+    if (!from_) return;
+    Vec2d size = aimed_.point - *from_;
+    if (context.typed && context.typed->size() <= 2) {
+        const Vec2d typed = Vec2d(context.typed->front(), context.typed->back()) / 100;
+        size = {std::copysign(typed.x(), size.x()), std::copysign(typed.y(), size.y())};
+    } else if (pointer.modifiers.shift) {
+        const double side = size.cwiseAbs().maxCoeff();
+        size = {std::copysign(side, size.x()), std::copysign(side, size.y())};
+    }
+    aimed_.point = *from_ + size;
+}
+
+void BoxTool::hover(ToolContext& context, const SheetPointer& pointer) {
+    Tool::hover(context, pointer);
+    aim(context, pointer);
+}
+
+void BoxTool::press(ToolContext& context, const SheetPointer& pointer) {
+    is_new_ = !from_;
+    aim(context, pointer);
+    if (is_new_) from_ = aimed_.point;
+}
+
+void BoxTool::click(ToolContext& context, const SheetPointer& pointer) {
+    if (is_new_) return;
+    aim(context, pointer);
+    make(context);
+}
+
+void BoxTool::drag(ToolContext& context, const SheetPointer& pointer) {
+    aim(context, pointer);
+}
+
+void BoxTool::drop(ToolContext& context, const SheetPointer& pointer) {
+    aim(context, pointer);
+    make(context);
+}
+
+// One number: as wide as high.
+bool BoxTool::enter(ToolContext& context, const std::vector<double>& numbers) {
+    if (numbers.size() > 2) return false;
+    if (!from_) from_ = aimed_.point;
+    const Vec2d away = aimed_.point - *from_;
+    aimed_.point =
+        *from_ + Vec2d(std::copysign(numbers.front() / 100, away.x()), std::copysign(numbers.back() / 100, away.y()));
+    make(context);
+    return true;
+}
+
+void BoxTool::make(ToolContext& context) {
+    const Vec2d low = from_->cwiseMin(aimed_.point), size = (aimed_.point - *from_).cwiseAbs();
+    from_.reset();
+    constexpr double kSmallest = 1e-3;  // m
+    if (size.minCoeff() < kSmallest) throw DraftError("That is too small for a panel: type width x height (cm)");
+    Panel panel =
+        shape_ == BoxShape::Rectangle ? make_rectangle(-size / 2, size / 2) : make_ellipse(Vec2d(0, 0), size / 2);
+    panel.name = "panel";
+    panel.sheet_position = low + size / 2;
+    context.document.run(AddPanels{{placed_before_body(context.document.pattern(), panel)}});
+}
+
+bool BoxTool::cancel(ToolContext&) {
+    const bool was_begun = from_.has_value();
+    from_.reset();
+    return was_begun;
+}
+
+void BoxTool::draw(const ToolContext&, ToolOverlay& overlay) const {
+    add_guides(overlay, aimed_);
+    if (!from_) {
+        overlay.handles.push_back({aimed_.point, HandleShape::Cross, OverlayTone::Draft, false});
+        return;
+    }
+    const Vec2d low = from_->cwiseMin(aimed_.point), size = (aimed_.point - *from_).cwiseAbs();
+    if (shape_ == BoxShape::Rectangle) {
+        add_box(overlay, SheetBox(low, low + size), OverlayTone::Draft);
+    } else {
+        OverlayLine round{.points = {}, .is_closed = true};
+        constexpr int kSides = 96;
+        for (int i = 0; i <= kSides; ++i) {
+            const double angle = 2 * std::numbers::pi * i / kSides;
+            round.points.push_back(low + size / 2 + Vec2d(std::cos(angle) * size.x(), std::sin(angle) * size.y()) / 2);
+        }
+        overlay.lines.push_back(round);
+    }
+    overlay.readout = {in_cm(size.x()) + " x " + in_cm(size.y())};
+}
+
+std::string BoxTool::hint(const ToolContext&) const {
+    return from_ ? "Click the opposite corner, or type width x height (cm), then Enter"
+                 : "Drag a box, or click a corner; Shift: as wide as high";
+}
+
+}  // namespace selvedge

@@ -1,0 +1,195 @@
+#include "editor/tools/outline_tools.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "editor/drafting/draft_error.h"
+#include "editor/tools/overlay_parts.h"
+
+namespace selvedge {
+namespace {
+
+PickOptions edges_only(const ToolContext& context) {
+    PickOptions options = pick_options(context);
+    options.tolerance *= 1.6;  // an edge is all that is looked for
+    options.vertices = options.notches = options.internal_lines = options.panels = false;
+    return options;
+}
+
+}  // namespace
+
+EdgePlace at_length(const SheetGeometry& geometry, const EdgePlace& place, double length) {
+    const EdgeShape* edge = geometry.edge(place.edge);
+    if (edge == nullptr || !(edge->length > 0)) return place;
+    const double share = length / edge->length;
+    if (!(share > 0 && share < 1)) throw DraftError("The edge is only " + in_cm(edge->length) + " long");
+    return {place.edge, place.t <= 0.5 ? share : 1 - share};
+}
+
+std::optional<EdgePlace> edge_place(const ToolContext& context, const SheetPointer& pointer) {
+    const Pick picked = pick(context.geometry, pointer.at, edges_only(context));
+    if (picked.kind != PickKind::Edge) return {};
+    const EdgeShape& edge = *context.geometry.edge(picked.ref());
+    return EdgePlace{picked.ref(), snap_along(edge, picked.t, snap_options(context, pointer.modifiers))};
+}
+
+void EdgeTool::hover(ToolContext& context, const SheetPointer& pointer) {
+    Tool::hover(context, pointer);
+    place_ = edge_place(context, pointer);
+    if (!place_) return;
+    context.hover =
+        hover_of(context.geometry, {.kind = PickKind::Edge, .panel = place_->edge.panel, .index = place_->edge.index});
+}
+
+void EdgeTool::draw(const ToolContext& context, ToolOverlay& overlay) const {
+    if (!place_) return;
+    const PanelShape* shape = context.geometry.find(place_->edge.panel);
+    const EdgeShape* edge = context.geometry.edge(place_->edge);
+    if (shape == nullptr || edge == nullptr) return;
+    EdgePlace place = *place_;
+    const bool is_typed = context.typed && context.typed->size() == 1 && context.typed->front() > 0 &&
+                          context.typed->front() / 100 < edge->length;
+    if (is_typed) place = at_length(context.geometry, place, context.typed->front() / 100);
+    overlay.handles.push_back(
+        {sheet_point(*shape, place.edge.index, place.t), HandleShape::Round, OverlayTone::Draft, true});
+    overlay.readout = {in_cm(place.t * edge->length) + " | " + in_cm((1 - place.t) * edge->length),
+                       "of " + in_cm(edge->length)};
+}
+
+// --- add point
+
+void AddPointTool::click(ToolContext& context, const SheetPointer&) {
+    if (place_) context.document.run(AddVertex{place_->edge.panel, place_->edge.index, place_->t});
+}
+
+bool AddPointTool::enter(ToolContext& context, const std::vector<double>& numbers) {
+    if (!place_ || numbers.size() != 1) return false;
+    const EdgePlace place = at_length(context.geometry, *place_, numbers[0] / 100);
+    context.document.run(AddVertex{place.edge.panel, place.edge.index, place.t});
+    return true;
+}
+
+std::string AddPointTool::hint(const ToolContext&) const {
+    return "Click an edge, or point at it and type how far from its nearer end (cm), then Enter";
+}
+
+// --- notch
+
+void NotchTool::press(ToolContext& context, const SheetPointer& pointer) {
+    PickOptions options = pick_options(context);
+    options.vertices = options.edges = options.internal_lines = options.panels = false;
+    const Pick picked = pick(context.geometry, pointer.at, options);
+    held_.reset();
+    if (picked.kind == PickKind::Notch) held_ = picked.ref();
+}
+
+void NotchTool::click(ToolContext& context, const SheetPointer&) {
+    if (held_) {
+        Selection selection;
+        selection.notches.insert(*held_);
+        context.document.select(selection);
+    } else if (place_) {
+        context.document.run(AddNotch{place_->edge.panel, place_->edge.index, place_->t});
+    }
+    held_.reset();
+}
+
+void NotchTool::drag(ToolContext& context, const SheetPointer& pointer) {
+    if (!held_) return;
+    const std::optional<EdgePlace> to = edge_place(context, pointer);
+    if (!to || to->edge.panel != held_->panel) return;
+    place_ = to;
+    context.document.attempt(MoveNotch{held_->panel, held_->index, to->edge.index, to->t});
+}
+
+void NotchTool::drop(ToolContext& context, const SheetPointer& pointer) {
+    if (!held_) return click(context, pointer);
+    held_.reset();
+    context.document.keep();
+}
+
+bool NotchTool::enter(ToolContext& context, const std::vector<double>& numbers) {
+    if (!place_ || numbers.size() != 1) return false;
+    const EdgePlace place = at_length(context.geometry, *place_, numbers[0] / 100);
+    context.document.run(AddNotch{place.edge.panel, place.edge.index, place.t});
+    return true;
+}
+
+std::string NotchTool::hint(const ToolContext&) const {
+    return "Click an edge to notch it, drag a notch to move it; type how far from the nearer end (cm)";
+}
+
+// --- dart
+
+std::vector<Vec2d> dart_lines(const PanelShape& shape, const EdgePlace& place, double width, double depth) {
+    const EdgeShape& edge = shape.edges.at(static_cast<std::size_t>(place.edge.index));
+    const double half = edge.length > 0 ? width / 2 / edge.length : 0;
+    const Vec2d tangent = edge.tangent(place.t);
+    const Vec2d tip = edge.at(place.t) + depth * Vec2d(-tangent.y(), tangent.x());
+    return {shape.on_sheet(edge.at(place.t - half)), shape.on_sheet(tip), shape.on_sheet(edge.at(place.t + half))};
+}
+
+void DartTool::press(ToolContext&, const SheetPointer&) {
+    mouth_ = place_;
+}
+
+void DartTool::click(ToolContext&, const SheetPointer&) {}  // the mouth stays; numbers may follow
+
+void DartTool::drag(ToolContext& context, const SheetPointer& pointer) {
+    if (!mouth_) return;
+    const PanelShape* shape = context.geometry.find(mouth_->edge.panel);
+    if (shape == nullptr) return;
+    const EdgeShape& edge = shape->edges.at(static_cast<std::size_t>(mouth_->edge.index));
+    const Vec2d tangent = edge.tangent(mouth_->t);
+    const double inward = cross2(tangent, shape->in_panel(pointer.at) - edge.at(mouth_->t));
+    constexpr double kStep = 0.005;  // m
+    const bool is_snapping = snap_options(context, pointer.modifiers).is_on;
+    depth_ = std::max(kStep, is_snapping ? std::round(inward / kStep) * kStep : inward);
+}
+
+void DartTool::drop(ToolContext& context, const SheetPointer&) {
+    if (mouth_) make(context);
+}
+
+bool DartTool::enter(ToolContext& context, const std::vector<double>& numbers) {
+    if (!mouth_) mouth_ = place_;
+    if (!mouth_ || numbers.size() > 2) return false;
+    if (numbers.size() == 2) width_ = numbers[0] / 100;
+    depth_ = numbers.back() / 100;
+    make(context);
+    return true;
+}
+
+void DartTool::make(ToolContext& context) {
+    const EdgePlace mouth = *mouth_;
+    mouth_.reset();
+    context.document.run(AddDart{mouth.edge.panel, mouth.edge.index, mouth.t, width_, depth_});
+}
+
+bool DartTool::cancel(ToolContext&) {
+    const bool had_mouth = mouth_.has_value();
+    mouth_.reset();
+    return had_mouth;
+}
+
+void DartTool::draw(const ToolContext& context, ToolOverlay& overlay) const {
+    EdgeTool::draw(context, overlay);
+    const std::optional<EdgePlace>& place = mouth_ ? mouth_ : place_;
+    if (!place) return;
+    const PanelShape* shape = context.geometry.find(place->edge.panel);
+    if (shape == nullptr || context.geometry.edge(place->edge) == nullptr) return;
+    double width = width_, depth = depth_;
+    if (context.typed && context.typed->size() <= 2) {
+        if (context.typed->size() == 2) width = context.typed->front() / 100;
+        depth = context.typed->back() / 100;
+    }
+    overlay.lines.push_back(
+        {.points = dart_lines(*shape, *place, width, depth), .tone = mouth_ ? OverlayTone::Draft : OverlayTone::Faint});
+    overlay.readout.push_back(in_cm(width) + " wide, " + in_cm(depth) + " deep");
+}
+
+std::string DartTool::hint(const ToolContext&) const {
+    return "Drag from an edge inward, or click it and type width x depth (cm), then Enter";
+}
+
+}  // namespace selvedge

@@ -1,0 +1,47 @@
+#pragma once
+// Tools of one click: merge, unfold; and measure.
+#include "editor/tools/outline_tools.h"
+
+namespace selvedge {
+
+class MergeTool : public EdgeTool {
+ public:
+    void click(ToolContext& context, const SheetPointer& pointer) override;
+    void draw(const ToolContext& context, ToolOverlay& overlay) const override;
+    std::string hint(const ToolContext& context) const override;
+};
+
+class UnfoldTool : public EdgeTool {
+ public:
+    void click(ToolContext& context, const SheetPointer& pointer) override;
+    void draw(const ToolContext& context, ToolOverlay& overlay) const override;
+    std::string hint(const ToolContext& context) const override;
+};
+
+class MeasureTool : public Tool {
+ public:
+    void hover(ToolContext& context, const SheetPointer& pointer) override;
+    void click(ToolContext& context, const SheetPointer& pointer) override;
+    void drag(ToolContext& context, const SheetPointer& pointer) override;
+    void drop(ToolContext& context, const SheetPointer& pointer) override;
+    void press(ToolContext& context, const SheetPointer& pointer) override;
+    bool cancel(ToolContext& context) override;
+    void draw(const ToolContext& context, ToolOverlay& overlay) const override;
+    std::string hint(const ToolContext& context) const override;
+
+ private:
+    struct End {
+        Vec2d at = Vec2d::Zero();
+        std::optional<EdgePlace> place;  // where it lies on an edge
+    };
+
+    End end_at(const ToolContext& context, const SheetPointer& pointer);
+
+    std::optional<End> from_;
+    End to_;
+    bool is_done_ = false;  // what is measured stays to be read
+    bool is_new_ = false;
+    Snap aimed_;
+};
+
+}  // namespace selvedge
