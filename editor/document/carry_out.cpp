@@ -178,6 +178,16 @@ Outcome run(Pattern& pattern, const PlacePanel& command) {
     return {};
 }
 
+Outcome run(Pattern& pattern, const PlacePanels& command) {
+    for (const PanelPlace& place : command.places) {
+        run(pattern, PlacePanel{.panel = place.panel,
+                                .translation = place.translation,
+                                .rotation = place.rotation,
+                                .wrap_radius = place.wrap_radius});
+    }
+    return {};
+}
+
 Outcome run(Pattern& pattern, const SetGrain& command) {
     panel_of(pattern, command.panel).grain_angle = std::remainder(command.angle, 2 * std::numbers::pi);
     return {};

@@ -61,6 +61,9 @@ std::string label(const TransformPanels& command) {
 std::string label(const PlacePanel&) {
     return "Place panel";
 }
+std::string label(const PlacePanels& command) {
+    return counted("Place", command.places.size(), "panel");
+}
 std::string label(const SetGrain&) {
     return "Turn grain";
 }

@@ -33,6 +33,16 @@ struct SpanRef {
     bool operator==(const SpanRef&) const = default;
 };
 
+// Where a panel stands in the room: see Panel.
+struct PanelPlace {
+    std::string panel{};
+    Vec3d translation = Vec3d::Zero();
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    double wrap_radius = 0;
+
+    bool operator==(const PanelPlace&) const = default;
+};
+
 // --- of the pattern
 
 // The pattern's name.
@@ -245,6 +255,17 @@ struct PlacePanel {
         visit("translation", translation);
         visit("rotation", rotation);
         visit("wrap_radius", wrap_radius);
+    }
+};
+
+// Several at once.
+struct PlacePanels {
+    static constexpr const char* name = "place_panels";
+    std::vector<PanelPlace> places{};
+
+    template <class Visitor>
+    void fields(Visitor&& visit) {
+        visit("places", places);
     }
 };
 
@@ -549,9 +570,9 @@ struct EvenSeam {
 using Command =
     std::variant<RenamePattern, SetFabric, SetTartan, SetBody, SetEdgeLength, MatchSetts, TranslateAll, RemoveParts,
                  AddPanels, RenamePanel, DuplicatePanel, SymmetricCopy, UnlinkPanel, MovePanels, TransformPanels,
-                 PlacePanel, SetGrain, SetSettOffset, SetPins, SetLayer, CutPanel, MergePanels, UnfoldPanel,
-                 MoveVertices, TransformVertices, SetCurve, AddVertex, AddDart, AddInternalLine, SetInternalLine,
-                 AddNotch, MoveNotch, SewEdges, SewRuns, ReverseSeam, NameSeam, AcceptEase, EvenSeam>;
+                 PlacePanel, PlacePanels, SetGrain, SetSettOffset, SetPins, SetLayer, CutPanel, MergePanels,
+                 UnfoldPanel, MoveVertices, TransformVertices, SetCurve, AddVertex, AddDart, AddInternalLine,
+                 SetInternalLine, AddNotch, MoveNotch, SewEdges, SewRuns, ReverseSeam, NameSeam, AcceptEase, EvenSeam>;
 
 // What it is called in the history: "Move 3 points".
 std::string label_of(const Command& command);

@@ -37,6 +37,14 @@ void visit_fields(SpanRef& span, Visitor&& visit) {
 }
 
 template <class Visitor>
+void visit_fields(PanelPlace& place, Visitor&& visit) {
+    visit("panel", place.panel);
+    visit("translation", place.translation);
+    visit("rotation", place.rotation);
+    visit("wrap_radius", place.wrap_radius);
+}
+
+template <class Visitor>
 void visit_fields(PlaneMap& map, Visitor&& visit) {
     visit("x_axis", map.x_axis);
     visit("y_axis", map.y_axis);
