@@ -54,7 +54,7 @@ ClothItem make_cloth_item(const PlainMesh& garment, const PictureOptions& option
     ClothItem item;
     item.mesh = without_bad_numbers(garment);
     item.sett = sett_of(options);
-    item.sett_position = options.sett_position.cast<float>();
+    item.sett_position = options.sett_position.value_or(Vec2d::Zero()).cast<float>();
     item.show = options.show;
     item.material = options.material;
     if (wants_material(item.show) && item.mesh.u.empty())

@@ -114,7 +114,10 @@ bool draws(const DressArguments& arguments) {
 // What the command line leaves open, the pattern says.
 void fill_in(DressArguments& arguments, const Pattern& pattern) {
     if (!arguments.fabric.empty()) arguments.dress.fabric = find_fabric(arguments.fabric);
-    if (!arguments.picture.sett && !pattern.tartan.empty()) arguments.picture.sett = find_tartan(pattern.tartan);
+    PictureOptions& picture = arguments.picture;
+    if (!picture.sett && !picture.sett_size) picture.sett_size = pattern.sett_size;
+    if (!picture.sett && !pattern.tartan.empty()) picture.sett = find_tartan(pattern.tartan);
+    if (!picture.sett_position) picture.sett_position = pattern.sett_position;
     if (arguments.body.source.empty())
         arguments.body.source = pattern.body.empty() ? "mannequin:sex=female" : pattern.body;
 }

@@ -78,9 +78,16 @@ std::string tartan_of(const MatchArguments& arguments, const Pattern& pattern) {
     return pattern.tartan.empty() ? kDefaultTartan : pattern.tartan;
 }
 
+// m; the pattern's is of its own tartan.
+std::optional<double> sett_size(const MatchArguments& arguments, const Pattern& pattern) {
+    if (arguments.sett_size_cm) return *arguments.sett_size_cm / 100;
+    return arguments.tartan.empty() ? pattern.sett_size : std::nullopt;
+}
+
 Sett sett_of(const MatchArguments& arguments, const Pattern& pattern) {
     const Sett sett = find_tartan(tartan_of(arguments, pattern));
-    return arguments.sett_size_cm ? with_repeat_size(sett, *arguments.sett_size_cm / 100) : sett;
+    const std::optional<double> size = sett_size(arguments, pattern);
+    return size ? with_repeat_size(sett, *size) : sett;
 }
 
 void check_arguments(const MatchArguments& arguments) {
@@ -147,6 +154,7 @@ int run(const MatchArguments& arguments) {
     const MatchedSett matched{tartan_of(arguments, pattern), Vec2d(repeat_size(sett), weft_repeat_size(sett))};
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) pattern.panels[p].sett_offset = match.offsets[p];
     pattern.matched_sett = matched;
+    pattern.sett_size = sett_size(arguments, pattern);
     if (!arguments.tartan.empty()) pattern.tartan = matched.tartan;  // the offsets serve no other
 
     print_table(match, matched);

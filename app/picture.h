@@ -26,9 +26,9 @@ struct PictureOptions {
     std::optional<CameraChoice> camera;  // instead of a view
     Framing framing = Framing::All;
     ShowMode show = ShowMode::Tartan;
-    std::optional<Sett> sett;             // none: kDefaultTartan
-    std::optional<double> sett_size;      // m, of one repeat; none: the tartan's own
-    Vec2d sett_position = Vec2d::Zero();  // m, (weft, warp)
+    std::optional<Sett> sett;            // none: kDefaultTartan
+    std::optional<double> sett_size;     // m, of one repeat; none: the tartan's own
+    std::optional<Vec2d> sett_position;  // m, (weft, warp); none: zero
     bool is_transparent = false;
     Material material{};      // how the cloth takes light
     SurfaceChoice surface{};  // the cloth's own triangles, or curved ones over them

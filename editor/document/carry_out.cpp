@@ -60,9 +60,8 @@ Outcome run(Pattern& pattern, const SetFabric& command) {
 }
 
 Outcome run(Pattern& pattern, const SetTartan& command) {
-    constexpr double kSmallest = 0.001, kLargest = 5;  // m
     if (!command.tartan.empty()) in_draft_words([&] { return find_tartan(command.tartan); });
-    if (command.size && !(*command.size >= kSmallest && *command.size <= kLargest)) {
+    if (command.size && !(*command.size >= kSmallestSett && *command.size <= kLargestSett)) {
         throw DraftError("A repeat of a tartan is from 0.1 to 500 cm");
     }
     pattern.tartan = command.tartan;

@@ -99,6 +99,8 @@ struct MatchedSett {
     bool operator==(const MatchedSett&) const = default;
 };
 
+inline constexpr double kSmallestSett = 0.001, kLargestSett = 5;  // m, of a repeat that is asked for
+
 struct Pattern {
     std::string name;
     std::vector<Panel> panels;

@@ -249,6 +249,10 @@ class Reader : private FaultReader {
         Pattern& pattern = out_.pattern;
         if (const Node fabric = node.member("fabric")) pattern.fabric = read_fabric_name(fabric);
         if (const Node tartan = node.member("tartan")) pattern.tartan = text(tartan).value_or("");
+        if (const Node size = node.member("sett_size")) read_sett_size(size);
+        if (const Node position = node.member("sett_position")) {
+            pattern.sett_position = point(position).value_or(Vec2d::Zero());
+        }
         if (const Node matched = node.member("matched_sett")) read_matched_sett(matched);
         if (const Node names = node.member("seam_names")) read_seam_names(names);
         if (const Node eased = node.member("eased")) read_eased(eased);
@@ -267,6 +271,14 @@ class Reader : private FaultReader {
                 error(edge, edge.value->number_text() + " is no edge length of a mesh: 0.5 to 50 cm are");
             }
         }
+    }
+
+    void read_sett_size(const Node& node) {
+        const auto size = length(node);
+        if (size && (*size < kSmallestSett || *size > kLargestSett)) {
+            return error(node, node.value->number_text() + " is no size of a sett's repeat: 0.1 to 500 cm are");
+        }
+        out_.pattern.sett_size = size;
     }
 
     void read_matched_sett(const Node& node) {

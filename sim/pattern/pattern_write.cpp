@@ -286,6 +286,7 @@ class Writer {
         Json own = found ? *found : Json::object();
         set_unless_usual(own, "fabric", pattern_.fabric, std::string());
         set_unless_usual(own, "tartan", pattern_.tartan, std::string());
+        write_sett_place(own);
         write_matched_sett(own);
         write_seam_names(own);
         write_eased(own);
@@ -296,6 +297,15 @@ class Writer {
         if (pattern_.edge_length) set_number(own["edge_length"], units_ * *pattern_.edge_length);
         if (!pattern_.edge_length) own.erase("edge_length");
         if (found || !own.members().empty()) root_["selvedge"] = std::move(own);
+    }
+
+    void write_sett_place(Json& own) const {
+        if (pattern_.sett_size) set_number(own["sett_size"], units_ * *pattern_.sett_size);
+        if (!pattern_.sett_size) own.erase("sett_size");
+        const Vec2d position = units_ * pattern_.sett_position;
+        if (own.find("sett_position") || !position.isZero(0)) {
+            set_numbers(own["sett_position"], {position.x(), position.y()});
+        }
     }
 
     void write_matched_sett(Json& own) const {

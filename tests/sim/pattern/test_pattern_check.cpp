@@ -72,6 +72,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"matched_to_nothing", R"("pattern": {)",
              R"("selvedge": {"matched_sett": {"repeat": [0, 14]}}, "pattern": {)",
              "selvedge.matched_sett.repeat: a repeat is longer than nothing"},
+        Case{"a_sett_of_no_size", R"("pattern": {)", R"("selvedge": {"sett_size": 0.05}, "pattern": {)",
+             "selvedge.sett_size: 0.05 is no size of a sett's repeat: 0.1 to 500 cm are"},
         Case{"matched_to_what", R"("pattern": {)", R"("selvedge": {"matched_sett": {}}, "pattern": {)",
              "selvedge.matched_sett: no key 'repeat'"},
         Case{"sewn_twice", R"({"panel": "back", "edge": 2})", R"({"panel": "back", "edge": 0})",

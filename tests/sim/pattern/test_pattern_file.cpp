@@ -120,7 +120,7 @@ TEST(PatternFile, seams_join_start_to_end_unless_they_say_right_wrong) {
 std::string with_additions() {
     std::string text = replaced(sample_text(), R"("pattern": {)",
                                 R"("selvedge": {"fabric": "wool_twill", "tartan": "black_watch", "later": [1.0],
- "matched_sett": {"repeat": [14.90, 7], "tartan": "black_watch"},
+ "sett_size": 14.90, "sett_position": [1, -2.50], "matched_sett": {"repeat": [14.90, 7], "tartan": "black_watch"},
  "seam_names": {"left side": {"panel": "back", "edge": 2}},
  "body": "mannequin:sex=female", "body_height": 168, "edge_length": 8}, "pattern": {)");
     return replaced(
@@ -143,6 +143,8 @@ TEST(PatternFile, reads_what_we_add_in_the_held_frame) {
     EXPECT_NEAR(back.grain_angle, -30 * kDegree, 1e-12);          // mirrored with its panel
     EXPECT_TRUE(back.sett_offset.isApprox(Vec2d(0.015, -0.02)));  // of the fabric, which does not turn over
     EXPECT_TRUE(pattern.panels[0].sett_offset.isZero(0));
+    EXPECT_DOUBLE_EQ(pattern.sett_size.value_or(0), 0.149);
+    EXPECT_TRUE(pattern.sett_position.isApprox(Vec2d(0.01, -0.025)));
     ASSERT_TRUE(pattern.matched_sett);
     EXPECT_EQ(pattern.matched_sett->tartan, "black_watch");
     EXPECT_TRUE(pattern.matched_sett->repeat.isApprox(Vec2d(0.149, 0.07)));
