@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,8 @@ namespace selvedge {
 struct DistanceFieldOptions {
     float cell = 0.003F;  // m
     float band = 0.012F;  // m, distances are known up to here on both sides
+
+    std::function<void()> interrupt = {};  // called often while the field is made, on any thread: may throw to end it
 };
 
 struct FieldSample {
