@@ -19,8 +19,6 @@ namespace selvedge {
 struct DistanceFieldOptions {
     float cell = 0.003F;  // m
     float band = 0.012F;  // m, distances are known up to here on both sides
-
-    std::function<void()> interrupt = {};  // called often while the field is made, on any thread: may throw to end it
 };
 
 struct FieldSample {
@@ -30,8 +28,10 @@ struct FieldSample {
 
 class DistanceField {
  public:
-    // Deterministic for any thread count. Pre: the surface is closed; 0 < 2 cell <= band.
-    explicit DistanceField(const SurfaceBvh& bvh, const DistanceFieldOptions& options = {});
+    // Deterministic for any thread count. interrupt, when given, is called often meanwhile, on any thread: what it
+    // throws ends the making. Pre: the surface is closed; 0 < 2 cell <= band.
+    explicit DistanceField(const SurfaceBvh& bvh, const DistanceFieldOptions& options = {},
+                           const std::function<void()>& interrupt = {});
 
     FieldSample sample(const Vec3f& p) const;
 

@@ -1,6 +1,7 @@
 #include "sim/dress/hands.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "sim/body/collider.h"
 #include "sim/cloth/contact.h"
@@ -8,11 +9,10 @@
 namespace selvedge {
 namespace {
 
-constexpr float kFastest = 1.5F;   // m/s
-constexpr float kApproach = 12;    // 1/s: the last of the way goes slower
-constexpr float kGives = 0.04F;    // strain of the edges about the hand, from which on it feels the cloth ...
-constexpr float kHolds = 0.12F;    // ... and beyond which it goes no farther
-constexpr float kStill = 0.0005F;  // m per frame
+constexpr float kFastest = 1.5F;  // m/s
+constexpr float kApproach = 12;   // 1/s: the last of the way goes slower
+constexpr float kGives = 0.02F;   // strain of the edges about the hand, from which on it feels the cloth ...
+constexpr float kHolds = 0.08F;   // ... and beyond which it goes no farther
 
 // Pinned are the pattern's own, the held, and what lies midway between two pinned ones, as on_split would have it.
 void refresh_pins(Cloth& cloth, const std::vector<int>& base_pins, const std::vector<VertexId>& held) {
@@ -57,12 +57,13 @@ float share_of_way(const Cloth& cloth, VertexId v, const Vec3f& way) {
 
 void Hands::pull(const MaterialPoint& at, const Vec3f& to) {
     grip_ = Grip{.held = {.at = at}, .goal = to};
+    has_news_ = true;
 }
 
 void Hands::pull_to(const Vec3f& to) {
     if (!grip_) return;
     grip_->goal = to;
-    grip_->is_new_goal = true;
+    has_news_ = true;
 }
 
 void Hands::forget_vertices() {
@@ -95,13 +96,8 @@ void Hands::free_all(Cloth& cloth, const std::vector<int>& base_pins) {
     refresh_pins(cloth, base_pins, held_);
 }
 
-bool Hands::take_movement(const Cloth& cloth) {
-    if (!grip_ || !grip_->held.vertex) return false;
-    const Vec3f x = cloth.x[grip_->held.vertex.value].head<3>();
-    const bool has_moved = grip_->is_new_goal || (x - grip_->last).norm() > kStill;
-    grip_->last = x;
-    grip_->is_new_goal = false;
-    return has_moved;
+bool Hands::take_news() {
+    return std::exchange(has_news_, false);
 }
 
 std::span<const LedVertex> Hands::lead(const Cloth& cloth, const Collider& body, float seconds) {

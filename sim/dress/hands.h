@@ -38,8 +38,8 @@ class Hands {
     // No vertex of this cloth is held, whoever held it.
     void free_all(Cloth& cloth, const std::vector<int>& base_pins);
 
-    // Whether something was asked for, or the pulled vertex has moved, since this was asked the last time.
-    bool take_movement(const Cloth& cloth);
+    // Whether the pull goes elsewhere since this was asked the last time.
+    bool take_news();
 
     std::span<const VertexId> held() const { return held_; }
 
@@ -57,14 +57,13 @@ class Hands {
     struct Grip {
         Held held;
         Vec3f goal = Vec3f::Zero();  // m
-        Vec3f last = Vec3f::Zero();  // m, where it was when movement was asked for
-        bool is_new_goal = true;
     };
 
     std::vector<Held> pins_;
     std::optional<Grip> grip_;
     std::vector<VertexId> held_;  // by pins, then by the grip
     std::vector<LedVertex> led_;
+    bool has_news_ = false;
 };
 
 }  // namespace selvedge

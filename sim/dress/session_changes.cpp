@@ -70,7 +70,7 @@ void SessionRun::set_body(std::shared_ptr<const Body> body) {
 }
 
 void SessionRun::meet_body() {
-    if (!met_) met_.reset(new BodyToMeet{body_, BodyCollider(*body_, DistanceFieldOptions{.interrupt = interrupt_})});
+    if (!met_) met_.reset(new BodyToMeet{body_, BodyCollider(*body_, {}, interrupt_)});
 }
 
 // Panels that were placed for another body move with this one. Growing the body that the pattern names takes long.

@@ -116,6 +116,10 @@ void SessionRun::advance() {
     times_.note(times);
 }
 
+bool SessionRun::may_prepare() const {
+    return body_ && !met_ && stage_ == SessionStage::Placed;
+}
+
 // --- sewing
 
 void SessionRun::begin_sewing() {
@@ -210,9 +214,9 @@ void SessionRun::apply_options() {
 
 void SessionRun::follow_hands() {
     const bool is_other = hands_.take_hold(drape_->cloth, drape_->pins);
-    const bool moves = hands_.take_movement(drape_->cloth);
+    const bool goes_elsewhere = hands_.take_news();
     drape_->run->options().adapt.kept_vertices = hands_.held();
-    if (is_other || moves) drape_->run->wake(drape_->cloth);
+    if (is_other || goes_elsewhere) drape_->run->wake(drape_->cloth);
 }
 
 void SessionRun::drape_frame() {

@@ -56,6 +56,10 @@ class SessionRun {
     void advance();
     double frame_seconds() const;  // s, simulated in one
 
+    // What start() would have to do first and takes long: for when there is nothing else to do.
+    bool may_prepare() const;
+    void prepare() { meet_body(); }
+
     // Whether anything that is seen has changed since this was asked the last time.
     bool take_change();
     std::shared_ptr<SessionFrame> make_frame();

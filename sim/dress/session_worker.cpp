@@ -144,6 +144,7 @@ void Session::Worker::work_until_ended() {
         carry_out(take_asked());
         publish();
         if (!run_.moves()) {
+            if (run_.may_prepare()) run_.prepare();
             wait(std::nullopt);
             next = Clock::now();
             continue;
