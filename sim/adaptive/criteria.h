@@ -12,6 +12,8 @@ namespace selvedge {
 struct CurvatureOptions {
     float split_angle = 0.35F;   // rad, a larger angle between the normals of an edge's ends asks for a split
     float rejoin_angle = 0.10F;  // rad, below split_angle
+
+    bool operator==(const CurvatureOptions&) const = default;
 };
 
 // Split edges where the cloth bends, rejoin them where it lies flat: at both ends and at the centre, or a symmetric

@@ -16,8 +16,9 @@ constexpr float kGuardReach = 0.0015F;  // m, how far the field may be off at a 
 
 }  // namespace
 
-BodyCollider::BodyCollider(const Body& body, const DistanceFieldOptions& options)
-    : body_(body), bvh_(body), field_(bvh_, options) {}
+BodyCollider::BodyCollider(const Body& body, const DistanceFieldOptions& options,
+                           const std::function<void()>& interrupt)
+    : body_(body), bvh_(body), field_(bvh_, options, interrupt) {}
 
 Contact BodyCollider::contact(const Vec3f& p) const {
     const FieldSample sample = field_.sample(p);

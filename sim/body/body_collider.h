@@ -1,6 +1,8 @@
 #pragma once
 // A body that stands still, as cloth meets it. The distance field answers; where it cannot be trusted (creases, deep
 // inside) the exact surface does.  (SPEC 3.3)
+#include <functional>
+
 #include "sim/body/body.h"
 #include "sim/body/collider.h"
 #include "sim/body/distance_field.h"
@@ -10,8 +12,9 @@ namespace selvedge {
 
 class BodyCollider final : public Collider {
  public:
-    // The body must outlive the collider. Pre: it is closed.
-    explicit BodyCollider(const Body& body, const DistanceFieldOptions& options = {});
+    // The body must outlive the collider. interrupt: see DistanceField. Pre: the body is closed.
+    explicit BodyCollider(const Body& body, const DistanceFieldOptions& options = {},
+                          const std::function<void()>& interrupt = {});
 
     Contact contact(const Vec3f& p) const override;
     void contacts(std::span<ContactBlock> blocks, float reach) const override;

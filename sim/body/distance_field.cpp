@@ -119,7 +119,8 @@ class GroupWalk {
 
 }  // namespace
 
-DistanceField::DistanceField(const SurfaceBvh& bvh, const DistanceFieldOptions& options)
+DistanceField::DistanceField(const SurfaceBvh& bvh, const DistanceFieldOptions& options,
+                             const std::function<void()>& interrupt)
     : cell_(options.cell),
       per_cell_(1 / options.cell),
       band_(options.band),
@@ -130,6 +131,7 @@ DistanceField::DistanceField(const SurfaceBvh& bvh, const DistanceFieldOptions& 
     lay_out(bvh);
     classify_blocks(bvh);
     parallel_for(blocks_.size(), 16, [&](std::size_t first, std::size_t last) {
+        if (interrupt) interrupt();
         for (std::size_t block = first; block < last; ++block)
             if (blocks_[block] >= kFirstNear) fill_block(bvh, block, &nodes_[std::size_t(blocks_[block])]);
     });

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -27,8 +28,10 @@ struct FieldSample {
 
 class DistanceField {
  public:
-    // Deterministic for any thread count. Pre: the surface is closed; 0 < 2 cell <= band.
-    explicit DistanceField(const SurfaceBvh& bvh, const DistanceFieldOptions& options = {});
+    // Deterministic for any thread count. interrupt, when given, is called often meanwhile, on any thread: what it
+    // throws ends the making. Pre: the surface is closed; 0 < 2 cell <= band.
+    explicit DistanceField(const SurfaceBvh& bvh, const DistanceFieldOptions& options = {},
+                           const std::function<void()>& interrupt = {});
 
     FieldSample sample(const Vec3f& p) const;
 

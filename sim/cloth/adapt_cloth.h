@@ -49,6 +49,8 @@ struct CriteriaOptions {
     bool curvature = true;
     bool length = true;
     bool buckling = false;
+
+    bool operator==(const CriteriaOptions&) const = default;
 };
 
 // What decides between two diagonals where either conforms, see sim/adaptive/diagonal.h.

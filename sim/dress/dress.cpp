@@ -3,7 +3,6 @@
 #include <sys/resource.h>
 
 #include <chrono>
-#include <cmath>
 
 #include "sim/body/body_collider.h"
 #include "sim/body/mannequin.h"
@@ -45,18 +44,6 @@ double peak_memory_mb() {
     return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
-std::vector<Fabric> fabrics_of(const Pattern& pattern, const DressOptions& options) {
-    std::vector<Fabric> fabrics;
-    for (const Panel& panel : pattern.panels) {
-        if (options.fabric) {
-            fabrics.push_back(*options.fabric);
-        } else {
-            fabrics.push_back(find_fabric(panel.fabric.empty() ? pattern.fabric : panel.fabric));
-        }
-    }
-    return fabrics;
-}
-
 Pattern anchored(const Pattern& pattern, const Body& body) {
     Pattern moved = pattern;
     anchor_panels(moved, placed_for(pattern), body);
@@ -69,14 +56,7 @@ GarmentMesh place(const Pattern& pattern, const BodyCollider& collider, const Dr
     MeshOptions meshing = options.mesh;
     meshing.target_edge = options.edge_length.value_or(pattern.edge_length.value_or(meshing.target_edge));
     GarmentMesh unsewn = assemble(pattern, meshing);
-    const double lift = seam_clearing_lift(unsewn, collider);
-    for (Vec3d& x : unsewn.x) x.y() += lift;
-    if (lift != 0) {
-        const std::string millimetres = std::to_string(std::lround(std::abs(lift) * 1000));
-        report.notes.push_back("all panels moved " + millimetres + (lift > 0 ? " mm up" : " mm down") +
-                               ", so that the seams can close round the body");
-    }
-    for (std::string& note : clear_panels(unsewn, collider)) report.notes.push_back(std::move(note));
+    report.notes = make_sewable(unsewn, collider);
     return unsewn;
 }
 
@@ -102,6 +82,13 @@ void record_mesh(DressReport& report, const Pattern& pattern, const GarmentMesh&
 
 }  // namespace
 
+std::vector<Fabric> fabrics_of(const Pattern& pattern) {
+    std::vector<Fabric> fabrics;
+    for (const Panel& panel : pattern.panels)
+        fabrics.push_back(find_fabric(panel.fabric.empty() ? pattern.fabric : panel.fabric));
+    return fabrics;
+}
+
 Body placed_for(const Pattern& pattern) {
     if (!pattern.body.empty()) return make_mannequin(parse_mannequin(pattern.body)).body;
     // GarmentCode's mean body, by its published measurements.
@@ -119,7 +106,8 @@ DressedGarment dress(const Pattern& pattern, const Body& body, const DressOption
     PhaseTimer timer(report.timing);
     report.garment = pattern.name;
     report.body = body.name;
-    const std::vector<Fabric> fabrics = fabrics_of(pattern, options);
+    const std::vector<Fabric> fabrics =
+        options.fabric ? std::vector(pattern.panels.size(), *options.fabric) : fabrics_of(pattern);
 
     selvedge::report(progress, "reading the body", 0);
     const BodyCollider collider(body);

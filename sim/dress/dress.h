@@ -40,4 +40,7 @@ DressedGarment dress(const Pattern& pattern, const Body& body, const DressOption
 // The body that the pattern's panels were placed for. (SPEC 3.1)
 Body placed_for(const Pattern& pattern);
 
+// One per panel: its own or else the pattern's. Throws InputError for a fabric that is not known.
+std::vector<Fabric> fabrics_of(const Pattern& pattern);
+
 }  // namespace selvedge

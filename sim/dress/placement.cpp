@@ -160,4 +160,17 @@ std::vector<std::string> clear_panels(GarmentMesh& unsewn, const BodyCollider& b
     return notes;
 }
 
+std::vector<std::string> make_sewable(GarmentMesh& unsewn, const BodyCollider& body) {
+    std::vector<std::string> notes;
+    const double lift = seam_clearing_lift(unsewn, body);
+    for (Vec3d& x : unsewn.x) x.y() += lift;
+    if (lift != 0) {
+        const std::string millimetres = std::to_string(std::lround(std::abs(lift) * 1000));
+        notes.push_back("all panels moved " + millimetres + (lift > 0 ? " mm up" : " mm down") +
+                        ", so that the seams can close round the body");
+    }
+    for (std::string& note : clear_panels(unsewn, body)) notes.push_back(std::move(note));
+    return notes;
+}
+
 }  // namespace selvedge

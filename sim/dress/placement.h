@@ -24,4 +24,7 @@ std::vector<std::string> clear_panels(GarmentMesh& unsewn, const BodyCollider& b
 // the one for which the straight lines between linked vertices run least deep through the body.
 double seam_clearing_lift(const GarmentMesh& unsewn, const BodyCollider& body);
 
+// Both of these: where the unsewn garment can be sewn. Returns what was done.
+std::vector<std::string> make_sewable(GarmentMesh& unsewn, const BodyCollider& body);
+
 }  // namespace selvedge

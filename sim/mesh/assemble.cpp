@@ -17,17 +17,33 @@ struct PlacedPanels {
     std::vector<int> first_vertex;
 };
 
-PlacedPanels triangulate_panels(const Pattern& pattern, const MeshOptions& options) {
+PanelMesh cut_or_kept(const Panel& panel, const std::vector<int>& segments, const MeshOptions& options,
+                      const std::vector<KeptPanelMesh>& kept) {
+    const auto is_same = [&](const KeptPanelMesh& one) {
+        return one.segments == segments && one.options == options && one.vertices == panel.vertices &&
+               one.edges == panel.edges;
+    };
+    const auto found = std::ranges::find_if(kept, is_same);
+    if (found != kept.end()) return found->mesh;
+    return triangulate(panel, segments,
+                       {.target_edge = options.target_edge,
+                        .relaxations = options.relaxations,
+                        .max_triangles = options.max_triangles});
+}
+
+PlacedPanels triangulate_panels(const Pattern& pattern, const MeshOptions& options, std::vector<KeptPanelMesh>& kept) {
     const std::vector<std::vector<int>> segments = count_segments(pattern, options);
-    const TriangulateOptions panel_options{
-        .target_edge = options.target_edge, .relaxations = options.relaxations, .max_triangles = options.max_triangles};
+    std::vector<KeptPanelMesh> fresh;
     PlacedPanels placed;
     int vertices = 0;
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
-        placed.meshes.push_back(triangulate(pattern.panels[p], segments[p], panel_options));
+        const Panel& panel = pattern.panels[p];
+        placed.meshes.push_back(cut_or_kept(panel, segments[p], options, kept));
+        fresh.push_back({panel.vertices, panel.edges, segments[p], options, placed.meshes.back()});
         placed.first_vertex.push_back(vertices);
         vertices += static_cast<int>(placed.meshes.back().u.size());
     }
+    kept = std::move(fresh);
     return placed;
 }
 
@@ -79,7 +95,12 @@ void link_seam(GarmentMesh& garment, const PlacedPanels& placed, const Seam& sea
 }  // namespace
 
 GarmentMesh assemble(const Pattern& pattern, const MeshOptions& options) {
-    const PlacedPanels placed = triangulate_panels(pattern, options);
+    std::vector<KeptPanelMesh> none;
+    return assemble(pattern, options, none);
+}
+
+GarmentMesh assemble(const Pattern& pattern, const MeshOptions& options, std::vector<KeptPanelMesh>& kept) {
+    const PlacedPanels placed = triangulate_panels(pattern, options, kept);
     GarmentMesh garment;
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) add_panel(garment, pattern.panels[p], placed.meshes[p]);
     for (std::size_t s = 0; s < pattern.seams.size(); ++s) {

@@ -8,6 +8,8 @@ struct MeshOptions {
     double chord_error = 0.003;  // m, how far an outline curve may stand off its chords
     int relaxations = 12;        // rounds of moving interior points
     int max_triangles = 200000;  // of one panel; more is taken for an error in units
+
+    bool operator==(const MeshOptions&) const = default;
 };
 
 }  // namespace selvedge

@@ -1,0 +1,161 @@
+#include "sim/dress/carry_over.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "sim/body/collider.h"
+#include "sim/dress/outline_map.h"
+#include "sim/dress/session_limits.h"
+#include "sim/mesh/merge_seams.h"
+
+namespace selvedge {
+namespace {
+
+bool has_same_joins(const Pattern& a, const Pattern& b) {
+    return std::ranges::equal(a.seams, b.seams, [](const Seam& s, const Seam& t) {
+        return s.first == t.first && s.second == t.second && s.is_reversed == t.is_reversed;
+    });
+}
+
+// One panel may have another name: somebody renamed it.
+bool has_same_panels(const Pattern& a, const Pattern& b) {
+    if (a.panels.size() != b.panels.size()) return false;
+    int renamed = 0;
+    for (std::size_t p = 0; p < a.panels.size(); ++p) {
+        if (a.panels[p].edges.size() != b.panels[p].edges.size()) return false;
+        if (a.panels[p].is_mirrored != b.panels[p].is_mirrored) return false;
+        if (a.panels[p].name != b.panels[p].name) ++renamed;
+    }
+    return renamed <= 1;
+}
+
+template <class Get>
+bool differ(const Pattern& a, const Pattern& b, const Get& get) {
+    for (std::size_t p = 0; p < a.panels.size(); ++p) {
+        if (get(a.panels[p]) != get(b.panels[p])) return true;
+    }
+    return false;
+}
+
+const Panel* find_panel(const Pattern& pattern, const std::string& name) {
+    const auto found = std::ranges::find(pattern.panels, name, &Panel::name);
+    return found == pattern.panels.end() ? nullptr : &*found;
+}
+
+std::string count_of(std::size_t before, std::size_t after, const std::string& one) {
+    const bool is_more = after > before;
+    const std::size_t many = is_more ? after - before : before - after;
+    return (many == 1 ? "one " + one : std::to_string(many) + " " + one + "s") + (is_more ? " more" : " fewer");
+}
+
+// Where each unsewn vertex was, and where it is: a seam that was open stays so.
+GarmentMesh sewn_in_place(const CarriedDrape& drape, const GarmentMesh& unsewn, const DrapedPanels& draped,
+                          const std::vector<OutlineMap>& maps) {
+    GarmentMesh moved = unsewn;
+    std::vector<bool> is_known(moved.x.size(), false);
+    for (const GarmentTriangle& triangle : unsewn.triangles) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto v = static_cast<std::size_t>(triangle.vertices[k]);
+            if (is_known[v]) continue;
+            is_known[v] = true;
+            const Vec2d was = maps[static_cast<std::size_t>(triangle.panel)](triangle.u[k]);
+            const MaterialPoint at{static_cast<std::uint16_t>(triangle.panel), was.cast<float>()};
+            moved.x[v] = draped.position(at).cast<double>();
+        }
+    }
+    std::erase_if(moved.links,
+                  [&](const SeamLink& link) { return std::ranges::binary_search(drape.open_seams, link.seam); });
+    return merge_seams(moved).mesh;
+}
+
+// Where the vertex lies in each of its panels, once.
+struct Places {
+    std::vector<MaterialPoint> points;
+};
+
+std::vector<Places> places_of_vertices(const Cloth& cloth) {
+    std::vector<Places> places(cloth.x.size());
+    for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles()) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            std::vector<MaterialPoint>& points = places[leaf.v[k].value].points;
+            const MaterialPoint at{leaf.panel, leaf.u[k]};
+            if (std::ranges::find(points, at) == points.end()) points.push_back(at);
+        }
+    }
+    return places;
+}
+
+// All leaf vertices to where their places were: outside of the body, and at rest.
+void place_vertices(Cloth& cloth, const DrapedPanels& draped, const std::vector<OutlineMap>& maps,
+                    const Collider& body) {
+    const std::vector<Places> places = places_of_vertices(cloth);
+    for (const VertexId v : cloth.mesh.leaf_vertices()) {
+        Vec3f sum = Vec3f::Zero();
+        for (const MaterialPoint& at : places[v.value].points) {
+            const Vec2d was = maps[at.panel](at.u.cast<double>());
+            sum += draped.position({at.panel, was.cast<float>()});
+        }
+        const Vec3f x = sum / static_cast<float>(places[v.value].points.size());
+        cloth.x[v.value] = padded(outside(x, cloth.normals[v.value], body, ContactOptions{}.offset));
+    }
+    cloth.x_prev = cloth.x;
+}
+
+}  // namespace
+
+PatternChange compare(const Pattern& before, const Pattern& after) {
+    if (!has_same_panels(before, after) || !has_same_joins(before, after)) return PatternChange::Kind;
+    const auto outline = [](const Panel& panel) {
+        std::vector<OutlineEdge> edges = panel.edges;
+        for (OutlineEdge& edge : edges) edge.label.clear();
+        return std::tuple(panel.vertices, edges, panel.pins);
+    };
+    if (before.edge_length != after.edge_length || differ(before, after, outline)) return PatternChange::Outlines;
+    const auto cloth = [](const Panel& panel) { return std::pair(panel.fabric, panel.grain_angle); };
+    if (before.fabric != after.fabric || differ(before, after, cloth)) return PatternChange::Fabrics;
+    const auto shown = [](const Panel& panel) { return std::pair(panel.sett_offset, panel.name); };
+    return differ(before, after, shown) ? PatternChange::Setts : PatternChange::None;
+}
+
+std::string why_sewn_anew(const Pattern& before, const Pattern& after) {
+    const std::string whole = ": sewn anew from where the panels are placed";
+    for (const Panel& panel : after.panels) {
+        const Panel* was = find_panel(before, panel.name);
+        if (was == nullptr) return "'" + panel.name + "' has come" + whole;
+        if (was->edges.size() != panel.edges.size()) {
+            return "'" + panel.name + "' has " + count_of(was->edges.size(), panel.edges.size(), "edge") +
+                   ": sewn anew from where it is placed";
+        }
+        if (was->is_mirrored != panel.is_mirrored) return "'" + panel.name + "' was turned over" + whole;
+    }
+    for (const Panel& panel : before.panels) {
+        if (find_panel(after, panel.name) == nullptr) return "'" + panel.name + "' is gone" + whole;
+    }
+    if (before.seams.size() != after.seams.size())
+        return "there is " + count_of(before.seams.size(), after.seams.size(), "seam") + whole;
+    return has_same_joins(before, after) ? "the panels have another order" + whole : "seams join other edges" + whole;
+}
+
+CarriedOver carry_over(const CarriedDrape& drape, const Pattern& after, const GarmentMesh& unsewn,
+                       const std::vector<Fabric>& fabrics, const Collider& body, const AdaptClothOptions& adapting) {
+    const DrapedPanels draped(drape.cloth);
+    std::vector<OutlineMap> maps;
+    for (std::size_t p = 0; p < after.panels.size(); ++p) maps.emplace_back(after.panels[p], drape.pattern.panels[p]);
+    GarmentMesh sewn = sewn_in_place(drape, unsewn, draped, maps);
+    Cloth cloth = make_cloth(sewn, fabrics, {.max_level = kDeepestSessionLevel});
+    refresh_contacts(cloth);
+    update_normals(cloth);
+    place_vertices(cloth, draped, maps, body);
+    AdaptClothOptions refining = adapting;
+    refining.may_rejoin = false;
+    refining.kept_vertices = {};
+    for (int level = 0; level < std::min(adapting.max_level, kDeepestSessionLevel); ++level) {
+        adapt_cloth(cloth, body, refining);
+        place_vertices(cloth, draped, maps, body);
+    }
+    forget_contacts(cloth);
+    return {.cloth = std::move(cloth), .pins = std::move(sewn.pins)};
+}
+
+}  // namespace selvedge

@@ -1,0 +1,44 @@
+#pragma once
+// A changed pattern on a drape: the cloth goes on from where it hangs.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/cloth/adapt_cloth.h"
+#include "sim/cloth/cloth.h"
+#include "sim/dress/draped_panels.h"
+#include "sim/mesh/garment_mesh.h"
+#include "sim/pattern/pattern.h"
+
+namespace selvedge {
+
+// What of a pattern the drape follows from.
+enum class PatternChange {
+    None,      // nothing: names, or where panels lie and stand
+    Setts,     // what is printed on it
+    Fabrics,   // or grain
+    Outlines,  // points are elsewhere
+    Kind       // panels, edges or seams have come or gone: see why_sewn_anew
+};
+PatternChange compare(const Pattern& before, const Pattern& after);
+
+// "'front' has one edge more: sewn anew from where it is placed". Pre: compare() says Kind.
+std::string why_sewn_anew(const Pattern& before, const Pattern& after);
+
+struct CarriedDrape {
+    const Cloth& cloth;
+    const Pattern& pattern;
+    const std::vector<int>& open_seams;  // ascending: they stay open
+};
+
+struct CarriedOver {
+    Cloth cloth;
+    std::vector<int> pins;  // base vertices that the pattern pins
+};
+
+// The unsewn mesh of `after` sewn where the drape hangs, as fine as it is, at rest. Each place of a panel is where the
+// like place of the old one was. Pre: compare() says no Kind. Throws InputError where it cannot be sewn.
+CarriedOver carry_over(const CarriedDrape& drape, const Pattern& after, const GarmentMesh& unsewn,
+                       const std::vector<Fabric>& fabrics, const Collider& body, const AdaptClothOptions& adapting);
+
+}  // namespace selvedge

@@ -1,0 +1,127 @@
+#include "sim/dress/hands.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "sim/body/collider.h"
+#include "sim/cloth/contact.h"
+
+namespace selvedge {
+namespace {
+
+constexpr float kFastest = 1.5F;  // m/s
+constexpr float kApproach = 12;   // 1/s: the last of the way goes slower
+constexpr float kGives = 0.02F;   // strain of the edges about the hand, from which on it feels the cloth ...
+constexpr float kHolds = 0.08F;   // ... and beyond which it goes no farther
+
+// Pinned are the pattern's own, the held, and what lies midway between two pinned ones, as on_split would have it.
+void refresh_pins(Cloth& cloth, const std::vector<int>& base_pins, const std::vector<VertexId>& held) {
+    std::fill(cloth.is_pinned.begin(), cloth.is_pinned.end(), false);
+    for (const int pin : base_pins) cloth.is_pinned[static_cast<std::size_t>(pin)] = true;
+    std::vector<VertexId> inner;
+    for (const VertexId v : cloth.mesh.leaf_vertices()) {
+        if (cloth.mesh.vertex(v).parent) inner.push_back(v);
+    }
+    std::ranges::stable_sort(inner, {}, [&](VertexId v) { return cloth.mesh.vertex(v).level; });
+    for (const VertexId v : inner) {
+        const AdaptiveEdge& edge = cloth.mesh.edge(cloth.mesh.vertex(v).parent);
+        cloth.is_pinned[v.value] = cloth.is_pinned[edge.ends[0].value] && cloth.is_pinned[edge.ends[1].value];
+    }
+    for (const VertexId v : held) {
+        cloth.is_pinned[v.value] = true;
+        cloth.x_prev[v.value] = cloth.x[v.value];
+    }
+    refresh_solver(cloth);
+}
+
+// Of a hand's way from where the vertex is, what the cloth about it lets it go: 1 while that hangs loose, 0 where it
+// is as taut as it may be, and less where it is tauter: back.
+float share_of_way(const Cloth& cloth, VertexId v, const Vec3f& way) {
+    const Vec3f x = cloth.x[v.value].head<3>();
+    float share = 1;
+    for (const TriangleId t : cloth.mesh.triangles_at(v)) {
+        const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
+        const std::size_t k = corner_at(triangle, v);
+        for (const std::size_t other : {(k + 1) % 3, (k + 2) % 3}) {
+            const Vec3f arm = x - cloth.x[triangle.vertices[other].value].head<3>();
+            const float rest = (triangle.u[other] - triangle.u[k]).norm();
+            const float strain = arm.norm() / std::max(rest, 1e-6F) - 1;
+            if (arm.dot(way) <= 0) continue;  // it gets no longer
+            share = std::min(share, (kHolds - strain) / (kHolds - kGives));
+        }
+    }
+    return std::clamp(share, -0.2F, 1.0F);
+}
+
+}  // namespace
+
+void Hands::pull(const MaterialPoint& at, const Vec3f& to) {
+    grip_ = Grip{.held = {.at = at}, .goal = to};
+    has_news_ = true;
+}
+
+void Hands::pull_to(const Vec3f& to) {
+    if (!grip_) return;
+    grip_->goal = to;
+    has_news_ = true;
+}
+
+void Hands::forget_vertices() {
+    held_.clear();
+    for (Held& pin : pins_) pin.vertex = {};
+    if (grip_) grip_->held.vertex = {};
+}
+
+bool Hands::take_hold(Cloth& cloth, const std::vector<int>& base_pins) {
+    if (pins_.empty() && !grip_ && held_.empty()) return false;
+    const DrapedPanels draped(cloth);
+    const std::vector<VertexId> before = held_;
+    held_.clear();
+    const auto find = [&](Held& held) {
+        const bool is_new = !held.vertex;
+        held.vertex = draped.nearest_vertex(held.at);
+        if (!held.vertex) return;
+        if (is_new) held.at = DrapedPanels::place_of(cloth, held.vertex, held.at.panel);
+        held_.push_back(held.vertex);
+    };
+    for (Held& pin : pins_) find(pin);
+    if (grip_) find(grip_->held);
+    if (held_ == before) return false;
+    refresh_pins(cloth, base_pins, held_);
+    return true;
+}
+
+void Hands::free_all(Cloth& cloth, const std::vector<int>& base_pins) {
+    *this = {};
+    refresh_pins(cloth, base_pins, held_);
+}
+
+bool Hands::take_news() {
+    return std::exchange(has_news_, false);
+}
+
+std::span<const LedVertex> Hands::lead(const Cloth& cloth, const Collider& body, float seconds) {
+    led_.clear();
+    if (!grip_ || !grip_->held.vertex) return led_;
+    const VertexId v = grip_->held.vertex;
+    const Vec3f x = cloth.x[v.value].head<3>();
+    Vec3f way = (grip_->goal - x) * std::min(1.0F, kApproach * seconds);
+    const float most = kFastest * seconds;
+    if (way.norm() > most) way *= most / way.norm();
+    Vec3f to = outside(x + way * share_of_way(cloth, v, way), cloth.normals[v.value], body, ContactOptions{}.offset);
+    to.y() = std::max(to.y(), ContactOptions{}.floor + ContactOptions{}.offset);
+    // Where it would have to leap round a limb it stays.
+    if ((to - x).norm() > 2 * most) to = x;
+    led_.push_back({.vertex = v.value, .to = to});
+    return led_;
+}
+
+std::vector<Vec3f> Hands::pin_positions(const Cloth& cloth) const {
+    std::vector<Vec3f> positions;
+    for (const Held& pin : pins_) {
+        if (pin.vertex) positions.emplace_back(cloth.x[pin.vertex.value].head<3>());
+    }
+    return positions;
+}
+
+}  // namespace selvedge

@@ -1,0 +1,117 @@
+#include "tests/sim/dress/session_support.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+#include "sim/body/mannequin.h"
+#include "sim/core/quantile.h"
+#include "sim/dress/clearance.h"
+#include "sim/mesh/mesh_strain.h"
+#include "sim/pattern/outline.h"
+#include "sim/pattern/pattern_file.h"
+
+namespace selvedge::test {
+namespace {
+
+Vec3f middle_of(const PlainMesh& mesh, std::size_t t) {
+    return (mesh.x[mesh.triangles[t][0]] + mesh.x[mesh.triangles[t][1]] + mesh.x[mesh.triangles[t][2]]) / 3;
+}
+
+Vec2f middle_u(const PlainMesh& mesh, std::size_t t) {
+    return (mesh.u[t][0] + mesh.u[t][1] + mesh.u[t][2]) / 3;
+}
+
+}  // namespace
+
+std::shared_ptr<const Body> session_body() {
+    static const auto body = std::make_shared<const Body>(make_mannequin({.subdivisions = 1}).body);
+    return body;
+}
+
+Pattern session_pattern(const std::string& name) {
+    return load_pattern(std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / (name + ".json")).pattern;
+}
+
+SessionOptions coarse_options() {
+    SessionOptions options;
+    options.max_level = 1;
+    options.keeps_real_time = false;
+    return options;
+}
+
+void settle(Session& session) {
+    session.start();
+    session.advance(600);
+}
+
+void split_edge(Pattern& pattern, int panel, int edge) {
+    Panel& one = pattern.panels[static_cast<std::size_t>(panel)];
+    const auto at = static_cast<std::size_t>(edge);
+    const auto vertex = static_cast<int>(one.vertices.size());
+    one.vertices.push_back(outline_point(one, one.edges[at], 0.5));
+    const OutlineEdge second{.start = vertex, .end = one.edges[at].end};
+    one.edges[at] = {.start = one.edges[at].start, .end = vertex};
+    one.edges.insert(one.edges.begin() + edge + 1, second);
+    for (Seam& seam : pattern.seams) {
+        for (SeamSide* side : {&seam.first, &seam.second}) {
+            if (side->panel == panel && side->edge > edge) ++side->edge;
+        }
+    }
+}
+
+double stretch_p99(const PlainMesh& mesh) {
+    std::vector<double> threads;
+    for (const MeshStrain& strain : measure_strain(mesh)) {
+        threads.push_back(static_cast<double>(strain.warp));
+        threads.push_back(static_cast<double>(strain.weft));
+    }
+    return quantile(threads, 0.99);
+}
+
+float least_clearance(const PlainMesh& mesh) {
+    const std::vector<float> all = measure_clearance(mesh.x, *session_body());
+    return *std::ranges::min_element(all);
+}
+
+double mean_move(const SessionFrame& from, const SessionFrame& to) {
+    double sum = 0;
+    for (std::size_t t = 0; t < from.mesh.triangles.size(); ++t) {
+        float least = std::numeric_limits<float>::max();
+        std::size_t nearest = 0;
+        for (std::size_t i = 0; i < to.mesh.triangles.size(); ++i) {
+            if (to.mesh.panel[i] != from.mesh.panel[t]) continue;
+            const float distance = (middle_u(to.mesh, i) - middle_u(from.mesh, t)).squaredNorm();
+            if (distance >= least) continue;
+            least = distance;
+            nearest = i;
+        }
+        sum += static_cast<double>((middle_of(from.mesh, t) - middle_of(to.mesh, nearest)).norm());
+    }
+    return sum / static_cast<double>(from.mesh.triangles.size());
+}
+
+ClothPoint furthest_point(const SessionFrame& frame, int panel, const Vec3f& direction) {
+    ClothPoint best{.frame = frame.number};
+    float most = std::numeric_limits<float>::lowest();
+    for (std::size_t t = 0; t < frame.mesh.triangles.size(); ++t) {
+        if (frame.mesh.panel[t] != panel) continue;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const float far = frame.mesh.x[frame.mesh.triangles[t][k]].dot(direction);
+            if (far <= most) continue;
+            most = far;
+            best.triangle = static_cast<std::uint32_t>(t);
+            best.weights = Vec3f::Unit(static_cast<int>(k));
+        }
+    }
+    return best;
+}
+
+Vec3f position_of(const SessionFrame& frame, const ClothPoint& point) {
+    Vec3f x = Vec3f::Zero();
+    for (std::size_t k = 0; k < 3; ++k)
+        x += point.weights[static_cast<int>(k)] * frame.mesh.x[frame.mesh.triangles[point.triangle][k]];
+    return x;
+}
+
+}  // namespace selvedge::test
