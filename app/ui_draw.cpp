@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 
+#include "app/ui_draw_runs.h"
 #include "render/gl/gl.h"
 #include "render/shaders.h"
 #include "sim/core/assert.h"
@@ -65,7 +66,8 @@ struct UiDraw::Impl {
     explicit Impl(GlContext& made_elsewhere)
         : context(made_elsewhere),
           gl(made_elsewhere.gl()),
-          program(make_program(gl, {"ui.vert"}, {"ui.frag"})),
+          textured(make_program(gl, {"ui.vert"}, {"ui.frag"})),
+          plain(make_program(gl, {"ui.vert"}, {"ui_plain.frag"})),
           vertex_array(gl),
           vertices(gl),
           indices(gl) {
@@ -106,10 +108,12 @@ struct UiDraw::Impl {
         gl.Enable(GL_BLEND);
         gl.BlendEquation(GL_FUNC_ADD);
         gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);  // stays opaque
-        program.use();
-        program.set("picture", 0);
-        program.set("display_low", Vec2f(data.DisplayPos.x, data.DisplayPos.y));
-        program.set("display_size", Vec2f(data.DisplaySize.x, data.DisplaySize.y));
+        for (const Program* program : {&plain, &textured}) {
+            program->use();
+            program->set("display_low", Vec2f(data.DisplayPos.x, data.DisplayPos.y));
+            program->set("display_size", Vec2f(data.DisplaySize.x, data.DisplaySize.y));
+        }
+        textured.set("picture", 0);
         gl.ActiveTexture(GL_TEXTURE0);
         gl.BindVertexArray(vertex_array.id());
         gl.BindBuffer(GL_ARRAY_BUFFER, vertices.id());
@@ -120,26 +124,40 @@ struct UiDraw::Impl {
         stream(gl, GL_ELEMENT_ARRAY_BUFFER, list.IdxBuffer);
         for (const ImDrawCmd& command : list.CmdBuffer) {
             if (command.UserCallback != nullptr) continue;  // only ImDrawCallback_ResetRenderState, which asks nothing
-            draw_command(command, data, to);
+            draw_command(list, command, data, to);
         }
     }
 
-    void draw_command(const ImDrawCmd& command, const ImDrawData& data, const PictureTexture& to) const {
+    void draw_command(const ImDrawList& list, const ImDrawCmd& command, const ImDrawData& data,
+                      const PictureTexture& to) const {
         const PixelBox box = clip_box(command.ClipRect, data, to);
-        const unsigned texture =
-            texture_of(static_cast<UiTexture>(reinterpret_cast<std::uintptr_t>(command.GetTexID())));
+        const auto number = static_cast<UiTexture>(reinterpret_cast<std::uintptr_t>(command.GetTexID()));
+        const unsigned texture = texture_of(number);
         if (box.is_empty() || texture == 0) return;
         gl.Scissor(box.left, box.low, box.width, box.height);
         gl.BindTexture(GL_TEXTURE_2D, texture);
+        if (number != kFont) {
+            draw_run(command, {.first_index = 0, .count = command.ElemCount});
+            return;
+        }
+        const float px_per_unit = std::sqrt(data.FramebufferScale.x * data.FramebufferScale.y);
+        for (const UiRun& run : cut_into_runs(list, command, px_per_unit)) draw_run(command, run);
+    }
+
+    void draw_run(const ImDrawCmd& command, const UiRun& run) const {
+        (run.kind == RunKind::Textured ? textured : plain).use();
+        if (run.kind == RunKind::Opaque) gl.Disable(GL_BLEND);
         constexpr GLenum index_type = sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
-        gl.DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), index_type,
-                                  reinterpret_cast<const void*>(command.IdxOffset * sizeof(ImDrawIdx)),
-                                  static_cast<GLint>(command.VtxOffset));
+        gl.DrawElementsBaseVertex(
+            GL_TRIANGLES, static_cast<GLsizei>(run.count), index_type,
+            reinterpret_cast<const void*>((command.IdxOffset + run.first_index) * sizeof(ImDrawIdx)),
+            static_cast<GLint>(command.VtxOffset));
+        if (run.kind == RunKind::Opaque) gl.Enable(GL_BLEND);
     }
 
     GlContext& context;
     const GladGLContext& gl;
-    Program program;
+    Program textured, plain;
     VertexArray vertex_array;
     Buffer vertices, indices;
     std::map<UiTexture, Texture> owned;  // the font, pictures

@@ -12,3 +12,4 @@ find_package(CLI11 REQUIRED)                   # app
 find_package(GTest REQUIRED)                   # tests
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui>=1.86)  # editor, app/ui_draw
+pkg_check_modules(glfw REQUIRED IMPORTED_TARGET glfw3>=3.3)    # app/window

@@ -1,0 +1,154 @@
+#include "app/edit_loop.h"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "sim/core/assert.h"
+
+namespace selvedge {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kLeastPeriod = 0.016;  // s from one frame to the next: a little under a screen's, which sets the pace
+constexpr double kIdlePeriod = 0.25;    // s: a blinking caret's, and how late news from other threads may be seen
+constexpr int kFramesToSettle = 3;      // after an event: what was pressed in one frame shows in the next
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// Charges the time since the last lap to a part, once GL has done it. Does nothing without times.
+class FrameClock {
+ public:
+    FrameClock(const GlContext& context, FrameTimes* times) : context_(context), times_(times), last_(Clock::now()) {}
+
+    void lap(double FrameTimes::*part) {
+        if (times_ == nullptr) return;
+        context_.finish();
+        times_->*part += 1e3 * seconds_since(last_);
+        last_ = Clock::now();
+    }
+
+ private:
+    const GlContext& context_;
+    FrameTimes* times_;
+    Clock::time_point last_;
+};
+
+// What the window is to look like beside its picture; asked for again only when it changes.
+class WindowDress {
+ public:
+    void put_on(Window& window, const FrameOutput& output) {
+        if (output.window_title != title_) window.set_title(title_ = output.window_title);
+        if (output.cursor != cursor_) window.set_cursor(*(cursor_ = output.cursor));
+    }
+
+ private:
+    std::string title_;
+    std::optional<MouseCursor> cursor_;
+};
+
+// When the next frame is due, and with which events.
+class Pace {
+ public:
+    std::vector<InputEvent> events_of_next(Window& window, bool is_animating) {
+        const bool is_hidden = window.width_px() == 0;
+        const bool may_wait = is_hidden || (!is_animating && frames_to_settle_ == 0);
+        std::vector<InputEvent> events = may_wait ? window.wait(kIdlePeriod) : std::vector<InputEvent>{};
+        const double left = kLeastPeriod - seconds_since(started_);
+        if (left > 0) std::this_thread::sleep_for(std::chrono::duration<double>(left));
+        for (InputEvent& event : window.poll()) events.push_back(std::move(event));
+        frames_to_settle_ = events.empty() ? std::max(frames_to_settle_ - 1, 0) : kFramesToSettle;
+        return events;
+    }
+
+    // Seconds since the frame before.
+    double start_frame() {
+        const double seconds = started_ == Clock::time_point{} ? 1.0 / 60 : seconds_since(started_);
+        started_ = Clock::now();
+        return std::clamp(seconds, 1e-4, 1.0);
+    }
+
+ private:
+    Clock::time_point started_{};  // the last frame
+    int frames_to_settle_ = kFramesToSettle;
+};
+
+}  // namespace
+
+FramePainter::FramePainter(GlContext& context) : context_(context), ui_draw_(context), picture_(context.gl()) {}
+
+FrameOutput FramePainter::paint(EditSurface& surface, const FrameInput& input, FrameTimes* times) {
+    SELVEDGE_ASSERT(input.width_px >= 1 && input.height_px >= 1 && input.scale > 0 && input.seconds > 0);
+    context_.make_current();
+    FrameClock clock(context_, times);
+    FrameOutput output = surface.frame(input);
+    clock.lap(&FrameTimes::events_and_ui);
+    for (const PictureToHold& picture : output.pictures) ui_draw_.hold(picture);
+    for (const SceneToDraw& scene : output.scenes) draw_scene(scene);
+    clock.lap(&FrameTimes::scenes);
+    picture_.resize(input.width_px, input.height_px);
+    ui_draw_.draw(picture_);
+    clock.lap(&FrameTimes::ui_draw);
+    return output;
+}
+
+void FramePainter::draw_scene(const SceneToDraw& scene) {
+    if (scene.width_px < 1 || scene.height_px < 1 || !scene.scene) return;  // a view folded away
+    const auto [found, is_new] = scenes_.try_emplace(scene.texture, context_);
+    SceneTexture& drawn = found->second;
+    drawn.picture.resize(scene.width_px, scene.height_px);
+    const SceneView view{.scene = scene.scene, .camera = scene.camera, .light = scene.light};
+    if (scene.is_draft) {
+        drawn.draft.draw(view, drawn.picture);
+    } else {
+        if (!renderer_) renderer_.emplace(context_);
+        renderer_->draw(view, drawn.picture);
+    }
+    if (is_new) ui_draw_.lend(scene.texture, drawn.picture.texture());
+}
+
+void run_edit_loop(EditSurface& surface, Window& window, const EditLoopOptions& options) {
+    std::optional<FrameTimesFile> file;
+    if (!options.frame_times.empty()) file.emplace(options.frame_times);
+    FramePainter painter(window.context());
+    WindowDress dress;
+    Pace pace;
+    FrameOutput output;
+    for (long frame = 0; !output.wants_to_close && frame != options.frames; ++frame) {
+        FrameInput input{.events = pace.events_of_next(window, output.is_animating),
+                         .width_px = std::max(window.width_px(), 1),
+                         .height_px = std::max(window.height_px(), 1),
+                         .scale = window.scale(),
+                         .seconds = pace.start_frame()};
+        FrameTimes times;
+        FrameTimes* wanted = file ? &times : nullptr;
+        output = painter.paint(surface, input, wanted);
+        FrameClock clock(window.context(), wanted);
+        dress.put_on(window, output);
+        window.show(painter.picture());
+        clock.lap(&FrameTimes::swap);
+        if (file) file->add(times);
+    }
+}
+
+OffscreenEditLoop::OffscreenEditLoop(const OffscreenOptions& options)
+    : options_(options), context_(make_context(options.maker)), painter_(*context_) {}
+
+FrameOutput OffscreenEditLoop::step(EditSurface& surface, const std::vector<InputEvent>& events, FrameTimes* times) {
+    return painter_.paint(surface,
+                          {.events = events,
+                           .width_px = options_.width_px,
+                           .height_px = options_.height_px,
+                           .scale = options_.scale,
+                           .seconds = options_.seconds},
+                          times);
+}
+
+Image OffscreenEditLoop::screenshot() const {
+    return painter_.picture().read();
+}
+
+}  // namespace selvedge

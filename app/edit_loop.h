@@ -1,0 +1,99 @@
+#pragma once
+// Shows whatever makes frames as the editor does: in a window, or without one, for scripts and tests. Both paint in the
+// same way, so that a screenshot is what the window shows.
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/frame_times.h"
+#include "app/ui_draw.h"
+#include "app/window.h"
+#include "editor/ui/frame_output.h"
+#include "editor/ui/input.h"
+#include "render/draft_renderer.h"
+#include "render/renderer.h"
+
+namespace selvedge {
+
+struct FrameInput {
+    std::vector<InputEvent> events;
+    int width_px = 0;
+    int height_px = 0;
+    float scale = 1;     // of the interface
+    double seconds = 0;  // since the frame before; above 0
+};
+
+class EditSurface {
+ public:
+    virtual ~EditSurface() = default;
+    EditSurface(const EditSurface&) = delete;
+    EditSurface& operator=(const EditSurface&) = delete;
+
+    // One frame; ends with ImGui::Render in an ImGui context that stays the present one.
+    virtual FrameOutput frame(const FrameInput& input) = 0;
+
+ protected:
+    EditSurface() = default;
+};
+
+// Draws what a frame asks for. Its context must outlive it.
+class FramePainter {
+ public:
+    explicit FramePainter(GlContext& context);
+
+    // With times given, its parts wait for GL, and are added up there.
+    FrameOutput paint(EditSurface& surface, const FrameInput& input, FrameTimes* times = nullptr);
+
+    const PictureTexture& picture() const { return picture_; }
+
+ private:
+    // A scene's texture, with what is kept to draw it quickly.
+    struct SceneTexture {
+        explicit SceneTexture(GlContext& context) : picture(context.gl()), draft(context) {}
+        PictureTexture picture;
+        DraftRenderer draft;
+    };
+    void draw_scene(const SceneToDraw& scene);
+
+    GlContext& context_;
+    UiDraw ui_draw_;
+    PictureTexture picture_;
+    std::map<UiTexture, SceneTexture> scenes_;
+    std::optional<Renderer> renderer_;  // for what is no draft; made when it is first asked for
+};
+
+struct EditLoopOptions {
+    std::string frame_times;       // a CSV file; empty: none
+    std::optional<long> frames{};  // ends after so many; else when the surface wants to close
+};
+
+// At most some sixty frames a second; none while nothing happens and the surface is not animating.
+// Throws InputError when the frame times cannot be written.
+void run_edit_loop(EditSurface& surface, Window& window, const EditLoopOptions& options = {});
+
+struct OffscreenOptions {
+    int width_px = 1280;
+    int height_px = 800;
+    float scale = 1;
+    double seconds = 1.0 / 60;  // from one frame to the next
+    std::optional<ContextMaker> maker{};
+};
+
+// A window's place without a window. Time passes by frames alone, so the same events make the same pictures.
+class OffscreenEditLoop {
+ public:
+    explicit OffscreenEditLoop(const OffscreenOptions& options = {});
+
+    FrameOutput step(EditSurface& surface, const std::vector<InputEvent>& events = {}, FrameTimes* times = nullptr);
+
+    Image screenshot() const;  // of the last step. Pre: there was one
+
+ private:
+    OffscreenOptions options_;
+    std::unique_ptr<GlContext> context_;
+    FramePainter painter_;
+};
+
+}  // namespace selvedge

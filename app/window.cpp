@@ -1,0 +1,268 @@
+#include "app/window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/window_keys.h"
+#include "render/gl/gl.h"
+#include "sim/core/assert.h"
+#include "sim/core/error.h"
+
+namespace selvedge {
+namespace {
+
+[[noreturn]] void fail() {
+    const char* reason = nullptr;
+    glfwGetError(&reason);
+    throw InputError("", "window",
+                     std::string("cannot be opened: ") + (reason == nullptr ? "no reason given" : reason));
+}
+
+class Library {
+ public:
+    Library() {
+        if (!glfwInit()) fail();
+    }
+    ~Library() { glfwTerminate(); }
+    Library(const Library&) = delete;
+    Library& operator=(const Library&) = delete;
+};
+
+// The window's, and with it the window: closing it releases the context before any other is made.
+class WindowContext final : public GlContext {
+ public:
+    explicit WindowContext(const WindowOptions& options) {
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+        glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+        glfwWindowHint(GLFW_DEPTH_BITS, 0);
+        glfwWindowHint(GLFW_STENCIL_BITS, 0);
+        glfwWindowHint(GLFW_ALPHA_BITS, 0);
+        glfwWindowHint(GLFW_MAXIMIZED, options.is_maximised ? GLFW_TRUE : GLFW_FALSE);
+        glfwWindowHintString(GLFW_X11_CLASS_NAME, "selvedge");
+        window_ = glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
+        if (window_ == nullptr) fail();
+        try {
+            make_current();
+            load_functions(glfwGetProcAddress);
+        } catch (const std::runtime_error& error) {
+            destroy();
+            throw InputError("", "window", std::string("cannot be opened: ") + error.what());
+        }
+        glfwSwapInterval(1);
+    }
+    ~WindowContext() override { destroy(); }
+
+    void make_current() override { glfwMakeContextCurrent(window_); }
+    ContextMaker maker() const override { return ContextMaker::Window; }
+    GLFWwindow* window() const { return window_; }
+
+ private:
+    void destroy() {
+        glfwMakeContextCurrent(nullptr);
+        glfwDestroyWindow(window_);
+    }
+
+    GLFWwindow* window_ = nullptr;
+};
+
+// Of GLFW's that the editor has a use for; Hidden has none.
+constexpr std::array<int, 6> kCursorShapes{GLFW_ARROW_CURSOR,     GLFW_IBEAM_CURSOR,   GLFW_HAND_CURSOR,
+                                           GLFW_CROSSHAIR_CURSOR, GLFW_HRESIZE_CURSOR, GLFW_VRESIZE_CURSOR};
+
+class Cursors {
+ public:
+    Cursors() {
+        std::transform(kCursorShapes.begin(), kCursorShapes.end(), cursors_.begin(), glfwCreateStandardCursor);
+    }
+    ~Cursors() {
+        for (GLFWcursor* cursor : cursors_) glfwDestroyCursor(cursor);
+    }
+    Cursors(const Cursors&) = delete;
+    Cursors& operator=(const Cursors&) = delete;
+
+    // Where the screen's theme lacks the shape, its own.
+    GLFWcursor* of(MouseCursor cursor) const { return cursors_[static_cast<std::size_t>(cursor)]; }
+
+ private:
+    std::array<GLFWcursor*, kCursorShapes.size()> cursors_{};
+};
+
+// Events since they were last taken.
+class EventQueue {
+ public:
+    explicit EventQueue(GLFWwindow* window) : window_(window) {
+        glfwSetWindowUserPointer(window, this);
+        listen_to_mouse();
+        listen_to_keys();
+        glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+            InputEvent event = of(w).event_at_cursor(InputEvent::Kind::DropFiles);
+            event.files.assign(paths, paths + count);
+            of(w).events_.push_back(event);
+        });
+        glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int is_focused) {
+            InputEvent event = of(w).event_at_cursor(InputEvent::Kind::Focus);
+            event.is_down = is_focused != 0;
+            of(w).events_.push_back(event);
+        });
+        glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
+            glfwSetWindowShouldClose(w, GLFW_FALSE);  // the editor decides
+            of(w).events_.push_back(of(w).event_at_cursor(InputEvent::Kind::CloseRequest));
+        });
+    }
+    EventQueue(const EventQueue&) = delete;
+    EventQueue& operator=(const EventQueue&) = delete;
+
+    std::vector<InputEvent> take() { return std::exchange(events_, {}); }
+
+ private:
+    static EventQueue& of(GLFWwindow* window) { return *static_cast<EventQueue*>(glfwGetWindowUserPointer(window)); }
+
+    void listen_to_mouse() {
+        glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) {
+            of(w).events_.push_back(of(w).event_at_cursor(InputEvent::Kind::MouseMove));
+        });
+        glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int) {
+            if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
+            InputEvent event = of(w).event_at_cursor(InputEvent::Kind::MouseButton);
+            event.button = static_cast<MouseButton>(button);
+            event.is_down = action == GLFW_PRESS;
+            of(w).events_.push_back(event);
+        });
+        glfwSetScrollCallback(window_, [](GLFWwindow* w, double x, double y) {
+            InputEvent event = of(w).event_at_cursor(InputEvent::Kind::Wheel);
+            event.x = static_cast<float>(x);
+            event.y = static_cast<float>(y);
+            of(w).events_.push_back(event);
+        });
+    }
+
+    void listen_to_keys() {
+        glfwSetKeyCallback(window_, [](GLFWwindow* w, int code, int scancode, int action, int) {
+            const char* printed = code >= 32 && code <= 96 ? glfwGetKeyName(code, scancode) : nullptr;
+            InputEvent event = of(w).event_at_cursor(InputEvent::Kind::Key);
+            event.key = key_of_code(code, printed == nullptr ? "" : printed);
+            event.is_down = action != GLFW_RELEASE;
+            of(w).events_.push_back(event);  // without a key: the modifiers have changed
+        });
+        glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned code_point) {
+            InputEvent event = of(w).event_at_cursor(InputEvent::Kind::Text);
+            event.text = utf8_of(code_point);
+            of(w).events_.push_back(event);
+        });
+    }
+
+    InputEvent event_at_cursor(InputEvent::Kind kind) const {
+        InputEvent event{.kind = kind, .modifiers = modifiers()};
+        double x = 0, y = 0;
+        int width = 0, height = 0, width_px = 0, height_px = 0;
+        glfwGetCursorPos(window_, &x, &y);
+        glfwGetWindowSize(window_, &width, &height);
+        glfwGetFramebufferSize(window_, &width_px, &height_px);
+        event.x = static_cast<float>(x * width_px / std::max(width, 1));
+        event.y = static_cast<float>(y * height_px / std::max(height, 1));
+        return event;
+    }
+
+    Modifiers modifiers() const {
+        const auto is_held = [&](int left, int right) {
+            return glfwGetKey(window_, left) == GLFW_PRESS || glfwGetKey(window_, right) == GLFW_PRESS;
+        };
+        return {.ctrl = is_held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL),
+                .shift = is_held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
+                .alt = is_held(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)};
+    }
+
+    GLFWwindow* window_;
+    std::vector<InputEvent> events_;
+};
+
+}  // namespace
+
+struct Window::Impl {
+    explicit Impl(const WindowOptions& options)
+        : context(options), window(context.window()), events(window), wished_scale(options.scale) {}
+
+    Library library;
+    WindowContext context;
+    Cursors cursors;
+    GLFWwindow* window;
+    EventQueue events;
+    std::optional<float> wished_scale;
+};
+
+Window::Window(const WindowOptions& options) : impl_(std::make_unique<Impl>(options)) {}
+Window::~Window() = default;
+
+GlContext& Window::context() {
+    return impl_->context;
+}
+
+int Window::width_px() const {
+    int width = 0;
+    glfwGetFramebufferSize(impl_->window, &width, nullptr);
+    return width;
+}
+
+int Window::height_px() const {
+    int height = 0;
+    glfwGetFramebufferSize(impl_->window, nullptr, &height);
+    return height;
+}
+
+float Window::scale() const {
+    if (impl_->wished_scale) return *impl_->wished_scale;
+    float x = 1, y = 1;
+    glfwGetWindowContentScale(impl_->window, &x, &y);
+    return std::max({x, y, 0.5F});
+}
+
+std::vector<InputEvent> Window::poll() {
+    glfwPollEvents();
+    return impl_->events.take();
+}
+
+std::vector<InputEvent> Window::wait(double seconds) {
+    glfwWaitEventsTimeout(seconds);
+    return impl_->events.take();
+}
+
+void Window::wake() {
+    glfwPostEmptyEvent();
+}
+
+void Window::show(const PictureTexture& picture) {
+    const GladGLContext& gl = impl_->context.gl();
+    impl_->context.make_current();
+    const int width = std::min(picture.width_px(), width_px()), height = std::min(picture.height_px(), height_px());
+    const int from = picture.height_px() - height, to = height_px() - height;  // GL counts from the lower left
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, picture.framebuffer());
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    gl.BlitFramebuffer(0, from, width, from + height, 0, to, width, to + height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glfwSwapBuffers(impl_->window);
+}
+
+void Window::set_title(const std::string& title) {
+    glfwSetWindowTitle(impl_->window, title.c_str());
+}
+
+void Window::set_cursor(MouseCursor cursor) {
+    const bool is_hidden = cursor == MouseCursor::Hidden;
+    glfwSetInputMode(impl_->window, GLFW_CURSOR, is_hidden ? GLFW_CURSOR_HIDDEN : GLFW_CURSOR_NORMAL);
+    if (!is_hidden) glfwSetCursor(impl_->window, impl_->cursors.of(cursor));
+}
+
+std::string Window::clipboard() const {
+    const char* text = glfwGetClipboardString(impl_->window);
+    return text == nullptr ? std::string{} : std::string(text);
+}
+
+void Window::set_clipboard(const std::string& text) {
+    glfwSetClipboardString(impl_->window, text.c_str());
+}
+
+}  // namespace selvedge

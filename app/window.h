@@ -1,0 +1,59 @@
+#pragma once
+// A window with a context of its own (GLFW, X11 or Wayland): what a person does in it comes as events, pictures of ours
+// are laid into it. One lives at a time, on the program's first thread; no other context may be current when it is
+// made.
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "editor/ui/frame_output.h"
+#include "editor/ui/input.h"
+#include "render/gl/context.h"
+#include "render/gl/picture_texture.h"
+
+namespace selvedge {
+
+struct WindowOptions {
+    std::string title = "Selvedge";
+    int width = 1280;  // in the screen's units
+    int height = 800;
+    bool is_maximised = false;
+    std::optional<float> scale{};  // of the interface; else the screen's
+};
+
+class Window {
+ public:
+    // Throws InputError when there is no display, or none with OpenGL 3.3.
+    explicit Window(const WindowOptions& options = {});
+    ~Window();
+
+    GlContext& context();
+
+    // Of the framebuffer, px; 0 while the window is hidden.
+    int width_px() const;
+    int height_px() const;
+    float scale() const;  // of the interface: pixels per point, 1 on an ordinary screen
+
+    // What was done since the last call, without waiting for more, or waiting until something is done or `seconds` are
+    // over. Positions are px of the framebuffer.
+    std::vector<InputEvent> poll();
+    std::vector<InputEvent> wait(double seconds);
+
+    // Ends a wait. From any thread.
+    void wake();
+
+    // Lays the picture into the window, upper left on upper left, and shows it; waits for the screen where it can.
+    void show(const PictureTexture& picture);
+
+    void set_title(const std::string& title);
+    void set_cursor(MouseCursor cursor);
+    std::string clipboard() const;  // empty where it holds no text
+    void set_clipboard(const std::string& text);
+
+ private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace selvedge

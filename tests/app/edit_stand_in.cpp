@@ -1,0 +1,113 @@
+#include "tests/app/edit_stand_in.h"
+
+#include <imgui.h>
+
+namespace selvedge {
+namespace {
+
+constexpr UiTexture kSceneTexture = 7;
+constexpr int kSceneSide = 640;  // px at scale 1
+
+}  // namespace
+
+EditStandIn::EditStandIn(Scene scene, float turn, const std::string& font, bool is_draft)
+    : context_(ImGui::CreateContext()),
+      scene_(std::make_shared<const Scene>(std::move(scene))),
+      camera_(scene_->camera),
+      turn_(turn),
+      is_draft_(is_draft) {
+    ImGui::SetCurrentContext(context_);
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.ConfigInputTextCursorBlink = false;
+    io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+    if (font.empty()) {
+        io.Fonts->AddFontDefault();
+    } else {
+        io.Fonts->AddFontFromFileTTF(font.c_str(), 15);
+    }
+    io.Fonts->Build();
+    io.KeyMap[ImGuiKey_Backspace] = static_cast<int>(Key::Backspace);
+    io.KeyMap[ImGuiKey_Enter] = static_cast<int>(Key::Enter);
+}
+
+EditStandIn::~EditStandIn() {
+    ImGui::DestroyContext(context_);
+}
+
+void EditStandIn::take(const InputEvent& event) {
+    ImGuiIO& io = ImGui::GetIO();
+    switch (event.kind) {
+        case InputEvent::Kind::MouseMove:
+            io.MousePos = {event.x, event.y};
+            break;
+        case InputEvent::Kind::MouseButton:
+            io.MousePos = {event.x, event.y};
+            io.MouseDown[static_cast<int>(event.button)] = event.is_down;
+            break;
+        case InputEvent::Kind::Wheel:
+            io.MouseWheel += event.y;
+            break;
+        case InputEvent::Kind::Key:
+            io.KeysDown[static_cast<int>(event.key)] = event.is_down;
+            if (event.key == Key::Escape) was_asked_to_close_ = true;
+            break;
+        case InputEvent::Kind::Text:
+            io.AddInputCharactersUTF8(event.text.c_str());
+            break;
+        case InputEvent::Kind::CloseRequest:
+            was_asked_to_close_ = true;
+            break;
+        case InputEvent::Kind::DropFiles:
+        case InputEvent::Kind::Focus:
+            break;
+    }
+}
+
+SceneToDraw EditStandIn::scene_to_draw() {
+    camera_ = turned(camera_, turn_, Vec3f::Zero());
+    return {.texture = kSceneTexture,
+            .scene = scene_,
+            .camera = camera_,
+            .light = scene_->light,
+            .width_px = kSceneSide,
+            .height_px = kSceneSide,
+            .is_draft = is_draft_};
+}
+
+void EditStandIn::fill() {
+    ImGui::SetNextWindowPos({620, 20}, ImGuiCond_Always);
+    ImGui::SetNextWindowSize({kSceneSide + 16, kSceneSide + 40}, ImGuiCond_Always);
+    ImGui::Begin("Scene");
+    ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(kSceneTexture)), {kSceneSide, kSceneSide});
+    ImGui::End();
+    ImGui::ShowDemoWindow();
+    ImGui::SetWindowPos("Dear ImGui Demo", {20, 20});  // after it, for it has a place of its own in mind
+    ImGui::SetWindowSize("Dear ImGui Demo", {560, 620});
+    ImGui::SetNextWindowPos({20, 660}, ImGuiCond_Always);
+    ImGui::SetNextWindowSize({560, 90}, ImGuiCond_Always);
+    ImGui::Begin("Tried");
+    if (ImGui::Button("Press", {100, 40})) ++presses_;
+    ImGui::SameLine();
+    ImGui::InputText("box", typed_.data(), typed_.size());
+    ImGui::End();
+}
+
+FrameOutput EditStandIn::frame(const FrameInput& input) {
+    ImGuiIO& io = ImGui::GetIO();
+    for (const InputEvent& event : input.events) take(event);
+    io.DisplaySize = {float(input.width_px), float(input.height_px)};
+    io.DeltaTime = static_cast<float>(input.seconds);
+    ImGui::NewFrame();
+    fill();
+    ImGui::Render();
+    FrameOutput output;
+    output.window_title = "Stand-in, pressed " + std::to_string(presses_);
+    output.wants_to_close = was_asked_to_close_;
+    output.is_animating = turn_ != 0;
+    if (turn_ != 0 || frames_ == 0) output.scenes.push_back(scene_to_draw());
+    ++frames_;
+    return output;
+}
+
+}  // namespace selvedge

@@ -1,0 +1,40 @@
+#pragma once
+// Stands in for the editor where only its host is tried: ImGui's demo window beside a scene, a button that counts what
+// it is pressed, a box that holds what is typed.
+#include "app/edit_loop.h"
+
+struct ImGuiContext;
+
+namespace selvedge {
+
+class EditStandIn : public EditSurface {
+ public:
+    // The scene's camera turns by `turn` (rad) each frame.
+    explicit EditStandIn(Scene scene, float turn = 0, const std::string& font = {}, bool is_draft = true);
+    ~EditStandIn() override;
+
+    FrameOutput frame(const FrameInput& input) override;
+
+    int presses() const { return presses_; }
+    std::string typed() const { return typed_.data(); }
+    bool was_asked_to_close() const { return was_asked_to_close_; }
+
+    static constexpr float kButtonX = 60, kButtonY = 700, kBoxX = 300;  // in them, px at scale 1
+
+ private:
+    void take(const InputEvent& event);
+    void fill();
+    SceneToDraw scene_to_draw();
+
+    ImGuiContext* context_;
+    std::shared_ptr<const Scene> scene_;
+    Camera camera_;
+    float turn_;
+    bool is_draft_;
+    int frames_ = 0;
+    int presses_ = 0;
+    std::array<char, 64> typed_{};
+    bool was_asked_to_close_ = false;
+};
+
+}  // namespace selvedge

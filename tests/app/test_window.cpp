@@ -1,0 +1,71 @@
+// The stand-in in a real window on a display of its own, with a mouse and keys that X11 brings.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/app/run_program.h"
+
+namespace selvedge {
+namespace {
+
+bool has_program(const std::string& name) {
+    return run_command("command -v " + name).exit_code == 0;
+}
+
+// Short presses are missed: 80 ms. A display may need a while until the window has the keys.
+constexpr const char* kHands = R"(
+program=$1; shift
+press() { xdotool mousemove "$1" "$2"; sleep 0.1; xdotool mousedown 1; sleep 0.08; xdotool mouseup 1; sleep 0.1; }
+key() { xdotool keydown "$1"; sleep 0.08; xdotool keyup "$1"; sleep 0.05; }
+"$program" "$@" & pid=$!
+if [ $# = 0 ]; then
+    for i in $(seq 100); do xdotool search --name Stand-in >/dev/null 2>&1 && break; sleep 0.1; done
+    sleep 1
+    press 60 700
+    press 300 695
+    for letter in w a r p; do key $letter; done
+    import -window root shot.png
+    key Escape
+fi
+wait $pid
+)";
+
+class WindowTest : public testing::Test {
+ protected:
+    void SetUp() override {
+        for (const char* program : {"xvfb-run", "xdotool", "import"}) {
+            if (!has_program(program)) GTEST_SKIP() << program << " is absent";
+        }
+        std::ofstream(scratch_ / "hands.sh") << kHands;
+    }
+
+    ProgramResult run(const std::string& arguments) {
+        return run_command("cd '" + scratch_.path().string() +
+                           "' && timeout 60 xvfb-run -a -s '-screen 0 1280x800x24'" +
+                           " bash hands.sh " SELVEDGE_STAND_IN " " + arguments);
+    }
+
+    ScratchFolder scratch_;
+};
+
+TEST_F(WindowTest, brings_clicks_keys_text_and_the_clipboard) {
+    const ProgramResult result = run("");
+    EXPECT_EQ(result.out, "pressed 1 typed 'warp' clipboard 'woven' scale 1\n");
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_TRUE(std::filesystem::exists(scratch_ / "shot.png"));
+}
+
+TEST_F(WindowTest, writes_the_times_of_its_frames) {
+    const ProgramResult result = run("times.csv");
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(count_lines(content_of(scratch_ / "times.csv")), 241);
+}
+
+TEST(WindowWithoutDisplay, is_an_input_error_in_words) {
+    const ProgramResult result = run_command("env -u DISPLAY -u WAYLAND_DISPLAY " SELVEDGE_STAND_IN);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.err.rfind("window: cannot be opened: ", 0), 0U) << result.err;
+}
+
+}  // namespace
+}  // namespace selvedge
