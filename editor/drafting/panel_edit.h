@@ -11,6 +11,9 @@ namespace selvedge {
 // A name that no panel has: `wanted`, else with the lowest number that is free.
 std::string free_panel_name(const Pattern& pattern, const std::string& wanted);
 
+// Gives it a name that no panel has; those that mirror it follow. In a document's file: rename_panel_in_file.
+void rename_panel(Pattern& pattern, int panel, const std::string& name);
+
 // Panels of one counter-clockwise outline. Points in any direction of turning; they are put counter-clockwise.
 Panel make_polygon(std::vector<Vec2d> points);
 Panel make_rectangle(const Vec2d& low, const Vec2d& high);

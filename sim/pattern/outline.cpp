@@ -12,13 +12,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-struct ArcCircle {
-    Vec2d centre = Vec2d::Zero();
-    double radius = 0;
-    double from = 0;   // rad, angle of the start point
-    double sweep = 0;  // rad, signed: positive turns left
-};
-
 // The radius grows to half the chord where it is too small to span it, as in SVG; the loader reports such arcs.
 ArcCircle circle_of(const Vec2d& start, const Vec2d& end, const OutlineEdge& edge) {
     const Vec2d chord = end - start;
@@ -135,6 +128,26 @@ Vec2d outline_point(const Panel& panel, const OutlineEdge& edge, double t) {
     if (edge.kind == CurveKind::Arc) return arc_point(circle_of(start, end, edge), t);
     const Cubic cubic = as_cubic(start, end, edge);
     return cubic_point(cubic, parameter_at(cubic, t));
+}
+
+double curve_parameter(const Panel& panel, const OutlineEdge& edge, double t) {
+    if (t <= 0 || t >= 1 || edge.kind == CurveKind::Line || edge.kind == CurveKind::Arc) return std::clamp(t, 0.0, 1.0);
+    const auto [start, end] = ends_of(panel, edge);
+    return parameter_at(as_cubic(start, end, edge), t);
+}
+
+double curve_fraction(const Panel& panel, const OutlineEdge& edge, double s) {
+    if (s <= 0 || s >= 1 || edge.kind == CurveKind::Line || edge.kind == CurveKind::Arc) return std::clamp(s, 0.0, 1.0);
+    const auto [start, end] = ends_of(panel, edge);
+    const Cubic cubic = as_cubic(start, end, edge);
+    const double before = cubic_length(cubic, 0, s);
+    const double after = cubic_length(cubic, s, 1);
+    return before + after > 0 ? before / (before + after) : s;
+}
+
+ArcCircle arc_circle(const Panel& panel, const OutlineEdge& edge) {
+    const auto [start, end] = ends_of(panel, edge);
+    return circle_of(start, end, edge);
 }
 
 double outline_length(const Panel& panel, const OutlineEdge& edge) {

@@ -17,6 +17,19 @@ double outline_length(const Panel& panel, const OutlineEdge& edge);
 // The point at the curve's own parameter s in [0, 1]: as outline_point, but not spaced by length.
 Vec2d curve_point(const Panel& panel, const OutlineEdge& edge, double s);
 
+// The curve's own parameter at the fraction t of the edge's length, and the other way round. Lines and arcs: the same.
+double curve_parameter(const Panel& panel, const OutlineEdge& edge, double t);
+double curve_fraction(const Panel& panel, const OutlineEdge& edge, double s);
+
+// The circle that an edge of kind Arc runs along.
+struct ArcCircle {
+    Vec2d centre = Vec2d::Zero();
+    double radius = 0;
+    double from = 0;   // rad, angle of the start point
+    double sweep = 0;  // rad, signed: positive turns left
+};
+ArcCircle arc_circle(const Panel& panel, const OutlineEdge& edge);
+
 // A polyline along the edge, both ends included, that keeps within chord_error (m) of it; a line gives two points.
 std::vector<Vec2d> outline_polyline(const Panel& panel, const OutlineEdge& edge, double chord_error);
 
