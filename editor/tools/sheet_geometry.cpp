@@ -98,14 +98,12 @@ void SheetGeometry::update(const Pattern& pattern, std::uint64_t revision) {
                    old.panel.edges == panel.edges;
         });
         if (same != kept.end()) {
-            const bool is_unchanged = same->panel == panel;
             panels_.push_back(std::move(*same));
             kept.erase(same);
-            if (!is_unchanged) panels_.back().panel = panel;
-            if (!is_unchanged) panels_.back().version = next_version_++;
+            panels_.back().panel = panel;
         } else {
             panels_.push_back(shape_of(panel));
-            panels_.back().version = next_version_++;
+            panels_.back().outline_version = next_outline_version_++;
         }
         panels_.back().origin = origins[i];
     }

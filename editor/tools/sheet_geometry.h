@@ -38,7 +38,7 @@ struct PanelShape {
     std::vector<EdgeShape> edges;  // one per edge of the panel
     std::vector<Vec2d> outline;    // all of them as one closed polyline, each point once
     SheetBox box;                  // of the outline
-    std::uint64_t version = 0;     // another number: another panel value
+    std::uint64_t outline_version = 0;  // another number: another outline
 
     Vec2d on_sheet(const Vec2d& u) const { return u + origin; }
     Vec2d in_panel(const Vec2d& sheet) const { return sheet - origin; }
@@ -66,7 +66,7 @@ class SheetGeometry {
     std::vector<PanelShape> panels_;
     std::vector<Seam> seams_;
     std::optional<std::uint64_t> revision_;
-    std::uint64_t next_version_ = 1;
+    std::uint64_t next_outline_version_ = 1;
 };
 
 // m of a point on the sheet where a notch, or the fraction t of an edge, lies. Pre: the indices are in range.

@@ -1,0 +1,75 @@
+#include "editor/sheet/sett_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "sim/core/vec.h"
+
+namespace selvedge {
+namespace {
+
+double to_linear(std::uint8_t value) {
+    const double v = value / 255.0;
+    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+}
+
+std::uint8_t to_srgb(double linear) {
+    const double v = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+    return static_cast<std::uint8_t>(std::lround(std::clamp(v, 0.0, 1.0) * 255));
+}
+
+// The mean colour of the threads that each of `count` equal parts of the repeat covers, linear.
+std::vector<Vec3d> sampled(const std::vector<Rgb8>& threads, int count) {
+    std::vector<Vec3d> sums(threads.size() + 1, Vec3d::Zero());
+    for (std::size_t i = 0; i < threads.size(); ++i) {
+        sums[i + 1] = sums[i] + Vec3d(to_linear(threads[i][0]), to_linear(threads[i][1]), to_linear(threads[i][2]));
+    }
+    const auto sum_to = [&](double at) {
+        const auto whole = std::min(static_cast<std::size_t>(at), threads.size() - 1);
+        return Vec3d(sums[whole] + (at - double(whole)) * (sums[whole + 1] - sums[whole]));
+    };
+    std::vector<Vec3d> parts;
+    const double width = double(threads.size()) / count;
+    for (int i = 0; i < count; ++i) parts.push_back((sum_to((i + 1) * width) - sum_to(i * width)) / width);
+    return parts;
+}
+
+bool is_warp_seen(Weave weave, int end, int pick) {
+    const int period = weave == Weave::Plain ? 2 : 4;
+    const int over = weave == Weave::Plain ? 1 : weave == Weave::Twill22 ? 2 : 3;
+    return ((end - pick) % period + period) % period < over;
+}
+
+}  // namespace
+
+int sett_picture_side(double repeat_px) {
+    int side = 32;
+    while (side < 1024 && side < repeat_px) side *= 2;
+    return side;
+}
+
+Image sett_picture(const Sett& sett, int side_px) {
+    const int ends = thread_count(sett), picks = weft_thread_count(sett);
+    const double proportion = double(picks) / ends;
+    const int height = std::clamp(static_cast<int>(std::lround(side_px * proportion)), 1, 2048);
+    const std::vector<Vec3d> warp = sampled(thread_colours(sett), side_px);
+    const std::vector<Vec3d> weft = sampled(weft_thread_colours(sett), height);
+    // Threads fade in from one px to two.
+    const double shows_threads = std::clamp(double(side_px) / ends - 1, 0.0, 1.0);
+    const double share = sett.weave == Weave::Twill31 ? 0.75 : 0.5;
+    Image picture(side_px, height);
+    for (int y = 0; y < height; ++y) {
+        const int pick = static_cast<int>(double(y) * picks / height);
+        for (int x = 0; x < side_px; ++x) {
+            const int end = static_cast<int>(double(x) * ends / side_px);
+            const double seen = is_warp_seen(sett.weave, end, pick) ? 1 : 0;
+            const double part = share + 0.5 * shows_threads * (seen - share);
+            const Vec3d colour = part * warp[std::size_t(x)] + (1 - part) * weft[std::size_t(y)];
+            picture.at(x, y) = {to_srgb(colour[0]), to_srgb(colour[1]), to_srgb(colour[2]), 255};
+        }
+    }
+    return picture;
+}
+
+}  // namespace selvedge

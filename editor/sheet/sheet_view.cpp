@@ -1,0 +1,248 @@
+#include "editor/sheet/sheet_view.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "editor/sheet/overlay_paint.h"
+#include "editor/sheet/panel_paint.h"
+#include "editor/sheet/seam_paint.h"
+#include "editor/sheet/sett_picture.h"
+#include "editor/sheet/sheet_grid.h"
+#include "editor/tools/selected_parts.h"
+#include "sim/core/error.h"
+#include "sim/tartan/tartan_file.h"
+
+namespace selvedge {
+namespace {
+
+Modifiers modifiers_now() {
+    const ImGuiIO& io = ImGui::GetIO();
+    return {.ctrl = io.KeyCtrl, .shift = io.KeyShift, .alt = io.KeyAlt};
+}
+
+bool is_repeating(Key key) {
+    return key == Key::Backspace || (key >= Key::Right && key <= Key::Up);
+}
+
+// Keys that were pressed since the last frame and may mean something here.
+std::vector<Key> pressed_keys() {
+    std::vector<Key> keys;
+    const auto look_at = [&](Key key) {
+        if (ImGui::IsKeyPressed(static_cast<int>(key), is_repeating(key))) keys.push_back(key);
+    };
+    for (char letter = 'A'; letter <= 'Z'; ++letter) look_at(key_of(letter));
+    for (const Key key : {Key::Escape, Key::Enter, Key::KeypadEnter, Key::Backspace, Key::Delete, Key::Left, Key::Right,
+                          Key::Up, Key::Down}) {
+        look_at(key);
+    }
+    return keys;
+}
+
+// What was written since the last frame, as far as it is ASCII: numbers are.
+std::string written() {
+    std::string text;
+    for (const ImWchar c : ImGui::GetIO().InputQueueCharacters) {
+        if (c >= 32 && c < 127) text += static_cast<char>(c);
+    }
+    return text;
+}
+
+bool is_drawing(ToolKind kind) {
+    return kind != ToolKind::Select && kind != ToolKind::EditPoint && kind != ToolKind::Rotate &&
+           kind != ToolKind::Scale;
+}
+
+}  // namespace
+
+void SheetView::set_camera(const SheetCamera& camera) {
+    camera_.centre = camera.centre;
+    camera_.scale = camera.scale;
+    wants_frame_ = Frame::None;
+}
+
+// Takes the room that is left in the child, and says where the mouse is.
+SheetView::Mouse SheetView::place(SheetContext& context) {
+    const ImVec2 low = ImGui::GetCursorScreenPos(), size = ImGui::GetContentRegionAvail();
+    camera_.view_low = Vec2d(double(low.x), double(low.y));
+    camera_.view_size = Vec2d(std::max(1.0, double(size.x)), std::max(1.0, double(size.y)));
+    ImGui::InvisibleButton(
+        "sheet", {float(camera_.view_size.x()), float(camera_.view_size.y())},
+        ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle | ImGuiButtonFlags_MouseButtonRight);
+    const ImVec2 at = ImGui::GetIO().MousePos;
+    const bool is_over = ImGui::IsItemHovered() && ImGui::IsMousePosValid(&at);
+    if (is_over && is_drawing(context.tools.kind())) context.output.cursor = MouseCursor::Cross;
+    if (is_panning_) context.output.cursor = MouseCursor::Hand;
+    const bool is_valid = ImGui::IsMousePosValid(&at);
+    return {is_valid ? Vec2d(double(at.x), double(at.y)) : last_at_, modifiers_now(), is_over};
+}
+
+void SheetView::frame_wanted(const SheetContext& context) {
+    if (wants_frame_ == Frame::None) return;
+    SheetBox box = context.tools.geometry().box();
+    if (wants_frame_ == Frame::Selected) {
+        const SheetBox chosen = context.tools.geometry().box_of(context.desk.document.selection());
+        if (!chosen.isEmpty()) box = chosen;
+    }
+    wants_frame_ = Frame::None;
+    SheetCamera inner = camera_;  // the part that the rulers leave
+    const double ruler = kRulerWidth * context.ui_scale;
+    inner.view_size -= Vec2d::Constant(ruler);
+    frame(inner, box, 36 * context.ui_scale);
+    if (box.isEmpty()) inner = {.centre = Vec2d(0.5, 0.4), .scale = 700 * context.ui_scale};
+    camera_.scale = inner.scale;
+    camera_.centre = inner.centre + Vec2d(-ruler, ruler) / (2 * inner.scale);
+}
+
+void SheetView::navigate(const Mouse& mouse, SheetAnswer& answer) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (mouse.is_over && io.MouseWheel != 0) zoom_at(camera_, mouse.at, double(io.MouseWheel));
+    const bool is_held = ImGui::IsMouseDown(ImGuiMouseButton_Middle) || ImGui::IsMouseDown(ImGuiMouseButton_Right);
+    const bool begins = ImGui::IsMouseClicked(ImGuiMouseButton_Middle) || ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+    constexpr double kClick = 4;  // px
+    if (begins && mouse.is_over) {
+        is_panning_ = true;
+        panned_px_ = 0;
+    } else if (is_panning_) {
+        const Vec2d by = mouse.at - last_at_;
+        panned_px_ += by.norm();
+        pan(camera_, by);
+        if (!is_held) {
+            is_panning_ = false;
+            answer.wants_menu = ImGui::IsMouseReleased(ImGuiMouseButton_Right) && panned_px_ < kClick;
+        }
+    }
+    last_at_ = mouse.at;
+}
+
+void SheetView::hand_mouse(SheetContext& context, const Mouse& mouse) {
+    ToolHost& tools = context.tools;
+    if (mouse.is_over && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        has_left_ = true;
+        is_double_ = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+        tools.press(context.desk, mouse.at, mouse.modifiers);
+    } else if (mouse.is_over || has_left_) {
+        tools.move(context.desk, mouse.at, mouse.modifiers);
+    } else {
+        tools.leave(context.desk);
+    }
+    if (!has_left_ || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
+    has_left_ = false;
+    tools.release(context.desk, mouse.at, mouse.modifiers);
+    if (is_double_) tools.double_click(context.desk, mouse.at, mouse.modifiers);
+}
+
+void SheetView::hand_keys(SheetContext& context, const Mouse& mouse, SheetAnswer& answer) {
+    const bool is_here = mouse.is_over || has_left_ || ImGui::IsWindowFocused();
+    if (!context.takes_keys || !is_here || ImGui::GetIO().WantTextInput) return;
+    const bool was_typing = !context.tools.typed().is_empty();
+    if (!mouse.modifiers.ctrl && !mouse.modifiers.alt) context.tools.text(context.desk, written());
+    for (const Key key : pressed_keys()) {
+        if (context.tools.key(context.desk, key, mouse.modifiers)) {
+            answer.used_keys.push_back(key);
+        } else if (key == key_of('F') && mouse.modifiers == Modifiers{} && !was_typing) {
+            frame_selected();
+            answer.used_keys.push_back(key);
+        }
+    }
+}
+
+SheetAnswer SheetView::show(SheetContext& context) {
+    SheetAnswer answer;
+    const Mouse mouse = place(context);
+    context.tools.begin_frame(context.desk.document, camera_, context.ui_scale);
+    frame_wanted(context);
+    navigate(mouse, answer);
+    context.tools.begin_frame(context.desk.document, camera_, context.ui_scale);
+    if (!is_panning_) hand_mouse(context, mouse);
+    hand_keys(context, mouse, answer);
+    frame_wanted(context);
+    context.tools.begin_frame(context.desk.document, camera_, context.ui_scale);
+    draw(context, mouse);
+    return answer;
+}
+
+// None where the pattern names no tartan, or one that is not known.
+SettTexture SheetView::sett_texture(SheetContext& context) {
+    const Pattern& pattern = context.desk.document.pattern();
+    if (held_sides_.empty() || pattern.tartan != sett_name_ || pattern.sett_size != sett_size_) {
+        held_sides_.assign(kSheetTextures, 0);
+        sett_name_ = pattern.tartan;
+        sett_size_ = pattern.sett_size;
+        sett_.reset();
+        try {
+            if (!sett_name_.empty()) sett_ = find_tartan(sett_name_);
+        } catch (const InputError&) {
+            return {};  // whoever set it was told
+        }
+        if (sett_ && sett_size_ && *sett_size_ > 0) sett_ = with_repeat_size(*sett_, *sett_size_);
+    }
+    if (!sett_ || !context.shows.cloth) return {};
+    const int side = sett_picture_side(repeat_size(*sett_) * camera_.scale);
+    const auto slot =
+        std::min<std::size_t>(static_cast<std::size_t>(std::lround(std::log2(side / 32.0))), kSheetTextures - 1);
+    const UiTexture texture = context.first_texture + static_cast<UiTexture>(slot);
+    if (held_sides_[slot] != side) {
+        context.output.pictures.push_back({.texture = texture, .picture = sett_picture(*sett_, side)});
+        held_sides_[slot] = side;
+    }
+    return {texture, Vec2d(repeat_size(*sett_), weft_repeat_size(*sett_)), pattern.sett_position};
+}
+
+void SheetView::draw(SheetContext& context, const Mouse& mouse) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const Vec2d low = camera_.view_low, high = low + camera_.view_size;
+    list.PushClipRect({float(low.x()), float(low.y())}, {float(high.x()), float(high.y())}, true);
+    const SheetPen pen{list, camera_, context.colours, static_cast<float>(context.ui_scale)};
+    const SheetGeometry& geometry = context.tools.geometry();
+    const ToolOverlay overlay = context.tools.overlay(context.desk);
+    const std::set<std::string> touched = touched_panels(context.desk.document.selection());
+    faces_.begin_frame(geometry);
+    const SheetLook look{pen,
+                         context.desk.document.pattern(),
+                         geometry,
+                         faces_,
+                         context.desk.document.selection(),
+                         context.desk.hover,
+                         overlay,
+                         touched,
+                         sett_texture(context),
+                         context.shows};
+    if (context.shows.grid) draw_grid(pen);
+    std::vector<const PanelShape*> seen;
+    for (const PanelShape& shape : geometry.panels()) {
+        if (is_in_view(look, shape)) seen.push_back(&shape);
+    }
+    for (const PanelShape* shape : seen) draw_cloth(look, *shape), draw_outline(look, *shape);
+    draw_seams(look);
+    for (const PanelShape* shape : seen) draw_marks(look, *shape);
+    draw_hovered(look);
+    for (const PanelShape* shape : seen) draw_selected(look, *shape);
+    if (const Message* message = context.desk.messages.shown()) draw_lit_places(look, message->places);
+    draw_overlay(look);
+    draw_rulers(pen, mouse.is_over ? std::optional<Vec2d>(mouse.at) : std::nullopt);
+    draw_readout(pen, mouse);
+    if (mouse.is_over || has_left_) draw_bubble(pen, mouse.at, overlay, context.tools.typed());
+    list.PopClipRect();
+}
+
+// Where the cursor is, at the lower right.
+void SheetView::draw_readout(const SheetPen& pen, const Mouse& mouse) const {
+    if (!mouse.is_over) return;
+    const Vec2d at = to_sheet(camera_, mouse.at) * 100;
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%.1f, %.1f cm", at.x(), at.y());
+    const ImVec2 size = ImGui::CalcTextSize(text.data());
+    const Vec2d high = camera_.view_low + camera_.view_size;
+    const ImVec2 low{std::round(float(high.x()) - size.x - pen.px(10)),
+                     std::round(float(high.y()) - size.y - pen.px(6))};
+    pen.list.AddRectFilled({low.x - pen.px(6), low.y - pen.px(2)},
+                           {low.x + size.x + pen.px(6), low.y + size.y + pen.px(2)}, packed(pen.colours.plate),
+                           pen.px(3));
+    pen.list.AddText(low, packed(pen.colours.ruler_text), text.data());
+}
+
+}  // namespace selvedge
