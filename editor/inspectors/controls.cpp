@@ -1,0 +1,179 @@
+#include "editor/inspectors/controls.h"
+
+#include <algorithm>
+
+namespace selvedge {
+namespace {
+
+constexpr float kTipWidth = 22;  // of the font's size
+
+// The start of a character of UTF-8 at or before the place.
+std::size_t character_start(const std::string& text, std::size_t place) {
+    while (place > 0 && (static_cast<unsigned char>(text[place]) & 0xC0U) == 0x80U) --place;
+    return place;
+}
+
+float text_width(const std::string& text) {
+    return ImGui::CalcTextSize(text.c_str(), text.c_str() + text.size()).x;
+}
+
+}  // namespace
+
+ImVec4 to_colour(const Rgb8& rgb, float alpha) {
+    return {static_cast<float>(rgb[0]) / 255, static_cast<float>(rgb[1]) / 255, static_cast<float>(rgb[2]) / 255,
+            alpha};
+}
+
+ImVec4 tinted(const Rgb8& ground, const Rgb8& with) {
+    constexpr float kShare = 0.14F;
+    const ImVec4 a = to_colour(ground), b = to_colour(with);
+    return {a.x + (b.x - a.x) * kShare, a.y + (b.y - a.y) * kShare, a.z + (b.z - a.z) * kShare, 1};
+}
+
+ImTextureID texture_id(UiTexture texture) {
+    return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture));
+}
+
+void show_tip(const std::string& words) {
+    if (words.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(kTipWidth * ImGui::GetFontSize());
+    ImGui::TextUnformatted(words.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+std::string with_key(const InspectorContext& context, const std::string& words, std::string_view action) {
+    const std::string key = context.key_of ? context.key_of(action) : "";
+    return key.empty() ? words : words + " (" + key + ")";
+}
+
+void note_widget(InspectorContext& context, const std::string& name) {
+    if (context.widgets == nullptr) return;
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    (*context.widgets)[name] = {.low = {low.x, low.y}, .high = {high.x, high.y}};
+}
+
+std::string elided(const std::string& text, float width_px) {
+    if (text_width(text) <= width_px) return text;
+    std::size_t fits = 0, too_long = text.size();
+    while (fits + 1 < too_long) {
+        const std::size_t middle = (fits + too_long) / 2;
+        const std::string tried = text.substr(0, character_start(text, middle)) + "...";
+        (text_width(tried) <= width_px ? fits : too_long) = middle;
+    }
+    return text.substr(0, character_start(text, fits)) + "...";
+}
+
+void elided_text(const std::string& text, float width_px, const ImVec4& colour) {
+    const std::string shown = elided(text, width_px);
+    ImGui::PushStyleColor(ImGuiCol_Text, colour);
+    ImGui::TextUnformatted(shown.c_str());
+    ImGui::PopStyleColor();
+    if (shown != text) show_tip(text);
+}
+
+void heading(const InspectorContext& context, const char* title) {
+    ImGui::Spacing();
+    ImFont* bold = context.fonts != nullptr ? context.fonts->bold : nullptr;
+    if (bold != nullptr) ImGui::PushFont(bold);
+    ImGui::TextUnformatted(elided(title, ImGui::GetContentRegionAvail().x).c_str());
+    if (bold != nullptr) ImGui::PopFont();
+}
+
+void paragraph(const InspectorContext& context, const std::string& words) {
+    complaint(context.theme.faint, words);
+}
+
+void complaint(const Rgb8& colour, const std::string& words) {
+    ImGui::PushStyleColor(ImGuiCol_Text, to_colour(colour));
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(words.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+bool folding(const char* title, Fold at_first) {
+    ImGui::Spacing();
+    return ImGui::CollapsingHeader(title, at_first == Fold::Open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+}
+
+float label_width() {
+    const float all = ImGui::GetContentRegionMax().x - ImGui::GetWindowContentRegionMin().x;
+    return std::min(0.38F * all, 8.5F * ImGui::GetFontSize());
+}
+
+float field_width() {
+    return ImGui::GetContentRegionMax().x - ImGui::GetWindowContentRegionMin().x - label_width() -
+           ImGui::GetStyle().ItemInnerSpacing.x;
+}
+
+void row_label(const InspectorContext& context, const char* label, const std::string& tip) {
+    const float left = ImGui::GetCursorPosX();
+    ImGui::AlignTextToFramePadding();
+    elided_text(label, label_width(), to_colour(context.theme.faint));
+    show_tip(tip);
+    ImGui::SameLine(left + label_width() + ImGui::GetStyle().ItemInnerSpacing.x);
+}
+
+void fact(const InspectorContext& context, const char* label, const std::string& value, const std::string& tip) {
+    row_label(context, label, tip);
+    ImGui::AlignTextToFramePadding();
+    elided_text(value, field_width(), to_colour(context.theme.ink));
+    show_tip(tip);
+}
+
+bool ButtonRow::button(const Button& button) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float room = ImGui::GetContentRegionMax().x - ImGui::GetWindowContentRegionMin().x;
+    const std::string title = elided(button.title, room - 2 * style.FramePadding.x);
+    const float width = text_width(title) + 2 * style.FramePadding.x;
+    const float right = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x;
+    if (!is_first_ && ImGui::GetItemRectMax().x + style.ItemInnerSpacing.x + width <= right) {
+        ImGui::SameLine(0, style.ItemInnerSpacing.x);
+    }
+    is_first_ = false;
+    ImGui::BeginDisabled(!button.is_enabled);
+    if (button.is_on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
+    const bool is_pressed = ImGui::Button((title + "##" + button.name).c_str());
+    if (button.is_on) ImGui::PopStyleColor();
+    ImGui::EndDisabled();
+    show_tip(button.tip);
+    note_widget(context_, button.name);
+    return is_pressed;
+}
+
+bool check_box(InspectorContext& context, const char* name, const char* title, bool value, const std::string& tip) {
+    const float room =
+        ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - ImGui::GetStyle().ItemInnerSpacing.x;
+    const std::string label = elided(title, room) + "##" + name;
+    const bool is_changed = ImGui::Checkbox(label.c_str(), &value);
+    show_tip(tip);
+    note_widget(context, name);
+    return is_changed;
+}
+
+int choice_box(InspectorContext& context, const Choice& choice) {
+    int chosen = -1;
+    ImGui::SetNextItemWidth(choice.width_px);
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float room = choice.width_px - ImGui::GetFrameHeight() - 2 * style.FramePadding.x;
+    const bool is_open = ImGui::BeginCombo((std::string("##") + choice.name).c_str(),
+                                           elided(choice.shown, room).c_str(), ImGuiComboFlags_HeightLarge);
+    if (!is_open) {
+        show_tip(choice.tip);
+        note_widget(context, choice.name);
+        return -1;
+    }
+    for (std::size_t i = 0; i < choice.items.size(); ++i) {
+        const bool is_chosen = static_cast<int>(i) == choice.chosen;
+        if (ImGui::Selectable(choice.items[i].c_str(), is_chosen)) chosen = static_cast<int>(i);
+        note_widget(context, std::string(choice.name) + "." + std::to_string(i));
+        if (is_chosen) ImGui::SetItemDefaultFocus();
+    }
+    ImGui::EndCombo();
+    return chosen;
+}
+
+}  // namespace selvedge

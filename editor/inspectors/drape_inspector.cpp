@@ -1,0 +1,220 @@
+// The running drape: how it is doing, what it costs, and how fine it may become.
+#include <imgui.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "editor/inspectors/charts.h"
+#include "editor/inspectors/controls.h"
+#include "editor/inspectors/drape_text.h"
+#include "editor/inspectors/number_box.h"
+#include "editor/inspectors/vector_row.h"
+
+namespace selvedge {
+namespace {
+
+constexpr int kMostLevels = 6;
+constexpr double kDegree = std::numbers::pi / 180;           // rad
+constexpr double kShortestEdge = 0.002, kLongestEdge = 0.2;  // m
+constexpr int kFewestTriangles = 100, kMostTriangles = 200000, kUsualBudget = 6000;
+
+void draw_buttons(InspectorContext& context, const SessionFrame& frame) {
+    Session& session = context.workspace.drape.session();
+    ButtonRow row(context);
+    if (row.button(
+            {.name = "drape.run",
+             .title = frame.is_running ? "Pause" : "Start",
+             .tip = with_key(context, frame.is_running ? "Holds the cloth still" : "Sews the panels and lets them fall",
+                             "simulate.run")})) {
+        if (frame.is_running) {
+            session.pause();
+        } else {
+            session.start();
+        }
+    }
+    if (row.button(
+            {.name = "drape.reset",
+             .title = "Reset",
+             .tip = with_key(context, "Puts the panels back to where they are placed, unsewn", "simulate.reset")})) {
+        session.reset();
+    }
+    if (row.button({.name = "drape.unpin",
+                    .title = "Unpin all",
+                    .tip = with_key(context, "Lets go of all points that were pinned by hand", "simulate.unpin"),
+                    .is_enabled = !frame.pins.empty()})) {
+        session.unpin_all();
+    }
+}
+
+void draw_figures(InspectorContext& context, const SessionFrame& frame) {
+    const SessionStatistics& now = frame.statistics;
+    fact(context, "Simulated", seconds_text(now.simulated_seconds), "How long the cloth has fallen, by its own clock.");
+    fact(context, "Speed", speed_text(now.rms_speed), "How fast the cloth moves, as a mean.");
+    fact(context, "Triangles", count_text(now.leaf_triangles) + " of " + count_text(now.base_triangles) + " coarse",
+         "Triangles that are simulated now, and those of the coarsest mesh.");
+    fact(context, "Last step", count_text(now.splits) + " split, " + count_text(now.rejoins) + " rejoined",
+         "Edges that the last adaption split or put together again.");
+}
+
+void draw_levels(InspectorContext& context, const SessionFrame& frame) {
+    const std::vector<int>& levels = frame.statistics.by_level;
+    if (levels.empty()) return;
+    ImGui::TextUnformatted(elided("Triangles per level", ImGui::GetContentRegionAvail().x).c_str());
+    bar_chart(context, {.figures = levels,
+                        .tip =
+                            [&](std::size_t level) {
+                                return "Level " + std::to_string(level) + ": " + count_text(levels[level]) +
+                                       " triangles";
+                            },
+                        .colour = [&](std::size_t) { return context.theme.accent; }});
+}
+
+void draw_spark(InspectorContext& context, const char* label, const std::string& value, SparkLine line) {
+    row_label(context, label, line.tip);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(elided(value, field_width()).c_str());
+    line.full = DrapeTrace::kLength;
+    line.count = context.state.drape.trace.size();
+    spark_line(context, line);
+}
+
+void draw_times(InspectorContext& context, const SessionFrame& frame) {
+    const SessionTimes& times = frame.statistics.times;
+    const DrapeTrace& trace = context.state.drape.trace;
+    fact(context, "Adaption", milliseconds_text(times.adaption), "Splitting and rejoining edges, once per frame.");
+    fact(context, "Steps", milliseconds_text(times.steps), "All steps of one frame: forces, constraints, contacts.");
+    draw_spark(context, "Frame", milliseconds_text(times.frame),
+               {.figure = [&](std::size_t i) { return trace.frame_ms(i); }, .tip = "What the last 120 frames took."});
+    draw_spark(context, "Triangles", count_text(frame.statistics.leaf_triangles),
+               {.figure = [&](std::size_t i) { return trace.triangles(i); },
+                .tip = "How many triangles the last 120 frames had."});
+}
+
+void draw_criteria(InspectorContext& context, SessionOptions& options) {
+    CriteriaOptions& criteria = options.criteria;
+    paragraph(context, "Edges are split");
+    if (check_box(context, "drape.collision", "where the body is near", criteria.collision,
+                  "Finer where the body's surface is rounder than the cloth's triangles."))
+        criteria.collision = !criteria.collision;
+    if (check_box(context, "drape.curvature", "where it bends", criteria.curvature,
+                  "Finer where the cloth's surface bends."))
+        criteria.curvature = !criteria.curvature;
+    if (check_box(context, "drape.length", "where it is compressed", criteria.length,
+                  "Finer where edges are shorter than they want to be: there it must wrinkle."))
+        criteria.length = !criteria.length;
+    if (check_box(context, "drape.buckling", "where it is about to buckle", criteria.buckling,
+                  "Finer already before folds form."))
+        criteria.buckling = !criteria.buckling;
+    const NumberEdit split = number_row(context,
+                                        {.name = "drape.split_angle",
+                                         .value = options.curvature.split_angle,
+                                         .unit = Unit::Degrees,
+                                         .tip = "An edge splits where the cloth turns by more than this along it.",
+                                         .least = 1 * kDegree,
+                                         .most = 90 * kDegree},
+                                        "Split from");
+    const NumberEdit rejoin = number_row(context,
+                                         {.name = "drape.rejoin_angle",
+                                          .value = options.curvature.rejoin_angle,
+                                          .unit = Unit::Degrees,
+                                          .tip = "It is put together again where it turns by less; below the other.",
+                                          .least = 0.1 * kDegree,
+                                          .most = 90 * kDegree},
+                                         "Rejoin below");
+    options.curvature =
+        curvature_with(options.curvature, split ? split.value : std::nullopt, rejoin ? rejoin.value : std::nullopt);
+}
+
+void draw_fineness(InspectorContext& context, SessionOptions& options) {
+    const NumberEdit level = number_row(context,
+                                        {.name = "drape.max_level",
+                                         .value = options.max_level,
+                                         .unit = Unit::Whole,
+                                         .tip = "How often an edge may be halved. Each level has four times as many "
+                                                "triangles, at most.",
+                                         .least = 0,
+                                         .most = kMostLevels},
+                                        "Levels");
+    if (level) options.max_level = static_cast<int>(level.value.value_or(options.max_level));
+    const NumberEdit shortest = number_row(context,
+                                           {.name = "drape.shortest_edge",
+                                            .value = options.shortest_edge,
+                                            .tip = "Shorter edges are not split, whatever the levels allow.",
+                                            .least = kShortestEdge,
+                                            .most = kLongestEdge},
+                                           "Shortest edge");
+    if (shortest) options.shortest_edge = shortest.value.value_or(options.shortest_edge);
+    const NumberEdit budget =
+        number_row(context,
+                   {.name = "drape.budget",
+                    .value = options.triangle_budget ? std::optional<double>(*options.triangle_budget) : std::nullopt,
+                    .unit = Unit::Whole,
+                    .tip = "About so many triangles are kept to. Empty: as many as are asked for.",
+                    .least = kFewestTriangles,
+                    .most = kMostTriangles,
+                    .standing_for = kUsualBudget},
+                   "Triangles");
+    if (!budget) return;
+    options.triangle_budget = budget.value ? std::optional<int>(static_cast<int>(*budget.value)) : std::nullopt;
+}
+
+void draw_world(InspectorContext& context, SessionOptions& options) {
+    if (check_box(context, "drape.gravity", "Gravity", options.has_gravity, "Without it the cloth floats."))
+        options.has_gravity = !options.has_gravity;
+    if (check_box(context, "drape.real_time", "Real time", options.keeps_real_time,
+                  "A second of cloth takes a second, if the machine can. Off: as fast as it can."))
+        options.keeps_real_time = !options.keeps_real_time;
+}
+
+void draw_kept(InspectorContext& context) {
+    DrapeState& state = context.state.drape;
+    Session& session = context.workspace.drape.session();
+    const auto name = text_box(context, {.name = "drape.name",
+                                         .text = state.name,
+                                         .hint = free_drape_name(state.kept, ""),
+                                         .tip = "The name to keep the drape under.",
+                                         .width_px = ImGui::GetContentRegionAvail().x});
+    if (name) state.name = *name;
+    ButtonRow row(context);
+    if (row.button({.name = "drape.keep",
+                    .title = "Keep this drape",
+                    .tip = "Remembers how the cloth hangs now, to come back to."})) {
+        state.kept.push_back(free_drape_name(state.kept, state.name));
+        session.keep(state.kept.back());
+        state.name.clear();
+    }
+    if (state.kept.empty()) return paragraph(context, "Drapes that are kept are listed here.");
+    for (const std::string& kept : state.kept) {
+        const std::string item = "drape.kept." + kept;
+        if (ImGui::Selectable((elided(kept, ImGui::GetContentRegionAvail().x) + "##" + item).c_str())) {
+            session.restore(kept);
+        }
+        show_tip(kept + "\nClick to go back to it, where the panels still have the same mesh.");
+        note_widget(context, item);
+    }
+}
+
+}  // namespace
+
+void draw_drape(InspectorContext& context) {
+    ImGui::PushID("drape");
+    const std::shared_ptr<const SessionFrame> frame = context.workspace.drape.frame();
+    SessionOptions& options = context.workspace.drape.options();
+    draw_buttons(context, *frame);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(stage_words(frame->stage, frame->is_running).c_str());
+    ImGui::PopTextWrapPos();
+    if (!frame->problem.empty()) complaint(context.theme.error, frame->problem);
+    draw_figures(context, *frame);
+    draw_levels(context, *frame);
+    if (folding("Cost", Fold::Open)) draw_times(context, *frame);
+    if (folding("Fineness", Fold::Open)) {
+        draw_fineness(context, options);
+        draw_criteria(context, options);
+    }
+    if (folding("Surroundings", Fold::Open)) draw_world(context, options);
+    if (folding("Kept drapes", Fold::Open)) draw_kept(context);
+    ImGui::PopID();
+}
+
+}  // namespace selvedge

@@ -1,0 +1,275 @@
+#include "editor/inspectors/number_box.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "editor/inspectors/controls.h"
+
+namespace selvedge {
+namespace {
+
+constexpr float kPxPerStep = 2;  // of dragging, at a font of 13 px
+constexpr double kFastStep = 10;
+constexpr int kLostAfter = 2;  // frames
+
+double limited(const NumberBox& box, double value) {
+    if (box.least) value = std::max(value, *box.least);
+    if (box.most) value = std::min(value, *box.most);
+    return value;
+}
+
+std::string text_of(const NumberBox& box, std::optional<double> value) {
+    if (!value) return "";
+    return box.has_unit ? quantity_text(*value, box.unit) : quantity_figure(*value, box.unit);
+}
+
+bool is_escape_pressed() {
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+}
+
+struct ArrowKeys {
+    const NumberBox& box;
+    bool is_used = false;
+};
+
+// Up and down put another number into the field.
+int step_by_arrow(ImGuiInputTextCallbackData* data) {
+    auto& keys = *static_cast<ArrowKeys*>(data->UserData);
+    const std::optional<double> now = read_number(keys.box, std::string(data->Buf, size_t(data->BufTextLen))).value;
+    const double from = now ? *now : keys.box.standing_for.value_or(0);
+    const double steps = (data->EventKey == ImGuiKey_UpArrow ? 1 : -1) * (ImGui::GetIO().KeyShift ? kFastStep : 1);
+    const std::string text = text_of(keys.box, limited(keys.box, stepped(from, keys.box.unit, steps)));
+    data->DeleteChars(0, data->BufTextLen);
+    data->InsertChars(0, text.c_str());
+    data->SelectAll();
+    keys.is_used = true;
+    return 0;
+}
+
+// The typed text of a box, if it is this one's.
+TypedText* typed_in(BoxState& boxes, unsigned id) {
+    if (boxes.typed.box == id) return &boxes.typed;
+    return boxes.left.box == id ? &boxes.left : nullptr;
+}
+
+void begin_typing(BoxState& boxes, unsigned id, const std::string& text, std::optional<double> before) {
+    if (boxes.typed.box != 0 && boxes.typed.box != id) boxes.left = boxes.typed;
+    boxes.typed = {
+        .box = id, .text = text, .text_before = text, .before = before, .last_frame = ImGui::GetFrameCount()};
+}
+
+enum class Ending { None, Escaped, Unchanged, Wrong, Applied };
+
+// What the field that was drawn last has come to. Its text is handed back where it is applied.
+struct FieldEnd {
+    Ending ending = Ending::None;
+    TypedText typed{};
+};
+
+FieldEnd end_of_field(BoxState& boxes, unsigned id) {
+    TypedText* typed = typed_in(boxes, id);
+    if (typed != nullptr) typed->last_frame = ImGui::GetFrameCount();
+    if (typed == nullptr || !ImGui::IsItemDeactivated()) return {};
+    FieldEnd end{.ending = Ending::Applied, .typed = std::move(*typed)};
+    *typed = {};
+    if (is_escape_pressed()) {
+        end.ending = Ending::Escaped;
+    } else if (!end.typed.wrong.empty()) {
+        end.ending = Ending::Wrong;
+    } else if (end.typed.text == end.typed.text_before && !end.typed.is_trying) {
+        end.ending = Ending::Unchanged;
+    }
+    return end;
+}
+
+struct FieldLook {
+    const char* name;
+    const char* hint;
+    const std::string& tip;
+    float width_px;
+};
+
+// One line of text with what was typed so far, red where it is wrong. Returns whether it was changed now.
+bool field(InspectorContext& context, const FieldLook& look, std::string& text, ArrowKeys* keys) {
+    const TypedText* typed = typed_in(context.state.boxes, ImGui::GetID(look.name));
+    const std::string wrong = typed != nullptr ? typed->wrong : "";
+    if (!wrong.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_FrameBg, tinted(context.theme.field, context.theme.error));
+        ImGui::PushStyleColor(ImGuiCol_Border, to_colour(context.theme.error));
+    }
+    ImGui::SetNextItemWidth(look.width_px);
+    const ImGuiInputTextFlags flags =
+        ImGuiInputTextFlags_AutoSelectAll | (keys != nullptr ? ImGuiInputTextFlags_CallbackHistory : 0);
+    const bool is_changed =
+        ImGui::InputTextWithHint(look.name, look.hint, &text, flags, keys != nullptr ? step_by_arrow : nullptr, keys);
+    if (!wrong.empty()) ImGui::PopStyleColor(2);
+    show_tip(wrong.empty() ? look.tip : wrong);
+    return is_changed;
+}
+
+NumberEdit type_number(InspectorContext& context, const NumberBox& box, float width_px) {
+    BoxState& boxes = context.state.boxes;
+    const unsigned id = ImGui::GetID(box.name);
+    const bool is_scrubbed =
+        boxes.scrub.box != 0 && boxes.scrub.box == ImGui::GetID((std::string("drag ") + box.name).c_str());
+    const TypedText* typed = typed_in(boxes, id);
+    std::string text = typed != nullptr ? typed->text : text_of(box, is_scrubbed ? boxes.scrub.value : box.value);
+    const std::string hint = box.standing_for ? text_of(box, box.standing_for) : "";
+    ArrowKeys keys{.box = box};
+    const std::string before = text;
+    const bool is_changed = field(context, {box.name, hint.c_str(), box.tip, width_px}, text, &keys);
+    note_widget(context, box.name);
+    if (ImGui::IsItemActivated()) begin_typing(boxes, id, before, box.value);
+    NumberEdit edit;
+    if (is_changed && boxes.typed.box == id) {
+        const ReadNumber read = read_number(box, text);
+        boxes.typed.text = text;
+        boxes.typed.wrong = read.wrong;
+        if (keys.is_used) {
+            boxes.typed.is_trying = true;
+            edit = {.phase = EditPhase::Trying, .value = read.value, .before = boxes.typed.before};
+        }
+    }
+    const FieldEnd end = end_of_field(boxes, id);
+    if (end.ending == Ending::Applied) {
+        edit = {.phase = EditPhase::Kept, .value = read_number(box, end.typed.text).value, .before = end.typed.before};
+    } else if (end.typed.is_trying) {
+        edit = {.phase = EditPhase::Dropped, .value = end.typed.before, .before = end.typed.before};
+    }
+    return edit;
+}
+
+void draw_handle(const InspectorContext& context, const NumberBox& box, const ImVec2& low, float width_px) {
+    const bool is_lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
+    const std::string label = elided(box.label, width_px);
+    ImGui::GetWindowDrawList()->AddText(
+        {low.x, low.y + ImGui::GetStyle().FramePadding.y},
+        ImGui::GetColorU32(to_colour(is_lit ? context.theme.accent : context.theme.faint)), label.c_str());
+}
+
+NumberEdit drag_number(InspectorContext& context, const NumberBox& box, float width_px) {
+    Scrub& scrub = context.state.boxes.scrub;
+    const std::string name = std::string("drag ") + box.name;
+    const unsigned id = ImGui::GetID(name.c_str());
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImGui::InvisibleButton(name.c_str(), {width_px, ImGui::GetFrameHeight()});
+    draw_handle(context, box, low, width_px);
+    show_tip(box.tip.empty() ? "Drag to change" : box.tip + "\nDrag to change.");
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) context.output.cursor = MouseCursor::ResizeHorizontal;
+    if (ImGui::IsItemActivated()) {
+        const double before = box.value.value_or(box.standing_for.value_or(0));
+        scrub = {.box = id, .before = before, .value = before};
+    }
+    if (scrub.box != id) return {};
+    scrub.last_frame = ImGui::GetFrameCount();
+    NumberEdit edit{.phase = EditPhase::None, .value = scrub.value, .before = scrub.before};
+    if (ImGui::IsItemDeactivated()) {
+        if (scrub.is_trying) edit.phase = EditPhase::Kept;
+        scrub = {};
+        return edit;
+    }
+    if (is_escape_pressed() && !scrub.is_given_up) {
+        if (scrub.is_trying) edit = {.phase = EditPhase::Dropped, .value = scrub.before, .before = scrub.before};
+        scrub.is_given_up = true;
+        scrub.is_trying = false;
+        scrub.value = scrub.before;
+        return edit;
+    }
+    if (scrub.is_given_up || !ImGui::IsMouseDragging(ImGuiMouseButton_Left)) return edit;
+    const float px_per_step = kPxPerStep * ImGui::GetFontSize() / 13;
+    const double steps =
+        std::trunc(ImGui::GetMouseDragDelta().x / px_per_step) * (ImGui::GetIO().KeyShift ? kFastStep : 1);
+    const double value = steps == 0 ? scrub.before : limited(box, stepped(scrub.before, box.unit, steps));
+    if (value == scrub.value) return edit;
+    scrub.value = value;
+    scrub.is_trying = true;
+    return {.phase = EditPhase::Trying, .value = value, .before = scrub.before};
+}
+
+}  // namespace
+
+ReadNumber read_number(const NumberBox& box, const std::string& text) {
+    if (text.find_first_not_of(' ') == std::string::npos) {
+        return box.standing_for ? ReadNumber{} : ReadNumber{.wrong = "A number is wanted here"};
+    }
+    const std::optional<double> value = parse_quantity(text, box.unit);
+    if (!value) {
+        const bool is_whole = box.unit == Unit::Whole;
+        return {.wrong =
+                    is_whole ? "This is no whole number" : "This is no number. 12.5, 92/4+1 and (3 - 0.5) * 2 are"};
+    }
+    constexpr double kRounding = 1e-9;
+    if (box.least && *value < *box.least - kRounding) {
+        return {.wrong = "It is " + quantity_text(*box.least, box.unit) + " at least"};
+    }
+    if (box.most && *value > *box.most + kRounding) {
+        return {.wrong = "It is " + quantity_text(*box.most, box.unit) + " at most"};
+    }
+    return {.value = value};
+}
+
+NumberEdit number_box(InspectorContext& context, const NumberBox& box) {
+    float width = box.width_px;
+    NumberEdit dragged;
+    if (box.label[0] != '\0') {
+        const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+        const float label = box.label_px > 0 ? box.label_px : ImGui::CalcTextSize(box.label).x;
+        dragged = drag_number(context, box, label);
+        ImGui::SameLine(0, gap);
+        width -= label + gap;
+    }
+    const NumberEdit typed = type_number(context, box, std::max(width, ImGui::GetFontSize()));
+    return typed ? typed : dragged;
+}
+
+std::optional<std::string> text_box(InspectorContext& context, const TextBox& box) {
+    BoxState& boxes = context.state.boxes;
+    const unsigned id = ImGui::GetID(box.name);
+    const TypedText* typed = typed_in(boxes, id);
+    std::string text = typed != nullptr ? typed->text : box.text;
+    const std::string before = text;
+    const bool is_changed = field(context, {box.name, box.hint.c_str(), box.tip, box.width_px}, text, nullptr);
+    note_widget(context, box.name);
+    if (ImGui::IsItemActivated()) begin_typing(boxes, id, before, {});
+    if (is_changed && boxes.typed.box == id) {
+        boxes.typed.text = text;
+        boxes.typed.wrong = box.wrong != nullptr ? box.wrong(text) : "";
+    }
+    FieldEnd end = end_of_field(boxes, id);
+    if (end.ending != Ending::Applied) return std::nullopt;
+    return std::move(end.typed.text);
+}
+
+void carry(InspectorContext& context, const NumberEdit& edit, const Command& command) {
+    switch (edit.phase) {
+        case EditPhase::None:
+            break;
+        case EditPhase::Trying:
+            context.workspace.attempt(command);
+            break;
+        case EditPhase::Kept:
+            context.workspace.run(command);
+            break;
+        case EditPhase::Dropped:
+            context.workspace.document->drop();
+            break;
+    }
+}
+
+void forget_lost_boxes(InspectorContext& context) {
+    BoxState& boxes = context.state.boxes;
+    const int now = ImGui::GetFrameCount();
+    const auto forget = [&](auto& entry) {
+        if (entry.box == 0 || now - entry.last_frame < kLostAfter) return;
+        if (entry.is_trying) context.workspace.document->keep();
+        entry = {};
+    };
+    forget(boxes.typed);
+    forget(boxes.left);
+    forget(boxes.scrub);
+}
+
+}  // namespace selvedge

@@ -1,0 +1,181 @@
+#include "editor/inspectors/pattern_figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "editor/drafting/seam_edit.h"
+#include "editor/inspectors/quantity.h"
+#include "sim/pattern/outline.h"
+#include "sim/pattern/seam_name.h"
+
+namespace selvedge {
+namespace {
+
+constexpr double kChordError = 0.0005;  // m, of outlines that only their box is read of
+
+const Vec2d& start_of(const Panel& panel, const OutlineEdge& edge) {
+    return panel.vertices[static_cast<std::size_t>(edge.start)];
+}
+
+const Vec2d& end_of(const Panel& panel, const OutlineEdge& edge) {
+    return panel.vertices[static_cast<std::size_t>(edge.end)];
+}
+
+// The control points of a cubic with the same ends, tangents at them and middle height as the edge.
+std::array<Vec2d, 2> cubic_controls(const Panel& panel, const OutlineEdge& edge) {
+    const Vec2d a = start_of(panel, edge), d = end_of(panel, edge);
+    switch (edge.kind) {
+        case CurveKind::Line:
+            return {a + (d - a) / 3, a + (d - a) * 2 / 3};
+        case CurveKind::Quadratic:
+            return {a + (edge.control[0] - a) * 2 / 3, d + (edge.control[0] - d) * 2 / 3};
+        case CurveKind::Cubic:
+            return edge.control;
+        case CurveKind::Arc:
+            break;
+    }
+    // Through the points at a third and two thirds: the curve at s is a sum of its four points.
+    const Vec2d p = curve_point(panel, edge, 1.0 / 3), q = curve_point(panel, edge, 2.0 / 3);
+    const Vec2d u = (27 * p - 8 * a - d) / 6, v = (27 * q - a - 8 * d) / 6;  // 2 b + c, b + 2 c
+    return {(2 * u - v) / 3, (2 * v - u) / 3};
+}
+
+// Twice the curve's middle less half of its ends: the quadratic through the same middle.
+Vec2d quadratic_control(const Panel& panel, const OutlineEdge& edge) {
+    const Vec2d a = start_of(panel, edge), d = end_of(panel, edge);
+    if (edge.kind == CurveKind::Quadratic) return edge.control[0];
+    return 2 * outline_point(panel, edge, 0.5) - (a + d) / 2;
+}
+
+// The arc through the edge's ends and its middle; a flat edge gives one that bulges by a tenth of the chord.
+void set_arc(const Panel& panel, const OutlineEdge& edge, OutlineEdge& arc) {
+    const Vec2d a = start_of(panel, edge), d = end_of(panel, edge);
+    const double chord = (d - a).norm();
+    if (!(chord > 0)) return;
+    const Vec2d left(-(d - a).y() / chord, (d - a).x() / chord);
+    double height = (outline_point(panel, edge, 0.5) - (a + d) / 2).dot(left);
+    constexpr double kFlat = 0.01;  // of the chord
+    if (std::abs(height) < kFlat * chord) height = -0.1 * chord;
+    arc.arc_radius = (chord * chord / 4 + height * height) / (2 * std::abs(height));
+    arc.is_large_arc = std::abs(height) > chord / 2;
+    arc.turns_right = height > 0;
+}
+
+}  // namespace
+
+Vec3d garment_centre(const Pattern& pattern) {
+    Vec3d low = Vec3d::Constant(std::numeric_limits<double>::max()), high = -low;
+    bool is_empty = true;
+    for (const Panel& panel : pattern.panels) {
+        for (const Vec2d& u : panel.vertices) {
+            const Vec3d x = panel.place(u);
+            low = low.cwiseMin(x);
+            high = high.cwiseMax(x);
+            is_empty = false;
+        }
+    }
+    return is_empty ? Vec3d::Zero() : Vec3d((low + high) / 2);
+}
+
+// R = Rz Ry Rx has -sin y at its lower left, and where cos y is 0 only z - x or z + x can be told.
+Vec3d angles_of(const Eigen::Matrix3d& r) {
+    constexpr double kNoCosine = 1e-9;
+    const double cosine = std::hypot(r(0, 0), r(1, 0));
+    const double y = std::atan2(-r(2, 0), cosine);
+    if (cosine < kNoCosine) return {0, y, std::atan2(-r(0, 1), r(1, 1))};
+    return {std::atan2(r(2, 1), r(2, 2)), y, std::atan2(r(1, 0), r(0, 0))};
+}
+
+Eigen::Matrix3d rotation_of(const Vec3d& angles) {
+    return (Eigen::AngleAxisd(angles.z(), Vec3d::UnitZ()) * Eigen::AngleAxisd(angles.y(), Vec3d::UnitY()) *
+            Eigen::AngleAxisd(angles.x(), Vec3d::UnitX()))
+        .toRotationMatrix();
+}
+
+PlaneBox panel_box(const Panel& panel) {
+    if (panel.edges.empty()) return {};
+    PlaneBox box{.low = panel.vertices.front(), .high = panel.vertices.front()};
+    for (const OutlineEdge& edge : panel.edges) {
+        for (const Vec2d& u : outline_polyline(panel, edge, kChordError)) {
+            box.low = box.low.cwiseMin(u);
+            box.high = box.high.cwiseMax(u);
+        }
+    }
+    return box;
+}
+
+double panel_perimeter(const Panel& panel) {
+    double sum = 0;
+    for (const OutlineEdge& edge : panel.edges) sum += outline_length(panel, edge);
+    return sum;
+}
+
+PlaneMap scale_about(const Vec2d& centre, const Vec2d& factors) {
+    return {
+        .x_axis = {factors.x(), 0}, .y_axis = {0, factors.y()}, .shift = centre - Vec2d(factors.cwiseProduct(centre))};
+}
+
+OutlineEdge with_kind(const Panel& panel, const OutlineEdge& edge, CurveKind kind) {
+    OutlineEdge curve = edge;
+    curve.kind = kind;
+    curve.control = {Vec2d::Zero(), Vec2d::Zero()};
+    curve.arc_radius = 0;
+    curve.is_large_arc = curve.turns_right = false;
+    switch (kind) {
+        case CurveKind::Line:
+            break;
+        case CurveKind::Quadratic:
+            curve.control[0] = quadratic_control(panel, edge);
+            break;
+        case CurveKind::Cubic:
+            curve.control = cubic_controls(panel, edge);
+            break;
+        case CurveKind::Arc:
+            if (edge.kind == CurveKind::Arc) return edge;
+            set_arc(panel, edge, curve);
+            break;
+    }
+    return curve;
+}
+
+// The chord grows as the curve does.
+Vec2d shift_for_length(const Panel& panel, const OutlineEdge& edge, const LengthChange& change) {
+    const double now = outline_length(panel, edge);
+    if (!(now > 0 && change.before > 0 && change.after > 0)) return Vec2d::Zero();
+    return (end_of(panel, edge) - start_of(panel, edge)) * ((change.after - change.before) / now);
+}
+
+double least_arc_radius(const Panel& panel, const OutlineEdge& edge) {
+    return (end_of(panel, edge) - start_of(panel, edge)).norm() / 2;
+}
+
+SeamFigures seam_figures(const Pattern& pattern, const Seam& seam) {
+    const std::array<double, 2> lengths = seam_lengths(pattern, seam);
+    return {.name = seam_name(pattern, seam),
+            .first = lengths[0],
+            .second = lengths[1],
+            .is_uneven = std::abs(lengths[0] - lengths[1]) > kUnevenSeam,
+            .is_eased = seam.is_eased};
+}
+
+std::string difference_text(const SeamFigures& figures) {
+    const std::string text = quantity_text(figures.difference(), Unit::Millimetres);
+    return text.front() == '-' || text == "0 mm" ? text : "+" + text;
+}
+
+std::optional<int> seam_at(const Pattern& pattern, const SeamSide& side) {
+    for (std::size_t i = 0; i < pattern.seams.size(); ++i) {
+        if (pattern.seams[i].first == side || pattern.seams[i].second == side) return static_cast<int>(i);
+    }
+    return std::nullopt;
+}
+
+std::optional<int> panel_index(const Pattern& pattern, const std::string& name) {
+    for (std::size_t i = 0; i < pattern.panels.size(); ++i) {
+        if (pattern.panels[i].name == name) return static_cast<int>(i);
+    }
+    return std::nullopt;
+}
+
+}  // namespace selvedge

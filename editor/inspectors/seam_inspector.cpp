@@ -1,0 +1,182 @@
+// The list of seams, and what can be done with one.
+#include <imgui.h>
+
+#include <cmath>
+
+#include "editor/drafting/seam_edit.h"
+#include "editor/inspectors/controls.h"
+#include "editor/inspectors/number_box.h"
+#include "editor/inspectors/pattern_figures.h"
+#include "editor/inspectors/property_sections.h"
+#include "render/scene/colour_map.h"
+
+namespace selvedge {
+namespace {
+
+bool has_seam(const Pattern& pattern, int seam) {
+    return seam >= 0 && static_cast<std::size_t>(seam) < pattern.seams.size();
+}
+
+std::string lengths_text(const SeamFigures& figures) {
+    const std::string first = quantity_figure(figures.first, Unit::Centimetres);
+    const std::string second = quantity_text(figures.second, Unit::Centimetres);
+    return first + " cm" == second ? second : first + " : " + second;
+}
+
+void draw_chip(int seam, float side_px) {
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float top = low.y + (ImGui::GetTextLineHeight() - side_px) / 2;
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        {low.x, top}, {low.x + side_px, top + side_px},
+        ImGui::GetColorU32(to_colour(line_colour(static_cast<std::size_t>(seam)))), side_px / 4);
+    ImGui::Dummy({side_px, ImGui::GetTextLineHeight()});
+}
+
+void choose(InspectorContext& context, int seam) {
+    Selection selected;
+    if (ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl) selected = context.selection();
+    if (!selected.seams.insert(seam).second) selected.seams.erase(seam);
+    context.workspace.document->select(std::move(selected));
+}
+
+// How the columns share a line.
+struct SeamColumns {
+    float chip = 0;
+    float name = 0;
+    float lengths = 0;
+    float difference = 0;
+};
+
+SeamColumns seam_columns() {
+    const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    SeamColumns columns{.chip = 0.7F * em, .lengths = 7.2F * em, .difference = 4.2F * em};
+    columns.name = ImGui::GetContentRegionAvail().x - columns.chip - columns.lengths - columns.difference - 3 * gap;
+    return columns;
+}
+
+void right_aligned(const std::string& text, float left, float width, const Rgb8& colour) {
+    const std::string shown = elided(text, width);
+    ImGui::SameLine(left + width - ImGui::CalcTextSize(shown.c_str()).x);
+    ImGui::PushStyleColor(ImGuiCol_Text, to_colour(colour));
+    ImGui::TextUnformatted(shown.c_str());
+    ImGui::PopStyleColor();
+}
+
+void draw_seam_row(InspectorContext& context, int seam, const SeamFigures& figures, const SeamColumns& columns) {
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x, left = ImGui::GetCursorPosX();
+    const std::string name = "seams." + std::to_string(seam);
+    const ImVec2 size(ImGui::GetContentRegionAvail().x, ImGui::GetTextLineHeight());
+    if (ImGui::Selectable(("##" + name).c_str(), context.selection().seams.contains(seam), 0, size))
+        choose(context, seam);
+    note_widget(context, name);
+    if (ImGui::IsItemHovered()) context.workspace.hover = {.seam = seam};
+    const std::string state = figures.is_wrong()
+                                  ? "\nIts sides differ by more than 1 mm: even it, or accept it as ease."
+                              : figures.is_uneven ? "\nEased: its sides are meant to differ."
+                                                  : "";
+    show_tip(figures.name + "\n" + lengths_text(figures) + ", difference " + difference_text(figures) + state);
+    ImGui::SameLine(left);
+    draw_chip(seam, columns.chip);
+    ImGui::SameLine(0, gap);
+    ImGui::TextUnformatted(elided(figures.name, columns.name).c_str());
+    const float lengths = left + columns.chip + columns.name + 2 * gap;
+    right_aligned(lengths_text(figures), lengths, columns.lengths, context.theme.faint);
+    if (!figures.is_uneven) return;
+    right_aligned(difference_text(figures), lengths + columns.lengths + gap, columns.difference,
+                  figures.is_wrong() ? context.theme.error : context.theme.faint);
+}
+
+void draw_name_row(InspectorContext& context, int seam) {
+    const Seam& held = context.pattern().seams[static_cast<std::size_t>(seam)];
+    row_label(context, "Name", "What the seam is called.");
+    const auto name = text_box(context, {.name = "seam.name",
+                                         .text = held.name,
+                                         .hint = seam_figures(context.pattern(), held).name,
+                                         .tip = "What the seam is called. Without a name it goes by its edges.",
+                                         .width_px = field_width(),
+                                         .wrong = [](const std::string& text) -> std::string {
+                                             return text.find_first_of(",+") == std::string::npos
+                                                        ? ""
+                                                        : "A seam's name has no comma and no plus sign";
+                                         }});
+    if (name) context.workspace.run(NameSeam{.seam = seam, .to = *name});
+}
+
+}  // namespace
+
+void seam_buttons(InspectorContext& context, int seam) {
+    if (!has_seam(context.pattern(), seam)) return;
+    const SeamFigures figures =
+        seam_figures(context.pattern(), context.pattern().seams[static_cast<std::size_t>(seam)]);
+    ButtonRow row(context);
+    if (row.button({.name = "seam.even",
+                    .title = "Even",
+                    .tip = with_key(context, "Makes the second side as long as the first", "seam.even"),
+                    .is_enabled = figures.is_uneven})) {
+        context.workspace.run(EvenSeam{seam});
+    } else if (row.button(
+                   {.name = "seam.ease",
+                    .title = figures.is_eased ? "Not eased" : "Accept ease",
+                    .tip = figures.is_eased
+                               ? std::string("Its sides are to be of one length again")
+                               : with_key(context, "The longer side is gathered: it is meant to be so", "seam.accept"),
+                    .is_enabled = figures.is_eased || figures.is_uneven})) {
+        context.workspace.run(AcceptEase{.seam = seam, .is_eased = !figures.is_eased});
+    } else if (row.button({.name = "seam.reverse",
+                           .title = "Reverse",
+                           .tip = with_key(context, "Sews it the other way round", "seam.reverse")})) {
+        context.workspace.run(ReverseSeam{seam});
+    } else if (row.button({.name = "seam.delete",
+                           .title = "Delete",
+                           .tip = with_key(context, "Takes the seam out; the panels stay", "seam.delete")})) {
+        context.workspace.run(RemoveParts{.seams = {seam}});
+    }
+}
+
+void draw_seam_section(InspectorContext& context, int seam) {
+    if (!has_seam(context.pattern(), seam)) return;
+    const SeamFigures figures =
+        seam_figures(context.pattern(), context.pattern().seams[static_cast<std::size_t>(seam)]);
+    heading(context, ("Seam " + figures.name).c_str());
+    ImGui::PushID(("seam " + std::to_string(seam)).c_str());
+    draw_name_row(context, seam);
+    fact(context, "First side", quantity_text(figures.first, Unit::Centimetres), "The length of its first side.");
+    fact(context, "Second side", quantity_text(figures.second, Unit::Centimetres), "The length of its second side.");
+    fact(context, "Difference", difference_text(figures) + (figures.is_eased ? ", eased" : ""),
+         "What the second side has more than the first.");
+    if (figures.is_wrong()) {
+        complaint(context.theme.error, "The sides differ by more than 1 mm: even them, or accept it as ease.");
+    }
+    if (is_crossed(context.pattern(), context.pattern().seams[static_cast<std::size_t>(seam)])) {
+        complaint(context.theme.warning, "The seam looks twisted. Reverse sews it the other way round.");
+    }
+    seam_buttons(context, seam);
+    ImGui::PopID();
+}
+
+void draw_seams(InspectorContext& context) {
+    const std::size_t count = context.pattern().seams.size();
+    if (count == 0) return paragraph(context, "No seams yet. Choose Segment sewing and click two edges.");
+    std::size_t wrong = 0;
+    const SeamColumns columns = seam_columns();
+    for (std::size_t i = 0; i < context.pattern().seams.size(); ++i) {
+        const SeamFigures figures = seam_figures(context.pattern(), context.pattern().seams[i]);
+        wrong += figures.is_wrong() ? 1 : 0;
+        draw_seam_row(context, static_cast<int>(i), figures, columns);
+    }
+    ImGui::Spacing();
+    if (wrong > 0) {
+        complaint(context.theme.error, wrong == 1 ? std::string("One seam has sides of different lengths.")
+                                                  : std::to_string(wrong) + " seams have sides of different lengths.");
+    }
+    const std::set<int>& selected = context.selection().seams;
+    if (selected.size() == 1) return draw_seam_section(context, *selected.begin());
+    paragraph(context, selected.empty() ? "Click a seam to change it." : "Several seams are selected.");
+    ButtonRow row(context);
+    if (selected.size() > 1 &&
+        row.button({.name = "seams.delete", .title = "Delete all selected", .tip = "The panels stay."})) {
+        context.workspace.run(RemoveParts{.seams = {selected.begin(), selected.end()}});
+    }
+}
+
+}  // namespace selvedge

@@ -1,0 +1,155 @@
+#include "editor/workspace/sett_picture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace selvedge {
+namespace {
+
+using Linear = std::array<double, 3>;  // light, 0..1
+
+constexpr double kThreadsAreSeen = 2;  // px per thread
+constexpr int kSamples = 3;            // per px and direction, where threads are seen
+
+double to_light(std::uint8_t byte) {
+    const double s = byte / 255.0;
+    return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
+}
+
+std::uint8_t to_byte(double light) {
+    const double x = std::clamp(light, 0.0, 1.0);
+    const double s = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
+    return static_cast<std::uint8_t>(std::lround(255 * s));
+}
+
+std::vector<Linear> in_light(const std::vector<Rgb8>& colours) {
+    std::vector<Linear> light;
+    for (const Rgb8& c : colours) light.push_back({to_light(c[0]), to_light(c[1]), to_light(c[2])});
+    return light;
+}
+
+Rgba8 to_pixel(const Linear& light) {
+    return {to_byte(light[0]), to_byte(light[1]), to_byte(light[2]), 255};
+}
+
+// Mean colours of pixels across the threads: each takes the threads that it covers, in part at its ends.
+std::vector<Linear> means(const std::vector<Linear>& threads, int count_px, double px_per_thread) {
+    std::vector<Linear> result(static_cast<std::size_t>(count_px), Linear{});
+    for (int px = 0; px < count_px; ++px) {
+        const double from = px / px_per_thread, to = (px + 1) / px_per_thread;
+        Linear& sum = result[static_cast<std::size_t>(px)];
+        for (auto thread = static_cast<long>(std::floor(from)); static_cast<double>(thread) < to; ++thread) {
+            const auto at = static_cast<double>(thread);
+            const double share = (std::min(to, at + 1) - std::max(from, at)) / (to - from);
+            const Linear& colour = threads[static_cast<std::size_t>(thread) % threads.size()];
+            for (std::size_t i = 0; i < 3; ++i) sum[i] += share * colour[i];
+        }
+    }
+    return result;
+}
+
+double warp_share(Weave weave) {
+    return weave == Weave::Twill31 ? 0.75 : 0.5;
+}
+
+Image mean_picture(const Sett& sett, const SettPictureOptions& options, double px_per_thread) {
+    const auto warp = means(in_light(thread_colours(sett)), options.width_px, px_per_thread);
+    const auto weft = means(in_light(weft_thread_colours(sett)), options.height_px, px_per_thread);
+    const double share = warp_share(sett.weave);
+    Image image(options.width_px, options.height_px);
+    for (int y = 0; y < options.height_px; ++y) {
+        for (int x = 0; x < options.width_px; ++x) {
+            const Linear& a = warp[static_cast<std::size_t>(x)];
+            const Linear& b = weft[static_cast<std::size_t>(y)];
+            Linear mixed{};
+            for (std::size_t i = 0; i < 3; ++i) mixed[i] = share * a[i] + (1 - share) * b[i];
+            image.at(x, y) = to_pixel(mixed);
+        }
+    }
+    return image;
+}
+
+// How bright a thread is across its width: round, lit from above, with a dark gap beside it.
+double roundness(double across) {
+    const double from_middle = 2 * across - 1;
+    return 0.62 + 0.46 * std::sqrt(std::max(0.0, 1 - from_middle * from_middle));
+}
+
+// How it dips under the next one at the ends of its float: along, where the neighbours on either side are.
+double dip(double along, bool goes_under_before, bool goes_under_after) {
+    constexpr double kLength = 0.3, kDepth = 0.3;
+    double light = 1;
+    if (goes_under_before && along < kLength) light -= kDepth * (1 - along / kLength);
+    if (goes_under_after && along > 1 - kLength) light -= kDepth * (1 - (1 - along) / kLength);
+    return light;
+}
+
+class WovenCloth {
+ public:
+    explicit WovenCloth(const Sett& sett)
+        : weave_(sett.weave), warp_(in_light(thread_colours(sett))), weft_(in_light(weft_thread_colours(sett))) {}
+
+    // At a place in threads from the upper left.
+    Linear at(double x, double y) const {
+        const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
+        const bool is_warp = is_warp_on_top(weave_, i, j);
+        const double across = is_warp ? x - i : y - j, along = is_warp ? y - j : x - i;
+        const bool before = is_warp ? !is_warp_on_top(weave_, i, j - 1) : is_warp_on_top(weave_, i - 1, j);
+        const bool after = is_warp ? !is_warp_on_top(weave_, i, j + 1) : is_warp_on_top(weave_, i + 1, j);
+        const double light = roundness(across) * dip(along, before, after);
+        const std::vector<Linear>& threads = is_warp ? warp_ : weft_;
+        Linear colour = threads[static_cast<std::size_t>(is_warp ? i : j) % threads.size()];
+        for (double& channel : colour) channel *= light;
+        return colour;
+    }
+
+ private:
+    Weave weave_;
+    std::vector<Linear> warp_;
+    std::vector<Linear> weft_;
+};
+
+Image thread_picture(const Sett& sett, const SettPictureOptions& options, double px_per_thread) {
+    const WovenCloth cloth(sett);
+    Image image(options.width_px, options.height_px);
+    for (int y = 0; y < options.height_px; ++y) {
+        for (int x = 0; x < options.width_px; ++x) {
+            Linear sum{};
+            for (int sample = 0; sample < kSamples * kSamples; ++sample) {
+                const double u = (x + (sample % kSamples + 0.5) / kSamples) / px_per_thread;
+                const double v = (y + (sample / kSamples + 0.5) / kSamples) / px_per_thread;
+                const Linear colour = cloth.at(u, v);
+                for (std::size_t i = 0; i < 3; ++i) sum[i] += colour[i] / (kSamples * kSamples);
+            }
+            image.at(x, y) = to_pixel(sum);
+        }
+    }
+    return image;
+}
+
+}  // namespace
+
+bool is_warp_on_top(Weave weave, int warp_thread, int weft_thread) {
+    const auto turn = [&](int period) { return ((warp_thread + weft_thread) % period + period) % period; };
+    switch (weave) {
+        case Weave::Plain:
+            return turn(2) == 0;
+        case Weave::Twill22:
+            return turn(4) < 2;
+        case Weave::Twill31:
+            break;
+    }
+    return turn(4) < 3;
+}
+
+Image sett_picture(const Sett& sett, const SettPictureOptions& options) {
+    const double px_per_thread = options.px_per_thread > 0
+                                     ? options.px_per_thread
+                                     : std::min(options.width_px, options.height_px) / double(thread_count(sett));
+    return px_per_thread < kThreadsAreSeen ? mean_picture(sett, options, px_per_thread)
+                                           : thread_picture(sett, options, px_per_thread);
+}
+
+}  // namespace selvedge
