@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
 
     int exit_code = 0;
     selvedge::add_dress_command(app, exit_code);
+    selvedge::add_edit_command(app, exit_code);
     selvedge::add_check_command(app, exit_code);
     selvedge::add_mannequin_command(app, exit_code);
     selvedge::add_match_command(app, exit_code);

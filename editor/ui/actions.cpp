@@ -1,5 +1,6 @@
 #include "editor/ui/actions.h"
 
+#include "editor/tools/tool_desk.h"
 #include "editor/ui/desk.h"
 #include "editor/ui/files.h"
 #include "editor/ui/panel_actions.h"
@@ -128,7 +129,7 @@ void add_tool_actions(std::vector<Action>& actions) {
                       .menu = "Tools",
                       .title = std::string(tool.title),
                       .tip = std::string(tool.what),
-                      .run = [kind = tool.kind](Desk& desk) { desk.tools.choose(*desk.workspace.document, kind); },
+                      .run = [kind = tool.kind](Desk& desk) { desk.tools.choose(tool_desk(desk.workspace), kind); },
                       .is_on = [kind = tool.kind](const Desk& desk) { return desk.tools.kind() == kind; }};
         if (tool.key != Key::None) action.chords.push_back({tool.key, {}});
         actions.push_back(std::move(action));

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "editor/tools/tool_desk.h"
 #include "editor/ui/actions.h"
 #include "editor/ui/desk.h"
 #include "editor/ui/files.h"
@@ -61,17 +62,13 @@ std::string drape_words(const SessionFrame& frame) {
 
 void show_message(Desk& desk) {
     const Messages& messages = desk.workspace.messages;
-    if (!desk.tools.message().empty()) {
-        const Rgb8& colour = desk.tools.is_message_error() ? desk.theme.error : desk.theme.ink;
-        return coloured_text(colour, desk.tools.message());
-    }
     if (const Message* message = messages.shown()) {
         const Rgb8& colour = message->kind == MessageKind::Error     ? desk.theme.error
                              : message->kind == MessageKind::Warning ? desk.theme.warning
                                                                      : desk.theme.ink;
         return coloured_text(colour, message->words);
     }
-    ImGui::TextDisabled("%s", desk.tools.hint(*desk.workspace.document).c_str());
+    ImGui::TextDisabled("%s", desk.tools.hint(tool_desk(desk.workspace)).c_str());
 }
 
 void show_icon(Desk& desk, const char* action, const char* icon, float side_px) {

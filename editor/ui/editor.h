@@ -1,7 +1,10 @@
 #pragma once
 // The editor, from one frame to the next: takes what a person did, and says what is to be seen. Knows no window, no GL
 // and no files: see frame_output.h and services.h.
+#include <functional>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "editor/ui/desk.h"
@@ -14,7 +17,7 @@ namespace selvedge {
 
 struct EditorOptions {
     SessionDrive drive = SessionDrive::Thread;
-    FontFiles fonts{};       // bytes that the editor keeps
+    FontBytes fonts{};       // bytes that the editor keeps
     bool is_steady = false;  // no blinking caret: the same input gives the same pictures
 };
 
@@ -36,6 +39,13 @@ class Editor {
 
     // Builds one frame, whose lists are then ImGui's draw data. `seconds` since the last one.
     FrameOutput frame(const std::vector<InputEvent>& events, const FrameSize& size, double seconds);
+
+    // Where texts are copied to and from; without one they stay with the editor.
+    struct Clipboard {
+        std::function<std::string()> get;
+        std::function<void(const std::string&)> set;
+    };
+    void set_clipboard(Clipboard clipboard);
 
     Desk& desk();
     const Desk& desk() const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "editor/tools/tool_desk.h"
 #include "editor/ui/desk.h"
 #include "sim/core/error.h"
 
@@ -29,7 +30,7 @@ void show_document(Desk& desk, PatternDocument source, const std::string& file) 
     desk.workspace.document = std::make_unique<Document>(std::move(source));
     desk.workspace.file = file;
     desk.workspace.drape.begin_document();
-    desk.tools.choose(*desk.workspace.document, ToolKind::Select);
+    desk.tools.choose(tool_desk(desk.workspace), ToolKind::Select);
     desk.shows_start_page = false;
     ++desk.documents_opened;
     begin_journal(desk);
@@ -72,13 +73,14 @@ void new_document(Desk& desk) {
     after_asking(desk, [](Desk& asked) { show_document(asked, {}, ""); });
 }
 
+void open_loaded(Desk& desk, PatternDocument source, const std::string& file) {
+    show_document(desk, std::move(source), file);
+    desk.services.remember_file(file);
+}
+
 void open_file(Desk& desk, const std::string& file) {
-    after_asking(desk, [file](Desk& asked) {
-        try_to(asked, [&] {
-            show_document(asked, asked.services.load(file), file);
-            asked.services.remember_file(file);
-        });
-    });
+    after_asking(desk,
+                 [file](Desk& asked) { try_to(asked, [&] { open_loaded(asked, asked.services.load(file), file); }); });
 }
 
 void open_example(Desk& desk, const Example& example) {

@@ -9,6 +9,7 @@ namespace selvedge {
 struct Desk;
 
 void new_document(Desk& desk);
+void open_loaded(Desk& desk, PatternDocument source, const std::string& file);
 void open_file(Desk& desk, const std::string& file);
 void open_example(Desk& desk, const Example& example);
 void recover_journal(Desk& desk, const LeftJournal& journal);

@@ -57,7 +57,7 @@ void set_sizes(ImGuiStyle& style, float scale) {
 
 }  // namespace
 
-Fonts load_fonts(const FontFiles& files, const Theme& theme, float scale) {
+Fonts load_fonts(const FontBytes& files, const Theme& theme, float scale) {
     ImGui::GetIO().Fonts->Clear();
     const float size = std::round(theme.font_px * scale);
     const std::string& bold = files.bold.empty() ? files.regular : files.bold;

@@ -22,7 +22,7 @@ struct Theme {
 };
 
 // The bytes of font files; empty: ImGui's own is used.
-struct FontFiles {
+struct FontBytes {
     std::string regular{};
     std::string bold{};
 };
@@ -34,7 +34,7 @@ struct Fonts {
 };
 
 // Fills the current context's font atlas. The bytes must outlive it.
-Fonts load_fonts(const FontFiles& files, const Theme& theme, float scale);
+Fonts load_fonts(const FontBytes& files, const Theme& theme, float scale);
 
 // Sets the current context's style.
 void apply_theme(const Theme& theme, float scale);

@@ -1,0 +1,154 @@
+// selvedge edit [FILE]: the pattern editor, in a window, or played by a script without one.
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/commands.h"
+#include "app/edit_loop.h"
+#include "app/editor_services.h"
+#include "app/find_font.h"
+#include "app/output_files.h"
+#include "app/picture.h"
+#include "editor/ui/editor.h"
+#include "editor/ui/files.h"
+#include "editor/ui/script_player.h"
+#include "render/image/png.h"
+#include "sim/core/error.h"
+#include "sim/core/file.h"
+
+namespace selvedge {
+namespace {
+
+constexpr std::size_t kLargestFont = 64U << 20U;
+constexpr std::size_t kLargestScript = 16U << 20U;
+
+struct EditArguments {
+    std::string file;
+    std::string script;
+    std::string screenshot;
+    std::string frame_times;
+    std::string state;
+    std::string size = "1280x800";
+    std::optional<float> scale;
+};
+
+// The editor as the loop wants it.
+class EditorSurface final : public EditSurface {
+ public:
+    explicit EditorSurface(Editor& editor) : editor_(editor) {}
+
+    FrameOutput frame(const FrameInput& input) override {
+        const FrameSize size{.width_px = input.width_px, .height_px = input.height_px, .scale = input.scale};
+        return editor_.frame(input.events, size, input.seconds);
+    }
+
+ private:
+    Editor& editor_;
+};
+
+FontBytes read_fonts() {
+    const FontFiles files = find_fonts();
+    const auto read = [](const std::filesystem::path& path) {
+        return path.empty() ? std::string() : read_file(path, kLargestFont);
+    };
+    return {.regular = read(files.regular), .bold = read(files.medium)};
+}
+
+struct Size {
+    int width = 0;
+    int height = 0;
+};
+
+Size parse_size(const std::string& text) {
+    constexpr int kSmallest = 200, kLargest = 8192;
+    Size size;
+    char rest = 0;
+    const bool is_read = std::sscanf(text.c_str(), "%dx%d%c", &size.width, &size.height, &rest) == 2;
+    const auto fits = [&](int side) { return side >= kSmallest && side <= kLargest; };
+    if (!is_read || !fits(size.width) || !fits(size.height)) {
+        throw InputError("", "--size", "'" + text + "' is not WIDTHxHEIGHT, from 200x200 to 8192x8192");
+    }
+    return size;
+}
+
+std::filesystem::path state_of(const EditArguments& arguments) {
+    return arguments.state.empty() ? state_folder() : std::filesystem::path(arguments.state);
+}
+
+void open_at_start(Editor& editor, const EditArguments& arguments) {
+    if (arguments.file.empty()) return;
+    PatternDocument source = load_pattern(arguments.file);  // a file that is wrong ends the program
+    open_loaded(editor.desk(), std::move(source), arguments.file);
+}
+
+int run_window(const EditArguments& arguments) {
+    const Size size = parse_size(arguments.size);
+    Window window({.width = size.width, .height = size.height, .scale = arguments.scale});
+    std::unique_ptr<Renderer> fine;  // made when a picture is exported
+    const auto draw_finely = [&](const Scene& scene) {
+        if (!fine) fine = std::make_unique<Renderer>(window.context());
+        return fine->draw(scene, {.width_px = 2048, .height_px = 2048});
+    };
+    Editor editor(make_editor_services({.state = state_of(arguments), .draw_finely = draw_finely}),
+                  {.fonts = read_fonts()});
+    editor.set_clipboard(
+        {[&] { return window.clipboard(); }, [&](const std::string& text) { window.set_clipboard(text); }});
+    open_at_start(editor, arguments);
+    EditorSurface surface(editor);
+    run_edit_loop(surface, window, {.frame_times = arguments.frame_times});
+    return 0;
+}
+
+int run_script(const EditArguments& arguments) {
+    const Size size = parse_size(arguments.size);
+    const std::vector<ScriptStep> steps = parse_script(
+        arguments.script.empty() ? std::string() : read_file(arguments.script, kLargestScript), arguments.script);
+    if (!arguments.screenshot.empty()) check_output(arguments.screenshot, kPictureExtensions);
+    OffscreenEditLoop loop({.width_px = size.width, .height_px = size.height, .scale = arguments.scale.value_or(1)});
+    const auto draw_finely = [](const Scene&) -> Image {
+        throw InputError("", "export", "a script takes pictures by 'screenshot'");
+    };
+    Editor editor(make_editor_services({.state = state_of(arguments), .draw_finely = draw_finely}),
+                  {.drive = SessionDrive::Caller, .fonts = read_fonts(), .is_steady = true});
+    open_at_start(editor, arguments);
+    EditorSurface surface(editor);
+    const auto shoot = [&](const std::string& file) { write_png(file, loop.screenshot()); };
+    ScriptPlayer player(editor, {[&](const auto& events) { loop.step(surface, events); }, shoot}, arguments.script);
+    for (int i = 0; i < 3; ++i) loop.step(surface);
+    player.play(steps);
+    if (!arguments.screenshot.empty()) shoot(arguments.screenshot);
+    return 0;
+}
+
+}  // namespace
+
+void add_edit_command(CLI::App& app, int& exit_code) {
+    auto arguments = std::make_shared<EditArguments>();
+    CLI::App* command = app.add_subcommand("edit", "Draw panels, sew them, place them and watch them drape");
+    command->add_option("FILE", arguments->file, "Garment file to open")->type_name("FILE");
+    command->add_option("--script", arguments->script, "Plays this script without a window (docs/editor.md)")
+        ->type_name("FILE");
+    command->add_option("--screenshot", arguments->screenshot, "Without a window: what is seen at the end")
+        ->type_name("PNG");
+    command->add_option("--size", arguments->size, "Of the window in pixels (default 1280x800)")->type_name("WxH");
+    command->add_option("--scale", arguments->scale, "Of letters and buttons, 0.5 to 4 (default the screen's)")
+        ->check(CLI::Range(0.5F, 4.0F));
+    command->add_option("--frame-times", arguments->frame_times, "Writes where each frame's time went")
+        ->type_name("CSV");
+    command->add_option("--state", arguments->state, "Where journals and recent files are kept")->type_name("FOLDER");
+    command->footer(
+        "Examples:\n"
+        "  selvedge edit\n"
+        "  selvedge edit patterns/tshirt.json\n"
+        "  selvedge edit patterns/tshirt.json --screenshot editor.png");
+    command->callback([arguments, &exit_code] {
+        const bool has_window = arguments->script.empty() && arguments->screenshot.empty();
+        exit_code = has_window ? run_window(*arguments) : run_script(*arguments);
+    });
+}
+
+}  // namespace selvedge

@@ -1,0 +1,317 @@
+#include "editor/ui/editor.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "editor/inspectors/inspector_context.h"
+#include "editor/sheet/sheet_view.h"
+#include "editor/tools/tool_desk.h"
+#include "editor/ui/actions.h"
+#include "editor/ui/bars.h"
+#include "editor/ui/files.h"
+#include "editor/ui/start_page.h"
+#include "editor/ui/ui_input.h"
+#include "editor/ui/widgets.h"
+
+namespace selvedge {
+namespace {
+
+// Numbers of textures, see frame_output.h.
+constexpr UiTexture kSheetTexture = 1, kFittingTexture = kSheetTexture + kSheetTextures,
+                    kFirstFreeTexture = kFittingTexture + 1;
+
+struct Rectangle {
+    ImVec2 low;
+    ImVec2 size;
+};
+
+// How the window is shared out, px.
+struct Regions {
+    Rectangle tools, sheet, fitting, inspectors, status;
+};
+
+constexpr auto kRegionFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                              ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+Regions share_out(const DeskLayout& layout, float question_height) {
+    const float unit = ImGui::GetFontSize();
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float top = ImGui::GetFrameHeight() + question_height;
+    const float status = ImGui::GetFrameHeight() + 0.3F * unit;
+    const float height = std::max(unit, display.y - top - status);
+    const float tools = layout.has_tools ? 2.6F * unit : 0;
+    const float inspectors = layout.has_inspectors ? std::min(layout.inspector_width * unit, display.x * 0.5F) : 0;
+    const float views = std::max(unit, display.x - tools - inspectors);
+    const float share = !layout.has_fitting ? 1 : !layout.has_sheet ? 0 : layout.sheet_share;
+    const float sheet = std::round(views * share);
+    return {.tools = {{0, top}, {tools, height}},
+            .sheet = {{tools, top}, {sheet, height}},
+            .fitting = {{tools + sheet, top}, {views - sheet, height}},
+            .inspectors = {{display.x - inspectors, top}, {inspectors, height}},
+            .status = {{0, display.y - status}, {display.x, status}}};
+}
+
+bool begin_region(const char* name, const Rectangle& where, const ImVec2& padding) {
+    ImGui::SetNextWindowPos(where.low);
+    ImGui::SetNextWindowSize(where.size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+    const bool is_open = ImGui::Begin(name, nullptr, kRegionFlags);
+    ImGui::PopStyleVar(3);
+    return is_open;
+}
+
+// A thin upright between two regions that is dragged; returns how far, px.
+float splitter(const char* name, float x, const Rectangle& beside, FrameOutput& output) {
+    const float half = 0.25F * ImGui::GetFontSize();
+    begin_region(name, {{x - half, beside.low.y}, {2 * half, beside.size.y}}, {0, 0});
+    ImGui::InvisibleButton("##grip", {2 * half, beside.size.y});
+    const bool is_held = ImGui::IsItemActive();
+    if (is_held || ImGui::IsItemHovered()) output.cursor = MouseCursor::ResizeHorizontal;
+    ImGui::End();
+    return is_held ? ImGui::GetIO().MouseDelta.x : 0;
+}
+
+bool is_pressed(const Chord& chord) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const Modifiers held{.ctrl = io.KeyCtrl, .shift = io.KeyShift, .alt = io.KeyAlt};
+    return held == chord.modifiers && ImGui::IsKeyPressed(static_cast<int>(chord.key), false);
+}
+
+}  // namespace
+
+Desk::Desk(Services given, SessionDrive drive)
+    : services(std::move(given)), workspace(PatternDocument{}, drive, services.make_body), actions(make_actions()) {}
+
+struct Editor::Impl {
+    Impl(Services services, EditorOptions given)
+        : options(std::move(given)), desk(std::move(services), options.drive), context(ImGui::CreateContext()) {
+        ImGuiIO& io = ImGui::GetIO();
+        io.IniFilename = nullptr;
+        io.LogFilename = nullptr;
+        io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+        io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+        io.ConfigInputTextCursorBlink = !options.is_steady;
+        UiInput::map_keys(io);
+        begin_journal(desk);
+        offer_recovery(desk);
+    }
+    ~Impl() { ImGui::DestroyContext(context); }
+
+    void set_size(const FrameSize& size, double seconds);
+    void run_keys();
+    void take_other_events(const std::vector<InputEvent>& events);
+    void show_views();
+    void show_sheet(const Rectangle& where);
+    void show_inspectors(const Rectangle& where);
+    InspectorContext inspector_context();
+
+    EditorOptions options;
+    Desk desk;
+    ImGuiContext* context;
+    UiInput input;
+    SheetView sheet;
+    InspectorState inspectors;
+    FrameOutput output;
+    std::vector<Key> used_keys;  // by a view, this frame
+    UiTexture next_texture = kFirstFreeTexture;
+    float scale = 0;
+    int shown_document = 0;
+    Clipboard clipboard;
+    std::string clipboard_text;  // that ImGui reads
+};
+
+// Letters are made anew for another scale: they stay sharp.
+void Editor::Impl::set_size(const FrameSize& size, double seconds) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {static_cast<float>(size.width_px), static_cast<float>(size.height_px)};
+    io.DeltaTime = std::max(1e-4F, static_cast<float>(seconds));
+    const float wanted = size.scale * desk.user_scale;
+    if (wanted == scale) return;
+    scale = wanted;
+    desk.fonts = load_fonts(options.fonts, desk.theme, scale);
+    apply_theme(desk.theme, scale);
+    io.Fonts->Build();
+}
+
+void Editor::Impl::take_other_events(const std::vector<InputEvent>& events) {
+    for (const InputEvent& event : events) {
+        if (event.kind == InputEvent::Kind::CloseRequest) close(desk);
+        for (const std::string& file : event.files) take_dropped_file(desk, file);
+    }
+}
+
+// A key without Ctrl or Alt is for who is being typed into.
+void Editor::Impl::run_keys() {
+    if (desk.finder.is_open()) return;
+    const bool is_typing = ImGui::GetIO().WantTextInput;
+    for (const Action& action : desk.actions) {
+        for (const Chord& chord : action.chords) {
+            const bool is_plain = !chord.modifiers.ctrl && !chord.modifiers.alt && chord.key < Key::F1;
+            if (is_typing && (is_plain || chord.key == key_of('C') || chord.key == key_of('V') ||
+                              chord.key == key_of('Z') || chord.key == key_of('Y') || chord.key == key_of('A'))) {
+                continue;
+            }
+            const bool is_used = std::find(used_keys.begin(), used_keys.end(), chord.key) != used_keys.end();
+            if (!is_used && is_pressed(chord) && !action.id.starts_with("tool.")) run_action(desk, action);
+        }
+    }
+    if (!is_typing && is_pressed({Key::Escape, {}})) desk.workspace.messages.dismiss();
+}
+
+void Editor::Impl::show_sheet(const Rectangle& where) {
+    begin_region("##sheet", where, {0, 0});
+    SheetContext sheet_context{.desk = tool_desk(desk.workspace),
+                               .tools = desk.tools,
+                               .output = output,
+                               .first_texture = kSheetTexture,
+                               .ui_scale = static_cast<double>(scale),
+                               .takes_keys = !desk.finder.is_open() && !desk.browser.is_open()};
+    const SheetAnswer answer = sheet.show(sheet_context);
+    used_keys.insert(used_keys.end(), answer.used_keys.begin(), answer.used_keys.end());
+    ImGui::End();
+}
+
+InspectorContext Editor::Impl::inspector_context() {
+    return {.workspace = desk.workspace,
+            .output = output,
+            .state = inspectors,
+            .theme = desk.theme,
+            .fonts = &desk.fonts,
+            .widgets = &desk.widgets,
+            .take_texture = [this] { return next_texture++; },
+            .open_body = [this] { browse_for_body(desk); },
+            .key_of =
+                [this](std::string_view id) {
+                    const Action* action = find_action(desk.actions, id);
+                    return action == nullptr ? std::string() : chord_words(*action);
+                }};
+}
+
+void Editor::Impl::show_inspectors(const Rectangle& where) {
+    constexpr std::array<std::pair<const char*, InspectorTab>, 6> tabs{{{"Edit", InspectorTab::Properties},
+                                                                        {"Seams", InspectorTab::Seams},
+                                                                        {"Cloth", InspectorTab::Cloth},
+                                                                        {"Body", InspectorTab::Body},
+                                                                        {"Drape", InspectorTab::Drape},
+                                                                        {"History", InspectorTab::History}}};
+    constexpr std::array<void (*)(InspectorContext&), 6> draws{draw_properties, draw_seams, draw_materials,
+                                                               draw_body,       draw_drape, draw_history};
+    const float unit = ImGui::GetFontSize();
+    begin_region("##inspectors", where, {0.6F * unit, 0.4F * unit});
+    if (ImGui::BeginTabBar("##tabs")) {
+        for (const auto& [title, tab] : tabs) {
+            const bool is_open = ImGui::BeginTabItem(title);
+            note_widget(desk.widgets, std::string("tab.") + title);
+            if (!is_open) continue;
+            desk.layout.tab = tab;
+            ImGui::BeginChild("##box");
+            InspectorContext box = inspector_context();
+            draws[static_cast<std::size_t>(tab)](box);
+            ImGui::EndChild();
+            ImGui::EndTabItem();
+        }
+        ImGui::EndTabBar();
+    }
+    ImGui::End();
+}
+
+void Editor::Impl::show_views() {
+    const float unit = ImGui::GetFontSize();
+    const Regions regions = share_out(desk.layout, show_question(desk));
+    if (desk.layout.has_tools) {
+        begin_region("##tools", regions.tools, {0.2F * unit, 0.3F * unit});
+        show_tool_bar(desk);
+        ImGui::End();
+    }
+    if (desk.layout.has_sheet) show_sheet(regions.sheet);
+    if (desk.layout.has_inspectors) show_inspectors(regions.inspectors);
+    if (desk.layout.has_sheet && desk.layout.has_fitting) {
+        const float views = regions.sheet.size.x + regions.fitting.size.x;
+        const float by = splitter("##between_views", regions.fitting.low.x, regions.fitting, output);
+        desk.layout.sheet_share = std::clamp(desk.layout.sheet_share + by / views, 0.15F, 0.85F);
+    }
+    if (desk.layout.has_inspectors) {
+        const float by = splitter("##before_inspectors", regions.inspectors.low.x, regions.inspectors, output);
+        desk.layout.inspector_width = std::clamp(desk.layout.inspector_width - by / unit, 17.5F, 40.0F);
+    }
+    begin_region("##status", regions.status, {0.6F * unit, 0.25F * unit});
+    show_status_bar(desk);
+    ImGui::End();
+}
+
+Editor::Editor(Services services, EditorOptions options)
+    : impl_(std::make_unique<Impl>(std::move(services), std::move(options))) {}
+Editor::~Editor() = default;
+
+FrameOutput Editor::frame(const std::vector<InputEvent>& events, const FrameSize& size, double seconds) {
+    Impl& impl = *impl_;
+    Desk& desk = impl.desk;
+    ImGui::SetCurrentContext(impl.context);
+    impl.output = {};
+    impl.used_keys.clear();
+    desk.widgets.clear();
+    impl.set_size(size, seconds);
+    impl.input.add(events);
+    const std::vector<InputEvent> others = impl.input.begin_frame(ImGui::GetIO());
+    ImGui::NewFrame();
+    impl.take_other_events(others);
+    desk.workspace.drape.follow(*desk.workspace.document, desk.workspace.messages);
+    if (impl.shown_document != desk.documents_opened) {
+        impl.shown_document = desk.documents_opened;
+        impl.sheet.frame_all();
+    }
+    InspectorContext box = impl.inspector_context();
+    update_inspectors(box);
+    show_menu_bar(desk);
+    impl.show_views();
+    show_start_page(desk);
+    desk.browser.show(desk);
+    desk.finder.show(desk);
+    impl.run_keys();
+    ImGui::Render();
+    impl.output.window_title =
+        document_name(desk) + (desk.workspace.document->has_unsaved_changes() ? "* - Selvedge" : " - Selvedge");
+    impl.output.wants_to_close = desk.wants_to_close;
+    impl.output.is_animating =
+        impl.input.has_more() || desk.workspace.drape.frame()->is_running || desk.workspace.drape.is_making_body();
+    return std::move(impl.output);
+}
+
+void Editor::set_clipboard(Clipboard clipboard) {
+    impl_->clipboard = std::move(clipboard);
+    ImGui::SetCurrentContext(impl_->context);
+    ImGuiIO& io = ImGui::GetIO();
+    io.ClipboardUserData = impl_.get();
+    io.GetClipboardTextFn = [](void* user) {
+        Impl& impl = *static_cast<Impl*>(user);
+        impl.clipboard_text = impl.clipboard.get();
+        return impl.clipboard_text.c_str();
+    };
+    io.SetClipboardTextFn = [](void* user, const char* text) { static_cast<Impl*>(user)->clipboard.set(text); };
+}
+
+Desk& Editor::desk() {
+    return impl_->desk;
+}
+const Desk& Editor::desk() const {
+    return impl_->desk;
+}
+
+Vec2d Editor::sheet_to_px(const Vec2d& sheet) const {
+    return to_px(impl_->sheet.camera(), sheet);
+}
+
+std::optional<Vec2d> Editor::room_to_px(const Vec3d&) const {
+    return std::nullopt;
+}
+
+bool Editor::has_more_input() const {
+    return impl_->input.has_more();
+}
+
+}  // namespace selvedge
