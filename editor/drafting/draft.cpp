@@ -12,6 +12,7 @@
 namespace selvedge {
 namespace {
 
+constexpr double kClearance = 1e-7;   // m
 constexpr double kFarthest = 100;     // m, as files have it
 constexpr double kMargin = 1 + 1e-6;  // numbers are rounded when they are saved
 
@@ -32,11 +33,11 @@ class PanelChecker {
         check_numbers();
         check_chain();
         for (int e = 0; e < edge_count(panel_); ++e) check_edge(e);
+        check_crossings();
         const double area = outline_area(panel_);
         if (!(area >= kSmallestArea * kMargin)) {
             fail(area < -kSmallestArea ? "would be turned inside out" : "would have no inside");
         }
-        check_crossings();
         for (const Notch& notch : panel_.notches) {
             if (notch.edge < 0 || notch.edge >= edge_count(panel_) || !(notch.t >= 0 && notch.t <= 1)) {
                 fail("would have a notch that is nowhere on its outline");
@@ -90,7 +91,8 @@ class PanelChecker {
     }
 
     void check_crossings() const {
-        const std::vector<OutlineCrossing> crossings = find_outline_crossings(panel_, 4);
+        const std::vector<OutlineCrossing> crossings =
+            find_outline_crossings(panel_, {.most = 4, .clearance = kClearance});
         if (crossings.empty()) return;
         std::vector<DraftPlace> places;
         for (const OutlineCrossing& crossing : crossings) {

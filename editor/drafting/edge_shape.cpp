@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "editor/drafting/draft.h"
 #include "sim/pattern/outline.h"
@@ -115,6 +116,36 @@ class CubicFit {
     Vec2d handles_ = Vec2d::Zero();
 };
 
+// The curve that split_curve made these two of, if it did: de Casteljau backwards.
+std::optional<OutlineEdge> rejoined(const Panel& panel, const OutlineEdge& a, const OutlineEdge& b) {
+    if (a.kind != b.kind || a.kind == CurveKind::Line) return {};
+    OutlineEdge whole = a;
+    whole.end = b.end;
+    double t = 0;  // of the whole, where they meet
+    if (a.kind == CurveKind::Arc) {
+        const ArcCircle one = arc_circle(panel, a);
+        const ArcCircle two = arc_circle(panel, b);
+        if (a.turns_right != b.turns_right || std::abs(one.sweep + two.sweep) > 1.99 * kPi) return {};
+        whole.is_large_arc = std::abs(one.sweep + two.sweep) > kPi;
+        t = one.sweep / (one.sweep + two.sweep);
+    } else {
+        const Vec2d joint = end_of(panel, a);
+        const std::size_t last = a.kind == CurveKind::Cubic ? 1 : 0;
+        const double before = (joint - a.control[last]).norm();
+        const double after = (b.control[0] - joint).norm();
+        if (before < 1e-9 || after < 1e-9) return {};
+        t = before / (before + after);
+        whole.control[0] = start_of(panel, a) + (a.control[0] - start_of(panel, a)) / t;
+        if (last == 1) whole.control[1] = end_of(panel, b) + (b.control[1] - end_of(panel, b)) / (1 - t);
+    }
+    for (const double s : {0.25, 0.5, 0.75, 1.0}) {
+        const bool fits = (curve_point(panel, whole, s * t) - curve_point(panel, a, s)).norm() < 1e-7 &&
+                          (curve_point(panel, whole, t + s * (1 - t)) - curve_point(panel, b, s)).norm() < 1e-7;
+        if (!fits) return {};
+    }
+    return whole;
+}
+
 OutlineEdge arc_as_cubic(const Panel& panel, const OutlineEdge& edge) {
     const ArcCircle circle = arc_circle(panel, edge);
     if (std::abs(circle.sweep) > kPi * 1.01) return joined_curve(panel, {edge});  // one cubic, as near as it can be
@@ -213,6 +244,9 @@ OutlineEdge joined_curve(const Panel& panel, const std::vector<OutlineEdge>& cha
     if (std::all_of(chain.begin(), chain.end(), [](const OutlineEdge& e) { return e.kind == CurveKind::Line; })) {
         return joined;
     }
+    std::optional<OutlineEdge> whole = chain.front();
+    for (std::size_t i = 1; i < chain.size() && whole; ++i) whole = rejoined(panel, *whole, chain[i]);
+    if (whole && chain.size() > 1) return *whole;
     constexpr int kSamples = 24;  // of each edge
     std::vector<Vec2d> points{start_of(panel, chain.front())};
     for (const OutlineEdge& edge : chain) {

@@ -34,8 +34,8 @@ enum class EdgeEnd { Start, End };
 // The unit direction in which the edge runs at its start or its end.
 Vec2d curve_direction(const Panel& panel, const OutlineEdge& edge, EdgeEnd at);
 
-// One edge for a chain of them: a line if all are lines, else the cubic with their end tangents that follows them best.
-// Label and start are the first's.
+// One edge for a chain of them: a line if all are lines, the curve that was split if they are its parts, else the cubic
+// with their end tangents that follows them best. Label and start are the first's.
 OutlineEdge joined_curve(const Panel& panel, const std::vector<OutlineEdge>& chain);
 
 // Moves vertices of an outline: where[i] is where vertex i is to be. Both ends of an edge moved: `map` takes its curve

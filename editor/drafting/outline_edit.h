@@ -3,7 +3,9 @@
 // stays sewn wherever it can. Lengths in metres, points in the panel's held frame (sim/pattern/pattern.h).
 //
 // Every function throws DraftError, and leaves the pattern as it was, when the outline would have no inside: fewer than
-// three vertices' worth, an edge shorter than 0.01 mm, outlines that cross themselves. Indices are checked, too.
+// three vertices' worth, an edge shorter than 0.01 mm, outlines that cross themselves or come nearer than 0.0001 mm; or
+// when a side of a seam would be over four times as long as the other. So whatever is drafted can be saved and loaded.
+// Indices are checked, too.
 #include <vector>
 
 #include "sim/pattern/pattern.h"
@@ -13,12 +15,16 @@ namespace selvedge {
 // The index of the panel of that name. Throws DraftError when there is none.
 int find_panel(const Pattern& pattern, const std::string& name);
 
-// Sets a vertex at the fraction t of the edge's length; the curve keeps its shape. The edges after it count one more. A
-// seam there becomes two, and the other side is split where it meets t. Returns the new vertex' index.
+// Sets a vertex at the fraction t of the edge's length; the curve keeps its shape. The edges after it count one more;
+// vertices keep their indices, the new one is the last. A seam there becomes two, and the other side is split where it
+// meets t: the seam stays with the part at the start of this edge, the other, unnamed, is added at the end of the
+// pattern's. Both parts keep the edge's label. Returns the new vertex' index.
 int split_edge(Pattern& pattern, SeamSide at, double t);
 
-// Takes vertices out; each edge pair becomes one edge: a line, if both were lines, else a cubic that keeps the end
-// tangents. Seams along them go, unless both sides' vertices that meet were removed.
+// Takes vertices out; the edges round them become one edge: a line, if all were lines; the whole curve again, if they
+// are the parts that split_edge made of it; else a cubic that keeps the end tangents. Its index is the first's. The
+// seams along them become one (that of the first edge) if the edges across follow each other too and meet without a
+// corner or, in the same panel, at vertices that are taken out with these: then those are joined as well. Else they go.
 void remove_vertices(Pattern& pattern, int panel, std::vector<int> vertices);
 
 // Moves vertices; the curves of edges with one end moved ride along with their chord.
@@ -27,8 +33,10 @@ void move_vertices(Pattern& pattern, int panel, const std::vector<int>& vertices
 // Applies a map of the plane to some vertices and to the controls of edges between two of them.
 void transform_vertices(Pattern& pattern, int panel, const std::vector<int>& vertices, const Eigen::Affine2d& map);
 
-// All of a panel: outline, internal lines; arcs become what they are mapped to, cubics where the map is no similarity.
-// A map that mirrors keeps the outline counter-clockwise: edges then run the other way round, seams follow.
+// All of a panel: outline, internal lines, grain; its placement stays. Arcs become cubics where the map is no
+// similarity: those over half a circle then lose some of their shape. A map that mirrors keeps the outline
+// counter-clockwise: edge e of n becomes edge (n - e) % n, from its end to its start, so that edge 0 stays edge 0;
+// vertices keep their indices; seams turn is_reversed, notches and the sett's offset follow.
 void transform_panel(Pattern& pattern, int panel, const Eigen::Affine2d& map);
 
 // The edge's curve: kind, controls or arc as in `curve`; its ends and label stay.

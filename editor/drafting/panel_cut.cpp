@@ -39,6 +39,8 @@ std::vector<double> meetings(const Vec2d& from, const Vec2d& to, const std::vect
         if (t > 1e-9 && t < 1 - 1e-9 && s >= 0 && s <= 1) found.push_back(t);
     }
     std::sort(found.begin(), found.end());
+    const auto is_same = [](double a, double b) { return b - a < 1e-9; };  // at a corner of the path
+    found.erase(std::unique(found.begin(), found.end(), is_same), found.end());
     return found;
 }
 

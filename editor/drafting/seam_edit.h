@@ -21,7 +21,9 @@ struct EdgeSpan {
 int sew_edges(Pattern& pattern, const Seam& seam);
 
 // Sews a run of spans to another, from its start on: spans of a run follow each other. Edges are split where a run
-// begins or ends and where it meets a joint of the other run, by share of their lengths: 1:N. Returns the new seams.
+// begins or ends and where it meets a joint of the other run, by share of their lengths: 1:N. `is_reversed`: the start
+// of the first run meets the end of the second. Joints within 0.1 mm of each other are one. Returns the new seams,
+// along the first run.
 std::vector<int> sew_runs(Pattern& pattern, const std::vector<EdgeSpan>& first, const std::vector<EdgeSpan>& second,
                           bool is_reversed);
 
@@ -31,8 +33,9 @@ void remove_seams(Pattern& pattern, std::vector<int> seams);
 std::array<double, 2> seam_lengths(const Pattern& pattern, const Seam& seam);
 inline constexpr double kUnevenSeam = 0.001;  // m, sides that differ by more are uneven
 
-// Makes the second side as long as the first by moving the end of it that is on no other seam, or else both ends evenly
-// along their neighbours; a curved side is scaled with its chord.
+// Makes the second side as long as the first: it is scaled with its chord, about the end where the next edge is sewn if
+// the other's is not, else about its middle; an end that both sides share, as a dart's apex, stays. It is no longer
+// eased.
 void even_seam(Pattern& pattern, int seam);
 
 // Whether straight lines between the ends as they are paired would cross, seen in the plane as they lie on the sheet,

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include "editor/drafting/draft.h"
 #include "editor/drafting/follow.h"
@@ -27,11 +28,11 @@ Run measured(const Pattern& pattern, const std::vector<EdgeSpan>& spans) {
     for (EdgeSpan& span : run.spans) {
         const SeamSide side{span.panel, span.edge};
         const double length = outline_length(panel_of(pattern, span.panel), edge_of(pattern, side));
-        if (span.from * length < kSnap) span.from = 0;
-        if ((1 - span.to) * length < kSnap) span.to = 1;
         if (!(span.from >= 0 && span.from < span.to && span.to <= 1)) {
             throw DraftError("The part of the edge that is to be sewn has no length.", {place_of(pattern, side)});
         }
+        if (span.from * length < kSnap) span.from = 0;
+        if ((1 - span.to) * length < kSnap) span.to = 1;
         if (seam_at(pattern, side)) {
             throw DraftError("This edge of panel " + panel_of(pattern, span.panel).name + " is sewn already.",
                              {place_of(pattern, side)});

@@ -2,6 +2,7 @@
 // All that the editor holds: what is worked on, the views onto it, and what lies open about them.
 #include <deque>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,6 +43,13 @@ struct DeskLayout {
     InspectorTab tab = InspectorTab::Properties;
 };
 
+// What the 3D view shows, to be exported.
+struct ShownFitting {
+    std::shared_ptr<const Scene> scene{};  // null: nothing
+    Camera camera{};
+    Light light{};
+};
+
 struct Desk {
     Desk(Services given, SessionDrive drive);
 
@@ -57,6 +65,7 @@ struct Desk {
     std::deque<Question> questions;
     std::vector<Panel> clipboard;
     WidgetMap widgets;
+    ShownFitting fitting;
     FocusedView focused = FocusedView::Sheet;
     bool shows_start_page = true;
     bool wants_to_close = false;

@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "editor/fitting/fitting_view.h"
 #include "editor/inspectors/inspector_context.h"
 #include "editor/sheet/sheet_view.h"
 #include "editor/tools/tool_desk.h"
@@ -105,8 +106,9 @@ struct Editor::Impl {
     void set_size(const FrameSize& size, double seconds);
     void run_keys();
     void take_other_events(const std::vector<InputEvent>& events);
-    void show_views();
+    void show_views(double seconds);
     void show_sheet(const Rectangle& where);
+    void show_fitting(const Rectangle& where, double seconds);
     void show_inspectors(const Rectangle& where);
     InspectorContext inspector_context();
 
@@ -115,6 +117,7 @@ struct Editor::Impl {
     ImGuiContext* context;
     UiInput input;
     SheetView sheet;
+    FittingView fitting;
     InspectorState inspectors;
     FrameOutput output;
     std::vector<Key> used_keys;  // by a view, this frame
@@ -192,6 +195,22 @@ InspectorContext Editor::Impl::inspector_context() {
                 }};
 }
 
+void Editor::Impl::show_fitting(const Rectangle& where, double seconds) {
+    const float unit = ImGui::GetFontSize();
+    const float bar = ImGui::GetFrameHeight() + 0.6F * unit;
+    begin_region("##fitting_bar", {where.low, {where.size.x, bar}}, {0.5F * unit, 0.3F * unit});
+    show_fitting_bar(desk);
+    ImGui::End();
+    begin_region("##fitting", {{where.low.x, where.low.y + bar}, {where.size.x, where.size.y - bar}}, {0, 0});
+    fitting.show({.workspace = desk.workspace,
+                  .output = output,
+                  .texture = kFittingTexture,
+                  .seconds = static_cast<float>(seconds),
+                  .scale = scale});
+    ImGui::End();
+    desk.fitting = {.scene = fitting.scene(), .camera = fitting.camera(), .light = fitting.light()};
+}
+
 void Editor::Impl::show_inspectors(const Rectangle& where) {
     constexpr std::array<std::pair<const char*, InspectorTab>, 6> tabs{{{"Edit", InspectorTab::Properties},
                                                                         {"Seams", InspectorTab::Seams},
@@ -220,7 +239,7 @@ void Editor::Impl::show_inspectors(const Rectangle& where) {
     ImGui::End();
 }
 
-void Editor::Impl::show_views() {
+void Editor::Impl::show_views(double seconds) {
     const float unit = ImGui::GetFontSize();
     const Regions regions = share_out(desk.layout, show_question(desk));
     if (desk.layout.has_tools) {
@@ -229,6 +248,7 @@ void Editor::Impl::show_views() {
         ImGui::End();
     }
     if (desk.layout.has_sheet) show_sheet(regions.sheet);
+    if (desk.layout.has_fitting) show_fitting(regions.fitting, seconds);
     if (desk.layout.has_inspectors) show_inspectors(regions.inspectors);
     if (desk.layout.has_sheet && desk.layout.has_fitting) {
         const float views = regions.sheet.size.x + regions.fitting.size.x;
@@ -268,7 +288,7 @@ FrameOutput Editor::frame(const std::vector<InputEvent>& events, const FrameSize
     InspectorContext box = impl.inspector_context();
     update_inspectors(box);
     show_menu_bar(desk);
-    impl.show_views();
+    impl.show_views(seconds);
     show_start_page(desk);
     desk.browser.show(desk);
     desk.finder.show(desk);
@@ -306,8 +326,9 @@ Vec2d Editor::sheet_to_px(const Vec2d& sheet) const {
     return to_px(impl_->sheet.camera(), sheet);
 }
 
-std::optional<Vec2d> Editor::room_to_px(const Vec3d&) const {
-    return std::nullopt;
+std::optional<Vec2d> Editor::room_to_px(const Vec3d& point) const {
+    const auto px = impl_->fitting.room_to_px(point.cast<float>());
+    return px ? std::optional<Vec2d>(px->cast<double>()) : std::nullopt;
 }
 
 bool Editor::has_more_input() const {

@@ -128,6 +128,18 @@ void save_as(Desk& desk, const std::string& file) {
         {"There is a file '" + target + "' already.", {{"Replace", write}, {"Cancel", [](Desk&) {}}}});
 }
 
+void export_to(Desk& desk, const std::string& file) {
+    const ExportRequest request{.file = file,
+                                .scene = desk.fitting.scene,
+                                .camera = desk.fitting.camera,
+                                .light = desk.fitting.light,
+                                .garment = desk.workspace.drape.frame()->mesh};
+    if (!request.scene || request.garment.triangles.empty()) {
+        return desk.workspace.messages.warn("There is nothing to export yet");
+    }
+    if (try_to(desk, [&] { desk.services.write_export(request); })) desk.workspace.messages.note("Wrote " + file);
+}
+
 void close(Desk& desk) {
     after_asking(desk, [](Desk& asked) {
         asked.services.end_journal();

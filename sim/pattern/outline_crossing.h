@@ -19,8 +19,12 @@ struct OutlineCrossing {
     Vec2d place = Vec2d::Zero();  // m, held frame
 };
 
-// Curves are followed to 0.1 mm. The first crossing of each pair of edges, `most` pairs at most. Pre: edges have
-// length.
-std::vector<OutlineCrossing> find_outline_crossings(const Panel& panel, std::size_t most);
+struct CrossingSearch {
+    std::size_t most = 20;  // pairs of edges to report: a scribble need not be listed whole
+    double clearance = 0;   // m, what comes this near to something else touches it
+};
+
+// Curves are followed to 0.1 mm. The first crossing of each pair of edges. Pre: edges have length.
+std::vector<OutlineCrossing> find_outline_crossings(const Panel& panel, const CrossingSearch& search = {});
 
 }  // namespace selvedge

@@ -47,7 +47,7 @@ class ShapeChecker {
     }
 
     void check_crossings(const Panel& panel, const std::string& edges) {
-        for (const OutlineCrossing& crossing : find_outline_crossings(panel, kMostCrossings)) {
+        for (const OutlineCrossing& crossing : find_outline_crossings(panel)) {
             add(Severity::Error, json_path(edges, crossing.first),
                 "the outline crosses or touches itself: edges " + std::to_string(crossing.first) + " and " +
                     std::to_string(crossing.second) + " meet near " + in_file_units(crossing.place, panel, units_));
@@ -75,8 +75,6 @@ class ShapeChecker {
         add(is_absurd ? Severity::Error : Severity::Warning,
             json_path("pattern.stitches", static_cast<std::size_t>(reading_.seam_indices[i])), text.data());
     }
-
-    static constexpr std::size_t kMostCrossings = 20;  // of one panel: a scribble need not be listed whole
 
     PatternReading& reading_;
     std::string file_;
