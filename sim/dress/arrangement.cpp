@@ -15,9 +15,9 @@ namespace selvedge {
 namespace {
 
 constexpr double kClear = 0.022;       // m, from the part of the body that the point belongs to
-constexpr double kPanelClear = 0.01;   // m, that a wrapped panel keeps
+constexpr double kPanelClear = 0.012;  // m, that a wrapped panel keeps
 constexpr double kLeastClear = 0.006;  // m, from anything: a point that is nearer, as between thighs, is left out
-constexpr double kFurthest = 0.05;     // m
+constexpr double kFurthest = 0.040;    // m, from its own level, for the sake of those above and below
 
 // A part of the body that a plane cuts: what a cylinder is to go round.
 struct Cut {
@@ -98,7 +98,7 @@ std::array<TorsoLevel, 5> torso_levels(const Body& body) {
              {"chest", at(0.728), 0.08},
              {"waist", waist_level(body, height), 0.08},
              {"hip", hip, 0.08},
-             {"below hip", hip - 0.07 * stature, 0.08}}};
+             {"below hip", hip - 0.07 * stature, 0.04}}};
 }
 
 std::optional<Cut> cut_torso(const Body& body, const TorsoLevel& level) {

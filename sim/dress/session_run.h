@@ -50,6 +50,9 @@ class SessionRun {
     void restore(const std::string& name);
     void say(std::string message);
 
+    // It stands still, and says why, until something changes.
+    void fail(const std::string& problem);
+
     // Running, and not at rest.
     bool moves() const;
     // One frame. Pre: moves().
@@ -94,7 +97,6 @@ class SessionRun {
     DrapeOptions draping() const;
     void apply_options();
     void wake();
-    void fail(const std::string& problem);
     bool is_sewn() const { return drape_.has_value(); }
 
     // session_changes.cpp: what is changed

@@ -132,9 +132,14 @@ void Session::Worker::wait(std::optional<Clock::time_point> until) {
 }
 
 void Session::Worker::work() {
-    try {
-        work_until_ended();
-    } catch (const Ended&) {
+    while (!has_ended()) {
+        try {
+            work_until_ended();
+        } catch (const Ended&) {
+            return;
+        } catch (const std::exception& error) {  // out of memory, say
+            run_.fail(error.what());
+        }
     }
 }
 
