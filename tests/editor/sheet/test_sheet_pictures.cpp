@@ -47,8 +47,7 @@ TEST(SheetPictures, sewing_in_progress) {
 
 TEST(SheetPictures, an_uneven_seam) {
     SheetStage stage(shipped_pattern("tshirt"), {1280, 800, 1});
-    stage.tools.run({stage.document, stage.hover, stage.messages},
-                    MoveVertices{{{"front", 1}}, Vec2d(0.0, 0.008)});
+    stage.tools.run({stage.document, stage.hover, stage.messages}, MoveVertices{{{"front", 1}}, Vec2d(0.0, 0.008)});
     stage.key(key_of('N'));
     stage.click(stage.on_edge("front", 1, 0.2));
     keep(stage, "uneven");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "editor/drafting/outline_edit.h"
 #include "editor/drafting/panel_edit.h"
 
 namespace selvedge {
