@@ -1,0 +1,48 @@
+#pragma once
+// A person at the sheet, without a screen: moves, clicks and types at places of the sheet.
+#include <string>
+#include <vector>
+
+#include "editor/document/document.h"
+#include "editor/tools/tool_host.h"
+
+namespace selvedge {
+
+// A rectangle from low to high, that lies where its numbers say.
+Panel square_panel(const std::string& name, const Vec2d& low, const Vec2d& high);
+
+// Two squares of 20 cm: "left" from (0, 0), "right" from (0.3, 0); edges 0 below, 1 right, 2 above, 3 left.
+PatternDocument two_squares();
+
+class SheetHands {
+ public:
+    explicit SheetHands(PatternDocument source = two_squares());
+
+    Document document;
+    Hover hover;
+    Messages messages;
+    ToolHost tools;
+
+    ToolDesk desk() { return {document, hover, messages}; }
+    const Pattern& pattern() const { return document.pattern(); }
+    const Panel& panel(const std::string& name) const;
+    Vec2d vertex(const std::string& panel, int index);  // on the sheet
+
+    void choose(ToolKind kind) { tools.choose(desk(), kind); }
+    void move(const Vec2d& sheet, const Modifiers& modifiers = {});
+    void press(const Vec2d& sheet, const Modifiers& modifiers = {});
+    void release(const Vec2d& sheet, const Modifiers& modifiers = {});
+    void click(const Vec2d& sheet, const Modifiers& modifiers = {});
+    void double_click(const Vec2d& sheet);
+    void drag(const Vec2d& from, const Vec2d& to, const Modifiers& modifiers = {});
+    bool key(Key key, const Modifiers& modifiers = {});
+    void type(const std::string& text, Key then = Key::Enter);
+
+    std::string message() const { return messages.shown() ? messages.shown()->words : ""; }
+    ToolOverlay overlay();
+
+ private:
+    SheetCamera camera_{.centre = Vec2d(0.25, 0.1), .scale = 1000};  // a px is a millimetre
+};
+
+}  // namespace selvedge

@@ -1,0 +1,123 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "editor/drafting/draft_error.h"
+#include "editor/tools/free_sewing_tool.h"
+#include "editor/tools/sewing_tool.h"
+#include "tests/editor/tools/sheet_hands.h"
+
+namespace selvedge {
+namespace {
+
+bool has_warning(const ToolOverlay& overlay) {
+    return std::any_of(overlay.lines.begin(), overlay.lines.end(),
+                       [](const OverlayLine& line) { return line.tone == OverlayTone::Warning; });
+}
+
+TEST(SewingTool, the_ends_that_are_clicked_meet) {
+    SheetHands hands;
+    hands.choose(ToolKind::SegmentSewing);
+    hands.click({0.2, 0.03});  // edge 1 of left runs up: near its start
+    hands.click({0.3, 0.04});  // edge 3 of right runs down: near its end
+    ASSERT_EQ(hands.pattern().seams.size(), 1U);
+    EXPECT_EQ(hands.pattern().seams[0].first, (SeamSide{0, 1}));
+    EXPECT_EQ(hands.pattern().seams[0].second, (SeamSide{1, 3}));
+    EXPECT_TRUE(hands.pattern().seams[0].is_reversed);
+}
+
+TEST(SewingTool, warns_of_crossed_threads_and_r_turns_the_second_edge) {
+    SheetHands hands;
+    hands.choose(ToolKind::SegmentSewing);
+    hands.click({0.2, 0.03});
+    hands.move({0.3, 0.04});
+    EXPECT_FALSE(has_warning(hands.overlay()));
+    hands.move({0.3, 0.17});
+    EXPECT_TRUE(has_warning(hands.overlay()));
+    EXPECT_TRUE(hands.key(key_of('R')));
+    EXPECT_FALSE(has_warning(hands.overlay()));
+    hands.click({0.3, 0.17});
+    EXPECT_TRUE(hands.pattern().seams.at(0).is_reversed);
+    EXPECT_EQ(hands.tools.kind(), ToolKind::SegmentSewing) << "R is not Rotate here";
+}
+
+TEST(SewingTool, tells_both_lengths_and_their_difference) {
+    SheetHands hands;
+    hands.document.run(MoveVertices{{{"right", 3}}, Vec2d(0, 0.0032)});
+    hands.choose(ToolKind::SegmentSewing);
+    hands.click({0.2, 0.03});
+    hands.move({0.3, 0.04});
+    const std::vector<std::string> readout = hands.overlay().readout;
+    ASSERT_EQ(readout.size(), 2U);
+    EXPECT_EQ(readout[0], "20.0 cm to 20.32 cm");
+    EXPECT_EQ(readout[1], "+3.2 mm");
+}
+
+TEST(SewingTool, a_sewn_edge_is_selected_and_r_or_a_click_on_its_mark_reverses_it) {
+    SheetHands hands;
+    hands.document.run(SewEdges{{"left", 1}, {"right", 3}, true});
+    hands.choose(ToolKind::SegmentSewing);
+    hands.click({0.3, 0.05});
+    EXPECT_EQ(hands.document.selection().seams, (std::set<int>{0}));
+    hands.key(key_of('R'));
+    EXPECT_FALSE(hands.pattern().seams[0].is_reversed);
+    hands.click({0.2, 0.1});
+    EXPECT_TRUE(hands.pattern().seams[0].is_reversed);
+    hands.key(Key::Delete);
+    EXPECT_TRUE(hands.pattern().seams.empty());
+}
+
+TEST(SewingTool, an_edge_is_not_sewn_to_itself) {
+    SheetHands hands;
+    hands.choose(ToolKind::SegmentSewing);
+    hands.click({0.2, 0.03});
+    hands.click({0.2, 0.16});
+    EXPECT_TRUE(hands.pattern().seams.empty());
+    EXPECT_FALSE(hands.message().empty());
+}
+
+TEST(FreeSewingTool, sews_parts_of_edges_that_are_dragged_over) {
+    SheetHands hands;
+    hands.choose(ToolKind::FreeSewing);
+    hands.drag({0.2, 0.0}, {0.2, 0.1});
+    hands.drag({0.3, 0.0}, {0.3, 0.098});
+    ASSERT_EQ(hands.pattern().seams.size(), 1U);
+    EXPECT_TRUE(hands.pattern().seams[0].is_reversed) << "one was drawn along its outline, the other against it";
+    EXPECT_EQ(hands.panel("left").vertices.size(), 5U);
+    ASSERT_EQ(hands.panel("right").vertices.size(), 5U);
+    double lowest = 1;
+    for (int i = 0; i < 5; ++i) {
+        const Vec2d at = hands.vertex("right", i);
+        if (at.y() > 0.01 && at.y() < 0.19) lowest = at.y();
+    }
+    EXPECT_NEAR(lowest, 0.1, 1e-9) << "as long as the first";
+}
+
+TEST(FreeSewingTool, one_run_is_sewn_to_several_with_shift) {
+    PatternDocument source = two_squares();
+    source.pattern.panels[1] = square_panel("right", {0.3, 0}, {0.5, 0.1});
+    source.pattern.panels.push_back(square_panel("upper", {0.3, 0.12}, {0.5, 0.22}));
+    SheetHands hands(source);
+    hands.choose(ToolKind::FreeSewing);
+    hands.click({0.2, 0.03});
+    hands.click({0.3, 0.02}, {.shift = true});
+    hands.click({0.3, 0.13}, {.shift = true});
+    EXPECT_TRUE(hands.pattern().seams.empty()) << "more may come";
+    EXPECT_TRUE(hands.key(Key::Enter));
+    EXPECT_EQ(hands.message(), "");
+    EXPECT_EQ(hands.pattern().seams.size(), 2U);
+    EXPECT_EQ(hands.panel("left").vertices.size(), 5U);
+}
+
+TEST(FreeSewingTool, runs_are_put_in_the_outlines_order) {
+    const SewnRun run = run_of({{{"a", 2}, 1, 0}, {{"a", 1}, 1, 0.4}});
+    EXPECT_FALSE(run.is_forward);
+    ASSERT_EQ(run.spans.size(), 2U);
+    EXPECT_EQ(run.spans[0], (SpanRef{"a", 1, 0.4, 1}));
+    EXPECT_EQ(run.spans[1], (SpanRef{"a", 2, 0, 1}));
+    EXPECT_THROW(run_of({{{"a", 2}, 1, 0}, {{"a", 3}, 0, 1}}), DraftError);
+    EXPECT_THROW(run_of({}), DraftError);
+}
+
+}  // namespace
+}  // namespace selvedge
