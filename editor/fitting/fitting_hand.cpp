@@ -40,8 +40,7 @@ std::vector<Vec3f> placed_points(const std::vector<Panel>& panels) {
 void FittingHand::update(Workspace& workspace, const FittingInput& input, ClothChoice choice) {
     size_px_ = input.size_px.cwiseMax(1);
     orbit_.advance(input.seconds);
-    garment_.follow(workspace.document->pattern(), workspace.document->revision(), workspace.drape.frame(),
-                    workspace.look.as_placed ? GarmentState::AsPlaced : GarmentState::AsItIs);
+    follow_garment(workspace);
     stand_gizmo(workspace, input.scale);
     if (gesture_ == Gesture::None) {
         look_under(workspace, input, choice);
@@ -50,9 +49,15 @@ void FittingHand::update(Workspace& workspace, const FittingInput& input, ClothC
     move(workspace, input);
     release(workspace, input);
     use_keys(workspace, input);
+    follow_garment(workspace);  // what was changed is shown in the same frame
     stand_gizmo(workspace, input.scale);
     find_ghosts(workspace);
     last_px_ = input.cursor_px;
+}
+
+void FittingHand::follow_garment(const Workspace& workspace) {
+    garment_.follow(workspace.document->pattern(), workspace.document->revision(), workspace.drape.frame(),
+                    workspace.look.as_placed ? GarmentState::AsPlaced : GarmentState::AsItIs);
 }
 
 void FittingHand::look_under(Workspace& workspace, const FittingInput& input, ClothChoice choice) {
@@ -209,6 +214,7 @@ void FittingHand::press(Workspace& workspace, const FittingInput& input) {
         if (!panels.empty()) workspace.run(arrange_command(panels, workspace.drape.worn().points[*under_.point]));
     } else if (is_left) {
         pressed_ = under_;
+        if (under_.cloth) pressed_point_ = cloth_point(*under_.cloth);
         gesture_ = Gesture::Pressed;
     }
 }
@@ -268,7 +274,7 @@ void FittingHand::begin_from_cloth(Workspace& workspace) {
     if (is_sewn_up(garment_.frame().stage) && !garment_.is_placed()) {
         pulled_from_ = pressed_.surface;
         pulled_to_ = pressed_.surface;
-        workspace.drape.session().pull(cloth_point(*pressed_.cloth), *pulled_to_);
+        workspace.drape.session().pull(pressed_point_, *pulled_to_);
         gesture_ = Gesture::Pull;
         return;
     }
@@ -298,7 +304,7 @@ void FittingHand::click(Workspace& workspace, const FittingInput& input) {
     const bool is_adding = input.modifiers.shift;
     const Hover& on = pressed_.hover;
     if (input.modifiers.ctrl && pressed_.cloth) {
-        workspace.drape.session().pin(cloth_point(*pressed_.cloth));
+        workspace.drape.session().pin(pressed_point_);
         return;
     }
     Selection selection = is_adding ? workspace.document->selection() : Selection{};

@@ -47,6 +47,7 @@ class FittingHand {
  private:
     enum class Gesture { None, Orbit, Pan, Pressed, Gizmo, Pull };
 
+    void follow_garment(const Workspace& workspace);
     void stand_gizmo(const Workspace& workspace, float scale);
     void find_ghosts(const Workspace& workspace);
     void look_under(Workspace& workspace, const FittingInput& input, ClothChoice choice);
@@ -77,7 +78,8 @@ class FittingHand {
     Gesture gesture_ = Gesture::None;
     Vec2f last_px_{0, 0};
     Vec2f pressed_px_{0, 0};
-    UnderCursor pressed_;  // what the button was pressed on
+    UnderCursor pressed_;       // what the button was pressed on
+    ClothPoint pressed_point_;  // and where, when it was cloth: of the frame that was seen then
 
     std::optional<Gizmo> gizmo_;
     std::optional<GizmoDrag> drag_;

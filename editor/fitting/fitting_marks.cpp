@@ -134,7 +134,9 @@ std::vector<Thread> threads_of(const Seam& seam, const SeenGarment& garment) {
     std::array<std::vector<Vec3f>, 2> sides;
     const std::array<SeamSide, 2> ends{seam.first, seam.second};
     for (std::size_t i = 0; i < 2; ++i) {
-        const ClothOutline& outline = garment.outlines()[static_cast<std::size_t>(ends[i].panel)];
+        const auto panel = static_cast<std::size_t>(ends[i].panel);
+        if (panel >= garment.outlines().size()) return {};
+        const ClothOutline& outline = garment.outlines()[panel];
         if (!outline.is_empty())
             sides[i] = edge_path(outline, static_cast<std::size_t>(ends[i].edge), garment.mesh().x);
         if (sides[i].size() < 2) return {};
