@@ -22,7 +22,8 @@ struct SceneToDraw {
     Light light;
     int width_px = 0;
     int height_px = 0;
-    bool is_draft = true;  // fast: no shadows, no room light, one sample
+    bool is_draft = true;      // fast: no shadows, no room light, one sample
+    bool wants_paint = false;  // the mode of its first cloth is to be filled in first (render/show.h)
 };
 
 // A picture to be held as a texture that repeats, until another of that number comes.

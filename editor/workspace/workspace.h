@@ -19,7 +19,9 @@ struct FittingLook {
     bool has_body = true;
     bool has_points = true;   // arrangement points, while a panel is selected and nothing runs
     bool has_threads = true;  // of seams that are not closed
-    bool has_edges = false;   // of triangles, over any mode
+    bool has_edges = false;   // of triangles, over plain cloth
+    bool as_placed = false;   // panels where they are placed, also while the garment hangs sewn
+    bool own_axes = false;    // a single panel is moved and turned along its own axes, not the room's
 
     bool operator==(const FittingLook&) const = default;
 };

@@ -143,11 +143,12 @@ void add_tube(SolidItem& solid, const std::vector<Vec3f>& path, float radius, co
     add_ball(solid, points.back(), radius, colour, BallDetail::Coarse);
 }
 
+void add_rod(SolidItem& solid, const Vec3f& from, const Vec3f& to, float radius, const Rgb8& colour) {
+    if ((to - from).norm() > 1e-7F) add_pipe(solid, {from, to}, radius, colour);
+}
+
 void add_outline(SolidItem& solid, const std::array<Vec3f, 3>& triangle, float radius, const Rgb8& colour) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Vec3f &from = triangle[i], &to = triangle[(i + 1) % 3];
-        if ((to - from).norm() > 1e-7F) add_pipe(solid, {from, to}, radius, colour);
-    }
+    for (std::size_t i = 0; i < 3; ++i) add_rod(solid, triangle[i], triangle[(i + 1) % 3], radius, colour);
 }
 
 }  // namespace selvedge

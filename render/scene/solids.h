@@ -14,6 +14,9 @@ void add_ball(SolidItem& solid, const Vec3f& centre, float radius, const Rgb8& c
 // Along a path of points, round its bends, with round ends. Points that coincide with the one before are passed over.
 void add_tube(SolidItem& solid, const std::vector<Vec3f>& path, float radius, const Rgb8& colour);
 
+// A straight tube without ends, for what is thin. Nothing where they coincide.
+void add_rod(SolidItem& solid, const Vec3f& from, const Vec3f& to, float radius, const Rgb8& colour);
+
 // The edges of one triangle, as thin as that: three straight tubes.
 void add_outline(SolidItem& solid, const std::array<Vec3f, 3>& triangle, float radius, const Rgb8& colour);
 

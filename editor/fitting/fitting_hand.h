@@ -1,0 +1,93 @@
+#pragma once
+// What mouse and keys mean in the 3D view: looking round, choosing panels, placing them by the gizmo and by arrangement
+// points, pulling and pinning cloth. Knows no ImGui.
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "editor/fitting/fitting_input.h"
+#include "editor/fitting/gizmo_drag.h"
+#include "editor/fitting/orbit_camera.h"
+#include "editor/fitting/seen_garment.h"
+#include "editor/fitting/under_cursor.h"
+#include "editor/tools/typed_input.h"
+#include "editor/workspace/workspace.h"
+
+namespace selvedge {
+
+class FittingHand {
+ public:
+    // Once per frame.
+    void update(Workspace& workspace, const FittingInput& input, ClothChoice choice);
+
+    const OrbitCamera& orbit() const { return orbit_; }
+    Viewing viewing() const { return {orbit_.camera(), size_px_}; }
+    const SeenGarment& garment() const { return garment_; }
+    const UnderCursor& under() const { return under_; }
+    const Vec2f& cursor_px() const { return last_px_; }
+
+    // Where the gizmo stands; none: nothing is to be placed now.
+    const std::optional<Gizmo>& gizmo() const { return gizmo_; }
+    const std::optional<GizmoDrag>& drag() const { return drag_; }
+    const std::string& typed() const { return typed_.text(); }
+    bool shows_points() const { return shows_points_; }
+
+    // Outlines in the room, m, of where panels would stand, or stand while the garment hangs sewn.
+    const std::vector<std::vector<Vec3f>>& ghosts() const { return ghosts_; }
+
+    const std::optional<Vec3f>& pulled_to() const { return pulled_to_; }
+    bool is_busy() const { return gesture_ != Gesture::None || orbit_.is_moving(); }
+
+    // All that is seen, or what of it is selected.
+    void frame_all(const Workspace& workspace);
+    void frame_selection(const Workspace& workspace);
+    void look_from(StandardView view) { orbit_.look_from(view); }
+
+ private:
+    enum class Gesture { None, Orbit, Pan, Pressed, Gizmo, Pull };
+
+    void follow_garment(const Workspace& workspace);
+    void stand_gizmo(const Workspace& workspace, float scale);
+    void find_ghosts(const Workspace& workspace);
+    void look_under(Workspace& workspace, const FittingInput& input, ClothChoice choice);
+
+    void use_keys(Workspace& workspace, const FittingInput& input);
+    bool use_view_key(const Workspace& workspace, Key key, bool is_opposite);
+    void type(Workspace& workspace, const FittingInput& input);
+    void pin_under(Workspace& workspace);
+    ClothPoint cloth_point(const MeshHit& hit) const;
+
+    void press(Workspace& workspace, const FittingInput& input);
+    void move(Workspace& workspace, const FittingInput& input);
+    void release(Workspace& workspace, const FittingInput& input);
+    void begin_drag(Workspace& workspace, const Gizmo& gizmo, const GizmoHandle& handle, const Vec2f& px);
+    void end_drag(Workspace& workspace, bool is_kept);
+    void begin_from_cloth(Workspace& workspace);
+    void click(Workspace& workspace, const FittingInput& input);
+
+    OrbitCamera orbit_;
+    Vec2f size_px_{1, 1};
+    SeenGarment garment_;
+    std::shared_ptr<const Body> body_;
+    BodySurface surface_;  // of it
+    UnderCursor under_;
+    bool has_set_hover_ = false;
+    bool shows_points_ = false;
+
+    Gesture gesture_ = Gesture::None;
+    Vec2f last_px_{0, 0};
+    Vec2f pressed_px_{0, 0};
+    UnderCursor pressed_;       // what the button was pressed on
+    ClothPoint pressed_point_;  // and where, when it was cloth: of the frame that was seen then
+
+    std::optional<Gizmo> gizmo_;
+    std::optional<GizmoDrag> drag_;
+    std::vector<Panel> dragged_;  // as they were
+    TypedInput typed_;
+    std::vector<std::vector<Vec3f>> ghosts_;
+    std::optional<Vec3f> pulled_from_;  // m, where the cloth was taken
+    std::optional<Vec3f> pulled_to_;
+};
+
+}  // namespace selvedge

@@ -1,0 +1,97 @@
+#include "editor/fitting/under_cursor.h"
+
+#include <algorithm>
+
+namespace selvedge {
+namespace {
+
+// px at scale 1.
+constexpr float kHandleTolerance = 7, kPointTolerance = 9, kEdgeTolerance = 6, kVertexTolerance = 8;
+constexpr float kSkin = 0.004F;    // m: cloth that lies on a body may be a little within it
+constexpr float kBehind = 0.025F;  // m: so far behind what is seen a thing still counts as seen
+
+Vec3f point_of(const PlainMesh& mesh, const MeshHit& hit) {
+    const auto& [a, b, c] = mesh.triangles[hit.triangle];
+    return hit.weights[0] * mesh.x[a] + hit.weights[1] * mesh.x[b] + hit.weights[2] * mesh.x[c];
+}
+
+void find_surface(const Ray& ray, const PickRoom& room, UnderCursor& under) {
+    const PlainMesh& mesh = room.garment.mesh();
+    const std::optional<MeshHit> cloth = nearest_hit(ray, mesh.x, mesh.triangles);
+    const std::optional<MeshHit> body = room.body ? nearest_hit(ray, room.body->x, room.body->triangles) : std::nullopt;
+    if (body && (!cloth || body->distance < cloth->distance - kSkin)) {
+        under.surface = ray.at(body->distance);
+        return;
+    }
+    if (!cloth) return;
+    under.cloth = cloth;
+    under.surface = point_of(mesh, *cloth);
+    const std::size_t panel = mesh.panel.empty() ? 0 : mesh.panel[cloth->triangle];
+    if (panel < mesh.panel_names.size()) under.hover.panel = mesh.panel_names[panel];
+}
+
+// Keeps the nearest of what is offered on the screen, of what is not hidden.
+class Nearest {
+ public:
+    Nearest(float tolerance_px, float farthest) : least_px_(tolerance_px), farthest_(farthest) {}
+
+    bool take(const std::optional<ScreenDistance>& distance) {
+        if (!distance || distance->depth > farthest_ || !(distance->px < least_px_)) return false;
+        least_px_ = distance->px;
+        return true;
+    }
+
+ private:
+    float least_px_;
+    float farthest_;  // m before the eye
+};
+
+void find_point(const Viewing& viewing, const Vec2f& px, const PickRoom& room, float farthest, UnderCursor& under) {
+    Nearest nearest(kPointTolerance * room.scale, farthest);
+    for (std::size_t i = 0; i < room.points->size(); ++i) {
+        if (nearest.take(distance_to_point(viewing, px, (*room.points)[i].position.cast<float>()))) under.point = i;
+    }
+}
+
+void find_part(const Viewing& viewing, const Vec2f& px, const PickRoom& room, float farthest, Hover& hover) {
+    Nearest vertices(kVertexTolerance * room.scale, farthest), edges(kEdgeTolerance * room.scale, farthest);
+    const std::vector<Vec3f>& x = room.garment.mesh().x;
+    for (std::size_t p = 0; p < room.pattern.panels.size() && p < room.garment.outlines().size(); ++p) {
+        const ClothOutline& outline = room.garment.outlines()[p];
+        const Panel& panel = room.pattern.panels[p];
+        for (std::size_t e = 0; e < outline.starts.size() && e < panel.edges.size(); ++e) {
+            if (vertices.take(distance_to_point(viewing, px, start_of(outline, e, x))))
+                hover.vertex = PartRef{panel.name, panel.edges[e].start};
+            if (edges.take(distance_to_path(viewing, px, edge_path(outline, e, x))))
+                hover.edge = PartRef{panel.name, static_cast<int>(e)};
+        }
+    }
+    if (hover.vertex) hover.edge.reset();
+    if (hover.vertex) hover.panel = hover.vertex->panel;
+    if (hover.edge) hover.panel = hover.edge->panel;
+}
+
+}  // namespace
+
+BodySurface body_surface(const Body& body) {
+    BodySurface surface;
+    for (const Vec3d& x : body.x) surface.x.push_back(x.cast<float>());
+    for (const auto& [a, b, c] : body.triangles) {
+        surface.triangles.push_back(
+            {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
+    }
+    return surface;
+}
+
+UnderCursor find_under(const Viewing& viewing, const Vec2f& px, const PickRoom& room) {
+    UnderCursor under;
+    if (room.gizmo) under.handle = pick_gizmo(*room.gizmo, viewing, px, kHandleTolerance * room.scale);
+    find_surface(ray_through(viewing, px), room, under);
+    const float farthest = under.surface ? depth_of(viewing, *under.surface) + kBehind : viewing.camera.far_plane;
+    if (room.points && !under.handle) find_point(viewing, px, room, farthest, under);
+    if (room.choice == ClothChoice::Parts) find_part(viewing, px, room, farthest, under.hover);
+    if (under.handle || under.point) under.hover = {};
+    return under;
+}
+
+}  // namespace selvedge
