@@ -51,13 +51,6 @@ void split_triangle(const std::array<int, 3>& corners, int parts, SplitPoints& p
     }
 }
 
-std::vector<Fabric> fabrics_of(const Pattern& pattern) {
-    std::vector<Fabric> fabrics;
-    for (const Panel& panel : pattern.panels)
-        fabrics.push_back(find_fabric(panel.fabric.empty() ? pattern.fabric : panel.fabric));
-    return fabrics;
-}
-
 GarmentMesh placed_panels(const Pattern& pattern, const Body& body, const BodyCollider& collider,
                           const DressingOptions& options) {
     Pattern moved = pattern;

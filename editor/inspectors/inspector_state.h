@@ -57,8 +57,8 @@ struct TypedAngles {
 };
 
 struct TartanPicture {
-    std::string shown_as;  // "Black Watch"
-    Sett sett;
+    std::string shown_as{};  // "Black Watch"
+    Sett sett{};
     UiTexture texture = 0;
 };
 
