@@ -11,6 +11,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr unsigned kWindowFramebuffer = 0;
 constexpr double kLeastPeriod = 0.016;  // s from one frame to the next: a little under a screen's, which sets the pace
 constexpr double kIdlePeriod = 0.25;    // s: a blinking caret's, and how late news from other threads may be seen
 constexpr int kFramesToSettle = 3;      // after an event: what was pressed in one frame shows in the next
@@ -78,9 +79,10 @@ class Pace {
 
 }  // namespace
 
-FramePainter::FramePainter(GlContext& context) : context_(context), ui_draw_(context), picture_(context.gl()) {}
+FramePainter::FramePainter(GlContext& context) : context_(context), ui_draw_(context) {}
 
-FrameOutput FramePainter::paint(EditSurface& surface, const FrameInput& input, FrameTimes* times) {
+FrameOutput FramePainter::paint(EditSurface& surface, const FrameInput& input, unsigned framebuffer,
+                                FrameTimes* times) {
     SELVEDGE_ASSERT(input.width_px >= 1 && input.height_px >= 1 && input.scale > 0 && input.seconds > 0);
     context_.make_current();
     FrameClock clock(context_, times);
@@ -89,8 +91,7 @@ FrameOutput FramePainter::paint(EditSurface& surface, const FrameInput& input, F
     for (const PictureToHold& picture : output.pictures) ui_draw_.hold(picture);
     for (const SceneToDraw& scene : output.scenes) draw_scene(scene);
     clock.lap(&FrameTimes::scenes);
-    picture_.resize(input.width_px, input.height_px);
-    ui_draw_.draw(picture_);
+    ui_draw_.draw({.framebuffer = framebuffer, .width_px = input.width_px, .height_px = input.height_px});
     clock.lap(&FrameTimes::ui_draw);
     return output;
 }
@@ -107,7 +108,7 @@ void FramePainter::draw_scene(const SceneToDraw& scene) {
         if (!renderer_) renderer_.emplace(context_);
         renderer_->draw(view, drawn.picture);
     }
-    if (is_new) ui_draw_.lend(scene.texture, drawn.picture.texture());
+    if (is_new) ui_draw_.lend(scene.texture, drawn.picture);
 }
 
 void run_edit_loop(EditSurface& surface, Window& window, const EditLoopOptions& options) {
@@ -125,17 +126,19 @@ void run_edit_loop(EditSurface& surface, Window& window, const EditLoopOptions& 
                          .seconds = pace.start_frame()};
         FrameTimes times;
         FrameTimes* wanted = file ? &times : nullptr;
-        output = painter.paint(surface, input, wanted);
+        output = painter.paint(surface, input, kWindowFramebuffer, wanted);
         FrameClock clock(window.context(), wanted);
         dress.put_on(window, output);
-        window.show(painter.picture());
+        window.show();
         clock.lap(&FrameTimes::swap);
         if (file) file->add(times);
     }
 }
 
 OffscreenEditLoop::OffscreenEditLoop(const OffscreenOptions& options)
-    : options_(options), context_(make_context(options.maker)), painter_(*context_) {}
+    : options_(options), context_(make_context(options.maker)), picture_(context_->gl()), painter_(*context_) {
+    picture_.resize(options.width_px, options.height_px);
+}
 
 FrameOutput OffscreenEditLoop::step(EditSurface& surface, const std::vector<InputEvent>& events, FrameTimes* times) {
     return painter_.paint(surface,
@@ -144,11 +147,11 @@ FrameOutput OffscreenEditLoop::step(EditSurface& surface, const std::vector<Inpu
                            .height_px = options_.height_px,
                            .scale = options_.scale,
                            .seconds = options_.seconds},
-                          times);
+                          picture_.framebuffer(), times);
 }
 
 Image OffscreenEditLoop::screenshot() const {
-    return painter_.picture().read();
+    return picture_.read();
 }
 
 }  // namespace selvedge

@@ -43,10 +43,9 @@ class FramePainter {
  public:
     explicit FramePainter(GlContext& context);
 
-    // With times given, its parts wait for GL, and are added up there.
-    FrameOutput paint(EditSurface& surface, const FrameInput& input, FrameTimes* times = nullptr);
-
-    const PictureTexture& picture() const { return picture_; }
+    // To a framebuffer of the context that has the input's size. With times given, its parts wait for GL, and are added
+    // up there.
+    FrameOutput paint(EditSurface& surface, const FrameInput& input, unsigned framebuffer, FrameTimes* times = nullptr);
 
  private:
     // A scene's texture, with what is kept to draw it quickly.
@@ -59,7 +58,6 @@ class FramePainter {
 
     GlContext& context_;
     UiDraw ui_draw_;
-    PictureTexture picture_;
     std::map<UiTexture, SceneTexture> scenes_;
     std::optional<Renderer> renderer_;  // for what is no draft; made when it is first asked for
 };
@@ -93,6 +91,7 @@ class OffscreenEditLoop {
  private:
     OffscreenOptions options_;
     std::unique_ptr<GlContext> context_;
+    PictureTexture picture_;
     FramePainter painter_;
 };
 

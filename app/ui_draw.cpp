@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -43,21 +42,28 @@ Texture make_texture(const GladGLContext& gl, int width_px, int height_px, const
     return texture;
 }
 
-// px of the framebuffer, from its lower left, as GL has it.
+bool is_upright(const UiTarget& to) {
+    return to.framebuffer == 0;
+}
+
+// px of the framebuffer, from where GL counts.
 struct PixelBox {
     int left = 0, low = 0, width = 0, height = 0;
     bool is_empty() const { return width <= 0 || height <= 0; }
 };
 
-PixelBox clip_box(const ImVec4& clip, const ImDrawData& data, const PictureTexture& to) {
+PixelBox clip_box(const ImVec4& clip, const ImDrawData& data, const UiTarget& to) {
     const auto pixel = [](float at, float from, float scale, int most) {
         return static_cast<int>(std::clamp((at - from) * scale, 0.0F, float(most)));
     };
     const ImVec2 low = data.DisplayPos, scale = data.FramebufferScale;
-    const int left = pixel(clip.x, low.x, scale.x, to.width_px()), right = pixel(clip.z, low.x, scale.x, to.width_px());
-    const int top = pixel(clip.y, low.y, scale.y, to.height_px());
-    const int bottom = pixel(clip.w, low.y, scale.y, to.height_px());
-    return {.left = left, .low = to.height_px() - bottom, .width = right - left, .height = bottom - top};
+    const int left = pixel(clip.x, low.x, scale.x, to.width_px), right = pixel(clip.z, low.x, scale.x, to.width_px);
+    const int top = pixel(clip.y, low.y, scale.y, to.height_px);
+    const int bottom = pixel(clip.w, low.y, scale.y, to.height_px);
+    return {.left = left,
+            .low = is_upright(to) ? to.height_px - bottom : top,
+            .width = right - left,
+            .height = bottom - top};
 }
 
 }  // namespace
@@ -70,7 +76,10 @@ struct UiDraw::Impl {
           plain(make_program(gl, {"ui.vert"}, {"ui_plain.frag"})),
           vertex_array(gl),
           vertices(gl),
-          indices(gl) {
+          indices(gl),
+          nearest(gl) {
+        gl.SamplerParameteri(nearest.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        gl.SamplerParameteri(nearest.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
         gl.BindVertexArray(vertex_array.id());
         gl.BindBuffer(GL_ARRAY_BUFFER, vertices.id());
         gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.id());
@@ -90,14 +99,14 @@ struct UiDraw::Impl {
 
     unsigned texture_of(UiTexture number) const {
         const auto lent_one = lent.find(number);
-        if (lent_one != lent.end()) return lent_one->second;
+        if (lent_one != lent.end()) return lent_one->second->texture();
         const auto own = owned.find(number);
         return own == owned.end() ? 0 : own->second.id();
     }
 
-    void begin(const ImDrawData& data, const PictureTexture& to) const {
-        gl.BindFramebuffer(GL_FRAMEBUFFER, to.framebuffer());
-        gl.Viewport(0, 0, to.width_px(), to.height_px());
+    void begin(const ImDrawData& data, const UiTarget& to) const {
+        gl.BindFramebuffer(GL_FRAMEBUFFER, to.framebuffer);
+        gl.Viewport(0, 0, to.width_px, to.height_px);
         gl.Disable(GL_DEPTH_TEST);
         gl.Disable(GL_CULL_FACE);
         gl.Disable(GL_MULTISAMPLE);
@@ -111,6 +120,7 @@ struct UiDraw::Impl {
         for (const Program* program : {&plain, &textured}) {
             program->use();
             program->set("display_low", Vec2f(data.DisplayPos.x, data.DisplayPos.y));
+            program->set("upwards", is_upright(to) ? 1.0F : -1.0F);
             program->set("display_size", Vec2f(data.DisplaySize.x, data.DisplaySize.y));
         }
         textured.set("picture", 0);
@@ -119,7 +129,7 @@ struct UiDraw::Impl {
         gl.BindBuffer(GL_ARRAY_BUFFER, vertices.id());
     }
 
-    void draw_list(const ImDrawList& list, const ImDrawData& data, const PictureTexture& to) const {
+    void draw_list(const ImDrawList& list, const ImDrawData& data, const UiTarget& to) const {
         stream(gl, GL_ARRAY_BUFFER, list.VtxBuffer);
         stream(gl, GL_ELEMENT_ARRAY_BUFFER, list.IdxBuffer);
         for (const ImDrawCmd& command : list.CmdBuffer) {
@@ -129,19 +139,34 @@ struct UiDraw::Impl {
     }
 
     void draw_command(const ImDrawList& list, const ImDrawCmd& command, const ImDrawData& data,
-                      const PictureTexture& to) const {
+                      const UiTarget& to) const {
         const PixelBox box = clip_box(command.ClipRect, data, to);
         const auto number = static_cast<UiTexture>(reinterpret_cast<std::uintptr_t>(command.GetTexID()));
         const unsigned texture = texture_of(number);
         if (box.is_empty() || texture == 0) return;
         gl.Scissor(box.left, box.low, box.width, box.height);
         gl.BindTexture(GL_TEXTURE_2D, texture);
-        if (number != kFont) {
-            draw_run(command, {.first_index = 0, .count = command.ElemCount});
-            return;
+        const float px_per_unit = data.FramebufferScale.x;  // as much as of y
+        if (number == kFont) {
+            for (const UiRun& run : cut_into_runs(list, command, px_per_unit)) draw_run(command, run);
+        } else {
+            draw_picture(list, command, number, px_per_unit);
         }
-        const float px_per_unit = std::sqrt(data.FramebufferScale.x * data.FramebufferScale.y);
-        for (const UiRun& run : cut_into_runs(list, command, px_per_unit)) draw_run(command, run);
+    }
+
+    void draw_picture(const ImDrawList& list, const ImDrawCmd& command, UiTexture number, float px_per_unit) const {
+        const auto lent_one = lent.find(number);
+        const bool is_plain =
+            lent_one != lent.end() &&
+            lies_pixel_on_pixel(list, command, {lent_one->second->width_px(), lent_one->second->height_px()},
+                                px_per_unit);
+        if (is_plain) {
+            gl.Disable(GL_BLEND);
+            gl.BindSampler(0, nearest.id());
+        }
+        draw_run(command, {.first_index = 0, .count = command.ElemCount});
+        gl.BindSampler(0, 0);
+        gl.Enable(GL_BLEND);
     }
 
     void draw_run(const ImDrawCmd& command, const UiRun& run) const {
@@ -160,8 +185,9 @@ struct UiDraw::Impl {
     Program textured, plain;
     VertexArray vertex_array;
     Buffer vertices, indices;
+    Sampler nearest;
     std::map<UiTexture, Texture> owned;  // the font, pictures
-    std::map<UiTexture, unsigned> lent;
+    std::map<UiTexture, const PictureTexture*> lent;
 };
 
 UiDraw::UiDraw(GlContext& context) : impl_(std::make_unique<Impl>(context)) {}
@@ -175,13 +201,13 @@ void UiDraw::hold(const PictureToHold& picture) {
         picture.texture, make_texture(impl_->gl, image.width_px, image.height_px, image.pixels.data(), GL_REPEAT));
 }
 
-void UiDraw::lend(UiTexture number, unsigned texture) {
+void UiDraw::lend(UiTexture number, const PictureTexture& picture) {
     SELVEDGE_ASSERT(number != kFont);
     impl_->owned.erase(number);
-    impl_->lent.insert_or_assign(number, texture);
+    impl_->lent.insert_or_assign(number, &picture);
 }
 
-void UiDraw::draw(PictureTexture& to) {
+void UiDraw::draw(const UiTarget& to) {
     impl_->context.make_current();
     impl_->take_font(*ImGui::GetIO().Fonts);
     const ImDrawData* data = ImGui::GetDrawData();

@@ -1,6 +1,6 @@
 #pragma once
-// Draws ImGui's lists with our own table of GL functions, into a texture of ours: ImGui's backend opens libGL itself,
-// and so cannot draw without a window.
+// Draws ImGui's lists with our own table of GL functions, to a window or a texture of ours: ImGui's backend opens libGL
+// itself, and so cannot draw without a window.
 #include <memory>
 
 #include "editor/ui/frame_output.h"
@@ -8,6 +8,17 @@
 #include "render/gl/picture_texture.h"
 
 namespace selvedge {
+
+// Where it draws.
+struct UiTarget {
+    unsigned framebuffer = 0;  // 0: the window's, whose first row is the lowest; of others it is the uppermost
+    int width_px = 0;
+    int height_px = 0;
+};
+
+inline UiTarget target_of(const PictureTexture& picture) {
+    return {.framebuffer = picture.framebuffer(), .width_px = picture.width_px(), .height_px = picture.height_px()};
+}
 
 // Belongs to one thread and to a context, which must outlive it. Textures are known by the editor's numbers.
 class UiDraw {
@@ -18,14 +29,14 @@ class UiDraw {
     // Takes the place of what was held by that number. Pre: not the font's number, the picture is not empty.
     void hold(const PictureToHold& picture);
 
-    // A texture that others own: to live, and to be told anew, as long as lists name it.
-    void lend(UiTexture number, unsigned texture);
+    // An opaque picture that others own and draw: it must live as long as lists name it.
+    void lend(UiTexture number, const PictureTexture& picture);
 
     // What ImGui::Render made last, in the present ImGui context, over black; the picture is opaque. A font atlas that
     // was built since is taken to GL, and its pixels are then cleared (ImFontAtlas::ClearTexData). A number that stands
     // for nothing draws nothing. Lists may have vertex offsets (ImGuiBackendFlags_RendererHasVtxOffset).
     // Leaves blending and scissors off. Pre: `to` has the size of the display, in px.
-    void draw(PictureTexture& to);
+    void draw(const UiTarget& to);
 
  private:
     struct Impl;

@@ -31,6 +31,25 @@ RunKind kind_of(const Corners& corners, const ImVec2& white, float least_area) {
 
 }  // namespace
 
+bool lies_pixel_on_pixel(const ImDrawList& list, const ImDrawCmd& command, const PictureSize& size, float px_per_unit) {
+    if (command.ElemCount != 6) return false;  // one rectangle
+    const ImDrawIdx* indices = list.IdxBuffer.Data + command.IdxOffset;
+    const ImDrawVert* vertices = list.VtxBuffer.Data + command.VtxOffset;
+    const auto offset_of = [&](const ImDrawVert& vertex) {
+        return ImVec2(vertex.pos.x * px_per_unit - vertex.uv.x * float(size.width_px),
+                      vertex.pos.y * px_per_unit - vertex.uv.y * float(size.height_px));
+    };
+    const ImVec2 first = offset_of(vertices[indices[0]]);
+    constexpr float close = 0.01F;  // px
+    if (std::abs(first.x - std::round(first.x)) > close || std::abs(first.y - std::round(first.y)) > close)
+        return false;
+    return std::all_of(indices, indices + 6, [&](ImDrawIdx index) {
+        const ImVec2 offset = offset_of(vertices[index]);
+        return std::abs(offset.x - first.x) < close && std::abs(offset.y - first.y) < close &&
+               vertices[index].col == IM_COL32_WHITE;
+    });
+}
+
 std::vector<UiRun> cut_into_runs(const ImDrawList& list, const ImDrawCmd& command, float px_per_unit) {
     const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
     const float least_area = kLargeArea / (px_per_unit * px_per_unit);

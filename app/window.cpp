@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "app/window_keys.h"
-#include "render/gl/gl.h"
 #include "sim/core/assert.h"
 #include "sim/core/error.h"
 
@@ -41,7 +41,6 @@ class WindowContext final : public GlContext {
         glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
         glfwWindowHint(GLFW_DEPTH_BITS, 0);
         glfwWindowHint(GLFW_STENCIL_BITS, 0);
-        glfwWindowHint(GLFW_ALPHA_BITS, 0);
         glfwWindowHint(GLFW_MAXIMIZED, options.is_maximised ? GLFW_TRUE : GLFW_FALSE);
         glfwWindowHintString(GLFW_X11_CLASS_NAME, "selvedge");
         window_ = glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
@@ -235,14 +234,7 @@ void Window::wake() {
     glfwPostEmptyEvent();
 }
 
-void Window::show(const PictureTexture& picture) {
-    const GladGLContext& gl = impl_->context.gl();
-    impl_->context.make_current();
-    const int width = std::min(picture.width_px(), width_px()), height = std::min(picture.height_px(), height_px());
-    const int from = picture.height_px() - height, to = height_px() - height;  // GL counts from the lower left
-    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, picture.framebuffer());
-    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    gl.BlitFramebuffer(0, from, width, from + height, 0, to, width, to + height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+void Window::show() {
     glfwSwapBuffers(impl_->window);
 }
 

@@ -1,7 +1,6 @@
 #pragma once
-// A window with a context of its own (GLFW, X11 or Wayland): what a person does in it comes as events, pictures of ours
-// are laid into it. One lives at a time, on the program's first thread; no other context may be current when it is
-// made.
+// A window with a context of its own (GLFW, X11 or Wayland), and what a person does in it as events. One lives at a
+// time, on the program's first thread; no other context may be current when it is made.
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,7 +9,6 @@
 #include "editor/ui/frame_output.h"
 #include "editor/ui/input.h"
 #include "render/gl/context.h"
-#include "render/gl/picture_texture.h"
 
 namespace selvedge {
 
@@ -43,8 +41,9 @@ class Window {
     // Ends a wait. From any thread.
     void wake();
 
-    // Lays the picture into the window, upper left on upper left, and shows it; waits for the screen where it can.
-    void show(const PictureTexture& picture);
+    // Shows what was drawn to framebuffer 0 of the context; waits for the screen where it can. What is drawn there is
+    // lost then, so draw all of it each time.
+    void show();
 
     void set_title(const std::string& title);
     void set_cursor(MouseCursor cursor);

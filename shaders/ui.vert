@@ -4,6 +4,7 @@ layout(location = 2) in vec4 colour;  // sRGB, straight alpha
 
 uniform vec2 display_low;  // its upper left
 uniform vec2 display_size;
+uniform float upwards;  // 1: upright, -1: the target's first row is the uppermost
 
 out vec2 v_place;
 out vec4 v_colour;
@@ -12,5 +13,5 @@ void main() {
     v_place = place;
     v_colour = colour;
     vec2 at = (position - display_low) / display_size;
-    gl_Position = vec4(2.0 * at.x - 1.0, 1.0 - 2.0 * at.y, 0.0, 1.0);
+    gl_Position = vec4(2.0 * at.x - 1.0, upwards * (1.0 - 2.0 * at.y), 0.0, 1.0);
 }

@@ -1,7 +1,5 @@
 #include "render/gl/picture_texture.h"
 
-#include <algorithm>
-
 #include "render/gl/gl.h"
 #include "sim/core/assert.h"
 
@@ -16,7 +14,7 @@ void PictureTexture::resize(int width_px, int height_px) {
     height_px_ = height_px;
     gl_.ActiveTexture(GL_TEXTURE0);
     gl_.BindTexture(GL_TEXTURE_2D, texture_.id());
-    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width_px, height_px, 0, GL_BGRA, GL_UNSIGNED_BYTE, nullptr);
+    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width_px, height_px, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -26,20 +24,12 @@ void PictureTexture::resize(int width_px, int height_px) {
     SELVEDGE_ASSERT(gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
 }
 
-Image PictureTexture::read_upside_down() const {
+Image PictureTexture::read() const {
     SELVEDGE_ASSERT(width_px_ >= 1);
     Image image(width_px_, height_px_);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
     gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
     gl_.ReadPixels(0, 0, width_px_, height_px_, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
-    return image;
-}
-
-Image PictureTexture::read() const {
-    Image image = read_upside_down();
-    for (int y = 0; y < height_px_ / 2; ++y) {
-        std::swap_ranges(&image.at(0, y), &image.at(0, y) + width_px_, &image.at(0, height_px_ - 1 - y));
-    }
     return image;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// A picture that stays with GL: drawn into, shown, and read back only where someone asks for it. sRGB bytes.
+// A picture that stays with GL: drawn into, shown, and read back only where someone asks for it. sRGB bytes; the first
+// row is the uppermost, as in an Image and in a window's memory, though GL would have it the lowest.
 #include "render/gl/handle.h"
 #include "render/image/image.h"
 
@@ -17,9 +18,7 @@ class PictureTexture {
     unsigned texture() const { return texture_.id(); }
     unsigned framebuffer() const { return framebuffer_.id(); }
 
-    // Pre: not empty.
-    Image read() const;              // the texture's first row is the picture's lowest, as GL draws
-    Image read_upside_down() const;  // the texture's first row is the picture's first
+    Image read() const;  // Pre: not empty
 
  private:
     const GladGLContext& gl_;

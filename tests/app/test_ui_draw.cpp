@@ -80,12 +80,12 @@ DrawnFrames draw_frames(ContextMaker maker, float scale) {
     PictureTexture scene(context->gl()), to(context->gl());
     fill_blue(context->gl(), scene);
     drawer.hold(red_and_green());
-    drawer.lend(kScene, scene.texture());
+    drawer.lend(kScene, scene);
     to.resize(static_cast<int>(kSide * scale), static_cast<int>(kSide * scale));
     DrawnFrames frames;
     for (Image* frame : {&frames.first, &frames.second}) {
         make_lists();
-        drawer.draw(to);
+        drawer.draw(target_of(to));
         *frame = to.read();
     }
     return frames;
@@ -150,7 +150,7 @@ TEST(UiDraw, a_font_atlas_built_anew_takes_the_place_of_the_old) {
     PictureTexture to(context->gl());
     to.resize(kSide, kSide);
     make_lists();
-    drawer.draw(to);
+    drawer.draw(target_of(to));
     const int before = lit_pixels(to.read(), 78, kSide);
     ImFontConfig large;
     large.SizePixels = 20;
@@ -158,7 +158,7 @@ TEST(UiDraw, a_font_atlas_built_anew_takes_the_place_of_the_old) {
     ImGui::GetIO().Fonts->AddFontDefault(&large);
     ImGui::GetIO().Fonts->Build();
     make_lists();
-    drawer.draw(to);
+    drawer.draw(target_of(to));
     EXPECT_GT(lit_pixels(to.read(), 78, kSide), before + before / 4);
 }
 

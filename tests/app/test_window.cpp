@@ -3,7 +3,10 @@
 
 #include <fstream>
 
+#include "render/image/png.h"
+#include "tests/app/edit_stand_in.h"
 #include "tests/app/run_program.h"
+#include "tests/golden/frozen_scene.h"
 
 namespace selvedge {
 namespace {
@@ -48,11 +51,32 @@ class WindowTest : public testing::Test {
     ScratchFolder scratch_;
 };
 
+// What the window is to show when the hands are done.
+Image same_without_window() {
+    OffscreenEditLoop loop;
+    EditStandIn surface(make_frozen_scene());
+    const auto press = [&](float x, float y) {
+        InputEvent event{.kind = InputEvent::Kind::MouseMove, .x = x, .y = y};
+        loop.step(surface, {event});
+        event.kind = InputEvent::Kind::MouseButton;
+        for (const bool is_down : {true, false}) {
+            event.is_down = is_down;
+            loop.step(surface, {event});
+        }
+    };
+    loop.step(surface);
+    press(60, 700);
+    press(300, 695);
+    loop.step(surface, {{.kind = InputEvent::Kind::Text, .text = "warp"}});
+    loop.step(surface);
+    return loop.screenshot();
+}
+
 TEST_F(WindowTest, brings_clicks_keys_text_and_the_clipboard) {
     const ProgramResult result = run("");
     EXPECT_EQ(result.out, "pressed 1 typed 'warp' clipboard 'woven' scale 1\n");
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_TRUE(std::filesystem::exists(scratch_ / "shot.png"));
+    EXPECT_TRUE(read_png(scratch_ / "shot.png") == same_without_window());
 }
 
 TEST_F(WindowTest, writes_the_times_of_its_frames) {

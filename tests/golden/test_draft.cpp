@@ -23,7 +23,7 @@ class Drafts : public testing::Test {
 
     Image draft(DraftRenderer& renderer, const SceneView& view) {
         renderer.draw(view, to_);
-        return to_.read_upside_down();
+        return to_.read();
     }
     Image fresh_draft(const Scene& scene) {
         DraftRenderer renderer(*context_);
@@ -60,7 +60,7 @@ TEST_F(Drafts, a_shared_view_in_a_texture_is_the_picture_of_its_scene) {
     Renderer renderer(*context_);
     const Image image = renderer.draw(make_frozen_scene(), {.width_px = kWidth, .height_px = kHeight, .tile_px = 50});
     renderer.draw(view_of(make_frozen_scene()), to_, {.tile_px = 50});
-    EXPECT_TRUE(image == to_.read_upside_down());
+    EXPECT_TRUE(image == to_.read());
 }
 
 TEST_F(Drafts, are_like_the_picture_from_afar) {
