@@ -118,7 +118,9 @@ class Photographer {
 };
 
 void select_first(Workspace& workspace) {
-    workspace.document->select({.panels = {workspace.document->pattern().panels.front().name}});
+    Selection first;
+    first.panels.insert(workspace.document->pattern().panels.front().name);
+    workspace.document->select(first);
 }
 
 void take_placed(Photographer& photographer) {
@@ -155,7 +157,8 @@ void take_draped(Photographer& photographer) {
     photographer.advance(150);
     photographer.take("draped");
     const PlainMesh& mesh = photographer.surface().view.hand().garment().mesh();
-    workspace.drape.session().pin({.frame = workspace.drape.frame()->number, .triangle = 40});
+    workspace.drape.session().pin(
+        {.frame = workspace.drape.frame()->number, .triangle = 40, .weights = Vec3f::Constant(1.0F / 3)});
     photographer.move_to(photographer.seen(mesh.x[mesh.triangles[mesh.triangles.size() / 4][0]]));
     photographer.button(true);
     photographer.move_to(photographer.seen(mesh.x[mesh.triangles[mesh.triangles.size() / 4][0]]) + Vec2f(90, -20));
@@ -167,7 +170,10 @@ void take_draped(Photographer& photographer) {
     select_first(workspace);
     photographer.take("paused");
     const std::string name = workspace.document->pattern().panels.front().name;
-    workspace.document->select({.vertices = {{name, 0}, {name, 1}}, .edges = {{name, 2}, {name, 4}}});
+    Selection parts;
+    parts.vertices = {{name, 0}, {name, 1}};
+    parts.edges = {{name, 2}, {name, 4}};
+    workspace.document->select(parts);
     workspace.hover = {};
     photographer.take("parts");
     workspace.look.as_placed = true;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/editor/fitting/fitting_desk.h"
 
 namespace selvedge {
@@ -168,7 +170,9 @@ TEST(FittingHand, keys_turn_the_camera_and_frame_what_is_selected) {
     desk.key(static_cast<Key>(static_cast<int>(Key::Keypad0) + 3));
     desk.rest();
     EXPECT_NEAR(desk.hand().orbit().standpoint().azimuth, 1.5707963F, 1e-4F);
-    desk.workspace().document->select({.panels = {"square"}});
+    Selection square;
+    square.panels.insert("square");
+    desk.workspace().document->select(square);
     desk.key(key_of('F'));
     desk.rest();
     EXPECT_NEAR((desk.hand().orbit().standpoint().target - kMiddle).norm(), 0, 0.1F);
