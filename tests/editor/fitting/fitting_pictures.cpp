@@ -104,7 +104,7 @@ class Photographer {
 
     void take(const std::string& name) {
         rest(2);
-        write_png(loop_.screenshot(), folder_ / (name + ".png"));
+        write_png(folder_ / (name + ".png"), loop_.screenshot());
         std::printf("%-14s the view took %.2f ms, %zu triangles\n", name.c_str(), surface_.spent_ms,
                     surface_.view.hand().garment().mesh().triangles.size());
     }
