@@ -198,6 +198,8 @@ TEST(FittingHand, sewn_cloth_is_pulled_instead_of_moved) {
     ASSERT_TRUE(desk.hand().pulled_to());
     EXPECT_GT(desk.hand().pulled_to()->x(), grip.x());
     EXPECT_NEAR(desk.hand().pulled_to()->z(), middle.z(), 0.05F) << "in the picture's plane";
+    ASSERT_TRUE(desk.hand().pulled_at());
+    EXPECT_NEAR((*desk.hand().pulled_at() - middle).norm(), 0, 1e-3F) << "time has not gone on";
     EXPECT_EQ(desk.panel().translation, Vec3d(0, 1, 0.3)) << "where it is placed does not change";
     desk.release();
     EXPECT_FALSE(desk.hand().pulled_to());
