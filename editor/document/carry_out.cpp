@@ -90,7 +90,7 @@ Outcome run(Pattern& pattern, const SetEdgeLength& command) {
 
 Outcome run(Pattern& pattern, const MatchSetts& command) {
     const Sett sett = in_draft_words([&] { return sett_of(pattern); });
-    for (const int seam : command.first_seams) seam_of(pattern, seam);
+    for (const int seam : command.first_seams) known_seam(pattern, seam);
     const SettMatch match = match_sett(pattern, sett, {.first_seams = command.first_seams});
     for (std::size_t i = 0; i < pattern.panels.size(); ++i) pattern.panels[i].sett_offset = match.offsets[i];
     pattern.matched_sett = MatchedSett{.tartan = pattern.tartan.empty() ? kDefaultTartan : pattern.tartan,
@@ -219,7 +219,7 @@ Outcome run(Pattern& pattern, const CutPanel& command) {
 }
 
 Outcome run(Pattern& pattern, const MergePanels& command) {
-    seam_of(pattern, command.seam);
+    known_seam(pattern, command.seam);
     return select_new(pattern, merge_panels(pattern, command.seam));
 }
 

@@ -67,7 +67,7 @@ std::vector<EdgeSpan> spans_of(const Pattern& pattern, const std::vector<SpanRef
 
 }  // namespace
 
-const Seam& seam_of(const Pattern& pattern, int seam) {
+const Seam& known_seam(const Pattern& pattern, int seam) {
     if (seam < 0 || static_cast<std::size_t>(seam) >= pattern.seams.size()) throw DraftError("There is no such seam");
     return pattern.seams[static_cast<std::size_t>(seam)];
 }
@@ -94,7 +94,7 @@ Eigen::Affine2d map_in_panel(const Pattern& pattern, int panel, const PlaneMap& 
 
 // Seams first, whose indices the rest would shift; panels last.
 Outcome run(Pattern& pattern, const RemoveParts& command) {
-    for (const int seam : command.seams) seam_of(pattern, seam);
+    for (const int seam : command.seams) known_seam(pattern, seam);
     remove_seams(pattern, command.seams);
     for (const auto& [name, indices] : by_panel(command.internal_lines)) {
         erase_at(panel_of(pattern, name).internal_lines, indices, name, "internal line");
@@ -195,14 +195,14 @@ Outcome run(Pattern& pattern, const SewRuns& command) {
 }
 
 Outcome run(Pattern& pattern, const ReverseSeam& command) {
-    seam_of(pattern, command.seam);
+    known_seam(pattern, command.seam);
     bool& is_reversed = pattern.seams[static_cast<std::size_t>(command.seam)].is_reversed;
     is_reversed = !is_reversed;
     return {};
 }
 
 Outcome run(Pattern& pattern, const NameSeam& command) {
-    seam_of(pattern, command.seam);
+    known_seam(pattern, command.seam);
     if (command.to.find_first_of(",+") != std::string::npos)
         throw DraftError("A seam's name has no comma and no plus sign");
     for (const Seam& seam : pattern.seams) {
@@ -214,13 +214,13 @@ Outcome run(Pattern& pattern, const NameSeam& command) {
 }
 
 Outcome run(Pattern& pattern, const AcceptEase& command) {
-    seam_of(pattern, command.seam);
+    known_seam(pattern, command.seam);
     pattern.seams[static_cast<std::size_t>(command.seam)].is_eased = command.is_eased;
     return {};
 }
 
 Outcome run(Pattern& pattern, const EvenSeam& command) {
-    seam_of(pattern, command.seam);
+    known_seam(pattern, command.seam);
     even_seam(pattern, command.seam);
     return {};
 }

@@ -5,7 +5,7 @@
 namespace selvedge {
 
 // Each throws DraftError where there is no such part.
-const Seam& seam_of(const Pattern& pattern, int seam);
+const Seam& known_seam(const Pattern& pattern, int seam);
 SeamSide edge_of(const Pattern& pattern, const PartRef& edge);
 void check_vertex(const Panel& panel, int vertex);
 

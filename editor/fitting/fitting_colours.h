@@ -8,10 +8,10 @@ namespace selvedge {
 
 struct FittingColours {
     Background background{};          // the picture renderer's own paper grey
-    Rgb8 selected{0x1F, 0x6F, 0x8B};  // outlines of what is selected: the interface's accent
-    Rgb8 hovered{0x6F, 0xAE, 0xC2};   // the same, lighter
+    Rgb8 selected{0x1E, 0x9C, 0xC8};  // outlines of what is selected: the interface's accent, lighter
+    Rgb8 hovered{0x86, 0xC9, 0xDE};   // the same, lighter
     Rgb8 error{0xC2, 0x3B, 0x30};     // places that a message names
-    Rgb8 point{0x7D, 0x8B, 0x99};     // arrangement points
+    Rgb8 point{0x5B, 0x86, 0xA8};     // arrangement points
     Rgb8 hovered_point{0xE0, 0x8A, 0x2C};
     Rgb8 pin{0xC9, 0x4F, 0x46};  // heads of pins
     Rgb8 needle{0x8A, 0x8D, 0x91};

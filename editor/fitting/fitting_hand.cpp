@@ -50,6 +50,7 @@ void FittingHand::update(Workspace& workspace, const FittingInput& input, ClothC
     release(workspace, input);
     use_keys(workspace, input);
     follow_garment(workspace);  // what was changed is shown in the same frame
+    pulled_at_ = pulled_to_ ? place_of(garment_.mesh(), pulled_panel_, pulled_u_) : std::nullopt;
     stand_gizmo(workspace, input.scale);
     find_ghosts(workspace);
     last_px_ = input.cursor_px;
@@ -112,6 +113,14 @@ void FittingHand::find_ghosts(const Workspace& workspace) {
 
 ClothPoint FittingHand::cloth_point(const MeshHit& hit) const {
     return {.frame = garment_.frame().number, .triangle = hit.triangle, .weights = hit.weights};
+}
+
+void FittingHand::hold_material(const MeshHit& hit) {
+    const PlainMesh& mesh = garment_.mesh();
+    if (hit.triangle >= mesh.u.size()) return;
+    const auto& [a, b, c] = mesh.u[hit.triangle];
+    pulled_u_ = hit.weights[0] * a + hit.weights[1] * b + hit.weights[2] * c;
+    pulled_panel_ = mesh.panel.empty() ? std::uint16_t{0} : mesh.panel[hit.triangle];
 }
 
 // --- looking
@@ -214,7 +223,10 @@ void FittingHand::press(Workspace& workspace, const FittingInput& input) {
         if (!panels.empty()) workspace.run(arrange_command(panels, workspace.drape.worn().points[*under_.point]));
     } else if (is_left) {
         pressed_ = under_;
-        if (under_.cloth) pressed_point_ = cloth_point(*under_.cloth);
+        if (under_.cloth) {
+            pressed_point_ = cloth_point(*under_.cloth);
+            hold_material(*under_.cloth);
+        }
         gesture_ = Gesture::Pressed;
     }
 }

@@ -36,7 +36,9 @@ class FittingHand {
     // Outlines in the room, m, of where panels would stand, or stand while the garment hangs sewn.
     const std::vector<std::vector<Vec3f>>& ghosts() const { return ghosts_; }
 
+    // While cloth is pulled, m: to where, and where the point that is held is now.
     const std::optional<Vec3f>& pulled_to() const { return pulled_to_; }
+    const std::optional<Vec3f>& pulled_at() const { return pulled_at_; }
     bool is_busy() const { return gesture_ != Gesture::None || orbit_.is_moving(); }
 
     // All that is seen, or what of it is selected.
@@ -57,6 +59,7 @@ class FittingHand {
     void type(Workspace& workspace, const FittingInput& input);
     void pin_under(Workspace& workspace);
     ClothPoint cloth_point(const MeshHit& hit) const;
+    void hold_material(const MeshHit& hit);
 
     void press(Workspace& workspace, const FittingInput& input);
     void move(Workspace& workspace, const FittingInput& input);
@@ -88,6 +91,9 @@ class FittingHand {
     std::vector<std::vector<Vec3f>> ghosts_;
     std::optional<Vec3f> pulled_from_;  // m, where the cloth was taken
     std::optional<Vec3f> pulled_to_;
+    std::optional<Vec3f> pulled_at_;
+    std::uint16_t pulled_panel_ = 0;  // of the mesh's
+    Vec2f pulled_u_{0, 0};            // m
 };
 
 }  // namespace selvedge

@@ -10,8 +10,8 @@ namespace selvedge {
 namespace {
 
 // Radii, px of the view.
-constexpr float kOutline = 1.1F, kHoveredOutline = 0.8F, kEdge = 1.7F, kVertex = 3.6F, kThread = 0.45F, kNeedle = 0.6F,
-                kPinHead = 2.8F, kPoint = 3.6F, kHoveredPoint = 5.5F, kPullBall = 4;
+constexpr float kOutline = 1.7F, kHoveredOutline = 1.3F, kEdge = 2.3F, kVertex = 4.6F, kThread = 0.45F, kNeedle = 0.6F,
+                kPinHead = 2.8F, kPoint = 4, kHoveredPoint = 5.5F, kPullBall = 4;
 constexpr float kNeedleLength = 9;  // px
 
 class Marker {

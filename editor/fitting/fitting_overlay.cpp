@@ -36,6 +36,16 @@ class Overlay {
         list_.AddPolyline(line.data(), static_cast<int>(line.size()), colour, 0, width * scale());
     }
 
+    // Over a pale rim, so that it is read on any cloth.
+    void rimmed_path(const std::vector<Vec3f>& points, ImU32 colour, float width) {
+        path(points, rim_of(colour), width + 2.4F);
+        path(points, colour, width);
+    }
+    ImU32 rim_of(ImU32 colour) const {
+        const auto alpha = static_cast<int>((colour & IM_COL32_A_MASK) >> IM_COL32_A_SHIFT);
+        return ink(colours_.badge, alpha * 3 / 4);
+    }
+
     void dashes(const std::vector<Vec3f>& points, ImU32 colour, float width);
     void badge(const Vec2f& low, const std::string& words, const Rgb8& colour);
     Vec2f badge_size(const std::string& words) const {
@@ -98,7 +108,7 @@ HandleLook look_of(const Overlay& overlay, const FittingHand& hand, const GizmoH
     const bool is_aside = hand.drag() && !is_held;
     const Rgb8& axis = overlay.colours().axes[static_cast<std::size_t>(handle.axis)];
     return {.colour = ink(is_held ? overlay.colours().held_axis : axis, is_aside ? 70 : 235),
-            .width = is_held ? 3.0F : 2.0F,
+            .width = is_held ? 3.6F : 2.6F,
             .is_held = is_held};
 }
 
@@ -109,13 +119,21 @@ void draw_arrow(Overlay& overlay, const Gizmo& gizmo, int axis, const HandleLook
     const float head = 10 * overlay.scale();
     const Vec2f along = (*to - *from).normalized(), across(-along.y(), along.x());
     const Vec2f base = *to - head * along;
-    overlay.list().AddLine(overlay.at(*from), overlay.at(base), look.colour, look.width * overlay.scale());
-    overlay.list().AddTriangleFilled(overlay.at(*to), overlay.at(base + 0.42F * head * across),
-                                     overlay.at(base - 0.42F * head * across), look.colour);
+    const float width = look.width * overlay.scale(), rim = 1.3F * overlay.scale();
+    const Vec2f left = base + 0.42F * head * across, right = base - 0.42F * head * across;
+    overlay.list().AddLine(overlay.at(*from), overlay.at(base), overlay.rim_of(look.colour), width + 2 * rim);
+    overlay.list().AddTriangle(overlay.at(*to), overlay.at(left), overlay.at(right), overlay.rim_of(look.colour),
+                               2 * rim);
+    overlay.list().AddLine(overlay.at(*from), overlay.at(base), look.colour, width);
+    overlay.list().AddTriangleFilled(overlay.at(*to), overlay.at(left), overlay.at(right), look.colour);
     constexpr std::array<const char*, 3> kNames{"x", "y", "z"};
     const ImVec2 size = ImGui::CalcTextSize(kNames[static_cast<std::size_t>(axis)]);
     const Vec2f name = *to + 10 * overlay.scale() * along - Vec2f(size.x, size.y) / 2;
-    overlay.list().AddText(overlay.at(name), look.colour, kNames[static_cast<std::size_t>(axis)]);
+    const ImVec2 low = overlay.at(name), high(low.x + size.x, low.y + size.y);
+    const float pad = 2.5F * overlay.scale();
+    overlay.list().AddRectFilled({low.x - pad, low.y - 0.5F * pad}, {high.x + pad, high.y + 0.5F * pad},
+                                 overlay.rim_of(look.colour), 3 * overlay.scale());
+    overlay.list().AddText(low, look.colour, kNames[static_cast<std::size_t>(axis)]);
 }
 
 void draw_square(Overlay& overlay, const Gizmo& gizmo, int axis, const HandleLook& look) {
@@ -128,9 +146,9 @@ void draw_square(Overlay& overlay, const Gizmo& gizmo, int axis, const HandleLoo
         corners.push_back(corner);
     }
     corners.push_back(corners.front());
-    const ImU32 faint = (look.colour & ~IM_COL32_A_MASK) | (ImU32(look.is_held ? 130 : 60) << IM_COL32_A_SHIFT);
+    const ImU32 faint = (look.colour & ~IM_COL32_A_MASK) | (ImU32(look.is_held ? 170 : 110) << IM_COL32_A_SHIFT);
     overlay.list().AddQuadFilled(filled[0], filled[1], filled[2], filled[3], faint);
-    overlay.path(corners, look.colour, 1);
+    overlay.rimmed_path(corners, look.colour, 1);
 }
 
 void draw_gizmo(Overlay& overlay, const FittingHand& hand) {
@@ -139,7 +157,7 @@ void draw_gizmo(Overlay& overlay, const FittingHand& hand) {
     const bool is_free = hand.drag() && hand.drag()->handle().kind == GizmoKind::MoveScreen;
     for (int axis = 0; axis < 3 && !is_free; ++axis) {
         const HandleLook look = look_of(overlay, hand, {GizmoKind::Turn, axis});
-        overlay.path(ring_of(gizmo, overlay.viewing(), axis), look.colour, look.is_held ? 2.6F : 1.4F);
+        overlay.rimmed_path(ring_of(gizmo, overlay.viewing(), axis), look.colour, look.is_held ? 3.0F : 2.0F);
     }
     for (const GizmoKind kind : {GizmoKind::MovePlane, GizmoKind::MoveAxis}) {
         for (int axis = 0; axis < 3 && !is_free; ++axis) {
@@ -154,6 +172,14 @@ void draw_gizmo(Overlay& overlay, const FittingHand& hand) {
     if (!centre) return;
     overlay.list().AddCircleFilled(overlay.at(*centre), 3.5F * overlay.scale(), ink(overlay.colours().badge));
     overlay.list().AddCircle(overlay.at(*centre), 3.5F * overlay.scale(), ink(overlay.colours().ink, 160));
+}
+
+// From the cloth to where it is pulled.
+void draw_pull(Overlay& overlay, const FittingHand& hand) {
+    if (!hand.pulled_to() || !hand.pulled_at()) return;
+    overlay.rimmed_path({*hand.pulled_at(), *hand.pulled_to()}, ink(overlay.colours().pull), 1.8F);
+    const std::optional<Vec2f> at = px_of(overlay.viewing(), *hand.pulled_at());
+    if (at) overlay.list().AddCircleFilled(overlay.at(*at), 3.5F * overlay.scale(), ink(overlay.colours().pull));
 }
 
 // The readout beside the cursor, within the view.
@@ -261,6 +287,7 @@ void draw_overlay(ImDrawList& list, const OverlayPlace& place, const Workspace& 
     Overlay overlay(list, place, hand.viewing(), colours);
     draw_ghosts(overlay, hand);
     draw_gizmo(overlay, hand);
+    draw_pull(overlay, hand);
     draw_point_name(overlay, workspace.drape.worn().points, hand);
     draw_axis_cross(overlay);
     draw_stage(overlay, workspace, hand);

@@ -14,7 +14,7 @@ enum class Lens { Usual, Long };
 
 // Where the camera stands, by what it looks at.
 struct Standpoint {
-    Vec3f target{0, 0.95F, 0};  // m
+    Vec3f target{0, 0.87F, 0};  // m
     float distance = 5.2F;      // m, with the usual lens; the long one stands further off and shows the same
     float azimuth = 0.42F;      // rad, see Direction
     float elevation = 0.12F;

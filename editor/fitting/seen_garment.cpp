@@ -55,6 +55,22 @@ PlainMesh placed_mesh(const PlainMesh& mesh, const Pattern& pattern) {
     return placed;
 }
 
+std::optional<Vec3f> place_of(const PlainMesh& mesh, std::uint16_t panel, const Vec2f& u) {
+    constexpr float kBeside = -1e-3F;
+    for (std::size_t t = 0; t < mesh.u.size(); ++t) {
+        if (!mesh.panel.empty() && mesh.panel[t] != panel) continue;
+        const auto& [a, b, c] = mesh.u[t];
+        const Vec2f ab = b - a, ac = c - a, to = u - a;
+        const float area = ab.x() * ac.y() - ab.y() * ac.x();
+        if (area == 0) continue;
+        const float v = (to.x() * ac.y() - to.y() * ac.x()) / area, w = (ab.x() * to.y() - ab.y() * to.x()) / area;
+        if (!(v >= kBeside && w >= kBeside && v + w <= 1 - kBeside)) continue;
+        const auto& [i, j, k] = mesh.triangles[t];
+        return Vec3f((1 - v - w) * mesh.x[i] + v * mesh.x[j] + w * mesh.x[k]);
+    }
+    return std::nullopt;
+}
+
 void SeenGarment::follow(const Pattern& pattern, std::uint64_t revision, std::shared_ptr<const SessionFrame> frame,
                          GarmentState wanted) {
     const bool has_material = frame->mesh.u.size() == frame->mesh.triangles.size();

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "editor/fitting/cloth_outline.h"
@@ -19,6 +20,9 @@ enum class GarmentState {
 // The mesh's panels apart, where the pattern places them: each triangle stays, vertices on seams become several.
 // Panels that the pattern does not have are left out of place. Pre: the mesh has material coordinates.
 PlainMesh placed_mesh(const PlainMesh& mesh, const Pattern& pattern);
+
+// Where the panel (of the mesh's) has the material coordinate, m: in the first triangle that holds it. None: nowhere.
+std::optional<Vec3f> place_of(const PlainMesh& mesh, std::uint16_t panel, const Vec2f& u);
 
 class SeenGarment {
  public:

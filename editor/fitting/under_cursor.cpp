@@ -6,7 +6,8 @@ namespace selvedge {
 namespace {
 
 // px at scale 1.
-constexpr float kHandleTolerance = 7, kPointTolerance = 9, kEdgeTolerance = 6, kVertexTolerance = 8;
+constexpr float kHandleTolerance = 7, kPointTolerance = 9, kPointUnderRing = 5, kEdgeTolerance = 6,
+                kVertexTolerance = 8;
 constexpr float kSkin = 0.004F;    // m: cloth that lies on a body may be a little within it
 constexpr float kBehind = 0.025F;  // m: so far behind what is seen a thing still counts as seen
 
@@ -47,10 +48,13 @@ class Nearest {
 };
 
 void find_point(const Viewing& viewing, const Vec2f& px, const PickRoom& room, float farthest, UnderCursor& under) {
-    Nearest nearest(kPointTolerance * room.scale, farthest);
+    // A ring may pass before a point, and is easily taken elsewhere.
+    const float tolerance_px = under.handle ? kPointUnderRing : kPointTolerance;
+    Nearest nearest(tolerance_px * room.scale, farthest);
     for (std::size_t i = 0; i < room.points->size(); ++i) {
         if (nearest.take(distance_to_point(viewing, px, (*room.points)[i].position.cast<float>()))) under.point = i;
     }
+    if (under.point) under.handle.reset();
 }
 
 void find_part(const Viewing& viewing, const Vec2f& px, const PickRoom& room, float farthest, Hover& hover) {
@@ -88,7 +92,8 @@ UnderCursor find_under(const Viewing& viewing, const Vec2f& px, const PickRoom& 
     if (room.gizmo) under.handle = pick_gizmo(*room.gizmo, viewing, px, kHandleTolerance * room.scale);
     find_surface(ray_through(viewing, px), room, under);
     const float farthest = under.surface ? depth_of(viewing, *under.surface) + kBehind : viewing.camera.far_plane;
-    if (room.points && !under.handle) find_point(viewing, px, room, farthest, under);
+    const bool may_be_point = !under.handle || under.handle->kind == GizmoKind::Turn;
+    if (room.points && may_be_point) find_point(viewing, px, room, farthest, under);
     if (room.choice == ClothChoice::Parts) find_part(viewing, px, room, farthest, under.hover);
     if (under.handle || under.point) under.hover = {};
     return under;

@@ -2,6 +2,7 @@
 //   fitting_pictures patterns/tshirt.json FOLDER
 #include <imgui.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -54,7 +55,8 @@ class BareFitting : public EditSurface {
                    .seconds = static_cast<float>(input.seconds),
                    .scale = input.scale,
                    .choice = choice});
-        spent_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+        spent_ms = std::max(
+            spent_ms, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
         ImGui::End();
         ImGui::PopStyleVar();
         ImGui::Render();
@@ -104,9 +106,10 @@ class Photographer {
 
     void take(const std::string& name) {
         rest(2);
-        write_png(loop_.screenshot(), folder_ / (name + ".png"));
-        std::printf("%-14s the view took %.2f ms, %zu triangles\n", name.c_str(), surface_.spent_ms,
+        write_png(folder_ / (name + ".png"), loop_.screenshot());
+        std::printf("%-14s the view took at most %.2f ms, %zu triangles\n", name.c_str(), surface_.spent_ms,
                     surface_.view.hand().garment().mesh().triangles.size());
+        surface_.spent_ms = 0;
     }
 
  private:
@@ -118,7 +121,9 @@ class Photographer {
 };
 
 void select_first(Workspace& workspace) {
-    workspace.document->select({.panels = {workspace.document->pattern().panels.front().name}});
+    Selection first;
+    first.panels.insert(workspace.document->pattern().panels.front().name);
+    workspace.document->select(first);
 }
 
 void take_placed(Photographer& photographer) {
@@ -155,7 +160,8 @@ void take_draped(Photographer& photographer) {
     photographer.advance(150);
     photographer.take("draped");
     const PlainMesh& mesh = photographer.surface().view.hand().garment().mesh();
-    workspace.drape.session().pin({.frame = workspace.drape.frame()->number, .triangle = 40});
+    workspace.drape.session().pin(
+        {.frame = workspace.drape.frame()->number, .triangle = 40, .weights = Vec3f::Constant(1.0F / 3)});
     photographer.move_to(photographer.seen(mesh.x[mesh.triangles[mesh.triangles.size() / 4][0]]));
     photographer.button(true);
     photographer.move_to(photographer.seen(mesh.x[mesh.triangles[mesh.triangles.size() / 4][0]]) + Vec2f(90, -20));
@@ -167,7 +173,10 @@ void take_draped(Photographer& photographer) {
     select_first(workspace);
     photographer.take("paused");
     const std::string name = workspace.document->pattern().panels.front().name;
-    workspace.document->select({.vertices = {{name, 0}, {name, 1}}, .edges = {{name, 2}, {name, 4}}});
+    Selection parts;
+    parts.vertices = {{name, 0}, {name, 1}};
+    parts.edges = {{name, 2}, {name, 4}};
+    workspace.document->select(parts);
     workspace.hover = {};
     photographer.take("parts");
     workspace.look.as_placed = true;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/editor/fitting/fitting_desk.h"
 
 namespace selvedge {
@@ -168,7 +170,9 @@ TEST(FittingHand, keys_turn_the_camera_and_frame_what_is_selected) {
     desk.key(static_cast<Key>(static_cast<int>(Key::Keypad0) + 3));
     desk.rest();
     EXPECT_NEAR(desk.hand().orbit().standpoint().azimuth, 1.5707963F, 1e-4F);
-    desk.workspace().document->select({.panels = {"square"}});
+    Selection square;
+    square.panels.insert("square");
+    desk.workspace().document->select(square);
     desk.key(key_of('F'));
     desk.rest();
     EXPECT_NEAR((desk.hand().orbit().standpoint().target - kMiddle).norm(), 0, 0.1F);
@@ -194,6 +198,8 @@ TEST(FittingHand, sewn_cloth_is_pulled_instead_of_moved) {
     ASSERT_TRUE(desk.hand().pulled_to());
     EXPECT_GT(desk.hand().pulled_to()->x(), grip.x());
     EXPECT_NEAR(desk.hand().pulled_to()->z(), middle.z(), 0.05F) << "in the picture's plane";
+    ASSERT_TRUE(desk.hand().pulled_at());
+    EXPECT_NEAR((*desk.hand().pulled_at() - middle).norm(), 0, 1e-3F) << "time has not gone on";
     EXPECT_EQ(desk.panel().translation, Vec3d(0, 1, 0.3)) << "where it is placed does not change";
     desk.release();
     EXPECT_FALSE(desk.hand().pulled_to());
