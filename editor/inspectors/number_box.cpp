@@ -193,7 +193,7 @@ NumberEdit drag_number(InspectorContext& context, const NumberBox& box, float wi
 
 ReadNumber read_number(const NumberBox& box, const std::string& text) {
     if (text.find_first_not_of(' ') == std::string::npos) {
-        return box.standing_for ? ReadNumber{} : ReadNumber{.wrong = "A number is wanted here"};
+        return box.may_be_empty ? ReadNumber{} : ReadNumber{.wrong = "A number is wanted here"};
     }
     const std::optional<double> value = parse_quantity(text, box.unit);
     if (!value) {

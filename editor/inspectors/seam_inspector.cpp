@@ -39,6 +39,18 @@ void choose(InspectorContext& context, int seam) {
     context.workspace.document->select(std::move(selected));
 }
 
+// In all views, as long as the cursor rests on its row.
+void light_up(InspectorContext& context, int seam, bool is_hovered) {
+    std::optional<int>& lit = context.state.hovered_seam;
+    if (is_hovered) {
+        context.workspace.hover = {.seam = seam};
+        lit = seam;
+    } else if (lit == seam) {
+        if (context.workspace.hover == Hover{.seam = seam}) context.workspace.hover = {};
+        lit.reset();
+    }
+}
+
 // How the columns share a line.
 struct SeamColumns {
     float chip = 0;
@@ -69,7 +81,7 @@ void draw_seam_row(InspectorContext& context, int seam, const SeamFigures& figur
     if (ImGui::Selectable(("##" + name).c_str(), context.selection().seams.contains(seam), 0, size))
         choose(context, seam);
     note_widget(context, name);
-    if (ImGui::IsItemHovered()) context.workspace.hover = {.seam = seam};
+    light_up(context, seam, ImGui::IsItemHovered());
     const std::string state = figures.is_wrong()
                                   ? "\nIts sides differ by more than 1 mm: even it, or accept it as ease."
                               : figures.is_uneven ? "\nEased: its sides are meant to differ."

@@ -39,7 +39,7 @@ void make_pictures(InspectorContext& context) {
     MaterialState& state = context.state.material;
     if (!state.tartans.empty()) return;
     for (const std::string& name : shipped_tartans()) {
-        TartanPicture entry{.sett = find_tartan(name), .texture = take_texture(context)};
+        TartanPicture entry{.shown_as = {}, .sett = find_tartan(name), .texture = take_texture(context)};
         entry.shown_as = shown_name(name, entry.sett);
         hold(context, entry.texture, sett_picture(entry.sett, {.width_px = kListedPx, .height_px = kListedPx}));
         state.tartans.emplace_back(name, std::move(entry));
