@@ -120,7 +120,7 @@ void draw_tartan_list(InspectorContext& context) {
                                              .tip = "Part of a name. Empty: all of them.",
                                              .width_px = ImGui::GetContentRegionAvail().x});
     const TypedText& typed = context.state.boxes.typed;
-    const bool is_typing = typed.box == ImGui::GetID("tartan.search");
+    const bool is_typing = typed.box != 0 && typed.box == ImGui::GetID("##tartan.search");
     if (searched) state.search = *searched;
     const std::string words = is_typing ? typed.text : state.search;
     ImGui::BeginChild("tartans", {0, kListHeight * ImGui::GetFontSize()}, true);
@@ -150,7 +150,7 @@ void draw_threadcount(InspectorContext& context) {
                   .width_px = ImGui::GetContentRegionAvail().x,
                   .wrong = wrong_with_tartan});
     const TypedText& typed = context.state.boxes.typed;
-    const bool is_typing = typed.box != 0 && typed.box == ImGui::GetID("tartan.threadcount");
+    const bool is_typing = typed.box != 0 && typed.box == ImGui::GetID("##tartan.threadcount");
     if (is_typing && !typed.wrong.empty()) complaint(context.theme.error, typed.wrong);
     std::optional<Sett> shown = worn;
     if (is_typing && typed.wrong.empty() && !typed.text.empty()) shown = find_tartan(typed.text);
