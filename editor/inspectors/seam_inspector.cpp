@@ -54,7 +54,7 @@ void light_up(InspectorContext& context, int seam, bool is_hovered) {
 // Ends at the place; returns where it begins.
 float right_aligned(const std::string& text, float right, const Rgb8& colour) {
     const float left = right - ImGui::CalcTextSize(text.c_str()).x;
-    ImGui::SameLine(left);
+    back_to(left);
     ImGui::PushStyleColor(ImGuiCol_Text, to_colour(colour));
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopStyleColor();
@@ -82,7 +82,7 @@ void draw_seam_row(InspectorContext& context, int seam, const SeamFigures& figur
                 2 * gap;
     }
     right = right_aligned(lengths_text(figures), right, context.theme.faint) - gap;
-    ImGui::SameLine(left);
+    back_to(left);
     draw_chip(seam, chip);
     ImGui::SameLine(0, gap);
     ImGui::TextUnformatted(elided(figures.name, right - left - chip - gap).c_str());

@@ -64,7 +64,7 @@ void draw_tartan(InspectorContext& context, const std::string& name, const Tarta
     }
     note_widget(context, "tartan." + name);
     show_tip(tartan.shown_as + "\n" + threadcount_of(tartan.sett));
-    ImGui::SameLine(left);
+    back_to(left);
     draw_picture(context, tartan.texture, {side, side}, {1, 1});
     ImGui::SameLine(0, 0.6F * em);
     ImGui::BeginGroup();
@@ -123,6 +123,8 @@ void draw_tartan_list(InspectorContext& context) {
     const bool is_typing = typed.box != 0 && typed.box == ImGui::GetID("##tartan.search");
     if (searched) state.search = *searched;
     const std::string words = is_typing ? typed.text : state.search;
+    ImGui::PushStyleVar(ImGuiStyleVar_ChildBorderSize, 1);  // with it the list has a margin
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.4F * ImGui::GetFontSize(), 0.4F * ImGui::GetFontSize()});
     ImGui::BeginChild("tartans", {0, kListHeight * ImGui::GetFontSize()}, true);
     bool is_empty = true;
     for (const auto& [name, tartan] : state.tartans) {
@@ -132,6 +134,7 @@ void draw_tartan_list(InspectorContext& context) {
     }
     if (is_empty) paragraph(context, "None is called so. A threadcount can be typed below.");
     ImGui::EndChild();
+    ImGui::PopStyleVar(2);
 }
 
 void draw_threadcount(InspectorContext& context) {

@@ -51,9 +51,11 @@ void InspectorDesk::frame() {
     ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
     ImGui::Begin("inspectors", nullptr, ImGuiWindowFlags_NoDecoration);
     update_inspectors(context);
+    ImGui::BeginChild("box");  // as the editor does
     draw_(context);
     const ImGuiWindow& window = *ImGui::GetCurrentWindow();
     overhang_px_ = window.DC.CursorMaxPos.x - window.WorkRect.Max.x;
+    ImGui::EndChild();
     ImGui::End();
     ImGui::Render();
 }

@@ -41,6 +41,10 @@ void add_parts(Document& document) {
     document.run(SetCurve{.panel = panel, .edge = 0, .curve = arc});
 }
 
+bool is_inside(const WidgetBox& box, const DeskSize& size) {
+    return box.low.x() >= 0 && box.high.x() <= size.width_px * size.scale;
+}
+
 class AllInspectors : public testing::TestWithParam<DeskSize> {};
 
 TEST_P(AllInspectors, stay_inside_their_window_whatever_is_selected) {
@@ -55,6 +59,7 @@ TEST_P(AllInspectors, stay_inside_their_window_whatever_is_selected) {
                 desk.frame();
                 desk.frame();
                 EXPECT_LE(desk.overhang_px(), 0.5F) << file << ", inspector " << i;
+                for (const auto& [name, box] : desk.widgets) EXPECT_TRUE(is_inside(box, GetParam())) << name;
             }
         }
     }
