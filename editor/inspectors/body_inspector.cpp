@@ -91,7 +91,8 @@ void draw_measures(InspectorContext& context, const MannequinOptions& options) {
                         .value = *value,
                         .tip = std::string(measure_tip(name)) +
                                " Empty: it follows the other measures; what the tape reads is grey.",
-                        .standing_for = reading(worn, name).value_or(0)},
+                        .may_be_empty = true,
+                        .standing_for = reading(worn, name)},
                        label.c_str());
         *value = edit.value;
         carry_body(context, edit, wanted);
@@ -104,6 +105,7 @@ void draw_measures(InspectorContext& context, const MannequinOptions& options) {
                                           .tip = "How far each leg stands outward. Thick thighs open it by themselves.",
                                           .least = 0,
                                           .most = kMostStance,
+                                          .may_be_empty = true,
                                           .standing_for = worn.measures ? worn.measures->stance.made : kUsualStance},
                                          "Stance");
     wanted.stance = stance.value;

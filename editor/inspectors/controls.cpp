@@ -55,6 +55,11 @@ void note_widget(InspectorContext& context, const std::string& name) {
     (*context.widgets)[name] = {.low = {low.x, low.y}, .high = {high.x, high.y}};
 }
 
+void back_to(float left) {
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(left);
+}
+
 std::string elided(const std::string& text, float width_px) {
     if (text_width(text) <= width_px) return text;
     std::size_t fits = 0, too_long = text.size();

@@ -26,6 +26,9 @@ std::string with_key(const InspectorContext& context, const std::string& words, 
 // Where the item before it stands, for whoever asks by name.
 void note_widget(InspectorContext& context, const std::string& name);
 
+// On the line of the item before it, at a place of the window. ImGui::SameLine takes 0 for "behind it".
+void back_to(float left);
+
 // As much of the text as fits, "left_sle..." where it does not.
 std::string elided(const std::string& text, float width_px);
 

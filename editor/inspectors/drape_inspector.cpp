@@ -16,7 +16,7 @@ namespace {
 constexpr int kMostLevels = 6;
 constexpr double kDegree = std::numbers::pi / 180;           // rad
 constexpr double kShortestEdge = 0.002, kLongestEdge = 0.2;  // m
-constexpr int kFewestTriangles = 100, kMostTriangles = 200000, kUsualBudget = 6000;
+constexpr int kFewestTriangles = 100, kMostTriangles = 200000;
 
 void draw_buttons(InspectorContext& context, const SessionFrame& frame) {
     Session& session = context.workspace.drape.session();
@@ -152,7 +152,7 @@ void draw_fineness(InspectorContext& context, SessionOptions& options) {
                     .tip = "About so many triangles are kept to. Empty: as many as are asked for.",
                     .least = kFewestTriangles,
                     .most = kMostTriangles,
-                    .standing_for = kUsualBudget},
+                    .may_be_empty = true},
                    "Triangles");
     if (!budget) return;
     options.triangle_budget = budget.value ? std::optional<int>(static_cast<int>(*budget.value)) : std::nullopt;

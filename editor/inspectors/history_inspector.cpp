@@ -19,7 +19,7 @@ bool draw_entry(InspectorContext& context, std::size_t position, const std::stri
              : position == present ? label + "\nThe garment as it is now."
                                    : label + "\nClick to go back to here; what follows can be done again.");
     const float mark = 1.1F * ImGui::GetFontSize();
-    ImGui::SameLine(left);
+    back_to(left);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 centre(low.x + mark / 3, low.y + ImGui::GetTextLineHeight() / 2);
     const float radius = 0.2F * ImGui::GetFontSize();

@@ -95,6 +95,7 @@ struct InspectorState {
     MaterialState material{};
     BodyState body{};
     DrapeState drape{};
+    std::optional<int> hovered_seam{};  // that the list lights up
 };
 
 }  // namespace selvedge

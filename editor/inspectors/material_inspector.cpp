@@ -100,7 +100,8 @@ void draw_sett_place(InspectorContext& context) {
                                         .tip = "Of one repeat of the warp. Empty: the tartan's own.",
                                         .least = kSmallestSett,
                                         .most = kLargestSett,
-                                        .standing_for = sett ? repeat_size(*sett) : kSmallestSett},
+                                        .may_be_empty = true,
+                                        .standing_for = sett ? std::optional(repeat_size(*sett)) : std::nullopt},
                                        "s: size");
     const VectorEdit moved = vector_row(context,
                                         {.name = "tartan.position",

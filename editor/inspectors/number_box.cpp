@@ -85,6 +85,11 @@ FieldEnd end_of_field(BoxState& boxes, unsigned id) {
     return end;
 }
 
+// ImGui writes what stands before ## beside the box.
+std::string hidden(const char* name) {
+    return std::string("##") + name;
+}
+
 struct FieldLook {
     const char* name;
     const char* hint;
@@ -94,7 +99,7 @@ struct FieldLook {
 
 // One line of text with what was typed so far, red where it is wrong. Returns whether it was changed now.
 bool field(InspectorContext& context, const FieldLook& look, std::string& text, ArrowKeys* keys) {
-    const TypedText* typed = typed_in(context.state.boxes, ImGui::GetID(look.name));
+    const TypedText* typed = typed_in(context.state.boxes, ImGui::GetID(hidden(look.name).c_str()));
     const std::string wrong = typed != nullptr ? typed->wrong : "";
     if (!wrong.empty()) {
         ImGui::PushStyleColor(ImGuiCol_FrameBg, tinted(context.theme.field, context.theme.error));
@@ -103,8 +108,8 @@ bool field(InspectorContext& context, const FieldLook& look, std::string& text, 
     ImGui::SetNextItemWidth(look.width_px);
     const ImGuiInputTextFlags flags =
         ImGuiInputTextFlags_AutoSelectAll | (keys != nullptr ? ImGuiInputTextFlags_CallbackHistory : 0);
-    const bool is_changed =
-        ImGui::InputTextWithHint(look.name, look.hint, &text, flags, keys != nullptr ? step_by_arrow : nullptr, keys);
+    const bool is_changed = ImGui::InputTextWithHint(hidden(look.name).c_str(), look.hint, &text, flags,
+                                                     keys != nullptr ? step_by_arrow : nullptr, keys);
     if (!wrong.empty()) ImGui::PopStyleColor(2);
     show_tip(wrong.empty() ? look.tip : wrong);
     return is_changed;
@@ -112,7 +117,7 @@ bool field(InspectorContext& context, const FieldLook& look, std::string& text, 
 
 NumberEdit type_number(InspectorContext& context, const NumberBox& box, float width_px) {
     BoxState& boxes = context.state.boxes;
-    const unsigned id = ImGui::GetID(box.name);
+    const unsigned id = ImGui::GetID(hidden(box.name).c_str());
     const bool is_scrubbed =
         boxes.scrub.box != 0 && boxes.scrub.box == ImGui::GetID((std::string("drag ") + box.name).c_str());
     const TypedText* typed = typed_in(boxes, id);
@@ -156,6 +161,7 @@ NumberEdit drag_number(InspectorContext& context, const NumberBox& box, float wi
     const unsigned id = ImGui::GetID(name.c_str());
     const ImVec2 low = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton(name.c_str(), {width_px, ImGui::GetFrameHeight()});
+    note_widget(context, name);
     draw_handle(context, box, low, width_px);
     show_tip(box.tip.empty() ? "Drag to change" : box.tip + "\nDrag to change.");
     if (ImGui::IsItemHovered() || ImGui::IsItemActive()) context.output.cursor = MouseCursor::ResizeHorizontal;
@@ -193,7 +199,7 @@ NumberEdit drag_number(InspectorContext& context, const NumberBox& box, float wi
 
 ReadNumber read_number(const NumberBox& box, const std::string& text) {
     if (text.find_first_not_of(' ') == std::string::npos) {
-        return box.standing_for ? ReadNumber{} : ReadNumber{.wrong = "A number is wanted here"};
+        return box.may_be_empty ? ReadNumber{} : ReadNumber{.wrong = "A number is wanted here"};
     }
     const std::optional<double> value = parse_quantity(text, box.unit);
     if (!value) {
@@ -227,7 +233,7 @@ NumberEdit number_box(InspectorContext& context, const NumberBox& box) {
 
 std::optional<std::string> text_box(InspectorContext& context, const TextBox& box) {
     BoxState& boxes = context.state.boxes;
-    const unsigned id = ImGui::GetID(box.name);
+    const unsigned id = ImGui::GetID(hidden(box.name).c_str());
     const TypedText* typed = typed_in(boxes, id);
     std::string text = typed != nullptr ? typed->text : box.text;
     const std::string before = text;

@@ -35,7 +35,8 @@ struct NumberBox {
     float label_px = 0;  // 0: as wide as it is
     std::optional<double> least{};
     std::optional<double> most{};
-    std::optional<double> standing_for{};  // what an empty box means, shown grey; none: it may not be empty
+    bool may_be_empty = false;
+    std::optional<double> standing_for{};  // what an empty box means, shown grey
     bool has_unit = true;                  // shows it behind the figures
 };
 

@@ -43,6 +43,27 @@ TransformPanels scaling(const std::vector<std::string>& panels, const Vec2d& cen
     return {.panels = panels, .map = scale_about(centre, factors), .what = "Scale"};
 }
 
+Pattern only_selected(const Pattern& pattern, const Selection& selected) {
+    Pattern part;
+    for (const Panel& panel : pattern.panels) {
+        if (selected.panels.contains(panel.name)) part.panels.push_back(panel);
+    }
+    return part;
+}
+
+// So much further than they are seen now, also where that is only tried.
+PlacePanels placing(const Pattern& pattern, const Selection& selected, const Vec3d& by) {
+    PlacePanels command;
+    for (const Panel& panel : pattern.panels) {
+        if (!selected.panels.contains(panel.name)) continue;
+        command.places.push_back({.panel = panel.name,
+                                  .translation = panel.translation + by,
+                                  .rotation = panel.rotation,
+                                  .wrap_radius = panel.wrap_radius});
+    }
+    return command;
+}
+
 void draw_name(InspectorContext& context, const Panel& panel) {
     row_label(context, "Name", "What the panel is called.");
     const auto name = text_box(context, {.name = "panel.name",
@@ -235,6 +256,13 @@ void draw_panels_section(InspectorContext& context) {
         {.name = "panels.move", .label = "Move by", .tip = "On the sheet; they stay where they are in the room."},
         Vec2d(0, 0));
     if (moved) carry(context, moved.number, MovePanels{.panels = names, .by = edited(Vec2d(0, 0), moved)});
+    const Vec3d centre = garment_centre(only_selected(pattern, selected));
+    const VectorEdit placed = vector_row(context,
+                                         {.name = "panels.translation",
+                                          .label = "T: place",
+                                          .tip = "Moves all of them in the room, with their middle to this place."},
+                                         centre);
+    if (placed) carry(context, placed.number, placing(pattern, selected, edited(centre, placed) - centre));
     fact(context, "Area", area_text(area), "Of the cloth inside their outlines.");
     ImGui::PopID();
 }

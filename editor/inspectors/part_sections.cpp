@@ -128,7 +128,7 @@ void draw_length(InspectorContext& context, const PartRef& edge, const FoundPane
 }
 
 void draw_seam_of(InspectorContext& context, const FoundPanel& found, int edge) {
-    const std::optional<int> seam = seam_at(context.pattern(), {.panel = found.index, .edge = edge});
+    const std::optional<int> seam = seam_along(context.pattern(), {.panel = found.index, .edge = edge});
     if (!seam) {
         fact(context, "Seam", "not sewn", "No seam runs along this edge.");
         return;

@@ -164,7 +164,7 @@ std::string difference_text(const SeamFigures& figures) {
     return text.front() == '-' || text == "0 mm" ? text : "+" + text;
 }
 
-std::optional<int> seam_at(const Pattern& pattern, const SeamSide& side) {
+std::optional<int> seam_along(const Pattern& pattern, const SeamSide& side) {
     for (std::size_t i = 0; i < pattern.seams.size(); ++i) {
         if (pattern.seams[i].first == side || pattern.seams[i].second == side) return static_cast<int>(i);
     }

@@ -65,7 +65,7 @@ SeamFigures seam_figures(const Pattern& pattern, const Seam& seam);
 std::string difference_text(const SeamFigures& figures);
 
 // The seam of that edge.
-std::optional<int> seam_at(const Pattern& pattern, const SeamSide& side);
+std::optional<int> seam_along(const Pattern& pattern, const SeamSide& side);
 
 // The panel's index, or none.
 std::optional<int> panel_index(const Pattern& pattern, const std::string& name);

@@ -83,6 +83,7 @@ void draw_pattern_section(InspectorContext& context) {
                                           .tip = "How far points of the coarsest mesh lie apart. Empty: 5 cm.",
                                           .least = kShortestMesh,
                                           .most = kLongestMesh,
+                                          .may_be_empty = true,
                                           .standing_for = kUsualEdgeLength},
                                          "Mesh edges");
     carry(context, length, SetEdgeLength{length.value});

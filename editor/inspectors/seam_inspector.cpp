@@ -20,7 +20,7 @@ bool has_seam(const Pattern& pattern, int seam) {
 std::string lengths_text(const SeamFigures& figures) {
     const std::string first = quantity_figure(figures.first, Unit::Centimetres);
     const std::string second = quantity_text(figures.second, Unit::Centimetres);
-    return first + " cm" == second ? second : first + " : " + second;
+    return figures.is_uneven ? first + " : " + second : second;
 }
 
 void draw_chip(int seam, float side_px) {
@@ -39,51 +39,53 @@ void choose(InspectorContext& context, int seam) {
     context.workspace.document->select(std::move(selected));
 }
 
-// How the columns share a line.
-struct SeamColumns {
-    float chip = 0;
-    float name = 0;
-    float lengths = 0;
-    float difference = 0;
-};
-
-SeamColumns seam_columns() {
-    const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    SeamColumns columns{.chip = 0.7F * em, .lengths = 7.2F * em, .difference = 4.2F * em};
-    columns.name = ImGui::GetContentRegionAvail().x - columns.chip - columns.lengths - columns.difference - 3 * gap;
-    return columns;
+// In all views, as long as the cursor rests on its row.
+void light_up(InspectorContext& context, int seam, bool is_hovered) {
+    std::optional<int>& lit = context.state.hovered_seam;
+    if (is_hovered) {
+        context.workspace.hover = {.seam = seam};
+        lit = seam;
+    } else if (lit == seam) {
+        if (context.workspace.hover == Hover{.seam = seam}) context.workspace.hover = {};
+        lit.reset();
+    }
 }
 
-void right_aligned(const std::string& text, float left, float width, const Rgb8& colour) {
-    const std::string shown = elided(text, width);
-    ImGui::SameLine(left + width - ImGui::CalcTextSize(shown.c_str()).x);
+// Ends at the place; returns where it begins.
+float right_aligned(const std::string& text, float right, const Rgb8& colour) {
+    const float left = right - ImGui::CalcTextSize(text.c_str()).x;
+    back_to(left);
     ImGui::PushStyleColor(ImGuiCol_Text, to_colour(colour));
-    ImGui::TextUnformatted(shown.c_str());
+    ImGui::TextUnformatted(text.c_str());
     ImGui::PopStyleColor();
+    return left;
 }
 
-void draw_seam_row(InspectorContext& context, int seam, const SeamFigures& figures, const SeamColumns& columns) {
+void draw_seam_row(InspectorContext& context, int seam, const SeamFigures& figures) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x, left = ImGui::GetCursorPosX();
     const std::string name = "seams." + std::to_string(seam);
     const ImVec2 size(ImGui::GetContentRegionAvail().x, ImGui::GetTextLineHeight());
     if (ImGui::Selectable(("##" + name).c_str(), context.selection().seams.contains(seam), 0, size))
         choose(context, seam);
     note_widget(context, name);
-    if (ImGui::IsItemHovered()) context.workspace.hover = {.seam = seam};
+    light_up(context, seam, ImGui::IsItemHovered());
     const std::string state = figures.is_wrong()
                                   ? "\nIts sides differ by more than 1 mm: even it, or accept it as ease."
                               : figures.is_uneven ? "\nEased: its sides are meant to differ."
                                                   : "";
     show_tip(figures.name + "\n" + lengths_text(figures) + ", difference " + difference_text(figures) + state);
-    ImGui::SameLine(left);
-    draw_chip(seam, columns.chip);
+    const float chip = 0.7F * ImGui::GetFontSize();
+    float right = left + size.x;
+    if (figures.is_uneven) {
+        right = right_aligned(difference_text(figures), right,
+                              figures.is_wrong() ? context.theme.error : context.theme.faint) -
+                2 * gap;
+    }
+    right = right_aligned(lengths_text(figures), right, context.theme.faint) - gap;
+    back_to(left);
+    draw_chip(seam, chip);
     ImGui::SameLine(0, gap);
-    ImGui::TextUnformatted(elided(figures.name, columns.name).c_str());
-    const float lengths = left + columns.chip + columns.name + 2 * gap;
-    right_aligned(lengths_text(figures), lengths, columns.lengths, context.theme.faint);
-    if (!figures.is_uneven) return;
-    right_aligned(difference_text(figures), lengths + columns.lengths + gap, columns.difference,
-                  figures.is_wrong() ? context.theme.error : context.theme.faint);
+    ImGui::TextUnformatted(elided(figures.name, right - left - chip - gap).c_str());
 }
 
 void draw_name_row(InspectorContext& context, int seam) {
@@ -158,11 +160,10 @@ void draw_seams(InspectorContext& context) {
     const std::size_t count = context.pattern().seams.size();
     if (count == 0) return paragraph(context, "No seams yet. Choose Segment sewing and click two edges.");
     std::size_t wrong = 0;
-    const SeamColumns columns = seam_columns();
     for (std::size_t i = 0; i < context.pattern().seams.size(); ++i) {
         const SeamFigures figures = seam_figures(context.pattern(), context.pattern().seams[i]);
         wrong += figures.is_wrong() ? 1 : 0;
-        draw_seam_row(context, static_cast<int>(i), figures, columns);
+        draw_seam_row(context, static_cast<int>(i), figures);
     }
     ImGui::Spacing();
     if (wrong > 0) {

@@ -39,7 +39,7 @@ void make_pictures(InspectorContext& context) {
     MaterialState& state = context.state.material;
     if (!state.tartans.empty()) return;
     for (const std::string& name : shipped_tartans()) {
-        TartanPicture entry{.sett = find_tartan(name), .texture = take_texture(context)};
+        TartanPicture entry{.shown_as = {}, .sett = find_tartan(name), .texture = take_texture(context)};
         entry.shown_as = shown_name(name, entry.sett);
         hold(context, entry.texture, sett_picture(entry.sett, {.width_px = kListedPx, .height_px = kListedPx}));
         state.tartans.emplace_back(name, std::move(entry));
@@ -64,7 +64,7 @@ void draw_tartan(InspectorContext& context, const std::string& name, const Tarta
     }
     note_widget(context, "tartan." + name);
     show_tip(tartan.shown_as + "\n" + threadcount_of(tartan.sett));
-    ImGui::SameLine(left);
+    back_to(left);
     draw_picture(context, tartan.texture, {side, side}, {1, 1});
     ImGui::SameLine(0, 0.6F * em);
     ImGui::BeginGroup();
@@ -120,9 +120,11 @@ void draw_tartan_list(InspectorContext& context) {
                                              .tip = "Part of a name. Empty: all of them.",
                                              .width_px = ImGui::GetContentRegionAvail().x});
     const TypedText& typed = context.state.boxes.typed;
-    const bool is_typing = typed.box == ImGui::GetID("tartan.search");
+    const bool is_typing = typed.box != 0 && typed.box == ImGui::GetID("##tartan.search");
     if (searched) state.search = *searched;
     const std::string words = is_typing ? typed.text : state.search;
+    ImGui::PushStyleVar(ImGuiStyleVar_ChildBorderSize, 1);  // with it the list has a margin
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.4F * ImGui::GetFontSize(), 0.4F * ImGui::GetFontSize()});
     ImGui::BeginChild("tartans", {0, kListHeight * ImGui::GetFontSize()}, true);
     bool is_empty = true;
     for (const auto& [name, tartan] : state.tartans) {
@@ -132,6 +134,7 @@ void draw_tartan_list(InspectorContext& context) {
     }
     if (is_empty) paragraph(context, "None is called so. A threadcount can be typed below.");
     ImGui::EndChild();
+    ImGui::PopStyleVar(2);
 }
 
 void draw_threadcount(InspectorContext& context) {
@@ -150,7 +153,7 @@ void draw_threadcount(InspectorContext& context) {
                   .width_px = ImGui::GetContentRegionAvail().x,
                   .wrong = wrong_with_tartan});
     const TypedText& typed = context.state.boxes.typed;
-    const bool is_typing = typed.box != 0 && typed.box == ImGui::GetID("tartan.threadcount");
+    const bool is_typing = typed.box != 0 && typed.box == ImGui::GetID("##tartan.threadcount");
     if (is_typing && !typed.wrong.empty()) complaint(context.theme.error, typed.wrong);
     std::optional<Sett> shown = worn;
     if (is_typing && typed.wrong.empty() && !typed.text.empty()) shown = find_tartan(typed.text);

@@ -1,0 +1,181 @@
+// All inspectors over the patterns that ship, in a window of no screen.
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "editor/inspectors/body_change.h"
+#include "tests/editor/inspectors/inspector_desk.h"
+
+namespace selvedge {
+namespace {
+
+constexpr std::array<InspectorDesk::Draw, 6> kInspectors{draw_properties, draw_seams, draw_materials,
+                                                         draw_body,       draw_drape, draw_history};
+constexpr std::array<const char*, 5> kPatterns{"tshirt.json", "tshirt_thesis.json", "skirt.json", "poncho.json",
+                                               "two_squares.json"};
+
+std::vector<Selection> selections(const Pattern& pattern) {
+    std::vector<Selection> list(7);
+    const std::string& first = pattern.panels[0].name;
+    list[1].panels.insert(first);
+    for (const Panel& panel : pattern.panels) list[2].panels.insert(panel.name);
+    list[3].vertices.insert({first, 0});
+    list[4].vertices = {{first, 0}, {first, 1}};
+    for (int i = 0; i < static_cast<int>(pattern.panels[0].edges.size()); ++i) list[5].edges.insert({first, i});
+    for (int i = 0; i < static_cast<int>(pattern.seams.size()); ++i) list[6].seams.insert(i);
+    Selection one;
+    one.seams.insert(0);
+    one.notches.insert({first, 0});
+    one.internal_lines.insert({first, 0});
+    list.push_back(one);
+    return list;
+}
+
+void add_parts(Document& document) {
+    const std::string panel = document.pattern().panels[0].name;
+    document.run(AddNotch{.panel = panel, .edge = 0, .t = 0.3});
+    document.run(AddInternalLine{.panel = panel, .line = {"pocket", {{0.01, 0.02}, {0.05, 0.02}}}});
+    OutlineEdge arc = document.pattern().panels[0].edges[0];
+    arc.kind = CurveKind::Arc;
+    arc.arc_radius = 2;
+    document.run(SetCurve{.panel = panel, .edge = 0, .curve = arc});
+}
+
+bool is_inside(const WidgetBox& box, const DeskSize& size) {
+    return box.low.x() >= 0 && box.high.x() <= size.width_px * size.scale;
+}
+
+class AllInspectors : public testing::TestWithParam<DeskSize> {};
+
+TEST_P(AllInspectors, stay_inside_their_window_whatever_is_selected) {
+    for (const char* file : kPatterns) {
+        InspectorDesk desk(shipped_pattern(file), draw_properties, GetParam());
+        add_parts(desk.document());
+        desk.document().undo();
+        for (const Selection& selected : selections(desk.document().pattern())) {
+            desk.document().select(selected);
+            for (std::size_t i = 0; i < kInspectors.size(); ++i) {
+                desk.show(kInspectors[i]);
+                desk.frame();
+                desk.frame();
+                EXPECT_LE(desk.overhang_px(), 0.5F) << file << ", inspector " << i;
+                for (const auto& [name, box] : desk.widgets) EXPECT_TRUE(is_inside(box, GetParam())) << name;
+            }
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Widths, AllInspectors,
+                         testing::Values(DeskSize{.width_px = 260, .scale = 1}, DeskSize{.width_px = 300, .scale = 2},
+                                         DeskSize{.width_px = 420, .scale = 1}, DeskSize{.width_px = 420, .scale = 2}));
+
+TEST(Inspectors, show_an_empty_pattern) {
+    InspectorDesk desk({}, draw_properties);
+    for (const InspectorDesk::Draw draw : kInspectors) {
+        desk.show(draw);
+        desk.frame();
+        desk.frame();
+    }
+    EXPECT_TRUE(desk.document().history().empty());
+}
+
+TEST(SeamInspector, a_click_selects_a_seam_and_the_buttons_change_it) {
+    InspectorDesk desk(shipped_pattern("tshirt.json"), draw_seams);
+    desk.click("seams.2");
+    EXPECT_EQ(desk.document().selection().seams, std::set<int>{2});
+    EXPECT_EQ(desk.workspace.hover.seam, std::optional<int>(2)) << "lights up where the cursor rests";
+    const bool was_reversed = desk.document().pattern().seams[2].is_reversed;
+    desk.click("seam.reverse");
+    EXPECT_NE(desk.document().pattern().seams[2].is_reversed, was_reversed);
+    desk.click("seam.delete");
+    EXPECT_EQ(desk.document().pattern().seams.size(), 11U);
+}
+
+TEST(MaterialInspector, a_click_takes_a_tartan_and_its_picture_is_made_once) {
+    InspectorDesk desk(shipped_pattern("skirt.json"), draw_materials);
+    desk.frame();
+    EXPECT_TRUE(desk.output.pictures.empty()) << "held since the first frame";
+    desk.click("tartan.anderson");
+    EXPECT_EQ(desk.document().pattern().tartan, "anderson");
+}
+
+TEST(MaterialInspector, a_threadcount_is_tried_in_the_preview_and_told_when_it_is_wrong) {
+    InspectorDesk desk(shipped_pattern("skirt.json"), draw_materials);
+    desk.click("tartan.threadcount");
+    desk.type("K8 W");
+    EXPECT_FALSE(desk.state.boxes.typed.wrong.empty());
+    desk.type("8");
+    EXPECT_TRUE(desk.state.boxes.typed.wrong.empty());
+    desk.frame();
+    EXPECT_EQ(desk.state.material.previewed.substr(0, 5), "K8 W8");
+    EXPECT_NE(desk.document().pattern().tartan, "K8 W8") << "not before Enter";
+    desk.key(ImGuiKey_Enter);
+    EXPECT_EQ(desk.document().pattern().tartan, "K8 W8");
+}
+
+TEST(MaterialInspector, stripes_are_matched_and_the_result_is_told_by_seam) {
+    InspectorDesk desk(shipped_pattern("skirt.json"), draw_materials);
+    desk.frame();
+    desk.click("material.match");
+    EXPECT_EQ(desk.state.material.matched.size(), desk.document().pattern().seams.size());
+    EXPECT_TRUE(desk.document().pattern().matched_sett);
+}
+
+TEST(HistoryInspector, a_click_goes_back_and_forth) {
+    InspectorDesk desk(shipped_pattern("skirt.json"), draw_history);
+    desk.document().run(RenamePattern{"a"});
+    desk.document().run(RenamePattern{"b"});
+    desk.frame();
+    desk.click("history.1");
+    EXPECT_EQ(desk.document().pattern().name, "a");
+    EXPECT_EQ(desk.document().position(), 1U);
+    desk.click("history.2");
+    EXPECT_EQ(desk.document().pattern().name, "b");
+    desk.click("history.0");
+    EXPECT_EQ(desk.document().position(), 0U);
+}
+
+TEST(BodyInspector, a_measure_becomes_the_documents_with_the_panels_moved_along) {
+    InspectorDesk desk(shipped_pattern("tshirt.json"), draw_body);
+    desk.workspace.drape.follow(desk.document(), desk.workspace.messages);
+    desk.frame();
+    const double before = desk.panel(0).translation.y();
+    desk.click("body.height");
+    desk.type("175");
+    desk.key(ImGuiKey_Enter);
+    EXPECT_EQ(desk.state.body.pending, "mannequin:sex=female,height=175");
+    desk.workspace.drape.follow(desk.document(), desk.workspace.messages);
+    desk.frame();
+    EXPECT_EQ(desk.document().pattern().body, "mannequin:sex=female,height=175");
+    EXPECT_GT(desk.panel(0).translation.y(), before + 0.05) << "the panel stands as high on the taller body";
+    EXPECT_TRUE(desk.state.body.pending.empty());
+    desk.document().undo();
+    EXPECT_EQ(desk.panel(0).translation.y(), before);
+}
+
+TEST(BodyInspector, a_measure_that_no_body_has_is_told_and_not_worn) {
+    InspectorDesk desk(shipped_pattern("tshirt.json"), draw_body);
+    desk.click("body.bust");
+    desk.type("12");
+    desk.key(ImGuiKey_Enter);
+    EXPECT_NE(desk.state.body.wrong.find("bust"), std::string::npos);
+    EXPECT_TRUE(desk.state.body.pending.empty());
+    EXPECT_TRUE(desk.document().history().empty());
+}
+
+TEST(DrapeInspector, options_are_typed_and_switched) {
+    InspectorDesk desk(shipped_pattern("skirt.json"), draw_drape);
+    desk.click("drape.max_level");
+    desk.type("2");
+    desk.key(ImGuiKey_Enter);
+    EXPECT_EQ(desk.workspace.drape.options().max_level, 2);
+    desk.click("drape.gravity");
+    EXPECT_FALSE(desk.workspace.drape.options().has_gravity);
+    desk.click("drape.budget");
+    desk.type("2500");
+    desk.key(ImGuiKey_Enter);
+    EXPECT_EQ(desk.workspace.drape.options().triangle_budget, std::optional<int>(2500));
+}
+
+}  // namespace
+}  // namespace selvedge
