@@ -132,7 +132,7 @@ class Follower {
     Follower(Pattern& draft, int lead, int panel) : draft_(draft), lead_(lead), panel_(panel) {}
 
     void follow() {
-        for (int i = 0; i < static_cast<int>(kMostEdits) && even_one_stretch(); ++i) continue;
+        even_stretches();
         const Panel target = image();
         std::vector<int> place(own().edges.size(), -1);
         for (const Stretch& stretch : stretches(own(), target)) {
@@ -151,8 +151,6 @@ class Follower {
     }
 
  private:
-    static constexpr std::size_t kMostEdits = 10000;
-
     Panel& own() { return draft_.panels[as_size(panel_)]; }
 
     Panel image() {
@@ -161,6 +159,19 @@ class Follower {
         target.mirror_of = own().mirror_of;
         target.sheet_position = own().sheet_position;
         return target;
+    }
+
+    // Where the two are sewn to each other, splitting one may split the other, and so on; if that finds no end within
+    // as many steps as there are edges, it never will.
+    void even_stretches() {
+        const Panel& lead = draft_.panels[as_size(lead_)];
+        const int most = edge_count(own()) + edge_count(lead);
+        for (int step = 0; even_one_stretch(); ++step) {
+            if (step < most) continue;
+            throw DraftError("Panels " + lead.name + " and " + own().name +
+                                 " are mirror images and sewn to each other so that their seams cannot be split alike.",
+                             {{lead.name, -1, -1}, {own().name, -1, -1}});
+        }
     }
 
     bool even_one_stretch() {

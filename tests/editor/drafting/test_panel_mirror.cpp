@@ -254,6 +254,26 @@ TEST(UpdateMirrors, halves_that_are_sewn_to_each_other_keep_their_seam) {
     }
 }
 
+// Sewn round a corner: a split of one splits the other elsewhere, and that the first again.
+TEST(UpdateMirrors, ends_where_splits_would_go_on_for_ever) {
+    Pattern before;
+    before.panels = {unit_square("left_front")};
+    symmetric_copy(before, 0, true, {0, 0});
+    sew_edges(before, {{0, 0}, {1, 3}, true});
+    sew_edges(before, {{0, 1}, {1, 0}, true});
+    sew_edges(before, {{0, 2}, {1, 1}, true});
+    Pattern pattern = before;
+    split_edge(pattern, {0, 0}, 0.3);
+    const Pattern split = pattern;
+    try {
+        update_mirrors(pattern, before);
+        EXPECT_TRUE(can_be_saved(pattern));
+        EXPECT_LT(pattern.panels[0].edges.size(), 30U);
+    } catch (const DraftError&) {
+        EXPECT_TRUE(pattern == split);
+    }
+}
+
 TEST(UpdateMirrors, panels_that_are_not_linked_stay) {
     Pattern before = two_squares();
     Pattern pattern = before;
