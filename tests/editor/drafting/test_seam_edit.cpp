@@ -127,7 +127,7 @@ TEST(EvenSeam, a_dart_keeps_its_apex) {
     insert_dart(pattern, {0, 0}, 0.5, 0.1, 0.4);
     move_vertices(pattern, 0, {5}, {0.02, -0.05});
     const Seam dart = pattern.seams[0];
-    const OutlineEdge& leg = pattern.panels[0].edges[static_cast<std::size_t>(dart.second.edge)];
+    const OutlineEdge leg = pattern.panels[0].edges[static_cast<std::size_t>(dart.second.edge)];
     const Vec2d apex = pattern.panels[0].vertices[static_cast<std::size_t>(leg.start)];
     even_seam(pattern, 0);
     const auto [first, second] = seam_lengths(pattern, pattern.seams[0]);
