@@ -20,6 +20,7 @@ constexpr int kListedPx = 96;       // side of a listed tartan's picture, one re
 constexpr float kRowHeight = 2.4F;  // of the font's size
 constexpr float kListHeight = 13.0F;
 constexpr float kWovenSide = 14.0F;
+constexpr int kThreadsBefore = 8;
 constexpr float kThread = 0.27F;  // of the font's size: a thread of the woven picture
 constexpr float kRepeat = 5.0F;   // a repeat beside it
 
@@ -89,10 +90,13 @@ void update_preview(InspectorContext& context, const Sett& sett) {
     const int repeat = static_cast<int>(std::lround(kRepeat * em)),
               woven = static_cast<int>(std::lround(kWovenSide * em));
     hold(context, state.repeats, sett_picture(sett, {.width_px = repeat, .height_px = repeat}));
+    // Of a broad first stripe only the end, so that the next are seen, too.
+    const int first = std::max(0, sett.stripes.front().threads - kThreadsBefore);
     hold(context, state.threads,
          sett_picture(sett, {.width_px = woven,
                              .height_px = woven,
-                             .px_per_thread = std::max(2.0, double(std::round(kThread * em)))}));
+                             .px_per_thread = std::max(2.0, double(std::round(kThread * em))),
+                             .first_thread = first}));
 }
 
 void draw_preview(InspectorContext& context, const Sett& sett) {

@@ -118,8 +118,8 @@ Image thread_picture(const Sett& sett, const SettPictureOptions& options, double
         for (int x = 0; x < options.width_px; ++x) {
             Linear sum{};
             for (int sample = 0; sample < kSamples * kSamples; ++sample) {
-                const double u = (x + (sample % kSamples + 0.5) / kSamples) / px_per_thread;
-                const double v = (y + (sample / kSamples + 0.5) / kSamples) / px_per_thread;
+                const double u = options.first_thread + (x + (sample % kSamples + 0.5) / kSamples) / px_per_thread;
+                const double v = options.first_thread + (y + (sample / kSamples + 0.5) / kSamples) / px_per_thread;
                 const Linear colour = cloth.at(u, v);
                 for (std::size_t i = 0; i < 3; ++i) sum[i] += colour[i] / (kSamples * kSamples);
             }

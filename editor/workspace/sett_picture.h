@@ -9,9 +9,10 @@ struct SettPictureOptions {
     int width_px = 96;
     int height_px = 96;
     double px_per_thread = 0;  // 0: the smaller side holds one repeat of the warp
+    int first_thread = 0;      // of warp and weft, upper left, where threads are seen; 0 or more
 };
 
-// Warp threads run upwards, weft threads across; the picture begins at the first thread of both, upper left. From two
+// Warp threads run upwards, weft threads across; the picture begins at the first threads of both, upper left. From two
 // pixels per thread on the threads are seen, over and under each other as they are woven, else their mean colour.
 // Pre: sizes are positive, the sett has threads.
 Image sett_picture(const Sett& sett, const SettPictureOptions& options = {});

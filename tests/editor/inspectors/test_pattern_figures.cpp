@@ -14,7 +14,9 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 Panel square(double side) {
-    Panel panel{.name = "square", .vertices = {{0, 0}, {side, 0}, {side, side}, {0, side}}};
+    Panel panel;
+    panel.name = "square";
+    panel.vertices = {{0, 0}, {side, 0}, {side, side}, {0, side}};
     for (int i = 0; i < 4; ++i) panel.edges.push_back({.start = i, .end = (i + 1) % 4});
     return panel;
 }
@@ -36,7 +38,8 @@ TEST(Angles, come_round_to_the_same_rotation_also_where_two_axes_fall_together) 
 }
 
 TEST(GarmentCentre, is_the_middle_of_all_panels_as_they_are_placed) {
-    Pattern pattern{.panels = {square(1), square(1)}};
+    Pattern pattern;
+    pattern.panels = {square(1), square(1)};
     pattern.panels[1].translation = {3, 0, 2};
     EXPECT_TRUE(garment_centre(pattern).isApprox(Vec3d(2, 0.5, 1)));
     EXPECT_TRUE(garment_centre({}).isZero());
@@ -93,7 +96,8 @@ TEST(ShiftForLength, starts_from_the_edge_as_it_was_also_while_another_length_is
 }
 
 TEST(SeamFigures, tell_which_seams_are_wrong) {
-    Pattern pattern{.panels = {square(1), square(1.002)}};
+    Pattern pattern;
+    pattern.panels = {square(1), square(1.002)};
     pattern.panels[1].name = "other";
     Seam seam{.first = {0, 1}, .second = {1, 3}};
     EXPECT_TRUE(seam_figures(pattern, seam).is_wrong());
