@@ -64,7 +64,7 @@ Image sett_picture(const Sett& sett, int side_px) {
         for (int x = 0; x < side_px; ++x) {
             const int end = static_cast<int>(double(x) * ends / side_px);
             const double seen = is_warp_seen(sett.weave, end, pick) ? 1 : 0;
-            const double part = share + 0.5 * shows_threads * (seen - share);
+            const double part = share + shows_threads * (seen - share);
             const Vec3d colour = part * warp[std::size_t(x)] + (1 - part) * weft[std::size_t(y)];
             picture.at(x, y) = {to_srgb(colour[0]), to_srgb(colour[1]), to_srgb(colour[2]), 255};
         }
