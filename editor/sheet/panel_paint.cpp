@@ -88,7 +88,7 @@ void draw_name(const SheetLook& look, const PanelShape& shape) {
     const Vec2d middle = middle_of(shape, look.faces.face(shape, pen.camera.scale));
     draw_grainline(look, shape, middle, std::min(0.30 * shape.box.sizes().y(), 0.5 * shape.box.sizes().minCoeff()));
     const bool is_selected = look.selection.panels.contains(shape.panel.name);
-    const double words = double(ImGui::CalcTextSize(shape.panel.name.c_str()).x) / double(pen.ui) + 24;
+    const double words = double(ImGui::CalcTextSize(shape.panel.name.c_str()).x) / double(pen.ui) + 56;
     const double share = std::min(1.0, size_px.x() / words);
     constexpr double kSmallest = 0.7;  // of the usual size that can still be read
     if (share < kSmallest) return;
