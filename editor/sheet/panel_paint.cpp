@@ -94,10 +94,13 @@ void draw_name(const SheetLook& look, const PanelShape& shape) {
     if (share < kSmallest) return;
     pen.words(shape.on_sheet(middle), shape.panel.name, is_selected ? pen.colours.accent : pen.colours.ink, {0, 0},
               static_cast<float>(share));
-    if (!shape.panel.mirror_of.empty() && size_px.minCoeff() > 90) {
-        pen.words(shape.on_sheet(middle), "mirrors " + shape.panel.mirror_of, pen.colours.mirrored,
-                  {0, ImGui::GetTextLineHeight() + pen.px(3)});
-    }
+    if (shape.panel.mirror_of.empty()) return;
+    const std::string mirrored = "mirrors " + shape.panel.mirror_of;
+    const double below = double(ImGui::CalcTextSize(mirrored.c_str()).x) / double(pen.ui) + 40;
+    const double small = std::min(0.85, size_px.x() / below);
+    if (small < kSmallest || size_px.y() < 80) return;
+    pen.words(shape.on_sheet(middle), mirrored, pen.colours.mirrored, {0, ImGui::GetTextLineHeight() + pen.px(2)},
+              static_cast<float>(small));
 }
 
 void draw_notch(const SheetLook& look, const PanelShape& shape, std::size_t index) {
