@@ -7,6 +7,7 @@
 #include "editor/document/command_json.h"
 #include "editor/document/journal.h"
 #include "editor/drafting/panel_edit.h"
+#include "editor/drafting/sheet_layout.h"
 #include "sim/core/assert.h"
 #include "sim/pattern/pattern_write.h"
 
@@ -18,10 +19,28 @@ struct Changed {
     Outcome outcome = {};
 };
 
+bool is_drawn_alike(const Pattern& a, const Pattern& b) {
+    return std::equal(a.panels.begin(), a.panels.end(), b.panels.begin(), b.panels.end(),
+                      [](const Panel& p, const Panel& q) { return p.vertices == q.vertices && p.edges == q.edges; });
+}
+
+// Panels stay where they are seen when outlines change or panels come and go: those that were laid out are put there.
+void keep_places(Pattern& pattern, const Pattern& before) {
+    if (is_drawn_alike(pattern, before)) return;
+    const std::vector<Vec2d> places = sheet_positions(before);
+    for (Panel& panel : pattern.panels) {
+        const auto old = std::find_if(before.panels.begin(), before.panels.end(),
+                                      [&](const Panel& other) { return other.name == panel.name; });
+        if (panel.sheet_position || old == before.panels.end()) continue;
+        panel.sheet_position = places[static_cast<std::size_t>(old - before.panels.begin())];
+    }
+}
+
 Changed changed_by(const Pattern& before, const Command& command) {
     Changed changed{.pattern = before};
     changed.outcome = carry_out(changed.pattern, command);
     update_mirrors(changed.pattern, before);
+    keep_places(changed.pattern, before);
     return changed;
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::array<double, 4> kChordErrors{1e-3, 2e-4, 3e-5, 6e-6};  // m
 constexpr double kAllowedPx = 0.3;
-constexpr int kFacesPerFrame = 6;
+constexpr int kFacesPerFrame = 2;
 constexpr std::size_t kMostToCheck = 600;  // points; finding crossings takes their square
 
 std::size_t level_for(double scale) {

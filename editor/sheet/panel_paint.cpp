@@ -84,16 +84,23 @@ void draw_grainline(const SheetLook& look, const PanelShape& shape, const Vec2d&
 void draw_name(const SheetLook& look, const PanelShape& shape) {
     const SheetPen& pen = look.pen;
     const Vec2d size_px = shape.box.sizes() * pen.camera.scale / double(pen.ui);
-    const double words = double(ImGui::CalcTextSize(shape.panel.name.c_str()).x) / double(pen.ui);
-    if (size_px.minCoeff() < 34 || size_px.x() < 0.75 * words) return;
+    if (size_px.minCoeff() < 34) return;
     const Vec2d middle = middle_of(shape, look.faces.face(shape, pen.camera.scale));
     draw_grainline(look, shape, middle, std::min(0.30 * shape.box.sizes().y(), 0.5 * shape.box.sizes().minCoeff()));
     const bool is_selected = look.selection.panels.contains(shape.panel.name);
-    pen.words(shape.on_sheet(middle), shape.panel.name, is_selected ? pen.colours.accent : pen.colours.ink);
-    if (!shape.panel.mirror_of.empty() && size_px.minCoeff() > 90) {
-        pen.words(shape.on_sheet(middle), "mirrors " + shape.panel.mirror_of, pen.colours.mirrored,
-                  {0, ImGui::GetTextLineHeight() + pen.px(3)});
-    }
+    const double words = double(ImGui::CalcTextSize(shape.panel.name.c_str()).x) / double(pen.ui) + 56;
+    const double share = std::min(1.0, size_px.x() / words);
+    constexpr double kSmallest = 0.7;  // of the usual size that can still be read
+    if (share < kSmallest) return;
+    pen.words(shape.on_sheet(middle), shape.panel.name, is_selected ? pen.colours.accent : pen.colours.ink, {0, 0},
+              static_cast<float>(share));
+    if (shape.panel.mirror_of.empty()) return;
+    const std::string mirrored = "mirrors " + shape.panel.mirror_of;
+    const double below = double(ImGui::CalcTextSize(mirrored.c_str()).x) / double(pen.ui) + 40;
+    const double small = std::min(0.85, size_px.x() / below);
+    if (small < kSmallest || size_px.y() < 80) return;
+    pen.words(shape.on_sheet(middle), mirrored, pen.colours.mirrored, {0, ImGui::GetTextLineHeight() + pen.px(2)},
+              static_cast<float>(small));
 }
 
 void draw_notch(const SheetLook& look, const PanelShape& shape, std::size_t index) {

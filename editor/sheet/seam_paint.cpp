@@ -54,10 +54,8 @@ void draw_side(const SheetLook& look, const SeamSide& side, const SeamLook& draw
     }
     std::vector<ImVec2> inner = inset_line(line, pen.px(3.6), pen.px(6));
     if (inner.size() < 2) return;
-    if (drawn.is_marked) {
-        pen.list.AddPolyline(inner.data(), static_cast<int>(inner.size()), packed(pen.colours.plate), 0,
-                             pen.px(drawn.width + 3));
-    }
+    pen.list.AddPolyline(inner.data(), static_cast<int>(inner.size()), packed(pen.colours.plate), 0,
+                         pen.px(drawn.width + 2.6));
     pen.list.AddPolyline(inner.data(), static_cast<int>(inner.size()), packed(drawn.colour), 0, pen.px(drawn.width));
     if (runs_backward) std::reverse(inner.begin(), inner.end());
     draw_direction(pen, inner, drawn.colour, runs_backward ? -1 : 1);

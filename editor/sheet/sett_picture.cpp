@@ -1,6 +1,7 @@
 #include "editor/sheet/sett_picture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -14,10 +15,25 @@ double to_linear(std::uint8_t value) {
     return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
 }
 
-std::uint8_t to_srgb(double linear) {
-    const double v = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-    return static_cast<std::uint8_t>(std::lround(std::clamp(v, 0.0, 1.0) * 255));
-}
+// From linear light, by a table: a large picture asks millions of times.
+class SrgbTable {
+ public:
+    SrgbTable() {
+        for (std::size_t i = 0; i < bytes_.size(); ++i) {
+            const double linear = double(i) / kSteps;
+            const double v = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+            bytes_[i] = static_cast<std::uint8_t>(std::lround(v * 255));
+        }
+    }
+
+    std::uint8_t at(double linear) const {
+        return bytes_[static_cast<std::size_t>(std::clamp(linear, 0.0, 1.0) * kSteps + 0.5)];
+    }
+
+ private:
+    static constexpr int kSteps = 8192;
+    std::array<std::uint8_t, kSteps + 1> bytes_{};
+};
 
 // The mean colour of the threads that each of `count` equal parts of the repeat covers, linear.
 std::vector<Vec3d> sampled(const std::vector<Rgb8>& threads, int count) {
@@ -58,15 +74,16 @@ Image sett_picture(const Sett& sett, int side_px) {
     // Threads fade in from one px to two.
     const double shows_threads = std::clamp(double(side_px) / ends - 1, 0.0, 1.0);
     const double share = sett.weave == Weave::Twill31 ? 0.75 : 0.5;
+    const SrgbTable srgb;
     Image picture(side_px, height);
     for (int y = 0; y < height; ++y) {
         const int pick = static_cast<int>(double(y) * picks / height);
         for (int x = 0; x < side_px; ++x) {
             const int end = static_cast<int>(double(x) * ends / side_px);
             const double seen = is_warp_seen(sett.weave, end, pick) ? 1 : 0;
-            const double part = share + 0.5 * shows_threads * (seen - share);
+            const double part = share + shows_threads * (seen - share);
             const Vec3d colour = part * warp[std::size_t(x)] + (1 - part) * weft[std::size_t(y)];
-            picture.at(x, y) = {to_srgb(colour[0]), to_srgb(colour[1]), to_srgb(colour[2]), 255};
+            picture.at(x, y) = {srgb.at(colour[0]), srgb.at(colour[1]), srgb.at(colour[2]), 255};
         }
     }
     return picture;

@@ -18,7 +18,7 @@ struct SheetColours {
     Rgba8 faint_ink{0x26, 0x29, 0x2E, 0x80};    // grainlines, internal lines
     Rgba8 plain_cloth{0xEF, 0xEA, 0xDF, 0xE8};  // panels where no tartan is shown
     Rgba8 under_cloth{0xFF, 0xFF, 0xFF, 0xFF};  // beneath a tartan, which is laid over it as strong as:
-    float cloth_strength = 0.46F;               // so that ink and seams are read on it
+    float cloth_strength = 0.40F;               // so that ink and seams are read on it
     Rgba8 plate{0xFF, 0xFE, 0xFB, 0xDC};        // behind words on the sheet
     Rgba8 mirrored{0x7A, 0x5C, 0x9E, 0xFF};     // of panels that are kept mirror images
 

@@ -108,13 +108,16 @@ void SheetPen::round(const Vec2d& at, double radius, const Rgba8& inside, const 
     list.AddCircle(px(at), px(radius), packed(rim), 20, px(1.4));
 }
 
-void SheetPen::words(const Vec2d& at, const std::string& text, const Rgba8& colour, const ImVec2& px_offset) const {
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+void SheetPen::words(const Vec2d& at, const std::string& text, const Rgba8& colour, const ImVec2& px_offset,
+                     float size) const {
+    ImFont* font = ImGui::GetFont();
+    const float height = std::round(ImGui::GetFontSize() * size);
+    const ImVec2 room = font->CalcTextSizeA(height, 1e6F, 0, text.c_str());
     const ImVec2 middle = px(at);
-    const ImVec2 low{std::round(middle.x + px_offset.x - size.x / 2), std::round(middle.y + px_offset.y - size.y / 2)};
-    list.AddRectFilled({low.x - px(4), low.y - px(1)}, {low.x + size.x + px(4), low.y + size.y + px(1)},
+    const ImVec2 low{std::round(middle.x + px_offset.x - room.x / 2), std::round(middle.y + px_offset.y - room.y / 2)};
+    list.AddRectFilled({low.x - px(4), low.y - px(1)}, {low.x + room.x + px(4), low.y + room.y + px(1)},
                        packed(colours.plate), px(3));
-    list.AddText(low, packed(colour), text.c_str());
+    list.AddText(font, height, low, packed(colour), text.c_str());
 }
 
 double px_length(std::span<const ImVec2> line) {

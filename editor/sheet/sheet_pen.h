@@ -26,8 +26,9 @@ struct SheetPen {
     void square(const Vec2d& at, double side, const Rgba8& inside, const Rgba8& rim) const;
     void round(const Vec2d& at, double radius, const Rgba8& inside, const Rgba8& rim) const;
 
-    // Words on a plate about the point; px_offset: of the plate's middle.
-    void words(const Vec2d& at, const std::string& text, const Rgba8& colour, const ImVec2& px_offset = {0, 0}) const;
+    // Words on a plate about the point; px_offset: of the plate's middle. `size`: of the usual.
+    void words(const Vec2d& at, const std::string& text, const Rgba8& colour, const ImVec2& px_offset = {0, 0},
+               float size = 1) const;
 };
 
 ImU32 packed(const Rgba8& colour);

@@ -33,11 +33,11 @@ struct EdgeHit {
 EdgeHit nearest(const EdgeShape& shape, const Vec2d& u);
 
 struct PanelShape {
-    Panel panel;                   // what it was made from
-    Vec2d origin = Vec2d::Zero();  // m, of the panel's frame on the sheet
-    std::vector<EdgeShape> edges;  // one per edge of the panel
-    std::vector<Vec2d> outline;    // all of them as one closed polyline, each point once
-    SheetBox box;                  // of the outline
+    Panel panel;                        // what it was made from
+    Vec2d origin = Vec2d::Zero();       // m, of the panel's frame on the sheet
+    std::vector<EdgeShape> edges;       // one per edge of the panel
+    std::vector<Vec2d> outline;         // all of them as one closed polyline, each point once
+    SheetBox box;                       // of the outline
     std::uint64_t outline_version = 0;  // another number: another outline
 
     Vec2d on_sheet(const Vec2d& u) const { return u + origin; }

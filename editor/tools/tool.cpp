@@ -88,7 +88,9 @@ std::string in_mm(double metres) {
 }
 
 std::string in_degrees(double radians) {
-    return rounded(radians * 180 / std::numbers::pi, "\u00b0");
+    char text[48];
+    std::snprintf(text, sizeof text, "%.1f\u00b0", radians * 180 / std::numbers::pi);
+    return text;
 }
 
 }  // namespace selvedge
