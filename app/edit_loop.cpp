@@ -101,7 +101,12 @@ void FramePainter::draw_scene(const SceneToDraw& scene) {
     const auto [found, is_new] = scenes_.try_emplace(scene.texture, context_);
     SceneTexture& drawn = found->second;
     drawn.picture.resize(scene.width_px, scene.height_px);
-    const SceneView view{.scene = scene.scene, .camera = scene.camera, .light = scene.light};
+    SceneView view{.scene = scene.scene, .camera = scene.camera, .light = scene.light};
+    if (scene.wants_paint) {
+        const PaintedScene& painted = drawn.paint.painted(scene.scene);
+        view.scene = painted.scene;
+        hold_legend(scene, painted.legend);
+    }
     if (scene.is_draft) {
         drawn.draft.draw(view, drawn.picture);
     } else {
@@ -109,6 +114,13 @@ void FramePainter::draw_scene(const SceneToDraw& scene) {
         renderer_->draw(view, drawn.picture);
     }
     if (is_new) ui_draw_.lend(scene.texture, drawn.picture);
+}
+
+// As large as the view, so that it stands in the view's corner; where there is none, nothing but clear pixels.
+void FramePainter::hold_legend(const SceneToDraw& scene, const std::optional<Legend>& legend) {
+    PictureToHold held{.texture = scene.legend, .picture = Image(scene.width_px, scene.height_px)};
+    if (legend) draw_legend(held.picture, *legend, Corner::LowerRight);
+    ui_draw_.hold(held);
 }
 
 void run_edit_loop(EditSurface& surface, Window& window, const EditLoopOptions& options) {

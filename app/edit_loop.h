@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/frame_times.h"
+#include "app/painted_scene.h"
 #include "app/ui_draw.h"
 #include "app/window.h"
 #include "editor/ui/frame_output.h"
@@ -53,8 +54,10 @@ class FramePainter {
         explicit SceneTexture(GlContext& context) : picture(context.gl()), draft(context) {}
         PictureTexture picture;
         DraftRenderer draft;
+        ScenePaint paint;
     };
     void draw_scene(const SceneToDraw& scene);
+    void hold_legend(const SceneToDraw& scene, const std::optional<Legend>& legend);
 
     GlContext& context_;
     UiDraw ui_draw_;

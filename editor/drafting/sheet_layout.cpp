@@ -8,7 +8,7 @@ namespace selvedge {
 namespace {
 
 constexpr double kGap = 0.05;       // m, between panels
-constexpr double kRowLength = 2.4;  // m, a panel that would reach further begins a row
+constexpr double kRowLength = 1.4;  // m, a panel that would reach further begins a row
 
 }  // namespace
 

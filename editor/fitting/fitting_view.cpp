@@ -110,6 +110,7 @@ void FittingView::ask_for_picture(const FittingContext& context) {
                                      .width_px = wanted.width_px,
                                      .height_px = wanted.height_px,
                                      .is_draft = true,
+                                     .legend = context.legend,
                                      .wants_paint = wants_paint(context.workspace.look.show)});
 }
 
@@ -136,6 +137,7 @@ void FittingView::show(const FittingContext& context) {
     list.PushClipRect(from, to, true);
     if (shown_) {
         list.AddImage(image_of(context.texture), from, to);
+        if (wants_paint(context.workspace.look.show)) list.AddImage(image_of(context.legend), from, to);
     } else {
         const Rgb8& paper = colours_.background.edge;
         list.AddRectFilled(from, to, IM_COL32(paper[0], paper[1], paper[2], 255));

@@ -17,6 +17,7 @@ struct FittingContext {
     Workspace& workspace;
     FrameOutput& output;
     UiTexture texture = 1;  // that the scene is drawn into
+    UiTexture legend = 2;   // that a painted mode's legend is drawn into
     float seconds = 0;      // since the last frame
     float scale = 1;        // of the interface
     ClothChoice choice = ClothChoice::Panels;

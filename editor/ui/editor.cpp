@@ -14,6 +14,7 @@
 #include "editor/ui/bars.h"
 #include "editor/ui/files.h"
 #include "editor/ui/start_page.h"
+#include "editor/ui/tabular_digits.h"
 #include "editor/ui/ui_input.h"
 #include "editor/ui/widgets.h"
 
@@ -22,7 +23,7 @@ namespace {
 
 // Numbers of textures, see frame_output.h.
 constexpr UiTexture kSheetTexture = 1, kFittingTexture = kSheetTexture + kSheetTextures,
-                    kFirstFreeTexture = kFittingTexture + 1;
+                    kLegendTexture = kFittingTexture + 1, kFirstFreeTexture = kLegendTexture + 1;
 
 struct Rectangle {
     ImVec2 low;
@@ -75,6 +76,12 @@ float splitter(const char* name, float x, const Rectangle& beside, FrameOutput& 
     if (is_held || ImGui::IsItemHovered()) output.cursor = MouseCursor::ResizeHorizontal;
     ImGui::End();
     return is_held ? ImGui::GetIO().MouseDelta.x : 0;
+}
+
+// Tools that work on points and edges choose these on the cloth, too.
+bool picks_parts(ToolKind kind) {
+    return kind == ToolKind::EditPoint || kind == ToolKind::AddPoint || kind == ToolKind::CurvePoint ||
+           kind == ToolKind::SegmentSewing || kind == ToolKind::Unfold;
 }
 
 bool is_pressed(const Chord& chord) {
@@ -139,6 +146,7 @@ void Editor::Impl::set_size(const FrameSize& size, double seconds) {
     desk.fonts = load_fonts(options.fonts, desk.theme, scale);
     apply_theme(desk.theme, scale);
     io.Fonts->Build();
+    for (ImFont* font : {desk.fonts.regular, desk.fonts.bold}) make_digits_tabular(*font);
 }
 
 void Editor::Impl::take_other_events(const std::vector<InputEvent>& events) {
@@ -205,8 +213,10 @@ void Editor::Impl::show_fitting(const Rectangle& where, double seconds) {
     fitting.show({.workspace = desk.workspace,
                   .output = output,
                   .texture = kFittingTexture,
+                  .legend = kLegendTexture,
                   .seconds = static_cast<float>(seconds),
-                  .scale = scale});
+                  .scale = scale,
+                  .choice = picks_parts(desk.tools.kind()) ? ClothChoice::Parts : ClothChoice::Panels});
     ImGui::End();
     desk.fitting = {.scene = fitting.scene(), .camera = fitting.camera(), .light = fitting.light()};
 }
@@ -222,7 +232,11 @@ void Editor::Impl::show_inspectors(const Rectangle& where) {
                                                                draw_body,       draw_drape, draw_history};
     const float unit = ImGui::GetFontSize();
     begin_region("##inspectors", where, {0.6F * unit, 0.4F * unit});
-    if (ImGui::BeginTabBar("##tabs")) {
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.28F * unit, 0.3F * unit});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, {0.1F * unit, 0.2F * unit});
+    const bool has_tabs = ImGui::BeginTabBar("##tabs", ImGuiTabBarFlags_FittingPolicyScroll);
+    ImGui::PopStyleVar(2);
+    if (has_tabs) {
         for (const auto& [title, tab] : tabs) {
             const bool is_open = ImGui::BeginTabItem(title);
             note_widget(desk.widgets, std::string("tab.") + title);

@@ -77,6 +77,15 @@ void add_view_actions(std::vector<Action>& actions) {
                [](Desk& desk) -> bool& { return desk.workspace.look.has_points; });
     add_switch(actions, {.id = "view.threads", .title = "Threads of open seams"},
                [](Desk& desk) -> bool& { return desk.workspace.look.has_threads; });
+    add_switch(actions,
+               {.id = "view.as_placed",
+                .title = "Panels as they are placed",
+                .tip = "Before sewing, also while the garment hangs",
+                .chords = {{Key::F7, {}}}},
+               [](Desk& desk) -> bool& { return desk.workspace.look.as_placed; });
+    add_switch(actions,
+               {.id = "view.own_axes", .title = "Move panels along their own axes", .tip = "Else along the room's"},
+               [](Desk& desk) -> bool& { return desk.workspace.look.own_axes; });
     add_switch(actions, {.id = "view.snap", .title = "Snap to grid and points", .begins_group = true},
                [](Desk& desk) -> bool& { return desk.tools.is_snapping; });
     add_sizes(actions);

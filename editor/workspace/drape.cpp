@@ -65,7 +65,8 @@ void Drape::follow(const Document& document, Messages& messages) {
         taken_revision_ = document.revision();
         session_.set_pattern(document.pattern());
     }
-    const std::vector<std::string>& said = session_.frame()->messages;
+    if (waits) session_.advance(session_.frame()->is_running ? 1 : 0);
+    const std::vector<std::string> said = session_.frame()->messages;
     told_messages_ = std::min(told_messages_, said.size());
     for (; told_messages_ < said.size(); ++told_messages_) messages.note(said[told_messages_]);
 }

@@ -34,7 +34,7 @@ class Drape {
     explicit Drape(SessionDrive drive, BodyMaker maker = make_worn_mannequin);
 
     // Takes over what has changed in the document, and a body that is finished. Once per frame of the screen; never
-    // waits, but with SessionDrive::Caller for the body.
+    // waits; but with SessionDrive::Caller it waits for the body, and simulates one frame where the drape runs.
     void follow(const Document& document, Messages& messages);
 
     // Another document is followed from now on: panels stand where it places them.
