@@ -135,7 +135,7 @@ Image SheetStage::picture() {
     for (const PictureToHold& held : output.pictures) drawing_->drawer.hold(held);
     output.pictures.clear();
     drawing_->to.resize(size_.width_px, size_.height_px);
-    drawing_->drawer.draw(drawing_->to);
+    drawing_->drawer.draw(target_of(drawing_->to));
     return drawing_->to.read();
 }
 
