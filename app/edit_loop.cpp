@@ -118,7 +118,7 @@ void FramePainter::draw_scene(const SceneToDraw& scene) {
 
 // As large as the view, so that it stands in the view's corner; where there is none, nothing but clear pixels.
 void FramePainter::hold_legend(const SceneToDraw& scene, const std::optional<Legend>& legend) {
-    PictureToHold held{.texture = scene.legend, .picture = Image(scene.width_px, scene.height_px)};
+    PictureToHold held{.texture = scene.legend, .picture = Image(scene.width_px, scene.height_px, {0, 0, 0, 0})};
     if (legend) draw_legend(held.picture, *legend, Corner::LowerRight);
     ui_draw_.hold(held);
 }

@@ -11,8 +11,8 @@
 #include "app/painted_scene.h"
 #include "app/ui_draw.h"
 #include "app/window.h"
-#include "editor/ui/frame_output.h"
-#include "editor/ui/input.h"
+#include "editor/frame/frame_output.h"
+#include "editor/frame/input.h"
 #include "render/draft_renderer.h"
 #include "render/renderer.h"
 

@@ -3,7 +3,7 @@
 // itself, and so cannot draw without a window.
 #include <memory>
 
-#include "editor/ui/frame_output.h"
+#include "editor/frame/frame_output.h"
 #include "render/gl/context.h"
 #include "render/gl/picture_texture.h"
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "editor/ui/frame_output.h"
-#include "editor/ui/input.h"
+#include "editor/frame/frame_output.h"
+#include "editor/frame/input.h"
 #include "render/gl/context.h"
 
 namespace selvedge {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "editor/ui/input.h"
+#include "editor/frame/input.h"
 
 namespace selvedge {
 

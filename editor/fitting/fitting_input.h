@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "editor/ui/input.h"
+#include "editor/frame/input.h"
 #include "sim/core/vec.h"
 
 namespace selvedge {

@@ -4,11 +4,11 @@
 #include <optional>
 #include <vector>
 
+#include "editor/document/hover.h"
 #include "editor/document/selection.h"
 #include "editor/drafting/draft_error.h"
 #include "editor/fitting/fitting_colours.h"
 #include "editor/fitting/seen_garment.h"
-#include "editor/tools/hover.h"
 #include "sim/dress/arrangement.h"
 
 namespace selvedge {

@@ -8,7 +8,7 @@
 #include "editor/fitting/fitting_colours.h"
 #include "editor/fitting/fitting_hand.h"
 #include "editor/fitting/fitting_scene.h"
-#include "editor/ui/frame_output.h"
+#include "editor/frame/frame_output.h"
 
 namespace selvedge {
 

@@ -3,10 +3,10 @@
 #include <optional>
 #include <vector>
 
+#include "editor/document/hover.h"
 #include "editor/fitting/gizmo.h"
 #include "editor/fitting/ray_pick.h"
 #include "editor/fitting/seen_garment.h"
-#include "editor/tools/hover.h"
 #include "sim/dress/arrangement.h"
 
 namespace selvedge {

@@ -6,10 +6,10 @@
 #include <string_view>
 
 #include "editor/document/command.h"
+#include "editor/frame/frame_output.h"
+#include "editor/frame/theme.h"
+#include "editor/frame/widget_map.h"
 #include "editor/inspectors/inspector_state.h"
-#include "editor/ui/frame_output.h"
-#include "editor/ui/theme.h"
-#include "editor/workspace/widget_map.h"
 #include "editor/workspace/workspace.h"
 
 namespace selvedge {

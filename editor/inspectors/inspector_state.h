@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "editor/frame/frame_output.h"
 #include "editor/inspectors/drape_trace.h"
-#include "editor/ui/frame_output.h"
 #include "sim/body/body.h"
 #include "sim/tartan/match.h"
 #include "sim/tartan/sett.h"

@@ -4,11 +4,11 @@
 #include <string>
 
 #include "editor/document/document.h"
+#include "editor/document/hover.h"
+#include "editor/frame/frame_output.h"
 #include "editor/sheet/panel_faces.h"
 #include "editor/sheet/sheet_pen.h"
-#include "editor/tools/hover.h"
 #include "editor/tools/tool_overlay.h"
-#include "editor/ui/frame_output.h"
 
 namespace selvedge {
 

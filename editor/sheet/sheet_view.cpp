@@ -10,7 +10,7 @@
 #include "editor/sheet/overlay_paint.h"
 #include "editor/sheet/panel_paint.h"
 #include "editor/sheet/seam_paint.h"
-#include "editor/sheet/sett_picture.h"
+#include "editor/sheet/sett_tile.h"
 #include "editor/sheet/sheet_grid.h"
 #include "editor/tools/selected_parts.h"
 #include "sim/core/error.h"
@@ -181,12 +181,12 @@ SettTexture SheetView::sett_texture(SheetContext& context) {
         if (sett_ && sett_size_ && *sett_size_ > 0) sett_ = with_repeat_size(*sett_, *sett_size_);
     }
     if (!sett_ || !context.shows.cloth) return {};
-    const int side = sett_picture_side(repeat_size(*sett_) * camera_.scale);
+    const int side = sett_tile_side(repeat_size(*sett_) * camera_.scale);
     const auto slot =
         std::min<std::size_t>(static_cast<std::size_t>(std::lround(std::log2(side / 32.0))), kSheetTextures - 1);
     const UiTexture texture = context.first_texture + static_cast<UiTexture>(slot);
     if (held_sides_[slot] != side) {
-        context.output.pictures.push_back({.texture = texture, .picture = sett_picture(*sett_, side)});
+        context.output.pictures.push_back({.texture = texture, .picture = sett_tile(*sett_, side)});
         held_sides_[slot] = side;
     }
     return {texture, Vec2d(repeat_size(*sett_), weft_repeat_size(*sett_)), pattern.sett_position};

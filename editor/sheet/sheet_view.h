@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "editor/frame/frame_output.h"
+#include "editor/frame/input.h"
 #include "editor/sheet/panel_faces.h"
 #include "editor/sheet/sheet_look.h"
 #include "editor/tools/tool_host.h"
-#include "editor/ui/frame_output.h"
-#include "editor/ui/input.h"
 #include "sim/tartan/sett.h"
 
 namespace selvedge {

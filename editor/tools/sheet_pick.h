@@ -3,8 +3,8 @@
 #include <set>
 #include <string>
 
+#include "editor/document/hover.h"
 #include "editor/document/selection.h"
-#include "editor/tools/hover.h"
 #include "editor/tools/sheet_geometry.h"
 
 namespace selvedge {

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "editor/document/document.h"
-#include "editor/tools/hover.h"
+#include "editor/document/hover.h"
+#include "editor/frame/input.h"
 #include "editor/tools/sheet_camera.h"
 #include "editor/tools/sheet_geometry.h"
 #include "editor/tools/sheet_pick.h"
 #include "editor/tools/snap.h"
 #include "editor/tools/tool_overlay.h"
-#include "editor/ui/input.h"
 #include "editor/workspace/messages.h"
 
 namespace selvedge {

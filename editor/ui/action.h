@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "editor/ui/input.h"
+#include "editor/frame/input.h"
 
 namespace selvedge {
 

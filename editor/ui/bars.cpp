@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "editor/fitting/fitting_overlay.h"
 #include "editor/tools/tool_desk.h"
 #include "editor/ui/actions.h"
 #include "editor/ui/desk.h"
@@ -33,31 +34,11 @@ void show_action(Desk& desk, const Action& action) {
     if (action.id == "file.open") show_recent_files(desk);
 }
 
-const char* words_of(SessionStage stage) {
-    switch (stage) {
-        case SessionStage::Empty:
-            return "Nothing to drape";
-        case SessionStage::Placed:
-            return "Placed";
-        case SessionStage::Sewing:
-            return "Sewing";
-        case SessionStage::Draping:
-            return "Draping";
-        case SessionStage::Settled:
-            return "At rest";
-        case SessionStage::Failed:
-            return "Failed";
-    }
-    return "";
-}
-
 std::string drape_words(const SessionFrame& frame) {
     char figures[96];
     const SessionStatistics& statistics = frame.statistics;
     std::snprintf(figures, sizeof figures, "%d triangles   %.1f ms", statistics.leaf_triangles, statistics.times.frame);
-    const std::string stage = words_of(frame.stage);
-    const bool moves = frame.stage == SessionStage::Sewing || frame.stage == SessionStage::Draping;
-    return stage + (moves && !frame.is_running ? " (paused)" : "") + "   " + figures;
+    return stage_words(frame) + "   " + figures;
 }
 
 void show_message(Desk& desk) {

@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "editor/frame/frame_output.h"
+#include "editor/frame/theme.h"
+#include "editor/frame/widget_map.h"
 #include "editor/tools/tool_host.h"
 #include "editor/ui/action.h"
 #include "editor/ui/action_finder.h"
 #include "editor/ui/file_browser.h"
-#include "editor/ui/frame_output.h"
 #include "editor/ui/services.h"
-#include "editor/ui/theme.h"
-#include "editor/workspace/widget_map.h"
 #include "editor/workspace/workspace.h"
 
 namespace selvedge {
@@ -38,8 +38,8 @@ struct DeskLayout {
     bool has_fitting = true;
     bool has_inspectors = true;
     bool has_tools = true;
-    float sheet_share = 0.5F;    // of the width that both views have
-    float inspector_width = 20;  // in heights of the font
+    float sheet_share = 0.5F;       // of the width that both views have
+    float inspector_width = 21.5F;  // in heights of the font
     InspectorTab tab = InspectorTab::Properties;
 };
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "editor/fitting/fitting_view.h"
+#include "editor/frame/tabular_digits.h"
 #include "editor/inspectors/inspector_context.h"
 #include "editor/sheet/sheet_view.h"
 #include "editor/tools/tool_desk.h"
@@ -14,7 +15,6 @@
 #include "editor/ui/bars.h"
 #include "editor/ui/files.h"
 #include "editor/ui/start_page.h"
-#include "editor/ui/tabular_digits.h"
 #include "editor/ui/ui_input.h"
 #include "editor/ui/widgets.h"
 

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "editor/frame/frame_output.h"
+#include "editor/frame/input.h"
+#include "editor/frame/theme.h"
 #include "editor/ui/desk.h"
-#include "editor/ui/frame_output.h"
-#include "editor/ui/input.h"
 #include "editor/ui/services.h"
-#include "editor/ui/theme.h"
 
 namespace selvedge {
 

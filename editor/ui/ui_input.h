@@ -4,7 +4,7 @@
 #include <deque>
 #include <vector>
 
-#include "editor/ui/input.h"
+#include "editor/frame/input.h"
 
 struct ImGuiIO;
 

@@ -2,7 +2,7 @@
 // Small controls that several parts of the interface share. Those that have a name note where they stand.
 #include <string>
 
-#include "editor/workspace/widget_map.h"
+#include "editor/frame/widget_map.h"
 #include "sim/tartan/sett.h"
 
 namespace selvedge {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "editor/document/document.h"
-#include "editor/tools/hover.h"
+#include "editor/document/hover.h"
 #include "editor/workspace/drape.h"
 #include "editor/workspace/messages.h"
 #include "render/scene/scene.h"

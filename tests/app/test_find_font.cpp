@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "editor/ui/tabular_digits.h"
+#include "editor/frame/tabular_digits.h"
 #include "tests/app/run_program.h"
 
 namespace selvedge {

@@ -23,7 +23,7 @@ struct SceneToDraw {
     int width_px = 0;
     int height_px = 0;
     bool is_draft = true;      // fast: no shadows, no room light, one sample
-    UiTexture legend = 0;     // gets a clear picture of the same size with the legend, where the mode is painted
+    UiTexture legend = 0;      // gets a clear picture of the same size with the legend, where the mode is painted
     bool wants_paint = false;  // the mode of its first cloth is to be filled in first (render/show.h)
 };
 

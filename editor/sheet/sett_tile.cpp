@@ -1,4 +1,4 @@
-#include "editor/sheet/sett_picture.h"
+#include "editor/sheet/sett_tile.h"
 
 #include <algorithm>
 #include <array>
@@ -59,13 +59,13 @@ bool is_warp_seen(Weave weave, int end, int pick) {
 
 }  // namespace
 
-int sett_picture_side(double repeat_px) {
+int sett_tile_side(double repeat_px) {
     int side = 32;
     while (side < 1024 && side < repeat_px) side *= 2;
     return side;
 }
 
-Image sett_picture(const Sett& sett, int side_px) {
+Image sett_tile(const Sett& sett, int side_px) {
     const int ends = thread_count(sett), picks = weft_thread_count(sett);
     const double proportion = double(picks) / ends;
     const int height = std::clamp(static_cast<int>(std::lround(side_px * proportion)), 1, 2048);

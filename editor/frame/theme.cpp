@@ -1,4 +1,4 @@
-#include "editor/ui/theme.h"
+#include "editor/frame/theme.h"
 
 #include <imgui.h>
 

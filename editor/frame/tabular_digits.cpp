@@ -1,4 +1,4 @@
-#include "editor/ui/tabular_digits.h"
+#include "editor/frame/tabular_digits.h"
 
 #include <imgui.h>
 
