@@ -115,15 +115,9 @@ Outcome run(Pattern& pattern, const AddPanels& command) {
 }
 
 Outcome run(Pattern& pattern, const RenamePanel& command) {
-    Panel& panel = panel_of(pattern, command.panel);
+    const int panel = find_panel(pattern, command.panel);
     if (command.to == command.panel) return {};
-    if (command.to.empty()) throw DraftError("A panel has a name", {{.panel = command.panel}});
-    for (Panel& other : pattern.panels) {
-        if (other.name == command.to)
-            throw DraftError("There is a panel '" + command.to + "' already", {{.panel = command.to}});
-        if (other.mirror_of == command.panel) other.mirror_of = command.to;
-    }
-    panel.name = command.to;
+    rename_panel(pattern, panel, command.to);
     return {.selection = only(command.to), .rename = PanelRename{.from = command.panel, .to = command.to}};
 }
 

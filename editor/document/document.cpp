@@ -1,6 +1,7 @@
 #include "editor/document/document.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "editor/document/carry_out.h"
 #include "editor/document/clean_selection.h"
@@ -55,11 +56,12 @@ void Document::select(Selection selection) {
 void Document::run(const Command& command) {
     drop();
     Changed changed = changed_by(source_.pattern, command);
-    HistoryEntry entry{.label = label_of(command),
-                       .patch = difference(source_.pattern, changed.pattern),
-                       .rename = changed.outcome.rename,
-                       .before = selection_};
-    if (entry.rename) rename_in_file(*entry.rename);
+    HistoryEntry entry{
+        .label = label_of(command), .patch = difference(source_.pattern, changed.pattern), .before = selection_};
+    if (const auto& rename = changed.outcome.rename) {
+        FileNames names = renamed(file_names_, rename->from, rename->to);
+        entry.file_names.emplace(std::exchange(file_names_, names), std::move(names));
+    }
     show(std::move(changed.pattern), changed.outcome.selection.value_or(selection_));
     note(journal_line(command));
     remember(std::move(entry));
@@ -109,7 +111,7 @@ void Document::undo() {
     const HistoryEntry& entry = history_[--position_];
     Pattern pattern = source_.pattern;
     selvedge::undo(pattern, entry.patch);
-    if (entry.rename) rename_in_file({.from = entry.rename->to, .to = entry.rename->from});
+    if (entry.file_names) file_names_ = entry.file_names->first;
     show(std::move(pattern), entry.before);
     note(journal_word(JournalWord::Undo));
 }
@@ -120,7 +122,7 @@ void Document::redo() {
     const HistoryEntry& entry = history_[position_++];
     Pattern pattern = source_.pattern;
     apply(pattern, entry.patch);
-    if (entry.rename) rename_in_file(*entry.rename);
+    if (entry.file_names) file_names_ = entry.file_names->second;
     show(std::move(pattern), entry.after);
     note(journal_word(JournalWord::Redo));
 }
@@ -133,7 +135,7 @@ void Document::go_to(std::size_t position) {
 }
 
 std::string Document::text() const {
-    return write_pattern(source_);
+    return write_json(pattern_as_json(source_.pattern, with_present_names(source_.json, file_names_)));
 }
 
 bool Document::has_unsaved_changes() const {
@@ -148,10 +150,6 @@ void Document::show(Pattern pattern, const Selection& selected) {
     source_.pattern = std::move(pattern);
     select(selected);
     ++revision_;
-}
-
-void Document::rename_in_file(const PanelRename& rename) {
-    rename_panel_in_file(source_.json, rename.from, rename.to);
 }
 
 void Document::note(const Json& line) const {

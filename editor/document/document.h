@@ -3,12 +3,14 @@
 // it; whoever wants a change runs a command.
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "editor/document/carry_out.h"
 #include "editor/document/command.h"
+#include "editor/document/file_names.h"
 #include "editor/document/pattern_patch.h"
 #include "editor/document/selection.h"
 #include "sim/pattern/pattern_file.h"
@@ -18,8 +20,8 @@ namespace selvedge {
 struct HistoryEntry {
     std::string label;
     PatternPatch patch;
-    std::optional<PanelRename> rename = {};
-    Selection before;  // what was selected then
+    std::optional<std::pair<FileNames, FileNames>> file_names = {};  // before and after, where a panel was renamed
+    Selection before;                                                // what was selected then
     Selection after = {};
 };
 
@@ -72,9 +74,9 @@ class Document {
     void note(const Json& line) const;
     void show(Pattern pattern, const Selection& selected);
     void remember(HistoryEntry entry);
-    void rename_in_file(const PanelRename& rename);
 
     PatternDocument source_;
+    FileNames file_names_;
     Selection selection_;
     std::vector<HistoryEntry> history_;
     std::size_t position_ = 0;

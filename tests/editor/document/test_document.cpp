@@ -129,6 +129,20 @@ TEST(Document, a_renamed_panel_keeps_its_place_in_the_file) {
     EXPECT_EQ(document.text(), first);
 }
 
+TEST(Document, names_that_change_hands_come_back_with_their_panels) {
+    Document document(shipped("tshirt.json"));
+    const std::string first = document.text();
+    document.run(RemoveParts{.panels = {"back"}});
+    document.run(RenamePanel{.panel = "front", .to = "back"});
+    document.run(RenamePanel{.panel = "left_sleeve_back", .to = "front"});
+    EXPECT_FALSE(has_error(check_pattern_text(document.text(), "")));
+    const std::string last = document.text();
+    document.go_to(0);
+    EXPECT_EQ(document.text(), first);
+    document.go_to(3);
+    EXPECT_EQ(document.text(), last);
+}
+
 TEST(Document, the_selection_follows_what_is_there) {
     Document document(shipped("tshirt.json"));
     Selection selection;
