@@ -38,6 +38,9 @@ class Document {
     // Counts up with every change of the pattern, undone and tried ones included.
     std::uint64_t revision() const { return revision_; }
 
+    // Goes on counting where the one that it takes the place of is: who remembers a revision sees that all is new.
+    void take_place_of(const Document& before) { revision_ = before.revision_ + 1; }
+
     // Parts that are not there are left out.
     void select(Selection selection);
 

@@ -27,7 +27,9 @@ bool try_to(Desk& desk, Function&& function) {
 }
 
 void show_document(Desk& desk, PatternDocument source, const std::string& file) {
-    desk.workspace.document = std::make_unique<Document>(std::move(source));
+    auto document = std::make_unique<Document>(std::move(source));
+    document->take_place_of(*desk.workspace.document);
+    desk.workspace.document = std::move(document);
     desk.workspace.file = file;
     desk.workspace.drape.begin_document();
     desk.tools.choose(tool_desk(desk.workspace), ToolKind::Select);

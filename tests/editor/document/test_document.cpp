@@ -168,5 +168,13 @@ TEST(Document, matching_at_seams_is_a_command) {
     EXPECT_THROW(document.run(SetTartan{.tartan = "Q5 nonsense"}), DraftError);
 }
 
+TEST(Document, one_that_takes_the_place_of_another_has_no_revision_of_its) {
+    Document first;
+    const std::uint64_t seen = first.revision();
+    Document second(shipped("tshirt.json"));
+    second.take_place_of(first);
+    EXPECT_GT(second.revision(), seen);
+}
+
 }  // namespace
 }  // namespace selvedge
