@@ -6,7 +6,7 @@
 
 namespace selvedge {
 
-inline constexpr double kRulerWidth = 22;  // px of the interface
+inline constexpr double kRulerWidth = 30;  // px of the interface: as wide as "-160"
 
 // Lines of 1 mm, 1 cm, 5 cm, 10 cm... by the zoom; finer ones fade in.
 void draw_grid(const SheetPen& pen);

@@ -87,6 +87,7 @@ void SheetView::frame_wanted(const SheetContext& context) {
         const SheetBox chosen = context.tools.geometry().box_of(context.desk.document.selection());
         if (!chosen.isEmpty()) box = chosen;
     }
+    const bool is_all = wants_frame_ == Frame::All;
     wants_frame_ = Frame::None;
     SheetCamera inner = camera_;  // the part that the rulers leave
     const double ruler = kRulerWidth * context.ui_scale;
@@ -95,6 +96,17 @@ void SheetView::frame_wanted(const SheetContext& context) {
     if (box.isEmpty()) inner = {.centre = Vec2d(0.5, 0.4), .scale = 700 * context.ui_scale};
     camera_.scale = inner.scale;
     camera_.centre = inner.centre + Vec2d(-ruler, ruler) / (2 * inner.scale);
+    if (!is_all) return;
+    framed_ = camera_;
+    framed_box_ = context.tools.geometry().box();
+}
+
+// All stays in sight in a view of another size, as long as nobody has looked elsewhere or drawn anything.
+void SheetView::frame_again(const SheetContext& context) {
+    const SheetBox box = context.tools.geometry().box();
+    const bool is_same = camera_.centre == framed_.centre && camera_.scale == framed_.scale && !has_left_ &&
+                         box.min() == framed_box_.min() && box.max() == framed_box_.max();
+    if (is_same && camera_.view_size != framed_.view_size && wants_frame_ == Frame::None) frame_all();
 }
 
 void SheetView::navigate(const Mouse& mouse, SheetAnswer& answer) {
@@ -154,6 +166,7 @@ SheetAnswer SheetView::show(SheetContext& context) {
     SheetAnswer answer;
     const Mouse mouse = place(context);
     context.tools.begin_frame(context.desk.document, camera_, context.ui_scale);
+    frame_again(context);
     frame_wanted(context);
     navigate(mouse, answer);
     context.tools.begin_frame(context.desk.document, camera_, context.ui_scale);

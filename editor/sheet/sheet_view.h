@@ -57,6 +57,7 @@ class SheetView {
 
     Mouse place(SheetContext& context);
     void frame_wanted(const SheetContext& context);
+    void frame_again(const SheetContext& context);
     void navigate(const Mouse& mouse, SheetAnswer& answer);
     void hand_mouse(SheetContext& context, const Mouse& mouse);
     void hand_keys(SheetContext& context, const Mouse& mouse, SheetAnswer& answer);
@@ -67,6 +68,8 @@ class SheetView {
     SheetCamera camera_;
     PanelFaces faces_;
     Frame wants_frame_ = Frame::All;
+    SheetCamera framed_;  // as it was when all was framed
+    SheetBox framed_box_;
     Vec2d last_at_ = Vec2d::Zero();
     bool is_panning_ = false;
     double panned_px_ = 0;

@@ -60,16 +60,43 @@ void add_file_actions(std::vector<Action>& actions) {
                        .run = close});
 }
 
+// During a drag it takes back the drag, and nothing before it.
+void undo(Desk& desk) {
+    if (!desk.workspace.document->is_attempting()) return desk.workspace.document->undo();
+    desk.tools.cancel(tool_desk(desk.workspace));
+}
+
+// As the sheet does with a key, wherever the cursor is.
+void press_on_sheet(Desk& desk, const Chord& chord) {
+    desk.tools.key(tool_desk(desk.workspace), chord.key, chord.modifiers);
+}
+
+void add_selection_actions(std::vector<Action>& actions) {
+    const Chord all = ctrl('A'), remove{Key::Delete, {}};
+    actions.push_back({.id = "edit.select_all",
+                       .menu = "Edit",
+                       .title = "Select all panels",
+                       .chords = {all},
+                       .begins_group = true,
+                       .run = [all](Desk& desk) { press_on_sheet(desk, all); },
+                       .can = [](const Desk& desk) { return !desk.workspace.document->pattern().panels.empty(); }});
+    actions.push_back({.id = "edit.delete",
+                       .menu = "Edit",
+                       .title = "Delete what is selected",
+                       .chords = {remove},
+                       .run = [remove](Desk& desk) { press_on_sheet(desk, remove); },
+                       .can = [](const Desk& desk) { return !desk.workspace.document->selection().is_empty(); }});
+}
+
 void add_edit_actions(std::vector<Action>& actions) {
     actions.push_back({.id = "edit.undo",
                        .menu = "Edit",
                        .title = "Undo",
                        .chords = {ctrl('Z')},
-                       .run = [](Desk& desk) { desk.workspace.document->undo(); },
-                       .can =
-                           [](const Desk& desk) {
-                               return desk.workspace.document->can_undo() || desk.workspace.document->is_attempting();
-                           }});
+                       .run = undo,
+                       .can = [](const Desk& desk) {
+                           return desk.workspace.document->can_undo() || desk.workspace.document->is_attempting();
+                       }});
     actions.push_back({.id = "edit.redo",
                        .menu = "Edit",
                        .title = "Redo",
@@ -143,6 +170,7 @@ std::vector<Action> make_actions() {
     add_file_actions(actions);
     add_edit_actions(actions);
     add_panel_actions(actions);
+    add_selection_actions(actions);
     add_tool_actions(actions);
     add_simulate_actions(actions);
     add_view_actions(actions);
@@ -157,6 +185,7 @@ const std::vector<std::string>& menu_names() {
 
 bool run_action(Desk& desk, const Action& action) {
     if (action.can && !action.can(desk)) return false;
+    desk.workspace.messages.dismiss();  // an error was about what was done before
     action.run(desk);
     return true;
 }

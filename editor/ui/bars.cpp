@@ -2,12 +2,15 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "editor/fitting/fitting_overlay.h"
 #include "editor/tools/tool_desk.h"
 #include "editor/ui/actions.h"
 #include "editor/ui/desk.h"
+#include "editor/ui/elide.h"
 #include "editor/ui/files.h"
 #include "editor/ui/widgets.h"
 
@@ -41,15 +44,48 @@ std::string drape_words(const SessionFrame& frame) {
     return stage_words(frame) + "   " + figures;
 }
 
-void show_message(Desk& desk) {
+void show_line(const Rgb8& colour, const std::string& words, float width) {
+    const std::string shown = elided(words, width, Elide::End);
+    ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(colour[0], colour[1], colour[2], 255));
+    ImGui::TextUnformatted(shown.c_str());
+    ImGui::PopStyleColor();
+    tip_of_whole(words, shown);
+}
+
+// On one line of that width, px.
+void show_message(Desk& desk, float width) {
     const Messages& messages = desk.workspace.messages;
     if (const Message* message = messages.shown()) {
         const Rgb8& colour = message->kind == MessageKind::Error     ? desk.theme.error
                              : message->kind == MessageKind::Warning ? desk.theme.warning
                                                                      : desk.theme.ink;
-        return coloured_text(colour, message->words);
+        return show_line(colour, message->words, width);
     }
-    ImGui::TextDisabled("%s", desk.tools.hint(tool_desk(desk.workspace)).c_str());
+    show_line(desk.theme.faint, desk.tools.hint(tool_desk(desk.workspace)), width);
+}
+
+// px that are left of a line for a question's words when its answers have their place.
+float width_beside(const Question& question) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    float width = ImGui::GetContentRegionAvail().x;
+    for (const Question::Answer& answer : question.answers) {
+        width -= style.ItemSpacing.x + 2 * style.FramePadding.x + ImGui::CalcTextSize(answer.label.c_str()).x;
+    }
+    return std::max(0.0F, width);
+}
+
+struct ToolGrid {
+    float side = 0;  // px of a tool
+    float edge = 0;  // px beside them
+    int columns = 1;
+};
+
+ToolGrid tool_grid(float height) {
+    const float unit = ImGui::GetFontSize();
+    ToolGrid grid{.side = std::round(2.2F * unit), .edge = std::round(0.2F * unit)};
+    const auto rows = std::max<std::size_t>(1, static_cast<std::size_t>((height - unit) / (grid.side + 1)));
+    grid.columns = static_cast<int>((all_tools().size() + rows - 1) / rows);
+    return grid;
 }
 
 void show_icon(Desk& desk, const char* action, const char* icon, float side_px) {
@@ -72,9 +108,11 @@ void show_menu_bar(Desk& desk) {
     }
     const std::string name =
         document_name(desk) + (desk.workspace.document->has_unsaved_changes() ? "  (unsaved)" : "");
-    const float width = ImGui::CalcTextSize(name.c_str()).x;
-    ImGui::SameLine(ImGui::GetWindowWidth() - width - ImGui::GetFontSize());
-    ImGui::TextDisabled("%s", name.c_str());
+    const float room = ImGui::GetWindowWidth() - ImGui::GetCursorPosX() - 3 * ImGui::GetFontSize();
+    const std::string shown = elided(name, std::max(0.0F, room), Elide::Middle);
+    ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::CalcTextSize(shown.c_str()).x - ImGui::GetFontSize());
+    ImGui::TextDisabled("%s", shown.c_str());
+    tip_of_whole(desk.workspace.file.empty() ? shown : desk.workspace.file, shown);
     ImGui::EndMainMenuBar();
 }
 
@@ -93,7 +131,9 @@ float show_question(Desk& desk) {
                      ImGuiWindowFlags_NoFocusOnAppearing);
     const Question question = desk.questions.front();  // answers may ask another
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(question.words.c_str());
+    const std::string shown = elided(question.words, width_beside(question), Elide::Middle);
+    ImGui::TextUnformatted(shown.c_str());
+    tip_of_whole(question.words, shown);
     const Question::Answer* given = nullptr;
     for (const Question::Answer& answer : question.answers) {
         ImGui::SameLine();
@@ -109,12 +149,20 @@ float show_question(Desk& desk) {
     return height;
 }
 
+float tool_bar_width(float height) {
+    const ToolGrid grid = tool_grid(height);
+    return 2 * grid.edge + static_cast<float>(grid.columns) * grid.side;
+}
+
 void show_tool_bar(Desk& desk) {
-    const float side = ImGui::GetContentRegionAvail().x;
+    const ToolGrid grid = tool_grid(ImGui::GetWindowHeight());
+    int column = 0;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 1});
     for (const ToolInfo& tool : all_tools()) {
         const std::string id(tool.id);
-        show_icon(desk, ("tool." + id).c_str(), id.c_str(), side);
+        if (column > 0) ImGui::SameLine();
+        show_icon(desk, ("tool." + id).c_str(), id.c_str(), grid.side);
+        column = (column + 1) % grid.columns;
     }
     ImGui::PopStyleVar();
 }
@@ -126,7 +174,9 @@ void show_fitting_bar(Desk& desk) {
     ImGui::SameLine();
     show_icon(desk, "simulate.reset", "reset", side);
     ImGui::SameLine(0, ImGui::GetFontSize());
-    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 10);
+    const float switches = 3 * (side + ImGui::GetStyle().ItemSpacing.x);
+    const float room = ImGui::GetContentRegionAvail().x - switches;
+    ImGui::SetNextItemWidth(std::clamp(room, 3 * ImGui::GetFontSize(), 10 * ImGui::GetFontSize()));
     const Action* shown = nullptr;
     for (const Action& action : desk.actions) {
         if (action.id.starts_with("view.") && action.title.starts_with("Show ") && action.is_on(desk)) shown = &action;
@@ -150,9 +200,7 @@ void show_status_bar(Desk& desk) {
     const std::shared_ptr<const SessionFrame> frame = desk.workspace.drape.frame();
     const std::string figures = drape_words(*frame);
     const float width = ImGui::CalcTextSize(figures.c_str()).x + ImGui::GetFontSize();
-    ImGui::PushTextWrapPos(ImGui::GetContentRegionMax().x - width);
-    show_message(desk);
-    ImGui::PopTextWrapPos();
+    show_message(desk, ImGui::GetContentRegionAvail().x - width);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - width + ImGui::GetFontSize());
     if (frame->problem.empty()) {
         ImGui::TextDisabled("%s", figures.c_str());

@@ -10,6 +10,9 @@ void show_menu_bar(Desk& desk);
 // m px of the height that questions take; 0: nothing is asked.
 float show_question(Desk& desk);
 
+// px of the width that the tools take in that height: where they do not fit below each other, more columns.
+float tool_bar_width(float height);
+
 void show_tool_bar(Desk& desk);
 void show_status_bar(Desk& desk);
 

@@ -14,6 +14,8 @@
 #include "editor/ui/actions.h"
 #include "editor/ui/bars.h"
 #include "editor/ui/files.h"
+#include "editor/ui/message_clock.h"
+#include "editor/ui/sheet_menu.h"
 #include "editor/ui/start_page.h"
 #include "editor/ui/ui_input.h"
 #include "editor/ui/widgets.h"
@@ -44,7 +46,7 @@ Regions share_out(const DeskLayout& layout, float question_height) {
     const float top = ImGui::GetFrameHeight() + question_height;
     const float status = ImGui::GetFrameHeight() + 0.3F * unit;
     const float height = std::max(unit, display.y - top - status);
-    const float tools = layout.has_tools ? 2.6F * unit : 0;
+    const float tools = layout.has_tools ? tool_bar_width(height) : 0;
     const float inspectors = layout.has_inspectors ? std::min(layout.inspector_width * unit, display.x * 0.5F) : 0;
     const float views = std::max(unit, display.x - tools - inspectors);
     const float share = !layout.has_fitting ? 1 : !layout.has_sheet ? 0 : layout.sheet_share;
@@ -126,6 +128,7 @@ struct Editor::Impl {
     SheetView sheet;
     FittingView fitting;
     InspectorState inspectors;
+    MessageClock message_clock;
     FrameOutput output;
     std::vector<Key> used_keys;  // by a view, this frame
     UiTexture next_texture = kFirstFreeTexture;
@@ -184,6 +187,8 @@ void Editor::Impl::show_sheet(const Rectangle& where) {
                                .takes_keys = !desk.finder.is_open() && !desk.browser.is_open()};
     const SheetAnswer answer = sheet.show(sheet_context);
     used_keys.insert(used_keys.end(), answer.used_keys.begin(), answer.used_keys.end());
+    if (answer.wants_menu) open_sheet_menu(desk);
+    show_sheet_menu(desk);
     ImGui::End();
 }
 
@@ -235,21 +240,21 @@ void Editor::Impl::show_inspectors(const Rectangle& where) {
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.28F * unit, 0.3F * unit});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, {0.1F * unit, 0.2F * unit});
     const bool has_tabs = ImGui::BeginTabBar("##tabs", ImGuiTabBarFlags_FittingPolicyScroll);
-    ImGui::PopStyleVar(2);
     if (has_tabs) {
         for (const auto& [title, tab] : tabs) {
             const bool is_open = ImGui::BeginTabItem(title);
             note_widget(desk.widgets, std::string("tab.") + title);
             if (!is_open) continue;
             desk.layout.tab = tab;
-            ImGui::BeginChild("##box");
-            InspectorContext box = inspector_context();
-            draws[static_cast<std::size_t>(tab)](box);
-            ImGui::EndChild();
             ImGui::EndTabItem();
         }
         ImGui::EndTabBar();
     }
+    ImGui::PopStyleVar(2);
+    ImGui::BeginChild("##box");
+    InspectorContext box = inspector_context();
+    draws[static_cast<std::size_t>(desk.layout.tab)](box);
+    ImGui::EndChild();
     ImGui::End();
 }
 
@@ -257,7 +262,7 @@ void Editor::Impl::show_views(double seconds) {
     const float unit = ImGui::GetFontSize();
     const Regions regions = share_out(desk.layout, show_question(desk));
     if (desk.layout.has_tools) {
-        begin_region("##tools", regions.tools, {0.2F * unit, 0.3F * unit});
+        begin_region("##tools", regions.tools, {std::round(0.2F * unit), 0.3F * unit});
         show_tool_bar(desk);
         ImGui::End();
     }
@@ -295,6 +300,7 @@ FrameOutput Editor::frame(const std::vector<InputEvent>& events, const FrameSize
     ImGui::NewFrame();
     impl.take_other_events(others);
     desk.workspace.drape.follow(*desk.workspace.document, desk.workspace.messages);
+    impl.message_clock.follow(desk.workspace.messages, seconds);
     if (impl.shown_document != desk.documents_opened) {
         impl.shown_document = desk.documents_opened;
         impl.sheet.frame_all();

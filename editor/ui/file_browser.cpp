@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "editor/ui/desk.h"
+#include "editor/ui/elide.h"
 #include "editor/ui/widgets.h"
 #include "sim/core/error.h"
 
@@ -71,7 +72,9 @@ void FileBrowser::show(Desk& desk) {
     ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
     constexpr auto kFlags = ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse;
     if (ImGui::Begin((request_.title + "###browser").c_str(), &is_open_, kFlags)) {
-        ImGui::TextDisabled("%s", folder_.c_str());
+        const std::string shown = elided(folder_, ImGui::GetContentRegionAvail().x, Elide::Middle);
+        ImGui::TextDisabled("%s", shown.c_str());
+        tip_of_whole(folder_, shown);
         ImGui::BeginChild("##entries", {0, -2.4F * ImGui::GetFrameHeight()}, true);
         show_entries(desk);
         ImGui::EndChild();

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "editor/ui/desk.h"
+#include "editor/ui/elide.h"
 #include "editor/ui/files.h"
 #include "editor/ui/widgets.h"
 
@@ -40,7 +41,9 @@ void show_recent(Desk& desk) {
     ImGui::PopFont();
     constexpr std::size_t kMost = 5;
     for (std::size_t i = 0; i < std::min(kMost, files.size()); ++i) {
-        if (ImGui::Selectable(files[i].c_str())) open_file(desk, files[i]);
+        const std::string shown = elided(files[i], ImGui::GetContentRegionAvail().x, Elide::Middle);
+        if (ImGui::Selectable((shown + "##" + std::to_string(i)).c_str())) open_file(desk, files[i]);
+        tip_of_whole(files[i], shown);
     }
 }
 
@@ -59,7 +62,8 @@ void show_keys(Desk& desk) {
 }  // namespace
 
 void show_start_page(Desk& desk) {
-    if (!desk.shows_start_page) return;
+    if (desk.tools.kind() != ToolKind::Select) desk.shows_start_page = false;  // someone has begun
+    if (!desk.shows_start_page || desk.browser.is_open()) return;
     const float unit = ImGui::GetFontSize();
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float width = std::min(38 * unit, display.x - 2 * unit);
@@ -83,6 +87,9 @@ void show_start_page(Desk& desk) {
         show_examples(desk);
         show_recent(desk);
         show_keys(desk);
+        const bool is_over = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+        const bool is_left = !ImGui::IsWindowAppearing() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !is_over;
+        if (is_left || ImGui::IsKeyPressed(static_cast<int>(Key::Escape), false)) desk.shows_start_page = false;
     }
     ImGui::End();
     ImGui::PopStyleVar();
