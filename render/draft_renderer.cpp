@@ -246,8 +246,8 @@ void DraftRenderer::draw(const SceneView& view, PictureTexture& to) {
     impl.prepare(view.scene);
     const Eigen::Matrix4f camera = upside_down_matrix(view, to);
     impl.begin(to);
+    impl.attach_depth(to);  // first: while it is smaller than the texture, no more of that is drawn to
     impl.draw_backdrop(view.scene->background, to);
-    impl.attach_depth(to);
     impl.gl.FrontFace(GL_CW);  // for all is upside down
     impl.draw_ground(camera);
     impl.gl.Enable(GL_DEPTH_TEST);

@@ -11,7 +11,7 @@ namespace {
 
 // Radii, px of the view.
 constexpr float kOutline = 1.7F, kHoveredOutline = 1.3F, kEdge = 2.3F, kVertex = 4.6F, kThread = 0.45F, kNeedle = 0.6F,
-                kPinHead = 2.8F, kPoint = 4, kHoveredPoint = 5.5F, kPullBall = 4;
+                kPinHead = 4, kPoint = 4, kHoveredPoint = 5.5F, kPullBall = 4;
 constexpr float kNeedleLength = 9;  // px
 
 class Marker {

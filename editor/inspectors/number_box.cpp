@@ -85,6 +85,13 @@ FieldEnd end_of_field(BoxState& boxes, unsigned id) {
     return end;
 }
 
+// What is not taken is gone from the box: why is said below.
+void tell_wrong(InspectorContext& context, const FieldEnd& end) {
+    if (end.ending == Ending::Wrong) {
+        context.workspace.messages.warn("'" + end.typed.text + "' is not taken. " + end.typed.wrong);
+    }
+}
+
 // ImGui writes what stands before ## beside the box.
 std::string hidden(const char* name) {
     return std::string("##") + name;
@@ -111,7 +118,11 @@ bool field(InspectorContext& context, const FieldLook& look, std::string& text, 
     const bool is_changed = ImGui::InputTextWithHint(hidden(look.name).c_str(), look.hint, &text, flags,
                                                      keys != nullptr ? step_by_arrow : nullptr, keys);
     if (!wrong.empty()) ImGui::PopStyleColor(2);
-    show_tip(wrong.empty() ? look.tip : wrong);
+    if (!wrong.empty()) {
+        show_tip(wrong);
+    } else if (!ImGui::IsItemActive()) {
+        show_tip(look.tip);  // who types looks at what is below
+    }
     return is_changed;
 }
 
@@ -139,6 +150,7 @@ NumberEdit type_number(InspectorContext& context, const NumberBox& box, float wi
         }
     }
     const FieldEnd end = end_of_field(boxes, id);
+    tell_wrong(context, end);
     if (end.ending == Ending::Applied) {
         edit = {.phase = EditPhase::Kept, .value = read_number(box, end.typed.text).value, .before = end.typed.before};
     } else if (end.typed.is_trying) {
@@ -245,6 +257,7 @@ std::optional<std::string> text_box(InspectorContext& context, const TextBox& bo
         boxes.typed.wrong = box.wrong != nullptr ? box.wrong(text) : "";
     }
     FieldEnd end = end_of_field(boxes, id);
+    tell_wrong(context, end);
     if (end.ending != Ending::Applied) return std::nullopt;
     return std::move(end.typed.text);
 }

@@ -75,14 +75,15 @@ void FileBrowser::show(Desk& desk) {
         const std::string shown = elided(folder_, ImGui::GetContentRegionAvail().x, Elide::Middle);
         ImGui::TextDisabled("%s", shown.c_str());
         tip_of_whole(folder_, shown);
-        ImGui::BeginChild("##entries", {0, -2.4F * ImGui::GetFrameHeight()}, true);
+        ImGui::BeginChild("##entries", {0, -2 * ImGui::GetFrameHeightWithSpacing()}, true);
         show_entries(desk);
         ImGui::EndChild();
         if (takes_focus_) ImGui::SetKeyboardFocusHere();
         takes_focus_ = false;
         ImGui::SetNextItemWidth(-1);
         const bool is_entered =
-            ImGui::InputTextWithHint("##name", "Name of the file", &name_, ImGuiInputTextFlags_EnterReturnsTrue);
+            ImGui::InputTextWithHint("##name", "Name of the file", &name_,
+                                     ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
         note_widget(desk.widgets, "browser.name");
         if (button(desk, "browser.choose", request_.verb) || is_entered) choose(desk);
         ImGui::SameLine();

@@ -18,8 +18,8 @@ constexpr std::array<std::pair<const char*, const char*>, 8> kKeys{{{"Space", "s
                                                                     {"H, S, E", "draw a polygon, rectangle, ellipse"},
                                                                     {"Z, X, C", "move points, add points, bend edges"},
                                                                     {"N, M", "sew edges, sew freely"},
-                                                                    {"A", "select and move"},
-                                                                    {"F", "show all"},
+                                                                    {"V", "select and move"},
+                                                                    {"F", "show what is selected, or all"},
                                                                     {"Ctrl+Z", "undo, also while it drapes"},
                                                                     {"Ctrl+K", "find any action by its name"}}};
 

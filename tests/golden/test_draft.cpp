@@ -100,6 +100,15 @@ TEST_F(Drafts, follow_the_camera_and_the_size_of_the_same_scene) {
     EXPECT_EQ(draft(renderer, view).width_px, kHeight);
 }
 
+TEST_F(Drafts, fill_a_picture_that_has_grown) {
+    DraftRenderer renderer(*context_);
+    const SceneView view = view_of(make_frozen_scene());
+    to_.resize(kWidth, kHeight / 2);
+    draft(renderer, view);
+    to_.resize(kWidth, kHeight);
+    EXPECT_TRUE(draft(renderer, view) == fresh_draft(*view.scene));
+}
+
 TEST_F(Drafts, show_painted_cloth_marks_and_an_empty_room) {
     Scene scene = make_frozen_scene({.show = ShowMode::Plain});
     const Image plain = fresh_draft(scene);

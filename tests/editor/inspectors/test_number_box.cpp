@@ -80,6 +80,16 @@ TEST_F(NumberBoxes, steps_are_taken_back_by_esc) {
     EXPECT_TRUE(desk.document().history().empty());
 }
 
+TEST_F(NumberBoxes, what_is_no_number_is_not_taken_and_why_is_said) {
+    desk.click("panel.translation.y");
+    desk.type("12 apples");
+    desk.key(ImGuiKey_Enter);
+    EXPECT_TRUE(desk.document().history().empty());
+    const Message* message = desk.workspace.messages.shown();
+    ASSERT_NE(message, nullptr);
+    EXPECT_NE(message->words.find("12 apples"), std::string::npos);
+}
+
 TEST_F(NumberBoxes, a_label_is_dragged_and_its_change_kept_when_it_is_let_go) {
     desk.drag("drag panel.translation.y", 40);
     EXPECT_TRUE(desk.document().is_attempting());
