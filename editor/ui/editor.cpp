@@ -58,24 +58,30 @@ Regions share_out(const DeskLayout& layout, float question_height) {
             .status = {{0, display.y - status}, {display.x, status}}};
 }
 
-bool begin_region(const char* name, const Rectangle& where, const ImVec2& padding) {
+bool begin_region(const char* name, const Rectangle& where, const ImVec2& padding, ImGuiWindowFlags more = 0) {
     ImGui::SetNextWindowPos(where.low);
     ImGui::SetNextWindowSize(where.size);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-    const bool is_open = ImGui::Begin(name, nullptr, kRegionFlags);
+    const bool is_open = ImGui::Begin(name, nullptr, kRegionFlags | more);
     ImGui::PopStyleVar(3);
     return is_open;
 }
 
 // A thin upright between two regions that is dragged; returns how far, px.
-float splitter(const char* name, float x, const Rectangle& beside, FrameOutput& output) {
+float splitter(Desk& desk, const char* name, float x, const Rectangle& beside, FrameOutput& output) {
     const float half = 0.25F * ImGui::GetFontSize();
-    begin_region(name, {{x - half, beside.low.y}, {2 * half, beside.size.y}}, {0, 0});
+    begin_region(name, {{x - half, beside.low.y}, {2 * half, beside.size.y}}, {0, 0}, ImGuiWindowFlags_NoBackground);
     ImGui::InvisibleButton("##grip", {2 * half, beside.size.y});
+    note_widget(desk.widgets, name);
     const bool is_held = ImGui::IsItemActive();
-    if (is_held || ImGui::IsItemHovered()) output.cursor = MouseCursor::ResizeHorizontal;
+    const bool is_lit = is_held || ImGui::IsItemHovered();
+    if (is_lit) {
+        output.cursor = MouseCursor::ResizeHorizontal;
+        const ImU32 colour = ImGui::GetColorU32(ImGuiCol_SeparatorActive);
+        ImGui::GetWindowDrawList()->AddLine({x, beside.low.y}, {x, beside.low.y + beside.size.y}, colour, half / 2);
+    }
     ImGui::End();
     return is_held ? ImGui::GetIO().MouseDelta.x : 0;
 }
@@ -116,6 +122,7 @@ struct Editor::Impl {
     void run_keys();
     void take_other_events(const std::vector<InputEvent>& events);
     void show_views(double seconds);
+    void show_splitters(const Regions& regions);
     void show_sheet(const Rectangle& where);
     void show_fitting(const Rectangle& where, double seconds);
     void show_inspectors(const Rectangle& where);
@@ -258,6 +265,19 @@ void Editor::Impl::show_inspectors(const Rectangle& where) {
     ImGui::End();
 }
 
+// Before the views: of windows that stay in their order, ImGui lays the later ones below.
+void Editor::Impl::show_splitters(const Regions& regions) {
+    if (desk.layout.has_sheet && desk.layout.has_fitting) {
+        const float views = regions.sheet.size.x + regions.fitting.size.x;
+        const float by = splitter(desk, "splitter.views", regions.fitting.low.x, regions.fitting, output);
+        desk.layout.sheet_share = std::clamp(desk.layout.sheet_share + by / views, 0.15F, 0.85F);
+    }
+    if (desk.layout.has_inspectors) {
+        const float by = splitter(desk, "splitter.inspectors", regions.inspectors.low.x, regions.inspectors, output);
+        desk.layout.inspector_width = std::clamp(desk.layout.inspector_width - by / ImGui::GetFontSize(), 17.5F, 40.0F);
+    }
+}
+
 void Editor::Impl::show_views(double seconds) {
     const float unit = ImGui::GetFontSize();
     const Regions regions = share_out(desk.layout, show_question(desk));
@@ -266,18 +286,10 @@ void Editor::Impl::show_views(double seconds) {
         show_tool_bar(desk);
         ImGui::End();
     }
+    show_splitters(regions);
     if (desk.layout.has_sheet) show_sheet(regions.sheet);
     if (desk.layout.has_fitting) show_fitting(regions.fitting, seconds);
     if (desk.layout.has_inspectors) show_inspectors(regions.inspectors);
-    if (desk.layout.has_sheet && desk.layout.has_fitting) {
-        const float views = regions.sheet.size.x + regions.fitting.size.x;
-        const float by = splitter("##between_views", regions.fitting.low.x, regions.fitting, output);
-        desk.layout.sheet_share = std::clamp(desk.layout.sheet_share + by / views, 0.15F, 0.85F);
-    }
-    if (desk.layout.has_inspectors) {
-        const float by = splitter("##before_inspectors", regions.inspectors.low.x, regions.inspectors, output);
-        desk.layout.inspector_width = std::clamp(desk.layout.inspector_width - by / unit, 17.5F, 40.0F);
-    }
     begin_region("##status", regions.status, {0.6F * unit, 0.25F * unit});
     show_status_bar(desk);
     ImGui::End();
