@@ -82,7 +82,9 @@ struct ToolGrid {
 
 ToolGrid tool_grid(float height) {
     const float unit = ImGui::GetFontSize();
-    ToolGrid grid{.side = std::round(2.2F * unit), .edge = std::round(0.2F * unit)};
+    const auto count = static_cast<float>(all_tools().size());
+    const float side = std::clamp((height - unit) / count - 1, 1.8F * unit, 2.2F * unit);  // a little smaller first
+    ToolGrid grid{.side = std::floor(side), .edge = std::round(0.2F * unit)};
     const auto rows = std::max<std::size_t>(1, static_cast<std::size_t>((height - unit) / (grid.side + 1)));
     grid.columns = static_cast<int>((all_tools().size() + rows - 1) / rows);
     return grid;
