@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <string>
 #include <vector>
@@ -115,11 +116,12 @@ TEST_F(EditTshirt, is_sewn_as_the_shipped_one) {
     }
 }
 
-TEST_F(EditTshirt, names_its_body_and_is_linked_from_left_to_right) {
+TEST_F(EditTshirt, lies_about_the_body_that_it_names_and_is_linked_from_left_to_right) {
     const Pattern pattern = made();
     EXPECT_EQ(pattern.body, "mannequin:sex=female");
     for (const auto& [name, panel] : by_name(pattern)) {
         EXPECT_EQ(!panel.mirror_of.empty(), name.starts_with("right")) << name;
+        EXPECT_GT(panel.wrap_radius, 0) << name << " went to no arrangement point";
     }
 }
 
@@ -153,6 +155,15 @@ TEST_F(EditTshirt, looks_at_each_stage_as_it_did) {
         EXPECT_TRUE(matches_golden(sheet_of(picture(name)), "edit_" + name));
     }
     EXPECT_TRUE(matches_golden_by_blocks(picture("settled"), "edit_settled"));
+}
+
+TEST(EditScript, that_expects_another_state_of_the_drape_ends_with_its_line) {
+    const ScratchFolder folder;
+    std::ofstream(folder / "wish.script") << "click widget start.empty\nexpect Settled\n";
+    const ProgramResult result = run_command("'" SELVEDGE_PROGRAM "' edit --state '" + folder / "state" +
+                                             "' --script '" + folder / "wish.script" + "'");
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_NE(result.err.find("line 2: the drape is not 'Settled'"), std::string::npos) << result.err;
 }
 
 }  // namespace
