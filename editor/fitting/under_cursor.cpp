@@ -16,10 +16,13 @@ Vec3f point_of(const PlainMesh& mesh, const MeshHit& hit) {
     return hit.weights[0] * mesh.x[a] + hit.weights[1] * mesh.x[b] + hit.weights[2] * mesh.x[c];
 }
 
-void find_surface(const Ray& ray, const PickRoom& room, UnderCursor& under) {
+std::optional<MeshHit> hit_body(const Ray& ray, const PickRoom& room) {
+    return room.body ? nearest_hit(ray, room.body->x, room.body->triangles) : std::nullopt;
+}
+
+void find_surface(const Ray& ray, const std::optional<MeshHit>& body, const PickRoom& room, UnderCursor& under) {
     const PlainMesh& mesh = room.garment.mesh();
     const std::optional<MeshHit> cloth = nearest_hit(ray, mesh.x, mesh.triangles);
-    const std::optional<MeshHit> body = room.body ? nearest_hit(ray, room.body->x, room.body->triangles) : std::nullopt;
     if (body && (!cloth || body->distance < cloth->distance - kSkin)) {
         under.surface = ray.at(body->distance);
         return;
@@ -90,10 +93,19 @@ BodySurface body_surface(const Body& body) {
 UnderCursor find_under(const Viewing& viewing, const Vec2f& px, const PickRoom& room) {
     UnderCursor under;
     if (room.gizmo) under.handle = pick_gizmo(*room.gizmo, viewing, px, kHandleTolerance * room.scale);
-    find_surface(ray_through(viewing, px), room, under);
-    const float farthest = under.surface ? depth_of(viewing, *under.surface) + kBehind : viewing.camera.far_plane;
+    const Ray ray = ray_through(viewing, px);
+    const std::optional<MeshHit> body = hit_body(ray, room);
+    find_surface(ray, body, room, under);
+    const auto behind = [&](const std::optional<Vec3f>& surface) {
+        return surface ? depth_of(viewing, *surface) + kBehind : viewing.camera.far_plane;
+    };
+    const float farthest = behind(under.surface);
     const bool may_be_point = !under.handle || under.handle->kind == GizmoKind::Turn;
-    if (room.points && may_be_point) find_point(viewing, px, room, farthest, under);
+    if (room.points && may_be_point) {
+        // Panels that wait before the body do not keep anybody from the points behind them.
+        const auto on_body = body ? std::optional<Vec3f>(ray.at(body->distance)) : std::nullopt;
+        find_point(viewing, px, room, behind(on_body), under);
+    }
     if (room.choice == ClothChoice::Parts) find_part(viewing, px, room, farthest, under.hover);
     if (under.handle || under.point) under.hover = {};
     return under;

@@ -6,13 +6,12 @@
 #include <vector>
 
 #include "editor/document/command.h"
+#include "editor/workspace/drape.h"
 #include "sim/body/body.h"
 #include "sim/body/mannequin.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge {
-
-inline constexpr const char* kUsualBody = "mannequin:sex=female";
 
 bool is_mannequin(std::string_view body);
 

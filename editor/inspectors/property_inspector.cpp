@@ -15,6 +15,10 @@ namespace {
 constexpr double kUsualEdgeLength = 0.05;                    // m, of the mesher
 constexpr double kShortestMesh = 0.005, kLongestMesh = 0.5;  // m, as files have it
 
+std::string counted(std::size_t count, const char* what) {
+    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
 void draw_selected(InspectorContext& context, const Selection& selected) {
     if (selected.seams.size() == 1) draw_seam_section(context, *selected.seams.begin());
     if (selected.seams.size() > 1) {
@@ -87,8 +91,7 @@ void draw_pattern_section(InspectorContext& context) {
                                           .standing_for = kUsualEdgeLength},
                                          "Mesh edges");
     carry(context, length, SetEdgeLength{length.value});
-    fact(context, "Parts",
-         std::to_string(pattern.panels.size()) + " panels, " + std::to_string(pattern.seams.size()) + " seams",
+    fact(context, "Parts", counted(pattern.panels.size(), "panel") + ", " + counted(pattern.seams.size(), "seam"),
          "What the garment consists of.");
     ImGui::PopID();
 }

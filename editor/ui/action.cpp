@@ -48,6 +48,7 @@ std::string key_words(Key key) {
 }
 
 Key parse_key(const std::string& name) {
+    if (name.size() == 1) return key_of(static_cast<char>(std::toupper(static_cast<unsigned char>(name[0]))));
     for (const auto& [key, known] : kKeyNames) {
         if (lower(known) == name) return key;
     }
@@ -57,8 +58,7 @@ Key parse_key(const std::string& name) {
     for (int i = static_cast<int>(Key::F1); i <= static_cast<int>(Key::KeypadEnter); ++i) {
         if (lower(key_words(static_cast<Key>(i))) == name) return static_cast<Key>(i);
     }
-    if (name.size() != 1) return Key::None;
-    return key_of(static_cast<char>(std::toupper(static_cast<unsigned char>(name[0]))));
+    return Key::None;
 }
 
 // Greater is better; none: letters are missing. Runs of letters, and beginnings of words, are what people type.

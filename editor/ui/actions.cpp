@@ -159,6 +159,7 @@ void add_tool_actions(std::vector<Action>& actions) {
                       .run = [kind = tool.kind](Desk& desk) { desk.tools.choose(tool_desk(desk.workspace), kind); },
                       .is_on = [kind = tool.kind](const Desk& desk) { return desk.tools.kind() == kind; }};
         if (tool.key != Key::None) action.chords.push_back({tool.key, {}});
+        if (tool.kind == ToolKind::Select) action.chords.push_back({key_of('A'), {}});  // as in other programs
         actions.push_back(std::move(action));
     }
 }

@@ -101,7 +101,7 @@ bool is_pressed(const Chord& chord) {
 }  // namespace
 
 Desk::Desk(Services given, SessionDrive drive)
-    : services(std::move(given)), workspace(PatternDocument{}, drive, services.make_body), actions(make_actions()) {}
+    : services(std::move(given)), workspace(empty_garment(), drive, services.make_body), actions(make_actions()) {}
 
 struct Editor::Impl {
     Impl(Services services, EditorOptions given)
@@ -178,10 +178,12 @@ void Editor::Impl::run_keys() {
                 continue;
             }
             const bool is_used = std::find(used_keys.begin(), used_keys.end(), chord.key) != used_keys.end();
-            if (!is_used && is_pressed(chord) && !action.id.starts_with("tool.")) run_action(desk, action);
+            if (!is_used && is_pressed(chord)) run_action(desk, action);
         }
     }
-    if (!is_typing && is_pressed({Key::Escape, {}})) desk.workspace.messages.dismiss();
+    if (is_typing || !is_pressed({Key::Escape, {}})) return;
+    desk.workspace.messages.dismiss();
+    desk.shows_start_page = false;
 }
 
 void Editor::Impl::show_sheet(const Rectangle& where) {

@@ -72,7 +72,7 @@ std::string document_name(const Desk& desk) {
 }
 
 void new_document(Desk& desk) {
-    after_asking(desk, [](Desk& asked) { show_document(asked, {}, ""); });
+    after_asking(desk, [](Desk& asked) { show_document(asked, empty_garment(), ""); });
 }
 
 void open_loaded(Desk& desk, PatternDocument source, const std::string& file) {

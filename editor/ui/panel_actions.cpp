@@ -21,9 +21,10 @@ bool has_one_seam(const Desk& desk) {
     return selected(desk).seams.size() == 1;
 }
 
-double width_of(const Desk& desk, const std::string& panel) {
-    const PanelShape* shape = desk.tools.geometry().find(panel);
-    return shape == nullptr || shape->box.isEmpty() ? 0.3 : shape->box.sizes().x();
+// How far copies of the selected panels are moved: all of them alike, to lie beside all of these.
+Vec2d beside_selected(const Desk& desk) {
+    const SheetBox box = desk.tools.geometry().box_of(selected(desk));
+    return {box.isEmpty() ? 0.3 : box.sizes().x() + kBeside, 0};
 }
 
 // Seams shift when one goes, so each command looks its seam up when it is run: the first that is selected.
@@ -85,17 +86,17 @@ void add_clipboard(std::vector<Action>& actions) {
                        .chords = {{key_of('V'), {.ctrl = true}}},
                        .run = paste_panels,
                        .can = [](const Desk& desk) { return !desk.clipboard.empty(); }});
-    actions.push_back({.id = "edit.duplicate",
-                       .menu = "Edit",
-                       .title = "Duplicate panels",
-                       .chords = {{key_of('D'), {.ctrl = true}}},
-                       .run =
-                           [](Desk& desk) {
-                               for_each_panel(desk, [&](const std::string& name) -> Command {
-                                   return DuplicatePanel{name, Vec2d(width_of(desk, name) + kBeside, 0)};
-                               });
-                           },
-                       .can = has_panels});
+    actions.push_back(
+        {.id = "edit.duplicate",
+         .menu = "Edit",
+         .title = "Duplicate panels",
+         .chords = {{key_of('D'), {.ctrl = true}}},
+         .run =
+             [](Desk& desk) {
+                 const Vec2d shift = beside_selected(desk);
+                 for_each_panel(desk, [&](const std::string& name) -> Command { return DuplicatePanel{name, shift}; });
+             },
+         .can = has_panels});
 }
 
 void add_panels(std::vector<Action>& actions) {
@@ -105,8 +106,9 @@ void add_panels(std::vector<Action>& actions) {
                        .tip = "For the body's other side: what is changed on one is changed on both",
                        .run =
                            [](Desk& desk) {
+                               const Vec2d shift = beside_selected(desk);
                                for_each_panel(desk, [&](const std::string& name) -> Command {
-                                   return SymmetricCopy{name, true, Vec2d(width_of(desk, name) + kBeside, 0)};
+                                   return SymmetricCopy{name, true, shift};
                                });
                            },
                        .can = has_panels});

@@ -7,6 +7,7 @@
 #include "editor/document/command_json.h"
 #include "editor/drafting/draft_error.h"
 #include "editor/drafting/sheet_layout.h"
+#include "editor/fitting/fitting_overlay.h"
 #include "editor/ui/actions.h"
 #include "editor/ui/files.h"
 #include "sim/core/error.h"
@@ -55,6 +56,7 @@ void ScriptPlayer::play(const ScriptStep& step) {
     const std::string& verb = step.verb;
     if (verb == "frames") return wait_frames(static_cast<int>(number(step, 0)));
     if (verb == "settle") return settle(number(step, 0));
+    if (verb == "expect") return expect(step);
     if (verb == "screenshot") return stage_.screenshot(word(step, 0));
     if (verb == "key") {
         const auto chord = parse_chord(word(step, 0));
@@ -71,6 +73,11 @@ void ScriptPlayer::play(const ScriptStep& step) {
     const bool is_of_document =
         verb == "open" || verb == "new" || verb == "save" || verb == "do" || verb == "export" || verb == "wear";
     is_of_document ? play_document(step) : play_mouse(step);
+}
+
+void ScriptPlayer::expect(const ScriptStep& step) const {
+    const std::string words = stage_words(*editor_.desk().workspace.drape.frame());
+    if (words != step.rest) fail(step, "the drape is not '" + step.rest + "' but '" + words + "'");
 }
 
 void ScriptPlayer::play_document(const ScriptStep& step) {

@@ -27,6 +27,7 @@ class ScriptPlayer {
     void play(const ScriptStep& step);
     void play_mouse(const ScriptStep& step);
     void play_document(const ScriptStep& step);
+    void expect(const ScriptStep& step) const;
 
     // The place that begins with the word at `at`, which goes on behind it.
     Vec2d place(const ScriptStep& step, std::size_t& at) const;

@@ -6,11 +6,14 @@
 #include "sim/dress/dress.h"
 
 namespace selvedge {
-namespace {
 
-constexpr const char* kUsualBody = "mannequin:sex=female";
-
-}  // namespace
+PatternDocument empty_garment() {
+    constexpr double kUsualStature = 1.606;  // m, of that mannequin
+    PatternDocument garment;
+    garment.pattern.body = kUsualBody;
+    garment.pattern.body_height = kUsualStature;
+    return garment;
+}
 
 WornBody make_worn_mannequin(const std::string& text) {
     MannequinOptions options = parse_mannequin(text);

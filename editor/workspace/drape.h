@@ -15,6 +15,13 @@
 
 namespace selvedge {
 
+// Who wears what names nobody.
+inline constexpr const char* kUsualBody = "mannequin:sex=female";
+
+// What a new document begins with: no panels, to be placed about the usual body. Without its name panels would be taken
+// for GarmentCode's, and moved from that program's body to the one that is seen.
+PatternDocument empty_garment();
+
 // A body that can be worn on, with all that views ask of it.
 struct WornBody {
     std::string text;  // "mannequin:sex=female,bust=92", or the file it came from
