@@ -5,7 +5,6 @@
 // are flat and never ask, so that their triangles stay in S1..S6 and the fold stays at level 1, however much the edges
 // across it ask. With foresight an edge also asks when a finer edge of its triangles does. It is a choice of the
 // criterion, made outside of the mesh; the permissions stay as they are.
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -56,10 +55,9 @@ class LeafAnswers {
 template <EdgeCriterion Criterion>
 class Foresight {
  public:
-    // max_level: of the adaption, where it is below the mesh's own.
     // Pre: both outlive this; answers are those of the criterion, or there are none.
-    explicit Foresight(const Criterion& criterion, const LeafAnswers& answers = kNone, int max_level = kDeepestLevel)
-        : criterion_(criterion), answers_(answers), max_level_(max_level) {}
+    explicit Foresight(const Criterion& criterion, const LeafAnswers& answers = kNone)
+        : criterion_(criterion), answers_(answers) {}
 
     bool wants_split(const AdaptiveMesh& mesh, EdgeId e) const { return asks(mesh, e) || finer_edges_ask(mesh, e); }
 
@@ -74,7 +72,7 @@ class Foresight {
     bool asks(const AdaptiveMesh& mesh, EdgeId e) const { return answers_.wants_split(mesh, e, criterion_); }
 
     bool finer_edges_ask(const AdaptiveMesh& mesh, EdgeId e) const {
-        if (mesh.level(e) + 1 >= std::min(max_level_, mesh.max_level())) return false;
+        if (mesh.level(e) + 1 >= mesh.max_level()) return false;
         const auto asks_inside = [&](TriangleId side) { return side && edges_inside_ask(mesh, mesh.triangle(side)); };
         const std::array<TriangleId, 2>& sides = mesh.edge(e).sides;
         return asks_inside(sides[0]) || asks_inside(sides[1]);
@@ -94,7 +92,6 @@ class Foresight {
 
     const Criterion& criterion_;
     const LeafAnswers& answers_;
-    int max_level_;
 };
 
 }  // namespace selvedge

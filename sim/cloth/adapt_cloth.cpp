@@ -68,7 +68,7 @@ AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& ob
                                        .touch = options.collision_touch};
     const CurvatureCriterion curvature(cloth.normals, scaled(options.curvature, scale));
     if (on.curvature) cloth.adapting.curvature.ask(cloth.mesh, curvature);
-    const Foresight foresight(curvature, cloth.adapting.curvature, options.max_level);
+    const Foresight foresight(curvature, cloth.adapting.curvature);
     const LengthCriterion<Vec4f> length(cloth.x, scaled(options.length, scale));
     const BucklingCriterion<Vec4f> buckling(cloth.x, scaled(options.buckling, scale));
     const MinimumLevelCriterion minimum{options.minimum_levels};
