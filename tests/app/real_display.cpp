@@ -8,6 +8,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
+#include <sstream>
 #include <thread>
 
 #include "render/image/png.h"
@@ -72,10 +73,10 @@ RealDisplay::RealDisplay(int width_px, int height_px) {
     server_ = std::make_unique<RunningProgram>(
         std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0", size, "-nolisten", "tcp"},
         std::vector<std::string>{}, said);
-    const auto has_number = [&] {
-        const std::string text = content_of(said);
-        if (!text.empty() && text.back() == '\n' && text.find_first_not_of("0123456789\n") == std::string::npos) {
-            number_ = text.substr(0, text.size() - 1);
+    const auto has_number = [&] {  // a line of digits; what it has to say besides goes to the same file
+        std::istringstream lines(content_of(said));
+        for (std::string line; std::getline(lines, line) && !lines.eof();) {
+            if (!line.empty() && line.find_first_not_of("0123456789") == std::string::npos) number_ = line;
         }
         return !number_.empty() || server_->has_ended();
     };
