@@ -10,10 +10,9 @@
 #include "app/commands.h"
 #include "app/edit_loop.h"
 #include "app/editor_services.h"
-#include "app/find_font.h"
+#include "app/editor_surface.h"
 #include "app/output_files.h"
 #include "app/picture.h"
-#include "editor/ui/editor.h"
 #include "editor/ui/files.h"
 #include "editor/ui/script_player.h"
 #include "render/image/png.h"
@@ -23,7 +22,6 @@
 namespace selvedge {
 namespace {
 
-constexpr std::size_t kLargestFont = 64U << 20U;
 constexpr std::size_t kLargestScript = 16U << 20U;
 
 struct EditArguments {
@@ -35,28 +33,6 @@ struct EditArguments {
     std::string size = "1280x800";
     std::optional<float> scale;
 };
-
-// The editor as the loop wants it.
-class EditorSurface final : public EditSurface {
- public:
-    explicit EditorSurface(Editor& editor) : editor_(editor) {}
-
-    FrameOutput frame(const FrameInput& input) override {
-        const FrameSize size{.width_px = input.width_px, .height_px = input.height_px, .scale = input.scale};
-        return editor_.frame(input.events, size, input.seconds);
-    }
-
- private:
-    Editor& editor_;
-};
-
-FontBytes read_fonts() {
-    const FontFiles files = find_fonts();
-    const auto read = [](const std::filesystem::path& path) {
-        return path.empty() ? std::string() : read_file(path, kLargestFont);
-    };
-    return {.regular = read(files.regular), .bold = read(files.medium)};
-}
 
 struct Size {
     int width = 0;

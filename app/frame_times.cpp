@@ -13,7 +13,7 @@ FrameTimesFile::FrameTimesFile(const std::string& path) : file_(path) {
 
 void FrameTimesFile::add(const FrameTimes& times) {
     file_ << frame_++ << ',' << times.total() << ',' << times.events_and_ui << ',' << times.scenes << ','
-          << times.ui_draw << ',' << times.swap << '\n';
+          << times.ui_draw << ',' << times.swap << std::endl;  // can be read meanwhile
 }
 
 }  // namespace selvedge

@@ -10,6 +10,7 @@
 #include "app/window_keys.h"
 #include "sim/core/assert.h"
 #include "sim/core/error.h"
+#include "sim/core/vec.h"
 
 namespace selvedge {
 namespace {
@@ -95,6 +96,7 @@ class Cursors {
 class EventQueue {
  public:
     explicit EventQueue(GLFWwindow* window) : window_(window) {
+        glfwGetCursorPos(window, &cursor_.x(), &cursor_.y());
         glfwSetWindowUserPointer(window, this);
         listen_to_mouse();
         listen_to_keys();
@@ -122,7 +124,8 @@ class EventQueue {
     static EventQueue& of(GLFWwindow* window) { return *static_cast<EventQueue*>(glfwGetWindowUserPointer(window)); }
 
     void listen_to_mouse() {
-        glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) {
+        glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
+            of(w).cursor_ = {x, y};
             of(w).events_.push_back(of(w).event_at_cursor(InputEvent::Kind::MouseMove));
         });
         glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int) {
@@ -157,13 +160,11 @@ class EventQueue {
 
     InputEvent event_at_cursor(InputEvent::Kind kind) const {
         InputEvent event{.kind = kind, .modifiers = modifiers()};
-        double x = 0, y = 0;
         int width = 0, height = 0, width_px = 0, height_px = 0;
-        glfwGetCursorPos(window_, &x, &y);
         glfwGetWindowSize(window_, &width, &height);
         glfwGetFramebufferSize(window_, &width_px, &height_px);
-        event.x = static_cast<float>(x * width_px / std::max(width, 1));
-        event.y = static_cast<float>(y * height_px / std::max(height, 1));
+        event.x = static_cast<float>(cursor_.x() * width_px / std::max(width, 1));
+        event.y = static_cast<float>(cursor_.y() * height_px / std::max(height, 1));
         return event;
     }
 
@@ -177,6 +178,7 @@ class EventQueue {
     }
 
     GLFWwindow* window_;
+    Vec2d cursor_{0, 0};  // of the window, as of the event that came last: by now it may be elsewhere
     std::vector<InputEvent> events_;
 };
 

@@ -10,6 +10,10 @@
 namespace selvedge {
 namespace {
 
+std::string name_in_folder(const std::string& file) {
+    return file.substr(file.find_last_of('/') + 1);
+}
+
 void say_error(Desk& desk, const InputError& error) {
     desk.workspace.messages.say({.kind = MessageKind::Error, .words = error.what(), .places = {}});
 }
@@ -67,8 +71,7 @@ void write_document(Desk& desk, const std::string& file) {
 
 std::string document_name(const Desk& desk) {
     const std::string& file = desk.workspace.file;
-    if (file.empty()) return "untitled";
-    return file.substr(file.find_last_of('/') + 1);
+    return file.empty() ? "untitled" : name_in_folder(file);
 }
 
 void new_document(Desk& desk) {
@@ -191,7 +194,7 @@ void browse_for_body(Desk& desk) {
 void offer_recovery(Desk& desk) {
     for (const LeftJournal& journal : desk.services.left_journals()) {
         const std::string name =
-            journal.recovery.file.empty() ? "an unsaved garment" : "'" + journal.recovery.file + "'";
+            journal.recovery.file.empty() ? "an unsaved garment" : "'" + name_in_folder(journal.recovery.file) + "'";
         desk.questions.push_back({"The editor ended " + journal.age + " without saving " + name + " (" +
                                       std::to_string(journal.recovery.changes) + " changes).",
                                   {{"Recover", [journal](Desk& asked) { recover_journal(asked, journal); }},

@@ -1,0 +1,222 @@
+// The editor in a real window: opened, used, left and killed from outside. The same editor without a window rehearses
+// what is done, and so knows where things are, what is to be seen, and what the file is to hold.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/editor_services.h"
+#include "app/editor_surface.h"
+#include "editor/ui/files.h"
+#include "render/image/png.h"
+#include "tests/app/real_display.h"
+
+namespace selvedge {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kWidth = 1280, kHeight = 800;
+
+// The rehearsal: an editor that is given the same events, and waits for its body.
+class Rehearsal {
+ public:
+    Rehearsal(const fs::path& state, const std::string& file)
+        : editor_(make_editor_services({.state = state, .draw_finely = {}}),
+                  {.drive = SessionDrive::Caller, .fonts = read_fonts(), .is_steady = true}),
+          surface_(editor_) {
+        open_loaded(editor_.desk(), load_pattern(file), file);
+        rest();
+    }
+
+    void move(const Vec2d& px) {
+        at_ = px;
+        send(InputEvent::Kind::MouseMove, false);
+    }
+    void press() { send(InputEvent::Kind::MouseButton, true); }
+    void release() { send(InputEvent::Kind::MouseButton, false); }
+    void rest() {
+        for (int i = 0; i < 10; ++i) loop_.step(surface_);
+    }
+    void undo() { editor_.desk().workspace.document->undo(); }
+
+    Vec2d vertex_px(const std::string& panel, std::size_t vertex) const {
+        const PanelShape& shape = *editor_.desk().tools.geometry().find(panel);
+        return editor_.sheet_to_px(shape.on_sheet(shape.panel.vertices[vertex]));
+    }
+    Vec2d widget_px(const std::string& name) const {
+        const auto found = editor_.desk().widgets.find(name);
+        return found == editor_.desk().widgets.end() ? Vec2d(0, 0) : Vec2d(found->second.centre().cast<double>());
+    }
+    Image picture() const { return loop_.screenshot(); }
+    std::string text() const { return editor_.desk().workspace.document->text(); }
+
+ private:
+    void send(InputEvent::Kind kind, bool is_down) {
+        const auto x = static_cast<float>(std::lround(at_.x())), y = static_cast<float>(std::lround(at_.y()));
+        loop_.step(surface_, {{.kind = kind, .x = x, .y = y, .is_down = is_down}});
+        rest();
+    }
+
+    OffscreenEditLoop loop_{{.width_px = kWidth, .height_px = kHeight}};
+    Editor editor_;
+    EditorSurface surface_;
+    Vec2d at_{0, 0};
+};
+
+struct Columns {
+    int low = 0;
+    int high = kWidth;
+};
+
+// But for a few pixels at the ends of lines, which fall to one side or the other of a middle.
+bool is_same(const Image& a, const Image& b, const Columns& columns = {}) {
+    constexpr int kMostOther = 200;
+    if (a.width_px != b.width_px || a.height_px != b.height_px) return false;
+    int other = 0;
+    for (int y = 0; y < a.height_px; ++y) {
+        for (int x = columns.low; x < columns.high; ++x) other += a.at(x, y) != b.at(x, y) ? 1 : 0;
+    }
+    return other <= kMostOther;
+}
+
+class EditWindowTest : public testing::Test {
+ protected:
+    void SetUp() override {
+        const std::string missing = RealDisplay::missing_program();
+        if (!missing.empty()) GTEST_SKIP() << missing << " is absent";
+        display_ = std::make_unique<RealDisplay>(kWidth, kHeight);
+        ASSERT_TRUE(display_->is_ready());
+        fs::copy_file(SELVEDGE_SOURCE_DIR "/patterns/skirt.json", file_);
+    }
+
+    void start() {
+        program_.reset();
+        program_ = std::make_unique<RunningProgram>(
+            std::vector<std::string>{SELVEDGE_PROGRAM, "edit", file_, "--state", state_, "--scale", "1"},
+            std::vector<std::string>{display_->environment(), "LIBGL_ALWAYS_SOFTWARE=1"}, scratch_ / "said");
+        ASSERT_TRUE(waits_for_title("skirt.json - Selvedge")) << content_of(scratch_ / "said");
+    }
+
+    bool waits_for_title(const std::string& title) {
+        return wait_until([&] { return display_->title() == title || program_->has_ended(); }) &&
+               display_->title() == title;
+    }
+
+    bool waits_to_show(const Image& wanted, const Columns& columns = {}) {
+        const bool is_shown = wait_until([&] { return is_same(display_->screenshot(), wanted, columns); });
+        if (!is_shown) keep_pictures(wanted);
+        return is_shown;
+    }
+
+    // Something moves in the 3D view.
+    bool waits_to_run() {
+        const Image before = display_->screenshot();
+        display_->key("space");
+        return wait_until([&] { return !is_same(display_->screenshot(), before, kFitting); });
+    }
+
+    // The front's lower corner, to where it has not been. Leaves the button down.
+    void drag_corner(Rehearsal& rehearsal) const {
+        const Vec2d from = rehearsal.vertex_px("front", 0);
+        for (const Vec2d& way : {Vec2d(0, 0), Vec2d(-9, 4), Vec2d(-21, 13), Vec2d(-33, 30)}) {
+            rehearsal.move(from + way);
+            display_->move(from + way);
+            if (!way.isZero()) continue;
+            rehearsal.press();
+            display_->press();
+        }
+    }
+
+    // Starts anew, takes up the offer, saves; what the file holds then.
+    std::string recovered() {
+        const std::string copy = scratch_ / "state_of_rehearsal";
+        fs::copy(state_, copy, fs::copy_options::recursive);
+        Rehearsal rehearsal(copy, file_);
+        start();
+        EXPECT_TRUE(waits_to_show(rehearsal.picture())) << "the offer";
+        display_->move(rehearsal.widget_px("answer.Recover"));
+        display_->press();
+        display_->release();
+        EXPECT_TRUE(waits_for_title("skirt.json* - Selvedge"));
+        display_->key_with("ctrl", "s");
+        EXPECT_TRUE(waits_for_title("skirt.json - Selvedge"));
+        return content_of(file_);
+    }
+
+    // To be looked at.
+    void keep_pictures(const Image& wanted) const {
+        const std::string folder = testing::TempDir() + "/";
+        write_png(folder + "edit_window.out.png", display_->screenshot());
+        write_png(folder + "edit_window.wanted.png", wanted);
+    }
+
+    // Of the window at this size: the views, but for their edges.
+    static constexpr Columns kSheet{60, 480}, kFitting{520, 930};
+
+    ScratchFolder scratch_;
+    std::string file_ = scratch_ / "skirt.json";
+    std::string state_ = scratch_ / "state";
+    std::unique_ptr<RealDisplay> display_;
+    std::unique_ptr<RunningProgram> program_;
+};
+
+TEST_F(EditWindowTest, opens_a_file_moves_a_vertex_undoes_simulates_saves_and_quits) {
+    Rehearsal rehearsal(scratch_ / "other_state", file_);
+    const std::string first = content_of(file_), as_written = rehearsal.text();
+    start();
+    EXPECT_TRUE(waits_to_show(rehearsal.picture()));
+
+    drag_corner(rehearsal);
+    rehearsal.release();
+    display_->release();
+    EXPECT_TRUE(waits_for_title("skirt.json* - Selvedge"));
+    EXPECT_TRUE(waits_to_show(rehearsal.picture()));
+    const std::string moved = rehearsal.text();
+    EXPECT_NE(moved, as_written);
+
+    display_->key_with("ctrl", "z");
+    EXPECT_TRUE(waits_for_title("skirt.json - Selvedge")) << "as it was";
+    display_->key_with("ctrl", "y");
+    EXPECT_TRUE(waits_for_title("skirt.json* - Selvedge"));
+    EXPECT_EQ(content_of(file_), first) << "nothing is saved yet";
+
+    EXPECT_TRUE(waits_to_run());
+    display_->key_with("ctrl", "s");
+    EXPECT_TRUE(waits_for_title("skirt.json - Selvedge"));
+    EXPECT_EQ(content_of(file_), moved);
+    EXPECT_TRUE(waits_to_show(rehearsal.picture(), kSheet)) << "the sheet stands still while the cloth moves";
+
+    display_->key_with("ctrl", "q");
+    EXPECT_TRUE(wait_until([&] { return program_->has_ended(); }));
+    EXPECT_EQ(program_->exit_code(), 0) << content_of(scratch_ / "said");
+    EXPECT_TRUE(fs::is_empty(fs::path(state_) / "journals")) << "nothing is left to recover";
+}
+
+TEST_F(EditWindowTest, what_was_seen_of_a_drag_is_recovered_when_the_program_is_killed_during_it) {
+    Rehearsal rehearsal(scratch_ / "other_state", file_);
+    const std::string as_written = rehearsal.text();
+    start();
+    drag_corner(rehearsal);
+    EXPECT_TRUE(waits_to_show(rehearsal.picture(), kSheet));
+    program_->kill_hard();
+    display_->release();
+    const std::string dragged = rehearsal.text();
+    EXPECT_NE(dragged, as_written);
+    EXPECT_EQ(recovered(), dragged);
+}
+
+TEST_F(EditWindowTest, edits_are_recovered_when_the_program_is_killed_while_it_simulates) {
+    Rehearsal rehearsal(scratch_ / "other_state", file_);
+    start();
+    drag_corner(rehearsal);
+    rehearsal.release();
+    display_->release();
+    EXPECT_TRUE(waits_to_show(rehearsal.picture()));
+    EXPECT_TRUE(waits_to_run());
+    program_->kill_hard();
+    EXPECT_EQ(recovered(), rehearsal.text());
+}
+
+}  // namespace
+}  // namespace selvedge

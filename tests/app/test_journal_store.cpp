@@ -1,0 +1,137 @@
+// Journals on disk: what lives is left alone, what was killed is found.
+#include "app/journal_store.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+
+#include "sim/core/error.h"
+#include "tests/app/run_program.h"
+
+namespace selvedge {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> files_of(const fs::path& folder) {
+    return {fs::directory_iterator(folder), fs::directory_iterator()};
+}
+
+void write(const fs::path& file, const std::string& text) {
+    std::ofstream(file) << text;
+}
+
+// A process that holds a journal with two lines, until it is killed.
+class OtherEditor {
+ public:
+    explicit OtherEditor(const fs::path& folder) {
+        int ready[2] = {-1, -1};
+        if (pipe(ready) != 0) return;
+        pid_ = fork();
+        if (pid_ == 0) {
+            JournalStore store(folder);
+            store.begin("head");
+            store.note("line");
+            if (::write(ready[1], "!", 1) == 1) pause();
+            _exit(0);
+        }
+        char sign = 0;
+        is_ready_ = read(ready[0], &sign, 1) == 1;
+        close(ready[0]);
+        close(ready[1]);
+    }
+    ~OtherEditor() { kill_hard(); }
+    OtherEditor(const OtherEditor&) = delete;
+    OtherEditor& operator=(const OtherEditor&) = delete;
+
+    bool is_ready() const { return is_ready_; }
+    void kill_hard() {
+        if (pid_ < 0) return;
+        kill(pid_, SIGKILL);
+        waitpid(pid_, nullptr, 0);
+        pid_ = -1;
+    }
+
+ private:
+    pid_t pid_ = -1;
+    bool is_ready_ = false;
+};
+
+TEST(JournalStore, a_living_editors_journal_is_its_own_and_a_killed_ones_is_found_whole) {
+    const ScratchFolder folder;
+    const JournalStore store(folder.path());
+    OtherEditor other(folder.path());
+    ASSERT_TRUE(other.is_ready());
+    EXPECT_TRUE(store.left().empty()) << "it lives";
+    EXPECT_EQ(files_of(folder.path()).size(), 1U);
+    other.kill_hard();
+    const std::vector<StoredJournal> left = store.left();
+    ASSERT_EQ(left.size(), 1U);
+    EXPECT_EQ(left[0].text, "head\nline\n");
+    JournalStore::discard(left[0].path);
+    EXPECT_TRUE(store.left().empty());
+    EXPECT_TRUE(files_of(folder.path()).empty());
+}
+
+TEST(JournalStore, lines_are_with_the_system_as_soon_as_they_are_noted) {
+    const ScratchFolder folder;
+    JournalStore store(folder.path());
+    store.note("before a journal begins");
+    EXPECT_TRUE(files_of(folder.path()).empty());
+    store.begin("head");
+    store.note("first");
+    ASSERT_EQ(files_of(folder.path()).size(), 1U);
+    EXPECT_EQ(content_of(files_of(folder.path())[0]), "head\nfirst\n");
+    EXPECT_EQ(store.problem(), "");
+}
+
+TEST(JournalStore, a_journal_that_begins_takes_the_place_of_the_one_before) {
+    const ScratchFolder folder;
+    JournalStore store(folder.path());
+    store.begin("old");
+    store.note("line");
+    store.begin("new");
+    ASSERT_EQ(files_of(folder.path()).size(), 1U) << "nothing half written lies beside it";
+    EXPECT_EQ(content_of(files_of(folder.path())[0]), "new\n");
+    store.end();
+    EXPECT_TRUE(files_of(folder.path()).empty());
+    store.note("after the end");
+    EXPECT_TRUE(files_of(folder.path()).empty());
+}
+
+TEST(JournalStore, one_that_cannot_begin_anew_goes_on_as_it_was) {
+    const ScratchFolder folder;
+    JournalStore store(folder.path());
+    store.begin("old");
+    const fs::path journal = files_of(folder.path()).at(0);
+    fs::create_directory(journal.string() + ".new");  // where the new one would be written
+    EXPECT_THROW(store.begin("new"), InputError);
+    store.note("line");
+    EXPECT_EQ(content_of(journal), "old\nline\n");
+}
+
+TEST(JournalStore, what_is_left_comes_newest_first_and_half_written_ones_are_passed_over) {
+    const ScratchFolder folder;
+    write(folder / "1.journal", "older");
+    write(folder / "2.journal", "newer\n{\"torn");
+    write(folder / "3.journal.new", "never finished");
+    fs::create_directory(folder / "4.journal");
+    fs::last_write_time(folder / "1.journal", fs::file_time_type::clock::now() - std::chrono::hours(2));
+    const std::vector<StoredJournal> left = JournalStore(folder.path()).left();
+    ASSERT_EQ(left.size(), 2U);
+    EXPECT_EQ(left[0].text, "newer\n{\"torn");
+    EXPECT_EQ(left[1].text, "older");
+    EXPECT_GT(left[1].age_seconds, 7000);
+}
+
+TEST(JournalStore, a_folder_that_cannot_be_made_is_an_input_error) {
+    const ScratchFolder folder;
+    write(folder / "file", "");
+    EXPECT_THROW(JournalStore(fs::path(folder / "file") / "journals"), InputError);
+}
+
+}  // namespace
+}  // namespace selvedge
