@@ -185,6 +185,8 @@ TEST(FittingHand, sewn_cloth_is_pulled_instead_of_moved) {
         desk.workspace().drape.session().advance(1);
         desk.rest();
     }
+    desk.workspace().drape.session().pause();
+    desk.rest();
     ASSERT_FALSE(desk.hand().garment().is_placed());
     const Vec3f grip = desk.hand().garment().mesh().x.front();
     const auto& triangle = desk.hand().garment().mesh().triangles.front();
