@@ -93,7 +93,9 @@ int run_script(const EditArguments& arguments) {
     open_at_start(editor, arguments);
     EditorSurface surface(editor);
     const auto shoot = [&](const std::string& file) { write_png(file, loop.screenshot()); };
-    ScriptPlayer player(editor, {[&](const auto& events) { loop.step(surface, events); }, shoot}, arguments.script);
+    const auto step = [&](const std::vector<InputEvent>& events) { loop.step(surface, events); };
+    const auto say = [](const std::string& words) { std::printf("%s\n", words.c_str()); };
+    ScriptPlayer player(editor, {step, shoot, say}, arguments.script);
     for (int i = 0; i < 3; ++i) loop.step(surface);
     player.play(steps);
     if (!arguments.screenshot.empty()) shoot(arguments.screenshot);

@@ -8,9 +8,9 @@
 namespace selvedge {
 namespace {
 
-constexpr std::array<std::string_view, 20> kVerbs{
-    "expect",  "open",  "new",    "save", "do",    "action", "key",    "type",       "move",   "press",
-    "release", "click", "double", "drag", "wheel", "frames", "settle", "screenshot", "export", "wear"};
+constexpr std::array<std::string_view, 21> kVerbs{
+    "where",   "expect", "open",   "new",  "save",  "do",     "action", "key",        "type",   "move", "press",
+    "release", "click",  "double", "drag", "wheel", "frames", "settle", "screenshot", "export", "wear"};
 
 std::string_view trimmed(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t\r");

@@ -3,9 +3,10 @@
 //
 //   open FILE | new | save FILE | do COMMAND-AS-JSON | action file.undo | key ctrl+z | type TEXT
 //   move PLACE | press PLACE | release PLACE | click PLACE | double PLACE | drag PLACE to PLACE | wheel PLACE NOTCHES
-//   frames COUNT | settle SECONDS | expect WORDS | screenshot FILE | export FILE
+//   where PLACE (says its px) | frames COUNT | settle SECONDS | expect WORDS | screenshot FILE | export FILE
 //
-// A PLACE is `sheet X Y` (cm on the drafting sheet), `panel NAME X Y` (cm in the panel's frame), `widget NAME`,
+// A PLACE is `sheet X Y` (cm on the drafting sheet), `panel NAME X Y` (cm in the panel's frame),
+// `vertex NAME INDEX` (of a panel), `widget NAME`,
 // `point NAME` (an arrangement point), `room X Y Z` (m) or `px X Y`; with shift, ctrl, alt, right or middle after it.
 // `expect` fails unless the 3D view says these words of the drape: Placed, Settled. # begins a comment.
 #include <string>

@@ -58,6 +58,11 @@ void ScriptPlayer::play(const ScriptStep& step) {
     if (verb == "settle") return settle(number(step, 0));
     if (verb == "expect") return expect(step);
     if (verb == "screenshot") return stage_.screenshot(word(step, 0));
+    if (verb == "where") {
+        std::size_t at = 0;
+        const Vec2d px = place(step, at);
+        return stage_.say(std::to_string(px.x()) + " " + std::to_string(px.y()));
+    }
     if (verb == "key") {
         const auto chord = parse_chord(word(step, 0));
         if (!chord) fail(step, "'" + word(step, 0) + "' is no key");
@@ -142,6 +147,12 @@ Vec2d ScriptPlayer::place(const ScriptStep& step, std::size_t& at) const {
         if (shape == nullptr) fail(step, "there is no panel '" + name + "'");
         const double x = take();
         return editor_.sheet_to_px(shape->on_sheet(kCm * Vec2d(x, take())));
+    }
+    if (kind == "vertex") {
+        const std::string& name = word(step, at++);
+        const auto vertex = desk.tools.geometry().vertex({name, static_cast<int>(take())});
+        if (!vertex) fail(step, "'" + name + "' has no such point");
+        return editor_.sheet_to_px(*vertex);
     }
     if (kind == "widget") {
         const auto found = desk.widgets.find(word(step, at));

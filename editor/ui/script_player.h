@@ -15,6 +15,7 @@ class ScriptPlayer {
     struct Stage {
         std::function<void(const std::vector<InputEvent>&)> step;
         std::function<void(const std::string& file)> screenshot;
+        std::function<void(const std::string& words)> say;
     };
 
     ScriptPlayer(Editor& editor, Stage stage, std::string file)
