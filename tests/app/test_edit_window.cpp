@@ -17,6 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kWidth = 1280, kHeight = 800;
+const Vec2d kAside(1200, 700);  // px: a mouse there is over nothing that lights up
 
 // The rehearsal: an editor that is given the same events, and waits for its body.
 class Rehearsal {
@@ -26,7 +27,7 @@ class Rehearsal {
                   {.drive = SessionDrive::Caller, .fonts = read_fonts(), .is_steady = true}),
           surface_(editor_) {
         open_loaded(editor_.desk(), load_pattern(file), file);
-        rest();
+        move(kAside);
     }
 
     void move(const Vec2d& px) {
@@ -96,6 +97,7 @@ class EditWindowTest : public testing::Test {
             std::vector<std::string>{SELVEDGE_PROGRAM, "edit", file_, "--state", state_, "--scale", "1"},
             std::vector<std::string>{display_->environment(), "LIBGL_ALWAYS_SOFTWARE=1"}, scratch_ / "said");
         ASSERT_TRUE(waits_for_title("skirt.json - Selvedge")) << content_of(scratch_ / "said");
+        display_->move(kAside);
     }
 
     bool waits_for_title(const std::string& title) {

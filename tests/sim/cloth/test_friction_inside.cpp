@@ -268,7 +268,8 @@ std::vector<double> swing(double hysteresis) {
 }
 
 TEST(FrictionInside, takes_energy_and_never_gives_any) {
-    // The strip sways by more than one of its motions: what is kinetic at a time differs from one processor to the next.
+    // The strip sways by more than one of its motions: what is kinetic at a time differs from one processor to the
+    // next.
     constexpr double kExchanged = 0.01;
     const std::vector<double> elastic = swing(0), rubbed = swing(1e-4);
     for (std::size_t i = 0; i < rubbed.size(); ++i) EXPECT_LT(rubbed[i], i == 0 ? 1.001 : rubbed[i - 1] + kExchanged);
