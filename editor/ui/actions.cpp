@@ -179,9 +179,8 @@ std::vector<Action> make_actions() {
     return actions;
 }
 
-const std::vector<std::string>& menu_names() {
-    static const std::vector<std::string> names{"File", "Edit", "Panel", "Seam", "Tools", "Simulate", "View", "Help"};
-    return names;
+std::vector<std::string> menu_names() {
+    return {"File", "Edit", "Panel", "Seam", "Tools", "Simulate", "View", "Help"};
 }
 
 bool run_action(Desk& desk, const Action& action) {

@@ -9,7 +9,7 @@ namespace selvedge {
 std::vector<Action> make_actions();
 
 // The menus of the bar, in their order.
-const std::vector<std::string>& menu_names();
+std::vector<std::string> menu_names();
 
 // Runs it, where it can be run now. False: it cannot.
 bool run_action(Desk& desk, const Action& action);

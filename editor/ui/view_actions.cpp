@@ -13,10 +13,12 @@ struct ModeAction {
     ShowMode mode;
 };
 
-void add_switch(std::vector<Action>& actions, Action action, std::function<bool&(Desk&)> of) {
+// `of`: the switch in a desk, constant or not.
+template <class Of>
+void add_switch(std::vector<Action>& actions, Action action, Of of) {
     action.menu = "View";
     action.run = [of](Desk& desk) { of(desk) = !of(desk); };
-    action.is_on = [of](const Desk& desk) { return of(const_cast<Desk&>(desk)); };  // only read
+    action.is_on = [of](const Desk& desk) { return of(desk); };
     actions.push_back(std::move(action));
 }
 
@@ -62,32 +64,41 @@ void add_sizes(std::vector<Action>& actions) {
 }  // namespace
 
 void add_view_actions(std::vector<Action>& actions) {
-    add_switch(actions, {.id = "view.sheet", .title = "Pattern", .tip = "The 2D view", .chords = {{Key::F3, {}}}},
-               [](Desk& desk) -> bool& { return desk.layout.has_sheet; });
-    add_switch(actions, {.id = "view.fitting", .title = "Fitting", .tip = "The 3D view", .chords = {{Key::F4, {}}}},
-               [](Desk& desk) -> bool& { return desk.layout.has_fitting; });
-    add_switch(actions, {.id = "view.inspectors", .title = "Inspectors", .chords = {{Key::F5, {}}}},
-               [](Desk& desk) -> bool& { return desk.layout.has_inspectors; });
-    add_switch(actions, {.id = "view.tools", .title = "Tools", .chords = {{Key::F6, {}}}},
-               [](Desk& desk) -> bool& { return desk.layout.has_tools; });
+    add_switch(
+        actions, {.id = "view.sheet", .title = "Pattern", .tip = "The 2D view", .chords = {{Key::F3, {}}}},
+        [](auto& desk) -> auto& { return desk.layout.has_sheet; });
+    add_switch(
+        actions, {.id = "view.fitting", .title = "Fitting", .tip = "The 3D view", .chords = {{Key::F4, {}}}},
+        [](auto& desk) -> auto& { return desk.layout.has_fitting; });
+    add_switch(
+        actions, {.id = "view.inspectors", .title = "Inspectors", .chords = {{Key::F5, {}}}},
+        [](auto& desk) -> auto& { return desk.layout.has_inspectors; });
+    add_switch(
+        actions, {.id = "view.tools", .title = "Tools", .chords = {{Key::F6, {}}}},
+        [](auto& desk) -> auto& { return desk.layout.has_tools; });
     add_modes(actions);
-    add_switch(actions, {.id = "view.body", .title = "Body", .begins_group = true},
-               [](Desk& desk) -> bool& { return desk.workspace.look.has_body; });
-    add_switch(actions, {.id = "view.points", .title = "Arrangement points"},
-               [](Desk& desk) -> bool& { return desk.workspace.look.has_points; });
-    add_switch(actions, {.id = "view.threads", .title = "Threads of open seams"},
-               [](Desk& desk) -> bool& { return desk.workspace.look.has_threads; });
-    add_switch(actions,
-               {.id = "view.as_placed",
-                .title = "Panels as they are placed",
-                .tip = "Before sewing, also while the garment hangs",
-                .chords = {{Key::F7, {}}}},
-               [](Desk& desk) -> bool& { return desk.workspace.look.as_placed; });
-    add_switch(actions,
-               {.id = "view.own_axes", .title = "Move panels along their own axes", .tip = "Else along the room's"},
-               [](Desk& desk) -> bool& { return desk.workspace.look.own_axes; });
-    add_switch(actions, {.id = "view.snap", .title = "Snap to grid and points", .begins_group = true},
-               [](Desk& desk) -> bool& { return desk.tools.is_snapping; });
+    add_switch(
+        actions, {.id = "view.body", .title = "Body", .begins_group = true},
+        [](auto& desk) -> auto& { return desk.workspace.look.has_body; });
+    add_switch(
+        actions, {.id = "view.points", .title = "Arrangement points"},
+        [](auto& desk) -> auto& { return desk.workspace.look.has_points; });
+    add_switch(
+        actions, {.id = "view.threads", .title = "Threads of open seams"},
+        [](auto& desk) -> auto& { return desk.workspace.look.has_threads; });
+    add_switch(
+        actions,
+        {.id = "view.as_placed",
+         .title = "Panels as they are placed",
+         .tip = "Before sewing, also while the garment hangs",
+         .chords = {{Key::F7, {}}}},
+        [](auto& desk) -> auto& { return desk.workspace.look.as_placed; });
+    add_switch(
+        actions, {.id = "view.own_axes", .title = "Move panels along their own axes", .tip = "Else along the room's"},
+        [](auto& desk) -> auto& { return desk.workspace.look.own_axes; });
+    add_switch(
+        actions, {.id = "view.snap", .title = "Snap to grid and points", .begins_group = true},
+        [](auto& desk) -> auto& { return desk.tools.is_snapping; });
     add_sizes(actions);
 }
 

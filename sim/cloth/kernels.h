@@ -1,5 +1,5 @@
 #pragma once
-// The inner loops of a sub-step, one set for each kind of vector instructions, all with the same bits.
+// The inner loops of a sub-step, one set for each kind of vector instructions; for their bits see simd_level.h.
 //
 // Points are four floats: x, y, z in metres and, fourth, the inverse mass (1/kg), 0 for what cannot move.
 #include <cstddef>

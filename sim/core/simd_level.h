@@ -1,7 +1,7 @@
 #pragma once
 // Which vector instructions the kernels may use. Kernels are compiled once for each level (selvedge_simd_sources in
-// cmake/SelvedgeModule.cmake) and chosen at run time; all give the same bits: no fused multiply-add, no approximate
-// reciprocals.
+// cmake/SelvedgeModule.cmake) and chosen at run time. Those with fused multiply-add (AVX2, AVX-512) give the same bits,
+// plain ones are off by rounding; none has approximate reciprocals.
 #include <string_view>
 
 namespace selvedge {
