@@ -101,7 +101,9 @@ void refresh_solver(Cloth& cloth) {
 
 void update_solver(Cloth& cloth) {
     for (const VertexId v : cloth.mesh.changes().vertices_come) {
-        if (v.value < cloth.solver.lost.size()) cloth.solver.lost[v.value].setZero();
+        if (v.value >= cloth.solver.lost.size()) continue;
+        cloth.solver.lost[v.value].setZero();
+        cloth.solver.correction[v.value].setZero();
     }
     update_masses(cloth);
     change_blocks(cloth);
@@ -111,7 +113,9 @@ void set_substep(Cloth& cloth, float substep) {
     for (std::size_t v = 0; v < cloth.x.size(); ++v) {
         cloth.x_prev[v] = cloth.x[v] - (cloth.x[v] - cloth.x_prev[v]) * (substep / cloth.substep);
     }
-    fit_biases(cloth, substep / cloth.substep);
+    const float ratio = substep / cloth.substep;
+    fit_biases(cloth, ratio);
+    for (Vec4f& correction : cloth.solver.correction) correction *= ratio * ratio;
     cloth.substep = substep;
     refresh_solver(cloth);
 }

@@ -20,10 +20,12 @@ namespace selvedge {
 
 // What the solver works on, in the memory of the last step.
 struct SolverState {
-    std::vector<Vec4f> points;   // positions with the inverse mass as fourth; one spare point behind them
-    std::vector<Vec4f> before;   // one sub-step ago
-    std::vector<Vec4f> lost;     // what rounding took from the last moves
-    std::vector<Vec4f> carried;  // before the parents moved them
+    std::vector<Vec4f> points;      // positions with the inverse mass as fourth; one spare point behind them
+    std::vector<Vec4f> before;      // one sub-step ago
+    std::vector<Vec4f> lost;        // what rounding took from the last moves
+    std::vector<Vec4f> predicted;   // before stretch and shear corrected them
+    std::vector<Vec4f> carried;     // the same with the momentum of corrections
+    std::vector<Vec4f> correction;  // what stretch and shear moved them by in the last sub-step
     SolverBlocks blocks;
     SolverLanes lanes;
     std::size_t count = 0;  // sub-steps so far

@@ -258,6 +258,23 @@ void predict(float* points, float* before, float* lost, std::size_t count, const
     }
 }
 
+void add_momentum(const CorrectedPoints& corrected, std::size_t count, float momentum) {
+    for (std::size_t i = 0; i < 4 * count; i += lanes::kCount) {  // a fourth's correction is 0
+        const Floats x = lanes::load(corrected.points + i);
+        const Floats again = lanes::where(lanes::fourths(x) > 0.0F, lanes::load(corrected.correction + i));
+        const Floats moved = lanes::multiply_add(again, lanes::all(momentum), x);
+        lanes::store(corrected.predicted + i, x);
+        lanes::store(corrected.points + i, moved);
+        lanes::store(corrected.start + i, moved);
+    }
+}
+
+void keep_corrections(const CorrectedPoints& corrected, std::size_t count) {
+    for (std::size_t i = 0; i < 4 * count; i += lanes::kCount) {
+        lanes::store(corrected.correction + i, lanes::load(corrected.points + i) - lanes::load(corrected.predicted + i));
+    }
+}
+
 void carry_centres(std::span<const EdgeCentre> centres, const float* before, float* points) {
     typedef float Point __attribute__((vector_size(16)));
     const auto at = [](const float* from, std::uint32_t offset) {

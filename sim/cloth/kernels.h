@@ -18,6 +18,14 @@ struct Motion {
     std::array<float, 3> fall{};  // m, that every sub-step adds: acceleration times h^2
 };
 
+// Of vertices, four floats each.
+struct CorrectedPoints {
+    float* points = nullptr;
+    float* predicted = nullptr;   // before stretch and shear corrected them
+    float* start = nullptr;       // the same with the momentum of corrections
+    float* correction = nullptr;  // what stretch and shear moved them by
+};
+
 struct BiasGains {
     float stretch = 0;  // share of the error that is added to the bias of warp and weft
     float shear = 0;
@@ -61,6 +69,10 @@ struct Kernels {
     // `lost` and is added to the next one: a move is a few steps of a float long, so that a hundredth of gravity would
     // be lost.
     void (*predict)(float* points, float* before, float* lost, std::size_t count, const Motion& motion);
+
+    // predicted := points, points += momentum correction, start := points; and correction := points - predicted.
+    void (*add_momentum)(const CorrectedPoints& corrected, std::size_t count, float momentum);
+    void (*keep_corrections)(const CorrectedPoints& corrected, std::size_t count);
 
     // One pass over warp, weft and shear; anchors of friction follow. With `records` the multipliers are kept. Lanes in
     // which warp or weft was beyond the fabric's strain limit are copied into `over`, which has room for as many

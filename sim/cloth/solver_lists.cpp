@@ -128,9 +128,10 @@ bool is_worn(const Cloth& cloth) {
 
 }  // namespace
 
-// Over a sub-step, of a triangle of that stiffness.  (XPBD)
+// Over a sub-step, of a triangle of that stiffness, of which momentum makes a share.  (XPBD)
 float compliance_of(const Cloth& cloth, const MaterialFrame& frame, double stiffness) {
-    return 1 / (frame.area * cloth.substep * cloth.substep) / static_cast<float>(stiffness);
+    const float own = static_cast<float>(stiffness) * (1 - kMomentum);
+    return 1 / (frame.area * cloth.substep * cloth.substep) / own;
 }
 
 void note_children(Cloth& cloth, TriangleId t) {

@@ -24,6 +24,11 @@ struct Stepper {
 
     float* points() const { return floats(cloth.solver.points); }
     float* before() const { return floats(cloth.solver.before); }
+    CorrectedPoints corrected(std::size_t first) const {
+        SolverState& solver = cloth.solver;
+        return {points() + 4 * first, floats(solver.predicted) + 4 * first, floats(solver.carried) + 4 * first,
+                floats(solver.correction) + 4 * first};
+    }
     std::span<StretchBlock> stretch(std::size_t first, std::size_t count) const {
         return std::span(cloth.solver.blocks.stretch).subspan(first, count);
     }
@@ -41,6 +46,8 @@ struct Stepper {
     void store_points();
     void predict(int i);
     void lead(int i, std::size_t begin, std::size_t end);
+    void add_momentum();
+    void keep_corrections();
     void limit_parents(bool is_last);
     void solve_bend();
     void solve_stretch(bool is_last);
@@ -62,10 +69,12 @@ void Stepper::step() noexcept {
 void Stepper::substep(int i) {
     const bool is_last = i + 1 == options.substeps;
     predict(i);
-    limit_parents(is_last);
     if (visits_hinges(i)) solve_bend();
+    add_momentum();
+    limit_parents(is_last);
     solve_stretch(is_last);
     for (int round = 0; round < options.limit_rounds; ++round) limit_stretch();
+    keep_corrections();
     if (is_last) {
         // Not where a short step had no visit: what was met then is not what hinges meet now.
         if (options.substeps >= cloth.solver.blocks.bend_interval) update_bend();
@@ -112,10 +121,6 @@ void Stepper::predict(int i) {
     SolverState& solver = cloth.solver;
     loops.predict(points() + 4 * begin, before() + 4 * begin, floats(solver.lost) + 4 * begin, end - begin, motion);
     lead(i, begin, end);
-    if (!solver.blocks.parents.empty()) {
-        std::copy_n(solver.points.begin() + static_cast<std::ptrdiff_t>(begin), end - begin,
-                    solver.carried.begin() + static_cast<std::ptrdiff_t>(begin));
-    }
     member.wait();
 }
 
@@ -126,6 +131,21 @@ void Stepper::lead(int i, std::size_t begin, std::size_t end) {
         Vec4f& x = cloth.solver.points[led.vertex];
         x.head<3>() += (led.to - x.head<3>()) * share;
     }
+}
+
+// Members do the points that they predict.
+void Stepper::add_momentum() {
+    member.wait();
+    const auto [begin, end] = member.part_of(cloth.x.size(), kBlock);
+    loops.add_momentum(corrected(begin), end - begin, kMomentum);
+    member.wait();
+}
+
+void Stepper::keep_corrections() {
+    member.wait();
+    const auto [begin, end] = member.part_of(cloth.x.size(), kBlock);
+    loops.keep_corrections(corrected(begin), end - begin);
+    member.wait();
 }
 
 void Stepper::limit_parents(bool is_last) {
@@ -244,6 +264,8 @@ void step(Cloth& cloth, const Collider& body, const StepOptions& options) {
     solver.before.resize(count);
     solver.carried.resize(count);
     solver.lost.resize(count, Vec4f::Zero());
+    solver.predicted.resize(count);
+    solver.correction.resize(count, Vec4f::Zero());
     const Kernels& loops = kernels(simd_level());
     const bool may_divide = options.seams.empty() && cloth.mesh.leaf_triangles().size() >= kLeastLeaves;
     const int most = may_divide && solver.trial.is_better() ? static_cast<int>(kMostMembers) : 1;
