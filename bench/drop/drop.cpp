@@ -12,6 +12,8 @@
 namespace selvedge {
 namespace {
 
+constexpr float kNeverSampled = std::numeric_limits<float>::max();  // m, an edge that no triangle has
+
 double now(DropClock clock) {
     if (clock == DropClock::ThreadTime) return thread_seconds();
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -51,7 +53,8 @@ DropQuality DropJudge::quality() const {
 SphereDrop run_sphere_drop(const SphereDropOptions& options) {
     const DropScene& scene = options.scene;
     const SphereCollider sphere(Vec3f::Zero(), static_cast<float>(scene.radius));
-    const RunOptions running{.level = scene.level, .substeps = options.substeps, .frame_seconds = scene.frame_seconds};
+    RunOptions running{.level = scene.level, .substeps = options.substeps, .frame_seconds = scene.frame_seconds};
+    if (!options.has_contact_samples) running.sampled_edge = kNeverSampled;
     const GarmentMesh square = drop_square(options.base_quads, options.shift, scene);
     SphereDrop drop{.run = start_run(square, {drop_fabric()}, running), .quality = {}};
     pin_centre(drop.run, options.shift, scene);

@@ -155,6 +155,22 @@ void add_honesty(const DropReport& report, Json& json) {
     json[drop_key::kNoiseFloorRmsM] = report.converged->noise_floor.rms;
 }
 
+// Both in turns, so that what else the machine does falls on both alike. With samples it is timed once at least: the
+// search has timed the drop without.
+void time_drops(const SphereDropOptions& options, int repetitions, DropReport& report, const Progress& progress) {
+    SphereDropOptions sampled = options;
+    sampled.has_contact_samples = true;
+    std::vector<double> without, with;
+    for (int i = 0; i < repetitions; ++i) {
+        selvedge::report(progress, "timing", double(i) / repetitions);
+        without.push_back(run_sphere_drop(options).ms_per_frame);
+        with.push_back(run_sphere_drop(sampled).ms_per_frame);
+    }
+    if (with.empty()) with.push_back(run_sphere_drop(sampled).ms_per_frame);
+    report.ms_per_frame = without.empty() ? report.chosen.ms_per_frame : quantile(without, 0.5);
+    report.ms_with_samples = quantile(with, 0.5);
+}
+
 }  // namespace
 
 DropReport measure_drop(const DropExperiment& experiment, const Progress& progress) {
@@ -165,12 +181,7 @@ DropReport measure_drop(const DropExperiment& experiment, const Progress& progre
     report.triangles = triangle_count(base_quads, experiment.scene.level);
     report.chosen = search(experiment, report.trials, progress);
     const SphereDropOptions options = options_for(experiment, report.chosen.substeps);
-    std::vector<double> medians;
-    for (int i = 0; i < experiment.repetitions; ++i) {
-        selvedge::report(progress, "timing", double(i) / experiment.repetitions);
-        medians.push_back(run_sphere_drop(options).ms_per_frame);
-    }
-    report.ms_per_frame = medians.empty() ? report.chosen.ms_per_frame : quantile(medians, 0.5);
+    time_drops(options, experiment.repetitions, report, progress);
     if (experiment.is_honest) measure_honesty(options, report, progress);
     return report;
 }
@@ -178,9 +189,12 @@ DropReport measure_drop(const DropExperiment& experiment, const Progress& progre
 std::vector<Table> tables_of(const DropReport& report) {
     Table chosen{.name = "drop result", .title = "The cheapest setting that meets the gates"};
     if (!report.chosen.passes()) chosen.title = "No setting meets the gates; the last one tried";
-    chosen.columns = {"triangles", "threads", "sub-steps", "ms per frame", "us per triangle and frame", "p99 stretch"};
+    chosen.note = "Contact at the vertices; with samples: in the middle of triangles with an edge of 2 cm or more too.";
+    chosen.columns = {"triangles",       "threads",    "sub-steps", "ms per frame", "us per triangle and frame",
+                      "ms with samples", "p99 stretch"};
     chosen.add_row({report.triangles, report.threads, report.chosen.substeps, Cell(report.ms_per_frame, 4),
-                    Cell(1e3 * report.ms_per_frame / report.triangles, 5), Cell(report.chosen.quality.p99_stretch, 4)});
+                    Cell(1e3 * report.ms_per_frame / report.triangles, 5), Cell(report.ms_with_samples, 4),
+                    Cell(report.chosen.quality.p99_stretch, 4)});
     std::vector<Table> tables{trial_table(report), chosen};
     if (report.converged) tables.push_back(honesty_table(report));
     return tables;
@@ -188,6 +202,7 @@ std::vector<Table> tables_of(const DropReport& report) {
 
 Json to_json(const DropReport& report) {
     Json json = trial_json(report.chosen, report.ms_per_frame, report.triangles);
+    json[drop_key::kMsWithSamples] = report.ms_with_samples;
     json[drop_key::kTriangles] = report.triangles;
     json[drop_key::kThreads] = report.threads;
     if (report.converged) add_honesty(report, json);

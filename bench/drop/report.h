@@ -14,6 +14,7 @@ namespace selvedge {
 namespace drop_key {
 inline constexpr std::string_view kUsPerTriangleFrame = "us_per_triangle_frame";
 inline constexpr std::string_view kMsPerFrame = "ms_per_frame";
+inline constexpr std::string_view kMsWithSamples = "ms_with_samples";
 inline constexpr std::string_view kP99Stretch = "p99_stretch";
 inline constexpr std::string_view kMaxStretch = "max_stretch";
 inline constexpr std::string_view kAreaError = "area_error";
@@ -52,8 +53,9 @@ struct DropExperiment {
 struct DropReport {
     int triangles = 0;
     int threads = 1;
-    DropTrial chosen;         // the cheapest that passes, or the last tried when none does
-    double ms_per_frame = 0;  // median over the repetitions' medians
+    DropTrial chosen;            // the cheapest that passes, or the last tried when none does
+    double ms_per_frame = 0;     // median over the repetitions' medians
+    double ms_with_samples = 0;  // the same, per frame, with contact samples in the middle of triangles
     RestFigures rest;
     WeightlessFigures weightless;
     std::optional<ConvergedFigures> converged;  // none when honesty was not asked for

@@ -27,7 +27,10 @@ struct Midpoints {
 };
 
 ContactOptions contact_options(const RunOptions& options) {
-    return {.offset = options.contact_offset, .sample_spacing = 1.0F, .floor = kNoFloor};
+    return {.offset = options.contact_offset,
+            .sample_spacing = 1.0F,
+            .sampled_edge = options.sampled_edge,
+            .floor = kNoFloor};
 }
 
 void refresh(ClothRun& run) {

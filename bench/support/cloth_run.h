@@ -21,6 +21,7 @@ struct RunOptions {
     int substeps = 8;  // per frame
     double frame_seconds = 1.0 / 60;
     float contact_offset = 1e-4F;  // m
+    float sampled_edge = 0.02F;    // m: triangles with a longer edge have a contact sample in their middle
     float extra_damping = 0;       // 1/s, on top of the fabrics'
     Vec3f gravity = Vec3f(0, -9.81F, 0);
 };

@@ -66,10 +66,10 @@ GarmentMesh placed_panels(const Pattern& pattern, const Body& body, const BodyCo
 
 // Splits shorter and shorter edges, and lets the cloth settle after each round.
 void refine_on(Dressing& dressing, const BodyCollider& collider, int least_leaves) {
-    constexpr int kRounds = 24;
-    constexpr int kFrames = 15;  // of an adaption and four steps
-    constexpr float kShorter = 0.93F;
-    constexpr double kMargin = 1.12;  // what the garment does next rejoins up to a tenth
+    constexpr int kRounds = 80;
+    constexpr int kFrames = 15;  // of an adaptation and four steps
+    constexpr float kShorter = 0.98F;
+    constexpr double kMargin = 1.015;  // the middle of what a measurement accepts, see sized_row() in report.cpp
     const StepOptions stepping{.extra_damping = 8};
     for (int round = 0; round < kRounds; ++round) {
         if (static_cast<double>(dressing.cloth.mesh.leaf_triangles().size()) >= kMargin * least_leaves) return;

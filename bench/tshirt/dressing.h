@@ -18,7 +18,7 @@ struct DressingOptions {
     std::optional<double> edge_length{};  // m, of the base mesh, instead of the pattern's
     int max_level = 3;
     float shortest_edge = 0.02F;  // m, where refining begins
-    int least_leaves = 0;         // a settled garment with fewer is refined on, with ever shorter edges
+    int least_leaves = 0;         // a settled garment with fewer is refined on, with shorter and shorter edges
 };
 
 struct Dressing {

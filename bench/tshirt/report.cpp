@@ -37,13 +37,33 @@ DressingOptions finer_dressing(int leaves) {
             .least_leaves = leaves};
 }
 
+// A garment that moves splits and rejoins, so that its leaves are counted while it does: the shortest edge is corrected
+// until there are at least as many as asked for and at most 3 % more.
+TshirtRow sized_row(const std::string& what, const Cloth& cloth, const BodyCollider& collider, SwayOptions& options,
+                    int least_leaves) {
+    constexpr int kTrials = 16;
+    constexpr double kMost = 1.03, kMiddle = 1.015;  // of what was asked for
+    std::optional<float> too_long, too_short;        // m
+    for (int trial = 1;; ++trial) {
+        TshirtRow row = sway_row(what, cloth, collider, options);
+        const int leaves = row.figures.leaf_triangles;
+        const bool is_enough = leaves >= least_leaves, is_too_many = leaves > kMost * least_leaves;
+        if (least_leaves == 0 || (is_enough && !is_too_many) || trial == kTrials) return row;
+        (is_enough ? too_short : too_long) = options.shortest_edge;
+        options.shortest_edge =
+            too_long && too_short
+                ? std::sqrt(*too_long * *too_short)
+                : options.shortest_edge * std::sqrt(static_cast<float>(leaves / (kMiddle * least_leaves)));
+    }
+}
+
 // With the fewest sub-steps that keep the stretch below what is allowed, at most those of dressing.
 TshirtRow cheapest_row(const Cloth& cloth, const BodyCollider& collider, SwayOptions& options,
                        const TshirtExperiment& experiment) {
     constexpr int kFewest = 3;
     const int most = options.substeps;
     for (options.substeps = kFewest;; ++options.substeps) {
-        TshirtRow row = sway_row("as asked for", cloth, collider, options);
+        TshirtRow row = sized_row("as asked for", cloth, collider, options, experiment.least_leaves);
         if (row.figures.p99_stretch <= experiment.most_stretch) return row;
         if (options.substeps < most) continue;
         row.what = "stretch not met";
@@ -90,8 +110,9 @@ TshirtReport measure_tshirt(const TshirtExperiment& experiment, const Progress& 
     options.shortest_edge = usual.shortest_edge;
     const int dressed_with = options.substeps;
     if (experiment.substeps) options.substeps = *experiment.substeps;
-    report.rows.push_back(experiment.substeps ? sway_row("as asked for", usual.cloth, collider, options)
-                                              : cheapest_row(usual.cloth, collider, options, experiment));
+    report.rows.push_back(experiment.substeps
+                              ? sized_row("as asked for", usual.cloth, collider, options, experiment.least_leaves)
+                              : cheapest_row(usual.cloth, collider, options, experiment));
     if (!experiment.has_growth) return report;
 
     const Body dense = mannequin_for(pattern, kDenseBody);
@@ -101,7 +122,7 @@ TshirtReport measure_tshirt(const TshirtExperiment& experiment, const Progress& 
     report.rows.push_back(sway_row("sub-steps of dressing", usual.cloth, collider, options));
     const Dressing many = dress_cloth(pattern, body, collider, finer_dressing(kManyLeaves), progress);
     options.shortest_edge = many.shortest_edge;
-    report.rows.push_back(sway_row("many leaves", many.cloth, collider, options));
+    report.rows.push_back(sized_row("many leaves", many.cloth, collider, options, kManyLeaves));
     return report;
 }
 

@@ -56,7 +56,7 @@ class Cycles {
     SwayFigures figures() const {
         const auto count = static_cast<double>(whole_.size());
         SwayFigures f;
-        f.leaf_triangles = static_cast<int>(cloth_.mesh.leaf_triangles().size());
+        f.leaf_triangles = static_cast<int>(std::lround(leaves_ / count));
         f.substeps = options_.substeps;
         f.ms_median = 1e3 * quantile(whole_, 0.5);
         f.ms_p95 = 1e3 * quantile(whole_, 0.95);
@@ -96,6 +96,7 @@ class Cycles {
         steps_.push_back(steps);
         whole_.push_back(adaption + steps);
         changes_ += changes;
+        leaves_ += static_cast<double>(cloth_.mesh.leaf_triangles().size());
         std::vector<double> strains;
         for (const TriangleStrain& strain : measure_strain(cloth_)) {
             strains.push_back(static_cast<double>(strain.warp));
@@ -109,6 +110,7 @@ class Cycles {
     const SwayOptions& options_;
     double seconds_ = 0;
     std::vector<double> adaptions_, steps_, whole_, shares_;
+    double leaves_ = 0;
     double stretch_ = 0;
     double changes_ = 0;
     std::size_t adaption_allocations_ = 0;

@@ -13,7 +13,7 @@
 namespace selvedge {
 
 struct SwayOptions {
-    float shortest_edge = 0.02F;             // m
+    float shortest_edge = 0.02F;             // m, an edge shorter than this is not split
     int substeps = 12;                       // per step
     int cycles = 90;                         // of one adaption and four steps of 1/120 s
     int settling_cycles = 15;                // before, not measured
@@ -24,7 +24,7 @@ struct SwayOptions {
 
 // Gravity leans by 5 degrees and goes round once a second, so that the garment shifts on the body all the time.
 struct SwayFigures {
-    int leaf_triangles = 0;  // at the end
+    int leaf_triangles = 0;  // mean over the cycles
     int substeps = 0;        // per step
     double ms_median = 0;    // of one adaption and four steps
     double ms_p95 = 0;
@@ -64,8 +64,8 @@ inline constexpr std::string_view kGrowthWithBody = "growth_with_body";
 struct TshirtExperiment {
     std::filesystem::path pattern;
     int threads = 1;
-    int body_triangles = 67000;  // at least
-    int least_leaves = 6000;
+    int body_triangles = 67000;     // at least
+    int least_leaves = 6000;        // measured with 0 to 3 % more, whatever the garment splits and rejoins as it moves
     double most_stretch = 0.05;     // of warp and weft, 99th percentile
     std::optional<int> substeps{};  // per step; none: the least with which the stretch is no more
     bool has_growth = true;         // rows of 25,000 leaves and of 500,000 triangles of the body too

@@ -7,6 +7,7 @@
 #include "sim/adaptive/leaf_lists.h"
 #include "sim/cloth/block_lanes.h"
 #include "sim/cloth/coloring.h"
+#include "sim/cloth/dirty_blocks.h"
 #include "sim/cloth/material_frame.h"
 
 namespace selvedge {
@@ -26,6 +27,7 @@ struct BlockLists {
     std::vector<Block>& blocks;
     std::vector<Record>& records;
     BlockColoring& coloring;
+    DirtyBlocks& dirty;
 
     // Anew, for all of these: corners_of(item) are the vertices of a constraint, set(item, lane) puts it into its lane.
     template <class Items, class CornersOf, class Set>
@@ -36,6 +38,8 @@ struct BlockLists {
         blocks.assign(coloring.block_count(), spare_block<Block>(vertices));
         records.assign(coloring.block_count(), spare_record<Record>());
         for (std::size_t i = 0; i < lanes.size(); ++i) set(items[i], lanes[i]);
+        dirty.clear();
+        dirty.mark_all(blocks.size());
     }
     template <std::size_t N>
     std::uint32_t take(const std::array<std::uint32_t, N>& corners, std::size_t vertices) {
@@ -44,6 +48,7 @@ struct BlockLists {
             blocks.push_back(spare_block<Block>(vertices));
             records.push_back(spare_record<Record>());
         }
+        dirty.mark_slot(lane);
         return lane;
     }
     // Post: the lane is kSpare.
@@ -51,6 +56,7 @@ struct BlockLists {
         Block& block = blocks[lane / kBlock];
         const std::size_t at = lane % kBlock;
         coloring.remove(lane, corners_at(block, at));
+        dirty.mark_slot(lane);
         copy_lane(spare_block<Block>(vertices), block, at);
         copy_lane(spare_record<Record>(), records[lane / kBlock], at);
         lane = kSpare;

@@ -14,7 +14,7 @@ namespace {
 using BendLists = BlockLists<BendBlock, BendRecord>;
 
 BendLists bend_lists(SolverState& solver) {
-    return {solver.blocks.bend, solver.blocks.bend_records, solver.lanes.bend};
+    return {solver.blocks.bend, solver.blocks.bend_records, solver.lanes.bend, solver.lanes.dirty_bend};
 }
 
 // Rigidity against folding about an edge: the cloth bends across it.
@@ -94,13 +94,27 @@ void set_bend(Cloth& cloth, const Hinge& hinge, std::uint32_t lane) {
 
 // Where more than one hinge of so many gets less than half of its stiffness from a visit now and then, all are visited
 // in each sub-step, until far fewer do; what others miss their pull makes up for.
-int chosen_interval(const Cloth& cloth, const Kernels& loops) {
+int chosen_interval(const Cloth& cloth) {
     constexpr std::size_t kFew = 20, kFewer = 40;
     if (cloth.bend_interval == 1) return 1;
+    const std::size_t count = cloth.solver.lanes.short_hinge_count;
+    const bool is_each = cloth.solver.blocks.bend_interval == 1;
+    return (is_each ? kFewer : kFew) * count < cloth.mesh.hinges().size() ? cloth.bend_interval : 1;
+}
+
+// Those of each block are kept, so that only dirty ones are counted anew.
+void count_short_hinges(Cloth& cloth, const Kernels& loops) {
+    SolverLanes& lanes = cloth.solver.lanes;
     const SolverBlocks& blocks = cloth.solver.blocks;
-    const std::size_t count = loops.count_short_hinges(blocks.bend, blocks.bend_records, cloth.bend_interval,
-                                                       cloth.solver.lanes.inverse_masses.data());
-    return (blocks.bend_interval == 1 ? kFewer : kFew) * count < cloth.mesh.hinges().size() ? cloth.bend_interval : 1;
+    lanes.short_hinges.resize(blocks.bend.size(), 0);
+    lanes.dirty_bend.for_runs([&](std::size_t first, std::size_t count) {
+        for (std::size_t i = first; i < first + count; ++i) {
+            lanes.short_hinge_count -= lanes.short_hinges[i];
+            lanes.short_hinges[i] = static_cast<std::uint8_t>(loops.count_short_hinges(
+                {&blocks.bend[i], 1}, {&blocks.bend_records[i], 1}, cloth.bend_interval, lanes.inverse_masses.data()));
+            lanes.short_hinge_count += lanes.short_hinges[i];
+        }
+    });
 }
 
 }  // namespace
@@ -108,6 +122,8 @@ int chosen_interval(const Cloth& cloth, const Kernels& loops) {
 void make_hinges(Cloth& cloth) {
     SolverState& solver = cloth.solver;
     solver.lanes.bend_of.assign(cloth.mesh.edges().capacity(), kSpare);
+    solver.lanes.short_hinges.clear();
+    solver.lanes.short_hinge_count = 0;
     bend_lists(solver).make(
         cloth.mesh.hinges(), solver.lanes.vertices, [](const Hinge& hinge) { return indices(hinge); },
         [&](const Hinge& hinge, std::uint32_t lane) { set_bend(cloth, hinge, lane); });
@@ -135,18 +151,25 @@ void change_hinges(Cloth& cloth, const LeafChanges& changes) {
 
 void weigh_hinges(Cloth& cloth, const Kernels& loops) {
     SolverBlocks& blocks = cloth.solver.blocks;
-    blocks.bend_interval = chosen_interval(cloth, loops);
+    SolverLanes& lanes = cloth.solver.lanes;
+    if (cloth.bend_interval > 1) count_short_hinges(cloth, loops);
+    blocks.bend_interval = chosen_interval(cloth);
     const float time = cloth.substep * cloth.substep * static_cast<float>(blocks.bend_interval);
     const float scale = blocks.bend_time > 0 ? time / blocks.bend_time : 1.0F;
-    loops.weigh_bend(blocks.bend, blocks.bend_records, {.interval = blocks.bend_interval, .pull_scale = scale},
-                     cloth.solver.lanes.inverse_masses.data());
+    if (time != blocks.bend_time) lanes.dirty_bend.mark_all(blocks.bend.size());
+    lanes.dirty_bend.for_runs([&](std::size_t first, std::size_t count) {
+        loops.weigh_bend(std::span(blocks.bend).subspan(first, count),
+                         std::span(blocks.bend_records).subspan(first, count),
+                         {.interval = blocks.bend_interval, .pull_scale = scale}, lanes.inverse_masses.data());
+    });
+    lanes.dirty_bend.clear();
     blocks.bend_time = time;
-    for (const auto& [lane, held] : cloth.solver.lanes.held) {
+    for (const auto& [lane, held] : lanes.held) {
         BendBlock& block = blocks.bend[lane / kBlock];
         const std::size_t at = lane % kBlock;
         block.anchor[at] = bending_now(cloth, block, at) - held * block.slip[at];
     }
-    cloth.solver.lanes.held.clear();
+    lanes.held.clear();
 }
 
 std::uint32_t bend_lane(const Cloth& cloth, EdgeId e) {

@@ -10,7 +10,7 @@ struct Kernels;
 void make_hinges(Cloth& cloth);
 void change_hinges(Cloth& cloth, const LeafChanges& changes);
 
-// Gains, from the masses, and how often hinges are visited.
+// Gains of dirty blocks, from the masses, and how often hinges are visited.
 void weigh_hinges(Cloth& cloth, const Kernels& loops);
 
 }  // namespace selvedge

@@ -15,7 +15,7 @@ using LimitLists = BlockLists<LimitBlock, LimitRecord>;
 
 LimitLists limit_lists(SolverState& solver, std::size_t level) {
     ParentLevel& parents = solver.blocks.parents[level];
-    return {parents.triangles, parents.records, solver.lanes.limits[level]};
+    return {parents.triangles, parents.records, solver.lanes.limits[level], solver.lanes.dirty_limits[level]};
 }
 
 // A refined triangle lets its threads grow by what the fabric gives under the load that garments usually carry.
@@ -167,25 +167,44 @@ void list_centres(Cloth& cloth) {
 
 // A refined triangle moves the cloth about its vertices with it. So a vertex weighs as much there as all that follows
 // it: its own mass, and half of that of each centre between it and another. Then no correction changes the momentum.
+// Sums of floats in doubles: the same in any order.
+void list_limit_masses(Cloth& cloth) {
+    SolverState& solver = cloth.solver;
+    SolverLanes& lanes = solver.lanes;
+    lanes.masses.resize(solver.blocks.parents.size());
+    lanes.masses_now.resize(solver.blocks.parents.size());
+    std::vector<double>& sums = lanes.mass_sums;
+    sums.assign(lanes.vertices + 1, 0.0);
+    for (const VertexId v : cloth.mesh.leaf_vertices()) {
+        const float inverse = cloth.inverse_mass[v.value];
+        sums[v.value] = inverse > 0 ? static_cast<double>(1 / inverse) : 0.0;
+    }
+    const auto add = [&](std::uint32_t to, double mass) {
+        if (sums[to / 4] > 0) sums[to / 4] += 0.5 * mass;
+    };
+    for (std::size_t level = solver.blocks.parents.size(); level-- > 0;) {
+        for (const EdgeCentre& c : solver.blocks.parents[level].centres) {
+            add(c.a, sums[c.centre / 4]);
+            add(c.b, sums[c.centre / 4]);
+        }
+        std::vector<float>& masses = lanes.masses_now[level];
+        masses.resize(sums.size());
+        std::ranges::transform(sums, masses.begin(), [](double sum) { return static_cast<float>(sum); });
+    }
+}
+
+// Easy shear is summed up for all: nearly each sum holds something that changed.
 void weigh_limits(Cloth& cloth, const Kernels& loops) {
     SolverState& solver = cloth.solver;
     add_easy_shear_of_leaves(solver);
-    std::vector<float>& masses = solver.lanes.masses;
-    masses.assign(solver.lanes.vertices + 1, 0.0F);
-    for (const VertexId v : cloth.mesh.leaf_vertices()) {
-        const float inverse = cloth.inverse_mass[v.value];
-        masses[v.value] = inverse > 0 ? 1 / inverse : 0.0F;
-    }
-    const auto add = [&](std::uint32_t to, float mass) {
-        if (masses[to / 4] > 0) masses[to / 4] += 0.5F * mass;
-    };
     for (std::size_t level = solver.blocks.parents.size(); level-- > 0;) {
         ParentLevel& parents = solver.blocks.parents[level];
-        for (const EdgeCentre& c : parents.centres) {
-            add(c.a, masses[c.centre / 4]);
-            add(c.b, masses[c.centre / 4]);
-        }
-        loops.weigh_limits(parents.triangles, parents.records, masses.data());
+        DirtyBlocks& dirty = solver.lanes.dirty_limits[level];
+        dirty.for_runs([&](std::size_t first, std::size_t count) {
+            loops.weigh_limits(std::span(parents.triangles).subspan(first, count),
+                               std::span(parents.records).subspan(first, count), solver.lanes.masses[level].data());
+        });
+        dirty.clear();
         add_easy_shear_of_limits(solver, parents);
     }
 }

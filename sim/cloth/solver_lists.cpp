@@ -6,8 +6,8 @@
 #include "sim/cloth/bias.h"
 #include "sim/cloth/block_lists.h"
 #include "sim/cloth/cloth.h"
+#include "sim/cloth/effective_masses.h"
 #include "sim/cloth/hinge_lists.h"
-#include "sim/cloth/kernels.h"
 #include "sim/cloth/limit_lists.h"
 
 namespace selvedge {
@@ -16,7 +16,7 @@ namespace {
 using StretchLists = BlockLists<StretchBlock, StretchRecord>;
 
 StretchLists stretch_lists(SolverState& solver) {
-    return {solver.blocks.stretch, solver.blocks.records, solver.lanes.stretch};
+    return {solver.blocks.stretch, solver.blocks.records, solver.lanes.stretch, solver.lanes.dirty_stretch};
 }
 
 // Whether a seam edge of the triangle has to be shorter than the triangle's own copy of it: there the cloth is
@@ -106,18 +106,6 @@ void forget_triangles(SolverState& solver) {
     for (std::vector<Vec4f>* stress : {&carried.own, &carried.above, &carried.below}) stress->clear();
 }
 
-void weigh_blocks(Cloth& cloth) {
-    const Kernels& loops = kernels(simd_level());
-    SolverState& solver = cloth.solver;
-    solver.lanes.inverse_masses = cloth.inverse_mass;
-    solver.lanes.inverse_masses.push_back(0.0F);
-    loops.weigh_stretch(solver.blocks.stretch, solver.blocks.records, solver.lanes.inverse_masses.data());
-    weigh_hinges(cloth, loops);
-    weigh_limits(cloth, loops);
-    solver.blocks.over.resize(solver.blocks.stretch.size());
-    solver.blocks.over_counts.resize(solver.lanes.stretch.runs().size());
-}
-
 // Lanes that are put in one by one lie less well in memory than those that are put in all at once.
 bool is_worn(const Cloth& cloth) {
     const std::size_t leaves = cloth.mesh.leaf_triangles().size();
@@ -164,6 +152,7 @@ void make_blocks(Cloth& cloth) {
     const auto levels = static_cast<std::size_t>(cloth.mesh.max_level());
     solver.blocks.parents.resize(levels);
     solver.lanes.limits.resize(levels);
+    solver.lanes.dirty_limits.resize(levels);
     forget_triangles(solver);
     size_triangles(cloth);
     for (int level = 0; level < cloth.mesh.max_level(); ++level) {
@@ -173,7 +162,8 @@ void make_blocks(Cloth& cloth) {
     make_hinges(cloth);
     for (int level = 0; level < cloth.mesh.max_level(); ++level) make_limits(cloth, level);
     list_centres(cloth);
-    weigh_blocks(cloth);
+    mark_all_dirty(cloth);
+    update_effective_masses(cloth);
 }
 
 void change_blocks(Cloth& cloth) {
@@ -188,7 +178,7 @@ void change_blocks(Cloth& cloth) {
     change_hinges(cloth, changes);
     change_limits(cloth, changes);
     list_centres(cloth);
-    weigh_blocks(cloth);
+    update_effective_masses(cloth);
 }
 
 }  // namespace selvedge

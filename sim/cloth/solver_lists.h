@@ -1,9 +1,10 @@
 #pragma once
 // Makes the solver's blocks from the leaves of a cloth and from its hierarchy, and keeps them up to date: each
-// constraint has a lane, and leaves it when it goes, at a cost in proportion to what an adaption changed. Gains are
-// worked out anew for all, in flat loops.
+// constraint has a lane, and leaves it when it goes, at a cost in proportion to what an adaption changed. For gains see
+// effective_masses.h.
 #include "sim/adaptive/adaptive_mesh.h"
 #include "sim/cloth/coloring.h"
+#include "sim/cloth/dirty_blocks.h"
 #include "sim/cloth/solver_blocks.h"
 
 namespace selvedge {
@@ -31,10 +32,19 @@ struct SolverLanes {
         std::uint32_t lane;
         float held;  // of its friction, -1 to 1
     };
-    std::vector<HeldHinge> held;        // scratch: whose anchors wait for the hinges to be weighed
-    std::vector<float> easy_shear;      // scratch, as places, see LimitRecord
-    std::vector<float> inverse_masses;  // scratch, by vertex
-    std::vector<float> masses;          // scratch, by vertex, with all that follows it
+    std::vector<HeldHinge> held;    // scratch: whose anchors wait for the hinges to be weighed
+    std::vector<float> easy_shear;  // scratch, as places, see LimitRecord
+    DirtyBlocks dirty_stretch, dirty_bend;
+    std::vector<DirtyBlocks> dirty_limits;   // by level
+    std::vector<std::uint8_t> short_hinges;  // by block, see count_short_hinges
+    std::size_t short_hinge_count = 0;
+    // Masses by vertex, and of the spare point, that the gains were made for: 1/kg; and by level, kg, each with all
+    // that follows it where a refined triangle of that level moves it.
+    std::vector<float> inverse_masses;
+    std::vector<std::vector<float>> masses;
+    std::vector<std::vector<float>> masses_now;  // scratch
+    std::vector<double> mass_sums;               // scratch
+    std::vector<std::uint8_t> is_changed;        // scratch, by vertex
 };
 
 // Makes all blocks anew, in the memory that they have. Pre: masses are those of the present leaves.

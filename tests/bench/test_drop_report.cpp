@@ -22,8 +22,8 @@ TEST(DropReport, has_every_figure_that_was_promised) {
     experiment.substeps = 4;
     const Json json = to_json(measure_drop(experiment));
     for (const char* key :
-         {"us_per_triangle_frame", "ms_per_frame", "p99_stretch", "max_stretch", "area_error", "substeps",
-          "p1_compression", "bias_stiffness_ratio", "rest_kinetic_energy_j", "rest_rms_speed",
+         {"us_per_triangle_frame", "ms_per_frame", "ms_with_samples", "p99_stretch", "max_stretch", "area_error",
+          "substeps", "p1_compression", "bias_stiffness_ratio", "rest_kinetic_energy_j", "rest_rms_speed",
           "weightless_energy_growth", "distance_mean_m", "distance_rms_m", "noise_floor_mean_m", "noise_floor_rms_m"}) {
         ASSERT_NE(json.find(key), nullptr) << key;
         EXPECT_TRUE(json.find(key)->is_number()) << key;

@@ -1,0 +1,80 @@
+// Gains that follow the masses: what an adaptation leaves as it was keeps its gains to the bit.
+#include "sim/cloth/effective_masses.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "sim/cloth/adapt_cloth.h"
+#include "sim/cloth/step.h"
+#include "tests/sim/cloth/fixtures.h"
+
+namespace selvedge::test {
+namespace {
+
+template <class Block>
+bool are_same_bytes(const std::vector<Block>& a, const std::vector<Block>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Block)) == 0;
+}
+
+void expect_same_blocks(const SolverBlocks& a, const SolverBlocks& b) {
+    EXPECT_TRUE(are_same_bytes(a.stretch, b.stretch));
+    EXPECT_TRUE(are_same_bytes(a.records, b.records));
+    EXPECT_TRUE(are_same_bytes(a.bend, b.bend));
+    EXPECT_TRUE(are_same_bytes(a.bend_records, b.bend_records));
+    EXPECT_EQ(a.bend_interval, b.bend_interval);
+    ASSERT_EQ(a.parents.size(), b.parents.size());
+    for (std::size_t level = 0; level < a.parents.size(); ++level) {
+        EXPECT_TRUE(are_same_bytes(a.parents[level].triangles, b.parents[level].triangles)) << "level " << level;
+        EXPECT_TRUE(are_same_bytes(a.parents[level].records, b.parents[level].records)) << "level " << level;
+    }
+}
+
+// Adapts where the cloth is shaken; returns how many adaptations changed the blocks in place.
+int adapt_and_compare(Cloth& cloth, float strength, std::mt19937& random) {
+    int in_place = 0;
+    for (int i = 0; i < 40; ++i) {
+        shake(cloth, strength, random);
+        const std::size_t inserted = cloth.solver.lanes.inserted;
+        if (!adapt_cloth(cloth, nothing_near(), {.shortest_edge = 0}).changed()) continue;
+        in_place += cloth.solver.lanes.inserted > inserted ? 1 : 0;
+        Cloth anew = cloth;
+        mark_all_dirty(anew);
+        update_effective_masses(anew);
+        expect_same_blocks(cloth.solver.blocks, anew.solver.blocks);
+        if (::testing::Test::HasFailure()) return in_place;
+        for (int k = 0; k < 2; ++k) step(cloth, nothing_near(), {.contact = {.floor = kNoFloor}});
+    }
+    return in_place;
+}
+
+TEST(EffectiveMasses, of_what_changed_alone_are_those_of_all_worked_out_anew) {
+    for (const char* fabric : {"denim", "silk", "wool_twill"}) {
+        SCOPED_TRACE(fabric);
+        std::mt19937 random(11);
+        Cloth cloth = make_patch(find_fabric(fabric), {.side = 0.4});
+        cloth.is_pinned[3] = true;
+        refresh_solver(cloth);
+        refresh_contacts(cloth);
+        EXPECT_GT(adapt_and_compare(cloth, 0.004F, random), 5);
+        EXPECT_GT(adapt_and_compare(cloth, 0.001F, random), 0);
+    }
+}
+
+TEST(EffectiveMasses, of_few_changes_leave_most_blocks_alone) {
+    std::mt19937 random(11);
+    Cloth cloth = make_patch(find_fabric("denim"), {.side = 0.4});
+    refresh_solver(cloth);
+    refresh_contacts(cloth);
+    for (int i = 0; i < 6; ++i) {
+        shake(cloth, 0.004F, random);
+        adapt_cloth(cloth, nothing_near(), {.shortest_edge = 0});
+    }
+    // A block that nothing marks keeps what stands in it.
+    for (StretchBlock& block : cloth.solver.blocks.stretch) block.warp.fill(-1);
+    update_effective_masses(cloth);
+    for (const StretchBlock& block : cloth.solver.blocks.stretch) EXPECT_EQ(block.warp[0], -1);
+}
+
+}  // namespace
+}  // namespace selvedge::test
