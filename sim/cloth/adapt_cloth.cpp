@@ -41,14 +41,12 @@ struct ClothObserver {
         cloth.x_prev[c.value] = cloth.x[c.value] - velocity;
         cloth.normals[c.value] = normal.squaredNorm() > 0 ? Vec3f(normal.normalized()) : Vec3f::Zero();
         cloth.is_pinned[c.value] = cloth.is_pinned[a.value] && cloth.is_pinned[b.value];  // a pinned waistband stays up
-        split_bend(cloth, c);
         cloth.adapting.curvature.forget_children(cloth.mesh, cloth.mesh.vertex(c).parent);
         if (visibility != nullptr) visibility->on_split(c, a, b);
         if (budget != nullptr) budget->on_split();
     }
 
-    void on_rejoin(VertexId c) {
-        rejoin_bend(cloth, c);
+    void on_rejoin(VertexId) {
         if (budget != nullptr) budget->on_rejoin();
     }
 };

@@ -4,6 +4,7 @@
 
 #include "sim/cloth/block_lanes.h"
 #include "sim/cloth/cloth.h"
+#include "sim/cloth/triangle_bending.h"
 
 namespace selvedge {
 namespace {
@@ -41,36 +42,28 @@ KeptBias bias_in(const Cloth& cloth, std::uint32_t lane) {
     return {.value = lane_of(block.bias, lane % kBlock), .anchor = block.anchor[lane % kBlock]};
 }
 
-bool has_ends(const AdaptiveEdge& edge, const std::array<std::uint32_t, 4>& corners) {
-    return edge.ends[0].value == corners[0] && edge.ends[1].value == corners[1];
+void set_bend(Cloth& cloth, TriangleId t, const KeptBend& bend) {
+    if (t.value >= cloth.bend.size()) cloth.bend.resize(cloth.mesh.triangles().capacity());
+    cloth.bend[t.value] = bend;
+    cloth.bend[t.value].adaption = cloth.adaptions;
 }
 
-void set_bend(Cloth& cloth, EdgeId e, const KeptBend& bend) {
-    if (e.value >= cloth.bend.size()) cloth.bend.resize(cloth.mesh.edges().capacity());
-    cloth.bend[e.value] = bend;
-    cloth.bend[e.value].adaption = cloth.adaptions;
+bool is_bend_kept(const Cloth& cloth, TriangleId t) {
+    return t.value < cloth.bend.size() && cloth.bend[t.value].adaption == cloth.adaptions;
 }
 
-// An id may have been given to another edge since.
-bool is_kept(const Cloth& cloth, EdgeId e) {
-    return e.value < cloth.bend.size() && cloth.bend[e.value].adaption == cloth.adaptions &&
-           has_ends(cloth.mesh.edge(e), cloth.bend[e.value].corners);
-}
+// Of those that are known.
+struct MeanBend {
+    Vec3f sum = Vec3f::Zero();
+    float area = 0;
 
-KeptBend bend_in(const Cloth& cloth, std::uint32_t lane) {
-    const BendBlock& block = cloth.solver.blocks.bend[lane / kBlock];
-    const std::size_t at = lane % kBlock;
-    const float off = bending_now(cloth, block, at) - block.anchor[at];
-    return {.held = block.slip[at] > 0 ? std::clamp(off / block.slip[at], -1.0F, 1.0F) : 0.0F,
-            .pull = block.pull[at],
-            .anchor = block.anchor[at],
-            .corners = corners_at(block, at)};
-}
-
-// For an edge that has had no lane.
-KeptBend handed_on(const AdaptiveEdge& to, float held, float pull) {
-    return {.held = held, .pull = pull, .corners = {to.ends[0].value, to.ends[1].value, kSpare, kSpare}};
-}
+    void add(const KeptBend& bend, float of_area) {
+        if (!bend.is_known) return;
+        sum += of_area * bend.anchor;
+        area += of_area;
+    }
+    KeptBend mean() const { return area > 0 ? KeptBend{.anchor = sum / area, .is_known = true} : KeptBend{}; }
+};
 
 // A visit makes a multiplier of share (s + b) / (seen + c) of a strain s and a bias b, and s / c is wanted. So the bias
 // is in proportion to (seen + (1 - share) c) / c. c: the compliance over a sub-step, to which it is as 1 to its square.
@@ -157,7 +150,9 @@ void keep_biases(Cloth& cloth) {
 void BiasHandover::before(TriangleId t) {
     const AdaptiveTriangle& triangle = cloth_.mesh.triangle(t);
     count_ = 0;
+    bend_ = kept_bend(cloth_, t);
     if (is_leaf(triangle)) {
+        mean_bend_ = bend_;
         const KeptBias kept = kept_bias(cloth_, t);
         mean_ = kept.value;
         mean_anchor_ = kept.anchor;
@@ -166,6 +161,7 @@ void BiasHandover::before(TriangleId t) {
     }
     limit_ = kept_limit(cloth_, t);
     Vec3f sum = Vec3f::Zero();
+    MeanBend bends;
     float anchors = 0, area = 0;
     for (const TriangleId child : inside(triangle)) {
         const AdaptiveTriangle& one = cloth_.mesh.triangle(child);
@@ -173,16 +169,19 @@ void BiasHandover::before(TriangleId t) {
         const KeptBias kept = kept_bias(cloth_, child);
         sum += a * kept.value;
         anchors += a * kept.anchor;
+        bends.add(kept_bend(cloth_, child), a);
         area += a;
         inside_[count_] = child;
         corners_[count_++] = one.vertices;
     }
     mean_ = sum / area;
     mean_anchor_ = anchors / area;
+    mean_bend_ = bends.mean();
 }
 
 void BiasHandover::after(TriangleId t) {
     const AdaptiveTriangle& triangle = cloth_.mesh.triangle(t);
+    set_bend(cloth_, t, is_leaf(triangle) ? mean_bend_ : bend_);
     if (is_leaf(triangle)) return set_leaf(cloth_, t, leaf_of_limit(mean_, limit_), mean_anchor_);
     set_kept(cloth_, t, Vec3f::Zero(), limit_);
     for (const TriangleId child : inside(triangle)) {
@@ -190,46 +189,28 @@ void BiasHandover::after(TriangleId t) {
         const auto was = std::find(inside_.begin(), end, child);
         const bool stays = was != end && corners_[static_cast<std::size_t>(was - inside_.begin())] ==
                                              cloth_.mesh.triangle(child).vertices;
-        if (!stays) set_leaf(cloth_, child, mean_, mean_anchor_);
+        if (stays) continue;
+        set_leaf(cloth_, child, mean_, mean_anchor_);
+        set_bend(cloth_, child, mean_bend_);
     }
 }
 
-KeptBend kept_bend(const Cloth& cloth, EdgeId e) {
-    if (is_kept(cloth, e)) return cloth.bend[e.value];
-    const std::uint32_t lane = bend_lane(cloth, e);
-    return lane == kSpare ? KeptBend{} : bend_in(cloth, lane);
+KeptBend kept_bend(const Cloth& cloth, TriangleId t) {
+    if (is_bend_kept(cloth, t)) return cloth.bend[t.value];
+    const BendSlot slot = bend_slot(cloth, t);
+    if (slot.block == nullptr) return {};
+    return {.anchor = lane_of(slot.block->anchor, slot.at), .is_known = slot.block->realised[slot.at] > 0};
 }
 
-void keep_bend(Cloth& cloth, EdgeId e) {
-    const std::uint32_t lane = bend_lane(cloth, e);
-    if (lane != kSpare) set_bend(cloth, e, bend_in(cloth, lane));
+void keep_bend(Cloth& cloth, TriangleId t) {
+    if (!is_bend_kept(cloth, t)) set_bend(cloth, t, kept_bend(cloth, t));
 }
 
 void keep_bends(Cloth& cloth) {
-    for (const Hinge& hinge : cloth.mesh.hinges()) keep_bend(cloth, hinge.edge);
-}
-
-void split_bend(Cloth& cloth, VertexId centre) {
-    const EdgeId e = cloth.mesh.vertex(centre).parent;
-    const KeptBend kept = kept_bend(cloth, e);
-    for (const EdgeId child : cloth.mesh.edge(e).children) {
-        set_bend(cloth, child, handed_on(cloth.mesh.edge(child), kept.held, kept.pull));
+    for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles()) keep_bend(cloth, leaf.triangle);
+    for (int level = 0; level < cloth.mesh.max_level(); ++level) {
+        for (const TriangleId t : cloth.mesh.refined_triangles(level)) keep_bend(cloth, t);
     }
-}
-
-void rejoin_bend(Cloth& cloth, VertexId centre) {
-    const EdgeId e = cloth.mesh.vertex(centre).parent;
-    const AdaptiveEdge& edge = cloth.mesh.edge(e);
-    const KeptBend a = kept_bend(cloth, edge.children[0]), b = kept_bend(cloth, edge.children[1]);
-    set_bend(cloth, e, handed_on(edge, 0.5F * (a.held + b.held), 0.5F * (a.pull + b.pull)));
-}
-
-float bending_now(const Cloth& cloth, const BendBlock& block, std::size_t at) {
-    const auto point = [&](std::size_t i) -> Vec3f { return cloth.x[block.vertices[i][at] / 4].head<3>(); };
-    const Vec3f edge = point(1) - point(0);
-    const Vec3f left = block.q[2][at] * (point(2) - point(0));
-    const Vec3f right = block.q[3][at] * (point(3) - point(0));
-    return (left + right + block.q[1][at] * edge).dot(edge.cross(right - left).normalized());
 }
 
 }  // namespace selvedge

@@ -1,18 +1,14 @@
 #pragma once
-// What triangles and hinges have learnt, biases and friction, while they come and go: it lives in the solver's blocks,
-// and is kept by TriangleId in Cloth::bias, by EdgeId in Cloth::bend, while an adaption is under way. (solver_blocks.h)
+// What triangles have learnt, biases and friction, while they come and go: it lives in the solver's blocks, and is kept
+// by TriangleId in Cloth::bias and Cloth::bend while an adaption is under way. (solver_blocks.h)
 #include <array>
 #include <cstddef>
 
+#include "sim/cloth/cloth.h"
 #include "sim/core/ids.h"
 #include "sim/core/vec.h"
 
 namespace selvedge {
-
-struct BendBlock;
-struct Cloth;
-struct KeptBend;
-struct KeptBias;
 
 // What was kept of that triangle since Cloth::adaptions was last counted up, else what its lane has; 0 if it has none.
 KeptBias kept_bias(const Cloth& cloth, TriangleId t);
@@ -25,12 +21,18 @@ void keep_bias(Cloth& cloth, TriangleId t);
 void keep_limit(Cloth& cloth, TriangleId t);
 void keep_biases(Cloth& cloth);
 
+// The same of a triangle's friction in bending, leaf or refined; not known if it has no slot.
+KeptBend kept_bend(const Cloth& cloth, TriangleId t);
+void keep_bend(Cloth& cloth, TriangleId t);
+void keep_bends(Cloth& cloth);
+
 // Biases make up for what a visit cannot do, and a visit can do more when sub-steps are shorter: to be called before
 // Cloth::substep becomes its `ratio`-fold, so that what they have learnt is of use with it.
 void fit_biases(Cloth& cloth, float ratio);
 
 // While what is inside a triangle goes and comes: what stays keeps its bias, what is new gets the mean of what was
-// there, weighed by area; a leaf that is refined goes on with its bias as a limit, and back.
+// there, weighed by area; a leaf that is refined goes on with its bias as a limit, and back. So do the anchors of
+// friction in bending, and a leaf that is refined keeps its own.
 class BiasHandover {
  public:
     explicit BiasHandover(Cloth& cloth) : cloth_(cloth) {}
@@ -41,23 +43,11 @@ class BiasHandover {
     Cloth& cloth_;
     Vec3f mean_ = Vec3f::Zero();   // of what was inside
     float mean_anchor_ = 0;        // the same
+    KeptBend mean_bend_, bend_;    // the same of friction in bending, and the triangle's own
     Vec3f limit_ = Vec3f::Zero();  // the triangle's own when it is refined
     std::array<TriangleId, 4> inside_{};
     std::array<std::array<VertexId, 3>, 4> corners_{};
     std::size_t count_ = 0;
 };
-
-// The same of an edge's hinge; nothing if it is new in flat cloth. keep_bend(): from the edge's lane, if it has one.
-KeptBend kept_bend(const Cloth& cloth, EdgeId e);
-void keep_bend(Cloth& cloth, EdgeId e);
-void keep_bends(Cloth& cloth);
-
-// When an edge has been split its halves get what it has; when it is about to be rejoined it gets their mean. centre:
-// of the edge. Where the hinge of an edge that stays is changed it keeps its own.
-void split_bend(Cloth& cloth, VertexId centre);
-void rejoin_bend(Cloth& cloth, VertexId centre);
-
-// How much a hinge is bent now, along its normal as the kernels measure it, m.
-float bending_now(const Cloth& cloth, const BendBlock& block, std::size_t at);
 
 }  // namespace selvedge

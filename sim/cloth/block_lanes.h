@@ -28,7 +28,9 @@ Block spare_block(std::size_t spare_point) {
 template <class Record>
 Record spare_record() {
     Record record{};
-    for (BlockFloats& compliance : record.compliance) compliance.fill(1);
+    if constexpr (!std::is_same_v<Record, BendRecord>) {
+        for (BlockFloats& compliance : record.compliance) compliance.fill(1);
+    }
     if constexpr (std::is_same_v<Record, LimitRecord>) {
         for (BlockFloats& length : record.free_length) length.fill(1);
     }

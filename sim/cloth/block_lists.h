@@ -17,9 +17,6 @@ struct Cloth;
 inline std::array<std::uint32_t, 3> indices(const std::array<VertexId, 3>& v) {
     return {v[0].value, v[1].value, v[2].value};
 }
-inline std::array<std::uint32_t, 4> indices(const Hinge& hinge) {
-    return {hinge.a.value, hinge.b.value, hinge.left.value, hinge.right.value};
-}
 
 // Blocks of one kind with their records and colours.
 template <class Block, class Record>

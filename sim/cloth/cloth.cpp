@@ -78,7 +78,6 @@ Cloth make_cloth(const GarmentMesh& garment, std::vector<Fabric> fabrics, const 
     for (const double angle : garment.panel_grain_angles) cloth.grain_angles.push_back(static_cast<float>(angle));
     for (const Vec2d& offset : garment.panel_sett_offsets) cloth.sett_offsets.push_back(offset.cast<float>());
     cloth.substep = options.substep;
-    cloth.bend_interval = options.bend_interval;
     size_state(cloth, cloth.mesh.vertex_capacity());
     for (std::size_t v = 0; v < garment.x.size(); ++v) cloth.x[v] = padded(garment.x[v].cast<float>());
     cloth.x_prev = cloth.x;

@@ -28,8 +28,7 @@ struct SolverState {
     std::vector<Vec4f> correction;  // what stretch and shear moved them by in the last sub-step
     SolverBlocks blocks;
     SolverLanes lanes;
-    std::size_t count = 0;  // sub-steps so far
-    TeamTrial trial;        // whether more threads are faster; the result is the same
+    TeamTrial trial;  // whether more threads are faster; the result is the same
 };
 
 // What the solver has learnt about a triangle, see solver_blocks.h and bias.h.
@@ -40,12 +39,10 @@ struct KeptBias {
     std::uint32_t adaption = 0;   // when it was noted
 };
 
-// The same of a hinge. Corners, vertex indices: of a hinge that has had no lane the two ends of its edge only.
+// The same of a triangle's internal friction in bending, whether a leaf or a refined triangle.
 struct KeptBend {
-    float held = 0;    // friction, of the most that there can be, -1 to 1
-    float pull = 0;    // s^2 N, of the time that SolverBlocks::bend_time says
-    float anchor = 0;  // m, for those corners
-    std::array<std::uint32_t, 4> corners{kSpare, kSpare, kSpare, kSpare};
+    Vec3f anchor = Vec3f::Zero();  // 1/m, of the curvatures along warp, weft and of twist
+    bool is_known = false;         // else friction starts from how the cloth is bent
     std::uint32_t adaption = 0;
 };
 
@@ -68,22 +65,20 @@ struct Cloth {
     std::vector<bool> is_pinned{};
 
     std::vector<KeptBias> bias{};     // by TriangleId, while an adaption is under way
-    std::vector<KeptBend> bend{};     // by EdgeId, the same
+    std::vector<KeptBend> bend{};     // by TriangleId, the same
     std::uint32_t adaptions = 0;      // so far
     std::vector<double> mass_sums{};  // kg by vertex, pinned or not; sums of floats, so that they can be undone exactly
 
     SolverState solver{};
     ContactState contacts{};
     CriteriaMemory adapting{};
-    float damping = 0;      // 1/s, mean over the fabrics' area
-    float substep = 0;      // s, the length that x_prev and the solver's blocks were made for
-    int bend_interval = 2;  // sub-steps from one visit of the hinges to the next, where visits can do that much
+    float damping = 0;  // 1/s, mean over the fabrics' area
+    float substep = 0;  // s, the length that x_prev and the solver's blocks were made for
 };
 
 struct ClothOptions {
     int max_level = 3;
     float substep = 1.0F / 1440.0F;  // s
-    int bend_interval = 2;           // sub-steps; most hinges are so soft that they need not be visited in each
 };
 
 // Pre: garment has no links left (strip or merge them) and one fabric per panel. Starts at rest, at level 0.

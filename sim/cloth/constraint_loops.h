@@ -271,7 +271,8 @@ void add_momentum(const CorrectedPoints& corrected, std::size_t count, float mom
 
 void keep_corrections(const CorrectedPoints& corrected, std::size_t count) {
     for (std::size_t i = 0; i < 4 * count; i += lanes::kCount) {
-        lanes::store(corrected.correction + i, lanes::load(corrected.points + i) - lanes::load(corrected.predicted + i));
+        lanes::store(corrected.correction + i,
+                     lanes::load(corrected.points + i) - lanes::load(corrected.predicted + i));
     }
 }
 

@@ -4,9 +4,9 @@
 #include <cstring>
 
 #include "sim/cloth/cloth.h"
-#include "sim/cloth/hinge_lists.h"
 #include "sim/cloth/kernels.h"
 #include "sim/cloth/limit_lists.h"
+#include "sim/cloth/triangle_bending.h"
 
 namespace selvedge {
 namespace {
@@ -30,12 +30,18 @@ void mark(DirtyBlocks& dirty, std::uint32_t slot) {
     if (slot != kSpare) dirty.mark_slot(slot);
 }
 
-// Of a leaf vertex: the leaves round it, and all hinges of their edges, its own and those opposite.
+// Of a leaf vertex: the leaves round it, and those beyond them, of whose bending it is an apex.
 void mark_leaves_round(Cloth& cloth, VertexId v) {
     SolverLanes& lanes = cloth.solver.lanes;
     for (const TriangleId t : cloth.mesh.triangles_at(v)) {
         mark(lanes.dirty_stretch, lanes.stretch_of[t.value]);
-        for (const EdgeId e : cloth.mesh.triangle(t).edges) mark(lanes.dirty_bend, lanes.bend_of[e.value]);
+        mark(lanes.dirty_bend, lanes.bend_of[t.value]);
+        const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
+        const EdgeId opposite = triangle.edges[(corner_at(triangle, v) + 1) % 3];
+        for (const int side : {0, 1}) {
+            const TriangleId beyond = cloth.mesh.leaf_at(opposite, side);
+            if (beyond) mark(lanes.dirty_bend, lanes.bend_of[beyond.value]);
+        }
     }
 }
 
@@ -83,7 +89,8 @@ void update_effective_masses(Cloth& cloth) {
                             std::span(solver.blocks.records).subspan(first, count), solver.lanes.inverse_masses.data());
     });
     solver.lanes.dirty_stretch.clear();
-    weigh_hinges(cloth, loops);
+    weigh_bending(cloth, loops);
+    for (int level = cloth.mesh.max_level(); level-- > 0;) weigh_coarse_bending(cloth, loops, level);
     weigh_limits(cloth, loops);
     solver.blocks.over.resize(solver.blocks.stretch.size());
     solver.blocks.over_counts.resize(solver.lanes.stretch.runs().size());

@@ -2,16 +2,16 @@
 // The loops of kernels.h, written once and compiled for each kind of vector instructions: included by
 // kernels_plain.cpp, kernels_avx2.cpp and kernels_avx512.cpp alone. All of it has internal linkage
 // (sim/core/simd_level.h).
-#include "sim/cloth/bend_loops.h"
 #include "sim/cloth/constraint_loops.h"
 #include "sim/cloth/contact_loops.h"
+#include "sim/cloth/triangle_bending_loops.h"
 
 namespace selvedge {
 namespace {
 
 constexpr Kernels kLoops{.weigh_stretch = weigh_stretch,
                          .weigh_bend = weigh_bend,
-                         .count_short_hinges = count_short_hinges,
+                         .weigh_coarse_bend = weigh_coarse_bend,
                          .weigh_limits = weigh_limits,
                          .predict = predict,
                          .add_momentum = add_momentum,
@@ -19,12 +19,12 @@ constexpr Kernels kLoops{.weigh_stretch = weigh_stretch,
                          .solve_stretch = solve_stretch,
                          .limit_stretch = limit_stretch,
                          .solve_bend = solve_bend,
+                         .solve_coarse_bend = solve_coarse_bend,
                          .limit_parents = limit_parents,
                          .carry_centres = carry_centres,
                          .carry_stress = carry_stress,
                          .update_bias = update_bias,
                          .update_parents = update_parents,
-                         .update_bend = update_bend,
                          .rub = rub,
                          .hold_moves = hold_moves,
                          .answer_vertices = answer_vertices,

@@ -10,7 +10,6 @@ namespace {
 Kernels fastest_of_avx512() {
     Kernels loops = kernels_avx512();
     const Kernels& narrower = kernels_avx2();
-    loops.solve_bend = narrower.solve_bend;
     loops.limit_parents = narrower.limit_parents;
     return loops;
 }

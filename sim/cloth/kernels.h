@@ -33,11 +33,6 @@ struct BiasGains {
     float most = 0.3F;
 };
 
-struct HingeVisits {
-    int interval = 1;      // sub-steps from one to the next
-    float pull_scale = 1;  // by which pulls grow, having been learnt at another interval or sub-step
-};
-
 struct ContactLimits {
     float longest_move = 0;  // m per sub-step
     float floor = 0;         // m: height of the floor's offset surface
@@ -55,12 +50,10 @@ struct Kernels {
     // Gains of constraints from the inverse masses of their vertices (1/kg; 0: cannot move), after an adaption.
     void (*weigh_stretch)(std::span<StretchBlock> blocks, std::span<const StretchRecord> records,
                           const float* inverse_masses);
-    void (*weigh_bend)(std::span<BendBlock> blocks, std::span<BendRecord> records, const HingeVisits& visits,
-                       const float* inverse_masses);
+    void (*weigh_bend)(std::span<BendBlock> blocks, std::span<BendRecord> records, const float* inverse_masses);
 
-    // How many hinges, visited so often, would be too stiff for a visit.
-    std::size_t (*count_short_hinges)(std::span<const BendBlock> blocks, std::span<const BendRecord> records,
-                                      int interval, const float* inverse_masses);
+    // The same of refined triangles. masses: of a vertex with all that follows it, kg; 0: cannot move.
+    void (*weigh_coarse_bend)(std::span<CoarseBendBlock> blocks, std::span<BendRecord> records, const float* masses);
 
     // What refined triangles move their corners by. masses: of a corner with all that follows it, kg; 0: cannot move.
     void (*weigh_limits)(std::span<LimitBlock> blocks, std::span<LimitRecord> records, const float* masses);
@@ -83,8 +76,10 @@ struct Kernels {
     // Takes back what warp and weft are beyond the fabric's strain limit.
     void (*limit_stretch)(std::span<const OverBlock> blocks, float* points);
 
-    // One pass over hinges; anchors of friction follow.
+    // One pass over the bending of triangles; anchors of friction follow. Of refined ones, of those alone to which
+    // something was handed up.
     void (*solve_bend)(std::span<BendBlock> blocks, float* points);
+    void (*solve_coarse_bend)(std::span<CoarseBendBlock> blocks, float* points);
 
     // Takes back what warp and weft of refined triangles are longer than they may be, with the shear that goes with it;
     // with `records` the multipliers are kept.
@@ -104,10 +99,6 @@ struct Kernels {
     void (*update_parents)(std::span<LimitBlock> blocks, std::span<LimitRecord> records, const float* points,
                            const float* before, const BiasGains& gains, const float* own, const float* above,
                            float* below);
-
-    // Moves the pull of each hinge that has one by that share of what its last visit gave too little.
-    void (*update_bend)(std::span<BendBlock> blocks, std::span<const BendRecord> records, const float* points,
-                        const float* before, float share);
 
     // Threads rub against each other: corners lose a share of what they moved against one another since `before`, the
     // cloth as a whole nothing.

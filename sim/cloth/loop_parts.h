@@ -1,5 +1,5 @@
 #pragma once
-// What the loops of constraint_loops.h, bend_loops.h and contact_loops.h share. For kernels only
+// What the loops of constraint_loops.h, contact_loops.h and triangle_bending_loops.h share. For kernels only
 // (sim/core/simd_level.h).
 #include <cstring>
 

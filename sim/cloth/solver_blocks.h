@@ -3,11 +3,12 @@
 // everything that does not change between two adaptions worked out beforehand.
 //
 // Stretch and shear after Baraff and Witkin (1998), conditions on the deformed warp and weft directions of a triangle;
-// bending after Bergou et al. (2006), isometric; both as compliant constraints, visited once per sub-step (Macklin et
-// al. 2019, "Small Steps"), so that stiffness has units.
+// bending by the curvature of triangles (curvature_map.h); both as compliant constraints, visited once per sub-step
+// (Macklin et al. 2019, "Small Steps"), so that stiffness has units.
 //
-// One visit per sub-step is not enough to reach the strain that belongs to a load: cloth would hang too long. So each
-// condition has a bias, which is moved slowly until strain and stress agree with the fabric (update_bias).
+// Of stretch, one visit per sub-step is not enough to reach the strain that belongs to a load: cloth would hang too
+// long. So each condition has a bias, which is moved slowly until strain and stress agree with the fabric
+// (update_bias).
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -44,11 +45,11 @@ inline constexpr float kLeafShare = 0.75F;
 inline constexpr float kLimitShare = 0.5F;
 
 // kappa, the share of the corrections of stretch and shear that a vertex makes again in the next sub-step, before the
-// constraints are visited: what one visit cannot reach adds up over the sub-steps, 1 / (1 - kappa) times as far. A visit
-// that takes a small share of a mode's error is stable with it below 1/2 (the roots of
-// (z - kappa)(z^2 - 2 z + 1) + beta kappa z^2 for beta to 0). So the constraints themselves have (1 - kappa) of the
-// fabric's stiffness. It needs no state of constraints, so nothing is handed over when the mesh changes.
-inline constexpr float kMomentum = 0.4F;
+// constraints are visited: what one visit cannot reach adds up over the sub-steps, 1 / (1 - kappa) times as far. A
+// visit that takes a small share of a mode's error is stable with it below 1/2 (the roots of (z - kappa)(z^2 - 2 z + 1)
+// + beta kappa z^2 for beta to 0). So the constraints themselves have (1 - kappa) of the fabric's stiffness. It needs
+// no state of constraints, so nothing is handed over when the mesh changes.
+inline constexpr float kMomentum = 0.3F;
 
 inline constexpr std::uint32_t kNoPlace = 0;
 inline std::uint32_t place_of(TriangleId t) {
@@ -108,38 +109,46 @@ struct CarriedStress {
     std::vector<Vec4f> below;  // scratch: mean of what is inside of it
 };
 
-// Hinges: the sum of q_i x_i, m, vanishes where the cloth is flat, and stands for an angle a as 2 sin(a/2) times the
-// edge's length. Multipliers are of the moment per length over the time between two visits, s^2 N.
+// Bending of a triangle: its curvature is a fixed linear map of the angles of its three hinges (curvature_map.h), its
+// energy 1/2 area k' D k with the rigidities D along warp, weft and of twist; the three hinges are solved together, as
+// compliant constraints. Hinge i is the edge from corner i + 1 to corner i + 2. Multipliers are of moments times a
+// sub-step's square, N m s^2.
 //
-// A hinge has internal friction: a spring from where it is bent to an anchor, which follows where the spring would pull
-// harder than the fabric's friction (Prandtl's element, Jenkins' cell). Bending is measured for that along the hinge's
-// normal: a number, which turns with the cloth, where a vector would hold it back from turning. Where one visit cannot
-// give what the fabric's rigidity asks, a pull, learnt slowly as the biases of stretch are, adds to it.
+// Internal friction acts on the curvatures along warp, weft and of twist: a spring from each to an anchor, which
+// follows where the spring would pull harder than the fabric's friction (Prandtl's element, Jenkins' cell).
 struct alignas(64) BendBlock {
-    std::array<BlockPoints, 4> vertices{};
-    std::array<BlockFloats, 4> q{};
-    BlockFloats gain{};        // multiplier per bending, 1 / (sum of w q^2 + compliance), for small angles
-    BlockFloats bow{};         // 1 / (2 edge length)^2, 1/m^2
-    BlockFloats most{};        // gain above which neighbours would drive each other to and fro
-    BlockFloats remembers{};   // 1 where there is friction or may be a pull, else 0: what follows is of those
-    BlockFloats half{};        // half the sum of w q^2
-    BlockFloats stick{};       // multiplier per bending beyond the anchor
-    BlockFloats slip{};        // m, how far the bending may be from the anchor before it follows
-    BlockFloats anchor{};      // m
-    BlockFloats pull{};        // added to the multiplier
-    BlockFloats multiplier{};  // of the last visit
+    std::array<BlockPoints, 6> vertices{};  // the corners, then the apex beyond each edge; where there is none the
+                                            // corner opposite to the edge
+    std::array<BlockFloats, 3> own{},
+        beyond{};  // 1 / height of corner and apex over the edge at rest, 1/m; 0: no hinge
+    std::array<BlockFloats, 3> own_foot{},
+        beyond_foot{};                     // of those heights along the edge: 0 at its beginning, 1 at its end
+    std::array<BlockFloats, 6> gain{};     // multiplier per angle, symmetric: 00 11 22 01 02 12
+    BlockFloats realised{};                // share of the fabric's rigidity that one visit makes
+    BlockFloats has_friction{};            // 1 or 0: what follows is of those
+    std::array<BlockFloats, 9> map{};      // curvature per angle, by rows: warp, weft, 2 twist; 1/m
+    std::array<BlockFloats, 9> settled{};  // the same per angle that is seen, when all have had their turn
+    std::array<BlockFloats, 3> stick{};    // multiplier per curvature beyond the anchor
+    std::array<BlockFloats, 3> slip{};     // 1/m, how far a curvature may be from its anchor before that follows
+    std::array<BlockFloats, 3> anchor{};   // 1/m
 };
 
-// What is needed now and then besides: the compliance and the friction over a sub-step; and, of the time between two
-// visits, what update_bend goes by.
+// The same of a refined triangle. Its vertices weigh what follows them: one visit of a triangle makes at most a
+// stiffness that its masses can follow within a sub-step, and there coarse triangles can do 16 times as much as those
+// of the next level. So every triangle takes of the rigidity and friction what it can, and hands the rest up.
+struct alignas(64) CoarseBendBlock : BendBlock {
+    std::array<BlockFloats, 6> inverse_mass{};  // 1/kg, of the vertices
+};
+
+// What weighing needs besides: figures of the fabric over a sub-step, for the whole of the rigidity.
 struct alignas(64) BendRecord {
-    std::array<BlockFloats, 1> compliance{};
-    BlockFloats friction{};  // multiplier of the friction at most
-    BlockFloats length{};    // of the edge, m
-    BlockFloats rigidity{};  // 1 / compliance
-    BlockFloats limit{};     // as `friction`
-    BlockFloats learns{};    // how much of a missing multiplier the pull may take up: gain over rigidity
-    BlockFloats most_pull{};
+    std::array<BlockFloats, 6> stiffness{};  // multiplier per angle, symmetric as BendBlock::gain
+    std::array<BlockFloats, 3> rigidity{};   // multiplier per curvature, of warp, weft and twist by themselves
+    std::array<BlockFloats, 3> friction{};   // multiplier at most
+    BlockPoints parent{};                    // place of the refined triangle that it is inside of, or kNoPlace
+    BlockFloats of_area{};                   // the triangle's, of its parent's
+    BlockFloats asked{};                     // share of the rigidity: 1 of leaves, else what was handed up
+    BlockFloats handed_up{};                 // what is left of that
 };
 
 // Friction's springs are that much stiffer than the fabric: it slips at a small part of the curvatures or shears over
@@ -158,6 +167,9 @@ struct ParentLevel {
     std::vector<LimitBlock> triangles;
     std::vector<LimitRecord> records;
     std::vector<EdgeCentre> centres;  // that may move
+    std::vector<CoarseBendBlock> bend;
+    std::vector<BendRecord> bend_records;
+    bool bends = false;  // whether something was handed up to it
 };
 
 inline constexpr std::size_t kMostMembers = 8;
@@ -175,8 +187,6 @@ struct SolverBlocks {
     OverBlock spare{};  // of spare lanes
     std::vector<BendBlock> bend;
     std::vector<BendRecord> bend_records;
-    int bend_interval = 0;             // sub-steps from one visit of the hinges to the next; 0: none was weighed yet
-    float bend_time = 0;               // s^2, what their pulls were made for: the sub-step's square times the interval
     std::vector<ParentLevel> parents;  // coarse to fine
     CarriedStress carried;
 };

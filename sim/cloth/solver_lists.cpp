@@ -7,8 +7,8 @@
 #include "sim/cloth/block_lists.h"
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/effective_masses.h"
-#include "sim/cloth/hinge_lists.h"
 #include "sim/cloth/limit_lists.h"
+#include "sim/cloth/triangle_bending.h"
 
 namespace selvedge {
 namespace {
@@ -159,7 +159,7 @@ void make_blocks(Cloth& cloth) {
         for (const TriangleId t : cloth.mesh.refined_triangles(level)) note_children(cloth, t);
     }
     make_stretch(cloth);
-    make_hinges(cloth);
+    make_bending(cloth);
     for (int level = 0; level < cloth.mesh.max_level(); ++level) make_limits(cloth, level);
     list_centres(cloth);
     mark_all_dirty(cloth);
@@ -175,7 +175,7 @@ void change_blocks(Cloth& cloth) {
     }
     size_triangles(cloth);
     change_stretch(cloth, changes);
-    change_hinges(cloth, changes);
+    change_bending(cloth, changes);
     change_limits(cloth, changes);
     list_centres(cloth);
     update_effective_masses(cloth);

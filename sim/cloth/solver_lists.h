@@ -4,6 +4,7 @@
 // effective_masses.h.
 #include "sim/adaptive/adaptive_mesh.h"
 #include "sim/cloth/coloring.h"
+#include "sim/cloth/curvature_map.h"
 #include "sim/cloth/dirty_blocks.h"
 #include "sim/cloth/solver_blocks.h"
 
@@ -17,34 +18,48 @@ struct ParentOf {
     float of_area = 1;               // share of the parent's area
 };
 
+inline constexpr std::uint8_t kLeafList = 0xFF;
+
+// Scratch of triangle_bending.cpp, in the memory of the last time.
+struct FitScratch {
+    std::vector<std::uint32_t> place_of;  // by TriangleId, in `fits`; kSpare: not made
+    std::vector<TriangleId> made;
+    std::vector<CurvatureFit> fits;
+};
+struct TouchedScratch {
+    std::vector<TriangleId> moved, reshaped;
+    std::vector<std::uint8_t> marks;  // by TriangleId
+};
+
 // Where the constraints of a cloth stand in its blocks. kSpare: it has none.
 struct SolverLanes {
     BlockColoring stretch, bend;
-    std::vector<BlockColoring> limits;      // by level
-    std::vector<std::uint32_t> stretch_of;  // by TriangleId, of leaves
-    std::vector<std::uint32_t> bend_of;     // by EdgeId
-    std::vector<std::uint32_t> limit_of;    // by TriangleId, of refined triangles
-    std::vector<std::uint8_t> limit_level;  // by TriangleId: in whose blocks
-    std::vector<ParentOf> parent_of;        // by TriangleId
-    std::size_t vertices = 0;               // the spare point's index; 0: none were made yet
-    std::size_t inserted = 0;               // leaves since all were made anew
-    struct HeldHinge {
-        std::uint32_t lane;
-        float held;  // of its friction, -1 to 1
-    };
-    std::vector<HeldHinge> held;    // scratch: whose anchors wait for the hinges to be weighed
-    std::vector<float> easy_shear;  // scratch, as places, see LimitRecord
+    std::vector<BlockColoring> coarse_bend;  // by level
+    std::vector<BlockColoring> limits;       // by level
+    std::vector<std::uint32_t> stretch_of;   // by TriangleId, of leaves
+    std::vector<std::uint32_t> bend_of;      // by TriangleId, of leaves and refined triangles
+    std::vector<std::uint8_t> bend_list;     // by TriangleId: in whose blocks, by level, or kLeafList
+    std::vector<std::uint32_t> limit_of;     // by TriangleId, of refined triangles
+    std::vector<std::uint8_t> limit_level;   // by TriangleId: in whose blocks
+    std::vector<ParentOf> parent_of;         // by TriangleId
+    std::size_t vertices = 0;                // the spare point's index; 0: none were made yet
+    std::size_t inserted = 0;                // leaves since all were made anew
     DirtyBlocks dirty_stretch, dirty_bend;
-    std::vector<DirtyBlocks> dirty_limits;   // by level
-    std::vector<std::uint8_t> short_hinges;  // by block, see count_short_hinges
-    std::size_t short_hinge_count = 0;
+    std::vector<DirtyBlocks> dirty_limits, dirty_coarse_bend;  // by level
     // Masses by vertex, and of the spare point, that the gains were made for: 1/kg; and by level, kg, each with all
     // that follows it where a refined triangle of that level moves it.
     std::vector<float> inverse_masses;
     std::vector<std::vector<float>> masses;
-    std::vector<std::vector<float>> masses_now;  // scratch
-    std::vector<double> mass_sums;               // scratch
-    std::vector<std::uint8_t> is_changed;        // scratch, by vertex
+
+    // Scratch.
+    FitScratch fits;
+    TouchedScratch touched;
+    std::vector<std::uint32_t> idle_bends;  // slots
+    std::vector<float> asked;               // as places: share of the rigidity that was handed up
+    std::vector<float> easy_shear;          // as places, see LimitRecord
+    std::vector<std::vector<float>> masses_now;
+    std::vector<double> mass_sums;
+    std::vector<std::uint8_t> is_changed;  // by vertex
 };
 
 // Makes all blocks anew, in the memory that they have. Pre: masses are those of the present leaves.
@@ -63,8 +78,5 @@ std::uint32_t limit_lane(const Cloth& cloth, TriangleId t);
 
 // The same of a leaf.
 std::uint32_t stretch_lane(const Cloth& cloth, TriangleId t);
-
-// The lane of an edge's hinge if it has one that was made for these ends, else kSpare.
-std::uint32_t bend_lane(const Cloth& cloth, EdgeId e);
 
 }  // namespace selvedge

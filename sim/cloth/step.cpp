@@ -38,21 +38,18 @@ struct Stepper {
 
     void step() noexcept;  // a member that left would leave the others waiting
     void substep(int i);
-    bool visits_hinges(int i) const {
-        const std::size_t count = cloth.solver.count + static_cast<std::size_t>(i);
-        return count % static_cast<std::size_t>(cloth.solver.blocks.bend_interval) == 0;
-    }
     void load_points();
     void store_points();
     void predict(int i);
     void lead(int i, std::size_t begin, std::size_t end);
     void add_momentum();
     void keep_corrections();
+    void solve_coarse_bend();
     void limit_parents(bool is_last);
+    void carry_centres(std::size_t level);
     void solve_bend();
     void solve_stretch(bool is_last);
     void limit_stretch();
-    void update_bend();
     void update_bias();
     void pull_seams(float gap);
     void hold();
@@ -69,17 +66,14 @@ void Stepper::step() noexcept {
 void Stepper::substep(int i) {
     const bool is_last = i + 1 == options.substeps;
     predict(i);
-    if (visits_hinges(i)) solve_bend();
+    solve_coarse_bend();
+    solve_bend();
     add_momentum();
     limit_parents(is_last);
     solve_stretch(is_last);
     for (int round = 0; round < options.limit_rounds; ++round) limit_stretch();
     keep_corrections();
-    if (is_last) {
-        // Not where a short step had no visit: what was met then is not what hinges meet now.
-        if (options.substeps >= cloth.solver.blocks.bend_interval) update_bend();
-        update_bias();
-    }
+    if (is_last) update_bias();
     push_out_samples(cloth, loops, body, options.contact, member);
     const float to_go = static_cast<float>(options.substeps - 1 - i);
     const float gap = options.seam_gap + to_go * options.seam_gap_rate;
@@ -135,7 +129,6 @@ void Stepper::lead(int i, std::size_t begin, std::size_t end) {
 
 // Members do the points that they predict.
 void Stepper::add_momentum() {
-    member.wait();
     const auto [begin, end] = member.part_of(cloth.x.size(), kBlock);
     loops.add_momentum(corrected(begin), end - begin, kMomentum);
     member.wait();
@@ -148,6 +141,27 @@ void Stepper::keep_corrections() {
     member.wait();
 }
 
+// Coarse to fine: what a level moves its vertices by, the centres of its edges follow, so that the next level starts
+// from there. Most cloths hand no bending up.
+void Stepper::solve_coarse_bend() {
+    SolverState& solver = cloth.solver;
+    const auto bends = [](const ParentLevel& level) { return level.bends; };
+    if (std::ranges::none_of(solver.blocks.parents, bends)) return;
+    const auto [begin, end] = member.part_of(cloth.x.size(), kBlock);
+    std::copy_n(solver.points.begin() + static_cast<std::ptrdiff_t>(begin), end - begin,
+                solver.carried.begin() + static_cast<std::ptrdiff_t>(begin));
+    member.wait();
+    for (std::size_t level = 0; level < solver.blocks.parents.size(); ++level) {
+        ParentLevel& parents = solver.blocks.parents[level];
+        for_runs(member, solver.lanes.coarse_bend[level].runs(),
+                 [&](std::size_t, std::size_t first, std::size_t count) {
+                     if (!parents.bends) return;
+                     loops.solve_coarse_bend(std::span(parents.bend).subspan(first, count), points());
+                 });
+        carry_centres(level);
+    }
+}
+
 void Stepper::limit_parents(bool is_last) {
     SolverState& solver = cloth.solver;
     for (std::size_t level = 0; level < solver.blocks.parents.size(); ++level) {
@@ -156,10 +170,16 @@ void Stepper::limit_parents(bool is_last) {
             loops.limit_parents(std::span(parents.triangles).subspan(first, count),
                                 is_last ? &parents.records[first] : nullptr, points());
         });
-        const auto [begin, end] = member.part_of(parents.centres.size());
-        loops.carry_centres(std::span(parents.centres).subspan(begin, end - begin), floats(solver.carried), points());
-        member.wait();
+        carry_centres(level);
     }
+}
+
+void Stepper::carry_centres(std::size_t level) {
+    SolverState& solver = cloth.solver;
+    const std::span<const EdgeCentre> centres = solver.blocks.parents[level].centres;
+    const auto [begin, end] = member.part_of(centres.size());
+    loops.carry_centres(centres.subspan(begin, end - begin), floats(solver.carried), points());
+    member.wait();
 }
 
 void Stepper::solve_bend() {
@@ -186,15 +206,6 @@ void Stepper::limit_stretch() {
     for_runs(member, cloth.solver.lanes.stretch.runs(), [&](std::size_t run, std::size_t first, std::size_t) {
         loops.limit_stretch({&blocks.over[first], blocks.over_counts[run][member.index()]}, points());
     });
-}
-
-// Pulls of stiff hinges follow what the fabric asks. No other member needs to have done its part.
-void Stepper::update_bend() {
-    SolverBlocks& blocks = cloth.solver.blocks;
-    const auto [begin, end] = member.part_of(blocks.bend.size());
-    loops.update_bend(std::span(blocks.bend).subspan(begin, end - begin),
-                      std::span(blocks.bend_records).subspan(begin, end - begin), points(), before(),
-                      share_at(options.bend_bias_rate));
 }
 
 // Biases follow what strain and stress are now: what each level carries is summed up, coarse to fine for what is below
@@ -273,7 +284,6 @@ void step(Cloth& cloth, const Collider& body, const StepOptions& options) {
     const auto work = [&](TeamMember& member) { Stepper{cloth, loops, body, options, member}.step(); };
     run_on_team(most, std::cref(work));  // by reference: a function that holds more would allocate
     if (may_divide) solver.trial.note(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    solver.count += static_cast<std::size_t>(options.substeps);
 }
 
 }  // namespace selvedge

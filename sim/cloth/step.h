@@ -29,7 +29,6 @@ struct StepOptions {
     float internal_damping = 40;          // 1/s, of the motion of neighbouring vertices against each other
     float stretch_bias_rate = 3;          // 1/s, how fast biases follow (solver_blocks.h): slower than what the cloth
     float shear_bias_rate = 1.2F;         // does by itself, or they feed its motion
-    float bend_bias_rate = 3;             // 1/s, the same of hinges that are too stiff for a visit
     int limit_rounds = 2;                 // more passes over what one leaves beyond the strain limit
     float max_move_per_substep = 0.005F;  // m: contacts see thin parts at this speed
     ContactOptions contact{};

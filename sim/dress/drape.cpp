@@ -124,7 +124,7 @@ void DrapeRun::fall_frame(Cloth& cloth, const Collider& body) {
 // gets some time to come to rest again.
 void DrapeRun::finish_frame(Cloth& cloth, const Collider& body) {
     StepOptions stepping{.gravity = options_.gravity, .extra_damping = kFinishDamping, .contact = options_.contact};
-    stepping.stretch_bias_rate = stepping.shear_bias_rate = stepping.bend_bias_rate = 0;  // they would wake it
+    stepping.stretch_bias_rate = stepping.shear_bias_rate = 0;  // they would wake it
     stepping.substeps *= static_cast<int>(std::lround(usual_substep_ / cloth.substep));
     const std::size_t usual_steps = result_.step_ms.size();
     run_steps(cloth, body, stepping);

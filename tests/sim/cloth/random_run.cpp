@@ -7,6 +7,7 @@
 #include "sim/adaptive/square.h"
 #include "sim/cloth/material_frame.h"
 #include "sim/cloth/stretch.h"
+#include "sim/cloth/triangle_bending.h"
 
 namespace selvedge::test {
 namespace {
@@ -73,20 +74,13 @@ double limit_energy(const Cloth& cloth) {
     return sum;
 }
 
-// 1/2 (3 B / area) |sum q x|^2, of cotangents q.
-double hinge_energy(const Cloth& cloth, const Hinge& hinge) {
-    const Vec2f a(-0.5F * hinge.rest_length, 0), b(0.5F * hinge.rest_length, 0);
-    const auto cotangent = [](const Vec2f& p, const Vec2f& q) {
-        return p.dot(q) / std::abs(p.x() * q.y() - p.y() * q.x());
-    };
-    const float la = cotangent(b - a, hinge.left_at - a), ra = cotangent(b - a, hinge.right_at - a);
-    const float lb = cotangent(a - b, hinge.left_at - b), rb = cotangent(a - b, hinge.right_at - b);
-    const auto x = [&](VertexId v) { return cloth.x[v.value]; };
-    const Vec4f bent =
-        (lb + rb) * x(hinge.a) + (la + ra) * x(hinge.b) - (la + lb) * x(hinge.left) - (ra + rb) * x(hinge.right);
-    const double area = 0.5 * double(hinge.rest_length * (hinge.left_at.y() - hinge.right_at.y()));
+// 1/2 B k^2 of the larger rigidity, and half as much again: curvatures are averages over neighbours.
+double bending_energy(const Cloth& cloth, const LeafTriangle& leaf) {
+    const BendSlot slot = bend_slot(cloth, leaf.triangle);
+    const Vec3f curvature = curvature_now(cloth, *slot.block, slot.at);
     const Fabric& fabric = cloth.fabrics.front();
-    return 1.5 * std::max(fabric.bending_warp, fabric.bending_weft) / area * double(bent.squaredNorm());
+    return 0.75 * double(material_area(leaf.u)) * std::max(fabric.bending_warp, fabric.bending_weft) *
+           double(curvature.squaredNorm());
 }
 
 double mass_of(const Cloth& cloth) {
@@ -150,7 +144,7 @@ Energy energy_of(const Cloth& cloth) {
         energy.kinetic += 0.5 * mass * moved / (double(cloth.substep) * double(cloth.substep));
         energy.lift += mass * kGravity * double(cloth.x[v.value].y());
     }
-    for (const Hinge& hinge : cloth.mesh.hinges()) energy.elastic += hinge_energy(cloth, hinge);
+    for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles()) energy.elastic += bending_energy(cloth, leaf);
     return energy;
 }
 
@@ -185,7 +179,6 @@ void RandomRun::change_body() {
 void RandomRun::change_time() {
     const double seconds = choices_.log_between(1.0 / 500, 1.0 / 5);
     stepping_.substeps = 1 + static_cast<int>(choices_.next(24));
-    cloth_.bend_interval = 1 + static_cast<int>(choices_.next(4));
     set_substep(cloth_, static_cast<float>(seconds) / static_cast<float>(stepping_.substeps));
 }
 

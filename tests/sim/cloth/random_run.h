@@ -29,7 +29,7 @@ Fabric any_fabric(Choices& choices);
 // What a cloth can do work with, J.
 struct Energy {
     double kinetic = 0;
-    double elastic = 0;  // of warp, weft, shear and hinges, about the bias or about none, whichever is more
+    double elastic = 0;  // of warp, weft, shear and bending, about the bias or about none, whichever is more
     double lift = 0;     // against gravity
 };
 Energy energy_of(const Cloth& cloth);

@@ -71,7 +71,10 @@ TEST_F(SessionHands, a_pin_holds_its_point_exactly_whatever_is_pulled) {
     ASSERT_EQ(session_.frame()->pins.size(), 1U);
     const Vec3f pinned = session_.frame()->pins.front();
     EXPECT_EQ(pinned, position_of(*before, hem));
-    session_.pull(furthest_point(*before, 1, Vec3f(0, -1, 0)), Vec3f(0.4F, 1.2F, -0.4F));
+    // On the other side of the body: where two panels' hems meet in a seam the lowest points of both are one.
+    const ClothPoint pulled = furthest_point(*before, 1, Vec3f(pinned.x() > 0 ? -1.0F : 1.0F, -1, 0));
+    ASSERT_GT((position_of(*before, pulled) - pinned).norm(), 0.1F);
+    session_.pull(pulled, Vec3f(0.4F, 1.2F, -0.4F));
     for (int i = 0; i < 30; ++i) {
         session_.advance(3);
         ASSERT_EQ(session_.frame()->pins.size(), 1U);

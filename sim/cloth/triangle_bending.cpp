@@ -1,0 +1,444 @@
+#include "sim/cloth/triangle_bending.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/cloth/bias.h"
+#include "sim/cloth/block_lists.h"
+#include "sim/cloth/cloth.h"
+#include "sim/cloth/curvature_map.h"
+#include "sim/cloth/kernels.h"
+
+namespace selvedge {
+namespace {
+
+// Leaves have leaves beside them, refined triangles the triangles of their own level, whatever those hold.
+enum class Level { Leaves, Refined };
+
+struct Beside {
+    TriangleId triangle;   // none at a boundary
+    std::size_t edge = 0;  // the shared edge there: opposite which corner
+};
+
+Beside beside(const AdaptiveMesh& mesh, TriangleId t, std::size_t i, Level level) {
+    const AdaptiveTriangle& triangle = mesh.triangle(t);
+    const std::size_t k = (i + 1) % 3;
+    const EdgeId e = triangle.edges[k];
+    const int other = mesh.edge(e).ends[0] == triangle.vertices[k] ? 1 : 0;
+    const TriangleId found =
+        level == Level::Leaves ? mesh.leaf_at(e, other) : mesh.edge(e).sides[static_cast<std::size_t>(other)];
+    if (!found) return {};
+    return {found, (place_of(mesh.triangle(found), e) + 2) % 3};
+}
+
+// One triangle with what lies beside it. Its points: the corners, then the apex beyond each edge, or the corner
+// opposite to an edge that has no hinge: at a boundary, and where an apex is one of the points already, for a visit
+// moves each of its points once (so does the vertex between three triangles alone lose one hinge of each).
+using Points = std::array<std::uint32_t, 6>;
+struct Neighbourhood {
+    RestTriangle rest;
+    std::array<Beside, 3> beside;
+    Points points;
+};
+
+RestTriangle alone(const Cloth& cloth, TriangleId t) {
+    const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
+    const float grain = cloth.grain_angles[triangle.panel];
+    const Vec2d warp = warp_direction(grain).cast<double>();
+    const Vec2d origin = triangle.u[0].cast<double>();
+    RestTriangle rest;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec2d u = triangle.u[i].cast<double>() - origin;
+        rest.x[i] = Vec2d(warp.dot(u), cross2(warp, u));
+    }
+    return rest;
+}
+
+// All but the shapes.
+Neighbourhood points_about(const AdaptiveMesh& mesh, TriangleId t, Level level) {
+    Neighbourhood found{.rest = {}, .beside = {}, .points = {}};
+    const std::array<VertexId, 3>& v = mesh.triangle(t).vertices;
+    for (std::size_t i = 0; i < 3; ++i) found.points[i] = v[i].value;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto end = found.points.begin() + 3 + static_cast<std::ptrdiff_t>(i);
+        const Beside other = beside(mesh, t, i, level);
+        *end = v[i].value;
+        if (!other.triangle) continue;
+        const std::uint32_t apex = mesh.triangle(other.triangle).vertices[other.edge].value;
+        if (std::find(found.points.begin(), end, apex) != end) continue;
+        *end = apex;
+        found.beside[i] = other;
+    }
+    return found;
+}
+
+Neighbourhood neighbourhood(const Cloth& cloth, TriangleId t, Level level) {
+    Neighbourhood found = points_about(cloth.mesh, t, level);
+    found.rest = alone(cloth, t);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto& [triangle, edge] = found.beside[i];
+        if (triangle) found.rest.beyond[i] = alone(cloth, triangle).side_for_neighbour(edge);
+    }
+    return found;
+}
+
+// Fits of triangles and of what lies beside them, each made once.
+class Fits {
+ public:
+    Fits(const Cloth& cloth, Level level, FitScratch& scratch) : cloth_(cloth), level_(level), scratch_(scratch) {
+        scratch_.place_of.resize(cloth.mesh.triangles().capacity(), kSpare);
+    }
+    ~Fits() {
+        for (const TriangleId t : scratch_.made) scratch_.place_of[t.value] = kSpare;
+        scratch_.made.clear();
+        scratch_.fits.clear();
+    }
+    Fits(const Fits&) = delete;
+    Fits& operator=(const Fits&) = delete;
+
+    Mat3d curvature_map(const Neighbourhood& own, TriangleId t) {
+        const std::uint32_t here = place_of(t);
+        std::array<std::uint32_t, 3> places{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (own.beside[i].triangle) places[i] = place_of(own.beside[i].triangle);
+        }
+        std::array<FitBeside, 3> around;  // now that no fit will move
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (own.beside[i].triangle) around[i] = {&scratch_.fits[places[i]], own.beside[i].edge};
+        }
+        return selvedge::curvature_map(scratch_.fits[here], around);
+    }
+
+ private:
+    std::uint32_t place_of(TriangleId t) {
+        std::uint32_t& place = scratch_.place_of[t.value];
+        if (place == kSpare) {
+            place = static_cast<std::uint32_t>(scratch_.fits.size());
+            scratch_.made.push_back(t);
+            scratch_.fits.push_back(fit_curvature(neighbourhood(cloth_, t, level_).rest));
+        }
+        return place;
+    }
+    const Cloth& cloth_;
+    Level level_;
+    FitScratch& scratch_;
+};
+
+void set_symmetric(std::array<BlockFloats, 6>& rows, std::size_t at, const Mat3d& matrix) {
+    constexpr Eigen::Index kPlaces[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
+    for (std::size_t i = 0; i < 6; ++i) rows[i][at] = static_cast<float>(matrix(kPlaces[i][0], kPlaces[i][1]));
+}
+
+void set_shape(BendBlock& block, std::size_t at, const RestTriangle& rest, const Mat3d& map) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::optional<HingeSide>& beyond = rest.beyond[i];
+        const HingeSide own = rest.own_side(i);
+        block.own[i][at] = beyond ? static_cast<float>(1 / own.height) : 0.0F;
+        block.beyond[i][at] = beyond ? static_cast<float>(1 / beyond->height) : 0.0F;
+        block.own_foot[i][at] = static_cast<float>(own.foot);
+        block.beyond_foot[i][at] = beyond ? static_cast<float>(beyond->foot) : 0.0F;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double c = map(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i));
+            block.map[3 * k + i][at] = static_cast<float>(c);
+        }
+    }
+}
+
+// All that follows from the fabric and the shape at rest.
+void set_element(const Cloth& cloth, TriangleId t, Level level, Fits& fits, BendBlock& block, BendRecord& record,
+                 std::size_t at) {
+    constexpr double kLeast = 1e-12;  // N m: what bends more easily is limp, and has no spring for friction to act on
+    const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
+    const Fabric& fabric = cloth.fabrics[triangle.panel];
+    const Neighbourhood own = neighbourhood(cloth, t, level);
+    const Mat3d map = fits.curvature_map(own, t);
+    set_shape(block, at, own.rest, map);
+
+    const double warp = std::max(fabric.bending_warp, kLeast), weft = std::max(fabric.bending_weft, kLeast);
+    const Vec3d rigidity(warp, weft, 0.5 * std::sqrt(warp * weft));
+    const double hysteresis = fabric.bending_hysteresis;
+    const Vec3d friction(0.5 * hysteresis, 0.5 * hysteresis, 0.25 * hysteresis);
+    const double time = double(cloth.substep) * double(cloth.substep) * own.rest.area();
+    set_symmetric(record.stiffness, at, time * map.transpose() * free_edge_rigidity(rigidity, own.rest) * map);
+    set_lane(record.rigidity, at, (time * rigidity).cast<float>());
+    set_lane(record.friction, at, (time * friction).cast<float>());
+    block.has_friction[at] = hysteresis > 0 && std::max(warp, weft) > kLeast ? 1.0F : 0.0F;
+    const ParentOf& parent = cloth.solver.lanes.parent_of[t.value];
+    record.parent[at] = parent.place;
+    record.of_area[at] = parent.of_area;
+    record.asked[at] = level == Level::Leaves ? 1.0F : 0.0F;
+}
+
+// The blocks of leaves, or of refined triangles of one level.
+template <class Block>
+struct BendLists {
+    BlockLists<Block, BendRecord> lists;
+    Level level;
+    std::uint8_t list;  // for SolverLanes::bend_list
+
+    void set(Cloth& cloth, TriangleId t, std::uint32_t slot, const Points& points, Fits& fits) const {
+        Block& block = lists.blocks[slot / kBlock];
+        const std::size_t at = slot % kBlock;
+        for (std::size_t i = 0; i < 6; ++i) block.vertices[i][at] = 4 * points[i];
+        set_element(cloth, t, level, fits, block, lists.records[slot / kBlock], at);
+        const KeptBend kept = kept_bend(cloth, t);
+        block.realised[at] = kept.is_known ? 1.0F : 0.0F;
+        const bool starts = !kept.is_known && level == Level::Leaves;
+        set_lane(block.anchor, at, starts ? curvature_now(cloth, block, at) : kept.anchor);
+        cloth.solver.lanes.bend_of[t.value] = slot;
+        cloth.solver.lanes.bend_list[t.value] = list;
+    }
+    void insert(Cloth& cloth, TriangleId t, Fits& fits) {
+        const Points points = points_about(cloth.mesh, t, level).points;
+        set(cloth, t, lists.take(points, cloth.solver.lanes.vertices), points, fits);
+    }
+    // Its shape and its vertices are the same, but its neighbours' are not.
+    void reshape(const Cloth& cloth, TriangleId t, Fits& fits) const {
+        const std::uint32_t slot = cloth.solver.lanes.bend_of[t.value];
+        set_element(cloth, t, level, fits, lists.blocks[slot / kBlock], lists.records[slot / kBlock], slot % kBlock);
+        lists.dirty.mark_slot(slot);
+    }
+};
+
+BendLists<BendBlock> leaf_lists(SolverState& solver) {
+    return {{solver.blocks.bend, solver.blocks.bend_records, solver.lanes.bend, solver.lanes.dirty_bend},
+            Level::Leaves,
+            kLeafList};
+}
+BendLists<CoarseBendBlock> refined_lists(SolverState& solver, int level) {
+    ParentLevel& parents = solver.blocks.parents[static_cast<std::size_t>(level)];
+    const auto l = static_cast<std::size_t>(level);
+    return {{parents.bend, parents.bend_records, solver.lanes.coarse_bend[l], solver.lanes.dirty_coarse_bend[l]},
+            Level::Refined,
+            static_cast<std::uint8_t>(level)};
+}
+
+void erase(Cloth& cloth, TriangleId t) {
+    SolverState& solver = cloth.solver;
+    std::uint32_t& slot = solver.lanes.bend_of[t.value];
+    if (slot == kSpare) return;
+    keep_bend(cloth, t);
+    const std::uint8_t list = solver.lanes.bend_list[t.value];
+    if (list == kLeafList) {
+        leaf_lists(solver).lists.give_back(slot, solver.lanes.vertices);
+    } else {
+        refined_lists(solver, list).lists.give_back(slot, solver.lanes.vertices);
+    }
+}
+
+// Triangles that an adaptation touched, each once: whose six vertices may be others, or whose map alone.
+class Touched {
+ public:
+    explicit Touched(TouchedScratch& scratch)
+        : moved(scratch.moved), reshaped(scratch.reshaped), marks_(scratch.marks) {}
+    ~Touched() {
+        for (std::vector<TriangleId>* list : {&moved, &reshaped}) {
+            for (const TriangleId t : *list) marks_[t.value] = 0;
+            list->clear();
+        }
+    }
+    Touched(const Touched&) = delete;
+    Touched& operator=(const Touched&) = delete;
+
+    void add_moved(TriangleId t) { add(t, moved); }
+    void add_reshaped(TriangleId t) { add(t, reshaped); }
+
+    std::vector<TriangleId>&moved, &reshaped;
+
+ private:
+    void add(TriangleId t, std::vector<TriangleId>& list) {
+        if (marks_[t.value] != 0) return;
+        marks_[t.value] = 1;
+        list.push_back(t);
+    }
+    std::vector<std::uint8_t>& marks_;
+};
+
+void change_leaves(Cloth& cloth, const LeafChanges& changes) {
+    const AdaptiveMesh& mesh = cloth.mesh;
+    SolverState& solver = cloth.solver;
+    Touched touched(solver.lanes.touched);
+    for (const TriangleId t : changes.triangles_come) touched.add_moved(t);
+    for (const std::vector<EdgeId>* edges : {&changes.edges_come, &changes.hinges_changed}) {
+        for (const EdgeId e : *edges) {
+            for (const int side : {0, 1}) {
+                const TriangleId t = mesh.leaf_at(e, side);
+                if (t) touched.add_moved(t);
+            }
+        }
+    }
+    for (const TriangleId t : touched.moved) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const TriangleId other = beside(mesh, t, i, Level::Leaves).triangle;
+            if (other) touched.add_reshaped(other);
+        }
+    }
+    BendLists<BendBlock> lists = leaf_lists(solver);
+    Fits fits(cloth, Level::Leaves, solver.lanes.fits);
+    for (const TriangleId t : touched.moved) erase(cloth, t);
+    for (const TriangleId t : touched.moved) lists.insert(cloth, t, fits);
+    for (const TriangleId t : touched.reshaped) lists.reshape(cloth, t, fits);
+}
+
+// A triangle of the same level beside a refined one may be any: a leaf, refined too, or inside of a transition.
+void change_refined(Cloth& cloth, const LeafChanges& changes) {
+    const AdaptiveMesh& mesh = cloth.mesh;
+    SolverState& solver = cloth.solver;
+    Touched touched(solver.lanes.touched);
+    const auto is_refined = [&](TriangleId t) { return t && !is_leaf(mesh.triangle(t)); };
+    const auto for_beside = [&](TriangleId t, const auto& act) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const TriangleId other = beside(mesh, t, i, Level::Refined).triangle;
+            const TriangleId inside = beside(mesh, t, i, Level::Leaves).triangle;  // it has t beside it as well
+            if (other) act(other);
+            if (inside && inside != other) act(inside);
+        }
+    };
+    const auto for_new = [&](const auto& act) {
+        for (const TriangleId t : changes.triangles_come) act(t);
+        for (const TriangleId t : changes.refined_changed) {
+            if (is_refined(t)) act(t);
+        }
+    };
+    const auto move_refined = [&](TriangleId t) {
+        if (is_refined(t)) touched.add_moved(t);
+    };
+    const auto reshape_refined = [&](TriangleId t) {
+        if (is_refined(t)) touched.add_reshaped(t);
+    };
+    for_new([&](TriangleId t) {
+        move_refined(t);
+        for_beside(t, move_refined);
+    });
+    for_new([&](TriangleId t) { for_beside(t, [&](TriangleId other) { for_beside(other, reshape_refined); }); });
+    Fits fits(cloth, Level::Refined, solver.lanes.fits);
+    for (const TriangleId t : touched.moved) erase(cloth, t);
+    for (const TriangleId t : touched.moved) refined_lists(solver, mesh.triangle(t).level).insert(cloth, t, fits);
+    for (const TriangleId t : touched.reshaped) refined_lists(solver, mesh.triangle(t).level).reshape(cloth, t, fits);
+}
+
+void size_lists(SolverState& solver, const AdaptiveMesh& mesh) {
+    const std::size_t capacity = mesh.triangles().capacity();
+    solver.lanes.bend_of.resize(capacity, kSpare);
+    solver.lanes.bend_list.resize(capacity, kLeafList);
+    solver.lanes.touched.marks.resize(capacity, 0);
+    solver.lanes.asked.resize(capacity + 1, 0.0F);
+}
+
+void hand_up(SolverLanes& lanes, const std::vector<BendRecord>& records) {
+    for (const BendRecord& record : records) {
+        for (std::size_t at = 0; at < kBlock; ++at) {
+            lanes.asked[record.parent[at] / 4] += record.of_area[at] * record.handed_up[at];
+        }
+    }
+}
+
+}  // namespace
+
+void make_bending(Cloth& cloth) {
+    SolverState& solver = cloth.solver;
+    const AdaptiveMesh& mesh = cloth.mesh;
+    solver.lanes.bend_of.clear();
+    solver.lanes.coarse_bend.resize(static_cast<std::size_t>(mesh.max_level()));
+    solver.lanes.dirty_coarse_bend.resize(static_cast<std::size_t>(mesh.max_level()));
+    size_lists(solver, mesh);
+    const auto make = [&](auto bends, const auto& triangles, const auto& id_of) {
+        Fits fits(cloth, bends.level, solver.lanes.fits);
+        bends.lists.make(
+            triangles, solver.lanes.vertices,
+            [&](const auto& item) { return points_about(mesh, id_of(item), bends.level).points; },
+            [&](const auto& item, std::uint32_t slot) {
+                bends.set(cloth, id_of(item), slot, points_about(mesh, id_of(item), bends.level).points, fits);
+            });
+    };
+    make(leaf_lists(solver), mesh.leaf_triangles(), [](const LeafTriangle& leaf) { return leaf.triangle; });
+    for (int level = 0; level < mesh.max_level(); ++level) {
+        make(refined_lists(solver, level), mesh.refined_triangles(level), [](TriangleId t) { return t; });
+    }
+}
+
+void change_bending(Cloth& cloth, const LeafChanges& changes) {
+    size_lists(cloth.solver, cloth.mesh);
+    for (const TriangleId t : changes.triangles_gone) erase(cloth, t);
+    for (const TriangleId t : changes.refined_changed) erase(cloth, t);
+    change_leaves(cloth, changes);
+    change_refined(cloth, changes);
+}
+
+void weigh_bending(Cloth& cloth, const Kernels& loops) {
+    SolverState& solver = cloth.solver;
+    std::fill(solver.lanes.asked.begin(), solver.lanes.asked.end(), 0.0F);
+    solver.lanes.dirty_bend.for_runs([&](std::size_t first, std::size_t count) {
+        loops.weigh_bend(std::span(solver.blocks.bend).subspan(first, count),
+                         std::span(solver.blocks.bend_records).subspan(first, count),
+                         solver.lanes.inverse_masses.data());
+    });
+    solver.lanes.dirty_bend.clear();
+    hand_up(solver.lanes, solver.blocks.bend_records);
+}
+
+// A refined triangle that begins to bend does so without friction's pull: its anchors did not follow it before, and are
+// 0 as long as it does not.
+void weigh_coarse_bending(Cloth& cloth, const Kernels& loops, int level) {
+    SolverState& solver = cloth.solver;
+    ParentLevel& parents = solver.blocks.parents[static_cast<std::size_t>(level)];
+    std::vector<std::uint32_t>& idle = solver.lanes.idle_bends;
+    idle.clear();
+    for (const TriangleId t : cloth.mesh.refined_triangles(level)) {
+        const std::uint32_t slot = solver.lanes.bend_of[t.value];
+        parents.bend_records[slot / kBlock].asked[slot % kBlock] = solver.lanes.asked[place_of(t) / 4];
+        if (parents.bend[slot / kBlock].realised[slot % kBlock] <= 0) idle.push_back(slot);
+    }
+    loops.weigh_coarse_bend(parents.bend, parents.bend_records,
+                            solver.lanes.masses[static_cast<std::size_t>(level)].data());
+    solver.lanes.dirty_coarse_bend[static_cast<std::size_t>(level)].clear();
+    for (const std::uint32_t slot : idle) {
+        CoarseBendBlock& block = parents.bend[slot / kBlock];
+        const std::size_t at = slot % kBlock;
+        if (block.realised[at] > 0) set_lane(block.anchor, at, curvature_now(cloth, block, at));
+    }
+    parents.bends = false;
+    for (const TriangleId t : cloth.mesh.refined_triangles(level)) {
+        const std::uint32_t slot = solver.lanes.bend_of[t.value];
+        CoarseBendBlock& block = parents.bend[slot / kBlock];
+        const bool bends = block.realised[slot % kBlock] > 0;
+        if (!bends) set_lane(block.anchor, slot % kBlock, Vec3f::Zero());
+        parents.bends = parents.bends || bends;
+    }
+    hand_up(solver.lanes, parents.bend_records);
+}
+
+BendSlot bend_slot(const Cloth& cloth, TriangleId t) {
+    const SolverState& solver = cloth.solver;
+    if (t.value >= solver.lanes.bend_of.size()) return {};
+    const std::uint32_t slot = solver.lanes.bend_of[t.value];
+    if (slot == kSpare) return {};
+    const std::uint8_t list = solver.lanes.bend_list[t.value];
+    const BendBlock& block =
+        list == kLeafList ? solver.blocks.bend[slot / kBlock] : solver.blocks.parents[list].bend[slot / kBlock];
+    const std::size_t at = slot % kBlock;
+    const std::array<VertexId, 3>& v = cloth.mesh.triangle(t).vertices;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (block.vertices[i][at] != 4 * v[i].value) return {};
+    }
+    return {&block, at};
+}
+
+Vec3f curvature_now(const Cloth& cloth, const BendBlock& block, std::size_t at) {
+    const auto x = [&](std::size_t i) -> Vec3f { return cloth.x[block.vertices[i][at] / 4].head<3>(); };
+    const Vec3f normal = (x(1) - x(0)).cross(x(2) - x(0)).normalized();
+    Vec3f bent = Vec3f::Zero();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3f a = x((i + 1) % 3);
+        const Vec3f apex = x(3 + i) - a;
+        const Vec3f beyond = apex.cross(x((i + 2) % 3) - a).normalized();
+        const float sine = apex.dot(normal) * block.beyond[i][at], cosine = beyond.dot(normal);
+        constexpr float kLeastCosine = 0.02F, kMostAngle = 3.2F;  // as in triangle_bending_loops.h
+        const float half = sine / std::max(cosine + 1, kLeastCosine);
+        const float angle = std::clamp((4 * half + sine) / 3, -kMostAngle, kMostAngle);
+        bent += angle * Vec3f(block.map[i][at], block.map[3 + i][at], block.map[6 + i][at]);
+    }
+    return bent;
+}
+
+}  // namespace selvedge

@@ -1,0 +1,304 @@
+#pragma once
+// The loops over the hinges of triangles, see kernels.h. For kernels only (sim/core/simd_level.h).
+#include <type_traits>
+
+#include "sim/cloth/loop_parts.h"
+
+namespace selvedge {
+namespace {
+
+[[gnu::always_inline]] inline Xyz cross(const Xyz& p, const Xyz& q) {
+    return {lanes::multiply_add(p.y, q.z, -(p.z * q.y)), lanes::multiply_add(p.z, q.x, -(p.x * q.z)),
+            lanes::multiply_add(p.x, q.y, -(p.y * q.x))};
+}
+[[gnu::always_inline]] inline Xyz times(const Xyz& p, Floats s) {
+    return {p.x * s, p.y * s, p.z * s};
+}
+[[gnu::always_inline]] inline Xyz minus(const Xyz& p, const Xyz& q) {
+    return {p.x - q.x, p.y - q.y, p.z - q.z};
+}
+
+// Of hinge i: its angle, rad, and the unit normal of the side beyond.
+struct Fold {
+    Xyz normal;
+    Floats angle;
+};
+
+// An angle t by its sine s and cosine c: (4 tan(t/2) + s) / 3, 0.06 % off at 0.5 rad, 6 % at a right angle. Towards a
+// half turn it grows to kMostAngle; within 3 degrees of one it falls to 0, for there nobody can tell to which side the
+// cloth is folded.
+[[gnu::always_inline]] inline Floats angle_of(Floats sine, Floats cosine) {
+    constexpr float kLeastCosine = 0.02F;  // above -1
+    constexpr float kMostAngle = 3.2F;     // rad
+    const Floats half = sine / lanes::greater(cosine + 1.0F, lanes::all(kLeastCosine));
+    return held_within(lanes::multiply_add(half, lanes::all(4.0F / 3), sine * lanes::all(1.0F / 3)),
+                       lanes::all(kMostAngle));
+}
+
+// edge: from corner i + 1 to corner i + 2; apex: from corner i + 1; normal: unit, the triangle's.
+[[gnu::always_inline]] inline Fold fold_of(const BendBlock& block, std::size_t i, std::size_t at, const Xyz& edge,
+                                           const Xyz& apex, const Xyz& normal) {
+    Fold fold;
+    fold.normal = cross(apex, edge);
+    normalise(fold.normal);
+    fold.angle = angle_of(dot(apex, normal) * load_at(block.beyond[i], at), dot(fold.normal, normal));
+    return fold;
+}
+
+// Multiplier per angle, a symmetric matrix: 00 11 22 01 02 12.
+[[gnu::always_inline]] inline Xyz gained(const BendBlock& block, std::size_t at, const Xyz& angles) {
+    const auto gain = [&](std::size_t i) { return load_at(block.gain[i], at); };
+    const Floats g01 = gain(3), g02 = gain(4), g12 = gain(5);
+    return {lanes::multiply_add(gain(0), angles.x, lanes::multiply_add(g01, angles.y, g02 * angles.z)),
+            lanes::multiply_add(gain(1), angles.y, lanes::multiply_add(g01, angles.x, g12 * angles.z)),
+            lanes::multiply_add(gain(2), angles.z, lanes::multiply_add(g02, angles.x, g12 * angles.y))};
+}
+
+// What internal friction adds: by each curvature, a spring to an anchor that follows at a distance (Prandtl's element).
+// The curvature is the one that will be left when all have had their turn: an anchor that followed what is seen before
+// would be dragged along by each sub-step's fall, and friction would creep.
+[[gnu::always_inline]] inline Xyz with_friction(BendBlock& block, std::size_t at, const Xyz& angles, Xyz multipliers) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Floats c0 = load_at(block.map[3 * k], at), c1 = load_at(block.map[3 * k + 1], at),
+                     c2 = load_at(block.map[3 * k + 2], at);
+        const Floats bent = lanes::multiply_add(load_at(block.settled[3 * k], at), angles.x,
+                                                lanes::multiply_add(load_at(block.settled[3 * k + 1], at), angles.y,
+                                                                    load_at(block.settled[3 * k + 2], at) * angles.z));
+        const Floats off = held_within(bent - load_at(block.anchor[k], at), load_at(block.slip[k], at));
+        lanes::store(&block.anchor[k][at], bent - off);
+        const Floats by = load_at(block.stick[k], at) * off;
+        multipliers.x = lanes::multiply_add(c0, by, multipliers.x);
+        multipliers.y = lanes::multiply_add(c1, by, multipliers.y);
+        multipliers.z = lanes::multiply_add(c2, by, multipliers.z);
+    }
+    return multipliers;
+}
+
+// Whether points are read a second time before they are moved: wide registers are the scarcer.
+constexpr bool kReadsTwice = lanes::kCount == 16;
+
+// Moves one of the six points.
+template <class Block>
+[[gnu::always_inline]] inline void push_point(const Block& block, std::size_t i, std::size_t at, const Rows& x, Xyz by,
+                                              float* points) {
+    if constexpr (std::is_same_v<Block, CoarseBendBlock>) {
+        Rows moved = lanes::rows_of(times(by, load_at(block.inverse_mass[i], at)));
+        for (int j = 0; j < 4; ++j) moved.row[j] = x.row[j] + moved.row[j];
+        lanes::scatter_points(points, &block.vertices[i][at], moved);
+    } else {
+        lanes::scatter_points(points, &block.vertices[i][at], pushed(x, lanes::rows_of(by)));
+    }
+}
+
+// Forces are the angles' derivatives: along the normals of either side of a hinge, so that they do not vanish where
+// cloth is folded back upon itself.  (Grinspun et al. 2006)
+template <bool has_friction, class Block>
+[[gnu::always_inline]] inline void bend_lanes(Block& block, std::size_t at, float* points) {
+    std::array<Rows, 6> kept;
+    const auto read = [&](std::size_t i) { return lanes::gather_points(points, &block.vertices[i][at]); };
+    const auto read_again = [&](std::size_t i) { return kReadsTwice ? read(i) : kept[i]; };
+    const Rows x0 = kept[0] = read(0);
+    const auto from_first = [&](std::size_t i) {
+        const Rows x = read(i);
+        if constexpr (!kReadsTwice) kept[i] = x;
+        return lanes::transposed(difference(x, x0));
+    };
+    const Xyz e1 = from_first(1), e2 = from_first(2);
+    Xyz normal = cross(e1, e2);
+    normalise(normal);
+    const std::array<Fold, 3> fold{
+        fold_of(block, 0, at, minus(e2, e1), minus(from_first(3), e1), normal),
+        fold_of(block, 1, at, times(e2, lanes::all(-1.0F)), minus(from_first(4), e2), normal),
+        fold_of(block, 2, at, e1, from_first(5), normal)};
+    const Xyz angles{fold[0].angle, fold[1].angle, fold[2].angle};
+    Xyz multipliers = gained(block, at, angles);
+    if constexpr (has_friction) multipliers = with_friction(block, at, angles, multipliers);
+    const std::array<Floats, 3> m{multipliers.x, multipliers.y, multipliers.z};
+
+    // By the hinges: what the apexes beyond get, and what the triangle's own corners get along its normal. Where a
+    // hinge is missing a corner stands for the apex, and is written last.
+    std::array<Xyz, 3> apex;
+    std::array<Floats, 3> own, own_end;
+    for (std::size_t i = 0; i < 3; ++i) {
+        apex[i] = times(fold[i].normal, -(m[i] * load_at(block.beyond[i], at)));
+        push_point(block, 3 + i, at, read_again(3 + i), apex[i], points);
+        own[i] = -(m[i] * load_at(block.own[i], at));
+        own_end[i] = own[i] * load_at(block.own_foot[i], at);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {  // corner i is the end of hinge i + 1, the beginning of hinge i + 2
+        const std::size_t ends = (i + 1) % 3, begins = (i + 2) % 3;
+        const Floats along = own[i] - own_end[ends] - (own[begins] - own_end[begins]);
+        const Xyz beyond = combined(apex[ends], -load_at(block.beyond_foot[ends], at), apex[begins],
+                                    load_at(block.beyond_foot[begins], at) - 1.0F);
+        push_point(block, i, at, read_again(i), combined(normal, along, beyond, lanes::all(1.0F)), points);
+    }
+}
+
+template <class Block>
+[[gnu::always_inline]] inline void bend_block(Block& block, float* points) {
+    if (has_positive(block.has_friction)) {
+        for (std::size_t at = 0; at < kBlock; at += lanes::kCount) bend_lanes<true>(block, at, points);
+    } else {
+        for (std::size_t at = 0; at < kBlock; at += lanes::kCount) bend_lanes<false>(block, at, points);
+    }
+}
+
+void solve_bend(std::span<BendBlock> blocks, float* points) {
+    for (BendBlock& block : blocks) bend_block(block, points);
+}
+
+void solve_coarse_bend(std::span<CoarseBendBlock> blocks, float* points) {
+    for (CoarseBendBlock& block : blocks) {
+        if (has_positive(block.realised)) bend_block(block, points);
+    }
+}
+
+// Symmetric 3 x 3 matrices: 00 11 22 01 02 12.
+using Symmetric = std::array<Floats, 6>;
+constexpr std::size_t kSymmetric[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
+using Matrix = std::array<std::array<Floats, 3>, 3>;
+
+// How much the angles change per multiplier: the sum over the six points of w q q', 1/(kg m^2).
+[[gnu::always_inline]] inline Symmetric response(const BendBlock& block, std::size_t at,
+                                                 const std::array<Floats, 6>& w) {
+    Floats q[3][6] = {};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Floats own = load_at(block.own[i], at), beyond = load_at(block.beyond[i], at);
+        const Floats own_end = own * load_at(block.own_foot[i], at);
+        const Floats beyond_end = beyond * load_at(block.beyond_foot[i], at);
+        q[i][(i + 1) % 3] = own_end - own + (beyond_end - beyond);
+        q[i][(i + 2) % 3] = -own_end - beyond_end;
+        q[i][i] = own;
+        q[i][3 + i] = beyond;
+    }
+    Symmetric sum{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = i; j < 3; ++j) {
+            Floats& to = sum[kSymmetric[i][j]];
+            for (std::size_t v = 0; v < 6; ++v) to = lanes::multiply_add(w[v] * q[i][v], q[j][v], to);
+        }
+    }
+    return sum;
+}
+
+[[gnu::always_inline]] inline Floats trace_of_product(const Symmetric& a, const Symmetric& b) {
+    const Floats off = a[3] * b[3] + a[4] * b[4] + a[5] * b[5];
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + off * 2.0F;
+}
+
+// (1 + Sigma S / 2)^-1: what is left of the angles that are seen when all have had their turn, for neighbours that
+// share vertices take half of each other's corrections away on average.
+[[gnu::always_inline]] inline Matrix left_of_angles(const Symmetric& stiffness, const Symmetric& sigma) {
+    Matrix a;
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            Floats sum{};
+            for (std::size_t k = 0; k < 3; ++k) {
+                sum = lanes::multiply_add(sigma[kSymmetric[i][k]], stiffness[kSymmetric[k][j]], sum);
+            }
+            a[i][j] = sum * 0.5F + (i == j ? 1.0F : 0.0F);
+        }
+    }
+    const auto cofactor = [&](std::size_t i, std::size_t j) {
+        const std::size_t i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+        return a[i1][j1] * a[i2][j2] - a[i1][j2] * a[i2][j1];
+    };
+    const Floats determinant = a[0][0] * cofactor(0, 0) + a[0][1] * cofactor(0, 1) + a[0][2] * cofactor(0, 2);
+    Matrix inverse;
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) inverse[i][j] = cofactor(j, i) / determinant;
+    }
+    return inverse;
+}
+
+// The stiffness on what is left of the angles.
+[[gnu::always_inline]] inline Symmetric gain_of(const Symmetric& stiffness, const Matrix& left) {
+    Symmetric gain{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = i; j < 3; ++j) {
+            Floats& to = gain[kSymmetric[i][j]];
+            for (std::size_t k = 0; k < 3; ++k) {
+                to = lanes::multiply_add(stiffness[kSymmetric[i][k]], left[k][j], to);
+            }
+        }
+    }
+    return gain;
+}
+
+// One visit of a triangle can make at most that much of the stiffness against the masses that it moves (as the trace of
+// S Sigma), so that no mode of it takes more than kCap of its error.
+constexpr float kCap = 0.7F;
+constexpr float kMostStiffness = 2 * kCap / (2 - kCap);
+
+// Friction's springs are that much stiffer than the rigidity. They slip at H / (2 B) of the curvature (H: half of 2HB),
+// some 0.2 /cm, which is little where 2HB is measured, 0.5 to 1.5 /cm. With stiffer ones triangles of 4 mm hand so much
+// up that drapes fall softer than those of larger triangles: of cotton by 16 points at 4, by 6 at 2.
+constexpr float kBendStick = 2;
+constexpr float kLeastShare = 0.03F;  // of the rigidity: less is not worth a visit
+
+template <class Block>
+[[gnu::always_inline]] inline void weigh_lanes(Block& block, BendRecord& record, std::size_t at,
+                                               const std::array<Floats, 6>& w) {
+    const Symmetric sigma = response(block, at, w);
+    const Floats one = lanes::all(1.0F);
+    const Floats asked = load_at(record.asked, at);
+    const Floats has_friction = load_at(block.has_friction, at);
+    Symmetric stiffness;
+    for (std::size_t i = 0; i < 6; ++i) stiffness[i] = load_at(record.stiffness[i], at);
+    const Floats most = lanes::all(kMostStiffness) / (trace_of_product(stiffness, sigma) *
+                                                      lanes::multiply_add(has_friction, lanes::all(kBendStick), one));
+    const Floats realised = lanes::where(asked >= kLeastShare, lanes::lesser(asked, most));
+    lanes::store(&record.handed_up[at], lanes::where(asked >= kLeastShare, asked - realised));
+    lanes::store(&block.realised[at], realised);
+    for (Floats& s : stiffness) s = s * realised;
+    const Matrix left = left_of_angles(stiffness, sigma);
+    const Symmetric gain = gain_of(stiffness, left);
+    for (std::size_t i = 0; i < 6; ++i) lanes::store(&block.gain[i][at], gain[i]);
+    for (std::size_t k = 0; k < 3; ++k) {
+        std::array<Floats, 3> c, settled{};
+        for (std::size_t i = 0; i < 3; ++i) c[i] = load_at(block.map[3 * k + i], at);
+        for (std::size_t i = 0; i < 3; ++i) {
+            for (std::size_t j = 0; j < 3; ++j) settled[i] = lanes::multiply_add(c[j], left[j][i], settled[i]);
+            lanes::store(&block.settled[3 * k + i][at], settled[i]);
+        }
+        Floats seen{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            for (std::size_t j = 0; j < 3; ++j) {
+                seen = lanes::multiply_add(settled[i] * c[j], sigma[kSymmetric[i][j]], seen);
+            }
+        }
+        const Floats spring = load_at(record.rigidity[k], at) * realised * kBendStick;
+        const Floats stick = spring / lanes::multiply_add(seen * 0.5F, spring, one) * has_friction;
+        const Floats slip =
+            load_at(record.friction[k], at) * realised / lanes::greater(stick, lanes::all(kTiny * kTiny));
+        lanes::store(&block.stick[k][at], stick);
+        lanes::store(&block.slip[k][at], lanes::where(stick > 0.0F, slip));
+    }
+}
+
+void weigh_bend(std::span<BendBlock> blocks, std::span<BendRecord> records, const float* inverse_masses) {
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+            std::array<Floats, 6> w;
+            for (std::size_t v = 0; v < 6; ++v) w[v] = value_at(blocks[i].vertices[v], at, inverse_masses);
+            weigh_lanes(blocks[i], records[i], at, w);
+        }
+    }
+}
+
+void weigh_coarse_bend(std::span<CoarseBendBlock> blocks, std::span<BendRecord> records, const float* masses) {
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+            std::array<Floats, 6> w;
+            for (std::size_t v = 0; v < 6; ++v) {
+                const Floats mass = value_at(blocks[i].vertices[v], at, masses);
+                w[v] = lanes::where(mass > 0.0F, 1.0F / lanes::greater(mass, lanes::all(kTiny)));
+                lanes::store(&blocks[i].inverse_mass[v][at], w[v]);
+            }
+            weigh_lanes(blocks[i], records[i], at, w);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace selvedge
