@@ -28,7 +28,8 @@ struct SolverState {
     std::vector<Vec4f> correction;  // what stretch and shear moved them by in the last sub-step
     SolverBlocks blocks;
     SolverLanes lanes;
-    TeamTrial trial;  // whether more threads are faster; the result is the same
+    int substeps = 0;  // so far, by 2
+    TeamTrial trial;   // whether more threads are faster; the result is the same
 };
 
 // What the solver has learnt about a triangle, see solver_blocks.h and bias.h.

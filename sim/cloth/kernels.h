@@ -50,7 +50,9 @@ struct Kernels {
     // Gains of constraints from the inverse masses of their vertices (1/kg; 0: cannot move), after an adaption.
     void (*weigh_stretch)(std::span<StretchBlock> blocks, std::span<const StretchRecord> records,
                           const float* inverse_masses);
-    void (*weigh_bend)(std::span<BendBlock> blocks, std::span<BendRecord> records, const float* inverse_masses);
+    // interval: sub-steps from one visit to the next.
+    void (*weigh_bend)(std::span<BendBlock> blocks, std::span<BendRecord> records, const float* inverse_masses,
+                       int interval);
 
     // The same of refined triangles. masses: of a vertex with all that follows it, kg; 0: cannot move.
     void (*weigh_coarse_bend)(std::span<CoarseBendBlock> blocks, std::span<BendRecord> records, const float* masses);

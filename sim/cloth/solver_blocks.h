@@ -149,6 +149,7 @@ struct alignas(64) BendRecord {
     BlockFloats of_area{};                   // the triangle's, of its parent's
     BlockFloats asked{};                     // share of the rigidity: 1 of leaves, else what was handed up
     BlockFloats handed_up{};                 // what is left of that
+    BlockFloats room{};                      // how often a visit in each sub-step could realise the rigidity
 };
 
 // Friction's springs are that much stiffer than the fabric: it slips at a small part of the curvatures or shears over
@@ -187,6 +188,7 @@ struct SolverBlocks {
     OverBlock spare{};  // of spare lanes
     std::vector<BendBlock> bend;
     std::vector<BendRecord> bend_records;
+    int bend_interval = 1;             // sub-steps from one visit of the leaves that bend to the next
     std::vector<ParentLevel> parents;  // coarse to fine
     CarriedStress carried;
 };

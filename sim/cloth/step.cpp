@@ -38,6 +38,7 @@ struct Stepper {
 
     void step() noexcept;  // a member that left would leave the others waiting
     void substep(int i);
+    bool visits_bend(int i) const { return (cloth.solver.substeps + i) % cloth.solver.blocks.bend_interval == 0; }
     void load_points();
     void store_points();
     void predict(int i);
@@ -67,7 +68,7 @@ void Stepper::substep(int i) {
     const bool is_last = i + 1 == options.substeps;
     predict(i);
     solve_coarse_bend();
-    solve_bend();
+    if (visits_bend(i)) solve_bend();
     add_momentum();
     limit_parents(is_last);
     solve_stretch(is_last);
@@ -284,6 +285,7 @@ void step(Cloth& cloth, const Collider& body, const StepOptions& options) {
     const auto work = [&](TeamMember& member) { Stepper{cloth, loops, body, options, member}.step(); };
     run_on_team(most, std::cref(work));  // by reference: a function that holds more would allocate
     if (may_divide) solver.trial.note(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    solver.substeps = (solver.substeps + options.substeps) % 2;
 }
 
 }  // namespace selvedge

@@ -238,15 +238,18 @@ constexpr float kLeastShare = 0.03F;  // of the rigidity: less is not worth a vi
 
 template <class Block>
 [[gnu::always_inline]] inline void weigh_lanes(Block& block, BendRecord& record, std::size_t at,
-                                               const std::array<Floats, 6>& w) {
+                                               const std::array<Floats, 6>& w, float interval) {
     const Symmetric sigma = response(block, at, w);
     const Floats one = lanes::all(1.0F);
     const Floats asked = load_at(record.asked, at);
     const Floats has_friction = load_at(block.has_friction, at);
     Symmetric stiffness;
-    for (std::size_t i = 0; i < 6; ++i) stiffness[i] = load_at(record.stiffness[i], at);
-    const Floats most = lanes::all(kMostStiffness) / (trace_of_product(stiffness, sigma) *
-                                                      lanes::multiply_add(has_friction, lanes::all(kBendStick), one));
+    for (std::size_t i = 0; i < 6; ++i) stiffness[i] = load_at(record.stiffness[i], at) * interval;
+    const Floats room =
+        lanes::all(kMostStiffness * interval) /
+        (trace_of_product(stiffness, sigma) * lanes::multiply_add(has_friction, lanes::all(kBendStick), one));
+    const Floats most = room * (1 / (interval * interval));
+    lanes::store(&record.room[at], room);
     const Floats realised = lanes::where(asked >= kLeastShare, lanes::lesser(asked, most));
     lanes::store(&record.handed_up[at], lanes::where(asked >= kLeastShare, asked - realised));
     lanes::store(&block.realised[at], realised);
@@ -267,21 +270,21 @@ template <class Block>
                 seen = lanes::multiply_add(settled[i] * c[j], sigma[kSymmetric[i][j]], seen);
             }
         }
-        const Floats spring = load_at(record.rigidity[k], at) * realised * kBendStick;
+        const Floats spring = load_at(record.rigidity[k], at) * realised * (kBendStick * interval);
         const Floats stick = spring / lanes::multiply_add(seen * 0.5F, spring, one) * has_friction;
         const Floats slip =
-            load_at(record.friction[k], at) * realised / lanes::greater(stick, lanes::all(kTiny * kTiny));
+            load_at(record.friction[k], at) * realised * interval / lanes::greater(stick, lanes::all(kTiny * kTiny));
         lanes::store(&block.stick[k][at], stick);
         lanes::store(&block.slip[k][at], lanes::where(stick > 0.0F, slip));
     }
 }
 
-void weigh_bend(std::span<BendBlock> blocks, std::span<BendRecord> records, const float* inverse_masses) {
+void weigh_bend(std::span<BendBlock> blocks, std::span<BendRecord> records, const float* inverse_masses, int interval) {
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
             std::array<Floats, 6> w;
             for (std::size_t v = 0; v < 6; ++v) w[v] = value_at(blocks[i].vertices[v], at, inverse_masses);
-            weigh_lanes(blocks[i], records[i], at, w);
+            weigh_lanes(blocks[i], records[i], at, w, static_cast<float>(interval));
         }
     }
 }
@@ -295,7 +298,7 @@ void weigh_coarse_bend(std::span<CoarseBendBlock> blocks, std::span<BendRecord> 
                 w[v] = lanes::where(mass > 0.0F, 1.0F / lanes::greater(mass, lanes::all(kTiny)));
                 lanes::store(&blocks[i].inverse_mass[v][at], w[v]);
             }
-            weigh_lanes(blocks[i], records[i], at, w);
+            weigh_lanes(blocks[i], records[i], at, w, 1);
         }
     }
 }

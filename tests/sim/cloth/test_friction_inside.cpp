@@ -78,7 +78,8 @@ struct Roll {
             const Vec3d move = (moved[v.value] - cloth.x[v.value]).head<3>().cast<double>();
             work -= move.dot(way) / double(cloth.inverse_mass[v.value]);
         }
-        return work / double(cloth.substep) / double(cloth.substep) / area_of(cloth);
+        const double time = double(cloth.substep) * double(cloth.substep) * cloth.solver.blocks.bend_interval;
+        return work / time / area_of(cloth);
     }
     // Mean curvature along the strip, 1/m, of the triangles that are not at its edges.
     double curvature() const {

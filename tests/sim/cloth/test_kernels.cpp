@@ -348,7 +348,7 @@ TEST(Kernels, of_avx2_and_avx512_weigh_bending_with_the_same_bits) {
     std::vector<float> inverse_masses = lanes.inverse_masses;  // others than it was weighed with
     for (float& w : inverse_masses) w *= 2;
     const auto weigh = [&](const Kernels& loops, SolverBlocks& blocks) {
-        loops.weigh_bend(blocks.bend, blocks.bend_records, inverse_masses.data());
+        loops.weigh_bend(blocks.bend, blocks.bend_records, inverse_masses.data(), 1);
         loops.weigh_coarse_bend(blocks.parents[1].bend, blocks.parents[1].bend_records, lanes.masses[1].data());
     };
     weigh(kernels(SimdLevel::Avx2), narrow);

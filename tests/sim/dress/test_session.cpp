@@ -79,7 +79,7 @@ TEST_F(SessionOfTwoSquares, settles_with_the_same_figures_as_dress) {
     EXPECT_TRUE(frame->threads.empty());
     EXPECT_TRUE(frame->messages.empty()) << frame->messages.back();
     EXPECT_NEAR(int(frame->mesh.triangles.size()), dressed.report.mesh.leaf_triangles,
-                0.3 * dressed.report.mesh.leaf_triangles);  // its mesh could go deeper
+                0.4 * dressed.report.mesh.leaf_triangles);  // its mesh could go deeper, and look-ahead asks that
     EXPECT_NEAR(stretch_p99(frame->mesh), dressed.report.stretch.warp_weft_p99, 0.005);
     EXPECT_GT(least_clearance(frame->mesh), -0.0005F);
 }

@@ -1,0 +1,93 @@
+// Gains of the triangles that bend, and how often leaves are visited: a part of triangle_bending.h.
+#include <algorithm>
+#include <span>
+
+#include "sim/cloth/block_lanes.h"
+#include "sim/cloth/cloth.h"
+#include "sim/cloth/kernels.h"
+#include "sim/cloth/triangle_bending.h"
+
+namespace selvedge {
+namespace {
+
+void hand_up(SolverLanes& lanes, const std::vector<BendRecord>& records) {
+    for (const BendRecord& record : records) {
+        for (std::size_t at = 0; at < kBlock; ++at) {
+            lanes.asked[record.parent[at] / 4] += record.of_area[at] * record.handed_up[at];
+        }
+    }
+}
+
+void weigh_dirty(SolverState& solver, const Kernels& loops) {
+    solver.lanes.dirty_bend.for_runs([&](std::size_t first, std::size_t count) {
+        loops.weigh_bend(std::span(solver.blocks.bend).subspan(first, count),
+                         std::span(solver.blocks.bend_records).subspan(first, count),
+                         solver.lanes.inverse_masses.data(), solver.blocks.bend_interval);
+    });
+    solver.lanes.dirty_bend.clear();
+}
+
+// Bending that is slow against two sub-steps is visited each second one, with the impulse of two (the impulse method of
+// multiple time steps; Tuckerman et al. 1992). What few leaves cannot realise so, refined triangles do. Once chosen it
+// is kept for twice as many of them, or it would change with each adaptation.
+int chosen_interval(const SolverBlocks& blocks) {
+    constexpr float kLeastRoom = 16;  // of what a visit each sub-step realises at most, over what is asked
+    constexpr std::size_t kFew = 50;
+    std::size_t stiff = 0, count = 0;
+    for (const BendRecord& record : blocks.bend_records) {
+        for (std::size_t at = 0; at < kBlock; ++at) {
+            if (record.asked[at] <= 0) continue;
+            ++count;
+            stiff += record.room[at] < kLeastRoom ? 1 : 0;
+        }
+    }
+    return (blocks.bend_interval == 2 ? kFew / 2 : kFew) * stiff <= count ? 2 : 1;
+}
+
+}  // namespace
+
+void weigh_bending(Cloth& cloth, const Kernels& loops) {
+    SolverState& solver = cloth.solver;
+    weigh_dirty(solver, loops);
+    const int interval = chosen_interval(solver.blocks);
+    if (interval != solver.blocks.bend_interval) {
+        solver.blocks.bend_interval = interval;
+        solver.lanes.dirty_bend.mark_all(solver.blocks.bend.size());
+        weigh_dirty(solver, loops);
+    }
+    std::fill(solver.lanes.asked.begin(), solver.lanes.asked.end(), 0.0F);
+    hand_up(solver.lanes, solver.blocks.bend_records);
+}
+
+// A refined triangle that begins to bend does so without friction's pull: its anchors did not follow it before, and are
+// 0 as long as it does not.
+void weigh_coarse_bending(Cloth& cloth, const Kernels& loops, int level) {
+    SolverState& solver = cloth.solver;
+    ParentLevel& parents = solver.blocks.parents[static_cast<std::size_t>(level)];
+    std::vector<std::uint32_t>& idle = solver.lanes.idle_bends;
+    idle.clear();
+    for (const TriangleId t : cloth.mesh.refined_triangles(level)) {
+        const std::uint32_t slot = solver.lanes.bend_of[t.value];
+        parents.bend_records[slot / kBlock].asked[slot % kBlock] = solver.lanes.asked[place_of(t) / 4];
+        if (parents.bend[slot / kBlock].realised[slot % kBlock] <= 0) idle.push_back(slot);
+    }
+    loops.weigh_coarse_bend(parents.bend, parents.bend_records,
+                            solver.lanes.masses[static_cast<std::size_t>(level)].data());
+    solver.lanes.dirty_coarse_bend[static_cast<std::size_t>(level)].clear();
+    for (const std::uint32_t slot : idle) {
+        CoarseBendBlock& block = parents.bend[slot / kBlock];
+        const std::size_t at = slot % kBlock;
+        if (block.realised[at] > 0) set_lane(block.anchor, at, curvature_now(cloth, block, at));
+    }
+    parents.bends = false;
+    for (const TriangleId t : cloth.mesh.refined_triangles(level)) {
+        const std::uint32_t slot = solver.lanes.bend_of[t.value];
+        CoarseBendBlock& block = parents.bend[slot / kBlock];
+        const bool bends = block.realised[slot % kBlock] > 0;
+        if (!bends) set_lane(block.anchor, slot % kBlock, Vec3f::Zero());
+        parents.bends = parents.bends || bends;
+    }
+    hand_up(solver.lanes, parents.bend_records);
+}
+
+}  // namespace selvedge
