@@ -11,7 +11,6 @@
 #include "sim/cloth/collision_criterion.h"
 #include "sim/cloth/contact.h"
 #include "sim/cloth/solver_lists.h"
-#include "sim/core/team.h"
 #include "sim/core/vec.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/fabric.h"
@@ -29,7 +28,6 @@ struct SolverState {
     SolverBlocks blocks;
     SolverLanes lanes;
     int substeps = 0;  // so far, by 2
-    TeamTrial trial;   // whether more threads are faster; the result is the same
 };
 
 // What the solver has learnt about a triangle, see solver_blocks.h and bias.h.

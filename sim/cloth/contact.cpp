@@ -7,7 +7,6 @@
 #include "sim/cloth/block_lanes.h"
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/kernels.h"
-#include "sim/cloth/team_work.h"
 
 namespace selvedge {
 namespace {
@@ -226,29 +225,27 @@ std::optional<Vec3f> sample_at(const ContactState& contacts, std::size_t lane, c
     return sum;
 }
 
-void push_out_samples(Cloth& cloth, const Kernels& loops, const Collider& body, const ContactOptions& options,
-                      TeamMember& member) {
+void push_out_samples(Cloth& cloth, const Kernels& loops, const Collider& body, const ContactOptions& options) {
     const ContactLimits limits = limits_for(body, options);
     ContactState& contacts = cloth.contacts;
-    for_runs(member, contacts.coloring.runs(), [&](std::size_t, std::size_t first, std::size_t count) {
+    for (const auto& [first, count] : contacts.coloring.runs()) {
         for (std::size_t i = first; i < first + count; ++i) {
             meet_samples(cloth.solver, contacts.samples[i], loops, body, limits);
         }
-    });
+    }
 }
 
 void hold_vertices(Cloth& cloth, const Kernels& loops, const Collider& body, float longest_move,
-                   const ContactOptions& options, TeamMember& member) {
+                   const ContactOptions& options) {
     ContactState& contacts = cloth.contacts;
     SolverState& solver = cloth.solver;
     ContactLimits limits = limits_for(body, options);
     limits.longest_move = longest_move;
     const ContactKnowledge known{floats(contacts.asked), floats(contacts.plane)};
-    const auto [begin, end] = member.part_of(solver.points.size() - 1, kBlock);
-    auto& [asking, blocks] = contacts.scratch[member.index()];
-    asking.resize(end - begin + kBlock);
+    auto& [asking, blocks] = contacts.scratch;
+    asking.resize(cloth.x.size() + kBlock);
     const std::size_t count = loops.hold_moves(floats(solver.points), floats(solver.before), known,
-                                               contacts.friction.data(), begin, end, limits, asking.data());
+                                               contacts.friction.data(), 0, cloth.x.size(), limits, asking.data());
     if (count == 0) return;
     const std::uint32_t spare = static_cast<std::uint32_t>(4 * (solver.points.size() - 1));
     std::fill_n(asking.begin() + static_cast<std::ptrdiff_t>(count), kBlock, spare);

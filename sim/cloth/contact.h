@@ -3,7 +3,6 @@
 //
 // Vertices are held outside, and between them the cloth is sampled: in the middle of triangles that are large enough to
 // dip into a body, and along edges that are long for its curvature. What a point knows: contact_blocks.h.
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -19,7 +18,6 @@ namespace selvedge {
 struct Cloth;
 class Collider;
 struct Kernels;
-class TeamMember;
 
 struct ContactOptions {
     float offset = 0.003F;          // m, kept from the body; never below the collision field's error
@@ -37,8 +35,7 @@ struct ContactState {
     struct Scratch {
         std::vector<std::uint32_t> asking;
         std::vector<ContactBlock> blocks;
-    };
-    std::array<Scratch, kMostMembers> scratch;  // by member of the team
+    } scratch;
 
     // Where the samples stand.
     BlockColoring coloring;
@@ -65,13 +62,12 @@ std::optional<Vec3f> sample_at(const ContactState& contacts, std::size_t lane, c
 
 // Moves the samples between vertices, in Cloth::solver, at least `offset` away from the collider and the floor and
 // takes off tangential motion since the last sub-step up to friction times the depth corrected.
-void push_out_samples(Cloth& cloth, const Kernels& loops, const Collider& body, const ContactOptions& options,
-                      TeamMember& member);
+void push_out_samples(Cloth& cloth, const Kernels& loops, const Collider& body, const ContactOptions& options);
 
 // The same for the vertices themselves, none of which moves farther than longest_move (m) before: contacts see thin
 // parts of the body only if no vertex jumps over them. Last in a sub-step: a drawn vertex is never inside.
 void hold_vertices(Cloth& cloth, const Kernels& loops, const Collider& body, float longest_move,
-                   const ContactOptions& options, TeamMember& member);
+                   const ContactOptions& options);
 
 // x moved to the contact offset if it is nearer to the body or inside, else x: by way of the closest point, which takes
 // the wrong side far less often than a ray; where it lies against `outward`, by a ray along outward, ahead or behind.

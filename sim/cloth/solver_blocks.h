@@ -173,18 +173,15 @@ struct ParentLevel {
     bool bends = false;  // whether something was handed up to it
 };
 
-inline constexpr std::size_t kMostMembers = 8;
-using OverCounts = std::array<std::uint32_t, kMostMembers>;
-
 struct SolverBlocks {
     std::vector<StretchBlock> stretch;  // no block shares a vertex within itself
     std::vector<StretchRecord> records;
     std::vector<std::uint32_t> triangle_of;  // lane by lane: the TriangleId, or kSpare
     std::vector<float> thirds;               // lane by lane: a third of the leaf's mass, kg
     // Scratch: what one pass found, from the first of the blocks that it looked at on; and how many blocks of it there
-    // are, by run of blocks and member of the team.
+    // are, by run of blocks.
     std::vector<OverBlock> over;
-    std::vector<OverCounts> over_counts;
+    std::vector<std::size_t> over_counts;
     OverBlock spare{};  // of spare lanes
     std::vector<BendBlock> bend;
     std::vector<BendRecord> bend_records;

@@ -10,7 +10,6 @@
 
 #include "sim/cloth/block_lanes.h"
 #include "sim/cloth/kernels.h"
-#include "sim/core/team.h"
 #include "tests/sim/body/shapes.h"
 #include "tests/sim/cloth/fixtures.h"
 
@@ -109,8 +108,7 @@ TEST(PushOutSamples, keeps_the_middle_of_a_long_edge_out_of_a_small_ball) {
 void hold(Cloth& cloth) {
     cloth.solver.points = solver_points(cloth, cloth.x);
     cloth.solver.before = solver_points(cloth, cloth.x_prev);
-    TeamMember alone;
-    hold_vertices(cloth, kernels(simd_level()), ball(), 1, {.friction_scale = 0, .floor = kNoFloor}, alone);
+    hold_vertices(cloth, kernels(simd_level()), ball(), 1, {.friction_scale = 0, .floor = kNoFloor});
     for (std::size_t v = 0; v < cloth.x.size(); ++v) cloth.x[v] = padded(cloth.solver.points[v].head<3>());
 }
 
