@@ -36,7 +36,6 @@ void add_bench_drop(CLI::App& bench, int& exit_code) {
         ->add_option("--max-stretch", experiment.gates.max_stretch,
                      "99th percentile of warp and weft stretch to be met (default 0.05)")
         ->check(CLI::Range(0.0001, 1.0));
-    command->add_option("--threads", experiment.threads, "Threads to use (default 1)")->check(CLI::Range(1, 1024));
     command->add_option("--substeps", experiment.substeps, "Sub-steps per frame, instead of searching for the least")
         ->check(CLI::Range(1, 10000));
     command->add_option("--most-substeps", experiment.most_substeps, "Where the search gives up (default 256)")

@@ -33,7 +33,6 @@ void add_bench_tshirt(CLI::App& bench, int& exit_code) {
     CLI::App* command = bench.add_subcommand("tshirt", "One adaption and four steps of a dressed garment");
     command->add_option("GARMENT", experiment.pattern, "Garment file (default patterns/tshirt.json)")
         ->type_name("FILE");
-    command->add_option("--threads", experiment.threads, "Threads to use (default 1)")->check(CLI::Range(1, 1024));
     command
         ->add_option("--body-triangles", experiment.body_triangles, "Triangles of the body, at least (default 67000)")
         ->check(CLI::Range(1, 5000000));
@@ -51,7 +50,7 @@ void add_bench_tshirt(CLI::App& bench, int& exit_code) {
         "--no-growth{false}", experiment.has_growth,
         "Leave out the other rows: a body of 500,000 triangles, the sub-steps of dressing, 25,000 leaves");
     add_json_option(*command, arguments->json);
-    command->footer("Example: selvedge bench tshirt --threads 1 --json tshirt.json");
+    command->footer("Example: selvedge bench tshirt --json tshirt.json");
     command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

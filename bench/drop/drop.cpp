@@ -1,7 +1,6 @@
 #include "bench/drop/drop.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -13,11 +12,6 @@ namespace selvedge {
 namespace {
 
 constexpr float kNeverSampled = std::numeric_limits<float>::max();  // m, an edge that no triangle has
-
-double now(DropClock clock) {
-    if (clock == DropClock::ThreadTime) return thread_seconds();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 // The leaf vertex in the middle stays where it is. The middle of every grid is a vertex once it is refined.
 void pin_centre(ClothRun& run, double shift, const DropScene& scene) {
@@ -61,9 +55,9 @@ SphereDrop run_sphere_drop(const SphereDropOptions& options) {
     DropJudge judge(measured(drop.run), scene);
     std::vector<double> seconds;
     for (int frame = 1; frame <= scene.frames; ++frame) {
-        const double start = now(options.clock);
+        const double start = thread_seconds();
         run_frame(drop.run, sphere);
-        if (2 * frame > scene.frames) seconds.push_back(now(options.clock) - start);
+        if (2 * frame > scene.frames) seconds.push_back(thread_seconds() - start);
         if (is_sampled(frame)) judge.sample(positions(drop.run));
     }
     drop.quality = judge.quality();

@@ -32,15 +32,12 @@ class DropJudge {
     int samples_ = 0;
 };
 
-enum class DropClock { ThreadTime, WallTime };
-
 struct SphereDropOptions {
     int base_quads = 3;
     int substeps = 8;  // per frame
     double shift = 0;  // m, of the start, sideways
     // Contact at the vertices alone, as the solvers it is compared with have it; else in the middle of triangles too.
     bool has_contact_samples = false;
-    DropClock clock = DropClock::ThreadTime;
     DropScene scene{};
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "sim/core/parallel.h"
 #include "sim/core/quantile.h"
 
 namespace selvedge {
@@ -11,7 +10,6 @@ namespace {
 SphereDropOptions options_for(const DropExperiment& experiment, int substeps) {
     return {.base_quads = base_quads_for(experiment.triangles, experiment.scene),
             .substeps = substeps,
-            .clock = experiment.threads > 1 ? DropClock::WallTime : DropClock::ThreadTime,
             .scene = experiment.scene};
 }
 
@@ -99,8 +97,7 @@ std::vector<Cell> trial_cells(const DropTrial& trial) {
 Table trial_table(const DropReport& report) {
     Table table{
         .name = "drop",
-        .title = std::to_string(report.triangles) + " triangles dropped on a sphere, " +
-                 std::to_string(report.threads) + (report.threads > 1 ? " threads" : " thread"),
+        .title = std::to_string(report.triangles) + " triangles dropped on a sphere, by processor time",
         .note = "Sub-steps per frame of 1/60 s, each number tried once; ms per frame: median of frames 46 to 90."};
     table.columns = {"sub-steps",  "ms per frame",  "p99 stretch",    "max stretch", "p1",
                      "area error", "least gap, mm", "bias stiffness", "gates"};
@@ -174,9 +171,7 @@ void time_drops(const SphereDropOptions& options, int repetitions, DropReport& r
 }  // namespace
 
 DropReport measure_drop(const DropExperiment& experiment, const Progress& progress) {
-    const ThreadLimit limit(experiment.threads);
     DropReport report;
-    report.threads = experiment.threads;
     const int base_quads = base_quads_for(experiment.triangles, experiment.scene);
     report.triangles = triangle_count(base_quads, experiment.scene.level);
     report.chosen = search(experiment, report.trials, progress);
@@ -190,9 +185,9 @@ std::vector<Table> tables_of(const DropReport& report) {
     Table chosen{.name = "drop result", .title = "The cheapest setting that meets the gates"};
     if (!report.chosen.passes()) chosen.title = "No setting meets the gates; the last one tried";
     chosen.note = "Contact at the vertices; with samples: in the middle of triangles with an edge of 2 cm or more too.";
-    chosen.columns = {"triangles",       "threads",    "sub-steps", "ms per frame", "us per triangle and frame",
+    chosen.columns = {"triangles",       "sub-steps",  "ms per frame", "us per triangle and frame",
                       "ms with samples", "p99 stretch"};
-    chosen.add_row({report.triangles, report.threads, report.chosen.substeps, Cell(report.ms_per_frame, 4),
+    chosen.add_row({report.triangles, report.chosen.substeps, Cell(report.ms_per_frame, 4),
                     Cell(1e3 * report.ms_per_frame / report.triangles, 5), Cell(report.ms_with_samples, 4),
                     Cell(report.chosen.quality.p99_stretch, 4)});
     std::vector<Table> tables{trial_table(report), chosen};
@@ -204,7 +199,6 @@ Json to_json(const DropReport& report) {
     Json json = trial_json(report.chosen, report.ms_per_frame, report.triangles);
     json[drop_key::kMsWithSamples] = report.ms_with_samples;
     json[drop_key::kTriangles] = report.triangles;
-    json[drop_key::kThreads] = report.threads;
     if (report.converged) add_honesty(report, json);
     Json& trials = json[drop_key::kTrials] = Json::array();
     for (const DropTrial& trial : report.trials)

@@ -20,7 +20,6 @@ inline constexpr std::string_view kMaxStretch = "max_stretch";
 inline constexpr std::string_view kAreaError = "area_error";
 inline constexpr std::string_view kSubsteps = "substeps";
 inline constexpr std::string_view kTriangles = "triangles";
-inline constexpr std::string_view kThreads = "threads";
 inline constexpr std::string_view kMeetsGates = "meets_gates";
 inline constexpr std::string_view kMissed = "missed";
 inline constexpr std::string_view kP1Compression = "p1_compression";
@@ -41,7 +40,6 @@ inline constexpr std::string_view kTrials = "trials";
 
 struct DropExperiment {
     int triangles = 1152;
-    int threads = 1;
     std::optional<int> substeps{};  // none: searched for
     int most_substeps = 256;
     int repetitions = 5;
@@ -52,7 +50,6 @@ struct DropExperiment {
 
 struct DropReport {
     int triangles = 0;
-    int threads = 1;
     DropTrial chosen;            // the cheapest that passes, or the last tried when none does
     double ms_per_frame = 0;     // median over the repetitions' medians
     double ms_with_samples = 0;  // the same, per frame, with contact samples in the middle of triangles

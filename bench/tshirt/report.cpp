@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "sim/body/mannequin.h"
-#include "sim/core/parallel.h"
 #include "sim/dress/dress.h"
 #include "sim/pattern/pattern_file.h"
 
@@ -98,13 +97,11 @@ Json row_json(const TshirtRow& row) {
 }  // namespace
 
 TshirtReport measure_tshirt(const TshirtExperiment& experiment, const Progress& progress) {
-    const ThreadLimit limit(experiment.threads);
     const Pattern pattern = load_pattern(experiment.pattern).pattern;
     const Body body = mannequin_for(pattern, experiment.body_triangles);
     const BodyCollider collider(body);
-    TshirtReport report{.threads = experiment.threads, .rows = {}};
+    TshirtReport report;
     SwayOptions options = experiment.sway;
-    options.by_wall_clock = experiment.threads > 1;
 
     const Dressing usual = dress_cloth(pattern, body, collider, {.least_leaves = experiment.least_leaves}, progress);
     options.shortest_edge = usual.shortest_edge;
@@ -129,8 +126,7 @@ TshirtReport measure_tshirt(const TshirtExperiment& experiment, const Progress& 
 Table table_of(const TshirtReport& report) {
     Table table{
         .name = "tshirt",
-        .title = "One adaption and four steps of 1/120 s, " + std::to_string(report.threads) +
-                 (report.threads > 1 ? " threads" : " thread"),
+        .title = "One adaption and four steps of 1/120 s, by processor time",
         .note =
             "Gravity leans by 5 degrees and goes round once a second. Sub-steps per step: the fewest with which the "
             "99th percentile of stretch is at most what was asked for, or what was given; in the last two rows "
@@ -153,7 +149,6 @@ Table table_of(const TshirtReport& report) {
 
 Json to_json(const TshirtReport& report) {
     Json json = row_json(report.rows.front());
-    json[tshirt_key::kThreads] = report.threads;
     Json& rows = json[tshirt_key::kRows] = Json::array();
     for (const TshirtRow& row : report.rows) {
         Json row_with_name = row_json(row);

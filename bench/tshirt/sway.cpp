@@ -1,4 +1,3 @@
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -14,11 +13,6 @@ namespace selvedge {
 namespace {
 
 constexpr int kSteps = 4;  // of 1/120 s, to an adaption
-
-double now(bool by_wall_clock) {
-    if (!by_wall_clock) return thread_seconds();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 Vec3f leaning_gravity(double seconds) {
     const double lean = 5 * std::numbers::pi / 180;
@@ -36,9 +30,9 @@ class Cycles {
     void run(int cycle, bool is_measured) {
         seconds_ = cycle * kSteps / 120.0;
         const std::size_t allocated = allocations();
-        const double start = now(options_.by_wall_clock);
+        const double start = thread_seconds();
         const AdaptReport adapted = adapt_cloth(cloth_, body_, {.shortest_edge = options_.shortest_edge});
-        const double adapted_at = now(options_.by_wall_clock);
+        const double adapted_at = thread_seconds();
         const std::size_t allocated_by_adaption = allocations() - allocated;
         const bool compares = cycle % options_.shares_every == 0;
         const double without = compares ? steps_without_body() : 0;
@@ -77,12 +71,12 @@ class Cycles {
     std::size_t allocations() const { return options_.allocations == nullptr ? 0 : options_.allocations(); }
 
     double four_steps(Cloth& cloth, const Collider& body) const {
-        const double start = now(options_.by_wall_clock);
+        const double start = thread_seconds();
         for (int i = 0; i < kSteps; ++i) {
             step(cloth, body,
                  {.substeps = options_.substeps, .gravity = leaning_gravity(seconds_ + i / 120.0), .extra_damping = 2});
         }
-        return now(options_.by_wall_clock) - start;
+        return thread_seconds() - start;
     }
 
     // A copy takes them: the cloth itself goes on as if nobody had asked.

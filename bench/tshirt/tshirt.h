@@ -17,7 +17,6 @@ struct SwayOptions {
     int substeps = 12;                       // per step
     int cycles = 90;                         // of one adaption and four steps of 1/120 s
     int settling_cycles = 15;                // before, not measured
-    bool by_wall_clock = false;              // else by the processor time of this thread
     int shares_every = 5;                    // cycles, of which one is run without the body too
     std::size_t (*allocations)() = nullptr;  // how often this program asked for memory so far; none: not counted
 };
@@ -49,7 +48,6 @@ inline constexpr std::string_view kCollisionShare = "collision_share";
 inline constexpr std::string_view kP99Stretch = "p99_stretch";
 inline constexpr std::string_view kSubsteps = "substeps";
 inline constexpr std::string_view kBodyTriangles = "body_triangles";
-inline constexpr std::string_view kThreads = "threads";
 inline constexpr std::string_view kMsAdaption = "ms_adaption";
 inline constexpr std::string_view kMs4Steps = "ms_4_steps";
 inline constexpr std::string_view kUsPerLeaf = "us_per_leaf";
@@ -63,7 +61,6 @@ inline constexpr std::string_view kGrowthWithBody = "growth_with_body";
 
 struct TshirtExperiment {
     std::filesystem::path pattern;
-    int threads = 1;
     int body_triangles = 67000;     // at least
     int least_leaves = 6000;        // measured with 0 to 3 % more, whatever the garment splits and rejoins as it moves
     double most_stretch = 0.05;     // of warp and weft, 99th percentile
@@ -79,7 +76,6 @@ struct TshirtRow {
 };
 
 struct TshirtReport {
-    int threads = 1;
     std::vector<TshirtRow> rows;  // the first is the garment asked for
 };
 
