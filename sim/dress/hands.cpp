@@ -60,10 +60,11 @@ void Hands::pull(const MaterialPoint& at, const Vec3f& to) {
     has_news_ = true;
 }
 
-void Hands::pull_to(const Vec3f& to) {
-    if (!grip_) return;
+bool Hands::pull_to(const Vec3f& to) {
+    if (!grip_ || grip_->goal == to) return false;
     grip_->goal = to;
     has_news_ = true;
+    return true;
 }
 
 void Hands::forget_vertices() {

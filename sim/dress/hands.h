@@ -16,7 +16,7 @@ class Hands {
     void pin(const MaterialPoint& at) { pins_.push_back({.at = at}); }
     void unpin_all() { pins_.clear(); }
     void pull(const MaterialPoint& at, const Vec3f& to);
-    void pull_to(const Vec3f& to);
+    bool pull_to(const Vec3f& to);  // false: it is going there already, or pulls nothing
     void let_go() { grip_.reset(); }
     bool is_pulling() const { return grip_.has_value(); }
     bool has_pins() const { return !pins_.empty(); }

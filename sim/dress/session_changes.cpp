@@ -242,9 +242,7 @@ void SessionRun::pull(const MaterialPoint& at, const Vec3f& to) {
 }
 
 void SessionRun::pull_to(const Vec3f& to) {
-    if (!hands_.is_pulling() || !to.allFinite()) return;
-    hands_.pull_to(to);
-    wake();
+    if (to.allFinite() && hands_.pull_to(to)) wake();
 }
 
 void SessionRun::let_go() {

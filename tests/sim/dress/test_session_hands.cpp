@@ -46,6 +46,28 @@ TEST_F(SessionHands, a_pulled_point_comes_along_and_to_rest) {
     EXPECT_GT(nearest_to(goal), 0.01F);
 }
 
+// An editor says in each of its frames where the hand is.
+TEST_F(SessionHands, a_garment_that_a_hand_holds_still_settles_and_costs_no_steps) {
+    const auto before = session_.frame();
+    const ClothPoint hem = furthest_point(*before, 0, Vec3f(0, -1, 0.2F));
+    const Vec3f goal = position_of(*before, hem) + Vec3f(0, 0.05F, 0.08F);
+    session_.pull(hem, goal);
+    for (int i = 0; i < 400; ++i) {
+        session_.pull_to(goal);
+        session_.advance(1);
+    }
+    EXPECT_EQ(session_.frame()->stage, SessionStage::Settled);
+    const double settled_at = session_.frame()->statistics.simulated_seconds;
+    for (int i = 0; i < 30; ++i) {
+        session_.pull_to(goal);
+        session_.advance(1);
+    }
+    EXPECT_EQ(session_.frame()->statistics.simulated_seconds, settled_at);
+    session_.pull_to(goal + Vec3f(0, 0.02F, 0));
+    session_.advance(1);
+    EXPECT_EQ(session_.frame()->stage, SessionStage::Draping);
+}
+
 TEST_F(SessionHands, a_pull_that_the_cloth_cannot_follow_neither_tears_it_nor_pushes_it_into_the_body) {
     const auto before = session_.frame();
     const ClothPoint hem = furthest_point(*before, 0, Vec3f(0, -1, 0.2F));
