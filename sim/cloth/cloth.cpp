@@ -96,6 +96,7 @@ void refresh_solver(Cloth& cloth) {
     refresh_masses(cloth);
     cloth.damping = mean_damping(cloth);
     make_blocks(cloth);
+    wake(cloth);
 }
 
 void update_solver(Cloth& cloth) {
@@ -106,6 +107,7 @@ void update_solver(Cloth& cloth) {
     }
     update_masses(cloth);
     change_blocks(cloth);
+    wake(cloth);
 }
 
 void set_substep(Cloth& cloth, float substep) {

@@ -10,6 +10,7 @@
 #include "sim/adaptive/foresight.h"
 #include "sim/cloth/collision_criterion.h"
 #include "sim/cloth/contact.h"
+#include "sim/cloth/resting.h"
 #include "sim/cloth/solver_lists.h"
 #include "sim/core/vec.h"
 #include "sim/mesh/garment_mesh.h"
@@ -70,6 +71,7 @@ struct Cloth {
 
     SolverState solver{};
     ContactState contacts{};
+    RestingState resting{};
     CriteriaMemory adapting{};
     float damping = 0;  // 1/s, mean over the fabrics' area
     float substep = 0;  // s, the length that x_prev and the solver's blocks were made for

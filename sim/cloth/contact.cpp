@@ -171,6 +171,7 @@ void meet_samples(SolverState& solver, SampleBlock& samples, const Kernels& loop
 
 void refresh_contacts(Cloth& cloth, const ContactOptions& options) {
     ContactState& contacts = cloth.contacts;
+    wake(cloth);
     size_contacts(cloth, contacts);
     std::fill(contacts.friction.begin(), contacts.friction.end(), 0.0F);
     for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles()) add_friction(cloth, contacts, leaf.triangle);
@@ -198,6 +199,7 @@ void update_contacts(Cloth& cloth, const ContactOptions& options) {
 }
 
 void forget_contacts(Cloth& cloth) {
+    wake(cloth);
     std::fill(cloth.contacts.asked.begin(), cloth.contacts.asked.end(), nothing_known());
     for (SampleBlock& block : cloth.contacts.samples) {
         for (std::size_t at = 0; at < kBlock; ++at) {

@@ -25,6 +25,8 @@ struct ContactOptions {
     float sample_spacing = 0.025F;  // m, edges longer than this are sampled at least this often
     float sampled_edge = 0.02F;     // m: triangles of shorter edges dip less than the offset (L^2 / 8R, R over 2 cm)
     float floor = 0.0F;             // m, height of the floor
+
+    bool operator==(const ContactOptions&) const = default;
 };
 
 struct ContactState {

@@ -239,7 +239,8 @@ float step_seconds(const Cloth& cloth, const StepOptions& options) {
     return cloth.substep * static_cast<float>(options.substeps);
 }
 
-void step(Cloth& cloth, const Collider& body, const StepOptions& options) {
+StepReport step(Cloth& cloth, const Collider& body, const StepOptions& options) {
+    if (stays_at_rest(cloth, body, options)) return {};
     SolverState& solver = cloth.solver;
     const std::size_t count = cloth.x.size() + 1;
     solver.points.resize(count);
@@ -250,6 +251,7 @@ void step(Cloth& cloth, const Collider& body, const StepOptions& options) {
     solver.correction.resize(count, Vec4f::Zero());
     Stepper{cloth, kernels(simd_level()), body, options}.step();
     solver.substeps = (solver.substeps + options.substeps) % 2;
+    return {.substeps = options.substeps};
 }
 
 }  // namespace selvedge

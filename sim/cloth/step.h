@@ -36,11 +36,16 @@ struct StepOptions {
     float seam_gap = 0;                 // m, allowed at the end of this step
     float seam_gap_rate = 0;            // m per sub-step by which the gap shrinks within the step
     std::span<const LedVertex> led{};
+    bool may_rest = false;  // a cloth that has come to rest is left as it is until something could move it (resting.h)
+};
+
+struct StepReport {
+    int substeps = 0;  // that were computed: none if the cloth rests
 };
 
 // s, simulated.
 float step_seconds(const Cloth& cloth, const StepOptions& options);
 
-void step(Cloth& cloth, const Collider& body, const StepOptions& options);
+StepReport step(Cloth& cloth, const Collider& body, const StepOptions& options);
 
 }  // namespace selvedge

@@ -103,14 +103,14 @@ void DrapeRun::relax_frame(Cloth& cloth, const Collider& body) {
 
 void DrapeRun::fall_frame(Cloth& cloth, const Collider& body) {
     const float elapsed = static_cast<float>(result_.simulated_seconds - phase_start_);
-    StepOptions stepping{.gravity = options_.gravity, .contact = options_.contact};
+    StepOptions stepping{.gravity = options_.gravity, .contact = options_.contact, .may_rest = options_.may_rest};
     stepping.extra_damping = kFallDamping + options_.damping_growth * elapsed;
     // Biases ever slower as the garment comes to rest, or they would keep it awake.
     stepping.stretch_bias_rate *= briskness_;
     stepping.shear_bias_rate *= briskness_;
     AdaptClothOptions adapting = options_.adapt;
     adapting.may_rejoin = may_rejoin_;
-    adapt_once(cloth, body, adapting);
+    if (!options_.may_rest || !is_at_rest(cloth)) adapt_once(cloth, body, adapting);
     run_steps(cloth, body, stepping);
     may_rejoin_ = result_.rms_speed >= options_.calm_speed;
     briskness_ = std::min(1.0F, result_.rms_speed / options_.calm_speed);

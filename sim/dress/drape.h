@@ -23,6 +23,7 @@ struct DrapeOptions {
     double coarse_time = 0.2;             // s of them at level 0
     double finish_time = 0.2;             // s of all in finer sub-steps, at the end; longer if it takes longer to rest
     Vec3f gravity = Vec3f(0, -9.81F, 0);  // m/s^2
+    bool may_rest = false;                // in the fall: sim/cloth/resting.h
     AdaptClothOptions adapt{};
     ContactOptions contact{};
 

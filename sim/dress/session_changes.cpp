@@ -223,7 +223,10 @@ void SessionRun::set_options(const SessionOptions& asked) {
     apply_options();
     SessionOptions as_before = last;
     as_before.keeps_real_time = options.keeps_real_time;
-    if (drape_ && options_ != as_before) wake();
+    if (drape_ && options_ != as_before) {
+        selvedge::wake(drape_->cloth);
+        wake();
+    }
 }
 
 void SessionRun::reset() {

@@ -171,7 +171,7 @@ void SessionRun::end_sewing() {
 // --- draping
 
 DrapeOptions SessionRun::draping() const {
-    DrapeOptions draping{.max_seconds = std::numeric_limits<double>::infinity()};
+    DrapeOptions draping{.max_seconds = std::numeric_limits<double>::infinity(), .may_rest = true};
     if (!options_.has_gravity) draping.gravity.setZero();
     draping.adapt.criteria = options_.criteria;
     draping.adapt.curvature = options_.curvature;

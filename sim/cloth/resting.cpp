@@ -1,0 +1,70 @@
+#include "sim/cloth/resting.h"
+
+#include <algorithm>
+
+#include "sim/cloth/cloth.h"
+#include "sim/cloth/step.h"
+
+namespace selvedge {
+namespace {
+
+bool has_other_surroundings(RestingState& resting, const Collider& body, const StepOptions& options) {
+    const bool is_same =
+        resting.body == &body && resting.gravity == options.gravity && resting.contact == options.contact;
+    resting.body = &body;
+    resting.gravity = options.gravity;
+    resting.contact = options.contact;
+    return !is_same;
+}
+
+bool is_led_on(const Cloth& cloth, std::span<const LedVertex> all) {
+    return std::ranges::any_of(
+        all, [&](const LedVertex& led) { return (led.to - cloth.x[led.vertex].head<3>()).norm() > kLedReach; });
+}
+
+bool has_left_reach(const Cloth& cloth) {
+    const std::vector<Vec4f>& anchors = cloth.resting.anchors;
+    return std::ranges::any_of(cloth.mesh.leaf_vertices(), [&](VertexId v) {
+        return (cloth.x[v.value] - anchors[v.value]).squaredNorm() > kRestReach * kRestReach;
+    });
+}
+
+// What rests was left without speed, with its anchors where it is.
+bool was_touched(const Cloth& cloth) {
+    const std::vector<Vec4f>& anchors = cloth.resting.anchors;
+    return std::ranges::any_of(cloth.mesh.leaf_vertices(), [&](VertexId v) {
+        return cloth.x[v.value] != anchors[v.value] || cloth.x_prev[v.value] != anchors[v.value];
+    });
+}
+
+bool has_moved(const Cloth& cloth) {
+    if (cloth.resting.anchors.size() != cloth.x.size()) return true;
+    return is_at_rest(cloth) ? was_touched(cloth) : has_left_reach(cloth);
+}
+
+}  // namespace
+
+bool stays_at_rest(Cloth& cloth, const Collider& body, const StepOptions& options) {
+    RestingState& resting = cloth.resting;
+    const bool is_elsewhere = has_other_surroundings(resting, body, options);
+    if (!options.may_rest || is_elsewhere || !options.seams.empty() || is_led_on(cloth, options.led)) wake(cloth);
+    if (!options.may_rest) return false;
+    if (resting.quiet == 0 || has_moved(cloth)) {
+        resting.anchors = cloth.x;
+        resting.quiet = 0;
+    }
+    const bool rested = is_at_rest(cloth);
+    resting.quiet += step_seconds(cloth, options);
+    if (is_at_rest(cloth) && !rested) resting.anchors = cloth.x_prev = cloth.x;
+    return is_at_rest(cloth);
+}
+
+bool is_at_rest(const Cloth& cloth) {
+    return cloth.resting.quiet >= kRestSeconds;
+}
+
+void wake(Cloth& cloth) {
+    cloth.resting.quiet = 0;
+}
+
+}  // namespace selvedge
