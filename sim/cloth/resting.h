@@ -18,9 +18,9 @@ struct Cloth;
 struct StepOptions;
 class Collider;
 
-// m and s. What swings to and fro in 2 s, as a strip of 1 m does, stays within the reach for so long only if it swings
-// by less than 3.4 mm (reach / (1 - cos 45 degrees)), so at 11 mm/s at most: the speed at which a drape counts as
-// settled.
+// m and s. What swings to and fro in 2 s, as a strip of 1.5 m does, stays within the reach for so long only if it
+// swings by less than 3.4 mm (reach / (1 - cos 45 degrees)), so at 11 mm/s at most: the speed at which a drape counts
+// as settled.
 inline constexpr float kRestReach = 1e-3F;
 inline constexpr float kRestSeconds = 0.5F;
 
