@@ -41,6 +41,7 @@ void add_bench_command(CLI::App& app, int& exit_code) {
     add_bench_drop(*command, exit_code);
     add_bench_fabric(*command, exit_code);
     add_bench_picture(*command, exit_code);
+    add_bench_rest(*command, exit_code);
     add_bench_thesis(*command, exit_code);
     add_bench_tshirt(*command, exit_code);
 }
