@@ -19,8 +19,8 @@ void expect_one_line_and_exit_2(const std::string& arguments) {
 }
 
 TEST(Usage, every_subcommand_explains_itself_with_an_example) {
-    for (const char* command :
-         {"dress", "check", "mannequin", "render", "diff", "bench", "bench drop", "bench fabric", "bench rest", "bench tshirt"}) {
+    for (const char* command : {"dress", "check", "mannequin", "render", "diff", "bench", "bench drop", "bench fabric",
+                                "bench rest", "bench tshirt"}) {
         SCOPED_TRACE(command);
         const ProgramResult result = run_selvedge(std::string(command) + " --help");
         EXPECT_EQ(result.exit_code, 0);
