@@ -67,11 +67,12 @@ std::string RealDisplay::missing_program() {
     return "";
 }
 
+// Without -noreset the server starts anew whenever its last client has gone, and refuses who comes meanwhile.
 RealDisplay::RealDisplay(int width_px, int height_px) {
     const std::string size = std::to_string(width_px) + "x" + std::to_string(height_px) + "x24";
     const std::string said = scratch_ / "server";
     server_ = std::make_unique<RunningProgram>(
-        std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0", size, "-nolisten", "tcp"},
+        std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0", size, "-nolisten", "tcp", "-noreset"},
         std::vector<std::string>{}, said);
     const auto has_number = [&] {  // a line of digits; what it has to say besides goes to the same file
         std::istringstream lines(content_of(said));
