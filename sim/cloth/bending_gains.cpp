@@ -1,4 +1,4 @@
-// Gains of the triangles that bend, and how often leaves are visited: a part of triangle_bending.h.
+// Gains of the triangles that bend, and how often they are visited: a part of triangle_bending.h.
 #include <algorithm>
 #include <span>
 
@@ -22,26 +22,9 @@ void weigh_dirty(SolverState& solver, const Kernels& loops) {
     solver.lanes.dirty_bend.for_runs([&](std::size_t first, std::size_t count) {
         loops.weigh_bend(std::span(solver.blocks.bend).subspan(first, count),
                          std::span(solver.blocks.bend_records).subspan(first, count),
-                         solver.lanes.inverse_masses.data(), solver.blocks.bend_interval);
+                         solver.lanes.inverse_masses.data());
     });
     solver.lanes.dirty_bend.clear();
-}
-
-// Bending that is slow against two sub-steps is visited each second one, with the impulse of two (the impulse method of
-// multiple time steps; Tuckerman et al. 1992). What few leaves cannot realise so, refined triangles do. Once chosen it
-// is kept for twice as many of them, or it would change with each adaptation.
-int chosen_interval(const SolverBlocks& blocks) {
-    constexpr float kLeastRoom = 16;  // of what a visit each sub-step realises at most, over what is asked
-    constexpr std::size_t kFew = 50;
-    std::size_t stiff = 0, count = 0;
-    for (const BendRecord& record : blocks.bend_records) {
-        for (std::size_t at = 0; at < kBlock; ++at) {
-            if (record.asked[at] <= 0) continue;
-            ++count;
-            stiff += record.room[at] < kLeastRoom ? 1 : 0;
-        }
-    }
-    return (blocks.bend_interval == 2 ? kFew / 2 : kFew) * stiff <= count ? 2 : 1;
 }
 
 }  // namespace
@@ -49,12 +32,6 @@ int chosen_interval(const SolverBlocks& blocks) {
 void weigh_bending(Cloth& cloth, const Kernels& loops) {
     SolverState& solver = cloth.solver;
     weigh_dirty(solver, loops);
-    const int interval = chosen_interval(solver.blocks);
-    if (interval != solver.blocks.bend_interval) {
-        solver.blocks.bend_interval = interval;
-        solver.lanes.dirty_bend.mark_all(solver.blocks.bend.size());
-        weigh_dirty(solver, loops);
-    }
     std::fill(solver.lanes.asked.begin(), solver.lanes.asked.end(), 0.0F);
     hand_up(solver.lanes, solver.blocks.bend_records);
 }
@@ -79,13 +56,14 @@ void weigh_coarse_bending(Cloth& cloth, const Kernels& loops, int level) {
         const std::size_t at = slot % kBlock;
         if (block.realised[at] > 0) set_lane(block.anchor, at, curvature_now(cloth, block, at));
     }
-    parents.bends = false;
+    parents.bends = parents.bends_each = false;
     for (const TriangleId t : cloth.mesh.refined_triangles(level)) {
         const std::uint32_t slot = solver.lanes.bend_of[t.value];
         CoarseBendBlock& block = parents.bend[slot / kBlock];
         const bool bends = block.realised[slot % kBlock] > 0;
         if (!bends) set_lane(block.anchor, slot % kBlock, Vec3f::Zero());
         parents.bends = parents.bends || bends;
+        parents.bends_each = parents.bends_each || block.is_each[slot % kBlock] > 0;
     }
     hand_up(solver.lanes, parents.bend_records);
 }

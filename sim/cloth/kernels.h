@@ -50,9 +50,7 @@ struct Kernels {
     // Gains of constraints from the inverse masses of their vertices (1/kg; 0: cannot move), after an adaption.
     void (*weigh_stretch)(std::span<StretchBlock> blocks, std::span<const StretchRecord> records,
                           const float* inverse_masses);
-    // interval: sub-steps from one visit to the next.
-    void (*weigh_bend)(std::span<BendBlock> blocks, std::span<BendRecord> records, const float* inverse_masses,
-                       int interval);
+    void (*weigh_bend)(std::span<BendBlock> blocks, std::span<BendRecord> records, const float* inverse_masses);
 
     // The same of refined triangles. masses: of a vertex with all that follows it, kg; 0: cannot move.
     void (*weigh_coarse_bend)(std::span<CoarseBendBlock> blocks, std::span<BendRecord> records, const float* masses);
@@ -79,9 +77,9 @@ struct Kernels {
     void (*limit_stretch)(std::span<const OverBlock> blocks, float* points);
 
     // One pass over the bending of triangles; anchors of friction follow. Of refined ones, of those alone to which
-    // something was handed up.
-    void (*solve_bend)(std::span<BendBlock> blocks, float* points);
-    void (*solve_coarse_bend)(std::span<CoarseBendBlock> blocks, float* points);
+    // something was handed up. is_second: of all, else of those that want a visit in each sub-step.
+    void (*solve_bend)(std::span<BendBlock> blocks, float* points, bool is_second);
+    void (*solve_coarse_bend)(std::span<CoarseBendBlock> blocks, float* points, bool is_second);
 
     // Takes back what warp and weft of refined triangles are longer than they may be, with the shear that goes with it;
     // with `records` the multipliers are kept.

@@ -124,7 +124,8 @@ struct alignas(64) BendBlock {
     std::array<BlockFloats, 3> own_foot{},
         beyond_foot{};                     // of those heights along the edge: 0 at its beginning, 1 at its end
     std::array<BlockFloats, 6> gain{};     // multiplier per angle, symmetric: 00 11 22 01 02 12
-    BlockFloats realised{};                // share of the fabric's rigidity that one visit makes
+    BlockFloats realised{};                // share of the fabric's rigidity that its visits make
+    BlockFloats is_each{};                 // 1: visited in each sub-step; 0: in each second, with the impulse of two
     BlockFloats has_friction{};            // 1 or 0: what follows is of those
     std::array<BlockFloats, 9> map{};      // curvature per angle, by rows: warp, weft, 2 twist; 1/m
     std::array<BlockFloats, 9> settled{};  // the same per angle that is seen, when all have had their turn
@@ -149,7 +150,6 @@ struct alignas(64) BendRecord {
     BlockFloats of_area{};                   // the triangle's, of its parent's
     BlockFloats asked{};                     // share of the rigidity: 1 of leaves, else what was handed up
     BlockFloats handed_up{};                 // what is left of that
-    BlockFloats room{};                      // how often a visit in each sub-step could realise the rigidity
 };
 
 // Friction's springs are that much stiffer than the fabric: it slips at a small part of the curvatures or shears over
@@ -170,7 +170,8 @@ struct ParentLevel {
     std::vector<EdgeCentre> centres;  // that may move
     std::vector<CoarseBendBlock> bend;
     std::vector<BendRecord> bend_records;
-    bool bends = false;  // whether something was handed up to it
+    bool bends = false;       // whether something was handed up to it
+    bool bends_each = false;  // whether something of that wants a visit in each sub-step
 };
 
 struct SolverBlocks {
@@ -185,7 +186,6 @@ struct SolverBlocks {
     OverBlock spare{};  // of spare lanes
     std::vector<BendBlock> bend;
     std::vector<BendRecord> bend_records;
-    int bend_interval = 1;             // sub-steps from one visit of the leaves that bend to the next
     std::vector<ParentLevel> parents;  // coarse to fine
     CarriedStress carried;
 };

@@ -30,17 +30,17 @@ struct Stepper {
 
     void step();
     void substep(int i);
-    bool visits_bend(int i) const { return (cloth.solver.substeps + i) % cloth.solver.blocks.bend_interval == 0; }
+    bool is_second(int i) const { return (cloth.solver.substeps + i) % 2 == 0; }
     void load_points();
     void store_points();
     void predict(int i);
     void lead(int i);
     void add_momentum();
     void keep_corrections();
-    void solve_coarse_bend();
+    void solve_coarse_bend(bool is_second);
     void limit_parents(bool is_last);
     void carry_centres(std::size_t level);
-    void solve_bend();
+    void solve_bend(bool is_second);
     void solve_stretch(bool is_last);
     void limit_stretch();
     void update_bias();
@@ -59,8 +59,8 @@ void Stepper::step() {
 void Stepper::substep(int i) {
     const bool is_last = i + 1 == options.substeps;
     predict(i);
-    solve_coarse_bend();
-    if (visits_bend(i)) solve_bend();
+    solve_coarse_bend(is_second(i));
+    solve_bend(is_second(i));
     add_momentum();
     limit_parents(is_last);
     solve_stretch(is_last);
@@ -123,16 +123,16 @@ void Stepper::keep_corrections() {
 
 // Coarse to fine: what a level moves its vertices by, the centres of its edges follow, so that the next level starts
 // from there. Most cloths hand no bending up.
-void Stepper::solve_coarse_bend() {
+void Stepper::solve_coarse_bend(bool is_second) {
     SolverState& solver = cloth.solver;
-    const auto bends = [](const ParentLevel& level) { return level.bends; };
+    const auto bends = [&](const ParentLevel& level) { return is_second ? level.bends : level.bends_each; };
     if (std::ranges::none_of(solver.blocks.parents, bends)) return;
     std::copy_n(solver.points.begin(), cloth.x.size(), solver.carried.begin());
     for (std::size_t level = 0; level < solver.blocks.parents.size(); ++level) {
         ParentLevel& parents = solver.blocks.parents[level];
-        if (parents.bends) {
+        if (bends(parents)) {
             for (const auto& [first, count] : solver.lanes.coarse_bend[level].runs()) {
-                loops.solve_coarse_bend(std::span(parents.bend).subspan(first, count), points());
+                loops.solve_coarse_bend(std::span(parents.bend).subspan(first, count), points(), is_second);
             }
         }
         carry_centres(level);
@@ -156,10 +156,10 @@ void Stepper::carry_centres(std::size_t level) {
     loops.carry_centres(solver.blocks.parents[level].centres, floats(solver.carried), points());
 }
 
-void Stepper::solve_bend() {
+void Stepper::solve_bend(bool is_second) {
     SolverState& solver = cloth.solver;
     for (const auto& [first, count] : solver.lanes.bend.runs()) {
-        loops.solve_bend(std::span(solver.blocks.bend).subspan(first, count), points());
+        loops.solve_bend(std::span(solver.blocks.bend).subspan(first, count), points(), is_second);
     }
 }
 

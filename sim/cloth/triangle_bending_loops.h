@@ -57,15 +57,18 @@ struct Fold {
 // What internal friction adds: by each curvature, a spring to an anchor that follows at a distance (Prandtl's element).
 // The curvature is the one that will be left when all have had their turn: an anchor that followed what is seen before
 // would be dragged along by each sub-step's fall, and friction would creep.
-[[gnu::always_inline]] inline Xyz with_friction(BendBlock& block, std::size_t at, const Xyz& angles, Xyz multipliers) {
+[[gnu::always_inline]] inline Xyz with_friction(BendBlock& block, std::size_t at, const Xyz& angles, Xyz multipliers,
+                                                Floats visited) {
     for (std::size_t k = 0; k < 3; ++k) {
         const Floats c0 = load_at(block.map[3 * k], at), c1 = load_at(block.map[3 * k + 1], at),
                      c2 = load_at(block.map[3 * k + 2], at);
         const Floats bent = lanes::multiply_add(load_at(block.settled[3 * k], at), angles.x,
                                                 lanes::multiply_add(load_at(block.settled[3 * k + 1], at), angles.y,
                                                                     load_at(block.settled[3 * k + 2], at) * angles.z));
-        const Floats off = held_within(bent - load_at(block.anchor[k], at), load_at(block.slip[k], at));
-        lanes::store(&block.anchor[k][at], bent - off);
+        const Floats anchor = load_at(block.anchor[k], at);
+        const Floats off = held_within(bent - anchor, load_at(block.slip[k], at));
+        lanes::store(&block.anchor[k][at],
+                     lanes::where(visited > 0.0F, bent - off) + lanes::where(visited <= 0.0F, anchor));
         const Floats by = load_at(block.stick[k], at) * off;
         multipliers.x = lanes::multiply_add(c0, by, multipliers.x);
         multipliers.y = lanes::multiply_add(c1, by, multipliers.y);
@@ -93,7 +96,7 @@ template <class Block>
 // Forces are the angles' derivatives: along the normals of either side of a hinge, so that they do not vanish where
 // cloth is folded back upon itself.  (Grinspun et al. 2006)
 template <bool has_friction, class Block>
-[[gnu::always_inline]] inline void bend_lanes(Block& block, std::size_t at, float* points) {
+[[gnu::always_inline]] inline void bend_lanes(Block& block, std::size_t at, float* points, Floats visited) {
     std::array<Rows, 6> kept;
     const auto read = [&](std::size_t i) { return lanes::gather_points(points, &block.vertices[i][at]); };
     const auto read_again = [&](std::size_t i) { return kReadsTwice ? read(i) : kept[i]; };
@@ -112,8 +115,8 @@ template <bool has_friction, class Block>
         fold_of(block, 2, at, e1, from_first(5), normal)};
     const Xyz angles{fold[0].angle, fold[1].angle, fold[2].angle};
     Xyz multipliers = gained(block, at, angles);
-    if constexpr (has_friction) multipliers = with_friction(block, at, angles, multipliers);
-    const std::array<Floats, 3> m{multipliers.x, multipliers.y, multipliers.z};
+    if constexpr (has_friction) multipliers = with_friction(block, at, angles, multipliers, visited);
+    const std::array<Floats, 3> m{multipliers.x * visited, multipliers.y * visited, multipliers.z * visited};
 
     // By the hinges: what the apexes beyond get, and what the triangle's own corners get along its normal. Where a
     // hinge is missing a corner stands for the apex, and is written last.
@@ -135,21 +138,27 @@ template <bool has_friction, class Block>
 }
 
 template <class Block>
-[[gnu::always_inline]] inline void bend_block(Block& block, float* points) {
-    if (has_positive(block.has_friction)) {
-        for (std::size_t at = 0; at < kBlock; at += lanes::kCount) bend_lanes<true>(block, at, points);
-    } else {
-        for (std::size_t at = 0; at < kBlock; at += lanes::kCount) bend_lanes<false>(block, at, points);
+[[gnu::always_inline]] inline void bend_block(Block& block, float* points, bool is_second) {
+    const bool has_friction = has_positive(block.has_friction);
+    for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+        const Floats visited = is_second ? lanes::all(1.0F) : load_at(block.is_each, at);
+        if (has_friction) {
+            bend_lanes<true>(block, at, points, visited);
+        } else {
+            bend_lanes<false>(block, at, points, visited);
+        }
     }
 }
 
-void solve_bend(std::span<BendBlock> blocks, float* points) {
-    for (BendBlock& block : blocks) bend_block(block, points);
+void solve_bend(std::span<BendBlock> blocks, float* points, bool is_second) {
+    for (BendBlock& block : blocks) {
+        if (is_second || has_positive(block.is_each)) bend_block(block, points, is_second);
+    }
 }
 
-void solve_coarse_bend(std::span<CoarseBendBlock> blocks, float* points) {
+void solve_coarse_bend(std::span<CoarseBendBlock> blocks, float* points, bool is_second) {
     for (CoarseBendBlock& block : blocks) {
-        if (has_positive(block.realised)) bend_block(block, points);
+        if (has_positive(is_second ? block.realised : block.is_each)) bend_block(block, points, is_second);
     }
 }
 
@@ -236,20 +245,24 @@ constexpr float kMostStiffness = 2 * kCap / (2 - kCap);
 constexpr float kBendStick = 2;
 constexpr float kLeastShare = 0.03F;  // of the rigidity: less is not worth a visit
 
+// A triangle is visited each second sub-step, with the impulse of two, where that makes all that is asked of it (the
+// impulse method of multiple time steps; Tuckerman et al. 1992).
 template <class Block>
 [[gnu::always_inline]] inline void weigh_lanes(Block& block, BendRecord& record, std::size_t at,
-                                               const std::array<Floats, 6>& w, float interval) {
+                                               const std::array<Floats, 6>& w) {
     const Symmetric sigma = response(block, at, w);
     const Floats one = lanes::all(1.0F);
     const Floats asked = load_at(record.asked, at);
     const Floats has_friction = load_at(block.has_friction, at);
     Symmetric stiffness;
-    for (std::size_t i = 0; i < 6; ++i) stiffness[i] = load_at(record.stiffness[i], at) * interval;
-    const Floats room =
-        lanes::all(kMostStiffness * interval) /
-        (trace_of_product(stiffness, sigma) * lanes::multiply_add(has_friction, lanes::all(kBendStick), one));
-    const Floats most = room * (1 / (interval * interval));
-    lanes::store(&record.room[at], room);
+    for (std::size_t i = 0; i < 6; ++i) stiffness[i] = load_at(record.stiffness[i], at);
+    const Floats room = lanes::all(kMostStiffness) / (trace_of_product(stiffness, sigma) *
+                                                      lanes::multiply_add(has_friction, lanes::all(kBendStick), one));
+    const Floats is_each = lanes::where(asked * 4.0F > room, one);
+    const Floats interval = 2.0F - is_each;
+    const Floats most = room / (interval * interval);
+    for (Floats& s : stiffness) s = s * interval;
+    lanes::store(&block.is_each[at], lanes::where(asked >= kLeastShare, is_each));
     const Floats realised = lanes::where(asked >= kLeastShare, lanes::lesser(asked, most));
     lanes::store(&record.handed_up[at], lanes::where(asked >= kLeastShare, asked - realised));
     lanes::store(&block.realised[at], realised);
@@ -279,12 +292,12 @@ template <class Block>
     }
 }
 
-void weigh_bend(std::span<BendBlock> blocks, std::span<BendRecord> records, const float* inverse_masses, int interval) {
+void weigh_bend(std::span<BendBlock> blocks, std::span<BendRecord> records, const float* inverse_masses) {
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
             std::array<Floats, 6> w;
             for (std::size_t v = 0; v < 6; ++v) w[v] = value_at(blocks[i].vertices[v], at, inverse_masses);
-            weigh_lanes(blocks[i], records[i], at, w, static_cast<float>(interval));
+            weigh_lanes(blocks[i], records[i], at, w);
         }
     }
 }
@@ -298,7 +311,7 @@ void weigh_coarse_bend(std::span<CoarseBendBlock> blocks, std::span<BendRecord> 
                 w[v] = lanes::where(mass > 0.0F, 1.0F / lanes::greater(mass, lanes::all(kTiny)));
                 lanes::store(&blocks[i].inverse_mass[v][at], w[v]);
             }
-            weigh_lanes(blocks[i], records[i], at, w, 1);
+            weigh_lanes(blocks[i], records[i], at, w);
         }
     }
 }

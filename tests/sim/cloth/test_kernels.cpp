@@ -95,7 +95,7 @@ void limit_and_carry(const Cloth& cloth, const Kernels& loops, std::span<const L
                      Points& points, LimitRecord* records = nullptr, std::span<CoarseBendBlock> bend = {}) {
     Points carried = points;
     loops.limit_parents(blocks, records, floats(points));
-    loops.solve_coarse_bend(bend, floats(points));
+    loops.solve_coarse_bend(bend, floats(points), true);
     for (std::size_t below = level; below < cloth.solver.blocks.parents.size(); ++below) {
         loops.carry_centres(cloth.solver.blocks.parents[below].centres, floats(carried), floats(points));
     }
@@ -141,8 +141,8 @@ Cloth rolled_patch(int level) {
 TEST_P(KernelsAtLevel, bending_pushes_nothing_and_turns_nothing) {
     const auto expect = [&](const Cloth& cloth, double torque_share) {
         expect_no_push<BendBlock>(
-            cloth, cloth.solver.blocks.bend, [&](auto one, Points& points) { loops().solve_bend(one, floats(points)); },
-            torque_share);
+            cloth, cloth.solver.blocks.bend,
+            [&](auto one, Points& points) { loops().solve_bend(one, floats(points), true); }, torque_share);
     };
     std::mt19937 random(12);
     expect(rolled_patch(1), 0.001);
@@ -156,7 +156,7 @@ TEST_P(KernelsAtLevel, bending_of_refined_triangles_pushes_nothing_and_turns_lit
             cloth, cloth.solver.blocks.parents[level].bend,
             [&](auto one, Points& points) {
                 Points carried = points;
-                loops().solve_coarse_bend(one, floats(points));
+                loops().solve_coarse_bend(one, floats(points), true);
                 for (std::size_t below = level; below < cloth.solver.blocks.parents.size(); ++below) {
                     loops().carry_centres(cloth.solver.blocks.parents[below].centres, floats(carried), floats(points));
                 }
@@ -184,7 +184,7 @@ TEST_P(KernelsAtLevel, bending_leaves_a_flat_patch_flat_however_it_lies) {
     refine(cloth, 2);
     move_to(cloth, Eigen::AngleAxisf(1.0F, Vec3f(1, 2, 3).normalized()).toRotationMatrix(), Vec3f(0.1F, 0.2F, 0.3F));
     Points points = solver_points(cloth, cloth.x);
-    loops().solve_bend(cloth.solver.blocks.bend, floats(points));
+    loops().solve_bend(cloth.solver.blocks.bend, floats(points), true);
     for (const VertexId v : cloth.mesh.leaf_vertices()) {
         EXPECT_LT((points[v.value] - padded(cloth.x[v.value].head<3>())).head<3>().norm(), 1e-6F);
     }
@@ -270,7 +270,7 @@ Sweep swept(const Kernels& loops) {
         limit_and_carry(cloth, loops, blocks.parents[level].triangles, level, s.points, s.parents[level].records.data(),
                         s.parents[level].bend);
     }
-    loops.solve_bend(s.bend, floats(s.points));
+    loops.solve_bend(s.bend, floats(s.points), true);
     for (const BlockColoring::Run& run : cloth.solver.lanes.stretch.runs()) {
         const std::span<StretchBlock> some = std::span(s.stretch).subspan(run.first, run.count);
         std::vector<OverBlock> over(run.count);
@@ -348,7 +348,7 @@ TEST(Kernels, of_avx2_and_avx512_weigh_bending_with_the_same_bits) {
     std::vector<float> inverse_masses = lanes.inverse_masses;  // others than it was weighed with
     for (float& w : inverse_masses) w *= 2;
     const auto weigh = [&](const Kernels& loops, SolverBlocks& blocks) {
-        loops.weigh_bend(blocks.bend, blocks.bend_records, inverse_masses.data(), 1);
+        loops.weigh_bend(blocks.bend, blocks.bend_records, inverse_masses.data());
         loops.weigh_coarse_bend(blocks.parents[1].bend, blocks.parents[1].bend_records, lanes.masses[1].data());
     };
     weigh(kernels(SimdLevel::Avx2), narrow);

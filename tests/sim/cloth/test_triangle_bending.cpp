@@ -114,7 +114,7 @@ double push_of_fold(double degrees) {
     cloth.x[3] =
         Vec4f(0.05F, -0.1F * static_cast<float>(std::cos(angle)), 0.1F * static_cast<float>(std::sin(angle)), 0);
     std::vector<Vec4f> points = solver_points(cloth, cloth.x);
-    kernels(simd_level()).solve_bend(cloth.solver.blocks.bend, floats(points));
+    kernels(simd_level()).solve_bend(cloth.solver.blocks.bend, floats(points), true);
     return double((points[3] - solver_points(cloth, cloth.x)[3]).norm());
 }
 
@@ -141,7 +141,7 @@ TEST(TriangleBending, moves_no_point_twice_where_three_triangles_meet_alone) {
     mesh.panel_grain_angles = {0};
     Cloth cloth = make_cloth(mesh, {springy(0.1)});
     std::vector<Vec4f> points = solver_points(cloth, cloth.x);
-    kernels(simd_level()).solve_bend(cloth.solver.blocks.bend, floats(points));
+    kernels(simd_level()).solve_bend(cloth.solver.blocks.bend, floats(points), true);
     Vec3d push = Vec3d::Zero();
     double size = 0;
     for (std::size_t v = 0; v < 4; ++v) {
