@@ -14,7 +14,7 @@ namespace {
 
 template <class Block>
 bool are_same_bytes(const std::vector<Block>& a, const std::vector<Block>& b) {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Block)) == 0;
+    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Block)) == 0);
 }
 
 void expect_same_blocks(const SolverBlocks& a, const SolverBlocks& b) {
