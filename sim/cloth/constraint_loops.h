@@ -41,14 +41,8 @@ struct Strains {
             -lanes::multiply_add(cross, shear, strain.weft) * weft, shear};
 }
 
-// How much of their corrections warp and weft may take at once: half where shear has laid one along the other, for then
-// each moves what the other moves as well.
-[[gnu::always_inline]] inline Floats share_of_both(Floats cosine) {
-    return lanes::multiply_add(lanes::greater(cosine, -cosine), lanes::all(-0.5F), lanes::all(1.0F));
-}
-
-[[gnu::always_inline]] inline Strains relaxed(const Strains& m, Floats share) {
-    share = share * kLeafShare;
+[[gnu::always_inline]] inline Strains relaxed(const Strains& m) {
+    const Floats share = lanes::all(kLeafShare);
     return {m.warp * share, m.weft * share, m.shear * share};
 }
 
@@ -100,7 +94,7 @@ template <bool keeps_multipliers>
             normalise(t);
             Strains strains = biased_strains(block, at, t);
             if (rubs) strains.shear = strains.shear + held_shear(block, at, shear_of(t));
-            const Strains m = relaxed(multipliers(block, at, strains), share_of_both(dot(t.warp, t.weft)));
+            const Strains m = relaxed(multipliers(block, at, strains));
             if constexpr (keeps_multipliers) {
                 store_three(records[&block - blocks.data()].multiplier, at, m.warp, m.weft, m.shear);
             }
@@ -128,10 +122,8 @@ void limit_stretch(std::span<const OverBlock> blocks, float* points) {
             Threads t = directions(block, at, c.x0, c.x1, c.x2);
             normalise(t);
             const Floats longest = load_at(block.longest, at);
-            const Floats share = share_of_both(dot(t.warp, t.weft));
-            const Strains back{lanes::lesser(longest - t.warp_length, Floats{}) * load_at(block.warp, at) * share,
-                               lanes::lesser(longest - t.weft_length, Floats{}) * load_at(block.weft, at) * share,
-                               Floats{}};
+            const Strains back{lanes::lesser(longest - t.warp_length, Floats{}) * load_at(block.warp, at),
+                               lanes::lesser(longest - t.weft_length, Floats{}) * load_at(block.weft, at), Floats{}};
             if (lanes::bits(lanes::lesser(back.warp, back.weft) < 0.0F) == 0) continue;
             put_corners(block, at, corrected(block, at, c, t, back), points);
         }
