@@ -13,9 +13,8 @@ std::span<const TriangleId> inside(const AdaptiveTriangle& triangle) {
     return {triangle.internal_triangles.data(), layout(triangle.configuration).triangle_count};
 }
 
-void set_kept(Cloth& cloth, TriangleId t, const Vec3f& value, const Vec3f& limit) {
-    if (t.value >= cloth.bias.size()) cloth.bias.resize(cloth.mesh.triangles().capacity());
-    cloth.bias[t.value] = {.value = value, .limit = limit, .adaption = cloth.adaptions};
+void set_kept(Cloth& cloth, TriangleId t, const KeptBias& bias) {
+    cloth.saved_bias.save(t, cloth.adaptions, bias);
 }
 
 // A triangle that is refined goes on to carry what it did: its leaves, of less mass, carry little with the same bias.
@@ -23,8 +22,7 @@ Vec3f limit_of_leaf(const Vec3f& value) {
     return {std::max(0.0F, value.x()), std::max(0.0F, value.y()), value.z()};
 }
 void set_leaf(Cloth& cloth, TriangleId t, const Vec3f& value, float anchor) {
-    set_kept(cloth, t, value, limit_of_leaf(value));
-    cloth.bias[t.value].anchor = anchor;
+    set_kept(cloth, t, {.value = value, .limit = limit_of_leaf(value), .anchor = anchor});
 }
 
 // And back: the same share of a strain is taken back.
@@ -34,22 +32,16 @@ Vec3f leaf_of_limit(const Vec3f& mean, const Vec3f& limit) {
 }
 
 bool is_kept(const Cloth& cloth, TriangleId t) {
-    return t.value < cloth.bias.size() && cloth.bias[t.value].adaption == cloth.adaptions;
+    return cloth.saved_bias.find(t, cloth.adaptions) != nullptr;
 }
 
 KeptBias bias_in(const Cloth& cloth, std::uint32_t lane) {
-    const StretchBlock& block = cloth.solver.blocks.stretch[lane / kBlock];
+    const StretchBlock& block = cloth.solver.constraints.stretch.blocks[lane / kBlock];
     return {.value = lane_of(block.bias, lane % kBlock), .anchor = block.anchor[lane % kBlock]};
 }
 
-void set_bend(Cloth& cloth, TriangleId t, const KeptBend& bend) {
-    if (t.value >= cloth.bend.size()) cloth.bend.resize(cloth.mesh.triangles().capacity());
-    cloth.bend[t.value] = bend;
-    cloth.bend[t.value].adaption = cloth.adaptions;
-}
-
-bool is_bend_kept(const Cloth& cloth, TriangleId t) {
-    return t.value < cloth.bend.size() && cloth.bend[t.value].adaption == cloth.adaptions;
+Vec3f limit_in(const ParentLevel& level, std::uint32_t lane) {
+    return lane_of(level.limits.records[lane / kBlock].bias, lane % kBlock);
 }
 
 // Of those that are known.
@@ -90,21 +82,17 @@ void fit_lane(LimitRecord& record, std::size_t at, float ratio) {
     }
 }
 
-Vec3f limit_in(const Cloth& cloth, TriangleId t, std::uint32_t lane) {
-    const SolverState& solver = cloth.solver;
-    return lane_of(solver.blocks.parents[solver.lanes.limit_level[t.value]].records[lane / kBlock].bias, lane % kBlock);
-}
-
 }  // namespace
 
 void fit_biases(Cloth& cloth, float ratio) {
-    SolverBlocks& blocks = cloth.solver.blocks;
-    for (std::size_t lane = 0; lane < blocks.triangle_of.size(); ++lane) {
-        if (blocks.triangle_of[lane] == kSpare) continue;
-        fit_lane(blocks.stretch[lane / kBlock], blocks.records[lane / kBlock], lane % kBlock, ratio);
+    Constraints& constraints = cloth.solver.constraints;
+    for (std::size_t lane = 0; lane < constraints.triangle_of.size(); ++lane) {
+        if (constraints.triangle_of[lane] == kSpare) continue;
+        fit_lane(constraints.stretch.blocks[lane / kBlock], constraints.stretch.records[lane / kBlock], lane % kBlock,
+                 ratio);
     }
-    for (ParentLevel& level : blocks.parents) {
-        for (LimitRecord& record : level.records) {
+    for (ParentLevel& level : constraints.parents) {
+        for (LimitRecord& record : level.limits.records) {
             for (std::size_t at = 0; at < kBlock; ++at) {
                 if (record.place[at] != kNoPlace) fit_lane(record, at, ratio);
             }
@@ -113,26 +101,28 @@ void fit_biases(Cloth& cloth, float ratio) {
 }
 
 KeptBias kept_bias(const Cloth& cloth, TriangleId t) {
-    if (is_kept(cloth, t)) return cloth.bias[t.value];
-    const std::uint32_t lane = stretch_lane(cloth, t);
+    if (const KeptBias* const kept = cloth.saved_bias.find(t, cloth.adaptions)) return *kept;
+    const std::uint32_t lane = cloth.solver.constraints.stretch.lane_of(t, indices(cloth.mesh.triangle(t).vertices));
     return lane == kSpare ? KeptBias{} : bias_in(cloth, lane);
 }
 
 Vec3f kept_limit(const Cloth& cloth, TriangleId t) {
-    if (is_kept(cloth, t)) return cloth.bias[t.value].limit;
-    const std::uint32_t lane = limit_lane(cloth, t);
-    return lane == kSpare ? Vec3f(Vec3f::Zero()) : limit_in(cloth, t, lane);
+    if (const KeptBias* const kept = cloth.saved_bias.find(t, cloth.adaptions)) return kept->limit;
+    const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
+    const std::vector<ParentLevel>& parents = cloth.solver.constraints.parents;
+    if (triangle.level >= parents.size()) return Vec3f::Zero();
+    const std::uint32_t lane = parents[triangle.level].limits.lane_of(t, indices(triangle.vertices));
+    return lane == kSpare ? Vec3f(Vec3f::Zero()) : limit_in(parents[triangle.level], lane);
 }
 
 void keep_bias(Cloth& cloth, TriangleId t) {
     if (is_kept(cloth, t)) return;
-    const KeptBias kept = bias_in(cloth, cloth.solver.lanes.stretch_of[t.value]);
+    const KeptBias kept = bias_in(cloth, cloth.solver.constraints.stretch.lane_of(t));
     set_leaf(cloth, t, kept.value, kept.anchor);
 }
 
-void keep_limit(Cloth& cloth, TriangleId t) {
-    if (is_kept(cloth, t)) return;
-    set_kept(cloth, t, Vec3f::Zero(), limit_in(cloth, t, cloth.solver.lanes.limit_of[t.value]));
+void keep_limit(Cloth& cloth, TriangleId t, const ParentLevel& level) {
+    if (!is_kept(cloth, t)) set_kept(cloth, t, {.limit = limit_in(level, level.limits.lane_of(t))});
 }
 
 void keep_biases(Cloth& cloth) {
@@ -142,7 +132,7 @@ void keep_biases(Cloth& cloth) {
     }
     for (int level = 0; level < cloth.mesh.max_level(); ++level) {
         for (const TriangleId t : cloth.mesh.refined_triangles(level)) {
-            set_kept(cloth, t, Vec3f::Zero(), kept_limit(cloth, t));
+            set_kept(cloth, t, {.limit = kept_limit(cloth, t)});
         }
     }
 }
@@ -181,9 +171,9 @@ void BiasHandover::before(TriangleId t) {
 
 void BiasHandover::after(TriangleId t) {
     const AdaptiveTriangle& triangle = cloth_.mesh.triangle(t);
-    set_bend(cloth_, t, is_leaf(triangle) ? mean_bend_ : bend_);
+    cloth_.saved_bend.save(t, cloth_.adaptions, is_leaf(triangle) ? mean_bend_ : bend_);
     if (is_leaf(triangle)) return set_leaf(cloth_, t, leaf_of_limit(mean_, limit_), mean_anchor_);
-    set_kept(cloth_, t, Vec3f::Zero(), limit_);
+    set_kept(cloth_, t, {.limit = limit_});
     for (const TriangleId child : inside(triangle)) {
         const auto end = inside_.begin() + static_cast<std::ptrdiff_t>(count_);
         const auto was = std::find(inside_.begin(), end, child);
@@ -191,19 +181,20 @@ void BiasHandover::after(TriangleId t) {
                                              cloth_.mesh.triangle(child).vertices;
         if (stays) continue;
         set_leaf(cloth_, child, mean_, mean_anchor_);
-        set_bend(cloth_, child, mean_bend_);
+        cloth_.saved_bend.save(child, cloth_.adaptions, mean_bend_);
     }
 }
 
 KeptBend kept_bend(const Cloth& cloth, TriangleId t) {
-    if (is_bend_kept(cloth, t)) return cloth.bend[t.value];
+    if (const KeptBend* const kept = cloth.saved_bend.find(t, cloth.adaptions)) return *kept;
     const BendSlot slot = bend_slot(cloth, t);
     if (slot.block == nullptr) return {};
     return {.anchor = lane_of(slot.block->anchor, slot.at), .is_known = slot.block->realised[slot.at] > 0};
 }
 
 void keep_bend(Cloth& cloth, TriangleId t) {
-    if (!is_bend_kept(cloth, t)) set_bend(cloth, t, kept_bend(cloth, t));
+    const bool is_kept = cloth.saved_bend.find(t, cloth.adaptions) != nullptr;
+    if (!is_kept) cloth.saved_bend.save(t, cloth.adaptions, kept_bend(cloth, t));
 }
 
 void keep_bends(Cloth& cloth) {

@@ -42,9 +42,9 @@ void update_masses(Cloth& cloth) {
     const SolverState& solver = cloth.solver;
     cloth.mass_sums.resize(cloth.x.size(), 0.0);
     for (const TriangleId t : changes.triangles_gone) {
-        const std::uint32_t lane = solver.lanes.stretch_of[t.value];
-        const StretchBlock& block = solver.blocks.stretch[lane / kBlock];
-        const auto third = static_cast<double>(solver.blocks.thirds[lane]);
+        const std::uint32_t lane = solver.constraints.stretch.lane_of(t);
+        const StretchBlock& block = solver.constraints.stretch.blocks[lane / kBlock];
+        const auto third = static_cast<double>(solver.constraints.thirds[lane]);
         for (const BlockPoints& corner : block.vertices) {
             cloth.mass_sums[corner[lane % kBlock] / 4] -= third;
             set_inverse_mass(cloth, corner[lane % kBlock] / 4);

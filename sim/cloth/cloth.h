@@ -11,6 +11,7 @@
 #include "sim/cloth/collision_criterion.h"
 #include "sim/cloth/contact.h"
 #include "sim/cloth/resting.h"
+#include "sim/cloth/saved_states.h"
 #include "sim/cloth/solver_lists.h"
 #include "sim/core/vec.h"
 #include "sim/mesh/garment_mesh.h"
@@ -26,8 +27,8 @@ struct SolverState {
     std::vector<Vec4f> predicted;   // before stretch and shear corrected them
     std::vector<Vec4f> carried;     // the same with the momentum of corrections
     std::vector<Vec4f> correction;  // what stretch and shear moved them by in the last sub-step
-    SolverBlocks blocks;
-    SolverLanes lanes;
+    Constraints constraints;
+    SolverLists lists;
     int substeps = 0;  // so far, by 2
 };
 
@@ -36,14 +37,12 @@ struct KeptBias {
     Vec3f value = Vec3f::Zero();  // of warp, weft and shear
     Vec3f limit = Vec3f::Zero();  // the same as a refined triangle
     float anchor = 0;             // of friction in shear
-    std::uint32_t adaption = 0;   // when it was noted
 };
 
 // The same of a triangle's internal friction in bending, whether a leaf or a refined triangle.
 struct KeptBend {
     Vec3f anchor = Vec3f::Zero();  // 1/m, of the curvatures along warp, weft and of twist
     bool is_known = false;         // else friction starts from how the cloth is bent
-    std::uint32_t adaption = 0;
 };
 
 // What criteria remember while an adaption is under way, in the memory of the last one.
@@ -64,8 +63,8 @@ struct Cloth {
     std::vector<Vec3f> normals{};       // unit, of the fabric's right side; see update_normals
     std::vector<bool> is_pinned{};
 
-    std::vector<KeptBias> bias{};     // by TriangleId, while an adaption is under way
-    std::vector<KeptBend> bend{};     // by TriangleId, the same
+    SavedStates<KeptBias> saved_bias{};
+    SavedStates<KeptBend> saved_bend{};
     std::uint32_t adaptions = 0;      // so far
     std::vector<double> mass_sums{};  // kg by vertex, pinned or not; sums of floats, so that they can be undone exactly
 
@@ -91,7 +90,7 @@ void size_state(Cloth& cloth, std::size_t capacity);
 // A third of the mass of a triangle of that panel, kg: what it gives to each of its corners.
 float third_of_mass(const Cloth& cloth, const std::array<Vec2f, 3>& u, std::uint16_t panel);
 
-// Masses (a third of the adjacent leaf triangles' area times density) and the solver's blocks, all anew from the
+// Masses (a third of the adjacent leaf triangles' area times density) and the solver's constraints, all anew from the
 // present leaves: after pins, fabrics or the mesh were changed from outside.
 void refresh_solver(Cloth& cloth);
 

@@ -26,21 +26,23 @@ void for_changed(const std::vector<float>& now, std::vector<float>& kept, const 
     }
 }
 
-void mark(DirtyBlocks& dirty, std::uint32_t slot) {
-    if (slot != kSpare) dirty.mark_slot(slot);
+template <class Set>
+void mark(Set& set, TriangleId t) {
+    const std::uint32_t lane = set.lane_of(t);
+    if (lane != kSpare) set.dirty.mark_lane(lane);
 }
 
 // Of a leaf vertex: the leaves round it, and those beyond them, of whose bending it is an apex.
 void mark_leaves_round(Cloth& cloth, VertexId v) {
-    SolverLanes& lanes = cloth.solver.lanes;
+    Constraints& constraints = cloth.solver.constraints;
     for (const TriangleId t : cloth.mesh.triangles_at(v)) {
-        mark(lanes.dirty_stretch, lanes.stretch_of[t.value]);
-        mark(lanes.dirty_bend, lanes.bend_of[t.value]);
+        mark(constraints.stretch, t);
+        mark(constraints.bend, t);
         const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
         const EdgeId opposite = triangle.edges[(corner_at(triangle, v) + 1) % 3];
         for (const int side : {0, 1}) {
             const TriangleId beyond = cloth.mesh.leaf_at(opposite, side);
-            if (beyond) mark(lanes.dirty_bend, lanes.bend_of[beyond.value]);
+            if (beyond) mark(constraints.bend, beyond);
         }
     }
 }
@@ -48,32 +50,31 @@ void mark_leaves_round(Cloth& cloth, VertexId v) {
 // The refined triangles of a level that have a corner whose mass changed: coarse corners carry all that is below them,
 // so that a few changes reach many, and looking at all is cheaper than going from vertex to vertex.
 void mark_limits(Cloth& cloth, std::size_t level, const std::vector<std::uint8_t>& is_changed) {
-    SolverLanes& lanes = cloth.solver.lanes;
-    const ParentLevel& parents = cloth.solver.blocks.parents[level];
-    for (std::size_t i = 0; i < parents.triangles.size(); ++i) {
+    auto& limits = cloth.solver.constraints.parents[level].limits;
+    for (std::size_t i = 0; i < limits.blocks.size(); ++i) {
         unsigned changed = 0;
-        for (const BlockPoints& corners : parents.triangles[i].vertices) {
+        for (const BlockPoints& corners : limits.blocks[i].vertices) {
             for (const std::uint32_t offset : corners) changed |= is_changed[offset / 4];
         }
-        if (changed != 0) lanes.dirty_limits[level].mark_block(i);
+        if (changed != 0) limits.dirty.mark_block(i);
     }
 }
 
 void mark_round_changed_masses(Cloth& cloth) {
-    SolverLanes& lanes = cloth.solver.lanes;
-    lanes.inverse_masses.resize(cloth.inverse_mass.size());
-    for_changed(cloth.inverse_mass, lanes.inverse_masses, [&](VertexId v) {
+    SolverLists& lists = cloth.solver.lists;
+    lists.inverse_masses.resize(cloth.inverse_mass.size());
+    for_changed(cloth.inverse_mass, lists.inverse_masses, [&](VertexId v) {
         if (cloth.inverse_mass[v.value] > 0) mark_leaves_round(cloth, v);  // else it is gone, or all round it is new
     });
-    lanes.inverse_masses.push_back(0.0F);  // of the spare point
-    for (std::size_t level = 0; level < lanes.masses.size(); ++level) {
+    lists.inverse_masses.push_back(0.0F);  // of the spare point
+    for (std::size_t level = 0; level < lists.masses.size(); ++level) {
         bool has_changed = false;
-        lanes.is_changed.assign(lanes.masses_now[level].size(), 0);
-        for_changed(lanes.masses_now[level], lanes.masses[level], [&](VertexId v) {
-            lanes.is_changed[v.value] = 1;
+        lists.is_changed.assign(lists.masses_now[level].size(), 0);
+        for_changed(lists.masses_now[level], lists.masses[level], [&](VertexId v) {
+            lists.is_changed[v.value] = 1;
             has_changed = true;
         });
-        if (has_changed) mark_limits(cloth, level, lanes.is_changed);
+        if (has_changed) mark_limits(cloth, level, lists.is_changed);
     }
 }
 
@@ -84,26 +85,22 @@ void update_effective_masses(Cloth& cloth) {
     SolverState& solver = cloth.solver;
     list_limit_masses(cloth);
     mark_round_changed_masses(cloth);
-    solver.lanes.dirty_stretch.for_runs([&](std::size_t first, std::size_t count) {
-        loops.weigh_stretch(std::span(solver.blocks.stretch).subspan(first, count),
-                            std::span(solver.blocks.records).subspan(first, count), solver.lanes.inverse_masses.data());
-    });
-    solver.lanes.dirty_stretch.clear();
+    Constraints& constraints = solver.constraints;
+    constraints.stretch.weigh_dirty(
+        [&](auto blocks, auto records) { loops.weigh_stretch(blocks, records, solver.lists.inverse_masses.data()); });
     weigh_bending(cloth, loops);
     for (int level = cloth.mesh.max_level(); level-- > 0;) weigh_coarse_bending(cloth, loops, level);
     weigh_limits(cloth, loops);
-    solver.blocks.over.resize(solver.blocks.stretch.size());
-    solver.blocks.over_counts.resize(solver.lanes.stretch.runs().size());
+    constraints.over.resize(constraints.stretch.blocks.size());
+    constraints.over_counts.resize(constraints.stretch.coloring.runs().size());
 }
 
 void mark_all_dirty(Cloth& cloth) {
-    SolverState& solver = cloth.solver;
-    SolverLanes& lanes = solver.lanes;
-    lanes.dirty_stretch.mark_all(solver.blocks.stretch.size());
-    lanes.dirty_bend.mark_all(solver.blocks.bend.size());
-    for (std::size_t level = 0; level < solver.blocks.parents.size(); ++level) {
-        lanes.dirty_limits[level].mark_all(solver.blocks.parents[level].triangles.size());
-    }
+    Constraints& constraints = cloth.solver.constraints;
+    const auto mark_all = [](auto& set) { set.dirty.mark_all(set.blocks.size()); };
+    mark_all(constraints.stretch);
+    mark_all(constraints.bend);
+    for (ParentLevel& level : constraints.parents) mark_all(level.limits);
 }
 
 }  // namespace selvedge

@@ -4,19 +4,11 @@
 #include <cmath>
 
 #include "sim/cloth/bias.h"
-#include "sim/cloth/block_lists.h"
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/kernels.h"
 
 namespace selvedge {
 namespace {
-
-using LimitLists = BlockLists<LimitBlock, LimitRecord>;
-
-LimitLists limit_lists(SolverState& solver, std::size_t level) {
-    ParentLevel& parents = solver.blocks.parents[level];
-    return {parents.triangles, parents.records, solver.lanes.limits[level], solver.lanes.dirty_limits[level]};
-}
 
 // A refined triangle lets its threads grow by what the fabric gives under the load that garments usually carry.
 float longest_of(double stiffness, const Fabric& fabric) {
@@ -34,38 +26,49 @@ TriangleId beside(const AdaptiveMesh& mesh, TriangleId t, std::size_t edge) {
     return other;
 }
 
-LimitRecord& limit_record(SolverState& solver, TriangleId t) {
-    const std::uint32_t lane = solver.lanes.limit_of[t.value];
-    return solver.blocks.parents[solver.lanes.limit_level[t.value]].records[lane / kBlock];
+// The level whose limits hold that triangle's, if any do.
+ParentLevel* level_with(Constraints& constraints, TriangleId t) {
+    const auto found = std::ranges::find_if(
+        constraints.parents, [&](const ParentLevel& level) { return level.limits.lane_of(t) != kSpare; });
+    return found == constraints.parents.end() ? nullptr : &*found;
+}
+
+struct LimitAt {
+    LimitRecord* record = nullptr;  // none: the triangle has no limit
+    std::size_t at = 0;
+};
+LimitAt limit_at(Constraints& constraints, TriangleId t) {
+    ParentLevel* const level = level_with(constraints, t);
+    if (level == nullptr) return {};
+    const std::uint32_t lane = level->limits.lane_of(t);
+    return {&level->limits.records[lane / kBlock], lane % kBlock};
 }
 
 // It knows those beside it, and they know it.
 void join_neighbours(Cloth& cloth, TriangleId t, LimitRecord& record, std::size_t at) {
-    SolverState& solver = cloth.solver;
     for (std::size_t k = 0; k < 3; ++k) {
         const TriangleId other = beside(cloth.mesh, t, k);
         record.neighbours[k][at] = place_of(other);
-        if (other == t || solver.lanes.limit_of[other.value] == kSpare) continue;
+        if (other == t) continue;
+        const LimitAt knows = limit_at(cloth.solver.constraints, other);
+        if (knows.record == nullptr) continue;
         const std::size_t side = place_of(cloth.mesh.triangle(other), cloth.mesh.triangle(t).edges[k]);
-        const std::size_t other_at = solver.lanes.limit_of[other.value] % kBlock;
-        limit_record(solver, other).neighbours[side][other_at] = place_of(t);
+        knows.record->neighbours[side][knows.at] = place_of(t);
     }
 }
 
 // Those that knew it stand alone there.
-void leave_neighbours(SolverState& solver, TriangleId t) {
-    const LimitRecord& record = limit_record(solver, t);
-    const std::size_t at = solver.lanes.limit_of[t.value] % kBlock;
+void leave_neighbours(Constraints& constraints, TriangleId t, const LimitAt& own) {
     for (std::size_t k = 0; k < 3; ++k) {
-        const TriangleId other = triangle_at(record.neighbours[k][at]);
-        if (other == t || solver.lanes.limit_of[other.value] == kSpare) continue;
-        LimitRecord& knows = limit_record(solver, other);
-        const std::size_t other_at = solver.lanes.limit_of[other.value] % kBlock;
-        for (BlockPoints& places : knows.neighbours) {
-            if (places[other_at] == place_of(t)) places[other_at] = place_of(other);
+        const TriangleId other = triangle_at(own.record->neighbours[k][own.at]);
+        if (other == t) continue;
+        const LimitAt knows = limit_at(constraints, other);
+        if (knows.record == nullptr) continue;
+        for (BlockPoints& places : knows.record->neighbours) {
+            if (places[knows.at] == place_of(t)) places[knows.at] = place_of(other);
         }
     }
-    for (std::vector<Vec4f>* stress : {&solver.blocks.carried.own, &solver.blocks.carried.above}) {
+    for (std::vector<Vec4f>* stress : {&constraints.carried.own, &constraints.carried.above}) {
         (*stress)[t.value + 1].setZero();
     }
 }
@@ -73,53 +76,52 @@ void leave_neighbours(SolverState& solver, TriangleId t) {
 // All but the gains and what the corners are moved. t: refined.
 void set_limit(Cloth& cloth, TriangleId t, std::uint32_t lane) {
     const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
-    ParentLevel& parents = cloth.solver.blocks.parents[triangle.level];
-    LimitRecord& record = parents.records[lane / kBlock];
+    ConstraintSet<LimitBlock, LimitRecord>& limits = cloth.solver.constraints.parents[triangle.level].limits;
+    LimitRecord& record = limits.records[lane / kBlock];
     const std::size_t at = lane % kBlock;
     const Fabric& fabric = cloth.fabrics[triangle.panel];
     const MaterialFrame frame = material_frame(triangle.u, cloth.grain_angles[triangle.panel]);
-    set_frame(parents.triangles[lane / kBlock], at, triangle.vertices, frame);
+    set_frame(limits.blocks[lane / kBlock], at, triangle.vertices, frame);
     const std::array<double, 3> stiffness{fabric.stretch_warp, fabric.stretch_weft, fabric.shear};
     set_lane(record.bias, at, kept_limit(cloth, t));
     for (std::size_t k = 0; k < 3; ++k) {
         record.compliance[k][at] = compliance_of(cloth, frame, stiffness[k]);
         if (k < 2) record.free_length[k][at] = longest_of(stiffness[k], fabric);
     }
-    const ParentOf& parent = cloth.solver.lanes.parent_of[t.value];
+    const ParentOf& parent = cloth.solver.lists.parent_of[t.value];
     record.place[at] = place_of(t);
     record.parent[at] = parent.place;
     record.of_area[at] = parent.of_area;
-    cloth.solver.blocks.carried.below[t.value + 1].setZero();
-    cloth.solver.lanes.limit_of[t.value] = lane;
-    cloth.solver.lanes.limit_level[t.value] = triangle.level;
+    cloth.solver.constraints.carried.below[t.value + 1].setZero();
     join_neighbours(cloth, t, record, at);
 }
 
 // Stress of shear that what is inside a refined triangle carries well by itself. A triangle gives so much stress per
 // unit of its bias.
-void add_easy_shear(SolverLanes& lanes, std::uint32_t parent, float of_area, float per_bias, float inside) {
+void add_easy_shear(SolverLists& lists, std::uint32_t parent, float of_area, float per_bias, float inside) {
     constexpr float kEasyBias = 0.05F;  // more of it takes long to be learnt
-    lanes.easy_shear[parent / 4] += of_area * (kEasyBias * per_bias + inside);
+    lists.easy_shear[parent / 4] += of_area * (kEasyBias * per_bias + inside);
 }
 
 void add_easy_shear_of_leaves(SolverState& solver) {
-    std::fill(solver.lanes.easy_shear.begin(), solver.lanes.easy_shear.end(), 0.0F);
-    for (std::size_t i = 0; i < solver.blocks.stretch.size(); ++i) {
-        const StretchRecord& record = solver.blocks.records[i];
+    std::fill(solver.lists.easy_shear.begin(), solver.lists.easy_shear.end(), 0.0F);
+    const auto& stretch = solver.constraints.stretch;
+    for (std::size_t i = 0; i < stretch.blocks.size(); ++i) {
+        const StretchRecord& record = stretch.records[i];
         for (std::size_t at = 0; at < kBlock; ++at) {
-            const float per_bias = solver.blocks.stretch[i].shear[at] * record.compliance[2][at];
-            add_easy_shear(solver.lanes, record.parent[at], record.of_area[at], per_bias, 0);
+            const float per_bias = stretch.blocks[i].shear[at] * record.compliance[2][at];
+            add_easy_shear(solver.lists, record.parent[at], record.of_area[at], per_bias, 0);
         }
     }
 }
 
 void add_easy_shear_of_limits(SolverState& solver, ParentLevel& parents) {
-    for (LimitRecord& record : parents.records) {
+    for (LimitRecord& record : parents.limits.records) {
         for (std::size_t at = 0; at < kBlock; ++at) {
-            const float inside = solver.lanes.easy_shear[record.place[at] / 4];
+            const float inside = solver.lists.easy_shear[record.place[at] / 4];
             const float per_bias = record.per_shear[at] * record.compliance[2][at];
             record.easy_shear[at] = inside;
-            add_easy_shear(solver.lanes, record.parent[at], record.of_area[at], per_bias, inside);
+            add_easy_shear(solver.lists, record.parent[at], record.of_area[at], per_bias, inside);
         }
     }
 }
@@ -128,34 +130,34 @@ void add_easy_shear_of_limits(SolverState& solver, ParentLevel& parents) {
 
 void make_limits(Cloth& cloth, int level) {
     SolverState& solver = cloth.solver;
-    limit_lists(solver, static_cast<std::size_t>(level))
-        .make(
-            cloth.mesh.refined_triangles(level), solver.lanes.vertices,
-            [&](TriangleId t) { return indices(cloth.mesh.triangle(t).vertices); },
-            [&](TriangleId t, std::uint32_t lane) { set_limit(cloth, t, lane); });
+    solver.constraints.parents[static_cast<std::size_t>(level)].limits.make(
+        cloth.mesh.refined_triangles(level), solver.lists.vertices, [](TriangleId t) { return t; },
+        [&](TriangleId t) { return indices(cloth.mesh.triangle(t).vertices); },
+        [&](TriangleId t, std::uint32_t lane) { set_limit(cloth, t, lane); });
 }
 
 // One that was released was a leaf by then, and one whose id is another's now is looked at as that.
 void change_limits(Cloth& cloth, const LeafChanges& changes) {
-    SolverState& solver = cloth.solver;
+    Constraints& constraints = cloth.solver.constraints;
+    const std::size_t spare_point = cloth.solver.lists.vertices;
     for (const TriangleId t : changes.refined_changed) {
-        std::uint32_t& lane = solver.lanes.limit_of[t.value];
-        if (lane == kSpare) continue;
-        keep_limit(cloth, t);
-        leave_neighbours(solver, t);
-        limit_lists(solver, solver.lanes.limit_level[t.value]).give_back(lane, solver.lanes.vertices);
+        ParentLevel* const level = level_with(constraints, t);
+        if (level == nullptr) continue;
+        keep_limit(cloth, t, *level);
+        leave_neighbours(constraints, t, limit_at(constraints, t));
+        level->limits.remove(t, spare_point);
     }
     for (const TriangleId t : changes.refined_changed) {
         const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
         if (is_leaf(triangle)) continue;
-        LimitLists lists = limit_lists(solver, triangle.level);
-        set_limit(cloth, t, lists.take(indices(triangle.vertices), solver.lanes.vertices));
+        constraints.parents[triangle.level].limits.insert(t, indices(triangle.vertices), spare_point,
+                                                          [&](std::uint32_t lane) { set_limit(cloth, t, lane); });
     }
 }
 
 void list_centres(Cloth& cloth) {
     for (int level = 0; level < cloth.mesh.max_level(); ++level) {
-        std::vector<EdgeCentre>& centres = cloth.solver.blocks.parents[static_cast<std::size_t>(level)].centres;
+        std::vector<EdgeCentre>& centres = cloth.solver.constraints.parents[static_cast<std::size_t>(level)].centres;
         centres.clear();
         for (const EdgeId e : cloth.mesh.split_edges(level)) {
             const AdaptiveEdge& edge = cloth.mesh.edge(e);
@@ -170,11 +172,11 @@ void list_centres(Cloth& cloth) {
 // Sums of floats in doubles: the same in any order.
 void list_limit_masses(Cloth& cloth) {
     SolverState& solver = cloth.solver;
-    SolverLanes& lanes = solver.lanes;
-    lanes.masses.resize(solver.blocks.parents.size());
-    lanes.masses_now.resize(solver.blocks.parents.size());
-    std::vector<double>& sums = lanes.mass_sums;
-    sums.assign(lanes.vertices + 1, 0.0);
+    SolverLists& lists = solver.lists;
+    lists.masses.resize(solver.constraints.parents.size());
+    lists.masses_now.resize(solver.constraints.parents.size());
+    std::vector<double>& sums = lists.mass_sums;
+    sums.assign(lists.vertices + 1, 0.0);
     for (const VertexId v : cloth.mesh.leaf_vertices()) {
         const float inverse = cloth.inverse_mass[v.value];
         sums[v.value] = inverse > 0 ? static_cast<double>(1 / inverse) : 0.0;
@@ -182,12 +184,12 @@ void list_limit_masses(Cloth& cloth) {
     const auto add = [&](std::uint32_t to, double mass) {
         if (sums[to / 4] > 0) sums[to / 4] += 0.5 * mass;
     };
-    for (std::size_t level = solver.blocks.parents.size(); level-- > 0;) {
-        for (const EdgeCentre& c : solver.blocks.parents[level].centres) {
+    for (std::size_t level = solver.constraints.parents.size(); level-- > 0;) {
+        for (const EdgeCentre& c : solver.constraints.parents[level].centres) {
             add(c.a, sums[c.centre / 4]);
             add(c.b, sums[c.centre / 4]);
         }
-        std::vector<float>& masses = lanes.masses_now[level];
+        std::vector<float>& masses = lists.masses_now[level];
         masses.resize(sums.size());
         std::ranges::transform(sums, masses.begin(), [](double sum) { return static_cast<float>(sum); });
     }
@@ -197,25 +199,12 @@ void list_limit_masses(Cloth& cloth) {
 void weigh_limits(Cloth& cloth, const Kernels& loops) {
     SolverState& solver = cloth.solver;
     add_easy_shear_of_leaves(solver);
-    for (std::size_t level = solver.blocks.parents.size(); level-- > 0;) {
-        ParentLevel& parents = solver.blocks.parents[level];
-        DirtyBlocks& dirty = solver.lanes.dirty_limits[level];
-        dirty.for_runs([&](std::size_t first, std::size_t count) {
-            loops.weigh_limits(std::span(parents.triangles).subspan(first, count),
-                               std::span(parents.records).subspan(first, count), solver.lanes.masses[level].data());
-        });
-        dirty.clear();
+    for (std::size_t level = solver.constraints.parents.size(); level-- > 0;) {
+        ParentLevel& parents = solver.constraints.parents[level];
+        parents.limits.weigh_dirty(
+            [&](auto blocks, auto records) { loops.weigh_limits(blocks, records, solver.lists.masses[level].data()); });
         add_easy_shear_of_limits(solver, parents);
     }
-}
-
-std::uint32_t limit_lane(const Cloth& cloth, TriangleId t) {
-    const SolverState& solver = cloth.solver;
-    if (t.value >= solver.lanes.limit_of.size()) return kSpare;
-    const std::uint32_t lane = solver.lanes.limit_of[t.value];
-    if (lane == kSpare) return kSpare;
-    const LimitBlock& block = solver.blocks.parents[solver.lanes.limit_level[t.value]].triangles[lane / kBlock];
-    return corners_at(block, lane % kBlock) == indices(cloth.mesh.triangle(t).vertices) ? lane : kSpare;
 }
 
 }  // namespace selvedge

@@ -163,33 +163,6 @@ struct EdgeCentre {
     std::uint32_t centre = 0;
 };
 
-// One level of the hierarchy as the levels below see it.
-struct ParentLevel {
-    std::vector<LimitBlock> triangles;
-    std::vector<LimitRecord> records;
-    std::vector<EdgeCentre> centres;  // that may move
-    std::vector<CoarseBendBlock> bend;
-    std::vector<BendRecord> bend_records;
-    bool bends = false;       // whether something was handed up to it
-    bool bends_each = false;  // whether something of that wants a visit in each sub-step
-};
-
-struct SolverBlocks {
-    std::vector<StretchBlock> stretch;  // no block shares a vertex within itself
-    std::vector<StretchRecord> records;
-    std::vector<std::uint32_t> triangle_of;  // lane by lane: the TriangleId, or kSpare
-    std::vector<float> thirds;               // lane by lane: a third of the leaf's mass, kg
-    // Scratch: what one pass found, from the first of the blocks that it looked at on; and how many blocks of it there
-    // are, by run of blocks.
-    std::vector<OverBlock> over;
-    std::vector<std::size_t> over_counts;
-    OverBlock spare{};  // of spare lanes
-    std::vector<BendBlock> bend;
-    std::vector<BendRecord> bend_records;
-    std::vector<ParentLevel> parents;  // coarse to fine
-    CarriedStress carried;
-};
-
 inline constexpr std::uint32_t kSpare = UINT32_MAX;
 
 }  // namespace selvedge

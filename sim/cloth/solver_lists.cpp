@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "sim/cloth/bias.h"
-#include "sim/cloth/block_lists.h"
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/effective_masses.h"
 #include "sim/cloth/limit_lists.h"
@@ -12,12 +11,6 @@
 
 namespace selvedge {
 namespace {
-
-using StretchLists = BlockLists<StretchBlock, StretchRecord>;
-
-StretchLists stretch_lists(SolverState& solver) {
-    return {solver.blocks.stretch, solver.blocks.records, solver.lanes.stretch, solver.lanes.dirty_stretch};
-}
 
 // Whether a seam edge of the triangle has to be shorter than the triangle's own copy of it: there the cloth is
 // gathered, in puckers finer than the mesh.  (SPEC 3.2)
@@ -34,9 +27,9 @@ bool is_gathered(const AdaptiveMesh& mesh, const AdaptiveTriangle& triangle) {
 // All but the gains. t: a leaf.
 void set_stretch(Cloth& cloth, TriangleId t, std::uint32_t lane) {
     const AdaptiveTriangle& leaf = cloth.mesh.triangle(t);
-    SolverBlocks& blocks = cloth.solver.blocks;
-    StretchBlock& block = blocks.stretch[lane / kBlock];
-    StretchRecord& record = blocks.records[lane / kBlock];
+    Constraints& constraints = cloth.solver.constraints;
+    StretchBlock& block = constraints.stretch.blocks[lane / kBlock];
+    StretchRecord& record = constraints.stretch.records[lane / kBlock];
     const std::size_t at = lane % kBlock;
     const Fabric& fabric = cloth.fabrics[leaf.panel];
     const MaterialFrame frame = material_frame(leaf.u, cloth.grain_angles[leaf.panel]);
@@ -50,59 +43,59 @@ void set_stretch(Cloth& cloth, TriangleId t, std::uint32_t lane) {
     record.compliance[0][at] = compliance_of(cloth, frame, fabric.stretch_warp);
     record.compliance[1][at] = compliance_of(cloth, frame, fabric.stretch_weft);
     record.compliance[2][at] = compliance_of(cloth, frame, fabric.shear);
-    const ParentOf& parent = cloth.solver.lanes.parent_of[t.value];
+    const ParentOf& parent = cloth.solver.lists.parent_of[t.value];
     record.parent[at] = parent.place;
     record.of_area[at] = parent.of_area;
-    blocks.triangle_of.resize(blocks.stretch.size() * kBlock, kSpare);
-    blocks.thirds.resize(blocks.stretch.size() * kBlock, 0.0F);
-    blocks.triangle_of[lane] = t.value;
-    blocks.thirds[lane] = third_of_mass(cloth, leaf.u, leaf.panel);
-    cloth.solver.lanes.stretch_of[t.value] = lane;
+    constraints.triangle_of.resize(constraints.stretch.blocks.size() * kBlock, kSpare);
+    constraints.thirds.resize(constraints.stretch.blocks.size() * kBlock, 0.0F);
+    constraints.triangle_of[lane] = t.value;
+    constraints.thirds[lane] = third_of_mass(cloth, leaf.u, leaf.panel);
 }
 
 void make_stretch(Cloth& cloth) {
     SolverState& solver = cloth.solver;
-    solver.blocks.triangle_of.clear();
-    solver.blocks.thirds.clear();
-    stretch_lists(solver).make(
-        cloth.mesh.leaf_triangles(), solver.lanes.vertices, [](const LeafTriangle& leaf) { return indices(leaf.v); },
+    solver.constraints.triangle_of.clear();
+    solver.constraints.thirds.clear();
+    solver.constraints.stretch.make(
+        cloth.mesh.leaf_triangles(), solver.lists.vertices, [](const LeafTriangle& leaf) { return leaf.triangle; },
+        [](const LeafTriangle& leaf) { return indices(leaf.v); },
         [&](const LeafTriangle& leaf, std::uint32_t lane) { set_stretch(cloth, leaf.triangle, lane); });
 }
 
 void change_stretch(Cloth& cloth, const LeafChanges& changes) {
-    SolverState& solver = cloth.solver;
-    StretchLists lists = stretch_lists(solver);
+    Constraints& constraints = cloth.solver.constraints;
+    const std::size_t spare_point = cloth.solver.lists.vertices;
     for (const TriangleId t : changes.triangles_gone) {
-        std::uint32_t& lane = solver.lanes.stretch_of[t.value];
         keep_bias(cloth, t);
-        solver.blocks.triangle_of[lane] = kSpare;
-        lists.give_back(lane, solver.lanes.vertices);
+        constraints.triangle_of[constraints.stretch.lane_of(t)] = kSpare;
+        constraints.stretch.remove(t, spare_point);
     }
     for (const TriangleId t : changes.triangles_come) {
-        set_stretch(cloth, t, lists.take(indices(cloth.mesh.triangle(t).vertices), solver.lanes.vertices));
+        constraints.stretch.insert(t, indices(cloth.mesh.triangle(t).vertices), spare_point,
+                                   [&](std::uint32_t lane) { set_stretch(cloth, t, lane); });
     }
 }
 
 void size_triangles(Cloth& cloth) {
     SolverState& solver = cloth.solver;
     const std::size_t capacity = cloth.mesh.triangles().capacity();
-    solver.lanes.stretch_of.resize(capacity, kSpare);
-    solver.lanes.limit_of.resize(capacity, kSpare);
-    solver.lanes.limit_level.resize(capacity, 0);
-    solver.lanes.parent_of.resize(capacity);
-    solver.lanes.easy_shear.resize(capacity + 1, 0.0F);
-    CarriedStress& carried = solver.blocks.carried;
+    solver.lists.parent_of.resize(capacity);
+    solver.lists.easy_shear.resize(capacity + 1, 0.0F);
+    CarriedStress& carried = solver.constraints.carried;
     for (std::vector<Vec4f>* stress : {&carried.own, &carried.above, &carried.below}) {
         stress->resize(capacity + 1, Vec4f::Zero());
     }
 }
 
 void forget_triangles(SolverState& solver) {
-    solver.lanes.stretch_of.clear();
-    solver.lanes.limit_of.clear();
-    solver.lanes.limit_level.clear();
-    solver.lanes.parent_of.clear();
-    CarriedStress& carried = solver.blocks.carried;
+    solver.lists.parent_of.clear();
+    solver.constraints.stretch.forget();
+    solver.constraints.bend.forget();
+    for (ParentLevel& level : solver.constraints.parents) {
+        level.limits.forget();
+        level.bend.forget();
+    }
+    CarriedStress& carried = solver.constraints.carried;
     for (std::vector<Vec4f>* stress : {&carried.own, &carried.above, &carried.below}) stress->clear();
 }
 
@@ -110,8 +103,8 @@ void forget_triangles(SolverState& solver) {
 bool is_worn(const Cloth& cloth) {
     const std::size_t leaves = cloth.mesh.leaf_triangles().size();
     const SolverState& solver = cloth.solver;
-    return solver.lanes.vertices != cloth.mesh.vertex_capacity() || solver.lanes.inserted > leaves ||
-           solver.blocks.stretch.size() * kBlock > 2 * leaves + 64 * kBlock;
+    return solver.lists.vertices != cloth.mesh.vertex_capacity() || solver.lists.inserted > leaves ||
+           solver.constraints.stretch.blocks.size() * kBlock > 2 * leaves + 64 * kBlock;
 }
 
 }  // namespace
@@ -124,7 +117,7 @@ float compliance_of(const Cloth& cloth, const MaterialFrame& frame, double stiff
 
 void note_children(Cloth& cloth, TriangleId t) {
     const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
-    std::vector<ParentOf>& parent_of = cloth.solver.lanes.parent_of;
+    std::vector<ParentOf>& parent_of = cloth.solver.lists.parent_of;
     const float area = material_area(triangle.u);
     for (std::size_t i = 0; i < layout(triangle.configuration).triangle_count; ++i) {
         const TriangleId child = triangle.internal_triangles[i];
@@ -133,26 +126,15 @@ void note_children(Cloth& cloth, TriangleId t) {
     }
 }
 
-std::uint32_t stretch_lane(const Cloth& cloth, TriangleId t) {
-    const SolverState& solver = cloth.solver;
-    if (t.value >= solver.lanes.stretch_of.size()) return kSpare;
-    const std::uint32_t lane = solver.lanes.stretch_of[t.value];
-    if (lane == kSpare) return kSpare;
-    const StretchBlock& block = solver.blocks.stretch[lane / kBlock];
-    return corners_at(block, lane % kBlock) == indices(cloth.mesh.triangle(t).vertices) ? lane : kSpare;
-}
-
 void make_blocks(Cloth& cloth) {
     SolverState& solver = cloth.solver;
     keep_biases(cloth);
     keep_bends(cloth);
-    solver.lanes.vertices = cloth.mesh.vertex_capacity();
-    solver.lanes.inserted = 0;
-    solver.blocks.spare = spare_block<OverBlock>(solver.lanes.vertices);
+    solver.lists.vertices = cloth.mesh.vertex_capacity();
+    solver.lists.inserted = 0;
+    solver.constraints.spare = spare_block<OverBlock>(solver.lists.vertices);
     const auto levels = static_cast<std::size_t>(cloth.mesh.max_level());
-    solver.blocks.parents.resize(levels);
-    solver.lanes.limits.resize(levels);
-    solver.lanes.dirty_limits.resize(levels);
+    solver.constraints.parents.resize(levels);
     forget_triangles(solver);
     size_triangles(cloth);
     for (int level = 0; level < cloth.mesh.max_level(); ++level) {
@@ -168,7 +150,7 @@ void make_blocks(Cloth& cloth) {
 
 void change_blocks(Cloth& cloth) {
     const LeafChanges& changes = cloth.mesh.changes();
-    cloth.solver.lanes.inserted += changes.triangles_come.size();
+    cloth.solver.lists.inserted += changes.triangles_come.size();
     if (is_worn(cloth)) {
         make_blocks(cloth);
         return;

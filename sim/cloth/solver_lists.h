@@ -1,11 +1,10 @@
 #pragma once
-// Makes the solver's blocks from the leaves of a cloth and from its hierarchy, and keeps them up to date: each
-// constraint has a lane, and leaves it when it goes, at a cost in proportion to what an adaption changed. For gains see
+// Makes the constraints from the leaves of a cloth and from its hierarchy, and keeps them up to date. For gains see
 // effective_masses.h.
 #include "sim/adaptive/adaptive_mesh.h"
-#include "sim/cloth/coloring.h"
+#include "sim/cloth/constraint_set.h"
 #include "sim/cloth/curvature_map.h"
-#include "sim/cloth/dirty_blocks.h"
+#include "sim/cloth/material_frame.h"
 #include "sim/cloth/solver_blocks.h"
 
 namespace selvedge {
@@ -18,7 +17,29 @@ struct ParentOf {
     float of_area = 1;               // share of the parent's area
 };
 
-inline constexpr std::uint8_t kLeafList = 0xFF;
+// The refined triangles of one level, and the centres of its split edges.
+struct ParentLevel {
+    ConstraintSet<LimitBlock, LimitRecord> limits;
+    ConstraintSet<CoarseBendBlock, BendRecord> bend;
+    std::vector<EdgeCentre> centres;  // that may move
+    bool bends = false;               // whether something was handed up to it
+    bool bends_each = false;          // whether something of that wants a visit in each sub-step
+};
+
+// The constraints of a cloth.
+struct Constraints {
+    ConstraintSet<StretchBlock, StretchRecord> stretch;  // of leaves
+    ConstraintSet<BendBlock, BendRecord> bend;           // of leaves
+    std::vector<ParentLevel> parents;                    // coarse to fine
+    CarriedStress carried;
+    std::vector<std::uint32_t> triangle_of;  // by lane of stretch: the TriangleId, or kSpare
+    std::vector<float> thirds;               // by lane of stretch: a third of the leaf's mass, kg
+    // Scratch: what one pass found, from the first of the blocks that it looked at on; and how many blocks of it there
+    // are, by run of blocks.
+    std::vector<OverBlock> over;
+    std::vector<std::size_t> over_counts;
+    OverBlock spare{};  // of spare lanes
+};
 
 // Scratch of triangle_bending.cpp, in the memory of the last time.
 struct FitScratch {
@@ -31,21 +52,11 @@ struct TouchedScratch {
     std::vector<std::uint8_t> marks;  // by TriangleId
 };
 
-// Where the constraints of a cloth stand in its blocks. kSpare: it has none.
-struct SolverLanes {
-    BlockColoring stretch, bend;
-    std::vector<BlockColoring> coarse_bend;  // by level
-    std::vector<BlockColoring> limits;       // by level
-    std::vector<std::uint32_t> stretch_of;   // by TriangleId, of leaves
-    std::vector<std::uint32_t> bend_of;      // by TriangleId, of leaves and refined triangles
-    std::vector<std::uint8_t> bend_list;     // by TriangleId: in whose blocks, by level, or kLeafList
-    std::vector<std::uint32_t> limit_of;     // by TriangleId, of refined triangles
-    std::vector<std::uint8_t> limit_level;   // by TriangleId: in whose blocks
-    std::vector<ParentOf> parent_of;         // by TriangleId
-    std::size_t vertices = 0;                // the spare point's index; 0: none were made yet
-    std::size_t inserted = 0;                // leaves since all were made anew
-    DirtyBlocks dirty_stretch, dirty_bend;
-    std::vector<DirtyBlocks> dirty_limits, dirty_coarse_bend;  // by level
+// What making and weighing constraints needs besides.
+struct SolverLists {
+    std::vector<ParentOf> parent_of;  // by TriangleId
+    std::size_t vertices = 0;         // the spare point's index; 0: none were made yet
+    std::size_t inserted = 0;         // leaves since all were made anew
     // Masses by vertex, and of the spare point, that the gains were made for: 1/kg; and by level, kg, each with all
     // that follows it where a refined triangle of that level moves it.
     std::vector<float> inverse_masses;
@@ -54,7 +65,7 @@ struct SolverLanes {
     // Scratch.
     FitScratch fits;
     TouchedScratch touched;
-    std::vector<std::uint32_t> idle_bends;  // slots
+    std::vector<std::uint32_t> idle_bends;  // lanes
     std::vector<float> asked;               // as places: share of the rigidity that was handed up
     std::vector<float> easy_shear;          // as places, see LimitRecord
     std::vector<std::vector<float>> masses_now;
@@ -73,10 +84,21 @@ void change_blocks(Cloth& cloth);
 // While an adaption is under way: t has other triangles inside.
 void note_children(Cloth& cloth, TriangleId t);
 
-// The lane of a refined triangle if it has one that was made for its corners, else kSpare.
-std::uint32_t limit_lane(const Cloth& cloth, TriangleId t);
+inline std::array<std::uint32_t, 3> indices(const std::array<VertexId, 3>& v) {
+    return {v[0].value, v[1].value, v[2].value};
+}
 
-// The same of a leaf.
-std::uint32_t stretch_lane(const Cloth& cloth, TriangleId t);
+// The corners and directions of a triangle, a leaf or a parent.
+template <class Block>
+void set_frame(Block& block, std::size_t at, const std::array<VertexId, 3>& v, const MaterialFrame& frame) {
+    for (std::size_t i = 0; i < 3; ++i) block.vertices[i][at] = 4 * v[i].value;
+    for (std::size_t i = 0; i < 2; ++i) {
+        block.a[i][at] = frame.a[i];
+        block.b[i][at] = frame.b[i];
+    }
+}
+
+// Over a sub-step, of a triangle of that stiffness, N/m.  (XPBD)
+float compliance_of(const Cloth& cloth, const MaterialFrame& frame, double stiffness);
 
 }  // namespace selvedge

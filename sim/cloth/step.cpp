@@ -21,10 +21,6 @@ struct Stepper {
         SolverState& solver = cloth.solver;
         return {points(), floats(solver.predicted), floats(solver.carried), floats(solver.correction)};
     }
-    std::span<StretchBlock> stretch(std::size_t first, std::size_t count) const {
-        return std::span(cloth.solver.blocks.stretch).subspan(first, count);
-    }
-
     // Share of a difference that goes within a step at that rate (1/s).
     float share_at(float rate) const { return 1 - std::exp(-rate * step_seconds(cloth, options)); }
 
@@ -126,14 +122,12 @@ void Stepper::keep_corrections() {
 void Stepper::solve_coarse_bend(bool is_second) {
     SolverState& solver = cloth.solver;
     const auto bends = [&](const ParentLevel& level) { return is_second ? level.bends : level.bends_each; };
-    if (std::ranges::none_of(solver.blocks.parents, bends)) return;
+    if (std::ranges::none_of(solver.constraints.parents, bends)) return;
     std::copy_n(solver.points.begin(), cloth.x.size(), solver.carried.begin());
-    for (std::size_t level = 0; level < solver.blocks.parents.size(); ++level) {
-        ParentLevel& parents = solver.blocks.parents[level];
+    for (std::size_t level = 0; level < solver.constraints.parents.size(); ++level) {
+        ParentLevel& parents = solver.constraints.parents[level];
         if (bends(parents)) {
-            for (const auto& [first, count] : solver.lanes.coarse_bend[level].runs()) {
-                loops.solve_coarse_bend(std::span(parents.bend).subspan(first, count), points(), is_second);
-            }
+            parents.bend.for_colors([&](auto blocks, auto) { loops.solve_coarse_bend(blocks, points(), is_second); });
         }
         carry_centres(level);
     }
@@ -141,70 +135,59 @@ void Stepper::solve_coarse_bend(bool is_second) {
 
 void Stepper::limit_parents(bool is_last) {
     SolverState& solver = cloth.solver;
-    for (std::size_t level = 0; level < solver.blocks.parents.size(); ++level) {
-        ParentLevel& parents = solver.blocks.parents[level];
-        for (const auto& [first, count] : solver.lanes.limits[level].runs()) {
-            loops.limit_parents(std::span(parents.triangles).subspan(first, count),
-                                is_last ? &parents.records[first] : nullptr, points());
-        }
+    for (std::size_t level = 0; level < solver.constraints.parents.size(); ++level) {
+        ParentLevel& parents = solver.constraints.parents[level];
+        parents.limits.for_colors([&](auto blocks, auto records) {
+            loops.limit_parents(blocks, is_last ? records.data() : nullptr, points());
+        });
         carry_centres(level);
     }
 }
 
 void Stepper::carry_centres(std::size_t level) {
     SolverState& solver = cloth.solver;
-    loops.carry_centres(solver.blocks.parents[level].centres, floats(solver.carried), points());
+    loops.carry_centres(solver.constraints.parents[level].centres, floats(solver.carried), points());
 }
 
 void Stepper::solve_bend(bool is_second) {
-    SolverState& solver = cloth.solver;
-    for (const auto& [first, count] : solver.lanes.bend.runs()) {
-        loops.solve_bend(std::span(solver.blocks.bend).subspan(first, count), points(), is_second);
-    }
+    cloth.solver.constraints.bend.for_colors([&](auto blocks, auto) { loops.solve_bend(blocks, points(), is_second); });
 }
 
 // Copies the lanes that it finds beyond the fabric's strain limit to where the first block of their colour stands.
 void Stepper::solve_stretch(bool is_last) {
-    SolverBlocks& blocks = cloth.solver.blocks;
-    const std::vector<BlockColoring::Run>& runs = cloth.solver.lanes.stretch.runs();
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        const auto [first, count] = runs[i];
-        StretchRecord* const records = is_last ? &blocks.records[first] : nullptr;
-        blocks.over_counts[i] =
-            loops.solve_stretch(stretch(first, count), records, points(), &blocks.over[first], blocks.spare);
-    }
+    Constraints& constraints = cloth.solver.constraints;
+    std::size_t run = 0, first = 0;
+    constraints.stretch.for_colors([&](auto blocks, auto records) {
+        constraints.over_counts[run++] = loops.solve_stretch(blocks, is_last ? records.data() : nullptr, points(),
+                                                             &constraints.over[first], constraints.spare);
+        first += blocks.size();
+    });
 }
 
 void Stepper::limit_stretch() {
-    const SolverBlocks& blocks = cloth.solver.blocks;
-    const std::vector<BlockColoring::Run>& runs = cloth.solver.lanes.stretch.runs();
+    const Constraints& constraints = cloth.solver.constraints;
+    const std::vector<BlockColoring::Run>& runs = constraints.stretch.coloring.runs();
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        loops.limit_stretch({&blocks.over[runs[i].first], blocks.over_counts[i]}, points());
+        loops.limit_stretch({&constraints.over[runs[i].first], constraints.over_counts[i]}, points());
     }
 }
 
 // Biases follow what strain and stress are now: what each level carries is summed up, coarse to fine for what is below
 // it, fine to coarse for what is above.
 void Stepper::update_bias() {
-    SolverBlocks& blocks = cloth.solver.blocks;
+    Constraints& constraints = cloth.solver.constraints;
     const BiasGains gains{.stretch = share_at(options.stretch_bias_rate), .shear = share_at(options.shear_bias_rate)};
-    float* const own = floats(blocks.carried.own);
-    float* const above = floats(blocks.carried.above);
-    float* const below = floats(blocks.carried.below);
-    for (const ParentLevel& level : blocks.parents) {
-        loops.carry_stress(level.records, own, above);
-    }
-    for (const auto& [first, count] : cloth.solver.lanes.stretch.runs()) {
-        loops.update_bias(stretch(first, count), std::span(blocks.records).subspan(first, count), points(), before(),
-                          gains, above, below);
-    }
-    for (std::size_t level = blocks.parents.size(); level-- > 0;) {
-        ParentLevel& parents = blocks.parents[level];
-        for (const auto& [first, count] : cloth.solver.lanes.limits[level].runs()) {
-            loops.update_parents(std::span(parents.triangles).subspan(first, count),
-                                 std::span(parents.records).subspan(first, count), points(), before(), gains, own,
-                                 above, below);
-        }
+    float* const own = floats(constraints.carried.own);
+    float* const above = floats(constraints.carried.above);
+    float* const below = floats(constraints.carried.below);
+    for (const ParentLevel& level : constraints.parents) loops.carry_stress(level.limits.records, own, above);
+    constraints.stretch.for_colors([&](auto blocks, auto records) {
+        loops.update_bias(blocks, records, points(), before(), gains, above, below);
+    });
+    for (std::size_t level = constraints.parents.size(); level-- > 0;) {
+        constraints.parents[level].limits.for_colors([&](auto blocks, auto records) {
+            loops.update_parents(blocks, records, points(), before(), gains, own, above, below);
+        });
     }
 }
 
@@ -228,9 +211,8 @@ void Stepper::hold() {
 
 void Stepper::rub() {
     const float share = share_at(options.internal_damping);
-    for (const auto& [first, count] : cloth.solver.lanes.stretch.runs()) {
-        loops.rub(stretch(first, count), points(), before(), share);
-    }
+    cloth.solver.constraints.stretch.for_colors(
+        [&](auto blocks, auto) { loops.rub(blocks, points(), before(), share); });
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "sim/cloth/bias.h"
-#include "sim/cloth/block_lists.h"
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/curvature_map.h"
 #include "sim/cloth/kernels.h"
@@ -163,67 +162,57 @@ void set_element(const Cloth& cloth, TriangleId t, Level level, Fits& fits, Bend
     set_lane(record.rigidity, at, (time * rigidity).cast<float>());
     set_lane(record.friction, at, (time * friction).cast<float>());
     block.has_friction[at] = hysteresis > 0 && std::max(warp, weft) > kLeast ? 1.0F : 0.0F;
-    const ParentOf& parent = cloth.solver.lanes.parent_of[t.value];
+    const ParentOf& parent = cloth.solver.lists.parent_of[t.value];
     record.parent[at] = parent.place;
     record.of_area[at] = parent.of_area;
     record.asked[at] = level == Level::Leaves ? 1.0F : 0.0F;
 }
 
-// The blocks of leaves, or of refined triangles of one level.
+// The bending of leaves, or of refined triangles of one level.
 template <class Block>
 struct BendLists {
-    BlockLists<Block, BendRecord> lists;
+    ConstraintSet<Block, BendRecord>& bend;
     Level level;
-    std::uint8_t list;  // for SolverLanes::bend_list
 
-    void set(Cloth& cloth, TriangleId t, std::uint32_t slot, const Points& points, Fits& fits) const {
-        Block& block = lists.blocks[slot / kBlock];
-        const std::size_t at = slot % kBlock;
+    void set(Cloth& cloth, TriangleId t, std::uint32_t lane, const Points& points, Fits& fits) const {
+        Block& block = bend.blocks[lane / kBlock];
+        const std::size_t at = lane % kBlock;
         for (std::size_t i = 0; i < 6; ++i) block.vertices[i][at] = 4 * points[i];
-        set_element(cloth, t, level, fits, block, lists.records[slot / kBlock], at);
+        set_element(cloth, t, level, fits, block, bend.records[lane / kBlock], at);
         const KeptBend kept = kept_bend(cloth, t);
         block.realised[at] = kept.is_known ? 1.0F : 0.0F;
         const bool starts = !kept.is_known && level == Level::Leaves;
         set_lane(block.anchor, at, starts ? curvature_now(cloth, block, at) : kept.anchor);
-        cloth.solver.lanes.bend_of[t.value] = slot;
-        cloth.solver.lanes.bend_list[t.value] = list;
     }
-    void insert(Cloth& cloth, TriangleId t, Fits& fits) {
+    void insert(Cloth& cloth, TriangleId t, Fits& fits) const {
         const Points points = points_about(cloth.mesh, t, level).points;
-        set(cloth, t, lists.take(points, cloth.solver.lanes.vertices), points, fits);
+        bend.insert(t, points, cloth.solver.lists.vertices,
+                    [&](std::uint32_t lane) { set(cloth, t, lane, points, fits); });
     }
     // Its shape and its vertices are the same, but its neighbours' are not.
     void reshape(const Cloth& cloth, TriangleId t, Fits& fits) const {
-        const std::uint32_t slot = cloth.solver.lanes.bend_of[t.value];
-        set_element(cloth, t, level, fits, lists.blocks[slot / kBlock], lists.records[slot / kBlock], slot % kBlock);
-        lists.dirty.mark_slot(slot);
+        const std::uint32_t lane = bend.lane_of(t);
+        set_element(cloth, t, level, fits, bend.blocks[lane / kBlock], bend.records[lane / kBlock], lane % kBlock);
+        bend.dirty.mark_lane(lane);
     }
 };
 
 BendLists<BendBlock> leaf_lists(SolverState& solver) {
-    return {{solver.blocks.bend, solver.blocks.bend_records, solver.lanes.bend, solver.lanes.dirty_bend},
-            Level::Leaves,
-            kLeafList};
+    return {solver.constraints.bend, Level::Leaves};
 }
 BendLists<CoarseBendBlock> refined_lists(SolverState& solver, int level) {
-    ParentLevel& parents = solver.blocks.parents[static_cast<std::size_t>(level)];
-    const auto l = static_cast<std::size_t>(level);
-    return {{parents.bend, parents.bend_records, solver.lanes.coarse_bend[l], solver.lanes.dirty_coarse_bend[l]},
-            Level::Refined,
-            static_cast<std::uint8_t>(level)};
+    return {solver.constraints.parents[static_cast<std::size_t>(level)].bend, Level::Refined};
 }
 
 void erase(Cloth& cloth, TriangleId t) {
-    SolverState& solver = cloth.solver;
-    std::uint32_t& slot = solver.lanes.bend_of[t.value];
-    if (slot == kSpare) return;
-    keep_bend(cloth, t);
-    const std::uint8_t list = solver.lanes.bend_list[t.value];
-    if (list == kLeafList) {
-        leaf_lists(solver).lists.give_back(slot, solver.lanes.vertices);
-    } else {
-        refined_lists(solver, list).lists.give_back(slot, solver.lanes.vertices);
-    }
+    Constraints& constraints = cloth.solver.constraints;
+    const auto remove_from = [&](auto& bend) {
+        if (bend.lane_of(t) == kSpare) return;
+        keep_bend(cloth, t);
+        bend.remove(t, cloth.solver.lists.vertices);
+    };
+    remove_from(constraints.bend);
+    for (ParentLevel& level : constraints.parents) remove_from(level.bend);
 }
 
 // Triangles that an adaptation touched, each once: whose six vertices may be others, or whose map alone.
@@ -257,7 +246,7 @@ class Touched {
 void change_leaves(Cloth& cloth, const LeafChanges& changes) {
     const AdaptiveMesh& mesh = cloth.mesh;
     SolverState& solver = cloth.solver;
-    Touched touched(solver.lanes.touched);
+    Touched touched(solver.lists.touched);
     for (const TriangleId t : changes.triangles_come) touched.add_moved(t);
     for (const std::vector<EdgeId>* edges : {&changes.edges_come, &changes.hinges_changed}) {
         for (const EdgeId e : *edges) {
@@ -273,8 +262,8 @@ void change_leaves(Cloth& cloth, const LeafChanges& changes) {
             if (other) touched.add_reshaped(other);
         }
     }
-    BendLists<BendBlock> lists = leaf_lists(solver);
-    Fits fits(cloth, Level::Leaves, solver.lanes.fits);
+    const BendLists<BendBlock> lists = leaf_lists(solver);
+    Fits fits(cloth, Level::Leaves, solver.lists.fits);
     for (const TriangleId t : touched.moved) erase(cloth, t);
     for (const TriangleId t : touched.moved) lists.insert(cloth, t, fits);
     for (const TriangleId t : touched.reshaped) lists.reshape(cloth, t, fits);
@@ -284,7 +273,7 @@ void change_leaves(Cloth& cloth, const LeafChanges& changes) {
 void change_refined(Cloth& cloth, const LeafChanges& changes) {
     const AdaptiveMesh& mesh = cloth.mesh;
     SolverState& solver = cloth.solver;
-    Touched touched(solver.lanes.touched);
+    Touched touched(solver.lists.touched);
     const auto is_refined = [&](TriangleId t) { return t && !is_leaf(mesh.triangle(t)); };
     const auto for_beside = [&](TriangleId t, const auto& act) {
         for (std::size_t i = 0; i < 3; ++i) {
@@ -311,7 +300,7 @@ void change_refined(Cloth& cloth, const LeafChanges& changes) {
         for_beside(t, move_refined);
     });
     for_new([&](TriangleId t) { for_beside(t, [&](TriangleId other) { for_beside(other, reshape_refined); }); });
-    Fits fits(cloth, Level::Refined, solver.lanes.fits);
+    Fits fits(cloth, Level::Refined, solver.lists.fits);
     for (const TriangleId t : touched.moved) erase(cloth, t);
     for (const TriangleId t : touched.moved) refined_lists(solver, mesh.triangle(t).level).insert(cloth, t, fits);
     for (const TriangleId t : touched.reshaped) refined_lists(solver, mesh.triangle(t).level).reshape(cloth, t, fits);
@@ -319,10 +308,8 @@ void change_refined(Cloth& cloth, const LeafChanges& changes) {
 
 void size_lists(SolverState& solver, const AdaptiveMesh& mesh) {
     const std::size_t capacity = mesh.triangles().capacity();
-    solver.lanes.bend_of.resize(capacity, kSpare);
-    solver.lanes.bend_list.resize(capacity, kLeafList);
-    solver.lanes.touched.marks.resize(capacity, 0);
-    solver.lanes.asked.resize(capacity + 1, 0.0F);
+    solver.lists.touched.marks.resize(capacity, 0);
+    solver.lists.asked.resize(capacity + 1, 0.0F);
 }
 
 }  // namespace
@@ -330,18 +317,13 @@ void size_lists(SolverState& solver, const AdaptiveMesh& mesh) {
 void make_bending(Cloth& cloth) {
     SolverState& solver = cloth.solver;
     const AdaptiveMesh& mesh = cloth.mesh;
-    solver.lanes.bend_of.clear();
-    solver.lanes.coarse_bend.resize(static_cast<std::size_t>(mesh.max_level()));
-    solver.lanes.dirty_coarse_bend.resize(static_cast<std::size_t>(mesh.max_level()));
     size_lists(solver, mesh);
-    const auto make = [&](auto bends, const auto& triangles, const auto& id_of) {
-        Fits fits(cloth, bends.level, solver.lanes.fits);
-        bends.lists.make(
-            triangles, solver.lanes.vertices,
-            [&](const auto& item) { return points_about(mesh, id_of(item), bends.level).points; },
-            [&](const auto& item, std::uint32_t slot) {
-                bends.set(cloth, id_of(item), slot, points_about(mesh, id_of(item), bends.level).points, fits);
-            });
+    const auto make = [&](const auto& lists, const auto& triangles, const auto& id_of) {
+        Fits fits(cloth, lists.level, solver.lists.fits);
+        const auto points_of = [&](const auto& item) { return points_about(mesh, id_of(item), lists.level).points; };
+        lists.bend.make(triangles, solver.lists.vertices, id_of, points_of, [&](const auto& item, std::uint32_t lane) {
+            lists.set(cloth, id_of(item), lane, points_of(item), fits);
+        });
     };
     make(leaf_lists(solver), mesh.leaf_triangles(), [](const LeafTriangle& leaf) { return leaf.triangle; });
     for (int level = 0; level < mesh.max_level(); ++level) {
@@ -358,19 +340,17 @@ void change_bending(Cloth& cloth, const LeafChanges& changes) {
 }
 
 BendSlot bend_slot(const Cloth& cloth, TriangleId t) {
-    const SolverState& solver = cloth.solver;
-    if (t.value >= solver.lanes.bend_of.size()) return {};
-    const std::uint32_t slot = solver.lanes.bend_of[t.value];
-    if (slot == kSpare) return {};
-    const std::uint8_t list = solver.lanes.bend_list[t.value];
-    const BendBlock& block =
-        list == kLeafList ? solver.blocks.bend[slot / kBlock] : solver.blocks.parents[list].bend[slot / kBlock];
-    const std::size_t at = slot % kBlock;
-    const std::array<VertexId, 3>& v = cloth.mesh.triangle(t).vertices;
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (block.vertices[i][at] != 4 * v[i].value) return {};
+    const Constraints& constraints = cloth.solver.constraints;
+    const std::array<std::uint32_t, 3> corners = indices(cloth.mesh.triangle(t).vertices);
+    const auto slot_in = [&](const auto& bend) -> BendSlot {
+        const std::uint32_t lane = bend.lane_of(t, corners);
+        return lane == kSpare ? BendSlot{} : BendSlot{&bend.blocks[lane / kBlock], lane % kBlock};
+    };
+    BendSlot slot = slot_in(constraints.bend);
+    for (std::size_t level = 0; slot.block == nullptr && level < constraints.parents.size(); ++level) {
+        slot = slot_in(constraints.parents[level].bend);
     }
-    return {&block, at};
+    return slot;
 }
 
 Vec3f curvature_now(const Cloth& cloth, const BendBlock& block, std::size_t at) {

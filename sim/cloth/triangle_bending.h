@@ -19,7 +19,7 @@ void change_bending(Cloth& cloth, const LeafChanges& changes);
 
 // Gains from the masses: first of the leaves, then level by level of the refined triangles, fine to coarse, which take
 // what the level below hands up.
-// Pre: SolverLanes::inverse_masses and masses are those of now.
+// Pre: SolverLists::inverse_masses and masses are those of now.
 void weigh_bending(Cloth& cloth, const Kernels& loops);
 void weigh_coarse_bending(Cloth& cloth, const Kernels& loops, int level);
 

@@ -17,13 +17,13 @@ constexpr double kGravity = 9.81;
 
 // Warp, weft and shear of each leaf, each about its bias or about none.
 double strain_energy(const Cloth& cloth) {
-    const SolverBlocks& blocks = cloth.solver.blocks;
+    const Constraints& constraints = cloth.solver.constraints;
     const std::vector<TriangleStrain> strains = measure_strain(cloth);
     const std::span<const LeafTriangle> leaves = cloth.mesh.leaf_triangles();
     double sum = 0;
     for (std::size_t i = 0; i < leaves.size(); ++i) {
-        const std::uint32_t lane = cloth.solver.lanes.stretch_of[leaves[i].triangle.value];
-        const auto& bias = blocks.stretch[lane / kBlock].bias;
+        const std::uint32_t lane = constraints.stretch.lane_of(leaves[i].triangle);
+        const auto& bias = constraints.stretch.blocks[lane / kBlock].bias;
         const auto energy = [&](double value, std::size_t k, double stiffness) {
             const double most = std::abs(value) + std::abs(double(bias[k][lane % kBlock]));
             return 0.5 * material_area(leaves[i].u) * stiffness * most * most;
@@ -66,8 +66,8 @@ double limit_energy(const Cloth& cloth) {
             sum += taken_back(double(strain) - fabric.strain_limit, area * fabric.area_density, area, cloth.substep);
         }
     }
-    for (const ParentLevel& level : cloth.solver.blocks.parents) {
-        for (const LimitBlock& block : level.triangles) {
+    for (const ParentLevel& level : cloth.solver.constraints.parents) {
+        for (const LimitBlock& block : level.limits.blocks) {
             for (std::size_t at = 0; at < kBlock; ++at) sum += limit_energy(cloth, block, at);
         }
     }

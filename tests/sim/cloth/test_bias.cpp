@@ -28,25 +28,25 @@ LeafTriangle leaf_of(const Cloth& cloth, std::uint32_t triangle) {
 
 // What the solver works with.
 std::vector<BiasedLeaf> biases(const Cloth& cloth) {
-    const SolverBlocks& blocks = cloth.solver.blocks;
+    const Constraints& constraints = cloth.solver.constraints;
     std::vector<BiasedLeaf> found;
-    for (std::size_t lane = 0; lane < blocks.triangle_of.size(); ++lane) {
-        if (blocks.triangle_of[lane] == kSpare) continue;
-        const auto& b = blocks.stretch[lane / kBlock].bias;
+    for (std::size_t lane = 0; lane < constraints.triangle_of.size(); ++lane) {
+        if (constraints.triangle_of[lane] == kSpare) continue;
+        const auto& b = constraints.stretch.blocks[lane / kBlock].bias;
         const std::size_t at = lane % kBlock;
-        found.push_back({leaf_of(cloth, blocks.triangle_of[lane]), Vec3f(b[0][at], b[1][at], b[2][at])});
+        found.push_back({leaf_of(cloth, constraints.triangle_of[lane]), Vec3f(b[0][at], b[1][at], b[2][at])});
     }
     return found;
 }
 
 // Each leaf's own.
 void learn(Cloth& cloth, float scale) {
-    SolverBlocks& blocks = cloth.solver.blocks;
-    for (std::size_t lane = 0; lane < blocks.triangle_of.size(); ++lane) {
-        if (blocks.triangle_of[lane] == kSpare) continue;
-        const LeafTriangle leaf = leaf_of(cloth, blocks.triangle_of[lane]);
+    Constraints& constraints = cloth.solver.constraints;
+    for (std::size_t lane = 0; lane < constraints.triangle_of.size(); ++lane) {
+        if (constraints.triangle_of[lane] == kSpare) continue;
+        const LeafTriangle leaf = leaf_of(cloth, constraints.triangle_of[lane]);
         const float value = scale * (1 + static_cast<float>(leaf.triangle.value));
-        auto& b = blocks.stretch[lane / kBlock].bias;
+        auto& b = constraints.stretch.blocks[lane / kBlock].bias;
         b[0][lane % kBlock] = value;
         b[1][lane % kBlock] = 2 * value;
         b[2][lane % kBlock] = -value;
@@ -200,7 +200,7 @@ TEST(Bias, of_a_leaf_is_what_it_goes_on_to_carry_with_as_a_refined_triangle) {
     const std::vector<BiasedLeaf> before = biases(cloth);
     ASSERT_GT(split_under_dab(cloth).splits, 0);
     int refined = 0;
-    for (const LimitRecord& record : cloth.solver.blocks.parents[0].records) {
+    for (const LimitRecord& record : cloth.solver.constraints.parents[0].limits.records) {
         for (std::size_t at = 0; at < kBlock; ++at) {
             if (record.place[at] == kNoPlace) continue;
             const TriangleId id = triangle_at(record.place[at]);

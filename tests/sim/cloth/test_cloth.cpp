@@ -45,7 +45,7 @@ TEST(Cloth, weighs_the_same_after_any_number_of_adaptions) {
         EXPECT_TRUE(check(cloth.mesh).empty()) << check(cloth.mesh).front();
     }
     EXPECT_GT(changes, 100) << "the waves made hardly anything split, so nothing was tested";
-    const std::vector<std::uint32_t>& lanes = cloth.solver.blocks.triangle_of;
+    const std::vector<std::uint32_t>& lanes = cloth.solver.constraints.triangle_of;
     const auto spare = std::count(lanes.begin(), lanes.end(), kSpare);
     EXPECT_EQ(lanes.size() - static_cast<std::size_t>(spare), cloth.mesh.leaf_triangles().size());
 }

@@ -68,32 +68,33 @@ void expect_sound_blocks(const Cloth& cloth) {
         bent.insert(sorted(
             {t.v[0], t.v[1], t.v[2], beyond(cloth.mesh, t, 0), beyond(cloth.mesh, t, 1), beyond(cloth.mesh, t, 2)}));
     }
-    const SolverBlocks& blocks = cloth.solver.blocks;
-    EXPECT_EQ(constraints_of(blocks.stretch, cloth), leaves);
-    EXPECT_EQ(constraints_of(blocks.bend, cloth), bent);
-    EXPECT_EQ(blocks.records.size(), blocks.stretch.size());
-    ASSERT_EQ(blocks.parents.size(), static_cast<std::size_t>(cloth.mesh.max_level()));
+    const Constraints& constraints = cloth.solver.constraints;
+    EXPECT_EQ(constraints_of(constraints.stretch.blocks, cloth), leaves);
+    EXPECT_EQ(constraints_of(constraints.bend.blocks, cloth), bent);
+    EXPECT_EQ(constraints.stretch.records.size(), constraints.stretch.blocks.size());
+    ASSERT_EQ(constraints.parents.size(), static_cast<std::size_t>(cloth.mesh.max_level()));
     for (int level = 0; level < cloth.mesh.max_level(); ++level) {
         std::multiset<Corners> refined;
         for (const TriangleId t : cloth.mesh.refined_triangles(level)) {
             const std::array<VertexId, 3>& v = cloth.mesh.triangle(t).vertices;
             refined.insert(sorted({v[0], v[1], v[2]}));
         }
-        const ParentLevel& parents = blocks.parents[static_cast<std::size_t>(level)];
-        EXPECT_EQ(constraints_of(parents.triangles, cloth), refined);
-        EXPECT_EQ(constraints_of(parents.bend, cloth).size(), refined.size());
+        const ParentLevel& parents = constraints.parents[static_cast<std::size_t>(level)];
+        EXPECT_EQ(constraints_of(parents.limits.blocks, cloth), refined);
+        EXPECT_EQ(constraints_of(parents.bend.blocks, cloth).size(), refined.size());
     }
 }
 
 void expect_each_leaf_in_its_lane(const Cloth& cloth) {
-    const SolverBlocks& blocks = cloth.solver.blocks;
-    ASSERT_EQ(blocks.triangle_of.size(), blocks.stretch.size() * kBlock);
+    const Constraints& constraints = cloth.solver.constraints;
+    ASSERT_EQ(constraints.triangle_of.size(), constraints.stretch.blocks.size() * kBlock);
     std::set<std::uint32_t> seen;
-    for (std::size_t lane = 0; lane < blocks.triangle_of.size(); ++lane) {
-        if (blocks.triangle_of[lane] == kSpare) continue;
-        const std::array<VertexId, 3>& v = cloth.mesh.triangle(TriangleId(blocks.triangle_of[lane])).vertices;
-        EXPECT_EQ(sorted_corners_at(blocks.stretch[lane / kBlock], lane % kBlock), sorted({v[0], v[1], v[2]}));
-        EXPECT_TRUE(seen.insert(blocks.triangle_of[lane]).second) << "twice";
+    for (std::size_t lane = 0; lane < constraints.triangle_of.size(); ++lane) {
+        if (constraints.triangle_of[lane] == kSpare) continue;
+        const std::array<VertexId, 3>& v = cloth.mesh.triangle(TriangleId(constraints.triangle_of[lane])).vertices;
+        EXPECT_EQ(sorted_corners_at(constraints.stretch.blocks[lane / kBlock], lane % kBlock),
+                  sorted({v[0], v[1], v[2]}));
+        EXPECT_TRUE(seen.insert(constraints.triangle_of[lane]).second) << "twice";
     }
     for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles()) EXPECT_TRUE(seen.contains(leaf.triangle.value));
     EXPECT_EQ(seen.size(), cloth.mesh.leaf_triangles().size());
@@ -148,14 +149,14 @@ TEST(BlockColoring, has_no_block_for_nothing) {
     EXPECT_EQ(coloring.block_count(), 0U);
 }
 
-TEST(SolverBlocks, hold_every_leaf_hinge_and_refined_triangle_once) {
+TEST(Constraints, hold_every_leaf_hinge_and_refined_triangle_once) {
     Cloth cloth = make_patch(find_fabric("silk"));
     for (const int level : {0, 1, 3, 2}) {
         refine(cloth, level);
         expect_sound_blocks(cloth);
         expect_each_leaf_in_its_lane(cloth);
     }
-    EXPECT_EQ(cloth.solver.blocks.parents[1].centres.size(), cloth.mesh.split_edges(1).size());
+    EXPECT_EQ(cloth.solver.constraints.parents[1].centres.size(), cloth.mesh.split_edges(1).size());
 }
 
 TEST(BlockColoring, gives_the_lanes_of_what_goes_to_what_comes_and_keeps_colours_apart) {
@@ -197,8 +198,8 @@ TEST(BlockColoring, gives_the_lanes_of_what_goes_to_what_comes_and_keeps_colours
 
 // What a lane holds, by its corners, in their order: whichever lane it is.
 template <class Block, class Record>
-std::map<Corners, std::vector<float>> contents(const std::vector<Block>& blocks, const std::vector<Record>& records,
-                                               const Cloth& cloth) {
+std::map<Corners, std::vector<float>> contents(const ConstraintSet<Block, Record>& set, const Cloth& cloth) {
+    const auto& [blocks, records] = std::tie(set.blocks, set.records);
     std::map<Corners, std::vector<float>> found;
     const auto add_column = [](const auto& rows, std::size_t at, std::vector<float>& to) {
         std::array<float, sizeof(rows) / sizeof(float)> values;
@@ -228,7 +229,7 @@ void expect_alike(const std::map<Corners, std::vector<float>>& a, const std::map
     }
 }
 
-TEST(SolverBlocks, that_change_with_the_mesh_hold_what_blocks_made_anew_hold) {
+TEST(Constraints, that_change_with_the_mesh_hold_what_blocks_made_anew_hold) {
     std::mt19937 random(7);
     Cloth cloth = make_patch(find_fabric("denim"), {.side = 0.4});
     cloth.is_pinned[3] = true;
@@ -237,21 +238,21 @@ TEST(SolverBlocks, that_change_with_the_mesh_hold_what_blocks_made_anew_hold) {
     int in_place = 0;
     for (int i = 0; i < 40; ++i) {
         shake(cloth, 0.004F, random);
-        const std::size_t inserted = cloth.solver.lanes.inserted;
+        const std::size_t inserted = cloth.solver.lists.inserted;
         if (!adapt_cloth(cloth, nothing_near(), {.shortest_edge = 0}).changed()) continue;
-        in_place += cloth.solver.lanes.inserted > inserted ? 1 : 0;
+        in_place += cloth.solver.lists.inserted > inserted ? 1 : 0;
         expect_sound_blocks(cloth);
         expect_each_leaf_in_its_lane(cloth);
         Cloth anew = cloth;
         refresh_solver(anew);
         refresh_contacts(anew);
-        const SolverBlocks &now = cloth.solver.blocks, &then = anew.solver.blocks;
-        expect_alike(contents(now.stretch, now.records, cloth), contents(then.stretch, then.records, anew));
-        expect_alike(contents(now.bend, now.bend_records, cloth), contents(then.bend, then.bend_records, anew));
+        const Constraints &now = cloth.solver.constraints, &then = anew.solver.constraints;
+        expect_alike(contents(now.stretch, cloth), contents(then.stretch, anew));
+        expect_alike(contents(now.bend, cloth), contents(then.bend, anew));
         for (std::size_t level = 0; level < now.parents.size(); ++level) {
             const ParentLevel &a = now.parents[level], &b = then.parents[level];
-            expect_alike(contents(a.triangles, a.records, cloth), contents(b.triangles, b.records, anew));
-            expect_alike(contents(a.bend, a.bend_records, cloth), contents(b.bend, b.bend_records, anew));
+            expect_alike(contents(a.limits, cloth), contents(b.limits, anew));
+            expect_alike(contents(a.bend, cloth), contents(b.bend, anew));
             EXPECT_EQ(a.centres.size(), b.centres.size());
         }
         EXPECT_EQ(cloth.contacts.friction, anew.contacts.friction);
@@ -261,7 +262,7 @@ TEST(SolverBlocks, that_change_with_the_mesh_hold_what_blocks_made_anew_hold) {
 }
 
 // More triangles than there are colours meet in one vertex.
-TEST(SolverBlocks, hold_a_fan_of_a_hundred_triangles) {
+TEST(Constraints, hold_a_fan_of_a_hundred_triangles) {
     Cloth cloth = make_cloth(fan(100), {find_fabric("silk")}, {.max_level = 1});
     expect_sound_blocks(cloth);
     refine(cloth, 1);

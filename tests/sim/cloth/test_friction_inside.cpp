@@ -62,7 +62,7 @@ struct Roll {
     // What one visit of all triangles moves.
     std::vector<Vec4f> visit() {
         std::vector<Vec4f> points = solver_points(cloth, cloth.x);
-        kernels(simd_level()).solve_bend(cloth.solver.blocks.bend, floats(points), true);
+        kernels(simd_level()).solve_bend(cloth.solver.constraints.bend.blocks, floats(points), true);
         return points;
     }
     // By the work that the moment would do if the curvature changed, N.
@@ -83,7 +83,7 @@ struct Roll {
     }
     // Sub-steps from one visit to the next: of all leaves the same, for they are large.
     double interval() const {
-        const std::vector<BendBlock>& blocks = cloth.solver.blocks.bend;
+        const std::vector<BendBlock>& blocks = cloth.solver.constraints.bend.blocks;
         bool is_each = false;
         for (const BendBlock& block : blocks) is_each = is_each || std::ranges::max(block.is_each) > 0;
         EXPECT_FALSE(is_each);
@@ -155,9 +155,10 @@ TEST(FrictionInside, leaves_the_moment_of_sharp_folds_in_proportion_to_their_ang
 TEST(FrictionInside, costs_nothing_where_the_fabric_has_none) {
     const auto is_any = [](const BlockFloats& row) { return std::ranges::any_of(row, [](float f) { return f > 0; }); };
     const auto remember = [&](const Cloth& cloth) {
-        return std::ranges::any_of(cloth.solver.blocks.bend,
+        return std::ranges::any_of(cloth.solver.constraints.bend.blocks,
                                    [&](const BendBlock& b) { return is_any(b.has_friction); }) ||
-               std::ranges::any_of(cloth.solver.blocks.stretch, [&](const StretchBlock& b) { return is_any(b.stick); });
+               std::ranges::any_of(cloth.solver.constraints.stretch.blocks,
+                                   [&](const StretchBlock& b) { return is_any(b.stick); });
     };
     EXPECT_FALSE(remember(make_strip(rubbing(0), {.level = 2})));
     EXPECT_TRUE(remember(make_strip(rubbing(1e-4), {.level = 2})));
@@ -233,17 +234,17 @@ struct Shearing {
         for (const VertexId v : cloth.mesh.leaf_vertices()) {
             cloth.x[v.value] = flat[v.value] + Vec4f(shear * flat[v.value].z(), 0, 0, 0);
         }
-        SolverBlocks& blocks = cloth.solver.blocks;
+        Constraints& constraints = cloth.solver.constraints;
         const Kernels& loops = kernels(simd_level());
         std::vector<Vec4f> points = solver_points(cloth, cloth.x);
         std::vector<Vec4f> before = points;
         for (int i = 0; i < 20; ++i) {
-            loops.solve_stretch(blocks.stretch, blocks.records.data(), floats(points), blocks.over.data(),
-                                blocks.spare);
-            loops.update_bias(blocks.stretch, blocks.records, floats(points), floats(before), {.shear = 1},
-                              floats(blocks.carried.above), floats(blocks.carried.below));
+            loops.solve_stretch(constraints.stretch.blocks, constraints.stretch.records.data(), floats(points),
+                                constraints.over.data(), constraints.spare);
+            loops.update_bias(constraints.stretch.blocks, constraints.stretch.records, floats(points), floats(before),
+                              {.shear = 1}, floats(constraints.carried.above), floats(constraints.carried.below));
         }
-        const StretchRecord& record = blocks.records.front();
+        const StretchRecord& record = constraints.stretch.records.front();
         return -double(record.multiplier[2][0] * record.compliance[2][0]) * cloth.fabrics.front().shear;
     }
 };
@@ -295,7 +296,7 @@ void bend_at_random(Cloth& cloth, unsigned seed) {
     std::mt19937 random(seed);
     shake(cloth, 0.01F, random);
     std::vector<Vec4f> points = solver_points(cloth, cloth.x);
-    kernels(simd_level()).solve_bend(cloth.solver.blocks.bend, floats(points), true);
+    kernels(simd_level()).solve_bend(cloth.solver.constraints.bend.blocks, floats(points), true);
 }
 
 // Of a leaf, or of a refined triangle.

@@ -96,8 +96,8 @@ void limit_and_carry(const Cloth& cloth, const Kernels& loops, std::span<const L
     Points carried = points;
     loops.limit_parents(blocks, records, floats(points));
     loops.solve_coarse_bend(bend, floats(points), true);
-    for (std::size_t below = level; below < cloth.solver.blocks.parents.size(); ++below) {
-        loops.carry_centres(cloth.solver.blocks.parents[below].centres, floats(carried), floats(points));
+    for (std::size_t below = level; below < cloth.solver.constraints.parents.size(); ++below) {
+        loops.carry_centres(cloth.solver.constraints.parents[below].centres, floats(carried), floats(points));
     }
 }
 
@@ -115,10 +115,10 @@ TEST_P(KernelsAtLevel, stretch_and_shear_push_and_turn_nothing_as_a_whole) {
     std::mt19937 random(11);
     const Cloth cloth = shaken_patch(random, 0.01F);
     expect_no_push<StretchBlock>(
-        cloth, cloth.solver.blocks.stretch,
+        cloth, cloth.solver.constraints.stretch.blocks,
         [&](auto one, Points& points) {
             std::vector<OverBlock> over(one.size());
-            loops().solve_stretch(one, nullptr, floats(points), over.data(), cloth.solver.blocks.spare);
+            loops().solve_stretch(one, nullptr, floats(points), over.data(), cloth.solver.constraints.spare);
         },
         0.01);
 }
@@ -141,7 +141,7 @@ Cloth rolled_patch(int level) {
 TEST_P(KernelsAtLevel, bending_pushes_nothing_and_turns_nothing) {
     const auto expect = [&](const Cloth& cloth, double torque_share) {
         expect_no_push<BendBlock>(
-            cloth, cloth.solver.blocks.bend,
+            cloth, cloth.solver.constraints.bend.blocks,
             [&](auto one, Points& points) { loops().solve_bend(one, floats(points), true); }, torque_share);
     };
     std::mt19937 random(12);
@@ -153,12 +153,13 @@ TEST_P(KernelsAtLevel, bending_of_refined_triangles_pushes_nothing_and_turns_lit
     Cloth cloth = rolled_patch(2);
     for (const std::size_t level : {0U, 1U}) {
         expect_no_push<CoarseBendBlock>(
-            cloth, cloth.solver.blocks.parents[level].bend,
+            cloth, cloth.solver.constraints.parents[level].bend.blocks,
             [&](auto one, Points& points) {
                 Points carried = points;
                 loops().solve_coarse_bend(one, floats(points), true);
-                for (std::size_t below = level; below < cloth.solver.blocks.parents.size(); ++below) {
-                    loops().carry_centres(cloth.solver.blocks.parents[below].centres, floats(carried), floats(points));
+                for (std::size_t below = level; below < cloth.solver.constraints.parents.size(); ++below) {
+                    loops().carry_centres(cloth.solver.constraints.parents[below].centres, floats(carried),
+                                          floats(points));
                 }
             },
             0.02);
@@ -174,7 +175,7 @@ TEST_P(KernelsAtLevel, limits_of_refined_triangles_push_nothing_and_turn_little)
     centre_split_edges(cloth);
     for (const std::size_t level : {0U, 1U}) {
         expect_no_push<LimitBlock>(
-            cloth, cloth.solver.blocks.parents[level].triangles,
+            cloth, cloth.solver.constraints.parents[level].limits.blocks,
             [&](auto one, Points& points) { limit_and_carry(cloth, loops(), one, level, points); }, 0.02);
     }
 }
@@ -184,7 +185,7 @@ TEST_P(KernelsAtLevel, bending_leaves_a_flat_patch_flat_however_it_lies) {
     refine(cloth, 2);
     move_to(cloth, Eigen::AngleAxisf(1.0F, Vec3f(1, 2, 3).normalized()).toRotationMatrix(), Vec3f(0.1F, 0.2F, 0.3F));
     Points points = solver_points(cloth, cloth.x);
-    loops().solve_bend(cloth.solver.blocks.bend, floats(points), true);
+    loops().solve_bend(cloth.solver.constraints.bend.blocks, floats(points), true);
     for (const VertexId v : cloth.mesh.leaf_vertices()) {
         EXPECT_LT((points[v.value] - padded(cloth.x[v.value].head<3>())).head<3>().norm(), 1e-6F);
     }
@@ -200,7 +201,7 @@ TEST_P(KernelsAtLevel, a_limit_takes_back_what_is_longer_and_touches_nothing_sho
     std::mt19937 random(14);
     const Cloth cloth = shaken_patch(random, 0.01F);
     int longer = 0, shorter = 0;
-    for (const LimitBlock& block : cloth.solver.blocks.parents[0].triangles) {
+    for (const LimitBlock& block : cloth.solver.constraints.parents[0].limits.blocks) {
         const Points before = solver_points(cloth, cloth.x);
         Points after = before;
         loops().limit_parents(std::span(&block, 1), nullptr, floats(after));
@@ -236,11 +237,11 @@ struct Sweep {
 void move_biases(const Kernels& loops, Sweep& s, CarriedStress stress) {
     const BiasGains gains{.stretch = 0.1F, .shear = 0.05F};
     float *const own = floats(stress.own), *const above = floats(stress.above), *const below = floats(stress.below);
-    for (const ParentLevel& level : s.parents) loops.carry_stress(level.records, own, above);
+    for (const ParentLevel& level : s.parents) loops.carry_stress(level.limits.records, own, above);
     loops.update_bias(s.stretch, s.records, floats(s.points), floats(s.before), gains, above, below);
     for (std::size_t i = s.parents.size(); i-- > 0;) {
-        loops.update_parents(s.parents[i].triangles, s.parents[i].records, floats(s.points), floats(s.before), gains,
-                             own, above, below);
+        loops.update_parents(s.parents[i].limits.blocks, s.parents[i].limits.records, floats(s.points),
+                             floats(s.before), gains, own, above, below);
     }
 }
 
@@ -250,7 +251,7 @@ Sweep swept(const Kernels& loops) {
     shake(cloth, 0.004F, random);
     cloth.is_pinned[0] = cloth.is_pinned[7] = true;
     refresh_solver(cloth);
-    const SolverBlocks& blocks = cloth.solver.blocks;
+    const Constraints& constraints = cloth.solver.constraints;
     Sweep s;
     s.points = s.before = solver_points(cloth, cloth.x);
     s.lost.assign(s.points.size(), Vec4f::Zero());
@@ -260,26 +261,26 @@ Sweep swept(const Kernels& loops) {
         s.asked[v] = s.points[v];  // lies on the body
         s.asked[v].w() = 0;
     }
-    s.records = blocks.records;
-    s.stretch = blocks.stretch;
-    s.bend = blocks.bend;
-    s.parents = blocks.parents;
+    s.records = constraints.stretch.records;
+    s.stretch = constraints.stretch.blocks;
+    s.bend = constraints.bend.blocks;
+    s.parents = constraints.parents;
     loops.predict(floats(s.points), floats(s.before), floats(s.lost), cloth.x.size(),
                   {.keep = 0.9F, .fall = {1e-4F, -1e-3F, 2e-4F}});
-    for (std::size_t level = 0; level < blocks.parents.size(); ++level) {
-        limit_and_carry(cloth, loops, blocks.parents[level].triangles, level, s.points, s.parents[level].records.data(),
-                        s.parents[level].bend);
+    for (std::size_t level = 0; level < constraints.parents.size(); ++level) {
+        limit_and_carry(cloth, loops, constraints.parents[level].limits.blocks, level, s.points,
+                        s.parents[level].limits.records.data(), s.parents[level].bend.blocks);
     }
     loops.solve_bend(s.bend, floats(s.points), true);
-    for (const BlockColoring::Run& run : cloth.solver.lanes.stretch.runs()) {
+    for (const BlockColoring::Run& run : cloth.solver.constraints.stretch.coloring.runs()) {
         const std::span<StretchBlock> some = std::span(s.stretch).subspan(run.first, run.count);
         std::vector<OverBlock> over(run.count);
-        over.resize(loops.solve_stretch(some, &s.records[run.first], floats(s.points), over.data(), blocks.spare));
+        over.resize(loops.solve_stretch(some, &s.records[run.first], floats(s.points), over.data(), constraints.spare));
         loops.limit_stretch(over, floats(s.points));
         for (const OverBlock& block : over)
             s.over.insert(s.over.end(), block.vertices[0].begin(), block.vertices[0].end());
     }
-    move_biases(loops, s, blocks.carried);
+    move_biases(loops, s, constraints.carried);
     loops.rub(s.stretch, floats(s.points), floats(s.before), 0.2F);
     s.found.resize(s.points.size() + kBlock);
     const std::vector<float> friction(s.points.size(), 0.4F);
@@ -314,15 +315,17 @@ bool have_same_anchors(const std::vector<Block>& a, const std::vector<Block>& b)
 
 bool have_same_bits(const std::vector<ParentLevel>& a, const std::vector<ParentLevel>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const ParentLevel& p, const ParentLevel& q) {
-        return have_same_anchors(p.bend, q.bend) &&
-               std::equal(p.records.begin(), p.records.end(), q.records.begin(), q.records.end(),
+        return have_same_anchors(p.bend.blocks, q.bend.blocks) &&
+               std::equal(p.limits.records.begin(), p.limits.records.end(), q.limits.records.begin(),
+                          q.limits.records.end(),
                           [](const LimitRecord& r, const LimitRecord& t) { return r.bias == t.bias; });
     });
 }
 
 bool has_learnt(const std::vector<ParentLevel>& parents) {
     const auto learnt = [](const LimitRecord& record) { return record.bias != LimitRecord{}.bias; };
-    return std::ranges::all_of(parents, [&](const ParentLevel& p) { return std::ranges::any_of(p.records, learnt); });
+    return std::ranges::all_of(parents,
+                               [&](const ParentLevel& p) { return std::ranges::any_of(p.limits.records, learnt); });
 }
 
 TEST(Kernels, of_avx2_and_avx512_give_the_same_bits) {
@@ -343,20 +346,24 @@ TEST(Kernels, of_avx2_and_avx512_give_the_same_bits) {
 TEST(Kernels, of_avx2_and_avx512_weigh_bending_with_the_same_bits) {
     if (detected_simd_level() < SimdLevel::Avx512) GTEST_SKIP() << "no AVX-512 on this processor";
     const Cloth cloth = flat_patch(2);
-    const SolverLanes& lanes = cloth.solver.lanes;
-    SolverBlocks narrow = cloth.solver.blocks, wide = narrow;
-    std::vector<float> inverse_masses = lanes.inverse_masses;  // others than it was weighed with
+    const SolverLists& lists = cloth.solver.lists;
+    Constraints narrow = cloth.solver.constraints, wide = narrow;
+    std::vector<float> inverse_masses = lists.inverse_masses;  // others than it was weighed with
     for (float& w : inverse_masses) w *= 2;
-    const auto weigh = [&](const Kernels& loops, SolverBlocks& blocks) {
-        loops.weigh_bend(blocks.bend, blocks.bend_records, inverse_masses.data());
-        loops.weigh_coarse_bend(blocks.parents[1].bend, blocks.parents[1].bend_records, lanes.masses[1].data());
+    const auto weigh = [&](const Kernels& loops, Constraints& constraints) {
+        loops.weigh_bend(constraints.bend.blocks, constraints.bend.records, inverse_masses.data());
+        loops.weigh_coarse_bend(constraints.parents[1].bend.blocks, constraints.parents[1].bend.records,
+                                lists.masses[1].data());
     };
     weigh(kernels(SimdLevel::Avx2), narrow);
     weigh(kernels(SimdLevel::Avx512), wide);
-    EXPECT_EQ(std::memcmp(narrow.bend.data(), wide.bend.data(), narrow.bend.size() * sizeof(BendBlock)), 0);
-    const std::vector<CoarseBendBlock>&a = narrow.parents[1].bend, &b = wide.parents[1].bend;
+    EXPECT_EQ(
+        std::memcmp(narrow.bend.blocks.data(), wide.bend.blocks.data(), narrow.bend.blocks.size() * sizeof(BendBlock)),
+        0);
+    const std::vector<CoarseBendBlock>&a = narrow.parents[1].bend.blocks, &b = wide.parents[1].bend.blocks;
     EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(CoarseBendBlock)), 0);
-    EXPECT_NE(std::memcmp(narrow.bend.data(), cloth.solver.blocks.bend.data(), sizeof(BendBlock)), 0);
+    EXPECT_NE(std::memcmp(narrow.bend.blocks.data(), cloth.solver.constraints.bend.blocks.data(), sizeof(BendBlock)),
+              0);
 }
 
 TEST(Kernels, without_fused_multiplication_are_off_by_rounding_only) {

@@ -112,12 +112,13 @@ TEST(Step, no_spare_lane_is_taken_for_a_triangle_beyond_its_strain_limit) {
     Cloth cloth = make_patch(find_fabric("denim"));
     refine(cloth, 1);
     step(cloth, nothing_near(), {.contact = kNoContact});
-    const SolverBlocks& blocks = cloth.solver.blocks;
+    const Constraints& constraints = cloth.solver.constraints;
     std::size_t spares = 0;
-    for (std::size_t lane = 0; lane < blocks.triangle_of.size(); ++lane) {
-        if (blocks.triangle_of[lane] != kSpare) continue;
+    for (std::size_t lane = 0; lane < constraints.triangle_of.size(); ++lane) {
+        if (constraints.triangle_of[lane] != kSpare) continue;
         ++spares;
-        EXPECT_GT(blocks.stretch[lane / kBlock].longest[lane % kBlock], 1e30F) << "a spare lane would count as over";
+        EXPECT_GT(constraints.stretch.blocks[lane / kBlock].longest[lane % kBlock], 1e30F)
+            << "a spare lane would count as over";
     }
     EXPECT_GT(spares, 0U);
 }

@@ -114,7 +114,7 @@ double push_of_fold(double degrees) {
     cloth.x[3] =
         Vec4f(0.05F, -0.1F * static_cast<float>(std::cos(angle)), 0.1F * static_cast<float>(std::sin(angle)), 0);
     std::vector<Vec4f> points = solver_points(cloth, cloth.x);
-    kernels(simd_level()).solve_bend(cloth.solver.blocks.bend, floats(points), true);
+    kernels(simd_level()).solve_bend(cloth.solver.constraints.bend.blocks, floats(points), true);
     return double((points[3] - solver_points(cloth, cloth.x)[3]).norm());
 }
 
@@ -141,7 +141,7 @@ TEST(TriangleBending, moves_no_point_twice_where_three_triangles_meet_alone) {
     mesh.panel_grain_angles = {0};
     Cloth cloth = make_cloth(mesh, {springy(0.1)});
     std::vector<Vec4f> points = solver_points(cloth, cloth.x);
-    kernels(simd_level()).solve_bend(cloth.solver.blocks.bend, floats(points), true);
+    kernels(simd_level()).solve_bend(cloth.solver.constraints.bend.blocks, floats(points), true);
     Vec3d push = Vec3d::Zero();
     double size = 0;
     for (std::size_t v = 0; v < 4; ++v) {
@@ -179,7 +179,7 @@ TEST(TriangleBending, hands_what_leaves_cannot_make_to_refined_triangles_and_not
     Cloth soft = make_patch(springy(1e-7));
     refine(soft, 2);
     EXPECT_NEAR(realised(soft).leaves, 1, 1e-6);
-    EXPECT_TRUE(std::ranges::none_of(soft.solver.blocks.parents, &ParentLevel::bends));
+    EXPECT_TRUE(std::ranges::none_of(soft.solver.constraints.parents, &ParentLevel::bends));
 
     Cloth stiff = make_patch(springy(1e-3));
     refine(stiff, 3);
@@ -231,7 +231,7 @@ TEST(TriangleBending, gives_no_energy) {
             cloth.x[v.value].y() = 0.004F * std::sin(20 * p.x()) * std::cos(15 * p.z());
         }
         cloth.x_prev = cloth.x;
-        ASSERT_TRUE(std::ranges::any_of(cloth.solver.blocks.parents, &ParentLevel::bends) || substep < 1.0F / 500);
+        ASSERT_TRUE(std::ranges::any_of(cloth.solver.constraints.parents, &ParentLevel::bends) || substep < 1.0F / 500);
         const StepOptions free{.gravity = Vec3f::Zero(), .internal_damping = 0, .contact = {.floor = kNoFloor}};
         std::vector<float> most(4, 0.0F);
         for (float& speed : most) {

@@ -1,0 +1,113 @@
+#pragma once
+// The constraints of one kind: blocks for the kernels, colours, which blocks wait for their gains, and where the
+// constraint of a triangle stands.
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/cloth/block_lanes.h"
+#include "sim/cloth/coloring.h"
+#include "sim/cloth/dirty_blocks.h"
+#include "sim/core/ids.h"
+
+namespace selvedge {
+
+// Each constraint has a lane: place lane % kBlock of block lane / kBlock. It belongs to a triangle, and keeps its lane
+// until it is removed, at a cost in proportion to what comes and goes. A lane that is free is a spare one: it moves the
+// spare point alone.
+template <class Block, class Record>
+class ConstraintSet {
+ public:
+    std::vector<Block> blocks;
+    std::vector<Record> records;  // block by block: what weighing and learning need besides
+    BlockColoring coloring;
+    DirtyBlocks dirty;
+
+    // All anew. id_of(item): the triangle; corners_of(item): the vertices of its constraint; set(item, lane) fills the
+    // lane.
+    template <class Items, class IdOf, class CornersOf, class Set>
+    void make(const Items& items, std::size_t spare_point, const IdOf& id_of, const CornersOf& corners_of,
+              const Set& set) {
+        coloring.start(spare_point);
+        for (const auto& item : items) coloring.add(corners_of(item));
+        const std::vector<std::uint32_t>& lanes = coloring.assign();
+        blocks.assign(coloring.block_count(), spare_block<Block>(spare_point));
+        records.assign(coloring.block_count(), spare_record<Record>());
+        lane_of_.clear();
+        for (std::size_t i = 0; i < lanes.size(); ++i) {
+            set(items[i], lanes[i]);
+            note(id_of(items[i]), lanes[i]);
+        }
+        dirty.clear();
+        dirty.mark_all(blocks.size());
+    }
+
+    // set(lane) fills the lane. Pre: make() was called, with or without items.
+    template <std::size_t N, class Set>
+    void insert(TriangleId t, const std::array<std::uint32_t, N>& corners, std::size_t spare_point, const Set& set) {
+        const std::uint32_t lane = coloring.insert(corners);
+        if (coloring.block_count() > blocks.size()) {
+            blocks.push_back(spare_block<Block>(spare_point));
+            records.push_back(spare_record<Record>());
+        }
+        dirty.mark_lane(lane);
+        set(lane);
+        note(t, lane);
+    }
+
+    // Pre: it has one.
+    void remove(TriangleId t, std::size_t spare_point) {
+        const std::uint32_t lane = lane_of_[t.value];
+        const std::size_t at = lane % kBlock;
+        coloring.remove(lane, corners_at(blocks[lane / kBlock], at));
+        dirty.mark_lane(lane);
+        copy_lane(spare_block<Block>(spare_point), blocks[lane / kBlock], at);
+        copy_lane(spare_record<Record>(), records[lane / kBlock], at);
+        lane_of_[t.value] = kSpare;
+    }
+
+    // While all are made anew, level by level: no triangle has a lane.
+    void forget() { lane_of_.clear(); }
+
+    // kSpare: it has none.
+    std::uint32_t lane_of(TriangleId t) const { return t.value < lane_of_.size() ? lane_of_[t.value] : kSpare; }
+
+    // The same if it was made for these corners: while the mesh changes, an id may be another triangle's by now.
+    std::uint32_t lane_of(TriangleId t, const std::array<std::uint32_t, 3>& corners) const {
+        const std::uint32_t lane = lane_of(t);
+        if (lane == kSpare) return kSpare;
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (blocks[lane / kBlock].vertices[k][lane % kBlock] != 4 * corners[k]) return kSpare;
+        }
+        return lane;
+    }
+
+    // Colour by colour: visit(blocks, records).
+    template <class Visit>
+    void for_colors(const Visit& visit) {
+        for (const auto& [first, count] : coloring.runs()) visit(blocks_at(first, count), records_at(first, count));
+    }
+
+    // weigh(blocks, records) makes the gains of those that wait for them.
+    template <class Weigh>
+    void weigh_dirty(const Weigh& weigh) {
+        dirty.for_runs(
+            [&](std::size_t first, std::size_t count) { weigh(blocks_at(first, count), records_at(first, count)); });
+        dirty.clear();
+    }
+
+    std::span<Block> blocks_at(std::size_t first, std::size_t count) { return std::span(blocks).subspan(first, count); }
+    std::span<Record> records_at(std::size_t first, std::size_t count) {
+        return std::span(records).subspan(first, count);
+    }
+
+ private:
+    void note(TriangleId t, std::uint32_t lane) {
+        if (t.value >= lane_of_.size()) lane_of_.resize(t.value + 1, kSpare);
+        lane_of_[t.value] = lane;
+    }
+    std::vector<std::uint32_t> lane_of_;  // by TriangleId
+};
+
+}  // namespace selvedge
