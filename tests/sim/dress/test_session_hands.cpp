@@ -134,7 +134,8 @@ TEST_F(SessionHands, take_hold_of_what_was_seen_some_frames_ago) {
     session_.pin(hem);
     session_.advance(0);
     ASSERT_EQ(session_.frame()->pins.size(), 1U);
-    EXPECT_LT((session_.frame()->pins.front() - position_of(*before, hem)).norm(), 0.05F);
+    constexpr float kFall = 0.07F;  // m: what a coarser cloth sinks by in ten frames; the next vertex is farther
+    EXPECT_LT((session_.frame()->pins.front() - position_of(*before, hem)).norm(), kFall);
     session_.advance(100);
     session_.pin(hem);
     session_.advance(0);
