@@ -28,8 +28,9 @@ void weigh_bending(Cloth& cloth, const Kernels& loops) {
     hand_up(solver.lists, solver.constraints.bend.records);
 }
 
-// A refined triangle that begins to bend does so without friction's pull: its anchors did not follow it before, and are
-// 0 as long as it does not.
+// A refined triangle that begins to bend does so without friction's pull, from its present curvature. The anchors of
+// one that does not bend mean nothing, for a visit of its block may write them; they are cleared, so that blocks hold
+// the same bits whatever came before.
 void weigh_coarse_bending(Cloth& cloth, const Kernels& loops, int level) {
     SolverState& solver = cloth.solver;
     ParentLevel& parents = solver.constraints.parents[static_cast<std::size_t>(level)];
@@ -37,25 +38,23 @@ void weigh_coarse_bending(Cloth& cloth, const Kernels& loops, int level) {
     std::vector<std::uint32_t>& idle = solver.lists.idle_bends;
     idle.clear();
     for (const TriangleId t : cloth.mesh.refined_triangles(level)) {
-        const std::uint32_t lane = bend.lane_of(t);
-        bend.records[lane / kBlock].asked[lane % kBlock] = solver.lists.asked[place_of(t) / 4];
-        if (bend.blocks[lane / kBlock].realised[lane % kBlock] <= 0) idle.push_back(lane);
+        const std::uint32_t slot = bend.slot_of(t);
+        bend.records[slot / kBlock].asked[slot % kBlock] = solver.lists.asked[place_of(t) / 4];
+        if (bend.blocks[slot / kBlock].realised[slot % kBlock] <= 0) idle.push_back(slot);
     }
     loops.weigh_coarse_bend(bend.blocks, bend.records, solver.lists.masses[static_cast<std::size_t>(level)].data());
     bend.dirty.clear();
-    for (const std::uint32_t lane : idle) {
-        CoarseBendBlock& block = bend.blocks[lane / kBlock];
-        const std::size_t at = lane % kBlock;
+    for (const std::uint32_t slot : idle) {
+        CoarseBendBlock& block = bend.blocks[slot / kBlock];
+        const std::size_t at = slot % kBlock;
         if (block.realised[at] > 0) set_lane(block.anchor, at, curvature_now(cloth, block, at));
     }
-    parents.bends = parents.bends_each = false;
+    parents.interval = kNeverVisited;
     for (const TriangleId t : cloth.mesh.refined_triangles(level)) {
-        const std::uint32_t lane = bend.lane_of(t);
-        CoarseBendBlock& block = bend.blocks[lane / kBlock];
-        const bool bends = block.realised[lane % kBlock] > 0;
-        if (!bends) set_lane(block.anchor, lane % kBlock, Vec3f::Zero());
-        parents.bends = parents.bends || bends;
-        parents.bends_each = parents.bends_each || block.is_each[lane % kBlock] > 0;
+        const std::uint32_t slot = bend.slot_of(t);
+        CoarseBendBlock& block = bend.blocks[slot / kBlock];
+        if (block.realised[slot % kBlock] <= 0) set_lane(block.anchor, slot % kBlock, Vec3f::Zero());
+        parents.interval = std::min(parents.interval, block.interval[slot % kBlock]);
     }
     hand_up(solver.lists, bend.records);
 }

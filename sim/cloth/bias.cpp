@@ -35,13 +35,13 @@ bool is_kept(const Cloth& cloth, TriangleId t) {
     return cloth.saved_bias.find(t, cloth.adaptions) != nullptr;
 }
 
-KeptBias bias_in(const Cloth& cloth, std::uint32_t lane) {
-    const StretchBlock& block = cloth.solver.constraints.stretch.blocks[lane / kBlock];
-    return {.value = lane_of(block.bias, lane % kBlock), .anchor = block.anchor[lane % kBlock]};
+KeptBias bias_in(const Cloth& cloth, std::uint32_t slot) {
+    const StretchBlock& block = cloth.solver.constraints.stretch.blocks[slot / kBlock];
+    return {.value = lane_of(block.bias, slot % kBlock), .anchor = block.anchor[slot % kBlock]};
 }
 
-Vec3f limit_in(const ParentLevel& level, std::uint32_t lane) {
-    return lane_of(level.limits.records[lane / kBlock].bias, lane % kBlock);
+Vec3f limit_in(const ParentLevel& level, std::uint32_t slot) {
+    return lane_of(level.limits.records[slot / kBlock].bias, slot % kBlock);
 }
 
 // Of those that are known.
@@ -65,7 +65,7 @@ float fitted(float bias, float seen, float compliance, float share, float ratio)
     return sum > 0 ? bias * (seen + (1 - share) * then) / sum * (ratio * ratio) : bias;
 }
 
-void fit_lane(StretchBlock& block, const StretchRecord& record, std::size_t at, float ratio) {
+void fit_slot(StretchBlock& block, const StretchRecord& record, std::size_t at, float ratio) {
     const std::array<float, 3> gains{block.warp[at], block.weft[at], block.shear[at]};
     for (std::size_t k = 0; k < 3; ++k) {
         const float compliance = record.compliance[k][at];
@@ -74,7 +74,7 @@ void fit_lane(StretchBlock& block, const StretchRecord& record, std::size_t at, 
 }
 
 // All of a multiplier is made by the bias. Of warp and weft roughly so: there is a length that is free without any.
-void fit_lane(LimitRecord& record, std::size_t at, float ratio) {
+void fit_slot(LimitRecord& record, std::size_t at, float ratio) {
     for (std::size_t k = 0; k < 3; ++k) {
         const float compliance = record.compliance[k][at];
         const float seen = (kLimitShare * record.per_stress[k][at] - 1) * compliance;
@@ -86,15 +86,15 @@ void fit_lane(LimitRecord& record, std::size_t at, float ratio) {
 
 void fit_biases(Cloth& cloth, float ratio) {
     Constraints& constraints = cloth.solver.constraints;
-    for (std::size_t lane = 0; lane < constraints.triangle_of.size(); ++lane) {
-        if (constraints.triangle_of[lane] == kSpare) continue;
-        fit_lane(constraints.stretch.blocks[lane / kBlock], constraints.stretch.records[lane / kBlock], lane % kBlock,
+    for (std::size_t slot = 0; slot < constraints.triangle_of.size(); ++slot) {
+        if (constraints.triangle_of[slot] == kSpare) continue;
+        fit_slot(constraints.stretch.blocks[slot / kBlock], constraints.stretch.records[slot / kBlock], slot % kBlock,
                  ratio);
     }
     for (ParentLevel& level : constraints.parents) {
         for (LimitRecord& record : level.limits.records) {
             for (std::size_t at = 0; at < kBlock; ++at) {
-                if (record.place[at] != kNoPlace) fit_lane(record, at, ratio);
+                if (record.place[at] != kNoPlace) fit_slot(record, at, ratio);
             }
         }
     }
@@ -102,8 +102,8 @@ void fit_biases(Cloth& cloth, float ratio) {
 
 KeptBias kept_bias(const Cloth& cloth, TriangleId t) {
     if (const KeptBias* const kept = cloth.saved_bias.find(t, cloth.adaptions)) return *kept;
-    const std::uint32_t lane = cloth.solver.constraints.stretch.lane_of(t, indices(cloth.mesh.triangle(t).vertices));
-    return lane == kSpare ? KeptBias{} : bias_in(cloth, lane);
+    const std::uint32_t slot = cloth.solver.constraints.stretch.slot_of(t, indices(cloth.mesh.triangle(t).vertices));
+    return slot == kSpare ? KeptBias{} : bias_in(cloth, slot);
 }
 
 Vec3f kept_limit(const Cloth& cloth, TriangleId t) {
@@ -111,18 +111,18 @@ Vec3f kept_limit(const Cloth& cloth, TriangleId t) {
     const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
     const std::vector<ParentLevel>& parents = cloth.solver.constraints.parents;
     if (triangle.level >= parents.size()) return Vec3f::Zero();
-    const std::uint32_t lane = parents[triangle.level].limits.lane_of(t, indices(triangle.vertices));
-    return lane == kSpare ? Vec3f(Vec3f::Zero()) : limit_in(parents[triangle.level], lane);
+    const std::uint32_t slot = parents[triangle.level].limits.slot_of(t, indices(triangle.vertices));
+    return slot == kSpare ? Vec3f(Vec3f::Zero()) : limit_in(parents[triangle.level], slot);
 }
 
 void keep_bias(Cloth& cloth, TriangleId t) {
     if (is_kept(cloth, t)) return;
-    const KeptBias kept = bias_in(cloth, cloth.solver.constraints.stretch.lane_of(t));
+    const KeptBias kept = bias_in(cloth, cloth.solver.constraints.stretch.slot_of(t));
     set_leaf(cloth, t, kept.value, kept.anchor);
 }
 
 void keep_limit(Cloth& cloth, TriangleId t, const ParentLevel& level) {
-    if (!is_kept(cloth, t)) set_kept(cloth, t, {.limit = limit_in(level, level.limits.lane_of(t))});
+    if (!is_kept(cloth, t)) set_kept(cloth, t, {.limit = limit_in(level, level.limits.slot_of(t))});
 }
 
 void keep_biases(Cloth& cloth) {

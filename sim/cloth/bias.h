@@ -10,19 +10,19 @@
 
 namespace selvedge {
 
-// What was kept of that triangle since Cloth::adaptions was last counted up, else what its lane has; 0 if it has none.
+// What was kept of that triangle since Cloth::adaptions was last counted up, else what its slot has; 0 if it has none.
 KeptBias kept_bias(const Cloth& cloth, TriangleId t);
 
 // The same of a refined triangle's.
 Vec3f kept_limit(const Cloth& cloth, TriangleId t);
 
-// From the lane of a leaf, or of a refined triangle of that level, to Cloth::saved_bias, if nothing was kept of it yet;
+// From the slot of a leaf, or of a refined triangle of that level, to Cloth::saved_bias, if nothing was kept of it yet;
 // and of all.
 void keep_bias(Cloth& cloth, TriangleId t);
 void keep_limit(Cloth& cloth, TriangleId t, const ParentLevel& level);
 void keep_biases(Cloth& cloth);
 
-// The same of a triangle's friction in bending, leaf or refined; not known if it has no lane.
+// The same of a triangle's friction in bending, leaf or refined; not known if it has no slot.
 KeptBend kept_bend(const Cloth& cloth, TriangleId t);
 void keep_bend(Cloth& cloth, TriangleId t);
 void keep_bends(Cloth& cloth);

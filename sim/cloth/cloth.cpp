@@ -36,18 +36,18 @@ void refresh_masses(Cloth& cloth) {
     for (std::uint32_t v = 0; v < cloth.x.size(); ++v) set_inverse_mass(cloth, v);
 }
 
-// What went still stands in the solver's lanes.
+// What went still stands in the solver's slots.
 void update_masses(Cloth& cloth) {
     const LeafChanges& changes = cloth.mesh.changes();
     const SolverState& solver = cloth.solver;
     cloth.mass_sums.resize(cloth.x.size(), 0.0);
     for (const TriangleId t : changes.triangles_gone) {
-        const std::uint32_t lane = solver.constraints.stretch.lane_of(t);
-        const StretchBlock& block = solver.constraints.stretch.blocks[lane / kBlock];
-        const auto third = static_cast<double>(solver.constraints.thirds[lane]);
+        const std::uint32_t slot = solver.constraints.stretch.slot_of(t);
+        const StretchBlock& block = solver.constraints.stretch.blocks[slot / kBlock];
+        const auto third = static_cast<double>(solver.constraints.thirds[slot]);
         for (const BlockPoints& corner : block.vertices) {
-            cloth.mass_sums[corner[lane % kBlock] / 4] -= third;
-            set_inverse_mass(cloth, corner[lane % kBlock] / 4);
+            cloth.mass_sums[corner[slot % kBlock] / 4] -= third;
+            set_inverse_mass(cloth, corner[slot % kBlock] / 4);
         }
     }
     for (const TriangleId t : changes.triangles_come) {

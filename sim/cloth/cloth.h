@@ -29,7 +29,7 @@ struct SolverState {
     std::vector<Vec4f> correction;  // what stretch and shear moved them by in the last sub-step
     Constraints constraints;
     SolverLists lists;
-    int substeps = 0;  // so far, by 2
+    int substeps = 0;  // so far, by 4
 };
 
 // What the solver has learnt about a triangle, see solver_blocks.h and bias.h.
@@ -63,9 +63,9 @@ struct Cloth {
     std::vector<Vec3f> normals{};       // unit, of the fabric's right side; see update_normals
     std::vector<bool> is_pinned{};
 
-    SavedStates<KeptBias> saved_bias{};
-    SavedStates<KeptBend> saved_bend{};
-    std::uint32_t adaptions = 0;      // so far
+    SavedStates<KeptBias> saved_bias{};  // by TriangleId, while an adaption is under way
+    SavedStates<KeptBend> saved_bend{};  // the same
+    std::uint32_t adaptions = 0;         // so far
     std::vector<double> mass_sums{};  // kg by vertex, pinned or not; sums of floats, so that they can be undone exactly
 
     SolverState solver{};

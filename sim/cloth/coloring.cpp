@@ -6,11 +6,11 @@ void BlockColoring::start(std::size_t vertices) {
     used_.assign(vertices, 0);
     colors_.clear();
     block_colors_.clear();
-    for (std::vector<std::uint32_t>& lanes : free_lanes_) lanes.clear();
+    for (std::vector<std::uint32_t>& slots : free_slots_) slots.clear();
     runs_.clear();
 }
 
-// Blocks are made colour by colour, so that those of one colour lie side by side; lanes are given away from the first.
+// Blocks are made colour by colour, so that those of one colour lie side by side; slots are given away from the first.
 const std::vector<std::uint32_t>& BlockColoring::assign() {
     std::array<std::uint32_t, kColors + 1> counts{};
     for (const std::uint32_t color : colors_) ++counts[color];
@@ -23,27 +23,27 @@ const std::vector<std::uint32_t>& BlockColoring::assign() {
         alone_ = color < kColors ? 0 : blocks;
         if (color == kColors) break;
         const std::uint32_t end = next[color] + blocks * static_cast<std::uint32_t>(kBlock);
-        for (std::uint32_t lane = end; lane-- > next[color] + counts[color];) free_lanes_[color].push_back(lane);
+        for (std::uint32_t slot = end; slot-- > next[color] + counts[color];) free_slots_[color].push_back(slot);
     }
-    lanes_.clear();
+    slots_.clear();
     for (const std::uint32_t color : colors_) {
-        lanes_.push_back(next[color]);
+        slots_.push_back(next[color]);
         next[color] += color < kColors ? 1 : static_cast<std::uint32_t>(kBlock);
     }
-    return lanes_;
+    return slots_;
 }
 
-std::uint32_t BlockColoring::take_lane(std::uint32_t color) {
-    std::vector<std::uint32_t>& free = free_lanes_[color];
+std::uint32_t BlockColoring::take_slot(std::uint32_t color) {
+    std::vector<std::uint32_t>& free = free_slots_[color];
     if (free.empty()) {
         const auto first = static_cast<std::uint32_t>(block_colors_.size() * kBlock);
         const auto count = color < kColors ? static_cast<std::uint32_t>(kBlock) : 1U;
         for (std::uint32_t i = count; i-- > 0;) free.push_back(first + i);
         add_block(color < kColors ? color : kColors + alone_++);
     }
-    const std::uint32_t lane = free.back();
+    const std::uint32_t slot = free.back();
     free.pop_back();
-    return lane;
+    return slot;
 }
 
 void BlockColoring::add_block(std::uint32_t color) {

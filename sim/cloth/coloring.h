@@ -8,7 +8,7 @@
 namespace selvedge {
 
 // Greedy: each constraint gets the first colour that none of its vertices has. All at once, in the order of calling
-// add(), blocks of one colour behind each other; then one by one, as constraints come and go: what comes takes a lane
+// add(), blocks of one colour behind each other; then one by one, as constraints come and go: what comes takes a slot
 // that is free in a block of its colour, or a new block at the end. Keeps its memory between uses.
 class BlockColoring {
  public:
@@ -21,24 +21,24 @@ class BlockColoring {
         colors_.push_back(color_for(vertices));
     }
 
-    // The lane of each constraint, in the order of adding: block lane / kBlock, place lane % kBlock. Every colour
+    // The slot of each constraint, in the order of adding: block slot / kBlock, place slot % kBlock. Every colour
     // begins a new block.
     const std::vector<std::uint32_t>& assign();
     std::size_t block_count() const { return block_colors_.size(); }  // after assign()
 
-    // After assign(). insert() gives a lane; block_count() may be one more then.
+    // After assign(). insert() gives a slot; block_count() may be one more then.
     template <std::size_t N>
     std::uint32_t insert(const std::array<std::uint32_t, N>& vertices) {
-        return take_lane(color_for(vertices));
+        return take_slot(color_for(vertices));
     }
-    // Pre: the constraint that has this lane has these vertices.
+    // Pre: the constraint that has this slot has these vertices.
     template <std::size_t N>
-    void remove(std::uint32_t lane, const std::array<std::uint32_t, N>& vertices) {
-        const std::uint32_t color = block_colors_[lane / kBlock];
+    void remove(std::uint32_t slot, const std::array<std::uint32_t, N>& vertices) {
+        const std::uint32_t color = block_colors_[slot / kBlock];
         if (color < kColors) {
             for (const std::uint32_t v : vertices) used_[v] &= ~(std::uint64_t{1} << color);
         }
-        free_lanes_[list_of(color)].push_back(lane);
+        free_slots_[list_of(color)].push_back(slot);
     }
 
     // By block. Constraints of one colour share no vertex, whichever blocks they stand in.
@@ -65,14 +65,14 @@ class BlockColoring {
         for (const std::uint32_t v : vertices) used_[v] |= std::uint64_t{1} << color;
         return color;
     }
-    std::uint32_t take_lane(std::uint32_t color);
+    std::uint32_t take_slot(std::uint32_t color);
     void add_block(std::uint32_t color);
 
     std::vector<std::uint64_t> used_;    // by vertex: a bit for each colour
     std::vector<std::uint32_t> colors_;  // by constraint, between start() and assign()
-    std::vector<std::uint32_t> lanes_;
+    std::vector<std::uint32_t> slots_;
     std::vector<std::uint32_t> block_colors_;
-    std::array<std::vector<std::uint32_t>, kColors + 1> free_lanes_{};  // by colour, the next last
+    std::array<std::vector<std::uint32_t>, kColors + 1> free_slots_{};  // by colour, the next last
     std::vector<Run> runs_;
     std::uint32_t alone_ = 0;  // blocks of one constraint
 };

@@ -9,12 +9,13 @@
 #include "sim/cloth/block_lanes.h"
 #include "sim/cloth/coloring.h"
 #include "sim/cloth/dirty_blocks.h"
+#include "sim/core/assert.h"
 #include "sim/core/ids.h"
 
 namespace selvedge {
 
-// Each constraint has a lane: place lane % kBlock of block lane / kBlock. It belongs to a triangle, and keeps its lane
-// until it is removed, at a cost in proportion to what comes and goes. A lane that is free is a spare one: it moves the
+// Each constraint has a slot: lane slot % kBlock of block slot / kBlock. It belongs to a triangle, and keeps its slot
+// until it is removed, at a cost in proportion to what comes and goes. A slot that is free is a spare one: it moves the
 // spare point alone.
 template <class Block, class Record>
 class ConstraintSet {
@@ -24,63 +25,65 @@ class ConstraintSet {
     BlockColoring coloring;
     DirtyBlocks dirty;
 
-    // All anew. id_of(item): the triangle; corners_of(item): the vertices of its constraint; set(item, lane) fills the
-    // lane.
+    // All anew. id_of(item): the triangle; corners_of(item): the vertices of its constraint; set(item, slot) fills the
+    // slot.
     template <class Items, class IdOf, class CornersOf, class Set>
     void make(const Items& items, std::size_t spare_point, const IdOf& id_of, const CornersOf& corners_of,
               const Set& set) {
         coloring.start(spare_point);
         for (const auto& item : items) coloring.add(corners_of(item));
-        const std::vector<std::uint32_t>& lanes = coloring.assign();
+        const std::vector<std::uint32_t>& slots = coloring.assign();
         blocks.assign(coloring.block_count(), spare_block<Block>(spare_point));
         records.assign(coloring.block_count(), spare_record<Record>());
-        lane_of_.clear();
-        for (std::size_t i = 0; i < lanes.size(); ++i) {
-            set(items[i], lanes[i]);
-            note(id_of(items[i]), lanes[i]);
+        slot_of_.clear();
+        for (std::size_t i = 0; i < slots.size(); ++i) {
+            set(items[i], slots[i]);
+            note(id_of(items[i]), slots[i]);
         }
         dirty.clear();
         dirty.mark_all(blocks.size());
     }
 
-    // set(lane) fills the lane. Pre: make() was called, with or without items.
+    // set(slot) fills the slot. Pre: the triangle has none; make() was called, with or without items.
     template <std::size_t N, class Set>
     void insert(TriangleId t, const std::array<std::uint32_t, N>& corners, std::size_t spare_point, const Set& set) {
-        const std::uint32_t lane = coloring.insert(corners);
+        SELVEDGE_ASSERT(slot_of(t) == kSpare);
+        const std::uint32_t slot = coloring.insert(corners);
         if (coloring.block_count() > blocks.size()) {
             blocks.push_back(spare_block<Block>(spare_point));
             records.push_back(spare_record<Record>());
         }
-        dirty.mark_lane(lane);
-        set(lane);
-        note(t, lane);
+        dirty.mark_slot(slot);
+        set(slot);
+        note(t, slot);
     }
 
     // Pre: it has one.
     void remove(TriangleId t, std::size_t spare_point) {
-        const std::uint32_t lane = lane_of_[t.value];
-        const std::size_t at = lane % kBlock;
-        coloring.remove(lane, corners_at(blocks[lane / kBlock], at));
-        dirty.mark_lane(lane);
-        copy_lane(spare_block<Block>(spare_point), blocks[lane / kBlock], at);
-        copy_lane(spare_record<Record>(), records[lane / kBlock], at);
-        lane_of_[t.value] = kSpare;
+        const std::uint32_t slot = slot_of(t);
+        SELVEDGE_ASSERT(slot != kSpare);
+        const std::size_t at = slot % kBlock;
+        coloring.remove(slot, corners_at(blocks[slot / kBlock], at));
+        dirty.mark_slot(slot);
+        copy_lane(spare_block<Block>(spare_point), blocks[slot / kBlock], at);
+        copy_lane(spare_record<Record>(), records[slot / kBlock], at);
+        slot_of_[t.value] = kSpare;
     }
 
-    // While all are made anew, level by level: no triangle has a lane.
-    void forget() { lane_of_.clear(); }
+    // While all are made anew, level by level: no triangle has a slot.
+    void forget() { slot_of_.clear(); }
 
     // kSpare: it has none.
-    std::uint32_t lane_of(TriangleId t) const { return t.value < lane_of_.size() ? lane_of_[t.value] : kSpare; }
+    std::uint32_t slot_of(TriangleId t) const { return t.value < slot_of_.size() ? slot_of_[t.value] : kSpare; }
 
     // The same if it was made for these corners: while the mesh changes, an id may be another triangle's by now.
-    std::uint32_t lane_of(TriangleId t, const std::array<std::uint32_t, 3>& corners) const {
-        const std::uint32_t lane = lane_of(t);
-        if (lane == kSpare) return kSpare;
+    std::uint32_t slot_of(TriangleId t, const std::array<std::uint32_t, 3>& corners) const {
+        const std::uint32_t slot = slot_of(t);
+        if (slot == kSpare) return kSpare;
         for (std::size_t k = 0; k < 3; ++k) {
-            if (blocks[lane / kBlock].vertices[k][lane % kBlock] != 4 * corners[k]) return kSpare;
+            if (blocks[slot / kBlock].vertices[k][slot % kBlock] != 4 * corners[k]) return kSpare;
         }
-        return lane;
+        return slot;
     }
 
     // Colour by colour: visit(blocks, records).
@@ -103,11 +106,11 @@ class ConstraintSet {
     }
 
  private:
-    void note(TriangleId t, std::uint32_t lane) {
-        if (t.value >= lane_of_.size()) lane_of_.resize(t.value + 1, kSpare);
-        lane_of_[t.value] = lane;
+    void note(TriangleId t, std::uint32_t slot) {
+        if (t.value >= slot_of_.size()) slot_of_.resize(t.value + 1, kSpare);
+        slot_of_[t.value] = slot;
     }
-    std::vector<std::uint32_t> lane_of_;  // by TriangleId
+    std::vector<std::uint32_t> slot_of_;  // by TriangleId
 };
 
 }  // namespace selvedge

@@ -12,7 +12,7 @@ namespace selvedge {
 
 class DirtyBlocks {
  public:
-    void mark_lane(std::uint32_t lane) { mark_block(lane / kBlock); }
+    void mark_slot(std::uint32_t slot) { mark_block(slot / kBlock); }
     void mark_block(std::size_t block) {
         if (block >= is_marked_.size()) is_marked_.resize(std::max(block + 1, 2 * is_marked_.size()), 0);
         if (is_marked_[block] != 0) return;

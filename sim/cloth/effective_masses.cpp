@@ -28,8 +28,8 @@ void for_changed(const std::vector<float>& now, std::vector<float>& kept, const 
 
 template <class Set>
 void mark(Set& set, TriangleId t) {
-    const std::uint32_t lane = set.lane_of(t);
-    if (lane != kSpare) set.dirty.mark_lane(lane);
+    const std::uint32_t slot = set.slot_of(t);
+    if (slot != kSpare) set.dirty.mark_slot(slot);
 }
 
 // Of a leaf vertex: the leaves round it, and those beyond them, of whose bending it is an apex.
@@ -91,16 +91,8 @@ void update_effective_masses(Cloth& cloth) {
     weigh_bending(cloth, loops);
     for (int level = cloth.mesh.max_level(); level-- > 0;) weigh_coarse_bending(cloth, loops, level);
     weigh_limits(cloth, loops);
-    constraints.over.resize(constraints.stretch.blocks.size());
-    constraints.over_counts.resize(constraints.stretch.coloring.runs().size());
-}
-
-void mark_all_dirty(Cloth& cloth) {
-    Constraints& constraints = cloth.solver.constraints;
-    const auto mark_all = [](auto& set) { set.dirty.mark_all(set.blocks.size()); };
-    mark_all(constraints.stretch);
-    mark_all(constraints.bend);
-    for (ParentLevel& level : constraints.parents) mark_all(level.limits);
+    solver.lists.over.resize(constraints.stretch.blocks.size());
+    solver.lists.over_counts.resize(constraints.stretch.coloring.runs().size());
 }
 
 }  // namespace selvedge

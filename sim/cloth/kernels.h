@@ -77,9 +77,9 @@ struct Kernels {
     void (*limit_stretch)(std::span<const OverBlock> blocks, float* points);
 
     // One pass over the bending of triangles; anchors of friction follow. Of refined ones, of those alone to which
-    // something was handed up. is_second: of all, else of those that want a visit in each sub-step.
-    void (*solve_bend)(std::span<BendBlock> blocks, float* points, bool is_second);
-    void (*solve_coarse_bend)(std::span<CoarseBendBlock> blocks, float* points, bool is_second);
+    // something was handed up. interval: of those that are visited as often as that or more often.
+    void (*solve_bend)(std::span<BendBlock> blocks, float* points, int interval);
+    void (*solve_coarse_bend)(std::span<CoarseBendBlock> blocks, float* points, int interval);
 
     // Takes back what warp and weft of refined triangles are longer than they may be, with the shear that goes with it;
     // with `records` the multipliers are kept.

@@ -29,7 +29,7 @@ TriangleId beside(const AdaptiveMesh& mesh, TriangleId t, std::size_t edge) {
 // The level whose limits hold that triangle's, if any do.
 ParentLevel* level_with(Constraints& constraints, TriangleId t) {
     const auto found = std::ranges::find_if(
-        constraints.parents, [&](const ParentLevel& level) { return level.limits.lane_of(t) != kSpare; });
+        constraints.parents, [&](const ParentLevel& level) { return level.limits.slot_of(t) != kSpare; });
     return found == constraints.parents.end() ? nullptr : &*found;
 }
 
@@ -40,8 +40,8 @@ struct LimitAt {
 LimitAt limit_at(Constraints& constraints, TriangleId t) {
     ParentLevel* const level = level_with(constraints, t);
     if (level == nullptr) return {};
-    const std::uint32_t lane = level->limits.lane_of(t);
-    return {&level->limits.records[lane / kBlock], lane % kBlock};
+    const std::uint32_t slot = level->limits.slot_of(t);
+    return {&level->limits.records[slot / kBlock], slot % kBlock};
 }
 
 // It knows those beside it, and they know it.
@@ -74,14 +74,14 @@ void leave_neighbours(Constraints& constraints, TriangleId t, const LimitAt& own
 }
 
 // All but the gains and what the corners are moved. t: refined.
-void set_limit(Cloth& cloth, TriangleId t, std::uint32_t lane) {
+void set_limit(Cloth& cloth, TriangleId t, std::uint32_t slot) {
     const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
     ConstraintSet<LimitBlock, LimitRecord>& limits = cloth.solver.constraints.parents[triangle.level].limits;
-    LimitRecord& record = limits.records[lane / kBlock];
-    const std::size_t at = lane % kBlock;
+    LimitRecord& record = limits.records[slot / kBlock];
+    const std::size_t at = slot % kBlock;
     const Fabric& fabric = cloth.fabrics[triangle.panel];
     const MaterialFrame frame = material_frame(triangle.u, cloth.grain_angles[triangle.panel]);
-    set_frame(limits.blocks[lane / kBlock], at, triangle.vertices, frame);
+    set_frame(limits.blocks[slot / kBlock], at, triangle.vertices, frame);
     const std::array<double, 3> stiffness{fabric.stretch_warp, fabric.stretch_weft, fabric.shear};
     set_lane(record.bias, at, kept_limit(cloth, t));
     for (std::size_t k = 0; k < 3; ++k) {
@@ -133,7 +133,7 @@ void make_limits(Cloth& cloth, int level) {
     solver.constraints.parents[static_cast<std::size_t>(level)].limits.make(
         cloth.mesh.refined_triangles(level), solver.lists.vertices, [](TriangleId t) { return t; },
         [&](TriangleId t) { return indices(cloth.mesh.triangle(t).vertices); },
-        [&](TriangleId t, std::uint32_t lane) { set_limit(cloth, t, lane); });
+        [&](TriangleId t, std::uint32_t slot) { set_limit(cloth, t, slot); });
 }
 
 // One that was released was a leaf by then, and one whose id is another's now is looked at as that.
@@ -151,7 +151,7 @@ void change_limits(Cloth& cloth, const LeafChanges& changes) {
         const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
         if (is_leaf(triangle)) continue;
         constraints.parents[triangle.level].limits.insert(t, indices(triangle.vertices), spare_point,
-                                                          [&](std::uint32_t lane) { set_limit(cloth, t, lane); });
+                                                          [&](std::uint32_t slot) { set_limit(cloth, t, slot); });
     }
 }
 

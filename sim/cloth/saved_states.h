@@ -10,7 +10,7 @@ namespace selvedge {
 template <class State>
 class SavedStates {
  public:
-    // What was saved in that adaption; none if nothing was.
+    // What was saved in that adaption, until the next is saved; none if nothing was.
     const State* find(TriangleId t, std::uint32_t adaption) const {
         return t.value < entries_.size() && entries_[t.value].adaption == adaption ? &entries_[t.value].state : nullptr;
     }
@@ -23,7 +23,7 @@ class SavedStates {
  private:
     struct Entry {
         State state{};
-        std::uint32_t adaption = 0;
+        std::uint32_t adaption = UINT32_MAX;
     };
     std::vector<Entry> entries_;
 };

@@ -109,6 +109,9 @@ struct CarriedStress {
     std::vector<Vec4f> below;  // scratch: mean of what is inside of it
 };
 
+// Of a triangle of which no bending is asked: more than any interval of visits.
+inline constexpr float kNeverVisited = 8;
+
 // Bending of a triangle: its curvature is a fixed linear map of the angles of its three hinges (curvature_map.h), its
 // energy 1/2 area k' D k with the rigidities D along warp, weft and of twist; the three hinges are solved together, as
 // compliant constraints. Hinge i is the edge from corner i + 1 to corner i + 2. Multipliers are of moments times a
@@ -125,7 +128,7 @@ struct alignas(64) BendBlock {
         beyond_foot{};                     // of those heights along the edge: 0 at its beginning, 1 at its end
     std::array<BlockFloats, 6> gain{};     // multiplier per angle, symmetric: 00 11 22 01 02 12
     BlockFloats realised{};                // share of the fabric's rigidity that its visits make
-    BlockFloats is_each{};                 // 1: visited in each sub-step; 0: in each second, with the impulse of two
+    BlockFloats interval{};                // sub-steps from one visit to the next: 1, 2, 4 or kNeverVisited
     BlockFloats has_friction{};            // 1 or 0: what follows is of those
     std::array<BlockFloats, 9> map{};      // curvature per angle, by rows: warp, weft, 2 twist; 1/m
     std::array<BlockFloats, 9> settled{};  // the same per angle that is seen, when all have had their turn

@@ -25,12 +25,12 @@ bool is_gathered(const AdaptiveMesh& mesh, const AdaptiveTriangle& triangle) {
 }
 
 // All but the gains. t: a leaf.
-void set_stretch(Cloth& cloth, TriangleId t, std::uint32_t lane) {
+void set_stretch(Cloth& cloth, TriangleId t, std::uint32_t slot) {
     const AdaptiveTriangle& leaf = cloth.mesh.triangle(t);
     Constraints& constraints = cloth.solver.constraints;
-    StretchBlock& block = constraints.stretch.blocks[lane / kBlock];
-    StretchRecord& record = constraints.stretch.records[lane / kBlock];
-    const std::size_t at = lane % kBlock;
+    StretchBlock& block = constraints.stretch.blocks[slot / kBlock];
+    StretchRecord& record = constraints.stretch.records[slot / kBlock];
+    const std::size_t at = slot % kBlock;
     const Fabric& fabric = cloth.fabrics[leaf.panel];
     const MaterialFrame frame = material_frame(leaf.u, cloth.grain_angles[leaf.panel]);
     set_frame(block, at, leaf.vertices, frame);
@@ -48,8 +48,8 @@ void set_stretch(Cloth& cloth, TriangleId t, std::uint32_t lane) {
     record.of_area[at] = parent.of_area;
     constraints.triangle_of.resize(constraints.stretch.blocks.size() * kBlock, kSpare);
     constraints.thirds.resize(constraints.stretch.blocks.size() * kBlock, 0.0F);
-    constraints.triangle_of[lane] = t.value;
-    constraints.thirds[lane] = third_of_mass(cloth, leaf.u, leaf.panel);
+    constraints.triangle_of[slot] = t.value;
+    constraints.thirds[slot] = third_of_mass(cloth, leaf.u, leaf.panel);
 }
 
 void make_stretch(Cloth& cloth) {
@@ -59,7 +59,7 @@ void make_stretch(Cloth& cloth) {
     solver.constraints.stretch.make(
         cloth.mesh.leaf_triangles(), solver.lists.vertices, [](const LeafTriangle& leaf) { return leaf.triangle; },
         [](const LeafTriangle& leaf) { return indices(leaf.v); },
-        [&](const LeafTriangle& leaf, std::uint32_t lane) { set_stretch(cloth, leaf.triangle, lane); });
+        [&](const LeafTriangle& leaf, std::uint32_t slot) { set_stretch(cloth, leaf.triangle, slot); });
 }
 
 void change_stretch(Cloth& cloth, const LeafChanges& changes) {
@@ -67,12 +67,12 @@ void change_stretch(Cloth& cloth, const LeafChanges& changes) {
     const std::size_t spare_point = cloth.solver.lists.vertices;
     for (const TriangleId t : changes.triangles_gone) {
         keep_bias(cloth, t);
-        constraints.triangle_of[constraints.stretch.lane_of(t)] = kSpare;
+        constraints.triangle_of[constraints.stretch.slot_of(t)] = kSpare;
         constraints.stretch.remove(t, spare_point);
     }
     for (const TriangleId t : changes.triangles_come) {
         constraints.stretch.insert(t, indices(cloth.mesh.triangle(t).vertices), spare_point,
-                                   [&](std::uint32_t lane) { set_stretch(cloth, t, lane); });
+                                   [&](std::uint32_t slot) { set_stretch(cloth, t, slot); });
     }
 }
 
@@ -99,7 +99,7 @@ void forget_triangles(SolverState& solver) {
     for (std::vector<Vec4f>* stress : {&carried.own, &carried.above, &carried.below}) stress->clear();
 }
 
-// Lanes that are put in one by one lie less well in memory than those that are put in all at once.
+// Slots that are put in one by one lie less well in memory than those that are put in all at once.
 bool is_worn(const Cloth& cloth) {
     const std::size_t leaves = cloth.mesh.leaf_triangles().size();
     const SolverState& solver = cloth.solver;
@@ -109,7 +109,6 @@ bool is_worn(const Cloth& cloth) {
 
 }  // namespace
 
-// Over a sub-step, of a triangle of that stiffness, of which momentum makes a share.  (XPBD)
 float compliance_of(const Cloth& cloth, const MaterialFrame& frame, double stiffness) {
     const float own = static_cast<float>(stiffness) * (1 - kMomentum);
     return 1 / (frame.area * cloth.substep * cloth.substep) / own;
@@ -132,7 +131,7 @@ void make_blocks(Cloth& cloth) {
     keep_bends(cloth);
     solver.lists.vertices = cloth.mesh.vertex_capacity();
     solver.lists.inserted = 0;
-    solver.constraints.spare = spare_block<OverBlock>(solver.lists.vertices);
+    solver.lists.spare = spare_block<OverBlock>(solver.lists.vertices);
     const auto levels = static_cast<std::size_t>(cloth.mesh.max_level());
     solver.constraints.parents.resize(levels);
     forget_triangles(solver);
@@ -144,7 +143,6 @@ void make_blocks(Cloth& cloth) {
     make_bending(cloth);
     for (int level = 0; level < cloth.mesh.max_level(); ++level) make_limits(cloth, level);
     list_centres(cloth);
-    mark_all_dirty(cloth);
     update_effective_masses(cloth);
 }
 

@@ -22,8 +22,7 @@ struct ParentLevel {
     ConstraintSet<LimitBlock, LimitRecord> limits;
     ConstraintSet<CoarseBendBlock, BendRecord> bend;
     std::vector<EdgeCentre> centres;  // that may move
-    bool bends = false;               // whether something was handed up to it
-    bool bends_each = false;          // whether something of that wants a visit in each sub-step
+    float interval = kNeverVisited;   // sub-steps from one visit of its bending to the next: the shortest of all
 };
 
 // The constraints of a cloth.
@@ -32,13 +31,8 @@ struct Constraints {
     ConstraintSet<BendBlock, BendRecord> bend;           // of leaves
     std::vector<ParentLevel> parents;                    // coarse to fine
     CarriedStress carried;
-    std::vector<std::uint32_t> triangle_of;  // by lane of stretch: the TriangleId, or kSpare
-    std::vector<float> thirds;               // by lane of stretch: a third of the leaf's mass, kg
-    // Scratch: what one pass found, from the first of the blocks that it looked at on; and how many blocks of it there
-    // are, by run of blocks.
-    std::vector<OverBlock> over;
-    std::vector<std::size_t> over_counts;
-    OverBlock spare{};  // of spare lanes
+    std::vector<std::uint32_t> triangle_of;  // by slot of stretch: the TriangleId, or kSpare
+    std::vector<float> thirds;               // by slot of stretch: a third of the leaf's mass, kg
 };
 
 // Scratch of triangle_bending.cpp, in the memory of the last time.
@@ -62,10 +56,14 @@ struct SolverLists {
     std::vector<float> inverse_masses;
     std::vector<std::vector<float>> masses;
 
-    // Scratch.
+    // Scratch. What one pass over stretch found, from the first of the blocks that it looked at on; and how many blocks
+    // of it there are, by run of blocks.
+    std::vector<OverBlock> over;
+    std::vector<std::size_t> over_counts;
+    OverBlock spare{};  // of spare slots
     FitScratch fits;
     TouchedScratch touched;
-    std::vector<std::uint32_t> idle_bends;  // lanes
+    std::vector<std::uint32_t> idle_bends;  // slots
     std::vector<float> asked;               // as places: share of the rigidity that was handed up
     std::vector<float> easy_shear;          // as places, see LimitRecord
     std::vector<std::vector<float>> masses_now;
@@ -76,9 +74,9 @@ struct SolverLists {
 // Makes all blocks anew, in the memory that they have. Pre: masses are those of the present leaves.
 void make_blocks(Cloth& cloth);
 
-// After an adaption: the lanes of what went, by mesh.changes(), are given to what came. Makes all anew where that is
-// dearer, or where the blocks were made for fewer vertices. Pre: masses are those of the present leaves; the blocks
-// were those of the leaves before.
+// After an adaption: the slots of what went, by mesh.changes(), are given to what came. Makes all anew where that
+// is dearer, or where the blocks were made for fewer vertices. Pre: masses are those of the present leaves; the
+// blocks were those of the leaves before.
 void change_blocks(Cloth& cloth);
 
 // While an adaption is under way: t has other triangles inside.
@@ -98,7 +96,8 @@ void set_frame(Block& block, std::size_t at, const std::array<VertexId, 3>& v, c
     }
 }
 
-// Over a sub-step, of a triangle of that stiffness, N/m.  (XPBD)
+// 1/(kg m^2), over a sub-step, of a triangle of that stiffness, N/m, of which momentum makes a share.  (Macklin et
+// al. 2016)
 float compliance_of(const Cloth& cloth, const MaterialFrame& frame, double stiffness);
 
 }  // namespace selvedge

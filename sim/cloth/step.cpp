@@ -26,17 +26,21 @@ struct Stepper {
 
     void step();
     void substep(int i);
-    bool is_second(int i) const { return (cloth.solver.substeps + i) % 2 == 0; }
+    // Bending that is visited each second or fourth sub-step has its turn in every sub-step whose number that divides.
+    int bend_interval(int i) const {
+        const int number = cloth.solver.substeps + i;
+        return number % 4 == 0 ? 4 : number % 2 == 0 ? 2 : 1;
+    }
     void load_points();
     void store_points();
     void predict(int i);
     void lead(int i);
     void add_momentum();
     void keep_corrections();
-    void solve_coarse_bend(bool is_second);
+    void solve_coarse_bend(int interval);
     void limit_parents(bool is_last);
     void carry_centres(std::size_t level);
-    void solve_bend(bool is_second);
+    void solve_bend(int interval);
     void solve_stretch(bool is_last);
     void limit_stretch();
     void update_bias();
@@ -55,8 +59,8 @@ void Stepper::step() {
 void Stepper::substep(int i) {
     const bool is_last = i + 1 == options.substeps;
     predict(i);
-    solve_coarse_bend(is_second(i));
-    solve_bend(is_second(i));
+    solve_coarse_bend(bend_interval(i));
+    solve_bend(bend_interval(i));
     add_momentum();
     limit_parents(is_last);
     solve_stretch(is_last);
@@ -119,15 +123,15 @@ void Stepper::keep_corrections() {
 
 // Coarse to fine: what a level moves its vertices by, the centres of its edges follow, so that the next level starts
 // from there. Most cloths hand no bending up.
-void Stepper::solve_coarse_bend(bool is_second) {
+void Stepper::solve_coarse_bend(int interval) {
     SolverState& solver = cloth.solver;
-    const auto bends = [&](const ParentLevel& level) { return is_second ? level.bends : level.bends_each; };
+    const auto bends = [&](const ParentLevel& level) { return level.interval <= static_cast<float>(interval); };
     if (std::ranges::none_of(solver.constraints.parents, bends)) return;
     std::copy_n(solver.points.begin(), cloth.x.size(), solver.carried.begin());
     for (std::size_t level = 0; level < solver.constraints.parents.size(); ++level) {
         ParentLevel& parents = solver.constraints.parents[level];
         if (bends(parents)) {
-            parents.bend.for_colors([&](auto blocks, auto) { loops.solve_coarse_bend(blocks, points(), is_second); });
+            parents.bend.for_colors([&](auto blocks, auto) { loops.solve_coarse_bend(blocks, points(), interval); });
         }
         carry_centres(level);
     }
@@ -149,26 +153,26 @@ void Stepper::carry_centres(std::size_t level) {
     loops.carry_centres(solver.constraints.parents[level].centres, floats(solver.carried), points());
 }
 
-void Stepper::solve_bend(bool is_second) {
-    cloth.solver.constraints.bend.for_colors([&](auto blocks, auto) { loops.solve_bend(blocks, points(), is_second); });
+void Stepper::solve_bend(int interval) {
+    cloth.solver.constraints.bend.for_colors([&](auto blocks, auto) { loops.solve_bend(blocks, points(), interval); });
 }
 
 // Copies the lanes that it finds beyond the fabric's strain limit to where the first block of their colour stands.
 void Stepper::solve_stretch(bool is_last) {
-    Constraints& constraints = cloth.solver.constraints;
+    SolverLists& lists = cloth.solver.lists;
     std::size_t run = 0, first = 0;
-    constraints.stretch.for_colors([&](auto blocks, auto records) {
-        constraints.over_counts[run++] = loops.solve_stretch(blocks, is_last ? records.data() : nullptr, points(),
-                                                             &constraints.over[first], constraints.spare);
+    cloth.solver.constraints.stretch.for_colors([&](auto blocks, auto records) {
+        lists.over_counts[run++] =
+            loops.solve_stretch(blocks, is_last ? records.data() : nullptr, points(), &lists.over[first], lists.spare);
         first += blocks.size();
     });
 }
 
 void Stepper::limit_stretch() {
-    const Constraints& constraints = cloth.solver.constraints;
-    const std::vector<BlockColoring::Run>& runs = constraints.stretch.coloring.runs();
+    const SolverLists& lists = cloth.solver.lists;
+    const std::vector<BlockColoring::Run>& runs = cloth.solver.constraints.stretch.coloring.runs();
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        loops.limit_stretch({&constraints.over[runs[i].first], constraints.over_counts[i]}, points());
+        loops.limit_stretch({&lists.over[runs[i].first], lists.over_counts[i]}, points());
     }
 }
 
@@ -232,7 +236,7 @@ StepReport step(Cloth& cloth, const Collider& body, const StepOptions& options) 
     solver.predicted.resize(count);
     solver.correction.resize(count, Vec4f::Zero());
     Stepper{cloth, kernels(simd_level()), body, options}.step();
-    solver.substeps = (solver.substeps + options.substeps) % 2;
+    solver.substeps = (solver.substeps + options.substeps) % 4;
     return {.substeps = options.substeps};
 }
 

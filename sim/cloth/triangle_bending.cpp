@@ -174,11 +174,11 @@ struct BendLists {
     ConstraintSet<Block, BendRecord>& bend;
     Level level;
 
-    void set(Cloth& cloth, TriangleId t, std::uint32_t lane, const Points& points, Fits& fits) const {
-        Block& block = bend.blocks[lane / kBlock];
-        const std::size_t at = lane % kBlock;
+    void set(Cloth& cloth, TriangleId t, std::uint32_t slot, const Points& points, Fits& fits) const {
+        Block& block = bend.blocks[slot / kBlock];
+        const std::size_t at = slot % kBlock;
         for (std::size_t i = 0; i < 6; ++i) block.vertices[i][at] = 4 * points[i];
-        set_element(cloth, t, level, fits, block, bend.records[lane / kBlock], at);
+        set_element(cloth, t, level, fits, block, bend.records[slot / kBlock], at);
         const KeptBend kept = kept_bend(cloth, t);
         block.realised[at] = kept.is_known ? 1.0F : 0.0F;
         const bool starts = !kept.is_known && level == Level::Leaves;
@@ -187,13 +187,13 @@ struct BendLists {
     void insert(Cloth& cloth, TriangleId t, Fits& fits) const {
         const Points points = points_about(cloth.mesh, t, level).points;
         bend.insert(t, points, cloth.solver.lists.vertices,
-                    [&](std::uint32_t lane) { set(cloth, t, lane, points, fits); });
+                    [&](std::uint32_t slot) { set(cloth, t, slot, points, fits); });
     }
     // Its shape and its vertices are the same, but its neighbours' are not.
     void reshape(const Cloth& cloth, TriangleId t, Fits& fits) const {
-        const std::uint32_t lane = bend.lane_of(t);
-        set_element(cloth, t, level, fits, bend.blocks[lane / kBlock], bend.records[lane / kBlock], lane % kBlock);
-        bend.dirty.mark_lane(lane);
+        const std::uint32_t slot = bend.slot_of(t);
+        set_element(cloth, t, level, fits, bend.blocks[slot / kBlock], bend.records[slot / kBlock], slot % kBlock);
+        bend.dirty.mark_slot(slot);
     }
 };
 
@@ -207,7 +207,7 @@ BendLists<CoarseBendBlock> refined_lists(SolverState& solver, int level) {
 void erase(Cloth& cloth, TriangleId t) {
     Constraints& constraints = cloth.solver.constraints;
     const auto remove_from = [&](auto& bend) {
-        if (bend.lane_of(t) == kSpare) return;
+        if (bend.slot_of(t) == kSpare) return;
         keep_bend(cloth, t);
         bend.remove(t, cloth.solver.lists.vertices);
     };
@@ -321,8 +321,8 @@ void make_bending(Cloth& cloth) {
     const auto make = [&](const auto& lists, const auto& triangles, const auto& id_of) {
         Fits fits(cloth, lists.level, solver.lists.fits);
         const auto points_of = [&](const auto& item) { return points_about(mesh, id_of(item), lists.level).points; };
-        lists.bend.make(triangles, solver.lists.vertices, id_of, points_of, [&](const auto& item, std::uint32_t lane) {
-            lists.set(cloth, id_of(item), lane, points_of(item), fits);
+        lists.bend.make(triangles, solver.lists.vertices, id_of, points_of, [&](const auto& item, std::uint32_t slot) {
+            lists.set(cloth, id_of(item), slot, points_of(item), fits);
         });
     };
     make(leaf_lists(solver), mesh.leaf_triangles(), [](const LeafTriangle& leaf) { return leaf.triangle; });
@@ -343,8 +343,8 @@ BendSlot bend_slot(const Cloth& cloth, TriangleId t) {
     const Constraints& constraints = cloth.solver.constraints;
     const std::array<std::uint32_t, 3> corners = indices(cloth.mesh.triangle(t).vertices);
     const auto slot_in = [&](const auto& bend) -> BendSlot {
-        const std::uint32_t lane = bend.lane_of(t, corners);
-        return lane == kSpare ? BendSlot{} : BendSlot{&bend.blocks[lane / kBlock], lane % kBlock};
+        const std::uint32_t slot = bend.slot_of(t, corners);
+        return slot == kSpare ? BendSlot{} : BendSlot{&bend.blocks[slot / kBlock], slot % kBlock};
     };
     BendSlot slot = slot_in(constraints.bend);
     for (std::size_t level = 0; slot.block == nullptr && level < constraints.parents.size(); ++level) {

@@ -137,11 +137,20 @@ template <bool has_friction, class Block>
     }
 }
 
+// Whether a block has a lane that is visited as often as each `most` sub-steps.
+[[gnu::always_inline]] inline bool has_visited(const BlockFloats& interval, float most) {
+    for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
+        if (lanes::bits(load_at(interval, at) <= most) != 0) return true;
+    }
+    return false;
+}
+
+// Of those lanes; the others stay as they are.
 template <class Block>
-[[gnu::always_inline]] inline void bend_block(Block& block, float* points, bool is_second) {
+[[gnu::always_inline]] inline void bend_block(Block& block, float* points, float most) {
     const bool has_friction = has_positive(block.has_friction);
     for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
-        const Floats visited = is_second ? lanes::all(1.0F) : load_at(block.is_each, at);
+        const Floats visited = lanes::where(load_at(block.interval, at) <= most, lanes::all(1.0F));
         if (has_friction) {
             bend_lanes<true>(block, at, points, visited);
         } else {
@@ -150,15 +159,17 @@ template <class Block>
     }
 }
 
-void solve_bend(std::span<BendBlock> blocks, float* points, bool is_second) {
+void solve_bend(std::span<BendBlock> blocks, float* points, int interval) {
+    const auto most = static_cast<float>(interval);
     for (BendBlock& block : blocks) {
-        if (is_second || has_positive(block.is_each)) bend_block(block, points, is_second);
+        if (has_visited(block.interval, most)) bend_block(block, points, most);
     }
 }
 
-void solve_coarse_bend(std::span<CoarseBendBlock> blocks, float* points, bool is_second) {
+void solve_coarse_bend(std::span<CoarseBendBlock> blocks, float* points, int interval) {
+    const auto most = static_cast<float>(interval);
     for (CoarseBendBlock& block : blocks) {
-        if (has_positive(is_second ? block.realised : block.is_each)) bend_block(block, points, is_second);
+        if (has_visited(block.interval, most)) bend_block(block, points, most);
     }
 }
 
@@ -245,8 +256,8 @@ constexpr float kMostStiffness = 2 * kCap / (2 - kCap);
 constexpr float kBendStick = 2;
 constexpr float kLeastShare = 0.03F;  // of the rigidity: less is not worth a visit
 
-// A triangle is visited each second sub-step, with the impulse of two, where that makes all that is asked of it (the
-// impulse method of multiple time steps; Tuckerman et al. 1992).
+// A triangle is visited each second or fourth sub-step, with the impulse of two or four, where that makes all that is
+// asked of it (the impulse method of multiple time steps; Tuckerman et al. 1992).
 template <class Block>
 [[gnu::always_inline]] inline void weigh_lanes(Block& block, BendRecord& record, std::size_t at,
                                                const std::array<Floats, 6>& w) {
@@ -258,11 +269,13 @@ template <class Block>
     for (std::size_t i = 0; i < 6; ++i) stiffness[i] = load_at(record.stiffness[i], at);
     const Floats room = lanes::all(kMostStiffness) / (trace_of_product(stiffness, sigma) *
                                                       lanes::multiply_add(has_friction, lanes::all(kBendStick), one));
-    const Floats is_each = lanes::where(asked * 4.0F > room, one);
-    const Floats interval = 2.0F - is_each;
+    const Floats is_slow = lanes::where(asked * 16.0F <= room, one),
+                 is_slower = lanes::where(asked * 4.0F <= room, one);
+    const Floats interval = one + is_slower + is_slow * 2.0F;
     const Floats most = room / (interval * interval);
     for (Floats& s : stiffness) s = s * interval;
-    lanes::store(&block.is_each[at], lanes::where(asked >= kLeastShare, is_each));
+    lanes::store(&block.interval[at], lanes::where(asked >= kLeastShare, interval) +
+                                          lanes::where(asked < kLeastShare, lanes::all(kNeverVisited)));
     const Floats realised = lanes::where(asked >= kLeastShare, lanes::lesser(asked, most));
     lanes::store(&record.handed_up[at], lanes::where(asked >= kLeastShare, asked - realised));
     lanes::store(&block.realised[at], realised);

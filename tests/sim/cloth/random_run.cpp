@@ -22,10 +22,10 @@ double strain_energy(const Cloth& cloth) {
     const std::span<const LeafTriangle> leaves = cloth.mesh.leaf_triangles();
     double sum = 0;
     for (std::size_t i = 0; i < leaves.size(); ++i) {
-        const std::uint32_t lane = constraints.stretch.lane_of(leaves[i].triangle);
-        const auto& bias = constraints.stretch.blocks[lane / kBlock].bias;
+        const std::uint32_t slot = constraints.stretch.slot_of(leaves[i].triangle);
+        const auto& bias = constraints.stretch.blocks[slot / kBlock].bias;
         const auto energy = [&](double value, std::size_t k, double stiffness) {
-            const double most = std::abs(value) + std::abs(double(bias[k][lane % kBlock]));
+            const double most = std::abs(value) + std::abs(double(bias[k][slot % kBlock]));
             return 0.5 * material_area(leaves[i].u) * stiffness * most * most;
         };
         const Fabric& fabric = cloth.fabrics[leaves[i].panel];
@@ -235,8 +235,8 @@ double RandomRun::depth() const {
         least = std::min({least, body().contact(x.head<3>()).distance, x.y() - stepping_.contact.floor});
     };
     for (const VertexId v : cloth_.mesh.leaf_vertices()) look(cloth_.x[v.value]);
-    for (std::size_t lane = 0; lane < kBlock * cloth_.contacts.samples.size(); ++lane) {
-        const std::optional<Vec3f> sample = sample_at(cloth_.contacts, lane, cloth_.x);
+    for (std::size_t slot = 0; slot < kBlock * cloth_.contacts.samples.size(); ++slot) {
+        const std::optional<Vec3f> sample = sample_at(cloth_.contacts, slot, cloth_.x);
         if (sample) look(padded(*sample));
     }
     return double(stepping_.contact.offset - least);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <map>
 #include <random>
 
@@ -14,15 +15,15 @@ using Set = ConstraintSet<StretchBlock, StretchRecord>;
 using Corners = std::array<std::uint32_t, 3>;
 constexpr std::size_t kSparePoint = 60;
 
-// What a lane is filled with: its corners, and a figure of the triangle's own.
-void fill(Set& set, TriangleId t, const Corners& corners, std::uint32_t lane) {
-    const std::size_t at = lane % kBlock;
-    for (std::size_t k = 0; k < 3; ++k) set.blocks[lane / kBlock].vertices[k][at] = 4 * corners[k];
-    set.blocks[lane / kBlock].anchor[at] = set.records[lane / kBlock].of_area[at] = static_cast<float>(t.value);
+// What a slot is filled with: its corners, and a figure of the triangle's own.
+void fill(Set& set, TriangleId t, const Corners& corners, std::uint32_t slot) {
+    const std::size_t at = slot % kBlock;
+    for (std::size_t k = 0; k < 3; ++k) set.blocks[slot / kBlock].vertices[k][at] = 4 * corners[k];
+    set.blocks[slot / kBlock].anchor[at] = set.records[slot / kBlock].of_area[at] = static_cast<float>(t.value);
 }
 
 void insert(Set& set, TriangleId t, const Corners& corners) {
-    set.insert(t, corners, kSparePoint, [&](std::uint32_t lane) { fill(set, t, corners, lane); });
+    set.insert(t, corners, kSparePoint, [&](std::uint32_t slot) { fill(set, t, corners, slot); });
 }
 
 Set empty_set() {
@@ -34,11 +35,11 @@ Set empty_set() {
 }
 
 void expect_holds(const Set& set, TriangleId t, const Corners& corners) {
-    const std::uint32_t lane = set.lane_of(t, corners);
-    ASSERT_NE(lane, kSpare);
-    EXPECT_EQ(lane, set.lane_of(t));
-    EXPECT_EQ(set.blocks[lane / kBlock].anchor[lane % kBlock], static_cast<float>(t.value));
-    EXPECT_EQ(set.records[lane / kBlock].of_area[lane % kBlock], static_cast<float>(t.value));
+    const std::uint32_t slot = set.slot_of(t, corners);
+    ASSERT_NE(slot, kSpare);
+    EXPECT_EQ(slot, set.slot_of(t));
+    EXPECT_EQ(set.blocks[slot / kBlock].anchor[slot % kBlock], static_cast<float>(t.value));
+    EXPECT_EQ(set.records[slot / kBlock].of_area[slot % kBlock], static_cast<float>(t.value));
 }
 
 TEST(ConstraintSet, finds_by_its_triangle_what_was_made_and_inserted_and_not_what_was_removed) {
@@ -53,35 +54,54 @@ TEST(ConstraintSet, finds_by_its_triangle_what_was_made_and_inserted_and_not_wha
     Set set;
     set.make(
         first, kSparePoint, [](TriangleId t) { return t; }, [&](TriangleId t) { return held[t.value]; },
-        [&](TriangleId t, std::uint32_t lane) { fill(set, t, held[t.value], lane); });
+        [&](TriangleId t, std::uint32_t slot) { fill(set, t, held[t.value], slot); });
     std::uint32_t next = 1000;
+    std::vector<std::uint32_t> gone;
     for (int i = 0; i < 3000; ++i) {
         if (random() % 2 == 0 && !held.empty()) {
             const auto one = std::next(held.begin(), static_cast<std::ptrdiff_t>(random() % held.size()));
             set.remove(TriangleId(one->first), kSparePoint);
-            EXPECT_EQ(set.lane_of(TriangleId(one->first)), kSpare);
+            EXPECT_EQ(set.slot_of(TriangleId(one->first)), kSpare);
+            gone.push_back(one->first);
             held.erase(one);
         } else {
-            held[++next] = {among(0), among(20), among(40)};
-            insert(set, TriangleId(next), held[next]);
+            const bool comes_again = !gone.empty() && random() % 2 == 0;
+            const std::uint32_t t = comes_again ? gone.back() : ++next;
+            if (comes_again) gone.pop_back();
+            held[t] = {among(0), among(20), among(40)};
+            insert(set, TriangleId(t), held[t]);
         }
     }
     for (const auto& [t, corners] : held) expect_holds(set, TriangleId(t), corners);
+    const StretchBlock spare = spare_block<StretchBlock>(kSparePoint);
+    const StretchRecord spare_of_records = spare_record<StretchRecord>();
     std::size_t used = 0;
-    for (const StretchBlock& block : set.blocks) {
-        for (const std::uint32_t corner : block.vertices[0]) used += corner != 4 * kSparePoint ? 1U : 0U;
+    for (std::size_t slot = 0; slot < set.blocks.size() * kBlock; ++slot) {
+        const std::size_t at = slot % kBlock;
+        StretchBlock block = set.blocks[slot / kBlock];
+        StretchRecord record = set.records[slot / kBlock];
+        if (block.vertices[0][at] != 4 * kSparePoint) {
+            ++used;
+            continue;
+        }
+        const StretchBlock found = block;
+        const StretchRecord found_record = record;
+        copy_lane(spare, block, at);
+        copy_lane(spare_of_records, record, at);
+        EXPECT_EQ(std::memcmp(&block, &found, sizeof block), 0);
+        EXPECT_EQ(std::memcmp(&record, &found_record, sizeof record), 0);
     }
     EXPECT_EQ(used, held.size()) << "all others are spare";
     set.forget();
-    EXPECT_EQ(set.lane_of(TriangleId(held.begin()->first)), kSpare);
+    EXPECT_EQ(set.slot_of(TriangleId(held.begin()->first)), kSpare);
 }
 
 TEST(ConstraintSet, does_not_take_another_triangle_of_the_same_id_for_its_own) {
     Set set = empty_set();
     insert(set, TriangleId(5), {1, 21, 41});
-    EXPECT_NE(set.lane_of(TriangleId(5), {1, 21, 41}), kSpare);
-    EXPECT_EQ(set.lane_of(TriangleId(5), {1, 21, 42}), kSpare);
-    EXPECT_EQ(set.lane_of(TriangleId(6), {1, 21, 41}), kSpare);
+    EXPECT_NE(set.slot_of(TriangleId(5), {1, 21, 41}), kSpare);
+    EXPECT_EQ(set.slot_of(TriangleId(5), {1, 21, 42}), kSpare);
+    EXPECT_EQ(set.slot_of(TriangleId(6), {1, 21, 41}), kSpare);
 }
 
 TEST(ConstraintSet, has_each_block_weighed_once_that_was_changed) {
@@ -99,6 +119,27 @@ TEST(ConstraintSet, has_each_block_weighed_once_that_was_changed) {
     EXPECT_EQ(weighed, 41U);
     set.weigh_dirty(count);
     EXPECT_EQ(weighed, 41U);
+    Set one = empty_set();
+    insert(one, TriangleId(1), {1, 2, 3});
+    insert(one, TriangleId(2), {4, 5, 6});  // in the same block
+    one.remove(TriangleId(1), kSparePoint);
+    weighed = 0;
+    one.weigh_dirty(count);
+    EXPECT_EQ(weighed, 1U);
+}
+
+TEST(ConstraintSet, forgets_what_it_had_when_it_is_made_again) {
+    Set set = empty_set();
+    for (std::uint32_t t = 0; t < 40; ++t) insert(set, TriangleId(t), {t, 50, 55});
+    const Corners corners{1, 2, 3};
+    set.make(
+        std::vector<TriangleId>{TriangleId(3)}, kSparePoint, [](TriangleId t) { return t; },
+        [&](TriangleId) { return corners; }, [&](TriangleId t, std::uint32_t slot) { fill(set, t, corners, slot); });
+    EXPECT_EQ(set.slot_of(TriangleId(4)), kSpare);
+    expect_holds(set, TriangleId(3), corners);
+    std::size_t weighed = 0;
+    set.weigh_dirty([&](auto blocks, auto) { weighed += blocks.size(); });
+    EXPECT_EQ(weighed, 1U);
 }
 
 TEST(SavedStates, are_those_of_one_adaption) {
@@ -110,6 +151,7 @@ TEST(SavedStates, are_those_of_one_adaption) {
     EXPECT_EQ(*states.find(TriangleId(3), 1), 7);
     EXPECT_EQ(states.find(TriangleId(3), 2), nullptr);
     EXPECT_EQ(states.find(TriangleId(4), 1), nullptr);
+    EXPECT_EQ(states.find(TriangleId(4), 0), nullptr);
     states.save(TriangleId(3), 1, 9);
     EXPECT_EQ(*states.find(TriangleId(3), 1), 9);
 }

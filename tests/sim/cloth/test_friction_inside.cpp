@@ -62,7 +62,7 @@ struct Roll {
     // What one visit of all triangles moves.
     std::vector<Vec4f> visit() {
         std::vector<Vec4f> points = solver_points(cloth, cloth.x);
-        kernels(simd_level()).solve_bend(cloth.solver.constraints.bend.blocks, floats(points), true);
+        kernels(simd_level()).solve_bend(cloth.solver.constraints.bend.blocks, floats(points), 4);
         return points;
     }
     // By the work that the moment would do if the curvature changed, N.
@@ -84,10 +84,16 @@ struct Roll {
     // Sub-steps from one visit to the next: of all leaves the same, for they are large.
     double interval() const {
         const std::vector<BendBlock>& blocks = cloth.solver.constraints.bend.blocks;
-        bool is_each = false;
-        for (const BendBlock& block : blocks) is_each = is_each || std::ranges::max(block.is_each) > 0;
-        EXPECT_FALSE(is_each);
-        return 2;
+        float least = kNeverVisited, most = 0;
+        for (const BendBlock& block : blocks) {
+            for (const float interval : block.interval) {
+                if (interval == kNeverVisited) continue;
+                least = std::min(least, interval);
+                most = std::max(most, interval);
+            }
+        }
+        EXPECT_EQ(least, most);
+        return static_cast<double>(least);
     }
     // Mean curvature along the strip, 1/m, of the triangles that are not at its edges.
     double curvature() const {
@@ -240,7 +246,7 @@ struct Shearing {
         std::vector<Vec4f> before = points;
         for (int i = 0; i < 20; ++i) {
             loops.solve_stretch(constraints.stretch.blocks, constraints.stretch.records.data(), floats(points),
-                                constraints.over.data(), constraints.spare);
+                                cloth.solver.lists.over.data(), cloth.solver.lists.spare);
             loops.update_bias(constraints.stretch.blocks, constraints.stretch.records, floats(points), floats(before),
                               {.shear = 1}, floats(constraints.carried.above), floats(constraints.carried.below));
         }
@@ -296,7 +302,7 @@ void bend_at_random(Cloth& cloth, unsigned seed) {
     std::mt19937 random(seed);
     shake(cloth, 0.01F, random);
     std::vector<Vec4f> points = solver_points(cloth, cloth.x);
-    kernels(simd_level()).solve_bend(cloth.solver.constraints.bend.blocks, floats(points), true);
+    kernels(simd_level()).solve_bend(cloth.solver.constraints.bend.blocks, floats(points), 4);
 }
 
 // Of a leaf, or of a refined triangle.

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numbers>
+#include <set>
 
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/block_lanes.h"
@@ -14,6 +16,10 @@
 
 namespace selvedge::test {
 namespace {
+
+bool bends(const ParentLevel& level) {
+    return level.interval < kNeverVisited;
+}
 
 Fabric springy(double rigidity) {
     Fabric fabric = undamped();
@@ -114,7 +120,7 @@ double push_of_fold(double degrees) {
     cloth.x[3] =
         Vec4f(0.05F, -0.1F * static_cast<float>(std::cos(angle)), 0.1F * static_cast<float>(std::sin(angle)), 0);
     std::vector<Vec4f> points = solver_points(cloth, cloth.x);
-    kernels(simd_level()).solve_bend(cloth.solver.constraints.bend.blocks, floats(points), true);
+    kernels(simd_level()).solve_bend(cloth.solver.constraints.bend.blocks, floats(points), 4);
     return double((points[3] - solver_points(cloth, cloth.x)[3]).norm());
 }
 
@@ -141,7 +147,7 @@ TEST(TriangleBending, moves_no_point_twice_where_three_triangles_meet_alone) {
     mesh.panel_grain_angles = {0};
     Cloth cloth = make_cloth(mesh, {springy(0.1)});
     std::vector<Vec4f> points = solver_points(cloth, cloth.x);
-    kernels(simd_level()).solve_bend(cloth.solver.constraints.bend.blocks, floats(points), true);
+    kernels(simd_level()).solve_bend(cloth.solver.constraints.bend.blocks, floats(points), 4);
     Vec3d push = Vec3d::Zero();
     double size = 0;
     for (std::size_t v = 0; v < 4; ++v) {
@@ -179,7 +185,7 @@ TEST(TriangleBending, hands_what_leaves_cannot_make_to_refined_triangles_and_not
     Cloth soft = make_patch(springy(1e-7));
     refine(soft, 2);
     EXPECT_NEAR(realised(soft).leaves, 1, 1e-6);
-    EXPECT_TRUE(std::ranges::none_of(soft.solver.constraints.parents, &ParentLevel::bends));
+    EXPECT_TRUE(std::ranges::none_of(soft.solver.constraints.parents, bends));
 
     Cloth stiff = make_patch(springy(1e-3));
     refine(stiff, 3);
@@ -187,6 +193,72 @@ TEST(TriangleBending, hands_what_leaves_cannot_make_to_refined_triangles_and_not
     EXPECT_NEAR(realised(stiff).all, 1, 0.03);
     ASSERT_GT(adapt_cloth(stiff, nothing_near(), kGraded).rejoins, 0);
     EXPECT_NEAR(realised(stiff).all, 1, 0.03);
+}
+
+// The more seldom the longer leaves can make all by themselves, each by its own masses.
+TEST(TriangleBending, is_visited_more_seldom_where_that_makes_all_of_it) {
+    std::set<float> seen;
+    for (const double bending : {1e-6, 1e-5, 1e-4, 3e-4, 1e-3, 3e-3}) {
+        Cloth cloth = make_patch(springy(bending));
+        refine(cloth, 2);
+        ASSERT_GT(adapt_cloth(cloth, nothing_near(), kGraded).rejoins, 0);
+        for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles()) {
+            const BendSlot slot = bend_slot(cloth, leaf.triangle);
+            const float interval = slot.block->interval[slot.at], realised = slot.block->realised[slot.at];
+            seen.insert(interval);
+            if (interval > 1) {
+                EXPECT_EQ(realised, 1);
+            }
+            if (realised < 1) {
+                EXPECT_EQ(interval, 1);
+            }
+        }
+    }
+    EXPECT_EQ(seen, (std::set<float>{1, 2, 4}));
+}
+
+// What is slow stays as it is, to the bit, while what shares its blocks moves.
+TEST(TriangleBending, of_slow_triangles_waits_for_its_turn) {
+    Fabric fabric = springy(3e-4);
+    fabric.bending_hysteresis = 1e-3;
+    Cloth cloth = make_patch(fabric);
+    refine(cloth, 2);
+    ASSERT_GT(adapt_cloth(cloth, nothing_near(), kGraded).rejoins, 0);
+    for (const VertexId v : cloth.mesh.leaf_vertices()) {
+        const Vec4f& p = cloth.x[v.value];
+        cloth.x[v.value].y() += 0.004F * std::sin(20 * p.x()) * std::cos(15 * p.z());
+    }
+    std::vector<Vec4f> points = cloth.x;
+    for (const VertexId v : cloth.mesh.leaf_vertices()) points[v.value].w() = cloth.inverse_mass[v.value];
+    points.emplace_back(Vec4f::Zero());
+    const std::vector<Vec4f> before = points;
+    auto& bend = cloth.solver.constraints.bend;
+    const std::vector<BendBlock> blocks = bend.blocks;
+    kernels(simd_level()).solve_bend(bend.blocks, floats(points), 1);
+    std::set<std::uint32_t> quick;  // points that a quick triangle may move
+    std::size_t slow = 0, mixed = 0;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        std::size_t slow_here = 0;
+        for (std::size_t at = 0; at < kBlock; ++at) {
+            if (blocks[i].interval[at] > 1) {
+                EXPECT_EQ(lane_of(bend.blocks[i].anchor, at), lane_of(blocks[i].anchor, at));
+                slow_here += blocks[i].interval[at] < kNeverVisited ? 1U : 0U;
+            } else {
+                for (const BlockPoints& corner : blocks[i].vertices) quick.insert(corner[at] / 4);
+            }
+        }
+        slow += slow_here;
+        mixed += slow_here > 0 && std::ranges::min(blocks[i].interval) == 1 ? 1U : 0U;
+    }
+    EXPECT_GT(slow, 10U);
+    EXPECT_GT(mixed, 0U);
+    std::size_t moved = 0;
+    for (std::uint32_t v = 0; v < points.size(); ++v) {
+        const bool stays = std::memcmp(&points[v], &before[v], sizeof(Vec4f)) == 0;
+        moved += stays ? 0U : 1U;
+        EXPECT_TRUE(stays || quick.contains(v)) << v;
+    }
+    EXPECT_GT(moved, 0U);
 }
 
 // A strip of 4 cm that stands out level: how far its end falls below its clamp, m.
@@ -231,7 +303,7 @@ TEST(TriangleBending, gives_no_energy) {
             cloth.x[v.value].y() = 0.004F * std::sin(20 * p.x()) * std::cos(15 * p.z());
         }
         cloth.x_prev = cloth.x;
-        ASSERT_TRUE(std::ranges::any_of(cloth.solver.constraints.parents, &ParentLevel::bends) || substep < 1.0F / 500);
+        ASSERT_TRUE(std::ranges::any_of(cloth.solver.constraints.parents, bends) || substep < 1.0F / 500);
         const StepOptions free{.gravity = Vec3f::Zero(), .internal_damping = 0, .contact = {.floor = kNoFloor}};
         std::vector<float> most(4, 0.0F);
         for (float& speed : most) {
