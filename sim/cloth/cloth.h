@@ -29,7 +29,7 @@ struct SolverState {
     std::vector<Vec4f> correction;  // what stretch and shear moved them by in the last sub-step
     Constraints constraints;
     SolverLists lists;
-    int substeps = 0;  // so far, by 4
+    int substeps = 0;  // so far, by 2
 };
 
 // What the solver has learnt about a triangle, see solver_blocks.h and bias.h.

@@ -128,7 +128,7 @@ struct alignas(64) BendBlock {
         beyond_foot{};                     // of those heights along the edge: 0 at its beginning, 1 at its end
     std::array<BlockFloats, 6> gain{};     // multiplier per angle, symmetric: 00 11 22 01 02 12
     BlockFloats realised{};                // share of the fabric's rigidity that its visits make
-    BlockFloats interval{};                // sub-steps from one visit to the next: 1, 2, 4 or kNeverVisited
+    BlockFloats interval{};                // sub-steps from one visit to the next: 1, 2 or kNeverVisited
     BlockFloats has_friction{};            // 1 or 0: what follows is of those
     std::array<BlockFloats, 9> map{};      // curvature per angle, by rows: warp, weft, 2 twist; 1/m
     std::array<BlockFloats, 9> settled{};  // the same per angle that is seen, when all have had their turn

@@ -26,11 +26,8 @@ struct Stepper {
 
     void step();
     void substep(int i);
-    // Bending that is visited each second or fourth sub-step has its turn in every sub-step whose number that divides.
-    int bend_interval(int i) const {
-        const int number = cloth.solver.substeps + i;
-        return number % 4 == 0 ? 4 : number % 2 == 0 ? 2 : 1;
-    }
+    // Of the bending whose turn it is: all, or what is visited in each sub-step.
+    int bend_interval(int i) const { return (cloth.solver.substeps + i) % 2 == 0 ? 2 : 1; }
     void load_points();
     void store_points();
     void predict(int i);
@@ -236,7 +233,7 @@ StepReport step(Cloth& cloth, const Collider& body, const StepOptions& options) 
     solver.predicted.resize(count);
     solver.correction.resize(count, Vec4f::Zero());
     Stepper{cloth, kernels(simd_level()), body, options}.step();
-    solver.substeps = (solver.substeps + options.substeps) % 4;
+    solver.substeps = (solver.substeps + options.substeps) % 2;
     return {.substeps = options.substeps};
 }
 

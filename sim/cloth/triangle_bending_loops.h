@@ -256,8 +256,8 @@ constexpr float kMostStiffness = 2 * kCap / (2 - kCap);
 constexpr float kBendStick = 2;
 constexpr float kLeastShare = 0.03F;  // of the rigidity: less is not worth a visit
 
-// A triangle is visited each second or fourth sub-step, with the impulse of two or four, where that makes all that is
-// asked of it (the impulse method of multiple time steps; Tuckerman et al. 1992).
+// A triangle is visited each second sub-step, with the impulse of two, where that makes all that is asked of it (the
+// impulse method of multiple time steps; Tuckerman et al. 1992).
 template <class Block>
 [[gnu::always_inline]] inline void weigh_lanes(Block& block, BendRecord& record, std::size_t at,
                                                const std::array<Floats, 6>& w) {
@@ -269,9 +269,7 @@ template <class Block>
     for (std::size_t i = 0; i < 6; ++i) stiffness[i] = load_at(record.stiffness[i], at);
     const Floats room = lanes::all(kMostStiffness) / (trace_of_product(stiffness, sigma) *
                                                       lanes::multiply_add(has_friction, lanes::all(kBendStick), one));
-    const Floats is_slow = lanes::where(asked * 16.0F <= room, one),
-                 is_slower = lanes::where(asked * 4.0F <= room, one);
-    const Floats interval = one + is_slower + is_slow * 2.0F;
+    const Floats interval = one + lanes::where(asked * 4.0F <= room, one);
     const Floats most = room / (interval * interval);
     for (Floats& s : stiffness) s = s * interval;
     lanes::store(&block.interval[at], lanes::where(asked >= kLeastShare, interval) +

@@ -62,7 +62,7 @@ struct Roll {
     // What one visit of all triangles moves.
     std::vector<Vec4f> visit() {
         std::vector<Vec4f> points = solver_points(cloth, cloth.x);
-        kernels(simd_level()).solve_bend(cloth.solver.constraints.bend.blocks, floats(points), 4);
+        kernels(simd_level()).solve_bend(cloth.solver.constraints.bend.blocks, floats(points), 2);
         return points;
     }
     // By the work that the moment would do if the curvature changed, N.
@@ -302,7 +302,7 @@ void bend_at_random(Cloth& cloth, unsigned seed) {
     std::mt19937 random(seed);
     shake(cloth, 0.01F, random);
     std::vector<Vec4f> points = solver_points(cloth, cloth.x);
-    kernels(simd_level()).solve_bend(cloth.solver.constraints.bend.blocks, floats(points), 4);
+    kernels(simd_level()).solve_bend(cloth.solver.constraints.bend.blocks, floats(points), 2);
 }
 
 // Of a leaf, or of a refined triangle.

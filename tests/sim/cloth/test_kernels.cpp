@@ -95,7 +95,7 @@ void limit_and_carry(const Cloth& cloth, const Kernels& loops, std::span<const L
                      Points& points, LimitRecord* records = nullptr, std::span<CoarseBendBlock> bend = {}) {
     Points carried = points;
     loops.limit_parents(blocks, records, floats(points));
-    loops.solve_coarse_bend(bend, floats(points), 4);
+    loops.solve_coarse_bend(bend, floats(points), 2);
     for (std::size_t below = level; below < cloth.solver.constraints.parents.size(); ++below) {
         loops.carry_centres(cloth.solver.constraints.parents[below].centres, floats(carried), floats(points));
     }
@@ -142,7 +142,7 @@ TEST_P(KernelsAtLevel, bending_pushes_nothing_and_turns_nothing) {
     const auto expect = [&](const Cloth& cloth, double torque_share) {
         expect_no_push<BendBlock>(
             cloth, cloth.solver.constraints.bend.blocks,
-            [&](auto one, Points& points) { loops().solve_bend(one, floats(points), 4); }, torque_share);
+            [&](auto one, Points& points) { loops().solve_bend(one, floats(points), 2); }, torque_share);
     };
     std::mt19937 random(12);
     expect(rolled_patch(1), 0.001);
@@ -156,7 +156,7 @@ TEST_P(KernelsAtLevel, bending_of_refined_triangles_pushes_nothing_and_turns_lit
             cloth, cloth.solver.constraints.parents[level].bend.blocks,
             [&](auto one, Points& points) {
                 Points carried = points;
-                loops().solve_coarse_bend(one, floats(points), 4);
+                loops().solve_coarse_bend(one, floats(points), 2);
                 for (std::size_t below = level; below < cloth.solver.constraints.parents.size(); ++below) {
                     loops().carry_centres(cloth.solver.constraints.parents[below].centres, floats(carried),
                                           floats(points));
@@ -185,7 +185,7 @@ TEST_P(KernelsAtLevel, bending_leaves_a_flat_patch_flat_however_it_lies) {
     refine(cloth, 2);
     move_to(cloth, Eigen::AngleAxisf(1.0F, Vec3f(1, 2, 3).normalized()).toRotationMatrix(), Vec3f(0.1F, 0.2F, 0.3F));
     Points points = solver_points(cloth, cloth.x);
-    loops().solve_bend(cloth.solver.constraints.bend.blocks, floats(points), 4);
+    loops().solve_bend(cloth.solver.constraints.bend.blocks, floats(points), 2);
     for (const VertexId v : cloth.mesh.leaf_vertices()) {
         EXPECT_LT((points[v.value] - padded(cloth.x[v.value].head<3>())).head<3>().norm(), 1e-6F);
     }
@@ -271,7 +271,7 @@ Sweep swept(const Kernels& loops) {
         limit_and_carry(cloth, loops, constraints.parents[level].limits.blocks, level, s.points,
                         s.parents[level].limits.records.data(), s.parents[level].bend.blocks);
     }
-    loops.solve_bend(s.bend, floats(s.points), 4);
+    loops.solve_bend(s.bend, floats(s.points), 2);
     for (const BlockColoring::Run& run : cloth.solver.constraints.stretch.coloring.runs()) {
         const std::span<StretchBlock> some = std::span(s.stretch).subspan(run.first, run.count);
         std::vector<OverBlock> over(run.count);
