@@ -1,6 +1,6 @@
 #pragma once
 // What triangles have learnt, biases and friction, while they come and go: it lives in the solver's constraints, and is
-// kept in Cloth::saved_bias and Cloth::saved_bend while an adaption is under way. (solver_blocks.h)
+// kept in Cloth::saved_bias and Cloth::saved_bend while an adaptation is under way. (solver_blocks.h)
 #include <array>
 #include <cstddef>
 

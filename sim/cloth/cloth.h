@@ -45,7 +45,7 @@ struct KeptBend {
     bool is_known = false;         // else friction starts from how the cloth is bent
 };
 
-// What criteria remember while an adaption is under way, in the memory of the last one.
+// What criteria remember while an adaptation is under way, in the memory of the last one.
 struct CriteriaMemory {
     LeafAnswers curvature;
     CollisionBatch collision;
@@ -63,7 +63,7 @@ struct Cloth {
     std::vector<Vec3f> normals{};       // unit, of the fabric's right side; see update_normals
     std::vector<bool> is_pinned{};
 
-    SavedStates<KeptBias> saved_bias{};  // by TriangleId, while an adaption is under way
+    SavedStates<KeptBias> saved_bias{};  // by TriangleId, while an adaptation is under way
     SavedStates<KeptBend> saved_bend{};  // the same
     std::uint32_t adaptions = 0;         // so far
     std::vector<double> mass_sums{};  // kg by vertex, pinned or not; sums of floats, so that they can be undone exactly

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "sim/cloth/bias.h"
 #include "sim/cloth/cloth.h"
@@ -26,57 +27,41 @@ TriangleId beside(const AdaptiveMesh& mesh, TriangleId t, std::size_t edge) {
     return other;
 }
 
-// The level whose limits hold that triangle's, if any do.
-ParentLevel* level_with(Constraints& constraints, TriangleId t) {
-    const auto found = std::ranges::find_if(
-        constraints.parents, [&](const ParentLevel& level) { return level.limits.slot_of(t) != kSpare; });
-    return found == constraints.parents.end() ? nullptr : &*found;
-}
+using Limits = ConstraintSet<LimitBlock, LimitRecord>;
 
-struct LimitAt {
-    LimitRecord* record = nullptr;  // none: the triangle has no limit
-    std::size_t at = 0;
-};
-LimitAt limit_at(Constraints& constraints, TriangleId t) {
-    ParentLevel* const level = level_with(constraints, t);
-    if (level == nullptr) return {};
-    const std::uint32_t slot = level->limits.slot_of(t);
-    return {&level->limits.records[slot / kBlock], slot % kBlock};
-}
-
-// It knows those beside it, and they know it.
-void join_neighbours(Cloth& cloth, TriangleId t, LimitRecord& record, std::size_t at) {
+// It knows those beside it, and they know it. They are of its own level, as the edge between them.
+void join_neighbours(const AdaptiveMesh& mesh, Limits& limits, TriangleId t, std::uint32_t slot) {
     for (std::size_t k = 0; k < 3; ++k) {
-        const TriangleId other = beside(cloth.mesh, t, k);
-        record.neighbours[k][at] = place_of(other);
-        if (other == t) continue;
-        const LimitAt knows = limit_at(cloth.solver.constraints, other);
-        if (knows.record == nullptr) continue;
-        const std::size_t side = place_of(cloth.mesh.triangle(other), cloth.mesh.triangle(t).edges[k]);
-        knows.record->neighbours[side][knows.at] = place_of(t);
+        const TriangleId other = beside(mesh, t, k);
+        limits.records[slot / kBlock].neighbours[k][slot % kBlock] = place_of(other);
+        const std::uint32_t knows = limits.slot_of(other);
+        if (other == t || knows == kSpare) continue;
+        const std::size_t side = place_of(mesh.triangle(other), mesh.triangle(t).edges[k]);
+        limits.records[knows / kBlock].neighbours[side][knows % kBlock] = place_of(t);
     }
 }
 
 // Those that knew it stand alone there.
-void leave_neighbours(Constraints& constraints, TriangleId t, const LimitAt& own) {
+void leave_neighbours(Limits& limits, TriangleId t) {
+    const std::uint32_t slot = limits.slot_of(t);
     for (std::size_t k = 0; k < 3; ++k) {
-        const TriangleId other = triangle_at(own.record->neighbours[k][own.at]);
-        if (other == t) continue;
-        const LimitAt knows = limit_at(constraints, other);
-        if (knows.record == nullptr) continue;
-        for (BlockPoints& places : knows.record->neighbours) {
-            if (places[knows.at] == place_of(t)) places[knows.at] = place_of(other);
+        const TriangleId other = triangle_at(limits.records[slot / kBlock].neighbours[k][slot % kBlock]);
+        const std::uint32_t knows = limits.slot_of(other);
+        if (other == t || knows == kSpare) continue;
+        for (BlockPoints& places : limits.records[knows / kBlock].neighbours) {
+            if (places[knows % kBlock] == place_of(t)) places[knows % kBlock] = place_of(other);
         }
     }
-    for (std::vector<Vec4f>* stress : {&constraints.carried.own, &constraints.carried.above}) {
-        (*stress)[t.value + 1].setZero();
-    }
+}
+
+void forget_stress(CarriedStress& carried, TriangleId t) {
+    for (std::vector<Vec4f>* stress : {&carried.own, &carried.above}) (*stress)[t.value + 1].setZero();
 }
 
 // All but the gains and what the corners are moved. t: refined.
 void set_limit(Cloth& cloth, TriangleId t, std::uint32_t slot) {
     const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
-    ConstraintSet<LimitBlock, LimitRecord>& limits = cloth.solver.constraints.parents[triangle.level].limits;
+    Limits& limits = cloth.solver.constraints.parents[triangle.level].limits;
     LimitRecord& record = limits.records[slot / kBlock];
     const std::size_t at = slot % kBlock;
     const Fabric& fabric = cloth.fabrics[triangle.panel];
@@ -93,7 +78,7 @@ void set_limit(Cloth& cloth, TriangleId t, std::uint32_t slot) {
     record.parent[at] = parent.place;
     record.of_area[at] = parent.of_area;
     cloth.solver.constraints.carried.below[t.value + 1].setZero();
-    join_neighbours(cloth, t, record, at);
+    join_neighbours(cloth.mesh, limits, t, slot);
 }
 
 // Stress of shear that what is inside a refined triangle carries well by itself. A triangle gives so much stress per
@@ -131,7 +116,7 @@ void add_easy_shear_of_limits(SolverState& solver, ParentLevel& parents) {
 void make_limits(Cloth& cloth, int level) {
     SolverState& solver = cloth.solver;
     solver.constraints.parents[static_cast<std::size_t>(level)].limits.make(
-        cloth.mesh.refined_triangles(level), solver.lists.vertices, [](TriangleId t) { return t; },
+        cloth.mesh.refined_triangles(level), solver.lists.vertices, std::identity{},
         [&](TriangleId t) { return indices(cloth.mesh.triangle(t).vertices); },
         [&](TriangleId t, std::uint32_t slot) { set_limit(cloth, t, slot); });
 }
@@ -141,11 +126,13 @@ void change_limits(Cloth& cloth, const LeafChanges& changes) {
     Constraints& constraints = cloth.solver.constraints;
     const std::size_t spare_point = cloth.solver.lists.vertices;
     for (const TriangleId t : changes.refined_changed) {
-        ParentLevel* const level = level_with(constraints, t);
-        if (level == nullptr) continue;
-        keep_limit(cloth, t, *level);
-        leave_neighbours(constraints, t, limit_at(constraints, t));
-        level->limits.remove(t, spare_point);
+        for (ParentLevel& level : constraints.parents) {
+            if (level.limits.slot_of(t) == kSpare) continue;
+            keep_limit(cloth, t, level);
+            leave_neighbours(level.limits, t);
+            forget_stress(constraints.carried, t);
+            level.limits.remove(t, spare_point);
+        }
     }
     for (const TriangleId t : changes.refined_changed) {
         const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);

@@ -43,11 +43,15 @@ constexpr float kMoreShear = 4;  // shear angles are that much larger than strai
     return lanes::gather(by_vertex, lanes::load_ints(&corners[at]) >> 2);
 }
 
-// Whether one of a block's sixteen is above 0.
-[[gnu::always_inline]] inline bool has_positive(const BlockFloats& values) {
+// Whether it holds for one of a block's sixteen.
+template <class Holds>
+[[gnu::always_inline]] inline bool has_lane(const BlockFloats& values, const Holds& holds) {
     unsigned found = 0;
-    for (std::size_t at = 0; at < kBlock; at += lanes::kCount) found |= lanes::bits(load_at(values, at) > 0.0F);
+    for (std::size_t at = 0; at < kBlock; at += lanes::kCount) found |= lanes::bits(holds(load_at(values, at)));
     return found != 0;
+}
+[[gnu::always_inline]] inline bool has_positive(const BlockFloats& values) {
+    return has_lane(values, [](Floats value) { return value > 0.0F; });
 }
 
 // The nearest to `value` that is within `reach` of nil.

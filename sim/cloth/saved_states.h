@@ -1,5 +1,5 @@
 #pragma once
-// What was learnt about triangles, kept by their ids while an adaption is under way: their lanes come and go.
+// States of triangles, saved by their ids while an adaptation is under way: their slots come and go.
 #include <cstdint>
 #include <vector>
 
@@ -10,20 +10,21 @@ namespace selvedge {
 template <class State>
 class SavedStates {
  public:
-    // What was saved in that adaption, until the next is saved; none if nothing was.
-    const State* find(TriangleId t, std::uint32_t adaption) const {
-        return t.value < entries_.size() && entries_[t.value].adaption == adaption ? &entries_[t.value].state : nullptr;
+    // What was saved in that adaptation, until the next is saved; none if nothing was.
+    const State* find(TriangleId t, std::uint32_t adaptation) const {
+        return t.value < entries_.size() && entries_[t.value].adaptation == adaptation ? &entries_[t.value].state
+                                                                                       : nullptr;
     }
-    // Later ones of the same adaption replace earlier ones.
-    void save(TriangleId t, std::uint32_t adaption, const State& state) {
-        if (t.value >= entries_.size()) entries_.resize(2 * t.value + 1);
-        entries_[t.value] = {.state = state, .adaption = adaption};
+    // Later ones of the same adaptation replace earlier ones.
+    void save(TriangleId t, std::uint32_t adaptation, const State& state) {
+        if (t.value >= entries_.size()) entries_.resize(t.value + 1);
+        entries_[t.value] = {.state = state, .adaptation = adaptation};
     }
 
  private:
     struct Entry {
         State state{};
-        std::uint32_t adaption = UINT32_MAX;
+        std::uint32_t adaptation = UINT32_MAX;
     };
     std::vector<Entry> entries_;
 };

@@ -74,8 +74,8 @@ struct SolverLists {
 // Makes all blocks anew, in the memory that they have. Pre: masses are those of the present leaves.
 void make_blocks(Cloth& cloth);
 
-// After an adaption: the slots of what went, by mesh.changes(), are given to what came. Makes all anew where that
-// is dearer, or where the blocks were made for fewer vertices. Pre: masses are those of the present leaves; the
+// After an adaptation: the slots of what went, by mesh.changes(), are given to what came. Makes all anew where that
+// is more expensive, or where the blocks were made for fewer vertices. Pre: masses are those of the present leaves; the
 // blocks were those of the leaves before.
 void change_blocks(Cloth& cloth);
 

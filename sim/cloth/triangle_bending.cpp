@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "sim/cloth/bias.h"
 #include "sim/cloth/cloth.h"
@@ -327,7 +328,7 @@ void make_bending(Cloth& cloth) {
     };
     make(leaf_lists(solver), mesh.leaf_triangles(), [](const LeafTriangle& leaf) { return leaf.triangle; });
     for (int level = 0; level < mesh.max_level(); ++level) {
-        make(refined_lists(solver, level), mesh.refined_triangles(level), [](TriangleId t) { return t; });
+        make(refined_lists(solver, level), mesh.refined_triangles(level), std::identity{});
     }
 }
 

@@ -137,15 +137,7 @@ template <bool has_friction, class Block>
     }
 }
 
-// Whether a block has a lane that is visited as often as each `most` sub-steps.
-[[gnu::always_inline]] inline bool has_visited(const BlockFloats& interval, float most) {
-    for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
-        if (lanes::bits(load_at(interval, at) <= most) != 0) return true;
-    }
-    return false;
-}
-
-// Of those lanes; the others stay as they are.
+// Of the lanes that are visited as often as each `most` sub-steps; the others stay as they are.
 template <class Block>
 [[gnu::always_inline]] inline void bend_block(Block& block, float* points, float most) {
     const bool has_friction = has_positive(block.has_friction);
@@ -159,18 +151,20 @@ template <class Block>
     }
 }
 
-void solve_bend(std::span<BendBlock> blocks, float* points, int interval) {
+template <class Block>
+[[gnu::always_inline]] inline void bend_blocks(std::span<Block> blocks, float* points, int interval) {
     const auto most = static_cast<float>(interval);
-    for (BendBlock& block : blocks) {
-        if (has_visited(block.interval, most)) bend_block(block, points, most);
+    for (Block& block : blocks) {
+        if (has_lane(block.interval, [&](Floats of) { return of <= most; })) bend_block(block, points, most);
     }
 }
 
+void solve_bend(std::span<BendBlock> blocks, float* points, int interval) {
+    bend_blocks(blocks, points, interval);
+}
+
 void solve_coarse_bend(std::span<CoarseBendBlock> blocks, float* points, int interval) {
-    const auto most = static_cast<float>(interval);
-    for (CoarseBendBlock& block : blocks) {
-        if (has_visited(block.interval, most)) bend_block(block, points, most);
-    }
+    bend_blocks(blocks, points, interval);
 }
 
 // Symmetric 3 x 3 matrices: 00 11 22 01 02 12.

@@ -235,8 +235,8 @@ double RandomRun::depth() const {
         least = std::min({least, body().contact(x.head<3>()).distance, x.y() - stepping_.contact.floor});
     };
     for (const VertexId v : cloth_.mesh.leaf_vertices()) look(cloth_.x[v.value]);
-    for (std::size_t slot = 0; slot < kBlock * cloth_.contacts.samples.size(); ++slot) {
-        const std::optional<Vec3f> sample = sample_at(cloth_.contacts, slot, cloth_.x);
+    for (std::size_t lane = 0; lane < kBlock * cloth_.contacts.samples.size(); ++lane) {
+        const std::optional<Vec3f> sample = sample_at(cloth_.contacts, lane, cloth_.x);
         if (sample) look(padded(*sample));
     }
     return double(stepping_.contact.offset - least);

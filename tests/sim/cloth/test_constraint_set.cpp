@@ -142,7 +142,7 @@ TEST(ConstraintSet, forgets_what_it_had_when_it_is_made_again) {
     EXPECT_EQ(weighed, 1U);
 }
 
-TEST(SavedStates, are_those_of_one_adaption) {
+TEST(SavedStates, are_those_of_one_adaptation) {
     SavedStates<int> states;
     EXPECT_EQ(states.find(TriangleId(3), 1), nullptr);
     states.save(TriangleId(3), 1, 7);
