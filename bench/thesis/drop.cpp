@@ -21,7 +21,7 @@ constexpr double kSide = 1.0;              // m, of the cloth
 constexpr double kBeside = 0.15;           // m, how far from the middle a cloth starts that falls off
 constexpr float kSlipperyFriction = 0.2F;  // of the fabric's, so that it does fall off
 constexpr float kNoFloor = -1000.0F;       // m
-constexpr float kTouch = 0.001F;           // m: an edge that contacts between vertices hold off counts as cutting
+constexpr LengthOptions kCompression{.split_compression = 0.01F, .rejoin_compression = 0.004F};  // falls make no more
 
 Cloth make_drop_cloth(const DropOptions& options) {
     GarmentMesh base =
@@ -46,11 +46,11 @@ MinimumLevelDisc everywhere(int level) {
 Scene make_scene(const DropOptions& options) {
     Scene scene{.cloth = make_drop_cloth(options), .object = make_drop_object(options.object)};
     scene.stepping.contact.floor = kNoFloor;
-    scene.adapting.collision_touch = kTouch;
     if (options.falls_off) scene.stepping.contact.friction_scale = kSlipperyFriction;
     scene.adapting.criteria = options.criteria;
     scene.adapting.diagonal = options.diagonal;
     scene.adapting.shortest_edge = 0;
+    scene.adapting.length = kCompression;
     refresh_contacts(scene.cloth, scene.stepping.contact);
     if (options.uniform_level) {
         const MinimumLevelDisc disc = everywhere(*options.uniform_level);

@@ -21,7 +21,10 @@ class BucklingCriterion {
         : length_(x, {.split_compression = 1.0F - 1.0F / options.split_ratio,
                       .rejoin_compression = 1.0F - 1.0F / options.rejoin_ratio}) {}
 
-    bool wants_split(const AdaptiveMesh& mesh, EdgeId e) const { return length_.wants_split(mesh, e); }
+    template <class Edge>
+    bool wants_split(const AdaptiveMesh& mesh, const Edge& e) const {
+        return length_.wants_split(mesh, e);
+    }
     bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId e) const { return length_.allows_rejoin(mesh, e); }
 
  private:

@@ -64,14 +64,21 @@ class LengthCriterion {
         SELVEDGE_ASSERT(split_share_ < rejoin_share_);
     }
 
-    bool wants_split(const AdaptiveMesh& mesh, EdgeId e) const { return is_shorter(mesh.edge(e), split_share_); }
-    bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId e) const { return !is_shorter(mesh.edge(e), rejoin_share_); }
+    bool wants_split(const AdaptiveMesh& mesh, EdgeId e) const { return is_shorter(mesh, e, split_share_); }
+    bool wants_split(const AdaptiveMesh&, const LeafEdge& e) const {
+        return is_shorter(e.a, e.b, split_share_ * e.rest_length);
+    }
+    bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId e) const { return !is_shorter(mesh, e, rejoin_share_); }
 
  private:
-    bool is_shorter(const AdaptiveEdge& edge, float share) const {
-        const Vec3f a = x_[edge.ends[0].value].template head<3>();
-        const Vec3f b = x_[edge.ends[1].value].template head<3>();
-        const float limit = share * edge.rest_length;
+    bool is_shorter(const AdaptiveMesh& mesh, EdgeId e, float share) const {
+        const AdaptiveEdge& edge = mesh.edge(e);
+        return is_shorter(edge.ends[0], edge.ends[1], share * edge.rest_length);
+    }
+    // limit: m
+    bool is_shorter(VertexId from, VertexId to, float limit) const {
+        const Vec3f a = x_[from.value].template head<3>();
+        const Vec3f b = x_[to.value].template head<3>();
         return (b - a).squaredNorm() < limit * limit;
     }
 

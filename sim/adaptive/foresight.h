@@ -5,10 +5,12 @@
 // are flat and never ask, so that their triangles stay in S1..S6 and the fold stays at level 1, however much the edges
 // across it ask. With foresight an edge also asks when a finer edge of its triangles does. It is a choice of the
 // criterion, made outside of the mesh; the permissions stay as they are.
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
 #include "sim/adaptive/adapt.h"
+#include "sim/adaptive/split_limits.h"
 
 namespace selvedge {
 
@@ -52,18 +54,42 @@ class LeafAnswers {
     std::vector<Answer> answers_;  // by EdgeId
 };
 
+// Whether it holds for one of the edges that are finer by a level in the triangles beside e, and not too short to be
+// split.
+template <class Holds>
+bool any_finer_edge(const AdaptiveMesh& mesh, EdgeId e, const SplitLimits& limits, const Holds& holds_for) {
+    if (mesh.level(e) + 1 >= std::min(mesh.max_level(), limits.max_level)) return false;
+    const auto holds = [&](EdgeId finer) { return limits.allow(mesh, finer) && holds_for(finer); };
+    const auto holds_inside = [&](const AdaptiveTriangle& owner) {
+        for (std::size_t i = 0; i < layout(owner.configuration).edge_count; ++i) {
+            if (holds(owner.internal_edges[i])) return true;
+        }
+        for (const EdgeId outer : owner.edges) {
+            if (!mesh.is_split(outer)) continue;
+            const std::array<EdgeId, 2>& children = mesh.edge(outer).children;
+            if (holds(children[0]) || holds(children[1])) return true;
+        }
+        return false;
+    };
+    const std::array<TriangleId, 2>& sides = mesh.edge(e).sides;
+    return (sides[0] && holds_inside(mesh.triangle(sides[0]))) || (sides[1] && holds_inside(mesh.triangle(sides[1])));
+}
+
 template <EdgeCriterion Criterion>
 class Foresight {
  public:
-    // Pre: both outlive this; answers are those of the criterion, or there are none.
-    explicit Foresight(const Criterion& criterion, const LeafAnswers& answers = kNone)
-        : criterion_(criterion), answers_(answers) {}
+    // Pre: criterion and answers outlive this; answers are those of the criterion, or there are none.
+    explicit Foresight(const Criterion& criterion, const SplitLimits& limits = {}, const LeafAnswers& answers = kNone)
+        : criterion_(criterion), limits_(limits), answers_(answers) {}
 
-    bool wants_split(const AdaptiveMesh& mesh, EdgeId e) const { return asks(mesh, e) || finer_edges_ask(mesh, e); }
+    bool wants_split(const AdaptiveMesh& mesh, EdgeId e) const {
+        return asks(mesh, e) || finer_edges_ask(mesh, e, limits_);
+    }
 
-    // Else what was split for others' sake would rejoin and split again, turn by turn.
+    // Else what was split for others' sake would rejoin and split again, turn by turn. Finer edges that are too short
+    // to be split have a say here: they are bent, and would be lost.
     bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId e) const {
-        return criterion_.allows_rejoin(mesh, e) && !finer_edges_ask(mesh, e);
+        return criterion_.allows_rejoin(mesh, e) && !finer_edges_ask(mesh, e, {});
     }
 
  private:
@@ -71,26 +97,12 @@ class Foresight {
 
     bool asks(const AdaptiveMesh& mesh, EdgeId e) const { return answers_.wants_split(mesh, e, criterion_); }
 
-    bool finer_edges_ask(const AdaptiveMesh& mesh, EdgeId e) const {
-        if (mesh.level(e) + 1 >= mesh.max_level()) return false;
-        const auto asks_inside = [&](TriangleId side) { return side && edges_inside_ask(mesh, mesh.triangle(side)); };
-        const std::array<TriangleId, 2>& sides = mesh.edge(e).sides;
-        return asks_inside(sides[0]) || asks_inside(sides[1]);
-    }
-
-    bool edges_inside_ask(const AdaptiveMesh& mesh, const AdaptiveTriangle& owner) const {
-        for (std::size_t i = 0; i < layout(owner.configuration).edge_count; ++i) {
-            if (asks(mesh, owner.internal_edges[i])) return true;
-        }
-        for (const EdgeId e : owner.edges) {
-            if (!mesh.is_split(e)) continue;
-            const std::array<EdgeId, 2>& children = mesh.edge(e).children;
-            if (asks(mesh, children[0]) || asks(mesh, children[1])) return true;
-        }
-        return false;
+    bool finer_edges_ask(const AdaptiveMesh& mesh, EdgeId e, const SplitLimits& limits) const {
+        return any_finer_edge(mesh, e, limits, [&](EdgeId finer) { return asks(mesh, finer); });
     }
 
     const Criterion& criterion_;
+    SplitLimits limits_;
     const LeafAnswers& answers_;
 };
 

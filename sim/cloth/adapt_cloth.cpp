@@ -23,7 +23,7 @@ struct ClothObserver {
     void after(TriangleId t) {
         biases.after(t);
         note_children(cloth, t);
-        cloth.adapting.curvature.forget(cloth.mesh, t);
+        cloth.adapting.shape.forget(cloth.mesh, t);
     }
 
     void on_capacity(std::size_t capacity) {
@@ -41,7 +41,7 @@ struct ClothObserver {
         cloth.x_prev[c.value] = cloth.x[c.value] - velocity;
         cloth.normals[c.value] = normal.squaredNorm() > 0 ? Vec3f(normal.normalized()) : Vec3f::Zero();
         cloth.is_pinned[c.value] = cloth.is_pinned[a.value] && cloth.is_pinned[b.value];  // a pinned waistband stays up
-        cloth.adapting.curvature.forget_children(cloth.mesh, cloth.mesh.vertex(c).parent);
+        cloth.adapting.shape.forget_children(cloth.mesh, cloth.mesh.vertex(c).parent);
         if (visibility != nullptr) visibility->on_split(c, a, b);
         if (budget != nullptr) budget->on_split();
     }
@@ -51,6 +51,10 @@ struct ClothObserver {
     }
 };
 
+SplitLimits split_limits(const AdaptClothOptions& options) {
+    return {.shortest_edge = options.shortest_edge, .max_level = options.max_level};
+}
+
 // All criteria, each with its switch.
 template <class Choice>
 AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& observer,
@@ -59,16 +63,18 @@ AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& ob
     const bool sees = options.visibility != nullptr, counts = options.budget != nullptr;
     const float scale = counts ? options.budget->scale() : 1.0F;
 
+    const SplitLimits limits = split_limits(options);
     const CollisionCriterion collision{.x = cloth.x,
                                        .body = observer.body,
                                        .batch = cloth.adapting.collision,
-                                       .offset = observer.offset,
-                                       .touch = options.collision_touch};
+                                       .limits = limits,
+                                       .offset = observer.offset};
     const CurvatureCriterion curvature(cloth.normals, scaled(options.curvature, scale));
-    if (on.curvature) cloth.adapting.curvature.ask(cloth.mesh, curvature);
-    const Foresight foresight(curvature, cloth.adapting.curvature);
     const LengthCriterion<Vec4f> length(cloth.x, scaled(options.length, scale));
     const BucklingCriterion<Vec4f> buckling(cloth.x, scaled(options.buckling, scale));
+    const AnyOf shape(Switched(on.curvature, curvature), Switched(on.length, length), Switched(on.buckling, buckling));
+    cloth.adapting.shape.ask(cloth.mesh, shape);
+    const Foresight foresight(shape, limits, cloth.adapting.shape);
     const MinimumLevelCriterion minimum{options.minimum_levels};
     const KeptVertexCriterion kept{options.kept_vertices};
     const BackFaceCriterion back_face{options.visibility};
@@ -77,9 +83,8 @@ AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& ob
     return adapt_choosing(
         choice, cloth.mesh, observer, {.max_level = options.max_level, .transitions = options.transitions},
         ShortestEdgeCriterion{options.shortest_edge}, HoldCriterion{options.may_rejoin}, Switched(counts, veto),
-        Switched(sees, back_face), Switched(on.length, length), Switched(on.buckling, buckling),
-        Switched(on.curvature, foresight), Switched(!options.minimum_levels.empty(), minimum), Switched(counts, keep),
-        Switched(!options.kept_vertices.empty(), kept), Switched(on.collision, collision));
+        Switched(sees, back_face), foresight, Switched(!options.minimum_levels.empty(), minimum),
+        Switched(counts, keep), Switched(!options.kept_vertices.empty(), kept), Switched(on.collision, collision));
 }
 
 AdaptReport adapt_chosen(Cloth& cloth, ClothObserver& observer, const AdaptClothOptions& options) {
@@ -96,6 +101,12 @@ AdaptReport adapt_chosen(Cloth& cloth, ClothObserver& observer, const AdaptCloth
     return adapt_switched(LeastWork{}, cloth, observer, options);
 }
 
+// Where a budget or the viewer decides too, an edge that cuts into the body may have to stay as it is.
+SplitOnContact split_on_contact(const AdaptClothOptions& options) {
+    if (!options.criteria.collision || options.budget != nullptr || options.visibility != nullptr) return std::nullopt;
+    return split_limits(options);
+}
+
 }  // namespace
 
 AdaptReport adapt_cloth(Cloth& cloth, const Collider& body, const AdaptClothOptions& options,
@@ -106,10 +117,9 @@ AdaptReport adapt_cloth(Cloth& cloth, const Collider& body, const AdaptClothOpti
     if (options.budget != nullptr) options.budget->start(cloth.mesh);
     ClothObserver observer{cloth, body, contact.offset, options.visibility, options.budget};
     const AdaptReport report = adapt_chosen(cloth, observer, options);
-    if (report.changed()) {
-        update_solver(cloth);
-        update_contacts(cloth, contact);
-    }
+    if (report.changed()) update_solver(cloth);
+    const SplitOnContact split = split_on_contact(options);
+    if (report.changed() || cloth.contacts.split != split) update_contacts(cloth, contact, split);
     return report;
 }
 

@@ -61,7 +61,6 @@ struct AdaptClothOptions {
     CurvatureOptions curvature{};
     LengthOptions length{};
     BucklingOptions buckling{};
-    float collision_touch = 0;  // m, see CollisionCriterion::touch
     std::span<const MinimumLevelDisc> minimum_levels{};
     std::span<const VertexId> kept_vertices{};  // never rejoined, but where a limit of levels or a veto asks for it
     Visibility* visibility = nullptr;           // what it does not see is coarsened, when given

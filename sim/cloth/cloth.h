@@ -47,7 +47,7 @@ struct KeptBend {
 
 // What criteria remember while an adaptation is under way, in the memory of the last one.
 struct CriteriaMemory {
-    LeafAnswers curvature;
+    LeafAnswers shape;  // curvature, length and buckling
     CollisionBatch collision;
 };
 

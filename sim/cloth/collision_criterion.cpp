@@ -1,7 +1,9 @@
 #include "sim/cloth/collision_criterion.h"
 
 #include <algorithm>
+#include <limits>
 
+#include "sim/adaptive/foresight.h"
 #include "sim/body/collider.h"
 
 namespace selvedge {
@@ -9,6 +11,8 @@ namespace {
 
 // Of each edge its middle and those of the triangles beside it, at the edge's own level.
 constexpr std::size_t kPoints = 3;
+
+constexpr float kNotAsked = std::numeric_limits<float>::lowest();  // m: no depth, and cuts nothing
 
 std::array<Vec4f, kPoints> middles(const AdaptiveMesh& mesh, EdgeId id, const std::vector<Vec4f>& x) {
     const AdaptiveEdge& edge = mesh.edge(id);
@@ -40,47 +44,61 @@ std::span<const EdgeId> CollisionCriterion::noted() const {
     return is_new ? std::span<const EdgeId>(batch.edges) : std::span<const EdgeId>();
 }
 
+// The edges that were noted, and what they speak for, each once.
+void CollisionCriterion::gather(const AdaptiveMesh& mesh) const {
+    for (const EdgeId e : batch.asked) batch.depths[e.value] = kNotAsked;
+    batch.asked.clear();
+    batch.depths.resize(mesh.edges().capacity(), kNotAsked);
+    const auto add = [&](EdgeId e) {
+        if (batch.depths[e.value] != kNotAsked) return;
+        batch.depths[e.value] = 0;
+        batch.asked.push_back(e);
+    };
+    for (const EdgeId e : batch.edges) {
+        add(e);
+        any_finer_edge(mesh, e, limits, [&](EdgeId finer) {
+            if (!mesh.is_split(finer)) add(finer);
+            return false;
+        });
+    }
+}
+
 std::span<const EdgeId> CollisionCriterion::look(const AdaptiveMesh& mesh) const {
     const std::span<const EdgeId> edges = noted();
     if (edges.empty()) return edges;
-    batch.depths.resize(mesh.edges().capacity());
-    batch.blocks.resize((kPoints * edges.size() + kContactLanes - 1) / kContactLanes);
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        const std::array<Vec4f, kPoints> points = middles(mesh, edges[i], x);
+    gather(mesh);
+    const std::vector<EdgeId>& asked = batch.asked;
+    batch.blocks.resize((kPoints * asked.size() + kContactLanes - 1) / kContactLanes);
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        const std::array<Vec4f, kPoints> points = middles(mesh, asked[i], x);
         for (std::size_t k = 0; k < kPoints; ++k) put_point(batch.blocks, kPoints * i + k, points[k]);
     }
     const Vec4f& any = x[mesh.end(edges.back(), 0).value];
-    for (std::size_t lane = kPoints * edges.size(); lane < kContactLanes * batch.blocks.size(); ++lane) {
+    for (std::size_t lane = kPoints * asked.size(); lane < kContactLanes * batch.blocks.size(); ++lane) {
         put_point(batch.blocks, lane, any);
     }
     // What is farther away than this neither splits nor keeps anything, however far it is.
-    const float reach = touch > 0 ? offset + touch : offset - std::min(split_depth, rejoin_depth);
-    body.contacts(batch.blocks, reach);
-    for (std::size_t i = 0; i < edges.size(); ++i) batch.depths[edges[i].value] = depth(mesh, i);
+    body.contacts(batch.blocks, offset - std::min(split_depth, rejoin_depth));
+    for (std::size_t i = 0; i < asked.size(); ++i) batch.depths[asked[i].value] = depth(mesh, i);
     return edges;
 }
 
-// How deep the deepest of the i'th edge's points lies below the offset surface, or, held off, below its ends or
-// corners, m.
-float CollisionCriterion::depth(const AdaptiveMesh& mesh, std::size_t i) const {
-    const AdaptiveEdge& edge = mesh.edge(batch.edges[i]);
-    const auto depth_of = [&](std::size_t k, std::span<const VertexId> corners) {
-        const std::size_t lane = kPoints * i + k;
-        const float below = offset - batch.blocks[lane / kContactLanes].distance[lane % kContactLanes];
-        return touch > 0 && below > -touch ? below + std::max(0.0F, height(corners)) : below;
-    };
-    float deepest = depth_of(0, edge.ends);
-    for (std::size_t side = 0; side < 2; ++side) {
-        if (edge.sides[side]) deepest = std::max(deepest, depth_of(1 + side, mesh.triangle(edge.sides[side]).vertices));
-    }
-    return deepest;
+bool CollisionCriterion::finer_edges_cut(const AdaptiveMesh& mesh, EdgeId e) const {
+    return any_finer_edge(mesh, e, limits, [&](EdgeId finer) { return cuts(finer); });
 }
 
-// Mean, of the corners above the offset surface, m.
-float CollisionCriterion::height(std::span<const VertexId> corners) const {
-    float sum = 0;
-    for (const VertexId v : corners) sum += body.contact(x[v.value].head<3>()).distance - offset;
-    return sum / static_cast<float>(corners.size());
+// How deep the deepest of the i'th asked edge's points lies below the offset surface, m.
+float CollisionCriterion::depth(const AdaptiveMesh& mesh, std::size_t i) const {
+    const AdaptiveEdge& edge = mesh.edge(batch.asked[i]);
+    const auto depth_of = [&](std::size_t k) {
+        const std::size_t lane = kPoints * i + k;
+        return offset - batch.blocks[lane / kContactLanes].distance[lane % kContactLanes];
+    };
+    float deepest = depth_of(0);
+    for (std::size_t side = 0; side < 2; ++side) {
+        if (edge.sides[side]) deepest = std::max(deepest, depth_of(1 + side));
+    }
+    return deepest;
 }
 
 }  // namespace selvedge

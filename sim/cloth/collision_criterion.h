@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/adaptive/adaptive_mesh.h"
+#include "sim/adaptive/split_limits.h"
 #include "sim/body/contact_block.h"
 #include "sim/core/vec.h"
 
@@ -14,37 +14,42 @@ class Collider;
 // Memory of a batch, kept between adaptions.
 struct CollisionBatch {
     std::vector<EdgeId> edges;
-    std::vector<float> depths;         // by EdgeId, m: of the edges that were looked at last
+    std::vector<EdgeId> asked;         // they, and the finer edges that they speak for
+    std::vector<float> depths;         // by EdgeId, m: of those that were asked last, else kNotAsked
     std::vector<ContactBlock> blocks;  // scratch
     bool is_looked_at = false;
 };
 
 // Splits an edge that cuts into the offset surface of the body, or whose triangles do; lets it rejoin when they no
 // longer would. Asked of the parent chord: once the centre lies on the surface the children no longer cut.
-// Contacts between vertices hold such chords off, so that they touch the surface from outside and their ends stand away
-// from it by what they would have cut: with `touch` above 0 that counts too.
+// It speaks for the finer edges beside it, which may not split before it does (foresight.h). The offset keeps such
+// chords outside of the body itself; its last third is for the collider's error.
 struct CollisionCriterion {
     static constexpr bool is_batch = true;
 
     const std::vector<Vec4f>& x;
     const Collider& body;
     CollisionBatch& batch;
+    SplitLimits limits{};        // of the edges that it speaks for
     float offset = 0.003F;       // m, contact offset
-    float split_depth = 0.001F;  // m, of the chord below the offset surface
-    float rejoin_depth = 0.0004F;
-    float touch = 0;  // m above the offset surface at which a middle is taken to be held off
+    float split_depth = 0.002F;  // m, of the chord below the offset surface
+    float rejoin_depth = 0.0008F;
 
     void note(EdgeId e) const;
     std::span<const EdgeId> noted() const;  // since the last look
     std::span<const EdgeId> look(const AdaptiveMesh& mesh) const;
 
     // Pre: the last look saw the edge.
-    bool wants_split(const AdaptiveMesh&, EdgeId e) const { return batch.depths[e.value] > split_depth; }
-    bool allows_rejoin(const AdaptiveMesh&, EdgeId e) const { return batch.depths[e.value] < rejoin_depth; }
+    bool wants_split(const AdaptiveMesh& mesh, EdgeId e) const { return cuts(e) || finer_edges_cut(mesh, e); }
+    bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId e) const {
+        return batch.depths[e.value] < rejoin_depth && !finer_edges_cut(mesh, e);
+    }
 
  private:
+    bool cuts(EdgeId e) const { return e.value < batch.depths.size() && batch.depths[e.value] > split_depth; }
+    bool finer_edges_cut(const AdaptiveMesh& mesh, EdgeId e) const;
+    void gather(const AdaptiveMesh& mesh) const;
     float depth(const AdaptiveMesh& mesh, std::size_t i) const;
-    float height(std::span<const VertexId> corners) const;
 };
 
 }  // namespace selvedge

@@ -68,8 +68,11 @@ class SampleLists {
     }
 
  private:
+    bool is_split_on_contact(EdgeId e) const { return contacts_.split && contacts_.split->allow(cloth_.mesh, e); }
+
     // Evenly along an edge, so that no part of it is longer than the spacing.
     void add(EdgeId e) {
+        if (is_split_on_contact(e)) return;
         const AdaptiveEdge& edge = cloth_.mesh.edge(e);
         const int count = static_cast<int>(std::ceil(edge.rest_length / contacts_.spacing)) - 1;
         std::uint32_t next = kSpare;
@@ -86,6 +89,7 @@ class SampleLists {
         constexpr float kThird = 1.0F / 3.0F;
         const AdaptiveTriangle& triangle = cloth_.mesh.triangle(t);
         if (longest_edge(triangle.u) < contacts_.sampled_edge) return;
+        if (std::ranges::any_of(triangle.edges, [&](EdgeId e) { return is_split_on_contact(e); })) return;
         const std::array<std::uint32_t, 3> v{triangle.vertices[0].value, triangle.vertices[1].value,
                                              triangle.vertices[2].value};
         const float friction = static_cast<float>(cloth_.fabrics[triangle.panel].friction);
@@ -169,7 +173,7 @@ void meet_samples(SolverState& solver, SampleBlock& samples, const Kernels& loop
 
 }  // namespace
 
-void refresh_contacts(Cloth& cloth, const ContactOptions& options) {
+void refresh_contacts(Cloth& cloth, const ContactOptions& options, const SplitOnContact& split) {
     ContactState& contacts = cloth.contacts;
     wake(cloth);
     size_contacts(cloth, contacts);
@@ -177,15 +181,17 @@ void refresh_contacts(Cloth& cloth, const ContactOptions& options) {
     for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles()) add_friction(cloth, contacts, leaf.triangle);
     contacts.spacing = options.sample_spacing;
     contacts.sampled_edge = options.sampled_edge;
+    contacts.split = split;
     SampleLists(cloth).make_all();
 }
 
-void update_contacts(Cloth& cloth, const ContactOptions& options) {
+void update_contacts(Cloth& cloth, const ContactOptions& options, const SplitOnContact& split) {
     ContactState& contacts = cloth.contacts;
     const bool is_made = contacts.vertices == cloth.mesh.vertex_capacity() &&
-                         contacts.spacing == options.sample_spacing && contacts.sampled_edge == options.sampled_edge;
+                         contacts.spacing == options.sample_spacing && contacts.sampled_edge == options.sampled_edge &&
+                         contacts.split == split;
     if (!is_made || contacts.inserted > 2 * cloth.mesh.leaf_triangles().size() + 64 * kBlock) {
-        refresh_contacts(cloth, options);
+        refresh_contacts(cloth, options, split);
         return;
     }
     const LeafChanges& changes = cloth.mesh.changes();

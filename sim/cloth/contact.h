@@ -2,11 +2,13 @@
 // Keeping cloth outside of what it may not enter, at the contact offset, with Coulomb friction.  (SPEC 2, 3.3)
 //
 // Vertices are held outside, and between them the cloth is sampled: in the middle of triangles that are large enough to
-// dip into a body, and along edges that are long for its curvature. What a point knows: contact_blocks.h.
+// dip into a body, and along edges that are long for its curvature, unless the adaptation splits what dips. What a
+// point knows: contact_blocks.h.
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "sim/adaptive/split_limits.h"
 #include "sim/body/contact_block.h"
 #include "sim/cloth/coloring.h"
 #include "sim/cloth/contact_blocks.h"
@@ -29,6 +31,9 @@ struct ContactOptions {
     bool operator==(const ContactOptions&) const = default;
 };
 
+// Which edges the adaptation splits where they or their triangles cut into the body; none: no edges.
+using SplitOnContact = std::optional<SplitLimits>;
+
 struct ContactState {
     std::vector<Vec4f> asked;     // by vertex, see ContactKnowledge
     std::vector<Vec4f> plane;     // by vertex
@@ -45,15 +50,18 @@ struct ContactState {
     std::vector<std::uint32_t> of_edge;      // by EdgeId: its first lane, or kSpare
     std::vector<std::uint32_t> next;         // by lane: the next of the same edge, or kSpare
     float spacing = 0, sampled_edge = 0;     // m, that they were made for
+    SplitOnContact split{};                  // the same
     std::size_t vertices = 0;                // the spare point's index
     std::size_t inserted = 0;                // since all were made anew
 };
 
-// Friction and samples for the present leaves, all anew. What is known of vertices is kept.
-void refresh_contacts(Cloth& cloth, const ContactOptions& options = {});
+// Friction and samples for the present leaves, all anew; no samples of edges that are split where they dip into a body,
+// and of their triangles. What is known of vertices is kept.
+void refresh_contacts(Cloth& cloth, const ContactOptions& options = {}, const SplitOnContact& split = {});
 
-// The same after one adaption, at a cost in proportion to what it changed: see mesh.changes().
-void update_contacts(Cloth& cloth, const ContactOptions& options = {});
+// The same after one adaptation, at a cost in proportion to what it changed (see mesh.changes()), or all anew where
+// other edges are split now.
+void update_contacts(Cloth& cloth, const ContactOptions& options = {}, const SplitOnContact& split = {});
 
 // Forgets what is known: when the collider is another, or has moved.
 void forget_contacts(Cloth& cloth);

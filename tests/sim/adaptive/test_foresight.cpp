@@ -81,5 +81,18 @@ TEST_F(Folds, that_are_gone_let_the_mesh_come_back) {
     EXPECT_EQ(mesh.leaf_triangles().size(), base.triangles.size());
 }
 
+TEST_F(Folds, do_not_split_an_edge_for_finer_ones_that_are_too_short_to_be_split) {
+    settle(curvature);
+    const float longest = 2;  // m, no edge is as long
+    int spoken_for = 0;
+    for (const EdgeId e : mesh.unsplit_edges(0)) {
+        const bool asks = curvature.wants_split(mesh, e);
+        EXPECT_EQ(Foresight(curvature, {.shortest_edge = longest}).wants_split(mesh, e), asks);
+        EXPECT_EQ(Foresight(curvature, {.max_level = 1}).wants_split(mesh, e), asks);
+        spoken_for += Foresight(curvature).wants_split(mesh, e) && !asks ? 1 : 0;
+    }
+    EXPECT_GT(spoken_for, 0) << "nothing was tested";
+}
+
 }  // namespace
 }  // namespace selvedge::test

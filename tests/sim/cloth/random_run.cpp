@@ -190,10 +190,10 @@ void RandomRun::change_criteria() {
     options_.max_level = static_cast<int>(choices_.next(4));
     options_.shortest_edge = choices_.between(0, 0.03F);
     options_.may_rejoin = !choices_.one_in(4);
-    options_.collision_touch = choices_.one_in(2) ? 0.001F : 0.0F;
     options_.visibility = choices_.one_in(4) ? &visibility_ : nullptr;
     options_.budget = choices_.one_in(4) ? &budget_ : nullptr;
     budget_.set_target(20 + choices_.next(400));
+    stepping_.contact.sampled_edge = choices_.one_in(2) ? ContactOptions{}.sampled_edge : 0.0F;
     disc_ = {.panel = 0,
              .centre = Vec2f(choices_.between(-0.4F, 0.4F), choices_.between(-0.4F, 0.4F)),
              .radius = choices_.between(0, 0.2F),
@@ -265,7 +265,7 @@ std::optional<std::string> RandomRun::energy_fault(const Energy& before, double 
 }
 
 void RandomRun::adapt() {
-    const AdaptReport report = adapt_cloth(cloth_, body(), options_);
+    const AdaptReport report = adapt_cloth(cloth_, body(), options_, stepping_.contact);
     changes_ += report.splits + report.rejoins;
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/adaptive/check.h"
@@ -104,19 +105,60 @@ TEST_F(Drape, goes_no_deeper_than_asked_for) {
     EXPECT_TRUE(cloth_.mesh.split_edges(1).empty());
 }
 
-TEST(CollisionCriterion, counts_an_edge_that_is_held_off_when_told_how_near_that_is) {
-    const float offset = ContactOptions{}.offset;
-    const SphereCollider ball{Vec3f(0, 2 - 0.25F - offset, 0), 0.25F};  // the cloth lies on it, at the contact offset
-    Cloth cloth = make_patch(find_fabric("silk"), {.side = 1.0, .quads = 5});
-    AdaptClothOptions options{.criteria = {.curvature = false, .length = false}};
-    EXPECT_FALSE(adapt_cloth(cloth, ball, options).changed()) << "nothing cuts it";
-    options.collision_touch = 0.001F;
-    EXPECT_GT(adapt_cloth(cloth, ball, options).splits, 0);
-    const std::size_t fine = cloth.mesh.leaf_triangles().size();
-    EXPECT_FALSE(adapt_cloth(cloth, ball, options).changed()) << "it does not flicker";
-    EXPECT_LT(fine, cloth.mesh.base_triangle_count() * 4) << "far from the ball it stays coarse";
-    adapt_cloth(cloth, NoBody{}, options);
-    EXPECT_LT(cloth.mesh.leaf_triangles().size(), fine) << "it rejoins when the ball is gone";
+// m, how far the deepest of the middles of edges that may be split, and of their triangles, is below the offset
+// surface.
+float deepest_middle(const Cloth& cloth, const Collider& body, const SplitLimits& limits) {
+    float deepest = 0;
+    const auto look = [&](const Vec4f& middle) {
+        deepest = std::max(deepest, ContactOptions{}.offset - body.contact(middle.head<3>()).distance);
+    };
+    for (const LeafEdge& e : cloth.mesh.leaf_edges()) {
+        if (limits.allow(cloth.mesh, e.edge)) look((cloth.x[e.a.value] + cloth.x[e.b.value]) / 2);
+    }
+    for (const LeafTriangle& t : cloth.mesh.leaf_triangles()) {
+        const auto may_split = [&](EdgeId e) { return limits.allow(cloth.mesh, e); };
+        if (!std::ranges::any_of(cloth.mesh.triangle(t.triangle).edges, may_split)) continue;
+        look((cloth.x[t.v[0].value] + cloth.x[t.v[1].value] + cloth.x[t.v[2].value]) / 3);
+    }
+    return deepest;
+}
+
+TEST_F(Drape, is_split_by_collision_alone_wherever_it_cuts_into_the_ball_and_rejoins_at_once_when_that_is_gone) {
+    options_.criteria = {.collision = true, .curvature = false, .length = false};
+    options_.shortest_edge = 0;
+    run(1.0);
+    EXPECT_GT(leaves(), 2 * cloth_.mesh.base_triangle_count());
+    for (int i = 0; i < 10 && adapt_cloth(cloth_, ball_, options_).changed(); ++i) continue;
+    EXPECT_LT(deepest_middle(cloth_, ball_, {}), 0.00201F) << "CollisionCriterion::split_depth";
+    for (int i = 0; i < 3; ++i) adapt_cloth(cloth_, NoBody{}, options_);  // a level at a time
+    EXPECT_EQ(leaves(), cloth_.mesh.base_triangle_count());
+}
+
+TEST_F(Drape, stays_outside_of_the_ball_between_vertices_whoever_keeps_it_there) {
+    for (const bool splits_on_contact : {true, false}) {
+        options_.criteria.collision = splits_on_contact;
+        run(1.5);
+        float deepest = 0;
+        for (const LeafTriangle& t : cloth_.mesh.leaf_triangles()) {
+            for (const Vec3f& share : {Vec3f(0.5F, 0.5F, 0), Vec3f(0, 0.5F, 0.5F), Vec3f(0.5F, 0, 0.5F),
+                                       Vec3f(1 / 3.0F, 1 / 3.0F, 1 / 3.0F)}) {
+                Vec3f point = Vec3f::Zero();
+                for (int k = 0; k < 3; ++k) {
+                    point += share[k] * cloth_.x[t.v[static_cast<std::size_t>(k)].value].head<3>();
+                }
+                deepest = std::max(deepest, -ball_.contact(point).distance);
+            }
+        }
+        EXPECT_EQ(deepest, 0.0F) << (splits_on_contact ? "by splits" : "by samples");
+    }
+}
+
+TEST_F(Drape, that_is_compressed_along_the_mesh_is_split_as_deep_as_it_may) {
+    options_.criteria = {.collision = false, .curvature = false, .length = true};
+    options_.shortest_edge = 0;
+    for (const VertexId v : cloth_.mesh.leaf_vertices()) cloth_.x[v.value].x() *= 0.9F;
+    for (int i = 0; i < 5; ++i) adapt_cloth(cloth_, ball_, options_);
+    EXPECT_GT(cloth_.mesh.split_edges(2).size(), 0U) << "edges across the compression never ask themselves";
 }
 
 TEST_F(Drape, asks_for_buckling_when_that_alone_is_switched_on) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 
 #include "sim/cloth/block_lanes.h"
 #include "sim/cloth/kernels.h"
@@ -84,6 +85,43 @@ TEST(RefreshContacts, samples_every_edge_longer_than_the_spacing_and_triangles_t
             }
         }
     }
+}
+
+// How many there are of edges that may be split, of their triangles, and of the rest.
+std::array<std::size_t, 2> samples_of(const Cloth& cloth, const SplitLimits& limits) {
+    std::set<std::uint32_t> near;  // vertices of edges that may be split
+    for (const LeafEdge& edge : cloth.mesh.leaf_edges()) {
+        if (limits.allow(cloth.mesh, edge.edge)) near.insert({edge.a.value, edge.b.value});
+    }
+    std::array<std::size_t, 2> count{};
+    for (std::size_t slot = 0; slot < kBlock * cloth.contacts.samples.size(); ++slot) {
+        const SampleBlock& block = cloth.contacts.samples[slot / kBlock];
+        if (block.shares[0][slot % kBlock] == 0) continue;
+        ++count[near.contains(block.vertices[0][slot % kBlock] / 4) ? 0 : 1];
+    }
+    return count;
+}
+
+TEST(RefreshContacts, samples_no_edge_that_is_split_where_it_dips_into_a_body) {
+    Cloth cloth = make_patch(find_fabric("silk"), {.side = 0.4, .quads = 2});
+    const SplitLimits by_level{.max_level = 1}, by_length{.shortest_edge = 0.15F}, all{}, never{.max_level = 0};
+    for (const SplitLimits& limits : {by_level, by_length, all}) {
+        refine(cloth, 0);
+        ASSERT_GT(samples_of(cloth, limits)[0], 0U);
+        refresh_contacts(cloth, {}, limits);
+        EXPECT_EQ(samples_of(cloth, limits), (std::array<std::size_t, 2>{})) << "all edges may be split";
+    }
+    for (const SplitLimits& limits : {by_level, by_length}) {
+        refine(cloth, 1);
+        const std::array<std::size_t, 2> before = samples_of(cloth, limits);
+        ASSERT_GT(before[1], 0U);
+        refresh_contacts(cloth, {}, limits);
+        EXPECT_EQ(samples_of(cloth, limits)[1], before[1]) << "what may not be split is sampled";
+    }
+    refresh_contacts(cloth, {}, never);
+    const std::size_t sampled = sample_count(cloth.contacts);
+    refresh_contacts(cloth, {}, std::nullopt);
+    EXPECT_EQ(sample_count(cloth.contacts), sampled);
 }
 
 // Two triangles whose long diagonal crosses a small ball between its ends.
