@@ -146,7 +146,7 @@ MeasuredMesh measured(const ClothRun& run) {
     for (const LeafTriangle& t : run.cloth.mesh.leaf_triangles()) {
         std::array<MeasuredCorner, 3> corners;
         for (std::size_t k = 0; k < 3; ++k) corners[k] = {static_cast<int>(t.v[k].value), t.u[k].cast<double>()};
-        builder.add(corners, static_cast<double>(run.cloth.grain_angles[t.panel]));
+        builder.add(corners, static_cast<double>(run.cloth.material.grain_angles[t.panel]));
     }
     return builder.finish();
 }
@@ -165,7 +165,7 @@ Energy energy(const ClothRun& run) {
     const std::vector<TriangleStrain> strains = measure_strain(cloth);
     for (std::size_t i = 0; i < strains.size(); ++i) {
         const LeafTriangle& triangle = cloth.mesh.leaf_triangles()[i];
-        const Fabric& fabric = cloth.fabrics[triangle.panel];
+        const Fabric& fabric = cloth.material.fabrics[triangle.panel];
         const auto squared = [](float value) { return static_cast<double>(value) * static_cast<double>(value); };
         energy.elastic += 0.5 * static_cast<double>(material_area(triangle.u)) *
                           (fabric.stretch_warp * squared(strains[i].warp) +

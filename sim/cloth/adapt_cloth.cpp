@@ -23,7 +23,7 @@ struct ClothObserver {
     void after(TriangleId t) {
         biases.after(t);
         note_children(cloth, t);
-        cloth.adapting.shape.forget(cloth.mesh, t);
+        cloth.solver.adapting.shape.forget(cloth.mesh, t);
     }
 
     void on_capacity(std::size_t capacity) {
@@ -41,7 +41,7 @@ struct ClothObserver {
         cloth.x_prev[c.value] = cloth.x[c.value] - velocity;
         cloth.normals[c.value] = normal.squaredNorm() > 0 ? Vec3f(normal.normalized()) : Vec3f::Zero();
         cloth.is_pinned[c.value] = cloth.is_pinned[a.value] && cloth.is_pinned[b.value];  // a pinned waistband stays up
-        cloth.adapting.shape.forget_children(cloth.mesh, cloth.mesh.vertex(c).parent);
+        cloth.solver.adapting.shape.forget_children(cloth.mesh, cloth.mesh.vertex(c).parent);
         if (visibility != nullptr) visibility->on_split(c, a, b);
         if (budget != nullptr) budget->on_split();
     }
@@ -66,15 +66,15 @@ AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& ob
     const SplitLimits limits = split_limits(options);
     const CollisionCriterion collision{.x = cloth.x,
                                        .body = observer.body,
-                                       .batch = cloth.adapting.collision,
+                                       .batch = cloth.solver.adapting.collision,
                                        .limits = limits,
                                        .offset = observer.offset};
     const CurvatureCriterion curvature(cloth.normals, scaled(options.curvature, scale));
     const LengthCriterion<Vec4f> length(cloth.x, scaled(options.length, scale));
     const BucklingCriterion<Vec4f> buckling(cloth.x, scaled(options.buckling, scale));
     const AnyOf shape(Switched(on.curvature, curvature), Switched(on.length, length), Switched(on.buckling, buckling));
-    cloth.adapting.shape.ask(cloth.mesh, shape);
-    const Foresight foresight(shape, limits, cloth.adapting.shape);
+    cloth.solver.adapting.shape.ask(cloth.mesh, shape);
+    const Foresight foresight(shape, limits, cloth.solver.adapting.shape);
     const MinimumLevelCriterion minimum{options.minimum_levels};
     const KeptVertexCriterion kept{options.kept_vertices};
     const BackFaceCriterion back_face{options.visibility};
@@ -112,14 +112,14 @@ SplitOnContact split_on_contact(const AdaptClothOptions& options) {
 AdaptReport adapt_cloth(Cloth& cloth, const Collider& body, const AdaptClothOptions& options,
                         const ContactOptions& contact) {
     update_normals(cloth);
-    ++cloth.adaptions;
+    ++cloth.adaptations;
     if (options.visibility != nullptr) options.visibility->look(cloth.mesh, cloth.x, cloth.normals);
     if (options.budget != nullptr) options.budget->start(cloth.mesh);
     ClothObserver observer{cloth, body, contact.offset, options.visibility, options.budget};
     const AdaptReport report = adapt_chosen(cloth, observer, options);
     if (report.changed()) update_solver(cloth);
     const SplitOnContact split = split_on_contact(options);
-    if (report.changed() || cloth.contacts.split != split) update_contacts(cloth, contact, split);
+    if (report.changed() || cloth.solver.contacts.split != split) update_contacts(cloth, contact, split);
     return report;
 }
 

@@ -14,7 +14,7 @@ std::span<const TriangleId> inside(const AdaptiveTriangle& triangle) {
 }
 
 void set_kept(Cloth& cloth, TriangleId t, const KeptBias& bias) {
-    cloth.saved_bias.save(t, cloth.adaptions, bias);
+    cloth.solver.saved_bias.save(t, cloth.adaptations, bias);
 }
 
 // A triangle that is refined goes on to carry what it did: its leaves, of less mass, carry little with the same bias.
@@ -32,7 +32,7 @@ Vec3f leaf_of_limit(const Vec3f& mean, const Vec3f& limit) {
 }
 
 bool is_kept(const Cloth& cloth, TriangleId t) {
-    return cloth.saved_bias.find(t, cloth.adaptions) != nullptr;
+    return cloth.solver.saved_bias.find(t, cloth.adaptations) != nullptr;
 }
 
 KeptBias bias_in(const Cloth& cloth, std::uint32_t slot) {
@@ -101,13 +101,13 @@ void fit_biases(Cloth& cloth, float ratio) {
 }
 
 KeptBias kept_bias(const Cloth& cloth, TriangleId t) {
-    if (const KeptBias* const kept = cloth.saved_bias.find(t, cloth.adaptions)) return *kept;
+    if (const KeptBias* const kept = cloth.solver.saved_bias.find(t, cloth.adaptations)) return *kept;
     const std::uint32_t slot = cloth.solver.constraints.stretch.slot_of(t, indices(cloth.mesh.triangle(t).vertices));
     return slot == kSpare ? KeptBias{} : bias_in(cloth, slot);
 }
 
 Vec3f kept_limit(const Cloth& cloth, TriangleId t) {
-    if (const KeptBias* const kept = cloth.saved_bias.find(t, cloth.adaptions)) return kept->limit;
+    if (const KeptBias* const kept = cloth.solver.saved_bias.find(t, cloth.adaptations)) return kept->limit;
     const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
     const std::vector<ParentLevel>& parents = cloth.solver.constraints.parents;
     if (triangle.level >= parents.size()) return Vec3f::Zero();
@@ -171,7 +171,7 @@ void BiasHandover::before(TriangleId t) {
 
 void BiasHandover::after(TriangleId t) {
     const AdaptiveTriangle& triangle = cloth_.mesh.triangle(t);
-    cloth_.saved_bend.save(t, cloth_.adaptions, is_leaf(triangle) ? mean_bend_ : bend_);
+    cloth_.solver.saved_bend.save(t, cloth_.adaptations, is_leaf(triangle) ? mean_bend_ : bend_);
     if (is_leaf(triangle)) return set_leaf(cloth_, t, leaf_of_limit(mean_, limit_), mean_anchor_);
     set_kept(cloth_, t, {.limit = limit_});
     for (const TriangleId child : inside(triangle)) {
@@ -181,20 +181,20 @@ void BiasHandover::after(TriangleId t) {
                                              cloth_.mesh.triangle(child).vertices;
         if (stays) continue;
         set_leaf(cloth_, child, mean_, mean_anchor_);
-        cloth_.saved_bend.save(child, cloth_.adaptions, mean_bend_);
+        cloth_.solver.saved_bend.save(child, cloth_.adaptations, mean_bend_);
     }
 }
 
 KeptBend kept_bend(const Cloth& cloth, TriangleId t) {
-    if (const KeptBend* const kept = cloth.saved_bend.find(t, cloth.adaptions)) return *kept;
+    if (const KeptBend* const kept = cloth.solver.saved_bend.find(t, cloth.adaptations)) return *kept;
     const BendSlot slot = bend_slot(cloth, t);
     if (slot.block == nullptr) return {};
     return {.anchor = lane_of(slot.block->anchor, slot.at), .is_known = slot.block->realised[slot.at] > 0};
 }
 
 void keep_bend(Cloth& cloth, TriangleId t) {
-    const bool is_kept = cloth.saved_bend.find(t, cloth.adaptions) != nullptr;
-    if (!is_kept) cloth.saved_bend.save(t, cloth.adaptions, kept_bend(cloth, t));
+    const bool is_kept = cloth.solver.saved_bend.find(t, cloth.adaptations) != nullptr;
+    if (!is_kept) cloth.solver.saved_bend.save(t, cloth.adaptations, kept_bend(cloth, t));
 }
 
 void keep_bends(Cloth& cloth) {

@@ -1,6 +1,6 @@
 #pragma once
 // What triangles have learnt, biases and friction, while they come and go: it lives in the solver's constraints, and is
-// kept in Cloth::saved_bias and Cloth::saved_bend while an adaptation is under way. (solver_blocks.h)
+// kept in SolverState::saved_bias and SolverState::saved_bend while an adaptation is under way. (solver_blocks.h)
 #include <array>
 #include <cstddef>
 
@@ -16,8 +16,8 @@ KeptBias kept_bias(const Cloth& cloth, TriangleId t);
 // The same of a refined triangle's.
 Vec3f kept_limit(const Cloth& cloth, TriangleId t);
 
-// From the slot of a leaf, or of a refined triangle of that level, to Cloth::saved_bias, if nothing was kept of it yet;
-// and of all.
+// From the slot of a leaf, or of a refined triangle of that level, to SolverState::saved_bias, if nothing was kept of
+// it yet; and of all.
 void keep_bias(Cloth& cloth, TriangleId t);
 void keep_limit(Cloth& cloth, TriangleId t, const ParentLevel& level);
 void keep_biases(Cloth& cloth);

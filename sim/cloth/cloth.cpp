@@ -15,23 +15,23 @@ float mean_damping(const Cloth& cloth) {
     double area = 0;
     for (const LeafTriangle& triangle : cloth.mesh.leaf_triangles()) {
         const double a = material_area(triangle.u);
-        sum += a * cloth.fabrics[triangle.panel].damping;
+        sum += a * cloth.material.fabrics[triangle.panel].damping;
         area += a;
     }
     return area > 0 ? static_cast<float>(sum / area) : 0.0F;
 }
 
 void set_inverse_mass(Cloth& cloth, std::uint32_t v) {
-    const auto mass = static_cast<float>(cloth.mass_sums[v]);
+    const auto mass = static_cast<float>(cloth.solver.mass_sums[v]);
     cloth.inverse_mass[v] = mass > 0 && !cloth.is_pinned[v] ? 1 / mass : 0.0F;
 }
 
 // Each leaf gives a third of its mass to each of its corners. Total mass is constant to rounding.
 void refresh_masses(Cloth& cloth) {
-    cloth.mass_sums.assign(cloth.x.size(), 0.0);
+    cloth.solver.mass_sums.assign(cloth.x.size(), 0.0);
     for (const LeafTriangle& triangle : cloth.mesh.leaf_triangles()) {
         const auto third = static_cast<double>(third_of_mass(cloth, triangle.u, triangle.panel));
-        for (const VertexId v : triangle.v) cloth.mass_sums[v.value] += third;
+        for (const VertexId v : triangle.v) cloth.solver.mass_sums[v.value] += third;
     }
     for (std::uint32_t v = 0; v < cloth.x.size(); ++v) set_inverse_mass(cloth, v);
 }
@@ -40,13 +40,13 @@ void refresh_masses(Cloth& cloth) {
 void update_masses(Cloth& cloth) {
     const LeafChanges& changes = cloth.mesh.changes();
     const SolverState& solver = cloth.solver;
-    cloth.mass_sums.resize(cloth.x.size(), 0.0);
+    cloth.solver.mass_sums.resize(cloth.x.size(), 0.0);
     for (const TriangleId t : changes.triangles_gone) {
         const std::uint32_t slot = solver.constraints.stretch.slot_of(t);
         const StretchBlock& block = solver.constraints.stretch.blocks[slot / kBlock];
         const auto third = static_cast<double>(solver.constraints.thirds[slot]);
         for (const BlockPoints& corner : block.vertices) {
-            cloth.mass_sums[corner[slot % kBlock] / 4] -= third;
+            cloth.solver.mass_sums[corner[slot % kBlock] / 4] -= third;
             set_inverse_mass(cloth, corner[slot % kBlock] / 4);
         }
     }
@@ -54,7 +54,7 @@ void update_masses(Cloth& cloth) {
         const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
         const auto third = static_cast<double>(third_of_mass(cloth, triangle.u, triangle.panel));
         for (const VertexId v : triangle.vertices) {
-            cloth.mass_sums[v.value] += third;
+            cloth.solver.mass_sums[v.value] += third;
             set_inverse_mass(cloth, v.value);
         }
     }
@@ -74,9 +74,10 @@ Cloth make_cloth(const GarmentMesh& garment, std::vector<Fabric> fabrics, const 
     SELVEDGE_ASSERT(garment.links.empty());
     SELVEDGE_ASSERT(fabrics.size() == garment.panel_names.size());
     Cloth cloth{.mesh = AdaptiveMesh(garment, {.max_level = options.max_level})};
-    cloth.fabrics = std::move(fabrics);
-    for (const double angle : garment.panel_grain_angles) cloth.grain_angles.push_back(static_cast<float>(angle));
-    for (const Vec2d& offset : garment.panel_sett_offsets) cloth.sett_offsets.push_back(offset.cast<float>());
+    cloth.material.fabrics = std::move(fabrics);
+    for (const double angle : garment.panel_grain_angles)
+        cloth.material.grain_angles.push_back(static_cast<float>(angle));
+    for (const Vec2d& offset : garment.panel_sett_offsets) cloth.material.sett_offsets.push_back(offset.cast<float>());
     cloth.substep = options.substep;
     size_state(cloth, cloth.mesh.vertex_capacity());
     for (std::size_t v = 0; v < garment.x.size(); ++v) cloth.x[v] = padded(garment.x[v].cast<float>());
@@ -87,14 +88,14 @@ Cloth make_cloth(const GarmentMesh& garment, std::vector<Fabric> fabrics, const 
 }
 
 float third_of_mass(const Cloth& cloth, const std::array<Vec2f, 3>& u, std::uint16_t panel) {
-    return material_area(u) * static_cast<float>(cloth.fabrics[panel].area_density) / 3;
+    return material_area(u) * static_cast<float>(cloth.material.fabrics[panel].area_density) / 3;
 }
 
 void refresh_solver(Cloth& cloth) {
-    ++cloth.adaptions;
+    ++cloth.adaptations;
     size_state(cloth, cloth.mesh.vertex_capacity());
     refresh_masses(cloth);
-    cloth.damping = mean_damping(cloth);
+    cloth.solver.damping = mean_damping(cloth);
     make_blocks(cloth);
     wake(cloth);
 }

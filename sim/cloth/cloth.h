@@ -1,79 +1,41 @@
 #pragma once
-// A garment as it moves: the adaptive mesh, what it is made of, and the state of every vertex.  (SPEC 1.4, 2)
+// A garment as it moves: the adaptive mesh, what it is made of, the state of every vertex, and the solver's own part.
 //
 // Topology (the mesh) and state (flat arrays indexed by VertexId, sized to the mesh's capacity) are kept apart. The
-// solver reads neither the hierarchy nor the fabrics but blocks of constraints, made after an adaption.
+// solver reads neither the hierarchy nor the fabrics but blocks of constraints, made after an adaptation.
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "sim/adaptive/adaptive_mesh.h"
-#include "sim/adaptive/foresight.h"
-#include "sim/cloth/collision_criterion.h"
-#include "sim/cloth/contact.h"
-#include "sim/cloth/resting.h"
-#include "sim/cloth/saved_states.h"
-#include "sim/cloth/solver_lists.h"
+#include "sim/cloth/solver_state.h"
 #include "sim/core/vec.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/fabric.h"
 
 namespace selvedge {
 
-// What the solver works on, in the memory of the last step.
-struct SolverState {
-    std::vector<Vec4f> points;      // positions with the inverse mass as fourth; one spare point behind them
-    std::vector<Vec4f> before;      // one sub-step ago
-    std::vector<Vec4f> lost;        // what rounding took from the last moves
-    std::vector<Vec4f> predicted;   // before stretch and shear corrected them
-    std::vector<Vec4f> carried;     // the same with the momentum of corrections
-    std::vector<Vec4f> correction;  // what stretch and shear moved them by in the last sub-step
-    Constraints constraints;
-    SolverLists lists;
-    int substeps = 0;  // so far, by 2
-};
-
-// What the solver has learnt about a triangle, see solver_blocks.h and bias.h.
-struct KeptBias {
-    Vec3f value = Vec3f::Zero();  // of warp, weft and shear
-    Vec3f limit = Vec3f::Zero();  // the same as a refined triangle
-    float anchor = 0;             // of friction in shear
-};
-
-// The same of a triangle's internal friction in bending, whether a leaf or a refined triangle.
-struct KeptBend {
-    Vec3f anchor = Vec3f::Zero();  // 1/m, of the curvatures along warp, weft and of twist
-    bool is_known = false;         // else friction starts from how the cloth is bent
-};
-
-// What criteria remember while an adaptation is under way, in the memory of the last one.
-struct CriteriaMemory {
-    LeafAnswers shape;  // curvature, length and buckling
-    CollisionBatch collision;
+// What the mesh is made of.
+struct ClothMaterial {
+    std::vector<Fabric> fabrics;      // one per panel
+    std::vector<float> grain_angles;  // one per panel, rad: from the panel's +y to the warp
+    std::vector<Vec2f> sett_offsets;  // one per panel or none, m: see Panel::sett_offset
 };
 
 struct Cloth {
     AdaptiveMesh mesh;
-    std::vector<Fabric> fabrics{};      // one per panel
-    std::vector<float> grain_angles{};  // one per panel, rad: from the panel's +y to the warp
-    std::vector<Vec2f> sett_offsets{};  // one per panel or none, m: see Panel::sett_offset
+    ClothMaterial material{};
 
+    // State, by VertexId.
     std::vector<Vec4f> x{};             // position, m
     std::vector<Vec4f> x_prev{};        // position one sub-step ago, m: velocity is their difference over the sub-step
     std::vector<float> inverse_mass{};  // 1/kg; 0 for a vertex that cannot move or is not in use
     std::vector<Vec3f> normals{};       // unit, of the fabric's right side; see update_normals
     std::vector<bool> is_pinned{};
-
-    SavedStates<KeptBias> saved_bias{};  // by TriangleId, while an adaptation is under way
-    SavedStates<KeptBend> saved_bend{};  // the same
-    std::uint32_t adaptions = 0;         // so far
-    std::vector<double> mass_sums{};  // kg by vertex, pinned or not; sums of floats, so that they can be undone exactly
+    float substep = 0;              // s, the length that x_prev and the solver's constraints were made for
+    std::uint32_t adaptations = 0;  // so far
 
     SolverState solver{};
-    ContactState contacts{};
-    RestingState resting{};
-    CriteriaMemory adapting{};
-    float damping = 0;  // 1/s, mean over the fabrics' area
-    float substep = 0;  // s, the length that x_prev and the solver's blocks were made for
 };
 
 struct ClothOptions {

@@ -31,7 +31,7 @@ Vec4f nothing_known() {
 // A vertex that joins fabrics has the greatest of their frictions.
 void add_friction(const Cloth& cloth, ContactState& contacts, TriangleId t) {
     const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
-    const float mu = static_cast<float>(cloth.fabrics[triangle.panel].friction);
+    const float mu = static_cast<float>(cloth.material.fabrics[triangle.panel].friction);
     for (const VertexId v : triangle.vertices) contacts.friction[v.value] = std::max(contacts.friction[v.value], mu);
 }
 
@@ -42,7 +42,7 @@ float longest_edge(const std::array<Vec2f, 3>& u) {
 // The lanes of samples, by what they sample.
 class SampleLists {
  public:
-    explicit SampleLists(Cloth& cloth) : cloth_(cloth), contacts_(cloth.contacts) {}
+    explicit SampleLists(Cloth& cloth) : cloth_(cloth), contacts_(cloth.solver.contacts) {}
 
     void make_all() {
         contacts_.vertices = cloth_.mesh.vertex_capacity();
@@ -92,7 +92,7 @@ class SampleLists {
         if (std::ranges::any_of(triangle.edges, [&](EdgeId e) { return is_split_on_contact(e); })) return;
         const std::array<std::uint32_t, 3> v{triangle.vertices[0].value, triangle.vertices[1].value,
                                              triangle.vertices[2].value};
-        const float friction = static_cast<float>(cloth_.fabrics[triangle.panel].friction);
+        const float friction = static_cast<float>(cloth_.material.fabrics[triangle.panel].friction);
         contacts_.of_triangle[t.value] = put(contacts_.coloring.insert(v), v, {kThird, kThird, kThird}, friction);
     }
 
@@ -174,7 +174,7 @@ void meet_samples(SolverState& solver, SampleBlock& samples, const Kernels& loop
 }  // namespace
 
 void refresh_contacts(Cloth& cloth, const ContactOptions& options, const SplitOnContact& split) {
-    ContactState& contacts = cloth.contacts;
+    ContactState& contacts = cloth.solver.contacts;
     wake(cloth);
     size_contacts(cloth, contacts);
     std::fill(contacts.friction.begin(), contacts.friction.end(), 0.0F);
@@ -186,7 +186,7 @@ void refresh_contacts(Cloth& cloth, const ContactOptions& options, const SplitOn
 }
 
 void update_contacts(Cloth& cloth, const ContactOptions& options, const SplitOnContact& split) {
-    ContactState& contacts = cloth.contacts;
+    ContactState& contacts = cloth.solver.contacts;
     const bool is_made = contacts.vertices == cloth.mesh.vertex_capacity() &&
                          contacts.spacing == options.sample_spacing && contacts.sampled_edge == options.sampled_edge &&
                          contacts.split == split;
@@ -206,8 +206,8 @@ void update_contacts(Cloth& cloth, const ContactOptions& options, const SplitOnC
 
 void forget_contacts(Cloth& cloth) {
     wake(cloth);
-    std::fill(cloth.contacts.asked.begin(), cloth.contacts.asked.end(), nothing_known());
-    for (SampleBlock& block : cloth.contacts.samples) {
+    std::fill(cloth.solver.contacts.asked.begin(), cloth.solver.contacts.asked.end(), nothing_known());
+    for (SampleBlock& block : cloth.solver.contacts.samples) {
         for (std::size_t at = 0; at < kBlock; ++at) {
             if (block.shares[0][at] > 0) block.slack[at] = ContactKnowledge::kUnknown;
         }
@@ -235,7 +235,7 @@ std::optional<Vec3f> sample_at(const ContactState& contacts, std::size_t lane, c
 
 void push_out_samples(Cloth& cloth, const Kernels& loops, const Collider& body, const ContactOptions& options) {
     const ContactLimits limits = limits_for(body, options);
-    ContactState& contacts = cloth.contacts;
+    ContactState& contacts = cloth.solver.contacts;
     for (const auto& [first, count] : contacts.coloring.runs()) {
         for (std::size_t i = first; i < first + count; ++i) {
             meet_samples(cloth.solver, contacts.samples[i], loops, body, limits);
@@ -245,7 +245,7 @@ void push_out_samples(Cloth& cloth, const Kernels& loops, const Collider& body, 
 
 void hold_vertices(Cloth& cloth, const Kernels& loops, const Collider& body, float longest_move,
                    const ContactOptions& options) {
-    ContactState& contacts = cloth.contacts;
+    ContactState& contacts = cloth.solver.contacts;
     SolverState& solver = cloth.solver;
     ContactLimits limits = limits_for(body, options);
     limits.longest_move = longest_move;

@@ -64,8 +64,8 @@ void set_limit(Cloth& cloth, TriangleId t, std::uint32_t slot) {
     Limits& limits = cloth.solver.constraints.parents[triangle.level].limits;
     LimitRecord& record = limits.records[slot / kBlock];
     const std::size_t at = slot % kBlock;
-    const Fabric& fabric = cloth.fabrics[triangle.panel];
-    const MaterialFrame frame = material_frame(triangle.u, cloth.grain_angles[triangle.panel]);
+    const Fabric& fabric = cloth.material.fabrics[triangle.panel];
+    const MaterialFrame frame = material_frame(triangle.u, cloth.material.grain_angles[triangle.panel]);
     set_frame(limits.blocks[slot / kBlock], at, triangle.vertices, frame);
     const std::array<double, 3> stiffness{fabric.stretch_warp, fabric.stretch_weft, fabric.shear};
     set_lane(record.bias, at, kept_limit(cloth, t));

@@ -23,7 +23,7 @@ bool is_led_on(const Cloth& cloth, std::span<const LedVertex> all) {
 }
 
 bool has_left_reach(const Cloth& cloth) {
-    const std::vector<Vec4f>& anchors = cloth.resting.anchors;
+    const std::vector<Vec4f>& anchors = cloth.solver.resting.anchors;
     return std::ranges::any_of(cloth.mesh.leaf_vertices(), [&](VertexId v) {
         return (cloth.x[v.value] - anchors[v.value]).squaredNorm() > kRestReach * kRestReach;
     });
@@ -31,21 +31,21 @@ bool has_left_reach(const Cloth& cloth) {
 
 // What rests was left without speed, with its anchors where it is.
 bool was_touched(const Cloth& cloth) {
-    const std::vector<Vec4f>& anchors = cloth.resting.anchors;
+    const std::vector<Vec4f>& anchors = cloth.solver.resting.anchors;
     return std::ranges::any_of(cloth.mesh.leaf_vertices(), [&](VertexId v) {
         return cloth.x[v.value] != anchors[v.value] || cloth.x_prev[v.value] != anchors[v.value];
     });
 }
 
 bool has_moved(const Cloth& cloth) {
-    if (cloth.resting.anchors.size() != cloth.x.size()) return true;
+    if (cloth.solver.resting.anchors.size() != cloth.x.size()) return true;
     return is_at_rest(cloth) ? was_touched(cloth) : has_left_reach(cloth);
 }
 
 }  // namespace
 
 bool stays_at_rest(Cloth& cloth, const Collider& body, const StepOptions& options) {
-    RestingState& resting = cloth.resting;
+    RestingState& resting = cloth.solver.resting;
     const bool is_elsewhere = has_other_surroundings(resting, body, options);
     if (!options.may_rest || is_elsewhere || !options.seams.empty() || is_led_on(cloth, options.led)) wake(cloth);
     if (!options.may_rest) return false;
@@ -60,11 +60,11 @@ bool stays_at_rest(Cloth& cloth, const Collider& body, const StepOptions& option
 }
 
 bool is_at_rest(const Cloth& cloth) {
-    return cloth.resting.quiet >= kRestSeconds;
+    return cloth.solver.resting.quiet >= kRestSeconds;
 }
 
 void wake(Cloth& cloth) {
-    cloth.resting.quiet = 0;
+    cloth.solver.resting.quiet = 0;
 }
 
 }  // namespace selvedge

@@ -31,8 +31,8 @@ void set_stretch(Cloth& cloth, TriangleId t, std::uint32_t slot) {
     StretchBlock& block = constraints.stretch.blocks[slot / kBlock];
     StretchRecord& record = constraints.stretch.records[slot / kBlock];
     const std::size_t at = slot % kBlock;
-    const Fabric& fabric = cloth.fabrics[leaf.panel];
-    const MaterialFrame frame = material_frame(leaf.u, cloth.grain_angles[leaf.panel]);
+    const Fabric& fabric = cloth.material.fabrics[leaf.panel];
+    const MaterialFrame frame = material_frame(leaf.u, cloth.material.grain_angles[leaf.panel]);
     set_frame(block, at, leaf.vertices, frame);
     block.longest[at] = 1 + static_cast<float>(fabric.strain_limit);
     block.push[at] = is_gathered(cloth.mesh, leaf) ? 0.0F : 1.0F;

@@ -96,7 +96,7 @@ void Stepper::store_points() {
 
 void Stepper::predict(int i) {
     const Vec3f fall = options.gravity * (cloth.substep * cloth.substep);
-    const Motion motion{.keep = std::max(0.0F, 1 - (cloth.damping + options.extra_damping) * cloth.substep),
+    const Motion motion{.keep = std::max(0.0F, 1 - (cloth.solver.damping + options.extra_damping) * cloth.substep),
                         .fall = {fall.x(), fall.y(), fall.z()}};
     loops.predict(points(), before(), floats(cloth.solver.lost), cloth.x.size(), motion);
     lead(i);

@@ -11,7 +11,7 @@ std::vector<TriangleStrain> measure_strain(const Cloth& cloth) {
     std::vector<TriangleStrain> strains;
     strains.reserve(cloth.mesh.leaf_triangles().size());
     for (const LeafTriangle& triangle : cloth.mesh.leaf_triangles()) {
-        const MaterialFrame frame = material_frame(triangle.u, cloth.grain_angles[triangle.panel]);
+        const MaterialFrame frame = material_frame(triangle.u, cloth.material.grain_angles[triangle.panel]);
         const Vec4f e1 = cloth.x[triangle.v[1].value] - cloth.x[triangle.v[0].value];
         const Vec4f e2 = cloth.x[triangle.v[2].value] - cloth.x[triangle.v[0].value];
         const Vec4f warp = e1 * frame.a[0] + e2 * frame.a[1];

@@ -43,7 +43,7 @@ struct Neighbourhood {
 
 RestTriangle alone(const Cloth& cloth, TriangleId t) {
     const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
-    const float grain = cloth.grain_angles[triangle.panel];
+    const float grain = cloth.material.grain_angles[triangle.panel];
     const Vec2d warp = warp_direction(grain).cast<double>();
     const Vec2d origin = triangle.u[0].cast<double>();
     RestTriangle rest;
@@ -149,7 +149,7 @@ void set_element(const Cloth& cloth, TriangleId t, Level level, Fits& fits, Bend
                  std::size_t at) {
     constexpr double kLeast = 1e-12;  // N m: what bends more easily is limp, and has no spring for friction to act on
     const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
-    const Fabric& fabric = cloth.fabrics[triangle.panel];
+    const Fabric& fabric = cloth.material.fabrics[triangle.panel];
     const Neighbourhood own = neighbourhood(cloth, t, level);
     const Mat3d map = fits.curvature_map(own, t);
     set_shape(block, at, own.rest, map);

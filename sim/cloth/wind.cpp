@@ -30,7 +30,7 @@ void blow(Cloth& cloth, const Wind& wind, float seconds) {
         const float length = area.norm();
         if (length <= 0) continue;
         const Vec4f relative = air - (move(0) + move(1) + move(2)) / (3 * cloth.substep);
-        const Vec4f speed = gain(relative, area / length, wind, cloth.fabrics[t.panel], seconds);
+        const Vec4f speed = gain(relative, area / length, wind, cloth.material.fabrics[t.panel], seconds);
         const Vec4f third = speed * third_of_mass(cloth, t.u, t.panel);
         for (const VertexId v : t.v) impulses[v.value] += third;
     }

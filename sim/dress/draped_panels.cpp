@@ -31,7 +31,7 @@ int cell_of(float u, float low, float size, int count) {
 
 }  // namespace
 
-DrapedPanels::DrapedPanels(const Cloth& cloth) : cloth_(cloth), panels_(cloth.fabrics.size()) {
+DrapedPanels::DrapedPanels(const Cloth& cloth) : cloth_(cloth), panels_(cloth.material.fabrics.size()) {
     std::vector<Eigen::AlignedBox2f> boxes(panels_.size());
     for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles()) {
         for (const Vec2f& u : leaf.u) boxes[leaf.panel].extend(u);

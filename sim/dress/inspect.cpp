@@ -114,7 +114,7 @@ void inspect_stretch(const Cloth& cloth, const Body& body, const Pattern& patter
         const LeafTriangle& leaf = cloth.mesh.leaf_triangles()[i];
         if (is_tight_at(tight, middle_of(cloth, leaf))) continue;
         free.push_back(strains[i]);
-        beyond.push_back(beyond_limit(strains[i], cloth.fabrics[leaf.panel]));
+        beyond.push_back(beyond_limit(strains[i], cloth.material.fabrics[leaf.panel]));
         if (larger_of(beyond.back()) <= most_beyond) continue;
         most_beyond = larger_of(beyond.back());
         worst = i;
@@ -163,8 +163,8 @@ void inspect(const Cloth& cloth, const BodyCollider& body, const Pattern& patter
 PlainMesh plain_mesh(const Cloth& cloth, const std::vector<std::string>& panel_names) {
     PlainMesh mesh;
     mesh.panel_names = panel_names;
-    mesh.panel_grain_angles = cloth.grain_angles;
-    mesh.panel_sett_offsets = cloth.sett_offsets;
+    mesh.panel_grain_angles = cloth.material.grain_angles;
+    mesh.panel_sett_offsets = cloth.material.sett_offsets;
     std::vector<std::uint32_t> index(cloth.x.size(), 0);
     for (const VertexId v : cloth.mesh.leaf_vertices()) {
         index[v.value] = static_cast<std::uint32_t>(mesh.x.size());

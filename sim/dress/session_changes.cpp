@@ -150,11 +150,11 @@ void SessionRun::take_pattern(Pattern pattern) {
 void SessionRun::change_cloth(const Pattern& pattern) {
     Cloth& cloth = drape_->cloth;
     const bool is_other_cloth = compare(drape_->pattern, pattern) == PatternChange::Fabrics;
-    cloth.fabrics = fabrics_of(pattern);
-    cloth.sett_offsets.clear();
+    cloth.material.fabrics = fabrics_of(pattern);
+    cloth.material.sett_offsets.clear();
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
-        cloth.grain_angles[p] = static_cast<float>(pattern.panels[p].grain_angle);
-        cloth.sett_offsets.push_back(pattern.panels[p].sett_offset.cast<float>());
+        cloth.material.grain_angles[p] = static_cast<float>(pattern.panels[p].grain_angle);
+        cloth.material.sett_offsets.push_back(pattern.panels[p].sett_offset.cast<float>());
     }
     drape_->pattern = pattern;
     if (!is_other_cloth) return;

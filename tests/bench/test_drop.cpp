@@ -49,9 +49,9 @@ TEST(Drop, is_looked_at_seven_times) {
 TEST(Drop, holds_vertices_alone_unless_samples_are_asked_for) {
     SphereDropOptions options = coarse(4);
     options.scene.frames = 1;
-    EXPECT_EQ(sample_count(run_sphere_drop(options).run.cloth.contacts), 0U);
+    EXPECT_EQ(sample_count(run_sphere_drop(options).run.cloth.solver.contacts), 0U);
     options.has_contact_samples = true;
-    EXPECT_EQ(sample_count(run_sphere_drop(options).run.cloth.contacts), 72U);
+    EXPECT_EQ(sample_count(run_sphere_drop(options).run.cloth.solver.contacts), 72U);
 }
 
 TEST(Drop, pins_the_middle_of_even_and_of_odd_grids_and_nothing_else) {

@@ -28,7 +28,7 @@ double strain_energy(const Cloth& cloth) {
             const double most = std::abs(value) + std::abs(double(bias[k][slot % kBlock]));
             return 0.5 * material_area(leaves[i].u) * stiffness * most * most;
         };
-        const Fabric& fabric = cloth.fabrics[leaves[i].panel];
+        const Fabric& fabric = cloth.material.fabrics[leaves[i].panel];
         sum += energy(double(strains[i].warp), 0, fabric.stretch_warp) +
                energy(double(strains[i].weft), 1, fabric.stretch_weft) +
                energy(std::sin(double(strains[i].shear)), 2, fabric.shear);
@@ -51,13 +51,13 @@ double limit_energy(const Cloth& cloth, const LimitBlock& block, std::size_t at)
     const double weft = double((block.b[0][at] * e1 + block.b[1][at] * e2).norm() - block.longest_weft[at]);
     const float cross = block.a[0][at] * block.b[1][at] - block.a[1][at] * block.b[0][at];
     const double area = 0.5 / std::abs(double(cross));
-    const double mass = area * cloth.fabrics.front().area_density;
+    const double mass = area * cloth.material.fabrics.front().area_density;
     return taken_back(warp, mass, area, cloth.substep) + taken_back(weft, mass, area, cloth.substep);
 }
 
 // Of leaves beyond the fabric's strain limit and of refined triangles beyond theirs.
 double limit_energy(const Cloth& cloth) {
-    const Fabric& fabric = cloth.fabrics.front();
+    const Fabric& fabric = cloth.material.fabrics.front();
     double sum = 0;
     const std::vector<TriangleStrain> strains = measure_strain(cloth);
     for (std::size_t i = 0; i < strains.size(); ++i) {
@@ -78,7 +78,7 @@ double limit_energy(const Cloth& cloth) {
 double bending_energy(const Cloth& cloth, const LeafTriangle& leaf) {
     const BendSlot slot = bend_slot(cloth, leaf.triangle);
     const Vec3f curvature = curvature_now(cloth, *slot.block, slot.at);
-    const Fabric& fabric = cloth.fabrics.front();
+    const Fabric& fabric = cloth.material.fabrics.front();
     return 0.75 * double(material_area(leaf.u)) * std::max(fabric.bending_warp, fabric.bending_weft) *
            double(curvature.squaredNorm());
 }
@@ -86,7 +86,7 @@ double bending_energy(const Cloth& cloth, const LeafTriangle& leaf) {
 double mass_of(const Cloth& cloth) {
     double sum = 0;
     for (const VertexId v : cloth.mesh.leaf_vertices()) {
-        const double own = double(cloth.mesh.vertex_areas()[v.value]) * cloth.fabrics.front().area_density;
+        const double own = double(cloth.mesh.vertex_areas()[v.value]) * cloth.material.fabrics.front().area_density;
         sum += cloth.inverse_mass[v.value] > 0 ? 1 / double(cloth.inverse_mass[v.value]) : own;
     }
     return sum;
@@ -98,7 +98,7 @@ Cloth any_patch(Choices& choices) {
     const GarmentMesh square =
         make_square({.columns = quads, .rows = quads, .width = side, .depth = side, .height = 0.45});
     Cloth cloth = make_cloth(square, {any_fabric(choices)}, {.max_level = 1 + static_cast<int>(choices.next(3))});
-    cloth.grain_angles = {choices.between(-3, 3)};
+    cloth.material.grain_angles = {choices.between(-3, 3)};
     refresh_solver(cloth);
     refresh_contacts(cloth);
     return cloth;
@@ -235,8 +235,8 @@ double RandomRun::depth() const {
         least = std::min({least, body().contact(x.head<3>()).distance, x.y() - stepping_.contact.floor});
     };
     for (const VertexId v : cloth_.mesh.leaf_vertices()) look(cloth_.x[v.value]);
-    for (std::size_t lane = 0; lane < kBlock * cloth_.contacts.samples.size(); ++lane) {
-        const std::optional<Vec3f> sample = sample_at(cloth_.contacts, lane, cloth_.x);
+    for (std::size_t lane = 0; lane < kBlock * cloth_.solver.contacts.samples.size(); ++lane) {
+        const std::optional<Vec3f> sample = sample_at(cloth_.solver.contacts, lane, cloth_.x);
         if (sample) look(padded(*sample));
     }
     return double(stepping_.contact.offset - least);

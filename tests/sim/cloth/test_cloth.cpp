@@ -130,7 +130,7 @@ TEST_F(BallUnderAPatch, lets_the_edges_rejoin_once_it_is_away) {
     move_to(cloth_, Eigen::Matrix3f::Identity(), Vec3f(0, 1, 0));
     for (int i = 0; i <= cloth_.mesh.max_level(); ++i) adapt_once();
     EXPECT_EQ(cloth_.mesh.leaf_triangles().size(), cloth_.mesh.base_triangle_count());
-    EXPECT_EQ(sample_count(cloth_.contacts), 0U) << "it is split where it dips";
+    EXPECT_EQ(sample_count(cloth_.solver.contacts), 0U) << "it is split where it dips";
 }
 
 TEST_F(BallUnderAPatch, does_not_flicker_while_nothing_moves) {

@@ -245,7 +245,7 @@ TEST(Constraints, that_change_with_the_mesh_hold_what_blocks_made_anew_hold) {
         expect_each_leaf_in_its_lane(cloth);
         Cloth anew = cloth;
         refresh_solver(anew);
-        refresh_contacts(anew, {}, cloth.contacts.split);
+        refresh_contacts(anew, {}, cloth.solver.contacts.split);
         const Constraints &now = cloth.solver.constraints, &then = anew.solver.constraints;
         expect_alike(contents(now.stretch, cloth), contents(then.stretch, anew));
         expect_alike(contents(now.bend, cloth), contents(then.bend, anew));
@@ -255,8 +255,8 @@ TEST(Constraints, that_change_with_the_mesh_hold_what_blocks_made_anew_hold) {
             expect_alike(contents(a.bend, cloth), contents(b.bend, anew));
             EXPECT_EQ(a.centres.size(), b.centres.size());
         }
-        EXPECT_EQ(cloth.contacts.friction, anew.contacts.friction);
-        EXPECT_EQ(sample_count(cloth.contacts), sample_count(anew.contacts));
+        EXPECT_EQ(cloth.solver.contacts.friction, anew.solver.contacts.friction);
+        EXPECT_EQ(sample_count(cloth.solver.contacts), sample_count(anew.solver.contacts));
     }
     EXPECT_GT(in_place, 5);
 }

@@ -54,8 +54,8 @@ TEST(RefreshContacts, samples_every_edge_longer_than_the_spacing_and_triangles_t
         refine(cloth, level);
         std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<float>> samples;
         std::size_t middles = 0;
-        for (std::size_t lane = 0; lane < kBlock * cloth.contacts.samples.size(); ++lane) {
-            const SampleBlock& block = cloth.contacts.samples[lane / kBlock];
+        for (std::size_t lane = 0; lane < kBlock * cloth.solver.contacts.samples.size(); ++lane) {
+            const SampleBlock& block = cloth.solver.contacts.samples[lane / kBlock];
             const std::array<float, 3> shares{block.shares[0][lane % kBlock], block.shares[1][lane % kBlock],
                                               block.shares[2][lane % kBlock]};
             if (shares[0] == 0) continue;
@@ -94,8 +94,8 @@ std::array<std::size_t, 2> samples_of(const Cloth& cloth, const SplitLimits& lim
         if (limits.allow(cloth.mesh, edge.edge)) near.insert({edge.a.value, edge.b.value});
     }
     std::array<std::size_t, 2> count{};
-    for (std::size_t slot = 0; slot < kBlock * cloth.contacts.samples.size(); ++slot) {
-        const SampleBlock& block = cloth.contacts.samples[slot / kBlock];
+    for (std::size_t slot = 0; slot < kBlock * cloth.solver.contacts.samples.size(); ++slot) {
+        const SampleBlock& block = cloth.solver.contacts.samples[slot / kBlock];
         if (block.shares[0][slot % kBlock] == 0) continue;
         ++count[near.contains(block.vertices[0][slot % kBlock] / 4) ? 0 : 1];
     }
@@ -119,9 +119,9 @@ TEST(RefreshContacts, samples_no_edge_that_is_split_where_it_dips_into_a_body) {
         EXPECT_EQ(samples_of(cloth, limits)[1], before[1]) << "what may not be split is sampled";
     }
     refresh_contacts(cloth, {}, never);
-    const std::size_t sampled = sample_count(cloth.contacts);
+    const std::size_t sampled = sample_count(cloth.solver.contacts);
     refresh_contacts(cloth, {}, std::nullopt);
-    EXPECT_EQ(sample_count(cloth.contacts), sampled);
+    EXPECT_EQ(sample_count(cloth.solver.contacts), sampled);
 }
 
 // Two triangles whose long diagonal crosses a small ball between its ends.

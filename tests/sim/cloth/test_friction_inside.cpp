@@ -251,7 +251,7 @@ struct Shearing {
                               {.shear = 1}, floats(constraints.carried.above), floats(constraints.carried.below));
         }
         const StretchRecord& record = constraints.stretch.records.front();
-        return -double(record.multiplier[2][0] * record.compliance[2][0]) * cloth.fabrics.front().shear;
+        return -double(record.multiplier[2][0] * record.compliance[2][0]) * cloth.material.fabrics.front().shear;
     }
 };
 

@@ -76,7 +76,7 @@ TEST(MaterialFrame, has_the_area_of_the_triangle) {
 // Maps the patch's material into the room and measures the strain of its leaves.
 std::vector<TriangleStrain> strain_under(const Eigen::Matrix2f& map, float grain_angle, int level) {
     Cloth cloth = make_patch(find_fabric("wool_twill"));
-    cloth.grain_angles = {grain_angle};
+    cloth.material.grain_angles = {grain_angle};
     refine(cloth, level);
     for (const LeafTriangle& t : cloth.mesh.leaf_triangles()) {
         for (std::size_t k = 0; k < 3; ++k) {

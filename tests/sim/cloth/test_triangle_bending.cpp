@@ -47,7 +47,7 @@ bool is_inner(const BendSlot& slot) {
 // Twice the energy per area over B k^2, by curvatures and rigidities along warp, weft and of twist, of all leaves that
 // have three hinges.
 double stored_share(const Cloth& cloth, float curvature) {
-    const Fabric& fabric = cloth.fabrics.front();
+    const Fabric& fabric = cloth.material.fabrics.front();
     const Vec3d rigidity(fabric.bending_warp, fabric.bending_weft,
                          0.5 * std::sqrt(fabric.bending_warp * fabric.bending_weft));
     double energy = 0, area = 0;

@@ -31,11 +31,11 @@ TEST(DrapeRun, a_cloth_at_rest_is_neither_adapted_nor_stepped) {
     ASSERT_TRUE(is_at_rest(cloth));
     ASSERT_GT(cloth.mesh.leaf_triangles().size(), cloth.mesh.base_triangle_count());
     const std::vector<Vec4f> there = cloth.x;
-    const std::uint32_t adaptions = cloth.adaptions;
+    const std::uint32_t adaptions = cloth.adaptations;
     run.forget_times();
     for (int frame = 0; frame < 60; ++frame) run.advance(cloth, ball());
     EXPECT_EQ(cloth.x, there);
-    EXPECT_EQ(cloth.adaptions, adaptions);
+    EXPECT_EQ(cloth.adaptations, adaptions);
     EXPECT_TRUE(run.result().adaption_ms.empty());
     EXPECT_EQ(run.result().rms_speed, 0);
 }

@@ -76,7 +76,7 @@ TEST_F(Inspect, finds_cloth_that_is_stretched_throughout) {
 }
 
 TEST_F(Inspect, lets_a_fabric_stretch_that_is_made_to) {
-    for (Fabric& fabric : cloth_.fabrics) fabric.strain_limit = 0.1;  // a knit's
+    for (Fabric& fabric : cloth_.material.fabrics) fabric.strain_limit = 0.1;  // a knit's
     deform([](const Vec3f& x) { return Vec3f(x.x(), 1.08F * x.y(), x.z()); });
     EXPECT_EQ(find(look(), "overstretched"), nullptr);
     deform([](const Vec3f& x) { return Vec3f(x.x(), 1.08F * x.y(), x.z()); });

@@ -55,7 +55,7 @@ TEST(PlainMeshOfCloth, vertices_carry_the_level_that_they_were_born_at) {
 
 TEST(MeshStrainOfCloth, is_what_the_solver_measures) {
     Cloth cloth = flat_tube();
-    cloth.grain_angles = {0.3F, -0.8F};
+    cloth.material.grain_angles = {0.3F, -0.8F};
     for (Vec4f& x : cloth.x) x = Vec4f(1.04F * x.x() + 0.1F * x.y(), 0.98F * x.y(), x.z() + 0.2F * x.x(), 0);
     const std::vector<TriangleStrain> expected = measure_strain(cloth);
     const std::vector<MeshStrain> strain = measure_strain(plain_mesh(cloth, {"front", "back"}));

@@ -1,0 +1,56 @@
+#pragma once
+// The solver's own part of a cloth.
+#include <vector>
+
+#include "sim/adaptive/foresight.h"
+#include "sim/cloth/collision_criterion.h"
+#include "sim/cloth/contact.h"
+#include "sim/cloth/resting.h"
+#include "sim/cloth/saved_states.h"
+#include "sim/cloth/solver_lists.h"
+#include "sim/core/vec.h"
+
+namespace selvedge {
+
+// What the solver has learnt about a triangle, see solver_blocks.h and bias.h.
+struct KeptBias {
+    Vec3f value = Vec3f::Zero();  // of warp, weft and shear
+    Vec3f limit = Vec3f::Zero();  // the same as a refined triangle
+    float anchor = 0;             // of friction in shear
+};
+
+// The same of a triangle's internal friction in bending, whether a leaf or a refined triangle.
+struct KeptBend {
+    Vec3f anchor = Vec3f::Zero();  // 1/m, of the curvatures along warp, weft and of twist
+    bool is_known = false;         // else friction starts from how the cloth is bent
+};
+
+// What criteria remember while an adaptation is under way, in the memory of the last one.
+struct CriteriaMemory {
+    LeafAnswers shape;  // curvature, length and buckling
+    CollisionBatch collision;
+};
+
+// What the solver works on, in the memory of the last step, and all that it remembers. Nobody but sim/cloth reads it.
+struct SolverState {
+    std::vector<Vec4f> points;      // positions with the inverse mass as fourth; one spare point behind them
+    std::vector<Vec4f> before;      // one sub-step ago
+    std::vector<Vec4f> lost;        // what rounding took from the last moves
+    std::vector<Vec4f> predicted;   // before stretch and shear corrected them
+    std::vector<Vec4f> carried;     // the same with the momentum of corrections
+    std::vector<Vec4f> correction;  // what stretch and shear moved them by in the last sub-step
+    Constraints constraints;
+    SolverLists lists;
+    ContactState contacts;
+    RestingState resting;
+    int substeps = 0;   // so far, by 2
+    float damping = 0;  // 1/s, mean over the fabrics' area
+
+    // While an adaptation is under way; by TriangleId.
+    CriteriaMemory adapting;
+    SavedStates<KeptBias> saved_bias;
+    SavedStates<KeptBend> saved_bend;
+    std::vector<double> mass_sums;  // kg by vertex, pinned or not; sums of floats, so that they can be undone exactly
+};
+
+}  // namespace selvedge
