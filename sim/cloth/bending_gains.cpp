@@ -39,11 +39,14 @@ void weigh_coarse_bending(Cloth& cloth, const Kernels& loops, int level) {
     idle.clear();
     for (const TriangleId t : cloth.mesh.refined_triangles(level)) {
         const std::uint32_t slot = bend.slot_of(t);
-        bend.records[slot / kBlock].asked[slot % kBlock] = solver.lists.asked[place_of(t) / 4];
+        float& asked = bend.records[slot / kBlock].asked[slot % kBlock];
+        const float now = solver.lists.asked[place_of(t) / 4];
+        if (asked != now) bend.dirty.mark_slot(slot);
+        asked = now;
         if (bend.blocks[slot / kBlock].realised[slot % kBlock] <= 0) idle.push_back(slot);
     }
-    loops.weigh_coarse_bend(bend.blocks, bend.records, solver.lists.masses[static_cast<std::size_t>(level)].data());
-    bend.dirty.clear();
+    const float* const masses = solver.lists.masses[static_cast<std::size_t>(level)].data();
+    bend.weigh_dirty([&](auto blocks, auto records) { loops.weigh_coarse_bend(blocks, records, masses); });
     for (const std::uint32_t slot : idle) {
         CoarseBendBlock& block = bend.blocks[slot / kBlock];
         const std::size_t at = slot % kBlock;

@@ -47,16 +47,16 @@ void mark_leaves_round(Cloth& cloth, VertexId v) {
     }
 }
 
-// The refined triangles of a level that have a corner whose mass changed: coarse corners carry all that is below them,
-// so that a few changes reach many, and looking at all is cheaper than going from vertex to vertex.
-void mark_limits(Cloth& cloth, std::size_t level, const std::vector<std::uint8_t>& is_changed) {
-    auto& limits = cloth.solver.constraints.parents[level].limits;
-    for (std::size_t i = 0; i < limits.blocks.size(); ++i) {
+// Of refined triangles of a level: the blocks that hold a vertex whose mass changed. Coarse corners carry all that is
+// below them, so that a few changes reach many, and looking at all is cheaper than going from vertex to vertex.
+template <class Set>
+void mark_blocks_with(Set& set, const std::vector<std::uint8_t>& is_changed) {
+    for (std::size_t i = 0; i < set.blocks.size(); ++i) {
         unsigned changed = 0;
-        for (const BlockPoints& corners : limits.blocks[i].vertices) {
-            for (const std::uint32_t offset : corners) changed |= is_changed[offset / 4];
+        for (const BlockPoints& points : set.blocks[i].vertices) {
+            for (const std::uint32_t offset : points) changed |= is_changed[offset / 4];
         }
-        if (changed != 0) limits.dirty.mark_block(i);
+        if (changed != 0) set.dirty.mark_block(i);
     }
 }
 
@@ -74,7 +74,10 @@ void mark_round_changed_masses(Cloth& cloth) {
             lists.is_changed[v.value] = 1;
             has_changed = true;
         });
-        if (has_changed) mark_limits(cloth, level, lists.is_changed);
+        if (!has_changed) continue;
+        ParentLevel& parents = cloth.solver.constraints.parents[level];
+        mark_blocks_with(parents.limits, lists.is_changed);
+        mark_blocks_with(parents.bend, lists.is_changed);
     }
 }
 
