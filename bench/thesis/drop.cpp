@@ -21,7 +21,8 @@ constexpr double kSide = 1.0;              // m, of the cloth
 constexpr double kBeside = 0.15;           // m, how far from the middle a cloth starts that falls off
 constexpr float kSlipperyFriction = 0.2F;  // of the fabric's, so that it does fall off
 constexpr float kNoFloor = -1000.0F;       // m
-constexpr LengthOptions kCompression{.split_compression = 0.01F, .rejoin_compression = 0.004F};  // falls make no more
+constexpr LengthOptions kCompression{.split_compression = 0.01F,
+                                     .rejoin_compression = 0.004F};  // these drops compress less than usual
 
 Cloth make_drop_cloth(const DropOptions& options) {
     GarmentMesh base =
@@ -89,7 +90,7 @@ DropFrame run_frame(Scene& scene, const DropOptions& options) {
     double free_steps = 0;
     if (options.times_parts) {
         Cloth free = scene.cloth;
-        refresh_contacts(free, scene.stepping.contact);
+        refresh_contacts(free, scene.stepping.contact, scene.cloth.solver.contacts.split);
         free_steps = 1e3 * time_once([&] { step_frame(free, NoBody{}, scene.stepping); });
     }
     frame.steps = 1e3 * time_once([&] { step_frame(scene.cloth, *scene.object, scene.stepping); });

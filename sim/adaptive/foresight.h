@@ -54,8 +54,8 @@ class LeafAnswers {
     std::vector<Answer> answers_;  // by EdgeId
 };
 
-// Whether it holds for one of the edges that are finer by a level in the triangles beside e, and not too short to be
-// split.
+// Whether holds_for is true of one of the edges that are finer by a level in the triangles beside e, and not too short
+// to be split.
 template <class Holds>
 bool any_finer_edge(const AdaptiveMesh& mesh, EdgeId e, const SplitLimits& limits, const Holds& holds_for) {
     if (mesh.level(e) + 1 >= std::min(mesh.max_level(), limits.max_level)) return false;
@@ -87,7 +87,7 @@ class Foresight {
     }
 
     // Else what was split for others' sake would rejoin and split again, turn by turn. Finer edges that are too short
-    // to be split have a say here: they are bent, and would be lost.
+    // to be split have a say here: they ask, and would be lost.
     bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId e) const {
         return criterion_.allows_rejoin(mesh, e) && !finer_edges_ask(mesh, e, {});
     }

@@ -14,7 +14,7 @@ namespace {
 struct ClothObserver {
     Cloth& cloth;
     const Collider& body;
-    float offset;
+    const ContactOptions& contact;
     Visibility* visibility;
     TriangleBudget* budget;
     BiasHandover biases{cloth};
@@ -37,7 +37,7 @@ struct ClothObserver {
         const Vec4f middle = (cloth.x[a.value] + cloth.x[b.value]) * 0.5F;
         const Vec4f velocity = middle - (cloth.x_prev[a.value] + cloth.x_prev[b.value]) * 0.5F;
         const Vec3f normal = cloth.normals[a.value] + cloth.normals[b.value];
-        cloth.x[c.value] = padded(outside(middle.head<3>(), normal, body, offset));
+        cloth.x[c.value] = padded(outside(middle.head<3>(), normal, body, contact.offset));
         cloth.x_prev[c.value] = cloth.x[c.value] - velocity;
         cloth.normals[c.value] = normal.squaredNorm() > 0 ? Vec3f(normal.normalized()) : Vec3f::Zero();
         cloth.is_pinned[c.value] = cloth.is_pinned[a.value] && cloth.is_pinned[b.value];  // a pinned waistband stays up
@@ -68,12 +68,14 @@ AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& ob
                                        .body = observer.body,
                                        .batch = cloth.solver.adapting.collision,
                                        .limits = limits,
-                                       .offset = observer.offset};
+                                       .offset = observer.contact.offset,
+                                       .spacing = observer.contact.sample_spacing};
     const CurvatureCriterion curvature(cloth.normals, scaled(options.curvature, scale));
     const LengthCriterion<Vec4f> length(cloth.x, scaled(options.length, scale));
     const BucklingCriterion<Vec4f> buckling(cloth.x, scaled(options.buckling, scale));
     const AnyOf shape(Switched(on.curvature, curvature), Switched(on.length, length), Switched(on.buckling, buckling));
-    cloth.solver.adapting.shape.ask(cloth.mesh, shape);
+    const bool asks_shape = on.curvature || on.length || on.buckling;
+    if (asks_shape) cloth.solver.adapting.shape.ask(cloth.mesh, shape);
     const Foresight foresight(shape, limits, cloth.solver.adapting.shape);
     const MinimumLevelCriterion minimum{options.minimum_levels};
     const KeptVertexCriterion kept{options.kept_vertices};
@@ -83,7 +85,7 @@ AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& ob
     return adapt_choosing(
         choice, cloth.mesh, observer, {.max_level = options.max_level, .transitions = options.transitions},
         ShortestEdgeCriterion{options.shortest_edge}, HoldCriterion{options.may_rejoin}, Switched(counts, veto),
-        Switched(sees, back_face), foresight, Switched(!options.minimum_levels.empty(), minimum),
+        Switched(sees, back_face), Switched(asks_shape, foresight), Switched(!options.minimum_levels.empty(), minimum),
         Switched(counts, keep), Switched(!options.kept_vertices.empty(), kept), Switched(on.collision, collision));
 }
 
@@ -115,11 +117,11 @@ AdaptReport adapt_cloth(Cloth& cloth, const Collider& body, const AdaptClothOpti
     ++cloth.adaptations;
     if (options.visibility != nullptr) options.visibility->look(cloth.mesh, cloth.x, cloth.normals);
     if (options.budget != nullptr) options.budget->start(cloth.mesh);
-    ClothObserver observer{cloth, body, contact.offset, options.visibility, options.budget};
+    ClothObserver observer{cloth, body, contact, options.visibility, options.budget};
     const AdaptReport report = adapt_chosen(cloth, observer, options);
     if (report.changed()) update_solver(cloth);
     const SplitOnContact split = split_on_contact(options);
-    if (report.changed() || cloth.solver.contacts.split != split) update_contacts(cloth, contact, split);
+    if (report.changed() || !are_contacts_made_for(cloth, contact, split)) update_contacts(cloth, contact, split);
     return report;
 }
 

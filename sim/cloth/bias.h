@@ -10,7 +10,8 @@
 
 namespace selvedge {
 
-// What was kept of that triangle since Cloth::adaptions was last counted up, else what its slot has; 0 if it has none.
+// What was kept of that triangle since Cloth::adaptations was last counted up, else what its slot has; 0 if it has
+// none.
 KeptBias kept_bias(const Cloth& cloth, TriangleId t);
 
 // The same of a refined triangle's.

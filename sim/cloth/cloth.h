@@ -32,6 +32,7 @@ struct Cloth {
     std::vector<float> inverse_mass{};  // 1/kg; 0 for a vertex that cannot move or is not in use
     std::vector<Vec3f> normals{};       // unit, of the fabric's right side; see update_normals
     std::vector<bool> is_pinned{};
+
     float substep = 0;              // s, the length that x_prev and the solver's constraints were made for
     std::uint32_t adaptations = 0;  // so far
 

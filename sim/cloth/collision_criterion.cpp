@@ -1,6 +1,7 @@
 #include "sim/cloth/collision_criterion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "sim/adaptive/foresight.h"
@@ -9,24 +10,10 @@
 namespace selvedge {
 namespace {
 
-// Of each edge its middle and those of the triangles beside it, at the edge's own level.
-constexpr std::size_t kPoints = 3;
-
 constexpr float kNotAsked = std::numeric_limits<float>::lowest();  // m: no depth, and cuts nothing
 
-std::array<Vec4f, kPoints> middles(const AdaptiveMesh& mesh, EdgeId id, const std::vector<Vec4f>& x) {
-    const AdaptiveEdge& edge = mesh.edge(id);
-    std::array<Vec4f, kPoints> points;
-    points.fill((x[edge.ends[0].value] + x[edge.ends[1].value]) * 0.5F);
-    for (std::size_t side = 0; side < 2; ++side) {
-        if (!edge.sides[side]) continue;
-        const std::array<VertexId, 3>& v = mesh.triangle(edge.sides[side]).vertices;
-        points[1 + side] = (x[v[0].value] + x[v[1].value] + x[v[2].value]) * (1.0F / 3.0F);
-    }
-    return points;
-}
-
 void put_point(std::vector<ContactBlock>& blocks, std::size_t i, const Vec4f& p) {
+    if (i / kContactLanes >= blocks.size()) blocks.emplace_back();
     blocks[i / kContactLanes].set_point(i % kContactLanes, p.head<3>());
 }
 
@@ -67,20 +54,38 @@ std::span<const EdgeId> CollisionCriterion::look(const AdaptiveMesh& mesh) const
     const std::span<const EdgeId> edges = noted();
     if (edges.empty()) return edges;
     gather(mesh);
-    const std::vector<EdgeId>& asked = batch.asked;
-    batch.blocks.resize((kPoints * asked.size() + kContactLanes - 1) / kContactLanes);
-    for (std::size_t i = 0; i < asked.size(); ++i) {
-        const std::array<Vec4f, kPoints> points = middles(mesh, asked[i], x);
-        for (std::size_t k = 0; k < kPoints; ++k) put_point(batch.blocks, kPoints * i + k, points[k]);
-    }
-    const Vec4f& any = x[mesh.end(edges.back(), 0).value];
-    for (std::size_t lane = kPoints * asked.size(); lane < kContactLanes * batch.blocks.size(); ++lane) {
-        put_point(batch.blocks, lane, any);
-    }
+    put_points(mesh);
     // What is farther away than this neither splits nor keeps anything, however far it is.
     body.contacts(batch.blocks, offset - std::min(split_depth, rejoin_depth));
-    for (std::size_t i = 0; i < asked.size(); ++i) batch.depths[asked[i].value] = depth(mesh, i);
+    for (std::size_t i = 0; i < batch.asked.size(); ++i) batch.depths[batch.asked[i].value] = depth(i);
     return edges;
+}
+
+// Of each edge its middle, more of it where it is long, and the middles of the triangles beside it, at the edge's own
+// level.
+void CollisionCriterion::put_points(const AdaptiveMesh& mesh) const {
+    batch.blocks.clear();
+    batch.first.clear();
+    std::size_t count = 0;
+    for (const EdgeId id : batch.asked) {
+        batch.first.push_back(count);
+        const AdaptiveEdge& edge = mesh.edge(id);
+        const Vec4f &a = x[edge.ends[0].value], &b = x[edge.ends[1].value];
+        const int parts = 2 * std::max(1, static_cast<int>(std::ceil(edge.rest_length / spacing / 2)));
+        for (int k = 1; k < parts; ++k) {
+            put_point(batch.blocks, count++, a + (b - a) * (static_cast<float>(k) / static_cast<float>(parts)));
+        }
+        for (const TriangleId side : edge.sides) {
+            if (!side) continue;
+            const std::array<VertexId, 3>& v = mesh.triangle(side).vertices;
+            put_point(batch.blocks, count++, (x[v[0].value] + x[v[1].value] + x[v[2].value]) * (1.0F / 3.0F));
+        }
+    }
+    batch.first.push_back(count);
+    const Vec4f& any = x[mesh.end(batch.asked.back(), 0).value];
+    for (std::size_t lane = count; lane < kContactLanes * batch.blocks.size(); ++lane) {
+        put_point(batch.blocks, lane, any);
+    }
 }
 
 bool CollisionCriterion::finer_edges_cut(const AdaptiveMesh& mesh, EdgeId e) const {
@@ -88,17 +93,12 @@ bool CollisionCriterion::finer_edges_cut(const AdaptiveMesh& mesh, EdgeId e) con
 }
 
 // How deep the deepest of the i'th asked edge's points lies below the offset surface, m.
-float CollisionCriterion::depth(const AdaptiveMesh& mesh, std::size_t i) const {
-    const AdaptiveEdge& edge = mesh.edge(batch.asked[i]);
-    const auto depth_of = [&](std::size_t k) {
-        const std::size_t lane = kPoints * i + k;
-        return offset - batch.blocks[lane / kContactLanes].distance[lane % kContactLanes];
-    };
-    float deepest = depth_of(0);
-    for (std::size_t side = 0; side < 2; ++side) {
-        if (edge.sides[side]) deepest = std::max(deepest, depth_of(1 + side));
+float CollisionCriterion::depth(std::size_t i) const {
+    float least = std::numeric_limits<float>::max();
+    for (std::size_t lane = batch.first[i]; lane < batch.first[i + 1]; ++lane) {
+        least = std::min(least, batch.blocks[lane / kContactLanes].distance[lane % kContactLanes]);
     }
-    return deepest;
+    return offset - least;
 }
 
 }  // namespace selvedge

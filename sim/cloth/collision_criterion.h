@@ -15,15 +15,16 @@ class Collider;
 struct CollisionBatch {
     std::vector<EdgeId> edges;
     std::vector<EdgeId> asked;         // they, and the finer edges that they speak for
-    std::vector<float> depths;         // by EdgeId, m: of those that were asked last, else kNotAsked
+    std::vector<std::size_t> first;    // of each asked edge: its first point; and behind the last one
+    std::vector<float> depths;         // by EdgeId, m: of those that were asked last, else the lowest float
     std::vector<ContactBlock> blocks;  // scratch
     bool is_looked_at = false;
 };
 
-// Splits an edge that cuts into the offset surface of the body, or whose triangles do; lets it rejoin when they no
+// Splits an edge that cuts deep into the offset surface of the body, or whose triangles do; lets it rejoin when they no
 // longer would. Asked of the parent chord: once the centre lies on the surface the children no longer cut.
 // It speaks for the finer edges beside it, which may not split before it does (foresight.h). The offset keeps such
-// chords outside of the body itself; its last third is for the collider's error.
+// chords outside of the body itself: they may use up two thirds of it, for the last third is for the collider's error.
 struct CollisionCriterion {
     static constexpr bool is_batch = true;
 
@@ -34,6 +35,7 @@ struct CollisionCriterion {
     float offset = 0.003F;       // m, contact offset
     float split_depth = 0.002F;  // m, of the chord below the offset surface
     float rejoin_depth = 0.0008F;
+    float spacing = 0.025F;  // m, edges are asked at least this often, and in their middle
 
     void note(EdgeId e) const;
     std::span<const EdgeId> noted() const;  // since the last look
@@ -49,7 +51,8 @@ struct CollisionCriterion {
     bool cuts(EdgeId e) const { return e.value < batch.depths.size() && batch.depths[e.value] > split_depth; }
     bool finer_edges_cut(const AdaptiveMesh& mesh, EdgeId e) const;
     void gather(const AdaptiveMesh& mesh) const;
-    float depth(const AdaptiveMesh& mesh, std::size_t i) const;
+    void put_points(const AdaptiveMesh& mesh) const;
+    float depth(std::size_t i) const;
 };
 
 }  // namespace selvedge

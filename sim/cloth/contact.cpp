@@ -185,12 +185,16 @@ void refresh_contacts(Cloth& cloth, const ContactOptions& options, const SplitOn
     SampleLists(cloth).make_all();
 }
 
+bool are_contacts_made_for(const Cloth& cloth, const ContactOptions& options, const SplitOnContact& split) {
+    const ContactState& contacts = cloth.solver.contacts;
+    return contacts.vertices == cloth.mesh.vertex_capacity() && contacts.spacing == options.sample_spacing &&
+           contacts.sampled_edge == options.sampled_edge && contacts.split == split;
+}
+
 void update_contacts(Cloth& cloth, const ContactOptions& options, const SplitOnContact& split) {
     ContactState& contacts = cloth.solver.contacts;
-    const bool is_made = contacts.vertices == cloth.mesh.vertex_capacity() &&
-                         contacts.spacing == options.sample_spacing && contacts.sampled_edge == options.sampled_edge &&
-                         contacts.split == split;
-    if (!is_made || contacts.inserted > 2 * cloth.mesh.leaf_triangles().size() + 64 * kBlock) {
+    if (!are_contacts_made_for(cloth, options, split) ||
+        contacts.inserted > 2 * cloth.mesh.leaf_triangles().size() + 64 * kBlock) {
         refresh_contacts(cloth, options, split);
         return;
     }

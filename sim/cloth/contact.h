@@ -59,8 +59,10 @@ struct ContactState {
 // and of their triangles. What is known of vertices is kept.
 void refresh_contacts(Cloth& cloth, const ContactOptions& options = {}, const SplitOnContact& split = {});
 
+bool are_contacts_made_for(const Cloth& cloth, const ContactOptions& options, const SplitOnContact& split);
+
 // The same after one adaptation, at a cost in proportion to what it changed (see mesh.changes()), or all anew where
-// other edges are split now.
+// they were made for others.
 void update_contacts(Cloth& cloth, const ContactOptions& options = {}, const SplitOnContact& split = {});
 
 // Forgets what is known: when the collider is another, or has moved.

@@ -43,14 +43,14 @@ struct SolverState {
     SolverLists lists;
     ContactState contacts;
     RestingState resting;
-    int substeps = 0;   // so far, by 2
-    float damping = 0;  // 1/s, mean over the fabrics' area
+    std::vector<double> mass_sums;  // kg by vertex, pinned or not; sums of floats, so that they can be undone exactly
+    int substeps = 0;               // so far, by 2
+    float damping = 0;              // 1/s, mean over the fabrics' area
 
-    // While an adaptation is under way; by TriangleId.
+    // While an adaptation is under way; saved by TriangleId.
     CriteriaMemory adapting;
     SavedStates<KeptBias> saved_bias;
     SavedStates<KeptBend> saved_bend;
-    std::vector<double> mass_sums;  // kg by vertex, pinned or not; sums of floats, so that they can be undone exactly
 };
 
 }  // namespace selvedge

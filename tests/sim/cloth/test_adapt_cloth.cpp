@@ -125,19 +125,27 @@ float deepest_middle(const Cloth& cloth, const Collider& body, const SplitLimits
 
 TEST_F(Drape, is_split_by_collision_alone_wherever_it_cuts_into_the_ball_and_rejoins_at_once_when_that_is_gone) {
     options_.criteria = {.collision = true, .curvature = false, .length = false};
-    options_.shortest_edge = 0;
-    run(1.0);
-    EXPECT_GT(leaves(), 2 * cloth_.mesh.base_triangle_count());
-    for (int i = 0; i < 10 && adapt_cloth(cloth_, ball_, options_).changed(); ++i) continue;
-    EXPECT_LT(deepest_middle(cloth_, ball_, {}), 0.00201F) << "CollisionCriterion::split_depth";
-    for (int i = 0; i < 3; ++i) adapt_cloth(cloth_, NoBody{}, options_);  // a level at a time
-    EXPECT_EQ(leaves(), cloth_.mesh.base_triangle_count());
+    const Cloth flat = cloth_;
+    for (const float shortest : {0.0F, 0.06F}) {
+        cloth_ = flat;
+        options_.shortest_edge = shortest;
+        run(1.0);
+        EXPECT_GT(leaves(), 3 * cloth_.mesh.base_triangle_count() / 2);
+        for (int i = 0; i < 10 && adapt_cloth(cloth_, ball_, options_).changed(); ++i) continue;
+        EXPECT_LT(deepest_middle(cloth_, ball_, {.shortest_edge = shortest}), 0.00201F) << "split_depth";
+        for (int i = 0; i < 3; ++i) adapt_cloth(cloth_, NoBody{}, options_);  // a level at a time
+        EXPECT_EQ(leaves(), cloth_.mesh.base_triangle_count());
+    }
 }
 
 TEST_F(Drape, stays_outside_of_the_ball_between_vertices_whoever_keeps_it_there) {
+    const Cloth flat = cloth_;
+    std::vector<std::size_t> samples;
     for (const bool splits_on_contact : {true, false}) {
+        cloth_ = flat;
         options_.criteria.collision = splits_on_contact;
         run(1.5);
+        samples.push_back(sample_count(cloth_.solver.contacts));
         float deepest = 0;
         for (const LeafTriangle& t : cloth_.mesh.leaf_triangles()) {
             for (const Vec3f& share : {Vec3f(0.5F, 0.5F, 0), Vec3f(0, 0.5F, 0.5F), Vec3f(0.5F, 0, 0.5F),
@@ -151,6 +159,14 @@ TEST_F(Drape, stays_outside_of_the_ball_between_vertices_whoever_keeps_it_there)
         }
         EXPECT_EQ(deepest, 0.0F) << (splits_on_contact ? "by splits" : "by samples");
     }
+    EXPECT_LT(samples[0], samples[1]);
+}
+
+TEST(CollisionCriterion, splits_a_long_edge_that_a_small_ball_touches_far_from_its_middle) {
+    Cloth cloth = make_patch(find_fabric("silk"), {.side = 0.4, .quads = 1});
+    const Vec3f corner = cloth.x[0].head<3>();
+    const SphereCollider ball{Vec3f(corner.x() / 2, corner.y() - 0.01F, corner.z()), 0.01F};
+    EXPECT_GT(adapt_cloth(cloth, ball, {.criteria = {.curvature = false, .length = false}}).splits, 0);
 }
 
 TEST_F(Drape, that_is_compressed_along_the_mesh_is_split_as_deep_as_it_may) {

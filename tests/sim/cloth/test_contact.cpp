@@ -118,6 +118,11 @@ TEST(RefreshContacts, samples_no_edge_that_is_split_where_it_dips_into_a_body) {
         refresh_contacts(cloth, {}, limits);
         EXPECT_EQ(samples_of(cloth, limits)[1], before[1]) << "what may not be split is sampled";
     }
+    refresh_contacts(cloth, {}, SplitLimits{.shortest_edge = 0.12F});  // of level 1 diagonals may be split, sides not
+    std::size_t sides = 0;
+    for (const LeafEdge& edge : cloth.mesh.leaf_edges()) sides += edge.rest_length < 0.12F ? 1 : 0;
+    EXPECT_GE(sample_count(cloth.solver.contacts), 3 * sides);
+    EXPECT_LE(sample_count(cloth.solver.contacts), 4 * sides) << "sides alone, no triangles, which have diagonals";
     refresh_contacts(cloth, {}, never);
     const std::size_t sampled = sample_count(cloth.solver.contacts);
     refresh_contacts(cloth, {}, std::nullopt);
