@@ -39,14 +39,14 @@ void refresh_masses(Cloth& cloth) {
 // What went still stands in the solver's slots.
 void update_masses(Cloth& cloth) {
     const LeafChanges& changes = cloth.mesh.changes();
-    const SolverState& solver = cloth.solver;
-    cloth.solver.mass_sums.resize(cloth.x.size(), 0.0);
+    SolverState& solver = cloth.solver;
+    solver.mass_sums.resize(cloth.x.size(), 0.0);
     for (const TriangleId t : changes.triangles_gone) {
         const std::uint32_t slot = solver.constraints.stretch.slot_of(t);
         const StretchBlock& block = solver.constraints.stretch.blocks[slot / kBlock];
         const auto third = static_cast<double>(solver.constraints.thirds[slot]);
         for (const BlockPoints& corner : block.vertices) {
-            cloth.solver.mass_sums[corner[slot % kBlock] / 4] -= third;
+            solver.mass_sums[corner[slot % kBlock] / 4] -= third;
             set_inverse_mass(cloth, corner[slot % kBlock] / 4);
         }
     }
@@ -54,7 +54,7 @@ void update_masses(Cloth& cloth) {
         const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
         const auto third = static_cast<double>(third_of_mass(cloth, triangle.u, triangle.panel));
         for (const VertexId v : triangle.vertices) {
-            cloth.solver.mass_sums[v.value] += third;
+            solver.mass_sums[v.value] += third;
             set_inverse_mass(cloth, v.value);
         }
     }

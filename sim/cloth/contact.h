@@ -62,7 +62,7 @@ void refresh_contacts(Cloth& cloth, const ContactOptions& options = {}, const Sp
 bool are_contacts_made_for(const Cloth& cloth, const ContactOptions& options, const SplitOnContact& split);
 
 // The same after one adaptation, at a cost in proportion to what it changed (see mesh.changes()), or all anew where
-// they were made for others.
+// they were made for other options.
 void update_contacts(Cloth& cloth, const ContactOptions& options = {}, const SplitOnContact& split = {});
 
 // Forgets what is known: when the collider is another, or has moved.

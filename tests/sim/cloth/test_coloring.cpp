@@ -240,7 +240,7 @@ TEST(Constraints, that_change_with_the_mesh_hold_what_blocks_made_anew_hold) {
     for (int i = 0; i < 40; ++i) {
         shake(cloth, 0.004F, random);
         const std::size_t inserted = cloth.solver.lists.inserted;
-        // without collision, so that there are samples
+        // Without collision, so that there are samples.
         const CriteriaOptions criteria{.collision = false};
         if (!adapt_cloth(cloth, nothing_near(), {.criteria = criteria, .shortest_edge = 0}).changed()) continue;
         in_place += cloth.solver.lists.inserted > inserted ? 1 : 0;

@@ -38,7 +38,10 @@ void mark_all_dirty(Constraints& constraints) {
     const auto mark_all = [](auto& set) { set.dirty.mark_all(set.blocks.size()); };
     mark_all(constraints.stretch);
     mark_all(constraints.bend);
-    for (ParentLevel& level : constraints.parents) mark_all(level.limits);
+    for (ParentLevel& level : constraints.parents) {
+        mark_all(level.limits);
+        mark_all(level.bend);
+    }
 }
 
 // Adapts where the cloth is shaken; returns how many adaptations changed the blocks in place.
