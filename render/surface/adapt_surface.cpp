@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/adaptive/foresight.h"
+#include "sim/adaptive/look_ahead.h"
+#include "sim/adaptive/switched.h"
 
 namespace selvedge {
 namespace {
@@ -37,25 +38,19 @@ struct CoarseVeto {
     }
 };
 
-// All that ask for finer triangles, each with its switch, as one: so that foresight serves them all.
+// All that ask for finer triangles, as one: so that look-ahead serves them all.
+template <EdgeCriterion Shape>
 struct Wish {
-    const SurfaceCriteria& on;
+    const Shape& shape;
     const CurvedSurface& surface;
     const CoarseVeto& veto;  // what it keeps coarse is not asked for by way of its neighbours either
-    CurvatureCriterion<Vec4f> curvature;
-    BucklingCriterion<Vec4f> buckling;
-    LengthCriterion<Vec4f> length;
+    float least_bulge;       // m
 
     bool wants_split(const AdaptiveMesh& mesh, EdgeId e) const {
-        const bool asks = (on.curvature && curvature.wants_split(mesh, e)) ||
-                          (on.buckling && buckling.wants_split(mesh, e)) || (on.length && length.wants_split(mesh, e));
-        return asks && bulge(mesh.edge(e)) > on.least_bulge && !veto.vetoes(mesh, e);
+        return shape.wants_split(mesh, e) && bulge(mesh.edge(e)) > least_bulge && !veto.vetoes(mesh, e);
     }
     bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId e) const {
-        const bool agrees = (!on.curvature || curvature.allows_rejoin(mesh, e)) &&
-                            (!on.buckling || buckling.allows_rejoin(mesh, e)) &&
-                            (!on.length || length.allows_rejoin(mesh, e));
-        return agrees || bulge(mesh.edge(e)) < 0.5F * on.least_bulge;
+        return shape.allows_rejoin(mesh, e) || bulge(mesh.edge(e)) < 0.5F * least_bulge;
     }
 
     // At most what the middle of a curve with M = 1 leaves its chord by, m.
@@ -117,13 +112,12 @@ AdaptReport adapt_surface(CurvedSurface& surface, const AdaptSurfaceOptions& opt
     const SurfaceCriteria& on = options.criteria;
     if (options.visibility != nullptr) options.visibility->look(surface.mesh, surface.x, surface.normals);
     const CoarseVeto veto{options.visibility, on.shortest_edge, options.max_level};
-    const Wish wish{on,
-                    surface,
-                    veto,
-                    CurvatureCriterion(surface.normals, on.curvature_angles),
-                    BucklingCriterion<Vec4f>(surface.x, on.buckling_ratios),
-                    LengthCriterion<Vec4f>(surface.x, on.compressions)};
-    const AdaptReport report = adapt_with(surface, options, veto, Foresight(wish));
+    const CurvatureCriterion curvature(surface.normals, on.curvature_angles);
+    const BucklingCriterion<Vec4f> buckling(surface.x, on.buckling_ratios);
+    const LengthCriterion<Vec4f> length(surface.x, on.compressions);
+    const AnyOf shape(Switched(on.curvature, curvature), Switched(on.buckling, buckling), Switched(on.length, length));
+    const Wish wish{shape, surface, veto, on.least_bulge};
+    const AdaptReport report = adapt_with(surface, options, veto, LookAheadCriterion(wish));
     if (report.changed()) plan_surface(surface);
     return report;
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/adaptive/foresight.h"
+#include "sim/adaptive/look_ahead.h"
 #include "sim/adaptive/switched.h"
 #include "sim/body/collider.h"
 #include "sim/cloth/bias.h"
@@ -76,7 +76,7 @@ AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& ob
     const AnyOf shape(Switched(on.curvature, curvature), Switched(on.length, length), Switched(on.buckling, buckling));
     const bool asks_shape = on.curvature || on.length || on.buckling;
     if (asks_shape) cloth.solver.adapting.shape.ask(cloth.mesh, shape);
-    const Foresight foresight(shape, limits, cloth.solver.adapting.shape);
+    const LookAheadCriterion look_ahead(shape, limits, cloth.solver.adapting.shape);
     const MinimumLevelCriterion minimum{options.minimum_levels};
     const KeptVertexCriterion kept{options.kept_vertices};
     const BackFaceCriterion back_face{options.visibility};
@@ -85,7 +85,7 @@ AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& ob
     return adapt_choosing(
         choice, cloth.mesh, observer, {.max_level = options.max_level, .transitions = options.transitions},
         ShortestEdgeCriterion{options.shortest_edge}, HoldCriterion{options.may_rejoin}, Switched(counts, veto),
-        Switched(sees, back_face), Switched(asks_shape, foresight), Switched(!options.minimum_levels.empty(), minimum),
+        Switched(sees, back_face), Switched(asks_shape, look_ahead), Switched(!options.minimum_levels.empty(), minimum),
         Switched(counts, keep), Switched(!options.kept_vertices.empty(), kept), Switched(on.collision, collision));
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/adaptive/foresight.h"
+#include "sim/adaptive/look_ahead.h"
 #include "sim/body/collider.h"
 
 namespace selvedge {

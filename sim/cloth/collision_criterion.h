@@ -23,7 +23,7 @@ struct CollisionBatch {
 
 // Splits an edge that cuts deep into the offset surface of the body, or whose triangles do; lets it rejoin when they no
 // longer would. Asked of the parent chord: once the centre lies on the surface the children no longer cut.
-// It speaks for the finer edges beside it, which may not split before it does (foresight.h). The offset keeps such
+// It speaks for the finer edges beside it, which may not split before it does (look_ahead.h). The offset keeps such
 // chords outside of the body itself: they may use up two thirds of it, for the last third is for the collider's error.
 struct CollisionCriterion {
     static constexpr bool is_batch = true;

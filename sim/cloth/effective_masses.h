@@ -3,8 +3,8 @@
 //
 // A block's gains depend on its constraints and on the masses of its vertices alone, and an adaptation changes few of
 // either. So the masses are compared with those that the gains were made for, and only the blocks round a vertex whose
-// mass changed, in which a constraint was added or removed, or, of coarse bending, that are asked for another share, get
-// theirs anew: the same bits as all anew.
+// mass changed, in which a constraint was added or removed, or, of coarse bending, that are asked for another share,
+// get theirs anew: the same bits as all anew.
 namespace selvedge {
 
 struct Cloth;

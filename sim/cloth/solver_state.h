@@ -2,7 +2,7 @@
 // The solver's own part of a cloth.
 #include <vector>
 
-#include "sim/adaptive/foresight.h"
+#include "sim/adaptive/look_ahead.h"
 #include "sim/cloth/collision_criterion.h"
 #include "sim/cloth/contact.h"
 #include "sim/cloth/resting.h"

@@ -1,4 +1,4 @@
-#include "sim/adaptive/foresight.h"
+#include "sim/adaptive/look_ahead.h"
 
 #include <gtest/gtest.h>
 
@@ -59,13 +59,13 @@ class Folds : public testing::Test {
     CurvatureCriterion<Vec3f> curvature{state.normals};
 };
 
-TEST_F(Folds, along_the_mesh_stay_coarse_without_foresight) {
+TEST_F(Folds, along_the_mesh_stay_coarse_without_look_ahead) {
     EXPECT_TRUE(settle(curvature));
     EXPECT_EQ(deepest(mesh), 1);
 }
 
-TEST_F(Folds, are_resolved_with_foresight_and_come_to_rest) {
-    EXPECT_TRUE(settle(Foresight(curvature)));
+TEST_F(Folds, are_resolved_with_look_ahead_and_come_to_rest) {
+    EXPECT_TRUE(settle(LookAheadCriterion(curvature)));
     EXPECT_EQ(deepest(mesh), 3);
     EXPECT_TRUE(check(mesh).empty()) << check(mesh).front();
     for (const LeafEdge& e : mesh.leaf_edges()) {
@@ -74,10 +74,10 @@ TEST_F(Folds, are_resolved_with_foresight_and_come_to_rest) {
 }
 
 TEST_F(Folds, that_are_gone_let_the_mesh_come_back) {
-    settle(Foresight(curvature));
+    settle(LookAheadCriterion(curvature));
     state.slope = 0.0F;
     for (const VertexId v : mesh.leaf_vertices()) state.place(v, state.x[v.value]);
-    EXPECT_TRUE(settle(Foresight(curvature)));
+    EXPECT_TRUE(settle(LookAheadCriterion(curvature)));
     EXPECT_EQ(mesh.leaf_triangles().size(), base.triangles.size());
 }
 
@@ -87,9 +87,9 @@ TEST_F(Folds, do_not_split_an_edge_for_finer_ones_that_are_too_short_to_be_split
     int spoken_for = 0;
     for (const EdgeId e : mesh.unsplit_edges(0)) {
         const bool asks = curvature.wants_split(mesh, e);
-        EXPECT_EQ(Foresight(curvature, {.shortest_edge = longest}).wants_split(mesh, e), asks);
-        EXPECT_EQ(Foresight(curvature, {.max_level = 1}).wants_split(mesh, e), asks);
-        spoken_for += Foresight(curvature).wants_split(mesh, e) && !asks ? 1 : 0;
+        EXPECT_EQ(LookAheadCriterion(curvature, {.shortest_edge = longest}).wants_split(mesh, e), asks);
+        EXPECT_EQ(LookAheadCriterion(curvature, {.max_level = 1}).wants_split(mesh, e), asks);
+        spoken_for += LookAheadCriterion(curvature).wants_split(mesh, e) && !asks ? 1 : 0;
     }
     EXPECT_GT(spoken_for, 0) << "nothing was tested";
 }

@@ -3,7 +3,7 @@
 //
 // Permissions let an edge split only between regular triangles (SPEC 1.2). In a straight fold the edges along the fold
 // are flat and never ask, so that their triangles stay in S1..S6 and the fold stays at level 1, however much the edges
-// across it ask. With foresight an edge also asks when a finer edge of its triangles does. It is a choice of the
+// across it ask. With look-ahead an edge also asks when a finer edge of its triangles does. It is a choice of the
 // criterion, made outside of the mesh; the permissions stay as they are.
 #include <algorithm>
 #include <cstdint>
@@ -76,10 +76,11 @@ bool any_finer_edge(const AdaptiveMesh& mesh, EdgeId e, const SplitLimits& limit
 }
 
 template <EdgeCriterion Criterion>
-class Foresight {
+class LookAheadCriterion {
  public:
     // Pre: criterion and answers outlive this; answers are those of the criterion, or there are none.
-    explicit Foresight(const Criterion& criterion, const SplitLimits& limits = {}, const LeafAnswers& answers = kNone)
+    explicit LookAheadCriterion(const Criterion& criterion, const SplitLimits& limits = {},
+                                const LeafAnswers& answers = kNone)
         : criterion_(criterion), limits_(limits), answers_(answers) {}
 
     bool wants_split(const AdaptiveMesh& mesh, EdgeId e) const {
