@@ -19,26 +19,38 @@ struct Strains {
     return off * load_at(block.stick, at);
 }
 
-// Strains with their bias; a compression counts as much as it is resisted.
 [[gnu::always_inline]] inline Strains biased_strains(const StretchBlock& block, std::size_t at, const Threads& t) {
-    const Floats push = load_at(block.push, at);
-    const auto resisted = [&](Floats strain) {
-        return lanes::multiply_add(push, lanes::lesser(strain, Floats{}), lanes::greater(strain, Floats{}));
-    };
-    return {resisted(t.warp_length - 1.0F + load_at(block.bias[0], at)),
-            resisted(t.weft_length - 1.0F + load_at(block.bias[1], at)), shear_of(t) + load_at(block.bias[2], at)};
+    return {t.warp_length - 1.0F + load_at(block.bias[0], at), t.weft_length - 1.0F + load_at(block.bias[1], at),
+            shear_of(t) + load_at(block.bias[2], at)};
+}
+
+// Multiplier per strain of each condition.
+using Gains = Strains;
+[[gnu::always_inline]] inline Gains gains_of(const StretchBlock& block, std::size_t at) {
+    return {load_at(block.warp, at), load_at(block.weft, at), load_at(block.shear, at)};
+}
+
+// Where cloth is gathered, threads that are slack bear nothing, and do not hold against what shear does to their
+// length.
+[[gnu::always_inline]] inline Gains without_slack(const StretchBlock& block, std::size_t at, const Strains& strain,
+                                                  const Gains& gains) {
+    const Ints gives = load_at(block.push, at) <= 0.0F;
+    const Floats warp = lanes::where(gives & (strain.warp < 0.0F), gains.warp);
+    const Floats weft = lanes::where(gives & (strain.weft < 0.0F), gains.weft);
+    const Floats cross = load_at(block.cross, at);
+    const Floats more = gains.shear * cross * cross * (warp + weft);
+    return {gains.warp - warp, gains.weft - weft, gains.shear / (more + 1.0F)};
 }
 
 // The three conditions of each triangle are solved together: warp and weft are at right angles, so that the shear is
 // what is coupled with either.
-[[gnu::always_inline]] inline Strains multipliers(const StretchBlock& block, std::size_t at, const Strains& strain) {
-    const Floats warp = load_at(block.warp, at);
-    const Floats weft = load_at(block.weft, at);
+[[gnu::always_inline]] inline Strains multipliers(const StretchBlock& block, std::size_t at, const Strains& strain,
+                                                  const Gains& gains) {
     const Floats cross = load_at(block.cross, at);
-    const Floats both = lanes::multiply_add(strain.warp, warp, strain.weft * weft);
-    const Floats shear = lanes::multiply_add(cross, both, -strain.shear) * load_at(block.shear, at);
-    return {-lanes::multiply_add(cross, shear, strain.warp) * warp,
-            -lanes::multiply_add(cross, shear, strain.weft) * weft, shear};
+    const Floats both = lanes::multiply_add(strain.warp, gains.warp, strain.weft * gains.weft);
+    const Floats shear = lanes::multiply_add(cross, both, -strain.shear) * gains.shear;
+    return {-lanes::multiply_add(cross, shear, strain.warp) * gains.warp,
+            -lanes::multiply_add(cross, shear, strain.weft) * gains.weft, shear};
 }
 
 [[gnu::always_inline]] inline Strains relaxed(const Strains& m) {
@@ -88,13 +100,16 @@ template <bool keeps_multipliers>
                                                        float* points, OverLanes over) {
     for (StretchBlock& block : blocks) {
         const bool rubs = has_positive(block.stick);
+        const bool gives = has_lane(block.push, [](Floats push) { return push <= 0.0F; });
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
             const Corners c = corners_of(block, at, points);
             Threads t = directions(block, at, c.x0, c.x1, c.x2);
             normalise(t);
             Strains strains = biased_strains(block, at, t);
             if (rubs) strains.shear = strains.shear + held_shear(block, at, shear_of(t));
-            const Strains m = relaxed(multipliers(block, at, strains));
+            Gains gains = gains_of(block, at);
+            if (gives) gains = without_slack(block, at, strains, gains);
+            const Strains m = relaxed(multipliers(block, at, strains, gains));
             if constexpr (keeps_multipliers) {
                 store_three(records[&block - blocks.data()].multiplier, at, m.warp, m.weft, m.shear);
             }

@@ -32,7 +32,7 @@ struct alignas(64) StretchBlock {
                                           // warp and weft have been eliminated
     BlockFloats cross{};                  // sum of w grad grad between shear and warp, and between shear and weft
     BlockFloats longest{};                // length of warp and weft at the fabric's strain limit
-    BlockFloats push{};                   // how much of a compression is resisted: 0 where a seam gathers the cloth
+    BlockFloats push{};                   // whether a compression is resisted: 0 where a seam gathers the cloth, else 1
     std::array<BlockFloats, 3> bias{};    // of warp, weft and shear: added to the strain that is seen
     BlockFloats stick{}, slip{};          // friction in shear: what it adds per strain beyond the anchor, and how far
     BlockFloats anchor{};                 // the strain may be from it before it follows

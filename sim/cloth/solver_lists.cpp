@@ -14,12 +14,31 @@ namespace {
 
 // Whether a seam edge of the triangle has to be shorter than the triangle's own copy of it: there the cloth is
 // gathered, in puckers finer than the mesh.  (SPEC 3.2)
-bool is_gathered(const AdaptiveMesh& mesh, const AdaptiveTriangle& triangle) {
+bool has_gathered_side(const AdaptiveMesh& mesh, const AdaptiveTriangle& triangle) {
     constexpr float kEase = 0.95F;
     for (std::size_t k = 0; k < 3; ++k) {
         const float own = (triangle.u[(k + 1) % 3] - triangle.u[k]).squaredNorm();
         const float rest = mesh.rest_length(triangle.edges[k]);
         if (rest * rest < kEase * kEase * own) return true;
+    }
+    return false;
+}
+
+bool has_gathers(const AdaptiveMesh& mesh) {
+    for (std::uint32_t t = 0; t < mesh.base_triangle_count(); ++t) {
+        if (has_gathered_side(mesh, mesh.triangle(TriangleId{t}))) return true;
+    }
+    return false;
+}
+
+// Puckers go on through what touches a gathered side by a corner alone: were it to resist, its sides would be too long
+// for the triangles between them, whose third side is gathered, and stretch those.
+bool is_gathered(const AdaptiveMesh& mesh, const AdaptiveTriangle& leaf) {
+    for (const VertexId corner : leaf.vertices) {
+        for (const TriangleId t : mesh.triangles_at(corner)) {
+            const AdaptiveTriangle& other = mesh.triangle(t);
+            if (other.panel == leaf.panel && has_gathered_side(mesh, other)) return true;
+        }
     }
     return false;
 }
@@ -35,7 +54,7 @@ void set_stretch(Cloth& cloth, TriangleId t, std::uint32_t slot) {
     const MaterialFrame frame = material_frame(leaf.u, cloth.material.grain_angles[leaf.panel]);
     set_frame(block, at, leaf.vertices, frame);
     block.longest[at] = 1 + static_cast<float>(fabric.strain_limit);
-    block.push[at] = is_gathered(cloth.mesh, leaf) ? 0.0F : 1.0F;
+    block.push[at] = cloth.solver.lists.has_gathers && is_gathered(cloth.mesh, leaf) ? 0.0F : 1.0F;
     block.slip[at] = static_cast<float>(fabric.shear_hysteresis / (2 * fabric.shear)) / kStick;
     const KeptBias kept = kept_bias(cloth, t);
     set_lane(block.bias, at, kept.value);
@@ -131,6 +150,7 @@ void make_blocks(Cloth& cloth) {
     keep_bends(cloth);
     solver.lists.vertices = cloth.mesh.vertex_capacity();
     solver.lists.inserted = 0;
+    solver.lists.has_gathers = has_gathers(cloth.mesh);
     solver.lists.spare = spare_block<OverBlock>(solver.lists.vertices);
     const auto levels = static_cast<std::size_t>(cloth.mesh.max_level());
     solver.constraints.parents.resize(levels);

@@ -51,6 +51,7 @@ struct SolverLists {
     std::vector<ParentOf> parent_of;  // by TriangleId
     std::size_t vertices = 0;         // the spare point's index; 0: none were made yet
     std::size_t inserted = 0;         // leaves since all were made anew
+    bool has_gathers = false;         // a seam that gathers one of its sides
     // Masses by vertex, and of the spare point, that the gains were made for: 1/kg; and by level, kg, each with all
     // that follows it where a refined triangle of that level moves it.
     std::vector<float> inverse_masses;
