@@ -73,12 +73,16 @@ void fit_slot(StretchBlock& block, const StretchRecord& record, std::size_t at, 
     }
 }
 
-// All of a multiplier is made by the bias. Of warp and weft roughly so: there is a length that is free without any.
-void fit_slot(LimitRecord& record, std::size_t at, float ratio) {
+// All of a multiplier is made by the bias: of warp and weft by what it is beyond the length that is free without any,
+// of which the strain takes its part. stress: by the stiffness, which is about the strain.
+void fit_slot(LimitRecord& record, std::size_t at, const Vec4f& stress, float ratio) {
     for (std::size_t k = 0; k < 3; ++k) {
         const float compliance = record.compliance[k][at];
         const float seen = (kLimitShare * record.per_stress[k][at] - 1) * compliance;
-        record.bias[k][at] = fitted(record.bias[k][at], seen, compliance, 0, ratio);
+        const float bias = record.bias[k][at];
+        const float strain = stress[static_cast<int>(k)];
+        const float idle = k < 2 ? std::clamp(record.free_length[k][at] - 1 - strain, 0.0F, bias) : 0.0F;
+        record.bias[k][at] = idle + fitted(bias - idle, seen, compliance, 0, ratio);
     }
 }
 
@@ -94,7 +98,8 @@ void fit_biases(Cloth& cloth, float ratio) {
     for (ParentLevel& level : constraints.parents) {
         for (LimitRecord& record : level.limits.records) {
             for (std::size_t at = 0; at < kBlock; ++at) {
-                if (record.place[at] != kNoPlace) fit_slot(record, at, ratio);
+                if (record.place[at] == kNoPlace) continue;
+                fit_slot(record, at, constraints.carried.above[record.place[at] / 4], ratio);
             }
         }
     }

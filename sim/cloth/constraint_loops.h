@@ -317,19 +317,22 @@ void carry_centres(std::span<const EdgeCentre> centres, const float* before, flo
 }
 
 void update_bias(std::span<StretchBlock> blocks, std::span<const StretchRecord> records, const float* points,
-                 const float* before, const BiasGains& gains, const float* above, float* below) {
+                 const float* before, const BiasGains& gains, const StressSums& sums) {
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         StretchBlock& block = blocks[i];
         const StretchRecord& record = records[i];
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
             const Threads t = middle_threads(block, at, points, before);
             const Xyz own = stress_of(record, at);
-            const Xyz all = sum_of(own, load_places(above, &record.parent[at]));
-            const Floats of_area = load_at(record.of_area, at);
-            add_to_places(below, &record.parent[at], {own.x * of_area, own.y * of_area, own.z * of_area});
+            const Xyz all = sum_of(own, load_places(sums.above, &record.parent[at]));
             const Floats push = load_at(block.push, at);
-            move_bias(block.bias[0], at, (t.warp_length - 1.0F - all.x) * push, gains.stretch, gains.least, gains.most);
-            move_bias(block.bias[1], at, (t.weft_length - 1.0F - all.y) * push, gains.stretch, gains.least, gains.most);
+            const Floats warp_off = (t.warp_length - 1.0F - all.x) * push;
+            const Floats weft_off = (t.weft_length - 1.0F - all.y) * push;
+            const Floats of_area = load_at(record.of_area, at);
+            add_to_places(sums.below, &record.parent[at], {own.x * of_area, own.y * of_area, own.z * of_area});
+            add_to_places(sums.off, &record.parent[at], {warp_off * of_area, weft_off * of_area, Floats{}});
+            move_bias(block.bias[0], at, warp_off, gains.stretch, gains.least, gains.most);
+            move_bias(block.bias[1], at, weft_off, gains.stretch, gains.least, gains.most);
             const Floats shear = dot(t.warp, t.weft);
             const Floats rubbed_off = held_within(shear - load_at(block.anchor, at), load_at(block.slip, at)) * kStick;
             move_bias(block.bias[2], at, shear + rubbed_off - all.z, gains.shear, -kMoreShear * gains.most,

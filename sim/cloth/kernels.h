@@ -33,6 +33,13 @@ struct BiasGains {
     float most = 0.3F;
 };
 
+// The arrays of CarriedStress. below, off: nothing before the biases are moved, and after.
+struct StressSums {
+    const float* above = nullptr;
+    float* below = nullptr;
+    float* off = nullptr;
+};
+
 struct ContactLimits {
     float longest_move = 0;  // m per sub-step
     float floor = 0;         // m: height of the floor's offset surface
@@ -88,17 +95,17 @@ struct Kernels {
     // Moves the centres by half of what the ends of their edges moved since `before`.
     void (*carry_centres)(std::span<const EdgeCentre> centres, const float* before, float* points);
 
-    // What a level of refined triangles carries, by the last multipliers; and with all that each is inside of. Levels
-    // go coarse to fine. The arrays are those of CarriedStress.
-    void (*carry_stress)(std::span<const LimitRecord> records, float* own, float* above);
+    // What a level of refined triangles and all that each is inside of carry, by the last multipliers. Levels go coarse
+    // to fine. above: of CarriedStress.
+    void (*carry_stress)(std::span<const LimitRecord> records, float* above);
 
-    // Moves each bias towards the one with which strain and stress agree with the fabric, whoever carries the stress.
-    // First the leaves, then the refined triangles, fine to coarse. below: nothing before, and after.
+    // Moves each bias towards the one with which strain and stress agree with the fabric, whoever carries the stress:
+    // of leaves by what each is off by, of refined triangles by what the leaves in them are off by on an average. First
+    // the leaves, then the refined triangles, fine to coarse.
     void (*update_bias)(std::span<StretchBlock> blocks, std::span<const StretchRecord> records, const float* points,
-                        const float* before, const BiasGains& gains, const float* above, float* below);
-    void (*update_parents)(std::span<LimitBlock> blocks, std::span<LimitRecord> records, const float* points,
-                           const float* before, const BiasGains& gains, const float* own, const float* above,
-                           float* below);
+                        const float* before, const BiasGains& gains, const StressSums& sums);
+    void (*update_parents)(std::span<LimitBlock> blocks, std::span<LimitRecord> records, const BiasGains& gains,
+                           const StressSums& sums);
 
     // Threads rub against each other: corners lose a share of what they moved against one another since `before`, the
     // cloth as a whole nothing.

@@ -14,48 +14,14 @@ namespace {
 // A refined triangle lets its threads grow by what the fabric gives under the load that garments usually carry.
 float longest_of(double stiffness, const Fabric& fabric) {
     constexpr double kUsualLoad = 2.5;  // N/m: a shirt hangs from its shoulders with some 1.6
-    constexpr double kLeast = 0.002;    // so that the leaves carry what they can by themselves
+    constexpr double kLeast = 0.005;    // chords of bent cloth are off by some of that
     return 1 + static_cast<float>(std::min(fabric.strain_limit, std::max(kLeast, kUsualLoad / stiffness)));
-}
-
-// The refined triangle of the same panel across an edge, or else the triangle itself.
-TriangleId beside(const AdaptiveMesh& mesh, TriangleId t, std::size_t edge) {
-    const AdaptiveTriangle& triangle = mesh.triangle(t);
-    const AdaptiveEdge& shared = mesh.edge(triangle.edges[edge]);
-    const TriangleId other = shared.sides[0] == t ? shared.sides[1] : shared.sides[0];
-    if (!other || is_leaf(mesh.triangle(other)) || mesh.triangle(other).panel != triangle.panel) return t;
-    return other;
 }
 
 using Limits = ConstraintSet<LimitBlock, LimitRecord>;
 
-// It knows those beside it, and they know it. They are of its own level, as the edge between them.
-void join_neighbours(const AdaptiveMesh& mesh, Limits& limits, TriangleId t, std::uint32_t slot) {
-    for (std::size_t k = 0; k < 3; ++k) {
-        const TriangleId other = beside(mesh, t, k);
-        limits.records[slot / kBlock].neighbours[k][slot % kBlock] = place_of(other);
-        const std::uint32_t knows = limits.slot_of(other);
-        if (other == t || knows == kSpare) continue;
-        const std::size_t side = place_of(mesh.triangle(other), mesh.triangle(t).edges[k]);
-        limits.records[knows / kBlock].neighbours[side][knows % kBlock] = place_of(t);
-    }
-}
-
-// Those that knew it stand alone there.
-void leave_neighbours(Limits& limits, TriangleId t) {
-    const std::uint32_t slot = limits.slot_of(t);
-    for (std::size_t k = 0; k < 3; ++k) {
-        const TriangleId other = triangle_at(limits.records[slot / kBlock].neighbours[k][slot % kBlock]);
-        const std::uint32_t knows = limits.slot_of(other);
-        if (other == t || knows == kSpare) continue;
-        for (BlockPoints& places : limits.records[knows / kBlock].neighbours) {
-            if (places[knows % kBlock] == place_of(t)) places[knows % kBlock] = place_of(other);
-        }
-    }
-}
-
 void forget_stress(CarriedStress& carried, TriangleId t) {
-    for (std::vector<Vec4f>* stress : {&carried.own, &carried.above}) (*stress)[t.value + 1].setZero();
+    carried.above[t.value + 1].setZero();
 }
 
 // All but the gains and what the corners are moved. t: refined.
@@ -77,8 +43,8 @@ void set_limit(Cloth& cloth, TriangleId t, std::uint32_t slot) {
     record.place[at] = place_of(t);
     record.parent[at] = parent.place;
     record.of_area[at] = parent.of_area;
-    cloth.solver.constraints.carried.below[t.value + 1].setZero();
-    join_neighbours(cloth.mesh, limits, t, slot);
+    CarriedStress& carried = cloth.solver.constraints.carried;
+    for (std::vector<Vec4f>* stress : {&carried.below, &carried.off}) (*stress)[t.value + 1].setZero();
 }
 
 // Stress of shear that what is inside a refined triangle carries well by itself. A triangle gives so much stress per
@@ -129,7 +95,6 @@ void change_limits(Cloth& cloth, const LeafChanges& changes) {
         for (ParentLevel& level : constraints.parents) {
             if (level.limits.slot_of(t) == kSpare) continue;
             keep_limit(cloth, t, level);
-            leave_neighbours(level.limits, t);
             forget_stress(constraints.carried, t);
             level.limits.remove(t, spare_point);
         }

@@ -83,7 +83,6 @@ struct alignas(64) LimitBlock {
 // What update_parents needs besides. Stress is by the stiffness: the strain that the fabric should have.
 struct alignas(64) LimitRecord {
     BlockPoints place{}, parent{};             // places in CarriedStress
-    std::array<BlockPoints, 3> neighbours{};   // those of the triangles beside it; its own where there is none
     BlockFloats of_area{};                     // the triangle's, of its parent's
     std::array<BlockFloats, 2> free_length{};  // of warp and weft: the length that they may have without any bias
     std::array<BlockFloats, 3> bias{};         // how much shorter than that they are held; and of shear
@@ -104,9 +103,9 @@ struct alignas(64) OverBlock {
 
 // Stress of warp, weft and shear, and a spare: of each triangle behind its id, and first a place for no triangle.
 struct CarriedStress {
-    std::vector<Vec4f> own;    // what a refined triangle carries as a limit
-    std::vector<Vec4f> above;  // what it and all that it is inside of carry
+    std::vector<Vec4f> above;  // what a refined triangle and all that it is inside of carry
     std::vector<Vec4f> below;  // scratch: mean of what is inside of it
+    std::vector<Vec4f> off;    // scratch: mean of what the leaves in it are off by in warp and weft, see update_bias
 };
 
 // Of a triangle of which no bending is asked: more than any interval of visits.

@@ -178,17 +178,16 @@ void Stepper::limit_stretch() {
 void Stepper::update_bias() {
     Constraints& constraints = cloth.solver.constraints;
     const BiasGains gains{.stretch = share_at(options.stretch_bias_rate), .shear = share_at(options.shear_bias_rate)};
-    float* const own = floats(constraints.carried.own);
-    float* const above = floats(constraints.carried.above);
-    float* const below = floats(constraints.carried.below);
-    for (const ParentLevel& level : constraints.parents) loops.carry_stress(level.limits.records, own, above);
-    constraints.stretch.for_colors([&](auto blocks, auto records) {
-        loops.update_bias(blocks, records, points(), before(), gains, above, below);
-    });
+    CarriedStress& carried = constraints.carried;
+    for (const ParentLevel& level : constraints.parents) {
+        loops.carry_stress(level.limits.records, floats(carried.above));
+    }
+    const StressSums sums{.above = floats(carried.above), .below = floats(carried.below), .off = floats(carried.off)};
+    constraints.stretch.for_colors(
+        [&](auto blocks, auto records) { loops.update_bias(blocks, records, points(), before(), gains, sums); });
     for (std::size_t level = constraints.parents.size(); level-- > 0;) {
-        constraints.parents[level].limits.for_colors([&](auto blocks, auto records) {
-            loops.update_parents(blocks, records, points(), before(), gains, own, above, below);
-        });
+        constraints.parents[level].limits.for_colors(
+            [&](auto blocks, auto records) { loops.update_parents(blocks, records, gains, sums); });
     }
 }
 

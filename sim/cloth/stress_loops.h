@@ -42,12 +42,11 @@ template <class Record>
     return {one(0), one(1), one(2)};
 }
 
-void carry_stress(std::span<const LimitRecord> records, float* own, float* above) {
+void carry_stress(std::span<const LimitRecord> records, float* above) {
     for (const LimitRecord& record : records) {
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
-            const Xyz stress = stress_of(record, at);
-            put_places(own, &record.place[at], stress);
-            put_places(above, &record.place[at], sum_of(load_places(above, &record.parent[at]), stress));
+            const Xyz all = sum_of(load_places(above, &record.parent[at]), stress_of(record, at));
+            put_places(above, &record.place[at], all);
         }
     }
 }
@@ -59,10 +58,21 @@ void carry_stress(std::span<const LimitRecord> records, float* own, float* above
     lanes::store(&block.shear[at], load_at(record.bias[2], at) * -load_at(record.per_shear, at));
 }
 
-// Of a refined triangle: stress of warp, weft and shear, by the stiffness, that it carries by itself and in all, and
-// what its neighbours carry by themselves on an average.
+// What was summed up for a place, which is left empty, and is handed on to that of the parent.
+template <class Record>
+[[gnu::always_inline]] inline Xyz take_sum(float* sums, const Record& record, std::size_t at, const Xyz& more) {
+    const Xyz inside = load_places(sums, &record.place[at]);
+    put_places(sums, &record.place[at], Xyz{});
+    const Xyz here = sum_of(inside, more);
+    const Floats of_area = load_at(record.of_area, at);
+    add_to_places(sums, &record.parent[at], {here.x * of_area, here.y * of_area, here.z * of_area});
+    return inside;
+}
+
+// Of a refined triangle: stress of warp, weft and shear, by the stiffness, that it carries by itself, with all that it
+// is inside of, and in all.
 struct Stress {
-    Xyz own, all, beside;
+    Xyz own, coarse, all;
 
     // N/m but for a factor that is the same for each: of warp and weft together.
     static Floats tension(const LimitRecord& record, std::size_t at, const Xyz& stress) {
@@ -71,63 +81,45 @@ struct Stress {
     }
 };
 
-// Sums up, and hands on to the triangle that it is inside of.
-[[gnu::always_inline]] inline Stress summed_stress(const LimitRecord& record, std::size_t at, const float* carried,
-                                                   const float* above, float* below) {
-    const Xyz own = stress_of(record, at);
-    const Xyz inside = load_places(below, &record.place[at]);
-    put_places(below, &record.place[at], Xyz{});
-    const Floats of_area = load_at(record.of_area, at);
-    const Xyz here = sum_of(inside, own);
-    add_to_places(below, &record.parent[at], {here.x * of_area, here.y * of_area, here.z * of_area});
-    const Xyz two =
-        sum_of(load_places(carried, &record.neighbours[0][at]), load_places(carried, &record.neighbours[1][at]));
-    const Xyz three = sum_of(two, load_places(carried, &record.neighbours[2][at]));
-    const Floats third = lanes::all(1.0F / 3.0F);
-    return {.own = own,
-            .all = sum_of(inside, load_places(above, &record.place[at])),
-            .beside = {three.x * third, three.y * third, three.z * third}};
-}
-
+// off: what the leaves in it are off by on an average. The strain of the refined triangle itself does not do: the
+// chords of cloth that is bent are neither as long as the cloth nor shorter in all directions.
+//
 // Tension along the threads alone may come from refined triangles as from leaves. Where it comes with shear it must
 // not: forces of coarse triangles reach all that hangs on their corners, so at the cloth's edges they balance only if
-// they are in the same proportion as the stress itself, and grow uneven unless they are evened out. So they share no
-// more than the leaves cannot do well, and shear in the same share as tension.
+// they are in the same proportion as the stress itself. So refined triangles of all levels together share no more than
+// the leaves cannot do well, and shear in the same share as tension.
 [[gnu::always_inline]] inline void move_biases(LimitRecord& record, std::size_t at, const Stress& stress,
-                                               Floats warp_strain, Floats weft_strain, const BiasGains& gains) {
-    constexpr float kEvening = 0.1F;  // of the rate of the biases themselves
+                                               const Xyz& off, const BiasGains& gains) {
     const Floats one = lanes::all(1.0F);
     const Floats tension = Stress::tension(record, at, stress.all);
-    const Floats share = lanes::lesser(Stress::tension(record, at, stress.own) / tension, one);
+    const Floats coarse = Stress::tension(record, at, stress.coarse) / tension;
     const Floats per_tension = lanes::all(2.0F) / (load_at(record.compliance[2], at) * tension);
     const Floats sheared = lanes::greater(stress.all.z, -stress.all.z);
-    const Floats with_shear = lanes::lesser(sheared * per_tension, one);
     const Floats easy = lanes::lesser(lanes::lesser(sheared, load_at(record.easy_shear, at)) * per_tension, one);
-    const auto move = [&](std::size_t k, Floats strain, Floats all, Floats own, Floats beside) {
-        const Floats uneven = (beside - own) * load_at(record.per_stress[k], at);
-        const Floats off = strain - all + uneven * with_shear * lanes::all(kEvening);
+    const auto move = [&](std::size_t k, Floats by) {
         const Floats allowed =
-            lanes::where(share < one - easy, off) + lanes::where(share >= one - easy, lanes::lesser(off, Floats{}));
+            lanes::where(coarse < one - easy, by) + lanes::where(coarse >= one - easy, lanes::lesser(by, Floats{}));
         move_bias(record.bias[k], at, allowed, gains.stretch, 0.0F, gains.most);
     };
-    move(0, warp_strain, stress.all.x, stress.own.x, stress.beside.x);
-    move(1, weft_strain, stress.all.y, stress.own.y, stress.beside.y);
+    move(0, off.x);
+    move(1, off.y);
+    const Floats share = lanes::lesser(Stress::tension(record, at, stress.own) / tension, one);
     const Floats missing = share * stress.all.z - stress.own.z;
     move_bias(record.bias[2], at, missing * load_at(record.per_stress[2], at), gains.stretch, -kMoreShear * gains.most,
               kMoreShear * gains.most);
 }
 
-void update_parents(std::span<LimitBlock> blocks, std::span<LimitRecord> records, const float* points,
-                    const float* before, const BiasGains& gains, const float* carried, const float* above,
-                    float* below) {
+void update_parents(std::span<LimitBlock> blocks, std::span<LimitRecord> records, const BiasGains& gains,
+                    const StressSums& sums) {
     for (std::size_t i = 0; i < blocks.size(); ++i) {
-        LimitBlock& block = blocks[i];
         LimitRecord& record = records[i];
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
-            const Threads t = middle_threads(block, at, points, before);
-            const Stress stress = summed_stress(record, at, carried, above, below);
-            move_biases(record, at, stress, t.warp_length - 1.0F, t.weft_length - 1.0F, gains);
-            apply_bias(block, record, at);
+            const Xyz own = stress_of(record, at);
+            const Xyz coarse = load_places(sums.above, &record.place[at]);
+            const Xyz all = sum_of(take_sum(sums.below, record, at, own), coarse);
+            const Xyz off = take_sum(sums.off, record, at, Xyz{});
+            move_biases(record, at, {.own = own, .coarse = coarse, .all = all}, off, gains);
+            apply_bias(blocks[i], record, at);
         }
     }
 }

@@ -244,11 +244,14 @@ struct Shearing {
         const Kernels& loops = kernels(simd_level());
         std::vector<Vec4f> points = solver_points(cloth, cloth.x);
         std::vector<Vec4f> before = points;
+        const StressSums sums{.above = floats(constraints.carried.above),
+                              .below = floats(constraints.carried.below),
+                              .off = floats(constraints.carried.off)};
         for (int i = 0; i < 20; ++i) {
             loops.solve_stretch(constraints.stretch.blocks, constraints.stretch.records.data(), floats(points),
                                 cloth.solver.lists.over.data(), cloth.solver.lists.spare);
             loops.update_bias(constraints.stretch.blocks, constraints.stretch.records, floats(points), floats(before),
-                              {.shear = 1}, floats(constraints.carried.above), floats(constraints.carried.below));
+                              {.shear = 1}, sums);
         }
         const StretchRecord& record = constraints.stretch.records.front();
         return -double(record.multiplier[2][0] * record.compliance[2][0]) * cloth.material.fabrics.front().shear;

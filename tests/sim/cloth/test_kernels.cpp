@@ -236,12 +236,11 @@ struct Sweep {
 };
 void move_biases(const Kernels& loops, Sweep& s, CarriedStress stress) {
     const BiasGains gains{.stretch = 0.1F, .shear = 0.05F};
-    float *const own = floats(stress.own), *const above = floats(stress.above), *const below = floats(stress.below);
-    for (const ParentLevel& level : s.parents) loops.carry_stress(level.limits.records, own, above);
-    loops.update_bias(s.stretch, s.records, floats(s.points), floats(s.before), gains, above, below);
+    const StressSums sums{.above = floats(stress.above), .below = floats(stress.below), .off = floats(stress.off)};
+    for (const ParentLevel& level : s.parents) loops.carry_stress(level.limits.records, floats(stress.above));
+    loops.update_bias(s.stretch, s.records, floats(s.points), floats(s.before), gains, sums);
     for (std::size_t i = s.parents.size(); i-- > 0;) {
-        loops.update_parents(s.parents[i].limits.blocks, s.parents[i].limits.records, floats(s.points),
-                             floats(s.before), gains, own, above, below);
+        loops.update_parents(s.parents[i].limits.blocks, s.parents[i].limits.records, gains, sums);
     }
 }
 
