@@ -74,7 +74,7 @@ void fit_slot(StretchBlock& block, const StretchRecord& record, std::size_t at, 
 }
 
 // All of a multiplier is made by the bias: of warp and weft by what it is beyond the length that is free without any,
-// of which the strain takes its part. stress: by the stiffness, which is about the strain.
+// of which the strain takes its part. stress: by the stiffness, of it and all that it is inside of; at most the strain.
 void fit_slot(LimitRecord& record, std::size_t at, const Vec4f& stress, float ratio) {
     for (std::size_t k = 0; k < 3; ++k) {
         const float compliance = record.compliance[k][at];

@@ -17,7 +17,7 @@ Block spare_block(std::size_t spare_point) {
     for (BlockPoints& points : block.vertices) points.fill(static_cast<std::uint32_t>(4 * spare_point));
     if constexpr (std::is_same_v<Block, StretchBlock> || std::is_same_v<Block, OverBlock>)
         block.longest.fill(std::numeric_limits<float>::max());
-    if constexpr (std::is_same_v<Block, StretchBlock>) block.push.fill(1);
+    if constexpr (std::is_same_v<Block, StretchBlock>) block.push.fill(1);  // not gathered
     if constexpr (std::is_same_v<Block, LimitBlock>) {
         block.longest_warp.fill(1);
         block.longest_weft.fill(1);

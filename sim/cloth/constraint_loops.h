@@ -325,17 +325,22 @@ void update_bias(std::span<StretchBlock> blocks, std::span<const StretchRecord> 
             const Threads t = middle_threads(block, at, points, before);
             const Xyz own = stress_of(record, at);
             const Xyz all = sum_of(own, load_places(sums.above, &record.parent[at]));
+            // Where the cloth is gathered only tension is learnt.
             const Floats push = load_at(block.push, at);
-            const Floats warp_off = (t.warp_length - 1.0F - all.x) * push;
-            const Floats weft_off = (t.weft_length - 1.0F - all.y) * push;
+            const Floats least = push * lanes::all(gains.least);
+            const auto felt = [&](Floats off) {
+                return lanes::greater(off, Floats{}) + push * lanes::lesser(off, Floats{});
+            };
+            const Floats warp_off = t.warp_length - 1.0F - all.x;
+            const Floats weft_off = t.weft_length - 1.0F - all.y;
             const Floats of_area = load_at(record.of_area, at);
             add_to_places(sums.below, &record.parent[at], {own.x * of_area, own.y * of_area, own.z * of_area});
-            add_to_places(sums.off, &record.parent[at], {warp_off * of_area, weft_off * of_area, Floats{}});
-            move_bias(block.bias[0], at, warp_off, gains.stretch, gains.least, gains.most);
-            move_bias(block.bias[1], at, weft_off, gains.stretch, gains.least, gains.most);
+            add_to_places(sums.off, &record.parent[at], {felt(warp_off) * of_area, felt(weft_off) * of_area, Floats{}});
+            move_bias(block.bias[0], at, warp_off, gains.stretch, least, gains.most);
+            move_bias(block.bias[1], at, weft_off, gains.stretch, least, gains.most);
             const Floats shear = dot(t.warp, t.weft);
             const Floats rubbed_off = held_within(shear - load_at(block.anchor, at), load_at(block.slip, at)) * kStick;
-            move_bias(block.bias[2], at, shear + rubbed_off - all.z, gains.shear, -kMoreShear * gains.most,
+            move_bias(block.bias[2], at, shear + rubbed_off - all.z, gains.shear, lanes::all(-kMoreShear * gains.most),
                       kMoreShear * gains.most);
         }
     }

@@ -33,7 +33,7 @@ struct BiasGains {
     float most = 0.3F;
 };
 
-// The arrays of CarriedStress. below, off: nothing before the biases are moved, and after.
+// The arrays of CarriedStress. below, off: all zero before the biases are moved, and after.
 struct StressSums {
     const float* above = nullptr;
     float* below = nullptr;
@@ -100,8 +100,9 @@ struct Kernels {
     void (*carry_stress)(std::span<const LimitRecord> records, float* above);
 
     // Moves each bias towards the one with which strain and stress agree with the fabric, whoever carries the stress:
-    // of leaves by what each is off by, of refined triangles by what the leaves in them are off by on an average. First
-    // the leaves, then the refined triangles, fine to coarse.
+    // of leaves by what each is off by; of refined triangles, in warp and weft, by what the leaves in them are off by
+    // on an average, while their shear goes by their share of the tension. First the leaves, then the refined
+    // triangles, fine to coarse.
     void (*update_bias)(std::span<StretchBlock> blocks, std::span<const StretchRecord> records, const float* points,
                         const float* before, const BiasGains& gains, const StressSums& sums);
     void (*update_parents)(std::span<LimitBlock> blocks, std::span<LimitRecord> records, const BiasGains& gains,

@@ -44,7 +44,7 @@ void set_limit(Cloth& cloth, TriangleId t, std::uint32_t slot) {
     record.parent[at] = parent.place;
     record.of_area[at] = parent.of_area;
     CarriedStress& carried = cloth.solver.constraints.carried;
-    for (std::vector<Vec4f>* stress : {&carried.below, &carried.off}) (*stress)[t.value + 1].setZero();
+    for (std::vector<Vec4f>* sums : {&carried.below, &carried.off}) (*sums)[t.value + 1].setZero();
 }
 
 // Stress of shear that what is inside a refined triangle carries well by itself. A triangle gives so much stress per

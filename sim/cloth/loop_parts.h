@@ -138,10 +138,10 @@ using Three = std::array<BlockFloats, 3>;
     lanes::store(&rows[2][at], c);
 }
 
-[[gnu::always_inline]] inline void move_bias(BlockFloats& bias, std::size_t at, Floats error, float gain, float least,
+[[gnu::always_inline]] inline void move_bias(BlockFloats& bias, std::size_t at, Floats error, float gain, Floats least,
                                              float most) {
     const Floats moved = lanes::load(&bias[at]) + error * lanes::all(gain);
-    lanes::store(&bias[at], lanes::lesser(lanes::greater(moved, lanes::all(least)), lanes::all(most)));
+    lanes::store(&bias[at], lanes::lesser(lanes::greater(moved, least), lanes::all(most)));
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ struct alignas(64) StretchBlock {
                                           // warp and weft have been eliminated
     BlockFloats cross{};                  // sum of w grad grad between shear and warp, and between shear and weft
     BlockFloats longest{};                // length of warp and weft at the fabric's strain limit
-    BlockFloats push{};                   // whether a compression is resisted: 0 where a seam gathers the cloth, else 1
+    BlockFloats push{};                   // 1, or 0 where a seam gathers the cloth: compression is not resisted
     std::array<BlockFloats, 3> bias{};    // of warp, weft and shear: added to the strain that is seen
     BlockFloats stick{}, slip{};          // friction in shear: what it adds per strain beyond the anchor, and how far
     BlockFloats anchor{};                 // the strain may be from it before it follows
@@ -55,9 +55,6 @@ inline constexpr std::uint32_t kNoPlace = 0;
 inline std::uint32_t place_of(TriangleId t) {
     return 4 * (t.value + 1);
 }
-inline TriangleId triangle_at(std::uint32_t place) {  // pre: not kNoPlace
-    return TriangleId(place / 4 - 1);
-}
 
 // What is needed now and then besides: the last multipliers of warp, weft and shear, and the compliances over a
 // sub-step.
@@ -68,8 +65,8 @@ struct alignas(64) StretchRecord {
     BlockFloats of_area{};  // the leaf's, of its parent's
 };
 
-// However cloth folds, the mean of its deformation over a triangle stretches no thread by more than the threads
-// themselves are: a refined triangle is a one-sided limit. Its corners weigh what hangs on them, so that it carries
+// However cloth folds, the flat triangle through three of its points stretches a thread hardly more than the cloth is
+// stretched: a refined triangle is a one-sided limit. Its corners weigh what hangs on them, so that it carries
 // with ease what the leaves in it can not: it has a bias too, and what it carries counts as stress of the leaves.
 struct alignas(64) LimitBlock {
     std::array<BlockPoints, 3> vertices{};
@@ -101,11 +98,11 @@ struct alignas(64) OverBlock {
     BlockFloats longest{};
 };
 
-// Stress of warp, weft and shear, and a spare: of each triangle behind its id, and first a place for no triangle.
+// Sums over warp, weft and shear, and a spare: of each triangle behind its id, and first a place for no triangle.
 struct CarriedStress {
-    std::vector<Vec4f> above;  // what a refined triangle and all that it is inside of carry
-    std::vector<Vec4f> below;  // scratch: mean of what is inside of it
-    std::vector<Vec4f> off;    // scratch: mean of what the leaves in it are off by in warp and weft, see update_bias
+    std::vector<Vec4f> above;  // stress that a refined triangle and all that it is inside of carry
+    std::vector<Vec4f> below;  // scratch: mean stress of what is inside of it
+    std::vector<Vec4f> off;    // scratch: mean strain of warp and weft that the leaves in it are off by
 };
 
 // Of a triangle of which no bending is asked: more than any interval of visits.

@@ -101,8 +101,8 @@ void size_triangles(Cloth& cloth) {
     solver.lists.parent_of.resize(capacity);
     solver.lists.easy_shear.resize(capacity + 1, 0.0F);
     CarriedStress& carried = solver.constraints.carried;
-    for (std::vector<Vec4f>* stress : {&carried.above, &carried.below, &carried.off}) {
-        stress->resize(capacity + 1, Vec4f::Zero());
+    for (std::vector<Vec4f>* sums : {&carried.above, &carried.below, &carried.off}) {
+        sums->resize(capacity + 1, Vec4f::Zero());
     }
 }
 
@@ -115,7 +115,7 @@ void forget_triangles(SolverState& solver) {
         level.bend.forget();
     }
     CarriedStress& carried = solver.constraints.carried;
-    for (std::vector<Vec4f>* stress : {&carried.above, &carried.below, &carried.off}) stress->clear();
+    for (std::vector<Vec4f>* sums : {&carried.above, &carried.below, &carried.off}) sums->clear();
 }
 
 // Slots that are put in one by one lie less well in memory than those that are put in all at once.

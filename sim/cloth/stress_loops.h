@@ -59,8 +59,7 @@ void carry_stress(std::span<const LimitRecord> records, float* above) {
 }
 
 // What was summed up for a place, which is left empty, and is handed on to that of the parent.
-template <class Record>
-[[gnu::always_inline]] inline Xyz take_sum(float* sums, const Record& record, std::size_t at, const Xyz& more) {
+[[gnu::always_inline]] inline Xyz take_sum(float* sums, const LimitRecord& record, std::size_t at, const Xyz& more) {
     const Xyz inside = load_places(sums, &record.place[at]);
     put_places(sums, &record.place[at], Xyz{});
     const Xyz here = sum_of(inside, more);
@@ -81,13 +80,13 @@ struct Stress {
     }
 };
 
-// off: what the leaves in it are off by on an average. The strain of the refined triangle itself does not do: the
-// chords of cloth that is bent are neither as long as the cloth nor shorter in all directions.
+// off: what the leaves in it are off by on an average. The strain of the refined triangle itself does not do: the flat
+// triangle through the corners of bent cloth is shorter than the cloth in some directions and longer in others.
 //
 // Tension along the threads alone may come from refined triangles as from leaves. Where it comes with shear it must
 // not: forces of coarse triangles reach all that hangs on their corners, so at the cloth's edges they balance only if
-// they are in the same proportion as the stress itself. So refined triangles of all levels together share no more than
-// the leaves cannot do well, and shear in the same share as tension.
+// they are in the same proportion as the stress itself. So a refined triangle learns no more tension once it and all
+// that it is inside of carry what the leaves cannot do well; and shear in the same share as tension.
 [[gnu::always_inline]] inline void move_biases(LimitRecord& record, std::size_t at, const Stress& stress,
                                                const Xyz& off, const BiasGains& gains) {
     const Floats one = lanes::all(1.0F);
@@ -99,14 +98,14 @@ struct Stress {
     const auto move = [&](std::size_t k, Floats by) {
         const Floats allowed =
             lanes::where(coarse < one - easy, by) + lanes::where(coarse >= one - easy, lanes::lesser(by, Floats{}));
-        move_bias(record.bias[k], at, allowed, gains.stretch, 0.0F, gains.most);
+        move_bias(record.bias[k], at, allowed, gains.stretch, Floats{}, gains.most);
     };
     move(0, off.x);
     move(1, off.y);
     const Floats share = lanes::lesser(Stress::tension(record, at, stress.own) / tension, one);
     const Floats missing = share * stress.all.z - stress.own.z;
-    move_bias(record.bias[2], at, missing * load_at(record.per_stress[2], at), gains.stretch, -kMoreShear * gains.most,
-              kMoreShear * gains.most);
+    move_bias(record.bias[2], at, missing * load_at(record.per_stress[2], at), gains.stretch,
+              lanes::all(-kMoreShear * gains.most), kMoreShear * gains.most);
 }
 
 void update_parents(std::span<LimitBlock> blocks, std::span<LimitRecord> records, const BiasGains& gains,

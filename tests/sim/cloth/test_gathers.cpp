@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/stretch.h"
