@@ -328,9 +328,7 @@ void update_bias(std::span<StretchBlock> blocks, std::span<const StretchRecord> 
             // Where the cloth is gathered only tension is learnt.
             const Floats push = load_at(block.push, at);
             const Floats least = push * lanes::all(gains.least);
-            const auto felt = [&](Floats off) {
-                return lanes::greater(off, Floats{}) + push * lanes::lesser(off, Floats{});
-            };
+            const auto felt = [&](Floats off) { return lanes::greater(off, push * off); };
             const Floats warp_off = t.warp_length - 1.0F - all.x;
             const Floats weft_off = t.weft_length - 1.0F - all.y;
             const Floats of_area = load_at(record.of_area, at);

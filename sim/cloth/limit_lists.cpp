@@ -14,7 +14,7 @@ namespace {
 // A refined triangle lets its threads grow by what the fabric gives under the load that garments usually carry.
 float longest_of(double stiffness, const Fabric& fabric) {
     constexpr double kUsualLoad = 2.5;  // N/m: a shirt hangs from its shoulders with some 1.6
-    constexpr double kLeast = 0.005;    // chords of bent cloth are off by some of that
+    constexpr double kLeast = 0.005;    // the flat triangle through the corners of bent cloth is off by some of that
     return 1 + static_cast<float>(std::min(fabric.strain_limit, std::max(kLeast, kUsualLoad / stiffness)));
 }
 

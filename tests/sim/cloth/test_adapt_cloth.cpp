@@ -130,7 +130,7 @@ TEST_F(Drape, is_split_by_collision_alone_wherever_it_cuts_into_the_ball_and_rej
         cloth_ = flat;
         options_.shortest_edge = shortest;
         run(1.0);
-        EXPECT_GT(leaves(), 3 * cloth_.mesh.base_triangle_count() / 2);
+        EXPECT_GT(leaves(), 2 * cloth_.mesh.base_triangle_count());
         for (int i = 0; i < 10 && adapt_cloth(cloth_, ball_, options_).changed(); ++i) continue;
         EXPECT_LT(deepest_middle(cloth_, ball_, {.shortest_edge = shortest}), 0.00201F) << "split_depth";
         for (int i = 0; i < 3; ++i) adapt_cloth(cloth_, NoBody{}, options_);  // a level at a time

@@ -109,8 +109,7 @@ class KernelsAtLevel : public testing::TestWithParam<SimdLevel> {
     const Kernels& loops() const { return kernels(GetParam()); }
 };
 
-// Shear is taken at unit length of warp and weft, so its torque vanishes only to the order of their strain, which is
-// some 20 % here: a wrong gradient would turn by the arm, 0.05 m, and more.
+// A third of them as where a seam gathers the cloth.
 std::vector<StretchBlock> with_gathers(std::vector<StretchBlock> blocks) {
     for (StretchBlock& block : blocks) {
         for (std::size_t at = 0; at < kBlock; at += 3) block.push[at] = 0;
@@ -118,6 +117,8 @@ std::vector<StretchBlock> with_gathers(std::vector<StretchBlock> blocks) {
     return blocks;
 }
 
+// Shear is taken at unit length of warp and weft, so its torque vanishes only to the order of their strain, which is
+// some 20 % here: a wrong gradient would turn by the arm, 0.05 m, and more.
 TEST_P(KernelsAtLevel, stretch_and_shear_push_and_turn_nothing_as_a_whole) {
     std::mt19937 random(11);
     const Cloth cloth = shaken_patch(random, 0.01F);
