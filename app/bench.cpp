@@ -1,14 +1,33 @@
 // selvedge bench EXPERIMENT: measurements that anyone can repeat, as tables.
 #include "app/bench.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <memory>
+#include <optional>
+#include <unistd.h>
+#include <utility>
 
+#include "app/allocation_counter.h"
 #include "app/commands.h"
-#include "app/output_files.h"
+#include "app/options.h"
+#include "app/picture.h"
+#include "app/progress_bar.h"
+#include "bench/collide/collide.h"
+#include "bench/drop/report.h"
+#include "bench/fabric/report.h"
+#include "bench/picture/picture.h"
+#include "bench/thesis/thesis.h"
+#include "bench/tshirt/rest.h"
+#include "bench/tshirt/tshirt.h"
+#include "render/image/image.h"
+#include "sim/core/error.h"
 #include "sim/core/file.h"
+#include "sim/core/parallel.h"
+#include "sim/exchange/mesh_file.h"
+#include "sim/tartan/tartan_file.h"
 
 namespace selvedge {
-
 void add_json_option(CLI::App& command, std::string& path) {
     command.add_option("--json", path, "Write the figures here too, as JSON")->type_name("FILE");
 }
@@ -44,6 +63,415 @@ void add_bench_command(CLI::App& app, int& exit_code) {
     add_bench_rest(*command, exit_code);
     add_bench_thesis(*command, exit_code);
     add_bench_tshirt(*command, exit_code);
+}
+
+// selvedge bench collide: what it costs to keep cloth out of bodies of many triangles.
+
+namespace {
+
+struct CollideArguments {
+    CollideOptions options;
+    std::string json;
+};
+
+int run(const CollideArguments& arguments) {
+    check_json_output(arguments.json);
+    const std::vector<Table> tables = bench_collide(arguments.options);
+    for (const Table& table : tables) print_table(table);
+    write_json_output(arguments.json, document_of(tables));
+    return 0;
+}
+
+}  // namespace
+
+void add_bench_collide(CLI::App& bench, int& exit_code) {
+    auto arguments = std::make_shared<CollideArguments>();
+    CLI::App* command = bench.add_subcommand("collide", "Grid, tree and distance field round a dense body");
+    command->add_option("--triangles", arguments->options.triangles, "Bodies: about so many triangles each")
+        ->type_name("N")
+        ->check(CLI::Range(17184, 4000000))
+        ->capture_default_str();
+    command->add_option("--points", arguments->options.points.points, "Points of cloth")
+        ->check(CLI::Range(16, 1000000))
+        ->capture_default_str();
+    command->add_option("--rounds", arguments->options.rounds, "Figures are medians of so many")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    add_json_option(*command, arguments->json);
+    command->footer("Example: selvedge bench collide --triangles 67000 500000 --json collide.json");
+    command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+// selvedge bench drop: cloth on a sphere, the yardstick by which cloth solvers are compared.
+
+namespace {
+
+struct DropArguments {
+    DropExperiment experiment;
+    std::string json;
+};
+
+int run(const DropArguments& arguments) {
+    check_json_output(arguments.json);
+    ProgressBar bar(progress_bar_options(false));
+    const DropReport report = measure_drop(arguments.experiment, bar.progress());
+    bar.finish();
+    for (const Table& table : tables_of(report)) print_table(table);
+    write_json_output(arguments.json, to_json(report));
+    return 0;
+}
+
+}  // namespace
+
+void add_bench_drop(CLI::App& bench, int& exit_code) {
+    auto arguments = std::make_shared<DropArguments>();
+    DropExperiment& experiment = arguments->experiment;
+    CLI::App* command = bench.add_subcommand("drop", "A square dropped on a sphere: time at equal quality");
+    command->add_option("--triangles", experiment.triangles, "1152, 4608, 15488 or 61952; the nearest is taken")
+        ->check(CLI::Range(1, 1000000));
+    command
+        ->add_option("--max-stretch", experiment.gates.max_stretch,
+                     "99th percentile of warp and weft stretch to be met (default 0.05)")
+        ->check(CLI::Range(0.0001, 1.0));
+    command->add_option("--substeps", experiment.substeps, "Sub-steps per frame, instead of searching for the least")
+        ->check(CLI::Range(1, 10000));
+    command->add_option("--most-substeps", experiment.most_substeps, "Where the search gives up (default 256)")
+        ->check(CLI::Range(1, 10000));
+    command->add_option("--repetitions", experiment.repetitions, "Timed runs of the chosen setting (default 5)")
+        ->check(CLI::Range(1, 1000));
+    command->add_flag("--timing-only{false}", experiment.is_honest, "Leave out rest, energy and the converged runs");
+    add_json_option(*command, arguments->json);
+    command->footer("Example: selvedge bench drop --triangles 15488 --max-stretch 0.05 --json drop.json");
+    command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+// selvedge bench fabric: textile tests made with virtual cloth, against theory and published figures.
+
+namespace {
+
+struct FabricArguments {
+    FabricExperiment experiment;
+    std::vector<std::string> tests;
+    std::string json;
+};
+
+int run(const FabricArguments& arguments) {
+    check_json_output(arguments.json);
+    for (const std::string& name : arguments.experiment.fabrics) find_fabric(name);
+    const ThreadLimit limit(1);
+    ProgressBar bar(progress_bar_options(false));
+    std::vector<Table> tables;
+    int rows = 0;
+    int missed = 0;
+    for (const std::string& test : arguments.tests.empty() ? textile_test_names() : arguments.tests) {
+        const FabricTables measured = measure_fabrics(test, arguments.experiment, bar.progress());
+        bar.finish();
+        for (const Table& table : measured.tables) print_table(table);
+        tables.insert(tables.end(), measured.tables.begin(), measured.tables.end());
+        rows += measured.rows;
+        missed += measured.missed;
+    }
+    std::printf("%d of %d rows with a gate missed it.\n", missed, rows);
+    Json document = document_of(tables);
+    document["rows_with_a_gate"] = rows;
+    document["rows_missed"] = missed;
+    write_json_output(arguments.json, document);
+    return 0;
+}
+
+}  // namespace
+
+void add_bench_fabric(CLI::App& bench, int& exit_code) {
+    auto arguments = std::make_shared<FabricArguments>();
+    CLI::App* command = bench.add_subcommand("fabric", "Textile tests of the fabrics, against theory");
+    command->add_option("--fabric", arguments->experiment.fabrics, "Shipped fabrics or fabric files (default: all)")
+        ->type_name("NAME|FILE");
+    command->add_option("--test", arguments->tests, "cantilever, strip, bias, drape, swing, energy (default: all)")
+        ->check(CLI::IsMember(textile_test_names()));
+    command->add_flag("--quick", arguments->experiment.is_quick, "Levels 1 and 2 at 17 degrees alone, four fabrics");
+    command
+        ->add_option("--substeps", arguments->experiment.stepping.substeps,
+                     "Sub-steps per step of 1/120 s (default 12, as when dressing)")
+        ->check(CLI::Range(1, 1000));
+    add_json_option(*command, arguments->json);
+    command->footer("Example: selvedge bench fabric --test cantilever --fabric denim --json fabric.json");
+    command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+// selvedge bench picture: what a picture costs, the first and those after it.
+
+namespace {
+
+struct PictureArguments {
+    std::string garment;
+    BodyOptions body;
+    PictureExperiment experiment;
+    std::string json;
+};
+
+int run(const PictureArguments& arguments) {
+    check_json_output(arguments.json);
+    Scene scene;
+    ClothItem cloth;
+    cloth.mesh = read_garment(arguments.garment);
+    cloth.sett = find_tartan(kDefaultTartan);
+    scene.cloths.push_back(std::move(cloth));
+    if (!arguments.body.source.empty()) scene.bodies.push_back(make_body_item(make_body(arguments.body).body));
+    const Table table = table_of(measure_pictures(scene, arguments.experiment));
+    print_table(table);
+    write_json_output(arguments.json, document_of({table}));
+    return 0;
+}
+
+}  // namespace
+
+void add_bench_picture(CLI::App& bench, int& exit_code) {
+    auto arguments = std::make_shared<PictureArguments>();
+    PictureExperiment& experiment = arguments->experiment;
+    CLI::App* command = bench.add_subcommand("picture", "The first picture, and those after it");
+    command->add_option("MESH", arguments->garment, "Garment, as dress exports it (.obj or .glb)")->required();
+    add_body_options(*command, arguments->body, "Body that wears it: a file, or mannequin[:bust=92,...]");
+    command->add_option("--triangles", experiment.triangles, "Of the cloth, at least (default 20000)")
+        ->check(CLI::Range(1, 5000000));
+    command->add_option("--pictures", experiment.pictures, "Of each kind (default 12)")->check(CLI::Range(1, 1000));
+    command->add_option("--side", experiment.render.width_px, "Of the square picture, px (default 1024)")
+        ->check(CLI::Range(16, 8192));
+    add_json_option(*command, arguments->json);
+    command->footer(
+        "Example:\n"
+        "  selvedge dress patterns/tshirt.json --export tshirt.glb --export-body body.glb\n"
+        "  selvedge bench picture tshirt.glb --body body.glb --json picture.json");
+    command->callback([arguments, &exit_code] {
+        arguments->experiment.render.height_px = arguments->experiment.render.width_px;
+        exit_code = run(*arguments);
+    });
+}
+
+// selvedge bench rest: what a garment costs that has come to rest.
+
+namespace {
+
+struct RestArguments {
+    RestExperiment experiment{.pattern = "patterns/tshirt.json"};
+    std::string json;
+};
+
+int run(const RestArguments& arguments) {
+    check_json_output(arguments.json);
+    ProgressBar bar(progress_bar_options(false));
+    const Table table = table_of(measure_rest(arguments.experiment, bar.progress()));
+    bar.finish();
+    print_table(table);
+    write_json_output(arguments.json, document_of({table}));
+    return 0;
+}
+
+}  // namespace
+
+void add_bench_rest(CLI::App& bench, int& exit_code) {
+    auto arguments = std::make_shared<RestArguments>();
+    CLI::App* command = bench.add_subcommand("rest", "A dressed garment at rest against the same pulled about");
+    command->add_option("GARMENT", arguments->experiment.pattern, "Garment file (default patterns/tshirt.json)")
+        ->type_name("FILE");
+    add_json_option(*command, arguments->json);
+    command->footer("Example: selvedge bench rest patterns/tshirt.json");
+    command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+// selvedge bench thesis: the tables and figures of the thesis' chapters 3, 4 and 6, measured here.
+
+namespace {
+
+struct ThesisArguments {
+    std::vector<std::string> tables;
+    std::vector<std::string> figures;
+    std::string folder;
+    std::string json;
+    ThesisOptions options;
+};
+
+constexpr std::size_t kMostRows = 24;  // of a series, printed
+
+using Names = std::vector<std::string>;
+
+bool has(const Names& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool any_of(const Names& names, const Names& wanted) {
+    return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return has(wanted, name); });
+}
+
+void check_names(const Names& wanted, Names Experiment::*known, const char* option) {
+    Names all;
+    for (const Experiment& experiment : thesis_experiments())
+        all.insert(all.end(), (experiment.*known).begin(), (experiment.*known).end());
+    for (const std::string& name : wanted) {
+        if (has(all, name)) continue;
+        std::string list;
+        for (const std::string& other : all) list += (list.empty() ? "" : ", ") + other;
+        throw InputError("", option, "'" + name + "' is none of " + list);
+    }
+}
+
+void check_folder(const std::string& folder) {
+    if (folder.empty()) return;
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error || access(folder.c_str(), W_OK | X_OK) != 0)
+        throw InputError(folder, "", "cannot write: no such folder, and none can be made");
+}
+
+class Run {
+ public:
+    explicit Run(const ThesisArguments& arguments)
+        : arguments_(arguments), wants_all_(arguments.tables.empty() && arguments.figures.empty()) {}
+
+    bool wants(const Experiment& experiment) const {
+        if (experiment.makes_pictures_only && arguments_.folder.empty()) return false;
+        return wants_all_ || any_of(experiment.tables, arguments_.tables) ||
+               any_of(experiment.figures, arguments_.figures);
+    }
+
+    void measure(const Experiment& experiment) {
+        const ThesisResult result = experiment.measure(arguments_.options);
+        for (const Table& table : result.tables)
+            if (wants_all_ || has(arguments_.tables, table.name)) show(table);
+        for (const Figure& figure : result.figures)
+            if (wants_all_ || has(arguments_.figures, figure.series.name)) show(figure);
+        for (const Capture& capture : result.captures)
+            if (wants_all_ || has(arguments_.figures, capture.name)) show(capture);
+    }
+
+    Json document() const {
+        Json document = document_of(tables_);
+        document["figures"] = document_of(figures_)["tables"];
+        return document;
+    }
+
+ private:
+    void show(const Table& table) {
+        print_table(table);
+        tables_.push_back(table);
+    }
+
+    void show(const Figure& figure) {
+        print_table(thinned(figure.series, kMostRows));
+        figures_.push_back(figure.series);
+        if (arguments_.folder.empty()) return;
+        const std::string stem = "figure-" + figure.series.name;
+        write_file_atomically(file(stem + ".csv"), to_csv(figure.series));
+        std::printf("wrote %s\n", file(stem + ".csv").c_str());
+        if (!figure.is_plotted) return;
+        if (plot(figure, file(stem + ".png"))) {
+            std::printf("wrote %s\n", file(stem + ".png").c_str());
+        } else if (!std::exchange(has_said_no_plot_, true)) {
+            std::printf("no plots: gnuplot is not installed, or failed\n");
+        }
+    }
+
+    void show(const Capture& capture) {
+        if (arguments_.folder.empty()) return;
+        const std::string path = file("figure-" + capture.name + "-" + capture.moment + ".png");
+        write_png(path, capture.image);
+        std::printf("wrote %s\n", path.c_str());
+    }
+
+    std::string file(const std::string& name) const {
+        return (std::filesystem::path(arguments_.folder) / name).string();
+    }
+
+    const ThesisArguments& arguments_;
+    bool wants_all_;
+    bool has_said_no_plot_ = false;
+    std::vector<Table> tables_;
+    std::vector<Table> figures_;
+};
+
+int run(const ThesisArguments& arguments) {
+    check_names(arguments.tables, &Experiment::tables, "--table");
+    check_names(arguments.figures, &Experiment::figures, "--figure");
+    check_folder(arguments.folder);
+    check_json_output(arguments.json);
+    Run run(arguments);
+    for (const Experiment& experiment : thesis_experiments()) {
+        if (run.wants(experiment) && (experiment.makes_pictures_only || experiment.draws)) check_can_draw();
+    }
+    for (const Experiment& experiment : thesis_experiments()) {
+        if (run.wants(experiment)) run.measure(experiment);
+    }
+    write_json_output(arguments.json, run.document());
+    return 0;
+}
+
+}  // namespace
+
+void add_bench_thesis(CLI::App& bench, int& exit_code) {
+    auto arguments = std::make_shared<ThesisArguments>();
+    CLI::App* command = bench.add_subcommand("thesis", "The thesis' tables and figures, measured here");
+    command->add_option("--table", arguments->tables, "Only these tables, such as 3.1 (default: all)");
+    command->add_option("--figure", arguments->figures, "Only these figures, such as 3.25 (default: all)");
+    command
+        ->add_option("--out", arguments->folder,
+                     "Write figures here: series as CSV and plot, pictures (3.23, 3.24, 6.2, 6.3, 6.6) as PNG")
+        ->type_name("DIR");
+    command->add_flag("--quick", arguments->options.is_quick, "Tiny sizes, one run: does all work? Times mean nothing");
+    add_json_option(*command, arguments->json);
+    command->footer(
+        "Examples:\n"
+        "  selvedge bench thesis\n"
+        "  selvedge bench thesis --table 3.1 3.14 --json drops.json\n"
+        "  selvedge bench thesis --figure 3.25 --out figures");
+    command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+// selvedge bench tshirt: what one adaption and four steps cost a garment on a body.
+
+namespace {
+
+struct TshirtArguments {
+    TshirtExperiment experiment{.pattern = "patterns/tshirt.json"};
+    std::string json;
+};
+
+int run(const TshirtArguments& arguments) {
+    check_json_output(arguments.json);
+    ProgressBar bar(progress_bar_options(false));
+    const TshirtReport report = measure_tshirt(arguments.experiment, bar.progress());
+    bar.finish();
+    print_table(table_of(report));
+    write_json_output(arguments.json, to_json(report));
+    return 0;
+}
+
+}  // namespace
+
+void add_bench_tshirt(CLI::App& bench, int& exit_code) {
+    auto arguments = std::make_shared<TshirtArguments>();
+    TshirtExperiment& experiment = arguments->experiment;
+    experiment.sway.allocations = allocations_of_this_thread;
+    CLI::App* command = bench.add_subcommand("tshirt", "One adaption and four steps of a dressed garment");
+    command->add_option("GARMENT", experiment.pattern, "Garment file (default patterns/tshirt.json)")
+        ->type_name("FILE");
+    command
+        ->add_option("--body-triangles", experiment.body_triangles, "Triangles of the body, at least (default 67000)")
+        ->check(CLI::Range(1, 5000000));
+    command->add_option("--min-leaves", experiment.least_leaves, "Refined until there are so many (default 6000)")
+        ->check(CLI::Range(0, 1000000));
+    command
+        ->add_option("--max-stretch", experiment.most_stretch,
+                     "Share of length, 99th percentile of warp and weft (default 0.05)")
+        ->check(CLI::Range(1e-4, 1.0));
+    command->add_option("--substeps", experiment.substeps, "Per step, instead of searching for the fewest")
+        ->check(CLI::Range(1, 1000));
+    command->add_option("--cycles", experiment.sway.cycles, "Adaptions that are measured (default 90)")
+        ->check(CLI::Range(1, 100000));
+    command->add_flag(
+        "--no-growth{false}", experiment.has_growth,
+        "Leave out the other rows: a body of 500,000 triangles, the sub-steps of dressing, 25,000 leaves");
+    add_json_option(*command, arguments->json);
+    command->footer("Example: selvedge bench tshirt --json tshirt.json");
+    command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
 }  // namespace selvedge

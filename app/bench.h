@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/table.h"
+#include "bench/support/table.h"
 
 namespace selvedge {
 

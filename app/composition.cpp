@@ -6,11 +6,11 @@
 #include <limits>
 #include <tuple>
 
-#include "render/renderer.h"
-#include "render/scene/views.h"
-#include "render/show.h"
+#include "render/draw/renderer.h"
+#include "render/scene/camera.h"
+#include "render/marks/show.h"
 #include "sim/core/error.h"
-#include "sim/dress/clearance.h"
+#include "sim/place/fit.h"
 #include "sim/tartan/tartan_file.h"
 
 namespace selvedge {

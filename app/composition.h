@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/picture.h"
-#include "render/legend.h"
-#include "render/renderer.h"
+#include "render/marks/legend.h"
+#include "render/draw/renderer.h"
 #include "render/scene/scene.h"
 
 namespace selvedge {

@@ -4,7 +4,7 @@
 
 #include "app/commands.h"
 #include "render/image/compare.h"
-#include "render/image/png.h"
+#include "render/image/image.h"
 
 namespace selvedge {
 namespace {

@@ -10,13 +10,12 @@
 #include <string_view>
 #include <vector>
 
-#include "app/body_options.h"
+#include "app/options.h"
 #include "app/commands.h"
-#include "app/output_files.h"
 #include "app/picture.h"
 #include "app/progress_bar.h"
-#include "app/turntable.h"
-#include "render/image/png.h"
+#include "app/film.h"
+#include "render/image/image.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/parallel.h"

@@ -1,10 +1,17 @@
 #include "app/edit_loop.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <iomanip>
+#include <system_error>
 #include <thread>
+#include <utility>
 
+#include "render/marks/show.h"
 #include "sim/core/assert.h"
+#include "sim/core/error.h"
+#include "sim/place/fit.h"
 
 namespace selvedge {
 namespace {
@@ -164,6 +171,88 @@ FrameOutput OffscreenEditLoop::step(EditSurface& surface, const std::vector<Inpu
 
 Image OffscreenEditLoop::screenshot() const {
     return picture_.read();
+}
+
+FrameTimesFile::FrameTimesFile(const std::string& path) : file_(path) {
+    if (!file_) throw InputError(path, "", "cannot be written");
+    file_ << "frame,total_ms,events_and_ui_ms,scenes_ms,ui_draw_ms,swap_ms\n" << std::fixed << std::setprecision(3);
+}
+
+void FrameTimesFile::add(const FrameTimes& times) {
+    file_ << frame_++ << ',' << times.total() << ',' << times.events_and_ui << ',' << times.scenes << ','
+          << times.ui_draw << ',' << times.swap << std::endl;  // can be read meanwhile
+}
+
+namespace {
+
+Body body_of(const BodyItem& item) {
+    Body body;
+    for (const Vec3f& x : item.x) body.x.push_back(x.cast<double>());
+    for (const auto& t : item.triangles) {
+        body.triangles.push_back({static_cast<int>(t[0]), static_cast<int>(t[1]), static_cast<int>(t[2])});
+    }
+    return body;
+}
+
+// Whether it has what its mode shows.
+bool can_show(const Scene& scene) {
+    if (scene.cloths.empty() || scene.cloths.front().mesh.triangles.empty()) return false;
+    const ClothItem& cloth = scene.cloths.front();
+    if (wants_material(cloth.show) && cloth.mesh.u.empty()) return false;
+    return cloth.show != ShowMode::Hierarchy && (cloth.show != ShowMode::Clearance || !scene.bodies.empty());
+}
+
+}  // namespace
+
+const PaintedScene& ScenePaint::painted(const std::shared_ptr<const Scene>& scene) {
+    if (scene == last_) return painted_;
+    last_ = scene;
+    auto copy = std::make_shared<Scene>(*scene);
+    painted_.legend.reset();
+    if (can_show(*copy)) {
+        ShowFacts facts;
+        const ClothItem& cloth = copy->cloths.front();
+        if (cloth.show == ShowMode::Clearance) {
+            facts.clearance = measure_clearance(cloth.mesh.x, body_of(copy->bodies.front()));
+        }
+        painted_.legend = fill_show(*copy, facts);
+    } else if (!copy->cloths.empty()) {
+        copy->cloths.front().show = ShowMode::Plain;
+    }
+    painted_.scene = std::move(copy);
+    return painted_;
+}
+
+namespace {
+
+struct Family {
+    const char* regular;
+    const char* medium;
+};
+
+// As the packages fonts-inter, fonts-noto-core and fonts-dejavu-core lay them down.
+constexpr std::array<Family, 4> kFamilies{{
+    {"opentype/inter/Inter-Regular.otf", "opentype/inter/Inter-Medium.otf"},
+    {"truetype/inter/Inter-Regular.ttf", "truetype/inter/Inter-Medium.ttf"},
+    {"truetype/noto/NotoSans-Regular.ttf", "truetype/noto/NotoSans-Medium.ttf"},
+    {"truetype/dejavu/DejaVuSans.ttf", "truetype/dejavu/DejaVuSans.ttf"},
+}};
+
+bool is_file(const std::filesystem::path& path) {
+    std::error_code error;
+    return std::filesystem::is_regular_file(path, error);
+}
+
+}  // namespace
+
+FontFiles find_fonts(const std::vector<std::filesystem::path>& folders) {
+    for (const Family& family : kFamilies) {
+        for (const std::filesystem::path& folder : folders) {
+            const std::filesystem::path regular = folder / family.regular, medium = folder / family.medium;
+            if (is_file(regular)) return {.regular = regular, .medium = is_file(medium) ? medium : regular};
+        }
+    }
+    return {};
 }
 
 }  // namespace selvedge

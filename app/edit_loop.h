@@ -1,22 +1,65 @@
 #pragma once
 // Shows whatever makes frames as the editor does: in a window, or without one, for scripts and tests. Both paint in the
 // same way, so that a screenshot is what the window shows.
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "app/frame_times.h"
-#include "app/painted_scene.h"
 #include "app/ui_draw.h"
 #include "app/window.h"
-#include "editor/frame/frame_output.h"
-#include "editor/frame/input.h"
-#include "render/draft_renderer.h"
-#include "render/renderer.h"
+#include "editor/frame/frame.h"
+#include "render/draw/renderer.h"
+#include "render/marks/legend.h"
+#include "render/preview/preview_renderer.h"
+#include "render/scene/scene.h"
 
 namespace selvedge {
+
+// Where the editor's frames take their time, as a table that `--frame-times` writes.
+
+// ms of one frame by wall clock, without waiting for the person.
+struct FrameTimes {
+    double events_and_ui = 0;
+    double scenes = 0;
+    double ui_draw = 0;
+    double swap = 0;
+
+    double total() const { return events_and_ui + scenes + ui_draw + swap; }
+};
+
+class FrameTimesFile {
+ public:
+    // Throws InputError when it cannot be written.
+    explicit FrameTimesFile(const std::string& path);
+
+    void add(const FrameTimes& times);
+
+ private:
+    std::ofstream file_;
+    long frame_ = 0;
+};
+
+// Scenes whose mode paints figures on the cloth (render/marks/show.h), as the editor asks for them: painted once, with the
+// legend beside them.
+
+struct PaintedScene {
+    std::shared_ptr<const Scene> scene;
+    std::optional<Legend> legend;
+};
+
+class ScenePaint {
+ public:
+    // The same scene gives the same pointer. Where the mode asks for what is not there, cloth is plain.
+    const PaintedScene& painted(const std::shared_ptr<const Scene>& scene);
+
+ private:
+    std::shared_ptr<const Scene> last_;
+    PaintedScene painted_;
+};
 
 struct FrameInput {
     std::vector<InputEvent> events;
@@ -97,5 +140,16 @@ class OffscreenEditLoop {
     PictureTexture picture_;
     FramePainter painter_;
 };
+
+// A real font for the interface, from the system's packages, found when the program runs.
+
+struct FontFiles {
+    std::filesystem::path regular;  // empty: none was found
+    std::filesystem::path medium;   // for headings; the regular one where the family has no other
+};
+
+// The first family that is there: Inter, Noto Sans, DejaVu Sans. folders: where the system keeps its fonts.
+FontFiles find_fonts(const std::vector<std::filesystem::path>& folders = {"/usr/share/fonts",
+                                                                          "/usr/local/share/fonts"});
 
 }  // namespace selvedge

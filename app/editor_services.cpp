@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/recent_files.h"
-#include "render/image/png.h"
+#include "app/edit_loop.h"
+#include "render/image/image.h"
 #include "sim/body/load_body.h"
-#include "sim/core/embedded.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
+#include "sim/core/json.h"
 #include "sim/exchange/mesh_file.h"
 
 namespace selvedge {
-
 std::span<const EmbeddedFile> embedded_examples();
 
 namespace {
@@ -109,6 +108,48 @@ Services make_editor_services(const EditorServicesOptions& options) {
     services.left_journals = [journals] { return left_journals(*journals); };
     services.discard_journal = [](const std::string& id) { JournalStore::discard(id); };
     return services;
+}
+
+std::vector<std::string> RecentFiles::list() const {
+    std::vector<std::string> files;
+    try {
+        const Json json = read_json(file_);
+        const JsonView view(json, file_.string());
+        for (std::size_t i = 0; i < view.size(); ++i) {
+            if (std::filesystem::exists(view.at(i).string())) files.push_back(view.at(i).string());
+        }
+    } catch (const InputError&) {  // none yet, or not ours: nothing was opened
+    }
+    return files;
+}
+
+void RecentFiles::add(const std::string& path) const {
+    constexpr std::size_t kMost = 12;
+    std::vector<std::string> files = list();
+    const std::string whole = std::filesystem::absolute(path).lexically_normal().string();
+    std::erase(files, whole);
+    files.insert(files.begin(), whole);
+    if (files.size() > kMost) files.resize(kMost);
+    Json json = Json::array();
+    for (const std::string& file : files) json.push_back(Json(file));
+    try {
+        write_file_atomically(file_, write_json(json));
+    } catch (const InputError&) {  // a list of files is not worth an error
+    }
+}
+
+FrameOutput EditorSurface::frame(const FrameInput& input) {
+    const FrameSize size{.width_px = input.width_px, .height_px = input.height_px, .scale = input.scale};
+    return editor_.frame(input.events, size, input.seconds);
+}
+
+FontBytes read_fonts() {
+    constexpr std::size_t kLargestFont = 64U << 20U;
+    const FontFiles files = find_fonts();
+    const auto read = [](const std::filesystem::path& path) {
+        return path.empty() ? std::string() : read_file(path, kLargestFont);
+    };
+    return {.regular = read(files.regular), .bold = read(files.medium)};
 }
 
 }  // namespace selvedge

@@ -1,24 +1,137 @@
 #include "app/film.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <fcntl.h>
+#include <filesystem>
 #include <optional>
+#include <signal.h>
+#include <spawn.h>
+#include <sstream>
 #include <stdexcept>
+#include <sys/wait.h>
+#include <unistd.h>
 #include <vector>
 
-#include "app/output_files.h"
-#include "app/piped_process.h"
-#include "render/image/png.h"
+#include "app/composition.h"
+#include "app/options.h"
+#include "render/draw/renderer.h"
+#include "render/image/image.h"
 #include "sim/core/assert.h"
 #include "sim/core/error.h"
 
+extern char** environ;
+
 namespace selvedge {
+namespace {
+
+// Writing to a program that has ended shall be an answer, not the end of ours.
+class WithoutPipeSignal {
+ public:
+    WithoutPipeSignal() {
+        struct sigaction ignored {};
+        ignored.sa_handler = SIG_IGN;
+        ::sigaction(SIGPIPE, &ignored, &before_);
+    }
+    ~WithoutPipeSignal() { ::sigaction(SIGPIPE, &before_, nullptr); }
+    WithoutPipeSignal(const WithoutPipeSignal&) = delete;
+    WithoutPipeSignal& operator=(const WithoutPipeSignal&) = delete;
+
+ private:
+    struct sigaction before_ {};
+};
+
+int spawn(pid_t& process, std::vector<std::string> arguments, int input, int complaints) {
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_adddup2(&files, input, STDIN_FILENO);
+    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_adddup2(&files, complaints, STDERR_FILENO);
+    std::vector<char*> words;
+    for (std::string& argument : arguments) words.push_back(argument.data());
+    words.push_back(nullptr);
+    const int error = ::posix_spawnp(&process, words.front(), &files, nullptr, words.data(), environ);
+    posix_spawn_file_actions_destroy(&files);
+    return error;
+}
+
+}  // namespace
+
+bool has_program(const std::string& name) {
+    const char* path = std::getenv("PATH");
+    std::istringstream folders(path == nullptr ? "" : path);
+    for (std::string folder; std::getline(folders, folder, ':');) {
+        const std::filesystem::path program = std::filesystem::path(folder.empty() ? "." : folder) / name;
+        std::error_code ignored;
+        if (std::filesystem::is_regular_file(program, ignored) && ::access(program.c_str(), X_OK) == 0) return true;
+    }
+    return false;
+}
+
+PipedProcess::PipedProcess(const std::vector<std::string>& arguments) : complaints_(std::tmpfile()) {
+    std::array<int, 2> ends{};
+    if (complaints_ == nullptr || ::pipe2(ends.data(), O_CLOEXEC) != 0) {
+        if (complaints_ != nullptr) std::fclose(complaints_);
+        throw std::runtime_error("cannot start " + arguments.front() + ": " + std::strerror(errno));
+    }
+    const int error = spawn(process_, arguments, ends[0], ::fileno(complaints_));
+    ::close(ends[0]);
+    pipe_ = ends[1];
+    if (error == 0) return;
+    process_ = -1;
+    close_pipe();
+    std::fclose(complaints_);
+    throw std::runtime_error("cannot start " + arguments.front() + ": " + std::strerror(error));
+}
+
+PipedProcess::~PipedProcess() {
+    close_pipe();
+    if (process_ > 0) {
+        ::kill(process_, SIGKILL);
+        while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+        }
+    }
+    std::fclose(complaints_);
+}
+
+bool PipedProcess::write(std::string_view bytes) {
+    const WithoutPipeSignal guard;
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(pipe_, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return false;
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return true;
+}
+
+bool PipedProcess::finish() {
+    close_pipe();
+    int status = 0;
+    while (::waitpid(process_, &status, 0) < 0) {
+        if (errno != EINTR) break;
+    }
+    process_ = -1;
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+std::string PipedProcess::complaint() const {
+    std::array<char, 300> text{};
+    const ssize_t got = ::pread(::fileno(complaints_), text.data(), text.size() - 1, 0);
+    const std::string words(text.data(), got > 0 ? static_cast<std::size_t>(got) : 0);
+    return words.substr(0, words.find('\n'));
+}
+
+void PipedProcess::close_pipe() {
+    if (pipe_ >= 0) ::close(pipe_);
+    pipe_ = -1;
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -227,6 +340,69 @@ void FilmWriter::add(const Image& image) {
 
 void FilmWriter::finish() {
     if (encoder_) encoder_->finish();
+}
+
+namespace {
+
+FilmFormat film_format(const PictureOptions& picture, const TurntableOptions& options) {
+    return {.width_px = picture.width_px,
+            .height_px = picture.height_px,
+            .frames_per_second = options.frames_per_second,
+            .frames = options.frames};
+}
+
+// So many angles of one turn, rad.
+std::vector<float> turn_in(int count) {
+    std::vector<float> turns;
+    for (int i = 0; i < count; ++i) turns.push_back(6.2831853F * float(i) / float(count));
+    return turns;
+}
+
+void add_count(CLI::App& command, const char* name, int& value, int most, const char* help) {
+    const auto check_and_take = [name, &value, most](const int& count) {
+        if (count < 1 || count > most) throw InputError("", name, "must be from 1 to " + std::to_string(most));
+        value = count;
+    };
+    command.add_option_function<int>(name, check_and_take, help)
+        ->type_name("N")
+        ->group("Film")
+        ->needs(command.get_option("--turntable"));
+}
+
+}  // namespace
+
+void add_turntable_options(CLI::App& command, TurntableOptions& options) {
+    command
+        .add_option("--turntable", options.file,
+                    "Film of one turn: .mp4 or .gif (by ffmpeg), or a folder for frames, ending in / or .frames")
+        ->type_name("FILE|FOLDER/")
+        ->group("Film");
+    add_count(command, "--frames", options.frames, 3600, "Frames of the turn (default 100)");
+    add_count(command, "--fps", options.frames_per_second, 120, "Frames per second (default 25)");
+}
+
+void check_turntable(const TurntableOptions& options, const PictureOptions& picture) {
+    if (options.file.empty()) return;
+    check_film(options.file, film_format(picture, options));
+    if (picture.is_transparent && film_kind(options.file) != FilmKind::Frames)
+        throw InputError("", "--transparent", "films have no transparency: name a folder for frames");
+}
+
+void write_turntable(const Sitter& sitter, const PictureOptions& picture, const TurntableOptions& options,
+                     const Progress& progress) {
+    constexpr int most_framed = 48;  // angles are enough to find the frame for all of them
+    const std::vector<float> turns = turn_in(options.frames);
+    const Composition composition = compose(sitter, picture, turn_in(std::min(options.frames, most_framed)));
+    Renderer renderer;
+    FilmWriter film(options.file, film_format(picture, options));
+    for (std::size_t i = 0; i < turns.size(); ++i) {
+        report(progress, "filming", double(i) / double(turns.size()));
+        Image image = renderer.draw(turned(composition, picture, turns[i]), render_options(picture));
+        if (composition.legend) draw_legend(image, *composition.legend, composition.corner);
+        film.add(image);
+    }
+    film.finish();
+    report(progress, "filming", 1);
 }
 
 }  // namespace selvedge

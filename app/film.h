@@ -1,11 +1,18 @@
 #pragma once
 // Pictures one after the other as a film: an .mp4 or .gif by ffmpeg, which reads raw frames from a pipe, or a folder of
 // PNG files.
+#include <CLI/CLI.hpp>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <sys/types.h>
+#include <vector>
 
+#include "app/picture.h"
 #include "render/image/image.h"
+#include "sim/core/parallel.h"
 
 namespace selvedge {
 
@@ -47,5 +54,56 @@ class FilmWriter {
     int frames_ = 0;
     std::unique_ptr<Encoder> encoder_;  // none for frames
 };
+
+// A program that reads what we write to it. It is started without a shell.
+
+// Whether PATH has a program of that name.
+bool has_program(const std::string& name);
+
+class PipedProcess {
+ public:
+    // arguments: the program's name first; it is looked for in PATH. Its output goes nowhere.
+    // Throws std::runtime_error when it cannot be started.
+    explicit PipedProcess(const std::vector<std::string>& arguments);
+    ~PipedProcess();  // one that was not waited for is killed
+    PipedProcess(const PipedProcess&) = delete;
+    PipedProcess& operator=(const PipedProcess&) = delete;
+
+    // False when it does not read any more.
+    bool write(std::string_view bytes);
+
+    // Closes the pipe and waits. Whether it ended well.
+    bool finish();
+
+    // The first line that it complained with, so far.
+    std::string complaint() const;
+
+ private:
+    void close_pipe();
+
+    std::FILE* complaints_ = nullptr;  // a file without a name
+    int pipe_ = -1;
+    pid_t process_ = -1;
+};
+
+// --turntable: a film of the figure turning once about its upright, before a camera and lights that stand.
+
+struct TurntableOptions {
+    std::filesystem::path file;  // empty: no film is wanted
+    int frames = 100;            // of one turn; the one after the last would be the first
+    int frames_per_second = 25;
+};
+
+// Adds --turntable, --frames and --fps. `options` must outlive the command line.
+void add_turntable_options(CLI::App& command, TurntableOptions& options);
+
+// Throws InputError when the film cannot be written or is at odds with the picture's options: to be asked before long
+// work. Without a file all is well.
+void check_turntable(const TurntableOptions& options, const PictureOptions& picture);
+
+// The frame is one for all angles, and holds the figure at each. Throws InputError as draw_picture does, and when the
+// film cannot be written.
+void write_turntable(const Sitter& sitter, const PictureOptions& picture, const TurntableOptions& options,
+                     const Progress& progress = {});
 
 }  // namespace selvedge

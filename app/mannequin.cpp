@@ -6,8 +6,8 @@
 #include <string>
 
 #include "app/commands.h"
-#include "app/output_files.h"
-#include "sim/body/mannequin.h"
+#include "app/options.h"
+#include "sim/mannequin/mannequin.h"
 #include "sim/core/error.h"
 #include "sim/exchange/mesh_file.h"
 

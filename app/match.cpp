@@ -12,13 +12,13 @@
 #include <vector>
 
 #include "app/commands.h"
-#include "app/output_files.h"
+#include "app/options.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/json.h"
 #include "sim/pattern/pattern_file.h"
-#include "sim/pattern/seam_name.h"
-#include "sim/tartan/sett_repeat.h"
+#include "sim/pattern/pattern.h"
+#include "sim/tartan/offset_graph.h"
 #include "sim/tartan/tartan_file.h"
 
 namespace selvedge {

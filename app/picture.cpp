@@ -5,8 +5,8 @@
 
 #include "app/composition.h"
 #include "render/gl/context.h"
-#include "render/image/png.h"
-#include "render/renderer.h"
+#include "render/image/image.h"
+#include "render/draw/renderer.h"
 #include "sim/core/error.h"
 #include "sim/tartan/tartan_file.h"
 

@@ -3,13 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 
-#include "app/camera_option.h"
-#include "app/surface_options.h"
+#include "app/options.h"
 #include "render/image/image.h"
 #include "render/scene/scene.h"
 #include "sim/body/body.h"
 #include "sim/mesh/plain_mesh.h"
-#include "sim/mesh/triangle_hierarchy.h"
 #include "sim/pattern/fabric.h"
 #include "sim/tartan/sett.h"
 

@@ -1,12 +1,12 @@
 #pragma once
-// Shows on the terminal how far a long task has come (sim/core/progress.h): one line redrawn in place on a terminal,
+// Shows on the terminal how far a long task has come (sim/core/parallel.h): one line redrawn in place on a terminal,
 // one line per phase where the output goes to a file. Written to stderr, so that stdout stays the program's answer.
 #include <chrono>
 #include <cstdio>
 #include <string>
 #include <string_view>
 
-#include "sim/core/progress.h"
+#include "sim/core/parallel.h"
 
 namespace selvedge {
 

@@ -2,13 +2,12 @@
 #include <cstdio>
 #include <memory>
 
-#include "app/body_options.h"
+#include "app/options.h"
 #include "app/commands.h"
-#include "app/output_files.h"
 #include "app/picture.h"
 #include "app/progress_bar.h"
-#include "app/turntable.h"
-#include "render/image/png.h"
+#include "app/film.h"
+#include "render/image/image.h"
 #include "sim/core/error.h"
 #include "sim/exchange/mesh_file.h"
 

@@ -1,13 +1,13 @@
 #pragma once
 // A window with a context of its own (GLFW, X11 or Wayland), and what a person does in it as events. One lives at a
 // time, on the program's first thread; no other context may be current when it is made.
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "editor/frame/frame_output.h"
-#include "editor/frame/input.h"
+#include "editor/frame/frame.h"
 #include "render/gl/context.h"
 
 namespace selvedge {
@@ -54,5 +54,13 @@ class Window {
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
+
+// GLFW's keys and letters as the editor has them.
+
+// code: as GLFW numbers keys, by their place on an American keyboard. printed: what the key writes in the layout that
+// is in use, or empty; a letter goes before the place. None for keys that the editor does not know.
+Key key_of_code(int code, const std::string& printed);
+
+std::string utf8_of(std::uint32_t code_point);
 
 }  // namespace selvedge

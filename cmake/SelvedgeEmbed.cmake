@@ -1,6 +1,6 @@
 # selvedge_embed(TARGET FUNCTION FILE ...) compiles text files into TARGET, so that the program runs from any folder.
 # FUNCTION is declared by hand, in a header of the room, as: std::span<const EmbeddedFile> FUNCTION();
-# and gives the files in the order named here (sim/core/embedded.h). File names are relative to the source root.
+# and gives the files in the order named here (sim/core/file.h). File names are relative to the source root.
 function(selvedge_embed TARGET FUNCTION)
   set(output ${CMAKE_CURRENT_BINARY_DIR}/${FUNCTION}.cpp)
   set(files)

@@ -1,4 +1,4 @@
-# Every package that Selvedge uses, each owned by one room (docs/architecture.md).
+# Every package that Selvedge uses, each owned by one module (docs/architecture.md).
 option(SELVEDGE_TESTS "Build the tests" ON)
 set(BUILD_TESTING ${SELVEDGE_TESTS})  # CGAL's package would declare it, switched off
 find_package(Threads REQUIRED)

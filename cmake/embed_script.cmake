@@ -1,6 +1,6 @@
 # Run by selvedge_embed: writes one C++ source with each file as a raw string literal.
 string(REPLACE "|" ";" names "${FILES}")
-set(text "// Made by selvedge_embed.\n#include <array>\n#include <span>\n#include \"sim/core/embedded.h\"\n\nnamespace selvedge {\n")
+set(text "// Made by selvedge_embed.\n#include <array>\n#include <span>\n#include \"sim/core/file.h\"\n\nnamespace selvedge {\n")
 # The linter counts the lines of functions, and a text may have as many as it likes.
 set(text "${text}std::span<const EmbeddedFile> ${FUNCTION}();\nstd::span<const EmbeddedFile> ${FUNCTION}() {  // NOLINT(readability-function-size)\n")
 list(LENGTH names count)

@@ -4,11 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "bench/support/bias_theory.h"
+#include "bench/support/measured_mesh.h"
 #include "bench/support/cloth_run.h"
-#include "bench/support/material_points.h"
-#include "sim/adaptive/square.h"
-#include "sim/body/analytic_collider.h"
+#include "bench/support/square.h"
+#include "sim/collide/collider.h"
 
 namespace selvedge {
 namespace {

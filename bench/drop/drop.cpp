@@ -1,12 +1,16 @@
 #include "bench/drop/drop.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
+#include <utility>
 
-#include "bench/timing.h"
-#include "sim/body/analytic_collider.h"
-#include "sim/core/quantile.h"
+#include "bench/support/square.h"
+#include "bench/support/timing.h"
+#include "sim/collide/collider.h"
+#include "sim/core/math.h"
 
 namespace selvedge {
 namespace {
@@ -63,6 +67,159 @@ SphereDrop run_sphere_drop(const SphereDropOptions& options) {
     drop.quality = judge.quality();
     drop.ms_per_frame = 1e3 * quantile(seconds, 0.5);
     return drop;
+}
+
+Fabric drop_fabric() {
+    return {.name = "drop_cotton",
+            .area_density = 0.2,
+            .stretch_warp = 8000,
+            .stretch_weft = 8000,
+            .shear = 56,
+            .bending_warp = 1e-5,
+            .bending_weft = 1e-5,
+            .friction = 0.6,
+            .damping = 0.6,
+            .strain_limit = 1};
+}
+
+int triangle_count(int base_quads, int level) {
+    const int quads = base_quads << level;
+    return 2 * quads * quads;
+}
+
+int base_quads_for(int triangles, const DropScene& scene) {
+    constexpr std::array kBaseQuads{3, 6, 11, 22};
+    int nearest = kBaseQuads[0];
+    for (const int quads : kBaseQuads) {
+        const int best = std::abs(triangle_count(nearest, scene.level) - triangles);
+        if (std::abs(triangle_count(quads, scene.level) - triangles) < best) nearest = quads;
+    }
+    return nearest;
+}
+
+GarmentMesh drop_square(int base_quads, double shift, const DropScene& scene) {
+    GarmentMesh square = flat_grid(base_quads, scene);
+    for (Vec3d& x : square.x) x.x() += shift;
+    return square;
+}
+
+GarmentMesh flat_grid(int quads, const DropScene& scene) {
+    return make_square(
+        {.columns = quads, .rows = quads, .width = scene.side, .depth = scene.side, .height = scene.height});
+}
+
+bool is_sampled(int frame) {
+    return frame >= 30 && frame <= 90 && frame % 10 == 0;
+}
+
+namespace {
+
+constexpr const char* kBias = "bias";  // the gate
+
+std::vector<std::string> missed_gates(const DropTrial& trial, const DropGates& gates) {
+    std::vector<std::string> missed;
+    if (!trial.quality.is_finite) return {"finite"};
+    if (!(trial.quality.p99_stretch <= gates.max_stretch)) missed.emplace_back("stretch");
+    if (!(trial.quality.area_error <= gates.max_area_error)) missed.emplace_back("area");
+    if (!(trial.quality.least_gap >= 0)) missed.emplace_back("inside");
+    if (!(std::abs(trial.bias.stiffness_ratio - 1) <= gates.max_bias_error)) missed.emplace_back(kBias);
+    return missed;
+}
+
+}  // namespace
+
+bool DropTrial::passes_but_for_bias() const {
+    return std::ranges::all_of(missed, [](const std::string& gate) { return gate == kBias; });
+}
+
+DropTrial try_drop(const SphereDropOptions& options, const DropGates& gates) {
+    const SphereDrop drop = run_sphere_drop(options);
+    DropTrial trial;
+    trial.substeps = options.substeps;
+    trial.quality = drop.quality;
+    trial.ms_per_frame = drop.ms_per_frame;
+    trial.bias = measure_bias(drop_fabric(), {.element = options.scene.side / options.base_quads,
+                                              .level = options.scene.level,
+                                              .substeps = options.substeps,
+                                              .frame_seconds = options.scene.frame_seconds});
+    trial.missed = missed_gates(trial, gates);
+    return trial;
+}
+
+std::optional<int> find_least(int most, const std::function<bool(int)>& passes) {
+    int fails = 0;
+    int good = std::min(2, most);
+    while (!passes(good)) {
+        if (good == most) return std::nullopt;
+        fails = good;
+        good = std::min(2 * good, most);
+    }
+    while (good - fails > 1) {
+        const int middle = fails + (good - fails) / 2;
+        (passes(middle) ? good : fails) = middle;
+    }
+    return good;
+}
+
+namespace {
+
+int frames_in(double seconds, const DropScene& scene) {
+    return std::max(1, static_cast<int>(std::lround(seconds / scene.frame_seconds)));
+}
+
+}  // namespace
+
+RestFigures rest_after(ClothRun& run, const DropScene& scene, double seconds) {
+    const SphereCollider sphere(Vec3f::Zero(), static_cast<float>(scene.radius));
+    const int watched = frames_in(1, scene);
+    const int frames = frames_in(seconds, scene);
+    const MeasuredMesh mesh = measured(run);
+    std::vector<Vec3d> before;
+    for (int frame = 0; frame < frames; ++frame) {
+        if (frame == std::max(0, frames - watched)) before = positions(run);
+        run_frame(run, sphere);
+    }
+    const double watched_seconds = std::min(watched, frames) * scene.frame_seconds;
+    return {.kinetic_energy = energy(run).kinetic,
+            .rms_speed = rms_speed(run),
+            .net_speed = shape_distance(mesh, before, positions(run)).rms / watched_seconds};
+}
+
+WeightlessFigures weightless(ClothRun& run, const DropScene& scene, double seconds) {
+    const SphereCollider sphere(Vec3f::Zero(), static_cast<float>(scene.radius));
+    run.options.gravity = Vec3f::Zero();
+    const Energy start = energy(run);
+    const int window = frames_in(0.25, scene);
+    WeightlessFigures figures;
+    double first = 0;
+    double before = 0;
+    double highest = 0;
+    for (int frame = 0; frame < frames_in(seconds, scene); ++frame) {
+        run_frame(run, sphere);
+        const Energy now = energy(run);
+        figures.energy_growth =
+            std::max(figures.energy_growth, (now.kinetic + now.elastic) / (start.kinetic + start.elastic) - 1);
+        highest = std::max(highest, now.kinetic);
+        figures.kinetic_end = now.kinetic;
+        if ((frame + 1) % window != 0) continue;
+        if (first == 0) first = highest;
+        if (before > 0) figures.kinetic_growth = std::max(figures.kinetic_growth, (highest - before) / first);
+        before = std::exchange(highest, 0.0);
+    }
+    return figures;
+}
+
+ConvergedFigures compare_converged(const SphereDrop& drop, const SphereDropOptions& options, int converged_substeps) {
+    SphereDropOptions fine = options;
+    fine.substeps = converged_substeps;
+    const SphereDrop converged = run_sphere_drop(fine);
+    fine.shift += 0.001;
+    const SphereDrop shifted = run_sphere_drop(fine);
+    const MeasuredMesh mesh = measured(converged.run);
+    const std::vector<Vec3d> x = positions(converged.run);
+    return {.substeps = converged_substeps,
+            .distance = shape_distance(mesh, positions(drop.run), x),
+            .noise_floor = shape_distance(mesh, positions(shifted.run), x)};
 }
 
 }  // namespace selvedge

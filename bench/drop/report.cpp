@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/core/quantile.h"
+#include "sim/core/math.h"
 
 namespace selvedge {
 namespace {

@@ -4,10 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "bench/drop/honesty.h"
-#include "bench/drop/search.h"
-#include "bench/table.h"
-#include "sim/core/progress.h"
+#include "bench/drop/drop.h"
+#include "bench/support/table.h"
+#include "sim/core/parallel.h"
 
 namespace selvedge {
 

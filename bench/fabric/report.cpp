@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-#include "bench/fabric/elastica.h"
+#include "bench/fabric/theory.h"
 
 namespace selvedge {
 namespace {

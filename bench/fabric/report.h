@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "bench/fabric/textile_test.h"
-#include "bench/table.h"
-#include "sim/core/progress.h"
+#include "bench/support/table.h"
+#include "sim/core/parallel.h"
 
 namespace selvedge {
 

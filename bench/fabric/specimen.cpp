@@ -5,8 +5,7 @@
 #include <iterator>
 #include <numbers>
 
-#include "sim/mesh/assemble.h"
-#include "sim/mesh/merge_seams.h"
+#include "sim/mesh/sew.h"
 
 namespace selvedge {
 namespace {

@@ -3,7 +3,7 @@
 // or weighs it down, is a panel of its own, so that the clamp's edge is where it should be on any mesh.
 #include <vector>
 
-#include "sim/core/vec.h"
+#include "sim/core/math.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/pattern.h"

@@ -12,10 +12,9 @@
 #include <optional>
 
 #include "bench/drop/drop.h"
-#include "bench/drop/search.h"
-#include "bench/table.h"
-#include "bench/timing.h"
-#include "sim/core/quantile.h"
+#include "bench/support/table.h"
+#include "bench/support/timing.h"
+#include "sim/core/math.h"
 
 namespace selvedge {
 namespace {

@@ -15,10 +15,10 @@
 #include <vector>
 
 #include "sim/adaptive/adaptive_mesh.h"
-#include "sim/adaptive/square.h"
+#include "bench/support/square.h"
 #include "sim/core/file.h"
 #include "sim/core/json.h"
-#include "sim/core/quantile.h"
+#include "sim/core/math.h"
 
 namespace {
 

@@ -7,9 +7,9 @@
 #include <ctime>
 #include <map>
 
-#include "bench/timing.h"
-#include "render/draft_renderer.h"
-#include "sim/core/quantile.h"
+#include "bench/support/timing.h"
+#include "render/preview/preview_renderer.h"
+#include "sim/core/math.h"
 
 namespace selvedge {
 namespace {

@@ -3,9 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/table.h"
-#include "render/picture_times.h"
-#include "render/renderer.h"
+#include "bench/support/table.h"
+#include "render/draw/renderer.h"
 
 namespace selvedge {
 

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/adaptive/uniform.h"
+#include "sim/adaptive/criteria.h"
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/step.h"
-#include "sim/cloth/stretch.h"
+#include "sim/cloth/cloth.h"
 
 namespace selvedge {
 namespace {

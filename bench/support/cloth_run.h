@@ -6,7 +6,7 @@
 
 #include "bench/support/measured_mesh.h"
 #include "sim/cloth/cloth.h"
-#include "sim/core/vec.h"
+#include "sim/core/math.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/fabric.h"
 

@@ -1,10 +1,12 @@
 #include "bench/support/measured_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
-#include "sim/core/quantile.h"
+#include "sim/core/math.h"
 
 namespace selvedge {
 namespace {
@@ -83,6 +85,55 @@ ShapeDistance shape_distance(const MeasuredMesh& mesh, const std::vector<Vec3d>&
     }
     const auto count = static_cast<double>(mesh.vertices.size());
     return {.mean = distance.mean / count, .rms = std::sqrt(distance.rms / count)};
+}
+
+namespace {
+
+using Weights = std::array<double, 3>;
+
+Weights barycentric(const LeafTriangle& t, const Vec2d& u) {
+    const Vec2d origin = t.u[0].cast<double>();
+    const Vec2d e1 = t.u[1].cast<double>() - origin;
+    const Vec2d e2 = t.u[2].cast<double>() - origin;
+    const Vec2d d = u - origin;
+    const double area = cross2(e1, e2);
+    const double w1 = cross2(d, e2) / area;
+    const double w2 = cross2(e1, d) / area;
+    return {1 - w1 - w2, w1, w2};
+}
+
+}  // namespace
+
+Vec3d material_point(const Cloth& cloth, int panel, const Vec2d& u) {
+    double best = -std::numeric_limits<double>::infinity();
+    Vec3d found = Vec3d::Zero();
+    for (const LeafTriangle& t : cloth.mesh.leaf_triangles()) {
+        if (t.panel != panel) continue;
+        const Weights w = barycentric(t, u);
+        const double least = *std::ranges::min_element(w);
+        if (least <= best) continue;
+        best = least;
+        found.setZero();
+        for (std::size_t k = 0; k < 3; ++k) found += w[k] * cloth.x[t.v[k].value].head<3>().cast<double>();
+    }
+    return found;
+}
+
+Vec3d mean_material_point(const Cloth& cloth, int panel, const Vec2d& u, const Vec2d& v, int count) {
+    Vec3d sum = Vec3d::Zero();
+    for (int i = 0; i < count; ++i) sum += material_point(cloth, panel, u + (v - u) * (double(i) / (count - 1)));
+    return sum / count;
+}
+
+double bias_stiffness(const Fabric& fabric) {
+    return 4 / (1 / fabric.stretch_warp + 1 / fabric.stretch_weft + 1 / fabric.shear);
+}
+
+double bias_strain(const Fabric& fabric, double force) {
+    double shear = force / (2 * fabric.shear);  // rad
+    for (int i = 0; i < 50; ++i) shear = force * (std::cos(shear / 2) - std::sin(shear / 2)) / (2 * fabric.shear);
+    const double turned = std::cos(shear / 2) + std::sin(shear / 2) - 1;
+    return turned + force / 4 * (1 / fabric.stretch_warp + 1 / fabric.stretch_weft);
 }
 
 }  // namespace selvedge

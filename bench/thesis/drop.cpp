@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
-#include "bench/timing.h"
-#include "render/cloth_vertices.h"
-#include "sim/adaptive/square.h"
-#include "sim/adaptive/uniform.h"
-#include "sim/body/analytic_collider.h"
+#include "bench/support/square.h"
+#include "bench/support/timing.h"
+#include "render/draw/cloth_vertices.h"
+#include "render/marks/show.h"
+#include "sim/adaptive/criteria.h"
 #include "sim/cloth/step.h"
-#include "sim/dress/inspect.h"
+#include "sim/collide/collider.h"
+#include "sim/dress/report.h"
 
 namespace selvedge {
 namespace {
@@ -31,7 +33,7 @@ Cloth make_drop_cloth(const DropOptions& options) {
     return make_cloth(base, {find_fabric("cotton_shirting")});
 }
 
-struct Scene {
+struct DropScene {
     Cloth cloth;
     std::unique_ptr<Collider> object;
     StepOptions stepping{};
@@ -44,8 +46,8 @@ MinimumLevelDisc everywhere(int level) {
     return {.panel = 0, .centre = Vec2f::Zero(), .radius = 10.0F * static_cast<float>(kSide), .level = level};
 }
 
-Scene make_scene(const DropOptions& options) {
-    Scene scene{.cloth = make_drop_cloth(options), .object = make_drop_object(options.object)};
+DropScene make_scene(const DropOptions& options) {
+    DropScene scene{.cloth = make_drop_cloth(options), .object = make_drop_object(options.object)};
     scene.stepping.contact.floor = kNoFloor;
     if (options.falls_off) scene.stepping.contact.friction_scale = kSlipperyFriction;
     scene.adapting.criteria = options.criteria;
@@ -65,7 +67,7 @@ Scene make_scene(const DropOptions& options) {
 }
 
 // With a uniform level: the pass that asks every edge and changes nothing.
-void adapt_frame(Scene& scene, const DropOptions& options) {
+void adapt_frame(DropScene& scene, const DropOptions& options) {
     if (options.uniform_level) {
         NoState none;
         set_uniform_level(scene.cloth.mesh, none, *options.uniform_level);
@@ -83,7 +85,7 @@ void draw_frame(const Cloth& cloth) {
     keep(make_cloth_vertices(mesh, vertex_normals(mesh), std::vector<Openness>(mesh.x.size())));
 }
 
-DropFrame run_frame(Scene& scene, const DropOptions& options) {
+DropFrame run_frame(DropScene& scene, const DropOptions& options) {
     DropFrame frame;
     frame.adaption = 1e3 * time_once([&] { adapt_frame(scene, options); });
     frame.triangles = scene.cloth.mesh.leaf_triangles().size();
@@ -145,7 +147,7 @@ const char* name_of(DropObject object) {
 }
 
 DropRun run_drop(const DropOptions& options) {
-    Scene scene = make_scene(options);
+    DropScene scene = make_scene(options);
     scene.adapting.transitions = &scene.run.transitions;
     const int frames = static_cast<int>(std::lround(options.seconds / kFrameSeconds));
     for (int i = 0; i < frames; ++i) {
@@ -176,6 +178,62 @@ double mean_distance(const DropRun& a, const DropRun& b) {
     double sum = 0;
     for (std::size_t i = 0; i < a.grid.size(); ++i) sum += static_cast<double>((a.grid[i] - b.grid[i]).norm());
     return sum / static_cast<double>(a.grid.size());
+}
+
+namespace {
+
+constexpr std::uint32_t kSegments = 48;
+
+// A surface of revolution: points (along, radius) from one end to the other, turned about an axis.
+BodyItem revolve(const std::vector<Vec2f>& profile, bool about_x) {
+    BodyItem item;
+    for (const Vec2f& p : profile) {
+        for (std::uint32_t i = 0; i < kSegments; ++i) {
+            const float turn = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / kSegments;
+            const float c = p.y() * std::cos(turn), s = p.y() * std::sin(turn);
+            item.x.emplace_back(about_x ? Vec3f(p.x(), c, s) : Vec3f(s, p.x(), c));
+        }
+    }
+    for (std::uint32_t ring = 0; ring + 1 < profile.size(); ++ring) {
+        for (std::uint32_t i = 0; i < kSegments; ++i) {
+            const std::uint32_t a = ring * kSegments + i, b = ring * kSegments + (i + 1) % kSegments;
+            item.triangles.push_back({a, b, b + kSegments});
+            item.triangles.push_back({a, b + kSegments, a + kSegments});
+        }
+    }
+    item.normals = vertex_normals(item.x, item.triangles);
+    return item;
+}
+
+BodyItem object_item(DropObject object) {
+    if (object == DropObject::Cylinder)
+        return revolve({{-kDropHalfLength, 0.001F},
+                        {-kDropHalfLength, 0.999F * kDropRadius},
+                        {-0.999F * kDropHalfLength, kDropRadius},
+                        {0.999F * kDropHalfLength, kDropRadius},
+                        {kDropHalfLength, 0.999F * kDropRadius},
+                        {kDropHalfLength, 0.001F}},
+                       true);
+    std::vector<Vec2f> profile;
+    for (int i = 0; i <= 24; ++i) {
+        const float angle = std::numbers::pi_v<float> * (static_cast<float>(i) / 24 - 0.5F);
+        profile.emplace_back(kDropRadius * std::sin(angle), std::max(1e-4F, kDropRadius * std::cos(angle)));
+    }
+    return revolve(profile, false);
+}
+
+}  // namespace
+
+Image DropPainter::draw(const Cloth& cloth, DropObject object) {
+    Scene scene;
+    scene.cloths.push_back({.mesh = plain_mesh(cloth, {"cloth"}), .sett = {}, .show = ShowMode::Level});
+    scene.bodies.push_back(object_item(object));
+    scene.camera = {.eye = Vec3f(1.25F, 1.0F, 2.9F), .target = Vec3f(0, -0.08F, 0)};
+    scene.light = studio_light(scene.camera);
+    scene.has_ground = false;
+    Image image = renderer_.draw(scene, {.width_px = side_px_, .height_px = side_px_});
+    draw_legend(image, level_legend(scene.cloths.front().mesh), Corner::LowerLeft);
+    return image;
 }
 
 }  // namespace selvedge

@@ -11,9 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "sim/body/collider.h"
+#include "render/draw/renderer.h"
+#include "render/image/image.h"
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/cloth.h"
+#include "sim/collide/collider.h"
 
 namespace selvedge {
 
@@ -60,5 +62,18 @@ std::unique_ptr<Collider> make_drop_object(DropObject object);
 const char* name_of(DropObject object);
 inline constexpr float kDropRadius = 0.25F;     // m
 inline constexpr float kDropHalfLength = 0.6F;  // m
+
+// Pictures of a dropped cloth, its triangles coloured by level. Owns the renderer's context: one at a time.
+
+class DropPainter {
+ public:
+    explicit DropPainter(int side_px) : side_px_(side_px) {}
+
+    Image draw(const Cloth& cloth, DropObject object);
+
+ private:
+    Renderer renderer_;
+    int side_px_;
+};
 
 }  // namespace selvedge

@@ -1,13 +1,115 @@
-// Table 4.1: finding points in a grid and in an octree of the same depth.
+#include "bench/thesis/point_search.h"
+
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 
-#include "bench/thesis/point_structures.h"
+#include "bench/support/timing.h"
 #include "bench/thesis/thesis.h"
-#include "bench/timing.h"
 #include "sim/core/assert.h"
 
 namespace selvedge {
+namespace {
+
+// Which of the eight children of a node at `depth` a cell lies in.
+std::uint32_t octant(const std::array<std::uint32_t, 3>& cell, int depth) {
+    const int shift = kPointDepth - 1 - depth;
+    return ((cell[0] >> shift) & 1U) | ((cell[1] >> shift) & 1U) << 1 | ((cell[2] >> shift) & 1U) << 2;
+}
+
+// The octants from the root down, three bits each: cells of a node have neighbouring codes.
+std::uint32_t code_of(const std::array<std::uint32_t, 3>& cell) {
+    std::uint32_t code = 0;
+    for (int depth = 0; depth < kPointDepth; ++depth) code = code << 3 | octant(cell, depth);
+    return code;
+}
+
+template <class Entry>
+std::uint32_t search(const Entry* first, const Entry* last, const Vec3f& p) {
+    for (; first != last; ++first) {
+        if (first->x == p) return first->index;
+    }
+    return kNoPoint;
+}
+
+}  // namespace
+
+std::array<std::uint32_t, 3> Cube::cell(const Vec3f& p) const {
+    const Vec3f at = (p - low) * (static_cast<float>(kPointSide) / side);
+    const auto along = [&](int axis) { return std::min(static_cast<std::uint32_t>(at[axis]), kPointSide - 1); };
+    return {along(0), along(1), along(2)};
+}
+
+PointGrid::PointGrid(std::span<const Vec3f> points, const Cube& cube)
+    : cube_(cube), first_(std::size_t{kPointSide} * kPointSide * kPointSide + 1, 0) {
+    for (const Vec3f& p : points)
+        if (cube.contains(p)) ++first_[cell_of(p) + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    points_.resize(first_.back());
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for (std::uint32_t i = 0; i < points.size(); ++i)
+        if (cube.contains(points[i])) points_[next[cell_of(points[i])]++] = {points[i], i};
+}
+
+std::size_t PointGrid::cell_of(const Vec3f& p) const {
+    const auto cell = cube_.cell(p);
+    return (std::size_t{cell[2]} * kPointSide + cell[1]) * kPointSide + cell[0];
+}
+
+std::uint32_t PointGrid::find(const Vec3f& p) const {
+    if (!cube_.contains(p)) return kNoPoint;
+    const std::size_t cell = cell_of(p);
+    return search(points_.data() + first_[cell], points_.data() + first_[cell + 1], p);
+}
+
+std::size_t PointGrid::bytes() const {
+    return first_.size() * sizeof(first_[0]) + points_.size() * sizeof(Entry);
+}
+
+PointOctree::PointOctree(std::span<const Vec3f> points, const Cube& cube) : cube_(cube) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> order;  // code, index
+    for (std::uint32_t i = 0; i < points.size(); ++i)
+        if (cube.contains(points[i])) order.emplace_back(code_of(cube.cell(points[i])), i);
+    std::sort(order.begin(), order.end());
+    std::vector<std::uint32_t> codes;
+    for (const auto& [code, index] : order) {
+        codes.push_back(code);
+        points_.push_back({points[index], index});
+    }
+    nodes_.push_back({0, 0, static_cast<std::uint32_t>(points_.size())});
+    divide(0, 0, codes);
+}
+
+void PointOctree::divide(std::uint32_t node, int depth, std::vector<std::uint32_t>& codes) {
+    if (depth == kPointDepth || nodes_[node].count <= 1) return;
+    const auto children = static_cast<std::uint32_t>(nodes_.size());
+    nodes_[node].children = children;
+    std::uint32_t at = nodes_[node].first;
+    const std::uint32_t end = at + nodes_[node].count;
+    const int shift = 3 * (kPointDepth - 1 - depth);
+    for (std::uint32_t child = 0; child < 8; ++child) {
+        const std::uint32_t first = at;
+        while (at < end && ((codes[at] >> shift) & 7U) == child) ++at;
+        nodes_.push_back({0, first, at - first});
+    }
+    for (std::uint32_t child = 0; child < 8; ++child) divide(children + child, depth + 1, codes);
+}
+
+std::uint32_t PointOctree::find(const Vec3f& p) const {
+    if (!cube_.contains(p)) return kNoPoint;
+    const auto cell = cube_.cell(p);
+    const Node* node = nodes_.data();
+    for (int depth = 0; node->children != 0; ++depth) node = &nodes_[node->children + octant(cell, depth)];
+    return search(points_.data() + node->first, points_.data() + node->first + node->count, p);
+}
+
+std::size_t PointOctree::bytes() const {
+    return nodes_.size() * sizeof(Node) + points_.size() * sizeof(Entry);
+}
+
+// Table 4.1: finding points in a grid and in an octree of the same depth.
+
 namespace {
 
 std::vector<Vec3f> random_points(std::size_t count) {

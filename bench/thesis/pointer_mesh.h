@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-#include "sim/core/vec.h"
+#include "sim/core/math.h"
 #include "sim/mesh/garment_mesh.h"
 
 namespace selvedge {

@@ -1,17 +1,262 @@
-// Tables 6.2 and 6.3, cloth that is simulated coarse and drawn curved, with what they look like; 6.2-distance, how near
-// that comes to the cloth simulated fine; figures 6.4 and 6.5, what a modifier does to a curve, and 6.6, which normals
-// the light sees.
+#include "bench/thesis/surface_tables.h"
+
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numbers>
 
-#include "bench/contact_sheet.h"
-#include "bench/thesis/surface_run.h"
+#include "bench/support/table.h"
+#include "bench/support/timing.h"
 #include "bench/thesis/thesis.h"
-#include "bench/timing.h"
+#include "sim/adaptive/criteria.h"
+#include "sim/cloth/adapt_cloth.h"
+#include "sim/cloth/step.h"
+#include "sim/collide/collider.h"
 #include "sim/core/parallel.h"
+#include "sim/mesh/sew.h"
+#include "sim/pattern/pattern.h"
 
 namespace selvedge {
+namespace {
+
+constexpr double kTurn = 0.8;  // rad/s: the viewer of back-face coarsening walks round the cloth
+
+double clock_ms(const std::function<void()>& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return 1e3 * std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Of those vertices that both have.
+double largest_move(const CurvedSurface& from, const CurvedSurface& to) {
+    float most = 0;
+    for (const VertexId v : to.mesh.leaf_vertices()) {
+        const EdgeId parent = to.mesh.vertex(v).parent;
+        if (!parent) continue;
+        const bool was_there = parent.value < from.mesh.edges().capacity() && from.mesh.edge(parent).centre == v;
+        const auto [a, b] = to.mesh.edge(parent).ends;
+        const Vec4f before = was_there ? from.x[v.value] : Vec4f((from.x[a.value] + from.x[b.value]) * 0.5F);
+        most = std::max(most, (to.x[v.value] - before).norm());
+    }
+    return static_cast<double>(most);
+}
+
+ViewPoint viewer(SurfaceExperiment experiment, double time) {
+    const Camera camera = surface_camera(experiment);
+    const Eigen::AngleAxisf turn(static_cast<float>(kTurn * time), Vec3f::UnitY());
+    return {.eye = camera.target + turn * (camera.eye - camera.target)};
+}
+
+class Run {
+ public:
+    Run(SurfaceExperiment experiment, const SurfaceRow& row, const SurfaceRunOptions& options)
+        : row_(row),
+          scene_(make_surface_scene(experiment)),
+          surface_(make_curved_surface(scene_.base, {.modifier = curve_modifier(options.kind)})),
+          visibility_(viewer(experiment, 0)) {
+        if (row.level) set_surface_level(surface_, *row.level);
+    }
+
+    void frame(SurfaceFigures& sums) {
+        sums.simulation_ms += 1e3 * time_once([&] { run_frame(scene_); });
+        const CurvedSurface before = surface_;
+        sums.surface_ms += 1e3 * time_once([&] { move(); });
+        sums.triangles += static_cast<double>(surface_.mesh.leaf_triangles().size());
+        if (!row_.level) sums.largest_jump_m = std::max(sums.largest_jump_m, jump_since(before));
+    }
+
+    const CurvedSurface& surface() const { return surface_; }
+
+ private:
+    void move() {
+        const std::vector<Vec4f> normals = surface_normals(scene_.cloth);
+        if (!row_.level) {
+            visibility_.move_to(viewer(scene_.experiment, scene_.frames * kSurfaceFrame));
+            adapt_surface(surface_, {.visibility = row_.coarsens_back_faces ? &visibility_ : nullptr, .glides = true});
+        }
+        update_surface(surface_, scene_.cloth.x, normals);
+    }
+
+    // Against the same surface moved with the cloth, but with nothing split, rejoined or gliding.
+    double jump_since(CurvedSurface before) const {
+        move_surface(before, scene_.cloth.x, surface_normals(scene_.cloth), {.longest_glide = 0});
+        return largest_move(before, surface_);
+    }
+
+    const SurfaceRow& row_;
+    SurfaceScene scene_;
+    CurvedSurface surface_;
+    Visibility visibility_;
+};
+
+}  // namespace
+
+std::vector<SurfaceRow> surface_rows() {
+    return {{.name = "level 0", .level = 0},
+            {.name = "level 1", .level = 1},
+            {.name = "level 2", .level = 2},
+            {.name = "level 3", .level = 3},
+            {.name = "adaptive"},
+            {.name = "adaptive, back faces coarse", .coarsens_back_faces = true}};
+}
+
+std::vector<Vec4f> surface_normals(const Cloth& coarse) {
+    std::vector<Vec4f> normals;
+    leaf_normals(coarse.mesh, coarse.x, normals);
+    return normals;
+}
+
+SurfaceFigures run_surface(SurfaceExperiment experiment, const SurfaceRow& row, const SurfaceRunOptions& options,
+                           Renderer& renderer) {
+    Run run(experiment, row, options);
+    SurfaceFigures figures;
+    const long frames = std::max(1L, std::lround(options.seconds / kSurfaceFrame));
+    const long interval = std::max(1L, frames / options.drawn_frames);
+    long drawn = 0;
+    for (long i = 1; i <= frames; ++i) {
+        run.frame(figures);
+        if (i % interval != 0) continue;
+        const PlainMesh mesh = mesh_of(run.surface(), run.surface().light_normals);
+        figures.drawing_ms += clock_ms(
+            [&] { figures.picture = draw_surface(renderer, mesh, experiment, ShowMode::Edges, options.side_px); });
+        ++drawn;
+    }
+    for (double* mean : {&figures.triangles, &figures.simulation_ms, &figures.surface_ms})
+        *mean /= static_cast<double>(frames);
+    figures.drawing_ms /= static_cast<double>(drawn);
+    return figures;
+}
+
+Camera surface_camera(SurfaceExperiment experiment) {
+    if (experiment == SurfaceExperiment::Flag)
+        return {.eye = Vec3f(0.75F, 1.5F, 4.2F), .target = Vec3f(0.6F, 1.25F, 0)};
+    return {.eye = Vec3f(0.5F, 1.45F, 1.5F), .target = Vec3f(0, 1.24F, 0)};
+}
+
+PlainMesh mesh_of(const CurvedSurface& surface, const std::vector<Vec4f>& normals) {
+    PlainMesh mesh;
+    std::vector<std::uint32_t> places(surface.mesh.vertex_capacity());
+    for (const VertexId v : surface.mesh.leaf_vertices()) {
+        places[v.value] = static_cast<std::uint32_t>(mesh.x.size());
+        mesh.x.emplace_back(surface.x[v.value].head<3>());
+        mesh.normals.emplace_back(normals[v.value].head<3>());
+    }
+    for (const LeafTriangle& t : surface.mesh.leaf_triangles()) {
+        mesh.triangles.push_back({places[t.v[0].value], places[t.v[1].value], places[t.v[2].value]});
+        mesh.u.push_back(t.u);
+        mesh.level.push_back(t.level);
+    }
+    return mesh;
+}
+
+Image draw_surface(Renderer& renderer, const PlainMesh& mesh, SurfaceExperiment experiment, ShowMode show,
+                   int side_px) {
+    Scene scene;
+    scene.cloths.push_back({.mesh = mesh, .sett = {}, .show = show});
+    scene.camera = surface_camera(experiment);
+    scene.light = studio_light(scene.camera);
+    scene.has_ground = false;
+    return renderer.draw(scene, {.width_px = side_px, .height_px = side_px});
+}
+
+namespace {
+
+constexpr double kSquareSide = 0.5;                  // m: its edges are 5 cm, as garments have them
+constexpr double kPinnedWidth = 0.8;                 // of the side, between the pinned corners
+constexpr double kFlagWidth = 1.2, kFlagDrop = 0.8;  // m
+constexpr int kStepsPerFrame = 4;
+
+Pattern rectangle(double width, double height) {
+    Panel panel;
+    panel.name = "cloth";
+    panel.vertices = {{0, 0}, {width, 0}, {width, height}, {0, height}};
+    for (int i = 0; i < 4; ++i) panel.edges.push_back({.start = i, .end = (i + 1) % 4});
+    Pattern pattern;
+    pattern.panels = {panel};
+    return pattern;
+}
+
+// The edge length whose mesh comes nearest to so many triangles.
+GarmentMesh rectangle_of(double width, double height, int triangles) {
+    const Pattern pattern = rectangle(width, height);
+    const double mean = std::sqrt(width * height / triangles * 2.3094);  // of equilateral triangles
+    GarmentMesh nearest;
+    const auto off = [&](const GarmentMesh& mesh) {
+        return std::abs(static_cast<int>(mesh.triangles.size()) - triangles);
+    };
+    for (double share = 1.25; share > 0.75; share -= 0.01) {
+        GarmentMesh mesh = assemble(pattern, {.target_edge = share * mean});
+        if (off(mesh) < off(nearest)) nearest = std::move(mesh);
+    }
+    return nearest;
+}
+
+// Pinned at its upper corners, which are brought nearer; what is between bulges forward, so that it is as long as it
+// was.
+GarmentMesh pinned_square() {
+    GarmentMesh mesh = rectangle_of(kSquareSide, kSquareSide, kSurfaceTriangles);
+    const double bulge = 2.8 / std::numbers::pi * std::sqrt(1 - kPinnedWidth) * kSquareSide;
+    for (std::size_t i = 0; i < mesh.x.size(); ++i) {
+        Vec3d& x = mesh.x[i];
+        const bool is_top = x.y() > kSquareSide - 1e-9;
+        if (is_top && (x.x() < 1e-9 || x.x() > kSquareSide - 1e-9)) mesh.pins.push_back(static_cast<int>(i));
+        const double across = x.x() / kSquareSide;
+        x = Vec3d((across - 0.5) * kSquareSide * kPinnedWidth, x.y() + 1, bulge * std::sin(std::numbers::pi * across));
+    }
+    return mesh;
+}
+
+GarmentMesh flag() {
+    GarmentMesh mesh = rectangle_of(kFlagWidth, kFlagDrop, kSurfaceTriangles);
+    for (std::size_t i = 0; i < mesh.x.size(); ++i) {
+        if (mesh.x[i].x() < 1e-9) mesh.pins.push_back(static_cast<int>(i));
+        mesh.x[i] += Vec3d(0, 1, 0.02 * std::sin(9 * mesh.x[i].x()));
+    }
+    return mesh;
+}
+
+// It freshens and veers, always in the same way.
+Wind wind_at(double time) {
+    const double strength = 6 + 1.5 * std::sin(1.9 * time) + std::sin(4.3 * time + 1);
+    const double veer = 0.35 * std::sin(1.3 * time) + 0.25 * std::sin(3.7 * time + 2);
+    return {.velocity = Vec3d(strength * std::cos(veer), 0.2, strength * std::sin(veer)).cast<float>()};
+}
+
+}  // namespace
+
+SurfaceScene make_surface_scene(SurfaceExperiment experiment, int level) {
+    GarmentMesh base = experiment == SurfaceExperiment::Flag ? flag() : pinned_square();
+    Cloth cloth = make_cloth(base, {find_fabric("cotton_shirting")});
+    refresh_contacts(cloth);
+    const MinimumLevelDisc everywhere{.panel = 0, .centre = Vec2f::Zero(), .radius = 10, .level = level};
+    adapt_cloth(cloth, NoBody{},
+                {.criteria = {.collision = false, .curvature = false, .length = false},
+                 .minimum_levels = {&everywhere, 1},
+                 .shortest_edge = 0},
+                {});
+    return {.experiment = experiment, .base = std::move(base), .cloth = std::move(cloth)};
+}
+
+void run_frame(SurfaceScene& scene) {
+    const StepOptions options{.extra_damping = scene.experiment == SurfaceExperiment::Flag ? 0.0F : 1.0F};
+    for (int i = 0; i < kStepsPerFrame; ++i) {
+        const float seconds = step_seconds(scene.cloth, options);
+        if (scene.experiment == SurfaceExperiment::Flag)
+            blow(scene.cloth, wind_at(scene.frames * kSurfaceFrame + i * static_cast<double>(seconds)), seconds);
+        step(scene.cloth, NoBody{}, options);
+    }
+    ++scene.frames;
+}
+
+void run_for(SurfaceScene& scene, double seconds) {
+    const auto frames = std::lround(seconds / kSurfaceFrame);
+    for (long i = 0; i < frames; ++i) run_frame(scene);
+}
+
+// Tables 6.2 and 6.3, cloth that is simulated coarse and drawn curved, with what they look like; 6.2-distance, how near
+// that comes to the cloth simulated fine; figures 6.4 and 6.5, what a modifier does to a curve, and 6.6, which normals
+// the light sees.
+
 namespace {
 
 constexpr const char* kNote =

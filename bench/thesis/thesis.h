@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/plot.h"
-#include "bench/table.h"
+#include "bench/support/table.h"
 #include "render/image/image.h"
 
 namespace selvedge {

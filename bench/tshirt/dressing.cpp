@@ -7,9 +7,9 @@
 
 #include "sim/dress/drape.h"
 #include "sim/dress/dress.h"
-#include "sim/dress/placement.h"
+#include "sim/place/placement.h"
 #include "sim/dress/sewing.h"
-#include "sim/mesh/assemble.h"
+#include "sim/mesh/sew.h"
 
 namespace selvedge {
 namespace {

@@ -3,9 +3,9 @@
 #include <optional>
 
 #include "sim/body/body.h"
-#include "sim/body/body_collider.h"
+#include "sim/collide/body_collider.h"
 #include "sim/cloth/cloth.h"
-#include "sim/core/progress.h"
+#include "sim/core/parallel.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge {

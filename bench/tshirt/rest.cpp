@@ -5,9 +5,9 @@
 #include <limits>
 #include <numbers>
 
-#include "bench/timing.h"
+#include "bench/support/timing.h"
 #include "bench/tshirt/dressing.h"
-#include "sim/core/quantile.h"
+#include "sim/core/math.h"
 #include "sim/dress/drape.h"
 #include "sim/dress/dress.h"
 #include "sim/pattern/pattern_file.h"

@@ -3,8 +3,8 @@
 // of which one may rest (sim/cloth/resting.h).
 #include <filesystem>
 
-#include "bench/table.h"
-#include "sim/core/progress.h"
+#include "bench/support/table.h"
+#include "sim/core/parallel.h"
 
 namespace selvedge {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bench/table.h"
+#include "bench/support/table.h"
 #include "bench/tshirt/dressing.h"
 
 namespace selvedge {

@@ -1,5 +1,12 @@
 #include "editor/document/command.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <type_traits>
+#include <utility>
+
 namespace selvedge {
 namespace {
 
@@ -135,6 +142,267 @@ std::string label(const EvenSeam&) {
 
 std::string label_of(const Command& command) {
     return std::visit([](const auto& given) { return label(given); }, command);
+}
+
+namespace {
+
+constexpr double kFarthest = 1000;  // m, or rad: nothing in a pattern is larger
+
+constexpr std::array<std::pair<CurveKind, std::string_view>, 4> kCurveNames{{{CurveKind::Line, "line"},
+                                                                             {CurveKind::Quadratic, "quadratic"},
+                                                                             {CurveKind::Cubic, "cubic"},
+                                                                             {CurveKind::Arc, "circle"}}};
+
+// What has fields: numbers, texts, vectors and lists are no aggregates.
+template <class T>
+concept Record = std::is_aggregate_v<T>;
+
+// The fields of what commands are made of, listed as a command lists its own.
+template <class Visitor>
+void visit_fields(PartRef& part, Visitor&& visit) {
+    visit("panel", part.panel);
+    visit("index", part.index);
+}
+
+template <class Visitor>
+void visit_fields(SpanRef& span, Visitor&& visit) {
+    visit("panel", span.panel);
+    visit("edge", span.edge);
+    visit("from", span.from);
+    visit("to", span.to);
+}
+
+template <class Visitor>
+void visit_fields(PanelPlace& place, Visitor&& visit) {
+    visit("panel", place.panel);
+    visit("translation", place.translation);
+    visit("rotation", place.rotation);
+    visit("wrap_radius", place.wrap_radius);
+}
+
+template <class Visitor>
+void visit_fields(PlaneMap& map, Visitor&& visit) {
+    visit("x_axis", map.x_axis);
+    visit("y_axis", map.y_axis);
+    visit("shift", map.shift);
+}
+
+template <class Visitor>
+void visit_fields(OutlineEdge& edge, Visitor&& visit) {
+    visit("start", edge.start);
+    visit("end", edge.end);
+    visit("kind", edge.kind);
+    visit("control", edge.control[0]);
+    visit("control_2", edge.control[1]);
+    visit("radius", edge.arc_radius);
+    visit("is_large", edge.is_large_arc);
+    visit("turns_right", edge.turns_right);
+    visit("label", edge.label);
+}
+
+template <class Visitor>
+void visit_fields(InternalLine& line, Visitor&& visit) {
+    visit("name", line.name);
+    visit("points", line.points);
+}
+
+template <class Visitor>
+void visit_fields(Notch& notch, Visitor&& visit) {
+    visit("edge", notch.edge);
+    visit("at", notch.t);
+}
+
+template <class Visitor>
+void visit_fields(Panel& panel, Visitor&& visit) {
+    visit("name", panel.name);
+    visit("vertices", panel.vertices);
+    visit("edges", panel.edges);
+    visit("translation", panel.translation);
+    visit("rotation", panel.rotation);
+    visit("is_mirrored", panel.is_mirrored);
+    visit("grain_angle", panel.grain_angle);
+    visit("sett_offset", panel.sett_offset);
+    visit("fabric", panel.fabric);
+    visit("layer", panel.layer);
+    visit("pins", panel.pins);
+    visit("internal_lines", panel.internal_lines);
+    visit("notches", panel.notches);
+    visit("wrap_radius", panel.wrap_radius);
+    visit("mirror_of", panel.mirror_of);
+    visit("sheet_position", panel.sheet_position);
+}
+
+template <class T>
+requires requires {
+    T::name;
+}
+void visit_fields(T& command, auto&& visit) {
+    command.fields(visit);
+}
+
+template <class Vector>
+Json numbers_json(const Vector& v) {
+    Json list = Json::array();
+    for (Eigen::Index i = 0; i < v.size(); ++i) list.push_back(Json(v.data()[i]));
+    return list;
+}
+
+Json encode(bool value) {
+    return Json(value);
+}
+Json encode(int value) {
+    return Json(value);
+}
+Json encode(double value) {
+    return Json(value);
+}
+Json encode(const std::string& value) {
+    return Json(value);
+}
+Json encode(const Vec2d& value) {
+    return numbers_json(value);
+}
+Json encode(const Vec3d& value) {
+    return numbers_json(value);
+}
+Json encode(const Eigen::Matrix3d& value) {
+    return numbers_json(value);
+}  // column by column
+Json encode(CurveKind kind) {
+    return Json(std::find_if(kCurveNames.begin(), kCurveNames.end(), [&](const auto& known) {
+                    return known.first == kind;
+                })->second);
+}
+
+template <class T>
+Json encode(const std::optional<T>& value) {
+    return value ? encode(*value) : Json();
+}
+
+template <class T>
+Json encode_fields(const T& value);
+template <class T>
+Json encode(const std::vector<T>& values);
+
+template <Record T>
+Json encode(const T& value) {
+    return encode_fields(value);
+}
+
+template <class T>
+Json encode(const std::vector<T>& values) {
+    Json list = Json::array();
+    for (const T& value : values) list.push_back(encode(value));
+    return list;
+}
+
+template <class T>
+Json all_fields(T value) {
+    Json object = Json::object();
+    visit_fields(value, [&](const char* key, const auto& field) { object[key] = encode(field); });
+    return object;
+}
+
+// Without those that have their usual value.
+template <class T>
+Json encode_fields(const T& value) {
+    Json object = all_fields(value);
+    const Json usual = all_fields(T{});
+    std::erase_if(object.members(), [&](const Json::Member& member) {
+        return write_json(member.value, -1) == write_json(*usual.find(member.key), -1);
+    });
+    return object;
+}
+
+template <class T>
+void decode(const JsonView& view, std::vector<T>& values);
+template <class T>
+void decode(const JsonView& view, std::optional<T>& value);
+template <Record T>
+void decode(const JsonView& view, T& value);
+
+void decode(const JsonView& view, bool& value) {
+    value = view.boolean();
+}
+void decode(const JsonView& view, int& value) {
+    value = view.integer();
+}
+void decode(const JsonView& view, double& value) {
+    value = view.number_between(-kFarthest, kFarthest);
+}
+void decode(const JsonView& view, std::string& value) {
+    value = view.string();
+}
+
+template <class Scalar, int rows, int columns>
+void decode(const JsonView& view, Eigen::Matrix<Scalar, rows, columns>& value) {
+    constexpr std::size_t count = static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns);
+    if (view.size() != count) view.fail(std::to_string(count) + " numbers should be here");
+    for (std::size_t i = 0; i < count; ++i) decode(view.at(i), value.data()[i]);
+}
+
+void decode(const JsonView& view, CurveKind& kind) {
+    for (const auto& [known, name] : kCurveNames) {
+        if (view.string() == name) {
+            kind = known;
+            return;
+        }
+    }
+    view.fail("'" + view.string() + "' is none of line, quadratic, cubic, circle");
+}
+
+template <class T>
+void decode(const JsonView& view, std::optional<T>& value) {
+    value.reset();
+    if (!view.value().is_null()) decode(view, value.emplace());
+}
+
+template <Record T>
+void decode(const JsonView& view, T& value) {
+    for (const std::string& key : view.keys()) {
+        bool is_known = false;
+        visit_fields(value, [&](const char* field, const auto&) { is_known = is_known || key == field; });
+        if (!is_known) view.at(key).fail("there is no such field");
+    }
+    visit_fields(value, [&](const char* key, auto& field) {
+        if (view.has(key)) decode(view.at(key), field);
+    });
+}
+
+template <class T>
+void decode(const JsonView& view, std::vector<T>& values) {
+    values.clear();
+    for (std::size_t i = 0; i < view.size(); ++i) decode(view.at(i), values.emplace_back());
+}
+
+// The alternative of that name, from its fields; false: this is not its name.
+template <class T>
+bool decode_if_named(const JsonView& view, const std::string& name, Command& command) {
+    if (name != T::name) return false;
+    decode(view, command.emplace<T>());
+    return true;
+}
+
+template <std::size_t... i>
+bool decode_any(const JsonView& view, const std::string& name, Command& command, std::index_sequence<i...>) {
+    return (decode_if_named<std::variant_alternative_t<i, Command>>(view, name, command) || ...);
+}
+
+}  // namespace
+
+Json to_json(const Command& command) {
+    Json object = Json::object();
+    std::visit([&](const auto& given) { object[given.name] = encode_fields(given); }, command);
+    return object;
+}
+
+Command parse_command(const JsonView& view) {
+    const std::vector<std::string> names = view.keys();
+    if (names.size() != 1) view.fail("one command should be here, as {\"name\": {...}}");
+    Command command;
+    constexpr auto all = std::make_index_sequence<std::variant_size_v<Command>>();
+    if (!decode_any(view.at(names[0]), names[0], command, all)) view.fail("there is no command '" + names[0] + "'");
+    return command;
 }
 
 }  // namespace selvedge

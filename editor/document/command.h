@@ -7,10 +7,8 @@
 #include <string>
 #include <variant>
 
-#include "editor/document/outline_commands.h"
-#include "editor/document/panel_commands.h"
-#include "editor/document/pattern_commands.h"
-#include "editor/document/seam_commands.h"
+#include "editor/document/command_types.h"
+#include "sim/core/json.h"
 
 namespace selvedge {
 
@@ -23,5 +21,14 @@ using Command =
 
 // What it is called in the history: "Move 3 points".
 std::string label_of(const Command& command);
+
+// Commands as JSON, in scripts and journals: {"move_vertices": {"vertices": [{"panel": "front", "index": 2}], "by":
+// [0.01, 0]}}. Fields that have their usual value may be left out, and are when written.
+
+Json to_json(const Command& command);
+
+// Throws InputError naming the path: for a command or field that there is not, and for values of another kind, out of
+// range or not finite.
+Command parse_command(const JsonView& view);
 
 }  // namespace selvedge

@@ -3,6 +3,7 @@
 // it; whoever wants a change runs a command.
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,12 +11,23 @@
 #include <vector>
 
 #include "editor/document/command.h"
-#include "editor/document/file_names.h"
-#include "editor/document/pattern_patch.h"
+#include "editor/document/journal.h"
 #include "editor/document/selection.h"
+#include "sim/core/json.h"
 #include "sim/pattern/pattern_file.h"
 
 namespace selvedge {
+
+// What panels that were renamed are called in the file that a document came from: so they keep their place there, and
+// what else the file says of them.
+
+// By a panel's present name, where the file has another.
+using FileNames = std::map<std::string, std::string>;
+
+FileNames renamed(FileNames names, const std::string& from, const std::string& to);
+
+// The file with the present names. What the file has under a name that now is another panel's goes: its own panel went.
+Json with_present_names(Json specification, const FileNames& names);
 
 struct HistoryEntry {
     std::string label;

@@ -1,8 +1,11 @@
 #pragma once
 // What is selected: the same in all views. Panels by name, so that a selection outlives changes of the pattern.
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
+
+#include "sim/pattern/pattern.h"
 
 namespace selvedge {
 
@@ -28,5 +31,22 @@ struct Selection {
     }
     bool operator==(const Selection&) const = default;
 };
+
+// What the cursor is over: one thing, shown by the sheet and by the 3D view alike.
+
+struct Hover {
+    std::optional<PartRef> vertex{};
+    std::optional<PartRef> edge{};
+    std::optional<PartRef> notch{};
+    std::optional<PartRef> internal_line{};
+    std::string panel{};        // of all of these, or alone; empty: nothing is under the cursor
+    std::optional<int> seam{};  // index into Pattern::seams: that of the edge
+
+    bool operator==(const Hover&) const = default;
+};
+
+// A selection without what is not there.
+
+Selection clean_selection(Selection selection, const Pattern& pattern);
 
 }  // namespace selvedge

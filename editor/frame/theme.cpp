@@ -1,8 +1,8 @@
 #include "editor/frame/theme.h"
 
-#include <imgui.h>
-
+#include <algorithm>
 #include <cmath>
+#include <imgui.h>
 
 namespace selvedge {
 namespace {
@@ -112,6 +112,29 @@ void apply_theme(const Theme& theme, float scale) {
     set(ImGuiCol_TextSelectedBg, mixed(theme.field, theme.accent, 0.35F));
     set(ImGuiCol_DragDropTarget, colour(theme.accent));
     set(ImGuiCol_NavHighlight, colour(theme.accent));
+}
+
+namespace {
+
+bool is_digit(const ImFontGlyph& glyph) {
+    return glyph.Codepoint >= '0' && glyph.Codepoint <= '9';
+}
+
+}  // namespace
+
+void make_digits_tabular(ImFont& font) {
+    float widest = 0;
+    for (const ImFontGlyph& glyph : font.Glyphs) {
+        if (is_digit(glyph)) widest = std::max(widest, glyph.AdvanceX);
+    }
+    for (ImFontGlyph& glyph : font.Glyphs) {
+        if (!is_digit(glyph)) continue;
+        const float shift = 0.5F * (widest - glyph.AdvanceX);
+        glyph.X0 += shift;
+        glyph.X1 += shift;
+        glyph.AdvanceX = widest;
+        font.IndexAdvanceX[static_cast<int>(glyph.Codepoint)] = widest;
+    }
 }
 
 }  // namespace selvedge

@@ -1,17 +1,78 @@
-// Who wears it: sex, measures, stance, or a body from a file.
+#include "editor/inspectors/body_inspector.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <imgui.h>
-
 #include <numbers>
+#include <utility>
 
-#include "editor/inspectors/body_change.h"
-#include "editor/inspectors/body_text.h"
 #include "editor/inspectors/controls.h"
-#include "editor/inspectors/fabric_text.h"
+#include "editor/inspectors/material_inspector.h"
 #include "editor/inspectors/number_box.h"
-#include "editor/inspectors/vector_row.h"
 #include "sim/core/error.h"
+#include "sim/place/placement.h"
 
 namespace selvedge {
+namespace {
+
+constexpr int kGivenUpAfter = 3;  // frames in which nothing was being made and the body is not there: it failed
+
+std::string drafted_text(const Pattern& pattern) {
+    return pattern.body.empty() ? kUsualBody : pattern.body;
+}
+
+void keep_body(InspectorContext& context) {
+    BodyState& state = context.state.body;
+    const WornBody& worn = context.workspace.drape.worn();
+    const Pattern& pattern = context.pattern();
+    // Where the body that it was drafted for was never made, panels stay where they are.
+    const SetBody command = state.drafted_body != nullptr && state.drafted == drafted_text(pattern)
+                                ? set_body_command(pattern, worn.text, *state.drafted_body, *worn.body)
+                                : SetBody{.body = worn.text};
+    context.workspace.run(command);
+    drop_body_wish(context);
+}
+
+}  // namespace
+
+void wish_body(InspectorContext& context, const std::string& text, BodyWish wish) {
+    BodyState& state = context.state.body;
+    state.wrong = wrong_with_body(text);
+    if (!state.wrong.empty()) return;
+    state.pending = text;
+    state.is_kept = wish == BodyWish::Keep;
+    state.idle_frames = 0;
+    context.workspace.drape.wear(text);
+}
+
+void drop_body_wish(InspectorContext& context) {
+    BodyState& state = context.state.body;
+    state.pending.clear();
+    state.wrong.clear();
+    state.is_kept = false;
+    context.workspace.drape.wear({});
+}
+
+void follow_body_wish(InspectorContext& context) {
+    BodyState& state = context.state.body;
+    const Drape& drape = context.workspace.drape;
+    const std::string drafted = drafted_text(context.pattern());
+    if (drape.worn().body != nullptr && drape.worn().text == drafted) {
+        state.drafted = drafted;
+        state.drafted_body = drape.worn().body;
+    }
+    if (state.pending.empty()) return;
+    if (drape.worn().body != nullptr && drape.worn().text == state.pending) {
+        if (state.is_kept) keep_body(context);
+        return;
+    }
+    state.idle_frames = drape.is_making_body() ? 0 : state.idle_frames + 1;
+    if (state.idle_frames >= kGivenUpAfter) drop_body_wish(context);
+}
+
+// Who wears it: sex, measures, stance, or a body from a file.
+
 namespace {
 
 constexpr double kUsualStance = 0.9 * std::numbers::pi / 180;  // rad, of the mannequin
@@ -169,6 +230,81 @@ void draw_body(InspectorContext& context) {
         context.open_body();
     }
     ImGui::PopID();
+}
+
+namespace {
+
+constexpr std::array<std::pair<std::string_view, const char*>, 19> kTips{{
+    {"height", "Floor to crown."},
+    {"inseam", "Floor to the crotch, inside the leg."},
+    {"shoulder", "Across, from shoulder joint to shoulder joint."},
+    {"arm", "From the shoulder joint over the elbow to the wrist."},
+    {"bust", "Level round the fullest part."},
+    {"underbust", "Level round the ribs, below the bust."},
+    {"waist", "Level round the narrowest part."},
+    {"high_hip", "Level, halfway from hip to waist."},
+    {"hip", "Level round the fullest part of the seat."},
+    {"neck", "Round the neck, lower in front."},
+    {"biceps", "Round the upper arm, halfway."},
+    {"elbow", "Round the elbow."},
+    {"forearm", "Round the forearm, below the elbow."},
+    {"wrist", "Round the wrist."},
+    {"thigh", "Level round the thigh, 3 cm below the crotch."},
+    {"mid_thigh", "Round the thigh, above the knee."},
+    {"knee", "Round the knee."},
+    {"calf", "Round the fullest part of the calf."},
+    {"ankle", "Round the ankle."},
+}};
+
+}  // namespace
+
+bool is_mannequin(std::string_view body) {
+    return body.empty() || body.starts_with("mannequin");
+}
+
+std::string mannequin_text(const MannequinOptions& options) {
+    std::string text = options.sex == Sex::Female ? "mannequin:sex=female" : "mannequin:sex=male";
+    MannequinMeasures measures = options.measures;
+    for (const std::string_view name : measure_names()) {
+        const std::optional<double>* value = find_measure(measures, name);
+        if (*value) text += "," + std::string(name) + "=" + quantity_figure(**value, Unit::Centimetres);
+    }
+    if (options.stance) text += ",stance=" + quantity_figure(*options.stance, Unit::Degrees);
+    return text;
+}
+
+std::string wrong_with_body(const std::string& text) {
+    if (!is_mannequin(text)) return "";
+    try {
+        parse_mannequin(text.empty() ? kUsualBody : text);
+        return "";
+    } catch (const InputError& error) {
+        return error.place() + ": " + error.problem();
+    }
+}
+
+std::string measure_label(std::string_view name, Sex sex) {
+    if (name == "bust" && sex == Sex::Male) return "Chest";
+    std::string words(name);
+    std::replace(words.begin(), words.end(), '_', ' ');
+    if (!words.empty()) words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+    return words;
+}
+
+const char* measure_tip(std::string_view name) {
+    const auto* const found =
+        std::find_if(kTips.begin(), kTips.end(), [&](const auto& entry) { return entry.first == name; });
+    return found == kTips.end() ? "" : found->second;
+}
+
+SetBody set_body_command(const Pattern& pattern, const std::string& text, const Body& from, const Body& onto) {
+    Pattern moved = pattern;
+    anchor_panels(moved, from, onto);
+    SetBody command{.body = text};
+    for (std::size_t i = 0; i < pattern.panels.size(); ++i) {
+        command.shifts.push_back(moved.panels[i].translation - pattern.panels[i].translation);
+    }
+    return command;
 }
 
 }  // namespace selvedge

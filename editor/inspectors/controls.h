@@ -1,14 +1,14 @@
 #pragma once
 // What the inspectors are put together from: rows of a label and a field, buttons that wrap, words that fit. All sizes
 // follow the font.
+#include <functional>
 #include <imgui.h>
-
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "editor/inspectors/inspector_context.h"
+#include "editor/inspectors/inspectors.h"
 
 namespace selvedge {
 
@@ -82,5 +82,24 @@ struct Choice {
     float width_px = 0;
 };
 int choice_box(InspectorContext& context, const Choice& choice);
+
+// Small charts: bars and lines that show a shape, with the figure in words beside it.
+
+// One bar for each figure, from the left, its number below; the tip tells each figure.
+struct BarChart {
+    std::vector<int> figures;
+    std::function<std::string(std::size_t bar)> tip;
+    std::function<Rgb8(std::size_t bar)> colour;
+};
+void bar_chart(const InspectorContext& context, const BarChart& chart);
+
+// The last figures, the newest at the right, from 0 up. `count` of at most `full`: so many fill the width.
+struct SparkLine {
+    std::size_t count = 0;
+    std::size_t full = 1;
+    std::function<float(std::size_t index)> figure;
+    std::string tip;
+};
+void spark_line(const InspectorContext& context, const SparkLine& line);
 
 }  // namespace selvedge

@@ -1,19 +1,300 @@
-// Fabrics with their figures, the tartan, and how it meets at seams.
-#include <imgui.h>
+#include "editor/inspectors/material_inspector.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <cstdio>
+#include <imgui.h>
+#include <map>
+#include <sstream>
 
 #include "editor/inspectors/controls.h"
-#include "editor/inspectors/fabric_text.h"
 #include "editor/inspectors/number_box.h"
 #include "editor/inspectors/pattern_figures.h"
-#include "editor/inspectors/tartan_list.h"
-#include "editor/inspectors/threadcount_text.h"
-#include "editor/inspectors/vector_row.h"
+#include "editor/workspace/sett_picture.h"
 #include "sim/core/error.h"
+#include "sim/tartan/tartan_file.h"
 
 namespace selvedge {
+namespace {
+
+constexpr int kListedPx = 96;       // side of a listed tartan's picture, one repeat
+constexpr float kRowHeight = 2.4F;  // of the font's size
+constexpr float kListHeight = 13.0F;
+constexpr float kWovenSide = 14.0F;
+constexpr int kThreadsBefore = 8;
+constexpr float kThread = 0.27F;  // of the font's size: a thread of the woven picture
+constexpr float kRepeat = 5.0F;   // a repeat beside it
+
+UiTexture take_texture(const InspectorContext& context) {
+    return context.take_texture ? context.take_texture() : 0;
+}
+
+void hold(InspectorContext& context, UiTexture texture, Image picture) {
+    if (texture != 0) context.output.pictures.push_back({.texture = texture, .picture = std::move(picture)});
+}
+
+std::string shown_name(const std::string& name, const Sett& sett) {
+    return sett.name.empty() ? readable_name(name) : sett.name;
+}
+
+void make_pictures(InspectorContext& context) {
+    MaterialState& state = context.state.material;
+    if (!state.tartans.empty()) return;
+    for (const std::string& name : shipped_tartans()) {
+        TartanPicture entry{.shown_as = {}, .sett = find_tartan(name), .texture = take_texture(context)};
+        entry.shown_as = shown_name(name, entry.sett);
+        hold(context, entry.texture, sett_picture(entry.sett, {.width_px = kListedPx, .height_px = kListedPx}));
+        state.tartans.emplace_back(name, std::move(entry));
+    }
+}
+
+void draw_picture(const InspectorContext& context, UiTexture texture, const ImVec2& size, const ImVec2& share) {
+    const ImVec2 low = ImGui::GetCursorScreenPos(), high(low.x + size.x, low.y + size.y);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (texture != 0) list.AddImage(texture_id(texture), low, high, {0, 0}, share);
+    list.AddRect(low, high, ImGui::GetColorU32(to_colour(context.theme.line)));
+    ImGui::Dummy(size);
+}
+
+void draw_tartan(InspectorContext& context, const std::string& name, const TartanPicture& tartan) {
+    const Pattern& pattern = context.pattern();
+    const bool is_chosen = (pattern.tartan.empty() ? kDefaultTartan : pattern.tartan) == name;
+    const float em = ImGui::GetFontSize(), side = kRowHeight * em, left = ImGui::GetCursorPosX();
+    const float room = ImGui::GetContentRegionAvail().x;
+    if (ImGui::Selectable(("##" + name).c_str(), is_chosen, 0, {room, side})) {
+        context.workspace.run(SetTartan{.tartan = name, .size = pattern.sett_size, .position = pattern.sett_position});
+    }
+    note_widget(context, "tartan." + name);
+    show_tip(tartan.shown_as + "\n" + threadcount_of(tartan.sett));
+    back_to(left);
+    draw_picture(context, tartan.texture, {side, side}, {1, 1});
+    ImGui::SameLine(0, 0.6F * em);
+    ImGui::BeginGroup();
+    const float words = room - side - 0.6F * em;
+    ImGui::TextUnformatted(elided(tartan.shown_as, words).c_str());
+    ImGui::PushStyleColor(ImGuiCol_Text, to_colour(context.theme.faint));
+    ImGui::TextUnformatted(
+        elided("repeat " + quantity_text(repeat_size(tartan.sett), Unit::Centimetres), words).c_str());
+    ImGui::PopStyleColor();
+    ImGui::EndGroup();
+}
+
+// Two pictures, one of repeats and one of threads; made anew when something else is to be seen.
+void update_preview(InspectorContext& context, const Sett& sett) {
+    MaterialState& state = context.state.material;
+    const float em = ImGui::GetFontSize();
+    const std::string wanted = threadcount_of(sett) + " " + std::to_string(em);
+    if (state.previewed == wanted) return;
+    state.previewed = wanted;
+    if (state.repeats == 0) state.repeats = take_texture(context);
+    if (state.threads == 0) state.threads = take_texture(context);
+    const int repeat = static_cast<int>(std::lround(kRepeat * em)),
+              woven = static_cast<int>(std::lround(kWovenSide * em));
+    hold(context, state.repeats, sett_picture(sett, {.width_px = repeat, .height_px = repeat}));
+    // Of a broad first stripe only the end, so that the next are seen, too.
+    const int first = std::max(0, sett.stripes.front().threads - kThreadsBefore);
+    hold(context, state.threads,
+         sett_picture(sett, {.width_px = woven,
+                             .height_px = woven,
+                             .px_per_thread = std::max(2.0, double(std::round(kThread * em))),
+                             .first_thread = first}));
+}
+
+void draw_preview(InspectorContext& context, const Sett& sett) {
+    update_preview(context, sett);
+    const MaterialState& state = context.state.material;
+    const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
+    const float height = std::floor(std::min(width, 7 * em));
+    const float repeat = std::round(kRepeat * em), woven = std::round(kWovenSide * em);
+    draw_picture(context, state.repeats, {width, height}, {width / repeat, height / repeat});
+    show_tip("The cloth from afar.");
+    ImGui::SameLine(0, gap);
+    draw_picture(context, state.threads, {width, height}, {width / woven, height / woven});
+    show_tip("The cloth from near: single threads, as they are woven.");
+}
+
+}  // namespace
+
+void draw_tartan_list(InspectorContext& context) {
+    make_pictures(context);
+    MaterialState& state = context.state.material;
+    const auto searched = text_box(context, {.name = "tartan.search",
+                                             .text = state.search,
+                                             .hint = "Search tartans",
+                                             .tip = "Part of a name. Empty: all of them.",
+                                             .width_px = ImGui::GetContentRegionAvail().x});
+    const TypedText& typed = context.state.boxes.typed;
+    const bool is_typing = typed.box != 0 && typed.box == ImGui::GetID("##tartan.search");
+    if (searched) state.search = *searched;
+    const std::string words = is_typing ? typed.text : state.search;
+    ImGui::PushStyleVar(ImGuiStyleVar_ChildBorderSize, 1);  // with it the list has a margin
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.4F * ImGui::GetFontSize(), 0.4F * ImGui::GetFontSize()});
+    ImGui::BeginChild("tartans", {0, kListHeight * ImGui::GetFontSize()}, true);
+    bool is_empty = true;
+    for (const auto& [name, tartan] : state.tartans) {
+        if (!has_words(tartan.shown_as + " " + name, words)) continue;
+        draw_tartan(context, name, tartan);
+        is_empty = false;
+    }
+    if (is_empty) paragraph(context, "None is called so. A threadcount can be typed below.");
+    ImGui::EndChild();
+    ImGui::PopStyleVar(2);
+}
+
+void draw_threadcount(InspectorContext& context) {
+    const Pattern& pattern = context.pattern();
+    const std::optional<Sett> worn = sett_of(pattern);
+    const bool has_name = pattern.tartan.empty() || wrong_with_tartan(pattern.tartan).empty();
+    const auto typed_now = text_box(
+        context, {.name = "tartan.threadcount",
+                  .text = has_name && worn
+                              ? threadcount_of(find_tartan(pattern.tartan.empty() ? kDefaultTartan : pattern.tartan))
+                              : pattern.tartan,
+                  .hint = "B/24 W4 B24 R/2",
+                  .tip = "Letters of a colour and a number of threads. A slash marks the pivots between which it is "
+                         "mirrored. S=#A09060; before it gives a colour of one's own, weft: a weft of its own, weave: "
+                         "plain, twill or denim.",
+                  .width_px = ImGui::GetContentRegionAvail().x,
+                  .wrong = wrong_with_tartan});
+    const TypedText& typed = context.state.boxes.typed;
+    const bool is_typing = typed.box != 0 && typed.box == ImGui::GetID("##tartan.threadcount");
+    if (is_typing && !typed.wrong.empty()) complaint(context.theme.error, typed.wrong);
+    std::optional<Sett> shown = worn;
+    if (is_typing && typed.wrong.empty() && !typed.text.empty()) shown = find_tartan(typed.text);
+    if (shown) draw_preview(context, *shown);
+    if (typed_now) {
+        context.workspace.run(
+            SetTartan{.tartan = *typed_now, .size = pattern.sett_size, .position = pattern.sett_position});
+    }
+}
+
+namespace {
+
+// Three figures, no exponent: 8000, 56, 0.35.
+std::string figures(double value) {
+    char buffer[64];
+    const double size = value < 0 ? -value : value;
+    const int decimals = size >= 100 || size == 0 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3;
+    std::snprintf(buffer, sizeof buffer, "%.*f", decimals, value);
+    std::string text = buffer;
+    if (text.find('.') == std::string::npos) return text;
+    while (text.back() == '0') text.pop_back();
+    if (text.back() == '.') text.pop_back();
+    return text;
+}
+
+std::string both(double warp, double weft, const char* unit) {
+    const std::string a = figures(warp), b = figures(weft);
+    return (a == b ? a : a + " \u00D7 " + b) + unit;
+}
+
+}  // namespace
+
+std::vector<FabricRow> fabric_rows(const Fabric& fabric) {
+    return {
+        {"Weight", figures(fabric.area_density * 1e3) + " g/m\u00B2", "What a square metre weighs."},
+        {"Stretch", both(fabric.stretch_warp, fabric.stretch_weft, " N/m"),
+         "Force per width that would double its length: along the warp \u00D7 along the weft."},
+        {"Shear", figures(fabric.shear) + " N/m", "Force per width and radian that makes squares of it oblique."},
+        {"Bending", both(fabric.bending_warp * 1e6, fabric.bending_weft * 1e6, " \u00B5N\u00B7m"),
+         "How stiffly it bends: along the warp \u00D7 along the weft. Silk about 5, denim about 40."},
+        {"Thickness", figures(fabric.thickness * 1e3) + " mm", "Of one layer."},
+        {"Friction", figures(fabric.friction), "Against the body: 0 slides like oil, 1 hardly slides."},
+        {"Damping", figures(fabric.damping) + " /s", "How fast its motion dies away by itself."},
+        {"Gives up to", figures(fabric.strain_limit * 100) + " %", "Beyond this strain it no longer gives."},
+    };
+}
+
+std::string readable_name(const std::string& name) {
+    const std::size_t slash = name.find_last_of('/');
+    if (name.ends_with(".json")) return slash == std::string::npos ? name : name.substr(slash + 1);
+    std::string words = name;
+    for (char& c : words) c = c == '_' ? ' ' : c;
+    if (!words.empty()) words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+    return words;
+}
+
+namespace {
+
+std::string stripe_text(const SettStripe& stripe, bool is_pivot) {
+    return stripe.code + (is_pivot ? "/" : "") + std::to_string(stripe.threads);
+}
+
+// Of a mirrored repeat only what lies between the pivots is written.
+std::string stripes_text(const std::vector<SettStripe>& stripes, bool is_mirrored) {
+    const std::size_t count = is_mirrored ? stripes.size() / 2 + 1 : stripes.size();
+    std::string text;
+    for (std::size_t i = 0; i < count && i < stripes.size(); ++i) {
+        const bool is_pivot = is_mirrored && (i == 0 || i + 1 == count);
+        text += (i > 0 ? " " : "") + stripe_text(stripes[i], is_pivot);
+    }
+    return text;
+}
+
+std::string own_colours(const Sett& sett) {
+    std::map<std::string, Rgb8> own;
+    for (const auto* stripes : {&sett.stripes, &sett.weft_stripes}) {
+        for (const SettStripe& stripe : *stripes) {
+            const auto usual = standard_palette().find(stripe.code);
+            if (usual == standard_palette().end() || usual->second != stripe.colour) own[stripe.code] = stripe.colour;
+        }
+    }
+    std::string text;
+    for (const auto& [code, colour] : own) {
+        char buffer[32];
+        std::snprintf(buffer, sizeof buffer, "=#%02X%02X%02X; ", colour[0], colour[1], colour[2]);
+        text += code + buffer;
+    }
+    return text;
+}
+
+std::string small_letters(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+}
+
+}  // namespace
+
+std::string threadcount_of(const Sett& sett) {
+    std::string text = own_colours(sett) + stripes_text(sett.stripes, sett.is_mirrored);
+    if (!sett.weft_stripes.empty()) text += " weft: " + stripes_text(sett.weft_stripes, sett.is_weft_mirrored);
+    if (sett.weave == Weave::Plain) text += " weave: plain";
+    if (sett.weave == Weave::Twill31) text += " weave: denim";
+    return text;
+}
+
+std::string wrong_with_tartan(const std::string& name_or_threadcount) {
+    if (name_or_threadcount.empty()) return "";
+    try {
+        find_tartan(name_or_threadcount);
+        return "";
+    } catch (const InputError& error) {
+        return error.place().empty() ? error.problem() : error.place() + ": " + error.problem();
+    }
+}
+
+std::optional<Sett> sett_of(const Pattern& pattern) {
+    try {
+        Sett sett = find_tartan(pattern.tartan.empty() ? kDefaultTartan : pattern.tartan);
+        return pattern.sett_size ? with_repeat_size(std::move(sett), *pattern.sett_size) : sett;
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+}
+
+bool has_words(const std::string& text, const std::string& words) {
+    const std::string small = small_letters(text);
+    std::istringstream stream(small_letters(words));
+    for (std::string word; stream >> word;) {
+        if (small.find(word) == std::string::npos) return false;
+    }
+    return true;
+}
+
+// Fabrics with their figures, the tartan, and how it meets at seams.
+
 namespace {
 
 constexpr double kSmallestSett = 0.001, kLargestSett = 5;  // m, as commands have it

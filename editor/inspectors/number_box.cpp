@@ -1,11 +1,15 @@
 #include "editor/inspectors/number_box.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
 #include <imgui.h>
 #include <imgui_stdlib.h>
+#include <numbers>
+#include <span>
 
-#include <algorithm>
-#include <cmath>
-
+#include "editor/geometry/expression.h"
 #include "editor/inspectors/controls.h"
 
 namespace selvedge {
@@ -289,6 +293,189 @@ void forget_lost_boxes(InspectorContext& context) {
     forget(boxes.typed);
     forget(boxes.left);
     forget(boxes.scrub);
+}
+
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;  // rad
+constexpr double kInch = 0.0254;                    // m
+
+struct UnitRow {
+    double size = 1;  // of one such unit, SI
+    int decimals = 0;
+    const char* word = "";
+    double step = 1;  // of such units
+};
+
+UnitRow row_of(Unit unit) {
+    switch (unit) {
+        case Unit::Centimetres:
+            return {.size = 0.01, .decimals = 2, .word = " cm", .step = 0.1};
+        case Unit::Millimetres:
+            return {.size = 0.001, .decimals = 1, .word = " mm", .step = 0.1};
+        case Unit::Degrees:
+            return {.size = kDegree, .decimals = 2, .word = "\u00B0", .step = 1};
+        case Unit::Factor:
+            return {.size = 1, .decimals = 4, .word = "", .step = 0.01};
+        case Unit::Plain:
+            return {.size = 1, .decimals = 3, .word = "", .step = 0.1};
+        case Unit::Whole:
+            break;
+    }
+    return {};
+}
+
+bool is_length(Unit unit) {
+    return unit == Unit::Centimetres || unit == Unit::Millimetres;
+}
+
+struct Suffix {
+    std::string_view word;
+    double size = 1;  // SI
+    bool (*fits)(Unit) = nullptr;
+};
+
+// Longer words before those that end them.
+constexpr std::array<Suffix, 8> kSuffixes{{
+    {"cm", 0.01, is_length},
+    {"mm", 0.001, is_length},
+    {"m", 1, is_length},
+    {"in", kInch, is_length},
+    {"\"", kInch, is_length},
+    {"\u00B0", kDegree, [](Unit unit) { return unit == Unit::Degrees; }},
+    {"deg", kDegree, [](Unit unit) { return unit == Unit::Degrees; }},
+    {"%", 0.01, [](Unit unit) { return unit == Unit::Factor; }},
+}};
+
+std::string_view without_blanks_behind(std::string_view text) {
+    while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+    return text;
+}
+
+}  // namespace
+
+std::string quantity_figure(double value, Unit unit) {
+    const UnitRow row = row_of(unit);
+    char buffer[64];
+    std::snprintf(buffer, sizeof buffer, "%.*f", row.decimals, value / row.size);
+    std::string text = buffer;
+    if (text.find('.') != std::string::npos) {
+        while (text.back() == '0') text.pop_back();
+        if (text.back() == '.') text.pop_back();
+    }
+    return text == "-0" ? "0" : text;
+}
+
+std::string quantity_text(double value, Unit unit) {
+    return quantity_figure(value, unit) + row_of(unit).word;
+}
+
+std::optional<double> parse_quantity(std::string_view text, Unit unit) {
+    text = without_blanks_behind(text);
+    double size = row_of(unit).size;
+    for (const Suffix& suffix : kSuffixes) {
+        if (!suffix.fits(unit) || !text.ends_with(suffix.word)) continue;
+        text = without_blanks_behind(text.substr(0, text.size() - suffix.word.size()));
+        size = suffix.size;
+        break;
+    }
+    const std::optional<double> figure = evaluate(text);
+    if (!figure || !std::isfinite(*figure * size)) return std::nullopt;
+    if (unit == Unit::Whole && (*figure != std::round(*figure) || std::abs(*figure) > 1e9)) return std::nullopt;
+    return *figure * size;
+}
+
+double step_of(Unit unit) {
+    const UnitRow row = row_of(unit);
+    return row.step * row.size;
+}
+
+double stepped(double value, Unit unit, double steps) {
+    const double step = step_of(unit);
+    return std::round((value + steps * step) / step) * step;
+}
+
+namespace {
+
+constexpr float kRoomBeside = 23;  // of the font's size: below it boxes stand under their label
+
+// "Place, cm": boxes that stand side by side have no room for units of their own.
+std::string with_unit(const char* label, Unit unit) {
+    switch (unit) {
+        case Unit::Centimetres:
+            return std::string(label) + ", cm";
+        case Unit::Millimetres:
+            return std::string(label) + ", mm";
+        case Unit::Degrees:
+            return std::string(label) + ", \u00B0";
+        default:
+            return label;
+    }
+}
+
+float begin_row(InspectorContext& context, const VectorRow& row) {
+    const float all = ImGui::GetContentRegionAvail().x;
+    const std::string label = with_unit(row.label, row.unit);
+    if (all >= kRoomBeside * ImGui::GetFontSize()) {
+        row_label(context, label.c_str(), row.tip);
+        return ImGui::GetContentRegionAvail().x;
+    }
+    elided_text(label, all, to_colour(context.theme.faint));
+    show_tip(row.tip);
+    return all;
+}
+
+VectorEdit draw_row(InspectorContext& context, const VectorRow& row, std::span<const double> values) {
+    constexpr std::array<const char*, 3> kEndings{".x", ".y", ".z"};
+    const float all = begin_row(context, row), gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const auto count = static_cast<float>(values.size());
+    const float width = std::floor((all - gap * (count - 1)) / count);
+    float axis_width = 0;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        axis_width = std::max(axis_width, ImGui::CalcTextSize(row.axes[i]).x);
+    VectorEdit edit;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const std::string name = std::string(row.name) + kEndings[i];
+        if (i > 0) ImGui::SameLine(0, gap);
+        const NumberEdit number = number_box(context, {.name = name.c_str(),
+                                                       .label = row.axes[i],
+                                                       .value = values[i],
+                                                       .unit = row.unit,
+                                                       .tip = row.tip,
+                                                       .width_px = width,
+                                                       .label_px = axis_width,
+                                                       .least = row.least,
+                                                       .has_unit = false});
+        if (number) edit = {.phase = number.phase, .axis = static_cast<int>(i), .number = number};
+    }
+    return edit;
+}
+
+}  // namespace
+
+VectorEdit vector_row(InspectorContext& context, const VectorRow& row, const Vec3d& value) {
+    return draw_row(context, row, std::span(value.data(), 3));
+}
+
+VectorEdit vector_row(InspectorContext& context, const VectorRow& row, const Vec2d& value) {
+    return draw_row(context, row, std::span(value.data(), 2));
+}
+
+Vec3d edited(Vec3d value, const VectorEdit& edit) {
+    if (edit.number.value) value[edit.axis] = *edit.number.value;
+    return value;
+}
+
+Vec2d edited(Vec2d value, const VectorEdit& edit) {
+    if (edit.number.value) value[edit.axis] = *edit.number.value;
+    return value;
+}
+
+NumberEdit number_row(InspectorContext& context, NumberBox box, const char* label) {
+    box.label = label;
+    box.label_px = label_width();
+    box.width_px = label_width() + ImGui::GetStyle().ItemInnerSpacing.x + field_width();
+    return number_box(context, box);
 }
 
 }  // namespace selvedge

@@ -1,13 +1,41 @@
 #pragma once
 // Boxes to type into. Enter, Tab or a click elsewhere applies what was typed, Esc takes it back; what cannot be read is
 // marked and not applied. Numbers also go by arrow keys (Shift: ten times as far) and by dragging their label.
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 
-#include "editor/inspectors/inspector_context.h"
-#include "editor/inspectors/quantity.h"
+#include "editor/inspectors/inspectors.h"
+#include "sim/core/math.h"
 
 namespace selvedge {
+
+// Values in boxes: SI inside, cm, mm or degrees to read and type, with as few figures as say it.
+
+enum class Unit {
+    Centimetres,  // of m
+    Millimetres,  // of m
+    Degrees,      // of rad
+    Factor,       // 1.05, or typed 105%
+    Plain,
+    Whole,  // a whole number
+};
+
+// "92.5": without the unit, never "-0".
+std::string quantity_figure(double value, Unit unit);
+
+// "92.5 cm".
+std::string quantity_text(double value, Unit unit);
+
+// An expression, and another unit behind it if one likes: 92/4+1, 120 mm, 4 in, 105%. None: it is no such value.
+std::optional<double> parse_quantity(std::string_view text, Unit unit);
+
+// One press of an arrow key, or two px of dragging: 1 mm, 0.1 mm, 1 degree, 0.01, 0.1, 1.
+double step_of(Unit unit);
+
+// What a step leads to: on the raster of steps, where 92.53 + 0.1 is 92.6.
+double stepped(double value, Unit unit, double steps);
 
 enum class EditPhase {
     None,
@@ -66,5 +94,34 @@ void carry(InspectorContext& context, const NumberEdit& edit, const Command& com
 
 // Gives up boxes that are no longer there: what they showed is kept. Once per frame.
 void forget_lost_boxes(InspectorContext& context);
+
+// Two or three numbers that belong together, side by side: X, Y and Z; below their label where there is little room.
+
+struct VectorRow {
+    const char* name = "";   // "panel.translation"; boxes add ".x", ".y", ".z"
+    const char* label = "";  // "Place"
+    Unit unit = Unit::Centimetres;
+    std::string tip{};
+    std::array<const char*, 3> axes{"X", "Y", "Z"};
+    std::optional<double> least{};
+};
+
+struct VectorEdit {
+    EditPhase phase = EditPhase::None;
+    int axis = 0;
+    NumberEdit number{};
+
+    explicit operator bool() const { return phase != EditPhase::None; }
+};
+
+VectorEdit vector_row(InspectorContext& context, const VectorRow& row, const Vec3d& value);
+VectorEdit vector_row(InspectorContext& context, const VectorRow& row, const Vec2d& value);
+
+// The same with what was edited in its place.
+Vec3d edited(Vec3d value, const VectorEdit& edit);
+Vec2d edited(Vec2d value, const VectorEdit& edit);
+
+// One number with its label, as a row. The label can be dragged.
+NumberEdit number_row(InspectorContext& context, NumberBox box, const char* label);
 
 }  // namespace selvedge

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "editor/drafting/seam_edit.h"
-#include "editor/inspectors/quantity.h"
+#include "editor/geometry/seam_edit.h"
+#include "editor/inspectors/number_box.h"
 #include "sim/pattern/outline.h"
-#include "sim/pattern/seam_name.h"
+#include "sim/pattern/pattern.h"
 
 namespace selvedge {
 namespace {

@@ -1,15 +1,509 @@
-// What is selected, and the garment as a whole.
+// A panel's name, size, place and cloth.
+#include "editor/inspectors/property_inspector.h"
+
+#include <algorithm>
+#include <array>
 #include <imgui.h>
 
+#include "editor/geometry/panel_edit.h"
 #include "editor/inspectors/controls.h"
-#include "editor/inspectors/fabric_text.h"
+#include "editor/inspectors/material_inspector.h"
 #include "editor/inspectors/number_box.h"
 #include "editor/inspectors/pattern_figures.h"
-#include "editor/inspectors/property_sections.h"
-#include "editor/inspectors/vector_row.h"
 #include "sim/pattern/fabric.h"
+#include "sim/pattern/outline.h"
+#include "sim/pattern/pattern.h"
 
 namespace selvedge {
+namespace {
+
+constexpr double kLeastScale = 0.01;
+constexpr double kLeastSize = 0.001;  // m
+
+// A panel and where it lies on the sheet.
+struct PanelOnSheet {
+    const Panel& panel;
+    Vec2d origin = Vec2d::Zero();  // m
+};
+
+std::string area_text(double area) {
+    return area < 0.1 ? quantity_figure(area * 1e4, Unit::Whole) + " cm\u00B2"
+                      : quantity_figure(area, Unit::Plain) + " m\u00B2";
+}
+
+const PanelFacts& facts_of(InspectorContext& context, const Panel& panel) {
+    PanelFacts& facts = context.state.panels[panel.name];
+    const std::uint64_t revision = context.workspace.document->revision() + 1;  // 0: not known yet
+    if (facts.revision != revision) {
+        facts = {.revision = revision, .area = outline_area(panel), .perimeter = panel_perimeter(panel)};
+    }
+    return facts;
+}
+
+TransformPanels scaling(const std::vector<std::string>& panels, const Vec2d& centre, int axis, double factor) {
+    Vec2d factors(1, 1);
+    factors[axis] = factor;
+    return {.panels = panels, .map = scale_about(centre, factors), .what = "Scale"};
+}
+
+Pattern only_selected(const Pattern& pattern, const Selection& selected) {
+    Pattern part;
+    for (const Panel& panel : pattern.panels) {
+        if (selected.panels.contains(panel.name)) part.panels.push_back(panel);
+    }
+    return part;
+}
+
+// So much further than they are seen now, also where that is only tried.
+PlacePanels placing(const Pattern& pattern, const Selection& selected, const Vec3d& by) {
+    PlacePanels command;
+    for (const Panel& panel : pattern.panels) {
+        if (!selected.panels.contains(panel.name)) continue;
+        command.places.push_back({.panel = panel.name,
+                                  .translation = panel.translation + by,
+                                  .rotation = panel.rotation,
+                                  .wrap_radius = panel.wrap_radius});
+    }
+    return command;
+}
+
+void draw_name(InspectorContext& context, const Panel& panel) {
+    row_label(context, "Name", "What the panel is called.");
+    const auto name = text_box(context, {.name = "panel.name",
+                                         .text = panel.name,
+                                         .tip = "What the panel is called. No two have the same name.",
+                                         .width_px = field_width(),
+                                         .wrong = [](const std::string& text) -> std::string {
+                                             return text.empty() ? "A panel has a name" : "";
+                                         }});
+    if (name) context.workspace.run(RenamePanel{.panel = panel.name, .to = *name});
+}
+
+// S XY as a factor from what it is now, or by the size that comes out.
+void draw_scale(InspectorContext& context, const PanelOnSheet& shown) {
+    const std::vector<std::string> panels{shown.panel.name};
+    const PlaneBox box = panel_box(shown.panel);
+    const Vec2d centre = box.centre() + shown.origin;
+    const VectorEdit scale = vector_row(context,
+                                        {.name = "panel.scale",
+                                         .label = "S: scale",
+                                         .unit = Unit::Factor,
+                                         .tip = "Scales the outline about its middle: 1.05 or 105%.",
+                                         .least = kLeastScale},
+                                        Vec2d(1, 1));
+    if (scale) carry(context, scale.number, scaling(panels, centre, scale.axis, scale.number.value.value_or(1)));
+    const VectorEdit size = vector_row(context,
+                                       {.name = "panel.size",
+                                        .label = "Size",
+                                        .tip = "Of the box about its outline; type one to scale the panel to it.",
+                                        .axes = {"W", "H", ""},
+                                        .least = kLeastSize},
+                                       box.size());
+    if (size && size.number.before.value_or(0) > 0) {
+        const double factor = size.number.value.value_or(0) / *size.number.before;
+        carry(context, size.number, scaling(panels, centre, size.axis, factor));
+    }
+}
+
+// The angles that were typed, as long as the panel still stands so.
+Vec3d shown_angles(const InspectorContext& context, const Panel& panel) {
+    const auto typed = context.state.angles.find(panel.name);
+    constexpr double kSame = 1e-9;
+    if (typed != context.state.angles.end() && typed->second.rotation.isApprox(panel.rotation, kSame)) {
+        return typed->second.angles;
+    }
+    return angles_of(panel.rotation);
+}
+
+void draw_place(InspectorContext& context, const Panel& panel) {
+    PlacePanel placed{.panel = panel.name,
+                      .translation = panel.translation,
+                      .rotation = panel.rotation,
+                      .wrap_radius = panel.wrap_radius};
+    const VectorEdit moved =
+        vector_row(context,
+                   {.name = "panel.translation",
+                    .label = "T: place",
+                    .tip = "Where the panel's origin stands in the room: X to the body's left, Y up, Z to the front."},
+                   panel.translation);
+    const Vec3d angles = shown_angles(context, panel);
+    const VectorEdit turned = vector_row(context,
+                                         {.name = "panel.rotation",
+                                          .label = "R: turned",
+                                          .unit = Unit::Degrees,
+                                          .tip = "Turned about X first, then Y, then Z, as the room has them."},
+                                         angles);
+    const NumberEdit wrapped = number_row(context,
+                                          {.name = "panel.wrap_radius",
+                                           .value = panel.wrap_radius,
+                                           .tip = "Bends the panel round an upright behind it, to lie about the "
+                                                  "body. 0: flat.",
+                                           .least = 0},
+                                          "Wrap radius");
+    if (moved) {
+        placed.translation = edited(panel.translation, moved);
+        carry(context, moved.number, placed);
+    } else if (turned) {
+        const Vec3d wanted = edited(angles, turned);
+        placed.rotation = rotation_of(wanted);
+        const std::string name = panel.name;
+        carry(context, turned.number, placed);
+        context.state.angles[name] = {.angles = wanted, .rotation = rotation_of(wanted)};
+    } else if (wrapped) {
+        placed.wrap_radius = wrapped.value.value_or(0);
+        carry(context, wrapped, placed);
+    }
+}
+
+void draw_cloth(InspectorContext& context, const Panel& panel) {
+    const std::string name = panel.name;
+    fabric_row(context, name);
+    const NumberEdit grain =
+        number_row(context,
+                   {.name = "panel.grain",
+                    .value = panel.grain_angle,
+                    .unit = Unit::Degrees,
+                    .tip = "From the panel's upward direction to the warp, counter-clockwise. 45: cut on the bias."},
+                   "Grain");
+    carry(context, grain, SetGrain{.panel = name, .angle = grain.value.value_or(0)});
+    const NumberEdit layer = number_row(context,
+                                        {.name = "panel.layer",
+                                         .value = panel.layer,
+                                         .unit = Unit::Whole,
+                                         .tip = "Higher layers lie further out.",
+                                         .least = -100,
+                                         .most = 100},
+                                        "Layer");
+    carry(context, layer, SetLayer{.panel = name, .layer = static_cast<int>(layer.value.value_or(0))});
+}
+
+std::string mirror_of(const Pattern& pattern, const Panel& panel) {
+    if (!panel.mirror_of.empty()) return panel.mirror_of;
+    for (const Panel& other : pattern.panels) {
+        if (other.mirror_of == panel.name) return other.name;
+    }
+    return "";
+}
+
+void draw_links(InspectorContext& context, const Panel& panel) {
+    const std::string name = panel.name;
+    const std::string mirror = mirror_of(context.pattern(), panel);
+    if (!panel.pins.empty()) {
+        fact(context, "Pins", std::to_string(panel.pins.size()) + (panel.pins.size() == 1 ? " point" : " points"),
+             "Points of the outline that stay where they are placed.");
+    }
+    if (!mirror.empty())
+        fact(context, "Mirror of", mirror, "Both are kept alike: what is done to one is done to both.");
+    ButtonRow row(context);
+    const bool has_pins = !panel.pins.empty();
+    if (!mirror.empty() &&
+        row.button({.name = "panel.unlink",
+                    .title = "Unlink",
+                    .tip = with_key(context, "It and its mirror image go their own ways", "panel.unlink")})) {
+        context.workspace.run(UnlinkPanel{name});
+    } else if (has_pins && row.button({.name = "panel.unpin", .title = "Unpin", .tip = "No point of it is held."})) {
+        context.workspace.run(SetPins{.panel = name});
+    }
+}
+
+}  // namespace
+
+void draw_panel_section(InspectorContext& context, const std::string& name) {
+    const std::optional<int> index = panel_index(context.pattern(), name);
+    if (!index) return;
+    const auto at = static_cast<std::size_t>(*index);
+    const Panel panel = context.pattern().panels[at];  // a copy: a box may change the pattern
+    const Vec2d origin = sheet_positions(context.pattern())[at];
+    heading(context, ("Panel " + name).c_str());
+    ImGui::PushID(name.c_str());
+    draw_name(context, panel);
+    draw_scale(context, {.panel = panel, .origin = origin});
+    draw_place(context, panel);
+    draw_cloth(context, panel);
+    const PanelFacts& facts = facts_of(context, panel);
+    fact(context, "Area", area_text(facts.area), "Of the cloth inside the outline.");
+    fact(context, "Perimeter", quantity_text(facts.perimeter, Unit::Centimetres), "The length of the outline.");
+    fact(context, "Points", std::to_string(panel.vertices.size()), "Corners and joints of the outline.");
+    draw_links(context, panel);
+    ImGui::PopID();
+}
+
+void draw_panels_section(InspectorContext& context) {
+    const Selection selected = context.selection();
+    const Pattern& pattern = context.pattern();
+    const std::vector<Vec2d> origins = sheet_positions(pattern);
+    std::optional<PlaneBox> all;
+    double area = 0;
+    for (std::size_t i = 0; i < pattern.panels.size(); ++i) {
+        if (!selected.panels.contains(pattern.panels[i].name)) continue;
+        const PlaneBox box = panel_box(pattern.panels[i]);
+        if (!all) all = {.low = box.low + origins[i], .high = box.high + origins[i]};
+        all->low = all->low.cwiseMin(box.low + origins[i]);
+        all->high = all->high.cwiseMax(box.high + origins[i]);
+        area += facts_of(context, pattern.panels[i]).area;
+    }
+    if (!all) return;
+    heading(context, (std::to_string(selected.panels.size()) + " panels").c_str());
+    ImGui::PushID("panels");
+    const std::vector<std::string> names(selected.panels.begin(), selected.panels.end());
+    const VectorEdit scale = vector_row(context,
+                                        {.name = "panels.scale",
+                                         .label = "S: scale",
+                                         .unit = Unit::Factor,
+                                         .tip = "Scales all of them about their common middle: 1.05 or 105%.",
+                                         .least = kLeastScale},
+                                        Vec2d(1, 1));
+    if (scale) carry(context, scale.number, scaling(names, all->centre(), scale.axis, scale.number.value.value_or(1)));
+    const VectorEdit moved = vector_row(
+        context,
+        {.name = "panels.move", .label = "Move by", .tip = "On the sheet; they stay where they are in the room."},
+        Vec2d(0, 0));
+    if (moved) carry(context, moved.number, MovePanels{.panels = names, .by = edited(Vec2d(0, 0), moved)});
+    const Vec3d centre = garment_centre(only_selected(pattern, selected));
+    const VectorEdit placed = vector_row(context,
+                                         {.name = "panels.translation",
+                                          .label = "T: place",
+                                          .tip = "Moves all of them in the room, with their middle to this place."},
+                                         centre);
+    if (placed) carry(context, placed.number, placing(pattern, selected, edited(centre, placed) - centre));
+    fact(context, "Area", area_text(area), "Of the cloth inside their outlines.");
+    ImGui::PopID();
+}
+
+// Points, edges, notches and internal lines of panels.
+
+namespace {
+
+constexpr double kShortestEdge = 0.001;  // m, that can be typed
+
+struct FoundPanel {
+    const Panel& panel;
+    int index = 0;
+    Vec2d origin = Vec2d::Zero();  // m, on the sheet
+};
+
+std::optional<FoundPanel> find(const Pattern& pattern, const std::string& name) {
+    const std::optional<int> index = panel_index(pattern, name);
+    if (!index) return std::nullopt;
+    const auto at = static_cast<std::size_t>(*index);
+    return FoundPanel{.panel = pattern.panels[at], .index = *index, .origin = sheet_positions(pattern)[at]};
+}
+
+void draw_pin(InspectorContext& context, const PartRef& vertex) {
+    const std::optional<FoundPanel> found = find(context.pattern(), vertex.panel);
+    if (!found) return;
+    std::vector<int> pins = found->panel.pins;
+    const auto pin = std::find(pins.begin(), pins.end(), vertex.index);
+    const bool is_pinned = pin != pins.end();
+    if (!check_box(context, "vertex.pin", "Pinned", is_pinned, "Stays where it is placed while the cloth falls."))
+        return;
+    if (is_pinned) {
+        pins.erase(pin);
+    } else {
+        pins.push_back(vertex.index);
+    }
+    context.workspace.run(SetPins{.panel = vertex.panel, .vertices = pins});
+}
+
+void draw_vertex(InspectorContext& context, const PartRef& vertex) {
+    const std::optional<FoundPanel> found = find(context.pattern(), vertex.panel);
+    if (!found) return;
+    const Vec2d at = found->panel.vertices[static_cast<std::size_t>(vertex.index)] + found->origin;
+    const VectorEdit moved = vector_row(
+        context, {.name = "vertex.place", .label = "On the sheet", .tip = "Where the point lies, as the rulers show."},
+        at);
+    if (!moved) return;
+    Vec2d by = Vec2d::Zero();
+    by[moved.axis] = moved.number.by();
+    carry(context, moved.number, MoveVertices{.vertices = {vertex}, .by = by});
+}
+
+void draw_kind(InspectorContext& context, const PartRef& edge, const FoundPanel& found, const OutlineEdge& curve) {
+    const std::array<std::string, 4> kinds{"Line", "Curve, one handle", "Curve, two handles", "Circle arc"};
+    const auto kind = static_cast<int>(curve.kind);
+    row_label(context, "Kind", "How the edge runs from its start to its end.");
+    const int chosen = choice_box(context, {.name = "edge.kind",
+                                            .shown = kinds[static_cast<std::size_t>(kind)],
+                                            .items = kinds,
+                                            .chosen = kind,
+                                            .tip = "Another kind keeps the shape as nearly as it can.",
+                                            .width_px = field_width()});
+    if (chosen < 0 || chosen == kind) return;
+    context.workspace.run(SetCurve{.panel = edge.panel,
+                                   .edge = edge.index,
+                                   .curve = with_kind(found.panel, curve, static_cast<CurveKind>(chosen))});
+}
+
+void draw_controls(InspectorContext& context, const PartRef& edge, const FoundPanel& found, const OutlineEdge& curve) {
+    const std::size_t count = curve.kind == CurveKind::Quadratic ? 1 : curve.kind == CurveKind::Cubic ? 2 : 0;
+    constexpr std::array<const char*, 2> kNames{"edge.handle1", "edge.handle2"};
+    for (std::size_t i = 0; i < count; ++i) {
+        const char* label = count == 1 ? "Handle" : i == 0 ? "First handle" : "Second handle";
+        const VectorEdit moved = vector_row(
+            context, {.name = kNames[i], .label = label, .tip = "Where the curve's handle lies on the sheet."},
+            Vec2d(curve.control[i] + found.origin));
+        if (!moved) continue;
+        SetCurve command{.panel = edge.panel, .edge = edge.index, .curve = curve};
+        command.curve.control[i][moved.axis] = moved.number.value.value_or(0) - found.origin[moved.axis];
+        return carry(context, moved.number, command);
+    }
+}
+
+void draw_arc(InspectorContext& context, const PartRef& edge, const FoundPanel& found, const OutlineEdge& curve) {
+    SetCurve command{.panel = edge.panel, .edge = edge.index, .curve = curve};
+    const NumberEdit radius = number_row(context,
+                                         {.name = "edge.radius",
+                                          .value = curve.arc_radius,
+                                          .tip = "Of the circle; half the distance of the ends or more.",
+                                          .least = least_arc_radius(found.panel, curve)},
+                                         "Radius");
+    if (radius) {
+        command.curve.arc_radius = radius.value.value_or(curve.arc_radius);
+        return carry(context, radius, command);
+    }
+    if (check_box(context, "edge.large", "Longer way round", curve.is_large_arc,
+                  "The part of the circle that is more than half of it.")) {
+        command.curve.is_large_arc = !curve.is_large_arc;
+        context.workspace.run(command);
+    } else if (check_box(context, "edge.inward", "Hollow", curve.turns_right,
+                         "Bends into the panel, where it else bulges out.")) {
+        command.curve.turns_right = !curve.turns_right;
+        context.workspace.run(command);
+    }
+}
+
+void draw_length(InspectorContext& context, const PartRef& edge, const FoundPanel& found, const OutlineEdge& curve) {
+    const NumberEdit length = number_row(context,
+                                         {.name = "edge.length",
+                                          .value = outline_length(found.panel, curve),
+                                          .tip = "Type a length: the end of the edge moves, its start stays.",
+                                          .least = kShortestEdge},
+                                         "Length");
+    if (!length) return;
+    const double before = length.before.value_or(0);
+    const Vec2d by = shift_for_length(found.panel, curve, {.before = before, .after = length.value.value_or(before)});
+    carry(context, length, MoveVertices{.vertices = {{edge.panel, curve.end}}, .by = by});
+}
+
+void draw_seam_of(InspectorContext& context, const FoundPanel& found, int edge) {
+    const std::optional<int> seam = seam_along(context.pattern(), {.panel = found.index, .edge = edge});
+    if (!seam) {
+        fact(context, "Seam", "not sewn", "No seam runs along this edge.");
+        return;
+    }
+    const Seam& sewn = context.pattern().seams[static_cast<std::size_t>(*seam)];
+    fact(context, "Seam", seam_name(context.pattern(), sewn), "The seam along this edge.");
+    ButtonRow row(context);
+    if (row.button({.name = "edge.seam", .title = "Select seam", .tip = "Shows the seam along this edge."})) {
+        Selection selected;
+        selected.seams.insert(*seam);
+        context.workspace.document->select(selected);
+    }
+}
+
+}  // namespace
+
+void draw_vertices_section(InspectorContext& context) {
+    const std::set<PartRef> vertices = context.selection().vertices;
+    if (vertices.empty()) return;
+    const PartRef first = *vertices.begin();
+    const bool is_one = vertices.size() == 1;
+    heading(context, is_one ? ("Point " + std::to_string(first.index) + " of " + first.panel).c_str()
+                            : (std::to_string(vertices.size()) + " points").c_str());
+    ImGui::PushID(is_one ? (first.panel + "." + std::to_string(first.index)).c_str() : "points");
+    if (is_one) draw_vertex(context, first);
+    const VectorEdit moved =
+        vector_row(context, {.name = "vertex.move", .label = "Move by", .tip = "From where it is now."}, Vec2d(0, 0));
+    if (moved) {
+        carry(context, moved.number,
+              MoveVertices{.vertices = {vertices.begin(), vertices.end()}, .by = edited(Vec2d(0, 0), moved)});
+    }
+    if (is_one && context.selection().vertices.contains(first)) draw_pin(context, first);
+    ImGui::PopID();
+}
+
+void draw_edge_section(InspectorContext& context, const PartRef& edge) {
+    const auto found = find(context.pattern(), edge.panel);
+    if (!found || static_cast<std::size_t>(edge.index) >= found->panel.edges.size()) return;
+    heading(context, ("Edge " + std::to_string(edge.index) + " of " + edge.panel).c_str());
+    ImGui::PushID(("edge " + edge.panel + "." + std::to_string(edge.index)).c_str());
+    // Copies: what a box changes is seen by the next ones a frame later.
+    const Panel panel = found->panel;
+    const FoundPanel shown{.panel = panel, .index = found->index, .origin = found->origin};
+    const OutlineEdge curve = panel.edges[static_cast<std::size_t>(edge.index)];
+    draw_length(context, edge, shown, curve);
+    draw_kind(context, edge, shown, curve);
+    draw_controls(context, edge, shown, curve);
+    if (curve.kind == CurveKind::Arc) draw_arc(context, edge, shown, curve);
+    draw_seam_of(context, shown, edge.index);
+    ImGui::PopID();
+}
+
+void draw_notch_section(InspectorContext& context, const PartRef& notch) {
+    const auto found = find(context.pattern(), notch.panel);
+    if (!found || static_cast<std::size_t>(notch.index) >= found->panel.notches.size()) return;
+    const Notch held = found->panel.notches[static_cast<std::size_t>(notch.index)];
+    const double length = outline_length(found->panel, found->panel.edges[static_cast<std::size_t>(held.edge)]);
+    heading(context, ("Notch of " + notch.panel).c_str());
+    ImGui::PushID(("notch " + notch.panel + "." + std::to_string(notch.index)).c_str());
+    const NumberEdit from_start = number_row(context,
+                                             {.name = "notch.from_start",
+                                              .value = held.t * length,
+                                              .tip = "Along the edge, from its start.",
+                                              .least = 0,
+                                              .most = length},
+                                             "From start");
+    const NumberEdit from_end = number_row(context,
+                                           {.name = "notch.from_end",
+                                            .value = (1 - held.t) * length,
+                                            .tip = "Along the edge, from its end.",
+                                            .least = 0,
+                                            .most = length},
+                                           "From end");
+    MoveNotch command{.panel = notch.panel, .index = notch.index, .edge = held.edge};
+    if (from_start) {
+        command.t = std::clamp(from_start.value.value_or(0) / length, 0.0, 1.0);
+        carry(context, from_start, command);
+    } else if (from_end) {
+        command.t = std::clamp(1 - from_end.value.value_or(0) / length, 0.0, 1.0);
+        carry(context, from_end, command);
+    }
+    fact(context, "On edge", std::to_string(held.edge), "The edge of the outline that it marks.");
+    ButtonRow row(context);
+    if (row.button({.name = "notch.delete", .title = "Delete", .tip = "Removes the notch (Del)."})) {
+        context.workspace.run(RemoveParts{.notches = {notch}});
+    }
+    ImGui::PopID();
+}
+
+void draw_internal_line_section(InspectorContext& context, const PartRef& line) {
+    const auto found = find(context.pattern(), line.panel);
+    if (!found || static_cast<std::size_t>(line.index) >= found->panel.internal_lines.size()) return;
+    const InternalLine held = found->panel.internal_lines[static_cast<std::size_t>(line.index)];
+    double length = 0;
+    for (std::size_t i = 1; i < held.points.size(); ++i) length += (held.points[i] - held.points[i - 1]).norm();
+    heading(context, ("Internal line of " + line.panel).c_str());
+    ImGui::PushID(("line " + line.panel + "." + std::to_string(line.index)).c_str());
+    row_label(context, "Name", "What the line is called.");
+    const auto name = text_box(context, {.name = "line.name",
+                                         .text = held.name,
+                                         .hint = "unnamed",
+                                         .tip = "What the line is called.",
+                                         .width_px = field_width()});
+    if (name) {
+        context.workspace.run(SetInternalLine{.panel = line.panel, .index = line.index, .line = {*name, held.points}});
+    }
+    fact(context, "Length", quantity_text(length, Unit::Centimetres), "From its first point to its last.");
+    fact(context, "Points", std::to_string(held.points.size()), "That the line goes through.");
+    ButtonRow row(context);
+    if (row.button({.name = "line.delete", .title = "Delete", .tip = "Removes the line (Del)."})) {
+        context.workspace.run(RemoveParts{.internal_lines = {line}});
+    }
+    ImGui::PopID();
+}
+
+// What is selected, and the garment as a whole.
+
 namespace {
 
 constexpr double kUsualEdgeLength = 0.05;                    // m, of the mesher

@@ -3,12 +3,12 @@
 
 #include <cmath>
 
-#include "editor/drafting/seam_edit.h"
+#include "editor/geometry/seam_edit.h"
 #include "editor/inspectors/controls.h"
 #include "editor/inspectors/number_box.h"
 #include "editor/inspectors/pattern_figures.h"
-#include "editor/inspectors/property_sections.h"
-#include "render/scene/colour_map.h"
+#include "editor/inspectors/property_inspector.h"
+#include "render/scene/colour.h"
 
 namespace selvedge {
 namespace {

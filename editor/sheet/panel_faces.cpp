@@ -1,7 +1,14 @@
 #include "editor/sheet/panel_faces.h"
 
-#include "sim/mesh/delaunay.h"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "render/scene/colour.h"
+#include "sim/core/math.h"
 #include "sim/mesh/planar.h"
+#include "sim/mesh/triangulate.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge {
@@ -60,6 +67,82 @@ const PanelFace& PanelFaces::face(const PanelShape& shape, double scale) {
     }
     --left_;
     return kept.levels[level].emplace(make_face(shape.panel, kChordErrors[level]));
+}
+
+namespace {
+
+// From linear light, by a table: a large picture asks millions of times.
+class SrgbTable {
+ public:
+    SrgbTable() {
+        for (std::size_t i = 0; i < bytes_.size(); ++i) {
+            const double linear = double(i) / kSteps;
+            const double v = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+            bytes_[i] = static_cast<std::uint8_t>(std::lround(v * 255));
+        }
+    }
+
+    std::uint8_t at(double linear) const {
+        return bytes_[static_cast<std::size_t>(std::clamp(linear, 0.0, 1.0) * kSteps + 0.5)];
+    }
+
+ private:
+    static constexpr int kSteps = 8192;
+    std::array<std::uint8_t, kSteps + 1> bytes_{};
+};
+
+// The mean colour of the threads that each of `count` equal parts of the repeat covers, linear.
+std::vector<Vec3d> sampled(const std::vector<Rgb8>& threads, int count) {
+    std::vector<Vec3d> sums(threads.size() + 1, Vec3d::Zero());
+    for (std::size_t i = 0; i < threads.size(); ++i) {
+        sums[i + 1] = sums[i] + Vec3d(to_linear(threads[i][0]), to_linear(threads[i][1]), to_linear(threads[i][2]));
+    }
+    const auto sum_to = [&](double at) {
+        const auto whole = std::min(static_cast<std::size_t>(at), threads.size() - 1);
+        return Vec3d(sums[whole] + (at - double(whole)) * (sums[whole + 1] - sums[whole]));
+    };
+    std::vector<Vec3d> parts;
+    const double width = double(threads.size()) / count;
+    for (int i = 0; i < count; ++i) parts.push_back((sum_to((i + 1) * width) - sum_to(i * width)) / width);
+    return parts;
+}
+
+bool is_warp_seen(Weave weave, int end, int pick) {
+    const int period = weave == Weave::Plain ? 2 : 4;
+    const int over = weave == Weave::Plain ? 1 : weave == Weave::Twill22 ? 2 : 3;
+    return ((end - pick) % period + period) % period < over;
+}
+
+}  // namespace
+
+int sett_tile_side(double repeat_px) {
+    int side = 32;
+    while (side < 1024 && side < repeat_px) side *= 2;
+    return side;
+}
+
+Image sett_tile(const Sett& sett, int side_px) {
+    const int ends = thread_count(sett), picks = weft_thread_count(sett);
+    const double proportion = double(picks) / ends;
+    const int height = std::clamp(static_cast<int>(std::lround(side_px * proportion)), 1, 2048);
+    const std::vector<Vec3d> warp = sampled(thread_colours(sett), side_px);
+    const std::vector<Vec3d> weft = sampled(weft_thread_colours(sett), height);
+    // Threads fade in from one px to two.
+    const double shows_threads = std::clamp(double(side_px) / ends - 1, 0.0, 1.0);
+    const double share = sett.weave == Weave::Twill31 ? 0.75 : 0.5;
+    const SrgbTable srgb;
+    Image picture(side_px, height);
+    for (int y = 0; y < height; ++y) {
+        const int pick = static_cast<int>(double(y) * picks / height);
+        for (int x = 0; x < side_px; ++x) {
+            const int end = static_cast<int>(double(x) * ends / side_px);
+            const double seen = is_warp_seen(sett.weave, end, pick) ? 1 : 0;
+            const double part = share + shows_threads * (seen - share);
+            const Vec3d colour = part * warp[std::size_t(x)] + (1 - part) * weft[std::size_t(y)];
+            picture.at(x, y) = {srgb.at(colour[0]), srgb.at(colour[1]), srgb.at(colour[2]), 255};
+        }
+    }
+    return picture;
 }
 
 }  // namespace selvedge

@@ -1,15 +1,53 @@
 #pragma once
 // Draws on the sheet in its own metres: widths in px of the interface, anti-aliased.
 #include <imgui.h>
-
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "editor/sheet/sheet_colours.h"
-#include "editor/tools/sheet_camera.h"
+#include "editor/document/document.h"
+#include "editor/document/selection.h"
+#include "editor/frame/frame.h"
+#include "editor/sheet/panel_faces.h"
+#include "editor/tools/sheet_geometry.h"
+#include "editor/tools/tool.h"
+#include "render/image/image.h"
 
 namespace selvedge {
+
+// The colours of the drafting sheet, in one place: paper, thin cool grid lines, ink, one accent.
+
+struct SheetColours {
+    Rgba8 paper{0xFC, 0xFB, 0xF8, 0xFF};
+    Rgba8 fine_grid{0x9F, 0xB4, 0xBE, 0x3C};    // faded in as its lines come apart
+    Rgba8 coarse_grid{0x8A, 0xA4, 0xB0, 0x6E};  // every fifth or tenth of them
+    Rgba8 axis{0x6F, 0x8E, 0x9C, 0xA0};         // x = 0 and y = 0
+    Rgba8 ruler{0xF3, 0xF1, 0xEC, 0xFF};
+    Rgba8 ruler_line{0xD5, 0xD2, 0xCB, 0xFF};
+    Rgba8 ruler_tick{0x9A, 0x9A, 0x98, 0xFF};
+    Rgba8 ruler_text{0x6A, 0x6C, 0x6E, 0xFF};
+
+    Rgba8 ink{0x26, 0x29, 0x2E, 0xFF};          // outlines, names
+    Rgba8 faint_ink{0x26, 0x29, 0x2E, 0x80};    // grainlines, internal lines
+    Rgba8 plain_cloth{0xEF, 0xEA, 0xDF, 0xE8};  // panels where no tartan is shown
+    Rgba8 under_cloth{0xFF, 0xFF, 0xFF, 0xFF};  // beneath a tartan, which is laid over it as strong as:
+    float cloth_strength = 0.40F;               // so that ink and seams are read on it
+    Rgba8 plate{0xFF, 0xFE, 0xFB, 0xDC};        // behind words on the sheet
+    Rgba8 mirrored{0x7A, 0x5C, 0x9E, 0xFF};     // of panels that are kept mirror images
+
+    Rgba8 accent{0x1F, 0x6F, 0x8B, 0xFF};  // selected, being drawn
+    Rgba8 accent_fill{0x1F, 0x6F, 0x8B, 0x20};
+    Rgba8 hover{0x1F, 0x6F, 0x8B, 0x78};
+    Rgba8 handle{0xFF, 0xFF, 0xFF, 0xFF};  // the inside of handles
+    Rgba8 guide{0xC2, 0x4D, 0x8A, 0xD0};   // what a point snaps to
+    Rgba8 measure{0x4A, 0x4E, 0x55, 0xFF};
+    Rgba8 warning{0xB8, 0x74, 0x10, 0xFF};  // likely not meant
+    Rgba8 error{0xC2, 0x30, 0x28, 0xFF};    // uneven seams, places of errors
+    Rgba8 pin{0xC2, 0x30, 0x28, 0xFF};
+    Rgba8 bubble{0x26, 0x29, 0x2E, 0xEB};       // readouts at the cursor,
+    Rgba8 bubble_text{0xFA, 0xF9, 0xF6, 0xFF};  // and their words
+};
 
 struct SheetPen {
     ImDrawList& list;
@@ -46,5 +84,37 @@ LinePlace place_on(std::span<const ImVec2> line, double length);  // Pre: two po
 // A few small ticks across the line, and a triangle near its beginning that points along it. `inward`: the side of
 // the line, 1 to its left, that ticks reach to.
 void draw_direction(const SheetPen& pen, std::span<const ImVec2> line, const Rgba8& colour, double inward);
+
+// What the painters of the sheet are told about one frame.
+
+// What a person may switch off.
+struct SheetShows {
+    bool cloth = true;  // tartans; else plain
+    bool names = true;  // and grainlines
+    bool seams = true;
+    bool grid = true;
+};
+
+// A sett as a texture of one repeat.
+struct SettTexture {
+    UiTexture texture = 0;           // 0: none is shown
+    Vec2d repeat = Vec2d(1, 1);      // m, of the warp's stripes and of the weft's
+    Vec2d position = Vec2d::Zero();  // m, where it begins under all panels
+};
+
+struct SheetLook {
+    const SheetPen& pen;
+    const Pattern& pattern;
+    const SheetGeometry& geometry;
+    PanelFaces& faces;
+    const Selection& selection;
+    const Hover& hover;
+    const ToolOverlay& overlay;
+    const std::set<std::string>& touched;  // panels that have any part selected
+    SettTexture sett;
+    SheetShows shows;
+};
+
+bool is_in_view(const SheetLook& look, const PanelShape& shape);
 
 }  // namespace selvedge

@@ -7,10 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "editor/frame/frame_output.h"
-#include "editor/frame/input.h"
+#include "editor/frame/frame.h"
 #include "editor/sheet/panel_faces.h"
-#include "editor/sheet/sheet_look.h"
+#include "editor/sheet/sheet_pen.h"
 #include "editor/tools/tool_host.h"
 #include "sim/tartan/sett.h"
 
@@ -82,5 +81,15 @@ class SheetView {
     std::optional<Sett> sett_;
     std::vector<int> held_sides_;  // px, by texture
 };
+
+// The sheet's paper: grid, and rulers along its top and left edge.
+
+inline constexpr double kRulerWidth = 30;  // px of the interface: as wide as "-160"
+
+// Lines of 1 mm, 1 cm, 5 cm, 10 cm... by the zoom; finer ones fade in.
+void draw_grid(const SheetPen& pen);
+
+// In cm; `cursor` (px) is marked on both.
+void draw_rulers(const SheetPen& pen, const std::optional<Vec2d>& cursor);
 
 }  // namespace selvedge

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/drafting/draft_error.h"
-#include "editor/tools/overlay_parts.h"
+#include "editor/geometry/draft.h"
+#include "editor/tools/select_tool.h"
+#include "editor/tools/tool.h"
+#include "sim/pattern/outline.h"
 
 namespace selvedge {
 namespace {
@@ -190,6 +192,163 @@ void DartTool::draw(const ToolContext& context, ToolOverlay& overlay) const {
 
 std::string DartTool::hint(const ToolContext&) const {
     return "Drag from an edge inward, or click it and type width x depth (cm), then Enter";
+}
+
+PickOptions CurveTool::wanted(const ToolContext& context) const {
+    PickOptions options = pick_options(context);
+    options.vertices = options.notches = options.internal_lines = false;
+    std::set<std::string> panels = touched_panels(context.document.selection());
+    options.handle_edges = curved_edges_of(context.geometry, panels);
+    return options;
+}
+
+void CurveTool::press(ToolContext& context, const SheetPointer& pointer) {
+    is_dragging_ = false;
+    pressed_ = pick(context.geometry, pointer.at, wanted(context));
+    if (const PanelShape* shape = context.geometry.find(pressed_.panel)) before_ = shape->panel;
+}
+
+void CurveTool::click(ToolContext& context, const SheetPointer&) {
+    Selection selection;
+    if (pressed_.kind == PickKind::Edge || pressed_.kind == PickKind::Handle) selection.edges.insert(pressed_.ref());
+    if (pressed_.kind == PickKind::Panel) selection.panels.insert(pressed_.panel);
+    context.document.select(selection);
+}
+
+void CurveTool::drag(ToolContext& context, const SheetPointer& pointer) {
+    const PanelShape* shape = context.geometry.find(pressed_.panel);
+    if (shape == nullptr || (pressed_.kind != PickKind::Edge && pressed_.kind != PickKind::Handle)) return;
+    if (!is_dragging_) {
+        Selection selection;
+        selection.edges.insert(pressed_.ref());
+        context.document.select(selection);
+    }
+    is_dragging_ = true;
+    const Vec2d to = shape->in_panel(pointer.at);
+    OutlineEdge curve = before_.edges.at(static_cast<std::size_t>(pressed_.index));
+    if (pressed_.kind == PickKind::Handle) {
+        curve.control.at(static_cast<std::size_t>(pressed_.control)) = to;
+    } else if (pointer.modifiers.alt) {
+        curve = arc_through(before_, curve, to);
+    } else {
+        if (curve.kind == CurveKind::Arc && pointer.modifiers.shift) curve.kind = CurveKind::Line;
+        if (pointer.modifiers.shift) curve = as_cubic_edge(before_, curve);
+        curve = bent_through(before_, curve, pressed_.t, to);
+    }
+    context.document.attempt(SetCurve{pressed_.panel, pressed_.index, curve});
+}
+
+void CurveTool::drop(ToolContext& context, const SheetPointer&) {
+    is_dragging_ = false;
+    context.document.keep();
+}
+
+// Straight again.
+void CurveTool::double_click(ToolContext& context, const SheetPointer& pointer) {
+    const Pick picked = pick(context.geometry, pointer.at, wanted(context));
+    if (picked.kind == PickKind::Edge) context.document.run(SetCurve{picked.panel, picked.index, OutlineEdge{}});
+}
+
+bool CurveTool::cancel(ToolContext&) {
+    const bool was_dragging = is_dragging_;
+    is_dragging_ = false;
+    return was_dragging;
+}
+
+void CurveTool::draw(const ToolContext& context, ToolOverlay& overlay) const {
+    overlay.handle_edges = wanted(context).handle_edges;
+    overlay.shows_vertices = true;
+    if (!is_dragging_) return EdgeTool::draw(context, overlay);
+    const EdgeShape* edge = context.geometry.edge(pressed_.ref());
+    const PanelShape* shape = context.geometry.find(pressed_.panel);
+    if (edge == nullptr || shape == nullptr) return;
+    add_edge(overlay, context.geometry, pressed_.ref(), OverlayTone::Draft);
+    const OutlineEdge& curve = shape->panel.edges.at(static_cast<std::size_t>(pressed_.index));
+    overlay.readout = {in_cm(edge->length)};
+    if (curve.kind == CurveKind::Arc) overlay.readout.push_back("radius " + in_cm(curve.arc_radius));
+}
+
+std::string CurveTool::hint(const ToolContext&) const {
+    return "Drag an edge to bend it; Shift: with two handles, Alt: a circle's arc; double click: straight";
+}
+
+namespace {
+
+struct Ends {
+    Vec2d start;
+    Vec2d end;
+};
+
+Ends ends_of(const Panel& panel, const OutlineEdge& edge) {
+    return {panel.vertices.at(static_cast<std::size_t>(edge.start)),
+            panel.vertices.at(static_cast<std::size_t>(edge.end))};
+}
+
+// The curve's own parameter where the fraction t of its length is reached, by halving.
+double parameter_at(const Panel& panel, const OutlineEdge& edge, double t) {
+    if (edge.kind == CurveKind::Line) return t;
+    const Vec2d wanted = outline_point(panel, edge, t);
+    double best = t, distance = (curve_point(panel, edge, t) - wanted).norm();
+    for (double step = 0.25; step > 1e-4; step /= 2) {
+        for (const double s : {best - step, best + step}) {
+            const double away = (curve_point(panel, edge, std::clamp(s, 0.0, 1.0)) - wanted).norm();
+            if (away < distance) {
+                distance = away;
+                best = std::clamp(s, 0.0, 1.0);
+            }
+        }
+    }
+    return best;
+}
+
+}  // namespace
+
+OutlineEdge bent_through(const Panel& panel, const OutlineEdge& edge, double t, const Vec2d& to) {
+    if (edge.kind == CurveKind::Arc) return arc_through(panel, edge, to);
+    const auto [start, end] = ends_of(panel, edge);
+    const double s = std::clamp(parameter_at(panel, edge, t), 0.1, 0.9);
+    const double r = 1 - s;
+    OutlineEdge bent = edge;
+    if (edge.kind == CurveKind::Cubic) {
+        const Vec2d by = (to - curve_point(panel, edge, s)) / (3 * r * s);
+        bent.control[0] += by;
+        bent.control[1] += by;
+        return bent;
+    }
+    bent.kind = CurveKind::Quadratic;
+    bent.control[0] = (to - r * r * start - s * s * end) / (2 * r * s);
+    return bent;
+}
+
+OutlineEdge arc_through(const Panel& panel, const OutlineEdge& edge, const Vec2d& to) {
+    const auto [start, end] = ends_of(panel, edge);
+    const Vec2d chord = end - start, a = to - start, b = to - end;
+    const double twice_area = cross2(chord, a);  // positive: the point lies to the left
+    OutlineEdge arc = edge;
+    arc.control = {Vec2d::Zero(), Vec2d::Zero()};
+    if (std::abs(twice_area) <= 1e-4 * chord.squaredNorm()) {
+        arc.kind = CurveKind::Line;
+        arc.arc_radius = 0;
+        return arc;
+    }
+    arc.kind = CurveKind::Arc;
+    arc.arc_radius = a.norm() * b.norm() * chord.norm() / (2 * std::abs(twice_area));
+    arc.turns_right = twice_area > 0;
+    arc.is_large_arc = a.dot(b) > 0;  // the point sees the chord under less than a right angle
+    return arc;
+}
+
+OutlineEdge as_cubic_edge(const Panel& panel, const OutlineEdge& edge) {
+    const auto [start, end] = ends_of(panel, edge);
+    OutlineEdge cubic = edge;
+    if (edge.kind == CurveKind::Cubic) return cubic;
+    cubic.kind = CurveKind::Cubic;
+    if (edge.kind == CurveKind::Quadratic) {
+        cubic.control = {start + 2.0 / 3 * (edge.control[0] - start), end + 2.0 / 3 * (edge.control[0] - end)};
+    } else {
+        cubic.control = {start + (end - start) / 3, end - (end - start) / 3};
+    }
+    return cubic;
 }
 
 }  // namespace selvedge

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "editor/drafting/draft_error.h"
-#include "editor/tools/overlay_parts.h"
+#include "editor/geometry/draft.h"
+#include "editor/tools/tool.h"
 
 namespace selvedge {
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
+#include <numbers>
 
-#include "editor/tools/overlay_parts.h"
-#include "editor/tools/selected_parts.h"
+#include "editor/geometry/draft.h"
+#include "editor/tools/tool.h"
 
 namespace selvedge {
 namespace {
@@ -193,6 +195,330 @@ std::string SelectTool::hint(const ToolContext& context) const {
     if (drag_ == Drag::Box) return "To the right: what is inside. To the left: what it touches";
     if (context.document.selection().is_empty()) return "Click or drag a box to select; drag to move";
     return "Drag to move, Alt-drag to copy, arrows: 1 mm, with Shift 1 cm, or type dx x dy";
+}
+
+namespace {
+
+std::set<PartRef> shown_handles(const ToolContext& context) {
+    std::set<std::string> panels = touched_panels(context.document.selection());
+    return curved_edges_of(context.geometry, panels);
+}
+
+}  // namespace
+
+PickOptions EditPointTool::wanted(const ToolContext& context) const {
+    PickOptions options = pick_options(context);
+    options.handle_edges = shown_handles(context);
+    return options;
+}
+
+Selection EditPointTool::boxed(const ToolContext& context) const {
+    return in_box(context.geometry, box(), BoxRule::Inside, BoxTargets::Vertices);
+}
+
+void EditPointTool::press(ToolContext& context, const SheetPointer& pointer) {
+    SelectTool::press(context, pointer);
+    is_dragging_part_ = false;
+    const PanelShape* shape = context.geometry.find(pressed_.panel);
+    if (shape == nullptr) return;
+    if (pressed_.kind == PickKind::Handle) curve_ = shape->panel.edges.at(static_cast<std::size_t>(pressed_.index));
+    if (pressed_.kind != PickKind::InternalLine) return;
+    line_ = shape->panel.internal_lines.at(static_cast<std::size_t>(pressed_.index));
+    const Vec2d u = shape->in_panel(pointer.at);
+    line_point_ = 0;
+    for (std::size_t i = 1; i < line_.points.size(); ++i) {
+        if ((line_.points[i] - u).norm() < (line_.points[line_point_] - u).norm()) line_point_ = i;
+    }
+}
+
+void EditPointTool::drag(ToolContext& context, const SheetPointer& pointer) {
+    is_dragging_part_ = pressed_.kind == PickKind::Handle || pressed_.kind == PickKind::InternalLine;
+    if (pressed_.kind == PickKind::Handle) return drag_handle(context, pointer);
+    if (pressed_.kind == PickKind::InternalLine) return drag_line_point(context, pointer);
+    SelectTool::drag(context, pointer);
+}
+
+void EditPointTool::drag_handle(ToolContext& context, const SheetPointer& pointer) {
+    const PanelShape* shape = context.geometry.find(pressed_.panel);
+    if (shape == nullptr) return;
+    SnapOptions options = snap_options(context, pointer.modifiers);
+    options.to_guides = false;
+    const int from = pressed_.control == 0 ? curve_.start : curve_.end;
+    options.origin = shape->on_sheet(shape->panel.vertices.at(static_cast<std::size_t>(from)));
+    snapped_ = snap(context.geometry, pointer.at, options);
+    OutlineEdge curve = curve_;
+    curve.control.at(static_cast<std::size_t>(pressed_.control)) = shape->in_panel(snapped_.point);
+    context.document.attempt(SetCurve{pressed_.panel, pressed_.index, curve});
+}
+
+void EditPointTool::drag_line_point(ToolContext& context, const SheetPointer& pointer) {
+    const PanelShape* shape = context.geometry.find(pressed_.panel);
+    if (shape == nullptr) return;
+    snapped_ = snap(context.geometry, pointer.at, snap_options(context, pointer.modifiers));
+    InternalLine line = line_;
+    line.points.at(line_point_) = shape->in_panel(snapped_.point);
+    context.document.attempt(SetInternalLine{pressed_.panel, pressed_.index, line});
+}
+
+void EditPointTool::drop(ToolContext& context, const SheetPointer& pointer) {
+    if (!is_dragging_part_) return SelectTool::drop(context, pointer);
+    is_dragging_part_ = false;
+    context.document.keep();
+}
+
+void EditPointTool::double_click(ToolContext& context, const SheetPointer& pointer) {
+    PickOptions options = pick_options(context);
+    const Pick picked = pick(context.geometry, pointer.at, options);
+    if (picked.kind != PickKind::Edge) return;
+    const double t =
+        snap_along(*context.geometry.edge(picked.ref()), picked.t, snap_options(context, pointer.modifiers));
+    context.document.run(AddVertex{picked.panel, picked.index, t});
+}
+
+bool EditPointTool::cancel(ToolContext& context) {
+    const bool was_dragging = is_dragging_part_;
+    is_dragging_part_ = false;
+    return SelectTool::cancel(context) || was_dragging;
+}
+
+void EditPointTool::draw(const ToolContext& context, ToolOverlay& overlay) const {
+    overlay.shows_vertices = true;
+    overlay.handle_edges = shown_handles(context);
+    SelectTool::draw(context, overlay);
+    if (!is_dragging_part_) return;
+    add_guides(overlay, snapped_);
+    if (pressed_.kind != PickKind::Handle) return;
+    if (const EdgeShape* edge = context.geometry.edge(pressed_.ref())) overlay.readout = {in_cm(edge->length)};
+}
+
+std::string EditPointTool::hint(const ToolContext&) const {
+    return "Drag points and handles; double click an edge to add a point, Delete to take one out";
+}
+
+namespace {
+
+PlaneMap about(const Vec2d& centre, const Vec2d& x_axis, const Vec2d& y_axis) {
+    return {x_axis, y_axis, centre - x_axis * centre.x() - y_axis * centre.y()};
+}
+
+}  // namespace
+
+std::vector<PartRef> selected_vertices(const SheetGeometry& geometry, const Selection& selection) {
+    std::set<PartRef> vertices = selection.vertices;
+    for (const PartRef& ref : selection.edges) {
+        const PanelShape* shape = geometry.find(ref.panel);
+        if (shape == nullptr || geometry.edge(ref) == nullptr) continue;
+        const OutlineEdge& edge = shape->panel.edges[static_cast<std::size_t>(ref.index)];
+        vertices.insert({ref.panel, edge.start});
+        vertices.insert({ref.panel, edge.end});
+    }
+    std::erase_if(vertices, [&](const PartRef& ref) { return selection.panels.contains(ref.panel); });
+    return {vertices.begin(), vertices.end()};
+}
+
+std::optional<Command> move_selected(const SheetGeometry& geometry, const Selection& selection, const Vec2d& by) {
+    if (!selection.panels.empty()) {
+        return MovePanels{{selection.panels.begin(), selection.panels.end()}, by};
+    }
+    const std::vector<PartRef> vertices = selected_vertices(geometry, selection);
+    if (vertices.empty()) return {};
+    return MoveVertices{vertices, by};
+}
+
+std::optional<Command> transform_selected(const SheetGeometry& geometry, const Selection& selection,
+                                          const PlaneMap& map, const std::string& what) {
+    if (!selection.panels.empty()) {
+        return TransformPanels{{selection.panels.begin(), selection.panels.end()}, map, what};
+    }
+    const std::vector<PartRef> vertices = selected_vertices(geometry, selection);
+    if (vertices.empty()) return {};
+    return TransformVertices{vertices, map, what};
+}
+
+std::set<std::string> touched_panels(const Selection& selection) {
+    std::set<std::string> panels = selection.panels;
+    for (const std::set<PartRef>* parts :
+         {&selection.vertices, &selection.edges, &selection.internal_lines, &selection.notches}) {
+        for (const PartRef& ref : *parts) panels.insert(ref.panel);
+    }
+    return panels;
+}
+
+PlaneMap rotation_about(const Vec2d& centre, double angle) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    return about(centre, Vec2d(c, s), Vec2d(-s, c));
+}
+
+PlaneMap scaling_about(const Vec2d& centre, const Vec2d& factors) {
+    return about(centre, Vec2d(factors.x(), 0), Vec2d(0, factors.y()));
+}
+
+PlaneMap mirror_over(const Vec2d& on_axis, const Vec2d& direction) {
+    const Vec2d d = direction.normalized();
+    return about(on_axis, Vec2d(2 * d.x() * d.x() - 1, 2 * d.x() * d.y()),
+                 Vec2d(2 * d.x() * d.y(), 2 * d.y() * d.y() - 1));
+}
+
+Vec2d apply(const PlaneMap& map, const Vec2d& p) {
+    return map.x_axis * p.x() + map.y_axis * p.y() + map.shift;
+}
+
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+Vec2d handle_place(const SheetBox& box, const Vec2d& handle) {
+    return box.center() + handle.cwiseProduct(box.sizes() / 2);
+}
+
+template <class Use>
+void for_each_handle(Use&& use) {
+    for (int x = -1; x <= 1; ++x) {
+        for (int y = -1; y <= 1; ++y) {
+            if (x != 0 || y != 0) use(Vec2d(x, y));
+        }
+    }
+}
+
+std::string in_percent(double factor) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f %%", factor * 100);
+    return text;
+}
+
+}  // namespace
+
+void TransformTool::press(ToolContext& context, const SheetPointer& pointer) {
+    pressed_ = pick(context.geometry, pointer.at, pick_options(context));
+    held_ = context.document.selection();
+    box_ = context.geometry.box_of(held_);
+    pressed_at_ = pointer.at;
+    handle_.reset();
+    is_dragging_ = false;
+    if (box_.isEmpty()) return;
+    for_each_handle([&](const Vec2d& handle) {
+        if ((handle_place(box_, handle) - pointer.at).norm() <= 1.3 * kPickTolerance * context.px) handle_ = handle;
+    });
+}
+
+void TransformTool::click(ToolContext& context, const SheetPointer& pointer) {
+    if (!handle_) context.document.select(with_picked(held_, pressed_, pointer.modifiers.shift));
+}
+
+void TransformTool::drag(ToolContext& context, const SheetPointer& pointer) {
+    if (box_.isEmpty()) {  // nothing was selected: take what was pressed
+        if (pressed_.kind == PickKind::Nothing) return;
+        context.document.select(with_picked({}, pressed_, false));
+        held_ = context.document.selection();
+        box_ = context.geometry.box_of(held_);
+        if (box_.isEmpty()) return;
+    }
+    is_dragging_ = true;
+    mode_ == TransformMode::Rotate ? rotate(context, pointer) : scale(context, pointer);
+}
+
+void TransformTool::rotate(ToolContext& context, const SheetPointer& pointer) {
+    const Vec2d centre = box_.center(), from = pressed_at_ - centre, to = pointer.at - centre;
+    if (from.norm() == 0 || to.norm() == 0) return;
+    angle_ = std::atan2(cross2(from, to), from.dot(to));
+    const double step = pointer.modifiers.shift ? 15 * kDegree : kDegree;
+    if (pointer.modifiers.shift || snap_options(context, pointer.modifiers).is_on) {
+        angle_ = std::round(angle_ / step) * step;
+    }
+    attempt(context, rotation_about(centre, angle_));
+}
+
+// About the opposite handle, with Alt about the middle. A handle that stands in the middle of a side scales one way.
+void TransformTool::scale(ToolContext& context, const SheetPointer& pointer) {
+    if (!handle_) return;
+    const bool is_about_middle = pointer.modifiers.alt;
+    const Vec2d fixed = is_about_middle ? Vec2d(box_.center()) : handle_place(box_, -*handle_);
+    const Vec2d held = handle_place(box_, *handle_);
+    SnapOptions options = snap_options(context, pointer.modifiers);
+    options.to_directions = false;
+    options.moving_panels = touched_panels(held_);
+    const Vec2d to = snap(context.geometry, pointer.at, options).point;
+    factors_ = Vec2d(1, 1);
+    for (int axis = 0; axis < 2; ++axis) {
+        const double before = held[axis] - fixed[axis];
+        if ((*handle_)[axis] != 0 && std::abs(before) > 1e-9) factors_[axis] = (to[axis] - fixed[axis]) / before;
+    }
+    if (pointer.modifiers.shift) {
+        const bool is_x =
+            (*handle_).x() != 0 && ((*handle_).y() == 0 || std::abs(factors_.x() - 1) > std::abs(factors_.y() - 1));
+        factors_ = Vec2d::Constant(is_x ? factors_.x() : factors_.y());
+    }
+    if (factors_.cwiseAbs().minCoeff() < 0.01) return;
+    attempt(context, scaling_about(fixed, factors_));
+}
+
+void TransformTool::attempt(ToolContext& context, const PlaneMap& map) {
+    const char* what = mode_ == TransformMode::Rotate ? "Rotate" : "Scale";
+    if (const std::optional<Command> command = transform_selected(context.geometry, held_, map, what)) {
+        context.document.attempt(*command);
+    }
+}
+
+void TransformTool::drop(ToolContext& context, const SheetPointer&) {
+    is_dragging_ = false;
+    context.document.keep();
+}
+
+bool TransformTool::enter(ToolContext& context, const std::vector<double>& numbers) {
+    const Selection& selection = context.document.selection();
+    const SheetBox box = context.geometry.box_of(selection);
+    if (box.isEmpty()) throw DraftError("Select first what is to be changed");
+    PlaneMap map;
+    if (mode_ == TransformMode::Rotate) {
+        if (numbers.size() != 1) return false;
+        map = rotation_about(box.center(), numbers[0] * kDegree);
+    } else {
+        if (numbers.size() > 2) return false;
+        const Vec2d factors(numbers.front(), numbers.back());
+        if (factors.cwiseAbs().minCoeff() < 0.01)
+            throw DraftError("A factor of nothing leaves nothing: type such as 1.05");
+        map = scaling_about(box.center(), factors);
+    }
+    const char* what = mode_ == TransformMode::Rotate ? "Rotate" : "Scale";
+    const std::optional<Command> command = transform_selected(context.geometry, selection, map, what);
+    if (!command) return false;
+    context.document.run(*command);
+    return true;
+}
+
+bool TransformTool::cancel(ToolContext&) {
+    const bool was_dragging = is_dragging_;
+    is_dragging_ = false;
+    return was_dragging;
+}
+
+void TransformTool::draw(const ToolContext& context, ToolOverlay& overlay) const {
+    const SheetBox box = context.geometry.box_of(context.document.selection());
+    if (box.isEmpty()) return;
+    add_box(overlay, box, OverlayTone::Faint);
+    const HandleShape shape = mode_ == TransformMode::Rotate ? HandleShape::Round : HandleShape::Square;
+    for_each_handle([&](const Vec2d& handle) {
+        const bool is_corner = handle.x() != 0 && handle.y() != 0;
+        if (mode_ == TransformMode::Rotate && !is_corner) return;
+        overlay.handles.push_back({handle_place(box, handle), shape, OverlayTone::Draft, false});
+    });
+    if (mode_ == TransformMode::Rotate)
+        overlay.handles.push_back({box.center(), HandleShape::Cross, OverlayTone::Draft, false});
+    if (!is_dragging_) return;
+    if (mode_ == TransformMode::Rotate) {
+        overlay.lines.push_back(
+            {.points = {box_.center(), context.pointer.at}, .tone = OverlayTone::Measure, .is_dashed = true});
+        overlay.readout = {in_degrees(angle_)};
+    } else {
+        overlay.readout = {in_percent(factors_.x()) + " x " + in_percent(factors_.y()),
+                           in_cm(box.sizes().x()) + " x " + in_cm(box.sizes().y())};
+    }
+}
+
+std::string TransformTool::hint(const ToolContext& context) const {
+    if (context.document.selection().is_empty()) return "Click what is to be changed";
+    if (mode_ == TransformMode::Rotate) return "Drag to turn, Shift: by 15\u00b0; or type degrees, then Enter";
+    return "Drag a handle, Shift: both ways alike, Alt: about the middle; or type a factor, such as 1.05 or 1.1 x 1";
 }
 
 }  // namespace selvedge

@@ -1,5 +1,12 @@
 #pragma once
 // Select and move: panels, edges and points, by click and by box.
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "editor/document/command.h"
+#include "editor/tools/sheet_geometry.h"
 #include "editor/tools/tool.h"
 
 namespace selvedge {
@@ -55,6 +62,86 @@ class SelectTool : public Tool {
     Snap snapped_;
     Selection moved_;     // what is dragged
     std::string copied_;  // the panel that an Alt-drag copies; empty: it moves
+};
+
+// Edit point: points and curve handles; a double click on an edge adds a point, points of internal lines move, too.
+
+class EditPointTool : public SelectTool {
+ public:
+    void press(ToolContext& context, const SheetPointer& pointer) override;
+    void drag(ToolContext& context, const SheetPointer& pointer) override;
+    void drop(ToolContext& context, const SheetPointer& pointer) override;
+    void double_click(ToolContext& context, const SheetPointer& pointer) override;
+    bool cancel(ToolContext& context) override;
+    void draw(const ToolContext& context, ToolOverlay& overlay) const override;
+    std::string hint(const ToolContext& context) const override;
+
+ protected:
+    PickOptions wanted(const ToolContext& context) const override;
+    Selection boxed(const ToolContext& context) const override;
+
+ private:
+    void drag_handle(ToolContext& context, const SheetPointer& pointer);
+    void drag_line_point(ToolContext& context, const SheetPointer& pointer);
+
+    bool is_dragging_part_ = false;  // a handle or a point of an internal line
+    OutlineEdge curve_;              // before the drag
+    InternalLine line_;
+    std::size_t line_point_ = 0;
+    Snap snapped_;
+};
+
+// What is selected, as tools act on it.
+
+// The vertices that move with the selection, ends of selected edges included; those of selected panels not.
+std::vector<PartRef> selected_vertices(const SheetGeometry& geometry, const Selection& selection);
+
+// Moves selected panels, or else selected vertices and edges. None: nothing of these is selected.
+std::optional<Command> move_selected(const SheetGeometry& geometry, const Selection& selection, const Vec2d& by);
+
+// A map of the sheet for the same. `what`: the word for the history.
+std::optional<Command> transform_selected(const SheetGeometry& geometry, const Selection& selection,
+                                          const PlaneMap& map, const std::string& what);
+
+// The panels that have any part selected.
+std::set<std::string> touched_panels(const Selection& selection);
+
+PlaneMap rotation_about(const Vec2d& centre, double angle);
+PlaneMap scaling_about(const Vec2d& centre, const Vec2d& factors);
+PlaneMap mirror_over(const Vec2d& on_axis, const Vec2d& direction);  // Pre: the direction is not zero
+Vec2d apply(const PlaneMap& map, const Vec2d& p);
+
+// Rotate and scale what is selected: by handles at its box, or typed.
+
+enum class TransformMode { Rotate, Scale };
+
+class TransformTool : public Tool {
+ public:
+    explicit TransformTool(TransformMode mode) : mode_(mode) {}
+
+    void press(ToolContext& context, const SheetPointer& pointer) override;
+    void click(ToolContext& context, const SheetPointer& pointer) override;
+    void drag(ToolContext& context, const SheetPointer& pointer) override;
+    void drop(ToolContext& context, const SheetPointer& pointer) override;
+    bool enter(ToolContext& context, const std::vector<double>& numbers) override;
+    bool cancel(ToolContext& context) override;
+    void draw(const ToolContext& context, ToolOverlay& overlay) const override;
+    std::string hint(const ToolContext& context) const override;
+
+ private:
+    void rotate(ToolContext& context, const SheetPointer& pointer);
+    void scale(ToolContext& context, const SheetPointer& pointer);
+    void attempt(ToolContext& context, const PlaneMap& map);
+
+    TransformMode mode_;
+    Pick pressed_;
+    Selection held_;  // what is turned or scaled
+    SheetBox box_;    // of it before the drag
+    Vec2d pressed_at_ = Vec2d::Zero();
+    std::optional<Vec2d> handle_;  // -1, 0 or 1 per axis: a corner or the middle of a side
+    bool is_dragging_ = false;
+    double angle_ = 0;
+    Vec2d factors_ = Vec2d(1, 1);
 };
 
 }  // namespace selvedge

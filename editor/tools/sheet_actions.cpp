@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "editor/tools/selected_parts.h"
+#include "editor/tools/select_tool.h"
 
 namespace selvedge {
 namespace {

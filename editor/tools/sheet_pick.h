@@ -3,7 +3,6 @@
 #include <set>
 #include <string>
 
-#include "editor/document/hover.h"
 #include "editor/document/selection.h"
 #include "editor/tools/sheet_geometry.h"
 

@@ -3,21 +3,64 @@
 // It says what is to be seen, and draws nothing. Tools throw DraftError; their host catches it (tool_host.h).
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "editor/document/document.h"
-#include "editor/document/hover.h"
-#include "editor/frame/input.h"
-#include "editor/tools/sheet_camera.h"
+#include "editor/document/selection.h"
+#include "editor/frame/frame.h"
 #include "editor/tools/sheet_geometry.h"
 #include "editor/tools/sheet_pick.h"
 #include "editor/tools/snap.h"
-#include "editor/tools/tool_overlay.h"
-#include "editor/workspace/messages.h"
+#include "editor/workspace/workspace.h"
+#include "sim/core/math.h"
 
 namespace selvedge {
+
+// What a tool wants seen over the sheet, as plain data: the view draws it, tests read it. Points on the sheet, m.
+
+enum class OverlayTone {
+    Draft,    // what is being made
+    Faint,    // what helps to make it
+    Guide,    // what it snaps to
+    Measure,  // lengths and angles
+    Warning   // what is likely not meant
+};
+
+struct OverlayLine {
+    std::vector<Vec2d> points;
+    OverlayTone tone = OverlayTone::Draft;
+    bool is_dashed = false;
+    bool is_closed = false;  // and filled thinly
+    bool has_ticks = false;  // small ticks and a triangle show which way it runs
+};
+
+enum class HandleShape { Square, Round, Diamond, Cross };
+
+struct OverlayHandle {
+    Vec2d at = Vec2d::Zero();
+    HandleShape shape = HandleShape::Square;
+    OverlayTone tone = OverlayTone::Draft;
+    bool is_filled = false;
+};
+
+struct OverlayLabel {
+    Vec2d at = Vec2d::Zero();  // of its middle
+    std::string text;
+    OverlayTone tone = OverlayTone::Measure;
+};
+
+struct ToolOverlay {
+    std::vector<OverlayLine> lines{};
+    std::vector<OverlayHandle> handles{};
+    std::vector<OverlayLabel> labels{};
+    std::set<PartRef> handle_edges{};    // edges whose curve handles are shown
+    std::vector<std::string> readout{};  // beside the cursor, a line each
+    bool shows_vertices = false;         // of panels that have something selected, as handles
+    bool shows_sewing = false;           // seams stand out from the outlines
+};
 
 // Where the mouse is.
 struct SheetPointer {
@@ -117,5 +160,40 @@ std::unique_ptr<Tool> make_tool(ToolKind kind);
 std::string in_cm(double metres);
 std::string in_mm(double metres);
 std::string in_degrees(double radians);
+
+// Numbers that a person types while a tool is at work: 12, 92/4+1, 30 x 40. Centimetres or degrees, as the tool says.
+
+class TypedInput {
+ public:
+    // Takes what can be part of a number; a letter only where it goes on with one that has begun: x between two.
+    // Returns whether it was taken.
+    bool add(std::string_view text);
+    void remove_last();
+    void clear() { text_.clear(); }
+
+    bool is_empty() const { return text_.empty(); }
+    const std::string& text() const { return text_; }
+
+    // One number, or several with x between them. None: it cannot be read (so far), or is empty.
+    std::optional<std::vector<double>> numbers() const;
+
+ private:
+    std::string text_;
+};
+
+// What several tools show alike.
+
+void add_guides(ToolOverlay& overlay, const Snap& snapped);
+
+// The part of an edge between two fractions of its length, in that direction, on the sheet.
+std::vector<Vec2d> part_of_edge(const PanelShape& shape, int edge, double from, double to);
+
+// A line over an edge.
+void add_edge(ToolOverlay& overlay, const SheetGeometry& geometry, const PartRef& edge, OverlayTone tone);
+
+void add_box(ToolOverlay& overlay, const SheetBox& box, OverlayTone tone);
+
+// Edges of a panel whose handles are shown: of those that have any part selected.
+std::set<PartRef> curved_edges_of(const SheetGeometry& geometry, const std::set<std::string>& panels);
 
 }  // namespace selvedge

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "editor/drafting/draft_error.h"
+#include "editor/geometry/draft.h"
 #include "editor/tools/tool.h"
-#include "editor/tools/typed_input.h"
+#include "editor/workspace/workspace.h"
 
 namespace selvedge {
 
@@ -77,5 +77,11 @@ class ToolHost {
     MouseState state_ = MouseState::Up;
     TypedInput typed_;
 };
+
+// The parts of the workspace that tools work on.
+
+inline ToolDesk tool_desk(Workspace& workspace) {
+    return {.document = *workspace.document, .hover = workspace.hover, .messages = workspace.messages};
+}
 
 }  // namespace selvedge

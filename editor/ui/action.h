@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "editor/frame/input.h"
+#include "editor/frame/frame.h"
 
 namespace selvedge {
 
@@ -43,5 +43,22 @@ std::optional<Chord> parse_chord(std::string_view text);
 
 // Those whose title or menu has the letters of `wanted` in that order, the best first: whole words before parts.
 std::vector<const Action*> search(const std::vector<Action>& actions, std::string_view wanted);
+
+// Finding an action by typing some of its letters (Ctrl+K).
+
+struct Desk;
+
+class ActionFinder {
+ public:
+    void open();
+    bool is_open() const { return is_open_; }
+    void show(Desk& desk);
+
+ private:
+    bool is_open_ = false;
+    bool takes_focus_ = false;
+    std::string wanted_;
+    int chosen_ = 0;
+};
 
 }  // namespace selvedge

@@ -19,4 +19,20 @@ void show_status_bar(Desk& desk);
 // Above the 3D view: start, reset, what is shown.
 void show_fitting_bar(Desk& desk);
 
+// What a right click on the sheet offers: the actions that can be done with what is selected.
+
+struct Desk;
+
+// Opens it at the cursor; what lies under the cursor is selected first unless it is already.
+void open_sheet_menu(Desk& desk);
+
+// Each frame: shows it as long as it is open.
+void show_sheet_menu(Desk& desk);
+
+// What a person sees first: three examples, the files of last time, the keys that matter most.
+
+struct Desk;
+
+void show_start_page(Desk& desk);
+
 }  // namespace selvedge

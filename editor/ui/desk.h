@@ -7,13 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "editor/frame/frame_output.h"
+#include "editor/frame/frame.h"
 #include "editor/frame/theme.h"
-#include "editor/frame/widget_map.h"
 #include "editor/tools/tool_host.h"
 #include "editor/ui/action.h"
-#include "editor/ui/action_finder.h"
-#include "editor/ui/file_browser.h"
+#include "editor/ui/files.h"
 #include "editor/ui/services.h"
 #include "editor/workspace/workspace.h"
 

@@ -6,19 +6,16 @@
 #include <array>
 #include <utility>
 
-#include "editor/fitting/fitting_view.h"
-#include "editor/frame/tabular_digits.h"
-#include "editor/inspectors/inspector_context.h"
+#include "editor/viewport3d/viewport.h"
+#include "editor/frame/theme.h"
+#include "editor/inspectors/inspectors.h"
 #include "editor/sheet/sheet_view.h"
-#include "editor/tools/tool_desk.h"
+#include "editor/tools/tool_host.h"
 #include "editor/ui/actions.h"
 #include "editor/ui/bars.h"
 #include "editor/ui/files.h"
-#include "editor/ui/message_clock.h"
-#include "editor/ui/sheet_menu.h"
-#include "editor/ui/start_page.h"
-#include "editor/ui/ui_input.h"
 #include "editor/ui/widgets.h"
+#include "editor/ui/ui_input.h"
 
 namespace selvedge {
 namespace {

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "editor/frame/frame_output.h"
-#include "editor/frame/input.h"
+#include "editor/frame/frame.h"
 #include "editor/frame/theme.h"
 #include "editor/ui/desk.h"
 #include "editor/ui/services.h"

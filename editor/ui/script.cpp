@@ -2,7 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 
+#include "editor/document/command.h"
+#include "editor/geometry/draft.h"
+#include "editor/geometry/panel_edit.h"
+#include "editor/ui/actions.h"
+#include "editor/ui/files.h"
+#include "editor/viewport3d/viewport_overlay.h"
 #include "sim/core/error.h"
 
 namespace selvedge {
@@ -61,6 +69,238 @@ std::vector<ScriptStep> parse_script(std::string_view text, const std::string& f
         steps.push_back(std::move(step));
     }
     return steps;
+}
+
+namespace {
+
+constexpr double kCm = 0.01;
+constexpr int kMostFrames = 100000;
+
+// What stands behind a place: how the mouse is pressed there.
+struct Hand {
+    MouseButton button = MouseButton::Left;
+    Modifiers modifiers{};
+};
+
+Hand hand_of(const ScriptStep& step, std::size_t at) {
+    Hand hand;
+    for (; at < step.words.size(); ++at) {
+        const std::string& word = step.words[at];
+        if (word == "shift") hand.modifiers.shift = true;
+        if (word == "ctrl") hand.modifiers.ctrl = true;
+        if (word == "alt") hand.modifiers.alt = true;
+        if (word == "right") hand.button = MouseButton::Right;
+        if (word == "middle") hand.button = MouseButton::Middle;
+    }
+    return hand;
+}
+
+}  // namespace
+
+void ScriptPlayer::play(const std::vector<ScriptStep>& steps) {
+    for (const ScriptStep& step : steps) {
+        try {
+            play(step);
+        } catch (const InputError& error) {
+            if (error.file() == file_) throw;
+            fail(step, error.what());
+        } catch (const DraftError& error) {
+            fail(step, error.what());
+        }
+    }
+}
+
+void ScriptPlayer::play(const ScriptStep& step) {
+    const std::string& verb = step.verb;
+    if (verb == "frames") return wait_frames(static_cast<int>(number(step, 0)));
+    if (verb == "settle") return settle(number(step, 0));
+    if (verb == "expect") return expect(step);
+    if (verb == "screenshot") return stage_.screenshot(word(step, 0));
+    if (verb == "where") {
+        std::size_t at = 0;
+        const Vec2d px = place(step, at);
+        return stage_.say(std::to_string(px.x()) + " " + std::to_string(px.y()));
+    }
+    if (verb == "key") {
+        const auto chord = parse_chord(word(step, 0));
+        if (!chord) fail(step, "'" + word(step, 0) + "' is no key");
+        return press_key(*chord);
+    }
+    if (verb == "type") return send({.kind = InputEvent::Kind::Text, .text = step.rest});
+    if (verb == "action") {
+        const Action* action = find_action(editor_.desk().actions, word(step, 0));
+        if (action == nullptr) fail(step, "there is no action '" + word(step, 0) + "'");
+        if (!run_action(editor_.desk(), *action)) fail(step, "'" + action->title + "' cannot be done now");
+        return wait_frames(1);
+    }
+    const bool is_of_document =
+        verb == "open" || verb == "new" || verb == "save" || verb == "do" || verb == "export" || verb == "wear";
+    is_of_document ? play_document(step) : play_mouse(step);
+}
+
+void ScriptPlayer::expect(const ScriptStep& step) const {
+    const std::string words = stage_words(*editor_.desk().workspace.drape.frame());
+    if (words != step.rest) fail(step, "the drape is not '" + step.rest + "' but '" + words + "'");
+}
+
+void ScriptPlayer::play_document(const ScriptStep& step) {
+    Desk& desk = editor_.desk();
+    if (step.verb == "new") new_document(desk);
+    if (step.verb == "open") open_file(desk, word(step, 0));
+    if (step.verb == "save") save_as(desk, word(step, 0));
+    if (step.verb == "export") export_to(desk, word(step, 0));
+    if (step.verb == "wear") desk.workspace.drape.wear(step.rest);
+    if (step.verb == "do") {
+        const Json json = parse_json(step.rest, file_);
+        desk.workspace.document->run(parse_command(JsonView(json, file_)));
+    }
+    wait_frames(2);
+    const Message* message = desk.workspace.messages.shown();
+    if (message != nullptr && message->kind == MessageKind::Error) fail(step, message->words);
+}
+
+void ScriptPlayer::play_mouse(const ScriptStep& step) {
+    std::size_t at = 0;
+    const Vec2d px = place(step, at);
+    const bool is_drag = step.verb == "drag";
+    Vec2d to = px;
+    if (is_drag) {
+        if (word(step, at) != "to") fail(step, "'to' and a second place should follow the first");
+        to = place(step, ++at);
+    }
+    const double notches = step.verb == "wheel" ? number(step, at) : 0;
+    const Hand hand = hand_of(step, at);
+    move_to(px, hand.modifiers);
+    if (step.verb == "wheel") {
+        send({.kind = InputEvent::Kind::Wheel, .y = static_cast<float>(notches), .modifiers = hand.modifiers});
+    }
+    const bool presses = step.verb == "press" || step.verb == "click" || step.verb == "double" || is_drag;
+    if (presses) set_button(hand.button, true, hand.modifiers);
+    if (is_drag) {
+        constexpr int kMoves = 8;
+        for (int i = 1; i <= kMoves; ++i) move_to(px + (to - px) * (i / double(kMoves)), hand.modifiers);
+    }
+    if (step.verb != "press" && (presses || step.verb == "release")) set_button(hand.button, false, hand.modifiers);
+    if (step.verb == "double") {
+        set_button(hand.button, true, hand.modifiers);
+        set_button(hand.button, false, hand.modifiers);
+    }
+}
+
+Vec2d ScriptPlayer::place(const ScriptStep& step, std::size_t& at) const {
+    const std::string& kind = word(step, at++);
+    const Desk& desk = editor_.desk();
+    const auto take = [&] { return number(step, at++); };
+    if (kind == "px") {
+        const double x = take();
+        return {x, take()};
+    }
+    if (kind == "sheet") {
+        const double x = take();
+        return editor_.sheet_to_px(kCm * Vec2d(x, take()));
+    }
+    if (kind == "panel") {
+        const std::string& name = word(step, at++);
+        const PanelShape* shape = desk.tools.geometry().find(name);
+        if (shape == nullptr) fail(step, "there is no panel '" + name + "'");
+        const double x = take();
+        return editor_.sheet_to_px(shape->on_sheet(kCm * Vec2d(x, take())));
+    }
+    if (kind == "vertex") {
+        const std::string& name = word(step, at++);
+        const auto vertex = desk.tools.geometry().vertex({name, static_cast<int>(take())});
+        if (!vertex) fail(step, "'" + name + "' has no such point");
+        return editor_.sheet_to_px(*vertex);
+    }
+    if (kind == "widget") {
+        const auto found = desk.widgets.find(word(step, at));
+        if (found == desk.widgets.end()) fail(step, "nothing on the screen is called '" + word(step, at) + "'");
+        ++at;
+        return found->second.centre().cast<double>();
+    }
+    Vec3d point = Vec3d::Zero();
+    if (kind == "point") {
+        const std::string& name = word(step, at++);
+        const std::vector<ArrangementPoint>& points = desk.workspace.drape.worn().points;
+        const auto found = std::find_if(points.begin(), points.end(),
+                                        [&](const ArrangementPoint& known) { return known.name == name; });
+        if (found == points.end()) fail(step, "the body has no arrangement point '" + name + "'");
+        point = found->position;
+    } else if (kind == "room") {
+        point.x() = take();
+        point.y() = take();
+        point.z() = take();
+    } else {
+        fail(step, "'" + kind + "' is no place: sheet, panel, widget, point, room and px are");
+    }
+    const auto seen = editor_.room_to_px(point);
+    if (!seen) fail(step, "the place is not seen from here");
+    return *seen;
+}
+
+const std::string& ScriptPlayer::word(const ScriptStep& step, std::size_t at) const {
+    if (at >= step.words.size()) fail(step, "something is missing after '" + step.verb + "'");
+    return step.words[at];
+}
+
+double ScriptPlayer::number(const ScriptStep& step, std::size_t at) const {
+    const std::string& text = word(step, at);
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
+        fail(step, "'" + text + "' is no number");
+    }
+    return value;
+}
+
+void ScriptPlayer::fail(const ScriptStep& step, const std::string& problem) const {
+    throw InputError(file_, "line " + std::to_string(step.line), problem);
+}
+
+// Until the editor has taken it in, and one more that shows what came of it.
+void ScriptPlayer::send(const InputEvent& event) {
+    stage_.step({event});
+    while (editor_.has_more_input()) stage_.step({});
+    stage_.step({});
+}
+
+void ScriptPlayer::move_to(const Vec2d& px, const Modifiers& modifiers) {
+    mouse_ = px;
+    send({.kind = InputEvent::Kind::MouseMove,
+          .x = static_cast<float>(px.x()),
+          .y = static_cast<float>(px.y()),
+          .modifiers = modifiers});
+}
+
+void ScriptPlayer::set_button(MouseButton button, bool is_down, const Modifiers& modifiers) {
+    send({.kind = InputEvent::Kind::MouseButton,
+          .x = static_cast<float>(mouse_.x()),
+          .y = static_cast<float>(mouse_.y()),
+          .button = button,
+          .is_down = is_down,
+          .modifiers = modifiers});
+}
+
+void ScriptPlayer::press_key(const Chord& chord) {
+    send({.kind = InputEvent::Kind::Key, .key = chord.key, .is_down = true, .modifiers = chord.modifiers});
+    send({.kind = InputEvent::Kind::Key, .key = chord.key, .is_down = false, .modifiers = {}});
+}
+
+void ScriptPlayer::wait_frames(int frames) {
+    for (int i = 0; i < std::clamp(frames, 0, kMostFrames); ++i) stage_.step({});
+}
+
+// The drape goes on by frames of its own; the screen looks now and then.
+void ScriptPlayer::settle(double seconds) {
+    Session& session = editor_.desk().workspace.drape.session();
+    const double end = session.frame()->statistics.simulated_seconds + seconds;
+    stage_.step({});
+    for (int i = 0; i < kMostFrames && session.frame()->is_running; ++i) {
+        const SessionFrame& frame = *session.frame();
+        if (frame.stage == SessionStage::Settled || frame.statistics.simulated_seconds >= end) break;
+        session.advance(1);
+    }
+    wait_frames(2);
 }
 
 }  // namespace selvedge

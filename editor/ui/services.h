@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "editor/document/journal.h"
-#include "editor/workspace/drape.h"
+#include "editor/workspace/workspace.h"
 #include "render/scene/scene.h"
 #include "sim/mesh/plain_mesh.h"
 #include "sim/pattern/pattern_file.h"

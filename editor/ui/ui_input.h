@@ -4,7 +4,7 @@
 #include <deque>
 #include <vector>
 
-#include "editor/frame/input.h"
+#include "editor/frame/frame.h"
 
 struct ImGuiIO;
 

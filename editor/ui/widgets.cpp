@@ -1,10 +1,13 @@
 #include "editor/ui/widgets.h"
 
+#include <array>
+#include <charconv>
 #include <imgui.h>
+#include <utility>
+#include <vector>
 
 #include "editor/ui/actions.h"
 #include "editor/ui/desk.h"
-#include "editor/ui/icons.h"
 
 namespace selvedge {
 namespace {
@@ -80,6 +83,179 @@ void coloured_text(const Rgb8& colour, const std::string& words) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour_of(colour));
     ImGui::TextWrapped("%s", words.c_str());
     ImGui::PopStyleColor();
+}
+
+namespace {
+
+constexpr std::string_view kDots = "...";
+
+bool begins_letter(std::string_view text, std::size_t at) {
+    return at >= text.size() || (static_cast<unsigned char>(text[at]) & 0xC0U) != 0x80U;
+}
+
+// With `kept` bytes of it or a few less.
+std::string with_dots(std::string_view text, std::size_t kept, Elide what) {
+    std::size_t head = what == Elide::End ? kept : (kept + 1) / 2;
+    std::size_t tail = text.size() - (kept - head);
+    while (!begins_letter(text, head)) --head;
+    while (!begins_letter(text, tail)) ++tail;
+    return std::string(text.substr(0, head)).append(kDots).append(text.substr(tail));
+}
+
+}  // namespace
+
+std::string elided(std::string_view text, float width, Elide what,
+                   const std::function<float(std::string_view)>& width_of) {
+    if (width_of(text) <= width) return std::string(text);
+    std::size_t fits = 0, too_many = text.size();
+    while (too_many - fits > 1) {
+        const std::size_t kept = (fits + too_many) / 2;
+        (width_of(with_dots(text, kept, what)) <= width ? fits : too_many) = kept;
+    }
+    return with_dots(text, fits, what);
+}
+
+std::string elided(std::string_view text, float width, Elide what) {
+    return elided(text, width, what,
+                  [](std::string_view part) { return ImGui::CalcTextSize(part.data(), part.data() + part.size()).x; });
+}
+
+void tip_of_whole(const std::string& text, const std::string& shown) {
+    if (text != shown) tip(text);
+}
+
+namespace {
+
+// M x y begins a line, L x y goes on, C x y r is a circle, D x y r a filled one, Z closes. Lower case after a line is
+// never used: what is not understood ends the picture.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 31> kIcons{{
+    {"select", "M4 2 L4 13 L7 10 L9 14 L11 13 L9 9 L13 9 Z"},
+    {"edit_point", "M2 13 L8 4 L14 11 D8 4 2 C2 13 1.5 C14 11 1.5"},
+    {"add_point", "M2 12 L14 12 D8 12 2 M8 2 L8 7 M5.5 4.5 L10.5 4.5"},
+    {"curve_point", "M2 13 L3 9.5 L5 6.5 L8 5 L11 6.5 L13 9.5 L14 13 D8 5 2"},
+    {"polygon", "M3 12 L5 3 L13 5 L12 13 Z D3 12 1.3 D5 3 1.3 D13 5 1.3 D12 13 1.3"},
+    {"rectangle", "M2 4 L14 4 L14 12 L2 12 Z"},
+    {"ellipse", "C8 8 5.5"},
+    {"internal_line", "M3 2 L13 2 L13 14 L3 14 Z M6 4 L6 6 M6 7.5 L6 9.5 M6 11 L6 12.5"},
+    {"dart", "M2 3 L6 3 L8 13 L10 3 L14 3"},
+    {"notch", "M2 5 L14 5 M8 5 L8 11 M6 8.5 L8 11 L10 8.5"},
+    {"rotate", "M12.5 5 L13 8 L11.5 11 L8.5 13 L5 12 L3 9.5 L3 6.5 L5 4 L8 3 L10.5 3.5 M10.5 1 L10.8 3.8 L8 4.8"},
+    {"scale", "M2 7 L9 7 L9 14 L2 14 Z M7 9 L14 2 M10 2 L14 2 L14 6"},
+    {"mirror", "M8 1 L8 15 M6 4 L2 12 L6 12 Z M10 4 L14 12 L10 12 Z"},
+    {"cut", "M3 3 L11 12 M13 3 L5 12 C3.8 13.2 1.6 C12.2 13.2 1.6"},
+    {"merge", "M2 3 L7 3 L7 13 L2 13 M14 3 L9 3 L9 13 L14 13 M4 8 L12 8"},
+    {"unfold", "M8 2 L8 14 M8 4 L3 5 L3 13 L8 12 M8 4 L13 5 L13 13 L8 12"},
+    {"measure", "M2 11 L11 2 L14 5 L5 14 Z M5 8 L6.5 9.5 M7.5 5.5 L9 7"},
+    {"segment_sewing", "M2 3 L14 3 M2 13 L14 13 M4 3 L4 13 M8 3 L8 13 M12 3 L12 13"},
+    {"free_sewing", "M2 3 L5 4 L10 2 L14 3 M2 13 L7 12 L14 13 M5 4 L4 12.6 M10 2 L11 12.5"},
+    {"play", "M4 2.5 L13 8 L4 13.5 Z"},
+    {"pause", "M5 3 L5 13 M11 3 L11 13"},
+    {"reset", "M3 6 L3 2 M3 6 L7 6 M3 6 L6 3.4 L10 3.2 L13 6 L13 10 L10 13 L6 13 L3.5 10.5"},
+    {"frame", "M2 5 L2 2 L5 2 M11 2 L14 2 L14 5 M14 11 L14 14 L11 14 M5 14 L2 14 L2 11"},
+    {"body", "C8 3.5 2 M4 15 L5 8 L8 6.5 L11 8 L12 15"},
+    {"threads", "M3 2 L6 8 L3 14 M13 2 L10 8 L13 14 M6 8 L10 8 M4.5 5 L11.5 5 M4.5 11 L11.5 11"},
+    {"points", "D4 4 1.6 D12 4 1.6 D4 12 1.6 D12 12 1.6 D8 8 1.6"},
+    {"edges", "M2 13 L8 3 L14 13 Z M5 8 L11 8 M8 13 L5 8 M8 13 L11 8"},
+    {"undo", "M6 3 L3 6 L6 9 M3 6 L10 6 L13 9 L10 12 L6 12"},
+    {"redo", "M10 3 L13 6 L10 9 M13 6 L6 6 L3 9 L6 12 L10 12"},
+    {"save", "M3 3 L11 3 L13 5 L13 13 L3 13 Z M6 3 L6 6 L10 6 L10 3 M5 13 L5 9 L11 9 L11 13"},
+    {"search", "C7 7 4 M10 10 L14 14"},
+}};
+
+class Pen {
+ public:
+    Pen(ImDrawList& list, const Vec2f& low, float side_px, ImU32 colour)
+        : list_(list), low_(low), unit_(side_px / 16), colour_(colour) {}
+
+    void draw(std::string_view path) {
+        while (!path.empty()) {
+            const char letter = path.front();
+            path.remove_prefix(1);
+            if (letter == ' ') continue;
+            if (letter == 'Z') {
+                stroke(true);
+            } else if (!step(letter, path)) {
+                break;
+            }
+        }
+        stroke(false);
+    }
+
+ private:
+    bool step(char letter, std::string_view& path) {
+        const float x = number(path), y = number(path);
+        if (letter == 'C' || letter == 'D') {
+            stroke(false);
+            circle({x, y}, number(path), letter == 'D');
+            return true;
+        }
+        if (letter == 'M') stroke(false);
+        if (letter != 'M' && letter != 'L') return false;
+        points_.push_back(at({x, y}));
+        return true;
+    }
+
+    static float number(std::string_view& path) {
+        while (path.starts_with(' ')) path.remove_prefix(1);
+        float value = 0;
+        const auto [end, error] = std::from_chars(path.data(), path.data() + path.size(), value);
+        path.remove_prefix(static_cast<std::size_t>(end - path.data()));
+        return value;
+    }
+
+    ImVec2 at(const Vec2f& p) const { return {low_.x() + p.x() * unit_, low_.y() + p.y() * unit_}; }
+
+    void circle(const Vec2f& centre, float radius, bool is_filled) {
+        if (is_filled) {
+            list_.AddCircleFilled(at(centre), radius * unit_, colour_);
+        } else {
+            list_.AddCircle(at(centre), radius * unit_, colour_, 0, 1.2F * unit_);
+        }
+    }
+
+    void stroke(bool is_closed) {
+        const int flags = is_closed ? ImDrawFlags_Closed : ImDrawFlags_None;
+        if (points_.size() > 1) {
+            list_.AddPolyline(points_.data(), static_cast<int>(points_.size()), colour_, flags, 1.2F * unit_);
+        }
+        points_.clear();
+    }
+
+    ImDrawList& list_;
+    Vec2f low_;
+    float unit_;
+    ImU32 colour_;
+    std::vector<ImVec2> points_;
+};
+
+std::string_view path_of(std::string_view name) {
+    for (const auto& [known, path] : kIcons) {
+        if (known == name) return path;
+    }
+    return {};
+}
+
+}  // namespace
+
+void draw_icon(ImDrawList& list, std::string_view name, const Vec2f& low, float side_px, const Rgb8& colour) {
+    Pen(list, low, side_px, IM_COL32(colour[0], colour[1], colour[2], 255)).draw(path_of(name));
+}
+
+bool has_icon(std::string_view name) {
+    return !path_of(name).empty();
+}
+
+void MessageClock::follow(Messages& messages, double seconds) {
+    constexpr double kNoteStays = 6, kWarningStays = 12;  // s
+    if (messages.count() != count_) {
+        count_ = messages.count();
+        shown_for_ = 0;
+        return;
+    }
+    const Message* shown = messages.shown();
+    if (shown == nullptr || shown->kind == MessageKind::Error) return;
+    shown_for_ += seconds;
+    if (shown_for_ >= (shown->kind == MessageKind::Note ? kNoteStays : kWarningStays)) messages.dismiss();
 }
 
 }  // namespace selvedge

@@ -1,8 +1,13 @@
 #pragma once
 // Small controls that several parts of the interface share. Those that have a name note where they stand.
+#include <cstddef>
+#include <functional>
 #include <string>
+#include <string_view>
 
-#include "editor/frame/widget_map.h"
+#include "editor/frame/frame.h"
+#include "editor/workspace/workspace.h"
+#include "sim/core/math.h"
 #include "sim/tartan/sett.h"
 
 namespace selvedge {
@@ -25,5 +30,47 @@ void icon_button(Desk& desk, const Action& action, const std::string& icon, floa
 bool action_row(Desk& desk, const Action& action, bool is_chosen);
 
 void coloured_text(const Rgb8& colour, const std::string& words);
+
+// Text that is longer than its place: a part of it makes room for three dots.
+
+// What is left out. Of a sentence its end; of one with a file's path in it, the middle.
+enum class Elide { Middle, End };
+
+// The longest that is at most `width` px wide, by `width_of`; the text itself where it fits. Letters stay whole
+// (UTF-8).
+std::string elided(std::string_view text, float width, Elide what,
+                   const std::function<float(std::string_view)>& width_of);
+
+// With the present font.
+std::string elided(std::string_view text, float width, Elide what);
+
+// A tip with the whole text over the last item, where `shown` is not all of it.
+void tip_of_whole(const std::string& text, const std::string& shown);
+
+}  // namespace selvedge
+
+// The pictures on buttons: lines in a square of 16 by 16, drawn at any size, so that they are sharp at every scale.
+
+struct ImDrawList;
+
+namespace selvedge {
+
+// By a tool's id or an action's; nothing is drawn for a name that has none.
+void draw_icon(ImDrawList& list, std::string_view name, const Vec2f& low, float side_px, const Rgb8& colour);
+
+bool has_icon(std::string_view name);
+
+
+// How long words stay in the status line: notes a while, warnings twice as long, errors until something else is done.
+
+class MessageClock {
+ public:
+    // Once per frame; `seconds` since the last one. Takes the message away when its time is over.
+    void follow(Messages& messages, double seconds);
+
+ private:
+    std::size_t count_ = 0;  // of the message whose time runs
+    double shown_for_ = 0;   // s
+};
 
 }  // namespace selvedge

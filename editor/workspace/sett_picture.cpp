@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "render/scene/colour.h"
+
 namespace selvedge {
 namespace {
 
@@ -13,25 +15,14 @@ using Linear = std::array<double, 3>;  // light, 0..1
 constexpr double kThreadsAreSeen = 2;  // px per thread
 constexpr int kSamples = 3;            // per px and direction, where threads are seen
 
-double to_light(std::uint8_t byte) {
-    const double s = byte / 255.0;
-    return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
-}
-
-std::uint8_t to_byte(double light) {
-    const double x = std::clamp(light, 0.0, 1.0);
-    const double s = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
-    return static_cast<std::uint8_t>(std::lround(255 * s));
-}
-
 std::vector<Linear> in_light(const std::vector<Rgb8>& colours) {
     std::vector<Linear> light;
-    for (const Rgb8& c : colours) light.push_back({to_light(c[0]), to_light(c[1]), to_light(c[2])});
+    for (const Rgb8& c : colours) light.push_back({to_linear(c[0]), to_linear(c[1]), to_linear(c[2])});
     return light;
 }
 
 Rgba8 to_pixel(const Linear& light) {
-    return {to_byte(light[0]), to_byte(light[1]), to_byte(light[2]), 255};
+    return {to_srgb(light[0]), to_srgb(light[1]), to_srgb(light[2]), 255};
 }
 
 // Mean colours of pixels across the threads: each takes the threads that it covers, in part at its ends.

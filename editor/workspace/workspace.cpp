@@ -1,7 +1,11 @@
 #include "editor/workspace/workspace.h"
 
-namespace selvedge {
+#include <chrono>
 
+#include "sim/core/error.h"
+#include "sim/dress/dress.h"
+
+namespace selvedge {
 bool Workspace::run(const Command& command) {
     try {
         document->run(command);
@@ -20,6 +24,85 @@ bool Workspace::attempt(const Command& command) {
         messages.error(error);
         return false;
     }
+}
+
+void Messages::say(Message message) {
+    constexpr std::size_t kMost = 200;
+    all_.push_back(std::move(message));
+    if (all_.size() > kMost) all_.erase(all_.begin());
+    ++count_;
+    is_shown_ = true;
+}
+
+void Messages::error(const DraftError& error) {
+    say({.kind = MessageKind::Error, .words = error.what(), .places = error.places()});
+}
+
+PatternDocument empty_garment() {
+    constexpr double kUsualStature = 1.606;  // m, of that mannequin
+    PatternDocument garment;
+    garment.pattern.body = kUsualBody;
+    garment.pattern.body_height = kUsualStature;
+    return garment;
+}
+
+WornBody make_worn_mannequin(const std::string& text) {
+    MannequinOptions options = parse_mannequin(text);
+    options.subdivisions = 1;
+    Mannequin mannequin = make_mannequin(options);
+    WornBody worn{.text = text,
+                  .body = std::make_shared<const Body>(std::move(mannequin.body)),
+                  .measures = std::move(mannequin.report),
+                  .points = {}};
+    worn.points = arrangement_points(*worn.body);
+    return worn;
+}
+
+Drape::Drape(SessionDrive drive, BodyMaker maker) : drive_(drive), maker_(std::move(maker)), session_(drive) {}
+
+void Drape::wear(std::optional<std::string> text) {
+    own_body_ = std::move(text);
+}
+
+void Drape::begin_document() {
+    taken_revision_.reset();
+    session_.reset();
+}
+
+void Drape::begin_body(const std::string& text) {
+    wanted_body_ = text;
+    making_ = std::async(std::launch::async, maker_, text);
+}
+
+void Drape::take_body(Messages& messages) {
+    try {
+        worn_ = making_.get();
+        session_.set_body(worn_.body);
+    } catch (const InputError& error) {
+        messages.say({.kind = MessageKind::Error, .words = error.what(), .places = {}});
+    }
+}
+
+void Drape::follow(const Document& document, Messages& messages) {
+    const std::string drafted = document.pattern().body.empty() ? kUsualBody : document.pattern().body;
+    const std::string text = own_body_.value_or(drafted);
+    if (!making_.valid() && text != wanted_body_) begin_body(text);
+    const bool waits = drive_ == SessionDrive::Caller;
+    if (making_.valid() && (waits || making_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)) {
+        take_body(messages);
+    }
+    if (!taken_options_ || !(*taken_options_ == options_)) {
+        taken_options_ = options_;
+        session_.set_options(options_);
+    }
+    if (taken_revision_ != document.revision()) {
+        taken_revision_ = document.revision();
+        session_.set_pattern(document.pattern());
+    }
+    if (waits) session_.advance(session_.frame()->is_running ? 1 : 0);
+    const std::vector<std::string> said = session_.frame()->messages;
+    told_messages_ = std::min(told_messages_, said.size());
+    for (; told_messages_ < said.size(); ++told_messages_) messages.note(said[told_messages_]);
 }
 
 }  // namespace selvedge

@@ -1,16 +1,166 @@
 #include "render/gl/context.h"
 
+#include <array>
 #include <cstdlib>
+#include <dlfcn.h>
+#include <memory>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
-#include "render/gl/gl.h"
-#include "render/gl/makers.h"
 #include "sim/core/assert.h"
 #include "sim/core/error.h"
 
+#define EGL_NO_X11
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+
+
 namespace selvedge {
 namespace {
+
+// A library opened at run time. It stays open: Mesa's leave threads and thread-local data behind.
+class SharedLibrary {
+ public:
+    explicit SharedLibrary(const char* name) : handle_(dlopen(name, RTLD_NOW | RTLD_LOCAL)) {
+        if (handle_ == nullptr) throw std::runtime_error(dlerror());
+    }
+
+    template <class Function>
+    Function function(const char* name) const {
+        void* address = dlsym(handle_, name);
+        if (address == nullptr) throw std::runtime_error(std::string("lacks ") + name);
+        return reinterpret_cast<Function>(address);
+    }
+
+ private:
+    void* handle_;
+};
+
+// EGL without a surface: what takes OSMesa's place in newer Mesa, and drives a GPU where there is one.
+struct Egl {
+    SharedLibrary library{"libEGL.so.1"};
+    PFNEGLGETPROCADDRESSPROC get_proc = library.function<PFNEGLGETPROCADDRESSPROC>("eglGetProcAddress");
+    PFNEGLGETPLATFORMDISPLAYPROC get_display = library.function<PFNEGLGETPLATFORMDISPLAYPROC>("eglGetPlatformDisplay");
+    PFNEGLINITIALIZEPROC initialize = library.function<PFNEGLINITIALIZEPROC>("eglInitialize");
+    PFNEGLBINDAPIPROC bind_api = library.function<PFNEGLBINDAPIPROC>("eglBindAPI");
+    PFNEGLCHOOSECONFIGPROC choose_config = library.function<PFNEGLCHOOSECONFIGPROC>("eglChooseConfig");
+    PFNEGLCREATECONTEXTPROC create = library.function<PFNEGLCREATECONTEXTPROC>("eglCreateContext");
+    PFNEGLDESTROYCONTEXTPROC destroy = library.function<PFNEGLDESTROYCONTEXTPROC>("eglDestroyContext");
+    PFNEGLMAKECURRENTPROC make_current = library.function<PFNEGLMAKECURRENTPROC>("eglMakeCurrent");
+};
+
+class SurfacelessContext final : public GlContext {
+ public:
+    SurfacelessContext() {
+        display_ = egl_.get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+        if (display_ == EGL_NO_DISPLAY) throw std::runtime_error("has no surfaceless display");
+        if (!egl_.initialize(display_, nullptr, nullptr)) throw std::runtime_error("does not start");
+        try {
+            create();
+            make_current();
+            load_functions(egl_.get_proc);
+        } catch (...) {
+            destroy();
+            throw;
+        }
+    }
+
+    ~SurfacelessContext() override { destroy(); }
+
+    void make_current() override {
+        if (!egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
+            throw std::runtime_error("does not make its context current");
+        }
+    }
+
+    ContextMaker maker() const override { return ContextMaker::Egl; }
+
+ private:
+    void create() {
+        const std::array<EGLint, 5> wanted{EGL_SURFACE_TYPE, EGL_DONT_CARE, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+                                           EGL_NONE};
+        const std::array<EGLint, 7> attributes{
+            EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+        EGLConfig config = nullptr;
+        EGLint count = 0;
+        if (!egl_.bind_api(EGL_OPENGL_API)) throw std::runtime_error("has no OpenGL");
+        if (!egl_.choose_config(display_, wanted.data(), &config, 1, &count) || count == 0) {
+            throw std::runtime_error("has no configuration for OpenGL");
+        }
+        context_ = egl_.create(display_, config, EGL_NO_CONTEXT, attributes.data());
+        if (context_ == EGL_NO_CONTEXT) throw std::runtime_error("makes no core profile context");
+    }
+
+    // The display stays: it is one for the whole process, and others may have contexts on it.
+    void destroy() {
+        egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        if (context_ != EGL_NO_CONTEXT) egl_.destroy(display_, context_);
+    }
+
+    Egl egl_;
+    EGLDisplay display_ = EGL_NO_DISPLAY;
+    EGLContext context_ = EGL_NO_CONTEXT;
+};
+
+std::unique_ptr<GlContext> make_egl_context() {
+    return std::make_unique<SurfacelessContext>();
+}
+
+// OSMesa: software rendering with no display, device or server. Declared by hand, as its header clashes with glad's.
+using OSMesaHandle = struct osmesa_context*;
+
+constexpr int kFormat = 0x22, kDepthBits = 0x30, kProfile = 0x33, kCoreProfile = 0x34;
+constexpr int kMajor = 0x36, kMinor = 0x37, kRgba = 0x1908;
+constexpr unsigned kUnsignedByte = 0x1401;
+
+struct OSMesa {
+    SharedLibrary library{"libOSMesa.so.8"};
+    OSMesaHandle (*create)(const int*, OSMesaHandle) =
+        library.function<OSMesaHandle (*)(const int*, OSMesaHandle)>("OSMesaCreateContextAttribs");
+    void (*destroy)(OSMesaHandle) = library.function<void (*)(OSMesaHandle)>("OSMesaDestroyContext");
+    unsigned char (*make_current)(OSMesaHandle, void*, unsigned, int, int) =
+        library.function<unsigned char (*)(OSMesaHandle, void*, unsigned, int, int)>("OSMesaMakeCurrent");
+    void (*(*get_proc)(const char*))() = library.function<void (*(*)(const char*))()>("OSMesaGetProcAddress");
+};
+
+class OSMesaContext final : public GlContext {
+ public:
+    OSMesaContext() {
+        const std::array<int, 11> attributes{kFormat, kRgba, kDepthBits, 0, kProfile, kCoreProfile,
+                                             kMajor,  3,     kMinor,     3, 0};
+        context_ = mesa_.create(attributes.data(), nullptr);
+        if (context_ == nullptr) throw std::runtime_error("makes no core profile context");
+        make_current();
+        load_functions(mesa_.get_proc);
+    }
+
+    ~OSMesaContext() override {
+        mesa_.make_current(nullptr, nullptr, kUnsignedByte, 0, 0);
+        mesa_.destroy(context_);
+    }
+
+    void make_current() override {
+        const int side = kSide;
+        if (!mesa_.make_current(context_, default_framebuffer_.data(), kUnsignedByte, side, side)) {
+            throw std::runtime_error("does not make its context current");
+        }
+    }
+
+    ContextMaker maker() const override { return ContextMaker::OSMesa; }
+
+ private:
+    static constexpr int kSide = 4;  // px; nothing is drawn here
+
+    OSMesa mesa_;
+    OSMesaHandle context_ = nullptr;
+    std::array<unsigned char, kSide * kSide * 4> default_framebuffer_{};
+};
+
+std::unique_ptr<GlContext> make_osmesa_context() {
+    return std::make_unique<OSMesaContext>();
+}
 
 std::vector<ContextMaker> makers_to_try(std::optional<ContextMaker> maker) {
     if (maker) return {*maker};

@@ -2,6 +2,7 @@
 // A place to draw, behind one interface. Two makers need no window: their libraries are opened at run time, so that the
 // program starts where one is absent. A window's context is made with the window (app/window.h).
 // One thread owns every context, and draws to framebuffers of its own, so that the makers' pictures are the same.
+#include <glad/gl.h>
 #include <memory>
 #include <optional>
 #include <string>
@@ -55,3 +56,8 @@ class GlContext {
 std::unique_ptr<GlContext> make_context(std::optional<ContextMaker> maker = {});
 
 }  // namespace selvedge
+
+// GL's names and the type of its function table, by glad. Every use goes through a context's table (context.h), so that
+// contexts of two makers can live in one program; no other room names the loader.
+
+

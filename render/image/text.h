@@ -1,5 +1,6 @@
 #pragma once
 // Words and boxes on a picture, in whole pixels.
+#include <cstdint>
 #include <string_view>
 
 #include "render/image/image.h"
@@ -29,5 +30,14 @@ int text_width(std::string_view text);
 
 // `left`, `top`: of the first capital. Steps of slanted strokes are cut where the scale is two or more.
 void draw_text(Image& image, int left, int top, std::string_view text, const TextOptions& options = {});
+
+// The letters of legends, as pixels: drawn for this program, so that a picture's bits hang on no font of the machine.
+inline constexpr int kGlyphWidth = 5;   // px, at most
+inline constexpr int kGlyphHeight = 9;  // px, the lowest two below the line
+inline constexpr int kCapitalHeight = 7;
+
+// Rows from the top; bit 4 is the leftmost pixel. What is not in ASCII 32..126 looks like a question mark.
+using Glyph = std::array<std::uint8_t, kGlyphHeight>;
+Glyph find_glyph(char letter);
 
 }  // namespace selvedge

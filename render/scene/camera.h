@@ -5,11 +5,11 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/core/vec.h"
+#include "sim/core/math.h"
 
 namespace selvedge {
 
-// Seen from: +z is the front of a body, +x its left. Close and Hem are details of a garment (render/scene/views.h).
+// Seen from: +z is the front of a body, +x its left. Close and Hem are details of a garment (render/scene/camera.h).
 enum class View { Front, Back, Left, Right, ThreeQuarter, ThreeQuarterBack, Top, Close, Hem };
 
 inline constexpr const char* kViewNames =
@@ -54,5 +54,15 @@ Camera turned(Camera camera, float angle, const Vec3f& axis);
 
 Eigen::Matrix4f view_matrix(const Camera& camera);
 Eigen::Matrix4f projection_matrix(const Camera& camera, float aspect);
+
+// What of a garment a detail shows: patches of one size, so that fabrics are judged side by side.
+
+inline constexpr float kDetailSize = 0.30F;  // m, of the patch that Close and Hem show
+
+bool is_detail(View view);
+
+// The corners of the patch: at the front, by the garment's upper edge for Close, by its lower one for Hem.
+// Pre: is_detail(view), points not empty.
+std::vector<Vec3f> detail_patch(const std::vector<Vec3f>& garment, View view);
 
 }  // namespace selvedge

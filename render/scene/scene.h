@@ -10,7 +10,7 @@
 
 #include "render/scene/camera.h"
 #include "sim/body/body.h"
-#include "sim/core/vec.h"
+#include "sim/core/math.h"
 #include "sim/mesh/plain_mesh.h"
 #include "sim/tartan/sett.h"
 
@@ -21,7 +21,7 @@ enum class ShowMode {
     Level,   // triangles coloured by their level
     Edges,   // plain cloth with the triangles' edges
     Plain,
-    // What these show is in ClothItem::paint and Scene::solids (render/show.h):
+    // What these show is in ClothItem::paint and Scene::solids (render/marks/show.h):
     Vertices,    // spheres that halve with each level
     Hierarchy,   // the levels' triangles stacked beside the flat panels
     StrainWarp,  // along the warp

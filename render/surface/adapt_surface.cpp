@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/adaptive/look_ahead.h"
-#include "sim/adaptive/switched.h"
+#include "sim/adaptive/criteria.h"
 
 namespace selvedge {
 namespace {

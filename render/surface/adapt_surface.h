@@ -4,7 +4,6 @@
 
 #include "render/surface/curved_surface.h"
 #include "sim/adaptive/back_face.h"
-#include "sim/adaptive/buckling.h"
 #include "sim/adaptive/criteria.h"
 
 namespace selvedge {

@@ -11,7 +11,7 @@
 
 #include "render/surface/edge_curve.h"
 #include "sim/adaptive/adaptive_mesh.h"
-#include "sim/core/vec.h"
+#include "sim/core/math.h"
 
 namespace selvedge {
 

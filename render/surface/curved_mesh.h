@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "render/surface/adapt_surface.h"
-#include "render/surface/curve_modifier.h"
+#include "render/surface/edge_curve.h"
 #include "sim/mesh/plain_mesh.h"
 
 namespace selvedge {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sim/adaptive/adaptive_mesh.h"
-#include "sim/core/vec.h"
+#include "sim/core/math.h"
 
 namespace selvedge {
 

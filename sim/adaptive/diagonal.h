@@ -3,8 +3,8 @@
 // work from where it stands; these others were tried by the thesis and judged no better.  (thesis fig. 3.9; SPEC 1.2)
 #include <vector>
 
-#include "sim/core/ids.h"
-#include "sim/core/vec.h"
+#include "sim/core/pool.h"
+#include "sim/core/math.h"
 
 namespace selvedge {
 

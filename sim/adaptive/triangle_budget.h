@@ -9,7 +9,6 @@
 #include <cstddef>
 
 #include "sim/adaptive/adaptive_mesh.h"
-#include "sim/adaptive/buckling.h"
 #include "sim/adaptive/criteria.h"
 
 namespace selvedge {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/core/vec.h"
+#include "sim/core/math.h"
 
 namespace selvedge {
 

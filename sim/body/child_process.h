@@ -1,9 +1,14 @@
 #pragma once
 // Runs a function that may crash, hang or eat memory in a child process, and takes home the bytes that it returns.
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
 
 namespace selvedge {
 
@@ -26,5 +31,74 @@ struct ChildResult {
 // library; should another one (a locale's, a stream's) be held at the moment of the fork, the child waits for it and
 // ends as TimedOut: the parent is never at risk. The child's own output goes nowhere.
 ChildResult run_in_child(const std::function<std::string()>& work, const ChildLimits& limits = {});
+
+// Plain data as bytes, between two processes of the same program: written by one that may be led astray, read by one
+// that trusts no length in it.
+
+class FlatWriter {
+ public:
+    template <class T>
+    void value(const T& item) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        bytes_.append(reinterpret_cast<const char*>(&item), sizeof item);
+    }
+    void text(std::string_view text) {
+        value(std::uint64_t(text.size()));
+        bytes_ += text;
+    }
+    // Items are copied bit by bit: arrays of numbers, and Eigen's fixed vectors.
+    template <class T>
+    void list(const std::vector<T>& items) {
+        value(std::uint64_t(items.size()));
+        if (!items.empty()) bytes_.append(reinterpret_cast<const char*>(items.data()), items.size() * sizeof(T));
+    }
+    const std::string& bytes() const { return bytes_; }
+
+ private:
+    std::string bytes_;
+};
+
+// After a read beyond the end all further reads give nothing, and is_sound() is false.
+class FlatReader {
+ public:
+    explicit FlatReader(std::string_view bytes) : bytes_(bytes) {}
+
+    template <class T>
+    T value() {
+        T item{};
+        take(&item, sizeof item);
+        return item;
+    }
+    std::string text() {
+        std::string text(count(1), '\0');
+        take(text.data(), text.size());
+        return text;
+    }
+    template <class T>
+    std::vector<T> list() {
+        std::vector<T> items(count(sizeof(T)));
+        if (!items.empty()) take(static_cast<void*>(items.data()), items.size() * sizeof(T));
+        return items;
+    }
+    bool is_sound() const { return is_sound_; }
+    bool is_at_end() const { return bytes_.empty(); }
+
+ private:
+    // A length is believed only if so many items can still follow.
+    std::size_t count(std::size_t item_bytes) {
+        const std::uint64_t count = value<std::uint64_t>();
+        if (count > bytes_.size() / item_bytes) is_sound_ = false;
+        return is_sound_ ? std::size_t(count) : 0;
+    }
+    void take(void* target, std::size_t size) {
+        if (size > bytes_.size()) is_sound_ = false;
+        if (!is_sound_ || size == 0) return;
+        std::memcpy(target, bytes_.data(), size);
+        bytes_.remove_prefix(size);
+    }
+
+    std::string_view bytes_;
+    bool is_sound_ = true;
+};
 
 }  // namespace selvedge

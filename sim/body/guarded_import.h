@@ -6,11 +6,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/body/body.h"
-#include "sim/core/vec.h"
+#include "sim/core/math.h"
 
 namespace selvedge {
 
@@ -41,5 +43,23 @@ struct ImportedScene {
 // Throws InputError when the format is not on the list, the file breaks a limit, or the reader fails or crashes.
 // Post: indices are in range, numbers finite and no larger than 1e6.
 ImportedScene guarded_import(const std::filesystem::path& path, const ImportLimits& limits = {});
+
+// What the importing child sends to its parent: an ImportedScene, or why there is none.
+
+struct ImportAnswer {
+    std::string failure;  // empty when there is a scene
+    ImportedScene scene;
+};
+
+std::string to_bytes(const ImportAnswer& answer);
+
+// Nothing when the bytes are no such answer.
+std::optional<ImportAnswer> from_bytes(std::string_view bytes);
+
+// assimp's scene as ours. It trusts the file: only the guarded child calls it.
+
+// extension: "obj" or "gltf"; no other importer than that one is asked. Rest pose: skinned vertices stand where their
+// bones put them.
+ImportAnswer read_with_assimp(const std::string& path, const std::string& extension);
 
 }  // namespace selvedge

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/body/body.h"
-#include "sim/core/vec.h"
+#include "sim/core/math.h"
 
 namespace selvedge {
 

@@ -1,18 +1,21 @@
 #include "sim/body/surface_repair.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <map>
+#include <numeric>
 #include <set>
+#include <unordered_map>
 #include <utility>
 
-#include "sim/body/surface_bvh.h"
-#include "sim/body/surface_pieces.h"
-#include "sim/body/weld.h"
+#include "sim/core/assert.h"
 #include "sim/core/error.h"
 
 namespace selvedge {
-
 namespace {
 
 void weld_vertices(Surface& surface, double distance, RepairReport& report) {
@@ -90,21 +93,79 @@ void turn_outward(Surface& surface, const SurfacePiece& piece) {
         std::swap(surface.triangles[std::size_t(t)][1], surface.triangles[std::size_t(t)][2]);
 }
 
-bool lies_inside(const Surface& surface, const SurfacePiece& piece, const SurfaceBvh& main) {
-    for (const int t : piece.triangles)
-        for (const int v : surface.triangles[std::size_t(t)]) {
-            const auto closest =
-                main.closest(surface.x[std::size_t(v)].cast<float>(), std::numeric_limits<float>::infinity());
-            if (!closest || closest->distance >= 0) return false;
+// The triangles of a closed surface in columns along y, so that a ray along y meets few of them.
+class Columns {
+ public:
+    Columns(const Surface& surface, const SurfacePiece& piece) : surface_(surface) {
+        for (const int t : piece.triangles)
+            for (const int v : surface.triangles[std::size_t(t)]) {
+                const Vec2d p = flat(v);
+                low_ = low_.cwiseMin(p);
+                high_ = high_.cwiseMax(p);
+            }
+        for (const int t : piece.triangles) {
+            Vec2d low = Vec2d::Constant(std::numeric_limits<double>::infinity());
+            Vec2d high = -low;
+            for (const int v : surface.triangles[std::size_t(t)]) {
+                low = low.cwiseMin(flat(v));
+                high = high.cwiseMax(flat(v));
+            }
+            for (int i = column(low, 0); i <= column(high, 0); ++i)
+                for (int j = column(low, 1); j <= column(high, 1); ++j) columns_[std::size_t(i * kSide + j)].push_back(t);
         }
-    return true;
-}
+    }
 
-SurfaceBvh tree_of(const Surface& surface, const SurfacePiece& piece) {
-    Body body;
-    body.x = surface.x;
-    for (const int t : piece.triangles) body.triangles.push_back(surface.triangles[std::size_t(t)]);
-    return SurfaceBvh(body);
+    // Whether the ray upwards from the point leaves the surface an odd number of times.
+    bool encloses(int vertex) const {
+        const Vec2d p = flat(vertex);
+        if ((p.array() < low_.array()).any() || (p.array() > high_.array()).any()) return false;
+        bool is_inside = false;
+        for (const int t : columns_[std::size_t(column(p, 0) * kSide + column(p, 1))])
+            if (is_above(t, p, surface_.x[std::size_t(vertex)].y())) is_inside = !is_inside;
+        return is_inside;
+    }
+
+ private:
+    static constexpr int kSide = 64;  // columns along x and along z
+
+    Vec2d flat(int v) const { return {surface_.x[std::size_t(v)].x(), surface_.x[std::size_t(v)].z()}; }
+
+    int column(const Vec2d& p, int axis) const {
+        const double width = std::max(high_[axis] - low_[axis], std::numeric_limits<double>::min());
+        return std::clamp(int((p[axis] - low_[axis]) / width * kSide), 0, kSide - 1);
+    }
+
+    // Twice the signed area of p, a, b. The same two vertices give the same bits whichever triangle asks, and a zero
+    // counts as positive, so that a ray through an edge meets just one of its triangles.
+    bool is_left(const Vec2d& p, int a, int b) const {
+        const bool is_turned = a > b;
+        if (is_turned) std::swap(a, b);
+        const Vec2d from = flat(a) - p;
+        const Vec2d to = flat(b) - p;
+        return (from.x() * to.y() - from.y() * to.x() >= 0) != is_turned;
+    }
+
+    bool is_above(int triangle, const Vec2d& p, double height) const {
+        const auto [a, b, c] = surface_.triangles[std::size_t(triangle)];
+        const bool is_left_of_first = is_left(p, a, b);
+        if (is_left_of_first != is_left(p, b, c) || is_left_of_first != is_left(p, c, a)) return false;
+        const Vec3d& at = surface_.x[std::size_t(a)];
+        const Vec3d normal = (surface_.x[std::size_t(b)] - at).cross(surface_.x[std::size_t(c)] - at);
+        if (normal.y() == 0) return false;
+        return at.y() - (normal.x() * (p.x() - at.x()) + normal.z() * (p.y() - at.z())) / normal.y() > height;
+    }
+
+    const Surface& surface_;
+    Vec2d low_ = Vec2d::Constant(std::numeric_limits<double>::infinity());
+    Vec2d high_ = Vec2d::Constant(-std::numeric_limits<double>::infinity());
+    std::vector<std::vector<int>> columns_ = std::vector<std::vector<int>>(kSide * kSide);
+};
+
+bool lies_inside(const Surface& surface, const SurfacePiece& piece, const Columns& main) {
+    for (const int t : piece.triangles)
+        for (const int v : surface.triangles[std::size_t(t)])
+            if (!main.encloses(v)) return false;
+    return true;
 }
 
 std::size_t largest(const Surface& surface, const std::vector<SurfacePiece>& pieces) {
@@ -136,9 +197,9 @@ std::vector<SurfacePiece> close_pieces(Surface& surface, std::vector<SurfacePiec
     }
     if (!pieces[main].flaw.empty()) throw InputError(file, "", "its surface cannot be closed: " + pieces[main].flaw);
     if (pieces.size() > 1) {
-        const SurfaceBvh tree = tree_of(surface, pieces[main]);
+        const Columns columns(surface, pieces[main]);
         for (std::size_t i = 0; i < pieces.size(); ++i)
-            if (i != main && pieces[i].flaw.empty() && lies_inside(surface, pieces[i], tree))
+            if (i != main && pieces[i].flaw.empty() && lies_inside(surface, pieces[i], columns))
                 pieces[i].flaw = "it lies inside the body";
     }
     std::vector<SurfacePiece> kept;
@@ -196,6 +257,275 @@ Surface repair(Surface surface, const std::string& file, const RepairOptions& op
     report.pieces = int(pieces.size());
     report.turned_triangles = count_turned(before, surface.triangles);
     return gather(surface, pieces);
+}
+
+namespace {
+
+constexpr int kNone = -1;
+
+// A triangle's side k runs from its corner k to the next. Sorted, the sides at an undirected edge are neighbours.
+struct Side {
+    int low;
+    int high;
+    int triangle;
+    int k;
+    auto operator<=>(const Side&) const = default;
+    bool same_edge(const Side& other) const { return low == other.low && high == other.high; }
+};
+
+std::vector<Side> sorted_sides(const Triangles& triangles) {
+    std::vector<Side> sides;
+    sides.reserve(triangles.size() * 3);
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto [low, high] = std::minmax(triangles[t][k], triangles[t][(k + 1) % 3]);
+            sides.push_back({low, high, int(t), int(k)});
+        }
+    std::sort(sides.begin(), sides.end());
+    return sides;
+}
+
+// Triangles joined over edges, however many meet there.
+class Groups {
+ public:
+    explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+    int find(int i) {
+        while (parent_[std::size_t(i)] != i) {
+            int& parent = parent_[std::size_t(i)];
+            parent = parent_[std::size_t(parent)];
+            i = parent;
+        }
+        return i;
+    }
+    void join(int a, int b) {
+        const int root_a = find(a);
+        const int root_b = find(b);
+        parent_[std::size_t(std::max(root_a, root_b))] = std::min(root_a, root_b);
+    }
+
+ private:
+    std::vector<int> parent_;
+};
+
+struct Topology {
+    std::vector<std::array<int, 3>> neighbours;  // over side k; kNone at a boundary or where more than two meet
+    std::vector<int> piece;                      // per triangle
+    std::vector<SurfacePiece> pieces;
+};
+
+Topology connect(const Triangles& triangles) {
+    const std::vector<Side> sides = sorted_sides(triangles);
+    Topology topology;
+    topology.neighbours.assign(triangles.size(), {kNone, kNone, kNone});
+    Groups groups(triangles.size());
+    std::vector<int> crowded;  // a triangle of each edge where more than two meet
+    for (std::size_t first = 0; first < sides.size();) {
+        std::size_t last = first + 1;
+        while (last < sides.size() && sides[last].same_edge(sides[first])) ++last;
+        for (std::size_t i = first + 1; i < last; ++i) groups.join(sides[first].triangle, sides[i].triangle);
+        if (last - first == 2) {
+            const Side& a = sides[first];
+            const Side& b = sides[first + 1];
+            topology.neighbours[std::size_t(a.triangle)][std::size_t(a.k)] = b.triangle;
+            topology.neighbours[std::size_t(b.triangle)][std::size_t(b.k)] = a.triangle;
+        }
+        if (last - first > 2) crowded.push_back(sides[first].triangle);
+        first = last;
+    }
+    std::map<int, int> piece_of_group;
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        const auto [found, is_new] = piece_of_group.try_emplace(groups.find(int(t)), int(topology.pieces.size()));
+        if (is_new) topology.pieces.emplace_back();
+        topology.piece.push_back(found->second);
+        topology.pieces[std::size_t(found->second)].triangles.push_back(int(t));
+    }
+    for (const int t : crowded)
+        topology.pieces[std::size_t(topology.piece[std::size_t(t)])].flaw = "more than two triangles meet at an edge";
+    return topology;
+}
+
+bool has_directed_edge(const std::array<int, 3>& triangle, int from, int to) {
+    for (std::size_t k = 0; k < 3; ++k)
+        if (triangle[k] == from && triangle[(k + 1) % 3] == to) return true;
+    return false;
+}
+
+// Whether both triangles run along their common edge in opposite directions, as neighbours should.
+bool agree(const std::array<int, 3>& a, const std::array<int, 3>& b) {
+    for (std::size_t k = 0; k < 3; ++k)
+        if (has_directed_edge(b, a[(k + 1) % 3], a[k])) return true;
+    return false;
+}
+
+// Spreads the first triangle's side over its piece.
+void orient(Triangles& triangles, const Topology& topology, std::vector<bool>& is_set, SurfacePiece& piece) {
+    std::vector<int> waiting{piece.triangles.front()};
+    is_set[std::size_t(waiting.front())] = true;
+    while (!waiting.empty()) {
+        const std::size_t t = std::size_t(waiting.back());
+        waiting.pop_back();
+        for (const int n : topology.neighbours[t]) {
+            if (n == kNone) continue;
+            std::array<int, 3>& neighbour = triangles[std::size_t(n)];
+            const bool is_new = !is_set[std::size_t(n)];
+            if (is_new) waiting.push_back(n);
+            is_set[std::size_t(n)] = true;
+            if (agree(triangles[t], neighbour)) continue;
+            if (!is_new) {
+                piece.flaw = "it has one side only";
+                return;
+            }
+            std::swap(neighbour[1], neighbour[2]);
+        }
+    }
+}
+
+// Boundary edges chained to loops. Where a vertex has several, the path is cut at its first return, so that no loop
+// visits a vertex twice.
+std::vector<std::vector<int>> chain(std::multimap<int, int> edges) {
+    std::vector<std::vector<int>> loops;
+    while (!edges.empty()) {
+        std::vector<int> path{edges.begin()->first};
+        std::map<int, std::size_t> place{{path.front(), 0}};
+        for (auto edge = edges.begin(); edge != edges.end(); edge = edges.find(path.back())) {
+            const int next = edge->second;
+            edges.erase(edge);
+            const auto seen = place.find(next);
+            if (seen == place.end()) {
+                place[next] = path.size();
+                path.push_back(next);
+                continue;
+            }
+            const std::size_t from = seen->second;
+            loops.emplace_back(path.begin() + std::ptrdiff_t(from), path.end());
+            for (std::size_t i = from + 1; i < path.size(); ++i) place.erase(path[i]);
+            path.resize(from + 1);
+        }
+    }
+    return loops;
+}
+
+// Pre: no edge of the piece is crowded, so that one without a neighbour is a boundary. The neighbours are those of the
+// sides before triangles were turned, hence found anew by their vertices.
+std::vector<std::vector<int>> find_holes(const Triangles& triangles, const Topology& topology,
+                                         const SurfacePiece& piece) {
+    std::multimap<int, int> edges;
+    for (const int t : piece.triangles) {
+        const std::array<int, 3>& triangle = triangles[std::size_t(t)];
+        const std::array<int, 3>& neighbours = topology.neighbours[std::size_t(t)];
+        if (std::find(neighbours.begin(), neighbours.end(), kNone) == neighbours.end()) continue;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto has_edge = [&](int n) {
+                return n != kNone && has_directed_edge(triangles[std::size_t(n)], triangle[(k + 1) % 3], triangle[k]);
+            };
+            if (std::none_of(neighbours.begin(), neighbours.end(), has_edge))
+                edges.emplace(triangle[k], triangle[(k + 1) % 3]);
+        }
+    }
+    return chain(std::move(edges));
+}
+
+}  // namespace
+
+std::vector<SurfacePiece> find_pieces(Triangles& triangles) {
+    Topology topology = connect(triangles);
+    std::vector<bool> is_set(triangles.size(), false);
+    for (SurfacePiece& piece : topology.pieces) {
+        if (piece.flaw.empty()) orient(triangles, topology, is_set, piece);
+        if (piece.flaw.empty()) piece.holes = find_holes(triangles, topology, piece);
+    }
+    return std::move(topology.pieces);
+}
+
+double signed_volume6(const std::vector<Vec3d>& x, const Triangles& triangles, const SurfacePiece& piece) {
+    // From a point of the piece, for less rounding.
+    const Vec3d& from = x[std::size_t(triangles[std::size_t(piece.triangles.front())][0])];
+    double sum = 0;
+    for (const int t : piece.triangles) {
+        const auto [a, b, c] = triangles[std::size_t(t)];
+        sum += (x[std::size_t(a)] - from).dot((x[std::size_t(b)] - from).cross(x[std::size_t(c)] - from));
+    }
+    return sum;
+}
+
+double area(const std::vector<Vec3d>& x, const Triangles& triangles, const SurfacePiece& piece) {
+    double sum = 0;
+    for (const int t : piece.triangles) {
+        const auto [a, b, c] = triangles[std::size_t(t)];
+        sum += (x[std::size_t(b)] - x[std::size_t(a)]).cross(x[std::size_t(c)] - x[std::size_t(a)]).norm() / 2;
+    }
+    return sum;
+}
+
+namespace {
+
+using Cell = std::array<std::int64_t, 3>;
+
+struct CellHash {
+    std::size_t operator()(const Cell& cell) const noexcept {
+        std::uint64_t hash = 0;
+        for (const std::int64_t part : cell) hash = (hash ^ std::uint64_t(part)) * 0x9E3779B97F4A7C15U + (hash >> 29U);
+        return std::size_t(hash);
+    }
+};
+
+// Those that stand for themselves, by cell; the cells are much larger than the distance, so that most searches look
+// into one. Nothing depends on the map's order.
+class Representatives {
+ public:
+    Representatives(const std::vector<Vec3d>& x, double distance) : x_(x), distance_(distance), next_(x.size(), kNone) {
+        cells_.reserve(x.size());
+    }
+
+    int find_or_add(int point) {
+        const Vec3d& p = x_[std::size_t(point)];
+        const Cell low = cell_of(p - Vec3d::Constant(distance_));
+        const Cell high = cell_of(p + Vec3d::Constant(distance_));
+        int best = kNone;
+        Cell cell{};
+        for (cell[0] = low[0]; cell[0] <= high[0]; ++cell[0])
+            for (cell[1] = low[1]; cell[1] <= high[1]; ++cell[1])
+                for (cell[2] = low[2]; cell[2] <= high[2]; ++cell[2]) best = earlier(best, search(cell, p));
+        if (best != kNone) return best;
+        const auto [head, is_new] = cells_.try_emplace(cell_of(p), kNone);
+        next_[std::size_t(point)] = head->second;
+        head->second = point;
+        return point;
+    }
+
+ private:
+    static constexpr int kNone = -1;
+
+    static int earlier(int a, int b) { return a == kNone ? b : (b == kNone ? a : std::min(a, b)); }
+
+    Cell cell_of(const Vec3d& p) const {
+        const Vec3d scaled = p / (8 * distance_);
+        return {std::int64_t(std::floor(scaled.x())), std::int64_t(std::floor(scaled.y())),
+                std::int64_t(std::floor(scaled.z()))};
+    }
+
+    int search(const Cell& cell, const Vec3d& p) const {
+        const auto head = cells_.find(cell);
+        int best = kNone;
+        for (int i = head == cells_.end() ? kNone : head->second; i != kNone; i = next_[std::size_t(i)])
+            if ((x_[std::size_t(i)] - p).norm() <= distance_) best = earlier(best, i);
+        return best;
+    }
+
+    const std::vector<Vec3d>& x_;
+    double distance_;
+    std::vector<int> next_;  // in the same cell
+    std::unordered_map<Cell, int, CellHash> cells_;
+};
+
+}  // namespace
+
+std::vector<int> weld(const std::vector<Vec3d>& x, double distance) {
+    SELVEDGE_ASSERT(distance > 0);
+    Representatives representatives(x, distance);
+    std::vector<int> same(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i) same[i] = representatives.find_or_add(int(i));
+    return same;
 }
 
 }  // namespace selvedge

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include "sim/adaptive/look_ahead.h"
-#include "sim/adaptive/switched.h"
-#include "sim/body/collider.h"
+#include "sim/adaptive/criteria.h"
+#include "sim/collide/collider.h"
 #include "sim/cloth/bias.h"
 
 namespace selvedge {

@@ -5,9 +5,7 @@
 
 #include "sim/adaptive/adapt.h"
 #include "sim/adaptive/back_face.h"
-#include "sim/adaptive/buckling.h"
 #include "sim/adaptive/criteria.h"
-#include "sim/adaptive/minimum_level.h"
 #include "sim/adaptive/triangle_budget.h"
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/collision_criterion.h"

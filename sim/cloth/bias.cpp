@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/cloth/block_lanes.h"
+#include "sim/cloth/solver_blocks.h"
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/triangle_bending.h"
 

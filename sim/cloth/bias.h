@@ -5,8 +5,8 @@
 #include <cstddef>
 
 #include "sim/cloth/cloth.h"
-#include "sim/core/ids.h"
-#include "sim/core/vec.h"
+#include "sim/core/pool.h"
+#include "sim/core/math.h"
 
 namespace selvedge {
 

@@ -9,7 +9,7 @@
 
 #include "sim/adaptive/adaptive_mesh.h"
 #include "sim/cloth/solver_state.h"
-#include "sim/core/vec.h"
+#include "sim/core/math.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/fabric.h"
 
@@ -73,5 +73,16 @@ float rms_speed(const Cloth& cloth, const std::vector<Vec4f>& before, double sec
 
 // The first leaf vertex whose position is not finite or left the room (100 m), if any.
 std::optional<VertexId> find_bad_vertex(const Cloth& cloth);
+
+// How far a cloth is strained, from the deformation gradients of its leaf triangles.
+
+struct TriangleStrain {
+    float warp = 0;  // length of the deformed warp direction less 1
+    float weft = 0;
+    float shear = 0;  // rad, angle between the deformed warp and weft directions less a right angle, unsigned
+};
+
+// One per leaf triangle, in their order.
+std::vector<TriangleStrain> measure_strain(const Cloth& cloth);
 
 }  // namespace selvedge

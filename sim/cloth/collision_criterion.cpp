@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/adaptive/look_ahead.h"
-#include "sim/body/collider.h"
+#include "sim/adaptive/criteria.h"
+#include "sim/collide/collider.h"
 
 namespace selvedge {
 namespace {

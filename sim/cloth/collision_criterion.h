@@ -3,9 +3,9 @@
 #include <span>
 #include <vector>
 
-#include "sim/adaptive/split_limits.h"
-#include "sim/body/contact_block.h"
-#include "sim/core/vec.h"
+#include "sim/adaptive/adapt.h"
+#include "sim/collide/collider.h"
+#include "sim/core/math.h"
 
 namespace selvedge {
 

@@ -1,18 +1,127 @@
 #pragma once
 // The constraints of one kind: blocks for the kernels, colours, which blocks wait for their gains, and where the
 // constraint of a triangle stands.
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "sim/cloth/block_lanes.h"
-#include "sim/cloth/coloring.h"
-#include "sim/cloth/dirty_blocks.h"
+#include "sim/cloth/solver_blocks.h"
 #include "sim/core/assert.h"
-#include "sim/core/ids.h"
+#include "sim/core/pool.h"
 
 namespace selvedge {
+
+// Which blocks of a list wait for their gains: after an adaptation only those in which a constraint or a vertex' mass
+// changed. A kernel takes spans of blocks, so it is called with runs of dirty blocks that lie behind one another.
+
+class DirtyBlocks {
+ public:
+    void mark_slot(std::uint32_t slot) { mark_block(slot / kBlock); }
+    void mark_block(std::size_t block) {
+        if (block >= is_marked_.size()) is_marked_.resize(std::max(block + 1, 2 * is_marked_.size()), 0);
+        if (is_marked_[block] != 0) return;
+        is_marked_[block] = 1;
+        marked_.push_back(static_cast<std::uint32_t>(block));
+    }
+    void mark_all(std::size_t blocks) {
+        for (std::size_t block = 0; block < blocks; ++block) mark_block(block);
+    }
+    void clear() {
+        for (const std::uint32_t block : marked_) is_marked_[block] = 0;
+        marked_.clear();
+    }
+
+    // Calls visit(first, count) for each run, by rising number. They stay dirty until clear().
+    template <class Visit>
+    void for_runs(const Visit& visit) {
+        std::sort(marked_.begin(), marked_.end());
+        for (std::size_t i = 0; i < marked_.size();) {
+            std::size_t count = 1;
+            while (i + count < marked_.size() && marked_[i + count] == marked_[i] + count) ++count;
+            visit(static_cast<std::size_t>(marked_[i]), count);
+            i += count;
+        }
+    }
+
+ private:
+    std::vector<std::uint8_t> is_marked_;  // by block
+    std::vector<std::uint32_t> marked_;
+};
+
+// Sorting constraints into blocks of sixteen that share no vertex, so that a block may be computed at once.
+
+// Greedy: each constraint gets the first colour that none of its vertices has. All at once, in the order of calling
+// add(), blocks of one colour behind each other; then one by one, as constraints come and go: what comes takes a slot
+// that is free in a block of its colour, or a new block at the end. Keeps its memory between uses.
+class BlockColoring {
+ public:
+    // Forgets all constraints. Vertices are below this number.
+    void start(std::size_t vertices);
+
+    // Constraint by constraint; vertices: N indices.
+    template <std::size_t N>
+    void add(const std::array<std::uint32_t, N>& vertices) {
+        colors_.push_back(color_for(vertices));
+    }
+
+    // The slot of each constraint, in the order of adding: block slot / kBlock, place slot % kBlock. Every colour
+    // begins a new block.
+    const std::vector<std::uint32_t>& assign();
+    std::size_t block_count() const { return block_colors_.size(); }  // after assign()
+
+    // After assign(). insert() gives a slot; block_count() may be one more then.
+    template <std::size_t N>
+    std::uint32_t insert(const std::array<std::uint32_t, N>& vertices) {
+        return take_slot(color_for(vertices));
+    }
+    // Pre: the constraint that has this slot has these vertices.
+    template <std::size_t N>
+    void remove(std::uint32_t slot, const std::array<std::uint32_t, N>& vertices) {
+        const std::uint32_t color = block_colors_[slot / kBlock];
+        if (color < kColors) {
+            for (const std::uint32_t v : vertices) used_[v] &= ~(std::uint64_t{1} << color);
+        }
+        free_slots_[list_of(color)].push_back(slot);
+    }
+
+    // By block. Constraints of one colour share no vertex, whichever blocks they stand in.
+    const std::vector<std::uint32_t>& colors() const { return block_colors_; }
+
+    // Blocks of one colour, one behind the other.
+    struct Run {
+        std::size_t first, count;
+    };
+    // All blocks, in their order.
+    const std::vector<Run>& runs() const { return runs_; }
+
+ private:
+    // From there on: of vertices that have them all; such constraints get blocks, and colours, of their own.
+    static constexpr std::uint32_t kColors = 64;
+    static constexpr std::size_t list_of(std::uint32_t color) { return color < kColors ? color : kColors; }
+
+    template <std::size_t N>
+    std::uint32_t color_for(const std::array<std::uint32_t, N>& vertices) {
+        std::uint64_t used = 0;
+        for (const std::uint32_t v : vertices) used |= used_[v];
+        if (~used == 0) return kColors;
+        const auto color = static_cast<std::uint32_t>(__builtin_ctzll(~used));
+        for (const std::uint32_t v : vertices) used_[v] |= std::uint64_t{1} << color;
+        return color;
+    }
+    std::uint32_t take_slot(std::uint32_t color);
+    void add_block(std::uint32_t color);
+
+    std::vector<std::uint64_t> used_;    // by vertex: a bit for each colour
+    std::vector<std::uint32_t> colors_;  // by constraint, between start() and assign()
+    std::vector<std::uint32_t> slots_;
+    std::vector<std::uint32_t> block_colors_;
+    std::array<std::vector<std::uint32_t>, kColors + 1> free_slots_{};  // by colour, the next last
+    std::vector<Run> runs_;
+    std::uint32_t alone_ = 0;  // blocks of one constraint
+};
 
 // Each constraint has a slot: lane slot % kBlock of block slot / kBlock. It belongs to a triangle, and keeps its slot
 // until it is removed, at a cost in proportion to what comes and goes. A slot that is free is a spare one: it moves the

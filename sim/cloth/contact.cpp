@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/body/collider.h"
-#include "sim/cloth/block_lanes.h"
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/kernels.h"
+#include "sim/cloth/solver_blocks.h"
+#include "sim/collide/collider.h"
 
 namespace selvedge {
 namespace {

@@ -1,15 +1,13 @@
 #include "sim/cloth/kernels.h"
 
-#include "sim/cloth/kernels_of.h"
-
 namespace selvedge {
 namespace {
 
 // Wider is not always faster: what moves more points than it computes with does better eight by eight. Both give the
 // same bits.
 Kernels fastest_of_avx512() {
-    Kernels loops = kernels_avx512();
-    const Kernels& narrower = kernels_avx2();
+    Kernels loops = kernels_of<SimdLevel::Avx512>();
+    const Kernels& narrower = kernels_of<SimdLevel::Avx2>();
     loops.limit_parents = narrower.limit_parents;
     return loops;
 }
@@ -22,11 +20,11 @@ const Kernels& kernels(SimdLevel level) {
         case SimdLevel::Avx512:
             return avx512;
         case SimdLevel::Avx2:
-            return kernels_avx2();
+            return kernels_of<SimdLevel::Avx2>();
         case SimdLevel::Plain:
             break;
     }
-    return kernels_plain();
+    return kernels_of<SimdLevel::Plain>();
 }
 
 }  // namespace selvedge

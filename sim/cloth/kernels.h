@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <span>
 
-#include "sim/body/contact_block.h"
-#include "sim/cloth/contact_blocks.h"
+#include "sim/collide/collider.h"
+#include "sim/cloth/contact.h"
 #include "sim/cloth/solver_blocks.h"
 #include "sim/core/simd_level.h"
 
@@ -131,6 +131,10 @@ struct Kernels {
 };
 
 const Kernels& kernels(SimdLevel level);
+
+// Those of one level; each is defined by the compilation of kernels_simd.cpp for that level.
+template <SimdLevel>
+const Kernels& kernels_of();
 
 // The floats of points, as the loops take them. Pre: there is one.
 template <class Point>

@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "sim/cloth/kernels.h"
-#include "sim/core/simd_points.h"
+#include "sim/core/simd_lanes.h"
 
 namespace selvedge {
 namespace {

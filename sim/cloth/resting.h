@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "sim/cloth/contact.h"
-#include "sim/core/vec.h"
+#include "sim/core/math.h"
 
 namespace selvedge {
 

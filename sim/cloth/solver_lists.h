@@ -4,8 +4,8 @@
 #include "sim/adaptive/adaptive_mesh.h"
 #include "sim/cloth/constraint_set.h"
 #include "sim/cloth/curvature_map.h"
-#include "sim/cloth/material_frame.h"
 #include "sim/cloth/solver_blocks.h"
+#include "sim/cloth/curvature_map.h"
 
 namespace selvedge {
 
@@ -100,5 +100,35 @@ void set_frame(Block& block, std::size_t at, const std::array<VertexId, 3>& v, c
 // 1/(kg m^2), over a sub-step, of a triangle of that stiffness, N/m, of which momentum makes a share.  (Macklin et
 // al. 2016)
 float compliance_of(const Cloth& cloth, const MaterialFrame& frame, double stiffness);
+
+// The blocks of refined triangles, a part of solver_lists.h: one-sided limits with what they carry.
+
+struct Cloth;
+struct Kernels;
+
+void make_limits(Cloth& cloth, int level);
+void change_limits(Cloth& cloth, const LeafChanges& changes);
+
+// The centres of split edges that may move, level by level.
+void list_centres(Cloth& cloth);
+
+// What the corners of refined triangles weigh now, level by level. Pre: centres are listed.
+void list_limit_masses(Cloth& cloth);
+
+// Gains of dirty blocks, from the masses and from what the leaves' blocks have got as theirs.
+void weigh_limits(Cloth& cloth, const Kernels& loops);
+
+// Gains of the solver's blocks: what a constraint moves its vertices by, from their inverse masses.
+//
+// A block's gains depend on its constraints and on the masses of its vertices alone, and an adaptation changes few of
+// either. So the masses are compared with those that the gains were made for, and only the blocks round a vertex whose
+// mass changed, in which a constraint was added or removed, or, of coarse bending, that are asked for another share,
+// get theirs anew: the same bits as all anew.
+
+struct Cloth;
+
+// Of the blocks that are marked as dirty and of those round changed masses. Pre: masses are those of the present
+// leaves.
+void update_effective_masses(Cloth& cloth);
 
 }  // namespace selvedge

@@ -1,16 +1,41 @@
 #pragma once
 // The solver's own part of a cloth.
+#include <cstdint>
 #include <vector>
 
-#include "sim/adaptive/look_ahead.h"
+#include "sim/adaptive/criteria.h"
 #include "sim/cloth/collision_criterion.h"
 #include "sim/cloth/contact.h"
 #include "sim/cloth/resting.h"
-#include "sim/cloth/saved_states.h"
 #include "sim/cloth/solver_lists.h"
-#include "sim/core/vec.h"
+#include "sim/core/math.h"
+#include "sim/core/pool.h"
 
 namespace selvedge {
+
+// States of triangles, saved by their ids while an adaptation is under way: their slots come and go.
+
+template <class State>
+class SavedStates {
+ public:
+    // What was saved in that adaptation, until the next is saved; none if nothing was.
+    const State* find(TriangleId t, std::uint32_t adaptation) const {
+        return t.value < entries_.size() && entries_[t.value].adaptation == adaptation ? &entries_[t.value].state
+                                                                                       : nullptr;
+    }
+    // Later ones of the same adaptation replace earlier ones.
+    void save(TriangleId t, std::uint32_t adaptation, const State& state) {
+        if (t.value >= entries_.size()) entries_.resize(t.value + 1);
+        entries_[t.value] = {.state = state, .adaptation = adaptation};
+    }
+
+ private:
+    struct Entry {
+        State state{};
+        std::uint32_t adaptation = UINT32_MAX;
+    };
+    std::vector<Entry> entries_;
+};
 
 // What the solver has learnt about a triangle, see solver_blocks.h and bias.h.
 struct KeptBias {

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "sim/adaptive/adaptive_mesh.h"
-#include "sim/core/vec.h"
+#include "sim/core/math.h"
 
 namespace selvedge {
 

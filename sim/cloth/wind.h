@@ -4,7 +4,7 @@
 // Per triangle: across the cloth the dynamic pressure of the air that comes towards it, 1/2 rho c v|v|; in all
 // directions the fabric's air drag, in proportion to speed. Both are followed exactly over the time that is asked for
 // (v' = v / (1 + k |v| t), v' = v exp(-k t)), so the lightest fabric in a storm is only carried along.
-#include "sim/core/vec.h"
+#include "sim/core/math.h"
 
 namespace selvedge {
 

@@ -14,4 +14,11 @@ std::string read_file(const std::filesystem::path& path, std::size_t max_bytes);
 // Throws InputError when it cannot.
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
+// Files compiled into the program (cmake/SelvedgeEmbed.cmake), so that it runs from any folder.
+
+struct EmbeddedFile {
+    std::string_view name;  // path from the source root
+    std::string_view text;
+};
+
 }  // namespace selvedge

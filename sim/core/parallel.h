@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <string_view>
 
 namespace selvedge {
 
@@ -25,5 +26,14 @@ int allowed_threads();  // by the limits that live
 
 // Calls body(first, last) on disjoint ranges that cover 0..count; none is longer than grain.
 void parallel_for(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body);
+
+// How far a long task has come, told to whoever asked: a bar in the terminal, a status line in the editor, nobody.
+
+// phase: a few words ("sewing", "draping"); fraction: 0..1 of that phase.
+using Progress = std::function<void(std::string_view phase, double fraction)>;
+
+inline void report(const Progress& progress, std::string_view phase, double fraction) {
+    if (progress) progress(phase, fraction);
+}
 
 }  // namespace selvedge

@@ -6,6 +6,7 @@
 
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/cloth.h"
+#include "sim/core/math.h"
 #include "sim/dress/draped_panels.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/pattern.h"
@@ -40,5 +41,23 @@ struct CarriedOver {
 // like place of the old one was. Pre: compare() says no Kind. Throws InputError where it cannot be sewn.
 CarriedOver carry_over(const CarriedDrape& drape, const Pattern& after, const GarmentMesh& unsewn,
                        const std::vector<Fabric>& fabrics, const Collider& body, const AdaptClothOptions& adapting);
+
+// From a place in a panel to the like place in another with the same edges: points of the outline go to points of the
+// same edges at the same share of their length, what is inside follows by mean value coordinates.
+// (Floater 2003; Hormann and Floater 2006)
+
+class OutlineMap {
+ public:
+    // Pre: as many edges in both, each with a length.
+    OutlineMap(const Panel& from, const Panel& to);
+
+    // Equal panels leave every point as it is. What lies outside of a hollow outline may come out anywhere near it.
+    Vec2d operator()(const Vec2d& u) const;
+
+ private:
+    bool is_identity_ = false;
+    std::vector<Vec2d> from_;
+    std::vector<Vec2d> to_;
+};
 
 }  // namespace selvedge

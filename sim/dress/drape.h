@@ -8,7 +8,7 @@
 
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/step.h"
-#include "sim/core/progress.h"
+#include "sim/core/parallel.h"
 
 namespace selvedge {
 

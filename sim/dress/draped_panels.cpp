@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/adaptive/minimum_level.h"
+#include "sim/adaptive/criteria.h"
 
 namespace selvedge {
 namespace {

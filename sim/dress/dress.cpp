@@ -4,16 +4,16 @@
 
 #include <chrono>
 
-#include "sim/body/body_collider.h"
-#include "sim/body/mannequin.h"
-#include "sim/core/quantile.h"
+#include "sim/collide/body_collider.h"
+#include "sim/mannequin/mannequin.h"
+#include "sim/core/math.h"
 #include "sim/dress/drape.h"
-#include "sim/dress/hierarchy.h"
-#include "sim/dress/inspect.h"
-#include "sim/dress/placement.h"
+#include "sim/dress/session_frame.h"
+#include "sim/dress/report.h"
+#include "sim/place/placement.h"
 #include "sim/dress/sewing.h"
-#include "sim/mesh/assemble.h"
-#include "sim/mesh/report_mesh.h"
+#include "sim/mesh/sew.h"
+#include "sim/mesh/garment_mesh.h"
 
 namespace selvedge {
 namespace {

@@ -5,11 +5,10 @@
 
 #include "sim/body/body.h"
 #include "sim/cloth/adapt_cloth.h"
-#include "sim/core/progress.h"
+#include "sim/core/parallel.h"
 #include "sim/dress/report.h"
-#include "sim/mesh/mesh_options.h"
+#include "sim/mesh/sample_outline.h"
 #include "sim/mesh/plain_mesh.h"
-#include "sim/mesh/triangle_hierarchy.h"
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/pattern.h"
 

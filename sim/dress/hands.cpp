@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim/body/collider.h"
+#include "sim/collide/collider.h"
 #include "sim/cloth/contact.h"
 
 namespace selvedge {

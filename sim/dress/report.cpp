@@ -1,6 +1,17 @@
 #include "sim/dress/report.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numbers>
+
+#include "sim/adaptive/check.h"
+#include "sim/cloth/cloth.h"
+#include "sim/collide/body_collider.h"
 #include "sim/core/json.h"
+#include "sim/core/math.h"
+#include "sim/place/fit.h"
 
 namespace selvedge {
 namespace {
@@ -88,6 +99,190 @@ std::string to_json(const DressReport& report) {
     json[report_key::kStretch] = stretch_json(report.stretch);
     json[report_key::kTiming] = timing_json(report.timing);
     return write_json(json);
+}
+
+namespace {
+
+void add_fault(DressReport& report, std::string kind, std::string place, double value) {
+    report.faults.push_back({std::move(kind), std::move(place), value});
+}
+
+std::string describe_seam(const Pattern& pattern, int seam) {
+    const auto side = [&](const SeamSide& s) {
+        return "'" + pattern.panels[static_cast<std::size_t>(s.panel)].name + "' edge " + std::to_string(s.edge);
+    };
+    const Seam& sewn = pattern.seams[static_cast<std::size_t>(seam)];
+    return "seam " + std::to_string(seam) + ", " + side(sewn.first) + " to " + side(sewn.second);
+}
+
+void inspect_mesh(const Cloth& cloth, DressReport& report) {
+    report.mesh.leaf_triangles = static_cast<int>(cloth.mesh.leaf_triangles().size());
+    report.mesh.leaf_vertices = static_cast<int>(cloth.mesh.leaf_vertices().size());
+    report.mesh.by_level.assign(static_cast<std::size_t>(cloth.mesh.max_level()) + 1, 0);
+    for (const LeafTriangle& t : cloth.mesh.leaf_triangles()) ++report.mesh.by_level[t.level];
+    for (const std::string& broken : check(cloth.mesh)) add_fault(report, "broken_mesh", broken, 0);
+}
+
+void inspect_contact(const Cloth& cloth, const BodyCollider& body, const Pattern& pattern, const FaultLimits& limits,
+                     DressReport& report) {
+    VertexId deepest;
+    for (const VertexId v : cloth.mesh.leaf_vertices()) {
+        const auto closest = body.surface().closest(cloth.x[v.value].head<3>(), std::numeric_limits<float>::infinity());
+        if (!closest || closest->distance >= 0) continue;
+        ++report.contact.inside;
+        if (-closest->distance <= report.contact.deepest_m) continue;
+        report.contact.deepest_m = -closest->distance;
+        deepest = v;
+    }
+    if (report.contact.deepest_m <= limits.depth) return;
+    add_fault(report, "inside_body", describe_place(cloth, pattern, deepest), report.contact.deepest_m);
+}
+
+float larger_of(const TriangleStrain& strain) {
+    return std::max(strain.warp, strain.weft);
+}
+
+TriangleStrain beyond_limit(const TriangleStrain& strain, const Fabric& fabric) {
+    const auto limit = static_cast<float>(fabric.strain_limit);
+    return {.warp = strain.warp - limit, .weft = strain.weft - limit, .shear = strain.shear};
+}
+
+Vec3d middle_of(const Cloth& cloth, const LeafTriangle& t) {
+    return ((cloth.x[t.v[0].value] + cloth.x[t.v[1].value] + cloth.x[t.v[2].value]) / 3.0F).head<3>().cast<double>();
+}
+
+StretchFigures stretch_figures(const std::vector<TriangleStrain>& strains) {
+    std::vector<double> threads;
+    std::vector<double> shears;
+    StretchFigures figures;
+    for (const TriangleStrain& strain : strains) {
+        threads.push_back(strain.warp);
+        threads.push_back(strain.weft);
+        shears.push_back(strain.shear * 180 / std::numbers::pi);
+        figures.warp_weft_max = std::max(figures.warp_weft_max, static_cast<double>(larger_of(strain)));
+    }
+    figures.warp_weft_p50 = quantile(threads, 0.5);
+    figures.warp_weft_p99 = quantile(threads, 0.99);
+    figures.shear_deg_p99 = quantile(shears, 0.99);
+    return figures;
+}
+
+// "smaller than the body and the gap kept from it by up to 7.3 cm, between 1.14 and 1.26 m up: it stretches there"
+std::string describe_tight(const std::vector<TightLevel>& tight) {
+    double least = 0;
+    for (const TightLevel& level : tight) least = std::max(least, level.body_girth - level.garment_girth);
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "smaller than the body and the gap kept from it by up to %.1f cm, between %.2f and %.2f m up: it "
+                  "stretches there",
+                  least * 100, tight.front().y, tight.back().y);
+    return text;
+}
+
+void inspect_rest(const DrapeResult& draped, DressReport& report) {
+    if (!draped.settled) {
+        add_fault(report, "not_settled", "whole garment, rms speed in m/s", draped.rms_speed);
+    } else if (draped.rms_speed > DrapeOptions{}.rest_speed) {
+        const long speed = std::lround(1000 * draped.rms_speed);
+        report.notes.push_back("had settled, but moves by " + std::to_string(speed) + " mm/s in finer sub-steps");
+    }
+}
+
+// A garment that is drafted smaller than the body has to stretch where it is: that is a note. Elsewhere it is a fault.
+void inspect_stretch(const Cloth& cloth, const Body& body, const Pattern& pattern, const FaultLimits& limits,
+                     DressReport& report) {
+    const std::vector<TriangleStrain> strains = measure_strain(cloth);
+    report.stretch = stretch_figures(strains);
+    const std::vector<TightLevel> tight = tight_levels(plain_mesh(cloth, {}), body);
+    if (!tight.empty()) report.notes.push_back(describe_tight(tight));
+    std::vector<TriangleStrain> free, beyond;  // beyond: the strain limit of the fabric
+    std::size_t worst = 0;
+    float most_beyond = -std::numeric_limits<float>::infinity();
+    for (std::size_t i = 0; i < strains.size(); ++i) {
+        const LeafTriangle& leaf = cloth.mesh.leaf_triangles()[i];
+        if (is_tight_at(tight, middle_of(cloth, leaf))) continue;
+        free.push_back(strains[i]);
+        beyond.push_back(beyond_limit(strains[i], cloth.material.fabrics[leaf.panel]));
+        if (larger_of(beyond.back()) <= most_beyond) continue;
+        most_beyond = larger_of(beyond.back());
+        worst = i;
+    }
+    if (free.empty()) return;
+    const StretchFigures figures = stretch_figures(beyond);
+    const std::string place = describe_place(cloth, pattern, cloth.mesh.leaf_triangles()[worst].v[0]);
+    if (figures.warp_weft_p99 > limits.stretch_p99) {
+        add_fault(report, "overstretched", "99th percentile, worst at " + place, stretch_figures(free).warp_weft_p99);
+    }
+    if (figures.warp_weft_max > limits.stretch_max) {
+        add_fault(report, "overstretched", place, static_cast<double>(larger_of(strains[worst])));
+    }
+}
+
+// Not a fault of the drape, but nobody wants it: what did not hold on the body lies about its feet.
+void inspect_floor(const Cloth& cloth, DressReport& report) {
+    constexpr float kNear = 0.02F;   // m, above the floor
+    constexpr double kShare = 0.01;  // of the vertices
+    const auto lies = [&](VertexId v) { return cloth.x[v.value].y() < kNear; };
+    const std::span<const VertexId> vertices = cloth.mesh.leaf_vertices();
+    const auto lying = std::count_if(vertices.begin(), vertices.end(), lies);
+    if (static_cast<double>(lying) > kShare * static_cast<double>(vertices.size())) {
+        report.notes.push_back("part of the garment lies on the floor: does it hold on this body?");
+    }
+}
+
+}  // namespace
+
+void inspect(const Cloth& cloth, const BodyCollider& body, const Pattern& pattern, const SewingResult& sewing,
+             const DrapeResult& draped, DressReport& report, const FaultLimits& limits) {
+    report.seams.open = static_cast<int>(sewing.open.size());
+    for (const OpenSeam& open : sewing.open)
+        add_fault(report, "open_seam", describe_seam(pattern, open.seam), open.gap);
+    if (draped.bad_vertex) {
+        add_fault(report, "not_finite", describe_place(cloth, pattern, *draped.bad_vertex), 0);
+    } else {
+        inspect_contact(cloth, body, pattern, limits, report);
+        inspect_stretch(cloth, body.body(), pattern, limits, report);
+        inspect_floor(cloth, report);
+    }
+    inspect_rest(draped, report);
+    inspect_mesh(cloth, report);
+}
+
+PlainMesh plain_mesh(const Cloth& cloth, const std::vector<std::string>& panel_names) {
+    PlainMesh mesh;
+    mesh.panel_names = panel_names;
+    mesh.panel_grain_angles = cloth.material.grain_angles;
+    mesh.panel_sett_offsets = cloth.material.sett_offsets;
+    std::vector<std::uint32_t> index(cloth.x.size(), 0);
+    for (const VertexId v : cloth.mesh.leaf_vertices()) {
+        index[v.value] = static_cast<std::uint32_t>(mesh.x.size());
+        mesh.x.push_back(cloth.x[v.value].head<3>());
+        mesh.vertex_level.push_back(cloth.mesh.vertex(v).level);
+    }
+    for (const LeafTriangle& t : cloth.mesh.leaf_triangles()) {
+        const std::array<std::uint32_t, 3> v{index[t.v[0].value], index[t.v[1].value], index[t.v[2].value]};
+        mesh.triangles.push_back(v);
+        mesh.u.push_back(t.u);
+        mesh.panel.push_back(t.panel);
+        mesh.level.push_back(t.level);
+    }
+    mesh.normals = vertex_normals(mesh.x, mesh.triangles);
+    return mesh;
+}
+
+std::string describe_place(const Cloth& cloth, const Pattern& pattern, VertexId vertex) {
+    std::string panels;
+    for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+        const auto touches = [&](TriangleId t) { return cloth.mesh.triangle(t).panel == p; };
+        bool found = false;
+        for (const TriangleId t : cloth.mesh.triangles_at(vertex)) found = found || touches(t);
+        if (found) panels += (panels.empty() ? "'" : " beside '") + pattern.panels[p].name + "'";
+    }
+    const Vec4f& x = cloth.x[vertex.value];
+    char where[96];
+    std::snprintf(where, sizeof where, " at x %.3f y %.3f z %.3f m", static_cast<double>(x.x()),
+                  static_cast<double>(x.y()), static_cast<double>(x.z()));
+    return panels + where;
 }
 
 }  // namespace selvedge

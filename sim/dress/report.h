@@ -6,6 +6,12 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/cloth/cloth.h"
+#include "sim/dress/drape.h"
+#include "sim/dress/sewing.h"
+#include "sim/mesh/plain_mesh.h"
+#include "sim/pattern/pattern.h"
+
 namespace selvedge {
 
 namespace report_key {
@@ -119,5 +125,24 @@ struct DressReport {
 
 // The whole report as JSON text. The same dressing gives the same text but for `timing`.
 std::string to_json(const DressReport& report);
+
+// Looking a dressed garment over: figures and faults, each named with its place.
+
+// What counts as a fault.
+struct FaultLimits {
+    double depth = 0.0005;      // m, of a vertex inside the body
+    double stretch_p99 = 0.02;  // warp or weft, beyond the strain limit of the fabric
+    double stretch_max = 0.12;  // the same
+};
+
+// Fills in mesh counts, contact, stretch, open seams and faults.
+void inspect(const Cloth& cloth, const BodyCollider& body, const Pattern& pattern, const SewingResult& sewing,
+             const DrapeResult& draped, DressReport& report, const FaultLimits& limits = {});
+
+// The leaf triangles as they hang, with the material coordinates and level of each.
+PlainMesh plain_mesh(const Cloth& cloth, const std::vector<std::string>& panel_names);
+
+// "'front' beside 'left_sleeve' at x 0.123 y 1.340 z 0.051 m": where a person would look.
+std::string describe_place(const Cloth& cloth, const Pattern& pattern, VertexId vertex);
 
 }  // namespace selvedge

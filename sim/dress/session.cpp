@@ -4,7 +4,6 @@
 #include "sim/dress/session_worker.h"
 
 namespace selvedge {
-
 bool SessionOptions::operator==(const SessionOptions&) const = default;
 
 Session::Session(SessionDrive drive) : worker_(std::make_unique<Worker>(drive)) {}

@@ -15,7 +15,6 @@
 #include "sim/body/body.h"
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/mesh/plain_mesh.h"
-#include "sim/mesh/triangle_hierarchy.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge {

@@ -3,6 +3,7 @@
 #include "sim/cloth/cloth.h"
 #include "sim/dress/session.h"
 #include "sim/mesh/garment_mesh.h"
+#include "sim/mesh/plain_mesh.h"
 
 namespace selvedge {
 
@@ -22,5 +23,10 @@ void show_threads(SessionFrame& frame, const std::vector<SeamLink>& links, const
         frame.thread_seams.push_back(link.seam);
     }
 }
+
+// The triangles of a cloth's adaptive mesh as plain data.
+
+// Base triangles in their order, each before what it was refined to.
+TriangleHierarchy triangle_hierarchy(const Cloth& cloth);
 
 }  // namespace selvedge

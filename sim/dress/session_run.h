@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "sim/adaptive/triangle_budget.h"
-#include "sim/body/body_collider.h"
+#include "sim/collide/body_collider.h"
 #include "sim/dress/drape.h"
 #include "sim/dress/hands.h"
 #include "sim/dress/session.h"
 #include "sim/dress/sewing.h"
-#include "sim/mesh/assemble.h"
+#include "sim/mesh/sew.h"
 
 namespace selvedge {
 
@@ -142,5 +142,12 @@ class SessionRun {
     double past_seconds_ = 0;  // s, simulated before what hangs now
     int splits_ = 0, rejoins_ = 0;
 };
+
+// What a session makes of options that nobody checked.
+
+inline constexpr int kDeepestSessionLevel = 8;  // a base edge of 5 cm then is 0.2 mm long
+
+// The nearest options that can be worked with.
+SessionOptions within_limits(SessionOptions options);
 
 }  // namespace selvedge

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <map>
 
-#include "sim/body/body_collider.h"
+#include "sim/collide/body_collider.h"
 #include "sim/cloth/step.h"
-#include "sim/mesh/assemble.h"
+#include "sim/mesh/sew.h"
 
 namespace selvedge {
 namespace {

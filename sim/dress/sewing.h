@@ -8,7 +8,7 @@
 
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/step.h"
-#include "sim/core/progress.h"
+#include "sim/core/parallel.h"
 #include "sim/mesh/garment_mesh.h"
 
 namespace selvedge {

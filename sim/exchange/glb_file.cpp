@@ -11,7 +11,7 @@
 
 #include "sim/core/assert.h"
 #include "sim/core/json.h"
-#include "sim/exchange/panel_parts.h"
+#include "sim/exchange/mesh_file.h"
 
 namespace selvedge {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "sim/exchange/panel_parts.h"
+#include "sim/exchange/mesh_file.h"
 
 namespace selvedge {
 

@@ -3,7 +3,6 @@
 #include "sim/core/assert.h"
 
 namespace selvedge {
-
 std::vector<Vec3f> vertex_normals(const std::vector<Vec3f>& x,
                                   const std::vector<std::array<std::uint32_t, 3>>& triangles) {
     std::vector<Vec3d> sums(x.size(), Vec3d::Zero());

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/core/vec.h"
+#include "sim/core/math.h"
 
 namespace selvedge {
 
@@ -32,5 +32,16 @@ std::vector<Vec3f> vertex_normals(const std::vector<Vec3f>& x,
 
 // The mesh's own normals where it has one for each vertex, else those that follow from its triangles.
 std::vector<Vec3f> vertex_normals(const PlainMesh& mesh);
+
+// All triangles of an adaptive mesh, those that were refined too, as plain data: to be shown.  (thesis fig. 3.17)
+
+struct HierarchyTriangle {
+    std::array<Vec2f, 3> u{Vec2f::Zero(), Vec2f::Zero(), Vec2f::Zero()};  // material coordinates, m
+    std::uint16_t panel = 0;
+    std::uint8_t level = 0;
+    bool is_leaf = true;
+};
+
+using TriangleHierarchy = std::vector<HierarchyTriangle>;
 
 }  // namespace selvedge

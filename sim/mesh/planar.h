@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/core/vec.h"
+#include "sim/core/math.h"
 
 namespace selvedge {
 

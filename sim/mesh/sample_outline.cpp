@@ -7,8 +7,8 @@
 
 #include "sim/core/assert.h"
 #include "sim/core/error.h"
-#include "sim/mesh/linked_vertices.h"
 #include "sim/mesh/planar.h"
+#include "sim/mesh/sew.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge {

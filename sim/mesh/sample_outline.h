@@ -3,11 +3,21 @@
 // arc length, so that sample i of one side of a seam belongs to sample i (or n - i) of the other.  (SPEC 3.1)
 #include <vector>
 
-#include "sim/mesh/mesh_options.h"
-#include "sim/mesh/panel_mesh.h"
+#include "sim/mesh/triangulate.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge {
+
+// How finely panels are cut into triangles.
+
+struct MeshOptions {
+    double target_edge = 0.05;   // m, the edge length aimed at; a T-shirt then has some 700 triangles
+    double chord_error = 0.003;  // m, how far an outline curve may stand off its chords
+    int relaxations = 12;        // rounds of moving interior points
+    int max_triangles = 200000;  // of one panel; more is taken for an error in units
+
+    bool operator==(const MeshOptions&) const = default;
+};
 
 // The fewest segments, at least 1, that are about options.target_edge long and stand off the curve by no more than
 // options.chord_error.

@@ -1,15 +1,18 @@
 #include "sim/mesh/triangulate.h"
 
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_face_base_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
 #include "sim/core/assert.h"
 #include "sim/core/error.h"
-#include "sim/mesh/delaunay.h"
-#include "sim/mesh/interior_points.h"
 #include "sim/mesh/planar.h"
-#include "sim/mesh/relax.h"
 #include "sim/mesh/sample_outline.h"
 
 namespace selvedge {
@@ -123,6 +126,429 @@ PanelMesh triangulate(const Panel& panel, const std::vector<int>& segments, cons
     PanelMesh result{std::move(mesh.points), std::move(mesh.triangles), {}, std::move(outline.runs)};
     for (std::size_t i = 0; i < mesh.outline_count; ++i) result.outline.push_back(static_cast<int>(i));
     return result;
+}
+
+namespace {
+
+constexpr int kNoVertex = -1;
+
+struct Corners {
+    std::array<int, 3> vertex{kNoVertex, kNoVertex, kNoVertex};  // our vertex at each corner of the face
+    bool is_inside = false;
+};
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
+using FaceBase =
+    CGAL::Triangulation_face_base_with_info_2<Corners, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
+using Triangulation =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure,
+                                               CGAL::No_constraint_intersection_requiring_constructions_tag>;
+using Vertex = Triangulation::Vertex_handle;
+using Face = Triangulation::Face_handle;
+
+int& corner(Face face, int index) {
+    return face->info().vertex[static_cast<std::size_t>(index)];
+}
+
+Kernel::Point_2 point(const Vec2d& p) {
+    return {p.x(), p.y()};
+}
+
+// The outline's points in the plane, in its order, joined by constraints.
+std::vector<Vertex> insert_outline(Triangulation& plane, std::span<const Vec2d> outline) {
+    std::vector<Vertex> handles;
+    for (const Vec2d& p : outline) {
+        handles.push_back(plane.insert(point(p), handles.empty() ? Face() : handles.back()->face()));
+        handles.back()->info() = kNoVertex;
+    }
+    for (std::size_t i = 0; i < handles.size(); ++i) {
+        plane.insert_constraint(handles[i], handles[(i + 1) % handles.size()]);
+    }
+    return handles;
+}
+
+bool insert_interior(Triangulation& plane, std::span<const Vec2d> interior, std::size_t first) {
+    Face near;  // where the search for the next point's place starts
+    for (std::size_t i = 0; i < interior.size(); ++i) {
+        const std::size_t before = plane.number_of_vertices();
+        const Vertex handle = plane.insert(point(interior[i]), near);
+        near = handle->face();
+        if (plane.number_of_vertices() == before) return false;
+        handle->info() = static_cast<int>(first + i);
+    }
+    return true;
+}
+
+// The face to the left of the edge from a to b; none when ab is no edge or that side is beyond the hull.
+Face left_of(const Triangulation& plane, Vertex a, Vertex b) {
+    Face face;
+    int opposite = 0;
+    if (!plane.is_edge(a, b, face, opposite)) return {};
+    if (face->vertex(Triangulation::ccw(opposite)) != a) face = face->neighbor(opposite);
+    return plane.is_infinite(face) ? Face() : face;
+}
+
+// Gives `vertex` to the corners at `handle` of all faces from `face`, left of the edge by which the outline leaves it,
+// counter-clockwise to the edge by which it arrives, from `previous`. False when another outline edge lies between.
+//
+//        \  ^  /
+//     f2  \ | /  f1       the sector that belongs to this visit of the outline at v; where the outline passes the
+//   -------v------->      same point again, that visit owns other sectors
+//          ^  face
+bool claim_sector(const Triangulation& plane, Face face, Vertex handle, Vertex previous, int vertex) {
+    while (true) {
+        const int at = face->index(handle);
+        if (corner(face, at) != kNoVertex) return false;
+        corner(face, at) = vertex;
+        face->info().is_inside = true;
+        const int across = Triangulation::ccw(at);
+        if (face->is_constrained(across)) return face->vertex(Triangulation::cw(at)) == previous;
+        face = face->neighbor(across);
+        if (plane.is_infinite(face)) return false;
+    }
+}
+
+// Spreads "inside" over all faces that can be reached without crossing the outline.
+void flood(Triangulation& plane) {
+    std::vector<Face> open;
+    for (Face face : plane.finite_face_handles()) {
+        if (face->info().is_inside) open.push_back(face);
+    }
+    while (!open.empty()) {
+        const Face face = open.back();
+        open.pop_back();
+        for (int i = 0; i < 3; ++i) {
+            const Face next = face->neighbor(i);
+            if (face->is_constrained(i) || plane.is_infinite(next) || next->info().is_inside) continue;
+            next->info().is_inside = true;
+            open.push_back(next);
+        }
+    }
+}
+
+std::optional<std::vector<std::array<int, 3>>> collect_inside(Triangulation& plane) {
+    std::vector<std::array<int, 3>> triangles;
+    for (Face face : plane.finite_face_handles()) {
+        if (!face->info().is_inside) continue;
+        std::array<int, 3> triangle{};
+        for (int i = 0; i < 3; ++i) {
+            const int inner = face->vertex(i)->info();
+            triangle[static_cast<std::size_t>(i)] = inner != kNoVertex ? inner : corner(face, i);
+        }
+        if (std::ranges::find(triangle, kNoVertex) != triangle.end()) return std::nullopt;
+        std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+        triangles.push_back(triangle);
+    }
+    std::ranges::sort(triangles);
+    return triangles;
+}
+
+}  // namespace
+
+std::optional<std::vector<std::array<int, 3>>> delaunay_inside(std::span<const Vec2d> outline,
+                                                               std::span<const Vec2d> interior) {
+    Triangulation plane;
+    const std::vector<Vertex> handles = insert_outline(plane, outline);
+    if (plane.dimension() < 2) return std::nullopt;
+    if (!insert_interior(plane, interior, outline.size())) return std::nullopt;
+    for (std::size_t i = 0; i < handles.size(); ++i) {
+        const Vertex previous = handles[(i + handles.size() - 1) % handles.size()];
+        const Face face = left_of(plane, handles[i], handles[(i + 1) % handles.size()]);
+        if (face == Face() || !claim_sector(plane, face, handles[i], previous, static_cast<int>(i)))
+            return std::nullopt;
+    }
+    flood(plane);
+    return collect_inside(plane);
+}
+
+namespace {
+
+constexpr double kGrowth = 0.35;        // of the wanted length, per metre from the outline
+constexpr double kOffOutline = 0.6;     // of the wanted length: nearer to the outline no point is placed
+constexpr double kOffNeighbours = 0.8;  // of the wanted length: nearer to another point no finer one is placed
+constexpr int kMostLevels = 5;          // of the grid, each half as wide as the one before
+
+struct Box {
+    Vec2d low;
+    Vec2d high;
+};
+
+Box box_of(std::span<const Vec2d> points) {
+    Box box{points[0], points[0]};
+    for (const Vec2d& p : points) {
+        box.low = box.low.cwiseMin(p);
+        box.high = box.high.cwiseMax(p);
+    }
+    return box;
+}
+
+// All points of a hexagonal grid over the box, row by row.
+std::vector<Vec2d> hexagonal_grid(const Box& box, double edge, const GridPose& pose) {
+    const Vec2d extent = pose.is_turned ? Vec2d((box.high - box.low).reverse()) : Vec2d(box.high - box.low);
+    const double row_height = edge * std::numbers::sqrt3 / 2;
+    const int rows = static_cast<int>(extent.y() / row_height) + 2;
+    const int columns = static_cast<int>(extent.x() / edge) + 2;
+    std::vector<Vec2d> points;
+    for (int row = -1; row < rows; ++row) {
+        for (int column = -1; column < columns; ++column) {
+            const Vec2d p((column + pose.along + (row % 2 == 0 ? 0.0 : 0.5)) * edge, (row + pose.across) * row_height);
+            points.push_back(box.low + (pose.is_turned ? Vec2d(p.reverse()) : p));
+        }
+    }
+    return points;
+}
+
+bool has_room(const Vec2d& point, double wanted, std::span<const Vec2d> outline, std::span<const Vec2d> placed) {
+    if (distance_to_outline(point, outline) < kOffOutline * wanted) return false;
+    const double nearest = kOffNeighbours * wanted;
+    return std::ranges::none_of(placed,
+                                [&](const Vec2d& other) { return (other - point).squaredNorm() < nearest * nearest; });
+}
+
+}  // namespace
+
+SizeField::SizeField(std::span<const Vec2d> outline, double target_edge)
+    : outline_(outline), target_edge_(target_edge) {
+    // The geometric mean: where a short edge meets a long one, it leads to better angles than the average.
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Vec2d& before = outline[(i + outline.size() - 1) % outline.size()];
+        const Vec2d& after = outline[(i + 1) % outline.size()];
+        spacing_.push_back(std::sqrt((outline[i] - before).norm() * (after - outline[i]).norm()));
+    }
+}
+
+double SizeField::at(const Vec2d& point) const {
+    double wanted = target_edge_;
+    for (std::size_t i = 0; i < outline_.size(); ++i) {
+        if (spacing_[i] >= wanted) continue;
+        wanted = std::min(wanted, spacing_[i] + kGrowth * (outline_[i] - point).norm());
+    }
+    return wanted;
+}
+
+double SizeField::smallest() const {
+    return std::min(target_edge_, *std::ranges::min_element(spacing_));
+}
+
+std::vector<Vec2d> place_interior_points(std::span<const Vec2d> outline, const SizeField& size, double target_edge,
+                                         const GridPose& pose) {
+    const Box box = box_of(outline);
+    std::vector<Vec2d> placed;
+    double edge = target_edge;
+    for (int level = 0; level < kMostLevels; ++level) {
+        for (const Vec2d& point : hexagonal_grid(box, edge, pose)) {
+            if (!is_inside(point, outline)) continue;
+            const double wanted = size.at(point);
+            if (wanted > 1.8 * edge) continue;  // a coarser grid has served this place
+            if (has_room(point, wanted, outline, placed)) placed.push_back(point);
+        }
+        if (edge < 1.2 * size.smallest()) break;
+        edge /= 2;
+    }
+    return placed;
+}
+
+namespace {
+
+constexpr double kGoodAngle = 35 * std::numbers::pi / 180;  // rad
+constexpr double kWorthMoving = 1e-6;                       // rad, of a smallest angle: less is no gain
+constexpr std::size_t kTriedTriangles = 6;  // the worst ones: beyond them repairs hardly lower the penalty
+constexpr double kHelps = 0.98;             // times the penalty: less, and a repair is kept
+constexpr int kMostTries = 150;             // triangulations spent on repairs of one panel
+
+using Triangle = std::array<int, 3>;
+
+const Vec2d& point_of(const PlanarMesh& mesh, int vertex) {
+    return mesh.points[static_cast<std::size_t>(vertex)];
+}
+
+double angle_of(const PlanarMesh& mesh, const Triangle& t) {
+    return smallest_angle(point_of(mesh, t[0]), point_of(mesh, t[1]), point_of(mesh, t[2]));
+}
+
+std::span<const Vec2d> outline_of(const PlanarMesh& mesh) {
+    return std::span(mesh.points).first(mesh.outline_count);
+}
+
+// The mesh over other interior points; nothing when they do not all become vertices of it.
+std::optional<PlanarMesh> triangulate_anew(std::vector<Vec2d> points, std::size_t outline_count) {
+    const std::span all(points);
+    auto triangles = delaunay_inside(all.first(outline_count), all.subspan(outline_count));
+    if (!triangles) return std::nullopt;
+    std::vector<bool> is_used(points.size(), false);
+    for (const Triangle& t : *triangles) {
+        for (int vertex : t) is_used[static_cast<std::size_t>(vertex)] = true;
+    }
+    if (std::ranges::find(is_used, false) != is_used.end()) return std::nullopt;
+    return PlanarMesh{std::move(points), outline_count, std::move(*triangles)};
+}
+
+// Centroids of the triangles about each interior point, weighted by area over wanted area: small where it is graded.
+std::vector<Vec2d> lloyd_points(const PlanarMesh& mesh, const SizeField& size) {
+    std::vector<Vec2d> sum(mesh.points.size(), Vec2d::Zero());
+    std::vector<double> weights(mesh.points.size(), 0.0);
+    for (const Triangle& t : mesh.triangles) {
+        const Vec2d centre = (point_of(mesh, t[0]) + point_of(mesh, t[1]) + point_of(mesh, t[2])) / 3;
+        const double area =
+            cross2(point_of(mesh, t[1]) - point_of(mesh, t[0]), point_of(mesh, t[2]) - point_of(mesh, t[0]));
+        const double wanted = size.at(centre);
+        for (int vertex : t) {
+            sum[static_cast<std::size_t>(vertex)] += area / (wanted * wanted) * centre;
+            weights[static_cast<std::size_t>(vertex)] += area / (wanted * wanted);
+        }
+    }
+    std::vector<Vec2d> points = mesh.points;
+    for (std::size_t i = mesh.outline_count; i < points.size(); ++i) {
+        const Vec2d moved = sum[i] / weights[i];
+        if (is_inside(moved, outline_of(mesh))) points[i] = moved;
+    }
+    return points;
+}
+
+using Stars = std::vector<std::vector<int>>;  // per vertex, its triangles
+
+Stars stars_of(const PlanarMesh& mesh) {
+    Stars stars(mesh.points.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (int vertex : mesh.triangles[t]) stars[static_cast<std::size_t>(vertex)].push_back(static_cast<int>(t));
+    }
+    return stars;
+}
+
+// The smallest angle about a vertex; negative when a triangle is turned over.
+double star_quality(const PlanarMesh& mesh, const std::vector<int>& star) {
+    double worst = std::numbers::pi;
+    for (int index : star) {
+        const Triangle& t = mesh.triangles[static_cast<std::size_t>(index)];
+        const Vec2d& a = point_of(mesh, t[0]);
+        if (cross2(point_of(mesh, t[1]) - a, point_of(mesh, t[2]) - a) <= 0) return -1;
+        worst = std::min(worst, angle_of(mesh, t));
+    }
+    return worst;
+}
+
+// Pattern search for the place where the smallest angle about one vertex is largest.
+void sharpen_vertex(PlanarMesh& mesh, std::size_t vertex, const std::vector<int>& star, double wanted) {
+    double best = star_quality(mesh, star);
+    if (best >= kGoodAngle) return;
+    for (double step = 0.2 * wanted; step > 0.01 * wanted;) {
+        const Vec2d start = mesh.points[vertex];
+        Vec2d better = start;
+        for (int k = 0; k < 8; ++k) {
+            const double angle = k * std::numbers::pi / 4;
+            mesh.points[vertex] = start + step * Vec2d(std::cos(angle), std::sin(angle));
+            const double quality = star_quality(mesh, star);
+            if (quality <= best + kWorthMoving) continue;
+            best = quality;
+            better = mesh.points[vertex];
+        }
+        mesh.points[vertex] = better;
+        if (better == start) step /= 2;
+    }
+}
+
+std::vector<Vec2d> sharpened_points(const PlanarMesh& mesh, const SizeField& size) {
+    PlanarMesh moved = mesh;
+    const Stars stars = stars_of(mesh);
+    for (std::size_t i = mesh.outline_count; i < mesh.points.size(); ++i) {
+        sharpen_vertex(moved, i, stars[i], size.at(mesh.points[i]));
+    }
+    return moved.points;
+}
+
+// Keeps the mesh over the given points if it is better.
+bool take_if_better(PlanarMesh& mesh, std::vector<Vec2d> points) {
+    auto moved = triangulate_anew(std::move(points), mesh.outline_count);
+    if (!moved || angle_penalty(*moved) >= angle_penalty(mesh)) return false;
+    mesh = std::move(*moved);
+    return true;
+}
+
+void sharpen(PlanarMesh& mesh, const SizeField& size, int rounds) {
+    for (int round = 0; round < rounds; ++round) {
+        if (!take_if_better(mesh, sharpened_points(mesh, size))) break;
+    }
+}
+
+// The triangles with angles below the good one, worst first, ties in their order.
+std::vector<int> bad_triangles(const PlanarMesh& mesh) {
+    std::vector<std::pair<double, int>> bad;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const double angle = angle_of(mesh, mesh.triangles[i]);
+        if (angle < kGoodAngle) bad.emplace_back(angle, static_cast<int>(i));
+    }
+    std::ranges::sort(bad);
+    std::vector<int> order;
+    for (const auto& [angle, index] : bad) order.push_back(index);
+    return order;
+}
+
+// One triangle's cures: without each of its interior points, or with one more at its centre or at a longest edge.
+std::vector<std::vector<Vec2d>> cures_of(const PlanarMesh& mesh, const Triangle& triangle) {
+    std::vector<std::vector<Vec2d>> cures;
+    for (int vertex : triangle) {
+        if (static_cast<std::size_t>(vertex) < mesh.outline_count) continue;
+        cures.push_back(mesh.points);
+        cures.back().erase(cures.back().begin() + vertex);
+    }
+    const std::array<Vec2d, 3> p{point_of(mesh, triangle[0]), point_of(mesh, triangle[1]), point_of(mesh, triangle[2])};
+    for (const Vec2d& extra : {Vec2d((p[0] + p[1] + p[2]) / 3), Vec2d((p[0] + p[1]) / 2), Vec2d((p[1] + p[2]) / 2),
+                               Vec2d((p[2] + p[0]) / 2)}) {
+        if (!is_inside(extra, outline_of(mesh))) continue;
+        cures.push_back(mesh.points);
+        cures.back().push_back(extra);
+    }
+    return cures;
+}
+
+// Makes the first cure that helps; counts the tries down.
+bool repair_one(PlanarMesh& mesh, const SizeField& size, int& tries_left) {
+    const double penalty = angle_penalty(mesh);
+    std::vector<int> bad = bad_triangles(mesh);
+    if (bad.size() > kTriedTriangles) bad.resize(kTriedTriangles);
+    for (int index : bad) {
+        const Triangle triangle = mesh.triangles[static_cast<std::size_t>(index)];
+        for (std::vector<Vec2d>& points : cures_of(mesh, triangle)) {
+            if (tries_left-- <= 0) return false;
+            auto cured = triangulate_anew(std::move(points), mesh.outline_count);
+            if (!cured) continue;
+            sharpen(*cured, size, 3);
+            if (angle_penalty(*cured) >= kHelps * penalty) continue;
+            mesh = std::move(*cured);
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+double angle_penalty(const PlanarMesh& mesh) {
+    double penalty = 0;
+    for (const Triangle& t : mesh.triangles) {
+        const double lack = std::max(0.0, kGoodAngle - angle_of(mesh, t));
+        penalty += lack * lack * lack;
+    }
+    return penalty;
+}
+
+void relax(PlanarMesh& mesh, const SizeField& size, int rounds) {
+    PlanarMesh moving = mesh;  // Lloyd may get worse before it gets better
+    for (int round = 0; round < rounds; ++round) {
+        auto moved = triangulate_anew(lloyd_points(moving, size), mesh.outline_count);
+        if (!moved) break;
+        moving = std::move(*moved);
+        if (angle_penalty(moving) < angle_penalty(mesh)) mesh = moving;
+    }
+    sharpen(mesh, size, rounds);
+}
+
+void heal(PlanarMesh& mesh, const SizeField& size) {
+    int tries_left = kMostTries;
+    while (repair_one(mesh, size, tries_left)) {
+    }
 }
 
 }  // namespace selvedge

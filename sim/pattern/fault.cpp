@@ -1,9 +1,9 @@
 #include "sim/pattern/fault.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace selvedge {
-
 std::string describe(const Fault& fault) {
     return fault.file + ": " + (fault.place.empty() ? "" : fault.place + ": ") +
            (fault.severity == Severity::Warning ? "warning: " : "") + fault.problem;
@@ -12,6 +12,99 @@ std::string describe(const Fault& fault) {
 bool has_error(const std::vector<Fault>& faults) {
     return std::any_of(faults.begin(), faults.end(),
                        [](const Fault& fault) { return fault.severity == Severity::Error; });
+}
+
+JsonNode JsonNode::member(std::string_view key) const {
+    return {value ? value->find(key) : nullptr, json_path(path, key)};
+}
+
+JsonNode JsonNode::element(std::size_t index) const {
+    return {&value->elements()[index], json_path(path, index)};
+}
+
+void FaultReader::error(const JsonNode& node, const std::string& problem) {
+    faults_.push_back({Severity::Error, file_, node.path, problem});
+    ++errors_;
+}
+
+void FaultReader::warn(const JsonNode& node, const std::string& problem) {
+    faults_.push_back({Severity::Warning, file_, node.path, problem});
+}
+
+bool FaultReader::expect(const JsonNode& node, Json::Kind kind) {
+    if (node.value->kind() == kind) return true;
+    error(node, std::string(describe(node.value->kind())) + " where " + describe(kind) + " should be");
+    return false;
+}
+
+bool FaultReader::expect_array(const JsonNode& node, std::size_t size) {
+    if (!expect(node, Json::Kind::Array)) return false;
+    if (node.size() == size) return true;
+    error(node, std::to_string(node.size()) + " values where " + std::to_string(size) + " should be");
+    return false;
+}
+
+std::optional<double> FaultReader::number(const JsonNode& node) {
+    if (!expect(node, Json::Kind::Number)) return {};
+    return node.value->number();
+}
+
+std::optional<int> FaultReader::index(const JsonNode& node, std::size_t count, const char* of_what) {
+    const auto value = number(node);
+    if (!value) return {};
+    if (*value >= 0 && *value < static_cast<double>(count) && *value == std::floor(*value)) {
+        return static_cast<int>(*value);
+    }
+    error(node,
+          "no " + std::string(of_what) + " " + node.value->number_text() + ": there are " + std::to_string(count));
+    return {};
+}
+
+std::optional<std::string> FaultReader::text(const JsonNode& node) {
+    if (!expect(node, Json::Kind::String)) return {};
+    return node.value->string();
+}
+
+std::optional<bool> FaultReader::flag(const JsonNode& node) {
+    if (node.value->is_bool()) return node.value->boolean();
+    const auto value = number(node);
+    if (!value) return {};
+    if (*value == 0 || *value == 1) return *value == 1;
+    error(node, "expected 0 or 1");
+    return {};
+}
+
+std::optional<Vec2d> FaultReader::pair(const JsonNode& node) {
+    if (!expect_array(node, 2)) return {};
+    const auto x = number(node.element(0));
+    const auto y = number(node.element(1));
+    if (!x || !y) return {};
+    return Vec2d(*x, *y);
+}
+
+std::optional<Vec3d> FaultReader::triple(const JsonNode& node) {
+    if (!expect_array(node, 3)) return {};
+    const auto x = number(node.element(0));
+    const auto y = number(node.element(1));
+    const auto z = number(node.element(2));
+    if (!x || !y || !z) return {};
+    return Vec3d(*x, *y, *z);
+}
+
+std::optional<double> FaultReader::length(const JsonNode& node) {
+    const auto value = number(node);
+    if (!value) return {};
+    if (std::abs(*value) <= kFarthest * units_in_meter) return *value / units_in_meter;
+    error(node, "further than 100 m");
+    return {};
+}
+
+std::optional<Vec2d> FaultReader::point(const JsonNode& node) {
+    const auto values = pair(node);
+    if (!values) return {};
+    if (values->cwiseAbs().maxCoeff() <= kFarthest * units_in_meter) return Vec2d(*values / units_in_meter);
+    error(node, "further than 100 m");
+    return {};
 }
 
 }  // namespace selvedge

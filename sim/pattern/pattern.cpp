@@ -3,7 +3,6 @@
 #include <cmath>
 
 namespace selvedge {
-
 Vec3d Panel::place(const Vec2d& u) const {
     const double side = is_mirrored ? -1 : 1;  // the right side looks along side * z
     Vec3d local(side * u.x(), u.y(), 0);
@@ -13,6 +12,44 @@ Vec3d Panel::place(const Vec2d& u) const {
         local.z() = side * wrap_radius * (std::cos(angle) - 1);
     }
     return rotation * local + translation;
+}
+
+namespace {
+
+const Panel& panel_of(const Pattern& pattern, const SeamSide& side) {
+    return pattern.panels[static_cast<std::size_t>(side.panel)];
+}
+
+std::string side_name(const Pattern& pattern, const SeamSide& side) {
+    return panel_of(pattern, side).name + "." + std::to_string(side.edge);
+}
+
+std::string name_of_edges(const Pattern& pattern, const SeamSide& first, const SeamSide& second) {
+    return side_name(pattern, first) + "+" + side_name(pattern, second);
+}
+
+const std::string& label_of(const Pattern& pattern, const SeamSide& side) {
+    return panel_of(pattern, side).edges[static_cast<std::size_t>(side.edge)].label;
+}
+
+}  // namespace
+
+std::string seam_name(const Pattern& pattern, const Seam& seam) {
+    return seam.name.empty() ? name_of_edges(pattern, seam.first, seam.second) : seam.name;
+}
+
+std::vector<int> find_seams(const Pattern& pattern, std::string_view name) {
+    std::vector<int> found;
+    if (name.empty()) return found;
+    for (std::size_t i = 0; i < pattern.seams.size(); ++i) {
+        const Seam& seam = pattern.seams[i];
+        if (name == seam.name || name == name_of_edges(pattern, seam.first, seam.second) ||
+            name == name_of_edges(pattern, seam.second, seam.first) || name == label_of(pattern, seam.first) ||
+            name == label_of(pattern, seam.second)) {
+            found.push_back(static_cast<int>(i));
+        }
+    }
+    return found;
 }
 
 }  // namespace selvedge

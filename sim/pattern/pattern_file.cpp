@@ -1,9 +1,17 @@
 #include "sim/pattern/pattern_file.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <numbers>
+
 #include "sim/core/error.h"
 #include "sim/core/file.h"
+#include "sim/core/json.h"
+#include "sim/pattern/outline.h"
 #include "sim/pattern/pattern_read.h"
-#include "sim/pattern/pattern_write.h"
 
 namespace selvedge {
 namespace {
@@ -64,6 +72,482 @@ std::string write_pattern(const PatternDocument& document) {
 
 void save_pattern(const PatternDocument& document, const std::filesystem::path& path) {
     write_file_atomically(path, write_pattern(document));
+}
+
+namespace {
+
+constexpr double kSeamTolerance = 1e-3;  // m, of difference between the two sides of a seam
+
+std::string in_file_units(const Vec2d& p, const Panel& panel, double units) {
+    const auto text = [&](double value) { return Json(std::round(value * units * 1e3) / 1e3 + 0.0).number_text(); };
+    return "(" + text(panel.is_mirrored ? -p.x() : p.x()) + ", " + text(p.y()) + ")";
+}
+
+class ShapeChecker {
+ public:
+    ShapeChecker(PatternReading& reading, std::string file, double units)
+        : reading_(reading), file_(std::move(file)), units_(units) {}
+
+    void check() {
+        for (std::size_t i = 0; i < reading_.pattern.panels.size(); ++i) {
+            if (reading_.is_sound[i]) check_panel(reading_.pattern.panels[i], reading_.places[i]);
+        }
+        for (std::size_t i = 0; i < reading_.pattern.seams.size(); ++i) check_seam(i);
+    }
+
+ private:
+    void add(Severity severity, std::string place, std::string problem) {
+        reading_.faults.push_back({severity, file_, std::move(place), std::move(problem)});
+    }
+
+    void check_panel(const Panel& panel, const std::string& place) {
+        const std::string edges = json_path(place, "edges");
+        bool has_length = true;
+        for (std::size_t i = 0; i < panel.edges.size(); ++i) {
+            if (outline_length(panel, panel.edges[i]) >= kShortestEdge) continue;
+            add(Severity::Error, json_path(edges, i), "the edge has no length");
+            has_length = false;
+        }
+        if (has_length) check_crossings(panel, edges);
+    }
+
+    void check_crossings(const Panel& panel, const std::string& edges) {
+        for (const OutlineCrossing& crossing : find_outline_crossings(panel)) {
+            add(Severity::Error, json_path(edges, crossing.first),
+                "the outline crosses or touches itself: edges " + std::to_string(crossing.first) + " and " +
+                    std::to_string(crossing.second) + " meet near " + in_file_units(crossing.place, panel, units_));
+        }
+    }
+
+    void check_seam(std::size_t i) {
+        const Seam& seam = reading_.pattern.seams[i];
+        const auto length = [&](const SeamSide& side) {
+            const Panel& panel = reading_.pattern.panels[static_cast<std::size_t>(side.panel)];
+            return outline_length(panel, panel.edges[static_cast<std::size_t>(side.edge)]);
+        };
+        for (const SeamSide& side : {seam.first, seam.second}) {
+            if (!reading_.is_sound[static_cast<std::size_t>(side.panel)]) return;
+        }
+        const double first = length(seam.first);
+        const double second = length(seam.second);
+        const double difference = std::abs(first - second);
+        if (difference <= kSeamTolerance) return;
+        std::array<char, 160> text{};
+        std::snprintf(text.data(), text.size(), "the sides differ by %.1f mm (%.1f and %.1f, ratio %.2f)",
+                      1e3 * difference, 1e3 * first, 1e3 * second, std::max(first, second) / std::min(first, second));
+        const bool is_absurd = std::max(first, second) > kMostGathers * std::min(first, second);
+        if (seam.is_eased && !is_absurd) return;
+        add(is_absurd ? Severity::Error : Severity::Warning,
+            json_path("pattern.stitches", static_cast<std::size_t>(reading_.seam_indices[i])), text.data());
+    }
+
+    PatternReading& reading_;
+    std::string file_;
+    double units_;
+};
+
+}  // namespace
+
+void check_shapes(PatternReading& reading, const std::string& file, double units) {
+    ShapeChecker(reading, file, units).check();
+}
+
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+// Numbers that say what the file says already keep their text; new ones get nine decimals at most.
+void set_number(Json& place, double value) {
+    if (place.is_number() && std::abs(place.number() - value) <= 1e-9 * std::max(1.0, std::abs(value))) return;
+    place = Json(std::round(value * 1e9) / 1e9 + 0.0);
+}
+
+void set_numbers(Json& place, std::initializer_list<double> values) {
+    if (!place.is_array()) place = Json::array();
+    place.elements().resize(values.size());
+    std::size_t i = 0;
+    for (const double value : values) set_number(place.elements()[i++], value);
+}
+
+// A key that says `usual` when it is not there stays away while its value is the usual one.
+template <class T>
+void set_unless_usual(Json& object, const char* key, const T& value, const T& usual) {
+    if (value == usual && !object.find(key)) return;
+    object[key] = Json(value);
+}
+
+void set_number_unless_zero(Json& object, const char* key, double value) {
+    if (value == 0 && !object.find(key)) return;
+    set_number(object[key], value);
+}
+
+class Writer {
+ public:
+    Writer(const Pattern& pattern, const Json& base)
+        : pattern_(pattern), root_(base.is_object() ? base : Json::object()), units_(units_in_meter(root_)) {}
+
+    Json write() {
+        if (!root_.find("pattern")) begin_specification();
+        Json& garment = root_["pattern"];
+        write_panels(garment["panels"]);
+        write_seams(garment["stitches"]);
+        if (Json* order = garment.find("panel_order")) write_panel_order(*order);
+        write_additions();
+        return std::move(root_);
+    }
+
+ private:
+    void begin_specification() {
+        Json& garment = root_["pattern"];
+        garment["panels"] = Json::object();
+        garment["stitches"] = Json::array();
+        garment["panel_order"] = Json::array();
+        root_["parameters"] = Json::object();
+        root_["parameter_order"] = Json::array();
+        Json& properties = root_["properties"];
+        properties["curvature_coords"] = "relative";
+        properties["normalize_panel_translation"] = false;
+        properties["normalized_edge_loops"] = true;
+        properties["units_in_meter"] = 100;
+    }
+
+    bool is_relative() const {
+        const Json* properties = root_.find("properties");
+        const Json* coords = properties ? properties->find("curvature_coords") : nullptr;
+        return !coords || !coords->is_string() || coords->string() != "absolute";
+    }
+
+    Vec2d in_file(const Panel& panel, const Vec2d& p) const {
+        return units_ * Vec2d(panel.is_mirrored ? -p.x() : p.x(), p.y());
+    }
+
+    void write_panels(Json& panels) {
+        if (!panels.is_object()) panels = Json::object();
+        std::map<std::string, const Panel*> by_name;
+        for (const Panel& panel : pattern_.panels) by_name[panel.name] = &panel;
+        std::erase_if(panels.members(), [&](const Json::Member& member) { return !by_name.contains(member.key); });
+        for (Json::Member& member : panels.members()) {
+            write_panel(member.value, *by_name[member.key]);
+            by_name.erase(member.key);
+        }
+        for (const Panel& panel : pattern_.panels) {
+            if (by_name.contains(panel.name)) write_panel(panels[panel.name], panel);
+        }
+    }
+
+    void write_panel(Json& json, const Panel& panel) {
+        const Vec3d shift = units_ * panel.translation;
+        if (json.find("translation") || !shift.isZero(0)) {
+            set_numbers(json["translation"], {shift.x(), shift.y(), shift.z()});
+        }
+        write_rotation(json, panel);
+        write_vertices(json["vertices"], panel);
+        write_edges(json["edges"], panel);
+        write_panel_additions(json, panel);
+    }
+
+    // Angles that give the panel's rotation already stay: more than one triple gives the same rotation.
+    void write_rotation(Json& json, const Panel& panel) {
+        Vec3d angles = Vec3d::Zero();
+        if (const Json* rotation = json.find("rotation")) {
+            for (Eigen::Index i = 0; i < 3; ++i) {
+                angles[i] = rotation->elements()[static_cast<std::size_t>(i)].number();
+            }
+        }
+        if (rotation_from_degrees(angles).isApprox(panel.rotation, 1e-12)) return;
+        const Vec3d zyx = panel.rotation.eulerAngles(2, 1, 0) / kDegree;
+        set_numbers(json["rotation"], {zyx[2], zyx[1], zyx[0]});
+    }
+
+    void write_vertices(Json& json, const Panel& panel) {
+        if (!json.is_array()) json = Json::array();
+        json.elements().resize(panel.vertices.size());
+        for (std::size_t i = 0; i < panel.vertices.size(); ++i) {
+            const Vec2d p = in_file(panel, panel.vertices[i]);
+            set_numbers(json.elements()[i], {p.x(), p.y()});
+        }
+    }
+
+    void write_edges(Json& json, const Panel& panel) {
+        if (!json.is_array()) json = Json::array();
+        json.elements().resize(panel.edges.size());
+        for (std::size_t i = 0; i < panel.edges.size(); ++i) {
+            const OutlineEdge& edge = panel.edges[i];
+            Json& place = json.elements()[i];
+            if (!place.is_object()) place = Json::object();
+            set_numbers(place["endpoints"], {double(edge.start), double(edge.end)});
+            set_unless_usual(place, "label", edge.label, std::string());
+            write_curvature(place, panel, edge);
+        }
+    }
+
+    void write_curvature(Json& place, const Panel& panel, const OutlineEdge& edge) {
+        if (edge.kind == CurveKind::Line) {
+            if (const Json* curvature = place.find("curvature"); curvature && !curvature->is_null()) {
+                place.erase("curvature");
+            }
+            return;
+        }
+        Json& curvature = place["curvature"];
+        if (edge.kind == CurveKind::Quadratic && curvature.is_array()) return write_control(curvature, panel, edge, 0);
+        if (!curvature.is_object()) curvature = Json::object();
+        curvature["type"] = edge.kind == CurveKind::Arc     ? "circle"
+                            : edge.kind == CurveKind::Cubic ? "cubic"
+                                                            : "quadratic";
+        Json& params = curvature["params"];
+        if (!params.is_array()) params = Json::array();
+        if (edge.kind == CurveKind::Arc) return write_arc(params, panel, edge);
+        const std::size_t count = edge.kind == CurveKind::Cubic ? 2 : 1;
+        params.elements().resize(count);
+        for (std::size_t i = 0; i < count; ++i) write_control(params.elements()[i], panel, edge, i);
+    }
+
+    void write_control(Json& place, const Panel& panel, const OutlineEdge& edge, std::size_t which) {
+        const Vec2d control = in_file(panel, edge.control[which]);
+        if (!is_relative()) return set_numbers(place, {control.x(), control.y()});
+        const Vec2d start = in_file(panel, panel.vertices[static_cast<std::size_t>(edge.start)]);
+        const Vec2d chord = in_file(panel, panel.vertices[static_cast<std::size_t>(edge.end)]) - start;
+        const Vec2d offset = control - start;
+        const double squared = chord.squaredNorm();
+        set_numbers(place, {offset.dot(chord) / squared, cross2(chord, offset) / squared});
+    }
+
+    void write_arc(Json& params, const Panel& panel, const OutlineEdge& edge) {
+        std::vector<Json>& values = params.elements();
+        values.resize(3);
+        set_number(values[0], units_ * edge.arc_radius);
+        set_flag(values[1], edge.is_large_arc);
+        set_flag(values[2], edge.turns_right == panel.is_mirrored);
+    }
+
+    static void set_flag(Json& place, bool value) {
+        if (place.is_bool()) {
+            place = Json(value);
+        } else {
+            set_number(place, value ? 1 : 0);
+        }
+    }
+
+    // What we add stands under one key of the panel, which is made only when there is something to say.
+    void write_panel_additions(Json& json, const Panel& panel) {
+        const Json* found = json.find("selvedge");
+        Json own = found ? *found : Json::object();
+        set_number_unless_zero(own, "grainline", (panel.is_mirrored ? -1 : 1) * panel.grain_angle / kDegree);
+        if (own.find("sett_offset") || !panel.sett_offset.isZero(0)) {
+            set_numbers(own["sett_offset"], {units_ * panel.sett_offset.x(), units_ * panel.sett_offset.y()});
+        }
+        set_unless_usual(own, "fabric", panel.fabric, std::string());
+        set_number_unless_zero(own, "layer", panel.layer);
+        if (own.find("pins") || !panel.pins.empty()) write_pins(own["pins"], panel);
+        if (own.find("internal_lines") || !panel.internal_lines.empty()) {
+            write_internal_lines(own["internal_lines"], panel);
+        }
+        if (own.find("notches") || !panel.notches.empty()) write_notches(own["notches"], panel);
+        set_number_unless_zero(own, "wrap_radius", units_ * panel.wrap_radius);
+        if (panel.mirror_of.empty()) own.erase("mirror_of");
+        set_unless_usual(own, "mirror_of", panel.mirror_of, std::string());
+        if (!panel.sheet_position) own.erase("sheet_position");
+        if (const auto& position = panel.sheet_position) {
+            set_numbers(own["sheet_position"], {units_ * position->x(), units_ * position->y()});
+        }
+        if (found || !own.members().empty()) json["selvedge"] = std::move(own);
+    }
+
+    static void write_pins(Json& json, const Panel& panel) {
+        if (!json.is_array()) json = Json::array();
+        json.elements().resize(panel.pins.size());
+        for (std::size_t i = 0; i < panel.pins.size(); ++i) set_number(json.elements()[i], panel.pins[i]);
+    }
+
+    static void write_notches(Json& json, const Panel& panel) {
+        if (!json.is_array()) json = Json::array();
+        json.elements().resize(panel.notches.size());
+        for (std::size_t i = 0; i < panel.notches.size(); ++i) {
+            Json& place = json.elements()[i];
+            if (!place.is_object()) place = Json::object();
+            set_number(place["edge"], panel.notches[i].edge);
+            set_number(place["at"], panel.notches[i].t);
+        }
+    }
+
+    void write_internal_lines(Json& json, const Panel& panel) {
+        if (!json.is_array()) json = Json::array();
+        json.elements().resize(panel.internal_lines.size());
+        for (std::size_t i = 0; i < panel.internal_lines.size(); ++i) {
+            const InternalLine& line = panel.internal_lines[i];
+            Json& place = json.elements()[i];
+            if (!place.is_object()) place = Json::object();
+            set_unless_usual(place, "name", line.name, std::string());
+            Json& points = place["points"];
+            if (!points.is_array()) points = Json::array();
+            points.elements().resize(line.points.size());
+            for (std::size_t k = 0; k < line.points.size(); ++k) {
+                const Vec2d p = in_file(panel, line.points[k]);
+                set_numbers(points.elements()[k], {p.x(), p.y()});
+            }
+        }
+    }
+
+    void write_seams(Json& json) {
+        if (!json.is_array()) json = Json::array();
+        json.elements().resize(pattern_.seams.size());
+        for (std::size_t i = 0; i < pattern_.seams.size(); ++i) {
+            const Seam& seam = pattern_.seams[i];
+            Json& place = json.elements()[i];
+            if (!place.is_array()) place = Json::array();
+            place.elements().resize(seam.is_reversed ? 2 : 3);
+            write_side(place.elements()[0], seam.first);
+            write_side(place.elements()[1], seam.second);
+            if (!seam.is_reversed) place.elements()[2] = "right_wrong";
+        }
+    }
+
+    void write_side(Json& json, const SeamSide& side) const {
+        if (!json.is_object()) json = Json::object();
+        json["panel"] = pattern_.panels[static_cast<std::size_t>(side.panel)].name;
+        set_number(json["edge"], side.edge);
+    }
+
+    // Names that went leave the order; new ones follow at its end.
+    void write_panel_order(Json& order) {
+        if (!order.is_array()) return;
+        const auto is_listed = [&](const std::string& name) {
+            return std::any_of(order.elements().begin(), order.elements().end(),
+                               [&](const Json& element) { return element.is_string() && element.string() == name; });
+        };
+        std::erase_if(order.elements(), [&](const Json& element) {
+            return element.is_string() &&
+                   std::none_of(pattern_.panels.begin(), pattern_.panels.end(),
+                                [&](const Panel& panel) { return panel.name == element.string(); });
+        });
+        for (const Panel& panel : pattern_.panels) {
+            if (!is_listed(panel.name)) order.push_back(panel.name);
+        }
+    }
+
+    void write_additions() {
+        const Json* found = root_.find("selvedge");
+        Json own = found ? *found : Json::object();
+        set_unless_usual(own, "fabric", pattern_.fabric, std::string());
+        set_unless_usual(own, "tartan", pattern_.tartan, std::string());
+        write_sett_place(own);
+        write_matched_sett(own);
+        write_seam_names(own);
+        write_eased(own);
+        set_unless_usual(own, "body", pattern_.body, std::string());
+        if (own.find("body_height") || pattern_.body_height != Pattern().body_height) {
+            set_number(own["body_height"], units_ * pattern_.body_height);
+        }
+        if (pattern_.edge_length) set_number(own["edge_length"], units_ * *pattern_.edge_length);
+        if (!pattern_.edge_length) own.erase("edge_length");
+        if (found || !own.members().empty()) root_["selvedge"] = std::move(own);
+    }
+
+    void write_sett_place(Json& own) const {
+        if (pattern_.sett_size) set_number(own["sett_size"], units_ * *pattern_.sett_size);
+        if (!pattern_.sett_size) own.erase("sett_size");
+        const Vec2d position = units_ * pattern_.sett_position;
+        if (own.find("sett_position") || !position.isZero(0)) {
+            set_numbers(own["sett_position"], {position.x(), position.y()});
+        }
+    }
+
+    void write_matched_sett(Json& own) const {
+        if (!pattern_.matched_sett) return own.erase("matched_sett");
+        const MatchedSett& matched = *pattern_.matched_sett;
+        Json& json = own["matched_sett"];
+        if (!json.is_object()) json = Json::object();
+        set_unless_usual(json, "tartan", matched.tartan, std::string());
+        set_numbers(json["repeat"], {units_ * matched.repeat.x(), units_ * matched.repeat.y()});
+    }
+
+    // A name that stands at either side of its seam already stays there.
+    void write_seam_names(Json& own) const {
+        std::map<std::string, const Seam*> by_name;
+        for (const Seam& seam : pattern_.seams) {
+            if (!seam.name.empty()) by_name[seam.name] = &seam;
+        }
+        if (by_name.empty()) return own.erase("seam_names");
+        Json& names = own["seam_names"];
+        if (!names.is_object()) names = Json::object();
+        std::erase_if(names.members(), [&](const Json::Member& member) { return !by_name.contains(member.key); });
+        for (const auto& [name, seam] : by_name) {
+            Json& place = names[name];
+            if (!is_at(place, seam->first) && !is_at(place, seam->second)) write_side(place, seam->first);
+        }
+    }
+
+    // As names do, an eased seam stays where it stands in the list, at either of its sides; new ones follow at the end.
+    void write_eased(Json& own) const {
+        Json* found = own.find("eased");
+        Json list = found && found->is_array() ? *found : Json::array();
+        const auto is_of = [&](const Seam& seam, const Json& json) {
+            return seam.is_eased && (is_at(json, seam.first) || is_at(json, seam.second));
+        };
+        const std::size_t removed = std::erase_if(list.elements(), [&](const Json& json) {
+            return std::none_of(pattern_.seams.begin(), pattern_.seams.end(),
+                                [&](const Seam& seam) { return is_of(seam, json); });
+        });
+        for (const Seam& seam : pattern_.seams) {
+            const std::vector<Json>& listed = list.elements();
+            if (!seam.is_eased ||
+                std::any_of(listed.begin(), listed.end(), [&](const Json& json) { return is_of(seam, json); })) {
+                continue;
+            }
+            Json place;
+            write_side(place, seam.first);
+            list.push_back(std::move(place));
+        }
+        if (list.elements().empty() && (removed > 0 || !found)) return own.erase("eased");
+        own["eased"] = std::move(list);
+    }
+
+    bool is_at(const Json& json, const SeamSide& side) const {
+        const Json* panel = json.find("panel");
+        const Json* edge = json.find("edge");
+        return panel && edge && panel->is_string() && edge->is_number() && edge->number() == side.edge &&
+               panel->string() == pattern_.panels[static_cast<std::size_t>(side.panel)].name;
+    }
+
+    const Pattern& pattern_;
+    Json root_;
+    double units_;
+};
+
+void rename_text(Json* text, const std::string& from, const std::string& to) {
+    if (text && text->is_string() && text->string() == from) *text = to;
+}
+
+}  // namespace
+
+void rename_panel_in_file(Json& specification, const std::string& from, const std::string& to) {
+    Json* garment = specification.find("pattern");
+    Json* panels = garment ? garment->find("panels") : nullptr;
+    if (!panels || !panels->is_object() || !panels->find(from) || panels->find(to)) return;
+    for (Json::Member& panel : panels->members()) {
+        if (panel.key == from) panel.key = to;
+        if (Json* own = panel.value.find("selvedge")) rename_text(own->find("mirror_of"), from, to);
+    }
+    if (Json* order = garment->find("panel_order"); order && order->is_array()) {
+        for (Json& name : order->elements()) rename_text(&name, from, to);
+    }
+    if (Json* stitches = garment->find("stitches"); stitches && stitches->is_array()) {
+        for (Json& stitch : stitches->elements()) {
+            if (!stitch.is_array()) continue;
+            for (Json& side : stitch.elements()) rename_text(side.find("panel"), from, to);
+        }
+    }
+    Json* own = specification.find("selvedge");
+    if (Json* names = own ? own->find("seam_names") : nullptr; names && names->is_object()) {
+        for (Json::Member& name : names->members()) rename_text(name.value.find("panel"), from, to);
+    }
+    if (Json* eased = own ? own->find("eased") : nullptr; eased && eased->is_array()) {
+        for (Json& side : eased->elements()) rename_text(side.find("panel"), from, to);
+    }
+}
+
+Json pattern_as_json(const Pattern& pattern, const Json& base) {
+    return Writer(pattern, base).write();
 }
 
 }  // namespace selvedge

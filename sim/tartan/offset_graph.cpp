@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <utility>
 
 #include "sim/core/assert.h"
-#include "sim/tartan/best_shift.h"
 
 namespace selvedge {
 namespace {
 
 constexpr int kMostSweeps = 40;
-constexpr double kSame = 1e-9;  // of the whole cost
+constexpr double kSame = 1e-9;  // of the whole cost: sums that differ by less are equal
 
 std::size_t at(int i) {
     return static_cast<std::size_t>(i);
@@ -252,6 +252,145 @@ class Solver {
 std::vector<double> solve_offsets(const OffsetProblem& problem, const std::vector<double>& start) {
     SELVEDGE_ASSERT(problem.repeat > 0 && start.size() == at(problem.nodes) && problem.rank.size() == start.size());
     return Solver(problem, start).solve(start);
+}
+
+namespace {
+
+
+struct Kink {
+    double at = 0;       // m, in [0, repeat]
+    double steeper = 0;  // change of slope
+};
+
+// value modulo repeat, in [0, repeat).
+double phase_of(double value, double repeat) {
+    const double phase = value - std::floor(value / repeat) * repeat;
+    return phase < repeat ? phase : 0;
+}
+
+// Where factor * shift has that phase, within one repeat: once for a factor of 1, twice for 2.
+void add_kinks(double phase, int factor, double steeper, double repeat, std::vector<Kink>& kinks) {
+    for (int turn = 0; turn < factor; ++turn) kinks.push_back({(phase + turn * repeat) / factor, steeper});
+}
+
+}  // namespace
+
+double wrapped(double value, double repeat) {
+    return value - std::round(value / repeat) * repeat;
+}
+
+double best_shift(const std::vector<ShiftTerm>& terms, double repeat) {
+    std::vector<Kink> kinks;
+    double cost = 0;
+    double slope = 0;  // just before 0
+    double scale = 0;
+    for (const ShiftTerm& term : terms) {
+        const int factor = std::abs(term.factor);
+        const double phase = phase_of(term.factor < 0 ? -term.value : term.value, repeat);
+        const double weight = term.weight;
+        cost += weight * std::min(phase, repeat - phase);
+        slope += weight * factor * (phase > 0 && phase <= repeat / 2 ? 1 : -1);
+        // Not by phase_of: what rounds to a whole repeat lies there, and not at 0, or the slope before 0 is another.
+        const double zero = phase > 0 ? repeat - phase : 0;
+        const double farthest = phase <= repeat / 2 ? repeat / 2 - phase : repeat + (repeat / 2 - phase);
+        add_kinks(zero, factor, 2 * weight * factor, repeat, kinks);
+        add_kinks(farthest, factor, -2 * weight * factor, repeat, kinks);
+        scale += weight * repeat;
+    }
+    std::sort(kinks.begin(), kinks.end(), [](const Kink& a, const Kink& b) { return a.at < b.at; });
+    const double now = cost;
+    double least = cost;
+    std::vector<double> costs;  // at the kinks
+    double at = 0;
+    for (const Kink& kink : kinks) {
+        cost += slope * (kink.at - at);
+        at = kink.at;
+        slope += kink.steeper;
+        costs.push_back(cost);
+        least = std::min(least, cost);
+    }
+    if (now <= least + kSame * scale) return 0;
+    double best = repeat;
+    for (std::size_t i = 0; i < kinks.size(); ++i) {
+        if (costs[i] > least + kSame * scale) continue;
+        const double shift = kinks[i].at > repeat / 2 ? kinks[i].at - repeat : kinks[i].at;
+        if (std::abs(shift) < std::abs(best) - kSame * repeat) best = shift;
+    }
+    return best;
+}
+
+namespace {
+
+// Neighbouring stripes of one colour are one, also the last and the first.
+struct Runs {
+    std::vector<SettStripe> runs;
+    int start = 0;  // threads before the first run
+};
+
+Runs merge_runs(const std::vector<SettStripe>& stripes) {
+    Runs merged;
+    for (const SettStripe& stripe : stripes) {
+        if (!merged.runs.empty() && merged.runs.back().colour == stripe.colour) {
+            merged.runs.back().threads += stripe.threads;
+        } else {
+            merged.runs.push_back(stripe);
+        }
+    }
+    if (merged.runs.size() > 1 && merged.runs.back().colour == merged.runs.front().colour) {
+        merged.start = -merged.runs.back().threads;
+        merged.runs.front().threads += merged.runs.back().threads;
+        merged.runs.pop_back();
+    }
+    return merged;
+}
+
+bool is_same(const SettStripe& a, const SettStripe& b) {
+    return a.colour == b.colour && a.threads == b.threads;
+}
+
+bool repeats_after(const std::vector<SettStripe>& runs, std::size_t count) {
+    for (std::size_t i = count; i < runs.size(); ++i) {
+        if (!is_same(runs[i], runs[i - count])) return false;
+    }
+    return true;
+}
+
+bool mirrors_about(const std::vector<SettStripe>& runs, std::size_t middle) {
+    const std::size_t count = runs.size();
+    for (std::size_t k = 1; 2 * k <= count; ++k) {
+        if (!is_same(runs[(middle + k) % count], runs[(middle + count - k) % count])) return false;
+    }
+    return true;
+}
+
+StripeRepeat repeat_of(const std::vector<SettStripe>& stripes, double spacing) {
+    Runs merged = merge_runs(stripes);
+    StripeRepeat repeat;
+    if (merged.runs.size() < 2) return repeat;
+    for (std::size_t count = 2; count < merged.runs.size(); ++count) {
+        if (merged.runs.size() % count != 0 || !repeats_after(merged.runs, count)) continue;
+        merged.runs.resize(count);
+        break;
+    }
+    int threads = 0;
+    for (std::size_t i = 0; i < merged.runs.size(); ++i) {
+        if (!repeat.mirror && mirrors_about(merged.runs, i)) {
+            repeat.mirror = (merged.start + threads + 0.5 * merged.runs[i].threads) * spacing;
+        }
+        threads += merged.runs[i].threads;
+    }
+    repeat.size = threads * spacing;
+    return repeat;
+}
+
+}  // namespace
+
+StripeRepeat warp_repeat(const Sett& sett) {
+    return repeat_of(sett.stripes, sett.thread_spacing);
+}
+
+StripeRepeat weft_repeat(const Sett& sett) {
+    return repeat_of(weft_stripes(sett), sett.thread_spacing);
 }
 
 }  // namespace selvedge

@@ -7,7 +7,10 @@
 // Within a level seams are joined in the order given (a spanning tree, exact along it); then single panels and the
 // parts that were joined are moved in turn, each to the exact minimum of the seams about it, until nothing gets better.
 // What a level has joined moves as one piece in the next: an earlier level is never made worse by a later one.
+#include <optional>
 #include <vector>
+
+#include "sim/tartan/sett.h"
 
 namespace selvedge {
 
@@ -34,5 +37,33 @@ struct OffsetProblem {
 
 // The offsets, m, one per node, near those of `start`. Same problem, same bits.
 std::vector<double> solve_offsets(const OffsetProblem& problem, const std::vector<double>& start);
+
+// The exact minimum of a sum of wrapped absolute values: where to move one panel, with the others held. Between its
+// kinks such a sum is straight, and it is lowest where one of its parts is zero.
+
+// value wrapped to half a repeat, with its sign: in [-repeat/2, repeat/2].
+double wrapped(double value, double repeat);
+
+struct ShiftTerm {
+    double value = 0;
+    double weight = 0;  // 0 or more
+    int factor = 1;     // +-1 or +-2
+};
+
+// The shift d, |d| <= repeat/2, that makes the sum of weight * |wrapped(factor * d + value)| smallest: 0 if nothing is
+// better, and else of equal ones the one nearest to 0. n terms take n log n.
+double best_shift(const std::vector<ShiftTerm>& terms, double repeat);
+
+// Where the stripes of a sett come again, and where they mirror: what matching needs to know of the colours. Both are
+// read off the colours themselves, for a sett may be written longer than it is, and be its own mirror image without a
+// pivot in its threadcount (K8 W8).
+
+struct StripeRepeat {
+    double size = 0;               // m, the shortest; 0: one colour only, nothing to match
+    std::optional<double> mirror;  // m from the first thread; it mirrors half a repeat further too. None: never
+};
+
+StripeRepeat warp_repeat(const Sett& sett);  // of the colours along the weft
+StripeRepeat weft_repeat(const Sett& sett);  // of the colours along the warp
 
 }  // namespace selvedge

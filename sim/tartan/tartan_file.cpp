@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <span>
 
-#include "sim/core/embedded.h"
+#include "sim/core/file.h"
 #include "sim/core/error.h"
 #include "sim/core/json.h"
 

@@ -11,7 +11,7 @@
 #include <sstream>
 #include <thread>
 
-#include "render/image/png.h"
+#include "render/image/image.h"
 
 namespace selvedge {
 

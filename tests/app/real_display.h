@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "render/image/image.h"
-#include "sim/core/vec.h"
+#include "sim/core/math.h"
 #include "tests/app/run_program.h"
 
 namespace selvedge {

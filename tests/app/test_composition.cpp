@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "render/renderer.h"
+#include "render/draw/renderer.h"
 
 namespace selvedge {
 namespace {

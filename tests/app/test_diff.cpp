@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "render/image/png.h"
+#include "render/image/image.h"
 #include "tests/app/selvedge_program.h"
 
 namespace selvedge {

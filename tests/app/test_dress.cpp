@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <sstream>
 
-#include "render/image/png.h"
+#include "render/image/image.h"
 #include "sim/core/json.h"
 #include "tests/app/selvedge_program.h"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "render/image/png.h"
+#include "render/image/image.h"
 #include "sim/core/error.h"
 #include "tests/app/edit_stand_in.h"
 #include "tests/golden/frozen_scene.h"

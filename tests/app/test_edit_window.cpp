@@ -6,9 +6,8 @@
 #include <filesystem>
 
 #include "app/editor_services.h"
-#include "app/editor_surface.h"
 #include "editor/ui/files.h"
-#include "render/image/png.h"
+#include "render/image/image.h"
 #include "tests/app/real_display.h"
 
 namespace selvedge {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "render/image/png.h"
+#include "render/image/image.h"
 #include "sim/core/error.h"
 #include "sim/exchange/mesh_file.h"
 #include "tests/app/run_program.h"

@@ -1,11 +1,11 @@
-#include "app/find_font.h"
+#include "app/edit_loop.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>
 
 #include <fstream>
 
-#include "editor/frame/tabular_digits.h"
+#include "editor/frame/theme.h"
 #include "tests/app/run_program.h"
 
 namespace selvedge {

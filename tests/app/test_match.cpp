@@ -7,7 +7,7 @@
 #include "sim/core/file.h"
 #include "sim/core/json.h"
 #include "sim/pattern/pattern_file.h"
-#include "sim/pattern/seam_name.h"
+#include "sim/pattern/pattern.h"
 #include "sim/tartan/tartan_file.h"
 #include "tests/app/selvedge_program.h"
 #include "tests/sim/tartan/seamed_panels.h"

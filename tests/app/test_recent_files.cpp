@@ -1,5 +1,5 @@
 // The list of recent files.
-#include "app/recent_files.h"
+#include "app/editor_services.h"
 
 #include <gtest/gtest.h>
 

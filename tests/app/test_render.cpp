@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "render/image/png.h"
+#include "render/image/image.h"
 #include "tests/app/selvedge_program.h"
 
 namespace selvedge {

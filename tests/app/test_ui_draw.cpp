@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
-#include "render/gl/gl.h"
+#include "render/gl/context.h"
 #include "sim/core/error.h"
 
 namespace selvedge {

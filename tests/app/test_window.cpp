@@ -3,7 +3,7 @@
 
 #include <fstream>
 
-#include "render/image/png.h"
+#include "render/image/image.h"
 #include "tests/app/edit_stand_in.h"
 #include "tests/app/run_program.h"
 #include "tests/golden/frozen_scene.h"

@@ -1,4 +1,4 @@
-#include "app/window_keys.h"
+#include "app/window.h"
 
 #include <gtest/gtest.h>
 

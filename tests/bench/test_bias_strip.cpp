@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "bench/drop/scene.h"
-#include "bench/support/bias_theory.h"
+#include "bench/drop/drop.h"
+#include "bench/support/measured_mesh.h"
 
 namespace selvedge {
 namespace {

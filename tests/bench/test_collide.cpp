@@ -1,11 +1,10 @@
 // The points and bodies that bench collide measures with are what it says they are.
 #include <gtest/gtest.h>
 
-#include "bench/cloth_points.h"
-#include "bench/contact_pass.h"
-#include "bench/dense_body.h"
-#include "sim/body/body_collider.h"
-#include "tests/sim/body/shapes.h"
+#include "bench/collide/contact_pass.h"
+#include "bench/collide/collide.h"
+#include "sim/collide/body_collider.h"
+#include "tests/support/bodies.h"
 
 namespace selvedge {
 namespace {

@@ -1,11 +1,9 @@
 // The drop on a sphere: its scene, and what is said of a run. Coarser than what is measured, the same in all else.
-#include "bench/drop/drop.h"
-
+#include <algorithm>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
-#include "bench/drop/honesty.h"
+#include "bench/drop/drop.h"
+#include "bench/drop/report.h"
 
 namespace selvedge {
 namespace {
@@ -121,4 +119,105 @@ TEST(DropHonesty, the_same_run_lies_no_distance_from_itself) {
 }
 
 }  // namespace
+
+// The drop experiment as a whole, on a grid of 72 triangles, and its JSON.
+
+namespace {
+
+DropExperiment coarse_experiment() {
+    DropExperiment experiment;
+    experiment.triangles = 72;
+    experiment.most_substeps = 16;
+    experiment.repetitions = 1;
+    experiment.scene.level = 1;
+    experiment.gates = {.max_stretch = 0.2, .max_area_error = 0.5, .max_bias_error = 5};
+    return experiment;
+}
+
+TEST(DropReport, has_every_figure_that_was_promised) {
+    DropExperiment experiment = coarse_experiment();
+    experiment.scene.frames = 30;
+    experiment.substeps = 4;
+    const Json json = to_json(measure_drop(experiment));
+    for (const char* key :
+         {"us_per_triangle_frame", "ms_per_frame", "ms_with_samples", "p99_stretch", "max_stretch", "area_error",
+          "substeps", "p1_compression", "bias_stiffness_ratio", "rest_kinetic_energy_j", "rest_rms_speed",
+          "weightless_energy_growth", "distance_mean_m", "distance_rms_m", "noise_floor_mean_m", "noise_floor_rms_m"}) {
+        ASSERT_NE(json.find(key), nullptr) << key;
+        EXPECT_TRUE(json.find(key)->is_number()) << key;
+    }
+    EXPECT_EQ(json.find("substeps")->number(), 4);
+    EXPECT_EQ(json.find("trials")->elements().size(), 1U);
+}
+
+TEST(DropReport, takes_the_least_substeps_that_pass_and_keeps_all_that_were_tried) {
+    DropExperiment experiment = coarse_experiment();
+    experiment.is_honest = false;
+    const DropReport report = measure_drop(experiment);
+    ASSERT_TRUE(report.chosen.passes());
+    for (std::size_t i = 1; i < report.trials.size(); ++i)
+        EXPECT_LT(report.trials[i - 1].substeps, report.trials[i].substeps);
+    for (const DropTrial& trial : report.trials) {
+        const bool is_less = trial.substeps < report.chosen.substeps;
+        EXPECT_FALSE(is_less && trial.passes()) << trial.substeps;
+    }
+    EXPECT_EQ(to_json(report).find("rest_rms_speed"), nullptr);
+    EXPECT_EQ(report.triangles, 72);
+}
+
+TEST(DropReport, says_which_gates_the_last_setting_missed_when_none_meets_them) {
+    DropExperiment experiment = coarse_experiment();
+    experiment.is_honest = false;
+    experiment.most_substeps = 2;
+    experiment.gates.max_stretch = 1e-9;
+    const DropReport report = measure_drop(experiment);
+    EXPECT_FALSE(report.chosen.passes());
+    EXPECT_EQ(report.chosen.missed, std::vector<std::string>{"stretch"});
+    EXPECT_FALSE(to_json(report).find("meets_gates")->boolean());
+    EXPECT_NE(to_markdown(tables_of(report)[0]).find("missed: stretch"), std::string::npos);
+}
+
+}  // namespace
+
+// The search for the least number of sub-steps that passes.
+
+namespace {
+
+struct Search {
+    std::optional<int> found;
+    std::vector<int> asked;
+};
+
+Search search_for(int least, int most) {
+    Search search;
+    search.found = find_least(most, [&](int n) {
+        search.asked.push_back(n);
+        return n >= least;
+    });
+    return search;
+}
+
+TEST(FindLeast, finds_every_least_number_and_asks_none_twice) {
+    for (int least = 1; least <= 64; ++least) {
+        Search search = search_for(least, 64);
+        EXPECT_EQ(search.found, least);
+        std::ranges::sort(search.asked);
+        EXPECT_EQ(std::ranges::unique(search.asked).size(), 0U) << least;
+        EXPECT_LE(search.asked.size(), 12U);
+    }
+}
+
+TEST(FindLeast, gives_up_where_it_should) {
+    const Search search = search_for(101, 100);
+    EXPECT_FALSE(search.found);
+    EXPECT_EQ(*std::ranges::max_element(search.asked), 100);
+}
+
+TEST(FindLeast, reaches_its_most_also_when_that_is_no_power_of_two) {
+    EXPECT_EQ(search_for(100, 100).found, 100);
+    EXPECT_EQ(search_for(1, 1).found, 1);
+}
+
+}  // namespace
+
 }  // namespace selvedge

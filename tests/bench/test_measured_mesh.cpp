@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "sim/adaptive/square.h"
+#include "bench/support/square.h"
 
 namespace selvedge {
 namespace {

@@ -7,9 +7,9 @@
 #include <set>
 
 #include "bench/thesis/drop.h"
-#include "bench/thesis/point_structures.h"
+#include "bench/thesis/point_search.h"
 #include "bench/thesis/pointer_mesh.h"
-#include "sim/adaptive/square.h"
+#include "bench/support/square.h"
 
 namespace selvedge {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <map>
 
-#include "sim/adaptive/square.h"
-#include "sim/body/analytic_collider.h"
+#include "bench/support/square.h"
+#include "sim/collide/collider.h"
 
 namespace selvedge {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "sim/body/mannequin.h"
+#include "sim/mannequin/mannequin.h"
 #include "sim/pattern/pattern_file.h"
 
 namespace selvedge {

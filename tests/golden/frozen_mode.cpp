@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "render/renderer.h"
-#include "render/show.h"
+#include "render/draw/renderer.h"
+#include "render/marks/show.h"
 
 namespace selvedge {
 namespace {

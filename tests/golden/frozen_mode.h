@@ -1,6 +1,6 @@
 #pragma once
 // The frozen scene in the modes that paint and mark, with figures made by formula.
-#include "render/legend.h"
+#include "render/marks/legend.h"
 #include "tests/golden/frozen_scene.h"
 
 namespace selvedge {

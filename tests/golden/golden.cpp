@@ -5,7 +5,7 @@
 #include <optional>
 #include <sstream>
 
-#include "render/image/png.h"
+#include "render/image/image.h"
 #include "tests/golden/blocks.h"
 
 namespace selvedge {

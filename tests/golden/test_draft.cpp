@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "render/draft_renderer.h"
+#include "render/preview/preview_renderer.h"
 #include "render/image/compare.h"
-#include "render/renderer.h"
+#include "render/draw/renderer.h"
 #include "tests/golden/frozen_scene.h"
 
 namespace selvedge {

@@ -1,7 +1,7 @@
 // One garment from its pattern file to its picture, and what that picture must not be taken for.
 #include <gtest/gtest.h>
 
-#include "render/renderer.h"
+#include "render/draw/renderer.h"
 #include "sim/tartan/tartan_file.h"
 #include "tests/golden/blocks.h"
 #include "tests/golden/dressed.h"

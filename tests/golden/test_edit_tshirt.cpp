@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "render/image/png.h"
+#include "render/image/image.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern_file.h"
 #include "tests/app/selvedge_program.h"

@@ -5,8 +5,8 @@
 #include <functional>
 #include <ostream>
 
-#include "render/renderer.h"
-#include "render/show.h"
+#include "render/draw/renderer.h"
+#include "render/marks/show.h"
 #include "sim/core/error.h"
 #include "tests/golden/frozen_mode.h"
 #include "tests/golden/golden.h"

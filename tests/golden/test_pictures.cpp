@@ -6,7 +6,7 @@
 #include <ostream>
 #include <string_view>
 
-#include "render/renderer.h"
+#include "render/draw/renderer.h"
 #include "sim/tartan/tartan_file.h"
 #include "tests/golden/frozen_scene.h"
 #include "tests/golden/golden.h"

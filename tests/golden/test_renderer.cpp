@@ -1,13 +1,13 @@
 // What holds for every picture, whatever it shows.
-#include "render/renderer.h"
+#include "render/draw/renderer.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "render/image/compare.h"
-#include "render/room_light.h"
-#include "render/shaders.h"
+#include "render/draw/ambient_occlusion.h"
+#include "render/gl/target.h"
 #include "sim/core/error.h"
 #include "tests/golden/frozen_scene.h"
 

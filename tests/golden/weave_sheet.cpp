@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "render/colour.h"
+#include "render/scene/colour.h"
 
 namespace selvedge {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "render/image/image.h"
-#include "render/renderer.h"
+#include "render/draw/renderer.h"
 #include "sim/tartan/sett.h"
 
 namespace selvedge {

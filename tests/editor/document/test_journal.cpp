@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "editor/document/command_json.h"
+#include "editor/document/command.h"
 #include "editor/document/document.h"
 #include "sim/core/error.h"
 

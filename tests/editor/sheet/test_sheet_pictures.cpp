@@ -4,8 +4,8 @@
 
 #include <cstdlib>
 
-#include "render/image/png.h"
-#include "tests/editor/sheet/sheet_stage.h"
+#include "render/image/image.h"
+#include "tests/editor/sheet/sheet_support.h"
 
 namespace selvedge {
 namespace {

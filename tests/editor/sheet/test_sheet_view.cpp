@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "editor/sheet/seam_paint.h"
-#include "tests/editor/sheet/sheet_stage.h"
+#include "editor/sheet/sheet_paint.h"
+#include "tests/editor/sheet/sheet_support.h"
 
 namespace selvedge {
 namespace {

@@ -1,7 +1,10 @@
 // Select and move, and what the host does for all tools.
+#include <cmath>
 #include <gtest/gtest.h>
 
-#include "tests/editor/tools/sheet_hands.h"
+#include "editor/tools/outline_tools.h"
+#include "sim/pattern/outline.h"
+#include "tests/editor/tools/tool_support.h"
 
 namespace selvedge {
 namespace {
@@ -168,4 +171,182 @@ TEST(ToolHost, no_tool_minds_any_click_or_key_on_an_empty_sheet) {
 }
 
 }  // namespace
+
+// Points, curves, notches, darts; rotate and scale; merge, unfold, measure.
+
+namespace {
+
+TEST(EditPointTool, a_double_click_on_an_edge_adds_a_point_and_delete_takes_it_out) {
+    SheetHands hands;
+    hands.choose(ToolKind::EditPoint);
+    hands.double_click({0.05, 0});
+    ASSERT_EQ(hands.panel("left").vertices.size(), 5U);
+    hands.click({0.05, 0});
+    EXPECT_EQ(hands.document.selection().vertices.size(), 1U);
+    hands.key(Key::Delete);
+    EXPECT_EQ(hands.panel("left").vertices.size(), 4U);
+}
+
+TEST(EditPointTool, drags_the_handles_of_a_panel_that_is_selected) {
+    PatternDocument source = two_squares();
+    source.pattern.panels[0].edges[0].kind = CurveKind::Quadratic;
+    source.pattern.panels[0].edges[0].control[0] = Vec2d(0.1, -0.05);
+    SheetHands hands(source);
+    hands.choose(ToolKind::EditPoint);
+    hands.drag({0.1, -0.05}, {0.1, -0.08}, {.ctrl = true});
+    EXPECT_TRUE(hands.panel("left").edges[0].control[0].isApprox(Vec2d(0.1, -0.05))) << "handles are not shown yet";
+    hands.click({0.1, 0.1});
+    hands.drag({0.1, -0.05}, {0.12, -0.08}, {.ctrl = true});
+    EXPECT_TRUE(hands.panel("left").edges[0].control[0].isApprox(Vec2d(0.12, -0.08), 1e-9));
+}
+
+TEST(EditPointTool, a_box_selects_points) {
+    SheetHands hands;
+    hands.choose(ToolKind::EditPoint);
+    hands.drag({-0.05, -0.05}, {0.35, 0.05});
+    EXPECT_EQ(hands.document.selection().vertices.size(), 3U);
+    EXPECT_TRUE(hands.document.selection().panels.empty());
+}
+
+TEST(EditPointTool, drags_a_point_of_an_internal_line) {
+    PatternDocument source = two_squares();
+    source.pattern.panels[0].internal_lines.push_back({"", {Vec2d(0.05, 0.05), Vec2d(0.15, 0.05)}});
+    SheetHands hands(source);
+    hands.choose(ToolKind::EditPoint);
+    hands.drag({0.149, 0.05}, {0.15, 0.15}, {.ctrl = true});
+    EXPECT_TRUE(hands.panel("left").internal_lines[0].points[1].isApprox(Vec2d(0.15, 0.15), 1e-9));
+    EXPECT_TRUE(hands.panel("left").internal_lines[0].points[0].isApprox(Vec2d(0.05, 0.05), 1e-9));
+}
+
+TEST(AddPointTool, splits_an_edge_at_a_typed_distance_from_its_nearer_end) {
+    SheetHands hands;
+    hands.choose(ToolKind::AddPoint);
+    hands.move({0.17, 0.001});
+    hands.type("5.5");
+    ASSERT_EQ(hands.panel("left").vertices.size(), 5U);
+    EXPECT_NEAR(hands.vertex("left", hands.panel("left").edges[0].end).x(), 0.145, 1e-9);
+    hands.type("80");
+    EXPECT_EQ(hands.panel("left").vertices.size(), 5U);
+    EXPECT_NE(hands.message().find("only"), std::string::npos) << "the edge is not that long";
+}
+
+TEST(CurveTool, bends_an_edge_through_the_cursor) {
+    SheetHands hands;
+    hands.choose(ToolKind::CurvePoint);
+    hands.drag({0.1, 0}, {0.1, -0.04});
+    const Panel& panel = hands.panel("left");
+    ASSERT_EQ(panel.edges[0].kind, CurveKind::Quadratic);
+    EXPECT_TRUE(curve_point(panel, panel.edges[0], 0.5).isApprox(Vec2d(0.1, -0.04), 1e-3));
+    hands.double_click({0.1, -0.04});
+    EXPECT_EQ(hands.panel("left").edges[0].kind, CurveKind::Line);
+}
+
+TEST(CurveTool, with_alt_draws_a_circles_arc_and_with_shift_two_handles) {
+    SheetHands hands;
+    hands.choose(ToolKind::CurvePoint);
+    hands.drag({0.1, 0}, {0.1, -0.04}, {.alt = true});
+    EXPECT_EQ(hands.panel("left").edges[0].kind, CurveKind::Arc);
+    hands.drag({0.1, 0.2}, {0.1, 0.25}, {.shift = true});
+    EXPECT_EQ(hands.panel("left").edges[2].kind, CurveKind::Cubic);
+}
+
+TEST(CurveShape, an_arc_goes_through_the_point_on_either_side) {
+    const Panel panel = square_panel("p", {0, 0}, {0.2, 0.2});
+    for (const Vec2d& to : {Vec2d(0.1, -0.03), Vec2d(0.12, 0.03), Vec2d(0.1, -0.25), Vec2d(0.07, 0.18)}) {
+        const OutlineEdge arc = arc_through(panel, panel.edges[0], to);
+        double nearest = 1;
+        for (int i = 0; i <= 1000; ++i) nearest = std::min(nearest, (curve_point(panel, arc, i / 1000.0) - to).norm());
+        EXPECT_LT(nearest, 5e-4) << to.transpose();
+    }
+    EXPECT_EQ(arc_through(panel, panel.edges[0], {0.1, 0}).kind, CurveKind::Line);
+}
+
+TEST(CurveShape, a_cubic_is_bent_through_the_point_it_was_held_at) {
+    const Panel panel = square_panel("p", {0, 0}, {0.2, 0.2});
+    const OutlineEdge cubic = as_cubic_edge(panel, panel.edges[0]);
+    const OutlineEdge bent = bent_through(panel, cubic, 0.3, {0.07, -0.02});
+    EXPECT_EQ(bent.kind, CurveKind::Cubic);
+    EXPECT_TRUE(curve_point(panel, bent, 0.3).isApprox(Vec2d(0.07, -0.02), 1e-3));
+}
+
+TEST(NotchTool, a_click_notches_and_a_drag_moves_the_notch) {
+    SheetHands hands;
+    hands.choose(ToolKind::Notch);
+    hands.click({0.05, 0.001});
+    ASSERT_EQ(hands.panel("left").notches.size(), 1U);
+    EXPECT_NEAR(hands.panel("left").notches[0].t, 0.25, 1e-9);
+    hands.drag({0.05, 0}, {0.2, 0.1});
+    ASSERT_EQ(hands.panel("left").notches.size(), 1U);
+    EXPECT_EQ(hands.panel("left").notches[0].edge, 1);
+    hands.click({0.2, 0.1});
+    hands.key(Key::Delete);
+    EXPECT_TRUE(hands.panel("left").notches.empty());
+}
+
+TEST(DartTool, is_dragged_to_its_depth_or_typed) {
+    SheetHands hands;
+    hands.choose(ToolKind::Dart);
+    hands.drag({0.1, 0}, {0.1, 0.081});
+    EXPECT_EQ(hands.panel("left").vertices.size(), 7U);
+    EXPECT_EQ(hands.pattern().seams.size(), 1U) << "its legs are sewn";
+    hands.click({0.4, 0.2});
+    hands.type("2x6");
+    EXPECT_EQ(hands.panel("right").vertices.size(), 7U);
+    EXPECT_NEAR(outline_area(hands.panel("right")), 0.04 - 0.02 * 0.06 / 2, 1e-6);
+}
+
+TEST(RotateTool, turns_by_dragging_and_by_typing) {
+    SheetHands hands;
+    hands.click({0.1, 0.06});
+    hands.choose(ToolKind::Rotate);
+    hands.drag({0.2, 0.1}, {0.1, 0.205}, {.shift = true});
+    EXPECT_TRUE(hands.vertex("left", 0).isApprox(Vec2d(0.2, 0), 1e-6)) << "a quarter turn about the middle";
+    hands.type("-90");
+    EXPECT_LT(hands.vertex("left", 0).norm(), 1e-6);
+}
+
+TEST(ScaleTool, a_handle_scales_about_the_opposite_one) {
+    SheetHands hands;
+    hands.click({0.1, 0.06});
+    hands.choose(ToolKind::Scale);
+    hands.drag({0.2, 0.1}, {0.25, 0.17}, {.ctrl = true});
+    EXPECT_TRUE(hands.vertex("left", 2).isApprox(Vec2d(0.25, 0.2), 1e-6)) << "one way only";
+    hands.type("0.8 x 1");
+    EXPECT_NEAR(hands.vertex("left", 2).x() - hands.vertex("left", 0).x(), 0.2, 1e-6);
+    hands.type("0");
+    EXPECT_FALSE(hands.message().empty());
+}
+
+TEST(MergeTool, joins_the_panels_of_a_seam_and_says_where_there_is_none) {
+    SheetHands hands;
+    hands.choose(ToolKind::Merge);
+    hands.click({0.05, 0});
+    EXPECT_FALSE(hands.message().empty());
+    hands.document.run(SewEdges{{"left", 1}, {"right", 3}, true});
+    hands.click({0.2, 0.05});
+    EXPECT_EQ(hands.pattern().panels.size(), 1U);
+}
+
+TEST(UnfoldTool, opens_a_panel_over_an_edge) {
+    SheetHands hands;
+    hands.choose(ToolKind::Unfold);
+    hands.click({0, 0.05});
+    EXPECT_NEAR(outline_area(hands.panel("left")), 0.08, 1e-6);
+}
+
+TEST(MeasureTool, tells_distance_and_length_along_an_edge) {
+    SheetHands hands;
+    hands.choose(ToolKind::CurvePoint);
+    hands.drag({0.1, 0}, {0.1, -0.06});
+    hands.choose(ToolKind::Measure);
+    hands.click({0, 0});
+    hands.click({0.2, 0});
+    const ToolOverlay overlay = hands.overlay();
+    ASSERT_EQ(overlay.labels.size(), 1U) << "corners belong to two edges: the distance alone";
+    EXPECT_EQ(overlay.labels[0].text.substr(0, 7), "20.0 cm");
+    EXPECT_EQ(hands.document.position(), 1U) << "measuring changes nothing";
+}
+
+}  // namespace
+
 }  // namespace selvedge

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 
-#include "editor/drafting/draft_error.h"
-#include "editor/tools/free_sewing_tool.h"
-#include "editor/tools/sewing_tool.h"
-#include "tests/editor/tools/sheet_hands.h"
+#include "editor/geometry/draft.h"
+#include "editor/tools/sewing_tools.h"
+#include "tests/editor/tools/tool_support.h"
 
 namespace selvedge {
 namespace {

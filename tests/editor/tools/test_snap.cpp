@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/editor/tools/sheet_hands.h"
+#include "tests/editor/tools/tool_support.h"
 
 namespace selvedge {
 namespace {

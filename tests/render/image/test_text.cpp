@@ -4,7 +4,6 @@
 
 #include <map>
 
-#include "render/image/glyphs.h"
 
 namespace selvedge {
 namespace {

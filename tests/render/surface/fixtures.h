@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "render/surface/adapt_surface.h"
-#include "sim/adaptive/square.h"
+#include "bench/support/square.h"
 #include "sim/mesh/garment_mesh.h"
 
 namespace selvedge::test {

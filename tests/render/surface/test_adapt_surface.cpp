@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "sim/adaptive/check.h"
-#include "sim/body/analytic_collider.h"
+#include "sim/collide/collider.h"
 #include "tests/render/surface/fixtures.h"
 
 namespace selvedge::test {

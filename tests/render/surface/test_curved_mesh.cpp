@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/body/analytic_collider.h"
+#include "sim/collide/collider.h"
 #include "sim/core/error.h"
 
 namespace selvedge {

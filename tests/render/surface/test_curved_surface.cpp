@@ -6,7 +6,7 @@
 #include <random>
 
 #include "sim/adaptive/check.h"
-#include "sim/body/analytic_collider.h"
+#include "sim/collide/collider.h"
 #include "tests/render/surface/fixtures.h"
 #include "tests/sim/adaptive/fixtures.h"
 

@@ -1,14 +1,14 @@
-// How criteria combine, what an adaption asks, reports and tells the observer.
-#include "sim/adaptive/adapt.h"
-
-#include <gtest/gtest.h>
-
+// Hundreds of random adaptions: sound after each, back to the base mesh bit by bit, the same for the same seed.
 #include <algorithm>
+#include <gtest/gtest.h>
 #include <map>
+#include <random>
+#include <set>
 
+#include "bench/support/square.h"
+#include "sim/adaptive/adapt.h"
 #include "sim/adaptive/check.h"
-#include "sim/adaptive/square.h"
-#include "sim/adaptive/uniform.h"
+#include "sim/adaptive/criteria.h"
 #include "tests/sim/adaptive/fixtures.h"
 
 namespace selvedge::test {
@@ -145,6 +145,203 @@ TEST(Adapt, finds_the_same_ids_when_it_splits_again_what_it_just_rejoined) {
     adapt(mesh, state, {}, ChosenEdges{});
     adapt(mesh, state, {}, ChosenEdges{{e}});
     EXPECT_EQ(Snapshot(mesh), split);
+}
+
+
+// The lists by id, as one who follows them would hold them.
+struct Copy {
+    std::set<VertexId> vertices;
+    std::map<EdgeId, LeafEdge> edges;
+    std::map<TriangleId, LeafTriangle> triangles;
+    std::map<EdgeId, Hinge> hinges;
+
+    explicit Copy(const LeafLists& lists) : vertices(lists.vertices.begin(), lists.vertices.end()) {
+        for (const LeafEdge& e : lists.edges) edges[e.edge] = e;
+        for (const LeafTriangle& t : lists.triangles) triangles[t.triangle] = t;
+        for (const Hinge& h : lists.hinges) hinges[h.edge] = h;
+    }
+    bool operator==(const Copy&) const = default;
+};
+
+template <class Key, class Value>
+void take_over(std::map<Key, Value>& old, const std::map<Key, Value>& now, const std::vector<Key>& changed) {
+    for (const Key key : changed) {
+        if (const auto it = now.find(key); it != now.end()) old[key] = it->second;
+    }
+}
+
+// Brings a copy up to date with nothing but what the mesh says has changed.
+void follow(Copy& copy, const Copy& now, const LeafChanges& changes) {
+    for (const VertexId v : changes.vertices_gone) EXPECT_EQ(copy.vertices.erase(v), 1U);
+    for (const EdgeId e : changes.edges_gone) {
+        EXPECT_EQ(copy.edges.erase(e), 1U);
+        copy.hinges.erase(e);
+    }
+    for (const TriangleId t : changes.triangles_gone) EXPECT_EQ(copy.triangles.erase(t), 1U);
+    for (const VertexId v : changes.vertices_come) EXPECT_TRUE(copy.vertices.insert(v).second);
+    for (const EdgeId e : changes.edges_come) EXPECT_FALSE(copy.edges.contains(e));
+    for (const TriangleId t : changes.triangles_come) EXPECT_FALSE(copy.triangles.contains(t));
+    for (const EdgeId e : changes.hinges_changed) EXPECT_TRUE(copy.hinges.contains(e));
+    take_over(copy.edges, now.edges, changes.edges_come);
+    take_over(copy.hinges, now.hinges, changes.edges_come);
+    take_over(copy.hinges, now.hinges, changes.hinges_changed);
+    take_over(copy.triangles, now.triangles, changes.triangles_come);
+}
+
+void follow_random_adaptions(const GarmentMesh& base, unsigned seed) {
+    AdaptiveMesh mesh(base);
+    PositionState state(base, mesh);
+    std::mt19937 random(seed);
+    Copy copy(mesh.leaves());
+    std::size_t changes = 0;
+    for (int i = 0; i < 40; ++i) {
+        const double eagerness = static_cast<double>(random() % 100) / 100.0;
+        adapt(mesh, state, {}, RandomCriterion{random, eagerness, 1.0 - eagerness});
+        const Copy now(mesh.leaves());
+        follow(copy, now, mesh.changes());
+        changes += mesh.changes().triangles_come.size() + mesh.changes().hinges_changed.size();
+        ASSERT_EQ(copy, now) << "seed " << seed << ", adaption " << i;
+        ASSERT_TRUE(check(mesh).empty()) << check(mesh).front();
+    }
+    EXPECT_GT(changes, 100U);
+}
+
+TEST(Changes, let_a_copy_of_the_lists_follow_them) {
+    for (const unsigned seed : {1U, 2U, 3U, 4U, 5U}) follow_random_adaptions(make_square(), seed);
+    follow_random_adaptions(tube(5, 2), 6);
+    follow_random_adaptions(octahedron(), 7);
+    follow_random_adaptions(bow_tie(), 8);
+}
+
+TEST(Changes, are_all_of_the_lists_of_a_fresh_mesh) {
+    const AdaptiveMesh mesh(make_square());
+    EXPECT_EQ(mesh.changes().vertices_come.size(), 25U);
+    EXPECT_EQ(mesh.changes().edges_come.size(), 56U);
+    EXPECT_EQ(mesh.changes().triangles_come.size(), 32U);
+    EXPECT_TRUE(mesh.changes().triangles_gone.empty());
+}
+
+TEST(Changes, are_none_when_nothing_changes) {
+    AdaptiveMesh mesh(make_square());
+    NoState state;
+    set_uniform_level(mesh, state, 1);
+    EXPECT_FALSE(mesh.changes().triangles_come.empty());
+    set_uniform_level(mesh, state, 1);
+    EXPECT_TRUE(mesh.changes().triangles_come.empty() && mesh.changes().triangles_gone.empty());
+    EXPECT_TRUE(mesh.changes().edges_come.empty() && mesh.changes().edges_gone.empty());
+    EXPECT_TRUE(mesh.changes().vertices_come.empty() && mesh.changes().vertices_gone.empty());
+    EXPECT_TRUE(mesh.changes().hinges_changed.empty());
+}
+
+// One split edge of a large square: what changed is what lies at its two triangles, however large the square.
+TEST(Changes, of_one_split_are_as_few_in_a_large_mesh_as_in_a_small_one) {
+    for (const int quads : {4, 40}) {
+        AdaptiveMesh mesh(make_square({.columns = quads, .rows = quads}));
+        NoState state;
+        EdgeId inner;
+        for (const Hinge& h : mesh.hinges()) inner = h.edge;
+        adapt(mesh, state, {}, ChosenEdges{{inner}});
+        EXPECT_EQ(mesh.changes().triangles_gone.size(), 2U);
+        EXPECT_EQ(mesh.changes().triangles_come.size(), 4U);
+        EXPECT_EQ(mesh.changes().edges_gone.size(), 1U);
+        EXPECT_EQ(mesh.changes().edges_come.size(), 4U);
+        EXPECT_EQ(mesh.changes().vertices_come.size(), 1U);
+        EXPECT_LE(mesh.changes().hinges_changed.size(), 4U);
+    }
+}
+
+TEST(Changes, leave_what_did_not_change_in_its_place) {
+    AdaptiveMesh mesh(make_square());
+    NoState state;
+    const std::vector<LeafTriangle> before(mesh.leaf_triangles().begin(), mesh.leaf_triangles().end());
+    adapt(mesh, state, {}, ChosenEdges{{mesh.hinges()[3].edge}});
+    std::size_t moved = 0;
+    for (std::size_t i = 0; i < before.size(); ++i) moved += mesh.leaf_triangles()[i] == before[i] ? 0 : 1;
+    EXPECT_EQ(moved, 2U);
+}
+
+
+// A run of random adaptions, now eager to split, now to rejoin. Stops the test at the first broken invariant.
+void adapt_at_random(AdaptiveMesh& mesh, PositionState& state, unsigned seed, int adaptions) {
+    std::mt19937 random(seed);
+    for (int i = 0; i < adaptions; ++i) {
+        const double eagerness = static_cast<double>(random() % 100) / 100.0;
+        const RandomCriterion criterion{random, eagerness, 1.0 - eagerness};
+        adapt(mesh, state, {}, criterion);
+        const std::vector<std::string> problems = check(mesh);
+        ASSERT_TRUE(problems.empty()) << "seed " << seed << ", adaption " << i << ": " << problems.front();
+        ASSERT_EQ(static_cast<std::size_t>(std::count(state.is_used.begin(), state.is_used.end(), true)),
+                  mesh.vertices().size());
+    }
+}
+
+void expect_cycles_to_come_back(const GarmentMesh& base, int cycles, int max_level = 3) {
+    AdaptiveMesh mesh(base, {.max_level = max_level});
+    PositionState state(base, mesh);
+    const PositionState first_state = state;
+    const Snapshot first = Snapshot(mesh).cut_to(mesh);
+    for (int cycle = 0; cycle < cycles; ++cycle) {
+        adapt_at_random(mesh, state, static_cast<unsigned>(cycle), 6);
+        if (testing::Test::HasFatalFailure()) return;
+        set_uniform_level(mesh, state, 0);
+        ASSERT_EQ(mesh.vertices().size(), base.x.size());
+        ASSERT_EQ(mesh.triangles().size(), base.triangles.size());
+        ASSERT_EQ(mesh.edges().size(), mesh.base_edge_count());
+        ASSERT_EQ(Snapshot(mesh).cut_to(mesh), first) << "cycle " << cycle;
+        for (std::size_t v = 0; v < base.x.size(); ++v) ASSERT_EQ(state.x[v], first_state.x[v]);
+    }
+}
+
+TEST(Cycles, bring_a_square_back) {
+    expect_cycles_to_come_back(make_square(), 60);
+}
+
+TEST(Cycles, bring_one_triangle_back) {
+    expect_cycles_to_come_back(one_triangle(), 60, 5);
+}
+
+TEST(Cycles, bring_two_triangles_that_share_a_vertex_back) {
+    expect_cycles_to_come_back(bow_tie(), 40);
+}
+
+TEST(Cycles, bring_a_closed_surface_back) {
+    expect_cycles_to_come_back(octahedron(), 40);
+}
+
+TEST(Cycles, bring_a_sewn_tube_back) {
+    expect_cycles_to_come_back(tube(5, 2), 40);
+}
+
+TEST(Cycles, bring_two_sewn_panels_back) {
+    expect_cycles_to_come_back(front_and_back(3, 1.3), 40);
+}
+
+TEST(Cycles, with_the_same_seed_give_the_same_bits) {
+    const GarmentMesh base = make_square();
+    AdaptiveMesh first(base), second(base);
+    PositionState first_state(base, first), second_state(base, second);
+    adapt_at_random(first, first_state, 11, 20);
+    adapt_at_random(second, second_state, 11, 20);
+    EXPECT_EQ(Snapshot(first), Snapshot(second));
+    EXPECT_EQ(first.leaves(), second.leaves());  // in the same order, too
+    EXPECT_EQ(first_state, second_state);
+    EXPECT_GT(first.leaf_triangles().size(), 32U);
+}
+
+// A pass either splits or rejoins, so that one of two states that follow each other holds all split edges of the other.
+TEST(Cycles, reach_every_transition_that_a_pass_can_ask_for) {
+    AdaptiveMesh mesh(make_square(), {.max_level = 2});
+    NoState state;
+    TransitionCounts counts;
+    std::mt19937 random(3);
+    for (int i = 0; i < 300; ++i) adapt(mesh, state, {.transitions = &counts}, RandomCriterion{random, 0.5, 0.5});
+    for (SplitMask from = 0; from < 8; ++from) {
+        for (SplitMask to = 0; to < 8; ++to) {
+            const bool is_nested = (from & to) == from || (from & to) == to;
+            EXPECT_EQ(counts.between_states(state_of(from), state_of(to)) > 0, is_nested && from != to)
+                << int{from} << " to " << int{to};
+        }
+    }
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <new>
 
-#include "sim/adaptive/square.h"
-#include "sim/adaptive/uniform.h"
+#include "bench/support/square.h"
+#include "sim/adaptive/criteria.h"
 
 namespace {
 std::atomic<std::size_t> allocations{0};

@@ -8,7 +8,6 @@
 
 #include "sim/adaptive/check.h"
 #include "sim/adaptive/criteria.h"
-#include "sim/adaptive/uniform.h"
 #include "tests/sim/adaptive/fixtures.h"
 
 namespace selvedge::test {

@@ -1,10 +1,12 @@
-// Transitions of one actual triangle, through the mesh.
-#include <gtest/gtest.h>
-
+// Which edges may split and rejoin (SPEC 1.2, fig. 3.11), and the trap.
 #include <algorithm>
+#include <gtest/gtest.h>
 #include <map>
 #include <vector>
 
+#include "sim/adaptive/check.h"
+#include "sim/adaptive/configuration.h"
+#include "sim/adaptive/criteria.h"
 #include "tests/sim/adaptive/fixtures.h"
 
 namespace selvedge::test {
@@ -158,5 +160,246 @@ TEST(Transition, that_goes_there_and_back_leaves_nothing_behind) {
     });
 }
 
+
+constexpr VertexId V0{0}, V1{1}, V2{2}, V3{3};
+
+std::size_t state_of_owner(const AdaptiveMesh& mesh) {
+    return state_of(mesh.triangle(kOwner).configuration);
+}
+
+void split_edges(AdaptiveMesh& mesh, std::set<EdgeId> chosen) {
+    NoState state;
+    adapt(mesh, state, {}, ChosenEdges{std::move(chosen)});
+    EXPECT_TRUE(check(mesh).empty()) << check(mesh).front();
+}
+
+TEST(Permission, lets_one_split_follow_another_in_the_same_triangle) {
+    AdaptiveMesh mesh(one_triangle());
+    const EdgeId e0 = edge_between(mesh, V0, V1), e1 = edge_between(mesh, V1, V2), e2 = edge_between(mesh, V2, V0);
+    split_edges(mesh, {e0});
+    EXPECT_EQ(state_of_owner(mesh), 1U);
+    split_edges(mesh, {e0, e1});
+    EXPECT_EQ(state_of_owner(mesh), 4U);
+    split_edges(mesh, {e0, e1, e2});
+    EXPECT_EQ(state_of_owner(mesh), 7U);
+}
+
+TEST(Permission, lets_an_irregular_triangle_go_to_any_state_at_once) {
+    for (unsigned from = 0; from < 8; ++from) {
+        for (unsigned to = 0; to < 8; ++to) {
+            AdaptiveMesh mesh(one_triangle());
+            std::set<EdgeId> before, after;
+            for (std::uint32_t k = 0; k < 3; ++k) {
+                const EdgeId e = mesh.triangle(kOwner).edges[k];
+                if ((from >> k & 1U) != 0) before.insert(e);
+                if ((to >> k & 1U) != 0) after.insert(e);
+            }
+            split_edges(mesh, before);
+            EXPECT_EQ(state_of_owner(mesh), state_of(static_cast<SplitMask>(from)));
+            split_edges(mesh, after);
+            EXPECT_EQ(state_of_owner(mesh), state_of(static_cast<SplitMask>(to)));
+        }
+    }
+}
+
+TEST(Permission, denies_a_split_inside_or_beside_an_irregular_triangle) {
+    AdaptiveMesh mesh(two_triangles());
+    const EdgeId shared = edge_between(mesh, V1, V2);
+    split_edges(mesh, {shared});
+    for (const EdgeId e : mesh.unsplit_edges(1)) EXPECT_FALSE(mesh.may_split(e));
+    EXPECT_EQ(mesh.unsplit_edges(1).size(), 4U);  // two children, two internal edges
+    for (const EdgeId e : mesh.unsplit_edges(0)) EXPECT_TRUE(mesh.may_split(e));
+}
+
+TEST(Permission, lets_a_child_split_only_when_both_neighbours_are_regular) {
+    AdaptiveMesh mesh(two_triangles());
+    const EdgeId shared = edge_between(mesh, V1, V2);
+    const std::set<EdgeId> one_side = {shared, edge_between(mesh, V0, V1), edge_between(mesh, V0, V2)};
+    split_edges(mesh, one_side);
+    EXPECT_EQ(state_of_owner(mesh), 7U);
+    EXPECT_FALSE(mesh.may_split(mesh.edge(shared).children[0]));
+    std::set<EdgeId> both_sides = one_side;
+    both_sides.insert({edge_between(mesh, V1, V3), edge_between(mesh, V3, V2)});
+    split_edges(mesh, both_sides);
+    EXPECT_TRUE(mesh.may_split(mesh.edge(shared).children[0]));
+}
+
+TEST(Permission, denies_a_split_at_the_maximum_level_and_of_a_split_edge) {
+    AdaptiveMesh mesh(one_triangle(), {.max_level = 1});
+    NoState state;
+    set_uniform_level(mesh, state, 1);
+    ASSERT_EQ(mesh.leaf_edges().size(), 9U);
+    for (const LeafEdge& e : mesh.leaf_edges()) EXPECT_FALSE(mesh.may_split(e.edge));
+    for (const EdgeId e : mesh.split_edges(0)) EXPECT_FALSE(mesh.may_split(e));
+}
+
+TEST(Permission, denies_a_rejoin_while_a_child_is_split) {
+    AdaptiveMesh mesh(one_triangle());
+    const EdgeId e0 = edge_between(mesh, V0, V1), e1 = edge_between(mesh, V1, V2), e2 = edge_between(mesh, V2, V0);
+    split_edges(mesh, {e0, e1, e2});
+    EXPECT_TRUE(mesh.may_rejoin(e0) && mesh.may_rejoin(e1) && mesh.may_rejoin(e2));
+    split_edges(mesh, {e0, e1, e2, mesh.edge(e0).children[0]});
+    EXPECT_FALSE(mesh.may_rejoin(e0));
+    // Its neighbours' children are whole, but theirs is the same S7 triangle, which must stay as it is.
+    EXPECT_FALSE(mesh.may_rejoin(e1));
+    EXPECT_FALSE(mesh.may_rejoin(e2));
+}
+
+TEST(Permission, denies_a_rejoin_while_an_internal_edge_is_split) {
+    AdaptiveMesh mesh(one_triangle());
+    const std::set<EdgeId> external = {EdgeId(0), EdgeId(1), EdgeId(2)};
+    split_edges(mesh, external);
+    std::set<EdgeId> with_internal = external;
+    with_internal.insert(mesh.triangle(kOwner).internal_edges[1]);
+    split_edges(mesh, with_internal);
+    for (const EdgeId e : external) EXPECT_FALSE(mesh.may_rejoin(e));
+    split_edges(mesh, external);
+    for (const EdgeId e : external) EXPECT_TRUE(mesh.may_rejoin(e));
+}
+
+TEST(Permission, binds_across_an_edge_but_not_beyond_the_neighbour) {
+    AdaptiveMesh mesh(two_triangles());
+    NoState state;
+    set_uniform_level(mesh, state, 1);
+    const EdgeId shared = edge_between(mesh, V1, V2);
+    std::set<EdgeId> keep = {mesh.edge(edge_between(mesh, V0, V1)).children[0]};
+    for (const EdgeId e : mesh.split_edges(0)) keep.insert(e);
+    split_edges(mesh, keep);
+    EXPECT_FALSE(mesh.may_rejoin(shared));                     // its left side is S7 with a split child
+    EXPECT_TRUE(mesh.may_rejoin(edge_between(mesh, V1, V3)));  // borders the right triangle alone
+}
+
 }  // namespace
 }  // namespace selvedge::test
+
+namespace selvedge {
+namespace {
+
+constexpr std::array<std::size_t, kConfigurations> kStateOf = {0, 1, 2, 3, 4, 4, 5, 5, 6, 6, 7};
+constexpr std::array<SplitMask, kStates> kSplitOf = {0, 1, 2, 4, 3, 6, 5, 7};
+
+std::vector<Configuration> all_configurations() {
+    std::vector<Configuration> all;
+    for (std::size_t i = 0; i < kConfigurations; ++i) all.push_back(static_cast<Configuration>(i));
+    return all;
+}
+
+std::vector<std::array<LocalPoint, 3>> triangles_of(Configuration c) {
+    std::vector<std::array<LocalPoint, 3>> triangles;
+    for (std::size_t i = 0; i < layout(c).triangle_count; ++i) triangles.push_back(layout(c).triangles[i].points);
+    std::sort(triangles.begin(), triangles.end());
+    return triangles;
+}
+
+using Triangles = std::vector<std::array<LocalPoint, 3>>;
+
+// Local points of an actual triangle, in sixteenths: areas are exact.
+std::array<int, 2> place(LocalPoint p) {
+    constexpr std::array<std::array<int, 2>, 6> kPlaces = {{{0, 0}, {8, 0}, {0, 8}, {4, 0}, {4, 4}, {0, 4}}};
+    return kPlaces[p];
+}
+
+int twice_area(const std::array<LocalPoint, 3>& points) {
+    const auto a = place(points[0]), b = place(points[1]), c = place(points[2]);
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+TEST(Configuration, each_belongs_to_its_state) {
+    for (const Configuration c : all_configurations()) {
+        EXPECT_EQ(state_of(c), kStateOf[index_of(c)]);
+        EXPECT_EQ(layout(c).split, kSplitOf[kStateOf[index_of(c)]]);
+    }
+}
+
+TEST(Configuration, has_the_triangles_that_the_thesis_draws) {
+    EXPECT_EQ(triangles_of(Configuration::C0), Triangles{});
+    EXPECT_EQ(triangles_of(Configuration::C1), (Triangles{{0, 3, 2}, {1, 2, 3}}));
+    EXPECT_EQ(triangles_of(Configuration::C2), (Triangles{{0, 1, 4}, {0, 4, 2}}));
+    EXPECT_EQ(triangles_of(Configuration::C3), (Triangles{{0, 1, 5}, {1, 2, 5}}));
+    EXPECT_EQ(triangles_of(Configuration::C4), (Triangles{{0, 3, 2}, {1, 4, 3}, {2, 3, 4}}));
+    EXPECT_EQ(triangles_of(Configuration::C5), (Triangles{{0, 3, 4}, {0, 4, 2}, {1, 4, 3}}));
+    EXPECT_EQ(triangles_of(Configuration::C6), (Triangles{{0, 1, 4}, {0, 4, 5}, {2, 5, 4}}));
+    EXPECT_EQ(triangles_of(Configuration::C7), (Triangles{{0, 1, 5}, {1, 4, 5}, {2, 5, 4}}));
+    EXPECT_EQ(triangles_of(Configuration::C8), (Triangles{{0, 3, 5}, {1, 2, 5}, {1, 5, 3}}));
+    EXPECT_EQ(triangles_of(Configuration::C9), (Triangles{{0, 3, 5}, {1, 2, 3}, {2, 5, 3}}));
+    EXPECT_EQ(triangles_of(Configuration::C10), (Triangles{{0, 3, 5}, {1, 4, 3}, {2, 5, 4}, {3, 4, 5}}));
+}
+
+TEST(Configuration, fills_its_triangle_without_overlap) {
+    for (const Configuration c : all_configurations()) {
+        if (c == Configuration::C0) continue;
+        int sum = 0;
+        for (const auto& points : triangles_of(c)) {
+            EXPECT_GT(twice_area(points), 0);
+            sum += twice_area(points);
+        }
+        EXPECT_EQ(sum, 64);
+    }
+}
+
+TEST(Configuration, uses_each_internal_edge_twice_and_each_piece_of_an_external_edge_once) {
+    for (const Configuration c : all_configurations()) {
+        std::array<int, kLocalEdges> uses{};
+        for (std::size_t i = 0; i < layout(c).triangle_count; ++i) {
+            for (const LocalEdge e : layout(c).triangles[i].edges) ++uses[e];
+        }
+        if (c == Configuration::C0) continue;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const bool is_split = (layout(c).split >> k & 1) != 0;
+            EXPECT_EQ(uses[k], is_split ? 0 : 1);
+            EXPECT_EQ(uses[3 + 2 * k], is_split ? 1 : 0);
+            EXPECT_EQ(uses[4 + 2 * k], is_split ? 1 : 0);
+            EXPECT_EQ(uses[kFirstInternalEdge + k], k < layout(c).edge_count ? 2 : 0);
+        }
+    }
+}
+
+TEST(Transition, keeps_exactly_what_both_configurations_share) {
+    for (const Configuration from : all_configurations()) {
+        for (const Configuration to : all_configurations()) {
+            const Transition& plan = transition(from, to);
+            const Triangles old_triangles = triangles_of(from), new_triangles = triangles_of(to);
+            Triangles shared;
+            std::set_intersection(old_triangles.begin(), old_triangles.end(), new_triangles.begin(),
+                                  new_triangles.end(), std::back_inserter(shared));
+            Triangles kept;
+            for (std::size_t i = 0; i < layout(to).triangle_count; ++i) {
+                if (plan.triangle_from[i] == kNoSlot) continue;
+                EXPECT_EQ(layout(from).triangles[plan.triangle_from[i]].points, layout(to).triangles[i].points);
+                EXPECT_FALSE(plan.drops_triangle[plan.triangle_from[i]]);
+                kept.push_back(layout(to).triangles[i].points);
+            }
+            std::sort(kept.begin(), kept.end());
+            EXPECT_EQ(kept, shared);
+        }
+    }
+}
+
+TEST(Transition, to_the_same_configuration_is_no_work) {
+    for (const Configuration c : all_configurations()) EXPECT_EQ(transition(c, c).work, 0);
+}
+
+TEST(LeastWork, takes_the_diagonal_that_is_already_there) {
+    EXPECT_EQ(least_work(Configuration::C1, 0b011), Configuration::C4);
+    EXPECT_EQ(least_work(Configuration::C2, 0b011), Configuration::C5);
+    EXPECT_EQ(least_work(Configuration::C2, 0b110), Configuration::C6);
+    EXPECT_EQ(least_work(Configuration::C3, 0b110), Configuration::C7);
+    EXPECT_EQ(least_work(Configuration::C3, 0b101), Configuration::C8);
+    EXPECT_EQ(least_work(Configuration::C1, 0b101), Configuration::C9);
+}
+
+TEST(LeastWork, stays_where_it_is_and_conforms_wherever_it_goes) {
+    for (const Configuration from : all_configurations()) {
+        EXPECT_EQ(least_work(from, layout(from).split), from);
+        for (SplitMask split = 0; split < 8; ++split) EXPECT_EQ(layout(least_work(from, split)).split, split);
+    }
+}
+
+TEST(LeastWork, takes_the_first_where_both_are_equal) {
+    EXPECT_EQ(least_work(Configuration::C0, 0b011), Configuration::C4);
+    EXPECT_EQ(least_work(Configuration::C10, 0b110), Configuration::C6);
+}
+
+}  // namespace
+
+}  // namespace selvedge

@@ -11,7 +11,7 @@
 
 #include "sim/adaptive/adapt.h"
 #include "sim/adaptive/check.h"
-#include "sim/adaptive/square.h"
+#include "bench/support/square.h"
 
 namespace selvedge::test {
 namespace {

@@ -1,8 +1,8 @@
 // The tests' own instruments must be able to fail.
 #include <gtest/gtest.h>
 
-#include "tests/sim/body/body_checks.h"
-#include "tests/sim/body/shapes.h"
+#include "tests/support/body_checks.h"
+#include "tests/support/bodies.h"
 
 namespace selvedge {
 namespace {

@@ -7,10 +7,10 @@
 #include <random>
 #include <sstream>
 
-#include "sim/body/body_collider.h"
+#include "sim/collide/body_collider.h"
 #include "sim/core/error.h"
-#include "tests/sim/body/shapes.h"
-#include "tests/sim/body/temporary_folder.h"
+#include "tests/support/bodies.h"
+#include "tests/support/temporary_folder.h"
 
 namespace selvedge {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/sim/body/shapes.h"
+#include "tests/support/bodies.h"
 
 namespace selvedge {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/body/mannequin.h"
-#include "tests/sim/body/body_checks.h"
-#include "tests/sim/body/shapes.h"
+#include "sim/mannequin/mannequin.h"
+#include "tests/support/body_checks.h"
+#include "tests/support/bodies.h"
 
 namespace selvedge {
 namespace {

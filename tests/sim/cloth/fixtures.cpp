@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/adaptive/square.h"
-#include "sim/adaptive/uniform.h"
-#include "sim/mesh/assemble.h"
-#include "tests/sim/body/shapes.h"
+#include "bench/support/square.h"
+#include "sim/adaptive/criteria.h"
+#include "sim/mesh/sew.h"
+#include "tests/support/bodies.h"
 
 namespace selvedge::test {
 namespace {

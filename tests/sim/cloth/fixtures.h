@@ -4,7 +4,7 @@
 #include <random>
 
 #include "sim/body/body.h"
-#include "sim/body/body_collider.h"
+#include "sim/collide/body_collider.h"
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/step.h"
 

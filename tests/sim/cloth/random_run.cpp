@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench/support/square.h"
 #include "sim/adaptive/check.h"
-#include "sim/adaptive/square.h"
-#include "sim/cloth/material_frame.h"
-#include "sim/cloth/stretch.h"
+#include "sim/cloth/cloth.h"
+#include "sim/cloth/curvature_map.h"
 #include "sim/cloth/triangle_bending.h"
 
 namespace selvedge::test {

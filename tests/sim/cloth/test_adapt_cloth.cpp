@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "sim/adaptive/check.h"
-#include "sim/body/analytic_collider.h"
+#include "sim/collide/collider.h"
 #include "tests/sim/cloth/fixtures.h"
 
 namespace selvedge::test {

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <optional>
 
-#include "sim/body/analytic_collider.h"
+#include "sim/collide/collider.h"
 #include "sim/cloth/adapt_cloth.h"
-#include "sim/cloth/stretch.h"
+#include "sim/cloth/cloth.h"
 #include "tests/sim/cloth/fixtures.h"
 
 namespace selvedge::test {

@@ -9,9 +9,9 @@
 #include <numbers>
 #include <set>
 
-#include "sim/cloth/block_lanes.h"
+#include "sim/cloth/solver_blocks.h"
 #include "sim/cloth/kernels.h"
-#include "tests/sim/body/shapes.h"
+#include "tests/support/bodies.h"
 #include "tests/sim/cloth/fixtures.h"
 
 namespace selvedge::test {

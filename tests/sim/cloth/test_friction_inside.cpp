@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "sim/cloth/adapt_cloth.h"
-#include "sim/cloth/block_lanes.h"
+#include "sim/cloth/solver_blocks.h"
 #include "sim/cloth/kernels.h"
 #include "sim/cloth/triangle_bending.h"
 #include "tests/sim/cloth/fixtures.h"

@@ -9,7 +9,7 @@
 #include <functional>
 
 #include "sim/cloth/adapt_cloth.h"
-#include "sim/cloth/stretch.h"
+#include "sim/cloth/cloth.h"
 #include "tests/sim/cloth/fixtures.h"
 
 namespace selvedge::test {

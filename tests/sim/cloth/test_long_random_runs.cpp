@@ -1,7 +1,7 @@
 // Anything may happen to a cloth, 10,000 adaptions long.
 #include <gtest/gtest.h>
 
-#include "tests/sim/cloth/random_seeds.h"
+#include "tests/sim/cloth/random_run.h"
 
 namespace selvedge::test {
 namespace {

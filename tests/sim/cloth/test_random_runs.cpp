@@ -1,7 +1,7 @@
 // Anything may happen to a cloth, and it stays a cloth. The short version; test_long_random_runs.cpp has the long one.
 #include <gtest/gtest.h>
 
-#include "tests/sim/cloth/random_seeds.h"
+#include "tests/sim/cloth/random_run.h"
 
 namespace selvedge::test {
 namespace {

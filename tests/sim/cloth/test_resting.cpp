@@ -9,7 +9,7 @@
 
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/wind.h"
-#include "tests/sim/body/shapes.h"
+#include "tests/support/bodies.h"
 #include "tests/sim/cloth/fixtures.h"
 
 namespace selvedge::test {

@@ -10,7 +10,7 @@
 #include <set>
 
 #include "sim/cloth/adapt_cloth.h"
-#include "sim/cloth/block_lanes.h"
+#include "sim/cloth/solver_blocks.h"
 #include "sim/cloth/kernels.h"
 #include "tests/sim/cloth/fixtures.h"
 

@@ -4,7 +4,6 @@
 
 #include <vector>
 
-#include "sim/core/ids.h"
 
 namespace selvedge {
 namespace {

@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <limits>
 
-#include "sim/body/mannequin.h"
-#include "sim/core/quantile.h"
-#include "sim/dress/clearance.h"
-#include "sim/mesh/mesh_strain.h"
+#include "sim/mannequin/mannequin.h"
+#include "sim/core/math.h"
+#include "sim/place/fit.h"
+#include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern_file.h"
 

@@ -1,10 +1,19 @@
-// A drape under way, frame by frame.
-#include "sim/dress/drape.h"
-
+// Closing seams round a body, and saying so where they do not close.
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 
-#include "sim/adaptive/square.h"
-#include "sim/body/analytic_collider.h"
+#include "bench/support/square.h"
+#include "sim/collide/body_collider.h"
+#include "sim/collide/collider.h"
+#include "sim/dress/drape.h"
+#include "sim/dress/sewing.h"
+#include "sim/mesh/garment_mesh.h"
+#include "sim/mesh/sew.h"
+#include "tests/sim/dress/shapes.h"
+#include "tests/sim/mesh/shapes.h"
+#include "tests/support/bodies.h"
 
 namespace selvedge::test {
 namespace {
@@ -48,6 +57,96 @@ TEST(DrapeRun, rests_only_where_that_is_asked_for) {
     for (int frame = 0; frame < 300; ++frame) run.advance(cloth, ball());
     EXPECT_FALSE(is_at_rest(cloth));
     EXPECT_EQ(run.result().adaption_ms.size(), 300U);
+}
+
+
+// 0.2 x 0.12 m, so 0.64 m round, from the floor up.
+class SewOnABox : public testing::Test {
+ protected:
+    SewingResult sew(const Pattern& pattern) {
+        unsewn_ = assemble(pattern);
+        const std::vector<Fabric> fabrics(pattern.panels.size(), find_fabric("cotton_shirting"));
+        return sew_on_body(unsewn_, fabrics, collider_, {}, {});
+    }
+    double deepest(const GarmentMesh& mesh) const {
+        double least = 1;
+        for (const Vec3d& x : mesh.x) {
+            const auto closest = collider_.surface().closest(x.cast<float>(), std::numeric_limits<float>::infinity());
+            least = std::min(least, double(closest->distance));
+        }
+        return least;
+    }
+
+    const Body box_ = shapes::box(Vec3d(-0.1, 0, -0.06), Vec3d(0.1, 1.4, 0.06), 12);
+    const BodyCollider collider_{box_, {.cell = 0.004F, .band = 0.016F}};
+    GarmentMesh unsewn_;
+};
+
+TEST_F(SewOnABox, closes_two_panels_into_a_tube_that_is_long_enough) {
+    const SewingResult result = sew(tube(0.40, 0.3, 0.8, 0.15));
+    ASSERT_FALSE(result.bad_vertex);
+    EXPECT_TRUE(result.open.empty());
+    EXPECT_TRUE(result.sewn.links.empty());
+    EXPECT_EQ(result.sewn.x.size(), unsewn_.x.size() - unsewn_.links.size());
+    EXPECT_TRUE(check_mesh(result.sewn).empty());
+    const Topology topology = topology_of(result.sewn);
+    EXPECT_EQ(topology.boundary_loops, 2);
+    EXPECT_EQ(topology.euler, 0);
+    EXPECT_GT(deepest(result.sewn), -0.0005);
+    EXPECT_GT(result.simulated_seconds, 0);
+}
+
+TEST_F(SewOnABox, leaves_the_body_inside_the_tube) {
+    const SewingResult result = sew(tube(0.40, 0.3, 0.8, 0.15));
+    double front = -1;
+    double back = 1;
+    for (const GarmentTriangle& t : result.sewn.triangles) {
+        Vec3d middle = Vec3d::Zero();
+        for (const int v : t.vertices) middle += result.sewn.x[std::size_t(v)] / 3;
+        if (std::abs(middle.x()) > 0.05) continue;
+        if (t.panel == 0) front = std::max(front, -middle.z());
+        if (t.panel == 1) back = std::min(back, -middle.z());
+    }
+    EXPECT_LT(front, -0.06) << "the front panel went through the body";
+    EXPECT_GT(back, 0.06) << "the back panel went through the body";
+}
+
+TEST_F(SewOnABox, gives_the_same_bits_twice) {
+    const SewingResult first = sew(tube(0.40, 0.3, 0.8, 0.15));
+    const SewingResult second = sew(tube(0.40, 0.3, 0.8, 0.15));
+    EXPECT_EQ(first.sewn.x, second.sewn.x);
+}
+
+TEST_F(SewOnABox, sews_nothing_where_there_is_no_seam) {
+    Pattern pattern = tube(0.40, 0.3, 0.8, 0.15);
+    pattern.seams.clear();
+    const SewingResult result = sew(pattern);
+    EXPECT_TRUE(result.open.empty());
+    EXPECT_EQ(result.sewn.x.size(), unsewn_.x.size());
+}
+
+// A wall stands between the two sides of the seam, far wider and higher than the panels: nothing can bring them
+// together.
+TEST(SewOnABody, a_seam_that_cannot_close_is_open_and_gapes_by_the_body_between) {
+    const Body wall = shapes::box(Vec3d(-0.6, 0, -0.06), Vec3d(0.6, 1.6, 0.06), 12);
+    const BodyCollider collider(wall, {.cell = 0.006F, .band = 0.024F});
+    const std::vector<Fabric> fabrics(2, find_fabric("cotton_shirting"));
+    const SewingResult result = sew_on_body(assemble(tabard(0.14, 0.3, 0.5, 0.15)), fabrics, collider, {}, {});
+    ASSERT_FALSE(result.bad_vertex);
+    EXPECT_TRUE(result.sewn.links.empty());
+    EXPECT_TRUE(check_mesh(result.sewn).empty());
+    double least = 1;  // m, on the panel's own side of the wall's middle
+    for (const GarmentTriangle& t : result.sewn.triangles) {
+        for (const int v : t.vertices) {
+            const double z = result.sewn.x[std::size_t(v)].z();
+            least = std::min(least, t.panel == 0 ? z : -z);
+        }
+    }
+    EXPECT_GT(least, 0.0595) << "a panel went through the wall";
+    ASSERT_EQ(result.open.size(), 1U);
+    EXPECT_EQ(result.open[0].seam, 0);
+    EXPECT_GT(result.open[0].gap, 0.12F);
+    EXPECT_LT(result.open[0].gap, 0.3F);
 }
 
 }  // namespace

@@ -11,10 +11,10 @@
 #include <string>
 #include <string_view>
 
-#include "sim/body/mannequin.h"
-#include "sim/body/surface_bvh.h"
+#include "sim/mannequin/mannequin.h"
+#include "sim/collide/surface_bvh.h"
 #include "sim/pattern/pattern_file.h"
-#include "tests/sim/body/shapes.h"
+#include "tests/support/bodies.h"
 #include "tests/sim/dress/shapes.h"
 
 namespace selvedge::test {

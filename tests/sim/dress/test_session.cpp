@@ -1,20 +1,26 @@
-// The running drape, driven by the caller: the same bits each time, and no clock.
-#include "sim/dress/session.h"
-
-#include <gtest/gtest.h>
-
+// What pictures show of a garment beside its positions: levels, the hierarchy, strain and clearance as plain data.
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <functional>
+#include <gtest/gtest.h>
 #include <limits>
+#include <thread>
 
-#include "sim/body/mannequin.h"
-#include "sim/core/quantile.h"
-#include "sim/dress/clearance.h"
+#include "sim/cloth/cloth.h"
+#include "sim/core/math.h"
 #include "sim/dress/dress.h"
-#include "sim/mesh/mesh_strain.h"
+#include "sim/dress/report.h"
+#include "sim/dress/session.h"
+#include "sim/dress/session_frame.h"
+#include "sim/mannequin/mannequin.h"
+#include "sim/mesh/garment_mesh.h"
+#include "sim/mesh/sew.h"
 #include "sim/pattern/pattern_file.h"
+#include "sim/place/fit.h"
 #include "tests/sim/dress/session_support.h"
 #include "tests/sim/dress/shapes.h"
+#include "tests/support/bodies.h"
 
 namespace selvedge::test {
 namespace {
@@ -266,6 +272,305 @@ TEST(SessionOfATshirt, settles_with_the_same_figures_as_dress) {
     EXPECT_NEAR(stretch_p99(frame->mesh), dressed.report.stretch.warp_weft_p99, 0.005);
     EXPECT_NEAR(frame->statistics.leaf_triangles, dressed.report.mesh.leaf_triangles,
                 0.1 * dressed.report.mesh.leaf_triangles);
+}
+
+
+// Where the vertex of a mesh is that is nearest to a point of another in the same panel's material, m.
+Vec3f nearest_vertex(const PlainMesh& mesh, const PlainMesh& other, const ClothPoint& point) {
+    Vec2f wanted = Vec2f::Zero();
+    for (std::size_t k = 0; k < 3; ++k) {
+        wanted += point.weights[static_cast<Eigen::Index>(k)] * other.u[point.triangle][k];
+    }
+    Vec3f found = Vec3f::Zero();
+    float least = 10;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (mesh.panel[t] != other.panel[point.triangle]) continue;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const float distance = (mesh.u[t][k] - wanted).norm();
+            if (distance >= least) continue;
+            least = distance;
+            found = mesh.x[mesh.triangles[t][k]];
+        }
+    }
+    return found;
+}
+
+class SessionHands : public testing::Test {
+ protected:
+    SessionHands() {
+        session_.set_body(session_body());
+        SessionOptions options = coarse_options();
+        options.max_level = 2;
+        session_.set_options(options);
+        session_.set_pattern(session_pattern("two_squares"));
+        settle(session_);
+    }
+
+    // m, from the point of the cloth that is nearest
+    float nearest_to(const Vec3f& place) const {
+        float least = 10;
+        for (const Vec3f& x : session_.frame()->mesh.x) least = std::min(least, (x - place).norm());
+        return least;
+    }
+
+    Session session_{SessionDrive::Caller};
+};
+
+TEST_F(SessionHands, a_pulled_point_comes_along_and_to_rest) {
+    const auto before = session_.frame();
+    const ClothPoint hem = furthest_point(*before, 0, Vec3f(0, -1, 0.2F));
+    const Vec3f goal = position_of(*before, hem) + Vec3f(0, 0.05F, 0.08F);
+    session_.pull(hem, goal);
+    session_.advance(1);
+    EXPECT_EQ(session_.frame()->stage, SessionStage::Draping);
+    session_.advance(400);
+    EXPECT_EQ(session_.frame()->stage, SessionStage::Settled);
+    EXPECT_LT(nearest_to(goal), 0.005F);
+    EXPECT_GT(least_clearance(session_.frame()->mesh), -0.0005F);
+    session_.let_go();
+    session_.advance(400);
+    EXPECT_EQ(session_.frame()->stage, SessionStage::Settled);
+    EXPECT_GT(nearest_to(goal), 0.01F);
+}
+
+// An editor says in each of its frames where the hand is.
+TEST_F(SessionHands, a_garment_that_a_hand_holds_still_settles_and_costs_no_steps) {
+    const auto before = session_.frame();
+    const ClothPoint hem = furthest_point(*before, 0, Vec3f(0, -1, 0.2F));
+    const Vec3f goal = position_of(*before, hem) + Vec3f(0, 0.05F, 0.08F);
+    session_.pull(hem, goal);
+    for (int i = 0; i < 400; ++i) {
+        session_.pull_to(goal);
+        session_.advance(1);
+    }
+    EXPECT_EQ(session_.frame()->stage, SessionStage::Settled);
+    const double settled_at = session_.frame()->statistics.simulated_seconds;
+    for (int i = 0; i < 30; ++i) {
+        session_.pull_to(goal);
+        session_.advance(1);
+    }
+    EXPECT_EQ(session_.frame()->statistics.simulated_seconds, settled_at);
+    session_.pull_to(goal + Vec3f(0, 0.02F, 0));
+    session_.advance(1);
+    EXPECT_EQ(session_.frame()->stage, SessionStage::Draping);
+}
+
+TEST_F(SessionHands, a_pull_that_the_cloth_cannot_follow_neither_tears_it_nor_pushes_it_into_the_body) {
+    const auto before = session_.frame();
+    const ClothPoint hem = furthest_point(*before, 0, Vec3f(0, -1, 0.2F));
+    for (const Vec3f& way : {Vec3f(0, 0, 3), Vec3f(0, 0.1F, -1), Vec3f(0, -4, 0)}) {
+        session_.pull(hem, position_of(*before, hem) + way);
+        for (int i = 0; i < 10; ++i) {
+            session_.advance(6);
+            ASSERT_EQ(session_.frame()->problem, "");
+            EXPECT_LT(stretch_p99(session_.frame()->mesh), 0.08);
+            EXPECT_GT(least_clearance(session_.frame()->mesh), -0.0005F);
+        }
+    }
+    session_.let_go();
+    session_.advance(400);
+    EXPECT_EQ(session_.frame()->stage, SessionStage::Settled);
+}
+
+TEST_F(SessionHands, a_pin_holds_its_point_exactly_whatever_is_pulled) {
+    const auto before = session_.frame();
+    const ClothPoint hem = furthest_point(*before, 0, Vec3f(0, -1, 0));
+    session_.pin(hem);
+    session_.advance(0);
+    ASSERT_EQ(session_.frame()->pins.size(), 1U);
+    const Vec3f pinned = session_.frame()->pins.front();
+    EXPECT_EQ(pinned, position_of(*before, hem));
+    // On the other side of the body: where two panels' hems meet in a seam the lowest points of both are one.
+    const ClothPoint pulled = furthest_point(*before, 1, Vec3f(pinned.x() > 0 ? -1.0F : 1.0F, -1, 0));
+    ASSERT_GT((position_of(*before, pulled) - pinned).norm(), 0.1F);
+    session_.pull(pulled, Vec3f(0.4F, 1.2F, -0.4F));
+    for (int i = 0; i < 30; ++i) {
+        session_.advance(3);
+        ASSERT_EQ(session_.frame()->pins.size(), 1U);
+        EXPECT_EQ(session_.frame()->pins.front(), pinned);
+        EXPECT_EQ(nearest_to(pinned), 0);
+    }
+    session_.unpin_all();
+    session_.advance(60);
+    EXPECT_TRUE(session_.frame()->pins.empty());
+    EXPECT_GT(nearest_to(pinned), 0);
+}
+
+TEST_F(SessionHands, a_pin_outlives_other_levels_and_an_edited_outline) {
+    session_.pin(furthest_point(*session_.frame(), 0, Vec3f(1, 0, 1)));
+    SessionOptions options = coarse_options();
+    options.max_level = 0;
+    session_.set_options(options);
+    session_.advance(40);
+    ASSERT_EQ(session_.frame()->pins.size(), 1U);
+    Pattern pattern = session_pattern("two_squares");
+    pattern.panels[0].vertices[0].y() -= 0.02;
+    session_.set_pattern(pattern);
+    session_.advance(40);
+    EXPECT_EQ(session_.frame()->pins.size(), 1U);
+    EXPECT_EQ(nearest_to(session_.frame()->pins.front()), 0);
+}
+
+TEST_F(SessionHands, take_hold_of_what_was_seen_some_frames_ago) {
+    const auto before = session_.frame();
+    const ClothPoint hem = furthest_point(*before, 0, Vec3f(0, -1, 0));
+    SessionOptions options = coarse_options();
+    options.max_level = 0;  // other triangles
+    session_.set_options(options);
+    session_.advance(10);
+    session_.pin(hem);
+    session_.advance(0);
+    ASSERT_EQ(session_.frame()->pins.size(), 1U);
+    EXPECT_EQ(session_.frame()->pins.front(), nearest_vertex(session_.frame()->mesh, before->mesh, hem));
+    session_.advance(100);
+    session_.pin(hem);
+    session_.advance(0);
+    EXPECT_EQ(session_.frame()->pins.size(), 1U);
+    EXPECT_EQ(session_.frame()->messages.back(), "what was to be pinned is no longer there");
+}
+
+TEST_F(SessionHands, go_with_a_reset) {
+    session_.pin(furthest_point(*session_.frame(), 0, Vec3f(0, -1, 0)));
+    session_.reset();
+    settle(session_);
+    EXPECT_TRUE(session_.frame()->pins.empty());
+}
+
+
+// Small: its collider is made in no time.
+std::shared_ptr<const Body> small_body() {
+    static const auto body = std::make_shared<const Body>(shapes::box(Vec3d(-0.1, 0, -0.06), Vec3d(0.1, 1.7, 0.06), 6));
+    return body;
+}
+
+Pattern small_pattern() {
+    Pattern pattern = tube(0.40, 0.2, 1.2, 0.15);
+    pattern.body = "mannequin:sex=female,height=170,resolution=1";
+    pattern.edge_length = 0.08;
+    return pattern;
+}
+
+// Whether it came to be within a time that is far more than it needs.
+bool comes_to_be(const std::function<bool()>& is_so) {
+    for (int i = 0; i < 6000; ++i) {
+        if (is_so()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+}
+
+TEST(SessionThread, settles_by_itself_and_then_makes_no_frames) {
+    Session session;
+    session.set_options(coarse_options());
+    session.set_body(session_body());
+    session.set_pattern(session_pattern("two_squares"));
+    session.start();
+    ASSERT_TRUE(comes_to_be([&] { return session.frame()->stage == SessionStage::Settled; }));
+    const auto number = session.frame()->number;
+    std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    EXPECT_EQ(session.frame()->number, number);
+    session.pull(furthest_point(*session.frame(), 0, Vec3f(0, -1, 0)), Vec3f(0, 1, 0.3F));
+    EXPECT_TRUE(comes_to_be([&] { return session.frame()->number > number + 3; }));
+}
+
+TEST(SessionThread, ends_at_once_while_a_collider_is_made_or_panels_are_sewn) {
+    for (int i = 0; i < 6; ++i) {
+        Session session;
+        session.set_body(session_body());
+        session.set_pattern(session_pattern("two_squares"));
+        session.start();
+        std::this_thread::sleep_for(std::chrono::milliseconds(60 * i));
+    }
+}
+
+TEST(SessionThread, takes_whatever_is_asked_for_in_quick_succession) {
+    for (int round = 0; round < 200; ++round) {
+        Session session;
+        SessionOptions options = coarse_options();
+        options.keeps_real_time = round % 2 == 0;
+        options.max_level = round % 3;
+        session.set_options(options);
+        Pattern pattern = small_pattern();
+        session.set_pattern(pattern);
+        session.set_body(small_body());
+        session.start();
+        if (round % 4 == 1) session.pause();
+        pattern.panels[0].vertices[0].x() -= 0.001 * round;
+        session.set_pattern(pattern);
+        session.pull({.frame = session.frame()->number}, Vec3f(0, 1, 1));
+        if (round % 5 == 0) session.reset();
+        session.start();
+        session.pin({.frame = session.frame()->number, .triangle = 3});
+        session.keep("it");
+        session.restore("it");
+        if (round % 7 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(round % 11));
+        session.let_go();
+        session.unpin_all();
+        ASSERT_NE(session.frame(), nullptr);
+    }
+}
+
+
+Cloth flat_tube() {
+    Pattern pattern = tube(0.4, 0.3, 0.8, 0.15);
+    pattern.seams.clear();
+    return make_cloth(assemble(pattern), {Fabric{}, Fabric{}});
+}
+
+void split_all_base_edges(Cloth& cloth) {
+    for (std::size_t e = 0; e < cloth.mesh.base_edge_count(); ++e)
+        cloth.mesh.split(EdgeId(static_cast<std::uint32_t>(e)));
+    cloth.mesh.retriangulate(0);
+    cloth.mesh.refresh_lists();
+    size_state(cloth, cloth.mesh.vertex_capacity());
+}
+
+TEST(Hierarchy, lists_every_triangle_once_each_before_what_it_was_refined_to) {
+    Cloth cloth = flat_tube();
+    const std::size_t base = cloth.mesh.base_triangle_count();
+    EXPECT_EQ(triangle_hierarchy(cloth).size(), base);
+    split_all_base_edges(cloth);
+    const TriangleHierarchy all = triangle_hierarchy(cloth);
+    ASSERT_EQ(all.size(), 5 * base);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        EXPECT_EQ(all[i].level, i % 5 == 0 ? 0 : 1) << i;
+        EXPECT_EQ(all[i].is_leaf, i % 5 != 0) << i;
+        EXPECT_EQ(all[i].panel, all[i - i % 5].panel) << i;
+    }
+}
+
+TEST(PlainMeshOfCloth, vertices_carry_the_level_that_they_were_born_at) {
+    Cloth cloth = flat_tube();
+    split_all_base_edges(cloth);
+    const PlainMesh mesh = plain_mesh(cloth, {"front", "back"});
+    ASSERT_EQ(mesh.vertex_level.size(), mesh.x.size());
+    const auto base = std::count(mesh.vertex_level.begin(), mesh.vertex_level.end(), 0);
+    EXPECT_EQ(static_cast<std::size_t>(base), cloth.mesh.base_vertex_count());
+    EXPECT_EQ(mesh.x.size(), cloth.mesh.base_vertex_count() + cloth.mesh.base_edge_count());
+}
+
+TEST(MeshStrainOfCloth, is_what_the_solver_measures) {
+    Cloth cloth = flat_tube();
+    cloth.material.grain_angles = {0.3F, -0.8F};
+    for (Vec4f& x : cloth.x) x = Vec4f(1.04F * x.x() + 0.1F * x.y(), 0.98F * x.y(), x.z() + 0.2F * x.x(), 0);
+    const std::vector<TriangleStrain> expected = measure_strain(cloth);
+    const std::vector<MeshStrain> strain = measure_strain(plain_mesh(cloth, {"front", "back"}));
+    ASSERT_EQ(strain.size(), expected.size());
+    for (std::size_t i = 0; i < strain.size(); ++i) {
+        EXPECT_NEAR(strain[i].warp, expected[i].warp, 1e-4F);
+        EXPECT_NEAR(strain[i].weft, expected[i].weft, 1e-4F);
+    }
+}
+
+TEST(Clearance, is_the_distance_to_the_surface_and_negative_inside) {
+    const Body ball = shapes::sphere(Vec3d(0, 1, 0), 0.2, 48);
+    const std::vector<float> distances =
+        measure_clearance({Vec3f(0, 1.25F, 0), Vec3f(0.5F, 1, 0), Vec3f(0, 1, 0.19F), Vec3f(0, 6, 0)}, ball);
+    ASSERT_EQ(distances.size(), 4U);
+    EXPECT_NEAR(distances[0], 0.05F, 1e-3F);
+    EXPECT_NEAR(distances[1], 0.30F, 1e-3F);
+    EXPECT_NEAR(distances[2], -0.01F, 1e-3F);
+    EXPECT_NEAR(distances[3], 4.80F, 1e-3F);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sim/mesh/garment_mesh.h"
-#include "sim/mesh/panel_mesh.h"
+#include "sim/mesh/triangulate.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge {

@@ -1,0 +1,236 @@
+#include "app/options.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <unistd.h>
+
+#include "sim/collide/body_collider.h"
+#include "sim/core/error.h"
+#include "sim/mannequin/mannequin.h"
+
+namespace selvedge {
+namespace {
+
+bool is_mannequin(std::string_view source) {
+    return source == "mannequin" || source.starts_with("mannequin:");
+}
+
+// The value called `text`, or an error that lists those there are.
+template <class T>
+T named(const std::map<std::string, T>& values, const std::string& option, const std::string& text) {
+    const auto found = values.find(text);
+    if (found != values.end()) return found->second;
+    std::string names;
+    for (const auto& [name, value] : values) names += (names.empty() ? "" : ", ") + name;
+    throw InputError("", option, "'" + text + "' is none of " + names);
+}
+
+const std::map<std::string, LengthUnit> kUnits{{"auto", LengthUnit::Auto},
+                                               {"m", LengthUnit::Metres},
+                                               {"cm", LengthUnit::Centimetres},
+                                               {"mm", LengthUnit::Millimetres}};
+const std::map<std::string, UpAxis> kUpAxes{{"auto", UpAxis::Auto}, {"y", UpAxis::Y}, {"z", UpAxis::Z}};
+
+}  // namespace
+
+bool BodyOptions::is_file() const {
+    return !source.empty() && !is_mannequin(source);
+}
+
+void add_body_options(CLI::App& command, BodyOptions& options, const std::string& help) {
+    using Text = const std::string&;
+    const auto add = [&](const char* name, const std::string& text, const std::function<void(Text)>& read) {
+        return command.add_option_function<std::string>(name, read, text)->group("Body");
+    };
+    add("-b,--body", help, [&](Text text) {
+        if (is_mannequin(text)) parse_mannequin(text);
+        options.source = text;
+    })->type_name("BODY");
+    add("--body-unit", "Unit of a body's file: auto, m, cm, mm (default auto: by its height)", [&](Text text) {
+        options.load.unit = named(kUnits, "--body-unit", text);
+    })->type_name("UNIT");
+    add("--body-up", "Axis of a body's file that points up: auto, y, z (default auto)", [&](Text text) {
+        options.load.up = named(kUpAxes, "--body-up", text);
+    })->type_name("AXIS");
+}
+
+NotedBody make_body(const BodyOptions& options) {
+    if (options.is_file()) {
+        LoadBodyReport report;
+        Body body = load_body(options.source, options.load, &report);
+        return {.body = std::move(body), .notes = std::move(report.notes)};
+    }
+    Mannequin mannequin = make_mannequin(parse_mannequin(options.source));
+    return {.body = std::move(mannequin.body), .notes = std::move(mannequin.report.messages)};
+}
+
+namespace {
+
+constexpr double kDegree = 0.017453292519943295;
+
+[[noreturn]] void fail(const std::string& problem) {
+    throw InputError("", "--camera", problem);
+}
+
+CameraChoice by_direction(const std::vector<double>& numbers) {
+    if (std::abs(numbers[0]) > 3600) fail("the azimuth must be within 3600 degrees");
+    if (std::abs(numbers[1]) > 89) fail("the elevation must be from -89 to 89 degrees");
+    CameraChoice choice;
+    choice.direction = {.azimuth = static_cast<float>(numbers[0] * kDegree),
+                        .elevation = static_cast<float>(numbers[1] * kDegree)};
+    if (numbers.size() < 3) return choice;
+    if (numbers[2] < 0.1 || numbers[2] > 100) fail("the zoom must be from 0.1 to 100");
+    choice.zoom = static_cast<float>(numbers[2]);
+    return choice;
+}
+
+CameraChoice by_points(const std::vector<double>& numbers) {
+    const Vec3d eye(numbers[0], numbers[1], numbers[2]), target(numbers[3], numbers[4], numbers[5]);
+    if (std::max(eye.cwiseAbs().maxCoeff(), target.cwiseAbs().maxCoeff()) > 1000) fail("must be within 1000 m");
+    if ((eye - target).norm() < 0.01) fail("the eye must be at least 1 cm from what it looks at");
+    CameraChoice choice;
+    choice.eye_and_target = {eye.cast<float>(), target.cast<float>()};
+    return choice;
+}
+
+}  // namespace
+
+std::optional<std::vector<double>> parse_numbers(std::string_view text) {
+    std::vector<double> numbers;
+    const char *at = text.data(), *last = text.data() + text.size();
+    while (true) {
+        double value = 0;
+        const auto [end, error] = std::from_chars(at, last, value);
+        if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
+        numbers.push_back(value);
+        if (end == last) return numbers;
+        if (*end != ',') return std::nullopt;
+        at = end + 1;
+    }
+}
+
+CameraChoice parse_camera(const std::string& text) {
+    const auto numbers = parse_numbers(text);
+    if (numbers && (numbers->size() == 2 || numbers->size() == 3)) return by_direction(*numbers);
+    if (numbers && numbers->size() == 6) return by_points(*numbers);
+    fail("'" + text + "' is neither AZIMUTH,ELEVATION[,ZOOM] in degrees nor EYE_X,Y,Z,TARGET_X,Y,Z in metres");
+}
+
+namespace {
+
+using Text = const std::string&;
+
+std::optional<int> parse_level(Text text) {
+    if (text == "adaptive") return std::nullopt;
+    int level = -1;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), level);
+    if (error != std::errc() || end != text.data() + text.size() || level < 0 || level > kMostSurfaceLevel) {
+        throw InputError(
+            "", "--surface-level",
+            "'" + text + "' is neither adaptive nor a level from 0 to " + std::to_string(kMostSurfaceLevel));
+    }
+    return level;
+}
+
+SurfaceKind parse_kind(Text text) {
+    if (const auto kind = parse_surface_kind(text)) return *kind;
+    throw InputError("", "--surface", "'" + text + "' is none of " + kSurfaceKindNames);
+}
+
+LightNormals parse_normals(Text text) {
+    if (text == "recomputed") return LightNormals::Recomputed;
+    if (text == "interpolated") return LightNormals::Interpolated;
+    throw InputError("", "--surface-normals", "'" + text + "' is none of recomputed, interpolated");
+}
+
+}  // namespace
+
+void add_surface_options(CLI::App& command, SurfaceChoice& choice) {
+    const auto add = [&](const char* name, Text help, const std::function<void(Text)>& read) {
+        return command.add_option_function<std::string>(name, read, help)->group("Surface");
+    };
+    CLI::Option* kind = add("--surface",
+                            std::string("Draw the cloth as a curved surface over its triangles: ") + kSurfaceKindNames +
+                                " (default: the triangles themselves)",
+                            [&](Text text) { choice.kind = parse_kind(text); })
+                            ->type_name("KIND");
+    add("--surface-level", "How often its edges are halved: 0 to 6, or adaptive (default adaptive, to 3)",
+        [&](Text text) { choice.level = parse_level(text); })
+        ->type_name("N|adaptive")
+        ->needs(kind);
+    add("--surface-normals", "What lights it: recomputed from the surface, or interpolated (default recomputed)",
+        [&](Text text) { choice.light_normals = parse_normals(text); })
+        ->type_name("WHICH")
+        ->needs(kind);
+    command
+        .add_flag("--back-face-coarsening", choice.coarsens_back_faces,
+                  "Keep coarse what is turned away, in pictures of an adaptive surface")
+        ->group("Surface")
+        ->needs(kind);
+}
+
+PlainMesh drawn_mesh(const PlainMesh& garment, const Body* body, const SurfaceChoice& choice,
+                     const std::optional<ViewPoint>& view) {
+    if (!choice.kind) return garment;
+    CurvedMeshOptions options{.kind = *choice.kind, .level = choice.level, .light_normals = choice.light_normals};
+    if (choice.coarsens_back_faces) options.view = view;
+    std::optional<BodyCollider> collider;
+    if (body != nullptr) options.move.body = &collider.emplace(*body);
+    try {
+        return curved_mesh(garment, options);
+    } catch (const InputError& error) {
+        throw InputError("", "--surface", error.place() + ": " + error.problem());
+    }
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void check_extension(const fs::path& path, std::span<const std::string_view> extensions) {
+    std::string extension = path.extension().string();
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (std::find(extensions.begin(), extensions.end(), extension) != extensions.end()) return;
+    std::string known;
+    for (const std::string_view name : extensions) known += (known.empty() ? "" : " or ") + std::string(name);
+    throw InputError(path.string(), "", "cannot write: the name should end in " + known);
+}
+
+// One name for a file, whichever way it is spelt; it need not be there.
+fs::path one_name(const fs::path& path) {
+    std::error_code error;
+    const fs::path name = fs::weakly_canonical(fs::absolute(path), error);
+    return error ? path : name;
+}
+
+}  // namespace
+
+void check_output(const fs::path& path, std::span<const std::string_view> extensions) {
+    if (!extensions.empty()) check_extension(path, extensions);
+    std::error_code ignored;
+    if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored))
+        throw InputError(path.string(), "", "cannot write: what stands there is not a file");
+    const fs::path folder = one_name(path).parent_path();
+    if (access(folder.c_str(), W_OK | X_OK) != 0)
+        throw InputError(path.string(), "", std::string("cannot write: ") + std::strerror(errno));
+    if (!path.has_filename()) throw InputError(path.string(), "", "cannot write: this names a folder");
+}
+
+void check_apart(const std::vector<fs::path>& outputs, const std::vector<fs::path>& inputs) {
+    std::set<fs::path> taken;
+    for (const fs::path& input : inputs) taken.insert(one_name(input));
+    for (const fs::path& output : outputs) {
+        if (!taken.insert(one_name(output)).second)
+            throw InputError(output.string(), "", "cannot write: the same command reads or writes it already");
+    }
+}
+
+}  // namespace selvedge

@@ -1,0 +1,71 @@
+#pragma once
+// Colliders that search the surface itself, to compare the distance field with.  (SPEC 3.3; thesis fig. 4.7)
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "sim/collide/collider.h"
+#include "sim/collide/surface_bvh.h"
+
+namespace selvedge {
+
+// The thesis' collision grid: 32^3 cells over the body, each of which lists the triangles that overlap it. Exact as far
+// as the reach on both sides; what lies deeper inside passes for outside.
+class GridCollider final : public Collider {
+ public:
+    static constexpr int kCells = 32;  // along each axis
+
+    // The surface must outlive the collider. Pre: it is closed; reach > 0 (m).
+    explicit GridCollider(const SurfaceBvh& surface, float reach = 0.01F);
+
+    Contact contact(const Vec3f& p) const override;
+    std::optional<SurfaceHit> first_hit(const Vec3f& from, const Vec3f& to) const override {
+        return surface_.first_hit(from, to);
+    }
+    float band() const override { return reach_; }
+    float max_error() const override { return 1e-6F; }
+
+    std::size_t bytes() const;
+
+ private:
+    using CellIndex = std::array<int, 3>;
+
+    // Cells that a box overlaps.
+    struct CellRange {
+        CellIndex first;
+        CellIndex last;  // the last too
+        bool is_empty() const { return first[0] > last[0] || first[1] > last[1] || first[2] > last[2]; }
+    };
+    static std::size_t place(int i, int j, int k) { return std::size_t(i + kCells * (j + kCells * k)); }
+    CellRange cells_in(const Vec3f& low, const Vec3f& high) const;
+    float squared_distance(const CellIndex& cell, const Vec3f& p) const;
+    void test_cell(std::size_t cell, const Vec3f& p, NearestTriangle& best) const;
+    void list_triangles();
+
+    const SurfaceBvh& surface_;
+    const CollideKernels* kernels_ = &collide_kernels(simd_level());
+    float reach_;
+    Vec3f cell_size_;                   // m
+    std::vector<std::uint32_t> first_;  // packet of each cell; one more at the end
+    std::vector<TrianglePacket> packets_;
+};
+
+// The tree of boxes, asked no farther than the reach. What lies deeper inside passes for outside.
+class BvhCollider final : public Collider {
+ public:
+    // The surface must outlive the collider. Pre: it is closed; reach > 0 (m), infinite for no limit.
+    explicit BvhCollider(const SurfaceBvh& surface, float reach) : surface_(surface), reach_(reach) {}
+
+    Contact contact(const Vec3f& p) const override;
+    std::optional<SurfaceHit> first_hit(const Vec3f& from, const Vec3f& to) const override {
+        return surface_.first_hit(from, to);
+    }
+    float band() const override { return reach_; }
+    float max_error() const override { return 1e-6F; }
+
+ private:
+    const SurfaceBvh& surface_;
+    float reach_;
+};
+
+}  // namespace selvedge

@@ -1,0 +1,267 @@
+#include "bench/fabric/textile_test.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <span>
+
+#include "bench/fabric/report.h"
+#include "bench/fabric/specimen.h"
+#include "bench/fabric/theory.h"
+#include "bench/support/measured_mesh.h"
+#include "sim/collide/collider.h"
+#include "sim/core/file.h"
+#include "sim/core/json.h"
+
+namespace selvedge {
+std::span<const EmbeddedFile> embedded_fabrics();
+
+std::vector<std::string> textile_test_names() {
+    return {"cantilever", "strip", "bias", "drape", "swing", "energy"};
+}
+
+double allowed_error(const MeshSetting& mesh) {
+    if (mesh.is_adaptive || mesh.level >= 2) return 0.05;
+    return mesh.level == 1 ? 0.1 : -1;
+}
+
+std::vector<MeshSetting> level_settings(const FabricExperiment& experiment) {
+    if (experiment.is_quick) return {{.level = 1}, {.level = 2}};
+    return {{.level = 0}, {.level = 1}, {.level = 2}, {.level = 3}, {.level = 3, .is_adaptive = true}};
+}
+
+std::vector<double> mesh_angles(const FabricExperiment& experiment) {
+    const double degree = std::numbers::pi / 180;
+    if (experiment.is_quick) return {17 * degree};
+    return {0, 17 * degree, 45 * degree};
+}
+
+DrapeBand published_drape(const std::string& fabric_name) {
+    for (const EmbeddedFile& file : embedded_fabrics()) {
+        if (std::filesystem::path(file.name).stem() != fabric_name) continue;
+        const Json json = parse_json(file.text, std::string(file.name));
+        if (json.find("cusick_drape_percent") == nullptr) return {};
+        const std::vector<double> band = JsonView(json, std::string(file.name)).at("cusick_drape_percent").numbers();
+        return {band.at(0), band.at(1)};
+    }
+    return {};
+}
+
+// The tests of textile_test.h that want a strip at rest.
+
+namespace {
+
+constexpr double kG = 9.81;  // m/s^2
+
+double weight_of(const Fabric& fabric) {
+    return fabric.area_density * kG;  // N/m^2
+}
+
+double warp_angle(ThreadDirection direction) {
+    if (direction == ThreadDirection::Warp) return 0;
+    return direction == ThreadDirection::Weft ? std::numbers::pi / 2 : std::numbers::pi / 4;
+}
+
+double stiffness(const Fabric& fabric, ThreadDirection direction) {
+    if (direction == ThreadDirection::Bias) return bias_stiffness(fabric);
+    return direction == ThreadDirection::Warp ? fabric.stretch_warp : fabric.stretch_weft;
+}
+
+Fabric without_friction(Fabric fabric) {
+    fabric.bending_hysteresis = 0;
+    fabric.shear_hysteresis = 0;
+    return fabric;
+}
+
+double load_of(const Fabric& fabric, ThreadDirection direction) {
+    constexpr double kE5 = 4.905;   // N/m
+    constexpr double kE20 = 19.62;  // N/m
+    const double k = stiffness(fabric, direction);
+    if (direction == ThreadDirection::Bias) return 0.01 * k;
+    const double most = k * fabric.strain_limit / 2;
+    return most > kE20 ? kE20 : std::min(kE5, most);
+}
+
+// The strain between the lines l = from and l = to of a hanging strip.
+double strain_between(const Specimen& specimen, const ClothRun& run, const StripCut& cut, double from, double to) {
+    const auto height = [&](double l) {
+        return mean_material_point(run.cloth, Specimen::kCloth, specimen.material(0, l),
+                                   specimen.material(cut.width, l))
+            .y();
+    };
+    return (height(from) - height(to)) / (to - from) - 1;
+}
+
+// Hangs the strip and reads its strain. At rest means that it creeps by less than a two-hundredth of what is expected
+// in a second.
+Reading hang(const Fabric& fabric, ThreadDirection direction, const StripCut& cut, const MeshSetting& mesh,
+             const Stepping& stepping) {
+    constexpr float kDamping = 10;  // 1/s
+    const bool is_bias = direction == ThreadDirection::Bias;
+    const double margin = is_bias ? 1.25 * cut.width : 0;  // threads that end in a clamp keep cloth from shearing
+    const double from = margin;
+    const double to = cut.length - margin;
+    const double force = cut.weight + weight_of(fabric) * (cut.length - (from + to) / 2);
+    Reading reading;
+    reading.expected = is_bias ? bias_strain(fabric, force) : force / stiffness(fabric, direction);
+    const Specimen specimen = cut_strip(fabric, cut, {});
+    ClothRun run = start_run(specimen.mesh, specimen.fabrics, run_options(mesh, stepping));
+    reading.is_at_rest = run_to_rest(run, NoBody(),
+                                     {.damping = kDamping,
+                                      .least_seconds = 0.6,
+                                      .max_seconds = 4,
+                                      .rest_speed = 0.005 * reading.expected * cut.length});
+    const auto strain = [&] { return strain_between(specimen, run, cut, from, to); };
+    reading.measured = mean_reading(run, NoBody(), kDamping, strain);
+    return reading;
+}
+
+StripCut strip_cut(ThreadDirection direction, const MeshSetting& mesh) {
+    return {.mesh_angle = mesh.angle, .warp_angle = warp_angle(direction), .edge_length = 0.04};
+}
+
+}  // namespace
+
+std::string name_of(ThreadDirection direction) {
+    if (direction == ThreadDirection::Warp) return "warp";
+    return direction == ThreadDirection::Weft ? "weft" : "bias";
+}
+
+std::string level_name(const MeshSetting& setting) {
+    return setting.is_adaptive ? "adaptive" : std::to_string(setting.level);
+}
+
+RunOptions run_options(const MeshSetting& setting, const Stepping& stepping) {
+    return {.level = setting.level,
+            .is_adaptive = setting.is_adaptive,
+            .substeps = stepping.substeps,
+            .frame_seconds = stepping.frame_seconds};
+}
+
+Reading test_cantilever(const Fabric& tested, ThreadDirection direction, const MeshSetting& mesh,
+                        const Stepping& stepping) {
+    const Fabric fabric = without_friction(tested);
+    const double w = weight_of(fabric);
+    Reading reading;
+    reading.expected = direction == ThreadDirection::Warp ? fabric.bending_warp : fabric.bending_weft;
+    StripCut cut{.mesh_angle = mesh.angle, .warp_angle = warp_angle(direction)};
+    cut.length = std::cbrt(kPeirceQ * reading.expected / w);
+    const SpecimenFrame level{.across = Vec3d::UnitZ(), .along = Vec3d::UnitX()};
+    const Specimen specimen = cut_ridge_strip(fabric, cut, level);
+    ClothRun run = start_run(specimen.mesh, specimen.fabrics, run_options(mesh, stepping));
+    reading.is_at_rest = run_to_rest(run, NoBody(), {.least_seconds = 0.4, .max_seconds = 6});
+    const auto end = [&](int panel, double l) {
+        return mean_material_point(run.cloth, panel, specimen.material(0, l), specimen.material(cut.width, l));
+    };
+    const Vec3d right = end(Specimen::kCloth, cut.length);
+    const Vec3d left = end(Specimen::kHolder, -cut.length);
+    const double dip = std::atan2(-right.y() - left.y(), right.x() - left.x());
+    const double q = q_of_chord_angle(std::clamp(dip, 1e-3, 1.55));
+    reading.measured = w * std::pow(cut.length, 3) / q;
+    return reading;
+}
+
+Reading test_own_weight(const Fabric& fabric, ThreadDirection direction, const MeshSetting& mesh,
+                        const Stepping& stepping) {
+    return hang(without_friction(fabric), direction, strip_cut(direction, mesh), mesh, stepping);
+}
+
+Reading test_load(const Fabric& fabric, ThreadDirection direction, const MeshSetting& mesh, const Stepping& stepping) {
+    StripCut cut = strip_cut(direction, mesh);
+    cut.weight = load_of(fabric, direction);
+    return hang(without_friction(fabric), direction, cut, mesh, stepping);
+}
+
+// The tests of textile_test.h in which cloth moves, or folds as it falls.
+
+namespace {
+
+double rest_area(const ClothRun& run, bool of_holder_alone) {
+    double area = 0;
+    for (const LeafTriangle& t : run.cloth.mesh.leaf_triangles()) {
+        if (!of_holder_alone || t.panel == Specimen::kHolder) area += static_cast<double>(material_area(t.u));
+    }
+    return area;
+}
+
+Shadow shadow_of(const ClothRun& run) {
+    Shadow shadow;
+    for (const LeafTriangle& t : run.cloth.mesh.leaf_triangles()) {
+        std::array<Vec3d, 3> corners;
+        for (std::size_t k = 0; k < 3; ++k) corners[k] = run.cloth.x[t.v[k].value].head<3>().cast<double>();
+        shadow.draw(corners);
+    }
+    return shadow;
+}
+
+constexpr double kSwingLength = 0.3;  // m
+
+// angle: from the plumb line to the strip, rad.
+ClothRun let_go(const Fabric& fabric, double angle, const MeshSetting& mesh, const Stepping& stepping) {
+    const StripCut cut{.width = 0.1, .length = kSwingLength, .mesh_angle = mesh.angle, .edge_length = 0.04};
+    const SpecimenFrame frame{.across = Vec3d::UnitZ(), .along = Vec3d(std::sin(angle), -std::cos(angle), 0)};
+    const Specimen specimen = cut_strip(fabric, cut, frame);
+    return start_run(specimen.mesh, specimen.fabrics, run_options(mesh, stepping));
+}
+
+// Mean over the mass, m.
+double sideways(const ClothRun& run) {
+    const std::vector<double> mass = masses(run);
+    double sum = 0;
+    double total = 0;
+    for (std::size_t v = 0; v < mass.size(); ++v) {
+        sum += mass[v] * static_cast<double>(run.cloth.x[v].x());
+        total += mass[v];
+    }
+    return sum / total;
+}
+
+}  // namespace
+
+DrapeReading test_drape(const Fabric& fabric, const MeshSetting& mesh, const Stepping& stepping) {
+    const Specimen specimen = cut_disc(fabric, {.mesh_angle = mesh.angle});
+    ClothRun run = start_run(specimen.mesh, specimen.fabrics, run_options(mesh, stepping));
+    DrapeReading reading;
+    reading.is_at_rest =
+        run_to_rest(run, NoBody(), {.damping = 3, .least_seconds = 1, .max_seconds = 6, .rest_speed = 2e-3});
+    const Shadow shadow = shadow_of(run);
+    reading.coefficient = drape_coefficient(shadow.area(), rest_area(run, true), rest_area(run, false));
+    reading.folds = count_folds(shadow.outline());
+    return reading;
+}
+
+// From the first passage of the plumb line to the seventh are three periods.
+double swing_period(const Fabric& fabric, const MeshSetting& mesh, const Stepping& stepping) {
+    constexpr std::size_t kPassages = 7;
+    constexpr double kLongest = 6;  // s
+    ClothRun run = let_go(fabric, 20 * std::numbers::pi / 180, mesh, stepping);
+    std::vector<double> passages;
+    double before = sideways(run);
+    for (double t = 0; t < kLongest && passages.size() < kPassages; t += stepping.frame_seconds) {
+        run_frame(run, NoBody());
+        const double now = sideways(run);
+        if ((before > 0) != (now > 0)) passages.push_back(t + stepping.frame_seconds * before / (before - now));
+        before = now;
+    }
+    if (passages.size() < 3) return 0;
+    return 2 * (passages.back() - passages.front()) / static_cast<double>(passages.size() - 1);
+}
+
+double energy_growth(const Fabric& fabric, const MeshSetting& mesh, const Stepping& stepping) {
+    constexpr double kSeconds = 3;
+    ClothRun run = let_go(fabric, std::numbers::pi / 2, mesh, stepping);
+    double mass = 0;
+    for (const double m : masses(run)) mass += m;
+    const double work = mass * kG * kSwingLength;
+    double highest = -work;
+    const double start = energy(run).potential;
+    for (double t = 0; t < kSeconds; t += stepping.frame_seconds) {
+        run_frame(run, NoBody());
+        const Energy now = energy(run);
+        highest = std::max(highest, now.kinetic + now.potential - start);
+    }
+    return highest / work;
+}
+
+}  // namespace selvedge

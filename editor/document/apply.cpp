@@ -1,0 +1,441 @@
+#include "editor/document/apply.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "editor/geometry/draft.h"
+#include "editor/geometry/outline_edit.h"
+#include "editor/geometry/panel_edit.h"
+#include "editor/geometry/seam_edit.h"
+#include "sim/core/error.h"
+#include "sim/pattern/fabric.h"
+#include "sim/pattern/pattern.h"
+#include "sim/tartan/match.h"
+#include "sim/tartan/offset_graph.h"
+#include "sim/tartan/tartan_file.h"
+
+namespace selvedge {
+namespace {
+
+// What others throw as wrong input is wrong to a draft, too.
+template <class Function>
+auto in_draft_words(Function&& function) {
+    try {
+        return function();
+    } catch (const InputError& error) {
+        throw DraftError(error.problem());
+    }
+}
+
+Sett sett_of(const Pattern& pattern) {
+    const Sett sett = find_tartan(pattern.tartan.empty() ? kDefaultTartan : pattern.tartan);
+    return pattern.sett_size ? with_repeat_size(sett, *pattern.sett_size) : sett;
+}
+
+Panel& panel_of(Pattern& pattern, const std::string& name) {
+    return pattern.panels[static_cast<std::size_t>(find_panel(pattern, name))];
+}
+
+Selection only(const std::string& panel) {
+    Selection selection;
+    selection.panels.insert(panel);
+    return selection;
+}
+
+// --- of the pattern
+
+Outcome run(Pattern& pattern, const RenamePattern& command) {
+    pattern.name = command.to;
+    return {};
+}
+
+Outcome run(Pattern& pattern, const SetFabric& command) {
+    if (!command.fabric.empty() && !command.fabric.ends_with(".json")) {
+        in_draft_words([&] { return find_fabric(command.fabric); });
+    }
+    (command.panel.empty() ? pattern.fabric : panel_of(pattern, command.panel).fabric) = command.fabric;
+    return {};
+}
+
+Outcome run(Pattern& pattern, const SetTartan& command) {
+    if (!command.tartan.empty()) in_draft_words([&] { return find_tartan(command.tartan); });
+    if (command.size && !(*command.size >= kSmallestSett && *command.size <= kLargestSett)) {
+        throw DraftError("A repeat of a tartan is from 0.1 to 500 cm");
+    }
+    pattern.tartan = command.tartan;
+    pattern.sett_size = command.size;
+    pattern.sett_position = command.position;
+    return {};
+}
+
+Outcome run(Pattern& pattern, const SetBody& command) {
+    if (!command.shifts.empty() && command.shifts.size() != pattern.panels.size()) {
+        throw DraftError("A body's shifts are one for each panel");
+    }
+    pattern.body = command.body;
+    for (std::size_t i = 0; i < command.shifts.size(); ++i) pattern.panels[i].translation += command.shifts[i];
+    return {};
+}
+
+Outcome run(Pattern& pattern, const SetEdgeLength& command) {
+    constexpr double kShortest = 0.005, kLongest = 0.5;  // m, as in files
+    if (command.length && !(*command.length >= kShortest && *command.length <= kLongest)) {
+        throw DraftError("A mesh has edges of 0.5 to 50 cm");
+    }
+    pattern.edge_length = command.length;
+    return {};
+}
+
+Outcome run(Pattern& pattern, const MatchSetts& command) {
+    const Sett sett = in_draft_words([&] { return sett_of(pattern); });
+    for (const int seam : command.first_seams) known_seam(pattern, seam);
+    const SettMatch match = match_sett(pattern, sett, {.first_seams = command.first_seams});
+    for (std::size_t i = 0; i < pattern.panels.size(); ++i) pattern.panels[i].sett_offset = match.offsets[i];
+    pattern.matched_sett = MatchedSett{.tartan = pattern.tartan.empty() ? kDefaultTartan : pattern.tartan,
+                                       .repeat = Vec2d(repeat_size(sett), weft_repeat_size(sett))};
+    return {};
+}
+
+Outcome run(Pattern& pattern, const TranslateAll& command) {
+    for (Panel& panel : pattern.panels) panel.translation += command.by;
+    return {};
+}
+
+// --- of whole panels
+
+Outcome run(Pattern& pattern, const AddPanels& command) {
+    Outcome outcome{.selection = Selection{}};
+    for (const Panel& panel : command.panels) {
+        const int index = add_panel(pattern, panel);
+        outcome.selection->panels.insert(pattern.panels[static_cast<std::size_t>(index)].name);
+    }
+    return outcome;
+}
+
+Outcome run(Pattern& pattern, const RenamePanel& command) {
+    const int panel = find_panel(pattern, command.panel);
+    if (command.to == command.panel) return {};
+    rename_panel(pattern, panel, command.to);
+    return {.selection = only(command.to), .rename = PanelRename{.from = command.panel, .to = command.to}};
+}
+
+Outcome select_new(const Pattern& pattern, int panel) {
+    return {.selection = only(pattern.panels[static_cast<std::size_t>(panel)].name)};
+}
+
+Outcome run(Pattern& pattern, const DuplicatePanel& command) {
+    return select_new(pattern, duplicate_panel(pattern, find_panel(pattern, command.panel), command.shift));
+}
+
+Outcome run(Pattern& pattern, const SymmetricCopy& command) {
+    const int panel = find_panel(pattern, command.panel);
+    return select_new(pattern, symmetric_copy(pattern, panel, command.is_linked, command.shift));
+}
+
+Outcome run(Pattern& pattern, const UnlinkPanel& command) {
+    panel_of(pattern, command.panel).mirror_of.clear();
+    for (Panel& other : pattern.panels) {
+        if (other.mirror_of == command.panel) other.mirror_of.clear();
+    }
+    return {};
+}
+
+// All panels are laid out before one is put somewhere: the others stay where they are seen.
+Outcome run(Pattern& pattern, const MovePanels& command) {
+    const std::vector<Vec2d> positions = sheet_positions(pattern);
+    for (std::size_t i = 0; i < positions.size(); ++i) pattern.panels[i].sheet_position = positions[i];
+    for (const std::string& name : command.panels) *panel_of(pattern, name).sheet_position += command.by;
+    return {};
+}
+
+Outcome run(Pattern& pattern, const TransformPanels& command) {
+    for (const std::string& name : command.panels) {
+        const int panel = find_panel(pattern, name);
+        transform_panel(pattern, panel, map_in_panel(pattern, panel, command.map));
+    }
+    return {};
+}
+
+Outcome run(Pattern& pattern, const PlacePanel& command) {
+    constexpr double kNearly = 1e-6;
+    const Eigen::Matrix3d& r = command.rotation;
+    const bool is_rotation = (r * r.transpose()).isIdentity(kNearly) && r.determinant() > 0;
+    if (!is_rotation) throw DraftError("A panel is placed by a rotation", {{.panel = command.panel}});
+    if (!(command.wrap_radius >= 0)) throw DraftError("A panel is bent by a radius", {{.panel = command.panel}});
+    Panel& panel = panel_of(pattern, command.panel);
+    panel.translation = command.translation;
+    panel.rotation = command.rotation;
+    panel.wrap_radius = command.wrap_radius;
+    return {};
+}
+
+Outcome run(Pattern& pattern, const PlacePanels& command) {
+    for (const PanelPlace& place : command.places) {
+        run(pattern, PlacePanel{.panel = place.panel,
+                                .translation = place.translation,
+                                .rotation = place.rotation,
+                                .wrap_radius = place.wrap_radius});
+    }
+    return {};
+}
+
+Outcome run(Pattern& pattern, const SetGrain& command) {
+    panel_of(pattern, command.panel).grain_angle = std::remainder(command.angle, 2 * std::numbers::pi);
+    return {};
+}
+
+Outcome run(Pattern& pattern, const SetSettOffset& command) {
+    panel_of(pattern, command.panel).sett_offset = command.offset;
+    return {};
+}
+
+Outcome run(Pattern& pattern, const SetPins& command) {
+    Panel& panel = panel_of(pattern, command.panel);
+    for (const int vertex : command.vertices) check_vertex(panel, vertex);
+    panel.pins = command.vertices;
+    std::sort(panel.pins.begin(), panel.pins.end());
+    panel.pins.erase(std::unique(panel.pins.begin(), panel.pins.end()), panel.pins.end());
+    return {};
+}
+
+Outcome run(Pattern& pattern, const SetLayer& command) {
+    panel_of(pattern, command.panel).layer = command.layer;
+    return {};
+}
+
+Outcome run(Pattern& pattern, const CutPanel& command) {
+    const int panel = find_panel(pattern, command.panel);
+    Outcome outcome = select_new(pattern, cut_panel(pattern, panel, command.path, command.is_sewn));
+    outcome.selection->panels.insert(command.panel);
+    return outcome;
+}
+
+Outcome run(Pattern& pattern, const MergePanels& command) {
+    known_seam(pattern, command.seam);
+    return select_new(pattern, merge_panels(pattern, command.seam));
+}
+
+Outcome run(Pattern& pattern, const UnfoldPanel& command) {
+    unfold_panel(pattern, edge_of(pattern, {command.panel, command.edge}));
+    return {.selection = only(command.panel)};
+}
+
+}  // namespace
+
+Outcome carry_out(Pattern& pattern, const Command& command) {
+    return std::visit([&](const auto& given) { return run(pattern, given); }, command);
+}
+
+namespace {
+
+constexpr std::size_t kFewestPoints = 2;  // of an internal line
+
+void check_edge(const Panel& panel, int edge) {
+    if (edge >= 0 && static_cast<std::size_t>(edge) < panel.edges.size()) return;
+    throw DraftError("'" + panel.name + "' has no edge " + std::to_string(edge), {{.panel = panel.name}});
+}
+
+// Indices by panel, in the order of their names.
+std::map<std::string, std::vector<int>> by_panel(const std::vector<PartRef>& parts) {
+    std::map<std::string, std::vector<int>> sorted;
+    for (const PartRef& part : parts) sorted[part.panel].push_back(part.index);
+    return sorted;
+}
+
+template <class T>
+void erase_at(std::vector<T>& items, std::vector<int> indices, const std::string& panel, const char* what) {
+    std::sort(indices.begin(), indices.end());
+    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+    if (!indices.empty() && (indices.front() < 0 || static_cast<std::size_t>(indices.back()) >= items.size())) {
+        throw DraftError("'" + panel + "' has no such " + what, {{.panel = panel}});
+    }
+    for (auto index = indices.rbegin(); index != indices.rend(); ++index) items.erase(items.begin() + *index);
+}
+
+Outcome select_seams(const std::vector<int>& seams) {
+    Outcome outcome{.selection = Selection{}};
+    outcome.selection->seams.insert(seams.begin(), seams.end());
+    return outcome;
+}
+
+void check_internal_line(const InternalLine& line, const std::string& panel) {
+    if (line.points.size() >= kFewestPoints) return;
+    throw DraftError("An internal line has two points at least", {{.panel = panel}});
+}
+
+void check_fraction(double t) {
+    if (!(t >= 0 && t <= 1)) throw DraftError("A place along an edge is between its ends");
+}
+
+std::vector<EdgeSpan> spans_of(const Pattern& pattern, const std::vector<SpanRef>& refs) {
+    std::vector<EdgeSpan> spans;
+    for (const SpanRef& ref : refs) {
+        const SeamSide side = edge_of(pattern, {ref.panel, ref.edge});
+        spans.push_back({.panel = side.panel, .edge = side.edge, .from = ref.from, .to = ref.to});
+    }
+    return spans;
+}
+
+}  // namespace
+
+const Seam& known_seam(const Pattern& pattern, int seam) {
+    if (seam < 0 || static_cast<std::size_t>(seam) >= pattern.seams.size()) throw DraftError("There is no such seam");
+    return pattern.seams[static_cast<std::size_t>(seam)];
+}
+
+SeamSide edge_of(const Pattern& pattern, const PartRef& edge) {
+    const int panel = find_panel(pattern, edge.panel);
+    check_edge(pattern.panels[static_cast<std::size_t>(panel)], edge.index);
+    return {.panel = panel, .edge = edge.index};
+}
+
+void check_vertex(const Panel& panel, int vertex) {
+    if (vertex >= 0 && static_cast<std::size_t>(vertex) < panel.vertices.size()) return;
+    throw DraftError("'" + panel.name + "' has no point " + std::to_string(vertex), {{.panel = panel.name}});
+}
+
+Eigen::Affine2d map_in_panel(const Pattern& pattern, int panel, const PlaneMap& map) {
+    const Vec2d origin = sheet_positions(pattern)[static_cast<std::size_t>(panel)];
+    Eigen::Affine2d affine = Eigen::Affine2d::Identity();
+    affine.linear().col(0) = map.x_axis;
+    affine.linear().col(1) = map.y_axis;
+    affine.translation() = affine.linear() * origin + map.shift - origin;
+    return affine;
+}
+
+// Seams first, whose indices the rest would shift; panels last.
+Outcome run(Pattern& pattern, const RemoveParts& command) {
+    for (const int seam : command.seams) known_seam(pattern, seam);
+    remove_seams(pattern, command.seams);
+    for (const auto& [name, indices] : by_panel(command.internal_lines)) {
+        erase_at(panel_of(pattern, name).internal_lines, indices, name, "internal line");
+    }
+    for (const auto& [name, indices] : by_panel(command.notches)) {
+        erase_at(panel_of(pattern, name).notches, indices, name, "notch");
+    }
+    for (const auto& [name, indices] : by_panel(command.vertices)) {
+        remove_vertices(pattern, find_panel(pattern, name), indices);
+    }
+    std::vector<int> panels;
+    for (const std::string& name : command.panels) panels.push_back(find_panel(pattern, name));
+    remove_panels(pattern, panels);
+    return {.selection = Selection{}};
+}
+
+Outcome run(Pattern& pattern, const MoveVertices& command) {
+    for (const auto& [name, indices] : by_panel(command.vertices)) {
+        move_vertices(pattern, find_panel(pattern, name), indices, command.by);
+    }
+    return {};
+}
+
+Outcome run(Pattern& pattern, const TransformVertices& command) {
+    for (const auto& [name, indices] : by_panel(command.vertices)) {
+        const int panel = find_panel(pattern, name);
+        transform_vertices(pattern, panel, indices, map_in_panel(pattern, panel, command.map));
+    }
+    return {};
+}
+
+Outcome run(Pattern& pattern, const SetCurve& command) {
+    set_curve(pattern, edge_of(pattern, {command.panel, command.edge}), command.curve);
+    return {};
+}
+
+Outcome run(Pattern& pattern, const AddVertex& command) {
+    Outcome outcome{.selection = Selection{}};
+    const int vertex = split_edge(pattern, edge_of(pattern, {command.panel, command.edge}), command.t);
+    outcome.selection->vertices.insert({command.panel, vertex});
+    return outcome;
+}
+
+Outcome run(Pattern& pattern, const AddDart& command) {
+    insert_dart(pattern, edge_of(pattern, {command.panel, command.edge}), command.t, command.width, command.depth);
+    return {};
+}
+
+Outcome run(Pattern& pattern, const AddInternalLine& command) {
+    check_internal_line(command.line, command.panel);
+    std::vector<InternalLine>& lines = panel_of(pattern, command.panel).internal_lines;
+    lines.push_back(command.line);
+    Outcome outcome{.selection = Selection{}};
+    outcome.selection->internal_lines.insert({command.panel, static_cast<int>(lines.size()) - 1});
+    return outcome;
+}
+
+Outcome run(Pattern& pattern, const SetInternalLine& command) {
+    check_internal_line(command.line, command.panel);
+    std::vector<InternalLine>& lines = panel_of(pattern, command.panel).internal_lines;
+    if (command.index < 0 || static_cast<std::size_t>(command.index) >= lines.size()) {
+        throw DraftError("'" + command.panel + "' has no such internal line", {{.panel = command.panel}});
+    }
+    lines[static_cast<std::size_t>(command.index)] = command.line;
+    return {};
+}
+
+Outcome run(Pattern& pattern, const AddNotch& command) {
+    edge_of(pattern, {command.panel, command.edge});
+    check_fraction(command.t);
+    std::vector<Notch>& notches = panel_of(pattern, command.panel).notches;
+    notches.push_back({.edge = command.edge, .t = command.t});
+    Outcome outcome{.selection = Selection{}};
+    outcome.selection->notches.insert({command.panel, static_cast<int>(notches.size()) - 1});
+    return outcome;
+}
+
+Outcome run(Pattern& pattern, const MoveNotch& command) {
+    edge_of(pattern, {command.panel, command.edge});
+    check_fraction(command.t);
+    std::vector<Notch>& notches = panel_of(pattern, command.panel).notches;
+    if (command.index < 0 || static_cast<std::size_t>(command.index) >= notches.size()) {
+        throw DraftError("'" + command.panel + "' has no such notch", {{.panel = command.panel}});
+    }
+    notches[static_cast<std::size_t>(command.index)] = {.edge = command.edge, .t = command.t};
+    return {};
+}
+
+Outcome run(Pattern& pattern, const SewEdges& command) {
+    return select_seams({sew_edges(pattern, {.first = edge_of(pattern, command.first),
+                                             .second = edge_of(pattern, command.second),
+                                             .is_reversed = command.is_reversed})});
+}
+
+Outcome run(Pattern& pattern, const SewRuns& command) {
+    return select_seams(
+        sew_runs(pattern, spans_of(pattern, command.first), spans_of(pattern, command.second), command.is_reversed));
+}
+
+Outcome run(Pattern& pattern, const ReverseSeam& command) {
+    known_seam(pattern, command.seam);
+    bool& is_reversed = pattern.seams[static_cast<std::size_t>(command.seam)].is_reversed;
+    is_reversed = !is_reversed;
+    return {};
+}
+
+Outcome run(Pattern& pattern, const NameSeam& command) {
+    known_seam(pattern, command.seam);
+    if (command.to.find_first_of(",+") != std::string::npos)
+        throw DraftError("A seam's name has no comma and no plus sign");
+    for (const Seam& seam : pattern.seams) {
+        if (!command.to.empty() && seam.name == command.to)
+            throw DraftError("There is a seam '" + command.to + "' already");
+    }
+    pattern.seams[static_cast<std::size_t>(command.seam)].name = command.to;
+    return {};
+}
+
+Outcome run(Pattern& pattern, const AcceptEase& command) {
+    known_seam(pattern, command.seam);
+    pattern.seams[static_cast<std::size_t>(command.seam)].is_eased = command.is_eased;
+    return {};
+}
+
+Outcome run(Pattern& pattern, const EvenSeam& command) {
+    known_seam(pattern, command.seam);
+    even_seam(pattern, command.seam);
+    return {};
+}
+
+}  // namespace selvedge

@@ -1,0 +1,39 @@
+#include "editor/document/selection.h"
+
+#include <algorithm>
+
+namespace selvedge {
+namespace {
+
+const Panel* panel_named(const Pattern& pattern, const std::string& name) {
+    const auto found = std::find_if(pattern.panels.begin(), pattern.panels.end(),
+                                    [&](const Panel& panel) { return panel.name == name; });
+    return found == pattern.panels.end() ? nullptr : &*found;
+}
+
+template <class Parts>
+void clean(std::set<PartRef>& refs, const Pattern& pattern, Parts parts_of) {
+    std::erase_if(refs, [&](const PartRef& ref) {
+        const Panel* panel = panel_named(pattern, ref.panel);
+        return panel == nullptr || ref.index < 0 || static_cast<std::size_t>(ref.index) >= parts_of(*panel).size();
+    });
+}
+
+}  // namespace
+
+Selection clean_selection(Selection selection, const Pattern& pattern) {
+    std::erase_if(selection.panels, [&](const std::string& name) { return panel_named(pattern, name) == nullptr; });
+    clean(
+        selection.vertices, pattern, [](const Panel& panel) -> const auto& { return panel.vertices; });
+    clean(
+        selection.edges, pattern, [](const Panel& panel) -> const auto& { return panel.edges; });
+    clean(
+        selection.internal_lines, pattern, [](const Panel& panel) -> const auto& { return panel.internal_lines; });
+    clean(
+        selection.notches, pattern, [](const Panel& panel) -> const auto& { return panel.notches; });
+    std::erase_if(selection.seams,
+                  [&](int seam) { return seam < 0 || static_cast<std::size_t>(seam) >= pattern.seams.size(); });
+    return selection;
+}
+
+}  // namespace selvedge

@@ -1,0 +1,77 @@
+#pragma once
+// How an edit is carried out: on a copy, which takes the pattern's place only when it is sound. For the sources of this
+// room.
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "sim/pattern/pattern.h"
+
+namespace selvedge {
+
+// What cannot be done to a draft, in words a tailor understands, and where: views light the places up.
+
+struct DraftPlace {
+    std::string panel;
+    int edge = -1;    // none: -1
+    int vertex = -1;  // none: -1
+
+    bool operator==(const DraftPlace&) const = default;
+};
+
+class DraftError : public std::runtime_error {
+ public:
+    explicit DraftError(const std::string& words, std::vector<DraftPlace> places = {})
+        : std::runtime_error(words), places_(std::move(places)) {}
+
+    const std::vector<DraftPlace>& places() const { return places_; }
+
+ private:
+    std::vector<DraftPlace> places_;
+};
+
+inline std::size_t as_size(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+inline int edge_count(const Panel& panel) {
+    return static_cast<int>(panel.edges.size());
+}
+
+// Indices that come from outside. Throw DraftError.
+Panel& panel_of(Pattern& pattern, int panel);
+const Panel& panel_of(const Pattern& pattern, int panel);
+OutlineEdge& edge_of(Pattern& pattern, const SeamSide& side);
+const OutlineEdge& edge_of(const Pattern& pattern, const SeamSide& side);
+const Seam& seam_of(const Pattern& pattern, int seam);
+void expect_vertices(const Panel& panel, const std::vector<int>& vertices);
+
+DraftPlace place_of(const Pattern& pattern, const SeamSide& side);
+
+// The seam at an edge, as index into Pattern::seams.
+std::optional<int> seam_at(const Pattern& pattern, const SeamSide& side);
+
+// Throws DraftError unless what differs from `before` can be saved and loaded again.
+void check_draft(const Pattern& draft, const Pattern& before);
+void check_panel(const Panel& panel);
+
+// Carries out `edit(Pattern&)` wholly or not at all; gives what it gives.
+template <class Edit>
+auto edit_draft(Pattern& pattern, Edit edit) {
+    Pattern draft = pattern;
+    if constexpr (std::is_void_v<decltype(edit(draft))>) {
+        edit(draft);
+        check_draft(draft, pattern);
+        std::swap(pattern, draft);
+    } else {
+        auto result = edit(draft);
+        check_draft(draft, pattern);
+        std::swap(pattern, draft);
+        return result;
+    }
+}
+
+}  // namespace selvedge

@@ -1,0 +1,308 @@
+#include "editor/geometry/edge_shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "editor/geometry/draft.h"
+#include "sim/pattern/outline.h"
+
+namespace selvedge {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+const Vec2d& start_of(const Panel& panel, const OutlineEdge& edge) {
+    return panel.vertices[as_size(edge.start)];
+}
+
+const Vec2d& end_of(const Panel& panel, const OutlineEdge& edge) {
+    return panel.vertices[as_size(edge.end)];
+}
+
+Vec2d between(const Vec2d& a, const Vec2d& b, double s) {
+    return a + s * (b - a);
+}
+
+Vec2d to_the_left(const Vec2d& v) {
+    return {-v.y(), v.x()};
+}
+
+void split_controls(const Panel& panel, const OutlineEdge& edge, double s, SplitCurve& out) {
+    const Vec2d start = start_of(panel, edge);
+    const Vec2d end = end_of(panel, edge);
+    if (edge.kind == CurveKind::Quadratic) {
+        out.before.control[0] = between(start, edge.control[0], s);
+        out.after.control[0] = between(edge.control[0], end, s);
+        out.point = between(out.before.control[0], out.after.control[0], s);
+        return;
+    }
+    const Vec2d first = between(start, edge.control[0], s);
+    const Vec2d middle = between(edge.control[0], edge.control[1], s);
+    const Vec2d last = between(edge.control[1], end, s);
+    out.before.control = {first, between(first, middle, s)};
+    out.after.control = {between(middle, last, s), last};
+    out.point = between(out.before.control[1], out.after.control[0], s);
+}
+
+// The cubic of least squares through points with given directions at its ends (P. J. Schneider, "An Algorithm for
+// Automatically Fitting Digitized Curves", Graphics Gems, 1990).
+class CubicFit {
+ public:
+    CubicFit(const std::vector<Vec2d>& points, const Vec2d& start_direction, const Vec2d& end_direction)
+        : points_(points), from_(start_direction), back_(-end_direction) {
+        double length = 0;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (i > 0) length += (points[i] - points[i - 1]).norm();
+            u_.push_back(length);
+        }
+        for (double& u : u_) u /= length;
+        handles_ = Vec2d::Constant(length / 3);
+    }
+
+    std::array<Vec2d, 2> controls() {
+        constexpr int kRounds = 30;
+        for (int round = 0; round < kRounds; ++round) {
+            if (!fit_handles()) break;
+            for (std::size_t i = 1; i + 1 < u_.size(); ++i) improve(points_[i], u_[i]);
+        }
+        return current();
+    }
+
+ private:
+    std::array<Vec2d, 2> current() const {
+        return {points_.front() + handles_[0] * from_, points_.back() + handles_[1] * back_};
+    }
+
+    bool fit_handles() {
+        Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
+        Vec2d right = Vec2d::Zero();
+        for (std::size_t i = 0; i < u_.size(); ++i) {
+            const double u = u_[i];
+            const double r = 1 - u;
+            const Vec2d a = 3 * r * r * u * from_;
+            const Vec2d b = 3 * r * u * u * back_;
+            const Vec2d rest =
+                points_[i] - (r * r * (1 + 2 * u) * points_.front() + u * u * (1 + 2 * r) * points_.back());
+            normal += (Eigen::Matrix2d() << a.dot(a), a.dot(b), a.dot(b), b.dot(b)).finished();
+            right += Vec2d(a.dot(rest), b.dot(rest));
+        }
+        if (std::abs(normal.determinant()) <= 1e-12 * normal.squaredNorm()) return false;
+        const Vec2d found = normal.inverse() * right;
+        const double chord = (points_.back() - points_.front()).norm();
+        if (!found.allFinite() || found.minCoeff() < 1e-3 * chord) return false;
+        handles_ = found;
+        return true;
+    }
+
+    // One step of Newton towards the parameter of the point of the curve that is nearest.
+    void improve(const Vec2d& point, double& u) const {
+        const auto [b, c] = current();
+        const Vec2d& a = points_.front();
+        const Vec2d& d = points_.back();
+        const double r = 1 - u;
+        const Vec2d off = r * r * r * a + 3 * r * r * u * b + 3 * r * u * u * c + u * u * u * d - point;
+        const Vec2d first = 3 * (r * r * (b - a) + 2 * r * u * (c - b) + u * u * (d - c));
+        const Vec2d second = 6 * (r * (c - 2 * b + a) + u * (d - 2 * c + b));
+        const double slope = first.squaredNorm() + off.dot(second);
+        if (slope > 0) u = std::clamp(u - off.dot(first) / slope, 0.0, 1.0);
+    }
+
+    const std::vector<Vec2d>& points_;
+    Vec2d from_;
+    Vec2d back_;
+    std::vector<double> u_;
+    Vec2d handles_ = Vec2d::Zero();
+};
+
+// The curve that split_curve made these two of, if it did: de Casteljau backwards.
+std::optional<OutlineEdge> rejoined(const Panel& panel, const OutlineEdge& a, const OutlineEdge& b) {
+    if (a.kind != b.kind || a.kind == CurveKind::Line) return {};
+    OutlineEdge whole = a;
+    whole.end = b.end;
+    double t = 0;  // of the whole, where they meet
+    if (a.kind == CurveKind::Arc) {
+        const ArcCircle one = arc_circle(panel, a);
+        const ArcCircle two = arc_circle(panel, b);
+        if (a.turns_right != b.turns_right || std::abs(one.sweep + two.sweep) > 1.99 * kPi) return {};
+        whole.is_large_arc = std::abs(one.sweep + two.sweep) > kPi;
+        t = one.sweep / (one.sweep + two.sweep);
+    } else {
+        const Vec2d joint = end_of(panel, a);
+        const std::size_t last = a.kind == CurveKind::Cubic ? 1 : 0;
+        const double before = (joint - a.control[last]).norm();
+        const double after = (b.control[0] - joint).norm();
+        if (before < 1e-9 || after < 1e-9) return {};
+        t = before / (before + after);
+        whole.control[0] = start_of(panel, a) + (a.control[0] - start_of(panel, a)) / t;
+        if (last == 1) whole.control[1] = end_of(panel, b) + (b.control[1] - end_of(panel, b)) / (1 - t);
+    }
+    for (const double s : {0.25, 0.5, 0.75, 1.0}) {
+        const bool fits = (curve_point(panel, whole, s * t) - curve_point(panel, a, s)).norm() < 1e-7 &&
+                          (curve_point(panel, whole, t + s * (1 - t)) - curve_point(panel, b, s)).norm() < 1e-7;
+        if (!fits) return {};
+    }
+    return whole;
+}
+
+OutlineEdge arc_as_cubic(const Panel& panel, const OutlineEdge& edge) {
+    const ArcCircle circle = arc_circle(panel, edge);
+    if (std::abs(circle.sweep) > kPi * 1.01) return joined_curve(panel, {edge});  // one cubic, as near as it can be
+    OutlineEdge cubic{.start = edge.start, .end = edge.end, .kind = CurveKind::Cubic, .label = edge.label};
+    const double handle = circle.radius * 4 / 3 * std::tan(std::abs(circle.sweep) / 4);
+    cubic.control = {start_of(panel, edge) + handle * curve_direction(panel, edge, EdgeEnd::Start),
+                     end_of(panel, edge) - handle * curve_direction(panel, edge, EdgeEnd::End)};
+    return cubic;
+}
+
+}  // namespace
+
+SplitCurve split_curve(const Panel& panel, const OutlineEdge& edge, double t, int vertex) {
+    SplitCurve out{edge, edge};
+    const double s = curve_parameter(panel, edge, t);
+    if (edge.kind == CurveKind::Quadratic || edge.kind == CurveKind::Cubic) {
+        split_controls(panel, edge, s, out);
+    } else {
+        out.point = curve_point(panel, edge, s);
+    }
+    if (edge.kind == CurveKind::Arc) {
+        const ArcCircle circle = arc_circle(panel, edge);
+        out.before.arc_radius = out.after.arc_radius = circle.radius;
+        out.before.is_large_arc = std::abs(circle.sweep) * s > kPi;
+        out.after.is_large_arc = std::abs(circle.sweep) * (1 - s) > kPi;
+    }
+    out.before.end = vertex;
+    out.after.start = vertex;
+    return out;
+}
+
+OutlineEdge turned_round(const OutlineEdge& edge) {
+    OutlineEdge other = edge;
+    std::swap(other.start, other.end);
+    if (edge.kind == CurveKind::Cubic) std::swap(other.control[0], other.control[1]);
+    if (edge.kind == CurveKind::Arc) other.turns_right = !edge.turns_right;
+    return other;
+}
+
+bool is_similarity(const Eigen::Affine2d& map) {
+    const Eigen::Matrix2d square = map.linear().transpose() * map.linear();
+    const double size = square.trace() / 2;
+    return (square - size * Eigen::Matrix2d::Identity()).cwiseAbs().maxCoeff() <= 1e-9 * size;
+}
+
+OutlineEdge mapped_curve(const Panel& panel, const OutlineEdge& edge, const Eigen::Affine2d& map) {
+    OutlineEdge other = edge;
+    if (edge.kind == CurveKind::Arc) {
+        if (is_similarity(map)) {
+            const double determinant = map.linear().determinant();
+            other.arc_radius *= std::sqrt(std::abs(determinant));
+            if (determinant < 0) other.turns_right = !edge.turns_right;
+            return other;
+        }
+        other = arc_as_cubic(panel, edge);
+    }
+    if (other.kind == CurveKind::Quadratic || other.kind == CurveKind::Cubic) other.control[0] = map * other.control[0];
+    if (other.kind == CurveKind::Cubic) other.control[1] = map * other.control[1];
+    return other;
+}
+
+Eigen::Affine2d chord_map(const Vec2d& from_a, const Vec2d& from_b, const Vec2d& to_a, const Vec2d& to_b) {
+    const Vec2d from = from_b - from_a;
+    const Vec2d to = to_b - to_a;
+    const double cosine = from.dot(to) / from.squaredNorm();
+    const double sine = cross2(from, to) / from.squaredNorm();
+    Eigen::Affine2d map = Eigen::Affine2d::Identity();
+    map.linear() << cosine, -sine, sine, cosine;
+    map.translation() = to_a - map.linear() * from_a;
+    return map;
+}
+
+Vec2d curve_direction(const Panel& panel, const OutlineEdge& edge, EdgeEnd at) {
+    const Vec2d start = start_of(panel, edge);
+    const Vec2d end = end_of(panel, edge);
+    const bool is_start = at == EdgeEnd::Start;
+    if (edge.kind == CurveKind::Arc) {
+        const ArcCircle circle = arc_circle(panel, edge);
+        const Vec2d spoke = (is_start ? start : end) - circle.centre;
+        return to_the_left(spoke).normalized() * (circle.sweep > 0 ? 1 : -1);
+    }
+    std::vector<Vec2d> polygon{start};
+    if (edge.kind == CurveKind::Quadratic || edge.kind == CurveKind::Cubic) polygon.push_back(edge.control[0]);
+    if (edge.kind == CurveKind::Cubic) polygon.push_back(edge.control[1]);
+    polygon.push_back(end);
+    if (!is_start) std::reverse(polygon.begin(), polygon.end());
+    for (std::size_t i = 1; i < polygon.size(); ++i) {
+        const Vec2d along = polygon[i] - polygon[0];
+        if (along.norm() > 1e-9) return along.normalized() * (is_start ? 1 : -1);
+    }
+    return Vec2d(1, 0);
+}
+
+OutlineEdge joined_curve(const Panel& panel, const std::vector<OutlineEdge>& chain) {
+    OutlineEdge joined{.start = chain.front().start, .end = chain.back().end, .label = chain.front().label};
+    if (std::all_of(chain.begin(), chain.end(), [](const OutlineEdge& e) { return e.kind == CurveKind::Line; })) {
+        return joined;
+    }
+    std::optional<OutlineEdge> whole = chain.front();
+    for (std::size_t i = 1; i < chain.size() && whole; ++i) whole = rejoined(panel, *whole, chain[i]);
+    if (whole && chain.size() > 1) return *whole;
+    constexpr int kSamples = 24;  // of each edge
+    std::vector<Vec2d> points{start_of(panel, chain.front())};
+    for (const OutlineEdge& edge : chain) {
+        for (int i = 1; i <= kSamples; ++i) points.push_back(curve_point(panel, edge, double(i) / kSamples));
+    }
+    joined.kind = CurveKind::Cubic;
+    joined.control = CubicFit(points, curve_direction(panel, chain.front(), EdgeEnd::Start),
+                              curve_direction(panel, chain.back(), EdgeEnd::End))
+                         .controls();
+    return joined;
+}
+
+void move_outline(Panel& panel, const VertexMove& move) {
+    Panel moved = panel;
+    for (std::size_t i = 0; i < panel.vertices.size(); ++i) {
+        if (move.is_moved[i]) moved.vertices[i] = move.map * panel.vertices[i];
+    }
+    for (std::size_t e = 0; e < panel.edges.size(); ++e) {
+        const OutlineEdge& edge = panel.edges[e];
+        const bool has_start = move.is_moved[as_size(edge.start)];
+        const bool has_end = move.is_moved[as_size(edge.end)];
+        if (has_start && has_end) moved.edges[e] = mapped_curve(panel, edge, move.map);
+        if (has_start == has_end || edge.kind == CurveKind::Line) continue;
+        const Eigen::Affine2d ride =
+            chord_map(start_of(panel, edge), end_of(panel, edge), start_of(moved, edge), end_of(moved, edge));
+        moved.edges[e] = mapped_curve(panel, edge, ride);
+    }
+    panel = std::move(moved);
+}
+
+Panel mapped_panel(const Panel& panel, const Eigen::Affine2d& map) {
+    Panel mapped = panel;
+    for (Vec2d& vertex : mapped.vertices) vertex = map * vertex;
+    for (std::size_t e = 0; e < panel.edges.size(); ++e) mapped.edges[e] = mapped_curve(panel, panel.edges[e], map);
+    for (InternalLine& line : mapped.internal_lines) {
+        for (Vec2d& point : line.points) point = map * point;
+    }
+    const Vec2d warp = map.linear() * Vec2d(-std::sin(panel.grain_angle), std::cos(panel.grain_angle));
+    const double turned = std::atan2(-warp.x(), warp.y());
+    if (std::abs(std::remainder(turned - panel.grain_angle, 2 * kPi)) > 1e-12) mapped.grain_angle = turned;
+    if (map.linear().determinant() >= 0) return mapped;
+    mapped.sett_offset.x() = -panel.sett_offset.x();
+    const int count = edge_count(panel);
+    const std::vector<OutlineEdge> edges = mapped.edges;
+    for (int e = 0; e < count; ++e) mapped.edges[as_size(mirrored_edge(e, count))] = turned_round(edges[as_size(e)]);
+    for (Notch& notch : mapped.notches) notch = {mirrored_edge(notch.edge, count), 1 - notch.t};
+    return mapped;
+}
+
+Box outline_box(const Panel& panel) {
+    Eigen::AlignedBox2d box;
+    for (const OutlineEdge& edge : panel.edges) {
+        for (const Vec2d& point : outline_polyline(panel, edge, 1e-4)) box.extend(point);
+    }
+    if (box.isEmpty()) return {};
+    return {box.min(), box.max()};
+}
+
+}  // namespace selvedge

@@ -1,0 +1,236 @@
+#include "editor/geometry/follow.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "editor/geometry/draft.h"
+#include "editor/geometry/edge_shape.h"
+#include "sim/pattern/outline.h"
+
+namespace selvedge {
+namespace {
+
+constexpr double kSmooth = 1e-3;  // rad, edges that meet at less of an angle than this make no corner
+
+void remove_seams_at(Pattern& pattern, const std::vector<SeamSide>& sides) {
+    const auto is_there = [&](const SeamSide& side) {
+        return std::find(sides.begin(), sides.end(), side) != sides.end();
+    };
+    std::erase_if(pattern.seams, [&](const Seam& seam) { return is_there(seam.first) || is_there(seam.second); });
+}
+
+// The run's edges, in their order along the outline.
+std::vector<int> run_of(const Panel& panel, int first, int count) {
+    std::vector<int> run;
+    for (int i = 0; i < count; ++i) run.push_back((first + i) % edge_count(panel));
+    return run;
+}
+
+struct Partner {
+    int panel = 0;
+    int first = 0;  // edge, in the order of that panel's outline
+};
+
+// The run that the seams of a run lead to, if it follows itself in their order.
+std::optional<Partner> partner_of(const Pattern& pattern, int panel, const std::vector<int>& run) {
+    std::vector<SeamSide> others;
+    std::optional<bool> is_reversed;
+    for (const int edge : run) {
+        const SeamSide side{panel, edge};
+        const auto found = seam_at(pattern, side);
+        if (!found) return {};
+        const Seam& seam = pattern.seams[as_size(*found)];
+        others.push_back(seam.first == side ? seam.second : seam.first);
+        if (is_reversed.value_or(seam.is_reversed) != seam.is_reversed) return {};
+        is_reversed = seam.is_reversed;
+    }
+    if (*is_reversed) std::reverse(others.begin(), others.end());
+    const int count = edge_count(pattern.panels[as_size(others[0].panel)]);
+    for (std::size_t i = 0; i < others.size(); ++i) {
+        const bool follows =
+            others[i].panel == others[0].panel && others[i].edge == (others[0].edge + static_cast<int>(i)) % count;
+        const bool is_own = others[i].panel == panel && std::find(run.begin(), run.end(), others[i].edge) != run.end();
+        if (!follows || is_own) return {};
+    }
+    return Partner{others[0].panel, others[0].edge};
+}
+
+}  // namespace
+
+void follow_edges(Pattern& pattern, int panel, const std::function<std::optional<EdgeImage>(int)>& image_of) {
+    std::vector<Seam> kept;
+    for (Seam seam : pattern.seams) {
+        bool is_whole = true;
+        for (SeamSide* side : {&seam.first, &seam.second}) {
+            if (side->panel != panel) continue;
+            const auto image = image_of(side->edge);
+            is_whole = is_whole && image.has_value();
+            if (!image) continue;
+            *side = image->side;
+            if (image->is_turned) seam.is_reversed = !seam.is_reversed;
+        }
+        if (is_whole) kept.push_back(std::move(seam));
+    }
+    pattern.seams = std::move(kept);
+}
+
+int split_alone(Pattern& pattern, const SeamSide& at, double t) {
+    Panel& panel = pattern.panels[as_size(at.panel)];
+    const int vertex = static_cast<int>(panel.vertices.size());
+    const SplitCurve split = split_curve(panel, panel.edges[as_size(at.edge)], t, vertex);
+    panel.vertices.push_back(split.point);
+    panel.edges[as_size(at.edge)] = split.before;
+    panel.edges.insert(panel.edges.begin() + at.edge + 1, split.after);
+    for (Notch& notch : panel.notches) {
+        if (notch.edge > at.edge) {
+            ++notch.edge;
+        } else if (notch.edge == at.edge) {
+            notch = notch.t <= t ? Notch{at.edge, std::min(1.0, notch.t / t)}
+                                 : Notch{at.edge + 1, std::clamp((notch.t - t) / (1 - t), 0.0, 1.0)};
+        }
+    }
+    follow_edges(pattern, at.panel, [&](int edge) { return EdgeImage{{at.panel, edge > at.edge ? edge + 1 : edge}}; });
+    return vertex;
+}
+
+int split_sewn(Pattern& pattern, const SeamSide& at, double t) {
+    const int vertex = split_alone(pattern, at, t);
+    if (seam_at(pattern, at)) share_seam(pattern, at, vertex, t);
+    return vertex;
+}
+
+void share_seam(Pattern& pattern, const SeamSide& own, int rest, double t) {
+    const int index = seam_at(pattern, own).value();
+    const bool is_first = pattern.seams[as_size(index)].first == own;
+    const auto other_of = [&](Seam& seam) -> SeamSide& { return is_first ? seam.second : seam.first; };
+    const bool is_reversed = pattern.seams[as_size(index)].is_reversed;
+    split_alone(pattern, other_of(pattern.seams[as_size(index)]), is_reversed ? 1 - t : t);
+    Seam& seam = pattern.seams[as_size(index)];
+    Seam second = seam;
+    second.name.clear();
+    (is_first ? second.first : second.second).edge = edge_from(pattern.panels[as_size(own.panel)], rest);
+    ++other_of(is_reversed ? seam : second).edge;
+    pattern.seams.push_back(std::move(second));
+}
+
+int edge_from(const Panel& panel, int vertex) {
+    const auto found = std::find_if(panel.edges.begin(), panel.edges.end(),
+                                    [&](const OutlineEdge& edge) { return edge.start == vertex; });
+    return static_cast<int>(found - panel.edges.begin());
+}
+
+void join_alone(Pattern& pattern, int panel_index, int first, int count) {
+    Panel& panel = pattern.panels[as_size(panel_index)];
+    const int total = edge_count(panel);
+    const std::vector<int> run = run_of(panel, first, count);
+    std::vector<OutlineEdge> chain;
+    std::vector<double> reached{0};  // length before each edge of the chain
+    for (const int edge : run) {
+        chain.push_back(panel.edges[as_size(edge)]);
+        reached.push_back(reached.back() + outline_length(panel, chain.back()));
+    }
+    const int wrapped = std::max(0, first + count - total);  // of the run, at the outline's beginning
+    std::vector<int> image(as_size(total));
+    for (int i = 0; i < total; ++i) image[as_size(i)] = i < first ? i - wrapped : i - count + 1;
+    for (const int edge : run) image[as_size(edge)] = first - wrapped;
+    for (Notch& notch : panel.notches) {
+        const auto at = std::find(run.begin(), run.end(), notch.edge);
+        if (at != run.end()) {
+            const auto i = static_cast<std::size_t>(at - run.begin());
+            const double length = reached[i] + notch.t * (reached[i + 1] - reached[i]);
+            notch.t = std::clamp(length / reached.back(), 0.0, 1.0);
+        }
+        notch.edge = image[as_size(notch.edge)];
+    }
+    panel.edges[as_size(first)] = joined_curve(panel, chain);
+    panel.edges.erase(panel.edges.begin() + first + 1, panel.edges.begin() + std::min(first + count, total));
+    panel.edges.erase(panel.edges.begin(), panel.edges.begin() + wrapped);
+    follow_edges(pattern, panel_index, [&](int edge) { return EdgeImage{{panel_index, image[as_size(edge)]}}; });
+}
+
+void join_sewn(Pattern& pattern, int panel, int first, int count,
+               const std::function<bool(int panel, int vertex)>& may_join) {
+    const Panel& own = pattern.panels[as_size(panel)];
+    const std::vector<int> run = run_of(own, first, count);
+    std::optional<Partner> partner = partner_of(pattern, panel, run);
+    if (partner) {
+        const Panel& other = pattern.panels[as_size(partner->panel)];
+        for (const int edge : run_of(other, partner->first, count - 1)) {
+            if (!may_join(partner->panel, other.edges[as_size(edge)].end)) partner.reset();
+            if (!partner) break;
+        }
+    }
+    std::vector<SeamSide> going;
+    for (const int edge : run) {
+        if (!partner || edge != first) going.push_back({panel, edge});
+    }
+    const int start = own.edges[as_size(first)].start;
+    remove_seams_at(pattern, going);
+    if (partner) {
+        // The seam that is left was the one at `first`; it lies at the end of a partner that runs the other way.
+        join_alone(pattern, partner->panel, partner->first, count);
+    }
+    join_alone(pattern, panel, edge_from(pattern.panels[as_size(panel)], start), count);
+}
+
+void drop_vertices(Panel& panel, const std::vector<int>& vertices) {
+    std::vector<int> image(panel.vertices.size(), 0);
+    for (const int vertex : vertices) image[as_size(vertex)] = -1;
+    std::vector<Vec2d> kept;
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        if (image[i] < 0) continue;
+        image[i] = static_cast<int>(kept.size());
+        kept.push_back(panel.vertices[i]);
+    }
+    panel.vertices = std::move(kept);
+    for (OutlineEdge& edge : panel.edges) {
+        edge.start = image[as_size(edge.start)];
+        edge.end = image[as_size(edge.end)];
+    }
+    std::erase_if(panel.pins, [&](int pin) { return image[as_size(pin)] < 0; });
+    for (int& pin : panel.pins) pin = image[as_size(pin)];
+}
+
+bool is_smooth(const Panel& panel, int vertex) {
+    if (std::find(panel.pins.begin(), panel.pins.end(), vertex) != panel.pins.end()) return false;
+    const int after = edge_from(panel, vertex);
+    const int before = (after + edge_count(panel) - 1) % edge_count(panel);
+    const Vec2d arriving = curve_direction(panel, panel.edges[as_size(before)], EdgeEnd::End);
+    const Vec2d leaving = curve_direction(panel, panel.edges[as_size(after)], EdgeEnd::Start);
+    return arriving.dot(leaving) > 0 && std::abs(cross2(arriving, leaving)) < kSmooth;
+}
+
+void drop_unused(Panel& panel, std::vector<int> candidates) {
+    std::erase_if(candidates, [&](int vertex) { return edge_from(panel, vertex) < edge_count(panel); });
+    if (!candidates.empty()) drop_vertices(panel, candidates);
+}
+
+void drop_panels(Pattern& pattern, const std::vector<int>& panels) {
+    for (const int panel : panels) unlink(pattern, panel);
+    std::vector<int> image(pattern.panels.size(), 0);
+    for (const int panel : panels) image[as_size(panel)] = -1;
+    std::vector<Panel> kept;
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        if (image[i] < 0) continue;
+        image[i] = static_cast<int>(kept.size());
+        kept.push_back(std::move(pattern.panels[i]));
+    }
+    pattern.panels = std::move(kept);
+    std::erase_if(pattern.seams, [&](const Seam& seam) {
+        return image[as_size(seam.first.panel)] < 0 || image[as_size(seam.second.panel)] < 0;
+    });
+    for (Seam& seam : pattern.seams) {
+        seam.first.panel = image[as_size(seam.first.panel)];
+        seam.second.panel = image[as_size(seam.second.panel)];
+    }
+}
+
+void unlink(Pattern& pattern, int panel) {
+    Panel& own = pattern.panels[as_size(panel)];
+    own.mirror_of.clear();
+    for (Panel& other : pattern.panels) {
+        if (other.mirror_of == own.name) other.mirror_of.clear();
+    }
+}
+
+}  // namespace selvedge

@@ -1,0 +1,158 @@
+#include "editor/geometry/outline_edit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "editor/geometry/draft.h"
+#include "editor/geometry/edge_shape.h"
+#include "editor/geometry/follow.h"
+#include "sim/pattern/outline.h"
+
+namespace selvedge {
+namespace {
+
+// Joins the edges round each run of marked vertices.
+class VertexRemover {
+ public:
+    VertexRemover(Pattern& draft, int panel, const std::vector<int>& vertices)
+        : draft_(draft), panel_(panel), going_(draft.panels.size()), is_marked_(own().vertices.size(), false) {
+        for (const int vertex : vertices) is_marked_[as_size(vertex)] = true;
+        going_[as_size(panel)] = vertices;
+    }
+
+    void remove() {
+        const auto is_kept = [&](const OutlineEdge& edge) { return !is_marked_[as_size(edge.start)]; };
+        if (std::count_if(own().edges.begin(), own().edges.end(), is_kept) < 2) {
+            throw DraftError("Panel " + own().name + " would have no inside.", {{own().name, -1, -1}});
+        }
+        while (join_one_run()) continue;
+        for (std::size_t i = 0; i < going_.size(); ++i) {
+            drop_unused(draft_.panels[i], going_[i]);
+        }
+    }
+
+ private:
+    const Panel& own() const { return draft_.panels[as_size(panel_)]; }
+
+    bool join_one_run() {
+        const std::vector<OutlineEdge>& edges = own().edges;
+        const auto is_run_start = [&](const OutlineEdge& edge) {
+            return !is_marked_[as_size(edge.start)] && is_marked_[as_size(edge.end)];
+        };
+        const auto found = std::find_if(edges.begin(), edges.end(), is_run_start);
+        if (found == edges.end()) return false;
+        const int first = static_cast<int>(found - edges.begin());
+        int count = 1;
+        while (is_marked_[as_size(edges[as_size((first + count - 1) % edge_count(own()))].end)]) ++count;
+        join_sewn(draft_, panel_, first, count, [&](int panel, int vertex) { return may_join(panel, vertex); });
+        return true;
+    }
+
+    bool may_join(int panel, int vertex) {
+        if (panel == panel_) return is_marked_[as_size(vertex)];
+        if (!is_smooth(draft_.panels[as_size(panel)], vertex)) return false;
+        going_[as_size(panel)].push_back(vertex);
+        return true;
+    }
+
+    Pattern& draft_;
+    int panel_;
+    std::vector<std::vector<int>> going_;  // per panel
+    std::vector<bool> is_marked_;          // per vertex of the panel
+};
+
+VertexMove move_of(const Panel& panel, const std::vector<int>& vertices, const Eigen::Affine2d& map) {
+    expect_vertices(panel, vertices);
+    VertexMove move{std::vector<bool>(panel.vertices.size(), false), map};
+    for (const int vertex : vertices) move.is_moved[as_size(vertex)] = true;
+    return move;
+}
+
+}  // namespace
+
+int find_panel(const Pattern& pattern, const std::string& name) {
+    for (std::size_t i = 0; i < pattern.panels.size(); ++i) {
+        if (pattern.panels[i].name == name) return static_cast<int>(i);
+    }
+    throw DraftError("There is no panel " + name + ".");
+}
+
+int split_edge(Pattern& pattern, SeamSide at, double t) {
+    edge_of(pattern, at);
+    if (!(t > 0 && t < 1)) {
+        throw DraftError("A new point lies between the ends of its edge.", {place_of(pattern, at)});
+    }
+    return edit_draft(pattern, [&](Pattern& draft) { return split_sewn(draft, at, t); });
+}
+
+void remove_vertices(Pattern& pattern, int panel, std::vector<int> vertices) {
+    expect_vertices(panel_of(pattern, panel), vertices);
+    edit_draft(pattern, [&](Pattern& draft) { VertexRemover(draft, panel, vertices).remove(); });
+}
+
+void move_vertices(Pattern& pattern, int panel, const std::vector<int>& vertices, const Vec2d& by) {
+    transform_vertices(pattern, panel, vertices, Eigen::Affine2d(Eigen::Translation2d(by)));
+}
+
+void transform_vertices(Pattern& pattern, int panel, const std::vector<int>& vertices, const Eigen::Affine2d& map) {
+    const VertexMove move = move_of(panel_of(pattern, panel), vertices, map);
+    edit_draft(pattern, [&](Pattern& draft) { move_outline(draft.panels[as_size(panel)], move); });
+}
+
+void transform_panel(Pattern& pattern, int panel, const Eigen::Affine2d& map) {
+    panel_of(pattern, panel);
+    edit_draft(pattern, [&](Pattern& draft) {
+        Panel& own = draft.panels[as_size(panel)];
+        own = mapped_panel(own, map);
+        if (map.linear().determinant() >= 0) return;
+        follow_edges(draft, panel, [&](int edge) {
+            return EdgeImage{{panel, mirrored_edge(edge, edge_count(own))}, true};
+        });
+    });
+}
+
+void set_curve(Pattern& pattern, SeamSide at, const OutlineEdge& curve) {
+    edge_of(pattern, at);
+    edit_draft(pattern, [&](Pattern& draft) {
+        OutlineEdge& edge = edge_of(draft, at);
+        OutlineEdge changed{.start = edge.start, .end = edge.end, .kind = curve.kind, .label = edge.label};
+        if (curve.kind == CurveKind::Arc) {
+            changed.arc_radius = curve.arc_radius;
+            changed.is_large_arc = curve.is_large_arc;
+            changed.turns_right = curve.turns_right;
+        }
+        if (curve.kind == CurveKind::Quadratic || curve.kind == CurveKind::Cubic) changed.control[0] = curve.control[0];
+        if (curve.kind == CurveKind::Cubic) changed.control[1] = curve.control[1];
+        edge = changed;
+    });
+}
+
+NearestOnEdge nearest_on_edge(const Panel& panel, const OutlineEdge& edge, const Vec2d& u) {
+    const auto distance = [&](double s) { return (curve_point(panel, edge, s) - u).norm(); };
+    if (edge.kind == CurveKind::Line) {
+        const Vec2d start = panel.vertices[as_size(edge.start)];
+        const Vec2d chord = panel.vertices[as_size(edge.end)] - start;
+        const double size = chord.squaredNorm();
+        const double t = size > 0 ? std::clamp(chord.dot(u - start) / size, 0.0, 1.0) : 0;
+        return {t, distance(t)};
+    }
+    constexpr int kCells = 64;
+    int best = 0;
+    for (int i = 1; i <= kCells; ++i) {
+        if (distance(double(i) / kCells) < distance(double(best) / kCells)) best = i;
+    }
+    double low = std::max(0.0, double(best - 1) / kCells);
+    double high = std::min(1.0, double(best + 1) / kCells);
+    while (high - low > 1e-9) {  // thirds: within a cell the distance falls, then rises
+        const double one = low + (high - low) / 3;
+        const double two = high - (high - low) / 3;
+        (distance(one) <= distance(two) ? high : low) = distance(one) <= distance(two) ? two : one;
+    }
+    double s = (low + high) / 2;
+    for (const double end : {0.0, 1.0}) {
+        if (distance(end) <= distance(s)) s = end;
+    }
+    return {curve_fraction(panel, edge, s), distance(s)};
+}
+
+}  // namespace selvedge

@@ -1,0 +1,342 @@
+#include "editor/geometry/panel_edit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "editor/geometry/draft.h"
+#include "editor/geometry/edge_shape.h"
+#include "editor/geometry/follow.h"
+#include "editor/geometry/outline_edit.h"
+#include "sim/pattern/outline.h"
+
+namespace selvedge {
+namespace {
+
+bool is_taken(const Pattern& pattern, const std::string& name) {
+    return std::any_of(pattern.panels.begin(), pattern.panels.end(),
+                       [&](const Panel& panel) { return panel.name == name; });
+}
+
+// The name without the number that made it free: front_2 is a front.
+std::string stem_of(const std::string& name) {
+    const std::size_t line = name.rfind('_');
+    if (line == std::string::npos || line == 0 || line + 1 == name.size()) return name;
+    const bool is_number = name.find_first_not_of("0123456789", line + 1) == std::string::npos;
+    return is_number ? name.substr(0, line) : name;
+}
+
+}  // namespace
+
+std::string free_panel_name(const Pattern& pattern, const std::string& wanted) {
+    const std::string name = wanted.empty() ? "panel" : wanted;
+    if (!is_taken(pattern, name)) return name;
+    for (int number = 2;; ++number) {
+        const std::string numbered = stem_of(name) + "_" + std::to_string(number);
+        if (!is_taken(pattern, numbered)) return numbered;
+    }
+}
+
+void rename_panel(Pattern& pattern, int panel, const std::string& name) {
+    Panel& own = panel_of(pattern, panel);
+    if (name == own.name) return;
+    if (name.empty()) throw DraftError("A panel needs a name.", {{own.name, -1, -1}});
+    if (is_taken(pattern, name)) throw DraftError("There is a panel " + name + " already.", {{name, -1, -1}});
+    for (Panel& other : pattern.panels) {
+        if (other.mirror_of == own.name) other.mirror_of = name;
+    }
+    own.name = name;
+}
+
+Panel make_polygon(std::vector<Vec2d> points) {
+    double twice = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) twice += cross2(points[i], points[(i + 1) % points.size()]);
+    if (twice < 0) std::reverse(points.begin(), points.end());
+    Panel panel;
+    panel.name = "panel";
+    const int count = static_cast<int>(points.size());
+    for (int i = 0; i < count; ++i) panel.edges.push_back({.start = i, .end = (i + 1) % count});
+    panel.vertices = std::move(points);
+    check_panel(panel);
+    return panel;
+}
+
+Panel make_rectangle(const Vec2d& low, const Vec2d& high) {
+    return make_polygon({low, {high.x(), low.y()}, high, {low.x(), high.y()}});
+}
+
+// A quarter of a circle by a cubic is off by 0.03% of its radius.
+Panel make_ellipse(const Vec2d& centre, const Vec2d& radii) {
+    const Vec2d size = radii.cwiseAbs();
+    const std::array<Vec2d, 4> spokes{Vec2d(0, -1), Vec2d(1, 0), Vec2d(0, 1), Vec2d(-1, 0)};
+    const double handle = 4.0 / 3.0 * (std::sqrt(2.0) - 1);
+    Panel panel;
+    panel.name = "panel";
+    for (int i = 0; i < 4; ++i) {
+        const Vec2d from = spokes[as_size(i)];
+        const Vec2d to = spokes[as_size((i + 1) % 4)];
+        panel.vertices.push_back(centre + size.cwiseProduct(from));
+        OutlineEdge edge{.start = i, .end = (i + 1) % 4, .kind = CurveKind::Cubic};
+        edge.control = {centre + size.cwiseProduct(from + handle * to), centre + size.cwiseProduct(to + handle * from)};
+        panel.edges.push_back(edge);
+    }
+    check_panel(panel);
+    return panel;
+}
+
+int add_panel(Pattern& pattern, Panel panel) {
+    panel.name = free_panel_name(pattern, panel.name);
+    return edit_draft(pattern, [&](Pattern& draft) {
+        draft.panels.push_back(std::move(panel));
+        return static_cast<int>(draft.panels.size()) - 1;
+    });
+}
+
+void remove_panels(Pattern& pattern, const std::vector<int>& panels) {
+    for (const int panel : panels) panel_of(pattern, panel);
+    edit_draft(pattern, [&](Pattern& draft) { drop_panels(draft, panels); });
+}
+
+int duplicate_panel(Pattern& pattern, int panel, const Vec2d& shift) {
+    Panel copy = panel_of(pattern, panel);
+    copy.mirror_of.clear();
+    copy.sheet_position = sheet_positions(pattern)[as_size(panel)] + shift;
+    return add_panel(pattern, std::move(copy));
+}
+
+// Cutting a panel apart.
+
+namespace {
+
+constexpr double kSnap = 1e-4;   // m, a cut that ends nearer to a vertex than this ends there
+constexpr double kApart = 0.02;  // m, of the parts on the sheet
+
+bool is_inside(const std::vector<Vec2d>& loop, const Vec2d& p) {
+    bool is_in = false;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Vec2d& a = loop[i];
+        const Vec2d& b = loop[(i + 1) % loop.size()];
+        if ((a.y() > p.y()) == (b.y() > p.y())) continue;
+        if (p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) is_in = !is_in;
+    }
+    return is_in;
+}
+
+// Where along a segment, 0..1 and ascending, it meets the path.
+std::vector<double> meetings(const Vec2d& from, const Vec2d& to, const std::vector<Vec2d>& path) {
+    std::vector<double> found;
+    const Vec2d along = to - from;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        const Vec2d step = path[i + 1] - path[i];
+        const double sine = cross2(along, step);
+        if (sine == 0) continue;
+        const double t = cross2(path[i] - from, step) / sine;
+        const double s = cross2(path[i] - from, along) / sine;
+        if (t > 1e-9 && t < 1 - 1e-9 && s >= 0 && s <= 1) found.push_back(t);
+    }
+    std::sort(found.begin(), found.end());
+    const auto is_same = [](double a, double b) { return b - a < 1e-9; };  // at a corner of the path
+    found.erase(std::unique(found.begin(), found.end(), is_same), found.end());
+    return found;
+}
+
+// A line in the pieces that the path leaves of it.
+std::vector<InternalLine> cut_line(const InternalLine& line, const std::vector<Vec2d>& path) {
+    std::vector<InternalLine> pieces{{line.name, {}}};
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+        if (i > 0) {
+            for (const double t : meetings(line.points[i - 1], line.points[i], path)) {
+                const Vec2d point = line.points[i - 1] + t * (line.points[i] - line.points[i - 1]);
+                pieces.back().points.push_back(point);
+                pieces.push_back({line.name, {point}});
+            }
+        }
+        pieces.back().points.push_back(line.points[i]);
+    }
+    return pieces;
+}
+
+// The outline from vertex `from_` to `to_`, counter-clockwise, goes to the new panel, which lies on the right of the
+// path; the rest stays:
+//
+//        to_ ------<------ .                 kept: path, then the outline on from to_
+//         |  kept  ^  new  |                 new: the outline from from_ to to_, then the path back
+//         . --->- from_ -> .
+class PanelCutter {
+ public:
+    PanelCutter(Pattern& draft, int panel, const std::vector<Vec2d>& path)
+        : draft_(draft), panel_(panel), other_(static_cast<int>(draft.panels.size())), path_(path) {}
+
+    int cut(bool is_sewn, const Vec2d& sheet_position) {
+        from_ = vertex_at(path_.front());
+        to_ = vertex_at(path_.back());
+        if (from_ == to_) {
+            throw DraftError("A cut begins and ends at different points of the outline.", {{own().name, -1, from_}});
+        }
+        path_.front() = own().vertices[as_size(from_)];
+        path_.back() = own().vertices[as_size(to_)];
+        unlink(draft_, panel_);
+        divide();
+        if (is_sewn) sew();
+        const Vec2d along = (path_.back() - path_.front()).normalized();
+        own().sheet_position = sheet_position;
+        draft_.panels.back().sheet_position = sheet_position + kApart * Vec2d(along.y(), -along.x());
+        return other_;
+    }
+
+ private:
+    Panel& own() { return draft_.panels[as_size(panel_)]; }
+    int cut_edges() const { return static_cast<int>(path_.size()) - 1; }
+
+    int vertex_at(const Vec2d& point) {
+        SeamSide best{panel_, 0};
+        NearestOnEdge nearest = nearest_on_edge(own(), own().edges[0], point);
+        for (int e = 1; e < edge_count(own()); ++e) {
+            const NearestOnEdge found = nearest_on_edge(own(), own().edges[as_size(e)], point);
+            if (found.distance >= nearest.distance) continue;
+            nearest = found;
+            best.edge = e;
+        }
+        const OutlineEdge& edge = own().edges[as_size(best.edge)];
+        const double length = outline_length(own(), edge);
+        if (nearest.t * length < kSnap) return edge.start;
+        if ((1 - nearest.t) * length < kSnap) return edge.end;
+        return split_sewn(draft_, best, nearest.t);
+    }
+
+    void divide() {
+        Panel kept = own();
+        const int count = edge_count(kept);
+        const int first = edge_from(kept, from_);
+        taken_ = (edge_from(kept, to_) - first + count) % count;
+        const int wrapped = std::max(0, first + taken_ - count);
+        base_ = first - wrapped;
+        add_path(kept);
+        Panel taken = kept;
+        taken.name = free_panel_name(draft_, kept.name);
+        taken.edges.clear();
+        for (int i = 0; i < taken_; ++i) taken.edges.push_back(kept.edges[as_size((first + i) % count)]);
+        for (int k = cut_edges() - 1; k >= 0; --k) taken.edges.push_back(turned_round(cut_[as_size(k)]));
+        kept.edges.erase(kept.edges.begin() + first, kept.edges.begin() + std::min(first + taken_, count));
+        kept.edges.erase(kept.edges.begin(), kept.edges.begin() + wrapped);
+        kept.edges.insert(kept.edges.begin() + base_, cut_.begin(), cut_.end());
+        const auto image_of = [&, first, count, wrapped](int edge) -> SeamSide {
+            const int along = (edge - first + count) % count;
+            if (along < taken_) return {other_, along};
+            return {panel_, edge < first ? edge - wrapped : edge - taken_ + cut_edges()};
+        };
+        follow_edges(draft_, panel_, [&](int edge) { return EdgeImage{image_of(edge)}; });
+        divide_notches(kept, taken, image_of);
+        divide_lines(kept, taken);
+        drop_foreign_vertices(kept, taken);
+        own() = std::move(kept);
+        draft_.panels.push_back(std::move(taken));
+    }
+
+    void add_path(Panel& kept) {
+        int start = from_;
+        for (int k = 0; k < cut_edges(); ++k) {
+            const bool is_last = k + 1 == cut_edges();
+            const int end = is_last ? to_ : static_cast<int>(kept.vertices.size());
+            if (!is_last) kept.vertices.push_back(path_[as_size(k + 1)]);
+            cut_.push_back({.start = start, .end = end});
+            start = end;
+        }
+    }
+
+    template <class ImageOf>
+    void divide_notches(Panel& kept, Panel& taken, ImageOf image_of) const {
+        kept.notches.clear();
+        const std::vector<Notch> notches = std::exchange(taken.notches, {});
+        for (const Notch& notch : notches) {
+            const SeamSide image = image_of(notch.edge);
+            (image.panel == panel_ ? kept : taken).notches.push_back({image.edge, notch.t});
+        }
+    }
+
+    void divide_lines(Panel& kept, Panel& taken) const {
+        std::vector<Vec2d> loop;
+        for (const OutlineEdge& edge : kept.edges) {
+            const std::vector<Vec2d> points = outline_polyline(kept, edge, 1e-4);
+            loop.insert(loop.end(), points.begin(), points.end() - 1);
+        }
+        kept.internal_lines.clear();
+        const std::vector<InternalLine> lines = std::exchange(taken.internal_lines, {});
+        for (const InternalLine& line : lines) {
+            for (InternalLine& piece : cut_line(line, path_)) {
+                if (piece.points.empty()) continue;
+                const Vec2d probe =
+                    (piece.points[0] + piece.points[std::min<std::size_t>(1, piece.points.size() - 1)]) / 2;
+                (is_inside(loop, probe) ? kept : taken).internal_lines.push_back(std::move(piece));
+            }
+        }
+    }
+
+    static void drop_foreign_vertices(Panel& kept, Panel& taken) {
+        std::vector<int> not_kept;
+        std::vector<int> not_taken;
+        for (int v = 0; v < static_cast<int>(kept.vertices.size()); ++v) {
+            const bool is_of_taken = edge_from(taken, v) < edge_count(taken);
+            if (!is_of_taken) not_taken.push_back(v);
+            if (is_of_taken && edge_from(kept, v) == edge_count(kept)) not_kept.push_back(v);
+        }
+        drop_vertices(kept, not_kept);
+        drop_vertices(taken, not_taken);
+    }
+
+    void sew() {
+        for (int k = 0; k < cut_edges(); ++k) {
+            draft_.seams.push_back({{panel_, base_ + k}, {other_, taken_ + cut_edges() - 1 - k}, true});
+        }
+    }
+
+    Pattern& draft_;
+    int panel_;
+    int other_;
+    std::vector<Vec2d> path_;
+    int from_ = 0;
+    int to_ = 0;
+    int taken_ = 0;                 // edges of the outline that go
+    int base_ = 0;                  // where the path begins among the edges that stay
+    std::vector<OutlineEdge> cut_;  // the path's edges, vertices of the panel before it was cut
+};
+
+}  // namespace
+
+int cut_panel(Pattern& pattern, int panel, const std::vector<Vec2d>& path, bool is_sewn) {
+    const Panel& own = panel_of(pattern, panel);
+    const bool is_sound = std::all_of(path.begin(), path.end(), [](const Vec2d& p) { return p.allFinite(); });
+    if (path.size() < 2 || !is_sound) {
+        throw DraftError("A cut needs two points or more.", {{own.name, -1, -1}});
+    }
+    const Vec2d position = sheet_positions(pattern)[as_size(panel)];
+    return edit_draft(pattern, [&](Pattern& draft) { return PanelCutter(draft, panel, path).cut(is_sewn, position); });
+}
+
+namespace {
+
+constexpr double kGap = 0.05;       // m, between panels
+constexpr double kRowLength = 1.4;  // m, a panel that would reach further begins a row
+
+}  // namespace
+
+// All panels take part, so that one that is put elsewhere leaves the others where they are.
+std::vector<Vec2d> sheet_positions(const Pattern& pattern) {
+    std::vector<Vec2d> positions;
+    Vec2d corner(0, 0);  // upper left of the next
+    double depth = 0;    // of the row
+    for (const Panel& panel : pattern.panels) {
+        const Box box = outline_box(panel);
+        const Vec2d size = box.high - box.low;
+        if (corner.x() > 0 && corner.x() + size.x() > kRowLength) {
+            corner = {0, corner.y() - depth - kGap};
+            depth = 0;
+        }
+        const Vec2d laid_out = corner - Vec2d(box.low.x(), box.high.y());
+        positions.push_back(panel.sheet_position.value_or(laid_out));
+        corner.x() += size.x() + kGap;
+        depth = std::max(depth, size.y());
+    }
+    return positions;
+}
+
+}  // namespace selvedge

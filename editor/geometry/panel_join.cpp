@@ -1,0 +1,310 @@
+// Joining panels in the plane, opening folds, and darts.
+#include <algorithm>
+#include <cmath>
+
+#include "editor/geometry/draft.h"
+#include "editor/geometry/edge_shape.h"
+#include "editor/geometry/follow.h"
+#include "editor/geometry/panel_edit.h"
+#include "sim/pattern/outline.h"
+
+namespace selvedge {
+namespace {
+
+constexpr double kSameShape = 1e-3;  // m, how far sides that are joined may lie apart
+
+// Joins panel b to panel a along a run of seams between them. Along a's run from its first edge on, b's runs back from
+// its last.
+class Merger {
+ public:
+    Merger(Pattern& draft, const Seam& seam)
+        : draft_(draft),
+          a_(seam.first.panel),
+          b_(seam.second.panel),
+          a_first_(seam.first.edge),
+          b_first_(seam.second.edge) {}
+
+    int merge() {
+        other_ = mapped_panel(b(), map_of_seam());
+        if (!lie_together(a_first_, b_first_)) {
+            throw DraftError("The sides of the seam have different shapes.",
+                             {place_of(draft_, {a_, a_first_}), place_of(draft_, {b_, b_first_})});
+        }
+        extend();
+        meet_ends();
+        join();
+        const int joined = a_ - (b_ < a_ ? 1 : 0);
+        unlink(draft_, a_);
+        drop_panels(draft_, {b_});
+        return joined;
+    }
+
+ private:
+    Panel& a() { return draft_.panels[as_size(a_)]; }
+    Panel& b() { return draft_.panels[as_size(b_)]; }
+
+    const OutlineEdge& edge(const Panel& panel, int index) const { return panel.edges[as_size(index)]; }
+    int a_edge(int i) { return (a_first_ + i + edge_count(a())) % edge_count(a()); }
+    int b_edge(int i) { return (b_first_ + i + edge_count(b())) % edge_count(b()); }
+
+    Eigen::Affine2d map_of_seam() {
+        const OutlineEdge& own = edge(a(), a_first_);
+        const OutlineEdge& other = edge(b(), b_first_);
+        const Vec2d from = b().vertices[as_size(other.end)];
+        const Vec2d to = b().vertices[as_size(other.start)];
+        const Vec2d start = a().vertices[as_size(own.start)];
+        const Vec2d end = a().vertices[as_size(own.end)];
+        Eigen::Affine2d map = chord_map(from, to, start, end);
+        map.linear() /= std::sqrt(map.linear().determinant());  // turned and moved, not scaled
+        map.translation() = (start + end) / 2 - map.linear() * (from + to) / 2;
+        return map;
+    }
+
+    bool lie_together(int own, int other) {
+        const OutlineEdge& one = edge(a(), own);
+        const OutlineEdge& two = edge(other_, other);
+        if (std::abs(outline_length(a(), one) - outline_length(other_, two)) > kSameShape) return false;
+        constexpr int kSamples = 16;
+        for (int i = 0; i <= kSamples; ++i) {
+            const double t = double(i) / kSamples;
+            if ((outline_point(a(), one, t) - outline_point(other_, two, 1 - t)).norm() > kSameShape) return false;
+        }
+        return true;
+    }
+
+    bool are_joined(int own, int other) {
+        const auto found = seam_at(draft_, {a_, own});
+        if (!found) return false;
+        const Seam& seam = draft_.seams[as_size(*found)];
+        const SeamSide& across = seam.first == SeamSide{a_, own} ? seam.second : seam.first;
+        return seam.is_reversed && across == SeamSide{b_, other} && lie_together(own, other);
+    }
+
+    // Seams that go on along this one are joined with it: they would leave a slit.
+    void extend() {
+        const int most = std::min(edge_count(a()), edge_count(b())) - 1;
+        while (count_ < most && are_joined(a_edge(count_), b_edge(-1))) {
+            ++count_;
+            b_first_ = b_edge(-1);
+        }
+        while (count_ < most && are_joined(a_edge(-1), b_edge(count_))) {
+            ++count_;
+            a_first_ = a_edge(-1);
+        }
+    }
+
+    // The ends of b's run to those of a's, exactly.
+    void meet_ends() {
+        a_start_ = edge(a(), a_first_).start;
+        a_end_ = edge(a(), a_edge(count_ - 1)).end;
+        b_start_ = edge(b(), b_first_).start;
+        b_end_ = edge(b(), b_edge(count_ - 1)).end;
+        for (const auto& [vertex, to] : {std::pair{b_start_, a_end_}, std::pair{b_end_, a_start_}}) {
+            VertexMove move{std::vector<bool>(other_.vertices.size(), false), Eigen::Affine2d::Identity()};
+            move.is_moved[as_size(vertex)] = true;
+            move.map.translation() = a().vertices[as_size(to)] - other_.vertices[as_size(vertex)];
+            move_outline(other_, move);
+        }
+    }
+
+    void join() {
+        Panel joined = a();
+        const int a_count = edge_count(joined);
+        const int b_rest = edge_count(other_) - count_;
+        const int shift = static_cast<int>(joined.vertices.size());
+        const auto vertex = [&](int v) { return v == b_start_ ? a_end_ : v == b_end_ ? a_start_ : v + shift; };
+        const int wrapped = std::max(0, a_first_ + count_ - a_count);
+        const int base = a_first_ - wrapped;
+        const auto a_image = [&](int e) -> std::optional<EdgeImage> {
+            if ((e - a_first_ + a_count) % a_count < count_) return {};
+            return EdgeImage{{a_, e < a_first_ ? e - wrapped : e - count_ + b_rest}};
+        };
+        const auto b_image = [&](int e) -> std::optional<EdgeImage> {
+            const int along = (e - b_first_ + edge_count(other_)) % edge_count(other_) - count_;
+            if (along < 0) return {};
+            return EdgeImage{{a_, base + along}};
+        };
+        joined.edges.assign(as_size(a_count - count_ + b_rest), {});
+        for (int e = 0; e < a_count; ++e) {
+            if (const auto image = a_image(e)) joined.edges[as_size(image->side.edge)] = a().edges[as_size(e)];
+        }
+        for (int e = 0; e < edge_count(other_); ++e) {
+            const auto image = b_image(e);
+            if (!image) continue;
+            OutlineEdge& place = joined.edges[as_size(image->side.edge)];
+            place = other_.edges[as_size(e)];
+            place.start = vertex(place.start);
+            place.end = vertex(place.end);
+        }
+        joined.vertices.insert(joined.vertices.end(), other_.vertices.begin(), other_.vertices.end());
+        for (const int pin : other_.pins) {
+            if (std::find(joined.pins.begin(), joined.pins.end(), vertex(pin)) == joined.pins.end()) {
+                joined.pins.push_back(vertex(pin));
+            }
+        }
+        joined.notches.clear();
+        add_notches(joined, a().notches, a_image);
+        add_notches(joined, other_.notches, b_image);
+        for (InternalLine& line : other_.internal_lines) joined.internal_lines.push_back(std::move(line));
+        drop_vertices(joined, inner_vertices(shift));
+        follow_edges(draft_, a_, a_image);
+        follow_edges(draft_, b_, b_image);
+        a() = std::move(joined);
+    }
+
+    template <class ImageOf>
+    static void add_notches(Panel& joined, const std::vector<Notch>& notches, ImageOf image_of) {
+        for (const Notch& notch : notches) {
+            if (const auto image = image_of(notch.edge)) joined.notches.push_back({image->side.edge, notch.t});
+        }
+    }
+
+    // Those of a's run between its ends, and all of b's run.
+    std::vector<int> inner_vertices(int shift) {
+        std::vector<int> vertices{b_start_ + shift, b_end_ + shift};
+        for (int i = 0; i + 1 < count_; ++i) {
+            vertices.push_back(edge(a(), a_edge(i)).end);
+            vertices.push_back(edge(b(), b_edge(i)).end + shift);
+        }
+        return vertices;
+    }
+
+    Pattern& draft_;
+    int a_;
+    int b_;
+    int a_first_;
+    int b_first_;
+    int count_ = 1;
+    Panel other_;  // b as it lies on a
+    int a_start_ = 0;
+    int a_end_ = 0;
+    int b_start_ = 0;
+    int b_end_ = 0;
+};
+
+bool is_straight(const Panel& panel, const OutlineEdge& edge) {
+    const Vec2d start = panel.vertices[as_size(edge.start)];
+    const Vec2d along = (panel.vertices[as_size(edge.end)] - start).normalized();
+    const std::vector<Vec2d> points = outline_polyline(panel, edge, 1e-5);
+    return std::all_of(points.begin(), points.end(),
+                       [&](const Vec2d& p) { return std::abs(cross2(along, p - start)) < 1e-5; });
+}
+
+Eigen::Affine2d reflection(const Vec2d& from, const Vec2d& to) {
+    const Vec2d along = (to - from).normalized();
+    Eigen::Affine2d map = Eigen::Affine2d::Identity();
+    map.linear() = 2 * along * along.transpose() - Eigen::Matrix2d::Identity();
+    map.translation() = from - map.linear() * from;
+    return map;
+}
+
+// Edge e < fold keeps its index; the image of edge fold - 1 - i comes i-th after them; then those behind the fold.
+void unfold(Pattern& draft, const SeamSide& fold) {
+    Panel& panel = draft.panels[as_size(fold.panel)];
+    const Panel half = panel;
+    const int count = edge_count(half);
+    const OutlineEdge& axis = half.edges[as_size(fold.edge)];
+    const Eigen::Affine2d map = reflection(half.vertices[as_size(axis.start)], half.vertices[as_size(axis.end)]);
+    std::vector<int> image(half.vertices.size());
+    for (std::size_t v = 0; v < image.size(); ++v) image[v] = static_cast<int>(v);
+    for (const OutlineEdge& edge : half.edges) {
+        if (edge.start == axis.start || edge.start == axis.end) continue;
+        image[as_size(edge.start)] = static_cast<int>(panel.vertices.size());
+        panel.vertices.push_back(map * half.vertices[as_size(edge.start)]);
+    }
+    const auto image_of = [&](int e) { return fold.edge + (fold.edge - 1 - e + count) % count; };
+    const auto stays_at = [&](int e) { return e < fold.edge ? e : e + count - 2; };
+    panel.edges.assign(as_size(2 * (count - 1)), {});
+    panel.notches.clear();
+    for (int e = 0; e < count; ++e) {
+        if (e == fold.edge) continue;
+        OutlineEdge other = turned_round(mapped_curve(half, half.edges[as_size(e)], map));
+        other.start = image[as_size(other.start)];
+        other.end = image[as_size(other.end)];
+        panel.edges[as_size(stays_at(e))] = half.edges[as_size(e)];
+        panel.edges[as_size(image_of(e))] = other;
+    }
+    for (const Notch& notch : half.notches) {
+        if (notch.edge == fold.edge) continue;
+        panel.notches.push_back({stays_at(notch.edge), notch.t});
+        panel.notches.push_back({image_of(notch.edge), 1 - notch.t});
+    }
+    for (const int pin : half.pins) {
+        if (image[as_size(pin)] != pin) panel.pins.push_back(image[as_size(pin)]);
+    }
+    for (InternalLine line : half.internal_lines) {
+        for (Vec2d& point : line.points) point = map * point;
+        panel.internal_lines.push_back(std::move(line));
+    }
+    std::vector<Seam> darts;
+    for (const Seam& seam : draft.seams) {
+        if (seam.first.panel != fold.panel || seam.second.panel != fold.panel) continue;
+        if (seam.first.edge == fold.edge || seam.second.edge == fold.edge) continue;
+        darts.push_back({{fold.panel, image_of(seam.first.edge)},
+                         {fold.panel, image_of(seam.second.edge)},
+                         seam.is_reversed,
+                         "",
+                         seam.is_eased});
+    }
+    follow_edges(draft, fold.panel, [&](int e) -> std::optional<EdgeImage> {
+        if (e == fold.edge) return {};
+        return EdgeImage{{fold.panel, stays_at(e)}};
+    });
+    draft.seams.insert(draft.seams.end(), darts.begin(), darts.end());
+}
+
+// Puts the two legs in the place of an edge: from its start to the apex and on to its end. Gives the apex.
+int open_wedge(Pattern& draft, const SeamSide& mouth, double depth) {
+    Panel& panel = draft.panels[as_size(mouth.panel)];
+    OutlineEdge& edge = panel.edges[as_size(mouth.edge)];
+    const Vec2d from = panel.vertices[as_size(edge.start)];
+    const Vec2d to = panel.vertices[as_size(edge.end)];
+    const Vec2d along = (to - from).normalized();
+    const int apex = static_cast<int>(panel.vertices.size());
+    panel.vertices.push_back((from + to) / 2 + depth * Vec2d(-along.y(), along.x()));
+    const OutlineEdge second{.start = apex, .end = edge.end};
+    edge = {.start = edge.start, .end = apex};
+    panel.edges.insert(panel.edges.begin() + mouth.edge + 1, second);
+    std::erase_if(panel.notches, [&](const Notch& notch) { return notch.edge == mouth.edge; });
+    for (Notch& notch : panel.notches) notch.edge += notch.edge > mouth.edge ? 1 : 0;
+    follow_edges(draft, mouth.panel, [&](int e) { return EdgeImage{{mouth.panel, e > mouth.edge ? e + 1 : e}}; });
+    return apex;
+}
+
+}  // namespace
+
+int merge_panels(Pattern& pattern, int seam) {
+    const Seam joint = seam_of(pattern, seam);
+    const std::vector<DraftPlace> places{place_of(pattern, joint.first), place_of(pattern, joint.second)};
+    if (joint.first.panel == joint.second.panel) throw DraftError("A seam within one panel joins no two.", places);
+    if (!joint.is_reversed) throw DraftError("The panels face different ways: turn one over first.", places);
+    return edit_draft(pattern, [&](Pattern& draft) { return Merger(draft, joint).merge(); });
+}
+
+void unfold_panel(Pattern& pattern, SeamSide fold) {
+    if (!is_straight(panel_of(pattern, fold.panel), edge_of(pattern, fold))) {
+        throw DraftError("A fold is straight; this edge is curved.", {place_of(pattern, fold)});
+    }
+    edit_draft(pattern, [&](Pattern& draft) {
+        unlink(draft, fold.panel);
+        unfold(draft, fold);
+    });
+}
+
+void insert_dart(Pattern& pattern, SeamSide at, double t, double width, double depth) {
+    const double length = outline_length(panel_of(pattern, at.panel), edge_of(pattern, at));
+    const double from = t - width / 2 / length;
+    const double to = t + width / 2 / length;
+    if (!(width > 0 && depth > 0)) throw DraftError("A dart needs a width and a depth.", {place_of(pattern, at)});
+    if (!(from > 0 && to < 1)) throw DraftError("The dart is wider than there is room.", {place_of(pattern, at)});
+    edit_draft(pattern, [&](Pattern& draft) {
+        const Panel& panel = draft.panels[as_size(at.panel)];
+        const int second = split_alone(draft, at, to);
+        const int first = split_alone(draft, at, from / to);
+        const int apex = open_wedge(draft, {at.panel, at.edge + 1}, depth);
+        if (seam_at(draft, at)) share_seam(draft, at, second, from / (from + 1 - to));
+        draft.seams.push_back({{at.panel, edge_from(panel, first)}, {at.panel, edge_from(panel, apex)}, true});
+    });
+}
+
+}  // namespace selvedge

@@ -1,0 +1,319 @@
+// Mirror images of panels, and keeping them so.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "editor/geometry/draft.h"
+#include "editor/geometry/edge_shape.h"
+#include "editor/geometry/follow.h"
+#include "editor/geometry/panel_edit.h"
+#include "sim/pattern/outline.h"
+
+namespace selvedge {
+namespace {
+
+constexpr double kSamePoint = 1e-6;  // m
+
+// The image in the plane x = 0 of the room. With S = diag(-1, 1, 1) and m the mirroring of the sheet, which keeps
+// is_mirrored: S (R p + t) = (S R S) (S p) + S t, and S p is the local point of m(u).
+Panel mirror_image(const Panel& panel) {
+    Panel image = mapped_panel(panel, Eigen::Affine2d(Eigen::Scaling(-1.0, 1.0)));
+    const Eigen::Matrix3d across = Vec3d(-1, 1, 1).asDiagonal();
+    image.rotation = across * panel.rotation * across;
+    image.translation.x() = -panel.translation.x();
+    return image;
+}
+
+// left_sleeve for right_sleeve; other names as they are.
+std::string name_across(const std::string& name) {
+    for (const auto& [one, other] : {std::pair<std::string, std::string>{"left", "right"}, {"right", "left"}}) {
+        const std::size_t at = name.find(one);
+        if (at != std::string::npos) return name.substr(0, at) + other + name.substr(at + one.size());
+    }
+    return name;
+}
+
+// What links keep the same: all but names and places on the sheet.
+bool is_same_shape(Panel one, Panel other) {
+    for (Panel* panel : {&one, &other}) {
+        panel->name.clear();
+        panel->mirror_of.clear();
+        panel->sheet_position.reset();
+    }
+    return one == other;
+}
+
+// Seams of a panel with itself.
+std::vector<Seam> darts_of(const Pattern& pattern, int panel) {
+    std::vector<Seam> darts;
+    for (const Seam& seam : pattern.seams) {
+        if (seam.first.panel != panel || seam.second.panel != panel) continue;
+        darts.push_back({{0, seam.first.edge}, {0, seam.second.edge}, seam.is_reversed, "", seam.is_eased});
+    }
+    return darts;
+}
+
+// The dart on another panel whose edges run the other way round.
+Seam dart_across(const Seam& dart, int panel, int count) {
+    return {{panel, mirrored_edge(dart.first.edge, count)},
+            {panel, mirrored_edge(dart.second.edge, count)},
+            dart.is_reversed,
+            "",
+            dart.is_eased};
+}
+
+// Which edge of `target` starts where each edge of `panel` does: -1, none. Both loops run the same way round.
+std::vector<int> match_loops(const Panel& panel, const Panel& target) {
+    const int count = edge_count(panel);
+    const int target_count = edge_count(target);
+    std::vector<int> match(as_size(count), -1);
+    if (count == target_count) {
+        const int shift = edge_from(target, panel.edges[0].start);
+        const auto is_turned_by_shift = [&](int e) {
+            return panel.edges[as_size(e)].start == target.edges[as_size((e + shift) % count)].start;
+        };
+        for (int e = 0; e < count && is_turned_by_shift(e); ++e) match[as_size(e)] = (e + shift) % count;
+        if (match.back() >= 0) return match;
+    }
+    int falls = 0;
+    int last = -1;
+    int first = -1;
+    for (int e = 0; e < count; ++e) {
+        match[as_size(e)] = -1;
+        const Vec2d& point = panel.vertices[as_size(panel.edges[as_size(e)].start)];
+        for (int k = 0; k < target_count; ++k) {
+            const Vec2d& other = target.vertices[as_size(target.edges[as_size(k)].start)];
+            if ((point - other).norm() < kSamePoint) match[as_size(e)] = k;
+        }
+        const int found = match[as_size(e)];
+        if (found < 0) continue;
+        falls += found < last ? 1 : 0;
+        last = found;
+        if (first < 0) first = found;
+    }
+    falls += first < last ? 1 : 0;
+    if (falls > 1) match.assign(as_size(count), -1);
+    return match;
+}
+
+// A stretch of both loops between two points that they share.
+struct Stretch {
+    int first = 0;  // edge of the panel
+    int count = 0;
+    int target_first = 0;
+    int target_count = 0;
+};
+
+std::vector<Stretch> stretches(const Panel& panel, const Panel& target) {
+    const std::vector<int> match = match_loops(panel, target);
+    const int count = edge_count(panel);
+    const int target_count = edge_count(target);
+    std::vector<int> shared;
+    for (int e = 0; e < count; ++e) {
+        if (match[as_size(e)] >= 0) shared.push_back(e);
+    }
+    std::vector<Stretch> found;
+    for (std::size_t i = 0; i < shared.size(); ++i) {
+        const int from = shared[i];
+        const int to = shared[(i + 1) % shared.size()];
+        const int own = (to - from + count - 1) % count + 1;
+        const int across = match[as_size(to)] - match[as_size(from)];
+        found.push_back({from, own, match[as_size(from)], (across + target_count - 1) % target_count + 1});
+    }
+    if (found.empty() && count == target_count) found.push_back({0, count, 0, count});
+    return found;
+}
+
+// Makes a panel the mirror image of another and lets its seams follow: where the other's edges were split or joined,
+// its own are, too.
+class Follower {
+ public:
+    Follower(Pattern& draft, int lead, int panel) : draft_(draft), lead_(lead), panel_(panel) {}
+
+    void follow() {
+        even_stretches();
+        const Panel target = image();
+        std::vector<int> place(own().edges.size(), -1);
+        for (const Stretch& stretch : stretches(own(), target)) {
+            if (stretch.count != stretch.target_count) continue;
+            for (int i = 0; i < stretch.count; ++i) {
+                place[as_size((stretch.first + i) % edge_count(own()))] =
+                    (stretch.target_first + i) % edge_count(target);
+            }
+        }
+        follow_edges(draft_, panel_, [&](int e) -> std::optional<EdgeImage> {
+            if (place[as_size(e)] < 0) return {};
+            return EdgeImage{{panel_, place[as_size(e)]}};
+        });
+        own() = target;
+        follow_darts();
+    }
+
+ private:
+    Panel& own() { return draft_.panels[as_size(panel_)]; }
+
+    Panel image() {
+        Panel target = mirror_image(draft_.panels[as_size(lead_)]);
+        target.name = own().name;
+        target.mirror_of = own().mirror_of;
+        target.sheet_position = own().sheet_position;
+        return target;
+    }
+
+    // Where the two are sewn to each other, splitting one may split the other, and so on; if that finds no end within
+    // as many steps as there are edges, it never will.
+    void even_stretches() {
+        const Panel& lead = draft_.panels[as_size(lead_)];
+        const int most = edge_count(own()) + edge_count(lead);
+        for (int step = 0; even_one_stretch(); ++step) {
+            if (step < most) continue;
+            throw DraftError("Panels " + lead.name + " and " + own().name +
+                                 " are mirror images and sewn to each other so that their seams cannot be split alike.",
+                             {{lead.name, -1, -1}, {own().name, -1, -1}});
+        }
+    }
+
+    bool even_one_stretch() {
+        const Panel target = image();
+        for (const Stretch& stretch : stretches(own(), target)) {
+            if (stretch.count == stretch.target_count) continue;
+            if (stretch.count == 1) {
+                split(stretch, target);
+                return true;
+            }
+            if (stretch.target_count == 1) {
+                join(stretch);
+                return true;
+            }
+        }
+        return false;
+    }
+
+    void join(const Stretch& stretch) {
+        std::vector<std::pair<int, int>> joined;
+        join_sewn(draft_, panel_, stretch.first, stretch.count, [&](int panel, int vertex) {
+            joined.emplace_back(panel, vertex);
+            return panel == panel_ || is_smooth(draft_.panels[as_size(panel)], vertex);
+        });
+        for (const auto& [panel, vertex] : joined) drop_unused(draft_.panels[as_size(panel)], {vertex});
+    }
+
+    // At the shares that the target's edges have of the stretch, from the last on.
+    void split(const Stretch& stretch, const Panel& target) {
+        std::vector<double> reached{0};
+        for (int i = 0; i < stretch.target_count; ++i) {
+            const int edge = (stretch.target_first + i) % edge_count(target);
+            reached.push_back(reached.back() + outline_length(target, target.edges[as_size(edge)]));
+        }
+        const int start = own().edges[as_size(stretch.first)].start;
+        for (std::size_t i = reached.size() - 2; i > 0; --i) {
+            split_sewn(draft_, {panel_, edge_from(own(), start)}, reached[i] / reached[i + 1]);
+        }
+    }
+
+    void follow_darts() {
+        std::vector<Seam> wanted;
+        for (const Seam& dart : darts_of(draft_, lead_)) wanted.push_back(dart_across(dart, panel_, edge_count(own())));
+        const auto is_same = [](const Seam& one, const Seam& other) {
+            return one.is_reversed == other.is_reversed && ((one.first == other.first && one.second == other.second) ||
+                                                            (one.first == other.second && one.second == other.first));
+        };
+        std::erase_if(draft_.seams, [&](const Seam& seam) {
+            return seam.first.panel == panel_ && seam.second.panel == panel_ &&
+                   std::none_of(wanted.begin(), wanted.end(), [&](const Seam& dart) { return is_same(dart, seam); });
+        });
+        for (const Seam& dart : wanted) {
+            if (!seam_at(draft_, dart.first) && !seam_at(draft_, dart.second)) draft_.seams.push_back(dart);
+        }
+    }
+
+    Pattern& draft_;
+    int lead_;
+    int panel_;
+};
+
+// What happened to a panel since `before`, as far as its mirror images are concerned.
+struct Change {
+    bool is_changed = false;
+    int edges = 0;  // more or less than before
+};
+
+Change change_of(const Pattern& pattern, int panel, const Pattern& before) {
+    const Panel& now = pattern.panels[as_size(panel)];
+    const auto is_it = [&](const Panel& other) { return other.name == now.name; };
+    auto was = std::find_if(before.panels.begin(), before.panels.end(), is_it);
+    if (was == before.panels.end() && before.panels.size() == pattern.panels.size())
+        was = before.panels.begin() + panel;
+    if (was == before.panels.end()) return {};
+    const int index = static_cast<int>(was - before.panels.begin());
+    return {!is_same_shape(now, *was) || darts_of(pattern, panel) != darts_of(before, index),
+            std::abs(edge_count(now) - edge_count(*was))};
+}
+
+// The panel that leads and those that mirror it: the first.
+std::map<int, std::vector<int>> linked_groups(const Pattern& pattern) {
+    std::map<int, std::vector<int>> groups;
+    for (std::size_t i = 0; i < pattern.panels.size(); ++i) {
+        for (std::size_t k = 0; k < pattern.panels.size(); ++k) {
+            if (i == k || pattern.panels[i].mirror_of != pattern.panels[k].name) continue;
+            groups[static_cast<int>(k)].push_back(static_cast<int>(i));
+        }
+    }
+    return groups;
+}
+
+bool was_linked(const Pattern& before, const Panel& panel) {
+    return std::any_of(before.panels.begin(), before.panels.end(), [&](const Panel& other) {
+        return other.name == panel.name && other.mirror_of == panel.mirror_of;
+    });
+}
+
+}  // namespace
+
+int symmetric_copy(Pattern& pattern, int panel, bool is_linked, const Vec2d& shift) {
+    const Panel& own = panel_of(pattern, panel);
+    if (is_linked && !own.mirror_of.empty()) {
+        throw DraftError("Panel " + own.name + " is kept a mirror image of " + own.mirror_of + " already.",
+                         {{own.name, -1, -1}, {own.mirror_of, -1, -1}});
+    }
+    Panel image = mirror_image(own);
+    image.name = free_panel_name(pattern, name_across(own.name));
+    image.mirror_of = is_linked ? own.name : "";
+    const Box box = outline_box(own);
+    const Vec2d to_its_place(box.low.x() + box.high.x(), 0);  // its box is where the panel's is, then moved
+    image.sheet_position = sheet_positions(pattern)[as_size(panel)] + to_its_place + shift;
+    return edit_draft(pattern, [&](Pattern& draft) {
+        const int copy = static_cast<int>(draft.panels.size());
+        for (const Seam& dart : darts_of(draft, panel)) {
+            draft.seams.push_back(dart_across(dart, copy, edge_count(image)));
+        }
+        draft.panels.push_back(image);
+        return copy;
+    });
+}
+
+void update_mirrors(Pattern& pattern, const Pattern& before) {
+    const std::map<int, std::vector<int>> groups = linked_groups(pattern);
+    if (groups.empty()) return;
+    edit_draft(pattern, [&](Pattern& draft) {
+        for (const auto& [head, images] : groups) {
+            int lead = head;
+            Change most = change_of(pattern, head, before);
+            for (const int image : images) {
+                const Change change = change_of(pattern, image, before);
+                const bool is_new = !was_linked(before, pattern.panels[as_size(image)]);
+                if (is_new) most.is_changed = true;
+                if (is_new || !change.is_changed || (most.is_changed && change.edges <= most.edges)) continue;
+                lead = image;
+                most = change;
+            }
+            if (!most.is_changed) continue;
+            if (lead != head) Follower(draft, lead, head).follow();
+            for (const int image : images) {
+                if (image != lead) Follower(draft, head, image).follow();
+            }
+        }
+    });
+}
+
+}  // namespace selvedge

@@ -1,0 +1,299 @@
+#include "editor/geometry/seam_edit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "editor/geometry/draft.h"
+#include "editor/geometry/edge_shape.h"
+#include "editor/geometry/follow.h"
+#include "editor/geometry/panel_edit.h"
+#include "sim/pattern/outline.h"
+#include "sim/pattern/pattern.h"
+
+namespace selvedge {
+namespace {
+
+std::array<Vec2d, 2> ends_on_sheet(const Pattern& pattern, const SeamSide& side, const Vec2d& origin) {
+    const Panel& panel = panel_of(pattern, side.panel);
+    const OutlineEdge& edge = edge_of(pattern, side);
+    return {origin + panel.vertices[as_size(edge.start)], origin + panel.vertices[as_size(edge.end)]};
+}
+
+std::array<Vec3d, 2> ends_in_room(const Pattern& pattern, const SeamSide& side) {
+    const Panel& panel = panel_of(pattern, side.panel);
+    const OutlineEdge& edge = edge_of(pattern, side);
+    return {panel.place(panel.vertices[as_size(edge.start)]), panel.place(panel.vertices[as_size(edge.end)])};
+}
+
+bool is_placed(const Panel& panel) {
+    return !panel.translation.isZero(0) || !panel.rotation.isIdentity(0);
+}
+
+bool do_cross(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d) {
+    const auto side = [](const Vec2d& from, const Vec2d& to, const Vec2d& p) { return cross2(to - from, p - from); };
+    return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+}
+
+// Of four points, two lines that cross are the longest way to pair them.
+template <class Point>
+bool is_longer_than_swapped(const std::array<Point, 2>& first, const std::array<Point, 2>& second) {
+    const double paired = (first[0] - second[0]).norm() + (first[1] - second[1]).norm();
+    const double swapped = (first[0] - second[1]).norm() + (first[1] - second[0]).norm();
+    return paired > swapped * (1 + 1e-6) + 1e-9;
+}
+
+// Ends of an edge that may move: those where the next edge is sewn, or that the other side of the seam ends at, hold.
+class SideScaler {
+ public:
+    SideScaler(Pattern& draft, const SeamSide& side, const SeamSide& other)
+        : draft_(draft), side_(side), other_(other) {}
+
+    void scale(double factor) {
+        Panel& panel = draft_.panels[as_size(side_.panel)];
+        const OutlineEdge edge = edge_of(draft_, side_);
+        const int count = edge_count(panel);
+        const int before = (side_.edge + count - 1) % count;
+        const int after = (side_.edge + 1) % count;
+        const bool start_holds = holds_other(edge.start);
+        const bool end_holds = holds_other(edge.end);
+        if (start_holds && end_holds) {
+            throw DraftError("Both ends of the edge are ends of the other side too.", {place_of(draft_, side_)});
+        }
+        const bool is_start_free = !start_holds && !seam_at(draft_, {side_.panel, before});
+        const bool is_end_free = !end_holds && !seam_at(draft_, {side_.panel, after});
+        const Vec2d start = panel.vertices[as_size(edge.start)];
+        const Vec2d end = panel.vertices[as_size(edge.end)];
+        Vec2d centre = (start + end) / 2;
+        if (start_holds || (is_end_free && !is_start_free)) centre = start;
+        if (end_holds || (is_start_free && !is_end_free)) centre = end;
+        VertexMove move{std::vector<bool>(panel.vertices.size(), false), Eigen::Affine2d::Identity()};
+        move.is_moved[as_size(edge.start)] = move.is_moved[as_size(edge.end)] = true;
+        move.map.linear() *= factor;
+        move.map.translation() = centre - factor * centre;
+        move_outline(panel, move);
+    }
+
+ private:
+    bool holds_other(int vertex) const {
+        const OutlineEdge& edge = edge_of(draft_, other_);
+        return other_.panel == side_.panel && (edge.start == vertex || edge.end == vertex);
+    }
+
+    Pattern& draft_;
+    SeamSide side_;
+    SeamSide other_;
+};
+
+}  // namespace
+
+int sew_edges(Pattern& pattern, const Seam& seam) {
+    if (seam.first == seam.second) {
+        throw DraftError("An edge is not sewn to itself.", {place_of(pattern, seam.first)});
+    }
+    for (const SeamSide& side : {seam.first, seam.second}) {
+        edge_of(pattern, side);
+        const auto found = seam_at(pattern, side);
+        if (!found) continue;
+        throw DraftError("This edge of panel " + panel_of(pattern, side.panel).name + " is sewn already, by seam " +
+                             seam_name(pattern, pattern.seams[as_size(*found)]) + ".",
+                         {place_of(pattern, side)});
+    }
+    return edit_draft(pattern, [&](Pattern& draft) {
+        draft.seams.push_back(seam);
+        return static_cast<int>(draft.seams.size()) - 1;
+    });
+}
+
+void remove_seams(Pattern& pattern, std::vector<int> seams) {
+    for (const int seam : seams) seam_of(pattern, seam);
+    std::sort(seams.begin(), seams.end());
+    seams.erase(std::unique(seams.begin(), seams.end()), seams.end());
+    for (auto seam = seams.rbegin(); seam != seams.rend(); ++seam) pattern.seams.erase(pattern.seams.begin() + *seam);
+}
+
+std::array<double, 2> seam_lengths(const Pattern& pattern, const Seam& seam) {
+    return {outline_length(panel_of(pattern, seam.first.panel), edge_of(pattern, seam.first)),
+            outline_length(panel_of(pattern, seam.second.panel), edge_of(pattern, seam.second))};
+}
+
+void even_seam(Pattern& pattern, int seam) {
+    const Seam uneven = seam_of(pattern, seam);
+    edit_draft(pattern, [&](Pattern& draft) {
+        const auto [first, second] = seam_lengths(draft, uneven);
+        SideScaler(draft, uneven.second, uneven.first).scale(first / second);
+        draft.seams[as_size(seam)].is_eased = false;
+    });
+}
+
+bool is_crossed(const Pattern& pattern, const Seam& seam) {
+    const Panel& first = panel_of(pattern, seam.first.panel);
+    const Panel& second = panel_of(pattern, seam.second.panel);
+    if (is_placed(first) && is_placed(second)) {
+        std::array<Vec3d, 2> ends = ends_in_room(pattern, seam.second);
+        if (seam.is_reversed) std::swap(ends[0], ends[1]);
+        return is_longer_than_swapped(ends_in_room(pattern, seam.first), ends);
+    }
+    const std::vector<Vec2d> origins = sheet_positions(pattern);
+    const std::array<Vec2d, 2> own = ends_on_sheet(pattern, seam.first, origins[as_size(seam.first.panel)]);
+    std::array<Vec2d, 2> ends = ends_on_sheet(pattern, seam.second, origins[as_size(seam.second.panel)]);
+    if (seam.is_reversed) std::swap(ends[0], ends[1]);
+    if (seam.first.panel == seam.second.panel) return is_longer_than_swapped(own, ends);
+    return do_cross(own[0], ends[0], own[1], ends[1]);
+}
+
+// Sewing one run of edges to another, 1:N.
+
+namespace {
+
+constexpr double kSnap = 1e-4;  // m, joints nearer than this are one
+constexpr double kSame = 1e-9;  // fractions nearer than this are one
+
+// A run, walked from its start: where each span ends, as share of the run's length.
+struct Run {
+    std::vector<EdgeSpan> spans;
+    std::vector<double> reached;  // 0, then after each span
+    double length = 0;            // m
+};
+
+Run measured(const Pattern& pattern, const std::vector<EdgeSpan>& spans) {
+    if (spans.empty()) throw DraftError("There is nothing to sew on one side.");
+    Run run{spans, {0}, 0};
+    for (EdgeSpan& span : run.spans) {
+        const SeamSide side{span.panel, span.edge};
+        const double length = outline_length(panel_of(pattern, span.panel), edge_of(pattern, side));
+        if (!(span.from >= 0 && span.from < span.to && span.to <= 1)) {
+            throw DraftError("The part of the edge that is to be sewn has no length.", {place_of(pattern, side)});
+        }
+        if (span.from * length < kSnap) span.from = 0;
+        if ((1 - span.to) * length < kSnap) span.to = 1;
+        if (seam_at(pattern, side)) {
+            throw DraftError("This edge of panel " + panel_of(pattern, span.panel).name + " is sewn already.",
+                             {place_of(pattern, side)});
+        }
+        run.length += length * (span.to - span.from);
+        run.reached.push_back(run.length);
+    }
+    for (double& reached : run.reached) reached /= run.length;
+    return run;
+}
+
+// Where the runs are joined across, as shares of each, from the start of the first.
+struct Joint {
+    double first = 0;
+    double second = 0;
+};
+
+std::vector<Joint> joints_of(const Run& first, const Run& second, bool is_reversed) {
+    const auto across = [&](double share) { return is_reversed ? 1 - share : share; };
+    const double snap = kSnap / std::min(first.length, second.length);
+    std::vector<Joint> joints;
+    for (const double share : first.reached) joints.push_back({share, across(share)});
+    for (const double share : second.reached) {
+        const auto near = std::find_if(joints.begin(), joints.end(), [&](const Joint& joint) {
+            return std::abs(joint.first - across(share)) < snap;
+        });
+        if (near != joints.end()) {
+            near->second = share;
+        } else {
+            joints.push_back({across(share), share});
+        }
+    }
+    std::sort(joints.begin(), joints.end(), [](const Joint& a, const Joint& b) { return a.first < b.first; });
+    return joints;
+}
+
+// The part of one span between two shares of its run.
+EdgeSpan piece_of(const Run& run, double low, double high) {
+    const double middle = (low + high) / 2;
+    const auto above = std::upper_bound(run.reached.begin() + 1, run.reached.end() - 1, middle);
+    const auto i = static_cast<std::size_t>(above - run.reached.begin() - 1);
+    EdgeSpan piece = run.spans[i];
+    const double begin = run.reached[i];
+    const double width = run.reached[i + 1] - begin;
+    const double size = piece.to - piece.from;
+    if (high < run.reached[i + 1] - kSame) piece.to = piece.from + size * (high - begin) / width;
+    if (low > begin + kSame) piece.from += size * (low - begin) / width;
+    return piece;
+}
+
+// Splits edges at the ends of pieces, and says which edge each piece has become.
+class PieceCutter {
+ public:
+    explicit PieceCutter(const std::vector<EdgeSpan>& pieces) {
+        for (const EdgeSpan& piece : pieces) {
+            std::vector<double>& cuts = cuts_[{piece.panel, piece.edge}];
+            for (const double t : {piece.from, piece.to}) {
+                const bool is_known =
+                    std::any_of(cuts.begin(), cuts.end(), [&](double cut) { return std::abs(cut - t) < kSame; });
+                if (t > 0 && t < 1 && !is_known) cuts.push_back(t);
+            }
+            std::sort(cuts.begin(), cuts.end());
+        }
+    }
+
+    // From the last to the first, so that what is still to be split keeps its index.
+    void cut(Pattern& draft) const {
+        for (auto entry = cuts_.rbegin(); entry != cuts_.rend(); ++entry) {
+            double whole = 1;
+            for (auto t = entry->second.rbegin(); t != entry->second.rend(); ++t) {
+                split_alone(draft, entry->first, *t / whole);
+                whole = *t;
+            }
+        }
+    }
+
+    SeamSide edge_of_piece(const EdgeSpan& piece) const {
+        int edge = piece.edge;
+        for (const auto& [side, cuts] : cuts_) {
+            if (side.panel != piece.panel || side.edge > piece.edge) continue;
+            const double until = side.edge < piece.edge ? 1 : piece.from + kSame;
+            edge += static_cast<int>(std::count_if(cuts.begin(), cuts.end(), [&](double t) { return t <= until; }));
+        }
+        return {piece.panel, edge};
+    }
+
+ private:
+    std::map<SeamSide, std::vector<double>> cuts_;  // ascending
+};
+
+void expect_apart(const Pattern& pattern, std::vector<EdgeSpan> pieces) {
+    std::sort(pieces.begin(), pieces.end(), [](const EdgeSpan& a, const EdgeSpan& b) {
+        return std::tie(a.panel, a.edge, a.from) < std::tie(b.panel, b.edge, b.from);
+    });
+    for (std::size_t i = 1; i < pieces.size(); ++i) {
+        const EdgeSpan& one = pieces[i - 1];
+        const EdgeSpan& next = pieces[i];
+        if (one.panel != next.panel || one.edge != next.edge || next.from >= one.to - kSame) continue;
+        throw DraftError("A part of an edge would be sewn twice.", {place_of(pattern, {next.panel, next.edge})});
+    }
+}
+
+}  // namespace
+
+std::vector<int> sew_runs(Pattern& pattern, const std::vector<EdgeSpan>& first, const std::vector<EdgeSpan>& second,
+                          bool is_reversed) {
+    const Run run = measured(pattern, first);
+    const Run other = measured(pattern, second);
+    const std::vector<Joint> joints = joints_of(run, other, is_reversed);
+    std::vector<EdgeSpan> pieces;
+    for (std::size_t i = 0; i + 1 < joints.size(); ++i) {
+        const auto [low, high] = std::minmax(joints[i].second, joints[i + 1].second);
+        pieces.push_back(piece_of(run, joints[i].first, joints[i + 1].first));
+        pieces.push_back(piece_of(other, low, high));
+    }
+    expect_apart(pattern, pieces);
+    const PieceCutter cutter(pieces);
+    return edit_draft(pattern, [&](Pattern& draft) {
+        cutter.cut(draft);
+        std::vector<int> seams;
+        for (std::size_t i = 0; i < pieces.size(); i += 2) {
+            seams.push_back(static_cast<int>(draft.seams.size()));
+            draft.seams.push_back({cutter.edge_of_piece(pieces[i]), cutter.edge_of_piece(pieces[i + 1]), is_reversed});
+        }
+        return seams;
+    });
+}
+
+}  // namespace selvedge

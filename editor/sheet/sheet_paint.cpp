@@ -1,0 +1,487 @@
+#include "editor/sheet/sheet_paint.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "editor/geometry/seam_edit.h"
+#include "editor/tools/sewing_tools.h"
+#include "editor/tools/sheet_pick.h"
+#include "render/scene/colour.h"
+
+namespace selvedge {
+namespace {
+
+ImTextureID id_of(UiTexture texture) {
+    return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture));
+}
+
+// (weft, warp) in units of the repeat.
+ImVec2 sett_place(const SettTexture& sett, const Panel& panel, const Vec2d& u) {
+    const double c = std::cos(panel.grain_angle), s = std::sin(panel.grain_angle);
+    const Vec2d turned(c * u.x() + s * u.y(), -s * u.x() + c * u.y());
+    const Vec2d place = (turned + panel.sett_offset - sett.position).cwiseQuotient(sett.repeat);
+    return {static_cast<float>(place.x()), static_cast<float>(place.y())};
+}
+
+template <class Place>
+void fill(const SheetLook& look, const PanelShape& shape, const PanelFace& face, const Rgba8& colour, Place&& uv_of) {
+    ImDrawList& list = look.pen.list;
+    list.PrimReserve(static_cast<int>(face.triangles.size() * 3), static_cast<int>(face.points.size()));
+    const unsigned first = list._VtxCurrentIdx;
+    for (const std::array<int, 3>& triangle : face.triangles) {
+        for (const int corner : triangle)
+            list.PrimWriteIdx(static_cast<ImDrawIdx>(first + static_cast<unsigned>(corner)));
+    }
+    const ImU32 packed_colour = packed(colour);
+    for (const Vec2d& point : face.points) {
+        list.PrimWriteVtx(look.pen.px(shape.on_sheet(point)), uv_of(point), packed_colour);
+    }
+}
+
+void fill_plain(const SheetLook& look, const PanelShape& shape, const Rgba8& colour) {
+    const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
+    const PanelFace& face = look.faces.face(shape, look.pen.camera.scale);
+    if (!face.triangles.empty()) fill(look, shape, face, colour, [&](const Vec2d&) { return white; });
+}
+
+std::vector<Vec2d> on_sheet(const PanelShape& shape, std::vector<Vec2d> points) {
+    for (Vec2d& point : points) point = shape.on_sheet(point);
+    return points;
+}
+
+// Where a panel's name stands: its middle, or, where that lies outside, the middle of its largest triangle.
+Vec2d middle_of(const PanelShape& shape, const PanelFace& face) {
+    Vec2d sum(0, 0), largest = shape.box.center();
+    double area = 0, best = 0;
+    for (const auto& [a, b, c] : face.triangles) {
+        const Vec2d &p = face.points[std::size_t(a)], &q = face.points[std::size_t(b)],
+                    &r = face.points[std::size_t(c)];
+        const double part = cross2(q - p, r - p) / 2;
+        const Vec2d centre = (p + q + r) / 3;
+        sum += part * centre;
+        area += part;
+        if (part > best) largest = centre;
+        best = std::max(best, part);
+    }
+    const Vec2d middle = area > 0 ? Vec2d(sum / area) : shape.box.center();
+    return shape.contains(middle) ? middle : largest;
+}
+
+// Along the warp, with a head at either end.
+void draw_grainline(const SheetLook& look, const PanelShape& shape, const Vec2d& middle, double half) {
+    const SheetPen& pen = look.pen;
+    const double angle = shape.panel.grain_angle;
+    const Vec2d along(-std::sin(angle), std::cos(angle));
+    const std::array<Vec2d, 2> line{shape.on_sheet(middle - half * along), shape.on_sheet(middle + half * along)};
+    pen.line(line, pen.colours.faint_ink, 1.2);
+    for (const double side : {-1.0, 1.0}) {
+        const Vec2d tip = middle + side * half * along,
+                    back = tip - side * along * (7 * double(pen.ui) / pen.camera.scale);
+        const Vec2d across = Vec2d(-along.y(), along.x()) * (2.6 * double(pen.ui) / pen.camera.scale);
+        pen.list.AddTriangleFilled(pen.px(shape.on_sheet(tip)), pen.px(shape.on_sheet(back + across)),
+                                   pen.px(shape.on_sheet(back - across)), packed(pen.colours.faint_ink));
+    }
+}
+
+void draw_name(const SheetLook& look, const PanelShape& shape) {
+    const SheetPen& pen = look.pen;
+    const Vec2d size_px = shape.box.sizes() * pen.camera.scale / double(pen.ui);
+    if (size_px.minCoeff() < 34) return;
+    const Vec2d middle = middle_of(shape, look.faces.face(shape, pen.camera.scale));
+    draw_grainline(look, shape, middle, std::min(0.30 * shape.box.sizes().y(), 0.5 * shape.box.sizes().minCoeff()));
+    const bool is_selected = look.selection.panels.contains(shape.panel.name);
+    const double words = double(ImGui::CalcTextSize(shape.panel.name.c_str()).x) / double(pen.ui) + 56;
+    const double share = std::min(1.0, size_px.x() / words);
+    constexpr double kSmallest = 0.7;  // of the usual size that can still be read
+    if (share < kSmallest) return;
+    pen.words(shape.on_sheet(middle), shape.panel.name, is_selected ? pen.colours.accent : pen.colours.ink, {0, 0},
+              static_cast<float>(share));
+    if (shape.panel.mirror_of.empty()) return;
+    const std::string mirrored = "mirrors " + shape.panel.mirror_of;
+    const double below = double(ImGui::CalcTextSize(mirrored.c_str()).x) / double(pen.ui) + 40;
+    const double small = std::min(0.85, size_px.x() / below);
+    if (small < kSmallest || size_px.y() < 80) return;
+    pen.words(shape.on_sheet(middle), mirrored, pen.colours.mirrored, {0, ImGui::GetTextLineHeight() + pen.px(2)},
+              static_cast<float>(small));
+}
+
+void draw_notch(const SheetLook& look, const PanelShape& shape, std::size_t index) {
+    const SheetPen& pen = look.pen;
+    const Notch& notch = shape.panel.notches[index];
+    if (notch.edge < 0 || static_cast<std::size_t>(notch.edge) >= shape.edges.size()) return;
+    const EdgeShape& edge = shape.edges[static_cast<std::size_t>(notch.edge)];
+    const Vec2d at = edge.at(notch.t), along = edge.tangent(notch.t), inward(-along.y(), along.x());
+    const PartRef ref{shape.panel.name, static_cast<int>(index)};
+    const bool is_chosen = look.selection.notches.contains(ref), is_hovered = look.hover.notch == ref;
+    const double px = double(pen.ui) / pen.camera.scale;
+    const double depth = std::clamp(0.006, 6 * px, 13 * px);
+    const Vec2d half = along * depth * 0.38;
+    const Rgba8& colour = is_chosen || is_hovered ? pen.colours.accent : pen.colours.ink;
+    pen.list.AddTriangleFilled(pen.px(shape.on_sheet(at + half)), pen.px(shape.on_sheet(at - half)),
+                               pen.px(shape.on_sheet(at + inward * depth)), packed(colour));
+}
+
+void draw_pin(const SheetPen& pen, const Vec2d& at) {
+    const ImVec2 foot = pen.px(at);
+    const ImVec2 head{foot.x + pen.px(6), foot.y - pen.px(10)};
+    pen.list.AddLine(foot, head, packed(pen.colours.ink), pen.px(1.2));
+    pen.list.AddCircleFilled(head, pen.px(3.6), packed(pen.colours.pin), 16);
+}
+
+void draw_vertices(const SheetLook& look, const PanelShape& shape) {
+    const SheetPen& pen = look.pen;
+    const std::string& name = shape.panel.name;
+    const bool is_touched = look.touched.contains(name);
+    const bool is_pointed = look.hover.panel == name && look.hover.vertex;
+    if (!is_touched && !is_pointed && !look.overlay.shows_vertices) return;
+    const double side = is_touched ? 6.5 : 5;
+    for (std::size_t i = 0; i < shape.panel.vertices.size(); ++i) {
+        const PartRef ref{name, static_cast<int>(i)};
+        const bool is_chosen = look.selection.vertices.contains(ref);
+        const Rgba8& rim = is_touched || is_chosen ? pen.colours.accent : pen.colours.faint_ink;
+        pen.square(shape.on_sheet(shape.panel.vertices[i]), is_chosen ? 8 : side,
+                   is_chosen ? pen.colours.accent : pen.colours.handle, rim);
+    }
+}
+
+void draw_curve_handles(const SheetLook& look, const PanelShape& shape) {
+    const SheetPen& pen = look.pen;
+    for (std::size_t i = 0; i < shape.panel.edges.size(); ++i) {
+        const OutlineEdge& edge = shape.panel.edges[i];
+        const int count = control_count(edge.kind);
+        if (count == 0 || !look.overlay.handle_edges.contains({shape.panel.name, static_cast<int>(i)})) continue;
+        const Vec2d start = shape.on_sheet(shape.panel.vertices[std::size_t(edge.start)]);
+        const Vec2d end = shape.on_sheet(shape.panel.vertices[std::size_t(edge.end)]);
+        const Vec2d first = shape.on_sheet(edge.control[0]), last = shape.on_sheet(edge.control[count == 2 ? 1 : 0]);
+        pen.line(std::array{start, first}, pen.colours.hover, 1.1);
+        pen.line(std::array{last, end}, pen.colours.hover, 1.1);
+        pen.round(first, 3.6, pen.colours.handle, pen.colours.accent);
+        if (count == 2) pen.round(last, 3.6, pen.colours.handle, pen.colours.accent);
+    }
+}
+
+}  // namespace
+
+bool is_in_view(const SheetLook& look, const PanelShape& shape) {
+    return !shape.box.isEmpty() && visible_box(look.pen.camera).intersects(shape.sheet_box());
+}
+
+void draw_cloth(const SheetLook& look, const PanelShape& shape) {
+    const SheetColours& colours = look.pen.colours;
+    const PanelFace& face = look.faces.face(shape, look.pen.camera.scale);
+    if (face.triangles.empty()) return;
+    const bool has_sett = look.sett.texture != 0 && look.shows.cloth;
+    fill_plain(look, shape, has_sett ? colours.under_cloth : colours.plain_cloth);
+    if (has_sett) {
+        look.pen.list.PushTextureID(id_of(look.sett.texture));
+        fill(look, shape, face, faded({255, 255, 255, 255}, double(colours.cloth_strength)),
+             [&](const Vec2d& u) { return sett_place(look.sett, shape.panel, u); });
+        look.pen.list.PopTextureID();
+    }
+    if (look.selection.panels.contains(shape.panel.name)) fill_plain(look, shape, colours.accent_fill);
+}
+
+void draw_outline(const SheetLook& look, const PanelShape& shape) {
+    const SheetPen& pen = look.pen;
+    const PanelFace& face = look.faces.face(shape, pen.camera.scale);
+    if (face.points.size() < 2) return;
+    const bool is_chosen = look.selection.panels.contains(shape.panel.name);
+    const bool is_hovered = look.hover.panel == shape.panel.name;
+    std::vector<ImVec2> line;
+    line.reserve(face.points.size());
+    for (const Vec2d& point : face.points) line.push_back(pen.px(shape.on_sheet(point)));
+    const int count = static_cast<int>(line.size());
+    if (is_hovered && !is_chosen) {
+        pen.list.AddPolyline(line.data(), count, packed(faded(pen.colours.hover, 0.5)), ImDrawFlags_Closed, pen.px(4));
+    }
+    const Rgba8& colour = is_chosen ? pen.colours.accent : pen.colours.ink;
+    pen.list.AddPolyline(line.data(), count, packed(colour), ImDrawFlags_Closed, pen.px(is_chosen ? 2 : 1.3));
+}
+
+void draw_marks(const SheetLook& look, const PanelShape& shape) {
+    const SheetPen& pen = look.pen;
+    for (std::size_t i = 0; i < shape.panel.internal_lines.size(); ++i) {
+        const PartRef ref{shape.panel.name, static_cast<int>(i)};
+        const std::vector<Vec2d> points = on_sheet(shape, shape.panel.internal_lines[i].points);
+        const bool is_chosen = look.selection.internal_lines.contains(ref);
+        if (look.hover.internal_line == ref) pen.line(points, faded(pen.colours.hover, 0.6), 4);
+        pen.dashed(points, is_chosen ? pen.colours.accent : pen.colours.ink, is_chosen ? 2 : 1.2);
+    }
+    for (std::size_t i = 0; i < shape.panel.notches.size(); ++i) draw_notch(look, shape, i);
+    if (look.shows.names) draw_name(look, shape);
+    for (const int pin : shape.panel.pins) {
+        const bool is_there = pin >= 0 && static_cast<std::size_t>(pin) < shape.panel.vertices.size();
+        if (is_there) draw_pin(pen, shape.on_sheet(shape.panel.vertices[std::size_t(pin)]));
+    }
+}
+
+void draw_selected(const SheetLook& look, const PanelShape& shape) {
+    const PanelFace& face = look.faces.face(shape, look.pen.camera.scale);
+    for (std::size_t i = 0; i + 1 < face.edge_starts.size(); ++i) {
+        if (!look.selection.edges.contains({shape.panel.name, static_cast<int>(i)})) continue;
+        look.pen.line(on_sheet(shape, edge_points(face, i)), look.pen.colours.accent, 3);
+    }
+    draw_curve_handles(look, shape);
+    draw_vertices(look, shape);
+}
+
+void draw_hovered(const SheetLook& look) {
+    const SheetPen& pen = look.pen;
+    if (look.hover.edge && look.geometry.edge(*look.hover.edge) != nullptr) {
+        const PanelShape& shape = *look.geometry.find(look.hover.edge->panel);
+        const PanelFace& face = look.faces.face(shape, pen.camera.scale);
+        const auto edge = static_cast<std::size_t>(look.hover.edge->index);
+        pen.line(on_sheet(shape, edge_points(face, edge)), pen.colours.hover, 4);
+    }
+    if (!look.hover.vertex) return;
+    const std::optional<Vec2d> at = look.geometry.vertex(*look.hover.vertex);
+    if (!at) return;
+    const bool is_chosen = look.selection.vertices.contains(*look.hover.vertex);
+    pen.round(*at, 9, faded(pen.colours.hover, 0.35), faded(pen.colours.hover, 0));
+    pen.square(*at, 8, is_chosen ? pen.colours.accent : pen.colours.handle, pen.colours.accent);
+}
+
+namespace {
+
+struct SeamLook {
+    Rgba8 colour{};
+    double width = 2;
+    bool is_uneven = false;
+    bool is_marked = false;  // selected or pointed to
+};
+
+const PanelShape* shape_of(const SheetLook& look, const SeamSide& side) {
+    const std::vector<PanelShape>& panels = look.geometry.panels();
+    if (side.panel < 0 || static_cast<std::size_t>(side.panel) >= panels.size()) return nullptr;
+    const PanelShape& shape = panels[static_cast<std::size_t>(side.panel)];
+    if (side.edge < 0 || static_cast<std::size_t>(side.edge) >= shape.edges.size()) return nullptr;
+    return &shape;
+}
+
+double length_of(const PanelShape& shape, const SeamSide& side) {
+    return shape.edges[static_cast<std::size_t>(side.edge)].length;
+}
+
+SeamLook look_of(const SheetLook& look, int index, double difference) {
+    const Seam& seam = look.pattern.seams[static_cast<std::size_t>(index)];
+    SeamLook drawn;
+    drawn.is_uneven = std::abs(difference) > kUnevenSeam && !seam.is_eased;
+    drawn.is_marked = look.selection.seams.contains(index) || look.hover.seam == index;
+    const Rgb8 kind = line_colour(static_cast<std::size_t>(index));
+    drawn.colour = drawn.is_uneven ? look.pen.colours.error : Rgba8{kind[0], kind[1], kind[2], 255};
+    const bool stands_out = drawn.is_marked || look.overlay.shows_sewing;
+    drawn.width = drawn.is_marked ? 3.4 : stands_out ? 2.6 : 1.8;
+    if (!stands_out) drawn.colour = faded(drawn.colour, 0.85);
+    return drawn;
+}
+
+void draw_side(const SheetLook& look, const SeamSide& side, const SeamLook& drawn, bool runs_backward) {
+    const PanelShape* shape = shape_of(look, side);
+    if (shape == nullptr || !is_in_view(look, *shape)) return;
+    const SheetPen& pen = look.pen;
+    const PanelFace& face = look.faces.face(*shape, pen.camera.scale);
+    std::vector<ImVec2> line;
+    for (const Vec2d& u : edge_points(face, static_cast<std::size_t>(side.edge))) {
+        line.push_back(pen.px(shape->on_sheet(u)));
+    }
+    std::vector<ImVec2> inner = inset_line(line, pen.px(3.6), pen.px(6));
+    if (inner.size() < 2) return;
+    pen.list.AddPolyline(inner.data(), static_cast<int>(inner.size()), packed(pen.colours.plate), 0,
+                         pen.px(drawn.width + 2.6));
+    pen.list.AddPolyline(inner.data(), static_cast<int>(inner.size()), packed(drawn.colour), 0, pen.px(drawn.width));
+    if (runs_backward) std::reverse(inner.begin(), inner.end());
+    draw_direction(pen, inner, drawn.colour, runs_backward ? -1 : 1);
+}
+
+// The difference stands inside of the panel, beside the middle of the side that is changed to even it.
+void draw_difference(const SheetLook& look, const SeamSide& side, double difference, const Rgba8& colour) {
+    const PanelShape* shape = shape_of(look, side);
+    const EdgeShape& edge = shape->edges[static_cast<std::size_t>(side.edge)];
+    const Vec2d along = edge.tangent(0.5);
+    const std::string words = in_mm(difference);
+    const float reach = look.pen.px(10) + 0.5F * ImGui::CalcTextSize(words.c_str()).x * float(std::abs(along.y())) +
+                        0.5F * ImGui::GetTextLineHeight() * float(std::abs(along.x()));
+    const ImVec2 offset{float(-along.y()) * reach, float(-along.x()) * reach};
+    look.pen.words(shape->on_sheet(edge.at(0.5)), words, colour, offset);
+}
+
+void draw_button(const SheetLook& look, int seam, const Rgba8& colour) {
+    const std::optional<Vec2d> at = seam_button(look.geometry, look.pattern, seam);
+    if (!at) return;
+    const SheetPen& pen = look.pen;
+    pen.round(*at, 7, pen.colours.handle, colour);
+    const ImVec2 middle = pen.px(*at);
+    for (const float side : {-1.0F, 1.0F}) {  // two arrows that pass each other
+        const float y = middle.y + side * pen.px(2), x = side * pen.px(4);
+        pen.list.AddLine({middle.x - x, y}, {middle.x + x, y}, packed(colour), pen.px(1.3));
+        pen.list.AddLine({middle.x + x, y}, {middle.x + x * 0.35F, y + side * pen.px(2.2)}, packed(colour),
+                         pen.px(1.3));
+    }
+}
+
+}  // namespace
+
+std::vector<ImVec2> inset_line(std::span<const ImVec2> line, float inset, float trim) {
+    const double length = px_length(line);
+    if (line.size() < 2 || length < 3 * double(trim)) return {};
+    std::vector<ImVec2> inner;
+    const auto add = [&](const LinePlace& place) {  // to the left in the sheet, whose y is turned over
+        inner.push_back({place.at.x + place.along.y * inset, place.at.y - place.along.x * inset});
+    };
+    add(place_on(line, double(trim)));
+    double reached = 0;
+    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+        const ImVec2 before{line[i].x - line[i - 1].x, line[i].y - line[i - 1].y};
+        const ImVec2 after{line[i + 1].x - line[i].x, line[i + 1].y - line[i].y};
+        const float a = std::hypot(before.x, before.y), b = std::hypot(after.x, after.y);
+        reached += double(a);
+        if (a <= 0 || b <= 0 || reached <= double(trim) || reached >= length - double(trim)) continue;
+        const ImVec2 sum{before.x / a + after.x / b, before.y / a + after.y / b};
+        const float size = std::hypot(sum.x, sum.y);
+        if (size > 0.2F) add({line[i], {sum.x / size, sum.y / size}});
+    }
+    add(place_on(line, length - double(trim)));
+    return inner;
+}
+
+void draw_seams(const SheetLook& look) {
+    if (!look.shows.seams) return;
+    for (std::size_t i = 0; i < look.pattern.seams.size(); ++i) {
+        const Seam& seam = look.pattern.seams[i];
+        const PanelShape* first = shape_of(look, seam.first);
+        const PanelShape* second = shape_of(look, seam.second);
+        if (first == nullptr || second == nullptr) continue;
+        const int index = static_cast<int>(i);
+        const double difference = length_of(*second, seam.second) - length_of(*first, seam.first);
+        const SeamLook drawn = look_of(look, index, difference);
+        draw_side(look, seam.first, drawn, false);
+        draw_side(look, seam.second, drawn, seam.is_reversed);
+        const bool is_told = drawn.is_uneven || (drawn.is_marked && std::abs(difference) > kUnevenSeam);
+        if (is_told && is_in_view(look, *second)) draw_difference(look, seam.second, difference, drawn.colour);
+        if (look.selection.seams.contains(index) && look.overlay.shows_sewing) draw_button(look, index, drawn.colour);
+    }
+}
+
+namespace {
+
+Rgba8 colour_of(const SheetColours& colours, OverlayTone tone) {
+    switch (tone) {
+        case OverlayTone::Draft:
+            return colours.accent;
+        case OverlayTone::Faint:
+            return colours.hover;
+        case OverlayTone::Guide:
+            return colours.guide;
+        case OverlayTone::Measure:
+            return colours.measure;
+        case OverlayTone::Warning:
+            return colours.warning;
+    }
+    return colours.accent;
+}
+
+void draw_line(const SheetPen& pen, const OverlayLine& line) {
+    if (line.points.size() < 2) return;
+    const Rgba8 colour = colour_of(pen.colours, line.tone);
+    std::vector<ImVec2> drawn;
+    for (const Vec2d& point : line.points) drawn.push_back(pen.px(point));
+    if (line.is_closed && line.points.size() < 200) {
+        pen.list.AddConvexPolyFilled(drawn.data(), static_cast<int>(drawn.size()), packed(faded(colour, 0.10)));
+    }
+    const bool is_thin = line.tone == OverlayTone::Faint || line.tone == OverlayTone::Guide;
+    if (line.is_dashed) return pen.dashed(line.points, colour, is_thin ? 1 : 1.3, 4);
+    pen.line(line.points, colour, line.has_ticks ? 3.2 : is_thin ? 1 : 1.8);
+    if (line.has_ticks) draw_direction(pen, drawn, colour, 1);
+}
+
+void draw_handle(const SheetPen& pen, const OverlayHandle& handle) {
+    const Rgba8 colour = colour_of(pen.colours, handle.tone);
+    const Rgba8 inside = handle.is_filled ? colour : pen.colours.handle;
+    const ImVec2 at = pen.px(handle.at);
+    const float r = pen.px(4.5);
+    switch (handle.shape) {
+        case HandleShape::Square:
+            return pen.square(handle.at, 7.5, inside, colour);
+        case HandleShape::Round:
+            return pen.round(handle.at, 4.6, inside, colour);
+        case HandleShape::Diamond:
+            pen.list.AddQuadFilled({at.x - r, at.y}, {at.x, at.y - r}, {at.x + r, at.y}, {at.x, at.y + r},
+                                   packed(inside));
+            return pen.list.AddQuad({at.x - r, at.y}, {at.x, at.y - r}, {at.x + r, at.y}, {at.x, at.y + r},
+                                    packed(colour), pen.px(1.4));
+        case HandleShape::Cross:
+            pen.list.AddLine({at.x - r, at.y - r}, {at.x + r, at.y + r}, packed(colour), pen.px(1.4));
+            return pen.list.AddLine({at.x - r, at.y + r}, {at.x + r, at.y - r}, packed(colour), pen.px(1.4));
+    }
+}
+
+}  // namespace
+
+void draw_overlay(const SheetLook& look) {
+    for (const OverlayLine& line : look.overlay.lines) draw_line(look.pen, line);
+    for (const OverlayHandle& handle : look.overlay.handles) draw_handle(look.pen, handle);
+    for (const OverlayLabel& label : look.overlay.labels) {
+        look.pen.words(label.at, label.text, colour_of(look.pen.colours, label.tone), {0, -look.pen.px(14)});
+    }
+}
+
+void draw_lit_places(const SheetLook& look, const std::vector<DraftPlace>& places) {
+    const SheetPen& pen = look.pen;
+    for (const DraftPlace& place : places) {
+        const PanelShape* shape = look.geometry.find(place.panel);
+        if (shape == nullptr) continue;
+        const bool has_edge = place.edge >= 0 && static_cast<std::size_t>(place.edge) < shape->edges.size();
+        const bool has_vertex =
+            place.vertex >= 0 && static_cast<std::size_t>(place.vertex) < shape->panel.vertices.size();
+        std::vector<Vec2d> line;
+        if (has_edge) line = shape->edges[static_cast<std::size_t>(place.edge)].points;
+        if (!has_edge && !has_vertex) line = shape->outline;
+        if (!has_edge && !line.empty()) line.push_back(line.front());
+        for (Vec2d& point : line) point = shape->on_sheet(point);
+        if (!line.empty()) {
+            pen.line(line, faded(pen.colours.error, 0.3), 8);
+            pen.line(line, pen.colours.error, 2.2);
+        }
+        if (!has_vertex) continue;
+        const Vec2d at = shape->on_sheet(shape->panel.vertices[static_cast<std::size_t>(place.vertex)]);
+        pen.round(at, 11, faded(pen.colours.error, 0.25), pen.colours.error);
+    }
+}
+
+void draw_bubble(const SheetPen& pen, const Vec2d& cursor, const ToolOverlay& overlay, const TypedInput& typed) {
+    std::vector<std::string> lines = overlay.readout;
+    if (lines.empty() && typed.is_empty()) return;
+    const float line_height = ImGui::GetTextLineHeight() + pen.px(2), margin = pen.px(7);
+    float width = 0;
+    for (const std::string& line : lines) width = std::max(width, ImGui::CalcTextSize(line.c_str()).x);
+    const float large = ImGui::GetFontSize() * 1.25F;
+    const std::string typed_text = typed.text() + "|";
+    const bool is_typing = !typed.is_empty();
+    const ImVec2 typed_size = ImGui::GetFont()->CalcTextSizeA(large, 1e6F, 0, typed_text.c_str());
+    if (is_typing) width = std::max(width, typed_size.x + pen.px(6));
+    const float height = line_height * static_cast<float>(lines.size()) + (is_typing ? large + pen.px(8) : 0);
+    const Vec2d high = pen.camera.view_low + pen.camera.view_size;
+    ImVec2 low{float(cursor.x()) + pen.px(18), float(cursor.y()) + pen.px(18)};
+    if (low.x + width + 2 * margin > float(high.x())) low.x = float(cursor.x()) - pen.px(18) - width - 2 * margin;
+    if (low.y + height + 2 * margin > float(high.y())) low.y = float(cursor.y()) - pen.px(18) - height - 2 * margin;
+    low = {std::round(low.x), std::round(low.y)};
+    pen.list.AddRectFilled(low, {low.x + width + 2 * margin, low.y + height + 1.4F * margin},
+                           packed(pen.colours.bubble), pen.px(5));
+    ImVec2 at{low.x + margin, low.y + 0.7F * margin};
+    if (is_typing) {
+        pen.list.AddRectFilled({at.x - pen.px(2), at.y}, {low.x + width + margin + pen.px(2), at.y + large + pen.px(4)},
+                               packed(pen.colours.handle), pen.px(3));
+        const Rgba8& ink = typed.numbers() ? pen.colours.ink : pen.colours.error;
+        pen.list.AddText(ImGui::GetFont(), large, {at.x + pen.px(1), at.y + pen.px(2)}, packed(ink),
+                         typed_text.c_str());
+        at.y += large + pen.px(8);
+    }
+    for (const std::string& line : lines) {
+        pen.list.AddText(at, packed(pen.colours.bubble_text), line.c_str());
+        at.y += line_height;
+    }
+}
+
+}  // namespace selvedge

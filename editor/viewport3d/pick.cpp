@@ -1,0 +1,163 @@
+#include "editor/viewport3d/pick.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace selvedge {
+namespace {
+
+// px at scale 1.
+constexpr float kHandleTolerance = 7, kPointTolerance = 9, kPointUnderRing = 5, kEdgeTolerance = 6,
+                kVertexTolerance = 8;
+constexpr float kSkin = 0.004F;    // m: cloth that lies on a body may be a little within it
+constexpr float kBehind = 0.025F;  // m: so far behind what is seen a thing still counts as seen
+
+Vec3f point_of(const PlainMesh& mesh, const MeshHit& hit) {
+    const auto& [a, b, c] = mesh.triangles[hit.triangle];
+    return hit.weights[0] * mesh.x[a] + hit.weights[1] * mesh.x[b] + hit.weights[2] * mesh.x[c];
+}
+
+std::optional<MeshHit> hit_body(const Ray& ray, const PickRoom& room) {
+    return room.body ? nearest_hit(ray, room.body->x, room.body->triangles) : std::nullopt;
+}
+
+void find_surface(const Ray& ray, const std::optional<MeshHit>& body, const PickRoom& room, UnderCursor& under) {
+    const PlainMesh& mesh = room.garment.mesh();
+    const std::optional<MeshHit> cloth = nearest_hit(ray, mesh.x, mesh.triangles);
+    if (body && (!cloth || body->distance < cloth->distance - kSkin)) {
+        under.surface = ray.at(body->distance);
+        return;
+    }
+    if (!cloth) return;
+    under.cloth = cloth;
+    under.surface = point_of(mesh, *cloth);
+    const std::size_t panel = mesh.panel.empty() ? 0 : mesh.panel[cloth->triangle];
+    if (panel < mesh.panel_names.size()) under.hover.panel = mesh.panel_names[panel];
+}
+
+// Keeps the nearest of what is offered on the screen, of what is not hidden.
+class Nearest {
+ public:
+    Nearest(float tolerance_px, float farthest) : least_px_(tolerance_px), farthest_(farthest) {}
+
+    bool take(const std::optional<ScreenDistance>& distance) {
+        if (!distance || distance->depth > farthest_ || !(distance->px < least_px_)) return false;
+        least_px_ = distance->px;
+        return true;
+    }
+
+ private:
+    float least_px_;
+    float farthest_;  // m before the eye
+};
+
+void find_point(const Viewing& viewing, const Vec2f& px, const PickRoom& room, float farthest, UnderCursor& under) {
+    // A ring may pass before a point, and is easily taken elsewhere.
+    const float tolerance_px = under.handle ? kPointUnderRing : kPointTolerance;
+    Nearest nearest(tolerance_px * room.scale, farthest);
+    for (std::size_t i = 0; i < room.points->size(); ++i) {
+        if (nearest.take(distance_to_point(viewing, px, (*room.points)[i].position.cast<float>()))) under.point = i;
+    }
+    if (under.point) under.handle.reset();
+}
+
+void find_part(const Viewing& viewing, const Vec2f& px, const PickRoom& room, float farthest, Hover& hover) {
+    Nearest vertices(kVertexTolerance * room.scale, farthest), edges(kEdgeTolerance * room.scale, farthest);
+    const std::vector<Vec3f>& x = room.garment.mesh().x;
+    for (std::size_t p = 0; p < room.pattern.panels.size() && p < room.garment.outlines().size(); ++p) {
+        const ClothOutline& outline = room.garment.outlines()[p];
+        const Panel& panel = room.pattern.panels[p];
+        for (std::size_t e = 0; e < outline.starts.size() && e < panel.edges.size(); ++e) {
+            if (vertices.take(distance_to_point(viewing, px, start_of(outline, e, x))))
+                hover.vertex = PartRef{panel.name, panel.edges[e].start};
+            if (edges.take(distance_to_path(viewing, px, edge_path(outline, e, x))))
+                hover.edge = PartRef{panel.name, static_cast<int>(e)};
+        }
+    }
+    if (hover.vertex) hover.edge.reset();
+    if (hover.vertex) hover.panel = hover.vertex->panel;
+    if (hover.edge) hover.panel = hover.edge->panel;
+}
+
+}  // namespace
+
+BodySurface body_surface(const Body& body) {
+    BodySurface surface;
+    for (const Vec3d& x : body.x) surface.x.push_back(x.cast<float>());
+    for (const auto& [a, b, c] : body.triangles) {
+        surface.triangles.push_back(
+            {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
+    }
+    return surface;
+}
+
+UnderCursor find_under(const Viewing& viewing, const Vec2f& px, const PickRoom& room) {
+    UnderCursor under;
+    if (room.gizmo) under.handle = pick_gizmo(*room.gizmo, viewing, px, kHandleTolerance * room.scale);
+    const Ray ray = ray_through(viewing, px);
+    const std::optional<MeshHit> body = hit_body(ray, room);
+    find_surface(ray, body, room, under);
+    const auto behind = [&](const std::optional<Vec3f>& surface) {
+        return surface ? depth_of(viewing, *surface) + kBehind : viewing.camera.far_plane;
+    };
+    const float farthest = behind(under.surface);
+    const bool may_be_point = !under.handle || under.handle->kind == GizmoKind::Turn;
+    if (room.points && may_be_point) {
+        // Panels that wait before the body do not keep anybody from the points behind them.
+        const auto on_body = body ? std::optional<Vec3f>(ray.at(body->distance)) : std::nullopt;
+        find_point(viewing, px, room, behind(on_body), under);
+    }
+    if (room.choice == ClothChoice::Parts) find_part(viewing, px, room, farthest, under.hover);
+    if (under.handle || under.point) under.hover = {};
+    return under;
+}
+
+// Moeller and Trumbore 1997, both sides.
+std::optional<MeshHit> nearest_hit(const Ray& ray, const std::vector<Vec3f>& x, const TriangleList& triangles) {
+    std::optional<MeshHit> nearest;
+    float least = std::numeric_limits<float>::infinity();
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        const Vec3f& a = x[triangles[t][0]];
+        const Vec3f ab = x[triangles[t][1]] - a, ac = x[triangles[t][2]] - a;
+        const Vec3f across = ray.direction.cross(ac);
+        const float volume = ab.dot(across);
+        if (volume == 0) continue;
+        const Vec3f from_a = ray.origin - a;
+        const float v = from_a.dot(across) / volume;
+        if (!(v >= 0 && v <= 1)) continue;
+        const Vec3f normal = from_a.cross(ab);
+        const float w = ray.direction.dot(normal) / volume;
+        if (!(w >= 0 && v + w <= 1)) continue;
+        const float distance = ac.dot(normal) / volume;
+        if (!(distance > 0 && distance < least)) continue;
+        least = distance;
+        nearest = {.distance = distance, .triangle = static_cast<std::uint32_t>(t), .weights = {1 - v - w, v, w}};
+    }
+    return nearest;
+}
+
+std::optional<ScreenDistance> distance_to_point(const Viewing& viewing, const Vec2f& px, const Vec3f& x) {
+    const std::optional<Vec2f> at = px_of(viewing, x);
+    if (!at) return std::nullopt;
+    return ScreenDistance{.px = (*at - px).norm(), .depth = depth_of(viewing, x)};
+}
+
+std::optional<ScreenDistance> distance_to_path(const Viewing& viewing, const Vec2f& px,
+                                               const std::vector<Vec3f>& path) {
+    ScreenDistance nearest{.px = std::numeric_limits<float>::infinity()};
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        const std::optional<Vec2f> from = px_of(viewing, path[i - 1]), to = px_of(viewing, path[i]);
+        if (!from || !to) continue;
+        const Vec2f along = *to - *from;
+        const float length2 = along.squaredNorm();
+        const float t = length2 > 0 ? std::clamp((px - *from).dot(along) / length2, 0.0F, 1.0F) : 0.0F;
+        const float distance = (*from + t * along - px).norm();
+        if (distance < nearest.px)
+            nearest = {.px = distance, .depth = depth_of(viewing, path[i - 1] + t * (path[i] - path[i - 1]))};
+    }
+    if (!std::isfinite(nearest.px)) return std::nullopt;
+    return nearest;
+}
+
+}  // namespace selvedge

@@ -1,0 +1,148 @@
+#include "editor/viewport3d/viewport.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <imgui.h>
+
+#include "editor/viewport3d/viewport_overlay.h"
+
+namespace selvedge {
+namespace {
+
+constexpr float kLeastSide = 8;  // px: nothing is shown in less
+
+constexpr std::array<int, 10> kViewKeys{static_cast<int>(Key::Home),        static_cast<int>(Key::KeypadDecimal),
+                                        static_cast<int>(Key::KeypadEnter), static_cast<int>(Key::Enter),
+                                        static_cast<int>(Key::Backspace),   static_cast<int>(Key::Escape),
+                                        static_cast<int>(key_of('F')),      static_cast<int>(key_of('P')),
+                                        static_cast<int>(key_of('.')),      static_cast<int>(Key::KeypadSubtract)};
+
+std::vector<Key> pressed_keys() {
+    std::vector<Key> keys;
+    const auto take = [&](int key) {
+        if (ImGui::IsKeyPressed(key, false)) keys.push_back(static_cast<Key>(key));
+    };
+    for (const int key : kViewKeys) take(key);
+    for (int key = static_cast<int>(Key::Keypad0); key <= static_cast<int>(Key::Keypad9); ++key) take(key);
+    return keys;
+}
+
+std::string typed_text(const ImGuiIO& io) {
+    std::string text;
+    for (const ImWchar c : io.InputQueueCharacters) {
+        if (c >= 32 && c < 127) text.push_back(static_cast<char>(c));
+    }
+    return text;
+}
+
+ImTextureID image_of(UiTexture texture) {
+    return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture));
+}
+
+}  // namespace
+
+std::optional<Vec2f> FittingView::room_to_px(const Vec3f& x) const {
+    std::optional<Vec2f> px = px_of(hand_.viewing(), x);
+    if (px) *px += low_px_;
+    return px;
+}
+
+FittingInput FittingView::take_input(const FittingContext& context) {
+    const ImGuiIO& io = ImGui::GetIO();
+    FittingInput input{.size_px = size_px_, .scale = context.scale, .seconds = context.seconds};
+    input.cursor_px = Vec2f(io.MousePos.x, io.MousePos.y) - low_px_;
+    input.is_over = ImGui::IsItemHovered();
+    bool is_pressed = false;
+    for (std::size_t i = 0; i < input.buttons.size(); ++i) {
+        const auto button = static_cast<ImGuiMouseButton>(i);
+        input.buttons[i] = {.is_down = ImGui::IsMouseDown(button),
+                            .was_pressed = input.is_over && ImGui::IsMouseClicked(button),
+                            .was_released = ImGui::IsMouseReleased(button)};
+        is_pressed = is_pressed || ImGui::IsMouseClicked(button);
+    }
+    if (is_pressed) is_focused_ = input.is_over;
+    if (input.is_over) input.wheel = io.MouseWheel;
+    input.modifiers = {.ctrl = io.KeyCtrl, .shift = io.KeyShift, .alt = io.KeyAlt};
+    if (!io.WantTextInput && (input.is_over || is_focused_)) {
+        input.keys = pressed_keys();
+        input.text = typed_text(io);
+    }
+    return input;
+}
+
+void FittingView::make_scene(const FittingContext& context) {
+    const Workspace& workspace = context.workspace;
+    const Document& document = *workspace.document;
+    const Message* message = workspace.messages.shown();
+    FittingMarks marks{.selection = document.selection(), .hover = workspace.hover};
+    if (message && message->kind != MessageKind::Note) marks.wrong = message->places;
+    marks.has_threads = workspace.look.has_threads;
+    marks.has_points = hand_.shows_points();
+    marks.hovered_point = hand_.under().point;
+    marks.pulled_to = hand_.pulled_to();
+    marks.size = context.scale * coarse_size(metres_per_px(hand_.viewing(), hand_.orbit().standpoint().target));
+    shown_ = scene_.follow({.pattern = document.pattern(),
+                            .revision = document.revision(),
+                            .garment = hand_.garment(),
+                            .worn = workspace.drape.worn(),
+                            .look = workspace.look,
+                            .marks = std::move(marks)});
+    const Camera camera = hand_.orbit().camera();
+    light_ = wants_paint(workspace.look.show) ? even_light(camera) : studio_light(camera);
+}
+
+void FittingView::ask_for_picture(const FittingContext& context) {
+    if (!shown_) return;
+    const Drawn wanted{.scene = shown_,
+                       .standpoint = hand_.orbit().standpoint(),
+                       .width_px = static_cast<int>(size_px_.x()),
+                       .height_px = static_cast<int>(size_px_.y()),
+                       .texture = context.texture};
+    if (wanted == drawn_) return;
+    drawn_ = wanted;
+    context.output.scenes.push_back({.texture = context.texture,
+                                     .scene = shown_,
+                                     .camera = hand_.orbit().camera(),
+                                     .light = light_,
+                                     .width_px = wanted.width_px,
+                                     .height_px = wanted.height_px,
+                                     .is_draft = true,
+                                     .legend = context.legend,
+                                     .wants_paint = wants_paint(context.workspace.look.show)});
+}
+
+void FittingView::choose_cursor(const FittingContext& context) const {
+    const UnderCursor& under = hand_.under();
+    if (under.handle || under.point || hand_.drag() || hand_.pulled_to()) context.output.cursor = MouseCursor::Hand;
+}
+
+void FittingView::show(const FittingContext& context) {
+    const ImVec2 low = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
+    if (room.x < kLeastSide || room.y < kLeastSide) return;
+    low_px_ = {std::floor(low.x), std::floor(low.y)};
+    size_px_ = {std::floor(room.x), std::floor(room.y)};
+    constexpr ImGuiButtonFlags kAll =
+        ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle;
+    ImGui::InvisibleButton("fitting", {size_px_.x(), size_px_.y()}, kAll);
+    hand_.update(context.workspace, take_input(context), context.choice);
+    make_scene(context);
+    ask_for_picture(context);
+    choose_cursor(context);
+    context.output.is_animating = context.output.is_animating || hand_.orbit().is_moving();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 from(low_px_.x(), low_px_.y()), to(low_px_.x() + size_px_.x(), low_px_.y() + size_px_.y());
+    list.PushClipRect(from, to, true);
+    if (shown_) {
+        list.AddImage(image_of(context.texture), from, to);
+        if (wants_paint(context.workspace.look.show)) list.AddImage(image_of(context.legend), from, to);
+    } else {
+        const Rgb8& paper = colours_.background.edge;
+        list.AddRectFilled(from, to, IM_COL32(paper[0], paper[1], paper[2], 255));
+    }
+    draw_overlay(list, {.low_px = low_px_, .scale = context.scale}, context.workspace, hand_, colours_);
+    list.PopClipRect();
+}
+
+}  // namespace selvedge

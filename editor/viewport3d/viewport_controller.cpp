@@ -1,0 +1,401 @@
+#include "editor/viewport3d/viewport_controller.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "sim/pattern/outline.h"
+
+namespace selvedge {
+namespace {
+
+// px at scale 1.
+constexpr float kGizmoReach = 82, kClickSlack = 4;
+
+bool is_sewn_up(SessionStage stage) {
+    return stage == SessionStage::Sewing || stage == SessionStage::Draping || stage == SessionStage::Settled;
+}
+
+Selection only_panel(const std::string& name) {
+    Selection selection;
+    selection.panels.insert(name);
+    return selection;
+}
+
+template <class T>
+void toggle(std::set<T>& chosen, const T& what) {
+    if (chosen.erase(what) == 0) chosen.insert(what);
+}
+
+std::vector<Vec3f> placed_points(const std::vector<Panel>& panels) {
+    std::vector<Vec3f> points;
+    for (const Panel& panel : panels) {
+        const std::vector<Vec3f> outline = placed_outline(panel);
+        points.insert(points.end(), outline.begin(), outline.end());
+    }
+    return points;
+}
+
+}  // namespace
+
+void FittingHand::update(Workspace& workspace, const FittingInput& input, ClothChoice choice) {
+    size_px_ = input.size_px.cwiseMax(1);
+    orbit_.advance(input.seconds);
+    follow_garment(workspace);
+    stand_gizmo(workspace, input.scale);
+    if (gesture_ == Gesture::None) {
+        look_under(workspace, input, choice);
+        press(workspace, input);
+    }
+    move(workspace, input);
+    release(workspace, input);
+    use_keys(workspace, input);
+    follow_garment(workspace);  // what was changed is shown in the same frame
+    pulled_at_ = pulled_to_ ? place_of(garment_.mesh(), pulled_panel_, pulled_u_) : std::nullopt;
+    stand_gizmo(workspace, input.scale);
+    find_ghosts(workspace);
+    last_px_ = input.cursor_px;
+}
+
+void FittingHand::follow_garment(const Workspace& workspace) {
+    garment_.follow(workspace.document->pattern(), workspace.document->revision(), workspace.drape.frame(),
+                    workspace.look.as_placed ? GarmentState::AsPlaced : GarmentState::AsItIs);
+}
+
+void FittingHand::look_under(Workspace& workspace, const FittingInput& input, ClothChoice choice) {
+    const WornBody& worn = workspace.drape.worn();
+    if (worn.body != body_) {
+        body_ = worn.body;
+        surface_ = body_ ? body_surface(*body_) : BodySurface{};
+    }
+    under_ = {};
+    if (input.is_over) {
+        under_ = find_under(viewing(), input.cursor_px,
+                            {.pattern = workspace.document->pattern(),
+                             .garment = garment_,
+                             .body = workspace.look.has_body ? &surface_ : nullptr,
+                             .points = shows_points_ ? &worn.points : nullptr,
+                             .gizmo = gizmo_ ? &*gizmo_ : nullptr,
+                             .choice = choice,
+                             .scale = input.scale});
+    }
+    if (input.is_over || has_set_hover_) workspace.hover = under_.hover;
+    has_set_hover_ = input.is_over;
+}
+
+void FittingHand::stand_gizmo(const Workspace& workspace, float scale) {
+    const Pattern& pattern = workspace.document->pattern();
+    const SessionFrame& frame = garment_.frame();
+    const std::vector<Panel> panels = panels_of(pattern, workspace.document->selection().panels);
+    const bool can_place = !panels.empty() && !frame.is_running;
+    shows_points_ = can_place && workspace.look.has_points && (garment_.is_placed() || !is_sewn_up(frame.stage));
+    gizmo_.reset();
+    if (drag_) {
+        gizmo_ = drag_->moved_gizmo();
+    } else if (can_place) {
+        Eigen::Matrix3f axes = Eigen::Matrix3f::Identity();
+        if (workspace.look.own_axes && panels.size() == 1) axes = panels.front().rotation.cast<float>();
+        gizmo_ = make_gizmo(viewing(), placed_centre(panels).cast<float>(), axes, kGizmoReach * scale);
+    }
+}
+
+void FittingHand::find_ghosts(const Workspace& workspace) {
+    ghosts_.clear();
+    std::vector<Panel> panels = panels_of(workspace.document->pattern(), workspace.document->selection().panels);
+    const bool is_apart = gizmo_ && !garment_.is_placed() && is_sewn_up(garment_.frame().stage);
+    const std::vector<ArrangementPoint>& points = workspace.drape.worn().points;
+    const bool would_go = under_.point && *under_.point < points.size() && gesture_ == Gesture::None;
+    if (!is_apart && !would_go) return;
+    for (Panel& panel : panels) {
+        if (would_go) arrange(panel, points[*under_.point]);
+        ghosts_.push_back(placed_outline(panel));
+    }
+}
+
+ClothPoint FittingHand::cloth_point(const MeshHit& hit) const {
+    return {.frame = garment_.frame().number, .triangle = hit.triangle, .weights = hit.weights};
+}
+
+void FittingHand::hold_material(const MeshHit& hit) {
+    const PlainMesh& mesh = garment_.mesh();
+    if (hit.triangle >= mesh.u.size()) return;
+    const auto& [a, b, c] = mesh.u[hit.triangle];
+    pulled_u_ = hit.weights[0] * a + hit.weights[1] * b + hit.weights[2] * c;
+    pulled_panel_ = mesh.panel.empty() ? std::uint16_t{0} : mesh.panel[hit.triangle];
+}
+
+// --- looking
+
+void FittingHand::frame_all(const Workspace& workspace) {
+    std::vector<Vec3f> points = garment_.mesh().x;
+    if (workspace.look.has_body && workspace.drape.worn().body) {
+        for (const Vec3d& x : workspace.drape.worn().body->x) points.push_back(x.cast<float>());
+    }
+    orbit_.frame(points, size_px_.x() / size_px_.y());
+}
+
+void FittingHand::frame_selection(const Workspace& workspace) {
+    std::vector<Vec3f> points;
+    const Pattern& pattern = workspace.document->pattern();
+    const std::set<std::string>& chosen = workspace.document->selection().panels;
+    for (std::size_t p = 0; p < garment_.outlines().size() && p < pattern.panels.size(); ++p) {
+        if (!chosen.contains(pattern.panels[p].name) || garment_.outlines()[p].is_empty()) continue;
+        const std::vector<Vec3f> path = whole_path(garment_.outlines()[p], garment_.mesh().x);
+        points.insert(points.end(), path.begin(), path.end());
+    }
+    if (points.empty()) points = placed_points(panels_of(pattern, chosen));
+    if (points.empty()) return frame_all(workspace);
+    orbit_.frame(points, size_px_.x() / size_px_.y());
+}
+
+bool FittingHand::use_view_key(const Workspace& workspace, Key key, bool is_opposite) {
+    const auto keypad = [](int digit) { return static_cast<Key>(static_cast<int>(Key::Keypad0) + digit); };
+    const auto look = [&](StandardView view, StandardView opposite) {
+        orbit_.look_from(is_opposite ? opposite : view);
+        return true;
+    };
+    if (key == keypad(1)) return look(StandardView::Front, StandardView::Back);
+    if (key == keypad(3)) return look(StandardView::Left, StandardView::Right);
+    if (key == keypad(7)) return look(StandardView::Top, StandardView::Bottom);
+    if (key == keypad(9))
+        orbit_.turn_opposite();
+    else if (key == keypad(5))
+        orbit_.change_lens();
+    else if (key == Key::Home)
+        frame_all(workspace);
+    else if (key == Key::KeypadDecimal || key == key_of('F'))
+        frame_selection(workspace);
+    else
+        return false;
+    return true;
+}
+
+// --- keys
+
+void FittingHand::use_keys(Workspace& workspace, const FittingInput& input) {
+    if (drag_) return type(workspace, input);
+    for (const Key key : input.keys) {
+        if (key == key_of('P') && input.modifiers.shift) {
+            workspace.drape.session().unpin_all();
+        } else if (key == key_of('P')) {
+            pin_under(workspace);
+        } else {
+            use_view_key(workspace, key, input.modifiers.ctrl);
+        }
+    }
+}
+
+// Numbers during a drag: they hold until the button is let go or Enter is pressed.
+void FittingHand::type(Workspace& workspace, const FittingInput& input) {
+    if (!input.text.empty()) typed_.add(input.text);
+    const auto was_pressed = [&](Key key) {
+        return std::find(input.keys.begin(), input.keys.end(), key) != input.keys.end();
+    };
+    if (was_pressed(Key::Backspace)) typed_.remove_last();
+    if (was_pressed(Key::Escape)) return end_drag(workspace, false);
+    drag_->type(typed_.numbers().value_or(std::vector<double>{}));
+    if (!typed_.is_empty() || was_pressed(Key::Backspace)) workspace.attempt(move_command(dragged_, drag_->motion()));
+    if (was_pressed(Key::Enter) || was_pressed(Key::KeypadEnter)) end_drag(workspace, true);
+}
+
+void FittingHand::pin_under(Workspace& workspace) {
+    if (under_.cloth) workspace.drape.session().pin(cloth_point(*under_.cloth));
+}
+
+// --- the mouse
+
+void FittingHand::press(Workspace& workspace, const FittingInput& input) {
+    pressed_px_ = input.cursor_px;
+    if (!input.is_over) return;
+    const bool is_left = input.button(MouseButton::Left).was_pressed;
+    if (input.wheel != 0) {
+        orbit_.zoom(input.wheel,
+                    under_.surface.value_or(in_picture_plane(viewing(), input.cursor_px, orbit_.standpoint().target)));
+    }
+    if (input.button(MouseButton::Right).was_pressed || (is_left && input.modifiers.alt)) {
+        gesture_ = Gesture::Orbit;
+    } else if (input.button(MouseButton::Middle).was_pressed) {
+        gesture_ = Gesture::Pan;
+    } else if (is_left && under_.handle && gizmo_) {
+        begin_drag(workspace, *gizmo_, *under_.handle, input.cursor_px);
+    } else if (is_left && under_.point) {
+        const std::vector<Panel> panels =
+            panels_of(workspace.document->pattern(), workspace.document->selection().panels);
+        if (!panels.empty()) workspace.run(arrange_command(panels, workspace.drape.worn().points[*under_.point]));
+    } else if (is_left) {
+        pressed_ = under_;
+        if (under_.cloth) {
+            pressed_point_ = cloth_point(*under_.cloth);
+            hold_material(*under_.cloth);
+        }
+        gesture_ = Gesture::Pressed;
+    }
+}
+
+void FittingHand::move(Workspace& workspace, const FittingInput& input) {
+    const Vec2f by = input.cursor_px - last_px_;
+    switch (gesture_) {
+        case Gesture::None:
+            return;
+        case Gesture::Orbit:
+            if (by != Vec2f::Zero()) orbit_.orbit(by / input.scale);
+            return;
+        case Gesture::Pan:
+            if (by != Vec2f::Zero()) orbit_.pan(by, size_px_);
+            return;
+        case Gesture::Pressed:
+            if ((input.cursor_px - pressed_px_).norm() > kClickSlack * input.scale) begin_from_cloth(workspace);
+            return;
+        case Gesture::Pull:
+            pulled_to_ = in_picture_plane(viewing(), input.cursor_px, *pulled_from_);
+            workspace.drape.session().pull_to(*pulled_to_);
+            return;
+        case Gesture::Gizmo: {
+            const bool is_whole = input.modifiers.ctrl || input.modifiers.shift;
+            drag_->set_steps(is_whole ? DragSteps::Whole : DragSteps::Free);
+            drag_->move(viewing(), input.cursor_px);
+            if ((input.cursor_px - pressed_px_).norm() > 0 && by != Vec2f::Zero())
+                workspace.attempt(move_command(dragged_, drag_->motion()));
+            return;
+        }
+    }
+}
+
+void FittingHand::begin_drag(Workspace& workspace, const Gizmo& gizmo, const GizmoHandle& handle, const Vec2f& px) {
+    dragged_ = panels_of(workspace.document->pattern(), workspace.document->selection().panels);
+    if (dragged_.empty()) return;
+    typed_.clear();
+    drag_.emplace(gizmo, handle, viewing(), px);
+    pressed_px_ = px;
+    gesture_ = Gesture::Gizmo;
+}
+
+void FittingHand::end_drag(Workspace& workspace, bool is_kept) {
+    gesture_ = Gesture::None;
+    drag_.reset();
+    typed_.clear();
+    if (!workspace.document->is_attempting()) return;
+    is_kept ? workspace.document->keep() : workspace.document->drop();
+}
+
+// The button was pressed on cloth, or beside it, and the cursor has moved on: cloth that is sewn is pulled, a panel
+// that stands is moved.
+void FittingHand::begin_from_cloth(Workspace& workspace) {
+    gesture_ = Gesture::None;
+    if (!pressed_.cloth) return;
+    const std::string& panel = pressed_.hover.panel;
+    if (is_sewn_up(garment_.frame().stage) && !garment_.is_placed()) {
+        pulled_from_ = pressed_.surface;
+        pulled_to_ = pressed_.surface;
+        workspace.drape.session().pull(pressed_point_, *pulled_to_);
+        gesture_ = Gesture::Pull;
+        return;
+    }
+    if (garment_.frame().is_running || panel.empty()) return;
+    if (!workspace.document->selection().panels.contains(panel)) workspace.document->select(only_panel(panel));
+    Gizmo here = make_gizmo(viewing(), *pressed_.surface, Eigen::Matrix3f::Identity(), kGizmoReach);
+    begin_drag(workspace, here, {GizmoKind::MoveScreen, 0}, pressed_px_);
+}
+
+void FittingHand::release(Workspace& workspace, const FittingInput& input) {
+    const bool is_left = input.button(MouseButton::Left).was_released;
+    const bool is_over = gesture_ == Gesture::Orbit ? is_left || input.button(MouseButton::Right).was_released
+                         : gesture_ == Gesture::Pan ? input.button(MouseButton::Middle).was_released
+                                                    : is_left;
+    if (!is_over) return;
+    if (gesture_ == Gesture::Gizmo) return end_drag(workspace, true);
+    if (gesture_ == Gesture::Pull) {
+        workspace.drape.session().let_go();
+        pulled_from_.reset();
+        pulled_to_.reset();
+    }
+    if (gesture_ == Gesture::Pressed) click(workspace, input);
+    gesture_ = Gesture::None;
+}
+
+void FittingHand::click(Workspace& workspace, const FittingInput& input) {
+    const bool is_adding = input.modifiers.shift;
+    const Hover& on = pressed_.hover;
+    if (input.modifiers.ctrl && pressed_.cloth) {
+        workspace.drape.session().pin(pressed_point_);
+        return;
+    }
+    Selection selection = is_adding ? workspace.document->selection() : Selection{};
+    if (on.vertex) {
+        toggle(selection.vertices, *on.vertex);
+    } else if (on.edge) {
+        toggle(selection.edges, *on.edge);
+    } else if (!on.panel.empty()) {
+        toggle(selection.panels, on.panel);
+    }
+    workspace.document->select(std::move(selection));
+}
+
+namespace {
+
+Command place_command(const std::vector<Panel>& panels) {
+    PlacePanels all;
+    for (const Panel& panel : panels) {
+        all.places.push_back({.panel = panel.name,
+                              .translation = panel.translation,
+                              .rotation = panel.rotation,
+                              .wrap_radius = panel.wrap_radius});
+    }
+    if (all.places.size() > 1) return all;
+    PanelPlace& one = all.places.front();
+    return PlacePanel{.panel = std::move(one.panel),
+                      .translation = one.translation,
+                      .rotation = one.rotation,
+                      .wrap_radius = one.wrap_radius};
+}
+
+}  // namespace
+
+std::vector<Panel> panels_of(const Pattern& pattern, const std::set<std::string>& names) {
+    std::vector<Panel> panels;
+    for (const Panel& panel : pattern.panels) {
+        if (names.contains(panel.name)) panels.push_back(panel);
+    }
+    return panels;
+}
+
+std::vector<Vec3f> placed_outline(const Panel& panel) {
+    constexpr double kChordError = 0.001;  // m
+    constexpr double kLongestPart = 0.03;  // m: a bent panel's straight edge is a curve in the room
+    std::vector<Vec3f> path;
+    for (const OutlineEdge& edge : panel.edges) {
+        const std::vector<Vec2d> line = outline_polyline(panel, edge, kChordError);
+        for (std::size_t i = 1; i < line.size(); ++i) {
+            const int parts = 1 + static_cast<int>((line[i] - line[i - 1]).norm() / kLongestPart);
+            for (int part = 0; part < parts; ++part) {
+                const Vec2d u = line[i - 1] + (line[i] - line[i - 1]) * (double(part) / parts);
+                path.push_back(panel.place(u).cast<float>());
+            }
+        }
+    }
+    if (!path.empty()) path.push_back(path.front());
+    return path;
+}
+
+Vec3d placed_centre(const std::vector<Panel>& panels) {
+    Eigen::AlignedBox3d box;
+    for (const Panel& panel : panels) {
+        for (const Vec3f& x : placed_outline(panel)) box.extend(x.cast<double>());
+    }
+    return box.isEmpty() ? panels.front().translation : Vec3d(box.center());
+}
+
+Command move_command(const std::vector<Panel>& panels, const RigidMotion& motion) {
+    std::vector<Panel> moved = panels;
+    for (Panel& panel : moved) {
+        panel.translation = motion.centre + motion.turn * (panel.translation - motion.centre) + motion.shift;
+        panel.rotation = Eigen::Quaterniond(motion.turn * panel.rotation).normalized().toRotationMatrix();
+    }
+    return place_command(moved);
+}
+
+Command arrange_command(std::vector<Panel> panels, const ArrangementPoint& point) {
+    for (Panel& panel : panels) arrange(panel, point);
+    return place_command(panels);
+}
+
+}  // namespace selvedge

@@ -1,0 +1,144 @@
+#pragma once
+// What mouse and keys mean in the 3D view: looking round, choosing panels, placing them by the gizmo and by arrangement
+// points, pulling and pinning cloth. Knows no ImGui.
+#include <array>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "editor/document/command.h"
+#include "editor/frame/frame.h"
+#include "editor/tools/tool.h"
+#include "editor/viewport3d/gizmo.h"
+#include "editor/viewport3d/orbit_camera.h"
+#include "editor/viewport3d/pick.h"
+#include "editor/viewport3d/viewport_marks.h"
+#include "editor/workspace/workspace.h"
+#include "sim/core/math.h"
+#include "sim/place/arrangement.h"
+
+namespace selvedge {
+
+// What mouse and keys do to the 3D view in one frame. Positions are px from the view's upper left.
+
+struct ButtonInput {
+    bool is_down = false;
+    bool was_pressed = false;   // in this frame, over the view
+    bool was_released = false;  // in this frame, anywhere
+};
+
+struct FittingInput {
+    Vec2f size_px{1, 1};  // of the view
+    float scale = 1;      // of the interface
+    float seconds = 0;    // since the last frame
+    Vec2f cursor_px{0, 0};
+    bool is_over = false;                  // the cursor is over the view, and nothing lies between
+    std::array<ButtonInput, 3> buttons{};  // by MouseButton
+    float wheel = 0;                       // notches, over the view
+    Modifiers modifiers{};
+    std::vector<Key> keys{};  // pressed in this frame; none while a text is being typed elsewhere
+    std::string text{};       // typed in this frame, the same
+
+    const ButtonInput& button(MouseButton which) const { return buttons[static_cast<std::size_t>(which)]; }
+};
+
+class FittingHand {
+ public:
+    // Once per frame.
+    void update(Workspace& workspace, const FittingInput& input, ClothChoice choice);
+
+    const OrbitCamera& orbit() const { return orbit_; }
+    Viewing viewing() const { return {orbit_.camera(), size_px_}; }
+    const SeenGarment& garment() const { return garment_; }
+    const UnderCursor& under() const { return under_; }
+    const Vec2f& cursor_px() const { return last_px_; }
+
+    // Where the gizmo stands; none: nothing is to be placed now.
+    const std::optional<Gizmo>& gizmo() const { return gizmo_; }
+    const std::optional<GizmoDrag>& drag() const { return drag_; }
+    const std::string& typed() const { return typed_.text(); }
+    bool shows_points() const { return shows_points_; }
+
+    // Outlines in the room, m, of where panels would stand, or stand while the garment hangs sewn.
+    const std::vector<std::vector<Vec3f>>& ghosts() const { return ghosts_; }
+
+    // While cloth is pulled, m: to where, and where the point that is held is now.
+    const std::optional<Vec3f>& pulled_to() const { return pulled_to_; }
+    const std::optional<Vec3f>& pulled_at() const { return pulled_at_; }
+    bool is_busy() const { return gesture_ != Gesture::None || orbit_.is_moving(); }
+
+    // All that is seen, or what of it is selected.
+    void frame_all(const Workspace& workspace);
+    void frame_selection(const Workspace& workspace);
+    void look_from(StandardView view) { orbit_.look_from(view); }
+
+ private:
+    enum class Gesture { None, Orbit, Pan, Pressed, Gizmo, Pull };
+
+    void follow_garment(const Workspace& workspace);
+    void stand_gizmo(const Workspace& workspace, float scale);
+    void find_ghosts(const Workspace& workspace);
+    void look_under(Workspace& workspace, const FittingInput& input, ClothChoice choice);
+
+    void use_keys(Workspace& workspace, const FittingInput& input);
+    bool use_view_key(const Workspace& workspace, Key key, bool is_opposite);
+    void type(Workspace& workspace, const FittingInput& input);
+    void pin_under(Workspace& workspace);
+    ClothPoint cloth_point(const MeshHit& hit) const;
+    void hold_material(const MeshHit& hit);
+
+    void press(Workspace& workspace, const FittingInput& input);
+    void move(Workspace& workspace, const FittingInput& input);
+    void release(Workspace& workspace, const FittingInput& input);
+    void begin_drag(Workspace& workspace, const Gizmo& gizmo, const GizmoHandle& handle, const Vec2f& px);
+    void end_drag(Workspace& workspace, bool is_kept);
+    void begin_from_cloth(Workspace& workspace);
+    void click(Workspace& workspace, const FittingInput& input);
+
+    OrbitCamera orbit_;
+    Vec2f size_px_{1, 1};
+    SeenGarment garment_;
+    std::shared_ptr<const Body> body_;
+    BodySurface surface_;  // of it
+    UnderCursor under_;
+    bool has_set_hover_ = false;
+    bool shows_points_ = false;
+
+    Gesture gesture_ = Gesture::None;
+    Vec2f last_px_{0, 0};
+    Vec2f pressed_px_{0, 0};
+    UnderCursor pressed_;       // what the button was pressed on
+    ClothPoint pressed_point_;  // and where, when it was cloth: of the frame that was seen then
+
+    std::optional<Gizmo> gizmo_;
+    std::optional<GizmoDrag> drag_;
+    std::vector<Panel> dragged_;  // as they were
+    TypedInput typed_;
+    std::vector<std::vector<Vec3f>> ghosts_;
+    std::optional<Vec3f> pulled_from_;  // m, where the cloth was taken
+    std::optional<Vec3f> pulled_to_;
+    std::optional<Vec3f> pulled_at_;
+    std::uint16_t pulled_panel_ = 0;  // of the mesh's
+    Vec2f pulled_u_{0, 0};            // m
+};
+
+// From gestures in the room to the commands that place panels.
+
+// Copies of the named panels, in the pattern's order.
+std::vector<Panel> panels_of(const Pattern& pattern, const std::set<std::string>& names);
+
+// The middle of the box about what they are in the room, m. Pre: not empty.
+Vec3d placed_centre(const std::vector<Panel>& panels);
+
+// The outline in the room, m: closed, within a millimetre.
+std::vector<Vec3f> placed_outline(const Panel& panel);
+
+// Places the panels where the motion takes them; how they are bent stays. Pre: not empty.
+Command move_command(const std::vector<Panel>& panels, const RigidMotion& motion);
+
+// Wraps the panels round the point: all of them, each about its own middle. Pre: not empty.
+Command arrange_command(std::vector<Panel> panels, const ArrangementPoint& point);
+
+}  // namespace selvedge

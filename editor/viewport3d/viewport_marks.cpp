@@ -1,0 +1,298 @@
+#include "editor/viewport3d/viewport_marks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "render/scene/colour.h"
+#include "render/scene/solids.h"
+
+namespace selvedge {
+namespace {
+
+// Radii, px of the view.
+constexpr float kOutline = 1.7F, kHoveredOutline = 1.3F, kEdge = 2.3F, kVertex = 4.6F, kThread = 0.45F, kNeedle = 0.6F,
+                kPinHead = 4, kPoint = 4, kHoveredPoint = 5.5F, kPullBall = 4;
+constexpr float kNeedleLength = 9;  // px
+
+class Marker {
+ public:
+    Marker(const Pattern& pattern, const SeenGarment& garment, float size, SolidItem& solid)
+        : pattern_(pattern), garment_(garment), size_(size), solid_(solid) {}
+
+    void outline(const std::string& panel, float radius, const Rgb8& colour) {
+        if (const std::optional<std::size_t> p = seen_panel(panel))
+            add_tube(solid_, whole_path(garment_.outlines()[*p], garment_.mesh().x), radius * size_, colour);
+    }
+
+    void edge(const PartRef& part, float radius, const Rgb8& colour) {
+        const std::optional<std::size_t> p = seen_panel(part.panel);
+        if (!p || part.index < 0) return;
+        const std::vector<Vec3f> path =
+            edge_path(garment_.outlines()[*p], static_cast<std::size_t>(part.index), garment_.mesh().x);
+        add_tube(solid_, path, radius * size_, colour);
+    }
+
+    void vertex(const PartRef& part, float radius, const Rgb8& colour) {
+        if (const std::optional<Vec3f> x = place_of_vertex(part))
+            add_ball(solid_, *x, radius * size_, colour, BallDetail::Coarse);
+    }
+
+    void seam(int index, float radius, const Rgb8& colour) {
+        if (index < 0 || static_cast<std::size_t>(index) >= pattern_.seams.size()) return;
+        const Seam& seam = pattern_.seams[static_cast<std::size_t>(index)];
+        for (const SeamSide& side : {seam.first, seam.second})
+            edge({pattern_.panels[static_cast<std::size_t>(side.panel)].name, side.edge}, radius, colour);
+    }
+
+    std::optional<Vec3f> place_of_vertex(const PartRef& part) const {
+        const std::optional<std::size_t> p = seen_panel(part.panel);
+        if (!p) return std::nullopt;
+        const std::vector<OutlineEdge>& edges = pattern_.panels[*p].edges;
+        const auto leaving =
+            std::find_if(edges.begin(), edges.end(), [&](const OutlineEdge& edge) { return edge.start == part.index; });
+        if (leaving == edges.end()) return std::nullopt;
+        const auto edge = static_cast<std::size_t>(leaving - edges.begin());
+        return start_of(garment_.outlines()[*p], edge, garment_.mesh().x);
+    }
+
+    void pin(const Vec3f& at, const FittingColours& colours) {
+        const Vec3f head = at + kNeedleLength * size_ * normal_near(at);
+        add_rod(solid_, at, head, kNeedle * size_, colours.needle);
+        add_ball(solid_, head, kPinHead * size_, colours.pin, BallDetail::Coarse);
+    }
+
+ private:
+    std::optional<std::size_t> seen_panel(const std::string& name) const {
+        for (std::size_t p = 0; p < pattern_.panels.size() && p < garment_.outlines().size(); ++p) {
+            if (pattern_.panels[p].name == name && !garment_.outlines()[p].is_empty()) return p;
+        }
+        return std::nullopt;
+    }
+
+    Vec3f normal_near(const Vec3f& at) const {
+        const PlainMesh& mesh = garment_.mesh();
+        if (mesh.x.empty() || mesh.normals.size() != mesh.x.size()) return Vec3f::UnitY();
+        const auto nearer = [&](const Vec3f& a, const Vec3f& b) {
+            return (a - at).squaredNorm() < (b - at).squaredNorm();
+        };
+        const auto nearest = std::min_element(mesh.x.begin(), mesh.x.end(), nearer);
+        return mesh.normals[static_cast<std::size_t>(nearest - mesh.x.begin())];
+    }
+
+    const Pattern& pattern_;
+    const SeenGarment& garment_;
+    float size_;
+    SolidItem& solid_;
+};
+
+void mark_selection(Marker& marker, const Selection& selection, const Rgb8& colour) {
+    for (const std::string& panel : selection.panels) marker.outline(panel, kOutline, colour);
+    for (const PartRef& edge : selection.edges) marker.edge(edge, kEdge, colour);
+    for (const int seam : selection.seams) marker.seam(seam, kEdge, colour);
+    for (const PartRef& vertex : selection.vertices) marker.vertex(vertex, kVertex, colour);
+}
+
+void mark_hover(Marker& marker, const FittingMarks& marks, const Rgb8& colour) {
+    const Hover& hover = marks.hover;
+    if (hover.vertex) marker.vertex(*hover.vertex, kVertex, colour);
+    if (hover.edge) marker.edge(*hover.edge, kEdge, colour);
+    if (hover.seam) marker.seam(*hover.seam, kEdge, colour);
+    const bool is_part = hover.vertex || hover.edge || hover.seam;
+    if (!is_part && !hover.panel.empty() && !marks.selection.panels.contains(hover.panel))
+        marker.outline(hover.panel, kHoveredOutline, colour);
+}
+
+void mark_wrong(Marker& marker, const std::vector<DraftPlace>& places, const Rgb8& colour) {
+    for (const DraftPlace& place : places) {
+        if (place.edge >= 0) marker.edge({place.panel, place.edge}, kEdge, colour);
+        if (place.vertex >= 0) marker.vertex({place.panel, place.vertex}, kVertex, colour);
+        if (place.edge < 0 && place.vertex < 0) marker.outline(place.panel, kOutline, colour);
+    }
+}
+
+using Thread = std::array<Vec3f, 2>;
+
+// Points at even steps along the path, ends included. Pre: the path is not empty, count > 1.
+std::vector<Vec3f> even_points(const std::vector<Vec3f>& path, std::size_t count) {
+    std::vector<float> way{0};
+    for (std::size_t i = 1; i < path.size(); ++i) way.push_back(way.back() + (path[i] - path[i - 1]).norm());
+    std::vector<Vec3f> points;
+    std::size_t i = 1;
+    for (std::size_t k = 0; k < count; ++k) {
+        const float at = way.back() * float(k) / float(count - 1);
+        while (i + 1 < path.size() && way[i] < at) ++i;
+        const float part = i < path.size() ? way[i] - way[i - 1] : 0;
+        const float t = part > 0 ? std::clamp((at - way[i - 1]) / part, 0.0F, 1.0F) : 0;
+        points.push_back(part > 0 ? Vec3f(path[i - 1] + t * (path[i] - path[i - 1])) : path[i - 1]);
+    }
+    return points;
+}
+
+// Of panels where they are placed: the session's own may be from before they were moved.
+std::vector<Thread> threads_of(const Seam& seam, const SeenGarment& garment) {
+    constexpr float kApart = 0.025F;  // m
+    std::array<std::vector<Vec3f>, 2> sides;
+    const std::array<SeamSide, 2> ends{seam.first, seam.second};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto panel = static_cast<std::size_t>(ends[i].panel);
+        if (panel >= garment.outlines().size()) return {};
+        const ClothOutline& outline = garment.outlines()[panel];
+        if (!outline.is_empty())
+            sides[i] = edge_path(outline, static_cast<std::size_t>(ends[i].edge), garment.mesh().x);
+        if (sides[i].size() < 2) return {};
+    }
+    float length = 0;
+    for (std::size_t i = 1; i < sides[0].size(); ++i) length += (sides[0][i] - sides[0][i - 1]).norm();
+    const auto count = static_cast<std::size_t>(std::clamp(length / kApart, 2.0F, 100.0F)) + 1;
+    const std::vector<Vec3f> first = even_points(sides[0], count), second = even_points(sides[1], count);
+    std::vector<Thread> threads;
+    for (std::size_t k = 0; k < count; ++k) threads.push_back({first[k], second[seam.is_reversed ? count - 1 - k : k]});
+    return threads;
+}
+
+void mark_threads(SolidItem& solid, const Pattern& pattern, const SeenGarment& garment, float size) {
+    const auto draw = [&](const Thread& thread, std::size_t seam) {
+        add_rod(solid, thread[0], thread[1], kThread * size, line_colour(seam));
+    };
+    if (garment.is_placed()) {
+        for (std::size_t s = 0; s < pattern.seams.size(); ++s) {
+            for (const Thread& thread : threads_of(pattern.seams[s], garment)) draw(thread, s);
+        }
+        return;
+    }
+    const SessionFrame& frame = garment.frame();
+    for (std::size_t i = 0; i < frame.threads.size(); ++i) {
+        const int seam = i < frame.thread_seams.size() ? std::max(0, frame.thread_seams[i]) : 0;
+        draw(frame.threads[i], static_cast<std::size_t>(seam));
+    }
+}
+
+void mark_pins(Marker& marker, const Pattern& pattern, const SeenGarment& garment, const FittingColours& colours) {
+    if (!garment.is_placed()) {
+        for (const Vec3f& pin : garment.frame().pins) marker.pin(pin, colours);
+    }
+    for (const Panel& panel : pattern.panels) {
+        for (const int vertex : panel.pins) {
+            if (const std::optional<Vec3f> x = marker.place_of_vertex({panel.name, vertex})) marker.pin(*x, colours);
+        }
+    }
+}
+
+}  // namespace
+
+float coarse_size(float metres_per_px) {
+    return std::exp2(std::round(2 * std::log2(std::max(metres_per_px, 1e-5F))) / 2);
+}
+
+SolidItem make_marks(const Pattern& pattern, const SeenGarment& garment, const std::vector<ArrangementPoint>& points,
+                     const FittingMarks& marks, const FittingColours& colours) {
+    SolidItem solid;
+    Marker marker(pattern, garment, marks.size, solid);
+    if (marks.has_threads) mark_threads(solid, pattern, garment, marks.size);
+    mark_selection(marker, marks.selection, colours.selected);
+    mark_hover(marker, marks, colours.hovered);
+    mark_wrong(marker, marks.wrong, colours.error);
+    mark_pins(marker, pattern, garment, colours);
+    if (marks.has_points) {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const bool is_hovered = marks.hovered_point == i;
+            add_ball(solid, points[i].position.cast<float>(), (is_hovered ? kHoveredPoint : kPoint) * marks.size,
+                     is_hovered ? colours.hovered_point : colours.point, BallDetail::Coarse);
+        }
+    }
+    if (marks.pulled_to) add_ball(solid, *marks.pulled_to, kPullBall * marks.size, colours.pull, BallDetail::Coarse);
+    return solid;
+}
+
+namespace {
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+// A vertex of one panel that came from one of the mesh, and the next that came from the same.
+struct Part {
+    std::uint16_t panel = 0;
+    Vec2f u = Vec2f::Zero();
+    std::uint32_t next = kNone;
+};
+
+std::vector<const Panel*> panels_by_mesh(const PlainMesh& mesh, const Pattern& pattern) {
+    std::vector<const Panel*> panels;
+    for (const std::string& name : mesh.panel_names) {
+        const auto found = std::find_if(pattern.panels.begin(), pattern.panels.end(),
+                                        [&](const Panel& panel) { return panel.name == name; });
+        panels.push_back(found == pattern.panels.end() ? nullptr : &*found);
+    }
+    return panels;
+}
+
+}  // namespace
+
+PlainMesh placed_mesh(const PlainMesh& mesh, const Pattern& pattern) {
+    const std::vector<const Panel*> panels = panels_by_mesh(mesh, pattern);
+    PlainMesh placed = mesh;
+    placed.x.clear();
+    placed.vertex_level.clear();
+    std::vector<std::uint32_t> first(mesh.x.size(), kNone);
+    std::vector<Part> parts;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const std::uint16_t panel = mesh.panel.empty() ? std::uint16_t{0} : mesh.panel[t];
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::uint32_t vertex = mesh.triangles[t][c];
+            const Vec2f& u = mesh.u[t][c];
+            std::uint32_t part = first[vertex];
+            while (part != kNone && !(parts[part].panel == panel && parts[part].u == u)) part = parts[part].next;
+            if (part == kNone) {
+                part = static_cast<std::uint32_t>(parts.size());
+                parts.push_back({.panel = panel, .u = u, .next = std::exchange(first[vertex], part)});
+                const Panel* from = panel < panels.size() ? panels[panel] : nullptr;
+                placed.x.push_back(from ? Vec3f(from->place(u.cast<double>()).cast<float>()) : mesh.x[vertex]);
+            }
+            placed.triangles[t][c] = part;
+        }
+    }
+    placed.normals = vertex_normals(placed.x, placed.triangles);
+    return placed;
+}
+
+std::optional<Vec3f> place_of(const PlainMesh& mesh, std::uint16_t panel, const Vec2f& u) {
+    constexpr float kBeside = -1e-3F;
+    for (std::size_t t = 0; t < mesh.u.size(); ++t) {
+        if (!mesh.panel.empty() && mesh.panel[t] != panel) continue;
+        const auto& [a, b, c] = mesh.u[t];
+        const Vec2f ab = b - a, ac = c - a, to = u - a;
+        const float area = ab.x() * ac.y() - ab.y() * ac.x();
+        if (area == 0) continue;
+        const float v = (to.x() * ac.y() - to.y() * ac.x()) / area, w = (ab.x() * to.y() - ab.y() * to.x()) / area;
+        if (!(v >= kBeside && w >= kBeside && v + w <= 1 - kBeside)) continue;
+        const auto& [i, j, k] = mesh.triangles[t];
+        return Vec3f((1 - v - w) * mesh.x[i] + v * mesh.x[j] + w * mesh.x[k]);
+    }
+    return std::nullopt;
+}
+
+void SeenGarment::follow(const Pattern& pattern, std::uint64_t revision, std::shared_ptr<const SessionFrame> frame,
+                         GarmentState wanted) {
+    const bool has_material = frame->mesh.u.size() == frame->mesh.triangles.size();
+    const bool is_placed = has_material && (wanted == GarmentState::AsPlaced || frame->stage == SessionStage::Placed);
+    const bool is_pattern_new = revision != revision_ || version_ == 0;
+    if (!is_pattern_new && frame == frame_ && is_placed == is_placed_) return;
+    ++version_;
+    revision_ = revision;
+    frame_ = std::move(frame);
+    is_placed_ = is_placed;
+    if (is_placed_) placed_ = placed_mesh(frame_->mesh, pattern);
+    find_outlines_again(pattern, is_pattern_new);
+}
+
+// Between adaptions a moving cloth has the same triangles, and so the same outlines.
+void SeenGarment::find_outlines_again(const Pattern& pattern, bool is_pattern_new) {
+    const PlainMesh& seen = mesh();
+    if (!is_pattern_new && seen.triangles == outlined_ && seen.u == outlined_u_) return;
+    outlined_ = seen.triangles;
+    outlined_u_ = seen.u;
+    outlines_ = find_outlines(seen, pattern);
+}
+
+}  // namespace selvedge

@@ -1,0 +1,296 @@
+#include "editor/viewport3d/viewport_overlay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <imgui.h>
+#include <set>
+
+namespace selvedge {
+namespace {
+
+ImU32 ink(const Rgb8& colour, int alpha = 255) {
+    return IM_COL32(colour[0], colour[1], colour[2], alpha);
+}
+
+// Draws in px of the view.
+class Overlay {
+ public:
+    Overlay(ImDrawList& list, const OverlayPlace& place, const Viewing& viewing, const FittingColours& colours)
+        : list_(list), place_(place), viewing_(viewing), colours_(colours) {}
+
+    const Viewing& viewing() const { return viewing_; }
+    const FittingColours& colours() const { return colours_; }
+    float scale() const { return place_.scale; }
+
+    ImVec2 at(const Vec2f& px) const { return {place_.low_px.x() + px.x(), place_.low_px.y() + px.y()}; }
+
+    // A path in the room; nothing of it where a part lies behind the eye.
+    void path(const std::vector<Vec3f>& points, ImU32 colour, float width) {
+        std::vector<ImVec2> line;
+        for (const Vec3f& point : points) {
+            const std::optional<Vec2f> px = px_of(viewing_, point);
+            if (!px) return;
+            line.push_back(at(*px));
+        }
+        list_.AddPolyline(line.data(), static_cast<int>(line.size()), colour, 0, width * scale());
+    }
+
+    // Over a pale rim, so that it is read on any cloth.
+    void rimmed_path(const std::vector<Vec3f>& points, ImU32 colour, float width) {
+        path(points, rim_of(colour), width + 2.4F);
+        path(points, colour, width);
+    }
+    ImU32 rim_of(ImU32 colour) const {
+        const auto alpha = static_cast<int>((colour & IM_COL32_A_MASK) >> IM_COL32_A_SHIFT);
+        return ink(colours_.badge, alpha * 3 / 4);
+    }
+
+    void dashes(const std::vector<Vec3f>& points, ImU32 colour, float width);
+    void badge(const Vec2f& low, const std::string& words, const Rgb8& colour);
+    Vec2f badge_size(const std::string& words) const {
+        const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+        return {size.x + 14 * scale(), size.y + 8 * scale()};
+    }
+
+    ImDrawList& list() { return list_; }
+
+ private:
+    ImDrawList& list_;
+    OverlayPlace place_;
+    Viewing viewing_;
+    const FittingColours& colours_;
+};
+
+// Even on the screen, whatever the points' spacing.
+void Overlay::dashes(const std::vector<Vec3f>& points, ImU32 colour, float width) {
+    const float dash = 6 * scale(), gap = 4 * scale();
+    float phase = 0;  // px into the present dash and gap
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const std::optional<Vec2f> from = px_of(viewing_, points[i - 1]), to = px_of(viewing_, points[i]);
+        if (!from || !to) continue;
+        const float length = (*to - *from).norm();
+        if (!(length > 0) || length > 10000) continue;
+        for (float way = 0; way < length;) {
+            const float left = phase < dash ? dash - phase : dash + gap - phase;
+            const float end = std::min(length, way + left);
+            const Vec2f a = *from + (*to - *from) * (way / length), b = *from + (*to - *from) * (end / length);
+            if (phase < dash) list_.AddLine(at(a), at(b), colour, width * scale());
+            phase = std::fmod(phase + end - way + 1e-3F, dash + gap);
+            way = end + 1e-3F;
+        }
+    }
+}
+
+void Overlay::badge(const Vec2f& low, const std::string& words, const Rgb8& colour) {
+    const Vec2f size = badge_size(words);
+    const float round = 4 * scale();
+    list_.AddRectFilled(at(low), at(low + size), ink(colours_.badge, 236), round);
+    list_.AddRect(at(low), at(low + size), ink(colours_.badge_line), round);
+    list_.AddText(at(low + Vec2f(7, 4) * scale()), ink(colour), words.c_str());
+}
+
+void draw_ghosts(Overlay& overlay, const FittingHand& hand) {
+    for (const std::vector<Vec3f>& ghost : hand.ghosts()) {
+        overlay.path(ghost, ink(overlay.colours().badge, 120), 3);
+        overlay.dashes(ghost, ink(overlay.colours().selected, 230), 1.6F);
+    }
+}
+
+struct HandleLook {
+    ImU32 colour = 0;
+    float width = 2;
+    bool is_held = false;
+};
+
+HandleLook look_of(const Overlay& overlay, const FittingHand& hand, const GizmoHandle& handle) {
+    const bool is_held = hand.drag() ? hand.drag()->handle() == handle : hand.under().handle == handle;
+    const bool is_aside = hand.drag() && !is_held;
+    const Rgb8& axis = overlay.colours().axes[static_cast<std::size_t>(handle.axis)];
+    return {.colour = ink(is_held ? overlay.colours().held_axis : axis, is_aside ? 70 : 235),
+            .width = is_held ? 3.6F : 2.6F,
+            .is_held = is_held};
+}
+
+void draw_arrow(Overlay& overlay, const Gizmo& gizmo, int axis, const HandleLook& look) {
+    const std::array<Vec3f, 2> arrow = arrow_of(gizmo, axis);
+    const std::optional<Vec2f> from = px_of(overlay.viewing(), arrow[0]), to = px_of(overlay.viewing(), arrow[1]);
+    if (!from || !to || (*to - *from).norm() < 2) return;
+    const float head = 10 * overlay.scale();
+    const Vec2f along = (*to - *from).normalized(), across(-along.y(), along.x());
+    const Vec2f base = *to - head * along;
+    const float width = look.width * overlay.scale(), rim = 1.3F * overlay.scale();
+    const Vec2f left = base + 0.42F * head * across, right = base - 0.42F * head * across;
+    overlay.list().AddLine(overlay.at(*from), overlay.at(base), overlay.rim_of(look.colour), width + 2 * rim);
+    overlay.list().AddTriangle(overlay.at(*to), overlay.at(left), overlay.at(right), overlay.rim_of(look.colour),
+                               2 * rim);
+    overlay.list().AddLine(overlay.at(*from), overlay.at(base), look.colour, width);
+    overlay.list().AddTriangleFilled(overlay.at(*to), overlay.at(left), overlay.at(right), look.colour);
+    constexpr std::array<const char*, 3> kNames{"x", "y", "z"};
+    const ImVec2 size = ImGui::CalcTextSize(kNames[static_cast<std::size_t>(axis)]);
+    const Vec2f name = *to + 10 * overlay.scale() * along - Vec2f(size.x, size.y) / 2;
+    const ImVec2 low = overlay.at(name), high(low.x + size.x, low.y + size.y);
+    const float pad = 2.5F * overlay.scale();
+    overlay.list().AddRectFilled({low.x - pad, low.y - 0.5F * pad}, {high.x + pad, high.y + 0.5F * pad},
+                                 overlay.rim_of(look.colour), 3 * overlay.scale());
+    overlay.list().AddText(low, look.colour, kNames[static_cast<std::size_t>(axis)]);
+}
+
+void draw_square(Overlay& overlay, const Gizmo& gizmo, int axis, const HandleLook& look) {
+    std::vector<Vec3f> corners;
+    std::array<ImVec2, 4> filled;
+    for (const Vec3f& corner : square_of(gizmo, axis)) {
+        const std::optional<Vec2f> px = px_of(overlay.viewing(), corner);
+        if (!px) return;
+        filled[corners.size()] = overlay.at(*px);
+        corners.push_back(corner);
+    }
+    corners.push_back(corners.front());
+    const ImU32 faint = (look.colour & ~IM_COL32_A_MASK) | (ImU32(look.is_held ? 170 : 110) << IM_COL32_A_SHIFT);
+    overlay.list().AddQuadFilled(filled[0], filled[1], filled[2], filled[3], faint);
+    overlay.rimmed_path(corners, look.colour, 1);
+}
+
+void draw_gizmo(Overlay& overlay, const FittingHand& hand) {
+    if (!hand.gizmo()) return;
+    const Gizmo& gizmo = *hand.gizmo();
+    const bool is_free = hand.drag() && hand.drag()->handle().kind == GizmoKind::MoveScreen;
+    for (int axis = 0; axis < 3 && !is_free; ++axis) {
+        const HandleLook look = look_of(overlay, hand, {GizmoKind::Turn, axis});
+        overlay.rimmed_path(ring_of(gizmo, overlay.viewing(), axis), look.colour, look.is_held ? 3.0F : 2.0F);
+    }
+    for (const GizmoKind kind : {GizmoKind::MovePlane, GizmoKind::MoveAxis}) {
+        for (int axis = 0; axis < 3 && !is_free; ++axis) {
+            const GizmoHandle handle{kind, axis};
+            if (!is_shown(gizmo, overlay.viewing(), handle)) continue;
+            const HandleLook look = look_of(overlay, hand, handle);
+            if (kind == GizmoKind::MoveAxis) draw_arrow(overlay, gizmo, axis, look);
+            if (kind == GizmoKind::MovePlane) draw_square(overlay, gizmo, axis, look);
+        }
+    }
+    const std::optional<Vec2f> centre = px_of(overlay.viewing(), gizmo.centre);
+    if (!centre) return;
+    overlay.list().AddCircleFilled(overlay.at(*centre), 3.5F * overlay.scale(), ink(overlay.colours().badge));
+    overlay.list().AddCircle(overlay.at(*centre), 3.5F * overlay.scale(), ink(overlay.colours().ink, 160));
+}
+
+// From the cloth to where it is pulled.
+void draw_pull(Overlay& overlay, const FittingHand& hand) {
+    if (!hand.pulled_to() || !hand.pulled_at()) return;
+    overlay.rimmed_path({*hand.pulled_at(), *hand.pulled_to()}, ink(overlay.colours().pull), 1.8F);
+    const std::optional<Vec2f> at = px_of(overlay.viewing(), *hand.pulled_at());
+    if (at) overlay.list().AddCircleFilled(overlay.at(*at), 3.5F * overlay.scale(), ink(overlay.colours().pull));
+}
+
+// The readout beside the cursor, within the view.
+void draw_readout(Overlay& overlay, const FittingHand& hand) {
+    std::string words;
+    Rgb8 colour = overlay.colours().ink;
+    if (hand.drag()) {
+        words = hand.drag()->readout();
+        if (!hand.typed().empty()) words += "   = " + hand.typed();
+    }
+    if (words.empty()) return;
+    const Vec2f size = overlay.badge_size(words);
+    Vec2f low = hand.cursor_px() + Vec2f(18, 18) * overlay.scale();
+    low = low.cwiseMin(overlay.viewing().size_px - size - Vec2f(6, 6)).cwiseMax(Vec2f(6, 6));
+    overlay.badge(low, words, colour);
+}
+
+void draw_point_name(Overlay& overlay, const std::vector<ArrangementPoint>& points, const FittingHand& hand) {
+    if (!hand.under().point || *hand.under().point >= points.size()) return;
+    const ArrangementPoint& point = points[*hand.under().point];
+    const std::optional<Vec2f> px = px_of(overlay.viewing(), point.position.cast<float>());
+    if (!px) return;
+    const Vec2f size = overlay.badge_size(point.name);
+    Vec2f low = *px + Vec2f(14 * overlay.scale(), -size.y() - 6 * overlay.scale());
+    low = low.cwiseMin(overlay.viewing().size_px - size - Vec2f(6, 6)).cwiseMax(Vec2f(6, 6));
+    overlay.badge(low, point.name, overlay.colours().ink);
+}
+
+// Below left; the axis that comes nearest to the eye is drawn last.
+void draw_axis_cross(Overlay& overlay) {
+    const float reach = 24 * overlay.scale();
+    const Vec2f centre(38 * overlay.scale(), overlay.viewing().size_px.y() - 38 * overlay.scale());
+    const Eigen::Matrix4f view = view_matrix(overlay.viewing().camera);
+    std::array<int, 3> order{0, 1, 2};
+    std::sort(order.begin(), order.end(), [&](int a, int b) { return view(2, a) < view(2, b); });
+    constexpr std::array<const char*, 3> kNames{"x", "y", "z"};
+    for (const int axis : order) {
+        const auto a = static_cast<std::size_t>(axis);
+        const Vec2f along(view(0, axis), -view(1, axis));
+        const ImU32 colour = ink(overlay.colours().axes[a], view(2, axis) < -0.2F ? 130 : 255);
+        overlay.list().AddLine(overlay.at(centre), overlay.at(centre + reach * along), colour, 2 * overlay.scale());
+        const ImVec2 size = ImGui::CalcTextSize(kNames[a]);
+        const Vec2f name = centre + (reach + 8 * overlay.scale()) * along - Vec2f(size.x, size.y) / 2;
+        overlay.list().AddText(overlay.at(name), colour, kNames[a]);
+    }
+}
+
+Rgb8 stage_colour(const SessionFrame& frame, const FittingColours& colours) {
+    switch (frame.stage) {
+        case SessionStage::Settled:
+            return colours.good;
+        case SessionStage::Sewing:
+        case SessionStage::Draping:
+            return frame.is_running ? colours.busy : colours.faint;
+        case SessionStage::Failed:
+            return colours.error;
+        case SessionStage::Empty:
+        case SessionStage::Placed:
+            return colours.faint;
+    }
+    return colours.faint;
+}
+
+void draw_stage(Overlay& overlay, const Workspace& workspace, const FittingHand& hand) {
+    const SessionFrame& frame = hand.garment().frame();
+    std::string words = stage_words(frame);
+    const bool is_sewn = frame.stage == SessionStage::Draping || frame.stage == SessionStage::Settled;
+    if (is_sewn && hand.garment().is_placed()) words += " \u00B7 shown as placed";
+    if (workspace.drape.is_making_body()) words += words.empty() ? "Making the body" : " \u00B7 making the body";
+    if (words.empty()) return;
+    const float scale = overlay.scale();
+    const Vec2f low(10 * scale, 10 * scale), size = overlay.badge_size(words) + Vec2f(14 * scale, 0);
+    overlay.list().AddRectFilled(overlay.at(low), overlay.at(low + size), ink(overlay.colours().badge, 236), 4 * scale);
+    overlay.list().AddRect(overlay.at(low), overlay.at(low + size), ink(overlay.colours().badge_line), 4 * scale);
+    overlay.list().AddCircleFilled(overlay.at(low + Vec2f(12 * scale, size.y() / 2)), 4 * scale,
+                                   ink(stage_colour(frame, overlay.colours())));
+    overlay.list().AddText(overlay.at(low + Vec2f(21, 4) * scale), ink(overlay.colours().ink), words.c_str());
+}
+
+}  // namespace
+
+std::string stage_words(const SessionFrame& frame) {
+    switch (frame.stage) {
+        case SessionStage::Empty:
+            return frame.problem.empty() ? "" : "Cannot be cut yet";
+        case SessionStage::Placed:
+            return "Placed";
+        case SessionStage::Sewing: {
+            const auto open = std::set<int>(frame.thread_seams.begin(), frame.thread_seams.end()).size();
+            const std::string verb = frame.is_running ? "Sewing" : "Sewing, paused";
+            return open == 0 ? verb : verb + " \u00B7 " + std::to_string(open) + (open == 1 ? " seam" : " seams");
+        }
+        case SessionStage::Draping:
+            return frame.is_running ? "Draping" : "Paused";
+        case SessionStage::Settled:
+            return "Settled";
+        case SessionStage::Failed:
+            return "Failed";
+    }
+    return "";
+}
+
+void draw_overlay(ImDrawList& list, const OverlayPlace& place, const Workspace& workspace, const FittingHand& hand,
+                  const FittingColours& colours) {
+    Overlay overlay(list, place, hand.viewing(), colours);
+    draw_ghosts(overlay, hand);
+    draw_gizmo(overlay, hand);
+    draw_pull(overlay, hand);
+    draw_point_name(overlay, workspace.drape.worn().points, hand);
+    draw_axis_cross(overlay);
+    draw_stage(overlay, workspace, hand);
+    draw_readout(overlay, hand);
+}
+
+}  // namespace selvedge

@@ -1,0 +1,142 @@
+#include "editor/viewport3d/viewport_scene.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "sim/core/error.h"
+#include "sim/tartan/tartan_file.h"
+
+namespace selvedge {
+namespace {
+
+constexpr float kEdgeInk = 0.55F;
+
+// The fabric's name for each panel of the mesh.
+std::vector<std::string> fabrics_of(const PlainMesh& mesh, const Pattern& pattern) {
+    std::vector<std::string> names(std::max<std::size_t>(1, mesh.panel_names.size()), pattern.fabric);
+    for (std::size_t i = 0; i < mesh.panel_names.size(); ++i) {
+        const auto panel = std::find_if(pattern.panels.begin(), pattern.panels.end(),
+                                        [&](const Panel& known) { return known.name == mesh.panel_names[i]; });
+        if (panel != pattern.panels.end() && !panel->fabric.empty()) names[i] = panel->fabric;
+    }
+    return names;
+}
+
+template <class T>
+void keep(std::vector<T>& values, const std::vector<std::size_t>& kept) {
+    if (values.empty()) return;
+    for (std::size_t i = 0; i < kept.size(); ++i) values[i] = values[kept[i]];
+    values.resize(kept.size());
+}
+
+// The triangles of those panels, with all vertices.
+PlainMesh part_of(const PlainMesh& mesh, const std::vector<std::string>& fabrics, const std::string& fabric) {
+    PlainMesh part = mesh;
+    std::vector<std::size_t> kept;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (fabrics[mesh.panel.empty() ? 0 : mesh.panel[t]] == fabric) kept.push_back(t);
+    }
+    keep(part.triangles, kept);
+    keep(part.u, kept);
+    keep(part.panel, kept);
+    keep(part.level, kept);
+    return part;
+}
+
+bool is_sound(const PlainMesh& mesh) {
+    return !mesh.triangles.empty() &&
+           std::all_of(mesh.x.begin(), mesh.x.end(), [](const Vec3f& x) { return x.allFinite(); });
+}
+
+}  // namespace
+
+bool wants_paint(ShowMode show) {
+    return show > ShowMode::Plain;
+}
+
+// A fabric that is not known is the default: the inspector says so.
+const Fabric& FittingScene::fabric(const std::string& name) {
+    const auto known = fabrics_.find(name);
+    if (known != fabrics_.end()) return known->second;
+    Fabric fabric;
+    try {
+        fabric = find_fabric(name);
+    } catch (const InputError&) {
+        fabric.name = name;
+    }
+    return fabrics_.emplace(name, std::move(fabric)).first->second;
+}
+
+void FittingScene::take_sett(const Pattern& pattern) {
+    if (sett_ && pattern.tartan == tartan_ && pattern.sett_size == sett_size_) return;
+    tartan_ = pattern.tartan;
+    sett_size_ = pattern.sett_size;
+    try {
+        sett_ = find_tartan(tartan_.empty() ? kDefaultTartan : tartan_);
+    } catch (const InputError&) {
+        sett_ = find_tartan(kDefaultTartan);
+    }
+    if (sett_size_ && *sett_size_ > 0) sett_ = with_repeat_size(std::move(*sett_), *sett_size_);
+}
+
+void FittingScene::take_cloth(const FittingSceneInput& input) {
+    cloths_.clear();
+    const PlainMesh& mesh = input.garment.mesh();
+    if (!is_sound(mesh)) return;
+    take_sett(input.pattern);
+    const std::vector<std::string> names = fabrics_of(mesh, input.pattern);
+    const std::set<std::string> distinct(names.begin(), names.end());
+    for (const std::string& name : distinct) {
+        const Fabric& made_of = fabric(name);
+        ClothItem item;
+        item.mesh = distinct.size() == 1 ? mesh : part_of(mesh, names, name);
+        if (item.mesh.triangles.empty()) continue;
+        item.sett = *sett_;
+        item.sett_position = input.pattern.sett_position.cast<float>();
+        item.show = input.look.show;
+        item.material = {.gloss = static_cast<float>(made_of.gloss),
+                         .roughness = static_cast<float>(made_of.roughness),
+                         .sheen = static_cast<float>(made_of.sheen)};
+        if (input.look.has_edges) {
+            if (item.show == ShowMode::Plain) item.show = ShowMode::Edges;
+            item.ink = kEdgeInk;
+        }
+        cloths_.push_back(std::move(item));
+    }
+}
+
+void FittingScene::take_body(const FittingSceneInput& input) {
+    has_body_ = input.look.has_body;
+    body_ = input.worn.body;
+    bodies_.clear();
+    if (has_body_ && body_ && !body_->triangles.empty()) bodies_.push_back(make_body_item(*body_));
+}
+
+std::shared_ptr<const Scene> FittingScene::follow(const FittingSceneInput& input) {
+    const MatterKey key{.garment = input.garment.version(),
+                        .revision = input.revision,
+                        .show = input.look.show,
+                        .has_edges = input.look.has_edges};
+    const bool is_cloth_new = !(key == key_);
+    const bool is_body_new = input.worn.body != body_ || input.look.has_body != has_body_;
+    if (!is_cloth_new && !is_body_new && input.marks == marks_) return scene_;
+    key_ = key;
+    marks_ = input.marks;
+    if (is_cloth_new) take_cloth(input);
+    if (is_body_new) take_body(input);
+    auto scene = std::make_shared<Scene>();
+    scene->cloths = cloths_;
+    scene->bodies = bodies_;
+    SolidItem marks = make_marks(input.pattern, input.garment, input.worn.points, input.marks, colours_);
+    if (!marks.triangles.empty()) scene->solids.push_back(std::move(marks));
+    scene->background = colours_.background;
+    if (scene->cloths.empty() && scene->bodies.empty()) {
+        scene_.reset();
+        return scene_;
+    }
+    scene_ = std::move(scene);
+    return scene_;
+}
+
+}  // namespace selvedge

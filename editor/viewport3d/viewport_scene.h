@@ -1,0 +1,64 @@
+#pragma once
+// From the workspace to a Scene. The same pointer comes back as long as nothing in it has changed, so that whoever
+// draws it can keep what it made of it.
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "editor/viewport3d/viewport_marks.h"
+#include "editor/workspace/workspace.h"
+#include "sim/pattern/fabric.h"
+
+namespace selvedge {
+
+struct FittingSceneInput {
+    const Pattern& pattern;
+    std::uint64_t revision = 0;  // of the pattern
+    const SeenGarment& garment;
+    const WornBody& worn;
+    FittingLook look{};
+    FittingMarks marks{};
+};
+
+class FittingScene {
+ public:
+    explicit FittingScene(FittingColours colours = {}) : colours_(std::move(colours)) {}
+
+    // Null: there is nothing to be seen.
+    std::shared_ptr<const Scene> follow(const FittingSceneInput& input);
+
+ private:
+    // What cloth and body were made from.
+    struct MatterKey {
+        std::uint64_t garment = 0;
+        std::uint64_t revision = 0;
+        ShowMode show = ShowMode::Tartan;
+        bool has_edges = false;
+
+        bool operator==(const MatterKey&) const = default;
+    };
+
+    void take_cloth(const FittingSceneInput& input);
+    void take_body(const FittingSceneInput& input);
+    void take_sett(const Pattern& pattern);
+    const Fabric& fabric(const std::string& name);
+
+    FittingColours colours_;
+    std::shared_ptr<const Scene> scene_;
+    MatterKey key_;
+    FittingMarks marks_;
+    bool has_body_ = false;
+    std::shared_ptr<const Body> body_;
+    std::vector<BodyItem> bodies_;
+    std::vector<ClothItem> cloths_;
+    std::string tartan_;
+    std::optional<double> sett_size_;
+    std::optional<Sett> sett_;  // of the two above
+    std::map<std::string, Fabric> fabrics_;
+};
+
+// Whether colours stand for figures, which the program paints (render/show.h) before the scene is drawn.
+bool wants_paint(ShowMode show);
+
+}  // namespace selvedge

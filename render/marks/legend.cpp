@@ -1,0 +1,181 @@
+#include "render/marks/legend.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace selvedge {
+namespace {
+
+// All in the letters' pixels.
+constexpr int kPadding = 8, kMargin = 10, kSwatch = 9, kGap = 6;
+constexpr int kRow = 13, kTitle = 16;
+constexpr int kBarWidth = 132, kBarHeight = 9, kBarRow = kBarHeight + 4 + kRow;
+constexpr int kBetween = 4;  // above the notes
+constexpr int kRadius = 3;
+constexpr std::size_t kLeastLetters = 14;  // of a name that has no room
+
+constexpr Rgba8 kPaper{0xFC, 0xFB, 0xF9, 0xD6}, kRim{0x30, 0x30, 0x38, 0x2A};
+constexpr Rgba8 kInk{0x26, 0x26, 0x2B, 255}, kSoftInk{0x55, 0x55, 0x5C, 255};
+
+Rgba8 opaque(const Rgb8& colour) {
+    return {colour[0], colour[1], colour[2], 255};
+}
+
+std::string left_out(const Legend& legend, std::size_t rows) {
+    return "and " + std::to_string(legend.rows.size() - rows + 1) + " more";
+}
+
+int figure_room(const std::string& figure) {
+    return figure.empty() ? 0 : 2 * kGap + text_width(figure);
+}
+
+int inner_width(const Legend& legend) {
+    int width = text_width(legend.title);
+    for (const LegendRow& row : legend.rows) {
+        width = std::max(width, kSwatch + kGap + text_width(row.label) + figure_room(row.figure));
+    }
+    for (const auto& [name, figure] : legend.notes)
+        width = std::max(width, text_width(name) + 2 * kGap + text_width(figure));
+    return legend.scale ? std::max(width, kBarWidth) : width;
+}
+
+// With names cut to a few letters.
+int least_width(const Legend& legend) {
+    Legend cut = legend;
+    for (LegendRow& row : cut.rows) row.label = row.label.substr(0, kLeastLetters);
+    return inner_width(cut);
+}
+
+int inner_height(const Legend& legend, std::size_t rows) {
+    int height = kTitle + static_cast<int>(rows) * kRow + (legend.scale ? kBarRow : 0);
+    if (!legend.notes.empty()) height += kBetween + static_cast<int>(legend.notes.size()) * kRow;
+    return height - (kRow - kSwatch);
+}
+
+PixelBox in_corner(int width, int height, int margin, Corner corner, int width_px, int height_px) {
+    const bool is_left = corner == Corner::LowerLeft || corner == Corner::UpperLeft;
+    const bool is_low = corner == Corner::LowerLeft || corner == Corner::LowerRight;
+    return {.left = is_left ? margin : width_px - margin - width,
+            .top = is_low ? height_px - margin - height : margin,
+            .width = width,
+            .height = height};
+}
+
+// As much of the words as has room, and two dots where that is not all.
+std::string shortened(const std::string& words, int room) {
+    if (text_width(words) <= room) return words;
+    std::string kept = words;
+    while (!kept.empty() && text_width(kept + "..") > room) kept.pop_back();
+    return kept + "..";
+}
+
+// Draws from the top down, in the letters' pixels.
+class Pen {
+ public:
+    Pen(Image& image, const PixelBox& box, int scale) : image_(image), box_(box), scale_(scale), y_(kPadding) {}
+
+    int inner() const { return box_.width / scale_ - 2 * kPadding; }
+    void down(int by) { y_ += by; }
+
+    void box(int x, int y, int width, int height, const Rgba8& colour) const {
+        fill_box(image_, {left(x), top(y), width * scale_, height * scale_}, colour);
+    }
+    void column(int x_px, int height, const Rgba8& colour) const {
+        fill_box(image_, {left(0) + x_px, top(0), 1, height * scale_}, colour);
+    }
+    void text(int x, int y, const std::string& words, const Rgba8& colour) const {
+        draw_text(image_, left(x), top(y), words, {.scale = scale_, .colour = colour});
+    }
+    void text_at_right(int y, const std::string& words, const Rgba8& colour) const {
+        text(inner() - text_width(words), y, words, colour);
+    }
+    int scale() const { return scale_; }
+
+ private:
+    int left(int x) const { return box_.left + (kPadding + x) * scale_; }
+    int top(int y) const { return box_.top + (y_ + y) * scale_; }
+
+    Image& image_;
+    PixelBox box_;
+    int scale_;
+    int y_;
+};
+
+void draw_rows(Pen& pen, const Legend& legend, std::size_t rows) {
+    for (std::size_t i = 0; i < rows; ++i) {
+        const bool is_last = i + 1 == rows && rows < legend.rows.size();
+        if (is_last) {
+            pen.text(kSwatch + kGap, 1, left_out(legend, rows), kSoftInk);
+        } else {
+            pen.box(0, 0, kSwatch, kSwatch, opaque(legend.rows[i].colour));
+            const int room = pen.inner() - kSwatch - kGap - figure_room(legend.rows[i].figure);
+            pen.text(kSwatch + kGap, 1, shortened(legend.rows[i].label, room), kInk);
+            pen.text_at_right(1, legend.rows[i].figure, kSoftInk);
+        }
+        pen.down(kRow);
+    }
+}
+
+void draw_scale(Pen& pen, const LegendScale& scale) {
+    const int width = pen.inner(), width_px = width * pen.scale();
+    for (int x = 0; x < width_px; ++x) {
+        const auto last = static_cast<float>(scale.map.size() - 1);
+        const auto at = static_cast<std::size_t>(std::lround(float(x) / float(std::max(width_px - 1, 1)) * last));
+        pen.column(x, kBarHeight, opaque(scale.map[at]));
+    }
+    for (const LegendScale::Tick& tick : scale.ticks) {
+        const int x = static_cast<int>(std::lround(tick.place * float(width - 1)));
+        pen.box(x, kBarHeight, 1, 2, kSoftInk);
+        const int room = text_width(tick.label);
+        pen.text(std::clamp(x - room / 2, 0, width - room), kBarHeight + 4, tick.label, kInk);
+    }
+    pen.down(kBarRow);
+}
+
+// The letters' size is kept, and rows that have no room are left out; the smallest letters are the last resort, and
+// long names are cut then.
+std::optional<LegendPlace> place_at_scale(const Legend& legend, int scale, int width_px, int height_px, Corner corner) {
+    int width = (inner_width(legend) + 2 * kPadding) * scale;
+    if (scale == 1) width = std::min(width, std::max(least_width(legend) + 2 * kPadding, width_px / 2));
+    const auto height_of = [&](std::size_t rows) { return (inner_height(legend, rows) + 2 * kPadding) * scale; };
+    const int most_height = height_px * 3 / 4;
+    std::size_t rows = legend.rows.size();
+    while (rows > 0 && height_of(rows) > most_height) --rows;
+    const bool says_nothing = rows < std::min<std::size_t>(legend.rows.size(), 2);
+    if (width > width_px / 2 || says_nothing || height_of(rows) > most_height) return std::nullopt;
+    return LegendPlace{.box = in_corner(width, height_of(rows), kMargin * scale, corner, width_px, height_px),
+                       .scale = scale,
+                       .rows = rows};
+}
+
+}  // namespace
+
+std::optional<LegendPlace> place_legend(const Legend& legend, int width_px, int height_px, Corner corner) {
+    for (int scale = std::max(1, std::min(width_px, height_px) / 512); scale > 0; --scale) {
+        const auto place = place_at_scale(legend, scale, width_px, height_px, corner);
+        if (place) return place;
+    }
+    return std::nullopt;
+}
+
+void draw_legend(Image& image, const Legend& legend, Corner corner) {
+    const std::optional<LegendPlace> place = place_legend(legend, image.width_px, image.height_px, corner);
+    if (!place) return;
+    const auto& [box, scale, rows] = *place;
+    fill_rounded(image, {box.left - scale, box.top - scale, box.width + 2 * scale, box.height + 2 * scale},
+                 (kRadius + 1) * scale, kRim);
+    fill_rounded(image, box, kRadius * scale, kPaper);
+    Pen pen(image, box, scale);
+    pen.text(0, 0, legend.title, kInk);
+    pen.down(kTitle);
+    draw_rows(pen, legend, rows);
+    if (legend.scale) draw_scale(pen, *legend.scale);
+    if (!legend.notes.empty()) pen.down(kBetween);
+    for (const auto& [name, figure] : legend.notes) {
+        pen.text(0, 0, name, kSoftInk);
+        pen.text_at_right(0, figure, kInk);
+        pen.down(kRow);
+    }
+}
+
+}  // namespace selvedge

@@ -1,0 +1,351 @@
+#include "render/marks/show.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "render/draw/renderer.h"
+#include "render/marks/seam_lines.h"
+#include "render/scene/colour.h"
+#include "render/scene/solids.h"
+#include "sim/core/assert.h"
+#include "sim/core/math.h"
+#include "sim/mesh/garment_mesh.h"
+
+namespace selvedge {
+namespace {
+
+constexpr Rgb8 kQuietCloth{0xEC, 0xE9, 0xE3};
+constexpr Rgb8 kHemColour{0x55, 0x55, 0x5A};
+constexpr float kBallShare = 0.19F;  // of a base edge, the radius of a vertex of level 0
+
+// Where the i-th of n kinds lies along its map.
+float place_of(std::size_t i, std::size_t n) {
+    return n < 2 ? 0.0F : float(i) / float(n - 1);
+}
+
+std::vector<Rgb8> level_colours() {
+    std::vector<Rgb8> map;
+    for (int level = 0; level < kLevelColours; ++level) map.push_back(level_colour(level));
+    return map;
+}
+
+std::size_t colour_index(int level) {
+    return static_cast<std::size_t>(std::clamp(level, 0, kLevelColours - 1));
+}
+
+// One row for each level up to the highest, with how many there are of it.
+template <class Levels>
+std::vector<LegendRow> level_rows(const Levels& levels) {
+    std::array<std::size_t, kLevelColours> counts{};
+    std::size_t highest = 0;
+    for (const auto level : levels) {
+        ++counts[colour_index(level)];
+        highest = std::max(highest, colour_index(level));
+    }
+    std::vector<LegendRow> rows;
+    for (std::size_t level = 0; level <= highest; ++level)
+        rows.push_back({level_colour(static_cast<int>(level)), std::to_string(level), std::to_string(counts[level])});
+    return rows;
+}
+
+// A mesh that was read from a file has no levels: all are drawn as level 0.
+std::vector<std::array<std::string, 2>> level_notes(bool are_known) {
+    if (are_known) return {};
+    return {{"levels", "not known"}};
+}
+
+std::vector<float> chosen_strain(const PlainMesh& mesh, ShowMode mode) {
+    std::vector<float> values;
+    for (const MeshStrain& strain : measure_strain(mesh)) {
+        const float greater = std::max(strain.warp, strain.weft);
+        values.push_back(mode == ShowMode::StrainWarp ? strain.warp
+                                                      : (mode == ShowMode::StrainWeft ? strain.weft : greater));
+    }
+    return values;
+}
+
+const char* strain_title(ShowMode mode) {
+    if (mode == ShowMode::StrainWarp) return "Strain along the warp";
+    if (mode == ShowMode::StrainWeft) return "Strain along the weft";
+    return "Strain, the greater";
+}
+
+// The map spans all but one in a hundred; beyond it its ends stand for more.
+Legend show_strain(ClothItem& cloth) {
+    constexpr double least_limit = 0.01;
+    const std::vector<float> strain = chosen_strain(cloth.mesh, cloth.show);
+    std::vector<double> sizes, values(strain.begin(), strain.end());
+    for (const double value : values) sizes.push_back(std::abs(value));
+    const double limit = round_up(std::max(quantile(sizes, 0.99), least_limit));
+    ClothPaint paint{.map = diverging_map(), .places = smooth_in_panels(cloth.mesh, strain)};
+    for (auto& corners : paint.places) {
+        for (float& place : corners) place = 0.5F + 0.5F * place / static_cast<float>(limit);
+    }
+    cloth.paint = std::move(paint);
+    return strain_legend(strain_title(cloth.show), limit, values);
+}
+
+Legend show_clearance(ClothItem& cloth, const std::vector<float>& clearance) {
+    SELVEDGE_ASSERT(clearance.size() == cloth.mesh.x.size());
+    constexpr double least_limit = 0.01;  // m
+    const std::vector<double> values(clearance.begin(), clearance.end());
+    const double limit = round_up(std::max(quantile(values, 0.95), least_limit));
+    ClothPaint paint{.map = sequential_map(), .places = {}};
+    for (const auto& [a, b, c] : cloth.mesh.triangles) {
+        const auto place = [&](std::uint32_t v) { return clearance[v] / static_cast<float>(limit); };
+        paint.places.push_back({place(a), place(b), place(c)});
+    }
+    cloth.paint = std::move(paint);
+    return clearance_legend(limit, values);
+}
+
+std::string panel_name(const PlainMesh& mesh, std::size_t panel) {
+    if (panel >= mesh.panel_names.size()) return "panel " + std::to_string(panel);
+    std::string name = mesh.panel_names[panel];
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+}
+
+Legend show_panels(ClothItem& cloth) {
+    const PlainMesh& mesh = cloth.mesh;
+    const std::size_t panels =
+        mesh.panel.empty() ? 1 : std::size_t{1} + *std::max_element(mesh.panel.begin(), mesh.panel.end());
+    Legend legend{.title = "Panels"};
+    ClothPaint paint;
+    constexpr std::size_t kMostColours = 256;  // a map has to fit a texture; colours have come round long before
+    for (std::size_t panel = 0; panel < panels; ++panel) {
+        if (panel < kMostColours) paint.map.push_back(kind_colour(panel));
+        legend.rows.push_back({kind_colour(panel % kMostColours), panel_name(mesh, panel)});
+    }
+    if (panels == 1) paint.map.push_back(paint.map.front());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const std::size_t panel = mesh.panel.empty() ? 0 : mesh.panel[t];
+        const float place = place_of(panel % kMostColours, paint.map.size());
+        paint.places.push_back({place, place, place});
+    }
+    cloth.paint = std::move(paint);
+    return legend;
+}
+
+// "left sleeve front + back": words that the second name begins with too are not said again.
+std::string seam_name(const PlainMesh& mesh, const SeamLine& seam) {
+    const std::string first = panel_name(mesh, seam.panels[0]), second = panel_name(mesh, seam.panels[1]);
+    if (seam.panels[0] == seam.panels[1]) return first;
+    std::size_t said = 0;
+    for (std::size_t i = 0; i < std::min(first.size(), second.size()) && first[i] == second[i]; ++i) {
+        if (first[i] == ' ') said = i + 1;
+    }
+    return first + " + " + second.substr(said);
+}
+
+std::string centimetres(double metres) {
+    return std::to_string(std::lround(100 * metres)) + " cm";
+}
+
+void add_lines(SolidItem& solid, const PlainMesh& mesh, const SeamLine& line, float radius, const Rgb8& colour) {
+    for (const VertexPath& path : line.paths) {
+        std::vector<Vec3f> points;
+        for (const std::uint32_t v : path) points.push_back(mesh.x[v]);
+        add_tube(solid, points, radius, colour);
+    }
+}
+
+Legend show_seams(Scene& scene, float radius) {
+    ClothItem& cloth = scene.cloths.front();
+    cloth.colour = kQuietCloth;
+    const SeamLines lines = find_seam_lines(cloth.mesh);
+    Legend legend{.title = "Seams and hems"};
+    SolidItem solid;
+    for (std::size_t i = 0; i < lines.seams.size(); ++i) {
+        const SeamLine& seam = lines.seams[i];
+        legend.rows.push_back({line_colour(i), seam_name(cloth.mesh, seam), centimetres(seam.length)});
+        add_lines(solid, cloth.mesh, seam, radius, line_colour(i));
+    }
+    double hems = 0;
+    for (const SeamLine& hem : lines.hems) {
+        hems += hem.length;
+        add_lines(solid, cloth.mesh, hem, 0.5F * radius, kHemColour);
+    }
+    if (!lines.hems.empty()) legend.rows.push_back({kHemColour, "hems", centimetres(hems)});
+    scene.solids.push_back(std::move(solid));
+    return legend;
+}
+
+// m: the median, over all triangles' edges, of the length that each would have had at level 0.
+float base_edge(const PlainMesh& mesh) {
+    std::vector<double> lengths;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const double halvings = std::exp2(mesh.level.empty() ? 0 : mesh.level[t]);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Vec3f edge = mesh.x[mesh.triangles[t][(i + 1) % 3]] - mesh.x[mesh.triangles[t][i]];
+            lengths.push_back(halvings * static_cast<double>(edge.norm()));
+        }
+    }
+    return static_cast<float>(quantile(lengths, 0.5));
+}
+
+std::vector<bool> drawn_vertices(const PlainMesh& mesh) {
+    std::vector<bool> is_drawn(mesh.x.size(), false);
+    for (const auto& triangle : mesh.triangles) {
+        for (const std::uint32_t v : triangle) is_drawn[v] = true;
+    }
+    return is_drawn;
+}
+
+Legend show_vertices(Scene& scene) {
+    ClothItem& cloth = scene.cloths.front();
+    const PlainMesh& mesh = cloth.mesh;
+    cloth.colour = kQuietCloth;
+    cloth.ink = 0.45F;
+    const float radius = kBallShare * base_edge(mesh);
+    const std::vector<bool> is_drawn = drawn_vertices(mesh);
+    std::vector<std::uint8_t> levels;
+    SolidItem solid;
+    for (std::size_t v = 0; v < mesh.x.size(); ++v) {
+        if (!is_drawn[v]) continue;
+        levels.push_back(mesh.vertex_level.empty() ? std::uint8_t{0} : mesh.vertex_level[v]);
+        const int level = levels.back();
+        add_ball(solid, mesh.x[v], radius * std::exp2(-float(level)), level_colour(level),
+                 level < 2 ? BallDetail::Fine : BallDetail::Coarse);
+    }
+    scene.solids.push_back(std::move(solid));
+    return {.title = "Vertices by level", .rows = level_rows(levels), .notes = level_notes(!mesh.vertex_level.empty())};
+}
+
+void paint_levels(ClothItem& cloth) {
+    ClothPaint paint{.map = level_colours(), .places = {}};
+    for (const std::uint8_t level : cloth.mesh.level) {
+        const float place = place_of(colour_index(level), paint.map.size());
+        paint.places.push_back({place, place, place});
+    }
+    cloth.paint = std::move(paint);
+}
+
+Rgb8 darkened(const Rgb8& colour) {
+    Vec3f lab = to_oklab(colour);
+    lab[0] *= 0.82F;
+    return from_oklab(lab);
+}
+
+}  // namespace
+
+bool wants_material(ShowMode mode) {
+    return mode == ShowMode::StrainWarp || mode == ShowMode::StrainWeft || mode == ShowMode::Strain;
+}
+
+bool is_painted(ShowMode mode) {
+    return mode > ShowMode::Plain;
+}
+
+std::optional<Legend> fill_show(Scene& scene, const ShowFacts& facts) {
+    ClothItem& cloth = scene.cloths.front();
+    SELVEDGE_ASSERT(cloth.show != ShowMode::Hierarchy && (!wants_material(cloth.show) || !cloth.mesh.u.empty()));
+    switch (cloth.show) {
+        case ShowMode::Level:
+            return level_legend(cloth.mesh);
+        case ShowMode::Vertices:
+            return show_vertices(scene);
+        case ShowMode::StrainWarp:
+        case ShowMode::StrainWeft:
+        case ShowMode::Strain:
+            return show_strain(cloth);
+        case ShowMode::Clearance:
+            return show_clearance(cloth, facts.clearance);
+        case ShowMode::Panels:
+            return show_panels(cloth);
+        case ShowMode::Seams:
+            return show_seams(scene, facts.line_radius);
+        default:
+            return std::nullopt;
+    }
+}
+
+Legend fill_hierarchy(Scene& scene, const TriangleHierarchy& hierarchy, StackSide side, const ShowFacts& facts) {
+    HierarchyModel model = model_hierarchy(hierarchy, side);
+    ClothItem cloth;
+    cloth.mesh = std::move(model.mesh);
+    cloth.show = ShowMode::Hierarchy;
+    cloth.ink = 0.75F;
+    paint_levels(cloth);
+    scene.cloths = {std::move(cloth)};
+    SolidItem solid;
+    for (const HierarchyModel::Outline& outline : model.refined)
+        add_outline(solid, outline.x, facts.line_radius, darkened(level_colour(outline.level)));
+    scene.solids = {std::move(solid)};
+
+    std::vector<std::uint8_t> levels;
+    std::size_t leaves = 0;
+    for (const HierarchyTriangle& t : hierarchy) {
+        levels.push_back(t.level);
+        leaves += t.is_leaf ? 1 : 0;
+    }
+    return {.title = "Triangles by level",
+            .rows = level_rows(levels),
+            .notes = {{"in all", std::to_string(hierarchy.size())}, {"leaves", std::to_string(leaves)}}};
+}
+
+Legend level_legend(const PlainMesh& mesh) {
+    if (!mesh.level.empty()) return {.title = "Triangles by level", .rows = level_rows(mesh.level)};
+    return {.title = "Triangles by level",
+            .rows = level_rows(std::vector<int>(mesh.triangles.size(), 0)),
+            .notes = level_notes(false)};
+}
+
+namespace {
+
+// Without digits that say nothing: 5, 2.5, 0.15.
+std::string short_number(double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.4g", value);
+    return text.data();
+}
+
+std::string percent(double strain) {
+    std::array<char, 32> text{};
+    const double tenths = std::round(1000 * strain);
+    std::snprintf(text.data(), text.size(), "%+.1f %%", tenths == 0 ? 0.0 : tenths / 10);
+    return text.data();
+}
+
+std::string millimetres(double metres) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), std::abs(metres) < 0.00995 ? "%.1f mm" : "%.0f mm", 1000 * metres);
+    return text.data();
+}
+
+}  // namespace
+
+double round_up(double value) {
+    SELVEDGE_ASSERT(value > 0 && std::isfinite(value));
+    const double power = std::pow(10, std::floor(std::log10(value)));
+    for (const double step : {1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0}) {
+        if (value <= step * power * (1 + 1e-6)) return step * power;
+    }
+    return 10 * power;
+}
+
+Legend strain_legend(const std::string& title, double limit, const std::vector<double>& strains) {
+    const std::string end = short_number(100 * limit);
+    return {.title = title,
+            .scale = LegendScale{.map = diverging_map(),
+                                 .ticks = {{0, "-" + end + " %"}, {0.5F, "0"}, {1, "+" + end + " %"}}},
+            .notes = {{"99th percentile", percent(quantile(strains, 0.99))},
+                      {"largest", percent(*std::max_element(strains.begin(), strains.end()))},
+                      {"smallest", percent(*std::min_element(strains.begin(), strains.end()))}}};
+}
+
+Legend clearance_legend(double limit, const std::vector<double>& clearances) {
+    const std::string half = short_number(500 * limit), end = short_number(1000 * limit);
+    Legend legend{.title = "Distance from the body",
+                  .scale = LegendScale{.map = sequential_map(), .ticks = {{0, "0"}, {0.5F, half}, {1, end + " mm"}}},
+                  .notes = {{"median", millimetres(quantile(clearances, 0.5))},
+                            {"99th percentile", millimetres(quantile(clearances, 0.99))},
+                            {"largest", millimetres(*std::max_element(clearances.begin(), clearances.end()))}}};
+    const double least = *std::min_element(clearances.begin(), clearances.end());
+    if (least < 0) legend.notes.push_back({"deepest inside", millimetres(-least)});
+    return legend;
+}
+
+}  // namespace selvedge

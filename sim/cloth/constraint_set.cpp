@@ -1,0 +1,57 @@
+#include "sim/cloth/constraint_set.h"
+
+namespace selvedge {
+void BlockColoring::start(std::size_t vertices) {
+    used_.assign(vertices, 0);
+    colors_.clear();
+    block_colors_.clear();
+    for (std::vector<std::uint32_t>& slots : free_slots_) slots.clear();
+    runs_.clear();
+}
+
+// Blocks are made colour by colour, so that those of one colour lie side by side; slots are given away from the first.
+const std::vector<std::uint32_t>& BlockColoring::assign() {
+    std::array<std::uint32_t, kColors + 1> counts{};
+    for (const std::uint32_t color : colors_) ++counts[color];
+    std::array<std::uint32_t, kColors + 1> next{};
+    for (std::uint32_t color = 0; color <= kColors; ++color) {
+        const std::uint32_t per_block = color < kColors ? kBlock : 1;
+        const std::uint32_t blocks = (counts[color] + per_block - 1) / per_block;
+        next[color] = static_cast<std::uint32_t>(block_colors_.size() * kBlock);
+        for (std::uint32_t i = 0; i < blocks; ++i) add_block(color < kColors ? color : kColors + i);
+        alone_ = color < kColors ? 0 : blocks;
+        if (color == kColors) break;
+        const std::uint32_t end = next[color] + blocks * static_cast<std::uint32_t>(kBlock);
+        for (std::uint32_t slot = end; slot-- > next[color] + counts[color];) free_slots_[color].push_back(slot);
+    }
+    slots_.clear();
+    for (const std::uint32_t color : colors_) {
+        slots_.push_back(next[color]);
+        next[color] += color < kColors ? 1 : static_cast<std::uint32_t>(kBlock);
+    }
+    return slots_;
+}
+
+std::uint32_t BlockColoring::take_slot(std::uint32_t color) {
+    std::vector<std::uint32_t>& free = free_slots_[color];
+    if (free.empty()) {
+        const auto first = static_cast<std::uint32_t>(block_colors_.size() * kBlock);
+        const auto count = color < kColors ? static_cast<std::uint32_t>(kBlock) : 1U;
+        for (std::uint32_t i = count; i-- > 0;) free.push_back(first + i);
+        add_block(color < kColors ? color : kColors + alone_++);
+    }
+    const std::uint32_t slot = free.back();
+    free.pop_back();
+    return slot;
+}
+
+void BlockColoring::add_block(std::uint32_t color) {
+    if (!block_colors_.empty() && block_colors_.back() == color) {
+        ++runs_.back().count;
+    } else {
+        runs_.push_back({block_colors_.size(), 1});
+    }
+    block_colors_.push_back(color);
+}
+
+}  // namespace selvedge

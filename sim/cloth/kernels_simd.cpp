@@ -1,0 +1,41 @@
+// The loops of kernels.h. CMake compiles this source once for each SimdLevel, so all of it but the last function has
+// internal linkage (sim/core/simd_level.h).
+#include "sim/cloth/constraint_loops.h"
+#include "sim/cloth/contact_loops.h"
+#include "sim/cloth/triangle_bending_loops.h"
+#include "sim/core/simd_lanes.h"
+
+namespace selvedge {
+namespace {
+
+constexpr Kernels kLoops{.weigh_stretch = weigh_stretch,
+                         .weigh_bend = weigh_bend,
+                         .weigh_coarse_bend = weigh_coarse_bend,
+                         .weigh_limits = weigh_limits,
+                         .predict = predict,
+                         .add_momentum = add_momentum,
+                         .keep_corrections = keep_corrections,
+                         .solve_stretch = solve_stretch,
+                         .limit_stretch = limit_stretch,
+                         .solve_bend = solve_bend,
+                         .solve_coarse_bend = solve_coarse_bend,
+                         .limit_parents = limit_parents,
+                         .carry_centres = carry_centres,
+                         .carry_stress = carry_stress,
+                         .update_bias = update_bias,
+                         .update_parents = update_parents,
+                         .rub = rub,
+                         .hold_moves = hold_moves,
+                         .answer_vertices = answer_vertices,
+                         .look_at_samples = look_at_samples,
+                         .answer_samples = answer_samples,
+                         .push_samples = push_samples};
+
+}  // namespace
+
+template <>
+const Kernels& kernels_of<lanes::kLevel>() {
+    return kLoops;
+}
+
+}  // namespace selvedge

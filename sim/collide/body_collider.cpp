@@ -1,0 +1,54 @@
+#include "sim/collide/body_collider.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+namespace selvedge {
+namespace {
+
+constexpr float kGuardReach = 0.0015F;  // m, how far the field may be off at a crease
+
+}  // namespace
+
+BodyCollider::BodyCollider(const Body& body, const DistanceFieldOptions& options,
+                           const std::function<void()>& interrupt)
+    : body_(body), bvh_(body), field_(bvh_, options, interrupt) {}
+
+Contact BodyCollider::contact(const Vec3f& p) const {
+    const FieldSample sample = field_.sample(p);
+    if (sample.distance >= band()) return {band(), Vec3f::Zero()};
+    const Vec3f& g = sample.gradient;
+    const float length = std::sqrt(g.x() * g.x() + g.y() * g.y() + g.z() * g.z());
+    if (length < DistanceField::kTrustedGradient) return exact_contact(p, sample.distance);
+    return {sample.distance, g * (1 / length)};
+}
+
+void BodyCollider::contacts(std::span<ContactBlock> blocks, float reach) const {
+    constexpr std::size_t kAtOnce = 64;
+    std::array<std::uint16_t, kAtOnce> doubtful;
+    for (std::size_t first = 0; first < blocks.size(); first += kAtOnce) {
+        const std::span<ContactBlock> some = blocks.subspan(first, std::min(kAtOnce, blocks.size() - first));
+        field_.sample(some, reach, doubtful);
+        for (std::size_t b = 0; b < some.size(); ++b)
+            for (unsigned lanes = doubtful[b]; lanes != 0; lanes &= lanes - 1) {
+                const std::size_t i = std::size_t(std::countr_zero(lanes));
+                some[b].set(i, exact_contact(some[b].point(i), some[b].distance[i]));
+            }
+    }
+}
+
+Contact BodyCollider::exact_contact(const Vec3f& p, float field_distance) const {
+    const bool is_deep = field_distance <= -band();
+    const float reach = std::abs(field_distance) + std::max(kGuardReach, max_error());
+    std::optional<ClosestPoint> closest = is_deep ? std::nullopt : bvh_.closest(p, reach);
+    if (!closest) closest = bvh_.closest(p, std::numeric_limits<float>::infinity());
+    if (!closest || closest->distance >= band()) return {band(), Vec3f::Zero()};
+    return {closest->distance, closest->normal};
+}
+
+}  // namespace selvedge

@@ -1,0 +1,40 @@
+#pragma once
+// A body that stands still, as cloth meets it. The distance field answers; where it cannot be trusted (creases, deep
+// inside) the exact surface does.  (SPEC 3.3)
+#include <functional>
+
+#include "sim/body/body.h"
+#include "sim/collide/collider.h"
+#include "sim/collide/distance_field.h"
+#include "sim/collide/surface_bvh.h"
+
+namespace selvedge {
+
+class BodyCollider final : public Collider {
+ public:
+    // The body must outlive the collider. interrupt: see DistanceField. Pre: the body is closed.
+    explicit BodyCollider(const Body& body, const DistanceFieldOptions& options = {},
+                          const std::function<void()>& interrupt = {});
+
+    Contact contact(const Vec3f& p) const override;
+    void contacts(std::span<ContactBlock> blocks, float reach) const override;
+    std::optional<SurfaceHit> first_hit(const Vec3f& from, const Vec3f& to) const override {
+        return bvh_.first_hit(from, to);
+    }
+    float band() const override { return field_.band(); }
+    // Of the field; where the exact surface was asked there is none.
+    float max_error() const override { return field_.max_error(); }
+
+    const Body& body() const { return body_; }
+    const SurfaceBvh& surface() const { return bvh_; }
+    const DistanceField& field() const { return field_; }
+
+ private:
+    Contact exact_contact(const Vec3f& p, float field_distance) const;
+
+    const Body& body_;
+    SurfaceBvh bvh_;
+    DistanceField field_;
+};
+
+}  // namespace selvedge

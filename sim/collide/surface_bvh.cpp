@@ -1,0 +1,454 @@
+#include "sim/collide/surface_bvh.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <immintrin.h>
+#include <limits>
+
+#include "sim/core/assert.h"
+#include "sim/core/simd_level.h"
+
+namespace selvedge {
+namespace {
+
+constexpr float kTiny = 1e-30F;  // keeps quotients finite on slivers
+
+struct TrianglePoint {
+    Vec3f point;
+    int feature;  // 0: the face; 1..3: the edge from corner k-1; 4..6: corner k-4
+};
+
+// Ericson, Real-Time Collision Detection, 5.1.5.
+TrianglePoint closest_on_triangle(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Vec3f& c) {
+    const Vec3f ab = b - a;
+    const Vec3f ac = c - a;
+    const float d1 = ab.dot(p - a);
+    const float d2 = ac.dot(p - a);
+    if (d1 <= 0 && d2 <= 0) return {a, 4};
+    const float d3 = ab.dot(p - b);
+    const float d4 = ac.dot(p - b);
+    if (d3 >= 0 && d4 <= d3) return {b, 5};
+    const float vc = d1 * d4 - d3 * d2;
+    if (vc <= 0 && d1 >= 0 && d3 <= 0) return {a + ab * (d1 / std::max(d1 - d3, kTiny)), 1};
+    const float d5 = ab.dot(p - c);
+    const float d6 = ac.dot(p - c);
+    if (d6 >= 0 && d5 <= d6) return {c, 6};
+    const float vb = d5 * d2 - d1 * d6;
+    if (vb <= 0 && d2 >= 0 && d6 <= 0) return {a + ac * (d2 / std::max(d2 - d6, kTiny)), 3};
+    const float va = d3 * d6 - d5 * d4;
+    if (va <= 0 && d4 >= d3 && d5 >= d6) return {b + (c - b) * ((d4 - d3) / std::max(d4 - d3 + d5 - d6, kTiny)), 2};
+    const float scale = 1 / std::max(va + vb + vc, kTiny);
+    return {a + ab * (vb * scale) + ac * (vc * scale), 0};
+}
+
+}  // namespace
+
+Vec3f SurfaceBvh::pseudo_normal(std::uint32_t triangle, int feature) const {
+    if (feature == 0) return face_normals_[triangle];
+    if (feature <= 3) return edge_normals_[triangle][std::size_t(feature - 1)];
+    return vertex_normals_[triangles_[triangle][std::size_t(feature - 4)]];
+}
+
+ClosestPoint SurfaceBvh::closest_on(std::uint32_t triangle, const Vec3f& p) const {
+    const auto [a, b, c] = triangles_[triangle];
+    const TrianglePoint on = closest_on_triangle(p, x_[a], x_[b], x_[c]);
+    const Vec3f outward = pseudo_normal(triangle, on.feature);
+    const Vec3f offset = p - on.point;
+    const float length = offset.norm();
+    const float sign = offset.dot(outward) < 0 ? -1.0F : 1.0F;
+    constexpr float kOnSurface = 1e-6F;  // m, below this the offset's direction is rounding
+    const Vec3f normal = length > kOnSurface ? Vec3f(offset * (sign / length)) : outward;
+    return {.point = on.point, .normal = normal, .distance = sign * length, .triangle = triangle};
+}
+
+namespace {
+
+constexpr std::size_t kStack = 128;  // 4 children a level, 2^32 triangles have 15 levels
+
+// Squared distances of the children's boxes, and a bit for each that is nearer than the root of `limit`.
+struct BoxDistances {
+    std::array<float, 4> squared;
+    unsigned nearer;
+};
+
+// From the box low..high, a point where they are equal.
+template <class Node>
+BoxDistances box_distances(const Node& node, const Vec3f& low, const Vec3f& high, float limit) {
+    __m128 sum = _mm_setzero_ps();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto a = std::ptrdiff_t(axis);
+        const __m128 below = _mm_sub_ps(_mm_loadu_ps(node.low[axis].data()), _mm_set1_ps(high[a]));
+        const __m128 above = _mm_sub_ps(_mm_set1_ps(low[a]), _mm_loadu_ps(node.high[axis].data()));
+        const __m128 out = _mm_max_ps(_mm_setzero_ps(), _mm_max_ps(below, above));  // keeps NaN
+        sum = _mm_add_ps(sum, _mm_mul_ps(out, out));
+    }
+    BoxDistances boxes;
+    _mm_storeu_ps(boxes.squared.data(), sum);
+    boxes.nearer = unsigned(_mm_movemask_ps(_mm_cmplt_ps(sum, _mm_set1_ps(limit))));
+    return boxes;
+}
+
+struct Waiting {
+    float key;           // squared distance of its box
+    std::int32_t child;  // a node, or ~packet
+    std::int32_t place;  // of its box: node * 4 + which of the four
+};
+
+// A stack that holds a node's children with the nearest on top.
+struct NearFirstStack {
+    std::array<Waiting, kStack> entries;
+    std::size_t size = 0;
+
+    void push(std::size_t bottom, Waiting entry) {
+        std::size_t k = size++;
+        for (; k > bottom && entries[k - 1].key < entry.key; --k) entries[k] = entries[k - 1];
+        entries[k] = entry;
+    }
+
+    template <class Node>
+    void push_nearer(const Node& node, std::int32_t index, const BoxDistances& boxes) {
+        const std::size_t bottom = size;
+        for (unsigned nearer = boxes.nearer; nearer != 0; nearer &= nearer - 1) {
+            const std::size_t k = std::size_t(std::countr_zero(nearer));
+            push(bottom, {boxes.squared[k], node.child[k], index * 4 + std::int32_t(k)});
+        }
+    }
+};
+
+}  // namespace
+
+std::size_t SurfaceBvh::bytes() const {
+    const auto size_of = [](const auto& list) { return list.size() * sizeof(list[0]); };
+    return size_of(nodes_) + size_of(packets_) + size_of(x_) + size_of(triangles_) + size_of(face_normals_) +
+           size_of(vertex_normals_) + size_of(edge_normals_);
+}
+
+std::optional<ClosestPoint> SurfaceBvh::closest(const Vec3f& p, float radius) const {
+    if (nodes_.empty() || !(radius >= 0)) return std::nullopt;
+    NearestTriangle best;
+    // A hair more, so that a point at exactly the radius is found.
+    best.squared = radius * radius * 1.000002F + kTiny;
+    NearFirstStack stack;
+    stack.push(0, {0, 0, 0});
+    while (stack.size > 0) {
+        const Waiting top = stack.entries[--stack.size];
+        if (top.key >= best.squared) continue;
+        if (top.child < 0) {
+            best.test(*kernels_, packets_[std::size_t(~top.child)], p);
+            continue;
+        }
+        const Node& node = nodes_[std::size_t(top.child)];
+        stack.push_nearer(node, top.child, box_distances(node, p, p, best.squared));
+    }
+    if (!best.found()) return std::nullopt;
+    return closest_on(best.triangle, p);
+}
+
+// Low and high corner of a child's box.
+std::array<float, 6> SurfaceBvh::box_at(std::int32_t place) const {
+    const Node& node = nodes_[std::size_t(place / kChildren)];
+    const std::size_t k = std::size_t(place % kChildren);
+    return {node.low[0][k], node.low[1][k], node.low[2][k], node.high[0][k], node.high[1][k], node.high[2][k]};
+}
+
+void SurfaceBvh::find_nearest(PointGroup& group) const {
+    if (nodes_.empty()) return;
+    Vec3f low = group.point(0);
+    Vec3f high = low;
+    for (std::size_t i = 1; i < PointGroup::kPoints; ++i) {
+        low = low.cwiseMin(group.point(i));
+        high = high.cwiseMax(group.point(i));
+    }
+    float farthest = *std::max_element(group.squared.begin(), group.squared.end());
+    NearFirstStack stack;
+    stack.push(0, {0, 0, 0});
+    while (stack.size > 0) {
+        const Waiting top = stack.entries[--stack.size];
+        if (top.key >= farthest) continue;
+        if (top.child < 0) {
+            const TrianglePacket& packet = packets_[std::size_t(~top.child)];
+            const std::array<float, 6> box = box_at(top.place);
+            farthest = kernels_->nearest_in_packet(packet.corner[0].data(), packet.triangle.data(), box.data(), group.x.data(),
+                                     group.triangle.data());
+            continue;
+        }
+        const Node& node = nodes_[std::size_t(top.child)];
+        stack.push_nearer(node, top.child, box_distances(node, low, high, farthest));
+    }
+}
+
+namespace {
+
+struct Ray {
+    Vec3f origin;
+    Vec3f along;
+};
+
+// Where the segment enters the box, 0..1; infinite when it misses. A zero component gives infinite quotients, which
+// the comparisons take rightly.
+template <class Node>
+float entry_fraction(const Node& node, std::size_t k, const Ray& ray) {
+    float enter = 0;
+    float leave = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const float origin = ray.origin[std::ptrdiff_t(axis)];
+        const float along = ray.along[std::ptrdiff_t(axis)];
+        if (along == 0) {
+            if (origin < node.low[axis][k] || origin > node.high[axis][k])
+                return std::numeric_limits<float>::infinity();
+            continue;
+        }
+        const float a = (node.low[axis][k] - origin) / along;
+        const float b = (node.high[axis][k] - origin) / along;
+        enter = std::max(enter, std::min(a, b) - 1e-6F);
+        leave = std::min(leave, std::max(a, b) + 1e-6F);
+    }
+    return enter <= leave ? enter : std::numeric_limits<float>::infinity();
+}
+
+// Moeller and Trumbore, 1997; in double, so that a ray does not slip between two triangles.
+std::optional<float> hit_fraction(const Ray& ray, const Vec3f& a, const Vec3f& b, const Vec3f& c) {
+    const Vec3d along = ray.along.cast<double>();
+    const Vec3d edge1 = b.cast<double>() - a.cast<double>();
+    const Vec3d edge2 = c.cast<double>() - a.cast<double>();
+    const Vec3d p = along.cross(edge2);
+    const double det = edge1.dot(p);
+    if (det == 0) return std::nullopt;
+    const Vec3d s = ray.origin.cast<double>() - a.cast<double>();
+    const double u = s.dot(p) / det;
+    const Vec3d q = s.cross(edge1);
+    const double v = along.dot(q) / det;
+    const double t = edge2.dot(q) / det;
+    constexpr double kSlack = 1e-9;
+    if (u < -kSlack || v < -kSlack || u + v > 1 + kSlack || t < 0 || t > 1) return std::nullopt;
+    return float(t);
+}
+
+}  // namespace
+
+std::optional<SurfaceHit> SurfaceBvh::first_hit(const Vec3f& from, const Vec3f& to) const {
+    if (nodes_.empty()) return std::nullopt;
+    const Ray ray{from, to - from};
+    std::optional<SurfaceHit> hit;
+    NearFirstStack stack;
+    stack.push(0, {0, 0, 0});
+    while (stack.size > 0) {
+        const Waiting top = stack.entries[--stack.size];
+        if (hit && top.key > hit->fraction) continue;
+        if (top.child >= 0) {
+            const Node& node = nodes_[std::size_t(top.child)];
+            const std::size_t bottom = stack.size;
+            for (std::size_t k = 0; k < kChildren; ++k) {
+                if (node.child[k] == kNoChild) continue;
+                const float enter = entry_fraction(node, k, ray);
+                if (enter <= 1) stack.push(bottom, {enter, node.child[k], 0});
+            }
+            continue;
+        }
+        for (const std::uint32_t t : packets_[std::size_t(~top.child)].triangle) {
+            const auto [a, b, c] = triangles_[t];
+            const std::optional<float> fraction = hit_fraction(ray, x_[a], x_[b], x_[c]);
+            if (fraction && (!hit || *fraction < hit->fraction))
+                hit = SurfaceHit{from + ray.along * *fraction, face_normals_[t], *fraction, t};
+        }
+    }
+    return hit;
+}
+
+namespace {
+
+constexpr double kNoArea = 1e-30;  // m^4, the square of twice a triangle's area
+
+// Which triangles lie at an undirected edge: sorted, so that equal edges are neighbours.
+struct EdgeUse {
+    std::uint32_t low;
+    std::uint32_t high;
+    std::uint32_t triangle;
+    std::uint32_t side;
+    auto operator<=>(const EdgeUse&) const = default;
+};
+
+std::vector<EdgeUse> sorted_edges(const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+    std::vector<EdgeUse> uses;
+    uses.reserve(triangles.size() * 3);
+    for (std::uint32_t t = 0; t < triangles.size(); ++t)
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const auto [low, high] = std::minmax(triangles[t][k], triangles[t][(k + 1) % 3]);
+            uses.push_back({low, high, t, k});
+        }
+    std::sort(uses.begin(), uses.end());
+    return uses;
+}
+
+double corner_angle(const Vec3d& at, const Vec3d& left, const Vec3d& right) {
+    const Vec3d a = left - at;
+    const Vec3d b = right - at;
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+Vec3f as_unit(const Vec3d& v) {
+    return v.stableNormalized().cast<float>();
+}
+
+}  // namespace
+
+// Splits the triangles in halves along the longest axis of their centroids, twice per node; every packet but the last
+// is full.
+struct SurfaceBvh::Builder {
+    static constexpr std::size_t kInPacket = TrianglePacket::kLanes;
+
+    SurfaceBvh& bvh;
+    std::vector<Vec3f> centroids;
+    std::vector<std::uint32_t> order;
+
+    struct Range {
+        std::size_t first;
+        std::size_t last;
+        std::size_t size() const { return last - first; }
+    };
+
+    std::size_t split(Range range) {
+        Eigen::AlignedBox3f box;
+        for (std::size_t i = range.first; i < range.last; ++i) box.extend(centroids[order[i]]);
+        int axis = 0;
+        box.sizes().maxCoeff(&axis);
+        const std::size_t packets = (range.size() + kInPacket - 1) / kInPacket;
+        const std::size_t middle = range.first + (packets / 2) * kInPacket;
+        const auto begin = order.begin();
+        std::nth_element(begin + std::ptrdiff_t(range.first), begin + std::ptrdiff_t(middle),
+                         begin + std::ptrdiff_t(range.last), [&](std::uint32_t i, std::uint32_t j) {
+                             const float a = centroids[i][axis];
+                             const float b = centroids[j][axis];
+                             return a != b ? a < b : i < j;
+                         });
+        return middle;
+    }
+
+    std::vector<Range> children_of(Range range) {
+        std::vector<Range> halves{range};
+        for (int round = 0; round < 2; ++round) {
+            std::vector<Range> next;
+            for (const Range& half : halves) {
+                if (half.size() <= kInPacket) {
+                    next.push_back(half);
+                    continue;
+                }
+                const std::size_t middle = split(half);
+                next.push_back({half.first, middle});
+                next.push_back({middle, half.last});
+            }
+            halves = std::move(next);
+        }
+        return halves;
+    }
+
+    std::int32_t add_packet(Range range, Eigen::AlignedBox3f& box) {
+        const std::span<const std::uint32_t> chosen(&order[range.first], range.size());
+        for (const std::uint32_t t : chosen)
+            for (const std::uint32_t v : bvh.triangles_[t]) box.extend(bvh.x_[v]);
+        bvh.packets_.push_back(make_packet(bvh.x_, bvh.triangles_, chosen));
+        return ~std::int32_t(bvh.packets_.size() - 1);
+    }
+
+    std::int32_t add_node(Range range, Eigen::AlignedBox3f& box) {
+        const std::size_t index = bvh.nodes_.size();
+        bvh.nodes_.emplace_back();
+        Node node{};
+        node.child.fill(kNoChild);
+        for (auto& low : node.low) low.fill(std::numeric_limits<float>::infinity());  // spare children are far away
+        std::size_t k = 0;
+        for (const Range& part : children_of(range)) {
+            Eigen::AlignedBox3f child_box;
+            node.child[k] = part.size() <= kInPacket ? add_packet(part, child_box) : add_node(part, child_box);
+            for (int axis = 0; axis < 3; ++axis) {
+                node.low[std::size_t(axis)][k] = child_box.min()[axis];
+                node.high[std::size_t(axis)][k] = child_box.max()[axis];
+            }
+            box.extend(child_box);
+            ++k;
+        }
+        bvh.nodes_[index] = node;
+        return std::int32_t(index);
+    }
+};
+
+SurfaceBvh::SurfaceBvh(const Body& body) {
+    x_.reserve(body.x.size());
+    for (const Vec3d& p : body.x) {
+        SELVEDGE_ASSERT(p.allFinite());
+        x_.push_back(p.cast<float>());
+    }
+    Builder builder{*this, {}, {}};
+    for (const std::array<int, 3>& triangle : body.triangles) {
+        std::array<std::uint32_t, 3> corners{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            SELVEDGE_ASSERT(triangle[k] >= 0 && std::size_t(triangle[k]) < x_.size());
+            corners[k] = std::uint32_t(triangle[k]);
+        }
+        triangles_.push_back(corners);
+    }
+    make_normals(body);
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+        const auto [a, b, c] = triangles_[t];
+        builder.centroids.emplace_back((x_[a] + x_[b] + x_[c]) / 3.0F);
+        if (has_area(t)) builder.order.push_back(t);
+    }
+    if (builder.order.empty()) return;
+    Eigen::AlignedBox3f box;
+    builder.add_node({0, builder.order.size()}, box);
+    low_ = box.min();
+    high_ = box.max();
+}
+
+// Baerentzen and Aanaes, "Signed distance computation using the angle weighted pseudonormal", 2005.
+void SurfaceBvh::make_normals(const Body& body) {
+    std::vector<Vec3d> at_vertex(x_.size(), Vec3d::Zero());
+    std::vector<Vec3d> at_face(triangles_.size(), Vec3d::Zero());
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+        const auto& corners = triangles_[t];
+        const Vec3d area = (body.x[corners[1]] - body.x[corners[0]]).cross(body.x[corners[2]] - body.x[corners[0]]);
+        if (area.squaredNorm() < kNoArea) continue;
+        at_face[t] = area.stableNormalized();
+        for (std::size_t k = 0; k < 3; ++k)
+            at_vertex[corners[k]] += at_face[t] * corner_angle(body.x[corners[k]], body.x[corners[(k + 1) % 3]],
+                                                               body.x[corners[(k + 2) % 3]]);
+    }
+    for (const Vec3d& normal : at_face) face_normals_.push_back(normal.cast<float>());
+    for (const Vec3d& normal : at_vertex) vertex_normals_.push_back(as_unit(normal));
+
+    edge_normals_.resize(triangles_.size());
+    const std::vector<EdgeUse> uses = sorted_edges(triangles_);
+    for (std::size_t first = 0; first < uses.size();) {
+        std::size_t last = first;
+        Vec3d sum = Vec3d::Zero();
+        for (; last < uses.size() && uses[last].low == uses[first].low && uses[last].high == uses[first].high; ++last)
+            sum += at_face[uses[last].triangle];
+        for (; first < last; ++first) edge_normals_[uses[first].triangle][uses[first].side] = as_unit(sum);
+    }
+}
+
+// Kernels take a packet for nine rows of floats, and a group for four.
+static_assert(offsetof(TrianglePacket, triangle) == 9 * sizeof(TrianglePacket::Lanes));
+static_assert(offsetof(PointGroup, triangle) == 4 * PointGroup::kPoints * sizeof(float));
+
+TrianglePacket make_packet(std::span<const Vec3f> points, std::span<const std::array<std::uint32_t, 3>> triangles,
+                           std::span<const std::uint32_t> chosen) {
+    SELVEDGE_ASSERT(!chosen.empty() && chosen.size() <= TrianglePacket::kLanes);
+    TrianglePacket packet{};
+    for (std::size_t lane = 0; lane < TrianglePacket::kLanes; ++lane) {
+        packet.triangle[lane] = chosen[std::min(lane, chosen.size() - 1)];
+        const auto [a, b, c] = triangles[packet.triangle[lane]];
+        const Vec3f edge1 = points[b] - points[a];
+        const Vec3f edge2 = points[c] - points[a];
+        for (int axis = 0; axis < 3; ++axis) {
+            packet.corner[std::size_t(axis)][lane] = points[a][axis];
+            packet.edge1[std::size_t(axis)][lane] = edge1[axis];
+            packet.edge2[std::size_t(axis)][lane] = edge2[axis];
+        }
+    }
+    return packet;
+}
+
+}  // namespace selvedge

@@ -1,0 +1,145 @@
+#pragma once
+// Exact closest points on a body's surface, and first hits of segments: a tree of boxes, four children wide, over
+// packets of eight triangles. The sign comes from angle-weighted pseudo-normals.  (SPEC 3.3)
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sim/body/body.h"
+#include "sim/collide/kernels.h"
+#include "sim/core/math.h"
+
+namespace selvedge {
+
+// Eight triangles at once: squared distances from a point, what trees and grids over a surface end in.  (SPEC 3.3)
+
+struct TrianglePacket {
+    static constexpr std::size_t kLanes = 8;
+    using Lanes = std::array<float, kLanes>;
+
+    std::array<Lanes, 3> corner, edge1, edge2;   // first corner and the two edges from it, m
+    std::array<std::uint32_t, kLanes> triangle;  // spare lanes repeat the last
+};
+
+// Pre: 1 to 8 `chosen`, which are indices into triangles.
+TrianglePacket make_packet(std::span<const Vec3f> points, std::span<const std::array<std::uint32_t, 3>> triangles,
+                           std::span<const std::uint32_t> chosen);
+
+struct NearestTriangle {
+    static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+    float squared = 0;  // m^2, nothing farther counts
+    std::uint32_t triangle = kNone;
+    bool found() const { return triangle != kNone; }
+
+    // Of triangles equally far the first that was tested stays.
+    void test(const CollideKernels& kernels, const TrianglePacket& packet, const Vec3f& p) {
+        TrianglePacket::Lanes squares;
+        unsigned nearer = kernels.squared_distances(packet.corner[0].data(), p.data(), squared, squares.data());
+        for (; nearer != 0; nearer &= nearer - 1) {
+            const std::size_t i = std::size_t(std::countr_zero(nearer));
+            if (squares[i] >= squared) continue;
+            squared = squares[i];
+            triangle = packet.triangle[i];
+        }
+    }
+};
+
+// Points that lie close together, and what is nearest to each. Spare lanes repeat one.
+struct alignas(64) PointGroup {
+    static constexpr std::size_t kPoints = 16;
+
+    std::array<float, kPoints> x{}, y{}, z{};  // m
+    std::array<float, kPoints> squared{};      // m^2, nothing farther counts
+    std::array<std::uint32_t, kPoints> triangle{};
+
+    Vec3f point(std::size_t lane) const { return {x[lane], y[lane], z[lane]}; }
+    // Forgets what was found and looks no farther than this.
+    void start(std::size_t lane, const Vec3f& p, float radius) {
+        x[lane] = p.x();
+        y[lane] = p.y();
+        z[lane] = p.z();
+        squared[lane] = radius * radius;
+        triangle[lane] = NearestTriangle::kNone;
+    }
+};
+
+struct ClosestPoint {
+    Vec3f point = Vec3f::Zero();  // on the surface, m
+    Vec3f normal =
+        Vec3f::Zero();           // unit, away from the body: along p - point, or the surface's own where that vanishes
+    float distance = 0;          // m, negative inside
+    std::uint32_t triangle = 0;  // index into Body::triangles
+};
+
+struct SurfaceHit {
+    Vec3f point = Vec3f::Zero();   // m
+    Vec3f normal = Vec3f::Zero();  // unit, the triangle's own, away from the body
+    float fraction = 0;            // 0 at the segment's start, 1 at its end
+    std::uint32_t triangle = 0;
+};
+
+// Keeps copies of what it needs: the body may go. Triangles without area are left out.
+// Pre: the body is finite, its indices are in range. Signs are right where the surface is closed and does not cross
+// itself.
+class SurfaceBvh {
+ public:
+    explicit SurfaceBvh(const Body& body);
+
+    // The surface point nearest to p, if there is one within radius (m, may be infinite).
+    std::optional<ClosestPoint> closest(const Vec3f& p, float radius) const;
+
+    // The triangle nearest to each point of the group, if one is nearer than its `squared` says; that is brought down
+    // to it, but for rounding. One search for all: cheap where the points lie close together.
+    void find_nearest(PointGroup& group) const;
+
+    // The nearest point of that one triangle; the sign is right only if the surface has no nearer one.
+    ClosestPoint closest_on(std::uint32_t triangle, const Vec3f& p) const;
+
+    // Where the segment first meets the surface, from either side.
+    std::optional<SurfaceHit> first_hit(const Vec3f& from, const Vec3f& to) const;
+
+    // The surface that is searched, in the body's order.
+    std::span<const Vec3f> points() const { return x_; }
+    std::span<const std::array<std::uint32_t, 3>> triangles() const { return triangles_; }
+    bool empty() const { return nodes_.empty(); }
+    bool has_area(std::uint32_t triangle) const { return face_normals_[triangle] != Vec3f::Zero(); }
+    std::size_t bytes() const;
+
+    // Its box, m.
+    const Vec3f& low() const { return low_; }
+    const Vec3f& high() const { return high_; }
+
+ private:
+    static constexpr int kChildren = 4;
+    static constexpr std::int32_t kNoChild = INT32_MIN;
+
+    struct Node {
+        std::array<std::array<float, kChildren>, 3> low;
+        std::array<std::array<float, kChildren>, 3> high;
+        std::array<std::int32_t, kChildren> child;  // a node; ~packet; or kNoChild
+    };
+    struct Builder;
+
+    void make_normals(const Body& body);
+    std::array<float, 6> box_at(std::int32_t place) const;
+    Vec3f pseudo_normal(std::uint32_t triangle, int feature) const;
+
+    std::vector<Node> nodes_;  // the first is the root
+    std::vector<TrianglePacket> packets_;
+    const CollideKernels* kernels_ = &collide_kernels(simd_level());
+    std::vector<Vec3f> x_;
+    std::vector<std::array<std::uint32_t, 3>> triangles_;
+    std::vector<Vec3f> face_normals_;
+    std::vector<Vec3f> vertex_normals_;
+    std::vector<std::array<Vec3f, 3>> edge_normals_;  // of the edge from corner k to k+1
+    Vec3f low_ = Vec3f::Zero();
+    Vec3f high_ = Vec3f::Zero();
+};
+
+}  // namespace selvedge

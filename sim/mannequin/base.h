@@ -1,0 +1,81 @@
+#pragma once
+// The body that every mannequin of one sex is bent from: the cage filled with the table's figures, subdivided.
+#include <array>
+#include <cstddef>
+
+#include "sim/body/section.h"
+#include "sim/mannequin/curves.h"
+#include "sim/mannequin/subdivide.h"
+#include "sim/mannequin/table.h"
+
+namespace selvedge {
+
+// Where the tape goes: the planes of the mannequin's 15 girths and their measurement. (docs/mannequin.md)
+
+enum class Girth {
+    Bust,
+    Underbust,
+    Waist,
+    HighHip,
+    Hip,
+    Neck,
+    Biceps,
+    Elbow,
+    Forearm,
+    Wrist,
+    Thigh,
+    MidThigh,
+    Knee,
+    Calf,
+    Ankle,
+};
+inline constexpr std::size_t kGirthCount = 15;
+
+// One value per girth.
+struct GirthValues {
+    std::array<double, kGirthCount> value{};
+
+    double& operator[](Girth girth) { return value[static_cast<std::size_t>(girth)]; }
+    double operator[](Girth girth) const { return value[static_cast<std::size_t>(girth)]; }
+};
+
+// What the tape is laid by.
+struct Landmarks {
+    Joints joints;
+    TrunkLevels levels;
+};
+
+// The plane's point is near the middle of the part that is measured: it picks the loop.
+Plane girth_plane(Girth girth, const Landmarks& landmarks);
+
+// Of the left limbs, m. Pre: every plane cuts the body.
+GirthValues measure_girths(const Body& body, const Landmarks& landmarks);
+
+// Where the thigh is measured, as a part of the way from hip joint to knee.
+double thigh_position(const Landmarks& landmarks);
+
+// Positions along an arm or leg that the girths are measured at: 0 at its root joint, 1 at elbow or knee, 2 at wrist
+// or ankle.
+inline constexpr double kMidThighPosition = 0.62;
+inline constexpr double kCalfPosition = 1.28;
+inline constexpr double kAnklePosition = 1.86;
+inline constexpr double kBicepsPosition = 0.50;
+inline constexpr double kForearmPosition = 1.22;
+inline constexpr double kWristPosition = 1.95;
+inline constexpr double kNeckPosition = 0.42;  // from neck joint to head joint
+
+struct MannequinBase {
+    Sex sex = Sex::Female;
+    Body surface;        // without bones and skin
+    VertexRows weights;  // one row per vertex, one column per joint
+    Landmarks landmarks;
+    double armpit = 0;   // height, m
+    double height = 0;   // m
+    EvenTable axis;      // z of the middle of the trunk by height, in the midplane, m
+    GirthValues girths;  // m
+};
+
+// Pre: subdivisions >= 1, for the trunk's axis needs a vertex every 2 cm.
+MannequinBase make_mannequin_base(Sex sex, int subdivisions);
+
+}  // namespace selvedge

@@ -1,0 +1,293 @@
+#include "sim/mannequin/cage.h"
+
+#include <cstddef>
+#include <string>
+
+#include "sim/core/assert.h"
+
+namespace selvedge {
+namespace {
+
+using Count = CageCounts;
+using Ring = std::vector<int>;
+
+std::size_t index(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+constexpr int kNoVertex = -1;
+
+class CageBuilder {
+ public:
+    int add_vertex(CagePart part, int row, int column, bool is_on_midplane = false) {
+        cage_.left.push_back({part, row, column, is_on_midplane});
+        return static_cast<int>(cage_.left.size()) - 1;
+    }
+
+    void add_quad(int a, int b, int c, int d) { cage_.quads.push_back({a, b, c, d}); }
+
+    Cage finish_with_mirror_image() {
+        cage_.vertex_count = static_cast<int>(cage_.left.size());
+        for (const CageVertex& vertex : cage_.left) {
+            const auto self = static_cast<int>(cage_.mirror.size());
+            cage_.mirror.push_back(vertex.is_on_midplane ? self : cage_.vertex_count++);
+        }
+        const std::size_t left_quads = cage_.quads.size();
+        for (std::size_t i = 0; i < left_quads; ++i) {
+            const Quad q = cage_.quads[i];
+            add_quad(twin(q[3]), twin(q[2]), twin(q[1]), twin(q[0]));
+        }
+        return std::move(cage_);
+    }
+
+ private:
+    int twin(int vertex) const { return cage_.mirror[index(vertex)]; }
+
+    Cage cage_;
+};
+
+Ring add_ring(CageBuilder& builder, CagePart part, int row, int size) {
+    Ring ring;
+    for (int i = 0; i < size; ++i) ring.push_back(builder.add_vertex(part, row, i));
+    return ring;
+}
+
+// A band of quads from one ring to the next one out.
+void join_rings(CageBuilder& builder, const Ring& from, const Ring& to) {
+    SELVEDGE_ASSERT(from.size() == to.size());
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        const std::size_t next = (i + 1) % from.size();
+        builder.add_quad(from[i], from[next], to[next], to[i]);
+    }
+}
+
+enum class Winding { AsListed, TurnedOver };
+
+// Closes a ring of 4 n points with a grid of n x n quads.
+void add_cap(CageBuilder& builder, const Ring& ring, CagePart part, Winding winding) {
+    const std::size_t n = ring.size() / 4;
+    std::vector<Ring> grid(n + 1, Ring(n + 1, kNoVertex));
+    for (std::size_t i = 0; i < n; ++i) {
+        grid[0][i] = ring[i];
+        grid[i][n] = ring[n + i];
+        grid[n][n - i] = ring[2 * n + i];
+        grid[n - i][0] = ring[3 * n + i];
+    }
+    for (std::size_t a = 1; a < n; ++a) {
+        for (std::size_t b = 1; b < n; ++b) {
+            grid[a][b] = builder.add_vertex(part, static_cast<int>(a), static_cast<int>(b));
+        }
+    }
+    for (std::size_t a = 0; a < n; ++a) {
+        for (std::size_t b = 0; b < n; ++b) {
+            const std::size_t from = winding == Winding::AsListed ? a : a + 1;
+            const std::size_t to = winding == Winding::AsListed ? a + 1 : a;
+            builder.add_quad(grid[from][b], grid[from][b + 1], grid[to][b + 1], grid[to][b]);
+        }
+    }
+}
+
+bool is_inside_armhole(int row, int column) {
+    return Count::kArmholeRow < row && row < Count::kShoulderTop && Count::kArmholeFirst < column &&
+           column < Count::kArmholeLast;
+}
+
+bool is_armhole_quad(int row, int column) {
+    return Count::kArmholeRow <= row && row < Count::kShoulderTop && Count::kArmholeFirst <= column &&
+           column < Count::kArmholeLast;
+}
+
+std::vector<Ring> add_torso(CageBuilder& builder) {
+    constexpr int kLast = Count::kTorsoColumns - 1;
+    std::vector<Ring> rows;
+    for (int r = 0; r < Count::kTorsoRows; ++r) {
+        Ring row;
+        for (int c = 0; c <= kLast; ++c) {
+            row.push_back(is_inside_armhole(r, c) ? kNoVertex
+                                                  : builder.add_vertex(CagePart::Torso, r, c, c == 0 || c == kLast));
+        }
+        rows.push_back(row);
+    }
+    for (int r = 0; r + 1 < Count::kTorsoRows; ++r) {
+        for (int c = 0; c < kLast; ++c) {
+            if (is_armhole_quad(r, c)) continue;
+            const Ring& low = rows[index(r)];
+            const Ring& high = rows[index(r + 1)];
+            builder.add_quad(low[index(c)], low[index(c + 1)], high[index(c + 1)], high[index(c)]);
+        }
+    }
+    return rows;
+}
+
+// Half of a cap over the top torso row: 6 x 3 quads, whose side b = 0 lies in the midplane.
+void add_crown(CageBuilder& builder, const Ring& top) {
+    constexpr std::size_t kRows = 6;
+    constexpr std::size_t kColumns = 3;
+    std::array<std::array<int, kColumns + 1>, kRows + 1> grid{};
+    for (std::size_t a = 0; a <= kRows; ++a) {
+        for (std::size_t b = 0; b <= kColumns; ++b) {
+            if (a == 0) {
+                grid[a][b] = top[b];
+            } else if (a == kRows) {
+                grid[a][b] = top[top.size() - 1 - b];
+            } else if (b == kColumns) {
+                grid[a][b] = top[kColumns + a];
+            } else {
+                grid[a][b] = builder.add_vertex(CagePart::Crown, static_cast<int>(a), static_cast<int>(b), b == 0);
+            }
+        }
+    }
+    for (std::size_t a = 0; a < kRows; ++a) {
+        for (std::size_t b = 0; b < kColumns; ++b) {
+            builder.add_quad(grid[a][b], grid[a][b + 1], grid[a + 1][b + 1], grid[a + 1][b]);
+        }
+    }
+}
+
+// The leg's first ring is the torso's bottom row, closed by the bridge from back to front. Seen from its far end a leg
+// ring runs the other way round than an arm ring, so its bands and its cap are turned over.
+void add_leg(CageBuilder& builder, const Ring& torso_bottom) {
+    Ring ring = torso_bottom;
+    std::array<int, Count::kBridge> bridge{};
+    for (int k = 0; k < Count::kBridge; ++k) bridge[index(k)] = builder.add_vertex(CagePart::Bridge, 0, k, true);
+    ring.insert(ring.end(), bridge.rbegin(), bridge.rend());
+    for (int row = 1; row <= Count::kLegRows; ++row) {
+        const Ring next = add_ring(builder, CagePart::Leg, row, Count::kLegRing);
+        join_rings(builder, next, ring);
+        ring = next;
+    }
+    add_cap(builder, ring, CagePart::ToeCap, Winding::TurnedOver);
+}
+
+// The 12 points round the armhole: along its bottom, up the back, along the top, down the front.
+Ring armhole_ring(const std::vector<Ring>& torso) {
+    constexpr int kBottom = Count::kArmholeRow;
+    constexpr int kTop = Count::kShoulderTop;
+    Ring ring;
+    for (int c = Count::kArmholeFirst; c < Count::kArmholeLast; ++c) ring.push_back(torso[kBottom][index(c)]);
+    for (int r = kBottom; r < kTop; ++r) ring.push_back(torso[index(r)][Count::kArmholeLast]);
+    for (int c = Count::kArmholeLast; c > Count::kArmholeFirst; --c) ring.push_back(torso[kTop][index(c)]);
+    for (int r = kTop; r > kBottom; --r) ring.push_back(torso[index(r)][Count::kArmholeFirst]);
+    return ring;
+}
+
+bool is_thumb_quad(int row, int column) {
+    return (row == Count::kThumbRow || row == Count::kThumbRow + 1) &&
+           (column == Count::kThumbColumn - 1 || column == Count::kThumbColumn);
+}
+
+std::vector<Ring> add_arm(CageBuilder& builder, const Ring& armhole) {
+    std::vector<Ring> rows{armhole};
+    for (int row = 1; row <= Count::kArmRows; ++row) {
+        Ring ring;
+        for (int i = 0; i < Count::kArmRing; ++i) {
+            const bool is_under_thumb = row == Count::kThumbRow + 1 && i == Count::kThumbColumn;
+            ring.push_back(is_under_thumb ? kNoVertex : builder.add_vertex(CagePart::Arm, row, i));
+        }
+        rows.push_back(ring);
+    }
+    for (int row = 0; row < Count::kArmRows; ++row) {
+        const Ring& near = rows[index(row)];
+        const Ring& far = rows[index(row + 1)];
+        for (int i = 0; i < Count::kArmRing; ++i) {
+            if (is_thumb_quad(row, i)) continue;
+            const std::size_t next = index((i + 1) % Count::kArmRing);
+            builder.add_quad(near[index(i)], near[next], far[next], far[index(i)]);
+        }
+    }
+    add_cap(builder, rows.back(), CagePart::HandCap, Winding::AsListed);
+    return rows;
+}
+
+void add_thumb(CageBuilder& builder, const std::vector<Ring>& arm) {
+    constexpr std::size_t kBefore = Count::kThumbColumn - 1;
+    constexpr std::size_t kAt = Count::kThumbColumn;
+    constexpr std::size_t kAfter = (Count::kThumbColumn + 1) % Count::kArmRing;
+    const Ring& near = arm[Count::kThumbRow];
+    const Ring& middle = arm[Count::kThumbRow + 1];
+    const Ring& far = arm[Count::kThumbRow + 2];
+    Ring ring{near[kBefore], near[kAt], near[kAfter], middle[kAfter],
+              far[kAfter],   far[kAt],  far[kBefore], middle[kBefore]};
+    for (int row = 1; row <= Count::kThumbRows; ++row) {
+        const Ring next = add_ring(builder, CagePart::Thumb, row, Count::kThumbRing);
+        join_rings(builder, ring, next);
+        ring = next;
+    }
+    add_cap(builder, ring, CagePart::ThumbCap, Winding::AsListed);
+}
+
+}  // namespace
+
+Cage make_cage() {
+    CageBuilder builder;
+    const std::vector<Ring> torso = add_torso(builder);
+    add_crown(builder, torso.back());
+    add_leg(builder, torso.front());
+    const std::vector<Ring> arm = add_arm(builder, armhole_ring(torso));
+    add_thumb(builder, arm);
+    return builder.finish_with_mirror_image();
+}
+
+namespace {
+
+struct JointEntry {
+    std::string_view name;
+    int parent;
+};
+
+constexpr std::array<JointEntry, kJointCount> kJoints{{
+    {"hips", -1},
+    {"spine", 0},
+    {"chest", 1},
+    {"neck", 2},
+    {"head", 3},
+    {"left_shoulder", 2},
+    {"left_upper_arm", 5},
+    {"left_lower_arm", 6},
+    {"left_hand", 7},
+    {"left_upper_leg", 0},
+    {"left_lower_leg", 9},
+    {"left_foot", 10},
+    {"left_toe", 11},
+    {"right_shoulder", 2},
+    {"right_upper_arm", 13},
+    {"right_lower_arm", 14},
+    {"right_hand", 15},
+    {"right_upper_leg", 0},
+    {"right_lower_leg", 17},
+    {"right_foot", 18},
+    {"right_toe", 19},
+}};
+
+}  // namespace
+
+std::string_view joint_name(Joint joint) {
+    return kJoints[static_cast<std::size_t>(joint)].name;
+}
+
+Joint mirrored(Joint joint) {
+    const auto i = static_cast<std::size_t>(joint);
+    if (i < kMiddleJoints) return joint;
+    return static_cast<Joint>(i < kMiddleJoints + kSideJoints ? i + kSideJoints : i - kSideJoints);
+}
+
+Vec3d mirrored(const Vec3d& x) {
+    return {-x.x(), x.y(), x.z()};
+}
+
+void mirror_left_side(Joints& joints) {
+    for (std::size_t i = kMiddleJoints; i < kMiddleJoints + kSideJoints; ++i) {
+        const auto left = static_cast<Joint>(i);
+        joints[mirrored(left)] = mirrored(joints[left]);
+    }
+}
+
+std::vector<Bone> make_bones(const Joints& joints) {
+    std::vector<Bone> bones;
+    for (std::size_t i = 0; i < kJointCount; ++i) {
+        bones.push_back({.name = std::string(kJoints[i].name), .parent = kJoints[i].parent, .joint = joints.x[i]});
+    }
+    return bones;
+}
+
+}  // namespace selvedge

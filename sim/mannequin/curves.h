@@ -1,0 +1,49 @@
+#pragma once
+// Monotone piecewise cubic interpolation: never overshoots its points. (Fritsch and Carlson 1980, Fritsch and Butland
+// 1984: weighted harmonic mean of slopes)
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace selvedge {
+
+class Pchip {
+ public:
+    // Pre: at least 3 points, x strictly increasing.
+    Pchip(std::vector<double> x, std::vector<double> y);
+
+    // Beyond the ends the first or last cubic goes on.
+    double operator()(double x) const;
+
+ private:
+    std::vector<double> x_;
+    std::vector<double> y_;
+    std::vector<double> slope_;
+};
+
+// A function by its values at even steps, straight between them and held beyond the ends: looked up per vertex.
+
+struct EvenTable {
+    double low = 0;              // argument of the first value
+    double high = 0;             // and of the last
+    std::vector<double> values;  // at least two
+
+    double step() const { return (high - low) / static_cast<double>(values.size() - 1); }
+
+    double at(double x) const {
+        const double t = std::clamp((x - low) / step(), 0.0, static_cast<double>(values.size() - 1));
+        const auto i = std::min(static_cast<std::size_t>(t), values.size() - 2);
+        return std::lerp(values[i], values[i + 1], t - static_cast<double>(i));
+    }
+};
+
+// A soft switch between 0 and 1.
+
+// 0 below `from`, 1 above `to`, the cubic 3 t^2 - 2 t^3 between.
+inline double smoothstep(double x, double from, double to) {
+    const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+}
+
+}  // namespace selvedge

@@ -1,0 +1,309 @@
+#include "sim/mesh/garment_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include "sim/core/assert.h"
+#include "sim/mesh/planar.h"
+#include "sim/mesh/sew.h"
+#include "sim/pattern/outline.h"
+
+namespace selvedge {
+namespace {
+
+constexpr double kFlat = 1e-9;  // twice the area over the longest edge squared: less is no triangle
+
+using EdgeEnds = std::pair<int, int>;  // lower vertex first
+
+struct EdgeUse {
+    int triangle = 0;
+    int corner = 0;  // the edge runs from this corner to the next
+};
+
+using Faults = std::vector<std::string>;
+
+std::string name_of(const GarmentMesh& mesh, int triangle) {
+    const int panel = mesh.triangles[static_cast<std::size_t>(triangle)].panel;
+    const bool is_known = panel >= 0 && panel < static_cast<int>(mesh.panel_names.size());
+    return "triangle " + std::to_string(triangle) +
+           (is_known ? " (" + mesh.panel_names[static_cast<std::size_t>(panel)] + ")" : "");
+}
+
+std::string name_of(const EdgeEnds& edge) {
+    return "edge " + std::to_string(edge.first) + "-" + std::to_string(edge.second);
+}
+
+void check_indices(const GarmentMesh& mesh, Faults& faults) {
+    const auto count = static_cast<int>(mesh.x.size());
+    const auto is_vertex = [&](int vertex) { return vertex >= 0 && vertex < count; };
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const GarmentTriangle& t = mesh.triangles[i];
+        const std::string name = name_of(mesh, static_cast<int>(i));
+        if (!std::ranges::all_of(t.vertices, is_vertex)) faults.push_back(name + ": no such vertex");
+        if (t.panel < 0 || t.panel >= static_cast<int>(mesh.panel_names.size())) faults.push_back(name + ": no panel");
+    }
+    for (const SeamLink& link : mesh.links) {
+        if (!is_vertex(link.a) || !is_vertex(link.b))
+            faults.push_back("seam " + std::to_string(link.seam) + ": no such vertex");
+    }
+    for (int pin : mesh.pins) {
+        if (!is_vertex(pin)) faults.push_back("pin: no vertex " + std::to_string(pin));
+    }
+    if (mesh.panel_grain_angles.size() != mesh.panel_names.size()) faults.push_back("panels: not one grain angle each");
+    if (!mesh.panel_sett_offsets.empty() && mesh.panel_sett_offsets.size() != mesh.panel_names.size()) {
+        faults.push_back("panels: not one sett offset each");
+    }
+}
+
+void check_shapes(const GarmentMesh& mesh, Faults& faults) {
+    for (std::size_t i = 0; i < mesh.x.size(); ++i) {
+        if (!mesh.x[i].allFinite()) faults.push_back("vertex " + std::to_string(i) + ": no finite position");
+    }
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const auto& [v, u, panel] = mesh.triangles[i];
+        const std::string name = name_of(mesh, static_cast<int>(i));
+        if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) faults.push_back(name + ": two corners are one vertex");
+        const double longest =
+            std::max({(u[1] - u[0]).squaredNorm(), (u[2] - u[1]).squaredNorm(), (u[0] - u[2]).squaredNorm()});
+        const double twice_area = cross2(u[1] - u[0], u[2] - u[0]);
+        if (!std::isfinite(twice_area)) {
+            faults.push_back(name + ": no finite material coordinates");
+        } else if (twice_area < -kFlat * longest) {
+            faults.push_back(name + ": turned over in its panel");
+        } else if (twice_area <= kFlat * longest) {
+            faults.push_back(name + ": no area in its panel");
+        }
+    }
+}
+
+void check_duplicates(const GarmentMesh& mesh, Faults& faults) {
+    std::map<std::array<int, 3>, int> seen;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        std::array<int, 3> corners = mesh.triangles[i].vertices;
+        std::ranges::sort(corners);
+        const auto [first, is_new] = seen.emplace(corners, static_cast<int>(i));
+        if (is_new) continue;
+        faults.push_back(name_of(mesh, static_cast<int>(i)) + ": same corners as triangle " +
+                         std::to_string(first->second));
+    }
+}
+
+std::map<EdgeEnds, std::vector<EdgeUse>> edges_of(const GarmentMesh& mesh) {
+    std::map<EdgeEnds, std::vector<EdgeUse>> edges;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const auto& v = mesh.triangles[i].vertices;
+        for (std::size_t k = 0; k < 3; ++k) {
+            edges[std::minmax({v[k], v[(k + 1) % 3]})].push_back({static_cast<int>(i), static_cast<int>(k)});
+        }
+    }
+    return edges;
+}
+
+int start_of(const GarmentMesh& mesh, const EdgeUse& use) {
+    return mesh.triangles[static_cast<std::size_t>(use.triangle)].vertices[static_cast<std::size_t>(use.corner)];
+}
+
+void check_edges(const GarmentMesh& mesh, Faults& faults) {
+    for (const auto& [edge, uses] : edges_of(mesh)) {
+        if (uses.size() > 2) {
+            faults.push_back(name_of(edge) + ": " + std::to_string(uses.size()) + " triangles meet, first " +
+                             name_of(mesh, uses[0].triangle));
+        } else if (uses.size() == 2 && start_of(mesh, uses[0]) == start_of(mesh, uses[1])) {
+            faults.push_back(name_of(edge) + ": " + name_of(mesh, uses[0].triangle) + " and " +
+                             name_of(mesh, uses[1].triangle) + " face opposite sides");
+        }
+    }
+}
+
+// Joins the corners of neighbouring triangles round their common vertices: what is left apart are separate fans.
+void check_fans(const GarmentMesh& mesh, Faults& faults) {
+    DisjointSets corners(3 * mesh.triangles.size());
+    const auto corner_at = [&](int triangle, int vertex) {
+        const auto& v = mesh.triangles[static_cast<std::size_t>(triangle)].vertices;
+        return 3 * triangle + static_cast<int>(std::ranges::find(v, vertex) - v.begin());
+    };
+    for (const auto& [edge, uses] : edges_of(mesh)) {
+        for (std::size_t i = 1; i < uses.size(); ++i) {
+            for (int vertex : {edge.first, edge.second}) {
+                corners.join(corner_at(uses[0].triangle, vertex), corner_at(uses[i].triangle, vertex));
+            }
+        }
+    }
+    std::vector<int> fan(mesh.x.size(), -1);
+    std::vector<bool> is_reported(mesh.x.size(), false);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (int vertex : mesh.triangles[t].vertices) {
+            const auto at = static_cast<std::size_t>(vertex);
+            const int own = corners.find(corner_at(static_cast<int>(t), vertex));
+            if (fan[at] < 0) fan[at] = own;
+            if (fan[at] == own || is_reported[at]) continue;
+            faults.push_back("vertex " + std::to_string(vertex) + ": joins triangles that share no edge");
+            is_reported[at] = true;
+        }
+    }
+    for (std::size_t i = 0; i < fan.size(); ++i) {
+        if (fan[i] < 0) faults.push_back("vertex " + std::to_string(i) + ": belongs to no triangle");
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> check_mesh(const GarmentMesh& mesh) {
+    Faults faults;
+    check_indices(mesh, faults);
+    if (!faults.empty()) return faults;  // the rest relies on indices
+    check_shapes(mesh, faults);
+    check_duplicates(mesh, faults);
+    check_edges(mesh, faults);
+    check_fans(mesh, faults);
+    return faults;
+}
+
+namespace {
+
+using EdgeEnds = std::pair<int, int>;  // lower vertex first
+
+EdgeEnds edge_of(const GarmentTriangle& triangle, std::size_t k) {
+    return std::minmax({triangle.vertices[k], triangle.vertices[(k + 1) % 3]});
+}
+
+// Both meshes have the same triangles: an edge that two triangles share after sewing but not before lies on a seam.
+int count_seam_edges(const GarmentMesh& unsewn, const GarmentMesh& sewn) {
+    SELVEDGE_ASSERT(unsewn.triangles.size() == sewn.triangles.size());
+    std::map<EdgeEnds, EdgeEnds> unsewn_edge;
+    int count = 0;
+    for (std::size_t t = 0; t < sewn.triangles.size(); ++t) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const EdgeEnds own = edge_of(unsewn.triangles[t], k);
+            const auto [other, is_new] = unsewn_edge.emplace(edge_of(sewn.triangles[t], k), own);
+            if (!is_new && other->second != own) ++count;
+        }
+    }
+    return count;
+}
+
+void measure_angles(const GarmentMesh& mesh, MeshReport& report) {
+    double smallest = std::numbers::pi;
+    for (const GarmentTriangle& triangle : mesh.triangles) {
+        const double angle = smallest_angle(triangle.u[0], triangle.u[1], triangle.u[2]);
+        if (angle >= smallest) continue;
+        smallest = angle;
+        report.min_angle_panel = mesh.panel_names[static_cast<std::size_t>(triangle.panel)];
+    }
+    report.min_angle_deg = mesh.triangles.empty() ? 0 : smallest * 180 / std::numbers::pi;
+}
+
+double side_length(const Pattern& pattern, const SeamSide& side) {
+    const Panel& panel = pattern.panels[static_cast<std::size_t>(side.panel)];
+    return outline_length(panel, panel.edges[static_cast<std::size_t>(side.edge)]);
+}
+
+std::optional<SeamMismatch> worst_mismatch(const Pattern& pattern) {
+    std::optional<SeamMismatch> worst;
+    for (std::size_t i = 0; i < pattern.seams.size(); ++i) {
+        const double first = side_length(pattern, pattern.seams[i].first);
+        const double second = side_length(pattern, pattern.seams[i].second);
+        const auto [shorter, longer] = std::minmax(first, second);
+        if (!worst || longer > worst->ratio * shorter) {
+            worst = SeamMismatch{static_cast<int>(i), longer / shorter, longer - shorter};
+        }
+    }
+    return worst;
+}
+
+}  // namespace
+
+MeshReport report_mesh(const Pattern& pattern, const GarmentMesh& unsewn, const GarmentMesh& sewn) {
+    MeshReport report;
+    report.triangles = static_cast<int>(sewn.triangles.size());
+    report.vertices = static_cast<int>(sewn.x.size());
+    report.seam_edges = count_seam_edges(unsewn, sewn);
+    report.worst_mismatch = worst_mismatch(pattern);
+    measure_angles(sewn, report);
+    return report;
+}
+
+namespace {
+
+std::uint16_t panel_of(const PlainMesh& mesh, std::size_t triangle) {
+    return mesh.panel.empty() ? std::uint16_t{0} : mesh.panel[triangle];
+}
+
+// Twice the area in the material, m^2.
+float material_area(const std::array<Vec2f, 3>& u) {
+    const Vec2f a = u[1] - u[0], b = u[2] - u[0];
+    return std::abs(a.x() * b.y() - a.y() * b.x());
+}
+
+// How much longer the unit direction of the material became.
+float stretch_along(const Vec2f& direction, const std::array<Vec2f, 3>& u, const std::array<Vec3f, 3>& x) {
+    const Vec2f a = u[1] - u[0], b = u[2] - u[0];
+    const float area = a.x() * b.y() - a.y() * b.x();
+    if (area == 0) return 0;
+    const float along_a = (direction.x() * b.y() - direction.y() * b.x()) / area;
+    const float along_b = (a.x() * direction.y() - a.y() * direction.x()) / area;
+    return (along_a * (x[1] - x[0]) + along_b * (x[2] - x[0])).norm() - 1;
+}
+
+// A corner's share in a vertex of one panel.
+struct Share {
+    std::uint64_t key = 0;  // vertex, then panel
+    std::uint32_t triangle = 0;
+    std::uint32_t corner = 0;
+
+    auto operator<=>(const Share&) const = default;
+};
+
+std::vector<Share> sorted_shares(const PlainMesh& mesh) {
+    std::vector<Share> shares;
+    shares.reserve(3 * mesh.triangles.size());
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (std::uint32_t corner = 0; corner < 3; ++corner) {
+            const std::uint64_t vertex = mesh.triangles[t][corner];
+            shares.push_back({vertex << 16U | panel_of(mesh, t), t, corner});
+        }
+    }
+    std::sort(shares.begin(), shares.end());
+    return shares;
+}
+
+}  // namespace
+
+std::vector<MeshStrain> measure_strain(const PlainMesh& mesh) {
+    SELVEDGE_ASSERT(mesh.u.size() == mesh.triangles.size());
+    std::vector<MeshStrain> strains;
+    strains.reserve(mesh.triangles.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto& [a, b, c] = mesh.triangles[t];
+        const std::array<Vec3f, 3> x{mesh.x[a], mesh.x[b], mesh.x[c]};
+        const std::size_t panel = panel_of(mesh, t);
+        const float grain = panel < mesh.panel_grain_angles.size() ? mesh.panel_grain_angles[panel] : 0;
+        const Vec2f warp(-std::sin(grain), std::cos(grain)), weft(std::cos(grain), std::sin(grain));
+        strains.push_back({stretch_along(warp, mesh.u[t], x), stretch_along(weft, mesh.u[t], x)});
+    }
+    return strains;
+}
+
+std::vector<std::array<float, 3>> smooth_in_panels(const PlainMesh& mesh, const std::vector<float>& values) {
+    SELVEDGE_ASSERT(values.size() == mesh.triangles.size() && mesh.u.size() == mesh.triangles.size());
+    std::vector<std::array<float, 3>> corners(mesh.triangles.size(), {0, 0, 0});
+    const std::vector<Share> shares = sorted_shares(mesh);
+    for (std::size_t first = 0; first < shares.size();) {
+        float sum = 0, weight = 0;
+        std::size_t last = first;
+        for (; last < shares.size() && shares[last].key == shares[first].key; ++last) {
+            const float area = material_area(mesh.u[shares[last].triangle]);
+            sum += area * values[shares[last].triangle];
+            weight += area;
+        }
+        for (std::size_t i = first; i < last; ++i)
+            corners[shares[i].triangle][shares[i].corner] = weight > 0 ? sum / weight : 0;
+        first = last;
+    }
+    return corners;
+}
+
+}  // namespace selvedge

@@ -1,0 +1,320 @@
+#include "sim/mesh/sew.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "sim/core/assert.h"
+#include "sim/mesh/sample_outline.h"
+#include "sim/mesh/triangulate.h"
+
+namespace selvedge {
+namespace {
+
+// Where each panel's vertices begin in the garment's.
+struct PlacedPanels {
+    std::vector<PanelMesh> meshes;
+    std::vector<int> first_vertex;
+};
+
+PanelMesh cut_or_kept(const Panel& panel, const std::vector<int>& segments, const MeshOptions& options,
+                      const std::vector<KeptPanelMesh>& kept) {
+    const auto is_same = [&](const KeptPanelMesh& one) {
+        return one.segments == segments && one.options == options && one.vertices == panel.vertices &&
+               one.edges == panel.edges;
+    };
+    const auto found = std::ranges::find_if(kept, is_same);
+    if (found != kept.end()) return found->mesh;
+    return triangulate(panel, segments,
+                       {.target_edge = options.target_edge,
+                        .relaxations = options.relaxations,
+                        .max_triangles = options.max_triangles});
+}
+
+PlacedPanels triangulate_panels(const Pattern& pattern, const MeshOptions& options, std::vector<KeptPanelMesh>& kept) {
+    const std::vector<std::vector<int>> segments = count_segments(pattern, options);
+    std::vector<KeptPanelMesh> fresh;
+    PlacedPanels placed;
+    int vertices = 0;
+    for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+        const Panel& panel = pattern.panels[p];
+        placed.meshes.push_back(cut_or_kept(panel, segments[p], options, kept));
+        fresh.push_back({panel.vertices, panel.edges, segments[p], options, placed.meshes.back()});
+        placed.first_vertex.push_back(vertices);
+        vertices += static_cast<int>(placed.meshes.back().u.size());
+    }
+    kept = std::move(fresh);
+    return placed;
+}
+
+void add_panel(GarmentMesh& garment, const Panel& panel, const PanelMesh& mesh) {
+    const auto first = static_cast<int>(garment.x.size());
+    const auto index = static_cast<int>(garment.panel_names.size());
+    for (const Vec2d& u : mesh.u) garment.x.push_back(panel.place(u));
+    for (const auto& corners : mesh.triangles) {
+        GarmentTriangle triangle;
+        triangle.panel = index;
+        for (std::size_t k = 0; k < 3; ++k) {
+            triangle.vertices[k] = first + corners[k];
+            triangle.u[k] = mesh.u[static_cast<std::size_t>(corners[k])];
+        }
+        garment.triangles.push_back(triangle);
+    }
+    for (std::size_t e = 0; e < panel.edges.size(); ++e) {
+        if (std::ranges::find(panel.pins, panel.edges[e].start) == panel.pins.end()) continue;
+        garment.pins.push_back(first + mesh.outline[static_cast<std::size_t>(mesh.runs[e].first)]);
+    }
+    garment.panel_names.push_back(panel.name);
+    garment.panel_grain_angles.push_back(panel.grain_angle);
+    garment.panel_sett_offsets.push_back(panel.sett_offset);
+}
+
+// The garment's vertex at sample i of an outline edge, 0 <= i <= its number of segments.
+int sample_vertex(const PlacedPanels& placed, const SeamSide& side, int i) {
+    const auto panel = static_cast<std::size_t>(side.panel);
+    const PanelMesh& mesh = placed.meshes[panel];
+    const auto at = static_cast<std::size_t>(mesh.runs[static_cast<std::size_t>(side.edge)].first + i);
+    return placed.first_vertex[panel] + mesh.outline[at % mesh.outline.size()];
+}
+
+int segments_of(const PlacedPanels& placed, const SeamSide& side) {
+    return placed.meshes[static_cast<std::size_t>(side.panel)].runs[static_cast<std::size_t>(side.edge)].segments;
+}
+
+// A dart's tip is one vertex on both sides and needs no link.
+void link_seam(GarmentMesh& garment, const PlacedPanels& placed, const Seam& seam, int index) {
+    const int segments = segments_of(placed, seam.first);
+    SELVEDGE_ASSERT(segments == segments_of(placed, seam.second));
+    for (int i = 0; i <= segments; ++i) {
+        const int a = sample_vertex(placed, seam.first, i);
+        const int b = sample_vertex(placed, seam.second, seam.is_reversed ? segments - i : i);
+        if (a != b) garment.links.push_back({a, b, index});
+    }
+}
+
+}  // namespace
+
+GarmentMesh assemble(const Pattern& pattern, const MeshOptions& options) {
+    std::vector<KeptPanelMesh> none;
+    return assemble(pattern, options, none);
+}
+
+GarmentMesh assemble(const Pattern& pattern, const MeshOptions& options, std::vector<KeptPanelMesh>& kept) {
+    const PlacedPanels placed = triangulate_panels(pattern, options, kept);
+    GarmentMesh garment;
+    for (std::size_t p = 0; p < pattern.panels.size(); ++p) add_panel(garment, pattern.panels[p], placed.meshes[p]);
+    for (std::size_t s = 0; s < pattern.seams.size(); ++s) {
+        link_seam(garment, placed, pattern.seams[s], static_cast<int>(s));
+    }
+    separate_coinciding_edges(garment);
+    return garment;
+}
+
+DisjointSets::DisjointSets(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+}
+
+int DisjointSets::find(int element) {
+    auto at = static_cast<std::size_t>(element);
+    while (parent_[at] != static_cast<int>(at)) {
+        parent_[at] = parent_[static_cast<std::size_t>(parent_[at])];
+        at = static_cast<std::size_t>(parent_[at]);
+    }
+    return static_cast<int>(at);
+}
+
+void DisjointSets::join(int a, int b) {
+    const int root_a = find(a);
+    const int root_b = find(b);
+    parent_[static_cast<std::size_t>(std::max(root_a, root_b))] = std::min(root_a, root_b);
+}
+
+std::vector<int> leads_of_linked(const GarmentMesh& mesh) {
+    DisjointSets sets(mesh.x.size());
+    for (const SeamLink& link : mesh.links) sets.join(link.a, link.b);
+    std::vector<int> leads(mesh.x.size());
+    for (std::size_t i = 0; i < leads.size(); ++i) leads[i] = sets.find(static_cast<int>(i));
+    return leads;
+}
+
+SewnMesh merge_seams(const GarmentMesh& unsewn) {
+    const std::vector<int> lead = leads_of_linked(unsewn);
+    SewnMesh sewn;
+    sewn.sewn_vertex.assign(unsewn.x.size(), -1);
+    std::vector<int> members;
+    for (std::size_t i = 0; i < unsewn.x.size(); ++i) {
+        const auto first = static_cast<std::size_t>(lead[i]);  // never behind i: the lead is the lowest of its group
+        if (first == i) {
+            sewn.sewn_vertex[i] = static_cast<int>(sewn.mesh.x.size());
+            sewn.mesh.x.emplace_back(Vec3d::Zero());
+            members.push_back(0);
+        }
+        sewn.sewn_vertex[i] = sewn.sewn_vertex[first];
+        const auto merged = static_cast<std::size_t>(sewn.sewn_vertex[i]);
+        sewn.mesh.x[merged] += unsewn.x[i];
+        ++members[merged];
+    }
+    for (std::size_t i = 0; i < members.size(); ++i) sewn.mesh.x[i] /= members[i];
+
+    const auto renamed = [&](int vertex) { return sewn.sewn_vertex[static_cast<std::size_t>(vertex)]; };
+    sewn.mesh.triangles = unsewn.triangles;
+    for (GarmentTriangle& triangle : sewn.mesh.triangles) {
+        for (int& vertex : triangle.vertices) vertex = renamed(vertex);
+    }
+    for (int pin : unsewn.pins) {
+        if (std::ranges::find(sewn.mesh.pins, renamed(pin)) == sewn.mesh.pins.end())
+            sewn.mesh.pins.push_back(renamed(pin));
+    }
+    sewn.mesh.panel_names = unsewn.panel_names;
+    sewn.mesh.panel_grain_angles = unsewn.panel_grain_angles;
+    sewn.mesh.panel_sett_offsets = unsewn.panel_sett_offsets;
+    return sewn;
+}
+
+namespace {
+
+constexpr int kMostRounds = 8;  // two are enough for any complex whose outline edges are apart
+
+using EdgeEnds = std::pair<int, int>;  // lower vertex first
+
+EdgeEnds ends(int a, int b) {
+    return std::minmax({a, b});
+}
+
+EdgeEnds edge_of(const GarmentTriangle& triangle, std::size_t k) {
+    return ends(triangle.vertices[k], triangle.vertices[(k + 1) % 3]);
+}
+
+std::map<EdgeEnds, int> count_triangles_at_edges(const GarmentMesh& mesh) {
+    std::map<EdgeEnds, int> uses;
+    for (const GarmentTriangle& triangle : mesh.triangles) {
+        for (std::size_t k = 0; k < 3; ++k) ++uses[edge_of(triangle, k)];
+    }
+    return uses;
+}
+
+// The inner edges that sewing would lay on another edge or shrink to a point.
+std::vector<EdgeEnds> find_coinciding(const GarmentMesh& unsewn) {
+    const std::vector<int> lead = leads_of_linked(unsewn);
+    const auto lead_of = [&](int vertex) { return lead[static_cast<std::size_t>(vertex)]; };
+    const std::map<EdgeEnds, int> uses = count_triangles_at_edges(unsewn);
+    std::map<EdgeEnds, int> sewn;  // how many unsewn edges become this one
+    for (const auto& [edge, count] : uses) ++sewn[ends(lead_of(edge.first), lead_of(edge.second))];
+    std::vector<EdgeEnds> coinciding;
+    for (const auto& [edge, count] : uses) {
+        if (count < 2) continue;
+        const EdgeEnds merged = ends(lead_of(edge.first), lead_of(edge.second));
+        if (merged.first == merged.second || sewn[merged] > 1) coinciding.push_back(edge);
+    }
+    return coinciding;
+}
+
+struct CornerPoint {
+    int vertex = 0;
+    Vec2d u = Vec2d::Zero();
+};
+
+using Middles = std::map<EdgeEnds, int>;
+
+// A triangle's corners, and the middles of those of its edges that are split.
+struct SplitTriangle {
+    std::array<CornerPoint, 3> corner;
+    std::array<CornerPoint, 3> middle;  // middle[k] halves the edge from corner k to the next; vertex -1: not split
+    int panel = 0;
+};
+
+SplitTriangle with_middles(const GarmentTriangle& triangle, const Middles& middles) {
+    SplitTriangle split;
+    split.panel = triangle.panel;
+    for (std::size_t k = 0; k < 3; ++k) {
+        split.corner[k] = {triangle.vertices[k], triangle.u[k]};
+        const auto found = middles.find(edge_of(triangle, k));
+        const int vertex = found == middles.end() ? -1 : found->second;
+        split.middle[k] = {vertex, 0.5 * (triangle.u[k] + triangle.u[(k + 1) % 3])};
+    }
+    return split;
+}
+
+void add_triangle(std::vector<GarmentTriangle>& out, int panel, const CornerPoint& a, const CornerPoint& b,
+                  const CornerPoint& c) {
+    out.push_back({{a.vertex, b.vertex, c.vertex}, {a.u, b.u, c.u}, panel});
+}
+
+// Triangles that conform to the split edges (SPEC 1.2: C1..C3; C4 or C5 by the shorter diagonal; C10).
+void add_parts(std::vector<GarmentTriangle>& out, SplitTriangle t) {
+    const auto is_split = [](const CornerPoint& middle) { return middle.vertex >= 0; };
+    const auto count = std::ranges::count_if(t.middle, is_split);
+    const auto turn = [&] {
+        std::ranges::rotate(t.corner, t.corner.begin() + 1);
+        std::ranges::rotate(t.middle, t.middle.begin() + 1);
+    };
+    if (count == 1) {
+        while (!is_split(t.middle[0])) turn();
+        add_triangle(out, t.panel, t.corner[0], t.middle[0], t.corner[2]);
+        add_triangle(out, t.panel, t.middle[0], t.corner[1], t.corner[2]);
+    } else if (count == 2) {
+        while (is_split(t.middle[2])) turn();
+        add_triangle(out, t.panel, t.middle[0], t.corner[1], t.middle[1]);
+        if ((t.middle[0].u - t.corner[2].u).norm() <= (t.corner[0].u - t.middle[1].u).norm()) {
+            add_triangle(out, t.panel, t.corner[0], t.middle[0], t.corner[2]);
+            add_triangle(out, t.panel, t.middle[0], t.middle[1], t.corner[2]);
+        } else {
+            add_triangle(out, t.panel, t.corner[0], t.middle[0], t.middle[1]);
+            add_triangle(out, t.panel, t.corner[0], t.middle[1], t.corner[2]);
+        }
+    } else if (count == 3) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            add_triangle(out, t.panel, t.corner[k], t.middle[k], t.middle[(k + 2) % 3]);
+        }
+        add_triangle(out, t.panel, t.middle[0], t.middle[1], t.middle[2]);
+    } else {
+        add_triangle(out, t.panel, t.corner[0], t.corner[1], t.corner[2]);
+    }
+}
+
+void split_edges(GarmentMesh& mesh, const std::vector<EdgeEnds>& edges) {
+    Middles middles;
+    for (const EdgeEnds& edge : edges) {
+        middles[edge] = static_cast<int>(mesh.x.size());
+        const Vec3d middle =
+            0.5 * (mesh.x[static_cast<std::size_t>(edge.first)] + mesh.x[static_cast<std::size_t>(edge.second)]);
+        mesh.x.push_back(middle);
+    }
+    std::vector<GarmentTriangle> triangles;
+    for (const GarmentTriangle& triangle : mesh.triangles) add_parts(triangles, with_middles(triangle, middles));
+    mesh.triangles = std::move(triangles);
+}
+
+}  // namespace
+
+int separate_coinciding_edges(GarmentMesh& unsewn) {
+    int split = 0;
+    for (int round = 0; round < kMostRounds; ++round) {
+        const std::vector<EdgeEnds> edges = find_coinciding(unsewn);
+        if (edges.empty()) break;
+        split_edges(unsewn, edges);
+        split += static_cast<int>(edges.size());
+    }
+    return split;
+}
+
+double seam_rest_length(double left_length, double right_length, const SeamLengthOptions& options) {
+    const double shorter = std::min(left_length, right_length);
+    const double longer = std::max(left_length, right_length);
+    return longer - shorter <= options.ease * shorter ? 0.5 * (shorter + longer) : shorter;
+}
+
+Vec2d unfold_across(const EdgeCopy& into, const EdgeCopy& from, const Vec2d& opposite) {
+    const Vec2d along_into = into.b - into.a;
+    const Vec2d along_from = from.b - from.a;
+    const double lengths = along_into.norm() * along_from.norm();
+    SELVEDGE_ASSERT(lengths > 0);
+    const double cosine = along_from.dot(along_into) / lengths;
+    const double sine = cross2(along_from, along_into) / lengths;
+    const Vec2d arm = opposite - 0.5 * (from.a + from.b);
+    const Vec2d turned(cosine * arm.x() - sine * arm.y(), sine * arm.x() + cosine * arm.y());
+    return 0.5 * (into.a + into.b) + turned;
+}
+
+}  // namespace selvedge

@@ -1,0 +1,193 @@
+#include "sim/place/fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "sim/body/section.h"
+#include "sim/collide/surface_bvh.h"
+#include "sim/core/assert.h"
+#include "sim/core/parallel.h"
+
+namespace selvedge {
+namespace {
+
+// An edge of the garment by its two vertices, the lower one first.
+struct CutEdge {
+    std::uint32_t low = 0;
+    std::uint32_t high = 0;
+    auto operator<=>(const CutEdge&) const = default;
+};
+
+// The cut through one triangle, which it enters through one edge and leaves through another.
+struct CutSegment {
+    CutEdge entry;
+    CutEdge exit;
+    Vec3d point = Vec3d::Zero();  // on the entry edge
+    double material_length = 0;   // m
+};
+
+// One closed loop of the garment at a level.
+struct GarmentLoop {
+    std::vector<Vec3d> points;
+    double girth = 0;  // m, of the material
+};
+
+// What lies in the plane counts as below it, so that no loop passes through a vertex.
+bool is_above(const Vec3f& x, double y) {
+    return static_cast<double>(x.y()) > y;
+}
+
+std::optional<CutSegment> cut_triangle(const PlainMesh& garment, std::size_t triangle, double y) {
+    const auto& vertices = garment.triangles[triangle];
+    const auto& corners = garment.u[triangle];
+    CutSegment segment;
+    Vec2d entry_u = Vec2d::Zero();
+    Vec2d exit_u = Vec2d::Zero();
+    bool is_cut = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t next = (k + 1) % 3;
+        const Vec3d a = garment.x[vertices[k]].cast<double>();
+        const Vec3d b = garment.x[vertices[next]].cast<double>();
+        const bool is_entry = is_above(garment.x[vertices[k]], y);
+        if (is_entry == is_above(garment.x[vertices[next]], y)) continue;
+        is_cut = true;
+        const double t = (y - a.y()) / (b.y() - a.y());
+        const Vec2d u = (1 - t) * corners[k].cast<double>() + t * corners[next].cast<double>();
+        const auto [low, high] = std::minmax(vertices[k], vertices[next]);
+        (is_entry ? segment.entry : segment.exit) = {low, high};
+        (is_entry ? entry_u : exit_u) = u;
+        if (is_entry) segment.point = a + t * (b - a);
+    }
+    if (!is_cut) return std::nullopt;
+    segment.material_length = (exit_u - entry_u).norm();
+    return segment;
+}
+
+// Ordered by entry edge.
+std::vector<CutSegment> cut(const PlainMesh& garment, double y) {
+    std::vector<CutSegment> segments;
+    for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
+        if (const auto segment = cut_triangle(garment, t, y)) segments.push_back(*segment);
+    }
+    std::stable_sort(segments.begin(), segments.end(),
+                     [](const CutSegment& a, const CutSegment& b) { return a.entry < b.entry; });
+    return segments;
+}
+
+// The segment that goes on where this one ends, or segments.size() at the garment's border.
+std::size_t find_next(const std::vector<CutSegment>& segments, CutEdge exit) {
+    const auto it = std::lower_bound(segments.begin(), segments.end(), exit,
+                                     [](const CutSegment& segment, CutEdge edge) { return segment.entry < edge; });
+    return it != segments.end() && it->entry == exit ? static_cast<std::size_t>(it - segments.begin())
+                                                     : segments.size();
+}
+
+std::vector<GarmentLoop> closed_loops(const std::vector<CutSegment>& segments) {
+    std::vector<GarmentLoop> loops;
+    std::vector<bool> used(segments.size(), false);
+    for (std::size_t first = 0; first < segments.size(); ++first) {
+        GarmentLoop loop;
+        std::size_t at = first;
+        while (at < segments.size() && !used[at]) {
+            used[at] = true;
+            loop.points.push_back(segments[at].point);
+            loop.girth += segments[at].material_length;
+            at = find_next(segments, segments[at].exit);
+        }
+        if (at == first && !loop.points.empty()) loops.push_back(std::move(loop));
+    }
+    return loops;
+}
+
+// Whether the loop goes round the point, seen from above: its winding number is not 0. Folded cloth crosses itself, but
+// not so far in as where a body's section has its centre. (Sunday 2001)
+bool goes_round(const GarmentLoop& loop, const Vec3d& point) {
+    int winding = 0;
+    for (std::size_t i = 0; i < loop.points.size(); ++i) {
+        const Vec3d a = loop.points[i] - point;
+        const Vec3d b = loop.points[(i + 1) % loop.points.size()] - point;
+        if ((a.z() <= 0) == (b.z() <= 0)) continue;
+        const double side = cross2({a.x(), a.z()}, {b.x(), b.z()});
+        if (a.z() <= 0 && side > 0) ++winding;
+        if (a.z() > 0 && side < 0) --winding;
+    }
+    return winding != 0;
+}
+
+// One tape round all that the garment's loop encloses, m; 0 when that is nothing.
+double enclosed_girth(const GarmentLoop& garment, const std::vector<SectionLoop>& body, const Plane& plane) {
+    SectionLoop enclosed;
+    for (const SectionLoop& loop : body) {
+        if (!goes_round(garment, loop.centre)) continue;
+        enclosed.points.insert(enclosed.points.end(), loop.points.begin(), loop.points.end());
+    }
+    return tape_length(enclosed, plane);
+}
+
+void add_tight_loops(const PlainMesh& garment, const Body& body, const FitOptions& options, double y,
+                     std::vector<TightLevel>& levels) {
+    const std::vector<GarmentLoop> loops = closed_loops(cut(garment, y));
+    if (loops.empty()) return;
+    const Plane plane{.point = Vec3d(0, y, 0), .normal = Vec3d::UnitY()};
+    const std::vector<SectionLoop> sections = section(body, plane);
+    for (const GarmentLoop& loop : loops) {
+        const double tape = enclosed_girth(loop, sections, plane);
+        if (tape == 0) continue;
+        // The outline at a distance d from a convex one is longer by 2 pi d. (Steiner's formula)
+        const double girth = tape + 2 * std::numbers::pi * options.contact_offset;
+        if (loop.girth >= (1 - options.tolerance) * girth) continue;
+        Eigen::AlignedBox3d box;
+        for (const Vec3d& point : loop.points) box.extend(point);
+        levels.push_back(
+            {.y = y, .garment_girth = loop.girth, .body_girth = girth, .low = box.min(), .high = box.max()});
+    }
+}
+
+}  // namespace
+
+std::vector<TightLevel> tight_levels(const PlainMesh& garment, const Body& body, const FitOptions& options) {
+    SELVEDGE_ASSERT(options.step > 0);
+    SELVEDGE_ASSERT(garment.u.size() == garment.triangles.size());
+    SELVEDGE_ASSERT(std::all_of(garment.x.begin(), garment.x.end(), [](const Vec3f& x) { return x.allFinite(); }));
+    std::vector<TightLevel> levels;
+    if (garment.x.empty()) return levels;
+    const auto [low, high] = std::minmax_element(garment.x.begin(), garment.x.end(),
+                                                 [](const Vec3f& a, const Vec3f& b) { return a.y() < b.y(); });
+    const auto first = static_cast<int>(std::ceil(static_cast<double>(low->y()) / options.step));
+    const auto last = static_cast<int>(std::floor(static_cast<double>(high->y()) / options.step));
+    for (int i = first; i <= last; ++i) add_tight_loops(garment, body, options, i * options.step, levels);
+    return levels;
+}
+
+bool is_tight_at(const std::vector<TightLevel>& levels, double y, const FitOptions& options) {
+    return std::any_of(levels.begin(), levels.end(),
+                       [&](const TightLevel& level) { return std::abs(level.y - y) <= options.reach; });
+}
+
+bool is_tight_at(const std::vector<TightLevel>& levels, const Vec3d& x, const FitOptions& options) {
+    return std::any_of(levels.begin(), levels.end(), [&](const TightLevel& level) {
+        const Vec3d outside = (level.low - x).cwiseMax(x - level.high);
+        return outside.maxCoeff() <= options.reach;
+    });
+}
+
+std::vector<float> measure_clearance(const std::vector<Vec3f>& points, const Body& body) {
+    const SurfaceBvh surface(body);
+    std::vector<float> distances(points.size(), std::numeric_limits<float>::infinity());
+    constexpr std::size_t kGrain = 256;
+    parallel_for(points.size(), kGrain, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const auto closest = surface.closest(points[i], std::numeric_limits<float>::infinity());
+            if (closest) distances[i] = closest->distance;
+        }
+    });
+    return distances;
+}
+
+}  // namespace selvedge

@@ -1,0 +1,297 @@
+#include <gtest/gtest.h>
+
+#include "editor/geometry/outline_edit.h"
+#include "editor/geometry/panel_edit.h"
+#include "editor/geometry/seam_edit.h"
+#include "tests/editor/geometry/geometry_support.h"
+
+namespace selvedge {
+namespace {
+
+// Turned, bent, and of every kind of curve.
+Panel sleeve(bool is_mirrored) {
+    Panel panel = make_polygon({{0, 0}, {0.3, 0}, {0.4, 0.5}, {0.1, 0.7}, {-0.1, 0.5}});
+    panel.name = "left_sleeve";
+    panel.edges[0].kind = CurveKind::Arc;
+    panel.edges[0].arc_radius = 0.3;
+    panel.edges[2] = {.start = 2, .end = 3, .kind = CurveKind::Cubic, .control = {Vec2d(0.4, 0.6), Vec2d(0.2, 0.8)}};
+    panel.edges[3] = {.start = 3, .end = 4, .kind = CurveKind::Quadratic, .control = {Vec2d(0, 0.75), Vec2d(0, 0)}};
+    panel.translation = {0.4, 1.1, 0.05};
+    panel.rotation = (Eigen::AngleAxisd(0.8, Vec3d(1, 2, -1).normalized())).toRotationMatrix();
+    panel.is_mirrored = is_mirrored;
+    panel.wrap_radius = 0.2;
+    panel.grain_angle = 0.1;
+    panel.sett_offset = {0.03, 0.05};
+    panel.notches = {{2, 0.25}};
+    panel.pins = {3};
+    panel.internal_lines = {{"hem", {{0.05, 0.1}, {0.25, 0.1}}}};
+    return panel;
+}
+
+Pattern with_sleeve(bool is_mirrored) {
+    Pattern pattern;
+    pattern.panels = {sleeve(is_mirrored)};
+    return pattern;
+}
+
+Vec3d across(const Vec3d& x) {
+    return {-x.x(), x.y(), x.z()};
+}
+
+Vec3d outward(const Panel& panel, const Vec2d& u) {
+    const double h = 1e-5;
+    return (panel.place(u + Vec2d(h, 0)) - panel.place(u - Vec2d(h, 0)))
+        .cross(panel.place(u + Vec2d(0, h)) - panel.place(u - Vec2d(0, h)))
+        .normalized();
+}
+
+TEST(SymmetricCopy, stands_on_the_other_side_of_the_body_and_looks_outward_there) {
+    for (const bool is_mirrored : {false, true}) {
+        Pattern pattern = with_sleeve(is_mirrored);
+        EXPECT_EQ(symmetric_copy(pattern, 0, false, {1, 0}), 1);
+        const Panel& own = pattern.panels[0];
+        const Panel& copy = pattern.panels[1];
+        EXPECT_EQ(copy.name, "right_sleeve");
+        EXPECT_EQ(copy.mirror_of, "");
+        EXPECT_EQ(copy.is_mirrored, is_mirrored);
+        EXPECT_NEAR(outline_area(copy), outline_area(own), 1e-9);
+        EXPECT_NEAR(copy.rotation.determinant(), 1, 1e-12);
+        for (const Vec2d& u : {Vec2d(0.1, 0.2), Vec2d(-0.05, 0.5), Vec2d(0.3, 0.4)}) {
+            const Vec2d image(-u.x(), u.y());
+            EXPECT_NEAR((copy.place(image) - across(own.place(u))).norm(), 0, 1e-12);
+            EXPECT_NEAR((outward(copy, image) - across(outward(own, u))).norm(), 0, 1e-6);
+        }
+        for (int e = 0; e < 5; ++e) {
+            const auto own_edge = static_cast<std::size_t>(e);
+            const auto edge = static_cast<std::size_t>((5 - e) % 5);
+            for (const double t : {0.0, 0.3, 0.8}) {
+                const Vec2d there = outline_point(copy, copy.edges[edge], 1 - t);
+                const Vec2d here = outline_point(own, own.edges[own_edge], t);
+                EXPECT_NEAR((there - Vec2d(-here.x(), here.y())).norm(), 0, 1e-9);
+            }
+        }
+        EXPECT_NEAR(copy.grain_angle, -0.1, 1e-15);
+        EXPECT_EQ(copy.sett_offset, Vec2d(-0.03, 0.05));
+        EXPECT_EQ(copy.notches, (std::vector<Notch>{{3, 0.75}}));
+        EXPECT_EQ(copy.pins, std::vector<int>{3});
+        EXPECT_TRUE(can_be_saved(pattern));
+    }
+}
+
+TEST(SymmetricCopy, lies_on_the_sheet_where_the_panel_lies_moved_by_the_shift) {
+    Pattern pattern = with_sleeve(false);
+    symmetric_copy(pattern, 0, true, {1, 0.25});
+    const std::vector<Vec2d> origins = sheet_positions(pattern);
+    const auto low = [&](std::size_t i) {
+        double least = 100;
+        for (const Vec2d& p : pattern.panels[i].vertices) least = std::min(least, p.x() + origins[i].x());
+        return least;
+    };
+    EXPECT_NEAR(low(1), low(0) + 1, 1e-3);
+    EXPECT_NEAR(origins[1].y(), origins[0].y() + 0.25, 1e-12);
+}
+
+TEST(SymmetricCopy, takes_darts_and_no_other_seams) {
+    Pattern pattern = two_squares();
+    insert_dart(pattern, {0, 0}, 0.3, 0.1, 0.4);
+    symmetric_copy(pattern, 0, false, {0, 0});
+    ASSERT_EQ(pattern.seams.size(), 3U);
+    const Seam& dart = pattern.seams[2];
+    EXPECT_EQ(dart.first.panel, 2);
+    EXPECT_EQ(dart.second.panel, 2);
+    EXPECT_TRUE(edge_point(pattern, dart.first, 0).isApprox(edge_point(pattern, dart.second, 1)));  // the apex
+    EXPECT_FALSE(is_crossed(pattern, dart));
+}
+
+TEST(SymmetricCopy, of_a_linked_image_is_not_linked) {
+    Pattern pattern = with_sleeve(false);
+    symmetric_copy(pattern, 0, true, {1, 0});
+    EXPECT_EQ(pattern.panels[1].mirror_of, "left_sleeve");
+    EXPECT_THROW(symmetric_copy(pattern, 1, true, {1, 0}), DraftError);
+    EXPECT_EQ(symmetric_copy(pattern, 1, false, {1, 0}), 2);
+    EXPECT_EQ(pattern.panels[2].name, "left_sleeve_2");
+    EXPECT_TRUE(pattern.panels[2].vertices == pattern.panels[0].vertices);
+    EXPECT_TRUE(pattern.panels[2].edges == pattern.panels[0].edges);
+}
+
+// Are panels 0 and `image` mirror images, as symmetric_copy makes them?
+void expect_mirrored(const Pattern& pattern, int image) {
+    Pattern fresh;
+    fresh.panels = {pattern.panels[0]};
+    symmetric_copy(fresh, 0, false, {0, 0});
+    Panel expected = fresh.panels[1];
+    const Panel& found = pattern.panels[static_cast<std::size_t>(image)];
+    expected.name = found.name;
+    expected.mirror_of = found.mirror_of;
+    expected.sheet_position = found.sheet_position;
+    for (std::size_t i = 0; i < std::min(expected.vertices.size(), found.vertices.size()); ++i) {
+        EXPECT_NEAR((expected.vertices[i] - found.vertices[i]).norm(), 0, 1e-12);
+    }
+    ASSERT_EQ(found.edges.size(), expected.edges.size());
+    for (std::size_t e = 0; e < found.edges.size(); ++e) {
+        EXPECT_NEAR(
+            (outline_point(found, found.edges[e], 0.3) - outline_point(expected, expected.edges[e], 0.3)).norm(), 0,
+            1e-9);
+    }
+    EXPECT_TRUE(found.translation.isApprox(expected.translation));
+    EXPECT_TRUE(found.rotation.isApprox(expected.rotation));
+    EXPECT_NEAR(found.grain_angle, expected.grain_angle, 1e-12);
+    EXPECT_EQ(found.notches.size(), expected.notches.size());
+    EXPECT_EQ(found.internal_lines.size(), expected.internal_lines.size());
+}
+
+// A bodice with a sleeve on either side, linked, both sewn to it by their edge 2 and its image.
+Pattern sleeved() {
+    Pattern pattern = with_sleeve(false);
+    symmetric_copy(pattern, 0, true, {1, 0});
+    Panel bodice = unit_square("bodice");
+    const double length = outline_length(pattern.panels[0], pattern.panels[0].edges[2]);
+    bodice = make_rectangle({0, 0}, {0.5, length});
+    bodice.name = "bodice";
+    add_panel(pattern, bodice);
+    sew_edges(pattern, {{0, 2}, {2, 3}, true, "left armhole"});
+    sew_edges(pattern, {{1, 3}, {2, 1}, true, "right armhole"});
+    return pattern;
+}
+
+template <class Edit>
+Pattern edited(const Pattern& before, Edit edit) {
+    Pattern pattern = before;
+    edit(pattern);
+    update_mirrors(pattern, before);
+    EXPECT_TRUE(can_be_saved(pattern));
+    return pattern;
+}
+
+TEST(UpdateMirrors, whichever_side_was_edited_leads) {
+    for (const int side : {0, 1}) {
+        const Pattern before = sleeved();
+        const Pattern pattern = edited(before, [&](Pattern& draft) { move_vertices(draft, side, {4}, {0.02, -0.03}); });
+        const double sign = side == 0 ? 1 : -1;
+        EXPECT_TRUE(pattern.panels[0].vertices[4].isApprox(Vec2d(-0.1 + sign * 0.02, 0.47)));
+        EXPECT_TRUE(pattern.panels[1].vertices[4].isApprox(Vec2d(0.1 - sign * 0.02, 0.47)));
+        expect_mirrored(pattern, 1);
+        EXPECT_EQ(pattern.panels[0].name, "left_sleeve");
+        EXPECT_EQ(pattern.panels[0].mirror_of, "");
+        EXPECT_EQ(pattern.panels[1].mirror_of, "left_sleeve");
+        EXPECT_EQ(pattern.panels[1].sheet_position, before.panels[1].sheet_position);
+        EXPECT_EQ(pattern.seams, before.seams);
+    }
+}
+
+TEST(UpdateMirrors, placement_grain_notches_and_lines_follow) {
+    const Pattern pattern = edited(sleeved(), [](Pattern& draft) {
+        Panel& panel = draft.panels[1];
+        panel.translation = {-0.5, 1.3, 0.1};
+        panel.grain_angle = 0.5;
+        panel.notches.push_back({0, 0.2});
+        panel.internal_lines.clear();
+    });
+    EXPECT_TRUE(pattern.panels[0].translation.isApprox(Vec3d(0.5, 1.3, 0.1)));
+    EXPECT_NEAR(pattern.panels[0].grain_angle, -0.5, 1e-12);
+    EXPECT_EQ(pattern.panels[0].notches.back(), (Notch{0, 0.8}));
+    EXPECT_TRUE(pattern.panels[0].internal_lines.empty());
+}
+
+TEST(UpdateMirrors, a_split_splits_the_image_and_what_it_is_sewn_to) {
+    for (const int side : {0, 1}) {
+        for (const int own_edge : {0, 2, 3, 4}) {
+            const int edge = side == 0 ? own_edge : (5 - own_edge) % 5;
+            const Pattern pattern = edited(sleeved(), [&](Pattern& draft) { split_edge(draft, {side, edge}, 0.25); });
+            expect_mirrored(pattern, 1);
+            ASSERT_EQ(pattern.panels[1].edges.size(), 6U);
+            const std::size_t sewn = own_edge == 2 ? 4 : 2;
+            ASSERT_EQ(pattern.seams.size(), sewn);
+            for (const Seam& seam : pattern.seams) {
+                EXPECT_NEAR(edge_length(pattern, seam.first), edge_length(pattern, seam.second), 1e-9);
+                EXPECT_EQ(edge_point(pattern, seam.first, 0.5).y() > 0.5, true);  // still the sleeve's head
+            }
+            EXPECT_EQ(pattern.panels[2].edges.size(), own_edge == 2 ? 6U : 4U);
+        }
+    }
+}
+
+TEST(UpdateMirrors, a_point_taken_out_is_taken_out_of_both) {
+    const Pattern whole = sleeved();
+    int vertex = 0;
+    const Pattern split = edited(whole, [&](Pattern& draft) { vertex = split_edge(draft, {0, 2}, 0.25); });
+    const Pattern pattern = edited(split, [&](Pattern& draft) { remove_vertices(draft, 0, {vertex}); });
+    expect_mirrored(pattern, 1);
+    EXPECT_EQ(pattern.panels[0].edges.size(), 5U);
+    EXPECT_EQ(pattern.panels[2].edges.size(), 4U);
+    EXPECT_EQ(pattern.panels[2].vertices.size(), 4U);
+    ASSERT_EQ(pattern.seams.size(), 2U);
+    EXPECT_EQ(pattern.seams[0], whole.seams[0]);
+    EXPECT_EQ(pattern.seams[1], whole.seams[1]);
+}
+
+TEST(UpdateMirrors, a_dart_is_sewn_on_both) {
+    const Pattern pattern = edited(sleeved(), [](Pattern& draft) { insert_dart(draft, {1, 4}, 0.5, 0.03, 0.1); });
+    expect_mirrored(pattern, 1);
+    ASSERT_EQ(pattern.seams.size(), 4U);
+    for (const Seam& seam : pattern.seams) {
+        EXPECT_NEAR(edge_length(pattern, seam.first), edge_length(pattern, seam.second), 1e-9);
+    }
+}
+
+TEST(UpdateMirrors, halves_that_are_sewn_to_each_other_keep_their_seam) {
+    Pattern halves;
+    halves.panels = {unit_square("left_front")};
+    symmetric_copy(halves, 0, true, {0, 0});
+    sew_edges(halves, {{0, 3}, {1, 1}, true, "centre"});
+    for (const int side : {0, 1}) {
+        Pattern pattern = edited(halves, [&](Pattern& draft) { split_edge(draft, {side, side == 0 ? 3 : 1}, 0.25); });
+        expect_mirrored(pattern, 1);
+        ASSERT_EQ(pattern.seams.size(), 2U);
+        for (const Seam& seam : pattern.seams) {
+            EXPECT_NEAR(edge_length(pattern, seam.first), edge_length(pattern, seam.second), 1e-9);
+            EXPECT_NEAR(edge_point(pattern, seam.first, 0).y(), edge_point(pattern, seam.second, 1).y(), 1e-9);
+        }
+        pattern = edited(pattern, [&](Pattern& draft) { remove_vertices(draft, side, {4}); });
+        EXPECT_EQ(pattern.seams, halves.seams);
+        EXPECT_EQ(pattern.panels[1].edges.size(), 4U);
+    }
+}
+
+// Sewn round a corner: a split of one splits the other elsewhere, and that the first again.
+TEST(UpdateMirrors, ends_where_splits_would_go_on_for_ever) {
+    Pattern before;
+    before.panels = {unit_square("left_front")};
+    symmetric_copy(before, 0, true, {0, 0});
+    sew_edges(before, {{0, 0}, {1, 3}, true});
+    sew_edges(before, {{0, 1}, {1, 0}, true});
+    sew_edges(before, {{0, 2}, {1, 1}, true});
+    Pattern pattern = before;
+    split_edge(pattern, {0, 0}, 0.3);
+    const Pattern split = pattern;
+    try {
+        update_mirrors(pattern, before);
+        EXPECT_TRUE(can_be_saved(pattern));
+        EXPECT_LT(pattern.panels[0].edges.size(), 30U);
+    } catch (const DraftError&) {
+        EXPECT_TRUE(pattern == split);
+    }
+}
+
+TEST(UpdateMirrors, panels_that_are_not_linked_stay) {
+    Pattern before = two_squares();
+    Pattern pattern = before;
+    move_vertices(pattern, 0, {0}, {0.1, 0.1});
+    const Pattern moved = pattern;
+    update_mirrors(pattern, before);
+    EXPECT_TRUE(pattern == moved);
+}
+
+TEST(UpdateMirrors, cutting_an_image_ends_its_link) {
+    Pattern pattern = sleeved();
+    const Pattern before = pattern;
+    cut_panel(pattern, 1, {{-0.15, -0.1}, {-0.15, 0.8}}, true);
+    EXPECT_EQ(pattern.panels[1].mirror_of, "");
+    update_mirrors(pattern, before);
+    EXPECT_EQ(pattern.panels[0].edges.size(), 5U);
+    EXPECT_TRUE(can_be_saved(pattern));
+}
+
+}  // namespace
+
+}  // namespace selvedge

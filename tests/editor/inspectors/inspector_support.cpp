@@ -1,0 +1,96 @@
+#include "tests/editor/inspectors/inspector_support.h"
+
+#include <filesystem>
+#include <imgui_internal.h>
+
+#include "sim/pattern/pattern_file.h"
+
+namespace selvedge {
+PatternDocument shipped_pattern(const std::string& file) {
+    return load_pattern(std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / file);
+}
+
+InspectorDesk::InspectorDesk(PatternDocument source, Draw draw, const DeskSize& size)
+    : workspace(std::move(source), SessionDrive::Caller, make_worn_mannequin),
+      draw_(draw),
+      size_(size),
+      imgui_(ImGui::CreateContext()) {
+    ImGui::SetCurrentContext(imgui_);
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.DisplaySize = {size.width_px * size.scale, 4000 * size.scale};
+    io.DeltaTime = 1.0F / 60;
+    io.MousePos = {-1000, -1000};
+    for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
+    ImFontConfig font;
+    font.SizePixels = 13 * size.scale;
+    io.Fonts->AddFontDefault(&font);
+    unsigned char* pixels = nullptr;
+    int width = 0, height = 0;
+    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+    ImGui::GetStyle().ScaleAllSizes(size.scale);
+    frame();
+}
+
+InspectorDesk::~InspectorDesk() {
+    ImGui::DestroyContext(imgui_);
+}
+
+void InspectorDesk::frame() {
+    ImGui::SetCurrentContext(imgui_);
+    output = {};
+    widgets.clear();
+    InspectorContext context{.workspace = workspace, .output = output, .state = state, .theme = theme};
+    context.widgets = &widgets;
+    context.take_texture = [this] { return textures_++; };
+    context.open_body = [] {};
+    ImGui::NewFrame();
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
+    ImGui::Begin("inspectors", nullptr, ImGuiWindowFlags_NoDecoration);
+    update_inspectors(context);
+    ImGui::BeginChild("box");  // as the editor does
+    draw_(context);
+    const ImGuiWindow& window = *ImGui::GetCurrentWindow();
+    overhang_px_ = window.DC.CursorMaxPos.x - window.WorkRect.Max.x;
+    ImGui::EndChild();
+    ImGui::End();
+    ImGui::Render();
+}
+
+void InspectorDesk::click(const std::string& name) {
+    drag(name, 0);
+    let_go();
+}
+
+void InspectorDesk::drag(const std::string& name, float by_px) {
+    const Vec2f at = widgets.at(name).centre();
+    ImGuiIO& io = ImGui::GetIO();
+    io.MousePos = {at.x(), at.y()};
+    frame();
+    io.MouseDown[0] = true;
+    frame();
+    if (by_px == 0) return;
+    io.MousePos.x += by_px;
+    frame();
+}
+
+void InspectorDesk::let_go() {
+    ImGui::GetIO().MouseDown[0] = false;
+    frame();
+    frame();
+}
+
+void InspectorDesk::type(const std::string& text) {
+    ImGui::GetIO().AddInputCharactersUTF8(text.c_str());
+    frame();
+}
+
+void InspectorDesk::key(ImGuiKey key) {
+    ImGui::GetIO().KeysDown[key] = true;
+    frame();
+    ImGui::GetIO().KeysDown[key] = false;
+    frame();
+}
+
+}  // namespace selvedge

@@ -1,0 +1,146 @@
+#include "tests/editor/sheet/sheet_support.h"
+
+#include <filesystem>
+
+#include "app/ui_draw.h"
+
+namespace selvedge {
+namespace {
+
+constexpr const char* kFont = "/usr/share/fonts/opentype/inter/Inter-Regular.otf";
+
+}  // namespace
+
+struct SheetStage::Drawing {
+    Drawing() : context(make_context(ContextMaker::OSMesa)), drawer(*context), to(context->gl()) {}
+
+    std::unique_ptr<GlContext> context;
+    UiDraw drawer;
+    PictureTexture to;
+};
+
+SheetStage::SheetStage(PatternDocument source, const Size& size)
+    : document(std::move(source)), size_(size), context_(ImGui::CreateContext()) {
+    ImGui::SetCurrentContext(context_);
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.DisplaySize = {float(size.width_px), float(size.height_px)};
+    io.DeltaTime = 1.0F / 60;
+    io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+    const float font_px = 15 * float(size.ui_scale);
+    static constexpr ImWchar kRanges[] = {0x20, 0x17F, 0x2010, 0x2044, 0};
+    if (std::filesystem::exists(kFont)) {
+        io.Fonts->AddFontFromFileTTF(kFont, font_px, nullptr, kRanges);
+    } else {
+        io.Fonts->AddFontDefault();
+    }
+    io.Fonts->Build();
+    frame();
+    frame();
+}
+
+SheetStage::~SheetStage() {
+    ImGui::DestroyContext(context_);
+}
+
+void SheetStage::frame() {
+    ImGui::NewFrame();
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSize({float(size_.width_px), float(size_.height_px)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
+    ImGui::Begin("sheet window", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+    SheetContext context{.desk = {document, hover, messages}, .tools = tools, .output = output};
+    context.ui_scale = size_.ui_scale;
+    context.shows = shows;
+    answer = view.show(context);
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+    ImGui::Render();
+}
+
+void SheetStage::move(const Vec2d& sheet) {
+    const Vec2d at = to_px(view.camera(), sheet);
+    ImGui::GetIO().MousePos = {float(at.x()), float(at.y())};
+    frame();
+}
+
+void SheetStage::press(const Vec2d& sheet) {
+    move(sheet);
+    ImGui::GetIO().MouseDown[0] = true;
+    frame();
+}
+
+void SheetStage::release() {
+    ImGui::GetIO().MouseDown[0] = false;
+    frame();
+}
+
+void SheetStage::click(const Vec2d& sheet, const Modifiers& modifiers) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.KeyCtrl = modifiers.ctrl;
+    io.KeyShift = modifiers.shift;
+    io.KeyAlt = modifiers.alt;
+    press(sheet);
+    release();
+    io.KeyCtrl = io.KeyShift = io.KeyAlt = false;
+    for (int i = 0; i < 30; ++i) frame();  // so that two clicks are no double click
+}
+
+void SheetStage::drag(const Vec2d& from, const Vec2d& to) {
+    press(from);
+    move(from + 0.3 * (to - from));
+    move(to);
+    release();
+    for (int i = 0; i < 30; ++i) frame();
+}
+
+void SheetStage::wheel(const Vec2d& sheet, float notches) {
+    move(sheet);
+    ImGui::GetIO().MouseWheel = notches;
+    frame();
+}
+
+void SheetStage::key(Key key, const Modifiers& modifiers) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.KeyCtrl = modifiers.ctrl;
+    io.KeyShift = modifiers.shift;
+    io.KeyAlt = modifiers.alt;
+    io.KeysDown[static_cast<int>(key)] = true;
+    frame();
+    io.KeysDown[static_cast<int>(key)] = false;
+    io.KeyCtrl = io.KeyShift = io.KeyAlt = false;
+    frame();
+}
+
+void SheetStage::type(const std::string& text) {
+    ImGui::GetIO().AddInputCharactersUTF8(text.c_str());
+    frame();
+}
+
+Vec2d SheetStage::vertex(const std::string& panel, int index) {
+    return tools.geometry().vertex({panel, index}).value();
+}
+
+Vec2d SheetStage::on_edge(const std::string& panel, int index, double t) {
+    return sheet_point(*tools.geometry().find(panel), index, t);
+}
+
+std::size_t SheetStage::drawn_vertices() const {
+    return static_cast<std::size_t>(ImGui::GetDrawData()->TotalVtxCount);
+}
+
+Image SheetStage::picture() {
+    if (!drawing_) drawing_ = std::make_unique<Drawing>();
+    for (const PictureToHold& held : output.pictures) drawing_->drawer.hold(held);
+    output.pictures.clear();
+    drawing_->to.resize(size_.width_px, size_.height_px);
+    drawing_->drawer.draw(target_of(drawing_->to));
+    return drawing_->to.read();
+}
+
+PatternDocument shipped_pattern(const std::string& name) {
+    return load_pattern(std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / (name + ".json"));
+}
+
+}  // namespace selvedge

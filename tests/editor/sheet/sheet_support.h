@@ -1,0 +1,65 @@
+#pragma once
+// The sheet without a window: a person's events go in, ImGui's lists come out, as a picture where one is asked for.
+#include <filesystem>
+#include <imgui.h>
+#include <memory>
+#include <string>
+
+#include "editor/document/document.h"
+#include "editor/sheet/sheet_view.h"
+#include "editor/tools/tool_host.h"
+#include "render/image/image.h"
+
+namespace selvedge {
+
+class SheetStage {
+ public:
+    struct Size {
+        int width_px = 1000;
+        int height_px = 760;
+        double ui_scale = 1;
+    };
+
+    explicit SheetStage(PatternDocument source) : SheetStage(std::move(source), Size{}) {}
+    SheetStage(PatternDocument source, const Size& size);
+    ~SheetStage();
+    SheetStage(const SheetStage&) = delete;
+    SheetStage& operator=(const SheetStage&) = delete;
+
+    Document document;
+    Hover hover;
+    Messages messages;
+    ToolHost tools;
+    SheetView view;
+    SheetAnswer answer;  // of the last frame
+    FrameOutput output;  // of all frames
+    SheetShows shows{};
+
+    void frame();
+    void move(const Vec2d& sheet);
+    void click(const Vec2d& sheet, const Modifiers& modifiers = {});
+    void press(const Vec2d& sheet);
+    void release();
+    void drag(const Vec2d& from, const Vec2d& to);  // and drop
+    void wheel(const Vec2d& sheet, float notches);
+    void key(Key key, const Modifiers& modifiers = {});
+    void type(const std::string& text);
+
+    // m on the sheet of a vertex, and of a place on an edge.
+    Vec2d vertex(const std::string& panel, int index);
+    Vec2d on_edge(const std::string& panel, int index, double t);
+
+    std::size_t drawn_vertices() const;  // of ImGui's lists
+    Image picture();                     // of the last frame
+
+ private:
+    struct Drawing;
+
+    Size size_;
+    ImGuiContext* context_;
+    std::unique_ptr<Drawing> drawing_;
+};
+
+PatternDocument shipped_pattern(const std::string& name);
+
+}  // namespace selvedge

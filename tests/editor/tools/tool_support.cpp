@@ -1,0 +1,80 @@
+#include "tests/editor/tools/tool_support.h"
+
+#include <algorithm>
+
+#include "editor/geometry/outline_edit.h"
+#include "editor/geometry/panel_edit.h"
+
+namespace selvedge {
+Panel square_panel(const std::string& name, const Vec2d& low, const Vec2d& high) {
+    Panel panel = make_rectangle(Vec2d(0, 0), high - low);
+    panel.name = name;
+    panel.sheet_position = low;
+    return panel;
+}
+
+PatternDocument two_squares() {
+    PatternDocument source;
+    source.pattern.panels = {square_panel("left", {0, 0}, {0.2, 0.2}), square_panel("right", {0.3, 0}, {0.5, 0.2})};
+    return source;
+}
+
+SheetHands::SheetHands(PatternDocument source) : document(std::move(source)) {
+    tools.begin_frame(document, camera_, 1);
+}
+
+const Panel& SheetHands::panel(const std::string& name) const {
+    return pattern().panels.at(static_cast<std::size_t>(find_panel(pattern(), name)));
+}
+
+Vec2d SheetHands::vertex(const std::string& panel, int index) {
+    tools.begin_frame(document, camera_, 1);
+    return tools.geometry().vertex({panel, index}).value();
+}
+
+void SheetHands::move(const Vec2d& sheet, const Modifiers& modifiers) {
+    tools.begin_frame(document, camera_, 1);
+    tools.move(desk(), to_px(camera_, sheet), modifiers);
+}
+
+void SheetHands::press(const Vec2d& sheet, const Modifiers& modifiers) {
+    move(sheet, modifiers);
+    tools.press(desk(), to_px(camera_, sheet), modifiers);
+}
+
+void SheetHands::release(const Vec2d& sheet, const Modifiers& modifiers) {
+    tools.release(desk(), to_px(camera_, sheet), modifiers);
+}
+
+void SheetHands::click(const Vec2d& sheet, const Modifiers& modifiers) {
+    press(sheet, modifiers);
+    release(sheet, modifiers);
+}
+
+void SheetHands::double_click(const Vec2d& sheet) {
+    click(sheet);
+    click(sheet);
+    tools.double_click(desk(), to_px(camera_, sheet), {});
+}
+
+void SheetHands::drag(const Vec2d& from, const Vec2d& to, const Modifiers& modifiers) {
+    press(from, modifiers);
+    move(from + 0.4 * (to - from), modifiers);
+    move(to, modifiers);
+    release(to, modifiers);
+}
+
+bool SheetHands::key(Key key, const Modifiers& modifiers) {
+    return tools.key(desk(), key, modifiers);
+}
+
+void SheetHands::type(const std::string& text, Key then) {
+    for (const char c : text) tools.text(desk(), std::string(1, c));
+    if (then != Key::None) key(then);
+}
+
+ToolOverlay SheetHands::overlay() {
+    return tools.overlay(desk());
+}
+
+}  // namespace selvedge

@@ -1,0 +1,47 @@
+#pragma once
+// A small workspace for tests of the 3D view: one square panel before a small body, and a hand that works on it.
+#include <optional>
+#include <string>
+
+#include "editor/viewport3d/viewport_controller.h"
+
+namespace selvedge {
+
+// 40 by 40 cm, called "square": its middle stands at (0, 1, 0.3), facing the front.
+Pattern square_pattern();
+
+// A cube of 20 cm about (0, 1, 0), with the arrangement points "before" and "behind" it.
+WornBody small_body(const std::string& text);
+
+class FittingDesk {
+ public:
+    explicit FittingDesk(const Pattern& pattern = square_pattern());
+
+    Workspace& workspace() { return workspace_; }
+    const Document& document() const { return *workspace_.document; }
+    FittingHand& hand() { return hand_; }
+    const Panel& panel(std::size_t index = 0) const { return document().pattern().panels[index]; }
+
+    Vec2f seen(const Vec3f& x) const { return px_of(hand_.viewing(), x).value(); }
+
+    // One frame each. The cursor stays where it was put last.
+    void rest() { step({}); }
+    void move_to(const Vec2f& px);
+    void press(MouseButton button = MouseButton::Left);
+    void release(MouseButton button = MouseButton::Left);
+    void click(const Vec2f& px);
+    void key(Key key);
+    void type(const std::string& text);
+
+    Modifiers modifiers{};
+    ClothChoice choice = ClothChoice::Panels;
+
+ private:
+    void step(FittingInput input);
+
+    Workspace workspace_;
+    FittingHand hand_;
+    Vec2f cursor_{2, 2};
+};
+
+}  // namespace selvedge

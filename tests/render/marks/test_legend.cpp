@@ -1,0 +1,131 @@
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "render/marks/legend.h"
+
+namespace selvedge {
+namespace {
+
+constexpr Corner kCorners[] = {Corner::LowerLeft, Corner::LowerRight, Corner::UpperLeft, Corner::UpperRight};
+
+Rgb8 row_colour(std::size_t i) {
+    return {static_cast<std::uint8_t>(20 + 7 * i), static_cast<std::uint8_t>(200 - 6 * i), 90};
+}
+
+Legend with_rows(std::size_t count) {
+    Legend legend{.title = "Panels"};
+    for (std::size_t i = 0; i < count; ++i)
+        legend.rows.push_back({row_colour(i), "panel number " + std::to_string(i), std::to_string(i) + " cm"});
+    return legend;
+}
+
+bool shows(const Image& image, const Rgb8& colour) {
+    const Rgba8 opaque{colour[0], colour[1], colour[2], 255};
+    return std::find(image.pixels.begin(), image.pixels.end(), opaque) != image.pixels.end();
+}
+
+TEST(Legend, shows_the_colour_of_every_row) {
+    Image image(512, 512);
+    draw_legend(image, with_rows(4), Corner::LowerLeft);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_TRUE(shows(image, row_colour(i))) << i;
+    EXPECT_FALSE(shows(image, row_colour(4)));
+}
+
+TEST(Legend, shows_both_ends_of_its_map) {
+    Image image(512, 512);
+    const LegendScale scale{.map = {{10, 20, 30}, {60, 70, 80}, {200, 100, 50}}, .ticks = {{0, "0"}, {1, "5 mm"}}};
+    draw_legend(image, {.title = "Distance", .scale = scale}, Corner::UpperRight);
+    for (const Rgb8& colour : scale.map) EXPECT_TRUE(shows(image, colour));
+}
+
+TEST(Legend, lies_wholly_inside_the_picture_whatever_its_size) {
+    const Legend legend = with_rows(9);
+    int placed = 0;
+    for (const int width : {40, 96, 200, 333, 512, 1024, 3000}) {
+        for (const int height : {40, 96, 200, 333, 512, 1024, 3000}) {
+            for (const Corner corner : kCorners) {
+                const auto place = place_legend(legend, width, height, corner);
+                if (!place) continue;
+                ++placed;
+                EXPECT_GT(place->box.left, 0);
+                EXPECT_GT(place->box.top, 0);
+                EXPECT_LT(place->box.left + place->box.width, width);
+                EXPECT_LT(place->box.top + place->box.height, height);
+            }
+        }
+    }
+    EXPECT_GT(placed, 40);
+}
+
+TEST(Legend, touches_no_pixel_outside_its_place_and_rim) {
+    for (const Corner corner : kCorners) {
+        const Image before(400, 300, {250, 250, 250, 255});
+        Image image = before;
+        const auto place = place_legend(with_rows(3), 400, 300, corner);
+        ASSERT_TRUE(place);
+        draw_legend(image, with_rows(3), corner);
+        const PixelBox& box = place->box;
+        int changed = 0;
+        for (int y = 0; y < image.height_px; ++y) {
+            for (int x = 0; x < image.width_px; ++x) {
+                if (image.at(x, y) == before.at(x, y)) continue;
+                ++changed;
+                ASSERT_TRUE(x >= box.left - 1 && x <= box.left + box.width && y >= box.top - 1 &&
+                            y <= box.top + box.height)
+                    << x << " " << y;
+            }
+        }
+        EXPECT_GT(changed, box.width * box.height / 4);
+    }
+}
+
+TEST(Legend, leaves_a_picture_that_is_too_small_alone) {
+    for (const auto& [width, height] : {std::pair{16, 512}, {512, 16}, {1, 1}, {120, 120}}) {
+        const Image before(width, height);
+        Image image = before;
+        draw_legend(image, with_rows(8), Corner::LowerLeft);
+        EXPECT_EQ(image, before) << width << "x" << height;
+    }
+}
+
+TEST(Legend, leaves_out_rows_that_have_no_room_and_keeps_the_letters_size) {
+    const auto place = place_legend(with_rows(30), 512, 300, Corner::LowerLeft);
+    ASSERT_TRUE(place);
+    EXPECT_EQ(place->scale, 1);
+    EXPECT_GT(place->rows, 8U);
+    EXPECT_LT(place->rows, 20U);
+    Image image(512, 300);
+    draw_legend(image, with_rows(30), Corner::LowerLeft);
+    EXPECT_TRUE(shows(image, row_colour(place->rows - 2)));
+    EXPECT_FALSE(shows(image, row_colour(place->rows - 1))) << "this row says how many are left out";
+}
+
+TEST(Legend, cuts_names_only_where_smaller_letters_are_not_enough) {
+    Legend wide{.title = "Seams", .rows = {{{1, 2, 3}, std::string(60, 'm')}}};
+    const auto large = place_legend(wide, 2048, 2048, Corner::LowerLeft);
+    ASSERT_TRUE(large);
+    EXPECT_LT(large->scale, 4) << "smaller letters first";
+    EXPECT_LE(large->box.width, 1024);
+    const auto small = place_legend(wide, 512, 512, Corner::LowerLeft);
+    ASSERT_TRUE(small);
+    EXPECT_EQ(small->box.width, 256);
+}
+
+TEST(Legend, figures_stand_below_each_other_at_the_right_edge) {
+    Image image(512, 512, {255, 255, 255, 255});
+    Legend legend{.title = "T", .rows = {{{1, 2, 3}, "a", "7"}, {{1, 2, 3}, "a", "17"}}};
+    const auto place = place_legend(legend, 512, 512, Corner::UpperLeft);
+    draw_legend(image, legend, Corner::UpperLeft);
+    // The last figure of both rows is a seven: its columns are the same.
+    const auto column_sum = [&](int x, int top) {
+        int sum = 0;
+        for (int y = top; y < top + 10; ++y) sum += image.at(x, y)[0];
+        return sum;
+    };
+    const int right = place->box.left + place->box.width - 8, first = place->box.top + 8 + 16;
+    for (int x = right - 5; x < right; ++x) EXPECT_EQ(column_sum(x, first), column_sum(x, first + 13)) << x;
+}
+
+}  // namespace
+
+}  // namespace selvedge

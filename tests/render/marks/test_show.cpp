@@ -1,0 +1,195 @@
+#include <cmath>
+#include <gtest/gtest.h>
+#include <set>
+
+#include "render/draw/renderer.h"
+#include "render/marks/show.h"
+
+namespace selvedge {
+namespace {
+
+// A square of two triangles and two panels, one beside the other, strained by 3 % along y.
+Scene stretched(ShowMode mode) {
+    Scene scene;
+    ClothItem cloth;
+    cloth.show = mode;
+    PlainMesh& mesh = cloth.mesh;
+    constexpr float length = 1.03F;
+    mesh.x = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, length, 0}, {1, length, 0}, {2, length, 0}};
+    mesh.triangles = {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}};
+    for (const auto& t : mesh.triangles) {
+        const auto u = [&](std::size_t i) { return Vec2f(mesh.x[t[i]].x(), mesh.x[t[i]].y() / length); };
+        mesh.u.push_back({u(0), u(1), u(2)});
+    }
+    mesh.panel = {0, 0, 1, 1};
+    mesh.panel_names = {"left_front", "left_back"};
+    mesh.panel_grain_angles = {0, 1.5707963F};  // the second panel's warp runs along -x
+    mesh.level = {0, 0, 1, 1};
+    mesh.vertex_level = {0, 0, 1, 0, 0, 2};
+    scene.cloths.push_back(cloth);
+    return scene;
+}
+
+TEST(Show, strain_is_painted_by_each_panels_own_threads) {
+    Scene warp = stretched(ShowMode::StrainWarp), weft = stretched(ShowMode::StrainWeft);
+    const auto legend = fill_show(warp);
+    fill_show(weft);
+    ASSERT_TRUE(legend && legend->scale);
+    EXPECT_EQ(legend->scale->ticks.back().label, "+3 %");
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        EXPECT_NEAR(warp.cloths[0].paint->places[0][corner], 1, 1e-3F) << "3 % is the map's upper end";
+        EXPECT_NEAR(warp.cloths[0].paint->places[2][corner], 0.5F, 1e-3F) << "at rest is the middle";
+        EXPECT_NEAR(weft.cloths[0].paint->places[0][corner], 0.5F, 1e-3F);
+        EXPECT_NEAR(weft.cloths[0].paint->places[2][corner], 1, 1e-3F);
+    }
+}
+
+TEST(Show, the_greater_strain_is_that_of_either_direction) {
+    Scene scene = stretched(ShowMode::Strain);
+    fill_show(scene);
+    for (const auto& corners : scene.cloths[0].paint->places)
+        for (const float place : corners) EXPECT_NEAR(place, 1, 1e-3F);
+}
+
+TEST(Show, clearance_is_painted_per_vertex_from_the_figures_given) {
+    Scene scene = stretched(ShowMode::Clearance);
+    fill_show(scene, {.clearance = {0, 0.005F, 0.01F, 0.02F, 0.02F, 0.02F}});
+    const ClothPaint& paint = *scene.cloths[0].paint;
+    EXPECT_NEAR(paint.places[0][0], 0, 1e-4F);
+    EXPECT_NEAR(paint.places[0][1], 0.25F, 1e-4F);
+    EXPECT_NEAR(paint.places[0][2], 1, 1e-4F);
+}
+
+TEST(Show, each_panel_has_one_colour_which_the_legend_names) {
+    Scene scene = stretched(ShowMode::Panels);
+    const auto legend = fill_show(scene);
+    ASSERT_TRUE(legend && legend->rows.size() == 2);
+    EXPECT_EQ(legend->rows[0].label, "left front");
+    EXPECT_NE(legend->rows[0].colour, legend->rows[1].colour);
+    const ClothPaint& paint = *scene.cloths[0].paint;
+    for (std::size_t t = 0; t < 4; ++t) {
+        const auto at = static_cast<std::size_t>(std::lround(paint.places[t][0] * float(paint.map.size() - 1)));
+        EXPECT_EQ(paint.map[at], legend->rows[t / 2].colour);
+        EXPECT_EQ(paint.places[t][0], paint.places[t][1]);
+        EXPECT_EQ(paint.places[t][0], paint.places[t][2]);
+    }
+}
+
+TEST(Show, a_vertex_is_half_as_large_with_each_level_and_has_its_levels_colour) {
+    Scene scene = stretched(ShowMode::Vertices);
+    const auto legend = fill_show(scene);
+    ASSERT_EQ(scene.solids.size(), 1U);
+    const SolidItem& solid = scene.solids[0];
+    std::array<float, 3> radius{};
+    for (std::size_t i = 0; i < solid.x.size(); ++i) {
+        for (int level = 0; level < 3; ++level) {
+            if (solid.colours[i] != level_colour(level)) continue;
+            float nearest = 1e9F;
+            for (const Vec3f& x : scene.cloths[0].mesh.x) nearest = std::min(nearest, (solid.x[i] - x).norm());
+            radius[static_cast<std::size_t>(level)] = nearest;
+        }
+    }
+    EXPECT_GT(radius[0], 0.01F);
+    EXPECT_NEAR(radius[1] / radius[0], 0.5F, 1e-3F);
+    EXPECT_NEAR(radius[2] / radius[0], 0.25F, 1e-3F);
+    ASSERT_TRUE(legend && legend->rows.size() == 3);
+    EXPECT_EQ(legend->rows[0].figure, "4");
+    EXPECT_EQ(legend->rows[2].figure, "1");
+}
+
+TEST(Show, seams_have_a_colour_each_and_hems_another) {
+    Scene scene = stretched(ShowMode::Seams);
+    const auto legend = fill_show(scene);
+    ASSERT_TRUE(legend && legend->rows.size() == 2);
+    EXPECT_EQ(legend->rows[0].label, "left front + back") << "common words once";
+    EXPECT_EQ(legend->rows[0].figure, "103 cm");
+    EXPECT_EQ(legend->rows[1].label, "hems");
+    std::set<Rgb8> colours(scene.solids.at(0).colours.begin(), scene.solids.at(0).colours.end());
+    EXPECT_EQ(colours, (std::set<Rgb8>{legend->rows[0].colour, legend->rows[1].colour}));
+}
+
+TEST(Show, the_level_legend_counts_triangles_up_to_the_highest_level) {
+    const Legend legend = level_legend(stretched(ShowMode::Level).cloths[0].mesh);
+    ASSERT_EQ(legend.rows.size(), 2U);
+    EXPECT_EQ(legend.rows[1].colour, level_colour(1));
+    EXPECT_EQ(legend.rows[1].figure, "2");
+}
+
+TEST(Show, levels_that_a_mesh_does_not_know_are_not_made_up) {
+    for (const ShowMode mode : {ShowMode::Level, ShowMode::Vertices}) {
+        Scene known = stretched(mode), unknown = stretched(mode);
+        unknown.cloths[0].mesh.level.clear();
+        unknown.cloths[0].mesh.vertex_level.clear();
+        EXPECT_TRUE(fill_show(known)->notes.empty());
+        const auto legend = fill_show(unknown);
+        ASSERT_EQ(legend->notes.size(), 1U);
+        EXPECT_EQ(legend->notes[0][1], "not known");
+        EXPECT_EQ(legend->rows.size(), 1U);
+    }
+}
+
+TEST(Show, a_hierarchy_becomes_a_scene_of_leaves_and_outlines) {
+    const std::array<Vec2f, 3> u{Vec2f(0, 0), Vec2f(1, 0), Vec2f(0, 1)};
+    Scene scene;
+    const Legend legend = fill_hierarchy(
+        scene, {{.u = u, .level = 0, .is_leaf = false}, {.u = u, .level = 1, .is_leaf = true}}, StackSide::Behind);
+    ASSERT_EQ(scene.cloths.size(), 1U);
+    EXPECT_EQ(scene.cloths[0].mesh.triangles.size(), 2U);
+    EXPECT_EQ(scene.cloths[0].paint->places.size(), 2U);
+    EXPECT_FALSE(scene.solids.at(0).triangles.empty());
+    ASSERT_EQ(legend.notes.size(), 2U);
+    EXPECT_EQ(legend.notes[0][1], "2");
+    EXPECT_EQ(legend.notes[1][1], "1");
+}
+
+TEST(Show, modes_that_paint_nothing_have_no_legend) {
+    for (const ShowMode mode : {ShowMode::Tartan, ShowMode::Edges, ShowMode::Plain}) {
+        Scene scene = stretched(mode);
+        EXPECT_FALSE(fill_show(scene));
+        EXPECT_FALSE(scene.cloths[0].paint);
+        EXPECT_TRUE(scene.solids.empty());
+    }
+}
+
+
+TEST(FigureLegend, limits_are_round_and_never_below_the_figure) {
+    for (const auto& [value, round] :
+         {std::pair{0.01, 0.01}, {0.011, 0.012}, {0.037, 0.04}, {0.071, 0.08}, {0.081, 0.1}, {6.0, 6.0}, {0.3, 0.3}})
+        EXPECT_NEAR(round_up(value), round, 1e-9 * round) << value;
+}
+
+TEST(FigureLegend, strain_is_written_in_percent_with_its_sign) {
+    std::vector<double> strains(100, 0.001);
+    strains[0] = -0.0423;
+    strains[1] = 0.0961;
+    strains[2] = 0.02;
+    const Legend legend = strain_legend("Strain", 0.05, strains);
+    ASSERT_EQ(legend.notes.size(), 3U);
+    EXPECT_EQ(legend.notes[0][1], "+2.0 %");
+    EXPECT_EQ(legend.notes[1][1], "+9.6 %");
+    EXPECT_EQ(legend.notes[2][1], "-4.2 %");
+    ASSERT_TRUE(legend.scale && legend.scale->ticks.size() == 3);
+    EXPECT_EQ(legend.scale->ticks[0].label, "-5 %");
+    EXPECT_EQ(legend.scale->ticks[1].label, "0");
+    EXPECT_EQ(legend.scale->ticks[2].label, "+5 %");
+}
+
+TEST(FigureLegend, no_strain_has_no_sign_of_compression) {
+    EXPECT_EQ(strain_legend("Strain", 0.01, {-0.0001}).notes[1][1], "+0.0 %");
+}
+
+TEST(FigureLegend, clearance_is_written_in_millimetres_and_what_is_inside_is_said) {
+    const Legend clear = clearance_legend(0.05, {0.003, 0.012, 0.1});
+    EXPECT_EQ(clear.scale->ticks[1].label, "25");
+    EXPECT_EQ(clear.scale->ticks[2].label, "50 mm");
+    ASSERT_EQ(clear.notes.size(), 3U);
+    EXPECT_EQ(clear.notes[0][1], "12 mm");
+    EXPECT_EQ(clear.notes[2][1], "100 mm");
+    const Legend inside = clearance_legend(0.05, {0.003, -0.0012});
+    ASSERT_EQ(inside.notes.size(), 4U);
+    EXPECT_EQ(inside.notes[3][1], "1.2 mm");
+}
+
+}  // namespace
+
+}  // namespace selvedge

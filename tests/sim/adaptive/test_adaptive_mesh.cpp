@@ -1,0 +1,357 @@
+// That check() does find what is broken, as far as the mesh's own operations can leave it so.
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "bench/support/square.h"
+#include "sim/adaptive/check.h"
+#include "sim/adaptive/criteria.h"
+#include "sim/adaptive/diagonal.h"
+#include "sim/core/error.h"
+#include "tests/sim/adaptive/fixtures.h"
+
+namespace selvedge::test {
+namespace {
+
+// The sum of a base edge's descendants, which must be its own length.
+float length_of_leaves(const AdaptiveMesh& mesh, EdgeId e) {
+    if (!mesh.is_split(e)) return mesh.rest_length(e);
+    const std::array<EdgeId, 2>& children = mesh.edge(e).children;
+    return length_of_leaves(mesh, children[0]) + length_of_leaves(mesh, children[1]);
+}
+
+TEST(Seam, with_little_ease_takes_the_mean_of_both_sides_at_every_level) {
+    AdaptiveMesh mesh(front_and_back(2, 1.04));
+    const EdgeId seam = edge_between(mesh, VertexId(0), VertexId(4));
+    EXPECT_NEAR(mesh.rest_length(seam), 0.2 * 1.02, 1e-6);
+    NoState state;
+    set_uniform_level(mesh, state, 3);
+    EXPECT_FLOAT_EQ(length_of_leaves(mesh, seam), mesh.rest_length(seam));
+    EXPECT_TRUE(check(mesh).empty()) << check(mesh).front();
+}
+
+TEST(Seam, with_gathers_takes_the_shorter_side) {
+    const AdaptiveMesh mesh(front_and_back(2, 1.3));
+    EXPECT_NEAR(mesh.rest_length(edge_between(mesh, VertexId(0), VertexId(4))), 0.2, 1e-6);
+}
+
+TEST(Seam, keeps_both_material_coordinates_when_its_edge_splits) {
+    AdaptiveMesh mesh(front_and_back(1, 1.3));
+    const EdgeId seam = edge_between(mesh, VertexId(0), VertexId(4));
+    NoState state;
+    adapt(mesh, state, {}, ChosenEdges{{seam}});
+    const VertexId centre = mesh.centre(seam);
+    int front = 0, back = 0;
+    for (const TriangleId id : mesh.triangles_at(centre)) {
+        const AdaptiveTriangle& t = mesh.triangle(id);
+        const Vec2f u = t.u[corner_at(t, centre)];
+        EXPECT_LT((u - (t.panel == 0 ? Vec2f(0.0F, 0.1F) : Vec2f(7.3F, 5.13F))).norm(), 1e-6F);
+        ++(t.panel == 0 ? front : back);
+    }
+    EXPECT_EQ(front, 2);
+    EXPECT_EQ(back, 2);
+}
+
+TEST(Seam, gives_internal_edges_the_length_of_their_own_panel) {
+    AdaptiveMesh mesh(front_and_back(1, 1.3), {.max_level = 1});
+    NoState state;
+    set_uniform_level(mesh, state, 1);
+    for (std::uint32_t t = 0; t < mesh.base_triangle_count(); ++t) {
+        const AdaptiveTriangle& owner = mesh.triangle(TriangleId(t));
+        for (const EdgeId e : owner.internal_edges) {
+            const AdaptiveTriangle& side = mesh.triangle(mesh.edge(e).sides[0]);
+            const std::size_t k = place_of(side, e);
+            EXPECT_FLOAT_EQ(mesh.rest_length(e), (side.u[(k + 1) % 3] - side.u[k]).norm());
+        }
+    }
+}
+
+TEST(Seam, lets_a_hinge_measure_across_it) {
+    AdaptiveMesh mesh(tube(5, 2));
+    NoState state;
+    set_uniform_level(mesh, state, 1);
+    // The panel is flat, 0.5 m round: unfolded, every hinge is one of the same quads, whether the seam runs through.
+    std::size_t upright = 0;
+    for (const Hinge& h : mesh.hinges()) {
+        const bool is_diagonal = h.rest_length > 0.06F;
+        if (is_diagonal) continue;
+        EXPECT_NEAR(h.rest_length, 0.05, 1e-6);
+        EXPECT_NEAR((h.left_at - h.right_at).norm(), 0.05 * std::sqrt(5.0), 1e-6);
+        upright += std::abs(h.along[0].y()) > 0.9F ? 1 : 0;
+    }
+    EXPECT_EQ(upright, 10U * 4U);  // ten columns of edges, the seam's among them, of four edges each
+}
+
+TEST(Seam, has_no_jump_in_position_and_no_hole) {
+    const GarmentMesh base = tube(6, 3);
+    AdaptiveMesh mesh(base);
+    PositionState state(base, mesh);
+    set_uniform_level(mesh, state, 2);
+    std::size_t boundary = 0;
+    for (const LeafEdge& e : mesh.leaf_edges()) boundary += !mesh.leaf_at(e.edge, 0) || !mesh.leaf_at(e.edge, 1);
+    EXPECT_EQ(boundary, 2U * 6U * 4U);  // the two rims alone
+    EXPECT_TRUE(check(mesh).empty());
+}
+
+TEST(Boundary, edges_split_and_rejoin_with_one_side) {
+    AdaptiveMesh mesh(two_triangles(), {.max_level = 2});
+    NoState state;
+    const EdgeId rim = edge_between(mesh, VertexId(0), VertexId(1));
+    ASSERT_TRUE(!mesh.edge(rim).sides[0] || !mesh.edge(rim).sides[1]);
+    EXPECT_EQ(adapt(mesh, state, {}, ChosenEdges{{rim}}).transitions, 1);
+    EXPECT_TRUE(check(mesh).empty());
+    EXPECT_EQ(mesh.leaf_triangles().size(), 3U);
+    EXPECT_EQ(adapt(mesh, state, {}, ChosenEdges{}).rejoins, 1);
+    EXPECT_EQ(mesh.leaf_triangles().size(), 2U);
+}
+
+void expect_refused(const GarmentMesh& base, const std::string& message) {
+    try {
+        const AdaptiveMesh mesh(base);
+        FAIL() << "took it";
+    } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()), message);
+    }
+}
+
+TEST(BaseMesh, refuses_an_edge_with_three_triangles) {
+    GarmentMesh base = two_triangles();
+    base.x.emplace_back(0.0, 0.0, 1.0);
+    base.triangles.push_back(base.triangles[0]);
+    base.triangles.back().vertices = {1, 2, 4};
+    expect_refused(base, "edge 1-2: is shared by 3 triangles");
+}
+
+TEST(BaseMesh, refuses_triangles_that_face_opposite_ways) {
+    GarmentMesh base = two_triangles();
+    base.triangles[1].vertices = {3, 1, 2};
+    expect_refused(base, "edge 1-2: its two triangles face opposite ways");
+}
+
+TEST(BaseMesh, keeps_the_indices_of_vertices_and_triangles_as_ids) {
+    const GarmentMesh base = make_square();
+    const AdaptiveMesh mesh(base);
+    for (std::uint32_t t = 0; t < base.triangles.size(); ++t) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const AdaptiveTriangle& triangle = mesh.triangle(TriangleId(t));
+            EXPECT_EQ(static_cast<int>(triangle.vertices[k].value), base.triangles[t].vertices[k]);
+            EXPECT_EQ(triangle.u[k], base.triangles[t].u[k].cast<float>());
+        }
+    }
+}
+
+
+constexpr TriangleId kOwner{0};
+constexpr SplitMask kTwoSplits[] = {0b011, 0b110, 0b101};
+
+TEST(EitherWay, gives_the_two_configurations_of_a_state_and_their_own_diagonals) {
+    const EitherWay ways = either_way(0b011);
+    EXPECT_EQ(ways.configurations, (std::array{Configuration::C4, Configuration::C5}));
+    EXPECT_EQ(ways.diagonals[0], (InternalEdge{{2, 3}}));
+    EXPECT_EQ(ways.diagonals[1], (InternalEdge{{0, 4}}));
+    for (const SplitMask split : kTwoSplits) {
+        for (const Configuration c : either_way(split).configurations) EXPECT_EQ(layout(c).split, split);
+    }
+    for (const unsigned split : {0b000U, 0b001U, 0b010U, 0b100U, 0b111U}) {
+        EXPECT_FALSE(has_two_ways(static_cast<SplitMask>(split)));
+    }
+}
+
+class Choice : public testing::Test {
+ protected:
+    // E0 and E1 split: the diagonals run from V2 to M0 (C4) and from V0 to M1 (C5).
+    template <class C>
+    Configuration chosen(const C& choice) {
+        const std::set<EdgeId> two = {mesh.triangle(kOwner).edges[0], mesh.triangle(kOwner).edges[1]};
+        adapt_choosing(choice, mesh, state, {}, ChosenEdges{two});
+        EXPECT_TRUE(check(mesh).empty());
+        const Configuration result = mesh.triangle(kOwner).configuration;
+        adapt(mesh, state, {}, ChosenEdges{});
+        return result;
+    }
+
+    GarmentMesh base = one_triangle();  // (0, 0) (1, 0) (0.25, 0.75)
+    AdaptiveMesh mesh{base};
+    PositionState state{base, mesh};
+};
+
+TEST_F(Choice, by_default_is_the_least_work) {
+    EXPECT_EQ(chosen(LeastWork{}), Configuration::C4);
+}
+
+TEST_F(Choice, by_rest_length_takes_the_shorter_in_the_material) {
+    EXPECT_EQ(chosen(ShortestRestDiagonal{}), Configuration::C5);  // 0.7289 against 0.7906 m
+}
+
+TEST_F(Choice, by_length_takes_the_shorter_in_the_room) {
+    EXPECT_EQ(chosen(ShortestDiagonal{state.x}), Configuration::C5);
+    state.x[0] = {-1.0F, 0.0F, 0.0F};
+    EXPECT_EQ(chosen(ShortestDiagonal{state.x}), Configuration::C4);
+}
+
+TEST_F(Choice, by_curvature_takes_the_one_that_bends_less) {
+    std::vector<Vec3f> normals(mesh.vertex_capacity(), Vec3f::UnitZ());
+    normals[2] = Vec3f::UnitX();
+    EXPECT_EQ(chosen(FlattestDiagonal{normals}), Configuration::C5);
+    normals[2] = Vec3f::UnitZ();
+    normals[0] = Vec3f::UnitX();
+    EXPECT_EQ(chosen(FlattestDiagonal{normals}), Configuration::C4);
+    normals[0] = Vec3f::UnitZ();
+    EXPECT_EQ(chosen(FlattestDiagonal{normals}), Configuration::C4) << "equal: the least work";
+}
+
+TEST_F(Choice, leaves_a_triangle_as_it_is_when_its_edges_do_not_change) {
+    const std::set<EdgeId> two = {mesh.triangle(kOwner).edges[0], mesh.triangle(kOwner).edges[1]};
+    adapt(mesh, state, {}, ChosenEdges{two});
+    ASSERT_EQ(mesh.triangle(kOwner).configuration, Configuration::C4);
+    adapt_choosing(ShortestRestDiagonal{}, mesh, state, {}, ChosenEdges{two});
+    EXPECT_EQ(mesh.triangle(kOwner).configuration, Configuration::C4);
+}
+
+TEST(Choices, keep_a_mesh_sound_in_random_adaptions) {
+    const GarmentMesh base = make_square();
+    AdaptiveMesh mesh(base);
+    PositionState state(base, mesh);
+    std::mt19937 random(9);
+    for (int i = 0; i < 40; ++i) {
+        const RandomCriterion criterion{random, 0.5, 0.5};
+        adapt_choosing(ShortestRestDiagonal{}, mesh, state, {}, criterion);
+        ASSERT_TRUE(check(mesh).empty()) << check(mesh).front();
+    }
+}
+
+
+bool names(const std::vector<std::string>& problems, const std::string& problem) {
+    return std::find(problems.begin(), problems.end(), problem) != problems.end();
+}
+
+TEST(Check, finds_nothing_in_a_fresh_mesh) {
+    EXPECT_TRUE(check(AdaptiveMesh(tube(5, 3))).empty());
+}
+
+TEST(Check, names_the_triangles_of_a_pass_that_is_not_over) {
+    AdaptiveMesh mesh(two_triangles());
+    mesh.split(edge_between(mesh, VertexId(1), VertexId(2)));
+    const std::vector<std::string> problems = check(mesh);
+    EXPECT_TRUE(names(problems, "triangle 0: a pass is not over"));
+    EXPECT_TRUE(names(problems, "triangle 1: does not conform to its edges"));
+    EXPECT_TRUE(names(problems, "triangle 0: a T-junction lies on its edge"));
+    EXPECT_TRUE(names(problems, "vertices: the leaf list is not what a traversal finds"));
+}
+
+TEST(Check, names_a_triangle_that_was_left_whole_beside_a_split_edge) {
+    AdaptiveMesh mesh(two_triangles(), {.max_level = 1});
+    NoState state;
+    set_uniform_level(mesh, state, 1);
+    mesh.change_configuration(TriangleId(1), Configuration::C0);
+    const std::vector<std::string> problems = check(mesh);
+    EXPECT_TRUE(names(problems, "triangle 1: does not conform to its edges"));
+    const EdgeId shared = edge_between(mesh, VertexId(1), VertexId(2));
+    EXPECT_TRUE(names(problems, "edge " + std::to_string(shared.value) + ": a hole opens along a child"));
+    EXPECT_TRUE(names(problems, "triangles: the leaf list is not what a traversal finds"));
+}
+
+TEST(Check, names_lists_that_are_out_of_date) {
+    AdaptiveMesh mesh(two_triangles());
+    mesh.split(EdgeId(0));
+    mesh.retriangulate(0);
+    EXPECT_TRUE(names(check(mesh), "edges: the leaf list is not what a traversal finds"));
+    mesh.refresh_lists();
+    EXPECT_TRUE(check(mesh).empty());
+}
+
+}  // namespace
+}  // namespace selvedge::test
+
+namespace selvedge {
+namespace {
+
+struct Row {
+    int quads;
+    int level;
+    std::size_t vertices, edges, triangles;
+};
+
+// The thesis' counts of the whole hierarchy under uniform refinement (SPEC 1.1).
+constexpr Row kTable[] = {
+    {4, 0, 25, 56, 32},         {4, 1, 81, 264, 160},         {4, 2, 289, 1064, 672},        {4, 3, 1089, 4200, 2720},
+    {8, 3, 4225, 16560, 10880}, {16, 3, 16641, 65760, 43520}, {32, 3, 66049, 262080, 174080}};
+
+TEST(Hierarchy, has_the_counts_of_the_thesis_under_uniform_refinement) {
+    for (const Row& row : kTable) {
+        AdaptiveMesh mesh(make_square({.columns = row.quads, .rows = row.quads}));
+        NoState state;
+        set_uniform_level(mesh, state, row.level);
+        EXPECT_EQ(mesh.vertices().size(), row.vertices);
+        EXPECT_EQ(mesh.edges().size(), row.edges);
+        EXPECT_EQ(mesh.triangles().size(), row.triangles);
+        EXPECT_EQ(mesh.leaf_vertices().size(), row.vertices);
+        EXPECT_EQ(mesh.leaf_triangles().size(), static_cast<std::size_t>(2 * row.quads * row.quads) << 2 * row.level);
+    }
+}
+
+TEST(Hierarchy, is_sound_at_every_uniform_level_and_comes_back) {
+    AdaptiveMesh mesh(make_square({.columns = 5, .rows = 3}));
+    NoState state;
+    for (const int level : {0, 1, 2, 3, 2, 1, 0, 3, 0}) {
+        set_uniform_level(mesh, state, level);
+        EXPECT_TRUE(check(mesh).empty()) << check(mesh).front();
+        for (const LeafTriangle& t : mesh.leaf_triangles()) EXPECT_EQ(t.level, level);
+    }
+    EXPECT_EQ(mesh.vertices().size(), 24U);
+    EXPECT_EQ(mesh.triangles().size(), 30U);
+}
+
+TEST(Hierarchy, costs_fewer_bytes_per_element_than_the_thesis) {
+    constexpr AdaptiveMesh::BytesPerElement bytes = AdaptiveMesh::bytes_per_element();
+    EXPECT_LE(bytes.vertex, 28U);    // the thesis: 144
+    EXPECT_LE(bytes.edge, 48U);      // 52
+    EXPECT_LE(bytes.triangle, 92U);  // 120, corner coordinates not counted
+}
+
+TEST(Hierarchy, halves_rest_lengths_and_takes_internal_ones_from_the_material) {
+    AdaptiveMesh mesh(make_square({.columns = 2, .rows = 2, .width = 0.8, .depth = 0.8}));
+    NoState state;
+    set_uniform_level(mesh, state, 2);
+    for (const LeafEdge& e : mesh.leaf_edges()) {
+        const bool is_diagonal = e.rest_length > 0.12F;
+        EXPECT_NEAR(e.rest_length, is_diagonal ? 0.1 * std::sqrt(2.0) : 0.1, 1e-6);
+    }
+}
+
+TEST(Hierarchy, shares_the_material_area_out_to_the_vertices) {
+    AdaptiveMesh mesh(make_square({.columns = 3, .rows = 4, .width = 0.6, .depth = 0.5}));
+    NoState state;
+    for (int level = 0; level <= 3; ++level) {
+        set_uniform_level(mesh, state, level);
+        double sum = 0.0;
+        for (const VertexId v : mesh.leaf_vertices()) sum += double(mesh.vertex_areas()[v.value]);
+        EXPECT_NEAR(sum, 0.3, 1e-6);
+    }
+}
+
+TEST(Hinges, unfold_a_flat_square_into_itself) {
+    AdaptiveMesh mesh(make_square({.columns = 3, .rows = 3}), {.max_level = 1});
+    NoState state;
+    set_uniform_level(mesh, state, 1);
+    const auto u = [&](VertexId v) {
+        for (const LeafTriangle& t : mesh.leaf_triangles()) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (t.v[k] == v) return t.u[k];
+            }
+        }
+        return Vec2f(0.0F, 0.0F);
+    };
+    ASSERT_FALSE(mesh.hinges().empty());
+    for (const Hinge& h : mesh.hinges()) {
+        const Vec2f x = (u(h.b) - u(h.a)).normalized(), y(-x.y(), x.x()), middle = 0.5F * (u(h.a) + u(h.b));
+        EXPECT_LT((middle + h.left_at.x() * x + h.left_at.y() * y - u(h.left)).norm(), 1e-6F);
+        EXPECT_LT((middle + h.right_at.x() * x + h.right_at.y() * y - u(h.right)).norm(), 1e-6F);
+        EXPECT_GT(h.left_at.y(), 0.0F);
+        EXPECT_LT(h.right_at.y(), 0.0F);
+        EXPECT_LT((h.along[0] - x).norm() + (h.along[1] - x).norm(), 1e-5F);
+    }
+}
+
+}  // namespace
+
+}  // namespace selvedge

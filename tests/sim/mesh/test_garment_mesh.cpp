@@ -1,0 +1,155 @@
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+
+#include "sim/mesh/garment_mesh.h"
+
+namespace selvedge {
+namespace {
+
+// Four triangles about a middle vertex.
+GarmentMesh pinwheel() {
+    GarmentMesh mesh;
+    const std::vector<Vec2d> u{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0.5}};
+    for (const Vec2d& p : u) mesh.x.emplace_back(p.x(), p.y(), 0);
+    for (int i = 0; i < 4; ++i) {
+        const std::array<int, 3> v{i, (i + 1) % 4, 4};
+        mesh.triangles.push_back({v, {u[std::size_t(v[0])], u[std::size_t(v[1])], u[4]}, 0});
+    }
+    mesh.panel_names = {"front"};
+    mesh.panel_grain_angles = {0};
+    return mesh;
+}
+
+void expect_fault(const GarmentMesh& mesh, const std::string& text) {
+    const std::vector<std::string> faults = check_mesh(mesh);
+    for (const std::string& fault : faults) {
+        if (fault.find(text) != std::string::npos) return;
+    }
+    ADD_FAILURE() << "no fault says '" << text << "' among " << faults.size()
+                  << (faults.empty() ? "" : ", the first: " + faults[0]);
+}
+
+TEST(CheckMesh, finds_nothing_wrong_with_a_sound_mesh) {
+    EXPECT_TRUE(check_mesh(pinwheel()).empty());
+}
+
+TEST(CheckMesh, finds_indices_out_of_range) {
+    GarmentMesh mesh = pinwheel();
+    mesh.triangles[2].vertices[1] = 5;
+    expect_fault(mesh, "triangle 2 (front): no such vertex");
+    mesh = pinwheel();
+    mesh.links.push_back({0, -1, 7});
+    expect_fault(mesh, "seam 7: no such vertex");
+    mesh = pinwheel();
+    mesh.pins = {9};
+    expect_fault(mesh, "pin: no vertex 9");
+    mesh = pinwheel();
+    mesh.triangles[0].panel = 1;
+    expect_fault(mesh, "no panel");
+}
+
+TEST(CheckMesh, finds_triangles_without_area_turned_over_or_collapsed) {
+    GarmentMesh mesh = pinwheel();
+    mesh.triangles[0].u[2] = {0.3, 0};
+    expect_fault(mesh, "triangle 0 (front): no area");
+    mesh = pinwheel();
+    mesh.triangles[1].u[2] = {1.5, 0.5};
+    expect_fault(mesh, "triangle 1 (front): turned over");
+    mesh = pinwheel();
+    mesh.triangles[3].vertices[0] = 4;
+    expect_fault(mesh, "triangle 3 (front): two corners are one vertex");
+}
+
+TEST(CheckMesh, finds_an_edge_of_three_triangles) {
+    GarmentMesh mesh = pinwheel();
+    mesh.x.emplace_back(0, 0, 1);
+    mesh.triangles.push_back({{0, 4, 5}, mesh.triangles[0].u, 0});
+    expect_fault(mesh, "edge 0-4: 3 triangles meet");
+}
+
+TEST(CheckMesh, finds_neighbours_that_face_opposite_sides) {
+    GarmentMesh mesh = pinwheel();
+    std::swap(mesh.triangles[0].vertices[0], mesh.triangles[0].vertices[1]);
+    expect_fault(mesh, "face opposite sides");
+}
+
+TEST(CheckMesh, finds_a_triangle_given_twice) {
+    GarmentMesh mesh = pinwheel();
+    mesh.triangles.push_back(mesh.triangles[1]);
+    expect_fault(mesh, "triangle 4 (front): same corners as triangle 1");
+}
+
+TEST(CheckMesh, finds_vertices_of_no_triangle_and_of_two_fans) {
+    GarmentMesh mesh = pinwheel();
+    mesh.x.emplace_back(2, 2, 0);
+    expect_fault(mesh, "vertex 5: belongs to no triangle");
+    mesh.x.emplace_back(2, 1, 0);
+    mesh.triangles.push_back({{2, 6, 5}, mesh.triangles[0].u, 0});
+    expect_fault(mesh, "vertex 2: joins triangles that share no edge");
+}
+
+TEST(CheckMesh, finds_numbers_that_are_not_finite) {
+    GarmentMesh mesh = pinwheel();
+    mesh.x[1].z() = std::numeric_limits<double>::quiet_NaN();
+    expect_fault(mesh, "vertex 1: no finite position");
+    mesh = pinwheel();
+    mesh.triangles[0].u[0].x() = std::numeric_limits<double>::infinity();
+    expect_fault(mesh, "triangle 0 (front): no finite material");
+}
+
+
+// One triangle, sheared and stretched by a map of the plane.
+PlainMesh mapped(const Eigen::Matrix2f& map, float grain) {
+    PlainMesh mesh;
+    const std::array<Vec2f, 3> u{Vec2f(0.1F, 0.2F), Vec2f(1.3F, 0.1F), Vec2f(0.4F, 0.9F)};
+    for (const Vec2f& at : u) {
+        const Vec2f x = map * at;
+        mesh.x.emplace_back(x.x(), 2.0F, x.y());
+    }
+    mesh.triangles = {{0, 1, 2}};
+    mesh.u = {u};
+    mesh.panel = {0};
+    mesh.panel_grain_angles = {grain};
+    return mesh;
+}
+
+TEST(MeshStrain, is_the_stretch_of_the_panels_own_threads) {
+    Eigen::Matrix2f map;
+    map << 1.02F, 0.05F, 0.0F, 0.97F;
+    for (const float grain : {0.0F, 0.4F, -1.2F, 1.5707963F}) {
+        const Vec2f warp(-std::sin(grain), std::cos(grain)), weft(std::cos(grain), std::sin(grain));
+        const std::vector<MeshStrain> strain = measure_strain(mapped(map, grain));
+        ASSERT_EQ(strain.size(), 1U);
+        EXPECT_NEAR(strain[0].warp, (map * warp).norm() - 1, 1e-5F) << grain;
+        EXPECT_NEAR(strain[0].weft, (map * weft).norm() - 1, 1e-5F) << grain;
+    }
+}
+
+TEST(MeshStrain, a_triangle_without_area_in_the_material_has_none) {
+    PlainMesh mesh = mapped(Eigen::Matrix2f::Identity(), 0);
+    mesh.u[0] = {Vec2f(0, 0), Vec2f(1, 1), Vec2f(2, 2)};
+    EXPECT_EQ(measure_strain(mesh)[0].warp, 0);
+    EXPECT_EQ(smooth_in_panels(mesh, {0.5F})[0][0], 0);
+}
+
+TEST(MeshStrain, smoothing_keeps_what_is_even_weighs_by_area_and_stops_at_seams) {
+    PlainMesh mesh;
+    mesh.x = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 3, 0}, {-1, 0, 0}};
+    mesh.triangles = {{0, 1, 2}, {1, 3, 2}, {0, 2, 4}};
+    for (const auto& t : mesh.triangles)
+        mesh.u.push_back({mesh.x[t[0]].head<2>(), mesh.x[t[1]].head<2>(), mesh.x[t[2]].head<2>()});
+    mesh.panel = {0, 0, 1};
+    const auto even = smooth_in_panels(mesh, {2, 2, 2});
+    for (const auto& corners : even)
+        for (const float value : corners) EXPECT_FLOAT_EQ(value, 2);
+    const auto corners = smooth_in_panels(mesh, {0, 4, 10});
+    EXPECT_FLOAT_EQ(corners[0][0], 0) << "one triangle of its panel only";
+    EXPECT_FLOAT_EQ(corners[0][1], 3) << "areas are as one to three";
+    EXPECT_FLOAT_EQ(corners[1][0], 3);
+    EXPECT_FLOAT_EQ(corners[2][0], 10) << "another panel";
+}
+
+}  // namespace
+
+}  // namespace selvedge

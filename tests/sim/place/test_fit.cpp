@@ -1,0 +1,212 @@
+// Garments that are drafted too small are told from those that merely hang close.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/dress/dress.h"
+#include "sim/mannequin/mannequin.h"
+#include "sim/pattern/pattern_file.h"
+#include "sim/place/fit.h"
+#include "tests/support/bodies.h"
+
+namespace selvedge::test {
+namespace {
+
+constexpr double kOffsetGirth = 2 * std::numbers::pi * 0.003;
+
+struct RoundOptions {
+    double girth = 1;   // m, of the material
+    double radius = 0;  // m, of the tube in the room
+    double low = 0;     // m
+    double high = 1;    // m
+    double x = 0;       // m, of the axis
+    bool is_open = false;
+};
+
+// An upright tube of one panel that is sewn to itself at the back, so that u jumps there; open: not sewn.
+PlainMesh round_garment(const RoundOptions& options) {
+    constexpr unsigned kColumns = 48;
+    constexpr unsigned kRows = 20;
+    PlainMesh garment;
+    const unsigned width = options.is_open ? kColumns + 1 : kColumns;
+    for (unsigned row = 0; row <= kRows; ++row)
+        for (unsigned column = 0; column < width; ++column) {
+            const double angle = 2 * std::numbers::pi * column / kColumns;
+            const double y = options.low + (options.high - options.low) * row / kRows;
+            const Vec3d x(options.x - options.radius * std::sin(angle), y, -options.radius * std::cos(angle));
+            garment.x.push_back(x.cast<float>());
+        }
+    const auto add = [&](const std::array<std::array<unsigned, 2>, 3>& corners) {
+        auto& vertices = garment.triangles.emplace_back();
+        auto& u = garment.u.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto [row, column] = corners[k];
+            vertices[k] = row * width + column % width;
+            u[k] = Vec2d(options.girth * column / kColumns, (options.high - options.low) * row / kRows).cast<float>();
+        }
+    };
+    for (unsigned row = 0; row < kRows; ++row)
+        for (unsigned column = 0; column < kColumns; ++column) {
+            add({{{row, column}, {row, column + 1}, {row + 1, column + 1}}});
+            add({{{row, column}, {row + 1, column + 1}, {row + 1, column}}});
+        }
+    return garment;
+}
+
+PlainMesh together(const PlainMesh& first, const PlainMesh& second) {
+    PlainMesh mesh = first;
+    const auto offset = std::uint32_t(first.x.size());
+    mesh.x.insert(mesh.x.end(), second.x.begin(), second.x.end());
+    mesh.u.insert(mesh.u.end(), second.u.begin(), second.u.end());
+    for (const auto& [a, b, c] : second.triangles) mesh.triangles.push_back({a + offset, b + offset, c + offset});
+    return mesh;
+}
+
+// 1 m round, from the floor to 1.7 m.
+Body column() {
+    return shapes::box(Vec3d(-0.15, 0, -0.1), Vec3d(0.15, 1.7, 0.1), 8);
+}
+
+Body leg(double x) {
+    return shapes::box(Vec3d(x - 0.06, 0, -0.07), Vec3d(x + 0.06, 0.8, 0.07), 6);
+}
+
+TEST(Fit, a_tube_drafted_larger_than_the_body_is_not_tight) {
+    const PlainMesh garment = round_garment({.girth = 1 + kOffsetGirth + 0.001, .radius = 0.2, .low = 0.5});
+    EXPECT_TRUE(tight_levels(garment, column()).empty());
+}
+
+TEST(Fit, a_tube_drafted_smaller_is_tight_at_each_level_however_far_it_is_stretched) {
+    for (const double radius : {0.2, 0.3}) {
+        const auto levels =
+            tight_levels(round_garment({.girth = 0.9, .radius = radius, .low = 0.51, .high = 0.91}), column());
+        ASSERT_EQ(levels.size(), 20U);
+        for (std::size_t i = 0; i < levels.size(); ++i) {
+            EXPECT_NEAR(levels[i].y, 0.52 + 0.02 * double(i), 1e-9);
+            EXPECT_NEAR(levels[i].garment_girth, 0.9, 1e-5);
+            EXPECT_NEAR(levels[i].body_girth, 1 + kOffsetGirth, 1e-9);
+        }
+    }
+}
+
+TEST(Fit, the_room_that_cloth_keeps_from_the_body_counts_but_half_a_percent_does_not) {
+    const auto is_tight = [](double girth) {
+        return !tight_levels(round_garment({.girth = girth, .radius = 0.2}), column()).empty();
+    };
+    EXPECT_TRUE(is_tight(1.0));
+    EXPECT_TRUE(is_tight(0.994 * (1 + kOffsetGirth)));
+    EXPECT_FALSE(is_tight(0.996 * (1 + kOffsetGirth)));
+}
+
+TEST(Fit, is_tight_only_where_the_body_bulges) {
+    const Body ball = shapes::sphere(Vec3d(0, 1, 0), 0.15, 32);
+    const double girth = 2 * std::numbers::pi * 0.12;
+    const auto levels =
+        tight_levels(round_garment({.girth = girth, .radius = 0.16, .low = 0.8, .high = 1.2}), ball, {.step = 0.01});
+    ASSERT_FALSE(levels.empty());
+    const double radius = girth / 0.995 / (2 * std::numbers::pi) - 0.003;
+    const double half_height = std::sqrt(0.15 * 0.15 - radius * radius);
+    EXPECT_NEAR(levels.front().y, 1 - half_height, 0.012);
+    EXPECT_NEAR(levels.back().y, 1 + half_height, 0.012);
+}
+
+TEST(Fit, a_skirt_has_one_tape_round_both_legs) {
+    const Body legs = shapes::together(leg(-0.1), leg(0.1));
+    const double tape = 2 * (0.32 + 0.14) + kOffsetGirth;
+    const auto tight = tight_levels(round_garment({.girth = 0.92, .radius = 0.2, .low = 0.3, .high = 0.7}), legs);
+    ASSERT_FALSE(tight.empty());
+    for (const TightLevel& level : tight) EXPECT_NEAR(level.body_girth, tape, 1e-9);
+    EXPECT_TRUE(tight_levels(round_garment({.girth = tape, .radius = 0.2, .low = 0.3, .high = 0.7}), legs).empty());
+}
+
+TEST(Fit, each_trouser_leg_is_compared_with_its_own_leg) {
+    const Body legs = shapes::together(leg(-0.1), leg(0.1));
+    const double tape = 2 * (0.12 + 0.14) + kOffsetGirth;
+    const PlainMesh trousers = together(round_garment({.girth = tape, .radius = 0.095, .high = 0.7, .x = -0.1}),
+                                        round_garment({.girth = 0.9 * tape, .radius = 0.095, .high = 0.7, .x = 0.1}));
+    const auto levels = tight_levels(trousers, legs);
+    ASSERT_FALSE(levels.empty());
+    for (const TightLevel& level : levels) {
+        EXPECT_NEAR(level.body_girth, tape, 1e-9);
+        EXPECT_NEAR(level.low.x(), 0.005, 1e-3);
+        EXPECT_NEAR(level.high.x(), 0.195, 1e-3);
+    }
+    EXPECT_TRUE(is_tight_at(levels, Vec3d(0.1, 0.4, 0.07)));
+    EXPECT_FALSE(is_tight_at(levels, Vec3d(-0.1, 0.4, 0.07)));
+    EXPECT_TRUE(is_tight_at(levels, 0.4)) << "a height alone does not say which leg";
+}
+
+TEST(Fit, a_garment_that_hangs_open_or_beside_the_body_has_no_girth) {
+    EXPECT_TRUE(tight_levels(round_garment({.girth = 0.5, .radius = 0.2, .is_open = true}), column()).empty());
+    EXPECT_TRUE(tight_levels(round_garment({.girth = 0.5, .radius = 0.2, .x = 0.5}), column()).empty());
+    EXPECT_TRUE(tight_levels(PlainMesh{}, column()).empty());
+}
+
+TEST(Fit, a_tight_level_reaches_a_little_above_and_below) {
+    const std::vector<TightLevel> levels{
+        {.y = 1.2, .garment_girth = 0.9, .body_girth = 1, .low = {-0.2, 1.2, -0.1}, .high = {0.2, 1.2, 0.1}}};
+    EXPECT_TRUE(is_tight_at(levels, 1.2));
+    EXPECT_TRUE(is_tight_at(levels, 1.249));
+    EXPECT_FALSE(is_tight_at(levels, 1.251));
+    EXPECT_TRUE(is_tight_at(levels, 1.2, {.reach = 0}));
+    EXPECT_FALSE(is_tight_at(levels, 1.201, {.reach = 0}));
+    EXPECT_FALSE(is_tight_at({}, 1.2));
+    EXPECT_TRUE(is_tight_at(levels, Vec3d(0, 1.249, 0.1)));
+    EXPECT_FALSE(is_tight_at(levels, Vec3d(0, 1.251, 0.1)));
+    EXPECT_FALSE(is_tight_at(levels, Vec3d(0.251, 1.2, 0)));
+}
+
+// The shipped T-shirt, at its base mesh, on the mannequin of this bust.
+class FitOfTheTshirt : public testing::Test {
+ protected:
+    static Mannequin mannequin(std::optional<double> bust) {
+        MannequinOptions options{.subdivisions = 1};
+        options.measures.bust = bust;
+        return make_mannequin(options);
+    }
+    static std::vector<TightLevel> levels_on(const Body& body) {
+        const Pattern pattern =
+            load_pattern(std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / "tshirt.json").pattern;
+        DressOptions options;
+        options.max_level = 0;
+        return tight_levels(dress(pattern, body, options).mesh, body);
+    }
+    static std::string list(const std::vector<TightLevel>& levels) {
+        std::string text;
+        for (const TightLevel& level : levels) {
+            text += "y " + std::to_string(level.y) + ": " + std::to_string(level.garment_girth) + " round " +
+                    std::to_string(level.body_girth) + ", x " + std::to_string(level.low.x()) + " to " +
+                    std::to_string(level.high.x()) + "\n";
+        }
+        return text;
+    }
+};
+
+TEST_F(FitOfTheTshirt, is_loose_on_its_own_mannequin) {
+    const auto levels = levels_on(mannequin({}).body);
+    EXPECT_TRUE(levels.empty()) << list(levels);
+}
+
+TEST_F(FitOfTheTshirt, is_tight_round_a_bust_of_110_cm) {
+    const Mannequin wide = mannequin(1.10);
+    const auto bust = std::find_if(wide.report.readings.begin(), wide.report.readings.end(),
+                                   [](const MeasureReading& reading) { return reading.name == "bust"; });
+    ASSERT_NE(bust, wide.report.readings.end());
+    const auto levels = levels_on(wide.body);
+    EXPECT_TRUE(is_tight_at(levels, Vec3d(0, bust->level.value(), 0))) << list(levels);
+    const auto widest = std::max_element(levels.begin(), levels.end(),
+                                         [](const auto& a, const auto& b) { return a.body_girth < b.body_girth; });
+    ASSERT_NE(widest, levels.end());
+    EXPECT_NEAR(widest->body_girth, 1.10 + kOffsetGirth, 0.02) << list(levels);
+    EXPECT_NEAR(widest->y, *bust->level, 0.03);
+}
+
+}  // namespace
+}  // namespace selvedge::test

@@ -1,0 +1,193 @@
+// Panels round bodies that they were not drawn for.
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "sim/collide/body_collider.h"
+#include "sim/mannequin/mannequin.h"
+#include "sim/mesh/sew.h"
+#include "sim/place/placement.h"
+#include "tests/sim/dress/shapes.h"
+#include "tests/support/bodies.h"
+
+namespace selvedge::test {
+namespace {
+
+// A torso of some kind from the floor up, with its axis at (x, z).
+Body column(double stature, double x = 0, double z = 0) {
+    return shapes::box(Vec3d(x - 0.15, 0, z - 0.1), Vec3d(x + 0.15, stature, z + 0.1), 8);
+}
+
+// Flat faces need no fine grid.
+constexpr DistanceFieldOptions kCoarse{.cell = 0.006F, .band = 0.024F};
+
+double centre_height(const Panel& panel) {
+    double sum = 0;
+    for (const Vec2d& u : panel.vertices) sum += panel.place(u).y();
+    return sum / static_cast<double>(panel.vertices.size());
+}
+
+TEST(AnchorPanels, leaves_panels_where_they_are_on_the_body_that_they_were_made_for) {
+    Pattern pattern = tube(0.5, 0.4, 0.9, 0.2);
+    anchor_panels(pattern, column(1.7, 0.03, -0.02), column(1.7, 0.03, -0.02));
+    EXPECT_LT((pattern.panels[0].translation - Vec3d(0, 0.9, 0.2)).norm(), 1e-12);
+    EXPECT_LT((pattern.panels[1].translation - Vec3d(0, 0.9, -0.2)).norm(), 1e-12);
+}
+
+TEST(AnchorPanels, scales_levels_by_stature_and_nothing_else) {
+    Pattern pattern = tube(0.5, 0.4, 0.9, 0.2);
+    anchor_panels(pattern, column(1.6), column(2.0));
+    for (const Panel& panel : pattern.panels) {
+        EXPECT_NEAR(centre_height(panel), 1.1 * 2.0 / 1.6, 1e-9);
+        EXPECT_NEAR(panel.translation.x(), 0, 1e-9);
+        EXPECT_NEAR(std::abs(panel.translation.z()), 0.2, 1e-9);
+    }
+}
+
+TEST(AnchorPanels, follows_the_centre_of_the_torso) {
+    Pattern pattern = tube(0.5, 0.4, 0.9, 0.2);
+    anchor_panels(pattern, column(1.7), column(1.7, 0.04, 0.03));
+    EXPECT_LT((pattern.panels[0].translation - Vec3d(0.04, 0.9, 0.23)).norm(), 1e-9);
+    EXPECT_LT((pattern.panels[1].translation - Vec3d(0.04, 0.9, -0.17)).norm(), 1e-9);
+}
+
+TEST(AnchorPanels, follows_a_torso_that_stands_higher) {
+    Pattern pattern = tube(0.5, 0.4, 0.9, 0.2);
+    Body raised = column(1.7);
+    for (Vec3d& p : raised.x) p.y() += 0.5;
+    anchor_panels(pattern, column(1.7), raised);
+    for (const Panel& panel : pattern.panels) EXPECT_NEAR(centre_height(panel), 1.6, 1e-9);
+}
+
+TEST(AnchorPanels, moves_a_shirt_up_on_a_taller_mannequin) {
+    MannequinOptions tall{.subdivisions = 1};
+    tall.measures.height = 1.80;
+    MannequinOptions small{.subdivisions = 1};
+    small.measures.height = 1.60;
+    Pattern pattern = tube(0.5, 0.4, 0.9, 0.2);
+    anchor_panels(pattern, make_mannequin(small).body, make_mannequin(tall).body);
+    for (const Panel& panel : pattern.panels) EXPECT_NEAR(centre_height(panel), 1.1 * 1.8 / 1.6, 0.01);
+}
+
+// The least distance of the mesh from the body, m: at vertices and in the middle of triangles.
+double clearance(const GarmentMesh& mesh, const BodyCollider& body) {
+    double least = 1;
+    for (const GarmentTriangle& t : mesh.triangles) {
+        Vec3d middle = Vec3d::Zero();
+        for (const int v : t.vertices) {
+            const Vec3d& x = mesh.x[std::size_t(v)];
+            least = std::min(least, double(body.contact(x.cast<float>()).distance));
+            middle += x / 3;
+        }
+        least = std::min(least, double(body.contact(middle.cast<float>()).distance));
+    }
+    return least;
+}
+
+TEST(ClearPanels, moves_a_panel_out_of_the_body_along_its_right_side_and_says_so) {
+    const Body body = column(1.7);
+    const BodyCollider collider(body, kCoarse);
+    for (const bool is_back : {false, true}) {
+        const double side = is_back ? -1 : 1;
+        Pattern pattern;
+        pattern.panels = {rectangle("sunken", {.z = 0.07 * side, .is_back = is_back})};
+        const GarmentMesh before = assemble(pattern);
+        GarmentMesh after = before;
+        const std::vector<std::string> notes = clear_panels(after, collider);
+        ASSERT_EQ(notes.size(), 1U);
+        EXPECT_NE(notes[0].find("'sunken'"), std::string::npos) << notes[0];
+        for (std::size_t v = 0; v < after.x.size(); ++v) {
+            const Vec3d moved = after.x[v] - before.x[v];
+            EXPECT_NEAR(moved.x(), 0, 1e-12);
+            EXPECT_NEAR(moved.y(), 0, 1e-12);
+            EXPECT_GT(moved.z() * side, 0.03);
+            EXPECT_LT(moved.z() * side, 0.08) << "further than it need be";
+        }
+        EXPECT_GT(clearance(after, collider), 0.003);
+    }
+}
+
+TEST(ClearPanels, moves_only_the_panel_that_stands_in_the_body) {
+    const Body body = column(1.7);
+    const BodyCollider collider(body, kCoarse);
+    Pattern pattern = tube(0.5, 0.4, 0.9, 0.2);
+    pattern.panels[1].translation.z() = -0.05;
+    const GarmentMesh before = assemble(pattern);
+    GarmentMesh after = before;
+    EXPECT_EQ(clear_panels(after, collider).size(), 1U);
+    for (const GarmentTriangle& t : after.triangles) {
+        for (const int v : t.vertices) {
+            EXPECT_EQ(after.x[std::size_t(v)] == before.x[std::size_t(v)], t.panel == 0);
+        }
+    }
+}
+
+TEST(ClearPanels, leaves_clear_panels_alone_and_says_nothing) {
+    const Body body = column(1.7);
+    const BodyCollider collider(body, kCoarse);
+    const GarmentMesh before = assemble(tube(0.5, 0.4, 0.9, 0.2));
+    GarmentMesh after = before;
+    EXPECT_TRUE(clear_panels(after, collider).empty());
+    EXPECT_EQ(after.x, before.x);
+}
+
+// The deepest that a straight line between linked vertices runs inside the body, m, when all stand this much higher.
+double blocked_depth(const GarmentMesh& unsewn, double lift, const BodyCollider& body) {
+    double deepest = 0;
+    for (const SeamLink& link : unsewn.links) {
+        for (int i = 0; i <= 40; ++i) {
+            const Vec3d& a = unsewn.x[std::size_t(link.a)];
+            const Vec3d p = a + (unsewn.x[std::size_t(link.b)] - a) * (i / 40.0) + Vec3d(0, lift, 0);
+            deepest = std::max(deepest, -double(body.contact(p.cast<float>()).distance));
+        }
+    }
+    return deepest;
+}
+
+TEST(SeamClearingLift, lifts_a_shoulder_seam_that_lies_too_low) {
+    const Body body = column(1.4);
+    const BodyCollider collider(body, kCoarse);
+    const GarmentMesh unsewn = assemble(tabard(0.25, 0.4, 0.95, 0.2));  // its upper edges stand at 1.35 m
+    ASSERT_GT(blocked_depth(unsewn, 0, collider), 0.04);
+    const double lift = seam_clearing_lift(unsewn, collider);
+    EXPECT_GE(lift, 0.05);
+    EXPECT_LE(lift, 0.12);
+    EXPECT_LT(blocked_depth(unsewn, lift, collider), 1e-3);
+}
+
+TEST(SeamClearingLift, lowers_a_seam_under_a_body_that_lies_too_high) {
+    const Body body = shapes::box(Vec3d(-0.15, 1.3, -0.1), Vec3d(0.15, 1.7, 0.1), 8);
+    const BodyCollider collider(body, kCoarse);
+    const GarmentMesh unsewn = assemble(tabard(0.25, 0.4, 0.95, 0.2));
+    const double lift = seam_clearing_lift(unsewn, collider);
+    EXPECT_LE(lift, -0.05);
+    EXPECT_LT(blocked_depth(unsewn, lift, collider), 1e-3);
+}
+
+// A sleeve, 6 cm high, has the middle of three bars in it. Above and below that its seams would be freer, but not free.
+TEST(SeamClearingLift, does_not_take_a_sleeve_off_an_arm) {
+    Body body;
+    for (const double low : {1.1, 1.25, 1.4}) {
+        const Body bar = shapes::box(Vec3d(-0.3, low, -0.1), Vec3d(0.3, low + 0.1, 0.1), 8);
+        const int first = int(body.x.size());
+        body.x.insert(body.x.end(), bar.x.begin(), bar.x.end());
+        for (const auto& t : bar.triangles) body.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    }
+    GarmentMesh unsewn;
+    for (const double height : {1.27, 1.33}) {
+        for (const double x : {-0.1, 0.0, 0.1}) {
+            const int first = int(unsewn.x.size());
+            unsewn.x.insert(unsewn.x.end(), {Vec3d(x, height, 0.2), Vec3d(x, height, -0.2)});
+            unsewn.links.push_back({.a = first, .b = first + 1});
+        }
+    }
+    EXPECT_EQ(seam_clearing_lift(unsewn, BodyCollider(body, kCoarse)), 0);
+}
+
+TEST(SeamClearingLift, is_nothing_where_nothing_is_in_the_way) {
+    const Body body = column(1.3);
+    const BodyCollider collider(body, kCoarse);
+    EXPECT_EQ(seam_clearing_lift(assemble(tabard(0.25, 0.4, 0.95, 0.2)), collider), 0);
+}
+
+}  // namespace
+}  // namespace selvedge::test
