@@ -39,10 +39,10 @@ void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
     std::free(memory);
 }
 
-namespace selvedge {
+namespace selvedge::app {
 
 std::size_t allocations_of_this_thread() {
     return allocations;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::app

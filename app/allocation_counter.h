@@ -2,8 +2,8 @@
 // How often this program asked for memory: its operator new counts.
 #include <cstddef>
 
-namespace selvedge {
+namespace selvedge::app {
 
 std::size_t allocations_of_this_thread();
 
-}  // namespace selvedge
+}  // namespace selvedge::app

@@ -1,11 +1,11 @@
 // selvedge bench EXPERIMENT: measurements that anyone can repeat, as tables.
 #include "app/bench.h"
 
+#include <unistd.h>
 #include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <optional>
-#include <unistd.h>
 #include <utility>
 
 #include "app/allocation_counter.h"
@@ -27,7 +27,7 @@
 #include "sim/exchange/mesh_file.h"
 #include "sim/tartan/tartan_file.h"
 
-namespace selvedge {
+namespace selvedge::app {
 void add_json_option(CLI::App& command, std::string& path) {
     command.add_option("--json", path, "Write the figures here too, as JSON")->type_name("FILE");
 }
@@ -36,19 +36,19 @@ void check_json_output(const std::string& path) {
     if (!path.empty()) check_output(path);
 }
 
-void print_table(const Table& table) {
+void print_table(const bench::Table& table) {
     std::printf("%s\n", to_markdown(table).c_str());
     std::fflush(stdout);
 }
 
-void write_json_output(const std::string& path, const Json& document) {
-    if (!path.empty()) write_file_atomically(path, write_json(document));
+void write_json_output(const std::string& path, const sim::Json& document) {
+    if (!path.empty()) sim::write_file_atomically(path, write_json(document));
 }
 
-Json document_of(const std::vector<Table>& tables) {
-    Json document = Json::object();
-    Json& list = document["tables"] = Json::array();
-    for (const Table& table : tables) list.push_back(to_json(table));
+sim::Json document_of(const std::vector<bench::Table>& tables) {
+    sim::Json document = sim::Json::object();
+    sim::Json& list = document["tables"] = sim::Json::array();
+    for (const bench::Table& table : tables) list.push_back(to_json(table));
     return document;
 }
 
@@ -70,14 +70,14 @@ void add_bench_command(CLI::App& app, int& exit_code) {
 namespace {
 
 struct CollideArguments {
-    CollideOptions options;
+    bench::CollideOptions options;
     std::string json;
 };
 
 int run(const CollideArguments& arguments) {
     check_json_output(arguments.json);
-    const std::vector<Table> tables = bench_collide(arguments.options);
-    for (const Table& table : tables) print_table(table);
+    const std::vector<bench::Table> tables = bench_collide(arguments.options);
+    for (const bench::Table& table : tables) print_table(table);
     write_json_output(arguments.json, document_of(tables));
     return 0;
 }
@@ -107,16 +107,16 @@ void add_bench_collide(CLI::App& bench, int& exit_code) {
 namespace {
 
 struct DropArguments {
-    DropExperiment experiment;
+    bench::DropExperiment experiment;
     std::string json;
 };
 
 int run(const DropArguments& arguments) {
     check_json_output(arguments.json);
     ProgressBar bar(progress_bar_options(false));
-    const DropReport report = measure_drop(arguments.experiment, bar.progress());
+    const bench::DropReport report = measure_drop(arguments.experiment, bar.progress());
     bar.finish();
-    for (const Table& table : tables_of(report)) print_table(table);
+    for (const bench::Table& table : tables_of(report)) print_table(table);
     write_json_output(arguments.json, to_json(report));
     return 0;
 }
@@ -125,7 +125,7 @@ int run(const DropArguments& arguments) {
 
 void add_bench_drop(CLI::App& bench, int& exit_code) {
     auto arguments = std::make_shared<DropArguments>();
-    DropExperiment& experiment = arguments->experiment;
+    bench::DropExperiment& experiment = arguments->experiment;
     CLI::App* command = bench.add_subcommand("drop", "A square dropped on a sphere: time at equal quality");
     command->add_option("--triangles", experiment.triangles, "1152, 4608, 15488 or 61952; the nearest is taken")
         ->check(CLI::Range(1, 1000000));
@@ -150,29 +150,29 @@ void add_bench_drop(CLI::App& bench, int& exit_code) {
 namespace {
 
 struct FabricArguments {
-    FabricExperiment experiment;
+    bench::FabricExperiment experiment;
     std::vector<std::string> tests;
     std::string json;
 };
 
 int run(const FabricArguments& arguments) {
     check_json_output(arguments.json);
-    for (const std::string& name : arguments.experiment.fabrics) find_fabric(name);
-    const ThreadLimit limit(1);
+    for (const std::string& name : arguments.experiment.fabrics) sim::find_fabric(name);
+    const sim::ThreadLimit limit(1);
     ProgressBar bar(progress_bar_options(false));
-    std::vector<Table> tables;
+    std::vector<bench::Table> tables;
     int rows = 0;
     int missed = 0;
-    for (const std::string& test : arguments.tests.empty() ? textile_test_names() : arguments.tests) {
-        const FabricTables measured = measure_fabrics(test, arguments.experiment, bar.progress());
+    for (const std::string& test : arguments.tests.empty() ? bench::textile_test_names() : arguments.tests) {
+        const bench::FabricTables measured = measure_fabrics(test, arguments.experiment, bar.progress());
         bar.finish();
-        for (const Table& table : measured.tables) print_table(table);
+        for (const bench::Table& table : measured.tables) print_table(table);
         tables.insert(tables.end(), measured.tables.begin(), measured.tables.end());
         rows += measured.rows;
         missed += measured.missed;
     }
     std::printf("%d of %d rows with a gate missed it.\n", missed, rows);
-    Json document = document_of(tables);
+    sim::Json document = document_of(tables);
     document["rows_with_a_gate"] = rows;
     document["rows_missed"] = missed;
     write_json_output(arguments.json, document);
@@ -187,7 +187,7 @@ void add_bench_fabric(CLI::App& bench, int& exit_code) {
     command->add_option("--fabric", arguments->experiment.fabrics, "Shipped fabrics or fabric files (default: all)")
         ->type_name("NAME|FILE");
     command->add_option("--test", arguments->tests, "cantilever, strip, bias, drape, swing, energy (default: all)")
-        ->check(CLI::IsMember(textile_test_names()));
+        ->check(CLI::IsMember(bench::textile_test_names()));
     command->add_flag("--quick", arguments->experiment.is_quick, "Levels 1 and 2 at 17 degrees alone, four fabrics");
     command
         ->add_option("--substeps", arguments->experiment.stepping.substeps,
@@ -205,19 +205,19 @@ namespace {
 struct PictureArguments {
     std::string garment;
     BodyOptions body;
-    PictureExperiment experiment;
+    bench::PictureExperiment experiment;
     std::string json;
 };
 
 int run(const PictureArguments& arguments) {
     check_json_output(arguments.json);
-    Scene scene;
-    ClothItem cloth;
-    cloth.mesh = read_garment(arguments.garment);
-    cloth.sett = find_tartan(kDefaultTartan);
+    render::Scene scene;
+    render::ClothItem cloth;
+    cloth.mesh = sim::read_garment(arguments.garment);
+    cloth.sett = sim::find_tartan(sim::kDefaultTartan);
     scene.cloths.push_back(std::move(cloth));
-    if (!arguments.body.source.empty()) scene.bodies.push_back(make_body_item(make_body(arguments.body).body));
-    const Table table = table_of(measure_pictures(scene, arguments.experiment));
+    if (!arguments.body.source.empty()) scene.bodies.push_back(render::make_body_item(make_body(arguments.body).body));
+    const bench::Table table = table_of(measure_pictures(scene, arguments.experiment));
     print_table(table);
     write_json_output(arguments.json, document_of({table}));
     return 0;
@@ -227,7 +227,7 @@ int run(const PictureArguments& arguments) {
 
 void add_bench_picture(CLI::App& bench, int& exit_code) {
     auto arguments = std::make_shared<PictureArguments>();
-    PictureExperiment& experiment = arguments->experiment;
+    bench::PictureExperiment& experiment = arguments->experiment;
     CLI::App* command = bench.add_subcommand("picture", "The first picture, and those after it");
     command->add_option("MESH", arguments->garment, "Garment, as dress exports it (.obj or .glb)")->required();
     add_body_options(*command, arguments->body, "Body that wears it: a file, or mannequin[:bust=92,...]");
@@ -252,14 +252,14 @@ void add_bench_picture(CLI::App& bench, int& exit_code) {
 namespace {
 
 struct RestArguments {
-    RestExperiment experiment{.pattern = "patterns/tshirt.json"};
+    bench::RestExperiment experiment{.pattern = "patterns/tshirt.json"};
     std::string json;
 };
 
 int run(const RestArguments& arguments) {
     check_json_output(arguments.json);
     ProgressBar bar(progress_bar_options(false));
-    const Table table = table_of(measure_rest(arguments.experiment, bar.progress()));
+    const bench::Table table = table_of(measure_rest(arguments.experiment, bar.progress()));
     bar.finish();
     print_table(table);
     write_json_output(arguments.json, document_of({table}));
@@ -287,7 +287,7 @@ struct ThesisArguments {
     std::vector<std::string> figures;
     std::string folder;
     std::string json;
-    ThesisOptions options;
+    bench::ThesisOptions options;
 };
 
 constexpr std::size_t kMostRows = 24;  // of a series, printed
@@ -302,15 +302,15 @@ bool any_of(const Names& names, const Names& wanted) {
     return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return has(wanted, name); });
 }
 
-void check_names(const Names& wanted, Names Experiment::*known, const char* option) {
+void check_names(const Names& wanted, Names bench::Experiment::*known, const char* option) {
     Names all;
-    for (const Experiment& experiment : thesis_experiments())
+    for (const bench::Experiment& experiment : bench::thesis_experiments())
         all.insert(all.end(), (experiment.*known).begin(), (experiment.*known).end());
     for (const std::string& name : wanted) {
         if (has(all, name)) continue;
         std::string list;
         for (const std::string& other : all) list += (list.empty() ? "" : ", ") + other;
-        throw InputError("", option, "'" + name + "' is none of " + list);
+        throw sim::InputError("", option, "'" + name + "' is none of " + list);
     }
 }
 
@@ -319,7 +319,7 @@ void check_folder(const std::string& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error || access(folder.c_str(), W_OK | X_OK) != 0)
-        throw InputError(folder, "", "cannot write: no such folder, and none can be made");
+        throw sim::InputError(folder, "", "cannot write: no such folder, and none can be made");
 }
 
 class Run {
@@ -327,40 +327,40 @@ class Run {
     explicit Run(const ThesisArguments& arguments)
         : arguments_(arguments), wants_all_(arguments.tables.empty() && arguments.figures.empty()) {}
 
-    bool wants(const Experiment& experiment) const {
+    bool wants(const bench::Experiment& experiment) const {
         if (experiment.makes_pictures_only && arguments_.folder.empty()) return false;
         return wants_all_ || any_of(experiment.tables, arguments_.tables) ||
                any_of(experiment.figures, arguments_.figures);
     }
 
-    void measure(const Experiment& experiment) {
-        const ThesisResult result = experiment.measure(arguments_.options);
-        for (const Table& table : result.tables)
+    void measure(const bench::Experiment& experiment) {
+        const bench::ThesisResult result = experiment.measure(arguments_.options);
+        for (const bench::Table& table : result.tables)
             if (wants_all_ || has(arguments_.tables, table.name)) show(table);
-        for (const Figure& figure : result.figures)
+        for (const bench::Figure& figure : result.figures)
             if (wants_all_ || has(arguments_.figures, figure.series.name)) show(figure);
-        for (const Capture& capture : result.captures)
+        for (const bench::Capture& capture : result.captures)
             if (wants_all_ || has(arguments_.figures, capture.name)) show(capture);
     }
 
-    Json document() const {
-        Json document = document_of(tables_);
+    sim::Json document() const {
+        sim::Json document = document_of(tables_);
         document["figures"] = document_of(figures_)["tables"];
         return document;
     }
 
  private:
-    void show(const Table& table) {
+    void show(const bench::Table& table) {
         print_table(table);
         tables_.push_back(table);
     }
 
-    void show(const Figure& figure) {
+    void show(const bench::Figure& figure) {
         print_table(thinned(figure.series, kMostRows));
         figures_.push_back(figure.series);
         if (arguments_.folder.empty()) return;
         const std::string stem = "figure-" + figure.series.name;
-        write_file_atomically(file(stem + ".csv"), to_csv(figure.series));
+        sim::write_file_atomically(file(stem + ".csv"), to_csv(figure.series));
         std::printf("wrote %s\n", file(stem + ".csv").c_str());
         if (!figure.is_plotted) return;
         if (plot(figure, file(stem + ".png"))) {
@@ -370,7 +370,7 @@ class Run {
         }
     }
 
-    void show(const Capture& capture) {
+    void show(const bench::Capture& capture) {
         if (arguments_.folder.empty()) return;
         const std::string path = file("figure-" + capture.name + "-" + capture.moment + ".png");
         write_png(path, capture.image);
@@ -384,20 +384,20 @@ class Run {
     const ThesisArguments& arguments_;
     bool wants_all_;
     bool has_said_no_plot_ = false;
-    std::vector<Table> tables_;
-    std::vector<Table> figures_;
+    std::vector<bench::Table> tables_;
+    std::vector<bench::Table> figures_;
 };
 
 int run(const ThesisArguments& arguments) {
-    check_names(arguments.tables, &Experiment::tables, "--table");
-    check_names(arguments.figures, &Experiment::figures, "--figure");
+    check_names(arguments.tables, &bench::Experiment::tables, "--table");
+    check_names(arguments.figures, &bench::Experiment::figures, "--figure");
     check_folder(arguments.folder);
     check_json_output(arguments.json);
     Run run(arguments);
-    for (const Experiment& experiment : thesis_experiments()) {
+    for (const bench::Experiment& experiment : bench::thesis_experiments()) {
         if (run.wants(experiment) && (experiment.makes_pictures_only || experiment.draws)) check_can_draw();
     }
-    for (const Experiment& experiment : thesis_experiments()) {
+    for (const bench::Experiment& experiment : bench::thesis_experiments()) {
         if (run.wants(experiment)) run.measure(experiment);
     }
     write_json_output(arguments.json, run.document());
@@ -430,14 +430,14 @@ void add_bench_thesis(CLI::App& bench, int& exit_code) {
 namespace {
 
 struct TshirtArguments {
-    TshirtExperiment experiment{.pattern = "patterns/tshirt.json"};
+    bench::TshirtExperiment experiment{.pattern = "patterns/tshirt.json"};
     std::string json;
 };
 
 int run(const TshirtArguments& arguments) {
     check_json_output(arguments.json);
     ProgressBar bar(progress_bar_options(false));
-    const TshirtReport report = measure_tshirt(arguments.experiment, bar.progress());
+    const bench::TshirtReport report = measure_tshirt(arguments.experiment, bar.progress());
     bar.finish();
     print_table(table_of(report));
     write_json_output(arguments.json, to_json(report));
@@ -448,7 +448,7 @@ int run(const TshirtArguments& arguments) {
 
 void add_bench_tshirt(CLI::App& bench, int& exit_code) {
     auto arguments = std::make_shared<TshirtArguments>();
-    TshirtExperiment& experiment = arguments->experiment;
+    bench::TshirtExperiment& experiment = arguments->experiment;
     experiment.sway.allocations = allocations_of_this_thread;
     CLI::App* command = bench.add_subcommand("tshirt", "One adaption and four steps of a dressed garment");
     command->add_option("GARMENT", experiment.pattern, "Garment file (default patterns/tshirt.json)")
@@ -474,4 +474,4 @@ void add_bench_tshirt(CLI::App& bench, int& exit_code) {
     command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::app

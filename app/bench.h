@@ -6,7 +6,7 @@
 
 #include "bench/support/table.h"
 
-namespace selvedge {
+namespace selvedge::app {
 
 void add_bench_collide(CLI::App& bench, int& exit_code);
 void add_bench_drop(CLI::App& bench, int& exit_code);
@@ -23,12 +23,12 @@ void add_json_option(CLI::App& command, std::string& path);
 void check_json_output(const std::string& path);
 
 // Prints one table as Markdown.
-void print_table(const Table& table);
+void print_table(const bench::Table& table);
 
 // Writes a document to the file of --json; does nothing when there is no path.
-void write_json_output(const std::string& path, const Json& document);
+void write_json_output(const std::string& path, const sim::Json& document);
 
 // {"tables": [...]}
-Json document_of(const std::vector<Table>& tables);
+sim::Json document_of(const std::vector<bench::Table>& tables);
 
-}  // namespace selvedge
+}  // namespace selvedge::app

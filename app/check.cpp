@@ -9,7 +9,7 @@
 #include "sim/pattern/pattern_file.h"
 #include "sim/tartan/tartan_file.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 struct CheckArguments {
@@ -18,13 +18,13 @@ struct CheckArguments {
 };
 
 // What the pattern names is looked up as dressing it would.
-void add_faults_of_names(const std::string& file, std::vector<Fault>& faults) {
-    const Pattern pattern = load_pattern(file).pattern;
+void add_faults_of_names(const std::string& file, std::vector<sim::Fault>& faults) {
+    const sim::Pattern pattern = sim::load_pattern(file).pattern;
     try {
-        if (!pattern.tartan.empty()) find_tartan(pattern.tartan);
-    } catch (const InputError& error) {
+        if (!pattern.tartan.empty()) sim::find_tartan(pattern.tartan);
+    } catch (const sim::InputError& error) {
         const std::string place = error.place() == "tartan" ? "" : error.place() + ": ";
-        faults.push_back({.severity = Severity::Error,
+        faults.push_back({.severity = sim::Severity::Error,
                           .file = file,
                           .place = "selvedge.tartan",
                           .problem = place + error.problem()});
@@ -35,9 +35,9 @@ int check_files(const CheckArguments& arguments) {
     bool has_warning = false;
     bool has_fault = false;
     for (const std::string& file : arguments.files) {
-        std::vector<Fault> faults = check_pattern_file(file);
+        std::vector<sim::Fault> faults = sim::check_pattern_file(file);
         if (!has_error(faults)) add_faults_of_names(file, faults);
-        for (const Fault& fault : faults) std::printf("%s\n", describe(fault).c_str());
+        for (const sim::Fault& fault : faults) std::printf("%s\n", describe(fault).c_str());
         has_warning = has_warning || !faults.empty();
         has_fault = has_fault || has_error(faults);
     }
@@ -58,4 +58,4 @@ void add_check_command(CLI::App& app, int& exit_code) {
     command->callback([arguments, &exit_code] { exit_code = check_files(*arguments); });
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::app

@@ -3,7 +3,7 @@
 // 0 done, 1 differences or warnings, 2 wrong input, 3 dressed with a fault.
 #include <CLI/CLI.hpp>
 
-namespace selvedge {
+namespace selvedge::app {
 
 void add_bench_command(CLI::App& app, int& exit_code);
 void add_check_command(CLI::App& app, int& exit_code);
@@ -14,4 +14,4 @@ void add_mannequin_command(CLI::App& app, int& exit_code);
 void add_match_command(CLI::App& app, int& exit_code);
 void add_render_command(CLI::App& app, int& exit_code);
 
-}  // namespace selvedge
+}  // namespace selvedge::app

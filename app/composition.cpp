@@ -7,16 +7,16 @@
 #include <tuple>
 
 #include "render/draw/renderer.h"
-#include "render/scene/camera.h"
 #include "render/marks/show.h"
+#include "render/scene/camera.h"
 #include "sim/core/error.h"
 #include "sim/place/fit.h"
 #include "sim/tartan/tartan_file.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
-bool is_finite(const PlainMesh& mesh, std::size_t triangle) {
+bool is_finite(const sim::PlainMesh& mesh, std::size_t triangle) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
         if (!mesh.x[mesh.triangles[triangle][corner]].allFinite()) return false;
         if (!mesh.u.empty() && !mesh.u[triangle][corner].allFinite()) return false;
@@ -32,12 +32,12 @@ void keep(std::vector<T>& values, const std::vector<std::size_t>& kept) {
 }
 
 // A garment that burst must still have its picture. Vertices that are left without a triangle move to one that is not.
-PlainMesh without_bad_numbers(PlainMesh mesh) {
+sim::PlainMesh without_bad_numbers(sim::PlainMesh mesh) {
     std::vector<std::size_t> kept;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         if (is_finite(mesh, t)) kept.push_back(t);
     }
-    if (kept.empty()) throw InputError("", "picture", "the garment has no triangle that can be drawn");
+    if (kept.empty()) throw sim::InputError("", "picture", "the garment has no triangle that can be drawn");
     keep(mesh.triangles, kept);
     keep(mesh.u, kept);
     keep(mesh.panel, kept);
@@ -50,15 +50,15 @@ PlainMesh without_bad_numbers(PlainMesh mesh) {
     return mesh;
 }
 
-ClothItem make_cloth_item(const PlainMesh& garment, const PictureOptions& options) {
-    ClothItem item;
+render::ClothItem make_cloth_item(const sim::PlainMesh& garment, const PictureOptions& options) {
+    render::ClothItem item;
     item.mesh = without_bad_numbers(garment);
     item.sett = sett_of(options);
     item.sett_position = options.sett_position.value_or(Vec2d::Zero()).cast<float>();
     item.show = options.show;
     item.material = options.material;
     if (wants_material(item.show) && item.mesh.u.empty())
-        throw InputError("", "--show", "strain is measured from material coordinates, and the mesh has none");
+        throw sim::InputError("", "--show", "strain is measured from material coordinates, and the mesh has none");
     return item;
 }
 
@@ -96,16 +96,16 @@ float aspect_of(const PictureOptions& options) {
     return float(options.width_px) / float(options.height_px);
 }
 
-Direction direction_wanted(const PictureOptions& options) {
-    constexpr Direction from_above{.azimuth = 0.30F, .elevation = 0.62F};
+render::Direction direction_wanted(const PictureOptions& options) {
+    constexpr render::Direction from_above{.azimuth = 0.30F, .elevation = 0.62F};
     if (options.camera) return options.camera->direction;
     if (options.view) return direction_of(*options.view);
-    return options.show == ShowMode::Hierarchy ? from_above : direction_of(View::Front);
+    return options.show == render::ShowMode::Hierarchy ? from_above : direction_of(render::View::Front);
 }
 
 // The frame is chosen for the points; nothing of the scene is cut off by the near or far plane.
-Camera camera_at(const std::array<Vec3f, 2>& eye_and_target, const std::vector<Vec3f>& points) {
-    Camera camera{.eye = eye_and_target[0], .target = eye_and_target[1]};
+render::Camera camera_at(const std::array<Vec3f, 2>& eye_and_target, const std::vector<Vec3f>& points) {
+    render::Camera camera{.eye = eye_and_target[0], .target = eye_and_target[1]};
     const Vec3f back = (camera.eye - camera.target).normalized();
     if (std::abs(back.y()) > 0.999F) camera.up = -Vec3f::UnitZ();
     float nearest = std::numeric_limits<float>::infinity(), farthest = 0;
@@ -126,14 +126,15 @@ float line_scale(const PictureOptions& options) {
 }
 
 // m of the scene to one pixel, about where the camera looks.
-float pixel_size(const Camera& camera, const PictureOptions& options) {
+float pixel_size(const render::Camera& camera, const PictureOptions& options) {
     return 2 * (camera.eye - camera.target).norm() * std::tan(camera.fov_y / 2) / float(options.height_px);
 }
 
 // Triangles of the scene as boxes of pixels, at every turn.
 class Silhouette {
  public:
-    Silhouette(const Scene& scene, const PictureOptions& options, const Vec3f& axis, const std::vector<float>& turns)
+    Silhouette(const render::Scene& scene, const PictureOptions& options, const Vec3f& axis,
+               const std::vector<float>& turns)
         : scene_(scene), options_(options), axis_(axis), turns_(turns) {}
 
     // How many boxes of triangles lie over the legend's.
@@ -141,21 +142,22 @@ class Silhouette {
         long cloth = 0;
         long body = 0;
     };
-    Cover under(const PixelBox& legend, const Camera& camera) const {
+    Cover under(const render::PixelBox& legend, const render::Camera& camera) const {
         Cover cover;
         for (const float angle : turns_) {
             const Eigen::Matrix4f matrix =
                 projection_matrix(camera, aspect_of(options_)) * view_matrix(turned(camera, angle, axis_));
-            for (const ClothItem& cloth : scene_.cloths)
+            for (const render::ClothItem& cloth : scene_.cloths)
                 cover.cloth += count_over(matrix, cloth.mesh.x, cloth.mesh.triangles, legend);
-            for (const BodyItem& body : scene_.bodies) cover.body += count_over(matrix, body.x, body.triangles, legend);
+            for (const render::BodyItem& body : scene_.bodies)
+                cover.body += count_over(matrix, body.x, body.triangles, legend);
         }
         return cover;
     }
 
  private:
     long count_over(const Eigen::Matrix4f& matrix, const std::vector<Vec3f>& x,
-                    const std::vector<std::array<std::uint32_t, 3>>& triangles, const PixelBox& legend) const {
+                    const std::vector<std::array<std::uint32_t, 3>>& triangles, const render::PixelBox& legend) const {
         std::vector<Vec2f> at;
         at.reserve(x.size());
         for (const Vec3f& point : x) at.push_back(on_picture(matrix, point));
@@ -176,7 +178,7 @@ class Silhouette {
                 (0.5F - 0.5F * clip.y() / clip.w()) * float(options_.height_px)};
     }
 
-    const Scene& scene_;
+    const render::Scene& scene_;
     const PictureOptions& options_;
     const Vec3f& axis_;
     const std::vector<float>& turns_;
@@ -185,19 +187,19 @@ class Silhouette {
 // What is framed, and how.
 struct Frame {
     std::vector<Vec3f> points;
-    Direction direction;
-    FrameOptions options;
+    render::Direction direction;
+    render::FrameOptions options;
     float zoom = 1;
     bool holds_bodies = false;
     bool is_detail = false;  // the figure is cut off, wherever the legend goes
 
-    Camera camera() const { return zoomed(frame_points(points, direction, options), zoom); }
+    render::Camera camera() const { return zoomed(frame_points(points, direction, options), zoom); }
 };
 
 // A camera, and where the legend goes with it.
 struct Shot {
-    Camera camera;
-    Corner corner = Corner::LowerLeft;
+    render::Camera camera;
+    render::Corner corner = render::Corner::LowerLeft;
     long hidden = std::numeric_limits<long>::max();  // triangles under the legend that the frame is there to show
     float pixel_size = 0;                            // m
     long beside = 0;                                 // triangles under the legend that are only in the picture
@@ -206,7 +208,7 @@ struct Shot {
 };
 
 // A strip kept free for the legend, at the left or below; or more room all round.
-std::vector<Frame> with_room(const Frame& frame, const LegendPlace& legend, const PictureOptions& options) {
+std::vector<Frame> with_room(const Frame& frame, const render::LegendPlace& legend, const PictureOptions& options) {
     const float edge = 8.0F * float(legend.scale);
     const float right = float(legend.box.left + legend.box.width) + edge;
     const float top = float(options.height_px - legend.box.top) + edge;
@@ -222,18 +224,19 @@ std::vector<Frame> with_room(const Frame& frame, const LegendPlace& legend, cons
 }
 
 // Marks reach beyond the cloth that they are on.
-PixelBox with_edge(const LegendPlace& place) {
+render::PixelBox with_edge(const render::LegendPlace& place) {
     const int edge = 6 * place.scale;
     return {place.box.left - edge, place.box.top - edge, place.box.width + 2 * edge, place.box.height + 2 * edge};
 }
 
 // The corner that is clear of the figure; else, where the camera may move, room is made for the legend, so that the
 // figure stays as large as it can; else the corner where it hides least.
-Shot clear_of_legend(const Camera& camera, bool may_move, const Frame& frame, const Legend& legend,
+Shot clear_of_legend(const render::Camera& camera, bool may_move, const Frame& frame, const render::Legend& legend,
                      const Silhouette& figure, const PictureOptions& options) {
     Shot best{.camera = camera};
-    const auto try_corners = [&](const Camera& tried) {
-        for (const Corner corner : {Corner::LowerLeft, Corner::LowerRight, Corner::UpperLeft, Corner::UpperRight}) {
+    const auto try_corners = [&](const render::Camera& tried) {
+        for (const render::Corner corner : {render::Corner::LowerLeft, render::Corner::LowerRight,
+                                            render::Corner::UpperLeft, render::Corner::UpperRight}) {
             const auto place = place_legend(legend, options.width_px, options.height_px, corner);
             if (!place) return;
             const auto [cloth, body] = figure.under(with_edge(*place), tried);
@@ -246,21 +249,21 @@ Shot clear_of_legend(const Camera& camera, bool may_move, const Frame& frame, co
         }
     };
     try_corners(camera);
-    const auto place = place_legend(legend, options.width_px, options.height_px, Corner::LowerLeft);
+    const auto place = place_legend(legend, options.width_px, options.height_px, render::Corner::LowerLeft);
     if (best.hidden == 0 || !place || !may_move) return best;
     for (const Frame& roomy : with_room(frame, *place, options)) try_corners(roomy.camera());
     return best;
 }
 
-Scene bare_scene(const Sitter& sitter, const PictureOptions& options) {
-    Scene scene;
-    if (options.show == ShowMode::Hierarchy) return scene;
+render::Scene bare_scene(const Sitter& sitter, const PictureOptions& options) {
+    render::Scene scene;
+    if (options.show == render::ShowMode::Hierarchy) return scene;
     scene.cloths.push_back(make_cloth_item(sitter.garment, options));
-    if (sitter.body != nullptr) scene.bodies.push_back(make_body_item(*sitter.body));
+    if (sitter.body != nullptr) scene.bodies.push_back(render::make_body_item(*sitter.body));
     return scene;
 }
 
-Frame make_frame(const Scene& scene, const PictureOptions& options, const Vec3f& axis,
+Frame make_frame(const render::Scene& scene, const PictureOptions& options, const Vec3f& axis,
                  const std::vector<float>& turns) {
     const bool frames_garment = options.framing == Framing::Garment || scene.bodies.empty();
     Frame frame{.points = frames_garment ? scene.cloths.front().mesh.x : scene_points(scene),
@@ -278,28 +281,30 @@ Frame make_frame(const Scene& scene, const PictureOptions& options, const Vec3f&
 }
 
 // Strain and hierarchy are of the triangles that were simulated. A figure that turns is seen from all round.
-void curve(Scene& scene, const Sitter& sitter, const PictureOptions& options, const std::vector<float>& turns) {
-    if (wants_material(options.show) || options.show == ShowMode::Hierarchy) return;
-    std::optional<ViewPoint> view;
-    if (turns.size() == 1) view = ViewPoint{.eye = scene.camera.eye};
-    PlainMesh& mesh = scene.cloths.front().mesh;
+void curve(render::Scene& scene, const Sitter& sitter, const PictureOptions& options, const std::vector<float>& turns) {
+    if (wants_material(options.show) || options.show == render::ShowMode::Hierarchy) return;
+    std::optional<sim::ViewPoint> view;
+    if (turns.size() == 1) view = sim::ViewPoint{.eye = scene.camera.eye};
+    sim::PlainMesh& mesh = scene.cloths.front().mesh;
     mesh = drawn_mesh(mesh, sitter.body, options.surface, view);
 }
 
-std::optional<Legend> fill(Scene& scene, const Sitter& sitter, const PictureOptions& options, float line_radius) {
-    ShowFacts facts{.clearance = {}, .line_radius = line_radius};
-    if (options.show == ShowMode::Clearance)
+std::optional<render::Legend> fill(render::Scene& scene, const Sitter& sitter, const PictureOptions& options,
+                                   float line_radius) {
+    render::ShowFacts facts{.clearance = {}, .line_radius = line_radius};
+    if (options.show == render::ShowMode::Clearance)
         facts.clearance = measure_clearance(scene.cloths.front().mesh.x, *sitter.body);
     return fill_show(scene, facts);
 }
 
 // Beside or behind each other, as the picture shows them larger.
-Legend fill_model(Scene& scene, const Sitter& sitter, const PictureOptions& options, const std::vector<float>& turns) {
+render::Legend fill_model(render::Scene& scene, const Sitter& sitter, const PictureOptions& options,
+                          const std::vector<float>& turns) {
     const float line_px = 0.55F * line_scale(options);
-    Legend legend;
+    render::Legend legend;
     float least = std::numeric_limits<float>::infinity();
-    for (const StackSide side : {StackSide::Right, StackSide::Behind}) {
-        Scene candidate;
+    for (const render::StackSide side : {render::StackSide::Right, render::StackSide::Behind}) {
+        render::Scene candidate;
         fill_hierarchy(candidate, *sitter.hierarchy, side);
         const Vec3f axis = upright_through(scene_points(candidate));
         const float pixel = pixel_size(make_frame(candidate, options, axis, turns).camera(), options);
@@ -310,23 +315,23 @@ Legend fill_model(Scene& scene, const Sitter& sitter, const PictureOptions& opti
     return legend;
 }
 
-void set_ground(Scene& scene) {
+void set_ground(render::Scene& scene) {
     // A garment alone that hangs high has no floor to stand on.
     const float low = lowest(scene_points(scene));
     scene.ground_y = std::min(0.0F, low);
     // Nor is there one for who looks from below it.
     scene.has_ground = low < 0.3F && scene.camera.eye.y() > scene.ground_y;
     // What lies on the floor is laid on something, and is not taken for the floor.
-    if (scene.cloths.front().show == ShowMode::Hierarchy) scene.ground_y -= 0.01F;
+    if (scene.cloths.front().show == render::ShowMode::Hierarchy) scene.ground_y -= 0.01F;
 }
 
-void set_light(Scene& scene, const PictureOptions& options) {
+void set_light(render::Scene& scene, const PictureOptions& options) {
     scene.light = is_painted(options.show) ? even_light(scene.camera) : studio_light(scene.camera);
 }
 
 }  // namespace
 
-RenderOptions render_options(const PictureOptions& options) {
+render::RenderOptions render_options(const PictureOptions& options) {
     return {.width_px = options.width_px,
             .height_px = options.height_px,
             .samples = options.samples,
@@ -337,9 +342,9 @@ Composition compose(const Sitter& sitter, const PictureOptions& options, const s
     check_can_show(options.show, sitter.body != nullptr, sitter.hierarchy != nullptr);
     const float line_px = 2.4F * line_scale(options);
     Composition composition;
-    Scene& scene = composition.scene;
+    render::Scene& scene = composition.scene;
     scene = bare_scene(sitter, options);
-    if (options.show == ShowMode::Hierarchy) composition.legend = fill_model(scene, sitter, options, turns);
+    if (options.show == render::ShowMode::Hierarchy) composition.legend = fill_model(scene, sitter, options, turns);
     composition.axis = upright_through(scene_points(scene));
 
     const Frame frame = make_frame(scene, options, composition.axis, turns);
@@ -348,7 +353,7 @@ Composition compose(const Sitter& sitter, const PictureOptions& options, const s
                                          at_all_turns(scene_points(scene), composition.axis, turns))
                              : frame.camera();
     curve(scene, sitter, options, turns);
-    if (options.show != ShowMode::Hierarchy)
+    if (options.show != render::ShowMode::Hierarchy)
         composition.legend = fill(scene, sitter, options, line_px * pixel_size(scene.camera, options));
     if (composition.legend) {
         const Silhouette figure(scene, options, composition.axis, turns);
@@ -363,11 +368,11 @@ Composition compose(const Sitter& sitter, const PictureOptions& options, const s
     return composition;
 }
 
-Scene turned(const Composition& composition, const PictureOptions& options, float angle) {
-    Scene scene = composition.scene;
+render::Scene turned(const Composition& composition, const PictureOptions& options, float angle) {
+    render::Scene scene = composition.scene;
     scene.camera = turned(scene.camera, angle, composition.axis);
     set_light(scene, options);
     return scene;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::app

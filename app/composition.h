@@ -5,17 +5,17 @@
 #include <vector>
 
 #include "app/picture.h"
-#include "render/marks/legend.h"
 #include "render/draw/renderer.h"
+#include "render/marks/legend.h"
 #include "render/scene/scene.h"
 
-namespace selvedge {
+namespace selvedge::app {
 
 struct Composition {
-    Scene scene;
-    std::optional<Legend> legend;
-    Corner corner = Corner::LowerLeft;  // where it is drawn
-    Vec3f axis = Vec3f::Zero();         // an upright through it is what the figure turns about
+    render::Scene scene;
+    std::optional<render::Legend> legend;
+    render::Corner corner = render::Corner::LowerLeft;  // where it is drawn
+    Vec3f axis = Vec3f::Zero();                         // an upright through it is what the figure turns about
 };
 
 // For a figure that turns by these angles (rad): it stays in the picture, and clear of the legend, at all of them.
@@ -23,9 +23,9 @@ struct Composition {
 Composition compose(const Sitter& sitter, const PictureOptions& options, const std::vector<float>& turns = {0});
 
 // The scene after a turn, its lights with the camera.
-Scene turned(const Composition& composition, const PictureOptions& options, float angle);
+render::Scene turned(const Composition& composition, const PictureOptions& options, float angle);
 
 // One picture of the scene, with the legend.
-RenderOptions render_options(const PictureOptions& options);
+render::RenderOptions render_options(const PictureOptions& options);
 
-}  // namespace selvedge
+}  // namespace selvedge::app

@@ -6,7 +6,7 @@
 #include "render/image/compare.h"
 #include "render/image/image.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 struct DiffArguments {
@@ -16,7 +16,7 @@ struct DiffArguments {
     bool allows_rounding = false;
 };
 
-std::string size_text(const Image& image) {
+std::string size_text(const render::Image& image) {
     return std::to_string(image.width_px) + "x" + std::to_string(image.height_px);
 }
 
@@ -26,9 +26,9 @@ std::string output_path(const DiffArguments& arguments) {
 }
 
 int diff(const DiffArguments& arguments) {
-    const Image first = read_png(arguments.first);
-    const Image second = read_png(arguments.second);
-    const Comparison comparison = compare(first, second);
+    const render::Image first = render::read_png(arguments.first);
+    const render::Image second = render::read_png(arguments.second);
+    const render::Comparison comparison = compare(first, second);
     const bool is_same = arguments.allows_rounding ? is_alike(comparison) : comparison.is_exact();
     if (is_same) {
         std::printf("%s\n", comparison.is_exact() ? "same" : ("alike: " + describe(comparison)).c_str());
@@ -60,4 +60,4 @@ void add_diff_command(CLI::App& app, int& exit_code) {
     command->callback([arguments, &exit_code] { exit_code = diff(*arguments); });
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::app

@@ -10,11 +10,11 @@
 #include <string_view>
 #include <vector>
 
-#include "app/options.h"
 #include "app/commands.h"
+#include "app/film.h"
+#include "app/options.h"
 #include "app/picture.h"
 #include "app/progress_bar.h"
-#include "app/film.h"
 #include "render/image/image.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
@@ -25,7 +25,7 @@
 #include "sim/tartan/match.h"
 #include "sim/tartan/tartan_file.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 using Path = std::filesystem::path;
@@ -36,7 +36,7 @@ struct DressArguments {
     Path garment;
     BodyOptions body;
     std::string fabric;
-    DressOptions dress;
+    sim::DressOptions dress;
     std::optional<int> threads;  // none: as many as the machine has
     bool is_quiet = false;
 
@@ -61,7 +61,7 @@ CLI::Option* add_number(CLI::App& command, const std::string& name, Limits<T> li
     const auto check_and_take = [=](const T& value) {
         const bool is_within = value >= limits.least && value <= limits.most;  // NaN is not
         if (!is_within) {
-            throw InputError(
+            throw sim::InputError(
                 "", name,
                 "must be from " + CLI::detail::to_string(limits.least) + " to " + CLI::detail::to_string(limits.most));
         }
@@ -70,8 +70,8 @@ CLI::Option* add_number(CLI::App& command, const std::string& name, Limits<T> li
     return command.add_option_function<T>(name, check_and_take, help);
 }
 
-CriteriaOptions parse_criteria(const std::string& text) {
-    CriteriaOptions criteria{.collision = false, .curvature = false, .length = false};
+sim::CriteriaOptions parse_criteria(const std::string& text) {
+    sim::CriteriaOptions criteria{.collision = false, .curvature = false, .length = false};
     for (const std::string& name : CLI::detail::split(text, ',')) {
         if (name == "collision") {
             criteria.collision = true;
@@ -80,7 +80,7 @@ CriteriaOptions parse_criteria(const std::string& text) {
         } else if (name == "length") {
             criteria.length = true;
         } else {
-            throw InputError("", "--criteria", "'" + name + "' is none of collision, curvature, length");
+            throw sim::InputError("", "--criteria", "'" + name + "' is none of collision, curvature, length");
         }
     }
     return criteria;
@@ -111,11 +111,11 @@ bool draws(const DressArguments& arguments) {
 }
 
 // What the command line leaves open, the pattern says.
-void fill_in(DressArguments& arguments, const Pattern& pattern) {
-    if (!arguments.fabric.empty()) arguments.dress.fabric = find_fabric(arguments.fabric);
+void fill_in(DressArguments& arguments, const sim::Pattern& pattern) {
+    if (!arguments.fabric.empty()) arguments.dress.fabric = sim::find_fabric(arguments.fabric);
     PictureOptions& picture = arguments.picture;
     if (!picture.sett && !picture.sett_size) picture.sett_size = pattern.sett_size;
-    if (!picture.sett && !pattern.tartan.empty()) picture.sett = find_tartan(pattern.tartan);
+    if (!picture.sett && !pattern.tartan.empty()) picture.sett = sim::find_tartan(pattern.tartan);
     if (!picture.sett_position) picture.sett_position = pattern.sett_position;
     if (arguments.body.source.empty())
         arguments.body.source = pattern.body.empty() ? "mannequin:sex=female" : pattern.body;
@@ -128,19 +128,20 @@ struct Writing {
 };
 
 // Every file is tried, whatever became of the others: a garment that burst has no mesh to export, yet has a report.
-Writing write_outputs(const DressArguments& arguments, const DressedGarment& dressed, const Body& body) {
+Writing write_outputs(const DressArguments& arguments, const sim::DressedGarment& dressed, const sim::Body& body) {
     Writing writing;
     const Sitter sitter{.garment = dressed.mesh, .body = &body, .hierarchy = &dressed.hierarchy};
     const auto write = [&](const Path& file, const auto& how) {
         try {
             how(file);
             writing.written.push_back(file.string());
-        } catch (const InputError& error) {
+        } catch (const sim::InputError& error) {
             writing.failures.emplace_back(error.what());
         }
     };
     if (!arguments.report_file.empty()) {
-        write(arguments.report_file, [&](const Path& file) { write_file_atomically(file, to_json(dressed.report)); });
+        write(arguments.report_file,
+              [&](const Path& file) { sim::write_file_atomically(file, to_json(dressed.report)); });
     }
     for (const Path& file : arguments.garment_files) {
         write(file, [&](const Path& mesh_file) {
@@ -168,7 +169,7 @@ std::string spoken(std::string kind) {
     return kind;
 }
 
-void print_summary(const DressReport& report) {
+void print_summary(const sim::DressReport& report) {
     std::printf("%s on %s: %d triangles (%d before refining), ", report.garment.c_str(), report.body.c_str(),
                 report.mesh.leaf_triangles, report.mesh.base_triangles);
     if (report.settled) {
@@ -181,9 +182,9 @@ void print_summary(const DressReport& report) {
 }
 
 // Offsets that were found for one sett do not serve another.
-void print_sett_note(const Pattern& pattern, const PictureOptions& picture) {
+void print_sett_note(const sim::Pattern& pattern, const PictureOptions& picture) {
     if (!pattern.matched_sett) return;
-    const MatchedSett& matched = *pattern.matched_sett;
+    const sim::MatchedSett& matched = *pattern.matched_sett;
     if (!is_sett_of(matched, sett_of(picture))) {
         std::printf(
             "note: the setts were matched for %s, repeat %.4g cm, and may not meet at the seams (selvedge match)\n",
@@ -191,27 +192,28 @@ void print_sett_note(const Pattern& pattern, const PictureOptions& picture) {
     }
 }
 
-void print_faults(const DressReport& report) {
-    for (const DressFault& fault : report.faults)
+void print_faults(const sim::DressReport& report) {
+    for (const sim::DressFault& fault : report.faults)
         std::printf("fault: %s: %s (%.4g)\n", spoken(fault.kind).c_str(), fault.place.c_str(), fault.value);
 }
 
 int run(DressArguments arguments) {
     check_outputs(arguments);
-    const Pattern pattern = load_pattern(arguments.garment).pattern;
+    const sim::Pattern pattern = sim::load_pattern(arguments.garment).pattern;
     fill_in(arguments, pattern);
     if (draws(arguments)) check_can_draw(arguments.picture);
 
-    std::optional<ThreadLimit> limit;
+    std::optional<sim::ThreadLimit> limit;
     if (arguments.threads) limit.emplace(*arguments.threads);
     const NotedBody wearer = make_body(arguments.body);
     ProgressBar bar(progress_bar_options(arguments.is_quiet));
-    DressedGarment dressed = dress(pattern, wearer.body, arguments.dress, bar.progress());
+    sim::DressedGarment dressed = dress(pattern, wearer.body, arguments.dress, bar.progress());
     bar.finish();
-    DressReport& report = dressed.report;
+    sim::DressReport& report = dressed.report;
     report.notes.insert(report.notes.begin(), wearer.notes.begin(), wearer.notes.end());
 
-    arguments.picture.material = material_of(find_fabric(arguments.fabric.empty() ? pattern.fabric : arguments.fabric));
+    arguments.picture.material =
+        material_of(sim::find_fabric(arguments.fabric.empty() ? pattern.fabric : arguments.fabric));
     const Writing writing = write_outputs(arguments, dressed, wearer.body);
     if (!arguments.is_quiet) print_summary(report);
     if (!arguments.is_quiet && draws(arguments)) print_sett_note(pattern, arguments.picture);
@@ -224,7 +226,7 @@ int run(DressArguments arguments) {
 }
 
 void add_garment_options(CLI::App& command, DressArguments& arguments) {
-    DressOptions& dress = arguments.dress;
+    sim::DressOptions& dress = arguments.dress;
     command.add_option("GARMENT", arguments.garment, "Garment file (patterns/FORMAT.md)")
         ->required()
         ->type_name("FILE");
@@ -296,4 +298,4 @@ void add_dress_command(CLI::App& app, int& exit_code) {
     command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::app

@@ -18,7 +18,7 @@
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 constexpr std::size_t kLargestScript = 16U << 20U;
@@ -45,7 +45,7 @@ Size parse_size(const std::string& text) {
     const bool is_read = std::sscanf(text.c_str(), "%dx%d%c", &size.width, &size.height, &rest) == 2;
     const auto fits = [&](int side) { return side >= kSmallest && side <= kLargest; };
     if (!is_read || !fits(size.width) || !fits(size.height)) {
-        throw InputError("", "--size", "'" + text + "' is not WIDTHxHEIGHT, from 200x200 to 8192x8192");
+        throw sim::InputError("", "--size", "'" + text + "' is not WIDTHxHEIGHT, from 200x200 to 8192x8192");
     }
     return size;
 }
@@ -54,22 +54,22 @@ std::filesystem::path state_of(const EditArguments& arguments) {
     return arguments.state.empty() ? state_folder() : std::filesystem::path(arguments.state);
 }
 
-void open_at_start(Editor& editor, const EditArguments& arguments) {
+void open_at_start(editor::Editor& editor, const EditArguments& arguments) {
     if (arguments.file.empty()) return;
-    PatternDocument source = load_pattern(arguments.file);  // a file that is wrong ends the program
+    sim::PatternDocument source = sim::load_pattern(arguments.file);  // a file that is wrong ends the program
     open_loaded(editor.desk(), std::move(source), arguments.file);
 }
 
 int run_window(const EditArguments& arguments) {
     const Size size = parse_size(arguments.size);
     Window window({.width = size.width, .height = size.height, .scale = arguments.scale});
-    std::unique_ptr<Renderer> fine;  // made when a picture is exported
-    const auto draw_finely = [&](const Scene& scene) {
-        if (!fine) fine = std::make_unique<Renderer>(window.context());
+    std::unique_ptr<render::Renderer> fine;  // made when a picture is exported
+    const auto draw_finely = [&](const render::Scene& scene) {
+        if (!fine) fine = std::make_unique<render::Renderer>(window.context());
         return fine->draw(scene, {.width_px = 2048, .height_px = 2048});
     };
-    Editor editor(make_editor_services({.state = state_of(arguments), .draw_finely = draw_finely}),
-                  {.fonts = read_fonts()});
+    editor::Editor editor(make_editor_services({.state = state_of(arguments), .draw_finely = draw_finely}),
+                          {.fonts = read_fonts()});
     editor.set_clipboard(
         {[&] { return window.clipboard(); }, [&](const std::string& text) { window.set_clipboard(text); }});
     open_at_start(editor, arguments);
@@ -80,21 +80,21 @@ int run_window(const EditArguments& arguments) {
 
 int run_script(const EditArguments& arguments) {
     const Size size = parse_size(arguments.size);
-    const std::vector<ScriptStep> steps = parse_script(
-        arguments.script.empty() ? std::string() : read_file(arguments.script, kLargestScript), arguments.script);
+    const std::vector<editor::ScriptStep> steps = editor::parse_script(
+        arguments.script.empty() ? std::string() : sim::read_file(arguments.script, kLargestScript), arguments.script);
     if (!arguments.screenshot.empty()) check_output(arguments.screenshot, kPictureExtensions);
     OffscreenEditLoop loop({.width_px = size.width, .height_px = size.height, .scale = arguments.scale.value_or(1)});
-    const auto draw_finely = [](const Scene&) -> Image {
-        throw InputError("", "export", "a script takes pictures by 'screenshot'");
+    const auto draw_finely = [](const render::Scene&) -> render::Image {
+        throw sim::InputError("", "export", "a script takes pictures by 'screenshot'");
     };
-    Editor editor(make_editor_services({.state = state_of(arguments), .draw_finely = draw_finely}),
-                  {.drive = SessionDrive::Caller, .fonts = read_fonts(), .is_steady = true});
+    editor::Editor editor(make_editor_services({.state = state_of(arguments), .draw_finely = draw_finely}),
+                          {.drive = sim::SessionDrive::Caller, .fonts = read_fonts(), .is_steady = true});
     open_at_start(editor, arguments);
     EditorSurface surface(editor);
     const auto shoot = [&](const std::string& file) { write_png(file, loop.screenshot()); };
-    const auto step = [&](const std::vector<InputEvent>& events) { loop.step(surface, events); };
+    const auto step = [&](const std::vector<editor::InputEvent>& events) { loop.step(surface, events); };
     const auto say = [](const std::string& words) { std::printf("%s\n", words.c_str()); };
-    ScriptPlayer player(editor, {step, shoot, say}, arguments.script);
+    editor::ScriptPlayer player(editor, {step, shoot, say}, arguments.script);
     for (int i = 0; i < 3; ++i) loop.step(surface);
     player.play(steps);
     if (!arguments.screenshot.empty()) shoot(arguments.screenshot);
@@ -128,4 +128,4 @@ void add_edit_command(CLI::App& app, int& exit_code) {
     });
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::app

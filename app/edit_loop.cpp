@@ -13,7 +13,7 @@
 #include "sim/core/error.h"
 #include "sim/place/fit.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -30,7 +30,8 @@ double seconds_since(Clock::time_point start) {
 // Charges the time since the last lap to a part, once GL has done it. Does nothing without times.
 class FrameClock {
  public:
-    FrameClock(const GlContext& context, FrameTimes* times) : context_(context), times_(times), last_(Clock::now()) {}
+    FrameClock(const render::GlContext& context, FrameTimes* times)
+        : context_(context), times_(times), last_(Clock::now()) {}
 
     void lap(double FrameTimes::*part) {
         if (times_ == nullptr) return;
@@ -40,7 +41,7 @@ class FrameClock {
     }
 
  private:
-    const GlContext& context_;
+    const render::GlContext& context_;
     FrameTimes* times_;
     Clock::time_point last_;
 };
@@ -48,26 +49,27 @@ class FrameClock {
 // What the window is to look like beside its picture; asked for again only when it changes.
 class WindowDress {
  public:
-    void put_on(Window& window, const FrameOutput& output) {
+    void put_on(Window& window, const editor::FrameOutput& output) {
         if (output.window_title != title_) window.set_title(title_ = output.window_title);
         if (output.cursor != cursor_) window.set_cursor(*(cursor_ = output.cursor));
     }
 
  private:
     std::string title_;
-    std::optional<MouseCursor> cursor_;
+    std::optional<editor::MouseCursor> cursor_;
 };
 
 // When the next frame is due, and with which events.
 class Pace {
  public:
-    std::vector<InputEvent> events_of_next(Window& window, bool is_animating) {
+    std::vector<editor::InputEvent> events_of_next(Window& window, bool is_animating) {
         const bool is_hidden = window.width_px() == 0;
         const bool may_wait = is_hidden || (!is_animating && frames_to_settle_ == 0);
-        std::vector<InputEvent> events = may_wait ? window.wait(kIdlePeriod) : std::vector<InputEvent>{};
+        std::vector<editor::InputEvent> events =
+            may_wait ? window.wait(kIdlePeriod) : std::vector<editor::InputEvent>{};
         const double left = kLeastPeriod - seconds_since(started_);
         if (left > 0) std::this_thread::sleep_for(std::chrono::duration<double>(left));
-        for (InputEvent& event : window.poll()) events.push_back(std::move(event));
+        for (editor::InputEvent& event : window.poll()) events.push_back(std::move(event));
         frames_to_settle_ = events.empty() ? std::max(frames_to_settle_ - 1, 0) : kFramesToSettle;
         return events;
     }
@@ -86,29 +88,29 @@ class Pace {
 
 }  // namespace
 
-FramePainter::FramePainter(GlContext& context) : context_(context), ui_draw_(context) {}
+FramePainter::FramePainter(render::GlContext& context) : context_(context), ui_draw_(context) {}
 
-FrameOutput FramePainter::paint(EditSurface& surface, const FrameInput& input, unsigned framebuffer,
-                                FrameTimes* times) {
+editor::FrameOutput FramePainter::paint(EditSurface& surface, const FrameInput& input, unsigned framebuffer,
+                                        FrameTimes* times) {
     SELVEDGE_ASSERT(input.width_px >= 1 && input.height_px >= 1 && input.scale > 0 && input.seconds > 0);
     context_.make_current();
     FrameClock clock(context_, times);
-    FrameOutput output = surface.frame(input);
+    editor::FrameOutput output = surface.frame(input);
     clock.lap(&FrameTimes::events_and_ui);
-    for (const PictureToHold& picture : output.pictures) ui_draw_.hold(picture);
-    for (const SceneToDraw& scene : output.scenes) draw_scene(scene);
+    for (const editor::PictureToHold& picture : output.pictures) ui_draw_.hold(picture);
+    for (const editor::SceneToDraw& scene : output.scenes) draw_scene(scene);
     clock.lap(&FrameTimes::scenes);
     ui_draw_.draw({.framebuffer = framebuffer, .width_px = input.width_px, .height_px = input.height_px});
     clock.lap(&FrameTimes::ui_draw);
     return output;
 }
 
-void FramePainter::draw_scene(const SceneToDraw& scene) {
+void FramePainter::draw_scene(const editor::SceneToDraw& scene) {
     if (scene.width_px < 1 || scene.height_px < 1 || !scene.scene) return;  // a view folded away
     const auto [found, is_new] = scenes_.try_emplace(scene.texture, context_);
     SceneTexture& drawn = found->second;
     drawn.picture.resize(scene.width_px, scene.height_px);
-    SceneView view{.scene = scene.scene, .camera = scene.camera, .light = scene.light};
+    render::SceneView view{.scene = scene.scene, .camera = scene.camera, .light = scene.light};
     if (scene.wants_paint) {
         const PaintedScene& painted = drawn.paint.painted(scene.scene);
         view.scene = painted.scene;
@@ -124,9 +126,10 @@ void FramePainter::draw_scene(const SceneToDraw& scene) {
 }
 
 // As large as the view, so that it stands in the view's corner; where there is none, nothing but clear pixels.
-void FramePainter::hold_legend(const SceneToDraw& scene, const std::optional<Legend>& legend) {
-    PictureToHold held{.texture = scene.legend, .picture = Image(scene.width_px, scene.height_px, {0, 0, 0, 0})};
-    if (legend) draw_legend(held.picture, *legend, Corner::LowerRight);
+void FramePainter::hold_legend(const editor::SceneToDraw& scene, const std::optional<render::Legend>& legend) {
+    editor::PictureToHold held{.texture = scene.legend,
+                               .picture = render::Image(scene.width_px, scene.height_px, {0, 0, 0, 0})};
+    if (legend) draw_legend(held.picture, *legend, render::Corner::LowerRight);
     ui_draw_.hold(held);
 }
 
@@ -136,7 +139,7 @@ void run_edit_loop(EditSurface& surface, Window& window, const EditLoopOptions& 
     FramePainter painter(window.context());
     WindowDress dress;
     Pace pace;
-    FrameOutput output;
+    editor::FrameOutput output;
     for (long frame = 0; !output.wants_to_close && frame != options.frames; ++frame) {
         FrameInput input{.events = pace.events_of_next(window, output.is_animating),
                          .width_px = std::max(window.width_px(), 1),
@@ -159,7 +162,8 @@ OffscreenEditLoop::OffscreenEditLoop(const OffscreenOptions& options)
     picture_.resize(options.width_px, options.height_px);
 }
 
-FrameOutput OffscreenEditLoop::step(EditSurface& surface, const std::vector<InputEvent>& events, FrameTimes* times) {
+editor::FrameOutput OffscreenEditLoop::step(EditSurface& surface, const std::vector<editor::InputEvent>& events,
+                                            FrameTimes* times) {
     return painter_.paint(surface,
                           {.events = events,
                            .width_px = options_.width_px,
@@ -169,12 +173,12 @@ FrameOutput OffscreenEditLoop::step(EditSurface& surface, const std::vector<Inpu
                           picture_.framebuffer(), times);
 }
 
-Image OffscreenEditLoop::screenshot() const {
+render::Image OffscreenEditLoop::screenshot() const {
     return picture_.read();
 }
 
 FrameTimesFile::FrameTimesFile(const std::string& path) : file_(path) {
-    if (!file_) throw InputError(path, "", "cannot be written");
+    if (!file_) throw sim::InputError(path, "", "cannot be written");
     file_ << "frame,total_ms,events_and_ui_ms,scenes_ms,ui_draw_ms,swap_ms\n" << std::fixed << std::setprecision(3);
 }
 
@@ -185,8 +189,8 @@ void FrameTimesFile::add(const FrameTimes& times) {
 
 namespace {
 
-Body body_of(const BodyItem& item) {
-    Body body;
+sim::Body body_of(const render::BodyItem& item) {
+    sim::Body body;
     for (const Vec3f& x : item.x) body.x.push_back(x.cast<double>());
     for (const auto& t : item.triangles) {
         body.triangles.push_back({static_cast<int>(t[0]), static_cast<int>(t[1]), static_cast<int>(t[2])});
@@ -195,29 +199,30 @@ Body body_of(const BodyItem& item) {
 }
 
 // Whether it has what its mode shows.
-bool can_show(const Scene& scene) {
+bool can_show(const render::Scene& scene) {
     if (scene.cloths.empty() || scene.cloths.front().mesh.triangles.empty()) return false;
-    const ClothItem& cloth = scene.cloths.front();
+    const render::ClothItem& cloth = scene.cloths.front();
     if (wants_material(cloth.show) && cloth.mesh.u.empty()) return false;
-    return cloth.show != ShowMode::Hierarchy && (cloth.show != ShowMode::Clearance || !scene.bodies.empty());
+    return cloth.show != render::ShowMode::Hierarchy &&
+           (cloth.show != render::ShowMode::Clearance || !scene.bodies.empty());
 }
 
 }  // namespace
 
-const PaintedScene& ScenePaint::painted(const std::shared_ptr<const Scene>& scene) {
+const PaintedScene& ScenePaint::painted(const std::shared_ptr<const render::Scene>& scene) {
     if (scene == last_) return painted_;
     last_ = scene;
-    auto copy = std::make_shared<Scene>(*scene);
+    auto copy = std::make_shared<render::Scene>(*scene);
     painted_.legend.reset();
     if (can_show(*copy)) {
-        ShowFacts facts;
-        const ClothItem& cloth = copy->cloths.front();
-        if (cloth.show == ShowMode::Clearance) {
+        render::ShowFacts facts;
+        const render::ClothItem& cloth = copy->cloths.front();
+        if (cloth.show == render::ShowMode::Clearance) {
             facts.clearance = measure_clearance(cloth.mesh.x, body_of(copy->bodies.front()));
         }
         painted_.legend = fill_show(*copy, facts);
     } else if (!copy->cloths.empty()) {
-        copy->cloths.front().show = ShowMode::Plain;
+        copy->cloths.front().show = render::ShowMode::Plain;
     }
     painted_.scene = std::move(copy);
     return painted_;
@@ -255,4 +260,4 @@ FontFiles find_fonts(const std::vector<std::filesystem::path>& folders) {
     return {};
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::app

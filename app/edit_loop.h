@@ -17,7 +17,7 @@
 #include "render/preview/preview_renderer.h"
 #include "render/scene/scene.h"
 
-namespace selvedge {
+namespace selvedge::app {
 
 // Where the editor's frames take their time, as a table that `--frame-times` writes.
 
@@ -43,26 +43,26 @@ class FrameTimesFile {
     long frame_ = 0;
 };
 
-// Scenes whose mode paints figures on the cloth (render/marks/show.h), as the editor asks for them: painted once, with the
-// legend beside them.
+// Scenes whose mode paints figures on the cloth (render/marks/show.h), as the editor asks for them: painted once, with
+// the legend beside them.
 
 struct PaintedScene {
-    std::shared_ptr<const Scene> scene;
-    std::optional<Legend> legend;
+    std::shared_ptr<const render::Scene> scene;
+    std::optional<render::Legend> legend;
 };
 
 class ScenePaint {
  public:
     // The same scene gives the same pointer. Where the mode asks for what is not there, cloth is plain.
-    const PaintedScene& painted(const std::shared_ptr<const Scene>& scene);
+    const PaintedScene& painted(const std::shared_ptr<const render::Scene>& scene);
 
  private:
-    std::shared_ptr<const Scene> last_;
+    std::shared_ptr<const render::Scene> last_;
     PaintedScene painted_;
 };
 
 struct FrameInput {
-    std::vector<InputEvent> events;
+    std::vector<editor::InputEvent> events;
     int width_px = 0;
     int height_px = 0;
     float scale = 1;     // of the interface
@@ -76,7 +76,7 @@ class EditSurface {
     EditSurface& operator=(const EditSurface&) = delete;
 
     // One frame; ends with ImGui::Render in an ImGui context that stays the present one.
-    virtual FrameOutput frame(const FrameInput& input) = 0;
+    virtual editor::FrameOutput frame(const FrameInput& input) = 0;
 
  protected:
     EditSurface() = default;
@@ -85,27 +85,28 @@ class EditSurface {
 // Draws what a frame asks for. Its context must outlive it.
 class FramePainter {
  public:
-    explicit FramePainter(GlContext& context);
+    explicit FramePainter(render::GlContext& context);
 
     // To a framebuffer of the context that has the input's size. With times given, its parts wait for GL, and are added
     // up there.
-    FrameOutput paint(EditSurface& surface, const FrameInput& input, unsigned framebuffer, FrameTimes* times = nullptr);
+    editor::FrameOutput paint(EditSurface& surface, const FrameInput& input, unsigned framebuffer,
+                              FrameTimes* times = nullptr);
 
  private:
     // A scene's texture, with what is kept to draw it quickly.
     struct SceneTexture {
-        explicit SceneTexture(GlContext& context) : picture(context.gl()), draft(context) {}
-        PictureTexture picture;
-        DraftRenderer draft;
+        explicit SceneTexture(render::GlContext& context) : picture(context.gl()), draft(context) {}
+        render::PictureTexture picture;
+        render::DraftRenderer draft;
         ScenePaint paint;
     };
-    void draw_scene(const SceneToDraw& scene);
-    void hold_legend(const SceneToDraw& scene, const std::optional<Legend>& legend);
+    void draw_scene(const editor::SceneToDraw& scene);
+    void hold_legend(const editor::SceneToDraw& scene, const std::optional<render::Legend>& legend);
 
-    GlContext& context_;
+    render::GlContext& context_;
     UiDraw ui_draw_;
-    std::map<UiTexture, SceneTexture> scenes_;
-    std::optional<Renderer> renderer_;  // for what is no draft; made when it is first asked for
+    std::map<editor::UiTexture, SceneTexture> scenes_;
+    std::optional<render::Renderer> renderer_;  // for what is no draft; made when it is first asked for
 };
 
 struct EditLoopOptions {
@@ -122,7 +123,7 @@ struct OffscreenOptions {
     int height_px = 800;
     float scale = 1;
     double seconds = 1.0 / 60;  // from one frame to the next
-    std::optional<ContextMaker> maker{};
+    std::optional<render::ContextMaker> maker{};
 };
 
 // A window's place without a window. Time passes by frames alone, so the same events make the same pictures.
@@ -130,14 +131,15 @@ class OffscreenEditLoop {
  public:
     explicit OffscreenEditLoop(const OffscreenOptions& options = {});
 
-    FrameOutput step(EditSurface& surface, const std::vector<InputEvent>& events = {}, FrameTimes* times = nullptr);
+    editor::FrameOutput step(EditSurface& surface, const std::vector<editor::InputEvent>& events = {},
+                             FrameTimes* times = nullptr);
 
-    Image screenshot() const;  // of the last step. Pre: there was one
+    render::Image screenshot() const;  // of the last step. Pre: there was one
 
  private:
     OffscreenOptions options_;
-    std::unique_ptr<GlContext> context_;
-    PictureTexture picture_;
+    std::unique_ptr<render::GlContext> context_;
+    render::PictureTexture picture_;
     FramePainter painter_;
 };
 
@@ -152,4 +154,4 @@ struct FontFiles {
 FontFiles find_fonts(const std::vector<std::filesystem::path>& folders = {"/usr/share/fonts",
                                                                           "/usr/local/share/fonts"});
 
-}  // namespace selvedge
+}  // namespace selvedge::app

@@ -11,33 +11,35 @@
 #include "sim/core/json.h"
 #include "sim/exchange/mesh_file.h"
 
-namespace selvedge {
-std::span<const EmbeddedFile> embedded_examples();
+namespace selvedge::app {
+std::span<const sim::EmbeddedFile> embedded_examples();
 
 namespace {
 
 namespace fs = std::filesystem;
 
-FolderListing list_folder(const std::string& folder) {
+editor::FolderListing list_folder(const std::string& folder) {
     std::error_code error;
     const fs::path path = fs::absolute(folder.empty() ? fs::current_path() : fs::path(folder)).lexically_normal();
-    FolderListing listing{
+    editor::FolderListing listing{
         .folder = path.string(), .parent = path.has_relative_path() ? path.parent_path().string() : "", .entries = {}};
     for (const fs::directory_entry& entry : fs::directory_iterator(path, error)) {
         const std::string name = entry.path().filename().string();
         std::error_code unreadable;
         if (!name.starts_with('.')) listing.entries.push_back({name, entry.is_directory(unreadable)});
     }
-    if (error) throw InputError(path.string(), "", error.message());
-    std::sort(listing.entries.begin(), listing.entries.end(), [](const FolderEntry& a, const FolderEntry& b) {
-        return a.is_folder != b.is_folder ? a.is_folder : a.name < b.name;
-    });
+    if (error) throw sim::InputError(path.string(), "", error.message());
+    std::sort(listing.entries.begin(), listing.entries.end(),
+              [](const editor::FolderEntry& a, const editor::FolderEntry& b) {
+                  return a.is_folder != b.is_folder ? a.is_folder : a.name < b.name;
+              });
     return listing;
 }
 
-WornBody make_body(const std::string& text) {
-    if (text.starts_with("mannequin")) return make_worn_mannequin(text);
-    WornBody worn{.text = text, .body = std::make_shared<const Body>(load_body(text)), .measures = {}, .points = {}};
+editor::WornBody make_body(const std::string& text) {
+    if (text.starts_with("mannequin")) return editor::make_worn_mannequin(text);
+    editor::WornBody worn{
+        .text = text, .body = std::make_shared<const sim::Body>(sim::load_body(text)), .measures = {}, .points = {}};
     worn.points = arrangement_points(*worn.body);
     return worn;
 }
@@ -53,10 +55,10 @@ std::string age_words(double seconds) {
     return counted(seconds / 86400, "day");
 }
 
-std::vector<LeftJournal> left_journals(const JournalStore& store) {
-    std::vector<LeftJournal> left;
+std::vector<editor::LeftJournal> left_journals(const JournalStore& store) {
+    std::vector<editor::LeftJournal> left;
     for (const StoredJournal& stored : store.left()) {
-        const auto recovery = recover(stored.text);
+        const auto recovery = editor::recover(stored.text);
         if (recovery && recovery->changes > 0) {
             left.push_back({stored.path.string(), *recovery, age_words(stored.age_seconds)});
         } else {
@@ -66,11 +68,11 @@ std::vector<LeftJournal> left_journals(const JournalStore& store) {
     return left;
 }
 
-std::vector<Example> examples() {
-    const std::span<const EmbeddedFile> files = embedded_examples();
+std::vector<editor::Example> examples() {
+    const std::span<const sim::EmbeddedFile> files = embedded_examples();
     const auto text_of = [&](std::string_view name) {
         const auto found =
-            std::find_if(files.begin(), files.end(), [&](const EmbeddedFile& file) { return file.name == name; });
+            std::find_if(files.begin(), files.end(), [&](const sim::EmbeddedFile& file) { return file.name == name; });
         return std::string(found->text);
     };
     return {
@@ -79,25 +81,25 @@ std::vector<Example> examples() {
         {"Poncho", "One large square with a slit, wool that falls in folds.", text_of("patterns/poncho.json")}};
 }
 
-void write_export(const ExportRequest& request, const EditorServicesOptions& options) {
+void write_export(const editor::ExportRequest& request, const EditorServicesOptions& options) {
     if (!request.file.ends_with(".png")) return write_garment(request.garment, request.file);
-    Scene scene = *request.scene;
+    render::Scene scene = *request.scene;
     scene.camera = request.camera;
     scene.light = request.light;
-    write_file_atomically(request.file, encode_png(options.draw_finely(scene)));
+    sim::write_file_atomically(request.file, encode_png(options.draw_finely(scene)));
 }
 
 }  // namespace
 
-Services make_editor_services(const EditorServicesOptions& options) {
+editor::Services make_editor_services(const EditorServicesOptions& options) {
     const auto journals = std::make_shared<JournalStore>(options.state / "journals");
     const auto recent = std::make_shared<const RecentFiles>(options.state / "recent.json");
-    Services services;
-    services.load = [](const std::string& file) { return load_pattern(file); };
-    services.save = [](const std::string& file, const std::string& text) { write_file_atomically(file, text); };
+    editor::Services services;
+    services.load = [](const std::string& file) { return sim::load_pattern(file); };
+    services.save = [](const std::string& file, const std::string& text) { sim::write_file_atomically(file, text); };
     services.list_folder = list_folder;
     services.exists = [](const std::string& file) { return fs::exists(file); };
-    services.write_export = [options](const ExportRequest& request) { write_export(request, options); };
+    services.write_export = [options](const editor::ExportRequest& request) { write_export(request, options); };
     services.make_body = make_body;
     services.recent_files = [recent] { return recent->list(); };
     services.remember_file = [recent](const std::string& file) { recent->add(file); };
@@ -113,12 +115,12 @@ Services make_editor_services(const EditorServicesOptions& options) {
 std::vector<std::string> RecentFiles::list() const {
     std::vector<std::string> files;
     try {
-        const Json json = read_json(file_);
-        const JsonView view(json, file_.string());
+        const sim::Json json = sim::read_json(file_);
+        const sim::JsonView view(json, file_.string());
         for (std::size_t i = 0; i < view.size(); ++i) {
             if (std::filesystem::exists(view.at(i).string())) files.push_back(view.at(i).string());
         }
-    } catch (const InputError&) {  // none yet, or not ours: nothing was opened
+    } catch (const sim::InputError&) {  // none yet, or not ours: nothing was opened
     }
     return files;
 }
@@ -130,26 +132,26 @@ void RecentFiles::add(const std::string& path) const {
     std::erase(files, whole);
     files.insert(files.begin(), whole);
     if (files.size() > kMost) files.resize(kMost);
-    Json json = Json::array();
-    for (const std::string& file : files) json.push_back(Json(file));
+    sim::Json json = sim::Json::array();
+    for (const std::string& file : files) json.push_back(sim::Json(file));
     try {
-        write_file_atomically(file_, write_json(json));
-    } catch (const InputError&) {  // a list of files is not worth an error
+        sim::write_file_atomically(file_, write_json(json));
+    } catch (const sim::InputError&) {  // a list of files is not worth an error
     }
 }
 
-FrameOutput EditorSurface::frame(const FrameInput& input) {
-    const FrameSize size{.width_px = input.width_px, .height_px = input.height_px, .scale = input.scale};
+editor::FrameOutput EditorSurface::frame(const FrameInput& input) {
+    const editor::FrameSize size{.width_px = input.width_px, .height_px = input.height_px, .scale = input.scale};
     return editor_.frame(input.events, size, input.seconds);
 }
 
-FontBytes read_fonts() {
+editor::FontBytes read_fonts() {
     constexpr std::size_t kLargestFont = 64U << 20U;
     const FontFiles files = find_fonts();
     const auto read = [](const std::filesystem::path& path) {
-        return path.empty() ? std::string() : read_file(path, kLargestFont);
+        return path.empty() ? std::string() : sim::read_file(path, kLargestFont);
     };
     return {.regular = read(files.regular), .bold = read(files.medium)};
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::app

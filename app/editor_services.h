@@ -12,16 +12,16 @@
 #include "editor/ui/services.h"
 #include "render/image/image.h"
 
-namespace selvedge {
+namespace selvedge::app {
 
 struct EditorServicesOptions {
     std::filesystem::path state;  // where journals and recent files are kept
     // Draws a scene at a size (px) as finely as can be; for exports.
-    std::function<Image(const Scene& scene)> draw_finely;
+    std::function<render::Image(const render::Scene& scene)> draw_finely;
 };
 
 // Throws InputError when the state folder cannot be made.
-Services make_editor_services(const EditorServicesOptions& options);
+editor::Services make_editor_services(const EditorServicesOptions& options);
 
 // The files that were opened or saved last, kept from one run to the next.
 
@@ -42,15 +42,15 @@ class RecentFiles {
 
 class EditorSurface final : public EditSurface {
  public:
-    explicit EditorSurface(Editor& editor) : editor_(editor) {}
+    explicit EditorSurface(editor::Editor& editor) : editor_(editor) {}
 
-    FrameOutput frame(const FrameInput& input) override;
+    editor::FrameOutput frame(const FrameInput& input) override;
 
  private:
-    Editor& editor_;
+    editor::Editor& editor_;
 };
 
 // The system's; empty where it has none.
-FontBytes read_fonts();
+editor::FontBytes read_fonts();
 
-}  // namespace selvedge
+}  // namespace selvedge::app

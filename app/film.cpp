@@ -1,5 +1,10 @@
 #include "app/film.h"
 
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -7,15 +12,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <fcntl.h>
 #include <filesystem>
 #include <optional>
-#include <signal.h>
-#include <spawn.h>
 #include <sstream>
 #include <stdexcept>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <vector>
 
 #include "app/composition.h"
@@ -27,7 +27,7 @@
 
 extern char** environ;
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 // Writing to a program that has ended shall be an answer, not the end of ours.
@@ -160,9 +160,10 @@ void check_no_more_frames(const fs::path& folder, int frames) {
     std::error_code ignored;
     const fs::path next = folder / frame_name(frames + 1);
     if (!fs::exists(next, ignored)) return;
-    throw InputError(folder.string(), "",
-                     "cannot write: '" + next.filename().string() +
-                         "' of an earlier, longer film is there: remove it and those after it, or name another folder");
+    throw sim::InputError(
+        folder.string(), "",
+        "cannot write: '" + next.filename().string() +
+            "' of an earlier, longer film is there: remove it and those after it, or name another folder");
 }
 
 void check_folder(const fs::path& path) {
@@ -170,10 +171,10 @@ void check_folder(const fs::path& path) {
     std::error_code ignored;
     const bool is_there = fs::exists(folder, ignored);
     if (is_there && !fs::is_directory(folder, ignored))
-        throw InputError(path.string(), "", "cannot write: what stands there is not a folder");
+        throw sim::InputError(path.string(), "", "cannot write: what stands there is not a folder");
     const fs::path written = is_there ? folder : fs::absolute(folder, ignored).parent_path();
     if (::access(written.c_str(), W_OK | X_OK) != 0)
-        throw InputError(path.string(), "", std::string("cannot write: ") + std::strerror(errno));
+        throw sim::InputError(path.string(), "", std::string("cannot write: ") + std::strerror(errno));
 }
 
 // The steps of a gif's few colours are hidden by an ordered pattern, which stands still from frame to frame.
@@ -236,10 +237,10 @@ std::vector<std::string> encoder_words(FilmKind kind, const FilmFormat& format, 
     return words;
 }
 
-std::string as_rgb(const Image& image) {
+std::string as_rgb(const render::Image& image) {
     std::string bytes;
     bytes.reserve(3 * image.pixels.size());
-    for (const Rgba8& pixel : image.pixels) {
+    for (const render::Rgba8& pixel : image.pixels) {
         for (std::size_t i = 0; i < 3; ++i) bytes.push_back(static_cast<char>(pixel[i]));
     }
     return bytes;
@@ -254,7 +255,7 @@ FilmKind film_kind(const fs::path& path) {
     if (extension == ".frames") return FilmKind::Frames;
     if (extension == ".mp4") return FilmKind::Mp4;
     if (extension == ".gif") return FilmKind::Gif;
-    throw InputError(
+    throw sim::InputError(
         path.string(), "",
         "cannot write: a film's name should end in .mp4, .gif or, for a folder of frames, in / or .frames");
 }
@@ -266,14 +267,15 @@ void check_film(const fs::path& path, const FilmFormat& format) {
         return check_no_more_frames(folder_of_frames(path), format.frames);
     }
     if (kind == FilmKind::Gif && format.frames_per_second > 50)
-        throw InputError("", "--fps", "a .gif film has at most 50 frames per second");
+        throw sim::InputError("", "--fps", "a .gif film has at most 50 frames per second");
     check_output(path, kFilmExtensions);
     if (kind == FilmKind::Mp4 && (format.width_px % 2 != 0 || format.height_px % 2 != 0))
-        throw InputError("", "--size", "an .mp4 film has sides of even numbers of pixels");
+        throw sim::InputError("", "--size", "an .mp4 film has sides of even numbers of pixels");
     if (!has_program("ffmpeg")) {
-        throw InputError("", "--turntable",
-                         "films are written by ffmpeg, which is missing: install the package ffmpeg, or name a folder "
-                         "for frames");
+        throw sim::InputError(
+            "", "--turntable",
+            "films are written by ffmpeg, which is missing: install the package ffmpeg, or name a folder "
+            "for frames");
     }
 }
 
@@ -292,7 +294,7 @@ class FilmWriter::Encoder {
     Encoder(const Encoder&) = delete;
     Encoder& operator=(const Encoder&) = delete;
 
-    void add(const Image& image) {
+    void add(const render::Image& image) {
         if (process_->write(as_rgb(image))) return;
         process_->finish();
         fail();
@@ -300,13 +302,13 @@ class FilmWriter::Encoder {
     void finish() {
         if (!process_->finish()) fail();
         if (::rename(temporary_.c_str(), path_.c_str()) != 0)
-            throw InputError(path_.string(), "", std::string("cannot write: ") + std::strerror(errno));
+            throw sim::InputError(path_.string(), "", std::string("cannot write: ") + std::strerror(errno));
     }
 
  private:
     [[noreturn]] void fail() const {
         const std::string words = process_->complaint();
-        throw InputError(path_.string(), "", "ffmpeg could not write it" + (words.empty() ? "" : ": " + words));
+        throw sim::InputError(path_.string(), "", "ffmpeg could not write it" + (words.empty() ? "" : ": " + words));
     }
 
     fs::path path_;
@@ -318,21 +320,21 @@ FilmWriter::FilmWriter(const fs::path& path, const FilmFormat& format) : path_(p
     if (kind_ != FilmKind::Frames) {
         try {
             encoder_ = std::make_unique<Encoder>(path, kind_, format);
-        } catch (const InputError&) {
+        } catch (const sim::InputError&) {
             throw;
         } catch (const std::runtime_error& error) {
-            throw InputError(path.string(), "", error.what());
+            throw sim::InputError(path.string(), "", error.what());
         }
         return;
     }
     std::error_code error;
     fs::create_directories(folder_of_frames(path), error);
-    if (error) throw InputError(path.string(), "", "cannot write: " + error.message());
+    if (error) throw sim::InputError(path.string(), "", "cannot write: " + error.message());
 }
 
 FilmWriter::~FilmWriter() = default;
 
-void FilmWriter::add(const Image& image) {
+void FilmWriter::add(const render::Image& image) {
     ++frames_;
     if (encoder_) return encoder_->add(image);
     write_png(folder_of_frames(path_) / frame_name(frames_), image);
@@ -360,7 +362,7 @@ std::vector<float> turn_in(int count) {
 
 void add_count(CLI::App& command, const char* name, int& value, int most, const char* help) {
     const auto check_and_take = [name, &value, most](const int& count) {
-        if (count < 1 || count > most) throw InputError("", name, "must be from 1 to " + std::to_string(most));
+        if (count < 1 || count > most) throw sim::InputError("", name, "must be from 1 to " + std::to_string(most));
         value = count;
     };
     command.add_option_function<int>(name, check_and_take, help)
@@ -385,24 +387,24 @@ void check_turntable(const TurntableOptions& options, const PictureOptions& pict
     if (options.file.empty()) return;
     check_film(options.file, film_format(picture, options));
     if (picture.is_transparent && film_kind(options.file) != FilmKind::Frames)
-        throw InputError("", "--transparent", "films have no transparency: name a folder for frames");
+        throw sim::InputError("", "--transparent", "films have no transparency: name a folder for frames");
 }
 
 void write_turntable(const Sitter& sitter, const PictureOptions& picture, const TurntableOptions& options,
-                     const Progress& progress) {
+                     const sim::Progress& progress) {
     constexpr int most_framed = 48;  // angles are enough to find the frame for all of them
     const std::vector<float> turns = turn_in(options.frames);
     const Composition composition = compose(sitter, picture, turn_in(std::min(options.frames, most_framed)));
-    Renderer renderer;
+    render::Renderer renderer;
     FilmWriter film(options.file, film_format(picture, options));
     for (std::size_t i = 0; i < turns.size(); ++i) {
-        report(progress, "filming", double(i) / double(turns.size()));
-        Image image = renderer.draw(turned(composition, picture, turns[i]), render_options(picture));
+        sim::report(progress, "filming", double(i) / double(turns.size()));
+        render::Image image = renderer.draw(turned(composition, picture, turns[i]), render_options(picture));
         if (composition.legend) draw_legend(image, *composition.legend, composition.corner);
         film.add(image);
     }
     film.finish();
-    report(progress, "filming", 1);
+    sim::report(progress, "filming", 1);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::app

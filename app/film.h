@@ -1,20 +1,20 @@
 #pragma once
 // Pictures one after the other as a film: an .mp4 or .gif by ffmpeg, which reads raw frames from a pipe, or a folder of
 // PNG files.
+#include <sys/types.h>
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
-#include <sys/types.h>
 #include <vector>
 
 #include "app/picture.h"
 #include "render/image/image.h"
 #include "sim/core/parallel.h"
 
-namespace selvedge {
+namespace selvedge::app {
 
 enum class FilmKind { Mp4, Gif, Frames };
 
@@ -43,7 +43,7 @@ class FilmWriter {
     FilmWriter& operator=(const FilmWriter&) = delete;
 
     // Pre: of the format's size. Both throw InputError when the film cannot be written, with ffmpeg's own first words.
-    void add(const Image& image);
+    void add(const render::Image& image);
     void finish();
 
  private:
@@ -104,6 +104,6 @@ void check_turntable(const TurntableOptions& options, const PictureOptions& pict
 // The frame is one for all angles, and holds the figure at each. Throws InputError as draw_picture does, and when the
 // film cannot be written.
 void write_turntable(const Sitter& sitter, const PictureOptions& picture, const TurntableOptions& options,
-                     const Progress& progress = {});
+                     const sim::Progress& progress = {});
 
-}  // namespace selvedge
+}  // namespace selvedge::app

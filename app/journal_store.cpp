@@ -14,7 +14,7 @@
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -48,7 +48,7 @@ double age_of(const fs::path& path) {
 }
 
 [[noreturn]] void fail(const fs::path& path, const char* what) {
-    throw InputError(path.string(), "", std::string(what) + ": " + std::strerror(errno));
+    throw sim::InputError(path.string(), "", std::string(what) + ": " + std::strerror(errno));
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ double age_of(const fs::path& path) {
 JournalStore::JournalStore(fs::path folder) : folder_(std::move(folder)) {
     std::error_code error;
     fs::create_directories(folder_, error);
-    if (error) throw InputError(folder_.string(), "", "cannot be made: " + error.message());
+    if (error) throw sim::InputError(folder_.string(), "", "cannot be made: " + error.message());
     path_ = folder_ / (std::to_string(::getpid()) + kEnding);
     for (int i = 2; fs::exists(path_); ++i) {
         path_ = folder_ / (std::to_string(::getpid()) + "-" + std::to_string(i) + kEnding);
@@ -133,8 +133,8 @@ std::vector<StoredJournal> JournalStore::left() const {
         const fs::path& path = entry.path();
         if (path.extension() != kEnding || path == path_ || is_held(path)) continue;
         try {
-            found.push_back({.path = path, .text = read_file(path, kLargest), .age_seconds = age_of(path)});
-        } catch (const InputError&) {  // gone meanwhile, or no file
+            found.push_back({.path = path, .text = sim::read_file(path, kLargest), .age_seconds = age_of(path)});
+        } catch (const sim::InputError&) {  // gone meanwhile, or no file
         }
     }
     std::sort(found.begin(), found.end(), [](const StoredJournal& a, const StoredJournal& b) {
@@ -156,4 +156,4 @@ fs::path state_folder() {
     return fs::temp_directory_path() / "selvedge";
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::app

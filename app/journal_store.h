@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace selvedge {
+namespace selvedge::app {
 
 struct StoredJournal {
     std::filesystem::path path;
@@ -62,4 +62,4 @@ class JournalStore {
 // ~/.local/state/selvedge.
 std::filesystem::path state_folder();
 
-}  // namespace selvedge
+}  // namespace selvedge::app

@@ -23,19 +23,19 @@ int main(int argc, char** argv) {
     app.footer("Example: selvedge dress patterns/tshirt.json --render tshirt.png");
 
     int exit_code = 0;
-    selvedge::add_dress_command(app, exit_code);
-    selvedge::add_edit_command(app, exit_code);
-    selvedge::add_check_command(app, exit_code);
-    selvedge::add_mannequin_command(app, exit_code);
-    selvedge::add_match_command(app, exit_code);
-    selvedge::add_render_command(app, exit_code);
-    selvedge::add_diff_command(app, exit_code);
-    selvedge::add_bench_command(app, exit_code);
+    selvedge::app::add_dress_command(app, exit_code);
+    selvedge::app::add_edit_command(app, exit_code);
+    selvedge::app::add_check_command(app, exit_code);
+    selvedge::app::add_mannequin_command(app, exit_code);
+    selvedge::app::add_match_command(app, exit_code);
+    selvedge::app::add_render_command(app, exit_code);
+    selvedge::app::add_diff_command(app, exit_code);
+    selvedge::app::add_bench_command(app, exit_code);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return report_usage(app, error);
-    } catch (const selvedge::InputError& error) {
+    } catch (const selvedge::sim::InputError& error) {
         std::fprintf(stderr, "selvedge: %s\n", error.what());
         return 2;
     } catch (const std::exception& error) {

@@ -7,15 +7,15 @@
 
 #include "app/commands.h"
 #include "app/options.h"
-#include "sim/mannequin/mannequin.h"
 #include "sim/core/error.h"
 #include "sim/exchange/mesh_file.h"
+#include "sim/mannequin/mannequin.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 struct MannequinArguments {
-    MannequinOptions options;  // measures in cm until run
+    sim::MannequinOptions options;  // measures in cm until run
     std::string sex = "female";
     std::filesystem::path output;
 };
@@ -30,16 +30,16 @@ std::string flags_of(std::string_view name) {
 }
 
 void add_measures(CLI::App& command, MannequinArguments& arguments) {
-    for (const std::string_view name : measure_names()) {
+    for (const std::string_view name : sim::measure_names()) {
         command.add_option(flags_of(name), *find_measure(arguments.options.measures, name))
             ->type_name("CM")
             ->group("Measures (what is not given follows the others)");
     }
 }
 
-void print_readings(const MeasureReport& report) {
+void print_readings(const sim::MeasureReport& report) {
     std::printf("%-10s %9s %9s %9s\n", "cm", "asked", "measured", "at height");
-    for (const MeasureReading& reading : report.readings) {
+    for (const sim::MeasureReading& reading : report.readings) {
         std::printf("%-10s ", std::string(reading.name).c_str());
         reading.asked ? std::printf("%9.1f ", 100 * *reading.asked) : std::printf("%9s ", "-");
         std::printf("%9.1f ", 100 * reading.measured);
@@ -50,12 +50,12 @@ void print_readings(const MeasureReport& report) {
 
 int run(MannequinArguments arguments) {
     check_output(arguments.output, kMeshExtensions);
-    arguments.options.sex = arguments.sex == "male" ? Sex::Male : Sex::Female;
-    for (const std::string_view name : measure_names()) {
+    arguments.options.sex = arguments.sex == "male" ? sim::Sex::Male : sim::Sex::Female;
+    for (const std::string_view name : sim::measure_names()) {
         std::optional<double>& measure = *find_measure(arguments.options.measures, name);
         if (measure) *measure /= 100;
     }
-    const Mannequin mannequin = make_mannequin(arguments.options);
+    const sim::Mannequin mannequin = make_mannequin(arguments.options);
     write_body(mannequin.body, arguments.output);
     print_readings(mannequin.report);
     std::printf("%s: %zu vertices, %zu triangles\n", arguments.output.string().c_str(), mannequin.body.x.size(),
@@ -81,4 +81,4 @@ void add_mannequin_command(CLI::App& app, int& exit_code) {
     command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::app

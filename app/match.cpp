@@ -16,12 +16,12 @@
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 #include "sim/core/json.h"
-#include "sim/pattern/pattern_file.h"
 #include "sim/pattern/pattern.h"
+#include "sim/pattern/pattern_file.h"
 #include "sim/tartan/offset_graph.h"
 #include "sim/tartan/tartan_file.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 using Path = std::filesystem::path;
@@ -40,7 +40,7 @@ struct MatchArguments {
 };
 
 // All that they are called, or the first few of very many.
-std::string known_names(const Pattern& pattern) {
+std::string known_names(const sim::Pattern& pattern) {
     std::string names;
     for (std::size_t i = 0; i < pattern.seams.size() && i < kMostNames; ++i) {
         names += (names.empty() ? "" : ", ") + seam_name(pattern, pattern.seams[i]);
@@ -49,12 +49,13 @@ std::string known_names(const Pattern& pattern) {
     return pattern.seams.size() > kMostNames ? names + ", ..." : names;
 }
 
-std::vector<int> seams_of(const Pattern& pattern, const std::vector<std::string>& names) {
+std::vector<int> seams_of(const sim::Pattern& pattern, const std::vector<std::string>& names) {
     std::vector<int> seams;
     for (const std::string& name : names) {
         const std::vector<int> found = find_seams(pattern, name);
         if (found.empty())
-            throw InputError("", "--seams", "no seam '" + name.substr(0, 64) + "'; known are " + known_names(pattern));
+            throw sim::InputError("", "--seams",
+                                  "no seam '" + name.substr(0, 64) + "'; known are " + known_names(pattern));
         for (const int seam : found) {
             if (std::find(seams.begin(), seams.end(), seam) == seams.end()) seams.push_back(seam);
         }
@@ -62,37 +63,37 @@ std::vector<int> seams_of(const Pattern& pattern, const std::vector<std::string>
     return seams;
 }
 
-std::optional<int> centred_panel(const Pattern& pattern, const std::string& name, const Sett& sett) {
+std::optional<int> centred_panel(const sim::Pattern& pattern, const std::string& name, const sim::Sett& sett) {
     if (name.empty()) return {};
-    if (!warp_repeat(sett).mirror) throw InputError("", "--centre", "the sett has no mirror to be centred");
+    if (!warp_repeat(sett).mirror) throw sim::InputError("", "--centre", "the sett has no mirror to be centred");
     std::string known;
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
         if (pattern.panels[p].name == name) return static_cast<int>(p);
         if (p < kMostNames) known += (known.empty() ? "" : ", ") + pattern.panels[p].name;
     }
-    throw InputError("", "--centre", "no panel '" + name.substr(0, 64) + "'; known are " + known);
+    throw sim::InputError("", "--centre", "no panel '" + name.substr(0, 64) + "'; known are " + known);
 }
 
-std::string tartan_of(const MatchArguments& arguments, const Pattern& pattern) {
+std::string tartan_of(const MatchArguments& arguments, const sim::Pattern& pattern) {
     if (!arguments.tartan.empty()) return arguments.tartan;
-    return pattern.tartan.empty() ? kDefaultTartan : pattern.tartan;
+    return pattern.tartan.empty() ? sim::kDefaultTartan : pattern.tartan;
 }
 
 // m; the pattern's is of its own tartan.
-std::optional<double> sett_size(const MatchArguments& arguments, const Pattern& pattern) {
+std::optional<double> sett_size(const MatchArguments& arguments, const sim::Pattern& pattern) {
     if (arguments.sett_size_cm) return *arguments.sett_size_cm / 100;
     return arguments.tartan.empty() ? pattern.sett_size : std::nullopt;
 }
 
-Sett sett_of(const MatchArguments& arguments, const Pattern& pattern) {
-    const Sett sett = find_tartan(tartan_of(arguments, pattern));
+sim::Sett sett_of(const MatchArguments& arguments, const sim::Pattern& pattern) {
+    const sim::Sett sett = sim::find_tartan(tartan_of(arguments, pattern));
     const std::optional<double> size = sett_size(arguments, pattern);
     return size ? with_repeat_size(sett, *size) : sett;
 }
 
 void check_arguments(const MatchArguments& arguments) {
     const std::optional<double>& size = arguments.sett_size_cm;
-    if (size && !(*size >= 0.1 && *size <= 500)) throw InputError("", "--sett-size", "must be from 0.1 to 500 cm");
+    if (size && !(*size >= 0.1 && *size <= 500)) throw sim::InputError("", "--sett-size", "must be from 0.1 to 500 cm");
     std::vector<Path> outputs;
     if (!arguments.is_dry) outputs.push_back(arguments.output.empty() ? arguments.garment : arguments.output);
     if (!arguments.json_file.empty()) outputs.push_back(arguments.json_file);
@@ -106,10 +107,10 @@ double rounded(double value, double parts) {
     return std::round(value * parts) / parts + 0.0;
 }
 
-std::string to_json(const SettMatch& match, const MatchedSett& sett) {
-    Json seams = Json::array();
-    for (const SeamMatch& seam : match.seams) {
-        Json entry = Json::object();
+std::string to_json(const sim::SettMatch& match, const sim::MatchedSett& sett) {
+    sim::Json seams = sim::Json::array();
+    for (const sim::SeamMatch& seam : match.seams) {
+        sim::Json entry = sim::Json::object();
         entry["name"] = seam.name;
         entry["length_m"] = rounded(seam.length, 1e5);
         entry["before_mm"] = rounded(1e3 * seam.before, 1e3);
@@ -120,23 +121,23 @@ std::string to_json(const SettMatch& match, const MatchedSett& sett) {
         if (!seam.why.empty()) entry["why"] = seam.why;
         seams.push_back(std::move(entry));
     }
-    Json root = Json::object();
+    sim::Json root = sim::Json::object();
     root["tartan"] = sett.tartan;
-    root["repeat_m"] = Json::array({rounded(sett.repeat.x(), 1e6), rounded(sett.repeat.y(), 1e6)});
+    root["repeat_m"] = sim::Json::array({rounded(sett.repeat.x(), 1e6), rounded(sett.repeat.y(), 1e6)});
     root["seams"] = std::move(seams);
     return write_json(root);
 }
 
-void print_table(const SettMatch& match, const MatchedSett& sett) {
+void print_table(const sim::SettMatch& match, const sim::MatchedSett& sett) {
     std::printf("%s, repeat %.1f cm", sett.tartan.c_str(), 100 * sett.repeat.x());
     if (sett.repeat.x() != sett.repeat.y()) std::printf(", of the weft %.1f cm", 100 * sett.repeat.y());
     std::printf("\n");
     if (match.seams.empty()) return void(std::printf("no seams: nothing to match\n"));
     std::size_t width = 4;
-    for (const SeamMatch& seam : match.seams) width = std::max(width, std::min<std::size_t>(seam.name.size(), 60));
+    for (const sim::SeamMatch& seam : match.seams) width = std::max(width, std::min<std::size_t>(seam.name.size(), 60));
     std::printf("%-*s %9s %10s %9s %7s\n", static_cast<int>(width), "seam", "length cm", "before mm", "after mm",
                 "met %");
-    for (const SeamMatch& seam : match.seams) {
+    for (const sim::SeamMatch& seam : match.seams) {
         std::printf("%-*s %9.1f %10.1f %9.1f %7.0f%s%s\n", static_cast<int>(width), seam.name.c_str(),
                     100 * seam.length, 1e3 * seam.before, 1e3 * seam.after, 100 * seam.met,
                     seam.why.empty() ? "" : "  ", seam.why.c_str());
@@ -145,20 +146,20 @@ void print_table(const SettMatch& match, const MatchedSett& sett) {
 
 int run(const MatchArguments& arguments) {
     check_arguments(arguments);
-    PatternDocument document = load_pattern(arguments.garment);
-    Pattern& pattern = document.pattern;
-    const Sett sett = sett_of(arguments, pattern);
-    const SettMatch match = match_sett(pattern, sett,
-                                       {.first_seams = seams_of(pattern, arguments.seams),
-                                        .centred_panel = centred_panel(pattern, arguments.centre, sett)});
-    const MatchedSett matched{tartan_of(arguments, pattern), Vec2d(repeat_size(sett), weft_repeat_size(sett))};
+    sim::PatternDocument document = sim::load_pattern(arguments.garment);
+    sim::Pattern& pattern = document.pattern;
+    const sim::Sett sett = sett_of(arguments, pattern);
+    const sim::SettMatch match = match_sett(pattern, sett,
+                                            {.first_seams = seams_of(pattern, arguments.seams),
+                                             .centred_panel = centred_panel(pattern, arguments.centre, sett)});
+    const sim::MatchedSett matched{tartan_of(arguments, pattern), Vec2d(repeat_size(sett), weft_repeat_size(sett))};
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) pattern.panels[p].sett_offset = match.offsets[p];
     pattern.matched_sett = matched;
     pattern.sett_size = sett_size(arguments, pattern);
     if (!arguments.tartan.empty()) pattern.tartan = matched.tartan;  // the offsets serve no other
 
     print_table(match, matched);
-    if (!arguments.json_file.empty()) write_file_atomically(arguments.json_file, to_json(match, matched));
+    if (!arguments.json_file.empty()) sim::write_file_atomically(arguments.json_file, to_json(match, matched));
     if (arguments.is_dry) return 0;
     const Path& target = arguments.output.empty() ? arguments.garment : arguments.output;
     save_pattern(document, target);
@@ -212,4 +213,4 @@ void add_match_command(CLI::App& app, int& exit_code) {
     command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::app

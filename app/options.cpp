@@ -1,5 +1,6 @@
 #include "app/options.h"
 
+#include <unistd.h>
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
@@ -10,13 +11,12 @@
 #include <set>
 #include <string>
 #include <string_view>
-#include <unistd.h>
 
 #include "sim/collide/body_collider.h"
 #include "sim/core/error.h"
 #include "sim/mannequin/mannequin.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 bool is_mannequin(std::string_view source) {
@@ -30,14 +30,15 @@ T named(const std::map<std::string, T>& values, const std::string& option, const
     if (found != values.end()) return found->second;
     std::string names;
     for (const auto& [name, value] : values) names += (names.empty() ? "" : ", ") + name;
-    throw InputError("", option, "'" + text + "' is none of " + names);
+    throw sim::InputError("", option, "'" + text + "' is none of " + names);
 }
 
-const std::map<std::string, LengthUnit> kUnits{{"auto", LengthUnit::Auto},
-                                               {"m", LengthUnit::Metres},
-                                               {"cm", LengthUnit::Centimetres},
-                                               {"mm", LengthUnit::Millimetres}};
-const std::map<std::string, UpAxis> kUpAxes{{"auto", UpAxis::Auto}, {"y", UpAxis::Y}, {"z", UpAxis::Z}};
+const std::map<std::string, sim::LengthUnit> kUnits{{"auto", sim::LengthUnit::Auto},
+                                                    {"m", sim::LengthUnit::Metres},
+                                                    {"cm", sim::LengthUnit::Centimetres},
+                                                    {"mm", sim::LengthUnit::Millimetres}};
+const std::map<std::string, sim::UpAxis> kUpAxes{
+    {"auto", sim::UpAxis::Auto}, {"y", sim::UpAxis::Y}, {"z", sim::UpAxis::Z}};
 
 }  // namespace
 
@@ -51,7 +52,7 @@ void add_body_options(CLI::App& command, BodyOptions& options, const std::string
         return command.add_option_function<std::string>(name, read, text)->group("Body");
     };
     add("-b,--body", help, [&](Text text) {
-        if (is_mannequin(text)) parse_mannequin(text);
+        if (is_mannequin(text)) sim::parse_mannequin(text);
         options.source = text;
     })->type_name("BODY");
     add("--body-unit", "Unit of a body's file: auto, m, cm, mm (default auto: by its height)", [&](Text text) {
@@ -64,11 +65,11 @@ void add_body_options(CLI::App& command, BodyOptions& options, const std::string
 
 NotedBody make_body(const BodyOptions& options) {
     if (options.is_file()) {
-        LoadBodyReport report;
-        Body body = load_body(options.source, options.load, &report);
+        sim::LoadBodyReport report;
+        sim::Body body = load_body(options.source, options.load, &report);
         return {.body = std::move(body), .notes = std::move(report.notes)};
     }
-    Mannequin mannequin = make_mannequin(parse_mannequin(options.source));
+    sim::Mannequin mannequin = sim::make_mannequin(sim::parse_mannequin(options.source));
     return {.body = std::move(mannequin.body), .notes = std::move(mannequin.report.messages)};
 }
 
@@ -77,7 +78,7 @@ namespace {
 constexpr double kDegree = 0.017453292519943295;
 
 [[noreturn]] void fail(const std::string& problem) {
-    throw InputError("", "--camera", problem);
+    throw sim::InputError("", "--camera", problem);
 }
 
 CameraChoice by_direction(const std::vector<double>& numbers) {
@@ -132,23 +133,23 @@ std::optional<int> parse_level(Text text) {
     if (text == "adaptive") return std::nullopt;
     int level = -1;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), level);
-    if (error != std::errc() || end != text.data() + text.size() || level < 0 || level > kMostSurfaceLevel) {
-        throw InputError(
+    if (error != std::errc() || end != text.data() + text.size() || level < 0 || level > render::kMostSurfaceLevel) {
+        throw sim::InputError(
             "", "--surface-level",
-            "'" + text + "' is neither adaptive nor a level from 0 to " + std::to_string(kMostSurfaceLevel));
+            "'" + text + "' is neither adaptive nor a level from 0 to " + std::to_string(render::kMostSurfaceLevel));
     }
     return level;
 }
 
-SurfaceKind parse_kind(Text text) {
-    if (const auto kind = parse_surface_kind(text)) return *kind;
-    throw InputError("", "--surface", "'" + text + "' is none of " + kSurfaceKindNames);
+render::SurfaceKind parse_kind(Text text) {
+    if (const auto kind = render::parse_surface_kind(text)) return *kind;
+    throw sim::InputError("", "--surface", "'" + text + "' is none of " + render::kSurfaceKindNames);
 }
 
-LightNormals parse_normals(Text text) {
-    if (text == "recomputed") return LightNormals::Recomputed;
-    if (text == "interpolated") return LightNormals::Interpolated;
-    throw InputError("", "--surface-normals", "'" + text + "' is none of recomputed, interpolated");
+render::LightNormals parse_normals(Text text) {
+    if (text == "recomputed") return render::LightNormals::Recomputed;
+    if (text == "interpolated") return render::LightNormals::Interpolated;
+    throw sim::InputError("", "--surface-normals", "'" + text + "' is none of recomputed, interpolated");
 }
 
 }  // namespace
@@ -158,8 +159,8 @@ void add_surface_options(CLI::App& command, SurfaceChoice& choice) {
         return command.add_option_function<std::string>(name, read, help)->group("Surface");
     };
     CLI::Option* kind = add("--surface",
-                            std::string("Draw the cloth as a curved surface over its triangles: ") + kSurfaceKindNames +
-                                " (default: the triangles themselves)",
+                            std::string("Draw the cloth as a curved surface over its triangles: ") +
+                                render::kSurfaceKindNames + " (default: the triangles themselves)",
                             [&](Text text) { choice.kind = parse_kind(text); })
                             ->type_name("KIND");
     add("--surface-level", "How often its edges are halved: 0 to 6, or adaptive (default adaptive, to 3)",
@@ -177,17 +178,18 @@ void add_surface_options(CLI::App& command, SurfaceChoice& choice) {
         ->needs(kind);
 }
 
-PlainMesh drawn_mesh(const PlainMesh& garment, const Body* body, const SurfaceChoice& choice,
-                     const std::optional<ViewPoint>& view) {
+sim::PlainMesh drawn_mesh(const sim::PlainMesh& garment, const sim::Body* body, const SurfaceChoice& choice,
+                          const std::optional<sim::ViewPoint>& view) {
     if (!choice.kind) return garment;
-    CurvedMeshOptions options{.kind = *choice.kind, .level = choice.level, .light_normals = choice.light_normals};
+    render::CurvedMeshOptions options{
+        .kind = *choice.kind, .level = choice.level, .light_normals = choice.light_normals};
     if (choice.coarsens_back_faces) options.view = view;
-    std::optional<BodyCollider> collider;
+    std::optional<sim::BodyCollider> collider;
     if (body != nullptr) options.move.body = &collider.emplace(*body);
     try {
         return curved_mesh(garment, options);
-    } catch (const InputError& error) {
-        throw InputError("", "--surface", error.place() + ": " + error.problem());
+    } catch (const sim::InputError& error) {
+        throw sim::InputError("", "--surface", error.place() + ": " + error.problem());
     }
 }
 
@@ -201,7 +203,7 @@ void check_extension(const fs::path& path, std::span<const std::string_view> ext
     if (std::find(extensions.begin(), extensions.end(), extension) != extensions.end()) return;
     std::string known;
     for (const std::string_view name : extensions) known += (known.empty() ? "" : " or ") + std::string(name);
-    throw InputError(path.string(), "", "cannot write: the name should end in " + known);
+    throw sim::InputError(path.string(), "", "cannot write: the name should end in " + known);
 }
 
 // One name for a file, whichever way it is spelt; it need not be there.
@@ -217,11 +219,11 @@ void check_output(const fs::path& path, std::span<const std::string_view> extens
     if (!extensions.empty()) check_extension(path, extensions);
     std::error_code ignored;
     if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored))
-        throw InputError(path.string(), "", "cannot write: what stands there is not a file");
+        throw sim::InputError(path.string(), "", "cannot write: what stands there is not a file");
     const fs::path folder = one_name(path).parent_path();
     if (access(folder.c_str(), W_OK | X_OK) != 0)
-        throw InputError(path.string(), "", std::string("cannot write: ") + std::strerror(errno));
-    if (!path.has_filename()) throw InputError(path.string(), "", "cannot write: this names a folder");
+        throw sim::InputError(path.string(), "", std::string("cannot write: ") + std::strerror(errno));
+    if (!path.has_filename()) throw sim::InputError(path.string(), "", "cannot write: this names a folder");
 }
 
 void check_apart(const std::vector<fs::path>& outputs, const std::vector<fs::path>& inputs) {
@@ -229,8 +231,8 @@ void check_apart(const std::vector<fs::path>& outputs, const std::vector<fs::pat
     for (const fs::path& input : inputs) taken.insert(one_name(input));
     for (const fs::path& output : outputs) {
         if (!taken.insert(one_name(output)).second)
-            throw InputError(output.string(), "", "cannot write: the same command reads or writes it already");
+            throw sim::InputError(output.string(), "", "cannot write: the same command reads or writes it already");
     }
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::app

@@ -15,17 +15,17 @@
 #include "sim/body/body.h"
 #include "sim/body/load_body.h"
 
-namespace selvedge {
+namespace selvedge::app {
 
 struct BodyOptions {
     std::string source;  // "mannequin[:bust=92,...]" or a file; empty: none was named
-    LoadBodyOptions load;
+    sim::LoadBodyOptions load;
 
     bool is_file() const;
 };
 
 struct NotedBody {
-    Body body;
+    sim::Body body;
     std::vector<std::string> notes;  // what could not be met, or was changed, a sentence each
 };
 
@@ -40,7 +40,7 @@ NotedBody make_body(const BodyOptions& options);
 
 // Either a direction, in which the scene is framed and then magnified, or the eye and what it looks at.
 struct CameraChoice {
-    Direction direction;
+    render::Direction direction;
     float zoom = 1;
     std::optional<std::array<Vec3f, 2>> eye_and_target;  // m
 };
@@ -54,10 +54,10 @@ std::optional<std::vector<double>> parse_numbers(std::string_view text);
 // Drawing the cloth curved: the options that dress and render share.
 
 struct SurfaceChoice {
-    std::optional<SurfaceKind> kind;  // none: the cloth's own triangles, as they were simulated
-    std::optional<int> level;         // none: adaptive
+    std::optional<render::SurfaceKind> kind;  // none: the cloth's own triangles, as they were simulated
+    std::optional<int> level;                 // none: adaptive
     bool coarsens_back_faces = false;
-    LightNormals light_normals = LightNormals::Recomputed;
+    render::LightNormals light_normals = render::LightNormals::Recomputed;
 };
 
 // Adds --surface, --surface-level, --surface-normals and --back-face-coarsening, checked while the command line is
@@ -66,8 +66,8 @@ void add_surface_options(CLI::App& command, SurfaceChoice& choice);
 
 // The garment as it is drawn. view: of whoever looks at it, if there is one. body: not to dip into, may be null.
 // Throws InputError as curved_mesh() does.
-PlainMesh drawn_mesh(const PlainMesh& garment, const Body* body, const SurfaceChoice& choice,
-                     const std::optional<ViewPoint>& view = {});
+sim::PlainMesh drawn_mesh(const sim::PlainMesh& garment, const sim::Body* body, const SurfaceChoice& choice,
+                          const std::optional<sim::ViewPoint>& view = {});
 
 // Files that a subcommand will write, looked at before its work begins: nobody should wait for what cannot be kept.
 
@@ -82,4 +82,4 @@ void check_output(const std::filesystem::path& path, std::span<const std::string
 // Throws InputError when two outputs are one file, or an output is a file that is read.
 void check_apart(const std::vector<std::filesystem::path>& outputs, const std::vector<std::filesystem::path>& inputs);
 
-}  // namespace selvedge
+}  // namespace selvedge::app

@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "app/composition.h"
+#include "render/draw/renderer.h"
 #include "render/gl/context.h"
 #include "render/image/image.h"
-#include "render/draw/renderer.h"
 #include "sim/core/error.h"
 #include "sim/tartan/tartan_file.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 bool parse_int(std::string_view text, int& value) {
@@ -23,13 +23,16 @@ void parse_size(const std::string& text, PictureOptions& options) {
     int width = 0, height = 0;
     const bool is_read = cross != std::string::npos && parse_int(std::string_view(text).substr(0, cross), width) &&
                          parse_int(std::string_view(text).substr(cross + 1), height);
-    if (!is_read) throw InputError("", "--size", "'" + text + "' is not WIDTHxHEIGHT in pixels, such as 1024x1024");
-    const bool is_drawable = width >= 1 && height >= 1 && width <= kMaxImageSide && height <= kMaxImageSide &&
-                             static_cast<long>(width) * height <= kMaxImagePixels;
+    if (!is_read)
+        throw sim::InputError("", "--size", "'" + text + "' is not WIDTHxHEIGHT in pixels, such as 1024x1024");
+    const bool is_drawable = width >= 1 && height >= 1 && width <= render::kMaxImageSide &&
+                             height <= render::kMaxImageSide &&
+                             static_cast<long>(width) * height <= render::kMaxImagePixels;
     if (!is_drawable) {
-        throw InputError("", "--size",
-                         "'" + text + "': sides are from 1 to " + std::to_string(kMaxImageSide) + ", with at most " +
-                             std::to_string(kMaxImagePixels / 1000000) + " million pixels");
+        throw sim::InputError("", "--size",
+                              "'" + text + "': sides are from 1 to " + std::to_string(render::kMaxImageSide) +
+                                  ", with at most " + std::to_string(render::kMaxImagePixels / 1000000) +
+                                  " million pixels");
     }
     options.width_px = width;
     options.height_px = height;
@@ -39,20 +42,20 @@ double parse_number(const std::string& option, std::string_view text) {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
-        throw InputError("", option, "'" + std::string(text) + "' is not a number");
+        throw sim::InputError("", option, "'" + std::string(text) + "' is not a number");
     }
     return value;
 }
 
 double parse_sett_size(const std::string& text) {
     const double size_cm = parse_number("--sett-size", text);
-    if (size_cm < 0.1 || size_cm > 500) throw InputError("", "--sett-size", "must be from 0.1 to 500 cm");
+    if (size_cm < 0.1 || size_cm > 500) throw sim::InputError("", "--sett-size", "must be from 0.1 to 500 cm");
     return size_cm / 100;
 }
 
 Vec2d parse_sett_position(const std::string& text) {
     const std::size_t comma = text.find(',');
-    if (comma == std::string::npos) throw InputError("", "--sett-position", "'" + text + "' is not X,Y in cm");
+    if (comma == std::string::npos) throw sim::InputError("", "--sett-position", "'" + text + "' is not X,Y in cm");
     return Vec2d(parse_number("--sett-position", std::string_view(text).substr(0, comma)),
                  parse_number("--sett-position", std::string_view(text).substr(comma + 1))) /
            100;
@@ -61,7 +64,7 @@ Vec2d parse_sett_position(const std::string& text) {
 // The value, or an error that lists those there are.
 template <class T>
 T known(const std::optional<T>& value, const std::string& option, const std::string& text, const char* names) {
-    if (!value) throw InputError("", option, "'" + text + "' is none of " + names);
+    if (!value) throw sim::InputError("", option, "'" + text + "' is none of " + names);
     return *value;
 }
 
@@ -69,13 +72,13 @@ int parse_samples(const std::string& text) {
     for (const int samples : {1, 2, 4, 8}) {
         if (text == std::to_string(samples)) return samples;
     }
-    throw InputError("", "--samples", "'" + text + "' is none of 1, 2, 4, 8");
+    throw sim::InputError("", "--samples", "'" + text + "' is none of 1, 2, 4, 8");
 }
 
 Framing parse_framing(const std::string& text) {
     if (text == "all") return Framing::All;
     if (text == "garment") return Framing::Garment;
-    throw InputError("", "--frame", "'" + text + "' is none of all, garment");
+    throw sim::InputError("", "--frame", "'" + text + "' is none of all, garment");
 }
 
 struct Limits {
@@ -86,7 +89,7 @@ struct Limits {
 int parse_count(const std::string& option, const std::string& text, Limits limits) {
     int value = 0;
     if (!parse_int(text, value) || value < limits.least || value > limits.most) {
-        throw InputError(
+        throw sim::InputError(
             "", option,
             "'" + text + "' is not from " + std::to_string(limits.least) + " to " + std::to_string(limits.most));
     }
@@ -109,9 +112,10 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
     add("--supersample", "Draws so many times as large and averages, 1 to 4 (default 1)", [&](Text text) {
         options.supersample = parse_count("--supersample", text, {.least = 1, .most = 4});
     })->type_name("N");
-    CLI::Option* view = add("--view", std::string("From where: ") + kViewNames + " (default front)", [&](Text text) {
-                            options.view = known(parse_view(text), "--view", text, kViewNames);
-                        })->type_name("VIEW");
+    CLI::Option* view =
+        add("--view", std::string("From where: ") + render::kViewNames + " (default front)", [&](Text text) {
+            options.view = known(render::parse_view(text), "--view", text, render::kViewNames);
+        })->type_name("VIEW");
     add("--camera", "From where, in numbers: AZIMUTH,ELEVATION[,ZOOM] in degrees, or the eye and its target in m",
         [&](Text text) { options.camera = parse_camera(text); })
         ->type_name("NUMBERS")
@@ -119,13 +123,13 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
     add("--frame", "What fills the picture: all, garment (default all)", [&](Text text) {
         options.framing = parse_framing(text);
     })->type_name("WHAT");
-    add("--show", std::string("How the cloth is drawn: ") + kShowModeNames + " (default tartan)", [&](Text text) {
-        options.show = known(parse_show_mode(text), "--show", text, kShowModeNames);
-    })->type_name("MODE");
+    add("--show", std::string("How the cloth is drawn: ") + render::kShowModeNames + " (default tartan)",
+        [&](Text text) { options.show = known(render::parse_show_mode(text), "--show", text, render::kShowModeNames); })
+        ->type_name("MODE");
     add("--tartan",
         std::string("A shipped tartan or a threadcount, such as 'B/24 W4 B24 R/2' (default the pattern's, or ") +
-            kDefaultTartan + ")",
-        [&](Text text) { options.sett = find_tartan(text); })
+            sim::kDefaultTartan + ")",
+        [&](Text text) { options.sett = sim::find_tartan(text); })
         ->type_name("NAME");
     add("--sett-size", "Size of the tartan's repeat in cm (default its own)", [&](Text text) {
         options.sett_size = parse_sett_size(text);
@@ -138,42 +142,42 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
         ->group("Picture");
 }
 
-Material material_of(const Fabric& fabric) {
+render::Material material_of(const sim::Fabric& fabric) {
     return {.gloss = static_cast<float>(fabric.gloss),
             .roughness = static_cast<float>(fabric.roughness),
             .sheen = static_cast<float>(fabric.sheen)};
 }
 
-Sett sett_of(const PictureOptions& options) {
-    const Sett sett = options.sett ? *options.sett : find_tartan(kDefaultTartan);
+sim::Sett sett_of(const PictureOptions& options) {
+    const sim::Sett sett = options.sett ? *options.sett : sim::find_tartan(sim::kDefaultTartan);
     return options.sett_size ? with_repeat_size(sett, *options.sett_size) : sett;
 }
 
 void check_can_draw(const PictureOptions& options) {
-    const auto context = make_context();
+    const auto context = render::make_context();
     const int most = context->most_samples();
     if (options.samples <= most) return;
-    throw InputError("", "--samples",
-                     std::string(name(context->maker())) + " takes at most " + std::to_string(most) +
-                         " per pixel here, not " + std::to_string(options.samples) +
-                         ": --supersample smooths edges as well");
+    throw sim::InputError("", "--samples",
+                          std::string(render::name(context->maker())) + " takes at most " + std::to_string(most) +
+                              " per pixel here, not " + std::to_string(options.samples) +
+                              ": --supersample smooths edges as well");
 }
 
-void check_can_show(ShowMode show, bool has_body, bool has_hierarchy) {
-    if (show == ShowMode::Clearance && !has_body)
-        throw InputError("", "--show", "'clearance' is measured from a body: name one with --body");
-    if (show == ShowMode::Hierarchy && !has_hierarchy) {
-        throw InputError("", "--show",
-                         "'hierarchy' shows refined triangles, and a mesh file holds only the last ones: "
-                         "use selvedge dress --show hierarchy");
+void check_can_show(render::ShowMode show, bool has_body, bool has_hierarchy) {
+    if (show == render::ShowMode::Clearance && !has_body)
+        throw sim::InputError("", "--show", "'clearance' is measured from a body: name one with --body");
+    if (show == render::ShowMode::Hierarchy && !has_hierarchy) {
+        throw sim::InputError("", "--show",
+                              "'hierarchy' shows refined triangles, and a mesh file holds only the last ones: "
+                              "use selvedge dress --show hierarchy");
     }
 }
 
-Image draw_picture(const Sitter& sitter, const PictureOptions& options) {
+render::Image draw_picture(const Sitter& sitter, const PictureOptions& options) {
     const Composition composition = compose(sitter, options);
-    Image image = Renderer().draw(composition.scene, render_options(options));
+    render::Image image = render::Renderer().draw(composition.scene, render_options(options));
     if (composition.legend) draw_legend(image, *composition.legend, composition.corner);
     return image;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::app

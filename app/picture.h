@@ -11,7 +11,7 @@
 #include "sim/pattern/fabric.h"
 #include "sim/tartan/sett.h"
 
-namespace selvedge {
+namespace selvedge::app {
 
 enum class Framing { All, Garment };
 
@@ -20,16 +20,16 @@ struct PictureOptions {
     int height_px = 1024;
     int samples = 4;
     int supersample = 1;
-    std::optional<View> view;            // none: from the front; a hierarchy from above
+    std::optional<render::View> view;    // none: from the front; a hierarchy from above
     std::optional<CameraChoice> camera;  // instead of a view
     Framing framing = Framing::All;
-    ShowMode show = ShowMode::Tartan;
-    std::optional<Sett> sett;            // none: kDefaultTartan
+    render::ShowMode show = render::ShowMode::Tartan;
+    std::optional<sim::Sett> sett;       // none: kDefaultTartan
     std::optional<double> sett_size;     // m, of one repeat; none: the tartan's own
     std::optional<Vec2d> sett_position;  // m, (weft, warp); none: zero
     bool is_transparent = false;
-    Material material{};      // how the cloth takes light
-    SurfaceChoice surface{};  // the cloth's own triangles, or curved ones over them
+    render::Material material{};  // how the cloth takes light
+    SurfaceChoice surface{};      // the cloth's own triangles, or curved ones over them
 };
 
 // Adds --size, --samples, --supersample, --view, --camera, --frame, --show, --tartan, --sett-size, --sett-position,
@@ -38,10 +38,10 @@ struct PictureOptions {
 void add_picture_options(CLI::App& command, PictureOptions& options);
 
 // How a fabric takes light.
-Material material_of(const Fabric& fabric);
+render::Material material_of(const sim::Fabric& fabric);
 
 // What the cloth is drawn in: the tartan that was asked for, at the size that was asked for.
-Sett sett_of(const PictureOptions& options);
+sim::Sett sett_of(const PictureOptions& options);
 
 // Throws InputError when there is no way to draw (render/gl/context.h), or none with so many samples: to be asked
 // before long work.
@@ -49,16 +49,16 @@ void check_can_draw(const PictureOptions& options = {});
 
 // Who is drawn. What is null is not there.
 struct Sitter {
-    const PlainMesh& garment;
-    const Body* body = nullptr;
-    const TriangleHierarchy* hierarchy = nullptr;
+    const sim::PlainMesh& garment;
+    const sim::Body* body = nullptr;
+    const sim::TriangleHierarchy* hierarchy = nullptr;
 };
 
 // Throws InputError when the mode asks for a body or a hierarchy that will not be there: to be asked before long work.
-void check_can_show(ShowMode show, bool has_body, bool has_hierarchy);
+void check_can_show(render::ShowMode show, bool has_body, bool has_hierarchy);
 
 // Triangles with numbers that are not finite are left out. Throws InputError when nothing is left to draw, there is no
 // way to draw (render/gl/context.h), or the mode asks for what is not there.
-Image draw_picture(const Sitter& sitter, const PictureOptions& options);
+render::Image draw_picture(const Sitter& sitter, const PictureOptions& options);
 
-}  // namespace selvedge
+}  // namespace selvedge::app

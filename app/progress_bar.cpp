@@ -9,7 +9,7 @@
 #include <iomanip>
 #include <sstream>
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 constexpr auto kRedrawInterval = std::chrono::milliseconds(50);
@@ -73,7 +73,7 @@ ProgressBar::~ProgressBar() {
     finish();
 }
 
-Progress ProgressBar::progress() {
+sim::Progress ProgressBar::progress() {
     return [this](std::string_view phase, double fraction) { show(phase, fraction); };
 }
 
@@ -121,4 +121,4 @@ void ProgressBar::redraw(Clock::time_point now) {
     last_drawn_ = now;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::app

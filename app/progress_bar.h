@@ -8,7 +8,7 @@
 
 #include "sim/core/parallel.h"
 
-namespace selvedge {
+namespace selvedge::app {
 
 struct ProgressBarOptions {
     bool is_quiet = false;     // shows nothing at all
@@ -35,7 +35,7 @@ class ProgressBar {
     void finish();
 
     // To be handed to a task that ends before the bar does.
-    Progress progress();
+    sim::Progress progress();
 
  private:
     using Clock = std::chrono::steady_clock;
@@ -53,4 +53,4 @@ class ProgressBar {
     Clock::time_point last_drawn_;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::app

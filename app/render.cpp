@@ -2,16 +2,16 @@
 #include <cstdio>
 #include <memory>
 
-#include "app/options.h"
 #include "app/commands.h"
+#include "app/film.h"
+#include "app/options.h"
 #include "app/picture.h"
 #include "app/progress_bar.h"
-#include "app/film.h"
 #include "render/image/image.h"
 #include "sim/core/error.h"
 #include "sim/exchange/mesh_file.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 struct RenderArguments {
@@ -25,7 +25,7 @@ struct RenderArguments {
 
 void check_outputs(const RenderArguments& arguments) {
     if (arguments.output.empty() && arguments.turntable.file.empty())
-        throw InputError("", "render", "nothing to write: name a picture with -o or a film with --turntable");
+        throw sim::InputError("", "render", "nothing to write: name a picture with -o or a film with --turntable");
     if (!arguments.output.empty()) check_output(arguments.output, kPictureExtensions);
     check_turntable(arguments.turntable, arguments.picture);
 }
@@ -34,8 +34,8 @@ int render(const RenderArguments& arguments) {
     check_outputs(arguments);
     check_can_draw(arguments.picture);
     check_can_show(arguments.picture.show, !arguments.body.source.empty(), false);
-    const PlainMesh garment = read_garment(arguments.garment);
-    std::optional<Body> body;
+    const sim::PlainMesh garment = sim::read_garment(arguments.garment);
+    std::optional<sim::Body> body;
     if (!arguments.body.source.empty()) body = make_body(arguments.body).body;
     const Sitter sitter{.garment = garment, .body = body ? &*body : nullptr};
     if (!arguments.output.empty()) {
@@ -63,7 +63,7 @@ void add_render_command(CLI::App& app, int& exit_code) {
     command
         ->add_option_function<std::string>(
             "--fabric",
-            [arguments](const std::string& name) { arguments->picture.material = material_of(find_fabric(name)); },
+            [arguments](const std::string& name) { arguments->picture.material = material_of(sim::find_fabric(name)); },
             "A shipped fabric or a fabric file: how it takes light")
         ->type_name("NAME|FILE");
     add_picture_options(*command, arguments->picture);
@@ -78,4 +78,4 @@ void add_render_command(CLI::App& app, int& exit_code) {
     command->callback([arguments, &exit_code] { exit_code = render(*arguments); });
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::app

@@ -1,21 +1,21 @@
 #include "app/ui_draw.h"
 
+#include <imgui.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <imgui.h>
 #include <map>
 
-#include "render/gl/target.h"
 #include "render/gl/context.h"
+#include "render/gl/target.h"
 #include "sim/core/assert.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
-constexpr UiTexture kFont = 0;
+constexpr editor::UiTexture kFont = 0;
 
 void add_attribute(const GladGLContext& gl, GLuint index, int parts, GLenum type, std::size_t offset) {
     gl.EnableVertexAttribArray(index);
@@ -29,8 +29,8 @@ void stream(const GladGLContext& gl, GLenum target, const ImVector<T>& data) {
     gl.BufferData(target, static_cast<GLsizeiptr>(data.size_in_bytes()), data.Data, GL_STREAM_DRAW);
 }
 
-Texture make_texture(const GladGLContext& gl, int width_px, int height_px, const void* rgba, GLint wrap) {
-    Texture texture(gl);
+render::Texture make_texture(const GladGLContext& gl, int width_px, int height_px, const void* rgba, GLint wrap) {
+    render::Texture texture(gl);
     gl.ActiveTexture(GL_TEXTURE0);
     gl.BindTexture(GL_TEXTURE_2D, texture.id());
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -69,11 +69,11 @@ PixelBox clip_box(const ImVec4& clip, const ImDrawData& data, const UiTarget& to
 }  // namespace
 
 struct UiDraw::Impl {
-    explicit Impl(GlContext& made_elsewhere)
+    explicit Impl(render::GlContext& made_elsewhere)
         : context(made_elsewhere),
           gl(made_elsewhere.gl()),
-          textured(make_program(gl, {"ui.vert"}, {"ui.frag"})),
-          plain(make_program(gl, {"ui.vert"}, {"ui_plain.frag"})),
+          textured(render::make_program(gl, {"ui.vert"}, {"ui.frag"})),
+          plain(render::make_program(gl, {"ui.vert"}, {"ui_plain.frag"})),
           vertex_array(gl),
           vertices(gl),
           indices(gl),
@@ -97,7 +97,7 @@ struct UiDraw::Impl {
         atlas.ClearTexData();
     }
 
-    unsigned texture_of(UiTexture number) const {
+    unsigned texture_of(editor::UiTexture number) const {
         const auto lent_one = lent.find(number);
         if (lent_one != lent.end()) return lent_one->second->texture();
         const auto own = owned.find(number);
@@ -117,7 +117,7 @@ struct UiDraw::Impl {
         gl.Enable(GL_BLEND);
         gl.BlendEquation(GL_FUNC_ADD);
         gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);  // stays opaque
-        for (const Program* program : {&plain, &textured}) {
+        for (const render::Program* program : {&plain, &textured}) {
             program->use();
             program->set("display_low", Vec2f(data.DisplayPos.x, data.DisplayPos.y));
             program->set("upwards", is_upright(to) ? 1.0F : -1.0F);
@@ -141,7 +141,7 @@ struct UiDraw::Impl {
     void draw_command(const ImDrawList& list, const ImDrawCmd& command, const ImDrawData& data,
                       const UiTarget& to) const {
         const PixelBox box = clip_box(command.ClipRect, data, to);
-        const auto number = static_cast<UiTexture>(reinterpret_cast<std::uintptr_t>(command.GetTexID()));
+        const auto number = static_cast<editor::UiTexture>(reinterpret_cast<std::uintptr_t>(command.GetTexID()));
         const unsigned texture = texture_of(number);
         if (box.is_empty() || texture == 0) return;
         gl.Scissor(box.left, box.low, box.width, box.height);
@@ -154,7 +154,8 @@ struct UiDraw::Impl {
         }
     }
 
-    void draw_picture(const ImDrawList& list, const ImDrawCmd& command, UiTexture number, float px_per_unit) const {
+    void draw_picture(const ImDrawList& list, const ImDrawCmd& command, editor::UiTexture number,
+                      float px_per_unit) const {
         const auto lent_one = lent.find(number);
         const bool is_plain =
             lent_one != lent.end() &&
@@ -180,28 +181,28 @@ struct UiDraw::Impl {
         if (run.kind == RunKind::Opaque) gl.Enable(GL_BLEND);
     }
 
-    GlContext& context;
+    render::GlContext& context;
     const GladGLContext& gl;
-    Program textured, plain;
-    VertexArray vertex_array;
-    Buffer vertices, indices;
-    Sampler nearest;
-    std::map<UiTexture, Texture> owned;  // the font, pictures
-    std::map<UiTexture, const PictureTexture*> lent;
+    render::Program textured, plain;
+    render::VertexArray vertex_array;
+    render::Buffer vertices, indices;
+    render::Sampler nearest;
+    std::map<editor::UiTexture, render::Texture> owned;  // the font, pictures
+    std::map<editor::UiTexture, const render::PictureTexture*> lent;
 };
 
-UiDraw::UiDraw(GlContext& context) : impl_(std::make_unique<Impl>(context)) {}
+UiDraw::UiDraw(render::GlContext& context) : impl_(std::make_unique<Impl>(context)) {}
 UiDraw::~UiDraw() = default;
 
-void UiDraw::hold(const PictureToHold& picture) {
-    const Image& image = picture.picture;
+void UiDraw::hold(const editor::PictureToHold& picture) {
+    const render::Image& image = picture.picture;
     SELVEDGE_ASSERT(picture.texture != kFont && image.width_px >= 1 && image.height_px >= 1);
     impl_->lent.erase(picture.texture);
     impl_->owned.insert_or_assign(
         picture.texture, make_texture(impl_->gl, image.width_px, image.height_px, image.pixels.data(), GL_REPEAT));
 }
 
-void UiDraw::lend(UiTexture number, const PictureTexture& picture) {
+void UiDraw::lend(editor::UiTexture number, const render::PictureTexture& picture) {
     SELVEDGE_ASSERT(number != kFont);
     impl_->owned.erase(number);
     impl_->lent.insert_or_assign(number, &picture);
@@ -276,4 +277,4 @@ std::vector<UiRun> cut_into_runs(const ImDrawList& list, const ImDrawCmd& comman
     return runs;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::app

@@ -8,7 +8,7 @@
 #include "render/gl/context.h"
 #include "render/gl/handle.h"
 
-namespace selvedge {
+namespace selvedge::app {
 
 // Where it draws.
 struct UiTarget {
@@ -17,21 +17,21 @@ struct UiTarget {
     int height_px = 0;
 };
 
-inline UiTarget target_of(const PictureTexture& picture) {
+inline UiTarget target_of(const render::PictureTexture& picture) {
     return {.framebuffer = picture.framebuffer(), .width_px = picture.width_px(), .height_px = picture.height_px()};
 }
 
 // Belongs to one thread and to a context, which must outlive it. Textures are known by the editor's numbers.
 class UiDraw {
  public:
-    explicit UiDraw(GlContext& context);
+    explicit UiDraw(render::GlContext& context);
     ~UiDraw();
 
     // Takes the place of what was held by that number. Pre: not the font's number, the picture is not empty.
-    void hold(const PictureToHold& picture);
+    void hold(const editor::PictureToHold& picture);
 
     // An opaque picture that others own and draw: it must live as long as lists name it.
-    void lend(UiTexture number, const PictureTexture& picture);
+    void lend(editor::UiTexture number, const render::PictureTexture& picture);
 
     // What ImGui::Render made last, in the present ImGui context, over black; the picture is opaque. A font atlas that
     // was built since is taken to GL, and its pixels are then cleared (ImFontAtlas::ClearTexData). A number that stands
@@ -44,7 +44,7 @@ class UiDraw {
     std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::app
 
 // Cuts an ImGui draw command into runs of triangles that can be drawn in a cheaper way. A software renderer spends its
 // time on pixels: large areas of one colour need neither texture nor, where they are opaque, blending.
@@ -52,7 +52,7 @@ class UiDraw {
 struct ImDrawCmd;
 struct ImDrawList;
 
-namespace selvedge {
+namespace selvedge::app {
 
 enum class RunKind {
     Textured,  // as ImGui means it
@@ -78,4 +78,4 @@ struct PictureSize {
 // it is, with no mixing of neighbours.
 bool lies_pixel_on_pixel(const ImDrawList& list, const ImDrawCmd& command, const PictureSize& size, float px_per_unit);
 
-}  // namespace selvedge
+}  // namespace selvedge::app

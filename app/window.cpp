@@ -11,14 +11,14 @@
 #include "sim/core/error.h"
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 [[noreturn]] void fail() {
     const char* reason = nullptr;
     glfwGetError(&reason);
-    throw InputError("", "window",
-                     std::string("cannot be opened: ") + (reason == nullptr ? "no reason given" : reason));
+    throw sim::InputError("", "window",
+                          std::string("cannot be opened: ") + (reason == nullptr ? "no reason given" : reason));
 }
 
 class Library {
@@ -32,7 +32,7 @@ class Library {
 };
 
 // The window's, and with it the window: closing it releases the context before any other is made.
-class WindowContext final : public GlContext {
+class WindowContext final : public render::GlContext {
  public:
     explicit WindowContext(const WindowOptions& options) {
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
@@ -50,14 +50,14 @@ class WindowContext final : public GlContext {
             load_functions(glfwGetProcAddress);
         } catch (const std::runtime_error& error) {
             destroy();
-            throw InputError("", "window", std::string("cannot be opened: ") + error.what());
+            throw sim::InputError("", "window", std::string("cannot be opened: ") + error.what());
         }
         glfwSwapInterval(1);
     }
     ~WindowContext() override { destroy(); }
 
     void make_current() override { glfwMakeContextCurrent(window_); }
-    ContextMaker maker() const override { return ContextMaker::Window; }
+    render::ContextMaker maker() const override { return render::ContextMaker::Window; }
     GLFWwindow* window() const { return window_; }
 
  private:
@@ -85,7 +85,7 @@ class Cursors {
     Cursors& operator=(const Cursors&) = delete;
 
     // Where the screen's theme lacks the shape, its own.
-    GLFWcursor* of(MouseCursor cursor) const { return cursors_[static_cast<std::size_t>(cursor)]; }
+    GLFWcursor* of(editor::MouseCursor cursor) const { return cursors_[static_cast<std::size_t>(cursor)]; }
 
  private:
     std::array<GLFWcursor*, kCursorShapes.size()> cursors_{};
@@ -100,24 +100,24 @@ class EventQueue {
         listen_to_mouse();
         listen_to_keys();
         glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
-            InputEvent event = of(w).event_at_cursor(InputEvent::Kind::DropFiles);
+            editor::InputEvent event = of(w).event_at_cursor(editor::InputEvent::Kind::DropFiles);
             event.files.assign(paths, paths + count);
             of(w).events_.push_back(event);
         });
         glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int is_focused) {
-            InputEvent event = of(w).event_at_cursor(InputEvent::Kind::Focus);
+            editor::InputEvent event = of(w).event_at_cursor(editor::InputEvent::Kind::Focus);
             event.is_down = is_focused != 0;
             of(w).events_.push_back(event);
         });
         glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
             glfwSetWindowShouldClose(w, GLFW_FALSE);  // the editor decides
-            of(w).events_.push_back(of(w).event_at_cursor(InputEvent::Kind::CloseRequest));
+            of(w).events_.push_back(of(w).event_at_cursor(editor::InputEvent::Kind::CloseRequest));
         });
     }
     EventQueue(const EventQueue&) = delete;
     EventQueue& operator=(const EventQueue&) = delete;
 
-    std::vector<InputEvent> take() { return std::exchange(events_, {}); }
+    std::vector<editor::InputEvent> take() { return std::exchange(events_, {}); }
 
  private:
     static EventQueue& of(GLFWwindow* window) { return *static_cast<EventQueue*>(glfwGetWindowUserPointer(window)); }
@@ -125,17 +125,17 @@ class EventQueue {
     void listen_to_mouse() {
         glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
             of(w).cursor_ = {x, y};
-            of(w).events_.push_back(of(w).event_at_cursor(InputEvent::Kind::MouseMove));
+            of(w).events_.push_back(of(w).event_at_cursor(editor::InputEvent::Kind::MouseMove));
         });
         glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int) {
             if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
-            InputEvent event = of(w).event_at_cursor(InputEvent::Kind::MouseButton);
-            event.button = static_cast<MouseButton>(button);
+            editor::InputEvent event = of(w).event_at_cursor(editor::InputEvent::Kind::MouseButton);
+            event.button = static_cast<editor::MouseButton>(button);
             event.is_down = action == GLFW_PRESS;
             of(w).events_.push_back(event);
         });
         glfwSetScrollCallback(window_, [](GLFWwindow* w, double x, double y) {
-            InputEvent event = of(w).event_at_cursor(InputEvent::Kind::Wheel);
+            editor::InputEvent event = of(w).event_at_cursor(editor::InputEvent::Kind::Wheel);
             event.x = static_cast<float>(x);
             event.y = static_cast<float>(y);
             of(w).events_.push_back(event);
@@ -145,20 +145,20 @@ class EventQueue {
     void listen_to_keys() {
         glfwSetKeyCallback(window_, [](GLFWwindow* w, int code, int scancode, int action, int) {
             const char* printed = code >= 32 && code <= 96 ? glfwGetKeyName(code, scancode) : nullptr;
-            InputEvent event = of(w).event_at_cursor(InputEvent::Kind::Key);
+            editor::InputEvent event = of(w).event_at_cursor(editor::InputEvent::Kind::Key);
             event.key = key_of_code(code, printed == nullptr ? "" : printed);
             event.is_down = action != GLFW_RELEASE;
             of(w).events_.push_back(event);  // without a key: the modifiers have changed
         });
         glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned code_point) {
-            InputEvent event = of(w).event_at_cursor(InputEvent::Kind::Text);
+            editor::InputEvent event = of(w).event_at_cursor(editor::InputEvent::Kind::Text);
             event.text = utf8_of(code_point);
             of(w).events_.push_back(event);
         });
     }
 
-    InputEvent event_at_cursor(InputEvent::Kind kind) const {
-        InputEvent event{.kind = kind, .modifiers = modifiers()};
+    editor::InputEvent event_at_cursor(editor::InputEvent::Kind kind) const {
+        editor::InputEvent event{.kind = kind, .modifiers = modifiers()};
         int width = 0, height = 0, width_px = 0, height_px = 0;
         glfwGetWindowSize(window_, &width, &height);
         glfwGetFramebufferSize(window_, &width_px, &height_px);
@@ -167,7 +167,7 @@ class EventQueue {
         return event;
     }
 
-    Modifiers modifiers() const {
+    editor::Modifiers modifiers() const {
         const auto is_held = [&](int left, int right) {
             return glfwGetKey(window_, left) == GLFW_PRESS || glfwGetKey(window_, right) == GLFW_PRESS;
         };
@@ -178,7 +178,7 @@ class EventQueue {
 
     GLFWwindow* window_;
     Vec2d cursor_{0, 0};  // of the window, as of the event that came last: by now it may be elsewhere
-    std::vector<InputEvent> events_;
+    std::vector<editor::InputEvent> events_;
 };
 
 }  // namespace
@@ -198,7 +198,7 @@ struct Window::Impl {
 Window::Window(const WindowOptions& options) : impl_(std::make_unique<Impl>(options)) {}
 Window::~Window() = default;
 
-GlContext& Window::context() {
+render::GlContext& Window::context() {
     return impl_->context;
 }
 
@@ -221,12 +221,12 @@ float Window::scale() const {
     return std::max({x, y, 0.5F});
 }
 
-std::vector<InputEvent> Window::poll() {
+std::vector<editor::InputEvent> Window::poll() {
     glfwPollEvents();
     return impl_->events.take();
 }
 
-std::vector<InputEvent> Window::wait(double seconds) {
+std::vector<editor::InputEvent> Window::wait(double seconds) {
     glfwWaitEventsTimeout(seconds);
     return impl_->events.take();
 }
@@ -243,8 +243,8 @@ void Window::set_title(const std::string& title) {
     glfwSetWindowTitle(impl_->window, title.c_str());
 }
 
-void Window::set_cursor(MouseCursor cursor) {
-    const bool is_hidden = cursor == MouseCursor::Hidden;
+void Window::set_cursor(editor::MouseCursor cursor) {
+    const bool is_hidden = cursor == editor::MouseCursor::Hidden;
     glfwSetInputMode(impl_->window, GLFW_CURSOR, is_hidden ? GLFW_CURSOR_HIDDEN : GLFW_CURSOR_NORMAL);
     if (!is_hidden) glfwSetCursor(impl_->window, impl_->cursors.of(cursor));
 }
@@ -260,22 +260,23 @@ void Window::set_clipboard(const std::string& text) {
 
 namespace {
 
-bool is_between(int code, Key first, Key last) {
+bool is_between(int code, editor::Key first, editor::Key last) {
     return code >= static_cast<int>(first) && code <= static_cast<int>(last);
 }
 
 }  // namespace
 
 // The editor's numbers are GLFW's.
-Key key_of_code(int code, const std::string& printed) {
+editor::Key key_of_code(int code, const std::string& printed) {
     if (printed.size() == 1) {
         const char c = printed[0];
-        if (c >= 'a' && c <= 'z') return key_of(static_cast<char>(c - 'a' + 'A'));
-        if (c >= 'A' && c <= 'Z') return key_of(c);
+        if (c >= 'a' && c <= 'z') return editor::key_of(static_cast<char>(c - 'a' + 'A'));
+        if (c >= 'A' && c <= 'Z') return editor::key_of(c);
     }
-    const bool is_known = (code >= 32 && code <= 96) || is_between(code, Key::Escape, Key::End) ||
-                          is_between(code, Key::F1, Key::F12) || is_between(code, Key::Keypad0, Key::KeypadEnter);
-    return is_known ? static_cast<Key>(code) : Key::None;
+    const bool is_known = (code >= 32 && code <= 96) || is_between(code, editor::Key::Escape, editor::Key::End) ||
+                          is_between(code, editor::Key::F1, editor::Key::F12) ||
+                          is_between(code, editor::Key::Keypad0, editor::Key::KeypadEnter);
+    return is_known ? static_cast<editor::Key>(code) : editor::Key::None;
 }
 
 std::string utf8_of(std::uint32_t code_point) {
@@ -297,4 +298,4 @@ std::string utf8_of(std::uint32_t code_point) {
     return text;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::app

@@ -10,7 +10,7 @@
 #include "editor/frame/frame.h"
 #include "render/gl/context.h"
 
-namespace selvedge {
+namespace selvedge::app {
 
 struct WindowOptions {
     std::string title = "Selvedge";
@@ -26,7 +26,7 @@ class Window {
     explicit Window(const WindowOptions& options = {});
     ~Window();
 
-    GlContext& context();
+    render::GlContext& context();
 
     // Of the framebuffer, px; 0 while the window is hidden.
     int width_px() const;
@@ -35,8 +35,8 @@ class Window {
 
     // What was done since the last call, without waiting for more, or waiting until something is done or `seconds` are
     // over. Positions are px of the framebuffer.
-    std::vector<InputEvent> poll();
-    std::vector<InputEvent> wait(double seconds);
+    std::vector<editor::InputEvent> poll();
+    std::vector<editor::InputEvent> wait(double seconds);
 
     // Ends a wait. From any thread.
     void wake();
@@ -46,7 +46,7 @@ class Window {
     void show();
 
     void set_title(const std::string& title);
-    void set_cursor(MouseCursor cursor);
+    void set_cursor(editor::MouseCursor cursor);
     std::string clipboard() const;  // empty where it holds no text
     void set_clipboard(const std::string& text);
 
@@ -59,8 +59,8 @@ class Window {
 
 // code: as GLFW numbers keys, by their place on an American keyboard. printed: what the key writes in the layout that
 // is in use, or empty; a letter goes before the place. None for keys that the editor does not know.
-Key key_of_code(int code, const std::string& printed);
+editor::Key key_of_code(int code, const std::string& printed);
 
 std::string utf8_of(std::uint32_t code_point);
 
-}  // namespace selvedge
+}  // namespace selvedge::app

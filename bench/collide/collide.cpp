@@ -20,40 +20,40 @@
 #include "sim/core/simd_level.h"
 #include "sim/mannequin/mannequin.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
 // A structure and a way to ask it.
 struct Rival {
     std::string name;
-    const Collider* collider = nullptr;
+    const sim::Collider* collider = nullptr;
     ContactWay way = ContactWay::OneByOne;
-    SimdLevel level = SimdLevel::Avx512;
+    sim::SimdLevel level = sim::SimdLevel::Avx512;
     std::vector<double> seconds{};
 };
 
 // What is built over one body, and what building took.
 struct Structures {
-    Structures(const Body& body, float offset);
+    Structures(const sim::Body& body, float offset);
 
-    std::unique_ptr<SurfaceBvh> surface;
+    std::unique_ptr<sim::SurfaceBvh> surface;
     std::unique_ptr<GridCollider> grid;
     std::unique_ptr<BvhCollider> unlimited;
     std::unique_ptr<BvhCollider> near;
-    std::unique_ptr<BodyCollider> field;
+    std::unique_ptr<sim::BodyCollider> field;
     double tree_seconds = 0, grid_seconds = 0, field_seconds = 0;
     float reach;
 };
 
 constexpr float kSearchReach = 0.01F;  // m, as far as grid and limited tree look
 
-Structures::Structures(const Body& body, float offset) : reach(offset) {
-    const ThreadLimit one(1);
-    tree_seconds = time_once([&] { surface = std::make_unique<SurfaceBvh>(body); });
+Structures::Structures(const sim::Body& body, float offset) : reach(offset) {
+    const sim::ThreadLimit one(1);
+    tree_seconds = time_once([&] { surface = std::make_unique<sim::SurfaceBvh>(body); });
     grid_seconds = time_once([&] { grid = std::make_unique<GridCollider>(*surface, kSearchReach); });
     unlimited = std::make_unique<BvhCollider>(*surface, std::numeric_limits<float>::infinity());
     near = std::make_unique<BvhCollider>(*surface, kSearchReach);
-    field_seconds = time_once([&] { field = std::make_unique<BodyCollider>(body); }) - tree_seconds;
+    field_seconds = time_once([&] { field = std::make_unique<sim::BodyCollider>(body); }) - tree_seconds;
 }
 
 std::vector<Rival> rivals_of(const Structures& structures) {
@@ -63,8 +63,8 @@ std::vector<Rival> rivals_of(const Structures& structures) {
         {"tree, 10 mm", structures.near.get()},
         {"field, one by one", structures.field.get()},
     };
-    for (const SimdLevel level : {SimdLevel::Plain, SimdLevel::Avx2, SimdLevel::Avx512}) {
-        if (level > simd_level()) continue;
+    for (const sim::SimdLevel level : {sim::SimdLevel::Plain, sim::SimdLevel::Avx2, sim::SimdLevel::Avx512}) {
+        if (level > sim::simd_level()) continue;
         const std::string name = "field, " + std::string(name_of(level));
         rivals.push_back({name, structures.field.get(), ContactWay::InBlocks, level});
         rivals.push_back({name + ", slack", structures.field.get(), ContactWay::WithSlack, level});
@@ -80,7 +80,7 @@ struct Errors {
     int touching = 0;
 };
 
-Errors errors_of(const std::vector<Contact>& answers, const std::vector<ClosestPoint>& exact, float offset) {
+Errors errors_of(const std::vector<sim::Contact>& answers, const std::vector<sim::ClosestPoint>& exact, float offset) {
     constexpr float kMissed = 0.0005F;
     Errors errors;
     for (std::size_t i = 0; i < exact.size(); ++i) {
@@ -101,9 +101,9 @@ void add_row(Table& table, std::size_t triangles, const Rival& rival, const Pass
                    {1e9 * timing_of(rival.seconds).median / queries, 1},
                    {1e9 * timing_of(rival.seconds).least / queries, 1},
                    {100 * report.asked / queries, 1},
-                   {1e3 * quantile(errors.distance, 0.99), 3},
-                   {1e3 * quantile(errors.distance, 1), 3},
-                   {180 / std::numbers::pi * quantile(errors.angle, 0.99), 1},
+                   {1e3 * sim::quantile(errors.distance, 0.99), 3},
+                   {1e3 * sim::quantile(errors.distance, 1), 3},
+                   {180 / std::numbers::pi * sim::quantile(errors.angle, 0.99), 1},
                    errors.missed,
                    errors.touching});
 }
@@ -114,15 +114,15 @@ void measure(Table& table, std::size_t triangles, const Structures& structures, 
     std::vector<Rival> rivals = rivals_of(structures);
     for (int round = 0; round < options.rounds; ++round)
         for (Rival& rival : rivals) {
-            const SimdLimit limit(rival.level);
+            const sim::SimdLimit limit(rival.level);
             rival.seconds.push_back(
                 time_once([&] { run_pass(asked, *rival.collider, rival.way, options.points.offset); }));
         }
-    std::vector<ClosestPoint> exact;
+    std::vector<sim::ClosestPoint> exact;
     for (const auto& step : points.exact) exact.insert(exact.end(), step.begin(), step.end());
     for (const Rival& rival : rivals) {
-        const SimdLimit limit(rival.level);
-        std::vector<Contact> answers;
+        const sim::SimdLimit limit(rival.level);
+        std::vector<sim::Contact> answers;
         const PassReport report = run_pass(asked, *rival.collider, rival.way, options.points.offset, &answers);
         add_row(table, triangles, rival, report, errors_of(answers, exact, options.points.offset));
     }
@@ -148,7 +148,7 @@ std::string note_of(const CollideOptions& options) {
 
 }  // namespace
 
-std::vector<Table> bench_collide(const CollideOptions& options, const Progress& progress) {
+std::vector<Table> bench_collide(const CollideOptions& options, const sim::Progress& progress) {
     Table queries{.name = "collide", .title = "Finding what cloth touches", .note = note_of(options)};
     queries.columns = {"body triangles", "structure",    "ns per query",   "least",  "asked %",
                        "error p99 mm",   "error max mm", "normal p99 deg", "missed", "of"};
@@ -158,8 +158,8 @@ std::vector<Table> bench_collide(const CollideOptions& options, const Progress& 
     builds.columns = {"body triangles", "structure", "build ms", "MB"};
     double done = 0;
     for (const std::size_t triangles : options.triangles) {
-        report(progress, "bodies", done++ / double(options.triangles.size()));
-        const Body body = dense_body(triangles);
+        sim::report(progress, "bodies", done++ / double(options.triangles.size()));
+        const sim::Body body = dense_body(triangles);
         const Structures structures(body, options.points.offset);
         measure(queries, body.triangles.size(), structures, options);
         add_builds(builds, body.triangles.size(), structures);
@@ -169,7 +169,7 @@ std::vector<Table> bench_collide(const CollideOptions& options, const Progress& 
 
 namespace {
 
-std::vector<Vec3d> vertex_normals(const Body& body) {
+std::vector<Vec3d> vertex_normals(const sim::Body& body) {
     std::vector<Vec3d> normals(body.x.size(), Vec3d::Zero());
     const auto at = [&](int v) { return body.x[std::size_t(v)]; };
     for (const auto& [a, b, c] : body.triangles)
@@ -186,7 +186,7 @@ struct SharedEdge {
     std::array<std::size_t, 2> corner{};
 };
 
-std::vector<SharedEdge> longest_first(const Body& body) {
+std::vector<SharedEdge> longest_first(const sim::Body& body) {
     struct Side {
         int low, high;
         std::size_t triangle, corner;
@@ -214,7 +214,7 @@ std::vector<SharedEdge> longest_first(const Body& body) {
 }
 
 // The middle of the edge, moved out as far as the normals at its ends bend. (Vlachos et al. 2001)
-Vec3d bent_middle(const Body& body, const std::vector<Vec3d>& normals, const SharedEdge& edge) {
+Vec3d bent_middle(const sim::Body& body, const std::vector<Vec3d>& normals, const SharedEdge& edge) {
     const Vec3d& a = body.x[std::size_t(edge.low)];
     const Vec3d& b = body.x[std::size_t(edge.high)];
     const Vec3d& at_a = normals[std::size_t(edge.low)];
@@ -224,7 +224,7 @@ Vec3d bent_middle(const Body& body, const std::vector<Vec3d>& normals, const Sha
 }
 
 // Both triangles become two.
-void split(Body& body, const SharedEdge& edge, const Vec3d& middle) {
+void split(sim::Body& body, const SharedEdge& edge, const Vec3d& middle) {
     const int m = int(body.x.size());
     body.x.push_back(middle);
     for (std::size_t side = 0; side < 2; ++side) {
@@ -237,7 +237,7 @@ void split(Body& body, const SharedEdge& edge, const Vec3d& middle) {
 }
 
 // Splits the longest edges, none of them in a triangle that this round has split already.
-void split_round(Body& body, std::size_t triangles) {
+void split_round(sim::Body& body, std::size_t triangles) {
     const std::vector<Vec3d> normals = vertex_normals(body);
     std::vector<bool> is_split(body.triangles.size(), false);
     for (const SharedEdge& edge : longest_first(body)) {
@@ -250,15 +250,15 @@ void split_round(Body& body, std::size_t triangles) {
 
 }  // namespace
 
-Body dense_body(std::size_t triangles) {
+sim::Body dense_body(std::size_t triangles) {
     constexpr std::array<std::size_t, 3> kResolutions{17184, 68736, 274944};
     SELVEDGE_ASSERT(triangles >= kResolutions.front());
     const auto above = std::upper_bound(kResolutions.begin(), kResolutions.end(), triangles);
-    Body body = make_mannequin({.subdivisions = int(above - kResolutions.begin())}).body;
+    sim::Body body = sim::make_mannequin({.subdivisions = int(above - kResolutions.begin())}).body;
     body.bones.clear();
     body.skin.clear();
     while (body.triangles.size() + 2 <= triangles) split_round(body, triangles);
     return body;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -9,7 +9,7 @@
 #include "sim/body/body.h"
 #include "sim/core/parallel.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 
 struct CollideOptions {
     std::vector<std::size_t> triangles{27000, 107000, 428000};  // of the body, each at least 17 184
@@ -18,12 +18,12 @@ struct CollideOptions {
 };
 
 // One table of queries, one row for each structure and body; and one of what building them takes.
-std::vector<Table> bench_collide(const CollideOptions& options, const Progress& progress = {});
+std::vector<Table> bench_collide(const CollideOptions& options, const sim::Progress& progress = {});
 
 // The mannequin with as many triangles as an experiment wants.
 
 // The standing mannequin, its longest edges split until it has about so many triangles (two fewer at most): closed, and
 // as smooth as it was. Pre: triangles >= 17 184, what its coarsest form has.
-Body dense_body(std::size_t triangles);
+sim::Body dense_body(std::size_t triangles);
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -7,12 +7,12 @@
 
 #include "bench/support/timing.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
-const Contact kSpared{std::numeric_limits<float>::infinity(), Vec3f::Zero()};
+const sim::Contact kSpared{std::numeric_limits<float>::infinity(), Vec3f::Zero()};
 
-Contact answer_in(const ContactBlock& block, std::size_t lane) {
+sim::Contact answer_in(const sim::ContactBlock& block, std::size_t lane) {
     return {block.distance[lane], {block.nx[lane], block.ny[lane], block.nz[lane]}};
 }
 
@@ -23,13 +23,13 @@ struct Known {
     std::vector<float> x, y, z;  // where, m
     std::vector<float> slack;    // m it may move before it can touch
 
-    bool spares(std::size_t i, const ContactBlock& block, std::size_t lane) const {
+    bool spares(std::size_t i, const sim::ContactBlock& block, std::size_t lane) const {
         const float dx = block.x[lane] - x[i];
         const float dy = block.y[lane] - y[i];
         const float dz = block.z[lane] - z[i];
         return (slack[i] > 0) & (dx * dx + dy * dy + dz * dz < slack[i] * slack[i]);
     }
-    void learn(std::size_t i, const ContactBlock& block, std::size_t lane, float surely_free) {
+    void learn(std::size_t i, const sim::ContactBlock& block, std::size_t lane, float surely_free) {
         x[i] = block.x[lane];
         y[i] = block.y[lane];
         z[i] = block.z[lane];
@@ -39,23 +39,23 @@ struct Known {
 
 class Pass {
  public:
-    Pass(const PassPoints& points, const Collider& collider, float offset)
+    Pass(const PassPoints& points, const sim::Collider& collider, float offset)
         : points_(points),
           collider_(collider),
           offset_(offset),
           known_(points.count()),
-          work_(points.count() / kContactLanes + 1),
+          work_(points.count() / sim::kContactLanes + 1),
           active_(points.count() + 1) {}
 
-    void step_one_by_one(const std::vector<ContactBlock>& asked, Contact* answers) {
+    void step_one_by_one(const std::vector<sim::ContactBlock>& asked, sim::Contact* answers) {
         for (std::size_t i = 0; i < points_.count(); ++i) {
-            const Contact contact = collider_.contact(asked[i / kContactLanes].point(i % kContactLanes));
+            const sim::Contact contact = collider_.contact(asked[i / sim::kContactLanes].point(i % sim::kContactLanes));
             keep(contact);
             if (answers) answers[i] = contact;
         }
     }
 
-    void step_in_blocks(const std::vector<ContactBlock>& asked, Contact* answers) {
+    void step_in_blocks(const std::vector<sim::ContactBlock>& asked, sim::Contact* answers) {
         for (std::size_t b = 0; b < asked.size(); ++b) {
             work_[b].x = asked[b].x;
             work_[b].y = asked[b].y;
@@ -65,42 +65,42 @@ class Pass {
         keep(work_);
         if (!answers) return;
         for (std::size_t i = 0; i < points_.count(); ++i)
-            answers[i] = answer_in(work_[i / kContactLanes], i % kContactLanes);
+            answers[i] = answer_in(work_[i / sim::kContactLanes], i % sim::kContactLanes);
     }
 
     // Returns how many were asked.
-    std::size_t step_with_slack(const std::vector<ContactBlock>& asked, Contact* answers) {
+    std::size_t step_with_slack(const std::vector<sim::ContactBlock>& asked, sim::Contact* answers) {
         const std::size_t count = list_active(asked);
         for (std::size_t k = 0; k < count; ++k) {
-            const Vec3f p = asked[active_[k] / kContactLanes].point(active_[k] % kContactLanes);
-            work_[k / kContactLanes].set_point(k % kContactLanes, p);
+            const Vec3f p = asked[active_[k] / sim::kContactLanes].point(active_[k] % sim::kContactLanes);
+            work_[k / sim::kContactLanes].set_point(k % sim::kContactLanes, p);
         }
-        collider_.contacts({work_.data(), (count + kContactLanes - 1) / kContactLanes}, offset_);
+        collider_.contacts({work_.data(), (count + sim::kContactLanes - 1) / sim::kContactLanes}, offset_);
         const float surely_free = offset_ + collider_.max_error();
         for (std::size_t k = 0; k < count; ++k)
-            known_.learn(active_[k], work_[k / kContactLanes], k % kContactLanes, surely_free);
+            known_.learn(active_[k], work_[k / sim::kContactLanes], k % sim::kContactLanes, surely_free);
         if (!answers) return count;
         std::fill_n(answers, points_.count(), kSpared);
         for (std::size_t k = 0; k < count; ++k)
-            answers[active_[k]] = answer_in(work_[k / kContactLanes], k % kContactLanes);
+            answers[active_[k]] = answer_in(work_[k / sim::kContactLanes], k % sim::kContactLanes);
         return count;
     }
 
  private:
-    std::size_t list_active(const std::vector<ContactBlock>& asked) {
+    std::size_t list_active(const std::vector<sim::ContactBlock>& asked) {
         std::size_t count = 0;
         for (std::size_t i = 0; i < points_.count(); ++i) {
             active_[count] = std::uint32_t(i);
-            count += !known_.spares(i, asked[i / kContactLanes], i % kContactLanes);
+            count += !known_.spares(i, asked[i / sim::kContactLanes], i % sim::kContactLanes);
         }
         return count;
     }
 
     const PassPoints& points_;
-    const Collider& collider_;
+    const sim::Collider& collider_;
     float offset_;
     Known known_;
-    std::vector<ContactBlock> work_;
+    std::vector<sim::ContactBlock> work_;
     std::vector<std::uint32_t> active_;
 };
 
@@ -109,21 +109,22 @@ class Pass {
 PassPoints::PassPoints(const ClothPoints& points) {
     for (const std::vector<Vec3f>& x : points.x) {
         count_ = x.size();
-        std::vector<ContactBlock>& blocks = steps_.emplace_back((x.size() + kContactLanes - 1) / kContactLanes);
-        for (std::size_t i = 0; i < blocks.size() * kContactLanes; ++i) {
-            blocks[i / kContactLanes].set_point(i % kContactLanes, x[std::min(i, x.size() - 1)]);
+        std::vector<sim::ContactBlock>& blocks =
+            steps_.emplace_back((x.size() + sim::kContactLanes - 1) / sim::kContactLanes);
+        for (std::size_t i = 0; i < blocks.size() * sim::kContactLanes; ++i) {
+            blocks[i / sim::kContactLanes].set_point(i % sim::kContactLanes, x[std::min(i, x.size() - 1)]);
         }
     }
 }
 
-PassReport run_pass(const PassPoints& points, const Collider& collider, ContactWay way, float offset,
-                    std::vector<Contact>* answers) {
+PassReport run_pass(const PassPoints& points, const sim::Collider& collider, ContactWay way, float offset,
+                    std::vector<sim::Contact>* answers) {
     Pass pass(points, collider, offset);
     if (answers) answers->assign(points.steps().size() * points.count(), kSpared);
     PassReport report;
     for (std::size_t step = 0; step < points.steps().size(); ++step) {
-        Contact* to = answers ? &(*answers)[step * points.count()] : nullptr;
-        const std::vector<ContactBlock>& asked = points.steps()[step];
+        sim::Contact* to = answers ? &(*answers)[step * points.count()] : nullptr;
+        const std::vector<sim::ContactBlock>& asked = points.steps()[step];
         report.queries += double(points.count());
         report.asked += double(points.count());
         switch (way) {
@@ -169,14 +170,14 @@ struct Random {
     }
 };
 
-bool is_clad(const SurfaceBvh& surface, const Vec3f& p) {
+bool is_clad(const sim::SurfaceBvh& surface, const Vec3f& p) {
     const float stature = surface.high().y() - surface.low().y();
     const float height = (p.y() - surface.low().y()) / stature;
     return height > 0.3F && height < 0.82F && std::abs(p.x()) < 0.2F * stature;
 }
 
 // Sums of the areas of clad triangles; the others add nothing.
-std::vector<double> summed_areas(const SurfaceBvh& surface) {
+std::vector<double> summed_areas(const sim::SurfaceBvh& surface) {
     std::vector<double> sums;
     double sum = 0;
     const auto x = surface.points();
@@ -187,7 +188,7 @@ std::vector<double> summed_areas(const SurfaceBvh& surface) {
     return sums;
 }
 
-Vec3f random_point_over(const SurfaceBvh& surface, const std::vector<double>& areas, Random& random) {
+Vec3f random_point_over(const sim::SurfaceBvh& surface, const std::vector<double>& areas, Random& random) {
     const double at = double(random.share()) * areas.back();
     const auto t = std::size_t(std::upper_bound(areas.begin(), areas.end(), at) - areas.begin());
     const auto [a, b, c] = surface.triangles()[std::min(t, areas.size() - 1)];
@@ -208,12 +209,12 @@ std::uint32_t place_in_order(const Vec3f& p) {
     return code;
 }
 
-std::vector<MovingPoint> start(const SurfaceBvh& surface, const ClothPointOptions& options, Random& random) {
+std::vector<MovingPoint> start(const sim::SurfaceBvh& surface, const ClothPointOptions& options, Random& random) {
     const std::vector<double> areas = summed_areas(surface);
     std::vector<MovingPoint> points;
     while (points.size() < std::size_t(options.points)) {
         const Vec3f p = random_point_over(surface, areas, random);
-        const ClosestPoint closest = *surface.closest(p, kFar);
+        const sim::ClosestPoint closest = *surface.closest(p, kFar);
         if (closest.distance >= 0) points.push_back({.x = p, .outward = closest.normal});
     }
     std::sort(points.begin(), points.end(),
@@ -234,7 +235,7 @@ void move(MovingPoint& point, const ClothPointOptions& options, Random& random) 
 }
 
 // Keeps the point in the layer between the offset and its thickness.
-void hold(MovingPoint& point, const ClosestPoint& closest, float offset) {
+void hold(MovingPoint& point, const sim::ClosestPoint& closest, float offset) {
     point.outward = closest.normal;
     const float outward_speed = point.v.dot(closest.normal);
     const bool is_in = closest.distance < offset;
@@ -245,7 +246,7 @@ void hold(MovingPoint& point, const ClosestPoint& closest, float offset) {
 
 }  // namespace
 
-ClothPoints move_cloth_points(const SurfaceBvh& surface, const ClothPointOptions& options) {
+ClothPoints move_cloth_points(const sim::SurfaceBvh& surface, const ClothPointOptions& options) {
     Random random{std::mt19937(options.seed)};
     std::vector<MovingPoint> points = start(surface, options, random);
     ClothPoints path;
@@ -255,7 +256,7 @@ ClothPoints move_cloth_points(const SurfaceBvh& surface, const ClothPointOptions
         path.exact.emplace_back();
         for (MovingPoint& point : points) {
             move(point, options, random);
-            const ClosestPoint closest = *surface.closest(point.x, kFar);
+            const sim::ClosestPoint closest = *surface.closest(point.x, kFar);
             path.x.back().push_back(point.x);
             path.exact.back().push_back(closest);
             touches += closest.distance < options.offset;
@@ -266,4 +267,4 @@ ClothPoints move_cloth_points(const SurfaceBvh& surface, const ClothPointOptions
     return path;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -5,7 +5,7 @@
 #include "sim/collide/collider.h"
 #include "sim/collide/surface_bvh.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 
 // Points that move near a body as the vertices of a worn garment do: for measuring what it costs to keep them out.
 
@@ -21,14 +21,14 @@ struct ClothPointOptions {
 struct ClothPoints {
     // [step][point]: where the point is when it is asked, and what is true there.
     std::vector<std::vector<Vec3f>> x;
-    std::vector<std::vector<ClosestPoint>> exact;
+    std::vector<std::vector<sim::ClosestPoint>> exact;
     double in_contact = 0;  // share of them nearer than the offset
 };
 
 // Over the trunk, upper arms and thighs, at first 0 to 30 mm from the surface; neighbours in space are about neighbours
 // in the list. Each swings at random; three in ten also fall towards the body, and now and then one leaps in by up to a
 // centimetre. After a step what is nearer than the offset is put back to it and loses its speed inward.
-ClothPoints move_cloth_points(const SurfaceBvh& surface, const ClothPointOptions& options = {});
+ClothPoints move_cloth_points(const sim::SurfaceBvh& surface, const ClothPointOptions& options = {});
 
 enum class ContactWay {
     OneByOne,   // contact() for each
@@ -42,11 +42,11 @@ class PassPoints {
     explicit PassPoints(const ClothPoints& points);
 
     std::size_t count() const { return count_; }  // of one step
-    const std::vector<std::vector<ContactBlock>>& steps() const { return steps_; }
+    const std::vector<std::vector<sim::ContactBlock>>& steps() const { return steps_; }
 
  private:
     std::size_t count_ = 0;
-    std::vector<std::vector<ContactBlock>> steps_;  // spare lanes of the last block repeat its last point
+    std::vector<std::vector<sim::ContactBlock>> steps_;  // spare lanes of the last block repeat its last point
 };
 
 struct PassReport {
@@ -55,7 +55,7 @@ struct PassReport {
 };
 
 // answers, if wanted: [step * count + point]; what slack spared is said to be at infinity.
-PassReport run_pass(const PassPoints& points, const Collider& collider, ContactWay way, float offset,
-                    std::vector<Contact>* answers = nullptr);
+PassReport run_pass(const PassPoints& points, const sim::Collider& collider, ContactWay way, float offset,
+                    std::vector<sim::Contact>* answers = nullptr);
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -5,8 +5,8 @@
 
 #include "sim/core/assert.h"
 
-namespace selvedge {
-GridCollider::GridCollider(const SurfaceBvh& surface, float reach)
+namespace selvedge::bench {
+GridCollider::GridCollider(const sim::SurfaceBvh& surface, float reach)
     : surface_(surface),
       reach_(reach),
       cell_size_(((surface.high() - surface.low()) / float(kCells)).cwiseMax(1e-6F)),
@@ -41,9 +41,9 @@ void GridCollider::list_triangles() {
     }
     for (std::size_t cell = 0; cell < lists.size(); ++cell) {
         const std::span<const std::uint32_t> list = lists[cell];
-        for (std::size_t i = 0; i < list.size(); i += TrianglePacket::kLanes) {
-            const std::size_t count = std::min(TrianglePacket::kLanes, list.size() - i);
-            packets_.push_back(make_packet(x, surface_.triangles(), list.subspan(i, count)));
+        for (std::size_t i = 0; i < list.size(); i += sim::TrianglePacket::kLanes) {
+            const std::size_t count = std::min(sim::TrianglePacket::kLanes, list.size() - i);
+            packets_.push_back(sim::make_packet(x, surface_.triangles(), list.subspan(i, count)));
         }
         first_[cell + 1] = std::uint32_t(packets_.size());
     }
@@ -54,14 +54,14 @@ float GridCollider::squared_distance(const CellIndex& cell, const Vec3f& p) cons
     return (low - p).cwiseMax(p - (low + cell_size_)).cwiseMax(0).squaredNorm();
 }
 
-void GridCollider::test_cell(std::size_t cell, const Vec3f& p, NearestTriangle& best) const {
+void GridCollider::test_cell(std::size_t cell, const Vec3f& p, sim::NearestTriangle& best) const {
     for (std::uint32_t packet = first_[cell]; packet < first_[cell + 1]; ++packet)
         best.test(*kernels_, packets_[packet], p);
 }
 
 // The point's own cell first, then of its neighbours those that can hold something nearer.
-Contact GridCollider::contact(const Vec3f& p) const {
-    NearestTriangle best{.squared = reach_ * reach_};
+sim::Contact GridCollider::contact(const Vec3f& p) const {
+    sim::NearestTriangle best{.squared = reach_ * reach_};
     const CellRange own = cells_in(p, p);
     std::size_t tested = first_.size();
     if (!own.is_empty()) {
@@ -78,18 +78,18 @@ Contact GridCollider::contact(const Vec3f& p) const {
                 if (squared_distance({i, j, k}, p) <= best.squared * kHair) test_cell(cell, p, best);
             }
     if (!best.found()) return {reach_, Vec3f::Zero()};
-    const ClosestPoint closest = surface_.closest_on(best.triangle, p);
+    const sim::ClosestPoint closest = surface_.closest_on(best.triangle, p);
     return {closest.distance, closest.normal};
 }
 
 std::size_t GridCollider::bytes() const {
-    return first_.size() * sizeof(std::uint32_t) + packets_.size() * sizeof(TrianglePacket);
+    return first_.size() * sizeof(std::uint32_t) + packets_.size() * sizeof(sim::TrianglePacket);
 }
 
-Contact BvhCollider::contact(const Vec3f& p) const {
-    const std::optional<ClosestPoint> closest = surface_.closest(p, reach_);
+sim::Contact BvhCollider::contact(const Vec3f& p) const {
+    const std::optional<sim::ClosestPoint> closest = surface_.closest(p, reach_);
     if (!closest || closest->distance >= reach_) return {reach_, Vec3f::Zero()};
     return {closest->distance, closest->normal};
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

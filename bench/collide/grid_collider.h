@@ -7,19 +7,19 @@
 #include "sim/collide/collider.h"
 #include "sim/collide/surface_bvh.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 
 // The thesis' collision grid: 32^3 cells over the body, each of which lists the triangles that overlap it. Exact as far
 // as the reach on both sides; what lies deeper inside passes for outside.
-class GridCollider final : public Collider {
+class GridCollider final : public sim::Collider {
  public:
     static constexpr int kCells = 32;  // along each axis
 
     // The surface must outlive the collider. Pre: it is closed; reach > 0 (m).
-    explicit GridCollider(const SurfaceBvh& surface, float reach = 0.01F);
+    explicit GridCollider(const sim::SurfaceBvh& surface, float reach = 0.01F);
 
-    Contact contact(const Vec3f& p) const override;
-    std::optional<SurfaceHit> first_hit(const Vec3f& from, const Vec3f& to) const override {
+    sim::Contact contact(const Vec3f& p) const override;
+    std::optional<sim::SurfaceHit> first_hit(const Vec3f& from, const Vec3f& to) const override {
         return surface_.first_hit(from, to);
     }
     float band() const override { return reach_; }
@@ -39,33 +39,33 @@ class GridCollider final : public Collider {
     static std::size_t place(int i, int j, int k) { return std::size_t(i + kCells * (j + kCells * k)); }
     CellRange cells_in(const Vec3f& low, const Vec3f& high) const;
     float squared_distance(const CellIndex& cell, const Vec3f& p) const;
-    void test_cell(std::size_t cell, const Vec3f& p, NearestTriangle& best) const;
+    void test_cell(std::size_t cell, const Vec3f& p, sim::NearestTriangle& best) const;
     void list_triangles();
 
-    const SurfaceBvh& surface_;
-    const CollideKernels* kernels_ = &collide_kernels(simd_level());
+    const sim::SurfaceBvh& surface_;
+    const sim::CollideKernels* kernels_ = &sim::collide_kernels(sim::simd_level());
     float reach_;
     Vec3f cell_size_;                   // m
     std::vector<std::uint32_t> first_;  // packet of each cell; one more at the end
-    std::vector<TrianglePacket> packets_;
+    std::vector<sim::TrianglePacket> packets_;
 };
 
 // The tree of boxes, asked no farther than the reach. What lies deeper inside passes for outside.
-class BvhCollider final : public Collider {
+class BvhCollider final : public sim::Collider {
  public:
     // The surface must outlive the collider. Pre: it is closed; reach > 0 (m), infinite for no limit.
-    explicit BvhCollider(const SurfaceBvh& surface, float reach) : surface_(surface), reach_(reach) {}
+    explicit BvhCollider(const sim::SurfaceBvh& surface, float reach) : surface_(surface), reach_(reach) {}
 
-    Contact contact(const Vec3f& p) const override;
-    std::optional<SurfaceHit> first_hit(const Vec3f& from, const Vec3f& to) const override {
+    sim::Contact contact(const Vec3f& p) const override;
+    std::optional<sim::SurfaceHit> first_hit(const Vec3f& from, const Vec3f& to) const override {
         return surface_.first_hit(from, to);
     }
     float band() const override { return reach_; }
     float max_error() const override { return 1e-6F; }
 
  private:
-    const SurfaceBvh& surface_;
+    const sim::SurfaceBvh& surface_;
     float reach_;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "bench/support/measured_mesh.h"
 #include "bench/support/cloth_run.h"
+#include "bench/support/measured_mesh.h"
 #include "bench/support/square.h"
 #include "sim/collide/collider.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
 constexpr int kLength = 4;      // widths
@@ -18,11 +18,11 @@ constexpr double kTo = 2.75;
 constexpr double kG = 9.81;  // m/s^2
 
 // One column of quads hanging in the plane z = 0 from y = 0; the lowest quad is the weight, a panel of its own.
-GarmentMesh hanging_strip(double width) {
+sim::GarmentMesh hanging_strip(double width) {
     const int rows = kLength + 1;
-    GarmentMesh strip = make_square({.columns = 1, .rows = rows, .width = width, .depth = width * rows});
+    sim::GarmentMesh strip = make_square({.columns = 1, .rows = rows, .width = width, .depth = width * rows});
     for (Vec3d& x : strip.x) x = Vec3d(x.x(), -x.z() - width * rows / 2, 0);
-    for (GarmentTriangle& t : strip.triangles) {
+    for (sim::GarmentTriangle& t : strip.triangles) {
         const double middle = (t.u[0].y() + t.u[1].y() + t.u[2].y()) / 3;
         t.panel = middle < width ? 1 : 0;
     }
@@ -33,7 +33,7 @@ GarmentMesh hanging_strip(double width) {
 }
 
 // Of the weight, kg/m^2: with the strip's own below the middle of the gauge it makes the strain asked for.
-double weight_density(const Fabric& fabric, const BiasStripOptions& options) {
+double weight_density(const sim::Fabric& fabric, const BiasStripOptions& options) {
     const double force = options.strain * bias_stiffness(fabric);  // N/m
     const double strip_below = kLength - (kFrom + kTo) / 2;        // widths
     return std::max(force / (kG * options.element) - strip_below * fabric.area_density, fabric.area_density);
@@ -41,16 +41,16 @@ double weight_density(const Fabric& fabric, const BiasStripOptions& options) {
 
 }  // namespace
 
-BiasStrip measure_bias(const Fabric& fabric, const BiasStripOptions& options) {
+BiasStrip measure_bias(const sim::Fabric& fabric, const BiasStripOptions& options) {
     const double width = options.element;
-    Fabric weight = fabric;
+    sim::Fabric weight = fabric;
     weight.area_density = weight_density(fabric, options);
     ClothRun run =
         start_run(hanging_strip(width), {fabric, weight},
                   {.level = options.level, .substeps = options.substeps, .frame_seconds = options.frame_seconds});
     BiasStrip result;
     const RestOptions resting;
-    result.is_at_rest = run_to_rest(run, NoBody(), resting);
+    result.is_at_rest = run_to_rest(run, sim::NoBody(), resting);
 
     const double top = width * (kLength + 1);  // material height of the clamp
     const auto line = [&](double below) {
@@ -59,11 +59,11 @@ BiasStrip measure_bias(const Fabric& fabric, const BiasStripOptions& options) {
     };
     const double rest = (kTo - kFrom) * width;
     const auto strain = [&] { return (line(kFrom).y() - line(kTo).y()) / rest - 1; };
-    const double measured = mean_reading(run, NoBody(), resting.damping, strain);
+    const double measured = mean_reading(run, sim::NoBody(), resting.damping, strain);
     const double own = (kLength - (kFrom + kTo) / 2) * width * fabric.area_density;  // kg/m, below the gauge's middle
     const double force = kG * (own + width * weight.area_density);
     result.stiffness_ratio = bias_strain(fabric, force) / measured;
     return result;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -3,7 +3,7 @@
 // weight sewn to its lower one.
 #include "sim/pattern/fabric.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 
 struct BiasStripOptions {
     double element = 0.1;  // m, edge of the coarse quads; as wide is the strip, and four times as long
@@ -20,6 +20,6 @@ struct BiasStrip {
 
 // Elongation is read between the lines 1 1/4 and 2 3/4 widths from the clamp: nearer than a width to either end, cloth
 // whose threads hardly stretch cannot shear freely.
-BiasStrip measure_bias(const Fabric& fabric, const BiasStripOptions& options);
+BiasStrip measure_bias(const sim::Fabric& fabric, const BiasStripOptions& options);
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

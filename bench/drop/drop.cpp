@@ -12,7 +12,7 @@
 #include "sim/collide/collider.h"
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
 constexpr float kNeverSampled = std::numeric_limits<float>::max();  // m, an edge that no triangle has
@@ -50,10 +50,10 @@ DropQuality DropJudge::quality() const {
 
 SphereDrop run_sphere_drop(const SphereDropOptions& options) {
     const DropScene& scene = options.scene;
-    const SphereCollider sphere(Vec3f::Zero(), static_cast<float>(scene.radius));
+    const sim::SphereCollider sphere(Vec3f::Zero(), static_cast<float>(scene.radius));
     RunOptions running{.level = scene.level, .substeps = options.substeps, .frame_seconds = scene.frame_seconds};
     if (!options.has_contact_samples) running.sampled_edge = kNeverSampled;
-    const GarmentMesh square = drop_square(options.base_quads, options.shift, scene);
+    const sim::GarmentMesh square = drop_square(options.base_quads, options.shift, scene);
     SphereDrop drop{.run = start_run(square, {drop_fabric()}, running), .quality = {}};
     pin_centre(drop.run, options.shift, scene);
     DropJudge judge(measured(drop.run), scene);
@@ -65,11 +65,11 @@ SphereDrop run_sphere_drop(const SphereDropOptions& options) {
         if (is_sampled(frame)) judge.sample(positions(drop.run));
     }
     drop.quality = judge.quality();
-    drop.ms_per_frame = 1e3 * quantile(seconds, 0.5);
+    drop.ms_per_frame = 1e3 * sim::quantile(seconds, 0.5);
     return drop;
 }
 
-Fabric drop_fabric() {
+sim::Fabric drop_fabric() {
     return {.name = "drop_cotton",
             .area_density = 0.2,
             .stretch_warp = 8000,
@@ -97,13 +97,13 @@ int base_quads_for(int triangles, const DropScene& scene) {
     return nearest;
 }
 
-GarmentMesh drop_square(int base_quads, double shift, const DropScene& scene) {
-    GarmentMesh square = flat_grid(base_quads, scene);
+sim::GarmentMesh drop_square(int base_quads, double shift, const DropScene& scene) {
+    sim::GarmentMesh square = flat_grid(base_quads, scene);
     for (Vec3d& x : square.x) x.x() += shift;
     return square;
 }
 
-GarmentMesh flat_grid(int quads, const DropScene& scene) {
+sim::GarmentMesh flat_grid(int quads, const DropScene& scene) {
     return make_square(
         {.columns = quads, .rows = quads, .width = scene.side, .depth = scene.side, .height = scene.height});
 }
@@ -170,7 +170,7 @@ int frames_in(double seconds, const DropScene& scene) {
 }  // namespace
 
 RestFigures rest_after(ClothRun& run, const DropScene& scene, double seconds) {
-    const SphereCollider sphere(Vec3f::Zero(), static_cast<float>(scene.radius));
+    const sim::SphereCollider sphere(Vec3f::Zero(), static_cast<float>(scene.radius));
     const int watched = frames_in(1, scene);
     const int frames = frames_in(seconds, scene);
     const MeasuredMesh mesh = measured(run);
@@ -186,7 +186,7 @@ RestFigures rest_after(ClothRun& run, const DropScene& scene, double seconds) {
 }
 
 WeightlessFigures weightless(ClothRun& run, const DropScene& scene, double seconds) {
-    const SphereCollider sphere(Vec3f::Zero(), static_cast<float>(scene.radius));
+    const sim::SphereCollider sphere(Vec3f::Zero(), static_cast<float>(scene.radius));
     run.options.gravity = Vec3f::Zero();
     const Energy start = energy(run);
     const int window = frames_in(0.25, scene);
@@ -222,4 +222,4 @@ ConvergedFigures compare_converged(const SphereDrop& drop, const SphereDropOptio
             .noise_floor = shape_distance(mesh, positions(shifted.run), x)};
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

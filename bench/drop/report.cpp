@@ -4,7 +4,7 @@
 
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
 SphereDropOptions options_for(const DropExperiment& experiment, int substeps) {
@@ -16,13 +16,13 @@ SphereDropOptions options_for(const DropExperiment& experiment, int substeps) {
 // Tries each number of sub-steps once.
 class Trials {
  public:
-    Trials(const DropExperiment& experiment, std::vector<DropTrial>& trials, const Progress& progress)
+    Trials(const DropExperiment& experiment, std::vector<DropTrial>& trials, const sim::Progress& progress)
         : experiment_(experiment), trials_(trials), progress_(progress) {}
 
     const DropTrial& at(int substeps) {
         const auto known = std::ranges::find(trials_, substeps, &DropTrial::substeps);
         if (known != trials_.end()) return *known;
-        report(progress_, "searching: " + std::to_string(substeps) + " sub-steps", 0);
+        sim::report(progress_, "searching: " + std::to_string(substeps) + " sub-steps", 0);
         return trials_.emplace_back(try_drop(options_for(experiment_, substeps), experiment_.gates));
     }
 
@@ -42,11 +42,11 @@ class Trials {
  private:
     const DropExperiment& experiment_;
     std::vector<DropTrial>& trials_;
-    const Progress& progress_;
+    const sim::Progress& progress_;
 };
 
 // Keeps all trials by rising sub-steps.
-DropTrial search(const DropExperiment& experiment, std::vector<DropTrial>& trials, const Progress& progress) {
+DropTrial search(const DropExperiment& experiment, std::vector<DropTrial>& trials, const sim::Progress& progress) {
     Trials tried(experiment, trials, progress);
     std::optional<int> found = experiment.substeps;
     if (found) {
@@ -64,14 +64,14 @@ int converged_substeps(int substeps) {
     return std::max(std::clamp(4 * substeps, 64, 128), substeps);
 }
 
-void measure_honesty(const SphereDropOptions& options, DropReport& report, const Progress& progress) {
-    selvedge::report(progress, "converged runs", 0);
+void measure_honesty(const SphereDropOptions& options, DropReport& report, const sim::Progress& progress) {
+    sim::report(progress, "converged runs", 0);
     SphereDrop drop = run_sphere_drop(options);
     report.converged = compare_converged(drop, options, converged_substeps(options.substeps));
-    selvedge::report(progress, "without gravity", 0);
+    sim::report(progress, "without gravity", 0);
     ClothRun copy = drop.run;
     report.weightless = weightless(copy, options.scene);
-    selvedge::report(progress, "coming to rest", 0);
+    sim::report(progress, "coming to rest", 0);
     report.rest = rest_after(drop.run, options.scene);
 }
 
@@ -122,9 +122,9 @@ Table honesty_table(const DropReport& report) {
     return table;
 }
 
-Json trial_json(const DropTrial& trial, double ms_per_frame, int triangles) {
+sim::Json trial_json(const DropTrial& trial, double ms_per_frame, int triangles) {
     const DropQuality& q = trial.quality;
-    Json json = Json::object();
+    sim::Json json = sim::Json::object();
     json[drop_key::kUsPerTriangleFrame] = 1e3 * ms_per_frame / triangles;
     json[drop_key::kMsPerFrame] = ms_per_frame;
     json[drop_key::kP99Stretch] = q.p99_stretch;
@@ -135,11 +135,11 @@ Json trial_json(const DropTrial& trial, double ms_per_frame, int triangles) {
     json[drop_key::kLeastGapM] = q.least_gap;
     json[drop_key::kBiasStiffnessRatio] = trial.bias.stiffness_ratio;
     json[drop_key::kMeetsGates] = trial.passes();
-    json[drop_key::kMissed] = Json::array({trial.missed.begin(), trial.missed.end()});
+    json[drop_key::kMissed] = sim::Json::array({trial.missed.begin(), trial.missed.end()});
     return json;
 }
 
-void add_honesty(const DropReport& report, Json& json) {
+void add_honesty(const DropReport& report, sim::Json& json) {
     json[drop_key::kRestKineticEnergyJ] = report.rest.kinetic_energy;
     json[drop_key::kRestRmsSpeed] = report.rest.rms_speed;
     json[drop_key::kRestNetSpeed] = report.rest.net_speed;
@@ -154,23 +154,23 @@ void add_honesty(const DropReport& report, Json& json) {
 
 // Both in turns, so that what else the machine does falls on both alike. With samples it is timed once at least: the
 // search has timed the drop without.
-void time_drops(const SphereDropOptions& options, int repetitions, DropReport& report, const Progress& progress) {
+void time_drops(const SphereDropOptions& options, int repetitions, DropReport& report, const sim::Progress& progress) {
     SphereDropOptions sampled = options;
     sampled.has_contact_samples = true;
     std::vector<double> without, with;
     for (int i = 0; i < repetitions; ++i) {
-        selvedge::report(progress, "timing", double(i) / repetitions);
+        sim::report(progress, "timing", double(i) / repetitions);
         without.push_back(run_sphere_drop(options).ms_per_frame);
         with.push_back(run_sphere_drop(sampled).ms_per_frame);
     }
     if (with.empty()) with.push_back(run_sphere_drop(sampled).ms_per_frame);
-    report.ms_per_frame = without.empty() ? report.chosen.ms_per_frame : quantile(without, 0.5);
-    report.ms_with_samples = quantile(with, 0.5);
+    report.ms_per_frame = without.empty() ? report.chosen.ms_per_frame : sim::quantile(without, 0.5);
+    report.ms_with_samples = sim::quantile(with, 0.5);
 }
 
 }  // namespace
 
-DropReport measure_drop(const DropExperiment& experiment, const Progress& progress) {
+DropReport measure_drop(const DropExperiment& experiment, const sim::Progress& progress) {
     DropReport report;
     const int base_quads = base_quads_for(experiment.triangles, experiment.scene);
     report.triangles = triangle_count(base_quads, experiment.scene.level);
@@ -195,15 +195,15 @@ std::vector<Table> tables_of(const DropReport& report) {
     return tables;
 }
 
-Json to_json(const DropReport& report) {
-    Json json = trial_json(report.chosen, report.ms_per_frame, report.triangles);
+sim::Json to_json(const DropReport& report) {
+    sim::Json json = trial_json(report.chosen, report.ms_per_frame, report.triangles);
     json[drop_key::kMsWithSamples] = report.ms_with_samples;
     json[drop_key::kTriangles] = report.triangles;
     if (report.converged) add_honesty(report, json);
-    Json& trials = json[drop_key::kTrials] = Json::array();
+    sim::Json& trials = json[drop_key::kTrials] = sim::Json::array();
     for (const DropTrial& trial : report.trials)
         trials.push_back(trial_json(trial, trial.ms_per_frame, report.triangles));
     return json;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

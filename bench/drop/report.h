@@ -8,7 +8,7 @@
 #include "bench/support/table.h"
 #include "sim/core/parallel.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 
 namespace drop_key {
 inline constexpr std::string_view kUsPerTriangleFrame = "us_per_triangle_frame";
@@ -58,9 +58,9 @@ struct DropReport {
     std::vector<DropTrial> trials;              // by sub-steps
 };
 
-DropReport measure_drop(const DropExperiment& experiment, const Progress& progress = {});
+DropReport measure_drop(const DropExperiment& experiment, const sim::Progress& progress = {});
 
 std::vector<Table> tables_of(const DropReport& report);
-Json to_json(const DropReport& report);
+sim::Json to_json(const DropReport& report);
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

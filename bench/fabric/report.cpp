@@ -8,15 +8,15 @@
 
 #include "bench/fabric/theory.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
-std::vector<Fabric> fabrics_of(const FabricExperiment& experiment) {
+std::vector<sim::Fabric> fabrics_of(const FabricExperiment& experiment) {
     std::vector<std::string> names = experiment.fabrics;
     if (names.empty() && experiment.is_quick) names = {"silk", "wool_twill", "cotton_shirting", "denim"};
-    if (names.empty()) names = fabric_names();
-    std::vector<Fabric> fabrics;
-    for (const std::string& name : names) fabrics.push_back(find_fabric(name));
+    if (names.empty()) names = sim::fabric_names();
+    std::vector<sim::Fabric> fabrics;
+    for (const std::string& name : names) fabrics.push_back(sim::find_fabric(name));
     return fabrics;
 }
 
@@ -29,12 +29,12 @@ MeshSetting turned(MeshSetting mesh, double angle) {
     return mesh;
 }
 
-using Test = std::function<Reading(const Fabric&, ThreadDirection, const MeshSetting&, const Stepping&)>;
+using Test = std::function<Reading(const sim::Fabric&, ThreadDirection, const MeshSetting&, const Stepping&)>;
 
 // One table: a row for each fabric, direction and level, a column for each angle.
 struct TableMaker {
     const FabricExperiment& experiment;
-    const Progress& progress;
+    const sim::Progress& progress;
     FabricTables made{};
 
     Table& begin(Table table, std::vector<std::string> before, std::vector<std::string> after) {
@@ -53,13 +53,13 @@ struct TableMaker {
     }
 
     void tell(const std::string& what, std::size_t done, std::size_t of) const {
-        report(progress, what, static_cast<double>(done) / static_cast<double>(of));
+        sim::report(progress, what, static_cast<double>(done) / static_cast<double>(of));
     }
 };
 
 // scale: from SI to the table's unit.
-void add_reading_row(TableMaker& maker, Table& table, const Test& test, const Fabric& fabric, ThreadDirection direction,
-                     const MeshSetting& level, double scale) {
+void add_reading_row(TableMaker& maker, Table& table, const Test& test, const sim::Fabric& fabric,
+                     ThreadDirection direction, const MeshSetting& level, double scale) {
     std::vector<Cell> row{fabric.name, name_of(direction), level_name(level)};
     std::vector<Cell> measured;
     double worst = 0;
@@ -88,7 +88,7 @@ void add_readings(TableMaker& maker, Table title, const Test& test, const std::v
     const std::string name = title.name;
     Table& table = maker.begin(std::move(title), {"fabric", "direction", "level", "expected"},
                                {"worst error, %", "gate, %", "verdict"});
-    const std::vector<Fabric> fabrics = fabrics_of(maker.experiment);
+    const std::vector<sim::Fabric> fabrics = fabrics_of(maker.experiment);
     for (std::size_t i = 0; i < fabrics.size(); ++i) {
         for (const ThreadDirection direction : directions) {
             maker.tell(name + ", " + fabrics[i].name, i, fabrics.size());
@@ -131,7 +131,8 @@ void measure_bias(TableMaker& maker) {
 }
 
 void measure_swing(TableMaker& maker) {
-    const auto test = [](const Fabric& fabric, ThreadDirection, const MeshSetting& mesh, const Stepping& stepping) {
+    const auto test = [](const sim::Fabric& fabric, ThreadDirection, const MeshSetting& mesh,
+                         const Stepping& stepping) {
         const Stepping fine{.substeps = 3 * stepping.substeps, .frame_seconds = stepping.frame_seconds};
         const double expected = swing_period(fabric, {.angle = mesh.angle, .level = 3}, fine);
         return Reading{.expected = expected, .measured = swing_period(fabric, mesh, stepping)};
@@ -152,7 +153,7 @@ void measure_energy(TableMaker& maker) {
          .title = "Strip of 30 cm let go level: most that kinetic and potential energy rise above the start, %",
          .note = "Of the work that its weight does over 30 cm. Never above nil, but for rounding: 0.1 %."},
         {"fabric", "level"}, {"verdict"});
-    const std::vector<Fabric> fabrics = fabrics_of(maker.experiment);
+    const std::vector<sim::Fabric> fabrics = fabrics_of(maker.experiment);
     for (std::size_t i = 0; i < fabrics.size(); ++i) {
         maker.tell("energy, " + fabrics[i].name, i, fabrics.size());
         for (const MeshSetting& level : level_settings(maker.experiment)) {
@@ -186,7 +187,7 @@ std::string drape_miss(double coefficient, double floor, const DrapeBand& band) 
     return "";
 }
 
-void add_drape_row(TableMaker& maker, Table& table, const Fabric& fabric, const MeshSetting& level,
+void add_drape_row(TableMaker& maker, Table& table, const sim::Fabric& fabric, const MeshSetting& level,
                    DrapeOfFabric& total) {
     const double rigidity = (fabric.bending_warp + fabric.bending_weft) / 2;
     const double floor = drape_floor(std::cbrt(rigidity / (9.81 * fabric.area_density)));
@@ -243,7 +244,7 @@ void measure_drape(TableMaker& maker) {
                                 .note = "Floor: radial strips, each free of its neighbours. Folds at each angle."},
                                {"fabric", "level", "floor", "published"}, {"folds", "verdict"});
     std::vector<DrapeOfFabric> totals;
-    const std::vector<Fabric> fabrics = fabrics_of(maker.experiment);
+    const std::vector<sim::Fabric> fabrics = fabrics_of(maker.experiment);
     for (std::size_t i = 0; i < fabrics.size(); ++i) {
         totals.push_back({.fabric = fabrics[i].name});
         for (const MeshSetting& level : level_settings(maker.experiment)) {
@@ -256,7 +257,8 @@ void measure_drape(TableMaker& maker) {
 
 }  // namespace
 
-FabricTables measure_fabrics(const std::string& test, const FabricExperiment& experiment, const Progress& progress) {
+FabricTables measure_fabrics(const std::string& test, const FabricExperiment& experiment,
+                             const sim::Progress& progress) {
     TableMaker maker{experiment, progress};
     if (test == "cantilever") measure_cantilever(maker);
     if (test == "strip") measure_strip(maker);
@@ -267,4 +269,4 @@ FabricTables measure_fabrics(const std::string& test, const FabricExperiment& ex
     return std::move(maker.made);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -8,7 +8,7 @@
 #include "bench/support/table.h"
 #include "sim/core/parallel.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 
 struct FabricExperiment {
     std::vector<std::string> fabrics{};  // empty: all that ship, or four of them when quick
@@ -27,7 +27,7 @@ struct FabricTables {
 
 // Throws InputError for an unknown fabric. Pre: test is one of the names.
 FabricTables measure_fabrics(const std::string& test, const FabricExperiment& experiment,
-                             const Progress& progress = {});
+                             const sim::Progress& progress = {});
 
 // How far off a level may be: 5 % at level 2 and finer and where the mesh adapts, 10 % at level 1, nothing is asked of
 // level 0 (a negative number).
@@ -44,4 +44,4 @@ struct DrapeBand {
 };
 DrapeBand published_drape(const std::string& fabric_name);
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -7,16 +7,16 @@
 
 #include "sim/mesh/sew.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
 constexpr double kG = 9.81;           // m/s^2
 constexpr double kChordError = 5e-4;  // m
 
 // The panel's own plane is the specimen's, turned by the mesh angle; its place turns it back.
-Panel turned_panel(const std::string& name, const std::vector<Vec2d>& corners, double mesh_angle,
-                   const SpecimenFrame& frame) {
-    Panel panel;
+sim::Panel turned_panel(const std::string& name, const std::vector<Vec2d>& corners, double mesh_angle,
+                        const SpecimenFrame& frame) {
+    sim::Panel panel;
     panel.name = name;
     const int count = static_cast<int>(corners.size());
     for (int i = 0; i < count; ++i) {
@@ -29,15 +29,15 @@ Panel turned_panel(const std::string& name, const std::vector<Vec2d>& corners, d
     return panel;
 }
 
-Panel rectangle(const std::string& name, const StripCut& cut, double from, double to, const SpecimenFrame& frame) {
+sim::Panel rectangle(const std::string& name, const StripCut& cut, double from, double to, const SpecimenFrame& frame) {
     const std::vector<Vec2d> corners{{0, from}, {cut.width, from}, {cut.width, to}, {0, to}};
-    Panel panel = turned_panel(name, corners, cut.mesh_angle, frame);
+    sim::Panel panel = turned_panel(name, corners, cut.mesh_angle, frame);
     panel.grain_angle = cut.mesh_angle + cut.warp_angle;
     return panel;
 }
 
-void make_arc(OutlineEdge& edge, double radius, bool turns_right) {
-    edge.kind = CurveKind::Arc;
+void make_arc(sim::OutlineEdge& edge, double radius, bool turns_right) {
+    edge.kind = sim::CurveKind::Arc;
     edge.arc_radius = radius;
     edge.turns_right = turns_right;
 }
@@ -49,18 +49,18 @@ Vec2d on_circle(double radius, int quarter) {
 
 const SpecimenFrame kLevel{.across = Vec3d::UnitX(), .along = -Vec3d::UnitZ()};
 
-Panel disc_panel(const DiscCut& cut) {
+sim::Panel disc_panel(const DiscCut& cut) {
     std::vector<Vec2d> corners;
     for (int quarter = 0; quarter < 4; ++quarter) corners.push_back(on_circle(cut.support_radius, quarter));
-    Panel panel = turned_panel("support", corners, cut.mesh_angle, kLevel);
-    for (OutlineEdge& edge : panel.edges) make_arc(edge, cut.support_radius, false);
+    sim::Panel panel = turned_panel("support", corners, cut.mesh_angle, kLevel);
+    for (sim::OutlineEdge& edge : panel.edges) make_arc(edge, cut.support_radius, false);
     panel.grain_angle = cut.mesh_angle;
     return panel;
 }
 
 // Half of the ring, from the quarter named counter-clockwise. Edges: 0 outward, 1 and 2 the rim, 3 inward, 4 and 5 the
 // support's edge, clockwise.
-Panel half_ring(const std::string& name, const DiscCut& cut, int quarter) {
+sim::Panel half_ring(const std::string& name, const DiscCut& cut, int quarter) {
     const double r = cut.support_radius;
     const std::vector<Vec2d> corners{on_circle(r, quarter),
                                      on_circle(cut.radius, quarter),
@@ -68,16 +68,16 @@ Panel half_ring(const std::string& name, const DiscCut& cut, int quarter) {
                                      on_circle(cut.radius, quarter + 2),
                                      on_circle(r, quarter + 2),
                                      on_circle(r, quarter + 1)};
-    Panel panel = turned_panel(name, corners, cut.mesh_angle, kLevel);
+    sim::Panel panel = turned_panel(name, corners, cut.mesh_angle, kLevel);
     for (const std::size_t rim : {1, 2}) make_arc(panel.edges[rim], cut.radius, false);
     for (const std::size_t inner : {4, 5}) make_arc(panel.edges[inner], r, true);
     panel.grain_angle = cut.mesh_angle;
     return panel;
 }
 
-std::vector<int> vertices_of(const GarmentMesh& mesh, int panel) {
+std::vector<int> vertices_of(const sim::GarmentMesh& mesh, int panel) {
     std::vector<int> vertices;
-    for (const GarmentTriangle& t : mesh.triangles) {
+    for (const sim::GarmentTriangle& t : mesh.triangles) {
         if (t.panel == panel) vertices.insert(vertices.end(), t.vertices.begin(), t.vertices.end());
     }
     std::ranges::sort(vertices);
@@ -85,9 +85,9 @@ std::vector<int> vertices_of(const GarmentMesh& mesh, int panel) {
     return vertices;
 }
 
-Specimen sew_specimen(const Pattern& pattern, const std::vector<Fabric>& fabrics, double edge_length,
+Specimen sew_specimen(const sim::Pattern& pattern, const std::vector<sim::Fabric>& fabrics, double edge_length,
                       double mesh_angle) {
-    const MeshOptions meshing{.target_edge = edge_length, .chord_error = kChordError};
+    const sim::MeshOptions meshing{.target_edge = edge_length, .chord_error = kChordError};
     Specimen specimen{.mesh = merge_seams(assemble(pattern, meshing)).mesh, .fabrics = fabrics};
     specimen.mesh.pins = vertices_of(specimen.mesh, Specimen::kHolder);
     specimen.mesh_angle = mesh_angle;
@@ -96,14 +96,14 @@ Specimen sew_specimen(const Pattern& pattern, const std::vector<Fabric>& fabrics
 
 }  // namespace
 
-Specimen cut_strip(const Fabric& fabric, const StripCut& cut, const SpecimenFrame& frame) {
+Specimen cut_strip(const sim::Fabric& fabric, const StripCut& cut, const SpecimenFrame& frame) {
     const double holder = 2 * cut.edge_length;
     const double bar = cut.width;  // m, height of the weight
-    Pattern pattern;
+    sim::Pattern pattern;
     pattern.panels.push_back(rectangle("clamp", cut, -holder, 0, frame));
     pattern.panels.push_back(rectangle("strip", cut, 0, cut.length, frame));
     pattern.seams.push_back({.first = {0, 2}, .second = {1, 0}});
-    std::vector<Fabric> fabrics{fabric, fabric};
+    std::vector<sim::Fabric> fabrics{fabric, fabric};
     if (cut.weight > 0) {
         pattern.panels.push_back(rectangle("weight", cut, cut.length, cut.length + bar, frame));
         pattern.seams.push_back({.first = {1, 2}, .second = {2, 0}});
@@ -113,8 +113,8 @@ Specimen cut_strip(const Fabric& fabric, const StripCut& cut, const SpecimenFram
     return sew_specimen(pattern, fabrics, cut.edge_length, cut.mesh_angle);
 }
 
-Specimen cut_ridge_strip(const Fabric& fabric, const StripCut& cut, const SpecimenFrame& frame) {
-    Pattern pattern;
+Specimen cut_ridge_strip(const sim::Fabric& fabric, const StripCut& cut, const SpecimenFrame& frame) {
+    sim::Pattern pattern;
     pattern.panels = {rectangle("left", cut, -cut.length, 0, frame), rectangle("right", cut, 0, cut.length, frame)};
     pattern.seams.push_back({.first = {0, 2}, .second = {1, 0}});
     Specimen specimen = sew_specimen(pattern, {fabric, fabric}, cut.edge_length, cut.mesh_angle);
@@ -125,8 +125,8 @@ Specimen cut_ridge_strip(const Fabric& fabric, const StripCut& cut, const Specim
     return specimen;
 }
 
-Specimen cut_disc(const Fabric& fabric, const DiscCut& cut) {
-    Pattern pattern;
+Specimen cut_disc(const sim::Fabric& fabric, const DiscCut& cut) {
+    sim::Pattern pattern;
     pattern.panels = {disc_panel(cut), half_ring("ring_a", cut, 0), half_ring("ring_b", cut, 2)};
     pattern.seams = {{.first = {0, 0}, .second = {1, 5}}, {.first = {0, 1}, .second = {1, 4}},
                      {.first = {0, 2}, .second = {2, 5}}, {.first = {0, 3}, .second = {2, 4}},
@@ -134,4 +134,4 @@ Specimen cut_disc(const Fabric& fabric, const DiscCut& cut) {
     return sew_specimen(pattern, {fabric, fabric, fabric}, cut.edge_length, cut.mesh_angle);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

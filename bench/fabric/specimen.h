@@ -8,7 +8,7 @@
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 
 // A strip: across it runs a, along it l, from 0 at the clamp to its length.
 struct StripCut {
@@ -21,8 +21,8 @@ struct StripCut {
 };
 
 struct Specimen {
-    GarmentMesh mesh;  // sewn, with its pins: all vertices of what holds the specimen
-    std::vector<Fabric> fabrics;
+    sim::GarmentMesh mesh;  // sewn, with its pins: all vertices of what holds the specimen
+    std::vector<sim::Fabric> fabrics;
     double mesh_angle = 0;
 
     static constexpr int kHolder = 0;  // panels
@@ -39,12 +39,12 @@ struct SpecimenFrame {
 };
 
 // The strip stands flat where the frame puts it, a = l = 0 at the origin.
-Specimen cut_strip(const Fabric& fabric, const StripCut& cut, const SpecimenFrame& frame);
+Specimen cut_strip(const sim::Fabric& fabric, const StripCut& cut, const SpecimenFrame& frame);
 
 // A strip of twice the length laid over a ridge at l = 0: pinned there along a seam, it droops on both sides, and is
 // level at the ridge by symmetry. (A clamp that holds the cells behind it would let the cloth bend over half a cell
 // more than it should.) The half with l < 0 is the panel kHolder. No weight.
-Specimen cut_ridge_strip(const Fabric& fabric, const StripCut& cut, const SpecimenFrame& frame);
+Specimen cut_ridge_strip(const sim::Fabric& fabric, const StripCut& cut, const SpecimenFrame& frame);
 
 // Cusick's disc, level, its support's centre at the origin.
 struct DiscCut {
@@ -53,6 +53,6 @@ struct DiscCut {
     double mesh_angle = 0;         // rad
     double edge_length = 0.03;     // m
 };
-Specimen cut_disc(const Fabric& fabric, const DiscCut& cut);
+Specimen cut_disc(const sim::Fabric& fabric, const DiscCut& cut);
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -14,8 +14,7 @@
 #include "sim/core/file.h"
 #include "sim/core/json.h"
 
-namespace selvedge {
-std::span<const EmbeddedFile> embedded_fabrics();
+namespace selvedge::bench {
 
 std::vector<std::string> textile_test_names() {
     return {"cantilever", "strip", "bias", "drape", "swing", "energy"};
@@ -38,11 +37,12 @@ std::vector<double> mesh_angles(const FabricExperiment& experiment) {
 }
 
 DrapeBand published_drape(const std::string& fabric_name) {
-    for (const EmbeddedFile& file : embedded_fabrics()) {
+    for (const sim::EmbeddedFile& file : sim::embedded_fabrics()) {
         if (std::filesystem::path(file.name).stem() != fabric_name) continue;
-        const Json json = parse_json(file.text, std::string(file.name));
+        const sim::Json json = sim::parse_json(file.text, std::string(file.name));
         if (json.find("cusick_drape_percent") == nullptr) return {};
-        const std::vector<double> band = JsonView(json, std::string(file.name)).at("cusick_drape_percent").numbers();
+        const std::vector<double> band =
+            sim::JsonView(json, std::string(file.name)).at("cusick_drape_percent").numbers();
         return {band.at(0), band.at(1)};
     }
     return {};
@@ -54,7 +54,7 @@ namespace {
 
 constexpr double kG = 9.81;  // m/s^2
 
-double weight_of(const Fabric& fabric) {
+double weight_of(const sim::Fabric& fabric) {
     return fabric.area_density * kG;  // N/m^2
 }
 
@@ -63,18 +63,18 @@ double warp_angle(ThreadDirection direction) {
     return direction == ThreadDirection::Weft ? std::numbers::pi / 2 : std::numbers::pi / 4;
 }
 
-double stiffness(const Fabric& fabric, ThreadDirection direction) {
+double stiffness(const sim::Fabric& fabric, ThreadDirection direction) {
     if (direction == ThreadDirection::Bias) return bias_stiffness(fabric);
     return direction == ThreadDirection::Warp ? fabric.stretch_warp : fabric.stretch_weft;
 }
 
-Fabric without_friction(Fabric fabric) {
+sim::Fabric without_friction(sim::Fabric fabric) {
     fabric.bending_hysteresis = 0;
     fabric.shear_hysteresis = 0;
     return fabric;
 }
 
-double load_of(const Fabric& fabric, ThreadDirection direction) {
+double load_of(const sim::Fabric& fabric, ThreadDirection direction) {
     constexpr double kE5 = 4.905;   // N/m
     constexpr double kE20 = 19.62;  // N/m
     const double k = stiffness(fabric, direction);
@@ -95,7 +95,7 @@ double strain_between(const Specimen& specimen, const ClothRun& run, const Strip
 
 // Hangs the strip and reads its strain. At rest means that it creeps by less than a two-hundredth of what is expected
 // in a second.
-Reading hang(const Fabric& fabric, ThreadDirection direction, const StripCut& cut, const MeshSetting& mesh,
+Reading hang(const sim::Fabric& fabric, ThreadDirection direction, const StripCut& cut, const MeshSetting& mesh,
              const Stepping& stepping) {
     constexpr float kDamping = 10;  // 1/s
     const bool is_bias = direction == ThreadDirection::Bias;
@@ -107,13 +107,13 @@ Reading hang(const Fabric& fabric, ThreadDirection direction, const StripCut& cu
     reading.expected = is_bias ? bias_strain(fabric, force) : force / stiffness(fabric, direction);
     const Specimen specimen = cut_strip(fabric, cut, {});
     ClothRun run = start_run(specimen.mesh, specimen.fabrics, run_options(mesh, stepping));
-    reading.is_at_rest = run_to_rest(run, NoBody(),
+    reading.is_at_rest = run_to_rest(run, sim::NoBody(),
                                      {.damping = kDamping,
                                       .least_seconds = 0.6,
                                       .max_seconds = 4,
                                       .rest_speed = 0.005 * reading.expected * cut.length});
     const auto strain = [&] { return strain_between(specimen, run, cut, from, to); };
-    reading.measured = mean_reading(run, NoBody(), kDamping, strain);
+    reading.measured = mean_reading(run, sim::NoBody(), kDamping, strain);
     return reading;
 }
 
@@ -139,9 +139,9 @@ RunOptions run_options(const MeshSetting& setting, const Stepping& stepping) {
             .frame_seconds = stepping.frame_seconds};
 }
 
-Reading test_cantilever(const Fabric& tested, ThreadDirection direction, const MeshSetting& mesh,
+Reading test_cantilever(const sim::Fabric& tested, ThreadDirection direction, const MeshSetting& mesh,
                         const Stepping& stepping) {
-    const Fabric fabric = without_friction(tested);
+    const sim::Fabric fabric = without_friction(tested);
     const double w = weight_of(fabric);
     Reading reading;
     reading.expected = direction == ThreadDirection::Warp ? fabric.bending_warp : fabric.bending_weft;
@@ -150,7 +150,7 @@ Reading test_cantilever(const Fabric& tested, ThreadDirection direction, const M
     const SpecimenFrame level{.across = Vec3d::UnitZ(), .along = Vec3d::UnitX()};
     const Specimen specimen = cut_ridge_strip(fabric, cut, level);
     ClothRun run = start_run(specimen.mesh, specimen.fabrics, run_options(mesh, stepping));
-    reading.is_at_rest = run_to_rest(run, NoBody(), {.least_seconds = 0.4, .max_seconds = 6});
+    reading.is_at_rest = run_to_rest(run, sim::NoBody(), {.least_seconds = 0.4, .max_seconds = 6});
     const auto end = [&](int panel, double l) {
         return mean_material_point(run.cloth, panel, specimen.material(0, l), specimen.material(cut.width, l));
     };
@@ -162,12 +162,13 @@ Reading test_cantilever(const Fabric& tested, ThreadDirection direction, const M
     return reading;
 }
 
-Reading test_own_weight(const Fabric& fabric, ThreadDirection direction, const MeshSetting& mesh,
+Reading test_own_weight(const sim::Fabric& fabric, ThreadDirection direction, const MeshSetting& mesh,
                         const Stepping& stepping) {
     return hang(without_friction(fabric), direction, strip_cut(direction, mesh), mesh, stepping);
 }
 
-Reading test_load(const Fabric& fabric, ThreadDirection direction, const MeshSetting& mesh, const Stepping& stepping) {
+Reading test_load(const sim::Fabric& fabric, ThreadDirection direction, const MeshSetting& mesh,
+                  const Stepping& stepping) {
     StripCut cut = strip_cut(direction, mesh);
     cut.weight = load_of(fabric, direction);
     return hang(without_friction(fabric), direction, cut, mesh, stepping);
@@ -179,15 +180,15 @@ namespace {
 
 double rest_area(const ClothRun& run, bool of_holder_alone) {
     double area = 0;
-    for (const LeafTriangle& t : run.cloth.mesh.leaf_triangles()) {
-        if (!of_holder_alone || t.panel == Specimen::kHolder) area += static_cast<double>(material_area(t.u));
+    for (const sim::LeafTriangle& t : run.cloth.mesh.leaf_triangles()) {
+        if (!of_holder_alone || t.panel == Specimen::kHolder) area += static_cast<double>(sim::material_area(t.u));
     }
     return area;
 }
 
 Shadow shadow_of(const ClothRun& run) {
     Shadow shadow;
-    for (const LeafTriangle& t : run.cloth.mesh.leaf_triangles()) {
+    for (const sim::LeafTriangle& t : run.cloth.mesh.leaf_triangles()) {
         std::array<Vec3d, 3> corners;
         for (std::size_t k = 0; k < 3; ++k) corners[k] = run.cloth.x[t.v[k].value].head<3>().cast<double>();
         shadow.draw(corners);
@@ -198,7 +199,7 @@ Shadow shadow_of(const ClothRun& run) {
 constexpr double kSwingLength = 0.3;  // m
 
 // angle: from the plumb line to the strip, rad.
-ClothRun let_go(const Fabric& fabric, double angle, const MeshSetting& mesh, const Stepping& stepping) {
+ClothRun let_go(const sim::Fabric& fabric, double angle, const MeshSetting& mesh, const Stepping& stepping) {
     const StripCut cut{.width = 0.1, .length = kSwingLength, .mesh_angle = mesh.angle, .edge_length = 0.04};
     const SpecimenFrame frame{.across = Vec3d::UnitZ(), .along = Vec3d(std::sin(angle), -std::cos(angle), 0)};
     const Specimen specimen = cut_strip(fabric, cut, frame);
@@ -219,12 +220,12 @@ double sideways(const ClothRun& run) {
 
 }  // namespace
 
-DrapeReading test_drape(const Fabric& fabric, const MeshSetting& mesh, const Stepping& stepping) {
+DrapeReading test_drape(const sim::Fabric& fabric, const MeshSetting& mesh, const Stepping& stepping) {
     const Specimen specimen = cut_disc(fabric, {.mesh_angle = mesh.angle});
     ClothRun run = start_run(specimen.mesh, specimen.fabrics, run_options(mesh, stepping));
     DrapeReading reading;
     reading.is_at_rest =
-        run_to_rest(run, NoBody(), {.damping = 3, .least_seconds = 1, .max_seconds = 6, .rest_speed = 2e-3});
+        run_to_rest(run, sim::NoBody(), {.damping = 3, .least_seconds = 1, .max_seconds = 6, .rest_speed = 2e-3});
     const Shadow shadow = shadow_of(run);
     reading.coefficient = drape_coefficient(shadow.area(), rest_area(run, true), rest_area(run, false));
     reading.folds = count_folds(shadow.outline());
@@ -232,14 +233,14 @@ DrapeReading test_drape(const Fabric& fabric, const MeshSetting& mesh, const Ste
 }
 
 // From the first passage of the plumb line to the seventh are three periods.
-double swing_period(const Fabric& fabric, const MeshSetting& mesh, const Stepping& stepping) {
+double swing_period(const sim::Fabric& fabric, const MeshSetting& mesh, const Stepping& stepping) {
     constexpr std::size_t kPassages = 7;
     constexpr double kLongest = 6;  // s
     ClothRun run = let_go(fabric, 20 * std::numbers::pi / 180, mesh, stepping);
     std::vector<double> passages;
     double before = sideways(run);
     for (double t = 0; t < kLongest && passages.size() < kPassages; t += stepping.frame_seconds) {
-        run_frame(run, NoBody());
+        run_frame(run, sim::NoBody());
         const double now = sideways(run);
         if ((before > 0) != (now > 0)) passages.push_back(t + stepping.frame_seconds * before / (before - now));
         before = now;
@@ -248,7 +249,7 @@ double swing_period(const Fabric& fabric, const MeshSetting& mesh, const Steppin
     return 2 * (passages.back() - passages.front()) / static_cast<double>(passages.size() - 1);
 }
 
-double energy_growth(const Fabric& fabric, const MeshSetting& mesh, const Stepping& stepping) {
+double energy_growth(const sim::Fabric& fabric, const MeshSetting& mesh, const Stepping& stepping) {
     constexpr double kSeconds = 3;
     ClothRun run = let_go(fabric, std::numbers::pi / 2, mesh, stepping);
     double mass = 0;
@@ -257,11 +258,11 @@ double energy_growth(const Fabric& fabric, const MeshSetting& mesh, const Steppi
     double highest = -work;
     const double start = energy(run).potential;
     for (double t = 0; t < kSeconds; t += stepping.frame_seconds) {
-        run_frame(run, NoBody());
+        run_frame(run, sim::NoBody());
         const Energy now = energy(run);
         highest = std::max(highest, now.kinetic + now.potential - start);
     }
     return highest / work;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

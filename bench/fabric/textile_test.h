@@ -6,7 +6,7 @@
 #include "bench/support/cloth_run.h"
 #include "sim/pattern/fabric.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 
 enum class ThreadDirection { Warp, Weft, Bias };
 std::string name_of(ThreadDirection direction);
@@ -36,16 +36,16 @@ struct Reading {
 // Peirce's cantilever: a strip whose chord should dip 41.5 degrees, on both sides of a ridge. Reads the bending
 // rigidity, N m, by the exact elastica from the mean angle that it does dip. Internal friction is left out, in cloth
 // and theory.
-Reading test_cantilever(const Fabric& fabric, ThreadDirection direction, const MeshSetting& mesh,
+Reading test_cantilever(const sim::Fabric& fabric, ThreadDirection direction, const MeshSetting& mesh,
                         const Stepping& stepping = {});
 
 // A strip that hangs by its upper end: strain by its own weight, of its whole length. Warp and weft.
-Reading test_own_weight(const Fabric& fabric, ThreadDirection direction, const MeshSetting& mesh,
+Reading test_own_weight(const sim::Fabric& fabric, ThreadDirection direction, const MeshSetting& mesh,
                         const Stepping& stepping = {});
 
 // Strain by a weight sewn to the lower end. Warp and weft: 19.6 or 4.9 N/m (FAST's E20 and E5), or what strains the
 // fabric to half its limit if that is less. Bias: what strains it 1 %, read clear of the clamps.
-Reading test_load(const Fabric& fabric, ThreadDirection direction, const MeshSetting& mesh,
+Reading test_load(const sim::Fabric& fabric, ThreadDirection direction, const MeshSetting& mesh,
                   const Stepping& stepping = {});
 
 struct DrapeReading {
@@ -54,15 +54,15 @@ struct DrapeReading {
     bool is_at_rest = true;
 };
 // Cusick's drape test: a disc of 30 cm on a support of 18 cm.
-DrapeReading test_drape(const Fabric& fabric, const MeshSetting& mesh, const Stepping& stepping = {});
+DrapeReading test_drape(const sim::Fabric& fabric, const MeshSetting& mesh, const Stepping& stepping = {});
 
 // A strip of 30 cm that swings about its upper end, let go at 20 degrees: period, s. Theory for a hanging chain, small
 // swings: 2 pi sqrt(L/g) / 1.2024.
-double swing_period(const Fabric& fabric, const MeshSetting& mesh, const Stepping& stepping = {});
+double swing_period(const sim::Fabric& fabric, const MeshSetting& mesh, const Stepping& stepping = {});
 
 // The same strip let go level: by how much kinetic and potential energy ever rise above what they were at the start, of
 // the work that its weight does when it falls its whole length. The cloth starts unstrained, so that above nil, energy
 // came from nowhere.
-double energy_growth(const Fabric& fabric, const MeshSetting& mesh, const Stepping& stepping = {});
+double energy_growth(const sim::Fabric& fabric, const MeshSetting& mesh, const Stepping& stepping = {});
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

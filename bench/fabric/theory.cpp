@@ -7,7 +7,7 @@
 
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
 constexpr int kSteps = 500;
@@ -99,7 +99,7 @@ Shadow::Shadow(double half_width, double pixel)
 void Shadow::draw(const std::array<Vec3d, 3>& triangle) {
     std::array<Vec2d, 3> p;
     for (std::size_t k = 0; k < 3; ++k) p[k] = Vec2d(triangle[k].x(), triangle[k].z());
-    if (cross2(p[1] - p[0], p[2] - p[0]) < 0) std::swap(p[1], p[2]);
+    if (sim::cross2(p[1] - p[0], p[2] - p[0]) < 0) std::swap(p[1], p[2]);
     const Vec2d low = p[0].cwiseMin(p[1]).cwiseMin(p[2]);
     const Vec2d high = p[0].cwiseMax(p[1]).cwiseMax(p[2]);
     const auto first = [&](double at) { return std::max(0, static_cast<int>((at + half_width_) / pixel_)); };
@@ -109,7 +109,7 @@ void Shadow::draw(const std::array<Vec3d, 3>& triangle) {
             const Vec2d centre(centre_of(column), centre_of(row));
             bool is_inside = true;
             for (std::size_t k = 0; k < 3; ++k)
-                is_inside = is_inside && cross2(p[(k + 1) % 3] - p[k], centre - p[k]) >= 0;
+                is_inside = is_inside && sim::cross2(p[(k + 1) % 3] - p[k], centre - p[k]) >= 0;
             if (is_inside) lit_[static_cast<std::size_t>(row * size_ + column)] = true;
         }
     }
@@ -155,4 +155,4 @@ int count_folds(const std::vector<double>& outline, double prominence) {
     return folds;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -6,7 +6,7 @@
 
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 
 struct Droop {
     double reach = 0;  // horizontal distance of the free end from the clamp, of the strip's length
@@ -59,4 +59,4 @@ double drape_coefficient(double shadow_area, double support_area, double specime
 // How many times the outline of a shadow rises and falls by more than `prominence` (m) round the circle.
 int count_folds(const std::vector<double>& outline, double prominence = 0.004);
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

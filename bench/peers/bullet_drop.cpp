@@ -16,7 +16,7 @@
 #include "bench/support/timing.h"
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
 constexpr int kIterations = 10;  // of the position solver, per sub-step
@@ -61,14 +61,14 @@ struct World {
     std::unique_ptr<btSoftBody> cloth;
 };
 
-void add_edges(btSoftBody& cloth, const GarmentMesh& grid) {
-    for (const GarmentTriangle& t : grid.triangles) {
+void add_edges(btSoftBody& cloth, const sim::GarmentMesh& grid) {
+    for (const sim::GarmentTriangle& t : grid.triangles) {
         for (std::size_t k = 0; k < 3; ++k) cloth.appendLink(t.vertices[k], t.vertices[(k + 1) % 3], nullptr, true);
         cloth.appendFace(t.vertices[0], t.vertices[1], t.vertices[2]);
     }
 }
 
-void add_cloth(World& world, const GarmentMesh& grid, const DropScene& scene) {
+void add_cloth(World& world, const sim::GarmentMesh& grid, const DropScene& scene) {
     btAlignedObjectArray<btVector3> x;
     for (const Vec3d& p : grid.x) x.push_back(vector(p));
     world.cloth = std::make_unique<btSoftBody>(&world.world.getWorldInfo(), x.size(), &x[0], nullptr);
@@ -95,7 +95,7 @@ struct PeerRun {
 
 PeerRun run_bullet(int quads, int substeps, double limit) {
     const DropScene scene;
-    const GarmentMesh grid = flat_grid(quads, scene);
+    const sim::GarmentMesh grid = flat_grid(quads, scene);
     World world(scene);
     add_cloth(world, grid, scene);
     DropJudge judge(measured(grid), scene);
@@ -163,9 +163,10 @@ int compare(int triangles, double max_stretch, double limit) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::bench
 
 int main(int argc, char** argv) {
-    return selvedge::compare(static_cast<int>(selvedge::argument(argc, argv, 1, 1152)),
-                             selvedge::argument(argc, argv, 2, 0.05), selvedge::argument(argc, argv, 3, 60));
+    return selvedge::bench::compare(static_cast<int>(selvedge::bench::argument(argc, argv, 1, 1152)),
+                                    selvedge::bench::argument(argc, argv, 2, 0.05),
+                                    selvedge::bench::argument(argc, argv, 3, 60));
 }

@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/adaptive/adaptive_mesh.h"
 #include "bench/support/square.h"
+#include "sim/adaptive/adaptive_mesh.h"
 #include "sim/core/file.h"
 #include "sim/core/json.h"
 #include "sim/core/math.h"
@@ -42,7 +42,7 @@ struct Times {  // ns per triangle made, or unmade
     std::vector<double> coarsened_lists;
 };
 
-std::size_t triangles_made(const AdaptiveMesh& mesh) {
+std::size_t triangles_made(const sim::AdaptiveMesh& mesh) {
     return mesh.triangles().size() - mesh.base_triangle_count();
 }
 
@@ -60,18 +60,18 @@ double time_ns(F&& work) {
     return processor_ns() - start;
 }
 
-Peer make_peer(const GarmentMesh& base) {
+Peer make_peer(const sim::GarmentMesh& base) {
     Peer mesh;
     std::vector<Peer::VertexHandle> vertices;
     for (const Vec3d& x : base.x) vertices.push_back(mesh.add_vertex(Peer::Point(x.cast<float>().eval().data())));
     const auto at = [&](int v) { return vertices[static_cast<std::size_t>(v)]; };
-    for (const GarmentTriangle& t : base.triangles) {
+    for (const sim::GarmentTriangle& t : base.triangles) {
         mesh.add_face(at(t.vertices[0]), at(t.vertices[1]), at(t.vertices[2]));
     }
     return mesh;
 }
 
-double refine_peer(const GarmentMesh& base, std::size_t made) {
+double refine_peer(const sim::GarmentMesh& base, std::size_t made) {
     Peer mesh = make_peer(base);
     OpenMesh::Subdivider::Uniform::LoopT<Peer> loop;
     loop.attach(mesh);
@@ -81,18 +81,18 @@ double refine_peer(const GarmentMesh& base, std::size_t made) {
     return time / static_cast<double>(made);
 }
 
-void refine(AdaptiveMesh& mesh) {
+void refine(sim::AdaptiveMesh& mesh) {
     for (int level = 0; level < mesh.max_level(); ++level) {
-        for (const EdgeId e : mesh.unsplit_edges(level)) {
+        for (const sim::EdgeId e : mesh.unsplit_edges(level)) {
             if (mesh.may_split(e)) mesh.split(e);
         }
         mesh.retriangulate(level);
     }
 }
 
-void coarsen(AdaptiveMesh& mesh) {
+void coarsen(sim::AdaptiveMesh& mesh) {
     for (int level = mesh.max_level() - 1; level >= 0; --level) {
-        for (const EdgeId e : mesh.split_edges(level)) {
+        for (const sim::EdgeId e : mesh.split_edges(level)) {
             if (mesh.may_rejoin(e)) mesh.rejoin(e);
         }
         mesh.retriangulate(level);
@@ -100,8 +100,8 @@ void coarsen(AdaptiveMesh& mesh) {
 }
 
 Times measure(const Options& options) {
-    const GarmentMesh base = make_square({.columns = kQuads, .rows = kQuads});
-    AdaptiveMesh steady(base, {.max_level = kLevels});
+    const sim::GarmentMesh base = make_square({.columns = kQuads, .rows = kQuads});
+    sim::AdaptiveMesh steady(base, {.max_level = kLevels});
     refine(steady);
     const std::size_t made = triangles_made(steady);
     steady.refresh_lists();
@@ -110,7 +110,7 @@ Times measure(const Options& options) {
     const auto time_per_triangle = [&](auto&& work) { return time_ns(work) / static_cast<double>(made); };
     Times times;
     for (int run = 0; run < options.runs; ++run) {
-        AdaptiveMesh fresh(base, {.max_level = kLevels});
+        sim::AdaptiveMesh fresh(base, {.max_level = kLevels});
         times.peer.push_back(refine_peer(base, made));
         times.grown.push_back(time_per_triangle([&] { refine(fresh); }));
         times.refined.push_back(time_per_triangle([&] { refine(steady); }));
@@ -141,7 +141,7 @@ void print(const Times& times) {
 }
 
 void save(const Times& times, const std::string& file) {
-    Json json = Json::object();
+    sim::Json json = sim::Json::object();
     json["openmesh_ns_per_triangle"] = median(times.peer);
     json["refine_ns_per_triangle"] = median(times.refined);
     json["coarsen_ns_per_triangle"] = median(times.coarsened);

@@ -11,12 +11,12 @@
 #include "render/preview/preview_renderer.h"
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
 // Each triangle in four of the same plane.
-PlainMesh split_in_four(const PlainMesh& mesh) {
-    PlainMesh split;
+sim::PlainMesh split_in_four(const sim::PlainMesh& mesh) {
+    sim::PlainMesh split;
     split.panel_names = mesh.panel_names;
     split.panel_grain_angles = mesh.panel_grain_angles;
     split.x = mesh.x;
@@ -45,28 +45,28 @@ PlainMesh split_in_four(const PlainMesh& mesh) {
     return split;
 }
 
-std::size_t triangles_of(const Scene& scene) {
+std::size_t triangles_of(const render::Scene& scene) {
     std::size_t count = 0;
-    for (const ClothItem& cloth : scene.cloths) count += cloth.mesh.triangles.size();
+    for (const render::ClothItem& cloth : scene.cloths) count += cloth.mesh.triangles.size();
     return count;
 }
 
-void turn_camera(Scene& scene, float angle) {
+void turn_camera(render::Scene& scene, float angle) {
     const Eigen::Matrix3f turn = Eigen::AngleAxisf(angle, Vec3f::UnitY()).toRotationMatrix();
     scene.camera.eye = scene.camera.target + turn * (scene.camera.eye - scene.camera.target);
     scene.camera.up = turn * scene.camera.up;
 }
 
-void move_cloth(Scene& scene, const Scene& rest, float amount, int picture) {
+void move_cloth(render::Scene& scene, const render::Scene& rest, float amount, int picture) {
     for (std::size_t i = 0; i < scene.cloths.size(); ++i) {
-        PlainMesh& mesh = scene.cloths[i].mesh;
-        const PlainMesh& before = rest.cloths[i].mesh;
-        const std::vector<Vec3f> normals = vertex_normals(before.x, before.triangles);
+        sim::PlainMesh& mesh = scene.cloths[i].mesh;
+        const sim::PlainMesh& before = rest.cloths[i].mesh;
+        const std::vector<Vec3f> normals = sim::vertex_normals(before.x, before.triangles);
         for (std::size_t v = 0; v < mesh.x.size(); ++v) {
             const float phase = 25 * before.x[v].y() + 0.7F * float(picture);
             mesh.x[v] = before.x[v] + amount * (1 + std::sin(phase)) * normals[v];
         }
-        mesh.normals = vertex_normals(mesh.x, mesh.triangles);
+        mesh.normals = sim::vertex_normals(mesh.x, mesh.triangles);
     }
 }
 
@@ -77,16 +77,16 @@ double processor_ms() {
 }
 
 double median(const std::vector<double>& values) {
-    return values.empty() ? 0 : quantile(values, 0.5);
+    return values.empty() ? 0 : sim::quantile(values, 0.5);
 }
 
 class Stopwatch {
  public:
-    Stopwatch(Renderer& renderer, RenderOptions options) : renderer_(renderer), options_(options) {}
+    Stopwatch(render::Renderer& renderer, render::RenderOptions options) : renderer_(renderer), options_(options) {}
 
     // Measures either the whole, in which nothing waits but for the picture, or its parts.
-    void draw(const Scene& scene, bool with_parts) {
-        PictureTimes times;
+    void draw(const render::Scene& scene, bool with_parts) {
+        render::PictureTimes times;
         options_.times = with_parts ? &times : nullptr;
         const double processor_start = processor_ms();
         const auto start = std::chrono::steady_clock::now();
@@ -103,29 +103,30 @@ class Stopwatch {
     PictureFigure figure(const std::string& kind) const {
         PictureFigure figure{.kind = kind, .total = median(totals_), .processor = median(processor_), .parts = {}};
         for (const auto part :
-             {&PictureTimes::compare, &PictureTimes::room_light, &PictureTimes::upload, &PictureTimes::shadow,
-              &PictureTimes::mask, &PictureTimes::draw, &PictureTimes::finish, &PictureTimes::read_back}) {
+             {&render::PictureTimes::compare, &render::PictureTimes::room_light, &render::PictureTimes::upload,
+              &render::PictureTimes::shadow, &render::PictureTimes::mask, &render::PictureTimes::draw,
+              &render::PictureTimes::finish, &render::PictureTimes::read_back}) {
             std::vector<double> values;
-            for (const PictureTimes& times : parts_) values.push_back(times.*part);
+            for (const render::PictureTimes& times : parts_) values.push_back(times.*part);
             figure.parts.*part = median(values);
         }
         return figure;
     }
 
  private:
-    Renderer& renderer_;
-    RenderOptions options_;
+    render::Renderer& renderer_;
+    render::RenderOptions options_;
     std::vector<double> totals_, processor_;
-    std::vector<PictureTimes> parts_;
+    std::vector<render::PictureTimes> parts_;
 };
 
 // Drafts of a scene that others share, left with GL.
 class DraftStopwatch {
  public:
-    DraftStopwatch(const GlContext& context, DraftRenderer& renderer, PictureTexture& to)
+    DraftStopwatch(const render::GlContext& context, render::DraftRenderer& renderer, render::PictureTexture& to)
         : context_(context), renderer_(renderer), to_(to) {}
 
-    void draw(const SceneView& view) {
+    void draw(const render::SceneView& view) {
         const double processor_start = processor_ms();
         const auto start = std::chrono::steady_clock::now();
         renderer_.draw(view, to_);
@@ -139,19 +140,20 @@ class DraftStopwatch {
     }
 
  private:
-    const GlContext& context_;
-    DraftRenderer& renderer_;
-    PictureTexture& to_;
+    const render::GlContext& context_;
+    render::DraftRenderer& renderer_;
+    render::PictureTexture& to_;
     std::vector<double> totals_, processor_;
 };
 
-void measure_drafts(GlContext& context, const Scene& scene, const PictureExperiment& experiment,
+void measure_drafts(render::GlContext& context, const render::Scene& scene, const PictureExperiment& experiment,
                     std::vector<PictureFigure>& figures) {
-    DraftRenderer renderer(context);
-    PictureTexture to(context.gl());
+    render::DraftRenderer renderer(context);
+    render::PictureTexture to(context.gl());
     to.resize(experiment.render.width_px, experiment.render.height_px);
-    Scene turned = scene;
-    SceneView view{.scene = std::make_shared<const Scene>(scene), .camera = scene.camera, .light = scene.light};
+    render::Scene turned = scene;
+    render::SceneView view{
+        .scene = std::make_shared<const render::Scene>(scene), .camera = scene.camera, .light = scene.light};
     DraftStopwatch first(context, renderer, to);
     first.draw(view);
     figures.push_back(first.figure("draft: first"));
@@ -165,7 +167,7 @@ void measure_drafts(GlContext& context, const Scene& scene, const PictureExperim
     DraftStopwatch moving(context, renderer, to);
     for (int i = 0; i < 4 * experiment.pictures; ++i) {
         move_cloth(turned, scene, experiment.ripple, i);
-        view.scene = std::make_shared<const Scene>(turned);
+        view.scene = std::make_shared<const render::Scene>(turned);
         moving.draw(view);
     }
     figures.push_back(moving.figure("draft: cloth moves"));
@@ -173,9 +175,9 @@ void measure_drafts(GlContext& context, const Scene& scene, const PictureExperim
 
 }  // namespace
 
-PictureReport measure_pictures(const Scene& given, const PictureExperiment& experiment) {
-    Scene scene = given;
-    for (ClothItem& cloth : scene.cloths) {
+PictureReport measure_pictures(const render::Scene& given, const PictureExperiment& experiment) {
+    render::Scene scene = given;
+    for (render::ClothItem& cloth : scene.cloths) {
         while (triangles_of(scene) < static_cast<std::size_t>(experiment.triangles)) {
             cloth.mesh = split_in_four(cloth.mesh);
         }
@@ -187,10 +189,10 @@ PictureReport measure_pictures(const Scene& given, const PictureExperiment& expe
                          .width_px = experiment.render.width_px,
                          .height_px = experiment.render.height_px,
                          .figures = {}};
-    for (const BodyItem& body : scene.bodies) report.body_triangles += body.triangles.size();
+    for (const render::BodyItem& body : scene.bodies) report.body_triangles += body.triangles.size();
 
-    const std::unique_ptr<GlContext> context = make_context();
-    Renderer renderer(*context);
+    const std::unique_ptr<render::GlContext> context = render::make_context();
+    render::Renderer renderer(*context);
     Stopwatch first(renderer, experiment.render);
     first.draw(scene, false);
     report.figures.push_back(first.figure("first"));
@@ -208,7 +210,7 @@ PictureReport measure_pictures(const Scene& given, const PictureExperiment& expe
     }
     report.figures.push_back(looking.figure("camera turns"));
     Stopwatch moving(renderer, experiment.render);
-    const Scene rest = scene;
+    const render::Scene rest = scene;
     for (int i = 0; i < 2 * experiment.pictures; ++i) {
         move_cloth(scene, rest, experiment.ripple, i);
         moving.draw(scene, i % 2 == 1);
@@ -230,7 +232,7 @@ Table table_of(const PictureReport& report) {
                 .columns = {"picture", "whole", "processor", "compare", "room light", "upload", "shadow", "mask",
                             "draw", "finish", "read back"}};
     for (const PictureFigure& figure : report.figures) {
-        const PictureTimes& parts = figure.parts;
+        const render::PictureTimes& parts = figure.parts;
         const bool has_parts = parts.draw > 0;
         const auto cell = [&](double value) { return has_parts ? Cell(value, 1) : Cell(); };
         table.add_row({figure.kind, Cell(figure.total, 1), Cell(figure.processor, 1), cell(parts.compare),
@@ -240,4 +242,4 @@ Table table_of(const PictureReport& report) {
     return table;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

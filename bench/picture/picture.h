@@ -6,13 +6,13 @@
 #include "bench/support/table.h"
 #include "render/draw/renderer.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 
 struct PictureExperiment {
-    RenderOptions render{};
+    render::RenderOptions render{};
     int triangles = 20000;  // of the cloth, at least: it is split where it has fewer
     int pictures = 12;      // of each kind
-    View view = View::ThreeQuarter;
+    render::View view = render::View::ThreeQuarter;
     float turn = 0.06F;      // rad from one picture to the next
     float ripple = 0.0025F;  // m that the moving cloth moves by
 };
@@ -21,7 +21,7 @@ struct PictureFigure {
     std::string kind;
     double total = 0;      // ms by wall clock, median over the pictures
     double processor = 0;  // ms of processor time of all threads
-    PictureTimes parts;
+    render::PictureTimes parts;
 };
 
 struct PictureReport {
@@ -33,8 +33,8 @@ struct PictureReport {
 };
 
 // Cloths and bodies of the scene; its camera and light are the experiment's.
-PictureReport measure_pictures(const Scene& scene, const PictureExperiment& experiment);
+PictureReport measure_pictures(const render::Scene& scene, const PictureExperiment& experiment);
 
 Table table_of(const PictureReport& report);
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -5,28 +5,28 @@
 
 #include "sim/adaptive/criteria.h"
 #include "sim/cloth/adapt_cloth.h"
-#include "sim/cloth/step.h"
 #include "sim/cloth/cloth.h"
+#include "sim/cloth/step.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
 constexpr float kNoFloor = -1000.0F;  // m
 
 // The state of what uniform refinement creates.
 struct Midpoints {
-    Cloth& cloth;
+    sim::Cloth& cloth;
 
     void on_capacity(std::size_t capacity) { size_state(cloth, capacity); }
-    void on_split(VertexId c, VertexId a, VertexId b) {
+    void on_split(sim::VertexId c, sim::VertexId a, sim::VertexId b) {
         cloth.x[c.value] = (cloth.x[a.value] + cloth.x[b.value]) * 0.5F;
         cloth.x_prev[c.value] = (cloth.x_prev[a.value] + cloth.x_prev[b.value]) * 0.5F;
         cloth.is_pinned[c.value] = cloth.is_pinned[a.value] && cloth.is_pinned[b.value];
     }
-    void on_rejoin(VertexId) {}
+    void on_rejoin(sim::VertexId) {}
 };
 
-ContactOptions contact_options(const RunOptions& options) {
+sim::ContactOptions contact_options(const RunOptions& options) {
     return {.offset = options.contact_offset,
             .sample_spacing = 1.0F,
             .sampled_edge = options.sampled_edge,
@@ -42,14 +42,14 @@ void refresh(ClothRun& run) {
 // m; what leaves of the deepest level are never shorter than, so that nothing but the level limits them.
 constexpr float kNoShortestEdge = 1e-6F;
 
-void adapt_run(ClothRun& run, const Collider& body) {
+void adapt_run(ClothRun& run, const sim::Collider& body) {
     adapt_cloth(run.cloth, body, {.shortest_edge = kNoShortestEdge}, contact_options(run.options));
 }
 
 double net_speed(const ClothRun& run, const std::vector<Vec3d>& before, double seconds) {
     double sum = 0;
     double count = 0;
-    for (const VertexId v : run.cloth.mesh.leaf_vertices()) {
+    for (const sim::VertexId v : run.cloth.mesh.leaf_vertices()) {
         if (v.value >= before.size() || run.cloth.inverse_mass[v.value] <= 0) continue;
         sum += (run.cloth.x[v.value].head<3>().cast<double>() - before[v.value]).squaredNorm();
         ++count;
@@ -59,7 +59,7 @@ double net_speed(const ClothRun& run, const std::vector<Vec3d>& before, double s
 
 }  // namespace
 
-ClothRun start_run(const GarmentMesh& mesh, const std::vector<Fabric>& fabrics, const RunOptions& options) {
+ClothRun start_run(const sim::GarmentMesh& mesh, const std::vector<sim::Fabric>& fabrics, const RunOptions& options) {
     const auto substep = static_cast<float>(options.frame_seconds / options.substeps);
     ClothRun run{make_cloth(mesh, fabrics, {.max_level = options.level, .substep = substep}), options};
     if (!options.is_adaptive) {
@@ -71,21 +71,22 @@ ClothRun start_run(const GarmentMesh& mesh, const std::vector<Fabric>& fabrics, 
 }
 
 void pin_where(ClothRun& run, const std::function<bool(const Vec3d&)>& is_pinned) {
-    for (const VertexId v : run.cloth.mesh.leaf_vertices())
+    for (const sim::VertexId v : run.cloth.mesh.leaf_vertices())
         run.cloth.is_pinned[v.value] = is_pinned(run.cloth.x[v.value].head<3>().cast<double>());
     refresh(run);
 }
 
-void run_frame(ClothRun& run, const Collider& body) {
+void run_frame(ClothRun& run, const sim::Collider& body) {
     const RunOptions& options = run.options;
     if (options.is_adaptive && run.frames++ % options.frames_per_adaption == 0) adapt_run(run, body);
-    StepOptions stepping{.substeps = options.substeps, .gravity = options.gravity, .contact = contact_options(options)};
+    sim::StepOptions stepping{
+        .substeps = options.substeps, .gravity = options.gravity, .contact = contact_options(options)};
     stepping.extra_damping = options.extra_damping;
     stepping.max_move_per_substep = 0.1F;  // m: what the experiments fall on has no thin parts
     step(run.cloth, body, stepping);
 }
 
-bool run_to_rest(ClothRun& run, const Collider& body, const RestOptions& options) {
+bool run_to_rest(ClothRun& run, const sim::Collider& body, const RestOptions& options) {
     constexpr double kWatched = 0.2;  // s
     const auto frames = static_cast<int>(std::ceil(kWatched / run.options.frame_seconds));
     const float damping = run.options.extra_damping;
@@ -101,7 +102,7 @@ bool run_to_rest(ClothRun& run, const Collider& body, const RestOptions& options
     return is_at_rest;
 }
 
-double mean_reading(ClothRun& run, const Collider& body, double damping, const std::function<double()>& read) {
+double mean_reading(ClothRun& run, const sim::Collider& body, double damping, const std::function<double()>& read) {
     constexpr double kSeconds = 1;
     const auto frames = static_cast<int>(std::ceil(kSeconds / run.options.frame_seconds));
     const float kept = std::exchange(run.options.extra_damping, static_cast<float>(damping));
@@ -122,9 +123,9 @@ std::vector<Vec3d> positions(const ClothRun& run) {
 }
 
 std::vector<Vec3d> velocities(const ClothRun& run) {
-    const Cloth& cloth = run.cloth;
+    const sim::Cloth& cloth = run.cloth;
     std::vector<Vec3d> v(cloth.x.size(), Vec3d::Zero());
-    for (const VertexId id : cloth.mesh.leaf_vertices()) {
+    for (const sim::VertexId id : cloth.mesh.leaf_vertices()) {
         if (cloth.inverse_mass[id.value] <= 0) continue;
         const Vec4f moved = cloth.x[id.value] - cloth.x_prev[id.value];
         v[id.value] = moved.head<3>().cast<double>() / static_cast<double>(cloth.substep);
@@ -134,7 +135,7 @@ std::vector<Vec3d> velocities(const ClothRun& run) {
 
 std::vector<double> masses(const ClothRun& run) {
     std::vector<double> mass(run.cloth.x.size(), 0.0);
-    for (const VertexId v : run.cloth.mesh.leaf_vertices()) {
+    for (const sim::VertexId v : run.cloth.mesh.leaf_vertices()) {
         const auto w = static_cast<double>(run.cloth.inverse_mass[v.value]);
         if (w > 0) mass[v.value] = 1 / w;
     }
@@ -143,7 +144,7 @@ std::vector<double> masses(const ClothRun& run) {
 
 MeasuredMesh measured(const ClothRun& run) {
     MeasuredMeshBuilder builder;
-    for (const LeafTriangle& t : run.cloth.mesh.leaf_triangles()) {
+    for (const sim::LeafTriangle& t : run.cloth.mesh.leaf_triangles()) {
         std::array<MeasuredCorner, 3> corners;
         for (std::size_t k = 0; k < 3; ++k) corners[k] = {static_cast<int>(t.v[k].value), t.u[k].cast<double>()};
         builder.add(corners, static_cast<double>(run.cloth.material.grain_angles[t.panel]));
@@ -152,22 +153,22 @@ MeasuredMesh measured(const ClothRun& run) {
 }
 
 Energy energy(const ClothRun& run) {
-    const Cloth& cloth = run.cloth;
+    const sim::Cloth& cloth = run.cloth;
     const std::vector<Vec3d> v = velocities(run);
     const std::vector<double> mass = masses(run);
     Energy energy;
-    for (const VertexId id : cloth.mesh.leaf_vertices()) {
+    for (const sim::VertexId id : cloth.mesh.leaf_vertices()) {
         energy.kinetic += 0.5 * mass[id.value] * v[id.value].squaredNorm();
         const Vec3d gravity = run.options.gravity.cast<double>();
         const Vec4f x = (cloth.x[id.value] + cloth.x_prev[id.value]) * 0.5F;
         energy.potential -= mass[id.value] * gravity.dot(x.head<3>().cast<double>());
     }
-    const std::vector<TriangleStrain> strains = measure_strain(cloth);
+    const std::vector<sim::TriangleStrain> strains = measure_strain(cloth);
     for (std::size_t i = 0; i < strains.size(); ++i) {
-        const LeafTriangle& triangle = cloth.mesh.leaf_triangles()[i];
-        const Fabric& fabric = cloth.material.fabrics[triangle.panel];
+        const sim::LeafTriangle& triangle = cloth.mesh.leaf_triangles()[i];
+        const sim::Fabric& fabric = cloth.material.fabrics[triangle.panel];
         const auto squared = [](float value) { return static_cast<double>(value) * static_cast<double>(value); };
-        energy.elastic += 0.5 * static_cast<double>(material_area(triangle.u)) *
+        energy.elastic += 0.5 * static_cast<double>(sim::material_area(triangle.u)) *
                           (fabric.stretch_warp * squared(strains[i].warp) +
                            fabric.stretch_weft * squared(strains[i].weft) + fabric.shear * squared(strains[i].shear));
     }
@@ -180,4 +181,4 @@ double rms_speed(const ClothRun& run) {
     return total > 0 ? std::sqrt(2 * energy(run).kinetic / total) : 0;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

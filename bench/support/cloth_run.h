@@ -10,9 +10,11 @@
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/fabric.h"
 
-namespace selvedge {
-
+namespace selvedge::sim {
 class Collider;
+}
+
+namespace selvedge::bench {
 
 struct RunOptions {
     int level = 3;             // of all leaves; of the finest ones when adaptive
@@ -27,18 +29,18 @@ struct RunOptions {
 };
 
 struct ClothRun {
-    Cloth cloth;
+    sim::Cloth cloth;
     RunOptions options;  // level, frame_seconds and substeps are settled at the start; the others may change
     int frames = 0;      // that were run
 };
 
 // At rest where the mesh stands. Pins: the mesh's, and the middle of every edge between two of them.
-ClothRun start_run(const GarmentMesh& mesh, const std::vector<Fabric>& fabrics, const RunOptions& options);
+ClothRun start_run(const sim::GarmentMesh& mesh, const std::vector<sim::Fabric>& fabrics, const RunOptions& options);
 
 // Pins the leaf vertices for which is_pinned(position) holds, and no others.
 void pin_where(ClothRun& run, const std::function<bool(const Vec3d&)>& is_pinned);
 
-void run_frame(ClothRun& run, const Collider& body);
+void run_frame(ClothRun& run, const sim::Collider& body);
 
 struct RestOptions {
     float damping = 6;         // 1/s, extra
@@ -47,10 +49,10 @@ struct RestOptions {
     double rest_speed = 1e-4;  // m/s, root mean square over the vertices of their net speed over a fifth of a second
 };
 // Frames until the cloth is at rest, or time is up. True when it came to rest.
-bool run_to_rest(ClothRun& run, const Collider& body, const RestOptions& options = {});
+bool run_to_rest(ClothRun& run, const sim::Collider& body, const RestOptions& options = {});
 
 // The mean of what is read over one more second with that damping (1/s): what trembles about its rest is read at it.
-double mean_reading(ClothRun& run, const Collider& body, double damping, const std::function<double()>& read);
+double mean_reading(ClothRun& run, const sim::Collider& body, double damping, const std::function<double()>& read);
 
 std::vector<Vec3d> positions(const ClothRun& run);   // m, by vertex id
 std::vector<Vec3d> velocities(const ClothRun& run);  // m/s, by vertex id; 0 where pinned
@@ -67,4 +69,4 @@ Energy energy(const ClothRun& run);
 
 double rms_speed(const ClothRun& run);  // m/s, over mass
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -8,7 +8,7 @@
 
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
 constexpr double kAlongThread = 1e-4;  // sine of the angle to a thread
@@ -16,7 +16,7 @@ constexpr double kAlongThread = 1e-4;  // sine of the angle to a thread
 bool is_along_thread(const Vec2d& edge, double grain_angle) {
     const Vec2d warp(-std::sin(grain_angle), std::cos(grain_angle));
     const Vec2d along = edge.normalized();
-    return std::min(std::abs(cross2(warp, along)), std::abs(warp.dot(along))) < kAlongThread;
+    return std::min(std::abs(sim::cross2(warp, along)), std::abs(warp.dot(along))) < kAlongThread;
 }
 
 const Vec3d& at(const std::vector<Vec3d>& x, int vertex) {
@@ -27,7 +27,7 @@ const Vec3d& at(const std::vector<Vec3d>& x, int vertex) {
 
 void MeasuredMeshBuilder::add(const std::array<MeasuredCorner, 3>& corners, double grain_angle) {
     mesh_.triangles.push_back({corners[0].vertex, corners[1].vertex, corners[2].vertex});
-    mesh_.rest_area += 0.5 * std::abs(cross2(corners[1].u - corners[0].u, corners[2].u - corners[0].u));
+    mesh_.rest_area += 0.5 * std::abs(sim::cross2(corners[1].u - corners[0].u, corners[2].u - corners[0].u));
     for (std::size_t k = 0; k < 3; ++k) {
         const MeasuredCorner& from = corners[k];
         const MeasuredCorner& to = corners[(k + 1) % 3];
@@ -50,9 +50,9 @@ MeasuredMesh MeasuredMeshBuilder::finish() {
     return std::move(mesh_);
 }
 
-MeasuredMesh measured(const GarmentMesh& mesh) {
+MeasuredMesh measured(const sim::GarmentMesh& mesh) {
     MeasuredMeshBuilder builder;
-    for (const GarmentTriangle& t : mesh.triangles) {
+    for (const sim::GarmentTriangle& t : mesh.triangles) {
         builder.add({{{t.vertices[0], t.u[0]}, {t.vertices[1], t.u[1]}, {t.vertices[2], t.u[2]}}},
                     mesh.panel_grain_angles[static_cast<std::size_t>(t.panel)]);
     }
@@ -63,7 +63,7 @@ ThreadStretch thread_stretch(const MeasuredMesh& mesh, const std::vector<Vec3d>&
     std::vector<double> strains;
     strains.reserve(mesh.threads.size());
     for (const ThreadEdge& e : mesh.threads) strains.push_back((at(x, e.b) - at(x, e.a)).norm() / e.rest_length - 1);
-    return {.p1 = quantile(strains, 0.01), .p99 = quantile(strains, 0.99), .max = quantile(strains, 1)};
+    return {.p1 = sim::quantile(strains, 0.01), .p99 = sim::quantile(strains, 0.99), .max = sim::quantile(strains, 1)};
 }
 
 double area_ratio(const MeasuredMesh& mesh, const std::vector<Vec3d>& x) {
@@ -91,23 +91,23 @@ namespace {
 
 using Weights = std::array<double, 3>;
 
-Weights barycentric(const LeafTriangle& t, const Vec2d& u) {
+Weights barycentric(const sim::LeafTriangle& t, const Vec2d& u) {
     const Vec2d origin = t.u[0].cast<double>();
     const Vec2d e1 = t.u[1].cast<double>() - origin;
     const Vec2d e2 = t.u[2].cast<double>() - origin;
     const Vec2d d = u - origin;
-    const double area = cross2(e1, e2);
-    const double w1 = cross2(d, e2) / area;
-    const double w2 = cross2(e1, d) / area;
+    const double area = sim::cross2(e1, e2);
+    const double w1 = sim::cross2(d, e2) / area;
+    const double w2 = sim::cross2(e1, d) / area;
     return {1 - w1 - w2, w1, w2};
 }
 
 }  // namespace
 
-Vec3d material_point(const Cloth& cloth, int panel, const Vec2d& u) {
+Vec3d material_point(const sim::Cloth& cloth, int panel, const Vec2d& u) {
     double best = -std::numeric_limits<double>::infinity();
     Vec3d found = Vec3d::Zero();
-    for (const LeafTriangle& t : cloth.mesh.leaf_triangles()) {
+    for (const sim::LeafTriangle& t : cloth.mesh.leaf_triangles()) {
         if (t.panel != panel) continue;
         const Weights w = barycentric(t, u);
         const double least = *std::ranges::min_element(w);
@@ -119,21 +119,21 @@ Vec3d material_point(const Cloth& cloth, int panel, const Vec2d& u) {
     return found;
 }
 
-Vec3d mean_material_point(const Cloth& cloth, int panel, const Vec2d& u, const Vec2d& v, int count) {
+Vec3d mean_material_point(const sim::Cloth& cloth, int panel, const Vec2d& u, const Vec2d& v, int count) {
     Vec3d sum = Vec3d::Zero();
     for (int i = 0; i < count; ++i) sum += material_point(cloth, panel, u + (v - u) * (double(i) / (count - 1)));
     return sum / count;
 }
 
-double bias_stiffness(const Fabric& fabric) {
+double bias_stiffness(const sim::Fabric& fabric) {
     return 4 / (1 / fabric.stretch_warp + 1 / fabric.stretch_weft + 1 / fabric.shear);
 }
 
-double bias_strain(const Fabric& fabric, double force) {
+double bias_strain(const sim::Fabric& fabric, double force) {
     double shear = force / (2 * fabric.shear);  // rad
     for (int i = 0; i < 50; ++i) shear = force * (std::cos(shear / 2) - std::sin(shear / 2)) / (2 * fabric.shear);
     const double turned = std::cos(shear / 2) + std::sin(shear / 2) - 1;
     return turned + force / 4 * (1 / fabric.stretch_warp + 1 / fabric.stretch_weft);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

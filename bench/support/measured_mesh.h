@@ -9,7 +9,7 @@
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/fabric.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 
 // An edge along warp or weft.
 struct ThreadEdge {
@@ -47,7 +47,7 @@ class MeasuredMeshBuilder {
     std::vector<Edge> edges_;
 };
 
-MeasuredMesh measured(const GarmentMesh& mesh);
+MeasuredMesh measured(const sim::GarmentMesh& mesh);
 
 struct ThreadStretch {
     double p1 = 0;  // 1st percentile, negative where threads are compressed
@@ -72,19 +72,19 @@ ShapeDistance shape_distance(const MeasuredMesh& mesh, const std::vector<Vec3d>&
 
 // Where the panel's point u (m) is now: interpolated in its leaf triangle, or in the nearest one when u lies a rounding
 // error outside all of them.
-Vec3d material_point(const Cloth& cloth, int panel, const Vec2d& u);
+Vec3d material_point(const sim::Cloth& cloth, int panel, const Vec2d& u);
 
 // The mean place of `count` points spread evenly from u to v, both ends included.
-Vec3d mean_material_point(const Cloth& cloth, int panel, const Vec2d& u, const Vec2d& v, int count = 9);
+Vec3d mean_material_point(const sim::Cloth& cloth, int panel, const Vec2d& u, const Vec2d& v, int count = 9);
 
 // A strip cut at 45 degrees to the threads, pulled along its length: how far it gives.
 
 // 4/E45 = 1/E_warp + 1/E_weft + 1/G, N/m; the model of a fabric has no lateral contraction. Of small strains.
-double bias_stiffness(const Fabric& fabric);
+double bias_stiffness(const sim::Fabric& fabric);
 
 // Strain under `force` (N/m of width). By what the threads give, and by their turning against each other: threads at an
 // angle of pi/2 - s make the strip cos(s/2) + sin(s/2) times as long, and G s^2/2 of shear energy is what the force
 // did. At 1 % that is 1.5 % less than the small-strain formula. Pre: 0 <= force < 2 G.
-double bias_strain(const Fabric& fabric, double force);
+double bias_strain(const sim::Fabric& fabric, double force);
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -2,10 +2,10 @@
 
 #include "sim/core/assert.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
-GarmentTriangle make_triangle(const std::vector<Vec2d>& u, int a, int b, int c) {
+sim::GarmentTriangle make_triangle(const std::vector<Vec2d>& u, int a, int b, int c) {
     const auto at = [&](int v) { return u[static_cast<std::size_t>(v)]; };
     return {.vertices = {a, b, c}, .u = {at(a), at(b), at(c)}, .panel = 0};
 }
@@ -22,10 +22,10 @@ std::vector<Vec2d> grid_points(const SquareOptions& options) {
 
 }  // namespace
 
-GarmentMesh make_square(const SquareOptions& options) {
+sim::GarmentMesh make_square(const SquareOptions& options) {
     SELVEDGE_ASSERT(options.columns >= 1 && options.rows >= 1);
     const std::vector<Vec2d> u = grid_points(options);
-    GarmentMesh mesh;
+    sim::GarmentMesh mesh;
     for (const Vec2d& p : u) mesh.x.emplace_back(p.x() - options.width / 2, options.height, options.depth / 2 - p.y());
     for (int row = 0; row < options.rows; ++row) {
         for (int column = 0; column < options.columns; ++column) {
@@ -43,4 +43,4 @@ GarmentMesh make_square(const SquareOptions& options) {
     return mesh;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -2,7 +2,7 @@
 // A square of cloth, the thesis' test piece.
 #include "sim/mesh/garment_mesh.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 
 struct SquareOptions {
     int columns = 4;  // quads of two triangles each
@@ -14,6 +14,6 @@ struct SquareOptions {
 
 // Horizontal, right side up, centred on the y axis; one panel. Vertex (column, row) is row * (columns + 1) + column.
 // The quads' diagonals alternate, so that no direction is preferred. Pre: columns, rows >= 1.
-GarmentMesh make_square(const SquareOptions& options = {});
+sim::GarmentMesh make_square(const SquareOptions& options = {});
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

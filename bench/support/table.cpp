@@ -7,7 +7,7 @@
 #include "sim/core/assert.h"
 #include "sim/core/file.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
 using TextRow = std::vector<std::string>;
@@ -46,9 +46,9 @@ std::string Cell::to_text() const {
     return text;
 }
 
-Json Cell::to_json() const {
-    if (number_) return decimals_ == 0 ? Json(static_cast<long long>(*number_)) : Json(*number_);
-    return text_.empty() ? Json() : Json(text_);
+sim::Json Cell::to_json() const {
+    if (number_) return decimals_ == 0 ? sim::Json(static_cast<long long>(*number_)) : sim::Json(*number_);
+    return text_.empty() ? sim::Json() : sim::Json(text_);
 }
 
 void Table::add_row(std::vector<Cell> row) {
@@ -86,15 +86,15 @@ Table thinned(const Table& table, std::size_t most) {
     return part;
 }
 
-Json to_json(const Table& table) {
-    Json json = Json::object();
+sim::Json to_json(const Table& table) {
+    sim::Json json = sim::Json::object();
     json["name"] = table.name;
     json["title"] = table.title;
     json["note"] = table.note;
-    json["columns"] = Json::array({table.columns.begin(), table.columns.end()});
-    Json rows = Json::array();
+    json["columns"] = sim::Json::array({table.columns.begin(), table.columns.end()});
+    sim::Json rows = sim::Json::array();
     for (const std::vector<Cell>& row : table.rows) {
-        Json cells = Json::array();
+        sim::Json cells = sim::Json::array();
         for (const Cell& cell : row) cells.push_back(cell.to_json());
         rows.push_back(std::move(cells));
     }
@@ -164,18 +164,18 @@ std::string to_csv(const Table& table) {
 bool plot(const Figure& figure, const std::filesystem::path& png) {
     std::filesystem::path script = png;
     script.replace_extension(".gnuplot");
-    write_file_atomically(script, script_of(figure, png));
+    sim::write_file_atomically(script, script_of(figure, png));
     return std::system(("gnuplot " + shell_word(script.string()) + " >/dev/null 2>&1").c_str()) == 0;
 }
 
-Image contact_sheet(const std::vector<Image>& pictures, int columns) {
+render::Image contact_sheet(const std::vector<render::Image>& pictures, int columns) {
     constexpr int kGap = 4;  // px
     SELVEDGE_ASSERT(!pictures.empty() && columns >= 1);
     const int width = pictures.front().width_px, height = pictures.front().height_px;
     const int count = static_cast<int>(pictures.size()), rows = (count + columns - 1) / columns;
-    Image sheet(columns * (width + kGap) - kGap, rows * (height + kGap) - kGap, {255, 255, 255, 255});
+    render::Image sheet(columns * (width + kGap) - kGap, rows * (height + kGap) - kGap, {255, 255, 255, 255});
     for (int i = 0; i < count; ++i) {
-        const Image& picture = pictures[static_cast<std::size_t>(i)];
+        const render::Image& picture = pictures[static_cast<std::size_t>(i)];
         SELVEDGE_ASSERT(picture.width_px == width && picture.height_px == height);
         const int left = i % columns * (width + kGap), top = i / columns * (height + kGap);
         for (int y = 0; y < height; ++y) {
@@ -185,4 +185,4 @@ Image contact_sheet(const std::vector<Image>& pictures, int columns) {
     return sheet;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -9,7 +9,7 @@
 #include "render/image/image.h"
 #include "sim/core/json.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 
 // Text, a number or nothing at all (not measured, or not known).
 class Cell {
@@ -23,7 +23,7 @@ class Cell {
     Cell(T count) : number_(static_cast<double>(count)) {}
 
     std::string to_text() const;  // "-" when there is nothing
-    Json to_json() const;         // a string, a number, or null when there is nothing
+    sim::Json to_json() const;    // a string, a number, or null when there is nothing
     bool is_number() const { return number_.has_value(); }
     bool is_empty() const { return !number_ && text_.empty(); }
 
@@ -50,7 +50,7 @@ std::string to_markdown(const Table& table);
 Table thinned(const Table& table, std::size_t most);
 
 // {"name": ..., "title": ..., "note": ..., "columns": [...], "rows": [[...], ...]}
-Json to_json(const Table& table);
+sim::Json to_json(const Table& table);
 
 // A series of figures as CSV, and drawn by gnuplot where that is installed.
 
@@ -71,6 +71,6 @@ bool plot(const Figure& figure, const std::filesystem::path& png);
 // Pictures side by side in one.
 
 // Row by row, so many in each, with white between. Pre: there are some, all of one size, columns >= 1.
-Image contact_sheet(const std::vector<Image>& pictures, int columns);
+render::Image contact_sheet(const std::vector<render::Image>& pictures, int columns);
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -5,7 +5,7 @@
 
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 double thread_seconds() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -14,9 +14,9 @@ double thread_seconds() {
 
 Timing timing_of(const std::vector<double>& seconds) {
     if (seconds.empty()) return {};
-    return {.median = quantile(seconds, 0.5),
+    return {.median = sim::quantile(seconds, 0.5),
             .least = *std::min_element(seconds.begin(), seconds.end()),
             .runs = static_cast<int>(seconds.size())};
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -3,7 +3,7 @@
 // repeated runs.
 #include <vector>
 
-namespace selvedge {
+namespace selvedge::bench {
 
 double thread_seconds();  // processor time that the calling thread has used, s
 
@@ -40,4 +40,4 @@ void keep(const T& value) {
     asm volatile("" : : "r"(&value) : "memory");
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

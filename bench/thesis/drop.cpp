@@ -13,7 +13,7 @@
 #include "sim/collide/collider.h"
 #include "sim/dress/report.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
 constexpr int kStepsPerFrame = 4;
@@ -23,26 +23,26 @@ constexpr double kSide = 1.0;              // m, of the cloth
 constexpr double kBeside = 0.15;           // m, how far from the middle a cloth starts that falls off
 constexpr float kSlipperyFriction = 0.2F;  // of the fabric's, so that it does fall off
 constexpr float kNoFloor = -1000.0F;       // m
-constexpr LengthOptions kCompression{.split_compression = 0.01F,
-                                     .rejoin_compression = 0.004F};  // these drops compress less than usual
+constexpr sim::LengthOptions kCompression{.split_compression = 0.01F,
+                                          .rejoin_compression = 0.004F};  // these drops compress less than usual
 
-Cloth make_drop_cloth(const DropOptions& options) {
-    GarmentMesh base =
+sim::Cloth make_drop_cloth(const DropOptions& options) {
+    sim::GarmentMesh base =
         make_square({.columns = 4, .rows = 4, .width = kSide, .depth = kSide, .height = kDropRadius + 0.1});
     for (Vec3d& x : base.x) x += Vec3d(0, 0, options.shift + (options.falls_off ? kBeside : 0.0));
-    return make_cloth(base, {find_fabric("cotton_shirting")});
+    return make_cloth(base, {sim::find_fabric("cotton_shirting")});
 }
 
 struct DropScene {
-    Cloth cloth;
-    std::unique_ptr<Collider> object;
-    StepOptions stepping{};
-    AdaptClothOptions adapting{};
+    sim::Cloth cloth;
+    std::unique_ptr<sim::Collider> object;
+    sim::StepOptions stepping{};
+    sim::AdaptClothOptions adapting{};
     DropRun run{};
 };
 
 // A disc that holds the whole cloth.
-MinimumLevelDisc everywhere(int level) {
+sim::MinimumLevelDisc everywhere(int level) {
     return {.panel = 0, .centre = Vec2f::Zero(), .radius = 10.0F * static_cast<float>(kSide), .level = level};
 }
 
@@ -56,7 +56,7 @@ DropScene make_scene(const DropOptions& options) {
     scene.adapting.length = kCompression;
     refresh_contacts(scene.cloth, scene.stepping.contact);
     if (options.uniform_level) {
-        const MinimumLevelDisc disc = everywhere(*options.uniform_level);
+        const sim::MinimumLevelDisc disc = everywhere(*options.uniform_level);
         adapt_cloth(scene.cloth, *scene.object,
                     {.criteria = {.collision = false, .curvature = false, .length = false},
                      .minimum_levels = {&disc, 1},
@@ -69,20 +69,20 @@ DropScene make_scene(const DropOptions& options) {
 // With a uniform level: the pass that asks every edge and changes nothing.
 void adapt_frame(DropScene& scene, const DropOptions& options) {
     if (options.uniform_level) {
-        NoState none;
+        sim::NoState none;
         set_uniform_level(scene.cloth.mesh, none, *options.uniform_level);
     } else {
         adapt_cloth(scene.cloth, *scene.object, scene.adapting, scene.stepping.contact);
     }
 }
 
-void step_frame(Cloth& cloth, const Collider& object, const StepOptions& stepping) {
+void step_frame(sim::Cloth& cloth, const sim::Collider& object, const sim::StepOptions& stepping) {
     for (int i = 0; i < kStepsPerFrame; ++i) step(cloth, object, stepping);
 }
 
-void draw_frame(const Cloth& cloth) {
-    const PlainMesh mesh = plain_mesh(cloth, {"cloth"});
-    keep(make_cloth_vertices(mesh, vertex_normals(mesh), std::vector<Openness>(mesh.x.size())));
+void draw_frame(const sim::Cloth& cloth) {
+    const sim::PlainMesh mesh = plain_mesh(cloth, {"cloth"});
+    keep(make_cloth_vertices(mesh, vertex_normals(mesh), std::vector<render::Openness>(mesh.x.size())));
 }
 
 DropFrame run_frame(DropScene& scene, const DropOptions& options) {
@@ -91,9 +91,9 @@ DropFrame run_frame(DropScene& scene, const DropOptions& options) {
     frame.triangles = scene.cloth.mesh.leaf_triangles().size();
     double free_steps = 0;
     if (options.times_parts) {
-        Cloth free = scene.cloth;
+        sim::Cloth free = scene.cloth;
         forget_contacts(free);
-        free_steps = 1e3 * time_once([&] { step_frame(free, NoBody{}, scene.stepping); });
+        free_steps = 1e3 * time_once([&] { step_frame(free, sim::NoBody{}, scene.stepping); });
     }
     frame.steps = 1e3 * time_once([&] { step_frame(scene.cloth, *scene.object, scene.stepping); });
     if (options.times_parts) {
@@ -112,13 +112,13 @@ Vec3f barycentric(const std::array<Vec2f, 3>& u, const Vec2f& p) {
 }
 
 // Pre: material coordinates run over a square of kSide, as make_square has it.
-std::vector<Vec3f> sample_grid(const Cloth& cloth) {
+std::vector<Vec3f> sample_grid(const sim::Cloth& cloth) {
     std::vector<Vec3f> grid(std::size_t{kGridSide} * kGridSide, Vec3f::Zero());
     Vec2f low = Vec2f::Constant(1e6F);
-    for (const LeafTriangle& t : cloth.mesh.leaf_triangles())
+    for (const sim::LeafTriangle& t : cloth.mesh.leaf_triangles())
         for (const Vec2f& u : t.u) low = low.cwiseMin(u);
     const float spacing = static_cast<float>(kSide) / (kGridSide - 1);
-    for (const LeafTriangle& t : cloth.mesh.leaf_triangles()) {
+    for (const sim::LeafTriangle& t : cloth.mesh.leaf_triangles()) {
         const Vec2f from = (t.u[0].cwiseMin(t.u[1]).cwiseMin(t.u[2]) - low) / spacing;
         const Vec2f to = (t.u[0].cwiseMax(t.u[1]).cwiseMax(t.u[2]) - low) / spacing;
         for (int row = static_cast<int>(std::lround(from.y())); row <= std::lround(to.y()); ++row) {
@@ -137,9 +137,10 @@ std::vector<Vec3f> sample_grid(const Cloth& cloth) {
 
 }  // namespace
 
-std::unique_ptr<Collider> make_drop_object(DropObject object) {
-    if (object == DropObject::Sphere) return std::make_unique<SphereCollider>(Vec3f::Zero(), kDropRadius);
-    return std::make_unique<CylinderCollider>(CylinderShape{.radius = kDropRadius, .half_length = kDropHalfLength});
+std::unique_ptr<sim::Collider> make_drop_object(DropObject object) {
+    if (object == DropObject::Sphere) return std::make_unique<sim::SphereCollider>(Vec3f::Zero(), kDropRadius);
+    return std::make_unique<sim::CylinderCollider>(
+        sim::CylinderShape{.radius = kDropRadius, .half_length = kDropHalfLength});
 }
 
 const char* name_of(DropObject object) {
@@ -185,8 +186,8 @@ namespace {
 constexpr std::uint32_t kSegments = 48;
 
 // A surface of revolution: points (along, radius) from one end to the other, turned about an axis.
-BodyItem revolve(const std::vector<Vec2f>& profile, bool about_x) {
-    BodyItem item;
+render::BodyItem revolve(const std::vector<Vec2f>& profile, bool about_x) {
+    render::BodyItem item;
     for (const Vec2f& p : profile) {
         for (std::uint32_t i = 0; i < kSegments; ++i) {
             const float turn = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / kSegments;
@@ -201,11 +202,11 @@ BodyItem revolve(const std::vector<Vec2f>& profile, bool about_x) {
             item.triangles.push_back({a, b + kSegments, a + kSegments});
         }
     }
-    item.normals = vertex_normals(item.x, item.triangles);
+    item.normals = sim::vertex_normals(item.x, item.triangles);
     return item;
 }
 
-BodyItem object_item(DropObject object) {
+render::BodyItem object_item(DropObject object) {
     if (object == DropObject::Cylinder)
         return revolve({{-kDropHalfLength, 0.001F},
                         {-kDropHalfLength, 0.999F * kDropRadius},
@@ -224,16 +225,16 @@ BodyItem object_item(DropObject object) {
 
 }  // namespace
 
-Image DropPainter::draw(const Cloth& cloth, DropObject object) {
-    Scene scene;
-    scene.cloths.push_back({.mesh = plain_mesh(cloth, {"cloth"}), .sett = {}, .show = ShowMode::Level});
+render::Image DropPainter::draw(const sim::Cloth& cloth, DropObject object) {
+    render::Scene scene;
+    scene.cloths.push_back({.mesh = plain_mesh(cloth, {"cloth"}), .sett = {}, .show = render::ShowMode::Level});
     scene.bodies.push_back(object_item(object));
     scene.camera = {.eye = Vec3f(1.25F, 1.0F, 2.9F), .target = Vec3f(0, -0.08F, 0)};
     scene.light = studio_light(scene.camera);
     scene.has_ground = false;
-    Image image = renderer_.draw(scene, {.width_px = side_px_, .height_px = side_px_});
-    draw_legend(image, level_legend(scene.cloths.front().mesh), Corner::LowerLeft);
+    render::Image image = renderer_.draw(scene, {.width_px = side_px_, .height_px = side_px_});
+    draw_legend(image, render::level_legend(scene.cloths.front().mesh), render::Corner::LowerLeft);
     return image;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -17,7 +17,7 @@
 #include "sim/cloth/cloth.h"
 #include "sim/collide/collider.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 
 enum class DropObject { Sphere, Cylinder };
 
@@ -25,12 +25,12 @@ struct DropOptions {
     DropObject object = DropObject::Sphere;
     bool falls_off = false;              // dropped beside the middle and with less friction: it slides off again
     std::optional<int> uniform_level{};  // the same level everywhere; none: adaptive by the criteria
-    CriteriaOptions criteria{};
-    DiagonalChoice diagonal = DiagonalChoice::LeastWork;
+    sim::CriteriaOptions criteria{};
+    sim::DiagonalChoice diagonal = sim::DiagonalChoice::LeastWork;
     double seconds = 2.0;
-    double shift = 0;                                   // m, of the start along z: for runs that should hardly differ
-    bool times_parts = false;                           // collision and drawing too, which makes the run slower
-    std::function<void(const Cloth&, double)> watch{};  // called after each frame with its time, s
+    double shift = 0;          // m, of the start along z: for runs that should hardly differ
+    bool times_parts = false;  // collision and drawing too, which makes the run slower
+    std::function<void(const sim::Cloth&, double)> watch{};  // called after each frame with its time, s
 };
 
 // Processor times of one frame, ms.
@@ -45,7 +45,7 @@ struct DropFrame {
 
 struct DropRun {
     std::vector<DropFrame> frames;
-    TransitionCounts transitions;
+    sim::TransitionCounts transitions;
     std::vector<Vec3f> grid;  // at the end: positions at 33 x 33 material points, whatever the mesh
 };
 
@@ -58,7 +58,7 @@ DropRun run_drop_repeatedly(const DropOptions& options, int runs);
 double mean_distance(const DropRun& a, const DropRun& b);
 
 // For pictures. half_length: of the cylinder, m.
-std::unique_ptr<Collider> make_drop_object(DropObject object);
+std::unique_ptr<sim::Collider> make_drop_object(DropObject object);
 const char* name_of(DropObject object);
 inline constexpr float kDropRadius = 0.25F;     // m
 inline constexpr float kDropHalfLength = 0.6F;  // m
@@ -69,11 +69,11 @@ class DropPainter {
  public:
     explicit DropPainter(int side_px) : side_px_(side_px) {}
 
-    Image draw(const Cloth& cloth, DropObject object);
+    render::Image draw(const sim::Cloth& cloth, DropObject object);
 
  private:
-    Renderer renderer_;
+    render::Renderer renderer_;
     int side_px_;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

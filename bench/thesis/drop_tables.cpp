@@ -5,7 +5,7 @@
 #include "bench/thesis/drop.h"
 #include "bench/thesis/thesis.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
 constexpr int kStepsPerFrame = 4;
@@ -63,12 +63,12 @@ Table uniform_table(const std::string& name, DropObject object, const ThesisOpti
 
 struct Combination {
     const char* name;
-    CriteriaOptions criteria;
+    sim::CriteriaOptions criteria;
 };
 
 std::vector<Combination> combinations(const ThesisOptions& options) {
     const auto with = [](bool a, bool b, bool c) {
-        return CriteriaOptions{.collision = a, .curvature = b, .length = c};
+        return sim::CriteriaOptions{.collision = a, .curvature = b, .length = c};
     };
     std::vector<Combination> all{{"A", with(true, false, false)},  {"B", with(false, true, false)},
                                  {"C", with(false, false, true)},  {"A+B", with(true, true, false)},
@@ -78,9 +78,9 @@ std::vector<Combination> combinations(const ThesisOptions& options) {
     return all;
 }
 
-void add_counts(TransitionCounts& sum, const TransitionCounts& counts) {
-    for (std::size_t from = 0; from < kConfigurations; ++from)
-        for (std::size_t to = 0; to < kConfigurations; ++to)
+void add_counts(sim::TransitionCounts& sum, const sim::TransitionCounts& counts) {
+    for (std::size_t from = 0; from < sim::kConfigurations; ++from)
+        for (std::size_t to = 0; to < sim::kConfigurations; ++to)
             sum.by_configuration[from][to] += counts.by_configuration[from][to];
 }
 
@@ -92,7 +92,8 @@ void add_drop_row(Table& table, DropObject object, const std::string& name, cons
                    Cell(means.frame / means_of(uniform).frame, 2), Cell(1e3 * mean_distance(run, uniform), 1)});
 }
 
-void add_adaptive_rows(Table& table, DropObject object, const ThesisOptions& options, TransitionCounts& transitions) {
+void add_adaptive_rows(Table& table, DropObject object, const ThesisOptions& options,
+                       sim::TransitionCounts& transitions) {
     const int runs = runs_of(options);
     DropOptions drop{.object = object, .seconds = seconds_of(options), .times_parts = true};
     drop.uniform_level = options.is_quick ? 1 : 3;
@@ -111,7 +112,7 @@ void add_adaptive_rows(Table& table, DropObject object, const ThesisOptions& opt
 }
 
 // Cloths that fall off again: more transitions of the kind that coarsens.
-void add_falls(const ThesisOptions& options, TransitionCounts& transitions) {
+void add_falls(const ThesisOptions& options, sim::TransitionCounts& transitions) {
     for (const DropObject object : {DropObject::Cylinder, DropObject::Sphere})
         for (const Combination& combination : combinations(options))
             add_counts(transitions, run_drop({.object = object,
@@ -125,10 +126,10 @@ std::string state_name(std::size_t state) {
     return "S" + std::to_string(state);
 }
 
-Table frequency_table(const TransitionCounts& counts) {
+Table frequency_table(const sim::TransitionCounts& counts) {
     std::uint64_t total = 0;
-    for (std::size_t from = 0; from < kStates; ++from)
-        for (std::size_t to = 0; to < kStates; ++to) total += counts.between_states(from, to);
+    for (std::size_t from = 0; from < sim::kStates; ++from)
+        for (std::size_t to = 0; to < sim::kStates; ++to) total += counts.between_states(from, to);
     const auto percent = [&](std::size_t from, std::size_t to) {
         return 100.0 * static_cast<double>(counts.between_states(from, to)) /
                static_cast<double>(std::max<std::uint64_t>(total, 1));
@@ -141,12 +142,12 @@ Table frequency_table(const TransitionCounts& counts) {
                     "30,471 transitions, of which S0 to S7 9.1 % and S7 to S0 2.7 %; here " +
                     Cell(percent(0, 7), 1).to_text() + " % and " + Cell(percent(7, 0), 1).to_text() + " %.",
                 .columns = {"from"}};
-    for (std::size_t to = 0; to < kStates; ++to) table.columns.push_back(state_name(to));
+    for (std::size_t to = 0; to < sim::kStates; ++to) table.columns.push_back(state_name(to));
     table.columns.push_back("transitions");
-    for (std::size_t from = 0; from < kStates; ++from) {
+    for (std::size_t from = 0; from < sim::kStates; ++from) {
         std::vector<Cell> row{state_name(from)};
         std::uint64_t sum = 0;
-        for (std::size_t to = 0; to < kStates; ++to) {
+        for (std::size_t to = 0; to < sim::kStates; ++to) {
             row.push_back(Cell(percent(from, to), 2));
             sum += counts.between_states(from, to);
         }
@@ -174,7 +175,7 @@ ThesisResult measure_adaptive_drops(const ThesisOptions& options) {
                     "uniform run, over 33 x 33 material points; shifted: a uniform run that started 1 mm aside.",
                 .columns = {"object", "criteria", "triangles, mean", "triangles, most", "adaption, ms", "step, ms",
                             "of it collision, ms", "frame, ms", "share of uniform", "distance, mm"}};
-    TransitionCounts transitions;
+    sim::TransitionCounts transitions;
     for (const DropObject object : {DropObject::Cylinder, DropObject::Sphere})
         add_adaptive_rows(table, object, options, transitions);
     add_falls(options, transitions);
@@ -188,7 +189,7 @@ ThesisResult measure_adaptive_drops(const ThesisOptions& options) {
 
 namespace {
 
-constexpr CriteriaOptions kAB{.collision = true, .curvature = true, .length = false};
+constexpr sim::CriteriaOptions kAB{.collision = true, .curvature = true, .length = false};
 
 struct Timed {
     const char* name;   // of the figure
@@ -247,7 +248,7 @@ ThesisResult measure_drop_captures(const ThesisOptions& options) {
         const std::string figure = object == DropObject::Cylinder ? "3.23" : "3.24";
         const double interval = options.is_quick ? 0.2 : 0.4;  // s
         int frame = 0;
-        const auto capture = [&](const Cloth& cloth, double time) {
+        const auto capture = [&](const sim::Cloth& cloth, double time) {
             if (++frame % std::lround(30 * interval) != 0) return;
             result.captures.push_back({figure, Cell(time, 1).to_text() + "s", painter.draw(cloth, object)});
         };
@@ -256,4 +257,4 @@ ThesisResult measure_drop_captures(const ThesisOptions& options) {
     return result;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -10,10 +10,10 @@
 #include "sim/adaptive/criteria.h"
 #include "sim/cloth/cloth.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
-constexpr AdaptiveMesh::BytesPerElement kBytes = AdaptiveMesh::bytes_per_element();
+constexpr sim::AdaptiveMesh::BytesPerElement kBytes = sim::AdaptiveMesh::bytes_per_element();
 constexpr std::size_t kThesisVertex = 144, kThesisEdge = 52, kThesisTriangle = 120;
 
 // What stands in the cloth's state arrays for one vertex.
@@ -24,7 +24,7 @@ std::size_t bytes_of(const std::vector<T>& list) {
     return list.size() * sizeof(T);
 }
 
-std::size_t list_bytes(const LeafLists& leaves) {
+std::size_t list_bytes(const sim::LeafLists& leaves) {
     return bytes_of(leaves.vertices) + bytes_of(leaves.edges) + bytes_of(leaves.triangles) + bytes_of(leaves.hinges);
 }
 
@@ -34,8 +34,8 @@ void add_elements(Table& table) {
                    Cell(), Cell()});
 }
 
-void add_hierarchy(Table& table, AdaptiveMesh& mesh, int level) {
-    NoState none;
+void add_hierarchy(Table& table, sim::AdaptiveMesh& mesh, int level) {
+    sim::NoState none;
     set_uniform_level(mesh, none, level);
     const std::size_t vertices = mesh.vertices().size(), edges = mesh.edges().size(),
                       triangles = mesh.triangles().size();
@@ -60,7 +60,7 @@ ThesisResult measure_memory(const ThesisOptions& options) {
                     "cloth's state"}};
     add_elements(table);
     for (const int quads : options.is_quick ? std::vector<int>{4} : std::vector<int>{4, 8, 16, 32}) {
-        AdaptiveMesh mesh(make_square({.columns = quads, .rows = quads}));
+        sim::AdaptiveMesh mesh(make_square({.columns = quads, .rows = quads}));
         for (int level = 0; level <= mesh.max_level(); ++level) add_hierarchy(table, mesh, level);
     }
     ThesisResult result;
@@ -84,60 +84,60 @@ struct Sums {
         ++edge_count;
     }
     void add_triangle(const std::array<Vec2f, 3>& u) {
-        triangles += static_cast<double>(material_area(u));
+        triangles += static_cast<double>(sim::material_area(u));
         ++triangle_count;
     }
 };
 
-void visit_edge(const AdaptiveMesh& mesh, EdgeId id, Sums& sums) {
-    const AdaptiveEdge& edge = mesh.edge(id);
+void visit_edge(const sim::AdaptiveMesh& mesh, sim::EdgeId id, Sums& sums) {
+    const sim::AdaptiveEdge& edge = mesh.edge(id);
     if (!edge.centre) return sums.add_edge(edge.rest_length);
-    for (const EdgeId child : edge.children) visit_edge(mesh, child, sums);
+    for (const sim::EdgeId child : edge.children) visit_edge(mesh, child, sums);
 }
 
-void visit_triangle_edges(const AdaptiveMesh& mesh, TriangleId id, Sums& sums) {
-    const AdaptiveTriangle& t = mesh.triangle(id);
+void visit_triangle_edges(const sim::AdaptiveMesh& mesh, sim::TriangleId id, Sums& sums) {
+    const sim::AdaptiveTriangle& t = mesh.triangle(id);
     if (is_leaf(t)) return;
-    const Layout& inside = layout(t.configuration);
+    const sim::Layout& inside = layout(t.configuration);
     for (std::size_t i = 0; i < inside.edge_count; ++i) visit_edge(mesh, t.internal_edges[i], sums);
     for (std::size_t i = 0; i < inside.triangle_count; ++i) visit_triangle_edges(mesh, t.internal_triangles[i], sums);
 }
 
-void visit_triangle(const AdaptiveMesh& mesh, TriangleId id, Sums& sums) {
-    const AdaptiveTriangle& t = mesh.triangle(id);
+void visit_triangle(const sim::AdaptiveMesh& mesh, sim::TriangleId id, Sums& sums) {
+    const sim::AdaptiveTriangle& t = mesh.triangle(id);
     if (is_leaf(t)) return sums.add_triangle(t.u);
     for (std::size_t i = 0; i < layout(t.configuration).triangle_count; ++i)
         visit_triangle(mesh, t.internal_triangles[i], sums);
 }
 
-Sums edges_by_recursion(const AdaptiveMesh& mesh) {
+Sums edges_by_recursion(const sim::AdaptiveMesh& mesh) {
     Sums sums;
-    for (std::uint32_t e = 0; e < mesh.base_edge_count(); ++e) visit_edge(mesh, EdgeId(e), sums);
-    for (std::uint32_t t = 0; t < mesh.base_triangle_count(); ++t) visit_triangle_edges(mesh, TriangleId(t), sums);
+    for (std::uint32_t e = 0; e < mesh.base_edge_count(); ++e) visit_edge(mesh, sim::EdgeId(e), sums);
+    for (std::uint32_t t = 0; t < mesh.base_triangle_count(); ++t) visit_triangle_edges(mesh, sim::TriangleId(t), sums);
     return sums;
 }
 
-Sums triangles_by_recursion(const AdaptiveMesh& mesh) {
+Sums triangles_by_recursion(const sim::AdaptiveMesh& mesh) {
     Sums sums;
-    for (std::uint32_t t = 0; t < mesh.base_triangle_count(); ++t) visit_triangle(mesh, TriangleId(t), sums);
+    for (std::uint32_t t = 0; t < mesh.base_triangle_count(); ++t) visit_triangle(mesh, sim::TriangleId(t), sums);
     return sums;
 }
 
-Sums edges_by_list(const AdaptiveMesh& mesh) {
+Sums edges_by_list(const sim::AdaptiveMesh& mesh) {
     Sums sums;
-    for (const LeafEdge& edge : mesh.leaf_edges()) sums.add_edge(edge.rest_length);
+    for (const sim::LeafEdge& edge : mesh.leaf_edges()) sums.add_edge(edge.rest_length);
     return sums;
 }
 
-Sums triangles_by_list(const AdaptiveMesh& mesh) {
+Sums triangles_by_list(const sim::AdaptiveMesh& mesh) {
     Sums sums;
-    for (const LeafTriangle& t : mesh.leaf_triangles()) sums.add_triangle(t.u);
+    for (const sim::LeafTriangle& t : mesh.leaf_triangles()) sums.add_triangle(t.u);
     return sums;
 }
 
 // us, recursion and list in turns.
 template <class Recursion, class List>
-std::array<double, 2> compare(const AdaptiveMesh& mesh, int runs, Recursion&& recursion, List&& list) {
+std::array<double, 2> compare(const sim::AdaptiveMesh& mesh, int runs, Recursion&& recursion, List&& list) {
     std::vector<double> by_recursion, by_list;
     for (int i = 0; i < runs; ++i) {
         by_recursion.push_back(time_once([&] { keep(recursion(mesh)); }));
@@ -149,8 +149,8 @@ std::array<double, 2> compare(const AdaptiveMesh& mesh, int runs, Recursion&& re
 }  // namespace
 
 ThesisResult measure_traversal(const ThesisOptions& options) {
-    AdaptiveMesh mesh(make_square({.columns = 8, .rows = 8}));
-    NoState none;
+    sim::AdaptiveMesh mesh(make_square({.columns = 8, .rows = 8}));
+    sim::NoState none;
     Table table{.name = "3.6",
                 .title = "Reaching all leaves: recursion through the hierarchy against flat lists",
                 .note =
@@ -178,30 +178,30 @@ ThesisResult measure_traversal(const ThesisOptions& options) {
 
 namespace {
 
-using Matrix = std::array<std::array<double, kConfigurations>, kConfigurations>;  // us, by (from, to)
+using Matrix = std::array<std::array<double, sim::kConfigurations>, sim::kConfigurations>;  // us, by (from, to)
 
 // Base triangles whose edges are all split, so that each may take any configuration.
 class TestBed {
  public:
     explicit TestBed(int quads) : mesh_(make_square({.columns = quads, .rows = quads}), {.max_level = 1}) {
-        const std::vector<EdgeId> edges(mesh_.unsplit_edges(0).begin(), mesh_.unsplit_edges(0).end());
-        for (const EdgeId e : edges) mesh_.split(e);
+        const std::vector<sim::EdgeId> edges(mesh_.unsplit_edges(0).begin(), mesh_.unsplit_edges(0).end());
+        for (const sim::EdgeId e : edges) mesh_.split(e);
     }
 
     std::size_t size() const { return mesh_.base_triangle_count(); }
 
-    void change_all(Configuration to) {
-        for (std::uint32_t t = 0; t < size(); ++t) mesh_.change_configuration(TriangleId(t), to);
+    void change_all(sim::Configuration to) {
+        for (std::uint32_t t = 0; t < size(); ++t) mesh_.change_configuration(sim::TriangleId(t), to);
     }
-    void change_all_by_c0(Configuration to) {
+    void change_all_by_c0(sim::Configuration to) {
         for (std::uint32_t t = 0; t < size(); ++t) {
-            mesh_.change_configuration(TriangleId(t), Configuration::C0);
-            mesh_.change_configuration(TriangleId(t), to);
+            mesh_.change_configuration(sim::TriangleId(t), sim::Configuration::C0);
+            mesh_.change_configuration(sim::TriangleId(t), to);
         }
     }
 
  private:
-    AdaptiveMesh mesh_;
+    sim::AdaptiveMesh mesh_;
 };
 
 struct Costs {
@@ -211,8 +211,8 @@ struct Costs {
 
 template <class F>
 void for_each_pair(F&& f) {
-    for (std::size_t from = 0; from < kConfigurations; ++from) {
-        for (std::size_t to = 0; to < kConfigurations; ++to) {
+    for (std::size_t from = 0; from < sim::kConfigurations; ++from) {
+        for (std::size_t to = 0; to < sim::kConfigurations; ++to) {
             if (from != to) f(from, to);
         }
     }
@@ -224,7 +224,7 @@ Costs measure(const ThesisOptions& options) {
     Costs costs;
     const int runs = options.is_quick ? 1 : 21;
     for_each_pair([&](std::size_t from, std::size_t to) {
-        const auto start = static_cast<Configuration>(from), end = static_cast<Configuration>(to);
+        const auto start = static_cast<sim::Configuration>(from), end = static_cast<sim::Configuration>(to);
         std::vector<double> direct, indirect;
         for (int i = 0; i < runs; ++i) {
             bed.change_all(start);
@@ -249,17 +249,17 @@ Table ends_table(const Costs& costs) {
         .title = "Clearing a configuration and configuring from C0",
         .note = "us of one transition of one triangle: median of runs over many triangles that are all changed.",
         .columns = {"configuration", "clearing to C0, us", "configuring from C0, us"}};
-    for (std::size_t c = 1; c < kConfigurations; ++c)
+    for (std::size_t c = 1; c < sim::kConfigurations; ++c)
         table.add_row({name_of(c), Cell(costs.direct[c][0], 3), Cell(costs.direct[0][c], 3)});
     return table;
 }
 
 Table matrix_table(const Matrix& values, const std::string& name, const std::string& title, int decimals) {
     Table table{.name = name, .title = title, .note = "Rows: from. Columns: to.", .columns = {"from"}};
-    for (std::size_t to = 0; to < kConfigurations; ++to) table.columns.push_back(name_of(to));
-    for (std::size_t from = 0; from < kConfigurations; ++from) {
+    for (std::size_t to = 0; to < sim::kConfigurations; ++to) table.columns.push_back(name_of(to));
+    for (std::size_t from = 0; from < sim::kConfigurations; ++from) {
         std::vector<Cell> row{name_of(from)};
-        for (std::size_t to = 0; to < kConfigurations; ++to)
+        for (std::size_t to = 0; to < sim::kConfigurations; ++to)
             row.push_back(from == to ? Cell() : Cell(values[from][to], decimals));
         table.add_row(std::move(row));
     }
@@ -291,7 +291,7 @@ void add_mean(Table& table, const std::string& what, const WeightedMean& mean) {
                    Cell(100 * mean.direct / mean.indirect, 1), Cell(), Cell(), Cell()});
 }
 
-Table means_table(const Costs& costs, const TransitionCounts& recorded) {
+Table means_table(const Costs& costs, const sim::TransitionCounts& recorded) {
     Table table{.name = "3.2-3.5",
                 .title = "Means of tables 3.2-3.5, and the one pair that the thesis gives",
                 .note =
@@ -375,9 +375,9 @@ auto climber(PointerMesh<Store>& mesh) {
     return [&mesh](int level) { level > mesh.level() ? mesh.refine() : mesh.coarsen(); };
 }
 
-std::array<Counts, kLevels + 1> count_elements(AdaptiveMesh& mesh) {
+std::array<Counts, kLevels + 1> count_elements(sim::AdaptiveMesh& mesh) {
     std::array<Counts, kLevels + 1> counts;
-    NoState none;
+    sim::NoState none;
     for (std::size_t level = 0; level <= kLevels; ++level) {
         set_uniform_level(mesh, none, static_cast<int>(level));
         counts[level] = {mesh.vertices().size(), mesh.edges().size(), mesh.triangles().size()};
@@ -388,11 +388,11 @@ std::array<Counts, kLevels + 1> count_elements(AdaptiveMesh& mesh) {
 
 // The rivals in turns; a first time unmeasured, so that pools and lists have their size.
 SquareRun run_square(int quads, int runs) {
-    const GarmentMesh base = make_square({.columns = quads, .rows = quads});
-    AdaptiveMesh mesh(base);
+    const sim::GarmentMesh base = make_square({.columns = quads, .rows = quads});
+    sim::AdaptiveMesh mesh(base);
     PointerMesh<Pools> pooled(base);
     PointerMesh<NewDelete> plain(base);
-    NoState none;
+    sim::NoState none;
     const auto ours = [&](int level) { set_uniform_level(mesh, none, level); };
     SquareRun run;
     run.counts = count_elements(mesh);
@@ -476,15 +476,15 @@ namespace {
 
 struct TieBreaker {
     const char* name;
-    DiagonalChoice choice;
+    sim::DiagonalChoice choice;
 };
 
-constexpr std::array<TieBreaker, 4> kTieBreakers{{{"least work", DiagonalChoice::LeastWork},
-                                                  {"length", DiagonalChoice::Length},
-                                                  {"rest length", DiagonalChoice::RestLength},
-                                                  {"curvature", DiagonalChoice::Curvature}}};
+constexpr std::array<TieBreaker, 4> kTieBreakers{{{"least work", sim::DiagonalChoice::LeastWork},
+                                                  {"length", sim::DiagonalChoice::Length},
+                                                  {"rest length", sim::DiagonalChoice::RestLength},
+                                                  {"curvature", sim::DiagonalChoice::Curvature}}};
 
-std::uint64_t total(const TransitionCounts& counts) {
+std::uint64_t total(const sim::TransitionCounts& counts) {
     std::uint64_t sum = 0;
     for (const auto& row : counts.by_configuration)
         for (const std::uint64_t n : row) sum += n;
@@ -533,4 +533,4 @@ ThesisResult measure_tie_breakers(const ThesisOptions& options) {
     return result;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -9,7 +9,7 @@
 #include "bench/thesis/thesis.h"
 #include "sim/core/assert.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
 // Which of the eight children of a node at `depth` a cell lies in.
@@ -174,4 +174,4 @@ ThesisResult measure_point_search(const ThesisOptions& options) {
     return result;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -7,7 +7,7 @@
 
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 
 inline constexpr int kPointDepth = 5;                          // halvings of each side
 inline constexpr std::uint32_t kPointSide = 1 << kPointDepth;  // cells along each side
@@ -70,4 +70,4 @@ class PointOctree {
     std::vector<Entry> points_;  // a node's stand together
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -5,13 +5,13 @@
 
 #include "sim/core/assert.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 
 template <class Store>
-PointerMesh<Store>::PointerMesh(const GarmentMesh& base) : levels_(1), vertex_count_(base.x.size()) {
+PointerMesh<Store>::PointerMesh(const sim::GarmentMesh& base) : levels_(1), vertex_count_(base.x.size()) {
     for (std::size_t v = 0; v < base.x.size(); ++v) base_vertices_.push_back(store_.template make<PointerVertex>());
     std::map<std::pair<int, int>, PointerEdge*> edges;
-    for (const GarmentTriangle& source : base.triangles) {
+    for (const sim::GarmentTriangle& source : base.triangles) {
         auto* const t = store_.template make<PointerTriangle>();
         for (std::size_t k = 0; k < 3; ++k) {
             const int a = source.vertices[k], b = source.vertices[(k + 1) % 3];
@@ -158,4 +158,4 @@ void PointerMesh<Store>::clear(PointerTriangle* parent) {
 template class PointerMesh<NewDelete>;
 template class PointerMesh<Pools>;
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -12,7 +12,7 @@
 #include "sim/core/math.h"
 #include "sim/mesh/garment_mesh.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 
 struct PointerTriangle;
 
@@ -93,7 +93,7 @@ class Pools {
 template <class Store>
 class PointerMesh {
  public:
-    explicit PointerMesh(const GarmentMesh& base);
+    explicit PointerMesh(const sim::GarmentMesh& base);
     ~PointerMesh();
     PointerMesh(const PointerMesh&) = delete;
     PointerMesh& operator=(const PointerMesh&) = delete;
@@ -127,4 +127,4 @@ class PointerMesh {
 extern template class PointerMesh<NewDelete>;
 extern template class PointerMesh<Pools>;
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

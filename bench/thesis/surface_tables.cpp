@@ -16,7 +16,7 @@
 #include "sim/mesh/sew.h"
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
 constexpr double kTurn = 0.8;  // rad/s: the viewer of back-face coarsening walks round the cloth
@@ -28,10 +28,10 @@ double clock_ms(const std::function<void()>& work) {
 }
 
 // Of those vertices that both have.
-double largest_move(const CurvedSurface& from, const CurvedSurface& to) {
+double largest_move(const render::CurvedSurface& from, const render::CurvedSurface& to) {
     float most = 0;
-    for (const VertexId v : to.mesh.leaf_vertices()) {
-        const EdgeId parent = to.mesh.vertex(v).parent;
+    for (const sim::VertexId v : to.mesh.leaf_vertices()) {
+        const sim::EdgeId parent = to.mesh.vertex(v).parent;
         if (!parent) continue;
         const bool was_there = parent.value < from.mesh.edges().capacity() && from.mesh.edge(parent).centre == v;
         const auto [a, b] = to.mesh.edge(parent).ends;
@@ -41,8 +41,8 @@ double largest_move(const CurvedSurface& from, const CurvedSurface& to) {
     return static_cast<double>(most);
 }
 
-ViewPoint viewer(SurfaceExperiment experiment, double time) {
-    const Camera camera = surface_camera(experiment);
+sim::ViewPoint viewer(SurfaceExperiment experiment, double time) {
+    const render::Camera camera = surface_camera(experiment);
     const Eigen::AngleAxisf turn(static_cast<float>(kTurn * time), Vec3f::UnitY());
     return {.eye = camera.target + turn * (camera.eye - camera.target)};
 }
@@ -52,20 +52,20 @@ class Run {
     Run(SurfaceExperiment experiment, const SurfaceRow& row, const SurfaceRunOptions& options)
         : row_(row),
           scene_(make_surface_scene(experiment)),
-          surface_(make_curved_surface(scene_.base, {.modifier = curve_modifier(options.kind)})),
+          surface_(render::make_curved_surface(scene_.base, {.modifier = curve_modifier(options.kind)})),
           visibility_(viewer(experiment, 0)) {
         if (row.level) set_surface_level(surface_, *row.level);
     }
 
     void frame(SurfaceFigures& sums) {
         sums.simulation_ms += 1e3 * time_once([&] { run_frame(scene_); });
-        const CurvedSurface before = surface_;
+        const render::CurvedSurface before = surface_;
         sums.surface_ms += 1e3 * time_once([&] { move(); });
         sums.triangles += static_cast<double>(surface_.mesh.leaf_triangles().size());
         if (!row_.level) sums.largest_jump_m = std::max(sums.largest_jump_m, jump_since(before));
     }
 
-    const CurvedSurface& surface() const { return surface_; }
+    const render::CurvedSurface& surface() const { return surface_; }
 
  private:
     void move() {
@@ -78,15 +78,15 @@ class Run {
     }
 
     // Against the same surface moved with the cloth, but with nothing split, rejoined or gliding.
-    double jump_since(CurvedSurface before) const {
+    double jump_since(render::CurvedSurface before) const {
         move_surface(before, scene_.cloth.x, surface_normals(scene_.cloth), {.longest_glide = 0});
         return largest_move(before, surface_);
     }
 
     const SurfaceRow& row_;
     SurfaceScene scene_;
-    CurvedSurface surface_;
-    Visibility visibility_;
+    render::CurvedSurface surface_;
+    sim::Visibility visibility_;
 };
 
 }  // namespace
@@ -100,14 +100,14 @@ std::vector<SurfaceRow> surface_rows() {
             {.name = "adaptive, back faces coarse", .coarsens_back_faces = true}};
 }
 
-std::vector<Vec4f> surface_normals(const Cloth& coarse) {
+std::vector<Vec4f> surface_normals(const sim::Cloth& coarse) {
     std::vector<Vec4f> normals;
-    leaf_normals(coarse.mesh, coarse.x, normals);
+    render::leaf_normals(coarse.mesh, coarse.x, normals);
     return normals;
 }
 
 SurfaceFigures run_surface(SurfaceExperiment experiment, const SurfaceRow& row, const SurfaceRunOptions& options,
-                           Renderer& renderer) {
+                           render::Renderer& renderer) {
     Run run(experiment, row, options);
     SurfaceFigures figures;
     const long frames = std::max(1L, std::lround(options.seconds / kSurfaceFrame));
@@ -116,9 +116,10 @@ SurfaceFigures run_surface(SurfaceExperiment experiment, const SurfaceRow& row, 
     for (long i = 1; i <= frames; ++i) {
         run.frame(figures);
         if (i % interval != 0) continue;
-        const PlainMesh mesh = mesh_of(run.surface(), run.surface().light_normals);
-        figures.drawing_ms += clock_ms(
-            [&] { figures.picture = draw_surface(renderer, mesh, experiment, ShowMode::Edges, options.side_px); });
+        const sim::PlainMesh mesh = mesh_of(run.surface(), run.surface().light_normals);
+        figures.drawing_ms += clock_ms([&] {
+            figures.picture = draw_surface(renderer, mesh, experiment, render::ShowMode::Edges, options.side_px);
+        });
         ++drawn;
     }
     for (double* mean : {&figures.triangles, &figures.simulation_ms, &figures.surface_ms})
@@ -127,21 +128,21 @@ SurfaceFigures run_surface(SurfaceExperiment experiment, const SurfaceRow& row, 
     return figures;
 }
 
-Camera surface_camera(SurfaceExperiment experiment) {
+render::Camera surface_camera(SurfaceExperiment experiment) {
     if (experiment == SurfaceExperiment::Flag)
         return {.eye = Vec3f(0.75F, 1.5F, 4.2F), .target = Vec3f(0.6F, 1.25F, 0)};
     return {.eye = Vec3f(0.5F, 1.45F, 1.5F), .target = Vec3f(0, 1.24F, 0)};
 }
 
-PlainMesh mesh_of(const CurvedSurface& surface, const std::vector<Vec4f>& normals) {
-    PlainMesh mesh;
+sim::PlainMesh mesh_of(const render::CurvedSurface& surface, const std::vector<Vec4f>& normals) {
+    sim::PlainMesh mesh;
     std::vector<std::uint32_t> places(surface.mesh.vertex_capacity());
-    for (const VertexId v : surface.mesh.leaf_vertices()) {
+    for (const sim::VertexId v : surface.mesh.leaf_vertices()) {
         places[v.value] = static_cast<std::uint32_t>(mesh.x.size());
         mesh.x.emplace_back(surface.x[v.value].head<3>());
         mesh.normals.emplace_back(normals[v.value].head<3>());
     }
-    for (const LeafTriangle& t : surface.mesh.leaf_triangles()) {
+    for (const sim::LeafTriangle& t : surface.mesh.leaf_triangles()) {
         mesh.triangles.push_back({places[t.v[0].value], places[t.v[1].value], places[t.v[2].value]});
         mesh.u.push_back(t.u);
         mesh.level.push_back(t.level);
@@ -149,9 +150,9 @@ PlainMesh mesh_of(const CurvedSurface& surface, const std::vector<Vec4f>& normal
     return mesh;
 }
 
-Image draw_surface(Renderer& renderer, const PlainMesh& mesh, SurfaceExperiment experiment, ShowMode show,
-                   int side_px) {
-    Scene scene;
+render::Image draw_surface(render::Renderer& renderer, const sim::PlainMesh& mesh, SurfaceExperiment experiment,
+                           render::ShowMode show, int side_px) {
+    render::Scene scene;
     scene.cloths.push_back({.mesh = mesh, .sett = {}, .show = show});
     scene.camera = surface_camera(experiment);
     scene.light = studio_light(scene.camera);
@@ -166,26 +167,26 @@ constexpr double kPinnedWidth = 0.8;                 // of the side, between the
 constexpr double kFlagWidth = 1.2, kFlagDrop = 0.8;  // m
 constexpr int kStepsPerFrame = 4;
 
-Pattern rectangle(double width, double height) {
-    Panel panel;
+sim::Pattern rectangle(double width, double height) {
+    sim::Panel panel;
     panel.name = "cloth";
     panel.vertices = {{0, 0}, {width, 0}, {width, height}, {0, height}};
     for (int i = 0; i < 4; ++i) panel.edges.push_back({.start = i, .end = (i + 1) % 4});
-    Pattern pattern;
+    sim::Pattern pattern;
     pattern.panels = {panel};
     return pattern;
 }
 
 // The edge length whose mesh comes nearest to so many triangles.
-GarmentMesh rectangle_of(double width, double height, int triangles) {
-    const Pattern pattern = rectangle(width, height);
+sim::GarmentMesh rectangle_of(double width, double height, int triangles) {
+    const sim::Pattern pattern = rectangle(width, height);
     const double mean = std::sqrt(width * height / triangles * 2.3094);  // of equilateral triangles
-    GarmentMesh nearest;
-    const auto off = [&](const GarmentMesh& mesh) {
+    sim::GarmentMesh nearest;
+    const auto off = [&](const sim::GarmentMesh& mesh) {
         return std::abs(static_cast<int>(mesh.triangles.size()) - triangles);
     };
     for (double share = 1.25; share > 0.75; share -= 0.01) {
-        GarmentMesh mesh = assemble(pattern, {.target_edge = share * mean});
+        sim::GarmentMesh mesh = assemble(pattern, {.target_edge = share * mean});
         if (off(mesh) < off(nearest)) nearest = std::move(mesh);
     }
     return nearest;
@@ -193,8 +194,8 @@ GarmentMesh rectangle_of(double width, double height, int triangles) {
 
 // Pinned at its upper corners, which are brought nearer; what is between bulges forward, so that it is as long as it
 // was.
-GarmentMesh pinned_square() {
-    GarmentMesh mesh = rectangle_of(kSquareSide, kSquareSide, kSurfaceTriangles);
+sim::GarmentMesh pinned_square() {
+    sim::GarmentMesh mesh = rectangle_of(kSquareSide, kSquareSide, kSurfaceTriangles);
     const double bulge = 2.8 / std::numbers::pi * std::sqrt(1 - kPinnedWidth) * kSquareSide;
     for (std::size_t i = 0; i < mesh.x.size(); ++i) {
         Vec3d& x = mesh.x[i];
@@ -206,8 +207,8 @@ GarmentMesh pinned_square() {
     return mesh;
 }
 
-GarmentMesh flag() {
-    GarmentMesh mesh = rectangle_of(kFlagWidth, kFlagDrop, kSurfaceTriangles);
+sim::GarmentMesh flag() {
+    sim::GarmentMesh mesh = rectangle_of(kFlagWidth, kFlagDrop, kSurfaceTriangles);
     for (std::size_t i = 0; i < mesh.x.size(); ++i) {
         if (mesh.x[i].x() < 1e-9) mesh.pins.push_back(static_cast<int>(i));
         mesh.x[i] += Vec3d(0, 1, 0.02 * std::sin(9 * mesh.x[i].x()));
@@ -216,7 +217,7 @@ GarmentMesh flag() {
 }
 
 // It freshens and veers, always in the same way.
-Wind wind_at(double time) {
+sim::Wind wind_at(double time) {
     const double strength = 6 + 1.5 * std::sin(1.9 * time) + std::sin(4.3 * time + 1);
     const double veer = 0.35 * std::sin(1.3 * time) + 0.25 * std::sin(3.7 * time + 2);
     return {.velocity = Vec3d(strength * std::cos(veer), 0.2, strength * std::sin(veer)).cast<float>()};
@@ -225,11 +226,11 @@ Wind wind_at(double time) {
 }  // namespace
 
 SurfaceScene make_surface_scene(SurfaceExperiment experiment, int level) {
-    GarmentMesh base = experiment == SurfaceExperiment::Flag ? flag() : pinned_square();
-    Cloth cloth = make_cloth(base, {find_fabric("cotton_shirting")});
+    sim::GarmentMesh base = experiment == SurfaceExperiment::Flag ? flag() : pinned_square();
+    sim::Cloth cloth = make_cloth(base, {sim::find_fabric("cotton_shirting")});
     refresh_contacts(cloth);
-    const MinimumLevelDisc everywhere{.panel = 0, .centre = Vec2f::Zero(), .radius = 10, .level = level};
-    adapt_cloth(cloth, NoBody{},
+    const sim::MinimumLevelDisc everywhere{.panel = 0, .centre = Vec2f::Zero(), .radius = 10, .level = level};
+    adapt_cloth(cloth, sim::NoBody{},
                 {.criteria = {.collision = false, .curvature = false, .length = false},
                  .minimum_levels = {&everywhere, 1},
                  .shortest_edge = 0},
@@ -238,12 +239,12 @@ SurfaceScene make_surface_scene(SurfaceExperiment experiment, int level) {
 }
 
 void run_frame(SurfaceScene& scene) {
-    const StepOptions options{.extra_damping = scene.experiment == SurfaceExperiment::Flag ? 0.0F : 1.0F};
+    const sim::StepOptions options{.extra_damping = scene.experiment == SurfaceExperiment::Flag ? 0.0F : 1.0F};
     for (int i = 0; i < kStepsPerFrame; ++i) {
         const float seconds = step_seconds(scene.cloth, options);
         if (scene.experiment == SurfaceExperiment::Flag)
             blow(scene.cloth, wind_at(scene.frames * kSurfaceFrame + i * static_cast<double>(seconds)), seconds);
-        step(scene.cloth, NoBody{}, options);
+        step(scene.cloth, sim::NoBody{}, options);
     }
     ++scene.frames;
 }
@@ -291,7 +292,7 @@ std::vector<Cell> fine_row(SurfaceExperiment experiment, double seconds) {
 }
 
 Shown show(const std::string& name, SurfaceExperiment experiment, const ThesisOptions& options) {
-    const ThreadLimit one(1);
+    const sim::ThreadLimit one(1);
     const SurfaceRunOptions running = run_options(experiment, options);
     Shown shown{.table = {.name = name,
                           .title = "The curved surface of experiment " + letter(experiment),
@@ -299,8 +300,8 @@ Shown show(const std::string& name, SurfaceExperiment experiment, const ThesisOp
                           .columns = {"surface", "drawn triangles", "simulation, ms", "surface, ms", "ns per triangle",
                                       "drawing, ms", "largest jump, mm"}},
                 .sheet = {name, "sheet", {}}};
-    Renderer renderer;
-    std::vector<Image> pictures;
+    render::Renderer renderer;
+    std::vector<render::Image> pictures;
     for (const SurfaceRow& row : surface_rows()) {
         const SurfaceFigures figures = run_surface(experiment, row, running, renderer);
         pictures.push_back(figures.picture);
@@ -314,18 +315,19 @@ Shown show(const std::string& name, SurfaceExperiment experiment, const ThesisOp
 }
 
 // Mean distance of vertices of the same material points, mm.
-double mean_distance_mm(const CurvedSurface& drawn, const Cloth& fine) {
+double mean_distance_mm(const render::CurvedSurface& drawn, const sim::Cloth& fine) {
     double sum = 0;
-    for (const VertexId v : drawn.mesh.leaf_vertices())
+    for (const sim::VertexId v : drawn.mesh.leaf_vertices())
         sum += static_cast<double>((drawn.x[v.value] - fine.x[v.value]).norm());
     return 1e3 * sum / static_cast<double>(drawn.mesh.leaf_vertices().size());
 }
 
 // Both meshes are refined everywhere and in the same order, so that the same ids are the same points.
-double distance_mm(const SurfaceScene& scene, SurfaceKind kind, const std::vector<Vec4f>& x, const Cloth& fine) {
-    CurvedSurface surface = make_curved_surface(scene.base, {.modifier = curve_modifier(kind)});
+double distance_mm(const SurfaceScene& scene, render::SurfaceKind kind, const std::vector<Vec4f>& x,
+                   const sim::Cloth& fine) {
+    render::CurvedSurface surface = render::make_curved_surface(scene.base, {.modifier = curve_modifier(kind)});
     std::vector<Vec4f> normals;
-    leaf_normals(surface.mesh, x, normals);
+    render::leaf_normals(surface.mesh, x, normals);
     set_surface_level(surface, 3);
     update_surface(surface, x, normals);
     return mean_distance_mm(surface, fine);
@@ -345,8 +347,8 @@ Table distances(const ThesisOptions& options) {
     SurfaceScene fine = make_surface_scene(SurfaceExperiment::PinnedSquare, 3);
     run_for(coarse, seconds);
     run_for(fine, seconds);
-    for (int i = 0; i < kSurfaceKinds; ++i) {
-        const auto kind = static_cast<SurfaceKind>(i);
+    for (int i = 0; i < render::kSurfaceKinds; ++i) {
+        const auto kind = static_cast<render::SurfaceKind>(i);
         table.add_row({name(kind), Cell(distance_mm(coarse, kind, fine.cloth.x, fine.cloth), 3),
                        Cell(distance_mm(coarse, kind, coarse.cloth.x, fine.cloth), 3)});
     }
@@ -354,7 +356,7 @@ Table distances(const ThesisOptions& options) {
 }
 
 // An edge of length 1 whose end normals lean out by 30 degrees.
-CurveEnds arch(float r) {
+render::CurveEnds arch(float r) {
     const float s = 0.5F, c = std::sqrt(0.75F);
     return {.a = Vec4f::Zero(),
             .b = Vec4f::UnitX(),
@@ -363,15 +365,15 @@ CurveEnds arch(float r) {
             .rest_length = r};
 }
 
-float multiplier(SurfaceKind kind, float r) {
-    if (kind != SurfaceKind::Restore) return modified(curve_modifier(kind), r);
-    const CurveEnds ends = arch(r);
-    return restoring(r, arc_over_chord(ends.b, ends.normal_a * 0.5F, ends.normal_b * 0.5F));
+float multiplier(render::SurfaceKind kind, float r) {
+    if (kind != render::SurfaceKind::Restore) return modified(curve_modifier(kind), r);
+    const render::CurveEnds ends = arch(r);
+    return render::restoring(r, render::arc_over_chord(ends.b, ends.normal_a * 0.5F, ends.normal_b * 0.5F));
 }
 
 std::vector<std::string> with_kinds(const std::string& first) {
     std::vector<std::string> columns{first};
-    for (int i = 0; i < kSurfaceKinds; ++i) columns.emplace_back(name(static_cast<SurfaceKind>(i)));
+    for (int i = 0; i < render::kSurfaceKinds; ++i) columns.emplace_back(name(static_cast<render::SurfaceKind>(i)));
     return columns;
 }
 
@@ -384,7 +386,8 @@ Figure modifiers() {
     for (int i = 0; i <= 80; ++i) {
         const float r = 0.8F + 0.01F * static_cast<float>(i);
         std::vector<Cell> row{Cell(double(r), 2)};
-        for (int k = 0; k < kSurfaceKinds; ++k) row.emplace_back(double(multiplier(static_cast<SurfaceKind>(k), r)), 4);
+        for (int k = 0; k < render::kSurfaceKinds; ++k)
+            row.emplace_back(double(multiplier(static_cast<render::SurfaceKind>(k), r)), 4);
         figure.series.add_row(row);
     }
     return figure;
@@ -396,11 +399,12 @@ Figure curves() {
                              .note = "An edge of length 1 whose end normals lean out by 30 degrees.",
                              .columns = with_kinds("x")},
                   .y_label = "height"};
-    const CurveWeights weights(5);
+    const render::CurveWeights weights(5);
     for (std::size_t i = 0; i <= weights.steps(); ++i) {
         std::vector<Cell> row;
-        for (int k = 0; k < kSurfaceKinds; ++k) {
-            const EdgeCurve curve = make_edge_curve(arch(1.25F), curve_modifier(static_cast<SurfaceKind>(k)));
+        for (int k = 0; k < render::kSurfaceKinds; ++k) {
+            const render::EdgeCurve curve =
+                make_edge_curve(arch(1.25F), curve_modifier(static_cast<render::SurfaceKind>(k)));
             const Vec4f point = weights.point(curve, i);
             if (row.empty()) row.emplace_back(static_cast<double>(i) / static_cast<double>(weights.steps()), 4);
             row.emplace_back(double(point.y()), 4);
@@ -413,13 +417,14 @@ Figure curves() {
 Capture lighting(const ThesisOptions& options) {
     SurfaceScene scene = make_surface_scene(SurfaceExperiment::PinnedSquare);
     run_for(scene, options.is_quick ? 0.1 : 3);
-    CurvedSurface surface = make_curved_surface(scene.base, {.modifier = curve_modifier(SurfaceKind::Quadratic)});
+    render::CurvedSurface surface =
+        render::make_curved_surface(scene.base, {.modifier = curve_modifier(render::SurfaceKind::Quadratic)});
     set_surface_level(surface, 3);
     update_surface(surface, scene.cloth.x, surface_normals(scene.cloth));
-    Renderer renderer;
-    std::vector<Image> pair;
+    render::Renderer renderer;
+    std::vector<render::Image> pair;
     for (const auto* normals : {&surface.normals, &surface.light_normals})
-        pair.push_back(draw_surface(renderer, mesh_of(surface, *normals), scene.experiment, ShowMode::Plain,
+        pair.push_back(draw_surface(renderer, mesh_of(surface, *normals), scene.experiment, render::ShowMode::Plain,
                                     options.is_quick ? 96 : 640));
     return {"6.6", "interpolated-recomputed", contact_sheet(pair, 2)};
 }
@@ -449,4 +454,4 @@ ThesisResult measure_surface_lighting(const ThesisOptions& options) {
     return {.tables = {}, .figures = {}, .captures = {lighting(options)}};
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

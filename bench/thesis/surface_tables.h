@@ -10,7 +10,7 @@
 #include "sim/cloth/wind.h"
 #include "sim/mesh/garment_mesh.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 
 // The thesis' scenes of chapter 6: cloth that is simulated coarse and drawn curved.  (SPEC 5)
 //   A  a square pinned at two corners, which stand nearer to each other than it is wide, so that it hangs in folds
@@ -24,8 +24,8 @@ inline constexpr double kSurfaceFrame = 1.0 / 30;  // s
 
 struct SurfaceScene {
     SurfaceExperiment experiment = SurfaceExperiment::PinnedSquare;
-    GarmentMesh base;
-    Cloth cloth;
+    sim::GarmentMesh base;
+    sim::Cloth cloth;
     int frames = 0;  // so far
 };
 
@@ -53,24 +53,25 @@ struct SurfaceFigures {
     double surface_ms = 0;      // adaption and update, likewise
     double drawing_ms = 0;      // by the clock
     double largest_jump_m = 0;  // of a vertex within a frame because of a change of level
-    Image picture;              // of the last frame
+    render::Image picture;      // of the last frame
 };
 
 struct SurfaceRunOptions {
     double seconds = 3;
-    SurfaceKind kind = SurfaceKind::Constant;
+    render::SurfaceKind kind = render::SurfaceKind::Constant;
     int side_px = 640;
     int drawn_frames = 3;  // of all, evenly spread, are drawn
 };
 
 SurfaceFigures run_surface(SurfaceExperiment experiment, const SurfaceRow& row, const SurfaceRunOptions& options,
-                           Renderer& renderer);
+                           render::Renderer& renderer);
 
 // The coarse cloth's positions and normals as a surface asks for them are cloth.x and these.
-std::vector<Vec4f> surface_normals(const Cloth& coarse);
+std::vector<Vec4f> surface_normals(const sim::Cloth& coarse);
 
-Camera surface_camera(SurfaceExperiment experiment);
-Image draw_surface(Renderer& renderer, const PlainMesh& mesh, SurfaceExperiment experiment, ShowMode show, int side_px);
-PlainMesh mesh_of(const CurvedSurface& surface, const std::vector<Vec4f>& normals);
+render::Camera surface_camera(SurfaceExperiment experiment);
+render::Image draw_surface(render::Renderer& renderer, const sim::PlainMesh& mesh, SurfaceExperiment experiment,
+                           render::ShowMode show, int side_px);
+sim::PlainMesh mesh_of(const render::CurvedSurface& surface, const std::vector<Vec4f>& normals);
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

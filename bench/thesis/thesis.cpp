@@ -1,6 +1,6 @@
 #include "bench/thesis/thesis.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 std::vector<Experiment> thesis_experiments() {
     return {{{"3.2", "3.3", "3.4", "3.5", "3.2-3.5"}, {}, measure_transition_cost},
             {{"3.6"}, {}, measure_traversal},
@@ -18,4 +18,4 @@ std::vector<Experiment> thesis_experiments() {
             {{}, {"6.6"}, measure_surface_lighting, true}};
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

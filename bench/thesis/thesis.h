@@ -8,7 +8,7 @@
 #include "bench/support/table.h"
 #include "render/image/image.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 
 struct ThesisOptions {
     bool is_quick = false;  // tiny sizes and one run each: to see that all works, the times mean nothing
@@ -17,7 +17,7 @@ struct ThesisOptions {
 struct Capture {
     std::string name;    // of the figure, such as "3.23"
     std::string moment;  // such as "0.4s"
-    Image image;
+    render::Image image;
 };
 
 struct ThesisResult {
@@ -53,4 +53,4 @@ ThesisResult measure_surface_distance(const ThesisOptions& options);
 ThesisResult measure_curve_modifiers(const ThesisOptions& options);
 ThesisResult measure_surface_lighting(const ThesisOptions& options);
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -7,17 +7,17 @@
 
 #include "sim/dress/drape.h"
 #include "sim/dress/dress.h"
-#include "sim/place/placement.h"
 #include "sim/dress/sewing.h"
 #include "sim/mesh/sew.h"
+#include "sim/place/placement.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
 // The points that split the triangles of a body: those on an edge are shared by its two sides.
 class SplitPoints {
  public:
-    SplitPoints(Body& body, int parts) : body_(body), parts_(parts) {}
+    SplitPoints(sim::Body& body, int parts) : body_(body), parts_(parts) {}
 
     // Weights sum to parts; they belong to the corners.
     int at(const std::array<int, 3>& corners, const std::array<int, 3>& weights) {
@@ -35,7 +35,7 @@ class SplitPoints {
     }
 
  private:
-    Body& body_;
+    sim::Body& body_;
     int parts_;
     std::map<std::array<std::array<int, 2>, 3>, int> known_;
 };
@@ -51,13 +51,13 @@ void split_triangle(const std::array<int, 3>& corners, int parts, SplitPoints& p
     }
 }
 
-GarmentMesh placed_panels(const Pattern& pattern, const Body& body, const BodyCollider& collider,
-                          const DressingOptions& options) {
-    Pattern moved = pattern;
+sim::GarmentMesh placed_panels(const sim::Pattern& pattern, const sim::Body& body, const sim::BodyCollider& collider,
+                               const DressingOptions& options) {
+    sim::Pattern moved = pattern;
     anchor_panels(moved, placed_for(pattern), body);
-    MeshOptions meshing;
+    sim::MeshOptions meshing;
     meshing.target_edge = options.edge_length.value_or(pattern.edge_length.value_or(meshing.target_edge));
-    GarmentMesh unsewn = assemble(moved, meshing);
+    sim::GarmentMesh unsewn = assemble(moved, meshing);
     const double lift = seam_clearing_lift(unsewn, collider);
     for (Vec3d& x : unsewn.x) x.y() += lift;
     clear_panels(unsewn, collider);
@@ -65,12 +65,12 @@ GarmentMesh placed_panels(const Pattern& pattern, const Body& body, const BodyCo
 }
 
 // Splits shorter and shorter edges, and lets the cloth settle after each round.
-void refine_on(Dressing& dressing, const BodyCollider& collider, int least_leaves) {
+void refine_on(Dressing& dressing, const sim::BodyCollider& collider, int least_leaves) {
     constexpr int kRounds = 80;
     constexpr int kFrames = 15;  // of an adaptation and four steps
     constexpr float kShorter = 0.98F;
     constexpr double kMargin = 1.015;  // the middle of what a measurement accepts, see sized_row() in report.cpp
-    const StepOptions stepping{.extra_damping = 8};
+    const sim::StepOptions stepping{.extra_damping = 8};
     for (int round = 0; round < kRounds; ++round) {
         if (static_cast<double>(dressing.cloth.mesh.leaf_triangles().size()) >= kMargin * least_leaves) return;
         dressing.shortest_edge *= kShorter;
@@ -83,23 +83,23 @@ void refine_on(Dressing& dressing, const BodyCollider& collider, int least_leave
 
 }  // namespace
 
-Body split_triangles(const Body& body, int triangles) {
+sim::Body split_triangles(const sim::Body& body, int triangles) {
     const double ratio = triangles / static_cast<double>(body.triangles.size());
     const int parts = std::max(1, static_cast<int>(std::ceil(std::sqrt(ratio) - 1e-9)));
-    Body split{.name = body.name, .x = body.x, .triangles = {}, .bones = {}, .skin = {}};
+    sim::Body split{.name = body.name, .x = body.x, .triangles = {}, .bones = {}, .skin = {}};
     SplitPoints points(split, parts);
     for (const auto& corners : body.triangles) split_triangle(corners, parts, points, split.triangles);
     return split;
 }
 
-Dressing dress_cloth(const Pattern& pattern, const Body& body, const BodyCollider& collider,
-                     const DressingOptions& options, const Progress& progress) {
-    const std::vector<Fabric> fabrics = fabrics_of(pattern);
-    const SewingResult sewing =
+Dressing dress_cloth(const sim::Pattern& pattern, const sim::Body& body, const sim::BodyCollider& collider,
+                     const DressingOptions& options, const sim::Progress& progress) {
+    const std::vector<sim::Fabric> fabrics = fabrics_of(pattern);
+    const sim::SewingResult sewing =
         sew_on_body(placed_panels(pattern, body, collider, options), fabrics, collider, {}, progress);
     Dressing dressing{.cloth = make_cloth(sewing.sewn, fabrics, {.max_level = options.max_level}),
                       .shortest_edge = options.shortest_edge};
-    DrapeOptions draping;
+    sim::DrapeOptions draping;
     draping.adapt.shortest_edge = options.shortest_edge;
     draping.finish_time = 0;  // the garment goes on with the usual sub-steps
     dressing.is_settled = drape(dressing.cloth, collider, draping, progress).settled;
@@ -107,4 +107,4 @@ Dressing dress_cloth(const Pattern& pattern, const Body& body, const BodyCollide
     return dressing;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

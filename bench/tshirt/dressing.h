@@ -3,16 +3,16 @@
 #include <optional>
 
 #include "sim/body/body.h"
-#include "sim/collide/body_collider.h"
 #include "sim/cloth/cloth.h"
+#include "sim/collide/body_collider.h"
 #include "sim/core/parallel.h"
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 
 // Each triangle in n^2 of the same plane, n the least with which there are `triangles` or more: the same shape, as a
 // denser body. No skeleton.
-Body split_triangles(const Body& body, int triangles);
+sim::Body split_triangles(const sim::Body& body, int triangles);
 
 struct DressingOptions {
     std::optional<double> edge_length{};  // m, of the base mesh, instead of the pattern's
@@ -22,12 +22,12 @@ struct DressingOptions {
 };
 
 struct Dressing {
-    Cloth cloth;
+    sim::Cloth cloth;
     float shortest_edge = 0;  // m, that was come to
     bool is_settled = false;
 };
 
-Dressing dress_cloth(const Pattern& pattern, const Body& body, const BodyCollider& collider,
-                     const DressingOptions& options = {}, const Progress& progress = {});
+Dressing dress_cloth(const sim::Pattern& pattern, const sim::Body& body, const sim::BodyCollider& collider,
+                     const DressingOptions& options = {}, const sim::Progress& progress = {});
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -12,18 +12,18 @@
 #include "sim/dress/dress.h"
 #include "sim/pattern/pattern_file.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
-VertexId lowest_vertex(const Cloth& cloth) {
-    const std::span<const VertexId> all = cloth.mesh.leaf_vertices();
-    return *std::ranges::min_element(all, {}, [&](VertexId v) { return cloth.x[v.value].y(); });
+sim::VertexId lowest_vertex(const sim::Cloth& cloth) {
+    const std::span<const sim::VertexId> all = cloth.mesh.leaf_vertices();
+    return *std::ranges::min_element(all, {}, [&](sim::VertexId v) { return cloth.x[v.value].y(); });
 }
 
 // A garment that hangs from a body and from a hand, and never settles for good.
 class HeldGarment {
  public:
-    HeldGarment(const Cloth& cloth, const Collider& body, VertexId hand, bool may_rest)
+    HeldGarment(const sim::Cloth& cloth, const sim::Collider& body, sim::VertexId hand, bool may_rest)
         : cloth_(cloth), body_(body), kept_{hand}, led_{.vertex = hand.value}, run_(cloth_, options(may_rest)) {}
     HeldGarment(const HeldGarment&) = delete;
     HeldGarment& operator=(const HeldGarment&) = delete;
@@ -36,38 +36,38 @@ class HeldGarment {
         run_.forget_times();
         return thread_seconds() - start;
     }
-    const Cloth& cloth() const { return cloth_; }
+    const sim::Cloth& cloth() const { return cloth_; }
 
  private:
-    DrapeOptions options(bool may_rest) {
-        DrapeOptions options{.max_seconds = std::numeric_limits<double>::infinity(),
-                             .rest_time = std::numeric_limits<double>::infinity(),
-                             .relax_time = 0,
-                             .may_rest = may_rest};
+    sim::DrapeOptions options(bool may_rest) {
+        sim::DrapeOptions options{.max_seconds = std::numeric_limits<double>::infinity(),
+                                  .rest_time = std::numeric_limits<double>::infinity(),
+                                  .relax_time = 0,
+                                  .may_rest = may_rest};
         options.adapt.kept_vertices = kept_;
-        options.lead = [this](const Cloth& cloth, float seconds) { return lead(cloth, seconds); };
+        options.lead = [this](const sim::Cloth& cloth, float seconds) { return lead(cloth, seconds); };
         return options;
     }
 
-    std::span<const LedVertex> lead(const Cloth& cloth, float seconds) {
+    std::span<const sim::LedVertex> lead(const sim::Cloth& cloth, float seconds) {
         constexpr float kApproach = 12;  // 1/s, as the editor's hand
         const Vec3f x = cloth.x[led_.vertex].head<3>();
         led_.to = x + (goal_ - x) * (kApproach * seconds);
         return {&led_, 1};
     }
 
-    Cloth cloth_;
-    const Collider& body_;
-    std::vector<VertexId> kept_;
-    LedVertex led_;
+    sim::Cloth cloth_;
+    const sim::Collider& body_;
+    std::vector<sim::VertexId> kept_;
+    sim::LedVertex led_;
     Vec3f goal_ = Vec3f::Zero();
-    DrapeRun run_;
+    sim::DrapeRun run_;
 };
 
 struct Times {
     std::vector<double> always, resting;  // s
 
-    RestRow medians() const { return {1e3 * quantile(always, 0.5), 1e3 * quantile(resting, 0.5)}; }
+    RestRow medians() const { return {1e3 * sim::quantile(always, 0.5), 1e3 * sim::quantile(resting, 0.5)}; }
 };
 
 // 2 cm about a point 3 cm above and 5 cm before where it hung, once in 2 s.
@@ -78,12 +78,12 @@ Vec3f pulled_to(const Vec3f& start, int frame) {
 
 }  // namespace
 
-RestReport measure_rest(const RestExperiment& experiment, const Progress& progress) {
-    const Pattern pattern = load_pattern(experiment.pattern).pattern;
-    const Body body = placed_for(pattern);
-    const BodyCollider collider(body);
-    Cloth dressed = dress_cloth(pattern, body, collider, {}, progress).cloth;
-    const VertexId hand = lowest_vertex(dressed);
+RestReport measure_rest(const RestExperiment& experiment, const sim::Progress& progress) {
+    const sim::Pattern pattern = sim::load_pattern(experiment.pattern).pattern;
+    const sim::Body body = placed_for(pattern);
+    const sim::BodyCollider collider(body);
+    sim::Cloth dressed = dress_cloth(pattern, body, collider, {}, progress).cloth;
+    const sim::VertexId hand = lowest_vertex(dressed);
     const Vec3f start = dressed.x[hand.value].head<3>();
     dressed.is_pinned[hand.value] = true;
     refresh_solver(dressed);
@@ -127,4 +127,4 @@ Table table_of(const RestReport& report) {
     return table;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -6,7 +6,7 @@
 #include "bench/support/table.h"
 #include "sim/core/parallel.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 
 struct RestExperiment {
     std::filesystem::path pattern;
@@ -28,8 +28,8 @@ struct RestReport {
     bool has_rested = false;
 };
 
-RestReport measure_rest(const RestExperiment& experiment, const Progress& progress = {});
+RestReport measure_rest(const RestExperiment& experiment, const sim::Progress& progress = {});
 
 Table table_of(const RestReport& report);
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

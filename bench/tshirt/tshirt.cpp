@@ -5,15 +5,15 @@
 
 #include "bench/support/timing.h"
 #include "sim/cloth/adapt_cloth.h"
-#include "sim/cloth/step.h"
 #include "sim/cloth/cloth.h"
+#include "sim/cloth/step.h"
 #include "sim/collide/collider.h"
 #include "sim/core/math.h"
 #include "sim/dress/dress.h"
 #include "sim/mannequin/mannequin.h"
 #include "sim/pattern/pattern_file.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
 constexpr int kManyLeaves = 25000;
@@ -23,12 +23,13 @@ constexpr double kUsualEdge = 0.05;      // m
 constexpr float kUsualShortest = 0.02F;  // m
 
 // The body of the pattern, with at least so many triangles.
-Body mannequin_for(const Pattern& pattern, int triangles) {
-    const Body body = placed_for(pattern);
+sim::Body mannequin_for(const sim::Pattern& pattern, int triangles) {
+    const sim::Body body = placed_for(pattern);
     return static_cast<int>(body.triangles.size()) >= triangles ? body : split_triangles(body, triangles);
 }
 
-TshirtRow sway_row(const std::string& what, Cloth cloth, const BodyCollider& collider, const SwayOptions& options) {
+TshirtRow sway_row(const std::string& what, sim::Cloth cloth, const sim::BodyCollider& collider,
+                   const SwayOptions& options) {
     set_substep(cloth, 1.0F / static_cast<float>(120 * options.substeps));
     return {.what = what,
             .body_triangles = static_cast<int>(collider.body().triangles.size()),
@@ -45,8 +46,8 @@ DressingOptions finer_dressing(int leaves) {
 
 // A garment that moves splits and rejoins, so that its leaves are counted while it does: the shortest edge is corrected
 // until there are at least as many as asked for and at most 3 % more.
-TshirtRow sized_row(const std::string& what, const Cloth& cloth, const BodyCollider& collider, SwayOptions& options,
-                    int least_leaves) {
+TshirtRow sized_row(const std::string& what, const sim::Cloth& cloth, const sim::BodyCollider& collider,
+                    SwayOptions& options, int least_leaves) {
     constexpr int kTrials = 16;
     constexpr double kMost = 1.03, kMiddle = 1.015;  // of what was asked for
     std::optional<float> too_long, too_short;        // m
@@ -64,7 +65,7 @@ TshirtRow sized_row(const std::string& what, const Cloth& cloth, const BodyColli
 }
 
 // With the fewest sub-steps that keep the stretch below what is allowed, at most those of dressing.
-TshirtRow cheapest_row(const Cloth& cloth, const BodyCollider& collider, SwayOptions& options,
+TshirtRow cheapest_row(const sim::Cloth& cloth, const sim::BodyCollider& collider, SwayOptions& options,
                        const TshirtExperiment& experiment) {
     constexpr int kFewest = 3;
     const int most = options.substeps;
@@ -81,9 +82,9 @@ double us_per_leaf(const SwayFigures& figures) {
     return 1e3 * figures.ms_median / figures.leaf_triangles;
 }
 
-Json row_json(const TshirtRow& row) {
+sim::Json row_json(const TshirtRow& row) {
     const SwayFigures& f = row.figures;
-    Json json = Json::object();
+    sim::Json json = sim::Json::object();
     json[tshirt_key::kLeafTriangles] = f.leaf_triangles;
     json[tshirt_key::kMsAdaptPlus4Steps] = f.ms_median;
     json[tshirt_key::kMsAdaptPlus4StepsP95] = f.ms_p95;
@@ -103,10 +104,10 @@ Json row_json(const TshirtRow& row) {
 
 }  // namespace
 
-TshirtReport measure_tshirt(const TshirtExperiment& experiment, const Progress& progress) {
-    const Pattern pattern = load_pattern(experiment.pattern).pattern;
-    const Body body = mannequin_for(pattern, experiment.body_triangles);
-    const BodyCollider collider(body);
+TshirtReport measure_tshirt(const TshirtExperiment& experiment, const sim::Progress& progress) {
+    const sim::Pattern pattern = sim::load_pattern(experiment.pattern).pattern;
+    const sim::Body body = mannequin_for(pattern, experiment.body_triangles);
+    const sim::BodyCollider collider(body);
     TshirtReport report;
     SwayOptions options = experiment.sway;
 
@@ -119,8 +120,8 @@ TshirtReport measure_tshirt(const TshirtExperiment& experiment, const Progress& 
                               : cheapest_row(usual.cloth, collider, options, experiment));
     if (!experiment.has_growth) return report;
 
-    const Body dense = mannequin_for(pattern, kDenseBody);
-    const BodyCollider dense_collider(dense);
+    const sim::Body dense = mannequin_for(pattern, kDenseBody);
+    const sim::BodyCollider dense_collider(dense);
     report.rows.push_back(sway_row("dense body", usual.cloth, dense_collider, options));
     options.substeps = dressed_with;
     report.rows.push_back(sway_row("sub-steps of dressing", usual.cloth, collider, options));
@@ -154,11 +155,11 @@ Table table_of(const TshirtReport& report) {
     return table;
 }
 
-Json to_json(const TshirtReport& report) {
-    Json json = row_json(report.rows.front());
-    Json& rows = json[tshirt_key::kRows] = Json::array();
+sim::Json to_json(const TshirtReport& report) {
+    sim::Json json = row_json(report.rows.front());
+    sim::Json& rows = json[tshirt_key::kRows] = sim::Json::array();
     for (const TshirtRow& row : report.rows) {
-        Json row_with_name = row_json(row);
+        sim::Json row_with_name = row_json(row);
         row_with_name["garment"] = row.what;
         rows.push_back(std::move(row_with_name));
     }
@@ -183,14 +184,14 @@ Vec3f leaning_gravity(double seconds) {
 // Adds up what the cycles took.
 class Cycles {
  public:
-    Cycles(Cloth& cloth, const Collider& body, const SwayOptions& options)
+    Cycles(sim::Cloth& cloth, const sim::Collider& body, const SwayOptions& options)
         : cloth_(cloth), body_(body), options_(options) {}
 
     void run(int cycle, bool is_measured) {
         seconds_ = cycle * kSteps / 120.0;
         const std::size_t allocated = allocations();
         const double start = thread_seconds();
-        const AdaptReport adapted = adapt_cloth(cloth_, body_, {.shortest_edge = options_.shortest_edge});
+        const sim::AdaptReport adapted = adapt_cloth(cloth_, body_, {.shortest_edge = options_.shortest_edge});
         const double adapted_at = thread_seconds();
         const std::size_t allocated_by_adaption = allocations() - allocated;
         const bool compares = cycle % options_.shares_every == 0;
@@ -211,12 +212,12 @@ class Cycles {
         SwayFigures f;
         f.leaf_triangles = static_cast<int>(std::lround(leaves_ / count));
         f.substeps = options_.substeps;
-        f.ms_median = 1e3 * quantile(whole_, 0.5);
-        f.ms_p95 = 1e3 * quantile(whole_, 0.95);
-        f.ms_adaption = 1e3 * quantile(adaptions_, 0.5);
-        f.ms_steps = 1e3 * quantile(steps_, 0.5);
+        f.ms_median = 1e3 * sim::quantile(whole_, 0.5);
+        f.ms_p95 = 1e3 * sim::quantile(whole_, 0.95);
+        f.ms_adaption = 1e3 * sim::quantile(adaptions_, 0.5);
+        f.ms_steps = 1e3 * sim::quantile(steps_, 0.5);
         f.adapt_share = f.ms_adaption / f.ms_median;
-        f.collision_share = quantile(shares_, 0.5);
+        f.collision_share = sim::quantile(shares_, 0.5);
         f.p99_stretch = stretch_ / count;
         f.changes_per_adaption = changes_ / count;
         if (options_.allocations != nullptr) {
@@ -229,7 +230,7 @@ class Cycles {
  private:
     std::size_t allocations() const { return options_.allocations == nullptr ? 0 : options_.allocations(); }
 
-    double four_steps(Cloth& cloth, const Collider& body) const {
+    double four_steps(sim::Cloth& cloth, const sim::Collider& body) const {
         const double start = thread_seconds();
         for (int i = 0; i < kSteps; ++i) {
             step(cloth, body,
@@ -240,8 +241,8 @@ class Cycles {
 
     // A copy takes them: the cloth itself goes on as if nobody had asked.
     double steps_without_body() const {
-        Cloth copy = cloth_;
-        return four_steps(copy, NoBody());
+        sim::Cloth copy = cloth_;
+        return four_steps(copy, sim::NoBody());
     }
 
     void add(double adaption, double steps, int changes) {
@@ -251,15 +252,15 @@ class Cycles {
         changes_ += changes;
         leaves_ += static_cast<double>(cloth_.mesh.leaf_triangles().size());
         std::vector<double> strains;
-        for (const TriangleStrain& strain : measure_strain(cloth_)) {
+        for (const sim::TriangleStrain& strain : measure_strain(cloth_)) {
             strains.push_back(static_cast<double>(strain.warp));
             strains.push_back(static_cast<double>(strain.weft));
         }
-        stretch_ += quantile(strains, 0.99);
+        stretch_ += sim::quantile(strains, 0.99);
     }
 
-    Cloth& cloth_;
-    const Collider& body_;
+    sim::Cloth& cloth_;
+    const sim::Collider& body_;
     const SwayOptions& options_;
     double seconds_ = 0;
     std::vector<double> adaptions_, steps_, whole_, shares_;
@@ -272,11 +273,11 @@ class Cycles {
 
 }  // namespace
 
-SwayFigures sway(Cloth& cloth, const Collider& body, const SwayOptions& options) {
+SwayFigures sway(sim::Cloth& cloth, const sim::Collider& body, const SwayOptions& options) {
     Cycles cycles(cloth, body, options);
     for (int cycle = 0; cycle < options.settling_cycles + options.cycles; ++cycle)
         cycles.run(cycle, cycle >= options.settling_cycles);
     return cycles.figures();
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -10,7 +10,7 @@
 #include "bench/support/table.h"
 #include "bench/tshirt/dressing.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 
 struct SwayOptions {
     float shortest_edge = 0.02F;             // m, an edge shorter than this is not split
@@ -37,7 +37,7 @@ struct SwayFigures {
     std::optional<double> allocations_per_step;
 };
 
-SwayFigures sway(Cloth& cloth, const Collider& body, const SwayOptions& options);
+SwayFigures sway(sim::Cloth& cloth, const sim::Collider& body, const SwayOptions& options);
 
 namespace tshirt_key {
 inline constexpr std::string_view kLeafTriangles = "leaf_triangles";
@@ -79,9 +79,9 @@ struct TshirtReport {
     std::vector<TshirtRow> rows;  // the first is the garment asked for
 };
 
-TshirtReport measure_tshirt(const TshirtExperiment& experiment, const Progress& progress = {});
+TshirtReport measure_tshirt(const TshirtExperiment& experiment, const sim::Progress& progress = {});
 
 Table table_of(const TshirtReport& report);
-Json to_json(const TshirtReport& report);
+sim::Json to_json(const TshirtReport& report);
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

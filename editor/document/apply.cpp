@@ -16,7 +16,7 @@
 #include "sim/tartan/offset_graph.h"
 #include "sim/tartan/tartan_file.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 // What others throw as wrong input is wrong to a draft, too.
@@ -24,17 +24,17 @@ template <class Function>
 auto in_draft_words(Function&& function) {
     try {
         return function();
-    } catch (const InputError& error) {
+    } catch (const sim::InputError& error) {
         throw DraftError(error.problem());
     }
 }
 
-Sett sett_of(const Pattern& pattern) {
-    const Sett sett = find_tartan(pattern.tartan.empty() ? kDefaultTartan : pattern.tartan);
+sim::Sett sett_of(const sim::Pattern& pattern) {
+    const sim::Sett sett = sim::find_tartan(pattern.tartan.empty() ? sim::kDefaultTartan : pattern.tartan);
     return pattern.sett_size ? with_repeat_size(sett, *pattern.sett_size) : sett;
 }
 
-Panel& panel_of(Pattern& pattern, const std::string& name) {
+sim::Panel& panel_of(sim::Pattern& pattern, const std::string& name) {
     return pattern.panels[static_cast<std::size_t>(find_panel(pattern, name))];
 }
 
@@ -46,22 +46,22 @@ Selection only(const std::string& panel) {
 
 // --- of the pattern
 
-Outcome run(Pattern& pattern, const RenamePattern& command) {
+Outcome run(sim::Pattern& pattern, const RenamePattern& command) {
     pattern.name = command.to;
     return {};
 }
 
-Outcome run(Pattern& pattern, const SetFabric& command) {
+Outcome run(sim::Pattern& pattern, const SetFabric& command) {
     if (!command.fabric.empty() && !command.fabric.ends_with(".json")) {
-        in_draft_words([&] { return find_fabric(command.fabric); });
+        in_draft_words([&] { return sim::find_fabric(command.fabric); });
     }
     (command.panel.empty() ? pattern.fabric : panel_of(pattern, command.panel).fabric) = command.fabric;
     return {};
 }
 
-Outcome run(Pattern& pattern, const SetTartan& command) {
-    if (!command.tartan.empty()) in_draft_words([&] { return find_tartan(command.tartan); });
-    if (command.size && !(*command.size >= kSmallestSett && *command.size <= kLargestSett)) {
+Outcome run(sim::Pattern& pattern, const SetTartan& command) {
+    if (!command.tartan.empty()) in_draft_words([&] { return sim::find_tartan(command.tartan); });
+    if (command.size && !(*command.size >= sim::kSmallestSett && *command.size <= sim::kLargestSett)) {
         throw DraftError("A repeat of a tartan is from 0.1 to 500 cm");
     }
     pattern.tartan = command.tartan;
@@ -70,7 +70,7 @@ Outcome run(Pattern& pattern, const SetTartan& command) {
     return {};
 }
 
-Outcome run(Pattern& pattern, const SetBody& command) {
+Outcome run(sim::Pattern& pattern, const SetBody& command) {
     if (!command.shifts.empty() && command.shifts.size() != pattern.panels.size()) {
         throw DraftError("A body's shifts are one for each panel");
     }
@@ -79,7 +79,7 @@ Outcome run(Pattern& pattern, const SetBody& command) {
     return {};
 }
 
-Outcome run(Pattern& pattern, const SetEdgeLength& command) {
+Outcome run(sim::Pattern& pattern, const SetEdgeLength& command) {
     constexpr double kShortest = 0.005, kLongest = 0.5;  // m, as in files
     if (command.length && !(*command.length >= kShortest && *command.length <= kLongest)) {
         throw DraftError("A mesh has edges of 0.5 to 50 cm");
@@ -88,69 +88,69 @@ Outcome run(Pattern& pattern, const SetEdgeLength& command) {
     return {};
 }
 
-Outcome run(Pattern& pattern, const MatchSetts& command) {
-    const Sett sett = in_draft_words([&] { return sett_of(pattern); });
+Outcome run(sim::Pattern& pattern, const MatchSetts& command) {
+    const sim::Sett sett = in_draft_words([&] { return sett_of(pattern); });
     for (const int seam : command.first_seams) known_seam(pattern, seam);
-    const SettMatch match = match_sett(pattern, sett, {.first_seams = command.first_seams});
+    const sim::SettMatch match = match_sett(pattern, sett, {.first_seams = command.first_seams});
     for (std::size_t i = 0; i < pattern.panels.size(); ++i) pattern.panels[i].sett_offset = match.offsets[i];
-    pattern.matched_sett = MatchedSett{.tartan = pattern.tartan.empty() ? kDefaultTartan : pattern.tartan,
-                                       .repeat = Vec2d(repeat_size(sett), weft_repeat_size(sett))};
+    pattern.matched_sett = sim::MatchedSett{.tartan = pattern.tartan.empty() ? sim::kDefaultTartan : pattern.tartan,
+                                            .repeat = Vec2d(repeat_size(sett), weft_repeat_size(sett))};
     return {};
 }
 
-Outcome run(Pattern& pattern, const TranslateAll& command) {
-    for (Panel& panel : pattern.panels) panel.translation += command.by;
+Outcome run(sim::Pattern& pattern, const TranslateAll& command) {
+    for (sim::Panel& panel : pattern.panels) panel.translation += command.by;
     return {};
 }
 
 // --- of whole panels
 
-Outcome run(Pattern& pattern, const AddPanels& command) {
+Outcome run(sim::Pattern& pattern, const AddPanels& command) {
     Outcome outcome{.selection = Selection{}};
-    for (const Panel& panel : command.panels) {
+    for (const sim::Panel& panel : command.panels) {
         const int index = add_panel(pattern, panel);
         outcome.selection->panels.insert(pattern.panels[static_cast<std::size_t>(index)].name);
     }
     return outcome;
 }
 
-Outcome run(Pattern& pattern, const RenamePanel& command) {
+Outcome run(sim::Pattern& pattern, const RenamePanel& command) {
     const int panel = find_panel(pattern, command.panel);
     if (command.to == command.panel) return {};
     rename_panel(pattern, panel, command.to);
     return {.selection = only(command.to), .rename = PanelRename{.from = command.panel, .to = command.to}};
 }
 
-Outcome select_new(const Pattern& pattern, int panel) {
+Outcome select_new(const sim::Pattern& pattern, int panel) {
     return {.selection = only(pattern.panels[static_cast<std::size_t>(panel)].name)};
 }
 
-Outcome run(Pattern& pattern, const DuplicatePanel& command) {
+Outcome run(sim::Pattern& pattern, const DuplicatePanel& command) {
     return select_new(pattern, duplicate_panel(pattern, find_panel(pattern, command.panel), command.shift));
 }
 
-Outcome run(Pattern& pattern, const SymmetricCopy& command) {
+Outcome run(sim::Pattern& pattern, const SymmetricCopy& command) {
     const int panel = find_panel(pattern, command.panel);
     return select_new(pattern, symmetric_copy(pattern, panel, command.is_linked, command.shift));
 }
 
-Outcome run(Pattern& pattern, const UnlinkPanel& command) {
+Outcome run(sim::Pattern& pattern, const UnlinkPanel& command) {
     panel_of(pattern, command.panel).mirror_of.clear();
-    for (Panel& other : pattern.panels) {
+    for (sim::Panel& other : pattern.panels) {
         if (other.mirror_of == command.panel) other.mirror_of.clear();
     }
     return {};
 }
 
 // All panels are laid out before one is put somewhere: the others stay where they are seen.
-Outcome run(Pattern& pattern, const MovePanels& command) {
+Outcome run(sim::Pattern& pattern, const MovePanels& command) {
     const std::vector<Vec2d> positions = sheet_positions(pattern);
     for (std::size_t i = 0; i < positions.size(); ++i) pattern.panels[i].sheet_position = positions[i];
     for (const std::string& name : command.panels) *panel_of(pattern, name).sheet_position += command.by;
     return {};
 }
 
-Outcome run(Pattern& pattern, const TransformPanels& command) {
+Outcome run(sim::Pattern& pattern, const TransformPanels& command) {
     for (const std::string& name : command.panels) {
         const int panel = find_panel(pattern, name);
         transform_panel(pattern, panel, map_in_panel(pattern, panel, command.map));
@@ -158,20 +158,20 @@ Outcome run(Pattern& pattern, const TransformPanels& command) {
     return {};
 }
 
-Outcome run(Pattern& pattern, const PlacePanel& command) {
+Outcome run(sim::Pattern& pattern, const PlacePanel& command) {
     constexpr double kNearly = 1e-6;
     const Eigen::Matrix3d& r = command.rotation;
     const bool is_rotation = (r * r.transpose()).isIdentity(kNearly) && r.determinant() > 0;
     if (!is_rotation) throw DraftError("A panel is placed by a rotation", {{.panel = command.panel}});
     if (!(command.wrap_radius >= 0)) throw DraftError("A panel is bent by a radius", {{.panel = command.panel}});
-    Panel& panel = panel_of(pattern, command.panel);
+    sim::Panel& panel = panel_of(pattern, command.panel);
     panel.translation = command.translation;
     panel.rotation = command.rotation;
     panel.wrap_radius = command.wrap_radius;
     return {};
 }
 
-Outcome run(Pattern& pattern, const PlacePanels& command) {
+Outcome run(sim::Pattern& pattern, const PlacePanels& command) {
     for (const PanelPlace& place : command.places) {
         run(pattern, PlacePanel{.panel = place.panel,
                                 .translation = place.translation,
@@ -181,18 +181,18 @@ Outcome run(Pattern& pattern, const PlacePanels& command) {
     return {};
 }
 
-Outcome run(Pattern& pattern, const SetGrain& command) {
+Outcome run(sim::Pattern& pattern, const SetGrain& command) {
     panel_of(pattern, command.panel).grain_angle = std::remainder(command.angle, 2 * std::numbers::pi);
     return {};
 }
 
-Outcome run(Pattern& pattern, const SetSettOffset& command) {
+Outcome run(sim::Pattern& pattern, const SetSettOffset& command) {
     panel_of(pattern, command.panel).sett_offset = command.offset;
     return {};
 }
 
-Outcome run(Pattern& pattern, const SetPins& command) {
-    Panel& panel = panel_of(pattern, command.panel);
+Outcome run(sim::Pattern& pattern, const SetPins& command) {
+    sim::Panel& panel = panel_of(pattern, command.panel);
     for (const int vertex : command.vertices) check_vertex(panel, vertex);
     panel.pins = command.vertices;
     std::sort(panel.pins.begin(), panel.pins.end());
@@ -200,31 +200,31 @@ Outcome run(Pattern& pattern, const SetPins& command) {
     return {};
 }
 
-Outcome run(Pattern& pattern, const SetLayer& command) {
+Outcome run(sim::Pattern& pattern, const SetLayer& command) {
     panel_of(pattern, command.panel).layer = command.layer;
     return {};
 }
 
-Outcome run(Pattern& pattern, const CutPanel& command) {
+Outcome run(sim::Pattern& pattern, const CutPanel& command) {
     const int panel = find_panel(pattern, command.panel);
     Outcome outcome = select_new(pattern, cut_panel(pattern, panel, command.path, command.is_sewn));
     outcome.selection->panels.insert(command.panel);
     return outcome;
 }
 
-Outcome run(Pattern& pattern, const MergePanels& command) {
+Outcome run(sim::Pattern& pattern, const MergePanels& command) {
     known_seam(pattern, command.seam);
     return select_new(pattern, merge_panels(pattern, command.seam));
 }
 
-Outcome run(Pattern& pattern, const UnfoldPanel& command) {
+Outcome run(sim::Pattern& pattern, const UnfoldPanel& command) {
     unfold_panel(pattern, edge_of(pattern, {command.panel, command.edge}));
     return {.selection = only(command.panel)};
 }
 
 }  // namespace
 
-Outcome carry_out(Pattern& pattern, const Command& command) {
+Outcome carry_out(sim::Pattern& pattern, const Command& command) {
     return std::visit([&](const auto& given) { return run(pattern, given); }, command);
 }
 
@@ -232,7 +232,7 @@ namespace {
 
 constexpr std::size_t kFewestPoints = 2;  // of an internal line
 
-void check_edge(const Panel& panel, int edge) {
+void check_edge(const sim::Panel& panel, int edge) {
     if (edge >= 0 && static_cast<std::size_t>(edge) < panel.edges.size()) return;
     throw DraftError("'" + panel.name + "' has no edge " + std::to_string(edge), {{.panel = panel.name}});
 }
@@ -260,7 +260,7 @@ Outcome select_seams(const std::vector<int>& seams) {
     return outcome;
 }
 
-void check_internal_line(const InternalLine& line, const std::string& panel) {
+void check_internal_line(const sim::InternalLine& line, const std::string& panel) {
     if (line.points.size() >= kFewestPoints) return;
     throw DraftError("An internal line has two points at least", {{.panel = panel}});
 }
@@ -269,10 +269,10 @@ void check_fraction(double t) {
     if (!(t >= 0 && t <= 1)) throw DraftError("A place along an edge is between its ends");
 }
 
-std::vector<EdgeSpan> spans_of(const Pattern& pattern, const std::vector<SpanRef>& refs) {
+std::vector<EdgeSpan> spans_of(const sim::Pattern& pattern, const std::vector<SpanRef>& refs) {
     std::vector<EdgeSpan> spans;
     for (const SpanRef& ref : refs) {
-        const SeamSide side = edge_of(pattern, {ref.panel, ref.edge});
+        const sim::SeamSide side = edge_of(pattern, {ref.panel, ref.edge});
         spans.push_back({.panel = side.panel, .edge = side.edge, .from = ref.from, .to = ref.to});
     }
     return spans;
@@ -280,23 +280,23 @@ std::vector<EdgeSpan> spans_of(const Pattern& pattern, const std::vector<SpanRef
 
 }  // namespace
 
-const Seam& known_seam(const Pattern& pattern, int seam) {
+const sim::Seam& known_seam(const sim::Pattern& pattern, int seam) {
     if (seam < 0 || static_cast<std::size_t>(seam) >= pattern.seams.size()) throw DraftError("There is no such seam");
     return pattern.seams[static_cast<std::size_t>(seam)];
 }
 
-SeamSide edge_of(const Pattern& pattern, const PartRef& edge) {
+sim::SeamSide edge_of(const sim::Pattern& pattern, const PartRef& edge) {
     const int panel = find_panel(pattern, edge.panel);
     check_edge(pattern.panels[static_cast<std::size_t>(panel)], edge.index);
     return {.panel = panel, .edge = edge.index};
 }
 
-void check_vertex(const Panel& panel, int vertex) {
+void check_vertex(const sim::Panel& panel, int vertex) {
     if (vertex >= 0 && static_cast<std::size_t>(vertex) < panel.vertices.size()) return;
     throw DraftError("'" + panel.name + "' has no point " + std::to_string(vertex), {{.panel = panel.name}});
 }
 
-Eigen::Affine2d map_in_panel(const Pattern& pattern, int panel, const PlaneMap& map) {
+Eigen::Affine2d map_in_panel(const sim::Pattern& pattern, int panel, const PlaneMap& map) {
     const Vec2d origin = sheet_positions(pattern)[static_cast<std::size_t>(panel)];
     Eigen::Affine2d affine = Eigen::Affine2d::Identity();
     affine.linear().col(0) = map.x_axis;
@@ -306,7 +306,7 @@ Eigen::Affine2d map_in_panel(const Pattern& pattern, int panel, const PlaneMap& 
 }
 
 // Seams first, whose indices the rest would shift; panels last.
-Outcome run(Pattern& pattern, const RemoveParts& command) {
+Outcome run(sim::Pattern& pattern, const RemoveParts& command) {
     for (const int seam : command.seams) known_seam(pattern, seam);
     remove_seams(pattern, command.seams);
     for (const auto& [name, indices] : by_panel(command.internal_lines)) {
@@ -324,14 +324,14 @@ Outcome run(Pattern& pattern, const RemoveParts& command) {
     return {.selection = Selection{}};
 }
 
-Outcome run(Pattern& pattern, const MoveVertices& command) {
+Outcome run(sim::Pattern& pattern, const MoveVertices& command) {
     for (const auto& [name, indices] : by_panel(command.vertices)) {
         move_vertices(pattern, find_panel(pattern, name), indices, command.by);
     }
     return {};
 }
 
-Outcome run(Pattern& pattern, const TransformVertices& command) {
+Outcome run(sim::Pattern& pattern, const TransformVertices& command) {
     for (const auto& [name, indices] : by_panel(command.vertices)) {
         const int panel = find_panel(pattern, name);
         transform_vertices(pattern, panel, indices, map_in_panel(pattern, panel, command.map));
@@ -339,35 +339,35 @@ Outcome run(Pattern& pattern, const TransformVertices& command) {
     return {};
 }
 
-Outcome run(Pattern& pattern, const SetCurve& command) {
+Outcome run(sim::Pattern& pattern, const SetCurve& command) {
     set_curve(pattern, edge_of(pattern, {command.panel, command.edge}), command.curve);
     return {};
 }
 
-Outcome run(Pattern& pattern, const AddVertex& command) {
+Outcome run(sim::Pattern& pattern, const AddVertex& command) {
     Outcome outcome{.selection = Selection{}};
     const int vertex = split_edge(pattern, edge_of(pattern, {command.panel, command.edge}), command.t);
     outcome.selection->vertices.insert({command.panel, vertex});
     return outcome;
 }
 
-Outcome run(Pattern& pattern, const AddDart& command) {
+Outcome run(sim::Pattern& pattern, const AddDart& command) {
     insert_dart(pattern, edge_of(pattern, {command.panel, command.edge}), command.t, command.width, command.depth);
     return {};
 }
 
-Outcome run(Pattern& pattern, const AddInternalLine& command) {
+Outcome run(sim::Pattern& pattern, const AddInternalLine& command) {
     check_internal_line(command.line, command.panel);
-    std::vector<InternalLine>& lines = panel_of(pattern, command.panel).internal_lines;
+    std::vector<sim::InternalLine>& lines = panel_of(pattern, command.panel).internal_lines;
     lines.push_back(command.line);
     Outcome outcome{.selection = Selection{}};
     outcome.selection->internal_lines.insert({command.panel, static_cast<int>(lines.size()) - 1});
     return outcome;
 }
 
-Outcome run(Pattern& pattern, const SetInternalLine& command) {
+Outcome run(sim::Pattern& pattern, const SetInternalLine& command) {
     check_internal_line(command.line, command.panel);
-    std::vector<InternalLine>& lines = panel_of(pattern, command.panel).internal_lines;
+    std::vector<sim::InternalLine>& lines = panel_of(pattern, command.panel).internal_lines;
     if (command.index < 0 || static_cast<std::size_t>(command.index) >= lines.size()) {
         throw DraftError("'" + command.panel + "' has no such internal line", {{.panel = command.panel}});
     }
@@ -375,20 +375,20 @@ Outcome run(Pattern& pattern, const SetInternalLine& command) {
     return {};
 }
 
-Outcome run(Pattern& pattern, const AddNotch& command) {
+Outcome run(sim::Pattern& pattern, const AddNotch& command) {
     edge_of(pattern, {command.panel, command.edge});
     check_fraction(command.t);
-    std::vector<Notch>& notches = panel_of(pattern, command.panel).notches;
+    std::vector<sim::Notch>& notches = panel_of(pattern, command.panel).notches;
     notches.push_back({.edge = command.edge, .t = command.t});
     Outcome outcome{.selection = Selection{}};
     outcome.selection->notches.insert({command.panel, static_cast<int>(notches.size()) - 1});
     return outcome;
 }
 
-Outcome run(Pattern& pattern, const MoveNotch& command) {
+Outcome run(sim::Pattern& pattern, const MoveNotch& command) {
     edge_of(pattern, {command.panel, command.edge});
     check_fraction(command.t);
-    std::vector<Notch>& notches = panel_of(pattern, command.panel).notches;
+    std::vector<sim::Notch>& notches = panel_of(pattern, command.panel).notches;
     if (command.index < 0 || static_cast<std::size_t>(command.index) >= notches.size()) {
         throw DraftError("'" + command.panel + "' has no such notch", {{.panel = command.panel}});
     }
@@ -396,29 +396,29 @@ Outcome run(Pattern& pattern, const MoveNotch& command) {
     return {};
 }
 
-Outcome run(Pattern& pattern, const SewEdges& command) {
+Outcome run(sim::Pattern& pattern, const SewEdges& command) {
     return select_seams({sew_edges(pattern, {.first = edge_of(pattern, command.first),
                                              .second = edge_of(pattern, command.second),
                                              .is_reversed = command.is_reversed})});
 }
 
-Outcome run(Pattern& pattern, const SewRuns& command) {
+Outcome run(sim::Pattern& pattern, const SewRuns& command) {
     return select_seams(
         sew_runs(pattern, spans_of(pattern, command.first), spans_of(pattern, command.second), command.is_reversed));
 }
 
-Outcome run(Pattern& pattern, const ReverseSeam& command) {
+Outcome run(sim::Pattern& pattern, const ReverseSeam& command) {
     known_seam(pattern, command.seam);
     bool& is_reversed = pattern.seams[static_cast<std::size_t>(command.seam)].is_reversed;
     is_reversed = !is_reversed;
     return {};
 }
 
-Outcome run(Pattern& pattern, const NameSeam& command) {
+Outcome run(sim::Pattern& pattern, const NameSeam& command) {
     known_seam(pattern, command.seam);
     if (command.to.find_first_of(",+") != std::string::npos)
         throw DraftError("A seam's name has no comma and no plus sign");
-    for (const Seam& seam : pattern.seams) {
+    for (const sim::Seam& seam : pattern.seams) {
         if (!command.to.empty() && seam.name == command.to)
             throw DraftError("There is a seam '" + command.to + "' already");
     }
@@ -426,16 +426,16 @@ Outcome run(Pattern& pattern, const NameSeam& command) {
     return {};
 }
 
-Outcome run(Pattern& pattern, const AcceptEase& command) {
+Outcome run(sim::Pattern& pattern, const AcceptEase& command) {
     known_seam(pattern, command.seam);
     pattern.seams[static_cast<std::size_t>(command.seam)].is_eased = command.is_eased;
     return {};
 }
 
-Outcome run(Pattern& pattern, const EvenSeam& command) {
+Outcome run(sim::Pattern& pattern, const EvenSeam& command) {
     known_seam(pattern, command.seam);
     even_seam(pattern, command.seam);
     return {};
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -8,7 +8,7 @@
 #include "editor/document/selection.h"
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 struct PanelRename {
     std::string from;
@@ -21,33 +21,33 @@ struct Outcome {
 };
 
 // Throws DraftError; the pattern may then be half changed. Panels that mirror each other are not yet alike after it.
-Outcome carry_out(Pattern& pattern, const Command& command);
+Outcome carry_out(sim::Pattern& pattern, const Command& command);
 
 // The commands that change parts of panels and seams, and how parts are found; carry_out.h has the others.
 
 // Each throws DraftError where there is no such part.
-const Seam& known_seam(const Pattern& pattern, int seam);
-SeamSide edge_of(const Pattern& pattern, const PartRef& edge);
-void check_vertex(const Panel& panel, int vertex);
+const sim::Seam& known_seam(const sim::Pattern& pattern, int seam);
+sim::SeamSide edge_of(const sim::Pattern& pattern, const PartRef& edge);
+void check_vertex(const sim::Panel& panel, int vertex);
 
 // A map of the sheet as one of the panel's own plane.
-Eigen::Affine2d map_in_panel(const Pattern& pattern, int panel, const PlaneMap& map);
+Eigen::Affine2d map_in_panel(const sim::Pattern& pattern, int panel, const PlaneMap& map);
 
-Outcome run(Pattern& pattern, const RemoveParts& command);
-Outcome run(Pattern& pattern, const MoveVertices& command);
-Outcome run(Pattern& pattern, const TransformVertices& command);
-Outcome run(Pattern& pattern, const SetCurve& command);
-Outcome run(Pattern& pattern, const AddVertex& command);
-Outcome run(Pattern& pattern, const AddDart& command);
-Outcome run(Pattern& pattern, const AddInternalLine& command);
-Outcome run(Pattern& pattern, const SetInternalLine& command);
-Outcome run(Pattern& pattern, const AddNotch& command);
-Outcome run(Pattern& pattern, const MoveNotch& command);
-Outcome run(Pattern& pattern, const SewEdges& command);
-Outcome run(Pattern& pattern, const SewRuns& command);
-Outcome run(Pattern& pattern, const ReverseSeam& command);
-Outcome run(Pattern& pattern, const NameSeam& command);
-Outcome run(Pattern& pattern, const AcceptEase& command);
-Outcome run(Pattern& pattern, const EvenSeam& command);
+Outcome run(sim::Pattern& pattern, const RemoveParts& command);
+Outcome run(sim::Pattern& pattern, const MoveVertices& command);
+Outcome run(sim::Pattern& pattern, const TransformVertices& command);
+Outcome run(sim::Pattern& pattern, const SetCurve& command);
+Outcome run(sim::Pattern& pattern, const AddVertex& command);
+Outcome run(sim::Pattern& pattern, const AddDart& command);
+Outcome run(sim::Pattern& pattern, const AddInternalLine& command);
+Outcome run(sim::Pattern& pattern, const SetInternalLine& command);
+Outcome run(sim::Pattern& pattern, const AddNotch& command);
+Outcome run(sim::Pattern& pattern, const MoveNotch& command);
+Outcome run(sim::Pattern& pattern, const SewEdges& command);
+Outcome run(sim::Pattern& pattern, const SewRuns& command);
+Outcome run(sim::Pattern& pattern, const ReverseSeam& command);
+Outcome run(sim::Pattern& pattern, const NameSeam& command);
+Outcome run(sim::Pattern& pattern, const AcceptEase& command);
+Outcome run(sim::Pattern& pattern, const EvenSeam& command);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

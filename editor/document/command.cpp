@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 std::string counted(const std::string& verb, std::size_t count, const std::string& one) {
@@ -148,10 +148,11 @@ namespace {
 
 constexpr double kFarthest = 1000;  // m, or rad: nothing in a pattern is larger
 
-constexpr std::array<std::pair<CurveKind, std::string_view>, 4> kCurveNames{{{CurveKind::Line, "line"},
-                                                                             {CurveKind::Quadratic, "quadratic"},
-                                                                             {CurveKind::Cubic, "cubic"},
-                                                                             {CurveKind::Arc, "circle"}}};
+constexpr std::array<std::pair<sim::CurveKind, std::string_view>, 4> kCurveNames{
+    {{sim::CurveKind::Line, "line"},
+     {sim::CurveKind::Quadratic, "quadratic"},
+     {sim::CurveKind::Cubic, "cubic"},
+     {sim::CurveKind::Arc, "circle"}}};
 
 // What has fields: numbers, texts, vectors and lists are no aggregates.
 template <class T>
@@ -188,7 +189,7 @@ void visit_fields(PlaneMap& map, Visitor&& visit) {
 }
 
 template <class Visitor>
-void visit_fields(OutlineEdge& edge, Visitor&& visit) {
+void visit_fields(sim::OutlineEdge& edge, Visitor&& visit) {
     visit("start", edge.start);
     visit("end", edge.end);
     visit("kind", edge.kind);
@@ -201,19 +202,19 @@ void visit_fields(OutlineEdge& edge, Visitor&& visit) {
 }
 
 template <class Visitor>
-void visit_fields(InternalLine& line, Visitor&& visit) {
+void visit_fields(sim::InternalLine& line, Visitor&& visit) {
     visit("name", line.name);
     visit("points", line.points);
 }
 
 template <class Visitor>
-void visit_fields(Notch& notch, Visitor&& visit) {
+void visit_fields(sim::Notch& notch, Visitor&& visit) {
     visit("edge", notch.edge);
     visit("at", notch.t);
 }
 
 template <class Visitor>
-void visit_fields(Panel& panel, Visitor&& visit) {
+void visit_fields(sim::Panel& panel, Visitor&& visit) {
     visit("name", panel.name);
     visit("vertices", panel.vertices);
     visit("edges", panel.edges);
@@ -241,107 +242,107 @@ void visit_fields(T& command, auto&& visit) {
 }
 
 template <class Vector>
-Json numbers_json(const Vector& v) {
-    Json list = Json::array();
-    for (Eigen::Index i = 0; i < v.size(); ++i) list.push_back(Json(v.data()[i]));
+sim::Json numbers_json(const Vector& v) {
+    sim::Json list = sim::Json::array();
+    for (Eigen::Index i = 0; i < v.size(); ++i) list.push_back(sim::Json(v.data()[i]));
     return list;
 }
 
-Json encode(bool value) {
-    return Json(value);
+sim::Json encode(bool value) {
+    return sim::Json(value);
 }
-Json encode(int value) {
-    return Json(value);
+sim::Json encode(int value) {
+    return sim::Json(value);
 }
-Json encode(double value) {
-    return Json(value);
+sim::Json encode(double value) {
+    return sim::Json(value);
 }
-Json encode(const std::string& value) {
-    return Json(value);
+sim::Json encode(const std::string& value) {
+    return sim::Json(value);
 }
-Json encode(const Vec2d& value) {
+sim::Json encode(const Vec2d& value) {
     return numbers_json(value);
 }
-Json encode(const Vec3d& value) {
+sim::Json encode(const Vec3d& value) {
     return numbers_json(value);
 }
-Json encode(const Eigen::Matrix3d& value) {
+sim::Json encode(const Eigen::Matrix3d& value) {
     return numbers_json(value);
 }  // column by column
-Json encode(CurveKind kind) {
-    return Json(std::find_if(kCurveNames.begin(), kCurveNames.end(), [&](const auto& known) {
-                    return known.first == kind;
-                })->second);
+sim::Json encode(sim::CurveKind kind) {
+    return sim::Json(std::find_if(kCurveNames.begin(), kCurveNames.end(), [&](const auto& known) {
+                         return known.first == kind;
+                     })->second);
 }
 
 template <class T>
-Json encode(const std::optional<T>& value) {
-    return value ? encode(*value) : Json();
+sim::Json encode(const std::optional<T>& value) {
+    return value ? encode(*value) : sim::Json();
 }
 
 template <class T>
-Json encode_fields(const T& value);
+sim::Json encode_fields(const T& value);
 template <class T>
-Json encode(const std::vector<T>& values);
+sim::Json encode(const std::vector<T>& values);
 
 template <Record T>
-Json encode(const T& value) {
+sim::Json encode(const T& value) {
     return encode_fields(value);
 }
 
 template <class T>
-Json encode(const std::vector<T>& values) {
-    Json list = Json::array();
+sim::Json encode(const std::vector<T>& values) {
+    sim::Json list = sim::Json::array();
     for (const T& value : values) list.push_back(encode(value));
     return list;
 }
 
 template <class T>
-Json all_fields(T value) {
-    Json object = Json::object();
+sim::Json all_fields(T value) {
+    sim::Json object = sim::Json::object();
     visit_fields(value, [&](const char* key, const auto& field) { object[key] = encode(field); });
     return object;
 }
 
 // Without those that have their usual value.
 template <class T>
-Json encode_fields(const T& value) {
-    Json object = all_fields(value);
-    const Json usual = all_fields(T{});
-    std::erase_if(object.members(), [&](const Json::Member& member) {
+sim::Json encode_fields(const T& value) {
+    sim::Json object = all_fields(value);
+    const sim::Json usual = all_fields(T{});
+    std::erase_if(object.members(), [&](const sim::Json::Member& member) {
         return write_json(member.value, -1) == write_json(*usual.find(member.key), -1);
     });
     return object;
 }
 
 template <class T>
-void decode(const JsonView& view, std::vector<T>& values);
+void decode(const sim::JsonView& view, std::vector<T>& values);
 template <class T>
-void decode(const JsonView& view, std::optional<T>& value);
+void decode(const sim::JsonView& view, std::optional<T>& value);
 template <Record T>
-void decode(const JsonView& view, T& value);
+void decode(const sim::JsonView& view, T& value);
 
-void decode(const JsonView& view, bool& value) {
+void decode(const sim::JsonView& view, bool& value) {
     value = view.boolean();
 }
-void decode(const JsonView& view, int& value) {
+void decode(const sim::JsonView& view, int& value) {
     value = view.integer();
 }
-void decode(const JsonView& view, double& value) {
+void decode(const sim::JsonView& view, double& value) {
     value = view.number_between(-kFarthest, kFarthest);
 }
-void decode(const JsonView& view, std::string& value) {
+void decode(const sim::JsonView& view, std::string& value) {
     value = view.string();
 }
 
 template <class Scalar, int rows, int columns>
-void decode(const JsonView& view, Eigen::Matrix<Scalar, rows, columns>& value) {
+void decode(const sim::JsonView& view, Eigen::Matrix<Scalar, rows, columns>& value) {
     constexpr std::size_t count = static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns);
     if (view.size() != count) view.fail(std::to_string(count) + " numbers should be here");
     for (std::size_t i = 0; i < count; ++i) decode(view.at(i), value.data()[i]);
 }
 
-void decode(const JsonView& view, CurveKind& kind) {
+void decode(const sim::JsonView& view, sim::CurveKind& kind) {
     for (const auto& [known, name] : kCurveNames) {
         if (view.string() == name) {
             kind = known;
@@ -352,13 +353,13 @@ void decode(const JsonView& view, CurveKind& kind) {
 }
 
 template <class T>
-void decode(const JsonView& view, std::optional<T>& value) {
+void decode(const sim::JsonView& view, std::optional<T>& value) {
     value.reset();
     if (!view.value().is_null()) decode(view, value.emplace());
 }
 
 template <Record T>
-void decode(const JsonView& view, T& value) {
+void decode(const sim::JsonView& view, T& value) {
     for (const std::string& key : view.keys()) {
         bool is_known = false;
         visit_fields(value, [&](const char* field, const auto&) { is_known = is_known || key == field; });
@@ -370,33 +371,33 @@ void decode(const JsonView& view, T& value) {
 }
 
 template <class T>
-void decode(const JsonView& view, std::vector<T>& values) {
+void decode(const sim::JsonView& view, std::vector<T>& values) {
     values.clear();
     for (std::size_t i = 0; i < view.size(); ++i) decode(view.at(i), values.emplace_back());
 }
 
 // The alternative of that name, from its fields; false: this is not its name.
 template <class T>
-bool decode_if_named(const JsonView& view, const std::string& name, Command& command) {
+bool decode_if_named(const sim::JsonView& view, const std::string& name, Command& command) {
     if (name != T::name) return false;
     decode(view, command.emplace<T>());
     return true;
 }
 
 template <std::size_t... i>
-bool decode_any(const JsonView& view, const std::string& name, Command& command, std::index_sequence<i...>) {
+bool decode_any(const sim::JsonView& view, const std::string& name, Command& command, std::index_sequence<i...>) {
     return (decode_if_named<std::variant_alternative_t<i, Command>>(view, name, command) || ...);
 }
 
 }  // namespace
 
-Json to_json(const Command& command) {
-    Json object = Json::object();
+sim::Json to_json(const Command& command) {
+    sim::Json object = sim::Json::object();
     std::visit([&](const auto& given) { object[given.name] = encode_fields(given); }, command);
     return object;
 }
 
-Command parse_command(const JsonView& view) {
+Command parse_command(const sim::JsonView& view) {
     const std::vector<std::string> names = view.keys();
     if (names.size() != 1) view.fail("one command should be here, as {\"name\": {...}}");
     Command command;
@@ -405,4 +406,4 @@ Command parse_command(const JsonView& view) {
     return command;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -10,7 +10,7 @@
 #include "editor/document/command_types.h"
 #include "sim/core/json.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 using Command =
     std::variant<RenamePattern, SetFabric, SetTartan, SetBody, SetEdgeLength, MatchSetts, TranslateAll, RemoveParts,
@@ -25,10 +25,10 @@ std::string label_of(const Command& command);
 // Commands as JSON, in scripts and journals: {"move_vertices": {"vertices": [{"panel": "front", "index": 2}], "by":
 // [0.01, 0]}}. Fields that have their usual value may be left out, and are when written.
 
-Json to_json(const Command& command);
+sim::Json to_json(const Command& command);
 
 // Throws InputError naming the path: for a command or field that there is not, and for values of another kind, out of
 // range or not finite.
-Command parse_command(const JsonView& view);
+Command parse_command(const sim::JsonView& view);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

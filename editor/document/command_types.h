@@ -8,7 +8,7 @@
 #include "sim/core/math.h"
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 // A map of the drafting sheet: p -> x_axis p.x + y_axis p.y + shift.
 struct PlaneMap {
@@ -73,7 +73,7 @@ struct SetCurve {
     static constexpr const char* name = "set_curve";
     std::string panel{};
     int edge = 0;
-    OutlineEdge curve{};
+    sim::OutlineEdge curve{};
 
     template <class Visitor>
     void fields(Visitor&& visit) {
@@ -119,7 +119,7 @@ struct AddDart {
 struct AddInternalLine {
     static constexpr const char* name = "add_internal_line";
     std::string panel{};
-    InternalLine line{};
+    sim::InternalLine line{};
 
     template <class Visitor>
     void fields(Visitor&& visit) {
@@ -132,7 +132,7 @@ struct SetInternalLine {
     static constexpr const char* name = "set_internal_line";
     std::string panel{};
     int index = 0;
-    InternalLine line{};
+    sim::InternalLine line{};
 
     template <class Visitor>
     void fields(Visitor&& visit) {
@@ -177,7 +177,7 @@ struct MoveNotch {
 // Under their names, or others where those are taken.
 struct AddPanels {
     static constexpr const char* name = "add_panels";
-    std::vector<Panel> panels{};
+    std::vector<sim::Panel> panels{};
 
     template <class Visitor>
     void fields(Visitor&& visit) {
@@ -563,4 +563,4 @@ struct EvenSeam {
     }
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -11,32 +11,33 @@
 #include "sim/core/assert.h"
 #include "sim/pattern/pattern_file.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 struct Changed {
-    Pattern pattern;
+    sim::Pattern pattern;
     Outcome outcome = {};
 };
 
-bool is_drawn_alike(const Pattern& a, const Pattern& b) {
-    return std::equal(a.panels.begin(), a.panels.end(), b.panels.begin(), b.panels.end(),
-                      [](const Panel& p, const Panel& q) { return p.vertices == q.vertices && p.edges == q.edges; });
+bool is_drawn_alike(const sim::Pattern& a, const sim::Pattern& b) {
+    return std::equal(
+        a.panels.begin(), a.panels.end(), b.panels.begin(), b.panels.end(),
+        [](const sim::Panel& p, const sim::Panel& q) { return p.vertices == q.vertices && p.edges == q.edges; });
 }
 
 // Panels stay where they are seen when outlines change or panels come and go: those that were laid out are put there.
-void keep_places(Pattern& pattern, const Pattern& before) {
+void keep_places(sim::Pattern& pattern, const sim::Pattern& before) {
     if (is_drawn_alike(pattern, before)) return;
     const std::vector<Vec2d> places = sheet_positions(before);
-    for (Panel& panel : pattern.panels) {
+    for (sim::Panel& panel : pattern.panels) {
         const auto old = std::find_if(before.panels.begin(), before.panels.end(),
-                                      [&](const Panel& other) { return other.name == panel.name; });
+                                      [&](const sim::Panel& other) { return other.name == panel.name; });
         if (panel.sheet_position || old == before.panels.end()) continue;
         panel.sheet_position = places[static_cast<std::size_t>(old - before.panels.begin())];
     }
 }
 
-Changed changed_by(const Pattern& before, const Command& command) {
+Changed changed_by(const sim::Pattern& before, const Command& command) {
     Changed changed{.pattern = before};
     changed.outcome = carry_out(changed.pattern, command);
     update_mirrors(changed.pattern, before);
@@ -46,7 +47,7 @@ Changed changed_by(const Pattern& before, const Command& command) {
 
 }  // namespace
 
-Document::Document(PatternDocument source) : source_(std::move(source)) {}
+Document::Document(sim::PatternDocument source) : source_(std::move(source)) {}
 
 void Document::select(Selection selection) {
     selection_ = clean_selection(std::move(selection), source_.pattern);
@@ -67,7 +68,7 @@ void Document::run(const Command& command) {
 }
 
 void Document::attempt(const Command& command) {
-    const Pattern& before = is_attempting_ ? before_attempt_ : source_.pattern;
+    const sim::Pattern& before = is_attempting_ ? before_attempt_ : source_.pattern;
     Changed changed = changed_by(before, command);
     SELVEDGE_ASSERT(!changed.outcome.rename);  // names are not dragged
     if (!is_attempting_) {
@@ -108,8 +109,8 @@ void Document::undo() {
     drop();
     if (!can_undo()) return;
     const HistoryEntry& entry = history_[--position_];
-    Pattern pattern = source_.pattern;
-    selvedge::undo(pattern, entry.patch);
+    sim::Pattern pattern = source_.pattern;
+    selvedge::editor::undo(pattern, entry.patch);
     if (entry.file_names) file_names_ = entry.file_names->first;
     show(std::move(pattern), entry.before);
     note(journal_word(JournalWord::Undo));
@@ -119,7 +120,7 @@ void Document::redo() {
     drop();
     if (!can_redo()) return;
     const HistoryEntry& entry = history_[position_++];
-    Pattern pattern = source_.pattern;
+    sim::Pattern pattern = source_.pattern;
     apply(pattern, entry.patch);
     if (entry.file_names) file_names_ = entry.file_names->second;
     show(std::move(pattern), entry.after);
@@ -145,13 +146,13 @@ void Document::mark_saved() {
     saved_position_ = position_;
 }
 
-void Document::show(Pattern pattern, const Selection& selected) {
+void Document::show(sim::Pattern pattern, const Selection& selected) {
     source_.pattern = std::move(pattern);
     select(selected);
     ++revision_;
 }
 
-void Document::note(const Json& line) const {
+void Document::note(const sim::Json& line) const {
     if (journal_) journal_(write_json(line, -1));
 }
 
@@ -162,9 +163,10 @@ std::string between(const std::string& name) {
     return "\x01" + name;
 }
 
-void forget_panel(Json& specification, const std::string& name) {
-    Json* garment = specification.find("pattern");
-    if (Json* panels = garment ? garment->find("panels") : nullptr; panels && panels->is_object()) panels->erase(name);
+void forget_panel(sim::Json& specification, const std::string& name) {
+    sim::Json* garment = specification.find("pattern");
+    if (sim::Json* panels = garment ? garment->find("panels") : nullptr; panels && panels->is_object())
+        panels->erase(name);
 }
 
 }  // namespace
@@ -177,7 +179,7 @@ FileNames renamed(FileNames names, const std::string& from, const std::string& t
     return names;
 }
 
-Json with_present_names(Json specification, const FileNames& names) {
+sim::Json with_present_names(sim::Json specification, const FileNames& names) {
     for (const auto& [present, in_file] : names) rename_panel_in_file(specification, in_file, between(present));
     for (const auto& [present, in_file] : names) {
         forget_panel(specification, present);
@@ -186,4 +188,4 @@ Json with_present_names(Json specification, const FileNames& names) {
     return specification;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -16,7 +16,7 @@
 #include "sim/core/json.h"
 #include "sim/pattern/pattern_file.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 // What panels that were renamed are called in the file that a document came from: so they keep their place there, and
 // what else the file says of them.
@@ -27,7 +27,7 @@ using FileNames = std::map<std::string, std::string>;
 FileNames renamed(FileNames names, const std::string& from, const std::string& to);
 
 // The file with the present names. What the file has under a name that now is another panel's goes: its own panel went.
-Json with_present_names(Json specification, const FileNames& names);
+sim::Json with_present_names(sim::Json specification, const FileNames& names);
 
 struct HistoryEntry {
     std::string label;
@@ -42,9 +42,9 @@ class Document {
     // Gets a line for each change (journal.h); never fails a change.
     using Journal = std::function<void(std::string_view line)>;
 
-    explicit Document(PatternDocument source = {});
+    explicit Document(sim::PatternDocument source = {});
 
-    const Pattern& pattern() const { return source_.pattern; }
+    const sim::Pattern& pattern() const { return source_.pattern; }
     const Selection& selection() const { return selection_; }
 
     // Counts up with every change of the pattern, undone and tried ones included.
@@ -86,11 +86,11 @@ class Document {
     void set_journal(Journal journal) { journal_ = std::move(journal); }
 
  private:
-    void note(const Json& line) const;
-    void show(Pattern pattern, const Selection& selected);
+    void note(const sim::Json& line) const;
+    void show(sim::Pattern pattern, const Selection& selected);
     void remember(HistoryEntry entry);
 
-    PatternDocument source_;
+    sim::PatternDocument source_;
     FileNames file_names_;
     Selection selection_;
     std::vector<HistoryEntry> history_;
@@ -98,10 +98,10 @@ class Document {
     std::optional<std::size_t> saved_position_ = 0;  // none: what was saved can no longer be reached
     std::uint64_t revision_ = 0;
     bool is_attempting_ = false;
-    Pattern before_attempt_;
+    sim::Pattern before_attempt_;
     Selection selected_before_;
     std::string attempted_;  // its label; empty: nothing that could be carried out yet
     Journal journal_;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -8,7 +8,7 @@
 #include "editor/geometry/draft.h"
 #include "sim/core/error.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 constexpr const char* kHead = "selvedge_journal";
@@ -29,8 +29,8 @@ const char* name(JournalWord word) {
     return "";
 }
 
-Json one_member(const char* key, Json value) {
-    Json line = Json::object();
+sim::Json one_member(const char* key, sim::Json value) {
+    sim::Json line = sim::Json::object();
     line[key] = std::move(value);
     return line;
 }
@@ -46,8 +46,8 @@ std::optional<std::string_view> take_line(std::string_view& rest) {
 
 // Plays one line. Throws InputError or DraftError where it cannot be.
 void play(Document& document, std::string_view line) {
-    const Json json = parse_json(line, kFile);
-    const JsonView view(json, kFile);
+    const sim::Json json = sim::parse_json(line, kFile);
+    const sim::JsonView view(json, kFile);
     if (view.has("do")) return document.run(parse_command(view.at("do")));
     if (view.has("try")) return document.attempt(parse_command(view.at("try")));
     if (view.has("keep")) return document.keep();
@@ -59,20 +59,20 @@ void play(Document& document, std::string_view line) {
 
 }  // namespace
 
-Json journal_line(const Command& command) {
+sim::Json journal_line(const Command& command) {
     return one_member("do", to_json(command));
 }
 
-Json journal_attempt(const Command& command) {
+sim::Json journal_attempt(const Command& command) {
     return one_member("try", to_json(command));
 }
 
-Json journal_word(JournalWord word) {
-    return one_member(name(word), Json(true));
+sim::Json journal_word(JournalWord word) {
+    return one_member(name(word), sim::Json(true));
 }
 
 std::string journal_head(std::string_view file, std::string_view text) {
-    Json head = one_member(kHead, Json(kVersion));
+    sim::Json head = one_member(kHead, sim::Json(kVersion));
     head["file"] = file;
     head["text"] = text;
     return write_json(head, -1);
@@ -82,11 +82,11 @@ std::optional<Recovery> recover(std::string_view journal) {
     const auto head_line = take_line(journal);
     if (!head_line) return std::nullopt;
     try {
-        const Json head = parse_json(*head_line, kFile);
-        const JsonView view(head, kFile);
+        const sim::Json head = sim::parse_json(*head_line, kFile);
+        const sim::JsonView view(head, kFile);
         if (view.at(kHead).integer() != kVersion) return std::nullopt;
         Recovery recovery{.file = view.at("file").string()};
-        Document document(parse_pattern(view.at("text").string(), recovery.file));
+        Document document(sim::parse_pattern(view.at("text").string(), recovery.file));
         try {
             while (const auto line = take_line(journal)) {
                 play(document, *line);
@@ -97,7 +97,7 @@ std::optional<Recovery> recover(std::string_view journal) {
         document.keep();
         recovery.text = document.text();
         return recovery;
-    } catch (const InputError&) {
+    } catch (const sim::InputError&) {
         return std::nullopt;
     }
 }
@@ -105,8 +105,8 @@ std::optional<Recovery> recover(std::string_view journal) {
 namespace {
 
 // All but panels and seams.
-Pattern rest_of(const Pattern& pattern) {
-    Pattern rest;
+sim::Pattern rest_of(const sim::Pattern& pattern) {
+    sim::Pattern rest;
     rest.name = pattern.name;
     rest.fabric = pattern.fabric;
     rest.tartan = pattern.tartan;
@@ -119,12 +119,12 @@ Pattern rest_of(const Pattern& pattern) {
     return rest;
 }
 
-void replace(std::vector<Panel>& panels, std::size_t first, std::size_t count, const std::vector<Panel>& by) {
+void replace(std::vector<sim::Panel>& panels, std::size_t first, std::size_t count, const std::vector<sim::Panel>& by) {
     const auto begin = panels.begin() + static_cast<std::ptrdiff_t>(first);
     panels.insert(panels.erase(begin, begin + static_cast<std::ptrdiff_t>(count)), by.begin(), by.end());
 }
 
-void replace_rest(Pattern& pattern, Pattern rest) {
+void replace_rest(sim::Pattern& pattern, sim::Pattern rest) {
     rest.panels = std::move(pattern.panels);
     rest.seams = std::move(pattern.seams);
     pattern = std::move(rest);
@@ -132,37 +132,37 @@ void replace_rest(Pattern& pattern, Pattern rest) {
 
 }  // namespace
 
-PatternPatch difference(const Pattern& before, const Pattern& after) {
+PatternPatch difference(const sim::Pattern& before, const sim::Pattern& after) {
     PatternPatch patch;
-    const std::vector<Panel>& a = before.panels;
-    const std::vector<Panel>& b = after.panels;
+    const std::vector<sim::Panel>& a = before.panels;
+    const std::vector<sim::Panel>& b = after.panels;
     const std::size_t least = std::min(a.size(), b.size());
     while (patch.first_panel < least && a[patch.first_panel] == b[patch.first_panel]) ++patch.first_panel;
     std::size_t last = 0;  // so many at the end are the same
     while (last < least - patch.first_panel && a[a.size() - 1 - last] == b[b.size() - 1 - last]) ++last;
-    const auto middle = [&](const std::vector<Panel>& panels) {
-        return std::vector<Panel>(panels.begin() + static_cast<std::ptrdiff_t>(patch.first_panel),
-                                  panels.end() - static_cast<std::ptrdiff_t>(last));
+    const auto middle = [&](const std::vector<sim::Panel>& panels) {
+        return std::vector<sim::Panel>(panels.begin() + static_cast<std::ptrdiff_t>(patch.first_panel),
+                                       panels.end() - static_cast<std::ptrdiff_t>(last));
     };
     patch.panels_before = middle(a);
     patch.panels_after = middle(b);
     if (before.seams != after.seams) patch.seams.emplace(before.seams, after.seams);
-    Pattern rest_before = rest_of(before);
-    Pattern rest_after = rest_of(after);
+    sim::Pattern rest_before = rest_of(before);
+    sim::Pattern rest_after = rest_of(after);
     if (!(rest_before == rest_after)) patch.rest.emplace(std::move(rest_before), std::move(rest_after));
     return patch;
 }
 
-void apply(Pattern& pattern, const PatternPatch& patch) {
+void apply(sim::Pattern& pattern, const PatternPatch& patch) {
     replace(pattern.panels, patch.first_panel, patch.panels_before.size(), patch.panels_after);
     if (patch.seams) pattern.seams = patch.seams->second;
     if (patch.rest) replace_rest(pattern, patch.rest->second);
 }
 
-void undo(Pattern& pattern, const PatternPatch& patch) {
+void undo(sim::Pattern& pattern, const PatternPatch& patch) {
     replace(pattern.panels, patch.first_panel, patch.panels_after.size(), patch.panels_before);
     if (patch.seams) pattern.seams = patch.seams->first;
     if (patch.rest) replace_rest(pattern, patch.rest->first);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -16,15 +16,15 @@
 #include "sim/core/json.h"
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 class Document;
 
 enum class JournalWord { Keep, Drop, Undo, Redo };
 
-Json journal_line(const Command& command);
-Json journal_attempt(const Command& command);
-Json journal_word(JournalWord word);
+sim::Json journal_line(const Command& command);
+sim::Json journal_attempt(const Command& command);
+sim::Json journal_word(JournalWord word);
 
 // The first line. `file`: where the document is saved; empty: nowhere yet. `text`: the document when the journal
 // begins.
@@ -45,18 +45,18 @@ std::optional<Recovery> recover(std::string_view journal);
 struct PatternPatch {
     // Panels by index: in `before` and `after` they have in common the first and the last ones; these lie between.
     std::size_t first_panel = 0;
-    std::vector<Panel> panels_before;
-    std::vector<Panel> panels_after;
-    std::optional<std::pair<std::vector<Seam>, std::vector<Seam>>> seams;  // before, after
-    std::optional<std::pair<Pattern, Pattern>> rest;                       // the same, without panels and seams
+    std::vector<sim::Panel> panels_before;
+    std::vector<sim::Panel> panels_after;
+    std::optional<std::pair<std::vector<sim::Seam>, std::vector<sim::Seam>>> seams;  // before, after
+    std::optional<std::pair<sim::Pattern, sim::Pattern>> rest;  // the same, without panels and seams
 
     bool is_empty() const { return panels_before.empty() && panels_after.empty() && !seams && !rest; }
 };
 
-PatternPatch difference(const Pattern& before, const Pattern& after);
+PatternPatch difference(const sim::Pattern& before, const sim::Pattern& after);
 
 // Pre: the pattern is what the patch was made from: `before` to apply it, `after` to undo it.
-void apply(Pattern& pattern, const PatternPatch& patch);
-void undo(Pattern& pattern, const PatternPatch& patch);
+void apply(sim::Pattern& pattern, const PatternPatch& patch);
+void undo(sim::Pattern& pattern, const PatternPatch& patch);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

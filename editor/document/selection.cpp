@@ -2,38 +2,38 @@
 
 #include <algorithm>
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
-const Panel* panel_named(const Pattern& pattern, const std::string& name) {
+const sim::Panel* panel_named(const sim::Pattern& pattern, const std::string& name) {
     const auto found = std::find_if(pattern.panels.begin(), pattern.panels.end(),
-                                    [&](const Panel& panel) { return panel.name == name; });
+                                    [&](const sim::Panel& panel) { return panel.name == name; });
     return found == pattern.panels.end() ? nullptr : &*found;
 }
 
 template <class Parts>
-void clean(std::set<PartRef>& refs, const Pattern& pattern, Parts parts_of) {
+void clean(std::set<PartRef>& refs, const sim::Pattern& pattern, Parts parts_of) {
     std::erase_if(refs, [&](const PartRef& ref) {
-        const Panel* panel = panel_named(pattern, ref.panel);
+        const sim::Panel* panel = panel_named(pattern, ref.panel);
         return panel == nullptr || ref.index < 0 || static_cast<std::size_t>(ref.index) >= parts_of(*panel).size();
     });
 }
 
 }  // namespace
 
-Selection clean_selection(Selection selection, const Pattern& pattern) {
+Selection clean_selection(Selection selection, const sim::Pattern& pattern) {
     std::erase_if(selection.panels, [&](const std::string& name) { return panel_named(pattern, name) == nullptr; });
     clean(
-        selection.vertices, pattern, [](const Panel& panel) -> const auto& { return panel.vertices; });
+        selection.vertices, pattern, [](const sim::Panel& panel) -> const auto& { return panel.vertices; });
     clean(
-        selection.edges, pattern, [](const Panel& panel) -> const auto& { return panel.edges; });
+        selection.edges, pattern, [](const sim::Panel& panel) -> const auto& { return panel.edges; });
     clean(
-        selection.internal_lines, pattern, [](const Panel& panel) -> const auto& { return panel.internal_lines; });
+        selection.internal_lines, pattern, [](const sim::Panel& panel) -> const auto& { return panel.internal_lines; });
     clean(
-        selection.notches, pattern, [](const Panel& panel) -> const auto& { return panel.notches; });
+        selection.notches, pattern, [](const sim::Panel& panel) -> const auto& { return panel.notches; });
     std::erase_if(selection.seams,
                   [&](int seam) { return seam < 0 || static_cast<std::size_t>(seam) >= pattern.seams.size(); });
     return selection;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -7,7 +7,7 @@
 
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 // A part of a panel by its index: vertex, edge, internal line or notch.
 struct PartRef {
@@ -47,6 +47,6 @@ struct Hover {
 
 // A selection without what is not there.
 
-Selection clean_selection(Selection selection, const Pattern& pattern);
+Selection clean_selection(Selection selection, const sim::Pattern& pattern);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -11,7 +11,7 @@
 #include "render/scene/scene.h"
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 // In ImGui's draw lists, as ImTextureID. 0 is the font's.
 using UiTexture = std::uint32_t;
@@ -19,9 +19,9 @@ using UiTexture = std::uint32_t;
 // A scene to be drawn into a texture before the draw lists are.
 struct SceneToDraw {
     UiTexture texture = 0;
-    std::shared_ptr<const Scene> scene;  // the same pointer: the same scene but for its camera and lights
-    Camera camera;
-    Light light;
+    std::shared_ptr<const render::Scene> scene;  // the same pointer: the same scene but for its camera and lights
+    render::Camera camera;
+    render::Light light;
     int width_px = 0;
     int height_px = 0;
     bool is_draft = true;      // fast: no shadows, no room light, one sample
@@ -32,7 +32,7 @@ struct SceneToDraw {
 // A picture to be held as a texture that repeats, until another of that number comes.
 struct PictureToHold {
     UiTexture texture = 0;
-    Image picture;
+    render::Image picture;
 };
 
 enum class MouseCursor { Arrow, Text, Hand, Cross, ResizeHorizontal, ResizeVertical, Hidden };
@@ -128,4 +128,4 @@ struct WidgetBox {
 // As of the last frame.
 using WidgetMap = std::map<std::string, WidgetBox>;
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

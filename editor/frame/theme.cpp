@@ -1,18 +1,18 @@
 #include "editor/frame/theme.h"
 
+#include <imgui.h>
 #include <algorithm>
 #include <cmath>
-#include <imgui.h>
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
-ImVec4 colour(const Rgb8& rgb, float alpha = 1) {
+ImVec4 colour(const sim::Rgb8& rgb, float alpha = 1) {
     return {static_cast<float>(rgb[0]) / 255, static_cast<float>(rgb[1]) / 255, static_cast<float>(rgb[2]) / 255,
             alpha};
 }
 
-ImVec4 mixed(const Rgb8& a, const Rgb8& b, float share) {
+ImVec4 mixed(const sim::Rgb8& a, const sim::Rgb8& b, float share) {
     const ImVec4 x = colour(a), y = colour(b);
     return {x.x + (y.x - x.x) * share, x.y + (y.y - x.y) * share, x.z + (y.z - x.z) * share, 1};
 }
@@ -137,4 +137,4 @@ void make_digits_tabular(ImFont& font) {
     }
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -8,7 +8,7 @@
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 constexpr double kClearance = 1e-7;   // m
@@ -26,7 +26,7 @@ bool is_near(const Eigen::MatrixBase<Vector>& point) {
 
 class PanelChecker {
  public:
-    explicit PanelChecker(const Panel& panel) : panel_(panel) {}
+    explicit PanelChecker(const sim::Panel& panel) : panel_(panel) {}
 
     void check() const {
         check_numbers();
@@ -34,10 +34,10 @@ class PanelChecker {
         for (int e = 0; e < edge_count(panel_); ++e) check_edge(e);
         check_crossings();
         const double area = outline_area(panel_);
-        if (!(area >= kSmallestArea * kMargin)) {
-            fail(area < -kSmallestArea ? "would be turned inside out" : "would have no inside");
+        if (!(area >= sim::kSmallestArea * kMargin)) {
+            fail(area < -sim::kSmallestArea ? "would be turned inside out" : "would have no inside");
         }
-        for (const Notch& notch : panel_.notches) {
+        for (const sim::Notch& notch : panel_.notches) {
             if (notch.edge < 0 || notch.edge >= edge_count(panel_) || !(notch.t >= 0 && notch.t <= 1)) {
                 fail("would have a notch that is nowhere on its outline");
             }
@@ -56,7 +56,7 @@ class PanelChecker {
                         is_near(panel_.translation) && panel_.rotation.allFinite() && is_near(panel_.sett_offset) &&
                         std::isfinite(panel_.grain_angle) && is_near(panel_.wrap_radius) && panel_.wrap_radius >= 0 &&
                         is_near(panel_.sheet_position.value_or(Vec2d::Zero()));
-        for (const InternalLine& line : panel_.internal_lines) {
+        for (const sim::InternalLine& line : panel_.internal_lines) {
             is_sound = is_sound && std::all_of(line.points.begin(), line.points.end(), is_near_point);
         }
         if (!is_sound) fail("would reach further than 100 m");
@@ -65,10 +65,11 @@ class PanelChecker {
     void check_chain() const {
         const int count = edge_count(panel_);
         if (count < 2) fail("would have no inside");
-        if (panel_.edges.size() > kMostEdges) fail("would have more than " + std::to_string(kMostEdges) + " edges");
+        if (panel_.edges.size() > sim::kMostEdges)
+            fail("would have more than " + std::to_string(sim::kMostEdges) + " edges");
         std::set<int> passed;
         for (int e = 0; e < count; ++e) {
-            const OutlineEdge& edge = panel_.edges[as_size(e)];
+            const sim::OutlineEdge& edge = panel_.edges[as_size(e)];
             expect_vertices(panel_, {edge.start, edge.end});
             if (edge.end != panel_.edges[as_size((e + 1) % count)].start) fail("would have an open outline", e);
             if (!passed.insert(edge.start).second) fail("would pass a point twice", e);
@@ -76,25 +77,25 @@ class PanelChecker {
     }
 
     void check_edge(int e) const {
-        const OutlineEdge& edge = panel_.edges[as_size(e)];
+        const sim::OutlineEdge& edge = panel_.edges[as_size(e)];
         const double chord = (panel_.vertices[as_size(edge.start)] - panel_.vertices[as_size(edge.end)]).norm();
         if (!is_near(edge.control[0]) || !is_near(edge.control[1])) fail("would reach further than 100 m", e);
-        if (edge.kind == CurveKind::Arc &&
+        if (edge.kind == sim::CurveKind::Arc &&
             !(is_near(edge.arc_radius) && edge.arc_radius > 0 && 2 * edge.arc_radius >= chord * (1 - 5e-7))) {
             fail("would have an arc whose radius is too small for its ends", e);
         }
         // Its controls are saved relative to its chord.
-        if (!(chord >= kShortestEdge / 10) || !(outline_length(panel_, edge) >= kShortestEdge * kMargin)) {
+        if (!(chord >= sim::kShortestEdge / 10) || !(outline_length(panel_, edge) >= sim::kShortestEdge * kMargin)) {
             fail("would have an edge shorter than 0.01 mm", e);
         }
     }
 
     void check_crossings() const {
-        const std::vector<OutlineCrossing> crossings =
+        const std::vector<sim::OutlineCrossing> crossings =
             find_outline_crossings(panel_, {.most = 4, .clearance = kClearance});
         if (crossings.empty()) return;
         std::vector<DraftPlace> places;
-        for (const OutlineCrossing& crossing : crossings) {
+        for (const sim::OutlineCrossing& crossing : crossings) {
             places.push_back({panel_.name, static_cast<int>(crossing.first), -1});
             if (crossing.second != crossing.first) {
                 places.push_back({panel_.name, static_cast<int>(crossing.second), -1});
@@ -103,44 +104,44 @@ class PanelChecker {
         throw DraftError("The outline of panel " + panel_.name + " would cross or touch itself.", std::move(places));
     }
 
-    const Panel& panel_;
+    const sim::Panel& panel_;
 };
 
-void check_seam(const Pattern& draft, const Seam& seam) {
+void check_seam(const sim::Pattern& draft, const sim::Seam& seam) {
     const double first = outline_length(draft.panels[as_size(seam.first.panel)], edge_of(draft, seam.first));
     const double second = outline_length(draft.panels[as_size(seam.second.panel)], edge_of(draft, seam.second));
-    if (std::max(first, second) * kMargin <= kMostGathers * std::min(first, second)) return;
+    if (std::max(first, second) * kMargin <= sim::kMostGathers * std::min(first, second)) return;
     throw DraftError("One side of seam " + seam_name(draft, seam) + " would be over four times as long as the other.",
                      {place_of(draft, seam.first), place_of(draft, seam.second)});
 }
 
 }  // namespace
 
-Panel& panel_of(Pattern& pattern, int panel) {
+sim::Panel& panel_of(sim::Pattern& pattern, int panel) {
     if (panel >= 0 && panel < static_cast<int>(pattern.panels.size())) return pattern.panels[as_size(panel)];
     throw DraftError("There is no panel " + std::to_string(panel) + ".");
 }
 
-const Panel& panel_of(const Pattern& pattern, int panel) {
-    return panel_of(const_cast<Pattern&>(pattern), panel);
+const sim::Panel& panel_of(const sim::Pattern& pattern, int panel) {
+    return panel_of(const_cast<sim::Pattern&>(pattern), panel);
 }
 
-OutlineEdge& edge_of(Pattern& pattern, const SeamSide& side) {
-    Panel& panel = panel_of(pattern, side.panel);
+sim::OutlineEdge& edge_of(sim::Pattern& pattern, const sim::SeamSide& side) {
+    sim::Panel& panel = panel_of(pattern, side.panel);
     if (side.edge >= 0 && side.edge < edge_count(panel)) return panel.edges[as_size(side.edge)];
     throw DraftError("Panel " + panel.name + " has no edge " + std::to_string(side.edge) + ".", {{panel.name, -1, -1}});
 }
 
-const OutlineEdge& edge_of(const Pattern& pattern, const SeamSide& side) {
-    return edge_of(const_cast<Pattern&>(pattern), side);
+const sim::OutlineEdge& edge_of(const sim::Pattern& pattern, const sim::SeamSide& side) {
+    return edge_of(const_cast<sim::Pattern&>(pattern), side);
 }
 
-const Seam& seam_of(const Pattern& pattern, int seam) {
+const sim::Seam& seam_of(const sim::Pattern& pattern, int seam) {
     if (seam >= 0 && seam < static_cast<int>(pattern.seams.size())) return pattern.seams[as_size(seam)];
     throw DraftError("There is no seam " + std::to_string(seam) + ".");
 }
 
-void expect_vertices(const Panel& panel, const std::vector<int>& vertices) {
+void expect_vertices(const sim::Panel& panel, const std::vector<int>& vertices) {
     for (const int vertex : vertices) {
         if (vertex >= 0 && vertex < static_cast<int>(panel.vertices.size())) continue;
         throw DraftError("Panel " + panel.name + " has no point " + std::to_string(vertex) + ".",
@@ -148,31 +149,31 @@ void expect_vertices(const Panel& panel, const std::vector<int>& vertices) {
     }
 }
 
-DraftPlace place_of(const Pattern& pattern, const SeamSide& side) {
+DraftPlace place_of(const sim::Pattern& pattern, const sim::SeamSide& side) {
     return {panel_of(pattern, side.panel).name, side.edge, -1};
 }
 
-std::optional<int> seam_at(const Pattern& pattern, const SeamSide& side) {
+std::optional<int> seam_at(const sim::Pattern& pattern, const sim::SeamSide& side) {
     for (std::size_t i = 0; i < pattern.seams.size(); ++i) {
         if (pattern.seams[i].first == side || pattern.seams[i].second == side) return static_cast<int>(i);
     }
     return {};
 }
 
-void check_panel(const Panel& panel) {
+void check_panel(const sim::Panel& panel) {
     PanelChecker(panel).check();
 }
 
-void check_draft(const Pattern& draft, const Pattern& before) {
+void check_draft(const sim::Pattern& draft, const sim::Pattern& before) {
     std::vector<bool> is_changed(draft.panels.size(), true);
     for (std::size_t i = 0; i < draft.panels.size(); ++i) {
         is_changed[i] = i >= before.panels.size() || !(draft.panels[i] == before.panels[i]);
         if (is_changed[i]) check_panel(draft.panels[i]);
     }
-    std::set<SeamSide> sewn;
+    std::set<sim::SeamSide> sewn;
     for (std::size_t i = 0; i < draft.seams.size(); ++i) {
-        const Seam& seam = draft.seams[i];
-        for (const SeamSide& side : {seam.first, seam.second}) {
+        const sim::Seam& seam = draft.seams[i];
+        for (const sim::SeamSide& side : {seam.first, seam.second}) {
             edge_of(draft, side);
             if (sewn.insert(side).second) continue;
             throw DraftError("An edge of panel " + panel_of(draft, side.panel).name + " would be sewn twice.",
@@ -185,4 +186,4 @@ void check_draft(const Pattern& draft, const Pattern& before) {
     }
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -10,7 +10,7 @@
 
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 // What cannot be done to a draft, in words a tailor understands, and where: views light the places up.
 
@@ -37,31 +37,31 @@ inline std::size_t as_size(int index) {
     return static_cast<std::size_t>(index);
 }
 
-inline int edge_count(const Panel& panel) {
+inline int edge_count(const sim::Panel& panel) {
     return static_cast<int>(panel.edges.size());
 }
 
 // Indices that come from outside. Throw DraftError.
-Panel& panel_of(Pattern& pattern, int panel);
-const Panel& panel_of(const Pattern& pattern, int panel);
-OutlineEdge& edge_of(Pattern& pattern, const SeamSide& side);
-const OutlineEdge& edge_of(const Pattern& pattern, const SeamSide& side);
-const Seam& seam_of(const Pattern& pattern, int seam);
-void expect_vertices(const Panel& panel, const std::vector<int>& vertices);
+sim::Panel& panel_of(sim::Pattern& pattern, int panel);
+const sim::Panel& panel_of(const sim::Pattern& pattern, int panel);
+sim::OutlineEdge& edge_of(sim::Pattern& pattern, const sim::SeamSide& side);
+const sim::OutlineEdge& edge_of(const sim::Pattern& pattern, const sim::SeamSide& side);
+const sim::Seam& seam_of(const sim::Pattern& pattern, int seam);
+void expect_vertices(const sim::Panel& panel, const std::vector<int>& vertices);
 
-DraftPlace place_of(const Pattern& pattern, const SeamSide& side);
+DraftPlace place_of(const sim::Pattern& pattern, const sim::SeamSide& side);
 
 // The seam at an edge, as index into Pattern::seams.
-std::optional<int> seam_at(const Pattern& pattern, const SeamSide& side);
+std::optional<int> seam_at(const sim::Pattern& pattern, const sim::SeamSide& side);
 
 // Throws DraftError unless what differs from `before` can be saved and loaded again.
-void check_draft(const Pattern& draft, const Pattern& before);
-void check_panel(const Panel& panel);
+void check_draft(const sim::Pattern& draft, const sim::Pattern& before);
+void check_panel(const sim::Panel& panel);
 
 // Carries out `edit(Pattern&)` wholly or not at all; gives what it gives.
 template <class Edit>
-auto edit_draft(Pattern& pattern, Edit edit) {
-    Pattern draft = pattern;
+auto edit_draft(sim::Pattern& pattern, Edit edit) {
+    sim::Pattern draft = pattern;
     if constexpr (std::is_void_v<decltype(edit(draft))>) {
         edit(draft);
         check_draft(draft, pattern);
@@ -74,4 +74,4 @@ auto edit_draft(Pattern& pattern, Edit edit) {
     }
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

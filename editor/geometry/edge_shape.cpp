@@ -8,16 +8,16 @@
 #include "editor/geometry/draft.h"
 #include "sim/pattern/outline.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-const Vec2d& start_of(const Panel& panel, const OutlineEdge& edge) {
+const Vec2d& start_of(const sim::Panel& panel, const sim::OutlineEdge& edge) {
     return panel.vertices[as_size(edge.start)];
 }
 
-const Vec2d& end_of(const Panel& panel, const OutlineEdge& edge) {
+const Vec2d& end_of(const sim::Panel& panel, const sim::OutlineEdge& edge) {
     return panel.vertices[as_size(edge.end)];
 }
 
@@ -29,10 +29,10 @@ Vec2d to_the_left(const Vec2d& v) {
     return {-v.y(), v.x()};
 }
 
-void split_controls(const Panel& panel, const OutlineEdge& edge, double s, SplitCurve& out) {
+void split_controls(const sim::Panel& panel, const sim::OutlineEdge& edge, double s, SplitCurve& out) {
     const Vec2d start = start_of(panel, edge);
     const Vec2d end = end_of(panel, edge);
-    if (edge.kind == CurveKind::Quadratic) {
+    if (edge.kind == sim::CurveKind::Quadratic) {
         out.before.control[0] = between(start, edge.control[0], s);
         out.after.control[0] = between(edge.control[0], end, s);
         out.point = between(out.before.control[0], out.after.control[0], s);
@@ -117,20 +117,21 @@ class CubicFit {
 };
 
 // The curve that split_curve made these two of, if it did: de Casteljau backwards.
-std::optional<OutlineEdge> rejoined(const Panel& panel, const OutlineEdge& a, const OutlineEdge& b) {
-    if (a.kind != b.kind || a.kind == CurveKind::Line) return {};
-    OutlineEdge whole = a;
+std::optional<sim::OutlineEdge> rejoined(const sim::Panel& panel, const sim::OutlineEdge& a,
+                                         const sim::OutlineEdge& b) {
+    if (a.kind != b.kind || a.kind == sim::CurveKind::Line) return {};
+    sim::OutlineEdge whole = a;
     whole.end = b.end;
     double t = 0;  // of the whole, where they meet
-    if (a.kind == CurveKind::Arc) {
-        const ArcCircle one = arc_circle(panel, a);
-        const ArcCircle two = arc_circle(panel, b);
+    if (a.kind == sim::CurveKind::Arc) {
+        const sim::ArcCircle one = arc_circle(panel, a);
+        const sim::ArcCircle two = arc_circle(panel, b);
         if (a.turns_right != b.turns_right || std::abs(one.sweep + two.sweep) > 1.99 * kPi) return {};
         whole.is_large_arc = std::abs(one.sweep + two.sweep) > kPi;
         t = one.sweep / (one.sweep + two.sweep);
     } else {
         const Vec2d joint = end_of(panel, a);
-        const std::size_t last = a.kind == CurveKind::Cubic ? 1 : 0;
+        const std::size_t last = a.kind == sim::CurveKind::Cubic ? 1 : 0;
         const double before = (joint - a.control[last]).norm();
         const double after = (b.control[0] - joint).norm();
         if (before < 1e-9 || after < 1e-9) return {};
@@ -146,10 +147,10 @@ std::optional<OutlineEdge> rejoined(const Panel& panel, const OutlineEdge& a, co
     return whole;
 }
 
-OutlineEdge arc_as_cubic(const Panel& panel, const OutlineEdge& edge) {
-    const ArcCircle circle = arc_circle(panel, edge);
+sim::OutlineEdge arc_as_cubic(const sim::Panel& panel, const sim::OutlineEdge& edge) {
+    const sim::ArcCircle circle = arc_circle(panel, edge);
     if (std::abs(circle.sweep) > kPi * 1.01) return joined_curve(panel, {edge});  // one cubic, as near as it can be
-    OutlineEdge cubic{.start = edge.start, .end = edge.end, .kind = CurveKind::Cubic, .label = edge.label};
+    sim::OutlineEdge cubic{.start = edge.start, .end = edge.end, .kind = sim::CurveKind::Cubic, .label = edge.label};
     const double handle = circle.radius * 4 / 3 * std::tan(std::abs(circle.sweep) / 4);
     cubic.control = {start_of(panel, edge) + handle * curve_direction(panel, edge, EdgeEnd::Start),
                      end_of(panel, edge) - handle * curve_direction(panel, edge, EdgeEnd::End)};
@@ -158,16 +159,16 @@ OutlineEdge arc_as_cubic(const Panel& panel, const OutlineEdge& edge) {
 
 }  // namespace
 
-SplitCurve split_curve(const Panel& panel, const OutlineEdge& edge, double t, int vertex) {
+SplitCurve split_curve(const sim::Panel& panel, const sim::OutlineEdge& edge, double t, int vertex) {
     SplitCurve out{edge, edge};
     const double s = curve_parameter(panel, edge, t);
-    if (edge.kind == CurveKind::Quadratic || edge.kind == CurveKind::Cubic) {
+    if (edge.kind == sim::CurveKind::Quadratic || edge.kind == sim::CurveKind::Cubic) {
         split_controls(panel, edge, s, out);
     } else {
         out.point = curve_point(panel, edge, s);
     }
-    if (edge.kind == CurveKind::Arc) {
-        const ArcCircle circle = arc_circle(panel, edge);
+    if (edge.kind == sim::CurveKind::Arc) {
+        const sim::ArcCircle circle = arc_circle(panel, edge);
         out.before.arc_radius = out.after.arc_radius = circle.radius;
         out.before.is_large_arc = std::abs(circle.sweep) * s > kPi;
         out.after.is_large_arc = std::abs(circle.sweep) * (1 - s) > kPi;
@@ -177,11 +178,11 @@ SplitCurve split_curve(const Panel& panel, const OutlineEdge& edge, double t, in
     return out;
 }
 
-OutlineEdge turned_round(const OutlineEdge& edge) {
-    OutlineEdge other = edge;
+sim::OutlineEdge turned_round(const sim::OutlineEdge& edge) {
+    sim::OutlineEdge other = edge;
     std::swap(other.start, other.end);
-    if (edge.kind == CurveKind::Cubic) std::swap(other.control[0], other.control[1]);
-    if (edge.kind == CurveKind::Arc) other.turns_right = !edge.turns_right;
+    if (edge.kind == sim::CurveKind::Cubic) std::swap(other.control[0], other.control[1]);
+    if (edge.kind == sim::CurveKind::Arc) other.turns_right = !edge.turns_right;
     return other;
 }
 
@@ -191,9 +192,9 @@ bool is_similarity(const Eigen::Affine2d& map) {
     return (square - size * Eigen::Matrix2d::Identity()).cwiseAbs().maxCoeff() <= 1e-9 * size;
 }
 
-OutlineEdge mapped_curve(const Panel& panel, const OutlineEdge& edge, const Eigen::Affine2d& map) {
-    OutlineEdge other = edge;
-    if (edge.kind == CurveKind::Arc) {
+sim::OutlineEdge mapped_curve(const sim::Panel& panel, const sim::OutlineEdge& edge, const Eigen::Affine2d& map) {
+    sim::OutlineEdge other = edge;
+    if (edge.kind == sim::CurveKind::Arc) {
         if (is_similarity(map)) {
             const double determinant = map.linear().determinant();
             other.arc_radius *= std::sqrt(std::abs(determinant));
@@ -202,8 +203,9 @@ OutlineEdge mapped_curve(const Panel& panel, const OutlineEdge& edge, const Eige
         }
         other = arc_as_cubic(panel, edge);
     }
-    if (other.kind == CurveKind::Quadratic || other.kind == CurveKind::Cubic) other.control[0] = map * other.control[0];
-    if (other.kind == CurveKind::Cubic) other.control[1] = map * other.control[1];
+    if (other.kind == sim::CurveKind::Quadratic || other.kind == sim::CurveKind::Cubic)
+        other.control[0] = map * other.control[0];
+    if (other.kind == sim::CurveKind::Cubic) other.control[1] = map * other.control[1];
     return other;
 }
 
@@ -211,25 +213,26 @@ Eigen::Affine2d chord_map(const Vec2d& from_a, const Vec2d& from_b, const Vec2d&
     const Vec2d from = from_b - from_a;
     const Vec2d to = to_b - to_a;
     const double cosine = from.dot(to) / from.squaredNorm();
-    const double sine = cross2(from, to) / from.squaredNorm();
+    const double sine = sim::cross2(from, to) / from.squaredNorm();
     Eigen::Affine2d map = Eigen::Affine2d::Identity();
     map.linear() << cosine, -sine, sine, cosine;
     map.translation() = to_a - map.linear() * from_a;
     return map;
 }
 
-Vec2d curve_direction(const Panel& panel, const OutlineEdge& edge, EdgeEnd at) {
+Vec2d curve_direction(const sim::Panel& panel, const sim::OutlineEdge& edge, EdgeEnd at) {
     const Vec2d start = start_of(panel, edge);
     const Vec2d end = end_of(panel, edge);
     const bool is_start = at == EdgeEnd::Start;
-    if (edge.kind == CurveKind::Arc) {
-        const ArcCircle circle = arc_circle(panel, edge);
+    if (edge.kind == sim::CurveKind::Arc) {
+        const sim::ArcCircle circle = arc_circle(panel, edge);
         const Vec2d spoke = (is_start ? start : end) - circle.centre;
         return to_the_left(spoke).normalized() * (circle.sweep > 0 ? 1 : -1);
     }
     std::vector<Vec2d> polygon{start};
-    if (edge.kind == CurveKind::Quadratic || edge.kind == CurveKind::Cubic) polygon.push_back(edge.control[0]);
-    if (edge.kind == CurveKind::Cubic) polygon.push_back(edge.control[1]);
+    if (edge.kind == sim::CurveKind::Quadratic || edge.kind == sim::CurveKind::Cubic)
+        polygon.push_back(edge.control[0]);
+    if (edge.kind == sim::CurveKind::Cubic) polygon.push_back(edge.control[1]);
     polygon.push_back(end);
     if (!is_start) std::reverse(polygon.begin(), polygon.end());
     for (std::size_t i = 1; i < polygon.size(); ++i) {
@@ -239,37 +242,38 @@ Vec2d curve_direction(const Panel& panel, const OutlineEdge& edge, EdgeEnd at) {
     return Vec2d(1, 0);
 }
 
-OutlineEdge joined_curve(const Panel& panel, const std::vector<OutlineEdge>& chain) {
-    OutlineEdge joined{.start = chain.front().start, .end = chain.back().end, .label = chain.front().label};
-    if (std::all_of(chain.begin(), chain.end(), [](const OutlineEdge& e) { return e.kind == CurveKind::Line; })) {
+sim::OutlineEdge joined_curve(const sim::Panel& panel, const std::vector<sim::OutlineEdge>& chain) {
+    sim::OutlineEdge joined{.start = chain.front().start, .end = chain.back().end, .label = chain.front().label};
+    if (std::all_of(chain.begin(), chain.end(),
+                    [](const sim::OutlineEdge& e) { return e.kind == sim::CurveKind::Line; })) {
         return joined;
     }
-    std::optional<OutlineEdge> whole = chain.front();
+    std::optional<sim::OutlineEdge> whole = chain.front();
     for (std::size_t i = 1; i < chain.size() && whole; ++i) whole = rejoined(panel, *whole, chain[i]);
     if (whole && chain.size() > 1) return *whole;
     constexpr int kSamples = 24;  // of each edge
     std::vector<Vec2d> points{start_of(panel, chain.front())};
-    for (const OutlineEdge& edge : chain) {
+    for (const sim::OutlineEdge& edge : chain) {
         for (int i = 1; i <= kSamples; ++i) points.push_back(curve_point(panel, edge, double(i) / kSamples));
     }
-    joined.kind = CurveKind::Cubic;
+    joined.kind = sim::CurveKind::Cubic;
     joined.control = CubicFit(points, curve_direction(panel, chain.front(), EdgeEnd::Start),
                               curve_direction(panel, chain.back(), EdgeEnd::End))
                          .controls();
     return joined;
 }
 
-void move_outline(Panel& panel, const VertexMove& move) {
-    Panel moved = panel;
+void move_outline(sim::Panel& panel, const VertexMove& move) {
+    sim::Panel moved = panel;
     for (std::size_t i = 0; i < panel.vertices.size(); ++i) {
         if (move.is_moved[i]) moved.vertices[i] = move.map * panel.vertices[i];
     }
     for (std::size_t e = 0; e < panel.edges.size(); ++e) {
-        const OutlineEdge& edge = panel.edges[e];
+        const sim::OutlineEdge& edge = panel.edges[e];
         const bool has_start = move.is_moved[as_size(edge.start)];
         const bool has_end = move.is_moved[as_size(edge.end)];
         if (has_start && has_end) moved.edges[e] = mapped_curve(panel, edge, move.map);
-        if (has_start == has_end || edge.kind == CurveKind::Line) continue;
+        if (has_start == has_end || edge.kind == sim::CurveKind::Line) continue;
         const Eigen::Affine2d ride =
             chord_map(start_of(panel, edge), end_of(panel, edge), start_of(moved, edge), end_of(moved, edge));
         moved.edges[e] = mapped_curve(panel, edge, ride);
@@ -277,11 +281,11 @@ void move_outline(Panel& panel, const VertexMove& move) {
     panel = std::move(moved);
 }
 
-Panel mapped_panel(const Panel& panel, const Eigen::Affine2d& map) {
-    Panel mapped = panel;
+sim::Panel mapped_panel(const sim::Panel& panel, const Eigen::Affine2d& map) {
+    sim::Panel mapped = panel;
     for (Vec2d& vertex : mapped.vertices) vertex = map * vertex;
     for (std::size_t e = 0; e < panel.edges.size(); ++e) mapped.edges[e] = mapped_curve(panel, panel.edges[e], map);
-    for (InternalLine& line : mapped.internal_lines) {
+    for (sim::InternalLine& line : mapped.internal_lines) {
         for (Vec2d& point : line.points) point = map * point;
     }
     const Vec2d warp = map.linear() * Vec2d(-std::sin(panel.grain_angle), std::cos(panel.grain_angle));
@@ -290,19 +294,19 @@ Panel mapped_panel(const Panel& panel, const Eigen::Affine2d& map) {
     if (map.linear().determinant() >= 0) return mapped;
     mapped.sett_offset.x() = -panel.sett_offset.x();
     const int count = edge_count(panel);
-    const std::vector<OutlineEdge> edges = mapped.edges;
+    const std::vector<sim::OutlineEdge> edges = mapped.edges;
     for (int e = 0; e < count; ++e) mapped.edges[as_size(mirrored_edge(e, count))] = turned_round(edges[as_size(e)]);
-    for (Notch& notch : mapped.notches) notch = {mirrored_edge(notch.edge, count), 1 - notch.t};
+    for (sim::Notch& notch : mapped.notches) notch = {mirrored_edge(notch.edge, count), 1 - notch.t};
     return mapped;
 }
 
-Box outline_box(const Panel& panel) {
+Box outline_box(const sim::Panel& panel) {
     Eigen::AlignedBox2d box;
-    for (const OutlineEdge& edge : panel.edges) {
+    for (const sim::OutlineEdge& edge : panel.edges) {
         for (const Vec2d& point : outline_polyline(panel, edge, 1e-4)) box.extend(point);
     }
     if (box.isEmpty()) return {};
     return {box.min(), box.max()};
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 constexpr int kMaxDepth = 64;
@@ -145,4 +145,4 @@ std::optional<double> evaluate(std::string_view text) {
     return Evaluator(text).evaluate();
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

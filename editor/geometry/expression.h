@@ -3,10 +3,10 @@
 #include <optional>
 #include <string_view>
 
-namespace selvedge {
+namespace selvedge::editor {
 
 // + - * / and parentheses, decimal point or comma, blanks; a whole number and a fraction add up. None for anything
 // else, for a division by zero, and for what is not finite.
 std::optional<double> evaluate(std::string_view text);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -7,20 +7,20 @@
 #include "editor/geometry/edge_shape.h"
 #include "sim/pattern/outline.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 constexpr double kSmooth = 1e-3;  // rad, edges that meet at less of an angle than this make no corner
 
-void remove_seams_at(Pattern& pattern, const std::vector<SeamSide>& sides) {
-    const auto is_there = [&](const SeamSide& side) {
+void remove_seams_at(sim::Pattern& pattern, const std::vector<sim::SeamSide>& sides) {
+    const auto is_there = [&](const sim::SeamSide& side) {
         return std::find(sides.begin(), sides.end(), side) != sides.end();
     };
-    std::erase_if(pattern.seams, [&](const Seam& seam) { return is_there(seam.first) || is_there(seam.second); });
+    std::erase_if(pattern.seams, [&](const sim::Seam& seam) { return is_there(seam.first) || is_there(seam.second); });
 }
 
 // The run's edges, in their order along the outline.
-std::vector<int> run_of(const Panel& panel, int first, int count) {
+std::vector<int> run_of(const sim::Panel& panel, int first, int count) {
     std::vector<int> run;
     for (int i = 0; i < count; ++i) run.push_back((first + i) % edge_count(panel));
     return run;
@@ -32,14 +32,14 @@ struct Partner {
 };
 
 // The run that the seams of a run lead to, if it follows itself in their order.
-std::optional<Partner> partner_of(const Pattern& pattern, int panel, const std::vector<int>& run) {
-    std::vector<SeamSide> others;
+std::optional<Partner> partner_of(const sim::Pattern& pattern, int panel, const std::vector<int>& run) {
+    std::vector<sim::SeamSide> others;
     std::optional<bool> is_reversed;
     for (const int edge : run) {
-        const SeamSide side{panel, edge};
+        const sim::SeamSide side{panel, edge};
         const auto found = seam_at(pattern, side);
         if (!found) return {};
-        const Seam& seam = pattern.seams[as_size(*found)];
+        const sim::Seam& seam = pattern.seams[as_size(*found)];
         others.push_back(seam.first == side ? seam.second : seam.first);
         if (is_reversed.value_or(seam.is_reversed) != seam.is_reversed) return {};
         is_reversed = seam.is_reversed;
@@ -57,11 +57,11 @@ std::optional<Partner> partner_of(const Pattern& pattern, int panel, const std::
 
 }  // namespace
 
-void follow_edges(Pattern& pattern, int panel, const std::function<std::optional<EdgeImage>(int)>& image_of) {
-    std::vector<Seam> kept;
-    for (Seam seam : pattern.seams) {
+void follow_edges(sim::Pattern& pattern, int panel, const std::function<std::optional<EdgeImage>(int)>& image_of) {
+    std::vector<sim::Seam> kept;
+    for (sim::Seam seam : pattern.seams) {
         bool is_whole = true;
-        for (SeamSide* side : {&seam.first, &seam.second}) {
+        for (sim::SeamSide* side : {&seam.first, &seam.second}) {
             if (side->panel != panel) continue;
             const auto image = image_of(side->edge);
             is_whole = is_whole && image.has_value();
@@ -74,56 +74,56 @@ void follow_edges(Pattern& pattern, int panel, const std::function<std::optional
     pattern.seams = std::move(kept);
 }
 
-int split_alone(Pattern& pattern, const SeamSide& at, double t) {
-    Panel& panel = pattern.panels[as_size(at.panel)];
+int split_alone(sim::Pattern& pattern, const sim::SeamSide& at, double t) {
+    sim::Panel& panel = pattern.panels[as_size(at.panel)];
     const int vertex = static_cast<int>(panel.vertices.size());
     const SplitCurve split = split_curve(panel, panel.edges[as_size(at.edge)], t, vertex);
     panel.vertices.push_back(split.point);
     panel.edges[as_size(at.edge)] = split.before;
     panel.edges.insert(panel.edges.begin() + at.edge + 1, split.after);
-    for (Notch& notch : panel.notches) {
+    for (sim::Notch& notch : panel.notches) {
         if (notch.edge > at.edge) {
             ++notch.edge;
         } else if (notch.edge == at.edge) {
-            notch = notch.t <= t ? Notch{at.edge, std::min(1.0, notch.t / t)}
-                                 : Notch{at.edge + 1, std::clamp((notch.t - t) / (1 - t), 0.0, 1.0)};
+            notch = notch.t <= t ? sim::Notch{at.edge, std::min(1.0, notch.t / t)}
+                                 : sim::Notch{at.edge + 1, std::clamp((notch.t - t) / (1 - t), 0.0, 1.0)};
         }
     }
     follow_edges(pattern, at.panel, [&](int edge) { return EdgeImage{{at.panel, edge > at.edge ? edge + 1 : edge}}; });
     return vertex;
 }
 
-int split_sewn(Pattern& pattern, const SeamSide& at, double t) {
+int split_sewn(sim::Pattern& pattern, const sim::SeamSide& at, double t) {
     const int vertex = split_alone(pattern, at, t);
     if (seam_at(pattern, at)) share_seam(pattern, at, vertex, t);
     return vertex;
 }
 
-void share_seam(Pattern& pattern, const SeamSide& own, int rest, double t) {
+void share_seam(sim::Pattern& pattern, const sim::SeamSide& own, int rest, double t) {
     const int index = seam_at(pattern, own).value();
     const bool is_first = pattern.seams[as_size(index)].first == own;
-    const auto other_of = [&](Seam& seam) -> SeamSide& { return is_first ? seam.second : seam.first; };
+    const auto other_of = [&](sim::Seam& seam) -> sim::SeamSide& { return is_first ? seam.second : seam.first; };
     const bool is_reversed = pattern.seams[as_size(index)].is_reversed;
     split_alone(pattern, other_of(pattern.seams[as_size(index)]), is_reversed ? 1 - t : t);
-    Seam& seam = pattern.seams[as_size(index)];
-    Seam second = seam;
+    sim::Seam& seam = pattern.seams[as_size(index)];
+    sim::Seam second = seam;
     second.name.clear();
     (is_first ? second.first : second.second).edge = edge_from(pattern.panels[as_size(own.panel)], rest);
     ++other_of(is_reversed ? seam : second).edge;
     pattern.seams.push_back(std::move(second));
 }
 
-int edge_from(const Panel& panel, int vertex) {
+int edge_from(const sim::Panel& panel, int vertex) {
     const auto found = std::find_if(panel.edges.begin(), panel.edges.end(),
-                                    [&](const OutlineEdge& edge) { return edge.start == vertex; });
+                                    [&](const sim::OutlineEdge& edge) { return edge.start == vertex; });
     return static_cast<int>(found - panel.edges.begin());
 }
 
-void join_alone(Pattern& pattern, int panel_index, int first, int count) {
-    Panel& panel = pattern.panels[as_size(panel_index)];
+void join_alone(sim::Pattern& pattern, int panel_index, int first, int count) {
+    sim::Panel& panel = pattern.panels[as_size(panel_index)];
     const int total = edge_count(panel);
     const std::vector<int> run = run_of(panel, first, count);
-    std::vector<OutlineEdge> chain;
+    std::vector<sim::OutlineEdge> chain;
     std::vector<double> reached{0};  // length before each edge of the chain
     for (const int edge : run) {
         chain.push_back(panel.edges[as_size(edge)]);
@@ -133,7 +133,7 @@ void join_alone(Pattern& pattern, int panel_index, int first, int count) {
     std::vector<int> image(as_size(total));
     for (int i = 0; i < total; ++i) image[as_size(i)] = i < first ? i - wrapped : i - count + 1;
     for (const int edge : run) image[as_size(edge)] = first - wrapped;
-    for (Notch& notch : panel.notches) {
+    for (sim::Notch& notch : panel.notches) {
         const auto at = std::find(run.begin(), run.end(), notch.edge);
         if (at != run.end()) {
             const auto i = static_cast<std::size_t>(at - run.begin());
@@ -148,19 +148,19 @@ void join_alone(Pattern& pattern, int panel_index, int first, int count) {
     follow_edges(pattern, panel_index, [&](int edge) { return EdgeImage{{panel_index, image[as_size(edge)]}}; });
 }
 
-void join_sewn(Pattern& pattern, int panel, int first, int count,
+void join_sewn(sim::Pattern& pattern, int panel, int first, int count,
                const std::function<bool(int panel, int vertex)>& may_join) {
-    const Panel& own = pattern.panels[as_size(panel)];
+    const sim::Panel& own = pattern.panels[as_size(panel)];
     const std::vector<int> run = run_of(own, first, count);
     std::optional<Partner> partner = partner_of(pattern, panel, run);
     if (partner) {
-        const Panel& other = pattern.panels[as_size(partner->panel)];
+        const sim::Panel& other = pattern.panels[as_size(partner->panel)];
         for (const int edge : run_of(other, partner->first, count - 1)) {
             if (!may_join(partner->panel, other.edges[as_size(edge)].end)) partner.reset();
             if (!partner) break;
         }
     }
-    std::vector<SeamSide> going;
+    std::vector<sim::SeamSide> going;
     for (const int edge : run) {
         if (!partner || edge != first) going.push_back({panel, edge});
     }
@@ -173,7 +173,7 @@ void join_sewn(Pattern& pattern, int panel, int first, int count,
     join_alone(pattern, panel, edge_from(pattern.panels[as_size(panel)], start), count);
 }
 
-void drop_vertices(Panel& panel, const std::vector<int>& vertices) {
+void drop_vertices(sim::Panel& panel, const std::vector<int>& vertices) {
     std::vector<int> image(panel.vertices.size(), 0);
     for (const int vertex : vertices) image[as_size(vertex)] = -1;
     std::vector<Vec2d> kept;
@@ -183,7 +183,7 @@ void drop_vertices(Panel& panel, const std::vector<int>& vertices) {
         kept.push_back(panel.vertices[i]);
     }
     panel.vertices = std::move(kept);
-    for (OutlineEdge& edge : panel.edges) {
+    for (sim::OutlineEdge& edge : panel.edges) {
         edge.start = image[as_size(edge.start)];
         edge.end = image[as_size(edge.end)];
     }
@@ -191,46 +191,46 @@ void drop_vertices(Panel& panel, const std::vector<int>& vertices) {
     for (int& pin : panel.pins) pin = image[as_size(pin)];
 }
 
-bool is_smooth(const Panel& panel, int vertex) {
+bool is_smooth(const sim::Panel& panel, int vertex) {
     if (std::find(panel.pins.begin(), panel.pins.end(), vertex) != panel.pins.end()) return false;
     const int after = edge_from(panel, vertex);
     const int before = (after + edge_count(panel) - 1) % edge_count(panel);
     const Vec2d arriving = curve_direction(panel, panel.edges[as_size(before)], EdgeEnd::End);
     const Vec2d leaving = curve_direction(panel, panel.edges[as_size(after)], EdgeEnd::Start);
-    return arriving.dot(leaving) > 0 && std::abs(cross2(arriving, leaving)) < kSmooth;
+    return arriving.dot(leaving) > 0 && std::abs(sim::cross2(arriving, leaving)) < kSmooth;
 }
 
-void drop_unused(Panel& panel, std::vector<int> candidates) {
+void drop_unused(sim::Panel& panel, std::vector<int> candidates) {
     std::erase_if(candidates, [&](int vertex) { return edge_from(panel, vertex) < edge_count(panel); });
     if (!candidates.empty()) drop_vertices(panel, candidates);
 }
 
-void drop_panels(Pattern& pattern, const std::vector<int>& panels) {
+void drop_panels(sim::Pattern& pattern, const std::vector<int>& panels) {
     for (const int panel : panels) unlink(pattern, panel);
     std::vector<int> image(pattern.panels.size(), 0);
     for (const int panel : panels) image[as_size(panel)] = -1;
-    std::vector<Panel> kept;
+    std::vector<sim::Panel> kept;
     for (std::size_t i = 0; i < image.size(); ++i) {
         if (image[i] < 0) continue;
         image[i] = static_cast<int>(kept.size());
         kept.push_back(std::move(pattern.panels[i]));
     }
     pattern.panels = std::move(kept);
-    std::erase_if(pattern.seams, [&](const Seam& seam) {
+    std::erase_if(pattern.seams, [&](const sim::Seam& seam) {
         return image[as_size(seam.first.panel)] < 0 || image[as_size(seam.second.panel)] < 0;
     });
-    for (Seam& seam : pattern.seams) {
+    for (sim::Seam& seam : pattern.seams) {
         seam.first.panel = image[as_size(seam.first.panel)];
         seam.second.panel = image[as_size(seam.second.panel)];
     }
 }
 
-void unlink(Pattern& pattern, int panel) {
-    Panel& own = pattern.panels[as_size(panel)];
+void unlink(sim::Pattern& pattern, int panel) {
+    sim::Panel& own = pattern.panels[as_size(panel)];
     own.mirror_of.clear();
-    for (Panel& other : pattern.panels) {
+    for (sim::Panel& other : pattern.panels) {
         if (other.mirror_of == own.name) other.mirror_of.clear();
     }
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

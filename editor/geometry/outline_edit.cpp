@@ -8,20 +8,20 @@
 #include "editor/geometry/follow.h"
 #include "sim/pattern/outline.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 // Joins the edges round each run of marked vertices.
 class VertexRemover {
  public:
-    VertexRemover(Pattern& draft, int panel, const std::vector<int>& vertices)
+    VertexRemover(sim::Pattern& draft, int panel, const std::vector<int>& vertices)
         : draft_(draft), panel_(panel), going_(draft.panels.size()), is_marked_(own().vertices.size(), false) {
         for (const int vertex : vertices) is_marked_[as_size(vertex)] = true;
         going_[as_size(panel)] = vertices;
     }
 
     void remove() {
-        const auto is_kept = [&](const OutlineEdge& edge) { return !is_marked_[as_size(edge.start)]; };
+        const auto is_kept = [&](const sim::OutlineEdge& edge) { return !is_marked_[as_size(edge.start)]; };
         if (std::count_if(own().edges.begin(), own().edges.end(), is_kept) < 2) {
             throw DraftError("Panel " + own().name + " would have no inside.", {{own().name, -1, -1}});
         }
@@ -32,11 +32,11 @@ class VertexRemover {
     }
 
  private:
-    const Panel& own() const { return draft_.panels[as_size(panel_)]; }
+    const sim::Panel& own() const { return draft_.panels[as_size(panel_)]; }
 
     bool join_one_run() {
-        const std::vector<OutlineEdge>& edges = own().edges;
-        const auto is_run_start = [&](const OutlineEdge& edge) {
+        const std::vector<sim::OutlineEdge>& edges = own().edges;
+        const auto is_run_start = [&](const sim::OutlineEdge& edge) {
             return !is_marked_[as_size(edge.start)] && is_marked_[as_size(edge.end)];
         };
         const auto found = std::find_if(edges.begin(), edges.end(), is_run_start);
@@ -55,13 +55,13 @@ class VertexRemover {
         return true;
     }
 
-    Pattern& draft_;
+    sim::Pattern& draft_;
     int panel_;
     std::vector<std::vector<int>> going_;  // per panel
     std::vector<bool> is_marked_;          // per vertex of the panel
 };
 
-VertexMove move_of(const Panel& panel, const std::vector<int>& vertices, const Eigen::Affine2d& map) {
+VertexMove move_of(const sim::Panel& panel, const std::vector<int>& vertices, const Eigen::Affine2d& map) {
     expect_vertices(panel, vertices);
     VertexMove move{std::vector<bool>(panel.vertices.size(), false), map};
     for (const int vertex : vertices) move.is_moved[as_size(vertex)] = true;
@@ -70,39 +70,40 @@ VertexMove move_of(const Panel& panel, const std::vector<int>& vertices, const E
 
 }  // namespace
 
-int find_panel(const Pattern& pattern, const std::string& name) {
+int find_panel(const sim::Pattern& pattern, const std::string& name) {
     for (std::size_t i = 0; i < pattern.panels.size(); ++i) {
         if (pattern.panels[i].name == name) return static_cast<int>(i);
     }
     throw DraftError("There is no panel " + name + ".");
 }
 
-int split_edge(Pattern& pattern, SeamSide at, double t) {
+int split_edge(sim::Pattern& pattern, sim::SeamSide at, double t) {
     edge_of(pattern, at);
     if (!(t > 0 && t < 1)) {
         throw DraftError("A new point lies between the ends of its edge.", {place_of(pattern, at)});
     }
-    return edit_draft(pattern, [&](Pattern& draft) { return split_sewn(draft, at, t); });
+    return edit_draft(pattern, [&](sim::Pattern& draft) { return split_sewn(draft, at, t); });
 }
 
-void remove_vertices(Pattern& pattern, int panel, std::vector<int> vertices) {
+void remove_vertices(sim::Pattern& pattern, int panel, std::vector<int> vertices) {
     expect_vertices(panel_of(pattern, panel), vertices);
-    edit_draft(pattern, [&](Pattern& draft) { VertexRemover(draft, panel, vertices).remove(); });
+    edit_draft(pattern, [&](sim::Pattern& draft) { VertexRemover(draft, panel, vertices).remove(); });
 }
 
-void move_vertices(Pattern& pattern, int panel, const std::vector<int>& vertices, const Vec2d& by) {
+void move_vertices(sim::Pattern& pattern, int panel, const std::vector<int>& vertices, const Vec2d& by) {
     transform_vertices(pattern, panel, vertices, Eigen::Affine2d(Eigen::Translation2d(by)));
 }
 
-void transform_vertices(Pattern& pattern, int panel, const std::vector<int>& vertices, const Eigen::Affine2d& map) {
+void transform_vertices(sim::Pattern& pattern, int panel, const std::vector<int>& vertices,
+                        const Eigen::Affine2d& map) {
     const VertexMove move = move_of(panel_of(pattern, panel), vertices, map);
-    edit_draft(pattern, [&](Pattern& draft) { move_outline(draft.panels[as_size(panel)], move); });
+    edit_draft(pattern, [&](sim::Pattern& draft) { move_outline(draft.panels[as_size(panel)], move); });
 }
 
-void transform_panel(Pattern& pattern, int panel, const Eigen::Affine2d& map) {
+void transform_panel(sim::Pattern& pattern, int panel, const Eigen::Affine2d& map) {
     panel_of(pattern, panel);
-    edit_draft(pattern, [&](Pattern& draft) {
-        Panel& own = draft.panels[as_size(panel)];
+    edit_draft(pattern, [&](sim::Pattern& draft) {
+        sim::Panel& own = draft.panels[as_size(panel)];
         own = mapped_panel(own, map);
         if (map.linear().determinant() >= 0) return;
         follow_edges(draft, panel, [&](int edge) {
@@ -111,25 +112,26 @@ void transform_panel(Pattern& pattern, int panel, const Eigen::Affine2d& map) {
     });
 }
 
-void set_curve(Pattern& pattern, SeamSide at, const OutlineEdge& curve) {
+void set_curve(sim::Pattern& pattern, sim::SeamSide at, const sim::OutlineEdge& curve) {
     edge_of(pattern, at);
-    edit_draft(pattern, [&](Pattern& draft) {
-        OutlineEdge& edge = edge_of(draft, at);
-        OutlineEdge changed{.start = edge.start, .end = edge.end, .kind = curve.kind, .label = edge.label};
-        if (curve.kind == CurveKind::Arc) {
+    edit_draft(pattern, [&](sim::Pattern& draft) {
+        sim::OutlineEdge& edge = edge_of(draft, at);
+        sim::OutlineEdge changed{.start = edge.start, .end = edge.end, .kind = curve.kind, .label = edge.label};
+        if (curve.kind == sim::CurveKind::Arc) {
             changed.arc_radius = curve.arc_radius;
             changed.is_large_arc = curve.is_large_arc;
             changed.turns_right = curve.turns_right;
         }
-        if (curve.kind == CurveKind::Quadratic || curve.kind == CurveKind::Cubic) changed.control[0] = curve.control[0];
-        if (curve.kind == CurveKind::Cubic) changed.control[1] = curve.control[1];
+        if (curve.kind == sim::CurveKind::Quadratic || curve.kind == sim::CurveKind::Cubic)
+            changed.control[0] = curve.control[0];
+        if (curve.kind == sim::CurveKind::Cubic) changed.control[1] = curve.control[1];
         edge = changed;
     });
 }
 
-NearestOnEdge nearest_on_edge(const Panel& panel, const OutlineEdge& edge, const Vec2d& u) {
+NearestOnEdge nearest_on_edge(const sim::Panel& panel, const sim::OutlineEdge& edge, const Vec2d& u) {
     const auto distance = [&](double s) { return (curve_point(panel, edge, s) - u).norm(); };
-    if (edge.kind == CurveKind::Line) {
+    if (edge.kind == sim::CurveKind::Line) {
         const Vec2d start = panel.vertices[as_size(edge.start)];
         const Vec2d chord = panel.vertices[as_size(edge.end)] - start;
         const double size = chord.squaredNorm();
@@ -155,4 +157,4 @@ NearestOnEdge nearest_on_edge(const Panel& panel, const OutlineEdge& edge, const
     return {curve_fraction(panel, edge, s), distance(s)};
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -9,12 +9,12 @@
 #include "editor/geometry/outline_edit.h"
 #include "sim/pattern/outline.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
-bool is_taken(const Pattern& pattern, const std::string& name) {
+bool is_taken(const sim::Pattern& pattern, const std::string& name) {
     return std::any_of(pattern.panels.begin(), pattern.panels.end(),
-                       [&](const Panel& panel) { return panel.name == name; });
+                       [&](const sim::Panel& panel) { return panel.name == name; });
 }
 
 // The name without the number that made it free: front_2 is a front.
@@ -27,7 +27,7 @@ std::string stem_of(const std::string& name) {
 
 }  // namespace
 
-std::string free_panel_name(const Pattern& pattern, const std::string& wanted) {
+std::string free_panel_name(const sim::Pattern& pattern, const std::string& wanted) {
     const std::string name = wanted.empty() ? "panel" : wanted;
     if (!is_taken(pattern, name)) return name;
     for (int number = 2;; ++number) {
@@ -36,22 +36,22 @@ std::string free_panel_name(const Pattern& pattern, const std::string& wanted) {
     }
 }
 
-void rename_panel(Pattern& pattern, int panel, const std::string& name) {
-    Panel& own = panel_of(pattern, panel);
+void rename_panel(sim::Pattern& pattern, int panel, const std::string& name) {
+    sim::Panel& own = panel_of(pattern, panel);
     if (name == own.name) return;
     if (name.empty()) throw DraftError("A panel needs a name.", {{own.name, -1, -1}});
     if (is_taken(pattern, name)) throw DraftError("There is a panel " + name + " already.", {{name, -1, -1}});
-    for (Panel& other : pattern.panels) {
+    for (sim::Panel& other : pattern.panels) {
         if (other.mirror_of == own.name) other.mirror_of = name;
     }
     own.name = name;
 }
 
-Panel make_polygon(std::vector<Vec2d> points) {
+sim::Panel make_polygon(std::vector<Vec2d> points) {
     double twice = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) twice += cross2(points[i], points[(i + 1) % points.size()]);
+    for (std::size_t i = 0; i < points.size(); ++i) twice += sim::cross2(points[i], points[(i + 1) % points.size()]);
     if (twice < 0) std::reverse(points.begin(), points.end());
-    Panel panel;
+    sim::Panel panel;
     panel.name = "panel";
     const int count = static_cast<int>(points.size());
     for (int i = 0; i < count; ++i) panel.edges.push_back({.start = i, .end = (i + 1) % count});
@@ -60,22 +60,22 @@ Panel make_polygon(std::vector<Vec2d> points) {
     return panel;
 }
 
-Panel make_rectangle(const Vec2d& low, const Vec2d& high) {
+sim::Panel make_rectangle(const Vec2d& low, const Vec2d& high) {
     return make_polygon({low, {high.x(), low.y()}, high, {low.x(), high.y()}});
 }
 
 // A quarter of a circle by a cubic is off by 0.03% of its radius.
-Panel make_ellipse(const Vec2d& centre, const Vec2d& radii) {
+sim::Panel make_ellipse(const Vec2d& centre, const Vec2d& radii) {
     const Vec2d size = radii.cwiseAbs();
     const std::array<Vec2d, 4> spokes{Vec2d(0, -1), Vec2d(1, 0), Vec2d(0, 1), Vec2d(-1, 0)};
     const double handle = 4.0 / 3.0 * (std::sqrt(2.0) - 1);
-    Panel panel;
+    sim::Panel panel;
     panel.name = "panel";
     for (int i = 0; i < 4; ++i) {
         const Vec2d from = spokes[as_size(i)];
         const Vec2d to = spokes[as_size((i + 1) % 4)];
         panel.vertices.push_back(centre + size.cwiseProduct(from));
-        OutlineEdge edge{.start = i, .end = (i + 1) % 4, .kind = CurveKind::Cubic};
+        sim::OutlineEdge edge{.start = i, .end = (i + 1) % 4, .kind = sim::CurveKind::Cubic};
         edge.control = {centre + size.cwiseProduct(from + handle * to), centre + size.cwiseProduct(to + handle * from)};
         panel.edges.push_back(edge);
     }
@@ -83,21 +83,21 @@ Panel make_ellipse(const Vec2d& centre, const Vec2d& radii) {
     return panel;
 }
 
-int add_panel(Pattern& pattern, Panel panel) {
+int add_panel(sim::Pattern& pattern, sim::Panel panel) {
     panel.name = free_panel_name(pattern, panel.name);
-    return edit_draft(pattern, [&](Pattern& draft) {
+    return edit_draft(pattern, [&](sim::Pattern& draft) {
         draft.panels.push_back(std::move(panel));
         return static_cast<int>(draft.panels.size()) - 1;
     });
 }
 
-void remove_panels(Pattern& pattern, const std::vector<int>& panels) {
+void remove_panels(sim::Pattern& pattern, const std::vector<int>& panels) {
     for (const int panel : panels) panel_of(pattern, panel);
-    edit_draft(pattern, [&](Pattern& draft) { drop_panels(draft, panels); });
+    edit_draft(pattern, [&](sim::Pattern& draft) { drop_panels(draft, panels); });
 }
 
-int duplicate_panel(Pattern& pattern, int panel, const Vec2d& shift) {
-    Panel copy = panel_of(pattern, panel);
+int duplicate_panel(sim::Pattern& pattern, int panel, const Vec2d& shift) {
+    sim::Panel copy = panel_of(pattern, panel);
     copy.mirror_of.clear();
     copy.sheet_position = sheet_positions(pattern)[as_size(panel)] + shift;
     return add_panel(pattern, std::move(copy));
@@ -127,10 +127,10 @@ std::vector<double> meetings(const Vec2d& from, const Vec2d& to, const std::vect
     const Vec2d along = to - from;
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
         const Vec2d step = path[i + 1] - path[i];
-        const double sine = cross2(along, step);
+        const double sine = sim::cross2(along, step);
         if (sine == 0) continue;
-        const double t = cross2(path[i] - from, step) / sine;
-        const double s = cross2(path[i] - from, along) / sine;
+        const double t = sim::cross2(path[i] - from, step) / sine;
+        const double s = sim::cross2(path[i] - from, along) / sine;
         if (t > 1e-9 && t < 1 - 1e-9 && s >= 0 && s <= 1) found.push_back(t);
     }
     std::sort(found.begin(), found.end());
@@ -140,8 +140,8 @@ std::vector<double> meetings(const Vec2d& from, const Vec2d& to, const std::vect
 }
 
 // A line in the pieces that the path leaves of it.
-std::vector<InternalLine> cut_line(const InternalLine& line, const std::vector<Vec2d>& path) {
-    std::vector<InternalLine> pieces{{line.name, {}}};
+std::vector<sim::InternalLine> cut_line(const sim::InternalLine& line, const std::vector<Vec2d>& path) {
+    std::vector<sim::InternalLine> pieces{{line.name, {}}};
     for (std::size_t i = 0; i < line.points.size(); ++i) {
         if (i > 0) {
             for (const double t : meetings(line.points[i - 1], line.points[i], path)) {
@@ -163,7 +163,7 @@ std::vector<InternalLine> cut_line(const InternalLine& line, const std::vector<V
 //         . --->- from_ -> .
 class PanelCutter {
  public:
-    PanelCutter(Pattern& draft, int panel, const std::vector<Vec2d>& path)
+    PanelCutter(sim::Pattern& draft, int panel, const std::vector<Vec2d>& path)
         : draft_(draft), panel_(panel), other_(static_cast<int>(draft.panels.size())), path_(path) {}
 
     int cut(bool is_sewn, const Vec2d& sheet_position) {
@@ -184,11 +184,11 @@ class PanelCutter {
     }
 
  private:
-    Panel& own() { return draft_.panels[as_size(panel_)]; }
+    sim::Panel& own() { return draft_.panels[as_size(panel_)]; }
     int cut_edges() const { return static_cast<int>(path_.size()) - 1; }
 
     int vertex_at(const Vec2d& point) {
-        SeamSide best{panel_, 0};
+        sim::SeamSide best{panel_, 0};
         NearestOnEdge nearest = nearest_on_edge(own(), own().edges[0], point);
         for (int e = 1; e < edge_count(own()); ++e) {
             const NearestOnEdge found = nearest_on_edge(own(), own().edges[as_size(e)], point);
@@ -196,7 +196,7 @@ class PanelCutter {
             nearest = found;
             best.edge = e;
         }
-        const OutlineEdge& edge = own().edges[as_size(best.edge)];
+        const sim::OutlineEdge& edge = own().edges[as_size(best.edge)];
         const double length = outline_length(own(), edge);
         if (nearest.t * length < kSnap) return edge.start;
         if ((1 - nearest.t) * length < kSnap) return edge.end;
@@ -204,14 +204,14 @@ class PanelCutter {
     }
 
     void divide() {
-        Panel kept = own();
+        sim::Panel kept = own();
         const int count = edge_count(kept);
         const int first = edge_from(kept, from_);
         taken_ = (edge_from(kept, to_) - first + count) % count;
         const int wrapped = std::max(0, first + taken_ - count);
         base_ = first - wrapped;
         add_path(kept);
-        Panel taken = kept;
+        sim::Panel taken = kept;
         taken.name = free_panel_name(draft_, kept.name);
         taken.edges.clear();
         for (int i = 0; i < taken_; ++i) taken.edges.push_back(kept.edges[as_size((first + i) % count)]);
@@ -219,7 +219,7 @@ class PanelCutter {
         kept.edges.erase(kept.edges.begin() + first, kept.edges.begin() + std::min(first + taken_, count));
         kept.edges.erase(kept.edges.begin(), kept.edges.begin() + wrapped);
         kept.edges.insert(kept.edges.begin() + base_, cut_.begin(), cut_.end());
-        const auto image_of = [&, first, count, wrapped](int edge) -> SeamSide {
+        const auto image_of = [&, first, count, wrapped](int edge) -> sim::SeamSide {
             const int along = (edge - first + count) % count;
             if (along < taken_) return {other_, along};
             return {panel_, edge < first ? edge - wrapped : edge - taken_ + cut_edges()};
@@ -232,7 +232,7 @@ class PanelCutter {
         draft_.panels.push_back(std::move(taken));
     }
 
-    void add_path(Panel& kept) {
+    void add_path(sim::Panel& kept) {
         int start = from_;
         for (int k = 0; k < cut_edges(); ++k) {
             const bool is_last = k + 1 == cut_edges();
@@ -244,25 +244,25 @@ class PanelCutter {
     }
 
     template <class ImageOf>
-    void divide_notches(Panel& kept, Panel& taken, ImageOf image_of) const {
+    void divide_notches(sim::Panel& kept, sim::Panel& taken, ImageOf image_of) const {
         kept.notches.clear();
-        const std::vector<Notch> notches = std::exchange(taken.notches, {});
-        for (const Notch& notch : notches) {
-            const SeamSide image = image_of(notch.edge);
+        const std::vector<sim::Notch> notches = std::exchange(taken.notches, {});
+        for (const sim::Notch& notch : notches) {
+            const sim::SeamSide image = image_of(notch.edge);
             (image.panel == panel_ ? kept : taken).notches.push_back({image.edge, notch.t});
         }
     }
 
-    void divide_lines(Panel& kept, Panel& taken) const {
+    void divide_lines(sim::Panel& kept, sim::Panel& taken) const {
         std::vector<Vec2d> loop;
-        for (const OutlineEdge& edge : kept.edges) {
+        for (const sim::OutlineEdge& edge : kept.edges) {
             const std::vector<Vec2d> points = outline_polyline(kept, edge, 1e-4);
             loop.insert(loop.end(), points.begin(), points.end() - 1);
         }
         kept.internal_lines.clear();
-        const std::vector<InternalLine> lines = std::exchange(taken.internal_lines, {});
-        for (const InternalLine& line : lines) {
-            for (InternalLine& piece : cut_line(line, path_)) {
+        const std::vector<sim::InternalLine> lines = std::exchange(taken.internal_lines, {});
+        for (const sim::InternalLine& line : lines) {
+            for (sim::InternalLine& piece : cut_line(line, path_)) {
                 if (piece.points.empty()) continue;
                 const Vec2d probe =
                     (piece.points[0] + piece.points[std::min<std::size_t>(1, piece.points.size() - 1)]) / 2;
@@ -271,7 +271,7 @@ class PanelCutter {
         }
     }
 
-    static void drop_foreign_vertices(Panel& kept, Panel& taken) {
+    static void drop_foreign_vertices(sim::Panel& kept, sim::Panel& taken) {
         std::vector<int> not_kept;
         std::vector<int> not_taken;
         for (int v = 0; v < static_cast<int>(kept.vertices.size()); ++v) {
@@ -289,27 +289,28 @@ class PanelCutter {
         }
     }
 
-    Pattern& draft_;
+    sim::Pattern& draft_;
     int panel_;
     int other_;
     std::vector<Vec2d> path_;
     int from_ = 0;
     int to_ = 0;
-    int taken_ = 0;                 // edges of the outline that go
-    int base_ = 0;                  // where the path begins among the edges that stay
-    std::vector<OutlineEdge> cut_;  // the path's edges, vertices of the panel before it was cut
+    int taken_ = 0;                      // edges of the outline that go
+    int base_ = 0;                       // where the path begins among the edges that stay
+    std::vector<sim::OutlineEdge> cut_;  // the path's edges, vertices of the panel before it was cut
 };
 
 }  // namespace
 
-int cut_panel(Pattern& pattern, int panel, const std::vector<Vec2d>& path, bool is_sewn) {
-    const Panel& own = panel_of(pattern, panel);
+int cut_panel(sim::Pattern& pattern, int panel, const std::vector<Vec2d>& path, bool is_sewn) {
+    const sim::Panel& own = panel_of(pattern, panel);
     const bool is_sound = std::all_of(path.begin(), path.end(), [](const Vec2d& p) { return p.allFinite(); });
     if (path.size() < 2 || !is_sound) {
         throw DraftError("A cut needs two points or more.", {{own.name, -1, -1}});
     }
     const Vec2d position = sheet_positions(pattern)[as_size(panel)];
-    return edit_draft(pattern, [&](Pattern& draft) { return PanelCutter(draft, panel, path).cut(is_sewn, position); });
+    return edit_draft(pattern,
+                      [&](sim::Pattern& draft) { return PanelCutter(draft, panel, path).cut(is_sewn, position); });
 }
 
 namespace {
@@ -320,11 +321,11 @@ constexpr double kRowLength = 1.4;  // m, a panel that would reach further begin
 }  // namespace
 
 // All panels take part, so that one that is put elsewhere leaves the others where they are.
-std::vector<Vec2d> sheet_positions(const Pattern& pattern) {
+std::vector<Vec2d> sheet_positions(const sim::Pattern& pattern) {
     std::vector<Vec2d> positions;
     Vec2d corner(0, 0);  // upper left of the next
     double depth = 0;    // of the row
-    for (const Panel& panel : pattern.panels) {
+    for (const sim::Panel& panel : pattern.panels) {
         const Box box = outline_box(panel);
         const Vec2d size = box.high - box.low;
         if (corner.x() > 0 && corner.x() + size.x() > kRowLength) {
@@ -339,4 +340,4 @@ std::vector<Vec2d> sheet_positions(const Pattern& pattern) {
     return positions;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

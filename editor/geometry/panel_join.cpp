@@ -8,7 +8,7 @@
 #include "editor/geometry/panel_edit.h"
 #include "sim/pattern/outline.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 constexpr double kSameShape = 1e-3;  // m, how far sides that are joined may lie apart
@@ -17,7 +17,7 @@ constexpr double kSameShape = 1e-3;  // m, how far sides that are joined may lie
 // its last.
 class Merger {
  public:
-    Merger(Pattern& draft, const Seam& seam)
+    Merger(sim::Pattern& draft, const sim::Seam& seam)
         : draft_(draft),
           a_(seam.first.panel),
           b_(seam.second.panel),
@@ -40,16 +40,16 @@ class Merger {
     }
 
  private:
-    Panel& a() { return draft_.panels[as_size(a_)]; }
-    Panel& b() { return draft_.panels[as_size(b_)]; }
+    sim::Panel& a() { return draft_.panels[as_size(a_)]; }
+    sim::Panel& b() { return draft_.panels[as_size(b_)]; }
 
-    const OutlineEdge& edge(const Panel& panel, int index) const { return panel.edges[as_size(index)]; }
+    const sim::OutlineEdge& edge(const sim::Panel& panel, int index) const { return panel.edges[as_size(index)]; }
     int a_edge(int i) { return (a_first_ + i + edge_count(a())) % edge_count(a()); }
     int b_edge(int i) { return (b_first_ + i + edge_count(b())) % edge_count(b()); }
 
     Eigen::Affine2d map_of_seam() {
-        const OutlineEdge& own = edge(a(), a_first_);
-        const OutlineEdge& other = edge(b(), b_first_);
+        const sim::OutlineEdge& own = edge(a(), a_first_);
+        const sim::OutlineEdge& other = edge(b(), b_first_);
         const Vec2d from = b().vertices[as_size(other.end)];
         const Vec2d to = b().vertices[as_size(other.start)];
         const Vec2d start = a().vertices[as_size(own.start)];
@@ -61,8 +61,8 @@ class Merger {
     }
 
     bool lie_together(int own, int other) {
-        const OutlineEdge& one = edge(a(), own);
-        const OutlineEdge& two = edge(other_, other);
+        const sim::OutlineEdge& one = edge(a(), own);
+        const sim::OutlineEdge& two = edge(other_, other);
         if (std::abs(outline_length(a(), one) - outline_length(other_, two)) > kSameShape) return false;
         constexpr int kSamples = 16;
         for (int i = 0; i <= kSamples; ++i) {
@@ -75,9 +75,9 @@ class Merger {
     bool are_joined(int own, int other) {
         const auto found = seam_at(draft_, {a_, own});
         if (!found) return false;
-        const Seam& seam = draft_.seams[as_size(*found)];
-        const SeamSide& across = seam.first == SeamSide{a_, own} ? seam.second : seam.first;
-        return seam.is_reversed && across == SeamSide{b_, other} && lie_together(own, other);
+        const sim::Seam& seam = draft_.seams[as_size(*found)];
+        const sim::SeamSide& across = seam.first == sim::SeamSide{a_, own} ? seam.second : seam.first;
+        return seam.is_reversed && across == sim::SeamSide{b_, other} && lie_together(own, other);
     }
 
     // Seams that go on along this one are joined with it: they would leave a slit.
@@ -108,7 +108,7 @@ class Merger {
     }
 
     void join() {
-        Panel joined = a();
+        sim::Panel joined = a();
         const int a_count = edge_count(joined);
         const int b_rest = edge_count(other_) - count_;
         const int shift = static_cast<int>(joined.vertices.size());
@@ -131,7 +131,7 @@ class Merger {
         for (int e = 0; e < edge_count(other_); ++e) {
             const auto image = b_image(e);
             if (!image) continue;
-            OutlineEdge& place = joined.edges[as_size(image->side.edge)];
+            sim::OutlineEdge& place = joined.edges[as_size(image->side.edge)];
             place = other_.edges[as_size(e)];
             place.start = vertex(place.start);
             place.end = vertex(place.end);
@@ -145,7 +145,7 @@ class Merger {
         joined.notches.clear();
         add_notches(joined, a().notches, a_image);
         add_notches(joined, other_.notches, b_image);
-        for (InternalLine& line : other_.internal_lines) joined.internal_lines.push_back(std::move(line));
+        for (sim::InternalLine& line : other_.internal_lines) joined.internal_lines.push_back(std::move(line));
         drop_vertices(joined, inner_vertices(shift));
         follow_edges(draft_, a_, a_image);
         follow_edges(draft_, b_, b_image);
@@ -153,8 +153,8 @@ class Merger {
     }
 
     template <class ImageOf>
-    static void add_notches(Panel& joined, const std::vector<Notch>& notches, ImageOf image_of) {
-        for (const Notch& notch : notches) {
+    static void add_notches(sim::Panel& joined, const std::vector<sim::Notch>& notches, ImageOf image_of) {
+        for (const sim::Notch& notch : notches) {
             if (const auto image = image_of(notch.edge)) joined.notches.push_back({image->side.edge, notch.t});
         }
     }
@@ -169,25 +169,25 @@ class Merger {
         return vertices;
     }
 
-    Pattern& draft_;
+    sim::Pattern& draft_;
     int a_;
     int b_;
     int a_first_;
     int b_first_;
     int count_ = 1;
-    Panel other_;  // b as it lies on a
+    sim::Panel other_;  // b as it lies on a
     int a_start_ = 0;
     int a_end_ = 0;
     int b_start_ = 0;
     int b_end_ = 0;
 };
 
-bool is_straight(const Panel& panel, const OutlineEdge& edge) {
+bool is_straight(const sim::Panel& panel, const sim::OutlineEdge& edge) {
     const Vec2d start = panel.vertices[as_size(edge.start)];
     const Vec2d along = (panel.vertices[as_size(edge.end)] - start).normalized();
     const std::vector<Vec2d> points = outline_polyline(panel, edge, 1e-5);
     return std::all_of(points.begin(), points.end(),
-                       [&](const Vec2d& p) { return std::abs(cross2(along, p - start)) < 1e-5; });
+                       [&](const Vec2d& p) { return std::abs(sim::cross2(along, p - start)) < 1e-5; });
 }
 
 Eigen::Affine2d reflection(const Vec2d& from, const Vec2d& to) {
@@ -199,15 +199,15 @@ Eigen::Affine2d reflection(const Vec2d& from, const Vec2d& to) {
 }
 
 // Edge e < fold keeps its index; the image of edge fold - 1 - i comes i-th after them; then those behind the fold.
-void unfold(Pattern& draft, const SeamSide& fold) {
-    Panel& panel = draft.panels[as_size(fold.panel)];
-    const Panel half = panel;
+void unfold(sim::Pattern& draft, const sim::SeamSide& fold) {
+    sim::Panel& panel = draft.panels[as_size(fold.panel)];
+    const sim::Panel half = panel;
     const int count = edge_count(half);
-    const OutlineEdge& axis = half.edges[as_size(fold.edge)];
+    const sim::OutlineEdge& axis = half.edges[as_size(fold.edge)];
     const Eigen::Affine2d map = reflection(half.vertices[as_size(axis.start)], half.vertices[as_size(axis.end)]);
     std::vector<int> image(half.vertices.size());
     for (std::size_t v = 0; v < image.size(); ++v) image[v] = static_cast<int>(v);
-    for (const OutlineEdge& edge : half.edges) {
+    for (const sim::OutlineEdge& edge : half.edges) {
         if (edge.start == axis.start || edge.start == axis.end) continue;
         image[as_size(edge.start)] = static_cast<int>(panel.vertices.size());
         panel.vertices.push_back(map * half.vertices[as_size(edge.start)]);
@@ -218,13 +218,13 @@ void unfold(Pattern& draft, const SeamSide& fold) {
     panel.notches.clear();
     for (int e = 0; e < count; ++e) {
         if (e == fold.edge) continue;
-        OutlineEdge other = turned_round(mapped_curve(half, half.edges[as_size(e)], map));
+        sim::OutlineEdge other = turned_round(mapped_curve(half, half.edges[as_size(e)], map));
         other.start = image[as_size(other.start)];
         other.end = image[as_size(other.end)];
         panel.edges[as_size(stays_at(e))] = half.edges[as_size(e)];
         panel.edges[as_size(image_of(e))] = other;
     }
-    for (const Notch& notch : half.notches) {
+    for (const sim::Notch& notch : half.notches) {
         if (notch.edge == fold.edge) continue;
         panel.notches.push_back({stays_at(notch.edge), notch.t});
         panel.notches.push_back({image_of(notch.edge), 1 - notch.t});
@@ -232,12 +232,12 @@ void unfold(Pattern& draft, const SeamSide& fold) {
     for (const int pin : half.pins) {
         if (image[as_size(pin)] != pin) panel.pins.push_back(image[as_size(pin)]);
     }
-    for (InternalLine line : half.internal_lines) {
+    for (sim::InternalLine line : half.internal_lines) {
         for (Vec2d& point : line.points) point = map * point;
         panel.internal_lines.push_back(std::move(line));
     }
-    std::vector<Seam> darts;
-    for (const Seam& seam : draft.seams) {
+    std::vector<sim::Seam> darts;
+    for (const sim::Seam& seam : draft.seams) {
         if (seam.first.panel != fold.panel || seam.second.panel != fold.panel) continue;
         if (seam.first.edge == fold.edge || seam.second.edge == fold.edge) continue;
         darts.push_back({{fold.panel, image_of(seam.first.edge)},
@@ -254,51 +254,51 @@ void unfold(Pattern& draft, const SeamSide& fold) {
 }
 
 // Puts the two legs in the place of an edge: from its start to the apex and on to its end. Gives the apex.
-int open_wedge(Pattern& draft, const SeamSide& mouth, double depth) {
-    Panel& panel = draft.panels[as_size(mouth.panel)];
-    OutlineEdge& edge = panel.edges[as_size(mouth.edge)];
+int open_wedge(sim::Pattern& draft, const sim::SeamSide& mouth, double depth) {
+    sim::Panel& panel = draft.panels[as_size(mouth.panel)];
+    sim::OutlineEdge& edge = panel.edges[as_size(mouth.edge)];
     const Vec2d from = panel.vertices[as_size(edge.start)];
     const Vec2d to = panel.vertices[as_size(edge.end)];
     const Vec2d along = (to - from).normalized();
     const int apex = static_cast<int>(panel.vertices.size());
     panel.vertices.push_back((from + to) / 2 + depth * Vec2d(-along.y(), along.x()));
-    const OutlineEdge second{.start = apex, .end = edge.end};
+    const sim::OutlineEdge second{.start = apex, .end = edge.end};
     edge = {.start = edge.start, .end = apex};
     panel.edges.insert(panel.edges.begin() + mouth.edge + 1, second);
-    std::erase_if(panel.notches, [&](const Notch& notch) { return notch.edge == mouth.edge; });
-    for (Notch& notch : panel.notches) notch.edge += notch.edge > mouth.edge ? 1 : 0;
+    std::erase_if(panel.notches, [&](const sim::Notch& notch) { return notch.edge == mouth.edge; });
+    for (sim::Notch& notch : panel.notches) notch.edge += notch.edge > mouth.edge ? 1 : 0;
     follow_edges(draft, mouth.panel, [&](int e) { return EdgeImage{{mouth.panel, e > mouth.edge ? e + 1 : e}}; });
     return apex;
 }
 
 }  // namespace
 
-int merge_panels(Pattern& pattern, int seam) {
-    const Seam joint = seam_of(pattern, seam);
+int merge_panels(sim::Pattern& pattern, int seam) {
+    const sim::Seam joint = seam_of(pattern, seam);
     const std::vector<DraftPlace> places{place_of(pattern, joint.first), place_of(pattern, joint.second)};
     if (joint.first.panel == joint.second.panel) throw DraftError("A seam within one panel joins no two.", places);
     if (!joint.is_reversed) throw DraftError("The panels face different ways: turn one over first.", places);
-    return edit_draft(pattern, [&](Pattern& draft) { return Merger(draft, joint).merge(); });
+    return edit_draft(pattern, [&](sim::Pattern& draft) { return Merger(draft, joint).merge(); });
 }
 
-void unfold_panel(Pattern& pattern, SeamSide fold) {
+void unfold_panel(sim::Pattern& pattern, sim::SeamSide fold) {
     if (!is_straight(panel_of(pattern, fold.panel), edge_of(pattern, fold))) {
         throw DraftError("A fold is straight; this edge is curved.", {place_of(pattern, fold)});
     }
-    edit_draft(pattern, [&](Pattern& draft) {
+    edit_draft(pattern, [&](sim::Pattern& draft) {
         unlink(draft, fold.panel);
         unfold(draft, fold);
     });
 }
 
-void insert_dart(Pattern& pattern, SeamSide at, double t, double width, double depth) {
+void insert_dart(sim::Pattern& pattern, sim::SeamSide at, double t, double width, double depth) {
     const double length = outline_length(panel_of(pattern, at.panel), edge_of(pattern, at));
     const double from = t - width / 2 / length;
     const double to = t + width / 2 / length;
     if (!(width > 0 && depth > 0)) throw DraftError("A dart needs a width and a depth.", {place_of(pattern, at)});
     if (!(from > 0 && to < 1)) throw DraftError("The dart is wider than there is room.", {place_of(pattern, at)});
-    edit_draft(pattern, [&](Pattern& draft) {
-        const Panel& panel = draft.panels[as_size(at.panel)];
+    edit_draft(pattern, [&](sim::Pattern& draft) {
+        const sim::Panel& panel = draft.panels[as_size(at.panel)];
         const int second = split_alone(draft, at, to);
         const int first = split_alone(draft, at, from / to);
         const int apex = open_wedge(draft, {at.panel, at.edge + 1}, depth);
@@ -307,4 +307,4 @@ void insert_dart(Pattern& pattern, SeamSide at, double t, double width, double d
     });
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -9,15 +9,15 @@
 #include "editor/geometry/panel_edit.h"
 #include "sim/pattern/outline.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 constexpr double kSamePoint = 1e-6;  // m
 
 // The image in the plane x = 0 of the room. With S = diag(-1, 1, 1) and m the mirroring of the sheet, which keeps
 // is_mirrored: S (R p + t) = (S R S) (S p) + S t, and S p is the local point of m(u).
-Panel mirror_image(const Panel& panel) {
-    Panel image = mapped_panel(panel, Eigen::Affine2d(Eigen::Scaling(-1.0, 1.0)));
+sim::Panel mirror_image(const sim::Panel& panel) {
+    sim::Panel image = mapped_panel(panel, Eigen::Affine2d(Eigen::Scaling(-1.0, 1.0)));
     const Eigen::Matrix3d across = Vec3d(-1, 1, 1).asDiagonal();
     image.rotation = across * panel.rotation * across;
     image.translation.x() = -panel.translation.x();
@@ -34,8 +34,8 @@ std::string name_across(const std::string& name) {
 }
 
 // What links keep the same: all but names and places on the sheet.
-bool is_same_shape(Panel one, Panel other) {
-    for (Panel* panel : {&one, &other}) {
+bool is_same_shape(sim::Panel one, sim::Panel other) {
+    for (sim::Panel* panel : {&one, &other}) {
         panel->name.clear();
         panel->mirror_of.clear();
         panel->sheet_position.reset();
@@ -44,9 +44,9 @@ bool is_same_shape(Panel one, Panel other) {
 }
 
 // Seams of a panel with itself.
-std::vector<Seam> darts_of(const Pattern& pattern, int panel) {
-    std::vector<Seam> darts;
-    for (const Seam& seam : pattern.seams) {
+std::vector<sim::Seam> darts_of(const sim::Pattern& pattern, int panel) {
+    std::vector<sim::Seam> darts;
+    for (const sim::Seam& seam : pattern.seams) {
         if (seam.first.panel != panel || seam.second.panel != panel) continue;
         darts.push_back({{0, seam.first.edge}, {0, seam.second.edge}, seam.is_reversed, "", seam.is_eased});
     }
@@ -54,7 +54,7 @@ std::vector<Seam> darts_of(const Pattern& pattern, int panel) {
 }
 
 // The dart on another panel whose edges run the other way round.
-Seam dart_across(const Seam& dart, int panel, int count) {
+sim::Seam dart_across(const sim::Seam& dart, int panel, int count) {
     return {{panel, mirrored_edge(dart.first.edge, count)},
             {panel, mirrored_edge(dart.second.edge, count)},
             dart.is_reversed,
@@ -63,7 +63,7 @@ Seam dart_across(const Seam& dart, int panel, int count) {
 }
 
 // Which edge of `target` starts where each edge of `panel` does: -1, none. Both loops run the same way round.
-std::vector<int> match_loops(const Panel& panel, const Panel& target) {
+std::vector<int> match_loops(const sim::Panel& panel, const sim::Panel& target) {
     const int count = edge_count(panel);
     const int target_count = edge_count(target);
     std::vector<int> match(as_size(count), -1);
@@ -104,7 +104,7 @@ struct Stretch {
     int target_count = 0;
 };
 
-std::vector<Stretch> stretches(const Panel& panel, const Panel& target) {
+std::vector<Stretch> stretches(const sim::Panel& panel, const sim::Panel& target) {
     const std::vector<int> match = match_loops(panel, target);
     const int count = edge_count(panel);
     const int target_count = edge_count(target);
@@ -128,11 +128,11 @@ std::vector<Stretch> stretches(const Panel& panel, const Panel& target) {
 // its own are, too.
 class Follower {
  public:
-    Follower(Pattern& draft, int lead, int panel) : draft_(draft), lead_(lead), panel_(panel) {}
+    Follower(sim::Pattern& draft, int lead, int panel) : draft_(draft), lead_(lead), panel_(panel) {}
 
     void follow() {
         even_stretches();
-        const Panel target = image();
+        const sim::Panel target = image();
         std::vector<int> place(own().edges.size(), -1);
         for (const Stretch& stretch : stretches(own(), target)) {
             if (stretch.count != stretch.target_count) continue;
@@ -150,10 +150,10 @@ class Follower {
     }
 
  private:
-    Panel& own() { return draft_.panels[as_size(panel_)]; }
+    sim::Panel& own() { return draft_.panels[as_size(panel_)]; }
 
-    Panel image() {
-        Panel target = mirror_image(draft_.panels[as_size(lead_)]);
+    sim::Panel image() {
+        sim::Panel target = mirror_image(draft_.panels[as_size(lead_)]);
         target.name = own().name;
         target.mirror_of = own().mirror_of;
         target.sheet_position = own().sheet_position;
@@ -163,7 +163,7 @@ class Follower {
     // Where the two are sewn to each other, splitting one may split the other, and so on; if that finds no end within
     // as many steps as there are edges, it never will.
     void even_stretches() {
-        const Panel& lead = draft_.panels[as_size(lead_)];
+        const sim::Panel& lead = draft_.panels[as_size(lead_)];
         const int most = edge_count(own()) + edge_count(lead);
         for (int step = 0; even_one_stretch(); ++step) {
             if (step < most) continue;
@@ -174,7 +174,7 @@ class Follower {
     }
 
     bool even_one_stretch() {
-        const Panel target = image();
+        const sim::Panel target = image();
         for (const Stretch& stretch : stretches(own(), target)) {
             if (stretch.count == stretch.target_count) continue;
             if (stretch.count == 1) {
@@ -199,7 +199,7 @@ class Follower {
     }
 
     // At the shares that the target's edges have of the stretch, from the last on.
-    void split(const Stretch& stretch, const Panel& target) {
+    void split(const Stretch& stretch, const sim::Panel& target) {
         std::vector<double> reached{0};
         for (int i = 0; i < stretch.target_count; ++i) {
             const int edge = (stretch.target_first + i) % edge_count(target);
@@ -212,22 +212,24 @@ class Follower {
     }
 
     void follow_darts() {
-        std::vector<Seam> wanted;
-        for (const Seam& dart : darts_of(draft_, lead_)) wanted.push_back(dart_across(dart, panel_, edge_count(own())));
-        const auto is_same = [](const Seam& one, const Seam& other) {
+        std::vector<sim::Seam> wanted;
+        for (const sim::Seam& dart : darts_of(draft_, lead_))
+            wanted.push_back(dart_across(dart, panel_, edge_count(own())));
+        const auto is_same = [](const sim::Seam& one, const sim::Seam& other) {
             return one.is_reversed == other.is_reversed && ((one.first == other.first && one.second == other.second) ||
                                                             (one.first == other.second && one.second == other.first));
         };
-        std::erase_if(draft_.seams, [&](const Seam& seam) {
+        std::erase_if(draft_.seams, [&](const sim::Seam& seam) {
             return seam.first.panel == panel_ && seam.second.panel == panel_ &&
-                   std::none_of(wanted.begin(), wanted.end(), [&](const Seam& dart) { return is_same(dart, seam); });
+                   std::none_of(wanted.begin(), wanted.end(),
+                                [&](const sim::Seam& dart) { return is_same(dart, seam); });
         });
-        for (const Seam& dart : wanted) {
+        for (const sim::Seam& dart : wanted) {
             if (!seam_at(draft_, dart.first) && !seam_at(draft_, dart.second)) draft_.seams.push_back(dart);
         }
     }
 
-    Pattern& draft_;
+    sim::Pattern& draft_;
     int lead_;
     int panel_;
 };
@@ -238,9 +240,9 @@ struct Change {
     int edges = 0;  // more or less than before
 };
 
-Change change_of(const Pattern& pattern, int panel, const Pattern& before) {
-    const Panel& now = pattern.panels[as_size(panel)];
-    const auto is_it = [&](const Panel& other) { return other.name == now.name; };
+Change change_of(const sim::Pattern& pattern, int panel, const sim::Pattern& before) {
+    const sim::Panel& now = pattern.panels[as_size(panel)];
+    const auto is_it = [&](const sim::Panel& other) { return other.name == now.name; };
     auto was = std::find_if(before.panels.begin(), before.panels.end(), is_it);
     if (was == before.panels.end() && before.panels.size() == pattern.panels.size())
         was = before.panels.begin() + panel;
@@ -251,7 +253,7 @@ Change change_of(const Pattern& pattern, int panel, const Pattern& before) {
 }
 
 // The panel that leads and those that mirror it: the first.
-std::map<int, std::vector<int>> linked_groups(const Pattern& pattern) {
+std::map<int, std::vector<int>> linked_groups(const sim::Pattern& pattern) {
     std::map<int, std::vector<int>> groups;
     for (std::size_t i = 0; i < pattern.panels.size(); ++i) {
         for (std::size_t k = 0; k < pattern.panels.size(); ++k) {
@@ -262,29 +264,29 @@ std::map<int, std::vector<int>> linked_groups(const Pattern& pattern) {
     return groups;
 }
 
-bool was_linked(const Pattern& before, const Panel& panel) {
-    return std::any_of(before.panels.begin(), before.panels.end(), [&](const Panel& other) {
+bool was_linked(const sim::Pattern& before, const sim::Panel& panel) {
+    return std::any_of(before.panels.begin(), before.panels.end(), [&](const sim::Panel& other) {
         return other.name == panel.name && other.mirror_of == panel.mirror_of;
     });
 }
 
 }  // namespace
 
-int symmetric_copy(Pattern& pattern, int panel, bool is_linked, const Vec2d& shift) {
-    const Panel& own = panel_of(pattern, panel);
+int symmetric_copy(sim::Pattern& pattern, int panel, bool is_linked, const Vec2d& shift) {
+    const sim::Panel& own = panel_of(pattern, panel);
     if (is_linked && !own.mirror_of.empty()) {
         throw DraftError("Panel " + own.name + " is kept a mirror image of " + own.mirror_of + " already.",
                          {{own.name, -1, -1}, {own.mirror_of, -1, -1}});
     }
-    Panel image = mirror_image(own);
+    sim::Panel image = mirror_image(own);
     image.name = free_panel_name(pattern, name_across(own.name));
     image.mirror_of = is_linked ? own.name : "";
     const Box box = outline_box(own);
     const Vec2d to_its_place(box.low.x() + box.high.x(), 0);  // its box is where the panel's is, then moved
     image.sheet_position = sheet_positions(pattern)[as_size(panel)] + to_its_place + shift;
-    return edit_draft(pattern, [&](Pattern& draft) {
+    return edit_draft(pattern, [&](sim::Pattern& draft) {
         const int copy = static_cast<int>(draft.panels.size());
-        for (const Seam& dart : darts_of(draft, panel)) {
+        for (const sim::Seam& dart : darts_of(draft, panel)) {
             draft.seams.push_back(dart_across(dart, copy, edge_count(image)));
         }
         draft.panels.push_back(image);
@@ -292,10 +294,10 @@ int symmetric_copy(Pattern& pattern, int panel, bool is_linked, const Vec2d& shi
     });
 }
 
-void update_mirrors(Pattern& pattern, const Pattern& before) {
+void update_mirrors(sim::Pattern& pattern, const sim::Pattern& before) {
     const std::map<int, std::vector<int>> groups = linked_groups(pattern);
     if (groups.empty()) return;
-    edit_draft(pattern, [&](Pattern& draft) {
+    edit_draft(pattern, [&](sim::Pattern& draft) {
         for (const auto& [head, images] : groups) {
             int lead = head;
             Change most = change_of(pattern, head, before);
@@ -316,4 +318,4 @@ void update_mirrors(Pattern& pattern, const Pattern& before) {
     });
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -12,27 +12,29 @@
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
-std::array<Vec2d, 2> ends_on_sheet(const Pattern& pattern, const SeamSide& side, const Vec2d& origin) {
-    const Panel& panel = panel_of(pattern, side.panel);
-    const OutlineEdge& edge = edge_of(pattern, side);
+std::array<Vec2d, 2> ends_on_sheet(const sim::Pattern& pattern, const sim::SeamSide& side, const Vec2d& origin) {
+    const sim::Panel& panel = panel_of(pattern, side.panel);
+    const sim::OutlineEdge& edge = edge_of(pattern, side);
     return {origin + panel.vertices[as_size(edge.start)], origin + panel.vertices[as_size(edge.end)]};
 }
 
-std::array<Vec3d, 2> ends_in_room(const Pattern& pattern, const SeamSide& side) {
-    const Panel& panel = panel_of(pattern, side.panel);
-    const OutlineEdge& edge = edge_of(pattern, side);
+std::array<Vec3d, 2> ends_in_room(const sim::Pattern& pattern, const sim::SeamSide& side) {
+    const sim::Panel& panel = panel_of(pattern, side.panel);
+    const sim::OutlineEdge& edge = edge_of(pattern, side);
     return {panel.place(panel.vertices[as_size(edge.start)]), panel.place(panel.vertices[as_size(edge.end)])};
 }
 
-bool is_placed(const Panel& panel) {
+bool is_placed(const sim::Panel& panel) {
     return !panel.translation.isZero(0) || !panel.rotation.isIdentity(0);
 }
 
 bool do_cross(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d) {
-    const auto side = [](const Vec2d& from, const Vec2d& to, const Vec2d& p) { return cross2(to - from, p - from); };
+    const auto side = [](const Vec2d& from, const Vec2d& to, const Vec2d& p) {
+        return sim::cross2(to - from, p - from);
+    };
     return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
 
@@ -47,12 +49,12 @@ bool is_longer_than_swapped(const std::array<Point, 2>& first, const std::array<
 // Ends of an edge that may move: those where the next edge is sewn, or that the other side of the seam ends at, hold.
 class SideScaler {
  public:
-    SideScaler(Pattern& draft, const SeamSide& side, const SeamSide& other)
+    SideScaler(sim::Pattern& draft, const sim::SeamSide& side, const sim::SeamSide& other)
         : draft_(draft), side_(side), other_(other) {}
 
     void scale(double factor) {
-        Panel& panel = draft_.panels[as_size(side_.panel)];
-        const OutlineEdge edge = edge_of(draft_, side_);
+        sim::Panel& panel = draft_.panels[as_size(side_.panel)];
+        const sim::OutlineEdge edge = edge_of(draft_, side_);
         const int count = edge_count(panel);
         const int before = (side_.edge + count - 1) % count;
         const int after = (side_.edge + 1) % count;
@@ -77,22 +79,22 @@ class SideScaler {
 
  private:
     bool holds_other(int vertex) const {
-        const OutlineEdge& edge = edge_of(draft_, other_);
+        const sim::OutlineEdge& edge = edge_of(draft_, other_);
         return other_.panel == side_.panel && (edge.start == vertex || edge.end == vertex);
     }
 
-    Pattern& draft_;
-    SeamSide side_;
-    SeamSide other_;
+    sim::Pattern& draft_;
+    sim::SeamSide side_;
+    sim::SeamSide other_;
 };
 
 }  // namespace
 
-int sew_edges(Pattern& pattern, const Seam& seam) {
+int sew_edges(sim::Pattern& pattern, const sim::Seam& seam) {
     if (seam.first == seam.second) {
         throw DraftError("An edge is not sewn to itself.", {place_of(pattern, seam.first)});
     }
-    for (const SeamSide& side : {seam.first, seam.second}) {
+    for (const sim::SeamSide& side : {seam.first, seam.second}) {
         edge_of(pattern, side);
         const auto found = seam_at(pattern, side);
         if (!found) continue;
@@ -100,36 +102,36 @@ int sew_edges(Pattern& pattern, const Seam& seam) {
                              seam_name(pattern, pattern.seams[as_size(*found)]) + ".",
                          {place_of(pattern, side)});
     }
-    return edit_draft(pattern, [&](Pattern& draft) {
+    return edit_draft(pattern, [&](sim::Pattern& draft) {
         draft.seams.push_back(seam);
         return static_cast<int>(draft.seams.size()) - 1;
     });
 }
 
-void remove_seams(Pattern& pattern, std::vector<int> seams) {
+void remove_seams(sim::Pattern& pattern, std::vector<int> seams) {
     for (const int seam : seams) seam_of(pattern, seam);
     std::sort(seams.begin(), seams.end());
     seams.erase(std::unique(seams.begin(), seams.end()), seams.end());
     for (auto seam = seams.rbegin(); seam != seams.rend(); ++seam) pattern.seams.erase(pattern.seams.begin() + *seam);
 }
 
-std::array<double, 2> seam_lengths(const Pattern& pattern, const Seam& seam) {
+std::array<double, 2> seam_lengths(const sim::Pattern& pattern, const sim::Seam& seam) {
     return {outline_length(panel_of(pattern, seam.first.panel), edge_of(pattern, seam.first)),
             outline_length(panel_of(pattern, seam.second.panel), edge_of(pattern, seam.second))};
 }
 
-void even_seam(Pattern& pattern, int seam) {
-    const Seam uneven = seam_of(pattern, seam);
-    edit_draft(pattern, [&](Pattern& draft) {
+void even_seam(sim::Pattern& pattern, int seam) {
+    const sim::Seam uneven = seam_of(pattern, seam);
+    edit_draft(pattern, [&](sim::Pattern& draft) {
         const auto [first, second] = seam_lengths(draft, uneven);
         SideScaler(draft, uneven.second, uneven.first).scale(first / second);
         draft.seams[as_size(seam)].is_eased = false;
     });
 }
 
-bool is_crossed(const Pattern& pattern, const Seam& seam) {
-    const Panel& first = panel_of(pattern, seam.first.panel);
-    const Panel& second = panel_of(pattern, seam.second.panel);
+bool is_crossed(const sim::Pattern& pattern, const sim::Seam& seam) {
+    const sim::Panel& first = panel_of(pattern, seam.first.panel);
+    const sim::Panel& second = panel_of(pattern, seam.second.panel);
     if (is_placed(first) && is_placed(second)) {
         std::array<Vec3d, 2> ends = ends_in_room(pattern, seam.second);
         if (seam.is_reversed) std::swap(ends[0], ends[1]);
@@ -157,11 +159,11 @@ struct Run {
     double length = 0;            // m
 };
 
-Run measured(const Pattern& pattern, const std::vector<EdgeSpan>& spans) {
+Run measured(const sim::Pattern& pattern, const std::vector<EdgeSpan>& spans) {
     if (spans.empty()) throw DraftError("There is nothing to sew on one side.");
     Run run{spans, {0}, 0};
     for (EdgeSpan& span : run.spans) {
-        const SeamSide side{span.panel, span.edge};
+        const sim::SeamSide side{span.panel, span.edge};
         const double length = outline_length(panel_of(pattern, span.panel), edge_of(pattern, side));
         if (!(span.from >= 0 && span.from < span.to && span.to <= 1)) {
             throw DraftError("The part of the edge that is to be sewn has no length.", {place_of(pattern, side)});
@@ -234,7 +236,7 @@ class PieceCutter {
     }
 
     // From the last to the first, so that what is still to be split keeps its index.
-    void cut(Pattern& draft) const {
+    void cut(sim::Pattern& draft) const {
         for (auto entry = cuts_.rbegin(); entry != cuts_.rend(); ++entry) {
             double whole = 1;
             for (auto t = entry->second.rbegin(); t != entry->second.rend(); ++t) {
@@ -244,7 +246,7 @@ class PieceCutter {
         }
     }
 
-    SeamSide edge_of_piece(const EdgeSpan& piece) const {
+    sim::SeamSide edge_of_piece(const EdgeSpan& piece) const {
         int edge = piece.edge;
         for (const auto& [side, cuts] : cuts_) {
             if (side.panel != piece.panel || side.edge > piece.edge) continue;
@@ -255,10 +257,10 @@ class PieceCutter {
     }
 
  private:
-    std::map<SeamSide, std::vector<double>> cuts_;  // ascending
+    std::map<sim::SeamSide, std::vector<double>> cuts_;  // ascending
 };
 
-void expect_apart(const Pattern& pattern, std::vector<EdgeSpan> pieces) {
+void expect_apart(const sim::Pattern& pattern, std::vector<EdgeSpan> pieces) {
     std::sort(pieces.begin(), pieces.end(), [](const EdgeSpan& a, const EdgeSpan& b) {
         return std::tie(a.panel, a.edge, a.from) < std::tie(b.panel, b.edge, b.from);
     });
@@ -272,8 +274,8 @@ void expect_apart(const Pattern& pattern, std::vector<EdgeSpan> pieces) {
 
 }  // namespace
 
-std::vector<int> sew_runs(Pattern& pattern, const std::vector<EdgeSpan>& first, const std::vector<EdgeSpan>& second,
-                          bool is_reversed) {
+std::vector<int> sew_runs(sim::Pattern& pattern, const std::vector<EdgeSpan>& first,
+                          const std::vector<EdgeSpan>& second, bool is_reversed) {
     const Run run = measured(pattern, first);
     const Run other = measured(pattern, second);
     const std::vector<Joint> joints = joints_of(run, other, is_reversed);
@@ -285,7 +287,7 @@ std::vector<int> sew_runs(Pattern& pattern, const std::vector<EdgeSpan>& first, 
     }
     expect_apart(pattern, pieces);
     const PieceCutter cutter(pieces);
-    return edit_draft(pattern, [&](Pattern& draft) {
+    return edit_draft(pattern, [&](sim::Pattern& draft) {
         cutter.cut(draft);
         std::vector<int> seams;
         for (std::size_t i = 0; i < pieces.size(); i += 2) {
@@ -296,4 +298,4 @@ std::vector<int> sew_runs(Pattern& pattern, const std::vector<EdgeSpan>& first, 
     });
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -1,9 +1,9 @@
 #include "editor/inspectors/body_inspector.h"
 
+#include <imgui.h>
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <imgui.h>
 #include <numbers>
 #include <utility>
 
@@ -13,19 +13,19 @@
 #include "sim/core/error.h"
 #include "sim/place/placement.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 constexpr int kGivenUpAfter = 3;  // frames in which nothing was being made and the body is not there: it failed
 
-std::string drafted_text(const Pattern& pattern) {
+std::string drafted_text(const sim::Pattern& pattern) {
     return pattern.body.empty() ? kUsualBody : pattern.body;
 }
 
 void keep_body(InspectorContext& context) {
     BodyState& state = context.state.body;
     const WornBody& worn = context.workspace.drape.worn();
-    const Pattern& pattern = context.pattern();
+    const sim::Pattern& pattern = context.pattern();
     // Where the body that it was drafted for was never made, panels stay where they are.
     const SetBody command = state.drafted_body != nullptr && state.drafted == drafted_text(pattern)
                                 ? set_body_command(pattern, worn.text, *state.drafted_body, *worn.body)
@@ -83,15 +83,15 @@ std::string drafted_body(const InspectorContext& context) {
     return body.empty() ? kUsualBody : body;
 }
 
-MannequinOptions read_mannequin(const std::string& text) {
+sim::MannequinOptions read_mannequin(const std::string& text) {
     try {
-        return parse_mannequin(text);
-    } catch (const InputError&) {
+        return sim::parse_mannequin(text);
+    } catch (const sim::InputError&) {
         return {};
     }
 }
 
-void carry_body(InspectorContext& context, const NumberEdit& edit, const MannequinOptions& wanted) {
+void carry_body(InspectorContext& context, const NumberEdit& edit, const sim::MannequinOptions& wanted) {
     switch (edit.phase) {
         case EditPhase::None:
             break;
@@ -107,10 +107,10 @@ void carry_body(InspectorContext& context, const NumberEdit& edit, const Mannequ
     }
 }
 
-void draw_sex(InspectorContext& context, const MannequinOptions& options) {
+void draw_sex(InspectorContext& context, const sim::MannequinOptions& options) {
     ButtonRow row(context);
-    MannequinOptions wanted = options;
-    const auto choose = [&](Sex sex, const char* name, const char* title) {
+    sim::MannequinOptions wanted = options;
+    const auto choose = [&](sim::Sex sex, const char* name, const char* title) {
         if (!row.button({.name = name,
                          .title = title,
                          .tip = "What is not measured follows the proportions of this body.",
@@ -120,8 +120,8 @@ void draw_sex(InspectorContext& context, const MannequinOptions& options) {
         wanted.sex = sex;
         wish_body(context, mannequin_text(wanted), BodyWish::Keep);
     };
-    choose(Sex::Female, "body.female", "Female");
-    choose(Sex::Male, "body.male", "Male");
+    choose(sim::Sex::Female, "body.female", "Female");
+    choose(sim::Sex::Male, "body.male", "Male");
     if (row.button({.name = "body.plain",
                     .title = "Clear measures",
                     .tip = "All measures follow the proportions again.",
@@ -133,16 +133,16 @@ void draw_sex(InspectorContext& context, const MannequinOptions& options) {
 // What the tape reads on the body that is worn.
 std::optional<double> reading(const WornBody& worn, std::string_view name) {
     if (!worn.measures) return std::nullopt;
-    for (const MeasureReading& entry : worn.measures->readings) {
+    for (const sim::MeasureReading& entry : worn.measures->readings) {
         if (entry.name == name) return entry.measured;
     }
     return std::nullopt;
 }
 
-void draw_measures(InspectorContext& context, const MannequinOptions& options) {
+void draw_measures(InspectorContext& context, const sim::MannequinOptions& options) {
     const WornBody worn{.text = {}, .body = {}, .measures = context.workspace.drape.worn().measures, .points = {}};
-    for (const std::string_view name : measure_names()) {
-        MannequinOptions wanted = options;
+    for (const std::string_view name : sim::measure_names()) {
+        sim::MannequinOptions wanted = options;
         std::optional<double>* value = find_measure(wanted.measures, name);
         const std::string box = "body." + std::string(name);
         const std::string label = measure_label(name, options.sex);
@@ -158,7 +158,7 @@ void draw_measures(InspectorContext& context, const MannequinOptions& options) {
         *value = edit.value;
         carry_body(context, edit, wanted);
     }
-    MannequinOptions wanted = options;
+    sim::MannequinOptions wanted = options;
     const NumberEdit stance = number_row(context,
                                          {.name = "body.stance",
                                           .value = options.stance,
@@ -214,7 +214,7 @@ void draw_body(InspectorContext& context) {
     const bool has_foreign = state.pending.empty() && !is_mannequin(worn) && worn != drafted;
     const std::string shown = !state.pending.empty() ? state.pending : has_foreign ? worn : drafted;
     if (is_mannequin(shown)) {
-        const MannequinOptions options = read_mannequin(shown);
+        const sim::MannequinOptions options = read_mannequin(shown);
         draw_sex(context, options);
         draw_state(context);
         draw_measures(context, options);
@@ -262,10 +262,10 @@ bool is_mannequin(std::string_view body) {
     return body.empty() || body.starts_with("mannequin");
 }
 
-std::string mannequin_text(const MannequinOptions& options) {
-    std::string text = options.sex == Sex::Female ? "mannequin:sex=female" : "mannequin:sex=male";
-    MannequinMeasures measures = options.measures;
-    for (const std::string_view name : measure_names()) {
+std::string mannequin_text(const sim::MannequinOptions& options) {
+    std::string text = options.sex == sim::Sex::Female ? "mannequin:sex=female" : "mannequin:sex=male";
+    sim::MannequinMeasures measures = options.measures;
+    for (const std::string_view name : sim::measure_names()) {
         const std::optional<double>* value = find_measure(measures, name);
         if (*value) text += "," + std::string(name) + "=" + quantity_figure(**value, Unit::Centimetres);
     }
@@ -276,15 +276,15 @@ std::string mannequin_text(const MannequinOptions& options) {
 std::string wrong_with_body(const std::string& text) {
     if (!is_mannequin(text)) return "";
     try {
-        parse_mannequin(text.empty() ? kUsualBody : text);
+        sim::parse_mannequin(text.empty() ? kUsualBody : text);
         return "";
-    } catch (const InputError& error) {
+    } catch (const sim::InputError& error) {
         return error.place() + ": " + error.problem();
     }
 }
 
-std::string measure_label(std::string_view name, Sex sex) {
-    if (name == "bust" && sex == Sex::Male) return "Chest";
+std::string measure_label(std::string_view name, sim::Sex sex) {
+    if (name == "bust" && sex == sim::Sex::Male) return "Chest";
     std::string words(name);
     std::replace(words.begin(), words.end(), '_', ' ');
     if (!words.empty()) words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
@@ -297,8 +297,9 @@ const char* measure_tip(std::string_view name) {
     return found == kTips.end() ? "" : found->second;
 }
 
-SetBody set_body_command(const Pattern& pattern, const std::string& text, const Body& from, const Body& onto) {
-    Pattern moved = pattern;
+SetBody set_body_command(const sim::Pattern& pattern, const std::string& text, const sim::Body& from,
+                         const sim::Body& onto) {
+    sim::Pattern moved = pattern;
     anchor_panels(moved, from, onto);
     SetBody command{.body = text};
     for (std::size_t i = 0; i < pattern.panels.size(); ++i) {
@@ -307,4 +308,4 @@ SetBody set_body_command(const Pattern& pattern, const std::string& text, const 
     return command;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

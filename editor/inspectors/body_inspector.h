@@ -13,7 +13,7 @@
 #include "sim/mannequin/mannequin.h"
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 enum class BodyWish { Try, Keep };
 
@@ -30,18 +30,19 @@ void follow_body_wish(InspectorContext& context);
 bool is_mannequin(std::string_view body);
 
 // "mannequin:sex=female,bust=92": only what is set, in the order of the measures, to 0.01 cm and 0.01 degrees.
-std::string mannequin_text(const MannequinOptions& options);
+std::string mannequin_text(const sim::MannequinOptions& options);
 
 // Why it is no body, in words; empty: it is one. For a mannequin only; files are tried by those who read them.
 std::string wrong_with_body(const std::string& text);
 
 // "high_hip" as "High hip"; a male's bust is his chest.
-std::string measure_label(std::string_view name, Sex sex);
+std::string measure_label(std::string_view name, sim::Sex sex);
 
 // What a tailor measures there, in words.
 const char* measure_tip(std::string_view name);
 
 // The garment is placed about the new body as it was about the old.
-SetBody set_body_command(const Pattern& pattern, const std::string& text, const Body& from, const Body& onto);
+SetBody set_body_command(const sim::Pattern& pattern, const std::string& text, const sim::Body& from,
+                         const sim::Body& onto);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -1,9 +1,9 @@
 #include "editor/inspectors/controls.h"
 
-#include <algorithm>
 #include <imgui.h>
+#include <algorithm>
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 constexpr float kTipWidth = 22;  // of the font's size
@@ -20,12 +20,12 @@ float text_width(const std::string& text) {
 
 }  // namespace
 
-ImVec4 to_colour(const Rgb8& rgb, float alpha) {
+ImVec4 to_colour(const sim::Rgb8& rgb, float alpha) {
     return {static_cast<float>(rgb[0]) / 255, static_cast<float>(rgb[1]) / 255, static_cast<float>(rgb[2]) / 255,
             alpha};
 }
 
-ImVec4 tinted(const Rgb8& ground, const Rgb8& with) {
+ImVec4 tinted(const sim::Rgb8& ground, const sim::Rgb8& with) {
     constexpr float kShare = 0.14F;
     const ImVec4 a = to_colour(ground), b = to_colour(with);
     return {a.x + (b.x - a.x) * kShare, a.y + (b.y - a.y) * kShare, a.z + (b.z - a.z) * kShare, 1};
@@ -92,7 +92,7 @@ void paragraph(const InspectorContext& context, const std::string& words) {
     complaint(context.theme.faint, words);
 }
 
-void complaint(const Rgb8& colour, const std::string& words) {
+void complaint(const sim::Rgb8& colour, const std::string& words) {
     ImGui::PushStyleColor(ImGuiCol_Text, to_colour(colour));
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(words.c_str());
@@ -244,4 +244,4 @@ void spark_line(const InspectorContext& context, const SparkLine& line) {
                      ImGui::GetColorU32(to_colour(context.theme.accent)), 0, 0.1F * ImGui::GetFontSize());
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

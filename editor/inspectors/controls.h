@@ -1,8 +1,8 @@
 #pragma once
 // What the inspectors are put together from: rows of a label and a field, buttons that wrap, words that fit. All sizes
 // follow the font.
-#include <functional>
 #include <imgui.h>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,10 +10,10 @@
 
 #include "editor/inspectors/inspectors.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
-ImVec4 to_colour(const Rgb8& rgb, float alpha = 1);
-ImVec4 tinted(const Rgb8& ground, const Rgb8& with);  // a little of it
+ImVec4 to_colour(const sim::Rgb8& rgb, float alpha = 1);
+ImVec4 tinted(const sim::Rgb8& ground, const sim::Rgb8& with);  // a little of it
 
 ImTextureID texture_id(UiTexture texture);
 
@@ -37,7 +37,7 @@ void elided_text(const std::string& text, float width_px, const ImVec4& colour);
 
 void heading(const InspectorContext& context, const char* title);
 void paragraph(const InspectorContext& context, const std::string& words);  // wraps, faint
-void complaint(const Rgb8& colour, const std::string& words);               // wraps, coloured
+void complaint(const sim::Rgb8& colour, const std::string& words);          // wraps, coloured
 
 // A section that folds. Returns whether it is open.
 enum class Fold { Open, Closed };
@@ -89,7 +89,7 @@ int choice_box(InspectorContext& context, const Choice& choice);
 struct BarChart {
     std::vector<int> figures;
     std::function<std::string(std::size_t bar)> tip;
-    std::function<Rgb8(std::size_t bar)> colour;
+    std::function<sim::Rgb8(std::size_t bar)> colour;
 };
 void bar_chart(const InspectorContext& context, const BarChart& chart);
 
@@ -102,4 +102,4 @@ struct SparkLine {
 };
 void spark_line(const InspectorContext& context, const SparkLine& line);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

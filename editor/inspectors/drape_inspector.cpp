@@ -1,14 +1,14 @@
 #include "editor/inspectors/drape_inspector.h"
 
+#include <imgui.h>
 #include <algorithm>
 #include <cstdio>
-#include <imgui.h>
 #include <numbers>
 
 #include "editor/inspectors/controls.h"
 #include "editor/inspectors/number_box.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 std::string printed(const char* format, double value) {
@@ -19,19 +19,19 @@ std::string printed(const char* format, double value) {
 
 }  // namespace
 
-std::string stage_words(SessionStage stage, bool is_running) {
+std::string stage_words(sim::SessionStage stage, bool is_running) {
     switch (stage) {
-        case SessionStage::Empty:
+        case sim::SessionStage::Empty:
             return "Empty: there is nothing to drape";
-        case SessionStage::Placed:
+        case sim::SessionStage::Placed:
             return is_running ? "Panels are taken up" : "Placed: panels stand round the body";
-        case SessionStage::Sewing:
+        case sim::SessionStage::Sewing:
             return is_running ? "Sewing: seams close" : "Sewing, paused";
-        case SessionStage::Draping:
+        case sim::SessionStage::Draping:
             return is_running ? "Draping: the garment falls" : "Draping, paused";
-        case SessionStage::Settled:
+        case sim::SessionStage::Settled:
             return "Settled: it hangs still";
-        case SessionStage::Failed:
+        case sim::SessionStage::Failed:
             break;
     }
     return "Failed: it cannot go on";
@@ -55,7 +55,8 @@ std::string count_text(int count) {
     return text;
 }
 
-CurvatureOptions curvature_with(CurvatureOptions options, std::optional<double> split, std::optional<double> rejoin) {
+sim::CurvatureOptions curvature_with(sim::CurvatureOptions options, std::optional<double> split,
+                                     std::optional<double> rejoin) {
     constexpr float kBelow = 0.95F;
     if (split) {
         options.split_angle = static_cast<float>(*split);
@@ -74,7 +75,7 @@ std::string free_drape_name(const std::vector<std::string>& kept, const std::str
     return name;
 }
 
-void DrapeTrace::take(const SessionFrame& frame) {
+void DrapeTrace::take(const sim::SessionFrame& frame) {
     if (frame.number < last_number_) *this = {};
     if (frame.number == last_number_) return;
     last_number_ = frame.number;
@@ -97,8 +98,8 @@ constexpr double kDegree = std::numbers::pi / 180;           // rad
 constexpr double kShortestEdge = 0.002, kLongestEdge = 0.2;  // m
 constexpr int kFewestTriangles = 100, kMostTriangles = 200000;
 
-void draw_buttons(InspectorContext& context, const SessionFrame& frame) {
-    Session& session = context.workspace.drape.session();
+void draw_buttons(InspectorContext& context, const sim::SessionFrame& frame) {
+    sim::Session& session = context.workspace.drape.session();
     ButtonRow row(context);
     if (row.button(
             {.name = "drape.run",
@@ -125,8 +126,8 @@ void draw_buttons(InspectorContext& context, const SessionFrame& frame) {
     }
 }
 
-void draw_figures(InspectorContext& context, const SessionFrame& frame) {
-    const SessionStatistics& now = frame.statistics;
+void draw_figures(InspectorContext& context, const sim::SessionFrame& frame) {
+    const sim::SessionStatistics& now = frame.statistics;
     fact(context, "Simulated", seconds_text(now.simulated_seconds), "How long the cloth has fallen, by its own clock.");
     fact(context, "Speed", speed_text(now.rms_speed), "How fast the cloth moves, as a mean.");
     fact(context, "Triangles", count_text(now.leaf_triangles) + " of " + count_text(now.base_triangles) + " coarse",
@@ -135,7 +136,7 @@ void draw_figures(InspectorContext& context, const SessionFrame& frame) {
          "Edges that the last adaption split or put together again.");
 }
 
-void draw_levels(InspectorContext& context, const SessionFrame& frame) {
+void draw_levels(InspectorContext& context, const sim::SessionFrame& frame) {
     const std::vector<int>& levels = frame.statistics.by_level;
     if (levels.empty()) return;
     ImGui::TextUnformatted(elided("Triangles per level", ImGui::GetContentRegionAvail().x).c_str());
@@ -157,8 +158,8 @@ void draw_spark(InspectorContext& context, const char* label, const std::string&
     spark_line(context, line);
 }
 
-void draw_times(InspectorContext& context, const SessionFrame& frame) {
-    const SessionTimes& times = frame.statistics.times;
+void draw_times(InspectorContext& context, const sim::SessionFrame& frame) {
+    const sim::SessionTimes& times = frame.statistics.times;
     const DrapeTrace& trace = context.state.drape.trace;
     fact(context, "Adaption", milliseconds_text(times.adaption), "Splitting and rejoining edges, once per frame.");
     fact(context, "Steps", milliseconds_text(times.steps), "All steps of one frame: forces, constraints, contacts.");
@@ -169,8 +170,8 @@ void draw_times(InspectorContext& context, const SessionFrame& frame) {
                 .tip = "How many triangles the last 120 frames had."});
 }
 
-void draw_criteria(InspectorContext& context, SessionOptions& options) {
-    CriteriaOptions& criteria = options.criteria;
+void draw_criteria(InspectorContext& context, sim::SessionOptions& options) {
+    sim::CriteriaOptions& criteria = options.criteria;
     paragraph(context, "Edges are split");
     if (check_box(context, "drape.collision", "where the body is near", criteria.collision,
                   "Finer where the body's surface is rounder than the cloth's triangles."))
@@ -204,7 +205,7 @@ void draw_criteria(InspectorContext& context, SessionOptions& options) {
         curvature_with(options.curvature, split ? split.value : std::nullopt, rejoin ? rejoin.value : std::nullopt);
 }
 
-void draw_fineness(InspectorContext& context, SessionOptions& options) {
+void draw_fineness(InspectorContext& context, sim::SessionOptions& options) {
     const NumberEdit level = number_row(context,
                                         {.name = "drape.max_level",
                                          .value = options.max_level,
@@ -237,7 +238,7 @@ void draw_fineness(InspectorContext& context, SessionOptions& options) {
     options.triangle_budget = budget.value ? std::optional<int>(static_cast<int>(*budget.value)) : std::nullopt;
 }
 
-void draw_world(InspectorContext& context, SessionOptions& options) {
+void draw_world(InspectorContext& context, sim::SessionOptions& options) {
     if (check_box(context, "drape.gravity", "Gravity", options.has_gravity, "Without it the cloth floats."))
         options.has_gravity = !options.has_gravity;
     if (check_box(context, "drape.real_time", "Real time", options.keeps_real_time,
@@ -247,7 +248,7 @@ void draw_world(InspectorContext& context, SessionOptions& options) {
 
 void draw_kept(InspectorContext& context) {
     DrapeState& state = context.state.drape;
-    Session& session = context.workspace.drape.session();
+    sim::Session& session = context.workspace.drape.session();
     const auto name = text_box(context, {.name = "drape.name",
                                          .text = state.name,
                                          .hint = free_drape_name(state.kept, ""),
@@ -277,8 +278,8 @@ void draw_kept(InspectorContext& context) {
 
 void draw_drape(InspectorContext& context) {
     ImGui::PushID("drape");
-    const std::shared_ptr<const SessionFrame> frame = context.workspace.drape.frame();
-    SessionOptions& options = context.workspace.drape.options();
+    const std::shared_ptr<const sim::SessionFrame> frame = context.workspace.drape.frame();
+    sim::SessionOptions& options = context.workspace.drape.options();
     draw_buttons(context, *frame);
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(stage_words(frame->stage, frame->is_running).c_str());
@@ -296,4 +297,4 @@ void draw_drape(InspectorContext& context) {
     ImGui::PopID();
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

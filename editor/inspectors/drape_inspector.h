@@ -7,10 +7,10 @@
 
 #include "sim/dress/session.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 // "Sewing: seams close", "Settled: it hangs still".
-std::string stage_words(SessionStage stage, bool is_running);
+std::string stage_words(sim::SessionStage stage, bool is_running);
 
 // "3.2 s", "1.40 ms", "0.8 cm/s".
 std::string seconds_text(double seconds);
@@ -21,7 +21,8 @@ std::string speed_text(double metres_per_second);
 std::string count_text(int count);
 
 // Angles that the criteria can be asked with: rejoining stays below splitting.
-CurvatureOptions curvature_with(CurvatureOptions options, std::optional<double> split, std::optional<double> rejoin);
+sim::CurvatureOptions curvature_with(sim::CurvatureOptions options, std::optional<double> split,
+                                     std::optional<double> rejoin);
 
 // A name that is not among those yet: "drape", "drape 2".
 std::string free_drape_name(const std::vector<std::string>& kept, const std::string& wanted);
@@ -33,7 +34,7 @@ class DrapeTrace {
     static constexpr std::size_t kLength = 120;
 
     // Takes a frame that it does not have yet; one that counts from the beginning again begins anew.
-    void take(const SessionFrame& frame);
+    void take(const sim::SessionFrame& frame);
 
     std::size_t size() const { return size_; }
 
@@ -55,4 +56,4 @@ class DrapeTrace {
     std::uint64_t last_number_ = 0;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

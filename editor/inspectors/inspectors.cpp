@@ -7,7 +7,7 @@
 #include "editor/inspectors/controls.h"
 #include "editor/inspectors/number_box.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 // Returns whether it was clicked.
@@ -74,4 +74,4 @@ void update_inspectors(InspectorContext& context) {
     forget_lost_boxes(context);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -18,7 +18,7 @@
 #include "sim/tartan/match.h"
 #include "sim/tartan/sett.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 // What the boxes and lists remember between two frames of the screen: what is typed and not yet applied, what is
 // unfolded, pictures that are made once.
@@ -65,7 +65,7 @@ struct TypedAngles {
 
 struct TartanPicture {
     std::string shown_as{};  // "Black Watch"
-    Sett sett{};
+    sim::Sett sett{};
     UiTexture texture = 0;
 };
 
@@ -76,7 +76,7 @@ struct MaterialState {
     UiTexture repeats = 0;                                         // the preview from afar,
     UiTexture threads = 0;                                         // and from near
     std::string previewed{};                                       // what they show
-    std::vector<SeamMatch> matched{};                              // what the last match came to
+    std::vector<sim::SeamMatch> matched{};                         // what the last match came to
     std::uint64_t matched_revision = 0;
 };
 
@@ -86,7 +86,7 @@ struct BodyState {
     int idle_frames = 0;    // that nothing was being made while it was pending
     std::string wrong{};    // why what was typed is no body
     std::string drafted{};  // text of the body that the document names, and that body
-    std::shared_ptr<const Body> drafted_body{};
+    std::shared_ptr<const sim::Body> drafted_body{};
 };
 
 struct DrapeState {
@@ -116,7 +116,7 @@ struct InspectorContext {
     std::function<void()> open_body{};          // lets a body's file be chosen; unset: no button for it
     std::function<std::string(std::string_view action)> key_of{};  // "Ctrl+Z" of an action's id; unset or empty: none
 
-    const Pattern& pattern() const { return workspace.document->pattern(); }
+    const sim::Pattern& pattern() const { return workspace.document->pattern(); }
     const Selection& selection() const { return workspace.document->selection(); }
 };
 
@@ -132,4 +132,4 @@ void draw_body(InspectorContext& context);
 void draw_drape(InspectorContext& context);
 void draw_history(InspectorContext& context);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -1,10 +1,10 @@
 #include "editor/inspectors/material_inspector.h"
 
+#include <imgui.h>
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
-#include <imgui.h>
 #include <map>
 #include <sstream>
 
@@ -15,7 +15,7 @@
 #include "sim/core/error.h"
 #include "sim/tartan/tartan_file.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 constexpr int kListedPx = 96;       // side of a listed tartan's picture, one repeat
@@ -30,19 +30,19 @@ UiTexture take_texture(const InspectorContext& context) {
     return context.take_texture ? context.take_texture() : 0;
 }
 
-void hold(InspectorContext& context, UiTexture texture, Image picture) {
+void hold(InspectorContext& context, UiTexture texture, render::Image picture) {
     if (texture != 0) context.output.pictures.push_back({.texture = texture, .picture = std::move(picture)});
 }
 
-std::string shown_name(const std::string& name, const Sett& sett) {
+std::string shown_name(const std::string& name, const sim::Sett& sett) {
     return sett.name.empty() ? readable_name(name) : sett.name;
 }
 
 void make_pictures(InspectorContext& context) {
     MaterialState& state = context.state.material;
     if (!state.tartans.empty()) return;
-    for (const std::string& name : shipped_tartans()) {
-        TartanPicture entry{.shown_as = {}, .sett = find_tartan(name), .texture = take_texture(context)};
+    for (const std::string& name : sim::shipped_tartans()) {
+        TartanPicture entry{.shown_as = {}, .sett = sim::find_tartan(name), .texture = take_texture(context)};
         entry.shown_as = shown_name(name, entry.sett);
         hold(context, entry.texture, sett_picture(entry.sett, {.width_px = kListedPx, .height_px = kListedPx}));
         state.tartans.emplace_back(name, std::move(entry));
@@ -58,8 +58,8 @@ void draw_picture(const InspectorContext& context, UiTexture texture, const ImVe
 }
 
 void draw_tartan(InspectorContext& context, const std::string& name, const TartanPicture& tartan) {
-    const Pattern& pattern = context.pattern();
-    const bool is_chosen = (pattern.tartan.empty() ? kDefaultTartan : pattern.tartan) == name;
+    const sim::Pattern& pattern = context.pattern();
+    const bool is_chosen = (pattern.tartan.empty() ? sim::kDefaultTartan : pattern.tartan) == name;
     const float em = ImGui::GetFontSize(), side = kRowHeight * em, left = ImGui::GetCursorPosX();
     const float room = ImGui::GetContentRegionAvail().x;
     if (ImGui::Selectable(("##" + name).c_str(), is_chosen, 0, {room, side})) {
@@ -81,7 +81,7 @@ void draw_tartan(InspectorContext& context, const std::string& name, const Tarta
 }
 
 // Two pictures, one of repeats and one of threads; made anew when something else is to be seen.
-void update_preview(InspectorContext& context, const Sett& sett) {
+void update_preview(InspectorContext& context, const sim::Sett& sett) {
     MaterialState& state = context.state.material;
     const float em = ImGui::GetFontSize();
     const std::string wanted = threadcount_of(sett) + " " + std::to_string(em);
@@ -101,7 +101,7 @@ void update_preview(InspectorContext& context, const Sett& sett) {
                              .first_thread = first}));
 }
 
-void draw_preview(InspectorContext& context, const Sett& sett) {
+void draw_preview(InspectorContext& context, const sim::Sett& sett) {
     update_preview(context, sett);
     const MaterialState& state = context.state.material;
     const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemInnerSpacing.x;
@@ -144,25 +144,26 @@ void draw_tartan_list(InspectorContext& context) {
 }
 
 void draw_threadcount(InspectorContext& context) {
-    const Pattern& pattern = context.pattern();
-    const std::optional<Sett> worn = sett_of(pattern);
+    const sim::Pattern& pattern = context.pattern();
+    const std::optional<sim::Sett> worn = sett_of(pattern);
     const bool has_name = pattern.tartan.empty() || wrong_with_tartan(pattern.tartan).empty();
     const auto typed_now = text_box(
-        context, {.name = "tartan.threadcount",
-                  .text = has_name && worn
-                              ? threadcount_of(find_tartan(pattern.tartan.empty() ? kDefaultTartan : pattern.tartan))
-                              : pattern.tartan,
-                  .hint = "B/24 W4 B24 R/2",
-                  .tip = "Letters of a colour and a number of threads. A slash marks the pivots between which it is "
-                         "mirrored. S=#A09060; before it gives a colour of one's own, weft: a weft of its own, weave: "
-                         "plain, twill or denim.",
-                  .width_px = ImGui::GetContentRegionAvail().x,
-                  .wrong = wrong_with_tartan});
+        context,
+        {.name = "tartan.threadcount",
+         .text = has_name && worn
+                     ? threadcount_of(sim::find_tartan(pattern.tartan.empty() ? sim::kDefaultTartan : pattern.tartan))
+                     : pattern.tartan,
+         .hint = "B/24 W4 B24 R/2",
+         .tip = "Letters of a colour and a number of threads. A slash marks the pivots between which it is "
+                "mirrored. S=#A09060; before it gives a colour of one's own, weft: a weft of its own, weave: "
+                "plain, twill or denim.",
+         .width_px = ImGui::GetContentRegionAvail().x,
+         .wrong = wrong_with_tartan});
     const TypedText& typed = context.state.boxes.typed;
     const bool is_typing = typed.box != 0 && typed.box == ImGui::GetID("##tartan.threadcount");
     if (is_typing && !typed.wrong.empty()) complaint(context.theme.error, typed.wrong);
-    std::optional<Sett> shown = worn;
-    if (is_typing && typed.wrong.empty() && !typed.text.empty()) shown = find_tartan(typed.text);
+    std::optional<sim::Sett> shown = worn;
+    if (is_typing && typed.wrong.empty() && !typed.text.empty()) shown = sim::find_tartan(typed.text);
     if (shown) draw_preview(context, *shown);
     if (typed_now) {
         context.workspace.run(
@@ -192,7 +193,7 @@ std::string both(double warp, double weft, const char* unit) {
 
 }  // namespace
 
-std::vector<FabricRow> fabric_rows(const Fabric& fabric) {
+std::vector<FabricRow> fabric_rows(const sim::Fabric& fabric) {
     return {
         {"Weight", figures(fabric.area_density * 1e3) + " g/m\u00B2", "What a square metre weighs."},
         {"Stretch", both(fabric.stretch_warp, fabric.stretch_weft, " N/m"),
@@ -218,12 +219,12 @@ std::string readable_name(const std::string& name) {
 
 namespace {
 
-std::string stripe_text(const SettStripe& stripe, bool is_pivot) {
+std::string stripe_text(const sim::SettStripe& stripe, bool is_pivot) {
     return stripe.code + (is_pivot ? "/" : "") + std::to_string(stripe.threads);
 }
 
 // Of a mirrored repeat only what lies between the pivots is written.
-std::string stripes_text(const std::vector<SettStripe>& stripes, bool is_mirrored) {
+std::string stripes_text(const std::vector<sim::SettStripe>& stripes, bool is_mirrored) {
     const std::size_t count = is_mirrored ? stripes.size() / 2 + 1 : stripes.size();
     std::string text;
     for (std::size_t i = 0; i < count && i < stripes.size(); ++i) {
@@ -233,12 +234,13 @@ std::string stripes_text(const std::vector<SettStripe>& stripes, bool is_mirrore
     return text;
 }
 
-std::string own_colours(const Sett& sett) {
-    std::map<std::string, Rgb8> own;
+std::string own_colours(const sim::Sett& sett) {
+    std::map<std::string, sim::Rgb8> own;
     for (const auto* stripes : {&sett.stripes, &sett.weft_stripes}) {
-        for (const SettStripe& stripe : *stripes) {
-            const auto usual = standard_palette().find(stripe.code);
-            if (usual == standard_palette().end() || usual->second != stripe.colour) own[stripe.code] = stripe.colour;
+        for (const sim::SettStripe& stripe : *stripes) {
+            const auto usual = sim::standard_palette().find(stripe.code);
+            if (usual == sim::standard_palette().end() || usual->second != stripe.colour)
+                own[stripe.code] = stripe.colour;
         }
     }
     std::string text;
@@ -257,29 +259,29 @@ std::string small_letters(std::string text) {
 
 }  // namespace
 
-std::string threadcount_of(const Sett& sett) {
+std::string threadcount_of(const sim::Sett& sett) {
     std::string text = own_colours(sett) + stripes_text(sett.stripes, sett.is_mirrored);
     if (!sett.weft_stripes.empty()) text += " weft: " + stripes_text(sett.weft_stripes, sett.is_weft_mirrored);
-    if (sett.weave == Weave::Plain) text += " weave: plain";
-    if (sett.weave == Weave::Twill31) text += " weave: denim";
+    if (sett.weave == sim::Weave::Plain) text += " weave: plain";
+    if (sett.weave == sim::Weave::Twill31) text += " weave: denim";
     return text;
 }
 
 std::string wrong_with_tartan(const std::string& name_or_threadcount) {
     if (name_or_threadcount.empty()) return "";
     try {
-        find_tartan(name_or_threadcount);
+        sim::find_tartan(name_or_threadcount);
         return "";
-    } catch (const InputError& error) {
+    } catch (const sim::InputError& error) {
         return error.place().empty() ? error.problem() : error.place() + ": " + error.problem();
     }
 }
 
-std::optional<Sett> sett_of(const Pattern& pattern) {
+std::optional<sim::Sett> sett_of(const sim::Pattern& pattern) {
     try {
-        Sett sett = find_tartan(pattern.tartan.empty() ? kDefaultTartan : pattern.tartan);
+        sim::Sett sett = sim::find_tartan(pattern.tartan.empty() ? sim::kDefaultTartan : pattern.tartan);
         return pattern.sett_size ? with_repeat_size(std::move(sett), *pattern.sett_size) : sett;
-    } catch (const InputError&) {
+    } catch (const sim::InputError&) {
         return std::nullopt;
     }
 }
@@ -297,20 +299,18 @@ bool has_words(const std::string& text, const std::string& words) {
 
 namespace {
 
-constexpr double kSmallestSett = 0.001, kLargestSett = 5;  // m, as commands have it
-
-std::string garment_fabric(const Pattern& pattern) {
-    return pattern.fabric.empty() ? Fabric{}.name : pattern.fabric;
+std::string garment_fabric(const sim::Pattern& pattern) {
+    return pattern.fabric.empty() ? sim::Fabric{}.name : pattern.fabric;
 }
 
-std::string fabric_of(const Pattern& pattern, const Panel& panel) {
+std::string fabric_of(const sim::Pattern& pattern, const sim::Panel& panel) {
     return panel.fabric.empty() ? garment_fabric(pattern) : panel.fabric;
 }
 
-std::string users_of(const Pattern& pattern, const std::string& fabric) {
+std::string users_of(const sim::Pattern& pattern, const std::string& fabric) {
     std::string names;
     std::size_t count = 0;
-    for (const Panel& panel : pattern.panels) {
+    for (const sim::Panel& panel : pattern.panels) {
         if (fabric_of(pattern, panel) != fabric) continue;
         names += (names.empty() ? "" : ", ") + panel.name;
         ++count;
@@ -321,14 +321,14 @@ std::string users_of(const Pattern& pattern, const std::string& fabric) {
 
 void draw_fabric_rows(InspectorContext& context, const std::string& name) {
     try {
-        for (const FabricRow& row : fabric_rows(find_fabric(name))) fact(context, row.label, row.value, row.tip);
-    } catch (const InputError& error) {
+        for (const FabricRow& row : fabric_rows(sim::find_fabric(name))) fact(context, row.label, row.value, row.tip);
+    } catch (const sim::InputError& error) {
         complaint(context.theme.error, error.problem());
     }
 }
 
 void draw_fabric_choice(InspectorContext& context, const std::string& shown) {
-    std::vector<std::string> names = fabric_names(), words;
+    std::vector<std::string> names = sim::fabric_names(), words;
     if (std::find(names.begin(), names.end(), shown) == names.end()) names.push_back(shown);
     int chosen = -1;
     for (const std::string& name : names) {
@@ -345,7 +345,7 @@ void draw_fabric_choice(InspectorContext& context, const std::string& shown) {
 }
 
 void draw_fabric(InspectorContext& context) {
-    const Pattern& pattern = context.pattern();
+    const sim::Pattern& pattern = context.pattern();
     std::string& viewed = context.state.material.fabric;
     const std::set<std::string> selected = context.selection().panels;
     const std::string shown = viewed.empty() ? garment_fabric(pattern) : viewed;
@@ -370,17 +370,17 @@ void draw_fabric(InspectorContext& context) {
 }
 
 void draw_sett_place(InspectorContext& context) {
-    const Pattern& pattern = context.pattern();
+    const sim::Pattern& pattern = context.pattern();
     SetTartan command{.tartan = pattern.tartan, .size = pattern.sett_size, .position = pattern.sett_position};
-    Pattern plain;
+    sim::Pattern plain;
     plain.tartan = pattern.tartan;
-    const std::optional<Sett> sett = sett_of(plain);
+    const std::optional<sim::Sett> sett = sett_of(plain);
     const NumberEdit size = number_row(context,
                                        {.name = "tartan.size",
                                         .value = pattern.sett_size,
                                         .tip = "Of one repeat of the warp. Empty: the tartan's own.",
-                                        .least = kSmallestSett,
-                                        .most = kLargestSett,
+                                        .least = sim::kSmallestSett,
+                                        .most = sim::kLargestSett,
                                         .may_be_empty = true,
                                         .standing_for = sett ? std::optional(repeat_size(*sett)) : std::nullopt},
                                        "s: size");
@@ -425,15 +425,15 @@ void match(InspectorContext& context) {
     MaterialState& state = context.state.material;
     const std::set<int>& seams = context.selection().seams;
     const std::vector<int> first(seams.begin(), seams.end());
-    const std::optional<Sett> sett = sett_of(context.pattern());
+    const std::optional<sim::Sett> sett = sett_of(context.pattern());
     if (!sett) return;
-    std::vector<SeamMatch> matched = match_sett(context.pattern(), *sett, {.first_seams = first}).seams;
+    std::vector<sim::SeamMatch> matched = match_sett(context.pattern(), *sett, {.first_seams = first}).seams;
     if (!context.workspace.run(MatchSetts{.first_seams = first})) return;
     state.matched = std::move(matched);
     state.matched_revision = context.workspace.document->revision();
 }
 
-void draw_match_table(const InspectorContext& context, const std::vector<SeamMatch>& seams) {
+void draw_match_table(const InspectorContext& context, const std::vector<sim::SeamMatch>& seams) {
     const ImGuiTableFlags flags = ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingFixedFit;
     if (!ImGui::BeginTable("matched", 3, flags)) return;
     const float em = ImGui::GetFontSize();
@@ -442,7 +442,7 @@ void draw_match_table(const InspectorContext& context, const std::vector<SeamMat
     ImGui::TableSetupColumn("after, mm", ImGuiTableColumnFlags_WidthFixed, 4.6F * em);
     ImGui::TableHeadersRow();
     constexpr double kMet = 0.002;  // m
-    for (const SeamMatch& seam : seams) {
+    for (const sim::SeamMatch& seam : seams) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(elided(seam.name, ImGui::GetContentRegionAvail().x).c_str());
@@ -457,8 +457,8 @@ void draw_match_table(const InspectorContext& context, const std::vector<SeamMat
 }
 
 void draw_match(InspectorContext& context) {
-    const Pattern& pattern = context.pattern();
-    const std::optional<Sett> sett = sett_of(pattern);
+    const sim::Pattern& pattern = context.pattern();
+    const std::optional<sim::Sett> sett = sett_of(pattern);
     if (pattern.seams.empty() || !sett) return paragraph(context, "With seams between panels, stripes can be matched.");
     if (!pattern.matched_sett) {
         paragraph(context, "Nobody has matched the stripes at the seams yet.");
@@ -497,4 +497,4 @@ void draw_materials(InspectorContext& context) {
     ImGui::PopID();
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -9,7 +9,7 @@
 #include "sim/pattern/pattern.h"
 #include "sim/tartan/sett.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 // The search box, the list that fits it; a click on one takes it.
 void draw_tartan_list(InspectorContext& context);
@@ -26,7 +26,7 @@ struct FabricRow {
 };
 
 // Weight, stretch, shear, bending, thickness, friction, damping, strain limit.
-std::vector<FabricRow> fabric_rows(const Fabric& fabric);
+std::vector<FabricRow> fabric_rows(const sim::Fabric& fabric);
 
 // "wool_twill" as "Wool twill"; a file by its name without folders.
 std::string readable_name(const std::string& name);
@@ -35,15 +35,15 @@ std::string readable_name(const std::string& name);
 
 // "K/8 R24 W/4 weft: ... weave: denim", its colours that the usual letters do not have first. parse_threadcount makes
 // the same threads of it.
-std::string threadcount_of(const Sett& sett);
+std::string threadcount_of(const sim::Sett& sett);
 
 // Why it cannot be woven, in words; empty: it can. Also for names.
 std::string wrong_with_tartan(const std::string& name_or_threadcount);
 
 // What the garment is woven in, in its size. None: its name or threadcount is wrong.
-std::optional<Sett> sett_of(const Pattern& pattern);
+std::optional<sim::Sett> sett_of(const sim::Pattern& pattern);
 
 // Whether all words are in the text, in small or capital letters.
 bool has_words(const std::string& text, const std::string& words);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -1,18 +1,18 @@
 #include "editor/inspectors/number_box.h"
 
+#include <imgui.h>
+#include <imgui_stdlib.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <imgui.h>
-#include <imgui_stdlib.h>
 #include <numbers>
 #include <span>
 
 #include "editor/geometry/expression.h"
 #include "editor/inspectors/controls.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 constexpr float kPxPerStep = 2;  // of dragging, at a font of 13 px
@@ -478,4 +478,4 @@ NumberEdit number_row(InspectorContext& context, NumberBox box, const char* labe
     return number_box(context, box);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

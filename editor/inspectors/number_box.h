@@ -9,7 +9,7 @@
 #include "editor/inspectors/inspectors.h"
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 // Values in boxes: SI inside, cm, mm or degrees to read and type, with as few figures as say it.
 
@@ -124,4 +124,4 @@ Vec2d edited(Vec2d value, const VectorEdit& edit);
 // One number with its label, as a row. The label can be dragged.
 NumberEdit number_row(InspectorContext& context, NumberBox box, const char* label);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

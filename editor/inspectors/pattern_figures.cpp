@@ -9,30 +9,30 @@
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 constexpr double kChordError = 0.0005;  // m, of outlines that only their box is read of
 
-const Vec2d& start_of(const Panel& panel, const OutlineEdge& edge) {
+const Vec2d& start_of(const sim::Panel& panel, const sim::OutlineEdge& edge) {
     return panel.vertices[static_cast<std::size_t>(edge.start)];
 }
 
-const Vec2d& end_of(const Panel& panel, const OutlineEdge& edge) {
+const Vec2d& end_of(const sim::Panel& panel, const sim::OutlineEdge& edge) {
     return panel.vertices[static_cast<std::size_t>(edge.end)];
 }
 
 // The control points of a cubic with the same ends, tangents at them and middle height as the edge.
-std::array<Vec2d, 2> cubic_controls(const Panel& panel, const OutlineEdge& edge) {
+std::array<Vec2d, 2> cubic_controls(const sim::Panel& panel, const sim::OutlineEdge& edge) {
     const Vec2d a = start_of(panel, edge), d = end_of(panel, edge);
     switch (edge.kind) {
-        case CurveKind::Line:
+        case sim::CurveKind::Line:
             return {a + (d - a) / 3, a + (d - a) * 2 / 3};
-        case CurveKind::Quadratic:
+        case sim::CurveKind::Quadratic:
             return {a + (edge.control[0] - a) * 2 / 3, d + (edge.control[0] - d) * 2 / 3};
-        case CurveKind::Cubic:
+        case sim::CurveKind::Cubic:
             return edge.control;
-        case CurveKind::Arc:
+        case sim::CurveKind::Arc:
             break;
     }
     // Through the points at a third and two thirds: the curve at s is a sum of its four points.
@@ -42,14 +42,14 @@ std::array<Vec2d, 2> cubic_controls(const Panel& panel, const OutlineEdge& edge)
 }
 
 // Twice the curve's middle less half of its ends: the quadratic through the same middle.
-Vec2d quadratic_control(const Panel& panel, const OutlineEdge& edge) {
+Vec2d quadratic_control(const sim::Panel& panel, const sim::OutlineEdge& edge) {
     const Vec2d a = start_of(panel, edge), d = end_of(panel, edge);
-    if (edge.kind == CurveKind::Quadratic) return edge.control[0];
+    if (edge.kind == sim::CurveKind::Quadratic) return edge.control[0];
     return 2 * outline_point(panel, edge, 0.5) - (a + d) / 2;
 }
 
 // The arc through the edge's ends and its middle; a flat edge gives one that bulges by a tenth of the chord.
-void set_arc(const Panel& panel, const OutlineEdge& edge, OutlineEdge& arc) {
+void set_arc(const sim::Panel& panel, const sim::OutlineEdge& edge, sim::OutlineEdge& arc) {
     const Vec2d a = start_of(panel, edge), d = end_of(panel, edge);
     const double chord = (d - a).norm();
     if (!(chord > 0)) return;
@@ -64,10 +64,10 @@ void set_arc(const Panel& panel, const OutlineEdge& edge, OutlineEdge& arc) {
 
 }  // namespace
 
-Vec3d garment_centre(const Pattern& pattern) {
+Vec3d garment_centre(const sim::Pattern& pattern) {
     Vec3d low = Vec3d::Constant(std::numeric_limits<double>::max()), high = -low;
     bool is_empty = true;
-    for (const Panel& panel : pattern.panels) {
+    for (const sim::Panel& panel : pattern.panels) {
         for (const Vec2d& u : panel.vertices) {
             const Vec3d x = panel.place(u);
             low = low.cwiseMin(x);
@@ -93,10 +93,10 @@ Eigen::Matrix3d rotation_of(const Vec3d& angles) {
         .toRotationMatrix();
 }
 
-PlaneBox panel_box(const Panel& panel) {
+PlaneBox panel_box(const sim::Panel& panel) {
     if (panel.edges.empty()) return {};
     PlaneBox box{.low = panel.vertices.front(), .high = panel.vertices.front()};
-    for (const OutlineEdge& edge : panel.edges) {
+    for (const sim::OutlineEdge& edge : panel.edges) {
         for (const Vec2d& u : outline_polyline(panel, edge, kChordError)) {
             box.low = box.low.cwiseMin(u);
             box.high = box.high.cwiseMax(u);
@@ -105,9 +105,9 @@ PlaneBox panel_box(const Panel& panel) {
     return box;
 }
 
-double panel_perimeter(const Panel& panel) {
+double panel_perimeter(const sim::Panel& panel) {
     double sum = 0;
-    for (const OutlineEdge& edge : panel.edges) sum += outline_length(panel, edge);
+    for (const sim::OutlineEdge& edge : panel.edges) sum += outline_length(panel, edge);
     return sum;
 }
 
@@ -116,23 +116,23 @@ PlaneMap scale_about(const Vec2d& centre, const Vec2d& factors) {
         .x_axis = {factors.x(), 0}, .y_axis = {0, factors.y()}, .shift = centre - Vec2d(factors.cwiseProduct(centre))};
 }
 
-OutlineEdge with_kind(const Panel& panel, const OutlineEdge& edge, CurveKind kind) {
-    OutlineEdge curve = edge;
+sim::OutlineEdge with_kind(const sim::Panel& panel, const sim::OutlineEdge& edge, sim::CurveKind kind) {
+    sim::OutlineEdge curve = edge;
     curve.kind = kind;
     curve.control = {Vec2d::Zero(), Vec2d::Zero()};
     curve.arc_radius = 0;
     curve.is_large_arc = curve.turns_right = false;
     switch (kind) {
-        case CurveKind::Line:
+        case sim::CurveKind::Line:
             break;
-        case CurveKind::Quadratic:
+        case sim::CurveKind::Quadratic:
             curve.control[0] = quadratic_control(panel, edge);
             break;
-        case CurveKind::Cubic:
+        case sim::CurveKind::Cubic:
             curve.control = cubic_controls(panel, edge);
             break;
-        case CurveKind::Arc:
-            if (edge.kind == CurveKind::Arc) return edge;
+        case sim::CurveKind::Arc:
+            if (edge.kind == sim::CurveKind::Arc) return edge;
             set_arc(panel, edge, curve);
             break;
     }
@@ -140,17 +140,17 @@ OutlineEdge with_kind(const Panel& panel, const OutlineEdge& edge, CurveKind kin
 }
 
 // The chord grows as the curve does.
-Vec2d shift_for_length(const Panel& panel, const OutlineEdge& edge, const LengthChange& change) {
+Vec2d shift_for_length(const sim::Panel& panel, const sim::OutlineEdge& edge, const LengthChange& change) {
     const double now = outline_length(panel, edge);
     if (!(now > 0 && change.before > 0 && change.after > 0)) return Vec2d::Zero();
     return (end_of(panel, edge) - start_of(panel, edge)) * ((change.after - change.before) / now);
 }
 
-double least_arc_radius(const Panel& panel, const OutlineEdge& edge) {
+double least_arc_radius(const sim::Panel& panel, const sim::OutlineEdge& edge) {
     return (end_of(panel, edge) - start_of(panel, edge)).norm() / 2;
 }
 
-SeamFigures seam_figures(const Pattern& pattern, const Seam& seam) {
+SeamFigures seam_figures(const sim::Pattern& pattern, const sim::Seam& seam) {
     const std::array<double, 2> lengths = seam_lengths(pattern, seam);
     return {.name = seam_name(pattern, seam),
             .first = lengths[0],
@@ -164,18 +164,18 @@ std::string difference_text(const SeamFigures& figures) {
     return text.front() == '-' || text == "0 mm" ? text : "+" + text;
 }
 
-std::optional<int> seam_along(const Pattern& pattern, const SeamSide& side) {
+std::optional<int> seam_along(const sim::Pattern& pattern, const sim::SeamSide& side) {
     for (std::size_t i = 0; i < pattern.seams.size(); ++i) {
         if (pattern.seams[i].first == side || pattern.seams[i].second == side) return static_cast<int>(i);
     }
     return std::nullopt;
 }
 
-std::optional<int> panel_index(const Pattern& pattern, const std::string& name) {
+std::optional<int> panel_index(const sim::Pattern& pattern, const std::string& name) {
     for (std::size_t i = 0; i < pattern.panels.size(); ++i) {
         if (pattern.panels[i].name == name) return static_cast<int>(i);
     }
     return std::nullopt;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

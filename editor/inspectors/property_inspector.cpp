@@ -1,9 +1,9 @@
 // A panel's name, size, place and cloth.
 #include "editor/inspectors/property_inspector.h"
 
+#include <imgui.h>
 #include <algorithm>
 #include <array>
-#include <imgui.h>
 
 #include "editor/geometry/panel_edit.h"
 #include "editor/inspectors/controls.h"
@@ -14,7 +14,7 @@
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 constexpr double kLeastScale = 0.01;
@@ -22,7 +22,7 @@ constexpr double kLeastSize = 0.001;  // m
 
 // A panel and where it lies on the sheet.
 struct PanelOnSheet {
-    const Panel& panel;
+    const sim::Panel& panel;
     Vec2d origin = Vec2d::Zero();  // m
 };
 
@@ -31,7 +31,7 @@ std::string area_text(double area) {
                       : quantity_figure(area, Unit::Plain) + " m\u00B2";
 }
 
-const PanelFacts& facts_of(InspectorContext& context, const Panel& panel) {
+const PanelFacts& facts_of(InspectorContext& context, const sim::Panel& panel) {
     PanelFacts& facts = context.state.panels[panel.name];
     const std::uint64_t revision = context.workspace.document->revision() + 1;  // 0: not known yet
     if (facts.revision != revision) {
@@ -46,18 +46,18 @@ TransformPanels scaling(const std::vector<std::string>& panels, const Vec2d& cen
     return {.panels = panels, .map = scale_about(centre, factors), .what = "Scale"};
 }
 
-Pattern only_selected(const Pattern& pattern, const Selection& selected) {
-    Pattern part;
-    for (const Panel& panel : pattern.panels) {
+sim::Pattern only_selected(const sim::Pattern& pattern, const Selection& selected) {
+    sim::Pattern part;
+    for (const sim::Panel& panel : pattern.panels) {
         if (selected.panels.contains(panel.name)) part.panels.push_back(panel);
     }
     return part;
 }
 
 // So much further than they are seen now, also where that is only tried.
-PlacePanels placing(const Pattern& pattern, const Selection& selected, const Vec3d& by) {
+PlacePanels placing(const sim::Pattern& pattern, const Selection& selected, const Vec3d& by) {
     PlacePanels command;
-    for (const Panel& panel : pattern.panels) {
+    for (const sim::Panel& panel : pattern.panels) {
         if (!selected.panels.contains(panel.name)) continue;
         command.places.push_back({.panel = panel.name,
                                   .translation = panel.translation + by,
@@ -67,7 +67,7 @@ PlacePanels placing(const Pattern& pattern, const Selection& selected, const Vec
     return command;
 }
 
-void draw_name(InspectorContext& context, const Panel& panel) {
+void draw_name(InspectorContext& context, const sim::Panel& panel) {
     row_label(context, "Name", "What the panel is called.");
     const auto name = text_box(context, {.name = "panel.name",
                                          .text = panel.name,
@@ -106,7 +106,7 @@ void draw_scale(InspectorContext& context, const PanelOnSheet& shown) {
 }
 
 // The angles that were typed, as long as the panel still stands so.
-Vec3d shown_angles(const InspectorContext& context, const Panel& panel) {
+Vec3d shown_angles(const InspectorContext& context, const sim::Panel& panel) {
     const auto typed = context.state.angles.find(panel.name);
     constexpr double kSame = 1e-9;
     if (typed != context.state.angles.end() && typed->second.rotation.isApprox(panel.rotation, kSame)) {
@@ -115,7 +115,7 @@ Vec3d shown_angles(const InspectorContext& context, const Panel& panel) {
     return angles_of(panel.rotation);
 }
 
-void draw_place(InspectorContext& context, const Panel& panel) {
+void draw_place(InspectorContext& context, const sim::Panel& panel) {
     PlacePanel placed{.panel = panel.name,
                       .translation = panel.translation,
                       .rotation = panel.rotation,
@@ -155,7 +155,7 @@ void draw_place(InspectorContext& context, const Panel& panel) {
     }
 }
 
-void draw_cloth(InspectorContext& context, const Panel& panel) {
+void draw_cloth(InspectorContext& context, const sim::Panel& panel) {
     const std::string name = panel.name;
     fabric_row(context, name);
     const NumberEdit grain =
@@ -177,15 +177,15 @@ void draw_cloth(InspectorContext& context, const Panel& panel) {
     carry(context, layer, SetLayer{.panel = name, .layer = static_cast<int>(layer.value.value_or(0))});
 }
 
-std::string mirror_of(const Pattern& pattern, const Panel& panel) {
+std::string mirror_of(const sim::Pattern& pattern, const sim::Panel& panel) {
     if (!panel.mirror_of.empty()) return panel.mirror_of;
-    for (const Panel& other : pattern.panels) {
+    for (const sim::Panel& other : pattern.panels) {
         if (other.mirror_of == panel.name) return other.name;
     }
     return "";
 }
 
-void draw_links(InspectorContext& context, const Panel& panel) {
+void draw_links(InspectorContext& context, const sim::Panel& panel) {
     const std::string name = panel.name;
     const std::string mirror = mirror_of(context.pattern(), panel);
     if (!panel.pins.empty()) {
@@ -212,7 +212,7 @@ void draw_panel_section(InspectorContext& context, const std::string& name) {
     const std::optional<int> index = panel_index(context.pattern(), name);
     if (!index) return;
     const auto at = static_cast<std::size_t>(*index);
-    const Panel panel = context.pattern().panels[at];  // a copy: a box may change the pattern
+    const sim::Panel panel = context.pattern().panels[at];  // a copy: a box may change the pattern
     const Vec2d origin = sheet_positions(context.pattern())[at];
     heading(context, ("Panel " + name).c_str());
     ImGui::PushID(name.c_str());
@@ -230,7 +230,7 @@ void draw_panel_section(InspectorContext& context, const std::string& name) {
 
 void draw_panels_section(InspectorContext& context) {
     const Selection selected = context.selection();
-    const Pattern& pattern = context.pattern();
+    const sim::Pattern& pattern = context.pattern();
     const std::vector<Vec2d> origins = sheet_positions(pattern);
     std::optional<PlaneBox> all;
     double area = 0;
@@ -277,12 +277,12 @@ namespace {
 constexpr double kShortestEdge = 0.001;  // m, that can be typed
 
 struct FoundPanel {
-    const Panel& panel;
+    const sim::Panel& panel;
     int index = 0;
     Vec2d origin = Vec2d::Zero();  // m, on the sheet
 };
 
-std::optional<FoundPanel> find(const Pattern& pattern, const std::string& name) {
+std::optional<FoundPanel> find(const sim::Pattern& pattern, const std::string& name) {
     const std::optional<int> index = panel_index(pattern, name);
     if (!index) return std::nullopt;
     const auto at = static_cast<std::size_t>(*index);
@@ -318,7 +318,7 @@ void draw_vertex(InspectorContext& context, const PartRef& vertex) {
     carry(context, moved.number, MoveVertices{.vertices = {vertex}, .by = by});
 }
 
-void draw_kind(InspectorContext& context, const PartRef& edge, const FoundPanel& found, const OutlineEdge& curve) {
+void draw_kind(InspectorContext& context, const PartRef& edge, const FoundPanel& found, const sim::OutlineEdge& curve) {
     const std::array<std::string, 4> kinds{"Line", "Curve, one handle", "Curve, two handles", "Circle arc"};
     const auto kind = static_cast<int>(curve.kind);
     row_label(context, "Kind", "How the edge runs from its start to its end.");
@@ -331,11 +331,12 @@ void draw_kind(InspectorContext& context, const PartRef& edge, const FoundPanel&
     if (chosen < 0 || chosen == kind) return;
     context.workspace.run(SetCurve{.panel = edge.panel,
                                    .edge = edge.index,
-                                   .curve = with_kind(found.panel, curve, static_cast<CurveKind>(chosen))});
+                                   .curve = with_kind(found.panel, curve, static_cast<sim::CurveKind>(chosen))});
 }
 
-void draw_controls(InspectorContext& context, const PartRef& edge, const FoundPanel& found, const OutlineEdge& curve) {
-    const std::size_t count = curve.kind == CurveKind::Quadratic ? 1 : curve.kind == CurveKind::Cubic ? 2 : 0;
+void draw_controls(InspectorContext& context, const PartRef& edge, const FoundPanel& found,
+                   const sim::OutlineEdge& curve) {
+    const std::size_t count = curve.kind == sim::CurveKind::Quadratic ? 1 : curve.kind == sim::CurveKind::Cubic ? 2 : 0;
     constexpr std::array<const char*, 2> kNames{"edge.handle1", "edge.handle2"};
     for (std::size_t i = 0; i < count; ++i) {
         const char* label = count == 1 ? "Handle" : i == 0 ? "First handle" : "Second handle";
@@ -349,7 +350,7 @@ void draw_controls(InspectorContext& context, const PartRef& edge, const FoundPa
     }
 }
 
-void draw_arc(InspectorContext& context, const PartRef& edge, const FoundPanel& found, const OutlineEdge& curve) {
+void draw_arc(InspectorContext& context, const PartRef& edge, const FoundPanel& found, const sim::OutlineEdge& curve) {
     SetCurve command{.panel = edge.panel, .edge = edge.index, .curve = curve};
     const NumberEdit radius = number_row(context,
                                          {.name = "edge.radius",
@@ -372,7 +373,8 @@ void draw_arc(InspectorContext& context, const PartRef& edge, const FoundPanel& 
     }
 }
 
-void draw_length(InspectorContext& context, const PartRef& edge, const FoundPanel& found, const OutlineEdge& curve) {
+void draw_length(InspectorContext& context, const PartRef& edge, const FoundPanel& found,
+                 const sim::OutlineEdge& curve) {
     const NumberEdit length = number_row(context,
                                          {.name = "edge.length",
                                           .value = outline_length(found.panel, curve),
@@ -391,7 +393,7 @@ void draw_seam_of(InspectorContext& context, const FoundPanel& found, int edge) 
         fact(context, "Seam", "not sewn", "No seam runs along this edge.");
         return;
     }
-    const Seam& sewn = context.pattern().seams[static_cast<std::size_t>(*seam)];
+    const sim::Seam& sewn = context.pattern().seams[static_cast<std::size_t>(*seam)];
     fact(context, "Seam", seam_name(context.pattern(), sewn), "The seam along this edge.");
     ButtonRow row(context);
     if (row.button({.name = "edge.seam", .title = "Select seam", .tip = "Shows the seam along this edge."})) {
@@ -428,13 +430,13 @@ void draw_edge_section(InspectorContext& context, const PartRef& edge) {
     heading(context, ("Edge " + std::to_string(edge.index) + " of " + edge.panel).c_str());
     ImGui::PushID(("edge " + edge.panel + "." + std::to_string(edge.index)).c_str());
     // Copies: what a box changes is seen by the next ones a frame later.
-    const Panel panel = found->panel;
+    const sim::Panel panel = found->panel;
     const FoundPanel shown{.panel = panel, .index = found->index, .origin = found->origin};
-    const OutlineEdge curve = panel.edges[static_cast<std::size_t>(edge.index)];
+    const sim::OutlineEdge curve = panel.edges[static_cast<std::size_t>(edge.index)];
     draw_length(context, edge, shown, curve);
     draw_kind(context, edge, shown, curve);
     draw_controls(context, edge, shown, curve);
-    if (curve.kind == CurveKind::Arc) draw_arc(context, edge, shown, curve);
+    if (curve.kind == sim::CurveKind::Arc) draw_arc(context, edge, shown, curve);
     draw_seam_of(context, shown, edge.index);
     ImGui::PopID();
 }
@@ -442,7 +444,7 @@ void draw_edge_section(InspectorContext& context, const PartRef& edge) {
 void draw_notch_section(InspectorContext& context, const PartRef& notch) {
     const auto found = find(context.pattern(), notch.panel);
     if (!found || static_cast<std::size_t>(notch.index) >= found->panel.notches.size()) return;
-    const Notch held = found->panel.notches[static_cast<std::size_t>(notch.index)];
+    const sim::Notch held = found->panel.notches[static_cast<std::size_t>(notch.index)];
     const double length = outline_length(found->panel, found->panel.edges[static_cast<std::size_t>(held.edge)]);
     heading(context, ("Notch of " + notch.panel).c_str());
     ImGui::PushID(("notch " + notch.panel + "." + std::to_string(notch.index)).c_str());
@@ -479,7 +481,7 @@ void draw_notch_section(InspectorContext& context, const PartRef& notch) {
 void draw_internal_line_section(InspectorContext& context, const PartRef& line) {
     const auto found = find(context.pattern(), line.panel);
     if (!found || static_cast<std::size_t>(line.index) >= found->panel.internal_lines.size()) return;
-    const InternalLine held = found->panel.internal_lines[static_cast<std::size_t>(line.index)];
+    const sim::InternalLine held = found->panel.internal_lines[static_cast<std::size_t>(line.index)];
     double length = 0;
     for (std::size_t i = 1; i < held.points.size(); ++i) length += (held.points[i] - held.points[i - 1]).norm();
     heading(context, ("Internal line of " + line.panel).c_str());
@@ -530,11 +532,11 @@ void draw_selected(InspectorContext& context, const Selection& selected) {
 }  // namespace
 
 void fabric_row(InspectorContext& context, const std::string& panel) {
-    const Pattern& pattern = context.pattern();
+    const sim::Pattern& pattern = context.pattern();
     const std::optional<int> index = panel_index(pattern, panel);
     const std::string own = index ? pattern.panels[static_cast<std::size_t>(*index)].fabric : pattern.fabric;
-    const std::string usual = index && !pattern.fabric.empty() ? pattern.fabric : Fabric{}.name;
-    std::vector<std::string> names = fabric_names(),
+    const std::string usual = index && !pattern.fabric.empty() ? pattern.fabric : sim::Fabric{}.name;
+    std::vector<std::string> names = sim::fabric_names(),
                              shown{(index ? "As the garment: " : "Usual: ") + readable_name(usual)};
     int chosen = own.empty() ? 0 : -1;
     for (const std::string& name : names) {
@@ -555,7 +557,7 @@ void fabric_row(InspectorContext& context, const std::string& panel) {
 }
 
 void draw_pattern_section(InspectorContext& context) {
-    const Pattern& pattern = context.pattern();
+    const sim::Pattern& pattern = context.pattern();
     ImGui::PushID("pattern");
     row_label(context, "Name", "What the garment is called.");
     const auto name = text_box(context, {.name = "pattern.name",
@@ -601,4 +603,4 @@ void draw_properties(InspectorContext& context) {
     if (folding("Garment", Fold::Open)) draw_pattern_section(context);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -2,7 +2,7 @@
 // The parts of the property inspector: one for each kind of thing that can be selected.
 #include "editor/inspectors/inspectors.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 void draw_pattern_section(InspectorContext& context);
 void draw_panel_section(InspectorContext& context, const std::string& name);
@@ -20,4 +20,4 @@ void fabric_row(InspectorContext& context, const std::string& panel);
 // Even, accept ease, reverse, delete.
 void seam_buttons(InspectorContext& context, int seam);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

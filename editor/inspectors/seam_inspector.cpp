@@ -10,10 +10,10 @@
 #include "editor/inspectors/property_inspector.h"
 #include "render/scene/colour.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
-bool has_seam(const Pattern& pattern, int seam) {
+bool has_seam(const sim::Pattern& pattern, int seam) {
     return seam >= 0 && static_cast<std::size_t>(seam) < pattern.seams.size();
 }
 
@@ -28,7 +28,7 @@ void draw_chip(int seam, float side_px) {
     const float top = low.y + (ImGui::GetTextLineHeight() - side_px) / 2;
     ImGui::GetWindowDrawList()->AddRectFilled(
         {low.x, top}, {low.x + side_px, top + side_px},
-        ImGui::GetColorU32(to_colour(line_colour(static_cast<std::size_t>(seam)))), side_px / 4);
+        ImGui::GetColorU32(to_colour(render::line_colour(static_cast<std::size_t>(seam)))), side_px / 4);
     ImGui::Dummy({side_px, ImGui::GetTextLineHeight()});
 }
 
@@ -52,7 +52,7 @@ void light_up(InspectorContext& context, int seam, bool is_hovered) {
 }
 
 // Ends at the place; returns where it begins.
-float right_aligned(const std::string& text, float right, const Rgb8& colour) {
+float right_aligned(const std::string& text, float right, const sim::Rgb8& colour) {
     const float left = right - ImGui::CalcTextSize(text.c_str()).x;
     back_to(left);
     ImGui::PushStyleColor(ImGuiCol_Text, to_colour(colour));
@@ -89,7 +89,7 @@ void draw_seam_row(InspectorContext& context, int seam, const SeamFigures& figur
 }
 
 void draw_name_row(InspectorContext& context, int seam) {
-    const Seam& held = context.pattern().seams[static_cast<std::size_t>(seam)];
+    const sim::Seam& held = context.pattern().seams[static_cast<std::size_t>(seam)];
     row_label(context, "Name", "What the seam is called.");
     const auto name = text_box(context, {.name = "seam.name",
                                          .text = held.name,
@@ -180,4 +180,4 @@ void draw_seams(InspectorContext& context) {
     }
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -11,7 +11,7 @@
 #include "sim/mesh/triangulate.h"
 #include "sim/pattern/outline.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 constexpr std::array<double, 4> kChordErrors{1e-3, 2e-4, 3e-5, 6e-6};  // m
@@ -27,9 +27,9 @@ std::size_t level_for(double scale) {
 
 }  // namespace
 
-PanelFace make_face(const Panel& panel, double chord_error) {
+PanelFace make_face(const sim::Panel& panel, double chord_error) {
     PanelFace face;
-    for (const OutlineEdge& edge : panel.edges) {
+    for (const sim::OutlineEdge& edge : panel.edges) {
         face.edge_starts.push_back(face.points.size());
         const std::vector<Vec2d> line = outline_polyline(panel, edge, chord_error);
         face.points.insert(face.points.end(), line.begin(), line.end() - 1);
@@ -37,9 +37,9 @@ PanelFace make_face(const Panel& panel, double chord_error) {
     face.edge_starts.push_back(face.points.size());
     if (face.points.size() < 3 || face.points.size() > kMostToCheck) return face;
     std::vector<Vec2d> welded = face.points;
-    weld(welded);
-    if (find_crossing(welded)) return face;
-    if (auto triangles = delaunay_inside(welded, {})) face.triangles = std::move(*triangles);
+    sim::weld(welded);
+    if (sim::find_crossing(welded)) return face;
+    if (auto triangles = sim::delaunay_inside(welded, {})) face.triangles = std::move(*triangles);
     return face;
 }
 
@@ -92,10 +92,11 @@ class SrgbTable {
 };
 
 // The mean colour of the threads that each of `count` equal parts of the repeat covers, linear.
-std::vector<Vec3d> sampled(const std::vector<Rgb8>& threads, int count) {
+std::vector<Vec3d> sampled(const std::vector<sim::Rgb8>& threads, int count) {
     std::vector<Vec3d> sums(threads.size() + 1, Vec3d::Zero());
     for (std::size_t i = 0; i < threads.size(); ++i) {
-        sums[i + 1] = sums[i] + Vec3d(to_linear(threads[i][0]), to_linear(threads[i][1]), to_linear(threads[i][2]));
+        sums[i + 1] = sums[i] + Vec3d(render::to_linear(threads[i][0]), render::to_linear(threads[i][1]),
+                                      render::to_linear(threads[i][2]));
     }
     const auto sum_to = [&](double at) {
         const auto whole = std::min(static_cast<std::size_t>(at), threads.size() - 1);
@@ -107,9 +108,9 @@ std::vector<Vec3d> sampled(const std::vector<Rgb8>& threads, int count) {
     return parts;
 }
 
-bool is_warp_seen(Weave weave, int end, int pick) {
-    const int period = weave == Weave::Plain ? 2 : 4;
-    const int over = weave == Weave::Plain ? 1 : weave == Weave::Twill22 ? 2 : 3;
+bool is_warp_seen(sim::Weave weave, int end, int pick) {
+    const int period = weave == sim::Weave::Plain ? 2 : 4;
+    const int over = weave == sim::Weave::Plain ? 1 : weave == sim::Weave::Twill22 ? 2 : 3;
     return ((end - pick) % period + period) % period < over;
 }
 
@@ -121,7 +122,7 @@ int sett_tile_side(double repeat_px) {
     return side;
 }
 
-Image sett_tile(const Sett& sett, int side_px) {
+render::Image sett_tile(const sim::Sett& sett, int side_px) {
     const int ends = thread_count(sett), picks = weft_thread_count(sett);
     const double proportion = double(picks) / ends;
     const int height = std::clamp(static_cast<int>(std::lround(side_px * proportion)), 1, 2048);
@@ -129,9 +130,9 @@ Image sett_tile(const Sett& sett, int side_px) {
     const std::vector<Vec3d> weft = sampled(weft_thread_colours(sett), height);
     // Threads fade in from one px to two.
     const double shows_threads = std::clamp(double(side_px) / ends - 1, 0.0, 1.0);
-    const double share = sett.weave == Weave::Twill31 ? 0.75 : 0.5;
+    const double share = sett.weave == sim::Weave::Twill31 ? 0.75 : 0.5;
     const SrgbTable srgb;
-    Image picture(side_px, height);
+    render::Image picture(side_px, height);
     for (int y = 0; y < height; ++y) {
         const int pick = static_cast<int>(double(y) * picks / height);
         for (int x = 0; x < side_px; ++x) {
@@ -145,4 +146,4 @@ Image sett_tile(const Sett& sett, int side_px) {
     return picture;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

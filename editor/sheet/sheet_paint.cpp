@@ -10,7 +10,7 @@
 #include "editor/tools/sheet_pick.h"
 #include "render/scene/colour.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 ImTextureID id_of(UiTexture texture) {
@@ -18,7 +18,7 @@ ImTextureID id_of(UiTexture texture) {
 }
 
 // (weft, warp) in units of the repeat.
-ImVec2 sett_place(const SettTexture& sett, const Panel& panel, const Vec2d& u) {
+ImVec2 sett_place(const SettTexture& sett, const sim::Panel& panel, const Vec2d& u) {
     const double c = std::cos(panel.grain_angle), s = std::sin(panel.grain_angle);
     const Vec2d turned(c * u.x() + s * u.y(), -s * u.x() + c * u.y());
     const Vec2d place = (turned + panel.sett_offset - sett.position).cwiseQuotient(sett.repeat);
@@ -26,7 +26,8 @@ ImVec2 sett_place(const SettTexture& sett, const Panel& panel, const Vec2d& u) {
 }
 
 template <class Place>
-void fill(const SheetLook& look, const PanelShape& shape, const PanelFace& face, const Rgba8& colour, Place&& uv_of) {
+void fill(const SheetLook& look, const PanelShape& shape, const PanelFace& face, const render::Rgba8& colour,
+          Place&& uv_of) {
     ImDrawList& list = look.pen.list;
     list.PrimReserve(static_cast<int>(face.triangles.size() * 3), static_cast<int>(face.points.size()));
     const unsigned first = list._VtxCurrentIdx;
@@ -40,7 +41,7 @@ void fill(const SheetLook& look, const PanelShape& shape, const PanelFace& face,
     }
 }
 
-void fill_plain(const SheetLook& look, const PanelShape& shape, const Rgba8& colour) {
+void fill_plain(const SheetLook& look, const PanelShape& shape, const render::Rgba8& colour) {
     const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
     const PanelFace& face = look.faces.face(shape, look.pen.camera.scale);
     if (!face.triangles.empty()) fill(look, shape, face, colour, [&](const Vec2d&) { return white; });
@@ -58,7 +59,7 @@ Vec2d middle_of(const PanelShape& shape, const PanelFace& face) {
     for (const auto& [a, b, c] : face.triangles) {
         const Vec2d &p = face.points[std::size_t(a)], &q = face.points[std::size_t(b)],
                     &r = face.points[std::size_t(c)];
-        const double part = cross2(q - p, r - p) / 2;
+        const double part = sim::cross2(q - p, r - p) / 2;
         const Vec2d centre = (p + q + r) / 3;
         sum += part * centre;
         area += part;
@@ -109,7 +110,7 @@ void draw_name(const SheetLook& look, const PanelShape& shape) {
 
 void draw_notch(const SheetLook& look, const PanelShape& shape, std::size_t index) {
     const SheetPen& pen = look.pen;
-    const Notch& notch = shape.panel.notches[index];
+    const sim::Notch& notch = shape.panel.notches[index];
     if (notch.edge < 0 || static_cast<std::size_t>(notch.edge) >= shape.edges.size()) return;
     const EdgeShape& edge = shape.edges[static_cast<std::size_t>(notch.edge)];
     const Vec2d at = edge.at(notch.t), along = edge.tangent(notch.t), inward(-along.y(), along.x());
@@ -118,7 +119,7 @@ void draw_notch(const SheetLook& look, const PanelShape& shape, std::size_t inde
     const double px = double(pen.ui) / pen.camera.scale;
     const double depth = std::clamp(0.006, 6 * px, 13 * px);
     const Vec2d half = along * depth * 0.38;
-    const Rgba8& colour = is_chosen || is_hovered ? pen.colours.accent : pen.colours.ink;
+    const render::Rgba8& colour = is_chosen || is_hovered ? pen.colours.accent : pen.colours.ink;
     pen.list.AddTriangleFilled(pen.px(shape.on_sheet(at + half)), pen.px(shape.on_sheet(at - half)),
                                pen.px(shape.on_sheet(at + inward * depth)), packed(colour));
 }
@@ -140,7 +141,7 @@ void draw_vertices(const SheetLook& look, const PanelShape& shape) {
     for (std::size_t i = 0; i < shape.panel.vertices.size(); ++i) {
         const PartRef ref{name, static_cast<int>(i)};
         const bool is_chosen = look.selection.vertices.contains(ref);
-        const Rgba8& rim = is_touched || is_chosen ? pen.colours.accent : pen.colours.faint_ink;
+        const render::Rgba8& rim = is_touched || is_chosen ? pen.colours.accent : pen.colours.faint_ink;
         pen.square(shape.on_sheet(shape.panel.vertices[i]), is_chosen ? 8 : side,
                    is_chosen ? pen.colours.accent : pen.colours.handle, rim);
     }
@@ -149,7 +150,7 @@ void draw_vertices(const SheetLook& look, const PanelShape& shape) {
 void draw_curve_handles(const SheetLook& look, const PanelShape& shape) {
     const SheetPen& pen = look.pen;
     for (std::size_t i = 0; i < shape.panel.edges.size(); ++i) {
-        const OutlineEdge& edge = shape.panel.edges[i];
+        const sim::OutlineEdge& edge = shape.panel.edges[i];
         const int count = control_count(edge.kind);
         if (count == 0 || !look.overlay.handle_edges.contains({shape.panel.name, static_cast<int>(i)})) continue;
         const Vec2d start = shape.on_sheet(shape.panel.vertices[std::size_t(edge.start)]);
@@ -196,7 +197,7 @@ void draw_outline(const SheetLook& look, const PanelShape& shape) {
     if (is_hovered && !is_chosen) {
         pen.list.AddPolyline(line.data(), count, packed(faded(pen.colours.hover, 0.5)), ImDrawFlags_Closed, pen.px(4));
     }
-    const Rgba8& colour = is_chosen ? pen.colours.accent : pen.colours.ink;
+    const render::Rgba8& colour = is_chosen ? pen.colours.accent : pen.colours.ink;
     pen.list.AddPolyline(line.data(), count, packed(colour), ImDrawFlags_Closed, pen.px(is_chosen ? 2 : 1.3));
 }
 
@@ -246,13 +247,13 @@ void draw_hovered(const SheetLook& look) {
 namespace {
 
 struct SeamLook {
-    Rgba8 colour{};
+    render::Rgba8 colour{};
     double width = 2;
     bool is_uneven = false;
     bool is_marked = false;  // selected or pointed to
 };
 
-const PanelShape* shape_of(const SheetLook& look, const SeamSide& side) {
+const PanelShape* shape_of(const SheetLook& look, const sim::SeamSide& side) {
     const std::vector<PanelShape>& panels = look.geometry.panels();
     if (side.panel < 0 || static_cast<std::size_t>(side.panel) >= panels.size()) return nullptr;
     const PanelShape& shape = panels[static_cast<std::size_t>(side.panel)];
@@ -260,24 +261,24 @@ const PanelShape* shape_of(const SheetLook& look, const SeamSide& side) {
     return &shape;
 }
 
-double length_of(const PanelShape& shape, const SeamSide& side) {
+double length_of(const PanelShape& shape, const sim::SeamSide& side) {
     return shape.edges[static_cast<std::size_t>(side.edge)].length;
 }
 
 SeamLook look_of(const SheetLook& look, int index, double difference) {
-    const Seam& seam = look.pattern.seams[static_cast<std::size_t>(index)];
+    const sim::Seam& seam = look.pattern.seams[static_cast<std::size_t>(index)];
     SeamLook drawn;
     drawn.is_uneven = std::abs(difference) > kUnevenSeam && !seam.is_eased;
     drawn.is_marked = look.selection.seams.contains(index) || look.hover.seam == index;
-    const Rgb8 kind = line_colour(static_cast<std::size_t>(index));
-    drawn.colour = drawn.is_uneven ? look.pen.colours.error : Rgba8{kind[0], kind[1], kind[2], 255};
+    const sim::Rgb8 kind = render::line_colour(static_cast<std::size_t>(index));
+    drawn.colour = drawn.is_uneven ? look.pen.colours.error : render::Rgba8{kind[0], kind[1], kind[2], 255};
     const bool stands_out = drawn.is_marked || look.overlay.shows_sewing;
     drawn.width = drawn.is_marked ? 3.4 : stands_out ? 2.6 : 1.8;
     if (!stands_out) drawn.colour = faded(drawn.colour, 0.85);
     return drawn;
 }
 
-void draw_side(const SheetLook& look, const SeamSide& side, const SeamLook& drawn, bool runs_backward) {
+void draw_side(const SheetLook& look, const sim::SeamSide& side, const SeamLook& drawn, bool runs_backward) {
     const PanelShape* shape = shape_of(look, side);
     if (shape == nullptr || !is_in_view(look, *shape)) return;
     const SheetPen& pen = look.pen;
@@ -296,7 +297,7 @@ void draw_side(const SheetLook& look, const SeamSide& side, const SeamLook& draw
 }
 
 // The difference stands inside of the panel, beside the middle of the side that is changed to even it.
-void draw_difference(const SheetLook& look, const SeamSide& side, double difference, const Rgba8& colour) {
+void draw_difference(const SheetLook& look, const sim::SeamSide& side, double difference, const render::Rgba8& colour) {
     const PanelShape* shape = shape_of(look, side);
     const EdgeShape& edge = shape->edges[static_cast<std::size_t>(side.edge)];
     const Vec2d along = edge.tangent(0.5);
@@ -307,7 +308,7 @@ void draw_difference(const SheetLook& look, const SeamSide& side, double differe
     look.pen.words(shape->on_sheet(edge.at(0.5)), words, colour, offset);
 }
 
-void draw_button(const SheetLook& look, int seam, const Rgba8& colour) {
+void draw_button(const SheetLook& look, int seam, const render::Rgba8& colour) {
     const std::optional<Vec2d> at = seam_button(look.geometry, look.pattern, seam);
     if (!at) return;
     const SheetPen& pen = look.pen;
@@ -349,7 +350,7 @@ std::vector<ImVec2> inset_line(std::span<const ImVec2> line, float inset, float 
 void draw_seams(const SheetLook& look) {
     if (!look.shows.seams) return;
     for (std::size_t i = 0; i < look.pattern.seams.size(); ++i) {
-        const Seam& seam = look.pattern.seams[i];
+        const sim::Seam& seam = look.pattern.seams[i];
         const PanelShape* first = shape_of(look, seam.first);
         const PanelShape* second = shape_of(look, seam.second);
         if (first == nullptr || second == nullptr) continue;
@@ -366,7 +367,7 @@ void draw_seams(const SheetLook& look) {
 
 namespace {
 
-Rgba8 colour_of(const SheetColours& colours, OverlayTone tone) {
+render::Rgba8 colour_of(const SheetColours& colours, OverlayTone tone) {
     switch (tone) {
         case OverlayTone::Draft:
             return colours.accent;
@@ -384,7 +385,7 @@ Rgba8 colour_of(const SheetColours& colours, OverlayTone tone) {
 
 void draw_line(const SheetPen& pen, const OverlayLine& line) {
     if (line.points.size() < 2) return;
-    const Rgba8 colour = colour_of(pen.colours, line.tone);
+    const render::Rgba8 colour = colour_of(pen.colours, line.tone);
     std::vector<ImVec2> drawn;
     for (const Vec2d& point : line.points) drawn.push_back(pen.px(point));
     if (line.is_closed && line.points.size() < 200) {
@@ -397,8 +398,8 @@ void draw_line(const SheetPen& pen, const OverlayLine& line) {
 }
 
 void draw_handle(const SheetPen& pen, const OverlayHandle& handle) {
-    const Rgba8 colour = colour_of(pen.colours, handle.tone);
-    const Rgba8 inside = handle.is_filled ? colour : pen.colours.handle;
+    const render::Rgba8 colour = colour_of(pen.colours, handle.tone);
+    const render::Rgba8 inside = handle.is_filled ? colour : pen.colours.handle;
     const ImVec2 at = pen.px(handle.at);
     const float r = pen.px(4.5);
     switch (handle.shape) {
@@ -473,7 +474,7 @@ void draw_bubble(const SheetPen& pen, const Vec2d& cursor, const ToolOverlay& ov
     if (is_typing) {
         pen.list.AddRectFilled({at.x - pen.px(2), at.y}, {low.x + width + margin + pen.px(2), at.y + large + pen.px(4)},
                                packed(pen.colours.handle), pen.px(3));
-        const Rgba8& ink = typed.numbers() ? pen.colours.ink : pen.colours.error;
+        const render::Rgba8& ink = typed.numbers() ? pen.colours.ink : pen.colours.error;
         pen.list.AddText(ImGui::GetFont(), large, {at.x + pen.px(1), at.y + pen.px(2)}, packed(ink),
                          typed_text.c_str());
         at.y += large + pen.px(8);
@@ -484,4 +485,4 @@ void draw_bubble(const SheetPen& pen, const Vec2d& cursor, const ToolOverlay& ov
     }
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

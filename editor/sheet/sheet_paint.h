@@ -6,7 +6,7 @@
 #include "editor/sheet/sheet_pen.h"
 #include "editor/tools/tool_host.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 // Beneath seams.
 void draw_cloth(const SheetLook& look, const PanelShape& shape);
@@ -34,4 +34,4 @@ void draw_lit_places(const SheetLook& look, const std::vector<DraftPlace>& place
 // Beside the cursor: what is typed, in large, and the tool's readout. `cursor` in px.
 void draw_bubble(const SheetPen& pen, const Vec2d& cursor, const ToolOverlay& overlay, const TypedInput& typed);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

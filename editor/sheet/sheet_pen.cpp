@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 std::vector<ImVec2> in_px(const SheetPen& pen, std::span<const Vec2d> points) {
@@ -41,17 +41,17 @@ Part part_in_view(const SheetPen& pen, const ImVec2& a, const ImVec2& b) {
 
 }  // namespace
 
-ImU32 packed(const Rgba8& colour) {
+ImU32 packed(const render::Rgba8& colour) {
     return IM_COL32(colour[0], colour[1], colour[2], colour[3]);
 }
 
-Rgba8 faded(Rgba8 colour, double share) {
+render::Rgba8 faded(render::Rgba8 colour, double share) {
     colour[3] = static_cast<std::uint8_t>(std::lround(std::clamp(share, 0.0, 1.0) * colour[3]));
     return colour;
 }
 
-Rgba8 mixed(const Rgba8& from, const Rgba8& to, double share) {
-    Rgba8 result{};
+render::Rgba8 mixed(const render::Rgba8& from, const render::Rgba8& to, double share) {
+    render::Rgba8 result{};
     for (std::size_t i = 0; i < 4; ++i) {
         result[i] = static_cast<std::uint8_t>(std::lround((1 - share) * from[i] + share * to[i]));
     }
@@ -63,12 +63,12 @@ ImVec2 SheetPen::px(const Vec2d& sheet) const {
     return {static_cast<float>(at.x()), static_cast<float>(at.y())};
 }
 
-void SheetPen::line(std::span<const Vec2d> points, const Rgba8& colour, double width) const {
+void SheetPen::line(std::span<const Vec2d> points, const render::Rgba8& colour, double width) const {
     const std::vector<ImVec2> drawn = in_px(*this, points);
     list.AddPolyline(drawn.data(), static_cast<int>(drawn.size()), packed(colour), 0, px(width));
 }
 
-void SheetPen::dashed(std::span<const Vec2d> points, const Rgba8& colour, double width, double dash) const {
+void SheetPen::dashed(std::span<const Vec2d> points, const render::Rgba8& colour, double width, double dash) const {
     const std::vector<ImVec2> drawn = in_px(*this, points);
     const float step = px(dash);
     float left = step;  // of the dash or gap that is under way
@@ -94,7 +94,7 @@ void SheetPen::dashed(std::span<const Vec2d> points, const Rgba8& colour, double
     }
 }
 
-void SheetPen::square(const Vec2d& at, double side, const Rgba8& inside, const Rgba8& rim) const {
+void SheetPen::square(const Vec2d& at, double side, const render::Rgba8& inside, const render::Rgba8& rim) const {
     const ImVec2 middle = px(at);
     const float half = px(side / 2);
     const ImVec2 low{std::floor(middle.x - half) + 0.5F, std::floor(middle.y - half) + 0.5F};
@@ -103,12 +103,12 @@ void SheetPen::square(const Vec2d& at, double side, const Rgba8& inside, const R
     list.AddRect(low, high, packed(rim), px(1), 0, px(1.4));
 }
 
-void SheetPen::round(const Vec2d& at, double radius, const Rgba8& inside, const Rgba8& rim) const {
+void SheetPen::round(const Vec2d& at, double radius, const render::Rgba8& inside, const render::Rgba8& rim) const {
     list.AddCircleFilled(px(at), px(radius), packed(inside), 20);
     list.AddCircle(px(at), px(radius), packed(rim), 20, px(1.4));
 }
 
-void SheetPen::words(const Vec2d& at, const std::string& text, const Rgba8& colour, const ImVec2& px_offset,
+void SheetPen::words(const Vec2d& at, const std::string& text, const render::Rgba8& colour, const ImVec2& px_offset,
                      float size) const {
     ImFont* font = ImGui::GetFont();
     const float height = std::round(ImGui::GetFontSize() * size);
@@ -142,7 +142,7 @@ LinePlace place_on(std::span<const ImVec2> line, double length) {
     return {line.back(), {1, 0}};
 }
 
-void draw_direction(const SheetPen& pen, std::span<const ImVec2> line, const Rgba8& colour, double inward) {
+void draw_direction(const SheetPen& pen, std::span<const ImVec2> line, const render::Rgba8& colour, double inward) {
     if (line.size() < 2) return;
     const double length = px_length(line);
     const double spacing = pen.px(44);
@@ -165,4 +165,4 @@ void draw_direction(const SheetPen& pen, std::span<const ImVec2> line, const Rgb
                                {base.x - across.x * half, base.y - across.y * half}, packed(colour));
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

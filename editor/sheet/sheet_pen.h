@@ -14,39 +14,39 @@
 #include "editor/tools/tool.h"
 #include "render/image/image.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 // The colours of the drafting sheet, in one place: paper, thin cool grid lines, ink, one accent.
 
 struct SheetColours {
-    Rgba8 paper{0xFC, 0xFB, 0xF8, 0xFF};
-    Rgba8 fine_grid{0x9F, 0xB4, 0xBE, 0x3C};    // faded in as its lines come apart
-    Rgba8 coarse_grid{0x8A, 0xA4, 0xB0, 0x6E};  // every fifth or tenth of them
-    Rgba8 axis{0x6F, 0x8E, 0x9C, 0xA0};         // x = 0 and y = 0
-    Rgba8 ruler{0xF3, 0xF1, 0xEC, 0xFF};
-    Rgba8 ruler_line{0xD5, 0xD2, 0xCB, 0xFF};
-    Rgba8 ruler_tick{0x9A, 0x9A, 0x98, 0xFF};
-    Rgba8 ruler_text{0x6A, 0x6C, 0x6E, 0xFF};
+    render::Rgba8 paper{0xFC, 0xFB, 0xF8, 0xFF};
+    render::Rgba8 fine_grid{0x9F, 0xB4, 0xBE, 0x3C};    // faded in as its lines come apart
+    render::Rgba8 coarse_grid{0x8A, 0xA4, 0xB0, 0x6E};  // every fifth or tenth of them
+    render::Rgba8 axis{0x6F, 0x8E, 0x9C, 0xA0};         // x = 0 and y = 0
+    render::Rgba8 ruler{0xF3, 0xF1, 0xEC, 0xFF};
+    render::Rgba8 ruler_line{0xD5, 0xD2, 0xCB, 0xFF};
+    render::Rgba8 ruler_tick{0x9A, 0x9A, 0x98, 0xFF};
+    render::Rgba8 ruler_text{0x6A, 0x6C, 0x6E, 0xFF};
 
-    Rgba8 ink{0x26, 0x29, 0x2E, 0xFF};          // outlines, names
-    Rgba8 faint_ink{0x26, 0x29, 0x2E, 0x80};    // grainlines, internal lines
-    Rgba8 plain_cloth{0xEF, 0xEA, 0xDF, 0xE8};  // panels where no tartan is shown
-    Rgba8 under_cloth{0xFF, 0xFF, 0xFF, 0xFF};  // beneath a tartan, which is laid over it as strong as:
-    float cloth_strength = 0.40F;               // so that ink and seams are read on it
-    Rgba8 plate{0xFF, 0xFE, 0xFB, 0xDC};        // behind words on the sheet
-    Rgba8 mirrored{0x7A, 0x5C, 0x9E, 0xFF};     // of panels that are kept mirror images
+    render::Rgba8 ink{0x26, 0x29, 0x2E, 0xFF};          // outlines, names
+    render::Rgba8 faint_ink{0x26, 0x29, 0x2E, 0x80};    // grainlines, internal lines
+    render::Rgba8 plain_cloth{0xEF, 0xEA, 0xDF, 0xE8};  // panels where no tartan is shown
+    render::Rgba8 under_cloth{0xFF, 0xFF, 0xFF, 0xFF};  // beneath a tartan, which is laid over it as strong as:
+    float cloth_strength = 0.40F;                       // so that ink and seams are read on it
+    render::Rgba8 plate{0xFF, 0xFE, 0xFB, 0xDC};        // behind words on the sheet
+    render::Rgba8 mirrored{0x7A, 0x5C, 0x9E, 0xFF};     // of panels that are kept mirror images
 
-    Rgba8 accent{0x1F, 0x6F, 0x8B, 0xFF};  // selected, being drawn
-    Rgba8 accent_fill{0x1F, 0x6F, 0x8B, 0x20};
-    Rgba8 hover{0x1F, 0x6F, 0x8B, 0x78};
-    Rgba8 handle{0xFF, 0xFF, 0xFF, 0xFF};  // the inside of handles
-    Rgba8 guide{0xC2, 0x4D, 0x8A, 0xD0};   // what a point snaps to
-    Rgba8 measure{0x4A, 0x4E, 0x55, 0xFF};
-    Rgba8 warning{0xB8, 0x74, 0x10, 0xFF};  // likely not meant
-    Rgba8 error{0xC2, 0x30, 0x28, 0xFF};    // uneven seams, places of errors
-    Rgba8 pin{0xC2, 0x30, 0x28, 0xFF};
-    Rgba8 bubble{0x26, 0x29, 0x2E, 0xEB};       // readouts at the cursor,
-    Rgba8 bubble_text{0xFA, 0xF9, 0xF6, 0xFF};  // and their words
+    render::Rgba8 accent{0x1F, 0x6F, 0x8B, 0xFF};  // selected, being drawn
+    render::Rgba8 accent_fill{0x1F, 0x6F, 0x8B, 0x20};
+    render::Rgba8 hover{0x1F, 0x6F, 0x8B, 0x78};
+    render::Rgba8 handle{0xFF, 0xFF, 0xFF, 0xFF};  // the inside of handles
+    render::Rgba8 guide{0xC2, 0x4D, 0x8A, 0xD0};   // what a point snaps to
+    render::Rgba8 measure{0x4A, 0x4E, 0x55, 0xFF};
+    render::Rgba8 warning{0xB8, 0x74, 0x10, 0xFF};  // likely not meant
+    render::Rgba8 error{0xC2, 0x30, 0x28, 0xFF};    // uneven seams, places of errors
+    render::Rgba8 pin{0xC2, 0x30, 0x28, 0xFF};
+    render::Rgba8 bubble{0x26, 0x29, 0x2E, 0xEB};       // readouts at the cursor,
+    render::Rgba8 bubble_text{0xFA, 0xF9, 0xF6, 0xFF};  // and their words
 };
 
 struct SheetPen {
@@ -59,19 +59,19 @@ struct SheetPen {
     float px(double interface_px) const { return static_cast<float>(interface_px) * ui; }
 
     // Points on the sheet.
-    void line(std::span<const Vec2d> points, const Rgba8& colour, double width) const;
-    void dashed(std::span<const Vec2d> points, const Rgba8& colour, double width, double dash = 6) const;
-    void square(const Vec2d& at, double side, const Rgba8& inside, const Rgba8& rim) const;
-    void round(const Vec2d& at, double radius, const Rgba8& inside, const Rgba8& rim) const;
+    void line(std::span<const Vec2d> points, const render::Rgba8& colour, double width) const;
+    void dashed(std::span<const Vec2d> points, const render::Rgba8& colour, double width, double dash = 6) const;
+    void square(const Vec2d& at, double side, const render::Rgba8& inside, const render::Rgba8& rim) const;
+    void round(const Vec2d& at, double radius, const render::Rgba8& inside, const render::Rgba8& rim) const;
 
     // Words on a plate about the point; px_offset: of the plate's middle. `size`: of the usual.
-    void words(const Vec2d& at, const std::string& text, const Rgba8& colour, const ImVec2& px_offset = {0, 0},
+    void words(const Vec2d& at, const std::string& text, const render::Rgba8& colour, const ImVec2& px_offset = {0, 0},
                float size = 1) const;
 };
 
-ImU32 packed(const Rgba8& colour);
-Rgba8 faded(Rgba8 colour, double share);  // of its alpha
-Rgba8 mixed(const Rgba8& from, const Rgba8& to, double share);
+ImU32 packed(const render::Rgba8& colour);
+render::Rgba8 faded(render::Rgba8 colour, double share);  // of its alpha
+render::Rgba8 mixed(const render::Rgba8& from, const render::Rgba8& to, double share);
 
 // Points along a line in px, evenly spaced: for ticks.
 struct LinePlace {
@@ -83,7 +83,7 @@ LinePlace place_on(std::span<const ImVec2> line, double length);  // Pre: two po
 
 // A few small ticks across the line, and a triangle near its beginning that points along it. `inward`: the side of
 // the line, 1 to its left, that ticks reach to.
-void draw_direction(const SheetPen& pen, std::span<const ImVec2> line, const Rgba8& colour, double inward);
+void draw_direction(const SheetPen& pen, std::span<const ImVec2> line, const render::Rgba8& colour, double inward);
 
 // What the painters of the sheet are told about one frame.
 
@@ -104,7 +104,7 @@ struct SettTexture {
 
 struct SheetLook {
     const SheetPen& pen;
-    const Pattern& pattern;
+    const sim::Pattern& pattern;
     const SheetGeometry& geometry;
     PanelFaces& faces;
     const Selection& selection;
@@ -117,4 +117,4 @@ struct SheetLook {
 
 bool is_in_view(const SheetLook& look, const PanelShape& shape);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -1,10 +1,10 @@
 #include "editor/sheet/sheet_view.h"
 
+#include <imgui.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <imgui.h>
 
 #include "editor/sheet/panel_faces.h"
 #include "editor/sheet/sheet_paint.h"
@@ -12,7 +12,7 @@
 #include "sim/core/error.h"
 #include "sim/tartan/tartan_file.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 Modifiers modifiers_now() {
@@ -176,15 +176,15 @@ SheetAnswer SheetView::show(SheetContext& context) {
 
 // None where the pattern names no tartan, or one that is not known.
 SettTexture SheetView::sett_texture(SheetContext& context) {
-    const Pattern& pattern = context.desk.document.pattern();
+    const sim::Pattern& pattern = context.desk.document.pattern();
     if (held_sides_.empty() || pattern.tartan != sett_name_ || pattern.sett_size != sett_size_) {
         held_sides_.assign(kSheetTextures, 0);
         sett_name_ = pattern.tartan;
         sett_size_ = pattern.sett_size;
         sett_.reset();
         try {
-            if (!sett_name_.empty()) sett_ = find_tartan(sett_name_);
-        } catch (const InputError&) {
+            if (!sett_name_.empty()) sett_ = sim::find_tartan(sett_name_);
+        } catch (const sim::InputError&) {
             return {};  // whoever set it was told
         }
         if (sett_ && sett_size_ && *sett_size_ > 0) sett_ = with_repeat_size(*sett_, *sett_size_);
@@ -276,7 +276,7 @@ float crisp(double at) {
 }
 
 // Lines of one step, but for those that the next one draws.
-void draw_lines(const SheetPen& pen, double step, double next, const Rgba8& colour) {
+void draw_lines(const SheetPen& pen, double step, double next, const render::Rgba8& colour) {
     const SheetBox box = visible_box(pen.camera);
     const Vec2d low = pen.camera.view_low, high = low + pen.camera.view_size;
     const long per_next = std::lround(next / step);
@@ -285,7 +285,7 @@ void draw_lines(const SheetPen& pen, double step, double next, const Rgba8& colo
         for (long i = range.first; i <= range.last; ++i) {
             if (per_next > 1 && i % per_next == 0) continue;
             const Vec2d at = to_px(pen.camera, Vec2d::Constant(double(i) * step));
-            const Rgba8& drawn = i == 0 ? pen.colours.axis : colour;
+            const render::Rgba8& drawn = i == 0 ? pen.colours.axis : colour;
             if (axis == 0) {
                 pen.list.AddRectFilled({crisp(at.x()) - 0.5F, float(low.y())}, {crisp(at.x()) + 0.5F, float(high.y())},
                                        packed(drawn));
@@ -356,7 +356,7 @@ void draw_grid(const SheetPen& pen) {
         const double next = i + 1 < kSteps.size() ? kSteps[i + 1] : kSteps[i];
         const double seen = std::clamp((apart - kSeenFrom) / (kFullFrom - kSeenFrom), 0.0, 1.0);
         const double coarse = std::clamp((apart - kCoarseFrom / 2) / (kCoarseFrom / 2), 0.0, 1.0);
-        const Rgba8 fine = faded(pen.colours.fine_grid, seen);
+        const render::Rgba8 fine = faded(pen.colours.fine_grid, seen);
         draw_lines(pen, kSteps[i], next, mixed(fine, pen.colours.coarse_grid, coarse));
     }
 }
@@ -385,4 +385,4 @@ void draw_rulers(const SheetPen& pen, const std::optional<Vec2d>& cursor) {
     }
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -13,7 +13,7 @@
 #include "editor/tools/tool_host.h"
 #include "sim/tartan/sett.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 // Textures that the sheet may hold: this many from `first_texture` on.
 inline constexpr UiTexture kSheetTextures = 6;
@@ -78,7 +78,7 @@ class SheetView {
     // The sett that is shown, and which of its pictures are held.
     std::string sett_name_;
     std::optional<double> sett_size_;
-    std::optional<Sett> sett_;
+    std::optional<sim::Sett> sett_;
     std::vector<int> held_sides_;  // px, by texture
 };
 
@@ -92,4 +92,4 @@ void draw_grid(const SheetPen& pen);
 // In cm; `cursor` (px) is marked on both.
 void draw_rulers(const SheetPen& pen, const std::optional<Vec2d>& cursor);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -11,7 +11,7 @@
 #include "editor/tools/tool.h"
 #include "sim/pattern/outline.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 // The panel that the point lies in, the one drawn last.
@@ -271,7 +271,7 @@ void BoxTool::make(ToolContext& context) {
     from_.reset();
     constexpr double kSmallest = 1e-3;  // m
     if (size.minCoeff() < kSmallest) throw DraftError("That is too small for a panel: type width x height (cm)");
-    Panel panel =
+    sim::Panel panel =
         shape_ == BoxShape::Rectangle ? make_rectangle(-size / 2, size / 2) : make_ellipse(Vec2d(0, 0), size / 2);
     panel.name = "panel";
     panel.sheet_position = low + size / 2;
@@ -313,13 +313,13 @@ std::string BoxTool::hint(const ToolContext&) const {
 namespace {
 
 // Controls so that the curve passes through points at 1/2, or at 1/3 and 2/3.
-OutlineEdge bent(int start, int end, const Vec2d& from, const Vec2d& to, const std::vector<Vec2d>& through) {
-    OutlineEdge edge{.start = start, .end = end};
+sim::OutlineEdge bent(int start, int end, const Vec2d& from, const Vec2d& to, const std::vector<Vec2d>& through) {
+    sim::OutlineEdge edge{.start = start, .end = end};
     if (through.size() == 1) {
-        edge.kind = CurveKind::Quadratic;
+        edge.kind = sim::CurveKind::Quadratic;
         edge.control[0] = 2 * through[0] - (from + to) / 2;
     } else if (through.size() == 2) {
-        edge.kind = CurveKind::Cubic;
+        edge.kind = sim::CurveKind::Cubic;
         edge.control[0] = (-5 * from + 18 * through[0] - 9 * through[1] + 2 * to) / 6;
         edge.control[1] = (2 * from - 9 * through[0] + 18 * through[1] - 5 * to) / 6;
     }
@@ -344,8 +344,8 @@ Runs runs_of(const std::vector<PathPoint>& points) {
     return runs;
 }
 
-Panel chained(const Runs& runs, bool is_closed) {
-    Panel panel;
+sim::Panel chained(const Runs& runs, bool is_closed) {
+    sim::Panel panel;
     panel.vertices = runs.vertices;
     const std::size_t edges = is_closed ? runs.vertices.size() : runs.vertices.size() - 1;
     for (std::size_t i = 0; i < edges; ++i) {
@@ -422,21 +422,21 @@ void PathDraft::draw(const ToolContext& context, ToolOverlay& overlay, bool is_c
     overlay.handles.push_back({aimed_.point, HandleShape::Square, OverlayTone::Draft, true});
     if (points_.size() > 1) {
         const Vec2d before = points_.back().at - points_[points_.size() - 2].at;
-        const double turn = std::atan2(cross2(before, away), before.dot(away));
+        const double turn = std::atan2(sim::cross2(before, away), before.dot(away));
         overlay.readout = {in_cm(away.norm()), "turn " + in_degrees(turn)};
     } else {
         overlay.readout = {in_cm(away.norm()), in_degrees(std::atan2(away.y(), away.x()))};
     }
 }
 
-Panel outline_through(std::vector<PathPoint> points) {
+sim::Panel outline_through(std::vector<PathPoint> points) {
     const auto first = std::find_if(points.begin(), points.end(), [](const PathPoint& p) { return !p.is_curve; });
     if (first != points.end()) std::rotate(points.begin(), first, points.end());
     const auto panel_of = [](const std::vector<PathPoint>& given) { return chained(runs_of(given), true); };
     if (points.size() < 3 || runs_of(points).vertices.size() < 2) {
         throw DraftError("A panel needs three points at least");
     }
-    Panel panel = panel_of(points);
+    sim::Panel panel = panel_of(points);
     if (outline_area(panel) < 0) {
         std::reverse(points.begin() + 1, points.end());
         panel = panel_of(points);
@@ -445,7 +445,7 @@ Panel outline_through(std::vector<PathPoint> points) {
     for (const Vec2d& vertex : panel.vertices) box.extend(vertex);
     const Vec2d middle = box.center();
     for (Vec2d& vertex : panel.vertices) vertex -= middle;
-    for (OutlineEdge& edge : panel.edges) {
+    for (sim::OutlineEdge& edge : panel.edges) {
         for (int c = 0; c < control_count(edge.kind); ++c) edge.control[static_cast<std::size_t>(c)] -= middle;
     }
     panel.name = "panel";
@@ -458,8 +458,8 @@ std::vector<Vec2d> polyline_through(const std::vector<PathPoint>& points, bool i
     if (points.empty()) return line;
     std::vector<PathPoint> shown = points;
     if (!is_closed) shown.back().is_curve = false;
-    const Panel panel = chained(runs_of(shown), is_closed);
-    for (const OutlineEdge& edge : panel.edges) {
+    const sim::Panel panel = chained(runs_of(shown), is_closed);
+    for (const sim::OutlineEdge& edge : panel.edges) {
         const std::vector<Vec2d> part = outline_polyline(panel, edge, kShapeError * 4);
         line.insert(line.end(), part.begin(), part.end() - 1);
     }
@@ -468,7 +468,7 @@ std::vector<Vec2d> polyline_through(const std::vector<PathPoint>& points, bool i
     return line;
 }
 
-Panel placed_before_body(const Pattern& pattern, Panel panel) {
+sim::Panel placed_before_body(const sim::Pattern& pattern, sim::Panel panel) {
     constexpr double kChest = 0.7;    // of the stature
     constexpr double kBefore = 0.35;  // m, before the body's middle
     constexpr double kLayer = 0.02;   // m, each one before the others
@@ -477,4 +477,4 @@ Panel placed_before_body(const Pattern& pattern, Panel panel) {
     return panel;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

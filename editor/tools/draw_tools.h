@@ -4,7 +4,7 @@
 
 #include "editor/tools/tool.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 // A line that is drawn point by point: what polygon, internal line, cut and others have in common.
 
@@ -48,13 +48,13 @@ class PathDraft {
 // The outline through the points, counter-clockwise; runs of one or two curve points bend the edge that they are on,
 // further ones become vertices. Vertices are relative to the middle of the whole, where the panel's sheet_position is.
 // Throws DraftError for fewer than three points, or two with no curve between them.
-Panel outline_through(std::vector<PathPoint> points);
+sim::Panel outline_through(std::vector<PathPoint> points);
 
 // The same as a polyline, open or closed, for showing.
 std::vector<Vec2d> polyline_through(const std::vector<PathPoint>& points, bool is_closed);
 
 // Puts the panel before the body, at chest height, so that it is not born inside of it; beside those there are.
-Panel placed_before_body(const Pattern& pattern, Panel panel);
+sim::Panel placed_before_body(const sim::Pattern& pattern, sim::Panel panel);
 
 // Click by click; Backspace takes the last point back, Enter ends, a typed length sets the next point.
 class PathTool : public Tool {
@@ -149,4 +149,4 @@ class BoxTool : public Tool {
     Snap aimed_;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -8,7 +8,7 @@
 #include "editor/tools/tool.h"
 #include "sim/pattern/outline.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 PickOptions edges_only(const ToolContext& context) {
@@ -143,7 +143,7 @@ void DartTool::drag(ToolContext& context, const SheetPointer& pointer) {
     if (shape == nullptr) return;
     const EdgeShape& edge = shape->edges.at(static_cast<std::size_t>(mouth_->edge.index));
     const Vec2d tangent = edge.tangent(mouth_->t);
-    const double inward = cross2(tangent, shape->in_panel(pointer.at) - edge.at(mouth_->t));
+    const double inward = sim::cross2(tangent, shape->in_panel(pointer.at) - edge.at(mouth_->t));
     constexpr double kStep = 0.005;  // m
     const bool is_snapping = snap_options(context, pointer.modifiers).is_on;
     depth_ = std::max(kStep, is_snapping ? std::round(inward / kStep) * kStep : inward);
@@ -225,13 +225,13 @@ void CurveTool::drag(ToolContext& context, const SheetPointer& pointer) {
     }
     is_dragging_ = true;
     const Vec2d to = shape->in_panel(pointer.at);
-    OutlineEdge curve = before_.edges.at(static_cast<std::size_t>(pressed_.index));
+    sim::OutlineEdge curve = before_.edges.at(static_cast<std::size_t>(pressed_.index));
     if (pressed_.kind == PickKind::Handle) {
         curve.control.at(static_cast<std::size_t>(pressed_.control)) = to;
     } else if (pointer.modifiers.alt) {
         curve = arc_through(before_, curve, to);
     } else {
-        if (curve.kind == CurveKind::Arc && pointer.modifiers.shift) curve.kind = CurveKind::Line;
+        if (curve.kind == sim::CurveKind::Arc && pointer.modifiers.shift) curve.kind = sim::CurveKind::Line;
         if (pointer.modifiers.shift) curve = as_cubic_edge(before_, curve);
         curve = bent_through(before_, curve, pressed_.t, to);
     }
@@ -246,7 +246,7 @@ void CurveTool::drop(ToolContext& context, const SheetPointer&) {
 // Straight again.
 void CurveTool::double_click(ToolContext& context, const SheetPointer& pointer) {
     const Pick picked = pick(context.geometry, pointer.at, wanted(context));
-    if (picked.kind == PickKind::Edge) context.document.run(SetCurve{picked.panel, picked.index, OutlineEdge{}});
+    if (picked.kind == PickKind::Edge) context.document.run(SetCurve{picked.panel, picked.index, sim::OutlineEdge{}});
 }
 
 bool CurveTool::cancel(ToolContext&) {
@@ -263,9 +263,9 @@ void CurveTool::draw(const ToolContext& context, ToolOverlay& overlay) const {
     const PanelShape* shape = context.geometry.find(pressed_.panel);
     if (edge == nullptr || shape == nullptr) return;
     add_edge(overlay, context.geometry, pressed_.ref(), OverlayTone::Draft);
-    const OutlineEdge& curve = shape->panel.edges.at(static_cast<std::size_t>(pressed_.index));
+    const sim::OutlineEdge& curve = shape->panel.edges.at(static_cast<std::size_t>(pressed_.index));
     overlay.readout = {in_cm(edge->length)};
-    if (curve.kind == CurveKind::Arc) overlay.readout.push_back("radius " + in_cm(curve.arc_radius));
+    if (curve.kind == sim::CurveKind::Arc) overlay.readout.push_back("radius " + in_cm(curve.arc_radius));
 }
 
 std::string CurveTool::hint(const ToolContext&) const {
@@ -279,14 +279,14 @@ struct Ends {
     Vec2d end;
 };
 
-Ends ends_of(const Panel& panel, const OutlineEdge& edge) {
+Ends ends_of(const sim::Panel& panel, const sim::OutlineEdge& edge) {
     return {panel.vertices.at(static_cast<std::size_t>(edge.start)),
             panel.vertices.at(static_cast<std::size_t>(edge.end))};
 }
 
 // The curve's own parameter where the fraction t of its length is reached, by halving.
-double parameter_at(const Panel& panel, const OutlineEdge& edge, double t) {
-    if (edge.kind == CurveKind::Line) return t;
+double parameter_at(const sim::Panel& panel, const sim::OutlineEdge& edge, double t) {
+    if (edge.kind == sim::CurveKind::Line) return t;
     const Vec2d wanted = outline_point(panel, edge, t);
     double best = t, distance = (curve_point(panel, edge, t) - wanted).norm();
     for (double step = 0.25; step > 1e-4; step /= 2) {
@@ -303,47 +303,47 @@ double parameter_at(const Panel& panel, const OutlineEdge& edge, double t) {
 
 }  // namespace
 
-OutlineEdge bent_through(const Panel& panel, const OutlineEdge& edge, double t, const Vec2d& to) {
-    if (edge.kind == CurveKind::Arc) return arc_through(panel, edge, to);
+sim::OutlineEdge bent_through(const sim::Panel& panel, const sim::OutlineEdge& edge, double t, const Vec2d& to) {
+    if (edge.kind == sim::CurveKind::Arc) return arc_through(panel, edge, to);
     const auto [start, end] = ends_of(panel, edge);
     const double s = std::clamp(parameter_at(panel, edge, t), 0.1, 0.9);
     const double r = 1 - s;
-    OutlineEdge bent = edge;
-    if (edge.kind == CurveKind::Cubic) {
+    sim::OutlineEdge bent = edge;
+    if (edge.kind == sim::CurveKind::Cubic) {
         const Vec2d by = (to - curve_point(panel, edge, s)) / (3 * r * s);
         bent.control[0] += by;
         bent.control[1] += by;
         return bent;
     }
-    bent.kind = CurveKind::Quadratic;
+    bent.kind = sim::CurveKind::Quadratic;
     bent.control[0] = (to - r * r * start - s * s * end) / (2 * r * s);
     return bent;
 }
 
-OutlineEdge arc_through(const Panel& panel, const OutlineEdge& edge, const Vec2d& to) {
+sim::OutlineEdge arc_through(const sim::Panel& panel, const sim::OutlineEdge& edge, const Vec2d& to) {
     const auto [start, end] = ends_of(panel, edge);
     const Vec2d chord = end - start, a = to - start, b = to - end;
-    const double twice_area = cross2(chord, a);  // positive: the point lies to the left
-    OutlineEdge arc = edge;
+    const double twice_area = sim::cross2(chord, a);  // positive: the point lies to the left
+    sim::OutlineEdge arc = edge;
     arc.control = {Vec2d::Zero(), Vec2d::Zero()};
     if (std::abs(twice_area) <= 1e-4 * chord.squaredNorm()) {
-        arc.kind = CurveKind::Line;
+        arc.kind = sim::CurveKind::Line;
         arc.arc_radius = 0;
         return arc;
     }
-    arc.kind = CurveKind::Arc;
+    arc.kind = sim::CurveKind::Arc;
     arc.arc_radius = a.norm() * b.norm() * chord.norm() / (2 * std::abs(twice_area));
     arc.turns_right = twice_area > 0;
     arc.is_large_arc = a.dot(b) > 0;  // the point sees the chord under less than a right angle
     return arc;
 }
 
-OutlineEdge as_cubic_edge(const Panel& panel, const OutlineEdge& edge) {
+sim::OutlineEdge as_cubic_edge(const sim::Panel& panel, const sim::OutlineEdge& edge) {
     const auto [start, end] = ends_of(panel, edge);
-    OutlineEdge cubic = edge;
-    if (edge.kind == CurveKind::Cubic) return cubic;
-    cubic.kind = CurveKind::Cubic;
-    if (edge.kind == CurveKind::Quadratic) {
+    sim::OutlineEdge cubic = edge;
+    if (edge.kind == sim::CurveKind::Cubic) return cubic;
+    cubic.kind = sim::CurveKind::Cubic;
+    if (edge.kind == sim::CurveKind::Quadratic) {
         cubic.control = {start + 2.0 / 3 * (edge.control[0] - start), end + 2.0 / 3 * (edge.control[0] - end)};
     } else {
         cubic.control = {start + (end - start) / 3, end - (end - start) / 3};
@@ -351,4 +351,4 @@ OutlineEdge as_cubic_edge(const Panel& panel, const OutlineEdge& edge) {
     return cubic;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -3,7 +3,7 @@
 #include "editor/tools/sheet_geometry.h"
 #include "editor/tools/tool.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 // A place on an edge that the cursor points to.
 struct EdgePlace {
@@ -61,8 +61,8 @@ class CurveTool : public EdgeTool {
  private:
     PickOptions wanted(const ToolContext& context) const;
 
-    Pick pressed_;  // an edge or a handle
-    Panel before_;  // the panel before the drag
+    Pick pressed_;       // an edge or a handle
+    sim::Panel before_;  // the panel before the drag
     bool is_dragging_ = false;
 };
 
@@ -92,12 +92,12 @@ class DartTool : public EdgeTool {
 
 // The curve with its handles moved so that the point at the fraction t of its length comes to `to` (held frame, m). A
 // line becomes a quadratic; an arc stays one. Near the ends the handles would fly off: t counts from 0.1 to 0.9.
-OutlineEdge bent_through(const Panel& panel, const OutlineEdge& edge, double t, const Vec2d& to);
+sim::OutlineEdge bent_through(const sim::Panel& panel, const sim::OutlineEdge& edge, double t, const Vec2d& to);
 
 // A circular arc from end to end through the point; a line where they are in line.
-OutlineEdge arc_through(const Panel& panel, const OutlineEdge& edge, const Vec2d& to);
+sim::OutlineEdge arc_through(const sim::Panel& panel, const sim::OutlineEdge& edge, const Vec2d& to);
 
 // A quadratic or cubic of the same shape as a line or quadratic: handles to take hold of.
-OutlineEdge as_cubic_edge(const Panel& panel, const OutlineEdge& edge);
+sim::OutlineEdge as_cubic_edge(const sim::Panel& panel, const sim::OutlineEdge& edge);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -5,7 +5,7 @@
 #include "editor/geometry/draft.h"
 #include "editor/tools/tool.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 void MergeTool::click(ToolContext& context, const SheetPointer&) {
     if (!place_) return;
@@ -126,4 +126,4 @@ std::string MeasureTool::hint(const ToolContext&) const {
     return "Click two points; on one edge its length between them is shown, too";
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -2,7 +2,7 @@
 // Tools of one click: merge, unfold; and measure.
 #include "editor/tools/outline_tools.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 class MergeTool : public EdgeTool {
  public:
@@ -44,4 +44,4 @@ class MeasureTool : public Tool {
     Snap aimed_;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -9,7 +9,7 @@
 #include "editor/geometry/draft.h"
 #include "editor/tools/tool.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 // Calls use(set, value) with the set of the selection that the picked thing belongs to.
@@ -246,7 +246,7 @@ void EditPointTool::drag_handle(ToolContext& context, const SheetPointer& pointe
     const int from = pressed_.control == 0 ? curve_.start : curve_.end;
     options.origin = shape->on_sheet(shape->panel.vertices.at(static_cast<std::size_t>(from)));
     snapped_ = snap(context.geometry, pointer.at, options);
-    OutlineEdge curve = curve_;
+    sim::OutlineEdge curve = curve_;
     curve.control.at(static_cast<std::size_t>(pressed_.control)) = shape->in_panel(snapped_.point);
     context.document.attempt(SetCurve{pressed_.panel, pressed_.index, curve});
 }
@@ -255,7 +255,7 @@ void EditPointTool::drag_line_point(ToolContext& context, const SheetPointer& po
     const PanelShape* shape = context.geometry.find(pressed_.panel);
     if (shape == nullptr) return;
     snapped_ = snap(context.geometry, pointer.at, snap_options(context, pointer.modifiers));
-    InternalLine line = line_;
+    sim::InternalLine line = line_;
     line.points.at(line_point_) = shape->in_panel(snapped_.point);
     context.document.attempt(SetInternalLine{pressed_.panel, pressed_.index, line});
 }
@@ -308,7 +308,7 @@ std::vector<PartRef> selected_vertices(const SheetGeometry& geometry, const Sele
     for (const PartRef& ref : selection.edges) {
         const PanelShape* shape = geometry.find(ref.panel);
         if (shape == nullptr || geometry.edge(ref) == nullptr) continue;
-        const OutlineEdge& edge = shape->panel.edges[static_cast<std::size_t>(ref.index)];
+        const sim::OutlineEdge& edge = shape->panel.edges[static_cast<std::size_t>(ref.index)];
         vertices.insert({ref.panel, edge.start});
         vertices.insert({ref.panel, edge.end});
     }
@@ -420,7 +420,7 @@ void TransformTool::drag(ToolContext& context, const SheetPointer& pointer) {
 void TransformTool::rotate(ToolContext& context, const SheetPointer& pointer) {
     const Vec2d centre = box_.center(), from = pressed_at_ - centre, to = pointer.at - centre;
     if (from.norm() == 0 || to.norm() == 0) return;
-    angle_ = std::atan2(cross2(from, to), from.dot(to));
+    angle_ = std::atan2(sim::cross2(from, to), from.dot(to));
     const double step = pointer.modifiers.shift ? 15 * kDegree : kDegree;
     if (pointer.modifiers.shift || snap_options(context, pointer.modifiers).is_on) {
         angle_ = std::round(angle_ / step) * step;
@@ -521,4 +521,4 @@ std::string TransformTool::hint(const ToolContext& context) const {
     return "Drag a handle, Shift: both ways alike, Alt: about the middle; or type a factor, such as 1.05 or 1.1 x 1";
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

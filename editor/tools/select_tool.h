@@ -9,7 +9,7 @@
 #include "editor/tools/sheet_geometry.h"
 #include "editor/tools/tool.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 // Whether what is picked is selected already.
 bool is_selected(const Selection& selection, const Pick& picked);
@@ -85,8 +85,8 @@ class EditPointTool : public SelectTool {
     void drag_line_point(ToolContext& context, const SheetPointer& pointer);
 
     bool is_dragging_part_ = false;  // a handle or a point of an internal line
-    OutlineEdge curve_;              // before the drag
-    InternalLine line_;
+    sim::OutlineEdge curve_;         // before the drag
+    sim::InternalLine line_;
     std::size_t line_point_ = 0;
     Snap snapped_;
 };
@@ -144,4 +144,4 @@ class TransformTool : public Tool {
     Vec2d factors_ = Vec2d(1, 1);
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

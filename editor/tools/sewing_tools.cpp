@@ -7,7 +7,7 @@
 #include "editor/geometry/seam_edit.h"
 #include "editor/tools/tool.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 std::optional<int> index_of(const SheetGeometry& geometry, const std::string& panel) {
@@ -42,10 +42,10 @@ bool is_reversed(const SewnEnd& first, const SewnEnd& second) {
     return first.is_from_start != second.is_from_start;
 }
 
-std::optional<Seam> seam_between(const SheetGeometry& geometry, const SewnEnd& first, const SewnEnd& second) {
+std::optional<sim::Seam> seam_between(const SheetGeometry& geometry, const SewnEnd& first, const SewnEnd& second) {
     const std::optional<int> a = index_of(geometry, first.edge.panel), b = index_of(geometry, second.edge.panel);
     if (!a || !b || geometry.edge(first.edge) == nullptr || geometry.edge(second.edge) == nullptr) return {};
-    return Seam{{*a, first.edge.index}, {*b, second.edge.index}, is_reversed(first, second)};
+    return sim::Seam{{*a, first.edge.index}, {*b, second.edge.index}, is_reversed(first, second)};
 }
 
 void add_threads(ToolOverlay& overlay, const std::vector<Vec2d>& first, const std::vector<Vec2d>& second,
@@ -65,9 +65,9 @@ std::optional<std::string> difference_words(double first, double second) {
     return in_mm(second - first);
 }
 
-std::optional<Vec2d> seam_button(const SheetGeometry& geometry, const Pattern& pattern, int seam) {
+std::optional<Vec2d> seam_button(const SheetGeometry& geometry, const sim::Pattern& pattern, int seam) {
     if (seam < 0 || static_cast<std::size_t>(seam) >= pattern.seams.size()) return {};
-    const SeamSide& side = pattern.seams[static_cast<std::size_t>(seam)].first;
+    const sim::SeamSide& side = pattern.seams[static_cast<std::size_t>(seam)].first;
     const std::vector<PanelShape>& panels = geometry.panels();
     if (side.panel < 0 || static_cast<std::size_t>(side.panel) >= panels.size()) return {};
     const PanelShape& shape = panels[static_cast<std::size_t>(side.panel)];
@@ -149,7 +149,7 @@ void SewingTool::draw(const ToolContext& context, ToolOverlay& overlay) const {
             {.points = {line.front(), context.pointer.at}, .tone = OverlayTone::Faint, .is_dashed = true});
         return;
     }
-    const std::optional<Seam> seam = seam_between(context.geometry, *first_, *second_);
+    const std::optional<sim::Seam> seam = seam_between(context.geometry, *first_, *second_);
     if (!seam) return;
     const bool is_twisted = is_crossed(context.document.pattern(), *seam);
     const OverlayTone tone = is_twisted ? OverlayTone::Warning : OverlayTone::Draft;
@@ -325,4 +325,4 @@ std::string FreeSewingTool::hint(const ToolContext&) const {
         .append(more);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -3,7 +3,7 @@
 #include "editor/tools/outline_tools.h"
 #include "editor/tools/tool.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 // An edge, entered at its start or at its end.
 struct SewnEnd {
@@ -17,7 +17,7 @@ struct SewnEnd {
 bool is_reversed(const SewnEnd& first, const SewnEnd& second);
 
 // The seam with panels by index. None: an edge is not there.
-std::optional<Seam> seam_between(const SheetGeometry& geometry, const SewnEnd& first, const SewnEnd& second);
+std::optional<sim::Seam> seam_between(const SheetGeometry& geometry, const SewnEnd& first, const SewnEnd& second);
 
 // Threads between two lines, from start to start.
 void add_threads(ToolOverlay& overlay, const std::vector<Vec2d>& first, const std::vector<Vec2d>& second,
@@ -44,7 +44,7 @@ class SewingTool : public Tool {
 };
 
 // The middle of the seam's first side, where a click on the tick of a selected seam reverses it; on the sheet, m.
-std::optional<Vec2d> seam_button(const SheetGeometry& geometry, const Pattern& pattern, int seam);
+std::optional<Vec2d> seam_button(const SheetGeometry& geometry, const sim::Pattern& pattern, int seam);
 
 // Sewing parts of edges: draw a run along one or several edges, then what it is sewn to. One to many.
 
@@ -90,4 +90,4 @@ class FreeSewingTool : public EdgeTool {
     std::optional<DrawnSpan> drawing_;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

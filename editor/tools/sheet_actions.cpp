@@ -4,7 +4,7 @@
 
 #include "editor/tools/select_tool.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 constexpr double kGap = 0.05;  // m, between a panel and its copy
@@ -82,4 +82,4 @@ std::vector<Command> reverse_selected_seams(const Selection& selection) {
     return commands;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -5,7 +5,7 @@
 #include "editor/document/command.h"
 #include "editor/tools/sheet_geometry.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 enum class MirrorAxis {
     Upright,  // left becomes right
@@ -25,4 +25,4 @@ std::vector<Command> symmetric_copy_selected(const SheetGeometry& geometry, cons
 std::vector<Command> unlink_selected(const SheetGeometry& geometry, const Selection& selection);
 std::vector<Command> reverse_selected_seams(const Selection& selection);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

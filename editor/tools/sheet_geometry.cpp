@@ -8,10 +8,10 @@
 #include "sim/mesh/planar.h"
 #include "sim/pattern/outline.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
-EdgeShape shape_of(const Panel& panel, const OutlineEdge& edge) {
+EdgeShape shape_of(const sim::Panel& panel, const sim::OutlineEdge& edge) {
     EdgeShape shape;
     shape.points = outline_polyline(panel, edge, kShapeError);
     shape.reached.push_back(0);
@@ -24,10 +24,10 @@ EdgeShape shape_of(const Panel& panel, const OutlineEdge& edge) {
     return shape;
 }
 
-PanelShape shape_of(const Panel& panel) {
+PanelShape shape_of(const sim::Panel& panel) {
     PanelShape shape;
     shape.panel = panel;
-    for (const OutlineEdge& edge : panel.edges) {
+    for (const sim::OutlineEdge& edge : panel.edges) {
         shape.edges.push_back(shape_of(panel, edge));
         const EdgeShape& last = shape.edges.back();
         shape.outline.insert(shape.outline.end(), last.points.begin(), last.points.end() - 1);
@@ -84,17 +84,17 @@ EdgeHit nearest(const EdgeShape& shape, const Vec2d& u) {
 }
 
 bool PanelShape::contains(const Vec2d& u) const {
-    return outline.size() > 2 && box.contains(u) && is_inside(u, outline);
+    return outline.size() > 2 && box.contains(u) && sim::is_inside(u, outline);
 }
 
-void SheetGeometry::update(const Pattern& pattern, std::uint64_t revision) {
+void SheetGeometry::update(const sim::Pattern& pattern, std::uint64_t revision) {
     if (revision_ == revision) return;
     revision_ = revision;
     const std::vector<Vec2d> origins = sheet_positions(pattern);
     std::vector<PanelShape> kept = std::move(panels_);
     panels_.clear();
     for (std::size_t i = 0; i < pattern.panels.size(); ++i) {
-        const Panel& panel = pattern.panels[i];
+        const sim::Panel& panel = pattern.panels[i];
         const auto same = std::find_if(kept.begin(), kept.end(), [&](const PanelShape& old) {
             return old.panel.name == panel.name && old.panel.vertices == panel.vertices &&
                    old.panel.edges == panel.edges;
@@ -131,7 +131,7 @@ std::optional<Vec2d> SheetGeometry::vertex(const PartRef& ref) const {
 }
 
 std::optional<int> SheetGeometry::seam_of(const PartRef& edge) const {
-    const auto is_it = [&](const SeamSide& side) {
+    const auto is_it = [&](const sim::SeamSide& side) {
         return side.edge == edge.index && is_index(side.panel, panels_.size()) &&
                panels_[static_cast<std::size_t>(side.panel)].panel.name == edge.panel;
     };
@@ -162,7 +162,7 @@ SheetBox SheetGeometry::box_of(const Selection& selection) const {
     for (const PartRef& ref : selection.edges) extend_edge(ref);
     for (const int seam : selection.seams) {
         if (!is_index(seam, seams_.size())) continue;
-        for (const SeamSide& side :
+        for (const sim::SeamSide& side :
              {seams_[static_cast<std::size_t>(seam)].first, seams_[static_cast<std::size_t>(seam)].second}) {
             if (is_index(side.panel, panels_.size())) {
                 extend_edge({panels_[static_cast<std::size_t>(side.panel)].panel.name, side.edge});
@@ -229,4 +229,4 @@ double grid_step(const SheetCamera& camera, double at_least_px) {
     return steps.back();
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -10,7 +10,7 @@
 #include "sim/core/math.h"
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 // How the drafting sheet (m, y up) lies on the screen (px from the upper left, y down).
 
@@ -66,7 +66,7 @@ struct EdgeHit {
 EdgeHit nearest(const EdgeShape& shape, const Vec2d& u);
 
 struct PanelShape {
-    Panel panel;                        // what it was made from
+    sim::Panel panel;                   // what it was made from
     Vec2d origin = Vec2d::Zero();       // m, of the panel's frame on the sheet
     std::vector<EdgeShape> edges;       // one per edge of the panel
     std::vector<Vec2d> outline;         // all of them as one closed polyline, each point once
@@ -82,7 +82,7 @@ struct PanelShape {
 class SheetGeometry {
  public:
     // Cheap where nothing changed. `revision`: of the document, to see that at once.
-    void update(const Pattern& pattern, std::uint64_t revision);
+    void update(const sim::Pattern& pattern, std::uint64_t revision);
 
     const std::vector<PanelShape>& panels() const { return panels_; }  // in the pattern's order
     const PanelShape* find(const std::string& panel) const;            // nullptr: there is none
@@ -97,7 +97,7 @@ class SheetGeometry {
 
  private:
     std::vector<PanelShape> panels_;
-    std::vector<Seam> seams_;
+    std::vector<sim::Seam> seams_;
     std::optional<std::uint64_t> revision_;
     std::uint64_t next_outline_version_ = 1;
 };
@@ -105,4 +105,4 @@ class SheetGeometry {
 // m of a point on the sheet where a notch, or the fraction t of an edge, lies. Pre: the indices are in range.
 Vec2d sheet_point(const PanelShape& shape, int edge, double t);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -4,7 +4,7 @@
 
 #include "sim/mesh/planar.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 // Keeps the best of what is offered: the smaller kind, then the nearer.
@@ -29,7 +29,7 @@ class Best {
 };
 
 void offer_points(const PanelShape& shape, const Vec2d& u, const PickOptions& options, Best& best) {
-    const Panel& panel = shape.panel;
+    const sim::Panel& panel = shape.panel;
     if (options.vertices) {
         for (std::size_t i = 0; i < panel.vertices.size(); ++i) {
             best.offer({PickKind::Vertex, panel.name, static_cast<int>(i), 0, 0, shape.on_sheet(panel.vertices[i])},
@@ -38,7 +38,7 @@ void offer_points(const PanelShape& shape, const Vec2d& u, const PickOptions& op
     }
     if (options.notches) {
         for (std::size_t i = 0; i < panel.notches.size(); ++i) {
-            const Notch& notch = panel.notches[i];
+            const sim::Notch& notch = panel.notches[i];
             if (notch.edge < 0 || static_cast<std::size_t>(notch.edge) >= shape.edges.size()) continue;
             const Vec2d point = shape.edges[static_cast<std::size_t>(notch.edge)].at(notch.t);
             best.offer({PickKind::Notch, panel.name, static_cast<int>(i), 0, notch.t, shape.on_sheet(point)},
@@ -51,7 +51,7 @@ void offer_handles(const PanelShape& shape, const Vec2d& u, const PickOptions& o
     for (const PartRef& ref : options.handle_edges) {
         if (ref.panel != shape.panel.name) continue;
         if (ref.index < 0 || static_cast<std::size_t>(ref.index) >= shape.panel.edges.size()) continue;
-        const OutlineEdge& edge = shape.panel.edges[static_cast<std::size_t>(ref.index)];
+        const sim::OutlineEdge& edge = shape.panel.edges[static_cast<std::size_t>(ref.index)];
         for (int c = 0; c < control_count(edge.kind); ++c) {
             const Vec2d& point = edge.control[static_cast<std::size_t>(c)];
             best.offer({PickKind::Handle, ref.panel, ref.index, c, 0, shape.on_sheet(point)}, (point - u).norm());
@@ -73,7 +73,7 @@ void offer_lines(const PanelShape& shape, const Vec2d& u, const PickOptions& opt
         const std::vector<Vec2d>& points = shape.panel.internal_lines[i].points;
         for (std::size_t k = 0; k + 1 < points.size(); ++k) {
             best.offer({PickKind::InternalLine, shape.panel.name, static_cast<int>(i), 0, 0, shape.on_sheet(u)},
-                       distance_to_segment(u, points[k], points[k + 1]));
+                       sim::distance_to_segment(u, points[k], points[k + 1]));
         }
     }
 }
@@ -114,8 +114,8 @@ bool panel_is_in(const PanelShape& shape, const SheetBox& box, BoxRule rule) {
 
 }  // namespace
 
-int control_count(CurveKind kind) {
-    return kind == CurveKind::Quadratic ? 1 : kind == CurveKind::Cubic ? 2 : 0;
+int control_count(sim::CurveKind kind) {
+    return kind == sim::CurveKind::Quadratic ? 1 : kind == sim::CurveKind::Cubic ? 2 : 0;
 }
 
 Pick pick(const SheetGeometry& geometry, const Vec2d& sheet, const PickOptions& options) {
@@ -182,4 +182,4 @@ Selection in_box(const SheetGeometry& geometry, const SheetBox& box, BoxRule rul
     return found;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -6,7 +6,7 @@
 #include "editor/document/selection.h"
 #include "editor/tools/sheet_geometry.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 enum class PickKind { Nothing, Vertex, Handle, Notch, Edge, InternalLine, Panel };
 
@@ -47,6 +47,6 @@ enum class BoxTargets { Panels, Vertices, Edges };
 Selection in_box(const SheetGeometry& geometry, const SheetBox& box, BoxRule rule, BoxTargets targets);
 
 // The number of control points that a curve of this kind has.
-int control_count(CurveKind kind);
+int control_count(sim::CurveKind kind);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

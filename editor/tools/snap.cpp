@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 double to_grid(double value, double step) {
@@ -23,7 +23,7 @@ void for_each_point(const SheetGeometry& geometry, const SnapOptions& options, U
             use(shape.on_sheet(shape.panel.vertices[i]), SnapKind::Point);
         }
         for (std::size_t e = 0; e < shape.edges.size(); ++e) {
-            const OutlineEdge& edge = shape.panel.edges[e];
+            const sim::OutlineEdge& edge = shape.panel.edges[e];
             if (options.moving.contains({shape.panel.name, edge.start}) ||
                 options.moving.contains({shape.panel.name, edge.end})) {
                 continue;
@@ -139,4 +139,4 @@ double snap_along(const EdgeShape& edge, double t, const SnapOptions& options) {
     return std::clamp(t <= 0.5 ? rounded / edge.length : 1 - rounded / edge.length, 0.0, 1.0);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -9,7 +9,7 @@
 
 #include "editor/tools/sheet_geometry.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 enum class SnapKind { None, Point, Midpoint, Direction, Guide, Grid };
 
@@ -45,4 +45,4 @@ Snap snap(const SheetGeometry& geometry, const Vec2d& wanted, const SnapOptions&
 // whole millimetres from its nearer end. Off: t.
 double snap_along(const EdgeShape& edge, double t, const SnapOptions& options);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -8,7 +8,7 @@
 #include "editor/geometry/expression.h"
 #include "editor/tools/sheet_pick.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 std::string rounded(double value, const char* unit) {
@@ -185,4 +185,4 @@ std::set<PartRef> curved_edges_of(const SheetGeometry& geometry, const std::set<
     return edges;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -17,7 +17,7 @@
 #include "editor/workspace/workspace.h"
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 // What a tool wants seen over the sheet, as plain data: the view draws it, tests read it. Points on the sheet, m.
 
@@ -196,4 +196,4 @@ void add_box(ToolOverlay& overlay, const SheetBox& box, OverlayTone tone);
 // Edges of a panel whose handles are shown: of those that have any part selected.
 std::set<PartRef> curved_edges_of(const SheetGeometry& geometry, const std::set<std::string>& panels);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

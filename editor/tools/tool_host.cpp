@@ -8,7 +8,7 @@
 #include "editor/tools/select_tool.h"
 #include "editor/tools/sewing_tools.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 constexpr double kDragThreshold = 3;    // px
@@ -264,4 +264,4 @@ std::unique_ptr<Tool> make_tool(ToolKind kind) {
     return std::make_unique<SelectTool>();
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

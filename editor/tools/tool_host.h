@@ -9,7 +9,7 @@
 #include "editor/tools/tool.h"
 #include "editor/workspace/workspace.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 // What tools work on: parts of the workspace.
 struct ToolDesk {
@@ -84,4 +84,4 @@ inline ToolDesk tool_desk(Workspace& workspace) {
     return {.document = *workspace.document, .hover = workspace.hover, .messages = workspace.messages};
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -1,17 +1,17 @@
 #include "editor/ui/action.h"
 
+#include <imgui.h>
+#include <imgui_stdlib.h>
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <imgui.h>
-#include <imgui_stdlib.h>
 #include <utility>
 
 #include "editor/ui/actions.h"
 #include "editor/ui/desk.h"
 #include "editor/ui/widgets.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 constexpr std::array<std::pair<Key, std::string_view>, 20> kKeyNames{{{Key::Space, "Space"},
@@ -184,4 +184,4 @@ void ActionFinder::show(Desk& desk) {
     }
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -8,7 +8,7 @@
 
 #include "editor/frame/frame.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 struct Desk;
 
@@ -61,4 +61,4 @@ class ActionFinder {
     int chosen_ = 0;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

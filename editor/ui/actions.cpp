@@ -7,7 +7,7 @@
 #include "editor/ui/desk.h"
 #include "editor/ui/files.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 Chord ctrl(char key) {
@@ -114,7 +114,7 @@ void add_simulate_actions(std::vector<Action>& actions) {
                        .chords = {{Key::Space, {}}},
                        .run =
                            [](Desk& desk) {
-                               Session& session = desk.workspace.drape.session();
+                               sim::Session& session = desk.workspace.drape.session();
                                if (session.frame()->is_running) return session.pause();
                                session.start();
                            },
@@ -221,7 +221,7 @@ void with_seam(Desk& desk, const std::function<Command(int)>& make) {
 
 void copy_panels(Desk& desk) {
     desk.clipboard.clear();
-    for (const Panel& panel : desk.workspace.document->pattern().panels) {
+    for (const sim::Panel& panel : desk.workspace.document->pattern().panels) {
         if (selected(desk).panels.contains(panel.name)) desk.clipboard.push_back(panel);
     }
     desk.workspace.messages.note(std::to_string(desk.clipboard.size()) + " panels copied");
@@ -229,7 +229,7 @@ void copy_panels(Desk& desk) {
 
 void paste_panels(Desk& desk) {
     AddPanels command{.panels = desk.clipboard};
-    for (Panel& panel : command.panels) {
+    for (sim::Panel& panel : command.panels) {
         panel.mirror_of.clear();
         if (panel.sheet_position) *panel.sheet_position += Vec2d(kBeside, -kBeside);
     }
@@ -252,7 +252,7 @@ void mirror_panels(Desk& desk, const Vec2d& axis) {
 }
 
 bool is_linked(const Desk& desk) {
-    for (const Panel& panel : desk.workspace.document->pattern().panels) {
+    for (const sim::Panel& panel : desk.workspace.document->pattern().panels) {
         if (selected(desk).panels.contains(panel.name) && !panel.mirror_of.empty()) return true;
         if (!panel.mirror_of.empty() && selected(desk).panels.contains(panel.mirror_of)) return true;
     }
@@ -384,7 +384,7 @@ namespace {
 struct ModeAction {
     const char* id;
     const char* title;
-    ShowMode mode;
+    render::ShowMode mode;
 };
 
 // `of`: the switch in a desk, constant or not.
@@ -397,19 +397,19 @@ void add_switch(std::vector<Action>& actions, Action action, Of of) {
 }
 
 void add_modes(std::vector<Action>& actions) {
-    constexpr ModeAction modes[] = {{"view.tartan", "Show tartan", ShowMode::Tartan},
-                                    {"view.plain", "Show plain cloth", ShowMode::Plain},
-                                    {"view.level", "Show levels", ShowMode::Level},
-                                    {"view.edges", "Show triangles", ShowMode::Edges},
-                                    {"view.strain", "Show strain", ShowMode::Strain},
-                                    {"view.clearance", "Show distance from the body", ShowMode::Clearance},
-                                    {"view.panels", "Show panels", ShowMode::Panels},
-                                    {"view.seams", "Show seams", ShowMode::Seams}};
+    constexpr ModeAction modes[] = {{"view.tartan", "Show tartan", render::ShowMode::Tartan},
+                                    {"view.plain", "Show plain cloth", render::ShowMode::Plain},
+                                    {"view.level", "Show levels", render::ShowMode::Level},
+                                    {"view.edges", "Show triangles", render::ShowMode::Edges},
+                                    {"view.strain", "Show strain", render::ShowMode::Strain},
+                                    {"view.clearance", "Show distance from the body", render::ShowMode::Clearance},
+                                    {"view.panels", "Show panels", render::ShowMode::Panels},
+                                    {"view.seams", "Show seams", render::ShowMode::Seams}};
     for (const ModeAction& mode : modes) {
         actions.push_back({.id = mode.id,
                            .menu = "View",
                            .title = mode.title,
-                           .begins_group = mode.mode == ShowMode::Tartan,
+                           .begins_group = mode.mode == render::ShowMode::Tartan,
                            .run = [show = mode.mode](Desk& desk) { desk.workspace.look.show = show; },
                            .is_on = [show = mode.mode](const Desk& desk) { return desk.workspace.look.show == show; }});
     }
@@ -476,4 +476,4 @@ void add_view_actions(std::vector<Action>& actions) {
     add_sizes(actions);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -4,7 +4,7 @@
 
 #include "editor/ui/action.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 std::vector<Action> make_actions();
 
@@ -22,4 +22,4 @@ void add_panel_actions(std::vector<Action>& actions);
 
 void add_view_actions(std::vector<Action>& actions);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -1,10 +1,10 @@
 #include "editor/ui/bars.h"
 
+#include <imgui.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <imgui.h>
 #include <string_view>
 #include <utility>
 
@@ -15,7 +15,7 @@
 #include "editor/ui/widgets.h"
 #include "editor/viewport3d/viewport_overlay.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 void show_recent_files(Desk& desk) {
@@ -38,14 +38,14 @@ void show_action(Desk& desk, const Action& action) {
     if (action.id == "file.open") show_recent_files(desk);
 }
 
-std::string drape_words(const SessionFrame& frame) {
+std::string drape_words(const sim::SessionFrame& frame) {
     char figures[96];
-    const SessionStatistics& statistics = frame.statistics;
+    const sim::SessionStatistics& statistics = frame.statistics;
     std::snprintf(figures, sizeof figures, "%d triangles   %.1f ms", statistics.leaf_triangles, statistics.times.frame);
     return stage_words(frame) + "   " + figures;
 }
 
-void show_line(const Rgb8& colour, const std::string& words, float width) {
+void show_line(const sim::Rgb8& colour, const std::string& words, float width) {
     const std::string shown = elided(words, width, Elide::End);
     ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(colour[0], colour[1], colour[2], 255));
     ImGui::TextUnformatted(shown.c_str());
@@ -57,9 +57,9 @@ void show_line(const Rgb8& colour, const std::string& words, float width) {
 void show_message(Desk& desk, float width) {
     const Messages& messages = desk.workspace.messages;
     if (const Message* message = messages.shown()) {
-        const Rgb8& colour = message->kind == MessageKind::Error     ? desk.theme.error
-                             : message->kind == MessageKind::Warning ? desk.theme.warning
-                                                                     : desk.theme.ink;
+        const sim::Rgb8& colour = message->kind == MessageKind::Error     ? desk.theme.error
+                                  : message->kind == MessageKind::Warning ? desk.theme.warning
+                                                                          : desk.theme.ink;
         return show_line(colour, message->words, width);
     }
     show_line(desk.theme.faint, desk.tools.hint(tool_desk(desk.workspace)), width);
@@ -125,7 +125,7 @@ float show_question(Desk& desk) {
     const float height = 2 * ImGui::GetFrameHeight();
     ImGui::SetNextWindowPos({0, top});
     ImGui::SetNextWindowSize({ImGui::GetIO().DisplaySize.x, height});
-    const Rgb8& tint = desk.theme.warning;
+    const sim::Rgb8& tint = desk.theme.warning;
     ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(0xFB, 0xF1, 0xDC, 255));
     ImGui::PushStyleColor(ImGuiCol_Border, IM_COL32(tint[0], tint[1], tint[2], 120));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
@@ -200,7 +200,7 @@ void show_fitting_bar(Desk& desk) {
 }
 
 void show_status_bar(Desk& desk) {
-    const std::shared_ptr<const SessionFrame> frame = desk.workspace.drape.frame();
+    const std::shared_ptr<const sim::SessionFrame> frame = desk.workspace.drape.frame();
     const std::string figures = drape_words(*frame);
     const float width = ImGui::CalcTextSize(figures.c_str()).x + ImGui::GetFontSize();
     show_message(desk, ImGui::GetContentRegionAvail().x - width);
@@ -346,4 +346,4 @@ void show_start_page(Desk& desk) {
     ImGui::PopStyleVar();
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

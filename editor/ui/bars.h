@@ -1,7 +1,7 @@
 #pragma once
 // The bars about the views: menus above, questions below them, tools at the left, the status line at the bottom.
 
-namespace selvedge {
+namespace selvedge::editor {
 
 struct Desk;
 
@@ -35,4 +35,4 @@ struct Desk;
 
 void show_start_page(Desk& desk);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -15,7 +15,7 @@
 #include "editor/ui/services.h"
 #include "editor/workspace/workspace.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 // Asked in a bar above the views: nothing waits for the answer.
 struct Question {
@@ -43,13 +43,13 @@ struct DeskLayout {
 
 // What the 3D view shows, to be exported.
 struct ShownFitting {
-    std::shared_ptr<const Scene> scene{};  // null: nothing
-    Camera camera{};
-    Light light{};
+    std::shared_ptr<const render::Scene> scene{};  // null: nothing
+    render::Camera camera{};
+    render::Light light{};
 };
 
 struct Desk {
-    Desk(Services given, SessionDrive drive);
+    Desk(Services given, sim::SessionDrive drive);
 
     Services services;
     Workspace workspace;
@@ -61,7 +61,7 @@ struct Desk {
     ActionFinder finder;
     FileBrowser browser;
     std::deque<Question> questions;
-    std::vector<Panel> clipboard;
+    std::vector<sim::Panel> clipboard;
     WidgetMap widgets;
     ShownFitting fitting;
     FocusedView focused = FocusedView::Sheet;
@@ -74,4 +74,4 @@ struct Desk {
 // Makes the document's changes go to the journal, beginning now.
 void begin_journal(Desk& desk);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -6,7 +6,6 @@
 #include <array>
 #include <utility>
 
-#include "editor/viewport3d/viewport.h"
 #include "editor/frame/theme.h"
 #include "editor/inspectors/inspectors.h"
 #include "editor/sheet/sheet_view.h"
@@ -14,10 +13,11 @@
 #include "editor/ui/actions.h"
 #include "editor/ui/bars.h"
 #include "editor/ui/files.h"
-#include "editor/ui/widgets.h"
 #include "editor/ui/ui_input.h"
+#include "editor/ui/widgets.h"
+#include "editor/viewport3d/viewport.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 // Numbers of textures, see frame_output.h.
@@ -97,7 +97,7 @@ bool is_pressed(const Chord& chord) {
 
 }  // namespace
 
-Desk::Desk(Services given, SessionDrive drive)
+Desk::Desk(Services given, sim::SessionDrive drive)
     : services(std::move(given)), workspace(empty_garment(), drive, services.make_body), actions(make_actions()) {}
 
 struct Editor::Impl {
@@ -366,4 +366,4 @@ bool Editor::has_more_input() const {
     return impl_->input.has_more();
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -12,10 +12,10 @@
 #include "editor/ui/desk.h"
 #include "editor/ui/services.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 struct EditorOptions {
-    SessionDrive drive = SessionDrive::Thread;
+    sim::SessionDrive drive = sim::SessionDrive::Thread;
     FontBytes fonts{};       // bytes that the editor keeps
     bool is_steady = false;  // no blinking caret: the same input gives the same pictures
 };
@@ -62,4 +62,4 @@ class Editor {
     std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -1,8 +1,8 @@
 #include "editor/ui/files.h"
 
-#include <algorithm>
 #include <imgui.h>
 #include <imgui_stdlib.h>
+#include <algorithm>
 #include <utility>
 
 #include "editor/tools/tool_host.h"
@@ -10,14 +10,14 @@
 #include "editor/ui/widgets.h"
 #include "sim/core/error.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 std::string name_in_folder(const std::string& file) {
     return file.substr(file.find_last_of('/') + 1);
 }
 
-void say_error(Desk& desk, const InputError& error) {
+void say_error(Desk& desk, const sim::InputError& error) {
     desk.workspace.messages.say({.kind = MessageKind::Error, .words = error.what(), .places = {}});
 }
 
@@ -27,13 +27,13 @@ bool try_to(Desk& desk, Function&& function) {
     try {
         function();
         return true;
-    } catch (const InputError& error) {
+    } catch (const sim::InputError& error) {
         say_error(desk, error);
         return false;
     }
 }
 
-void show_document(Desk& desk, PatternDocument source, const std::string& file) {
+void show_document(Desk& desk, sim::PatternDocument source, const std::string& file) {
     auto document = std::make_unique<Document>(std::move(source));
     document->take_place_of(*desk.workspace.document);
     desk.workspace.document = std::move(document);
@@ -81,7 +81,7 @@ void new_document(Desk& desk) {
     after_asking(desk, [](Desk& asked) { show_document(asked, empty_garment(), ""); });
 }
 
-void open_loaded(Desk& desk, PatternDocument source, const std::string& file) {
+void open_loaded(Desk& desk, sim::PatternDocument source, const std::string& file) {
     show_document(desk, std::move(source), file);
     desk.services.remember_file(file);
 }
@@ -93,14 +93,15 @@ void open_file(Desk& desk, const std::string& file) {
 
 void open_example(Desk& desk, const Example& example) {
     after_asking(desk, [example](Desk& asked) {
-        try_to(asked, [&] { show_document(asked, parse_pattern(example.text, example.title), ""); });
+        try_to(asked, [&] { show_document(asked, sim::parse_pattern(example.text, example.title), ""); });
     });
 }
 
 void recover_journal(Desk& desk, const LeftJournal& journal) {
     const auto go_on = [journal](Desk& asked) {
         const bool is_open = try_to(asked, [&] {
-            show_document(asked, parse_pattern(journal.recovery.text, journal.recovery.file), journal.recovery.file);
+            show_document(asked, sim::parse_pattern(journal.recovery.text, journal.recovery.file),
+                          journal.recovery.file);
         });
         if (!is_open) return;
         asked.workspace.document->mark_changed();
@@ -238,7 +239,7 @@ void FileBrowser::enter(const std::string& folder, const Services& services) {
     try {
         listing_ = services.list_folder(folder);
         folder_ = listing_.folder;
-    } catch (const InputError&) {
+    } catch (const sim::InputError&) {
     }
 }
 
@@ -295,4 +296,4 @@ void FileBrowser::show(Desk& desk) {
     ImGui::End();
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

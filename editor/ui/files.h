@@ -6,12 +6,12 @@
 
 #include "editor/ui/services.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 struct Desk;
 
 void new_document(Desk& desk);
-void open_loaded(Desk& desk, PatternDocument source, const std::string& file);
+void open_loaded(Desk& desk, sim::PatternDocument source, const std::string& file);
 void open_file(Desk& desk, const std::string& file);
 void open_example(Desk& desk, const Example& example);
 void recover_journal(Desk& desk, const LeftJournal& journal);
@@ -69,4 +69,4 @@ class FileBrowser {
     std::string folder_;  // of the last time
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

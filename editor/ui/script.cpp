@@ -13,7 +13,7 @@
 #include "editor/viewport3d/viewport_overlay.h"
 #include "sim/core/error.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 constexpr std::array<std::string_view, 21> kVerbs{
@@ -64,7 +64,7 @@ std::vector<ScriptStep> parse_script(std::string_view text, const std::string& f
         step.rest = trimmed(line.substr(blank));
         step.words = words_of(step.rest);
         if (std::find(kVerbs.begin(), kVerbs.end(), step.verb) == kVerbs.end()) {
-            throw InputError(file, "line " + std::to_string(number), "there is no step '" + step.verb + "'");
+            throw sim::InputError(file, "line " + std::to_string(number), "there is no step '" + step.verb + "'");
         }
         steps.push_back(std::move(step));
     }
@@ -101,7 +101,7 @@ void ScriptPlayer::play(const std::vector<ScriptStep>& steps) {
     for (const ScriptStep& step : steps) {
         try {
             play(step);
-        } catch (const InputError& error) {
+        } catch (const sim::InputError& error) {
             if (error.file() == file_) throw;
             fail(step, error.what());
         } catch (const DraftError& error) {
@@ -151,8 +151,8 @@ void ScriptPlayer::play_document(const ScriptStep& step) {
     if (step.verb == "export") export_to(desk, word(step, 0));
     if (step.verb == "wear") desk.workspace.drape.wear(step.rest);
     if (step.verb == "do") {
-        const Json json = parse_json(step.rest, file_);
-        desk.workspace.document->run(parse_command(JsonView(json, file_)));
+        const sim::Json json = sim::parse_json(step.rest, file_);
+        desk.workspace.document->run(parse_command(sim::JsonView(json, file_)));
     }
     wait_frames(2);
     const Message* message = desk.workspace.messages.shown();
@@ -221,9 +221,9 @@ Vec2d ScriptPlayer::place(const ScriptStep& step, std::size_t& at) const {
     Vec3d point = Vec3d::Zero();
     if (kind == "point") {
         const std::string& name = word(step, at++);
-        const std::vector<ArrangementPoint>& points = desk.workspace.drape.worn().points;
+        const std::vector<sim::ArrangementPoint>& points = desk.workspace.drape.worn().points;
         const auto found = std::find_if(points.begin(), points.end(),
-                                        [&](const ArrangementPoint& known) { return known.name == name; });
+                                        [&](const sim::ArrangementPoint& known) { return known.name == name; });
         if (found == points.end()) fail(step, "the body has no arrangement point '" + name + "'");
         point = found->position;
     } else if (kind == "room") {
@@ -254,7 +254,7 @@ double ScriptPlayer::number(const ScriptStep& step, std::size_t at) const {
 }
 
 void ScriptPlayer::fail(const ScriptStep& step, const std::string& problem) const {
-    throw InputError(file_, "line " + std::to_string(step.line), problem);
+    throw sim::InputError(file_, "line " + std::to_string(step.line), problem);
 }
 
 // Until the editor has taken it in, and one more that shows what came of it.
@@ -292,15 +292,15 @@ void ScriptPlayer::wait_frames(int frames) {
 
 // The drape goes on by frames of its own; the screen looks now and then.
 void ScriptPlayer::settle(double seconds) {
-    Session& session = editor_.desk().workspace.drape.session();
+    sim::Session& session = editor_.desk().workspace.drape.session();
     const double end = session.frame()->statistics.simulated_seconds + seconds;
     stage_.step({});
     for (int i = 0; i < kMostFrames && session.frame()->is_running; ++i) {
-        const SessionFrame& frame = *session.frame();
-        if (frame.stage == SessionStage::Settled || frame.statistics.simulated_seconds >= end) break;
+        const sim::SessionFrame& frame = *session.frame();
+        if (frame.stage == sim::SessionStage::Settled || frame.statistics.simulated_seconds >= end) break;
         session.advance(1);
     }
     wait_frames(2);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -16,7 +16,7 @@
 
 #include "editor/ui/editor.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 struct ScriptStep {
     int line = 0;  // of the file, from 1
@@ -70,4 +70,4 @@ class ScriptPlayer {
     Vec2d mouse_ = Vec2d::Zero();  // px
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

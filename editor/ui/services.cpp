@@ -2,18 +2,20 @@
 
 #include "sim/core/error.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 Services no_services() {
     Services services;
-    services.load = [](const std::string& file) -> PatternDocument { throw InputError(file, "", "cannot be read"); };
+    services.load = [](const std::string& file) -> sim::PatternDocument {
+        throw sim::InputError(file, "", "cannot be read");
+    };
     services.save = [](const std::string& file, const std::string&) {
-        throw InputError(file, "", "cannot be written");
+        throw sim::InputError(file, "", "cannot be written");
     };
     services.list_folder = [](const std::string&) { return FolderListing{}; };
     services.exists = [](const std::string&) { return false; };
     services.write_export = [](const ExportRequest& request) {
-        throw InputError(request.file, "", "cannot be written");
+        throw sim::InputError(request.file, "", "cannot be written");
     };
     services.recent_files = [] { return std::vector<std::string>(); };
     services.remember_file = [](const std::string&) {};
@@ -25,4 +27,4 @@ Services no_services() {
     return services;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

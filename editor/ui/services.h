@@ -13,7 +13,7 @@
 #include "sim/mesh/plain_mesh.h"
 #include "sim/pattern/pattern_file.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 struct FolderEntry {
     std::string name;
@@ -42,14 +42,14 @@ struct LeftJournal {
 // What is written where the file's name ends in .png, .obj or .glb.
 struct ExportRequest {
     std::string file;
-    std::shared_ptr<const Scene> scene;  // of a picture
-    Camera camera{};
-    Light light{};
-    PlainMesh garment{};
+    std::shared_ptr<const render::Scene> scene;  // of a picture
+    render::Camera camera{};
+    render::Light light{};
+    sim::PlainMesh garment{};
 };
 
 struct Services {
-    std::function<PatternDocument(const std::string& file)> load;
+    std::function<sim::PatternDocument(const std::string& file)> load;
     std::function<void(const std::string& file, const std::string& text)> save;  // atomic
     std::function<FolderListing(const std::string& folder)> list_folder;         // empty: where the program was started
     std::function<bool(const std::string& file)> exists;
@@ -71,4 +71,4 @@ struct Services {
 // Keeps nothing and finds nothing: for tests, which replace what they need.
 Services no_services();
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

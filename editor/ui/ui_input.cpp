@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 using Kind = InputEvent::Kind;
@@ -124,4 +124,4 @@ std::vector<InputEvent> UiInput::begin_frame(ImGuiIO& io) {
     return others;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -8,7 +8,7 @@
 
 struct ImGuiIO;
 
-namespace selvedge {
+namespace selvedge::editor {
 
 class UiInput {
  public:
@@ -26,4 +26,4 @@ class UiInput {
     std::deque<InputEvent> waiting_;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -1,18 +1,18 @@
 #include "editor/ui/widgets.h"
 
+#include <imgui.h>
 #include <array>
 #include <charconv>
-#include <imgui.h>
 #include <utility>
 #include <vector>
 
 #include "editor/ui/actions.h"
 #include "editor/ui/desk.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
-ImU32 colour_of(const Rgb8& rgb, int alpha = 255) {
+ImU32 colour_of(const sim::Rgb8& rgb, int alpha = 255) {
     return IM_COL32(rgb[0], rgb[1], rgb[2], alpha);
 }
 
@@ -56,7 +56,7 @@ void icon_button(Desk& desk, const Action& action, const std::string& icon, floa
     if (ImGui::IsItemFocused() && ImGui::GetIO().NavVisible)
         list.AddRect(low, high, colour_of(desk.theme.accent), rounding);
     const float inset = side_px * 0.2F;
-    const Rgb8 ink = is_on ? desk.theme.field : can ? desk.theme.ink : desk.theme.line;
+    const sim::Rgb8 ink = is_on ? desk.theme.field : can ? desk.theme.ink : desk.theme.line;
     draw_icon(list, icon, {low.x + inset, low.y + inset}, side_px - 2 * inset, ink);
     const std::string keys = chord_words(action);
     tip(action.title + (keys.empty() ? "" : "  (" + keys + ")") + (action.tip.empty() ? "" : "\n" + action.tip));
@@ -79,7 +79,7 @@ bool action_row(Desk& desk, const Action& action, bool is_chosen) {
     return is_pressed;
 }
 
-void coloured_text(const Rgb8& colour, const std::string& words) {
+void coloured_text(const sim::Rgb8& colour, const std::string& words) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour_of(colour));
     ImGui::TextWrapped("%s", words.c_str());
     ImGui::PopStyleColor();
@@ -237,7 +237,7 @@ std::string_view path_of(std::string_view name) {
 
 }  // namespace
 
-void draw_icon(ImDrawList& list, std::string_view name, const Vec2f& low, float side_px, const Rgb8& colour) {
+void draw_icon(ImDrawList& list, std::string_view name, const Vec2f& low, float side_px, const sim::Rgb8& colour) {
     Pen(list, low, side_px, IM_COL32(colour[0], colour[1], colour[2], 255)).draw(path_of(name));
 }
 
@@ -258,4 +258,4 @@ void MessageClock::follow(Messages& messages, double seconds) {
     if (shown_for_ >= (shown->kind == MessageKind::Note ? kNoteStays : kWarningStays)) messages.dismiss();
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

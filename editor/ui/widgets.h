@@ -10,7 +10,7 @@
 #include "sim/core/math.h"
 #include "sim/tartan/sett.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 struct Action;
 struct Desk;
@@ -29,7 +29,7 @@ void icon_button(Desk& desk, const Action& action, const std::string& icon, floa
 // One action in a list: its title, its menu, its key.
 bool action_row(Desk& desk, const Action& action, bool is_chosen);
 
-void coloured_text(const Rgb8& colour, const std::string& words);
+void coloured_text(const sim::Rgb8& colour, const std::string& words);
 
 // Text that is longer than its place: a part of it makes room for three dots.
 
@@ -47,19 +47,18 @@ std::string elided(std::string_view text, float width, Elide what);
 // A tip with the whole text over the last item, where `shown` is not all of it.
 void tip_of_whole(const std::string& text, const std::string& shown);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor
 
 // The pictures on buttons: lines in a square of 16 by 16, drawn at any size, so that they are sharp at every scale.
 
 struct ImDrawList;
 
-namespace selvedge {
+namespace selvedge::editor {
 
 // By a tool's id or an action's; nothing is drawn for a name that has none.
-void draw_icon(ImDrawList& list, std::string_view name, const Vec2f& low, float side_px, const Rgb8& colour);
+void draw_icon(ImDrawList& list, std::string_view name, const Vec2f& low, float side_px, const sim::Rgb8& colour);
 
 bool has_icon(std::string_view name);
-
 
 // How long words stay in the status line: notes a while, warnings twice as long, errors until something else is done.
 
@@ -73,4 +72,4 @@ class MessageClock {
     double shown_for_ = 0;   // s
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -8,7 +8,7 @@
 
 #include "sim/pattern/outline.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 // One side of an edge, as its triangle runs round.
@@ -47,7 +47,7 @@ class HalfEdges {
     std::vector<std::size_t> order_;
 };
 
-HalfEdges half_edges(const PlainMesh& mesh) {
+HalfEdges half_edges(const sim::PlainMesh& mesh) {
     std::vector<HalfEdge> edges;
     edges.reserve(3 * mesh.triangles.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -124,7 +124,7 @@ std::size_t next_start(const Loop& loop, std::size_t at, const Vec2f& u, double 
     return best;
 }
 
-ClothOutline outline_of(const Loop& loop, const Panel& panel) {
+ClothOutline outline_of(const Loop& loop, const sim::Panel& panel) {
     ClothOutline outline{.vertices = loop.vertices, .starts = {}};
     for (std::size_t e = 0; e < panel.edges.size(); ++e) {
         const Vec2f u = panel.vertices[static_cast<std::size_t>(panel.edges[e].start)].cast<float>();
@@ -138,7 +138,7 @@ ClothOutline outline_of(const Loop& loop, const Panel& panel) {
 
 }  // namespace
 
-std::vector<ClothOutline> find_outlines(const PlainMesh& mesh, const Pattern& pattern) {
+std::vector<ClothOutline> find_outlines(const sim::PlainMesh& mesh, const sim::Pattern& pattern) {
     std::vector<ClothOutline> outlines(pattern.panels.size());
     if (mesh.u.size() != mesh.triangles.size() || mesh.panel_names.empty()) return outlines;
     const std::vector<Loop> loops = loops_of_panels(boundary(half_edges(mesh), mesh.x.size()), mesh.panel_names.size());
@@ -171,4 +171,4 @@ const Vec3f& start_of(const ClothOutline& outline, std::size_t edge, const std::
     return x[outline.vertices[outline.starts[edge % outline.starts.size()]]];
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

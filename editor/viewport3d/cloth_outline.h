@@ -7,7 +7,7 @@
 #include "sim/mesh/plain_mesh.h"
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 struct ClothOutline {
     std::vector<std::uint32_t> vertices;  // of the mesh, counter-clockwise, round: the last is joined to the first
@@ -19,11 +19,11 @@ struct ClothOutline {
 
 // One per panel of the pattern; empty where the mesh does not have it. The mesh may be of a pattern that has changed
 // since: edges then begin at the places nearest to where they should.
-std::vector<ClothOutline> find_outlines(const PlainMesh& mesh, const Pattern& pattern);
+std::vector<ClothOutline> find_outlines(const sim::PlainMesh& mesh, const sim::Pattern& pattern);
 
 // Pre: the outline is not empty, x is the mesh's.
 std::vector<Vec3f> whole_path(const ClothOutline& outline, const std::vector<Vec3f>& x);  // ends where it begins
 std::vector<Vec3f> edge_path(const ClothOutline& outline, std::size_t edge, const std::vector<Vec3f>& x);
 const Vec3f& start_of(const ClothOutline& outline, std::size_t edge, const std::vector<Vec3f>& x);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

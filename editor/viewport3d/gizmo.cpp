@@ -8,7 +8,7 @@
 
 #include "editor/viewport3d/pick.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 Vec3f towards_eye(const Gizmo& gizmo, const Viewing& viewing) {
@@ -266,4 +266,4 @@ std::string GizmoDrag::readout() const {
     return is_turn ? text : text + " cm";
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -8,7 +8,7 @@
 
 #include "editor/viewport3d/orbit_camera.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 enum class GizmoKind {
     MoveAxis,
@@ -102,4 +102,4 @@ class GizmoDrag {
     std::vector<double> typed_;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

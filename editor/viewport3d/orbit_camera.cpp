@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 constexpr float kPi = 3.14159265F;
@@ -34,11 +34,11 @@ Standpoint between(const Standpoint& a, const Standpoint& b, float t) {
 
 }  // namespace
 
-Camera camera_at(const Standpoint& standpoint) {
+render::Camera camera_at(const Standpoint& standpoint) {
     const float a = standpoint.azimuth, e = standpoint.elevation;
     const Vec3f back(std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e));
     const Vec3f right(std::cos(a), 0, -std::sin(a));
-    Camera camera{.target = standpoint.target, .up = back.cross(right)};
+    render::Camera camera{.target = standpoint.target, .up = back.cross(right)};
     float distance = standpoint.distance;
     camera.near_plane = std::clamp(0.1F * distance, 0.01F, 0.3F);
     camera.far_plane = 4 * distance + 20;
@@ -112,8 +112,8 @@ void OrbitCamera::turn_opposite() {
 void OrbitCamera::frame(const std::vector<Vec3f>& points, float aspect) {
     if (points.empty() || !(aspect > 0)) return;
     Standpoint there = goal();
-    const Camera camera =
-        frame_points(points, Direction{there.azimuth, there.elevation}, {.aspect = aspect, .margin = 0.12F});
+    const render::Camera camera =
+        frame_points(points, render::Direction{there.azimuth, there.elevation}, {.aspect = aspect, .margin = 0.12F});
     there.target = camera.target;
     there.distance = std::clamp((camera.eye - camera.target).norm(), 4 * kNearest, kFarthest);
     move_to(there);
@@ -145,7 +145,7 @@ struct PictureAxes {
     Vec3f right, up, back;
 };
 
-PictureAxes axes_of(const Camera& camera) {
+PictureAxes axes_of(const render::Camera& camera) {
     const Eigen::Matrix4f view = view_matrix(camera);
     return {view.block<1, 3>(0, 0).transpose(), view.block<1, 3>(1, 0).transpose(), view.block<1, 3>(2, 0).transpose()};
 }
@@ -165,7 +165,7 @@ Ray ray_through(const Viewing& viewing, const Vec2f& px) {
 }
 
 float depth_of(const Viewing& viewing, const Vec3f& x) {
-    const Camera& camera = viewing.camera;
+    const render::Camera& camera = viewing.camera;
     return (x - camera.eye).dot((camera.target - camera.eye).normalized());
 }
 
@@ -188,4 +188,4 @@ Vec3f in_picture_plane(const Viewing& viewing, const Vec2f& px, const Vec3f& x) 
     return ray.at(depth_of(viewing, x) / ray.direction.dot(ahead));
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -6,7 +6,7 @@
 
 #include "render/scene/camera.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 enum class StandardView { Front, Back, Left, Right, Top, Bottom };
 
@@ -24,12 +24,12 @@ struct Standpoint {
     bool operator==(const Standpoint&) const = default;
 };
 
-Camera camera_at(const Standpoint& standpoint);
+render::Camera camera_at(const Standpoint& standpoint);
 
 class OrbitCamera {
  public:
     const Standpoint& standpoint() const { return now_; }
-    Camera camera() const { return camera_at(now_); }
+    render::Camera camera() const { return camera_at(now_); }
 
     // By the mouse's way, px. What the camera was moving to is given up.
     void orbit(const Vec2f& by_px);
@@ -69,7 +69,7 @@ struct Ray {
 
 // A camera and the picture that it fills.
 struct Viewing {
-    Camera camera;
+    render::Camera camera;
     Vec2f size_px{1, 1};
 };
 
@@ -87,4 +87,4 @@ float metres_per_px(const Viewing& viewing, const Vec3f& x);
 // What is under the pixel in the plane through x that is parallel to the picture. Pre: x is before the eye.
 Vec3f in_picture_plane(const Viewing& viewing, const Vec2f& px, const Vec3f& x);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 // px at scale 1.
@@ -13,7 +13,7 @@ constexpr float kHandleTolerance = 7, kPointTolerance = 9, kPointUnderRing = 5, 
 constexpr float kSkin = 0.004F;    // m: cloth that lies on a body may be a little within it
 constexpr float kBehind = 0.025F;  // m: so far behind what is seen a thing still counts as seen
 
-Vec3f point_of(const PlainMesh& mesh, const MeshHit& hit) {
+Vec3f point_of(const sim::PlainMesh& mesh, const MeshHit& hit) {
     const auto& [a, b, c] = mesh.triangles[hit.triangle];
     return hit.weights[0] * mesh.x[a] + hit.weights[1] * mesh.x[b] + hit.weights[2] * mesh.x[c];
 }
@@ -23,7 +23,7 @@ std::optional<MeshHit> hit_body(const Ray& ray, const PickRoom& room) {
 }
 
 void find_surface(const Ray& ray, const std::optional<MeshHit>& body, const PickRoom& room, UnderCursor& under) {
-    const PlainMesh& mesh = room.garment.mesh();
+    const sim::PlainMesh& mesh = room.garment.mesh();
     const std::optional<MeshHit> cloth = nearest_hit(ray, mesh.x, mesh.triangles);
     if (body && (!cloth || body->distance < cloth->distance - kSkin)) {
         under.surface = ray.at(body->distance);
@@ -67,7 +67,7 @@ void find_part(const Viewing& viewing, const Vec2f& px, const PickRoom& room, fl
     const std::vector<Vec3f>& x = room.garment.mesh().x;
     for (std::size_t p = 0; p < room.pattern.panels.size() && p < room.garment.outlines().size(); ++p) {
         const ClothOutline& outline = room.garment.outlines()[p];
-        const Panel& panel = room.pattern.panels[p];
+        const sim::Panel& panel = room.pattern.panels[p];
         for (std::size_t e = 0; e < outline.starts.size() && e < panel.edges.size(); ++e) {
             if (vertices.take(distance_to_point(viewing, px, start_of(outline, e, x))))
                 hover.vertex = PartRef{panel.name, panel.edges[e].start};
@@ -82,7 +82,7 @@ void find_part(const Viewing& viewing, const Vec2f& px, const PickRoom& room, fl
 
 }  // namespace
 
-BodySurface body_surface(const Body& body) {
+BodySurface body_surface(const sim::Body& body) {
     BodySurface surface;
     for (const Vec3d& x : body.x) surface.x.push_back(x.cast<float>());
     for (const auto& [a, b, c] : body.triangles) {
@@ -160,4 +160,4 @@ std::optional<ScreenDistance> distance_to_path(const Viewing& viewing, const Vec
     return nearest;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

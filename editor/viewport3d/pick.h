@@ -11,7 +11,7 @@
 #include "editor/viewport3d/viewport_marks.h"
 #include "sim/place/arrangement.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 // What is under the cursor: triangles that a ray meets, and points and lines that are near it on the screen.
 
@@ -49,15 +49,15 @@ struct BodySurface {
     std::vector<Vec3f> x;
     TriangleList triangles;
 };
-BodySurface body_surface(const Body& body);
+BodySurface body_surface(const sim::Body& body);
 
 // All that can be met.
 struct PickRoom {
-    const Pattern& pattern;
+    const sim::Pattern& pattern;
     const SeenGarment& garment;
-    const BodySurface* body = nullptr;                      // null: none is seen
-    const std::vector<ArrangementPoint>* points = nullptr;  // null: none are seen
-    const Gizmo* gizmo = nullptr;                           // null: there is none
+    const BodySurface* body = nullptr;                           // null: none is seen
+    const std::vector<sim::ArrangementPoint>* points = nullptr;  // null: none are seen
+    const Gizmo* gizmo = nullptr;                                // null: there is none
     ClothChoice choice = ClothChoice::Panels;
     float scale = 1;  // of the interface
 };
@@ -72,4 +72,4 @@ struct UnderCursor {
 
 UnderCursor find_under(const Viewing& viewing, const Vec2f& px, const PickRoom& room);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -1,14 +1,14 @@
 #include "editor/viewport3d/viewport.h"
 
+#include <imgui.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <imgui.h>
 
 #include "editor/viewport3d/viewport_overlay.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 constexpr float kLeastSide = 8;  // px: nothing is shown in less
@@ -89,7 +89,7 @@ void FittingView::make_scene(const FittingContext& context) {
                             .worn = workspace.drape.worn(),
                             .look = workspace.look,
                             .marks = std::move(marks)});
-    const Camera camera = hand_.orbit().camera();
+    const render::Camera camera = hand_.orbit().camera();
     light_ = wants_paint(workspace.look.show) ? even_light(camera) : studio_light(camera);
 }
 
@@ -138,11 +138,11 @@ void FittingView::show(const FittingContext& context) {
         list.AddImage(image_of(context.texture), from, to);
         if (wants_paint(context.workspace.look.show)) list.AddImage(image_of(context.legend), from, to);
     } else {
-        const Rgb8& paper = colours_.background.edge;
+        const sim::Rgb8& paper = colours_.background.edge;
         list.AddRectFilled(from, to, IM_COL32(paper[0], paper[1], paper[2], 255));
     }
     draw_overlay(list, {.low_px = low_px_, .scale = context.scale}, context.workspace, hand_, colours_);
     list.PopClipRect();
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

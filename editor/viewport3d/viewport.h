@@ -10,7 +10,7 @@
 #include "editor/viewport3d/viewport_marks.h"
 #include "editor/viewport3d/viewport_scene.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 // What the view is given each frame.
 struct FittingContext {
@@ -32,9 +32,9 @@ class FittingView {
     void show(const FittingContext& context);
 
     // As of the last frame; null: there is nothing to be seen.
-    const std::shared_ptr<const Scene>& scene() const { return shown_; }
-    Camera camera() const { return hand_.orbit().camera(); }
-    Light light() const { return light_; }
+    const std::shared_ptr<const render::Scene>& scene() const { return shown_; }
+    render::Camera camera() const { return hand_.orbit().camera(); }
+    render::Light light() const { return light_; }
     bool is_focused() const { return is_focused_; }
 
     // Where a point of the room was seen, px of the window; none: behind the eye.
@@ -46,7 +46,7 @@ class FittingView {
  private:
     // What the texture was last asked to show.
     struct Drawn {
-        std::shared_ptr<const Scene> scene;
+        std::shared_ptr<const render::Scene> scene;
         Standpoint standpoint;
         int width_px = 0;
         int height_px = 0;
@@ -63,12 +63,12 @@ class FittingView {
     FittingColours colours_;
     FittingHand hand_;
     FittingScene scene_;
-    std::shared_ptr<const Scene> shown_;
-    Light light_;
+    std::shared_ptr<const render::Scene> shown_;
+    render::Light light_;
     Drawn drawn_;
     Vec2f low_px_{0, 0};  // the view's upper left in the window
     Vec2f size_px_{1, 1};
     bool is_focused_ = false;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -5,14 +5,15 @@
 
 #include "sim/pattern/outline.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 // px at scale 1.
 constexpr float kGizmoReach = 82, kClickSlack = 4;
 
-bool is_sewn_up(SessionStage stage) {
-    return stage == SessionStage::Sewing || stage == SessionStage::Draping || stage == SessionStage::Settled;
+bool is_sewn_up(sim::SessionStage stage) {
+    return stage == sim::SessionStage::Sewing || stage == sim::SessionStage::Draping ||
+           stage == sim::SessionStage::Settled;
 }
 
 Selection only_panel(const std::string& name) {
@@ -26,9 +27,9 @@ void toggle(std::set<T>& chosen, const T& what) {
     if (chosen.erase(what) == 0) chosen.insert(what);
 }
 
-std::vector<Vec3f> placed_points(const std::vector<Panel>& panels) {
+std::vector<Vec3f> placed_points(const std::vector<sim::Panel>& panels) {
     std::vector<Vec3f> points;
-    for (const Panel& panel : panels) {
+    for (const sim::Panel& panel : panels) {
         const std::vector<Vec3f> outline = placed_outline(panel);
         points.insert(points.end(), outline.begin(), outline.end());
     }
@@ -83,9 +84,9 @@ void FittingHand::look_under(Workspace& workspace, const FittingInput& input, Cl
 }
 
 void FittingHand::stand_gizmo(const Workspace& workspace, float scale) {
-    const Pattern& pattern = workspace.document->pattern();
-    const SessionFrame& frame = garment_.frame();
-    const std::vector<Panel> panels = panels_of(pattern, workspace.document->selection().panels);
+    const sim::Pattern& pattern = workspace.document->pattern();
+    const sim::SessionFrame& frame = garment_.frame();
+    const std::vector<sim::Panel> panels = panels_of(pattern, workspace.document->selection().panels);
     const bool can_place = !panels.empty() && !frame.is_running;
     shows_points_ = can_place && workspace.look.has_points && (garment_.is_placed() || !is_sewn_up(frame.stage));
     gizmo_.reset();
@@ -100,23 +101,23 @@ void FittingHand::stand_gizmo(const Workspace& workspace, float scale) {
 
 void FittingHand::find_ghosts(const Workspace& workspace) {
     ghosts_.clear();
-    std::vector<Panel> panels = panels_of(workspace.document->pattern(), workspace.document->selection().panels);
+    std::vector<sim::Panel> panels = panels_of(workspace.document->pattern(), workspace.document->selection().panels);
     const bool is_apart = gizmo_ && !garment_.is_placed() && is_sewn_up(garment_.frame().stage);
-    const std::vector<ArrangementPoint>& points = workspace.drape.worn().points;
+    const std::vector<sim::ArrangementPoint>& points = workspace.drape.worn().points;
     const bool would_go = under_.point && *under_.point < points.size() && gesture_ == Gesture::None;
     if (!is_apart && !would_go) return;
-    for (Panel& panel : panels) {
+    for (sim::Panel& panel : panels) {
         if (would_go) arrange(panel, points[*under_.point]);
         ghosts_.push_back(placed_outline(panel));
     }
 }
 
-ClothPoint FittingHand::cloth_point(const MeshHit& hit) const {
+sim::ClothPoint FittingHand::cloth_point(const MeshHit& hit) const {
     return {.frame = garment_.frame().number, .triangle = hit.triangle, .weights = hit.weights};
 }
 
 void FittingHand::hold_material(const MeshHit& hit) {
-    const PlainMesh& mesh = garment_.mesh();
+    const sim::PlainMesh& mesh = garment_.mesh();
     if (hit.triangle >= mesh.u.size()) return;
     const auto& [a, b, c] = mesh.u[hit.triangle];
     pulled_u_ = hit.weights[0] * a + hit.weights[1] * b + hit.weights[2] * c;
@@ -135,7 +136,7 @@ void FittingHand::frame_all(const Workspace& workspace) {
 
 void FittingHand::frame_selection(const Workspace& workspace) {
     std::vector<Vec3f> points;
-    const Pattern& pattern = workspace.document->pattern();
+    const sim::Pattern& pattern = workspace.document->pattern();
     const std::set<std::string>& chosen = workspace.document->selection().panels;
     for (std::size_t p = 0; p < garment_.outlines().size() && p < pattern.panels.size(); ++p) {
         if (!chosen.contains(pattern.panels[p].name) || garment_.outlines()[p].is_empty()) continue;
@@ -218,7 +219,7 @@ void FittingHand::press(Workspace& workspace, const FittingInput& input) {
     } else if (is_left && under_.handle && gizmo_) {
         begin_drag(workspace, *gizmo_, *under_.handle, input.cursor_px);
     } else if (is_left && under_.point) {
-        const std::vector<Panel> panels =
+        const std::vector<sim::Panel> panels =
             panels_of(workspace.document->pattern(), workspace.document->selection().panels);
         if (!panels.empty()) workspace.run(arrange_command(panels, workspace.drape.worn().points[*under_.point]));
     } else if (is_left) {
@@ -332,9 +333,9 @@ void FittingHand::click(Workspace& workspace, const FittingInput& input) {
 
 namespace {
 
-Command place_command(const std::vector<Panel>& panels) {
+Command place_command(const std::vector<sim::Panel>& panels) {
     PlacePanels all;
-    for (const Panel& panel : panels) {
+    for (const sim::Panel& panel : panels) {
         all.places.push_back({.panel = panel.name,
                               .translation = panel.translation,
                               .rotation = panel.rotation,
@@ -350,19 +351,19 @@ Command place_command(const std::vector<Panel>& panels) {
 
 }  // namespace
 
-std::vector<Panel> panels_of(const Pattern& pattern, const std::set<std::string>& names) {
-    std::vector<Panel> panels;
-    for (const Panel& panel : pattern.panels) {
+std::vector<sim::Panel> panels_of(const sim::Pattern& pattern, const std::set<std::string>& names) {
+    std::vector<sim::Panel> panels;
+    for (const sim::Panel& panel : pattern.panels) {
         if (names.contains(panel.name)) panels.push_back(panel);
     }
     return panels;
 }
 
-std::vector<Vec3f> placed_outline(const Panel& panel) {
+std::vector<Vec3f> placed_outline(const sim::Panel& panel) {
     constexpr double kChordError = 0.001;  // m
     constexpr double kLongestPart = 0.03;  // m: a bent panel's straight edge is a curve in the room
     std::vector<Vec3f> path;
-    for (const OutlineEdge& edge : panel.edges) {
+    for (const sim::OutlineEdge& edge : panel.edges) {
         const std::vector<Vec2d> line = outline_polyline(panel, edge, kChordError);
         for (std::size_t i = 1; i < line.size(); ++i) {
             const int parts = 1 + static_cast<int>((line[i] - line[i - 1]).norm() / kLongestPart);
@@ -376,26 +377,26 @@ std::vector<Vec3f> placed_outline(const Panel& panel) {
     return path;
 }
 
-Vec3d placed_centre(const std::vector<Panel>& panels) {
+Vec3d placed_centre(const std::vector<sim::Panel>& panels) {
     Eigen::AlignedBox3d box;
-    for (const Panel& panel : panels) {
+    for (const sim::Panel& panel : panels) {
         for (const Vec3f& x : placed_outline(panel)) box.extend(x.cast<double>());
     }
     return box.isEmpty() ? panels.front().translation : Vec3d(box.center());
 }
 
-Command move_command(const std::vector<Panel>& panels, const RigidMotion& motion) {
-    std::vector<Panel> moved = panels;
-    for (Panel& panel : moved) {
+Command move_command(const std::vector<sim::Panel>& panels, const RigidMotion& motion) {
+    std::vector<sim::Panel> moved = panels;
+    for (sim::Panel& panel : moved) {
         panel.translation = motion.centre + motion.turn * (panel.translation - motion.centre) + motion.shift;
         panel.rotation = Eigen::Quaterniond(motion.turn * panel.rotation).normalized().toRotationMatrix();
     }
     return place_command(moved);
 }
 
-Command arrange_command(std::vector<Panel> panels, const ArrangementPoint& point) {
-    for (Panel& panel : panels) arrange(panel, point);
+Command arrange_command(std::vector<sim::Panel> panels, const sim::ArrangementPoint& point) {
+    for (sim::Panel& panel : panels) arrange(panel, point);
     return place_command(panels);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

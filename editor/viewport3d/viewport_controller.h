@@ -19,7 +19,7 @@
 #include "sim/core/math.h"
 #include "sim/place/arrangement.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 // What mouse and keys do to the 3D view in one frame. Positions are px from the view's upper left.
 
@@ -86,7 +86,7 @@ class FittingHand {
     bool use_view_key(const Workspace& workspace, Key key, bool is_opposite);
     void type(Workspace& workspace, const FittingInput& input);
     void pin_under(Workspace& workspace);
-    ClothPoint cloth_point(const MeshHit& hit) const;
+    sim::ClothPoint cloth_point(const MeshHit& hit) const;
     void hold_material(const MeshHit& hit);
 
     void press(Workspace& workspace, const FittingInput& input);
@@ -100,7 +100,7 @@ class FittingHand {
     OrbitCamera orbit_;
     Vec2f size_px_{1, 1};
     SeenGarment garment_;
-    std::shared_ptr<const Body> body_;
+    std::shared_ptr<const sim::Body> body_;
     BodySurface surface_;  // of it
     UnderCursor under_;
     bool has_set_hover_ = false;
@@ -109,12 +109,12 @@ class FittingHand {
     Gesture gesture_ = Gesture::None;
     Vec2f last_px_{0, 0};
     Vec2f pressed_px_{0, 0};
-    UnderCursor pressed_;       // what the button was pressed on
-    ClothPoint pressed_point_;  // and where, when it was cloth: of the frame that was seen then
+    UnderCursor pressed_;            // what the button was pressed on
+    sim::ClothPoint pressed_point_;  // and where, when it was cloth: of the frame that was seen then
 
     std::optional<Gizmo> gizmo_;
     std::optional<GizmoDrag> drag_;
-    std::vector<Panel> dragged_;  // as they were
+    std::vector<sim::Panel> dragged_;  // as they were
     TypedInput typed_;
     std::vector<std::vector<Vec3f>> ghosts_;
     std::optional<Vec3f> pulled_from_;  // m, where the cloth was taken
@@ -127,18 +127,18 @@ class FittingHand {
 // From gestures in the room to the commands that place panels.
 
 // Copies of the named panels, in the pattern's order.
-std::vector<Panel> panels_of(const Pattern& pattern, const std::set<std::string>& names);
+std::vector<sim::Panel> panels_of(const sim::Pattern& pattern, const std::set<std::string>& names);
 
 // The middle of the box about what they are in the room, m. Pre: not empty.
-Vec3d placed_centre(const std::vector<Panel>& panels);
+Vec3d placed_centre(const std::vector<sim::Panel>& panels);
 
 // The outline in the room, m: closed, within a millimetre.
-std::vector<Vec3f> placed_outline(const Panel& panel);
+std::vector<Vec3f> placed_outline(const sim::Panel& panel);
 
 // Places the panels where the motion takes them; how they are bent stays. Pre: not empty.
-Command move_command(const std::vector<Panel>& panels, const RigidMotion& motion);
+Command move_command(const std::vector<sim::Panel>& panels, const RigidMotion& motion);
 
 // Wraps the panels round the point: all of them, each about its own middle. Pre: not empty.
-Command arrange_command(std::vector<Panel> panels, const ArrangementPoint& point);
+Command arrange_command(std::vector<sim::Panel> panels, const sim::ArrangementPoint& point);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -8,7 +8,7 @@
 #include "render/scene/colour.h"
 #include "render/scene/solids.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 // Radii, px of the view.
@@ -18,15 +18,15 @@ constexpr float kNeedleLength = 9;  // px
 
 class Marker {
  public:
-    Marker(const Pattern& pattern, const SeenGarment& garment, float size, SolidItem& solid)
+    Marker(const sim::Pattern& pattern, const SeenGarment& garment, float size, render::SolidItem& solid)
         : pattern_(pattern), garment_(garment), size_(size), solid_(solid) {}
 
-    void outline(const std::string& panel, float radius, const Rgb8& colour) {
+    void outline(const std::string& panel, float radius, const sim::Rgb8& colour) {
         if (const std::optional<std::size_t> p = seen_panel(panel))
             add_tube(solid_, whole_path(garment_.outlines()[*p], garment_.mesh().x), radius * size_, colour);
     }
 
-    void edge(const PartRef& part, float radius, const Rgb8& colour) {
+    void edge(const PartRef& part, float radius, const sim::Rgb8& colour) {
         const std::optional<std::size_t> p = seen_panel(part.panel);
         if (!p || part.index < 0) return;
         const std::vector<Vec3f> path =
@@ -34,24 +34,24 @@ class Marker {
         add_tube(solid_, path, radius * size_, colour);
     }
 
-    void vertex(const PartRef& part, float radius, const Rgb8& colour) {
+    void vertex(const PartRef& part, float radius, const sim::Rgb8& colour) {
         if (const std::optional<Vec3f> x = place_of_vertex(part))
-            add_ball(solid_, *x, radius * size_, colour, BallDetail::Coarse);
+            add_ball(solid_, *x, radius * size_, colour, render::BallDetail::Coarse);
     }
 
-    void seam(int index, float radius, const Rgb8& colour) {
+    void seam(int index, float radius, const sim::Rgb8& colour) {
         if (index < 0 || static_cast<std::size_t>(index) >= pattern_.seams.size()) return;
-        const Seam& seam = pattern_.seams[static_cast<std::size_t>(index)];
-        for (const SeamSide& side : {seam.first, seam.second})
+        const sim::Seam& seam = pattern_.seams[static_cast<std::size_t>(index)];
+        for (const sim::SeamSide& side : {seam.first, seam.second})
             edge({pattern_.panels[static_cast<std::size_t>(side.panel)].name, side.edge}, radius, colour);
     }
 
     std::optional<Vec3f> place_of_vertex(const PartRef& part) const {
         const std::optional<std::size_t> p = seen_panel(part.panel);
         if (!p) return std::nullopt;
-        const std::vector<OutlineEdge>& edges = pattern_.panels[*p].edges;
-        const auto leaving =
-            std::find_if(edges.begin(), edges.end(), [&](const OutlineEdge& edge) { return edge.start == part.index; });
+        const std::vector<sim::OutlineEdge>& edges = pattern_.panels[*p].edges;
+        const auto leaving = std::find_if(edges.begin(), edges.end(),
+                                          [&](const sim::OutlineEdge& edge) { return edge.start == part.index; });
         if (leaving == edges.end()) return std::nullopt;
         const auto edge = static_cast<std::size_t>(leaving - edges.begin());
         return start_of(garment_.outlines()[*p], edge, garment_.mesh().x);
@@ -60,7 +60,7 @@ class Marker {
     void pin(const Vec3f& at, const FittingColours& colours) {
         const Vec3f head = at + kNeedleLength * size_ * normal_near(at);
         add_rod(solid_, at, head, kNeedle * size_, colours.needle);
-        add_ball(solid_, head, kPinHead * size_, colours.pin, BallDetail::Coarse);
+        add_ball(solid_, head, kPinHead * size_, colours.pin, render::BallDetail::Coarse);
     }
 
  private:
@@ -72,7 +72,7 @@ class Marker {
     }
 
     Vec3f normal_near(const Vec3f& at) const {
-        const PlainMesh& mesh = garment_.mesh();
+        const sim::PlainMesh& mesh = garment_.mesh();
         if (mesh.x.empty() || mesh.normals.size() != mesh.x.size()) return Vec3f::UnitY();
         const auto nearer = [&](const Vec3f& a, const Vec3f& b) {
             return (a - at).squaredNorm() < (b - at).squaredNorm();
@@ -81,20 +81,20 @@ class Marker {
         return mesh.normals[static_cast<std::size_t>(nearest - mesh.x.begin())];
     }
 
-    const Pattern& pattern_;
+    const sim::Pattern& pattern_;
     const SeenGarment& garment_;
     float size_;
-    SolidItem& solid_;
+    render::SolidItem& solid_;
 };
 
-void mark_selection(Marker& marker, const Selection& selection, const Rgb8& colour) {
+void mark_selection(Marker& marker, const Selection& selection, const sim::Rgb8& colour) {
     for (const std::string& panel : selection.panels) marker.outline(panel, kOutline, colour);
     for (const PartRef& edge : selection.edges) marker.edge(edge, kEdge, colour);
     for (const int seam : selection.seams) marker.seam(seam, kEdge, colour);
     for (const PartRef& vertex : selection.vertices) marker.vertex(vertex, kVertex, colour);
 }
 
-void mark_hover(Marker& marker, const FittingMarks& marks, const Rgb8& colour) {
+void mark_hover(Marker& marker, const FittingMarks& marks, const sim::Rgb8& colour) {
     const Hover& hover = marks.hover;
     if (hover.vertex) marker.vertex(*hover.vertex, kVertex, colour);
     if (hover.edge) marker.edge(*hover.edge, kEdge, colour);
@@ -104,7 +104,7 @@ void mark_hover(Marker& marker, const FittingMarks& marks, const Rgb8& colour) {
         marker.outline(hover.panel, kHoveredOutline, colour);
 }
 
-void mark_wrong(Marker& marker, const std::vector<DraftPlace>& places, const Rgb8& colour) {
+void mark_wrong(Marker& marker, const std::vector<DraftPlace>& places, const sim::Rgb8& colour) {
     for (const DraftPlace& place : places) {
         if (place.edge >= 0) marker.edge({place.panel, place.edge}, kEdge, colour);
         if (place.vertex >= 0) marker.vertex({place.panel, place.vertex}, kVertex, colour);
@@ -131,10 +131,10 @@ std::vector<Vec3f> even_points(const std::vector<Vec3f>& path, std::size_t count
 }
 
 // Of panels where they are placed: the session's own may be from before they were moved.
-std::vector<Thread> threads_of(const Seam& seam, const SeenGarment& garment) {
+std::vector<Thread> threads_of(const sim::Seam& seam, const SeenGarment& garment) {
     constexpr float kApart = 0.025F;  // m
     std::array<std::vector<Vec3f>, 2> sides;
-    const std::array<SeamSide, 2> ends{seam.first, seam.second};
+    const std::array<sim::SeamSide, 2> ends{seam.first, seam.second};
     for (std::size_t i = 0; i < 2; ++i) {
         const auto panel = static_cast<std::size_t>(ends[i].panel);
         if (panel >= garment.outlines().size()) return {};
@@ -152,9 +152,9 @@ std::vector<Thread> threads_of(const Seam& seam, const SeenGarment& garment) {
     return threads;
 }
 
-void mark_threads(SolidItem& solid, const Pattern& pattern, const SeenGarment& garment, float size) {
+void mark_threads(render::SolidItem& solid, const sim::Pattern& pattern, const SeenGarment& garment, float size) {
     const auto draw = [&](const Thread& thread, std::size_t seam) {
-        add_rod(solid, thread[0], thread[1], kThread * size, line_colour(seam));
+        add_rod(solid, thread[0], thread[1], kThread * size, render::line_colour(seam));
     };
     if (garment.is_placed()) {
         for (std::size_t s = 0; s < pattern.seams.size(); ++s) {
@@ -162,18 +162,18 @@ void mark_threads(SolidItem& solid, const Pattern& pattern, const SeenGarment& g
         }
         return;
     }
-    const SessionFrame& frame = garment.frame();
+    const sim::SessionFrame& frame = garment.frame();
     for (std::size_t i = 0; i < frame.threads.size(); ++i) {
         const int seam = i < frame.thread_seams.size() ? std::max(0, frame.thread_seams[i]) : 0;
         draw(frame.threads[i], static_cast<std::size_t>(seam));
     }
 }
 
-void mark_pins(Marker& marker, const Pattern& pattern, const SeenGarment& garment, const FittingColours& colours) {
+void mark_pins(Marker& marker, const sim::Pattern& pattern, const SeenGarment& garment, const FittingColours& colours) {
     if (!garment.is_placed()) {
         for (const Vec3f& pin : garment.frame().pins) marker.pin(pin, colours);
     }
-    for (const Panel& panel : pattern.panels) {
+    for (const sim::Panel& panel : pattern.panels) {
         for (const int vertex : panel.pins) {
             if (const std::optional<Vec3f> x = marker.place_of_vertex({panel.name, vertex})) marker.pin(*x, colours);
         }
@@ -186,9 +186,10 @@ float coarse_size(float metres_per_px) {
     return std::exp2(std::round(2 * std::log2(std::max(metres_per_px, 1e-5F))) / 2);
 }
 
-SolidItem make_marks(const Pattern& pattern, const SeenGarment& garment, const std::vector<ArrangementPoint>& points,
-                     const FittingMarks& marks, const FittingColours& colours) {
-    SolidItem solid;
+render::SolidItem make_marks(const sim::Pattern& pattern, const SeenGarment& garment,
+                             const std::vector<sim::ArrangementPoint>& points, const FittingMarks& marks,
+                             const FittingColours& colours) {
+    render::SolidItem solid;
     Marker marker(pattern, garment, marks.size, solid);
     if (marks.has_threads) mark_threads(solid, pattern, garment, marks.size);
     mark_selection(marker, marks.selection, colours.selected);
@@ -199,10 +200,11 @@ SolidItem make_marks(const Pattern& pattern, const SeenGarment& garment, const s
         for (std::size_t i = 0; i < points.size(); ++i) {
             const bool is_hovered = marks.hovered_point == i;
             add_ball(solid, points[i].position.cast<float>(), (is_hovered ? kHoveredPoint : kPoint) * marks.size,
-                     is_hovered ? colours.hovered_point : colours.point, BallDetail::Coarse);
+                     is_hovered ? colours.hovered_point : colours.point, render::BallDetail::Coarse);
         }
     }
-    if (marks.pulled_to) add_ball(solid, *marks.pulled_to, kPullBall * marks.size, colours.pull, BallDetail::Coarse);
+    if (marks.pulled_to)
+        add_ball(solid, *marks.pulled_to, kPullBall * marks.size, colours.pull, render::BallDetail::Coarse);
     return solid;
 }
 
@@ -217,11 +219,11 @@ struct Part {
     std::uint32_t next = kNone;
 };
 
-std::vector<const Panel*> panels_by_mesh(const PlainMesh& mesh, const Pattern& pattern) {
-    std::vector<const Panel*> panels;
+std::vector<const sim::Panel*> panels_by_mesh(const sim::PlainMesh& mesh, const sim::Pattern& pattern) {
+    std::vector<const sim::Panel*> panels;
     for (const std::string& name : mesh.panel_names) {
         const auto found = std::find_if(pattern.panels.begin(), pattern.panels.end(),
-                                        [&](const Panel& panel) { return panel.name == name; });
+                                        [&](const sim::Panel& panel) { return panel.name == name; });
         panels.push_back(found == pattern.panels.end() ? nullptr : &*found);
     }
     return panels;
@@ -229,9 +231,9 @@ std::vector<const Panel*> panels_by_mesh(const PlainMesh& mesh, const Pattern& p
 
 }  // namespace
 
-PlainMesh placed_mesh(const PlainMesh& mesh, const Pattern& pattern) {
-    const std::vector<const Panel*> panels = panels_by_mesh(mesh, pattern);
-    PlainMesh placed = mesh;
+sim::PlainMesh placed_mesh(const sim::PlainMesh& mesh, const sim::Pattern& pattern) {
+    const std::vector<const sim::Panel*> panels = panels_by_mesh(mesh, pattern);
+    sim::PlainMesh placed = mesh;
     placed.x.clear();
     placed.vertex_level.clear();
     std::vector<std::uint32_t> first(mesh.x.size(), kNone);
@@ -246,17 +248,17 @@ PlainMesh placed_mesh(const PlainMesh& mesh, const Pattern& pattern) {
             if (part == kNone) {
                 part = static_cast<std::uint32_t>(parts.size());
                 parts.push_back({.panel = panel, .u = u, .next = std::exchange(first[vertex], part)});
-                const Panel* from = panel < panels.size() ? panels[panel] : nullptr;
+                const sim::Panel* from = panel < panels.size() ? panels[panel] : nullptr;
                 placed.x.push_back(from ? Vec3f(from->place(u.cast<double>()).cast<float>()) : mesh.x[vertex]);
             }
             placed.triangles[t][c] = part;
         }
     }
-    placed.normals = vertex_normals(placed.x, placed.triangles);
+    placed.normals = sim::vertex_normals(placed.x, placed.triangles);
     return placed;
 }
 
-std::optional<Vec3f> place_of(const PlainMesh& mesh, std::uint16_t panel, const Vec2f& u) {
+std::optional<Vec3f> place_of(const sim::PlainMesh& mesh, std::uint16_t panel, const Vec2f& u) {
     constexpr float kBeside = -1e-3F;
     for (std::size_t t = 0; t < mesh.u.size(); ++t) {
         if (!mesh.panel.empty() && mesh.panel[t] != panel) continue;
@@ -272,10 +274,11 @@ std::optional<Vec3f> place_of(const PlainMesh& mesh, std::uint16_t panel, const 
     return std::nullopt;
 }
 
-void SeenGarment::follow(const Pattern& pattern, std::uint64_t revision, std::shared_ptr<const SessionFrame> frame,
-                         GarmentState wanted) {
+void SeenGarment::follow(const sim::Pattern& pattern, std::uint64_t revision,
+                         std::shared_ptr<const sim::SessionFrame> frame, GarmentState wanted) {
     const bool has_material = frame->mesh.u.size() == frame->mesh.triangles.size();
-    const bool is_placed = has_material && (wanted == GarmentState::AsPlaced || frame->stage == SessionStage::Placed);
+    const bool is_placed =
+        has_material && (wanted == GarmentState::AsPlaced || frame->stage == sim::SessionStage::Placed);
     const bool is_pattern_new = revision != revision_ || version_ == 0;
     if (!is_pattern_new && frame == frame_ && is_placed == is_placed_) return;
     ++version_;
@@ -287,12 +290,12 @@ void SeenGarment::follow(const Pattern& pattern, std::uint64_t revision, std::sh
 }
 
 // Between adaptions a moving cloth has the same triangles, and so the same outlines.
-void SeenGarment::find_outlines_again(const Pattern& pattern, bool is_pattern_new) {
-    const PlainMesh& seen = mesh();
+void SeenGarment::find_outlines_again(const sim::Pattern& pattern, bool is_pattern_new) {
+    const sim::PlainMesh& seen = mesh();
     if (!is_pattern_new && seen.triangles == outlined_ && seen.u == outlined_u_) return;
     outlined_ = seen.triangles;
     outlined_u_ = seen.u;
     outlines_ = find_outlines(seen, pattern);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

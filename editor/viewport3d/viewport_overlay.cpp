@@ -1,14 +1,14 @@
 #include "editor/viewport3d/viewport_overlay.h"
 
+#include <imgui.h>
 #include <algorithm>
 #include <cmath>
-#include <imgui.h>
 #include <set>
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
-ImU32 ink(const Rgb8& colour, int alpha = 255) {
+ImU32 ink(const sim::Rgb8& colour, int alpha = 255) {
     return IM_COL32(colour[0], colour[1], colour[2], alpha);
 }
 
@@ -46,7 +46,7 @@ class Overlay {
     }
 
     void dashes(const std::vector<Vec3f>& points, ImU32 colour, float width);
-    void badge(const Vec2f& low, const std::string& words, const Rgb8& colour);
+    void badge(const Vec2f& low, const std::string& words, const sim::Rgb8& colour);
     Vec2f badge_size(const std::string& words) const {
         const ImVec2 size = ImGui::CalcTextSize(words.c_str());
         return {size.x + 14 * scale(), size.y + 8 * scale()};
@@ -81,7 +81,7 @@ void Overlay::dashes(const std::vector<Vec3f>& points, ImU32 colour, float width
     }
 }
 
-void Overlay::badge(const Vec2f& low, const std::string& words, const Rgb8& colour) {
+void Overlay::badge(const Vec2f& low, const std::string& words, const sim::Rgb8& colour) {
     const Vec2f size = badge_size(words);
     const float round = 4 * scale();
     list_.AddRectFilled(at(low), at(low + size), ink(colours_.badge, 236), round);
@@ -105,7 +105,7 @@ struct HandleLook {
 HandleLook look_of(const Overlay& overlay, const FittingHand& hand, const GizmoHandle& handle) {
     const bool is_held = hand.drag() ? hand.drag()->handle() == handle : hand.under().handle == handle;
     const bool is_aside = hand.drag() && !is_held;
-    const Rgb8& axis = overlay.colours().axes[static_cast<std::size_t>(handle.axis)];
+    const sim::Rgb8& axis = overlay.colours().axes[static_cast<std::size_t>(handle.axis)];
     return {.colour = ink(is_held ? overlay.colours().held_axis : axis, is_aside ? 70 : 235),
             .width = is_held ? 3.6F : 2.6F,
             .is_held = is_held};
@@ -184,7 +184,7 @@ void draw_pull(Overlay& overlay, const FittingHand& hand) {
 // The readout beside the cursor, within the view.
 void draw_readout(Overlay& overlay, const FittingHand& hand) {
     std::string words;
-    Rgb8 colour = overlay.colours().ink;
+    sim::Rgb8 colour = overlay.colours().ink;
     if (hand.drag()) {
         words = hand.drag()->readout();
         if (!hand.typed().empty()) words += "   = " + hand.typed();
@@ -196,9 +196,9 @@ void draw_readout(Overlay& overlay, const FittingHand& hand) {
     overlay.badge(low, words, colour);
 }
 
-void draw_point_name(Overlay& overlay, const std::vector<ArrangementPoint>& points, const FittingHand& hand) {
+void draw_point_name(Overlay& overlay, const std::vector<sim::ArrangementPoint>& points, const FittingHand& hand) {
     if (!hand.under().point || *hand.under().point >= points.size()) return;
-    const ArrangementPoint& point = points[*hand.under().point];
+    const sim::ArrangementPoint& point = points[*hand.under().point];
     const std::optional<Vec2f> px = px_of(overlay.viewing(), point.position.cast<float>());
     if (!px) return;
     const Vec2f size = overlay.badge_size(point.name);
@@ -226,26 +226,26 @@ void draw_axis_cross(Overlay& overlay) {
     }
 }
 
-Rgb8 stage_colour(const SessionFrame& frame, const FittingColours& colours) {
+sim::Rgb8 stage_colour(const sim::SessionFrame& frame, const FittingColours& colours) {
     switch (frame.stage) {
-        case SessionStage::Settled:
+        case sim::SessionStage::Settled:
             return colours.good;
-        case SessionStage::Sewing:
-        case SessionStage::Draping:
+        case sim::SessionStage::Sewing:
+        case sim::SessionStage::Draping:
             return frame.is_running ? colours.busy : colours.faint;
-        case SessionStage::Failed:
+        case sim::SessionStage::Failed:
             return colours.error;
-        case SessionStage::Empty:
-        case SessionStage::Placed:
+        case sim::SessionStage::Empty:
+        case sim::SessionStage::Placed:
             return colours.faint;
     }
     return colours.faint;
 }
 
 void draw_stage(Overlay& overlay, const Workspace& workspace, const FittingHand& hand) {
-    const SessionFrame& frame = hand.garment().frame();
+    const sim::SessionFrame& frame = hand.garment().frame();
     std::string words = stage_words(frame);
-    const bool is_sewn = frame.stage == SessionStage::Draping || frame.stage == SessionStage::Settled;
+    const bool is_sewn = frame.stage == sim::SessionStage::Draping || frame.stage == sim::SessionStage::Settled;
     if (is_sewn && hand.garment().is_placed()) words += " \u00B7 shown as placed";
     if (workspace.drape.is_making_body()) words += words.empty() ? "Making the body" : " \u00B7 making the body";
     if (words.empty()) return;
@@ -260,22 +260,22 @@ void draw_stage(Overlay& overlay, const Workspace& workspace, const FittingHand&
 
 }  // namespace
 
-std::string stage_words(const SessionFrame& frame) {
+std::string stage_words(const sim::SessionFrame& frame) {
     switch (frame.stage) {
-        case SessionStage::Empty:
+        case sim::SessionStage::Empty:
             return frame.problem.empty() ? "" : "Cannot be cut yet";
-        case SessionStage::Placed:
+        case sim::SessionStage::Placed:
             return "Placed";
-        case SessionStage::Sewing: {
+        case sim::SessionStage::Sewing: {
             const auto open = std::set<int>(frame.thread_seams.begin(), frame.thread_seams.end()).size();
             const std::string verb = frame.is_running ? "Sewing" : "Sewing, paused";
             return open == 0 ? verb : verb + " \u00B7 " + std::to_string(open) + (open == 1 ? " seam" : " seams");
         }
-        case SessionStage::Draping:
+        case sim::SessionStage::Draping:
             return frame.is_running ? "Draping" : "Paused";
-        case SessionStage::Settled:
+        case sim::SessionStage::Settled:
             return "Settled";
-        case SessionStage::Failed:
+        case sim::SessionStage::Failed:
             return "Failed";
     }
     return "";
@@ -293,4 +293,4 @@ void draw_overlay(ImDrawList& list, const OverlayPlace& place, const Workspace& 
     draw_readout(overlay, hand);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

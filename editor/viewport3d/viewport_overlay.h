@@ -6,7 +6,7 @@
 
 struct ImDrawList;
 
-namespace selvedge {
+namespace selvedge::editor {
 
 struct OverlayPlace {
     Vec2f low_px{0, 0};  // the view's upper left in the window
@@ -17,6 +17,6 @@ void draw_overlay(ImDrawList& list, const OverlayPlace& place, const Workspace& 
                   const FittingColours& colours);
 
 // What the garment is doing, in a word or two: "Sewing 3 seams".
-std::string stage_words(const SessionFrame& frame);
+std::string stage_words(const sim::SessionFrame& frame);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -7,17 +7,17 @@
 #include "sim/core/error.h"
 #include "sim/tartan/tartan_file.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 constexpr float kEdgeInk = 0.55F;
 
 // The fabric's name for each panel of the mesh.
-std::vector<std::string> fabrics_of(const PlainMesh& mesh, const Pattern& pattern) {
+std::vector<std::string> fabrics_of(const sim::PlainMesh& mesh, const sim::Pattern& pattern) {
     std::vector<std::string> names(std::max<std::size_t>(1, mesh.panel_names.size()), pattern.fabric);
     for (std::size_t i = 0; i < mesh.panel_names.size(); ++i) {
         const auto panel = std::find_if(pattern.panels.begin(), pattern.panels.end(),
-                                        [&](const Panel& known) { return known.name == mesh.panel_names[i]; });
+                                        [&](const sim::Panel& known) { return known.name == mesh.panel_names[i]; });
         if (panel != pattern.panels.end() && !panel->fabric.empty()) names[i] = panel->fabric;
     }
     return names;
@@ -31,8 +31,8 @@ void keep(std::vector<T>& values, const std::vector<std::size_t>& kept) {
 }
 
 // The triangles of those panels, with all vertices.
-PlainMesh part_of(const PlainMesh& mesh, const std::vector<std::string>& fabrics, const std::string& fabric) {
-    PlainMesh part = mesh;
+sim::PlainMesh part_of(const sim::PlainMesh& mesh, const std::vector<std::string>& fabrics, const std::string& fabric) {
+    sim::PlainMesh part = mesh;
     std::vector<std::size_t> kept;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         if (fabrics[mesh.panel.empty() ? 0 : mesh.panel[t]] == fabric) kept.push_back(t);
@@ -44,52 +44,52 @@ PlainMesh part_of(const PlainMesh& mesh, const std::vector<std::string>& fabrics
     return part;
 }
 
-bool is_sound(const PlainMesh& mesh) {
+bool is_sound(const sim::PlainMesh& mesh) {
     return !mesh.triangles.empty() &&
            std::all_of(mesh.x.begin(), mesh.x.end(), [](const Vec3f& x) { return x.allFinite(); });
 }
 
 }  // namespace
 
-bool wants_paint(ShowMode show) {
-    return show > ShowMode::Plain;
+bool wants_paint(render::ShowMode show) {
+    return show > render::ShowMode::Plain;
 }
 
 // A fabric that is not known is the default: the inspector says so.
-const Fabric& FittingScene::fabric(const std::string& name) {
+const sim::Fabric& FittingScene::fabric(const std::string& name) {
     const auto known = fabrics_.find(name);
     if (known != fabrics_.end()) return known->second;
-    Fabric fabric;
+    sim::Fabric fabric;
     try {
-        fabric = find_fabric(name);
-    } catch (const InputError&) {
+        fabric = sim::find_fabric(name);
+    } catch (const sim::InputError&) {
         fabric.name = name;
     }
     return fabrics_.emplace(name, std::move(fabric)).first->second;
 }
 
-void FittingScene::take_sett(const Pattern& pattern) {
+void FittingScene::take_sett(const sim::Pattern& pattern) {
     if (sett_ && pattern.tartan == tartan_ && pattern.sett_size == sett_size_) return;
     tartan_ = pattern.tartan;
     sett_size_ = pattern.sett_size;
     try {
-        sett_ = find_tartan(tartan_.empty() ? kDefaultTartan : tartan_);
-    } catch (const InputError&) {
-        sett_ = find_tartan(kDefaultTartan);
+        sett_ = sim::find_tartan(tartan_.empty() ? sim::kDefaultTartan : tartan_);
+    } catch (const sim::InputError&) {
+        sett_ = sim::find_tartan(sim::kDefaultTartan);
     }
     if (sett_size_ && *sett_size_ > 0) sett_ = with_repeat_size(std::move(*sett_), *sett_size_);
 }
 
 void FittingScene::take_cloth(const FittingSceneInput& input) {
     cloths_.clear();
-    const PlainMesh& mesh = input.garment.mesh();
+    const sim::PlainMesh& mesh = input.garment.mesh();
     if (!is_sound(mesh)) return;
     take_sett(input.pattern);
     const std::vector<std::string> names = fabrics_of(mesh, input.pattern);
     const std::set<std::string> distinct(names.begin(), names.end());
     for (const std::string& name : distinct) {
-        const Fabric& made_of = fabric(name);
-        ClothItem item;
+        const sim::Fabric& made_of = fabric(name);
+        render::ClothItem item;
         item.mesh = distinct.size() == 1 ? mesh : part_of(mesh, names, name);
         if (item.mesh.triangles.empty()) continue;
         item.sett = *sett_;
@@ -99,7 +99,7 @@ void FittingScene::take_cloth(const FittingSceneInput& input) {
                          .roughness = static_cast<float>(made_of.roughness),
                          .sheen = static_cast<float>(made_of.sheen)};
         if (input.look.has_edges) {
-            if (item.show == ShowMode::Plain) item.show = ShowMode::Edges;
+            if (item.show == render::ShowMode::Plain) item.show = render::ShowMode::Edges;
             item.ink = kEdgeInk;
         }
         cloths_.push_back(std::move(item));
@@ -110,10 +110,10 @@ void FittingScene::take_body(const FittingSceneInput& input) {
     has_body_ = input.look.has_body;
     body_ = input.worn.body;
     bodies_.clear();
-    if (has_body_ && body_ && !body_->triangles.empty()) bodies_.push_back(make_body_item(*body_));
+    if (has_body_ && body_ && !body_->triangles.empty()) bodies_.push_back(render::make_body_item(*body_));
 }
 
-std::shared_ptr<const Scene> FittingScene::follow(const FittingSceneInput& input) {
+std::shared_ptr<const render::Scene> FittingScene::follow(const FittingSceneInput& input) {
     const MatterKey key{.garment = input.garment.version(),
                         .revision = input.revision,
                         .show = input.look.show,
@@ -125,10 +125,10 @@ std::shared_ptr<const Scene> FittingScene::follow(const FittingSceneInput& input
     marks_ = input.marks;
     if (is_cloth_new) take_cloth(input);
     if (is_body_new) take_body(input);
-    auto scene = std::make_shared<Scene>();
+    auto scene = std::make_shared<render::Scene>();
     scene->cloths = cloths_;
     scene->bodies = bodies_;
-    SolidItem marks = make_marks(input.pattern, input.garment, input.worn.points, input.marks, colours_);
+    render::SolidItem marks = make_marks(input.pattern, input.garment, input.worn.points, input.marks, colours_);
     if (!marks.triangles.empty()) scene->solids.push_back(std::move(marks));
     scene->background = colours_.background;
     if (scene->cloths.empty() && scene->bodies.empty()) {
@@ -139,4 +139,4 @@ std::shared_ptr<const Scene> FittingScene::follow(const FittingSceneInput& input
     return scene_;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

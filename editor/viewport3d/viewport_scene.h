@@ -10,10 +10,10 @@
 #include "editor/workspace/workspace.h"
 #include "sim/pattern/fabric.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 struct FittingSceneInput {
-    const Pattern& pattern;
+    const sim::Pattern& pattern;
     std::uint64_t revision = 0;  // of the pattern
     const SeenGarment& garment;
     const WornBody& worn;
@@ -26,14 +26,14 @@ class FittingScene {
     explicit FittingScene(FittingColours colours = {}) : colours_(std::move(colours)) {}
 
     // Null: there is nothing to be seen.
-    std::shared_ptr<const Scene> follow(const FittingSceneInput& input);
+    std::shared_ptr<const render::Scene> follow(const FittingSceneInput& input);
 
  private:
     // What cloth and body were made from.
     struct MatterKey {
         std::uint64_t garment = 0;
         std::uint64_t revision = 0;
-        ShowMode show = ShowMode::Tartan;
+        render::ShowMode show = render::ShowMode::Tartan;
         bool has_edges = false;
 
         bool operator==(const MatterKey&) const = default;
@@ -41,24 +41,24 @@ class FittingScene {
 
     void take_cloth(const FittingSceneInput& input);
     void take_body(const FittingSceneInput& input);
-    void take_sett(const Pattern& pattern);
-    const Fabric& fabric(const std::string& name);
+    void take_sett(const sim::Pattern& pattern);
+    const sim::Fabric& fabric(const std::string& name);
 
     FittingColours colours_;
-    std::shared_ptr<const Scene> scene_;
+    std::shared_ptr<const render::Scene> scene_;
     MatterKey key_;
     FittingMarks marks_;
     bool has_body_ = false;
-    std::shared_ptr<const Body> body_;
-    std::vector<BodyItem> bodies_;
-    std::vector<ClothItem> cloths_;
+    std::shared_ptr<const sim::Body> body_;
+    std::vector<render::BodyItem> bodies_;
+    std::vector<render::ClothItem> cloths_;
     std::string tartan_;
     std::optional<double> sett_size_;
-    std::optional<Sett> sett_;  // of the two above
-    std::map<std::string, Fabric> fabrics_;
+    std::optional<sim::Sett> sett_;  // of the two above
+    std::map<std::string, sim::Fabric> fabrics_;
 };
 
 // Whether colours stand for figures, which the program paints (render/show.h) before the scene is drawn.
-bool wants_paint(ShowMode show);
+bool wants_paint(render::ShowMode show);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -7,7 +7,7 @@
 
 #include "render/scene/colour.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 using Linear = std::array<double, 3>;  // light, 0..1
@@ -15,14 +15,15 @@ using Linear = std::array<double, 3>;  // light, 0..1
 constexpr double kThreadsAreSeen = 2;  // px per thread
 constexpr int kSamples = 3;            // per px and direction, where threads are seen
 
-std::vector<Linear> in_light(const std::vector<Rgb8>& colours) {
+std::vector<Linear> in_light(const std::vector<sim::Rgb8>& colours) {
     std::vector<Linear> light;
-    for (const Rgb8& c : colours) light.push_back({to_linear(c[0]), to_linear(c[1]), to_linear(c[2])});
+    for (const sim::Rgb8& c : colours)
+        light.push_back({render::to_linear(c[0]), render::to_linear(c[1]), render::to_linear(c[2])});
     return light;
 }
 
-Rgba8 to_pixel(const Linear& light) {
-    return {to_srgb(light[0]), to_srgb(light[1]), to_srgb(light[2]), 255};
+render::Rgba8 to_pixel(const Linear& light) {
+    return {render::to_srgb(light[0]), render::to_srgb(light[1]), render::to_srgb(light[2]), 255};
 }
 
 // Mean colours of pixels across the threads: each takes the threads that it covers, in part at its ends.
@@ -41,15 +42,15 @@ std::vector<Linear> means(const std::vector<Linear>& threads, int count_px, doub
     return result;
 }
 
-double warp_share(Weave weave) {
-    return weave == Weave::Twill31 ? 0.75 : 0.5;
+double warp_share(sim::Weave weave) {
+    return weave == sim::Weave::Twill31 ? 0.75 : 0.5;
 }
 
-Image mean_picture(const Sett& sett, const SettPictureOptions& options, double px_per_thread) {
+render::Image mean_picture(const sim::Sett& sett, const SettPictureOptions& options, double px_per_thread) {
     const auto warp = means(in_light(thread_colours(sett)), options.width_px, px_per_thread);
     const auto weft = means(in_light(weft_thread_colours(sett)), options.height_px, px_per_thread);
     const double share = warp_share(sett.weave);
-    Image image(options.width_px, options.height_px);
+    render::Image image(options.width_px, options.height_px);
     for (int y = 0; y < options.height_px; ++y) {
         for (int x = 0; x < options.width_px; ++x) {
             const Linear& a = warp[static_cast<std::size_t>(x)];
@@ -79,7 +80,7 @@ double dip(double along, bool goes_under_before, bool goes_under_after) {
 
 class WovenCloth {
  public:
-    explicit WovenCloth(const Sett& sett)
+    explicit WovenCloth(const sim::Sett& sett)
         : weave_(sett.weave), warp_(in_light(thread_colours(sett))), weft_(in_light(weft_thread_colours(sett))) {}
 
     // At a place in threads from the upper left.
@@ -97,14 +98,14 @@ class WovenCloth {
     }
 
  private:
-    Weave weave_;
+    sim::Weave weave_;
     std::vector<Linear> warp_;
     std::vector<Linear> weft_;
 };
 
-Image thread_picture(const Sett& sett, const SettPictureOptions& options, double px_per_thread) {
+render::Image thread_picture(const sim::Sett& sett, const SettPictureOptions& options, double px_per_thread) {
     const WovenCloth cloth(sett);
-    Image image(options.width_px, options.height_px);
+    render::Image image(options.width_px, options.height_px);
     for (int y = 0; y < options.height_px; ++y) {
         for (int x = 0; x < options.width_px; ++x) {
             Linear sum{};
@@ -122,20 +123,20 @@ Image thread_picture(const Sett& sett, const SettPictureOptions& options, double
 
 }  // namespace
 
-bool is_warp_on_top(Weave weave, int warp_thread, int weft_thread) {
+bool is_warp_on_top(sim::Weave weave, int warp_thread, int weft_thread) {
     const auto turn = [&](int period) { return ((warp_thread + weft_thread) % period + period) % period; };
     switch (weave) {
-        case Weave::Plain:
+        case sim::Weave::Plain:
             return turn(2) == 0;
-        case Weave::Twill22:
+        case sim::Weave::Twill22:
             return turn(4) < 2;
-        case Weave::Twill31:
+        case sim::Weave::Twill31:
             break;
     }
     return turn(4) < 3;
 }
 
-Image sett_picture(const Sett& sett, const SettPictureOptions& options) {
+render::Image sett_picture(const sim::Sett& sett, const SettPictureOptions& options) {
     const double px_per_thread = options.px_per_thread > 0
                                      ? options.px_per_thread
                                      : std::min(options.width_px, options.height_px) / double(thread_count(sett));
@@ -143,4 +144,4 @@ Image sett_picture(const Sett& sett, const SettPictureOptions& options) {
                                            : thread_picture(sett, options, px_per_thread);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -3,7 +3,7 @@
 #include "render/image/image.h"
 #include "sim/tartan/sett.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 struct SettPictureOptions {
     int width_px = 96;
@@ -15,9 +15,9 @@ struct SettPictureOptions {
 // Warp threads run upwards, weft threads across; the picture begins at the first threads of both, upper left. From two
 // pixels per thread on the threads are seen, over and under each other as they are woven, else their mean colour.
 // Pre: sizes are positive, the sett has threads.
-Image sett_picture(const Sett& sett, const SettPictureOptions& options = {});
+render::Image sett_picture(const sim::Sett& sett, const SettPictureOptions& options = {});
 
 // Whether the warp lies on top where these threads cross, on the right side of the fabric.
-bool is_warp_on_top(Weave weave, int warp_thread, int weft_thread);
+bool is_warp_on_top(sim::Weave weave, int warp_thread, int weft_thread);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

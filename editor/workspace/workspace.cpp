@@ -5,7 +5,7 @@
 #include "sim/core/error.h"
 #include "sim/dress/dress.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 bool Workspace::run(const Command& command) {
     try {
         document->run(command);
@@ -38,27 +38,27 @@ void Messages::error(const DraftError& error) {
     say({.kind = MessageKind::Error, .words = error.what(), .places = error.places()});
 }
 
-PatternDocument empty_garment() {
+sim::PatternDocument empty_garment() {
     constexpr double kUsualStature = 1.606;  // m, of that mannequin
-    PatternDocument garment;
+    sim::PatternDocument garment;
     garment.pattern.body = kUsualBody;
     garment.pattern.body_height = kUsualStature;
     return garment;
 }
 
 WornBody make_worn_mannequin(const std::string& text) {
-    MannequinOptions options = parse_mannequin(text);
+    sim::MannequinOptions options = sim::parse_mannequin(text);
     options.subdivisions = 1;
-    Mannequin mannequin = make_mannequin(options);
+    sim::Mannequin mannequin = make_mannequin(options);
     WornBody worn{.text = text,
-                  .body = std::make_shared<const Body>(std::move(mannequin.body)),
+                  .body = std::make_shared<const sim::Body>(std::move(mannequin.body)),
                   .measures = std::move(mannequin.report),
                   .points = {}};
     worn.points = arrangement_points(*worn.body);
     return worn;
 }
 
-Drape::Drape(SessionDrive drive, BodyMaker maker) : drive_(drive), maker_(std::move(maker)), session_(drive) {}
+Drape::Drape(sim::SessionDrive drive, BodyMaker maker) : drive_(drive), maker_(std::move(maker)), session_(drive) {}
 
 void Drape::wear(std::optional<std::string> text) {
     own_body_ = std::move(text);
@@ -78,7 +78,7 @@ void Drape::take_body(Messages& messages) {
     try {
         worn_ = making_.get();
         session_.set_body(worn_.body);
-    } catch (const InputError& error) {
+    } catch (const sim::InputError& error) {
         messages.say({.kind = MessageKind::Error, .words = error.what(), .places = {}});
     }
 }
@@ -87,7 +87,7 @@ void Drape::follow(const Document& document, Messages& messages) {
     const std::string drafted = document.pattern().body.empty() ? kUsualBody : document.pattern().body;
     const std::string text = own_body_.value_or(drafted);
     if (!making_.valid() && text != wanted_body_) begin_body(text);
-    const bool waits = drive_ == SessionDrive::Caller;
+    const bool waits = drive_ == sim::SessionDrive::Caller;
     if (making_.valid() && (waits || making_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)) {
         take_body(messages);
     }
@@ -105,4 +105,4 @@ void Drape::follow(const Document& document, Messages& messages) {
     for (; told_messages_ < said.size(); ++told_messages_) messages.note(said[told_messages_]);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -17,7 +17,7 @@
 #include "sim/mannequin/mannequin.h"
 #include "sim/place/arrangement.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 // What the editor has to say to the person at it: words in the status line, and places that are lit up with them.
 
@@ -58,14 +58,14 @@ inline constexpr const char* kUsualBody = "mannequin:sex=female";
 
 // What a new document begins with: no panels, to be placed about the usual body. Without its name panels would be taken
 // for GarmentCode's, and moved from that program's body to the one that is seen.
-PatternDocument empty_garment();
+sim::PatternDocument empty_garment();
 
 // A body that can be worn on, with all that views ask of it.
 struct WornBody {
     std::string text;  // "mannequin:sex=female,bust=92", or the file it came from
-    std::shared_ptr<const Body> body;
-    std::optional<MeasureReport> measures;  // of a mannequin
-    std::vector<ArrangementPoint> points;
+    std::shared_ptr<const sim::Body> body;
+    std::optional<sim::MeasureReport> measures;  // of a mannequin
+    std::vector<sim::ArrangementPoint> points;
 };
 
 // Makes a body from its text or file. Throws InputError. Files are read by the program, so it brings this along.
@@ -76,7 +76,7 @@ WornBody make_worn_mannequin(const std::string& text);
 
 class Drape {
  public:
-    explicit Drape(SessionDrive drive, BodyMaker maker = make_worn_mannequin);
+    explicit Drape(sim::SessionDrive drive, BodyMaker maker = make_worn_mannequin);
 
     // Takes over what has changed in the document, and a body that is finished. Once per frame of the screen; never
     // waits; but with SessionDrive::Caller it waits for the body, and simulates one frame where the drape runs.
@@ -90,32 +90,32 @@ class Drape {
     bool is_making_body() const { return making_.valid(); }
     const WornBody& worn() const { return worn_; }  // body is null until the first is made
 
-    SessionOptions& options() { return options_; }  // taken over by the next `follow`
+    sim::SessionOptions& options() { return options_; }  // taken over by the next `follow`
 
-    Session& session() { return session_; }
-    const Session& session() const { return session_; }
-    std::shared_ptr<const SessionFrame> frame() const { return session_.frame(); }
+    sim::Session& session() { return session_; }
+    const sim::Session& session() const { return session_; }
+    std::shared_ptr<const sim::SessionFrame> frame() const { return session_.frame(); }
 
  private:
     void begin_body(const std::string& text);
     void take_body(Messages& messages);
 
-    SessionDrive drive_;
+    sim::SessionDrive drive_;
     BodyMaker maker_;
     WornBody worn_;
     std::optional<std::string> own_body_;  // see wear
     std::string wanted_body_;              // text of the body that is worn or being made
     std::future<WornBody> making_;
-    SessionOptions options_;
-    std::optional<SessionOptions> taken_options_;
+    sim::SessionOptions options_;
+    std::optional<sim::SessionOptions> taken_options_;
     std::optional<std::uint64_t> taken_revision_;
     std::size_t told_messages_ = 0;
-    Session session_;
+    sim::Session session_;
 };
 
 // How the 3D view shows the garment.
 struct FittingLook {
-    ShowMode show = ShowMode::Tartan;
+    render::ShowMode show = render::ShowMode::Tartan;
     bool has_body = true;
     bool has_points = true;   // arrangement points, while a panel is selected and nothing runs
     bool has_threads = true;  // of seams that are not closed
@@ -127,7 +127,7 @@ struct FittingLook {
 };
 
 struct Workspace {
-    Workspace(PatternDocument source, SessionDrive drive, BodyMaker maker)
+    Workspace(sim::PatternDocument source, sim::SessionDrive drive, BodyMaker maker)
         : document(std::make_unique<Document>(std::move(source))), drape(drive, std::move(maker)) {}
 
     std::unique_ptr<Document> document;  // another one when a file is opened
@@ -142,4 +142,4 @@ struct Workspace {
     bool attempt(const Command& command);
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -6,7 +6,7 @@
 #include "sim/core/assert.h"
 #include "sim/core/parallel.h"
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 // One of the two ways along an axis: towards the light, +1 along the axis, -1 against it.
@@ -66,7 +66,7 @@ void RoomLight::draw_bodies(const Casters& bodies, const Bounds& bounds, const R
                          bounds == bounds_ && bodies == bodies_;
     if (is_kept) return;
     body_pictures_.resize(axes);
-    parallel_for(axes, 1, [&](std::size_t first, std::size_t last) {
+    sim::parallel_for(axes, 1, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             const Vec3f axis = axis_direction(static_cast<int>(i), options.axes);
             body_pictures_[i] = empty_depth_range(bounds, axis, options.side_px);
@@ -85,7 +85,7 @@ std::vector<Openness> RoomLight::bake(const Casters& cloths, const Casters& bodi
     const Bounds bounds = steady_bounds_of(all);
     draw_bodies(bodies, bounds, options);
     pictures_.resize(body_pictures_.size());
-    parallel_for(pictures_.size(), 1, [&](std::size_t first, std::size_t last) {
+    sim::parallel_for(pictures_.size(), 1, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             pictures_[i] = body_pictures_[i];
             draw_casters(pictures_[i], cloths);
@@ -94,7 +94,7 @@ std::vector<Openness> RoomLight::bake(const Casters& cloths, const Casters& bodi
     const float width = 2 * bounds.radius, texel = width / static_cast<float>(options.side_px);
     const float reach = std::max(options.reach, texel), fade = std::max(options.fade, 2 * texel) / width;
     std::vector<Openness> result(points.x.size());
-    parallel_for(points.x.size(), 8192, [&](std::size_t first, std::size_t last) {
+    sim::parallel_for(points.x.size(), 8192, [&](std::size_t first, std::size_t last) {
         std::vector<Sums> sums(last - first);
         for (int i = 0; i < options.axes; ++i) {
             const Vec3f axis = axis_direction(i, options.axes);
@@ -173,4 +173,4 @@ std::vector<Openness> softened_ground(std::vector<Openness> openness) {
     return openness;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::render

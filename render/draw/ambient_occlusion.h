@@ -7,7 +7,7 @@
 #include "render/draw/cloth_vertices.h"
 #include "render/draw/depth_range.h"
 
-namespace selvedge {
+namespace selvedge::render {
 
 struct RoomLightOptions {
     int axes = 40;         // each is looked along both ways
@@ -54,4 +54,4 @@ Ground make_ground(const Scene& scene, const Bounds& bounds);
 // Pre: one value for each of the sheet's vertices.
 std::vector<Openness> softened_ground(std::vector<Openness> openness);
 
-}  // namespace selvedge
+}  // namespace selvedge::render

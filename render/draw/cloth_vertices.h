@@ -11,7 +11,7 @@
 #include "sim/core/math.h"
 #include "sim/mesh/plain_mesh.h"
 
-namespace selvedge {
+namespace selvedge::render {
 
 // How open a point is to the room's light, 0..1, on the surface's two sides.
 struct Openness {
@@ -31,7 +31,7 @@ struct ClothVertex {
 
 // normals: one per vertex of the mesh, also when the mesh has its own. Seam edges are those where material
 // coordinates jump, hem edges those with one triangle. Pre: openness has one entry per vertex of the mesh.
-std::vector<ClothVertex> make_cloth_vertices(const PlainMesh& mesh, const std::vector<Vec3f>& normals,
+std::vector<ClothVertex> make_cloth_vertices(const sim::PlainMesh& mesh, const std::vector<Vec3f>& normals,
                                              const std::vector<Openness>& openness);
 
 // A cloth's paint on its way to GL: a place along a map for each corner, and the map as a row of texels.
@@ -61,7 +61,7 @@ struct TriangleMarks {
     std::uint32_t hem = 0;   // no triangle on the other side
 };
 
-std::vector<TriangleMarks> mark_edges(const PlainMesh& mesh);
+std::vector<TriangleMarks> mark_edges(const sim::PlainMesh& mesh);
 
 // m, at one corner of a triangle that touches a seam or hem with a single vertex: to be interpolated, so that the
 // distance goes on without a jump from the triangles that lie along it.
@@ -71,10 +71,10 @@ struct TouchDistance {
     float hem = kFar;
 };
 
-std::vector<std::array<TouchDistance, 3>> touch_distances(const PlainMesh& mesh,
+std::vector<std::array<TouchDistance, 3>> touch_distances(const sim::PlainMesh& mesh,
                                                           const std::vector<TriangleMarks>& marks);
 
 // Of each corner over the opposite edge, m.
 std::array<float, 3> corner_heights(const std::array<Vec3f, 3>& x);
 
-}  // namespace selvedge
+}  // namespace selvedge::render

@@ -5,7 +5,7 @@
 
 #include "sim/core/assert.h"
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 // -1..1 to texels, whose centres are whole numbers, and to depths of 0..1.
@@ -134,4 +134,4 @@ Eigen::Matrix4f parallel_matrix(const Bounds& bounds, const Vec3f& direction) {
     return matrix;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::render

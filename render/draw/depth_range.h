@@ -9,7 +9,7 @@
 #include "render/scene/scene.h"
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::render {
 
 // All that casts shadows, as one mesh, and the parallel views of it that shadows and the room's light are made from.
 
@@ -63,4 +63,4 @@ DepthRange empty_depth_range(const Bounds& bounds, const Vec3f& direction, int s
 // Adds casters; in which order they are added does not matter. Pre: triangles' indices are in range.
 void draw_casters(DepthRange& picture, const Casters& casters);
 
-}  // namespace selvedge
+}  // namespace selvedge::render

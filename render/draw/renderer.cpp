@@ -4,46 +4,46 @@
 #include <array>
 
 #include "render/draw/scene_buffers.h"
-#include "render/gl/target.h"
-#include "render/gl/context.h"
-#include "render/image/image.h"
 #include "render/draw/shadow.h"
+#include "render/gl/context.h"
+#include "render/gl/target.h"
+#include "render/image/image.h"
 #include "render/scene/colour.h"
 #include "sim/core/assert.h"
 #include "sim/core/error.h"
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 // Texture units.
 constexpr int kShadowMaskUnit = 0, kSettUnit = 1, kPaintUnit = 7;
 
-constexpr std::array<Rgb8, kLevelColours> kLevels{{{0x3F, 0x6C, 0x9E},
-                                                   {0x53, 0xB3, 0xA4},
-                                                   {0xF1, 0xCB, 0x63},
-                                                   {0xE7, 0x7B, 0x4E},
-                                                   {0xB8, 0x47, 0x6E},
-                                                   {0x74, 0x45, 0x8F},
-                                                   {0x8C, 0x8C, 0x8C},
-                                                   {0xE8, 0xE8, 0xE8}}};
+constexpr std::array<sim::Rgb8, kLevelColours> kLevels{{{0x3F, 0x6C, 0x9E},
+                                                        {0x53, 0xB3, 0xA4},
+                                                        {0xF1, 0xCB, 0x63},
+                                                        {0xE7, 0x7B, 0x4E},
+                                                        {0xB8, 0x47, 0x6E},
+                                                        {0x74, 0x45, 0x8F},
+                                                        {0x8C, 0x8C, 0x8C},
+                                                        {0xE8, 0xE8, 0xE8}}};
 
 void check_size(const RenderOptions& options) {
     const long pixels = static_cast<long>(options.width_px) * static_cast<long>(options.height_px);
     const int most = std::max(options.width_px, options.height_px);
     const int least = std::min(options.width_px, options.height_px);
     if (least >= 1 && most <= kMaxImageSide && pixels <= kMaxImagePixels) return;
-    throw InputError("", "size",
-                     "cannot draw " + std::to_string(options.width_px) + "x" + std::to_string(options.height_px) +
-                         ": sides are from 1 to " + std::to_string(kMaxImageSide) + ", with at most " +
-                         std::to_string(kMaxImagePixels / 1000000) + " million pixels");
+    throw sim::InputError("", "size",
+                          "cannot draw " + std::to_string(options.width_px) + "x" + std::to_string(options.height_px) +
+                              ": sides are from 1 to " + std::to_string(kMaxImageSide) + ", with at most " +
+                              std::to_string(kMaxImagePixels / 1000000) + " million pixels");
 }
 
 void check_samples(const GlContext& context, const RenderOptions& options) {
     const int most = context.most_samples();
     if (options.samples <= most) return;
-    throw InputError("", "samples",
-                     std::string(name(context.maker())) + " takes at most " + std::to_string(most) +
-                         " samples per pixel here, not " + std::to_string(options.samples));
+    throw sim::InputError("", "samples",
+                          std::string(name(context.maker())) + " takes at most " + std::to_string(most) +
+                              " samples per pixel here, not " + std::to_string(options.samples));
 }
 
 // A part of the picture, px from its lower left.
@@ -131,7 +131,7 @@ void set_material(const Program& program, const Material& material) {
 
 }  // namespace
 
-Rgb8 level_colour(int level) {
+sim::Rgb8 level_colour(int level) {
     return kLevels[static_cast<std::size_t>(std::clamp(level, 0, kLevelColours - 1))];
 }
 
@@ -363,4 +363,4 @@ void PartClock::lap(double PictureTimes::*part) {
     last_ = now;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::render

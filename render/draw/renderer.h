@@ -15,7 +15,7 @@
 
 struct GladGLContext;
 
-namespace selvedge {
+namespace selvedge::render {
 
 struct PictureTimes {
     double compare = 0;     // what has changed since the last picture
@@ -41,7 +41,6 @@ class PartClock {
     std::chrono::steady_clock::time_point last_;
 };
 
-
 struct RenderOptions {
     int width_px = 1024;
     int height_px = 1024;
@@ -53,7 +52,7 @@ struct RenderOptions {
 
 // The level's colour in ShowMode::Level; levels beyond the last share it.
 inline constexpr int kLevelColours = 8;
-Rgb8 level_colour(int level);
+sim::Rgb8 level_colour(int level);
 
 // Belongs to one thread; with a context of its own, only one lives at a time. Keeps what a scene has in common with the
 // one drawn before, and asks nothing else of it: the same scene has the same bits whatever was drawn before.
@@ -79,4 +78,4 @@ class Renderer {
     std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::render

@@ -7,7 +7,7 @@
 #include "render/scene/colour.h"
 #include "sim/core/assert.h"
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 struct SurfaceVertex {
@@ -221,7 +221,7 @@ std::vector<SolidVertex> solid_vertices(const SolidItem& item) {
     vertices.reserve(item.x.size());
     for (std::size_t i = 0; i < item.x.size(); ++i) {
         const Vec3f &x = item.x[i], &n = item.normals[i];
-        const Rgb8& colour = item.colours[i];
+        const sim::Rgb8& colour = item.colours[i];
         vertices.push_back({{x.x(), x.y(), x.z()}, {n.x(), n.y(), n.z()}, {colour[0], colour[1], colour[2], 255}});
     }
     return vertices;
@@ -252,4 +252,4 @@ SolidBuffer make_solid_buffer(const GladGLContext& gl, const SolidItem& item) {
     return buffer;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::render

@@ -4,15 +4,15 @@
 #include <optional>
 #include <vector>
 
+#include "render/draw/ambient_occlusion.h"
 #include "render/draw/cloth_vertices.h"
 #include "render/draw/renderer.h"
 #include "render/draw/sett_sums.h"
-#include "render/gl/handle.h"
-#include "render/draw/ambient_occlusion.h"
 #include "render/draw/shadow.h"
+#include "render/gl/handle.h"
 #include "render/scene/scene.h"
 
-namespace selvedge {
+namespace selvedge::render {
 
 // Solids on their way to GL.
 
@@ -31,7 +31,7 @@ struct ClothBuffer {
     int vertex_count = 0;
     Texture sett_sums{};      // when it is woven
     SettSums warp{}, weft{};  // without their sums
-    Weave weave = Weave::Twill22;
+    sim::Weave weave = sim::Weave::Twill22;
     float thread_spacing = 1;  // m, scaled
     Vec2f sett_position = Vec2f::Zero();
     ShowMode show = ShowMode::Plain;  // Tartan only where there is a sett and material coordinates
@@ -99,4 +99,4 @@ class PreparedScene {
     Eigen::Matrix4f key_matrix_ = Eigen::Matrix4f::Zero();
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::render

@@ -3,20 +3,20 @@
 #include "render/scene/colour.h"
 #include "sim/core/assert.h"
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
-SettSums sum_colours(const std::vector<Rgb8>& colours) {
+SettSums sum_colours(const std::vector<sim::Rgb8>& colours) {
     SELVEDGE_ASSERT(!colours.empty());
     Vec3d mean = Vec3d::Zero();
-    for (const Rgb8& colour : colours) mean += to_linear(colour).cast<double>();
+    for (const sim::Rgb8& colour : colours) mean += to_linear(colour).cast<double>();
     mean /= static_cast<double>(colours.size());
 
     SettSums result;
     result.mean = mean.cast<float>();
     result.sums.push_back(Vec3f::Zero());
     Vec3d sum = Vec3d::Zero();
-    for (const Rgb8& colour : colours) {
+    for (const sim::Rgb8& colour : colours) {
         sum += to_linear(colour).cast<double>() - mean;
         result.sums.push_back(sum.cast<float>());
     }
@@ -26,12 +26,12 @@ SettSums sum_colours(const std::vector<Rgb8>& colours) {
 
 }  // namespace
 
-SettSums sum_warp(const Sett& sett) {
+SettSums sum_warp(const sim::Sett& sett) {
     return sum_colours(thread_colours(sett));
 }
 
-SettSums sum_weft(const Sett& sett) {
+SettSums sum_weft(const sim::Sett& sett) {
     return sum_colours(weft_thread_colours(sett));
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::render

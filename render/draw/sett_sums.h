@@ -5,7 +5,7 @@
 #include "sim/core/math.h"
 #include "sim/tartan/sett.h"
 
-namespace selvedge {
+namespace selvedge::render {
 
 // Linear light. sums[k] = sum over threads i < k of (colour(i) - mean), k = 0..threads: begins and ends at 0, so it
 // repeats with the sett, and stays small enough for float.
@@ -17,7 +17,7 @@ struct SettSums {
 };
 
 // Pre: the sett has threads.
-SettSums sum_warp(const Sett& sett);
-SettSums sum_weft(const Sett& sett);  // the warp's where the weft repeats it
+SettSums sum_warp(const sim::Sett& sett);
+SettSums sum_weft(const sim::Sett& sett);  // the warp's where the weft repeats it
 
-}  // namespace selvedge
+}  // namespace selvedge::render

@@ -3,11 +3,11 @@
 #include <array>
 #include <cmath>
 
-#include "render/gl/target.h"
 #include "render/gl/context.h"
+#include "render/gl/target.h"
 #include "sim/core/assert.h"
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 constexpr int kDepthSide = 2048;  // px
@@ -185,4 +185,4 @@ void ShadowMask::finish(const ShadowMap& map, float shadow_width) const {
     gl_.BindSampler(kMap, 0);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::render

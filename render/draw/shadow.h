@@ -1,10 +1,10 @@
 #pragma once
 // The scene's depths as the key light sees them, and how near its nearest part is round each place, coarsely: most
 // of a picture is told by that alone that nothing stands before it.
-#include "render/gl/handle.h"
 #include "render/draw/depth_range.h"
+#include "render/gl/handle.h"
 
-namespace selvedge {
+namespace selvedge::render {
 
 // How far across the light a blocker is looked for, which is the softest a shadow's edge becomes, m.
 inline constexpr float kShadowReach = 0.07F;
@@ -64,4 +64,4 @@ class ShadowMask {
     Framebuffer places_frame_, mask_frame_;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::render

@@ -1,8 +1,8 @@
 #include "render/gl/context.h"
 
+#include <dlfcn.h>
 #include <array>
 #include <cstdlib>
-#include <dlfcn.h>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -15,8 +15,7 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
-
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 // A library opened at run time. It stays open: Mesa's leave threads and thread-local data behind.
@@ -169,7 +168,7 @@ std::vector<ContextMaker> makers_to_try(std::optional<ContextMaker> maker) {
     for (const ContextMaker known : {ContextMaker::OSMesa, ContextMaker::Egl}) {
         if (std::string_view(wished) == name(known)) return {known};
     }
-    throw InputError("", "SELVEDGE_GL", "'" + std::string(wished) + "' is neither osmesa nor egl");
+    throw sim::InputError("", "SELVEDGE_GL", "'" + std::string(wished) + "' is neither osmesa nor egl");
 }
 
 std::unique_ptr<GlContext> make(ContextMaker maker) {
@@ -230,7 +229,7 @@ std::unique_ptr<GlContext> make_context(std::optional<ContextMaker> maker) {
             reasons += (reasons.empty() ? "" : "; ") + std::string(name(candidate)) + ": " + error.what();
         }
     }
-    throw InputError("", "OpenGL", "no way to draw without a window (" + reasons + ")");
+    throw sim::InputError("", "OpenGL", "no way to draw without a window (" + reasons + ")");
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::render

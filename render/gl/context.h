@@ -10,7 +10,7 @@
 
 struct GladGLContext;
 
-namespace selvedge {
+namespace selvedge::render {
 
 enum class ContextMaker { OSMesa, Egl, Window };
 
@@ -55,9 +55,7 @@ class GlContext {
 // No other context may be current. Pre: not a window's.
 std::unique_ptr<GlContext> make_context(std::optional<ContextMaker> maker = {});
 
-}  // namespace selvedge
+}  // namespace selvedge::render
 
 // GL's names and the type of its function table, by glad. Every use goes through a context's table (context.h), so that
 // contexts of two makers can live in one program; no other room names the loader.
-
-

@@ -5,7 +5,7 @@
 #include "render/gl/context.h"
 #include "sim/core/assert.h"
 
-namespace selvedge {
+namespace selvedge::render {
 unsigned make_gl_object(const GladGLContext& gl, GlObject kind) {
     GLuint id = 0;
     switch (kind) {
@@ -176,4 +176,4 @@ void Program::set(const char* uniform, const Eigen::Matrix4f& value) const {
     gl_.UniformMatrix4fv(location(uniform), 1, GL_FALSE, value.data());
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::render

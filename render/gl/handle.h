@@ -10,7 +10,7 @@
 
 struct GladGLContext;
 
-namespace selvedge {
+namespace selvedge::render {
 
 enum class GlObject { Buffer, VertexArray, Texture, Framebuffer, Renderbuffer, Sampler };
 
@@ -46,7 +46,6 @@ using Framebuffer = Handle<GlObject::Framebuffer>;
 using Renderbuffer = Handle<GlObject::Renderbuffer>;
 using Sampler = Handle<GlObject::Sampler>;
 
-
 // A picture that stays with GL: drawn into, shown, and read back only where someone asks for it. sRGB bytes; the first
 // row is the uppermost, as in an Image and in a window's memory, though GL would have it the lowest.
 
@@ -72,13 +71,13 @@ class PictureTexture {
     int height_px_ = 0;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::render
 
 // A GLSL program: its sources compiled and linked, its uniforms set by name.
 
 struct GladGLContext;
 
-namespace selvedge {
+namespace selvedge::render {
 
 struct ShaderText {
     std::string name;  // for errors
@@ -109,4 +108,4 @@ class Program {
     unsigned id_ = 0;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::render

@@ -6,7 +6,7 @@
 #include "sim/core/assert.h"
 #include "sim/core/file.h"
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 void check_framebuffer(const GladGLContext& gl) {
@@ -76,12 +76,12 @@ Image Target::read() const {
     return image;
 }
 
-std::span<const EmbeddedFile> shader_files();
+std::span<const sim::EmbeddedFile> shader_files();
 
 namespace {
 
 ShaderText find_shader(std::string_view name) {
-    for (const EmbeddedFile& file : shader_files()) {
+    for (const sim::EmbeddedFile& file : shader_files()) {
         if (file.name == "shaders/" + std::string(name)) return {std::string(name), std::string(file.text)};
     }
     SELVEDGE_ASSERT(!"a shader of that name is embedded");
@@ -101,4 +101,4 @@ Program make_program(const GladGLContext& gl, std::initializer_list<std::string_
     return Program(gl, find_shaders(vertex), find_shaders(fragment));
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::render

@@ -8,7 +8,7 @@
 #include "render/gl/handle.h"
 #include "render/image/image.h"
 
-namespace selvedge {
+namespace selvedge::render {
 
 struct TargetSize {
     int width_px = 0;  // of the finished tile
@@ -51,4 +51,4 @@ class Target {
 Program make_program(const GladGLContext& gl, std::initializer_list<std::string_view> vertex,
                      std::initializer_list<std::string_view> fragment);
 
-}  // namespace selvedge
+}  // namespace selvedge::render

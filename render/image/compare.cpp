@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <sstream>
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 int largest_step(const Rgba8& a, const Rgba8& b) {
@@ -79,4 +79,4 @@ Image difference_picture(const Image& a, const Image& b) {
     return result;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::render

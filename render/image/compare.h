@@ -6,7 +6,7 @@
 
 #include "render/image/image.h"
 
-namespace selvedge {
+namespace selvedge::render {
 
 struct CompareOptions {
     int tolerance = 3;           // largest step of a channel, of 255, that rounding may explain
@@ -37,4 +37,4 @@ std::string describe(const Comparison& comparison, const CompareOptions& options
 // picture reaches. Empty when both are.
 Image difference_picture(const Image& a, const Image& b);
 
-}  // namespace selvedge
+}  // namespace selvedge::render

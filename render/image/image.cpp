@@ -5,7 +5,7 @@
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 constexpr std::size_t kMaxFileBytes = std::size_t{512} << 20;
@@ -36,23 +36,23 @@ bool is_too_large(const png_image& header) {
 Image decode_png(std::string_view bytes, const std::string& name) {
     PngImage png;
     if (!png_image_begin_read_from_memory(png.get(), bytes.data(), bytes.size())) {
-        throw InputError(name, "", std::string("not a PNG picture: ") + png->message);
+        throw sim::InputError(name, "", std::string("not a PNG picture: ") + png->message);
     }
     if (is_too_large(*png.get())) {
-        throw InputError(name, "",
-                         "picture of " + std::to_string(png->width) + "x" + std::to_string(png->height) +
-                             " pixels is over the limit");
+        throw sim::InputError(name, "",
+                              "picture of " + std::to_string(png->width) + "x" + std::to_string(png->height) +
+                                  " pixels is over the limit");
     }
     png->format = PNG_FORMAT_RGBA;
     Image image(static_cast<int>(png->width), static_cast<int>(png->height));
     if (!png_image_finish_read(png.get(), nullptr, image.pixels.data(), 0, nullptr)) {
-        throw InputError(name, "", std::string("damaged PNG picture: ") + png->message);
+        throw sim::InputError(name, "", std::string("damaged PNG picture: ") + png->message);
     }
     return image;
 }
 
 Image read_png(const std::filesystem::path& path) {
-    return decode_png(read_file(path, kMaxFileBytes), path.string());
+    return decode_png(sim::read_file(path, kMaxFileBytes), path.string());
 }
 
 std::string encode_png(const Image& image) {
@@ -70,7 +70,7 @@ std::string encode_png(const Image& image) {
 }
 
 void write_png(const std::filesystem::path& path, const Image& image) {
-    write_file_atomically(path, encode_png(image));
+    sim::write_file_atomically(path, encode_png(image));
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::render

@@ -10,7 +10,7 @@
 
 #include "sim/core/assert.h"
 
-namespace selvedge {
+namespace selvedge::render {
 
 using Rgba8 = std::array<std::uint8_t, 4>;  // sRGB, straight (not premultiplied) alpha
 
@@ -56,4 +56,4 @@ std::string encode_png(const Image& image);
 // Atomic: a kill leaves the old file or the new one. Throws InputError when it cannot be written.
 void write_png(const std::filesystem::path& path, const Image& image);
 
-}  // namespace selvedge
+}  // namespace selvedge::render

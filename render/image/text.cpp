@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 constexpr int kSpace = 3;  // px, between words
@@ -202,4 +202,4 @@ Glyph find_glyph(char letter) {
     return glyph;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::render

@@ -5,7 +5,7 @@
 
 #include "render/image/image.h"
 
-namespace selvedge {
+namespace selvedge::render {
 
 struct PixelBox {
     int left = 0;
@@ -40,4 +40,4 @@ inline constexpr int kCapitalHeight = 7;
 using Glyph = std::array<std::uint8_t, kGlyphHeight>;
 Glyph find_glyph(char letter);
 
-}  // namespace selvedge
+}  // namespace selvedge::render

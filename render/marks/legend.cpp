@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 // All in the letters' pixels.
@@ -17,7 +17,7 @@ constexpr std::size_t kLeastLetters = 14;  // of a name that has no room
 constexpr Rgba8 kPaper{0xFC, 0xFB, 0xF9, 0xD6}, kRim{0x30, 0x30, 0x38, 0x2A};
 constexpr Rgba8 kInk{0x26, 0x26, 0x2B, 255}, kSoftInk{0x55, 0x55, 0x5C, 255};
 
-Rgba8 opaque(const Rgb8& colour) {
+Rgba8 opaque(const sim::Rgb8& colour) {
     return {colour[0], colour[1], colour[2], 255};
 }
 
@@ -178,4 +178,4 @@ void draw_legend(Image& image, const Legend& legend, Corner corner) {
     }
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::render

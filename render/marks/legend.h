@@ -9,11 +9,11 @@
 #include "render/image/text.h"
 #include "sim/tartan/sett.h"
 
-namespace selvedge {
+namespace selvedge::render {
 
 // One colour with its name, and a figure that stands to the right of it.
 struct LegendRow {
-    Rgb8 colour{};
+    sim::Rgb8 colour{};
     std::string label;
     std::string figure{};
 };
@@ -24,7 +24,7 @@ struct LegendScale {
         float place = 0;  // 0..1 along the map
         std::string label;
     };
-    std::vector<Rgb8> map;
+    std::vector<sim::Rgb8> map;
     std::vector<Tick> ticks;  // rising
 };
 
@@ -51,4 +51,4 @@ std::optional<LegendPlace> place_legend(const Legend& legend, int width_px, int 
 // Nothing is drawn where there is no place for it.
 void draw_legend(Image& image, const Legend& legend, Corner corner);
 
-}  // namespace selvedge
+}  // namespace selvedge::render

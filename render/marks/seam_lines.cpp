@@ -6,7 +6,7 @@
 
 #include "render/draw/cloth_vertices.h"
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 using Panels = std::array<std::uint16_t, 2>;
@@ -30,7 +30,7 @@ struct MarkedEdge {
 
 using EdgesOfPanels = std::map<Panels, std::vector<MarkedEdge>>;
 
-EdgesOfPanels marked_edges(const PlainMesh& mesh, const std::vector<TriangleMarks>& marks,
+EdgesOfPanels marked_edges(const sim::PlainMesh& mesh, const std::vector<TriangleMarks>& marks,
                            std::uint32_t TriangleMarks::*kind) {
     std::vector<MarkedSide> sides;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -58,7 +58,7 @@ EdgesOfPanels marked_edges(const PlainMesh& mesh, const std::vector<TriangleMark
 // Walks along edges that are not taken yet, taking them.
 class Walker {
  public:
-    Walker(const PlainMesh& mesh, std::vector<MarkedEdge>& edges) : mesh_(mesh), edges_(edges) {
+    Walker(const sim::PlainMesh& mesh, std::vector<MarkedEdge>& edges) : mesh_(mesh), edges_(edges) {
         for (std::size_t i = 0; i < edges.size(); ++i) {
             at_[edges[i].low].push_back(i);
             at_[edges[i].high].push_back(i);
@@ -118,13 +118,13 @@ class Walker {
         }
     }
 
-    const PlainMesh& mesh_;
+    const sim::PlainMesh& mesh_;
     std::vector<MarkedEdge>& edges_;
     std::map<std::uint32_t, std::vector<std::size_t>> at_;
     std::map<std::uint32_t, bool> reached_;
 };
 
-std::vector<SeamLine> lines_of(const PlainMesh& mesh, EdgesOfPanels all) {
+std::vector<SeamLine> lines_of(const sim::PlainMesh& mesh, EdgesOfPanels all) {
     std::vector<SeamLine> lines;
     for (auto& [panels, edges] : all) {
         std::vector<SeamLine> found = Walker(mesh, edges).lines(panels);
@@ -135,10 +135,10 @@ std::vector<SeamLine> lines_of(const PlainMesh& mesh, EdgesOfPanels all) {
 
 }  // namespace
 
-SeamLines find_seam_lines(const PlainMesh& mesh) {
+SeamLines find_seam_lines(const sim::PlainMesh& mesh) {
     const std::vector<TriangleMarks> marks = mark_edges(mesh);
     return {.seams = lines_of(mesh, marked_edges(mesh, marks, &TriangleMarks::seam)),
             .hems = lines_of(mesh, marked_edges(mesh, marks, &TriangleMarks::hem))};
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::render

@@ -6,7 +6,7 @@
 
 #include "sim/mesh/plain_mesh.h"
 
-namespace selvedge {
+namespace selvedge::render {
 
 using VertexPath = std::vector<std::uint32_t>;  // vertices of a mesh; a closed one ends with its first
 
@@ -22,6 +22,6 @@ struct SeamLines {
     std::vector<SeamLine> hems;   // of one panel each
 };
 
-SeamLines find_seam_lines(const PlainMesh& mesh);
+SeamLines find_seam_lines(const sim::PlainMesh& mesh);
 
-}  // namespace selvedge
+}  // namespace selvedge::render

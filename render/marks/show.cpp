@@ -13,11 +13,11 @@
 #include "sim/core/math.h"
 #include "sim/mesh/garment_mesh.h"
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
-constexpr Rgb8 kQuietCloth{0xEC, 0xE9, 0xE3};
-constexpr Rgb8 kHemColour{0x55, 0x55, 0x5A};
+constexpr sim::Rgb8 kQuietCloth{0xEC, 0xE9, 0xE3};
+constexpr sim::Rgb8 kHemColour{0x55, 0x55, 0x5A};
 constexpr float kBallShare = 0.19F;  // of a base edge, the radius of a vertex of level 0
 
 // Where the i-th of n kinds lies along its map.
@@ -25,8 +25,8 @@ float place_of(std::size_t i, std::size_t n) {
     return n < 2 ? 0.0F : float(i) / float(n - 1);
 }
 
-std::vector<Rgb8> level_colours() {
-    std::vector<Rgb8> map;
+std::vector<sim::Rgb8> level_colours() {
+    std::vector<sim::Rgb8> map;
     for (int level = 0; level < kLevelColours; ++level) map.push_back(level_colour(level));
     return map;
 }
@@ -56,9 +56,9 @@ std::vector<std::array<std::string, 2>> level_notes(bool are_known) {
     return {{"levels", "not known"}};
 }
 
-std::vector<float> chosen_strain(const PlainMesh& mesh, ShowMode mode) {
+std::vector<float> chosen_strain(const sim::PlainMesh& mesh, ShowMode mode) {
     std::vector<float> values;
-    for (const MeshStrain& strain : measure_strain(mesh)) {
+    for (const sim::MeshStrain& strain : measure_strain(mesh)) {
         const float greater = std::max(strain.warp, strain.weft);
         values.push_back(mode == ShowMode::StrainWarp ? strain.warp
                                                       : (mode == ShowMode::StrainWeft ? strain.weft : greater));
@@ -78,7 +78,7 @@ Legend show_strain(ClothItem& cloth) {
     const std::vector<float> strain = chosen_strain(cloth.mesh, cloth.show);
     std::vector<double> sizes, values(strain.begin(), strain.end());
     for (const double value : values) sizes.push_back(std::abs(value));
-    const double limit = round_up(std::max(quantile(sizes, 0.99), least_limit));
+    const double limit = round_up(std::max(sim::quantile(sizes, 0.99), least_limit));
     ClothPaint paint{.map = diverging_map(), .places = smooth_in_panels(cloth.mesh, strain)};
     for (auto& corners : paint.places) {
         for (float& place : corners) place = 0.5F + 0.5F * place / static_cast<float>(limit);
@@ -91,7 +91,7 @@ Legend show_clearance(ClothItem& cloth, const std::vector<float>& clearance) {
     SELVEDGE_ASSERT(clearance.size() == cloth.mesh.x.size());
     constexpr double least_limit = 0.01;  // m
     const std::vector<double> values(clearance.begin(), clearance.end());
-    const double limit = round_up(std::max(quantile(values, 0.95), least_limit));
+    const double limit = round_up(std::max(sim::quantile(values, 0.95), least_limit));
     ClothPaint paint{.map = sequential_map(), .places = {}};
     for (const auto& [a, b, c] : cloth.mesh.triangles) {
         const auto place = [&](std::uint32_t v) { return clearance[v] / static_cast<float>(limit); };
@@ -101,7 +101,7 @@ Legend show_clearance(ClothItem& cloth, const std::vector<float>& clearance) {
     return clearance_legend(limit, values);
 }
 
-std::string panel_name(const PlainMesh& mesh, std::size_t panel) {
+std::string panel_name(const sim::PlainMesh& mesh, std::size_t panel) {
     if (panel >= mesh.panel_names.size()) return "panel " + std::to_string(panel);
     std::string name = mesh.panel_names[panel];
     std::replace(name.begin(), name.end(), '_', ' ');
@@ -109,7 +109,7 @@ std::string panel_name(const PlainMesh& mesh, std::size_t panel) {
 }
 
 Legend show_panels(ClothItem& cloth) {
-    const PlainMesh& mesh = cloth.mesh;
+    const sim::PlainMesh& mesh = cloth.mesh;
     const std::size_t panels =
         mesh.panel.empty() ? 1 : std::size_t{1} + *std::max_element(mesh.panel.begin(), mesh.panel.end());
     Legend legend{.title = "Panels"};
@@ -130,7 +130,7 @@ Legend show_panels(ClothItem& cloth) {
 }
 
 // "left sleeve front + back": words that the second name begins with too are not said again.
-std::string seam_name(const PlainMesh& mesh, const SeamLine& seam) {
+std::string seam_name(const sim::PlainMesh& mesh, const SeamLine& seam) {
     const std::string first = panel_name(mesh, seam.panels[0]), second = panel_name(mesh, seam.panels[1]);
     if (seam.panels[0] == seam.panels[1]) return first;
     std::size_t said = 0;
@@ -144,7 +144,8 @@ std::string centimetres(double metres) {
     return std::to_string(std::lround(100 * metres)) + " cm";
 }
 
-void add_lines(SolidItem& solid, const PlainMesh& mesh, const SeamLine& line, float radius, const Rgb8& colour) {
+void add_lines(SolidItem& solid, const sim::PlainMesh& mesh, const SeamLine& line, float radius,
+               const sim::Rgb8& colour) {
     for (const VertexPath& path : line.paths) {
         std::vector<Vec3f> points;
         for (const std::uint32_t v : path) points.push_back(mesh.x[v]);
@@ -174,7 +175,7 @@ Legend show_seams(Scene& scene, float radius) {
 }
 
 // m: the median, over all triangles' edges, of the length that each would have had at level 0.
-float base_edge(const PlainMesh& mesh) {
+float base_edge(const sim::PlainMesh& mesh) {
     std::vector<double> lengths;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const double halvings = std::exp2(mesh.level.empty() ? 0 : mesh.level[t]);
@@ -183,10 +184,10 @@ float base_edge(const PlainMesh& mesh) {
             lengths.push_back(halvings * static_cast<double>(edge.norm()));
         }
     }
-    return static_cast<float>(quantile(lengths, 0.5));
+    return static_cast<float>(sim::quantile(lengths, 0.5));
 }
 
-std::vector<bool> drawn_vertices(const PlainMesh& mesh) {
+std::vector<bool> drawn_vertices(const sim::PlainMesh& mesh) {
     std::vector<bool> is_drawn(mesh.x.size(), false);
     for (const auto& triangle : mesh.triangles) {
         for (const std::uint32_t v : triangle) is_drawn[v] = true;
@@ -196,7 +197,7 @@ std::vector<bool> drawn_vertices(const PlainMesh& mesh) {
 
 Legend show_vertices(Scene& scene) {
     ClothItem& cloth = scene.cloths.front();
-    const PlainMesh& mesh = cloth.mesh;
+    const sim::PlainMesh& mesh = cloth.mesh;
     cloth.colour = kQuietCloth;
     cloth.ink = 0.45F;
     const float radius = kBallShare * base_edge(mesh);
@@ -223,7 +224,7 @@ void paint_levels(ClothItem& cloth) {
     cloth.paint = std::move(paint);
 }
 
-Rgb8 darkened(const Rgb8& colour) {
+sim::Rgb8 darkened(const sim::Rgb8& colour) {
     Vec3f lab = to_oklab(colour);
     lab[0] *= 0.82F;
     return from_oklab(lab);
@@ -262,7 +263,7 @@ std::optional<Legend> fill_show(Scene& scene, const ShowFacts& facts) {
     }
 }
 
-Legend fill_hierarchy(Scene& scene, const TriangleHierarchy& hierarchy, StackSide side, const ShowFacts& facts) {
+Legend fill_hierarchy(Scene& scene, const sim::TriangleHierarchy& hierarchy, StackSide side, const ShowFacts& facts) {
     HierarchyModel model = model_hierarchy(hierarchy, side);
     ClothItem cloth;
     cloth.mesh = std::move(model.mesh);
@@ -277,7 +278,7 @@ Legend fill_hierarchy(Scene& scene, const TriangleHierarchy& hierarchy, StackSid
 
     std::vector<std::uint8_t> levels;
     std::size_t leaves = 0;
-    for (const HierarchyTriangle& t : hierarchy) {
+    for (const sim::HierarchyTriangle& t : hierarchy) {
         levels.push_back(t.level);
         leaves += t.is_leaf ? 1 : 0;
     }
@@ -286,7 +287,7 @@ Legend fill_hierarchy(Scene& scene, const TriangleHierarchy& hierarchy, StackSid
             .notes = {{"in all", std::to_string(hierarchy.size())}, {"leaves", std::to_string(leaves)}}};
 }
 
-Legend level_legend(const PlainMesh& mesh) {
+Legend level_legend(const sim::PlainMesh& mesh) {
     if (!mesh.level.empty()) return {.title = "Triangles by level", .rows = level_rows(mesh.level)};
     return {.title = "Triangles by level",
             .rows = level_rows(std::vector<int>(mesh.triangles.size(), 0)),
@@ -331,7 +332,7 @@ Legend strain_legend(const std::string& title, double limit, const std::vector<d
     return {.title = title,
             .scale = LegendScale{.map = diverging_map(),
                                  .ticks = {{0, "-" + end + " %"}, {0.5F, "0"}, {1, "+" + end + " %"}}},
-            .notes = {{"99th percentile", percent(quantile(strains, 0.99))},
+            .notes = {{"99th percentile", percent(sim::quantile(strains, 0.99))},
                       {"largest", percent(*std::max_element(strains.begin(), strains.end()))},
                       {"smallest", percent(*std::min_element(strains.begin(), strains.end()))}}};
 }
@@ -340,12 +341,12 @@ Legend clearance_legend(double limit, const std::vector<double>& clearances) {
     const std::string half = short_number(500 * limit), end = short_number(1000 * limit);
     Legend legend{.title = "Distance from the body",
                   .scale = LegendScale{.map = sequential_map(), .ticks = {{0, "0"}, {0.5F, half}, {1, end + " mm"}}},
-                  .notes = {{"median", millimetres(quantile(clearances, 0.5))},
-                            {"99th percentile", millimetres(quantile(clearances, 0.99))},
+                  .notes = {{"median", millimetres(sim::quantile(clearances, 0.5))},
+                            {"99th percentile", millimetres(sim::quantile(clearances, 0.99))},
                             {"largest", millimetres(*std::max_element(clearances.begin(), clearances.end()))}}};
     const double least = *std::min_element(clearances.begin(), clearances.end());
     if (least < 0) legend.notes.push_back({"deepest inside", millimetres(-least)});
     return legend;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::render

@@ -7,7 +7,7 @@
 #include "render/scene/scene.h"
 #include "render/scene/solids.h"
 
-namespace selvedge {
+namespace selvedge::render {
 
 struct ShowFacts {
     std::vector<float> clearance{};  // m, one per vertex of the garment; Clearance asks for them
@@ -25,10 +25,11 @@ bool is_painted(ShowMode mode);
 std::optional<Legend> fill_show(Scene& scene, const ShowFacts& facts = {});
 
 // The same for Hierarchy: the model becomes the scene's only cloth.
-Legend fill_hierarchy(Scene& scene, const TriangleHierarchy& hierarchy, StackSide side, const ShowFacts& facts = {});
+Legend fill_hierarchy(Scene& scene, const sim::TriangleHierarchy& hierarchy, StackSide side,
+                      const ShowFacts& facts = {});
 
 // How many triangles each level has, up to the highest.
-Legend level_legend(const PlainMesh& mesh);
+Legend level_legend(const sim::PlainMesh& mesh);
 
 // Figures on a map: the range that a map spans, in round numbers, and the legend that says so.
 
@@ -42,4 +43,4 @@ Legend strain_legend(const std::string& title, double limit, const std::vector<d
 // From 0 to `limit`, in mm; the figures are in m. Pre: as above.
 Legend clearance_legend(double limit, const std::vector<double>& clearances);
 
-}  // namespace selvedge
+}  // namespace selvedge::render

@@ -12,7 +12,7 @@
 #include "render/gl/context.h"
 #include "sim/core/assert.h"
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 // Byte for byte, which is quicker than number for number; what is taken for another is only uploaded again.
@@ -35,7 +35,7 @@ void add_floats(const GladGLContext& gl, GLuint index, int floats, std::size_t s
 }
 
 // All but positions, normals and look.
-bool is_same_net(const PlainMesh& a, const PlainMesh& b) {
+bool is_same_net(const sim::PlainMesh& a, const sim::PlainMesh& b) {
     return is_same(a.triangles, b.triangles) && is_same(a.u, b.u) && is_same(a.panel, b.panel);
 }
 
@@ -60,7 +60,7 @@ struct PanelTurn {
     }
 };
 
-std::vector<PanelTurn> panel_turns(const PlainMesh& mesh) {
+std::vector<PanelTurn> panel_turns(const sim::PlainMesh& mesh) {
     std::vector<PanelTurn> turns(
         std::max({std::size_t(1), mesh.panel_grain_angles.size(), mesh.panel_sett_offsets.size()}));
     for (std::size_t i = 0; i < mesh.panel_grain_angles.size(); ++i) {
@@ -71,7 +71,7 @@ std::vector<PanelTurn> panel_turns(const PlainMesh& mesh) {
     return turns;
 }
 
-Image image_of_map(const std::vector<Rgb8>& map) {
+Image image_of_map(const std::vector<sim::Rgb8>& map) {
     Image image(static_cast<int>(map.size()), 1);
     for (std::size_t i = 0; i < map.size(); ++i) image.pixels[i] = {map[i][0], map[i][1], map[i][2], 255};
     return image;
@@ -115,7 +115,7 @@ void DraftCloth::fill_picture(const ClothItem& item) {
 }
 
 void DraftCloth::fill_fixed(const ClothItem& item) {
-    const PlainMesh& mesh = item.mesh;
+    const sim::PlainMesh& mesh = item.mesh;
     const std::vector<PanelTurn> turns = panel_turns(mesh);
     SELVEDGE_ASSERT(!is_painted_ || item.paint->places.size() == mesh.triangles.size());
     fixed_vertices_.clear();
@@ -135,9 +135,9 @@ void DraftCloth::fill_fixed(const ClothItem& item) {
 }
 
 void DraftCloth::fill_moving(const ClothItem& item) {
-    const PlainMesh& mesh = item.mesh;
+    const sim::PlainMesh& mesh = item.mesh;
     const bool has_normals = mesh.normals.size() == mesh.x.size();
-    const std::vector<Vec3f> own = has_normals ? std::vector<Vec3f>{} : vertex_normals(mesh.x, mesh.triangles);
+    const std::vector<Vec3f> own = has_normals ? std::vector<Vec3f>{} : sim::vertex_normals(mesh.x, mesh.triangles);
     const std::vector<Vec3f>& normals = has_normals ? mesh.normals : own;
     corners_.clear();
     for (const auto& triangle : mesh.triangles) {
@@ -174,7 +174,7 @@ void DraftSurface::update(const BodyItem& item, const BodyItem* before) {
     const bool is_other_net = before == nullptr || !is_same(item.triangles, before->triangles);
     if (has_moved) fill_points(item.x, item.normals);
     if (is_other_net) fill_triangles(item.triangles);
-    if (has_moved || is_other_net) is_closed_ = selvedge::is_closed(item);
+    if (has_moved || is_other_net) is_closed_ = render::is_closed(item);
 }
 
 void DraftSurface::update(const SolidItem& item, const SolidItem* before) {
@@ -187,7 +187,7 @@ void DraftSurface::update(const SolidItem& item, const SolidItem* before) {
     gl_.BindVertexArray(vertex_array_.id());
     upload(gl_, GL_ARRAY_BUFFER, colours_, item.colours);
     gl_.EnableVertexAttribArray(2);
-    gl_.VertexAttribPointer(2, 3, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Rgb8), nullptr);
+    gl_.VertexAttribPointer(2, 3, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(sim::Rgb8), nullptr);
 }
 
 namespace {
@@ -248,9 +248,9 @@ Image weave_of_size(const std::vector<Vec3f>& warp, const std::vector<Vec3f>& we
 
 }  // namespace
 
-std::vector<Image> draft_weave(const Sett& sett) {
+std::vector<Image> draft_weave(const sim::Sett& sett) {
     const SettSums warp = sum_warp(sett), weft = sum_weft(sett);
-    const float warp_share = sett.weave == Weave::Twill31 ? 0.75F : 0.5F;
+    const float warp_share = sett.weave == sim::Weave::Twill31 ? 0.75F : 0.5F;
     const ByteEncoder encode;
     std::vector<Image> sizes;
     for (int width = texels_for(warp), height = texels_for(weft);; width = (width + 1) / 2, height = (height + 1) / 2) {
@@ -273,4 +273,4 @@ Texture upload_draft_weave(const GladGLContext& gl, const std::vector<Image>& si
     return texture;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::render

@@ -11,7 +11,7 @@
 #include "render/image/image.h"
 #include "render/scene/scene.h"
 
-namespace selvedge {
+namespace selvedge::render {
 
 class DraftCloth {
  public:
@@ -77,8 +77,8 @@ class DraftSurface {
 
 // From the largest, a power of two each way, down to one pixel. x is along the weft (the warp's threads), y along the
 // warp.
-std::vector<Image> draft_weave(const Sett& sett);
+std::vector<Image> draft_weave(const sim::Sett& sett);
 
 Texture upload_draft_weave(const GladGLContext& gl, const std::vector<Image>& sizes);
 
-}  // namespace selvedge
+}  // namespace selvedge::render

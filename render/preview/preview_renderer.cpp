@@ -5,12 +5,12 @@
 #include <optional>
 
 #include "render/draw/renderer.h"
-#include "render/gl/target.h"
 #include "render/gl/context.h"
+#include "render/gl/target.h"
 #include "render/preview/preview_buffers.h"
 #include "render/scene/colour.h"
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 constexpr float kBodyOpenness = 0.85F;  // of the room's light, where nothing is baked
@@ -56,7 +56,7 @@ void set_light(const Program& program, const SceneView& view, const Eigen::Matri
     program.set("bounce_irradiance", light.bounce);
 }
 
-Vec3f as_floats(const Rgb8& colour) {
+Vec3f as_floats(const sim::Rgb8& colour) {
     return Vec3f(float(colour[0]), float(colour[1]), float(colour[2])) / 255;
 }
 
@@ -257,4 +257,4 @@ void DraftRenderer::draw(const SceneView& view, PictureTexture& to) {
     impl.gl.FrontFace(GL_CCW);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::render

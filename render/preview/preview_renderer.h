@@ -7,7 +7,7 @@
 #include "render/gl/handle.h"
 #include "render/scene/scene.h"
 
-namespace selvedge {
+namespace selvedge::render {
 
 // Belongs to one thread and to the context, which must outlive it. Keeps what a scene has in common with the one drawn
 // before: have one for each view. The same view has the same bits whatever was drawn before.
@@ -25,4 +25,4 @@ class DraftRenderer {
     std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::render

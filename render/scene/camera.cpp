@@ -8,7 +8,7 @@
 
 #include "sim/core/assert.h"
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 struct NamedView {
@@ -174,4 +174,4 @@ std::vector<Vec3f> detail_patch(const std::vector<Vec3f>& garment, View view) {
     return corners;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::render

@@ -7,7 +7,7 @@
 
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::render {
 
 // Seen from: +z is the front of a body, +x its left. Close and Hem are details of a garment (render/scene/camera.h).
 enum class View { Front, Back, Left, Right, ThreeQuarter, ThreeQuarterBack, Top, Close, Hem };
@@ -65,4 +65,4 @@ bool is_detail(View view);
 // Pre: is_detail(view), points not empty.
 std::vector<Vec3f> detail_patch(const std::vector<Vec3f>& garment, View view);
 
-}  // namespace selvedge
+}  // namespace selvedge::render

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 Vec3f from_polar(float lightness, float chroma, float hue_deg) {
@@ -13,11 +13,11 @@ Vec3f from_polar(float lightness, float chroma, float hue_deg) {
 }
 
 // At equal steps of length along the polygon, so that equal figures are equally far apart to the eye.
-std::vector<Rgb8> even_map(std::span<const Vec3f> corners) {
+std::vector<sim::Rgb8> even_map(std::span<const Vec3f> corners) {
     std::vector<float> reached{0};
     for (std::size_t i = 1; i < corners.size(); ++i)
         reached.push_back(reached.back() + (corners[i] - corners[i - 1]).norm());
-    std::vector<Rgb8> map;
+    std::vector<sim::Rgb8> map;
     std::size_t leg = 1;
     for (std::size_t i = 0; i < kMapColours; ++i) {
         const float at = reached.back() * float(i) / float(kMapColours - 1);
@@ -36,7 +36,7 @@ Vec3f kind(std::size_t index, float first_hue_deg, std::array<float, 3> lightnes
 
 }  // namespace
 
-Vec3f to_oklab(const Rgb8& colour) {
+Vec3f to_oklab(const sim::Rgb8& colour) {
     const double r = to_linear(colour[0]), g = to_linear(colour[1]), b = to_linear(colour[2]);
     const double l = std::cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
     const double m = std::cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
@@ -47,7 +47,7 @@ Vec3f to_oklab(const Rgb8& colour) {
         .cast<float>();
 }
 
-Rgb8 from_oklab(const Vec3f& lab) {
+sim::Rgb8 from_oklab(const Vec3f& lab) {
     const auto cube = [&](double a, double b) {
         const double root = double(lab[0]) + a * double(lab[1]) + b * double(lab[2]);
         return root * root * root;
@@ -59,26 +59,26 @@ Rgb8 from_oklab(const Vec3f& lab) {
             to_srgb(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s)};
 }
 
-std::vector<Rgb8> diverging_map() {
+std::vector<sim::Rgb8> diverging_map() {
     const std::array<Vec3f, 5> corners{from_polar(0.42F, 0.135F, 258), from_polar(0.68F, 0.11F, 245),
                                        from_polar(0.94F, 0.004F, 100), from_polar(0.72F, 0.13F, 60),
                                        from_polar(0.46F, 0.135F, 42)};
     return even_map(corners);
 }
 
-std::vector<Rgb8> sequential_map() {
+std::vector<sim::Rgb8> sequential_map() {
     const std::array<Vec3f, 6> corners{from_polar(0.30F, 0.12F, 295),  from_polar(0.42F, 0.115F, 265),
                                        from_polar(0.55F, 0.09F, 225),  from_polar(0.68F, 0.10F, 175),
                                        from_polar(0.81F, 0.125F, 130), from_polar(0.94F, 0.10F, 103)};
     return even_map(corners);
 }
 
-Rgb8 kind_colour(std::size_t index) {
+sim::Rgb8 kind_colour(std::size_t index) {
     return from_oklab(kind(index, 100, {0.84F, 0.71F, 0.77F}, 0.075F));
 }
 
-Rgb8 line_colour(std::size_t index) {
+sim::Rgb8 line_colour(std::size_t index) {
     return from_oklab(kind(index, 250, {0.52F, 0.66F, 0.42F}, 0.145F));
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::render

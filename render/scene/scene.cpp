@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 constexpr std::array<std::pair<std::string_view, ShowMode>, 12> kShowModes{{{"tartan", ShowMode::Tartan},
@@ -27,7 +27,7 @@ std::optional<ShowMode> parse_show_mode(std::string_view name) {
     return std::nullopt;
 }
 
-BodyItem make_body_item(const Body& body) {
+BodyItem make_body_item(const sim::Body& body) {
     BodyItem item;
     item.x.reserve(body.x.size());
     for (const Vec3d& point : body.x) item.x.push_back(point.cast<float>());
@@ -36,7 +36,7 @@ BodyItem make_body_item(const Body& body) {
         item.triangles.push_back(
             {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
     }
-    item.normals = vertex_normals(item.x, item.triangles);
+    item.normals = sim::vertex_normals(item.x, item.triangles);
     return item;
 }
 
@@ -69,4 +69,4 @@ Light even_light(const Camera& camera) {
     return light;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::render

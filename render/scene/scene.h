@@ -14,7 +14,7 @@
 #include "sim/mesh/plain_mesh.h"
 #include "sim/tartan/sett.h"
 
-namespace selvedge {
+namespace selvedge::render {
 
 enum class ShowMode {
     Tartan,  // woven from the sett, by material coordinates; plain where the mesh has none
@@ -39,7 +39,7 @@ std::optional<ShowMode> parse_show_mode(std::string_view name);
 // Colours that belong to triangles and their corners, by way of a map: between corners the map is followed, where
 // colours themselves would be mixed.
 struct ClothPaint {
-    std::vector<Rgb8> map;                     // at least two
+    std::vector<sim::Rgb8> map;                // at least two
     std::vector<std::array<float, 3>> places;  // per triangle, of its corners along the map, 0..1
 
     bool operator==(const ClothPaint&) const = default;
@@ -55,12 +55,12 @@ struct Material {
 };
 
 struct ClothItem {
-    PlainMesh mesh;
-    Sett sett;
+    sim::PlainMesh mesh;
+    sim::Sett sett;
     Vec2f sett_position{0, 0};  // m, in the fabric's (weft, warp) directions: where the first stripe begins
     float sett_scale = 1;       // of the sett's own repeat
     ShowMode show = ShowMode::Tartan;
-    Rgb8 colour{0xE4, 0xDF, 0xD3};  // where no tartan is woven
+    sim::Rgb8 colour{0xE4, 0xDF, 0xD3};  // where no tartan is woven
     Material material{};
     std::optional<ClothPaint> paint{};  // in the modes that follow Plain
     float ink = 0;                      // 0..1, of the triangles' edges in them
@@ -72,7 +72,7 @@ struct BodyItem {
     std::vector<Vec3f> x;        // m
     std::vector<Vec3f> normals;  // unit
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    Rgb8 colour{0xD0, 0xBF, 0xB0};  // between clay and skin
+    sim::Rgb8 colour{0xD0, 0xBF, 0xB0};  // between clay and skin
     Material material{.gloss = 0.017F, .roughness = 0.29F, .sheen = 0.05F};
 
     bool operator==(const BodyItem&) const = default;
@@ -80,9 +80,9 @@ struct BodyItem {
 
 // A surface with colours of its own: marks on the cloth. It casts no shadow.
 struct SolidItem {
-    std::vector<Vec3f> x;        // m
-    std::vector<Vec3f> normals;  // unit
-    std::vector<Rgb8> colours;   // per vertex
+    std::vector<Vec3f> x;            // m
+    std::vector<Vec3f> normals;      // unit
+    std::vector<sim::Rgb8> colours;  // per vertex
     std::vector<std::array<std::uint32_t, 3>> triangles;
 
     bool operator==(const SolidItem&) const = default;
@@ -99,8 +99,8 @@ struct Light {
 };
 
 struct Background {
-    Rgb8 centre{0xF1, 0xEF, 0xEB};
-    Rgb8 edge{0xCC, 0xCA, 0xC6};
+    sim::Rgb8 centre{0xF1, 0xEF, 0xEB};
+    sim::Rgb8 edge{0xCC, 0xCA, 0xC6};
     bool is_transparent = false;  // only the ground's shadow remains of it
 };
 
@@ -124,7 +124,7 @@ struct SceneView {
 };
 
 // The surface of a body with its normals.
-BodyItem make_body_item(const Body& body);
+BodyItem make_body_item(const sim::Body& body);
 
 // All cloth and body vertices.
 std::vector<Vec3f> scene_points(const Scene& scene);
@@ -138,4 +138,4 @@ Light studio_light(const Camera& camera);
 // The same, softer: colours that stand for figures must not be taken for others in shade.
 Light even_light(const Camera& camera);
 
-}  // namespace selvedge
+}  // namespace selvedge::render

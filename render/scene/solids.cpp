@@ -10,7 +10,7 @@
 
 #include "sim/core/assert.h"
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
@@ -101,7 +101,7 @@ std::vector<Ring> make_rings(const std::vector<Vec3f>& points) {
     return rings;
 }
 
-void add_ring(SolidItem& solid, const Ring& ring, float radius, const Rgb8& colour) {
+void add_ring(SolidItem& solid, const Ring& ring, float radius, const sim::Rgb8& colour) {
     const Vec3f other = ring.along.cross(ring.across);
     for (std::uint32_t side = 0; side < kSides; ++side) {
         const float angle = 6.2831853F * float(side) / float(kSides);
@@ -121,7 +121,7 @@ void join_rings(SolidItem& solid, std::uint32_t first, std::uint32_t second) {
 }
 
 // Without ends: nothing is seen of them where lines are thin.
-void add_pipe(SolidItem& solid, const std::vector<Vec3f>& points, float radius, const Rgb8& colour) {
+void add_pipe(SolidItem& solid, const std::vector<Vec3f>& points, float radius, const sim::Rgb8& colour) {
     const auto first = static_cast<std::uint32_t>(solid.x.size());
     const std::vector<Ring> rings = make_rings(points);
     for (const Ring& ring : rings) add_ring(solid, ring, radius, colour);
@@ -130,7 +130,7 @@ void add_pipe(SolidItem& solid, const std::vector<Vec3f>& points, float radius, 
 
 }  // namespace
 
-void add_ball(SolidItem& solid, const Vec3f& centre, float radius, const Rgb8& colour, BallDetail detail) {
+void add_ball(SolidItem& solid, const Vec3f& centre, float radius, const sim::Rgb8& colour, BallDetail detail) {
     const UnitBall& ball = unit_ball(detail);
     const auto first = static_cast<std::uint32_t>(solid.x.size());
     for (const Vec3f& normal : ball.x) {
@@ -141,7 +141,7 @@ void add_ball(SolidItem& solid, const Vec3f& centre, float radius, const Rgb8& c
     for (const auto& [i, j, k] : ball.triangles) solid.triangles.push_back({first + i, first + j, first + k});
 }
 
-void add_tube(SolidItem& solid, const std::vector<Vec3f>& path, float radius, const Rgb8& colour) {
+void add_tube(SolidItem& solid, const std::vector<Vec3f>& path, float radius, const sim::Rgb8& colour) {
     const std::vector<Vec3f> points = without_repeats(path);
     if (points.size() < 2) return;
     add_pipe(solid, points, radius, colour);
@@ -149,11 +149,11 @@ void add_tube(SolidItem& solid, const std::vector<Vec3f>& path, float radius, co
     add_ball(solid, points.back(), radius, colour, BallDetail::Coarse);
 }
 
-void add_rod(SolidItem& solid, const Vec3f& from, const Vec3f& to, float radius, const Rgb8& colour) {
+void add_rod(SolidItem& solid, const Vec3f& from, const Vec3f& to, float radius, const sim::Rgb8& colour) {
     if ((to - from).norm() > 1e-7F) add_pipe(solid, {from, to}, radius, colour);
 }
 
-void add_outline(SolidItem& solid, const std::array<Vec3f, 3>& triangle, float radius, const Rgb8& colour) {
+void add_outline(SolidItem& solid, const std::array<Vec3f, 3>& triangle, float radius, const sim::Rgb8& colour) {
     for (std::size_t i = 0; i < 3; ++i) add_rod(solid, triangle[i], triangle[(i + 1) % 3], radius, colour);
 }
 
@@ -170,9 +170,9 @@ struct Box {
     Vec2f size() const { return high - low; }
 };
 
-std::vector<Box> panel_boxes(const TriangleHierarchy& hierarchy) {
+std::vector<Box> panel_boxes(const sim::TriangleHierarchy& hierarchy) {
     std::vector<Box> boxes;
-    for (const HierarchyTriangle& t : hierarchy) {
+    for (const sim::HierarchyTriangle& t : hierarchy) {
         if (t.panel >= boxes.size()) boxes.resize(t.panel + std::size_t{1});
         for (const Vec2f& u : t.u) {
             boxes[t.panel].low = boxes[t.panel].low.cwiseMin(u);
@@ -235,15 +235,15 @@ Layout lay_out(const std::vector<Box>& boxes, float width_over_height) {
 // Puts corners into the mesh; those of one panel at one place are one vertex.
 class Modeller {
  public:
-    Modeller(PlainMesh& mesh, const std::vector<Box>& boxes, const Layout& layout)
+    Modeller(sim::PlainMesh& mesh, const std::vector<Box>& boxes, const Layout& layout)
         : mesh_(mesh), boxes_(boxes), layout_(layout) {}
 
-    Vec3f place(const HierarchyTriangle& t, std::size_t corner, const Vec3f& shift) const {
+    Vec3f place(const sim::HierarchyTriangle& t, std::size_t corner, const Vec3f& shift) const {
         const Vec2f at = t.u[corner] - boxes_[t.panel].low + layout_.places[t.panel];
         return shift + Vec3f(at.x(), 0, -at.y());
     }
 
-    void add(const HierarchyTriangle& t, const Vec3f& shift, int copy) {
+    void add(const sim::HierarchyTriangle& t, const Vec3f& shift, int copy) {
         std::array<std::uint32_t, 3> v{};
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const Vec2f& u = t.u[corner];
@@ -259,7 +259,7 @@ class Modeller {
     }
 
  private:
-    PlainMesh& mesh_;
+    sim::PlainMesh& mesh_;
     const std::vector<Box>& boxes_;
     const Layout& layout_;
     std::map<std::tuple<int, std::uint16_t, float, float>, std::uint32_t> known_;
@@ -267,7 +267,7 @@ class Modeller {
 
 }  // namespace
 
-HierarchyModel model_hierarchy(const TriangleHierarchy& hierarchy, StackSide side) {
+HierarchyModel model_hierarchy(const sim::TriangleHierarchy& hierarchy, StackSide side) {
     SELVEDGE_ASSERT(!hierarchy.empty());
     const std::vector<Box> boxes = panel_boxes(hierarchy);
     const Layout layout = lay_out(boxes, side == StackSide::Right ? 0.9F : 2.2F);
@@ -277,7 +277,7 @@ HierarchyModel model_hierarchy(const TriangleHierarchy& hierarchy, StackSide sid
     const Vec3f to_stack =
         side == StackSide::Right ? Vec3f(layout.size.x() + gap, 0, 0) : Vec3f(0, 0, -(layout.size.y() + gap));
     Modeller modeller(model.mesh, boxes, layout);
-    for (const HierarchyTriangle& t : hierarchy) {
+    for (const sim::HierarchyTriangle& t : hierarchy) {
         const Vec3f shift = to_stack + Vec3f(0, kStep * model.panel_size * float(t.level), 0);
         if (t.is_leaf) {
             modeller.add(t, Vec3f::Zero(), 0);
@@ -288,8 +288,8 @@ HierarchyModel model_hierarchy(const TriangleHierarchy& hierarchy, StackSide sid
                  .level = t.level});
         }
     }
-    model.mesh.normals = vertex_normals(model.mesh.x, model.mesh.triangles);
+    model.mesh.normals = sim::vertex_normals(model.mesh.x, model.mesh.triangles);
     return model;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::render

@@ -5,55 +5,55 @@
 
 #include "sim/adaptive/criteria.h"
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 struct Observer : SurfaceObserver {
-    Observer(CurvedSurface& surface, Entrance entrance, Visibility* seen)
+    Observer(CurvedSurface& surface, Entrance entrance, sim::Visibility* seen)
         : SurfaceObserver(surface, entrance), visibility(seen) {}
 
     void on_capacity(std::size_t capacity) {
         SurfaceObserver::on_capacity(capacity);
         if (visibility != nullptr) visibility->on_capacity(capacity);
     }
-    void on_split(VertexId c, VertexId a, VertexId b) {
+    void on_split(sim::VertexId c, sim::VertexId a, sim::VertexId b) {
         SurfaceObserver::on_split(c, a, b);
         if (visibility != nullptr) visibility->on_split(c, a, b);
     }
 
-    Visibility* visibility;
+    sim::Visibility* visibility;
 };
 
 // What is turned away, too short or deep enough is not to be split.
 struct CoarseVeto {
     static constexpr bool is_veto = true;
-    const Visibility* visibility;  // none: all is seen
+    const sim::Visibility* visibility;  // none: all is seen
     float shortest_edge;
     int max_level;
 
-    bool vetoes(const AdaptiveMesh& mesh, EdgeId e) const {
+    bool vetoes(const sim::AdaptiveMesh& mesh, sim::EdgeId e) const {
         return mesh.level(e) >= max_level || mesh.rest_length(e) < shortest_edge ||
                (visibility != nullptr && visibility->is_hidden(mesh, e));
     }
 };
 
 // All that ask for finer triangles, as one: so that look-ahead serves them all.
-template <EdgeCriterion Shape>
+template <sim::EdgeCriterion Shape>
 struct Wish {
     const Shape& shape;
     const CurvedSurface& surface;
     const CoarseVeto& veto;  // what it keeps coarse is not asked for by way of its neighbours either
     float least_bulge;       // m
 
-    bool wants_split(const AdaptiveMesh& mesh, EdgeId e) const {
+    bool wants_split(const sim::AdaptiveMesh& mesh, sim::EdgeId e) const {
         return shape.wants_split(mesh, e) && bulge(mesh.edge(e)) > least_bulge && !veto.vetoes(mesh, e);
     }
-    bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId e) const {
+    bool allows_rejoin(const sim::AdaptiveMesh& mesh, sim::EdgeId e) const {
         return shape.allows_rejoin(mesh, e) || bulge(mesh.edge(e)) < 0.5F * least_bulge;
     }
 
     // At most what the middle of a curve with M = 1 leaves its chord by, m.
-    float bulge(const AdaptiveEdge& e) const {
+    float bulge(const sim::AdaptiveEdge& e) const {
         const auto [a, b] = e.ends;
         const Vec4f d = surface.x[b.value] - surface.x[a.value];
         return (std::abs(d.dot(surface.normals[a.value])) + std::abs(d.dot(surface.normals[b.value]))) / 8;
@@ -67,37 +67,39 @@ struct VetoOnArrival {
     const CurvedSurface& surface;
     const CoarseVeto& veto;
 
-    bool vetoes(const AdaptiveMesh& mesh, EdgeId e) const {
-        const AdaptiveEdge& edge = mesh.edge(e);
+    bool vetoes(const sim::AdaptiveMesh& mesh, sim::EdgeId e) const {
+        const sim::AdaptiveEdge& edge = mesh.edge(e);
         if (mesh.is_split(e)) return shown(edge.centre) <= 0 && veto.vetoes(mesh, e);
         return !stands(edge.ends[0]) || !stands(edge.ends[1]) || veto.vetoes(mesh, e);
     }
-    float shown(VertexId v) const { return surface.shown[v.value]; }
-    bool stands(VertexId v) const { return shown(v) >= 1 && !surface.is_leaving[v.value]; }
+    float shown(sim::VertexId v) const { return surface.shown[v.value]; }
+    bool stands(sim::VertexId v) const { return shown(v) >= 1 && !surface.is_leaving[v.value]; }
 };
 struct HoldUntilArrival {
     const CurvedSurface& surface;
 
-    bool wants_split(const AdaptiveMesh&, EdgeId) const { return false; }
-    bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId e) const { return surface.shown[mesh.centre(e).value] <= 0; }
+    bool wants_split(const sim::AdaptiveMesh&, sim::EdgeId) const { return false; }
+    bool allows_rejoin(const sim::AdaptiveMesh& mesh, sim::EdgeId e) const {
+        return surface.shown[mesh.centre(e).value] <= 0;
+    }
 };
 
 // Which vertices are to glide to the middle of their edges: those whose edges may go and are asked to.
 template <class Criterion>
 void note_leaving(CurvedSurface& surface, const CoarseVeto& veto, const Criterion& criterion) {
-    const AdaptiveMesh& mesh = surface.mesh;
-    const auto is_to_go = [&](EdgeId e) {
+    const sim::AdaptiveMesh& mesh = surface.mesh;
+    const auto is_to_go = [&](sim::EdgeId e) {
         return mesh.has_leaf_children(e) && (criterion.allows_rejoin(mesh, e) || veto.vetoes(mesh, e)) &&
                mesh.may_rejoin(e);
     };
     for (int level = 0; level < mesh.max_level(); ++level) {
-        for (const EdgeId e : mesh.split_edges(level)) surface.is_leaving[mesh.centre(e).value] = is_to_go(e);
+        for (const sim::EdgeId e : mesh.split_edges(level)) surface.is_leaving[mesh.centre(e).value] = is_to_go(e);
     }
 }
 
 template <class Criterion>
-AdaptReport adapt_with(CurvedSurface& surface, const AdaptSurfaceOptions& options, const CoarseVeto& veto,
-                       const Criterion& criterion) {
+sim::AdaptReport adapt_with(CurvedSurface& surface, const AdaptSurfaceOptions& options, const CoarseVeto& veto,
+                            const Criterion& criterion) {
     using Entrance = SurfaceObserver::Entrance;
     Observer observer(surface, options.glides ? Entrance::Middle : Entrance::Curve, options.visibility);
     if (!options.glides) return adapt(surface.mesh, observer, {}, veto, criterion);
@@ -107,16 +109,17 @@ AdaptReport adapt_with(CurvedSurface& surface, const AdaptSurfaceOptions& option
 
 }  // namespace
 
-AdaptReport adapt_surface(CurvedSurface& surface, const AdaptSurfaceOptions& options) {
+sim::AdaptReport adapt_surface(CurvedSurface& surface, const AdaptSurfaceOptions& options) {
     const SurfaceCriteria& on = options.criteria;
     if (options.visibility != nullptr) options.visibility->look(surface.mesh, surface.x, surface.normals);
     const CoarseVeto veto{options.visibility, on.shortest_edge, options.max_level};
-    const CurvatureCriterion curvature(surface.normals, on.curvature_angles);
-    const BucklingCriterion<Vec4f> buckling(surface.x, on.buckling_ratios);
-    const LengthCriterion<Vec4f> length(surface.x, on.compressions);
-    const AnyOf shape(Switched(on.curvature, curvature), Switched(on.buckling, buckling), Switched(on.length, length));
+    const sim::CurvatureCriterion curvature(surface.normals, on.curvature_angles);
+    const sim::BucklingCriterion<Vec4f> buckling(surface.x, on.buckling_ratios);
+    const sim::LengthCriterion<Vec4f> length(surface.x, on.compressions);
+    const sim::AnyOf shape(sim::Switched(on.curvature, curvature), sim::Switched(on.buckling, buckling),
+                           sim::Switched(on.length, length));
     const Wish wish{shape, surface, veto, on.least_bulge};
-    const AdaptReport report = adapt_with(surface, options, veto, LookAheadCriterion(wish));
+    const sim::AdaptReport report = adapt_with(surface, options, veto, sim::LookAheadCriterion(wish));
     if (report.changed()) plan_surface(surface);
     return report;
 }
@@ -135,4 +138,4 @@ void settle_surface(CurvedSurface& surface, std::span<const Vec4f> x, std::span<
     update_light_normals(surface);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::render

@@ -6,7 +6,7 @@
 
 #include "sim/core/assert.h"
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 // Corners of base triangles, joined where the surface goes on smoothly from one to the other.
@@ -26,7 +26,7 @@ class SmoothParts {
     std::vector<std::uint32_t> joined_;
 };
 
-std::uint32_t corner_of(const AdaptiveMesh& mesh, TriangleId t, VertexId v) {
+std::uint32_t corner_of(const sim::AdaptiveMesh& mesh, sim::TriangleId t, sim::VertexId v) {
     return 3 * t.value + static_cast<std::uint32_t>(corner_at(mesh.triangle(t), v));
 }
 
@@ -37,7 +37,7 @@ void make_unit(std::map<SidedVertex, Vec4f>& normals) {
     }
 }
 
-Vec4f area_of(const std::array<VertexId, 3>& v, const std::vector<Vec4f>& x) {
+Vec4f area_of(const std::array<sim::VertexId, 3>& v, const std::vector<Vec4f>& x) {
     const Vec4f& a = x[v[0].value];
     return (x[v[1].value] - a).cross3(x[v[2].value] - a);
 }
@@ -55,7 +55,7 @@ Vec4f along_both(const Vec4f& d, const Vec4f& first, const Vec4f& second) {
 
 }  // namespace
 
-Creases find_creases(const AdaptiveMesh& mesh, std::span<const CreaseEdge> edges) {
+Creases find_creases(const sim::AdaptiveMesh& mesh, std::span<const CreaseEdge> edges) {
     Creases creases;
     if (edges.empty()) return creases;
     creases.is_crease.resize(mesh.base_edge_count());
@@ -65,12 +65,12 @@ Creases find_creases(const AdaptiveMesh& mesh, std::span<const CreaseEdge> edges
     std::sort(wanted.begin(), wanted.end());
     SmoothParts parts(3 * mesh.base_triangle_count());
     for (std::uint32_t i = 0; i < mesh.base_edge_count(); ++i) {
-        const AdaptiveEdge& edge = mesh.edge(EdgeId(i));
+        const sim::AdaptiveEdge& edge = mesh.edge(sim::EdgeId(i));
         CreaseEdge ends{static_cast<int>(edge.ends[0].value), static_cast<int>(edge.ends[1].value)};
         std::sort(ends.begin(), ends.end());
         creases.is_crease[i] = std::binary_search(wanted.begin(), wanted.end(), ends);
         SELVEDGE_ASSERT(!creases.is_crease[i] || (edge.sides[0] && edge.sides[1]));
-        for (const VertexId v : edge.ends) {
+        for (const sim::VertexId v : edge.ends) {
             if (creases.is_crease[i]) {
                 creases.is_creased[v.value] = true;
             } else if (edge.sides[0] && edge.sides[1]) {
@@ -85,15 +85,15 @@ Creases find_creases(const AdaptiveMesh& mesh, std::span<const CreaseEdge> edges
     return creases;
 }
 
-void note_children(Creases& creases, const AdaptiveMesh& mesh, TriangleId t) {
+void note_children(Creases& creases, const sim::AdaptiveMesh& mesh, sim::TriangleId t) {
     creases.base_of.resize(std::max(creases.base_of.size(), mesh.triangles().capacity()));
-    const AdaptiveTriangle& owner = mesh.triangle(t);
+    const sim::AdaptiveTriangle& owner = mesh.triangle(t);
     for (std::size_t i = 0; i < layout(owner.configuration).triangle_count; ++i)
         creases.base_of[owner.internal_triangles[i].value] = creases.base_of[t.value];
 }
 
-std::optional<SidedVertex> sided(const Creases& creases, const AdaptiveMesh& mesh, VertexId v, EdgeId root,
-                                 TriangleId base) {
+std::optional<SidedVertex> sided(const Creases& creases, const sim::AdaptiveMesh& mesh, sim::VertexId v,
+                                 sim::EdgeId root, sim::TriangleId base) {
     if (v.value < mesh.base_vertex_count()) {
         if (!creases.is_creased[v.value]) return {};
         return SidedVertex{v, creases.corner_side[base.value][corner_at(mesh.triangle(base), v)]};
@@ -102,10 +102,10 @@ std::optional<SidedVertex> sided(const Creases& creases, const AdaptiveMesh& mes
     return SidedVertex{v, mesh.edge(root).sides[0] == base ? 0U : 1U};
 }
 
-void update_base_normals(Creases& creases, const AdaptiveMesh& mesh, const std::vector<Vec4f>& x) {
+void update_base_normals(Creases& creases, const sim::AdaptiveMesh& mesh, const std::vector<Vec4f>& x) {
     creases.normals.clear();
     for (std::uint32_t t = 0; t < mesh.base_triangle_count(); ++t) {
-        const std::array<VertexId, 3>& vertices = mesh.triangle(TriangleId(t)).vertices;
+        const std::array<sim::VertexId, 3>& vertices = mesh.triangle(sim::TriangleId(t)).vertices;
         for (std::size_t k = 0; k < 3; ++k) {
             if (!creases.is_creased[vertices[k].value]) continue;
             Vec4f& sum =
@@ -116,11 +116,11 @@ void update_base_normals(Creases& creases, const AdaptiveMesh& mesh, const std::
     make_unit(creases.normals);
 }
 
-void update_light_normals(Creases& creases, const AdaptiveMesh& mesh, const std::vector<EdgeId>& roots,
+void update_light_normals(Creases& creases, const sim::AdaptiveMesh& mesh, const std::vector<sim::EdgeId>& roots,
                           const std::vector<Vec4f>& x) {
     creases.light_normals.clear();
-    for (const LeafTriangle& t : mesh.leaf_triangles()) {
-        for (const VertexId v : t.v) {
+    for (const sim::LeafTriangle& t : mesh.leaf_triangles()) {
+        for (const sim::VertexId v : t.v) {
             const auto vertex = sided(creases, mesh, v, roots[v.value], creases.base_of[t.triangle.value]);
             if (vertex) creases.light_normals.try_emplace(*vertex, Vec4f::Zero()).first->second += area_of(t.v, x);
         }
@@ -134,4 +134,4 @@ EdgeCurve make_crease_curve(const CurveEnds& first, const CurveEnds& second, con
                       d - along_both(d, first.normal_b, second.normal_b), modifier);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::render

@@ -7,7 +7,7 @@
 #include "sim/core/assert.h"
 #include "sim/core/error.h"
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 // As long in the plane as it lies in the room.
@@ -19,14 +19,14 @@ std::array<Vec2d, 3> laid_flat(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
     return {Vec2d::Zero(), Vec2d(length, 0), Vec2d(x, (c - a - x * along).norm())};
 }
 
-GarmentMesh base_of(const PlainMesh& coarse) {
-    GarmentMesh base;
+sim::GarmentMesh base_of(const sim::PlainMesh& coarse) {
+    sim::GarmentMesh base;
     base.x.reserve(coarse.x.size());
     for (const Vec3f& x : coarse.x) base.x.push_back(x.cast<double>());
     base.triangles.reserve(coarse.triangles.size());
     for (std::size_t t = 0; t < coarse.triangles.size(); ++t) {
         const auto& [a, b, c] = coarse.triangles[t];
-        GarmentTriangle triangle{.vertices = {static_cast<int>(a), static_cast<int>(b), static_cast<int>(c)}};
+        sim::GarmentTriangle triangle{.vertices = {static_cast<int>(a), static_cast<int>(b), static_cast<int>(c)}};
         if (coarse.u.empty()) {
             triangle.u = laid_flat(base.x[a], base.x[b], base.x[c]);
         } else {
@@ -38,18 +38,18 @@ GarmentMesh base_of(const PlainMesh& coarse) {
     return base;
 }
 
-void check_size(const PlainMesh& coarse, int level) {
+void check_size(const sim::PlainMesh& coarse, int level) {
     const std::size_t most = kMostDrawnTriangles >> (2 * level);
     if (coarse.triangles.size() <= most) return;
-    throw InputError("", "surface",
-                     std::to_string(coarse.triangles.size()) + " triangles at level " + std::to_string(level) +
-                         " are more than " + std::to_string(kMostDrawnTriangles) + ": choose a lower level");
+    throw sim::InputError("", "surface",
+                          std::to_string(coarse.triangles.size()) + " triangles at level " + std::to_string(level) +
+                              " are more than " + std::to_string(kMostDrawnTriangles) + ": choose a lower level");
 }
 
 // Leaves in the order of their base triangles.
 class MeshWriter {
  public:
-    MeshWriter(const CurvedSurface& surface, const PlainMesh& coarse, LightNormals which)
+    MeshWriter(const CurvedSurface& surface, const sim::PlainMesh& coarse, LightNormals which)
         : surface_(surface),
           coarse_(coarse),
           normals_(which == LightNormals::Recomputed ? surface.light_normals : surface.normals),
@@ -60,10 +60,10 @@ class MeshWriter {
         mesh_.panel_sett_offsets = coarse.panel_sett_offsets;
     }
 
-    PlainMesh write() {
+    sim::PlainMesh write() {
         for (std::uint32_t t = 0; t < surface_.mesh.base_triangle_count(); ++t) {
             base_level_ = coarse_.level.empty() ? 0 : coarse_.level[t];
-            base_ = TriangleId(t);
+            base_ = sim::TriangleId(t);
             write(base_);
         }
         return std::move(mesh_);
@@ -72,8 +72,8 @@ class MeshWriter {
  private:
     static constexpr std::uint32_t kNone = ~0U;
 
-    void write(TriangleId id) {
-        const AdaptiveTriangle& t = surface_.mesh.triangle(id);
+    void write(sim::TriangleId id) {
+        const sim::AdaptiveTriangle& t = surface_.mesh.triangle(id);
         if (!is_leaf(t)) {
             for (std::size_t i = 0; i < layout(t.configuration).triangle_count; ++i) write(t.internal_triangles[i]);
             return;
@@ -84,7 +84,7 @@ class MeshWriter {
         mesh_.level.push_back(level_from_base(t.level));
     }
 
-    std::uint32_t place(VertexId v) {
+    std::uint32_t place(sim::VertexId v) {
         if (!surface_.creases.empty()) {
             const auto vertex = sided(surface_.creases, surface_.mesh, v, root_of(surface_, v), base_);
             if (vertex)
@@ -93,7 +93,7 @@ class MeshWriter {
         return place(places_[v.value], v, normals_[v.value]);
     }
 
-    std::uint32_t place(std::uint32_t& at, VertexId v, const Vec4f& normal) {
+    std::uint32_t place(std::uint32_t& at, sim::VertexId v, const Vec4f& normal) {
         if (at != kNone) return at;
         at = static_cast<std::uint32_t>(mesh_.x.size());
         mesh_.x.emplace_back(surface_.x[v.value].head<3>());
@@ -102,7 +102,7 @@ class MeshWriter {
         return at;
     }
 
-    std::uint8_t level_of(VertexId v) const {
+    std::uint8_t level_of(sim::VertexId v) const {
         const bool is_base = v.value < surface_.mesh.base_vertex_count();
         if (is_base) return coarse_.vertex_level.empty() ? std::uint8_t{0} : coarse_.vertex_level[v.value];
         return level_from_base(surface_.mesh.vertex(v).level);
@@ -112,14 +112,14 @@ class MeshWriter {
     }
 
     const CurvedSurface& surface_;
-    const PlainMesh& coarse_;
+    const sim::PlainMesh& coarse_;
     const std::vector<Vec4f>& normals_;
     const std::map<SidedVertex, Vec4f>& sided_normals_;
     std::map<SidedVertex, std::uint32_t> sided_places_;
     std::vector<std::uint32_t> places_;  // by VertexId
-    TriangleId base_;                    // that is being written
+    sim::TriangleId base_;               // that is being written
     int base_level_ = 0;
-    PlainMesh mesh_;
+    sim::PlainMesh mesh_;
 };
 
 void refine(CurvedSurface& surface, const CurvedMeshOptions& options) {
@@ -129,7 +129,7 @@ void refine(CurvedSurface& surface, const CurvedMeshOptions& options) {
         update_surface(surface, x, normals, options.move);
         return;
     }
-    std::optional<Visibility> visibility;
+    std::optional<sim::Visibility> visibility;
     if (options.view) visibility.emplace(*options.view);
     settle_surface(surface, x, normals,
                    {.criteria = options.criteria, .visibility = visibility ? &*visibility : nullptr}, options.move);
@@ -137,7 +137,7 @@ void refine(CurvedSurface& surface, const CurvedMeshOptions& options) {
 
 }  // namespace
 
-PlainMesh curved_mesh(const PlainMesh& coarse, const CurvedMeshOptions& options) {
+sim::PlainMesh curved_mesh(const sim::PlainMesh& coarse, const CurvedMeshOptions& options) {
     const int level = options.level.value_or(options.deepest_level);
     SELVEDGE_ASSERT(level >= 0 && level <= kMostSurfaceLevel);
     check_size(coarse, level);
@@ -147,4 +147,4 @@ PlainMesh curved_mesh(const PlainMesh& coarse, const CurvedMeshOptions& options)
     return MeshWriter(surface, coarse, options.light_normals).write();
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::render

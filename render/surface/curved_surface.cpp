@@ -6,7 +6,7 @@
 #include "sim/collide/collider.h"
 #include "sim/core/assert.h"
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 constexpr float kNoArea = 1e-30F;
@@ -19,12 +19,12 @@ void size_arrays(CurvedSurface& surface, std::size_t capacity) {
     surface.is_leaving.resize(capacity, false);
 }
 
-void make_root(CurvedSurface& surface, EdgeId e) {
+void make_root(CurvedSurface& surface, sim::EdgeId e) {
     if (surface.places.size() <= e.value) surface.places.resize(surface.mesh.edges().capacity());
     surface.places[e.value] = {.root = e, .from = 0, .span = static_cast<std::uint16_t>(surface.weights.steps())};
 }
 
-CurveEnds ends_of(const CurvedSurface& surface, VertexId a, VertexId b, float rest_length) {
+CurveEnds ends_of(const CurvedSurface& surface, sim::VertexId a, sim::VertexId b, float rest_length) {
     return {surface.x[a.value], surface.x[b.value], surface.normals[a.value], surface.normals[b.value], rest_length};
 }
 
@@ -48,9 +48,9 @@ Vec4f glide(CurvedSurface& surface, const SurfacePlan::Point& point, const Vec4f
 }
 
 // As seen from a side of the root edge.
-CurveEnds ends_from(const CurvedSurface& surface, const SurfacePlan::Curve& curve, TriangleId side) {
+CurveEnds ends_from(const CurvedSurface& surface, const SurfacePlan::Curve& curve, sim::TriangleId side) {
     const Creases& creases = surface.creases;
-    const auto normal = [&](VertexId v) {
+    const auto normal = [&](sim::VertexId v) {
         const auto vertex = sided(creases, surface.mesh, v, root_of(surface, v), creases.base_of[side.value]);
         return vertex ? creases.normals.at(*vertex) : surface.normals[v.value];
     };
@@ -59,7 +59,7 @@ CurveEnds ends_from(const CurvedSurface& surface, const SurfacePlan::Curve& curv
 
 // Where there are creases; also notes the normals of both sides for the points that will stand on one.
 EdgeCurve creased_curve(CurvedSurface& surface, const SurfacePlan::Curve& curve) {
-    const std::array<TriangleId, 2>& sides = surface.mesh.edge(curve.root).sides;
+    const std::array<sim::TriangleId, 2>& sides = surface.mesh.edge(curve.root).sides;
     const bool is_crease =
         curve.root.value < surface.creases.is_crease.size() && surface.creases.is_crease[curve.root.value];
     if (!is_crease) return make_edge_curve(ends_from(surface, curve, sides[0] ? sides[0] : sides[1]), surface.modifier);
@@ -69,11 +69,11 @@ EdgeCurve creased_curve(CurvedSurface& surface, const SurfacePlan::Curve& curve)
 
 void note_crease_normals(CurvedSurface& surface, const SurfacePlan::Point& point) {
     const SurfacePlan::Curve& curve = surface.plan.curves[point.curve];
-    const EdgeId root = curve.root;
+    const sim::EdgeId root = curve.root;
     if (root.value >= surface.creases.is_crease.size() || !surface.creases.is_crease[root.value]) return;
     Vec4f sum = Vec4f::Zero();
     for (std::uint32_t side = 0; side < 2; ++side) {
-        const TriangleId triangle = surface.mesh.edge(root).sides[side];
+        const sim::TriangleId triangle = surface.mesh.edge(root).sides[side];
         const EdgeCurve seen = make_edge_curve(ends_from(surface, curve, triangle), surface.modifier);
         sum += surface.creases.normals[{point.v, side}] = surface.weights.normal(seen, point.step);
     }
@@ -107,19 +107,19 @@ void move_level(CurvedSurface& surface, std::size_t level, const Lift& lift, flo
 
 }  // namespace
 
-EdgeId root_of(const CurvedSurface& surface, VertexId v) {
-    const EdgeId parent = surface.mesh.vertex(v).parent;
-    return parent ? surface.places[parent.value].root : EdgeId{};
+sim::EdgeId root_of(const CurvedSurface& surface, sim::VertexId v) {
+    const sim::EdgeId parent = surface.mesh.vertex(v).parent;
+    return parent ? surface.places[parent.value].root : sim::EdgeId{};
 }
 
-CurvedSurface make_curved_surface(const GarmentMesh& base, const SurfaceOptions& options) {
-    CurvedSurface surface{.mesh = AdaptiveMesh(base, {.max_level = options.max_level}),
+CurvedSurface make_curved_surface(const sim::GarmentMesh& base, const SurfaceOptions& options) {
+    CurvedSurface surface{.mesh = sim::AdaptiveMesh(base, {.max_level = options.max_level}),
                           .modifier = options.modifier,
                           .weights = CurveWeights(options.max_level)};
     size_arrays(surface, surface.mesh.vertex_capacity());
-    for (std::size_t i = 0; i < base.x.size(); ++i) surface.x[i] = padded(base.x[i].cast<float>());
+    for (std::size_t i = 0; i < base.x.size(); ++i) surface.x[i] = sim::padded(base.x[i].cast<float>());
     surface.places.resize(surface.mesh.edges().capacity());
-    for (std::uint32_t e = 0; e < surface.mesh.base_edge_count(); ++e) make_root(surface, EdgeId(e));
+    for (std::uint32_t e = 0; e < surface.mesh.base_edge_count(); ++e) make_root(surface, sim::EdgeId(e));
     surface.creases = find_creases(surface.mesh, options.creases);
     if (!surface.creases.empty()) update_base_normals(surface.creases, surface.mesh, surface.x);
     leaf_normals(surface.mesh, surface.x, surface.normals);
@@ -133,9 +133,9 @@ void SurfaceObserver::on_capacity(std::size_t capacity) {
 }
 
 // Where its root's curve has it now: that is what deeper edges are asked by.
-void SurfaceObserver::on_split(VertexId c, VertexId a, VertexId b) {
-    const AdaptiveMesh& mesh = surface_.mesh;
-    const EdgeId e = mesh.vertex(c).parent;
+void SurfaceObserver::on_split(sim::VertexId c, sim::VertexId a, sim::VertexId b) {
+    const sim::AdaptiveMesh& mesh = surface_.mesh;
+    const sim::EdgeId e = mesh.vertex(c).parent;
     if (surface_.places.size() < mesh.edges().capacity()) surface_.places.resize(mesh.edges().capacity());
     const EdgePlace place = surface_.places[e.value];
     const auto half = static_cast<std::uint16_t>(place.span / 2);
@@ -144,7 +144,7 @@ void SurfaceObserver::on_split(VertexId c, VertexId a, VertexId b) {
     surface_.places[first.value] = {place.root, place.from, half};
     surface_.places[second.value] = {place.root, middle, half};
 
-    const AdaptiveEdge& root = mesh.edge(place.root);
+    const sim::AdaptiveEdge& root = mesh.edge(place.root);
     const EdgeCurve curve =
         make_edge_curve(ends_of(surface_, root.ends[0], root.ends[1], root.rest_length), surface_.modifier);
     const bool is_whole = entrance_ == Entrance::Curve;
@@ -156,15 +156,15 @@ void SurfaceObserver::on_split(VertexId c, VertexId a, VertexId b) {
         is_whole ? surface_.weights.point(curve, middle) : Vec4f((surface_.x[a.value] + surface_.x[b.value]) * 0.5F);
 }
 
-void SurfaceObserver::after(TriangleId t) {
-    const AdaptiveTriangle& owner = surface_.mesh.triangle(t);
+void SurfaceObserver::after(sim::TriangleId t) {
+    const sim::AdaptiveTriangle& owner = surface_.mesh.triangle(t);
     for (std::size_t i = 0; i < layout(owner.configuration).edge_count; ++i)
         make_root(surface_, owner.internal_edges[i]);
     if (!surface_.creases.empty()) note_children(surface_.creases, surface_.mesh, t);
 }
 
 void plan_surface(CurvedSurface& surface) {
-    const AdaptiveMesh& mesh = surface.mesh;
+    const sim::AdaptiveMesh& mesh = surface.mesh;
     SurfacePlan& plan = surface.plan;
     plan.curves.clear();
     plan.points.clear();
@@ -173,8 +173,8 @@ void plan_surface(CurvedSurface& surface) {
     std::vector<std::uint32_t>& curve_of = plan.curve_of;
     curve_of.resize(mesh.edges().capacity());
     for (int level = 0; level < mesh.max_level(); ++level) {
-        for (const EdgeId e : mesh.split_edges(level)) {
-            const AdaptiveEdge& edge = mesh.edge(e);
+        for (const sim::EdgeId e : mesh.split_edges(level)) {
+            const sim::AdaptiveEdge& edge = mesh.edge(e);
             const EdgePlace& place = surface.places[e.value];
             if (place.root == e) {
                 curve_of[e.value] = static_cast<std::uint32_t>(plan.curves.size());
@@ -204,15 +204,15 @@ void move_surface(CurvedSurface& surface, std::span<const Vec4f> x, std::span<co
         move_level(surface, level, lift, options.longest_glide);
 }
 
-void leaf_normals(const AdaptiveMesh& mesh, const std::vector<Vec4f>& x, std::vector<Vec4f>& normals) {
+void leaf_normals(const sim::AdaptiveMesh& mesh, const std::vector<Vec4f>& x, std::vector<Vec4f>& normals) {
     normals.resize(mesh.vertex_capacity());
-    for (const VertexId v : mesh.leaf_vertices()) normals[v.value].setZero();
-    for (const LeafTriangle& t : mesh.leaf_triangles()) {
+    for (const sim::VertexId v : mesh.leaf_vertices()) normals[v.value].setZero();
+    for (const sim::LeafTriangle& t : mesh.leaf_triangles()) {
         const Vec4f a = x[t.v[0].value];
         const Vec4f area = (x[t.v[1].value] - a).cross3(x[t.v[2].value] - a);
-        for (const VertexId v : t.v) normals[v.value] += area;
+        for (const sim::VertexId v : t.v) normals[v.value] += area;
     }
-    for (const VertexId v : mesh.leaf_vertices()) {
+    for (const sim::VertexId v : mesh.leaf_vertices()) {
         Vec4f& normal = normals[v.value];
         const float squared = normal.squaredNorm();
         normal = squared > kNoArea ? Vec4f(normal / std::sqrt(squared)) : Vec4f(Vec4f::UnitY());
@@ -222,8 +222,8 @@ void leaf_normals(const AdaptiveMesh& mesh, const std::vector<Vec4f>& x, std::ve
 void update_light_normals(CurvedSurface& surface) {
     leaf_normals(surface.mesh, surface.x, surface.light_normals);
     if (surface.creases.empty()) return;
-    std::vector<EdgeId> roots(surface.mesh.vertex_capacity());
-    for (const VertexId v : surface.mesh.leaf_vertices()) roots[v.value] = root_of(surface, v);
+    std::vector<sim::EdgeId> roots(surface.mesh.vertex_capacity());
+    for (const sim::VertexId v : surface.mesh.leaf_vertices()) roots[v.value] = root_of(surface, v);
     update_light_normals(surface.creases, surface.mesh, roots, surface.x);
 }
 
@@ -233,9 +233,9 @@ void update_surface(CurvedSurface& surface, std::span<const Vec4f> x, std::span<
     update_light_normals(surface);
 }
 
-AdaptReport set_surface_level(CurvedSurface& surface, int level) {
+sim::AdaptReport set_surface_level(CurvedSurface& surface, int level) {
     SurfaceObserver observer(surface, SurfaceObserver::Entrance::Curve);
-    const AdaptReport report = set_uniform_level(surface.mesh, observer, level);
+    const sim::AdaptReport report = set_uniform_level(surface.mesh, observer, level);
     std::fill(surface.shown.begin(), surface.shown.end(), 1.0F);
     std::fill(surface.is_leaving.begin(), surface.is_leaving.end(), false);
     plan_surface(surface);
@@ -262,21 +262,21 @@ Lift::Lift(CurvedSurface& surface, const MoveOptions& options)
 Vec4f Lift::lifted(const SurfacePlan::Point& point, const Vec4f& where) const {
     if (body_ == nullptr) return where;
     float& clear = surface_.clear[point.v.value];
-    const auto still_clear = [&](VertexId end) {
+    const auto still_clear = [&](sim::VertexId end) {
         return surface_.clear[end.value] - (where - surface_.x[end.value]).norm();
     };
     clear = std::max(still_clear(point.a), still_clear(point.b));
     if (clear > offset_ + body_->max_error()) return where;
     Vec4f x = where;
     for (int round = 0; round < kRounds; ++round) {
-        const Contact contact = body_->contact(x.head<3>());
+        const sim::Contact contact = body_->contact(x.head<3>());
         clear = contact.distance;
         const float lacking = offset_ - contact.distance;
         if (lacking <= kNear) break;
-        x += padded(contact.normal * lacking);
+        x += sim::padded(contact.normal * lacking);
         clear = offset_;
     }
     return x;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::render

@@ -18,9 +18,11 @@
 #include "sim/core/math.h"
 #include "sim/mesh/garment_mesh.h"
 
-namespace selvedge {
-
+namespace selvedge::sim {
 class Collider;
+}
+
+namespace selvedge::render {
 
 struct SurfaceOptions {
     CurveModifier modifier{};
@@ -30,7 +32,7 @@ struct SurfaceOptions {
 
 // Where an edge lies on its root's curve, in steps of 1/2^max_level.
 struct EdgePlace {
-    EdgeId root;
+    sim::EdgeId root;
     std::uint16_t from = 0;
     std::uint16_t span = 0;
 };
@@ -38,13 +40,13 @@ struct EdgePlace {
 // What update_surface() goes through, level by level; made anew when the mesh has changed.
 struct SurfacePlan {
     struct Curve {
-        VertexId a, b;
+        sim::VertexId a, b;
         float rest_length = 0;  // m
-        EdgeId root;
+        sim::EdgeId root;
     };
     struct Point {
-        VertexId v;
-        VertexId a, b;            // ends of the edge whose centre it is
+        sim::VertexId v;
+        sim::VertexId a, b;       // ends of the edge whose centre it is
         std::uint32_t curve = 0;  // index
         std::uint32_t step = 0;   // t in steps of 1/2^max_level
     };
@@ -55,7 +57,7 @@ struct SurfacePlan {
 };
 
 struct CurvedSurface {
-    AdaptiveMesh mesh;
+    sim::AdaptiveMesh mesh;
     CurveModifier modifier{};
     CurveWeights weights{0};
 
@@ -74,12 +76,13 @@ struct CurvedSurface {
 };
 
 // At level 0: as the base is. Pre: base is sewn. Throws InputError as AdaptiveMesh does.
-CurvedSurface make_curved_surface(const GarmentMesh& base, const SurfaceOptions& options = {});
+CurvedSurface make_curved_surface(const sim::GarmentMesh& base, const SurfaceOptions& options = {});
 
 struct MoveOptions {
-    const Collider* body = nullptr;  // that the surface must not dip into: vertices are lifted to its offset surface
-    float offset = 0.003F;           // m, of that surface: the cloth's contacts'
-    float longest_glide = 0.0002F;   // m that a vertex may glide to or from its edge's middle in one move
+    const sim::Collider* body =
+        nullptr;                    // that the surface must not dip into: vertices are lifted to its offset surface
+    float offset = 0.003F;          // m, of that surface: the cloth's contacts'
+    float longest_glide = 0.0002F;  // m that a vertex may glide to or from its edge's middle in one move
 };
 
 // Moves the surface to where the cloth is: one frame. x, normals: of the base's vertices, with a fourth 0; normals
@@ -96,13 +99,13 @@ void update_light_normals(CurvedSurface& surface);
 
 // Area-weighted normals of a mesh's leaves, by VertexId: what a coarse cloth gives the surface. (Other weights, and at
 // hems normals that go on bending, came no nearer to a finer simulation: docs/measurements.md.)
-void leaf_normals(const AdaptiveMesh& mesh, const std::vector<Vec4f>& x, std::vector<Vec4f>& normals);
+void leaf_normals(const sim::AdaptiveMesh& mesh, const std::vector<Vec4f>& x, std::vector<Vec4f>& normals);
 
 // The root edge on whose curve a new vertex stands; none for one of the base.
-EdgeId root_of(const CurvedSurface& surface, VertexId v);
+sim::EdgeId root_of(const CurvedSurface& surface, sim::VertexId v);
 
 // Every leaf at that level, all new vertices where they belong. Pre: 0 <= level <= max_level.
-AdaptReport set_surface_level(CurvedSurface& surface, int level);
+sim::AdaptReport set_surface_level(CurvedSurface& surface, int level);
 
 // The plan for the present mesh: after every adaption that changed it.
 void plan_surface(CurvedSurface& surface);
@@ -115,10 +118,10 @@ class SurfaceObserver {
     SurfaceObserver(CurvedSurface& surface, Entrance entrance) : surface_(surface), entrance_(entrance) {}
 
     void on_capacity(std::size_t capacity);
-    void on_split(VertexId c, VertexId a, VertexId b);
-    void on_rejoin(VertexId) {}
-    void before(TriangleId) {}
-    void after(TriangleId t);
+    void on_split(sim::VertexId c, sim::VertexId a, sim::VertexId b);
+    void on_rejoin(sim::VertexId) {}
+    void before(sim::TriangleId) {}
+    void after(sim::TriangleId t);
 
  private:
     CurvedSurface& surface_;
@@ -138,14 +141,14 @@ class Lift {
     Vec4f lifted(const SurfacePlan::Point& point, const Vec4f& where) const;
 
     // It stands so far, m, from where it was lifted to: so much nearer to the body it may be.
-    void note_moved(VertexId v, float distance) const {
+    void note_moved(sim::VertexId v, float distance) const {
         if (body_ != nullptr) surface_.clear[v.value] -= distance;
     }
 
  private:
     CurvedSurface& surface_;
-    const Collider* body_;
+    const sim::Collider* body_;
     float offset_;  // m
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::render

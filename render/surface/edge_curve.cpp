@@ -6,7 +6,7 @@
 
 #include "sim/core/assert.h"
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 constexpr float kShortest = 1e-12F;  // m^2: an edge without length has no curve
@@ -132,4 +132,4 @@ float restoring(float r, float s0) {
     return std::sqrt(lacking / given);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::render

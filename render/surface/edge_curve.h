@@ -12,7 +12,7 @@
 
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::render {
 
 // How far the curve of an edge leaves its chord.  (thesis ch. 6, figs. 6.4, 6.5, 6.7; SPEC 5)
 //
@@ -97,4 +97,4 @@ class CurveWeights {
 // Weights at any t.
 Vec4f lagrange_weights(double t);
 
-}  // namespace selvedge
+}  // namespace selvedge::render

@@ -25,7 +25,7 @@
 
 #include "sim/adaptive/adaptive_mesh.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 struct AdaptOptions {
     int max_level = kDeepestLevel;            // below the mesh's own: deeper edges are rejoined where permitted
@@ -235,4 +235,4 @@ struct SplitLimits {
     bool operator==(const SplitLimits&) const = default;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

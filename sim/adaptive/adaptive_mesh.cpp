@@ -10,7 +10,7 @@
 #include "sim/core/error.h"
 #include "sim/mesh/sew.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 std::uint64_t TransitionCounts::between_states(std::size_t from, std::size_t to) const {
     std::uint64_t sum = 0;
     for (std::size_t i = 0; i < kConfigurations; ++i) {
@@ -609,4 +609,4 @@ SplitMask AdaptiveMesh::split_mask(const AdaptiveTriangle& t) const {
     return static_cast<SplitMask>(mask);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

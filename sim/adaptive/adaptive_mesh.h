@@ -17,7 +17,7 @@
 #include "sim/core/pool.h"
 #include "sim/mesh/garment_mesh.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // The elements of the edge-based adaptive mesh, as they stand in its pools.  (thesis 3.2, Edge-Trio; SPEC 1.1)
 
@@ -320,4 +320,4 @@ inline AdaptiveMesh::TrianglesAt AdaptiveMesh::triangles_at(VertexId v) const {
     return {*this, v};
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr int kRejoinShift = 16;
@@ -66,4 +66,4 @@ bool Visibility::is_hidden(const AdaptiveMesh& mesh, EdgeId e) const {
     return !touches_seen(edge.sides[0]) && !touches_seen(edge.sides[1]);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

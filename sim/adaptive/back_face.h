@@ -11,7 +11,7 @@
 #include "sim/adaptive/adaptive_mesh.h"
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 struct ViewPoint {
     Vec3f eye = Vec3f::UnitZ();  // where the viewer stands, m; orthographic: unit vector from the cloth to the viewer
@@ -89,4 +89,4 @@ struct BackFaceCriterion {
     bool vetoes(const AdaptiveMesh& mesh, EdgeId e) const { return visibility->is_hidden(mesh, e); }
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 // What a traversal from the base elements reaches, and the leaves among it.
@@ -368,4 +368,4 @@ std::vector<std::string> check(const AdaptiveMesh& mesh) {
     return Checker(mesh).run();
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -6,9 +6,9 @@
 
 #include "sim/adaptive/adaptive_mesh.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // The broken invariants, each naming its element; empty for a sound mesh. No pass may be half done.
 std::vector<std::string> check(const AdaptiveMesh& mesh);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -3,7 +3,7 @@
 #include "sim/adaptive/configuration_tables.h"
 #include "sim/core/assert.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 using namespace configuration_tables;
 
@@ -45,4 +45,4 @@ Configuration least_work(Configuration from, SplitMask split) {
     return kLeastWork[index_of(from)][split];
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace selvedge {
+namespace selvedge::sim {
 
 enum class Configuration : std::uint8_t { C0, C1, C2, C3, C4, C5, C6, C7, C8, C9, C10 };
 
@@ -90,4 +90,4 @@ EitherWay either_way(SplitMask split);  // pre: has_two_ways(split)
 // The configuration that conforms to `split` with the least work from `from`; where two are equal, the first.
 Configuration least_work(Configuration from, SplitMask split);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -5,7 +5,7 @@
 
 #include "sim/adaptive/configuration.h"
 
-namespace selvedge::configuration_tables {
+namespace selvedge::sim::configuration_tables {
 
 using Points = std::array<LocalPoint, 3>;
 
@@ -188,4 +188,4 @@ inline constexpr std::array<std::array<Configuration, 8>, kConfigurations> kLeas
 
 inline constexpr std::array<std::uint8_t, 8> kStateOfSplit = {0, 1, 2, 4, 3, 6, 5, 7};
 
-}  // namespace selvedge::configuration_tables
+}  // namespace selvedge::sim::configuration_tables

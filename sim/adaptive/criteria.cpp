@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 float longest_side(const std::array<Vec2f, 3>& u) {
@@ -48,4 +48,4 @@ bool MinimumLevelCriterion::is_above(const AdaptiveMesh& mesh, EdgeId e) const {
     return false;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

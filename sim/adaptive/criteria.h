@@ -12,7 +12,7 @@
 #include "sim/adaptive/adaptive_mesh.h"
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 struct CurvatureOptions {
     float split_angle = 0.35F;   // rad, a larger angle between the normals of an edge's ends asks for a split
@@ -327,4 +327,4 @@ class LookAheadCriterion {
     const LeafAnswers& answers_;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

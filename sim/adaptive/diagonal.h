@@ -3,10 +3,10 @@
 // work from where it stands; these others were tried by the thesis and judged no better.  (thesis fig. 3.9; SPEC 1.2)
 #include <vector>
 
-#include "sim/core/pool.h"
 #include "sim/core/math.h"
+#include "sim/core/pool.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 struct Diagonal {
     VertexId a, b;
@@ -40,4 +40,4 @@ struct FlattestDiagonal {
     float cost(const Diagonal& d) const { return -normals[d.a.value].dot(normals[d.b.value]); }
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

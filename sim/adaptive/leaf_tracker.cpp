@@ -5,7 +5,7 @@
 
 #include "sim/adaptive/adaptive_mesh.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 // A triangle's edges as seen from the triangle: per edge, the unit vector along it, and where the opposite corner lies
@@ -283,4 +283,4 @@ void LeafChanges::clear() {
     for (std::vector<TriangleId>* list : {&triangles_gone, &triangles_come, &refined_changed}) list->clear();
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

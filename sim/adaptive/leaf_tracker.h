@@ -10,7 +10,7 @@
 #include "sim/core/math.h"
 #include "sim/core/pool.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // Flat lists of the leaf elements: all that the inner loops of simulation and drawing read.  (SPEC 1.4, table 3.6)
 // They are kept, not gathered: what changes is put in place of what went, and the last fill what stays empty. Their
@@ -264,4 +264,4 @@ class LevelLists {
     std::vector<std::uint32_t> edge_places_, triangle_places_;  // by id
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr float kGreatestAngle = 3.0F;         // rad: no two normals need be further apart to be opposite
@@ -42,4 +42,4 @@ BucklingOptions scaled(const BucklingOptions& options, float scale) {
             .rejoin_ratio = 1 + (options.rejoin_ratio - 1) * scale};
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -11,7 +11,7 @@
 #include "sim/adaptive/adaptive_mesh.h"
 #include "sim/adaptive/criteria.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 struct BudgetOptions {
     std::size_t target = 6000;    // leaf triangles
@@ -74,4 +74,4 @@ CurvatureOptions scaled(const CurvatureOptions& options, float scale);
 LengthOptions scaled(const LengthOptions& options, float scale);
 BucklingOptions scaled(const BucklingOptions& options, float scale);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace selvedge {
+namespace selvedge::sim {
 
 HeightRange height_range(const Body& body) {
     if (body.x.empty()) return {};
@@ -14,4 +14,4 @@ HeightRange height_range(const Body& body) {
     return range;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -8,7 +8,7 @@
 
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 struct Bone {
     std::string name;
@@ -36,4 +36,4 @@ struct HeightRange {
 };
 HeightRange height_range(const Body& body);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -1,10 +1,5 @@
 #include "sim/body/child_process.h"
 
-#include <algorithm>
-#include <array>
-#include <cerrno>
-#include <chrono>
-#include <cstdio>
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
@@ -12,8 +7,13 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -125,4 +125,4 @@ ChildResult run_in_child(const std::function<std::string()>& work, const ChildLi
     return result;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace selvedge {
+namespace selvedge::sim {
 
 struct ChildLimits {
     std::size_t memory_bytes = std::size_t(2) << 30;  // beyond what the program has; not under sanitizers
@@ -101,4 +101,4 @@ class FlatReader {
     bool is_sound_ = true;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -1,10 +1,10 @@
 #include "sim/body/guarded_import.h"
 
-#include <algorithm>
-#include <assimp/Importer.hpp>
 #include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <algorithm>
+#include <assimp/Importer.hpp>
 #include <cctype>
 #include <cmath>
 #include <cstring>
@@ -19,7 +19,7 @@
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr float kLargest = 1e6F;  // a body of 1,800 mm fits, and a garbled exponent does not
@@ -361,4 +361,4 @@ std::optional<ImportAnswer> from_bytes(std::string_view bytes) {
     return answer;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

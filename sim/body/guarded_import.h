@@ -14,7 +14,7 @@
 #include "sim/body/body.h"
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 struct ImportLimits {
     std::size_t file_bytes = std::size_t(256) << 20;
@@ -62,4 +62,4 @@ std::optional<ImportAnswer> from_bytes(std::string_view bytes);
 // bones put them.
 ImportAnswer read_with_assimp(const std::string& path, const std::string& extension);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -8,7 +8,7 @@
 #include "sim/body/guarded_import.h"
 #include "sim/core/error.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 namespace {
 
@@ -180,4 +180,4 @@ Body load_body(const std::filesystem::path& path, const LoadBodyOptions& options
     return body;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

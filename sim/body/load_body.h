@@ -8,7 +8,7 @@
 #include "sim/body/body.h"
 #include "sim/body/surface_repair.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 enum class LengthUnit { Auto, Metres, Centimetres, Millimetres };  // Auto: by the height
 enum class UpAxis { Auto, Y, Z };                                  // Auto: the longer one of y and z; glTF is y up
@@ -33,4 +33,4 @@ struct LoadBodyReport {
 Body load_body(const std::filesystem::path& path, const LoadBodyOptions& options = {},
                LoadBodyReport* report = nullptr);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

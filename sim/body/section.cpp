@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace selvedge {
+namespace selvedge::sim {
 
 namespace {
 
@@ -155,4 +155,4 @@ std::optional<SectionLoop> nearest_loop(const std::vector<SectionLoop>& loops, c
     return nearest == loops.end() ? std::nullopt : std::optional<SectionLoop>(*nearest);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -7,7 +7,7 @@
 #include "sim/body/body.h"
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 struct Plane {
     Vec3d point = Vec3d::Zero();
@@ -30,4 +30,4 @@ double tape_length(const SectionLoop& loop, const Plane& plane);
 // The loop whose centre is nearest to `near`, if any.
 std::optional<SectionLoop> nearest_loop(const std::vector<SectionLoop>& loops, const Vec3d& near);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

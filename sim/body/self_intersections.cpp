@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace selvedge {
+namespace selvedge::sim {
 
 namespace {
 
@@ -145,4 +145,4 @@ std::vector<std::array<int, 2>> self_intersections(const Body& body) {
     return pairs;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -15,7 +15,7 @@
 #include "sim/core/assert.h"
 #include "sim/core/error.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 void weld_vertices(Surface& surface, double distance, RepairReport& report) {
@@ -111,7 +111,8 @@ class Columns {
                 high = high.cwiseMax(flat(v));
             }
             for (int i = column(low, 0); i <= column(high, 0); ++i)
-                for (int j = column(low, 1); j <= column(high, 1); ++j) columns_[std::size_t(i * kSide + j)].push_back(t);
+                for (int j = column(low, 1); j <= column(high, 1); ++j)
+                    columns_[std::size_t(i * kSide + j)].push_back(t);
         }
     }
 
@@ -528,4 +529,4 @@ std::vector<int> weld(const std::vector<Vec3d>& x, double distance) {
     return same;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

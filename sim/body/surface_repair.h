@@ -7,7 +7,7 @@
 
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 struct Surface {
     std::vector<Vec3d> x;  // m
@@ -57,4 +57,4 @@ double area(const std::vector<Vec3d>& x, const Triangles& triangles, const Surfa
 // For each point the first one no farther than `distance` (m) from it that stands for itself. Pre: distance > 0.
 std::vector<int> weld(const std::vector<Vec3d>& x, double distance);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "sim/adaptive/criteria.h"
-#include "sim/collide/collider.h"
 #include "sim/cloth/bias.h"
+#include "sim/collide/collider.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 // What a split and a rejoin do to the state of the cloth.
@@ -124,4 +124,4 @@ AdaptReport adapt_cloth(Cloth& cloth, const Collider& body, const AdaptClothOpti
     return report;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

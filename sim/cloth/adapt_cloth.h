@@ -10,7 +10,7 @@
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/collision_criterion.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 class Collider;
 
@@ -74,4 +74,4 @@ struct AdaptClothOptions {
 AdaptReport adapt_cloth(Cloth& cloth, const Collider& body, const AdaptClothOptions& options = {},
                         const ContactOptions& contact = {});
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

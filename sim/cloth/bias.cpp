@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "sim/cloth/solver_blocks.h"
 #include "sim/cloth/cloth.h"
+#include "sim/cloth/solver_blocks.h"
 #include "sim/cloth/triangle_bending.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 std::span<const TriangleId> inside(const AdaptiveTriangle& triangle) {
@@ -209,4 +209,4 @@ void keep_bends(Cloth& cloth) {
     }
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

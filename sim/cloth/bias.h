@@ -5,10 +5,10 @@
 #include <cstddef>
 
 #include "sim/cloth/cloth.h"
-#include "sim/core/pool.h"
 #include "sim/core/math.h"
+#include "sim/core/pool.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // What was kept of that triangle since Cloth::adaptations was last counted up, else what its slot has; 0 if it has
 // none.
@@ -52,4 +52,4 @@ class BiasHandover {
     std::size_t count_ = 0;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -7,7 +7,7 @@
 #include "sim/cloth/curvature_map.h"
 #include "sim/core/assert.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr float kRoom = 100;  // m: whatever is further away has been thrown there by an error
@@ -175,4 +175,4 @@ std::vector<TriangleStrain> measure_strain(const Cloth& cloth) {
     return strains;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

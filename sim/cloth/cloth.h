@@ -13,7 +13,7 @@
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/fabric.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // What the mesh is made of.
 struct ClothMaterial {
@@ -85,4 +85,4 @@ struct TriangleStrain {
 // One per leaf triangle, in their order.
 std::vector<TriangleStrain> measure_strain(const Cloth& cloth);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -7,7 +7,7 @@
 #include "sim/adaptive/criteria.h"
 #include "sim/collide/collider.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr float kNotAsked = std::numeric_limits<float>::lowest();  // m: no depth, and cuts nothing
@@ -101,4 +101,4 @@ float CollisionCriterion::depth(std::size_t i) const {
     return offset - least;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

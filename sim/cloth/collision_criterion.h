@@ -7,7 +7,7 @@
 #include "sim/collide/collider.h"
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 class Collider;
 
@@ -55,4 +55,4 @@ struct CollisionCriterion {
     float depth(std::size_t i) const;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -2,7 +2,7 @@
 // The loops over triangles, see kernels.h. For kernels only (sim/core/simd_level.h).
 #include "sim/cloth/loop_parts.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // The loops over what refined triangles carry, see kernels.h. For kernels only (sim/core/simd_level.h).
 
@@ -125,7 +125,6 @@ void update_parents(std::span<LimitBlock> blocks, std::span<LimitRecord> records
         }
     }
 }
-
 
 struct Strains {
     Floats warp, weft, shear;
@@ -477,4 +476,4 @@ void rub(std::span<const StretchBlock> blocks, const float* points, float* befor
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

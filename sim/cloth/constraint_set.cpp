@@ -1,6 +1,6 @@
 #include "sim/cloth/constraint_set.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 void BlockColoring::start(std::size_t vertices) {
     used_.assign(vertices, 0);
     colors_.clear();
@@ -54,4 +54,4 @@ void BlockColoring::add_block(std::uint32_t color) {
     block_colors_.push_back(color);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -12,7 +12,7 @@
 #include "sim/core/assert.h"
 #include "sim/core/pool.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // Which blocks of a list wait for their gains: after an adaptation only those in which a constraint or a vertex' mass
 // changed. A kernel takes spans of blocks, so it is called with runs of dirty blocks that lie behind one another.
@@ -222,4 +222,4 @@ class ConstraintSet {
     std::vector<std::uint32_t> slot_of_;  // by TriangleId
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

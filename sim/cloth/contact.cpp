@@ -8,7 +8,7 @@
 #include "sim/cloth/solver_blocks.h"
 #include "sim/collide/collider.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 // By how much a distance is taken to be too large, m: never less than the collider says.
@@ -285,4 +285,4 @@ Vec3f outside(const Vec3f& x, const Vec3f& outward, const Collider& body, float 
     return behind && contact.distance > 0 ? Vec3f(behind->point + direction * offset) : nearest;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

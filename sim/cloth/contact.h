@@ -16,7 +16,7 @@
 #include "sim/core/math.h"
 #include "sim/core/pool.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // What points of the cloth know of the body, as the inner loops read it.
 //
@@ -117,4 +117,4 @@ void hold_vertices(Cloth& cloth, const Kernels& loops, const Collider& body, flo
 // (SPEC 3.3; thesis figs. 4.9, 4.10)
 Vec3f outside(const Vec3f& x, const Vec3f& outward, const Collider& body, float offset);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -2,7 +2,7 @@
 // The loops that keep points of the cloth outside of a body, see kernels.h. For kernels only (sim/core/simd_level.h).
 #include "sim/cloth/loop_parts.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 // Of rows of points as they stand in memory: the squared length of each, in all four places.
@@ -242,4 +242,4 @@ void push_samples(SampleBlock& block, const ContactLimits& limits, float* points
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 // Norms, the same in every frame, of curvatures (k_11, k_22, 2 k_12) and of the unit quadratics that they belong to.
@@ -204,4 +204,4 @@ MaterialFrame material_frame(const std::array<Vec2f, 3>& u, float grain_angle) {
     return {.a = {t2 / det, -t1 / det}, .b = {-s2 / det, s1 / det}, .area = 0.5F * std::abs(det)};
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

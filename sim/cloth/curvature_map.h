@@ -14,7 +14,7 @@
 
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 using Mat3d = Eigen::Matrix3d;
 
@@ -83,4 +83,4 @@ MaterialFrame material_frame(const std::array<Vec2f, 3>& u, float grain_angle);
 Vec2f warp_direction(float grain_angle);
 Vec2f weft_direction(float grain_angle);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -1,6 +1,6 @@
 #include "sim/cloth/kernels.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 // Wider is not always faster: what moves more points than it computes with does better eight by eight. Both give the
@@ -27,4 +27,4 @@ const Kernels& kernels(SimdLevel level) {
     return kernels_of<SimdLevel::Plain>();
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -6,12 +6,12 @@
 #include <cstdint>
 #include <span>
 
-#include "sim/collide/collider.h"
 #include "sim/cloth/contact.h"
 #include "sim/cloth/solver_blocks.h"
+#include "sim/collide/collider.h"
 #include "sim/core/simd_level.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 struct Motion {
     float keep = 1;               // share of the last move that goes on
@@ -142,4 +142,4 @@ float* floats(std::vector<Point>& points) {
     return points.front().data();
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

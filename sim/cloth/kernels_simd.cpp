@@ -5,7 +5,7 @@
 #include "sim/cloth/triangle_bending_loops.h"
 #include "sim/core/simd_lanes.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr Kernels kLoops{.weigh_stretch = weigh_stretch,
@@ -38,4 +38,4 @@ const Kernels& kernels_of<lanes::kLevel>() {
     return kLoops;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -6,7 +6,7 @@
 #include "sim/cloth/kernels.h"
 #include "sim/core/simd_lanes.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 using lanes::Floats;
@@ -145,4 +145,4 @@ using Three = std::array<BlockFloats, 3>;
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::sim

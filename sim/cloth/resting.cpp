@@ -5,7 +5,7 @@
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/step.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 bool has_other_surroundings(RestingState& resting, const Collider& body, const StepOptions& options) {
@@ -67,4 +67,4 @@ void wake(Cloth& cloth) {
     cloth.solver.resting.quiet = 0;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -12,7 +12,7 @@
 #include "sim/cloth/contact.h"
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 struct Cloth;
 struct StepOptions;
@@ -45,4 +45,4 @@ bool is_at_rest(const Cloth& cloth);
 // It begins to be quiet anew.
 void wake(Cloth& cloth);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

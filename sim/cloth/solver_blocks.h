@@ -20,7 +20,7 @@
 #include "sim/core/math.h"
 #include "sim/core/pool.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 inline constexpr std::size_t kBlock = 16;
 using BlockFloats = std::array<float, kBlock>;
@@ -224,4 +224,4 @@ auto corners_at(const Block& block, std::size_t at) {
     return corners;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

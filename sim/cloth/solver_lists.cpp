@@ -10,7 +10,7 @@
 #include "sim/cloth/kernels.h"
 #include "sim/cloth/triangle_bending.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 // Whether a seam edge of the triangle has to be shorter than the triangle's own copy of it: there the cloth is
@@ -421,4 +421,4 @@ void update_effective_masses(Cloth& cloth) {
     solver.lists.over_counts.resize(constraints.stretch.coloring.runs().size());
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -5,9 +5,8 @@
 #include "sim/cloth/constraint_set.h"
 #include "sim/cloth/curvature_map.h"
 #include "sim/cloth/solver_blocks.h"
-#include "sim/cloth/curvature_map.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 struct Cloth;
 
@@ -131,4 +130,4 @@ struct Cloth;
 // leaves.
 void update_effective_masses(Cloth& cloth);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -11,7 +11,7 @@
 #include "sim/core/math.h"
 #include "sim/core/pool.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // States of triangles, saved by their ids while an adaptation is under way: their slots come and go.
 
@@ -78,4 +78,4 @@ struct SolverState {
     SavedStates<KeptBend> saved_bend;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -5,7 +5,7 @@
 
 #include "sim/cloth/kernels.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 // One step. Garments do not share it among threads: batches give each thread a garment of its own.
@@ -236,4 +236,4 @@ StepReport step(Cloth& cloth, const Collider& body, const StepOptions& options) 
     return {.substeps = options.substeps};
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -6,7 +6,7 @@
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/contact.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 class Collider;
 
@@ -48,4 +48,4 @@ float step_seconds(const Cloth& cloth, const StepOptions& options);
 
 StepReport step(Cloth& cloth, const Collider& body, const StepOptions& options);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

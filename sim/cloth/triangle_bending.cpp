@@ -11,7 +11,7 @@
 #include "sim/cloth/kernels.h"
 #include "sim/cloth/solver_blocks.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 // Leaves have leaves beside them, refined triangles the triangles of their own level, whatever those hold.
@@ -108,7 +108,7 @@ class Fits {
         for (std::size_t i = 0; i < 3; ++i) {
             if (own.beside[i].triangle) around[i] = {&scratch_.fits[places[i]], own.beside[i].edge};
         }
-        return selvedge::curvature_map(scratch_.fits[here], around);
+        return selvedge::sim::curvature_map(scratch_.fits[here], around);
     }
 
  private:
@@ -429,4 +429,4 @@ void weigh_coarse_bending(Cloth& cloth, const Kernels& loops, int level) {
     hand_up(solver.lists, bend.records);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -6,7 +6,7 @@
 #include "sim/adaptive/adaptive_mesh.h"
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 struct BendBlock;
 struct Cloth;
@@ -33,4 +33,4 @@ BendSlot bend_slot(const Cloth& cloth, TriangleId t);
 // How much a triangle is bent now, as the kernels measure it: along warp, weft and twist, 1/m.
 Vec3f curvature_now(const Cloth& cloth, const BendBlock& block, std::size_t at);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -4,7 +4,7 @@
 
 #include "sim/cloth/loop_parts.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 [[gnu::always_inline]] inline Xyz cross(const Xyz& p, const Xyz& q) {
@@ -322,4 +322,4 @@ void weigh_coarse_bend(std::span<CoarseBendBlock> blocks, std::span<BendRecord> 
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::sim

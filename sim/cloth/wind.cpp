@@ -5,7 +5,7 @@
 
 #include "sim/cloth/cloth.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 // m/s that a sheet of `area_density` gains which the air passes with `relative` speed, m/s.
@@ -39,4 +39,4 @@ void blow(Cloth& cloth, const Wind& wind, float seconds) {
     }
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

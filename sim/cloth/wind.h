@@ -6,7 +6,7 @@
 // (v' = v / (1 + k |v| t), v' = v exp(-k t)), so the lightest fabric in a storm is only carried along.
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 struct Cloth;
 
@@ -19,4 +19,4 @@ struct Wind {
 // Gives the cloth the speed that `seconds` of wind do: before the steps that take that long.
 void blow(Cloth& cloth, const Wind& wind, float seconds);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

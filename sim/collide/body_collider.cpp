@@ -8,7 +8,7 @@
 #include <limits>
 #include <optional>
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr float kGuardReach = 0.0015F;  // m, how far the field may be off at a crease
@@ -51,4 +51,4 @@ Contact BodyCollider::exact_contact(const Vec3f& p, float field_distance) const 
     return {closest->distance, closest->normal};
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -8,7 +8,7 @@
 #include "sim/collide/distance_field.h"
 #include "sim/collide/surface_bvh.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 class BodyCollider final : public Collider {
  public:
@@ -37,4 +37,4 @@ class BodyCollider final : public Collider {
     DistanceField field_;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

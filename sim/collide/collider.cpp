@@ -6,7 +6,7 @@
 
 #include "sim/core/assert.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 void Collider::contacts(std::span<ContactBlock> blocks, float /*reach*/) const {
     for (ContactBlock& block : blocks)
         for (std::size_t i = 0; i < kContactLanes; ++i) block.set(i, contact(block.point(i)));
@@ -99,4 +99,4 @@ std::optional<SurfaceHit> CylinderCollider::first_hit(const Vec3f& from, const V
         .point = shape_.centre + at.cast<float>(), .normal = normal.cast<float>(), .fraction = float(fraction)};
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -9,7 +9,7 @@
 #include "sim/collide/surface_bvh.h"
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // Points that are asked about at once, and what is known of them.  (SPEC 3.3)
 
@@ -113,4 +113,4 @@ class CylinderCollider final : public AnalyticCollider {
     CylinderShape shape_;  // its axis has unit length
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

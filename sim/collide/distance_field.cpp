@@ -10,7 +10,7 @@
 #include "sim/core/parallel.h"
 #include "sim/core/simd_level.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr float kUnbounded = std::numeric_limits<float>::infinity();
@@ -288,4 +288,4 @@ float DistanceField::error_on(const SurfaceBvh& bvh) const {
     return *std::max_element(worst.begin(), worst.end());
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -9,12 +9,12 @@
 #include <span>
 #include <vector>
 
-#include "sim/collide/kernels.h"
 #include "sim/collide/collider.h"
+#include "sim/collide/kernels.h"
 #include "sim/collide/surface_bvh.h"
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 struct DistanceFieldOptions {
     float cell = 0.003F;  // m
@@ -80,4 +80,4 @@ class DistanceField {
     std::vector<std::int16_t> nodes_;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

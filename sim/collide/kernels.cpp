@@ -1,6 +1,6 @@
 #include "sim/collide/kernels.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 // A packet has eight triangles: sixteen lanes would find half of them empty.
@@ -25,4 +25,4 @@ const CollideKernels& collide_kernels(SimdLevel level) {
     return collide_kernels_of<SimdLevel::Plain>();
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -5,7 +5,7 @@
 
 #include "sim/core/simd_level.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // What a kernel needs of a DistanceField; plain memory, for kernels share no code with the rest of the program.
 struct FieldView {
@@ -45,4 +45,4 @@ const CollideKernels& collide_kernels(SimdLevel level);
 template <SimdLevel>
 const CollideKernels& collide_kernels_of();
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -6,7 +6,7 @@
 #include "sim/collide/kernels.h"
 #include "sim/core/simd_lanes.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 // Sampling a distance field. Operations stand in the order of DistanceField::sample(), so that both give the same bits.
@@ -281,4 +281,4 @@ const CollideKernels& collide_kernels_of<lanes::kLevel>() {
     return kKernels;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

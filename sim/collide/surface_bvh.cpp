@@ -1,16 +1,16 @@
 #include "sim/collide/surface_bvh.h"
 
+#include <immintrin.h>
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstddef>
-#include <immintrin.h>
 #include <limits>
 
 #include "sim/core/assert.h"
 #include "sim/core/simd_level.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr float kTiny = 1e-30F;  // keeps quotients finite on slivers
@@ -170,8 +170,8 @@ void SurfaceBvh::find_nearest(PointGroup& group) const {
         if (top.child < 0) {
             const TrianglePacket& packet = packets_[std::size_t(~top.child)];
             const std::array<float, 6> box = box_at(top.place);
-            farthest = kernels_->nearest_in_packet(packet.corner[0].data(), packet.triangle.data(), box.data(), group.x.data(),
-                                     group.triangle.data());
+            farthest = kernels_->nearest_in_packet(packet.corner[0].data(), packet.triangle.data(), box.data(),
+                                                   group.x.data(), group.triangle.data());
             continue;
         }
         const Node& node = nodes_[std::size_t(top.child)];
@@ -451,4 +451,4 @@ TrianglePacket make_packet(std::span<const Vec3f> points, std::span<const std::a
     return packet;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -14,7 +14,7 @@
 #include "sim/collide/kernels.h"
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // Eight triangles at once: squared distances from a point, what trees and grids over a surface end in.  (SPEC 3.3)
 
@@ -142,4 +142,4 @@ class SurfaceBvh {
     Vec3f high_ = Vec3f::Zero();
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

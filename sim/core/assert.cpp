@@ -3,11 +3,11 @@
 #include <cstdio>
 #include <cstdlib>
 
-namespace selvedge {
+namespace selvedge::sim {
 
 void assertion_failed(const char* condition, const char* file, int line) {
     std::fprintf(stderr, "%s:%d: broken promise: %s\n", file, line, condition);
     std::abort();
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

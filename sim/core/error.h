@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // what() reads "file: place: what is wrong"; an empty file or place is left out.
 class InputError : public std::runtime_error {
@@ -28,4 +28,4 @@ class InputError : public std::runtime_error {
     std::string problem_;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

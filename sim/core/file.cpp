@@ -1,14 +1,14 @@
 #include "sim/core/file.h"
 
-#include <cerrno>
-#include <cstring>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <cerrno>
+#include <cstring>
 
 #include "sim/core/error.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 class Descriptor {
@@ -97,4 +97,4 @@ void write_file_atomically(const std::filesystem::path& name, std::string_view c
     if (parent.is_open()) ::fsync(parent.get());
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

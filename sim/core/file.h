@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // Throws InputError when the file cannot be read, is no regular file, or is larger than max_bytes.
 std::string read_file(const std::filesystem::path& path, std::size_t max_bytes);
@@ -21,4 +21,4 @@ struct EmbeddedFile {
     std::string_view text;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -12,7 +12,7 @@
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
@@ -385,4 +385,4 @@ std::string json_path(const std::string& parent, std::size_t index) {
     return parent + "[" + std::to_string(index) + "]";
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-namespace selvedge {
+namespace selvedge::sim {
 
 class Json {
  public:
@@ -129,4 +129,4 @@ class JsonView {
 std::string json_path(const std::string& parent, std::string_view key);
 std::string json_path(const std::string& parent, std::size_t index);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

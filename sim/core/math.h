@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace selvedge {
+namespace selvedge::sim {
 
 using Vec2d = Eigen::Vector2d;
 using Vec3d = Eigen::Vector3d;
@@ -32,5 +32,16 @@ inline double quantile(std::vector<double> values, double q) {
     std::nth_element(values.begin(), at, values.end());
     return *at;
 }
+
+}  // namespace selvedge::sim
+
+// Every module writes vectors; their names stand in the outer namespace.
+namespace selvedge {
+
+using sim::Vec2d;
+using sim::Vec2f;
+using sim::Vec3d;
+using sim::Vec3f;
+using sim::Vec4f;
 
 }  // namespace selvedge

@@ -11,7 +11,7 @@
 #include <sanitizer/tsan_interface.h>
 #endif
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 // Tells the thread sanitizer, which does not know oneTBB's inside, what a loop orders: all that was written before it
@@ -80,4 +80,4 @@ void parallel_for(std::size_t count, std::size_t grain, const std::function<void
     order.end();
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

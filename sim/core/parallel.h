@@ -6,7 +6,7 @@
 #include <memory>
 #include <string_view>
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // Holds the number of threads that parallel loops may use while it lives. Pre: threads >= 1.
 class ThreadLimit {
@@ -36,4 +36,4 @@ inline void report(const Progress& progress, std::string_view phase, double frac
     if (progress) progress(phase, fraction);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -13,7 +13,7 @@
 
 #include "sim/core/assert.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 template <class T, class ElementId>
 class Pool {
@@ -72,11 +72,11 @@ class Pool {
     std::size_t capacity_ = 0;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::sim
 
 // Typed 32-bit indices: a VertexId cannot be taken for an EdgeId. Ids index flat arrays; they are never pointers.
 
-namespace selvedge {
+namespace selvedge::sim {
 
 template <class Tag>
 struct Id {
@@ -94,9 +94,9 @@ using VertexId = Id<struct VertexTag>;
 using EdgeId = Id<struct EdgeTag>;
 using TriangleId = Id<struct TriangleTag>;
 
-}  // namespace selvedge
+}  // namespace selvedge::sim
 
 template <class Tag>
-struct std::hash<selvedge::Id<Tag>> {
-    std::size_t operator()(selvedge::Id<Tag> id) const noexcept { return id.value; }
+struct std::hash<selvedge::sim::Id<Tag>> {
+    std::size_t operator()(selvedge::sim::Id<Tag> id) const noexcept { return id.value; }
 };

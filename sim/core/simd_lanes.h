@@ -3,14 +3,14 @@
 // Arithmetic and comparisons are the compiler's own on its vector types; here stands what it has no operator for, each
 // with the same bits at every width. For kernels only (sim/core/simd_level.h): everything is inlined or named after its
 // instructions, so that the linker cannot mix what was compiled differently.
+#include <immintrin.h>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <immintrin.h>
 
 #include "sim/core/simd_level.h"
 
-namespace selvedge::lanes {
+namespace selvedge::sim::lanes {
 
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 inline namespace avx512 {
@@ -171,12 +171,12 @@ using Ints [[gnu::vector_size(16)]] = std::int32_t;
 }
 
 }  // namespace plain, avx2 or avx512
-}  // namespace selvedge::lanes
+}  // namespace selvedge::sim::lanes
 
 // Points of four floats each, moved between memory and lanes without gather instructions: whole points are loaded where
 // they stand, and only what a kernel computes with is transposed. For kernels only, see sim/core/simd_lanes.h.
 
-namespace selvedge::lanes {
+namespace selvedge::sim::lanes {
 
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 inline namespace avx512 {
@@ -331,4 +331,4 @@ template <int j>
 }
 
 }  // namespace plain, avx2 or avx512
-}  // namespace selvedge::lanes
+}  // namespace selvedge::sim::lanes

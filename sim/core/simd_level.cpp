@@ -8,7 +8,7 @@
 
 #include "sim/core/error.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr const char* kVariable = "SELVEDGE_SIMD";
@@ -61,4 +61,4 @@ SimdLimit::~SimdLimit() {
     limit() = before_;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -4,7 +4,7 @@
 // plain ones are off by rounding; none has approximate reciprocals.
 #include <string_view>
 
-namespace selvedge {
+namespace selvedge::sim {
 
 enum class SimdLevel { Plain, Avx2, Avx512 };  // Plain: any x86-64. Avx512: F, BW, DQ and VL
 
@@ -29,4 +29,4 @@ class SimdLimit {
     SimdLevel before_;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

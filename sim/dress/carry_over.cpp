@@ -11,7 +11,7 @@
 #include "sim/mesh/sew.h"
 #include "sim/pattern/outline.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 bool has_same_joins(const Pattern& a, const Pattern& b) {
@@ -216,4 +216,4 @@ Vec2d OutlineMap::operator()(const Vec2d& u) const {
     return mapped.allFinite() ? mapped : u;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

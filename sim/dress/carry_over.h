@@ -11,7 +11,7 @@
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // What of a pattern the drape follows from.
 enum class PatternChange {
@@ -60,4 +60,4 @@ class OutlineMap {
     std::vector<Vec2d> to_;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr float kRelaxDamping = 12;   // 1/s, while the seams' tension goes
@@ -174,4 +174,4 @@ DrapeResult drape(Cloth& cloth, const Collider& body, const DrapeOptions& option
     return run.result();
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -10,7 +10,7 @@
 #include "sim/cloth/step.h"
 #include "sim/core/parallel.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 struct DrapeOptions {
     double max_seconds = 12;  // of simulated time
@@ -100,4 +100,4 @@ class DrapeRun {
 
 DrapeResult drape(Cloth& cloth, const Collider& body, const DrapeOptions& options, const Progress& progress);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -6,7 +6,7 @@
 
 #include "sim/adaptive/criteria.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr float kCell = 0.03F;  // m
@@ -112,4 +112,4 @@ MaterialPoint DrapedPanels::place_of(const Cloth& cloth, VertexId v, std::uint16
     return {panel, Vec2f::Zero()};
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

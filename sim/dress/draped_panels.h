@@ -5,7 +5,7 @@
 
 #include "sim/cloth/cloth.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // A place in the material, whatever mesh lies over it.
 struct MaterialPoint {
@@ -43,4 +43,4 @@ class DrapedPanels {
     std::vector<Cells> panels_;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

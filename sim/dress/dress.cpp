@@ -5,17 +5,17 @@
 #include <chrono>
 
 #include "sim/collide/body_collider.h"
-#include "sim/mannequin/mannequin.h"
 #include "sim/core/math.h"
 #include "sim/dress/drape.h"
-#include "sim/dress/session_frame.h"
 #include "sim/dress/report.h"
-#include "sim/place/placement.h"
+#include "sim/dress/session_frame.h"
 #include "sim/dress/sewing.h"
-#include "sim/mesh/sew.h"
+#include "sim/mannequin/mannequin.h"
 #include "sim/mesh/garment_mesh.h"
+#include "sim/mesh/sew.h"
+#include "sim/place/placement.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 // Times the phases of one dressing by wall clock.
@@ -109,7 +109,7 @@ DressedGarment dress(const Pattern& pattern, const Body& body, const DressOption
     const std::vector<Fabric> fabrics =
         options.fabric ? std::vector(pattern.panels.size(), *options.fabric) : fabrics_of(pattern);
 
-    selvedge::report(progress, "reading the body", 0);
+    selvedge::sim::report(progress, "reading the body", 0);
     const BodyCollider collider(body);
     timer.done("body");
 
@@ -137,4 +137,4 @@ DressedGarment dress(const Pattern& pattern, const Body& body, const DressOption
     return dressed;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -7,12 +7,12 @@
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/core/parallel.h"
 #include "sim/dress/report.h"
-#include "sim/mesh/sample_outline.h"
 #include "sim/mesh/plain_mesh.h"
+#include "sim/mesh/sample_outline.h"
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 struct DressOptions {
     MeshOptions mesh{};
@@ -42,4 +42,4 @@ Body placed_for(const Pattern& pattern);
 // One per panel: its own or else the pattern's. Throws InputError for a fabric that is not known.
 std::vector<Fabric> fabrics_of(const Pattern& pattern);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim/collide/collider.h"
 #include "sim/cloth/contact.h"
+#include "sim/collide/collider.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr float kFastest = 1.5F;  // m/s
@@ -125,4 +125,4 @@ std::vector<Vec3f> Hands::pin_positions(const Cloth& cloth) const {
     return positions;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

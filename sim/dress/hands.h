@@ -9,7 +9,7 @@
 #include "sim/cloth/step.h"
 #include "sim/dress/draped_panels.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 class Hands {
  public:
@@ -66,4 +66,4 @@ class Hands {
     bool has_news_ = false;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -13,7 +13,7 @@
 #include "sim/core/math.h"
 #include "sim/place/fit.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 Json faults_json(const std::vector<DressFault>& faults) {
@@ -285,4 +285,4 @@ std::string describe_place(const Cloth& cloth, const Pattern& pattern, VertexId 
     return panels + where;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -12,7 +12,7 @@
 #include "sim/mesh/plain_mesh.h"
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 namespace report_key {
 inline constexpr std::string_view kGarment = "garment";
@@ -145,4 +145,4 @@ PlainMesh plain_mesh(const Cloth& cloth, const std::vector<std::string>& panel_n
 // "'front' beside 'left_sleeve' at x 0.123 y 1.340 z 0.051 m": where a person would look.
 std::string describe_place(const Cloth& cloth, const Pattern& pattern, VertexId vertex);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -3,7 +3,7 @@
 #include "sim/core/assert.h"
 #include "sim/dress/session_worker.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 bool SessionOptions::operator==(const SessionOptions&) const = default;
 
 Session::Session(SessionDrive drive) : worker_(std::make_unique<Worker>(drive)) {}
@@ -78,4 +78,4 @@ void Session::advance(int frames) {
     worker_->advance(frames);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

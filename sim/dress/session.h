@@ -17,7 +17,7 @@
 #include "sim/mesh/plain_mesh.h"
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 enum class SessionStage {
     Empty,    // no panels, or none that can be meshed: see SessionFrame::problem
@@ -124,4 +124,4 @@ class Session {
     std::unique_ptr<Worker> worker_;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -4,7 +4,7 @@
 
 #include "sim/dress/report.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 void count_triangles(SessionFrame& frame, std::size_t base_triangles) {
@@ -71,4 +71,4 @@ TriangleHierarchy triangle_hierarchy(const Cloth& cloth) {
     return all;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

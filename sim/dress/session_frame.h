@@ -5,7 +5,7 @@
 #include "sim/mesh/garment_mesh.h"
 #include "sim/mesh/plain_mesh.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // The unsewn garment where its panels stand, as its leaves would be.
 void show_placed(SessionFrame& frame, const GarmentMesh& unsewn);
@@ -29,4 +29,4 @@ void show_threads(SessionFrame& frame, const std::vector<SeamLink>& links, const
 // Base triangles in their order, each before what it was refined to.
 TriangleHierarchy triangle_hierarchy(const Cloth& cloth);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

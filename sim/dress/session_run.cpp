@@ -14,7 +14,7 @@
 #include "sim/pattern/pattern.h"
 #include "sim/place/placement.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr std::size_t kTimedFrames = 30;
@@ -342,7 +342,7 @@ const Pattern& SessionRun::anchored() {
     is_anchored_ = true;
     if (!body_ || pattern_.panels.empty()) return anchored_;
     if (!placed_for_ || placed_for_->text != pattern_.body || placed_for_->height != pattern_.body_height)
-        placed_for_ = NamedBody{pattern_.body, pattern_.body_height, selvedge::placed_for(pattern_)};
+        placed_for_ = NamedBody{pattern_.body, pattern_.body_height, selvedge::sim::placed_for(pattern_)};
     if (!has_equal_surface(placed_for_->body, *body_)) anchor_panels(anchored_, placed_for_->body, *body_);
     return anchored_;
 }
@@ -486,7 +486,7 @@ void SessionRun::set_options(const SessionOptions& asked) {
     SessionOptions as_before = last;
     as_before.keeps_real_time = options.keeps_real_time;
     if (drape_ && options_ != as_before) {
-        selvedge::wake(drape_->cloth);
+        selvedge::sim::wake(drape_->cloth);
         wake();
     }
 }
@@ -559,4 +559,4 @@ void SessionRun::restore(const std::string& name) {
     has_changed_ = true;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

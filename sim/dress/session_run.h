@@ -15,7 +15,7 @@
 #include "sim/dress/sewing.h"
 #include "sim/mesh/sew.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // The last frames' times.
 class FrameTimes {
@@ -150,4 +150,4 @@ inline constexpr int kDeepestSessionLevel = 8;  // a base edge of 5 cm then is 0
 // The nearest options that can be worked with.
 SessionOptions within_limits(SessionOptions options);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

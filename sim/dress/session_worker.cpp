@@ -6,7 +6,7 @@
 
 #include "sim/core/assert.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr std::size_t kFramesKept = 32;  // a second: what a click may still mean
@@ -166,4 +166,4 @@ void Session::Worker::work_until_ended() {
     }
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -13,7 +13,7 @@
 #include "sim/dress/session.h"
 #include "sim/dress/session_run.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // What can be asked for.
 namespace ask {
@@ -94,4 +94,4 @@ class Session::Worker {
     std::thread thread_;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <map>
 
-#include "sim/collide/body_collider.h"
 #include "sim/cloth/step.h"
+#include "sim/collide/body_collider.h"
 #include "sim/mesh/sew.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr float kSewingDamping = 12;  // 1/s: panels are carried, not thrown
@@ -108,4 +108,4 @@ SewingResult sew_on_body(const GarmentMesh& unsewn, const std::vector<Fabric>& f
     return run.result();
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -11,7 +11,7 @@
 #include "sim/core/parallel.h"
 #include "sim/mesh/garment_mesh.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 class BodyCollider;
 
@@ -61,4 +61,4 @@ class SewingRun {
 SewingResult sew_on_body(const GarmentMesh& unsewn, const std::vector<Fabric>& fabrics, const BodyCollider& body,
                          const SewingOptions& options, const Progress& progress);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

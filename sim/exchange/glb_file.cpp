@@ -13,7 +13,7 @@
 #include "sim/core/json.h"
 #include "sim/exchange/mesh_file.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 namespace {
 
@@ -360,4 +360,4 @@ std::vector<std::pair<std::string, Vec2f>> sett_offsets_in_glb(std::string_view 
     return offsets;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

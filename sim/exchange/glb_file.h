@@ -9,7 +9,7 @@
 #include "sim/body/body.h"
 #include "sim/mesh/plain_mesh.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 std::string garment_glb(const PlainMesh& mesh);
 std::string body_glb(const Body& body);
@@ -21,4 +21,4 @@ std::vector<std::pair<std::string, float>> grain_angles_in_glb(std::string_view 
 // The same for sett offsets (m, weft and warp), which garment_glb writes where a panel has one.
 std::vector<std::pair<std::string, Vec2f>> sett_offsets_in_glb(std::string_view bytes, const std::string& file);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -15,7 +15,7 @@
 #include "sim/exchange/glb_file.h"
 #include "sim/exchange/obj_text.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 enum class MeshFormat { Obj, Glb };
@@ -198,4 +198,4 @@ std::vector<PanelPart> split_by_panel(const PlainMesh& mesh) {
     return parts;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -14,7 +14,7 @@
 #include "sim/core/math.h"
 #include "sim/mesh/plain_mesh.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // Throw InputError when the extension is another, a number is not finite, or the file cannot be written.
 // Pre: indices are in range.
@@ -41,4 +41,4 @@ struct PanelPart {
 // One part per panel that has triangles, in the order of the panels.
 std::vector<PanelPart> split_by_panel(const PlainMesh& mesh);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -7,7 +7,7 @@
 
 #include "sim/exchange/mesh_file.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 namespace {
 
@@ -148,4 +148,4 @@ std::vector<std::pair<std::string, Vec2f>> sett_offsets_in_obj(std::string_view 
     return offsets;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -9,7 +9,7 @@
 #include "sim/body/body.h"
 #include "sim/mesh/plain_mesh.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 std::string garment_obj(const PlainMesh& mesh);
 std::string body_obj(const Body& body);
@@ -20,4 +20,4 @@ std::vector<std::pair<std::string, float>> grain_angles_in_obj(std::string_view 
 // The same for sett offsets (m, weft and warp), which garment_obj writes where a panel has one.
 std::vector<std::pair<std::string, Vec2f>> sett_offsets_in_obj(std::string_view text);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -7,7 +7,7 @@
 #include "sim/core/assert.h"
 #include "sim/mannequin/table.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr double kNegligibleWeight = 1e-4;
@@ -205,4 +205,4 @@ GirthValues measure_girths(const Body& body, const Landmarks& landmarks) {
     return girths;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

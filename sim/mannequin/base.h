@@ -8,7 +8,7 @@
 #include "sim/mannequin/subdivide.h"
 #include "sim/mannequin/table.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // Where the tape goes: the planes of the mannequin's 15 girths and their measurement. (docs/mannequin.md)
 
@@ -78,4 +78,4 @@ struct MannequinBase {
 // Pre: subdivisions >= 1, for the trunk's axis needs a vertex every 2 cm.
 MannequinBase make_mannequin_base(Sex sex, int subdivisions);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

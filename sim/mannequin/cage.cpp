@@ -5,7 +5,7 @@
 
 #include "sim/core/assert.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 using Count = CageCounts;
@@ -290,4 +290,4 @@ std::vector<Bone> make_bones(const Joints& joints) {
     return bones;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

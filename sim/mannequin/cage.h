@@ -11,7 +11,7 @@
 #include "sim/core/math.h"
 #include "sim/mannequin/subdivide.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 enum class CagePart { Torso, Crown, Bridge, Leg, ToeCap, Arm, HandCap, Thumb, ThumbCap };
 inline constexpr int kCagePartCount = 9;
@@ -105,4 +105,4 @@ void mirror_left_side(Joints& joints);
 
 std::vector<Bone> make_bones(const Joints& joints);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -7,7 +7,7 @@
 
 #include "sim/core/assert.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 // Three-point formula, held back where it would overshoot. h: interval widths, d: their slopes, from the end inwards.
@@ -53,4 +53,4 @@ double Pchip::operator()(double x) const {
            (t3 - t2) * h * slope_[i + 1];
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

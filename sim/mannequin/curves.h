@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace selvedge {
+namespace selvedge::sim {
 
 class Pchip {
  public:
@@ -46,4 +46,4 @@ inline double smoothstep(double x, double from, double to) {
     return t * t * (3 - 2 * t);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

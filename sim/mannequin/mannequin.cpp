@@ -14,7 +14,7 @@
 #include "sim/mannequin/measures.h"
 #include "sim/mannequin/shape.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr double kEnough = 0.0015;   // relative error at which calibration stops
@@ -314,4 +314,4 @@ MannequinOptions parse_mannequin(std::string_view text) {
     return options;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -8,7 +8,7 @@
 
 #include "sim/body/body.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 enum class Sex { Female, Male };
 
@@ -89,4 +89,4 @@ std::vector<std::string_view> measure_names();
 // The measure called `name` (also "hips"), or nullptr.
 std::optional<double>* find_measure(MannequinMeasures& measures, std::string_view name);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -10,7 +10,7 @@
 #include "sim/body/section.h"
 #include "sim/core/error.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr std::size_t kLengthCount = 4;
@@ -184,4 +184,4 @@ std::optional<double> better_stance(double stance, double wanted, const LegGap& 
     return std::clamp(stance + std::clamp(step, -kLongestStep, kLongestStep), wanted, kMostStance);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -9,7 +9,7 @@
 #include "sim/mannequin/cage.h"
 #include "sim/mannequin/mannequin.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 struct MeasureEntry {
     std::string_view name;
@@ -63,4 +63,4 @@ inline constexpr double kLeastLegGap = 0.008;  // m
 // allows. Nothing when the present stance will do.
 std::optional<double> better_stance(double stance, double wanted, const LegGap& gap);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

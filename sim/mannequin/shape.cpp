@@ -7,7 +7,7 @@
 #include "sim/core/parallel.h"
 #include "sim/mannequin/measures.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 // Arms keep their direction, legs follow the hips a part of the way; heights are the torso's.
@@ -382,4 +382,4 @@ Vec3d TorsoShape::bend(const Vec3d& x) const {
     return {x.x() * scale * widening_(y), heights_(x.y()), axis * stature_ + depth * scale};
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -6,7 +6,7 @@
 #include "sim/mannequin/base.h"
 #include "sim/mannequin/curves.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // How the trunk is bent to its girths: heights are remapped, and every horizontal slice is scaled about the trunk's
 // axis by a profile over eleven levels.
@@ -66,4 +66,4 @@ BentBody bend_body(const MannequinBase& base, const ShapeParameters& shape);
 // Upper and lower arm along their bones, m.
 double arm_length(const Joints& joints);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -6,7 +6,7 @@
 
 #include "sim/core/assert.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr int kNoEdge = -1;
@@ -163,4 +163,4 @@ std::vector<std::array<int, 2>> quad_edges(const std::vector<Quad>& quads, int v
     return number_edges(quads, vertex_count).ends;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

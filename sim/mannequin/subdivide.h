@@ -6,7 +6,7 @@
 
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 using Quad = std::array<int, 4>;
 
@@ -31,4 +31,4 @@ std::vector<std::array<int, 3>> split_quads(const QuadMesh& mesh);
 // Vertices joined by an edge, each pair once, in the order of their first quad.
 std::vector<std::array<int, 2>> quad_edges(const std::vector<Quad>& quads, int vertex_count);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -10,7 +10,7 @@
 #include "sim/core/json.h"
 #include "sim/mannequin/curves.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 std::span<const EmbeddedFile> mannequin_files();
 
 namespace {
@@ -289,4 +289,4 @@ VertexRows cage_weights(const Cage& cage, const MannequinTable& table) {
     return weights;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -7,7 +7,7 @@
 #include "sim/mannequin/mannequin.h"
 #include "sim/mannequin/subdivide.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // Heights at which the tape goes round the trunk, m.
 struct TrunkLevels {
@@ -34,4 +34,4 @@ MannequinTable read_mannequin_table(Sex sex, const Cage& cage);
 // One row per cage vertex (both halves), one column per joint; each row sums to 1.
 VertexRows cage_weights(const Cage& cage, const MannequinTable& table);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -11,7 +11,7 @@
 #include "sim/mesh/sew.h"
 #include "sim/pattern/outline.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr double kFlat = 1e-9;  // twice the area over the longest edge squared: less is no triangle
@@ -306,4 +306,4 @@ std::vector<std::array<float, 3>> smooth_in_panels(const PlainMesh& mesh, const 
     return corners;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

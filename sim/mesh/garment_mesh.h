@@ -10,7 +10,7 @@
 #include "sim/mesh/plain_mesh.h"
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 struct GarmentTriangle {
     std::array<int, 3> vertices{};  // counter-clockwise seen from the fabric's right side
@@ -80,4 +80,4 @@ std::vector<MeshStrain> measure_strain(const PlainMesh& mesh);
 // Pre: one value per triangle; the mesh has material coordinates.
 std::vector<std::array<float, 3>> smooth_in_panels(const PlainMesh& mesh, const std::vector<float>& values);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

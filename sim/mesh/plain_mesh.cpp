@@ -2,7 +2,7 @@
 
 #include "sim/core/assert.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 std::vector<Vec3f> vertex_normals(const std::vector<Vec3f>& x,
                                   const std::vector<std::array<std::uint32_t, 3>>& triangles) {
     std::vector<Vec3d> sums(x.size(), Vec3d::Zero());
@@ -23,4 +23,4 @@ std::vector<Vec3f> vertex_normals(const PlainMesh& mesh) {
     return mesh.normals.size() == mesh.x.size() ? mesh.normals : vertex_normals(mesh.x, mesh.triangles);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

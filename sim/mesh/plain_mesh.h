@@ -8,7 +8,7 @@
 
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 struct PlainMesh {
     std::vector<Vec3f> x;        // positions, m
@@ -44,4 +44,4 @@ struct HierarchyTriangle {
 
 using TriangleHierarchy = std::vector<HierarchyTriangle>;
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

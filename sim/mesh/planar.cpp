@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -112,4 +112,4 @@ std::optional<std::pair<int, int>> find_crossing(std::span<const Vec2d> outline)
     return std::nullopt;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -7,7 +7,7 @@
 
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // Outline samples nearer than this are one point of the plane (the two banks of a slit), m.
 constexpr double kWeldDistance = 1e-6;
@@ -27,4 +27,4 @@ void weld(std::vector<Vec2d>& points);
 // a segment and meeting in common end points is allowed: that is a slit. Exact.
 std::optional<std::pair<int, int>> find_crossing(std::span<const Vec2d> outline);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

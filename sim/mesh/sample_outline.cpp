@@ -11,7 +11,7 @@
 #include "sim/mesh/sew.h"
 #include "sim/pattern/outline.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr int kMostSegments = 10000;  // per edge: far beyond any garment, so that wrong units end in a message
@@ -202,4 +202,4 @@ SampledOutline sample_outline(const Panel& panel, const std::vector<int>& segmen
     return sampled;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -6,7 +6,7 @@
 #include "sim/mesh/triangulate.h"
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // How finely panels are cut into triangles.
 
@@ -37,4 +37,4 @@ struct SampledOutline {
 // Pre: one count of at least 1 per edge.
 SampledOutline sample_outline(const Panel& panel, const std::vector<int>& segments);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -9,7 +9,7 @@
 #include "sim/mesh/sample_outline.h"
 #include "sim/mesh/triangulate.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 // Where each panel's vertices begin in the garment's.
@@ -317,4 +317,4 @@ Vec2d unfold_across(const EdgeCopy& into, const EdgeCopy& from, const Vec2d& opp
     return 0.5 * (into.a + into.b) + turned;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

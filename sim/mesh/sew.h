@@ -9,7 +9,7 @@
 #include "sim/mesh/triangulate.h"
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // Which unsewn vertices the seams make one.
 
@@ -92,4 +92,4 @@ double seam_rest_length(double left_length, double right_length, const SeamLengt
 // Pre: neither copy has zero length; both triangles are counter-clockwise, a and b are the same vertices in both.
 Vec2d unfold_across(const EdgeCopy& into, const EdgeCopy& from, const Vec2d& opposite);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -15,7 +15,7 @@
 #include "sim/mesh/planar.h"
 #include "sim/mesh/sample_outline.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr std::array<GridPose, 6> kPoses{
@@ -551,4 +551,4 @@ void heal(PlanarMesh& mesh, const SizeField& size) {
     }
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -9,7 +9,7 @@
 #include "sim/core/math.h"
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // One panel cut into triangles, in its own plane.  (SPEC 3.1)
 
@@ -100,4 +100,4 @@ void relax(PlanarMesh& mesh, const SizeField& size, int rounds);
 // Removes or adds single interior points at the worst triangles where that lowers the penalty.
 void heal(PlanarMesh& mesh, const SizeField& size);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

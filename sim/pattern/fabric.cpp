@@ -4,13 +4,11 @@
 #include <filesystem>
 #include <span>
 
-#include "sim/core/file.h"
 #include "sim/core/error.h"
+#include "sim/core/file.h"
 #include "sim/core/json.h"
 
-namespace selvedge {
-
-std::span<const EmbeddedFile> embedded_fabrics();
+namespace selvedge::sim {
 
 namespace {
 
@@ -89,4 +87,4 @@ std::vector<std::string> fabric_names() {
     return names;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

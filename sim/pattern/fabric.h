@@ -1,10 +1,13 @@
 #pragma once
 // What a cloth is made of, in physical units. Warp runs along the panel's grainline, weft across it.  (SPEC 2)
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace selvedge {
+#include "sim/core/file.h"
+
+namespace selvedge::sim {
 
 struct Fabric {
     std::string name = "cotton_shirting";
@@ -33,7 +36,10 @@ Fabric find_fabric(std::string_view name_or_file);
 // The fabrics that ship, in the order of the alphabet.
 std::vector<std::string> fabric_names();
 
+// Their files, as compiled into the program.
+std::span<const EmbeddedFile> embedded_fabrics();
+
 // A fabric from the text of a fabric file; `file` names it in errors. Throws InputError.
 Fabric parse_fabric(std::string_view text, const std::string& file);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace selvedge {
+namespace selvedge::sim {
 std::string describe(const Fault& fault) {
     return fault.file + ": " + (fault.place.empty() ? "" : fault.place + ": ") +
            (fault.severity == Severity::Warning ? "warning: " : "") + fault.problem;
@@ -107,4 +107,4 @@ std::optional<Vec2d> FaultReader::point(const JsonNode& node) {
     return {};
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

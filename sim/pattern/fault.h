@@ -8,7 +8,7 @@
 #include "sim/core/json.h"
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 enum class Severity { Warning, Error };
 
@@ -73,4 +73,4 @@ class FaultReader {
     std::size_t errors_ = 0;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -8,7 +8,7 @@
 
 #include "sim/core/assert.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -292,4 +292,4 @@ std::vector<OutlineCrossing> find_outline_crossings(const Panel& panel, const Cr
     return found;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -5,7 +5,7 @@
 
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // The point at the fraction t in [0, 1] of the edge's length, in panel coordinates, m.
 // t = 0 and t = 1 give the end vertices exactly.
@@ -59,4 +59,4 @@ struct CrossingSearch {
 // Curves are followed to 0.1 mm. The first crossing of each pair of edges. Pre: edges have length.
 std::vector<OutlineCrossing> find_outline_crossings(const Panel& panel, const CrossingSearch& search = {});
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace selvedge {
+namespace selvedge::sim {
 Vec3d Panel::place(const Vec2d& u) const {
     const double side = is_mirrored ? -1 : 1;  // the right side looks along side * z
     Vec3d local(side * u.x(), u.y(), 0);
@@ -52,4 +52,4 @@ std::vector<int> find_seams(const Pattern& pattern, std::string_view name) {
     return found;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -12,7 +12,7 @@
 
 #include "sim/core/math.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 enum class CurveKind { Line, Quadratic, Cubic, Arc };
 
@@ -128,4 +128,4 @@ std::string seam_name(const Pattern& pattern, const Seam& seam);
 // or the label of one of their edges, which several may share. Empty: none does.
 std::vector<int> find_seams(const Pattern& pattern, std::string_view name);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

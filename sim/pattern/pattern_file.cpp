@@ -13,7 +13,7 @@
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern_read.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 // "patterns/shirt_mean_specification.json" is the garment "shirt_mean".
@@ -550,4 +550,4 @@ Json pattern_as_json(const Pattern& pattern, const Json& base) {
     return Writer(pattern, base).write();
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -9,7 +9,7 @@
 #include "sim/pattern/fault.h"
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // A pattern and the file that it came from: what we do not know or do not change is written back as it stood.
 struct PatternDocument {
@@ -42,4 +42,4 @@ Json pattern_as_json(const Pattern& pattern, const Json& base);
 // when there is no panel `from`, or a panel `to` already.
 void rename_panel_in_file(Json& specification, const std::string& from, const std::string& to);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -10,7 +10,7 @@
 #include "sim/pattern/fault.h"
 #include "sim/pattern/outline.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -44,7 +44,7 @@ class Reader : private FaultReader {
         if (!properties || !expect(properties, Json::Kind::Object)) return;
         const Node units = properties.member("units_in_meter");
         if (units && number(units)) {
-            units_in_meter = selvedge::units_in_meter(*root_.value);
+            units_in_meter = selvedge::sim::units_in_meter(*root_.value);
             if (units.value->number() != units_in_meter) {
                 error(units, units.value->number_text() + " units in a metre: expected 0.001 to 1000000");
             }
@@ -535,4 +535,4 @@ void hold_counter_clockwise(FaultReader& reader, const JsonNode& panel_node, Pan
     panel.grain_angle = -panel.grain_angle;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

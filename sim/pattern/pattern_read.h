@@ -8,7 +8,7 @@
 #include "sim/pattern/fault.h"
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 struct PatternReading {
     Pattern pattern;                  // whole only when no fault is an error
@@ -40,4 +40,4 @@ void read_outline(FaultReader& reader, const JsonNode& panel_node, bool is_relat
 // Holds a sound outline as seen from the fabric's right side, counter-clockwise.
 void hold_counter_clockwise(FaultReader& reader, const JsonNode& panel_node, Panel& panel);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

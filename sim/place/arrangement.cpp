@@ -11,7 +11,7 @@
 #include "sim/collide/surface_bvh.h"
 #include "sim/pattern/outline.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr double kClear = 0.022;       // m, from the part of the body that the point belongs to
@@ -296,4 +296,4 @@ void arrange(Panel& panel, const ArrangementPoint& point) {
     panel.translation = point.position - panel.place(middle);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

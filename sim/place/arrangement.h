@@ -7,7 +7,7 @@
 #include "sim/body/body.h"
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 struct ArrangementPoint {
     std::string name;                // "chest front", "left upper arm outside"
@@ -24,4 +24,4 @@ std::vector<ArrangementPoint> arrangement_points(const Body& body);
 // wraps it round the cylinder.
 void arrange(Panel& panel, const ArrangementPoint& point);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

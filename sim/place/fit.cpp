@@ -14,7 +14,7 @@
 #include "sim/core/assert.h"
 #include "sim/core/parallel.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 // An edge of the garment by its two vertices, the lower one first.
@@ -190,4 +190,4 @@ std::vector<float> measure_clearance(const std::vector<Vec3f>& points, const Bod
     return distances;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -8,7 +8,7 @@
 #include "sim/core/math.h"
 #include "sim/mesh/plain_mesh.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 struct FitOptions {
     double step = 0.02;             // m between levels
@@ -43,4 +43,4 @@ bool is_tight_at(const std::vector<TightLevel>& levels, const Vec3d& x, const Fi
 // m from each point to the nearest of the body's surface, negative inside. Exact but for rounding.
 std::vector<float> measure_clearance(const std::vector<Vec3f>& points, const Body& body);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

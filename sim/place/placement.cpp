@@ -8,7 +8,7 @@
 #include "sim/body/section.h"
 #include "sim/collide/body_collider.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr double kClearance = 0.01;    // m, between a placed panel and the body
@@ -173,4 +173,4 @@ std::vector<std::string> make_sewable(GarmentMesh& unsewn, const BodyCollider& b
     return notes;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

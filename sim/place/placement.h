@@ -7,7 +7,7 @@
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 class BodyCollider;
 
@@ -27,4 +27,4 @@ double seam_clearing_lift(const GarmentMesh& unsewn, const BodyCollider& body);
 // Both of these: where the unsewn garment can be sewn. Returns what was done.
 std::vector<std::string> make_sewable(GarmentMesh& unsewn, const BodyCollider& body);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

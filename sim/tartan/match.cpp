@@ -14,7 +14,7 @@
 #include "sim/tartan/offset_graph.h"
 #include "sim/tartan/tartan_file.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr double kCrossing = 0.25881904510252074;  // sin 15 degrees
@@ -439,4 +439,4 @@ SeamCourse find_course(const Pattern& pattern, const Seam& seam) {
     return course;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -18,7 +18,7 @@
 #include "sim/pattern/pattern.h"
 #include "sim/tartan/sett.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 struct MatchOptions {
     std::vector<int> first_seams{};  // indices into Pattern::seams, the most important first
@@ -83,4 +83,4 @@ struct SeamCourse {
 // armhole's bottom; one that lies level is matched in its middle. Pre: the seam's panels and edges are there.
 SeamCourse find_course(const Pattern& pattern, const Seam& seam);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -8,7 +8,7 @@
 
 #include "sim/core/assert.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr int kMostSweeps = 40;
@@ -256,7 +256,6 @@ std::vector<double> solve_offsets(const OffsetProblem& problem, const std::vecto
 
 namespace {
 
-
 struct Kink {
     double at = 0;       // m, in [0, repeat]
     double steeper = 0;  // change of slope
@@ -393,4 +392,4 @@ StripeRepeat weft_repeat(const Sett& sett) {
     return repeat_of(weft_stripes(sett), sett.thread_spacing);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

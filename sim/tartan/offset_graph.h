@@ -12,7 +12,7 @@
 
 #include "sim/tartan/sett.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 struct OffsetSample {
     double value = 0;   // m
@@ -66,4 +66,4 @@ struct StripeRepeat {
 StripeRepeat warp_repeat(const Sett& sett);  // of the colours along the weft
 StripeRepeat weft_repeat(const Sett& sett);  // of the colours along the warp
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -8,7 +8,7 @@
 #include "sim/core/assert.h"
 #include "sim/core/error.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 int count_threads(const std::vector<SettStripe>& stripes) {
@@ -299,4 +299,4 @@ Sett parse_threadcount(std::string_view text, const Palette& palette) {
     return sett;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

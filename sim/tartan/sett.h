@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-namespace selvedge {
+namespace selvedge::sim {
 
 using Rgb8 = std::array<std::uint8_t, 3>;  // sRGB
 using Palette = std::map<std::string, Rgb8, std::less<>>;
@@ -84,4 +84,4 @@ Rgb8 parse_colour(std::string_view text, const std::string& file, const std::str
 // Throws InputError("threadcount", "stripe 3 'Q5'", what is wrong).
 Sett parse_threadcount(std::string_view text, const Palette& palette = {});
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -4,11 +4,11 @@
 #include <filesystem>
 #include <span>
 
-#include "sim/core/file.h"
 #include "sim/core/error.h"
+#include "sim/core/file.h"
 #include "sim/core/json.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 std::span<const EmbeddedFile> tartan_files();
 
@@ -105,4 +105,4 @@ Sett find_tartan(const std::string& name_or_threadcount) {
                          "'; give a threadcount such as 'B/24 W4 B24 R/2', or one of " + known);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

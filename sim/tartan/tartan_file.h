@@ -6,7 +6,7 @@
 
 #include "sim/tartan/sett.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 inline constexpr const char* kDefaultTartan = "royal_stewart";
 
@@ -21,4 +21,4 @@ std::vector<std::string> shipped_tartans();
 // {"name", "number"}}; all but the first two may be left out. Throws InputError(file, path, ...).
 Sett parse_tartan(std::string_view json, const std::string& file);
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -2,17 +2,17 @@
 
 #include <imgui.h>
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
-constexpr UiTexture kSceneTexture = 7;
+constexpr editor::UiTexture kSceneTexture = 7;
 constexpr int kSceneSide = 640;  // px at scale 1
 
 }  // namespace
 
-EditStandIn::EditStandIn(Scene scene, float turn, const std::string& font, bool is_draft)
+EditStandIn::EditStandIn(render::Scene scene, float turn, const std::string& font, bool is_draft)
     : context_(ImGui::CreateContext()),
-      scene_(std::make_shared<const Scene>(std::move(scene))),
+      scene_(std::make_shared<const render::Scene>(std::move(scene))),
       camera_(scene_->camera),
       turn_(turn),
       is_draft_(is_draft) {
@@ -27,44 +27,44 @@ EditStandIn::EditStandIn(Scene scene, float turn, const std::string& font, bool 
         io.Fonts->AddFontFromFileTTF(font.c_str(), 15);
     }
     io.Fonts->Build();
-    io.KeyMap[ImGuiKey_Backspace] = static_cast<int>(Key::Backspace);
-    io.KeyMap[ImGuiKey_Enter] = static_cast<int>(Key::Enter);
+    io.KeyMap[ImGuiKey_Backspace] = static_cast<int>(editor::Key::Backspace);
+    io.KeyMap[ImGuiKey_Enter] = static_cast<int>(editor::Key::Enter);
 }
 
 EditStandIn::~EditStandIn() {
     ImGui::DestroyContext(context_);
 }
 
-void EditStandIn::take(const InputEvent& event) {
+void EditStandIn::take(const editor::InputEvent& event) {
     ImGuiIO& io = ImGui::GetIO();
     switch (event.kind) {
-        case InputEvent::Kind::MouseMove:
+        case editor::InputEvent::Kind::MouseMove:
             io.MousePos = {event.x, event.y};
             break;
-        case InputEvent::Kind::MouseButton:
+        case editor::InputEvent::Kind::MouseButton:
             io.MousePos = {event.x, event.y};
             io.MouseDown[static_cast<int>(event.button)] = event.is_down;
             break;
-        case InputEvent::Kind::Wheel:
+        case editor::InputEvent::Kind::Wheel:
             io.MouseWheel += event.y;
             break;
-        case InputEvent::Kind::Key:
+        case editor::InputEvent::Kind::Key:
             io.KeysDown[static_cast<int>(event.key)] = event.is_down;
-            if (event.key == Key::Escape) was_asked_to_close_ = true;
+            if (event.key == editor::Key::Escape) was_asked_to_close_ = true;
             break;
-        case InputEvent::Kind::Text:
+        case editor::InputEvent::Kind::Text:
             io.AddInputCharactersUTF8(event.text.c_str());
             break;
-        case InputEvent::Kind::CloseRequest:
+        case editor::InputEvent::Kind::CloseRequest:
             was_asked_to_close_ = true;
             break;
-        case InputEvent::Kind::DropFiles:
-        case InputEvent::Kind::Focus:
+        case editor::InputEvent::Kind::DropFiles:
+        case editor::InputEvent::Kind::Focus:
             break;
     }
 }
 
-SceneToDraw EditStandIn::scene_to_draw() {
+editor::SceneToDraw EditStandIn::scene_to_draw() {
     camera_ = turned(camera_, turn_, Vec3f::Zero());
     return {.texture = kSceneTexture,
             .scene = scene_,
@@ -93,15 +93,15 @@ void EditStandIn::fill() {
     ImGui::End();
 }
 
-FrameOutput EditStandIn::frame(const FrameInput& input) {
+editor::FrameOutput EditStandIn::frame(const FrameInput& input) {
     ImGuiIO& io = ImGui::GetIO();
-    for (const InputEvent& event : input.events) take(event);
+    for (const editor::InputEvent& event : input.events) take(event);
     io.DisplaySize = {float(input.width_px), float(input.height_px)};
     io.DeltaTime = static_cast<float>(input.seconds);
     ImGui::NewFrame();
     fill();
     ImGui::Render();
-    FrameOutput output;
+    editor::FrameOutput output;
     output.window_title = "Stand-in, pressed " + std::to_string(presses_);
     output.wants_to_close = was_asked_to_close_;
     output.is_animating = turn_ != 0;
@@ -110,4 +110,4 @@ FrameOutput EditStandIn::frame(const FrameInput& input) {
     return output;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::app

@@ -5,15 +5,15 @@
 
 struct ImGuiContext;
 
-namespace selvedge {
+namespace selvedge::app {
 
 class EditStandIn : public EditSurface {
  public:
     // The scene's camera turns by `turn` (rad) each frame.
-    explicit EditStandIn(Scene scene, float turn = 0, const std::string& font = {}, bool is_draft = true);
+    explicit EditStandIn(render::Scene scene, float turn = 0, const std::string& font = {}, bool is_draft = true);
     ~EditStandIn() override;
 
-    FrameOutput frame(const FrameInput& input) override;
+    editor::FrameOutput frame(const FrameInput& input) override;
 
     int presses() const { return presses_; }
     std::string typed() const { return typed_.data(); }
@@ -22,13 +22,13 @@ class EditStandIn : public EditSurface {
     static constexpr float kButtonX = 60, kButtonY = 700, kBoxX = 300;  // in them, px at scale 1
 
  private:
-    void take(const InputEvent& event);
+    void take(const editor::InputEvent& event);
     void fill();
-    SceneToDraw scene_to_draw();
+    editor::SceneToDraw scene_to_draw();
 
     ImGuiContext* context_;
-    std::shared_ptr<const Scene> scene_;
-    Camera camera_;
+    std::shared_ptr<const render::Scene> scene_;
+    render::Camera camera_;
     float turn_;
     bool is_draft_;
     int frames_ = 0;
@@ -37,4 +37,4 @@ class EditStandIn : public EditSurface {
     bool was_asked_to_close_ = false;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::app

@@ -13,7 +13,7 @@
 
 #include "render/image/image.h"
 
-namespace selvedge {
+namespace selvedge::app {
 
 RunningProgram::RunningProgram(const std::vector<std::string>& words, const std::vector<std::string>& environment,
                                const std::string& out_file) {
@@ -93,10 +93,10 @@ std::string RealDisplay::title() const {
     return name.substr(0, name.find('\n'));
 }
 
-Image RealDisplay::screenshot() const {
+render::Image RealDisplay::screenshot() const {
     const std::string file = scratch_ / "shot.png";
     run_command(environment() + " import -silent -window root png24:'" + file + "'");
-    return read_png(file);
+    return render::read_png(file);
 }
 
 void RealDisplay::move(const Vec2d& px) const {
@@ -112,4 +112,4 @@ void RealDisplay::key_with(const std::string& held, const std::string& name) con
     hand("keydown " + held + " sleep 0.08 keydown " + name + " sleep 0.08 keyup " + name + " sleep 0.08 keyup " + held);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::app

@@ -12,7 +12,7 @@
 #include "sim/core/math.h"
 #include "tests/app/run_program.h"
 
-namespace selvedge {
+namespace selvedge::app {
 
 // A program that runs beside the test; killed at the latest when this goes.
 class RunningProgram {
@@ -48,7 +48,7 @@ class RealDisplay {
 
     // The title of the one window; empty: there is none (yet).
     std::string title() const;
-    Image screenshot() const;
+    render::Image screenshot() const;
 
     void move(const Vec2d& px) const;
     void press() const { hand("mousedown 1"); }
@@ -65,4 +65,4 @@ class RealDisplay {
     std::string number_;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::app

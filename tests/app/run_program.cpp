@@ -8,7 +8,7 @@
 #include <iterator>
 #include <stdexcept>
 
-namespace selvedge {
+namespace selvedge::app {
 
 ProgramResult run_command(const std::string& command) {
     const ScratchFolder folder;
@@ -39,4 +39,4 @@ int count_lines(const std::string& text) {
     return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::app

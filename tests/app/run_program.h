@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-namespace selvedge {
+namespace selvedge::app {
 
 struct ProgramResult {
     int exit_code = 0;
@@ -33,4 +33,4 @@ std::string content_of(const std::filesystem::path& file);
 
 int count_lines(const std::string& text);
 
-}  // namespace selvedge
+}  // namespace selvedge::app

@@ -4,7 +4,7 @@
 
 #include "tests/app/run_program.h"
 
-namespace selvedge {
+namespace selvedge::app {
 
 // Runs the built program; arguments are for the shell.
 inline ProgramResult run_selvedge(const std::string& arguments) {
@@ -15,4 +15,4 @@ inline std::string shipped(const std::string& file) {
     return "'" SELVEDGE_SOURCE_DIR "/patterns/" + file + "'";
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::app

@@ -7,17 +7,18 @@
 
 int main(int argc, char** argv) {
     using namespace selvedge;
+    using namespace selvedge::app;
     const std::string frame_times = argc > 1 ? argv[1] : "";
     try {
         Window window({.title = "Stand-in", .width = 1280, .height = 800});
-        EditStandIn surface(make_frozen_scene(), frame_times.empty() ? 0 : 0.02F);
+        EditStandIn surface(test::make_frozen_scene(), frame_times.empty() ? 0 : 0.02F);
         EditLoopOptions options{.frame_times = frame_times};
         if (!frame_times.empty()) options.frames = 240;
         run_edit_loop(surface, window, options);
         window.set_clipboard("woven");
         std::cout << "pressed " << surface.presses() << " typed '" << surface.typed() << "' clipboard '"
                   << window.clipboard() << "' scale " << window.scale() << '\n';
-    } catch (const InputError& error) {
+    } catch (const sim::InputError& error) {
         std::cerr << error.what() << '\n';
         return 2;
     }

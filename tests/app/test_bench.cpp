@@ -7,7 +7,7 @@
 #include "sim/core/json.h"
 #include "tests/app/selvedge_program.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 TEST(BenchCommand, prints_the_table_that_is_asked_for_and_keeps_it_as_json) {
@@ -16,11 +16,11 @@ TEST(BenchCommand, prints_the_table_that_is_asked_for_and_keeps_it_as_json) {
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.out.rfind("## 3.11: ", 0), 0U) << result.out;
     EXPECT_EQ(result.out.find("## 3.6"), std::string::npos);
-    const Json json = read_json(folder / "t.json");
+    const sim::Json json = sim::read_json(folder / "t.json");
     ASSERT_EQ(json.find("tables")->elements().size(), 1U);
-    const Json& table = json.find("tables")->elements()[0];
+    const sim::Json& table = json.find("tables")->elements()[0];
     EXPECT_EQ(table.find("name")->string(), "3.11");
-    for (const Json& row : table.find("rows")->elements())
+    for (const sim::Json& row : table.find("rows")->elements())
         EXPECT_EQ(row.elements().size(), table.find("columns")->elements().size());
 }
 
@@ -44,11 +44,11 @@ TEST(BenchCommand, a_picture_is_measured_for_every_kind_of_change) {
     const ProgramResult result = run_selvedge("bench picture '" + sheet + "' --side 64 --pictures 1 --triangles 30 " +
                                               "--json '" + folder / "picture.json" + "'");
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    const Json json = read_json(folder / "picture.json");
-    const Json& table = json.find("tables")->elements()[0];
+    const sim::Json json = sim::read_json(folder / "picture.json");
+    const sim::Json& table = json.find("tables")->elements()[0];
     EXPECT_NE(table.find("note")->string().find("cloth of 32 triangles"), std::string::npos);
     ASSERT_EQ(table.find("rows")->elements().size(), 7U);
-    for (const Json& row : table.find("rows")->elements()) EXPECT_GT(row.elements()[1].number(), 0);
+    for (const sim::Json& row : table.find("rows")->elements()) EXPECT_GT(row.elements()[1].number(), 0);
 }
 
 TEST(BenchCommand, a_table_that_is_not_there_gets_one_line_with_those_that_are) {
@@ -62,4 +62,4 @@ TEST(BenchCommand, a_table_that_is_not_there_gets_one_line_with_those_that_are) 
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::app

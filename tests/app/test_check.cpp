@@ -6,7 +6,7 @@
 
 #include "tests/app/selvedge_program.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 // A square of 40 cm, whose outline closes unless one of its edges is asked to end elsewhere.
@@ -70,4 +70,4 @@ TEST(CheckCommand, text_that_is_no_json_is_a_fault) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::app

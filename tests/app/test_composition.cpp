@@ -7,7 +7,7 @@
 
 #include "render/draw/renderer.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 struct Size {
@@ -16,9 +16,9 @@ struct Size {
 };
 
 // A closed tube of two panels on the floor, so wide and so high.
-PlainMesh tube(const Size& size) {
+sim::PlainMesh tube(const Size& size) {
     constexpr std::uint32_t around = 24, rows = 12;
-    PlainMesh mesh;
+    sim::PlainMesh mesh;
     for (std::uint32_t j = 0; j <= rows; ++j) {
         for (std::uint32_t i = 0; i < around; ++i) {
             const float turn = 6.2831853F * float(i) / float(around);
@@ -40,11 +40,11 @@ PlainMesh tube(const Size& size) {
 }
 
 // Opaque pixels of the figure under the legend's place, of the scene drawn without it.
-int hidden_pixels(const Scene& shown, const Composition& composition, const PictureOptions& options) {
-    Scene scene = shown;
+int hidden_pixels(const render::Scene& shown, const Composition& composition, const PictureOptions& options) {
+    render::Scene scene = shown;
     scene.background.is_transparent = true;
     scene.has_ground = false;
-    const Image image = Renderer().draw(scene, render_options(options));
+    const render::Image image = render::Renderer().draw(scene, render_options(options));
     const auto place = place_legend(*composition.legend, options.width_px, options.height_px, composition.corner);
     if (!place) return 0;
     int hidden = 0;
@@ -57,9 +57,9 @@ int hidden_pixels(const Scene& shown, const Composition& composition, const Pict
 TEST(Composition, the_legend_hides_nothing_of_the_figure) {
     int would_hide = 0;
     for (const Size size : {Size{1.0F, 1.0F}, {0.4F, 1.6F}, {2.0F, 0.5F}}) {
-        const PlainMesh mesh = tube(size);
+        const sim::PlainMesh mesh = tube(size);
         for (const auto& [width, height] : {std::pair{256, 256}, {400, 200}, {220, 400}}) {
-            for (const ShowMode mode : {ShowMode::Panels, ShowMode::Seams}) {
+            for (const render::ShowMode mode : {render::ShowMode::Panels, render::ShowMode::Seams}) {
                 PictureOptions options;
                 options.width_px = width;
                 options.height_px = height;
@@ -68,9 +68,9 @@ TEST(Composition, the_legend_hides_nothing_of_the_figure) {
                 EXPECT_EQ(hidden_pixels(composition.scene, composition, options), 0)
                     << size.width << " " << width << "x" << height;
                 Composition as_without = composition;
-                options.show = ShowMode::Plain;
+                options.show = render::ShowMode::Plain;
                 as_without.scene.camera = compose({.garment = mesh}, options).scene.camera;
-                as_without.corner = Corner::LowerLeft;
+                as_without.corner = render::Corner::LowerLeft;
                 would_hide += hidden_pixels(as_without.scene, as_without, options);
             }
         }
@@ -79,10 +79,10 @@ TEST(Composition, the_legend_hides_nothing_of_the_figure) {
 }
 
 TEST(Composition, the_legend_hides_nothing_through_a_whole_turn) {
-    const PlainMesh mesh = tube({1.2F, 0.8F});
+    const sim::PlainMesh mesh = tube({1.2F, 0.8F});
     PictureOptions options;
     options.width_px = options.height_px = 256;
-    options.show = ShowMode::Panels;
+    options.show = render::ShowMode::Panels;
     std::vector<float> turns;
     for (int i = 0; i < 8; ++i) turns.push_back(0.78539816F * float(i));
     const Composition composition = compose({.garment = mesh}, options, turns);
@@ -91,24 +91,24 @@ TEST(Composition, the_legend_hides_nothing_through_a_whole_turn) {
 }
 
 TEST(Composition, a_figure_that_leaves_a_corner_free_is_as_large_as_without_a_legend) {
-    const PlainMesh mesh = tube({0.4F, 1.6F});
+    const sim::PlainMesh mesh = tube({0.4F, 1.6F});
     PictureOptions options;
     options.width_px = options.height_px = 512;
-    const Camera plain = compose({.garment = mesh}, options).scene.camera;
-    options.show = ShowMode::Panels;
-    const Camera with_legend = compose({.garment = mesh}, options).scene.camera;
+    const render::Camera plain = compose({.garment = mesh}, options).scene.camera;
+    options.show = render::ShowMode::Panels;
+    const render::Camera with_legend = compose({.garment = mesh}, options).scene.camera;
     EXPECT_EQ(plain.eye, with_legend.eye);
 }
 
 TEST(Composition, a_camera_given_by_its_eye_is_left_as_it_is) {
-    const PlainMesh mesh = tube({1, 1});
+    const sim::PlainMesh mesh = tube({1, 1});
     PictureOptions options;
-    options.show = ShowMode::Panels;
+    options.show = render::ShowMode::Panels;
     options.camera = parse_camera("0.5,1,2,0,0.5,0");
-    const Camera camera = compose({.garment = mesh}, options).scene.camera;
+    const render::Camera camera = compose({.garment = mesh}, options).scene.camera;
     EXPECT_EQ(camera.eye, Vec3f(0.5F, 1, 2));
     EXPECT_EQ(camera.target, Vec3f(0, 0.5F, 0));
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::app

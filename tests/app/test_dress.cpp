@@ -8,7 +8,7 @@
 #include "sim/core/json.h"
 #include "tests/app/selvedge_program.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 const std::vector<std::string> kWritten = {"picture.png", "garment.obj", "garment.glb",
@@ -41,8 +41,8 @@ class DressCommand : public testing::Test {
     static inline ProgramResult* result_ = nullptr;
 };
 
-Json report_without_timing(const std::string& file) {
-    Json report = read_json(file);
+sim::Json report_without_timing(const std::string& file) {
+    sim::Json report = sim::read_json(file);
     report.erase("timing");
     return report;
 }
@@ -58,7 +58,7 @@ std::vector<std::string> lines_with(const std::string& text, const std::string& 
 
 TEST_F(DressCommand, two_squares_dress_without_a_fault) {
     EXPECT_EQ(result().exit_code, 0) << result().out << result().err;
-    const Json report = read_json(file("report.json"));
+    const sim::Json report = sim::read_json(file("report.json"));
     ASSERT_NE(report.find("faults"), nullptr);
     EXPECT_TRUE(report.find("faults")->elements().empty()) << write_json(*report.find("faults"));
     ASSERT_NE(report.find("settled"), nullptr);
@@ -67,13 +67,13 @@ TEST_F(DressCommand, two_squares_dress_without_a_fault) {
 
 TEST_F(DressCommand, writes_every_file_it_was_asked_for) {
     for (const std::string& name : kWritten) EXPECT_GT(content_of(file(name)).size(), 100U) << name;
-    const Image picture = read_png(file("picture.png"));
+    const render::Image picture = render::read_png(file("picture.png"));
     EXPECT_EQ(picture.width_px, 160);
     EXPECT_EQ(picture.height_px, 120);
 }
 
 TEST_F(DressCommand, the_report_has_every_key_that_scripts_rely_on) {
-    const Json report = read_json(file("report.json"));
+    const sim::Json report = sim::read_json(file("report.json"));
     for (const char* key : {"garment", "body", "settled", "stopped_because", "simulated_seconds", "faults"})
         EXPECT_NE(report.find(key), nullptr) << key;
     const std::vector<std::pair<std::string, std::vector<std::string>>> groups = {
@@ -92,7 +92,7 @@ TEST_F(DressCommand, the_report_has_every_key_that_scripts_rely_on) {
 
 TEST_F(DressCommand, the_obj_carries_metres_material_coordinates_and_a_group_per_panel) {
     const std::string text = content_of(file("garment.obj"));
-    const Json report = read_json(file("report.json"));
+    const sim::Json report = sim::read_json(file("report.json"));
     EXPECT_EQ(lines_with(text, "g ").size(), 2U);
     EXPECT_EQ(static_cast<double>(lines_with(text, "f ").size()),
               report.find("mesh")->find("leaf_triangles")->number());
@@ -120,10 +120,10 @@ TEST_F(DressCommand, a_fault_exits_3_is_named_and_still_makes_the_picture) {
     const ScratchFolder folder;
     const ProgramResult hasty = dress_into(folder, "--seconds 0.05");
     EXPECT_EQ(hasty.exit_code, 3) << hasty.err;
-    const Json report = read_json(folder / "report.json");
+    const sim::Json report = sim::read_json(folder / "report.json");
     ASSERT_FALSE(report.find("faults")->elements().empty());
     EXPECT_EQ(report.find("faults")->elements().front().find("kind")->string(), "not_settled");
-    EXPECT_EQ(read_png(folder / "picture.png").width_px, 160);
+    EXPECT_EQ(render::read_png(folder / "picture.png").width_px, 160);
 }
 
 TEST_F(DressCommand, shows_the_hierarchy_and_films_it) {
@@ -133,8 +133,8 @@ TEST_F(DressCommand, shows_the_hierarchy_and_films_it) {
                                             " --body mannequin:resolution=1 --max-level 1 --seconds 0.05 -q --size "
                                             "96x96 --show hierarchy --render x.png --turntable out/ --frames 2");
     EXPECT_EQ(shown.exit_code, 3) << shown.err;
-    EXPECT_EQ(read_png(folder / "x.png").width_px, 96);
-    EXPECT_EQ(read_png(folder / "out/frame_0002.png").width_px, 96);
+    EXPECT_EQ(render::read_png(folder / "x.png").width_px, 96);
+    EXPECT_EQ(render::read_png(folder / "out/frame_0002.png").width_px, 96);
     EXPECT_EQ(shown.err, "");
 }
 
@@ -160,7 +160,7 @@ TEST_F(DressCommand, runs_from_any_folder) {
                                                 " --body mannequin:resolution=1 --max-level 0 --seconds 0.05 "
                                                 "--tartan black_watch --fabric denim --render x.png --size 64x64");
     EXPECT_EQ(elsewhere.exit_code, 3) << elsewhere.err;
-    EXPECT_EQ(read_png(folder / "x.png").width_px, 64);
+    EXPECT_EQ(render::read_png(folder / "x.png").width_px, 64);
 }
 
 TEST_F(DressCommand, what_was_exported_can_be_rendered_again) {
@@ -169,7 +169,7 @@ TEST_F(DressCommand, what_was_exported_can_be_rendered_again) {
         const ProgramResult rendered = run_selvedge("render '" + file(garment) + "' --body '" + file("body.obj") +
                                                     "' -o '" + folder / "again.png" + "' --size 96x128");
         EXPECT_EQ(rendered.exit_code, 0) << rendered.err;
-        EXPECT_EQ(read_png(folder / "again.png").height_px, 128);
+        EXPECT_EQ(render::read_png(folder / "again.png").height_px, 128);
     }
 }
 
@@ -188,4 +188,4 @@ TEST_F(DressCommand, each_way_of_looking_gives_another_picture) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::app

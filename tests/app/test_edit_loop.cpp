@@ -11,22 +11,22 @@
 #include "tests/app/edit_stand_in.h"
 #include "tests/golden/frozen_scene.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
-InputEvent button(bool is_down) {
-    return {.kind = InputEvent::Kind::MouseButton,
+editor::InputEvent button(bool is_down) {
+    return {.kind = editor::InputEvent::Kind::MouseButton,
             .x = EditStandIn::kButtonX,
             .y = EditStandIn::kButtonY,
             .is_down = is_down};
 }
 
-InputEvent move_to(float x, float y) {
-    return {.kind = InputEvent::Kind::MouseMove, .x = x, .y = y};
+editor::InputEvent move_to(float x, float y) {
+    return {.kind = editor::InputEvent::Kind::MouseMove, .x = x, .y = y};
 }
 
 // Moves onto the button, presses, releases, then lets it show.
-Image press_and_look(OffscreenEditLoop& loop, EditStandIn& surface) {
+render::Image press_and_look(OffscreenEditLoop& loop, EditStandIn& surface) {
     loop.step(surface, {move_to(EditStandIn::kButtonX, EditStandIn::kButtonY)});
     loop.step(surface, {button(true)});
     loop.step(surface, {button(false)});
@@ -34,21 +34,21 @@ Image press_and_look(OffscreenEditLoop& loop, EditStandIn& surface) {
     return loop.screenshot();
 }
 
-int reddish_pixels(const Image& image) {
-    return static_cast<int>(std::count_if(image.pixels.begin(), image.pixels.end(), [](const Rgba8& pixel) {
+int reddish_pixels(const render::Image& image) {
+    return static_cast<int>(std::count_if(image.pixels.begin(), image.pixels.end(), [](const render::Rgba8& pixel) {
         return pixel[0] > pixel[1] + 60 && pixel[0] > pixel[2] + 60;
     }));
 }
 
 TEST(EditLoop, events_reach_the_surface_and_the_screenshot_shows_its_scene) {
     OffscreenEditLoop loop;
-    EditStandIn surface(make_frozen_scene());
-    const Image image = press_and_look(loop, surface);
+    EditStandIn surface(test::make_frozen_scene());
+    const render::Image image = press_and_look(loop, surface);
     EXPECT_EQ(surface.presses(), 1);
     EXPECT_EQ(image.width_px, 1280);
-    const Image scene = [] {
+    const render::Image scene = [] {
         OffscreenEditLoop other;
-        EditStandIn bare(Scene{});
+        EditStandIn bare(render::Scene{});
         return press_and_look(other, bare);
     }();
     EXPECT_FALSE(image == scene);
@@ -58,10 +58,10 @@ TEST(EditLoop, events_reach_the_surface_and_the_screenshot_shows_its_scene) {
 }
 
 TEST(EditLoop, the_same_events_make_the_same_bits) {
-    std::vector<Image> images;
+    std::vector<render::Image> images;
     for (int i = 0; i < 2; ++i) {
         OffscreenEditLoop loop;
-        EditStandIn surface(make_frozen_scene(), 0.1F);
+        EditStandIn surface(test::make_frozen_scene(), 0.1F);
         images.push_back(press_and_look(loop, surface));
     }
     EXPECT_TRUE(images[0] == images[1]);
@@ -69,11 +69,11 @@ TEST(EditLoop, the_same_events_make_the_same_bits) {
 
 TEST(EditLoop, a_fine_scene_is_the_renderers_picture) {
     OffscreenEditLoop loop;
-    EditStandIn surface(make_frozen_scene(), 0, {}, false);
+    EditStandIn surface(test::make_frozen_scene(), 0, {}, false);
     loop.step(surface);
     loop.step(surface);  // in its place, for ImGui shows a new window only when it knows its size
-    const Image image = loop.screenshot();
-    const Image fine = Renderer().draw(make_frozen_scene(), {.width_px = 640, .height_px = 640});
+    const render::Image image = loop.screenshot();
+    const render::Image fine = render::Renderer().draw(test::make_frozen_scene(), {.width_px = 640, .height_px = 640});
     const int left = 628, top = 20 + 27;  // of the image, in ImGui's default style
     EXPECT_EQ(image.at(left + 320, top + 200), fine.at(320, 200));
     EXPECT_EQ(image.at(left + 400, top + 500), fine.at(400, 500));
@@ -94,8 +94,8 @@ TEST(FrameTimes, are_a_row_for_each_frame) {
     EXPECT_EQ(heading, "frame,total_ms,events_and_ui_ms,scenes_ms,ui_draw_ms,swap_ms");
     EXPECT_EQ(first, "0,10.000,1.000,2.000,3.000,4.000");
     EXPECT_EQ(second, "1,0.000,0.000,0.000,0.000,0.000");
-    EXPECT_THROW(FrameTimesFile(testing::TempDir() + "/no/such/folder/times.csv"), InputError);
+    EXPECT_THROW(FrameTimesFile(testing::TempDir() + "/no/such/folder/times.csv"), sim::InputError);
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::app

@@ -10,7 +10,7 @@
 #include "render/image/image.h"
 #include "tests/app/real_display.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -23,43 +23,43 @@ class Rehearsal {
  public:
     Rehearsal(const fs::path& state, const std::string& file)
         : editor_(make_editor_services({.state = state, .draw_finely = {}}),
-                  {.drive = SessionDrive::Caller, .fonts = read_fonts(), .is_steady = true}),
+                  {.drive = sim::SessionDrive::Caller, .fonts = read_fonts(), .is_steady = true}),
           surface_(editor_) {
-        open_loaded(editor_.desk(), load_pattern(file), file);
+        open_loaded(editor_.desk(), sim::load_pattern(file), file);
         move(kAside);
     }
 
     void move(const Vec2d& px) {
         at_ = px;
-        send(InputEvent::Kind::MouseMove, false);
+        send(editor::InputEvent::Kind::MouseMove, false);
     }
-    void press() { send(InputEvent::Kind::MouseButton, true); }
-    void release() { send(InputEvent::Kind::MouseButton, false); }
+    void press() { send(editor::InputEvent::Kind::MouseButton, true); }
+    void release() { send(editor::InputEvent::Kind::MouseButton, false); }
     void rest() {
         for (int i = 0; i < 10; ++i) loop_.step(surface_);
     }
     void undo() { editor_.desk().workspace.document->undo(); }
 
     Vec2d vertex_px(const std::string& panel, std::size_t vertex) const {
-        const PanelShape& shape = *editor_.desk().tools.geometry().find(panel);
+        const editor::PanelShape& shape = *editor_.desk().tools.geometry().find(panel);
         return editor_.sheet_to_px(shape.on_sheet(shape.panel.vertices[vertex]));
     }
     Vec2d widget_px(const std::string& name) const {
         const auto found = editor_.desk().widgets.find(name);
         return found == editor_.desk().widgets.end() ? Vec2d(0, 0) : Vec2d(found->second.centre().cast<double>());
     }
-    Image picture() const { return loop_.screenshot(); }
+    render::Image picture() const { return loop_.screenshot(); }
     std::string text() const { return editor_.desk().workspace.document->text(); }
 
  private:
-    void send(InputEvent::Kind kind, bool is_down) {
+    void send(editor::InputEvent::Kind kind, bool is_down) {
         const auto x = static_cast<float>(std::lround(at_.x())), y = static_cast<float>(std::lround(at_.y()));
         loop_.step(surface_, {{.kind = kind, .x = x, .y = y, .is_down = is_down}});
         rest();
     }
 
     OffscreenEditLoop loop_{{.width_px = kWidth, .height_px = kHeight}};
-    Editor editor_;
+    editor::Editor editor_;
     EditorSurface surface_;
     Vec2d at_{0, 0};
 };
@@ -70,7 +70,7 @@ struct Columns {
 };
 
 // But for a few pixels at the ends of lines, which fall to one side or the other of a middle.
-bool is_same(const Image& a, const Image& b, const Columns& columns = {}) {
+bool is_same(const render::Image& a, const render::Image& b, const Columns& columns = {}) {
     constexpr int kMostOther = 200;
     if (a.width_px != b.width_px || a.height_px != b.height_px) return false;
     int other = 0;
@@ -104,7 +104,7 @@ class EditWindowTest : public testing::Test {
                display_->title() == title;
     }
 
-    bool waits_to_show(const Image& wanted, const Columns& columns = {}) {
+    bool waits_to_show(const render::Image& wanted, const Columns& columns = {}) {
         const bool is_shown = wait_until([&] { return is_same(display_->screenshot(), wanted, columns); });
         if (!is_shown) keep_pictures(wanted);
         return is_shown;
@@ -112,7 +112,7 @@ class EditWindowTest : public testing::Test {
 
     // Something moves in the 3D view.
     bool waits_to_run() {
-        const Image before = display_->screenshot();
+        const render::Image before = display_->screenshot();
         display_->key("space");
         return wait_until([&] { return !is_same(display_->screenshot(), before, kFitting); });
     }
@@ -146,7 +146,7 @@ class EditWindowTest : public testing::Test {
     }
 
     // To be looked at.
-    void keep_pictures(const Image& wanted) const {
+    void keep_pictures(const render::Image& wanted) const {
         const std::string folder = testing::TempDir() + "/";
         write_png(folder + "edit_window.out.png", display_->screenshot());
         write_png(folder + "edit_window.wanted.png", wanted);
@@ -220,4 +220,4 @@ TEST_F(EditWindowTest, edits_are_recovered_when_the_program_is_killed_while_it_s
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::app

@@ -11,7 +11,7 @@
 #include "sim/exchange/mesh_file.h"
 #include "tests/app/run_program.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -19,14 +19,15 @@ namespace fs = std::filesystem;
 class EditorServices : public testing::Test {
  protected:
     ScratchFolder folder_;
-    Services services_ = make_editor_services({.state = folder_.path() / "state", .draw_finely = [](const Scene&) {
-                                                   return Image(3, 2, {9, 8, 7, 255});
-                                               }});
+    editor::Services services_ =
+        make_editor_services({.state = folder_.path() / "state", .draw_finely = [](const render::Scene&) {
+                                  return render::Image(3, 2, {9, 8, 7, 255});
+                              }});
 };
 
-ExportRequest triangle_to(const std::string& file) {
-    ExportRequest request{.file = file, .scene = std::make_shared<const Scene>()};
-    PlainMesh& mesh = request.garment;
+editor::ExportRequest triangle_to(const std::string& file) {
+    editor::ExportRequest request{.file = file, .scene = std::make_shared<const render::Scene>()};
+    sim::PlainMesh& mesh = request.garment;
     mesh.x = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     mesh.normals.assign(3, Vec3f(0, 0, 1));
     mesh.triangles = {{0, 1, 2}};
@@ -43,11 +44,11 @@ TEST_F(EditorServices, a_folder_is_listed_with_folders_first_and_without_what_is
     fs::create_directories(place / "zippers");
     for (const char* name : {"b.json", "a.json", ".hidden"}) std::ofstream(place / name) << "";
     fs::create_symlink("nowhere", place / "broken");
-    const FolderListing listing = services_.list_folder((place / ".." / "place").string());
+    const editor::FolderListing listing = services_.list_folder((place / ".." / "place").string());
     EXPECT_EQ(listing.folder, place.string());
     EXPECT_EQ(listing.parent, folder_.path().string());
     std::vector<std::string> names;
-    for (const FolderEntry& entry : listing.entries) names.push_back(entry.name);
+    for (const editor::FolderEntry& entry : listing.entries) names.push_back(entry.name);
     EXPECT_EQ(names, (std::vector<std::string>{"zippers", "a.json", "b.json", "broken"}));
     EXPECT_TRUE(listing.entries[0].is_folder);
     EXPECT_FALSE(listing.entries[1].is_folder);
@@ -56,9 +57,9 @@ TEST_F(EditorServices, a_folder_is_listed_with_folders_first_and_without_what_is
 }
 
 TEST_F(EditorServices, a_folder_that_is_not_there_is_an_input_error) {
-    EXPECT_THROW(services_.list_folder(folder_ / "none"), InputError);
+    EXPECT_THROW(services_.list_folder(folder_ / "none"), sim::InputError);
     std::ofstream(folder_ / "file") << "";
-    EXPECT_THROW(services_.list_folder(folder_ / "file"), InputError);
+    EXPECT_THROW(services_.list_folder(folder_ / "file"), sim::InputError);
 }
 
 TEST_F(EditorServices, garments_are_exported_as_obj_and_glb_and_pictures_as_png) {
@@ -68,33 +69,33 @@ TEST_F(EditorServices, garments_are_exported_as_obj_and_glb_and_pictures_as_png)
     services_.write_export(triangle_to(folder_ / "a.glb"));
     EXPECT_EQ(content_of(folder_ / "a.glb").substr(0, 4), "glTF");
     services_.write_export(triangle_to(folder_ / "a.png"));
-    const Image picture = read_png(folder_ / "a.png");
+    const render::Image picture = render::read_png(folder_ / "a.png");
     EXPECT_EQ(picture.width_px, 3);
-    EXPECT_EQ(picture.at(2, 1), (Rgba8{9, 8, 7, 255}));
+    EXPECT_EQ(picture.at(2, 1), (render::Rgba8{9, 8, 7, 255}));
 }
 
 TEST_F(EditorServices, an_export_that_cannot_be_written_is_an_input_error) {
     for (const char* name : {"no/such/a.obj", "no/such/a.glb", "no/such/a.png"}) {
-        EXPECT_THROW(services_.write_export(triangle_to(folder_ / name)), InputError) << name;
+        EXPECT_THROW(services_.write_export(triangle_to(folder_ / name)), sim::InputError) << name;
     }
 }
 
 TEST_F(EditorServices, examples_are_garments) {
     ASSERT_EQ(services_.examples.size(), 3U);
-    for (const Example& example : services_.examples) {
-        EXPECT_FALSE(parse_pattern(example.text, example.title).pattern.panels.empty()) << example.title;
+    for (const editor::Example& example : services_.examples) {
+        EXPECT_FALSE(sim::parse_pattern(example.text, example.title).pattern.panels.empty()) << example.title;
     }
 }
 
 TEST_F(EditorServices, a_journal_is_offered_with_its_changes_and_goes_where_it_has_none) {
     const fs::path journal = folder_.path() / "state/journals/none.journal";
-    const std::string head = journal_head("shirt.json", services_.examples[1].text);
+    const std::string head = editor::journal_head("shirt.json", services_.examples[1].text);
     std::ofstream(journal) << head << '\n';
     EXPECT_TRUE(services_.left_journals().empty());
     EXPECT_FALSE(fs::exists(journal));
-    const std::string line = write_json(journal_line(MoveVertices{{{"front", 0}}, Vec2d(0.01, 0)}), -1);
+    const std::string line = write_json(journal_line(editor::MoveVertices{{{"front", 0}}, Vec2d(0.01, 0)}), -1);
     std::ofstream(journal) << head << '\n' << line << "\n{\"do\": {\"torn";
-    const std::vector<LeftJournal> left = services_.left_journals();
+    const std::vector<editor::LeftJournal> left = services_.left_journals();
     ASSERT_EQ(left.size(), 1U);
     EXPECT_EQ(left[0].id, journal.string());
     EXPECT_EQ(left[0].recovery.changes, 1) << "but for the torn line";
@@ -104,4 +105,4 @@ TEST_F(EditorServices, a_journal_is_offered_with_its_changes_and_goes_where_it_h
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::app

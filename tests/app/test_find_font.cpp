@@ -8,7 +8,7 @@
 #include "editor/frame/theme.h"
 #include "tests/app/run_program.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 void lay_down(const std::filesystem::path& file) {
@@ -41,11 +41,11 @@ TEST(TabularDigits, have_one_width_that_is_the_widest_ones) {
     float widest = 0;
     for (const char* digit : {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"})
         widest = std::max(widest, width(digit));
-    make_digits_tabular(*font);
+    editor::make_digits_tabular(*font);
     for (const char* digit : {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"})
         EXPECT_EQ(width(digit), widest) << digit;
     EXPECT_EQ(width("seam"), letters);
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::app

@@ -11,7 +11,7 @@
 #include "sim/core/error.h"
 #include "tests/app/run_program.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -108,7 +108,7 @@ TEST(JournalStore, one_that_cannot_begin_anew_goes_on_as_it_was) {
     store.begin("old");
     const fs::path journal = files_of(folder.path()).at(0);
     fs::create_directory(journal.string() + ".new");  // where the new one would be written
-    EXPECT_THROW(store.begin("new"), InputError);
+    EXPECT_THROW(store.begin("new"), sim::InputError);
     store.note("line");
     EXPECT_EQ(content_of(journal), "old\nline\n");
 }
@@ -130,8 +130,8 @@ TEST(JournalStore, what_is_left_comes_newest_first_and_half_written_ones_are_pas
 TEST(JournalStore, a_folder_that_cannot_be_made_is_an_input_error) {
     const ScratchFolder folder;
     write(folder / "file", "");
-    EXPECT_THROW(JournalStore(fs::path(folder / "file") / "journals"), InputError);
+    EXPECT_THROW(JournalStore(fs::path(folder / "file") / "journals"), sim::InputError);
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::app

@@ -5,7 +5,7 @@
 
 #include "tests/app/selvedge_program.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 ProgramResult make_mannequin_file(const std::string& options, const std::string& file) {
@@ -62,4 +62,4 @@ TEST(MannequinCommand, a_measure_that_contradicts_another_is_said_and_not_silent
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::app

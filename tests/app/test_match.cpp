@@ -6,13 +6,13 @@
 
 #include "sim/core/file.h"
 #include "sim/core/json.h"
-#include "sim/pattern/pattern_file.h"
 #include "sim/pattern/pattern.h"
+#include "sim/pattern/pattern_file.h"
 #include "sim/tartan/tartan_file.h"
 #include "tests/app/selvedge_program.h"
 #include "tests/sim/tartan/seamed_panels.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 constexpr const char* kPatterns[] = {"poncho.json", "skirt.json", "tshirt.json", "tshirt_thesis.json",
@@ -22,10 +22,10 @@ constexpr const char* kPatterns[] = {"poncho.json", "skirt.json", "tshirt.json",
 class Copy {
  public:
     explicit Copy(const std::string& name) : path_(folder_ / name) {
-        Json json = read_json(SELVEDGE_SOURCE_DIR "/patterns/" + name);
+        sim::Json json = sim::read_json(SELVEDGE_SOURCE_DIR "/patterns/" + name);
         json.find("selvedge")->erase("matched_sett");
-        for (Json::Member& panel : json.find("pattern")->find("panels")->members()) panel.value.erase("selvedge");
-        write_file_atomically(path_, write_json(json));
+        for (sim::Json::Member& panel : json.find("pattern")->find("panels")->members()) panel.value.erase("selvedge");
+        sim::write_file_atomically(path_, write_json(json));
     }
 
     const std::string& path() const { return path_; }
@@ -39,24 +39,24 @@ class Copy {
     std::string path_;
 };
 
-double figure(const Json& seam, const char* key) {
-    return JsonView(seam, "seams.json").at(key).number();
+double figure(const sim::Json& seam, const char* key) {
+    return sim::JsonView(seam, "seams.json").at(key).number();
 }
 
 TEST(MatchCommand, what_it_reports_is_what_the_colours_of_the_saved_garment_show) {
     for (const char* name : kPatterns) {
         const Copy copy(name);
-        const Pattern before = load_pattern(copy.path()).pattern;
+        const sim::Pattern before = sim::load_pattern(copy.path()).pattern;
         const std::string table = copy.beside("seams.json");
         const ProgramResult result = copy.match("--json '" + table + "'");
         ASSERT_EQ(result.exit_code, 0) << result.err;
-        const Pattern after = load_pattern(copy.path()).pattern;
-        const Sett sett = find_tartan(after.tartan);
-        const Json json = read_json(table);
-        const std::vector<Json>& seams = json.find("seams")->elements();
+        const sim::Pattern after = sim::load_pattern(copy.path()).pattern;
+        const sim::Sett sett = sim::find_tartan(after.tartan);
+        const sim::Json json = sim::read_json(table);
+        const std::vector<sim::Json>& seams = json.find("seams")->elements();
         ASSERT_EQ(seams.size(), after.seams.size());
         for (std::size_t s = 0; s < seams.size(); ++s) {
-            EXPECT_EQ(JsonView(seams[s], "").at("name").string(), seam_name(after, after.seams[s]));
+            EXPECT_EQ(sim::JsonView(seams[s], "").at("name").string(), seam_name(after, after.seams[s]));
             EXPECT_NEAR(figure(seams[s], "before_mm"), 1e3 * seen_mismatch(before, before.seams[s], sett), 0.5) << name;
             EXPECT_NEAR(figure(seams[s], "after_mm"), 1e3 * seen_mismatch(after, after.seams[s], sett), 0.5) << name;
         }
@@ -66,8 +66,8 @@ TEST(MatchCommand, what_it_reports_is_what_the_colours_of_the_saved_garment_show
 TEST(MatchCommand, side_seams_and_shoulders_of_what_ships_meet) {
     const Copy copy("tshirt.json");
     ASSERT_EQ(copy.match().exit_code, 0);
-    const Pattern after = load_pattern(copy.path()).pattern;
-    const Sett sett = find_tartan(after.tartan);
+    const sim::Pattern after = sim::load_pattern(copy.path()).pattern;
+    const sim::Sett sett = sim::find_tartan(after.tartan);
     for (const char* name : {"front.1+back.7", "front.8+back.0", "front.3+back.5", "front.6+back.2"}) {
         const std::vector<int> found = find_seams(after, name);
         ASSERT_EQ(found.size(), 1U) << name;
@@ -77,16 +77,16 @@ TEST(MatchCommand, side_seams_and_shoulders_of_what_ships_meet) {
 
 TEST(MatchCommand, changes_nothing_in_the_file_but_offsets_and_what_they_are_for) {
     const Copy copy("skirt.json");
-    const Json before = read_json(copy.path());
+    const sim::Json before = sim::read_json(copy.path());
     ASSERT_EQ(copy.match().exit_code, 0);
-    Json after = read_json(copy.path());
-    const JsonView view(after, "");
+    sim::Json after = sim::read_json(copy.path());
+    const sim::JsonView view(after, "");
     EXPECT_EQ(view.at("selvedge").at("matched_sett").at("tartan").string(), "black_watch");
     EXPECT_EQ(view.at("selvedge").at("matched_sett").at("repeat").numbers(), (std::vector<double>{14.9, 14.9}));
     after.find("selvedge")->erase("matched_sett");
     int moved = 0;
-    for (Json::Member& panel : after.find("pattern")->find("panels")->members()) {
-        if (Json* own = panel.value.find("selvedge")) {
+    for (sim::Json::Member& panel : after.find("pattern")->find("panels")->members()) {
+        if (sim::Json* own = panel.value.find("selvedge")) {
             moved += own->find("sett_offset") ? 1 : 0;
             panel.value.erase("selvedge");
         }
@@ -121,7 +121,7 @@ TEST(MatchCommand, matching_twice_writes_the_same_bytes) {
 TEST(MatchCommand, another_tartan_and_size_are_matched_and_written_down) {
     const Copy copy("tshirt.json");
     ASSERT_EQ(copy.match("--tartan 'K10 R30 G5 W7' --sett-size 11.7").exit_code, 0);
-    const Pattern after = load_pattern(copy.path()).pattern;
+    const sim::Pattern after = sim::load_pattern(copy.path()).pattern;
     ASSERT_TRUE(after.matched_sett);
     EXPECT_EQ(after.matched_sett->tartan, "K10 R30 G5 W7");
     EXPECT_NEAR(after.matched_sett->repeat.x(), 0.117, 1e-9);
@@ -130,13 +130,13 @@ TEST(MatchCommand, another_tartan_and_size_are_matched_and_written_down) {
 
 TEST(MatchCommand, seams_go_by_their_own_names_too) {
     const Copy copy("skirt.json");
-    PatternDocument document = load_pattern(copy.path());
+    sim::PatternDocument document = sim::load_pattern(copy.path());
     document.pattern.seams[1].name = "right side";
     save_pattern(document, copy.path());
     const ProgramResult result = copy.match("--seams 'right side,back.2+front.1'");
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_NE(result.out.find("\nright side "), std::string::npos) << result.out;
-    EXPECT_EQ(load_pattern(copy.path()).pattern.seams[1].name, "right side");
+    EXPECT_EQ(sim::load_pattern(copy.path()).pattern.seams[1].name, "right side");
     EXPECT_EQ(run_selvedge("match --seams front.1+back.2 '" + copy.path() + "'").exit_code, 0);
 }
 
@@ -170,4 +170,4 @@ TEST(MatchCommand, dressing_says_when_another_tartan_is_drawn_than_was_matched) 
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::app

@@ -7,11 +7,11 @@
 #include <limits>
 #include <string>
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 // What a task's reports leave on the stream.
-std::string shown(const ProgressBarOptions& options, const std::function<void(const Progress&)>& task) {
+std::string shown(const ProgressBarOptions& options, const std::function<void(const sim::Progress&)>& task) {
     char* text = nullptr;
     std::size_t size = 0;
     std::FILE* stream = open_memstream(&text, &size);
@@ -31,11 +31,11 @@ std::size_t count(const std::string& text, const std::string& part) {
     return found;
 }
 
-void sew_and_drape(const Progress& progress) {
-    report(progress, "sewing", 0.5);
-    report(progress, "sewing", 1.0);
-    report(progress, "draping", 0.25);
-    report(progress, "draping", 0.75);
+void sew_and_drape(const sim::Progress& progress) {
+    sim::report(progress, "sewing", 0.5);
+    sim::report(progress, "sewing", 1.0);
+    sim::report(progress, "draping", 0.25);
+    sim::report(progress, "draping", 0.75);
 }
 
 TEST(ProgressBar, shows_phase_bar_percent_and_time) {
@@ -81,13 +81,13 @@ TEST(ProgressBar, says_nothing_when_quiet) {
 }
 
 TEST(ProgressBar, takes_a_fraction_that_is_no_number_for_the_beginning) {
-    const std::string text = shown({.is_terminal = true}, [](const Progress& progress) {
-        report(progress, "draping", std::numeric_limits<double>::quiet_NaN());
-        report(progress, "draping", 1e9);
+    const std::string text = shown({.is_terminal = true}, [](const sim::Progress& progress) {
+        sim::report(progress, "draping", std::numeric_limits<double>::quiet_NaN());
+        sim::report(progress, "draping", 1e9);
     });
     EXPECT_EQ(count(text, "nan"), 0U);
     EXPECT_EQ(count(text, "100 %"), 1U);
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::app

@@ -7,7 +7,7 @@
 
 #include "tests/app/run_program.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 using Files = std::vector<std::string>;
@@ -56,4 +56,4 @@ TEST(RecentFiles, what_cannot_be_written_is_forgotten) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::app

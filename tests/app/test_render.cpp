@@ -8,7 +8,7 @@
 #include "render/image/image.h"
 #include "tests/app/selvedge_program.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 // A square of two panels, one of them leaning, with material coordinates.
@@ -27,7 +27,7 @@ class RenderCommand : public testing::Test {
         return run_command(in_folder() + "'" SELVEDGE_PROGRAM "' render garment.obj " + size + options);
     }
     std::string in_folder() const { return "cd '" + folder_.path().string() + "' && "; }
-    Image picture(const std::string& name) const { return read_png(folder_ / name); }
+    render::Image picture(const std::string& name) const { return render::read_png(folder_ / name); }
     std::string content(const std::string& name) const { return content_of(folder_ / name); }
     bool is_there(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
     int files() const {
@@ -87,8 +87,9 @@ TEST_F(RenderCommand, from_below_the_floor_the_figure_is_seen_whole) {
     const std::string figure = "--body mannequin:resolution=1 --show plain --size 128x128 --transparent --camera ";
     ASSERT_EQ(render(figure + "30,10 -o above.png").exit_code, 0);
     ASSERT_EQ(render(figure + "30,-60 -o below.png").exit_code, 0);
-    const auto opaque = [](const Image& image) {
-        return std::count_if(image.pixels.begin(), image.pixels.end(), [](const Rgba8& p) { return p[3] == 255; });
+    const auto opaque = [](const render::Image& image) {
+        return std::count_if(image.pixels.begin(), image.pixels.end(),
+                             [](const render::Rgba8& p) { return p[3] == 255; });
     };
     EXPECT_GT(opaque(picture("above.png")), 500);
     EXPECT_GT(opaque(picture("below.png")), 500);
@@ -101,13 +102,13 @@ TEST_F(RenderCommand, silk_takes_light_otherwise_than_wool) {
 }
 
 TEST_F(RenderCommand, every_mode_that_a_mesh_file_can_show_gives_another_picture) {
-    std::vector<Image> pictures;
+    std::vector<render::Image> pictures;
     for (const std::string mode : {"tartan", "plain", "edges", "level", "vertices", "strain-warp", "strain-weft",
                                    "clearance", "panels", "seams"}) {
         const ProgramResult result =
             render("--body mannequin:resolution=1 --frame garment --show " + mode + " -o x.png");
         ASSERT_EQ(result.exit_code, 0) << mode << result.err;
-        for (const Image& other : pictures) EXPECT_FALSE(picture("x.png") == other) << mode;
+        for (const render::Image& other : pictures) EXPECT_FALSE(picture("x.png") == other) << mode;
         pictures.push_back(picture("x.png"));
     }
 }
@@ -131,11 +132,11 @@ TEST_F(RenderCommand, cameras_in_numbers_look_from_there) {
 }
 
 TEST_F(RenderCommand, every_view_gives_another_picture) {
-    std::vector<Image> pictures;
+    std::vector<render::Image> pictures;
     for (const std::string view :
          {"front", "back", "left", "right", "three-quarter", "three-quarter-back", "top", "close", "hem"}) {
         ASSERT_EQ(render("--view " + view + " -o x.png").exit_code, 0) << view;
-        for (const Image& other : pictures) EXPECT_FALSE(picture("x.png") == other) << view;
+        for (const render::Image& other : pictures) EXPECT_FALSE(picture("x.png") == other) << view;
         pictures.push_back(picture("x.png"));
     }
 }
@@ -171,7 +172,7 @@ TEST_F(RenderCommand, more_samples_than_there_are_get_one_line_that_names_anothe
 TEST_F(RenderCommand, a_turntable_of_frames_turns_once_and_begins_with_the_picture) {
     const ProgramResult result = render("--view three-quarter --turntable out/ --frames 4 --transparent");
     ASSERT_EQ(result.exit_code, 0) << result.err;
-    std::vector<Image> frames;
+    std::vector<render::Image> frames;
     for (const char* name : {"out/frame_0001.png", "out/frame_0002.png", "out/frame_0003.png", "out/frame_0004.png"}) {
         frames.push_back(picture(name));
         EXPECT_EQ(frames.back().at(0, 0)[3], 0) << "transparent";
@@ -188,7 +189,7 @@ struct Extent {
     int left = 1000, right = -1, top = 1000, bottom = -1;
 };
 
-Extent extent_of(const Image& image) {
+Extent extent_of(const render::Image& image) {
     Extent extent;
     for (int y = 0; y < image.height_px; ++y) {
         for (int x = 0; x < image.width_px; ++x) {
@@ -261,4 +262,4 @@ TEST_F(RenderCommand, without_ffmpeg_the_missing_package_is_named) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::app

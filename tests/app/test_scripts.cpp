@@ -5,7 +5,7 @@
 
 #include "tests/app/run_program.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 const std::string kScript = "bash '" SELVEDGE_SOURCE_DIR "/scripts/install_dependencies'";
@@ -46,4 +46,4 @@ TEST(InstallDependencies, refuses_a_purpose_it_does_not_know) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::app

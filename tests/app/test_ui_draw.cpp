@@ -7,15 +7,15 @@
 #include "render/gl/context.h"
 #include "sim/core/error.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 constexpr int kSide = 100;  // px
-constexpr UiTexture kPicture = 5, kScene = 6;
-constexpr Rgba8 kRed{255, 0, 0, 255}, kGreen{0, 255, 0, 255}, kBlue{0, 0, 255, 255}, kBlack{0, 0, 0, 255};
-constexpr Rgba8 kWhite{255, 255, 255, 255};
+constexpr editor::UiTexture kPicture = 5, kScene = 6;
+constexpr render::Rgba8 kRed{255, 0, 0, 255}, kGreen{0, 255, 0, 255}, kBlue{0, 0, 255, 255}, kBlack{0, 0, 0, 255};
+constexpr render::Rgba8 kWhite{255, 255, 255, 255};
 
-ImTextureID id_of(UiTexture number) {
+ImTextureID id_of(editor::UiTexture number) {
     return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(number));
 }
 
@@ -40,13 +40,13 @@ class ImGuiContextOwner {
 };
 
 // Half red, half green; two pixels of each, for pixels are mixed with their neighbours.
-PictureToHold red_and_green() {
-    PictureToHold held{.texture = kPicture, .picture = Image(4, 1, kRed)};
+editor::PictureToHold red_and_green() {
+    editor::PictureToHold held{.texture = kPicture, .picture = render::Image(4, 1, kRed)};
     held.picture.at(2, 0) = held.picture.at(3, 0) = kGreen;
     return held;
 }
 
-void fill_blue(const GladGLContext& gl, PictureTexture& texture) {
+void fill_blue(const GladGLContext& gl, render::PictureTexture& texture) {
     texture.resize(8, 8);
     gl.BindFramebuffer(GL_FRAMEBUFFER, texture.framebuffer());
     gl.ClearColor(0, 0, 1, 1);
@@ -70,20 +70,20 @@ void make_lists() {
 }
 
 struct DrawnFrames {
-    Image first, second;
+    render::Image first, second;
 };
 
-DrawnFrames draw_frames(ContextMaker maker, float scale) {
+DrawnFrames draw_frames(render::ContextMaker maker, float scale) {
     const ImGuiContextOwner imgui(scale);
-    const std::unique_ptr<GlContext> context = make_context(maker);
+    const std::unique_ptr<render::GlContext> context = make_context(maker);
     UiDraw drawer(*context);
-    PictureTexture scene(context->gl()), to(context->gl());
+    render::PictureTexture scene(context->gl()), to(context->gl());
     fill_blue(context->gl(), scene);
     drawer.hold(red_and_green());
     drawer.lend(kScene, scene);
     to.resize(static_cast<int>(kSide * scale), static_cast<int>(kSide * scale));
     DrawnFrames frames;
-    for (Image* frame : {&frames.first, &frames.second}) {
+    for (render::Image* frame : {&frames.first, &frames.second}) {
         make_lists();
         drawer.draw(target_of(to));
         *frame = to.read();
@@ -91,7 +91,7 @@ DrawnFrames draw_frames(ContextMaker maker, float scale) {
     return frames;
 }
 
-int lit_pixels(const Image& image, int top, int bottom) {
+int lit_pixels(const render::Image& image, int top, int bottom) {
     int count = 0;
     for (int y = top; y < bottom; ++y) {
         for (int x = 0; x < image.width_px; ++x) count += image.at(x, y)[0] > 128 ? 1 : 0;
@@ -100,7 +100,7 @@ int lit_pixels(const Image& image, int top, int bottom) {
 }
 
 TEST(UiDraw, clips_repeats_pictures_and_shows_scenes) {
-    const Image image = draw_frames(ContextMaker::OSMesa, 1).first;
+    const render::Image image = draw_frames(render::ContextMaker::OSMesa, 1).first;
     EXPECT_EQ(image.at(12, 12), kWhite);
     EXPECT_EQ(image.at(12, 16), kBlack) << "below the clip rectangle";
     EXPECT_EQ(image.at(35, 15), kRed);
@@ -109,17 +109,17 @@ TEST(UiDraw, clips_repeats_pictures_and_shows_scenes) {
     EXPECT_EQ(image.at(65, 15), kGreen);
     EXPECT_EQ(image.at(20, 50), kBlue);
     EXPECT_EQ(image.at(50, 50), kBlack) << "a number that stands for nothing";
-    EXPECT_EQ(image.at(80, 50), (Rgba8{128, 128, 128, 255})) << "half a white, and opaque";
+    EXPECT_EQ(image.at(80, 50), (render::Rgba8{128, 128, 128, 255})) << "half a white, and opaque";
 }
 
 TEST(UiDraw, writes_text) {
-    const Image image = draw_frames(ContextMaker::OSMesa, 1).first;
+    const render::Image image = draw_frames(render::ContextMaker::OSMesa, 1).first;
     EXPECT_GT(lit_pixels(image, 78, 96), 60);
     EXPECT_EQ(lit_pixels(image, 64, 78), 0);
 }
 
 TEST(UiDraw, a_larger_scale_draws_the_same_at_more_pixels) {
-    const Image image = draw_frames(ContextMaker::OSMesa, 2).first;
+    const render::Image image = draw_frames(render::ContextMaker::OSMesa, 2).first;
     EXPECT_EQ(image.width_px, 2 * kSide);
     EXPECT_EQ(image.at(24, 28), kWhite);
     EXPECT_EQ(image.at(24, 32), kBlack);
@@ -128,26 +128,26 @@ TEST(UiDraw, a_larger_scale_draws_the_same_at_more_pixels) {
 }
 
 TEST(UiDraw, the_same_lists_have_the_same_bits) {
-    const DrawnFrames frames = draw_frames(ContextMaker::OSMesa, 1);
+    const DrawnFrames frames = draw_frames(render::ContextMaker::OSMesa, 1);
     EXPECT_EQ(frames.first, frames.second) << "the font stays when its pixels are gone from memory";
-    EXPECT_EQ(frames.first, draw_frames(ContextMaker::OSMesa, 1).first);
+    EXPECT_EQ(frames.first, draw_frames(render::ContextMaker::OSMesa, 1).first);
 }
 
 TEST(UiDraw, both_makers_draw_the_same) {
-    const Image osmesa = draw_frames(ContextMaker::OSMesa, 1).first;
+    const render::Image osmesa = draw_frames(render::ContextMaker::OSMesa, 1).first;
     try {
-        make_context(ContextMaker::Egl);
-    } catch (const InputError& error) {
+        make_context(render::ContextMaker::Egl);
+    } catch (const sim::InputError& error) {
         GTEST_SKIP() << error.problem();
     }
-    EXPECT_EQ(osmesa, draw_frames(ContextMaker::Egl, 1).first);
+    EXPECT_EQ(osmesa, draw_frames(render::ContextMaker::Egl, 1).first);
 }
 
 TEST(UiDraw, a_font_atlas_built_anew_takes_the_place_of_the_old) {
     const ImGuiContextOwner imgui(1);
-    const std::unique_ptr<GlContext> context = make_context(ContextMaker::OSMesa);
+    const std::unique_ptr<render::GlContext> context = make_context(render::ContextMaker::OSMesa);
     UiDraw drawer(*context);
-    PictureTexture to(context->gl());
+    render::PictureTexture to(context->gl());
     to.resize(kSide, kSide);
     make_lists();
     drawer.draw(target_of(to));
@@ -163,4 +163,4 @@ TEST(UiDraw, a_font_atlas_built_anew_takes_the_place_of_the_old) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::app

@@ -6,7 +6,7 @@
 
 #include "tests/app/selvedge_program.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 void expect_one_line_and_exit_2(const std::string& arguments) {
@@ -139,4 +139,4 @@ TEST(Usage, a_file_that_is_no_picture_gets_one_line) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::app

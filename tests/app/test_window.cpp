@@ -8,7 +8,7 @@
 #include "tests/app/run_program.h"
 #include "tests/golden/frozen_scene.h"
 
-namespace selvedge {
+namespace selvedge::app {
 namespace {
 
 bool has_program(const std::string& name) {
@@ -52,13 +52,13 @@ class WindowTest : public testing::Test {
 };
 
 // What the window is to show when the hands are done.
-Image same_without_window() {
+render::Image same_without_window() {
     OffscreenEditLoop loop;
-    EditStandIn surface(make_frozen_scene());
+    EditStandIn surface(test::make_frozen_scene());
     const auto press = [&](float x, float y) {
-        InputEvent event{.kind = InputEvent::Kind::MouseMove, .x = x, .y = y};
+        editor::InputEvent event{.kind = editor::InputEvent::Kind::MouseMove, .x = x, .y = y};
         loop.step(surface, {event});
-        event.kind = InputEvent::Kind::MouseButton;
+        event.kind = editor::InputEvent::Kind::MouseButton;
         for (const bool is_down : {true, false}) {
             event.is_down = is_down;
             loop.step(surface, {event});
@@ -67,7 +67,7 @@ Image same_without_window() {
     loop.step(surface);
     press(60, 700);
     press(300, 695);
-    loop.step(surface, {{.kind = InputEvent::Kind::Text, .text = "warp"}});
+    loop.step(surface, {{.kind = editor::InputEvent::Kind::Text, .text = "warp"}});
     loop.step(surface);
     return loop.screenshot();
 }
@@ -76,7 +76,7 @@ TEST_F(WindowTest, brings_clicks_keys_text_and_the_clipboard) {
     const ProgramResult result = run("");
     EXPECT_EQ(result.out, "pressed 1 typed 'warp' clipboard 'woven' scale 1\n");
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_TRUE(read_png(scratch_ / "shot.png") == same_without_window());
+    EXPECT_TRUE(render::read_png(scratch_ / "shot.png") == same_without_window());
 }
 
 TEST_F(WindowTest, writes_the_times_of_its_frames) {
@@ -92,4 +92,4 @@ TEST(WindowWithoutDisplay, is_an_input_error_in_words) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::app

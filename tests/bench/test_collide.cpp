@@ -1,32 +1,32 @@
 // The points and bodies that bench collide measures with are what it says they are.
 #include <gtest/gtest.h>
 
-#include "bench/collide/contact_pass.h"
 #include "bench/collide/collide.h"
+#include "bench/collide/contact_pass.h"
 #include "sim/collide/body_collider.h"
 #include "tests/support/bodies.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
 TEST(DenseBody, has_the_triangles_asked_for_and_is_closed) {
-    const Body coarse = dense_body(17184);
-    const Body dense = dense_body(40001);
+    const sim::Body coarse = dense_body(17184);
+    const sim::Body dense = dense_body(40001);
     EXPECT_EQ(coarse.triangles.size(), 17184U);
     EXPECT_EQ(dense.triangles.size(), 40000U);
-    EXPECT_TRUE(shapes::is_closed(dense));
-    EXPECT_NEAR(shapes::volume(dense), shapes::volume(coarse), 0.01 * shapes::volume(coarse));
+    EXPECT_TRUE(sim::shapes::is_closed(dense));
+    EXPECT_NEAR(sim::shapes::volume(dense), sim::shapes::volume(coarse), 0.01 * sim::shapes::volume(coarse));
 }
 
 // A column as tall as a person.
-Body column() {
-    Body body = shapes::sphere(Vec3d::Zero(), 0.15, 16);
+sim::Body column() {
+    sim::Body body = sim::shapes::sphere(Vec3d::Zero(), 0.15, 16);
     for (Vec3d& p : body.x) p = Vec3d(p.x(), 0.85 + p.y() * 5, p.z());
     return body;
 }
 
 TEST(ClothPoints, stay_near_the_body_and_touch_it_about_as_often_as_cloth_does) {
-    const SurfaceBvh surface(column());
+    const sim::SurfaceBvh surface(column());
     const ClothPoints path = move_cloth_points(surface, {.points = 1000, .steps = 40});
     EXPECT_GT(path.in_contact, 0.2);
     EXPECT_LT(path.in_contact, 0.4);
@@ -42,12 +42,12 @@ TEST(ClothPoints, stay_near_the_body_and_touch_it_about_as_often_as_cloth_does) 
 
 TEST(ContactPass, with_slack_asks_fewer_and_misses_none_that_touches) {
     constexpr float kOffset = 0.003F;
-    const Body body = column();
-    const BodyCollider collider(body);
+    const sim::Body body = column();
+    const sim::BodyCollider collider(body);
     const ClothPoints path = move_cloth_points(collider.surface(), {.points = 1001, .steps = 40});
     const PassPoints points(path);
-    std::vector<Contact> all;
-    std::vector<Contact> spared;
+    std::vector<sim::Contact> all;
+    std::vector<sim::Contact> spared;
     const PassReport every = run_pass(points, collider, ContactWay::InBlocks, kOffset, &all);
     const PassReport some = run_pass(points, collider, ContactWay::WithSlack, kOffset, &spared);
     EXPECT_EQ(every.queries, 40 * 1001);
@@ -55,7 +55,7 @@ TEST(ContactPass, with_slack_asks_fewer_and_misses_none_that_touches) {
     EXPECT_LT(some.asked, 0.7 * some.queries);
     ASSERT_EQ(all.size(), spared.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
-        const ClosestPoint& exact = path.exact[i / 1001][i % 1001];
+        const sim::ClosestPoint& exact = path.exact[i / 1001][i % 1001];
         if (exact.distance < kOffset) {
             EXPECT_EQ(spared[i].distance, all[i].distance);
         }
@@ -63,4 +63,4 @@ TEST(ContactPass, with_slack_asks_fewer_and_misses_none_that_touches) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -1,11 +1,11 @@
 // The drop on a sphere: its scene, and what is said of a run. Coarser than what is measured, the same in all else.
-#include <algorithm>
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include "bench/drop/drop.h"
 #include "bench/drop/report.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
 constexpr DropScene kCoarse{.level = 1};
@@ -27,7 +27,7 @@ TEST(Drop, has_the_four_sizes_of_the_comparison) {
 }
 
 TEST(Drop, starts_as_a_level_square_of_a_metre_just_above_the_sphere) {
-    const GarmentMesh square = drop_square(6);
+    const sim::GarmentMesh square = drop_square(6);
     Eigen::AlignedBox3d box;
     for (const Vec3d& x : square.x) box.extend(x);
     EXPECT_TRUE(box.min().isApprox(Vec3d(-0.5, 0.256, -0.5)));
@@ -59,7 +59,7 @@ TEST(Drop, pins_the_middle_of_even_and_of_odd_grids_and_nothing_else) {
         options.scene.frames = 1;
         const SphereDrop drop = run_sphere_drop(options);
         std::vector<Vec3d> pinned;
-        for (const VertexId v : drop.run.cloth.mesh.leaf_vertices())
+        for (const sim::VertexId v : drop.run.cloth.mesh.leaf_vertices())
             if (drop.run.cloth.is_pinned[v.value]) pinned.push_back(positions(drop.run)[v.value]);
         ASSERT_EQ(pinned.size(), 1U);
         EXPECT_LT((pinned[0] - Vec3d(0, 0.256, 0)).norm(), 1e-6);
@@ -82,7 +82,7 @@ TEST(Drop, more_substeps_stretch_less) {
 }
 
 TEST(DropJudge, finds_a_vertex_inside_the_sphere_and_means_the_samples) {
-    const GarmentMesh square = flat_grid(10);
+    const sim::GarmentMesh square = flat_grid(10);
     DropJudge judge(measured(square));
     judge.sample(square.x);
     std::vector<Vec3d> x = square.x;
@@ -138,7 +138,7 @@ TEST(DropReport, has_every_figure_that_was_promised) {
     DropExperiment experiment = coarse_experiment();
     experiment.scene.frames = 30;
     experiment.substeps = 4;
-    const Json json = to_json(measure_drop(experiment));
+    const sim::Json json = to_json(measure_drop(experiment));
     for (const char* key :
          {"us_per_triangle_frame", "ms_per_frame", "ms_with_samples", "p99_stretch", "max_stretch", "area_error",
           "substeps", "p1_compression", "bias_stiffness_ratio", "rest_kinetic_energy_j", "rest_rms_speed",
@@ -220,4 +220,4 @@ TEST(FindLeast, reaches_its_most_also_when_that_is_no_power_of_two) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

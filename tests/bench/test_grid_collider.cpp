@@ -1,5 +1,5 @@
-#include <cmath>
 #include <gtest/gtest.h>
+#include <cmath>
 #include <limits>
 #include <random>
 #include <string>
@@ -9,14 +9,15 @@
 #include "sim/core/simd_level.h"
 #include "tests/support/bodies.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
 constexpr float kReach = 0.01F;
 
-Body figure() {
-    return shapes::together(shapes::sphere({0.05, 0.3, 0.05}, 0.06, 12), shapes::box({0, 0, 0}, {0.1, 0.2, 0.08}, 9));
+sim::Body figure() {
+    return sim::shapes::together(sim::shapes::sphere({0.05, 0.3, 0.05}, 0.06, 12),
+                                 sim::shapes::box({0, 0, 0}, {0.1, 0.2, 0.08}, 9));
 }
 
 std::vector<Vec3f> points_about_figure() {
@@ -32,11 +33,11 @@ std::vector<Vec3f> points_about_figure() {
 }
 
 // Within the reach what the tree says, beyond it the reach.
-void expect_the_surface(const Collider& collider, const SurfaceBvh& surface) {
+void expect_the_surface(const sim::Collider& collider, const sim::SurfaceBvh& surface) {
     int near = 0;
     for (const Vec3f& p : points_about_figure()) {
-        const Contact contact = collider.contact(p);
-        const ClosestPoint exact = *surface.closest(p, kFar);
+        const sim::Contact contact = collider.contact(p);
+        const sim::ClosestPoint exact = *surface.closest(p, kFar);
         if (std::abs(exact.distance) >= kReach) {
             EXPECT_EQ(contact.distance, collider.band());
             EXPECT_EQ(contact.normal, Vec3f::Zero());
@@ -53,45 +54,45 @@ void expect_the_surface(const Collider& collider, const SurfaceBvh& surface) {
 }
 
 TEST(GridCollider, knows_the_surface_as_far_as_its_reach) {
-    const SurfaceBvh surface(figure());
+    const sim::SurfaceBvh surface(figure());
     expect_the_surface(GridCollider(surface, kReach), surface);
 }
 
 TEST(GridCollider, of_a_flat_or_an_empty_body_touches_what_there_is) {
-    Body flat;
+    sim::Body flat;
     flat.x = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}};
     flat.triangles = {{0, 2, 1}};
-    const SurfaceBvh surface(flat);
+    const sim::SurfaceBvh surface(flat);
     EXPECT_NEAR(GridCollider(surface, kReach).contact({0.2F, 0.005F, 0.2F}).distance, 0.005F, 1e-6F);
     EXPECT_NEAR(GridCollider(surface, kReach).contact({-0.004F, 0, -0.003F}).distance, 0.005F, 1e-6F);
-    const SurfaceBvh nothing{Body{}};
+    const sim::SurfaceBvh nothing{sim::Body{}};
     EXPECT_EQ(GridCollider(nothing, kReach).contact({0, 0, 0}).distance, kReach);
 }
 
 TEST(BvhCollider, knows_the_surface_as_far_as_its_reach) {
-    const SurfaceBvh surface(figure());
+    const sim::SurfaceBvh surface(figure());
     expect_the_surface(BvhCollider(surface, kReach), surface);
 }
 
 TEST(SurfaceBvh, has_the_same_bits_at_every_simd_level) {
-    const SurfaceBvh fastest(figure());
-    const SimdLimit limit(SimdLevel::Plain);
-    const SurfaceBvh plain(figure());
+    const sim::SurfaceBvh fastest(figure());
+    const sim::SimdLimit limit(sim::SimdLevel::Plain);
+    const sim::SurfaceBvh plain(figure());
     for (const Vec3f& p : points_about_figure()) {
-        const ClosestPoint a = *fastest.closest(p, kFar);
-        const ClosestPoint b = *plain.closest(p, kFar);
+        const sim::ClosestPoint a = *fastest.closest(p, kFar);
+        const sim::ClosestPoint b = *plain.closest(p, kFar);
         ASSERT_EQ(a.triangle, b.triangle);
         ASSERT_EQ(a.distance, b.distance);
     }
 }
 
 // Neighbours in space, and at last a group that is scattered.
-std::vector<PointGroup> groups_about_figure(float radius) {
-    std::vector<PointGroup> groups;
+std::vector<sim::PointGroup> groups_about_figure(float radius) {
+    std::vector<sim::PointGroup> groups;
     const std::vector<Vec3f> points = points_about_figure();
     for (std::size_t g = 0; g < 400; ++g) {
-        PointGroup& group = groups.emplace_back();
-        for (std::size_t i = 0; i < PointGroup::kPoints; ++i) {
+        sim::PointGroup& group = groups.emplace_back();
+        for (std::size_t i = 0; i < sim::PointGroup::kPoints; ++i) {
             const Vec3f step(float(i % 3), float(i / 3 % 3), float(i / 9));
             group.start(i, g < 399 ? Vec3f(points[g] + 0.003F * step) : points[400 + i], radius);
         }
@@ -99,23 +100,23 @@ std::vector<PointGroup> groups_about_figure(float radius) {
     return groups;
 }
 
-class GroupsAtLevel : public testing::TestWithParam<SimdLevel> {
+class GroupsAtLevel : public testing::TestWithParam<sim::SimdLevel> {
  protected:
     void SetUp() override {
-        if (GetParam() > detected_simd_level()) GTEST_SKIP() << "not on this processor";
+        if (GetParam() > sim::detected_simd_level()) GTEST_SKIP() << "not on this processor";
     }
 };
 
 TEST_P(GroupsAtLevel, find_what_each_point_would) {
-    const SimdLimit limit(GetParam());
-    const SurfaceBvh surface(figure());
+    const sim::SimdLimit limit(GetParam());
+    const sim::SurfaceBvh surface(figure());
     constexpr float kRadius = 0.02F;
     int found = 0;
-    for (PointGroup& group : groups_about_figure(kRadius)) {
+    for (sim::PointGroup& group : groups_about_figure(kRadius)) {
         surface.find_nearest(group);
-        for (std::size_t i = 0; i < PointGroup::kPoints; ++i) {
+        for (std::size_t i = 0; i < sim::PointGroup::kPoints; ++i) {
             const float exact = std::abs(surface.closest(group.point(i), kFar)->distance);
-            if (group.triangle[i] == NearestTriangle::kNone) {
+            if (group.triangle[i] == sim::NearestTriangle::kNone) {
                 EXPECT_GT(exact, kRadius - 1e-6F);
                 continue;
             }
@@ -128,26 +129,27 @@ TEST_P(GroupsAtLevel, find_what_each_point_would) {
 }
 
 TEST_P(GroupsAtLevel, have_the_bits_of_every_other_level) {
-    const auto distances_at = [](SimdLevel level) {
-        const SimdLimit limit(level);
-        const SurfaceBvh surface(figure());
+    const auto distances_at = [](sim::SimdLevel level) {
+        const sim::SimdLimit limit(level);
+        const sim::SurfaceBvh surface(figure());
         std::vector<float> squares;
-        for (PointGroup& group : groups_about_figure(0.05F)) {
+        for (sim::PointGroup& group : groups_about_figure(0.05F)) {
             surface.find_nearest(group);
             squares.insert(squares.end(), group.squared.begin(), group.squared.end());
             for (const std::uint32_t triangle : group.triangle) squares.push_back(float(triangle));
         }
         return squares;
     };
-    EXPECT_EQ(distances_at(GetParam()), distances_at(SimdLevel::Plain));
+    EXPECT_EQ(distances_at(GetParam()), distances_at(sim::SimdLevel::Plain));
 }
 
-std::string level_name(const testing::TestParamInfo<SimdLevel>& info) {
+std::string level_name(const testing::TestParamInfo<sim::SimdLevel>& info) {
     return std::string(name_of(info.param));
 }
-INSTANTIATE_TEST_SUITE_P(Kernels, GroupsAtLevel, testing::Values(SimdLevel::Plain, SimdLevel::Avx2, SimdLevel::Avx512),
+INSTANTIATE_TEST_SUITE_P(Kernels, GroupsAtLevel,
+                         testing::Values(sim::SimdLevel::Plain, sim::SimdLevel::Avx2, sim::SimdLevel::Avx512),
                          level_name);
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

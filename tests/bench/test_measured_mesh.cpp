@@ -9,17 +9,17 @@
 
 #include "bench/support/square.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
 constexpr int kQuads = 10;
 
-GarmentMesh grid() {
+sim::GarmentMesh grid() {
     return make_square({.columns = kQuads, .rows = kQuads});
 }
 
 template <class Move>
-std::vector<Vec3d> moved(const GarmentMesh& mesh, Move&& move) {
+std::vector<Vec3d> moved(const sim::GarmentMesh& mesh, Move&& move) {
     std::vector<Vec3d> x;
     for (const Vec3d& p : mesh.x) x.push_back(move(p));
     return x;
@@ -35,13 +35,13 @@ TEST(MeasuredMesh, takes_grid_edges_for_threads_and_leaves_diagonals_out) {
 }
 
 TEST(MeasuredMesh, takes_diagonals_for_threads_where_the_grain_lies_at_45_degrees) {
-    GarmentMesh bias = grid();
+    sim::GarmentMesh bias = grid();
     bias.panel_grain_angles = {std::numbers::pi / 4};
     EXPECT_EQ(measured(bias).threads.size(), std::size_t(kQuads * kQuads));
 }
 
 TEST(MeasuredMesh, cloth_stretched_by_3_percent_one_way_has_a_p99_of_3_percent) {
-    const GarmentMesh square = grid();
+    const sim::GarmentMesh square = grid();
     const MeasuredMesh mesh = measured(square);
     const std::vector<Vec3d> x = moved(square, [](const Vec3d& p) { return Vec3d(1.03 * p.x(), p.y(), p.z()); });
     const ThreadStretch stretch = thread_stretch(mesh, x);
@@ -52,7 +52,7 @@ TEST(MeasuredMesh, cloth_stretched_by_3_percent_one_way_has_a_p99_of_3_percent) 
 }
 
 TEST(MeasuredMesh, compression_shows_in_the_first_percentile_and_the_area) {
-    const GarmentMesh square = grid();
+    const sim::GarmentMesh square = grid();
     const MeasuredMesh mesh = measured(square);
     const std::vector<Vec3d> x = moved(square, [](const Vec3d& p) { return Vec3d(p.x(), p.y(), 0.9 * p.z()); });
     EXPECT_NEAR(thread_stretch(mesh, x).p1, -0.1, 1e-12);
@@ -61,7 +61,7 @@ TEST(MeasuredMesh, compression_shows_in_the_first_percentile_and_the_area) {
 }
 
 TEST(MeasuredMesh, shear_stretches_no_thread) {
-    const GarmentMesh square = grid();
+    const sim::GarmentMesh square = grid();
     const MeasuredMesh mesh = measured(square);
     const double angle = 0.3;
     const std::vector<Vec3d> x = moved(
@@ -72,7 +72,7 @@ TEST(MeasuredMesh, shear_stretches_no_thread) {
 }
 
 TEST(MeasuredMesh, tells_numbers_that_are_none) {
-    const GarmentMesh square = grid();
+    const sim::GarmentMesh square = grid();
     const MeasuredMesh mesh = measured(square);
     std::vector<Vec3d> x = square.x;
     EXPECT_TRUE(all_finite(mesh, x));
@@ -81,7 +81,7 @@ TEST(MeasuredMesh, tells_numbers_that_are_none) {
 }
 
 TEST(MeasuredMesh, a_shift_is_its_own_mean_and_rms_distance) {
-    const GarmentMesh square = grid();
+    const sim::GarmentMesh square = grid();
     const std::vector<Vec3d> x = moved(square, [](const Vec3d& p) { return Vec3d(p + Vec3d(0.003, 0, 0.004)); });
     const ShapeDistance distance = shape_distance(measured(square), square.x, x);
     EXPECT_NEAR(distance.mean, 0.005, 1e-12);
@@ -89,4 +89,4 @@ TEST(MeasuredMesh, a_shift_is_its_own_mean_and_rms_distance) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::bench

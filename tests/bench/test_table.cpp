@@ -3,7 +3,7 @@
 #include "bench/support/table.h"
 #include "bench/support/timing.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
 Table two_rows() {
@@ -23,10 +23,10 @@ TEST(Table, markdown_has_a_heading_a_note_and_numbers_flush_right) {
 }
 
 TEST(Table, json_keeps_the_digits_that_are_not_printed_and_says_null_where_nothing_is_known) {
-    const Json json = to_json(two_rows());
+    const sim::Json json = to_json(two_rows());
     EXPECT_EQ(json.find("name")->string(), "3.2");
     EXPECT_EQ(json.find("columns")->elements().size(), 3U);
-    const std::vector<Json>& rows = json.find("rows")->elements();
+    const std::vector<sim::Json>& rows = json.find("rows")->elements();
     ASSERT_EQ(rows.size(), 2U);
     EXPECT_EQ(rows[0].elements()[0].string(), "C1");
     EXPECT_EQ(rows[0].elements()[1].number(), 0.14553);
@@ -61,7 +61,6 @@ TEST(Timing, prepares_before_each_run) {
     EXPECT_GE(timing.least, 0);
 }
 
-
 TEST(ToCsv, has_a_line_of_names_and_a_line_for_each_row_with_quotes_only_where_needed) {
     Table table{.name = "3.25", .title = "x", .columns = {"time, s", "ms", "what"}};
     table.add_row({Cell(0.25, 2), Cell(1.0 / 3, 3), "say \"so\""});
@@ -71,4 +70,4 @@ TEST(ToCsv, has_a_line_of_names_and_a_line_for_each_row_with_quotes_only_where_n
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -1,6 +1,6 @@
 // The textile tests on coarse meshes: that they read what they say, not that the solver is right.
-#include <cmath>
 #include <gtest/gtest.h>
+#include <cmath>
 #include <numbers>
 
 #include "bench/fabric/report.h"
@@ -9,15 +9,15 @@
 #include "bench/support/measured_mesh.h"
 #include "sim/core/error.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
 constexpr MeshSetting kCoarse{.angle = 0.3, .level = 0};
 constexpr MeshSetting kFine{.angle = 0.3, .level = 1};  // an overhang of several triangles
 
 TEST(Textile, a_cantilever_of_a_stiffer_fabric_reads_stiffer) {
-    Fabric soft;
-    Fabric stiff;
+    sim::Fabric soft;
+    sim::Fabric stiff;
     stiff.bending_warp *= 4;
     const Reading a = test_cantilever(soft, ThreadDirection::Warp, kFine);
     const Reading b = test_cantilever(stiff, ThreadDirection::Warp, kFine);
@@ -28,7 +28,7 @@ TEST(Textile, a_cantilever_of_a_stiffer_fabric_reads_stiffer) {
 }
 
 TEST(Textile, a_hanging_strip_expects_what_theory_says) {
-    Fabric wool;
+    sim::Fabric wool;
     wool.area_density = 0.265;
     wool.stretch_warp = 1500;
     const Reading reading = test_own_weight(wool, ThreadDirection::Warp, kCoarse);
@@ -38,7 +38,7 @@ TEST(Textile, a_hanging_strip_expects_what_theory_says) {
 }
 
 TEST(Textile, a_load_never_strains_a_fabric_beyond_half_its_limit) {
-    Fabric weak;
+    sim::Fabric weak;
     weak.stretch_weft = 60;
     weak.strain_limit = 0.1;
     const Reading reading = test_load(weak, ThreadDirection::Weft, kCoarse);
@@ -76,10 +76,10 @@ namespace {
 
 const std::vector<double> kAngles{0, 0.3, std::numbers::pi / 4};
 
-double area_of(const GarmentMesh& mesh, int panel) {
+double area_of(const sim::GarmentMesh& mesh, int panel) {
     double area = 0;
-    for (const GarmentTriangle& t : mesh.triangles)
-        if (t.panel == panel) area += 0.5 * cross2(t.u[1] - t.u[0], t.u[2] - t.u[0]);
+    for (const sim::GarmentTriangle& t : mesh.triangles)
+        if (t.panel == panel) area += 0.5 * sim::cross2(t.u[1] - t.u[0], t.u[2] - t.u[0]);
     return area;
 }
 
@@ -109,7 +109,7 @@ TEST(Specimen, a_strip_is_pinned_at_the_clamp_and_nowhere_below) {
 
 TEST(Specimen, material_points_lie_where_the_frame_puts_them) {
     const Specimen strip = cut_strip({}, {.mesh_angle = 0.3}, {});
-    for (const GarmentTriangle& t : strip.mesh.triangles) {
+    for (const sim::GarmentTriangle& t : strip.mesh.triangles) {
         for (std::size_t k = 0; k < 3; ++k) {
             const Vec3d& x = strip.mesh.x[static_cast<std::size_t>(t.vertices[k])];
             EXPECT_LT((strip.material(x.x(), -x.y()) - t.u[k]).norm(), 1e-9);
@@ -137,7 +137,7 @@ TEST(Specimen, a_disc_is_held_within_its_support_and_continues_beyond_it_without
         EXPECT_NEAR(area_of(disc.mesh, 0) / (pi * 0.09 * 0.09), 1, 0.02);
         EXPECT_NEAR((area_of(disc.mesh, 1) + area_of(disc.mesh, 2)) / (pi * (0.15 * 0.15 - 0.09 * 0.09)), 1, 0.02);
         for (const int pin : disc.mesh.pins) EXPECT_LT(disc.mesh.x[static_cast<std::size_t>(pin)].norm(), 0.09 + 1e-9);
-        for (const GarmentTriangle& t : disc.mesh.triangles) {
+        for (const sim::GarmentTriangle& t : disc.mesh.triangles) {
             for (std::size_t k = 0; k < 3; ++k) {
                 const Vec3d& x = disc.mesh.x[static_cast<std::size_t>(t.vertices[k])];
                 EXPECT_LT((disc.material(x.x(), -x.z()) - t.u[k]).norm(), 1e-9);
@@ -167,7 +167,7 @@ TEST(FabricReport, covers_all_levels_and_angles_unless_it_is_quick) {
 }
 
 TEST(FabricReport, knows_the_published_ranges_of_the_shipped_fabrics) {
-    for (const std::string& name : fabric_names()) {
+    for (const std::string& name : sim::fabric_names()) {
         EXPECT_GT(published_drape(name).low, 0) << name;
         EXPECT_GT(published_drape(name).high, published_drape(name).low) << name;
     }
@@ -186,9 +186,9 @@ TEST(FabricReport, gives_each_row_its_expected_value_error_gate_and_verdict) {
 }
 
 TEST(FabricReport, names_a_fabric_that_it_does_not_know) {
-    EXPECT_THROW(measure_fabrics("energy", {.fabrics = {"sackcloth"}}), InputError);
+    EXPECT_THROW(measure_fabrics("energy", {.fabrics = {"sackcloth"}}), sim::InputError);
 }
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

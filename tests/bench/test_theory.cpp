@@ -1,13 +1,13 @@
 // The heavy elastica against figures worked out elsewhere.
+#include <gtest/gtest.h>
 #include <array>
 #include <cmath>
 #include <functional>
-#include <gtest/gtest.h>
 #include <numbers>
 
 #include "bench/fabric/theory.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
 double degrees(double angle) {
@@ -133,4 +133,4 @@ TEST(CountFolds, finds_none_in_a_circle_nor_in_ripples) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::bench

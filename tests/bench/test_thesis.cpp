@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <set>
 
+#include "bench/support/square.h"
 #include "bench/thesis/drop.h"
 #include "bench/thesis/point_search.h"
 #include "bench/thesis/pointer_mesh.h"
-#include "bench/support/square.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
 constexpr ThesisOptions kQuick{.is_quick = true};
@@ -84,7 +84,7 @@ TEST(Thesis, uniform_refinement_makes_the_elements_that_the_thesis_counted) {
 
 template <class Store>
 void expect_the_same_elements() {
-    const GarmentMesh base = make_square({.columns = 4, .rows = 4});
+    const sim::GarmentMesh base = make_square({.columns = 4, .rows = 4});
     PointerMesh<Store> mesh(base);
     for (const auto& [vertices, edges, triangles] :
          {std::array<std::size_t, 3>{25, 56, 32}, {81, 264, 160}, {289, 1064, 672}, {1089, 4200, 2720}}) {
@@ -239,7 +239,7 @@ TEST(Thesis, curved_surfaces_are_drawn_at_four_levels_and_adaptively_and_no_vert
 
 TEST(Thesis, of_two_pictures_of_one_surface_that_with_normals_of_its_triangles_differs) {
     const ThesisResult result = measure_surface_lighting(kQuick);
-    const Image& pair = result.captures.front().image;
+    const render::Image& pair = result.captures.front().image;
     int differ = 0;
     for (int y = 0; y < 96; ++y)
         for (int x = 0; x < 96; ++x) differ += pair.at(x, y) != pair.at(x + 100, y) ? 1 : 0;
@@ -265,4 +265,4 @@ TEST(Thesis, a_modifier_bends_more_the_shorter_an_edge_is) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -8,10 +8,10 @@
 #include "bench/support/square.h"
 #include "sim/collide/collider.h"
 
-namespace selvedge {
+namespace selvedge::bench {
 namespace {
 
-Body tetrahedron() {
+sim::Body tetrahedron() {
     return {.name = "tetrahedron",
             .x = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
             .triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}},
@@ -19,7 +19,7 @@ Body tetrahedron() {
             .skin = {}};
 }
 
-double volume(const Body& body) {
+double volume(const sim::Body& body) {
     double sum = 0;
     for (const auto& t : body.triangles) {
         const auto at = [&](int i) { return body.x[static_cast<std::size_t>(i)]; };
@@ -30,7 +30,7 @@ double volume(const Body& body) {
 
 TEST(SplitTriangles, keeps_the_shape_and_closes_every_edge) {
     for (const int wanted : {4, 5, 16, 17, 100}) {
-        const Body split = split_triangles(tetrahedron(), wanted);
+        const sim::Body split = split_triangles(tetrahedron(), wanted);
         EXPECT_GE(static_cast<int>(split.triangles.size()), wanted);
         EXPECT_NEAR(volume(split), 1.0 / 6, 1e-12);
         EXPECT_EQ(split.x.size() * 2, split.triangles.size() + 4);  // Euler: a closed surface without handles
@@ -51,9 +51,9 @@ TEST(SplitTriangles, takes_the_least_square_that_suffices) {
 }
 
 SwayFigures sway_square() {
-    Cloth cloth = make_cloth(make_square({.height = 0.5}), {Fabric{}});
+    sim::Cloth cloth = make_cloth(make_square({.height = 0.5}), {sim::Fabric{}});
     refresh_contacts(cloth);
-    return sway(cloth, SphereCollider(Vec3f::Zero(), 0.45F), {.cycles = 12, .settling_cycles = 3});
+    return sway(cloth, sim::SphereCollider(Vec3f::Zero(), 0.45F), {.cycles = 12, .settling_cycles = 3});
 }
 
 TEST(Sway, measures_shares_between_nothing_and_all) {
@@ -71,7 +71,7 @@ TEST(Sway, measures_shares_between_nothing_and_all) {
 TEST(TshirtReport, has_every_figure_that_was_promised) {
     TshirtReport report;
     report.rows.push_back({.what = "a", .body_triangles = 4, .figures = sway_square()});
-    const Json one = to_json(report);
+    const sim::Json one = to_json(report);
     for (const char* key :
          {"leaf_triangles", "ms_adapt_plus_4_steps", "adapt_share", "collision_share", "p99_stretch"}) {
         ASSERT_NE(one.find(key), nullptr) << key;
@@ -81,10 +81,10 @@ TEST(TshirtReport, has_every_figure_that_was_promised) {
     report.rows.resize(4, report.rows[0]);
     report.rows[1].figures.ms_median = 2 * report.rows[0].figures.ms_median;
     report.rows[3].figures.ms_median = 3 * report.rows[2].figures.ms_median;
-    const Json all = to_json(report);
+    const sim::Json all = to_json(report);
     EXPECT_NEAR(all.find("growth_with_body")->number(), 2, 1e-12);
     EXPECT_NEAR(all.find("us_per_leaf_growth_with_leaves")->number(), 3, 1e-12);
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::bench

@@ -11,7 +11,7 @@ namespace selvedge::test {
 namespace {
 
 // Byte by byte; zeros when they have run out.
-class ByteChoices final : public Choices {
+class ByteChoices final : public sim::Choices {
  public:
     explicit ByteChoices(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
@@ -30,7 +30,7 @@ class ByteChoices final : public Choices {
 void run(std::span<const std::uint8_t> bytes) {
     constexpr int kMostActs = 40;
     ByteChoices choices(bytes);
-    RandomRun cloth(choices);
+    sim::RandomRun cloth(choices);
     for (int i = 0; i < kMostActs && !choices.is_empty(); ++i) {
         const auto fault = cloth.act();
         if (!fault) continue;

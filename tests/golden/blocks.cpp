@@ -4,13 +4,13 @@
 #include <cmath>
 #include <sstream>
 
-namespace selvedge {
+namespace selvedge::test {
 namespace {
 
 using Mean = std::array<double, 4>;
 
 // Of the block whose corner is (left, top); blocks at the picture's rim may be smaller.
-Mean mean_colour(const Image& image, int left, int top, int side_px) {
+Mean mean_colour(const render::Image& image, int left, int top, int side_px) {
     Mean sum{};
     int count = 0;
     for (int y = top; y < std::min(top + side_px, image.height_px); ++y) {
@@ -30,7 +30,7 @@ double largest_step(const Mean& a, const Mean& b) {
 
 }  // namespace
 
-BlockComparison compare_blocks(const Image& a, const Image& b, const BlockOptions& options) {
+BlockComparison compare_blocks(const render::Image& a, const render::Image& b, const BlockOptions& options) {
     BlockComparison result;
     result.has_same_size = a.width_px == b.width_px && a.height_px == b.height_px;
     if (!result.has_same_size) return result;
@@ -59,4 +59,4 @@ std::string describe(const BlockComparison& comparison, const BlockOptions& opti
     return text.str();
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::test

@@ -6,7 +6,7 @@
 
 #include "render/image/image.h"
 
-namespace selvedge {
+namespace selvedge::test {
 
 struct BlockOptions {
     int side_px = 16;
@@ -24,11 +24,11 @@ struct BlockComparison {
 };
 
 // Of pictures of unlike size nothing but that is told.
-BlockComparison compare_blocks(const Image& a, const Image& b, const BlockOptions& options = {});
+BlockComparison compare_blocks(const render::Image& a, const render::Image& b, const BlockOptions& options = {});
 
 bool is_alike(const BlockComparison& comparison, const BlockOptions& options = {});
 
 // One line for people: "5.1 % of the blocks differ by more than 12/255, at most 43/255".
 std::string describe(const BlockComparison& comparison, const BlockOptions& options = {});
 
-}  // namespace selvedge
+}  // namespace selvedge::test

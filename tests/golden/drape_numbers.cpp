@@ -8,10 +8,10 @@
 #include "sim/core/file.h"
 #include "tests/golden/golden.h"
 
-namespace selvedge {
+namespace selvedge::test {
 namespace {
 
-Vec3d centre_of_area(const PlainMesh& mesh) {
+Vec3d centre_of_area(const sim::PlainMesh& mesh) {
     Vec3d sum = Vec3d::Zero();
     double area = 0;
     for (const auto& [a, b, c] : mesh.triangles) {
@@ -23,7 +23,7 @@ Vec3d centre_of_area(const PlainMesh& mesh) {
     return sum / area;
 }
 
-double lowest(const PlainMesh& mesh) {
+double lowest(const sim::PlainMesh& mesh) {
     float low = std::numeric_limits<float>::max();
     for (const Vec3f& x : mesh.x) low = std::min(low, x.y());
     return low;
@@ -55,7 +55,7 @@ bool is_near(double reference, double now, double tolerance) {
 
 }  // namespace
 
-DrapeNumbers drape_numbers(const DressedGarment& garment) {
+DrapeNumbers drape_numbers(const sim::DressedGarment& garment) {
     DrapeNumbers numbers{.base_triangles = garment.report.mesh.base_triangles,
                          .leaf_triangles = garment.report.mesh.leaf_triangles,
                          .settled = garment.report.settled,
@@ -63,31 +63,31 @@ DrapeNumbers drape_numbers(const DressedGarment& garment) {
                          .warp_weft_p99 = garment.report.stretch.warp_weft_p99,
                          .hem_height = lowest(garment.mesh),
                          .centre = centre_of_area(garment.mesh)};
-    for (const DressFault& fault : garment.report.faults) numbers.faults.push_back(fault.kind);
+    for (const sim::DressFault& fault : garment.report.faults) numbers.faults.push_back(fault.kind);
     return numbers;
 }
 
-Json to_json(const DrapeNumbers& numbers) {
-    Json json = Json::object();
+sim::Json to_json(const DrapeNumbers& numbers) {
+    sim::Json json = sim::Json::object();
     json["base_triangles"] = numbers.base_triangles;
     json["leaf_triangles"] = numbers.leaf_triangles;
     json["settled"] = numbers.settled;
-    json["faults"] = Json::array();
+    json["faults"] = sim::Json::array();
     for (const std::string& kind : numbers.faults) json["faults"].push_back(kind);
     json["warp_weft_p99"] = numbers.warp_weft_p99;
     json["hem_height"] = numbers.hem_height;
-    json["centre"] = Json::array({numbers.centre.x(), numbers.centre.y(), numbers.centre.z()});
+    json["centre"] = sim::Json::array({numbers.centre.x(), numbers.centre.y(), numbers.centre.z()});
     return json;
 }
 
-DrapeNumbers parse_drape_numbers(const JsonView& view) {
+DrapeNumbers parse_drape_numbers(const sim::JsonView& view) {
     DrapeNumbers numbers{.base_triangles = view.at("base_triangles").integer(),
                          .leaf_triangles = view.at("leaf_triangles").integer(),
                          .settled = view.at("settled").boolean(),
                          .faults = {},
                          .warp_weft_p99 = view.at("warp_weft_p99").number(),
                          .hem_height = view.at("hem_height").number()};
-    const JsonView faults = view.at("faults"), centre = view.at("centre");
+    const sim::JsonView faults = view.at("faults"), centre = view.at("centre");
     for (std::size_t i = 0; i < faults.size(); ++i) numbers.faults.push_back(faults.at(i).string());
     for (int i = 0; i < 3; ++i) numbers.centre[i] = centre.at(static_cast<std::size_t>(i)).number();
     return numbers;
@@ -117,18 +117,18 @@ std::vector<std::string> differences(const DrapeNumbers& reference, const DrapeN
 testing::AssertionResult matches_numbers(const DrapeNumbers& numbers, const std::string& name) {
     const std::filesystem::path path = reference_path(name + ".json");
     if (is_to_be_renewed(name)) {
-        write_file_atomically(path, write_json(to_json(numbers)));
+        sim::write_file_atomically(path, write_json(to_json(numbers)));
         return testing::AssertionSuccess() << "renewed: look at " << path;
     }
     if (!std::filesystem::exists(path)) {
         return testing::AssertionFailure() << "no reference " << path << "; now " << write_json(to_json(numbers));
     }
-    const Json json = read_json(path);
-    const auto found = differences(parse_drape_numbers(JsonView(json, path.string())), numbers);
+    const sim::Json json = sim::read_json(path);
+    const auto found = differences(parse_drape_numbers(sim::JsonView(json, path.string())), numbers);
     if (found.empty()) return testing::AssertionSuccess();
     auto failure = testing::AssertionFailure() << name;
     for (const std::string& difference : found) failure << "\n  " << difference;
     return failure;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::test

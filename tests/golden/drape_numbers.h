@@ -9,7 +9,7 @@
 #include "sim/core/json.h"
 #include "sim/dress/dress.h"
 
-namespace selvedge {
+namespace selvedge::test {
 
 struct DrapeNumbers {
     int base_triangles = 0;
@@ -27,10 +27,10 @@ struct DrapeTolerances {
     double length = 0.01;  // m, of the hem's height and between the centres
 };
 
-DrapeNumbers drape_numbers(const DressedGarment& garment);
+DrapeNumbers drape_numbers(const sim::DressedGarment& garment);
 
-Json to_json(const DrapeNumbers& numbers);
-DrapeNumbers parse_drape_numbers(const JsonView& view);
+sim::Json to_json(const DrapeNumbers& numbers);
+DrapeNumbers parse_drape_numbers(const sim::JsonView& view);
 
 // What is not as in the reference, a line each with both values. Empty when all is.
 std::vector<std::string> differences(const DrapeNumbers& reference, const DrapeNumbers& now,
@@ -40,4 +40,4 @@ std::vector<std::string> differences(const DrapeNumbers& reference, const DrapeN
 // become the reference instead.
 testing::AssertionResult matches_numbers(const DrapeNumbers& numbers, const std::string& name);
 
-}  // namespace selvedge
+}  // namespace selvedge::test

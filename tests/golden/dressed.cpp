@@ -5,15 +5,15 @@
 #include "sim/mannequin/mannequin.h"
 #include "sim/pattern/pattern_file.h"
 
-namespace selvedge {
+namespace selvedge::test {
 
-Body coarse_mannequin() {
-    return make_mannequin(parse_mannequin("mannequin:sex=female,resolution=1")).body;
+sim::Body coarse_mannequin() {
+    return sim::make_mannequin(sim::parse_mannequin("mannequin:sex=female,resolution=1")).body;
 }
 
-DressedGarment dress_shipped(const std::string& garment, const DressOptions& options) {
+sim::DressedGarment dress_shipped(const std::string& garment, const sim::DressOptions& options) {
     const auto path = std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / (garment + ".json");
-    return dress(load_pattern(path).pattern, coarse_mannequin(), options);
+    return dress(sim::load_pattern(path).pattern, coarse_mannequin(), options);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::test

@@ -4,12 +4,12 @@
 
 #include "sim/dress/dress.h"
 
-namespace selvedge {
+namespace selvedge::test {
 
 // The female mannequin at its lowest resolution.
-Body coarse_mannequin();
+sim::Body coarse_mannequin();
 
 // `garment` is a name of patterns/, without extension.
-DressedGarment dress_shipped(const std::string& garment, const DressOptions& options = {});
+sim::DressedGarment dress_shipped(const std::string& garment, const sim::DressOptions& options = {});
 
-}  // namespace selvedge
+}  // namespace selvedge::test

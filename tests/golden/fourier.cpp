@@ -7,7 +7,7 @@
 
 #include "sim/core/assert.h"
 
-namespace selvedge {
+namespace selvedge::test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -73,4 +73,4 @@ double greatest_slow_wave(const std::vector<double>& values, int side, int most)
     return greatest;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::test

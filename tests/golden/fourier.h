@@ -3,7 +3,7 @@
 #include <complex>
 #include <vector>
 
-namespace selvedge {
+namespace selvedge::test {
 
 // Values in rows, side x side, side a power of two: to coefficients, whose index is the number of waves each way,
 // negative ones counted from the end. The mean of all is at (0, 0).
@@ -13,4 +13,4 @@ std::vector<std::complex<double>> fourier(const std::vector<double>& values, int
 // its edges (Hann), so that it need not repeat.
 double greatest_slow_wave(const std::vector<double>& values, int side, int most);
 
-}  // namespace selvedge
+}  // namespace selvedge::test

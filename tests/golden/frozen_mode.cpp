@@ -5,7 +5,7 @@
 #include "render/draw/renderer.h"
 #include "render/marks/show.h"
 
-namespace selvedge {
+namespace selvedge::test {
 namespace {
 
 constexpr std::uint32_t kSide = 49;  // vertices along a side of the frozen sheet
@@ -21,7 +21,7 @@ std::uint8_t vertex_level(std::uint32_t v) {
 }
 
 // m from the ball under the sheet, made larger to the right so that the figures vary on top too.
-std::vector<float> clearances(const PlainMesh& mesh) {
+std::vector<float> clearances(const sim::PlainMesh& mesh) {
     std::vector<float> distances;
     for (const Vec3f& x : mesh.x) {
         const float away = (x - Vec3f(0, 0.55F, 0)).norm() - 0.25F;
@@ -31,7 +31,7 @@ std::vector<float> clearances(const PlainMesh& mesh) {
 }
 
 // Refined towards one corner of each of two panels, down to level 3.
-void add_refined(TriangleHierarchy& all, const std::array<Vec2f, 3>& u, std::uint16_t panel, std::uint8_t level) {
+void add_refined(sim::TriangleHierarchy& all, const std::array<Vec2f, 3>& u, std::uint16_t panel, std::uint8_t level) {
     const Vec2f middle = (u[0] + u[1] + u[2]) / 3;
     const bool is_leaf = level == 3 || middle.norm() > 0.55F / float(1 << level);
     all.push_back({.u = u, .panel = panel, .level = level, .is_leaf = is_leaf});
@@ -44,8 +44,8 @@ void add_refined(TriangleHierarchy& all, const std::array<Vec2f, 3>& u, std::uin
     add_refined(all, m, panel, next);
 }
 
-TriangleHierarchy hierarchy() {
-    TriangleHierarchy all;
+sim::TriangleHierarchy hierarchy() {
+    sim::TriangleHierarchy all;
     for (const std::uint16_t panel : {std::uint16_t{0}, std::uint16_t{1}}) {
         const float width = panel == 0 ? 0.5F : 0.3F;
         add_refined(all, {Vec2f(0, 0), Vec2f(width, 0), Vec2f(width, 0.4F)}, panel, 0);
@@ -56,29 +56,29 @@ TriangleHierarchy hierarchy() {
 
 }  // namespace
 
-FrozenMode make_frozen_mode(ShowMode mode) {
-    if (mode == ShowMode::Hierarchy) {
+FrozenMode make_frozen_mode(render::ShowMode mode) {
+    if (mode == render::ShowMode::Hierarchy) {
         FrozenMode frozen;
-        frozen.legend =
-            fill_hierarchy(frozen.scene, hierarchy(), StackSide::Right, {.clearance = {}, .line_radius = 0.002F});
+        frozen.legend = fill_hierarchy(frozen.scene, hierarchy(), render::StackSide::Right,
+                                       {.clearance = {}, .line_radius = 0.002F});
         frozen.scene.ground_y = -0.01F;
         frozen.scene.camera =
-            frame_points(scene_points(frozen.scene), Direction{.azimuth = 0.3F, .elevation = 0.62F}, {});
+            frame_points(scene_points(frozen.scene), render::Direction{.azimuth = 0.3F, .elevation = 0.62F}, {});
         frozen.scene.light = even_light(frozen.scene.camera);
         return frozen;
     }
     FrozenMode frozen{.scene = make_frozen_scene({.show = mode}), .legend = {}};
-    PlainMesh& mesh = frozen.scene.cloths[0].mesh;
+    sim::PlainMesh& mesh = frozen.scene.cloths[0].mesh;
     for (std::uint32_t v = 0; v < mesh.x.size(); ++v) mesh.vertex_level.push_back(vertex_level(v));
     frozen.legend = fill_show(frozen.scene, {.clearance = clearances(mesh), .line_radius = 0.006F});
     frozen.scene.light = even_light(frozen.scene.camera);
     return frozen;
 }
 
-Image draw_frozen(const FrozenMode& frozen, int side_px) {
-    Image image = Renderer().draw(frozen.scene, {.width_px = side_px, .height_px = side_px});
-    if (frozen.legend) draw_legend(image, *frozen.legend, Corner::LowerLeft);
+render::Image draw_frozen(const FrozenMode& frozen, int side_px) {
+    render::Image image = render::Renderer().draw(frozen.scene, {.width_px = side_px, .height_px = side_px});
+    if (frozen.legend) draw_legend(image, *frozen.legend, render::Corner::LowerLeft);
     return image;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::test

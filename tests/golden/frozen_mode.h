@@ -3,16 +3,16 @@
 #include "render/marks/legend.h"
 #include "tests/golden/frozen_scene.h"
 
-namespace selvedge {
+namespace selvedge::test {
 
 struct FrozenMode {
-    Scene scene;
-    std::optional<Legend> legend;
+    render::Scene scene;
+    std::optional<render::Legend> legend;
 };
 
-FrozenMode make_frozen_mode(ShowMode mode);
+FrozenMode make_frozen_mode(render::ShowMode mode);
 
 // With the legend, in the lower left.
-Image draw_frozen(const FrozenMode& frozen, int side_px);
+render::Image draw_frozen(const FrozenMode& frozen, int side_px);
 
-}  // namespace selvedge
+}  // namespace selvedge::test

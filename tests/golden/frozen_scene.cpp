@@ -5,7 +5,7 @@
 
 #include "sim/tartan/tartan_file.h"
 
-namespace selvedge {
+namespace selvedge::test {
 namespace {
 
 constexpr float kBallRadius = 0.25F;  // m
@@ -38,7 +38,7 @@ std::uint32_t vertex_at(std::uint32_t i, std::uint32_t j) {
 }
 
 // Seen from above, +z runs down: (i, j) (i, j+1) (i+1, j) is counter-clockwise.
-void add_triangle(PlainMesh& mesh, const std::array<std::array<std::uint32_t, 2>, 3>& corners) {
+void add_triangle(sim::PlainMesh& mesh, const std::array<std::array<std::uint32_t, 2>, 3>& corners) {
     const bool is_left = corners[0][0] + corners[1][0] + corners[2][0] < 3 * kCells / 2;
     std::array<Vec2f, 3> u;
     Vec2f centre = Vec2f::Zero();
@@ -54,8 +54,8 @@ void add_triangle(PlainMesh& mesh, const std::array<std::array<std::uint32_t, 2>
     mesh.level.push_back(static_cast<std::uint8_t>(std::min(centre.norm() / 0.16F, 4.0F)));
 }
 
-PlainMesh make_sheet() {
-    PlainMesh mesh;
+sim::PlainMesh make_sheet() {
+    sim::PlainMesh mesh;
     for (std::uint32_t j = 0; j <= kCells; ++j) {
         for (std::uint32_t i = 0; i <= kCells; ++i) mesh.x.push_back(drape(sheet_point(i, j)));
     }
@@ -67,13 +67,13 @@ PlainMesh make_sheet() {
     }
     mesh.panel_names = {"left", "right"};
     mesh.panel_grain_angles = {0, 0.7853982F};
-    mesh.normals = vertex_normals(mesh.x, mesh.triangles);
+    mesh.normals = sim::vertex_normals(mesh.x, mesh.triangles);
     return mesh;
 }
 
-BodyItem make_ball() {
+render::BodyItem make_ball() {
     constexpr std::uint32_t around = 64, rings = 32;
-    BodyItem ball;
+    render::BodyItem ball;
     for (std::uint32_t ring = 0; ring <= rings; ++ring) {
         const float polar = 3.14159265F * float(ring) / float(rings);
         for (std::uint32_t i = 0; i < around; ++i) {
@@ -95,11 +95,11 @@ BodyItem make_ball() {
 
 }  // namespace
 
-Scene make_frozen_scene(const FrozenOptions& options) {
-    Scene scene;
-    ClothItem cloth;
+render::Scene make_frozen_scene(const FrozenOptions& options) {
+    render::Scene scene;
+    render::ClothItem cloth;
     cloth.mesh = make_sheet();
-    cloth.sett = find_tartan("royal_stewart");
+    cloth.sett = sim::find_tartan("royal_stewart");
     cloth.show = options.show;
     scene.cloths.push_back(cloth);
     if (options.has_ball) scene.bodies.push_back(make_ball());
@@ -108,4 +108,4 @@ Scene make_frozen_scene(const FrozenOptions& options) {
     return scene;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::test

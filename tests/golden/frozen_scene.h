@@ -3,14 +3,14 @@
 // laid over a ball, its rim hanging in folds, cut in two panels with a seam between.
 #include "render/scene/scene.h"
 
-namespace selvedge {
+namespace selvedge::test {
 
 struct FrozenOptions {
-    View view = View::ThreeQuarter;
-    ShowMode show = ShowMode::Tartan;
+    render::View view = render::View::ThreeQuarter;
+    render::ShowMode show = render::ShowMode::Tartan;
     bool has_ball = true;
 };
 
-Scene make_frozen_scene(const FrozenOptions& options = {});
+render::Scene make_frozen_scene(const FrozenOptions& options = {});
 
-}  // namespace selvedge
+}  // namespace selvedge::test

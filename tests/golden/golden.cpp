@@ -8,13 +8,13 @@
 #include "render/image/image.h"
 #include "tests/golden/blocks.h"
 
-namespace selvedge {
+namespace selvedge::test {
 namespace {
 
 // What is wrong with the second picture, by the first; nothing when they are alike.
-using Judge = std::function<std::optional<std::string>(const Image&, const Image&)>;
+using Judge = std::function<std::optional<std::string>(const render::Image&, const render::Image&)>;
 
-testing::AssertionResult matches(const Image& image, const std::string& name, const Judge& judge) {
+testing::AssertionResult matches(const render::Image& image, const std::string& name, const Judge& judge) {
     const std::filesystem::path path = reference_path(name + ".png");
     if (is_to_be_renewed(name)) {
         write_png(path, image);
@@ -25,7 +25,7 @@ testing::AssertionResult matches(const Image& image, const std::string& name, co
         write_png(out, image);
         return testing::AssertionFailure() << "no reference " << path << "; wrote " << out;
     }
-    const Image reference = read_png(path);
+    const render::Image reference = render::read_png(path);
     const std::optional<std::string> problem = judge(reference, image);
     if (!problem) return testing::AssertionSuccess();
     write_png(out, image);
@@ -48,24 +48,26 @@ bool is_to_be_renewed(const std::string& name) {
     return false;
 }
 
-Image read_reference(const std::string& name) {
-    return read_png(reference_path(name + ".png"));
+render::Image read_reference(const std::string& name) {
+    return render::read_png(reference_path(name + ".png"));
 }
 
-testing::AssertionResult matches_golden(const Image& image, const std::string& name) {
-    return matches(image, name, [](const Image& reference, const Image& now) -> std::optional<std::string> {
-        const Comparison comparison = compare(reference, now);
-        if (is_alike(comparison)) return std::nullopt;
-        return describe(comparison);
-    });
+testing::AssertionResult matches_golden(const render::Image& image, const std::string& name) {
+    return matches(image, name,
+                   [](const render::Image& reference, const render::Image& now) -> std::optional<std::string> {
+                       const render::Comparison comparison = compare(reference, now);
+                       if (is_alike(comparison)) return std::nullopt;
+                       return describe(comparison);
+                   });
 }
 
-testing::AssertionResult matches_golden_by_blocks(const Image& image, const std::string& name) {
-    return matches(image, name, [](const Image& reference, const Image& now) -> std::optional<std::string> {
-        const BlockComparison comparison = compare_blocks(reference, now);
-        if (is_alike(comparison)) return std::nullopt;
-        return describe(comparison);
-    });
+testing::AssertionResult matches_golden_by_blocks(const render::Image& image, const std::string& name) {
+    return matches(image, name,
+                   [](const render::Image& reference, const render::Image& now) -> std::optional<std::string> {
+                       const BlockComparison comparison = compare_blocks(reference, now);
+                       if (is_alike(comparison)) return std::nullopt;
+                       return describe(comparison);
+                   });
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::test

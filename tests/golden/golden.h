@@ -9,7 +9,7 @@
 #include "render/image/compare.h"
 #include "render/image/image.h"
 
-namespace selvedge {
+namespace selvedge::test {
 
 // Where a reference is kept; `file` with its extension.
 std::filesystem::path reference_path(const std::string& file);
@@ -19,12 +19,12 @@ bool is_to_be_renewed(const std::string& name);
 
 // Fails when the reference is missing or the pictures are not alike (render/image/compare.h). Where
 // SELVEDGE_RENEW_GOLDENS names the picture, it becomes the reference instead.
-testing::AssertionResult matches_golden(const Image& image, const std::string& name);
+testing::AssertionResult matches_golden(const render::Image& image, const std::string& name);
 
 // The same by the rule for pictures of a drape (tests/golden/blocks.h).
-testing::AssertionResult matches_golden_by_blocks(const Image& image, const std::string& name);
+testing::AssertionResult matches_golden_by_blocks(const render::Image& image, const std::string& name);
 
 // The reference as it is stored. Throws InputError when it is missing.
-Image read_reference(const std::string& name);
+render::Image read_reference(const std::string& name);
 
-}  // namespace selvedge
+}  // namespace selvedge::test

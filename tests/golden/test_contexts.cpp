@@ -3,19 +3,19 @@
 
 #include <cstdlib>
 
-#include "render/image/compare.h"
 #include "render/draw/renderer.h"
+#include "render/image/compare.h"
 #include "sim/core/error.h"
 #include "tests/golden/frozen_scene.h"
 
-namespace selvedge {
+namespace selvedge::test {
 namespace {
 
-std::optional<std::string> why_absent(ContextMaker maker) {
+std::optional<std::string> why_absent(render::ContextMaker maker) {
     try {
         make_context(maker);
         return std::nullopt;
-    } catch (const InputError& error) {
+    } catch (const sim::InputError& error) {
         return error.problem();
     }
 }
@@ -34,38 +34,38 @@ class WithEnvironment {
 };
 
 TEST(Contexts, both_makers_draw_the_same_picture) {
-    for (const ContextMaker maker : {ContextMaker::OSMesa, ContextMaker::Egl}) {
+    for (const render::ContextMaker maker : {render::ContextMaker::OSMesa, render::ContextMaker::Egl}) {
         if (const auto reason = why_absent(maker)) GTEST_SKIP() << name(maker) << " is absent: " << *reason;
     }
-    const Scene scene = make_frozen_scene();
-    const RenderOptions options{.width_px = 200, .height_px = 160};
-    const Image osmesa = Renderer(ContextMaker::OSMesa).draw(scene, options);
-    const Image egl = Renderer(ContextMaker::Egl).draw(scene, options);
-    const Comparison comparison = compare(osmesa, egl);
+    const render::Scene scene = make_frozen_scene();
+    const render::RenderOptions options{.width_px = 200, .height_px = 160};
+    const render::Image osmesa = render::Renderer(render::ContextMaker::OSMesa).draw(scene, options);
+    const render::Image egl = render::Renderer(render::ContextMaker::Egl).draw(scene, options);
+    const render::Comparison comparison = compare(osmesa, egl);
     EXPECT_TRUE(is_alike(comparison)) << describe(comparison);
 }
 
 TEST(Contexts, the_environment_chooses_the_maker) {
-    for (const ContextMaker maker : {ContextMaker::OSMesa, ContextMaker::Egl}) {
+    for (const render::ContextMaker maker : {render::ContextMaker::OSMesa, render::ContextMaker::Egl}) {
         if (const auto reason = why_absent(maker)) GTEST_SKIP() << name(maker) << " is absent: " << *reason;
         const WithEnvironment environment(name(maker));
-        EXPECT_EQ(make_context()->maker(), maker);
+        EXPECT_EQ(render::make_context()->maker(), maker);
     }
 }
 
 TEST(Contexts, a_maker_that_is_not_known_is_an_input_error) {
     const WithEnvironment environment("voodoo");
     try {
-        make_context();
+        render::make_context();
         FAIL() << "no error";
-    } catch (const InputError& error) {
+    } catch (const sim::InputError& error) {
         EXPECT_STREQ(error.what(), "SELVEDGE_GL: 'voodoo' is neither osmesa nor egl");
     }
 }
 
 TEST(Contexts, say_what_they_are) {
-    EXPECT_NE(make_context()->description().find("OpenGL"), std::string::npos);
+    EXPECT_NE(render::make_context()->description().find("OpenGL"), std::string::npos);
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::test

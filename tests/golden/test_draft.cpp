@@ -3,51 +3,51 @@
 
 #include <cmath>
 
-#include "render/preview/preview_renderer.h"
-#include "render/image/compare.h"
 #include "render/draw/renderer.h"
+#include "render/image/compare.h"
+#include "render/preview/preview_renderer.h"
 #include "tests/golden/frozen_scene.h"
 
-namespace selvedge {
+namespace selvedge::test {
 namespace {
 
 constexpr int kWidth = 120, kHeight = 96;
 
-SceneView view_of(const Scene& scene) {
-    return {.scene = std::make_shared<const Scene>(scene), .camera = scene.camera, .light = scene.light};
+render::SceneView view_of(const render::Scene& scene) {
+    return {.scene = std::make_shared<const render::Scene>(scene), .camera = scene.camera, .light = scene.light};
 }
 
 class Drafts : public testing::Test {
  protected:
     Drafts() { to_.resize(kWidth, kHeight); }
 
-    Image draft(DraftRenderer& renderer, const SceneView& view) {
+    render::Image draft(render::DraftRenderer& renderer, const render::SceneView& view) {
         renderer.draw(view, to_);
         return to_.read();
     }
-    Image fresh_draft(const Scene& scene) {
-        DraftRenderer renderer(*context_);
+    render::Image fresh_draft(const render::Scene& scene) {
+        render::DraftRenderer renderer(*context_);
         return draft(renderer, view_of(scene));
     }
 
-    std::unique_ptr<GlContext> context_ = make_context();
-    PictureTexture to_{context_->gl()};
+    std::unique_ptr<render::GlContext> context_ = render::make_context();
+    render::PictureTexture to_{context_->gl()};
 };
 
-Scene rippled(Scene scene) {
+render::Scene rippled(render::Scene scene) {
     for (Vec3f& x : scene.cloths[0].mesh.x) x.y() += 0.01F * std::sin(40 * x.x());
     scene.cloths[0].mesh.normals.clear();
     return scene;
 }
 
 // Mean colour of the blocks that a picture is cut in, of 12 x 12 px.
-std::vector<Vec3f> block_means(const Image& image) {
+std::vector<Vec3f> block_means(const render::Image& image) {
     std::vector<Vec3f> means;
     for (int top = 0; top < image.height_px; top += 12) {
         for (int left = 0; left < image.width_px; left += 12) {
             Vec3f sum = Vec3f::Zero();
             for (int i = 0; i < 144; ++i) {
-                const Rgba8& pixel = image.at(left + i % 12, top + i / 12);
+                const render::Rgba8& pixel = image.at(left + i % 12, top + i / 12);
                 sum += Vec3f(pixel[0], pixel[1], pixel[2]);
             }
             means.emplace_back(sum / 144);
@@ -57,17 +57,18 @@ std::vector<Vec3f> block_means(const Image& image) {
 }
 
 TEST_F(Drafts, a_shared_view_in_a_texture_is_the_picture_of_its_scene) {
-    Renderer renderer(*context_);
-    const Image image = renderer.draw(make_frozen_scene(), {.width_px = kWidth, .height_px = kHeight, .tile_px = 50});
+    render::Renderer renderer(*context_);
+    const render::Image image =
+        renderer.draw(make_frozen_scene(), {.width_px = kWidth, .height_px = kHeight, .tile_px = 50});
     renderer.draw(view_of(make_frozen_scene()), to_, {.tile_px = 50});
     EXPECT_TRUE(image == to_.read());
 }
 
 TEST_F(Drafts, are_like_the_picture_from_afar) {
-    for (const ShowMode show : {ShowMode::Tartan, ShowMode::Level, ShowMode::Plain}) {
-        const Scene scene = make_frozen_scene({.show = show});
+    for (const render::ShowMode show : {render::ShowMode::Tartan, render::ShowMode::Level, render::ShowMode::Plain}) {
+        const render::Scene scene = make_frozen_scene({.show = show});
         const std::vector<Vec3f> drafted = block_means(fresh_draft(scene));
-        Renderer renderer(*context_);
+        render::Renderer renderer(*context_);
         const std::vector<Vec3f> fine = block_means(renderer.draw(scene, {.width_px = kWidth, .height_px = kHeight}));
         double difference = 0;
         for (std::size_t i = 0; i < fine.size(); ++i) difference += double((drafted[i] - fine[i]).cwiseAbs().mean());
@@ -76,24 +77,24 @@ TEST_F(Drafts, are_like_the_picture_from_afar) {
 }
 
 TEST_F(Drafts, have_the_same_bits_whatever_was_drawn_before) {
-    DraftRenderer renderer(*context_);
-    const Scene still = make_frozen_scene(), moved = rippled(still);
-    const Scene levels = make_frozen_scene({.show = ShowMode::Level, .has_ball = false});
-    const Image first = draft(renderer, view_of(still));
+    render::DraftRenderer renderer(*context_);
+    const render::Scene still = make_frozen_scene(), moved = rippled(still);
+    const render::Scene levels = make_frozen_scene({.show = render::ShowMode::Level, .has_ball = false});
+    const render::Image first = draft(renderer, view_of(still));
     EXPECT_FALSE(first == draft(renderer, view_of(moved)));
-    for (const Scene& scene : {moved, levels, still, moved}) {
+    for (const render::Scene& scene : {moved, levels, still, moved}) {
         EXPECT_TRUE(fresh_draft(scene) == draft(renderer, view_of(scene)));
     }
 }
 
 TEST_F(Drafts, follow_the_camera_and_the_size_of_the_same_scene) {
-    DraftRenderer renderer(*context_);
-    SceneView view = view_of(make_frozen_scene());
-    const Image first = draft(renderer, view);
+    render::DraftRenderer renderer(*context_);
+    render::SceneView view = view_of(make_frozen_scene());
+    const render::Image first = draft(renderer, view);
     view.camera = turned(view.camera, 0.4F, Vec3f::Zero());
-    const Image second = draft(renderer, view);
+    const render::Image second = draft(renderer, view);
     EXPECT_FALSE(first == second);
-    Scene same = make_frozen_scene();
+    render::Scene same = make_frozen_scene();
     same.camera = view.camera;
     EXPECT_TRUE(second == fresh_draft(same));
     to_.resize(kHeight, kWidth);
@@ -101,8 +102,8 @@ TEST_F(Drafts, follow_the_camera_and_the_size_of_the_same_scene) {
 }
 
 TEST_F(Drafts, fill_a_picture_that_has_grown) {
-    DraftRenderer renderer(*context_);
-    const SceneView view = view_of(make_frozen_scene());
+    render::DraftRenderer renderer(*context_);
+    const render::SceneView view = view_of(make_frozen_scene());
     to_.resize(kWidth, kHeight / 2);
     draft(renderer, view);
     to_.resize(kWidth, kHeight);
@@ -110,28 +111,28 @@ TEST_F(Drafts, fill_a_picture_that_has_grown) {
 }
 
 TEST_F(Drafts, show_painted_cloth_marks_and_an_empty_room) {
-    Scene scene = make_frozen_scene({.show = ShowMode::Plain});
-    const Image plain = fresh_draft(scene);
-    ClothItem& cloth = scene.cloths[0];
-    cloth.show = ShowMode::Strain;
-    cloth.paint = ClothPaint{.map = {{255, 0, 0}, {0, 0, 255}}, .places = {}};
+    render::Scene scene = make_frozen_scene({.show = render::ShowMode::Plain});
+    const render::Image plain = fresh_draft(scene);
+    render::ClothItem& cloth = scene.cloths[0];
+    cloth.show = render::ShowMode::Strain;
+    cloth.paint = render::ClothPaint{.map = {{255, 0, 0}, {0, 0, 255}}, .places = {}};
     cloth.paint->places.assign(cloth.mesh.triangles.size(), {0.F, 0.F, 0.F});
-    const Image red = fresh_draft(scene);
+    const render::Image red = fresh_draft(scene);
     cloth.paint->places.assign(cloth.mesh.triangles.size(), {1.F, 1.F, 1.F});
-    const Image blue = fresh_draft(scene);
-    const Rgba8 red_pixel = red.at(kWidth / 2, kHeight / 3), blue_pixel = blue.at(kWidth / 2, kHeight / 3);
+    const render::Image blue = fresh_draft(scene);
+    const render::Rgba8 red_pixel = red.at(kWidth / 2, kHeight / 3), blue_pixel = blue.at(kWidth / 2, kHeight / 3);
     EXPECT_GT(red_pixel[0], red_pixel[2] + 100);
     EXPECT_GT(blue_pixel[2], blue_pixel[0] + 100);
     scene.solids.push_back({.x = {{-2, -2, 0.6F}, {2, -2, 0.6F}, {0, 3, 0.6F}},
                             .normals = std::vector<Vec3f>(3, Vec3f::UnitZ()),
-                            .colours = std::vector<Rgb8>(3, Rgb8{0, 255, 0}),
+                            .colours = std::vector<sim::Rgb8>(3, sim::Rgb8{0, 255, 0}),
                             .triangles = {{0, 1, 2}}});
-    const Rgba8 green_pixel = fresh_draft(scene).at(kWidth / 2, kHeight / 3);
+    const render::Rgba8 green_pixel = fresh_draft(scene).at(kWidth / 2, kHeight / 3);
     EXPECT_GT(green_pixel[1], green_pixel[0] + 100);
-    const Image empty = fresh_draft({});
+    const render::Image empty = fresh_draft({});
     EXPECT_EQ(empty.at(kWidth / 2, kHeight / 2)[3], 255);
     EXPECT_FALSE(empty == plain);
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::test

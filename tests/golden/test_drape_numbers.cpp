@@ -8,7 +8,7 @@
 #include "tests/golden/dressed.h"
 #include "tests/golden/golden.h"
 
-namespace selvedge {
+namespace selvedge::test {
 namespace {
 
 class DrapeGolden : public testing::TestWithParam<const char*> {};
@@ -23,8 +23,8 @@ INSTANTIATE_TEST_SUITE_P(Numbers, DrapeGolden, testing::Values("tshirt", "two_sq
 
 DrapeNumbers read_numbers(const std::string& name) {
     const auto path = reference_path(name + ".json");
-    const Json json = read_json(path);
-    return parse_drape_numbers(JsonView(json, path.string()));
+    const sim::Json json = sim::read_json(path);
+    return parse_drape_numbers(sim::JsonView(json, path.string()));
 }
 
 // What tells a reference from itself with a fault, in one line.
@@ -65,8 +65,8 @@ TEST(DrapeNumbers, survive_being_written_and_read) {
                                .warp_weft_p99 = 0.012,
                                .hem_height = 0.71,
                                .centre = Vec3d(0.01, 1.1, -0.02)};
-    const Json json = to_json(numbers);
-    const DrapeNumbers again = parse_drape_numbers(JsonView(json, "numbers"));
+    const sim::Json json = to_json(numbers);
+    const DrapeNumbers again = parse_drape_numbers(sim::JsonView(json, "numbers"));
     EXPECT_TRUE(differences(numbers, again, {.leaf_share = 0, .strain = 0, .length = 0}).empty());
 }
 
@@ -75,4 +75,4 @@ TEST(DrapeNumbers, a_missing_reference_fails) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::test

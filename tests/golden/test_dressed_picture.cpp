@@ -7,27 +7,27 @@
 #include "tests/golden/dressed.h"
 #include "tests/golden/golden.h"
 
-namespace selvedge {
+namespace selvedge::test {
 namespace {
 
 constexpr const char* kName = "dressed_tshirt";
 
 // Of the mannequin's trunk; it stands still, wherever the cloth hangs.
-Camera camera_at_trunk() {
+render::Camera camera_at_trunk() {
     const std::vector<Vec3f> corners{Vec3f(-0.4F, 0.75F, 0), Vec3f(0.4F, 1.4F, 0)};
-    return frame_points(corners, View::ThreeQuarter, {.aspect = 1});
+    return frame_points(corners, render::View::ThreeQuarter, {.aspect = 1});
 }
 
-Image draw(const PlainMesh& garment, const std::string& tartan) {
-    Scene scene;
-    ClothItem cloth;
+render::Image draw(const sim::PlainMesh& garment, const std::string& tartan) {
+    render::Scene scene;
+    render::ClothItem cloth;
     cloth.mesh = garment;
-    cloth.sett = find_tartan(tartan);
+    cloth.sett = sim::find_tartan(tartan);
     scene.cloths.push_back(cloth);
-    scene.bodies.push_back(make_body_item(coarse_mannequin()));
+    scene.bodies.push_back(render::make_body_item(coarse_mannequin()));
     scene.camera = camera_at_trunk();
     scene.light = studio_light(scene.camera);
-    return Renderer().draw(scene, {.width_px = 256, .height_px = 256});
+    return render::Renderer().draw(scene, {.width_px = 256, .height_px = 256});
 }
 
 // One process runs this suite, so that the T-shirt is dressed once.
@@ -35,15 +35,15 @@ class DressedPicture : public testing::Test {
  protected:
     static void SetUpTestSuite() { tshirt_ = dress_shipped("tshirt", {.max_level = 2}).mesh; }
 
-    static void expect_told_apart(const Image& faulty) {
+    static void expect_told_apart(const render::Image& faulty) {
         const BlockComparison comparison = compare_blocks(read_reference(kName), faulty);
         EXPECT_FALSE(is_alike(comparison)) << describe(comparison);
     }
 
-    static PlainMesh tshirt_;
+    static sim::PlainMesh tshirt_;
 };
 
-PlainMesh DressedPicture::tshirt_;
+sim::PlainMesh DressedPicture::tshirt_;
 
 TEST_F(DressedPicture, is_as_it_was) {
     EXPECT_TRUE(matches_golden_by_blocks(draw(tshirt_, "royal_stewart"), kName));
@@ -58,13 +58,13 @@ TEST_F(DressedPicture, of_another_garment_is_told_apart) {
 }
 
 TEST_F(DressedPicture, of_a_garment_that_slipped_by_2_cm_is_told_apart) {
-    PlainMesh slipped = tshirt_;
+    sim::PlainMesh slipped = tshirt_;
     for (Vec3f& x : slipped.x) x.y() -= 0.02F;
     expect_told_apart(draw(slipped, "royal_stewart"));
 }
 
 TEST_F(DressedPicture, of_a_garment_without_a_sleeve_is_told_apart) {
-    PlainMesh torn = tshirt_;
+    sim::PlainMesh torn = tshirt_;
     for (std::size_t t = 0; t < torn.triangles.size(); ++t) {
         const std::string& panel = torn.panel_names[torn.panel[t]];
         if (panel.find("sleeve") != std::string::npos) torn.triangles[t] = {0, 0, 0};
@@ -73,11 +73,11 @@ TEST_F(DressedPicture, of_a_garment_without_a_sleeve_is_told_apart) {
 }
 
 TEST(Blocks, pictures_of_unlike_size_are_not_alike) {
-    EXPECT_FALSE(is_alike(compare_blocks(Image(32, 32), Image(32, 48))));
+    EXPECT_FALSE(is_alike(compare_blocks(render::Image(32, 32), render::Image(32, 48))));
 }
 
 TEST(Blocks, a_moved_thread_is_not_seen_and_a_changed_block_is_counted) {
-    Image striped(64, 64), moved(64, 64);
+    render::Image striped(64, 64), moved(64, 64);
     for (int y = 0; y < 64; ++y) {
         striped.at(5, y) = {255, 255, 255, 255};
         moved.at(9, y) = {255, 255, 255, 255};
@@ -91,4 +91,4 @@ TEST(Blocks, a_moved_thread_is_not_seen_and_a_changed_block_is_counted) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::test

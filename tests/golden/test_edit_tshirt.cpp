@@ -16,7 +16,7 @@
 #include "tests/golden/dressed.h"
 #include "tests/golden/golden.h"
 
-namespace selvedge {
+namespace selvedge::test {
 namespace {
 
 constexpr double kLength = 0.001;  // m: handles are typed to 0.01 mm, the file has them to 1/10000 of their edge
@@ -32,12 +32,12 @@ struct SewnPair {
     }
 };
 
-std::vector<SewnPair> sewn_pairs(const Pattern& pattern) {
+std::vector<SewnPair> sewn_pairs(const sim::Pattern& pattern) {
     std::vector<SewnPair> pairs;
-    for (const Seam& seam : pattern.seams) {
+    for (const sim::Seam& seam : pattern.seams) {
         SewnPair pair;
-        for (const SeamSide& side : {seam.first, seam.second}) {
-            const Panel& panel = pattern.panels.at(static_cast<std::size_t>(side.panel));
+        for (const sim::SeamSide& side : {seam.first, seam.second}) {
+            const sim::Panel& panel = pattern.panels.at(static_cast<std::size_t>(side.panel));
             pair.panels.push_back(panel.name);
             pair.lengths.push_back(outline_length(panel, panel.edges.at(static_cast<std::size_t>(side.edge))));
         }
@@ -49,22 +49,22 @@ std::vector<SewnPair> sewn_pairs(const Pattern& pattern) {
     return pairs;
 }
 
-double perimeter(const Panel& panel) {
+double perimeter(const sim::Panel& panel) {
     double sum = 0;
-    for (const OutlineEdge& edge : panel.edges) sum += outline_length(panel, edge);
+    for (const sim::OutlineEdge& edge : panel.edges) sum += outline_length(panel, edge);
     return sum;
 }
 
-std::map<std::string, Panel> by_name(const Pattern& pattern) {
-    std::map<std::string, Panel> panels;
-    for (const Panel& panel : pattern.panels) panels[panel.name] = panel;
+std::map<std::string, sim::Panel> by_name(const sim::Pattern& pattern) {
+    std::map<std::string, sim::Panel> panels;
+    for (const sim::Panel& panel : pattern.panels) panels[panel.name] = panel;
     return panels;
 }
 
 // The sheet and the tools beside it: while panels wait before the body, copies may stand in one another there.
-Image sheet_of(const Image& screen) {
+render::Image sheet_of(const render::Image& screen) {
     constexpr int kSheetEnd = 498;  // px
-    Image sheet(kSheetEnd, screen.height_px);
+    render::Image sheet(kSheetEnd, screen.height_px);
     for (int y = 0; y < sheet.height_px; ++y) {
         for (int x = 0; x < sheet.width_px; ++x) sheet.at(x, y) = screen.at(x, y);
     }
@@ -75,10 +75,10 @@ Image sheet_of(const Image& screen) {
 class EditTshirt : public testing::Test {
  protected:
     static void SetUpTestSuite() {
-        folder_ = new ScratchFolder;
+        folder_ = new app::ScratchFolder;
         const std::string script = "'" SELVEDGE_SOURCE_DIR "/tests/golden/edit_tshirt.script'";
-        played_ = run_command("cd '" + folder_->path().string() + "' && '" SELVEDGE_PROGRAM "' edit --state state " +
-                              "--script " + script);
+        played_ = app::run_command("cd '" + folder_->path().string() +
+                                   "' && '" SELVEDGE_PROGRAM "' edit --state state " + "--script " + script);
     }
     static void TearDownTestSuite() {
         delete folder_;
@@ -87,15 +87,17 @@ class EditTshirt : public testing::Test {
 
     void SetUp() override { ASSERT_EQ(played_.exit_code, 0) << played_.err; }
 
-    static Pattern made() { return load_pattern(*folder_ / "made.json").pattern; }
-    static Pattern shipped_tshirt() { return load_pattern(SELVEDGE_SOURCE_DIR "/patterns/tshirt.json").pattern; }
+    static sim::Pattern made() { return sim::load_pattern(*folder_ / "made.json").pattern; }
+    static sim::Pattern shipped_tshirt() {
+        return sim::load_pattern(SELVEDGE_SOURCE_DIR "/patterns/tshirt.json").pattern;
+    }
 
-    static ScratchFolder* folder_;
-    static ProgramResult played_;
+    static app::ScratchFolder* folder_;
+    static app::ProgramResult played_;
 };
 
-ScratchFolder* EditTshirt::folder_ = nullptr;
-ProgramResult EditTshirt::played_;
+app::ScratchFolder* EditTshirt::folder_ = nullptr;
+app::ProgramResult EditTshirt::played_;
 
 TEST_F(EditTshirt, has_the_shipped_panels) {
     const auto ours = by_name(made()), theirs = by_name(shipped_tshirt());
@@ -117,7 +119,7 @@ TEST_F(EditTshirt, is_sewn_as_the_shipped_one) {
 }
 
 TEST_F(EditTshirt, lies_about_the_body_that_it_names_and_is_linked_from_left_to_right) {
-    const Pattern pattern = made();
+    const sim::Pattern pattern = made();
     EXPECT_EQ(pattern.body, "mannequin:sex=female");
     for (const auto& [name, panel] : by_name(pattern)) {
         EXPECT_EQ(!panel.mirror_of.empty(), name.starts_with("right")) << name;
@@ -128,8 +130,8 @@ TEST_F(EditTshirt, lies_about_the_body_that_it_names_and_is_linked_from_left_to_
 // Placed by dots about the body, where the shipped one stands flat before and behind it: so it comes to hang in other
 // folds, but settles as well, as high and as little stretched.
 TEST_F(EditTshirt, hangs_as_the_shipped_one) {
-    const Body body = coarse_mannequin();
-    const DressOptions options{.max_level = 2};
+    const sim::Body body = coarse_mannequin();
+    const sim::DressOptions options{.max_level = 2};
     const DrapeNumbers ours = drape_numbers(dress(made(), body, options));
     const DrapeNumbers theirs = drape_numbers(dress(shipped_tshirt(), body, options));
     RecordProperty("compared", "hem " + std::to_string(ours.hem_height) + " " + std::to_string(theirs.hem_height) +
@@ -147,7 +149,7 @@ TEST_F(EditTshirt, looks_at_each_stage_as_it_did) {
     if (!std::filesystem::exists("/usr/share/fonts/opentype/inter/Inter-Regular.otf")) {
         GTEST_SKIP() << "the pictures have the letters of fonts-inter, which is not installed";
     }
-    const auto picture = [](const std::string& name) { return read_png(*folder_ / (name + ".png")); };
+    const auto picture = [](const std::string& name) { return render::read_png(*folder_ / (name + ".png")); };
     for (const std::string name : {"front_half", "unfolded", "placed"}) {
         EXPECT_TRUE(matches_golden(picture(name), "edit_" + name));
     }
@@ -158,13 +160,13 @@ TEST_F(EditTshirt, looks_at_each_stage_as_it_did) {
 }
 
 TEST(EditScript, that_expects_another_state_of_the_drape_ends_with_its_line) {
-    const ScratchFolder folder;
+    const app::ScratchFolder folder;
     std::ofstream(folder / "wish.script") << "click widget start.empty\nexpect Settled\n";
-    const ProgramResult result = run_command("'" SELVEDGE_PROGRAM "' edit --state '" + folder / "state" +
-                                             "' --script '" + folder / "wish.script" + "'");
+    const app::ProgramResult result = app::run_command("'" SELVEDGE_PROGRAM "' edit --state '" + folder / "state" +
+                                                       "' --script '" + folder / "wish.script" + "'");
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_NE(result.err.find("line 2: the drape is not 'Settled'"), std::string::npos) << result.err;
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::test

@@ -11,14 +11,14 @@
 #include "tests/golden/frozen_mode.h"
 #include "tests/golden/golden.h"
 
-namespace selvedge {
+namespace selvedge::test {
 namespace {
 
 constexpr int kSide = 320;  // px
 
 struct ModeCase {
     const char* name;
-    ShowMode mode;
+    render::ShowMode mode;
 };
 
 void PrintTo(const ModeCase& tested, std::ostream* out) {
@@ -32,13 +32,16 @@ TEST_P(GoldenMode, picture_is_as_it_was) {
         matches_golden(draw_frozen(make_frozen_mode(GetParam().mode), kSide), std::string("mode_") + GetParam().name));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Picture, GoldenMode,
-    testing::Values(ModeCase{"vertices", ShowMode::Vertices}, ModeCase{"hierarchy", ShowMode::Hierarchy},
-                    ModeCase{"strain_warp", ShowMode::StrainWarp}, ModeCase{"strain_weft", ShowMode::StrainWeft},
-                    ModeCase{"strain", ShowMode::Strain}, ModeCase{"clearance", ShowMode::Clearance},
-                    ModeCase{"panels", ShowMode::Panels}, ModeCase{"seams", ShowMode::Seams}),
-    [](const auto& tested) { return std::string(tested.param.name); });
+INSTANTIATE_TEST_SUITE_P(Picture, GoldenMode,
+                         testing::Values(ModeCase{"vertices", render::ShowMode::Vertices},
+                                         ModeCase{"hierarchy", render::ShowMode::Hierarchy},
+                                         ModeCase{"strain_warp", render::ShowMode::StrainWarp},
+                                         ModeCase{"strain_weft", render::ShowMode::StrainWeft},
+                                         ModeCase{"strain", render::ShowMode::Strain},
+                                         ModeCase{"clearance", render::ShowMode::Clearance},
+                                         ModeCase{"panels", render::ShowMode::Panels},
+                                         ModeCase{"seams", render::ShowMode::Seams}),
+                         [](const auto& tested) { return std::string(tested.param.name); });
 
 void shift_values(FrozenMode& frozen) {
     for (auto& corners : frozen.scene.cloths[0].paint->places)
@@ -60,8 +63,8 @@ void flip_solid_normals(FrozenMode& frozen) {
 
 // One colour of the marks becomes another.
 void swap_solid_colour(FrozenMode& frozen) {
-    const Rgb8 first = frozen.scene.solids[0].colours.front();
-    for (Rgb8& colour : frozen.scene.solids[0].colours) {
+    const sim::Rgb8 first = frozen.scene.solids[0].colours.front();
+    for (sim::Rgb8& colour : frozen.scene.solids[0].colours) {
         if (colour == first) colour = {first[2], first[0], first[1]};
     }
 }
@@ -101,10 +104,11 @@ void PrintTo(const FaultCase& fault, std::ostream* out) {
 }
 
 const std::vector<FaultCase>& faults() {
-    constexpr ModeCase vertices{"vertices", ShowMode::Vertices}, hierarchy{"hierarchy", ShowMode::Hierarchy},
-        warp{"strain_warp", ShowMode::StrainWarp}, weft{"strain_weft", ShowMode::StrainWeft},
-        strain{"strain", ShowMode::Strain}, clearance{"clearance", ShowMode::Clearance},
-        panels{"panels", ShowMode::Panels}, seams{"seams", ShowMode::Seams};
+    constexpr ModeCase vertices{"vertices", render::ShowMode::Vertices},
+        hierarchy{"hierarchy", render::ShowMode::Hierarchy}, warp{"strain_warp", render::ShowMode::StrainWarp},
+        weft{"strain_weft", render::ShowMode::StrainWeft}, strain{"strain", render::ShowMode::Strain},
+        clearance{"clearance", render::ShowMode::Clearance}, panels{"panels", render::ShowMode::Panels},
+        seams{"seams", render::ShowMode::Seams};
     static const std::vector<FaultCase> all{{"vertices_with_flipped_normals", vertices, flip_solid_normals},
                                             {"vertices_of_another_colour", vertices, swap_solid_colour},
                                             {"vertices_shifted", vertices, shift_solids},
@@ -133,7 +137,7 @@ TEST_P(SeededModeFault, is_seen) {
     FrozenMode frozen = make_frozen_mode(GetParam().mode.mode);
     GetParam().seed(frozen);
     const std::string golden = std::string("mode_") + GetParam().mode.name;
-    const Comparison comparison = compare(read_reference(golden), draw_frozen(frozen, kSide));
+    const render::Comparison comparison = compare(read_reference(golden), draw_frozen(frozen, kSide));
     EXPECT_FALSE(is_alike(comparison)) << "the golden " << golden << " does not see it: " << describe(comparison);
 }
 
@@ -141,32 +145,33 @@ INSTANTIATE_TEST_SUITE_P(Fault, SeededModeFault, testing::ValuesIn(faults()),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(Modes, a_picture_in_tiles_is_the_picture_in_one_piece) {
-    Renderer renderer;
-    for (const ShowMode mode : {ShowMode::Vertices, ShowMode::Seams, ShowMode::Strain}) {
+    render::Renderer renderer;
+    for (const render::ShowMode mode :
+         {render::ShowMode::Vertices, render::ShowMode::Seams, render::ShowMode::Strain}) {
         const FrozenMode frozen = make_frozen_mode(mode);
-        const Image whole = renderer.draw(frozen.scene, {.width_px = 150, .height_px = 110});
-        const Image tiled = renderer.draw(frozen.scene, {.width_px = 150, .height_px = 110, .tile_px = 64});
-        const Comparison comparison = compare(whole, tiled);
+        const render::Image whole = renderer.draw(frozen.scene, {.width_px = 150, .height_px = 110});
+        const render::Image tiled = renderer.draw(frozen.scene, {.width_px = 150, .height_px = 110, .tile_px = 64});
+        const render::Comparison comparison = compare(whole, tiled);
         EXPECT_TRUE(is_alike(comparison, {.tolerance = 3, .share_beyond = 0.002})) << describe(comparison);
     }
 }
 
 TEST(Modes, more_samples_than_the_context_takes_are_an_input_error) {
     try {
-        Renderer().draw(make_frozen_scene(), {.width_px = 32, .height_px = 32, .samples = 1000});
+        render::Renderer().draw(make_frozen_scene(), {.width_px = 32, .height_px = 32, .samples = 1000});
         FAIL() << "no error";
-    } catch (const InputError& error) {
+    } catch (const sim::InputError& error) {
         EXPECT_EQ(error.place(), "samples");
     }
 }
 
 TEST(Modes, a_mode_without_paint_is_plain) {
-    Renderer renderer;
-    Scene scene = make_frozen_scene({.show = ShowMode::Plain});
-    const Image plain = renderer.draw(scene, {.width_px = 96, .height_px = 96});
-    scene.cloths[0].show = ShowMode::Panels;
+    render::Renderer renderer;
+    render::Scene scene = make_frozen_scene({.show = render::ShowMode::Plain});
+    const render::Image plain = renderer.draw(scene, {.width_px = 96, .height_px = 96});
+    scene.cloths[0].show = render::ShowMode::Panels;
     EXPECT_TRUE(plain == renderer.draw(scene, {.width_px = 96, .height_px = 96}));
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::test

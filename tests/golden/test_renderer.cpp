@@ -5,88 +5,88 @@
 
 #include <cmath>
 
-#include "render/image/compare.h"
 #include "render/draw/ambient_occlusion.h"
 #include "render/gl/target.h"
+#include "render/image/compare.h"
 #include "sim/core/error.h"
 #include "tests/golden/frozen_scene.h"
 
-namespace selvedge {
+namespace selvedge::test {
 namespace {
 
-Scene frozen() {
+render::Scene frozen() {
     return make_frozen_scene();
 }
 
 TEST(Renderer, the_same_scene_gives_the_same_bits) {
-    const RenderOptions options{.width_px = 96, .height_px = 64};
-    Renderer renderer;
-    const Image first = renderer.draw(frozen(), options);
+    const render::RenderOptions options{.width_px = 96, .height_px = 64};
+    render::Renderer renderer;
+    const render::Image first = renderer.draw(frozen(), options);
     EXPECT_TRUE(first == renderer.draw(frozen(), options)) << "drawn again by the same renderer";
 }
 
 TEST(Renderer, a_picture_in_tiles_is_the_picture_in_one_piece) {
-    Renderer renderer;
-    const Image whole = renderer.draw(frozen(), {.width_px = 150, .height_px = 110});
-    const Image tiled = renderer.draw(frozen(), {.width_px = 150, .height_px = 110, .tile_px = 64});
-    const Comparison comparison = compare(whole, tiled);
+    render::Renderer renderer;
+    const render::Image whole = renderer.draw(frozen(), {.width_px = 150, .height_px = 110});
+    const render::Image tiled = renderer.draw(frozen(), {.width_px = 150, .height_px = 110, .tile_px = 64});
+    const render::Comparison comparison = compare(whole, tiled);
     EXPECT_TRUE(is_alike(comparison, {.tolerance = 3, .share_beyond = 0.002})) << describe(comparison);
 }
 
 TEST(Renderer, supersampling_changes_the_sampling_and_not_the_picture) {
-    Renderer renderer;
-    const Image once = renderer.draw(frozen(), {.width_px = 96, .height_px = 96});
-    const Image twice = renderer.draw(frozen(), {.width_px = 96, .height_px = 96, .supersample = 2});
+    render::Renderer renderer;
+    const render::Image once = renderer.draw(frozen(), {.width_px = 96, .height_px = 96});
+    const render::Image twice = renderer.draw(frozen(), {.width_px = 96, .height_px = 96, .supersample = 2});
     EXPECT_FALSE(once == twice);
     EXPECT_TRUE(is_alike(compare(once, twice, {.tolerance = 60}), {.tolerance = 60, .share_beyond = 0.05}));
 }
 
 TEST(Renderer, sizes_that_no_picture_has_are_input_errors) {
-    Renderer renderer;
+    render::Renderer renderer;
     for (const auto& [width, height] : {std::pair{0, 100}, {100, -1}, {20000, 10}, {16384, 16384}}) {
-        EXPECT_THROW(renderer.draw(frozen(), {.width_px = width, .height_px = height}), InputError)
+        EXPECT_THROW(renderer.draw(frozen(), {.width_px = width, .height_px = height}), sim::InputError)
             << width << "x" << height;
     }
 }
 
 TEST(Renderer, a_picture_of_one_pixel_and_one_of_one_row_can_be_drawn) {
-    Renderer renderer;
+    render::Renderer renderer;
     EXPECT_EQ(renderer.draw(frozen(), {.width_px = 1, .height_px = 1}).pixels.size(), 1U);
     EXPECT_EQ(renderer.draw(frozen(), {.width_px = 300, .height_px = 1}).width_px, 300);
 }
 
 TEST(Renderer, without_material_coordinates_a_tartan_is_drawn_plain) {
-    Scene scene = frozen();
+    render::Scene scene = frozen();
     scene.cloths[0].mesh.u.clear();
-    Scene plain = scene;
-    plain.cloths[0].show = ShowMode::Plain;
-    Renderer renderer;
-    const RenderOptions options{.width_px = 64, .height_px = 64};
+    render::Scene plain = scene;
+    plain.cloths[0].show = render::ShowMode::Plain;
+    render::Renderer renderer;
+    const render::RenderOptions options{.width_px = 64, .height_px = 64};
     EXPECT_TRUE(renderer.draw(scene, options) == renderer.draw(plain, options));
 }
 
 TEST(Renderer, a_transparent_backdrop_leaves_corners_empty_and_cloth_whole) {
-    Scene scene = frozen();
+    render::Scene scene = frozen();
     scene.background.is_transparent = true;
-    const Image image = Renderer().draw(scene, {.width_px = 128, .height_px = 128});
+    const render::Image image = render::Renderer().draw(scene, {.width_px = 128, .height_px = 128});
     EXPECT_EQ(image.at(0, 0)[3], 0);
     EXPECT_EQ(image.at(64, 50)[3], 255);
 }
 
 // From afar every stripe is finer than a pixel: the cloth must have the sett's mean colour and no pattern.
 TEST(Renderer, from_afar_the_tartan_neither_shimmers_nor_shifts_its_colour) {
-    Scene scene = make_frozen_scene({.view = View::Front});
+    render::Scene scene = make_frozen_scene({.view = render::View::Front});
     scene.cloths[0].sett_scale = 0.002F;
-    Renderer renderer;
-    const RenderOptions options{.width_px = 96, .height_px = 96};
-    const Image here = renderer.draw(scene, options);
+    render::Renderer renderer;
+    const render::RenderOptions options{.width_px = 96, .height_px = 96};
+    const render::Image here = renderer.draw(scene, options);
     scene.cloths[0].sett_position = Vec2f(0.00011F, 0.00007F);
-    const Comparison comparison = compare(here, renderer.draw(scene, options));
+    const render::Comparison comparison = compare(here, renderer.draw(scene, options));
     EXPECT_LE(comparison.largest_step, 8) << describe(comparison);
 }
 
 // Grey at a place of the picture, px from its upper left, between the pixels round it.
-double grey_at(const Image& image, const Vec2f& at) {
+double grey_at(const render::Image& image, const Vec2f& at) {
     const int x = static_cast<int>(std::floor(at.x() - 0.5F)), y = static_cast<int>(std::floor(at.y() - 0.5F));
     const double s = at.x() - 0.5 - x, t = at.y() - 0.5 - y;
     const auto grey = [&](int i, int j) { return (image.at(i, j)[0] + image.at(i, j)[1] + image.at(i, j)[2]) / 3.0; };
@@ -94,13 +94,13 @@ double grey_at(const Image& image, const Vec2f& at) {
            t * ((1 - s) * grey(x, y + 1) + s * grey(x + 1, y + 1));
 }
 
-Vec2f place_in_picture(const Camera& camera, const Vec3f& x, int side_px) {
+Vec2f place_in_picture(const render::Camera& camera, const Vec3f& x, int side_px) {
     const Eigen::Vector4f clip = projection_matrix(camera, 1) * view_matrix(camera) * x.homogeneous();
     const auto side = static_cast<float>(side_px);
     return {(clip.x() / clip.w() + 1) / 2 * side, (1 - clip.y() / clip.w()) / 2 * side};
 }
 
-Scene turned(Scene scene, float angle) {
+render::Scene turned(render::Scene scene, float angle) {
     const Eigen::Matrix3f turn = Eigen::AngleAxisf(angle, Vec3f::UnitY()).toRotationMatrix();
     scene.camera.eye = scene.camera.target + turn * (scene.camera.eye - scene.camera.target);
     scene.camera.up = turn * scene.camera.up;
@@ -109,16 +109,16 @@ Scene turned(Scene scene, float angle) {
 
 // Bytes by which the spots of a matt dome, under a light that stands still, change at most from one small turn of the
 // camera to the next.
-double greatest_flicker(const Scene& scene) {
+double greatest_flicker(const render::Scene& scene) {
     constexpr int side = 256, turns = 8;
-    Renderer renderer;
+    render::Renderer renderer;
     std::vector<double> before;
     double greatest = 0;
     for (int i = 0; i < turns; ++i) {
-        const Scene now = turned(scene, 0.004F * float(i));
-        const Image image = renderer.draw(now, {.width_px = side, .height_px = side});
+        const render::Scene now = turned(scene, 0.004F * float(i));
+        const render::Image image = renderer.draw(now, {.width_px = side, .height_px = side});
         std::vector<double> greys;
-        const PlainMesh& mesh = now.cloths[0].mesh;
+        const sim::PlainMesh& mesh = now.cloths[0].mesh;
         for (std::size_t v = 0; v < mesh.x.size(); ++v) {
             const Vec3f& x = mesh.x[v];
             const bool is_seen = x.y() > 0.62F && mesh.normals[v].dot((scene.camera.eye - x).normalized()) > 0.4F;
@@ -130,8 +130,8 @@ double greatest_flicker(const Scene& scene) {
     return greatest;
 }
 
-Scene matt_dome() {
-    Scene scene = make_frozen_scene({.view = View::Front, .show = ShowMode::Plain});
+render::Scene matt_dome() {
+    render::Scene scene = make_frozen_scene({.view = render::View::Front, .show = render::ShowMode::Plain});
     scene.cloths[0].material = {.gloss = 0, .roughness = 0.5F, .sheen = 0};
     scene.cloths[0].mesh.panel.assign(scene.cloths[0].mesh.panel.size(), 0);  // no seam
     scene.cloths[0].mesh.u.clear();
@@ -145,18 +145,19 @@ TEST(Flicker, a_still_spot_keeps_its_light_when_the_camera_turns) {
 }
 
 TEST(Flicker, is_seen_where_there_is_some) {
-    Scene scene = matt_dome();
-    scene.cloths[0].show = ShowMode::Edges;  // lines about as wide as a pixel, whose share of it changes
+    render::Scene scene = matt_dome();
+    scene.cloths[0].show = render::ShowMode::Edges;  // lines about as wide as a pixel, whose share of it changes
     EXPECT_GT(greatest_flicker(scene), 8);
 }
 
 TEST(Flicker, light_on_the_ball_hardly_changes_when_cloth_moves_by_a_tenth_of_a_millimetre) {
-    Scene scene = make_frozen_scene();
-    const Casters before = cloth_casters_of(scene), bodies = body_casters_of(scene);
+    render::Scene scene = make_frozen_scene();
+    const render::Casters before = cloth_casters_of(scene), bodies = body_casters_of(scene);
     for (Vec3f& x : scene.cloths[0].mesh.x) x.y() += 0.0001F;
-    const Casters after = cloth_casters_of(scene);
-    const LitPoints ball{.x = scene.bodies[0].x, .normals = scene.bodies[0].normals};
-    const std::vector<Openness> a = RoomLight().bake(before, bodies, ball), b = RoomLight().bake(after, bodies, ball);
+    const render::Casters after = cloth_casters_of(scene);
+    const render::LitPoints ball{.x = scene.bodies[0].x, .normals = scene.bodies[0].normals};
+    const std::vector<render::Openness> a = render::RoomLight().bake(before, bodies, ball),
+                                        b = render::RoomLight().bake(after, bodies, ball);
     float greatest = 0;
     for (std::size_t i = 0; i < a.size(); ++i) greatest = std::max(greatest, std::abs(a[i].front - b[i].front));
     EXPECT_LT(greatest, 0.04F);
@@ -164,22 +165,22 @@ TEST(Flicker, light_on_the_ball_hardly_changes_when_cloth_moves_by_a_tenth_of_a_
 }
 
 TEST(Renderer, a_picture_does_not_depend_on_those_before_it) {
-    const RenderOptions options{.width_px = 96, .height_px = 64};
-    const Scene scene = frozen();
-    const Image alone = Renderer().draw(scene, options);
-    Scene moved = scene, lit = scene, plain = scene;
+    const render::RenderOptions options{.width_px = 96, .height_px = 64};
+    const render::Scene scene = frozen();
+    const render::Image alone = render::Renderer().draw(scene, options);
+    render::Scene moved = scene, lit = scene, plain = scene;
     for (Vec3f& x : moved.cloths[0].mesh.x) x *= 1.01F;
     lit.light.to_key.x() += 0.5F;
-    plain.cloths[0].show = ShowMode::Plain;
-    for (const Scene& other : {moved, lit, plain, turned(scene, 0.3F)}) {
-        Renderer renderer;
+    plain.cloths[0].show = render::ShowMode::Plain;
+    for (const render::Scene& other : {moved, lit, plain, turned(scene, 0.3F)}) {
+        render::Renderer renderer;
         EXPECT_FALSE(renderer.draw(other, options) == alone);
         EXPECT_TRUE(renderer.draw(scene, options) == alone);
     }
 }
 
 TEST(RoomLight, a_plate_under_another_is_dark_above_and_open_below) {
-    Casters casters;
+    render::Casters casters;
     for (const float y : {0.0F, 0.1F}) {
         const auto base = static_cast<std::uint32_t>(casters.x.size());
         for (const auto& [x, z] : {std::pair{-1.0F, -1.0F}, {1.0F, -1.0F}, {1.0F, 1.0F}, {-1.0F, 1.0F}}) {
@@ -188,7 +189,7 @@ TEST(RoomLight, a_plate_under_another_is_dark_above_and_open_below) {
         casters.triangles.push_back({base, base + 2, base + 1});
         casters.triangles.push_back({base, base + 3, base + 2});
     }
-    const std::vector<Openness> open = RoomLight().bake(
+    const std::vector<render::Openness> open = render::RoomLight().bake(
         casters, {},
         {.x = {Vec3f(0, 0, 0), Vec3f(0, 0.1F, 0)}, .normals = {Vec3f(0, 1, 0), Vec3f(0, 1, 0)}, .two_sided = 2});
     EXPECT_LT(open[0].front, 0.1F);
@@ -198,10 +199,10 @@ TEST(RoomLight, a_plate_under_another_is_dark_above_and_open_below) {
 }
 
 TEST(Program, a_shader_that_does_not_compile_says_where) {
-    const auto context = make_context();
+    const auto context = render::make_context();
     try {
-        const Program program(context->gl(), {{"good.vert", "void main() { gl_Position = vec4(0.0); }"}},
-                              {{"bad.frag", "out vec4 colour;\nvoid main() { colour = vec3(1.0) * tartn; }"}});
+        const render::Program program(context->gl(), {{"good.vert", "void main() { gl_Position = vec4(0.0); }"}},
+                                      {{"bad.frag", "out vec4 colour;\nvoid main() { colour = vec3(1.0) * tartn; }"}});
         FAIL() << "no error";
     } catch (const std::runtime_error& error) {
         EXPECT_NE(std::string(error.what()).find("bad.frag"), std::string::npos) << error.what();
@@ -210,4 +211,4 @@ TEST(Program, a_shader_that_does_not_compile_says_where) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::test

@@ -9,7 +9,7 @@
 #include "tests/golden/fourier.h"
 #include "tests/golden/weave_sheet.h"
 
-namespace selvedge {
+namespace selvedge::test {
 namespace {
 
 constexpr int kSide = 128;  // px
@@ -17,33 +17,33 @@ constexpr double kOneStep = 1.0 / 255;
 constexpr double kLeastWave = 1.5 / 255;  // amplitude, of linear light, below which none is seen
 constexpr int kSlowest = 6;  // waves to a picture: every pattern below has more where threads are near a pixel
 
-Sett few_threads(Weave weave) {
-    Sett sett = parse_threadcount("K1 W2 R3");
+sim::Sett few_threads(sim::Weave weave) {
+    sim::Sett sett = sim::parse_threadcount("K1 W2 R3");
     sett.weave = weave;
     return sett;
 }
 
-Sett denim() {
-    Sett sett = parse_threadcount("B8");
-    sett.weft_stripes = parse_threadcount("W8").stripes;
-    sett.weave = Weave::Twill31;
+sim::Sett denim() {
+    sim::Sett sett = sim::parse_threadcount("B8");
+    sett.weft_stripes = sim::parse_threadcount("W8").stripes;
+    sett.weave = sim::Weave::Twill31;
     return sett;
 }
 
-Sett unlike_setts() {
-    Sett sett = find_tartan("buchanan");
-    sett.weft_stripes = parse_threadcount("N6 W5 K2").stripes;
-    sett.weave = Weave::Plain;
+sim::Sett unlike_setts() {
+    sim::Sett sett = sim::find_tartan("buchanan");
+    sett.weft_stripes = sim::parse_threadcount("N6 W5 K2").stripes;
+    sett.weave = sim::Weave::Plain;
     return sett;
 }
 
-LinearPicture draw(Renderer& renderer, const SheetView& view) {
+LinearPicture draw(render::Renderer& renderer, const SheetView& view) {
     return to_linear(renderer.draw(sheet_scene(view), {.width_px = kSide, .height_px = kSide}));
 }
 
 // The light on the sheet, by a cloth of one colour.
-Vec3d light_on(Renderer& renderer, SheetView view) {
-    view.sett = parse_threadcount("W4");
+Vec3d light_on(render::Renderer& renderer, SheetView view) {
+    view.sett = sim::parse_threadcount("W4");
     view.field = 1;
     const Vec3d dye = dyes_seen(view, 1, 1).pixels[0];
     const Vec3d seen = draw(renderer, view).mean();
@@ -71,7 +71,7 @@ double moire_of(const LinearPicture& picture, const SheetView& view, const Vec3d
 
 struct WeaveCase {
     const char* name;
-    Sett sett;
+    sim::Sett sett;
     double turn = 0;
     double tilt = 0;
     bool is_behind = false;
@@ -83,20 +83,20 @@ void PrintTo(const WeaveCase& tested, std::ostream* out) {
 }
 
 std::vector<WeaveCase> weave_cases() {
-    return {{"plain", few_threads(Weave::Plain)},
-            {"twill", few_threads(Weave::Twill22)},
-            {"twill31", few_threads(Weave::Twill31)},
-            {"twill31_behind", few_threads(Weave::Twill31), 0.4, 0, true},
+    return {{"plain", few_threads(sim::Weave::Plain)},
+            {"twill", few_threads(sim::Weave::Twill22)},
+            {"twill31", few_threads(sim::Weave::Twill31)},
+            {"twill31_behind", few_threads(sim::Weave::Twill31), 0.4, 0, true},
             {"denim", denim(), 0.1},
             {"denim_behind", denim(), 0.1, 0, true},
-            {"plain_turned", few_threads(Weave::Plain), 0.37},
-            {"twill_turned", few_threads(Weave::Twill22), 0.7853981},
-            {"twill_in_key_light", few_threads(Weave::Twill22), 0.5, 0.9, false, 0.5F},
-            {"twill_grazing", few_threads(Weave::Twill22), 0.2, 1.31},
-            {"many_threads", find_tartan("royal_stewart")},
-            {"many_threads_turned_and_grazing", find_tartan("royal_stewart"), 0.61, 1.31},
+            {"plain_turned", few_threads(sim::Weave::Plain), 0.37},
+            {"twill_turned", few_threads(sim::Weave::Twill22), 0.7853981},
+            {"twill_in_key_light", few_threads(sim::Weave::Twill22), 0.5, 0.9, false, 0.5F},
+            {"twill_grazing", few_threads(sim::Weave::Twill22), 0.2, 1.31},
+            {"many_threads", sim::find_tartan("royal_stewart")},
+            {"many_threads_turned_and_grazing", sim::find_tartan("royal_stewart"), 0.61, 1.31},
             {"unlike_setts", unlike_setts(), 1.1, 0.5},
-            {"pepita", parse_threadcount("K4 W4"), 0.3}};
+            {"pepita", sim::parse_threadcount("K4 W4"), 0.3}};
 }
 
 SheetView view_of(const WeaveCase& tested, double field) {
@@ -111,7 +111,7 @@ SheetView view_of(const WeaveCase& tested, double field) {
 class Weaves : public testing::TestWithParam<WeaveCase> {};
 
 TEST_P(Weaves, have_one_colour_from_two_centimetres_to_five_metres) {
-    Renderer renderer;
+    render::Renderer renderer;
     const Vec3d light = light_on(renderer, view_of(GetParam(), 1));
     for (const double field : {0.02, 0.033, 0.055, 0.09, 0.15, 0.3, 0.7, 1.6, 5.0}) {
         const SheetView view = view_of(GetParam(), field);
@@ -120,7 +120,7 @@ TEST_P(Weaves, have_one_colour_from_two_centimetres_to_five_metres) {
 }
 
 TEST_P(Weaves, show_no_wave_that_is_not_in_the_cloth) {
-    Renderer renderer;
+    render::Renderer renderer;
     const Vec3d light = light_on(renderer, view_of(GetParam(), 1));
     for (const double threads_per_px : {1.05, 1.4, 1.9, 2.9, 4.0, 6.1, 11.0, 40.0}) {
         const SheetView view = view_of(GetParam(), threads_per_px * kSide * GetParam().sett.thread_spacing);
@@ -132,10 +132,11 @@ INSTANTIATE_TEST_SUITE_P(Woven, Weaves, testing::ValuesIn(weave_cases()),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 // As if nothing were filtered over the pixel: each takes one point of a picture eight times as fine.
-LinearPicture unfiltered(Renderer& renderer, const SheetView& view) {
+LinearPicture unfiltered(render::Renderer& renderer, const SheetView& view) {
     constexpr int times = 8;
-    const Image fine = renderer.draw(sheet_scene(view), {.width_px = times * kSide, .height_px = times * kSide});
-    Image coarse(kSide, kSide);
+    const render::Image fine =
+        renderer.draw(sheet_scene(view), {.width_px = times * kSide, .height_px = times * kSide});
+    render::Image coarse(kSide, kSide);
     for (int y = 0; y < kSide; ++y) {
         for (int x = 0; x < kSide; ++x) coarse.at(x, y) = fine.at(times * x + times / 2, times * y + times / 2);
     }
@@ -143,9 +144,9 @@ LinearPicture unfiltered(Renderer& renderer, const SheetView& view) {
 }
 
 TEST(SeededWeaveFault, waves_are_found_where_nothing_is_filtered) {
-    Renderer renderer;
+    render::Renderer renderer;
     for (const double turn : {0.0, 0.37}) {
-        SheetView view{.sett = few_threads(Weave::Twill22), .turn = turn};
+        SheetView view{.sett = few_threads(sim::Weave::Twill22), .turn = turn};
         const Vec3d light = light_on(renderer, view);
         double greatest = 0;
         for (const double threads_per_px : {1.05, 4.0, 11.0}) {
@@ -157,10 +158,10 @@ TEST(SeededWeaveFault, waves_are_found_where_nothing_is_filtered) {
 }
 
 TEST(SeededWeaveFault, a_cloth_of_another_weave_has_another_colour) {
-    Renderer renderer;
+    render::Renderer renderer;
     const SheetView view{.sett = denim(), .field = 0.4};
     SheetView twill = view, behind = view;
-    twill.sett.weave = Weave::Twill22;
+    twill.sett.weave = sim::Weave::Twill22;
     behind.is_behind = true;
     const Vec3d light = light_on(renderer, view);
     const LinearPicture picture = draw(renderer, view);
@@ -170,16 +171,16 @@ TEST(SeededWeaveFault, a_cloth_of_another_weave_has_another_colour) {
 }
 
 TEST(SeededWeaveFault, one_thread_more_is_seen_in_the_mean) {
-    Renderer renderer;
-    const SheetView view{.sett = few_threads(Weave::Twill22), .field = 1.2};
+    render::Renderer renderer;
+    const SheetView view{.sett = few_threads(sim::Weave::Twill22), .field = 1.2};
     SheetView other = view;
-    other.sett = parse_threadcount("K1 W3 R3");
+    other.sett = sim::parse_threadcount("K1 W3 R3");
     EXPECT_GT(shift_of(draw(renderer, view), other, light_on(renderer, view)), kOneStep);
 }
 
 TEST(SeededWeaveFault, a_relief_that_darkens_by_two_in_a_hundred_is_seen_in_the_mean) {
-    Renderer renderer;
-    const SheetView view{.sett = few_threads(Weave::Twill22), .field = 0.02};
+    render::Renderer renderer;
+    const SheetView view{.sett = few_threads(sim::Weave::Twill22), .field = 0.02};
     LinearPicture picture = draw(renderer, view);
     for (Vec3d& pixel : picture.pixels) pixel *= 0.98;
     EXPECT_GT(shift_of(picture, view, light_on(renderer, view)), kOneStep);
@@ -197,17 +198,17 @@ TEST(Fourier, finds_a_wave_and_its_amplitude) {
 
 // The picture's encoding: a cloth of a known colour in light that makes white white keeps its bytes.
 TEST(Encoding, a_plain_colour_in_full_even_light_keeps_its_bytes) {
-    SheetView view{.sett = parse_threadcount("W4")};
-    Scene scene = sheet_scene(view);
-    scene.cloths[0].show = ShowMode::Plain;
+    SheetView view{.sett = sim::parse_threadcount("W4")};
+    render::Scene scene = sheet_scene(view);
+    scene.cloths[0].show = render::ShowMode::Plain;
     scene.light.sky = scene.light.bounce = 1;
     for (const int grey : {20, 90, 128, 200}) {
         const auto byte = static_cast<std::uint8_t>(grey);
         scene.cloths[0].colour = {byte, byte, byte};
-        const Image image = Renderer().draw(scene, {.width_px = 16, .height_px = 16});
+        const render::Image image = render::Renderer().draw(scene, {.width_px = 16, .height_px = 16});
         EXPECT_NEAR(image.at(8, 8)[1], grey, 2);
     }
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::test

@@ -6,7 +6,7 @@
 
 #include "render/scene/colour.h"
 
-namespace selvedge {
+namespace selvedge::test {
 namespace {
 
 constexpr double kFovY = 0.25F;  // rad
@@ -28,14 +28,14 @@ SheetAxes axes_of(const SheetView& view) {
     return {c * right + s * up, -s * right + c * up};
 }
 
-std::vector<Vec3d> linear_threads(const std::vector<Rgb8>& colours) {
+std::vector<Vec3d> linear_threads(const std::vector<sim::Rgb8>& colours) {
     std::vector<Vec3d> linear;
-    for (const Rgb8& colour : colours) linear.push_back(to_linear(colour).cast<double>());
+    for (const sim::Rgb8& colour : colours) linear.push_back(render::to_linear(colour).cast<double>());
     return linear;
 }
 
-std::vector<Vec3d> weft_threads(const Sett& sett) {
-    Sett weft = sett;
+std::vector<Vec3d> weft_threads(const sim::Sett& sett) {
+    sim::Sett weft = sett;
     if (!sett.weft_stripes.empty()) {
         weft.stripes = sett.weft_stripes;
         weft.is_mirrored = sett.is_weft_mirrored;
@@ -43,20 +43,20 @@ std::vector<Vec3d> weft_threads(const Sett& sett) {
     return linear_threads(thread_colours(weft));
 }
 
-bool is_warp_over(Weave weave, double end, double pick) {
+bool is_warp_over(sim::Weave weave, double end, double pick) {
     switch (weave) {
-        case Weave::Plain:
+        case sim::Weave::Plain:
             return wrapped(end - pick, 2) == 0;
-        case Weave::Twill22:
+        case sim::Weave::Twill22:
             return wrapped(end - pick, 4) < 2;
-        case Weave::Twill31:
+        case sim::Weave::Twill31:
             return wrapped(end - pick, 4) < 3;
     }
     return false;
 }
 
 // Where the ray of a place of the picture meets the sheet, m along weft and warp.
-Vec2d place_on_sheet(const SheetView& view, const Camera& camera, const Vec2d& at_px, int side_px) {
+Vec2d place_on_sheet(const SheetView& view, const render::Camera& camera, const Vec2d& at_px, int side_px) {
     const double half = std::tan(camera.fov_y / 2.0);
     const Vec2d ndc = at_px * (2.0 / side_px) - Vec2d(1, 1);
     const Vec3d way(ndc.x() * half, ndc.y() * half, -1);  // the camera looks along -z
@@ -80,8 +80,8 @@ Vec3d dye_at(const SheetView& view, const Threads& threads, const Vec2d& place) 
 
 }  // namespace
 
-Scene sheet_scene(const SheetView& view) {
-    Scene scene;
+render::Scene sheet_scene(const SheetView& view) {
+    render::Scene scene;
     scene.has_ground = false;
     scene.camera.fov_y = float(kFovY);
     const auto distance = static_cast<float>(view.field / 2 / std::tan(kFovY / 2));
@@ -94,7 +94,7 @@ Scene sheet_scene(const SheetView& view) {
     scene.light.fill = 0;
     scene.light.sky = scene.light.bounce = kSheetLight - view.key;
 
-    ClothItem cloth;
+    render::ClothItem cloth;
     cloth.sett = view.sett;
     cloth.material = {.gloss = 0, .roughness = 0.5F, .sheen = 0};
     const SheetAxes axes = axes_of(view);
@@ -128,17 +128,17 @@ std::vector<double> LinearPicture::channel(int index) const {
     return values;
 }
 
-LinearPicture to_linear(const Image& image) {
+LinearPicture to_linear(const render::Image& image) {
     LinearPicture picture{.side_px = image.width_px, .pixels = {}};
-    for (const Rgba8& pixel : image.pixels) {
-        picture.pixels.push_back(to_linear(Rgb8{pixel[0], pixel[1], pixel[2]}).cast<double>());
+    for (const render::Rgba8& pixel : image.pixels) {
+        picture.pixels.push_back(render::to_linear(sim::Rgb8{pixel[0], pixel[1], pixel[2]}).cast<double>());
     }
     return picture;
 }
 
 LinearPicture dyes_seen(const SheetView& view, int side_px, int samples) {
     const Threads threads{linear_threads(thread_colours(view.sett)), weft_threads(view.sett)};
-    const Camera camera = sheet_scene(view).camera;
+    const render::Camera camera = sheet_scene(view).camera;
     LinearPicture picture{.side_px = side_px, .pixels = {}};
     std::minstd_rand random(1);
     const auto within = [&] { return double(random() - 1) / double(std::minstd_rand::max()); };
@@ -161,4 +161,4 @@ Vec3d lit_dye(const Vec3d& dye, const SheetView& view, const Vec3d& light) {
     return albedo.cwiseProduct(light);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::test

@@ -3,14 +3,14 @@
 // point by point.
 #include <vector>
 
-#include "render/image/image.h"
 #include "render/draw/renderer.h"
+#include "render/image/image.h"
 #include "sim/tartan/sett.h"
 
-namespace selvedge {
+namespace selvedge::test {
 
 struct SheetView {
-    Sett sett;
+    sim::Sett sett;
     double field = 0.1;      // m that the picture's height spans at the sheet's middle
     double turn = 0;         // rad, of the sheet in its plane
     double tilt = 0;         // rad, from facing the camera
@@ -21,7 +21,7 @@ struct SheetView {
 inline constexpr float kSheetLight = 0.8F;
 
 // The sheet fills the picture wherever it is looked at.
-Scene sheet_scene(const SheetView& view);
+render::Scene sheet_scene(const SheetView& view);
 
 // Linear light, the picture's rows from the top.
 struct LinearPicture {
@@ -32,7 +32,7 @@ struct LinearPicture {
     std::vector<double> channel(int index) const;
 };
 
-LinearPicture to_linear(const Image& image);
+LinearPicture to_linear(const render::Image& image);
 
 // What each pixel sees of the dyes: the mean over samples x samples places in it, each moved about at random, of the
 // one thread that is there.
@@ -41,4 +41,4 @@ LinearPicture dyes_seen(const SheetView& view, int side_px, int samples);
 // What the light makes of dyes as a camera sees them.
 Vec3d lit_dye(const Vec3d& dye, const SheetView& view, const Vec3d& light);
 
-}  // namespace selvedge
+}  // namespace selvedge::test

@@ -9,7 +9,7 @@
 
 #include "sim/body/body.h"
 
-namespace selvedge::shapes {
+namespace selvedge::sim::shapes {
 
 // Axis-aligned box from low to high; each face is parted into cells x cells squares.
 inline Body box(const Vec3d& low, const Vec3d& high, int cells) {
@@ -81,4 +81,4 @@ inline Body together(const Body& first, const Body& second) {
     return body;
 }
 
-}  // namespace selvedge::shapes
+}  // namespace selvedge::sim::shapes

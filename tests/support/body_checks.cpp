@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 std::vector<std::pair<int, int>> directed_edges(const Body& body) {
@@ -79,4 +79,4 @@ int count_self_intersections(const Body& body) {
     return static_cast<int>(pairs.size());
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -1,11 +1,11 @@
 #pragma once
 // A folder that goes when the test is over.
-#include <filesystem>
 #include <gtest/gtest.h>
-#include <string>
 #include <unistd.h>
+#include <filesystem>
+#include <string>
 
-namespace selvedge {
+namespace selvedge::sim {
 
 class TemporaryFolder {
  public:
@@ -28,4 +28,4 @@ class TemporaryFolder {
     std::filesystem::path path_;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 constexpr std::size_t kManyPanels = 14;  // beyond, more are deleted than added
 
-const Panel* find(const Pattern& pattern, const std::string& name) {
+const sim::Panel* find(const sim::Pattern& pattern, const std::string& name) {
     const auto found = std::find_if(pattern.panels.begin(), pattern.panels.end(),
-                                    [&](const Panel& panel) { return panel.name == name; });
+                                    [&](const sim::Panel& panel) { return panel.name == name; });
     return found == pattern.panels.end() ? nullptr : &*found;
 }
 
@@ -28,20 +28,20 @@ Vec2d RandomCommands::some_shift(double most) {
     return {between(-most, most), between(-most, most)};
 }
 
-std::string RandomCommands::some_panel(const Pattern& pattern) {
+std::string RandomCommands::some_panel(const sim::Pattern& pattern) {
     if (pattern.panels.empty() || pick(200) == 0) return "nobody";
     return pattern.panels[static_cast<std::size_t>(pick(pattern.panels.size()))].name;
 }
 
-PartRef RandomCommands::some_vertex(const Pattern& pattern) {
+PartRef RandomCommands::some_vertex(const sim::Pattern& pattern) {
     const std::string name = some_panel(pattern);
-    const Panel* panel = find(pattern, name);
+    const sim::Panel* panel = find(pattern, name);
     return {name, panel == nullptr ? 0 : pick(panel->vertices.size())};
 }
 
-PartRef RandomCommands::some_edge(const Pattern& pattern) {
+PartRef RandomCommands::some_edge(const sim::Pattern& pattern) {
     const std::string name = some_panel(pattern);
-    const Panel* panel = find(pattern, name);
+    const sim::Panel* panel = find(pattern, name);
     return {name, panel == nullptr ? 0 : pick(panel->edges.size())};
 }
 
@@ -53,7 +53,7 @@ PlaneMap RandomCommands::some_map() {
             .shift = some_shift(0.05)};
 }
 
-Command RandomCommands::next(const Pattern& pattern) {
+Command RandomCommands::next(const sim::Pattern& pattern) {
     if (pattern.panels.size() > kManyPanels && pick(2) == 0) return RemoveParts{.panels = {some_panel(pattern)}};
     const int kind = pick(12);
     switch (pick(8)) {
@@ -69,7 +69,7 @@ Command RandomCommands::next(const Pattern& pattern) {
     }
 }
 
-Command RandomCommands::on_pattern(const Pattern& pattern, int kind) {
+Command RandomCommands::on_pattern(const sim::Pattern& pattern, int kind) {
     constexpr const char* fabrics[] = {"silk", "denim", "", "cardboard"};
     constexpr const char* tartans[] = {"black_watch", "K/8 R24 W/4", "", "Q5"};
     const std::size_t which = static_cast<std::size_t>(pick(4));
@@ -88,7 +88,7 @@ Command RandomCommands::on_pattern(const Pattern& pattern, int kind) {
         case 6:
             return TranslateAll{.by = Vec3d(between(-1, 1), 0, 0.1)};
         case 7:
-            return AddPanels{.panels = {pattern.panels.empty() ? Panel{} : pattern.panels.front()}};
+            return AddPanels{.panels = {pattern.panels.empty() ? sim::Panel{} : pattern.panels.front()}};
         case 8:
             return RemoveParts{.panels = {some_panel(pattern)}};
         default:
@@ -96,7 +96,7 @@ Command RandomCommands::on_pattern(const Pattern& pattern, int kind) {
     }
 }
 
-Command RandomCommands::on_panel(const Pattern& pattern, int kind) {
+Command RandomCommands::on_panel(const sim::Pattern& pattern, int kind) {
     const std::string panel = some_panel(pattern);
     switch (kind) {
         case 0:
@@ -120,7 +120,7 @@ Command RandomCommands::on_panel(const Pattern& pattern, int kind) {
         case 9:
             return SetPins{.panel = panel, .vertices = {pick(9), pick(9)}};
         case 10: {
-            const Panel* cut = find(pattern, panel);
+            const sim::Panel* cut = find(pattern, panel);
             if (cut == nullptr || cut->vertices.empty()) return SetLayer{.panel = panel, .layer = 1};
             const Vec2d from = cut->vertices[static_cast<std::size_t>(pick(cut->vertices.size()))] + some_shift(0.1);
             return CutPanel{.panel = panel, .path = {from, from + some_shift(0.6)}, .is_sewn = pick(2) == 0};
@@ -130,7 +130,7 @@ Command RandomCommands::on_panel(const Pattern& pattern, int kind) {
     }
 }
 
-Command RandomCommands::on_outline(const Pattern& pattern, int kind) {
+Command RandomCommands::on_outline(const sim::Pattern& pattern, int kind) {
     const PartRef edge = some_edge(pattern);
     switch (kind) {
         case 0:
@@ -140,8 +140,8 @@ Command RandomCommands::on_outline(const Pattern& pattern, int kind) {
         case 2:
             return TransformVertices{.vertices = {some_vertex(pattern), some_vertex(pattern)}, .map = some_map()};
         case 3: {
-            OutlineEdge curve{.kind = static_cast<CurveKind>(pick(4)), .arc_radius = between(0, 2)};
-            const Panel* panel = find(pattern, edge.panel);
+            sim::OutlineEdge curve{.kind = static_cast<sim::CurveKind>(pick(4)), .arc_radius = between(0, 2)};
+            const sim::Panel* panel = find(pattern, edge.panel);
             if (panel != nullptr && !panel->vertices.empty()) {
                 const Vec2d start = panel->vertices[static_cast<std::size_t>(edge.index) % panel->vertices.size()];
                 curve.control = {start + some_shift(0.1), start + some_shift(0.2)};
@@ -167,7 +167,7 @@ Command RandomCommands::on_outline(const Pattern& pattern, int kind) {
     }
 }
 
-Command RandomCommands::on_seams(const Pattern& pattern, int kind) {
+Command RandomCommands::on_seams(const sim::Pattern& pattern, int kind) {
     const int seam = pick(pattern.seams.size() + (pick(20) == 0 ? 1 : 0));
     const PartRef a = some_edge(pattern), b = some_edge(pattern);
     switch (kind) {
@@ -195,4 +195,4 @@ Command RandomCommands::on_seams(const Pattern& pattern, int kind) {
     }
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

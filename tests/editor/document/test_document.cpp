@@ -7,19 +7,19 @@
 #include "editor/geometry/draft.h"
 #include "tests/editor/document/random_commands.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
-PatternDocument shipped(const std::string& name) {
-    return load_pattern(std::string(SELVEDGE_SOURCE_DIR) + "/patterns/" + name);
+sim::PatternDocument shipped(const std::string& name) {
+    return sim::load_pattern(std::string(SELVEDGE_SOURCE_DIR) + "/patterns/" + name);
 }
 
 Command move_point(const std::string& panel, int vertex, const Vec2d& by) {
     return MoveVertices{.vertices = {{panel, vertex}}, .by = by};
 }
 
-const Panel& panel_named(const Document& document, const std::string& name) {
-    for (const Panel& panel : document.pattern().panels) {
+const sim::Panel& panel_named(const Document& document, const std::string& name) {
+    for (const sim::Panel& panel : document.pattern().panels) {
         if (panel.name == name) return panel;
     }
     throw std::runtime_error("no panel " + name);
@@ -41,7 +41,7 @@ TEST(Document, a_command_is_undone_and_redone_byte_for_byte) {
 
 TEST(Document, a_failed_command_changes_nothing) {
     Document document(shipped("tshirt.json"));
-    const Pattern before = document.pattern();
+    const sim::Pattern before = document.pattern();
     EXPECT_THROW(document.run(move_point("nobody", 0, Vec2d(0.01, 0))), DraftError);
     EXPECT_THROW(document.run(SetFabric{.panel = "", .fabric = "cardboard"}), DraftError);
     EXPECT_THROW(document.run(ReverseSeam{.seam = 99}), DraftError);
@@ -66,7 +66,7 @@ TEST(Document, a_drag_is_one_entry_of_the_history) {
 
 TEST(Document, a_dropped_drag_leaves_no_trace) {
     Document document(shipped("tshirt.json"));
-    const Pattern before = document.pattern();
+    const sim::Pattern before = document.pattern();
     document.attempt(move_point("front", 0, Vec2d(0.05, 0)));
     document.drop();
     EXPECT_EQ(document.pattern(), before);
@@ -77,7 +77,7 @@ TEST(Document, a_dropped_drag_leaves_no_trace) {
 TEST(Document, a_drag_that_goes_wrong_stays_at_its_last_sound_place) {
     Document document(shipped("tshirt.json"));
     document.attempt(move_point("front", 0, Vec2d(0.01, 0)));
-    const Pattern sound = document.pattern();
+    const sim::Pattern sound = document.pattern();
     EXPECT_THROW(document.attempt(move_point("front", 0, Vec2d(0.30, 0.45))), DraftError);  // through the other side
     EXPECT_EQ(document.pattern(), sound);
     document.keep();
@@ -138,7 +138,7 @@ TEST(Document, names_that_change_hands_come_back_with_their_panels) {
     document.run(RemoveParts{.panels = {"back"}});
     document.run(RenamePanel{.panel = "front", .to = "back"});
     document.run(RenamePanel{.panel = "left_sleeve_back", .to = "front"});
-    EXPECT_FALSE(has_error(check_pattern_text(document.text(), "")));
+    EXPECT_FALSE(sim::has_error(sim::check_pattern_text(document.text(), "")));
     const std::string last = document.text();
     document.go_to(0);
     EXPECT_EQ(document.text(), first);
@@ -179,7 +179,6 @@ TEST(Document, one_that_takes_the_place_of_another_has_no_revision_of_its) {
     EXPECT_GT(second.revision(), seen);
 }
 
-
 // Runs so many commands, with undo, redo and drags between them. Returns how many were carried out.
 int run_commands(Document& document, unsigned seed, int count) {
     RandomCommands commands(seed);
@@ -212,7 +211,8 @@ TEST(RandomCommands, undone_give_the_first_document_byte_for_byte) {
                 run_commands(document, 100 * static_cast<unsigned>(round) + static_cast<unsigned>(first.size()), 1000);
             document.keep();  // a drag that was under way
             const std::string last = document.text();
-            EXPECT_FALSE(has_error(check_pattern_text(last, name))) << describe(check_pattern_text(last, name).front());
+            EXPECT_FALSE(sim::has_error(sim::check_pattern_text(last, name)))
+                << sim::describe(sim::check_pattern_text(last, name).front());
             const std::size_t position = document.position();
             document.go_to(0);
             ASSERT_TRUE(document.text() == first) << name << ", round " << round;
@@ -238,4 +238,4 @@ TEST(RandomCommands, are_given_back_by_the_journal) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

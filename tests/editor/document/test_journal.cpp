@@ -6,11 +6,11 @@
 #include "editor/document/document.h"
 #include "sim/core/error.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
-PatternDocument shipped(const std::string& name) {
-    return load_pattern(std::string(SELVEDGE_SOURCE_DIR) + "/patterns/" + name);
+sim::PatternDocument shipped(const std::string& name) {
+    return sim::load_pattern(std::string(SELVEDGE_SOURCE_DIR) + "/patterns/" + name);
 }
 
 // A document whose journal is written down.
@@ -80,12 +80,13 @@ TEST(Journal, lines_that_are_no_journals_end_it) {
 }
 
 TEST(CommandJson, every_command_survives) {
-    Panel panel;
+    sim::Panel panel;
     panel.name = "gore";
     panel.vertices = {{0, 0}, {0.2, 0}, {0.1, 0.3}};
-    panel.edges = {{.start = 0, .end = 1, .kind = CurveKind::Cubic, .control = {Vec2d(0.1, -0.01), Vec2d(0.15, 0)}},
-                   {.start = 1, .end = 2, .kind = CurveKind::Arc, .arc_radius = 0.4, .turns_right = true},
-                   {.start = 2, .end = 0, .label = "side"}};
+    panel.edges = {
+        {.start = 0, .end = 1, .kind = sim::CurveKind::Cubic, .control = {Vec2d(0.1, -0.01), Vec2d(0.15, 0)}},
+        {.start = 1, .end = 2, .kind = sim::CurveKind::Arc, .arc_radius = 0.4, .turns_right = true},
+        {.start = 2, .end = 0, .label = "side"}};
     panel.notches = {{.edge = 1, .t = 0.25}};
     panel.sheet_position = Vec2d(1, 2);
     panel.internal_lines = {{"pocket", {{0.05, 0.05}, {0.1, 0.05}}}};
@@ -100,21 +101,21 @@ TEST(CommandJson, every_command_survives) {
         RemoveParts{.vertices = {{"a", 1}}, .seams = {2, 3}}};
     for (const Command& command : commands) {
         const std::string text = write_json(to_json(command));
-        const Json json = parse_json(text, "test");
-        const Command again = parse_command(JsonView(json, "test"));
+        const sim::Json json = sim::parse_json(text, "test");
+        const Command again = parse_command(sim::JsonView(json, "test"));
         EXPECT_EQ(again.index(), command.index());
         EXPECT_EQ(write_json(to_json(again)), text);
     }
-    const Json json = to_json(commands[0]);
-    EXPECT_EQ(std::get<AddPanels>(parse_command(JsonView(json, "test"))).panels[0], panel);
+    const sim::Json json = to_json(commands[0]);
+    EXPECT_EQ(std::get<AddPanels>(parse_command(sim::JsonView(json, "test"))).panels[0], panel);
 }
 
 TEST(CommandJson, says_where_it_is_wrong) {
     const auto problem_of = [](const std::string& text) {
-        const Json json = parse_json(text, "script");
+        const sim::Json json = sim::parse_json(text, "script");
         try {
-            parse_command(JsonView(json, "script"));
-        } catch (const InputError& error) {
+            parse_command(sim::JsonView(json, "script"));
+        } catch (const sim::InputError& error) {
             return std::string(error.what());
         }
         return std::string();
@@ -128,4 +129,4 @@ TEST(CommandJson, says_where_it_is_wrong) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -9,45 +9,45 @@
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern_file.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
-inline Pattern shipped_pattern(const std::string& name) {
-    return load_pattern(std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / (name + ".json")).pattern;
+inline sim::Pattern shipped_pattern(const std::string& name) {
+    return sim::load_pattern(std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / (name + ".json")).pattern;
 }
 
 // A square of one metre, edges: bottom, right, top, left.
-inline Panel unit_square(const std::string& name = "square") {
-    Panel panel = make_rectangle({0, 0}, {1, 1});
+inline sim::Panel unit_square(const std::string& name = "square") {
+    sim::Panel panel = make_rectangle({0, 0}, {1, 1});
     panel.name = name;
     return panel;
 }
 
 // Two squares, the right side of `left` (edge 1) sewn to the left side of `right` (edge 3).
-inline Pattern two_squares() {
-    Pattern pattern;
+inline sim::Pattern two_squares() {
+    sim::Pattern pattern;
     pattern.panels = {unit_square("left"), unit_square("right")};
     pattern.panels[1].translation.x() = 1.5;
     pattern.seams = {{{0, 1}, {1, 3}, true, "middle"}};
     return pattern;
 }
 
-inline double edge_length(const Pattern& pattern, const SeamSide& side) {
-    const Panel& panel = pattern.panels[static_cast<std::size_t>(side.panel)];
+inline double edge_length(const sim::Pattern& pattern, const sim::SeamSide& side) {
+    const sim::Panel& panel = pattern.panels[static_cast<std::size_t>(side.panel)];
     return outline_length(panel, panel.edges[static_cast<std::size_t>(side.edge)]);
 }
 
-inline Vec2d edge_point(const Pattern& pattern, const SeamSide& side, double t) {
-    const Panel& panel = pattern.panels[static_cast<std::size_t>(side.panel)];
+inline Vec2d edge_point(const sim::Pattern& pattern, const sim::SeamSide& side, double t) {
+    const sim::Panel& panel = pattern.panels[static_cast<std::size_t>(side.panel)];
     return outline_point(panel, panel.edges[static_cast<std::size_t>(side.edge)], t);
 }
 
 // Saved and loaded again, it has no fault that is an error, and the same panels and seams.
-inline ::testing::AssertionResult can_be_saved(const Pattern& pattern) {
-    const std::string text = write_pattern({pattern, {}});
-    for (const Fault& fault : check_pattern_text(text, "draft.json")) {
-        if (fault.severity == Severity::Error) return ::testing::AssertionFailure() << describe(fault);
+inline ::testing::AssertionResult can_be_saved(const sim::Pattern& pattern) {
+    const std::string text = sim::write_pattern({pattern, {}});
+    for (const sim::Fault& fault : sim::check_pattern_text(text, "draft.json")) {
+        if (fault.severity == sim::Severity::Error) return ::testing::AssertionFailure() << describe(fault);
     }
-    const Pattern again = parse_pattern(text, "draft.json").pattern;
+    const sim::Pattern again = sim::parse_pattern(text, "draft.json").pattern;
     if (again.panels.size() != pattern.panels.size()) return ::testing::AssertionFailure() << "other panels";
     for (std::size_t i = 0; i < pattern.panels.size(); ++i) {
         if (again.panels[i].edges.size() != pattern.panels[i].edges.size() ||
@@ -60,4 +60,4 @@ inline ::testing::AssertionResult can_be_saved(const Pattern& pattern) {
     return ::testing::AssertionSuccess();
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

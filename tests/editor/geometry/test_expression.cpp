@@ -4,7 +4,7 @@
 
 #include "editor/geometry/expression.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 struct Typed {
@@ -52,4 +52,4 @@ INSTANTIATE_TEST_SUITE_P(, NoExpression,
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -5,31 +5,32 @@
 #include "editor/geometry/seam_edit.h"
 #include "tests/editor/geometry/geometry_support.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 // A square whose bottom is a curve of some kind that hangs below it.
-Panel bottomed(CurveKind kind) {
-    Panel panel = unit_square();
-    OutlineEdge& edge = panel.edges[0];
+sim::Panel bottomed(sim::CurveKind kind) {
+    sim::Panel panel = unit_square();
+    sim::OutlineEdge& edge = panel.edges[0];
     edge.kind = kind;
-    if (kind == CurveKind::Quadratic) edge.control[0] = {0.2, -0.5};
-    if (kind == CurveKind::Cubic) edge.control = {Vec2d(0.1, -0.4), Vec2d(0.5, -0.3)};
-    if (kind == CurveKind::Arc) edge.arc_radius = 0.6;
+    if (kind == sim::CurveKind::Quadratic) edge.control[0] = {0.2, -0.5};
+    if (kind == sim::CurveKind::Cubic) edge.control = {Vec2d(0.1, -0.4), Vec2d(0.5, -0.3)};
+    if (kind == sim::CurveKind::Arc) edge.arc_radius = 0.6;
     return panel;
 }
 
-Pattern of(Panel panel) {
-    Pattern pattern;
+sim::Pattern of(sim::Panel panel) {
+    sim::Pattern pattern;
     pattern.panels.push_back(std::move(panel));
     return pattern;
 }
 
 TEST(SplitEdge, leaves_every_kind_of_curve_where_it_was) {
-    for (const CurveKind kind : {CurveKind::Line, CurveKind::Quadratic, CurveKind::Cubic, CurveKind::Arc}) {
+    for (const sim::CurveKind kind :
+         {sim::CurveKind::Line, sim::CurveKind::Quadratic, sim::CurveKind::Cubic, sim::CurveKind::Arc}) {
         for (const double t : {0.3, 0.5, 0.9}) {
-            const Panel whole = bottomed(kind);
-            Pattern pattern = of(whole);
+            const sim::Panel whole = bottomed(kind);
+            sim::Pattern pattern = of(whole);
             EXPECT_EQ(split_edge(pattern, {0, 0}, t), 4);
             const double length = outline_length(whole, whole.edges[0]);
             EXPECT_NEAR(edge_length(pattern, {0, 0}), t * length, 1e-8);
@@ -47,11 +48,11 @@ TEST(SplitEdge, leaves_every_kind_of_curve_where_it_was) {
 }
 
 TEST(SplitEdge, a_large_arc_falls_into_arcs_of_its_circle) {
-    Panel panel = bottomed(CurveKind::Arc);
+    sim::Panel panel = bottomed(sim::CurveKind::Arc);
     panel.edges[0].is_large_arc = true;
-    Pattern pattern = of(panel);
+    sim::Pattern pattern = of(panel);
     split_edge(pattern, {0, 0}, 0.8);
-    const std::vector<OutlineEdge>& edges = pattern.panels[0].edges;
+    const std::vector<sim::OutlineEdge>& edges = pattern.panels[0].edges;
     EXPECT_TRUE(edges[0].is_large_arc);
     EXPECT_FALSE(edges[1].is_large_arc);
     EXPECT_NEAR(outline_area(pattern.panels[0]), outline_area(panel), 1e-3);
@@ -59,15 +60,15 @@ TEST(SplitEdge, a_large_arc_falls_into_arcs_of_its_circle) {
 
 TEST(SplitEdge, splits_the_other_side_of_its_seam_where_it_meets) {
     for (const bool is_reversed : {true, false}) {
-        Pattern pattern = two_squares();
+        sim::Pattern pattern = two_squares();
         pattern.seams[0].is_reversed = is_reversed;
         pattern.seams[0].is_eased = true;
         split_edge(pattern, {0, 1}, 0.2);
         ASSERT_EQ(pattern.seams.size(), 2U);
-        const Seam& first = pattern.seams[0];
-        const Seam& second = pattern.seams[1];
-        EXPECT_EQ(first, (Seam{{0, 1}, {1, is_reversed ? 4 : 3}, is_reversed, "middle", true}));
-        EXPECT_EQ(second, (Seam{{0, 2}, {1, is_reversed ? 3 : 4}, is_reversed, "", true}));
+        const sim::Seam& first = pattern.seams[0];
+        const sim::Seam& second = pattern.seams[1];
+        EXPECT_EQ(first, (sim::Seam{{0, 1}, {1, is_reversed ? 4 : 3}, is_reversed, "middle", true}));
+        EXPECT_EQ(second, (sim::Seam{{0, 2}, {1, is_reversed ? 3 : 4}, is_reversed, "", true}));
         EXPECT_NEAR(edge_length(pattern, first.first), 0.2, 1e-12);
         EXPECT_NEAR(edge_length(pattern, first.second), 0.2, 1e-12);
         EXPECT_NEAR(edge_length(pattern, second.second), 0.8, 1e-12);
@@ -75,36 +76,36 @@ TEST(SplitEdge, splits_the_other_side_of_its_seam_where_it_meets) {
 }
 
 TEST(SplitEdge, seams_notches_and_pins_behind_it_follow) {
-    Pattern pattern = two_squares();
+    sim::Pattern pattern = two_squares();
     pattern.panels[0].notches = {{0, 0.1}, {0, 0.7}, {2, 0.3}};
     pattern.panels[0].pins = {1};
     split_edge(pattern, {0, 0}, 0.4);
-    EXPECT_EQ(pattern.seams[0].first, (SeamSide{0, 2}));
-    EXPECT_EQ(pattern.seams[0].second, (SeamSide{1, 3}));
-    const std::vector<Notch>& notches = pattern.panels[0].notches;
+    EXPECT_EQ(pattern.seams[0].first, (sim::SeamSide{0, 2}));
+    EXPECT_EQ(pattern.seams[0].second, (sim::SeamSide{1, 3}));
+    const std::vector<sim::Notch>& notches = pattern.panels[0].notches;
     ASSERT_EQ(notches.size(), 3U);
     EXPECT_EQ(notches[0].edge, 0);
     EXPECT_NEAR(notches[0].t, 0.25, 1e-12);
     EXPECT_EQ(notches[1].edge, 1);
     EXPECT_NEAR(notches[1].t, 0.5, 1e-12);
-    EXPECT_EQ(notches[2], (Notch{3, 0.3}));
+    EXPECT_EQ(notches[2], (sim::Notch{3, 0.3}));
     EXPECT_EQ(pattern.panels[0].pins, std::vector<int>{1});
 }
 
 TEST(SplitEdge, splits_a_panel_that_is_sewn_to_itself) {
-    Pattern pattern = of(unit_square());
+    sim::Pattern pattern = of(unit_square());
     pattern.seams = {{{0, 3}, {0, 1}, true}};
     split_edge(pattern, {0, 3}, 0.25);
     ASSERT_EQ(pattern.seams.size(), 2U);
-    for (const Seam& seam : pattern.seams) {
+    for (const sim::Seam& seam : pattern.seams) {
         EXPECT_NEAR(edge_length(pattern, seam.first), edge_length(pattern, seam.second), 1e-12);
         EXPECT_NEAR(edge_point(pattern, seam.first, 0).y(), edge_point(pattern, seam.second, 1).y(), 1e-12);
     }
 }
 
 TEST(SplitEdge, refuses_what_is_no_place_and_changes_nothing) {
-    Pattern pattern = two_squares();
-    const Pattern before = pattern;
+    sim::Pattern pattern = two_squares();
+    const sim::Pattern before = pattern;
     for (const double t : {0.0, 1.0, -1.0, 2.0, 1e-7, std::numeric_limits<double>::quiet_NaN()}) {
         EXPECT_THROW(split_edge(pattern, {0, 1}, t), DraftError) << t;
     }
@@ -116,21 +117,21 @@ TEST(SplitEdge, refuses_what_is_no_place_and_changes_nothing) {
 
 TEST(RemoveVertices, takes_back_a_split_with_the_seam_across_it) {
     for (const bool is_reversed : {true, false}) {
-        const Pattern whole = [&] {
-            Pattern pattern = two_squares();
+        const sim::Pattern whole = [&] {
+            sim::Pattern pattern = two_squares();
             pattern.seams[0].is_reversed = is_reversed;
             return pattern;
         }();
-        Pattern pattern = whole;
+        sim::Pattern pattern = whole;
         remove_vertices(pattern, 0, {split_edge(pattern, {0, 1}, 0.3)});
         EXPECT_TRUE(pattern == whole);
     }
 }
 
 TEST(RemoveVertices, gives_back_the_curve_that_was_split) {
-    for (const CurveKind kind : {CurveKind::Quadratic, CurveKind::Cubic, CurveKind::Arc}) {
-        const Panel whole = bottomed(kind);
-        Pattern pattern = of(whole);
+    for (const sim::CurveKind kind : {sim::CurveKind::Quadratic, sim::CurveKind::Cubic, sim::CurveKind::Arc}) {
+        const sim::Panel whole = bottomed(kind);
+        sim::Pattern pattern = of(whole);
         remove_vertices(pattern, 0, {split_edge(pattern, {0, 0}, 0.4)});
         ASSERT_EQ(pattern.panels[0].edges.size(), 4U);
         EXPECT_EQ(pattern.panels[0].edges[0].kind, kind);
@@ -141,21 +142,21 @@ TEST(RemoveVertices, gives_back_the_curve_that_was_split) {
 }
 
 TEST(RemoveVertices, curves_of_different_kinds_become_a_cubic_near_them_with_their_end_tangents) {
-    Panel panel = make_polygon({{0, 0}, {0.5, -0.2}, {1, 0}, {1, 1}, {0, 1}});
-    panel.edges[0].kind = CurveKind::Quadratic;
+    sim::Panel panel = make_polygon({{0, 0}, {0.5, -0.2}, {1, 0}, {1, 1}, {0, 1}});
+    panel.edges[0].kind = sim::CurveKind::Quadratic;
     panel.edges[0].control[0] = {0.2, -0.2};
-    panel.edges[1].kind = CurveKind::Arc;
+    panel.edges[1].kind = sim::CurveKind::Arc;
     panel.edges[1].arc_radius = 0.5;
-    Pattern pattern = of(panel);
+    sim::Pattern pattern = of(panel);
     remove_vertices(pattern, 0, {1});
-    const Panel& joined = pattern.panels[0];
-    EXPECT_EQ(joined.edges[0].kind, CurveKind::Cubic);
-    EXPECT_NEAR(cross2(joined.edges[0].control[0].normalized(), Vec2d(0.2, -0.2).normalized()), 0, 1e-9);
+    const sim::Panel& joined = pattern.panels[0];
+    EXPECT_EQ(joined.edges[0].kind, sim::CurveKind::Cubic);
+    EXPECT_NEAR(sim::cross2(joined.edges[0].control[0].normalized(), Vec2d(0.2, -0.2).normalized()), 0, 1e-9);
     EXPECT_LT(nearest_on_edge(joined, joined.edges[0], {0.5, -0.2}).distance, 0.02);
 }
 
 TEST(RemoveVertices, seams_go_where_the_other_side_has_a_corner) {
-    Pattern pattern = two_squares();
+    sim::Pattern pattern = two_squares();
     const int vertex = split_edge(pattern, {0, 1}, 0.5);
     move_vertices(pattern, 1, {4}, {-0.1, 0});
     remove_vertices(pattern, 0, {vertex});
@@ -165,12 +166,12 @@ TEST(RemoveVertices, seams_go_where_the_other_side_has_a_corner) {
 }
 
 TEST(RemoveVertices, the_first_vertex_too_and_notches_keep_their_place) {
-    Panel panel = make_polygon({{0, 0}, {1, 0}, {2, 0.2}, {2, 1}, {0, 1}});
+    sim::Panel panel = make_polygon({{0, 0}, {1, 0}, {2, 0.2}, {2, 1}, {0, 1}});
     panel.notches = {{0, 0.5}, {4, 0.5}, {2, 0.25}};
     panel.pins = {0, 3};
-    Pattern pattern = of(panel);
+    sim::Pattern pattern = of(panel);
     remove_vertices(pattern, 0, {0});
-    const Panel& left = pattern.panels[0];
+    const sim::Panel& left = pattern.panels[0];
     ASSERT_EQ(left.edges.size(), 4U);
     EXPECT_EQ(left.pins, std::vector<int>{2});
     ASSERT_EQ(left.notches.size(), 3U);
@@ -181,8 +182,8 @@ TEST(RemoveVertices, the_first_vertex_too_and_notches_keep_their_place) {
 }
 
 TEST(RemoveVertices, refuses_to_leave_no_panel) {
-    Pattern pattern = two_squares();
-    const Pattern before = pattern;
+    sim::Pattern pattern = two_squares();
+    const sim::Pattern before = pattern;
     EXPECT_THROW(remove_vertices(pattern, 0, {0, 1, 2}), DraftError);
     EXPECT_THROW(remove_vertices(pattern, 0, {0, 2}), DraftError);
     EXPECT_THROW(remove_vertices(pattern, 0, {4}), DraftError);
@@ -190,21 +191,21 @@ TEST(RemoveVertices, refuses_to_leave_no_panel) {
 }
 
 TEST(MoveVertices, curves_with_one_end_moved_ride_along) {
-    Pattern pattern = of(bottomed(CurveKind::Arc));
+    sim::Pattern pattern = of(bottomed(sim::CurveKind::Arc));
     const double before = edge_length(pattern, {0, 0});
     move_vertices(pattern, 0, {1}, {1, 0});
     EXPECT_NEAR(edge_length(pattern, {0, 0}), 2 * before, 1e-9);
-    pattern = of(bottomed(CurveKind::Cubic));
+    pattern = of(bottomed(sim::CurveKind::Cubic));
     move_vertices(pattern, 0, {1}, {1, 0});
     EXPECT_TRUE(pattern.panels[0].edges[0].control[0].isApprox(Vec2d(0.2, -0.8)));
-    pattern = of(bottomed(CurveKind::Cubic));
+    pattern = of(bottomed(sim::CurveKind::Cubic));
     move_vertices(pattern, 0, {0, 1}, {0, -0.5});
     EXPECT_TRUE(pattern.panels[0].edges[0].control[0].isApprox(Vec2d(0.1, -0.9)));
 }
 
 TEST(MoveVertices, refuses_an_outline_that_would_cross_itself_and_says_where) {
-    Pattern pattern = two_squares();
-    const Pattern before = pattern;
+    sim::Pattern pattern = two_squares();
+    const sim::Pattern before = pattern;
     try {
         move_vertices(pattern, 0, {2}, {-2, -0.5});
         FAIL() << "moved";
@@ -220,74 +221,76 @@ TEST(MoveVertices, refuses_an_outline_that_would_cross_itself_and_says_where) {
 }
 
 TEST(TransformPanel, a_turn_takes_lines_and_grain_along) {
-    Panel panel = bottomed(CurveKind::Arc);
+    sim::Panel panel = bottomed(sim::CurveKind::Arc);
     panel.internal_lines = {{"pleat", {{0.5, 0.2}, {0.5, 0.8}}}};
-    Pattern pattern = of(panel);
+    sim::Pattern pattern = of(panel);
     const double quarter = std::numbers::pi / 2;
     transform_panel(pattern, 0, Eigen::Affine2d(Eigen::Rotation2Dd(quarter)));
     EXPECT_NEAR(pattern.panels[0].grain_angle, quarter, 1e-12);
     EXPECT_TRUE(pattern.panels[0].internal_lines[0].points[0].isApprox(Vec2d(-0.2, 0.5)));
     EXPECT_NEAR(outline_area(pattern.panels[0]), outline_area(panel), 1e-12);
-    EXPECT_EQ(pattern.panels[0].edges[0].kind, CurveKind::Arc);
+    EXPECT_EQ(pattern.panels[0].edges[0].kind, sim::CurveKind::Arc);
 }
 
 TEST(TransformPanel, a_mirroring_keeps_it_counter_clockwise_and_its_seams_together) {
-    Pattern pattern = two_squares();
+    sim::Pattern pattern = two_squares();
     pattern.panels[0].notches = {{1, 0.25}};
     pattern.panels[0].edges[1].label = "side";
     transform_panel(pattern, 0, Eigen::Affine2d(Eigen::Scaling(-1.0, 1.0)));
-    const Panel& panel = pattern.panels[0];
+    const sim::Panel& panel = pattern.panels[0];
     EXPECT_GT(outline_area(panel), 0.9);
-    EXPECT_EQ(pattern.seams[0].first, (SeamSide{0, 3}));  // edge e of 4 became (4 - e) % 4
+    EXPECT_EQ(pattern.seams[0].first, (sim::SeamSide{0, 3}));  // edge e of 4 became (4 - e) % 4
     EXPECT_FALSE(pattern.seams[0].is_reversed);
     EXPECT_EQ(panel.edges[3].label, "side");
-    EXPECT_EQ(panel.notches[0], (Notch{3, 0.75}));
+    EXPECT_EQ(panel.notches[0], (sim::Notch{3, 0.75}));
     EXPECT_TRUE(outline_point(panel, panel.edges[3], 0.75).isApprox(Vec2d(-1, 0.25)));
     EXPECT_TRUE(panel.vertices[1].isApprox(Vec2d(-1, 0)));
     transform_panel(pattern, 0, Eigen::Affine2d(Eigen::Scaling(-1.0, 1.0)));
-    Pattern whole = two_squares();
+    sim::Pattern whole = two_squares();
     whole.panels[0].notches = {{1, 0.25}};
     whole.panels[0].edges[1].label = "side";
     EXPECT_TRUE(pattern == whole);
 }
 
 TEST(TransformPanel, an_arc_becomes_a_cubic_under_a_stretch) {
-    Panel panel = bottomed(CurveKind::Arc);
-    Pattern pattern = of(panel);
+    sim::Panel panel = bottomed(sim::CurveKind::Arc);
+    sim::Pattern pattern = of(panel);
     transform_panel(pattern, 0, Eigen::Affine2d(Eigen::Scaling(1.5, 1.0)));
-    EXPECT_EQ(pattern.panels[0].edges[0].kind, CurveKind::Cubic);
+    EXPECT_EQ(pattern.panels[0].edges[0].kind, sim::CurveKind::Cubic);
     const Vec2d low = outline_point(panel, panel.edges[0], 0.5);
     EXPECT_NEAR((edge_point(pattern, {0, 0}, 0.5) - Vec2d(1.5 * low.x(), low.y())).norm(), 0, 1e-6);
     EXPECT_NEAR(outline_area(pattern.panels[0]), 1.5 * outline_area(panel), 2e-3);
 }
 
 TEST(TransformPanel, refuses_a_seam_side_four_times_too_long) {
-    Pattern pattern = two_squares();
-    const Pattern before = pattern;
+    sim::Pattern pattern = two_squares();
+    const sim::Pattern before = pattern;
     EXPECT_THROW(transform_panel(pattern, 0, Eigen::Affine2d(Eigen::Scaling(5.0, 5.0))), DraftError);
     EXPECT_THROW(transform_panel(pattern, 0, Eigen::Affine2d(Eigen::Scaling(0.0, 1.0))), DraftError);
     EXPECT_TRUE(pattern == before);
 }
 
 TEST(SetCurve, keeps_ends_and_label) {
-    Pattern pattern = two_squares();
+    sim::Pattern pattern = two_squares();
     pattern.panels[0].edges[2].label = "top";
-    set_curve(pattern, {0, 2}, {.start = 9, .end = 7, .kind = CurveKind::Arc, .arc_radius = 0.7});
-    const OutlineEdge& edge = pattern.panels[0].edges[2];
+    set_curve(pattern, {0, 2}, {.start = 9, .end = 7, .kind = sim::CurveKind::Arc, .arc_radius = 0.7});
+    const sim::OutlineEdge& edge = pattern.panels[0].edges[2];
     EXPECT_EQ(edge.start, 2);
     EXPECT_EQ(edge.end, 3);
     EXPECT_EQ(edge.label, "top");
     EXPECT_GT(edge_point(pattern, {0, 2}, 0.5).y(), 1.1);
-    const Pattern before = pattern;
-    EXPECT_THROW(set_curve(pattern, {0, 2}, {.kind = CurveKind::Arc, .arc_radius = 0.4}), DraftError);
-    EXPECT_THROW(set_curve(pattern, {0, 0}, {.kind = CurveKind::Quadratic, .control = {Vec2d(0.5, 3), Vec2d(0, 0)}}),
-                 DraftError);
+    const sim::Pattern before = pattern;
+    EXPECT_THROW(set_curve(pattern, {0, 2}, {.kind = sim::CurveKind::Arc, .arc_radius = 0.4}), DraftError);
+    EXPECT_THROW(
+        set_curve(pattern, {0, 0}, {.kind = sim::CurveKind::Quadratic, .control = {Vec2d(0.5, 3), Vec2d(0, 0)}}),
+        DraftError);
     EXPECT_TRUE(pattern == before);
 }
 
 TEST(NearestOnEdge, is_found_on_every_kind_of_curve) {
-    for (const CurveKind kind : {CurveKind::Line, CurveKind::Quadratic, CurveKind::Cubic, CurveKind::Arc}) {
-        const Panel panel = bottomed(kind);
+    for (const sim::CurveKind kind :
+         {sim::CurveKind::Line, sim::CurveKind::Quadratic, sim::CurveKind::Cubic, sim::CurveKind::Arc}) {
+        const sim::Panel panel = bottomed(kind);
         for (const double t : {0.0, 0.1, 0.5, 0.77, 1.0}) {
             const Vec2d point = outline_point(panel, panel.edges[0], t);
             const NearestOnEdge on = nearest_on_edge(panel, panel.edges[0], point);
@@ -295,17 +298,17 @@ TEST(NearestOnEdge, is_found_on_every_kind_of_curve) {
             EXPECT_NEAR(on.distance, 0, 1e-7);
         }
     }
-    const Panel square = unit_square();
+    const sim::Panel square = unit_square();
     EXPECT_NEAR(nearest_on_edge(square, square.edges[0], {0.3, 0.4}).distance, 0.4, 1e-12);
     EXPECT_EQ(nearest_on_edge(square, square.edges[0], {-3, 4}).t, 0);
 }
 
 TEST(FindPanel, by_name) {
-    const Pattern pattern = two_squares();
+    const sim::Pattern pattern = two_squares();
     EXPECT_EQ(find_panel(pattern, "right"), 1);
     EXPECT_THROW(find_panel(pattern, "wrong"), DraftError);
 }
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

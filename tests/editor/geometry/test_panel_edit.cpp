@@ -5,11 +5,11 @@
 #include "editor/geometry/panel_edit.h"
 #include "tests/editor/geometry/geometry_support.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 TEST(PanelNames, are_free) {
-    Pattern pattern = two_squares();
+    sim::Pattern pattern = two_squares();
     EXPECT_EQ(free_panel_name(pattern, "front"), "front");
     EXPECT_EQ(free_panel_name(pattern, "left"), "left_2");
     EXPECT_EQ(free_panel_name(pattern, ""), "panel");
@@ -19,12 +19,12 @@ TEST(PanelNames, are_free) {
 }
 
 TEST(PanelNames, change_and_mirror_images_follow) {
-    Pattern pattern = two_squares();
+    sim::Pattern pattern = two_squares();
     pattern.panels[1].mirror_of = "left";
     rename_panel(pattern, 0, "vest");
     EXPECT_EQ(pattern.panels[0].name, "vest");
     EXPECT_EQ(pattern.panels[1].mirror_of, "vest");
-    const Pattern before = pattern;
+    const sim::Pattern before = pattern;
     EXPECT_THROW(rename_panel(pattern, 0, "right"), DraftError);
     EXPECT_THROW(rename_panel(pattern, 0, ""), DraftError);
     EXPECT_THROW(rename_panel(pattern, 5, "x"), DraftError);
@@ -41,9 +41,9 @@ TEST(MakePanel, turns_any_polygon_counter_clockwise) {
 }
 
 TEST(MakePanel, an_ellipse_is_round) {
-    const Panel ellipse = make_ellipse({1, 2}, {0.3, 0.2});
+    const sim::Panel ellipse = make_ellipse({1, 2}, {0.3, 0.2});
     EXPECT_NEAR(outline_area(ellipse), std::numbers::pi * 0.06, 2e-4);
-    for (const OutlineEdge& edge : ellipse.edges) {
+    for (const sim::OutlineEdge& edge : ellipse.edges) {
         const Vec2d p = (outline_point(ellipse, edge, 0.37) - Vec2d(1, 2)).cwiseQuotient(Vec2d(0.3, 0.2));
         EXPECT_NEAR(p.norm(), 1, 5e-4);
     }
@@ -51,33 +51,33 @@ TEST(MakePanel, an_ellipse_is_round) {
 }
 
 TEST(AddPanel, refuses_what_is_no_panel) {
-    Pattern pattern = two_squares();
-    const Pattern before = pattern;
-    EXPECT_THROW(add_panel(pattern, Panel()), DraftError);
-    Panel open = unit_square();
+    sim::Pattern pattern = two_squares();
+    const sim::Pattern before = pattern;
+    EXPECT_THROW(add_panel(pattern, sim::Panel()), DraftError);
+    sim::Panel open = unit_square();
     open.edges[1].end = 3;
     EXPECT_THROW(add_panel(pattern, open), DraftError);
-    Panel pinned = unit_square();
+    sim::Panel pinned = unit_square();
     pinned.pins = {4};
     EXPECT_THROW(add_panel(pattern, pinned), DraftError);
     EXPECT_TRUE(pattern == before);
 }
 
 TEST(RemovePanels, takes_their_seams_and_frees_their_images) {
-    Pattern pattern = two_squares();
+    sim::Pattern pattern = two_squares();
     add_panel(pattern, unit_square("third"));
     pattern.panels[2].mirror_of = "left";
     pattern.seams.push_back({{1, 0}, {2, 0}, true});
     remove_panels(pattern, {0, 0});
     ASSERT_EQ(pattern.panels.size(), 2U);
     ASSERT_EQ(pattern.seams.size(), 1U);
-    EXPECT_EQ(pattern.seams[0].first, (SeamSide{0, 0}));
-    EXPECT_EQ(pattern.seams[0].second, (SeamSide{1, 0}));
+    EXPECT_EQ(pattern.seams[0].first, (sim::SeamSide{0, 0}));
+    EXPECT_EQ(pattern.seams[0].second, (sim::SeamSide{1, 0}));
     EXPECT_EQ(pattern.panels[1].mirror_of, "");
 }
 
 TEST(DuplicatePanel, lies_beside_it_unsewn) {
-    Pattern pattern = two_squares();
+    sim::Pattern pattern = two_squares();
     const Vec2d at = sheet_positions(pattern)[1];
     EXPECT_EQ(duplicate_panel(pattern, 1, {0, -2}), 2);
     EXPECT_EQ(pattern.panels[2].name, "right_2");
@@ -87,27 +87,27 @@ TEST(DuplicatePanel, lies_beside_it_unsewn) {
 }
 
 // An L: edges bottom, right, step, inner, top, left.
-Panel ell() {
-    Panel panel = make_polygon({{0, 0}, {1, 0}, {1, 0.5}, {0.5, 0.5}, {0.5, 1}, {0, 1}});
+sim::Panel ell() {
+    sim::Panel panel = make_polygon({{0, 0}, {1, 0}, {1, 0.5}, {0.5, 0.5}, {0.5, 1}, {0, 1}});
     panel.name = "ell";
     return panel;
 }
 
 TEST(CutPanel, both_parts_stay_where_they_were_and_keep_what_was_theirs) {
-    Pattern pattern = two_squares();
-    Panel& panel = pattern.panels[0];
+    sim::Pattern pattern = two_squares();
+    sim::Panel& panel = pattern.panels[0];
     panel.wrap_radius = 0.4;
     panel.translation = {0.1, 1, 0.2};
     panel.grain_angle = 0.3;
     panel.notches = {{0, 0.25}, {0, 0.75}, {1, 0.5}, {3, 0.5}};
     panel.pins = {0, 1};
     panel.internal_lines = {{"pleat", {{0.1, 0.5}, {0.9, 0.5}}}, {"dart", {{0.8, 0.1}, {0.9, 0.1}}}};
-    const Panel before = panel;
+    const sim::Panel before = panel;
     const Vec2d sheet = sheet_positions(pattern)[0];
     // From the bottom up to the top, bent to the left on its way: the part on its right is new.
     EXPECT_EQ(cut_panel(pattern, 0, {{0.5, -0.01}, {0.4, 0.5}, {0.5, 1.01}}, true), 2);
-    const Panel& kept = pattern.panels[0];
-    const Panel& taken = pattern.panels[2];
+    const sim::Panel& kept = pattern.panels[0];
+    const sim::Panel& taken = pattern.panels[2];
     EXPECT_EQ(taken.name, "left_2");
     EXPECT_NEAR(outline_area(kept), 0.45, 1e-9);
     EXPECT_NEAR(outline_area(taken), 0.55, 1e-9);
@@ -119,7 +119,7 @@ TEST(CutPanel, both_parts_stay_where_they_were_and_keep_what_was_theirs) {
     EXPECT_GT(taken.sheet_position.value().x(), sheet.x());
     EXPECT_EQ(kept.notches.size(), 2U);
     EXPECT_EQ(taken.notches.size(), 2U);
-    for (const Notch& notch : taken.notches) {
+    for (const sim::Notch& notch : taken.notches) {
         EXPECT_GT(outline_point(taken, taken.edges[std::size_t(notch.edge)], notch.t).x(), 0.7);
     }
     ASSERT_EQ(kept.pins.size(), 1U);
@@ -134,7 +134,7 @@ TEST(CutPanel, both_parts_stay_where_they_were_and_keep_what_was_theirs) {
     EXPECT_EQ(pattern.seams[0].first.panel, 2);
     EXPECT_TRUE(edge_point(pattern, pattern.seams[0].first, 0.3).isApprox(Vec2d(1, 0.3)));
     for (std::size_t i = 1; i < 3; ++i) {
-        const Seam& seam = pattern.seams[i];
+        const sim::Seam& seam = pattern.seams[i];
         EXPECT_EQ(seam.first.panel, 0);
         EXPECT_EQ(seam.second.panel, 2);
         for (const double t : {0.0, 0.4, 1.0}) {
@@ -146,7 +146,7 @@ TEST(CutPanel, both_parts_stay_where_they_were_and_keep_what_was_theirs) {
 
 TEST(CutPanel, from_either_end_and_across_edge_0) {
     for (const bool is_downward : {true, false}) {
-        Pattern pattern;
+        sim::Pattern pattern;
         pattern.panels = {ell()};
         std::vector<Vec2d> path{{0.25, 1}, {0.25, 0}};
         if (!is_downward) std::swap(path[0], path[1]);
@@ -159,7 +159,7 @@ TEST(CutPanel, from_either_end_and_across_edge_0) {
 }
 
 TEST(CutPanel, at_vertices_and_through_a_seam_that_is_split) {
-    Pattern pattern = two_squares();
+    sim::Pattern pattern = two_squares();
     cut_panel(pattern, 0, {{0, 0}, {1, 1}}, true);
     EXPECT_EQ(pattern.panels[0].edges.size(), 3U);
     EXPECT_EQ(pattern.panels[2].edges.size(), 3U);
@@ -167,15 +167,15 @@ TEST(CutPanel, at_vertices_and_through_a_seam_that_is_split) {
     cut_panel(pattern, 0, {{1.02, 0.3}, {-0.02, 0.3}}, true);
     EXPECT_EQ(pattern.panels[1].edges.size(), 5U);
     ASSERT_EQ(pattern.seams.size(), 3U);
-    for (const Seam& seam : pattern.seams) {
+    for (const sim::Seam& seam : pattern.seams) {
         EXPECT_NEAR(edge_length(pattern, seam.first), edge_length(pattern, seam.second), 1e-12);
     }
 }
 
 TEST(CutPanel, refuses_a_path_that_leaves_the_panel) {
-    Pattern pattern;
+    sim::Pattern pattern;
     pattern.panels = {ell()};
-    const Pattern before = pattern;
+    const sim::Pattern before = pattern;
     EXPECT_THROW(cut_panel(pattern, 0, {{0.75, 0.5}, {0.5, 0.75}}, true), DraftError);  // outside, either way round
     EXPECT_THROW(cut_panel(pattern, 0, {{0.5, 0.75}, {0.75, 0.5}}, true), DraftError);
     EXPECT_THROW(cut_panel(pattern, 0, {{0, 0.75}, {1, 0.25}}, true), DraftError);  // cuts the corner
@@ -188,7 +188,7 @@ TEST(CutPanel, refuses_a_path_that_leaves_the_panel) {
 }
 
 TEST(MergePanels, takes_back_a_cut) {
-    Pattern pattern = two_squares();
+    sim::Pattern pattern = two_squares();
     pattern.panels[0].notches = {{1, 0.5}, {3, 0.5}};
     cut_panel(pattern, 0, {{0.5, 0}, {0.4, 0.5}, {0.5, 1}}, true);
     EXPECT_EQ(merge_panels(pattern, 1), 0);
@@ -204,7 +204,7 @@ TEST(MergePanels, takes_back_a_cut) {
 }
 
 TEST(MergePanels, turns_and_moves_the_second_to_the_first) {
-    Pattern pattern = two_squares();
+    sim::Pattern pattern = two_squares();
     transform_panel(pattern, 0, Eigen::Affine2d(Eigen::Translation2d(3, 1) * Eigen::Rotation2Dd(0.7)));
     pattern.panels[1].pins = {1, 3};
     EXPECT_EQ(merge_panels(pattern, 0), 0);
@@ -215,9 +215,9 @@ TEST(MergePanels, turns_and_moves_the_second_to_the_first) {
 }
 
 TEST(MergePanels, refuses_sides_that_do_not_fit) {
-    Pattern pattern = two_squares();
-    set_curve(pattern, {1, 3}, {.kind = CurveKind::Quadratic, .control = {Vec2d(-0.1, 0.5), Vec2d(0, 0)}});
-    Pattern before = pattern;
+    sim::Pattern pattern = two_squares();
+    set_curve(pattern, {1, 3}, {.kind = sim::CurveKind::Quadratic, .control = {Vec2d(-0.1, 0.5), Vec2d(0, 0)}});
+    sim::Pattern before = pattern;
     EXPECT_THROW(merge_panels(pattern, 0), DraftError);
     EXPECT_TRUE(pattern == before);
     pattern = two_squares();
@@ -229,16 +229,16 @@ TEST(MergePanels, refuses_sides_that_do_not_fit) {
 }
 
 TEST(UnfoldPanel, opens_what_was_cut_on_the_fold) {
-    Pattern pattern = two_squares();
+    sim::Pattern pattern = two_squares();
     pattern.panels[0].notches = {{0, 0.25}, {3, 0.5}};
     pattern.panels[0].pins = {1, 3};
     pattern.panels[0].internal_lines = {{"pocket", {{0.5, 0.5}, {0.8, 0.5}}}};
     unfold_panel(pattern, {0, 3});
-    const Panel& panel = pattern.panels[0];
+    const sim::Panel& panel = pattern.panels[0];
     EXPECT_NEAR(outline_area(panel), 2, 1e-12);
     EXPECT_EQ(panel.edges.size(), 6U);
     ASSERT_EQ(pattern.seams.size(), 1U);
-    EXPECT_EQ(pattern.seams[0].first, (SeamSide{0, 1}));
+    EXPECT_EQ(pattern.seams[0].first, (sim::SeamSide{0, 1}));
     EXPECT_TRUE(edge_point(pattern, {0, 1}, 0.3).isApprox(Vec2d(1, 0.3)));
     ASSERT_EQ(panel.notches.size(), 2U);
     EXPECT_TRUE(outline_point(panel, panel.edges[std::size_t(panel.notches[1].edge)], panel.notches[1].t)
@@ -250,12 +250,12 @@ TEST(UnfoldPanel, opens_what_was_cut_on_the_fold) {
 }
 
 TEST(UnfoldPanel, darts_are_there_twice_and_a_seam_at_the_fold_goes) {
-    Pattern pattern = two_squares();
+    sim::Pattern pattern = two_squares();
     insert_dart(pattern, {0, 0}, 0.5, 0.1, 0.4);
     unfold_panel(pattern, {0, 4});  // the right side, behind the dart's three more edges
     EXPECT_NEAR(outline_area(pattern.panels[0]), 2 * (1 - 0.02), 1e-9);
     ASSERT_EQ(pattern.seams.size(), 2U);
-    for (const Seam& seam : pattern.seams) {
+    for (const sim::Seam& seam : pattern.seams) {
         EXPECT_EQ(seam.second.panel, 0);
         EXPECT_NEAR(edge_length(pattern, seam.first), edge_length(pattern, seam.second), 1e-12);
         const double apex = std::min((edge_point(pattern, seam.first, 1) - edge_point(pattern, seam.second, 0)).norm(),
@@ -266,10 +266,10 @@ TEST(UnfoldPanel, darts_are_there_twice_and_a_seam_at_the_fold_goes) {
 }
 
 TEST(UnfoldPanel, refuses_a_curved_fold_and_one_that_the_panel_crosses) {
-    Pattern pattern;
+    sim::Pattern pattern;
     pattern.panels = {ell()};
-    set_curve(pattern, {0, 5}, {.kind = CurveKind::Quadratic, .control = {Vec2d(-0.1, 0.5), Vec2d(0, 0)}});
-    const Pattern before = pattern;
+    set_curve(pattern, {0, 5}, {.kind = sim::CurveKind::Quadratic, .control = {Vec2d(-0.1, 0.5), Vec2d(0, 0)}});
+    const sim::Pattern before = pattern;
     EXPECT_THROW(unfold_panel(pattern, {0, 5}), DraftError);
     EXPECT_THROW(unfold_panel(pattern, {0, 2}), DraftError);
     EXPECT_THROW(unfold_panel(pattern, {0, 9}), DraftError);
@@ -277,11 +277,11 @@ TEST(UnfoldPanel, refuses_a_curved_fold_and_one_that_the_panel_crosses) {
 }
 
 TEST(InsertDart, cuts_a_wedge_inward_with_legs_of_one_length) {
-    Pattern pattern = two_squares();
-    set_curve(pattern, {0, 2}, {.kind = CurveKind::Arc, .arc_radius = 0.8});
+    sim::Pattern pattern = two_squares();
+    set_curve(pattern, {0, 2}, {.kind = sim::CurveKind::Arc, .arc_radius = 0.8});
     const double area = outline_area(pattern.panels[0]);
     insert_dart(pattern, {0, 2}, 0.3, 0.1, 0.4);
-    const Seam& legs = pattern.seams.back();
+    const sim::Seam& legs = pattern.seams.back();
     EXPECT_TRUE(legs.is_reversed);
     EXPECT_NEAR(edge_length(pattern, legs.first), edge_length(pattern, legs.second), 1e-12);
     const Vec2d mouth = edge_point(pattern, legs.first, 0) - edge_point(pattern, legs.second, 1);
@@ -297,7 +297,7 @@ TEST(InsertDart, cuts_a_wedge_inward_with_legs_of_one_length) {
 
 TEST(InsertDart, what_is_left_of_a_sewn_edge_stays_sewn_to_the_whole_other_side) {
     for (const bool is_reversed : {true, false}) {
-        Pattern pattern = two_squares();
+        sim::Pattern pattern = two_squares();
         pattern.seams[0].is_reversed = is_reversed;
         insert_dart(pattern, {0, 1}, 0.3, 0.2, 0.4);
         ASSERT_EQ(pattern.seams.size(), 3U);
@@ -313,8 +313,8 @@ TEST(InsertDart, what_is_left_of_a_sewn_edge_stays_sewn_to_the_whole_other_side)
 }
 
 TEST(InsertDart, refuses_one_that_does_not_fit) {
-    Pattern pattern = two_squares();
-    const Pattern before = pattern;
+    sim::Pattern pattern = two_squares();
+    const sim::Pattern before = pattern;
     EXPECT_THROW(insert_dart(pattern, {0, 0}, 0.05, 0.2, 0.3), DraftError);
     EXPECT_THROW(insert_dart(pattern, {0, 0}, 0.5, 0.2, 1.3), DraftError);
     EXPECT_THROW(insert_dart(pattern, {0, 0}, 0.5, 0, 0.3), DraftError);
@@ -324,4 +324,4 @@ TEST(InsertDart, refuses_one_that_does_not_fit) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

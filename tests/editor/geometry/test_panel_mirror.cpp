@@ -5,17 +5,19 @@
 #include "editor/geometry/seam_edit.h"
 #include "tests/editor/geometry/geometry_support.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 // Turned, bent, and of every kind of curve.
-Panel sleeve(bool is_mirrored) {
-    Panel panel = make_polygon({{0, 0}, {0.3, 0}, {0.4, 0.5}, {0.1, 0.7}, {-0.1, 0.5}});
+sim::Panel sleeve(bool is_mirrored) {
+    sim::Panel panel = make_polygon({{0, 0}, {0.3, 0}, {0.4, 0.5}, {0.1, 0.7}, {-0.1, 0.5}});
     panel.name = "left_sleeve";
-    panel.edges[0].kind = CurveKind::Arc;
+    panel.edges[0].kind = sim::CurveKind::Arc;
     panel.edges[0].arc_radius = 0.3;
-    panel.edges[2] = {.start = 2, .end = 3, .kind = CurveKind::Cubic, .control = {Vec2d(0.4, 0.6), Vec2d(0.2, 0.8)}};
-    panel.edges[3] = {.start = 3, .end = 4, .kind = CurveKind::Quadratic, .control = {Vec2d(0, 0.75), Vec2d(0, 0)}};
+    panel.edges[2] = {
+        .start = 2, .end = 3, .kind = sim::CurveKind::Cubic, .control = {Vec2d(0.4, 0.6), Vec2d(0.2, 0.8)}};
+    panel.edges[3] = {
+        .start = 3, .end = 4, .kind = sim::CurveKind::Quadratic, .control = {Vec2d(0, 0.75), Vec2d(0, 0)}};
     panel.translation = {0.4, 1.1, 0.05};
     panel.rotation = (Eigen::AngleAxisd(0.8, Vec3d(1, 2, -1).normalized())).toRotationMatrix();
     panel.is_mirrored = is_mirrored;
@@ -28,8 +30,8 @@ Panel sleeve(bool is_mirrored) {
     return panel;
 }
 
-Pattern with_sleeve(bool is_mirrored) {
-    Pattern pattern;
+sim::Pattern with_sleeve(bool is_mirrored) {
+    sim::Pattern pattern;
     pattern.panels = {sleeve(is_mirrored)};
     return pattern;
 }
@@ -38,7 +40,7 @@ Vec3d across(const Vec3d& x) {
     return {-x.x(), x.y(), x.z()};
 }
 
-Vec3d outward(const Panel& panel, const Vec2d& u) {
+Vec3d outward(const sim::Panel& panel, const Vec2d& u) {
     const double h = 1e-5;
     return (panel.place(u + Vec2d(h, 0)) - panel.place(u - Vec2d(h, 0)))
         .cross(panel.place(u + Vec2d(0, h)) - panel.place(u - Vec2d(0, h)))
@@ -47,10 +49,10 @@ Vec3d outward(const Panel& panel, const Vec2d& u) {
 
 TEST(SymmetricCopy, stands_on_the_other_side_of_the_body_and_looks_outward_there) {
     for (const bool is_mirrored : {false, true}) {
-        Pattern pattern = with_sleeve(is_mirrored);
+        sim::Pattern pattern = with_sleeve(is_mirrored);
         EXPECT_EQ(symmetric_copy(pattern, 0, false, {1, 0}), 1);
-        const Panel& own = pattern.panels[0];
-        const Panel& copy = pattern.panels[1];
+        const sim::Panel& own = pattern.panels[0];
+        const sim::Panel& copy = pattern.panels[1];
         EXPECT_EQ(copy.name, "right_sleeve");
         EXPECT_EQ(copy.mirror_of, "");
         EXPECT_EQ(copy.is_mirrored, is_mirrored);
@@ -72,14 +74,14 @@ TEST(SymmetricCopy, stands_on_the_other_side_of_the_body_and_looks_outward_there
         }
         EXPECT_NEAR(copy.grain_angle, -0.1, 1e-15);
         EXPECT_EQ(copy.sett_offset, Vec2d(-0.03, 0.05));
-        EXPECT_EQ(copy.notches, (std::vector<Notch>{{3, 0.75}}));
+        EXPECT_EQ(copy.notches, (std::vector<sim::Notch>{{3, 0.75}}));
         EXPECT_EQ(copy.pins, std::vector<int>{3});
         EXPECT_TRUE(can_be_saved(pattern));
     }
 }
 
 TEST(SymmetricCopy, lies_on_the_sheet_where_the_panel_lies_moved_by_the_shift) {
-    Pattern pattern = with_sleeve(false);
+    sim::Pattern pattern = with_sleeve(false);
     symmetric_copy(pattern, 0, true, {1, 0.25});
     const std::vector<Vec2d> origins = sheet_positions(pattern);
     const auto low = [&](std::size_t i) {
@@ -92,11 +94,11 @@ TEST(SymmetricCopy, lies_on_the_sheet_where_the_panel_lies_moved_by_the_shift) {
 }
 
 TEST(SymmetricCopy, takes_darts_and_no_other_seams) {
-    Pattern pattern = two_squares();
+    sim::Pattern pattern = two_squares();
     insert_dart(pattern, {0, 0}, 0.3, 0.1, 0.4);
     symmetric_copy(pattern, 0, false, {0, 0});
     ASSERT_EQ(pattern.seams.size(), 3U);
-    const Seam& dart = pattern.seams[2];
+    const sim::Seam& dart = pattern.seams[2];
     EXPECT_EQ(dart.first.panel, 2);
     EXPECT_EQ(dart.second.panel, 2);
     EXPECT_TRUE(edge_point(pattern, dart.first, 0).isApprox(edge_point(pattern, dart.second, 1)));  // the apex
@@ -104,7 +106,7 @@ TEST(SymmetricCopy, takes_darts_and_no_other_seams) {
 }
 
 TEST(SymmetricCopy, of_a_linked_image_is_not_linked) {
-    Pattern pattern = with_sleeve(false);
+    sim::Pattern pattern = with_sleeve(false);
     symmetric_copy(pattern, 0, true, {1, 0});
     EXPECT_EQ(pattern.panels[1].mirror_of, "left_sleeve");
     EXPECT_THROW(symmetric_copy(pattern, 1, true, {1, 0}), DraftError);
@@ -115,12 +117,12 @@ TEST(SymmetricCopy, of_a_linked_image_is_not_linked) {
 }
 
 // Are panels 0 and `image` mirror images, as symmetric_copy makes them?
-void expect_mirrored(const Pattern& pattern, int image) {
-    Pattern fresh;
+void expect_mirrored(const sim::Pattern& pattern, int image) {
+    sim::Pattern fresh;
     fresh.panels = {pattern.panels[0]};
     symmetric_copy(fresh, 0, false, {0, 0});
-    Panel expected = fresh.panels[1];
-    const Panel& found = pattern.panels[static_cast<std::size_t>(image)];
+    sim::Panel expected = fresh.panels[1];
+    const sim::Panel& found = pattern.panels[static_cast<std::size_t>(image)];
     expected.name = found.name;
     expected.mirror_of = found.mirror_of;
     expected.sheet_position = found.sheet_position;
@@ -141,10 +143,10 @@ void expect_mirrored(const Pattern& pattern, int image) {
 }
 
 // A bodice with a sleeve on either side, linked, both sewn to it by their edge 2 and its image.
-Pattern sleeved() {
-    Pattern pattern = with_sleeve(false);
+sim::Pattern sleeved() {
+    sim::Pattern pattern = with_sleeve(false);
     symmetric_copy(pattern, 0, true, {1, 0});
-    Panel bodice = unit_square("bodice");
+    sim::Panel bodice = unit_square("bodice");
     const double length = outline_length(pattern.panels[0], pattern.panels[0].edges[2]);
     bodice = make_rectangle({0, 0}, {0.5, length});
     bodice.name = "bodice";
@@ -155,8 +157,8 @@ Pattern sleeved() {
 }
 
 template <class Edit>
-Pattern edited(const Pattern& before, Edit edit) {
-    Pattern pattern = before;
+sim::Pattern edited(const sim::Pattern& before, Edit edit) {
+    sim::Pattern pattern = before;
     edit(pattern);
     update_mirrors(pattern, before);
     EXPECT_TRUE(can_be_saved(pattern));
@@ -165,8 +167,10 @@ Pattern edited(const Pattern& before, Edit edit) {
 
 TEST(UpdateMirrors, whichever_side_was_edited_leads) {
     for (const int side : {0, 1}) {
-        const Pattern before = sleeved();
-        const Pattern pattern = edited(before, [&](Pattern& draft) { move_vertices(draft, side, {4}, {0.02, -0.03}); });
+        const sim::Pattern before = sleeved();
+        const sim::Pattern pattern = edited(before, [&](sim::Pattern& draft) {
+            move_vertices(draft, side, {4}, {0.02, -0.03});
+        });
         const double sign = side == 0 ? 1 : -1;
         EXPECT_TRUE(pattern.panels[0].vertices[4].isApprox(Vec2d(-0.1 + sign * 0.02, 0.47)));
         EXPECT_TRUE(pattern.panels[1].vertices[4].isApprox(Vec2d(0.1 - sign * 0.02, 0.47)));
@@ -180,8 +184,8 @@ TEST(UpdateMirrors, whichever_side_was_edited_leads) {
 }
 
 TEST(UpdateMirrors, placement_grain_notches_and_lines_follow) {
-    const Pattern pattern = edited(sleeved(), [](Pattern& draft) {
-        Panel& panel = draft.panels[1];
+    const sim::Pattern pattern = edited(sleeved(), [](sim::Pattern& draft) {
+        sim::Panel& panel = draft.panels[1];
         panel.translation = {-0.5, 1.3, 0.1};
         panel.grain_angle = 0.5;
         panel.notches.push_back({0, 0.2});
@@ -189,7 +193,7 @@ TEST(UpdateMirrors, placement_grain_notches_and_lines_follow) {
     });
     EXPECT_TRUE(pattern.panels[0].translation.isApprox(Vec3d(0.5, 1.3, 0.1)));
     EXPECT_NEAR(pattern.panels[0].grain_angle, -0.5, 1e-12);
-    EXPECT_EQ(pattern.panels[0].notches.back(), (Notch{0, 0.8}));
+    EXPECT_EQ(pattern.panels[0].notches.back(), (sim::Notch{0, 0.8}));
     EXPECT_TRUE(pattern.panels[0].internal_lines.empty());
 }
 
@@ -197,12 +201,14 @@ TEST(UpdateMirrors, a_split_splits_the_image_and_what_it_is_sewn_to) {
     for (const int side : {0, 1}) {
         for (const int own_edge : {0, 2, 3, 4}) {
             const int edge = side == 0 ? own_edge : (5 - own_edge) % 5;
-            const Pattern pattern = edited(sleeved(), [&](Pattern& draft) { split_edge(draft, {side, edge}, 0.25); });
+            const sim::Pattern pattern = edited(sleeved(), [&](sim::Pattern& draft) {
+                split_edge(draft, {side, edge}, 0.25);
+            });
             expect_mirrored(pattern, 1);
             ASSERT_EQ(pattern.panels[1].edges.size(), 6U);
             const std::size_t sewn = own_edge == 2 ? 4 : 2;
             ASSERT_EQ(pattern.seams.size(), sewn);
-            for (const Seam& seam : pattern.seams) {
+            for (const sim::Seam& seam : pattern.seams) {
                 EXPECT_NEAR(edge_length(pattern, seam.first), edge_length(pattern, seam.second), 1e-9);
                 EXPECT_EQ(edge_point(pattern, seam.first, 0.5).y() > 0.5, true);  // still the sleeve's head
             }
@@ -212,10 +218,10 @@ TEST(UpdateMirrors, a_split_splits_the_image_and_what_it_is_sewn_to) {
 }
 
 TEST(UpdateMirrors, a_point_taken_out_is_taken_out_of_both) {
-    const Pattern whole = sleeved();
+    const sim::Pattern whole = sleeved();
     int vertex = 0;
-    const Pattern split = edited(whole, [&](Pattern& draft) { vertex = split_edge(draft, {0, 2}, 0.25); });
-    const Pattern pattern = edited(split, [&](Pattern& draft) { remove_vertices(draft, 0, {vertex}); });
+    const sim::Pattern split = edited(whole, [&](sim::Pattern& draft) { vertex = split_edge(draft, {0, 2}, 0.25); });
+    const sim::Pattern pattern = edited(split, [&](sim::Pattern& draft) { remove_vertices(draft, 0, {vertex}); });
     expect_mirrored(pattern, 1);
     EXPECT_EQ(pattern.panels[0].edges.size(), 5U);
     EXPECT_EQ(pattern.panels[2].edges.size(), 4U);
@@ -226,28 +232,32 @@ TEST(UpdateMirrors, a_point_taken_out_is_taken_out_of_both) {
 }
 
 TEST(UpdateMirrors, a_dart_is_sewn_on_both) {
-    const Pattern pattern = edited(sleeved(), [](Pattern& draft) { insert_dart(draft, {1, 4}, 0.5, 0.03, 0.1); });
+    const sim::Pattern pattern = edited(sleeved(), [](sim::Pattern& draft) {
+        insert_dart(draft, {1, 4}, 0.5, 0.03, 0.1);
+    });
     expect_mirrored(pattern, 1);
     ASSERT_EQ(pattern.seams.size(), 4U);
-    for (const Seam& seam : pattern.seams) {
+    for (const sim::Seam& seam : pattern.seams) {
         EXPECT_NEAR(edge_length(pattern, seam.first), edge_length(pattern, seam.second), 1e-9);
     }
 }
 
 TEST(UpdateMirrors, halves_that_are_sewn_to_each_other_keep_their_seam) {
-    Pattern halves;
+    sim::Pattern halves;
     halves.panels = {unit_square("left_front")};
     symmetric_copy(halves, 0, true, {0, 0});
     sew_edges(halves, {{0, 3}, {1, 1}, true, "centre"});
     for (const int side : {0, 1}) {
-        Pattern pattern = edited(halves, [&](Pattern& draft) { split_edge(draft, {side, side == 0 ? 3 : 1}, 0.25); });
+        sim::Pattern pattern = edited(halves, [&](sim::Pattern& draft) {
+            split_edge(draft, {side, side == 0 ? 3 : 1}, 0.25);
+        });
         expect_mirrored(pattern, 1);
         ASSERT_EQ(pattern.seams.size(), 2U);
-        for (const Seam& seam : pattern.seams) {
+        for (const sim::Seam& seam : pattern.seams) {
             EXPECT_NEAR(edge_length(pattern, seam.first), edge_length(pattern, seam.second), 1e-9);
             EXPECT_NEAR(edge_point(pattern, seam.first, 0).y(), edge_point(pattern, seam.second, 1).y(), 1e-9);
         }
-        pattern = edited(pattern, [&](Pattern& draft) { remove_vertices(draft, side, {4}); });
+        pattern = edited(pattern, [&](sim::Pattern& draft) { remove_vertices(draft, side, {4}); });
         EXPECT_EQ(pattern.seams, halves.seams);
         EXPECT_EQ(pattern.panels[1].edges.size(), 4U);
     }
@@ -255,15 +265,15 @@ TEST(UpdateMirrors, halves_that_are_sewn_to_each_other_keep_their_seam) {
 
 // Sewn round a corner: a split of one splits the other elsewhere, and that the first again.
 TEST(UpdateMirrors, ends_where_splits_would_go_on_for_ever) {
-    Pattern before;
+    sim::Pattern before;
     before.panels = {unit_square("left_front")};
     symmetric_copy(before, 0, true, {0, 0});
     sew_edges(before, {{0, 0}, {1, 3}, true});
     sew_edges(before, {{0, 1}, {1, 0}, true});
     sew_edges(before, {{0, 2}, {1, 1}, true});
-    Pattern pattern = before;
+    sim::Pattern pattern = before;
     split_edge(pattern, {0, 0}, 0.3);
-    const Pattern split = pattern;
+    const sim::Pattern split = pattern;
     try {
         update_mirrors(pattern, before);
         EXPECT_TRUE(can_be_saved(pattern));
@@ -274,17 +284,17 @@ TEST(UpdateMirrors, ends_where_splits_would_go_on_for_ever) {
 }
 
 TEST(UpdateMirrors, panels_that_are_not_linked_stay) {
-    Pattern before = two_squares();
-    Pattern pattern = before;
+    sim::Pattern before = two_squares();
+    sim::Pattern pattern = before;
     move_vertices(pattern, 0, {0}, {0.1, 0.1});
-    const Pattern moved = pattern;
+    const sim::Pattern moved = pattern;
     update_mirrors(pattern, before);
     EXPECT_TRUE(pattern == moved);
 }
 
 TEST(UpdateMirrors, cutting_an_image_ends_its_link) {
-    Pattern pattern = sleeved();
-    const Pattern before = pattern;
+    sim::Pattern pattern = sleeved();
+    const sim::Pattern before = pattern;
     cut_panel(pattern, 1, {{-0.15, -0.1}, {-0.15, 0.8}}, true);
     EXPECT_EQ(pattern.panels[1].mirror_of, "");
     update_mirrors(pattern, before);
@@ -294,4 +304,4 @@ TEST(UpdateMirrors, cutting_an_image_ends_its_link) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -1,9 +1,9 @@
 // Thousands of operations one after the other, on the garments that ship: each is carried out, and what it leaves can
 // be saved and loaded, or it is refused in words and leaves the pattern as it was.
+#include <gtest/gtest.h>
 #include <array>
 #include <cmath>
 #include <functional>
-#include <gtest/gtest.h>
 #include <random>
 
 #include "editor/geometry/outline_edit.h"
@@ -11,7 +11,7 @@
 #include "editor/geometry/seam_edit.h"
 #include "tests/editor/geometry/geometry_support.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 class Drafter {
@@ -20,8 +20,8 @@ class Drafter {
 
     static constexpr int kOperations = 21;
 
-    void draft(Pattern& pattern, int operation) {
-        const SeamSide at = side(pattern);
+    void draft(sim::Pattern& pattern, int operation) {
+        const sim::SeamSide at = side(pattern);
         switch (operation) {
             case 0:
                 return void(split_edge(pattern, at, number(-0.1, 1.1)));
@@ -55,7 +55,7 @@ class Drafter {
     int below(int count) { return static_cast<int>(random_() % static_cast<unsigned>(std::max(1, count))); }
 
  private:
-    void draft_panels(Pattern& pattern, int operation, const SeamSide& at) {
+    void draft_panels(sim::Pattern& pattern, int operation, const sim::SeamSide& at) {
         const Vec2d shift = vector(0.5);
         switch (operation) {
             case 12:
@@ -80,8 +80,8 @@ class Drafter {
     }
 
     // Few seams have sides of one shape, so each is tried.
-    void merge_any(Pattern& pattern) {
-        const Pattern before = pattern;
+    void merge_any(sim::Pattern& pattern) {
+        const sim::Pattern before = pattern;
         for (int i = 0; i <= static_cast<int>(pattern.seams.size()); ++i) {
             try {
                 merge_panels(pattern, i);
@@ -97,20 +97,20 @@ class Drafter {
     Vec2d vector(double size) { return {number(-size, size), number(-size, size)}; }
     // One beyond the last at times.
     int index(std::size_t count) { return below(static_cast<int>(count) + (below(50) == 0 ? 1 : 0)); }
-    int seam(const Pattern& pattern) { return index(pattern.seams.size()); }
+    int seam(const sim::Pattern& pattern) { return index(pattern.seams.size()); }
 
-    const Panel& last(const Pattern& pattern) {
+    const sim::Panel& last(const sim::Pattern& pattern) {
         const auto at = static_cast<std::size_t>(panel_);
         return at < pattern.panels.size() ? pattern.panels[at] : none_;
     }
 
-    SeamSide side(const Pattern& pattern) {
+    sim::SeamSide side(const sim::Pattern& pattern) {
         panel_ = index(pattern.panels.size());
         return {panel_, index(last(pattern).edges.size())};
     }
 
     // These are drawn for the panel that was drawn last.
-    std::vector<int> vertices(const Pattern& pattern) {
+    std::vector<int> vertices(const sim::Pattern& pattern) {
         std::vector<int> found;
         for (int i = below(4); i >= 0; --i) found.push_back(index(last(pattern).vertices.size()));
         return found;
@@ -125,9 +125,10 @@ class Drafter {
         return map;
     }
 
-    OutlineEdge curve(const Pattern& pattern) {
-        constexpr std::array kKinds{CurveKind::Line, CurveKind::Quadratic, CurveKind::Cubic, CurveKind::Arc};
-        OutlineEdge edge{.kind = kKinds[static_cast<std::size_t>(below(4))]};
+    sim::OutlineEdge curve(const sim::Pattern& pattern) {
+        constexpr std::array kKinds{sim::CurveKind::Line, sim::CurveKind::Quadratic, sim::CurveKind::Cubic,
+                                    sim::CurveKind::Arc};
+        sim::OutlineEdge edge{.kind = kKinds[static_cast<std::size_t>(below(4))]};
         const std::vector<Vec2d>& points = last(pattern).vertices;
         const Vec2d near = points.empty() ? Vec2d(0, 0) : points[static_cast<std::size_t>(below(int(points.size())))];
         edge.control = {near + vector(0.1), near + vector(0.1)};
@@ -137,8 +138,8 @@ class Drafter {
         return edge;
     }
 
-    std::vector<Vec2d> path(const Pattern& pattern) {
-        const Panel& own = last(pattern);
+    std::vector<Vec2d> path(const sim::Pattern& pattern) {
+        const sim::Panel& own = last(pattern);
         std::vector<Vec2d> points;
         for (int i = 0; i < 2 + below(3); ++i) {
             points.push_back(own.vertices.empty() ? vector(1)
@@ -148,8 +149,8 @@ class Drafter {
         return points;
     }
 
-    std::vector<EdgeSpan> run(const Pattern& pattern) {
-        const SeamSide at = side(pattern);
+    std::vector<EdgeSpan> run(const sim::Pattern& pattern) {
+        const sim::SeamSide at = side(pattern);
         std::vector<EdgeSpan> spans;
         const int count = std::max(1, static_cast<int>(last(pattern).edges.size()));
         for (int i = 0; i <= below(3); ++i) spans.push_back({at.panel, (at.edge + i) % count});
@@ -158,22 +159,22 @@ class Drafter {
         return spans;
     }
 
-    void set_notch(Pattern& pattern) {
-        const SeamSide at = side(pattern);
+    void set_notch(sim::Pattern& pattern) {
+        const sim::SeamSide at = side(pattern);
         if (last(pattern).edges.empty()) return;
-        Panel& own = pattern.panels[static_cast<std::size_t>(at.panel)];
+        sim::Panel& own = pattern.panels[static_cast<std::size_t>(at.panel)];
         own.notches.push_back({at.edge % static_cast<int>(own.edges.size()), number(0, 1)});
         if (below(3) == 0) own.pins = {own.edges[0].start};
     }
 
-    void add_line(Pattern& pattern) {
+    void add_line(sim::Pattern& pattern) {
         if (last(pattern).edges.empty()) return;
         pattern.panels[static_cast<std::size_t>(panel_)].internal_lines.push_back({"fold", path(pattern)});
     }
 
     std::mt19937 random_;
     int panel_ = 0;
-    Panel none_;
+    sim::Panel none_;
 };
 
 constexpr unsigned kGarments = 16;
@@ -185,9 +186,9 @@ TEST_P(RandomDrafts, are_sound_or_refused) {
     int refused = 0;
     for (unsigned seed = 0; seed < kGarments; ++seed) {
         Drafter drafter(seed * 7919 + 1);
-        Pattern pattern = shipped_pattern(GetParam());
+        sim::Pattern pattern = shipped_pattern(GetParam());
         for (int i = 0; i < 100; ++i) {
-            const Pattern before = pattern;
+            const sim::Pattern before = pattern;
             const int operation = drafter.below(Drafter::kOperations);
             const std::string what = "seed " + std::to_string(seed) + ", step " + std::to_string(i) + ", operation " +
                                      std::to_string(operation);
@@ -201,7 +202,7 @@ TEST_P(RandomDrafts, are_sound_or_refused) {
                 continue;
             }
             ASSERT_TRUE(can_be_saved(pattern)) << what;
-            const Pattern unlinked = pattern;
+            const sim::Pattern unlinked = pattern;
             try {
                 update_mirrors(pattern, before);
                 ASSERT_TRUE(can_be_saved(pattern)) << what << ", mirrored";
@@ -210,7 +211,7 @@ TEST_P(RandomDrafts, are_sound_or_refused) {
                 pattern = before;  // as a document does
             }
             ASSERT_EQ(sheet_positions(pattern).size(), pattern.panels.size());
-            for (const Seam& seam : pattern.seams) is_crossed(pattern, seam);
+            for (const sim::Seam& seam : pattern.seams) is_crossed(pattern, seam);
             if (pattern.panels.size() > 12) pattern = before;
         }
     }
@@ -224,4 +225,4 @@ INSTANTIATE_TEST_SUITE_P(, RandomDrafts, ::testing::Values("tshirt", "tshirt_the
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

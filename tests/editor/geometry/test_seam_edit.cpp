@@ -5,20 +5,20 @@
 #include "editor/geometry/seam_edit.h"
 #include "tests/editor/geometry/geometry_support.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
-Pattern unsewn_squares() {
-    Pattern pattern = two_squares();
+sim::Pattern unsewn_squares() {
+    sim::Pattern pattern = two_squares();
     pattern.seams.clear();
     return pattern;
 }
 
 TEST(SewEdges, adds_a_seam_once) {
-    Pattern pattern = unsewn_squares();
+    sim::Pattern pattern = unsewn_squares();
     EXPECT_EQ(sew_edges(pattern, {{0, 1}, {1, 3}, true}), 0);
     EXPECT_EQ(sew_edges(pattern, {{0, 0}, {0, 2}, false}), 1);
-    const Pattern before = pattern;
+    const sim::Pattern before = pattern;
     EXPECT_THROW(sew_edges(pattern, {{0, 1}, {1, 0}, true}), DraftError);
     EXPECT_THROW(sew_edges(pattern, {{1, 0}, {1, 3}, true}), DraftError);
     EXPECT_THROW(sew_edges(pattern, {{1, 0}, {1, 0}, true}), DraftError);
@@ -27,7 +27,7 @@ TEST(SewEdges, adds_a_seam_once) {
 }
 
 TEST(SewEdges, refuses_a_side_over_four_times_as_long) {
-    Pattern pattern = unsewn_squares();
+    sim::Pattern pattern = unsewn_squares();
     pattern.panels[1] = make_rectangle({0, 0}, {1, 0.24});
     EXPECT_THROW(sew_edges(pattern, {{0, 1}, {1, 3}, true}), DraftError);
     pattern.panels[1] = make_rectangle({0, 0}, {1, 0.26});
@@ -37,7 +37,7 @@ TEST(SewEdges, refuses_a_side_over_four_times_as_long) {
 }
 
 // Ends of each seam's sides, paired, and whether all pieces of both runs are met.
-void expect_even_seams(const Pattern& pattern, const std::vector<int>& seams, double ratio) {
+void expect_even_seams(const sim::Pattern& pattern, const std::vector<int>& seams, double ratio) {
     for (const int index : seams) {
         const auto [first, second] = seam_lengths(pattern, pattern.seams[static_cast<std::size_t>(index)]);
         EXPECT_NEAR(first / second, ratio, 1e-9);
@@ -46,23 +46,23 @@ void expect_even_seams(const Pattern& pattern, const std::vector<int>& seams, do
 
 TEST(SewRuns, one_edge_to_three_by_share_of_length) {
     for (const bool is_reversed : {true, false}) {
-        Pattern pattern = unsewn_squares();
+        sim::Pattern pattern = unsewn_squares();
         split_edge(pattern, {1, 3}, 0.2);
         split_edge(pattern, {1, 4}, 0.5);  // 0.2, 0.4, 0.4 from the top of the left side down
         const std::vector<int> seams = sew_runs(pattern, {{0, 1}}, {{1, 3}, {1, 4}, {1, 5}}, is_reversed);
         ASSERT_EQ(seams, (std::vector<int>{0, 1, 2}));
         expect_even_seams(pattern, seams, 1);
         EXPECT_EQ(pattern.panels[0].edges.size(), 6U);
-        EXPECT_EQ(pattern.seams[0].first, (SeamSide{0, 1}));
-        EXPECT_EQ(pattern.seams[0].second, (SeamSide{1, is_reversed ? 5 : 3}));
-        EXPECT_EQ(pattern.seams[2].second, (SeamSide{1, is_reversed ? 3 : 5}));
+        EXPECT_EQ(pattern.seams[0].first, (sim::SeamSide{0, 1}));
+        EXPECT_EQ(pattern.seams[0].second, (sim::SeamSide{1, is_reversed ? 5 : 3}));
+        EXPECT_EQ(pattern.seams[2].second, (sim::SeamSide{1, is_reversed ? 3 : 5}));
         EXPECT_EQ(pattern.seams[0].is_reversed, is_reversed);
         EXPECT_NEAR(edge_length(pattern, {0, 1}), is_reversed ? 0.4 : 0.2, 1e-9);
     }
 }
 
 TEST(SewRuns, parts_of_edges_are_split_off) {
-    Pattern pattern = unsewn_squares();
+    sim::Pattern pattern = unsewn_squares();
     const std::vector<int> seams = sew_runs(pattern, {{0, 1, 0.5, 1}, {0, 2, 0, 0.5}}, {{1, 3, 0.25, 0.75}}, true);
     ASSERT_EQ(seams.size(), 2U);
     expect_even_seams(pattern, seams, 2);
@@ -76,8 +76,8 @@ TEST(SewRuns, parts_of_edges_are_split_off) {
 }
 
 TEST(SewRuns, two_parts_of_one_edge_and_none_twice) {
-    Pattern pattern = unsewn_squares();
-    const Pattern before = pattern;
+    sim::Pattern pattern = unsewn_squares();
+    const sim::Pattern before = pattern;
     EXPECT_THROW(sew_runs(pattern, {{0, 1, 0, 0.6}}, {{0, 1, 0.4, 1}}, true), DraftError);
     EXPECT_THROW(sew_runs(pattern, {{0, 1}}, {}, true), DraftError);
     EXPECT_THROW(sew_runs(pattern, {{0, 1, 0.5, 0.5}}, {{1, 1}}, true), DraftError);
@@ -85,12 +85,12 @@ TEST(SewRuns, two_parts_of_one_edge_and_none_twice) {
     EXPECT_THROW(sew_runs(pattern, {{0, 7}}, {{1, 1}}, true), DraftError);
     EXPECT_TRUE(pattern == before);
     ASSERT_EQ(sew_runs(pattern, {{0, 1, 0, 0.5}}, {{0, 1, 0.5, 1}}, true).size(), 1U);
-    EXPECT_EQ(pattern.seams[0], (Seam{{0, 1}, {0, 2}, true}));
+    EXPECT_EQ(pattern.seams[0], (sim::Seam{{0, 1}, {0, 2}, true}));
     EXPECT_THROW(sew_runs(pattern, {{0, 2, 0, 0.5}}, {{1, 1}}, true), DraftError);  // sewn already
 }
 
 TEST(RemoveSeams, in_any_order_and_twice) {
-    Pattern pattern = unsewn_squares();
+    sim::Pattern pattern = unsewn_squares();
     for (int e = 0; e < 4; ++e) sew_edges(pattern, {{0, e}, {1, e}, true});
     remove_seams(pattern, {2, 0, 2});
     ASSERT_EQ(pattern.seams.size(), 2U);
@@ -101,7 +101,7 @@ TEST(RemoveSeams, in_any_order_and_twice) {
 }
 
 TEST(EvenSeam, moves_the_end_that_is_free) {
-    Pattern pattern = unsewn_squares();
+    sim::Pattern pattern = unsewn_squares();
     pattern.panels[1] = make_rectangle({0, 0}, {1, 0.8});
     sew_edges(pattern, {{0, 1}, {1, 3}, true});
     sew_edges(pattern, {{0, 2}, {1, 2}, true});  // holds the upper end
@@ -113,8 +113,8 @@ TEST(EvenSeam, moves_the_end_that_is_free) {
 }
 
 TEST(EvenSeam, scales_a_curve_with_its_chord_and_moves_both_ends_when_both_are_free) {
-    Pattern pattern = unsewn_squares();
-    set_curve(pattern, {1, 3}, {.kind = CurveKind::Quadratic, .control = {Vec2d(-0.5, 0.5), Vec2d(0, 0)}});
+    sim::Pattern pattern = unsewn_squares();
+    set_curve(pattern, {1, 3}, {.kind = sim::CurveKind::Quadratic, .control = {Vec2d(-0.5, 0.5), Vec2d(0, 0)}});
     sew_edges(pattern, {{0, 1}, {1, 3}, true});
     even_seam(pattern, 0);
     EXPECT_NEAR(edge_length(pattern, {1, 3}), 1, 1e-9);
@@ -122,11 +122,11 @@ TEST(EvenSeam, scales_a_curve_with_its_chord_and_moves_both_ends_when_both_are_f
 }
 
 TEST(EvenSeam, a_dart_keeps_its_apex) {
-    Pattern pattern = unsewn_squares();
+    sim::Pattern pattern = unsewn_squares();
     insert_dart(pattern, {0, 0}, 0.5, 0.1, 0.4);
     move_vertices(pattern, 0, {5}, {0.02, -0.05});
-    const Seam dart = pattern.seams[0];
-    const OutlineEdge leg = pattern.panels[0].edges[static_cast<std::size_t>(dart.second.edge)];
+    const sim::Seam dart = pattern.seams[0];
+    const sim::OutlineEdge leg = pattern.panels[0].edges[static_cast<std::size_t>(dart.second.edge)];
     const Vec2d apex = pattern.panels[0].vertices[static_cast<std::size_t>(leg.start)];
     even_seam(pattern, 0);
     const auto [first, second] = seam_lengths(pattern, pattern.seams[0]);
@@ -135,7 +135,7 @@ TEST(EvenSeam, a_dart_keeps_its_apex) {
 }
 
 TEST(IsCrossed, as_the_panels_lie_on_the_sheet) {
-    Pattern pattern = unsewn_squares();
+    sim::Pattern pattern = unsewn_squares();
     pattern.panels[1].translation = Vec3d::Zero();
     EXPECT_FALSE(is_crossed(pattern, {{0, 1}, {1, 3}, true}));
     EXPECT_TRUE(is_crossed(pattern, {{0, 1}, {1, 3}, false}));
@@ -143,8 +143,8 @@ TEST(IsCrossed, as_the_panels_lie_on_the_sheet) {
 
 TEST(IsCrossed, as_the_panels_stand_in_the_room) {
     for (const char* name : {"tshirt", "skirt"}) {
-        const Pattern pattern = shipped_pattern(name);
-        for (Seam seam : pattern.seams) {
+        const sim::Pattern pattern = shipped_pattern(name);
+        for (sim::Seam seam : pattern.seams) {
             EXPECT_FALSE(is_crossed(pattern, seam));
             seam.is_reversed = !seam.is_reversed;
             EXPECT_TRUE(is_crossed(pattern, seam));
@@ -153,18 +153,18 @@ TEST(IsCrossed, as_the_panels_stand_in_the_room) {
 }
 
 TEST(IsCrossed, legs_of_a_dart_meet_at_its_apex) {
-    Pattern pattern = unsewn_squares();
+    sim::Pattern pattern = unsewn_squares();
     insert_dart(pattern, {0, 0}, 0.5, 0.1, 0.4);
-    Seam dart = pattern.seams[0];
+    sim::Seam dart = pattern.seams[0];
     EXPECT_FALSE(is_crossed(pattern, dart));
     dart.is_reversed = false;
     EXPECT_TRUE(is_crossed(pattern, dart));
 }
 
 TEST(SheetPositions, lay_panels_out_in_rows_that_do_not_overlap) {
-    Pattern pattern;
+    sim::Pattern pattern;
     for (int i = 0; i < 9; ++i) {
-        Panel panel = make_rectangle({-0.3 * i, 1}, {0.5, 1.2 + 0.1 * i});
+        sim::Panel panel = make_rectangle({-0.3 * i, 1}, {0.5, 1.2 + 0.1 * i});
         panel.name = std::to_string(i);
         pattern.panels.push_back(panel);
     }
@@ -185,4 +185,4 @@ TEST(SheetPositions, lay_panels_out_in_rows_that_do_not_overlap) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

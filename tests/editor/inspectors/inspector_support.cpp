@@ -1,17 +1,17 @@
 #include "tests/editor/inspectors/inspector_support.h"
 
-#include <filesystem>
 #include <imgui_internal.h>
+#include <filesystem>
 
 #include "sim/pattern/pattern_file.h"
 
-namespace selvedge {
-PatternDocument shipped_pattern(const std::string& file) {
-    return load_pattern(std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / file);
+namespace selvedge::editor {
+sim::PatternDocument shipped_pattern(const std::string& file) {
+    return sim::load_pattern(std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / file);
 }
 
-InspectorDesk::InspectorDesk(PatternDocument source, Draw draw, const DeskSize& size)
-    : workspace(std::move(source), SessionDrive::Caller, make_worn_mannequin),
+InspectorDesk::InspectorDesk(sim::PatternDocument source, Draw draw, const DeskSize& size)
+    : workspace(std::move(source), sim::SessionDrive::Caller, make_worn_mannequin),
       draw_(draw),
       size_(size),
       imgui_(ImGui::CreateContext()) {
@@ -93,4 +93,4 @@ void InspectorDesk::key(ImGuiKey key) {
     frame();
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -1,14 +1,14 @@
 #pragma once
 // Inspectors in an ImGui window of no screen, with a mouse and keys of its own.
-#include <functional>
 #include <imgui.h>
+#include <functional>
 #include <string>
 
 #include "editor/inspectors/inspectors.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
-PatternDocument shipped_pattern(const std::string& file);
+sim::PatternDocument shipped_pattern(const std::string& file);
 
 struct DeskSize {
     float width_px = 300;
@@ -19,7 +19,7 @@ class InspectorDesk {
  public:
     using Draw = void (*)(InspectorContext& context);
 
-    InspectorDesk(PatternDocument source, Draw draw, const DeskSize& size = {});
+    InspectorDesk(sim::PatternDocument source, Draw draw, const DeskSize& size = {});
     ~InspectorDesk();
     InspectorDesk(const InspectorDesk&) = delete;
     InspectorDesk& operator=(const InspectorDesk&) = delete;
@@ -41,7 +41,7 @@ class InspectorDesk {
     WidgetMap widgets;
 
     Document& document() { return *workspace.document; }
-    const Panel& panel(std::size_t index) { return document().pattern().panels.at(index); }
+    const sim::Panel& panel(std::size_t index) { return document().pattern().panels.at(index); }
     float overhang_px() const { return overhang_px_; }  // how far the last frame reached beyond the window's inside
 
  private:
@@ -52,4 +52,4 @@ class InspectorDesk {
     float overhang_px_ = 0;
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -1,6 +1,6 @@
 // All inspectors over the patterns that ship, in a window of no screen.
-#include <array>
 #include <gtest/gtest.h>
+#include <array>
 
 #include "editor/inspectors/body_inspector.h"
 #include "editor/inspectors/drape_inspector.h"
@@ -8,7 +8,7 @@
 #include "sim/tartan/tartan_file.h"
 #include "tests/editor/inspectors/inspector_support.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 constexpr std::array<InspectorDesk::Draw, 6> kInspectors{draw_properties, draw_seams, draw_materials,
@@ -16,11 +16,11 @@ constexpr std::array<InspectorDesk::Draw, 6> kInspectors{draw_properties, draw_s
 constexpr std::array<const char*, 5> kPatterns{"tshirt.json", "tshirt_thesis.json", "skirt.json", "poncho.json",
                                                "two_squares.json"};
 
-std::vector<Selection> selections(const Pattern& pattern) {
+std::vector<Selection> selections(const sim::Pattern& pattern) {
     std::vector<Selection> list(7);
     const std::string& first = pattern.panels[0].name;
     list[1].panels.insert(first);
-    for (const Panel& panel : pattern.panels) list[2].panels.insert(panel.name);
+    for (const sim::Panel& panel : pattern.panels) list[2].panels.insert(panel.name);
     list[3].vertices.insert({first, 0});
     list[4].vertices = {{first, 0}, {first, 1}};
     for (int i = 0; i < static_cast<int>(pattern.panels[0].edges.size()); ++i) list[5].edges.insert({first, i});
@@ -37,8 +37,8 @@ void add_parts(Document& document) {
     const std::string panel = document.pattern().panels[0].name;
     document.run(AddNotch{.panel = panel, .edge = 0, .t = 0.3});
     document.run(AddInternalLine{.panel = panel, .line = {"pocket", {{0.01, 0.02}, {0.05, 0.02}}}});
-    OutlineEdge arc = document.pattern().panels[0].edges[0];
-    arc.kind = CurveKind::Arc;
+    sim::OutlineEdge arc = document.pattern().panels[0].edges[0];
+    arc.kind = sim::CurveKind::Arc;
     arc.arc_radius = 2;
     document.run(SetCurve{.panel = panel, .edge = 0, .curve = arc});
 }
@@ -185,7 +185,7 @@ TEST(DrapeInspector, options_are_typed_and_switched) {
 
 namespace {
 
-std::string value_of(const Fabric& fabric, const std::string& label) {
+std::string value_of(const sim::Fabric& fabric, const std::string& label) {
     for (const FabricRow& row : fabric_rows(fabric)) {
         if (row.label == label) return row.value;
     }
@@ -193,7 +193,7 @@ std::string value_of(const Fabric& fabric, const std::string& label) {
 }
 
 TEST(FabricText, speaks_in_units_of_the_trade) {
-    const Fabric fabric;
+    const sim::Fabric fabric;
     EXPECT_EQ(value_of(fabric, "Weight"), "120 g/m\u00B2");
     EXPECT_EQ(value_of(fabric, "Stretch"), "8000 \u00D7 5000 N/m");
     EXPECT_EQ(value_of(fabric, "Bending"), "9 \u00D7 6 \u00B5N\u00B7m");
@@ -207,11 +207,11 @@ TEST(FabricText, names_are_made_readable) {
 }
 
 TEST(ThreadcountText, every_tartan_that_ships_is_woven_alike_from_it) {
-    for (const std::string& name : shipped_tartans()) {
-        const Sett sett = find_tartan(name);
+    for (const std::string& name : sim::shipped_tartans()) {
+        const sim::Sett sett = sim::find_tartan(name);
         const std::string text = threadcount_of(sett);
         ASSERT_EQ(wrong_with_tartan(text), "") << name << ": " << text;
-        const Sett again = find_tartan(text);
+        const sim::Sett again = sim::find_tartan(text);
         EXPECT_EQ(thread_colours(again), thread_colours(sett)) << name << ": " << text;
         EXPECT_EQ(weft_thread_colours(again), weft_thread_colours(sett)) << name << ": " << text;
         EXPECT_EQ(again.weave, sett.weave) << name;
@@ -221,7 +221,7 @@ TEST(ThreadcountText, every_tartan_that_ships_is_woven_alike_from_it) {
 TEST(ThreadcountText, tells_what_is_wrong) {
     EXPECT_NE(wrong_with_tartan("K8 ?5"), "");
     EXPECT_EQ(wrong_with_tartan("K8 W8"), "");
-    Pattern pattern;
+    sim::Pattern pattern;
     pattern.tartan = "K8 ?5";
     EXPECT_FALSE(sett_of(pattern));
 }
@@ -233,14 +233,14 @@ TEST(ThreadcountText, tartans_are_found_by_parts_of_their_words) {
 }
 
 TEST(BodyText, only_what_is_set_is_written_and_read_back) {
-    MannequinOptions options{.sex = Sex::Male};
+    sim::MannequinOptions options{.sex = sim::Sex::Male};
     options.measures.bust = 1.02;
     options.measures.mid_thigh = 0.525;
     options.stance = 0.0349065850398866;  // 2 degrees
     const std::string text = mannequin_text(options);
     EXPECT_EQ(text, "mannequin:sex=male,bust=102,mid_thigh=52.5,stance=2");
     EXPECT_EQ(wrong_with_body(text), "");
-    EXPECT_EQ(mannequin_text(parse_mannequin(text)), text);
+    EXPECT_EQ(mannequin_text(sim::parse_mannequin(text)), text);
 }
 
 TEST(BodyText, measures_out_of_range_are_told) {
@@ -249,9 +249,9 @@ TEST(BodyText, measures_out_of_range_are_told) {
 }
 
 TEST(BodyText, every_measure_has_words) {
-    for (const std::string_view name : measure_names()) EXPECT_STRNE(measure_tip(name), "") << name;
-    EXPECT_EQ(measure_label("bust", Sex::Male), "Chest");
-    EXPECT_EQ(measure_label("high_hip", Sex::Female), "High hip");
+    for (const std::string_view name : sim::measure_names()) EXPECT_STRNE(measure_tip(name), "") << name;
+    EXPECT_EQ(measure_label("bust", sim::Sex::Male), "Chest");
+    EXPECT_EQ(measure_label("high_hip", sim::Sex::Female), "High hip");
 }
 
 TEST(DrapeText, counts_have_commas) {
@@ -262,7 +262,7 @@ TEST(DrapeText, counts_have_commas) {
 }
 
 TEST(DrapeText, rejoining_stays_below_splitting) {
-    const CurvatureOptions usual;
+    const sim::CurvatureOptions usual;
     EXPECT_LT(curvature_with(usual, 0.05, {}).rejoin_angle, 0.05F);
     EXPECT_LT(curvature_with(usual, {}, 1.0).rejoin_angle, usual.split_angle);
     EXPECT_EQ(curvature_with(usual, {}, {}).rejoin_angle, usual.rejoin_angle);
@@ -274,8 +274,8 @@ TEST(DrapeText, kept_drapes_get_names_of_their_own) {
     EXPECT_EQ(free_drape_name({"wide"}, "wide"), "wide 2");
 }
 
-SessionFrame running_frame(std::uint64_t number) {
-    SessionFrame frame;
+sim::SessionFrame running_frame(std::uint64_t number) {
+    sim::SessionFrame frame;
     frame.number = number;
     frame.is_running = true;
     frame.statistics.leaf_triangles = static_cast<int>(number);
@@ -294,7 +294,7 @@ TEST(DrapeTrace, takes_no_frame_twice_and_none_that_stands) {
     DrapeTrace trace;
     trace.take(running_frame(1));
     trace.take(running_frame(1));
-    SessionFrame paused = running_frame(2);
+    sim::SessionFrame paused = running_frame(2);
     paused.is_running = false;
     trace.take(paused);
     EXPECT_EQ(trace.size(), 1U);
@@ -302,4 +302,4 @@ TEST(DrapeTrace, takes_no_frame_twice_and_none_that_stands) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -5,7 +5,7 @@
 #include "editor/inspectors/number_box.h"
 #include "tests/editor/inspectors/inspector_support.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 constexpr double kNear = 1e-9;
@@ -220,4 +220,4 @@ TEST(Quantity, steps_go_along_a_raster) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -4,7 +4,7 @@
 
 #include "app/ui_draw.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 constexpr const char* kFont = "/usr/share/fonts/opentype/inter/Inter-Regular.otf";
@@ -12,14 +12,14 @@ constexpr const char* kFont = "/usr/share/fonts/opentype/inter/Inter-Regular.otf
 }  // namespace
 
 struct SheetStage::Drawing {
-    Drawing() : context(make_context(ContextMaker::OSMesa)), drawer(*context), to(context->gl()) {}
+    Drawing() : context(make_context(render::ContextMaker::OSMesa)), drawer(*context), to(context->gl()) {}
 
-    std::unique_ptr<GlContext> context;
-    UiDraw drawer;
-    PictureTexture to;
+    std::unique_ptr<render::GlContext> context;
+    app::UiDraw drawer;
+    render::PictureTexture to;
 };
 
-SheetStage::SheetStage(PatternDocument source, const Size& size)
+SheetStage::SheetStage(sim::PatternDocument source, const Size& size)
     : document(std::move(source)), size_(size), context_(ImGui::CreateContext()) {
     ImGui::SetCurrentContext(context_);
     ImGuiIO& io = ImGui::GetIO();
@@ -130,17 +130,17 @@ std::size_t SheetStage::drawn_vertices() const {
     return static_cast<std::size_t>(ImGui::GetDrawData()->TotalVtxCount);
 }
 
-Image SheetStage::picture() {
+render::Image SheetStage::picture() {
     if (!drawing_) drawing_ = std::make_unique<Drawing>();
     for (const PictureToHold& held : output.pictures) drawing_->drawer.hold(held);
     output.pictures.clear();
     drawing_->to.resize(size_.width_px, size_.height_px);
-    drawing_->drawer.draw(target_of(drawing_->to));
+    drawing_->drawer.draw(app::target_of(drawing_->to));
     return drawing_->to.read();
 }
 
-PatternDocument shipped_pattern(const std::string& name) {
-    return load_pattern(std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / (name + ".json"));
+sim::PatternDocument shipped_pattern(const std::string& name) {
+    return sim::load_pattern(std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / (name + ".json"));
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -1,7 +1,7 @@
 #pragma once
 // The sheet without a window: a person's events go in, ImGui's lists come out, as a picture where one is asked for.
-#include <filesystem>
 #include <imgui.h>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -10,7 +10,7 @@
 #include "editor/tools/tool_host.h"
 #include "render/image/image.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 class SheetStage {
  public:
@@ -20,8 +20,8 @@ class SheetStage {
         double ui_scale = 1;
     };
 
-    explicit SheetStage(PatternDocument source) : SheetStage(std::move(source), Size{}) {}
-    SheetStage(PatternDocument source, const Size& size);
+    explicit SheetStage(sim::PatternDocument source) : SheetStage(std::move(source), Size{}) {}
+    SheetStage(sim::PatternDocument source, const Size& size);
     ~SheetStage();
     SheetStage(const SheetStage&) = delete;
     SheetStage& operator=(const SheetStage&) = delete;
@@ -50,7 +50,7 @@ class SheetStage {
     Vec2d on_edge(const std::string& panel, int index, double t);
 
     std::size_t drawn_vertices() const;  // of ImGui's lists
-    Image picture();                     // of the last frame
+    render::Image picture();             // of the last frame
 
  private:
     struct Drawing;
@@ -60,6 +60,6 @@ class SheetStage {
     std::unique_ptr<Drawing> drawing_;
 };
 
-PatternDocument shipped_pattern(const std::string& name);
+sim::PatternDocument shipped_pattern(const std::string& name);
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

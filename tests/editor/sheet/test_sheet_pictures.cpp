@@ -7,11 +7,11 @@
 #include "render/image/image.h"
 #include "tests/editor/sheet/sheet_support.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 void keep(SheetStage& stage, const std::string& name) {
-    const Image picture = stage.picture();
+    const render::Image picture = stage.picture();
     if (const char* folder = std::getenv("SELVEDGE_SHEET_PICTURES")) {
         write_png(std::filesystem::path(folder) / (name + ".png"), picture);
     }
@@ -36,7 +36,7 @@ TEST(SheetPictures, an_armhole_with_selection_and_handles) {
 }
 
 TEST(SheetPictures, sewing_in_progress) {
-    PatternDocument source = shipped_pattern("tshirt");
+    sim::PatternDocument source = shipped_pattern("tshirt");
     source.pattern.seams.erase(source.pattern.seams.begin(), source.pattern.seams.begin() + 2);
     SheetStage stage(source, {1280, 800, 1});
     stage.key(key_of('N'));
@@ -54,7 +54,7 @@ TEST(SheetPictures, an_uneven_seam) {
 }
 
 TEST(SheetPictures, a_polygon_with_a_typed_number) {
-    SheetStage stage(PatternDocument{});
+    SheetStage stage(sim::PatternDocument{});
     stage.key(key_of('H'));
     stage.click({0.20, 0.15});
     stage.click({0.75, 0.15});
@@ -66,4 +66,4 @@ TEST(SheetPictures, a_polygon_with_a_typed_number) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -6,7 +6,7 @@
 #include "editor/sheet/sheet_paint.h"
 #include "tests/editor/sheet/sheet_support.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 TEST(SheetView, frames_all_panels_when_it_opens) {
@@ -100,7 +100,7 @@ TEST(SheetView, panels_out_of_view_cost_nothing) {
 }
 
 TEST(SheetView, any_zoom_and_an_empty_document_can_be_drawn) {
-    SheetStage empty(PatternDocument{});
+    SheetStage empty(sim::PatternDocument{});
     EXPECT_GT(empty.view.camera().scale, 0);
     SheetStage stage(shipped_pattern("skirt"));
     for (const double scale : {kMinSheetScale, 300.0, 8000.0, kMaxSheetScale}) {
@@ -120,4 +120,4 @@ TEST(SeamPaint, a_seam_runs_inside_of_its_edge) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::editor

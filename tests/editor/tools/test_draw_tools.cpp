@@ -4,14 +4,14 @@
 #include "sim/pattern/outline.h"
 #include "tests/editor/tools/tool_support.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 class DrawTools : public ::testing::Test {
  protected:
-    DrawTools() : hands_(PatternDocument{}) {}
+    DrawTools() : hands_(sim::PatternDocument{}) {}
 
-    const Panel& made() { return hands_.pattern().panels.at(0); }
+    const sim::Panel& made() { return hands_.pattern().panels.at(0); }
 
     SheetHands hands_;
 };
@@ -51,7 +51,7 @@ TEST_F(DrawTools, ctrl_puts_a_point_on_a_curve) {
     for (const Vec2d& at : {Vec2d(0.2, 0), Vec2d(0.2, 0.2), Vec2d(0, 0.2)}) hands_.click(at);
     hands_.key(Key::Enter);
     ASSERT_EQ(made().vertices.size(), 4U);
-    EXPECT_EQ(made().edges[0].kind, CurveKind::Quadratic);
+    EXPECT_EQ(made().edges[0].kind, sim::CurveKind::Quadratic);
     EXPECT_TRUE((curve_point(made(), made().edges[0], 0.5) + *made().sheet_position).isApprox(Vec2d(0.1, -0.05), 1e-9));
 }
 
@@ -155,4 +155,4 @@ TEST(MirrorTool, mirrors_what_is_selected_over_two_clicks) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -1,12 +1,12 @@
 // Select and move, and what the host does for all tools.
-#include <cmath>
 #include <gtest/gtest.h>
+#include <cmath>
 
 #include "editor/tools/outline_tools.h"
 #include "sim/pattern/outline.h"
 #include "tests/editor/tools/tool_support.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 TEST(SelectTool, a_click_selects_and_shift_adds_or_takes_away) {
@@ -154,7 +154,7 @@ TEST(ToolHost, every_tool_has_a_name_a_hint_and_a_key_of_its_own) {
 
 TEST(ToolHost, no_tool_minds_any_click_or_key_on_an_empty_sheet) {
     for (const ToolInfo& info : all_tools()) {
-        SheetHands hands(PatternDocument{});
+        SheetHands hands(sim::PatternDocument{});
         hands.choose(info.kind);
         hands.key(Key::Enter);
         hands.drag({0.1, 0.1}, {0.1, 0.1004});
@@ -188,8 +188,8 @@ TEST(EditPointTool, a_double_click_on_an_edge_adds_a_point_and_delete_takes_it_o
 }
 
 TEST(EditPointTool, drags_the_handles_of_a_panel_that_is_selected) {
-    PatternDocument source = two_squares();
-    source.pattern.panels[0].edges[0].kind = CurveKind::Quadratic;
+    sim::PatternDocument source = two_squares();
+    source.pattern.panels[0].edges[0].kind = sim::CurveKind::Quadratic;
     source.pattern.panels[0].edges[0].control[0] = Vec2d(0.1, -0.05);
     SheetHands hands(source);
     hands.choose(ToolKind::EditPoint);
@@ -209,7 +209,7 @@ TEST(EditPointTool, a_box_selects_points) {
 }
 
 TEST(EditPointTool, drags_a_point_of_an_internal_line) {
-    PatternDocument source = two_squares();
+    sim::PatternDocument source = two_squares();
     source.pattern.panels[0].internal_lines.push_back({"", {Vec2d(0.05, 0.05), Vec2d(0.15, 0.05)}});
     SheetHands hands(source);
     hands.choose(ToolKind::EditPoint);
@@ -234,38 +234,38 @@ TEST(CurveTool, bends_an_edge_through_the_cursor) {
     SheetHands hands;
     hands.choose(ToolKind::CurvePoint);
     hands.drag({0.1, 0}, {0.1, -0.04});
-    const Panel& panel = hands.panel("left");
-    ASSERT_EQ(panel.edges[0].kind, CurveKind::Quadratic);
+    const sim::Panel& panel = hands.panel("left");
+    ASSERT_EQ(panel.edges[0].kind, sim::CurveKind::Quadratic);
     EXPECT_TRUE(curve_point(panel, panel.edges[0], 0.5).isApprox(Vec2d(0.1, -0.04), 1e-3));
     hands.double_click({0.1, -0.04});
-    EXPECT_EQ(hands.panel("left").edges[0].kind, CurveKind::Line);
+    EXPECT_EQ(hands.panel("left").edges[0].kind, sim::CurveKind::Line);
 }
 
 TEST(CurveTool, with_alt_draws_a_circles_arc_and_with_shift_two_handles) {
     SheetHands hands;
     hands.choose(ToolKind::CurvePoint);
     hands.drag({0.1, 0}, {0.1, -0.04}, {.alt = true});
-    EXPECT_EQ(hands.panel("left").edges[0].kind, CurveKind::Arc);
+    EXPECT_EQ(hands.panel("left").edges[0].kind, sim::CurveKind::Arc);
     hands.drag({0.1, 0.2}, {0.1, 0.25}, {.shift = true});
-    EXPECT_EQ(hands.panel("left").edges[2].kind, CurveKind::Cubic);
+    EXPECT_EQ(hands.panel("left").edges[2].kind, sim::CurveKind::Cubic);
 }
 
 TEST(CurveShape, an_arc_goes_through_the_point_on_either_side) {
-    const Panel panel = square_panel("p", {0, 0}, {0.2, 0.2});
+    const sim::Panel panel = square_panel("p", {0, 0}, {0.2, 0.2});
     for (const Vec2d& to : {Vec2d(0.1, -0.03), Vec2d(0.12, 0.03), Vec2d(0.1, -0.25), Vec2d(0.07, 0.18)}) {
-        const OutlineEdge arc = arc_through(panel, panel.edges[0], to);
+        const sim::OutlineEdge arc = arc_through(panel, panel.edges[0], to);
         double nearest = 1;
         for (int i = 0; i <= 1000; ++i) nearest = std::min(nearest, (curve_point(panel, arc, i / 1000.0) - to).norm());
         EXPECT_LT(nearest, 5e-4) << to.transpose();
     }
-    EXPECT_EQ(arc_through(panel, panel.edges[0], {0.1, 0}).kind, CurveKind::Line);
+    EXPECT_EQ(arc_through(panel, panel.edges[0], {0.1, 0}).kind, sim::CurveKind::Line);
 }
 
 TEST(CurveShape, a_cubic_is_bent_through_the_point_it_was_held_at) {
-    const Panel panel = square_panel("p", {0, 0}, {0.2, 0.2});
-    const OutlineEdge cubic = as_cubic_edge(panel, panel.edges[0]);
-    const OutlineEdge bent = bent_through(panel, cubic, 0.3, {0.07, -0.02});
-    EXPECT_EQ(bent.kind, CurveKind::Cubic);
+    const sim::Panel panel = square_panel("p", {0, 0}, {0.2, 0.2});
+    const sim::OutlineEdge cubic = as_cubic_edge(panel, panel.edges[0]);
+    const sim::OutlineEdge bent = bent_through(panel, cubic, 0.3, {0.07, -0.02});
+    EXPECT_EQ(bent.kind, sim::CurveKind::Cubic);
     EXPECT_TRUE(curve_point(panel, bent, 0.3).isApprox(Vec2d(0.07, -0.02), 1e-3));
 }
 
@@ -349,4 +349,4 @@ TEST(MeasureTool, tells_distance_and_length_along_an_edge) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -6,7 +6,7 @@
 #include "editor/tools/sewing_tools.h"
 #include "tests/editor/tools/tool_support.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 bool has_warning(const ToolOverlay& overlay) {
@@ -20,8 +20,8 @@ TEST(SewingTool, the_ends_that_are_clicked_meet) {
     hands.click({0.2, 0.03});  // edge 1 of left runs up: near its start
     hands.click({0.3, 0.04});  // edge 3 of right runs down: near its end
     ASSERT_EQ(hands.pattern().seams.size(), 1U);
-    EXPECT_EQ(hands.pattern().seams[0].first, (SeamSide{0, 1}));
-    EXPECT_EQ(hands.pattern().seams[0].second, (SeamSide{1, 3}));
+    EXPECT_EQ(hands.pattern().seams[0].first, (sim::SeamSide{0, 1}));
+    EXPECT_EQ(hands.pattern().seams[0].second, (sim::SeamSide{1, 3}));
     EXPECT_TRUE(hands.pattern().seams[0].is_reversed);
 }
 
@@ -93,7 +93,7 @@ TEST(FreeSewingTool, sews_parts_of_edges_that_are_dragged_over) {
 }
 
 TEST(FreeSewingTool, one_run_is_sewn_to_several_with_shift) {
-    PatternDocument source = two_squares();
+    sim::PatternDocument source = two_squares();
     source.pattern.panels[1] = square_panel("right", {0.3, 0}, {0.5, 0.1});
     source.pattern.panels.push_back(square_panel("upper", {0.3, 0.12}, {0.5, 0.22}));
     SheetHands hands(source);
@@ -119,4 +119,4 @@ TEST(FreeSewingTool, runs_are_put_in_the_outlines_order) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -3,7 +3,7 @@
 
 #include "editor/tools/sheet_geometry.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 TEST(SheetCamera, a_place_goes_to_the_screen_and_back) {
@@ -60,4 +60,4 @@ TEST(SheetCamera, the_grid_grows_coarser_as_one_goes_away) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -4,19 +4,19 @@
 
 #include "tests/editor/tools/tool_support.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
-SheetGeometry geometry_of(const Pattern& pattern) {
+SheetGeometry geometry_of(const sim::Pattern& pattern) {
     SheetGeometry geometry;
     geometry.update(pattern, 1);
     return geometry;
 }
 
-Pattern bent_pattern() {
-    Pattern pattern = two_squares().pattern;
-    OutlineEdge& edge = pattern.panels[0].edges[0];
-    edge.kind = CurveKind::Cubic;
+sim::Pattern bent_pattern() {
+    sim::Pattern pattern = two_squares().pattern;
+    sim::OutlineEdge& edge = pattern.panels[0].edges[0];
+    edge.kind = sim::CurveKind::Cubic;
     edge.control = {Vec2d(0.05, -0.05), Vec2d(0.15, -0.05)};
     pattern.panels[0].notches.push_back({.edge = 2, .t = 0.25});
     pattern.panels[0].internal_lines.push_back({"fold", {Vec2d(0.02, 0.1), Vec2d(0.18, 0.1)}});
@@ -52,13 +52,13 @@ TEST(SheetPick, an_edge_is_picked_at_a_fraction_of_its_length) {
 }
 
 TEST(SheetPick, of_panels_that_overlap_the_one_drawn_last_is_picked) {
-    Pattern pattern = two_squares().pattern;
+    sim::Pattern pattern = two_squares().pattern;
     pattern.panels[1].sheet_position = Vec2d(0.1, 0.05);
     EXPECT_EQ(pick(geometry_of(pattern), {0.15, 0.1}, {}).panel, "right");
 }
 
 TEST(SheetPick, hovering_an_edge_names_its_seam) {
-    Pattern pattern = two_squares().pattern;
+    sim::Pattern pattern = two_squares().pattern;
     pattern.seams.push_back({{0, 1}, {1, 3}});
     const SheetGeometry geometry = geometry_of(pattern);
     const Hover hover = hover_of(geometry, pick(geometry, {0.2, 0.1}, {}));
@@ -85,7 +85,7 @@ TEST(SheetPick, a_box_within_a_panel_touches_it) {
 }
 
 TEST(SheetGeometry, keeps_the_outlines_of_panels_that_only_moved) {
-    Pattern pattern = two_squares().pattern;
+    sim::Pattern pattern = two_squares().pattern;
     SheetGeometry geometry;
     geometry.update(pattern, 1);
     const std::uint64_t version = geometry.panels()[0].outline_version;
@@ -108,4 +108,4 @@ TEST(SheetGeometry, points_of_a_curve_lie_at_fractions_of_its_length) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::editor

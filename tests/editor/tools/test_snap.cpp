@@ -4,7 +4,7 @@
 
 #include "tests/editor/tools/tool_support.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 class SnapTest : public ::testing::Test {
@@ -77,4 +77,4 @@ TEST_F(SnapTest, along_an_edge_to_shares_and_to_millimetres) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -2,7 +2,7 @@
 
 #include "editor/tools/tool.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 TEST(TypedInput, a_letter_does_not_begin_a_number) {
@@ -43,4 +43,4 @@ TEST(TypedInput, does_not_grow_without_end) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -5,25 +5,25 @@
 #include "editor/geometry/outline_edit.h"
 #include "editor/geometry/panel_edit.h"
 
-namespace selvedge {
-Panel square_panel(const std::string& name, const Vec2d& low, const Vec2d& high) {
-    Panel panel = make_rectangle(Vec2d(0, 0), high - low);
+namespace selvedge::editor {
+sim::Panel square_panel(const std::string& name, const Vec2d& low, const Vec2d& high) {
+    sim::Panel panel = make_rectangle(Vec2d(0, 0), high - low);
     panel.name = name;
     panel.sheet_position = low;
     return panel;
 }
 
-PatternDocument two_squares() {
-    PatternDocument source;
+sim::PatternDocument two_squares() {
+    sim::PatternDocument source;
     source.pattern.panels = {square_panel("left", {0, 0}, {0.2, 0.2}), square_panel("right", {0.3, 0}, {0.5, 0.2})};
     return source;
 }
 
-SheetHands::SheetHands(PatternDocument source) : document(std::move(source)) {
+SheetHands::SheetHands(sim::PatternDocument source) : document(std::move(source)) {
     tools.begin_frame(document, camera_, 1);
 }
 
-const Panel& SheetHands::panel(const std::string& name) const {
+const sim::Panel& SheetHands::panel(const std::string& name) const {
     return pattern().panels.at(static_cast<std::size_t>(find_panel(pattern(), name)));
 }
 
@@ -77,4 +77,4 @@ ToolOverlay SheetHands::overlay() {
     return tools.overlay(desk());
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

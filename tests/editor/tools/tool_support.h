@@ -6,17 +6,17 @@
 #include "editor/document/document.h"
 #include "editor/tools/tool_host.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 // A rectangle from low to high, that lies where its numbers say.
-Panel square_panel(const std::string& name, const Vec2d& low, const Vec2d& high);
+sim::Panel square_panel(const std::string& name, const Vec2d& low, const Vec2d& high);
 
 // Two squares of 20 cm: "left" from (0, 0), "right" from (0.3, 0); edges 0 below, 1 right, 2 above, 3 left.
-PatternDocument two_squares();
+sim::PatternDocument two_squares();
 
 class SheetHands {
  public:
-    explicit SheetHands(PatternDocument source = two_squares());
+    explicit SheetHands(sim::PatternDocument source = two_squares());
 
     Document document;
     Hover hover;
@@ -24,8 +24,8 @@ class SheetHands {
     ToolHost tools;
 
     ToolDesk desk() { return {document, hover, messages}; }
-    const Pattern& pattern() const { return document.pattern(); }
-    const Panel& panel(const std::string& name) const;
+    const sim::Pattern& pattern() const { return document.pattern(); }
+    const sim::Panel& panel(const std::string& name) const;
     Vec2d vertex(const std::string& panel, int index);  // on the sheet
 
     void choose(ToolKind kind) { tools.choose(desk(), kind); }
@@ -45,4 +45,4 @@ class SheetHands {
     SheetCamera camera_{.centre = Vec2d(0.25, 0.1), .scale = 1000};  // a px is a millimetre
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

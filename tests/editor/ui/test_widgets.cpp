@@ -1,9 +1,9 @@
-#include <algorithm>
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include "editor/ui/widgets.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 // Each byte is as wide as the next.
@@ -36,7 +36,6 @@ TEST(Elide, where_there_is_no_room_the_dots_are_left) {
     EXPECT_EQ(elided("front", 0, Elide::Middle, bytes), "...");
     EXPECT_EQ(elided("front", 0, Elide::End, bytes), "...");
 }
-
 
 constexpr double kFrame = 0.25;  // s
 
@@ -75,4 +74,4 @@ TEST(MessageClock, an_error_stays) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -2,17 +2,17 @@
 
 #include "editor/viewport3d/cloth_outline.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 // Two squares of 1 m side by side, "left" and "right", sewn along their common edge; in each a vertex in the middle.
 struct SewnSquares {
-    Pattern pattern;
-    PlainMesh mesh;
+    sim::Pattern pattern;
+    sim::PlainMesh mesh;
 };
 
-Panel square_panel(const std::string& name) {
-    Panel panel;
+sim::Panel square_panel(const std::string& name) {
+    sim::Panel panel;
     panel.name = name;
     panel.vertices = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     for (int i = 0; i < 4; ++i) panel.edges.push_back({.start = i, .end = (i + 1) % 4});
@@ -22,7 +22,7 @@ Panel square_panel(const std::string& name) {
 SewnSquares sewn_squares() {
     SewnSquares squares;
     squares.pattern.panels = {square_panel("right"), square_panel("left")};
-    PlainMesh& mesh = squares.mesh;
+    sim::PlainMesh& mesh = squares.mesh;
     mesh.panel_names = {"left", "right"};
     mesh.x = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {0, 1, 0}, {0.5F, 0.5F, 0}, {1.5F, 0.5F, 0}};
     const std::array<std::array<std::uint32_t, 5>, 2> corners{{{0, 1, 4, 5, 6}, {1, 2, 3, 4, 7}}};
@@ -80,4 +80,4 @@ TEST(ClothOutline, a_mesh_without_material_coordinates_has_none) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -1,9 +1,9 @@
-#include <cmath>
 #include <gtest/gtest.h>
+#include <cmath>
 
 #include "editor/viewport3d/gizmo.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
@@ -136,4 +136,4 @@ TEST(GizmoDrag, a_typed_number_takes_the_cursors_place) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

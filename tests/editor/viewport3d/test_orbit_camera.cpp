@@ -2,13 +2,13 @@
 
 #include "editor/viewport3d/orbit_camera.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 const Vec2f kSize(800, 600);
 
 float eye_distance(const OrbitCamera& orbit) {
-    const Camera camera = orbit.camera();
+    const render::Camera camera = orbit.camera();
     return (camera.eye - camera.target).norm();
 }
 
@@ -115,4 +115,4 @@ TEST(OrbitCamera, the_long_lens_shows_the_target_at_the_same_size) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

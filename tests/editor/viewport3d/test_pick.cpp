@@ -2,7 +2,7 @@
 
 #include "editor/viewport3d/pick.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 // A square of 1 m in z = 0, seen from +z.
@@ -62,4 +62,4 @@ TEST(RayPick, measures_how_near_a_line_is_on_the_screen) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

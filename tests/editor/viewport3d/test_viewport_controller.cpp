@@ -1,11 +1,11 @@
-#include <cmath>
 #include <gtest/gtest.h>
+#include <cmath>
 
 #include "editor/document/document.h"
 #include "editor/viewport3d/viewport_controller.h"
 #include "tests/editor/viewport3d/viewport_support.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 const Vec3f kMiddle(0, 1, 0.3F);  // of the panel
@@ -206,10 +206,9 @@ TEST(FittingHand, sewn_cloth_is_pulled_instead_of_moved) {
     EXPECT_FALSE(desk.hand().pulled_to());
 }
 
-
-Pattern two_panels() {
-    Pattern pattern = square_pattern();
-    Panel other = pattern.panels.front();
+sim::Pattern two_panels() {
+    sim::Pattern pattern = square_pattern();
+    sim::Panel other = pattern.panels.front();
     other.name = "other";
     other.translation = {0.6, 1, 0.3};
     other.wrap_radius = 0.15;
@@ -219,11 +218,11 @@ Pattern two_panels() {
 
 TEST(Placing, several_panels_turn_about_one_centre_and_stay_bent) {
     Document document({.pattern = two_panels(), .json = {}});
-    const std::vector<Panel> panels = panels_of(document.pattern(), {"other", "square"});
+    const std::vector<sim::Panel> panels = panels_of(document.pattern(), {"other", "square"});
     ASSERT_EQ(panels.size(), 2U);
     const Eigen::Matrix3d half = Eigen::AngleAxisd(3.14159265358979, Vec3d::UnitY()).toRotationMatrix();
     document.run(move_command(panels, {.centre = {0.3, 1, 0.3}, .turn = half, .shift = {0, 0.1, 0}}));
-    const std::vector<Panel>& placed = document.pattern().panels;
+    const std::vector<sim::Panel>& placed = document.pattern().panels;
     EXPECT_NEAR((placed[0].translation - Vec3d(0.6, 1.1, 0.3)).norm(), 0, 1e-9);
     EXPECT_NEAR((placed[1].translation - Vec3d(0, 1.1, 0.3)).norm(), 0, 1e-9);
     EXPECT_EQ(placed[1].wrap_radius, 0.15);
@@ -251,4 +250,4 @@ TEST(Placing, the_outline_of_a_bent_panel_is_round) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -3,12 +3,12 @@
 #include "editor/viewport3d/viewport_scene.h"
 #include "tests/editor/viewport3d/viewport_support.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 class FittingSceneTest : public testing::Test {
  protected:
-    std::shared_ptr<const Scene> follow() {
+    std::shared_ptr<const render::Scene> follow() {
         desk.rest();
         return scene.follow({.pattern = desk.document().pattern(),
                              .revision = desk.document().revision(),
@@ -33,7 +33,7 @@ TEST_F(FittingSceneTest, is_the_same_pointer_while_nothing_changes) {
 }
 
 TEST_F(FittingSceneTest, selection_hover_look_and_pattern_make_another) {
-    std::shared_ptr<const Scene> last = follow();
+    std::shared_ptr<const render::Scene> last = follow();
     const auto is_another = [&] {
         const auto next = follow();
         const bool is = next != last;
@@ -45,9 +45,9 @@ TEST_F(FittingSceneTest, selection_hover_look_and_pattern_make_another) {
     EXPECT_EQ(last->solids.size(), 1U);
     marks.hover.edge = PartRef{"square", 2};
     EXPECT_TRUE(is_another());
-    desk.workspace().look.show = ShowMode::Level;
+    desk.workspace().look.show = render::ShowMode::Level;
     EXPECT_TRUE(is_another());
-    EXPECT_EQ(last->cloths.front().show, ShowMode::Level);
+    EXPECT_EQ(last->cloths.front().show, render::ShowMode::Level);
     desk.workspace().run(SetTartan{.tartan = "K/8 R24 W/4"});
     EXPECT_TRUE(is_another());
     EXPECT_EQ(last->cloths.front().sett.stripes.front().threads, 8);
@@ -70,7 +70,7 @@ TEST_F(FittingSceneTest, a_selected_edge_is_marked_where_it_lies_on_the_cloth) {
 }
 
 TEST_F(FittingSceneTest, panels_of_other_fabrics_are_cloths_of_their_own) {
-    Panel other = desk.panel();
+    sim::Panel other = desk.panel();
     other.name = "other";
     other.translation.x() += 0.5;
     other.fabric = "denim";
@@ -92,17 +92,17 @@ TEST_F(FittingSceneTest, an_unknown_tartan_or_panel_does_not_stop_it) {
 }
 
 TEST(PlacedMesh, takes_a_sewn_mesh_apart_where_the_pattern_places_its_panels) {
-    Pattern pattern = square_pattern();
+    sim::Pattern pattern = square_pattern();
     pattern.panels.push_back(pattern.panels.front());
     pattern.panels.back().name = "other";
     pattern.panels.back().translation = {0, 1, -0.3};
-    PlainMesh sewn;  // one triangle of each, that share an edge
+    sim::PlainMesh sewn;  // one triangle of each, that share an edge
     sewn.x = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
     sewn.triangles = {{0, 1, 2}, {1, 3, 2}};
     sewn.u = {{Vec2f(0, 0), Vec2f(0.1F, 0), Vec2f(0, 0.1F)}, {Vec2f(0, 0), Vec2f(0.1F, 0), Vec2f(0, 0.1F)}};
     sewn.panel = {0, 1};
     sewn.panel_names = {"square", "other"};
-    const PlainMesh placed = placed_mesh(sewn, pattern);
+    const sim::PlainMesh placed = placed_mesh(sewn, pattern);
     EXPECT_EQ(placed.x.size(), 6U);
     EXPECT_EQ(placed.x[placed.triangles[0][1]], Vec3f(0.1F, 1, 0.3F));
     EXPECT_EQ(placed.x[placed.triangles[1][2]], Vec3f(0, 1.1F, -0.3F));
@@ -111,4 +111,4 @@ TEST(PlacedMesh, takes_a_sewn_mesh_apart_where_the_pattern_places_its_panels) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -1,10 +1,10 @@
 // Pictures of the 3D view for a person to judge, of a garment placed, sewn and draped:
 //   fitting_pictures patterns/tshirt.json FOLDER
+#include <imgui.h>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <imgui.h>
 
 #include "app/edit_loop.h"
 #include "editor/ui/ui_input.h"
@@ -12,28 +12,29 @@
 #include "render/image/image.h"
 #include "sim/core/error.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 namespace {
 
 constexpr float kSide = 860;  // px
 constexpr UiTexture kTexture = 1;
 
 // Nothing but the 3D view.
-class BareFitting : public EditSurface {
+class BareFitting : public app::EditSurface {
  public:
-    BareFitting(PatternDocument document, float scale)
-        : workspace(std::move(document), SessionDrive::Caller, make_worn_mannequin), context_(ImGui::CreateContext()) {
+    BareFitting(sim::PatternDocument document, float scale)
+        : workspace(std::move(document), sim::SessionDrive::Caller, make_worn_mannequin),
+          context_(ImGui::CreateContext()) {
         ImGuiIO& io = ImGui::GetIO();
         io.IniFilename = nullptr;
         io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
         UiInput::map_keys(io);
-        const std::filesystem::path font = find_fonts().regular;
+        const std::filesystem::path font = app::find_fonts().regular;
         if (!font.empty()) io.Fonts->AddFontFromFileTTF(font.c_str(), 15 * scale);
         io.Fonts->Build();
     }
     ~BareFitting() override { ImGui::DestroyContext(context_); }
 
-    FrameOutput frame(const FrameInput& input) override {
+    FrameOutput frame(const app::FrameInput& input) override {
         ImGuiIO& io = ImGui::GetIO();
         io.DisplaySize = {float(input.width_px), float(input.height_px)};
         io.DeltaTime = static_cast<float>(input.seconds);
@@ -77,7 +78,7 @@ class Photographer {
         : scale_(scale),
           folder_(std::move(folder)),
           loop_({.width_px = int(kSide * scale), .height_px = int(kSide * scale), .scale = scale, .seconds = 0.3}),
-          surface_(load_pattern(pattern), scale) {}
+          surface_(sim::load_pattern(pattern), scale) {}
 
     Workspace& workspace() { return surface_.workspace; }
     BareFitting& surface() { return surface_; }
@@ -113,7 +114,7 @@ class Photographer {
  private:
     float scale_;
     std::filesystem::path folder_;
-    OffscreenEditLoop loop_;
+    app::OffscreenEditLoop loop_;
     BareFitting surface_;
     Vec2f cursor_{0, 0};
 };
@@ -130,8 +131,8 @@ void take_placed(Photographer& photographer) {
     photographer.take("placed");
     select_first(photographer.workspace());
     photographer.take("selected");
-    const std::vector<ArrangementPoint>& points = photographer.workspace().drape.worn().points;
-    for (const ArrangementPoint& point : points) {
+    const std::vector<sim::ArrangementPoint>& points = photographer.workspace().drape.worn().points;
+    for (const sim::ArrangementPoint& point : points) {
         if (point.name == "left upper arm outside")
             photographer.move_to(photographer.seen(point.position.cast<float>()));
     }
@@ -157,7 +158,7 @@ void take_draped(Photographer& photographer) {
     photographer.take("sewing");
     photographer.advance(150);
     photographer.take("draped");
-    const PlainMesh& mesh = photographer.surface().view.hand().garment().mesh();
+    const sim::PlainMesh& mesh = photographer.surface().view.hand().garment().mesh();
     workspace.drape.session().pin(
         {.frame = workspace.drape.frame()->number, .triangle = 40, .weights = Vec3f::Constant(1.0F / 3)});
     photographer.move_to(photographer.seen(mesh.x[mesh.triangles[mesh.triangles.size() / 4][0]]));
@@ -182,15 +183,15 @@ void take_draped(Photographer& photographer) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::editor
 
 int main(int argc, char** argv) {
     if (argc < 3) return 2;
     try {
-        selvedge::Photographer photographer(argv[1], argv[2], argc > 3 ? std::stof(argv[3]) : 1);
-        selvedge::take_placed(photographer);
-        selvedge::take_draped(photographer);
-    } catch (const selvedge::InputError& error) {
+        selvedge::editor::Photographer photographer(argv[1], argv[2], argc > 3 ? std::stof(argv[3]) : 1);
+        selvedge::editor::take_placed(photographer);
+        selvedge::editor::take_draped(photographer);
+    } catch (const selvedge::sim::InputError& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 2;
     }

@@ -1,19 +1,19 @@
 #include "tests/editor/viewport3d/viewport_support.h"
 
-namespace selvedge {
-Pattern square_pattern() {
-    Panel panel;
+namespace selvedge::editor {
+sim::Pattern square_pattern() {
+    sim::Panel panel;
     panel.name = "square";
     panel.vertices = {{-0.2, -0.2}, {0.2, -0.2}, {0.2, 0.2}, {-0.2, 0.2}};
     for (int i = 0; i < 4; ++i) panel.edges.push_back({.start = i, .end = (i + 1) % 4});
     panel.translation = {0, 1, 0.3};
-    Pattern pattern;
+    sim::Pattern pattern;
     pattern.panels.push_back(panel);
     return pattern;
 }
 
 WornBody small_body(const std::string& text) {
-    auto body = std::make_shared<Body>();
+    auto body = std::make_shared<sim::Body>();
     for (int i = 0; i < 8; ++i)
         body->x.push_back({(i & 1 ? 0.1 : -0.1), 1 + (i & 2 ? 0.1 : -0.1), (i & 4 ? 0.1 : -0.1)});
     body->triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
@@ -24,8 +24,8 @@ WornBody small_body(const std::string& text) {
     return worn;
 }
 
-FittingDesk::FittingDesk(const Pattern& pattern)
-    : workspace_({.pattern = pattern, .json = {}}, SessionDrive::Caller, small_body) {
+FittingDesk::FittingDesk(const sim::Pattern& pattern)
+    : workspace_({.pattern = pattern, .json = {}}, sim::SessionDrive::Caller, small_body) {
     hand_.look_from(StandardView::Front);
     rest();
     workspace_.drape.session().advance(0);
@@ -77,4 +77,4 @@ void FittingDesk::type(const std::string& text) {
     step(input);
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

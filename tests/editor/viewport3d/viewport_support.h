@@ -5,22 +5,22 @@
 
 #include "editor/viewport3d/viewport_controller.h"
 
-namespace selvedge {
+namespace selvedge::editor {
 
 // 40 by 40 cm, called "square": its middle stands at (0, 1, 0.3), facing the front.
-Pattern square_pattern();
+sim::Pattern square_pattern();
 
 // A cube of 20 cm about (0, 1, 0), with the arrangement points "before" and "behind" it.
 WornBody small_body(const std::string& text);
 
 class FittingDesk {
  public:
-    explicit FittingDesk(const Pattern& pattern = square_pattern());
+    explicit FittingDesk(const sim::Pattern& pattern = square_pattern());
 
     Workspace& workspace() { return workspace_; }
     const Document& document() const { return *workspace_.document; }
     FittingHand& hand() { return hand_; }
-    const Panel& panel(std::size_t index = 0) const { return document().pattern().panels[index]; }
+    const sim::Panel& panel(std::size_t index = 0) const { return document().pattern().panels[index]; }
 
     Vec2f seen(const Vec3f& x) const { return px_of(hand_.viewing(), x).value(); }
 
@@ -44,4 +44,4 @@ class FittingDesk {
     Vec2f cursor_{2, 2};
 };
 
-}  // namespace selvedge
+}  // namespace selvedge::editor

@@ -5,15 +5,15 @@
 #include "render/scene/colour.h"
 #include "sim/tartan/tartan_file.h"
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 // Two triangles of two panels, sewn along the edge 1-2, with material coordinates of their own:
 //   2---3
 //   | \ |
 //   0---1
-PlainMesh sewn_square() {
-    PlainMesh mesh;
+sim::PlainMesh sewn_square() {
+    sim::PlainMesh mesh;
     mesh.x = {{0, 0, 0}, {0.3F, 0, 0}, {0, 0.4F, 0}, {0.3F, 0.4F, 0}};
     mesh.normals.assign(4, Vec3f(0, 0, 1));
     mesh.triangles = {{0, 1, 2}, {1, 3, 2}};
@@ -24,7 +24,7 @@ PlainMesh sewn_square() {
     return mesh;
 }
 
-std::vector<ClothVertex> vertices_of(const PlainMesh& mesh) {
+std::vector<ClothVertex> vertices_of(const sim::PlainMesh& mesh) {
     return make_cloth_vertices(mesh, mesh.normals, std::vector<Openness>(mesh.x.size()));
 }
 
@@ -39,14 +39,14 @@ TEST(ClothVertices, a_seam_is_marked_where_material_coordinates_jump_and_a_hem_w
 }
 
 TEST(ClothVertices, an_edge_within_one_panel_is_neither_seam_nor_hem) {
-    PlainMesh mesh = sewn_square();
+    sim::PlainMesh mesh = sewn_square();
     mesh.panel = {0, 0};
     mesh.u[1] = {Vec2f(0.3F, 0), Vec2f(0.3F, 0.4F), Vec2f(0, 0.4F)};
     EXPECT_EQ(vertices_of(mesh)[0].marks >> 8 & 7U, 0U);
 }
 
 TEST(ClothVertices, a_dart_is_a_seam_within_one_panel) {
-    PlainMesh mesh = sewn_square();
+    sim::PlainMesh mesh = sewn_square();
     mesh.panel = {0, 0};
     EXPECT_EQ(vertices_of(mesh)[0].marks >> 8 & 7U, 1U);
 }
@@ -62,7 +62,7 @@ TEST(ClothVertices, the_sett_follows_the_grain_of_each_panel) {
 }
 
 TEST(ClothVertices, the_offset_of_a_panels_sett_comes_after_the_turn_to_its_grain) {
-    PlainMesh mesh = sewn_square();
+    sim::PlainMesh mesh = sewn_square();
     mesh.panel_sett_offsets = {{0.01F, 0.02F}, {-0.5F, 0.25F}};
     const std::vector<ClothVertex> vertices = vertices_of(mesh);
     EXPECT_NEAR(vertices[2].place[0], 0.01F, 1e-6F);
@@ -80,7 +80,7 @@ TEST(ClothVertices, heights_are_those_of_the_triangle_and_lie_on_their_own_corne
 }
 
 TEST(ClothVertices, a_mesh_with_nothing_but_triangles_will_do) {
-    PlainMesh mesh = sewn_square();
+    sim::PlainMesh mesh = sewn_square();
     mesh.u.clear();
     mesh.panel.clear();
     mesh.level.clear();
@@ -89,11 +89,10 @@ TEST(ClothVertices, a_mesh_with_nothing_but_triangles_will_do) {
     EXPECT_EQ(vertices_of(mesh)[0].marks >> 8 & 7U, 0U);
 }
 
-
 TEST(SettSums, the_mean_over_any_stretch_is_that_of_its_threads) {
-    const Sett sett = find_tartan("royal_stewart");
+    const sim::Sett sett = sim::find_tartan("royal_stewart");
     const SettSums table = sum_warp(sett);
-    const std::vector<Rgb8> colours = thread_colours(sett);
+    const std::vector<sim::Rgb8> colours = thread_colours(sett);
     ASSERT_EQ(table.sums.size(), colours.size() + 1);
     for (const auto& [first, last] : {std::pair<std::size_t, std::size_t>{0, 424}, {3, 4}, {100, 190}, {420, 424}}) {
         Vec3f expected = Vec3f::Zero();
@@ -105,17 +104,17 @@ TEST(SettSums, the_mean_over_any_stretch_is_that_of_its_threads) {
 }
 
 TEST(SettSums, begin_and_end_at_nothing_so_that_they_repeat_with_the_sett) {
-    const SettSums table = sum_warp(find_tartan("buchanan"));
+    const SettSums table = sum_warp(sim::find_tartan("buchanan"));
     EXPECT_EQ(table.sums.front(), Vec3f(0, 0, 0));
     EXPECT_EQ(table.sums.back(), Vec3f(0, 0, 0));
 }
 
 TEST(SettSums, a_weft_of_its_own_has_its_own_table_and_else_the_warps) {
-    Sett sett = find_tartan("buchanan");
+    sim::Sett sett = sim::find_tartan("buchanan");
     EXPECT_EQ(sum_weft(sett).sums, sum_warp(sett).sums);
-    sett.weft_stripes = parse_threadcount("K/3 W5 R/2").stripes;
+    sett.weft_stripes = sim::parse_threadcount("K/3 W5 R/2").stripes;
     EXPECT_EQ(sum_weft(sett).threads(), 15) << "both halves: 3 5 2 5";
-    EXPECT_EQ(sum_warp(sett).sums, sum_warp(find_tartan("buchanan")).sums);
+    EXPECT_EQ(sum_warp(sett).sums, sum_warp(sim::find_tartan("buchanan")).sums);
 }
 
 TEST(Colour, srgb_bytes_become_linear_light) {
@@ -126,4 +125,4 @@ TEST(Colour, srgb_bytes_become_linear_light) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::render

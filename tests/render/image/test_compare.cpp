@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 constexpr Rgba8 kGrey{120, 120, 120, 255};
@@ -79,4 +79,4 @@ TEST(DifferencePicture, covers_both_pictures_when_their_sizes_differ) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::render

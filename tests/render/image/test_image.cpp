@@ -1,11 +1,11 @@
-#include <filesystem>
 #include <gtest/gtest.h>
+#include <filesystem>
 
 #include "render/image/image.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 Image gradient(int width, int height) {
@@ -22,7 +22,7 @@ Image gradient(int width, int height) {
 std::string fault_of(const std::string& bytes) {
     try {
         decode_png(bytes, "mine.png");
-    } catch (const InputError& error) {
+    } catch (const sim::InputError& error) {
         EXPECT_EQ(error.file(), "mine.png");
         return error.problem();
     }
@@ -63,7 +63,7 @@ TEST(Png, a_file_cut_short_anywhere_is_an_input_error) {
     const std::string whole = encode_png(gradient(40, 40));
     constexpr std::size_t end_chunk = 12;  // IEND says only that it is over: without it every pixel is there
     for (std::size_t length = 0; length + end_chunk < whole.size(); ++length) {
-        EXPECT_THROW(decode_png(whole.substr(0, length), "x"), InputError) << "at byte " << length;
+        EXPECT_THROW(decode_png(whole.substr(0, length), "x"), sim::InputError) << "at byte " << length;
     }
 }
 
@@ -75,7 +75,7 @@ TEST(Png, changed_bytes_are_an_input_error_or_harmless_but_never_a_crash) {
         broken[at] = static_cast<char>(broken[at] ^ 0x55);
         try {
             decode_png(broken, "x");
-        } catch (const InputError&) {
+        } catch (const sim::InputError&) {
             ++refused;
         }
     }
@@ -96,10 +96,10 @@ TEST(Png, a_header_that_promises_too_many_pixels_is_refused_before_memory_is_tak
 }
 
 TEST(Png, a_missing_folder_is_an_input_error) {
-    EXPECT_THROW(read_png("/no/such/folder/a.png"), InputError);
-    EXPECT_THROW(write_png("/no/such/folder/a.png", gradient(2, 2)), InputError);
+    EXPECT_THROW(read_png("/no/such/folder/a.png"), sim::InputError);
+    EXPECT_THROW(write_png("/no/such/folder/a.png", gradient(2, 2)), sim::InputError);
 }
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::render

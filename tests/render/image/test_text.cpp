@@ -4,8 +4,7 @@
 
 #include <map>
 
-
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 TEST(Glyphs, every_letter_of_ascii_differs_from_every_other) {
@@ -71,4 +70,4 @@ TEST(Text, half_a_colour_over_nothing_is_that_colour_half_seen) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::render

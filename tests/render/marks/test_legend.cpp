@@ -1,14 +1,14 @@
-#include <algorithm>
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include "render/marks/legend.h"
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 constexpr Corner kCorners[] = {Corner::LowerLeft, Corner::LowerRight, Corner::UpperLeft, Corner::UpperRight};
 
-Rgb8 row_colour(std::size_t i) {
+sim::Rgb8 row_colour(std::size_t i) {
     return {static_cast<std::uint8_t>(20 + 7 * i), static_cast<std::uint8_t>(200 - 6 * i), 90};
 }
 
@@ -19,7 +19,7 @@ Legend with_rows(std::size_t count) {
     return legend;
 }
 
-bool shows(const Image& image, const Rgb8& colour) {
+bool shows(const Image& image, const sim::Rgb8& colour) {
     const Rgba8 opaque{colour[0], colour[1], colour[2], 255};
     return std::find(image.pixels.begin(), image.pixels.end(), opaque) != image.pixels.end();
 }
@@ -35,7 +35,7 @@ TEST(Legend, shows_both_ends_of_its_map) {
     Image image(512, 512);
     const LegendScale scale{.map = {{10, 20, 30}, {60, 70, 80}, {200, 100, 50}}, .ticks = {{0, "0"}, {1, "5 mm"}}};
     draw_legend(image, {.title = "Distance", .scale = scale}, Corner::UpperRight);
-    for (const Rgb8& colour : scale.map) EXPECT_TRUE(shows(image, colour));
+    for (const sim::Rgb8& colour : scale.map) EXPECT_TRUE(shows(image, colour));
 }
 
 TEST(Legend, lies_wholly_inside_the_picture_whatever_its_size) {
@@ -128,4 +128,4 @@ TEST(Legend, figures_stand_below_each_other_at_the_right_edge) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::render

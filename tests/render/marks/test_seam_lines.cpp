@@ -1,16 +1,16 @@
-#include <cmath>
 #include <gtest/gtest.h>
+#include <cmath>
 
 #include "render/marks/seam_lines.h"
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 constexpr std::uint32_t kCells = 8;
 
 // A tube of two panels, each half of it round: seams at two sides, hems above and below.
-PlainMesh tube() {
-    PlainMesh mesh;
+sim::PlainMesh tube() {
+    sim::PlainMesh mesh;
     for (std::uint32_t j = 0; j <= kCells; ++j) {
         for (std::uint32_t i = 0; i < 2 * kCells; ++i) {
             const float turn = 3.14159265F * float(i) / float(kCells);
@@ -45,7 +45,7 @@ TEST(SeamLines, a_tube_of_two_panels_has_two_seams_of_its_height_and_two_hems_of
 }
 
 TEST(SeamLines, paths_run_from_edge_to_edge_without_a_gap) {
-    const PlainMesh mesh = tube();
+    const sim::PlainMesh mesh = tube();
     for (const SeamLine& seam : find_seam_lines(mesh).seams) {
         for (std::size_t i = 1; i < seam.paths[0].size(); ++i) {
             const float step = (mesh.x[seam.paths[0][i]] - mesh.x[seam.paths[0][i - 1]]).norm();
@@ -55,7 +55,7 @@ TEST(SeamLines, paths_run_from_edge_to_edge_without_a_gap) {
 }
 
 TEST(SeamLines, one_panel_sewn_to_a_tube_has_one_seam_with_itself_and_closed_hems) {
-    PlainMesh mesh = tube();
+    sim::PlainMesh mesh = tube();
     mesh.panel.assign(mesh.panel.size(), 0);
     const SeamLines lines = find_seam_lines(mesh);
     ASSERT_EQ(lines.seams.size(), 1U);
@@ -69,7 +69,7 @@ TEST(SeamLines, one_panel_sewn_to_a_tube_has_one_seam_with_itself_and_closed_hem
 }
 
 TEST(SeamLines, every_marked_edge_is_on_exactly_one_path_where_lines_fork) {
-    PlainMesh mesh = tube();
+    sim::PlainMesh mesh = tube();
     for (std::size_t t = 0; t < mesh.panel.size(); ++t) mesh.panel[t] = static_cast<std::uint16_t>(t / 2 % 2);
     std::size_t edges = 0;
     for (const SeamLine& seam : find_seam_lines(mesh).seams) {
@@ -80,4 +80,4 @@ TEST(SeamLines, every_marked_edge_is_on_exactly_one_path_where_lines_fork) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::render

@@ -1,11 +1,11 @@
-#include <cmath>
 #include <gtest/gtest.h>
+#include <cmath>
 #include <set>
 
 #include "render/draw/renderer.h"
 #include "render/marks/show.h"
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 // A square of two triangles and two panels, one beside the other, strained by 3 % along y.
@@ -13,7 +13,7 @@ Scene stretched(ShowMode mode) {
     Scene scene;
     ClothItem cloth;
     cloth.show = mode;
-    PlainMesh& mesh = cloth.mesh;
+    sim::PlainMesh& mesh = cloth.mesh;
     constexpr float length = 1.03F;
     mesh.x = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, length, 0}, {1, length, 0}, {2, length, 0}};
     mesh.triangles = {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}};
@@ -104,8 +104,8 @@ TEST(Show, seams_have_a_colour_each_and_hems_another) {
     EXPECT_EQ(legend->rows[0].label, "left front + back") << "common words once";
     EXPECT_EQ(legend->rows[0].figure, "103 cm");
     EXPECT_EQ(legend->rows[1].label, "hems");
-    std::set<Rgb8> colours(scene.solids.at(0).colours.begin(), scene.solids.at(0).colours.end());
-    EXPECT_EQ(colours, (std::set<Rgb8>{legend->rows[0].colour, legend->rows[1].colour}));
+    std::set<sim::Rgb8> colours(scene.solids.at(0).colours.begin(), scene.solids.at(0).colours.end());
+    EXPECT_EQ(colours, (std::set<sim::Rgb8>{legend->rows[0].colour, legend->rows[1].colour}));
 }
 
 TEST(Show, the_level_legend_counts_triangles_up_to_the_highest_level) {
@@ -151,7 +151,6 @@ TEST(Show, modes_that_paint_nothing_have_no_legend) {
     }
 }
 
-
 TEST(FigureLegend, limits_are_round_and_never_below_the_figure) {
     for (const auto& [value, round] :
          {std::pair{0.01, 0.01}, {0.011, 0.012}, {0.037, 0.04}, {0.071, 0.08}, {0.081, 0.1}, {6.0, 6.0}, {0.3, 0.3}})
@@ -192,4 +191,4 @@ TEST(FigureLegend, clearance_is_written_in_millimetres_and_what_is_inside_is_sai
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::render

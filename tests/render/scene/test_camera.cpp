@@ -1,10 +1,10 @@
+#include <gtest/gtest.h>
 #include <array>
 #include <cmath>
-#include <gtest/gtest.h>
 
 #include "render/scene/camera.h"
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 constexpr std::array<View, 7> kAllViews{
@@ -116,7 +116,6 @@ TEST(Camera, views_are_parsed_by_name) {
     EXPECT_FALSE(parse_view("below"));
 }
 
-
 // A tube from y = 0.5 to y = 1.4 with a radius of 0.25.
 std::vector<Vec3f> tube() {
     std::vector<Vec3f> points;
@@ -158,4 +157,4 @@ TEST(Views, only_close_and_hem_are_details) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::render

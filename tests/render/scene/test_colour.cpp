@@ -1,14 +1,14 @@
+#include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
-#include <gtest/gtest.h>
 
 #include "render/scene/colour.h"
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 // How a person without green-sensitive cones sees it (Machado, Oliveira and Fernandes 2009, severity 1).
-Rgb8 as_deuteranope(const Rgb8& colour) {
+sim::Rgb8 as_deuteranope(const sim::Rgb8& colour) {
     const auto linear = [](std::uint8_t byte) {
         const double s = byte / 255.0;
         return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
@@ -24,7 +24,7 @@ Rgb8 as_deuteranope(const Rgb8& colour) {
 }
 
 // The longest of steps of an eighth of the map over the shortest.
-float unevenness(const std::vector<Rgb8>& map) {
+float unevenness(const std::vector<sim::Rgb8>& map) {
     float least = 1e9F, most = 0;
     const std::size_t step = (map.size() - 1) / 8;
     for (std::size_t i = 0; i + step < map.size(); i += step) {
@@ -36,7 +36,8 @@ float unevenness(const std::vector<Rgb8>& map) {
 }
 
 TEST(ColourMap, oklab_goes_there_and_back) {
-    for (const Rgb8 colour : {Rgb8{0, 0, 0}, Rgb8{255, 255, 255}, Rgb8{12, 200, 99}, Rgb8{250, 3, 40}})
+    for (const sim::Rgb8 colour :
+         {sim::Rgb8{0, 0, 0}, sim::Rgb8{255, 255, 255}, sim::Rgb8{12, 200, 99}, sim::Rgb8{250, 3, 40}})
         EXPECT_EQ(from_oklab(to_oklab(colour)), colour);
     EXPECT_NEAR(to_oklab({255, 255, 255})[0], 1, 1e-4);
 }
@@ -47,7 +48,7 @@ TEST(ColourMap, equal_steps_of_a_map_look_equal) {
 }
 
 TEST(ColourMap, the_diverging_map_is_lightest_in_its_neutral_middle_and_darkens_evenly_to_both_ends) {
-    const std::vector<Rgb8> map = diverging_map();
+    const std::vector<sim::Rgb8> map = diverging_map();
     ASSERT_EQ(map.size(), kMapColours);
     const std::size_t middle = map.size() / 2;
     const Vec3f neutral = to_oklab(map[middle]);
@@ -60,13 +61,13 @@ TEST(ColourMap, the_diverging_map_is_lightest_in_its_neutral_middle_and_darkens_
 }
 
 TEST(ColourMap, the_sequential_map_brightens_all_the_way) {
-    const std::vector<Rgb8> map = sequential_map();
+    const std::vector<sim::Rgb8> map = sequential_map();
     for (std::size_t i = 8; i < map.size(); i += 8)
         EXPECT_GT(to_oklab(map[i])[0], to_oklab(map[i - 8])[0] + 0.005F) << i;
 }
 
 TEST(ColourMap, who_confuses_red_and_green_tells_compression_from_extension) {
-    const std::vector<Rgb8> map = diverging_map();
+    const std::vector<sim::Rgb8> map = diverging_map();
     for (const std::size_t off : {32U, 64U, 128U}) {
         const Vec3f low = to_oklab(as_deuteranope(map[128 - off])), high = to_oklab(as_deuteranope(map[128 + off]));
         EXPECT_GT((high - low).norm(), 0.1F) << off;
@@ -88,4 +89,4 @@ TEST(ColourMap, the_first_dozen_of_kinds_are_told_apart_by_everyone) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::render

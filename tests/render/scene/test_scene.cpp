@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
-Body tetrahedron() {
-    Body body;
+sim::Body tetrahedron() {
+    sim::Body body;
     body.x = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     body.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
     return body;
@@ -51,4 +51,4 @@ TEST(Scene, show_modes_are_parsed_by_name) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::render

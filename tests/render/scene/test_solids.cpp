@@ -1,10 +1,10 @@
-#include <algorithm>
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <map>
 
 #include "render/scene/solids.h"
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 double volume(const SolidItem& solid) {
@@ -61,14 +61,13 @@ TEST(Solids, a_path_of_one_point_and_a_triangle_without_area_leave_nothing_broke
     for (const Vec3f& x : solid.x) EXPECT_TRUE(x.allFinite());
 }
 
-
 using Corners = std::array<Vec2f, 3>;
 
 // Two panels of one base triangle each; the first is cut in four, at level 1.
-TriangleHierarchy two_panels() {
+sim::TriangleHierarchy two_panels() {
     const Vec2f a(0, 0), b(0.4F, 0), c(0, 0.4F);
     const Vec2f ab = (a + b) / 2, bc = (b + c) / 2, ca = (c + a) / 2;
-    TriangleHierarchy all{{.u = {a, b, c}, .panel = 0, .level = 0, .is_leaf = false}};
+    sim::TriangleHierarchy all{{.u = {a, b, c}, .panel = 0, .level = 0, .is_leaf = false}};
     for (const Corners& u : {Corners{a, ab, ca}, Corners{b, bc, ab}, Corners{c, ca, bc}, Corners{ab, bc, ca}})
         all.push_back({.u = u, .panel = 0, .level = 1, .is_leaf = true});
     all.push_back({.u = {a, b, c}, .panel = 1, .level = 0, .is_leaf = true});
@@ -128,4 +127,4 @@ TEST(HierarchyModel, faces_up_and_shares_the_vertices_of_a_panel) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::render

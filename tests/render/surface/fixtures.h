@@ -6,15 +6,15 @@
 #include <tuple>
 #include <vector>
 
-#include "render/surface/adapt_surface.h"
 #include "bench/support/square.h"
+#include "render/surface/adapt_surface.h"
 #include "sim/mesh/garment_mesh.h"
 
-namespace selvedge::test {
+namespace selvedge::render::test {
 
 // The unit square's mesh, its vertices where `shape` puts the material point (x, y), both from -0.5 to 0.5.
-inline GarmentMesh shaped_square(int quads, const std::function<Vec3d(double, double)>& shape) {
-    GarmentMesh mesh = make_square({.columns = quads, .rows = quads});
+inline sim::GarmentMesh shaped_square(int quads, const std::function<Vec3d(double, double)>& shape) {
+    sim::GarmentMesh mesh = bench::make_square({.columns = quads, .rows = quads});
     for (Vec3d& x : mesh.x) x = shape(x.x(), -x.z());
     return mesh;
 }
@@ -35,12 +35,12 @@ struct Coarse {
     std::vector<Vec4f> x, normals;
 };
 
-inline Coarse coarse_of(const GarmentMesh& base) {
+inline Coarse coarse_of(const sim::GarmentMesh& base) {
     const CurvedSurface flat = make_curved_surface(base, {.max_level = 0});
     return {flat.x, flat.normals};
 }
 
-inline CurvedSurface surface_at_level(const GarmentMesh& base, int level, SurfaceKind kind = SurfaceKind::Constant,
+inline CurvedSurface surface_at_level(const sim::GarmentMesh& base, int level, SurfaceKind kind = SurfaceKind::Constant,
                                       int max_level = 3) {
     CurvedSurface surface = make_curved_surface(base, {.modifier = curve_modifier(kind), .max_level = max_level});
     const Coarse coarse = coarse_of(base);
@@ -53,10 +53,10 @@ inline CurvedSurface surface_at_level(const GarmentMesh& base, int level, Surfac
 using ByMaterial = std::map<std::tuple<int, float, float>, Vec4f>;
 inline ByMaterial by_material(const CurvedSurface& surface) {
     ByMaterial positions;
-    for (const LeafTriangle& t : surface.mesh.leaf_triangles()) {
+    for (const sim::LeafTriangle& t : surface.mesh.leaf_triangles()) {
         for (std::size_t k = 0; k < 3; ++k) positions[{t.panel, t.u[k].x(), t.u[k].y()}] = surface.x[t.v[k].value];
     }
     return positions;
 }
 
-}  // namespace selvedge::test
+}  // namespace selvedge::render::test

@@ -8,7 +8,7 @@
 #include "sim/collide/collider.h"
 #include "tests/render/surface/fixtures.h"
 
-namespace selvedge::test {
+namespace selvedge::render::test {
 namespace {
 
 constexpr float kMostJump = 0.0005F;  // m
@@ -17,7 +17,7 @@ std::size_t triangles(const CurvedSurface& surface) {
     return surface.mesh.leaf_triangles().size();
 }
 
-CurvedSurface settled(const GarmentMesh& base, const AdaptSurfaceOptions& options = {}) {
+CurvedSurface settled(const sim::GarmentMesh& base, const AdaptSurfaceOptions& options = {}) {
     CurvedSurface surface = make_curved_surface(base, {.max_level = 3});
     const Coarse coarse = coarse_of(base);
     settle_surface(surface, coarse.x, coarse.normals, options);
@@ -25,19 +25,19 @@ CurvedSurface settled(const GarmentMesh& base, const AdaptSurfaceOptions& option
 }
 
 TEST(AdaptSurface, leaves_flat_cloth_as_it_is) {
-    const GarmentMesh base = shaped_square(4, [](double x, double y) { return Vec3d(x, 0, -y); });
+    const sim::GarmentMesh base = shaped_square(4, [](double x, double y) { return Vec3d(x, 0, -y); });
     EXPECT_EQ(triangles(settled(base)), base.triangles.size());
 }
 
 TEST(AdaptSurface, refines_what_is_bent_and_keeps_what_is_flat) {
     // The left half is flat, the right half an arch.
-    const GarmentMesh base = shaped_square(8, [](double x, double y) {
+    const sim::GarmentMesh base = shaped_square(8, [](double x, double y) {
         return x < 0 ? Vec3d(x, 0, -y) : Vec3d(0.2 * std::sin(x / 0.2), 0.2 * std::cos(x / 0.2) - 0.2, -y);
     });
     const CurvedSurface surface = settled(base);
     EXPECT_GT(triangles(surface), 2 * base.triangles.size());
     EXPECT_LT(triangles(surface), base.triangles.size() << 6);
-    for (const LeafTriangle& t : surface.mesh.leaf_triangles()) {
+    for (const sim::LeafTriangle& t : surface.mesh.leaf_triangles()) {
         const float right =
             std::max({surface.x[t.v[0].value].x(), surface.x[t.v[1].value].x(), surface.x[t.v[2].value].x()});
         if (right < -0.26F) {
@@ -49,7 +49,7 @@ TEST(AdaptSurface, refines_what_is_bent_and_keeps_what_is_flat) {
 
 TEST(AdaptSurface, refines_edges_that_are_shorter_than_their_material) {
     // Too flat for the curvature criterion, a tenth too short.
-    const GarmentMesh base =
+    const sim::GarmentMesh base =
         shaped_square(4, [](double x, double y) { return Vec3d(0.9 * x, 0.15 * (0.25 - x * x - y * y), -0.9 * y); });
     const SurfaceCriteria only_buckling{.curvature = false, .buckling = true};
     const SurfaceCriteria none{.curvature = false, .buckling = false};
@@ -60,16 +60,16 @@ TEST(AdaptSurface, refines_edges_that_are_shorter_than_their_material) {
 }
 
 TEST(AdaptSurface, keeps_what_is_turned_away_coarse) {
-    const GarmentMesh base = shaped_square(8, [](double x, double y) {
+    const sim::GarmentMesh base = shaped_square(8, [](double x, double y) {
         return Vec3d(0.16 * std::sin(6 * x), 0.16 * std::cos(6 * x), -y);  // nearly a closed tube
     });
-    Visibility from_above({.eye = Vec3f(0, 5, 0)});
+    sim::Visibility from_above({.eye = Vec3f(0, 5, 0)});
     const CurvedSurface all = settled(base), seen = settled(base, {.visibility = &from_above});
     EXPECT_LT(5 * triangles(seen), 4 * triangles(all));
     const auto fine_on_top = [](const CurvedSurface& surface) {
         const auto leaves = surface.mesh.leaf_triangles();
-        return std::count_if(leaves.begin(), leaves.end(), [&](const LeafTriangle& t) {
-            const auto is_on_top = [&](VertexId v) { return surface.x[v.value].y() > 0.03F; };
+        return std::count_if(leaves.begin(), leaves.end(), [&](const sim::LeafTriangle& t) {
+            const auto is_on_top = [&](sim::VertexId v) { return surface.x[v.value].y() > 0.03F; };
             return std::all_of(t.v.begin(), t.v.end(), is_on_top);
         });
     };
@@ -77,7 +77,7 @@ TEST(AdaptSurface, keeps_what_is_turned_away_coarse) {
 }
 
 TEST(AdaptSurface, splits_no_edge_whose_curve_hardly_leaves_its_chord) {
-    const GarmentMesh base = shaped_square(4, on_waves);
+    const sim::GarmentMesh base = shaped_square(4, on_waves);
     const std::size_t fine = triangles(settled(base)),
                       coarse = triangles(settled(base, {.criteria = {.least_bulge = 0.004F}}));
     EXPECT_LT(2 * coarse, fine);
@@ -87,15 +87,15 @@ TEST(AdaptSurface, splits_no_edge_whose_curve_hardly_leaves_its_chord) {
 
 TEST(AdaptSurface, never_splits_below_the_shortest_edge) {
     const CurvedSurface surface = settled(shaped_square(4, on_waves), {.criteria = {.shortest_edge = 0.1F}});
-    for (const LeafEdge& e : surface.mesh.leaf_edges()) EXPECT_GE(e.rest_length, 0.05F);
+    for (const sim::LeafEdge& e : surface.mesh.leaf_edges()) EXPECT_GE(e.rest_length, 0.05F);
     EXPECT_GT(triangles(surface), triangles(make_curved_surface(shaped_square(4, on_waves))));
 }
 
 // Where each vertex was, and where a new one appears to come from.
 float greatest_jump(const CurvedSurface& before, const CurvedSurface& after) {
     float most = 0;
-    for (const VertexId v : after.mesh.leaf_vertices()) {
-        const EdgeId parent = after.mesh.vertex(v).parent;
+    for (const sim::VertexId v : after.mesh.leaf_vertices()) {
+        const sim::EdgeId parent = after.mesh.vertex(v).parent;
         const bool was_there = v.value < before.x.size() && v.value >= before.mesh.base_vertex_count() && parent &&
                                parent.value < before.mesh.edges().capacity() && before.mesh.edge(parent).centre == v &&
                                before.mesh.edge(parent).ends == after.mesh.edge(parent).ends;
@@ -113,7 +113,7 @@ float greatest_jump(const CurvedSurface& before, const CurvedSurface& after) {
 float greatest_leap_of_what_went(const CurvedSurface& before, const CurvedSurface& after) {
     float most = 0;
     for (int level = 0; level < before.mesh.max_level(); ++level) {
-        for (const EdgeId e : before.mesh.split_edges(level)) {
+        for (const sim::EdgeId e : before.mesh.split_edges(level)) {
             if (after.mesh.is_split(e) && after.mesh.centre(e) == before.mesh.centre(e)) continue;
             const auto [a, b] = before.mesh.edge(e).ends;
             const Vec4f middle = (before.x[a.value] + before.x[b.value]) * 0.5F;
@@ -124,7 +124,7 @@ float greatest_leap_of_what_went(const CurvedSurface& before, const CurvedSurfac
 }
 
 TEST(AdaptSurface, glides_so_that_no_vertex_jumps_and_arrives_where_it_would_be_at_once) {
-    const GarmentMesh base = shaped_square(6, on_waves);
+    const sim::GarmentMesh base = shaped_square(6, on_waves);
     const Coarse coarse = coarse_of(base);
     CurvedSurface surface = make_curved_surface(base, {.max_level = 3});
     update_surface(surface, coarse.x, coarse.normals);
@@ -146,10 +146,10 @@ TEST(AdaptSurface, glides_so_that_no_vertex_jumps_and_arrives_where_it_would_be_
 }
 
 TEST(AdaptSurface, glides_out_and_rejoins_what_is_no_longer_seen) {
-    const GarmentMesh base =
+    const sim::GarmentMesh base =
         shaped_square(8, [](double x, double y) { return Vec3d(0.16 * std::sin(6 * x), 0.16 * std::cos(6 * x), -y); });
     const Coarse coarse = coarse_of(base);
-    Visibility view({.eye = Vec3f(0, 5, 0)});
+    sim::Visibility view({.eye = Vec3f(0, 5, 0)});
     CurvedSurface surface = settled(base, {.visibility = &view});
     const CurvedSurface start = surface;
     float angle = 0;
@@ -158,7 +158,7 @@ TEST(AdaptSurface, glides_out_and_rejoins_what_is_no_longer_seen) {
         angle = std::min(3.14159F, angle + 0.01F);
         view.move_to({.eye = Vec3f(5 * std::sin(angle), 5 * std::cos(angle), 0)});
         const CurvedSurface before = surface;
-        const AdaptReport report = adapt_surface(surface, {.visibility = &view, .glides = true});
+        const sim::AdaptReport report = adapt_surface(surface, {.visibility = &view, .glides = true});
         update_surface(surface, coarse.x, coarse.normals);
         splits += report.splits;
         rejoins += report.rejoins;
@@ -171,12 +171,12 @@ TEST(AdaptSurface, glides_out_and_rejoins_what_is_no_longer_seen) {
 }
 
 TEST(AdaptSurface, glides_down_to_a_lower_level_too) {
-    const GarmentMesh base = shaped_square(6, on_waves);
+    const sim::GarmentMesh base = shaped_square(6, on_waves);
     const Coarse coarse = coarse_of(base);
     CurvedSurface surface = settled(base);
     const auto deepest = [&] {
         int level = 0;
-        for (const LeafTriangle& t : surface.mesh.leaf_triangles()) level = std::max<int>(level, t.level);
+        for (const sim::LeafTriangle& t : surface.mesh.leaf_triangles()) level = std::max<int>(level, t.level);
         return level;
     };
     ASSERT_EQ(deepest(), 3);
@@ -191,7 +191,7 @@ TEST(AdaptSurface, glides_down_to_a_lower_level_too) {
 }
 
 TEST(AdaptSurface, settles_at_once_whatever_was_on_its_way) {
-    const GarmentMesh base = shaped_square(6, on_waves);
+    const sim::GarmentMesh base = shaped_square(6, on_waves);
     const Coarse coarse = coarse_of(base);
     CurvedSurface surface = make_curved_surface(base, {.max_level = 3});
     for (int frame = 0; frame < 5; ++frame) {
@@ -208,8 +208,8 @@ TEST(AdaptSurface, settles_at_once_whatever_was_on_its_way) {
 
 TEST(AdaptSurface, keeps_clear_of_the_body_while_vertices_glide) {
     constexpr float radius = 0.15F, offset = 0.003F;
-    const SphereCollider ball(Vec3f::Zero(), radius);
-    const GarmentMesh base = shaped_square(4, [&](double x, double y) {
+    const sim::SphereCollider ball(Vec3f::Zero(), radius);
+    const sim::GarmentMesh base = shaped_square(4, [&](double x, double y) {
         return Vec3d(Vec3d(0.7 * x, 0.4, -0.7 * y).normalized() * double(radius + offset));
     });
     const Coarse coarse = coarse_of(base);
@@ -218,7 +218,7 @@ TEST(AdaptSurface, keeps_clear_of_the_body_while_vertices_glide) {
     for (int frame = 0; frame < 200; ++frame) {
         adapt_surface(surface, {.max_level = frame < 100 ? 3 : 1, .glides = true});
         update_surface(surface, coarse.x, coarse.normals, move);
-        for (const VertexId v : surface.mesh.leaf_vertices()) {
+        for (const sim::VertexId v : surface.mesh.leaf_vertices()) {
             if (surface.shown[v.value] < 1) continue;
             ASSERT_GT(surface.x[v.value].norm(), radius + offset - 1e-4F) << frame;
         }
@@ -226,4 +226,4 @@ TEST(AdaptSurface, keeps_clear_of_the_body_while_vertices_glide) {
 }
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::render::test

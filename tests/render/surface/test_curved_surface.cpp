@@ -10,18 +10,19 @@
 #include "tests/render/surface/fixtures.h"
 #include "tests/sim/adaptive/fixtures.h"
 
-namespace selvedge::test {
+namespace selvedge::render::test {
 namespace {
 
 // The mean distance from the arch's cylinder, m.
 float off_the_arch(const CurvedSurface& surface) {
     float sum = 0;
-    for (const VertexId v : surface.mesh.leaf_vertices()) sum += std::abs(surface.x[v.value].head<2>().norm() - 0.4F);
+    for (const sim::VertexId v : surface.mesh.leaf_vertices())
+        sum += std::abs(surface.x[v.value].head<2>().norm() - 0.4F);
     return sum / static_cast<float>(surface.mesh.leaf_vertices().size());
 }
 
 TEST(CurvedSurface, has_four_times_the_triangles_with_each_level) {
-    const GarmentMesh base = shaped_square(4, on_waves);
+    const sim::GarmentMesh base = shaped_square(4, on_waves);
     for (int level = 0; level <= 3; ++level) {
         const CurvedSurface surface = surface_at_level(base, level);
         EXPECT_EQ(surface.mesh.leaf_triangles().size(), base.triangles.size() << (2 * level));
@@ -30,14 +31,14 @@ TEST(CurvedSurface, has_four_times_the_triangles_with_each_level) {
 }
 
 TEST(CurvedSurface, goes_through_the_coarse_cloths_vertices) {
-    const GarmentMesh base = shaped_square(4, on_waves);
+    const sim::GarmentMesh base = shaped_square(4, on_waves);
     const CurvedSurface surface = surface_at_level(base, 3);
     for (std::size_t v = 0; v < base.x.size(); ++v)
         EXPECT_EQ(Vec3f(surface.x[v].head<3>()), Vec3f(base.x[v].cast<float>()));
 }
 
 TEST(CurvedSurface, of_a_coarse_arch_is_rounder_than_its_facets) {
-    const GarmentMesh base = shaped_square(8, on_arch);
+    const sim::GarmentMesh base = shaped_square(8, on_arch);
     const float flat = off_the_arch(surface_at_level(base, 2, SurfaceKind::Flat));
     const float curved = off_the_arch(surface_at_level(base, 2));
     EXPECT_GT(flat, 0.001F);
@@ -45,7 +46,7 @@ TEST(CurvedSurface, of_a_coarse_arch_is_rounder_than_its_facets) {
 }
 
 TEST(CurvedSurface, has_each_vertex_at_the_same_place_whatever_else_is_split) {
-    const GarmentMesh base = shaped_square(4, on_waves);
+    const sim::GarmentMesh base = shaped_square(4, on_waves);
     const Coarse coarse = coarse_of(base);
     const ByMaterial uniform = by_material(surface_at_level(base, 3));
     std::mt19937 random(7);
@@ -54,7 +55,7 @@ TEST(CurvedSurface, has_each_vertex_at_the_same_place_whatever_else_is_split) {
         SurfaceObserver observer(surface, SurfaceObserver::Entrance::Curve);
         for (int i = 0; i < 5; ++i)
             adapt(surface.mesh, observer, {},
-                  RandomCriterion{.random = random, .split_share = 0.3, .rejoin_share = 0.2});
+                  sim::test::RandomCriterion{.random = random, .split_share = 0.3, .rejoin_share = 0.2});
         plan_surface(surface);
         move_surface(surface, coarse.x, coarse.normals);
         ASSERT_GT(surface.mesh.leaf_triangles().size(), base.triangles.size());
@@ -66,19 +67,19 @@ TEST(CurvedSurface, has_each_vertex_at_the_same_place_whatever_else_is_split) {
 }
 
 TEST(CurvedSurface, has_new_vertices_on_their_curves_while_an_adaption_is_under_way) {
-    const GarmentMesh base = shaped_square(4, on_waves);
+    const sim::GarmentMesh base = shaped_square(4, on_waves);
     CurvedSurface surface = make_curved_surface(base, {.max_level = 2});
     const Coarse coarse = coarse_of(base);
     update_surface(surface, coarse.x, coarse.normals);
     set_surface_level(surface, 2);
     const std::vector<Vec4f> at_once = surface.x;
     move_surface(surface, coarse.x, coarse.normals);
-    for (const VertexId v : surface.mesh.leaf_vertices())
+    for (const sim::VertexId v : surface.mesh.leaf_vertices())
         EXPECT_LT((surface.x[v.value] - at_once[v.value]).norm(), 1e-6F);
 }
 
 TEST(CurvedSurface, comes_back_bit_by_bit_when_it_is_coarsened_and_refined_again) {
-    const GarmentMesh base = shaped_square(4, on_waves);
+    const sim::GarmentMesh base = shaped_square(4, on_waves);
     CurvedSurface surface = surface_at_level(base, 3);
     const Coarse coarse = coarse_of(base);
     const ByMaterial before = by_material(surface);
@@ -91,23 +92,23 @@ TEST(CurvedSurface, comes_back_bit_by_bit_when_it_is_coarsened_and_refined_again
 }
 
 TEST(CurvedSurface, moves_with_the_cloth) {
-    const GarmentMesh base = shaped_square(4, on_waves);
+    const sim::GarmentMesh base = shaped_square(4, on_waves);
     CurvedSurface surface = surface_at_level(base, 2);
     const std::vector<Vec4f> before = surface.x;
     Coarse coarse = coarse_of(base);
     const Vec4f shift(0.25F, -0.5F, 1, 0);
     for (Vec4f& x : coarse.x) x += shift;
     update_surface(surface, coarse.x, coarse.normals);
-    for (const VertexId v : surface.mesh.leaf_vertices())
+    for (const sim::VertexId v : surface.mesh.leaf_vertices())
         EXPECT_LT((surface.x[v.value] - before[v.value] - shift).norm(), 1e-5F);
 }
 
 TEST(CurvedSurface, closes_over_a_seam_where_material_coordinates_jump) {
-    const GarmentMesh base = tube(6, 3);
+    const sim::GarmentMesh base = sim::test::tube(6, 3);
     const CurvedSurface surface = surface_at_level(base, 2);
     // At the seam two material points share each vertex: their positions are one.
     std::map<std::uint32_t, std::pair<float, float>> range;  // of u along the tube's girth, by vertex
-    for (const LeafTriangle& t : surface.mesh.leaf_triangles()) {
+    for (const sim::LeafTriangle& t : surface.mesh.leaf_triangles()) {
         for (std::size_t k = 0; k < 3; ++k) {
             auto [found, is_new] = range.try_emplace(t.v[k].value, t.u[k].x(), t.u[k].x());
             found->second.first = std::min(found->second.first, t.u[k].x());
@@ -125,7 +126,7 @@ TEST(CurvedSurface, is_lit_by_the_normals_of_its_triangles) {
     std::vector<Vec4f> made_anew;
     leaf_normals(surface.mesh, surface.x, made_anew);
     float most = 0;
-    for (const VertexId v : surface.mesh.leaf_vertices()) {
+    for (const sim::VertexId v : surface.mesh.leaf_vertices()) {
         EXPECT_NEAR(surface.light_normals[v.value].norm(), 1, 1e-5F);
         EXPECT_EQ(surface.light_normals[v.value], made_anew[v.value]);
         most = std::max(most, (surface.light_normals[v.value] - surface.normals[v.value]).norm());
@@ -135,9 +136,9 @@ TEST(CurvedSurface, is_lit_by_the_normals_of_its_triangles) {
 
 TEST(CurvedSurface, does_not_dip_into_the_body_that_the_cloth_lies_on) {
     constexpr float radius = 0.15F, offset = 0.003F;
-    const SphereCollider ball(Vec3f::Zero(), radius);
+    const sim::SphereCollider ball(Vec3f::Zero(), radius);
     // A cap whose coarse vertices lie on the offset surface: flat chords dip deep.
-    const GarmentMesh base = shaped_square(4, [&](double x, double y) {
+    const sim::GarmentMesh base = shaped_square(4, [&](double x, double y) {
         return Vec3d(Vec3d(0.7 * x, 0.4, -0.7 * y).normalized() * double(radius + offset));
     });
     const auto deepest = [&](const MoveOptions& options) {
@@ -147,7 +148,7 @@ TEST(CurvedSurface, does_not_dip_into_the_body_that_the_cloth_lies_on) {
         set_surface_level(surface, 3);
         update_surface(surface, coarse.x, coarse.normals, options);
         float least = 1;
-        for (const VertexId v : surface.mesh.leaf_vertices())
+        for (const sim::VertexId v : surface.mesh.leaf_vertices())
             least = std::min(least, surface.x[v.value].norm() - radius);
         return least;
     };
@@ -156,8 +157,8 @@ TEST(CurvedSurface, does_not_dip_into_the_body_that_the_cloth_lies_on) {
 }
 
 TEST(CurvedSurface, far_from_the_body_is_left_alone) {
-    const SphereCollider ball(Vec3f(0, -2, 0), 0.2F);
-    const GarmentMesh base = shaped_square(4, on_waves);
+    const sim::SphereCollider ball(Vec3f(0, -2, 0), 0.2F);
+    const sim::GarmentMesh base = shaped_square(4, on_waves);
     CurvedSurface surface = surface_at_level(base, 2);
     const std::vector<Vec4f> before = surface.x;
     const Coarse coarse = coarse_of(base);
@@ -167,7 +168,7 @@ TEST(CurvedSurface, far_from_the_body_is_left_alone) {
 
 // A roof: two planes that meet in a ridge along y; its edges are the crease.
 struct Roof {
-    GarmentMesh base = shaped_square(4, [](double x, double y) { return Vec3d(x, 0.25 - std::abs(x), -y); });
+    sim::GarmentMesh base = shaped_square(4, [](double x, double y) { return Vec3d(x, 0.25 - std::abs(x), -y); });
     std::vector<CreaseEdge> ridge;
 
     Roof() {
@@ -185,7 +186,7 @@ struct Roof {
 // How far the surface stands off the two planes, m.
 float off_the_roof(const CurvedSurface& surface) {
     float most = 0;
-    for (const VertexId v : surface.mesh.leaf_vertices()) {
+    for (const sim::VertexId v : surface.mesh.leaf_vertices()) {
         const Vec4f& x = surface.x[v.value];
         most = std::max(most, std::abs(x.y() - (0.25F - std::abs(x.x()))));
     }
@@ -213,10 +214,10 @@ TEST(CurvedSurface, is_lit_on_each_side_of_a_crease_by_that_sides_normal) {
 TEST(CurvedSurface, ends_a_crease_smoothly_where_it_ends) {
     const Roof roof;
     const CurvedSurface half = roof.surface({roof.ridge[0], roof.ridge[1]});
-    for (const VertexId v : half.mesh.leaf_vertices()) EXPECT_TRUE(half.x[v.value].allFinite());
+    for (const sim::VertexId v : half.mesh.leaf_vertices()) EXPECT_TRUE(half.x[v.value].allFinite());
     EXPECT_TRUE(check(half.mesh).empty());
     EXPECT_GT(off_the_roof(half), 0.01F);
 }
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::render::test

@@ -1,11 +1,11 @@
-#include <cmath>
 #include <gtest/gtest.h>
+#include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "render/surface/edge_curve.h"
 
-namespace selvedge {
+namespace selvedge::render {
 namespace {
 
 // An edge along x whose end normals lean outwards by the angle: an arch.
@@ -139,7 +139,6 @@ TEST(EdgeCurve, an_edge_without_length_is_a_point) {
     }
 }
 
-
 TEST(CurveModifier, presets_are_those_of_the_thesis) {
     EXPECT_EQ(curve_modifier(SurfaceKind::Flat).k, (std::array<float, 4>{0, 0, 0, 0}));
     EXPECT_EQ(curve_modifier(SurfaceKind::Constant).k, (std::array<float, 4>{1, 0, 0, 0}));
@@ -186,4 +185,4 @@ TEST(CurveModifier, restoring_is_bounded_and_finite_wherever_lengths_are) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::render

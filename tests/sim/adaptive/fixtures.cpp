@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 GarmentTriangle triangle_of(const std::array<int, 3>& v, const std::array<Vec2d, 3>& u, int panel = 0) {
@@ -181,4 +181,4 @@ Snapshot Snapshot::cut_to(const AdaptiveMesh& base) const {
     return part;
 }
 
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

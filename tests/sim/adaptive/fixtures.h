@@ -7,7 +7,7 @@
 #include "sim/adaptive/adapt.h"
 #include "sim/mesh/garment_mesh.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 
 GarmentMesh one_triangle();
 // Two triangles that share the edge from vertex 1 to vertex 2.
@@ -68,4 +68,4 @@ struct Snapshot {
     bool operator==(const Snapshot&) const = default;
 };
 
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

@@ -1,6 +1,6 @@
 // Hundreds of random adaptions: sound after each, back to the base mesh bit by bit, the same for the same seed.
-#include <algorithm>
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <map>
 #include <random>
 #include <set>
@@ -11,7 +11,7 @@
 #include "sim/adaptive/criteria.h"
 #include "tests/sim/adaptive/fixtures.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 struct Fixed {
@@ -73,7 +73,7 @@ TEST(Criteria, a_veto_alone_asks_for_nothing) {
 }
 
 TEST(Adapt, that_changes_nothing_asks_each_edge_at_most_once) {
-    AdaptiveMesh mesh(make_square());
+    AdaptiveMesh mesh(bench::make_square());
     NoState state;
     std::mt19937 random(5);
     for (int i = 0; i < 4; ++i) adapt(mesh, state, {}, RandomCriterion{random, 0.7, 0.1});
@@ -90,7 +90,7 @@ TEST(Adapt, that_changes_nothing_asks_each_edge_at_most_once) {
 }
 
 TEST(Adapt, makes_one_transition_per_triangle_however_many_edges_change) {
-    AdaptiveMesh mesh(make_square(), {.max_level = 1});
+    AdaptiveMesh mesh(bench::make_square(), {.max_level = 1});
     NoState state;
     TransitionCounts counts;
     const AdaptReport up = adapt(mesh, state, {.transitions = &counts}, AlwaysSplit{});
@@ -117,7 +117,7 @@ TEST(Adapt, counts_transitions_by_configuration_and_by_state) {
 }
 
 TEST(Adapt, rejoins_what_lies_deeper_than_a_lowered_limit) {
-    AdaptiveMesh mesh(make_square());
+    AdaptiveMesh mesh(bench::make_square());
     NoState state;
     set_uniform_level(mesh, state, 3);
     adapt(mesh, state, {.max_level = 1}, Fixed{.split = true, .rejoin = false});
@@ -126,7 +126,7 @@ TEST(Adapt, rejoins_what_lies_deeper_than_a_lowered_limit) {
 }
 
 TEST(Adapt, tells_the_observer_of_more_room_before_it_uses_it) {
-    const GarmentMesh base = make_square({.columns = 8, .rows = 8});
+    const GarmentMesh base = bench::make_square({.columns = 8, .rows = 8});
     AdaptiveMesh mesh(base);
     PositionState state(base, mesh);
     const std::size_t before = state.x.size();
@@ -137,7 +137,7 @@ TEST(Adapt, tells_the_observer_of_more_room_before_it_uses_it) {
 }
 
 TEST(Adapt, finds_the_same_ids_when_it_splits_again_what_it_just_rejoined) {
-    AdaptiveMesh mesh(make_square(), {.max_level = 1});
+    AdaptiveMesh mesh(bench::make_square(), {.max_level = 1});
     NoState state;
     const EdgeId e(7);
     adapt(mesh, state, {}, ChosenEdges{{e}});
@@ -146,7 +146,6 @@ TEST(Adapt, finds_the_same_ids_when_it_splits_again_what_it_just_rejoined) {
     adapt(mesh, state, {}, ChosenEdges{{e}});
     EXPECT_EQ(Snapshot(mesh), split);
 }
-
 
 // The lists by id, as one who follows them would hold them.
 struct Copy {
@@ -207,14 +206,14 @@ void follow_random_adaptions(const GarmentMesh& base, unsigned seed) {
 }
 
 TEST(Changes, let_a_copy_of_the_lists_follow_them) {
-    for (const unsigned seed : {1U, 2U, 3U, 4U, 5U}) follow_random_adaptions(make_square(), seed);
+    for (const unsigned seed : {1U, 2U, 3U, 4U, 5U}) follow_random_adaptions(bench::make_square(), seed);
     follow_random_adaptions(tube(5, 2), 6);
     follow_random_adaptions(octahedron(), 7);
     follow_random_adaptions(bow_tie(), 8);
 }
 
 TEST(Changes, are_all_of_the_lists_of_a_fresh_mesh) {
-    const AdaptiveMesh mesh(make_square());
+    const AdaptiveMesh mesh(bench::make_square());
     EXPECT_EQ(mesh.changes().vertices_come.size(), 25U);
     EXPECT_EQ(mesh.changes().edges_come.size(), 56U);
     EXPECT_EQ(mesh.changes().triangles_come.size(), 32U);
@@ -222,7 +221,7 @@ TEST(Changes, are_all_of_the_lists_of_a_fresh_mesh) {
 }
 
 TEST(Changes, are_none_when_nothing_changes) {
-    AdaptiveMesh mesh(make_square());
+    AdaptiveMesh mesh(bench::make_square());
     NoState state;
     set_uniform_level(mesh, state, 1);
     EXPECT_FALSE(mesh.changes().triangles_come.empty());
@@ -236,7 +235,7 @@ TEST(Changes, are_none_when_nothing_changes) {
 // One split edge of a large square: what changed is what lies at its two triangles, however large the square.
 TEST(Changes, of_one_split_are_as_few_in_a_large_mesh_as_in_a_small_one) {
     for (const int quads : {4, 40}) {
-        AdaptiveMesh mesh(make_square({.columns = quads, .rows = quads}));
+        AdaptiveMesh mesh(bench::make_square({.columns = quads, .rows = quads}));
         NoState state;
         EdgeId inner;
         for (const Hinge& h : mesh.hinges()) inner = h.edge;
@@ -251,7 +250,7 @@ TEST(Changes, of_one_split_are_as_few_in_a_large_mesh_as_in_a_small_one) {
 }
 
 TEST(Changes, leave_what_did_not_change_in_its_place) {
-    AdaptiveMesh mesh(make_square());
+    AdaptiveMesh mesh(bench::make_square());
     NoState state;
     const std::vector<LeafTriangle> before(mesh.leaf_triangles().begin(), mesh.leaf_triangles().end());
     adapt(mesh, state, {}, ChosenEdges{{mesh.hinges()[3].edge}});
@@ -259,7 +258,6 @@ TEST(Changes, leave_what_did_not_change_in_its_place) {
     for (std::size_t i = 0; i < before.size(); ++i) moved += mesh.leaf_triangles()[i] == before[i] ? 0 : 1;
     EXPECT_EQ(moved, 2U);
 }
-
 
 // A run of random adaptions, now eager to split, now to rejoin. Stops the test at the first broken invariant.
 void adapt_at_random(AdaptiveMesh& mesh, PositionState& state, unsigned seed, int adaptions) {
@@ -293,7 +291,7 @@ void expect_cycles_to_come_back(const GarmentMesh& base, int cycles, int max_lev
 }
 
 TEST(Cycles, bring_a_square_back) {
-    expect_cycles_to_come_back(make_square(), 60);
+    expect_cycles_to_come_back(bench::make_square(), 60);
 }
 
 TEST(Cycles, bring_one_triangle_back) {
@@ -317,7 +315,7 @@ TEST(Cycles, bring_two_sewn_panels_back) {
 }
 
 TEST(Cycles, with_the_same_seed_give_the_same_bits) {
-    const GarmentMesh base = make_square();
+    const GarmentMesh base = bench::make_square();
     AdaptiveMesh first(base), second(base);
     PositionState first_state(base, first), second_state(base, second);
     adapt_at_random(first, first_state, 11, 20);
@@ -330,7 +328,7 @@ TEST(Cycles, with_the_same_seed_give_the_same_bits) {
 
 // A pass either splits or rejoins, so that one of two states that follow each other holds all split edges of the other.
 TEST(Cycles, reach_every_transition_that_a_pass_can_ask_for) {
-    AdaptiveMesh mesh(make_square(), {.max_level = 2});
+    AdaptiveMesh mesh(bench::make_square(), {.max_level = 2});
     NoState state;
     TransitionCounts counts;
     std::mt19937 random(3);
@@ -345,4 +343,4 @@ TEST(Cycles, reach_every_transition_that_a_pass_can_ask_for) {
 }
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

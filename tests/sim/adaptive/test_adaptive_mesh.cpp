@@ -1,6 +1,6 @@
 // That check() does find what is broken, as far as the mesh's own operations can leave it so.
-#include <algorithm>
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include "bench/support/square.h"
 #include "sim/adaptive/check.h"
@@ -9,7 +9,7 @@
 #include "sim/core/error.h"
 #include "tests/sim/adaptive/fixtures.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 // The sum of a base edge's descendants, which must be its own length.
@@ -128,7 +128,7 @@ TEST(BaseMesh, refuses_triangles_that_face_opposite_ways) {
 }
 
 TEST(BaseMesh, keeps_the_indices_of_vertices_and_triangles_as_ids) {
-    const GarmentMesh base = make_square();
+    const GarmentMesh base = bench::make_square();
     const AdaptiveMesh mesh(base);
     for (std::uint32_t t = 0; t < base.triangles.size(); ++t) {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -138,7 +138,6 @@ TEST(BaseMesh, keeps_the_indices_of_vertices_and_triangles_as_ids) {
         }
     }
 }
-
 
 constexpr TriangleId kOwner{0};
 constexpr SplitMask kTwoSplits[] = {0b011, 0b110, 0b101};
@@ -208,7 +207,7 @@ TEST_F(Choice, leaves_a_triangle_as_it_is_when_its_edges_do_not_change) {
 }
 
 TEST(Choices, keep_a_mesh_sound_in_random_adaptions) {
-    const GarmentMesh base = make_square();
+    const GarmentMesh base = bench::make_square();
     AdaptiveMesh mesh(base);
     PositionState state(base, mesh);
     std::mt19937 random(9);
@@ -218,7 +217,6 @@ TEST(Choices, keep_a_mesh_sound_in_random_adaptions) {
         ASSERT_TRUE(check(mesh).empty()) << check(mesh).front();
     }
 }
-
 
 bool names(const std::vector<std::string>& problems, const std::string& problem) {
     return std::find(problems.begin(), problems.end(), problem) != problems.end();
@@ -260,9 +258,9 @@ TEST(Check, names_lists_that_are_out_of_date) {
 }
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 struct Row {
@@ -278,7 +276,7 @@ constexpr Row kTable[] = {
 
 TEST(Hierarchy, has_the_counts_of_the_thesis_under_uniform_refinement) {
     for (const Row& row : kTable) {
-        AdaptiveMesh mesh(make_square({.columns = row.quads, .rows = row.quads}));
+        AdaptiveMesh mesh(bench::make_square({.columns = row.quads, .rows = row.quads}));
         NoState state;
         set_uniform_level(mesh, state, row.level);
         EXPECT_EQ(mesh.vertices().size(), row.vertices);
@@ -290,7 +288,7 @@ TEST(Hierarchy, has_the_counts_of_the_thesis_under_uniform_refinement) {
 }
 
 TEST(Hierarchy, is_sound_at_every_uniform_level_and_comes_back) {
-    AdaptiveMesh mesh(make_square({.columns = 5, .rows = 3}));
+    AdaptiveMesh mesh(bench::make_square({.columns = 5, .rows = 3}));
     NoState state;
     for (const int level : {0, 1, 2, 3, 2, 1, 0, 3, 0}) {
         set_uniform_level(mesh, state, level);
@@ -309,7 +307,7 @@ TEST(Hierarchy, costs_fewer_bytes_per_element_than_the_thesis) {
 }
 
 TEST(Hierarchy, halves_rest_lengths_and_takes_internal_ones_from_the_material) {
-    AdaptiveMesh mesh(make_square({.columns = 2, .rows = 2, .width = 0.8, .depth = 0.8}));
+    AdaptiveMesh mesh(bench::make_square({.columns = 2, .rows = 2, .width = 0.8, .depth = 0.8}));
     NoState state;
     set_uniform_level(mesh, state, 2);
     for (const LeafEdge& e : mesh.leaf_edges()) {
@@ -319,7 +317,7 @@ TEST(Hierarchy, halves_rest_lengths_and_takes_internal_ones_from_the_material) {
 }
 
 TEST(Hierarchy, shares_the_material_area_out_to_the_vertices) {
-    AdaptiveMesh mesh(make_square({.columns = 3, .rows = 4, .width = 0.6, .depth = 0.5}));
+    AdaptiveMesh mesh(bench::make_square({.columns = 3, .rows = 4, .width = 0.6, .depth = 0.5}));
     NoState state;
     for (int level = 0; level <= 3; ++level) {
         set_uniform_level(mesh, state, level);
@@ -330,7 +328,7 @@ TEST(Hierarchy, shares_the_material_area_out_to_the_vertices) {
 }
 
 TEST(Hinges, unfold_a_flat_square_into_itself) {
-    AdaptiveMesh mesh(make_square({.columns = 3, .rows = 3}), {.max_level = 1});
+    AdaptiveMesh mesh(bench::make_square({.columns = 3, .rows = 3}), {.max_level = 1});
     NoState state;
     set_uniform_level(mesh, state, 1);
     const auto u = [&](VertexId v) {
@@ -354,4 +352,4 @@ TEST(Hinges, unfold_a_flat_square_into_itself) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -10,7 +10,7 @@
 #include "sim/adaptive/criteria.h"
 #include "tests/sim/adaptive/fixtures.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 // A cloth on the unit sphere: new vertices land on it, with its normal.
@@ -151,4 +151,4 @@ INSTANTIATE_TEST_SUITE_P(from, BackFace,
                                          ViewPoint{.eye = Vec3f(3, 1, 2)}, ViewPoint{.eye = Vec3f(0, 1.5F, 0)}));
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

@@ -1,6 +1,6 @@
+#include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
-#include <gtest/gtest.h>
 
 #include "bench/support/square.h"
 #include "sim/adaptive/adapt.h"
@@ -8,7 +8,7 @@
 #include "sim/adaptive/criteria.h"
 #include "tests/sim/adaptive/fixtures.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 // A sheet that lies flat but for a round hill in its middle; splits land on the surface, with its normal.
@@ -57,7 +57,7 @@ int deepest_level_beyond(const AdaptiveMesh& mesh, const HillState& state, float
 }
 
 TEST(Curvature, refines_a_hill_and_leaves_the_plain_coarse) {
-    const GarmentMesh base = make_square({.columns = 8, .rows = 8, .width = 2.0, .depth = 2.0});
+    const GarmentMesh base = bench::make_square({.columns = 8, .rows = 8, .width = 2.0, .depth = 2.0});
     AdaptiveMesh mesh(base);
     HillState state = make_hill(base, mesh);
     const CurvatureCriterion curvature(state.normals, {.split_angle = 0.15F, .rejoin_angle = 0.05F});
@@ -69,7 +69,7 @@ TEST(Curvature, refines_a_hill_and_leaves_the_plain_coarse) {
 }
 
 TEST(Curvature, comes_back_when_the_hill_is_gone) {
-    const GarmentMesh base = make_square({.columns = 8, .rows = 8, .width = 2.0, .depth = 2.0});
+    const GarmentMesh base = bench::make_square({.columns = 8, .rows = 8, .width = 2.0, .depth = 2.0});
     AdaptiveMesh mesh(base);
     HillState state = make_hill(base, mesh);
     const CurvatureCriterion curvature(state.normals, {.split_angle = 0.15F, .rejoin_angle = 0.05F});
@@ -137,7 +137,6 @@ TEST(Length, reads_positions_with_a_fourth_coefficient) {
     EXPECT_FALSE(LengthCriterion(x).wants_split(mesh, edge_between(mesh, VertexId(0), VertexId(1))));
 }
 
-
 // Straight folds along z, so that the edges of a square mesh that run along z are never bent.
 struct FoldedState {
     float slope = 1.0F;
@@ -178,7 +177,7 @@ class Folds : public testing::Test {
         return false;
     }
 
-    GarmentMesh base = make_square({.columns = 8, .rows = 8});
+    GarmentMesh base = bench::make_square({.columns = 8, .rows = 8});
     AdaptiveMesh mesh{base};
     FoldedState state{base, mesh};
     CurvatureCriterion<Vec3f> curvature{state.normals};
@@ -219,7 +218,6 @@ TEST_F(Folds, do_not_split_an_edge_for_finer_ones_that_are_too_short_to_be_split
     EXPECT_GT(spoken_for, 0) << "nothing was tested";
 }
 
-
 // Agrees to every rejoin and asks for nothing.
 struct AlwaysRejoin {
     bool wants_split(const AdaptiveMesh&, EdgeId) const { return false; }
@@ -244,7 +242,7 @@ TEST(DistanceToTriangle, is_nothing_inside_and_the_way_to_the_nearest_side_or_co
 }
 
 TEST(MinimumLevel, makes_every_leaf_that_touches_the_disc_fine_enough_and_leaves_the_rest_coarse) {
-    const GarmentMesh base = make_square({.columns = 8, .rows = 8});
+    const GarmentMesh base = bench::make_square({.columns = 8, .rows = 8});
     const Vec2f middle = (base.triangles[60].u[0]).cast<float>();
     for (const int level : {1, 2, 3}) {
         for (const float radius : {0.0F, 0.05F, 0.2F}) {
@@ -262,7 +260,7 @@ TEST(MinimumLevel, makes_every_leaf_that_touches_the_disc_fine_enough_and_leaves
 }
 
 TEST(MinimumLevel, holds_its_region_when_all_others_agree_to_rejoin) {
-    AdaptiveMesh mesh(make_square({.columns = 4, .rows = 4}));
+    AdaptiveMesh mesh(bench::make_square({.columns = 4, .rows = 4}));
     NoState state;
     set_uniform_level(mesh, state, 3);
     const MinimumLevelDisc disc{.panel = 0, .centre = Vec2f::Zero(), .radius = 0.1F, .level = 2};
@@ -285,11 +283,10 @@ TEST(MinimumLevel, is_of_one_panel_only) {
 }
 
 TEST(MinimumLevel, does_nothing_without_discs) {
-    AdaptiveMesh mesh(make_square());
+    AdaptiveMesh mesh(bench::make_square());
     NoState state;
     EXPECT_FALSE(adapt(mesh, state, {}, MinimumLevelCriterion{}).changed());
 }
-
 
 struct NeverEver {
     static constexpr bool is_veto = true;
@@ -339,4 +336,4 @@ TEST(Buckling, splits_what_is_shorter_than_its_material_and_rejoins_what_has_its
 }
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

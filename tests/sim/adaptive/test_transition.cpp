@@ -1,6 +1,6 @@
 // Which edges may split and rejoin (SPEC 1.2, fig. 3.11), and the trap.
-#include <algorithm>
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <map>
 #include <vector>
 
@@ -9,7 +9,7 @@
 #include "sim/adaptive/criteria.h"
 #include "tests/sim/adaptive/fixtures.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 constexpr TriangleId kOwner{0};
@@ -160,7 +160,6 @@ TEST(Transition, that_goes_there_and_back_leaves_nothing_behind) {
     });
 }
 
-
 constexpr VertexId V0{0}, V1{1}, V2{2}, V3{3};
 
 std::size_t state_of_owner(const AdaptiveMesh& mesh) {
@@ -270,9 +269,9 @@ TEST(Permission, binds_across_an_edge_but_not_beyond_the_neighbour) {
 }
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr std::array<std::size_t, kConfigurations> kStateOf = {0, 1, 2, 3, 4, 4, 5, 5, 6, 6, 7};
@@ -402,4 +401,4 @@ TEST(LeastWork, takes_the_first_where_both_are_equal) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -9,24 +9,24 @@
 #include <utility>
 #include <vector>
 
+#include "bench/support/square.h"
 #include "sim/adaptive/adapt.h"
 #include "sim/adaptive/check.h"
-#include "bench/support/square.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 // A sheet in waves that grow steeper to one side. A new vertex takes the mean of its neighbours' normals, as in cloth,
 // and the true one with the next adaption.
 struct WavySheet {
-    AdaptiveMesh mesh{make_square({.columns = 12, .rows = 12, .width = 2.0, .depth = 2.0})};
+    AdaptiveMesh mesh{bench::make_square({.columns = 12, .rows = 12, .width = 2.0, .depth = 2.0})};
     TriangleBudget budget;
     std::vector<Vec3f> x, normals;
     std::size_t most_vertices = 0;  // at any time, also while an adaption is under way
 
     explicit WavySheet(const BudgetOptions& options) : budget(options) {
         on_capacity(mesh.vertex_capacity());
-        const GarmentMesh base = make_square({.columns = 12, .rows = 12, .width = 2.0, .depth = 2.0});
+        const GarmentMesh base = bench::make_square({.columns = 12, .rows = 12, .width = 2.0, .depth = 2.0});
         for (std::size_t v = 0; v < base.x.size(); ++v) x[v] = base.x[v].cast<float>();
     }
 
@@ -162,4 +162,4 @@ TEST(Scaled, thresholds_keep_their_order_and_stay_possible) {
 }
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

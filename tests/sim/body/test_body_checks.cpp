@@ -1,10 +1,10 @@
 // The tests' own instruments must be able to fail.
 #include <gtest/gtest.h>
 
-#include "tests/support/body_checks.h"
 #include "tests/support/bodies.h"
+#include "tests/support/body_checks.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 Body box() {
@@ -37,4 +37,4 @@ TEST(BodyChecks, see_a_hole_a_turned_triangle_a_doubled_one_and_a_second_piece) 
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::sim

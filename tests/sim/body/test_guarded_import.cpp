@@ -1,18 +1,18 @@
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
 #include <chrono>
 #include <cstdio>
-#include <gtest/gtest.h>
 #include <random>
-#include <signal.h>
 #include <stdexcept>
 #include <thread>
-#include <unistd.h>
 #include <vector>
 
 #include "sim/body/child_process.h"
 #include "sim/body/guarded_import.h"
 #include "sim/core/parallel.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 ImportAnswer some_answer() {
@@ -61,7 +61,6 @@ TEST(SceneBytes, with_any_lengths_garbled_are_read_without_harm) {
         }
     }
 }
-
 
 TEST(ChildProcess, brings_home_what_the_work_returns) {
     const std::string large(3'000'000, 'x');
@@ -142,4 +141,4 @@ TEST(ChildProcess, works_beside_the_threads_of_parallel_loops) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

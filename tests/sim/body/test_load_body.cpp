@@ -12,7 +12,7 @@
 #include "tests/support/bodies.h"
 #include "tests/support/temporary_folder.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 // As tall as a person, 40 cm wide, standing on the floor.
@@ -289,4 +289,4 @@ TEST_F(OutsideBodies, have_a_distance_field_within_a_sixth_of_a_millimetre) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -7,7 +7,7 @@
 
 #include "tests/support/bodies.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 Plane level(double y) {
@@ -125,4 +125,4 @@ TEST(HeightRange, is_that_of_the_surface) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "sim/mannequin/mannequin.h"
-#include "tests/support/body_checks.h"
 #include "tests/support/bodies.h"
+#include "tests/support/body_checks.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 Body join(Body body, const Body& other) {
@@ -68,4 +68,4 @@ TEST(SelfIntersections, that_cannot_be_undone_are_said) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::sim

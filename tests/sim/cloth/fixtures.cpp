@@ -9,7 +9,7 @@
 #include "sim/mesh/sew.h"
 #include "tests/support/bodies.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 // Fills in the middle for what uniform refinement creates.
@@ -77,11 +77,11 @@ Fabric undamped(std::string_view name) {
 }
 
 Cloth make_patch(const Fabric& fabric, const PatchOptions& options) {
-    const GarmentMesh square = make_square({.columns = options.quads,
-                                            .rows = options.quads,
-                                            .width = options.side,
-                                            .depth = options.side,
-                                            .height = options.height});
+    const GarmentMesh square = bench::make_square({.columns = options.quads,
+                                                   .rows = options.quads,
+                                                   .width = options.side,
+                                                   .depth = options.side,
+                                                   .height = options.height});
     Cloth cloth = make_cloth(square, {fabric}, {.max_level = options.max_level, .substep = options.substep});
     update_normals(cloth);
     refresh_contacts(cloth);
@@ -175,4 +175,4 @@ float speed_of_next_frames(Cloth& cloth, const BodyCollider& body, const StepOpt
     return rms_speed(cloth, before, kSeconds);
 }
 
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

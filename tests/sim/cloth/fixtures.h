@@ -4,11 +4,11 @@
 #include <random>
 
 #include "sim/body/body.h"
-#include "sim/collide/body_collider.h"
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/step.h"
+#include "sim/collide/body_collider.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 
 // A body with its collider, which points to it: neither copied nor moved.
 struct Obstacle {
@@ -80,4 +80,4 @@ void run(Cloth& cloth, const BodyCollider& body, const StepOptions& options, dou
 float speed_now(const Cloth& cloth);
 float speed_of_next_frames(Cloth& cloth, const BodyCollider& body, const StepOptions& options);
 
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

@@ -9,7 +9,7 @@
 #include "sim/cloth/curvature_map.h"
 #include "sim/cloth/triangle_bending.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 constexpr float kRadius = 0.12F;  // m, of the body
@@ -96,7 +96,7 @@ Cloth any_patch(Choices& choices) {
     const int quads = 2 + static_cast<int>(choices.next(4));
     const double side = choices.log_between(0.1, 0.8);
     const GarmentMesh square =
-        make_square({.columns = quads, .rows = quads, .width = side, .depth = side, .height = 0.45});
+        bench::make_square({.columns = quads, .rows = quads, .width = side, .depth = side, .height = 0.45});
     Cloth cloth = make_cloth(square, {any_fabric(choices)}, {.max_level = 1 + static_cast<int>(choices.next(3))});
     cloth.material.grain_angles = {choices.between(-3, 3)};
     refresh_solver(cloth);
@@ -291,4 +291,4 @@ std::optional<std::string> RandomRun::act() {
     return std::nullopt;
 }
 
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

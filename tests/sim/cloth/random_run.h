@@ -2,8 +2,8 @@
 // A small cloth to which anything happens that may happen to a cloth: any fabric, levels and criteria that are
 // switched while it moves, pins, a body that is taken away and put back, steps of any length. After each act it is
 // looked at whether all is still sound. What happens is decided by a source of choices: random numbers, or bytes.
-#include <cstdint>
 #include <gtest/gtest.h>
+#include <cstdint>
 #include <optional>
 #include <random>
 #include <string>
@@ -12,7 +12,7 @@
 #include "sim/cloth/step.h"
 #include "sim/collide/collider.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 
 class Choices {
  public:
@@ -79,11 +79,11 @@ class RandomRun {
     float kick_ = 0;
 };
 
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test
 
 // Random runs by number.
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 
 class RandomChoices final : public Choices {
  public:
@@ -106,4 +106,4 @@ inline long run_seed(unsigned seed) {
     return run.changes();
 }
 
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

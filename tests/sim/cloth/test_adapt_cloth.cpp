@@ -10,7 +10,7 @@
 #include "sim/collide/collider.h"
 #include "tests/sim/cloth/fixtures.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 // A cloth of 1 m falls on a ball of 0.25 m, one adaption for each fourth step.
@@ -186,4 +186,4 @@ TEST_F(Drape, asks_for_buckling_when_that_alone_is_switched_on) {
 }
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <optional>
 
-#include "sim/collide/collider.h"
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/cloth.h"
+#include "sim/collide/collider.h"
 #include "tests/sim/cloth/fixtures.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 struct BiasedLeaf {
@@ -242,4 +242,4 @@ TEST(Bias, of_a_leaf_is_what_it_goes_on_to_carry_with_as_a_refined_triangle) {
 }
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

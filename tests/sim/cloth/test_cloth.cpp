@@ -9,10 +9,10 @@
 
 #include "sim/adaptive/check.h"
 #include "sim/cloth/adapt_cloth.h"
-#include "tests/support/bodies.h"
 #include "tests/sim/cloth/fixtures.h"
+#include "tests/support/bodies.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 // A wave along x that stands as high as asked, or flat cloth for 0. Lengths are kept roughly, which is enough to make
@@ -198,4 +198,4 @@ TEST(AdaptCloth, rejoins_nothing_while_told_to_keep_what_is_split) {
 }
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

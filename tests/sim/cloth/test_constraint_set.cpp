@@ -1,19 +1,19 @@
 // Blocks of constraints share no vertex, and nothing is lost or doubled in them.
+#include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <gtest/gtest.h>
 #include <map>
 #include <numbers>
 #include <random>
 #include <set>
 
 #include "sim/cloth/adapt_cloth.h"
-#include "sim/cloth/solver_state.h"
 #include "sim/cloth/constraint_set.h"
+#include "sim/cloth/solver_state.h"
 #include "tests/sim/cloth/fixtures.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 using Set = ConstraintSet<StretchBlock, StretchRecord>;
@@ -160,7 +160,6 @@ TEST(SavedStates, are_those_of_one_adaptation) {
     states.save(TriangleId(3), 1, 9);
     EXPECT_EQ(*states.find(TriangleId(3), 1), 9);
 }
-
 
 using SortedCorners = std::vector<std::uint32_t>;  // sorted
 
@@ -365,7 +364,8 @@ std::map<SortedCorners, std::vector<float>> contents(const ConstraintSet<Block, 
     return found;
 }
 
-void expect_alike(const std::map<SortedCorners, std::vector<float>>& a, const std::map<SortedCorners, std::vector<float>>& b) {
+void expect_alike(const std::map<SortedCorners, std::vector<float>>& a,
+                  const std::map<SortedCorners, std::vector<float>>& b) {
     ASSERT_EQ(a.size(), b.size());
     for (auto i = a.begin(), j = b.begin(); i != a.end(); ++i, ++j) {
         ASSERT_EQ(i->first, j->first);
@@ -423,4 +423,4 @@ TEST(Constraints, hold_a_fan_of_a_hundred_triangles) {
 }
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

@@ -9,12 +9,12 @@
 #include <numbers>
 #include <set>
 
-#include "sim/cloth/solver_blocks.h"
 #include "sim/cloth/kernels.h"
-#include "tests/support/bodies.h"
+#include "sim/cloth/solver_blocks.h"
 #include "tests/sim/cloth/fixtures.h"
+#include "tests/support/bodies.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 constexpr float kOffset = 0.003F;
@@ -249,4 +249,4 @@ TEST(Friction, none_at_all_lets_it_slide_freely) {
 }
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 // A sheet of n x n quads, all cut along the same diagonal; vertices moved at random by up to `rough` of a quad. Each
@@ -169,4 +169,4 @@ TEST(CurvatureMap, leaves_no_moment_across_free_edges_and_no_rigidity_where_all_
 }
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

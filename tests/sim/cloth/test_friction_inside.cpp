@@ -6,12 +6,12 @@
 #include <memory>
 
 #include "sim/cloth/adapt_cloth.h"
-#include "sim/cloth/solver_blocks.h"
 #include "sim/cloth/kernels.h"
+#include "sim/cloth/solver_blocks.h"
 #include "sim/cloth/triangle_bending.h"
 #include "tests/sim/cloth/fixtures.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 // Alike along warp and weft, without damping.
@@ -379,4 +379,4 @@ TEST(FrictionInside, outlives_blocks_that_are_made_anew) {
 }
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

@@ -12,7 +12,7 @@
 #include "sim/cloth/cloth.h"
 #include "tests/sim/cloth/fixtures.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 using Points = std::vector<Vec4f>;
@@ -408,4 +408,4 @@ TEST(Kernels, of_avx2_and_avx512_dress_a_ball_with_the_same_bits) {
 }
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

@@ -3,7 +3,7 @@
 
 #include "tests/sim/cloth/random_run.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 TEST(LongRandomRuns, stay_sound_over_10000_adaptions) {
@@ -16,4 +16,4 @@ TEST(LongRandomRuns, stay_sound_where_limits_undo_each_others_work) {
 }
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

@@ -3,7 +3,7 @@
 
 #include "tests/sim/cloth/random_run.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 TEST(RandomRuns, stay_sound_over_200_adaptions) {
@@ -29,4 +29,4 @@ TEST(RandomRuns, would_see_speed_that_comes_from_nowhere) {
 }
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

@@ -9,10 +9,10 @@
 
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/wind.h"
-#include "tests/support/bodies.h"
 #include "tests/sim/cloth/fixtures.h"
+#include "tests/support/bodies.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 const StepOptions kDamped{.extra_damping = 8, .may_rest = true};
@@ -251,4 +251,4 @@ TEST(Resting, the_same_run_twice_gives_the_same_bits) {
 }
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

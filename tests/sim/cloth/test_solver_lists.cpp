@@ -1,16 +1,16 @@
 // Seams whose sides are of unequal length: cloth in puckers finer than the mesh, and folds below them.
+#include <gtest/gtest.h>
 #include <algorithm>
 #include <cstring>
-#include <gtest/gtest.h>
 
 #include "sim/cloth/adapt_cloth.h"
+#include "sim/cloth/cloth.h"
 #include "sim/cloth/solver_lists.h"
 #include "sim/cloth/step.h"
-#include "sim/cloth/cloth.h"
 #include "sim/mesh/sew.h"
 #include "tests/sim/cloth/fixtures.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 template <class Block>
@@ -92,7 +92,6 @@ TEST(EffectiveMasses, of_few_changes_leave_most_blocks_alone) {
     for (const StretchBlock& block : cloth.solver.constraints.stretch.blocks) EXPECT_EQ(block.warp[0], -1);
 }
 
-
 constexpr double kBand = 0.2;  // m, the shorter side
 
 Panel rectangle(const std::string& name, double width, double top, double bottom) {
@@ -163,4 +162,4 @@ INSTANTIATE_TEST_SUITE_P(Of, Gathers, testing::Values("silk", "cotton_shirting",
                          [](const auto& instance) { return std::string(instance.param); });
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

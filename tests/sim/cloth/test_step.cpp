@@ -1,20 +1,20 @@
 // Motion against mechanics: fall, rest, momentum, pins, hanging and draping.
+#include <gtest/gtest.h>
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <gtest/gtest.h>
 #include <thread>
 
 #include "sim/cloth/adapt_cloth.h"
-#include "sim/cloth/step.h"
 #include "sim/cloth/cloth.h"
+#include "sim/cloth/step.h"
 #include "sim/cloth/wind.h"
 #include "tests/sim/cloth/fixtures.h"
 #include "tests/support/bodies.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 const ContactOptions kNoContact{.floor = kNoFloor};
@@ -285,7 +285,6 @@ TEST(Step, an_acceleration_too_small_for_the_floats_of_one_substep_is_not_lost) 
     EXPECT_NEAR(centre_of_mass(cloth).y() - before, -0.001, 0.0001);
 }
 
-
 constexpr float kArea = 0.16F;  // m^2, of the patch
 
 // Mean velocity, m/s.
@@ -355,4 +354,4 @@ TEST(Wind, does_not_move_what_is_pinned) {
 }
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

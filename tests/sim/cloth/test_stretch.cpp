@@ -1,12 +1,12 @@
 // What a triangle's frame and the measured strain say about known deformations.
-#include <cmath>
 #include <gtest/gtest.h>
+#include <cmath>
 
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/curvature_map.h"
 #include "tests/sim/cloth/fixtures.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 constexpr std::array<float, 5> kGrainAngles{0.0F, 0.3F, 0.785398F, -1.2F, 3.0F};
@@ -111,4 +111,4 @@ TEST(MeasureStrain, keeps_pure_shear_apart_from_stretch) {
 }
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

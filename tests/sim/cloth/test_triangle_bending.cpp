@@ -10,11 +10,11 @@
 #include <set>
 
 #include "sim/cloth/adapt_cloth.h"
-#include "sim/cloth/solver_blocks.h"
 #include "sim/cloth/kernels.h"
+#include "sim/cloth/solver_blocks.h"
 #include "tests/sim/cloth/fixtures.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 bool bends(const ParentLevel& level) {
@@ -334,4 +334,4 @@ TEST(TriangleBending, of_refined_triangles_begins_without_friction) {
 }
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

@@ -1,7 +1,7 @@
+#include <gtest/gtest.h>
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <gtest/gtest.h>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -13,7 +13,7 @@
 #include "sim/core/simd_level.h"
 #include "tests/support/bodies.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
@@ -180,7 +180,6 @@ TEST(BodyCollider, says_band_and_no_normal_far_away) {
     EXPECT_EQ(contact.normal, Vec3f::Zero());
 }
 
-
 const CylinderShape kDrum{.centre = {0.1F, 0.5F, -0.2F}, .axis = {3, 0, 4}, .radius = 0.2F, .half_length = 0.3F};
 
 std::vector<Vec3f> points_about(const Vec3f& centre, int count) {
@@ -307,7 +306,6 @@ TEST(Collider, answers_many_points_as_it_does_one) {
 
 namespace {
 
-
 // Smooth, with edges and corners, and with thin parts that touch: an apple on a crate with a slit beside it.
 Body still_life() {
     const Body apple = shapes::sphere({0.05, 0.17, 0.05}, 0.06, 12);
@@ -393,4 +391,4 @@ INSTANTIATE_TEST_SUITE_P(Kernels, ContactsAtLevel,
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

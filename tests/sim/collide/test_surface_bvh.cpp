@@ -5,7 +5,7 @@
 #include "sim/collide/surface_bvh.h"
 #include "tests/support/bodies.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
@@ -173,4 +173,4 @@ TEST(SurfaceBvh, a_segment_does_not_slip_between_triangles) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

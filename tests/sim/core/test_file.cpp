@@ -6,7 +6,7 @@
 
 #include "sim/core/error.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 class File : public ::testing::Test {
@@ -55,4 +55,4 @@ TEST_F(File, writes_what_a_link_points_to_and_leaves_the_link) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -6,7 +6,7 @@
 
 #include "sim/core/error.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 // What is wrong with the text, as the user reads it; empty when nothing is.
@@ -116,4 +116,4 @@ TEST(JsonView, says_which_value_is_of_the_wrong_kind) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 // The most iterations that ran at the same moment, each waiting a while for others to join it.
@@ -73,4 +73,4 @@ TEST(ThreadLimit, of_any_number_gives_the_same_results) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -4,8 +4,7 @@
 
 #include <vector>
 
-
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 using Numbers = Pool<int, VertexId>;
@@ -65,4 +64,4 @@ TEST(PoolDeathTest, stops_when_more_is_released_than_there_is) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::sim

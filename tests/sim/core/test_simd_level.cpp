@@ -6,7 +6,7 @@
 
 #include "sim/core/error.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 TEST(SimdLevel, in_use_is_never_more_than_the_processor_has) {
@@ -50,4 +50,4 @@ TEST(SimdLevelDeathTest, that_nobody_knows_is_refused) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -4,14 +4,14 @@
 #include <filesystem>
 #include <limits>
 
-#include "sim/mannequin/mannequin.h"
 #include "sim/core/math.h"
-#include "sim/place/fit.h"
+#include "sim/mannequin/mannequin.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern_file.h"
+#include "sim/place/fit.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 Vec3f middle_of(const PlainMesh& mesh, std::size_t t) {
@@ -114,4 +114,4 @@ Vec3f position_of(const SessionFrame& frame, const ClothPoint& point) {
     return x;
 }
 
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

@@ -5,7 +5,7 @@
 
 #include "sim/dress/session.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 
 std::shared_ptr<const Body> session_body();  // the mannequin, coarse
 Pattern session_pattern(const std::string& name);
@@ -27,4 +27,4 @@ double mean_move(const SessionFrame& from, const SessionFrame& to);
 ClothPoint furthest_point(const SessionFrame& frame, int panel, const Vec3f& direction);
 Vec3f position_of(const SessionFrame& frame, const ClothPoint& point);
 
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

@@ -5,7 +5,7 @@
 
 #include "sim/pattern/pattern.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 
 // Edges: 0 bottom, 1 right, 2 top, 3 left. The lower edge stands at height y, the panel's middle at x = 0.
 // A back panel is mirrored, so that its right side looks to -z.
@@ -46,4 +46,4 @@ inline Pattern tabard(double width, double height, double y, double distance) {
     return pattern;
 }
 
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

@@ -1,7 +1,7 @@
 // Closing seams round a body, and saying so where they do not close.
+#include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
-#include <gtest/gtest.h>
 #include <limits>
 
 #include "bench/support/square.h"
@@ -15,7 +15,7 @@
 #include "tests/sim/mesh/shapes.h"
 #include "tests/support/bodies.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 const SphereCollider& ball() {
@@ -24,7 +24,7 @@ const SphereCollider& ball() {
 }
 
 Cloth cloth_above_the_ball() {
-    return make_cloth(make_square({.columns = 6, .rows = 6, .width = 0.4, .depth = 0.4, .height = 1.17}),
+    return make_cloth(bench::make_square({.columns = 6, .rows = 6, .width = 0.4, .depth = 0.4, .height = 1.17}),
                       {find_fabric("cotton_shirting")}, {.max_level = 2});
 }
 
@@ -58,7 +58,6 @@ TEST(DrapeRun, rests_only_where_that_is_asked_for) {
     EXPECT_FALSE(is_at_rest(cloth));
     EXPECT_EQ(run.result().adaption_ms.size(), 300U);
 }
-
 
 // 0.2 x 0.12 m, so 0.64 m round, from the floor up.
 class SewOnABox : public testing::Test {
@@ -150,4 +149,4 @@ TEST(SewOnABody, a_seam_that_cannot_close_is_open_and_gapes_by_the_body_between)
 }
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

@@ -11,13 +11,13 @@
 #include <string>
 #include <string_view>
 
-#include "sim/mannequin/mannequin.h"
 #include "sim/collide/surface_bvh.h"
+#include "sim/mannequin/mannequin.h"
 #include "sim/pattern/pattern_file.h"
-#include "tests/support/bodies.h"
 #include "tests/sim/dress/shapes.h"
+#include "tests/support/bodies.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 const Body& mannequin() {
@@ -166,4 +166,4 @@ INSTANTIATE_TEST_SUITE_P(GarmentCode, PublishedPattern,
                          });
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

@@ -1,6 +1,6 @@
 // Faults that are planted are found, named with their place, and nothing else is.
-#include <algorithm>
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <limits>
 #include <set>
 
@@ -11,7 +11,7 @@
 #include "tests/sim/dress/shapes.h"
 #include "tests/support/bodies.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 using Keys = std::set<std::string>;
@@ -98,7 +98,6 @@ TEST(Report, survives_places_that_need_escaping) {
     report.faults[0].place = "panel \"a\\b\"\n'\u00e4rmel'";
     EXPECT_EQ(parsed(report).find("faults")->elements()[0].find("place")->string(), report.faults[0].place);
 }
-
 
 // A sewn tube of cotton, 0.4 m wide and flat: front and back stand 0.3 m apart, with a ball between them.
 class Inspect : public testing::Test {
@@ -265,4 +264,4 @@ TEST_F(Inspect, hands_over_the_leaves_as_a_plain_mesh) {
 }
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

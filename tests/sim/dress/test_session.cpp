@@ -1,9 +1,9 @@
 // What pictures show of a garment beside its positions: levels, the hierarchy, strain and clearance as plain data.
+#include <gtest/gtest.h>
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <functional>
-#include <gtest/gtest.h>
 #include <limits>
 #include <thread>
 
@@ -22,7 +22,7 @@
 #include "tests/sim/dress/shapes.h"
 #include "tests/support/bodies.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 class SessionOfTwoSquares : public testing::Test {
@@ -274,7 +274,6 @@ TEST(SessionOfATshirt, settles_with_the_same_figures_as_dress) {
                 0.1 * dressed.report.mesh.leaf_triangles);
 }
 
-
 // Where the vertex of a mesh is that is nearest to a point of another in the same panel's material, m.
 Vec3f nearest_vertex(const PlainMesh& mesh, const PlainMesh& other, const ClothPoint& point) {
     Vec2f wanted = Vec2f::Zero();
@@ -436,7 +435,6 @@ TEST_F(SessionHands, go_with_a_reset) {
     EXPECT_TRUE(session_.frame()->pins.empty());
 }
 
-
 // Small: its collider is made in no time.
 std::shared_ptr<const Body> small_body() {
     static const auto body = std::make_shared<const Body>(shapes::box(Vec3d(-0.1, 0, -0.06), Vec3d(0.1, 1.7, 0.06), 6));
@@ -510,7 +508,6 @@ TEST(SessionThread, takes_whatever_is_asked_for_in_quick_succession) {
     }
 }
 
-
 Cloth flat_tube() {
     Pattern pattern = tube(0.4, 0.3, 0.8, 0.15);
     pattern.seams.clear();
@@ -574,4 +571,4 @@ TEST(Clearance, is_the_distance_to_the_surface_and_negative_inside) {
 }
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

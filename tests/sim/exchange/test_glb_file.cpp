@@ -7,7 +7,7 @@
 #include "sim/core/json.h"
 #include "tests/sim/exchange/two_panels.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 std::uint32_t word_at(const std::string& bytes, std::size_t offset) {
@@ -165,4 +165,4 @@ TEST(GlbFile, gives_back_the_grain_angles_that_it_wrote) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::sim

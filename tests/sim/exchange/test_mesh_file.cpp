@@ -1,7 +1,7 @@
+#include <gtest/gtest.h>
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
-#include <gtest/gtest.h>
 #include <limits>
 #include <random>
 
@@ -13,7 +13,7 @@
 #include "tests/support/bodies.h"
 #include "tests/support/temporary_folder.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr std::size_t kLimit = 1 << 24;
@@ -154,7 +154,6 @@ TEST(MeshFile, readers_survive_bytes_changed_anywhere) {
     }
 }
 
-
 TEST(PanelParts, part_a_garment_by_panel_and_double_the_vertices_of_its_seams) {
     const std::vector<PanelPart> parts = split_by_panel(two_panels());
     ASSERT_EQ(parts.size(), 2U);
@@ -193,4 +192,4 @@ TEST(PanelParts, leave_out_panels_without_triangles) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

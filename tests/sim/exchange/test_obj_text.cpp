@@ -8,7 +8,7 @@
 
 #include "tests/sim/exchange/two_panels.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 std::vector<std::string> lines_with(const std::string& text, const std::string& start) {
@@ -83,4 +83,4 @@ TEST(ObjText, writes_a_body_as_one_group) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::sim

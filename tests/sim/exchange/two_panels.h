@@ -2,7 +2,7 @@
 // Two panels of two triangles each, sewn along the edge from vertex 1 to vertex 2, where material coordinates jump.
 #include "sim/mesh/plain_mesh.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 inline PlainMesh two_panels() {
     PlainMesh mesh;
@@ -19,4 +19,4 @@ inline PlainMesh two_panels() {
     return mesh;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -1,6 +1,6 @@
+#include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
-#include <gtest/gtest.h>
 #include <limits>
 #include <map>
 #include <numbers>
@@ -13,7 +13,7 @@
 #include "sim/mannequin/mannequin.h"
 #include "tests/support/body_checks.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr double kTapeTolerance = 0.003;
@@ -416,7 +416,6 @@ TEST(MannequinStance, is_refused_outside_its_range) {
     }
 }
 
-
 // The message of the error that `text` gives; empty when it is accepted.
 std::string refusal(const char* text) {
     try {
@@ -493,4 +492,4 @@ TEST(ParseMannequin, says_what_is_wrong) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

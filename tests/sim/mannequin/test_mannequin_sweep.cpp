@@ -4,7 +4,7 @@
 #include "sim/mannequin/mannequin.h"
 #include "tests/support/body_checks.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 struct SweepCase {
@@ -49,4 +49,4 @@ TEST(MannequinSweep, meets_its_measures_within_a_third_of_a_percent_and_never_cu
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

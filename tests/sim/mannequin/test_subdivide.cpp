@@ -1,10 +1,10 @@
-#include <cmath>
 #include <gtest/gtest.h>
+#include <cmath>
 
 #include "sim/mannequin/curves.h"
 #include "sim/mannequin/subdivide.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 // A cube of 6 quads and 8 vertices; a fourth column marks its top.
@@ -110,4 +110,4 @@ TEST(Pchip, draws_a_line_through_points_on_a_line) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -12,7 +12,7 @@
 #include "sim/mesh/triangulate.h"
 #include "sim/pattern/pattern.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 inline constexpr double kPi = std::numbers::pi;
 
@@ -120,4 +120,4 @@ inline Topology topology_of(const GarmentMesh& mesh) {
     return topology;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

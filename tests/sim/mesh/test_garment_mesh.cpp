@@ -1,10 +1,10 @@
-#include <cmath>
 #include <gtest/gtest.h>
+#include <cmath>
 #include <limits>
 
 #include "sim/mesh/garment_mesh.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 // Four triangles about a middle vertex.
@@ -98,7 +98,6 @@ TEST(CheckMesh, finds_numbers_that_are_not_finite) {
     expect_fault(mesh, "triangle 0 (front): no finite material");
 }
 
-
 // One triangle, sheared and stretched by a map of the plane.
 PlainMesh mapped(const Eigen::Matrix2f& map, float grain) {
     PlainMesh mesh;
@@ -152,4 +151,4 @@ TEST(MeshStrain, smoothing_keeps_what_is_even_weighs_by_area_and_stops_at_seams)
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 // Two triangles that meet at a ridge along y: one faces +z, the other, of twice the area, +x.
@@ -39,4 +39,4 @@ TEST(VertexNormals, are_the_meshs_own_where_it_has_one_for_each_vertex) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -6,7 +6,7 @@
 #include "sim/pattern/outline.h"
 #include "tests/sim/mesh/shapes.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 // A half disc: a straight diameter along x and an arc above it.
@@ -110,7 +110,6 @@ TEST(CountSegments, refuses_seams_that_cannot_be) {
     EXPECT_THROW(count_segments(pattern, {}), InputError);
 }
 
-
 TEST(FindCrossing, finds_none_in_a_square) {
     EXPECT_FALSE(find_crossing(std::vector<Vec2d>{{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
 }
@@ -182,4 +181,4 @@ TEST(DistanceToSegment, is_measured_to_the_nearer_end_beyond_it) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

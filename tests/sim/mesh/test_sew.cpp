@@ -1,5 +1,5 @@
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "sim/core/error.h"
 #include "sim/mesh/garment_mesh.h"
@@ -7,7 +7,7 @@
 #include "sim/pattern/outline.h"
 #include "tests/sim/mesh/shapes.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 GarmentMesh sew_soundly(const Pattern& pattern, const MeshOptions& options = {}) {
@@ -246,7 +246,6 @@ TEST(ReportMesh, has_no_mismatch_without_seams) {
     EXPECT_EQ(report.seam_edges, 0);
 }
 
-
 TEST(SeamRestLength, is_the_average_within_the_ease) {
     EXPECT_DOUBLE_EQ(seam_rest_length(1.0, 1.04), 1.02);
     EXPECT_DOUBLE_EQ(seam_rest_length(1.04, 1.0), 1.02);
@@ -287,7 +286,6 @@ TEST(UnfoldAcross, makes_midpoints_coincide_without_stretching_when_lengths_diff
     EXPECT_LT((unfold_across(into, from, {5.3, 6}) - Vec2d(0.5, -0.3)).norm(), 1e-15);
     EXPECT_LT((unfold_across(into, from, from.a) - Vec2d(-0.5, 0)).norm(), 1e-15);
 }
-
 
 // One square of two triangles, and its corner vertices in order.
 void add_square(GarmentMesh& mesh, const Vec3d& shift) {
@@ -346,4 +344,4 @@ TEST(SeparateCoincidingEdges, saves_a_corner_triangle_whose_two_outline_edges_ar
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

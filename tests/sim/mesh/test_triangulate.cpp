@@ -1,6 +1,6 @@
+#include <gtest/gtest.h>
 #include <cstdlib>
 #include <filesystem>
-#include <gtest/gtest.h>
 #include <numeric>
 #include <random>
 
@@ -13,7 +13,7 @@
 #include "sim/pattern/pattern_file.h"
 #include "tests/sim/mesh/shapes.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 PanelMesh mesh_of(const Panel& panel, double target_edge = 0.05) {
@@ -322,4 +322,4 @@ INSTANTIATE_TEST_SUITE_P(GarmentCode, RealPatterns,
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -4,7 +4,7 @@
 
 #include "gtest/gtest.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // Front counter-clockwise, back clockwise, 40 x 50 cm, sewn at both sides.
 inline std::string sample_text() {
@@ -39,4 +39,4 @@ inline std::string replaced(std::string text, const std::string& from, const std
     return text;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

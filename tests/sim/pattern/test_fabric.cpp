@@ -7,7 +7,7 @@
 #include "sim/core/error.h"
 #include "tests/sim/pattern/sample.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 std::string fabric_text() {
@@ -97,4 +97,4 @@ TEST(Fabric, refuses_figures_that_no_cloth_has) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::sim

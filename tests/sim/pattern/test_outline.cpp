@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -135,4 +135,4 @@ TEST(Outline, the_area_of_a_disc_of_two_arcs) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::sim

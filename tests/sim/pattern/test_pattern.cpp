@@ -1,11 +1,11 @@
-#include <cmath>
 #include <gtest/gtest.h>
+#include <cmath>
 
 #include "sim/pattern/pattern.h"
 #include "sim/pattern/pattern_file.h"
 #include "tests/sim/pattern/sample.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 Panel wrapped(bool is_mirrored) {
@@ -60,7 +60,6 @@ TEST(PanelPlace, a_wrap_and_a_flat_panel_touch_at_x_0) {
     }
 }
 
-
 TEST(SeamName, follows_from_the_edges_unless_the_seam_has_its_own) {
     Pattern pattern = parse_pattern(sample_text(), "").pattern;
     EXPECT_EQ(seam_name(pattern, pattern.seams[0]), "front.1+back.2");
@@ -83,4 +82,4 @@ TEST(SeamName, finds_seams_by_name_by_edges_in_either_order_and_by_label) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -7,7 +7,7 @@
 #include "sim/pattern/pattern_file.h"
 #include "tests/sim/pattern/sample.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 std::vector<std::string> faults_of(const std::string& text) {
@@ -296,4 +296,4 @@ TEST(CheckFile, a_missing_file_is_one_fault) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -1,7 +1,7 @@
+#include <gtest/gtest.h>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <gtest/gtest.h>
 #include <numbers>
 #include <sstream>
 
@@ -11,7 +11,7 @@
 #include "sim/pattern/pattern_read.h"
 #include "tests/sim/pattern/sample.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -389,4 +389,4 @@ TEST(PatternAdditions, a_name_that_is_taken_or_unknown_renames_nothing) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

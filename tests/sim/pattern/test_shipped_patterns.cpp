@@ -1,8 +1,8 @@
 // The garments that ship are drafted soundly: each is a test case for the rest of the program.
+#include <gtest/gtest.h>
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <gtest/gtest.h>
 #include <random>
 
 #include "sim/core/error.h"
@@ -12,7 +12,7 @@
 #include "sim/pattern/pattern_file.h"
 #include "tests/sim/pattern/sample.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 std::filesystem::path shipped(const std::string& name) {
@@ -190,4 +190,4 @@ TEST(PatternFuzz, refuses_a_file_cut_short_anywhere) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

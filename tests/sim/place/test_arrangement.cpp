@@ -1,6 +1,6 @@
 // Places round a body at which panels can be put.
-#include <algorithm>
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <limits>
 #include <map>
 
@@ -11,7 +11,7 @@
 #include "tests/sim/dress/shapes.h"
 #include "tests/support/bodies.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 constexpr float kAnyFar = std::numeric_limits<float>::infinity();
@@ -187,4 +187,4 @@ TEST(Arrange, a_tube_skirt_put_at_points_is_sewn_without_a_fault) {
 }
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

@@ -1,10 +1,10 @@
 // Garments that are drafted too small are told from those that merely hang close.
+#include <gtest/gtest.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <gtest/gtest.h>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -16,7 +16,7 @@
 #include "sim/place/fit.h"
 #include "tests/support/bodies.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 constexpr double kOffsetGirth = 2 * std::numbers::pi * 0.003;
@@ -209,4 +209,4 @@ TEST_F(FitOfTheTshirt, is_tight_round_a_bust_of_110_cm) {
 }
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

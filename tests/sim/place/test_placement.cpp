@@ -1,6 +1,6 @@
 // Panels round bodies that they were not drawn for.
-#include <cmath>
 #include <gtest/gtest.h>
+#include <cmath>
 
 #include "sim/collide/body_collider.h"
 #include "sim/mannequin/mannequin.h"
@@ -9,7 +9,7 @@
 #include "tests/sim/dress/shapes.h"
 #include "tests/support/bodies.h"
 
-namespace selvedge::test {
+namespace selvedge::sim::test {
 namespace {
 
 // A torso of some kind from the floor up, with its axis at (x, z).
@@ -190,4 +190,4 @@ TEST(SeamClearingLift, is_nothing_where_nothing_is_in_the_way) {
 }
 
 }  // namespace
-}  // namespace selvedge::test
+}  // namespace selvedge::sim::test

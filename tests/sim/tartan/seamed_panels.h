@@ -10,7 +10,7 @@
 #include "sim/pattern/pattern.h"
 #include "sim/tartan/sett.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 
 // A panel of straight edges through the points, which run counter-clockwise.
 inline Panel polygon_panel(const std::string& name, const std::vector<Vec2d>& points) {
@@ -110,4 +110,4 @@ inline double seen_mismatch(const Pattern& pattern, const Seam& seam, const Sett
     return largest;
 }
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

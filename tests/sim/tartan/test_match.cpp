@@ -9,7 +9,7 @@
 #include "sim/tartan/tartan_file.h"
 #include "tests/sim/tartan/seamed_panels.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 constexpr double kExact = 2e-5;  // m: offsets come in steps of 0.001 mm
@@ -347,4 +347,4 @@ TEST(Match, thousands_of_panels_are_matched_to_the_last) {
 }
 
 }  // namespace
-}  // namespace selvedge
+}  // namespace selvedge::sim

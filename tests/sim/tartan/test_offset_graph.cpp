@@ -1,10 +1,10 @@
-#include <cmath>
 #include <gtest/gtest.h>
+#include <cmath>
 #include <random>
 
 #include "sim/tartan/offset_graph.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 double cost(const std::vector<ShiftTerm>& terms, double shift, double repeat) {
@@ -56,7 +56,6 @@ TEST(BestShift, no_shift_on_a_fine_grid_is_better) {
         }
     }
 }
-
 
 StripeRepeat repeat_of(const char* threadcount) {
     Sett sett = parse_threadcount(threadcount);
@@ -111,4 +110,4 @@ TEST(SettRepeat, the_weft_has_its_own) {
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::sim

@@ -5,7 +5,7 @@
 #include "sim/tartan/sett.h"
 #include "sim/tartan/tartan_file.h"
 
-namespace selvedge {
+namespace selvedge::sim {
 namespace {
 
 std::string written(const Sett& sett) {
@@ -136,7 +136,6 @@ TEST(Sett, a_tiny_repeat_keeps_every_thread_and_makes_them_finer) {
     EXPECT_DOUBLE_EQ(sett.thread_spacing, 0.0001);
 }
 
-
 std::string fault_in_file(const std::string& json) {
     try {
         parse_tartan(json, "mine.json");
@@ -227,12 +226,14 @@ TEST(TartanFile, faults_of_weft_weave_and_register_name_their_place) {
 TEST(TartanFile, faults_name_the_file_and_the_place) {
     EXPECT_NE(fault_in_file(R"({"name": "x", "threadcount": "Q4"})").find("mine.json: threadcount: stripe 1"),
               std::string::npos);
-    EXPECT_NE(fault_in_file(R"({"name": "x", "threadcount": "K4", "palette": {"K": "red"}})").find("mine.json: palette.K"),
-              std::string::npos);
+    EXPECT_NE(
+        fault_in_file(R"({"name": "x", "threadcount": "K4", "palette": {"K": "red"}})").find("mine.json: palette.K"),
+        std::string::npos);
     EXPECT_NE(fault_in_file(R"({"name": "x"})").find("threadcount"), std::string::npos);
-    EXPECT_NE(fault_in_file(R"({"name": "x", "threadcount": "K4", "repeat_cm": -1})").find("repeat_cm"), std::string::npos);
+    EXPECT_NE(fault_in_file(R"({"name": "x", "threadcount": "K4", "repeat_cm": -1})").find("repeat_cm"),
+              std::string::npos);
 }
 
 }  // namespace
 
-}  // namespace selvedge
+}  // namespace selvedge::sim
