@@ -3,7 +3,7 @@
 
 add_library(selvedge_flags INTERFACE)
 target_compile_options(selvedge_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow 
+  -Wall -Wextra -Wpedantic -Wshadow
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict$<SEMICOLON>-Wno-array-bounds>  # g++ 12: false alarms on std::string +
   $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow$<SEMICOLON>-Wno-stringop-overread>
    $<$<COMPILE_LANGUAGE:CXX>:-Wconversion> -ffp-contract=off

@@ -1,69 +1,81 @@
-"""Who may include whom (docs/architecture.md), and which room owns which package."""
+"""Who may include whom, and which module owns which package (docs/architecture.md)."""
 import rules
 from sources import Fault, includes_of
 
 
-def room_of(path):
-    """The room a file stands in: the longest folder that the table names, or a folder that may include everything."""
-    rooms = [room for room in [*rules.MAY_INCLUDE, *rules.MAY_INCLUDE_EVERYTHING] if path.startswith(room + "/")]
-    return max(rooms, key=len, default=None)
+def module_of(path, architecture):
+    """The module a file stands in: the longest folder that the table names."""
+    modules = [module for module in architecture.may_include if path.startswith(module + "/")]
+    return max(modules, key=len, default=None)
 
 
-def check_directions(sources):
+def check_directions(sources, architecture):
     """Every include of our own files against the table."""
     for source in sources:
-        room = room_of(source.path)
-        if room is None:
-            yield Fault(source.path, 1, "stands in no room of the table")
+        module = module_of(source.path, architecture)
+        if module is None:
+            yield Fault(source.path, 1, "stands in no module of the table")
             continue
         for line, name, is_ours in includes_of(source):
             if is_ours:
-                problem = _direction_problem(room, name)
+                problem = _direction_problem(module, name, architecture)
                 if problem:
                     yield Fault(source.path, line, problem)
 
 
-def _direction_problem(room, name):
-    if room in rules.MAY_INCLUDE_EVERYTHING:
-        return None
-    other = room_of(name)
+def _direction_problem(module, name, architecture):
+    other = module_of(name, architecture)
     if other is None:
-        return f'"{name}" is no path from the root into a room'
-    if other == room or other in rules.MAY_INCLUDE[room]:
+        return f'"{name}" is no path from the root into a module'
+    allowed = architecture.may_include[module]
+    if other == module or allowed is None or other in allowed:
         return None
-    return f"{room} may not include {other}"
+    return f"{module} may not include {other}"
 
 
-def check_packages(sources):
-    """Every include of a package against its owners."""
+def check_allowances(sources, architecture):
+    """The table allows nothing that no file uses."""
+    used = set()
+    for source in sources:
+        for _, name, is_ours in includes_of(source):
+            if is_ours:
+                used.add((module_of(source.path, architecture), module_of(name, architecture)))
+    for module, others in architecture.may_include.items():
+        for other in others or []:
+            if (module, other) not in used:
+                yield Fault(rules.ARCHITECTURE, architecture.lines[module], f"{module} never includes {other}")
+
+
+def check_packages(sources, architecture):
+    """Every include of a package against its owners. Tests may judge by any tool."""
     for source in sources:
         if source.path.startswith("tests/"):
             continue
         for line, name, _ in includes_of(source):
-            for package, owners in rules.PACKAGE_OWNERS.items():
+            for package, owners in architecture.owners.items():
                 if name.startswith(package) and not any(source.path.startswith(owner) for owner in owners):
-                    yield Fault(source.path, line, f"<{name}> belongs to {' and '.join(owners) or 'tests'} alone")
+                    yield Fault(source.path, line, f"<{name}> belongs to {' and '.join(owners)} alone")
 
 
-def check_cycles(sources):
-    """Files that include each other in a circle, and rooms that do."""
+def check_cycles(sources, architecture):
+    """Files that include each other in a circle, and modules that do."""
     paths = {source.path for source in sources}
-    files, rooms = {}, {}
+    files, modules = {}, {}
     for source in sources:
         for line, name, is_ours in includes_of(source):
             if is_ours and name in paths:
                 files.setdefault(source.path, {}).setdefault(name, (source.path, line))
-                here, there = room_of(source.path), room_of(name)
+                here, there = module_of(source.path, architecture), module_of(name, architecture)
                 if here != there:
-                    rooms.setdefault(here, {}).setdefault(there, (source.path, line))
-    for graph in (files, rooms):
+                    modules.setdefault(here, {}).setdefault(there, (source.path, line))
+    for graph in (files, modules):
         yield from _cycle_faults(graph)
 
 
-def check_table():
+def check_table(architecture):
     """The table itself has no cycle either."""
-    yield from _cycle_faults({room: {other: ("tests/style/rules.py", 1) for other in others}
-                              for room, others in rules.MAY_INCLUDE.items()})
+    yield from _cycle_faults({module: {other: (rules.ARCHITECTURE, architecture.lines[module]) for other in others}
+                              for module, others in architecture.may_include.items() if others})
 
 
 def _cycle_faults(graph):
@@ -87,16 +99,3 @@ def _find_cycle(graph, node, trail, done):
             return cycle
     done.add(node)
     return None
-
-
-def check_document(text, path="docs/architecture.md"):
-    """The table that people read says the same as the one that is checked."""
-    rows = {}
-    for number, line in enumerate(text.split("\n"), 1):
-        cells = [cell.strip() for cell in line.strip("|").split("|")]
-        if len(cells) == 2 and cells[0] in rules.MAY_INCLUDE:
-            rows[cells[0]] = (number, sorted(room_name.strip() for room_name in cells[1].split(",")))
-    for room, others in rules.MAY_INCLUDE.items():
-        number, written = rows.get(room, (1, None))
-        if written != (sorted(others) or ["nothing of ours"]):
-            yield Fault(path, number, f"{room} stands otherwise in tests/style/rules.py")

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks the tree's style: check_style.py includes|text|lengths|format [ROOT]. Prints file:line: problem; exit 1 when
+"""Checks the tree's style: check_style.py includes|types|text|lengths|format [ROOT]. Prints file:line: problem; exit 1 when
 there is any, 77 when the check cannot be made here (ctest then says skipped)."""
 import pathlib
 import sys
@@ -7,6 +7,7 @@ import sys
 import check_format
 import check_includes
 import check_text
+import check_types
 import rules
 from sources import read_tree
 
@@ -18,12 +19,15 @@ def cpp_sources(root):
 
 
 def includes(root):
-    sources = cpp_sources(root)
-    for check in (check_includes.check_directions, check_includes.check_packages, check_includes.check_cycles):
-        yield from check(sources)
-    yield from check_includes.check_table()
-    document = pathlib.Path(root, "docs", "architecture.md")
-    yield from check_includes.check_document(document.read_text(encoding="utf-8"))
+    sources, architecture = cpp_sources(root), rules.Architecture.of(root)
+    for check in (check_includes.check_directions, check_includes.check_allowances, check_includes.check_packages,
+                  check_includes.check_cycles):
+        yield from check(sources, architecture)
+    yield from check_includes.check_table(architecture)
+
+
+def types(root):
+    yield from check_types.check_types(cpp_sources(root))
 
 
 def text(root):
@@ -47,7 +51,7 @@ def formatting(root):
     yield from check_format.check_format(root, cpp_sources(root), program)
 
 
-CHECKS = {"includes": includes, "text": text, "lengths": lengths, "format": formatting}
+CHECKS = {"includes": includes, "types": types, "text": text, "lengths": lengths, "format": formatting}
 
 
 def main(arguments):

@@ -1,53 +1,54 @@
-"""What the style tests check, as data: who may include whom, who owns which package, how long things may be."""
+"""What the style tests check, as data. Who may include whom and who owns which package is read from
+docs/architecture.md: the tables that people read are the ones that are checked."""
+import pathlib
+import re
 
-# The table of docs/architecture.md. A room may always include itself.
-MAY_INCLUDE = {
-    "sim/core": [],
-    "sim/pattern": ["sim/core"],
-    "sim/exchange": ["sim/core", "sim/pattern", "sim/mesh", "sim/body"],
-    "sim/mesh": ["sim/core", "sim/pattern"],
-    "sim/adaptive": ["sim/core", "sim/mesh"],
-    "sim/body": ["sim/core"],
-    "sim/cloth": ["sim/core", "sim/mesh", "sim/adaptive", "sim/body", "sim/pattern"],
-    "sim/tartan": ["sim/core", "sim/pattern", "sim/mesh"],
-    "sim/dress": ["sim/core", "sim/pattern", "sim/exchange", "sim/mesh", "sim/adaptive", "sim/body", "sim/cloth",
-                  "sim/tartan"],
-    "render/image": ["sim/core"],
-    "render/surface": ["sim/core", "sim/mesh", "sim/adaptive", "sim/body"],
-    "render/scene": ["sim/core", "render/image", "render/surface", "sim/mesh", "sim/body", "sim/tartan"],
-    "render/gl": ["sim/core", "render/image"],
-    "render": ["sim/core", "sim/mesh", "sim/body", "sim/tartan", "render/image", "render/surface", "render/scene",
-               "render/gl"],
-    "editor": ["sim/core", "sim/pattern", "sim/mesh", "sim/dress", "sim/body", "sim/tartan", "render/image",
-               "render/surface", "render/scene"],
-}
-MAY_INCLUDE_EVERYTHING = ["app", "bench", "tests"]
+ARCHITECTURE = "docs/architecture.md"
+NOTHING = "nothing of ours"
+EVERYTHING = "everything"
 
-# Beginning of an included name -> the only places (beginnings of a path) that may include it; and the tests, which may
-# judge by any tool.
-PACKAGE_OWNERS = {
-    "nlohmann/": ["sim/core/json"],
-    "assimp/": ["sim/body/", "sim/exchange/"],
-    "tiny_gltf": ["sim/exchange/"],
-    "tbb/": ["sim/core/parallel"],
-    "oneapi/": ["sim/core/parallel"],
-    "png.h": ["render/image/"],
-    "CLI/": ["app/"],
-    "CGAL/": ["sim/mesh/"],
-    "GL/": ["render/gl/"],
-    "EGL/": ["render/gl/"],
-    "glad/": ["render/gl/"],
-    "GLFW/": ["app/window"],
-    "imgui": ["editor/", "app/ui_draw"],
-    "gtest/": [],
-}
+
+def rows_of(text, heads):
+    """(line number, cells) for each row of the table whose header cells these are."""
+    inside = False
+    for number, line in enumerate(text.split("\n"), 1):
+        cells = [cell.strip() for cell in line.strip().strip("|").split("|")] if line.startswith("|") else None
+        if cells is None:
+            inside = False
+        elif cells == heads:
+            inside = True
+        elif inside and not set(cells[0]) <= set("-: "):
+            yield number, cells
+
+
+class Architecture:
+    """may_include: module -> modules, None where it may include everything; lines: module -> line in the document;
+    owners: beginning of an included name -> beginnings of the paths that may include it."""
+
+    def __init__(self, text):
+        self.may_include, self.lines, self.owners = {}, {}, {}
+        for number, (modules, others) in rows_of(text, ["module", "may include"]):
+            for module in modules.split(", "):
+                self.lines[module] = number
+                if others == EVERYTHING:
+                    self.may_include[module] = None
+                else:
+                    self.may_include[module] = [] if others == NOTHING else others.split(", ")
+        for _, (_, includes, owners) in rows_of(text, ["package", "its headers", "owner"]):
+            for include in re.findall(r"`([^`]+)`", includes):
+                self.owners[include] = re.findall(r"`([^`]+)`", owners)
+
+    @classmethod
+    def of(cls, root):
+        return cls(pathlib.Path(root, ARCHITECTURE).read_text(encoding="utf-8"))
+
 
 SOURCE_FOLDERS = ["sim", "render", "editor", "app", "bench", "tests"]
 SOURCE_SUFFIXES = [".h", ".cpp"]
 TEXT_FOLDERS = SOURCE_FOLDERS + ["shaders", "cmake", "scripts", ".ci", "docs"]
 TEXT_SUFFIXES = SOURCE_SUFFIXES + [".py", ".cmake", ".txt", ".md", ".glsl", ".vert", ".frag", ".sh", ""]
 
-MAX_FILE_LINES = 450
+MAX_FILE_LINES = 700
 MAX_FUNCTION_LINES = 60  # fails above; a function should fit on one screen
 LONG_FUNCTION_LINES = 45  # is named above, and does not fail
 CLANG_FORMAT_VERSION = 14  # others break lines elsewhere

@@ -5,7 +5,7 @@
 
 #include "editor/geometry/draft.h"
 #include "editor/geometry/panel_edit.h"
-#include "gtest/gtest.h"
+#include <gtest/gtest.h>
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern_file.h"
 

@@ -1,5 +1,5 @@
 """What is compiled for more than any x86-64 has may leave the linker nothing that it could take for another file's:
-check_kernel_symbols.py NM LIBRARY ... looks for weak symbols in the objects of *_avx2.cpp and *_avx512.cpp. Exit 1 when
+check_kernel_symbols.py NM LIBRARY ... looks for weak symbols in the objects of *_simd.cpp. Exit 1 when
 there are any, or no such objects.
 """
 import re
@@ -13,7 +13,7 @@ def weak_symbols(nm, library):
     current = None
     for line in listing.splitlines():
         if line.endswith(":"):
-            current = line[:-1] if re.search(r"_avx(2|512)\.cpp", line) else None
+            current = line[:-1] if re.search(r"_simd\.cpp", line) else None
             if current:
                 yield current, None
         elif current and re.match(r"[0-9a-f]+ [WwVvu] ", line):

@@ -2,7 +2,7 @@
 // A small garment as text, that tests spoil in one place each.
 #include <string>
 
-#include "gtest/gtest.h"
+#include <gtest/gtest.h>
 
 namespace selvedge::sim {
 
