@@ -425,7 +425,7 @@ void add_bench_thesis(CLI::App& bench, int& exit_code) {
     command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
-// selvedge bench tshirt: what one adaption and four steps cost a garment on a body.
+// selvedge bench tshirt: what one adaptation and four steps cost a garment on a body.
 
 namespace {
 

@@ -130,7 +130,7 @@ struct Writing {
 // Every file is tried, whatever became of the others: a garment that burst has no mesh to export, yet has a report.
 Writing write_outputs(const DressArguments& arguments, const sim::DressedGarment& dressed, const sim::Body& body) {
     Writing writing;
-    const Sitter sitter{.garment = dressed.mesh, .body = &body, .hierarchy = &dressed.hierarchy};
+    const RenderSubject sitter{.garment = dressed.mesh, .body = &body, .hierarchy = &dressed.hierarchy};
     const auto write = [&](const Path& file, const auto& how) {
         try {
             how(file);

@@ -97,7 +97,7 @@ class FramePainter {
     struct SceneTexture {
         explicit SceneTexture(render::GlContext& context) : picture(context.gl()), draft(context) {}
         render::PictureTexture picture;
-        render::DraftRenderer draft;
+        render::PreviewRenderer draft;
         ScenePaint paint;
     };
     void draw_scene(const editor::SceneToDraw& scene);

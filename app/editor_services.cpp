@@ -36,9 +36,9 @@ editor::FolderListing list_folder(const std::string& folder) {
     return listing;
 }
 
-editor::WornBody make_body(const std::string& text) {
+editor::CurrentBody make_body(const std::string& text) {
     if (text.starts_with("mannequin")) return editor::make_worn_mannequin(text);
-    editor::WornBody worn{
+    editor::CurrentBody worn{
         .text = text, .body = std::make_shared<const sim::Body>(sim::load_body(text)), .measures = {}, .points = {}};
     worn.points = arrangement_points(*worn.body);
     return worn;

@@ -18,7 +18,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "app/composition.h"
+#include "app/layout.h"
 #include "app/options.h"
 #include "render/draw/renderer.h"
 #include "render/image/image.h"
@@ -390,17 +390,17 @@ void check_turntable(const TurntableOptions& options, const PictureOptions& pict
         throw sim::InputError("", "--transparent", "films have no transparency: name a folder for frames");
 }
 
-void write_turntable(const Sitter& sitter, const PictureOptions& picture, const TurntableOptions& options,
+void write_turntable(const RenderSubject& sitter, const PictureOptions& picture, const TurntableOptions& options,
                      const sim::Progress& progress) {
     constexpr int most_framed = 48;  // angles are enough to find the frame for all of them
     const std::vector<float> turns = turn_in(options.frames);
-    const Composition composition = compose(sitter, picture, turn_in(std::min(options.frames, most_framed)));
+    const Layout layout = compose(sitter, picture, turn_in(std::min(options.frames, most_framed)));
     render::Renderer renderer;
     FilmWriter film(options.file, film_format(picture, options));
     for (std::size_t i = 0; i < turns.size(); ++i) {
         sim::report(progress, "filming", double(i) / double(turns.size()));
-        render::Image image = renderer.draw(turned(composition, picture, turns[i]), render_options(picture));
-        if (composition.legend) draw_legend(image, *composition.legend, composition.corner);
+        render::Image image = renderer.draw(turned(layout, picture, turns[i]), render_options(picture));
+        if (layout.legend) draw_legend(image, *layout.legend, layout.corner);
         film.add(image);
     }
     film.finish();

@@ -103,7 +103,7 @@ void check_turntable(const TurntableOptions& options, const PictureOptions& pict
 
 // The frame is one for all angles, and holds the figure at each. Throws InputError as draw_picture does, and when the
 // film cannot be written.
-void write_turntable(const Sitter& sitter, const PictureOptions& picture, const TurntableOptions& options,
+void write_turntable(const RenderSubject& sitter, const PictureOptions& picture, const TurntableOptions& options,
                      const sim::Progress& progress = {});
 
 }  // namespace selvedge::app

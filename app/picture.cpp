@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "app/composition.h"
+#include "app/layout.h"
 #include "render/draw/renderer.h"
 #include "render/gl/context.h"
 #include "render/image/image.h"
@@ -173,10 +173,10 @@ void check_can_show(render::ShowMode show, bool has_body, bool has_hierarchy) {
     }
 }
 
-render::Image draw_picture(const Sitter& sitter, const PictureOptions& options) {
-    const Composition composition = compose(sitter, options);
-    render::Image image = render::Renderer().draw(composition.scene, render_options(options));
-    if (composition.legend) draw_legend(image, *composition.legend, composition.corner);
+render::Image draw_picture(const RenderSubject& sitter, const PictureOptions& options) {
+    const Layout layout = compose(sitter, options);
+    render::Image image = render::Renderer().draw(layout.scene, render_options(options));
+    if (layout.legend) draw_legend(image, *layout.legend, layout.corner);
     return image;
 }
 

@@ -48,7 +48,7 @@ sim::Sett sett_of(const PictureOptions& options);
 void check_can_draw(const PictureOptions& options = {});
 
 // Who is drawn. What is null is not there.
-struct Sitter {
+struct RenderSubject {
     const sim::PlainMesh& garment;
     const sim::Body* body = nullptr;
     const sim::TriangleHierarchy* hierarchy = nullptr;
@@ -59,6 +59,6 @@ void check_can_show(render::ShowMode show, bool has_body, bool has_hierarchy);
 
 // Triangles with numbers that are not finite are left out. Throws InputError when nothing is left to draw, there is no
 // way to draw (render/gl/context.h), or the mode asks for what is not there.
-render::Image draw_picture(const Sitter& sitter, const PictureOptions& options);
+render::Image draw_picture(const RenderSubject& sitter, const PictureOptions& options);
 
 }  // namespace selvedge::app

@@ -37,7 +37,7 @@ int render(const RenderArguments& arguments) {
     const sim::PlainMesh garment = sim::read_garment(arguments.garment);
     std::optional<sim::Body> body;
     if (!arguments.body.source.empty()) body = make_body(arguments.body).body;
-    const Sitter sitter{.garment = garment, .body = body ? &*body : nullptr};
+    const RenderSubject sitter{.garment = garment, .body = body ? &*body : nullptr};
     if (!arguments.output.empty()) {
         write_png(arguments.output, draw_picture(sitter, arguments.picture));
         std::printf("wrote %s\n", arguments.output.c_str());

@@ -24,7 +24,7 @@ namespace selvedge::bench {
 namespace {
 
 // A structure and a way to ask it.
-struct Rival {
+struct Baseline {
     std::string name;
     const sim::Collider* collider = nullptr;
     ContactWay way = ContactWay::OneByOne;
@@ -56,8 +56,8 @@ Structures::Structures(const sim::Body& body, float offset) : reach(offset) {
     field_seconds = time_once([&] { field = std::make_unique<sim::BodyCollider>(body); }) - tree_seconds;
 }
 
-std::vector<Rival> rivals_of(const Structures& structures) {
-    std::vector<Rival> rivals{
+std::vector<Baseline> rivals_of(const Structures& structures) {
+    std::vector<Baseline> rivals{
         {"grid 32^3", structures.grid.get()},
         {"tree", structures.unlimited.get()},
         {"tree, 10 mm", structures.near.get()},
@@ -94,7 +94,8 @@ Errors errors_of(const std::vector<sim::Contact>& answers, const std::vector<sim
     return errors;
 }
 
-void add_row(Table& table, std::size_t triangles, const Rival& rival, const PassReport& report, const Errors& errors) {
+void add_row(Table& table, std::size_t triangles, const Baseline& rival, const PassReport& report,
+             const Errors& errors) {
     const double queries = report.queries;
     table.add_row({triangles,
                    rival.name,
@@ -111,16 +112,16 @@ void add_row(Table& table, std::size_t triangles, const Rival& rival, const Pass
 void measure(Table& table, std::size_t triangles, const Structures& structures, const CollideOptions& options) {
     const ClothPoints points = move_cloth_points(*structures.surface, options.points);
     const PassPoints asked(points);
-    std::vector<Rival> rivals = rivals_of(structures);
+    std::vector<Baseline> rivals = rivals_of(structures);
     for (int round = 0; round < options.rounds; ++round)
-        for (Rival& rival : rivals) {
+        for (Baseline& rival : rivals) {
             const sim::SimdLimit limit(rival.level);
             rival.seconds.push_back(
                 time_once([&] { run_pass(asked, *rival.collider, rival.way, options.points.offset); }));
         }
     std::vector<sim::ClosestPoint> exact;
     for (const auto& step : points.exact) exact.insert(exact.end(), step.begin(), step.end());
-    for (const Rival& rival : rivals) {
+    for (const Baseline& rival : rivals) {
         const sim::SimdLimit limit(rival.level);
         std::vector<sim::Contact> answers;
         const PassReport report = run_pass(asked, *rival.collider, rival.way, options.points.offset, &answers);

@@ -64,7 +64,7 @@ int converged_substeps(int substeps) {
     return std::max(std::clamp(4 * substeps, 64, 128), substeps);
 }
 
-void measure_honesty(const SphereDropOptions& options, DropReport& report, const sim::Progress& progress) {
+void measure_quality(const SphereDropOptions& options, DropReport& report, const sim::Progress& progress) {
     sim::report(progress, "converged runs", 0);
     SphereDrop drop = run_sphere_drop(options);
     report.converged = compare_converged(drop, options, converged_substeps(options.substeps));
@@ -105,7 +105,7 @@ Table trial_table(const DropReport& report) {
     return table;
 }
 
-Table honesty_table(const DropReport& report) {
+Table quality_table(const DropReport& report) {
     Table table{.name = "drop honesty", .title = "What the chosen setting does when nobody times it"};
     table.columns = {"figure", "value"};
     const ConvergedFigures& converged = *report.converged;
@@ -139,7 +139,7 @@ sim::Json trial_json(const DropTrial& trial, double ms_per_frame, int triangles)
     return json;
 }
 
-void add_honesty(const DropReport& report, sim::Json& json) {
+void add_quality(const DropReport& report, sim::Json& json) {
     json[drop_key::kRestKineticEnergyJ] = report.rest.kinetic_energy;
     json[drop_key::kRestRmsSpeed] = report.rest.rms_speed;
     json[drop_key::kRestNetSpeed] = report.rest.net_speed;
@@ -177,7 +177,7 @@ DropReport measure_drop(const DropExperiment& experiment, const sim::Progress& p
     report.chosen = search(experiment, report.trials, progress);
     const SphereDropOptions options = options_for(experiment, report.chosen.substeps);
     time_drops(options, experiment.repetitions, report, progress);
-    if (experiment.is_honest) measure_honesty(options, report, progress);
+    if (experiment.is_honest) measure_quality(options, report, progress);
     return report;
 }
 
@@ -191,7 +191,7 @@ std::vector<Table> tables_of(const DropReport& report) {
                     Cell(1e3 * report.ms_per_frame / report.triangles, 5), Cell(report.ms_with_samples, 4),
                     Cell(report.chosen.quality.p99_stretch, 4)});
     std::vector<Table> tables{trial_table(report), chosen};
-    if (report.converged) tables.push_back(honesty_table(report));
+    if (report.converged) tables.push_back(quality_table(report));
     return tables;
 }
 
@@ -199,7 +199,7 @@ sim::Json to_json(const DropReport& report) {
     sim::Json json = trial_json(report.chosen, report.ms_per_frame, report.triangles);
     json[drop_key::kMsWithSamples] = report.ms_with_samples;
     json[drop_key::kTriangles] = report.triangles;
-    if (report.converged) add_honesty(report, json);
+    if (report.converged) add_quality(report, json);
     sim::Json& trials = json[drop_key::kTrials] = sim::Json::array();
     for (const DropTrial& trial : report.trials)
         trials.push_back(trial_json(trial, trial.ms_per_frame, report.triangles));

@@ -47,7 +47,7 @@ State from_tip(const Sector& strip, double tip) {
 
 // The tip's angle for which the clamp is level. Soft strips end within next to nothing of the plumb line: so it is
 // sought by its logarithm.
-Droop solve(const Sector& strip) {
+Deflection solve(const Sector& strip) {
     double low = -400;
     double high = std::log(std::numbers::pi / 2);
     for (int i = 0; i < 60; ++i) {
@@ -60,11 +60,11 @@ Droop solve(const Sector& strip) {
 
 }  // namespace
 
-Droop droop(double q) {
+Deflection droop(double q) {
     return solve({q, 0});
 }
 
-double chord_angle(const Droop& droop) {
+double chord_angle(const Deflection& droop) {
     return std::atan2(droop.drop, droop.reach);
 }
 
@@ -78,7 +78,7 @@ double q_of_chord_angle(double angle) {
     return std::exp((low + high) / 2);
 }
 
-Droop sector_droop(double q, double inner) {
+Deflection sector_droop(double q, double inner) {
     return solve({q, 1 / inner});
 }
 

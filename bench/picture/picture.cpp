@@ -103,7 +103,7 @@ class Stopwatch {
     PictureFigure figure(const std::string& kind) const {
         PictureFigure figure{.kind = kind, .total = median(totals_), .processor = median(processor_), .parts = {}};
         for (const auto part :
-             {&render::PictureTimes::compare, &render::PictureTimes::room_light, &render::PictureTimes::upload,
+             {&render::PictureTimes::compare, &render::PictureTimes::ambient_occlusion, &render::PictureTimes::upload,
               &render::PictureTimes::shadow, &render::PictureTimes::mask, &render::PictureTimes::draw,
               &render::PictureTimes::finish, &render::PictureTimes::read_back}) {
             std::vector<double> values;
@@ -120,10 +120,10 @@ class Stopwatch {
     std::vector<render::PictureTimes> parts_;
 };
 
-// Drafts of a scene that others share, left with GL.
+// Previews of a scene that others share, left with GL.
 class DraftStopwatch {
  public:
-    DraftStopwatch(const render::GlContext& context, render::DraftRenderer& renderer, render::PictureTexture& to)
+    DraftStopwatch(const render::GlContext& context, render::PreviewRenderer& renderer, render::PictureTexture& to)
         : context_(context), renderer_(renderer), to_(to) {}
 
     void draw(const render::SceneView& view) {
@@ -141,14 +141,14 @@ class DraftStopwatch {
 
  private:
     const render::GlContext& context_;
-    render::DraftRenderer& renderer_;
+    render::PreviewRenderer& renderer_;
     render::PictureTexture& to_;
     std::vector<double> totals_, processor_;
 };
 
 void measure_drafts(render::GlContext& context, const render::Scene& scene, const PictureExperiment& experiment,
                     std::vector<PictureFigure>& figures) {
-    render::DraftRenderer renderer(context);
+    render::PreviewRenderer renderer(context);
     render::PictureTexture to(context.gl());
     to.resize(experiment.render.width_px, experiment.render.height_px);
     render::Scene turned = scene;
@@ -236,7 +236,7 @@ Table table_of(const PictureReport& report) {
         const bool has_parts = parts.draw > 0;
         const auto cell = [&](double value) { return has_parts ? Cell(value, 1) : Cell(); };
         table.add_row({figure.kind, Cell(figure.total, 1), Cell(figure.processor, 1), cell(parts.compare),
-                       cell(parts.room_light), cell(parts.upload), cell(parts.shadow), cell(parts.mask),
+                       cell(parts.ambient_occlusion), cell(parts.upload), cell(parts.shadow), cell(parts.mask),
                        cell(parts.draw), cell(parts.finish), cell(parts.read_back)});
     }
     return table;

@@ -78,7 +78,7 @@ void pin_where(ClothRun& run, const std::function<bool(const Vec3d&)>& is_pinned
 
 void run_frame(ClothRun& run, const sim::Collider& body) {
     const RunOptions& options = run.options;
-    if (options.is_adaptive && run.frames++ % options.frames_per_adaption == 0) adapt_run(run, body);
+    if (options.is_adaptive && run.frames++ % options.frames_per_adaptation == 0) adapt_run(run, body);
     sim::StepOptions stepping{
         .substeps = options.substeps, .gravity = options.gravity, .contact = contact_options(options)};
     stepping.extra_damping = options.extra_damping;

@@ -19,7 +19,7 @@ namespace selvedge::bench {
 struct RunOptions {
     int level = 3;             // of all leaves; of the finest ones when adaptive
     bool is_adaptive = false;  // starts at level 0, and adapts by all criteria
-    int frames_per_adaption = 4;
+    int frames_per_adaptation = 4;
     int substeps = 8;  // per frame
     double frame_seconds = 1.0 / 60;
     float contact_offset = 1e-4F;  // m

@@ -87,7 +87,7 @@ void draw_frame(const sim::Cloth& cloth) {
 
 DropFrame run_frame(DropScene& scene, const DropOptions& options) {
     DropFrame frame;
-    frame.adaption = 1e3 * time_once([&] { adapt_frame(scene, options); });
+    frame.adaptation = 1e3 * time_once([&] { adapt_frame(scene, options); });
     frame.triangles = scene.cloth.mesh.leaf_triangles().size();
     double free_steps = 0;
     if (options.times_parts) {
@@ -166,7 +166,7 @@ DropRun run_drop_repeatedly(const DropOptions& options, int runs) {
         const DropRun again = run_drop(options);
         for (std::size_t f = 0; f < run.frames.size(); ++f) {
             DropFrame& least = run.frames[f];
-            least.adaption = std::min(least.adaption, again.frames[f].adaption);
+            least.adaptation = std::min(least.adaptation, again.frames[f].adaptation);
             least.steps = std::min(least.steps, again.frames[f].steps);
             least.collision = std::min(least.collision, again.frames[f].collision);
             least.drawing = std::min(least.drawing, again.frames[f].drawing);

@@ -3,7 +3,7 @@
 // 3.12-3.14, figures 3.23-3.30)
 //
 // 1 m square, 32 base triangles, cotton shirting; the object has a radius of 0.25 m and stands at the origin, a
-// cylinder lies along x. The cloth starts flat and horizontal, 0.1 m above it. Frames of 1/30 s: one adaption, then
+// cylinder lies along x. The cloth starts flat and horizontal, 0.1 m above it. Frames of 1/30 s: one adaptation, then
 // four steps of 1/120 s.
 #include <functional>
 #include <memory>
@@ -26,7 +26,7 @@ struct DropOptions {
     bool falls_off = false;              // dropped beside the middle and with less friction: it slides off again
     std::optional<int> uniform_level{};  // the same level everywhere; none: adaptive by the criteria
     sim::CriteriaOptions criteria{};
-    sim::DiagonalChoice diagonal = sim::DiagonalChoice::LeastWork;
+    sim::DiagonalChoice diagonal = sim::DiagonalChoice::MinimalChange;
     double seconds = 2.0;
     double shift = 0;          // m, of the start along z: for runs that should hardly differ
     bool times_parts = false;  // collision and drawing too, which makes the run slower
@@ -37,7 +37,7 @@ struct DropOptions {
 struct DropFrame {
     double time = 0;            // s, at the frame's end
     std::size_t triangles = 0;  // leaves
-    double adaption = 0;
+    double adaptation = 0;
     double steps = 0;      // all four, collision and all
     double collision = 0;  // of them: what they take more than the same steps with nothing near
     double drawing = 0;    // making the arrays that the renderer draws; no drawing itself

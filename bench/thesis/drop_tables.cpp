@@ -10,11 +10,11 @@ namespace {
 
 constexpr int kStepsPerFrame = 4;
 
-// Per adaption or per step, ms.
+// Per adaptation or per step, ms.
 struct Means {
     double triangles = 0;
     std::size_t most_triangles = 0;
-    double adaption = 0;
+    double adaptation = 0;
     double step = 0;
     double collision = 0;
     double frame = 0;
@@ -25,13 +25,13 @@ Means means_of(const DropRun& run) {
     for (const DropFrame& frame : run.frames) {
         means.triangles += static_cast<double>(frame.triangles);
         means.most_triangles = std::max(means.most_triangles, frame.triangles);
-        means.adaption += frame.adaption;
+        means.adaptation += frame.adaptation;
         means.step += frame.steps / kStepsPerFrame;
         means.collision += frame.collision / kStepsPerFrame;
-        means.frame += frame.adaption + frame.steps;
+        means.frame += frame.adaptation + frame.steps;
     }
     const auto n = static_cast<double>(run.frames.size());
-    for (double* mean : {&means.triangles, &means.adaption, &means.step, &means.collision, &means.frame}) *mean /= n;
+    for (double* mean : {&means.triangles, &means.adaptation, &means.step, &means.collision, &means.frame}) *mean /= n;
     return means;
 }
 
@@ -56,7 +56,7 @@ Table uniform_table(const std::string& name, DropObject object, const ThesisOpti
             {.object = object, .uniform_level = level, .seconds = seconds_of(options), .times_parts = true},
             runs_of(options)));
         table.add_row(
-            {level, means.most_triangles, Cell(means.adaption, 4), Cell(means.step, 4), Cell(means.collision, 4)});
+            {level, means.most_triangles, Cell(means.adaptation, 4), Cell(means.step, 4), Cell(means.collision, 4)});
     }
     return table;
 }
@@ -87,7 +87,7 @@ void add_counts(sim::TransitionCounts& sum, const sim::TransitionCounts& counts)
 void add_drop_row(Table& table, DropObject object, const std::string& name, const DropRun& run,
                   const DropRun& uniform) {
     const Means means = means_of(run);
-    table.add_row({name_of(object), name, Cell(means.triangles, 0), means.most_triangles, Cell(means.adaption, 4),
+    table.add_row({name_of(object), name, Cell(means.triangles, 0), means.most_triangles, Cell(means.adaptation, 4),
                    Cell(means.step, 4), Cell(means.collision, 4), Cell(means.frame, 3),
                    Cell(means.frame / means_of(uniform).frame, 2), Cell(1e3 * mean_distance(run, uniform), 1)});
 }
@@ -227,7 +227,7 @@ Figure figure_of(const Timed& timed, const DropRun& run) {
     figure.y_label = "ms";
     figure.right_column = "triangles";
     for (const DropFrame& frame : run.frames)
-        figure.series.add_row({Cell(frame.time, 3), Cell(frame.adaption, 4), Cell(frame.steps - frame.collision, 4),
+        figure.series.add_row({Cell(frame.time, 3), Cell(frame.adaptation, 4), Cell(frame.steps - frame.collision, 4),
                                Cell(frame.collision, 4), Cell(frame.drawing, 4), frame.triangles});
     return figure;
 }

@@ -335,15 +335,15 @@ ThesisResult measure_transition_cost(const ThesisOptions& options) {
 namespace {
 
 constexpr std::size_t kLevels = 3;
-constexpr std::size_t kRivals = 3;
-constexpr std::array<const char*, kRivals> kRivalNames{"Selvedge", "pointers in pools", "pointers, new/delete"};
+constexpr std::size_t kBaselines = 3;
+constexpr std::array<const char*, kBaselines> kBaselineNames{"Selvedge", "pointers in pools", "pointers, new/delete"};
 
 struct Counts {
     std::size_t vertices = 0, edges = 0, triangles = 0;  // of the whole hierarchy
 };
 
 // Seconds by rival, by level that is reached (refining) or left (coarsening).
-using Samples = std::array<std::array<std::vector<double>, kLevels + 1>, kRivals>;
+using Samples = std::array<std::array<std::vector<double>, kLevels + 1>, kBaselines>;
 
 struct SquareRun {
     std::array<Counts, kLevels + 1> counts{};
@@ -417,19 +417,19 @@ Table table_of(const std::string& name, const SquareRun& run) {
             "leaf lists. Elements are those of the whole hierarchy.",
         .columns = {"level", "vertices", "edges", "triangles"}};
     for (const char* way : {"refine: ", "coarsen: "})
-        for (const char* rival : kRivalNames) table.columns.push_back(std::string(way) + rival + ", ms");
+        for (const char* rival : kBaselineNames) table.columns.push_back(std::string(way) + rival + ", ms");
     for (std::size_t level = 0; level <= kLevels; ++level) {
         const Counts& counts = run.counts[level];
         std::vector<Cell> row{level, counts.vertices, counts.edges, counts.triangles};
         for (const Samples* samples : {&run.refining, &run.coarsening})
-            for (std::size_t rival = 0; rival < kRivals; ++rival)
+            for (std::size_t rival = 0; rival < kBaselines; ++rival)
                 row.push_back(level == 0 ? Cell() : Cell(run.ms(*samples, rival, level), 4));
         table.add_row(std::move(row));
     }
     std::vector<Cell> totals{"all", Cell(), Cell(), Cell()};
     std::vector<Cell> each{"ns per triangle made", Cell(), Cell(), Cell()};
     for (const Samples* samples : {&run.refining, &run.coarsening}) {
-        for (std::size_t rival = 0; rival < kRivals; ++rival) {
+        for (std::size_t rival = 0; rival < kBaselines; ++rival) {
             const double ms = run.total_ms(*samples, rival);
             totals.push_back(Cell(ms, 4));
             each.push_back(Cell(1e6 * ms / static_cast<double>(run.triangles_made()), 1));
@@ -444,12 +444,13 @@ Figure figure_of(const std::string& name, const std::string& title, const std::v
                  Samples SquareRun::*samples) {
     Figure figure;
     figure.series = {.name = name, .title = title, .columns = {"base triangles"}};
-    for (const char* rival : kRivalNames) figure.series.columns.push_back(std::string(rival) + ", ms");
+    for (const char* rival : kBaselineNames) figure.series.columns.push_back(std::string(rival) + ", ms");
     figure.y_label = "ms";
     figure.is_logarithmic = true;
     for (const SquareRun& run : runs) {
         std::vector<Cell> row{run.counts[0].triangles};
-        for (std::size_t rival = 0; rival < kRivals; ++rival) row.push_back(Cell(run.total_ms(run.*samples, rival), 4));
+        for (std::size_t rival = 0; rival < kBaselines; ++rival)
+            row.push_back(Cell(run.total_ms(run.*samples, rival), 4));
         figure.series.add_row(std::move(row));
     }
     return figure;
@@ -479,7 +480,7 @@ struct TieBreaker {
     sim::DiagonalChoice choice;
 };
 
-constexpr std::array<TieBreaker, 4> kTieBreakers{{{"least work", sim::DiagonalChoice::LeastWork},
+constexpr std::array<TieBreaker, 4> kTieBreakers{{{"least work", sim::DiagonalChoice::MinimalChange},
                                                   {"length", sim::DiagonalChoice::Length},
                                                   {"rest length", sim::DiagonalChoice::RestLength},
                                                   {"curvature", sim::DiagonalChoice::Curvature}}};
@@ -493,15 +494,16 @@ std::uint64_t total(const sim::TransitionCounts& counts) {
 
 void add_row(Table& table, DropObject object, const TieBreaker& tie_breaker, const DropRun& run,
              const DropRun& uniform) {
-    double triangles = 0, adaption = 0, steps = 0;
+    double triangles = 0, adaptation = 0, steps = 0;
     for (const DropFrame& frame : run.frames) {
         triangles += static_cast<double>(frame.triangles);
-        adaption += frame.adaption;
+        adaptation += frame.adaptation;
         steps += frame.steps;
     }
     const auto n = static_cast<double>(run.frames.size());
     table.add_row({name_of(object), tie_breaker.name, Cell(triangles / n, 0), total(run.transitions),
-                   Cell(adaption / n, 4), Cell((adaption + steps) / n, 3), Cell(1e3 * mean_distance(run, uniform), 1)});
+                   Cell(adaptation / n, 4), Cell((adaptation + steps) / n, 3),
+                   Cell(1e3 * mean_distance(run, uniform), 1)});
 }
 
 }  // namespace

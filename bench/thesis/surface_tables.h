@@ -50,7 +50,7 @@ std::vector<SurfaceRow> surface_rows();
 struct SurfaceFigures {
     double triangles = 0;       // drawn
     double simulation_ms = 0;   // four steps, processor time of one thread
-    double surface_ms = 0;      // adaption and update, likewise
+    double surface_ms = 0;      // adaptation and update, likewise
     double drawing_ms = 0;      // by the clock
     double largest_jump_m = 0;  // of a vertex within a frame because of a change of level
     render::Image picture;      // of the last frame

@@ -49,7 +49,7 @@ class HeldGarment {
         return options;
     }
 
-    std::span<const sim::LedVertex> lead(const sim::Cloth& cloth, float seconds) {
+    std::span<const sim::KinematicVertex> lead(const sim::Cloth& cloth, float seconds) {
         constexpr float kApproach = 12;  // 1/s, as the editor's hand
         const Vec3f x = cloth.x[led_.vertex].head<3>();
         led_.to = x + (goal_ - x) * (kApproach * seconds);
@@ -59,7 +59,7 @@ class HeldGarment {
     sim::Cloth cloth_;
     const sim::Collider& body_;
     std::vector<sim::VertexId> kept_;
-    sim::LedVertex led_;
+    sim::KinematicVertex led_;
     Vec3f goal_ = Vec3f::Zero();
     sim::DrapeRun run_;
 };

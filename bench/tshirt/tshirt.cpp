@@ -93,11 +93,11 @@ sim::Json row_json(const TshirtRow& row) {
     json[tshirt_key::kP99Stretch] = f.p99_stretch;
     json[tshirt_key::kSubsteps] = f.substeps;
     json[tshirt_key::kBodyTriangles] = row.body_triangles;
-    json[tshirt_key::kMsAdaption] = f.ms_adaption;
+    json[tshirt_key::kMsAdaption] = f.ms_adaptation;
     json[tshirt_key::kMs4Steps] = f.ms_steps;
     json[tshirt_key::kUsPerLeaf] = us_per_leaf(f);
-    json[tshirt_key::kChangesPerAdaption] = f.changes_per_adaption;
-    if (f.allocations_per_adaption) json[tshirt_key::kAllocationsPerAdaption] = *f.allocations_per_adaption;
+    json[tshirt_key::kChangesPerAdaption] = f.changes_per_adaptation;
+    if (f.allocations_per_adaptation) json[tshirt_key::kAllocationsPerAdaption] = *f.allocations_per_adaptation;
     if (f.allocations_per_step) json[tshirt_key::kAllocationsPerStep] = *f.allocations_per_step;
     return json;
 }
@@ -149,8 +149,9 @@ Table table_of(const TshirtReport& report) {
         const auto optional_cell = [](const std::optional<double>& v) { return v ? Cell(*v, 1) : Cell(); };
         table.add_row({row.what, f.leaf_triangles, row.body_triangles, f.substeps, Cell(f.ms_median, 3),
                        Cell(f.ms_p95, 3), Cell(us_per_leaf(f), 3), Cell(100 * f.adapt_share, 1),
-                       Cell(100 * f.collision_share, 1), Cell(100 * f.p99_stretch, 2), Cell(f.changes_per_adaption, 1),
-                       optional_cell(f.allocations_per_adaption), optional_cell(f.allocations_per_step)});
+                       Cell(100 * f.collision_share, 1), Cell(100 * f.p99_stretch, 2),
+                       Cell(f.changes_per_adaptation, 1), optional_cell(f.allocations_per_adaptation),
+                       optional_cell(f.allocations_per_step)});
     }
     return table;
 }
@@ -172,7 +173,7 @@ sim::Json to_json(const TshirtReport& report) {
 
 namespace {
 
-constexpr int kSteps = 4;  // of 1/120 s, to an adaption
+constexpr int kSteps = 4;  // of 1/120 s, to an adaptation
 
 Vec3f leaning_gravity(double seconds) {
     const double lean = 5 * std::numbers::pi / 180;
@@ -214,14 +215,14 @@ class Cycles {
         f.substeps = options_.substeps;
         f.ms_median = 1e3 * sim::quantile(whole_, 0.5);
         f.ms_p95 = 1e3 * sim::quantile(whole_, 0.95);
-        f.ms_adaption = 1e3 * sim::quantile(adaptions_, 0.5);
+        f.ms_adaptation = 1e3 * sim::quantile(adaptions_, 0.5);
         f.ms_steps = 1e3 * sim::quantile(steps_, 0.5);
-        f.adapt_share = f.ms_adaption / f.ms_median;
+        f.adapt_share = f.ms_adaptation / f.ms_median;
         f.collision_share = sim::quantile(shares_, 0.5);
         f.p99_stretch = stretch_ / count;
-        f.changes_per_adaption = changes_ / count;
+        f.changes_per_adaptation = changes_ / count;
         if (options_.allocations != nullptr) {
-            f.allocations_per_adaption = static_cast<double>(adaption_allocations_) / count;
+            f.allocations_per_adaptation = static_cast<double>(adaption_allocations_) / count;
             f.allocations_per_step = static_cast<double>(step_allocations_) / count / kSteps;
         }
         return f;
@@ -245,10 +246,10 @@ class Cycles {
         return four_steps(copy, sim::NoBody());
     }
 
-    void add(double adaption, double steps, int changes) {
-        adaptions_.push_back(adaption);
+    void add(double adaptation, double steps, int changes) {
+        adaptions_.push_back(adaptation);
         steps_.push_back(steps);
-        whole_.push_back(adaption + steps);
+        whole_.push_back(adaptation + steps);
         changes_ += changes;
         leaves_ += static_cast<double>(cloth_.mesh.leaf_triangles().size());
         std::vector<double> strains;

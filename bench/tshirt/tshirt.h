@@ -1,6 +1,6 @@
 #pragma once
-// What one adaption and four steps cost a garment that moves a little on a body, and what part of it is adaption and
-// what part contact. (thesis, fig. 4.12: about 22 ms for a T-shirt of 6,199 triangles on a character of 67,000)
+// What one adaptation and four steps cost a garment that moves a little on a body, and what part of it is adaptation
+// and what part contact. (thesis, fig. 4.12: about 22 ms for a T-shirt of 6,199 triangles on a character of 67,000)
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -15,7 +15,7 @@ namespace selvedge::bench {
 struct SwayOptions {
     float shortest_edge = 0.02F;             // m, an edge shorter than this is not split
     int substeps = 12;                       // per step
-    int cycles = 90;                         // of one adaption and four steps of 1/120 s
+    int cycles = 90;                         // of one adaptation and four steps of 1/120 s
     int settling_cycles = 15;                // before, not measured
     int shares_every = 5;                    // cycles, of which one is run without the body too
     std::size_t (*allocations)() = nullptr;  // how often this program asked for memory so far; none: not counted
@@ -25,15 +25,15 @@ struct SwayOptions {
 struct SwayFigures {
     int leaf_triangles = 0;  // mean over the cycles
     int substeps = 0;        // per step
-    double ms_median = 0;    // of one adaption and four steps
+    double ms_median = 0;    // of one adaptation and four steps
     double ms_p95 = 0;
-    double ms_adaption = 0;           // medians
-    double ms_steps = 0;              // of four
-    double adapt_share = 0;           // of the whole, by the medians
-    double collision_share = 0;       // of the whole: what the same four steps take less with nothing to collide with
-    double p99_stretch = 0;           // of warp and weft of the leaf triangles, mean over the cycles
-    double changes_per_adaption = 0;  // splits and rejoins
-    std::optional<double> allocations_per_adaption;  // none: not counted
+    double ms_adaptation = 0;           // medians
+    double ms_steps = 0;                // of four
+    double adapt_share = 0;             // of the whole, by the medians
+    double collision_share = 0;         // of the whole: what the same four steps take less with nothing to collide with
+    double p99_stretch = 0;             // of warp and weft of the leaf triangles, mean over the cycles
+    double changes_per_adaptation = 0;  // splits and rejoins
+    std::optional<double> allocations_per_adaptation;  // none: not counted
     std::optional<double> allocations_per_step;
 };
 

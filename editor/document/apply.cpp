@@ -21,11 +21,11 @@ namespace {
 
 // What others throw as wrong input is wrong to a draft, too.
 template <class Function>
-auto in_draft_words(Function&& function) {
+auto as_geometry_error(Function&& function) {
     try {
         return function();
     } catch (const sim::InputError& error) {
-        throw DraftError(error.problem());
+        throw GeometryError(error.problem());
     }
 }
 
@@ -53,16 +53,16 @@ Outcome run(sim::Pattern& pattern, const RenamePattern& command) {
 
 Outcome run(sim::Pattern& pattern, const SetFabric& command) {
     if (!command.fabric.empty() && !command.fabric.ends_with(".json")) {
-        in_draft_words([&] { return sim::find_fabric(command.fabric); });
+        as_geometry_error([&] { return sim::find_fabric(command.fabric); });
     }
     (command.panel.empty() ? pattern.fabric : panel_of(pattern, command.panel).fabric) = command.fabric;
     return {};
 }
 
 Outcome run(sim::Pattern& pattern, const SetTartan& command) {
-    if (!command.tartan.empty()) in_draft_words([&] { return sim::find_tartan(command.tartan); });
+    if (!command.tartan.empty()) as_geometry_error([&] { return sim::find_tartan(command.tartan); });
     if (command.size && !(*command.size >= sim::kSmallestSett && *command.size <= sim::kLargestSett)) {
-        throw DraftError("A repeat of a tartan is from 0.1 to 500 cm");
+        throw GeometryError("A repeat of a tartan is from 0.1 to 500 cm");
     }
     pattern.tartan = command.tartan;
     pattern.sett_size = command.size;
@@ -72,7 +72,7 @@ Outcome run(sim::Pattern& pattern, const SetTartan& command) {
 
 Outcome run(sim::Pattern& pattern, const SetBody& command) {
     if (!command.shifts.empty() && command.shifts.size() != pattern.panels.size()) {
-        throw DraftError("A body's shifts are one for each panel");
+        throw GeometryError("A body's shifts are one for each panel");
     }
     pattern.body = command.body;
     for (std::size_t i = 0; i < command.shifts.size(); ++i) pattern.panels[i].translation += command.shifts[i];
@@ -82,14 +82,14 @@ Outcome run(sim::Pattern& pattern, const SetBody& command) {
 Outcome run(sim::Pattern& pattern, const SetEdgeLength& command) {
     constexpr double kShortest = 0.005, kLongest = 0.5;  // m, as in files
     if (command.length && !(*command.length >= kShortest && *command.length <= kLongest)) {
-        throw DraftError("A mesh has edges of 0.5 to 50 cm");
+        throw GeometryError("A mesh has edges of 0.5 to 50 cm");
     }
     pattern.edge_length = command.length;
     return {};
 }
 
 Outcome run(sim::Pattern& pattern, const MatchSetts& command) {
-    const sim::Sett sett = in_draft_words([&] { return sett_of(pattern); });
+    const sim::Sett sett = as_geometry_error([&] { return sett_of(pattern); });
     for (const int seam : command.first_seams) known_seam(pattern, seam);
     const sim::SettMatch match = match_sett(pattern, sett, {.first_seams = command.first_seams});
     for (std::size_t i = 0; i < pattern.panels.size(); ++i) pattern.panels[i].sett_offset = match.offsets[i];
@@ -162,8 +162,8 @@ Outcome run(sim::Pattern& pattern, const PlacePanel& command) {
     constexpr double kNearly = 1e-6;
     const Eigen::Matrix3d& r = command.rotation;
     const bool is_rotation = (r * r.transpose()).isIdentity(kNearly) && r.determinant() > 0;
-    if (!is_rotation) throw DraftError("A panel is placed by a rotation", {{.panel = command.panel}});
-    if (!(command.wrap_radius >= 0)) throw DraftError("A panel is bent by a radius", {{.panel = command.panel}});
+    if (!is_rotation) throw GeometryError("A panel is placed by a rotation", {{.panel = command.panel}});
+    if (!(command.wrap_radius >= 0)) throw GeometryError("A panel is bent by a radius", {{.panel = command.panel}});
     sim::Panel& panel = panel_of(pattern, command.panel);
     panel.translation = command.translation;
     panel.rotation = command.rotation;
@@ -224,7 +224,7 @@ Outcome run(sim::Pattern& pattern, const UnfoldPanel& command) {
 
 }  // namespace
 
-Outcome carry_out(sim::Pattern& pattern, const Command& command) {
+Outcome apply(sim::Pattern& pattern, const Command& command) {
     return std::visit([&](const auto& given) { return run(pattern, given); }, command);
 }
 
@@ -234,7 +234,7 @@ constexpr std::size_t kFewestPoints = 2;  // of an internal line
 
 void check_edge(const sim::Panel& panel, int edge) {
     if (edge >= 0 && static_cast<std::size_t>(edge) < panel.edges.size()) return;
-    throw DraftError("'" + panel.name + "' has no edge " + std::to_string(edge), {{.panel = panel.name}});
+    throw GeometryError("'" + panel.name + "' has no edge " + std::to_string(edge), {{.panel = panel.name}});
 }
 
 // Indices by panel, in the order of their names.
@@ -249,7 +249,7 @@ void erase_at(std::vector<T>& items, std::vector<int> indices, const std::string
     std::sort(indices.begin(), indices.end());
     indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
     if (!indices.empty() && (indices.front() < 0 || static_cast<std::size_t>(indices.back()) >= items.size())) {
-        throw DraftError("'" + panel + "' has no such " + what, {{.panel = panel}});
+        throw GeometryError("'" + panel + "' has no such " + what, {{.panel = panel}});
     }
     for (auto index = indices.rbegin(); index != indices.rend(); ++index) items.erase(items.begin() + *index);
 }
@@ -262,11 +262,11 @@ Outcome select_seams(const std::vector<int>& seams) {
 
 void check_internal_line(const sim::InternalLine& line, const std::string& panel) {
     if (line.points.size() >= kFewestPoints) return;
-    throw DraftError("An internal line has two points at least", {{.panel = panel}});
+    throw GeometryError("An internal line has two points at least", {{.panel = panel}});
 }
 
 void check_fraction(double t) {
-    if (!(t >= 0 && t <= 1)) throw DraftError("A place along an edge is between its ends");
+    if (!(t >= 0 && t <= 1)) throw GeometryError("A place along an edge is between its ends");
 }
 
 std::vector<EdgeSpan> spans_of(const sim::Pattern& pattern, const std::vector<SpanRef>& refs) {
@@ -281,7 +281,8 @@ std::vector<EdgeSpan> spans_of(const sim::Pattern& pattern, const std::vector<Sp
 }  // namespace
 
 const sim::Seam& known_seam(const sim::Pattern& pattern, int seam) {
-    if (seam < 0 || static_cast<std::size_t>(seam) >= pattern.seams.size()) throw DraftError("There is no such seam");
+    if (seam < 0 || static_cast<std::size_t>(seam) >= pattern.seams.size())
+        throw GeometryError("There is no such seam");
     return pattern.seams[static_cast<std::size_t>(seam)];
 }
 
@@ -293,7 +294,7 @@ sim::SeamSide edge_of(const sim::Pattern& pattern, const PartRef& edge) {
 
 void check_vertex(const sim::Panel& panel, int vertex) {
     if (vertex >= 0 && static_cast<std::size_t>(vertex) < panel.vertices.size()) return;
-    throw DraftError("'" + panel.name + "' has no point " + std::to_string(vertex), {{.panel = panel.name}});
+    throw GeometryError("'" + panel.name + "' has no point " + std::to_string(vertex), {{.panel = panel.name}});
 }
 
 Eigen::Affine2d map_in_panel(const sim::Pattern& pattern, int panel, const PlaneMap& map) {
@@ -369,7 +370,7 @@ Outcome run(sim::Pattern& pattern, const SetInternalLine& command) {
     check_internal_line(command.line, command.panel);
     std::vector<sim::InternalLine>& lines = panel_of(pattern, command.panel).internal_lines;
     if (command.index < 0 || static_cast<std::size_t>(command.index) >= lines.size()) {
-        throw DraftError("'" + command.panel + "' has no such internal line", {{.panel = command.panel}});
+        throw GeometryError("'" + command.panel + "' has no such internal line", {{.panel = command.panel}});
     }
     lines[static_cast<std::size_t>(command.index)] = command.line;
     return {};
@@ -390,7 +391,7 @@ Outcome run(sim::Pattern& pattern, const MoveNotch& command) {
     check_fraction(command.t);
     std::vector<sim::Notch>& notches = panel_of(pattern, command.panel).notches;
     if (command.index < 0 || static_cast<std::size_t>(command.index) >= notches.size()) {
-        throw DraftError("'" + command.panel + "' has no such notch", {{.panel = command.panel}});
+        throw GeometryError("'" + command.panel + "' has no such notch", {{.panel = command.panel}});
     }
     notches[static_cast<std::size_t>(command.index)] = {.edge = command.edge, .t = command.t};
     return {};
@@ -417,10 +418,10 @@ Outcome run(sim::Pattern& pattern, const ReverseSeam& command) {
 Outcome run(sim::Pattern& pattern, const NameSeam& command) {
     known_seam(pattern, command.seam);
     if (command.to.find_first_of(",+") != std::string::npos)
-        throw DraftError("A seam's name has no comma and no plus sign");
+        throw GeometryError("A seam's name has no comma and no plus sign");
     for (const sim::Seam& seam : pattern.seams) {
         if (!command.to.empty() && seam.name == command.to)
-            throw DraftError("There is a seam '" + command.to + "' already");
+            throw GeometryError("There is a seam '" + command.to + "' already");
     }
     pattern.seams[static_cast<std::size_t>(command.seam)].name = command.to;
     return {};

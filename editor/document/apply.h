@@ -20,12 +20,12 @@ struct Outcome {
     std::optional<PanelRename> rename = {};
 };
 
-// Throws DraftError; the pattern may then be half changed. Panels that mirror each other are not yet alike after it.
-Outcome carry_out(sim::Pattern& pattern, const Command& command);
+// Throws GeometryError; the pattern may then be half changed. Panels that mirror each other are not yet alike after it.
+Outcome apply(sim::Pattern& pattern, const Command& command);
 
-// The commands that change parts of panels and seams, and how parts are found; carry_out.h has the others.
+// The commands that change parts of panels and seams, and how parts are found; apply.h has the others.
 
-// Each throws DraftError where there is no such part.
+// Each throws GeometryError where there is no such part.
 const sim::Seam& known_seam(const sim::Pattern& pattern, int seam);
 sim::SeamSide edge_of(const sim::Pattern& pattern, const PartRef& edge);
 void check_vertex(const sim::Panel& panel, int vertex);

@@ -39,7 +39,7 @@ void keep_places(sim::Pattern& pattern, const sim::Pattern& before) {
 
 Changed changed_by(const sim::Pattern& before, const Command& command) {
     Changed changed{.pattern = before};
-    changed.outcome = carry_out(changed.pattern, command);
+    changed.outcome = apply(changed.pattern, command);
     update_mirrors(changed.pattern, before);
     keep_places(changed.pattern, before);
     return changed;
@@ -67,31 +67,31 @@ void Document::run(const Command& command) {
     remember(std::move(entry));
 }
 
-void Document::attempt(const Command& command) {
-    const sim::Pattern& before = is_attempting_ ? before_attempt_ : source_.pattern;
+void Document::preview(const Command& command) {
+    const sim::Pattern& before = is_previewing_ ? before_preview_ : source_.pattern;
     Changed changed = changed_by(before, command);
     SELVEDGE_ASSERT(!changed.outcome.rename);  // names are not dragged
-    if (!is_attempting_) {
-        before_attempt_ = source_.pattern;
+    if (!is_previewing_) {
+        before_preview_ = source_.pattern;
         selected_before_ = selection_;
-        is_attempting_ = true;
+        is_previewing_ = true;
     }
-    attempted_ = label_of(command);
+    previewed_ = label_of(command);
     show(std::move(changed.pattern), changed.outcome.selection.value_or(selected_before_));
-    note(journal_attempt(command));
+    note(journal_preview(command));
 }
 
 void Document::keep() {
-    if (!is_attempting_) return;
-    is_attempting_ = false;
+    if (!is_previewing_) return;
+    is_previewing_ = false;
     note(journal_word(JournalWord::Keep));
-    remember({.label = attempted_, .patch = difference(before_attempt_, source_.pattern), .before = selected_before_});
+    remember({.label = previewed_, .patch = difference(before_preview_, source_.pattern), .before = selected_before_});
 }
 
 void Document::drop() {
-    if (!is_attempting_) return;
-    is_attempting_ = false;
-    show(std::move(before_attempt_), selected_before_);
+    if (!is_previewing_) return;
+    is_previewing_ = false;
+    show(std::move(before_preview_), selected_before_);
     note(journal_word(JournalWord::Drop));
 }
 
@@ -139,7 +139,7 @@ std::string Document::text() const {
 }
 
 bool Document::has_unsaved_changes() const {
-    return is_attempting_ || saved_position_ != position_;
+    return is_previewing_ || saved_position_ != position_;
 }
 
 void Document::mark_saved() {

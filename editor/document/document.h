@@ -51,20 +51,20 @@ class Document {
     std::uint64_t revision() const { return revision_; }
 
     // Goes on counting where the one that it takes the place of is: who remembers a revision sees that all is new.
-    void take_place_of(const Document& before) { revision_ = before.revision_ + 1; }
+    void replace_panel(const Document& before) { revision_ = before.revision_ + 1; }
 
     // Parts that are not there are left out.
     void select(Selection selection);
 
-    // Throws DraftError, with nothing changed, when the command cannot be carried out. What it made is selected.
+    // Throws GeometryError, with nothing changed, when the command cannot be carried out. What it made is selected.
     void run(const Command& command);
 
     // Shows what a command would do, as long as a drag lasts: the next one takes its place, `keep` makes it history,
     // `drop` takes it back. Any other change drops it first. Throws as run; what was shown before it then stays.
-    void attempt(const Command& command);
+    void preview(const Command& command);
     void keep();
     void drop();
-    bool is_attempting() const { return is_attempting_; }
+    bool is_previewing() const { return is_previewing_; }
 
     bool can_undo() const { return position_ > 0; }
     bool can_redo() const { return position_ < history_.size(); }
@@ -97,10 +97,10 @@ class Document {
     std::size_t position_ = 0;
     std::optional<std::size_t> saved_position_ = 0;  // none: what was saved can no longer be reached
     std::uint64_t revision_ = 0;
-    bool is_attempting_ = false;
-    sim::Pattern before_attempt_;
+    bool is_previewing_ = false;
+    sim::Pattern before_preview_;
     Selection selected_before_;
-    std::string attempted_;  // its label; empty: nothing that could be carried out yet
+    std::string previewed_;  // its label; empty: nothing that could be carried out yet
     Journal journal_;
 };
 

@@ -44,12 +44,12 @@ std::optional<std::string_view> take_line(std::string_view& rest) {
     return line;
 }
 
-// Plays one line. Throws InputError or DraftError where it cannot be.
+// Plays one line. Throws InputError or GeometryError where it cannot be.
 void play(Document& document, std::string_view line) {
     const sim::Json json = sim::parse_json(line, kFile);
     const sim::JsonView view(json, kFile);
     if (view.has("do")) return document.run(parse_command(view.at("do")));
-    if (view.has("try")) return document.attempt(parse_command(view.at("try")));
+    if (view.has("try")) return document.preview(parse_command(view.at("try")));
     if (view.has("keep")) return document.keep();
     if (view.has("drop")) return document.drop();
     if (view.has("undo")) return document.undo();
@@ -63,7 +63,7 @@ sim::Json journal_line(const Command& command) {
     return one_member("do", to_json(command));
 }
 
-sim::Json journal_attempt(const Command& command) {
+sim::Json journal_preview(const Command& command) {
     return one_member("try", to_json(command));
 }
 

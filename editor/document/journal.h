@@ -23,7 +23,7 @@ class Document;
 enum class JournalWord { Keep, Drop, Undo, Redo };
 
 sim::Json journal_line(const Command& command);
-sim::Json journal_attempt(const Command& command);
+sim::Json journal_preview(const Command& command);
 sim::Json journal_word(JournalWord word);
 
 // The first line. `file`: where the document is saved; empty: nowhere yet. `text`: the document when the journal

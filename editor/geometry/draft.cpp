@@ -47,7 +47,7 @@ class PanelChecker {
 
  private:
     [[noreturn]] void fail(const std::string& what, int edge = -1) const {
-        throw DraftError("Panel " + panel_.name + " " + what + ".", {{panel_.name, edge, -1}});
+        throw GeometryError("Panel " + panel_.name + " " + what + ".", {{panel_.name, edge, -1}});
     }
 
     void check_numbers() const {
@@ -94,14 +94,14 @@ class PanelChecker {
         const std::vector<sim::OutlineCrossing> crossings =
             find_outline_crossings(panel_, {.most = 4, .clearance = kClearance});
         if (crossings.empty()) return;
-        std::vector<DraftPlace> places;
+        std::vector<GeometryPlace> places;
         for (const sim::OutlineCrossing& crossing : crossings) {
             places.push_back({panel_.name, static_cast<int>(crossing.first), -1});
             if (crossing.second != crossing.first) {
                 places.push_back({panel_.name, static_cast<int>(crossing.second), -1});
             }
         }
-        throw DraftError("The outline of panel " + panel_.name + " would cross or touch itself.", std::move(places));
+        throw GeometryError("The outline of panel " + panel_.name + " would cross or touch itself.", std::move(places));
     }
 
     const sim::Panel& panel_;
@@ -111,15 +111,16 @@ void check_seam(const sim::Pattern& draft, const sim::Seam& seam) {
     const double first = outline_length(draft.panels[as_size(seam.first.panel)], edge_of(draft, seam.first));
     const double second = outline_length(draft.panels[as_size(seam.second.panel)], edge_of(draft, seam.second));
     if (std::max(first, second) * kMargin <= sim::kMostGathers * std::min(first, second)) return;
-    throw DraftError("One side of seam " + seam_name(draft, seam) + " would be over four times as long as the other.",
-                     {place_of(draft, seam.first), place_of(draft, seam.second)});
+    throw GeometryError(
+        "One side of seam " + seam_name(draft, seam) + " would be over four times as long as the other.",
+        {place_of(draft, seam.first), place_of(draft, seam.second)});
 }
 
 }  // namespace
 
 sim::Panel& panel_of(sim::Pattern& pattern, int panel) {
     if (panel >= 0 && panel < static_cast<int>(pattern.panels.size())) return pattern.panels[as_size(panel)];
-    throw DraftError("There is no panel " + std::to_string(panel) + ".");
+    throw GeometryError("There is no panel " + std::to_string(panel) + ".");
 }
 
 const sim::Panel& panel_of(const sim::Pattern& pattern, int panel) {
@@ -129,7 +130,8 @@ const sim::Panel& panel_of(const sim::Pattern& pattern, int panel) {
 sim::OutlineEdge& edge_of(sim::Pattern& pattern, const sim::SeamSide& side) {
     sim::Panel& panel = panel_of(pattern, side.panel);
     if (side.edge >= 0 && side.edge < edge_count(panel)) return panel.edges[as_size(side.edge)];
-    throw DraftError("Panel " + panel.name + " has no edge " + std::to_string(side.edge) + ".", {{panel.name, -1, -1}});
+    throw GeometryError("Panel " + panel.name + " has no edge " + std::to_string(side.edge) + ".",
+                        {{panel.name, -1, -1}});
 }
 
 const sim::OutlineEdge& edge_of(const sim::Pattern& pattern, const sim::SeamSide& side) {
@@ -138,18 +140,18 @@ const sim::OutlineEdge& edge_of(const sim::Pattern& pattern, const sim::SeamSide
 
 const sim::Seam& seam_of(const sim::Pattern& pattern, int seam) {
     if (seam >= 0 && seam < static_cast<int>(pattern.seams.size())) return pattern.seams[as_size(seam)];
-    throw DraftError("There is no seam " + std::to_string(seam) + ".");
+    throw GeometryError("There is no seam " + std::to_string(seam) + ".");
 }
 
 void expect_vertices(const sim::Panel& panel, const std::vector<int>& vertices) {
     for (const int vertex : vertices) {
         if (vertex >= 0 && vertex < static_cast<int>(panel.vertices.size())) continue;
-        throw DraftError("Panel " + panel.name + " has no point " + std::to_string(vertex) + ".",
-                         {{panel.name, -1, -1}});
+        throw GeometryError("Panel " + panel.name + " has no point " + std::to_string(vertex) + ".",
+                            {{panel.name, -1, -1}});
     }
 }
 
-DraftPlace place_of(const sim::Pattern& pattern, const sim::SeamSide& side) {
+GeometryPlace place_of(const sim::Pattern& pattern, const sim::SeamSide& side) {
     return {panel_of(pattern, side.panel).name, side.edge, -1};
 }
 
@@ -176,8 +178,8 @@ void check_draft(const sim::Pattern& draft, const sim::Pattern& before) {
         for (const sim::SeamSide& side : {seam.first, seam.second}) {
             edge_of(draft, side);
             if (sewn.insert(side).second) continue;
-            throw DraftError("An edge of panel " + panel_of(draft, side.panel).name + " would be sewn twice.",
-                             {place_of(draft, side)});
+            throw GeometryError("An edge of panel " + panel_of(draft, side.panel).name + " would be sewn twice.",
+                                {place_of(draft, side)});
         }
         const bool is_old = i < before.seams.size() && before.seams[i] == seam;
         if (!is_old || is_changed[as_size(seam.first.panel)] || is_changed[as_size(seam.second.panel)]) {

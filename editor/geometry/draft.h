@@ -14,23 +14,23 @@ namespace selvedge::editor {
 
 // What cannot be done to a draft, in words a tailor understands, and where: views light the places up.
 
-struct DraftPlace {
+struct GeometryPlace {
     std::string panel;
     int edge = -1;    // none: -1
     int vertex = -1;  // none: -1
 
-    bool operator==(const DraftPlace&) const = default;
+    bool operator==(const GeometryPlace&) const = default;
 };
 
-class DraftError : public std::runtime_error {
+class GeometryError : public std::runtime_error {
  public:
-    explicit DraftError(const std::string& words, std::vector<DraftPlace> places = {})
+    explicit GeometryError(const std::string& words, std::vector<GeometryPlace> places = {})
         : std::runtime_error(words), places_(std::move(places)) {}
 
-    const std::vector<DraftPlace>& places() const { return places_; }
+    const std::vector<GeometryPlace>& places() const { return places_; }
 
  private:
-    std::vector<DraftPlace> places_;
+    std::vector<GeometryPlace> places_;
 };
 
 inline std::size_t as_size(int index) {
@@ -41,7 +41,7 @@ inline int edge_count(const sim::Panel& panel) {
     return static_cast<int>(panel.edges.size());
 }
 
-// Indices that come from outside. Throw DraftError.
+// Indices that come from outside. Throw GeometryError.
 sim::Panel& panel_of(sim::Pattern& pattern, int panel);
 const sim::Panel& panel_of(const sim::Pattern& pattern, int panel);
 sim::OutlineEdge& edge_of(sim::Pattern& pattern, const sim::SeamSide& side);
@@ -49,18 +49,18 @@ const sim::OutlineEdge& edge_of(const sim::Pattern& pattern, const sim::SeamSide
 const sim::Seam& seam_of(const sim::Pattern& pattern, int seam);
 void expect_vertices(const sim::Panel& panel, const std::vector<int>& vertices);
 
-DraftPlace place_of(const sim::Pattern& pattern, const sim::SeamSide& side);
+GeometryPlace place_of(const sim::Pattern& pattern, const sim::SeamSide& side);
 
 // The seam at an edge, as index into Pattern::seams.
 std::optional<int> seam_at(const sim::Pattern& pattern, const sim::SeamSide& side);
 
-// Throws DraftError unless what differs from `before` can be saved and loaded again.
+// Throws GeometryError unless what differs from `before` can be saved and loaded again.
 void check_draft(const sim::Pattern& draft, const sim::Pattern& before);
 void check_panel(const sim::Panel& panel);
 
 // Carries out `edit(Pattern&)` wholly or not at all; gives what it gives.
 template <class Edit>
-auto edit_draft(sim::Pattern& pattern, Edit edit) {
+auto edit_pattern(sim::Pattern& pattern, Edit edit) {
     sim::Pattern draft = pattern;
     if constexpr (std::is_void_v<decltype(edit(draft))>) {
         edit(draft);

@@ -1,6 +1,6 @@
 #pragma once
 // What goes with an outline when its edges are split, joined or renumbered: seams, notches and pins. None of these
-// checks the result: edit_draft does. For the sources of this room.
+// checks the result: edit_pattern does. For the sources of this room.
 #include <functional>
 #include <optional>
 

@@ -23,7 +23,7 @@ class VertexRemover {
     void remove() {
         const auto is_kept = [&](const sim::OutlineEdge& edge) { return !is_marked_[as_size(edge.start)]; };
         if (std::count_if(own().edges.begin(), own().edges.end(), is_kept) < 2) {
-            throw DraftError("Panel " + own().name + " would have no inside.", {{own().name, -1, -1}});
+            throw GeometryError("Panel " + own().name + " would have no inside.", {{own().name, -1, -1}});
         }
         while (join_one_run()) continue;
         for (std::size_t i = 0; i < going_.size(); ++i) {
@@ -74,20 +74,20 @@ int find_panel(const sim::Pattern& pattern, const std::string& name) {
     for (std::size_t i = 0; i < pattern.panels.size(); ++i) {
         if (pattern.panels[i].name == name) return static_cast<int>(i);
     }
-    throw DraftError("There is no panel " + name + ".");
+    throw GeometryError("There is no panel " + name + ".");
 }
 
 int split_edge(sim::Pattern& pattern, sim::SeamSide at, double t) {
     edge_of(pattern, at);
     if (!(t > 0 && t < 1)) {
-        throw DraftError("A new point lies between the ends of its edge.", {place_of(pattern, at)});
+        throw GeometryError("A new point lies between the ends of its edge.", {place_of(pattern, at)});
     }
-    return edit_draft(pattern, [&](sim::Pattern& draft) { return split_sewn(draft, at, t); });
+    return edit_pattern(pattern, [&](sim::Pattern& draft) { return split_sewn(draft, at, t); });
 }
 
 void remove_vertices(sim::Pattern& pattern, int panel, std::vector<int> vertices) {
     expect_vertices(panel_of(pattern, panel), vertices);
-    edit_draft(pattern, [&](sim::Pattern& draft) { VertexRemover(draft, panel, vertices).remove(); });
+    edit_pattern(pattern, [&](sim::Pattern& draft) { VertexRemover(draft, panel, vertices).remove(); });
 }
 
 void move_vertices(sim::Pattern& pattern, int panel, const std::vector<int>& vertices, const Vec2d& by) {
@@ -97,12 +97,12 @@ void move_vertices(sim::Pattern& pattern, int panel, const std::vector<int>& ver
 void transform_vertices(sim::Pattern& pattern, int panel, const std::vector<int>& vertices,
                         const Eigen::Affine2d& map) {
     const VertexMove move = move_of(panel_of(pattern, panel), vertices, map);
-    edit_draft(pattern, [&](sim::Pattern& draft) { move_outline(draft.panels[as_size(panel)], move); });
+    edit_pattern(pattern, [&](sim::Pattern& draft) { move_outline(draft.panels[as_size(panel)], move); });
 }
 
 void transform_panel(sim::Pattern& pattern, int panel, const Eigen::Affine2d& map) {
     panel_of(pattern, panel);
-    edit_draft(pattern, [&](sim::Pattern& draft) {
+    edit_pattern(pattern, [&](sim::Pattern& draft) {
         sim::Panel& own = draft.panels[as_size(panel)];
         own = mapped_panel(own, map);
         if (map.linear().determinant() >= 0) return;
@@ -114,7 +114,7 @@ void transform_panel(sim::Pattern& pattern, int panel, const Eigen::Affine2d& ma
 
 void set_curve(sim::Pattern& pattern, sim::SeamSide at, const sim::OutlineEdge& curve) {
     edge_of(pattern, at);
-    edit_draft(pattern, [&](sim::Pattern& draft) {
+    edit_pattern(pattern, [&](sim::Pattern& draft) {
         sim::OutlineEdge& edge = edge_of(draft, at);
         sim::OutlineEdge changed{.start = edge.start, .end = edge.end, .kind = curve.kind, .label = edge.label};
         if (curve.kind == sim::CurveKind::Arc) {

@@ -2,17 +2,17 @@
 // Changing the outlines of a pattern's panels. Seams, notches, pins and the other panel of a seam follow: what was sewn
 // stays sewn wherever it can. Lengths in metres, points in the panel's held frame (sim/pattern/pattern.h).
 //
-// Every function throws DraftError, and leaves the pattern as it was, when the outline would have no inside: fewer than
-// three vertices' worth, an edge shorter than 0.01 mm, outlines that cross themselves or come nearer than 0.0001 mm; or
-// when a side of a seam would be over four times as long as the other. So whatever is drafted can be saved and loaded.
-// Indices are checked, too.
+// Every function throws GeometryError, and leaves the pattern as it was, when the outline would have no inside: fewer
+// than three vertices' worth, an edge shorter than 0.01 mm, outlines that cross themselves or come nearer than 0.0001
+// mm; or when a side of a seam would be over four times as long as the other. So whatever is drafted can be saved and
+// loaded. Indices are checked, too.
 #include <vector>
 
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::editor {
 
-// The index of the panel of that name. Throws DraftError when there is none.
+// The index of the panel of that name. Throws GeometryError when there is none.
 int find_panel(const sim::Pattern& pattern, const std::string& name);
 
 // Sets a vertex at the fraction t of the edge's length; the curve keeps its shape. The edges after it count one more;

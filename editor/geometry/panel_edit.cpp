@@ -39,8 +39,8 @@ std::string free_panel_name(const sim::Pattern& pattern, const std::string& want
 void rename_panel(sim::Pattern& pattern, int panel, const std::string& name) {
     sim::Panel& own = panel_of(pattern, panel);
     if (name == own.name) return;
-    if (name.empty()) throw DraftError("A panel needs a name.", {{own.name, -1, -1}});
-    if (is_taken(pattern, name)) throw DraftError("There is a panel " + name + " already.", {{name, -1, -1}});
+    if (name.empty()) throw GeometryError("A panel needs a name.", {{own.name, -1, -1}});
+    if (is_taken(pattern, name)) throw GeometryError("There is a panel " + name + " already.", {{name, -1, -1}});
     for (sim::Panel& other : pattern.panels) {
         if (other.mirror_of == own.name) other.mirror_of = name;
     }
@@ -85,7 +85,7 @@ sim::Panel make_ellipse(const Vec2d& centre, const Vec2d& radii) {
 
 int add_panel(sim::Pattern& pattern, sim::Panel panel) {
     panel.name = free_panel_name(pattern, panel.name);
-    return edit_draft(pattern, [&](sim::Pattern& draft) {
+    return edit_pattern(pattern, [&](sim::Pattern& draft) {
         draft.panels.push_back(std::move(panel));
         return static_cast<int>(draft.panels.size()) - 1;
     });
@@ -93,7 +93,7 @@ int add_panel(sim::Pattern& pattern, sim::Panel panel) {
 
 void remove_panels(sim::Pattern& pattern, const std::vector<int>& panels) {
     for (const int panel : panels) panel_of(pattern, panel);
-    edit_draft(pattern, [&](sim::Pattern& draft) { drop_panels(draft, panels); });
+    edit_pattern(pattern, [&](sim::Pattern& draft) { drop_panels(draft, panels); });
 }
 
 int duplicate_panel(sim::Pattern& pattern, int panel, const Vec2d& shift) {
@@ -170,7 +170,7 @@ class PanelCutter {
         from_ = vertex_at(path_.front());
         to_ = vertex_at(path_.back());
         if (from_ == to_) {
-            throw DraftError("A cut begins and ends at different points of the outline.", {{own().name, -1, from_}});
+            throw GeometryError("A cut begins and ends at different points of the outline.", {{own().name, -1, from_}});
         }
         path_.front() = own().vertices[as_size(from_)];
         path_.back() = own().vertices[as_size(to_)];
@@ -306,11 +306,11 @@ int cut_panel(sim::Pattern& pattern, int panel, const std::vector<Vec2d>& path, 
     const sim::Panel& own = panel_of(pattern, panel);
     const bool is_sound = std::all_of(path.begin(), path.end(), [](const Vec2d& p) { return p.allFinite(); });
     if (path.size() < 2 || !is_sound) {
-        throw DraftError("A cut needs two points or more.", {{own.name, -1, -1}});
+        throw GeometryError("A cut needs two points or more.", {{own.name, -1, -1}});
     }
     const Vec2d position = sheet_positions(pattern)[as_size(panel)];
-    return edit_draft(pattern,
-                      [&](sim::Pattern& draft) { return PanelCutter(draft, panel, path).cut(is_sewn, position); });
+    return edit_pattern(pattern,
+                        [&](sim::Pattern& draft) { return PanelCutter(draft, panel, path).cut(is_sewn, position); });
 }
 
 namespace {

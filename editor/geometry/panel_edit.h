@@ -1,5 +1,5 @@
 #pragma once
-// Making panels, cutting them apart and joining them. All throw DraftError and leave the pattern as it was when the
+// Making panels, cutting them apart and joining them. All throw GeometryError and leave the pattern as it was when the
 // result would be no panel. Names that are taken get a number: front, front_2.
 #include <string>
 #include <vector>

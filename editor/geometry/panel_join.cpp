@@ -27,8 +27,8 @@ class Merger {
     int merge() {
         other_ = mapped_panel(b(), map_of_seam());
         if (!lie_together(a_first_, b_first_)) {
-            throw DraftError("The sides of the seam have different shapes.",
-                             {place_of(draft_, {a_, a_first_}), place_of(draft_, {b_, b_first_})});
+            throw GeometryError("The sides of the seam have different shapes.",
+                                {place_of(draft_, {a_, a_first_}), place_of(draft_, {b_, b_first_})});
         }
         extend();
         meet_ends();
@@ -275,17 +275,17 @@ int open_wedge(sim::Pattern& draft, const sim::SeamSide& mouth, double depth) {
 
 int merge_panels(sim::Pattern& pattern, int seam) {
     const sim::Seam joint = seam_of(pattern, seam);
-    const std::vector<DraftPlace> places{place_of(pattern, joint.first), place_of(pattern, joint.second)};
-    if (joint.first.panel == joint.second.panel) throw DraftError("A seam within one panel joins no two.", places);
-    if (!joint.is_reversed) throw DraftError("The panels face different ways: turn one over first.", places);
-    return edit_draft(pattern, [&](sim::Pattern& draft) { return Merger(draft, joint).merge(); });
+    const std::vector<GeometryPlace> places{place_of(pattern, joint.first), place_of(pattern, joint.second)};
+    if (joint.first.panel == joint.second.panel) throw GeometryError("A seam within one panel joins no two.", places);
+    if (!joint.is_reversed) throw GeometryError("The panels face different ways: turn one over first.", places);
+    return edit_pattern(pattern, [&](sim::Pattern& draft) { return Merger(draft, joint).merge(); });
 }
 
 void unfold_panel(sim::Pattern& pattern, sim::SeamSide fold) {
     if (!is_straight(panel_of(pattern, fold.panel), edge_of(pattern, fold))) {
-        throw DraftError("A fold is straight; this edge is curved.", {place_of(pattern, fold)});
+        throw GeometryError("A fold is straight; this edge is curved.", {place_of(pattern, fold)});
     }
-    edit_draft(pattern, [&](sim::Pattern& draft) {
+    edit_pattern(pattern, [&](sim::Pattern& draft) {
         unlink(draft, fold.panel);
         unfold(draft, fold);
     });
@@ -295,9 +295,9 @@ void insert_dart(sim::Pattern& pattern, sim::SeamSide at, double t, double width
     const double length = outline_length(panel_of(pattern, at.panel), edge_of(pattern, at));
     const double from = t - width / 2 / length;
     const double to = t + width / 2 / length;
-    if (!(width > 0 && depth > 0)) throw DraftError("A dart needs a width and a depth.", {place_of(pattern, at)});
-    if (!(from > 0 && to < 1)) throw DraftError("The dart is wider than there is room.", {place_of(pattern, at)});
-    edit_draft(pattern, [&](sim::Pattern& draft) {
+    if (!(width > 0 && depth > 0)) throw GeometryError("A dart needs a width and a depth.", {place_of(pattern, at)});
+    if (!(from > 0 && to < 1)) throw GeometryError("The dart is wider than there is room.", {place_of(pattern, at)});
+    edit_pattern(pattern, [&](sim::Pattern& draft) {
         const sim::Panel& panel = draft.panels[as_size(at.panel)];
         const int second = split_alone(draft, at, to);
         const int first = split_alone(draft, at, from / to);

@@ -167,9 +167,10 @@ class Follower {
         const int most = edge_count(own()) + edge_count(lead);
         for (int step = 0; even_one_stretch(); ++step) {
             if (step < most) continue;
-            throw DraftError("Panels " + lead.name + " and " + own().name +
-                                 " are mirror images and sewn to each other so that their seams cannot be split alike.",
-                             {{lead.name, -1, -1}, {own().name, -1, -1}});
+            throw GeometryError(
+                "Panels " + lead.name + " and " + own().name +
+                    " are mirror images and sewn to each other so that their seams cannot be split alike.",
+                {{lead.name, -1, -1}, {own().name, -1, -1}});
         }
     }
 
@@ -275,8 +276,8 @@ bool was_linked(const sim::Pattern& before, const sim::Panel& panel) {
 int symmetric_copy(sim::Pattern& pattern, int panel, bool is_linked, const Vec2d& shift) {
     const sim::Panel& own = panel_of(pattern, panel);
     if (is_linked && !own.mirror_of.empty()) {
-        throw DraftError("Panel " + own.name + " is kept a mirror image of " + own.mirror_of + " already.",
-                         {{own.name, -1, -1}, {own.mirror_of, -1, -1}});
+        throw GeometryError("Panel " + own.name + " is kept a mirror image of " + own.mirror_of + " already.",
+                            {{own.name, -1, -1}, {own.mirror_of, -1, -1}});
     }
     sim::Panel image = mirror_image(own);
     image.name = free_panel_name(pattern, name_across(own.name));
@@ -284,7 +285,7 @@ int symmetric_copy(sim::Pattern& pattern, int panel, bool is_linked, const Vec2d
     const Box box = outline_box(own);
     const Vec2d to_its_place(box.low.x() + box.high.x(), 0);  // its box is where the panel's is, then moved
     image.sheet_position = sheet_positions(pattern)[as_size(panel)] + to_its_place + shift;
-    return edit_draft(pattern, [&](sim::Pattern& draft) {
+    return edit_pattern(pattern, [&](sim::Pattern& draft) {
         const int copy = static_cast<int>(draft.panels.size());
         for (const sim::Seam& dart : darts_of(draft, panel)) {
             draft.seams.push_back(dart_across(dart, copy, edge_count(image)));
@@ -297,7 +298,7 @@ int symmetric_copy(sim::Pattern& pattern, int panel, bool is_linked, const Vec2d
 void update_mirrors(sim::Pattern& pattern, const sim::Pattern& before) {
     const std::map<int, std::vector<int>> groups = linked_groups(pattern);
     if (groups.empty()) return;
-    edit_draft(pattern, [&](sim::Pattern& draft) {
+    edit_pattern(pattern, [&](sim::Pattern& draft) {
         for (const auto& [head, images] : groups) {
             int lead = head;
             Change most = change_of(pattern, head, before);

@@ -61,7 +61,7 @@ class SideScaler {
         const bool start_holds = holds_other(edge.start);
         const bool end_holds = holds_other(edge.end);
         if (start_holds && end_holds) {
-            throw DraftError("Both ends of the edge are ends of the other side too.", {place_of(draft_, side_)});
+            throw GeometryError("Both ends of the edge are ends of the other side too.", {place_of(draft_, side_)});
         }
         const bool is_start_free = !start_holds && !seam_at(draft_, {side_.panel, before});
         const bool is_end_free = !end_holds && !seam_at(draft_, {side_.panel, after});
@@ -92,17 +92,17 @@ class SideScaler {
 
 int sew_edges(sim::Pattern& pattern, const sim::Seam& seam) {
     if (seam.first == seam.second) {
-        throw DraftError("An edge is not sewn to itself.", {place_of(pattern, seam.first)});
+        throw GeometryError("An edge is not sewn to itself.", {place_of(pattern, seam.first)});
     }
     for (const sim::SeamSide& side : {seam.first, seam.second}) {
         edge_of(pattern, side);
         const auto found = seam_at(pattern, side);
         if (!found) continue;
-        throw DraftError("This edge of panel " + panel_of(pattern, side.panel).name + " is sewn already, by seam " +
-                             seam_name(pattern, pattern.seams[as_size(*found)]) + ".",
-                         {place_of(pattern, side)});
+        throw GeometryError("This edge of panel " + panel_of(pattern, side.panel).name + " is sewn already, by seam " +
+                                seam_name(pattern, pattern.seams[as_size(*found)]) + ".",
+                            {place_of(pattern, side)});
     }
-    return edit_draft(pattern, [&](sim::Pattern& draft) {
+    return edit_pattern(pattern, [&](sim::Pattern& draft) {
         draft.seams.push_back(seam);
         return static_cast<int>(draft.seams.size()) - 1;
     });
@@ -122,7 +122,7 @@ std::array<double, 2> seam_lengths(const sim::Pattern& pattern, const sim::Seam&
 
 void even_seam(sim::Pattern& pattern, int seam) {
     const sim::Seam uneven = seam_of(pattern, seam);
-    edit_draft(pattern, [&](sim::Pattern& draft) {
+    edit_pattern(pattern, [&](sim::Pattern& draft) {
         const auto [first, second] = seam_lengths(draft, uneven);
         SideScaler(draft, uneven.second, uneven.first).scale(first / second);
         draft.seams[as_size(seam)].is_eased = false;
@@ -160,19 +160,19 @@ struct Run {
 };
 
 Run measured(const sim::Pattern& pattern, const std::vector<EdgeSpan>& spans) {
-    if (spans.empty()) throw DraftError("There is nothing to sew on one side.");
+    if (spans.empty()) throw GeometryError("There is nothing to sew on one side.");
     Run run{spans, {0}, 0};
     for (EdgeSpan& span : run.spans) {
         const sim::SeamSide side{span.panel, span.edge};
         const double length = outline_length(panel_of(pattern, span.panel), edge_of(pattern, side));
         if (!(span.from >= 0 && span.from < span.to && span.to <= 1)) {
-            throw DraftError("The part of the edge that is to be sewn has no length.", {place_of(pattern, side)});
+            throw GeometryError("The part of the edge that is to be sewn has no length.", {place_of(pattern, side)});
         }
         if (span.from * length < kSnap) span.from = 0;
         if ((1 - span.to) * length < kSnap) span.to = 1;
         if (seam_at(pattern, side)) {
-            throw DraftError("This edge of panel " + panel_of(pattern, span.panel).name + " is sewn already.",
-                             {place_of(pattern, side)});
+            throw GeometryError("This edge of panel " + panel_of(pattern, span.panel).name + " is sewn already.",
+                                {place_of(pattern, side)});
         }
         run.length += length * (span.to - span.from);
         run.reached.push_back(run.length);
@@ -268,7 +268,7 @@ void expect_apart(const sim::Pattern& pattern, std::vector<EdgeSpan> pieces) {
         const EdgeSpan& one = pieces[i - 1];
         const EdgeSpan& next = pieces[i];
         if (one.panel != next.panel || one.edge != next.edge || next.from >= one.to - kSame) continue;
-        throw DraftError("A part of an edge would be sewn twice.", {place_of(pattern, {next.panel, next.edge})});
+        throw GeometryError("A part of an edge would be sewn twice.", {place_of(pattern, {next.panel, next.edge})});
     }
 }
 
@@ -287,7 +287,7 @@ std::vector<int> sew_runs(sim::Pattern& pattern, const std::vector<EdgeSpan>& fi
     }
     expect_apart(pattern, pieces);
     const PieceCutter cutter(pieces);
-    return edit_draft(pattern, [&](sim::Pattern& draft) {
+    return edit_pattern(pattern, [&](sim::Pattern& draft) {
         cutter.cut(draft);
         std::vector<int> seams;
         for (std::size_t i = 0; i < pieces.size(); i += 2) {

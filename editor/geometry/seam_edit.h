@@ -16,7 +16,7 @@ struct EdgeSpan {
     bool operator==(const EdgeSpan&) const = default;
 };
 
-// Sews two whole edges. Throws DraftError when one is sewn already, both are the same, or one is over four times as
+// Sews two whole edges. Throws GeometryError when one is sewn already, both are the same, or one is over four times as
 // long.
 int sew_edges(sim::Pattern& pattern, const sim::Seam& seam);
 

@@ -19,12 +19,12 @@ namespace {
 constexpr int kGivenUpAfter = 3;  // frames in which nothing was being made and the body is not there: it failed
 
 std::string drafted_text(const sim::Pattern& pattern) {
-    return pattern.body.empty() ? kUsualBody : pattern.body;
+    return pattern.body.empty() ? kDefaultBody : pattern.body;
 }
 
 void keep_body(InspectorContext& context) {
     BodyState& state = context.state.body;
-    const WornBody& worn = context.workspace.drape.worn();
+    const CurrentBody& worn = context.workspace.drape.worn();
     const sim::Pattern& pattern = context.pattern();
     // Where the body that it was drafted for was never made, panels stay where they are.
     const SetBody command = state.drafted_body != nullptr && state.drafted == drafted_text(pattern)
@@ -36,12 +36,12 @@ void keep_body(InspectorContext& context) {
 
 }  // namespace
 
-void wish_body(InspectorContext& context, const std::string& text, BodyWish wish) {
+void wish_body(InspectorContext& context, const std::string& text, BodyRequest wish) {
     BodyState& state = context.state.body;
     state.wrong = wrong_with_body(text);
     if (!state.wrong.empty()) return;
     state.pending = text;
-    state.is_kept = wish == BodyWish::Keep;
+    state.is_kept = wish == BodyRequest::Keep;
     state.idle_frames = 0;
     context.workspace.drape.wear(text);
 }
@@ -80,7 +80,7 @@ constexpr double kMostStance = 10 * std::numbers::pi / 180;
 
 std::string drafted_body(const InspectorContext& context) {
     const std::string& body = context.pattern().body;
-    return body.empty() ? kUsualBody : body;
+    return body.empty() ? kDefaultBody : body;
 }
 
 sim::MannequinOptions read_mannequin(const std::string& text) {
@@ -96,10 +96,10 @@ void carry_body(InspectorContext& context, const NumberEdit& edit, const sim::Ma
         case EditPhase::None:
             break;
         case EditPhase::Trying:
-            wish_body(context, mannequin_text(wanted), BodyWish::Try);
+            wish_body(context, mannequin_text(wanted), BodyRequest::Try);
             break;
         case EditPhase::Kept:
-            wish_body(context, mannequin_text(wanted), BodyWish::Keep);
+            wish_body(context, mannequin_text(wanted), BodyRequest::Keep);
             break;
         case EditPhase::Dropped:
             drop_body_wish(context);
@@ -118,7 +118,7 @@ void draw_sex(InspectorContext& context, const sim::MannequinOptions& options) {
             return;
         }
         wanted.sex = sex;
-        wish_body(context, mannequin_text(wanted), BodyWish::Keep);
+        wish_body(context, mannequin_text(wanted), BodyRequest::Keep);
     };
     choose(sim::Sex::Female, "body.female", "Female");
     choose(sim::Sex::Male, "body.male", "Male");
@@ -126,12 +126,12 @@ void draw_sex(InspectorContext& context, const sim::MannequinOptions& options) {
                     .title = "Clear measures",
                     .tip = "All measures follow the proportions again.",
                     .is_enabled = mannequin_text(options) != mannequin_text({.sex = options.sex})})) {
-        wish_body(context, mannequin_text({.sex = options.sex}), BodyWish::Keep);
+        wish_body(context, mannequin_text({.sex = options.sex}), BodyRequest::Keep);
     }
 }
 
 // What the tape reads on the body that is worn.
-std::optional<double> reading(const WornBody& worn, std::string_view name) {
+std::optional<double> reading(const CurrentBody& worn, std::string_view name) {
     if (!worn.measures) return std::nullopt;
     for (const sim::MeasureReading& entry : worn.measures->readings) {
         if (entry.name == name) return entry.measured;
@@ -140,7 +140,7 @@ std::optional<double> reading(const WornBody& worn, std::string_view name) {
 }
 
 void draw_measures(InspectorContext& context, const sim::MannequinOptions& options) {
-    const WornBody worn{.text = {}, .body = {}, .measures = context.workspace.drape.worn().measures, .points = {}};
+    const CurrentBody worn{.text = {}, .body = {}, .measures = context.workspace.drape.worn().measures, .points = {}};
     for (const std::string_view name : sim::measure_names()) {
         sim::MannequinOptions wanted = options;
         std::optional<double>* value = find_measure(wanted.measures, name);
@@ -175,7 +175,7 @@ void draw_measures(InspectorContext& context, const sim::MannequinOptions& optio
 
 void draw_state(InspectorContext& context) {
     const BodyState& state = context.state.body;
-    const WornBody& worn = context.workspace.drape.worn();
+    const CurrentBody& worn = context.workspace.drape.worn();
     if (!state.wrong.empty()) complaint(context.theme.error, state.wrong);
     if (context.workspace.drape.is_making_body()) paragraph(context, "The body is being made...");
     if (!worn.measures) return;
@@ -191,13 +191,13 @@ void draw_file_body(InspectorContext& context, const std::string& file, bool is_
                                    .title = "Use for this garment",
                                    .tip = "The garment is placed about this body from now on, and its file names it.",
                                    .is_enabled = is_ready})) {
-        wish_body(context, file, BodyWish::Keep);
+        wish_body(context, file, BodyRequest::Keep);
     }
     if (row.button({.name = "body.mannequin",
                     .title = is_drafted ? "Use a mannequin" : "Back to the garment's body",
                     .tip = is_drafted ? "A body from measures takes its place." : "Takes this body off."})) {
         if (is_drafted) {
-            wish_body(context, kUsualBody, BodyWish::Keep);
+            wish_body(context, kDefaultBody, BodyRequest::Keep);
         } else {
             drop_body_wish(context);
         }
@@ -276,7 +276,7 @@ std::string mannequin_text(const sim::MannequinOptions& options) {
 std::string wrong_with_body(const std::string& text) {
     if (!is_mannequin(text)) return "";
     try {
-        sim::parse_mannequin(text.empty() ? kUsualBody : text);
+        sim::parse_mannequin(text.empty() ? kDefaultBody : text);
         return "";
     } catch (const sim::InputError& error) {
         return error.place() + ": " + error.problem();

@@ -15,10 +15,10 @@
 
 namespace selvedge::editor {
 
-enum class BodyWish { Try, Keep };
+enum class BodyRequest { Try, Keep };
 
 // Nothing is worn that is no body: the state then says why.
-void wish_body(InspectorContext& context, const std::string& text, BodyWish wish);
+void wish_body(InspectorContext& context, const std::string& text, BodyRequest wish);
 
 void drop_body_wish(InspectorContext& context);
 

@@ -19,7 +19,7 @@ std::string printed(const char* format, double value) {
 
 }  // namespace
 
-std::string stage_words(sim::SessionStage stage, bool is_running) {
+std::string stage_text(sim::SessionStage stage, bool is_running) {
     switch (stage) {
         case sim::SessionStage::Empty:
             return "Empty: there is nothing to drape";
@@ -161,7 +161,7 @@ void draw_spark(InspectorContext& context, const char* label, const std::string&
 void draw_times(InspectorContext& context, const sim::SessionFrame& frame) {
     const sim::SessionTimes& times = frame.statistics.times;
     const DrapeTrace& trace = context.state.drape.trace;
-    fact(context, "Adaption", milliseconds_text(times.adaption), "Splitting and rejoining edges, once per frame.");
+    fact(context, "Adaption", milliseconds_text(times.adaptation), "Splitting and rejoining edges, once per frame.");
     fact(context, "Steps", milliseconds_text(times.steps), "All steps of one frame: forces, constraints, contacts.");
     draw_spark(context, "Frame", milliseconds_text(times.frame),
                {.figure = [&](std::size_t i) { return trace.frame_ms(i); }, .tip = "What the last 120 frames took."});
@@ -282,7 +282,7 @@ void draw_drape(InspectorContext& context) {
     sim::SessionOptions& options = context.workspace.drape.options();
     draw_buttons(context, *frame);
     ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(stage_words(frame->stage, frame->is_running).c_str());
+    ImGui::TextUnformatted(stage_text(frame->stage, frame->is_running).c_str());
     ImGui::PopTextWrapPos();
     if (!frame->problem.empty()) complaint(context.theme.error, frame->problem);
     draw_figures(context, *frame);

@@ -10,7 +10,7 @@
 namespace selvedge::editor {
 
 // "Sewing: seams close", "Settled: it hangs still".
-std::string stage_words(sim::SessionStage stage, bool is_running);
+std::string stage_text(sim::SessionStage stage, bool is_running);
 
 // "3.2 s", "1.40 ms", "0.8 cm/s".
 std::string seconds_text(double seconds);

@@ -271,7 +271,7 @@ void carry(InspectorContext& context, const NumberEdit& edit, const Command& com
         case EditPhase::None:
             break;
         case EditPhase::Trying:
-            context.workspace.attempt(command);
+            context.workspace.preview(command);
             break;
         case EditPhase::Kept:
             context.workspace.run(command);

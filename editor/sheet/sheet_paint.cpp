@@ -428,9 +428,9 @@ void draw_overlay(const SheetLook& look) {
     }
 }
 
-void draw_lit_places(const SheetLook& look, const std::vector<DraftPlace>& places) {
+void draw_lit_places(const SheetLook& look, const std::vector<GeometryPlace>& places) {
     const SheetPen& pen = look.pen;
-    for (const DraftPlace& place : places) {
+    for (const GeometryPlace& place : places) {
         const PanelShape* shape = look.geometry.find(place.panel);
         if (shape == nullptr) continue;
         const bool has_edge = place.edge >= 0 && static_cast<std::size_t>(place.edge) < shape->edges.size();

@@ -29,7 +29,7 @@ std::vector<ImVec2> inset_line(std::span<const ImVec2> line, float inset, float 
 // What the tool wants seen, what is typed, and the places of an error.
 
 void draw_overlay(const SheetLook& look);
-void draw_lit_places(const SheetLook& look, const std::vector<DraftPlace>& places);
+void draw_lit_places(const SheetLook& look, const std::vector<GeometryPlace>& places);
 
 // Beside the cursor: what is typed, in large, and the tool's readout. `cursor` in px.
 void draw_bubble(const SheetPen& pen, const Vec2d& cursor, const ToolOverlay& overlay, const TypedInput& typed);

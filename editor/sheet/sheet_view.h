@@ -19,7 +19,7 @@ namespace selvedge::editor {
 inline constexpr UiTexture kSheetTextures = 6;
 
 struct SheetContext {
-    ToolDesk desk;
+    ToolHostContext desk;
     ToolHost& tools;
     FrameOutput& output;
     UiTexture first_texture = 1;

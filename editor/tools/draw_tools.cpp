@@ -28,7 +28,7 @@ const PanelShape& panel_under(const SheetGeometry& geometry, const std::vector<V
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
         if (const PanelShape* shape = panel_at(geometry, (path[i] + path[i + 1]) / 2)) return *shape;
     }
-    throw DraftError("Draw the line over a panel");
+    throw GeometryError("Draw the line over a panel");
 }
 
 std::vector<Vec2d> in_panel(const PanelShape& shape, std::vector<Vec2d> path) {
@@ -82,7 +82,7 @@ bool PathTool::key(ToolContext& context, Key key, const Modifiers& modifiers) {
 
 bool PathTool::enter(ToolContext& context, const std::vector<double>& numbers) {
     if (numbers.size() != 1 || path_.is_empty()) return false;
-    if (!(numbers[0] > 0)) throw DraftError("A length is more than nothing");
+    if (!(numbers[0] > 0)) throw GeometryError("A length is more than nothing");
     path_.add_at_length(numbers[0] / 100);
     if (is_done(context)) finish(context);
     return true;
@@ -134,7 +134,7 @@ std::string PolygonTool::hint(const ToolContext&) const {
 
 Command InternalLineTool::command(const ToolContext& context) const {
     const std::vector<Vec2d> path = path_.places();
-    if (path.size() < 2) throw DraftError("A line needs two points");
+    if (path.size() < 2) throw GeometryError("A line needs two points");
     const PanelShape& shape = panel_under(context.geometry, path);
     return AddInternalLine{shape.panel.name, {.name = "", .points = in_panel(shape, path)}};
 }
@@ -163,7 +163,7 @@ bool CutTool::is_done(const ToolContext& context) const {
 
 Command CutTool::command(const ToolContext& context) const {
     const std::vector<Vec2d> path = path_.places();
-    if (path.size() < 2) throw DraftError("A cut needs two points");
+    if (path.size() < 2) throw GeometryError("A cut needs two points");
     const PanelShape& shape = panel_under(context.geometry, path);
     return CutPanel{shape.panel.name, in_panel(shape, path), !modifiers_.alt};
 }
@@ -182,10 +182,10 @@ bool MirrorTool::is_done(const ToolContext&) const {
 Command MirrorTool::command(const ToolContext& context) const {
     const std::vector<Vec2d> axis = path_.places();
     const Vec2d along = axis.at(1) - axis.at(0);
-    if (!(along.norm() > 0)) throw DraftError("The axis needs two points");
+    if (!(along.norm() > 0)) throw GeometryError("The axis needs two points");
     const std::optional<Command> command =
         transform_selected(context.geometry, context.document.selection(), mirror_over(axis[0], along), "Mirror");
-    if (!command) throw DraftError("Select first what is to be mirrored");
+    if (!command) throw GeometryError("Select first what is to be mirrored");
     return *command;
 }
 
@@ -270,7 +270,7 @@ void BoxTool::make(ToolContext& context) {
     const Vec2d low = from_->cwiseMin(aimed_.point), size = (aimed_.point - *from_).cwiseAbs();
     from_.reset();
     constexpr double kSmallest = 1e-3;  // m
-    if (size.minCoeff() < kSmallest) throw DraftError("That is too small for a panel: type width x height (cm)");
+    if (size.minCoeff() < kSmallest) throw GeometryError("That is too small for a panel: type width x height (cm)");
     sim::Panel panel =
         shape_ == BoxShape::Rectangle ? make_rectangle(-size / 2, size / 2) : make_ellipse(Vec2d(0, 0), size / 2);
     panel.name = "panel";
@@ -358,7 +358,7 @@ sim::Panel chained(const Runs& runs, bool is_closed) {
 
 }  // namespace
 
-void PathDraft::aim(const ToolContext& context, const SheetPointer& pointer) {
+void PathInProgress::aim(const ToolContext& context, const SheetPointer& pointer) {
     SnapOptions options = snap_options(context, pointer.modifiers);
     for (const PathPoint& point : points_) options.more_points.push_back(point.at);
     if (!points_.empty()) options.origin = points_.back().at;
@@ -369,35 +369,35 @@ void PathDraft::aim(const ToolContext& context, const SheetPointer& pointer) {
         aimed_ = {points_.back().at + context.typed->front() / 100 * away.normalized(), SnapKind::None, {}};
 }
 
-void PathDraft::add(bool is_curve) {
+void PathInProgress::add(bool is_curve) {
     const bool is_double = !points_.empty() && (points_.back().at - aimed_.point).norm() < 1e-5;
     if (!is_double) points_.push_back({aimed_.point, is_curve && !points_.empty()});
 }
 
-void PathDraft::add_at_length(double length) {
+void PathInProgress::add_at_length(double length) {
     if (points_.empty()) return;
     const Vec2d away = aimed_.point - points_.back().at;
     const Vec2d direction = away.norm() > 0 ? Vec2d(away.normalized()) : Vec2d(1, 0);
     points_.push_back({points_.back().at + length * direction, false});
 }
 
-bool PathDraft::remove_last() {
+bool PathInProgress::remove_last() {
     if (points_.empty()) return false;
     points_.pop_back();
     return true;
 }
 
-std::vector<Vec2d> PathDraft::places() const {
+std::vector<Vec2d> PathInProgress::places() const {
     std::vector<Vec2d> places;
     for (const PathPoint& point : points_) places.push_back(point.at);
     return places;
 }
 
-bool PathDraft::is_closing(double tolerance) const {
+bool PathInProgress::is_closing(double tolerance) const {
     return points_.size() >= 3 && (points_.front().at - aimed_.point).norm() <= tolerance;
 }
 
-void PathDraft::draw(const ToolContext& context, ToolOverlay& overlay, bool is_closed) const {
+void PathInProgress::draw(const ToolContext& context, ToolOverlay& overlay, bool is_closed) const {
     add_guides(overlay, aimed_);
     const bool is_closing_now = is_closed && is_closing(kPickTolerance * context.px);
     std::vector<PathPoint> shown = points_;
@@ -434,7 +434,7 @@ sim::Panel outline_through(std::vector<PathPoint> points) {
     if (first != points.end()) std::rotate(points.begin(), first, points.end());
     const auto panel_of = [](const std::vector<PathPoint>& given) { return chained(runs_of(given), true); };
     if (points.size() < 3 || runs_of(points).vertices.size() < 2) {
-        throw DraftError("A panel needs three points at least");
+        throw GeometryError("A panel needs three points at least");
     }
     sim::Panel panel = panel_of(points);
     if (outline_area(panel) < 0) {

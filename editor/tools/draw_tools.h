@@ -13,7 +13,7 @@ struct PathPoint {
     bool is_curve = false;     // the line runs through it in a curve
 };
 
-class PathDraft {
+class PathInProgress {
  public:
     // Where the next point would come: snapped, or so far along as is typed.
     void aim(const ToolContext& context, const SheetPointer& pointer);
@@ -47,7 +47,7 @@ class PathDraft {
 
 // The outline through the points, counter-clockwise; runs of one or two curve points bend the edge that they are on,
 // further ones become vertices. Vertices are relative to the middle of the whole, where the panel's sheet_position is.
-// Throws DraftError for fewer than three points, or two with no curve between them.
+// Throws GeometryError for fewer than three points, or two with no curve between them.
 sim::Panel outline_through(std::vector<PathPoint> points);
 
 // The same as a polyline, open or closed, for showing.
@@ -74,7 +74,7 @@ class PathTool : public Tool {
     virtual Command command(const ToolContext& context) const = 0;
     virtual void refine_aim(const ToolContext&, const SheetPointer&) {}
 
-    PathDraft path_;
+    PathInProgress path_;
     Modifiers modifiers_{};  // at the last click
 
  private:

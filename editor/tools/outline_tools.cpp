@@ -24,7 +24,7 @@ EdgePlace at_length(const SheetGeometry& geometry, const EdgePlace& place, doubl
     const EdgeShape* edge = geometry.edge(place.edge);
     if (edge == nullptr || !(edge->length > 0)) return place;
     const double share = length / edge->length;
-    if (!(share > 0 && share < 1)) throw DraftError("The edge is only " + in_cm(edge->length) + " long");
+    if (!(share > 0 && share < 1)) throw GeometryError("The edge is only " + in_cm(edge->length) + " long");
     return {place.edge, place.t <= 0.5 ? share : 1 - share};
 }
 
@@ -101,7 +101,7 @@ void NotchTool::drag(ToolContext& context, const SheetPointer& pointer) {
     const std::optional<EdgePlace> to = edge_place(context, pointer);
     if (!to || to->edge.panel != held_->panel) return;
     place_ = to;
-    context.document.attempt(MoveNotch{held_->panel, held_->index, to->edge.index, to->t});
+    context.document.preview(MoveNotch{held_->panel, held_->index, to->edge.index, to->t});
 }
 
 void NotchTool::drop(ToolContext& context, const SheetPointer& pointer) {
@@ -235,7 +235,7 @@ void CurveTool::drag(ToolContext& context, const SheetPointer& pointer) {
         if (pointer.modifiers.shift) curve = as_cubic_edge(before_, curve);
         curve = bent_through(before_, curve, pressed_.t, to);
     }
-    context.document.attempt(SetCurve{pressed_.panel, pressed_.index, curve});
+    context.document.preview(SetCurve{pressed_.panel, pressed_.index, curve});
 }
 
 void CurveTool::drop(ToolContext& context, const SheetPointer&) {

@@ -10,7 +10,8 @@ namespace selvedge::editor {
 void MergeTool::click(ToolContext& context, const SheetPointer&) {
     if (!place_) return;
     const std::optional<int> seam = context.geometry.seam_of(place_->edge);
-    if (!seam) throw DraftError("This edge is not sewn", {{.panel = place_->edge.panel, .edge = place_->edge.index}});
+    if (!seam)
+        throw GeometryError("This edge is not sewn", {{.panel = place_->edge.panel, .edge = place_->edge.index}});
     context.document.run(MergePanels{*seam});
 }
 

@@ -142,9 +142,9 @@ void SelectTool::move_to(ToolContext& context, const SheetPointer& pointer) {
         by_ = (way / context.grid).array().round() * context.grid;
     }
     if (!copied_.empty()) {
-        context.document.attempt(DuplicatePanel{copied_, by_});
+        context.document.preview(DuplicatePanel{copied_, by_});
     } else if (const std::optional<Command> command = move_selected(context.geometry, moved_, by_)) {
-        context.document.attempt(*command);
+        context.document.preview(*command);
     }
 }
 
@@ -248,7 +248,7 @@ void EditPointTool::drag_handle(ToolContext& context, const SheetPointer& pointe
     snapped_ = snap(context.geometry, pointer.at, options);
     sim::OutlineEdge curve = curve_;
     curve.control.at(static_cast<std::size_t>(pressed_.control)) = shape->in_panel(snapped_.point);
-    context.document.attempt(SetCurve{pressed_.panel, pressed_.index, curve});
+    context.document.preview(SetCurve{pressed_.panel, pressed_.index, curve});
 }
 
 void EditPointTool::drag_line_point(ToolContext& context, const SheetPointer& pointer) {
@@ -257,7 +257,7 @@ void EditPointTool::drag_line_point(ToolContext& context, const SheetPointer& po
     snapped_ = snap(context.geometry, pointer.at, snap_options(context, pointer.modifiers));
     sim::InternalLine line = line_;
     line.points.at(line_point_) = shape->in_panel(snapped_.point);
-    context.document.attempt(SetInternalLine{pressed_.panel, pressed_.index, line});
+    context.document.preview(SetInternalLine{pressed_.panel, pressed_.index, line});
 }
 
 void EditPointTool::drop(ToolContext& context, const SheetPointer& pointer) {
@@ -425,7 +425,7 @@ void TransformTool::rotate(ToolContext& context, const SheetPointer& pointer) {
     if (pointer.modifiers.shift || snap_options(context, pointer.modifiers).is_on) {
         angle_ = std::round(angle_ / step) * step;
     }
-    attempt(context, rotation_about(centre, angle_));
+    preview(context, rotation_about(centre, angle_));
 }
 
 // About the opposite handle, with Alt about the middle. A handle that stands in the middle of a side scales one way.
@@ -449,13 +449,13 @@ void TransformTool::scale(ToolContext& context, const SheetPointer& pointer) {
         factors_ = Vec2d::Constant(is_x ? factors_.x() : factors_.y());
     }
     if (factors_.cwiseAbs().minCoeff() < 0.01) return;
-    attempt(context, scaling_about(fixed, factors_));
+    preview(context, scaling_about(fixed, factors_));
 }
 
-void TransformTool::attempt(ToolContext& context, const PlaneMap& map) {
+void TransformTool::preview(ToolContext& context, const PlaneMap& map) {
     const char* what = mode_ == TransformMode::Rotate ? "Rotate" : "Scale";
     if (const std::optional<Command> command = transform_selected(context.geometry, held_, map, what)) {
-        context.document.attempt(*command);
+        context.document.preview(*command);
     }
 }
 
@@ -467,7 +467,7 @@ void TransformTool::drop(ToolContext& context, const SheetPointer&) {
 bool TransformTool::enter(ToolContext& context, const std::vector<double>& numbers) {
     const Selection& selection = context.document.selection();
     const SheetBox box = context.geometry.box_of(selection);
-    if (box.isEmpty()) throw DraftError("Select first what is to be changed");
+    if (box.isEmpty()) throw GeometryError("Select first what is to be changed");
     PlaneMap map;
     if (mode_ == TransformMode::Rotate) {
         if (numbers.size() != 1) return false;
@@ -476,7 +476,7 @@ bool TransformTool::enter(ToolContext& context, const std::vector<double>& numbe
         if (numbers.size() > 2) return false;
         const Vec2d factors(numbers.front(), numbers.back());
         if (factors.cwiseAbs().minCoeff() < 0.01)
-            throw DraftError("A factor of nothing leaves nothing: type such as 1.05");
+            throw GeometryError("A factor of nothing leaves nothing: type such as 1.05");
         map = scaling_about(box.center(), factors);
     }
     const char* what = mode_ == TransformMode::Rotate ? "Rotate" : "Scale";

@@ -131,7 +131,7 @@ class TransformTool : public Tool {
  private:
     void rotate(ToolContext& context, const SheetPointer& pointer);
     void scale(ToolContext& context, const SheetPointer& pointer);
-    void attempt(ToolContext& context, const PlaneMap& map);
+    void preview(ToolContext& context, const PlaneMap& map);
 
     TransformMode mode_;
     Pick pressed_;

@@ -60,7 +60,7 @@ void add_threads(ToolOverlay& overlay, const std::vector<Vec2d>& first, const st
     }
 }
 
-std::optional<std::string> difference_words(double first, double second) {
+std::optional<std::string> difference_text(double first, double second) {
     if (std::abs(second - first) <= kUnevenSeam) return {};
     return in_mm(second - first);
 }
@@ -158,7 +158,7 @@ void SewingTool::draw(const ToolContext& context, ToolOverlay& overlay) const {
     add_threads(overlay, line_of(context.geometry, *first_), second, is_twisted ? tone : OverlayTone::Faint);
     const double other = context.geometry.edge(second_->edge)->length;
     overlay.readout = {in_cm(length) + " to " + in_cm(other)};
-    if (const std::optional<std::string> words = difference_words(length, other)) overlay.readout.push_back(*words);
+    if (const std::optional<std::string> words = difference_text(length, other)) overlay.readout.push_back(*words);
     if (is_twisted) overlay.readout.push_back("twisted? R turns it");
 }
 
@@ -185,12 +185,12 @@ std::vector<Vec2d> line_of(const SheetGeometry& geometry, const std::vector<Draw
 }  // namespace
 
 SewnRun run_of(const std::vector<DrawnSpan>& drawn) {
-    if (drawn.empty()) throw DraftError("Draw along an edge first");
+    if (drawn.empty()) throw GeometryError("Draw along an edge first");
     SewnRun run{.spans = {}, .is_forward = drawn.front().is_forward()};
     for (const DrawnSpan& span : drawn) {
         if (span.is_forward() != run.is_forward) {
-            throw DraftError("The parts of one side run both ways: draw them all the same way round",
-                             {{.panel = span.edge.panel, .edge = span.edge.index}});
+            throw GeometryError("The parts of one side run both ways: draw them all the same way round",
+                                {{.panel = span.edge.panel, .edge = span.edge.index}});
         }
         run.spans.push_back(
             {span.edge.panel, span.edge.index, std::min(span.from, span.to), std::max(span.from, span.to)});
@@ -316,7 +316,7 @@ void FreeSewingTool::draw(const ToolContext& context, ToolOverlay& overlay) cons
     if (second.empty()) return;
     add_threads(overlay, line_of(context.geometry, first), line_of(context.geometry, second), OverlayTone::Faint);
     overlay.readout = {in_cm(length) + " to " + in_cm(other)};
-    if (const std::optional<std::string> words = difference_words(length, other)) overlay.readout.push_back(*words);
+    if (const std::optional<std::string> words = difference_text(length, other)) overlay.readout.push_back(*words);
 }
 
 std::string FreeSewingTool::hint(const ToolContext&) const {

@@ -24,7 +24,7 @@ void add_threads(ToolOverlay& overlay, const std::vector<Vec2d>& first, const st
                  OverlayTone tone);
 
 // The difference of lengths, when it is one to be told.
-std::optional<std::string> difference_words(double first, double second);
+std::optional<std::string> difference_text(double first, double second);
 
 class SewingTool : public Tool {
  public:
@@ -57,8 +57,8 @@ struct DrawnSpan {
     bool is_forward() const { return to >= from; }
 };
 
-// Spans along the outline, in its order, and whether they were drawn that way. Throws DraftError where pieces run both
-// ways, or there are none.
+// Spans along the outline, in its order, and whether they were drawn that way. Throws GeometryError where pieces run
+// both ways, or there are none.
 struct SewnRun {
     std::vector<SpanRef> spans;
     bool is_forward = true;

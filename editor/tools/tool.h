@@ -1,6 +1,6 @@
 #pragma once
 // What a tool of the sheet is: a small state machine that hears of mouse and keys and changes the document by commands.
-// It says what is to be seen, and draws nothing. Tools throw DraftError; their host catches it (tool_host.h).
+// It says what is to be seen, and draws nothing. Tools throw GeometryError; their host catches it (tool_host.h).
 #include <memory>
 #include <optional>
 #include <set>

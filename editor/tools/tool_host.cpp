@@ -20,7 +20,7 @@ constexpr double kLongNudge = 0.01;     // m
 
 ToolHost::ToolHost() : tool_(make_tool(ToolKind::Select)) {}
 
-ToolContext ToolHost::context(ToolDesk desk) {
+ToolContext ToolHost::context(ToolHostContext desk) {
     geometry_.update(desk.document.pattern(), desk.document.revision());
     return {.document = desk.document,
             .geometry = geometry_,
@@ -35,18 +35,18 @@ ToolContext ToolHost::context(ToolDesk desk) {
 
 // A draft that cannot be is said, lit up, and taken back.
 template <class Action>
-bool ToolHost::guarded(ToolDesk desk, Action&& action) {
+bool ToolHost::guarded(ToolHostContext desk, Action&& action) {
     ToolContext given = context(desk);
     try {
         return action(given);
-    } catch (const DraftError& error) {
+    } catch (const GeometryError& error) {
         const Message* shown = desk.messages.shown();
         if (shown == nullptr || shown->words != error.what()) desk.messages.error(error);  // once in a drag
         return false;
     }
 }
 
-void ToolHost::choose(ToolDesk desk, ToolKind kind) {
+void ToolHost::choose(ToolHostContext desk, ToolKind kind) {
     cancel(desk);
     state_ = MouseState::Up;
     desk.messages.dismiss();
@@ -61,7 +61,7 @@ void ToolHost::begin_frame(const Document& document, const SheetCamera& camera, 
     geometry_.update(document.pattern(), document.revision());
 }
 
-void ToolHost::move(ToolDesk desk, const Vec2d& px, const Modifiers& modifiers) {
+void ToolHost::move(ToolHostContext desk, const Vec2d& px, const Modifiers& modifiers) {
     pointer_ = {to_sheet(camera_, px), modifiers};
     if (state_ == MouseState::Pressed && (px - pressed_px_).norm() > kDragThreshold * ui_scale_) {
         state_ = MouseState::Dragging;
@@ -77,7 +77,7 @@ void ToolHost::move(ToolDesk desk, const Vec2d& px, const Modifiers& modifiers) 
     });
 }
 
-void ToolHost::press(ToolDesk desk, const Vec2d& px, const Modifiers& modifiers) {
+void ToolHost::press(ToolHostContext desk, const Vec2d& px, const Modifiers& modifiers) {
     desk.messages.dismiss();
     pointer_ = {to_sheet(camera_, px), modifiers};
     pressed_px_ = px;
@@ -89,7 +89,7 @@ void ToolHost::press(ToolDesk desk, const Vec2d& px, const Modifiers& modifiers)
     });
 }
 
-void ToolHost::release(ToolDesk desk, const Vec2d& px, const Modifiers& modifiers) {
+void ToolHost::release(ToolHostContext desk, const Vec2d& px, const Modifiers& modifiers) {
     if (state_ == MouseState::Up) return;
     move(desk, px, modifiers);
     const bool was_dragged = state_ == MouseState::Dragging;
@@ -101,41 +101,41 @@ void ToolHost::release(ToolDesk desk, const Vec2d& px, const Modifiers& modifier
     guarded(desk, [&](ToolContext& given) { return tool_->hover(given, pointer_), true; });
 }
 
-void ToolHost::double_click(ToolDesk desk, const Vec2d& px, const Modifiers& modifiers) {
+void ToolHost::double_click(ToolHostContext desk, const Vec2d& px, const Modifiers& modifiers) {
     pointer_ = {to_sheet(camera_, px), modifiers};
     guarded(desk, [&](ToolContext& given) { return tool_->double_click(given, pointer_), true; });
 }
 
-void ToolHost::leave(ToolDesk desk) {
+void ToolHost::leave(ToolHostContext desk) {
     if (state_ == MouseState::Up) desk.hover = {};
 }
 
-bool ToolHost::run(ToolDesk desk, const Command& command) {
+bool ToolHost::run(ToolHostContext desk, const Command& command) {
     desk.messages.dismiss();
     return guarded(desk, [&](ToolContext& given) { return given.document.run(command), true; });
 }
 
-bool ToolHost::cancel(ToolDesk desk) {
+bool ToolHost::cancel(ToolHostContext desk) {
     const bool had_typed = !typed_.is_empty();
     typed_.clear();
     desk.messages.dismiss();
     if (state_ == MouseState::Dragging) state_ = MouseState::Up;
-    if (desk.document.is_attempting()) desk.document.drop();
+    if (desk.document.is_previewing()) desk.document.drop();
     return guarded(desk, [&](ToolContext& given) { return tool_->cancel(given); }) || had_typed;
 }
 
-bool ToolHost::text(ToolDesk desk, std::string_view typed) {
+bool ToolHost::text(ToolHostContext desk, std::string_view typed) {
     if (!typed_.add(typed)) return false;
     guarded(desk, [&](ToolContext& given) { return tool_->hover(given, pointer_), true; });
     return true;
 }
 
-bool ToolHost::key(ToolDesk desk, Key key, const Modifiers& modifiers) {
+bool ToolHost::key(ToolHostContext desk, Key key, const Modifiers& modifiers) {
     pointer_.modifiers = modifiers;
     return guarded(desk, [&](ToolContext&) { return key_unguarded(desk, key, modifiers); });
 }
 
-bool ToolHost::key_unguarded(ToolDesk desk, Key key, const Modifiers& modifiers) {
+bool ToolHost::key_unguarded(ToolHostContext desk, Key key, const Modifiers& modifiers) {
     if (key == Key::Escape) {
         if (cancel(desk)) return true;
         if (!desk.document.selection().is_empty()) return desk.document.select({}), true;
@@ -167,7 +167,7 @@ bool ToolHost::key_unguarded(ToolDesk desk, Key key, const Modifiers& modifiers)
     return true;
 }
 
-bool ToolHost::remove_selected(ToolDesk desk) {
+bool ToolHost::remove_selected(ToolHostContext desk) {
     const Selection& selected = desk.document.selection();
     RemoveParts remove;
     remove.panels.assign(selected.panels.begin(), selected.panels.end());
@@ -188,7 +188,7 @@ bool ToolHost::remove_selected(ToolDesk desk) {
     return true;
 }
 
-bool ToolHost::nudge(ToolDesk desk, Key key, const Modifiers& modifiers) {
+bool ToolHost::nudge(ToolHostContext desk, Key key, const Modifiers& modifiers) {
     const double step = modifiers.shift ? kLongNudge : kNudge;
     Vec2d by(0, 0);
     if (key == Key::Right) by.x() = step;
@@ -202,21 +202,21 @@ bool ToolHost::nudge(ToolDesk desk, Key key, const Modifiers& modifiers) {
     return true;
 }
 
-bool ToolHost::select_all(ToolDesk desk) {
+bool ToolHost::select_all(ToolHostContext desk) {
     Selection all;
     for (const PanelShape& shape : geometry_.panels()) all.panels.insert(shape.panel.name);
     desk.document.select(all);
     return true;
 }
 
-ToolOverlay ToolHost::overlay(ToolDesk desk) {
+ToolOverlay ToolHost::overlay(ToolHostContext desk) {
     const ToolContext given = context(desk);
     ToolOverlay overlay;
     tool_->draw(given, overlay);
     return overlay;
 }
 
-std::string ToolHost::hint(ToolDesk desk) {
+std::string ToolHost::hint(ToolHostContext desk) {
     return tool_->hint(context(desk));
 }
 

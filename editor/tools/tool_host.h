@@ -12,7 +12,7 @@
 namespace selvedge::editor {
 
 // What tools work on: parts of the workspace.
-struct ToolDesk {
+struct ToolHostContext {
     Document& document;
     Hover& hover;
     Messages& messages;
@@ -26,28 +26,28 @@ class ToolHost {
     const ToolInfo& info() const { return info_of(kind_); }
 
     // What was begun is given up.
-    void choose(ToolDesk desk, ToolKind kind);
+    void choose(ToolHostContext desk, ToolKind kind);
 
     // Once per frame, before anything else: where the sheet lies. `ui_scale`: of the interface, 1 at 96 dpi.
     void begin_frame(const Document& document, const SheetCamera& camera, double ui_scale);
 
     // The mouse in px of the view. Only the left button; the sheet's view pans and zooms by itself.
-    void move(ToolDesk desk, const Vec2d& px, const Modifiers& modifiers);
-    void press(ToolDesk desk, const Vec2d& px, const Modifiers& modifiers);
-    void release(ToolDesk desk, const Vec2d& px, const Modifiers& modifiers);
-    void double_click(ToolDesk desk, const Vec2d& px, const Modifiers& modifiers);
-    void leave(ToolDesk desk);  // the mouse left the view
+    void move(ToolHostContext desk, const Vec2d& px, const Modifiers& modifiers);
+    void press(ToolHostContext desk, const Vec2d& px, const Modifiers& modifiers);
+    void release(ToolHostContext desk, const Vec2d& px, const Modifiers& modifiers);
+    void double_click(ToolHostContext desk, const Vec2d& px, const Modifiers& modifiers);
+    void leave(ToolHostContext desk);  // the mouse left the view
 
     // Return whether it was used. Text: what letters and digits write. Keys choose tools, too.
-    bool key(ToolDesk desk, Key key, const Modifiers& modifiers);
-    bool text(ToolDesk desk, std::string_view typed);
-    bool cancel(ToolDesk desk);
+    bool key(ToolHostContext desk, Key key, const Modifiers& modifiers);
+    bool text(ToolHostContext desk, std::string_view typed);
+    bool cancel(ToolHostContext desk);
 
     // Runs a command as tools do: an error becomes the message. Returns whether it was carried out.
-    bool run(ToolDesk desk, const Command& command);
+    bool run(ToolHostContext desk, const Command& command);
 
-    ToolOverlay overlay(ToolDesk desk);
-    std::string hint(ToolDesk desk);
+    ToolOverlay overlay(ToolHostContext desk);
+    std::string hint(ToolHostContext desk);
 
     const SheetGeometry& geometry() const { return geometry_; }
     const TypedInput& typed() const { return typed_; }
@@ -59,13 +59,13 @@ class ToolHost {
  private:
     enum class MouseState { Up, Pressed, Dragging };
 
-    ToolContext context(ToolDesk desk);
+    ToolContext context(ToolHostContext desk);
     template <class Action>
-    bool guarded(ToolDesk desk, Action&& action);
-    bool key_unguarded(ToolDesk desk, Key key, const Modifiers& modifiers);
-    bool nudge(ToolDesk desk, Key key, const Modifiers& modifiers);
-    bool remove_selected(ToolDesk desk);
-    bool select_all(ToolDesk desk);
+    bool guarded(ToolHostContext desk, Action&& action);
+    bool key_unguarded(ToolHostContext desk, Key key, const Modifiers& modifiers);
+    bool nudge(ToolHostContext desk, Key key, const Modifiers& modifiers);
+    bool remove_selected(ToolHostContext desk);
+    bool select_all(ToolHostContext desk);
 
     ToolKind kind_ = ToolKind::Select;
     std::unique_ptr<Tool> tool_;
@@ -80,7 +80,7 @@ class ToolHost {
 
 // The parts of the workspace that tools work on.
 
-inline ToolDesk tool_desk(Workspace& workspace) {
+inline ToolHostContext tool_host_context(Workspace& workspace) {
     return {.document = *workspace.document, .hover = workspace.hover, .messages = workspace.messages};
 }
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "editor/ui/actions.h"
-#include "editor/ui/desk.h"
+#include "editor/ui/app_state.h"
 #include "editor/ui/widgets.h"
 
 namespace selvedge::editor {
@@ -41,7 +41,7 @@ std::string lower(std::string_view text) {
     return result;
 }
 
-std::string key_words(Key key) {
+std::string key_text(Key key) {
     for (const auto& [known, name] : kKeyNames) {
         if (known == key) return std::string(name);
     }
@@ -62,7 +62,7 @@ Key parse_key(const std::string& name) {
     if (name == "return") return Key::Enter;
     if (name == "delete") return Key::Delete;
     for (int i = static_cast<int>(Key::F1); i <= static_cast<int>(Key::KeypadEnter); ++i) {
-        if (lower(key_words(static_cast<Key>(i))) == name) return static_cast<Key>(i);
+        if (lower(key_text(static_cast<Key>(i))) == name) return static_cast<Key>(i);
     }
     return Key::None;
 }
@@ -84,14 +84,14 @@ std::optional<int> score(const std::string& text, const std::string& wanted) {
 
 }  // namespace
 
-std::string words_of(const Chord& chord) {
+std::string text_of(const Chord& chord) {
     if (chord.key == Key::None) return "";
     return std::string(chord.modifiers.ctrl ? "Ctrl+" : "") + (chord.modifiers.shift ? "Shift+" : "") +
-           (chord.modifiers.alt ? "Alt+" : "") + key_words(chord.key);
+           (chord.modifiers.alt ? "Alt+" : "") + key_text(chord.key);
 }
 
-std::string chord_words(const Action& action) {
-    return action.chords.empty() ? "" : words_of(action.chords.front());
+std::string chord_text(const Action& action) {
+    return action.chords.empty() ? "" : text_of(action.chords.front());
 }
 
 const Action* find_action(const std::vector<Action>& actions, std::string_view id) {
@@ -148,7 +148,7 @@ void ActionFinder::open() {
     chosen_ = 0;
 }
 
-void ActionFinder::show(Desk& desk) {
+void ActionFinder::show(AppState& desk) {
     if (!is_open_) return;
     const float unit = ImGui::GetFontSize();
     const ImVec2 display = ImGui::GetIO().DisplaySize;

@@ -10,7 +10,7 @@
 
 namespace selvedge::editor {
 
-struct Desk;
+struct AppState;
 
 struct Chord {
     Key key = Key::None;
@@ -26,14 +26,14 @@ struct Action {
     std::string tip{};    // a sentence; empty: the title says it
     std::vector<Chord> chords{};
     bool begins_group = false;  // a line above it in its menu
-    std::function<void(Desk&)> run{};
-    std::function<bool(const Desk&)> can{};    // unset: always
-    std::function<bool(const Desk&)> is_on{};  // unset: no switch
+    std::function<void(AppState&)> run{};
+    std::function<bool(const AppState&)> can{};    // unset: always
+    std::function<bool(const AppState&)> is_on{};  // unset: no switch
 };
 
 // "Ctrl+Shift+S"; empty: no key.
-std::string words_of(const Chord& chord);
-std::string chord_words(const Action& action);
+std::string text_of(const Chord& chord);
+std::string chord_text(const Action& action);
 
 // nullptr: there is none.
 const Action* find_action(const std::vector<Action>& actions, std::string_view id);
@@ -46,13 +46,13 @@ std::vector<const Action*> search(const std::vector<Action>& actions, std::strin
 
 // Finding an action by typing some of its letters (Ctrl+K).
 
-struct Desk;
+struct AppState;
 
 class ActionFinder {
  public:
     void open();
     bool is_open() const { return is_open_; }
-    void show(Desk& desk);
+    void show(AppState& desk);
 
  private:
     bool is_open_ = false;

@@ -4,7 +4,7 @@
 
 #include "editor/tools/select_tool.h"
 #include "editor/tools/tool_host.h"
-#include "editor/ui/desk.h"
+#include "editor/ui/app_state.h"
 #include "editor/ui/files.h"
 
 namespace selvedge::editor {
@@ -30,7 +30,7 @@ void add_file_actions(std::vector<Action>& actions) {
                        .title = "Save",
                        .chords = {ctrl('S')},
                        .begins_group = true,
-                       .run = [](Desk& desk) { save(desk); }});
+                       .run = [](AppState& desk) { save(desk); }});
     actions.push_back({.id = "file.save_as",
                        .menu = "File",
                        .title = "Save as...",
@@ -42,7 +42,7 @@ void add_file_actions(std::vector<Action>& actions) {
                            .title = title,
                            .tip = tip,
                            .begins_group = std::string_view(ending) == ".png",
-                           .run = [ending](Desk& desk) { browse_to_export(desk, ending); }});
+                           .run = [ending](AppState& desk) { browse_to_export(desk, ending); }});
     };
     exports("file.export_png", "Export picture...", "The 3D view as a PNG file, with shadows and fine edges", ".png");
     exports("file.export_obj", "Export OBJ...", "The garment as it hangs", ".obj");
@@ -62,14 +62,14 @@ void add_file_actions(std::vector<Action>& actions) {
 }
 
 // During a drag it takes back the drag, and nothing before it.
-void undo(Desk& desk) {
-    if (!desk.workspace.document->is_attempting()) return desk.workspace.document->undo();
-    desk.tools.cancel(tool_desk(desk.workspace));
+void undo(AppState& desk) {
+    if (!desk.workspace.document->is_previewing()) return desk.workspace.document->undo();
+    desk.tools.cancel(tool_host_context(desk.workspace));
 }
 
 // As the sheet does with a key, wherever the cursor is.
-void press_on_sheet(Desk& desk, const Chord& chord) {
-    desk.tools.key(tool_desk(desk.workspace), chord.key, chord.modifiers);
+void press_on_sheet(AppState& desk, const Chord& chord) {
+    desk.tools.key(tool_host_context(desk.workspace), chord.key, chord.modifiers);
 }
 
 void add_selection_actions(std::vector<Action>& actions) {
@@ -79,14 +79,14 @@ void add_selection_actions(std::vector<Action>& actions) {
                        .title = "Select all panels",
                        .chords = {all},
                        .begins_group = true,
-                       .run = [all](Desk& desk) { press_on_sheet(desk, all); },
-                       .can = [](const Desk& desk) { return !desk.workspace.document->pattern().panels.empty(); }});
+                       .run = [all](AppState& desk) { press_on_sheet(desk, all); },
+                       .can = [](const AppState& desk) { return !desk.workspace.document->pattern().panels.empty(); }});
     actions.push_back({.id = "edit.delete",
                        .menu = "Edit",
                        .title = "Delete what is selected",
                        .chords = {remove},
-                       .run = [remove](Desk& desk) { press_on_sheet(desk, remove); },
-                       .can = [](const Desk& desk) { return !desk.workspace.document->selection().is_empty(); }});
+                       .run = [remove](AppState& desk) { press_on_sheet(desk, remove); },
+                       .can = [](const AppState& desk) { return !desk.workspace.document->selection().is_empty(); }});
 }
 
 void add_edit_actions(std::vector<Action>& actions) {
@@ -95,15 +95,15 @@ void add_edit_actions(std::vector<Action>& actions) {
                        .title = "Undo",
                        .chords = {ctrl('Z')},
                        .run = undo,
-                       .can = [](const Desk& desk) {
-                           return desk.workspace.document->can_undo() || desk.workspace.document->is_attempting();
+                       .can = [](const AppState& desk) {
+                           return desk.workspace.document->can_undo() || desk.workspace.document->is_previewing();
                        }});
     actions.push_back({.id = "edit.redo",
                        .menu = "Edit",
                        .title = "Redo",
                        .chords = {ctrl('Y'), ctrl_shift('Z')},
-                       .run = [](Desk& desk) { desk.workspace.document->redo(); },
-                       .can = [](const Desk& desk) { return desk.workspace.document->can_redo(); }});
+                       .run = [](AppState& desk) { desk.workspace.document->redo(); },
+                       .can = [](const AppState& desk) { return desk.workspace.document->can_redo(); }});
 }
 
 void add_simulate_actions(std::vector<Action>& actions) {
@@ -113,25 +113,25 @@ void add_simulate_actions(std::vector<Action>& actions) {
                        .tip = "Sews the panels and lets the garment fall; editing goes on meanwhile",
                        .chords = {{Key::Space, {}}},
                        .run =
-                           [](Desk& desk) {
+                           [](AppState& desk) {
                                sim::Session& session = desk.workspace.drape.session();
                                if (session.frame()->is_running) return session.pause();
                                session.start();
                            },
-                       .can = [](const Desk& desk) { return !desk.workspace.document->pattern().panels.empty(); },
-                       .is_on = [](const Desk& desk) { return desk.workspace.drape.frame()->is_running; }});
+                       .can = [](const AppState& desk) { return !desk.workspace.document->pattern().panels.empty(); },
+                       .is_on = [](const AppState& desk) { return desk.workspace.drape.frame()->is_running; }});
     actions.push_back({.id = "simulate.reset",
                        .menu = "Simulate",
                        .title = "Reset",
                        .tip = "Panels go back to where they are placed, unsewn",
                        .chords = {ctrl('R')},
-                       .run = [](Desk& desk) { desk.workspace.drape.session().reset(); }});
+                       .run = [](AppState& desk) { desk.workspace.drape.session().reset(); }});
     actions.push_back({.id = "simulate.unpin",
                        .menu = "Simulate",
                        .title = "Unpin all",
                        .tip = "Takes out the pins that were set with P in the 3D view",
-                       .run = [](Desk& desk) { desk.workspace.drape.session().unpin_all(); },
-                       .can = [](const Desk& desk) { return !desk.workspace.drape.frame()->pins.empty(); }});
+                       .run = [](AppState& desk) { desk.workspace.drape.session().unpin_all(); },
+                       .can = [](const AppState& desk) { return !desk.workspace.drape.frame()->pins.empty(); }});
 }
 
 void add_help_actions(std::vector<Action>& actions) {
@@ -140,25 +140,26 @@ void add_help_actions(std::vector<Action>& actions) {
                        .title = "Find an action...",
                        .tip = "Type some of its letters",
                        .chords = {ctrl('K')},
-                       .run = [](Desk& desk) { desk.finder.open(); }});
+                       .run = [](AppState& desk) { desk.finder.open(); }});
     actions.push_back({.id = "help.start",
                        .menu = "Help",
                        .title = "Start page",
                        .tip = "Examples, recent files and the most useful keys",
                        .chords = {{Key::F1, {}}},
-                       .run = [](Desk& desk) { desk.shows_start_page = !desk.shows_start_page; },
-                       .is_on = [](const Desk& desk) { return desk.shows_start_page; }});
+                       .run = [](AppState& desk) { desk.shows_start_page = !desk.shows_start_page; },
+                       .is_on = [](const AppState& desk) { return desk.shows_start_page; }});
 }
 
 // One for each tool of the sheet, by its key.
 void add_tool_actions(std::vector<Action>& actions) {
     for (const ToolInfo& tool : all_tools()) {
-        Action action{.id = "tool." + std::string(tool.id),
-                      .menu = "Tools",
-                      .title = std::string(tool.title),
-                      .tip = std::string(tool.what),
-                      .run = [kind = tool.kind](Desk& desk) { desk.tools.choose(tool_desk(desk.workspace), kind); },
-                      .is_on = [kind = tool.kind](const Desk& desk) { return desk.tools.kind() == kind; }};
+        Action action{
+            .id = "tool." + std::string(tool.id),
+            .menu = "Tools",
+            .title = std::string(tool.title),
+            .tip = std::string(tool.what),
+            .run = [kind = tool.kind](AppState& desk) { desk.tools.choose(tool_host_context(desk.workspace), kind); },
+            .is_on = [kind = tool.kind](const AppState& desk) { return desk.tools.kind() == kind; }};
         if (tool.key != Key::None) action.chords.push_back({tool.key, {}});
         if (tool.kind == ToolKind::Select) action.chords.push_back({key_of('A'), {}});  // as in other programs
         actions.push_back(std::move(action));
@@ -184,7 +185,7 @@ std::vector<std::string> menu_names() {
     return {"File", "Edit", "Panel", "Seam", "Tools", "Simulate", "View", "Help"};
 }
 
-bool run_action(Desk& desk, const Action& action) {
+bool run_action(AppState& desk, const Action& action) {
     if (action.can && !action.can(desk)) return false;
     desk.workspace.messages.dismiss();  // an error was about what was done before
     action.run(desk);
@@ -195,31 +196,31 @@ namespace {
 
 constexpr double kBeside = 0.05;  // m between a panel and its copy
 
-const Selection& selected(const Desk& desk) {
+const Selection& selected(const AppState& desk) {
     return desk.workspace.document->selection();
 }
-bool has_panels(const Desk& desk) {
+bool has_panels(const AppState& desk) {
     return !selected(desk).panels.empty();
 }
-bool has_seams(const Desk& desk) {
+bool has_seams(const AppState& desk) {
     return !selected(desk).seams.empty();
 }
-bool has_one_seam(const Desk& desk) {
+bool has_one_seam(const AppState& desk) {
     return selected(desk).seams.size() == 1;
 }
 
 // How far copies of the selected panels are moved: all of them alike, to lie beside all of these.
-Vec2d beside_selected(const Desk& desk) {
+Vec2d beside_selected(const AppState& desk) {
     const SheetBox box = desk.tools.geometry().box_of(selected(desk));
     return {box.isEmpty() ? 0.3 : box.sizes().x() + kBeside, 0};
 }
 
 // Seams shift when one goes, so each command looks its seam up when it is run: the first that is selected.
-void with_seam(Desk& desk, const std::function<Command(int)>& make) {
+void with_seam(AppState& desk, const std::function<Command(int)>& make) {
     desk.workspace.run(make(*selected(desk).seams.begin()));
 }
 
-void copy_panels(Desk& desk) {
+void copy_panels(AppState& desk) {
     desk.clipboard.clear();
     for (const sim::Panel& panel : desk.workspace.document->pattern().panels) {
         if (selected(desk).panels.contains(panel.name)) desk.clipboard.push_back(panel);
@@ -227,7 +228,7 @@ void copy_panels(Desk& desk) {
     desk.workspace.messages.note(std::to_string(desk.clipboard.size()) + " panels copied");
 }
 
-void paste_panels(Desk& desk) {
+void paste_panels(AppState& desk) {
     AddPanels command{.panels = desk.clipboard};
     for (sim::Panel& panel : command.panels) {
         panel.mirror_of.clear();
@@ -236,13 +237,13 @@ void paste_panels(Desk& desk) {
     desk.workspace.run(command);
 }
 
-void for_each_panel(Desk& desk, const std::function<Command(const std::string&)>& make) {
+void for_each_panel(AppState& desk, const std::function<Command(const std::string&)>& make) {
     for (const std::string& name : std::set<std::string>(selected(desk).panels)) {
         if (!desk.workspace.run(make(name))) return;
     }
 }
 
-void mirror_panels(Desk& desk, const Vec2d& axis) {
+void mirror_panels(AppState& desk, const Vec2d& axis) {
     const SheetBox box = desk.tools.geometry().box_of(selected(desk));
     if (box.isEmpty()) return;
     const Selection& selection = selected(desk);
@@ -251,7 +252,7 @@ void mirror_panels(Desk& desk, const Vec2d& axis) {
     if (command) desk.workspace.run(*command);
 }
 
-bool is_linked(const Desk& desk) {
+bool is_linked(const AppState& desk) {
     for (const sim::Panel& panel : desk.workspace.document->pattern().panels) {
         if (selected(desk).panels.contains(panel.name) && !panel.mirror_of.empty()) return true;
         if (!panel.mirror_of.empty() && selected(desk).panels.contains(panel.mirror_of)) return true;
@@ -272,14 +273,14 @@ void add_clipboard(std::vector<Action>& actions) {
                        .title = "Paste panels",
                        .chords = {{key_of('V'), {.ctrl = true}}},
                        .run = paste_panels,
-                       .can = [](const Desk& desk) { return !desk.clipboard.empty(); }});
+                       .can = [](const AppState& desk) { return !desk.clipboard.empty(); }});
     actions.push_back(
         {.id = "edit.duplicate",
          .menu = "Edit",
          .title = "Duplicate panels",
          .chords = {{key_of('D'), {.ctrl = true}}},
          .run =
-             [](Desk& desk) {
+             [](AppState& desk) {
                  const Vec2d shift = beside_selected(desk);
                  for_each_panel(desk, [&](const std::string& name) -> Command { return DuplicatePanel{name, shift}; });
              },
@@ -292,7 +293,7 @@ void add_panels(std::vector<Action>& actions) {
                        .title = "Symmetric copy, linked",
                        .tip = "For the body's other side: what is changed on one is changed on both",
                        .run =
-                           [](Desk& desk) {
+                           [](AppState& desk) {
                                const Vec2d shift = beside_selected(desk);
                                for_each_panel(desk, [&](const std::string& name) -> Command {
                                    return SymmetricCopy{name, true, shift};
@@ -303,7 +304,7 @@ void add_panels(std::vector<Action>& actions) {
                        .menu = "Panel",
                        .title = "Unlink from its mirror image",
                        .run =
-                           [](Desk& desk) {
+                           [](AppState& desk) {
                                for_each_panel(desk,
                                               [](const std::string& name) -> Command { return UnlinkPanel{name}; });
                            },
@@ -312,23 +313,23 @@ void add_panels(std::vector<Action>& actions) {
                        .menu = "Panel",
                        .title = "Mirror left to right",
                        .begins_group = true,
-                       .run = [](Desk& desk) { mirror_panels(desk, Vec2d(0, 1)); },
+                       .run = [](AppState& desk) { mirror_panels(desk, Vec2d(0, 1)); },
                        .can = has_panels});
     actions.push_back({.id = "panel.mirror_upright",
                        .menu = "Panel",
                        .title = "Mirror top to bottom",
-                       .run = [](Desk& desk) { mirror_panels(desk, Vec2d(1, 0)); },
+                       .run = [](AppState& desk) { mirror_panels(desk, Vec2d(1, 0)); },
                        .can = has_panels});
     actions.push_back({.id = "panel.unfold",
                        .menu = "Panel",
                        .title = "Unfold over the selected edge",
                        .tip = "What was drawn as a half on the fold is opened",
                        .run =
-                           [](Desk& desk) {
+                           [](AppState& desk) {
                                const PartRef edge = *selected(desk).edges.begin();
                                desk.workspace.run(UnfoldPanel{edge.panel, edge.index});
                            },
-                       .can = [](const Desk& desk) { return selected(desk).edges.size() == 1; }});
+                       .can = [](const AppState& desk) { return selected(desk).edges.size() == 1; }});
 }
 
 void add_seams(std::vector<Action>& actions) {
@@ -337,7 +338,7 @@ void add_seams(std::vector<Action>& actions) {
                            .menu = "Seam",
                            .title = title,
                            .tip = tip,
-                           .run = [make](Desk& desk) { with_seam(desk, make); },
+                           .run = [make](AppState& desk) { with_seam(desk, make); },
                            .can = has_one_seam});
     };
     add("seam.reverse", "Reverse", "Sews it the other way round",
@@ -353,7 +354,7 @@ void add_seams(std::vector<Action>& actions) {
                        .menu = "Seam",
                        .title = "Delete",
                        .run =
-                           [](Desk& desk) {
+                           [](AppState& desk) {
                                const std::set<int>& seams = selected(desk).seams;
                                desk.workspace.run(RemoveParts{.seams = {seams.begin(), seams.end()}});
                            },
@@ -364,11 +365,11 @@ void add_seams(std::vector<Action>& actions) {
                        .tip = "Moves the tartan under the panels so that stripes go on; selected seams come first",
                        .begins_group = true,
                        .run =
-                           [](Desk& desk) {
+                           [](AppState& desk) {
                                const std::set<int>& seams = selected(desk).seams;
                                desk.workspace.run(MatchSetts{.first_seams = {seams.begin(), seams.end()}});
                            },
-                       .can = [](const Desk& desk) { return !desk.workspace.document->pattern().seams.empty(); }});
+                       .can = [](const AppState& desk) { return !desk.workspace.document->pattern().seams.empty(); }});
 }
 
 }  // namespace
@@ -391,8 +392,8 @@ struct ModeAction {
 template <class Of>
 void add_switch(std::vector<Action>& actions, Action action, Of of) {
     action.menu = "View";
-    action.run = [of](Desk& desk) { of(desk) = !of(desk); };
-    action.is_on = [of](const Desk& desk) { return of(desk); };
+    action.run = [of](AppState& desk) { of(desk) = !of(desk); };
+    action.is_on = [of](const AppState& desk) { return of(desk); };
     actions.push_back(std::move(action));
 }
 
@@ -406,16 +407,17 @@ void add_modes(std::vector<Action>& actions) {
                                     {"view.panels", "Show panels", render::ShowMode::Panels},
                                     {"view.seams", "Show seams", render::ShowMode::Seams}};
     for (const ModeAction& mode : modes) {
-        actions.push_back({.id = mode.id,
-                           .menu = "View",
-                           .title = mode.title,
-                           .begins_group = mode.mode == render::ShowMode::Tartan,
-                           .run = [show = mode.mode](Desk& desk) { desk.workspace.look.show = show; },
-                           .is_on = [show = mode.mode](const Desk& desk) { return desk.workspace.look.show == show; }});
+        actions.push_back(
+            {.id = mode.id,
+             .menu = "View",
+             .title = mode.title,
+             .begins_group = mode.mode == render::ShowMode::Tartan,
+             .run = [show = mode.mode](AppState& desk) { desk.workspace.look.show = show; },
+             .is_on = [show = mode.mode](const AppState& desk) { return desk.workspace.look.show == show; }});
     }
 }
 
-void scale_by(Desk& desk, float step) {
+void scale_by(AppState& desk, float step) {
     constexpr float kSmallest = 0.75F, kLargest = 2.5F;
     desk.user_scale = std::clamp(desk.user_scale + step, kSmallest, kLargest);
 }
@@ -427,12 +429,12 @@ void add_sizes(std::vector<Action>& actions) {
                        .title = "Larger interface",
                        .chords = {{key_of('='), {.ctrl = true}}, {Key::KeypadAdd, {.ctrl = true}}},
                        .begins_group = true,
-                       .run = [](Desk& desk) { scale_by(desk, kStep); }});
+                       .run = [](AppState& desk) { scale_by(desk, kStep); }});
     actions.push_back({.id = "view.smaller",
                        .menu = "View",
                        .title = "Smaller interface",
                        .chords = {{key_of('-'), {.ctrl = true}}, {Key::KeypadSubtract, {.ctrl = true}}},
-                       .run = [](Desk& desk) { scale_by(desk, -kStep); }});
+                       .run = [](AppState& desk) { scale_by(desk, -kStep); }});
 }
 
 }  // namespace
@@ -443,7 +445,7 @@ void add_view_actions(std::vector<Action>& actions) {
         [](auto& desk) -> auto& { return desk.layout.has_sheet; });
     add_switch(
         actions, {.id = "view.fitting", .title = "Fitting", .tip = "The 3D view", .chords = {{Key::F4, {}}}},
-        [](auto& desk) -> auto& { return desk.layout.has_fitting; });
+        [](auto& desk) -> auto& { return desk.layout.has_viewport; });
     add_switch(
         actions, {.id = "view.inspectors", .title = "Inspectors", .chords = {{Key::F5, {}}}},
         [](auto& desk) -> auto& { return desk.layout.has_inspectors; });

@@ -12,7 +12,7 @@ std::vector<Action> make_actions();
 std::vector<std::string> menu_names();
 
 // Runs it, where it can be run now. False: it cannot.
-bool run_action(Desk& desk, const Action& action);
+bool run_action(AppState& desk, const Action& action);
 
 // Actions on what is selected: panels, points, seams.
 

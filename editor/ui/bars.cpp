@@ -10,7 +10,7 @@
 
 #include "editor/tools/tool_host.h"
 #include "editor/ui/actions.h"
-#include "editor/ui/desk.h"
+#include "editor/ui/app_state.h"
 #include "editor/ui/files.h"
 #include "editor/ui/widgets.h"
 #include "editor/viewport3d/viewport_overlay.h"
@@ -18,7 +18,7 @@
 namespace selvedge::editor {
 namespace {
 
-void show_recent_files(Desk& desk) {
+void show_recent_files(AppState& desk) {
     const std::vector<std::string> files = desk.services.recent_files();
     if (!ImGui::BeginMenu("Open recent", !files.empty())) return;
     for (const std::string& file : files) {
@@ -27,11 +27,11 @@ void show_recent_files(Desk& desk) {
     ImGui::EndMenu();
 }
 
-void show_action(Desk& desk, const Action& action) {
+void show_action(AppState& desk, const Action& action) {
     if (action.begins_group) ImGui::Separator();
     const bool is_on = action.is_on && action.is_on(desk);
     const bool can = !action.can || action.can(desk);
-    const std::string keys = chord_words(action);
+    const std::string keys = chord_text(action);
     if (ImGui::MenuItem(action.title.c_str(), keys.c_str(), is_on, can)) run_action(desk, action);
     note_widget(desk.widgets, "menu." + action.id);
     tip(action.tip);
@@ -42,7 +42,7 @@ std::string drape_words(const sim::SessionFrame& frame) {
     char figures[96];
     const sim::SessionStatistics& statistics = frame.statistics;
     std::snprintf(figures, sizeof figures, "%d triangles   %.1f ms", statistics.leaf_triangles, statistics.times.frame);
-    return stage_words(frame) + "   " + figures;
+    return stage_text(frame) + "   " + figures;
 }
 
 void show_line(const sim::Rgb8& colour, const std::string& words, float width) {
@@ -54,7 +54,7 @@ void show_line(const sim::Rgb8& colour, const std::string& words, float width) {
 }
 
 // On one line of that width, px.
-void show_message(Desk& desk, float width) {
+void show_message(AppState& desk, float width) {
     const Messages& messages = desk.workspace.messages;
     if (const Message* message = messages.shown()) {
         const sim::Rgb8& colour = message->kind == MessageKind::Error     ? desk.theme.error
@@ -62,7 +62,7 @@ void show_message(Desk& desk, float width) {
                                                                           : desk.theme.ink;
         return show_line(colour, message->words, width);
     }
-    show_line(desk.theme.faint, desk.tools.hint(tool_desk(desk.workspace)), width);
+    show_line(desk.theme.faint, desk.tools.hint(tool_host_context(desk.workspace)), width);
 }
 
 // px that are left of a line for a question's words when its answers have their place.
@@ -91,14 +91,14 @@ ToolGrid tool_grid(float height) {
     return grid;
 }
 
-void show_icon(Desk& desk, const char* action, const char* icon, float side_px) {
+void show_icon(AppState& desk, const char* action, const char* icon, float side_px) {
     const Action* found = find_action(desk.actions, action);
     if (found != nullptr) icon_button(desk, *found, icon, side_px);
 }
 
 }  // namespace
 
-void show_menu_bar(Desk& desk) {
+void show_menu_bar(AppState& desk) {
     if (!ImGui::BeginMainMenuBar()) return;
     for (const std::string& menu : menu_names()) {
         const bool is_open = ImGui::BeginMenu(menu.c_str());
@@ -119,7 +119,7 @@ void show_menu_bar(Desk& desk) {
     ImGui::EndMainMenuBar();
 }
 
-float show_question(Desk& desk) {
+float show_question(AppState& desk) {
     if (desk.questions.empty()) return 0;
     const float top = ImGui::GetFrameHeight();
     const float height = 2 * ImGui::GetFrameHeight();
@@ -157,7 +157,7 @@ float tool_bar_width(float height) {
     return 2 * grid.edge + static_cast<float>(grid.columns) * grid.side;
 }
 
-void show_tool_bar(Desk& desk) {
+void show_tool_bar(AppState& desk) {
     const ToolGrid grid = tool_grid(ImGui::GetWindowHeight());
     int column = 0;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 1});
@@ -170,7 +170,7 @@ void show_tool_bar(Desk& desk) {
     ImGui::PopStyleVar();
 }
 
-void show_fitting_bar(Desk& desk) {
+void show_viewport_bar(AppState& desk) {
     const float side = ImGui::GetFrameHeight();
     const bool is_running = desk.workspace.drape.frame()->is_running;
     show_icon(desk, "simulate.run", is_running ? "pause" : "play", side);
@@ -199,7 +199,7 @@ void show_fitting_bar(Desk& desk) {
     }
 }
 
-void show_status_bar(Desk& desk) {
+void show_status_bar(AppState& desk) {
     const std::shared_ptr<const sim::SessionFrame> frame = desk.workspace.drape.frame();
     const std::string figures = drape_words(*frame);
     const float width = ImGui::CalcTextSize(figures.c_str()).x + ImGui::GetFontSize();
@@ -219,7 +219,7 @@ constexpr const char* kName = "##sheet_menu";
 constexpr std::array<std::string_view, 3> kMenus{"Edit", "Panel", "Seam"};
 
 // A right click on a thing that is not selected means that thing. A seam is meant before the edge that it lies on.
-void select_under_cursor(Desk& desk) {
+void select_under_cursor(AppState& desk) {
     const Hover& hover = desk.workspace.hover;
     const Selection& selected = desk.workspace.document->selection();
     Selection wanted;
@@ -234,20 +234,20 @@ void select_under_cursor(Desk& desk) {
     desk.workspace.document->select(wanted);
 }
 
-void show_entry(Desk& desk, const Action& action) {
-    if (ImGui::MenuItem(action.title.c_str(), chord_words(action).c_str())) run_action(desk, action);
+void show_entry(AppState& desk, const Action& action) {
+    if (ImGui::MenuItem(action.title.c_str(), chord_text(action).c_str())) run_action(desk, action);
     note_widget(desk.widgets, "sheet_menu." + action.id);
     tip(action.tip);
 }
 
 }  // namespace
 
-void open_sheet_menu(Desk& desk) {
+void open_sheet_menu(AppState& desk) {
     select_under_cursor(desk);
     ImGui::OpenPopup(kName);
 }
 
-void show_sheet_menu(Desk& desk) {
+void show_sheet_menu(AppState& desk) {
     if (!ImGui::BeginPopup(kName)) return;
     bool has_group = false;
     for (const std::string_view menu : kMenus) {
@@ -274,7 +274,7 @@ constexpr std::array<std::pair<const char*, const char*>, 8> kKeys{{{"Space", "s
                                                                     {"Ctrl+Z", "undo, also while it drapes"},
                                                                     {"Ctrl+K", "find any action by its name"}}};
 
-void show_examples(Desk& desk) {
+void show_examples(AppState& desk) {
     const float unit = ImGui::GetFontSize();
     for (const Example& example : desk.services.examples) {
         if (button(desk, "example." + example.title, example.title)) open_example(desk, example);
@@ -283,7 +283,7 @@ void show_examples(Desk& desk) {
     }
 }
 
-void show_recent(Desk& desk) {
+void show_recent(AppState& desk) {
     const std::vector<std::string> files = desk.services.recent_files();
     if (files.empty()) return;
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.5F});
@@ -298,7 +298,7 @@ void show_recent(Desk& desk) {
     }
 }
 
-void show_keys(Desk& desk) {
+void show_keys(AppState& desk) {
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.5F});
     ImGui::PushFont(desk.fonts.bold);
     ImGui::TextUnformatted("Keys");
@@ -312,7 +312,7 @@ void show_keys(Desk& desk) {
 
 }  // namespace
 
-void show_start_page(Desk& desk) {
+void show_start_page(AppState& desk) {
     if (desk.tools.kind() != ToolKind::Select) desk.shows_start_page = false;  // someone has begun
     if (!desk.shows_start_page || desk.browser.is_open()) return;
     const float unit = ImGui::GetFontSize();

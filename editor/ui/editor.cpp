@@ -37,7 +37,7 @@ struct Regions {
 constexpr auto kRegionFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                               ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-Regions share_out(const DeskLayout& layout, float question_height) {
+Regions share_out(const WindowLayout& layout, float question_height) {
     const float unit = ImGui::GetFontSize();
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float top = ImGui::GetFrameHeight() + question_height;
@@ -46,7 +46,7 @@ Regions share_out(const DeskLayout& layout, float question_height) {
     const float tools = layout.has_tools ? tool_bar_width(height) : 0;
     const float inspectors = layout.has_inspectors ? std::min(layout.inspector_width * unit, display.x * 0.5F) : 0;
     const float views = std::max(unit, display.x - tools - inspectors);
-    const float share = !layout.has_fitting ? 1 : !layout.has_sheet ? 0 : layout.sheet_share;
+    const float share = !layout.has_viewport ? 1 : !layout.has_sheet ? 0 : layout.sheet_share;
     const float sheet = std::round(views * share);
     return {.tools = {{0, top}, {tools, height}},
             .sheet = {{tools, top}, {sheet, height}},
@@ -67,7 +67,7 @@ bool begin_region(const char* name, const Rectangle& where, const ImVec2& paddin
 }
 
 // A thin upright between two regions that is dragged; returns how far, px.
-float splitter(Desk& desk, const char* name, float x, const Rectangle& beside, FrameOutput& output) {
+float splitter(AppState& desk, const char* name, float x, const Rectangle& beside, FrameOutput& output) {
     const float half = 0.25F * ImGui::GetFontSize();
     begin_region(name, {{x - half, beside.low.y}, {2 * half, beside.size.y}}, {0, 0}, ImGuiWindowFlags_NoBackground);
     ImGui::InvisibleButton("##grip", {2 * half, beside.size.y});
@@ -97,7 +97,7 @@ bool is_pressed(const Chord& chord) {
 
 }  // namespace
 
-Desk::Desk(Services given, sim::SessionDrive drive)
+AppState::AppState(Services given, sim::SessionDrive drive)
     : services(std::move(given)), workspace(empty_garment(), drive, services.make_body), actions(make_actions()) {}
 
 struct Editor::Impl {
@@ -121,16 +121,16 @@ struct Editor::Impl {
     void show_views(double seconds);
     void show_splitters(const Regions& regions);
     void show_sheet(const Rectangle& where);
-    void show_fitting(const Rectangle& where, double seconds);
+    void show_viewport(const Rectangle& where, double seconds);
     void show_inspectors(const Rectangle& where);
     InspectorContext inspector_context();
 
     EditorOptions options;
-    Desk desk;
+    AppState desk;
     ImGuiContext* context;
     UiInput input;
     SheetView sheet;
-    FittingView fitting;
+    Viewport fitting;
     InspectorState inspectors;
     MessageClock message_clock;
     FrameOutput output;
@@ -185,7 +185,7 @@ void Editor::Impl::run_keys() {
 
 void Editor::Impl::show_sheet(const Rectangle& where) {
     begin_region("##sheet", where, {0, 0});
-    SheetContext sheet_context{.desk = tool_desk(desk.workspace),
+    SheetContext sheet_context{.desk = tool_host_context(desk.workspace),
                                .tools = desk.tools,
                                .output = output,
                                .first_texture = kSheetTexture,
@@ -210,15 +210,15 @@ InspectorContext Editor::Impl::inspector_context() {
             .key_of =
                 [this](std::string_view id) {
                     const Action* action = find_action(desk.actions, id);
-                    return action == nullptr ? std::string() : chord_words(*action);
+                    return action == nullptr ? std::string() : chord_text(*action);
                 }};
 }
 
-void Editor::Impl::show_fitting(const Rectangle& where, double seconds) {
+void Editor::Impl::show_viewport(const Rectangle& where, double seconds) {
     const float unit = ImGui::GetFontSize();
     const float bar = ImGui::GetFrameHeight() + 0.6F * unit;
     begin_region("##fitting_bar", {where.low, {where.size.x, bar}}, {0.5F * unit, 0.3F * unit});
-    show_fitting_bar(desk);
+    show_viewport_bar(desk);
     ImGui::End();
     begin_region("##fitting", {{where.low.x, where.low.y + bar}, {where.size.x, where.size.y - bar}}, {0, 0});
     fitting.show({.workspace = desk.workspace,
@@ -266,7 +266,7 @@ void Editor::Impl::show_inspectors(const Rectangle& where) {
 
 // Before the views: of windows that stay in their order, ImGui lays the later ones below.
 void Editor::Impl::show_splitters(const Regions& regions) {
-    if (desk.layout.has_sheet && desk.layout.has_fitting) {
+    if (desk.layout.has_sheet && desk.layout.has_viewport) {
         const float views = regions.sheet.size.x + regions.fitting.size.x;
         const float by = splitter(desk, "splitter.views", regions.fitting.low.x, regions.fitting, output);
         desk.layout.sheet_share = std::clamp(desk.layout.sheet_share + by / views, 0.15F, 0.85F);
@@ -287,7 +287,7 @@ void Editor::Impl::show_views(double seconds) {
     }
     show_splitters(regions);
     if (desk.layout.has_sheet) show_sheet(regions.sheet);
-    if (desk.layout.has_fitting) show_fitting(regions.fitting, seconds);
+    if (desk.layout.has_viewport) show_viewport(regions.fitting, seconds);
     if (desk.layout.has_inspectors) show_inspectors(regions.inspectors);
     begin_region("##status", regions.status, {0.6F * unit, 0.25F * unit});
     show_status_bar(desk);
@@ -300,7 +300,7 @@ Editor::~Editor() = default;
 
 FrameOutput Editor::frame(const std::vector<InputEvent>& events, const FrameSize& size, double seconds) {
     Impl& impl = *impl_;
-    Desk& desk = impl.desk;
+    AppState& desk = impl.desk;
     ImGui::SetCurrentContext(impl.context);
     impl.output = {};
     impl.used_keys.clear();
@@ -346,10 +346,10 @@ void Editor::set_clipboard(Clipboard clipboard) {
     io.SetClipboardTextFn = [](void* user, const char* text) { static_cast<Impl*>(user)->clipboard.set(text); };
 }
 
-Desk& Editor::desk() {
+AppState& Editor::desk() {
     return impl_->desk;
 }
-const Desk& Editor::desk() const {
+const AppState& Editor::desk() const {
     return impl_->desk;
 }
 

@@ -9,7 +9,7 @@
 
 #include "editor/frame/frame.h"
 #include "editor/frame/theme.h"
-#include "editor/ui/desk.h"
+#include "editor/ui/app_state.h"
 #include "editor/ui/services.h"
 
 namespace selvedge::editor {
@@ -46,8 +46,8 @@ class Editor {
     };
     void set_clipboard(Clipboard clipboard);
 
-    Desk& desk();
-    const Desk& desk() const;
+    AppState& desk();
+    const AppState& desk() const;
 
     // Where a place of the sheet (m) is seen, px.
     Vec2d sheet_to_px(const Vec2d& sheet) const;

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "editor/tools/tool_host.h"
-#include "editor/ui/desk.h"
+#include "editor/ui/app_state.h"
 #include "editor/ui/widgets.h"
 #include "sim/core/error.h"
 
@@ -17,13 +17,13 @@ std::string name_in_folder(const std::string& file) {
     return file.substr(file.find_last_of('/') + 1);
 }
 
-void say_error(Desk& desk, const sim::InputError& error) {
+void say_error(AppState& desk, const sim::InputError& error) {
     desk.workspace.messages.say({.kind = MessageKind::Error, .words = error.what(), .places = {}});
 }
 
 // Runs what may fail on wrong input. False: it did, and was said.
 template <class Function>
-bool try_to(Desk& desk, Function&& function) {
+bool try_to(AppState& desk, Function&& function) {
     try {
         function();
         return true;
@@ -33,33 +33,33 @@ bool try_to(Desk& desk, Function&& function) {
     }
 }
 
-void show_document(Desk& desk, sim::PatternDocument source, const std::string& file) {
+void show_document(AppState& desk, sim::PatternDocument source, const std::string& file) {
     auto document = std::make_unique<Document>(std::move(source));
-    document->take_place_of(*desk.workspace.document);
+    document->replace_panel(*desk.workspace.document);
     desk.workspace.document = std::move(document);
     desk.workspace.file = file;
     desk.workspace.drape.begin_document();
-    desk.tools.choose(tool_desk(desk.workspace), ToolKind::Select);
+    desk.tools.choose(tool_host_context(desk.workspace), ToolKind::Select);
     desk.shows_start_page = false;
     ++desk.documents_opened;
     begin_journal(desk);
 }
 
 // Does it at once where nothing would be lost.
-void after_asking(Desk& desk, std::function<void(Desk&)> go_on) {
+void after_asking(AppState& desk, std::function<void(AppState&)> go_on) {
     if (!desk.workspace.document->has_unsaved_changes()) return go_on(desk);
-    const auto save_first = [go_on](Desk& asked) {
+    const auto save_first = [go_on](AppState& asked) {
         if (save(asked)) go_on(asked);
     };
     desk.questions.push_front({"'" + document_name(desk) + "' has changes that are not saved.",
-                               {{"Save", save_first}, {"Discard", go_on}, {"Cancel", [](Desk&) {}}}});
+                               {{"Save", save_first}, {"Discard", go_on}, {"Cancel", [](AppState&) {}}}});
 }
 
 std::string with_ending(std::string file, const std::string& ending) {
     return file.ends_with(ending) ? file : file + ending;
 }
 
-void write_document(Desk& desk, const std::string& file) {
+void write_document(AppState& desk, const std::string& file) {
     Document& document = *desk.workspace.document;
     document.keep();
     desk.services.save(file, document.text());
@@ -72,33 +72,33 @@ void write_document(Desk& desk, const std::string& file) {
 
 }  // namespace
 
-std::string document_name(const Desk& desk) {
+std::string document_name(const AppState& desk) {
     const std::string& file = desk.workspace.file;
     return file.empty() ? "untitled" : name_in_folder(file);
 }
 
-void new_document(Desk& desk) {
-    after_asking(desk, [](Desk& asked) { show_document(asked, empty_garment(), ""); });
+void new_document(AppState& desk) {
+    after_asking(desk, [](AppState& asked) { show_document(asked, empty_garment(), ""); });
 }
 
-void open_loaded(Desk& desk, sim::PatternDocument source, const std::string& file) {
+void open_loaded(AppState& desk, sim::PatternDocument source, const std::string& file) {
     show_document(desk, std::move(source), file);
     desk.services.remember_file(file);
 }
 
-void open_file(Desk& desk, const std::string& file) {
-    after_asking(desk,
-                 [file](Desk& asked) { try_to(asked, [&] { open_loaded(asked, asked.services.load(file), file); }); });
+void open_file(AppState& desk, const std::string& file) {
+    after_asking(
+        desk, [file](AppState& asked) { try_to(asked, [&] { open_loaded(asked, asked.services.load(file), file); }); });
 }
 
-void open_example(Desk& desk, const Example& example) {
-    after_asking(desk, [example](Desk& asked) {
+void open_example(AppState& desk, const Example& example) {
+    after_asking(desk, [example](AppState& asked) {
         try_to(asked, [&] { show_document(asked, sim::parse_pattern(example.text, example.title), ""); });
     });
 }
 
-void recover_journal(Desk& desk, const LeftJournal& journal) {
-    const auto go_on = [journal](Desk& asked) {
+void recover_journal(AppState& desk, const LeftJournal& journal) {
+    const auto go_on = [journal](AppState& asked) {
         const bool is_open = try_to(asked, [&] {
             show_document(asked, sim::parse_pattern(journal.recovery.text, journal.recovery.file),
                           journal.recovery.file);
@@ -112,7 +112,7 @@ void recover_journal(Desk& desk, const LeftJournal& journal) {
     after_asking(desk, go_on);
 }
 
-void take_dropped_file(Desk& desk, const std::string& file) {
+void take_dropped_file(AppState& desk, const std::string& file) {
     const auto ends_with = [&](std::initializer_list<const char*> endings) {
         return std::any_of(endings.begin(), endings.end(), [&](const char* ending) { return file.ends_with(ending); });
     };
@@ -121,7 +121,7 @@ void take_dropped_file(Desk& desk, const std::string& file) {
     desk.workspace.messages.warn("'" + file + "' is neither a garment (.json) nor a body (.obj, .glb)");
 }
 
-bool save(Desk& desk) {
+bool save(AppState& desk) {
     if (desk.workspace.file.empty()) {
         browse_to_save(desk);
         return false;
@@ -129,15 +129,15 @@ bool save(Desk& desk) {
     return try_to(desk, [&] { write_document(desk, desk.workspace.file); });
 }
 
-void save_as(Desk& desk, const std::string& file) {
+void save_as(AppState& desk, const std::string& file) {
     const std::string target = with_ending(file, ".json");
-    const auto write = [target](Desk& asked) { try_to(asked, [&] { write_document(asked, target); }); };
+    const auto write = [target](AppState& asked) { try_to(asked, [&] { write_document(asked, target); }); };
     if (target == desk.workspace.file || !desk.services.exists(target)) return write(desk);
     desk.questions.push_front(
-        {"There is a file '" + target + "' already.", {{"Replace", write}, {"Cancel", [](Desk&) {}}}});
+        {"There is a file '" + target + "' already.", {{"Replace", write}, {"Cancel", [](AppState&) {}}}});
 }
 
-void export_to(Desk& desk, const std::string& file) {
+void export_to(AppState& desk, const std::string& file) {
     const ExportRequest request{.file = file,
                                 .scene = desk.fitting.scene,
                                 .camera = desk.fitting.camera,
@@ -149,32 +149,32 @@ void export_to(Desk& desk, const std::string& file) {
     if (try_to(desk, [&] { desk.services.write_export(request); })) desk.workspace.messages.note("Wrote " + file);
 }
 
-void close(Desk& desk) {
-    after_asking(desk, [](Desk& asked) {
+void close(AppState& desk) {
+    after_asking(desk, [](AppState& asked) {
         asked.services.end_journal();
         asked.wants_to_close = true;
     });
 }
 
-void browse_to_open(Desk& desk) {
+void browse_to_open(AppState& desk) {
     desk.browser.open({.title = "Open a garment",
                        .verb = "Open",
                        .endings = {".json"},
-                       .choose = [](Desk& asked, const std::string& file) { open_file(asked, file); }},
+                       .choose = [](AppState& asked, const std::string& file) { open_file(asked, file); }},
                       desk.services);
 }
 
-void browse_to_save(Desk& desk) {
+void browse_to_save(AppState& desk) {
     desk.browser.open({.title = "Save the garment",
                        .verb = "Save",
                        .endings = {".json"},
                        .is_saving = true,
                        .name = desk.workspace.file.empty() ? "garment.json" : document_name(desk),
-                       .choose = [](Desk& asked, const std::string& file) { save_as(asked, file); }},
+                       .choose = [](AppState& asked, const std::string& file) { save_as(asked, file); }},
                       desk.services);
 }
 
-void browse_to_export(Desk& desk, const std::string& ending) {
+void browse_to_export(AppState& desk, const std::string& ending) {
     std::string name = document_name(desk);
     if (name.ends_with(".json")) name.resize(name.size() - 5);
     desk.browser.open(
@@ -183,31 +183,32 @@ void browse_to_export(Desk& desk, const std::string& ending) {
          .endings = {ending},
          .is_saving = true,
          .name = name + ending,
-         .choose = [ending](Desk& asked, const std::string& file) { export_to(asked, with_ending(file, ending)); }},
+         .choose = [ending](AppState& asked, const std::string& file) { export_to(asked, with_ending(file, ending)); }},
         desk.services);
 }
 
-void browse_for_body(Desk& desk) {
+void browse_for_body(AppState& desk) {
     desk.browser.open({.title = "Put it on a body",
                        .verb = "Wear",
                        .endings = {".obj", ".glb", ".gltf", ".fbx", ".stl"},
-                       .choose = [](Desk& asked, const std::string& file) { asked.workspace.drape.wear(file); }},
+                       .choose = [](AppState& asked, const std::string& file) { asked.workspace.drape.wear(file); }},
                       desk.services);
 }
 
-void offer_recovery(Desk& desk) {
+void offer_recovery(AppState& desk) {
     for (const LeftJournal& journal : desk.services.left_journals()) {
         const std::string name =
             journal.recovery.file.empty() ? "an unsaved garment" : "'" + name_in_folder(journal.recovery.file) + "'";
-        desk.questions.push_back({"The editor ended " + journal.age + " without saving " + name + " (" +
-                                      std::to_string(journal.recovery.changes) + " changes).",
-                                  {{"Recover", [journal](Desk& asked) { recover_journal(asked, journal); }},
-                                   {"Discard", [journal](Desk& asked) { asked.services.discard_journal(journal.id); }},
-                                   {"Later", [](Desk&) {}}}});
+        desk.questions.push_back(
+            {"The editor ended " + journal.age + " without saving " + name + " (" +
+                 std::to_string(journal.recovery.changes) + " changes).",
+             {{"Recover", [journal](AppState& asked) { recover_journal(asked, journal); }},
+              {"Discard", [journal](AppState& asked) { asked.services.discard_journal(journal.id); }},
+              {"Later", [](AppState&) {}}}});
     }
 }
 
-void begin_journal(Desk& desk) {
+void begin_journal(AppState& desk) {
     Document& document = *desk.workspace.document;
     desk.services.begin_journal(journal_head(desk.workspace.file, document.text()));
     document.set_journal([&desk](std::string_view line) { desk.services.note_in_journal(line); });
@@ -243,14 +244,14 @@ void FileBrowser::enter(const std::string& folder, const Services& services) {
     }
 }
 
-void FileBrowser::choose(Desk& desk) {
+void FileBrowser::choose(AppState& desk) {
     if (name_.empty()) return;
     is_open_ = false;
     const BrowseRequest request = request_;  // it may open another
     request.choose(desk, joined(folder_, name_));
 }
 
-void FileBrowser::show_entries(Desk& desk) {
+void FileBrowser::show_entries(AppState& desk) {
     if (!listing_.parent.empty() && ImGui::Selectable("..")) return enter(listing_.parent, desk.services);
     for (const FolderEntry& entry : listing_.entries) {
         if (!is_listed(entry, request_.endings)) continue;
@@ -265,7 +266,7 @@ void FileBrowser::show_entries(Desk& desk) {
     }
 }
 
-void FileBrowser::show(Desk& desk) {
+void FileBrowser::show(AppState& desk) {
     if (!is_open_) return;
     const float unit = ImGui::GetFontSize();
     const ImVec2 display = ImGui::GetIO().DisplaySize;

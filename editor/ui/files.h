@@ -8,37 +8,37 @@
 
 namespace selvedge::editor {
 
-struct Desk;
+struct AppState;
 
-void new_document(Desk& desk);
-void open_loaded(Desk& desk, sim::PatternDocument source, const std::string& file);
-void open_file(Desk& desk, const std::string& file);
-void open_example(Desk& desk, const Example& example);
-void recover_journal(Desk& desk, const LeftJournal& journal);
+void new_document(AppState& desk);
+void open_loaded(AppState& desk, sim::PatternDocument source, const std::string& file);
+void open_file(AppState& desk, const std::string& file);
+void open_example(AppState& desk, const Example& example);
+void recover_journal(AppState& desk, const LeftJournal& journal);
 
 // A garment file is opened, a body is put on; anything else is said to be neither.
-void take_dropped_file(Desk& desk, const std::string& file);
+void take_dropped_file(AppState& desk, const std::string& file);
 
-bool save(Desk& desk);  // asks for a name where there is none; false: not saved (yet)
-void save_as(Desk& desk, const std::string& file);
-void export_to(Desk& desk, const std::string& file);
-void close(Desk& desk);
+bool save(AppState& desk);  // asks for a name where there is none; false: not saved (yet)
+void save_as(AppState& desk, const std::string& file);
+void export_to(AppState& desk, const std::string& file);
+void close(AppState& desk);
 
 // What the browser is opened for.
-void browse_to_open(Desk& desk);
-void browse_to_save(Desk& desk);
-void browse_to_export(Desk& desk, const std::string& ending);
-void browse_for_body(Desk& desk);
+void browse_to_open(AppState& desk);
+void browse_to_save(AppState& desk);
+void browse_to_export(AppState& desk, const std::string& ending);
+void browse_for_body(AppState& desk);
 
 // Asks about what earlier runs left.
-void offer_recovery(Desk& desk);
+void offer_recovery(AppState& desk);
 
 // "tshirt.json", "untitled"
-std::string document_name(const Desk& desk);
+std::string document_name(const AppState& desk);
 
 // Choosing a file, in a window that nothing waits for.
 
-struct Desk;
+struct AppState;
 
 struct BrowseRequest {
     std::string title;
@@ -46,7 +46,7 @@ struct BrowseRequest {
     std::vector<std::string> endings;  // of files that are listed: ".json"
     bool is_saving = false;            // a new name may be typed
     std::string name{};                // proposed
-    std::function<void(Desk&, const std::string& file)> choose;
+    std::function<void(AppState&, const std::string& file)> choose;
 };
 
 class FileBrowser {
@@ -54,12 +54,12 @@ class FileBrowser {
     void open(BrowseRequest request, const Services& services);
     bool is_open() const { return is_open_; }
 
-    void show(Desk& desk);
+    void show(AppState& desk);
 
  private:
-    void show_entries(Desk& desk);
+    void show_entries(AppState& desk);
     void enter(const std::string& folder, const Services& services);
-    void choose(Desk& desk);
+    void choose(AppState& desk);
 
     bool is_open_ = false;
     bool takes_focus_ = false;

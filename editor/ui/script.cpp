@@ -27,7 +27,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 // Words between blanks; quotes hold blanks together.
-std::vector<std::string> words_of(std::string_view text) {
+std::vector<std::string> text_of(std::string_view text) {
     std::vector<std::string> words;
     std::string word;
     bool is_quoted = false, has_word = false;
@@ -62,7 +62,7 @@ std::vector<ScriptStep> parse_script(std::string_view text, const std::string& f
         const std::size_t blank = std::min(line.find(' '), line.size());
         ScriptStep step{.line = number, .verb = std::string(line.substr(0, blank)), .words = {}, .rest = {}};
         step.rest = trimmed(line.substr(blank));
-        step.words = words_of(step.rest);
+        step.words = text_of(step.rest);
         if (std::find(kVerbs.begin(), kVerbs.end(), step.verb) == kVerbs.end()) {
             throw sim::InputError(file, "line " + std::to_string(number), "there is no step '" + step.verb + "'");
         }
@@ -104,7 +104,7 @@ void ScriptPlayer::play(const std::vector<ScriptStep>& steps) {
         } catch (const sim::InputError& error) {
             if (error.file() == file_) throw;
             fail(step, error.what());
-        } catch (const DraftError& error) {
+        } catch (const GeometryError& error) {
             fail(step, error.what());
         }
     }
@@ -139,12 +139,12 @@ void ScriptPlayer::play(const ScriptStep& step) {
 }
 
 void ScriptPlayer::expect(const ScriptStep& step) const {
-    const std::string words = stage_words(*editor_.desk().workspace.drape.frame());
+    const std::string words = stage_text(*editor_.desk().workspace.drape.frame());
     if (words != step.rest) fail(step, "the drape is not '" + step.rest + "' but '" + words + "'");
 }
 
 void ScriptPlayer::play_document(const ScriptStep& step) {
-    Desk& desk = editor_.desk();
+    AppState& desk = editor_.desk();
     if (step.verb == "new") new_document(desk);
     if (step.verb == "open") open_file(desk, word(step, 0));
     if (step.verb == "save") save_as(desk, word(step, 0));
@@ -189,7 +189,7 @@ void ScriptPlayer::play_mouse(const ScriptStep& step) {
 
 Vec2d ScriptPlayer::place(const ScriptStep& step, std::size_t& at) const {
     const std::string& kind = word(step, at++);
-    const Desk& desk = editor_.desk();
+    const AppState& desk = editor_.desk();
     const auto take = [&] { return number(step, at++); };
     if (kind == "px") {
         const double x = take();

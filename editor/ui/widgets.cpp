@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "editor/ui/actions.h"
-#include "editor/ui/desk.h"
+#include "editor/ui/app_state.h"
 
 namespace selvedge::editor {
 namespace {
@@ -33,13 +33,13 @@ void tip(const std::string& words) {
     ImGui::EndTooltip();
 }
 
-bool button(Desk& desk, const std::string& name, const std::string& label) {
+bool button(AppState& desk, const std::string& name, const std::string& label) {
     const bool is_pressed = ImGui::Button((label + "##" + name).c_str());
     note_widget(desk.widgets, name);
     return is_pressed;
 }
 
-void icon_button(Desk& desk, const Action& action, const std::string& icon, float side_px) {
+void icon_button(AppState& desk, const Action& action, const std::string& icon, float side_px) {
     const bool is_on = action.is_on && action.is_on(desk);
     const bool can = !action.can || action.can(desk);
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -58,19 +58,19 @@ void icon_button(Desk& desk, const Action& action, const std::string& icon, floa
     const float inset = side_px * 0.2F;
     const sim::Rgb8 ink = is_on ? desk.theme.field : can ? desk.theme.ink : desk.theme.line;
     draw_icon(list, icon, {low.x + inset, low.y + inset}, side_px - 2 * inset, ink);
-    const std::string keys = chord_words(action);
+    const std::string keys = chord_text(action);
     tip(action.title + (keys.empty() ? "" : "  (" + keys + ")") + (action.tip.empty() ? "" : "\n" + action.tip));
     if (is_pressed) run_action(desk, action);
 }
 
-bool action_row(Desk& desk, const Action& action, bool is_chosen) {
+bool action_row(AppState& desk, const Action& action, bool is_chosen) {
     const bool can = !action.can || action.can(desk);
     ImGui::PushID(action.id.c_str());
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(can ? ImGuiCol_Text : ImGuiCol_TextDisabled));
     const bool is_pressed = ImGui::Selectable(action.title.c_str(), is_chosen);
     ImGui::PopStyleColor();
     note_widget(desk.widgets, "find." + action.id);
-    const std::string keys = chord_words(action);
+    const std::string keys = chord_text(action);
     const std::string aside = action.menu + (keys.empty() ? "" : "   " + keys);
     const float width = ImGui::CalcTextSize(aside.c_str()).x;
     ImGui::SameLine(ImGui::GetContentRegionMax().x - width);

@@ -13,7 +13,7 @@
 namespace selvedge::editor {
 
 struct Action;
-struct Desk;
+struct AppState;
 
 // Notes where the last item stands.
 void note_widget(WidgetMap& widgets, const std::string& name);
@@ -21,13 +21,13 @@ void note_widget(WidgetMap& widgets, const std::string& name);
 // A tooltip for the last item.
 void tip(const std::string& words);
 
-bool button(Desk& desk, const std::string& name, const std::string& label);
+bool button(AppState& desk, const std::string& name, const std::string& label);
 
 // A square with the action's picture; pressed in while it is on.
-void icon_button(Desk& desk, const Action& action, const std::string& icon, float side_px);
+void icon_button(AppState& desk, const Action& action, const std::string& icon, float side_px);
 
 // One action in a list: its title, its menu, its key.
-bool action_row(Desk& desk, const Action& action, bool is_chosen);
+bool action_row(AppState& desk, const Action& action, bool is_chosen);
 
 void coloured_text(const sim::Rgb8& colour, const std::string& words);
 

@@ -54,7 +54,7 @@ BodySurface body_surface(const sim::Body& body);
 // All that can be met.
 struct PickRoom {
     const sim::Pattern& pattern;
-    const SeenGarment& garment;
+    const DisplayedGarment& garment;
     const BodySurface* body = nullptr;                           // null: none is seen
     const std::vector<sim::ArrangementPoint>* points = nullptr;  // null: none are seen
     const Gizmo* gizmo = nullptr;                                // null: there is none

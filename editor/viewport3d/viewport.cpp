@@ -43,15 +43,15 @@ ImTextureID image_of(UiTexture texture) {
 
 }  // namespace
 
-std::optional<Vec2f> FittingView::room_to_px(const Vec3f& x) const {
+std::optional<Vec2f> Viewport::room_to_px(const Vec3f& x) const {
     std::optional<Vec2f> px = px_of(hand_.viewing(), x);
     if (px) *px += low_px_;
     return px;
 }
 
-FittingInput FittingView::take_input(const FittingContext& context) {
+ViewportInput Viewport::take_input(const ViewportContext& context) {
     const ImGuiIO& io = ImGui::GetIO();
-    FittingInput input{.size_px = size_px_, .scale = context.scale, .seconds = context.seconds};
+    ViewportInput input{.size_px = size_px_, .scale = context.scale, .seconds = context.seconds};
     input.cursor_px = Vec2f(io.MousePos.x, io.MousePos.y) - low_px_;
     input.is_over = ImGui::IsItemHovered();
     bool is_pressed = false;
@@ -72,11 +72,11 @@ FittingInput FittingView::take_input(const FittingContext& context) {
     return input;
 }
 
-void FittingView::make_scene(const FittingContext& context) {
+void Viewport::make_scene(const ViewportContext& context) {
     const Workspace& workspace = context.workspace;
     const Document& document = *workspace.document;
     const Message* message = workspace.messages.shown();
-    FittingMarks marks{.selection = document.selection(), .hover = workspace.hover};
+    ViewportMarks marks{.selection = document.selection(), .hover = workspace.hover};
     if (message && message->kind != MessageKind::Note) marks.wrong = message->places;
     marks.has_threads = workspace.look.has_threads;
     marks.has_points = hand_.shows_points();
@@ -93,7 +93,7 @@ void FittingView::make_scene(const FittingContext& context) {
     light_ = wants_paint(workspace.look.show) ? even_light(camera) : studio_light(camera);
 }
 
-void FittingView::ask_for_picture(const FittingContext& context) {
+void Viewport::ask_for_picture(const ViewportContext& context) {
     if (!shown_) return;
     const Drawn wanted{.scene = shown_,
                        .standpoint = hand_.orbit().standpoint(),
@@ -113,12 +113,12 @@ void FittingView::ask_for_picture(const FittingContext& context) {
                                      .wants_paint = wants_paint(context.workspace.look.show)});
 }
 
-void FittingView::choose_cursor(const FittingContext& context) const {
+void Viewport::choose_cursor(const ViewportContext& context) const {
     const UnderCursor& under = hand_.under();
     if (under.handle || under.point || hand_.drag() || hand_.pulled_to()) context.output.cursor = MouseCursor::Hand;
 }
 
-void FittingView::show(const FittingContext& context) {
+void Viewport::show(const ViewportContext& context) {
     const ImVec2 low = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
     if (room.x < kLeastSide || room.y < kLeastSide) return;
     low_px_ = {std::floor(low.x), std::floor(low.y)};

@@ -13,7 +13,7 @@
 namespace selvedge::editor {
 
 // What the view is given each frame.
-struct FittingContext {
+struct ViewportContext {
     Workspace& workspace;
     FrameOutput& output;
     UiTexture texture = 1;  // that the scene is drawn into
@@ -23,13 +23,13 @@ struct FittingContext {
     ClothChoice choice = ClothChoice::Panels;
 };
 
-class FittingView {
+class Viewport {
  public:
-    explicit FittingView(FittingColours colours = {}) : colours_(colours), scene_(colours) {}
+    explicit Viewport(ViewportColours colours = {}) : colours_(colours), scene_(colours) {}
 
     // Fills the region that is left of the current window. Asks for the scene to be drawn where something of it has
     // changed.
-    void show(const FittingContext& context);
+    void show(const ViewportContext& context);
 
     // As of the last frame; null: there is nothing to be seen.
     const std::shared_ptr<const render::Scene>& scene() const { return shown_; }
@@ -40,8 +40,8 @@ class FittingView {
     // Where a point of the room was seen, px of the window; none: behind the eye.
     std::optional<Vec2f> room_to_px(const Vec3f& x) const;
 
-    FittingHand& hand() { return hand_; }
-    const FittingHand& hand() const { return hand_; }
+    ViewportController& hand() { return hand_; }
+    const ViewportController& hand() const { return hand_; }
 
  private:
     // What the texture was last asked to show.
@@ -55,14 +55,14 @@ class FittingView {
         bool operator==(const Drawn&) const = default;
     };
 
-    FittingInput take_input(const FittingContext& context);
-    void make_scene(const FittingContext& context);
-    void ask_for_picture(const FittingContext& context);
-    void choose_cursor(const FittingContext& context) const;
+    ViewportInput take_input(const ViewportContext& context);
+    void make_scene(const ViewportContext& context);
+    void ask_for_picture(const ViewportContext& context);
+    void choose_cursor(const ViewportContext& context) const;
 
-    FittingColours colours_;
-    FittingHand hand_;
-    FittingScene scene_;
+    ViewportColours colours_;
+    ViewportController hand_;
+    ViewportScene scene_;
     std::shared_ptr<const render::Scene> shown_;
     render::Light light_;
     Drawn drawn_;

@@ -38,13 +38,13 @@ std::vector<Vec3f> placed_points(const std::vector<sim::Panel>& panels) {
 
 }  // namespace
 
-void FittingHand::update(Workspace& workspace, const FittingInput& input, ClothChoice choice) {
+void ViewportController::update(Workspace& workspace, const ViewportInput& input, ClothChoice choice) {
     size_px_ = input.size_px.cwiseMax(1);
     orbit_.advance(input.seconds);
     follow_garment(workspace);
-    stand_gizmo(workspace, input.scale);
+    place_gizmo(workspace, input.scale);
     if (gesture_ == Gesture::None) {
-        look_under(workspace, input, choice);
+        pick(workspace, input, choice);
         press(workspace, input);
     }
     move(workspace, input);
@@ -52,18 +52,18 @@ void FittingHand::update(Workspace& workspace, const FittingInput& input, ClothC
     use_keys(workspace, input);
     follow_garment(workspace);  // what was changed is shown in the same frame
     pulled_at_ = pulled_to_ ? place_of(garment_.mesh(), pulled_panel_, pulled_u_) : std::nullopt;
-    stand_gizmo(workspace, input.scale);
+    place_gizmo(workspace, input.scale);
     find_ghosts(workspace);
     last_px_ = input.cursor_px;
 }
 
-void FittingHand::follow_garment(const Workspace& workspace) {
+void ViewportController::follow_garment(const Workspace& workspace) {
     garment_.follow(workspace.document->pattern(), workspace.document->revision(), workspace.drape.frame(),
                     workspace.look.as_placed ? GarmentState::AsPlaced : GarmentState::AsItIs);
 }
 
-void FittingHand::look_under(Workspace& workspace, const FittingInput& input, ClothChoice choice) {
-    const WornBody& worn = workspace.drape.worn();
+void ViewportController::pick(Workspace& workspace, const ViewportInput& input, ClothChoice choice) {
+    const CurrentBody& worn = workspace.drape.worn();
     if (worn.body != body_) {
         body_ = worn.body;
         surface_ = body_ ? body_surface(*body_) : BodySurface{};
@@ -83,7 +83,7 @@ void FittingHand::look_under(Workspace& workspace, const FittingInput& input, Cl
     has_set_hover_ = input.is_over;
 }
 
-void FittingHand::stand_gizmo(const Workspace& workspace, float scale) {
+void ViewportController::place_gizmo(const Workspace& workspace, float scale) {
     const sim::Pattern& pattern = workspace.document->pattern();
     const sim::SessionFrame& frame = garment_.frame();
     const std::vector<sim::Panel> panels = panels_of(pattern, workspace.document->selection().panels);
@@ -99,7 +99,7 @@ void FittingHand::stand_gizmo(const Workspace& workspace, float scale) {
     }
 }
 
-void FittingHand::find_ghosts(const Workspace& workspace) {
+void ViewportController::find_ghosts(const Workspace& workspace) {
     ghosts_.clear();
     std::vector<sim::Panel> panels = panels_of(workspace.document->pattern(), workspace.document->selection().panels);
     const bool is_apart = gizmo_ && !garment_.is_placed() && is_sewn_up(garment_.frame().stage);
@@ -112,11 +112,11 @@ void FittingHand::find_ghosts(const Workspace& workspace) {
     }
 }
 
-sim::ClothPoint FittingHand::cloth_point(const MeshHit& hit) const {
+sim::ClothPoint ViewportController::cloth_point(const MeshHit& hit) const {
     return {.frame = garment_.frame().number, .triangle = hit.triangle, .weights = hit.weights};
 }
 
-void FittingHand::hold_material(const MeshHit& hit) {
+void ViewportController::hold_material(const MeshHit& hit) {
     const sim::PlainMesh& mesh = garment_.mesh();
     if (hit.triangle >= mesh.u.size()) return;
     const auto& [a, b, c] = mesh.u[hit.triangle];
@@ -126,7 +126,7 @@ void FittingHand::hold_material(const MeshHit& hit) {
 
 // --- looking
 
-void FittingHand::frame_all(const Workspace& workspace) {
+void ViewportController::frame_all(const Workspace& workspace) {
     std::vector<Vec3f> points = garment_.mesh().x;
     if (workspace.look.has_body && workspace.drape.worn().body) {
         for (const Vec3d& x : workspace.drape.worn().body->x) points.push_back(x.cast<float>());
@@ -134,7 +134,7 @@ void FittingHand::frame_all(const Workspace& workspace) {
     orbit_.frame(points, size_px_.x() / size_px_.y());
 }
 
-void FittingHand::frame_selection(const Workspace& workspace) {
+void ViewportController::frame_selection(const Workspace& workspace) {
     std::vector<Vec3f> points;
     const sim::Pattern& pattern = workspace.document->pattern();
     const std::set<std::string>& chosen = workspace.document->selection().panels;
@@ -148,7 +148,7 @@ void FittingHand::frame_selection(const Workspace& workspace) {
     orbit_.frame(points, size_px_.x() / size_px_.y());
 }
 
-bool FittingHand::use_view_key(const Workspace& workspace, Key key, bool is_opposite) {
+bool ViewportController::use_view_key(const Workspace& workspace, Key key, bool is_opposite) {
     const auto keypad = [](int digit) { return static_cast<Key>(static_cast<int>(Key::Keypad0) + digit); };
     const auto look = [&](StandardView view, StandardView opposite) {
         orbit_.look_from(is_opposite ? opposite : view);
@@ -172,7 +172,7 @@ bool FittingHand::use_view_key(const Workspace& workspace, Key key, bool is_oppo
 
 // --- keys
 
-void FittingHand::use_keys(Workspace& workspace, const FittingInput& input) {
+void ViewportController::use_keys(Workspace& workspace, const ViewportInput& input) {
     if (drag_) return type(workspace, input);
     for (const Key key : input.keys) {
         if (key == key_of('P') && input.modifiers.shift) {
@@ -186,7 +186,7 @@ void FittingHand::use_keys(Workspace& workspace, const FittingInput& input) {
 }
 
 // Numbers during a drag: they hold until the button is let go or Enter is pressed.
-void FittingHand::type(Workspace& workspace, const FittingInput& input) {
+void ViewportController::type(Workspace& workspace, const ViewportInput& input) {
     if (!input.text.empty()) typed_.add(input.text);
     const auto was_pressed = [&](Key key) {
         return std::find(input.keys.begin(), input.keys.end(), key) != input.keys.end();
@@ -194,17 +194,17 @@ void FittingHand::type(Workspace& workspace, const FittingInput& input) {
     if (was_pressed(Key::Backspace)) typed_.remove_last();
     if (was_pressed(Key::Escape)) return end_drag(workspace, false);
     drag_->type(typed_.numbers().value_or(std::vector<double>{}));
-    if (!typed_.is_empty() || was_pressed(Key::Backspace)) workspace.attempt(move_command(dragged_, drag_->motion()));
+    if (!typed_.is_empty() || was_pressed(Key::Backspace)) workspace.preview(move_command(dragged_, drag_->motion()));
     if (was_pressed(Key::Enter) || was_pressed(Key::KeypadEnter)) end_drag(workspace, true);
 }
 
-void FittingHand::pin_under(Workspace& workspace) {
+void ViewportController::pin_under(Workspace& workspace) {
     if (under_.cloth) workspace.drape.session().pin(cloth_point(*under_.cloth));
 }
 
 // --- the mouse
 
-void FittingHand::press(Workspace& workspace, const FittingInput& input) {
+void ViewportController::press(Workspace& workspace, const ViewportInput& input) {
     pressed_px_ = input.cursor_px;
     if (!input.is_over) return;
     const bool is_left = input.button(MouseButton::Left).was_pressed;
@@ -232,7 +232,7 @@ void FittingHand::press(Workspace& workspace, const FittingInput& input) {
     }
 }
 
-void FittingHand::move(Workspace& workspace, const FittingInput& input) {
+void ViewportController::move(Workspace& workspace, const ViewportInput& input) {
     const Vec2f by = input.cursor_px - last_px_;
     switch (gesture_) {
         case Gesture::None:
@@ -255,13 +255,14 @@ void FittingHand::move(Workspace& workspace, const FittingInput& input) {
             drag_->set_steps(is_whole ? DragSteps::Whole : DragSteps::Free);
             drag_->move(viewing(), input.cursor_px);
             if ((input.cursor_px - pressed_px_).norm() > 0 && by != Vec2f::Zero())
-                workspace.attempt(move_command(dragged_, drag_->motion()));
+                workspace.preview(move_command(dragged_, drag_->motion()));
             return;
         }
     }
 }
 
-void FittingHand::begin_drag(Workspace& workspace, const Gizmo& gizmo, const GizmoHandle& handle, const Vec2f& px) {
+void ViewportController::begin_drag(Workspace& workspace, const Gizmo& gizmo, const GizmoHandle& handle,
+                                    const Vec2f& px) {
     dragged_ = panels_of(workspace.document->pattern(), workspace.document->selection().panels);
     if (dragged_.empty()) return;
     typed_.clear();
@@ -270,17 +271,17 @@ void FittingHand::begin_drag(Workspace& workspace, const Gizmo& gizmo, const Giz
     gesture_ = Gesture::Gizmo;
 }
 
-void FittingHand::end_drag(Workspace& workspace, bool is_kept) {
+void ViewportController::end_drag(Workspace& workspace, bool is_kept) {
     gesture_ = Gesture::None;
     drag_.reset();
     typed_.clear();
-    if (!workspace.document->is_attempting()) return;
+    if (!workspace.document->is_previewing()) return;
     is_kept ? workspace.document->keep() : workspace.document->drop();
 }
 
 // The button was pressed on cloth, or beside it, and the cursor has moved on: cloth that is sewn is pulled, a panel
 // that stands is moved.
-void FittingHand::begin_from_cloth(Workspace& workspace) {
+void ViewportController::begin_from_cloth(Workspace& workspace) {
     gesture_ = Gesture::None;
     if (!pressed_.cloth) return;
     const std::string& panel = pressed_.hover.panel;
@@ -297,7 +298,7 @@ void FittingHand::begin_from_cloth(Workspace& workspace) {
     begin_drag(workspace, here, {GizmoKind::MoveScreen, 0}, pressed_px_);
 }
 
-void FittingHand::release(Workspace& workspace, const FittingInput& input) {
+void ViewportController::release(Workspace& workspace, const ViewportInput& input) {
     const bool is_left = input.button(MouseButton::Left).was_released;
     const bool is_over = gesture_ == Gesture::Orbit ? is_left || input.button(MouseButton::Right).was_released
                          : gesture_ == Gesture::Pan ? input.button(MouseButton::Middle).was_released
@@ -313,7 +314,7 @@ void FittingHand::release(Workspace& workspace, const FittingInput& input) {
     gesture_ = Gesture::None;
 }
 
-void FittingHand::click(Workspace& workspace, const FittingInput& input) {
+void ViewportController::click(Workspace& workspace, const ViewportInput& input) {
     const bool is_adding = input.modifiers.shift;
     const Hover& on = pressed_.hover;
     if (input.modifiers.ctrl && pressed_.cloth) {

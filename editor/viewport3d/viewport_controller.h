@@ -29,7 +29,7 @@ struct ButtonInput {
     bool was_released = false;  // in this frame, anywhere
 };
 
-struct FittingInput {
+struct ViewportInput {
     Vec2f size_px{1, 1};  // of the view
     float scale = 1;      // of the interface
     float seconds = 0;    // since the last frame
@@ -44,14 +44,14 @@ struct FittingInput {
     const ButtonInput& button(MouseButton which) const { return buttons[static_cast<std::size_t>(which)]; }
 };
 
-class FittingHand {
+class ViewportController {
  public:
     // Once per frame.
-    void update(Workspace& workspace, const FittingInput& input, ClothChoice choice);
+    void update(Workspace& workspace, const ViewportInput& input, ClothChoice choice);
 
     const OrbitCamera& orbit() const { return orbit_; }
     Viewing viewing() const { return {orbit_.camera(), size_px_}; }
-    const SeenGarment& garment() const { return garment_; }
+    const DisplayedGarment& garment() const { return garment_; }
     const UnderCursor& under() const { return under_; }
     const Vec2f& cursor_px() const { return last_px_; }
 
@@ -78,28 +78,28 @@ class FittingHand {
     enum class Gesture { None, Orbit, Pan, Pressed, Gizmo, Pull };
 
     void follow_garment(const Workspace& workspace);
-    void stand_gizmo(const Workspace& workspace, float scale);
+    void place_gizmo(const Workspace& workspace, float scale);
     void find_ghosts(const Workspace& workspace);
-    void look_under(Workspace& workspace, const FittingInput& input, ClothChoice choice);
+    void pick(Workspace& workspace, const ViewportInput& input, ClothChoice choice);
 
-    void use_keys(Workspace& workspace, const FittingInput& input);
+    void use_keys(Workspace& workspace, const ViewportInput& input);
     bool use_view_key(const Workspace& workspace, Key key, bool is_opposite);
-    void type(Workspace& workspace, const FittingInput& input);
+    void type(Workspace& workspace, const ViewportInput& input);
     void pin_under(Workspace& workspace);
     sim::ClothPoint cloth_point(const MeshHit& hit) const;
     void hold_material(const MeshHit& hit);
 
-    void press(Workspace& workspace, const FittingInput& input);
-    void move(Workspace& workspace, const FittingInput& input);
-    void release(Workspace& workspace, const FittingInput& input);
+    void press(Workspace& workspace, const ViewportInput& input);
+    void move(Workspace& workspace, const ViewportInput& input);
+    void release(Workspace& workspace, const ViewportInput& input);
     void begin_drag(Workspace& workspace, const Gizmo& gizmo, const GizmoHandle& handle, const Vec2f& px);
     void end_drag(Workspace& workspace, bool is_kept);
     void begin_from_cloth(Workspace& workspace);
-    void click(Workspace& workspace, const FittingInput& input);
+    void click(Workspace& workspace, const ViewportInput& input);
 
     OrbitCamera orbit_;
     Vec2f size_px_{1, 1};
-    SeenGarment garment_;
+    DisplayedGarment garment_;
     std::shared_ptr<const sim::Body> body_;
     BodySurface surface_;  // of it
     UnderCursor under_;

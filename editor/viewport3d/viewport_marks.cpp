@@ -18,7 +18,7 @@ constexpr float kNeedleLength = 9;  // px
 
 class Marker {
  public:
-    Marker(const sim::Pattern& pattern, const SeenGarment& garment, float size, render::SolidItem& solid)
+    Marker(const sim::Pattern& pattern, const DisplayedGarment& garment, float size, render::SolidItem& solid)
         : pattern_(pattern), garment_(garment), size_(size), solid_(solid) {}
 
     void outline(const std::string& panel, float radius, const sim::Rgb8& colour) {
@@ -57,7 +57,7 @@ class Marker {
         return start_of(garment_.outlines()[*p], edge, garment_.mesh().x);
     }
 
-    void pin(const Vec3f& at, const FittingColours& colours) {
+    void pin(const Vec3f& at, const ViewportColours& colours) {
         const Vec3f head = at + kNeedleLength * size_ * normal_near(at);
         add_rod(solid_, at, head, kNeedle * size_, colours.needle);
         add_ball(solid_, head, kPinHead * size_, colours.pin, render::BallDetail::Coarse);
@@ -82,7 +82,7 @@ class Marker {
     }
 
     const sim::Pattern& pattern_;
-    const SeenGarment& garment_;
+    const DisplayedGarment& garment_;
     float size_;
     render::SolidItem& solid_;
 };
@@ -94,7 +94,7 @@ void mark_selection(Marker& marker, const Selection& selection, const sim::Rgb8&
     for (const PartRef& vertex : selection.vertices) marker.vertex(vertex, kVertex, colour);
 }
 
-void mark_hover(Marker& marker, const FittingMarks& marks, const sim::Rgb8& colour) {
+void mark_hover(Marker& marker, const ViewportMarks& marks, const sim::Rgb8& colour) {
     const Hover& hover = marks.hover;
     if (hover.vertex) marker.vertex(*hover.vertex, kVertex, colour);
     if (hover.edge) marker.edge(*hover.edge, kEdge, colour);
@@ -104,8 +104,8 @@ void mark_hover(Marker& marker, const FittingMarks& marks, const sim::Rgb8& colo
         marker.outline(hover.panel, kHoveredOutline, colour);
 }
 
-void mark_wrong(Marker& marker, const std::vector<DraftPlace>& places, const sim::Rgb8& colour) {
-    for (const DraftPlace& place : places) {
+void mark_wrong(Marker& marker, const std::vector<GeometryPlace>& places, const sim::Rgb8& colour) {
+    for (const GeometryPlace& place : places) {
         if (place.edge >= 0) marker.edge({place.panel, place.edge}, kEdge, colour);
         if (place.vertex >= 0) marker.vertex({place.panel, place.vertex}, kVertex, colour);
         if (place.edge < 0 && place.vertex < 0) marker.outline(place.panel, kOutline, colour);
@@ -131,7 +131,7 @@ std::vector<Vec3f> even_points(const std::vector<Vec3f>& path, std::size_t count
 }
 
 // Of panels where they are placed: the session's own may be from before they were moved.
-std::vector<Thread> threads_of(const sim::Seam& seam, const SeenGarment& garment) {
+std::vector<Thread> threads_of(const sim::Seam& seam, const DisplayedGarment& garment) {
     constexpr float kApart = 0.025F;  // m
     std::array<std::vector<Vec3f>, 2> sides;
     const std::array<sim::SeamSide, 2> ends{seam.first, seam.second};
@@ -152,7 +152,7 @@ std::vector<Thread> threads_of(const sim::Seam& seam, const SeenGarment& garment
     return threads;
 }
 
-void mark_threads(render::SolidItem& solid, const sim::Pattern& pattern, const SeenGarment& garment, float size) {
+void mark_threads(render::SolidItem& solid, const sim::Pattern& pattern, const DisplayedGarment& garment, float size) {
     const auto draw = [&](const Thread& thread, std::size_t seam) {
         add_rod(solid, thread[0], thread[1], kThread * size, render::line_colour(seam));
     };
@@ -169,7 +169,8 @@ void mark_threads(render::SolidItem& solid, const sim::Pattern& pattern, const S
     }
 }
 
-void mark_pins(Marker& marker, const sim::Pattern& pattern, const SeenGarment& garment, const FittingColours& colours) {
+void mark_pins(Marker& marker, const sim::Pattern& pattern, const DisplayedGarment& garment,
+               const ViewportColours& colours) {
     if (!garment.is_placed()) {
         for (const Vec3f& pin : garment.frame().pins) marker.pin(pin, colours);
     }
@@ -186,9 +187,9 @@ float coarse_size(float metres_per_px) {
     return std::exp2(std::round(2 * std::log2(std::max(metres_per_px, 1e-5F))) / 2);
 }
 
-render::SolidItem make_marks(const sim::Pattern& pattern, const SeenGarment& garment,
-                             const std::vector<sim::ArrangementPoint>& points, const FittingMarks& marks,
-                             const FittingColours& colours) {
+render::SolidItem make_marks(const sim::Pattern& pattern, const DisplayedGarment& garment,
+                             const std::vector<sim::ArrangementPoint>& points, const ViewportMarks& marks,
+                             const ViewportColours& colours) {
     render::SolidItem solid;
     Marker marker(pattern, garment, marks.size, solid);
     if (marks.has_threads) mark_threads(solid, pattern, garment, marks.size);
@@ -274,8 +275,8 @@ std::optional<Vec3f> place_of(const sim::PlainMesh& mesh, std::uint16_t panel, c
     return std::nullopt;
 }
 
-void SeenGarment::follow(const sim::Pattern& pattern, std::uint64_t revision,
-                         std::shared_ptr<const sim::SessionFrame> frame, GarmentState wanted) {
+void DisplayedGarment::follow(const sim::Pattern& pattern, std::uint64_t revision,
+                              std::shared_ptr<const sim::SessionFrame> frame, GarmentState wanted) {
     const bool has_material = frame->mesh.u.size() == frame->mesh.triangles.size();
     const bool is_placed =
         has_material && (wanted == GarmentState::AsPlaced || frame->stage == sim::SessionStage::Placed);
@@ -289,8 +290,8 @@ void SeenGarment::follow(const sim::Pattern& pattern, std::uint64_t revision,
     find_outlines_again(pattern, is_pattern_new);
 }
 
-// Between adaptions a moving cloth has the same triangles, and so the same outlines.
-void SeenGarment::find_outlines_again(const sim::Pattern& pattern, bool is_pattern_new) {
+// Between adaptations a moving cloth has the same triangles, and so the same outlines.
+void DisplayedGarment::find_outlines_again(const sim::Pattern& pattern, bool is_pattern_new) {
     const sim::PlainMesh& seen = mesh();
     if (!is_pattern_new && seen.triangles == outlined_ && seen.u == outlined_u_) return;
     outlined_ = seen.triangles;

@@ -19,7 +19,7 @@ namespace selvedge::editor {
 
 // The colours of the 3D view, but for cloth and body.
 
-struct FittingColours {
+struct ViewportColours {
     render::Background background{};       // the picture renderer's own paper grey
     sim::Rgb8 selected{0x1E, 0x9C, 0xC8};  // outlines of what is selected: the interface's accent, lighter
     sim::Rgb8 hovered{0x86, 0xC9, 0xDE};   // the same, lighter
@@ -53,7 +53,7 @@ sim::PlainMesh placed_mesh(const sim::PlainMesh& mesh, const sim::Pattern& patte
 // Where the panel (of the mesh's) has the material coordinate, m: in the first triangle that holds it. None: nowhere.
 std::optional<Vec3f> place_of(const sim::PlainMesh& mesh, std::uint16_t panel, const Vec2f& u);
 
-class SeenGarment {
+class DisplayedGarment {
  public:
     // Takes over what has changed. While the session is not sewing, panels are shown as placed in any case: a drag is
     // then seen before the session has taken it in.
@@ -79,24 +79,24 @@ class SeenGarment {
     std::uint64_t version_ = 0;
 };
 
-struct FittingMarks {
+struct ViewportMarks {
     Selection selection{};
     Hover hover{};
-    std::vector<DraftPlace> wrong{};  // places that a message names
-    bool has_threads = true;          // of seams that are not closed
-    bool has_points = false;          // arrangement points
+    std::vector<GeometryPlace> wrong{};  // places that a message names
+    bool has_threads = true;             // of seams that are not closed
+    bool has_points = false;             // arrangement points
     std::optional<std::size_t> hovered_point{};
     std::optional<Vec3f> pulled_to{};  // m
     float size = 0.0028F;              // m, of a pixel of the view, about: marks keep their size on the screen
 
-    bool operator==(const FittingMarks&) const = default;
+    bool operator==(const ViewportMarks&) const = default;
 };
 
 // A size in coarse steps, so that a zooming camera seldom asks for other marks.
 float coarse_size(float metres_per_px);
 
-render::SolidItem make_marks(const sim::Pattern& pattern, const SeenGarment& garment,
-                             const std::vector<sim::ArrangementPoint>& points, const FittingMarks& marks,
-                             const FittingColours& colours);
+render::SolidItem make_marks(const sim::Pattern& pattern, const DisplayedGarment& garment,
+                             const std::vector<sim::ArrangementPoint>& points, const ViewportMarks& marks,
+                             const ViewportColours& colours);
 
 }  // namespace selvedge::editor

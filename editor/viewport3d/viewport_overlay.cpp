@@ -15,11 +15,11 @@ ImU32 ink(const sim::Rgb8& colour, int alpha = 255) {
 // Draws in px of the view.
 class Overlay {
  public:
-    Overlay(ImDrawList& list, const OverlayPlace& place, const Viewing& viewing, const FittingColours& colours)
+    Overlay(ImDrawList& list, const OverlayPlace& place, const Viewing& viewing, const ViewportColours& colours)
         : list_(list), place_(place), viewing_(viewing), colours_(colours) {}
 
     const Viewing& viewing() const { return viewing_; }
-    const FittingColours& colours() const { return colours_; }
+    const ViewportColours& colours() const { return colours_; }
     float scale() const { return place_.scale; }
 
     ImVec2 at(const Vec2f& px) const { return {place_.low_px.x() + px.x(), place_.low_px.y() + px.y()}; }
@@ -58,7 +58,7 @@ class Overlay {
     ImDrawList& list_;
     OverlayPlace place_;
     Viewing viewing_;
-    const FittingColours& colours_;
+    const ViewportColours& colours_;
 };
 
 // Even on the screen, whatever the points' spacing.
@@ -89,7 +89,7 @@ void Overlay::badge(const Vec2f& low, const std::string& words, const sim::Rgb8&
     list_.AddText(at(low + Vec2f(7, 4) * scale()), ink(colour), words.c_str());
 }
 
-void draw_ghosts(Overlay& overlay, const FittingHand& hand) {
+void draw_ghosts(Overlay& overlay, const ViewportController& hand) {
     for (const std::vector<Vec3f>& ghost : hand.ghosts()) {
         overlay.path(ghost, ink(overlay.colours().badge, 120), 3);
         overlay.dashes(ghost, ink(overlay.colours().selected, 230), 1.6F);
@@ -102,7 +102,7 @@ struct HandleLook {
     bool is_held = false;
 };
 
-HandleLook look_of(const Overlay& overlay, const FittingHand& hand, const GizmoHandle& handle) {
+HandleLook look_of(const Overlay& overlay, const ViewportController& hand, const GizmoHandle& handle) {
     const bool is_held = hand.drag() ? hand.drag()->handle() == handle : hand.under().handle == handle;
     const bool is_aside = hand.drag() && !is_held;
     const sim::Rgb8& axis = overlay.colours().axes[static_cast<std::size_t>(handle.axis)];
@@ -150,7 +150,7 @@ void draw_square(Overlay& overlay, const Gizmo& gizmo, int axis, const HandleLoo
     overlay.rimmed_path(corners, look.colour, 1);
 }
 
-void draw_gizmo(Overlay& overlay, const FittingHand& hand) {
+void draw_gizmo(Overlay& overlay, const ViewportController& hand) {
     if (!hand.gizmo()) return;
     const Gizmo& gizmo = *hand.gizmo();
     const bool is_free = hand.drag() && hand.drag()->handle().kind == GizmoKind::MoveScreen;
@@ -174,7 +174,7 @@ void draw_gizmo(Overlay& overlay, const FittingHand& hand) {
 }
 
 // From the cloth to where it is pulled.
-void draw_pull(Overlay& overlay, const FittingHand& hand) {
+void draw_pull(Overlay& overlay, const ViewportController& hand) {
     if (!hand.pulled_to() || !hand.pulled_at()) return;
     overlay.rimmed_path({*hand.pulled_at(), *hand.pulled_to()}, ink(overlay.colours().pull), 1.8F);
     const std::optional<Vec2f> at = px_of(overlay.viewing(), *hand.pulled_at());
@@ -182,7 +182,7 @@ void draw_pull(Overlay& overlay, const FittingHand& hand) {
 }
 
 // The readout beside the cursor, within the view.
-void draw_readout(Overlay& overlay, const FittingHand& hand) {
+void draw_readout(Overlay& overlay, const ViewportController& hand) {
     std::string words;
     sim::Rgb8 colour = overlay.colours().ink;
     if (hand.drag()) {
@@ -196,7 +196,8 @@ void draw_readout(Overlay& overlay, const FittingHand& hand) {
     overlay.badge(low, words, colour);
 }
 
-void draw_point_name(Overlay& overlay, const std::vector<sim::ArrangementPoint>& points, const FittingHand& hand) {
+void draw_point_name(Overlay& overlay, const std::vector<sim::ArrangementPoint>& points,
+                     const ViewportController& hand) {
     if (!hand.under().point || *hand.under().point >= points.size()) return;
     const sim::ArrangementPoint& point = points[*hand.under().point];
     const std::optional<Vec2f> px = px_of(overlay.viewing(), point.position.cast<float>());
@@ -226,7 +227,7 @@ void draw_axis_cross(Overlay& overlay) {
     }
 }
 
-sim::Rgb8 stage_colour(const sim::SessionFrame& frame, const FittingColours& colours) {
+sim::Rgb8 stage_colour(const sim::SessionFrame& frame, const ViewportColours& colours) {
     switch (frame.stage) {
         case sim::SessionStage::Settled:
             return colours.good;
@@ -242,9 +243,9 @@ sim::Rgb8 stage_colour(const sim::SessionFrame& frame, const FittingColours& col
     return colours.faint;
 }
 
-void draw_stage(Overlay& overlay, const Workspace& workspace, const FittingHand& hand) {
+void draw_stage(Overlay& overlay, const Workspace& workspace, const ViewportController& hand) {
     const sim::SessionFrame& frame = hand.garment().frame();
-    std::string words = stage_words(frame);
+    std::string words = stage_text(frame);
     const bool is_sewn = frame.stage == sim::SessionStage::Draping || frame.stage == sim::SessionStage::Settled;
     if (is_sewn && hand.garment().is_placed()) words += " \u00B7 shown as placed";
     if (workspace.drape.is_making_body()) words += words.empty() ? "Making the body" : " \u00B7 making the body";
@@ -260,7 +261,7 @@ void draw_stage(Overlay& overlay, const Workspace& workspace, const FittingHand&
 
 }  // namespace
 
-std::string stage_words(const sim::SessionFrame& frame) {
+std::string stage_text(const sim::SessionFrame& frame) {
     switch (frame.stage) {
         case sim::SessionStage::Empty:
             return frame.problem.empty() ? "" : "Cannot be cut yet";
@@ -281,8 +282,8 @@ std::string stage_words(const sim::SessionFrame& frame) {
     return "";
 }
 
-void draw_overlay(ImDrawList& list, const OverlayPlace& place, const Workspace& workspace, const FittingHand& hand,
-                  const FittingColours& colours) {
+void draw_overlay(ImDrawList& list, const OverlayPlace& place, const Workspace& workspace,
+                  const ViewportController& hand, const ViewportColours& colours) {
     Overlay overlay(list, place, hand.viewing(), colours);
     draw_ghosts(overlay, hand);
     draw_gizmo(overlay, hand);

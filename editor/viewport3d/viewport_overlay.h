@@ -13,10 +13,10 @@ struct OverlayPlace {
     float scale = 1;     // of the interface
 };
 
-void draw_overlay(ImDrawList& list, const OverlayPlace& place, const Workspace& workspace, const FittingHand& hand,
-                  const FittingColours& colours);
+void draw_overlay(ImDrawList& list, const OverlayPlace& place, const Workspace& workspace,
+                  const ViewportController& hand, const ViewportColours& colours);
 
 // What the garment is doing, in a word or two: "Sewing 3 seams".
-std::string stage_words(const sim::SessionFrame& frame);
+std::string stage_text(const sim::SessionFrame& frame);
 
 }  // namespace selvedge::editor

@@ -56,7 +56,7 @@ bool wants_paint(render::ShowMode show) {
 }
 
 // A fabric that is not known is the default: the inspector says so.
-const sim::Fabric& FittingScene::fabric(const std::string& name) {
+const sim::Fabric& ViewportScene::fabric(const std::string& name) {
     const auto known = fabrics_.find(name);
     if (known != fabrics_.end()) return known->second;
     sim::Fabric fabric;
@@ -68,7 +68,7 @@ const sim::Fabric& FittingScene::fabric(const std::string& name) {
     return fabrics_.emplace(name, std::move(fabric)).first->second;
 }
 
-void FittingScene::take_sett(const sim::Pattern& pattern) {
+void ViewportScene::take_sett(const sim::Pattern& pattern) {
     if (sett_ && pattern.tartan == tartan_ && pattern.sett_size == sett_size_) return;
     tartan_ = pattern.tartan;
     sett_size_ = pattern.sett_size;
@@ -80,7 +80,7 @@ void FittingScene::take_sett(const sim::Pattern& pattern) {
     if (sett_size_ && *sett_size_ > 0) sett_ = with_repeat_size(std::move(*sett_), *sett_size_);
 }
 
-void FittingScene::take_cloth(const FittingSceneInput& input) {
+void ViewportScene::take_cloth(const FittingSceneInput& input) {
     cloths_.clear();
     const sim::PlainMesh& mesh = input.garment.mesh();
     if (!is_sound(mesh)) return;
@@ -106,18 +106,18 @@ void FittingScene::take_cloth(const FittingSceneInput& input) {
     }
 }
 
-void FittingScene::take_body(const FittingSceneInput& input) {
+void ViewportScene::take_body(const FittingSceneInput& input) {
     has_body_ = input.look.has_body;
     body_ = input.worn.body;
     bodies_.clear();
     if (has_body_ && body_ && !body_->triangles.empty()) bodies_.push_back(render::make_body_item(*body_));
 }
 
-std::shared_ptr<const render::Scene> FittingScene::follow(const FittingSceneInput& input) {
-    const MatterKey key{.garment = input.garment.version(),
-                        .revision = input.revision,
-                        .show = input.look.show,
-                        .has_edges = input.look.has_edges};
+std::shared_ptr<const render::Scene> ViewportScene::follow(const FittingSceneInput& input) {
+    const ContentKey key{.garment = input.garment.version(),
+                         .revision = input.revision,
+                         .show = input.look.show,
+                         .has_edges = input.look.has_edges};
     const bool is_cloth_new = !(key == key_);
     const bool is_body_new = input.worn.body != body_ || input.look.has_body != has_body_;
     if (!is_cloth_new && !is_body_new && input.marks == marks_) return scene_;

@@ -15,28 +15,28 @@ namespace selvedge::editor {
 struct FittingSceneInput {
     const sim::Pattern& pattern;
     std::uint64_t revision = 0;  // of the pattern
-    const SeenGarment& garment;
-    const WornBody& worn;
+    const DisplayedGarment& garment;
+    const CurrentBody& worn;
     FittingLook look{};
-    FittingMarks marks{};
+    ViewportMarks marks{};
 };
 
-class FittingScene {
+class ViewportScene {
  public:
-    explicit FittingScene(FittingColours colours = {}) : colours_(std::move(colours)) {}
+    explicit ViewportScene(ViewportColours colours = {}) : colours_(std::move(colours)) {}
 
     // Null: there is nothing to be seen.
     std::shared_ptr<const render::Scene> follow(const FittingSceneInput& input);
 
  private:
     // What cloth and body were made from.
-    struct MatterKey {
+    struct ContentKey {
         std::uint64_t garment = 0;
         std::uint64_t revision = 0;
         render::ShowMode show = render::ShowMode::Tartan;
         bool has_edges = false;
 
-        bool operator==(const MatterKey&) const = default;
+        bool operator==(const ContentKey&) const = default;
     };
 
     void take_cloth(const FittingSceneInput& input);
@@ -44,10 +44,10 @@ class FittingScene {
     void take_sett(const sim::Pattern& pattern);
     const sim::Fabric& fabric(const std::string& name);
 
-    FittingColours colours_;
+    ViewportColours colours_;
     std::shared_ptr<const render::Scene> scene_;
-    MatterKey key_;
-    FittingMarks marks_;
+    ContentKey key_;
+    ViewportMarks marks_;
     bool has_body_ = false;
     std::shared_ptr<const sim::Body> body_;
     std::vector<render::BodyItem> bodies_;

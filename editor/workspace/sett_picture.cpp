@@ -42,14 +42,14 @@ std::vector<Linear> means(const std::vector<Linear>& threads, int count_px, doub
     return result;
 }
 
-double warp_share(sim::Weave weave) {
+double warp_direction_share(sim::Weave weave) {
     return weave == sim::Weave::Twill31 ? 0.75 : 0.5;
 }
 
 render::Image mean_picture(const sim::Sett& sett, const SettPictureOptions& options, double px_per_thread) {
     const auto warp = means(in_light(thread_colours(sett)), options.width_px, px_per_thread);
     const auto weft = means(in_light(weft_thread_colours(sett)), options.height_px, px_per_thread);
-    const double share = warp_share(sett.weave);
+    const double share = warp_direction_share(sett.weave);
     render::Image image(options.width_px, options.height_px);
     for (int y = 0; y < options.height_px; ++y) {
         for (int x = 0; x < options.width_px; ++x) {

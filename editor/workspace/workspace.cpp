@@ -10,17 +10,17 @@ bool Workspace::run(const Command& command) {
     try {
         document->run(command);
         return true;
-    } catch (const DraftError& error) {
+    } catch (const GeometryError& error) {
         messages.error(error);
         return false;
     }
 }
 
-bool Workspace::attempt(const Command& command) {
+bool Workspace::preview(const Command& command) {
     try {
-        document->attempt(command);
+        document->preview(command);
         return true;
-    } catch (const DraftError& error) {
+    } catch (const GeometryError& error) {
         messages.error(error);
         return false;
     }
@@ -34,26 +34,26 @@ void Messages::say(Message message) {
     is_shown_ = true;
 }
 
-void Messages::error(const DraftError& error) {
+void Messages::error(const GeometryError& error) {
     say({.kind = MessageKind::Error, .words = error.what(), .places = error.places()});
 }
 
 sim::PatternDocument empty_garment() {
     constexpr double kUsualStature = 1.606;  // m, of that mannequin
     sim::PatternDocument garment;
-    garment.pattern.body = kUsualBody;
+    garment.pattern.body = kDefaultBody;
     garment.pattern.body_height = kUsualStature;
     return garment;
 }
 
-WornBody make_worn_mannequin(const std::string& text) {
+CurrentBody make_worn_mannequin(const std::string& text) {
     sim::MannequinOptions options = sim::parse_mannequin(text);
     options.subdivisions = 1;
     sim::Mannequin mannequin = make_mannequin(options);
-    WornBody worn{.text = text,
-                  .body = std::make_shared<const sim::Body>(std::move(mannequin.body)),
-                  .measures = std::move(mannequin.report),
-                  .points = {}};
+    CurrentBody worn{.text = text,
+                     .body = std::make_shared<const sim::Body>(std::move(mannequin.body)),
+                     .measures = std::move(mannequin.report),
+                     .points = {}};
     worn.points = arrangement_points(*worn.body);
     return worn;
 }
@@ -84,7 +84,7 @@ void Drape::take_body(Messages& messages) {
 }
 
 void Drape::follow(const Document& document, Messages& messages) {
-    const std::string drafted = document.pattern().body.empty() ? kUsualBody : document.pattern().body;
+    const std::string drafted = document.pattern().body.empty() ? kDefaultBody : document.pattern().body;
     const std::string text = own_body_.value_or(drafted);
     if (!making_.valid() && text != wanted_body_) begin_body(text);
     const bool waits = drive_ == sim::SessionDrive::Caller;
@@ -101,8 +101,8 @@ void Drape::follow(const Document& document, Messages& messages) {
     }
     if (waits) session_.advance(session_.frame()->is_running ? 1 : 0);
     const std::vector<std::string> said = session_.frame()->messages;
-    told_messages_ = std::min(told_messages_, said.size());
-    for (; told_messages_ < said.size(); ++told_messages_) messages.note(said[told_messages_]);
+    reported_messages_ = std::min(reported_messages_, said.size());
+    for (; reported_messages_ < said.size(); ++reported_messages_) messages.note(said[reported_messages_]);
 }
 
 }  // namespace selvedge::editor

@@ -26,7 +26,7 @@ enum class MessageKind { Note, Warning, Error };
 struct Message {
     MessageKind kind = MessageKind::Note;
     std::string words;
-    std::vector<DraftPlace> places;
+    std::vector<GeometryPlace> places;
 };
 
 // The newest is last. Old ones are forgotten.
@@ -35,7 +35,7 @@ class Messages {
     void say(Message message);
     void note(const std::string& words) { say({.kind = MessageKind::Note, .words = words, .places = {}}); }
     void warn(const std::string& words) { say({.kind = MessageKind::Warning, .words = words, .places = {}}); }
-    void error(const DraftError& error);
+    void error(const GeometryError& error);
 
     // Takes the newest off the screen; the list keeps it.
     void dismiss() { is_shown_ = false; }
@@ -54,14 +54,14 @@ class Messages {
 // wears it, which is made in a task of its own.
 
 // Who wears what names nobody.
-inline constexpr const char* kUsualBody = "mannequin:sex=female";
+inline constexpr const char* kDefaultBody = "mannequin:sex=female";
 
 // What a new document begins with: no panels, to be placed about the usual body. Without its name panels would be taken
 // for GarmentCode's, and moved from that program's body to the one that is seen.
 sim::PatternDocument empty_garment();
 
 // A body that can be worn on, with all that views ask of it.
-struct WornBody {
+struct CurrentBody {
     std::string text;  // "mannequin:sex=female,bust=92", or the file it came from
     std::shared_ptr<const sim::Body> body;
     std::optional<sim::MeasureReport> measures;  // of a mannequin
@@ -69,10 +69,10 @@ struct WornBody {
 };
 
 // Makes a body from its text or file. Throws InputError. Files are read by the program, so it brings this along.
-using BodyMaker = std::function<WornBody(const std::string& text)>;
+using BodyMaker = std::function<CurrentBody(const std::string& text)>;
 
 // A mannequin from its text, as the editor makes it: of the lowest resolution, which is enough to draft on.
-WornBody make_worn_mannequin(const std::string& text);
+CurrentBody make_worn_mannequin(const std::string& text);
 
 class Drape {
  public:
@@ -88,7 +88,7 @@ class Drape {
     // A body of one's own, instead of the document's, until `wear({})`.
     void wear(std::optional<std::string> text);
     bool is_making_body() const { return making_.valid(); }
-    const WornBody& worn() const { return worn_; }  // body is null until the first is made
+    const CurrentBody& worn() const { return worn_; }  // body is null until the first is made
 
     sim::SessionOptions& options() { return options_; }  // taken over by the next `follow`
 
@@ -102,14 +102,14 @@ class Drape {
 
     sim::SessionDrive drive_;
     BodyMaker maker_;
-    WornBody worn_;
+    CurrentBody worn_;
     std::optional<std::string> own_body_;  // see wear
     std::string wanted_body_;              // text of the body that is worn or being made
-    std::future<WornBody> making_;
+    std::future<CurrentBody> making_;
     sim::SessionOptions options_;
     std::optional<sim::SessionOptions> taken_options_;
     std::optional<std::uint64_t> taken_revision_;
-    std::size_t told_messages_ = 0;
+    std::size_t reported_messages_ = 0;
     sim::Session session_;
 };
 
@@ -139,7 +139,7 @@ struct Workspace {
 
     // Runs a command; what is wrong with it becomes a message. False: it was not carried out.
     bool run(const Command& command);
-    bool attempt(const Command& command);
+    bool preview(const Command& command);
 };
 
 }  // namespace selvedge::editor

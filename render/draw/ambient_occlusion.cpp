@@ -24,7 +24,7 @@ struct LookOut {
     }
 
     // Bilinear, so that it changes smoothly from vertex to vertex.
-    float openness(const Vec3f& point, bool is_along) const {
+    float ambient_visibility(const Vec3f& point, bool is_along) const {
         const Eigen::Matrix4f& m = picture.matrix;
         const Vec3f at = m.block<3, 3>(0, 0) * point + m.block<3, 1>(0, 3);
         const float x = std::floor(at.x()), y = std::floor(at.y());
@@ -60,7 +60,7 @@ void LitPoints::add(const std::vector<Vec3f>& more_x, const std::vector<Vec3f>& 
     normals.insert(normals.end(), more_normals.begin(), more_normals.end());
 }
 
-void RoomLight::draw_bodies(const Casters& bodies, const Bounds& bounds, const RoomLightOptions& options) {
+void AmbientOcclusion::draw_bodies(const Casters& bodies, const Bounds& bounds, const RoomLightOptions& options) {
     const auto axes = static_cast<std::size_t>(options.axes);
     const bool is_kept = body_pictures_.size() == axes && body_pictures_[0].side_px == options.side_px &&
                          bounds == bounds_ && bodies == bodies_;
@@ -77,8 +77,8 @@ void RoomLight::draw_bodies(const Casters& bodies, const Bounds& bounds, const R
     bounds_ = bounds;
 }
 
-std::vector<Openness> RoomLight::bake(const Casters& cloths, const Casters& bodies, const LitPoints& points,
-                                      const RoomLightOptions& options) {
+std::vector<Openness> AmbientOcclusion::bake(const Casters& cloths, const Casters& bodies, const LitPoints& points,
+                                             const RoomLightOptions& options) {
     SELVEDGE_ASSERT(points.x.size() == points.normals.size() && options.axes >= 1);
     std::vector<Vec3f> all = cloths.x;
     all.insert(all.end(), bodies.x.begin(), bodies.x.end());
@@ -105,8 +105,8 @@ std::vector<Openness> RoomLight::bake(const Casters& cloths, const Casters& bodi
                 const float weight = std::abs(cosine);
                 Sums& sum = sums[p - first];
                 sum.weight += weight;
-                sum.front += weight * look.openness(points.x[p] + off, cosine > 0);
-                if (p < points.two_sided) sum.back += weight * look.openness(points.x[p] - off, cosine <= 0);
+                sum.front += weight * look.ambient_visibility(points.x[p] + off, cosine > 0);
+                if (p < points.two_sided) sum.back += weight * look.ambient_visibility(points.x[p] - off, cosine <= 0);
             }
         }
         for (std::size_t p = first; p < last; ++p) {
@@ -125,13 +125,13 @@ constexpr std::uint32_t kCells = 96;  // each way, that the room's light is work
 constexpr std::uint32_t kDrawn = 2;   // so many each way are drawn as one: softened, that is fine enough
 
 // One step of [1 2 1]/4 along the ground's rows or columns.
-void soften(std::vector<Openness>& openness, std::size_t step) {
+void soften(std::vector<Openness>& ambient_visibility, std::size_t step) {
     constexpr std::size_t side = kCells + 1;
-    const std::vector<Openness> before = openness;
-    for (std::size_t i = 0; i < openness.size(); ++i) {
+    const std::vector<Openness> before = ambient_visibility;
+    for (std::size_t i = 0; i < ambient_visibility.size(); ++i) {
         const std::size_t place = step == 1 ? i % side : i / side;
         if (place == 0 || place + 1 == side) continue;
-        openness[i].front = 0.25F * (before[i - step].front + 2 * before[i].front + before[i + step].front);
+        ambient_visibility[i].front = 0.25F * (before[i - step].front + 2 * before[i].front + before[i + step].front);
     }
 }
 
@@ -163,14 +163,14 @@ Ground make_ground(const Scene& scene, const Bounds& bounds) {
     return ground;
 }
 
-std::vector<Openness> softened_ground(std::vector<Openness> openness) {
-    SELVEDGE_ASSERT(openness.size() == (kCells + 1) * (kCells + 1));
+std::vector<Openness> softened_ground(std::vector<Openness> ambient_visibility) {
+    SELVEDGE_ASSERT(ambient_visibility.size() == (kCells + 1) * (kCells + 1));
     constexpr int rounds = 6;  // spreads by the square root of half of it, in cells
     for (int round = 0; round < rounds; ++round) {
-        soften(openness, 1);
-        soften(openness, kCells + 1);
+        soften(ambient_visibility, 1);
+        soften(ambient_visibility, kCells + 1);
     }
-    return openness;
+    return ambient_visibility;
 }
 
 }  // namespace selvedge::render

@@ -26,7 +26,7 @@ struct LitPoints {
 };
 
 // Keeps the bodies' depth pictures from one baking to the next, for cloth moves more often than they do.
-class RoomLight {
+class AmbientOcclusion {
  public:
     std::vector<Openness> bake(const Casters& cloths, const Casters& bodies, const LitPoints& points,
                                const RoomLightOptions& options = {});
@@ -52,6 +52,6 @@ Ground make_ground(const Scene& scene, const Bounds& bounds);
 
 // Each of the finitely many directions throws a faint shadow of its own on the ground: melts them into one.
 // Pre: one value for each of the sheet's vertices.
-std::vector<Openness> softened_ground(std::vector<Openness> openness);
+std::vector<Openness> softened_ground(std::vector<Openness> ambient_visibility);
 
 }  // namespace selvedge::render

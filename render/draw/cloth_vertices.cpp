@@ -34,8 +34,8 @@ std::array<float, 3> to_array(const Vec3f& v) {
 }  // namespace
 
 std::vector<ClothVertex> make_cloth_vertices(const sim::PlainMesh& mesh, const std::vector<Vec3f>& normals,
-                                             const std::vector<Openness>& openness) {
-    SELVEDGE_ASSERT(normals.size() == mesh.x.size() && openness.size() == mesh.x.size());
+                                             const std::vector<Openness>& ambient_visibility) {
+    SELVEDGE_ASSERT(normals.size() == mesh.x.size() && ambient_visibility.size() == mesh.x.size());
     SELVEDGE_ASSERT(mesh.u.empty() || mesh.u.size() == mesh.triangles.size());
     const std::vector<TriangleMarks> marks = mark_edges(mesh);
     const std::vector<std::array<TouchDistance, 3>> touches = touch_distances(mesh, marks);
@@ -54,7 +54,7 @@ std::vector<ClothVertex> make_cloth_vertices(const sim::PlainMesh& mesh, const s
                 vertex.place = turned_to_grain(mesh.u[t][corner], grain_of(mesh, t), sett_offset_of(mesh, t));
             }
             vertex.heights[corner] = heights[corner];
-            vertex.openness = {openness[v].front, openness[v].back};
+            vertex.ambient_visibility = {ambient_visibility[v].front, ambient_visibility[v].back};
             vertex.touch = {touches[t][corner].seam, touches[t][corner].hem};
             vertex.marks = level | marks[t].seam << 8 | marks[t].hem << 11;
             vertices.push_back(vertex);

@@ -24,7 +24,7 @@ struct ClothVertex {
     std::array<float, 3> normal;
     std::array<float, 2> place;    // (weft, warp), m: material coordinates turned by the panel's grain, and its offset
     std::array<float, 3> heights;  // m; at this corner: its height over the opposite edge, else 0
-    std::array<float, 2> openness;
+    std::array<float, 2> ambient_visibility;
     std::array<float, 2> touch;  // m to a seam and a hem that the triangle touches with one corner only
     std::uint32_t marks;         // level | seam edges << 8 | hem edges << 11; edge i is opposite corner i
 };
@@ -32,7 +32,7 @@ struct ClothVertex {
 // normals: one per vertex of the mesh, also when the mesh has its own. Seam edges are those where material
 // coordinates jump, hem edges those with one triangle. Pre: openness has one entry per vertex of the mesh.
 std::vector<ClothVertex> make_cloth_vertices(const sim::PlainMesh& mesh, const std::vector<Vec3f>& normals,
-                                             const std::vector<Openness>& openness);
+                                             const std::vector<Openness>& ambient_visibility);
 
 // A cloth's paint on its way to GL: a place along a map for each corner, and the map as a row of texels.
 

@@ -18,8 +18,8 @@ struct GladGLContext;
 namespace selvedge::render {
 
 struct PictureTimes {
-    double compare = 0;     // what has changed since the last picture
-    double room_light = 0;  // baking
+    double compare = 0;            // what has changed since the last picture
+    double ambient_occlusion = 0;  // baking
     double upload = 0;
     double shadow = 0;  // the key light's depth map
     double mask = 0;    // which pixels see the key light

@@ -13,7 +13,7 @@ namespace {
 struct SurfaceVertex {
     std::array<float, 3> position;
     std::array<float, 3> normal;
-    float openness;
+    float ambient_visibility;
 };
 
 class Opennesses {
@@ -43,19 +43,19 @@ void add_attribute(const GladGLContext& gl, GLuint index, int floats, std::size_
 }
 
 SurfaceBuffer make_surface_buffer(const GladGLContext& gl, const BodyItem& item,
-                                  const std::vector<Openness>& openness) {
+                                  const std::vector<Openness>& ambient_visibility) {
     std::vector<SurfaceVertex> vertices;
     vertices.reserve(item.x.size());
     for (std::size_t i = 0; i < item.x.size(); ++i) {
         const Vec3f &x = item.x[i], &n = item.normals[i];
-        vertices.push_back({{x.x(), x.y(), x.z()}, {n.x(), n.y(), n.z()}, openness[i].front});
+        vertices.push_back({{x.x(), x.y(), x.z()}, {n.x(), n.y(), n.z()}, ambient_visibility[i].front});
     }
     SurfaceBuffer buffer{.vertex_array = VertexArray(gl), .vertices = Buffer(gl), .indices = Buffer(gl)};
     gl.BindVertexArray(buffer.vertex_array.id());
     upload(gl, GL_ARRAY_BUFFER, buffer.vertices, vertices);
     add_attribute(gl, 0, 3, sizeof(SurfaceVertex), offsetof(SurfaceVertex, position));
     add_attribute(gl, 1, 3, sizeof(SurfaceVertex), offsetof(SurfaceVertex, normal));
-    add_attribute(gl, 2, 1, sizeof(SurfaceVertex), offsetof(SurfaceVertex, openness));
+    add_attribute(gl, 2, 1, sizeof(SurfaceVertex), offsetof(SurfaceVertex, ambient_visibility));
     upload(gl, GL_ELEMENT_ARRAY_BUFFER, buffer.indices, item.triangles);
     buffer.index_count = static_cast<int>(item.triangles.size() * 3);
     buffer.is_closed = is_closed(item);
@@ -82,8 +82,10 @@ void upload_setts(const GladGLContext& gl, const ClothItem& item, ClothBuffer& b
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
-ClothBuffer make_cloth_buffer(const GladGLContext& gl, const ClothItem& item, const std::vector<Openness>& openness) {
-    const std::vector<ClothVertex> vertices = make_cloth_vertices(item.mesh, vertex_normals(item.mesh), openness);
+ClothBuffer make_cloth_buffer(const GladGLContext& gl, const ClothItem& item,
+                              const std::vector<Openness>& ambient_visibility) {
+    const std::vector<ClothVertex> vertices =
+        make_cloth_vertices(item.mesh, vertex_normals(item.mesh), ambient_visibility);
     ClothBuffer buffer{.vertex_array = VertexArray(gl), .vertices = Buffer(gl)};
     gl.BindVertexArray(buffer.vertex_array.id());
     upload(gl, GL_ARRAY_BUFFER, buffer.vertices, vertices);
@@ -91,7 +93,7 @@ ClothBuffer make_cloth_buffer(const GladGLContext& gl, const ClothItem& item, co
     add_attribute(gl, 1, 3, sizeof(ClothVertex), offsetof(ClothVertex, normal));
     add_attribute(gl, 2, 2, sizeof(ClothVertex), offsetof(ClothVertex, place));
     add_attribute(gl, 3, 3, sizeof(ClothVertex), offsetof(ClothVertex, heights));
-    add_attribute(gl, 4, 2, sizeof(ClothVertex), offsetof(ClothVertex, openness));
+    add_attribute(gl, 4, 2, sizeof(ClothVertex), offsetof(ClothVertex, ambient_visibility));
     add_attribute(gl, 5, 2, sizeof(ClothVertex), offsetof(ClothVertex, touch));
     gl.EnableVertexAttribArray(6);
     gl.VertexAttribIPointer(6, 1, GL_UNSIGNED_INT, sizeof(ClothVertex),
@@ -120,11 +122,11 @@ bool is_closed(const BodyItem& item) {
 }
 
 SceneBuffers make_scene_buffers(const GladGLContext& gl, const Scene& scene, const Ground& ground,
-                                const std::vector<Openness>& openness) {
+                                const std::vector<Openness>& ambient_visibility) {
     SceneBuffers buffers;
     buffers.ground_centre = ground.centre;
     buffers.ground_radius = ground.radius;
-    Opennesses each(openness);
+    Opennesses each(ambient_visibility);
     for (const ClothItem& cloth : scene.cloths) {
         buffers.cloths.push_back(make_cloth_buffer(gl, cloth, each.take(cloth.mesh.x.size())));
     }
@@ -141,7 +143,7 @@ SceneBuffers make_scene_buffers(const GladGLContext& gl, const Scene& scene, con
 namespace {
 
 // But for camera, light and background, which no buffer holds.
-bool is_same_matter(const Scene& a, const Scene& b) {
+bool has_same_content(const Scene& a, const Scene& b) {
     return a.has_ground == b.has_ground && a.ground_y == b.ground_y && a.cloths == b.cloths && a.bodies == b.bodies &&
            a.solids == b.solids;
 }
@@ -161,7 +163,7 @@ LitPoints lit_points(const Scene& scene, const Ground& ground) {
 PreparedScene::PreparedScene(const GladGLContext& gl) : gl_(gl), shadow_(gl) {}
 
 void PreparedScene::prepare(const Scene& scene, PartClock& clock) {
-    const bool is_same = scene_ && is_same_matter(*scene_, scene);
+    const bool is_same = scene_ && has_same_content(*scene_, scene);
     clock.lap(&PictureTimes::compare);
     if (!is_same) {
         build(scene, clock);
@@ -172,7 +174,7 @@ void PreparedScene::prepare(const Scene& scene, PartClock& clock) {
 }
 
 void PreparedScene::prepare(const SceneView& view, PartClock& clock) {
-    const bool is_same = scene_ && (scene_ == view.scene || is_same_matter(*scene_, *view.scene));
+    const bool is_same = scene_ && (scene_ == view.scene || has_same_content(*scene_, *view.scene));
     clock.lap(&PictureTimes::compare);
     if (!is_same) build(*view.scene, clock);
     scene_ = view.scene;
@@ -185,16 +187,16 @@ void PreparedScene::build(const Scene& scene, PartClock& clock) {
     const Ground ground = make_ground(scene, bounds_);
     LitPoints points = lit_points(scene, ground);
     if (!(casters == casters_ && points == points_)) {
-        openness_ = room_light_.bake(cloth_casters_of(scene), body_casters_of(scene), points);
+        ambient_visibility_ = ambient_occlusion_.bake(cloth_casters_of(scene), body_casters_of(scene), points);
     }
-    clock.lap(&PictureTimes::room_light);
+    clock.lap(&PictureTimes::ambient_occlusion);
     points_ = std::move(points);
     if (!(casters == casters_)) {
         casters_ = std::move(casters);
         shadow_.load(casters_);
         key_matrix_.setZero();
     }
-    buffers_ = make_scene_buffers(gl_, scene, ground, openness_);
+    buffers_ = make_scene_buffers(gl_, scene, ground, ambient_visibility_);
     clock.lap(&PictureTimes::upload);
 }
 

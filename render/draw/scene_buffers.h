@@ -65,7 +65,7 @@ bool is_closed(const BodyItem& item);
 
 // openness: of the cloths' vertices, then the bodies', then the ground's, as baked.
 SceneBuffers make_scene_buffers(const GladGLContext& gl, const Scene& scene, const Ground& ground,
-                                const std::vector<Openness>& openness);
+                                const std::vector<Openness>& ambient_visibility);
 
 // What is kept of a scene from one picture to the next: a turning camera asks for nothing new, moving cloth for all
 // but what it did not change. What is kept was made from equal input, so a picture does not depend on those before.
@@ -92,8 +92,8 @@ class PreparedScene {
     Casters casters_;
     Bounds bounds_;
     LitPoints points_;
-    RoomLight room_light_;
-    std::vector<Openness> openness_;
+    AmbientOcclusion ambient_occlusion_;
+    std::vector<Openness> ambient_visibility_;
     SceneBuffers buffers_;
     ShadowMap shadow_;
     Eigen::Matrix4f key_matrix_ = Eigen::Matrix4f::Zero();

@@ -79,7 +79,7 @@ Image image_of_map(const std::vector<sim::Rgb8>& map) {
 
 }  // namespace
 
-DraftCloth::DraftCloth(const GladGLContext& gl) : gl_(gl), vertex_array_(gl), fixed_(gl), moving_(gl) {
+PreviewCloth::PreviewCloth(const GladGLContext& gl) : gl_(gl), vertex_array_(gl), fixed_(gl), moving_(gl) {
     gl_.BindVertexArray(vertex_array_.id());
     gl_.BindBuffer(GL_ARRAY_BUFFER, moving_.id());
     add_floats(gl_, 0, 3, sizeof(corners_[0]), 0);
@@ -91,7 +91,7 @@ DraftCloth::DraftCloth(const GladGLContext& gl) : gl_(gl), vertex_array_(gl), fi
                              reinterpret_cast<const void*>(offsetof(FixedVertex, marks)));
 }
 
-void DraftCloth::update(const ClothItem& item, const ClothItem* before) {
+void PreviewCloth::update(const ClothItem& item, const ClothItem* before) {
     const bool has_same_net = before != nullptr && is_same_net(item.mesh, before->mesh);
     if (!has_same_net) marks_ = mark_edges(item.mesh);
     if (before == nullptr || !is_same_picture(item, *before)) fill_picture(item);
@@ -101,12 +101,12 @@ void DraftCloth::update(const ClothItem& item, const ClothItem* before) {
     }
 }
 
-void DraftCloth::fill_picture(const ClothItem& item) {
+void PreviewCloth::fill_picture(const ClothItem& item) {
     is_woven_ = item.show == ShowMode::Tartan && !item.sett.stripes.empty() && !item.mesh.u.empty();
     is_painted_ = item.show > ShowMode::Plain && item.paint.has_value();
     if (is_woven_) {
         threads_ = {sum_warp(item.sett).threads(), sum_weft(item.sett).threads()};
-        picture_ = upload_draft_weave(gl_, draft_weave(item.sett));
+        picture_ = upload_draft_weave(gl_, preview_weave(item.sett));
         return;
     }
     picture_ =
@@ -114,7 +114,7 @@ void DraftCloth::fill_picture(const ClothItem& item) {
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
 }
 
-void DraftCloth::fill_fixed(const ClothItem& item) {
+void PreviewCloth::fill_fixed(const ClothItem& item) {
     const sim::PlainMesh& mesh = item.mesh;
     const std::vector<PanelTurn> turns = panel_turns(mesh);
     SELVEDGE_ASSERT(!is_painted_ || item.paint->places.size() == mesh.triangles.size());
@@ -134,7 +134,7 @@ void DraftCloth::fill_fixed(const ClothItem& item) {
     upload(gl_, GL_ARRAY_BUFFER, fixed_, fixed_vertices_);
 }
 
-void DraftCloth::fill_moving(const ClothItem& item) {
+void PreviewCloth::fill_moving(const ClothItem& item) {
     const sim::PlainMesh& mesh = item.mesh;
     const bool has_normals = mesh.normals.size() == mesh.x.size();
     const std::vector<Vec3f> own = has_normals ? std::vector<Vec3f>{} : sim::vertex_normals(mesh.x, mesh.triangles);
@@ -147,7 +147,7 @@ void DraftCloth::fill_moving(const ClothItem& item) {
     vertex_count_ = static_cast<int>(corners_.size());
 }
 
-DraftSurface::DraftSurface(const GladGLContext& gl)
+PreviewSurface::PreviewSurface(const GladGLContext& gl)
     : gl_(gl), vertex_array_(gl), positions_(gl), normals_(gl), colours_(gl), indices_(gl) {
     gl_.BindVertexArray(vertex_array_.id());
     gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
@@ -157,19 +157,19 @@ DraftSurface::DraftSurface(const GladGLContext& gl)
     add_floats(gl_, 1, 3, sizeof(Vec3f), 0);
 }
 
-void DraftSurface::fill_points(const std::vector<Vec3f>& x, const std::vector<Vec3f>& normals) {
+void PreviewSurface::fill_points(const std::vector<Vec3f>& x, const std::vector<Vec3f>& normals) {
     SELVEDGE_ASSERT(normals.size() == x.size());
     upload(gl_, GL_ARRAY_BUFFER, positions_, x);
     upload(gl_, GL_ARRAY_BUFFER, normals_, normals);
 }
 
-void DraftSurface::fill_triangles(const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+void PreviewSurface::fill_triangles(const std::vector<std::array<std::uint32_t, 3>>& triangles) {
     gl_.BindVertexArray(vertex_array_.id());
     upload(gl_, GL_ELEMENT_ARRAY_BUFFER, indices_, triangles);
     index_count_ = static_cast<int>(triangles.size() * 3);
 }
 
-void DraftSurface::update(const BodyItem& item, const BodyItem* before) {
+void PreviewSurface::update(const BodyItem& item, const BodyItem* before) {
     const bool has_moved = before == nullptr || !is_same(item.x, before->x) || !is_same(item.normals, before->normals);
     const bool is_other_net = before == nullptr || !is_same(item.triangles, before->triangles);
     if (has_moved) fill_points(item.x, item.normals);
@@ -177,7 +177,7 @@ void DraftSurface::update(const BodyItem& item, const BodyItem* before) {
     if (has_moved || is_other_net) is_closed_ = render::is_closed(item);
 }
 
-void DraftSurface::update(const SolidItem& item, const SolidItem* before) {
+void PreviewSurface::update(const SolidItem& item, const SolidItem* before) {
     SELVEDGE_ASSERT(item.colours.size() == item.x.size());
     if (before == nullptr || !is_same(item.x, before->x) || !is_same(item.normals, before->normals)) {
         fill_points(item.x, item.normals);
@@ -234,12 +234,12 @@ class ByteEncoder {
     std::array<std::uint8_t, 4096> table_{};
 };
 
-Image weave_of_size(const std::vector<Vec3f>& warp, const std::vector<Vec3f>& weft, float warp_share,
+Image weave_of_size(const std::vector<Vec3f>& warp, const std::vector<Vec3f>& weft, float warp_direction_share,
                     const ByteEncoder& encode) {
     Image image(static_cast<int>(warp.size()), static_cast<int>(weft.size()));
     for (std::size_t y = 0; y < weft.size(); ++y) {
         for (std::size_t x = 0; x < warp.size(); ++x) {
-            const Vec3f mixed = warp_share * warp[x] + (1 - warp_share) * weft[y];
+            const Vec3f mixed = warp_direction_share * warp[x] + (1 - warp_direction_share) * weft[y];
             image.pixels[y * warp.size() + x] = {encode(mixed.x()), encode(mixed.y()), encode(mixed.z()), 255};
         }
     }
@@ -248,13 +248,14 @@ Image weave_of_size(const std::vector<Vec3f>& warp, const std::vector<Vec3f>& we
 
 }  // namespace
 
-std::vector<Image> draft_weave(const sim::Sett& sett) {
+std::vector<Image> preview_weave(const sim::Sett& sett) {
     const SettSums warp = sum_warp(sett), weft = sum_weft(sett);
-    const float warp_share = sett.weave == sim::Weave::Twill31 ? 0.75F : 0.5F;
+    const float warp_direction_share = sett.weave == sim::Weave::Twill31 ? 0.75F : 0.5F;
     const ByteEncoder encode;
     std::vector<Image> sizes;
     for (int width = texels_for(warp), height = texels_for(weft);; width = (width + 1) / 2, height = (height + 1) / 2) {
-        sizes.push_back(weave_of_size(mean_colours(warp, width), mean_colours(weft, height), warp_share, encode));
+        sizes.push_back(
+            weave_of_size(mean_colours(warp, width), mean_colours(weft, height), warp_direction_share, encode));
         if (width == 1 && height == 1) return sizes;
     }
 }

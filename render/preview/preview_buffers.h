@@ -13,9 +13,9 @@
 
 namespace selvedge::render {
 
-class DraftCloth {
+class PreviewCloth {
  public:
-    explicit DraftCloth(const GladGLContext& gl);
+    explicit PreviewCloth(const GladGLContext& gl);
 
     // before: the item that was given last, or none.
     void update(const ClothItem& item, const ClothItem* before);
@@ -50,9 +50,9 @@ class DraftCloth {
 };
 
 // A body, or marks with colours of their own.
-class DraftSurface {
+class PreviewSurface {
  public:
-    explicit DraftSurface(const GladGLContext& gl);
+    explicit PreviewSurface(const GladGLContext& gl);
 
     void update(const BodyItem& item, const BodyItem* before);
     void update(const SolidItem& item, const SolidItem* before);
@@ -77,7 +77,7 @@ class DraftSurface {
 
 // From the largest, a power of two each way, down to one pixel. x is along the weft (the warp's threads), y along the
 // warp.
-std::vector<Image> draft_weave(const sim::Sett& sett);
+std::vector<Image> preview_weave(const sim::Sett& sett);
 
 Texture upload_draft_weave(const GladGLContext& gl, const std::vector<Image>& sizes);
 

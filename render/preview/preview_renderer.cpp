@@ -62,16 +62,17 @@ Vec3f as_floats(const sim::Rgb8& colour) {
 
 }  // namespace
 
-struct DraftRenderer::Impl {
+struct PreviewRenderer::Impl {
     explicit Impl(GlContext& made_elsewhere)
         : context(made_elsewhere),
           gl(made_elsewhere.gl()),
-          surface(make_program(gl, {"draft_key.glsl", "light.glsl", "encode.glsl", "draft_surface.vert"},
-                               {"draft_surface.frag"})),
-          cloth(make_program(gl, {"draft_key.glsl", "light.glsl", "encode.glsl", "draft_cloth.vert"},
-                             {"draft_cloth.frag"})),
-          ground(make_program(gl, {"draft_ground.vert"}, {"draft_ground.frag"})),
-          backdrop_program(make_program(gl, {"screen.vert"}, {"backdrop.glsl", "encode.glsl", "draft_backdrop.frag"})),
+          surface(make_program(gl, {"preview_key.glsl", "light.glsl", "encode.glsl", "preview_surface.vert"},
+                               {"preview_surface.frag"})),
+          cloth(make_program(gl, {"preview_key.glsl", "light.glsl", "encode.glsl", "preview_cloth.vert"},
+                             {"preview_cloth.frag"})),
+          ground(make_program(gl, {"preview_ground.vert"}, {"preview_ground.frag"})),
+          backdrop_program(
+              make_program(gl, {"screen.vert"}, {"backdrop.glsl", "encode.glsl", "preview_backdrop.frag"})),
           no_vertices(gl),
           depth(gl),
           backdrop(gl) {
@@ -168,7 +169,7 @@ struct DraftRenderer::Impl {
         for (std::size_t i = 0; i < cloths.size(); ++i) draw_cloth(cloths[i], scene->cloths[i]);
     }
 
-    void draw_cloth(const DraftCloth& drawn, const ClothItem& item) const {
+    void draw_cloth(const PreviewCloth& drawn, const ClothItem& item) const {
         const bool is_level = item.show == ShowMode::Level;
         const bool has_edges = is_level || item.show == ShowMode::Edges || item.ink > 0;
         const bool has_picture = drawn.is_woven() || drawn.is_painted();
@@ -207,7 +208,7 @@ struct DraftRenderer::Impl {
         surface.set("body_share", 0.0F);
         surface.set("openness", 1.0F);
         set_material({.gloss = 0.04F, .roughness = 0.3F, .sheen = 0});
-        for (const DraftSurface& solid : solids) draw_surface(solid);
+        for (const PreviewSurface& solid : solids) draw_surface(solid);
     }
 
     void set_material(const Material& material) const {
@@ -216,7 +217,7 @@ struct DraftRenderer::Impl {
         surface.set("sheen", material.sheen);
     }
 
-    void draw_surface(const DraftSurface& drawn) const {
+    void draw_surface(const PreviewSurface& drawn) const {
         if (drawn.is_closed()) gl.Enable(GL_CULL_FACE);
         gl.BindVertexArray(drawn.vertex_array());
         gl.DrawElements(GL_TRIANGLES, drawn.index_count(), GL_UNSIGNED_INT, nullptr);
@@ -232,15 +233,15 @@ struct DraftRenderer::Impl {
     PictureTexture backdrop;
     std::optional<Background> background;  // that the backdrop shows
     std::shared_ptr<const Scene> scene;    // that the buffers hold
-    std::deque<DraftCloth> cloths;
-    std::deque<DraftSurface> bodies, solids;
+    std::deque<PreviewCloth> cloths;
+    std::deque<PreviewSurface> bodies, solids;
     std::optional<Footprint> footprint;
 };
 
-DraftRenderer::DraftRenderer(GlContext& context) : impl_(std::make_unique<Impl>(context)) {}
-DraftRenderer::~DraftRenderer() = default;
+PreviewRenderer::PreviewRenderer(GlContext& context) : impl_(std::make_unique<Impl>(context)) {}
+PreviewRenderer::~PreviewRenderer() = default;
 
-void DraftRenderer::draw(const SceneView& view, PictureTexture& to) {
+void PreviewRenderer::draw(const SceneView& view, PictureTexture& to) {
     Impl& impl = *impl_;
     impl.context.make_current();
     impl.prepare(view.scene);

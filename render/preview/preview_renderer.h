@@ -11,10 +11,10 @@ namespace selvedge::render {
 
 // Belongs to one thread and to the context, which must outlive it. Keeps what a scene has in common with the one drawn
 // before: have one for each view. The same view has the same bits whatever was drawn before.
-class DraftRenderer {
+class PreviewRenderer {
  public:
-    explicit DraftRenderer(GlContext& context);
-    ~DraftRenderer();
+    explicit PreviewRenderer(GlContext& context);
+    ~PreviewRenderer();
 
     // Of the texture's size; its first row is the picture's uppermost. A scene may be empty.
     // Pre: the texture belongs to the context; the scene's numbers are finite.

@@ -9,7 +9,7 @@ namespace selvedge::render {
 namespace {
 
 struct Observer : SurfaceObserver {
-    Observer(CurvedSurface& surface, Entrance entrance, sim::Visibility* seen)
+    Observer(CurvedSurface& surface, SpawnPosition entrance, sim::Visibility* seen)
         : SurfaceObserver(surface, entrance), visibility(seen) {}
 
     void on_capacity(std::size_t capacity) {
@@ -100,8 +100,8 @@ void note_leaving(CurvedSurface& surface, const CoarseVeto& veto, const Criterio
 template <class Criterion>
 sim::AdaptReport adapt_with(CurvedSurface& surface, const AdaptSurfaceOptions& options, const CoarseVeto& veto,
                             const Criterion& criterion) {
-    using Entrance = SurfaceObserver::Entrance;
-    Observer observer(surface, options.glides ? Entrance::Middle : Entrance::Curve, options.visibility);
+    using SpawnPosition = SurfaceObserver::SpawnPosition;
+    Observer observer(surface, options.glides ? SpawnPosition::Middle : SpawnPosition::Curve, options.visibility);
     if (!options.glides) return adapt(surface.mesh, observer, {}, veto, criterion);
     note_leaving(surface, veto, criterion);
     return adapt(surface.mesh, observer, {}, VetoOnArrival{surface, veto}, HoldUntilArrival{surface}, criterion);
@@ -116,8 +116,8 @@ sim::AdaptReport adapt_surface(CurvedSurface& surface, const AdaptSurfaceOptions
     const sim::CurvatureCriterion curvature(surface.normals, on.curvature_angles);
     const sim::BucklingCriterion<Vec4f> buckling(surface.x, on.buckling_ratios);
     const sim::LengthCriterion<Vec4f> length(surface.x, on.compressions);
-    const sim::AnyOf shape(sim::Switched(on.curvature, curvature), sim::Switched(on.buckling, buckling),
-                           sim::Switched(on.length, length));
+    const sim::AnyOf shape(sim::OptionalCriterion(on.curvature, curvature),
+                           sim::OptionalCriterion(on.buckling, buckling), sim::OptionalCriterion(on.length, length));
     const Wish wish{shape, surface, veto, on.least_bulge};
     const sim::AdaptReport report = adapt_with(surface, options, veto, sim::LookAheadCriterion(wish));
     if (report.changed()) plan_surface(surface);

@@ -23,7 +23,7 @@ struct SurfaceCriteria {
 struct AdaptSurfaceOptions {
     SurfaceCriteria criteria{};
     int max_level = sim::kDeepestLevel;     // or the surface's own
-    sim::Visibility* visibility = nullptr;  // with it what is turned away is kept coarse; made here for each adaption
+    sim::Visibility* visibility = nullptr;  // with it what is turned away is kept coarse; made here for each adaptation
     // A picture by itself is fine at once. One of a film is not: vertices glide in and out (update_surface), and an
     // edge is rejoined when its vertex has glided to its middle.
     bool glides = false;

@@ -147,7 +147,7 @@ void SurfaceObserver::on_split(sim::VertexId c, sim::VertexId a, sim::VertexId b
     const sim::AdaptiveEdge& root = mesh.edge(place.root);
     const EdgeCurve curve =
         make_edge_curve(ends_of(surface_, root.ends[0], root.ends[1], root.rest_length), surface_.modifier);
-    const bool is_whole = entrance_ == Entrance::Curve;
+    const bool is_whole = entrance_ == SpawnPosition::Curve;
     surface_.shown[c.value] = is_whole ? 1.0F : 0.0F;
     surface_.is_leaving[c.value] = false;
     surface_.normals[c.value] = surface_.weights.normal(curve, middle);
@@ -234,7 +234,7 @@ void update_surface(CurvedSurface& surface, std::span<const Vec4f> x, std::span<
 }
 
 sim::AdaptReport set_surface_level(CurvedSurface& surface, int level) {
-    SurfaceObserver observer(surface, SurfaceObserver::Entrance::Curve);
+    SurfaceObserver observer(surface, SurfaceObserver::SpawnPosition::Curve);
     const sim::AdaptReport report = set_uniform_level(surface.mesh, observer, level);
     std::fill(surface.shown.begin(), surface.shown.end(), 1.0F);
     std::fill(surface.is_leaving.begin(), surface.is_leaving.end(), false);

@@ -107,15 +107,15 @@ sim::EdgeId root_of(const CurvedSurface& surface, sim::VertexId v);
 // Every leaf at that level, all new vertices where they belong. Pre: 0 <= level <= max_level.
 sim::AdaptReport set_surface_level(CurvedSurface& surface, int level);
 
-// The plan for the present mesh: after every adaption that changed it.
+// The plan for the present mesh: after every adaptation that changed it.
 void plan_surface(CurvedSurface& surface);
 
-// Keeps the surface's arrays while an adaption is under way.
+// Keeps the surface's arrays while an adaptation is under way.
 class SurfaceObserver {
  public:
     // Where a new vertex starts.
-    enum class Entrance { Middle, Curve };
-    SurfaceObserver(CurvedSurface& surface, Entrance entrance) : surface_(surface), entrance_(entrance) {}
+    enum class SpawnPosition { Middle, Curve };
+    SurfaceObserver(CurvedSurface& surface, SpawnPosition entrance) : surface_(surface), entrance_(entrance) {}
 
     void on_capacity(std::size_t capacity);
     void on_split(sim::VertexId c, sim::VertexId a, sim::VertexId b);
@@ -125,7 +125,7 @@ class SurfaceObserver {
 
  private:
     CurvedSurface& surface_;
-    Entrance entrance_;
+    SpawnPosition entrance_;
 };
 
 // Keeps the drawn surface out of the body: where the cloth lies on it, a curve or the chord of a new edge may dip below

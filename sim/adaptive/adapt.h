@@ -1,5 +1,5 @@
 #pragma once
-// One adaption: refine from level 0 down, then coarsen from the deepest level up, retriangulating after each level.
+// One adaptation: refine from level 0 down, then coarsen from the deepest level up, retriangulating after each level.
 // Criteria are asked per edge and combined at compile time: split if any asks and none vetoes, rejoin if any vetoes or
 // all agree.  (SPEC 1.2-1.4)
 //
@@ -17,7 +17,7 @@
 //                       on_split(c, a, b)    c is new between a and b: set all that the criteria read of it
 //                       on_rejoin(c)         c is about to be freed
 // and, if it wants to,  before(t), after(t)  t changes its configuration: what is inside it goes and comes
-// An adaption in which nothing changes asks each leaf edge once and each parent of two leaves once.
+// An adaptation in which nothing changes asks each leaf edge once and each parent of two leaves once.
 #include <algorithm>
 #include <concepts>
 #include <span>
@@ -219,7 +219,7 @@ AdaptReport adapt_choosing(const Choice& choice, AdaptiveMesh& mesh, State& stat
 
 template <AdaptObserver State, EdgeCriterion... Criteria>
 AdaptReport adapt(AdaptiveMesh& mesh, State& state, const AdaptOptions& options, const Criteria&... criteria) {
-    return adapt_choosing(LeastWork{}, mesh, state, options, criteria...);
+    return adapt_choosing(MinimalChange{}, mesh, state, options, criteria...);
 }
 
 // How far splits may go.

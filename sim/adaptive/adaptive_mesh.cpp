@@ -103,7 +103,7 @@ void AdaptiveMesh::list_split() {
         const AdaptiveEdge& edge = edges_[e];
         levels_.add_split(edge.level, e);
         for (const EdgeId child : edge.children) levels_.add_unsplit(edge.level + 1, child);
-        keeper_.note(e);
+        tracker_.note(e);
     }
     splitting_.clear();
 }
@@ -115,13 +115,13 @@ void AdaptiveMesh::release_rejoined() {
         AdaptiveEdge& edge = edges_[e];
         for (std::size_t i = 2; i-- > 0;) {
             levels_.remove_unsplit(edge.level + 1, edge.children[i]);
-            keeper_.note_released(edge.children[i]);
+            tracker_.note_released(edge.children[i]);
             edges_.release(edge.children[i]);
         }
         levels_.remove_split(edge.level, e);
         levels_.add_unsplit(edge.level, e);
-        keeper_.note_released(edge.centre);
-        keeper_.note(e);
+        tracker_.note_released(edge.centre);
+        tracker_.note(e);
         vertices_.release(edge.centre);
         edge.children = {};
         edge.centre = {};
@@ -131,7 +131,7 @@ void AdaptiveMesh::release_rejoined() {
 
 void AdaptiveMesh::grow_lists() {
     levels_.grow(edges_.capacity(), triangles_.capacity());
-    keeper_.grow(vertices_.capacity(), edges_.capacity(), triangles_.capacity());
+    tracker_.grow(vertices_.capacity(), edges_.capacity(), triangles_.capacity());
     listed_capacity_ = vertices_.capacity() + edges_.capacity() + triangles_.capacity();
 }
 
@@ -243,9 +243,9 @@ AdaptiveMesh::AdaptiveMesh(const GarmentMesh& base, const AdaptiveMeshOptions& o
 }
 
 void AdaptiveMesh::list_base() {
-    for (std::uint32_t i = 0; i < base_vertices_; ++i) keeper_.note(VertexId(i));
-    for (std::uint32_t i = 0; i < base_edges_; ++i) keeper_.note(EdgeId(i));
-    for (std::uint32_t i = 0; i < base_triangles_; ++i) keeper_.note(TriangleId(i));
+    for (std::uint32_t i = 0; i < base_vertices_; ++i) tracker_.note(VertexId(i));
+    for (std::uint32_t i = 0; i < base_edges_; ++i) tracker_.note(EdgeId(i));
+    for (std::uint32_t i = 0; i < base_triangles_; ++i) tracker_.note(TriangleId(i));
     for (std::uint32_t i = 0; i < base_edges_; ++i) levels_.add_unsplit(0, EdgeId(i));
 }
 
@@ -423,7 +423,7 @@ struct AdaptiveMesh::Change::One {
             if constexpr (is_released(plan.drops_triangle, plan.triangle_over, slot)) {
                 const TriangleId id = owner.internal_triangles[slot];
                 SELVEDGE_ASSERT(is_leaf(mesh.triangles_[id]));
-                mesh.keeper_.note_released(id);
+                mesh.tracker_.note_released(id);
                 mesh.triangles_.release(id);
             }
         });
@@ -431,7 +431,7 @@ struct AdaptiveMesh::Change::One {
             constexpr std::size_t slot = from.edge_count - 1U - i;
             if constexpr (is_released(plan.drops_edge, plan.edge_over, slot)) {
                 const EdgeId id = owner.internal_edges[slot];
-                mesh.keeper_.note_released(id);
+                mesh.tracker_.note_released(id);
                 mesh.levels_.remove_unsplit(owner.level + 1, id);
                 mesh.edges_.release(id);
             }
@@ -447,7 +447,7 @@ struct AdaptiveMesh::Change::One {
                 triangles[i] = owner.internal_triangles[plan.triangle_from[i]];
             } else if constexpr (plan.triangle_over[i] != kNoSlot) {
                 triangles[i] = owner.internal_triangles[plan.triangle_over[i]];
-                mesh.keeper_.note_rewritten(triangles[i]);
+                mesh.tracker_.note_rewritten(triangles[i]);
             } else {
                 triangles[i] = free_triangles[count_new(plan.triangle_from, plan.triangle_over, i)];
             }
@@ -457,7 +457,7 @@ struct AdaptiveMesh::Change::One {
                 edges[i] = owner.internal_edges[plan.edge_from[i]];
             } else if constexpr (plan.edge_over[i] != kNoSlot) {
                 edges[i] = owner.internal_edges[plan.edge_over[i]];
-                mesh.keeper_.note_rewritten(edges[i]);
+                mesh.tracker_.note_rewritten(edges[i]);
             } else {
                 edges[i] = free_edges[count_new(plan.edge_from, plan.edge_over, i)];
                 mesh.levels_.add_unsplit(owner.level + 1, edges[i]);
@@ -578,8 +578,8 @@ struct AdaptiveMesh::Change::One {
         owner.configuration = static_cast<Configuration>(kTo);
         if constexpr (from.triangle_count == 0) mesh.levels_.add_refined(owner.level, id);
         if constexpr (to.triangle_count == 0) mesh.levels_.remove_refined(owner.level, id);
-        if constexpr (from.triangle_count == 0 || to.triangle_count == 0) mesh.keeper_.note_refined(id);
-        mesh.keeper_.note(id);
+        if constexpr (from.triangle_count == 0 || to.triangle_count == 0) mesh.tracker_.note_refined(id);
+        mesh.tracker_.note(id);
     }
 };
 
@@ -591,7 +591,7 @@ void AdaptiveMesh::change_configuration(TriangleId id, Configuration to) {
 
 int AdaptiveMesh::retriangulate(int level, TransitionCounts* counts) {
     NoWatch watch;
-    return retriangulate(level, counts, LeastWork{}, watch);
+    return retriangulate(level, counts, MinimalChange{}, watch);
 }
 
 Diagonal AdaptiveMesh::diagonal(const AdaptiveTriangle& t, const InternalEdge& drawn) const {

@@ -145,11 +145,11 @@ class AdaptiveMesh {
     std::span<const LeafTriangle> leaf_triangles() const { return leaves().triangles; }
     std::span<const Hinge> hinges() const { return leaves().hinges; }
     std::span<const float> vertex_areas() const { return leaves().vertex_areas; }  // m^2, by vertex id
-    const Hinge* hinge(EdgeId e) const { return keeper_.hinge(e); }                // of a leaf edge; none at a boundary
-    const LeafLists& leaves() const { return keeper_.lists(); }
+    const Hinge* hinge(EdgeId e) const { return tracker_.hinge(e); }               // of a leaf edge; none at a boundary
+    const LeafLists& leaves() const { return tracker_.lists(); }
 
-    // What the last refresh_lists(), and so the last adaption, did to them.
-    const LeafChanges& changes() const { return keeper_.changes(); }
+    // What the last refresh_lists(), and so the last adaptation, did to them.
+    const LeafChanges& changes() const { return tracker_.changes(); }
 
     // The elements of one level, 0..max_level, as the last retriangulate() left them. At the deepest level, where no
     // edge may split, none are listed.
@@ -181,7 +181,7 @@ class AdaptiveMesh {
     int retriangulate(int level, TransitionCounts* counts, const Choice& choice, Watch& watch);
 
     // Brings the leaf lists up to date with what has changed since the last time, in place, and tells what it did.
-    void refresh_lists() { keeper_.refresh(*this); }
+    void refresh_lists() { tracker_.refresh(*this); }
 
     // One transition by itself, to test and to measure. Conformity is the caller's care.
     // Pre: t is regular, the edges that `to` has split are split, no internal element is refined.
@@ -229,14 +229,14 @@ class AdaptiveMesh {
     std::vector<EdgeId> splitting_;
     std::vector<EdgeId> rejoining_;
     LevelLists levels_;
-    LeafKeeper keeper_;
+    LeafTracker tracker_;
     std::size_t listed_capacity_ = 0;  // of all pools, when the lists were last sized to them
 };
 
 constexpr AdaptiveMesh::BytesPerElement AdaptiveMesh::bytes_per_element() {
-    return {decltype(vertices_)::kBytesPerElement + LeafKeeper::kBytesPerId + LeafKeeper::kBytesPerArea,
-            decltype(edges_)::kBytesPerElement + LeafKeeper::kBytesPerId + LevelLists::kBytesPerId,
-            decltype(triangles_)::kBytesPerElement + LeafKeeper::kBytesPerId + LevelLists::kBytesPerId};
+    return {decltype(vertices_)::kBytesPerElement + LeafTracker::kBytesPerId + LeafTracker::kBytesPerArea,
+            decltype(edges_)::kBytesPerElement + LeafTracker::kBytesPerId + LevelLists::kBytesPerId,
+            decltype(triangles_)::kBytesPerElement + LeafTracker::kBytesPerId + LevelLists::kBytesPerId};
 }
 
 // What each marked triangle is to become is asked of choose(triangle, split mask).
@@ -266,7 +266,7 @@ int AdaptiveMesh::retriangulate_marked(int level, TransitionCounts* counts, cons
 template <class Choice, class Watch>
 int AdaptiveMesh::retriangulate(int level, TransitionCounts* counts, const Choice& choice, Watch& watch) {
     const auto choose = [&](const AdaptiveTriangle& t, SplitMask split) {
-        if constexpr (std::is_same_v<Choice, LeastWork>) {
+        if constexpr (std::is_same_v<Choice, MinimalChange>) {
             return least_work(t.configuration, split);
         } else {
             return chosen(t, split, choice);
@@ -278,8 +278,8 @@ int AdaptiveMesh::retriangulate(int level, TransitionCounts* counts, const Choic
 template <class Choice>
 Configuration AdaptiveMesh::chosen(const AdaptiveTriangle& t, SplitMask split, const Choice& choice) const {
     const Configuration least = least_work(t.configuration, split);
-    if (least == t.configuration || !has_two_ways(split)) return least;
-    const EitherWay ways = either_way(split);
+    if (least == t.configuration || !is_ambiguous(split)) return least;
+    const AmbiguousSplit ways = either_way(split);
     const float first = choice.cost(diagonal(t, ways.diagonals[0]));
     const float second = choice.cost(diagonal(t, ways.diagonals[1]));
     if (first == second) return least;

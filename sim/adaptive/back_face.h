@@ -23,14 +23,14 @@ struct BackFaceOptions {
     float rejoin_margin = 0.25F;  // above split_margin: no rejoin is forced there, so that nothing flickers
 };
 
-// What is seen of a mesh. Part of the state that the adaption's observer keeps: pass its calls on.
+// What is seen of a mesh. Part of the state that the adaptation's observer keeps: pass its calls on.
 class Visibility {
  public:
     explicit Visibility(const ViewPoint& view, const BackFaceOptions& options = {});
 
     void move_to(const ViewPoint& view) { view_ = view; }
 
-    // Looks at all leaves; before each adaption. A leaf counts as seen when its plane or the normal of one of its
+    // Looks at all leaves; before each adaptation. A leaf counts as seen when its plane or the normal of one of its
     // vertices is. Position is any vector type whose first three coefficients are the position, m;
     // Normal, unit, likewise.
     template <class Position, class Normal>

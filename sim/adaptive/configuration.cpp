@@ -23,15 +23,15 @@ std::size_t state_of(Configuration c) {
     return state_of(layout(c).split);
 }
 
-bool has_two_ways(SplitMask split) {
+bool is_ambiguous(SplitMask split) {
     const std::size_t state = state_of(split);
     return 4 <= state && state <= 6;
 }
 
-EitherWay either_way(SplitMask split) {
-    SELVEDGE_ASSERT(has_two_ways(split));
+AmbiguousSplit either_way(SplitMask split) {
+    SELVEDGE_ASSERT(is_ambiguous(split));
     const std::size_t first = 2 * state_of(split) - 4;  // S4: C4 and C5
-    EitherWay ways{{static_cast<Configuration>(first), static_cast<Configuration>(first + 1)}, {}};
+    AmbiguousSplit ways{{static_cast<Configuration>(first), static_cast<Configuration>(first + 1)}, {}};
     for (std::size_t i = 0; i < 2; ++i) {
         const Layout& own = kLayouts[first + i];
         for (std::size_t k = 0; k < own.edge_count; ++k) {
@@ -42,7 +42,7 @@ EitherWay either_way(SplitMask split) {
 }
 
 Configuration least_work(Configuration from, SplitMask split) {
-    return kLeastWork[index_of(from)][split];
+    return kMinimalChange[index_of(from)][split];
 }
 
 }  // namespace selvedge::sim

@@ -79,13 +79,13 @@ std::size_t state_of(SplitMask split);
 std::size_t state_of(Configuration c);
 
 // The two configurations of a state with two split edges, each with the internal edge that the other has not.
-struct EitherWay {
+struct AmbiguousSplit {
     std::array<Configuration, 2> configurations;
     std::array<InternalEdge, 2> diagonals;  // from a vertex to the midpoint of the edge opposite
 };
 
-bool has_two_ways(SplitMask split);
-EitherWay either_way(SplitMask split);  // pre: has_two_ways(split)
+bool is_ambiguous(SplitMask split);
+AmbiguousSplit either_way(SplitMask split);  // pre: is_ambiguous(split)
 
 // The configuration that conforms to `split` with the least work from `from`; where two are equal, the first.
 Configuration least_work(Configuration from, SplitMask split);

@@ -184,7 +184,7 @@ constexpr std::array<std::array<Configuration, 8>, kConfigurations> choose_least
     return chosen;
 }
 
-inline constexpr std::array<std::array<Configuration, 8>, kConfigurations> kLeastWork = choose_least_work();
+inline constexpr std::array<std::array<Configuration, 8>, kConfigurations> kMinimalChange = choose_least_work();
 
 inline constexpr std::array<std::uint8_t, 8> kStateOfSplit = {0, 1, 2, 4, 3, 6, 5, 7};
 

@@ -1,6 +1,6 @@
 #pragma once
-// Criteria that look at the surface alone. Each holds references to the state's arrays (not spans: an adaption may grow
-// them), indexed by vertex id; splits must set them for the new centre.  (SPEC 1.3)
+// Criteria that look at the surface alone. Each holds references to the state's arrays (not spans: an adaptation may
+// grow them), indexed by vertex id; splits must set them for the new centre.  (SPEC 1.3)
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -153,9 +153,9 @@ float distance_to_triangle(const Vec2f& p, const std::array<Vec2f, 3>& triangle)
 
 // A batch is noted even while it is off: then it agrees to all.
 template <EdgeCriterion Criterion>
-struct Switched {
+struct OptionalCriterion {
     static constexpr bool is_batch = BatchCriterion<Criterion>;
-    Switched(bool on, const Criterion& asked) : is_on(on), criterion(asked) {}
+    OptionalCriterion(bool on, const Criterion& asked) : is_on(on), criterion(asked) {}
 
     bool is_on;
     const Criterion& criterion;  // outlives this
@@ -173,9 +173,9 @@ struct Switched {
 };
 
 template <VetoCriterion Criterion>
-struct Switched<Criterion> {
+struct OptionalCriterion<Criterion> {
     static constexpr bool is_veto = true;
-    Switched(bool on, const Criterion& asked) : is_on(on), criterion(asked) {}
+    OptionalCriterion(bool on, const Criterion& asked) : is_on(on), criterion(asked) {}
 
     bool is_on;
     const Criterion& criterion;  // outlives this
@@ -184,7 +184,7 @@ struct Switched<Criterion> {
 };
 
 template <class Criterion>
-Switched(bool, const Criterion&) -> Switched<Criterion>;
+OptionalCriterion(bool, const Criterion&) -> OptionalCriterion<Criterion>;
 
 // Several as one: it asks for a split if any does, and agrees to a rejoin if all do.
 template <EdgeCriterion... Criteria>
@@ -234,7 +234,7 @@ AdaptReport set_uniform_level(AdaptiveMesh& mesh, State& state, int level) {
 // across it ask. With look-ahead an edge also asks when a finer edge of its triangles does. It is a choice of the
 // criterion, made outside of the mesh; the permissions stay as they are.
 
-// What a criterion says of the leaf edges that are there before an adaption, asked in one flat loop. Edges that are
+// What a criterion says of the leaf edges that are there before an adaptation, asked in one flat loop. Edges that are
 // made, or made anew, while it is under way are to be forgotten: see forget().
 class LeafAnswers {
  public:

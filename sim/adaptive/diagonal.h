@@ -14,7 +14,7 @@ struct Diagonal {
 };
 
 // A choice has    float cost(const Diagonal&) const;    the lower is taken, and where both are equal the least work
-struct LeastWork {};
+struct MinimalChange {};
 
 // In the room. Position is any vector type whose first three coefficients are the position, m.
 template <class Position>

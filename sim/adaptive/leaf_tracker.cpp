@@ -57,7 +57,7 @@ bool has_hinge(const AdaptiveEdge& edge) {
 
 // All that is needed for as many elements is reserved here, so that refresh() allocates nothing but for the lists
 // themselves while they grow.
-void LeafKeeper::grow(std::size_t vertices, std::size_t edges, std::size_t triangles) {
+void LeafTracker::grow(std::size_t vertices, std::size_t edges, std::size_t triangles) {
     const auto enlarge = [](auto& places, std::size_t size) {
         if (places.by_id.size() < size) places.by_id.resize(size, kUnlisted);
     };
@@ -67,14 +67,14 @@ void LeafKeeper::grow(std::size_t vertices, std::size_t edges, std::size_t trian
     enlarge(vertices_, vertices);
     enlarge(edges_, edges);
     enlarge(triangles_, triangles);
-    reserve(vertices, vertices_.noted, changes_.vertices_gone, changes_.vertices_come, gaps_.vertices);
-    reserve(edges, edges_.noted, changes_.edges_gone, changes_.edges_come, changes_.hinges_changed, fresh_,
+    reserve(vertices, vertices_.noted, changes_.vertices_removed, changes_.vertices_added, gaps_.vertices);
+    reserve(edges, edges_.noted, changes_.edges_removed, changes_.edges_added, changes_.hinges_changed, fresh_,
             gaps_.hinges, gaps_.boundary);
-    reserve(triangles, triangles_.noted, changes_.triangles_gone, changes_.triangles_come, changes_.refined_changed,
+    reserve(triangles, triangles_.noted, changes_.triangles_removed, changes_.triangles_added, changes_.refined_changed,
             refined_noted_, gaps_.triangles);
 }
 
-void LeafKeeper::refresh(const AdaptiveMesh& mesh) {
+void LeafTracker::refresh(const AdaptiveMesh& mesh) {
     changes_.clear();
     for (const TriangleId t : refined_noted_) triangles_.by_id[t.value] &= ~kIsRefinedNoted;
     changes_.refined_changed.swap(refined_noted_);
@@ -83,11 +83,11 @@ void LeafKeeper::refresh(const AdaptiveMesh& mesh) {
     area_sums_.resize(mesh.vertex_capacity(), 0.0);
     old_hinges_ = lists_.hinges.size();
     lists_.edges.resize(old_hinges_);
-    take_out_triangles();
-    take_out_edges();
-    take_out_vertices();
-    put_in_edges(mesh);
-    put_in_triangles(mesh);
+    erase_triangles();
+    erase_edges();
+    erase_vertices();
+    insert_edges(mesh);
+    insert_triangles(mesh);
     for (const EdgeId e : fresh_) edges_.by_id[e.value] &= ~kIsFresh;
     fresh_.clear();
     close_gaps();
@@ -97,12 +97,12 @@ void LeafKeeper::refresh(const AdaptiveMesh& mesh) {
     triangles_.noted.clear();
 }
 
-void LeafKeeper::take_out_triangles() {
+void LeafTracker::erase_triangles() {
     for (const TriangleId t : triangles_.noted) {
         Place& place = triangles_.by_id[t.value];
         place &= ~kNoted;
         if (!is_listed(place)) continue;
-        changes_.triangles_gone.push_back(t);
+        changes_.triangles_removed.push_back(t);
         const Place at = place & kPosition;
         add_areas(lists_.triangles[at], -1.0);
         lists_.triangles[at].triangle = {};
@@ -111,12 +111,12 @@ void LeafKeeper::take_out_triangles() {
     }
 }
 
-void LeafKeeper::take_out_edges() {
+void LeafTracker::erase_edges() {
     for (const EdgeId e : edges_.noted) {
         Place& place = edges_.by_id[e.value];
         place &= ~kNoted;
         if (!is_listed(place)) continue;
-        changes_.edges_gone.push_back(e);
+        changes_.edges_removed.push_back(e);
         const bool is_boundary = (place & kIsBoundary) != 0;
         const Place at = place & kPosition;
         (is_boundary ? boundary_ : lists_.edges)[at].edge = {};
@@ -125,61 +125,61 @@ void LeafKeeper::take_out_edges() {
     }
 }
 
-void LeafKeeper::take_out_vertices() {
+void LeafTracker::erase_vertices() {
     for (const VertexId v : vertices_.noted) {
         Place& place = vertices_.by_id[v.value];
         const bool is_released = (place & kIsReleased) != 0;
         if (is_listed(place)) {
             const Place at = place & kPosition;
-            changes_.vertices_gone.push_back(v);
+            changes_.vertices_removed.push_back(v);
             lists_.vertices[at] = {};
             gaps_.vertices.push_back(at);
         }
         place = kUnlisted;
-        if (!is_released) put_in(v);
+        if (!is_released) insert(v);
     }
 }
 
-void LeafKeeper::put_in_edges(const AdaptiveMesh& mesh) {
+void LeafTracker::insert_edges(const AdaptiveMesh& mesh) {
     for (const EdgeId e : edges_.noted) {
         if (was_released(edges_, e)) continue;
         const AdaptiveEdge& edge = mesh.edge(e);
-        put_in(mesh, e);
+        insert(mesh, e);
         if (!edge.centre) continue;
-        put_in(edge.centre);
-        for (const EdgeId child : edge.children) put_in(mesh, child);
+        insert(edge.centre);
+        for (const EdgeId child : edge.children) insert(mesh, child);
     }
     for (const TriangleId t : triangles_.noted) {
         if ((triangles_.by_id[t.value] & kIsReleased) != 0) continue;
         const AdaptiveTriangle& owner = mesh.triangle(t);
         const std::size_t count = layout(owner.configuration).edge_count;
-        for (std::size_t i = 0; i < count; ++i) put_in(mesh, owner.internal_edges[i]);
+        for (std::size_t i = 0; i < count; ++i) insert(mesh, owner.internal_edges[i]);
     }
 }
 
-void LeafKeeper::put_in_triangles(const AdaptiveMesh& mesh) {
+void LeafTracker::insert_triangles(const AdaptiveMesh& mesh) {
     for (const TriangleId t : triangles_.noted) {
         if (was_released(triangles_, t)) continue;
         const AdaptiveTriangle& owner = mesh.triangle(t);
-        put_in(mesh, t);
+        insert(mesh, t);
         const std::size_t count = layout(owner.configuration).triangle_count;
-        for (std::size_t i = 0; i < count; ++i) put_in(mesh, owner.internal_triangles[i]);
+        for (std::size_t i = 0; i < count; ++i) insert(mesh, owner.internal_triangles[i]);
     }
 }
 
-void LeafKeeper::put_in(VertexId v) {
+void LeafTracker::insert(VertexId v) {
     Place& place = vertices_.by_id[v.value];
     if (is_listed(place)) return;
     place = next_place(lists_.vertices, gaps_.vertices);
     lists_.vertices[place] = v;
-    changes_.vertices_come.push_back(v);
+    changes_.vertices_added.push_back(v);
 }
 
-void LeafKeeper::put_in(const AdaptiveMesh& mesh, EdgeId e) {
+void LeafTracker::insert(const AdaptiveMesh& mesh, EdgeId e) {
     Place& place = edges_.by_id[e.value];
     const AdaptiveEdge& edge = mesh.edge(e);
     if (is_listed(place) || edge.centre) return;
-    changes_.edges_come.push_back(e);
+    changes_.edges_added.push_back(e);
     if (!has_hinge(edge)) {
         const Place at = next_place(boundary_, gaps_.boundary);
         boundary_[at] = {edge.ends[0], edge.ends[1], edge.rest_length, e};
@@ -197,11 +197,11 @@ void LeafKeeper::put_in(const AdaptiveMesh& mesh, EdgeId e) {
     if (place < old_hinges_) mark_fresh(e, place);
 }
 
-void LeafKeeper::put_in(const AdaptiveMesh& mesh, TriangleId id) {
+void LeafTracker::insert(const AdaptiveMesh& mesh, TriangleId id) {
     Place& place = triangles_.by_id[id.value];
     const AdaptiveTriangle& t = mesh.triangle(id);
     if (is_listed(place) || !is_leaf(t)) return;
-    changes_.triangles_come.push_back(id);
+    changes_.triangles_added.push_back(id);
     place = next_place(lists_.triangles, gaps_.triangles);
     LeafTriangle& leaf = lists_.triangles[place];
     leaf.v = t.vertices;
@@ -215,7 +215,7 @@ void LeafKeeper::put_in(const AdaptiveMesh& mesh, TriangleId id) {
 
 // Each triangle writes its own half of the hinges at its edges: the left one of an edge that runs along it
 // anticlockwise, else the right one, turned about the edge's middle.
-void LeafKeeper::write_hinges(const AdaptiveTriangle& t) {
+void LeafTracker::write_hinges(const AdaptiveTriangle& t) {
     const Unfolded unfolded = unfold(t.u);
     for (std::size_t k = 0; k < 3; ++k) {
         Place& place = edges_.by_id[t.edges[k].value];
@@ -233,12 +233,12 @@ void LeafKeeper::write_hinges(const AdaptiveTriangle& t) {
     }
 }
 
-void LeafKeeper::mark_fresh(EdgeId e, Place& place) {
+void LeafTracker::mark_fresh(EdgeId e, Place& place) {
     place |= kIsFresh;
     fresh_.push_back(e);
 }
 
-void LeafKeeper::add_areas(const LeafTriangle& triangle, double sign) {
+void LeafTracker::add_areas(const LeafTriangle& triangle, double sign) {
     const double third = sign * static_cast<double>(material_area(triangle.u) / 3.0F);
     for (const VertexId v : triangle.v) {
         area_sums_[v.value] += third;
@@ -246,7 +246,7 @@ void LeafKeeper::add_areas(const LeafTriangle& triangle, double sign) {
     }
 }
 
-void LeafKeeper::close_gaps() {
+void LeafTracker::close_gaps() {
     const auto close_list = [](auto& list, std::vector<Place>& gaps, auto&& id_of, auto& places, Place marks) {
         const std::uint32_t left = close(
             list.size(), gaps, [&](Place at) { return !id_of(list[at]); },
@@ -265,7 +265,7 @@ void LeafKeeper::close_gaps() {
     close_hinges();
 }
 
-void LeafKeeper::close_hinges() {
+void LeafTracker::close_hinges() {
     const std::uint32_t left = close(
         lists_.edges.size(), gaps_.hinges, [&](Place at) { return !lists_.edges[at].edge; },
         [&](Place from, Place to) {
@@ -278,9 +278,9 @@ void LeafKeeper::close_hinges() {
 }
 
 void LeafChanges::clear() {
-    for (std::vector<VertexId>* list : {&vertices_gone, &vertices_come}) list->clear();
-    for (std::vector<EdgeId>* list : {&edges_gone, &edges_come, &hinges_changed}) list->clear();
-    for (std::vector<TriangleId>* list : {&triangles_gone, &triangles_come, &refined_changed}) list->clear();
+    for (std::vector<VertexId>* list : {&vertices_removed, &vertices_added}) list->clear();
+    for (std::vector<EdgeId>* list : {&edges_removed, &edges_added, &hinges_changed}) list->clear();
+    for (std::vector<TriangleId>* list : {&triangles_removed, &triangles_added, &refined_changed}) list->clear();
 }
 
 }  // namespace selvedge::sim

@@ -64,9 +64,9 @@ struct LeafLists {
 // edges that stayed, but whose triangles did not, are changed. refined_changed: triangles that became refined, or no
 // longer are, at any level, or did both; they may be gone since.
 struct LeafChanges {
-    std::vector<VertexId> vertices_gone, vertices_come;
-    std::vector<EdgeId> edges_gone, edges_come;
-    std::vector<TriangleId> triangles_gone, triangles_come, refined_changed;
+    std::vector<VertexId> vertices_removed, vertices_added;
+    std::vector<EdgeId> edges_removed, edges_added;
+    std::vector<TriangleId> triangles_removed, triangles_added, refined_changed;
     std::vector<EdgeId> hinges_changed;
 
     void clear();
@@ -81,7 +81,7 @@ inline float material_area(const std::array<Vec2f, 3>& u) {
 class AdaptiveMesh;
 struct AdaptiveTriangle;
 
-class LeafKeeper {
+class LeafTracker {
  public:
     // What an id costs here, beside the lists themselves.
     static constexpr std::size_t kBytesPerId = sizeof(std::uint32_t);
@@ -170,14 +170,14 @@ class LeafKeeper {
         return is_released;
     }
 
-    void take_out_triangles();
-    void take_out_edges();
-    void take_out_vertices();
-    void put_in_edges(const AdaptiveMesh& mesh);
-    void put_in_triangles(const AdaptiveMesh& mesh);
-    void put_in(const AdaptiveMesh& mesh, EdgeId e);
-    void put_in(const AdaptiveMesh& mesh, TriangleId t);
-    void put_in(VertexId v);
+    void erase_triangles();
+    void erase_edges();
+    void erase_vertices();
+    void insert_edges(const AdaptiveMesh& mesh);
+    void insert_triangles(const AdaptiveMesh& mesh);
+    void insert(const AdaptiveMesh& mesh, EdgeId e);
+    void insert(const AdaptiveMesh& mesh, TriangleId t);
+    void insert(VertexId v);
     void write_hinges(const AdaptiveTriangle& t);
     void mark_fresh(EdgeId e, Place& place);
     void add_areas(const LeafTriangle& triangle, double sign);

@@ -1,10 +1,10 @@
 #pragma once
-// A budget of leaf triangles that the adaption keeps to, whatever the cloth does; the target may change while it runs.
-// (thesis 5; SPEC 1.3)
+// A budget of leaf triangles that the adaptation keeps to, whatever the cloth does; the target may change while it
+// runs. (thesis 5; SPEC 1.3)
 //
-// A controller scales the thresholds of the other criteria: before each adaption the logarithm of the scale moves by
+// A controller scales the thresholds of the other criteria: before each adaptation the logarithm of the scale moves by
 // gain times log(count / target). Thresholds act late, for a new vertex gets its true normal only with the next
-// adaption, and in leaps, for whole regions are bent alike; so within an adaption splits stop at the upper end of a
+// adaptation, and in leaps, for whole regions are bent alike; so within an adaptation splits stop at the upper end of a
 // narrow band about the target, and rejoins at its lower end.
 #include <cstddef>
 
@@ -16,12 +16,12 @@ namespace selvedge::sim {
 struct BudgetOptions {
     std::size_t target = 6000;    // leaf triangles
     float band = 0.02F;           // share of the target, either way, that is as good as the target
-    float gain = 0.3F;            // per adaption
+    float gain = 0.3F;            // per adaptation
     float least_scale = 0.01F;    // of the thresholds: what lies quite flat is not split, however great the target
     float greatest_scale = 8.0F;  // beyond it edges are rejoined whatever the criteria say, until the target is met
 };
 
-// Lives as long as the cloth. Part of the state that the adaption's observer keeps: pass its calls on.
+// Lives as long as the cloth. Part of the state that the adaptation's observer keeps: pass its calls on.
 class TriangleBudget {
  public:
     explicit TriangleBudget(const BudgetOptions& options = {});
@@ -29,9 +29,9 @@ class TriangleBudget {
     void set_target(std::size_t leaf_triangles) { options_.target = leaf_triangles; }
     std::size_t target() const { return options_.target; }
 
-    // Before each adaption.
+    // Before each adaptation.
     void start(const AdaptiveMesh& mesh);
-    float scale() const { return scale_; }  // of the thresholds, in this adaption
+    float scale() const { return scale_; }  // of the thresholds, in this adaptation
 
     // An edge has two triangles, and each of them becomes two. At a boundary it has but one: such a count is put right
     // by the next start().

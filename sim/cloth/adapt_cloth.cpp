@@ -72,7 +72,8 @@ AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& ob
     const CurvatureCriterion curvature(cloth.normals, scaled(options.curvature, scale));
     const LengthCriterion<Vec4f> length(cloth.x, scaled(options.length, scale));
     const BucklingCriterion<Vec4f> buckling(cloth.x, scaled(options.buckling, scale));
-    const AnyOf shape(Switched(on.curvature, curvature), Switched(on.length, length), Switched(on.buckling, buckling));
+    const AnyOf shape(OptionalCriterion(on.curvature, curvature), OptionalCriterion(on.length, length),
+                      OptionalCriterion(on.buckling, buckling));
     const bool asks_shape = on.curvature || on.length || on.buckling;
     if (asks_shape) cloth.solver.adapting.shape.ask(cloth.mesh, shape);
     const LookAheadCriterion look_ahead(shape, limits, cloth.solver.adapting.shape);
@@ -83,9 +84,10 @@ AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& ob
     const BudgetCriterion keep{options.budget};
     return adapt_choosing(
         choice, cloth.mesh, observer, {.max_level = options.max_level, .transitions = options.transitions},
-        ShortestEdgeCriterion{options.shortest_edge}, HoldCriterion{options.may_rejoin}, Switched(counts, veto),
-        Switched(sees, back_face), Switched(asks_shape, look_ahead), Switched(!options.minimum_levels.empty(), minimum),
-        Switched(counts, keep), Switched(!options.kept_vertices.empty(), kept), Switched(on.collision, collision));
+        ShortestEdgeCriterion{options.shortest_edge}, HoldCriterion{options.may_rejoin},
+        OptionalCriterion(counts, veto), OptionalCriterion(sees, back_face), OptionalCriterion(asks_shape, look_ahead),
+        OptionalCriterion(!options.minimum_levels.empty(), minimum), OptionalCriterion(counts, keep),
+        OptionalCriterion(!options.kept_vertices.empty(), kept), OptionalCriterion(on.collision, collision));
 }
 
 AdaptReport adapt_chosen(Cloth& cloth, ClothObserver& observer, const AdaptClothOptions& options) {
@@ -96,10 +98,10 @@ AdaptReport adapt_chosen(Cloth& cloth, ClothObserver& observer, const AdaptCloth
             return adapt_switched(ShortestRestDiagonal{}, cloth, observer, options);
         case DiagonalChoice::Curvature:
             return adapt_switched(FlattestDiagonal{cloth.normals}, cloth, observer, options);
-        case DiagonalChoice::LeastWork:
+        case DiagonalChoice::MinimalChange:
             break;
     }
-    return adapt_switched(LeastWork{}, cloth, observer, options);
+    return adapt_switched(MinimalChange{}, cloth, observer, options);
 }
 
 // Where a budget or the viewer decides too, an edge that cuts into the body may have to stay as it is.

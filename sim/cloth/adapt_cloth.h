@@ -52,7 +52,7 @@ struct CriteriaOptions {
 };
 
 // What decides between two diagonals where either conforms, see sim/adaptive/diagonal.h.
-enum class DiagonalChoice { LeastWork, Length, RestLength, Curvature };
+enum class DiagonalChoice { MinimalChange, Length, RestLength, Curvature };
 
 struct AdaptClothOptions {
     CriteriaOptions criteria{};
@@ -66,11 +66,11 @@ struct AdaptClothOptions {
     float shortest_edge = 0.02F;                // m, an edge shorter than this is not split
     int max_level = kDeepestLevel;              // below the mesh's own
     bool may_rejoin = true;
-    DiagonalChoice diagonal = DiagonalChoice::LeastWork;
+    DiagonalChoice diagonal = DiagonalChoice::MinimalChange;
     TransitionCounts* transitions = nullptr;  // counted up when given
 };
 
-// One adaption. Post: masses sum to what they were, solver lists and contact points are fresh.
+// One adaptation. Post: masses sum to what they were, solver lists and contact points are fresh.
 AdaptReport adapt_cloth(Cloth& cloth, const Collider& body, const AdaptClothOptions& options = {},
                         const ContactOptions& contact = {});
 

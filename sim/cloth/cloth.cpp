@@ -43,7 +43,7 @@ void update_masses(Cloth& cloth) {
     const LeafChanges& changes = cloth.mesh.changes();
     SolverState& solver = cloth.solver;
     solver.mass_sums.resize(cloth.x.size(), 0.0);
-    for (const TriangleId t : changes.triangles_gone) {
+    for (const TriangleId t : changes.triangles_removed) {
         const std::uint32_t slot = solver.constraints.stretch.slot_of(t);
         const StretchBlock& block = solver.constraints.stretch.blocks[slot / kBlock];
         const auto third = static_cast<double>(solver.constraints.thirds[slot]);
@@ -52,7 +52,7 @@ void update_masses(Cloth& cloth) {
             set_inverse_mass(cloth, corner[slot % kBlock] / 4);
         }
     }
-    for (const TriangleId t : changes.triangles_come) {
+    for (const TriangleId t : changes.triangles_added) {
         const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
         const auto third = static_cast<double>(third_of_mass(cloth, triangle.u, triangle.panel));
         for (const VertexId v : triangle.vertices) {
@@ -103,7 +103,7 @@ void refresh_solver(Cloth& cloth) {
 }
 
 void update_solver(Cloth& cloth) {
-    for (const VertexId v : cloth.mesh.changes().vertices_come) {
+    for (const VertexId v : cloth.mesh.changes().vertices_added) {
         if (v.value >= cloth.solver.lost.size()) continue;
         cloth.solver.lost[v.value].setZero();
         cloth.solver.correction[v.value].setZero();

@@ -57,7 +57,7 @@ float third_of_mass(const Cloth& cloth, const std::array<Vec2f, 3>& u, std::uint
 // present leaves: after pins, fabrics or the mesh were changed from outside.
 void refresh_solver(Cloth& cloth);
 
-// The same after one adaption, in place: see mesh.changes(). What stays only gets its gains anew.
+// The same after one adaptation, in place: see mesh.changes(). What stays only gets its gains anew.
 void update_solver(Cloth& cloth);
 
 // Another length of sub-steps, s. Speeds are kept; what has been learnt is fitted, and fits shorter ones better: for

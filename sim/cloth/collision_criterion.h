@@ -11,7 +11,7 @@ namespace selvedge::sim {
 
 class Collider;
 
-// Memory of a batch, kept between adaptions.
+// Memory of a batch, kept between adaptations.
 struct CollisionBatch {
     std::vector<EdgeId> edges;
     std::vector<EdgeId> asked;         // they, and the finer edges that they speak for

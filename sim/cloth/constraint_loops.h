@@ -8,7 +8,7 @@ namespace selvedge::sim {
 
 namespace {
 
-// Places of CarriedStress, read and written as points are. Triangles with the same parent share a vertex, so that no
+// Places of RestrictedStress, read and written as points are. Triangles with the same parent share a vertex, so that no
 // place comes twice in a colour, but for that of no triangle, which is read and never written.
 [[gnu::always_inline]] inline Xyz load_places(const float* stress, const std::uint32_t* places) {
     return lanes::transposed(lanes::gather_points(stress, places));
@@ -45,7 +45,7 @@ template <class Record>
     return {one(0), one(1), one(2)};
 }
 
-void carry_stress(std::span<const LimitRecord> records, float* above) {
+void restrict_stress(std::span<const LimitRecord> records, float* above) {
     for (const LimitRecord& record : records) {
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
             const Xyz all = sum_of(load_places(above, &record.parent[at]), stress_of(record, at));
@@ -79,7 +79,7 @@ struct Stress {
     // N/m but for a factor that is the same for each: of warp and weft together.
     static Floats tension(const LimitRecord& record, std::size_t at, const Xyz& stress) {
         const Floats sum = stress.x / load_at(record.compliance[0], at) + stress.y / load_at(record.compliance[1], at);
-        return lanes::greater(sum, lanes::all(kTiny));
+        return lanes::max(sum, lanes::broadcast(kTiny));
     }
 };
 
@@ -92,23 +92,23 @@ struct Stress {
 // that it is inside of carry what the leaves cannot do well; and shear in the same share as tension.
 [[gnu::always_inline]] inline void move_biases(LimitRecord& record, std::size_t at, const Stress& stress,
                                                const Xyz& off, const BiasGains& gains) {
-    const Floats one = lanes::all(1.0F);
+    const Floats one = lanes::broadcast(1.0F);
     const Floats tension = Stress::tension(record, at, stress.all);
     const Floats coarse = Stress::tension(record, at, stress.coarse) / tension;
-    const Floats per_tension = lanes::all(2.0F) / (load_at(record.compliance[2], at) * tension);
-    const Floats sheared = lanes::greater(stress.all.z, -stress.all.z);
-    const Floats easy = lanes::lesser(lanes::lesser(sheared, load_at(record.easy_shear, at)) * per_tension, one);
+    const Floats per_tension = lanes::broadcast(2.0F) / (load_at(record.compliance[2], at) * tension);
+    const Floats sheared = lanes::max(stress.all.z, -stress.all.z);
+    const Floats easy = lanes::min(lanes::min(sheared, load_at(record.easy_shear, at)) * per_tension, one);
     const auto move = [&](std::size_t k, Floats by) {
         const Floats allowed =
-            lanes::where(coarse < one - easy, by) + lanes::where(coarse >= one - easy, lanes::lesser(by, Floats{}));
+            lanes::where(coarse < one - easy, by) + lanes::where(coarse >= one - easy, lanes::min(by, Floats{}));
         move_bias(record.bias[k], at, allowed, gains.stretch, Floats{}, gains.most);
     };
     move(0, off.x);
     move(1, off.y);
-    const Floats share = lanes::lesser(Stress::tension(record, at, stress.own) / tension, one);
+    const Floats share = lanes::min(Stress::tension(record, at, stress.own) / tension, one);
     const Floats missing = share * stress.all.z - stress.own.z;
     move_bias(record.bias[2], at, missing * load_at(record.per_stress[2], at), gains.stretch,
-              lanes::all(-kMoreShear * gains.most), kMoreShear * gains.most);
+              lanes::broadcast(-kMoreShear * gains.most), kMoreShear * gains.most);
 }
 
 void update_parents(std::span<LimitBlock> blocks, std::span<LimitRecord> records, const BiasGains& gains,
@@ -132,7 +132,7 @@ struct Strains {
 
 // Shear, and by how much friction between the threads holds it back from where it slips to.
 [[gnu::always_inline]] inline Floats shear_of(const Threads& t) {
-    return dot(t.warp, t.weft) * t.warp_share * t.weft_share;
+    return dot(t.warp, t.weft) * t.warp_direction_share * t.weft_share;
 }
 [[gnu::always_inline]] inline Floats held_shear(StretchBlock& block, std::size_t at, Floats shear) {
     const Floats off = held_within(shear - load_at(block.anchor, at), load_at(block.slip, at));
@@ -175,14 +175,14 @@ using Gains = Strains;
 }
 
 [[gnu::always_inline]] inline Strains relaxed(const Strains& m) {
-    const Floats share = lanes::all(kLeafShare);
+    const Floats share = lanes::broadcast(kLeafShare);
     return {m.warp * share, m.weft * share, m.shear * share};
 }
 
 template <class Block>
 [[gnu::always_inline]] inline Corners corrected(const Block& block, std::size_t at, const Corners& c, const Threads& t,
                                                 const Strains& m) {
-    const Floats along_warp = m.shear * t.warp_share;
+    const Floats along_warp = m.shear * t.warp_direction_share;
     const Floats along_weft = m.shear * t.weft_share;
     const auto force = [&](std::size_t i) {
         const Floats a = load_at(block.a[i], at), b = load_at(block.b[i], at);
@@ -235,7 +235,7 @@ template <bool keeps_multipliers>
                 store_three(records[&block - blocks.data()].multiplier, at, m.warp, m.weft, m.shear);
             }
             put_corners(block, at, corrected(block, at, c, t, m), points);
-            unsigned found = lanes::bits(lanes::greater(t.warp_length, t.weft_length) > load_at(block.longest, at));
+            unsigned found = lanes::bits(lanes::max(t.warp_length, t.weft_length) > load_at(block.longest, at));
             for (; found != 0; found &= found - 1) {
                 over.add(block, at + static_cast<std::size_t>(__builtin_ctz(found)));
             }
@@ -258,9 +258,9 @@ void limit_stretch(std::span<const OverBlock> blocks, float* points) {
             Threads t = directions(block, at, c.x0, c.x1, c.x2);
             normalise(t);
             const Floats longest = load_at(block.longest, at);
-            const Strains back{lanes::lesser(longest - t.warp_length, Floats{}) * load_at(block.warp, at),
-                               lanes::lesser(longest - t.weft_length, Floats{}) * load_at(block.weft, at), Floats{}};
-            if (lanes::bits(lanes::lesser(back.warp, back.weft) < 0.0F) == 0) continue;
+            const Strains back{lanes::min(longest - t.warp_length, Floats{}) * load_at(block.warp, at),
+                               lanes::min(longest - t.weft_length, Floats{}) * load_at(block.weft, at), Floats{}};
+            if (lanes::bits(lanes::min(back.warp, back.weft) < 0.0F) == 0) continue;
             put_corners(block, at, corrected(block, at, c, t, back), points);
         }
     }
@@ -268,8 +268,8 @@ void limit_stretch(std::span<const OverBlock> blocks, float* points) {
 
 // One direction of refined triangles: how much of it is taken back, per length of it.
 [[gnu::always_inline]] inline Floats excess(const Xyz& direction, Floats longest) {
-    const Floats squared = dot(direction, direction) + lanes::all(kTiny);
-    return lanes::lesser(longest * lanes::inverse_root(squared) - 1.0F, Floats{});
+    const Floats squared = dot(direction, direction) + lanes::broadcast(kTiny);
+    return lanes::min(longest * lanes::inverse_root(squared) - 1.0F, Floats{});
 }
 
 template <bool keeps_multipliers>
@@ -283,11 +283,11 @@ template <bool keeps_multipliers>
             const Floats of_warp = warp * load_at(block.gain[0], at);
             const Floats of_weft = weft * load_at(block.gain[1], at);
             // Where nothing is pushed together there is not more shear than that.
-            const Floats shear = held_within(load_at(block.shear, at), lanes::root(of_warp * of_weft));
+            const Floats shear = held_within(load_at(block.shear, at), lanes::sqrt(of_warp * of_weft));
             if constexpr (keeps_multipliers) {
                 store_three(records[&block - blocks.data()].multiplier, at, of_warp, of_weft, shear);
             }
-            if (lanes::bits(lanes::lesser(warp, weft) < 0.0F) == 0) continue;
+            if (lanes::bits(lanes::min(warp, weft) < 0.0F) == 0) continue;
             const auto add = [&](Rows& x, std::size_t i) {
                 const Floats a = load_at(block.warp[i], at), b = load_at(block.weft[i], at);
                 const Rows by = lanes::rows_of(combined(t.warp, lanes::multiply_add(of_warp, a, shear * b), t.weft,
@@ -317,8 +317,8 @@ using Gradient = std::array<Floats, 3>;
 }
 
 // Friction's spring in shear may not ask for more than a visit can give.
-void weigh_stretch(std::span<StretchBlock> blocks, std::span<const StretchRecord> records,
-                   const float* inverse_masses) {
+void update_stretch_masses(std::span<StretchBlock> blocks, std::span<const StretchRecord> records,
+                           const float* inverse_masses) {
     constexpr float kRoom = 0.25F;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         StretchBlock& block = blocks[i];
@@ -332,8 +332,8 @@ void weigh_stretch(std::span<StretchBlock> blocks, std::span<const StretchRecord
             const Floats weft = 1.0F / (of_weft + load_at(records[i].compliance[1], at));
             const Floats compliance = load_at(records[i].compliance[2], at);
             const Floats of_shear = of_warp + of_weft - cross * cross * (warp + weft);
-            const Floats spring =
-                lanes::lesser(compliance / lanes::greater(of_shear, lanes::all(kTiny)) + kRoom, lanes::all(kStick));
+            const Floats spring = lanes::min(compliance / lanes::max(of_shear, lanes::broadcast(kTiny)) + kRoom,
+                                             lanes::broadcast(kStick));
             lanes::store(&block.warp[at], warp);
             lanes::store(&block.weft[at], weft);
             lanes::store(&block.cross[at], cross);
@@ -343,7 +343,7 @@ void weigh_stretch(std::span<StretchBlock> blocks, std::span<const StretchRecord
     }
 }
 
-void weigh_limits(std::span<LimitBlock> blocks, std::span<LimitRecord> records, const float* masses) {
+void update_limit_masses(std::span<LimitBlock> blocks, std::span<LimitRecord> records, const float* masses) {
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         LimitBlock& block = blocks[i];
         LimitRecord& record = records[i];
@@ -351,7 +351,7 @@ void weigh_limits(std::span<LimitBlock> blocks, std::span<LimitRecord> records, 
             std::array<Floats, 3> w;
             for (std::size_t k = 0; k < 3; ++k) {
                 const Floats mass = value_at(block.vertices[k], at, masses);
-                w[k] = lanes::where(mass > 0.0F, 1.0F / lanes::greater(mass, lanes::all(kTiny)));
+                w[k] = lanes::where(mass > 0.0F, 1.0F / lanes::max(mass, lanes::broadcast(kTiny)));
             }
             const Gradient a = gradient(block.a, at), b = gradient(block.b, at);
             const Floats of_warp = weighed(a, a, w), of_weft = weighed(b, b, w);
@@ -375,12 +375,12 @@ void weigh_limits(std::span<LimitBlock> blocks, std::span<LimitRecord> records, 
 void predict(float* points, float* before, float* lost, std::size_t count, const Motion& motion) {
     Floats fall{};
     for (std::size_t i = 0; i < lanes::kCount; ++i) fall[i] = i % 4 < 3 ? motion.fall[i % 4] : 0.0F;
-    const Floats keep = lanes::all(motion.keep);
+    const Floats keep = lanes::broadcast(motion.keep);
     for (std::size_t i = 0; i < 4 * count; i += lanes::kCount) {  // a fourth's move is 0
         const Floats x = lanes::load(points + i);
         const Floats move = lanes::multiply_add(x - lanes::load(before + i), keep, fall) + lanes::load(lost + i);
-        const Floats moved = x + lanes::where(lanes::fourths(x) > 0.0F, move);
-        lanes::store(lost + i, lanes::where(lanes::fourths(x) > 0.0F, move - (moved - x)));
+        const Floats moved = x + lanes::where(lanes::w_components(x) > 0.0F, move);
+        lanes::store(lost + i, lanes::where(lanes::w_components(x) > 0.0F, move - (moved - x)));
         lanes::store(before + i, x);
         lanes::store(points + i, moved);
     }
@@ -389,8 +389,8 @@ void predict(float* points, float* before, float* lost, std::size_t count, const
 void add_momentum(const CorrectedPoints& corrected, std::size_t count, float momentum) {
     for (std::size_t i = 0; i < 4 * count; i += lanes::kCount) {  // a fourth's correction is 0
         const Floats x = lanes::load(corrected.points + i);
-        const Floats again = lanes::where(lanes::fourths(x) > 0.0F, lanes::load(corrected.correction + i));
-        const Floats moved = lanes::multiply_add(again, lanes::all(momentum), x);
+        const Floats again = lanes::where(lanes::w_components(x) > 0.0F, lanes::load(corrected.correction + i));
+        const Floats moved = lanes::multiply_add(again, lanes::broadcast(momentum), x);
         lanes::store(corrected.predicted + i, x);
         lanes::store(corrected.points + i, moved);
         lanes::store(corrected.start + i, moved);
@@ -404,7 +404,7 @@ void keep_corrections(const CorrectedPoints& corrected, std::size_t count) {
     }
 }
 
-void carry_centres(std::span<const EdgeCentre> centres, const float* before, float* points) {
+void restrict_centres(std::span<const EdgeCentre> centres, const float* before, float* points) {
     typedef float Point __attribute__((vector_size(16)));
     const auto at = [](const float* from, std::uint32_t offset) {
         Point p;
@@ -425,11 +425,11 @@ void carry_centres(std::span<const EdgeCentre> centres, const float* before, flo
         const Floats v0 = now.x0.row[j] - was.x0.row[j];
         const Floats v1 = now.x1.row[j] - was.x1.row[j];
         const Floats v2 = now.x2.row[j] - was.x2.row[j];
-        const Floats w0 = lanes::fourths(now.x0.row[j]);
-        const Floats w1 = lanes::fourths(now.x1.row[j]);
-        const Floats w2 = lanes::fourths(now.x2.row[j]);
-        const Floats mean = (v0 + v1 + v2) * lanes::all(1.0F / 3.0F);
-        const Floats gain = lanes::all(share) / lanes::greater(w0 + w1 + w2, lanes::all(kTiny));
+        const Floats w0 = lanes::w_components(now.x0.row[j]);
+        const Floats w1 = lanes::w_components(now.x1.row[j]);
+        const Floats w2 = lanes::w_components(now.x2.row[j]);
+        const Floats mean = (v0 + v1 + v2) * lanes::broadcast(1.0F / 3.0F);
+        const Floats gain = lanes::broadcast(share) / lanes::max(w0 + w1 + w2, lanes::broadcast(kTiny));
         slower.x0.row[j] = lanes::multiply_add(v0 - mean, w0 * gain, was.x0.row[j]);
         slower.x1.row[j] = lanes::multiply_add(v1 - mean, w1 * gain, was.x1.row[j]);
         slower.x2.row[j] = lanes::multiply_add(v2 - mean, w2 * gain, was.x2.row[j]);
@@ -448,8 +448,8 @@ void update_bias(std::span<StretchBlock> blocks, std::span<const StretchRecord> 
             const Xyz all = sum_of(own, load_places(sums.above, &record.parent[at]));
             // Where the cloth is gathered only tension is learnt.
             const Floats push = load_at(block.push, at);
-            const Floats least = push * lanes::all(gains.least);
-            const auto felt = [&](Floats off) { return lanes::greater(off, push * off); };
+            const Floats least = push * lanes::broadcast(gains.least);
+            const auto felt = [&](Floats off) { return lanes::max(off, push * off); };
             const Floats warp_off = t.warp_length - 1.0F - all.x;
             const Floats weft_off = t.weft_length - 1.0F - all.y;
             const Floats of_area = load_at(record.of_area, at);
@@ -459,8 +459,8 @@ void update_bias(std::span<StretchBlock> blocks, std::span<const StretchRecord> 
             move_bias(block.bias[1], at, weft_off, gains.stretch, least, gains.most);
             const Floats shear = dot(t.warp, t.weft);
             const Floats rubbed_off = held_within(shear - load_at(block.anchor, at), load_at(block.slip, at)) * kStick;
-            move_bias(block.bias[2], at, shear + rubbed_off - all.z, gains.shear, lanes::all(-kMoreShear * gains.most),
-                      kMoreShear * gains.most);
+            move_bias(block.bias[2], at, shear + rubbed_off - all.z, gains.shear,
+                      lanes::broadcast(-kMoreShear * gains.most), kMoreShear * gains.most);
         }
     }
 }

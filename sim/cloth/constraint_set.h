@@ -202,8 +202,8 @@ class ConstraintSet {
     }
 
     // weigh(blocks, records) makes the gains of those that wait for them.
-    template <class Weigh>
-    void weigh_dirty(const Weigh& weigh) {
+    template <class UpdateMasses>
+    void update_dirty_masses(const UpdateMasses& weigh) {
         dirty.for_runs(
             [&](std::size_t first, std::size_t count) { weigh(blocks_at(first, count), records_at(first, count)); });
         dirty.clear();

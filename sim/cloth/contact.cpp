@@ -61,10 +61,10 @@ class SampleLists {
         const LeafChanges& changes = cloth_.mesh.changes();
         contacts_.of_triangle.resize(cloth_.mesh.triangles().capacity(), kSpare);
         contacts_.of_edge.resize(cloth_.mesh.edges().capacity(), kSpare);
-        for (const EdgeId e : changes.edges_gone) remove(e);
-        for (const TriangleId t : changes.triangles_gone) remove(t);
-        for (const EdgeId e : changes.edges_come) add(e);
-        for (const TriangleId t : changes.triangles_come) add(t);
+        for (const EdgeId e : changes.edges_removed) remove(e);
+        for (const TriangleId t : changes.triangles_removed) remove(t);
+        for (const EdgeId e : changes.edges_added) add(e);
+        for (const TriangleId t : changes.triangles_added) add(t);
     }
 
  private:
@@ -199,12 +199,12 @@ void update_contacts(Cloth& cloth, const ContactOptions& options, const SplitOnC
         return;
     }
     const LeafChanges& changes = cloth.mesh.changes();
-    for (const VertexId v : changes.vertices_gone) contacts.friction[v.value] = 0;
-    for (const VertexId v : changes.vertices_come) {
+    for (const VertexId v : changes.vertices_removed) contacts.friction[v.value] = 0;
+    for (const VertexId v : changes.vertices_added) {
         contacts.asked[v.value] = nothing_known();
         contacts.friction[v.value] = 0;
     }
-    for (const TriangleId t : changes.triangles_come) add_friction(cloth, contacts, t);
+    for (const TriangleId t : changes.triangles_added) add_friction(cloth, contacts, t);
     SampleLists(cloth).change();
 }
 

@@ -17,11 +17,11 @@ namespace {
     const Floats squared = squared_lengths(move);
     if (lanes::bits(squared > longest_squared) == 0) [[likely]]
         return move;
-    return move * lanes::root(longest_squared / lanes::greater(squared, longest_squared + lanes::all(kTiny)));
+    return move * lanes::sqrt(longest_squared / lanes::max(squared, longest_squared + lanes::broadcast(kTiny)));
 }
 
 // What is known of points, and what they are to do.
-struct Nearness {
+struct ContactCache {
     Xyz normal;
     Floats height;   // above the offset surface, m
     Ints asks;       // must ask the collider
@@ -30,11 +30,11 @@ struct Nearness {
 };
 
 // x: where they are; asked and plane: what they know, with slack and height fourth.
-[[gnu::always_inline]] inline Nearness near(const Xyz& x, const Xyz& asked, Floats slack, const Xyz& normal,
-                                            Floats height) {
+[[gnu::always_inline]] inline ContactCache near(const Xyz& x, const Xyz& asked, Floats slack, const Xyz& normal,
+                                                Floats height) {
     const Xyz moved{x.x - asked.x, x.y - asked.y, x.z - asked.z};
     const Floats squared = dot(moved, moved);
-    const Floats free = lanes::greater(slack, Floats{});
+    const Floats free = lanes::max(slack, Floats{});
     const Ints is_near = squared >= free * free;
     const Ints is_lost = (squared > kPlaneReach * kPlaneReach) | (slack < ContactKnowledge::kLost);
     const Floats now = height + dot(normal, moved);
@@ -44,14 +44,14 @@ struct Nearness {
 
 // Where points are that lie `depth` below the offset surface (0: above), when they are put onto it and friction has
 // taken off what it does of their way from `from`.
-[[gnu::always_inline]] inline Xyz put_out(const Xyz& x, const Xyz& from, const Xyz& normal, Floats depth,
+[[gnu::always_inline]] inline Xyz project(const Xyz& x, const Xyz& from, const Xyz& normal, Floats depth,
                                           Floats friction) {
     const Xyz out{x.x + normal.x * depth, x.y + normal.y * depth, x.z + normal.z * depth};
     const Xyz moved{out.x - from.x, out.y - from.y, out.z - from.z};
     const Floats along = dot(moved, normal);
     const Xyz slid{moved.x - normal.x * along, moved.y - normal.y * along, moved.z - normal.z * along};
-    const Floats inverse = lanes::inverse_root(dot(slid, slid) + lanes::all(kTiny));
-    const Floats taken = lanes::lesser(friction * depth * inverse, lanes::all(1.0F));
+    const Floats inverse = lanes::inverse_root(dot(slid, slid) + lanes::broadcast(kTiny));
+    const Floats taken = lanes::min(friction * depth * inverse, lanes::broadcast(1.0F));
     return {out.x - slid.x * taken, out.y - slid.y * taken, out.z - slid.z * taken};
 }
 
@@ -76,7 +76,7 @@ constexpr std::size_t lane_of_point(std::size_t i) {
     Rows rows;
     for (std::size_t j = 0; j < 4; ++j) {
         const Floats move = shortened(was.row[j] - from.row[j], longest_squared);
-        rows.row[j] = lanes::with_fourths(from.row[j] + move, was.row[j]);
+        rows.row[j] = lanes::with_w_components(from.row[j] + move, was.row[j]);
     }
     return rows;
 }
@@ -89,21 +89,21 @@ constexpr std::size_t lane_of_point(std::size_t i) {
 
 // Puts those out that are below the floor, and then those that touch the body: what is between both stays outside of
 // the body.
-[[gnu::always_inline]] inline Rows held(const Xyz& x, const Rows& was, const Rows& from, const Nearness& known,
+[[gnu::always_inline]] inline Rows held(const Xyz& x, const Rows& was, const Rows& from, const ContactCache& known,
                                         Ints below, const float* friction, const ContactLimits& limits) {
     const Xyz before = lanes::transposed(from);
     const Floats mu = friction_of(friction, limits.friction_scale);
-    const Xyz up{Floats{}, lanes::all(1.0F), Floats{}};
-    const Xyz above = put_out(x, before, up, lanes::where(below, limits.floor - x.y), mu);
+    const Xyz up{Floats{}, lanes::broadcast(1.0F), Floats{}};
+    const Xyz above = project(x, before, up, lanes::where(below, limits.floor - x.y), mu);
     const Xyz lift{above.x - x.x, above.y - x.y, above.z - x.z};
-    const Floats height = lanes::lesser(known.height + dot(known.normal, lift), Floats{});
-    const Xyz out = put_out(above, before, known.normal, lanes::where(known.is_known, -height), mu);
+    const Floats height = lanes::min(known.height + dot(known.normal, lift), Floats{});
+    const Xyz out = project(above, before, known.normal, lanes::where(known.is_known, -height), mu);
     return lanes::rows_of(out, fourth_of(was));
 }
 
 std::size_t hold_moves(float* points, const float* before, const ContactKnowledge& known, const float* friction,
                        std::size_t begin, std::size_t end, const ContactLimits& limits, std::uint32_t* found) {
-    const Floats longest_squared = lanes::all(limits.longest_move * limits.longest_move);
+    const Floats longest_squared = lanes::broadcast(limits.longest_move * limits.longest_move);
     std::size_t n = 0;
     for (std::size_t first = begin; first < end; first += lanes::kCount) {
         const std::size_t i = 4 * first;
@@ -112,7 +112,8 @@ std::size_t hold_moves(float* points, const float* before, const ContactKnowledg
         for (std::size_t j = 0; j < 4; ++j) lanes::store(points + i + j * lanes::kCount, was.row[j]);
         const Xyz x = lanes::transposed(was);
         const Rows asked = rows_at(known.asked + i), plane = rows_at(known.plane + i);
-        Nearness here = near(x, lanes::transposed(asked), fourth_of(asked), lanes::transposed(plane), fourth_of(plane));
+        ContactCache here =
+            near(x, lanes::transposed(asked), fourth_of(asked), lanes::transposed(plane), fourth_of(plane));
         const Ints moves = fourth_of(was) > 0.0F;
         const Ints below = (x.y < limits.floor) & moves;
         here.may_touch &= moves;
@@ -145,11 +146,11 @@ void answer_vertices(const ContactBlock& said, const std::uint32_t* offsets, con
         for (std::size_t i = 0; i < lanes::kCount; ++i) mu[i] = friction[offsets[at + i] / 4] * limits.friction_scale;
         const Xyz x = load_xyz(said, at), normal = load_normal(said, at);
         const Floats height = lanes::load(&said.distance[at]) - limits.offset;
-        const Floats depth = lanes::greater(-height, Floats{});
+        const Floats depth = lanes::max(-height, Floats{});
         const Xyz from = lanes::transposed(lanes::gather_points(before, offsets + at));
         const Rows as_it_was = lanes::gather_points(points, offsets + at);
-        Rows moved = lanes::rows_of(put_out(x, from, normal, depth, mu));
-        for (int j = 0; j < 4; ++j) moved.row[j] = lanes::with_fourths(moved.row[j], as_it_was.row[j]);
+        Rows moved = lanes::rows_of(project(x, from, normal, depth, mu));
+        for (int j = 0; j < 4; ++j) moved.row[j] = lanes::with_w_components(moved.row[j], as_it_was.row[j]);
         lanes::scatter_points(points, offsets + at, moved);
         lanes::scatter_points(known.asked, offsets + at, lanes::rows_of(x, height - limits.margin));
         lanes::scatter_points(known.plane, offsets + at, lanes::rows_of(normal, height));
@@ -164,7 +165,7 @@ void answer_vertices(const ContactBlock& said, const std::uint32_t* offsets, con
             lanes::multiply_add(p.z, s, lanes::multiply_add(q.z, t, r.z * u))};
 }
 
-[[gnu::always_inline]] inline Nearness near(const SampleBlock& block, std::size_t at, const Xyz& x) {
+[[gnu::always_inline]] inline ContactCache near(const SampleBlock& block, std::size_t at, const Xyz& x) {
     return near(x, load_three(block.asked, at), load_at(block.slack, at), load_three(block.normal, at),
                 load_at(block.height, at));
 }
@@ -176,7 +177,7 @@ SampleState look_at_samples(const SampleBlock& block, const float* points, Conta
         lanes::store(&at_points.x[at], x.x);
         lanes::store(&at_points.y[at], x.y);
         lanes::store(&at_points.z[at], x.z);
-        const Nearness here = near(block, at, x);
+        const ContactCache here = near(block, at, x);
         asks |= lanes::bits(here.asks);
         touches |= lanes::bits(here.may_touch);
     }
@@ -188,7 +189,7 @@ void answer_samples(const ContactBlock& said, const ContactLimits& limits, Sampl
         const Xyz x = load_xyz(said, at), normal = load_normal(said, at);
         const Floats height = lanes::load(&said.distance[at]) - limits.offset;
         const Ints is_new = load_at(block.slack, at) < ContactKnowledge::kLost;
-        lanes::store(&block.sunk[at], lanes::where(is_new, lanes::greater(-height, Floats{})));
+        lanes::store(&block.sunk[at], lanes::where(is_new, lanes::max(-height, Floats{})));
         store_three(block.asked, at, x.x, x.y, x.z);
         lanes::store(&block.slack[at], height - limits.margin);
         store_three(block.normal, at, normal.x, normal.y, normal.z);
@@ -206,7 +207,7 @@ struct CornerShares {
     };
     const Floats s0 = share(0, c.x0), s1 = share(1, c.x1), s2 = share(2, c.x2);
     const Floats sum = lanes::multiply_add(s0, s0, lanes::multiply_add(s1, s1, s2 * s2));
-    const Floats scale = lanes::where(sum > 0.0F, 1.0F / lanes::greater(sum, lanes::all(kTiny)));
+    const Floats scale = lanes::where(sum > 0.0F, 1.0F / lanes::max(sum, lanes::broadcast(kTiny)));
     return {s0 * scale, s1 * scale, s2 * scale};
 }
 [[gnu::always_inline]] inline Rows shifted(const Rows& x, const Xyz& by, Floats share) {
@@ -224,7 +225,7 @@ void push_samples(SampleBlock& block, const ContactLimits& limits, float* points
     for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
         const Corners c = corners_of(block, at, points);
         const Xyz x = mixed(block, at, c);
-        const Nearness here = near(block, at, x);
+        const ContactCache here = near(block, at, x);
         const Floats depth = lanes::where(here.may_touch, -here.height);
         if (lanes::bits(depth > 0.0F) == 0) continue;
         const CornerShares shares = corner_shares(block, at, c);
@@ -236,7 +237,7 @@ void push_samples(SampleBlock& block, const ContactLimits& limits, float* points
             lanes::store(&block.sunk[at], Floats{});
         }
         const Floats mu = load_at(block.friction, at) * limits.friction_scale;
-        const Xyz out = put_out(x, mixed(block, at, from), here.normal, depth, mu);
+        const Xyz out = project(x, mixed(block, at, from), here.normal, depth, mu);
         put_corners(block, at, shifted(c, {out.x - x.x, out.y - x.y, out.z - x.z}, shares), points);
     }
 }

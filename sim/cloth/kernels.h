@@ -33,7 +33,7 @@ struct BiasGains {
     float most = 0.3F;
 };
 
-// The arrays of CarriedStress. below, off: all zero before the biases are moved, and after.
+// The arrays of RestrictedStress. below, off: all zero before the biases are moved, and after.
 struct StressSums {
     const float* above = nullptr;
     float* below = nullptr;
@@ -54,16 +54,17 @@ struct SampleState {
 };
 
 struct Kernels {
-    // Gains of constraints from the inverse masses of their vertices (1/kg; 0: cannot move), after an adaption.
-    void (*weigh_stretch)(std::span<StretchBlock> blocks, std::span<const StretchRecord> records,
-                          const float* inverse_masses);
-    void (*weigh_bend)(std::span<BendBlock> blocks, std::span<BendRecord> records, const float* inverse_masses);
+    // Gains of constraints from the inverse masses of their vertices (1/kg; 0: cannot move), after an adaptation.
+    void (*update_stretch_masses)(std::span<StretchBlock> blocks, std::span<const StretchRecord> records,
+                                  const float* inverse_masses);
+    void (*update_bend_masses)(std::span<BendBlock> blocks, std::span<BendRecord> records, const float* inverse_masses);
 
     // The same of refined triangles. masses: of a vertex with all that follows it, kg; 0: cannot move.
-    void (*weigh_coarse_bend)(std::span<CoarseBendBlock> blocks, std::span<BendRecord> records, const float* masses);
+    void (*update_coarse_bend_masses)(std::span<CoarseBendBlock> blocks, std::span<BendRecord> records,
+                                      const float* masses);
 
     // What refined triangles move their corners by. masses: of a corner with all that follows it, kg; 0: cannot move.
-    void (*weigh_limits)(std::span<LimitBlock> blocks, std::span<LimitRecord> records, const float* masses);
+    void (*update_limit_masses)(std::span<LimitBlock> blocks, std::span<LimitRecord> records, const float* masses);
 
     // Verlet: before := points, points += keep (points - before) + fall. What rounding takes from a move goes into
     // `lost` and is added to the next one: a move is a few steps of a float long, so that a hundredth of gravity would
@@ -93,11 +94,11 @@ struct Kernels {
     void (*limit_parents)(std::span<const LimitBlock> blocks, LimitRecord* records, float* points);
 
     // Moves the centres by half of what the ends of their edges moved since `before`.
-    void (*carry_centres)(std::span<const EdgeCentre> centres, const float* before, float* points);
+    void (*restrict_centres)(std::span<const EdgeCentre> centres, const float* before, float* points);
 
     // What a level of refined triangles and all that each is inside of carry, by the last multipliers. Levels go coarse
-    // to fine. above: of CarriedStress.
-    void (*carry_stress)(std::span<const LimitRecord> records, float* above);
+    // to fine. above: of RestrictedStress.
+    void (*restrict_stress)(std::span<const LimitRecord> records, float* above);
 
     // Moves each bias towards the one with which strain and stress agree with the fabric, whoever carries the stress:
     // of leaves by what each is off by; of refined triangles, in warp and weft, by what the leaves in them are off by

@@ -34,7 +34,7 @@ constexpr float kMoreShear = 4;  // shear angles are that much larger than strai
 // Each point moved by its inverse mass times what stands in its place in `by`, whose fourth floats are 0.
 [[gnu::always_inline]] inline Rows pushed(const Rows& p, const Rows& by) {
     Rows moved;
-    for (int j = 0; j < 4; ++j) moved.row[j] = lanes::multiply_add(by.row[j], lanes::fourths(p.row[j]), p.row[j]);
+    for (int j = 0; j < 4; ++j) moved.row[j] = lanes::multiply_add(by.row[j], lanes::w_components(p.row[j]), p.row[j]);
     return moved;
 }
 
@@ -56,14 +56,15 @@ template <class Holds>
 
 // The nearest to `value` that is within `reach` of nil.
 [[gnu::always_inline]] inline Floats held_within(Floats value, Floats reach) {
-    return lanes::lesser(lanes::greater(value, -reach), reach);
+    return lanes::min(lanes::max(value, -reach), reach);
 }
 
 // The deformed warp and weft directions of triangles, unit, and their lengths.
 struct Threads {
     Xyz warp, weft;
     Floats warp_length, weft_length;
-    Floats warp_share, weft_share;  // their lengths, at most 1: short threads turn farther, so shear moves them less
+    Floats warp_direction_share,
+        weft_share;  // their lengths, at most 1: short threads turn farther, so shear moves them less
 };
 
 template <class Block>
@@ -75,13 +76,13 @@ template <class Block>
             .weft = combined(e1, load_at(block.b[0], at), e2, load_at(block.b[1], at)),
             .warp_length = Floats{},
             .weft_length = Floats{},
-            .warp_share = Floats{},
+            .warp_direction_share = Floats{},
             .weft_share = Floats{}};
 }
 
 [[gnu::always_inline]] inline Floats normalise(Xyz& p) {
-    const Floats squared =
-        lanes::multiply_add(p.x, p.x, lanes::multiply_add(p.y, p.y, lanes::multiply_add(p.z, p.z, lanes::all(kTiny))));
+    const Floats squared = lanes::multiply_add(
+        p.x, p.x, lanes::multiply_add(p.y, p.y, lanes::multiply_add(p.z, p.z, lanes::broadcast(kTiny))));
     const Floats inverse = lanes::inverse_root(squared);
     p = {p.x * inverse, p.y * inverse, p.z * inverse};
     return squared * inverse;
@@ -90,8 +91,8 @@ template <class Block>
 [[gnu::always_inline]] inline void normalise(Threads& t) {
     t.warp_length = normalise(t.warp);
     t.weft_length = normalise(t.weft);
-    t.warp_share = lanes::lesser(t.warp_length, lanes::all(1.0F));
-    t.weft_share = lanes::lesser(t.weft_length, lanes::all(1.0F));
+    t.warp_direction_share = lanes::min(t.warp_length, lanes::broadcast(1.0F));
+    t.weft_share = lanes::min(t.weft_length, lanes::broadcast(1.0F));
 }
 
 struct Corners {
@@ -112,7 +113,7 @@ template <class Block>
 // Half-way between two sub-steps: what trembles to and fro from one to the next is not seen.
 [[gnu::always_inline]] inline Rows middle(const Rows& a, const Rows& b) {
     Rows sum;
-    for (int j = 0; j < 4; ++j) sum.row[j] = (a.row[j] + b.row[j]) * lanes::all(0.5F);
+    for (int j = 0; j < 4; ++j) sum.row[j] = (a.row[j] + b.row[j]) * lanes::broadcast(0.5F);
     return sum;
 }
 
@@ -140,8 +141,8 @@ using Three = std::array<BlockFloats, 3>;
 
 [[gnu::always_inline]] inline void move_bias(BlockFloats& bias, std::size_t at, Floats error, float gain, Floats least,
                                              float most) {
-    const Floats moved = lanes::load(&bias[at]) + error * lanes::all(gain);
-    lanes::store(&bias[at], lanes::lesser(lanes::greater(moved, least), lanes::all(most)));
+    const Floats moved = lanes::load(&bias[at]) + error * lanes::broadcast(gain);
+    lanes::store(&bias[at], lanes::min(lanes::max(moved, least), lanes::broadcast(most)));
 }
 
 }  // namespace

@@ -17,9 +17,10 @@ bool has_other_surroundings(RestingState& resting, const Collider& body, const S
     return !is_same;
 }
 
-bool is_led_on(const Cloth& cloth, std::span<const LedVertex> all) {
-    return std::ranges::any_of(
-        all, [&](const LedVertex& led) { return (led.to - cloth.x[led.vertex].head<3>()).norm() > kLedReach; });
+bool is_led_on(const Cloth& cloth, std::span<const KinematicVertex> all) {
+    return std::ranges::any_of(all, [&](const KinematicVertex& led) {
+        return (led.to - cloth.x[led.vertex].head<3>()).norm() > kKinematicReach;
+    });
 }
 
 bool has_left_reach(const Cloth& cloth) {

@@ -25,7 +25,7 @@ inline constexpr float kRestReach = 1e-3F;
 inline constexpr float kRestSeconds = 0.5F;
 
 // m: a led vertex that is to go farther wakes the cloth. A hand goes a tenth of its way with each step.
-inline constexpr float kLedReach = 1e-5F;
+inline constexpr float kKinematicReach = 1e-5F;
 
 struct RestingState {
     std::vector<Vec4f> anchors;  // m, by vertex: where it stood when the quiet time began

@@ -1,6 +1,6 @@
 #pragma once
 // What the solver's inner loops read: constraints in blocks of sixteen that share no vertex, one array per figure, with
-// everything that does not change between two adaptions worked out beforehand.
+// everything that does not change between two adaptations worked out beforehand.
 //
 // Stretch and shear after Baraff and Witkin (1998), conditions on the deformed warp and weft directions of a triangle;
 // bending by the curvature of triangles (curvature_map.h); both as compliant constraints, visited once per sub-step
@@ -64,7 +64,7 @@ inline std::uint32_t place_of(TriangleId t) {
 struct alignas(64) StretchRecord {
     std::array<BlockFloats, 3> multiplier{};
     std::array<BlockFloats, 3> compliance{};
-    BlockPoints parent{};   // the place of what carries the leaf's tension with it, in CarriedStress
+    BlockPoints parent{};   // the place of what carries the leaf's tension with it, in RestrictedStress
     BlockFloats of_area{};  // the leaf's, of its parent's
 };
 
@@ -82,7 +82,7 @@ struct alignas(64) LimitBlock {
 
 // What update_parents needs besides. Stress is by the stiffness: the strain that the fabric should have.
 struct alignas(64) LimitRecord {
-    BlockPoints place{}, parent{};             // places in CarriedStress
+    BlockPoints place{}, parent{};             // places in RestrictedStress
     BlockFloats of_area{};                     // the triangle's, of its parent's
     std::array<BlockFloats, 2> free_length{};  // of warp and weft: the length that they may have without any bias
     std::array<BlockFloats, 3> bias{};         // how much shorter than that they are held; and of shear
@@ -102,7 +102,7 @@ struct alignas(64) OverBlock {
 };
 
 // Sums over warp, weft and shear, and a spare: of each triangle behind its id, and first a place for no triangle.
-struct CarriedStress {
+struct RestrictedStress {
     std::vector<Vec4f> above;  // stress that a refined triangle and all that it is inside of carry
     std::vector<Vec4f> below;  // scratch: mean stress of what is inside of it
     std::vector<Vec4f> off;    // scratch: mean strain of warp and weft that the leaves in it are off by

@@ -85,12 +85,12 @@ void make_stretch(Cloth& cloth) {
 void change_stretch(Cloth& cloth, const LeafChanges& changes) {
     Constraints& constraints = cloth.solver.constraints;
     const std::size_t spare_point = cloth.solver.lists.vertices;
-    for (const TriangleId t : changes.triangles_gone) {
+    for (const TriangleId t : changes.triangles_removed) {
         keep_bias(cloth, t);
         constraints.triangle_of[constraints.stretch.slot_of(t)] = kSpare;
         constraints.stretch.remove(t, spare_point);
     }
-    for (const TriangleId t : changes.triangles_come) {
+    for (const TriangleId t : changes.triangles_added) {
         constraints.stretch.insert(t, indices(cloth.mesh.triangle(t).vertices), spare_point,
                                    [&](std::uint32_t slot) { set_stretch(cloth, t, slot); });
     }
@@ -101,7 +101,7 @@ void size_triangles(Cloth& cloth) {
     const std::size_t capacity = cloth.mesh.triangles().capacity();
     solver.lists.parent_of.resize(capacity);
     solver.lists.easy_shear.resize(capacity + 1, 0.0F);
-    CarriedStress& carried = solver.constraints.carried;
+    RestrictedStress& carried = solver.constraints.carried;
     for (std::vector<Vec4f>* sums : {&carried.above, &carried.below, &carried.off}) {
         sums->resize(capacity + 1, Vec4f::Zero());
     }
@@ -115,12 +115,12 @@ void forget_triangles(SolverState& solver) {
         level.limits.forget();
         level.bend.forget();
     }
-    CarriedStress& carried = solver.constraints.carried;
+    RestrictedStress& carried = solver.constraints.carried;
     for (std::vector<Vec4f>* sums : {&carried.above, &carried.below, &carried.off}) sums->clear();
 }
 
 // Slots that are put in one by one lie less well in memory than those that are put in all at once.
-bool is_worn(const Cloth& cloth) {
+bool is_fragmented(const Cloth& cloth) {
     const std::size_t leaves = cloth.mesh.leaf_triangles().size();
     const SolverState& solver = cloth.solver;
     return solver.lists.vertices != cloth.mesh.vertex_capacity() || solver.lists.inserted > leaves ||
@@ -169,8 +169,8 @@ void make_blocks(Cloth& cloth) {
 
 void change_blocks(Cloth& cloth) {
     const LeafChanges& changes = cloth.mesh.changes();
-    cloth.solver.lists.inserted += changes.triangles_come.size();
-    if (is_worn(cloth)) {
+    cloth.solver.lists.inserted += changes.triangles_added.size();
+    if (is_fragmented(cloth)) {
         make_blocks(cloth);
         return;
     }
@@ -193,7 +193,7 @@ float longest_of(double stiffness, const Fabric& fabric) {
 
 using Limits = ConstraintSet<LimitBlock, LimitRecord>;
 
-void forget_stress(CarriedStress& carried, TriangleId t) {
+void forget_stress(RestrictedStress& carried, TriangleId t) {
     carried.above[t.value + 1].setZero();
 }
 
@@ -216,7 +216,7 @@ void set_limit(Cloth& cloth, TriangleId t, std::uint32_t slot) {
     record.place[at] = place_of(t);
     record.parent[at] = parent.place;
     record.of_area[at] = parent.of_area;
-    CarriedStress& carried = cloth.solver.constraints.carried;
+    RestrictedStress& carried = cloth.solver.constraints.carried;
     for (std::vector<Vec4f>* sums : {&carried.below, &carried.off}) (*sums)[t.value + 1].setZero();
 }
 
@@ -321,13 +321,14 @@ void list_limit_masses(Cloth& cloth) {
 }
 
 // Easy shear is summed up for all: nearly each sum holds something that changed.
-void weigh_limits(Cloth& cloth, const Kernels& loops) {
+void update_limit_masses(Cloth& cloth, const Kernels& loops) {
     SolverState& solver = cloth.solver;
     add_easy_shear_of_leaves(solver);
     for (std::size_t level = solver.constraints.parents.size(); level-- > 0;) {
         ParentLevel& parents = solver.constraints.parents[level];
-        parents.limits.weigh_dirty(
-            [&](auto blocks, auto records) { loops.weigh_limits(blocks, records, solver.lists.masses[level].data()); });
+        parents.limits.update_dirty_masses([&](auto blocks, auto records) {
+            loops.update_limit_masses(blocks, records, solver.lists.masses[level].data());
+        });
         add_easy_shear_of_limits(solver, parents);
     }
 }
@@ -412,11 +413,12 @@ void update_effective_masses(Cloth& cloth) {
     list_limit_masses(cloth);
     mark_round_changed_masses(cloth);
     Constraints& constraints = solver.constraints;
-    constraints.stretch.weigh_dirty(
-        [&](auto blocks, auto records) { loops.weigh_stretch(blocks, records, solver.lists.inverse_masses.data()); });
-    weigh_bending(cloth, loops);
-    for (int level = cloth.mesh.max_level(); level-- > 0;) weigh_coarse_bending(cloth, loops, level);
-    weigh_limits(cloth, loops);
+    constraints.stretch.update_dirty_masses([&](auto blocks, auto records) {
+        loops.update_stretch_masses(blocks, records, solver.lists.inverse_masses.data());
+    });
+    update_bending_masses(cloth, loops);
+    for (int level = cloth.mesh.max_level(); level-- > 0;) update_coarse_bending_masses(cloth, loops, level);
+    update_limit_masses(cloth, loops);
     solver.lists.over.resize(constraints.stretch.blocks.size());
     solver.lists.over_counts.resize(constraints.stretch.coloring.runs().size());
 }

@@ -12,7 +12,7 @@ struct Cloth;
 
 // The refined triangle that another is inside of.
 struct ParentOf {
-    std::uint32_t place = kNoPlace;  // in CarriedStress
+    std::uint32_t place = kNoPlace;  // in RestrictedStress
     float of_area = 1;               // share of the parent's area
 };
 
@@ -29,7 +29,7 @@ struct Constraints {
     ConstraintSet<StretchBlock, StretchRecord> stretch;  // of leaves
     ConstraintSet<BendBlock, BendRecord> bend;           // of leaves
     std::vector<ParentLevel> parents;                    // coarse to fine
-    CarriedStress carried;
+    RestrictedStress carried;
     std::vector<std::uint32_t> triangle_of;  // by slot of stretch: the TriangleId, or kSpare
     std::vector<float> thirds;               // by slot of stretch: a third of the leaf's mass, kg
 };
@@ -79,7 +79,7 @@ void make_blocks(Cloth& cloth);
 // blocks were those of the leaves before.
 void change_blocks(Cloth& cloth);
 
-// While an adaption is under way: t has other triangles inside.
+// While an adaptation is under way: t has other triangles inside.
 void note_children(Cloth& cloth, TriangleId t);
 
 inline std::array<std::uint32_t, 3> indices(const std::array<VertexId, 3>& v) {
@@ -115,7 +115,7 @@ void list_centres(Cloth& cloth);
 void list_limit_masses(Cloth& cloth);
 
 // Gains of dirty blocks, from the masses and from what the leaves' blocks have got as theirs.
-void weigh_limits(Cloth& cloth, const Kernels& loops);
+void update_limit_masses(Cloth& cloth, const Kernels& loops);
 
 // Gains of the solver's blocks: what a constraint moves its vertices by, from their inverse masses.
 //

@@ -36,7 +36,7 @@ struct Stepper {
     void keep_corrections();
     void solve_coarse_bend(int interval);
     void limit_parents(bool is_last);
-    void carry_centres(std::size_t level);
+    void restrict_centres(std::size_t level);
     void solve_bend(int interval);
     void solve_stretch(bool is_last);
     void limit_stretch();
@@ -104,7 +104,7 @@ void Stepper::predict(int i) {
 
 void Stepper::lead(int i) {
     const float share = 1 / static_cast<float>(options.substeps - i);
-    for (const LedVertex& led : options.led) {
+    for (const KinematicVertex& led : options.led) {
         Vec4f& x = cloth.solver.points[led.vertex];
         x.head<3>() += (led.to - x.head<3>()) * share;
     }
@@ -130,7 +130,7 @@ void Stepper::solve_coarse_bend(int interval) {
         if (bends(parents)) {
             parents.bend.for_colors([&](auto blocks, auto) { loops.solve_coarse_bend(blocks, points(), interval); });
         }
-        carry_centres(level);
+        restrict_centres(level);
     }
 }
 
@@ -141,13 +141,13 @@ void Stepper::limit_parents(bool is_last) {
         parents.limits.for_colors([&](auto blocks, auto records) {
             loops.limit_parents(blocks, is_last ? records.data() : nullptr, points());
         });
-        carry_centres(level);
+        restrict_centres(level);
     }
 }
 
-void Stepper::carry_centres(std::size_t level) {
+void Stepper::restrict_centres(std::size_t level) {
     SolverState& solver = cloth.solver;
-    loops.carry_centres(solver.constraints.parents[level].centres, floats(solver.carried), points());
+    loops.restrict_centres(solver.constraints.parents[level].centres, floats(solver.carried), points());
 }
 
 void Stepper::solve_bend(int interval) {
@@ -178,9 +178,9 @@ void Stepper::limit_stretch() {
 void Stepper::update_bias() {
     Constraints& constraints = cloth.solver.constraints;
     const BiasGains gains{.stretch = share_at(options.stretch_bias_rate), .shear = share_at(options.shear_bias_rate)};
-    CarriedStress& carried = constraints.carried;
+    RestrictedStress& carried = constraints.carried;
     for (const ParentLevel& level : constraints.parents) {
-        loops.carry_stress(level.limits.records, floats(carried.above));
+        loops.restrict_stress(level.limits.records, floats(carried.above));
     }
     const StressSums sums{.above = floats(carried.above), .below = floats(carried.below), .off = floats(carried.off)};
     constraints.stretch.for_colors(

@@ -17,7 +17,7 @@ struct SeamPull {
 };
 
 // A vertex that does not move by itself but is led: evenly, until at the end of a step it is there.
-struct LedVertex {
+struct KinematicVertex {
     std::uint32_t vertex = 0;  // pinned
     Vec3f to = Vec3f::Zero();  // m, outside of the body
 };
@@ -35,7 +35,7 @@ struct StepOptions {
     std::span<const SeamPull> seams{};  // open seams
     float seam_gap = 0;                 // m, allowed at the end of this step
     float seam_gap_rate = 0;            // m per sub-step by which the gap shrinks within the step
-    std::span<const LedVertex> led{};
+    std::span<const KinematicVertex> led{};
     bool may_rest = false;  // a cloth that has come to rest is left as it is until something could move it (resting.h)
 };
 

@@ -250,8 +250,8 @@ void change_leaves(Cloth& cloth, const LeafChanges& changes) {
     const AdaptiveMesh& mesh = cloth.mesh;
     SolverState& solver = cloth.solver;
     Touched touched(solver.lists.touched);
-    for (const TriangleId t : changes.triangles_come) touched.add_moved(t);
-    for (const std::vector<EdgeId>* edges : {&changes.edges_come, &changes.hinges_changed}) {
+    for (const TriangleId t : changes.triangles_added) touched.add_moved(t);
+    for (const std::vector<EdgeId>* edges : {&changes.edges_added, &changes.hinges_changed}) {
         for (const EdgeId e : *edges) {
             for (const int side : {0, 1}) {
                 const TriangleId t = mesh.leaf_at(e, side);
@@ -287,7 +287,7 @@ void change_refined(Cloth& cloth, const LeafChanges& changes) {
         }
     };
     const auto for_new = [&](const auto& act) {
-        for (const TriangleId t : changes.triangles_come) act(t);
+        for (const TriangleId t : changes.triangles_added) act(t);
         for (const TriangleId t : changes.refined_changed) {
             if (is_refined(t)) act(t);
         }
@@ -336,7 +336,7 @@ void make_bending(Cloth& cloth) {
 
 void change_bending(Cloth& cloth, const LeafChanges& changes) {
     size_lists(cloth.solver, cloth.mesh);
-    for (const TriangleId t : changes.triangles_gone) erase(cloth, t);
+    for (const TriangleId t : changes.triangles_removed) erase(cloth, t);
     for (const TriangleId t : changes.refined_changed) erase(cloth, t);
     change_leaves(cloth, changes);
     change_refined(cloth, changes);
@@ -387,10 +387,11 @@ void hand_up(SolverLists& lists, const std::vector<BendRecord>& records) {
 
 }  // namespace
 
-void weigh_bending(Cloth& cloth, const Kernels& loops) {
+void update_bending_masses(Cloth& cloth, const Kernels& loops) {
     SolverState& solver = cloth.solver;
-    solver.constraints.bend.weigh_dirty(
-        [&](auto blocks, auto records) { loops.weigh_bend(blocks, records, solver.lists.inverse_masses.data()); });
+    solver.constraints.bend.update_dirty_masses([&](auto blocks, auto records) {
+        loops.update_bend_masses(blocks, records, solver.lists.inverse_masses.data());
+    });
     std::fill(solver.lists.asked.begin(), solver.lists.asked.end(), 0.0F);
     hand_up(solver.lists, solver.constraints.bend.records);
 }
@@ -398,7 +399,7 @@ void weigh_bending(Cloth& cloth, const Kernels& loops) {
 // A refined triangle that begins to bend does so without friction's pull, from its present curvature. The anchors of
 // one that does not bend mean nothing, for a visit of its block may write them; they are cleared, so that blocks hold
 // the same bits whatever came before.
-void weigh_coarse_bending(Cloth& cloth, const Kernels& loops, int level) {
+void update_coarse_bending_masses(Cloth& cloth, const Kernels& loops, int level) {
     SolverState& solver = cloth.solver;
     ParentLevel& parents = solver.constraints.parents[static_cast<std::size_t>(level)];
     auto& bend = parents.bend;
@@ -413,7 +414,8 @@ void weigh_coarse_bending(Cloth& cloth, const Kernels& loops, int level) {
         if (bend.blocks[slot / kBlock].realised[slot % kBlock] <= 0) idle.push_back(slot);
     }
     const float* const masses = solver.lists.masses[static_cast<std::size_t>(level)].data();
-    bend.weigh_dirty([&](auto blocks, auto records) { loops.weigh_coarse_bend(blocks, records, masses); });
+    bend.update_dirty_masses(
+        [&](auto blocks, auto records) { loops.update_coarse_bend_masses(blocks, records, masses); });
     for (const std::uint32_t slot : idle) {
         CoarseBendBlock& block = bend.blocks[slot / kBlock];
         const std::size_t at = slot % kBlock;

@@ -20,8 +20,8 @@ void change_bending(Cloth& cloth, const LeafChanges& changes);
 // Gains from the masses: first of the leaves, then level by level of the refined triangles, fine to coarse, which take
 // what the level below hands up.
 // Pre: SolverLists::inverse_masses and masses are those of now.
-void weigh_bending(Cloth& cloth, const Kernels& loops);
-void weigh_coarse_bending(Cloth& cloth, const Kernels& loops, int level);
+void update_bending_masses(Cloth& cloth, const Kernels& loops);
+void update_coarse_bending_masses(Cloth& cloth, const Kernels& loops, int level);
 
 // Where a triangle's bending stands, if it was made for its present corners; block: none if it was not.
 struct BendSlot {

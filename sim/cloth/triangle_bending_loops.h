@@ -30,9 +30,9 @@ struct Fold {
 [[gnu::always_inline]] inline Floats angle_of(Floats sine, Floats cosine) {
     constexpr float kLeastCosine = 0.02F;  // above -1
     constexpr float kMostAngle = 3.2F;     // rad
-    const Floats half = sine / lanes::greater(cosine + 1.0F, lanes::all(kLeastCosine));
-    return held_within(lanes::multiply_add(half, lanes::all(4.0F / 3), sine * lanes::all(1.0F / 3)),
-                       lanes::all(kMostAngle));
+    const Floats half = sine / lanes::max(cosine + 1.0F, lanes::broadcast(kLeastCosine));
+    return held_within(lanes::multiply_add(half, lanes::broadcast(4.0F / 3), sine * lanes::broadcast(1.0F / 3)),
+                       lanes::broadcast(kMostAngle));
 }
 
 // edge: from corner i + 1 to corner i + 2; apex: from corner i + 1; normal: unit, the triangle's.
@@ -111,7 +111,7 @@ template <bool has_friction, class Block>
     normalise(normal);
     const std::array<Fold, 3> fold{
         fold_of(block, 0, at, minus(e2, e1), minus(from_first(3), e1), normal),
-        fold_of(block, 1, at, times(e2, lanes::all(-1.0F)), minus(from_first(4), e2), normal),
+        fold_of(block, 1, at, times(e2, lanes::broadcast(-1.0F)), minus(from_first(4), e2), normal),
         fold_of(block, 2, at, e1, from_first(5), normal)};
     const Xyz angles{fold[0].angle, fold[1].angle, fold[2].angle};
     Xyz multipliers = gained(block, at, angles);
@@ -133,7 +133,7 @@ template <bool has_friction, class Block>
         const Floats along = own[i] - own_end[ends] - (own[begins] - own_end[begins]);
         const Xyz beyond = combined(apex[ends], -load_at(block.beyond_foot[ends], at), apex[begins],
                                     load_at(block.beyond_foot[begins], at) - 1.0F);
-        push_point(block, i, at, read_again(i), combined(normal, along, beyond, lanes::all(1.0F)), points);
+        push_point(block, i, at, read_again(i), combined(normal, along, beyond, lanes::broadcast(1.0F)), points);
     }
 }
 
@@ -142,7 +142,7 @@ template <class Block>
 [[gnu::always_inline]] inline void bend_block(Block& block, float* points, float most) {
     const bool has_friction = has_positive(block.has_friction);
     for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
-        const Floats visited = lanes::where(load_at(block.interval, at) <= most, lanes::all(1.0F));
+        const Floats visited = lanes::where(load_at(block.interval, at) <= most, lanes::broadcast(1.0F));
         if (has_friction) {
             bend_lanes<true>(block, at, points, visited);
         } else {
@@ -256,19 +256,20 @@ template <class Block>
 [[gnu::always_inline]] inline void weigh_lanes(Block& block, BendRecord& record, std::size_t at,
                                                const std::array<Floats, 6>& w) {
     const Symmetric sigma = response(block, at, w);
-    const Floats one = lanes::all(1.0F);
+    const Floats one = lanes::broadcast(1.0F);
     const Floats asked = load_at(record.asked, at);
     const Floats has_friction = load_at(block.has_friction, at);
     Symmetric stiffness;
     for (std::size_t i = 0; i < 6; ++i) stiffness[i] = load_at(record.stiffness[i], at);
-    const Floats room = lanes::all(kMostStiffness) / (trace_of_product(stiffness, sigma) *
-                                                      lanes::multiply_add(has_friction, lanes::all(kBendStick), one));
+    const Floats room =
+        lanes::broadcast(kMostStiffness) /
+        (trace_of_product(stiffness, sigma) * lanes::multiply_add(has_friction, lanes::broadcast(kBendStick), one));
     const Floats interval = one + lanes::where(asked * 4.0F <= room, one);
     const Floats most = room / (interval * interval);
     for (Floats& s : stiffness) s = s * interval;
     lanes::store(&block.interval[at], lanes::where(asked >= kLeastShare, interval) +
-                                          lanes::where(asked < kLeastShare, lanes::all(kNeverVisited)));
-    const Floats realised = lanes::where(asked >= kLeastShare, lanes::lesser(asked, most));
+                                          lanes::where(asked < kLeastShare, lanes::broadcast(kNeverVisited)));
+    const Floats realised = lanes::where(asked >= kLeastShare, lanes::min(asked, most));
     lanes::store(&record.handed_up[at], lanes::where(asked >= kLeastShare, asked - realised));
     lanes::store(&block.realised[at], realised);
     for (Floats& s : stiffness) s = s * realised;
@@ -291,13 +292,13 @@ template <class Block>
         const Floats spring = load_at(record.rigidity[k], at) * realised * (kBendStick * interval);
         const Floats stick = spring / lanes::multiply_add(seen * 0.5F, spring, one) * has_friction;
         const Floats slip =
-            load_at(record.friction[k], at) * realised * interval / lanes::greater(stick, lanes::all(kTiny * kTiny));
+            load_at(record.friction[k], at) * realised * interval / lanes::max(stick, lanes::broadcast(kTiny * kTiny));
         lanes::store(&block.stick[k][at], stick);
         lanes::store(&block.slip[k][at], lanes::where(stick > 0.0F, slip));
     }
 }
 
-void weigh_bend(std::span<BendBlock> blocks, std::span<BendRecord> records, const float* inverse_masses) {
+void update_bend_masses(std::span<BendBlock> blocks, std::span<BendRecord> records, const float* inverse_masses) {
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
             std::array<Floats, 6> w;
@@ -307,13 +308,13 @@ void weigh_bend(std::span<BendBlock> blocks, std::span<BendRecord> records, cons
     }
 }
 
-void weigh_coarse_bend(std::span<CoarseBendBlock> blocks, std::span<BendRecord> records, const float* masses) {
+void update_coarse_bend_masses(std::span<CoarseBendBlock> blocks, std::span<BendRecord> records, const float* masses) {
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
             std::array<Floats, 6> w;
             for (std::size_t v = 0; v < 6; ++v) {
                 const Floats mass = value_at(blocks[i].vertices[v], at, masses);
-                w[v] = lanes::where(mass > 0.0F, 1.0F / lanes::greater(mass, lanes::all(kTiny)));
+                w[v] = lanes::where(mass > 0.0F, 1.0F / lanes::max(mass, lanes::broadcast(kTiny)));
                 lanes::store(&blocks[i].inverse_mass[v][at], w[v]);
             }
             weigh_lanes(blocks[i], records[i], at, w);

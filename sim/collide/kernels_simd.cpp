@@ -25,7 +25,7 @@ struct LaneCell {
 // A point beyond the grid, or none at all, comes to lie in the grid's rim, which is outside.
 [[gnu::always_inline]] inline LaneCell cell_of(const FieldView& field, int axis, const float* row) {
     lanes::Floats at = (lanes::load(row) - field.origin[axis]) * field.per_cell;
-    at = lanes::lesser(lanes::greater(at, lanes::all(0)), lanes::all(field.last[axis]));
+    at = lanes::min(lanes::max(at, lanes::broadcast(0)), lanes::broadcast(field.last[axis]));
     const lanes::Ints cell = lanes::truncated(at);
     return {cell, at - lanes::to_float(cell)};
 }
@@ -73,12 +73,12 @@ struct LaneSample {
     const LaneSample sample =
         trilinear(field.nodes, node_of(field, x.cell, y.cell, z.cell), x.within, y.within, z.within);
 
-    const lanes::Floats band = lanes::all(field.band);
-    const lanes::Floats distance = lanes::lesser(lanes::greater(sample.distance * field.to_metres, -band), band);
+    const lanes::Floats band = lanes::broadcast(field.band);
+    const lanes::Floats distance = lanes::min(lanes::max(sample.distance * field.to_metres, -band), band);
     const lanes::Floats gx = sample.x * field.to_gradient;
     const lanes::Floats gy = sample.y * field.to_gradient;
     const lanes::Floats gz = sample.z * field.to_gradient;
-    const lanes::Floats length = lanes::root(gx * gx + gy * gy + gz * gz);
+    const lanes::Floats length = lanes::sqrt(gx * gx + gy * gy + gz * gz);
     const lanes::Ints is_known = (distance < band) & (distance > -band);
     const lanes::Ints has_normal = is_known & (length > 0);
     const lanes::Floats inverse = 1 / length;
@@ -86,7 +86,7 @@ struct LaneSample {
     lanes::store(row + kRowNormalX * kRowLength, lanes::where(has_normal, gx * inverse));
     lanes::store(row + kRowNormalY * kRowLength, lanes::where(has_normal, gy * inverse));
     lanes::store(row + kRowNormalZ * kRowLength, lanes::where(has_normal, gz * inverse));
-    const lanes::Ints is_asked = distance < lanes::lesser(lanes::all(reach), band);
+    const lanes::Ints is_asked = distance < lanes::min(lanes::broadcast(reach), band);
     const lanes::Ints is_trusted = is_known & (length >= field.trusted);
     return lanes::bits(is_asked & ~is_trusted);
 }
@@ -158,11 +158,11 @@ struct LanePoints {
     const Floats g1 = t1 * (t1 * bb - 2 * d1);
     const Floats g2 = t2 * (t2 * cc - 2 * d2);
     const Floats g3 = r3 * (r3 * bb - 2 * d1) + t3 * (t3 * cc - 2 * d2) + 2 * r3 * t3 * bc;
-    const auto on_third = g3 < lanes::lesser(g1, g2);
+    const auto on_third = g3 < lanes::min(g1, g2);
     const auto on_first = g1 <= g2;
     const Floats edge_v = on_third ? r3 : lanes::where(on_first, t1);
     const Floats edge_w = on_third ? t3 : lanes::where(~on_first, t2);
-    const auto is_inside = lanes::lesser(lanes::lesser(v, w), 1 - v - w) >= lanes::all(0);
+    const auto is_inside = lanes::min(lanes::min(v, w), 1 - v - w) >= lanes::broadcast(0);
     const Floats s = is_inside ? v : edge_v;
     const Floats t = is_inside ? w : edge_w;
     const Floats rx = x - s * bx - t * cx, ry = y - s * by - t * cy, rz = z - s * bz - t * cz;
@@ -171,10 +171,10 @@ struct LanePoints {
 
 [[gnu::always_inline]] inline lanes::Floats squared_distance_to_box(const float* box, const LanePoints& p) {
     using lanes::Floats;
-    const Floats zero = lanes::all(0);
-    const Floats x = lanes::greater(zero, lanes::greater(box[0] - p.x, p.x - box[3]));
-    const Floats y = lanes::greater(zero, lanes::greater(box[1] - p.y, p.y - box[4]));
-    const Floats z = lanes::greater(zero, lanes::greater(box[2] - p.z, p.z - box[5]));
+    const Floats zero = lanes::broadcast(0);
+    const Floats x = lanes::max(zero, lanes::max(box[0] - p.x, p.x - box[3]));
+    const Floats y = lanes::max(zero, lanes::max(box[1] - p.y, p.y - box[4]));
+    const Floats z = lanes::max(zero, lanes::max(box[2] - p.z, p.z - box[5]));
     return x * x + y * y + z * z;
 }
 
@@ -212,7 +212,7 @@ float nearest_in_packet(const float* packet, const std::uint32_t* ids, const flo
             const lanes::Floats squared = squared_distance_to(packet, products, i, p);
             const lanes::Ints is_nearer = squared < best;
             best = is_nearer ? squared : best;
-            which = is_nearer ? lanes::all_ints(std::int32_t(ids[i])) : which;
+            which = is_nearer ? lanes::broadcast_ints(std::int32_t(ids[i])) : which;
         }
         lanes::store(squares + lane, best);
         lanes::store_ints(nearest + lane, which);
@@ -226,7 +226,7 @@ float nearest_in_packet(const float* packet, const std::uint32_t* ids, const flo
 [[gnu::always_inline]] inline lanes::Floats squared_distances(const float* row, const float* p) {
     using lanes::Floats;
     constexpr std::size_t kRow = 8;
-    const Floats tiny = lanes::all(1e-30F);  // keeps quotients finite on slivers
+    const Floats tiny = lanes::broadcast(1e-30F);  // keeps quotients finite on slivers
 
     const Floats x = p[0] - lanes::load(row), y = p[1] - lanes::load(row + kRow),
                  z = p[2] - lanes::load(row + 2 * kRow);
@@ -247,12 +247,12 @@ float nearest_in_packet(const float* packet, const std::uint32_t* ids, const flo
     const Floats g1 = t1 * (t1 * bb - 2 * d1);
     const Floats g2 = t2 * (t2 * cc - 2 * d2);
     const Floats g3 = r3 * (r3 * bb - 2 * d1) + t3 * (t3 * cc - 2 * d2) + 2 * r3 * t3 * bc;
-    const auto on_third = g3 < lanes::lesser(g1, g2);
+    const auto on_third = g3 < lanes::min(g1, g2);
     const auto on_first = g1 <= g2;
     const Floats edge_v = on_third ? r3 : lanes::where(on_first, t1);
     const Floats edge_w = on_third ? t3 : lanes::where(~on_first, t2);
     const Floats inverse = 1 / (area + tiny);
-    const auto is_inside = lanes::lesser(lanes::lesser(v, w), area - v - w) >= lanes::all(0);
+    const auto is_inside = lanes::min(lanes::min(v, w), area - v - w) >= lanes::broadcast(0);
     const Floats s = is_inside ? v * inverse : edge_v;
     const Floats t = is_inside ? w * inverse : edge_w;
     const Floats rx = x - s * bx - t * cx, ry = y - s * by - t * cy, rz = z - s * bz - t * cz;

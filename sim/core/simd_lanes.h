@@ -20,13 +20,13 @@ inline constexpr std::size_t kCount = 16;
 using Floats [[gnu::vector_size(64)]] = float;
 using Ints [[gnu::vector_size(64)]] = std::int32_t;  // a comparison gives 0 or -1 in each lane
 
-[[gnu::always_inline]] inline Floats greater(Floats a, Floats b) {
+[[gnu::always_inline]] inline Floats max(Floats a, Floats b) {
     return _mm512_max_ps(a, b);
 }
-[[gnu::always_inline]] inline Floats lesser(Floats a, Floats b) {
+[[gnu::always_inline]] inline Floats min(Floats a, Floats b) {
     return _mm512_min_ps(a, b);
 }
-[[gnu::always_inline]] inline Floats root(Floats a) {
+[[gnu::always_inline]] inline Floats sqrt(Floats a) {
     return _mm512_sqrt_ps(a);
 }
 [[gnu::always_inline]] inline Ints truncated(Floats a) {
@@ -56,13 +56,13 @@ inline constexpr std::size_t kCount = 8;
 using Floats [[gnu::vector_size(32)]] = float;
 using Ints [[gnu::vector_size(32)]] = std::int32_t;
 
-[[gnu::always_inline]] inline Floats greater(Floats a, Floats b) {
+[[gnu::always_inline]] inline Floats max(Floats a, Floats b) {
     return _mm256_max_ps(a, b);
 }
-[[gnu::always_inline]] inline Floats lesser(Floats a, Floats b) {
+[[gnu::always_inline]] inline Floats min(Floats a, Floats b) {
     return _mm256_min_ps(a, b);
 }
-[[gnu::always_inline]] inline Floats root(Floats a) {
+[[gnu::always_inline]] inline Floats sqrt(Floats a) {
     return _mm256_sqrt_ps(a);
 }
 [[gnu::always_inline]] inline Ints truncated(Floats a) {
@@ -93,13 +93,13 @@ inline constexpr std::size_t kCount = 4;
 using Floats [[gnu::vector_size(16)]] = float;
 using Ints [[gnu::vector_size(16)]] = std::int32_t;
 
-[[gnu::always_inline]] inline Floats greater(Floats a, Floats b) {
+[[gnu::always_inline]] inline Floats max(Floats a, Floats b) {
     return _mm_max_ps(a, b);
 }
-[[gnu::always_inline]] inline Floats lesser(Floats a, Floats b) {
+[[gnu::always_inline]] inline Floats min(Floats a, Floats b) {
     return _mm_min_ps(a, b);
 }
-[[gnu::always_inline]] inline Floats root(Floats a) {
+[[gnu::always_inline]] inline Floats sqrt(Floats a) {
     return _mm_sqrt_ps(a);
 }
 [[gnu::always_inline]] inline Ints truncated(Floats a) {
@@ -138,7 +138,7 @@ using Ints [[gnu::vector_size(16)]] = std::int32_t;
 [[gnu::always_inline]] inline void store(float* to, Floats a) {
     std::memcpy(to, &a, sizeof a);
 }
-[[gnu::always_inline]] inline Floats all(float a) {
+[[gnu::always_inline]] inline Floats broadcast(float a) {
     return a - Floats{};
 }
 [[gnu::always_inline]] inline Ints load_ints(const std::uint32_t* from) {
@@ -149,12 +149,12 @@ using Ints [[gnu::vector_size(16)]] = std::int32_t;
 [[gnu::always_inline]] inline void store_ints(std::uint32_t* to, Ints a) {
     std::memcpy(to, &a, sizeof a);
 }
-[[gnu::always_inline]] inline Ints all_ints(std::int32_t a) {
+[[gnu::always_inline]] inline Ints broadcast_ints(std::int32_t a) {
     return a - Ints{};
 }
 
 [[gnu::always_inline]] inline Floats held_to_unit(Floats a) {
-    return lesser(greater(a, all(0)), all(1));
+    return min(max(a, broadcast(0)), broadcast(1));
 }
 
 // a where the comparison holds, elsewhere +0.
@@ -186,7 +186,7 @@ inline namespace avx512 {
     return _mm512_fmadd_ps(a, b, c);
 }
 // a, but with the fourth floats of b.
-[[gnu::always_inline]] inline Floats with_fourths(Floats a, Floats b) {
+[[gnu::always_inline]] inline Floats with_w_components(Floats a, Floats b) {
     return _mm512_mask_mov_ps(a, 0x8888, b);
 }
 [[gnu::always_inline]] inline Floats unpack_low(Floats a, Floats b) {
@@ -219,7 +219,7 @@ inline namespace avx2 {
 [[gnu::always_inline]] inline Floats multiply_add(Floats a, Floats b, Floats c) {
     return _mm256_fmadd_ps(a, b, c);
 }
-[[gnu::always_inline]] inline Floats with_fourths(Floats a, Floats b) {
+[[gnu::always_inline]] inline Floats with_w_components(Floats a, Floats b) {
     return _mm256_blend_ps(a, b, 0x88);
 }
 [[gnu::always_inline]] inline Floats unpack_low(Floats a, Floats b) {
@@ -246,7 +246,7 @@ inline namespace plain {
 [[gnu::always_inline]] inline Floats multiply_add(Floats a, Floats b, Floats c) {
     return a * b + c;
 }
-[[gnu::always_inline]] inline Floats with_fourths(Floats a, Floats b) {
+[[gnu::always_inline]] inline Floats with_w_components(Floats a, Floats b) {
     const Floats zw = _mm_shuffle_ps(a, b, 0xFA);  // z z w w
     return _mm_shuffle_ps(a, zw, 0x84);            // x y z w
 }
@@ -307,7 +307,7 @@ struct Xyz {
 }
 
 // The fourth float of each point of a row, in all four places.
-[[gnu::always_inline]] inline Floats fourths(Floats row) {
+[[gnu::always_inline]] inline Floats w_components(Floats row) {
     return shuffle<0xFF>(row, row);
 }
 
@@ -325,9 +325,9 @@ template <int j>
     const Ints estimate = 0x5F376908 - (bits_of_a >> 1);
     Floats y;
     std::memcpy(&y, &estimate, sizeof y);
-    const Floats half = all(-0.5F) * a;
-    y = y * multiply_add(half * y, y, all(1.5008789F));
-    return y * multiply_add(half * y, y, all(1.5000006F));
+    const Floats half = broadcast(-0.5F) * a;
+    y = y * multiply_add(half * y, y, broadcast(1.5008789F));
+    return y * multiply_add(half * y, y, broadcast(1.5000006F));
 }
 
 }  // namespace plain, avx2 or avx512

@@ -53,7 +53,7 @@ void DrapeRun::wake(Cloth& cloth) {
 }
 
 void DrapeRun::forget_times() {
-    result_.adaption_ms.clear();
+    result_.adaptation_ms.clear();
     result_.step_ms.clear();
 }
 
@@ -70,7 +70,7 @@ void DrapeRun::begin_fall() {
     phase_start_ = result_.simulated_seconds;
     at_rest_ = 0;
     may_rejoin_ = options_.adapt.may_rejoin;
-    briskness_ = 1;
+    learning_rate_scale_ = 1;
 }
 
 void DrapeRun::end_fall(Cloth& cloth) {
@@ -106,14 +106,14 @@ void DrapeRun::fall_frame(Cloth& cloth, const Collider& body) {
     StepOptions stepping{.gravity = options_.gravity, .contact = options_.contact, .may_rest = options_.may_rest};
     stepping.extra_damping = kFallDamping + options_.damping_growth * elapsed;
     // Biases ever slower as the garment comes to rest, or they would keep it awake.
-    stepping.stretch_bias_rate *= briskness_;
-    stepping.shear_bias_rate *= briskness_;
+    stepping.stretch_bias_rate *= learning_rate_scale_;
+    stepping.shear_bias_rate *= learning_rate_scale_;
     AdaptClothOptions adapting = options_.adapt;
     adapting.may_rejoin = may_rejoin_;
     if (!options_.may_rest || !is_at_rest(cloth)) adapt_once(cloth, body, adapting);
     run_steps(cloth, body, stepping);
     may_rejoin_ = result_.rms_speed >= options_.calm_speed;
-    briskness_ = std::min(1.0F, result_.rms_speed / options_.calm_speed);
+    learning_rate_scale_ = std::min(1.0F, result_.rms_speed / options_.calm_speed);
     at_rest_ = result_.rms_speed < options_.rest_speed ? at_rest_ + frame_seconds(cloth, stepping) : 0;
     const double end = options_.max_seconds - options_.finish_time;
     fraction_ = std::max({fraction_, result_.simulated_seconds / end, at_rest_ / options_.rest_time});
@@ -140,7 +140,7 @@ bool DrapeRun::finishes() const {
 void DrapeRun::adapt_once(Cloth& cloth, const Collider& body, const AdaptClothOptions& adapting) {
     const auto start = Clock::now();
     const AdaptReport adapted = adapt_cloth(cloth, body, adapting, options_.contact);
-    result_.adaption_ms.push_back(ms_since(start));
+    result_.adaptation_ms.push_back(ms_since(start));
     result_.splits += adapted.splits;
     result_.rejoins += adapted.rejoins;
     result_.transitions += adapted.transitions;

@@ -28,7 +28,7 @@ struct DrapeOptions {
     ContactOptions contact{};
 
     // Asked before each step, when given: what is led by hand in the seconds that it takes.
-    std::function<std::span<const LedVertex>(const Cloth&, float)> lead = {};
+    std::function<std::span<const KinematicVertex>(const Cloth&, float)> lead = {};
 };
 
 struct DrapeResult {
@@ -40,8 +40,8 @@ struct DrapeResult {
     long splits = 0;
     long rejoins = 0;
     long transitions = 0;
-    std::vector<double> adaption_ms;  // wall time, one per adaption
-    std::vector<double> step_ms;      // wall time, one per step of the adaptive part
+    std::vector<double> adaptation_ms;  // wall time, one per adaptation
+    std::vector<double> step_ms;        // wall time, one per step of the adaptive part
 };
 
 enum class DrapePhase {
@@ -51,7 +51,7 @@ enum class DrapePhase {
     Done
 };
 
-// A drape under way: one frame, an adaption and its steps, with each advance(). All calls take the same cloth.
+// A drape under way: one frame, an adaptation and its steps, with each advance(). All calls take the same cloth.
 class DrapeRun {
  public:
     // Makes the cloth's contacts anew. Pre: it is sewn.
@@ -89,13 +89,13 @@ class DrapeRun {
     DrapeOptions options_;
     DrapeResult result_;
     DrapePhase phase_ = DrapePhase::Relax;
-    double relaxed_ = 0;       // s
-    double phase_start_ = 0;   // s, of simulated time
-    double at_rest_ = 0;       // s
-    double fraction_ = 0;      // 0..1
-    bool may_rejoin_ = true;   // it still moves enough
-    float briskness_ = 1;      // of the biases
-    float usual_substep_ = 0;  // s
+    double relaxed_ = 0;             // s
+    double phase_start_ = 0;         // s, of simulated time
+    double at_rest_ = 0;             // s
+    double fraction_ = 0;            // 0..1
+    bool may_rejoin_ = true;         // it still moves enough
+    float learning_rate_scale_ = 1;  // of the biases
+    float usual_substep_ = 0;        // s
 };
 
 DrapeResult drape(Cloth& cloth, const Collider& body, const DrapeOptions& options, const Progress& progress);

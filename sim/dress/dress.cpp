@@ -67,9 +67,9 @@ void record_drape(DressReport& report, const DrapeResult& result) {
     report.mesh.splits = result.splits;
     report.mesh.rejoins = result.rejoins;
     report.mesh.transitions = result.transitions;
-    report.timing.ms_per_adaption = quantile(result.adaption_ms, 0.5);
+    report.timing.ms_per_adaptation = quantile(result.adaptation_ms, 0.5);
     report.timing.ms_per_step = quantile(result.step_ms, 0.5);
-    report.timing.ms_adapt_plus_4_steps = report.timing.ms_per_adaption + 4 * report.timing.ms_per_step;
+    report.timing.ms_adapt_plus_4_steps = report.timing.ms_per_adaptation + 4 * report.timing.ms_per_step;
 }
 
 void record_mesh(DressReport& report, const Pattern& pattern, const GarmentMesh& unsewn, const GarmentMesh& sewn) {

@@ -101,7 +101,7 @@ struct StretchFigures {
 
 struct DressTiming {
     double wall_s = 0;
-    double ms_per_adaption = 0;  // medians over the drape
+    double ms_per_adaptation = 0;  // medians over the drape
     double ms_per_step = 0;
     double ms_adapt_plus_4_steps = 0;
     std::map<std::string, double> phases_s;

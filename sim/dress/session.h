@@ -43,7 +43,7 @@ struct SessionOptions {
 
 // Wall time of the last frames, ms: medians.
 struct SessionTimes {
-    double adaption = 0;
+    double adaptation = 0;
     double steps = 0;  // all of one frame
     double frame = 0;  // with making the mesh that is shown
 };
@@ -55,7 +55,7 @@ struct SessionStatistics {
     std::vector<int> by_level;  // leaf triangles
     double simulated_seconds = 0;
     double rms_speed = 0;  // m/s
-    int splits = 0;        // of the last adaption
+    int splits = 0;        // of the last adaptation
     int rejoins = 0;
     SessionTimes times;
 };
@@ -116,7 +116,7 @@ class Session {
     void keep(const std::string& name);
     void restore(const std::string& name);  // only where the pattern still has the same mesh: else a message says so
 
-    // Drive Caller only: takes in what was asked for, and simulates so many frames, each one adaption and its steps.
+    // Drive Caller only: takes in what was asked for, and simulates so many frames, each one adaptation and its steps.
     void advance(int frames);
 
  private:

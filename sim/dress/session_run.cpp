@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kTimedFrames = 30;
 constexpr std::size_t kMostMessages = 50;
-constexpr int kSewingSteps = 4;  // per frame, as of an adaption
+constexpr int kSewingSteps = 4;  // per frame, as of an adaptation
 
 using Clock = std::chrono::steady_clock;
 
@@ -56,7 +56,7 @@ SessionTimes FrameTimes::medians() const {
         for (const SessionTimes& one : last_) values.push_back(one.*part);
         return quantile(values, 0.5);
     };
-    return {median(&SessionTimes::adaption), median(&SessionTimes::steps), median(&SessionTimes::frame)};
+    return {median(&SessionTimes::adaptation), median(&SessionTimes::steps), median(&SessionTimes::frame)};
 }
 
 SessionRun::SessionRun(std::function<void()> interrupt) : interrupt_(std::move(interrupt)) {}
@@ -107,7 +107,7 @@ void SessionRun::advance() {
     } else {
         drape_frame();
         if (drape_) {
-            times.adaption = sum_of(drape_->run->result().adaption_ms);
+            times.adaptation = sum_of(drape_->run->result().adaptation_ms);
             times.steps = sum_of(drape_->run->result().step_ms);
             drape_->run->forget_times();
         }

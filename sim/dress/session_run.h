@@ -9,8 +9,8 @@
 
 #include "sim/adaptive/triangle_budget.h"
 #include "sim/collide/body_collider.h"
+#include "sim/dress/drag_constraint.h"
 #include "sim/dress/drape.h"
-#include "sim/dress/hands.h"
 #include "sim/dress/session.h"
 #include "sim/dress/sewing.h"
 #include "sim/mesh/sew.h"
@@ -136,7 +136,7 @@ class SessionRun {
     std::optional<SewingRun> sewing_;
     std::optional<Drape> drape_;
     std::map<std::string, KeptDrape> kept_;
-    Hands hands_;
+    DragConstraint hands_;
     std::optional<TriangleBudget> budget_;
     FrameTimes times_;
     double past_seconds_ = 0;  // s, simulated before what hangs now

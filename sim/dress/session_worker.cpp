@@ -94,7 +94,7 @@ std::vector<Ask> Session::Worker::take_asked() {
     return std::exchange(asked_, {});
 }
 
-void Session::Worker::carry_out(std::vector<Ask> all) {
+void Session::Worker::apply(std::vector<Ask> all) {
     for (Ask& one : all) std::visit(CarryOut{run_}, one);
 }
 
@@ -112,7 +112,7 @@ void Session::Worker::publish() {
 
 void Session::Worker::advance(int frames) {
     SELVEDGE_ASSERT(!thread_.joinable());
-    carry_out(take_asked());
+    apply(take_asked());
     publish();
     for (int i = 0; i < frames && run_.moves(); ++i) {
         run_.advance();
@@ -146,7 +146,7 @@ void Session::Worker::work() {
 void Session::Worker::work_until_ended() {
     Clock::time_point next = Clock::now();  // when the next frame is due
     while (!has_ended()) {
-        carry_out(take_asked());
+        apply(take_asked());
         publish();
         if (!run_.moves()) {
             if (run_.may_prepare()) run_.prepare();

@@ -79,7 +79,7 @@ class Session::Worker {
     void work_until_ended();
     bool has_ended() const;
     std::vector<Ask> take_asked();
-    void carry_out(std::vector<Ask> all);
+    void apply(std::vector<Ask> all);
     void publish();
     void wait(std::optional<Clock::time_point> until);
 

@@ -256,7 +256,7 @@ std::vector<double> solve_offsets(const OffsetProblem& problem, const std::vecto
 
 namespace {
 
-struct Kink {
+struct Breakpoint {
     double at = 0;       // m, in [0, repeat]
     double steeper = 0;  // change of slope
 };
@@ -268,7 +268,7 @@ double phase_of(double value, double repeat) {
 }
 
 // Where factor * shift has that phase, within one repeat: once for a factor of 1, twice for 2.
-void add_kinks(double phase, int factor, double steeper, double repeat, std::vector<Kink>& kinks) {
+void add_kinks(double phase, int factor, double steeper, double repeat, std::vector<Breakpoint>& kinks) {
     for (int turn = 0; turn < factor; ++turn) kinks.push_back({(phase + turn * repeat) / factor, steeper});
 }
 
@@ -279,7 +279,7 @@ double wrapped(double value, double repeat) {
 }
 
 double best_shift(const std::vector<ShiftTerm>& terms, double repeat) {
-    std::vector<Kink> kinks;
+    std::vector<Breakpoint> kinks;
     double cost = 0;
     double slope = 0;  // just before 0
     double scale = 0;
@@ -296,12 +296,12 @@ double best_shift(const std::vector<ShiftTerm>& terms, double repeat) {
         add_kinks(farthest, factor, -2 * weight * factor, repeat, kinks);
         scale += weight * repeat;
     }
-    std::sort(kinks.begin(), kinks.end(), [](const Kink& a, const Kink& b) { return a.at < b.at; });
+    std::sort(kinks.begin(), kinks.end(), [](const Breakpoint& a, const Breakpoint& b) { return a.at < b.at; });
     const double now = cost;
     double least = cost;
     std::vector<double> costs;  // at the kinks
     double at = 0;
-    for (const Kink& kink : kinks) {
+    for (const Breakpoint& kink : kinks) {
         cost += slope * (kink.at - at);
         at = kink.at;
         slope += kink.steeper;

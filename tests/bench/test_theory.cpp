@@ -22,7 +22,7 @@ TEST(Elastica, droops_as_the_table_says) {
                                 Row{4, 25.53, 0.8901, 0.4252},  Row{8, 41.49, 0.7244, 0.6406},
                                 Row{15, 56.03, 0.5296, 0.7860}, Row{30, 68.57, 0.3428, 0.8731}};
     for (const Row& row : kTable) {
-        const Droop d = droop(row.q);
+        const Deflection d = droop(row.q);
         EXPECT_NEAR(degrees(chord_angle(d)), row.chord_deg, 0.006) << row.q;
         EXPECT_NEAR(d.reach, row.reach, 6e-5) << row.q;
         EXPECT_NEAR(d.drop, row.drop, 6e-5) << row.q;

@@ -1,4 +1,4 @@
-// Drafts, and pictures that stay with GL.
+// Previews, and pictures that stay with GL.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,16 +17,16 @@ render::SceneView view_of(const render::Scene& scene) {
     return {.scene = std::make_shared<const render::Scene>(scene), .camera = scene.camera, .light = scene.light};
 }
 
-class Drafts : public testing::Test {
+class Previews : public testing::Test {
  protected:
-    Drafts() { to_.resize(kWidth, kHeight); }
+    Previews() { to_.resize(kWidth, kHeight); }
 
-    render::Image draft(render::DraftRenderer& renderer, const render::SceneView& view) {
+    render::Image draft(render::PreviewRenderer& renderer, const render::SceneView& view) {
         renderer.draw(view, to_);
         return to_.read();
     }
     render::Image fresh_draft(const render::Scene& scene) {
-        render::DraftRenderer renderer(*context_);
+        render::PreviewRenderer renderer(*context_);
         return draft(renderer, view_of(scene));
     }
 
@@ -56,7 +56,7 @@ std::vector<Vec3f> block_means(const render::Image& image) {
     return means;
 }
 
-TEST_F(Drafts, a_shared_view_in_a_texture_is_the_picture_of_its_scene) {
+TEST_F(Previews, a_shared_view_in_a_texture_is_the_picture_of_its_scene) {
     render::Renderer renderer(*context_);
     const render::Image image =
         renderer.draw(make_frozen_scene(), {.width_px = kWidth, .height_px = kHeight, .tile_px = 50});
@@ -64,7 +64,7 @@ TEST_F(Drafts, a_shared_view_in_a_texture_is_the_picture_of_its_scene) {
     EXPECT_TRUE(image == to_.read());
 }
 
-TEST_F(Drafts, are_like_the_picture_from_afar) {
+TEST_F(Previews, are_like_the_picture_from_afar) {
     for (const render::ShowMode show : {render::ShowMode::Tartan, render::ShowMode::Level, render::ShowMode::Plain}) {
         const render::Scene scene = make_frozen_scene({.show = show});
         const std::vector<Vec3f> drafted = block_means(fresh_draft(scene));
@@ -76,8 +76,8 @@ TEST_F(Drafts, are_like_the_picture_from_afar) {
     }
 }
 
-TEST_F(Drafts, have_the_same_bits_whatever_was_drawn_before) {
-    render::DraftRenderer renderer(*context_);
+TEST_F(Previews, have_the_same_bits_whatever_was_drawn_before) {
+    render::PreviewRenderer renderer(*context_);
     const render::Scene still = make_frozen_scene(), moved = rippled(still);
     const render::Scene levels = make_frozen_scene({.show = render::ShowMode::Level, .has_ball = false});
     const render::Image first = draft(renderer, view_of(still));
@@ -87,8 +87,8 @@ TEST_F(Drafts, have_the_same_bits_whatever_was_drawn_before) {
     }
 }
 
-TEST_F(Drafts, follow_the_camera_and_the_size_of_the_same_scene) {
-    render::DraftRenderer renderer(*context_);
+TEST_F(Previews, follow_the_camera_and_the_size_of_the_same_scene) {
+    render::PreviewRenderer renderer(*context_);
     render::SceneView view = view_of(make_frozen_scene());
     const render::Image first = draft(renderer, view);
     view.camera = turned(view.camera, 0.4F, Vec3f::Zero());
@@ -101,8 +101,8 @@ TEST_F(Drafts, follow_the_camera_and_the_size_of_the_same_scene) {
     EXPECT_EQ(draft(renderer, view).width_px, kHeight);
 }
 
-TEST_F(Drafts, fill_a_picture_that_has_grown) {
-    render::DraftRenderer renderer(*context_);
+TEST_F(Previews, fill_a_picture_that_has_grown) {
+    render::PreviewRenderer renderer(*context_);
     const render::SceneView view = view_of(make_frozen_scene());
     to_.resize(kWidth, kHeight / 2);
     draft(renderer, view);
@@ -110,7 +110,7 @@ TEST_F(Drafts, fill_a_picture_that_has_grown) {
     EXPECT_TRUE(draft(renderer, view) == fresh_draft(*view.scene));
 }
 
-TEST_F(Drafts, show_painted_cloth_marks_and_an_empty_room) {
+TEST_F(Previews, show_painted_cloth_marks_and_an_empty_room) {
     render::Scene scene = make_frozen_scene({.show = render::ShowMode::Plain});
     const render::Image plain = fresh_draft(scene);
     render::ClothItem& cloth = scene.cloths[0];

@@ -42,10 +42,10 @@ TEST(Document, a_command_is_undone_and_redone_byte_for_byte) {
 TEST(Document, a_failed_command_changes_nothing) {
     Document document(shipped("tshirt.json"));
     const sim::Pattern before = document.pattern();
-    EXPECT_THROW(document.run(move_point("nobody", 0, Vec2d(0.01, 0))), DraftError);
-    EXPECT_THROW(document.run(SetFabric{.panel = "", .fabric = "cardboard"}), DraftError);
-    EXPECT_THROW(document.run(ReverseSeam{.seam = 99}), DraftError);
-    EXPECT_THROW(document.run(SetPins{.panel = "front", .vertices = {77}}), DraftError);
+    EXPECT_THROW(document.run(move_point("nobody", 0, Vec2d(0.01, 0))), GeometryError);
+    EXPECT_THROW(document.run(SetFabric{.panel = "", .fabric = "cardboard"}), GeometryError);
+    EXPECT_THROW(document.run(ReverseSeam{.seam = 99}), GeometryError);
+    EXPECT_THROW(document.run(SetPins{.panel = "front", .vertices = {77}}), GeometryError);
     EXPECT_EQ(document.pattern(), before);
     EXPECT_TRUE(document.history().empty());
 }
@@ -54,8 +54,8 @@ TEST(Document, a_drag_is_one_entry_of_the_history) {
     Document document(shipped("tshirt.json"));
     const std::string first = document.text();
     const Vec2d start = panel_named(document, "front").vertices[0];
-    for (int i = 1; i <= 10; ++i) document.attempt(move_point("front", 0, Vec2d(0.001 * i, 0)));
-    EXPECT_TRUE(document.is_attempting());
+    for (int i = 1; i <= 10; ++i) document.preview(move_point("front", 0, Vec2d(0.001 * i, 0)));
+    EXPECT_TRUE(document.is_previewing());
     EXPECT_NEAR(panel_named(document, "front").vertices[0].x() - start.x(), 0.010, 1e-12);
     document.keep();
     ASSERT_EQ(document.history().size(), 1U);
@@ -67,7 +67,7 @@ TEST(Document, a_drag_is_one_entry_of_the_history) {
 TEST(Document, a_dropped_drag_leaves_no_trace) {
     Document document(shipped("tshirt.json"));
     const sim::Pattern before = document.pattern();
-    document.attempt(move_point("front", 0, Vec2d(0.05, 0)));
+    document.preview(move_point("front", 0, Vec2d(0.05, 0)));
     document.drop();
     EXPECT_EQ(document.pattern(), before);
     EXPECT_TRUE(document.history().empty());
@@ -76,9 +76,9 @@ TEST(Document, a_dropped_drag_leaves_no_trace) {
 
 TEST(Document, a_drag_that_goes_wrong_stays_at_its_last_sound_place) {
     Document document(shipped("tshirt.json"));
-    document.attempt(move_point("front", 0, Vec2d(0.01, 0)));
+    document.preview(move_point("front", 0, Vec2d(0.01, 0)));
     const sim::Pattern sound = document.pattern();
-    EXPECT_THROW(document.attempt(move_point("front", 0, Vec2d(0.30, 0.45))), DraftError);  // through the other side
+    EXPECT_THROW(document.preview(move_point("front", 0, Vec2d(0.30, 0.45))), GeometryError);  // through the other side
     EXPECT_EQ(document.pattern(), sound);
     document.keep();
     EXPECT_EQ(document.pattern(), sound);
@@ -127,7 +127,7 @@ TEST(Document, a_renamed_panel_keeps_its_place_in_the_file) {
     const std::string renamed = document.text();
     EXPECT_LT(renamed.find("\"vorn\""), renamed.find("\"back\""));
     EXPECT_EQ(renamed.find("\"front\""), std::string::npos);
-    EXPECT_THROW(document.run(RenamePanel{.panel = "vorn", .to = "back"}), DraftError);
+    EXPECT_THROW(document.run(RenamePanel{.panel = "vorn", .to = "back"}), GeometryError);
     document.undo();
     EXPECT_EQ(document.text(), first);
 }
@@ -168,14 +168,14 @@ TEST(Document, matching_at_seams_is_a_command) {
     document.run(MatchSetts{});
     ASSERT_TRUE(document.pattern().matched_sett);
     EXPECT_EQ(document.pattern().matched_sett->tartan, "black_watch");
-    EXPECT_THROW(document.run(SetTartan{.tartan = "Q5 nonsense"}), DraftError);
+    EXPECT_THROW(document.run(SetTartan{.tartan = "Q5 nonsense"}), GeometryError);
 }
 
 TEST(Document, one_that_takes_the_place_of_another_has_no_revision_of_its) {
     Document first;
     const std::uint64_t seen = first.revision();
     Document second(shipped("tshirt.json"));
-    second.take_place_of(first);
+    second.replace_panel(first);
     EXPECT_GT(second.revision(), seen);
 }
 
@@ -192,9 +192,9 @@ int run_commands(Document& document, unsigned seed, int count) {
         const Command command = commands.next(document.pattern());
         const bool is_dragged = what == 3 && !std::holds_alternative<RenamePanel>(command);
         try {
-            is_dragged ? document.attempt(command) : document.run(command);
+            is_dragged ? document.preview(command) : document.run(command);
             ++done;
-        } catch (const DraftError&) {
+        } catch (const GeometryError&) {
         }
         if (is_dragged && commands.pick(3) > 0) document.keep();
     }

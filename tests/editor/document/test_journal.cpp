@@ -30,8 +30,8 @@ TEST(Journal, gives_back_all_that_was_done) {
     document.run(AddVertex{.panel = "back", .edge = 2, .t = 1.0 / 3});
     document.undo();
     document.run(SetGrain{.panel = "back", .angle = 0.1});
-    document.attempt(MoveVertices{.vertices = {{"back", 1}}, .by = Vec2d(0.01, 0)});
-    document.attempt(MoveVertices{.vertices = {{"back", 1}}, .by = Vec2d(0.011, 0)});
+    document.preview(MoveVertices{.vertices = {{"back", 1}}, .by = Vec2d(0.01, 0)});
+    document.preview(MoveVertices{.vertices = {{"back", 1}}, .by = Vec2d(0.011, 0)});
     document.keep();
     const auto recovery = recover(journaled.text);
     ASSERT_TRUE(recovery);
@@ -41,7 +41,7 @@ TEST(Journal, gives_back_all_that_was_done) {
 
 TEST(Journal, gives_back_a_drag_that_was_under_way) {
     Journaled journaled("tshirt.json");
-    journaled.document.attempt(MoveVertices{.vertices = {{"back", 1}}, .by = Vec2d(0.01, 0)});
+    journaled.document.preview(MoveVertices{.vertices = {{"back", 1}}, .by = Vec2d(0.01, 0)});
     const auto recovery = recover(journaled.text);
     ASSERT_TRUE(recovery);
     EXPECT_EQ(recovery->text, journaled.document.text());

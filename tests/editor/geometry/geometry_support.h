@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <string>
 
+#include <gtest/gtest.h>
 #include "editor/geometry/draft.h"
 #include "editor/geometry/panel_edit.h"
-#include <gtest/gtest.h>
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern_file.h"
 

@@ -107,11 +107,11 @@ TEST(SplitEdge, refuses_what_is_no_place_and_changes_nothing) {
     sim::Pattern pattern = two_squares();
     const sim::Pattern before = pattern;
     for (const double t : {0.0, 1.0, -1.0, 2.0, 1e-7, std::numeric_limits<double>::quiet_NaN()}) {
-        EXPECT_THROW(split_edge(pattern, {0, 1}, t), DraftError) << t;
+        EXPECT_THROW(split_edge(pattern, {0, 1}, t), GeometryError) << t;
     }
-    EXPECT_THROW(split_edge(pattern, {0, 4}, 0.5), DraftError);
-    EXPECT_THROW(split_edge(pattern, {2, 0}, 0.5), DraftError);
-    EXPECT_THROW(split_edge(pattern, {0, -1}, 0.5), DraftError);
+    EXPECT_THROW(split_edge(pattern, {0, 4}, 0.5), GeometryError);
+    EXPECT_THROW(split_edge(pattern, {2, 0}, 0.5), GeometryError);
+    EXPECT_THROW(split_edge(pattern, {0, -1}, 0.5), GeometryError);
     EXPECT_TRUE(pattern == before);
 }
 
@@ -184,9 +184,9 @@ TEST(RemoveVertices, the_first_vertex_too_and_notches_keep_their_place) {
 TEST(RemoveVertices, refuses_to_leave_no_panel) {
     sim::Pattern pattern = two_squares();
     const sim::Pattern before = pattern;
-    EXPECT_THROW(remove_vertices(pattern, 0, {0, 1, 2}), DraftError);
-    EXPECT_THROW(remove_vertices(pattern, 0, {0, 2}), DraftError);
-    EXPECT_THROW(remove_vertices(pattern, 0, {4}), DraftError);
+    EXPECT_THROW(remove_vertices(pattern, 0, {0, 1, 2}), GeometryError);
+    EXPECT_THROW(remove_vertices(pattern, 0, {0, 2}), GeometryError);
+    EXPECT_THROW(remove_vertices(pattern, 0, {4}), GeometryError);
     EXPECT_TRUE(pattern == before);
 }
 
@@ -209,14 +209,14 @@ TEST(MoveVertices, refuses_an_outline_that_would_cross_itself_and_says_where) {
     try {
         move_vertices(pattern, 0, {2}, {-2, -0.5});
         FAIL() << "moved";
-    } catch (const DraftError& error) {
+    } catch (const GeometryError& error) {
         ASSERT_FALSE(error.places().empty());
         EXPECT_EQ(error.places()[0].panel, "left");
         EXPECT_GE(error.places()[0].edge, 0);
     }
-    EXPECT_THROW(move_vertices(pattern, 0, {0, 1}, {0, 2}), DraftError);  // inside out
-    EXPECT_THROW(move_vertices(pattern, 0, {0}, {1e300, 0}), DraftError);
-    EXPECT_THROW(move_vertices(pattern, 0, {1, 2}, {0, std::numeric_limits<double>::infinity()}), DraftError);
+    EXPECT_THROW(move_vertices(pattern, 0, {0, 1}, {0, 2}), GeometryError);  // inside out
+    EXPECT_THROW(move_vertices(pattern, 0, {0}, {1e300, 0}), GeometryError);
+    EXPECT_THROW(move_vertices(pattern, 0, {1, 2}, {0, std::numeric_limits<double>::infinity()}), GeometryError);
     EXPECT_TRUE(pattern == before);
 }
 
@@ -265,8 +265,8 @@ TEST(TransformPanel, an_arc_becomes_a_cubic_under_a_stretch) {
 TEST(TransformPanel, refuses_a_seam_side_four_times_too_long) {
     sim::Pattern pattern = two_squares();
     const sim::Pattern before = pattern;
-    EXPECT_THROW(transform_panel(pattern, 0, Eigen::Affine2d(Eigen::Scaling(5.0, 5.0))), DraftError);
-    EXPECT_THROW(transform_panel(pattern, 0, Eigen::Affine2d(Eigen::Scaling(0.0, 1.0))), DraftError);
+    EXPECT_THROW(transform_panel(pattern, 0, Eigen::Affine2d(Eigen::Scaling(5.0, 5.0))), GeometryError);
+    EXPECT_THROW(transform_panel(pattern, 0, Eigen::Affine2d(Eigen::Scaling(0.0, 1.0))), GeometryError);
     EXPECT_TRUE(pattern == before);
 }
 
@@ -280,10 +280,10 @@ TEST(SetCurve, keeps_ends_and_label) {
     EXPECT_EQ(edge.label, "top");
     EXPECT_GT(edge_point(pattern, {0, 2}, 0.5).y(), 1.1);
     const sim::Pattern before = pattern;
-    EXPECT_THROW(set_curve(pattern, {0, 2}, {.kind = sim::CurveKind::Arc, .arc_radius = 0.4}), DraftError);
+    EXPECT_THROW(set_curve(pattern, {0, 2}, {.kind = sim::CurveKind::Arc, .arc_radius = 0.4}), GeometryError);
     EXPECT_THROW(
         set_curve(pattern, {0, 0}, {.kind = sim::CurveKind::Quadratic, .control = {Vec2d(0.5, 3), Vec2d(0, 0)}}),
-        DraftError);
+        GeometryError);
     EXPECT_TRUE(pattern == before);
 }
 
@@ -306,7 +306,7 @@ TEST(NearestOnEdge, is_found_on_every_kind_of_curve) {
 TEST(FindPanel, by_name) {
     const sim::Pattern pattern = two_squares();
     EXPECT_EQ(find_panel(pattern, "right"), 1);
-    EXPECT_THROW(find_panel(pattern, "wrong"), DraftError);
+    EXPECT_THROW(find_panel(pattern, "wrong"), GeometryError);
 }
 
 }  // namespace

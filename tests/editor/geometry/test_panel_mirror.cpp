@@ -109,7 +109,7 @@ TEST(SymmetricCopy, of_a_linked_image_is_not_linked) {
     sim::Pattern pattern = with_sleeve(false);
     symmetric_copy(pattern, 0, true, {1, 0});
     EXPECT_EQ(pattern.panels[1].mirror_of, "left_sleeve");
-    EXPECT_THROW(symmetric_copy(pattern, 1, true, {1, 0}), DraftError);
+    EXPECT_THROW(symmetric_copy(pattern, 1, true, {1, 0}), GeometryError);
     EXPECT_EQ(symmetric_copy(pattern, 1, false, {1, 0}), 2);
     EXPECT_EQ(pattern.panels[2].name, "left_sleeve_2");
     EXPECT_TRUE(pattern.panels[2].vertices == pattern.panels[0].vertices);
@@ -278,7 +278,7 @@ TEST(UpdateMirrors, ends_where_splits_would_go_on_for_ever) {
         update_mirrors(pattern, before);
         EXPECT_TRUE(can_be_saved(pattern));
         EXPECT_LT(pattern.panels[0].edges.size(), 30U);
-    } catch (const DraftError&) {
+    } catch (const GeometryError&) {
         EXPECT_TRUE(pattern == split);
     }
 }

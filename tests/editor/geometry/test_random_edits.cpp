@@ -86,11 +86,11 @@ class Drafter {
             try {
                 merge_panels(pattern, i);
                 return;
-            } catch (const DraftError&) {
+            } catch (const GeometryError&) {
                 ASSERT_TRUE(pattern == before);
             }
         }
-        throw DraftError("no two panels can be joined");
+        throw GeometryError("no two panels can be joined");
     }
 
     double number(double low, double high) { return low + (high - low) * below(10001) / 10000.0; }
@@ -196,7 +196,7 @@ TEST_P(RandomDrafts, are_sound_or_refused) {
                 drafter.draft(pattern, operation);
                 ++done[static_cast<std::size_t>(operation)];
                 if (pattern.panels.empty()) pattern = shipped_pattern(GetParam());
-            } catch (const DraftError& error) {
+            } catch (const GeometryError& error) {
                 ++refused;
                 ASSERT_TRUE(pattern == before) << what << ": " << error.what();
                 continue;
@@ -206,7 +206,7 @@ TEST_P(RandomDrafts, are_sound_or_refused) {
             try {
                 update_mirrors(pattern, before);
                 ASSERT_TRUE(can_be_saved(pattern)) << what << ", mirrored";
-            } catch (const DraftError& error) {
+            } catch (const GeometryError& error) {
                 ASSERT_TRUE(pattern == unlinked) << what << ": " << error.what();
                 pattern = before;  // as a document does
             }

@@ -19,17 +19,17 @@ TEST(SewEdges, adds_a_seam_once) {
     EXPECT_EQ(sew_edges(pattern, {{0, 1}, {1, 3}, true}), 0);
     EXPECT_EQ(sew_edges(pattern, {{0, 0}, {0, 2}, false}), 1);
     const sim::Pattern before = pattern;
-    EXPECT_THROW(sew_edges(pattern, {{0, 1}, {1, 0}, true}), DraftError);
-    EXPECT_THROW(sew_edges(pattern, {{1, 0}, {1, 3}, true}), DraftError);
-    EXPECT_THROW(sew_edges(pattern, {{1, 0}, {1, 0}, true}), DraftError);
-    EXPECT_THROW(sew_edges(pattern, {{1, 0}, {2, 0}, true}), DraftError);
+    EXPECT_THROW(sew_edges(pattern, {{0, 1}, {1, 0}, true}), GeometryError);
+    EXPECT_THROW(sew_edges(pattern, {{1, 0}, {1, 3}, true}), GeometryError);
+    EXPECT_THROW(sew_edges(pattern, {{1, 0}, {1, 0}, true}), GeometryError);
+    EXPECT_THROW(sew_edges(pattern, {{1, 0}, {2, 0}, true}), GeometryError);
     EXPECT_TRUE(pattern == before);
 }
 
 TEST(SewEdges, refuses_a_side_over_four_times_as_long) {
     sim::Pattern pattern = unsewn_squares();
     pattern.panels[1] = make_rectangle({0, 0}, {1, 0.24});
-    EXPECT_THROW(sew_edges(pattern, {{0, 1}, {1, 3}, true}), DraftError);
+    EXPECT_THROW(sew_edges(pattern, {{0, 1}, {1, 3}, true}), GeometryError);
     pattern.panels[1] = make_rectangle({0, 0}, {1, 0.26});
     EXPECT_EQ(sew_edges(pattern, {{0, 1}, {1, 3}, true}), 0);
     EXPECT_DOUBLE_EQ(seam_lengths(pattern, pattern.seams[0])[0], 1);
@@ -78,15 +78,15 @@ TEST(SewRuns, parts_of_edges_are_split_off) {
 TEST(SewRuns, two_parts_of_one_edge_and_none_twice) {
     sim::Pattern pattern = unsewn_squares();
     const sim::Pattern before = pattern;
-    EXPECT_THROW(sew_runs(pattern, {{0, 1, 0, 0.6}}, {{0, 1, 0.4, 1}}, true), DraftError);
-    EXPECT_THROW(sew_runs(pattern, {{0, 1}}, {}, true), DraftError);
-    EXPECT_THROW(sew_runs(pattern, {{0, 1, 0.5, 0.5}}, {{1, 1}}, true), DraftError);
-    EXPECT_THROW(sew_runs(pattern, {{0, 1, -0.5, 0.5}}, {{1, 1, 0.2, 2}}, true), DraftError);
-    EXPECT_THROW(sew_runs(pattern, {{0, 7}}, {{1, 1}}, true), DraftError);
+    EXPECT_THROW(sew_runs(pattern, {{0, 1, 0, 0.6}}, {{0, 1, 0.4, 1}}, true), GeometryError);
+    EXPECT_THROW(sew_runs(pattern, {{0, 1}}, {}, true), GeometryError);
+    EXPECT_THROW(sew_runs(pattern, {{0, 1, 0.5, 0.5}}, {{1, 1}}, true), GeometryError);
+    EXPECT_THROW(sew_runs(pattern, {{0, 1, -0.5, 0.5}}, {{1, 1, 0.2, 2}}, true), GeometryError);
+    EXPECT_THROW(sew_runs(pattern, {{0, 7}}, {{1, 1}}, true), GeometryError);
     EXPECT_TRUE(pattern == before);
     ASSERT_EQ(sew_runs(pattern, {{0, 1, 0, 0.5}}, {{0, 1, 0.5, 1}}, true).size(), 1U);
     EXPECT_EQ(pattern.seams[0], (sim::Seam{{0, 1}, {0, 2}, true}));
-    EXPECT_THROW(sew_runs(pattern, {{0, 2, 0, 0.5}}, {{1, 1}}, true), DraftError);  // sewn already
+    EXPECT_THROW(sew_runs(pattern, {{0, 2, 0, 0.5}}, {{1, 1}}, true), GeometryError);  // sewn already
 }
 
 TEST(RemoveSeams, in_any_order_and_twice) {
@@ -96,7 +96,7 @@ TEST(RemoveSeams, in_any_order_and_twice) {
     ASSERT_EQ(pattern.seams.size(), 2U);
     EXPECT_EQ(pattern.seams[0].first.edge, 1);
     EXPECT_EQ(pattern.seams[1].first.edge, 3);
-    EXPECT_THROW(remove_seams(pattern, {0, 2}), DraftError);
+    EXPECT_THROW(remove_seams(pattern, {0, 2}), GeometryError);
     EXPECT_EQ(pattern.seams.size(), 2U);
 }
 

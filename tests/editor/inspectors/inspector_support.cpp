@@ -10,7 +10,7 @@ sim::PatternDocument shipped_pattern(const std::string& file) {
     return sim::load_pattern(std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / file);
 }
 
-InspectorDesk::InspectorDesk(sim::PatternDocument source, Draw draw, const DeskSize& size)
+InspectorFixture::InspectorFixture(sim::PatternDocument source, Draw draw, const WindowSize& size)
     : workspace(std::move(source), sim::SessionDrive::Caller, make_worn_mannequin),
       draw_(draw),
       size_(size),
@@ -32,11 +32,11 @@ InspectorDesk::InspectorDesk(sim::PatternDocument source, Draw draw, const DeskS
     frame();
 }
 
-InspectorDesk::~InspectorDesk() {
+InspectorFixture::~InspectorFixture() {
     ImGui::DestroyContext(imgui_);
 }
 
-void InspectorDesk::frame() {
+void InspectorFixture::frame() {
     ImGui::SetCurrentContext(imgui_);
     output = {};
     widgets.clear();
@@ -58,12 +58,12 @@ void InspectorDesk::frame() {
     ImGui::Render();
 }
 
-void InspectorDesk::click(const std::string& name) {
+void InspectorFixture::click(const std::string& name) {
     drag(name, 0);
     let_go();
 }
 
-void InspectorDesk::drag(const std::string& name, float by_px) {
+void InspectorFixture::drag(const std::string& name, float by_px) {
     const Vec2f at = widgets.at(name).centre();
     ImGuiIO& io = ImGui::GetIO();
     io.MousePos = {at.x(), at.y()};
@@ -75,18 +75,18 @@ void InspectorDesk::drag(const std::string& name, float by_px) {
     frame();
 }
 
-void InspectorDesk::let_go() {
+void InspectorFixture::let_go() {
     ImGui::GetIO().MouseDown[0] = false;
     frame();
     frame();
 }
 
-void InspectorDesk::type(const std::string& text) {
+void InspectorFixture::type(const std::string& text) {
     ImGui::GetIO().AddInputCharactersUTF8(text.c_str());
     frame();
 }
 
-void InspectorDesk::key(ImGuiKey key) {
+void InspectorFixture::key(ImGuiKey key) {
     ImGui::GetIO().KeysDown[key] = true;
     frame();
     ImGui::GetIO().KeysDown[key] = false;

@@ -10,19 +10,19 @@ namespace selvedge::editor {
 
 sim::PatternDocument shipped_pattern(const std::string& file);
 
-struct DeskSize {
+struct WindowSize {
     float width_px = 300;
     float scale = 1;
 };
 
-class InspectorDesk {
+class InspectorFixture {
  public:
     using Draw = void (*)(InspectorContext& context);
 
-    InspectorDesk(sim::PatternDocument source, Draw draw, const DeskSize& size = {});
-    ~InspectorDesk();
-    InspectorDesk(const InspectorDesk&) = delete;
-    InspectorDesk& operator=(const InspectorDesk&) = delete;
+    InspectorFixture(sim::PatternDocument source, Draw draw, const WindowSize& size = {});
+    ~InspectorFixture();
+    InspectorFixture(const InspectorFixture&) = delete;
+    InspectorFixture& operator=(const InspectorFixture&) = delete;
 
     void show(Draw draw) { draw_ = draw; }
     void frame();
@@ -46,7 +46,7 @@ class InspectorDesk {
 
  private:
     Draw draw_;
-    DeskSize size_;
+    WindowSize size_;
     ImGuiContext* imgui_;
     UiTexture textures_ = 1;
     float overhang_px_ = 0;

@@ -11,8 +11,8 @@
 namespace selvedge::editor {
 namespace {
 
-constexpr std::array<InspectorDesk::Draw, 6> kInspectors{draw_properties, draw_seams, draw_materials,
-                                                         draw_body,       draw_drape, draw_history};
+constexpr std::array<InspectorFixture::Draw, 6> kInspectors{draw_properties, draw_seams, draw_materials,
+                                                            draw_body,       draw_drape, draw_history};
 constexpr std::array<const char*, 5> kPatterns{"tshirt.json", "tshirt_thesis.json", "skirt.json", "poncho.json",
                                                "two_squares.json"};
 
@@ -43,15 +43,15 @@ void add_parts(Document& document) {
     document.run(SetCurve{.panel = panel, .edge = 0, .curve = arc});
 }
 
-bool is_inside(const WidgetBox& box, const DeskSize& size) {
+bool is_inside(const WidgetBox& box, const WindowSize& size) {
     return box.low.x() >= 0 && box.high.x() <= size.width_px * size.scale;
 }
 
-class AllInspectors : public testing::TestWithParam<DeskSize> {};
+class AllInspectors : public testing::TestWithParam<WindowSize> {};
 
 TEST_P(AllInspectors, stay_inside_their_window_whatever_is_selected) {
     for (const char* file : kPatterns) {
-        InspectorDesk desk(shipped_pattern(file), draw_properties, GetParam());
+        InspectorFixture desk(shipped_pattern(file), draw_properties, GetParam());
         add_parts(desk.document());
         desk.document().undo();
         for (const Selection& selected : selections(desk.document().pattern())) {
@@ -68,12 +68,14 @@ TEST_P(AllInspectors, stay_inside_their_window_whatever_is_selected) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Widths, AllInspectors,
-                         testing::Values(DeskSize{.width_px = 260, .scale = 1}, DeskSize{.width_px = 300, .scale = 2},
-                                         DeskSize{.width_px = 420, .scale = 1}, DeskSize{.width_px = 420, .scale = 2}));
+                         testing::Values(WindowSize{.width_px = 260, .scale = 1},
+                                         WindowSize{.width_px = 300, .scale = 2},
+                                         WindowSize{.width_px = 420, .scale = 1},
+                                         WindowSize{.width_px = 420, .scale = 2}));
 
 TEST(Inspectors, show_an_empty_pattern) {
-    InspectorDesk desk({}, draw_properties);
-    for (const InspectorDesk::Draw draw : kInspectors) {
+    InspectorFixture desk({}, draw_properties);
+    for (const InspectorFixture::Draw draw : kInspectors) {
         desk.show(draw);
         desk.frame();
         desk.frame();
@@ -82,7 +84,7 @@ TEST(Inspectors, show_an_empty_pattern) {
 }
 
 TEST(SeamInspector, a_click_selects_a_seam_and_the_buttons_change_it) {
-    InspectorDesk desk(shipped_pattern("tshirt.json"), draw_seams);
+    InspectorFixture desk(shipped_pattern("tshirt.json"), draw_seams);
     desk.click("seams.2");
     EXPECT_EQ(desk.document().selection().seams, std::set<int>{2});
     EXPECT_EQ(desk.workspace.hover.seam, std::optional<int>(2)) << "lights up where the cursor rests";
@@ -94,7 +96,7 @@ TEST(SeamInspector, a_click_selects_a_seam_and_the_buttons_change_it) {
 }
 
 TEST(MaterialInspector, a_click_takes_a_tartan_and_its_picture_is_made_once) {
-    InspectorDesk desk(shipped_pattern("skirt.json"), draw_materials);
+    InspectorFixture desk(shipped_pattern("skirt.json"), draw_materials);
     desk.frame();
     EXPECT_TRUE(desk.output.pictures.empty()) << "held since the first frame";
     desk.click("tartan.anderson");
@@ -102,7 +104,7 @@ TEST(MaterialInspector, a_click_takes_a_tartan_and_its_picture_is_made_once) {
 }
 
 TEST(MaterialInspector, a_threadcount_is_tried_in_the_preview_and_told_when_it_is_wrong) {
-    InspectorDesk desk(shipped_pattern("skirt.json"), draw_materials);
+    InspectorFixture desk(shipped_pattern("skirt.json"), draw_materials);
     desk.click("tartan.threadcount");
     desk.type("K8 W");
     EXPECT_FALSE(desk.state.boxes.typed.wrong.empty());
@@ -116,7 +118,7 @@ TEST(MaterialInspector, a_threadcount_is_tried_in_the_preview_and_told_when_it_i
 }
 
 TEST(MaterialInspector, stripes_are_matched_and_the_result_is_told_by_seam) {
-    InspectorDesk desk(shipped_pattern("skirt.json"), draw_materials);
+    InspectorFixture desk(shipped_pattern("skirt.json"), draw_materials);
     desk.frame();
     desk.click("material.match");
     EXPECT_EQ(desk.state.material.matched.size(), desk.document().pattern().seams.size());
@@ -124,7 +126,7 @@ TEST(MaterialInspector, stripes_are_matched_and_the_result_is_told_by_seam) {
 }
 
 TEST(HistoryInspector, a_click_goes_back_and_forth) {
-    InspectorDesk desk(shipped_pattern("skirt.json"), draw_history);
+    InspectorFixture desk(shipped_pattern("skirt.json"), draw_history);
     desk.document().run(RenamePattern{"a"});
     desk.document().run(RenamePattern{"b"});
     desk.frame();
@@ -138,7 +140,7 @@ TEST(HistoryInspector, a_click_goes_back_and_forth) {
 }
 
 TEST(BodyInspector, a_measure_becomes_the_documents_with_the_panels_moved_along) {
-    InspectorDesk desk(shipped_pattern("tshirt.json"), draw_body);
+    InspectorFixture desk(shipped_pattern("tshirt.json"), draw_body);
     desk.workspace.drape.follow(desk.document(), desk.workspace.messages);
     desk.frame();
     const double before = desk.panel(0).translation.y();
@@ -156,7 +158,7 @@ TEST(BodyInspector, a_measure_becomes_the_documents_with_the_panels_moved_along)
 }
 
 TEST(BodyInspector, a_measure_that_no_body_has_is_told_and_not_worn) {
-    InspectorDesk desk(shipped_pattern("tshirt.json"), draw_body);
+    InspectorFixture desk(shipped_pattern("tshirt.json"), draw_body);
     desk.click("body.bust");
     desk.type("12");
     desk.key(ImGuiKey_Enter);
@@ -166,7 +168,7 @@ TEST(BodyInspector, a_measure_that_no_body_has_is_told_and_not_worn) {
 }
 
 TEST(DrapeInspector, options_are_typed_and_switched) {
-    InspectorDesk desk(shipped_pattern("skirt.json"), draw_drape);
+    InspectorFixture desk(shipped_pattern("skirt.json"), draw_drape);
     desk.click("drape.max_level");
     desk.type("2");
     desk.key(ImGuiKey_Enter);

@@ -21,7 +21,7 @@ class NumberBoxes : public testing::Test {
         desk.frame();
     }
 
-    InspectorDesk desk;
+    InspectorFixture desk;
 };
 
 TEST_F(NumberBoxes, enter_applies_an_expression_as_one_entry_of_the_history) {
@@ -64,9 +64,9 @@ TEST_F(NumberBoxes, arrow_keys_step_and_are_one_entry_together) {
     desk.key(ImGuiKey_UpArrow);
     desk.key(ImGuiKey_UpArrow);
     EXPECT_NEAR(desk.panel(0).translation.y(), 0.788, kNear) << "seen at once";
-    EXPECT_TRUE(desk.document().is_attempting());
+    EXPECT_TRUE(desk.document().is_previewing());
     desk.key(ImGuiKey_Enter);
-    EXPECT_FALSE(desk.document().is_attempting());
+    EXPECT_FALSE(desk.document().is_previewing());
     EXPECT_EQ(desk.document().history().size(), 1U);
     EXPECT_NEAR(desk.panel(0).translation.y(), 0.788, kNear);
 }
@@ -76,7 +76,7 @@ TEST_F(NumberBoxes, steps_are_taken_back_by_esc) {
     desk.key(ImGuiKey_DownArrow);
     desk.key(ImGuiKey_Escape);
     EXPECT_NEAR(desk.panel(0).translation.y(), 0.785, kNear);
-    EXPECT_FALSE(desk.document().is_attempting());
+    EXPECT_FALSE(desk.document().is_previewing());
     EXPECT_TRUE(desk.document().history().empty());
 }
 
@@ -92,10 +92,10 @@ TEST_F(NumberBoxes, what_is_no_number_is_not_taken_and_why_is_said) {
 
 TEST_F(NumberBoxes, a_label_is_dragged_and_its_change_kept_when_it_is_let_go) {
     desk.drag("drag panel.translation.y", 40);
-    EXPECT_TRUE(desk.document().is_attempting());
+    EXPECT_TRUE(desk.document().is_previewing());
     EXPECT_NEAR(desk.panel(0).translation.y(), 0.805, kNear) << "2 px to the millimetre";
     desk.let_go();
-    EXPECT_FALSE(desk.document().is_attempting());
+    EXPECT_FALSE(desk.document().is_previewing());
     EXPECT_EQ(desk.document().history().size(), 1U);
     EXPECT_NEAR(desk.panel(0).translation.y(), 0.805, kNear);
 }
@@ -113,7 +113,7 @@ TEST_F(NumberBoxes, a_box_that_goes_away_while_it_is_stepped_keeps_what_is_seen)
     desk.key(ImGuiKey_UpArrow);
     desk.document().select({});
     for (int i = 0; i < 4; ++i) desk.frame();
-    EXPECT_FALSE(desk.document().is_attempting());
+    EXPECT_FALSE(desk.document().is_previewing());
     EXPECT_EQ(desk.document().history().size(), 1U);
 }
 

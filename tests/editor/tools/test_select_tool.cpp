@@ -26,7 +26,7 @@ TEST(SelectTool, dragging_a_panel_moves_it_as_one_entry_of_the_history) {
     hands.press({0.1, 0.06});
     hands.move({0.07, 0.06});
     hands.move({0.06, -0.031});
-    EXPECT_TRUE(hands.document.is_attempting());
+    EXPECT_TRUE(hands.document.is_previewing());
     const ToolOverlay overlay = hands.overlay();
     ASSERT_EQ(overlay.readout.size(), 3U);
     EXPECT_EQ(overlay.readout[0], "dx -4.0 cm");
@@ -60,7 +60,7 @@ TEST(SelectTool, escape_in_a_drag_puts_all_back) {
     EXPECT_LT(hands.vertex("left", 0).norm(), 1e-9);
     hands.release({0.1, 0.15});
     EXPECT_EQ(hands.document.position(), 0U);
-    EXPECT_FALSE(hands.document.is_attempting());
+    EXPECT_FALSE(hands.document.is_previewing());
 }
 
 TEST(SelectTool, an_alt_drag_leaves_a_copy) {

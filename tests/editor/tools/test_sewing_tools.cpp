@@ -114,8 +114,8 @@ TEST(FreeSewingTool, runs_are_put_in_the_outlines_order) {
     ASSERT_EQ(run.spans.size(), 2U);
     EXPECT_EQ(run.spans[0], (SpanRef{"a", 1, 0.4, 1}));
     EXPECT_EQ(run.spans[1], (SpanRef{"a", 2, 0, 1}));
-    EXPECT_THROW(run_of({{{"a", 2}, 1, 0}, {{"a", 3}, 0, 1}}), DraftError);
-    EXPECT_THROW(run_of({}), DraftError);
+    EXPECT_THROW(run_of({{{"a", 2}, 1, 0}, {{"a", 3}, 0, 1}}), GeometryError);
+    EXPECT_THROW(run_of({}), GeometryError);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ class SheetHands {
     Messages messages;
     ToolHost tools;
 
-    ToolDesk desk() { return {document, hover, messages}; }
+    ToolHostContext desk() { return {document, hover, messages}; }
     const sim::Pattern& pattern() const { return document.pattern(); }
     const sim::Panel& panel(const std::string& name) const;
     Vec2d vertex(const std::string& panel, int index);  // on the sheet

@@ -11,21 +11,21 @@ namespace {
 const Vec3f kMiddle(0, 1, 0.3F);  // of the panel
 
 // The panel is selected, and its gizmo stands.
-FittingDesk& chosen(FittingDesk& desk) {
+ViewportFixture& chosen(ViewportFixture& desk) {
     desk.click(desk.seen(kMiddle + Vec3f(-0.17F, 0.17F, 0)));
     EXPECT_TRUE(desk.hand().gizmo().has_value());
     return desk;
 }
 
-TEST(FittingHand, shows_the_panel_as_it_is_placed) {
-    FittingDesk desk;
+TEST(ViewportController, shows_the_panel_as_it_is_placed) {
+    ViewportFixture desk;
     EXPECT_TRUE(desk.hand().garment().is_placed());
     ASSERT_FALSE(desk.hand().garment().mesh().x.empty());
     for (const Vec3f& x : desk.hand().garment().mesh().x) EXPECT_NEAR(x.z(), 0.3F, 1e-6F);
 }
 
-TEST(FittingHand, the_panel_under_the_cursor_is_hovered_and_a_click_selects_it) {
-    FittingDesk desk;
+TEST(ViewportController, the_panel_under_the_cursor_is_hovered_and_a_click_selects_it) {
+    ViewportFixture desk;
     desk.move_to(desk.seen(kMiddle));
     EXPECT_EQ(desk.workspace().hover.panel, "square");
     desk.click(desk.seen(kMiddle));
@@ -35,8 +35,8 @@ TEST(FittingHand, the_panel_under_the_cursor_is_hovered_and_a_click_selects_it) 
     EXPECT_EQ(desk.workspace().hover, Hover{});
 }
 
-TEST(FittingHand, parts_of_an_outline_are_chosen_where_they_lie_on_the_cloth) {
-    FittingDesk desk;
+TEST(ViewportController, parts_of_an_outline_are_chosen_where_they_lie_on_the_cloth) {
+    ViewportFixture desk;
     desk.choice = ClothChoice::Parts;
     desk.move_to(desk.seen(kMiddle + Vec3f(0.2F, 0.02F, 0)) + Vec2f(-3, 0));
     EXPECT_EQ(desk.workspace().hover.edge, (PartRef{"square", 1}));
@@ -44,8 +44,8 @@ TEST(FittingHand, parts_of_an_outline_are_chosen_where_they_lie_on_the_cloth) {
     EXPECT_EQ(desk.document().selection().vertices, (std::set<PartRef>{{"square", 2}}));
 }
 
-TEST(FittingHand, an_arrow_moves_the_panel_along_its_axis_and_makes_one_entry_of_the_history) {
-    FittingDesk desk;
+TEST(ViewportController, an_arrow_moves_the_panel_along_its_axis_and_makes_one_entry_of_the_history) {
+    ViewportFixture desk;
     chosen(desk);
     const Vec3f tip = arrow_of(*desk.hand().gizmo(), 0)[1];
     desk.move_to(desk.seen(tip));
@@ -53,16 +53,16 @@ TEST(FittingHand, an_arrow_moves_the_panel_along_its_axis_and_makes_one_entry_of
     desk.press();
     desk.move_to(desk.seen(tip + Vec3f(0.05F, 0.03F, 0)));
     desk.move_to(desk.seen(tip + Vec3f(0.1F, 0.03F, 0)));
-    EXPECT_TRUE(desk.document().is_attempting());
+    EXPECT_TRUE(desk.document().is_previewing());
     EXPECT_EQ(desk.hand().drag()->readout(), "x 10.0 cm");
     desk.release();
-    EXPECT_FALSE(desk.document().is_attempting());
+    EXPECT_FALSE(desk.document().is_previewing());
     EXPECT_NEAR((desk.panel().translation - Vec3d(0.1, 1, 0.3)).norm(), 0, 1e-4);
     EXPECT_EQ(desk.document().history().size(), 1U);
 }
 
-TEST(FittingHand, a_number_typed_during_a_drag_holds_until_it_is_let_go) {
-    FittingDesk desk;
+TEST(ViewportController, a_number_typed_during_a_drag_holds_until_it_is_let_go) {
+    ViewportFixture desk;
     chosen(desk);
     const Vec3f tip = arrow_of(*desk.hand().gizmo(), 1)[1];
     desk.move_to(desk.seen(tip));
@@ -76,8 +76,8 @@ TEST(FittingHand, a_number_typed_during_a_drag_holds_until_it_is_let_go) {
     EXPECT_NEAR(desk.panel().translation.y(), 1.12, 1e-9);
 }
 
-TEST(FittingHand, escape_takes_a_drag_back) {
-    FittingDesk desk;
+TEST(ViewportController, escape_takes_a_drag_back) {
+    ViewportFixture desk;
     chosen(desk);
     const Vec3f tip = arrow_of(*desk.hand().gizmo(), 1)[1];
     desk.move_to(desk.seen(tip));
@@ -90,8 +90,8 @@ TEST(FittingHand, escape_takes_a_drag_back) {
     EXPECT_TRUE(desk.document().history().empty());
 }
 
-TEST(FittingHand, a_ring_turns_the_panel_about_its_middle) {
-    FittingDesk desk;
+TEST(ViewportController, a_ring_turns_the_panel_about_its_middle) {
+    ViewportFixture desk;
     chosen(desk);
     const Gizmo gizmo = *desk.hand().gizmo();
     const float radius = kRingRadius * gizmo.reach;
@@ -110,8 +110,8 @@ TEST(FittingHand, a_ring_turns_the_panel_about_its_middle) {
     EXPECT_NEAR((desk.panel().place({0, 0}) - Vec3d(0, 1, 0.3)).norm(), 0, 1e-6);
 }
 
-TEST(FittingHand, a_panel_that_is_taken_itself_follows_the_cursor) {
-    FittingDesk desk;
+TEST(ViewportController, a_panel_that_is_taken_itself_follows_the_cursor) {
+    ViewportFixture desk;
     const Vec3f grip = kMiddle + Vec3f(-0.15F, -0.15F, 0);
     desk.move_to(desk.seen(grip));
     desk.press();
@@ -121,8 +121,8 @@ TEST(FittingHand, a_panel_that_is_taken_itself_follows_the_cursor) {
     EXPECT_NEAR((desk.panel().translation - Vec3d(0.3, 1.1, 0.3)).norm(), 0, 1e-3);
 }
 
-TEST(FittingHand, a_click_on_an_arrangement_point_wraps_the_panel_there) {
-    FittingDesk desk;
+TEST(ViewportController, a_click_on_an_arrangement_point_wraps_the_panel_there) {
+    ViewportFixture desk;
     const Vec2f point = desk.seen({0, 1.35F, 0.2F});
     desk.move_to(point);
     EXPECT_FALSE(desk.hand().under().point) << "nothing is selected";
@@ -139,15 +139,15 @@ TEST(FittingHand, a_click_on_an_arrangement_point_wraps_the_panel_there) {
     EXPECT_EQ(desk.document().history().size(), 1U);
 }
 
-TEST(FittingHand, a_point_behind_the_cloth_cannot_be_clicked) {
-    FittingDesk desk;
+TEST(ViewportController, a_point_behind_the_cloth_cannot_be_clicked) {
+    ViewportFixture desk;
     chosen(desk);
     desk.move_to(desk.seen({0, 1, -0.2F}));
     EXPECT_FALSE(desk.hand().under().point);
 }
 
-TEST(FittingHand, the_right_button_orbits_and_the_middle_one_pans) {
-    FittingDesk desk;
+TEST(ViewportController, the_right_button_orbits_and_the_middle_one_pans) {
+    ViewportFixture desk;
     const Standpoint before = desk.hand().orbit().standpoint();
     desk.move_to({100, 100});
     desk.press(MouseButton::Right);
@@ -164,8 +164,8 @@ TEST(FittingHand, the_right_button_orbits_and_the_middle_one_pans) {
     EXPECT_GT(desk.hand().orbit().standpoint().target.y(), before.target.y() + 0.1F);
 }
 
-TEST(FittingHand, keys_turn_the_camera_and_frame_what_is_selected) {
-    FittingDesk desk;
+TEST(ViewportController, keys_turn_the_camera_and_frame_what_is_selected) {
+    ViewportFixture desk;
     desk.key(static_cast<Key>(static_cast<int>(Key::Keypad0) + 3));
     desk.rest();
     EXPECT_NEAR(desk.hand().orbit().standpoint().azimuth, 1.5707963F, 1e-4F);
@@ -177,8 +177,8 @@ TEST(FittingHand, keys_turn_the_camera_and_frame_what_is_selected) {
     EXPECT_NEAR((desk.hand().orbit().standpoint().target - kMiddle).norm(), 0, 0.1F);
 }
 
-TEST(FittingHand, sewn_cloth_is_pulled_instead_of_moved) {
-    FittingDesk desk;
+TEST(ViewportController, sewn_cloth_is_pulled_instead_of_moved) {
+    ViewportFixture desk;
     desk.workspace().drape.session().start();
     for (int i = 0; i < 5; ++i) {
         desk.workspace().drape.session().advance(1);

@@ -18,9 +18,9 @@ class FittingSceneTest : public testing::Test {
                              .marks = marks});
     }
 
-    FittingDesk desk;
-    FittingScene scene;
-    FittingMarks marks;
+    ViewportFixture desk;
+    ViewportScene scene;
+    ViewportMarks marks;
 };
 
 TEST_F(FittingSceneTest, is_the_same_pointer_while_nothing_changes) {

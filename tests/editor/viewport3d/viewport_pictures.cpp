@@ -63,7 +63,7 @@ class BareFitting : public app::EditSurface {
     }
 
     Workspace workspace;
-    FittingView view;
+    Viewport view;
     ClothChoice choice = ClothChoice::Panels;
     double spent_ms = 0;
 

@@ -12,19 +12,19 @@ sim::Pattern square_pattern() {
     return pattern;
 }
 
-WornBody small_body(const std::string& text) {
+CurrentBody small_body(const std::string& text) {
     auto body = std::make_shared<sim::Body>();
     for (int i = 0; i < 8; ++i)
         body->x.push_back({(i & 1 ? 0.1 : -0.1), 1 + (i & 2 ? 0.1 : -0.1), (i & 4 ? 0.1 : -0.1)});
     body->triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                        {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-    WornBody worn{.text = text, .body = body, .measures = {}, .points = {}};
+    CurrentBody worn{.text = text, .body = body, .measures = {}, .points = {}};
     worn.points = {{.name = "before", .position = {0, 1.35, 0.2}, .outward = {0, 0, 1}, .radius = 0.2},
                    {.name = "behind", .position = {0, 1, -0.2}, .outward = {0, 0, -1}, .radius = 0.2}};
     return worn;
 }
 
-FittingDesk::FittingDesk(const sim::Pattern& pattern)
+ViewportFixture::ViewportFixture(const sim::Pattern& pattern)
     : workspace_({.pattern = pattern, .json = {}}, sim::SessionDrive::Caller, small_body) {
     hand_.look_from(StandardView::Front);
     rest();
@@ -32,7 +32,7 @@ FittingDesk::FittingDesk(const sim::Pattern& pattern)
     rest();
 }
 
-void FittingDesk::step(FittingInput input) {
+void ViewportFixture::step(ViewportInput input) {
     workspace_.drape.follow(document(), workspace_.messages);
     input.size_px = {800, 600};
     input.seconds = 1;
@@ -42,37 +42,37 @@ void FittingDesk::step(FittingInput input) {
     hand_.update(workspace_, input, choice);
 }
 
-void FittingDesk::move_to(const Vec2f& px) {
+void ViewportFixture::move_to(const Vec2f& px) {
     cursor_ = px;
     rest();
 }
 
-void FittingDesk::press(MouseButton button) {
-    FittingInput input;
+void ViewportFixture::press(MouseButton button) {
+    ViewportInput input;
     input.buttons[static_cast<std::size_t>(button)] = {.is_down = true, .was_pressed = true};
     step(input);
 }
 
-void FittingDesk::release(MouseButton button) {
-    FittingInput input;
+void ViewportFixture::release(MouseButton button) {
+    ViewportInput input;
     input.buttons[static_cast<std::size_t>(button)] = {.was_released = true};
     step(input);
 }
 
-void FittingDesk::click(const Vec2f& px) {
+void ViewportFixture::click(const Vec2f& px) {
     move_to(px);
     press();
     release();
 }
 
-void FittingDesk::key(Key key) {
-    FittingInput input;
+void ViewportFixture::key(Key key) {
+    ViewportInput input;
     input.keys = {key};
     step(input);
 }
 
-void FittingDesk::type(const std::string& text) {
-    FittingInput input;
+void ViewportFixture::type(const std::string& text) {
+    ViewportInput input;
     input.text = text;
     step(input);
 }

@@ -11,15 +11,15 @@ namespace selvedge::editor {
 sim::Pattern square_pattern();
 
 // A cube of 20 cm about (0, 1, 0), with the arrangement points "before" and "behind" it.
-WornBody small_body(const std::string& text);
+CurrentBody small_body(const std::string& text);
 
-class FittingDesk {
+class ViewportFixture {
  public:
-    explicit FittingDesk(const sim::Pattern& pattern = square_pattern());
+    explicit ViewportFixture(const sim::Pattern& pattern = square_pattern());
 
     Workspace& workspace() { return workspace_; }
     const Document& document() const { return *workspace_.document; }
-    FittingHand& hand() { return hand_; }
+    ViewportController& hand() { return hand_; }
     const sim::Panel& panel(std::size_t index = 0) const { return document().pattern().panels[index]; }
 
     Vec2f seen(const Vec3f& x) const { return px_of(hand_.viewing(), x).value(); }
@@ -37,10 +37,10 @@ class FittingDesk {
     ClothChoice choice = ClothChoice::Panels;
 
  private:
-    void step(FittingInput input);
+    void step(ViewportInput input);
 
     Workspace workspace_;
-    FittingHand hand_;
+    ViewportController hand_;
     Vec2f cursor_{2, 2};
 };
 

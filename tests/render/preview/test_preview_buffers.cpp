@@ -15,7 +15,7 @@ Vec3f mean_light(const Image& image) {
 
 TEST(DraftWeave, halves_down_to_one_pixel_and_keeps_its_mean_light) {
     const sim::Sett sett = sim::find_tartan("royal_stewart");
-    const std::vector<Image> sizes = draft_weave(sett);
+    const std::vector<Image> sizes = preview_weave(sett);
     EXPECT_EQ(sizes.back().width_px * sizes.back().height_px, 1);
     for (std::size_t i = 1; i < sizes.size(); ++i) EXPECT_EQ(sizes[i].width_px, (sizes[i - 1].width_px + 1) / 2);
     const Vec3f mean = 0.5F * (sum_warp(sett).mean + sum_weft(sett).mean);
@@ -24,7 +24,7 @@ TEST(DraftWeave, halves_down_to_one_pixel_and_keeps_its_mean_light) {
 
 TEST(DraftWeave, a_denim_shows_mostly_its_warp) {
     const sim::Sett sett = sim::parse_threadcount("B8 weft: W8 weave: denim");
-    const Vec3f denim = mean_light(draft_weave(sett).front());
+    const Vec3f denim = mean_light(preview_weave(sett).front());
     const Vec3f expected = 0.75F * sum_warp(sett).mean + 0.25F * sum_weft(sett).mean;
     EXPECT_LT((denim - expected).cwiseAbs().maxCoeff(), 0.01F);
 }

@@ -52,7 +52,7 @@ TEST(CurvedSurface, has_each_vertex_at_the_same_place_whatever_else_is_split) {
     std::mt19937 random(7);
     for (int round = 0; round < 20; ++round) {
         CurvedSurface surface = make_curved_surface(base, {.max_level = 3});
-        SurfaceObserver observer(surface, SurfaceObserver::Entrance::Curve);
+        SurfaceObserver observer(surface, SurfaceObserver::SpawnPosition::Curve);
         for (int i = 0; i < 5; ++i)
             adapt(surface.mesh, observer, {},
                   sim::test::RandomCriterion{.random = random, .split_share = 0.3, .rejoin_share = 0.2});

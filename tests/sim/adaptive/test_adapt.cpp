@@ -1,4 +1,4 @@
-// Hundreds of random adaptions: sound after each, back to the base mesh bit by bit, the same for the same seed.
+// Hundreds of random adaptations: sound after each, back to the base mesh bit by bit, the same for the same seed.
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <map>
@@ -171,23 +171,23 @@ void take_over(std::map<Key, Value>& old, const std::map<Key, Value>& now, const
 
 // Brings a copy up to date with nothing but what the mesh says has changed.
 void follow(Copy& copy, const Copy& now, const LeafChanges& changes) {
-    for (const VertexId v : changes.vertices_gone) EXPECT_EQ(copy.vertices.erase(v), 1U);
-    for (const EdgeId e : changes.edges_gone) {
+    for (const VertexId v : changes.vertices_removed) EXPECT_EQ(copy.vertices.erase(v), 1U);
+    for (const EdgeId e : changes.edges_removed) {
         EXPECT_EQ(copy.edges.erase(e), 1U);
         copy.hinges.erase(e);
     }
-    for (const TriangleId t : changes.triangles_gone) EXPECT_EQ(copy.triangles.erase(t), 1U);
-    for (const VertexId v : changes.vertices_come) EXPECT_TRUE(copy.vertices.insert(v).second);
-    for (const EdgeId e : changes.edges_come) EXPECT_FALSE(copy.edges.contains(e));
-    for (const TriangleId t : changes.triangles_come) EXPECT_FALSE(copy.triangles.contains(t));
+    for (const TriangleId t : changes.triangles_removed) EXPECT_EQ(copy.triangles.erase(t), 1U);
+    for (const VertexId v : changes.vertices_added) EXPECT_TRUE(copy.vertices.insert(v).second);
+    for (const EdgeId e : changes.edges_added) EXPECT_FALSE(copy.edges.contains(e));
+    for (const TriangleId t : changes.triangles_added) EXPECT_FALSE(copy.triangles.contains(t));
     for (const EdgeId e : changes.hinges_changed) EXPECT_TRUE(copy.hinges.contains(e));
-    take_over(copy.edges, now.edges, changes.edges_come);
-    take_over(copy.hinges, now.hinges, changes.edges_come);
+    take_over(copy.edges, now.edges, changes.edges_added);
+    take_over(copy.hinges, now.hinges, changes.edges_added);
     take_over(copy.hinges, now.hinges, changes.hinges_changed);
-    take_over(copy.triangles, now.triangles, changes.triangles_come);
+    take_over(copy.triangles, now.triangles, changes.triangles_added);
 }
 
-void follow_random_adaptions(const GarmentMesh& base, unsigned seed) {
+void follow_random_adaptations(const GarmentMesh& base, unsigned seed) {
     AdaptiveMesh mesh(base);
     PositionState state(base, mesh);
     std::mt19937 random(seed);
@@ -198,7 +198,7 @@ void follow_random_adaptions(const GarmentMesh& base, unsigned seed) {
         adapt(mesh, state, {}, RandomCriterion{random, eagerness, 1.0 - eagerness});
         const Copy now(mesh.leaves());
         follow(copy, now, mesh.changes());
-        changes += mesh.changes().triangles_come.size() + mesh.changes().hinges_changed.size();
+        changes += mesh.changes().triangles_added.size() + mesh.changes().hinges_changed.size();
         ASSERT_EQ(copy, now) << "seed " << seed << ", adaption " << i;
         ASSERT_TRUE(check(mesh).empty()) << check(mesh).front();
     }
@@ -206,29 +206,29 @@ void follow_random_adaptions(const GarmentMesh& base, unsigned seed) {
 }
 
 TEST(Changes, let_a_copy_of_the_lists_follow_them) {
-    for (const unsigned seed : {1U, 2U, 3U, 4U, 5U}) follow_random_adaptions(bench::make_square(), seed);
-    follow_random_adaptions(tube(5, 2), 6);
-    follow_random_adaptions(octahedron(), 7);
-    follow_random_adaptions(bow_tie(), 8);
+    for (const unsigned seed : {1U, 2U, 3U, 4U, 5U}) follow_random_adaptations(bench::make_square(), seed);
+    follow_random_adaptations(tube(5, 2), 6);
+    follow_random_adaptations(octahedron(), 7);
+    follow_random_adaptations(bow_tie(), 8);
 }
 
 TEST(Changes, are_all_of_the_lists_of_a_fresh_mesh) {
     const AdaptiveMesh mesh(bench::make_square());
-    EXPECT_EQ(mesh.changes().vertices_come.size(), 25U);
-    EXPECT_EQ(mesh.changes().edges_come.size(), 56U);
-    EXPECT_EQ(mesh.changes().triangles_come.size(), 32U);
-    EXPECT_TRUE(mesh.changes().triangles_gone.empty());
+    EXPECT_EQ(mesh.changes().vertices_added.size(), 25U);
+    EXPECT_EQ(mesh.changes().edges_added.size(), 56U);
+    EXPECT_EQ(mesh.changes().triangles_added.size(), 32U);
+    EXPECT_TRUE(mesh.changes().triangles_removed.empty());
 }
 
 TEST(Changes, are_none_when_nothing_changes) {
     AdaptiveMesh mesh(bench::make_square());
     NoState state;
     set_uniform_level(mesh, state, 1);
-    EXPECT_FALSE(mesh.changes().triangles_come.empty());
+    EXPECT_FALSE(mesh.changes().triangles_added.empty());
     set_uniform_level(mesh, state, 1);
-    EXPECT_TRUE(mesh.changes().triangles_come.empty() && mesh.changes().triangles_gone.empty());
-    EXPECT_TRUE(mesh.changes().edges_come.empty() && mesh.changes().edges_gone.empty());
-    EXPECT_TRUE(mesh.changes().vertices_come.empty() && mesh.changes().vertices_gone.empty());
+    EXPECT_TRUE(mesh.changes().triangles_added.empty() && mesh.changes().triangles_removed.empty());
+    EXPECT_TRUE(mesh.changes().edges_added.empty() && mesh.changes().edges_removed.empty());
+    EXPECT_TRUE(mesh.changes().vertices_added.empty() && mesh.changes().vertices_removed.empty());
     EXPECT_TRUE(mesh.changes().hinges_changed.empty());
 }
 
@@ -240,11 +240,11 @@ TEST(Changes, of_one_split_are_as_few_in_a_large_mesh_as_in_a_small_one) {
         EdgeId inner;
         for (const Hinge& h : mesh.hinges()) inner = h.edge;
         adapt(mesh, state, {}, ChosenEdges{{inner}});
-        EXPECT_EQ(mesh.changes().triangles_gone.size(), 2U);
-        EXPECT_EQ(mesh.changes().triangles_come.size(), 4U);
-        EXPECT_EQ(mesh.changes().edges_gone.size(), 1U);
-        EXPECT_EQ(mesh.changes().edges_come.size(), 4U);
-        EXPECT_EQ(mesh.changes().vertices_come.size(), 1U);
+        EXPECT_EQ(mesh.changes().triangles_removed.size(), 2U);
+        EXPECT_EQ(mesh.changes().triangles_added.size(), 4U);
+        EXPECT_EQ(mesh.changes().edges_removed.size(), 1U);
+        EXPECT_EQ(mesh.changes().edges_added.size(), 4U);
+        EXPECT_EQ(mesh.changes().vertices_added.size(), 1U);
         EXPECT_LE(mesh.changes().hinges_changed.size(), 4U);
     }
 }
@@ -259,10 +259,10 @@ TEST(Changes, leave_what_did_not_change_in_its_place) {
     EXPECT_EQ(moved, 2U);
 }
 
-// A run of random adaptions, now eager to split, now to rejoin. Stops the test at the first broken invariant.
-void adapt_at_random(AdaptiveMesh& mesh, PositionState& state, unsigned seed, int adaptions) {
+// A run of random adaptations, now eager to split, now to rejoin. Stops the test at the first broken invariant.
+void adapt_at_random(AdaptiveMesh& mesh, PositionState& state, unsigned seed, int adaptations) {
     std::mt19937 random(seed);
-    for (int i = 0; i < adaptions; ++i) {
+    for (int i = 0; i < adaptations; ++i) {
         const double eagerness = static_cast<double>(random() % 100) / 100.0;
         const RandomCriterion criterion{random, eagerness, 1.0 - eagerness};
         adapt(mesh, state, {}, criterion);

@@ -142,8 +142,8 @@ TEST(BaseMesh, keeps_the_indices_of_vertices_and_triangles_as_ids) {
 constexpr TriangleId kOwner{0};
 constexpr SplitMask kTwoSplits[] = {0b011, 0b110, 0b101};
 
-TEST(EitherWay, gives_the_two_configurations_of_a_state_and_their_own_diagonals) {
-    const EitherWay ways = either_way(0b011);
+TEST(AmbiguousSplit, gives_the_two_configurations_of_a_state_and_their_own_diagonals) {
+    const AmbiguousSplit ways = either_way(0b011);
     EXPECT_EQ(ways.configurations, (std::array{Configuration::C4, Configuration::C5}));
     EXPECT_EQ(ways.diagonals[0], (InternalEdge{{2, 3}}));
     EXPECT_EQ(ways.diagonals[1], (InternalEdge{{0, 4}}));
@@ -151,7 +151,7 @@ TEST(EitherWay, gives_the_two_configurations_of_a_state_and_their_own_diagonals)
         for (const Configuration c : either_way(split).configurations) EXPECT_EQ(layout(c).split, split);
     }
     for (const unsigned split : {0b000U, 0b001U, 0b010U, 0b100U, 0b111U}) {
-        EXPECT_FALSE(has_two_ways(static_cast<SplitMask>(split)));
+        EXPECT_FALSE(is_ambiguous(static_cast<SplitMask>(split)));
     }
 }
 
@@ -174,7 +174,7 @@ class Choice : public testing::Test {
 };
 
 TEST_F(Choice, by_default_is_the_least_work) {
-    EXPECT_EQ(chosen(LeastWork{}), Configuration::C4);
+    EXPECT_EQ(chosen(MinimalChange{}), Configuration::C4);
 }
 
 TEST_F(Choice, by_rest_length_takes_the_shorter_in_the_material) {

@@ -1,4 +1,4 @@
-// That an adaption allocates nothing in steady state: this program counts what operator new is asked for.
+// That an adaptation allocates nothing in steady state: this program counts what operator new is asked for.
 #include <gtest/gtest.h>
 
 #include <atomic>

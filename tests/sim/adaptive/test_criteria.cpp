@@ -293,25 +293,26 @@ struct NeverEver {
     bool vetoes(const AdaptiveMesh&, EdgeId) const { return true; }
 };
 
-TEST(Switched, asks_while_it_is_on_and_holds_its_tongue_while_it_is_off) {
+TEST(OptionalCriterion, asks_while_it_is_on_and_holds_its_tongue_while_it_is_off) {
     for (const bool is_on : {false, true}) {
         AdaptiveMesh mesh(two_triangles());
         NoState state;
         const AlwaysSplit always;
-        const AdaptReport report = adapt(mesh, state, {.max_level = 1}, Switched(is_on, always));
+        const AdaptReport report = adapt(mesh, state, {.max_level = 1}, OptionalCriterion(is_on, always));
         EXPECT_EQ(report.splits, is_on ? 5 : 0);
-        EXPECT_EQ(adapt(mesh, state, {}, Switched(false, always)).rejoins, report.splits) << "off, it agrees to all";
+        EXPECT_EQ(adapt(mesh, state, {}, OptionalCriterion(false, always)).rejoins, report.splits)
+            << "off, it agrees to all";
     }
 }
 
-TEST(Switched, a_veto_stays_a_veto) {
-    static_assert(VetoCriterion<Switched<NeverEver>> && !VetoCriterion<Switched<AlwaysSplit>>);
+TEST(OptionalCriterion, a_veto_stays_a_veto) {
+    static_assert(VetoCriterion<OptionalCriterion<NeverEver>> && !VetoCriterion<OptionalCriterion<AlwaysSplit>>);
     AdaptiveMesh mesh(two_triangles());
     NoState state;
     const NeverEver never;
-    EXPECT_EQ(adapt(mesh, state, {.max_level = 1}, AlwaysSplit{}, Switched(true, never)).splits, 0);
-    EXPECT_EQ(adapt(mesh, state, {.max_level = 1}, AlwaysSplit{}, Switched(false, never)).splits, 5);
-    EXPECT_EQ(adapt(mesh, state, {.max_level = 1}, AlwaysSplit{}, Switched(true, never)).rejoins, 5);
+    EXPECT_EQ(adapt(mesh, state, {.max_level = 1}, AlwaysSplit{}, OptionalCriterion(true, never)).splits, 0);
+    EXPECT_EQ(adapt(mesh, state, {.max_level = 1}, AlwaysSplit{}, OptionalCriterion(false, never)).splits, 5);
+    EXPECT_EQ(adapt(mesh, state, {.max_level = 1}, AlwaysSplit{}, OptionalCriterion(true, never)).rejoins, 5);
 }
 
 TEST(Buckling, splits_what_is_shorter_than_its_material_and_rejoins_what_has_its_length_back) {

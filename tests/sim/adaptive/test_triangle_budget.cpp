@@ -17,12 +17,12 @@ namespace selvedge::sim::test {
 namespace {
 
 // A sheet in waves that grow steeper to one side. A new vertex takes the mean of its neighbours' normals, as in cloth,
-// and the true one with the next adaption.
+// and the true one with the next adaptation.
 struct WavySheet {
     AdaptiveMesh mesh{bench::make_square({.columns = 12, .rows = 12, .width = 2.0, .depth = 2.0})};
     TriangleBudget budget;
     std::vector<Vec3f> x, normals;
-    std::size_t most_vertices = 0;  // at any time, also while an adaption is under way
+    std::size_t most_vertices = 0;  // at any time, also while an adaptation is under way
 
     explicit WavySheet(const BudgetOptions& options) : budget(options) {
         on_capacity(mesh.vertex_capacity());

@@ -94,7 +94,7 @@ class RandomChoices final : public Choices {
     std::mt19937 random_;
 };
 
-// 25 adaptions; how much was split and rejoined. Fails where something breaks.
+// 25 adaptations; how much was split and rejoined. Fails where something breaks.
 inline long run_seed(unsigned seed) {
     RandomChoices choices(seed);
     RandomRun run(choices);

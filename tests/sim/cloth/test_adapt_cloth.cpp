@@ -13,7 +13,7 @@
 namespace selvedge::sim::test {
 namespace {
 
-// A cloth of 1 m falls on a ball of 0.25 m, one adaption for each fourth step.
+// A cloth of 1 m falls on a ball of 0.25 m, one adaptation for each fourth step.
 class Drape : public testing::Test {
  protected:
     const SphereCollider ball_{Vec3f::Zero(), 0.25F};
@@ -26,7 +26,7 @@ class Drape : public testing::Test {
         refresh_contacts(cloth_);
     }
 
-    // One adaption and a thirtieth of a second.
+    // One adaptation and a thirtieth of a second.
     AdaptReport run_once() {
         const AdaptReport report = adapt_cloth(cloth_, ball_, options_);
         const float step_seconds = cloth_.substep * static_cast<float>(stepping_.substeps);

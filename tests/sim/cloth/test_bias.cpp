@@ -1,4 +1,4 @@
-// The biases of warp, weft and shear outlive an adaption, and bring cloth to the strain of its stiffness.
+// The biases of warp, weft and shear outlive an adaptation, and bring cloth to the strain of its stiffness.
 #include "sim/cloth/bias.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Masses, pins, speeds and bad numbers; what an adaption does to the state of the vertices.
+// Masses, pins, speeds and bad numbers; what an adaptation does to the state of the vertices.
 #include "sim/cloth/cloth.h"
 
 #include <gtest/gtest.h>

@@ -18,7 +18,7 @@ namespace {
 
 using Set = ConstraintSet<StretchBlock, StretchRecord>;
 using Corners = std::array<std::uint32_t, 3>;
-constexpr std::size_t kSparePoint = 60;
+constexpr std::size_t kDummyVertex = 60;
 
 // What a slot is filled with: its corners, and a figure of the triangle's own.
 void fill(Set& set, TriangleId t, const Corners& corners, std::uint32_t slot) {
@@ -28,13 +28,13 @@ void fill(Set& set, TriangleId t, const Corners& corners, std::uint32_t slot) {
 }
 
 void insert(Set& set, TriangleId t, const Corners& corners) {
-    set.insert(t, corners, kSparePoint, [&](std::uint32_t slot) { fill(set, t, corners, slot); });
+    set.insert(t, corners, kDummyVertex, [&](std::uint32_t slot) { fill(set, t, corners, slot); });
 }
 
 Set empty_set() {
     Set set;
     set.make(
-        std::vector<TriangleId>{}, kSparePoint, [](TriangleId t) { return t; }, [](TriangleId) { return Corners{}; },
+        std::vector<TriangleId>{}, kDummyVertex, [](TriangleId t) { return t; }, [](TriangleId) { return Corners{}; },
         [](TriangleId, std::uint32_t) {});
     return set;
 }
@@ -58,14 +58,14 @@ TEST(ConstraintSet, finds_by_its_triangle_what_was_made_and_inserted_and_not_wha
     }
     Set set;
     set.make(
-        first, kSparePoint, [](TriangleId t) { return t; }, [&](TriangleId t) { return held[t.value]; },
+        first, kDummyVertex, [](TriangleId t) { return t; }, [&](TriangleId t) { return held[t.value]; },
         [&](TriangleId t, std::uint32_t slot) { fill(set, t, held[t.value], slot); });
     std::uint32_t next = 1000;
     std::vector<std::uint32_t> gone;
     for (int i = 0; i < 3000; ++i) {
         if (random() % 2 == 0 && !held.empty()) {
             const auto one = std::next(held.begin(), static_cast<std::ptrdiff_t>(random() % held.size()));
-            set.remove(TriangleId(one->first), kSparePoint);
+            set.remove(TriangleId(one->first), kDummyVertex);
             EXPECT_EQ(set.slot_of(TriangleId(one->first)), kSpare);
             gone.push_back(one->first);
             held.erase(one);
@@ -78,14 +78,14 @@ TEST(ConstraintSet, finds_by_its_triangle_what_was_made_and_inserted_and_not_wha
         }
     }
     for (const auto& [t, corners] : held) expect_holds(set, TriangleId(t), corners);
-    const StretchBlock spare = spare_block<StretchBlock>(kSparePoint);
+    const StretchBlock spare = spare_block<StretchBlock>(kDummyVertex);
     const StretchRecord spare_of_records = spare_record<StretchRecord>();
     std::size_t used = 0;
     for (std::size_t slot = 0; slot < set.blocks.size() * kBlock; ++slot) {
         const std::size_t at = slot % kBlock;
         StretchBlock block = set.blocks[slot / kBlock];
         StretchRecord record = set.records[slot / kBlock];
-        if (block.vertices[0][at] != 4 * kSparePoint) {
+        if (block.vertices[0][at] != 4 * kDummyVertex) {
             ++used;
             continue;
         }
@@ -117,19 +117,19 @@ TEST(ConstraintSet, has_each_block_weighed_once_that_was_changed) {
         EXPECT_EQ(blocks.size(), records.size());
         weighed += blocks.size();
     };
-    set.weigh_dirty(count);
+    set.update_dirty_masses(count);
     EXPECT_EQ(weighed, 40U);
-    set.remove(TriangleId(7), kSparePoint);
-    set.weigh_dirty(count);
+    set.remove(TriangleId(7), kDummyVertex);
+    set.update_dirty_masses(count);
     EXPECT_EQ(weighed, 41U);
-    set.weigh_dirty(count);
+    set.update_dirty_masses(count);
     EXPECT_EQ(weighed, 41U);
     Set one = empty_set();
     insert(one, TriangleId(1), {1, 2, 3});
     insert(one, TriangleId(2), {4, 5, 6});  // in the same block
-    one.remove(TriangleId(1), kSparePoint);
+    one.remove(TriangleId(1), kDummyVertex);
     weighed = 0;
-    one.weigh_dirty(count);
+    one.update_dirty_masses(count);
     EXPECT_EQ(weighed, 1U);
 }
 
@@ -138,12 +138,12 @@ TEST(ConstraintSet, forgets_what_it_had_when_it_is_made_again) {
     for (std::uint32_t t = 0; t < 40; ++t) insert(set, TriangleId(t), {t, 50, 55});
     const Corners corners{1, 2, 3};
     set.make(
-        std::vector<TriangleId>{TriangleId(3)}, kSparePoint, [](TriangleId t) { return t; },
+        std::vector<TriangleId>{TriangleId(3)}, kDummyVertex, [](TriangleId t) { return t; },
         [&](TriangleId) { return corners; }, [&](TriangleId t, std::uint32_t slot) { fill(set, t, corners, slot); });
     EXPECT_EQ(set.slot_of(TriangleId(4)), kSpare);
     expect_holds(set, TriangleId(3), corners);
     std::size_t weighed = 0;
-    set.weigh_dirty([&](auto blocks, auto) { weighed += blocks.size(); });
+    set.update_dirty_masses([&](auto blocks, auto) { weighed += blocks.size(); });
     EXPECT_EQ(weighed, 1U);
 }
 

@@ -97,7 +97,7 @@ void limit_and_carry(const Cloth& cloth, const Kernels& loops, std::span<const L
     loops.limit_parents(blocks, records, floats(points));
     loops.solve_coarse_bend(bend, floats(points), 2);
     for (std::size_t below = level; below < cloth.solver.constraints.parents.size(); ++below) {
-        loops.carry_centres(cloth.solver.constraints.parents[below].centres, floats(carried), floats(points));
+        loops.restrict_centres(cloth.solver.constraints.parents[below].centres, floats(carried), floats(points));
     }
 }
 
@@ -166,8 +166,8 @@ TEST_P(KernelsAtLevel, bending_of_refined_triangles_pushes_nothing_and_turns_lit
                 Points carried = points;
                 loops().solve_coarse_bend(one, floats(points), 2);
                 for (std::size_t below = level; below < cloth.solver.constraints.parents.size(); ++below) {
-                    loops().carry_centres(cloth.solver.constraints.parents[below].centres, floats(carried),
-                                          floats(points));
+                    loops().restrict_centres(cloth.solver.constraints.parents[below].centres, floats(carried),
+                                             floats(points));
                 }
             },
             0.02);
@@ -242,10 +242,10 @@ struct Sweep {
     std::vector<ParentLevel> parents;
     std::vector<std::uint32_t> over, found;
 };
-void move_biases(const Kernels& loops, Sweep& s, CarriedStress stress) {
+void move_biases(const Kernels& loops, Sweep& s, RestrictedStress stress) {
     const BiasGains gains{.stretch = 0.1F, .shear = 0.05F};
     const StressSums sums{.above = floats(stress.above), .below = floats(stress.below), .off = floats(stress.off)};
-    for (const ParentLevel& level : s.parents) loops.carry_stress(level.limits.records, floats(stress.above));
+    for (const ParentLevel& level : s.parents) loops.restrict_stress(level.limits.records, floats(stress.above));
     loops.update_bias(s.stretch, s.records, floats(s.points), floats(s.before), gains, sums);
     for (std::size_t i = s.parents.size(); i-- > 0;) {
         loops.update_parents(s.parents[i].limits.blocks, s.parents[i].limits.records, gains, sums);
@@ -362,9 +362,9 @@ TEST(Kernels, of_avx2_and_avx512_weigh_bending_with_the_same_bits) {
     std::vector<float> inverse_masses = lists.inverse_masses;  // others than it was weighed with
     for (float& w : inverse_masses) w *= 2;
     const auto weigh = [&](const Kernels& loops, Constraints& constraints) {
-        loops.weigh_bend(constraints.bend.blocks, constraints.bend.records, inverse_masses.data());
-        loops.weigh_coarse_bend(constraints.parents[1].bend.blocks, constraints.parents[1].bend.records,
-                                lists.masses[1].data());
+        loops.update_bend_masses(constraints.bend.blocks, constraints.bend.records, inverse_masses.data());
+        loops.update_coarse_bend_masses(constraints.parents[1].bend.blocks, constraints.parents[1].bend.records,
+                                        lists.masses[1].data());
     };
     weigh(kernels(SimdLevel::Avx2), narrow);
     weigh(kernels(SimdLevel::Avx512), wide);

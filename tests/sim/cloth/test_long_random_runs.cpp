@@ -1,4 +1,4 @@
-// Anything may happen to a cloth, 10,000 adaptions long.
+// Anything may happen to a cloth, 10,000 adaptations long.
 #include <gtest/gtest.h>
 
 #include "tests/sim/cloth/random_run.h"

@@ -152,7 +152,7 @@ TEST(Resting, an_adaptation_wakes_if_it_changes_something) {
 // Leads the hand within a second, evenly; fails if a step computes nothing.
 void lead_by(HeldStrip& strip, const Vec3f& way, StepOptions options) {
     constexpr int kSteps = 120;
-    std::vector<LedVertex> led(strip.hands.size());
+    std::vector<KinematicVertex> led(strip.hands.size());
     options.led = led;
     for (int i = 0; i < kSteps; ++i) {
         for (std::size_t k = 0; k < led.size(); ++k) {
@@ -182,11 +182,11 @@ TEST(Resting, a_vertex_that_is_led_at_a_millimetre_a_second_arrives) {
     const Vec3f start = strip.cloth.x[strip.hand].head<3>();
     StepOptions options = kDamped;
     for (int i = 1; i <= 600; ++i) {
-        const LedVertex led{strip.hand, start + Vec3f(0, float(i) * 0.001F / 120, 0)};
+        const KinematicVertex led{strip.hand, start + Vec3f(0, float(i) * 0.001F / 120, 0)};
         options.led = {&led, 1};
         step(strip.cloth, nothing_near(), options);
     }
-    EXPECT_NEAR(strip.cloth.x[strip.hand].y() - start.y(), 0.005F, 2 * kLedReach);
+    EXPECT_NEAR(strip.cloth.x[strip.hand].y() - start.y(), 0.005F, 2 * kKinematicReach);
 }
 
 // From one run: one that rested for a while and one that never did, pulled in the same way afterwards.

@@ -191,7 +191,7 @@ struct Drape {
 
 struct Dropped {
     Cloth cloth;
-    float speed = 0;  // m/s, of the mean motion between two adaptions; the median of the last 15
+    float speed = 0;  // m/s, of the mean motion between two adaptations; the median of the last 15
 };
 
 // A patch dropped on the ball, adapting as a garment does.

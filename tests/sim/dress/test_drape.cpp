@@ -40,12 +40,12 @@ TEST(DrapeRun, a_cloth_at_rest_is_neither_adapted_nor_stepped) {
     ASSERT_TRUE(is_at_rest(cloth));
     ASSERT_GT(cloth.mesh.leaf_triangles().size(), cloth.mesh.base_triangle_count());
     const std::vector<Vec4f> there = cloth.x;
-    const std::uint32_t adaptions = cloth.adaptations;
+    const std::uint32_t adaptations = cloth.adaptations;
     run.forget_times();
     for (int frame = 0; frame < 60; ++frame) run.advance(cloth, ball());
     EXPECT_EQ(cloth.x, there);
-    EXPECT_EQ(cloth.adaptations, adaptions);
-    EXPECT_TRUE(run.result().adaption_ms.empty());
+    EXPECT_EQ(cloth.adaptations, adaptations);
+    EXPECT_TRUE(run.result().adaptation_ms.empty());
     EXPECT_EQ(run.result().rms_speed, 0);
 }
 
@@ -56,7 +56,7 @@ TEST(DrapeRun, rests_only_where_that_is_asked_for) {
     DrapeRun run(cloth, options);
     for (int frame = 0; frame < 300; ++frame) run.advance(cloth, ball());
     EXPECT_FALSE(is_at_rest(cloth));
-    EXPECT_EQ(run.result().adaption_ms.size(), 300U);
+    EXPECT_EQ(run.result().adaptation_ms.size(), 300U);
 }
 
 // 0.2 x 0.12 m, so 0.64 m round, from the floor up.

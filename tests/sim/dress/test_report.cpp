@@ -43,7 +43,7 @@ DressReport full_report() {
     report.contact = {.inside = 3, .deepest_m = 0.0004};
     report.stretch = {.warp_weft_p50 = 0.001, .warp_weft_p99 = 0.02, .warp_weft_max = 0.03, .shear_deg_p99 = 12};
     report.timing = {.wall_s = 9,
-                     .ms_per_adaption = 1,
+                     .ms_per_adaptation = 1,
                      .ms_per_step = 2,
                      .ms_adapt_plus_4_steps = 9,
                      .phases_s = {{"draping", 7.0}, {"sewing", 2.0}},

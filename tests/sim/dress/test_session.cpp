@@ -294,9 +294,9 @@ Vec3f nearest_vertex(const PlainMesh& mesh, const PlainMesh& other, const ClothP
     return found;
 }
 
-class SessionHands : public testing::Test {
+class SessionDrags : public testing::Test {
  protected:
-    SessionHands() {
+    SessionDrags() {
         session_.set_body(session_body());
         SessionOptions options = coarse_options();
         options.max_level = 2;
@@ -315,7 +315,7 @@ class SessionHands : public testing::Test {
     Session session_{SessionDrive::Caller};
 };
 
-TEST_F(SessionHands, a_pulled_point_comes_along_and_to_rest) {
+TEST_F(SessionDrags, a_pulled_point_comes_along_and_to_rest) {
     const auto before = session_.frame();
     const ClothPoint hem = furthest_point(*before, 0, Vec3f(0, -1, 0.2F));
     const Vec3f goal = position_of(*before, hem) + Vec3f(0, 0.05F, 0.08F);
@@ -333,7 +333,7 @@ TEST_F(SessionHands, a_pulled_point_comes_along_and_to_rest) {
 }
 
 // An editor says in each of its frames where the hand is.
-TEST_F(SessionHands, a_garment_that_a_hand_holds_still_settles_and_costs_no_steps) {
+TEST_F(SessionDrags, a_garment_that_a_hand_holds_still_settles_and_costs_no_steps) {
     const auto before = session_.frame();
     const ClothPoint hem = furthest_point(*before, 0, Vec3f(0, -1, 0.2F));
     const Vec3f goal = position_of(*before, hem) + Vec3f(0, 0.05F, 0.08F);
@@ -354,7 +354,7 @@ TEST_F(SessionHands, a_garment_that_a_hand_holds_still_settles_and_costs_no_step
     EXPECT_EQ(session_.frame()->stage, SessionStage::Draping);
 }
 
-TEST_F(SessionHands, a_pull_that_the_cloth_cannot_follow_neither_tears_it_nor_pushes_it_into_the_body) {
+TEST_F(SessionDrags, a_pull_that_the_cloth_cannot_follow_neither_tears_it_nor_pushes_it_into_the_body) {
     const auto before = session_.frame();
     const ClothPoint hem = furthest_point(*before, 0, Vec3f(0, -1, 0.2F));
     for (const Vec3f& way : {Vec3f(0, 0, 3), Vec3f(0, 0.1F, -1), Vec3f(0, -4, 0)}) {
@@ -371,7 +371,7 @@ TEST_F(SessionHands, a_pull_that_the_cloth_cannot_follow_neither_tears_it_nor_pu
     EXPECT_EQ(session_.frame()->stage, SessionStage::Settled);
 }
 
-TEST_F(SessionHands, a_pin_holds_its_point_exactly_whatever_is_pulled) {
+TEST_F(SessionDrags, a_pin_holds_its_point_exactly_whatever_is_pulled) {
     const auto before = session_.frame();
     const ClothPoint hem = furthest_point(*before, 0, Vec3f(0, -1, 0));
     session_.pin(hem);
@@ -395,7 +395,7 @@ TEST_F(SessionHands, a_pin_holds_its_point_exactly_whatever_is_pulled) {
     EXPECT_GT(nearest_to(pinned), 0);
 }
 
-TEST_F(SessionHands, a_pin_outlives_other_levels_and_an_edited_outline) {
+TEST_F(SessionDrags, a_pin_outlives_other_levels_and_an_edited_outline) {
     session_.pin(furthest_point(*session_.frame(), 0, Vec3f(1, 0, 1)));
     SessionOptions options = coarse_options();
     options.max_level = 0;
@@ -410,7 +410,7 @@ TEST_F(SessionHands, a_pin_outlives_other_levels_and_an_edited_outline) {
     EXPECT_EQ(nearest_to(session_.frame()->pins.front()), 0);
 }
 
-TEST_F(SessionHands, take_hold_of_what_was_seen_some_frames_ago) {
+TEST_F(SessionDrags, take_hold_of_what_was_seen_some_frames_ago) {
     const auto before = session_.frame();
     const ClothPoint hem = furthest_point(*before, 0, Vec3f(0, -1, 0));
     SessionOptions options = coarse_options();
@@ -428,7 +428,7 @@ TEST_F(SessionHands, take_hold_of_what_was_seen_some_frames_ago) {
     EXPECT_EQ(session_.frame()->messages.back(), "what was to be pinned is no longer there");
 }
 
-TEST_F(SessionHands, go_with_a_reset) {
+TEST_F(SessionDrags, go_with_a_reset) {
     session_.pin(furthest_point(*session_.frame(), 0, Vec3f(0, -1, 0)));
     session_.reset();
     settle(session_);

@@ -1,5 +1,5 @@
 // Where legends go: never over the figure, whatever its shape, the picture's size, and through a whole turn.
-#include "app/composition.h"
+#include "app/layout.h"
 
 #include <gtest/gtest.h>
 
@@ -40,12 +40,12 @@ sim::PlainMesh tube(const Size& size) {
 }
 
 // Opaque pixels of the figure under the legend's place, of the scene drawn without it.
-int hidden_pixels(const render::Scene& shown, const Composition& composition, const PictureOptions& options) {
+int hidden_pixels(const render::Scene& shown, const Layout& layout, const PictureOptions& options) {
     render::Scene scene = shown;
     scene.background.is_transparent = true;
     scene.has_ground = false;
     const render::Image image = render::Renderer().draw(scene, render_options(options));
-    const auto place = place_legend(*composition.legend, options.width_px, options.height_px, composition.corner);
+    const auto place = place_legend(*layout.legend, options.width_px, options.height_px, layout.corner);
     if (!place) return 0;
     int hidden = 0;
     for (int y = place->box.top; y < place->box.top + place->box.height; ++y)
@@ -54,7 +54,7 @@ int hidden_pixels(const render::Scene& shown, const Composition& composition, co
     return hidden;
 }
 
-TEST(Composition, the_legend_hides_nothing_of_the_figure) {
+TEST(Layout, the_legend_hides_nothing_of_the_figure) {
     int would_hide = 0;
     for (const Size size : {Size{1.0F, 1.0F}, {0.4F, 1.6F}, {2.0F, 0.5F}}) {
         const sim::PlainMesh mesh = tube(size);
@@ -64,10 +64,10 @@ TEST(Composition, the_legend_hides_nothing_of_the_figure) {
                 options.width_px = width;
                 options.height_px = height;
                 options.show = mode;
-                const Composition composition = compose({.garment = mesh}, options);
-                EXPECT_EQ(hidden_pixels(composition.scene, composition, options), 0)
+                const Layout layout = compose({.garment = mesh}, options);
+                EXPECT_EQ(hidden_pixels(layout.scene, layout, options), 0)
                     << size.width << " " << width << "x" << height;
-                Composition as_without = composition;
+                Layout as_without = layout;
                 options.show = render::ShowMode::Plain;
                 as_without.scene.camera = compose({.garment = mesh}, options).scene.camera;
                 as_without.corner = render::Corner::LowerLeft;
@@ -78,19 +78,19 @@ TEST(Composition, the_legend_hides_nothing_of_the_figure) {
     EXPECT_GT(would_hide, 1000) << "if nobody cared";
 }
 
-TEST(Composition, the_legend_hides_nothing_through_a_whole_turn) {
+TEST(Layout, the_legend_hides_nothing_through_a_whole_turn) {
     const sim::PlainMesh mesh = tube({1.2F, 0.8F});
     PictureOptions options;
     options.width_px = options.height_px = 256;
     options.show = render::ShowMode::Panels;
     std::vector<float> turns;
     for (int i = 0; i < 8; ++i) turns.push_back(0.78539816F * float(i));
-    const Composition composition = compose({.garment = mesh}, options, turns);
+    const Layout layout = compose({.garment = mesh}, options, turns);
     for (const float angle : turns)
-        EXPECT_EQ(hidden_pixels(turned(composition, options, angle), composition, options), 0) << angle;
+        EXPECT_EQ(hidden_pixels(turned(layout, options, angle), layout, options), 0) << angle;
 }
 
-TEST(Composition, a_figure_that_leaves_a_corner_free_is_as_large_as_without_a_legend) {
+TEST(Layout, a_figure_that_leaves_a_corner_free_is_as_large_as_without_a_legend) {
     const sim::PlainMesh mesh = tube({0.4F, 1.6F});
     PictureOptions options;
     options.width_px = options.height_px = 512;
@@ -100,7 +100,7 @@ TEST(Composition, a_figure_that_leaves_a_corner_free_is_as_large_as_without_a_le
     EXPECT_EQ(plain.eye, with_legend.eye);
 }
 
-TEST(Composition, a_camera_given_by_its_eye_is_left_as_it_is) {
+TEST(Layout, a_camera_given_by_its_eye_is_left_as_it_is) {
     const sim::PlainMesh mesh = tube({1, 1});
     PictureOptions options;
     options.show = render::ShowMode::Panels;

@@ -11,7 +11,7 @@
 
 namespace selvedge::app {
 
-struct Composition {
+struct Layout {
     render::Scene scene;
     std::optional<render::Legend> legend;
     render::Corner corner = render::Corner::LowerLeft;  // where it is drawn
@@ -20,10 +20,10 @@ struct Composition {
 
 // For a figure that turns by these angles (rad): it stays in the picture, and clear of the legend, at all of them.
 // Throws InputError when nothing is left to draw, or the mode asks for what is not there.
-Composition compose(const Sitter& sitter, const PictureOptions& options, const std::vector<float>& turns = {0});
+Layout compose(const RenderSubject& sitter, const PictureOptions& options, const std::vector<float>& turns = {0});
 
 // The scene after a turn, its lights with the camera.
-render::Scene turned(const Composition& composition, const PictureOptions& options, float angle);
+render::Scene turned(const Layout& layout, const PictureOptions& options, float angle);
 
 // One picture of the scene, with the legend.
 render::RenderOptions render_options(const PictureOptions& options);

@@ -1,4 +1,4 @@
-#include "sim/dress/hands.h"
+#include "sim/dress/drag_constraint.h"
 
 #include <algorithm>
 #include <utility>
@@ -55,25 +55,25 @@ float share_of_way(const Cloth& cloth, VertexId v, const Vec3f& way) {
 
 }  // namespace
 
-void Hands::pull(const MaterialPoint& at, const Vec3f& to) {
+void DragConstraint::pull(const MaterialPoint& at, const Vec3f& to) {
     grip_ = Grip{.held = {.at = at}, .goal = to};
     has_news_ = true;
 }
 
-bool Hands::pull_to(const Vec3f& to) {
+bool DragConstraint::pull_to(const Vec3f& to) {
     if (!grip_ || grip_->goal == to) return false;
     grip_->goal = to;
     has_news_ = true;
     return true;
 }
 
-void Hands::forget_vertices() {
+void DragConstraint::forget_vertices() {
     held_.clear();
     for (Held& pin : pins_) pin.vertex = {};
     if (grip_) grip_->held.vertex = {};
 }
 
-bool Hands::take_hold(Cloth& cloth, const std::vector<int>& base_pins) {
+bool DragConstraint::take_hold(Cloth& cloth, const std::vector<int>& base_pins) {
     if (pins_.empty() && !grip_ && held_.empty()) return false;
     const DrapedPanels draped(cloth);
     const std::vector<VertexId> before = held_;
@@ -92,16 +92,16 @@ bool Hands::take_hold(Cloth& cloth, const std::vector<int>& base_pins) {
     return true;
 }
 
-void Hands::free_all(Cloth& cloth, const std::vector<int>& base_pins) {
+void DragConstraint::free_all(Cloth& cloth, const std::vector<int>& base_pins) {
     *this = {};
     refresh_pins(cloth, base_pins, held_);
 }
 
-bool Hands::take_news() {
+bool DragConstraint::take_news() {
     return std::exchange(has_news_, false);
 }
 
-std::span<const LedVertex> Hands::lead(const Cloth& cloth, const Collider& body, float seconds) {
+std::span<const KinematicVertex> DragConstraint::lead(const Cloth& cloth, const Collider& body, float seconds) {
     led_.clear();
     if (!grip_ || !grip_->held.vertex) return led_;
     const VertexId v = grip_->held.vertex;
@@ -117,7 +117,7 @@ std::span<const LedVertex> Hands::lead(const Cloth& cloth, const Collider& body,
     return led_;
 }
 
-std::vector<Vec3f> Hands::pin_positions(const Cloth& cloth) const {
+std::vector<Vec3f> DragConstraint::pin_positions(const Cloth& cloth) const {
     std::vector<Vec3f> positions;
     for (const Held& pin : pins_) {
         if (pin.vertex) positions.emplace_back(cloth.x[pin.vertex.value].head<3>());

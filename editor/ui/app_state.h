@@ -21,7 +21,7 @@ namespace selvedge::editor {
 struct Question {
     struct Answer {
         std::string label;
-        std::function<void(Desk&)> run;
+        std::function<void(AppState&)> run;
     };
     std::string words;
     std::vector<Answer> answers;
@@ -31,9 +31,9 @@ enum class InspectorTab { Properties, Seams, Cloth, Body, Drape, History };
 enum class FocusedView { Sheet, Fitting };
 
 // Which parts of the window are there, and how large.
-struct DeskLayout {
+struct WindowLayout {
     bool has_sheet = true;
-    bool has_fitting = true;
+    bool has_viewport = true;
     bool has_inspectors = true;
     bool has_tools = true;
     float sheet_share = 0.5F;       // of the width that both views have
@@ -48,8 +48,8 @@ struct ShownFitting {
     render::Light light{};
 };
 
-struct Desk {
-    Desk(Services given, sim::SessionDrive drive);
+struct AppState {
+    AppState(Services given, sim::SessionDrive drive);
 
     Services services;
     Workspace workspace;
@@ -57,7 +57,7 @@ struct Desk {
     std::vector<Action> actions;
     Theme theme;
     Fonts fonts;
-    DeskLayout layout;
+    WindowLayout layout;
     ActionFinder finder;
     FileBrowser browser;
     std::deque<Question> questions;
@@ -72,6 +72,6 @@ struct Desk {
 };
 
 // Makes the document's changes go to the journal, beginning now.
-void begin_journal(Desk& desk);
+void begin_journal(AppState& desk);
 
 }  // namespace selvedge::editor

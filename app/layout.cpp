@@ -1,4 +1,4 @@
-#include "app/composition.h"
+#include "app/layout.h"
 
 #include <algorithm>
 #include <array>
@@ -197,7 +197,7 @@ struct Frame {
 };
 
 // A camera, and where the legend goes with it.
-struct Shot {
+struct CameraCandidate {
     render::Camera camera;
     render::Corner corner = render::Corner::LowerLeft;
     long hidden = std::numeric_limits<long>::max();  // triangles under the legend that the frame is there to show
@@ -231,20 +231,20 @@ render::PixelBox with_edge(const render::LegendPlace& place) {
 
 // The corner that is clear of the figure; else, where the camera may move, room is made for the legend, so that the
 // figure stays as large as it can; else the corner where it hides least.
-Shot clear_of_legend(const render::Camera& camera, bool may_move, const Frame& frame, const render::Legend& legend,
-                     const Silhouette& figure, const PictureOptions& options) {
-    Shot best{.camera = camera};
+CameraCandidate clear_of_legend(const render::Camera& camera, bool may_move, const Frame& frame,
+                                const render::Legend& legend, const Silhouette& figure, const PictureOptions& options) {
+    CameraCandidate best{.camera = camera};
     const auto try_corners = [&](const render::Camera& tried) {
         for (const render::Corner corner : {render::Corner::LowerLeft, render::Corner::LowerRight,
                                             render::Corner::UpperLeft, render::Corner::UpperRight}) {
             const auto place = place_legend(legend, options.width_px, options.height_px, corner);
             if (!place) return;
             const auto [cloth, body] = figure.under(with_edge(*place), tried);
-            const Shot shot{.camera = tried,
-                            .corner = corner,
-                            .hidden = cloth + (frame.holds_bodies ? body : 0),
-                            .pixel_size = pixel_size(tried, options),
-                            .beside = frame.holds_bodies ? 0 : body};
+            const CameraCandidate shot{.camera = tried,
+                                       .corner = corner,
+                                       .hidden = cloth + (frame.holds_bodies ? body : 0),
+                                       .pixel_size = pixel_size(tried, options),
+                                       .beside = frame.holds_bodies ? 0 : body};
             if (shot.cost() < best.cost()) best = shot;
         }
     };
@@ -255,7 +255,7 @@ Shot clear_of_legend(const render::Camera& camera, bool may_move, const Frame& f
     return best;
 }
 
-render::Scene bare_scene(const Sitter& sitter, const PictureOptions& options) {
+render::Scene bare_scene(const RenderSubject& sitter, const PictureOptions& options) {
     render::Scene scene;
     if (options.show == render::ShowMode::Hierarchy) return scene;
     scene.cloths.push_back(make_cloth_item(sitter.garment, options));
@@ -281,7 +281,8 @@ Frame make_frame(const render::Scene& scene, const PictureOptions& options, cons
 }
 
 // Strain and hierarchy are of the triangles that were simulated. A figure that turns is seen from all round.
-void curve(render::Scene& scene, const Sitter& sitter, const PictureOptions& options, const std::vector<float>& turns) {
+void curve(render::Scene& scene, const RenderSubject& sitter, const PictureOptions& options,
+           const std::vector<float>& turns) {
     if (wants_material(options.show) || options.show == render::ShowMode::Hierarchy) return;
     std::optional<sim::ViewPoint> view;
     if (turns.size() == 1) view = sim::ViewPoint{.eye = scene.camera.eye};
@@ -289,7 +290,7 @@ void curve(render::Scene& scene, const Sitter& sitter, const PictureOptions& opt
     mesh = drawn_mesh(mesh, sitter.body, options.surface, view);
 }
 
-std::optional<render::Legend> fill(render::Scene& scene, const Sitter& sitter, const PictureOptions& options,
+std::optional<render::Legend> fill(render::Scene& scene, const RenderSubject& sitter, const PictureOptions& options,
                                    float line_radius) {
     render::ShowFacts facts{.clearance = {}, .line_radius = line_radius};
     if (options.show == render::ShowMode::Clearance)
@@ -298,7 +299,7 @@ std::optional<render::Legend> fill(render::Scene& scene, const Sitter& sitter, c
 }
 
 // Beside or behind each other, as the picture shows them larger.
-render::Legend fill_model(render::Scene& scene, const Sitter& sitter, const PictureOptions& options,
+render::Legend fill_model(render::Scene& scene, const RenderSubject& sitter, const PictureOptions& options,
                           const std::vector<float>& turns) {
     const float line_px = 0.55F * line_scale(options);
     render::Legend legend;
@@ -338,39 +339,39 @@ render::RenderOptions render_options(const PictureOptions& options) {
             .supersample = options.supersample};
 }
 
-Composition compose(const Sitter& sitter, const PictureOptions& options, const std::vector<float>& turns) {
+Layout compose(const RenderSubject& sitter, const PictureOptions& options, const std::vector<float>& turns) {
     check_can_show(options.show, sitter.body != nullptr, sitter.hierarchy != nullptr);
     const float line_px = 2.4F * line_scale(options);
-    Composition composition;
-    render::Scene& scene = composition.scene;
+    Layout layout;
+    render::Scene& scene = layout.scene;
     scene = bare_scene(sitter, options);
-    if (options.show == render::ShowMode::Hierarchy) composition.legend = fill_model(scene, sitter, options, turns);
-    composition.axis = upright_through(scene_points(scene));
+    if (options.show == render::ShowMode::Hierarchy) layout.legend = fill_model(scene, sitter, options, turns);
+    layout.axis = upright_through(scene_points(scene));
 
-    const Frame frame = make_frame(scene, options, composition.axis, turns);
+    const Frame frame = make_frame(scene, options, layout.axis, turns);
     const bool is_placed = options.camera && options.camera->eye_and_target;
-    scene.camera = is_placed ? camera_at(*options.camera->eye_and_target,
-                                         at_all_turns(scene_points(scene), composition.axis, turns))
-                             : frame.camera();
+    scene.camera =
+        is_placed ? camera_at(*options.camera->eye_and_target, at_all_turns(scene_points(scene), layout.axis, turns))
+                  : frame.camera();
     curve(scene, sitter, options, turns);
     if (options.show != render::ShowMode::Hierarchy)
-        composition.legend = fill(scene, sitter, options, line_px * pixel_size(scene.camera, options));
-    if (composition.legend) {
-        const Silhouette figure(scene, options, composition.axis, turns);
-        const Shot shot =
-            clear_of_legend(scene.camera, !is_placed && !frame.is_detail, frame, *composition.legend, figure, options);
+        layout.legend = fill(scene, sitter, options, line_px * pixel_size(scene.camera, options));
+    if (layout.legend) {
+        const Silhouette figure(scene, options, layout.axis, turns);
+        const CameraCandidate shot =
+            clear_of_legend(scene.camera, !is_placed && !frame.is_detail, frame, *layout.legend, figure, options);
         scene.camera = shot.camera;
-        composition.corner = shot.corner;
+        layout.corner = shot.corner;
     }
     set_light(scene, options);
     scene.background.is_transparent = options.is_transparent;
     set_ground(scene);
-    return composition;
+    return layout;
 }
 
-render::Scene turned(const Composition& composition, const PictureOptions& options, float angle) {
-    render::Scene scene = composition.scene;
-    scene.camera = turned(scene.camera, angle, composition.axis);
+render::Scene turned(const Layout& layout, const PictureOptions& options, float angle) {
+    render::Scene scene = layout.scene;
+    scene.camera = turned(scene.camera, angle, layout.axis);
     set_light(scene, options);
     return scene;
 }

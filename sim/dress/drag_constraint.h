@@ -1,7 +1,7 @@
 #pragma once
 // Hands on a drape: pins hold single vertices where they are, and one vertex may be pulled along.
 //
-// They hold places of the material; which vertex that is follows anew after each adaption, for a vertex may be gone.
+// They hold places of the material; which vertex that is follows anew after each adaptation, for a vertex may be gone.
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace selvedge::sim {
 
-class Hands {
+class DragConstraint {
  public:
     void pin(const MaterialPoint& at) { pins_.push_back({.at = at}); }
     void unpin_all() { pins_.clear(); }
@@ -45,7 +45,7 @@ class Hands {
 
     // Where the pulled vertex is led in the next seconds: towards its goal, no faster than a hand, not into the body,
     // and no farther than the cloth about it gives.
-    std::span<const LedVertex> lead(const Cloth& cloth, const Collider& body, float seconds);
+    std::span<const KinematicVertex> lead(const Cloth& cloth, const Collider& body, float seconds);
 
     std::vector<Vec3f> pin_positions(const Cloth& cloth) const;  // m
 
@@ -62,7 +62,7 @@ class Hands {
     std::vector<Held> pins_;
     std::optional<Grip> grip_;
     std::vector<VertexId> held_;  // by pins, then by the grip
-    std::vector<LedVertex> led_;
+    std::vector<KinematicVertex> led_;
     bool has_news_ = false;
 };
 
