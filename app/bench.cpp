@@ -2,6 +2,7 @@
 #include "app/bench.h"
 
 #include <unistd.h>
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <memory>

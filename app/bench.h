@@ -1,10 +1,13 @@
 #pragma once
 // The subcommands of `selvedge bench`. Each function adds one, in a file of its own; its callback stores the exit code.
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "bench/support/table.h"
+
+namespace CLI {
+class App;
+}
 
 namespace selvedge::app {
 

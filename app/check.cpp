@@ -1,4 +1,5 @@
 // selvedge check FILE...: one line for every fault of garment files.
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <string>

@@ -1,7 +1,10 @@
 #pragma once
 // The subcommands of the program. Each function adds one to the command line; its callback stores the exit code:
 // 0 done, 1 differences or warnings, 2 wrong input, 3 dressed with a fault.
-#include <CLI/CLI.hpp>
+
+namespace CLI {
+class App;
+}
 
 namespace selvedge::app {
 

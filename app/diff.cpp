@@ -1,4 +1,5 @@
 // selvedge diff A.png B.png: are two pictures the same, and if not, where do they differ?
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 

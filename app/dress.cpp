@@ -1,6 +1,7 @@
 // selvedge dress GARMENT: puts a garment on a body, and writes its picture, its mesh and what came of it.
 #include "sim/dress/dress.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <functional>
@@ -185,7 +186,7 @@ void print_summary(const sim::DressReport& report) {
 void print_sett_note(const sim::Pattern& pattern, const PictureOptions& picture) {
     if (!pattern.matched_sett) return;
     const sim::MatchedSett& matched = *pattern.matched_sett;
-    if (!is_sett_of(matched, sett_of(picture))) {
+    if (!is_sett_of(matched, chosen_sett(picture))) {
         std::printf(
             "note: the setts were matched for %s, repeat %.4g cm, and may not meet at the seams (selvedge match)\n",
             matched.tartan.c_str(), 100 * matched.repeat.x());
@@ -213,7 +214,7 @@ int run(DressArguments arguments) {
     report.notes.insert(report.notes.begin(), wearer.notes.begin(), wearer.notes.end());
 
     arguments.picture.material =
-        material_of(sim::find_fabric(arguments.fabric.empty() ? pattern.fabric : arguments.fabric));
+        render::material_of(sim::find_fabric(arguments.fabric.empty() ? pattern.fabric : arguments.fabric));
     const Writing writing = write_outputs(arguments, dressed, wearer.body);
     if (!arguments.is_quiet) print_summary(report);
     if (!arguments.is_quiet && draws(arguments)) print_sett_note(pattern, arguments.picture);

@@ -1,4 +1,5 @@
 // selvedge edit [FILE]: the pattern editor, in a window, or played by a script without one.
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>

@@ -2,7 +2,6 @@
 // Pictures one after the other as a film: an .mp4 or .gif by ffmpeg, which reads raw frames from a pipe, or a folder of
 // PNG files.
 #include <sys/types.h>
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -13,6 +12,10 @@
 #include "app/picture.h"
 #include "render/image/image.h"
 #include "sim/core/parallel.h"
+
+namespace CLI {
+class App;
+}
 
 namespace selvedge::app {
 

@@ -53,7 +53,7 @@ sim::PlainMesh without_bad_numbers(sim::PlainMesh mesh) {
 render::ClothItem make_cloth_item(const sim::PlainMesh& garment, const PictureOptions& options) {
     render::ClothItem item;
     item.mesh = without_bad_numbers(garment);
-    item.sett = sett_of(options);
+    item.sett = chosen_sett(options);
     item.sett_position = options.sett_position.value_or(Vec2d::Zero()).cast<float>();
     item.show = options.show;
     item.material = options.material;

@@ -1,4 +1,5 @@
 // selvedge: from a pattern file to a picture of a dressed body. Subcommands live in files of their own.
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 

@@ -1,4 +1,5 @@
 // selvedge mannequin: makes a body from measurements, writes it, and prints what was asked beside what the tape reads.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>

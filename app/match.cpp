@@ -2,6 +2,7 @@
 // offsets into the garment file.
 #include "sim/tartan/match.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -85,12 +86,6 @@ std::optional<double> sett_size(const MatchArguments& arguments, const sim::Patt
     return arguments.tartan.empty() ? pattern.sett_size : std::nullopt;
 }
 
-sim::Sett sett_of(const MatchArguments& arguments, const sim::Pattern& pattern) {
-    const sim::Sett sett = sim::find_tartan(tartan_of(arguments, pattern));
-    const std::optional<double> size = sett_size(arguments, pattern);
-    return size ? with_repeat_size(sett, *size) : sett;
-}
-
 void check_arguments(const MatchArguments& arguments) {
     const std::optional<double>& size = arguments.sett_size_cm;
     if (size && !(*size >= 0.1 && *size <= 500)) throw sim::InputError("", "--sett-size", "must be from 0.1 to 500 cm");
@@ -148,7 +143,7 @@ int run(const MatchArguments& arguments) {
     check_arguments(arguments);
     sim::PatternDocument document = sim::load_pattern(arguments.garment);
     sim::Pattern& pattern = document.pattern;
-    const sim::Sett sett = sett_of(arguments, pattern);
+    const sim::Sett sett = sim::find_sett(tartan_of(arguments, pattern), sett_size(arguments, pattern));
     const sim::SettMatch match = match_sett(pattern, sett,
                                             {.first_seams = seams_of(pattern, arguments.seams),
                                              .centred_panel = centred_panel(pattern, arguments.centre, sett)});

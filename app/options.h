@@ -1,7 +1,6 @@
 #pragma once
 // The body that a garment is put on: a mannequin from measurements, or a file that others made. Shared by dress and
 // render.
-#include <CLI/CLI.hpp>
 #include <array>
 #include <filesystem>
 #include <optional>
@@ -14,6 +13,10 @@
 #include "render/surface/curved_mesh.h"
 #include "sim/body/body.h"
 #include "sim/body/load_body.h"
+
+namespace CLI {
+class App;
+}
 
 namespace selvedge::app {
 

@@ -1,5 +1,6 @@
 #include "app/picture.h"
 
+#include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
 
@@ -142,13 +143,7 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
         ->group("Picture");
 }
 
-render::Material material_of(const sim::Fabric& fabric) {
-    return {.gloss = static_cast<float>(fabric.gloss),
-            .roughness = static_cast<float>(fabric.roughness),
-            .sheen = static_cast<float>(fabric.sheen)};
-}
-
-sim::Sett sett_of(const PictureOptions& options) {
+sim::Sett chosen_sett(const PictureOptions& options) {
     const sim::Sett sett = options.sett ? *options.sett : sim::find_tartan(sim::kDefaultTartan);
     return options.sett_size ? with_repeat_size(sett, *options.sett_size) : sett;
 }

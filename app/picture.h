@@ -1,6 +1,5 @@
 #pragma once
 // From a garment and a body to a picture: the options that dress and render share, and the drawing.
-#include <CLI/CLI.hpp>
 #include <optional>
 
 #include "app/options.h"
@@ -10,6 +9,10 @@
 #include "sim/mesh/plain_mesh.h"
 #include "sim/pattern/fabric.h"
 #include "sim/tartan/sett.h"
+
+namespace CLI {
+class App;
+}
 
 namespace selvedge::app {
 
@@ -37,11 +40,8 @@ struct PictureOptions {
 // `options` must outlive the command line.
 void add_picture_options(CLI::App& command, PictureOptions& options);
 
-// How a fabric takes light.
-render::Material material_of(const sim::Fabric& fabric);
-
 // What the cloth is drawn in: the tartan that was asked for, at the size that was asked for.
-sim::Sett sett_of(const PictureOptions& options);
+sim::Sett chosen_sett(const PictureOptions& options);
 
 // Throws InputError when there is no way to draw (render/gl/context.h), or none with so many samples: to be asked
 // before long work.

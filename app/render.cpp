@@ -1,4 +1,5 @@
 // selvedge render MESH: a picture of a garment that was exported before, with or without a body.
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 
@@ -63,7 +64,9 @@ void add_render_command(CLI::App& app, int& exit_code) {
     command
         ->add_option_function<std::string>(
             "--fabric",
-            [arguments](const std::string& name) { arguments->picture.material = material_of(sim::find_fabric(name)); },
+            [arguments](const std::string& name) {
+                arguments->picture.material = render::material_of(sim::find_fabric(name));
+            },
             "A shipped fabric or a fabric file: how it takes light")
         ->type_name("NAME|FILE");
     add_picture_options(*command, arguments->picture);

@@ -29,11 +29,6 @@ auto as_geometry_error(Function&& function) {
     }
 }
 
-sim::Sett sett_of(const sim::Pattern& pattern) {
-    const sim::Sett sett = sim::find_tartan(pattern.tartan.empty() ? sim::kDefaultTartan : pattern.tartan);
-    return pattern.sett_size ? with_repeat_size(sett, *pattern.sett_size) : sett;
-}
-
 sim::Panel& panel_of(sim::Pattern& pattern, const std::string& name) {
     return pattern.panels[static_cast<std::size_t>(find_panel(pattern, name))];
 }

@@ -110,17 +110,6 @@ namespace {
 constexpr double kSnap = 1e-4;   // m, a cut that ends nearer to a vertex than this ends there
 constexpr double kApart = 0.02;  // m, of the parts on the sheet
 
-bool is_inside(const std::vector<Vec2d>& loop, const Vec2d& p) {
-    bool is_in = false;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-        const Vec2d& a = loop[i];
-        const Vec2d& b = loop[(i + 1) % loop.size()];
-        if ((a.y() > p.y()) == (b.y() > p.y())) continue;
-        if (p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) is_in = !is_in;
-    }
-    return is_in;
-}
-
 // Where along a segment, 0..1 and ascending, it meets the path.
 std::vector<double> meetings(const Vec2d& from, const Vec2d& to, const std::vector<Vec2d>& path) {
     std::vector<double> found;
@@ -266,7 +255,7 @@ class PanelCutter {
                 if (piece.points.empty()) continue;
                 const Vec2d probe =
                     (piece.points[0] + piece.points[std::min<std::size_t>(1, piece.points.size() - 1)]) / 2;
-                (is_inside(loop, probe) ? kept : taken).internal_lines.push_back(std::move(piece));
+                (sim::is_inside(probe, loop) ? kept : taken).internal_lines.push_back(std::move(piece));
             }
         }
     }

@@ -145,7 +145,7 @@ void draw_tartan_list(InspectorContext& context) {
 
 void draw_threadcount(InspectorContext& context) {
     const sim::Pattern& pattern = context.pattern();
-    const std::optional<sim::Sett> worn = sett_of(pattern);
+    const std::optional<sim::Sett> worn = valid_sett(pattern);
     const bool has_name = pattern.tartan.empty() || wrong_with_tartan(pattern.tartan).empty();
     const auto typed_now = text_box(
         context,
@@ -277,10 +277,9 @@ std::string wrong_with_tartan(const std::string& name_or_threadcount) {
     }
 }
 
-std::optional<sim::Sett> sett_of(const sim::Pattern& pattern) {
+std::optional<sim::Sett> valid_sett(const sim::Pattern& pattern) {
     try {
-        sim::Sett sett = sim::find_tartan(pattern.tartan.empty() ? sim::kDefaultTartan : pattern.tartan);
-        return pattern.sett_size ? with_repeat_size(std::move(sett), *pattern.sett_size) : sett;
+        return sett_of(pattern);
     } catch (const sim::InputError&) {
         return std::nullopt;
     }
@@ -374,7 +373,7 @@ void draw_sett_place(InspectorContext& context) {
     SetTartan command{.tartan = pattern.tartan, .size = pattern.sett_size, .position = pattern.sett_position};
     sim::Pattern plain;
     plain.tartan = pattern.tartan;
-    const std::optional<sim::Sett> sett = sett_of(plain);
+    const std::optional<sim::Sett> sett = valid_sett(plain);
     const NumberEdit size = number_row(context,
                                        {.name = "tartan.size",
                                         .value = pattern.sett_size,
@@ -425,7 +424,7 @@ void match(InspectorContext& context) {
     MaterialState& state = context.state.material;
     const std::set<int>& seams = context.selection().seams;
     const std::vector<int> first(seams.begin(), seams.end());
-    const std::optional<sim::Sett> sett = sett_of(context.pattern());
+    const std::optional<sim::Sett> sett = valid_sett(context.pattern());
     if (!sett) return;
     std::vector<sim::SeamMatch> matched = match_sett(context.pattern(), *sett, {.first_seams = first}).seams;
     if (!context.workspace.run(MatchSetts{.first_seams = first})) return;
@@ -458,7 +457,7 @@ void draw_match_table(const InspectorContext& context, const std::vector<sim::Se
 
 void draw_match(InspectorContext& context) {
     const sim::Pattern& pattern = context.pattern();
-    const std::optional<sim::Sett> sett = sett_of(pattern);
+    const std::optional<sim::Sett> sett = valid_sett(pattern);
     if (pattern.seams.empty() || !sett) return paragraph(context, "With seams between panels, stripes can be matched.");
     if (!pattern.matched_sett) {
         paragraph(context, "Nobody has matched the stripes at the seams yet.");

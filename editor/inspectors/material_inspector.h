@@ -41,7 +41,7 @@ std::string threadcount_of(const sim::Sett& sett);
 std::string wrong_with_tartan(const std::string& name_or_threadcount);
 
 // What the garment is woven in, in its size. None: its name or threadcount is wrong.
-std::optional<sim::Sett> sett_of(const sim::Pattern& pattern);
+std::optional<sim::Sett> valid_sett(const sim::Pattern& pattern);
 
 // Whether all words are in the text, in small or capital letters.
 bool has_words(const std::string& text, const std::string& words);

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "editor/geometry/panel_edit.h"
-#include "sim/mesh/planar.h"
 #include "sim/pattern/outline.h"
 
 namespace selvedge::editor {

@@ -95,9 +95,7 @@ void ViewportScene::take_cloth(const FittingSceneInput& input) {
         item.sett = *sett_;
         item.sett_position = input.pattern.sett_position.cast<float>();
         item.show = input.look.show;
-        item.material = {.gloss = static_cast<float>(made_of.gloss),
-                         .roughness = static_cast<float>(made_of.roughness),
-                         .sheen = static_cast<float>(made_of.sheen)};
+        item.material = render::material_of(made_of);
         if (input.look.has_edges) {
             if (item.show == render::ShowMode::Plain) item.show = render::ShowMode::Edges;
             item.ink = kEdgeInk;

@@ -69,4 +69,10 @@ Light even_light(const Camera& camera) {
     return light;
 }
 
+Material material_of(const sim::Fabric& fabric) {
+    return {.gloss = static_cast<float>(fabric.gloss),
+            .roughness = static_cast<float>(fabric.roughness),
+            .sheen = static_cast<float>(fabric.sheen)};
+}
+
 }  // namespace selvedge::render

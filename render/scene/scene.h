@@ -12,6 +12,7 @@
 #include "sim/body/body.h"
 #include "sim/core/math.h"
 #include "sim/mesh/plain_mesh.h"
+#include "sim/pattern/fabric.h"
 #include "sim/tartan/sett.h"
 
 namespace selvedge::render {
@@ -53,6 +54,9 @@ struct Material {
 
     bool operator==(const Material&) const = default;
 };
+
+// How a fabric takes light.
+Material material_of(const sim::Fabric& fabric);
 
 struct ClothItem {
     sim::PlainMesh mesh;

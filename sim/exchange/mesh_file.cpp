@@ -158,10 +158,6 @@ std::uint32_t part_vertex(PanelPart& part, Copies& copies, std::uint32_t vertex,
     return added;
 }
 
-std::size_t panel_of(const PlainMesh& mesh, std::size_t triangle) {
-    return mesh.panel.empty() ? 0 : mesh.panel[triangle];
-}
-
 std::string panel_name(const PlainMesh& mesh, std::size_t panel) {
     return panel < mesh.panel_names.size() ? mesh.panel_names[panel] : "panel" + std::to_string(panel);
 }

@@ -228,10 +228,6 @@ MeshReport report_mesh(const Pattern& pattern, const GarmentMesh& unsewn, const 
 
 namespace {
 
-std::uint16_t panel_of(const PlainMesh& mesh, std::size_t triangle) {
-    return mesh.panel.empty() ? std::uint16_t{0} : mesh.panel[triangle];
-}
-
 // Twice the area in the material, m^2.
 float material_area(const std::array<Vec2f, 3>& u) {
     const Vec2f a = u[1] - u[0], b = u[2] - u[0];

@@ -25,6 +25,11 @@ struct PlainMesh {
     bool operator==(const PlainMesh&) const = default;
 };
 
+// The panel of a triangle: 0 where the mesh names none.
+inline std::uint16_t panel_of(const PlainMesh& mesh, std::size_t triangle) {
+    return mesh.panel.empty() ? std::uint16_t{0} : mesh.panel[triangle];
+}
+
 // Unit normals at vertices, weighted by the area of the triangles about them; +y where there is no area.
 // Pre: indices are in range.
 std::vector<Vec3f> vertex_normals(const std::vector<Vec3f>& x,

@@ -66,18 +66,6 @@ double distance_to_outline(const Vec2d& point, std::span<const Vec2d> outline) {
     return nearest;
 }
 
-bool is_inside(const Vec2d& point, std::span<const Vec2d> outline) {
-    bool inside = false;
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Vec2d& a = outline[i];
-        const Vec2d& b = outline[(i + 1) % outline.size()];
-        if ((a.y() > point.y()) == (b.y() > point.y())) continue;
-        const double x = a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
-        if (x > point.x()) inside = !inside;
-    }
-    return inside;
-}
-
 double smallest_angle(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
     const auto angle = [](const Vec2d& at, const Vec2d& p, const Vec2d& q) {
         return std::atan2(std::abs(cross2(p - at, q - at)), (p - at).dot(q - at));

@@ -14,8 +14,6 @@ constexpr double kWeldDistance = 1e-6;
 
 double distance_to_segment(const Vec2d& point, const Vec2d& start, const Vec2d& end);
 double distance_to_outline(const Vec2d& point, std::span<const Vec2d> outline);
-bool is_inside(const Vec2d& point, std::span<const Vec2d> outline);
-
 // The angle opposite the shortest side, rad; zero where two corners coincide.
 double smallest_angle(const Vec2d& a, const Vec2d& b, const Vec2d& c);
 

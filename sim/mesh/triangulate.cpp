@@ -14,6 +14,7 @@
 #include "sim/core/error.h"
 #include "sim/mesh/planar.h"
 #include "sim/mesh/sample_outline.h"
+#include "sim/pattern/outline.h"
 
 namespace selvedge::sim {
 namespace {

@@ -292,4 +292,16 @@ std::vector<OutlineCrossing> find_outline_crossings(const Panel& panel, const Cr
     return found;
 }
 
+bool is_inside(const Vec2d& point, std::span<const Vec2d> outline) {
+    bool inside = false;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Vec2d& a = outline[i];
+        const Vec2d& b = outline[(i + 1) % outline.size()];
+        if ((a.y() > point.y()) == (b.y() > point.y())) continue;
+        const double x = a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+        if (x > point.x()) inside = !inside;
+    }
+    return inside;
+}
+
 }  // namespace selvedge::sim

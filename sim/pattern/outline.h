@@ -1,6 +1,7 @@
 #pragma once
 // The curves of an outline: points, tangents and lengths. Lines, quadratic and cubic Beziers and circular arcs are all
 // walked by arc length, so that equal steps give segments of equal length, on both sides of a seam.  (SPEC 3.1)
+#include <span>
 #include <vector>
 
 #include "sim/pattern/pattern.h"
@@ -58,5 +59,8 @@ struct CrossingSearch {
 
 // Curves are followed to 0.1 mm. The first crossing of each pair of edges. Pre: edges have length.
 std::vector<OutlineCrossing> find_outline_crossings(const Panel& panel, const CrossingSearch& search = {});
+
+// Whether a point lies inside a closed polyline, by the parity of its crossings.
+bool is_inside(const Vec2d& point, std::span<const Vec2d> outline);
 
 }  // namespace selvedge::sim

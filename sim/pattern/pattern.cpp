@@ -14,11 +14,11 @@ Vec3d Panel::place(const Vec2d& u) const {
     return rotation * local + translation;
 }
 
-namespace {
-
 const Panel& panel_of(const Pattern& pattern, const SeamSide& side) {
     return pattern.panels[static_cast<std::size_t>(side.panel)];
 }
+
+namespace {
 
 std::string side_name(const Pattern& pattern, const SeamSide& side) {
     return panel_of(pattern, side).name + "." + std::to_string(side.edge);

@@ -118,6 +118,9 @@ struct Pattern {
     bool operator==(const Pattern&) const = default;
 };
 
+// The panel that a side of a seam lies on. Pre: the pattern has it.
+const Panel& panel_of(const Pattern& pattern, const SeamSide& side);
+
 // What a seam is called. Files need not name their seams, so every seam has a name that follows from its edges, in the
 // order of its stitch: "front.3+back.1".
 

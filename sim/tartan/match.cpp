@@ -378,10 +378,6 @@ class Walk {
     std::vector<double> reached_;  // m along the edge, per point
 };
 
-const Panel& panel_of(const Pattern& pattern, const SeamSide& side) {
-    return pattern.panels[static_cast<std::size_t>(side.panel)];
-}
-
 const OutlineEdge& edge_of(const Pattern& pattern, const SeamSide& side) {
     return panel_of(pattern, side).edges[static_cast<std::size_t>(side.edge)];
 }

@@ -85,6 +85,15 @@ Sett parse_tartan(std::string_view json, const std::string& file) {
     return sett;
 }
 
+Sett find_sett(const std::string& name_or_threadcount, std::optional<double> repeat_size) {
+    const Sett sett = find_tartan(name_or_threadcount.empty() ? kDefaultTartan : name_or_threadcount);
+    return repeat_size ? with_repeat_size(sett, *repeat_size) : sett;
+}
+
+Sett sett_of(const Pattern& pattern) {
+    return find_sett(pattern.tartan, pattern.sett_size);
+}
+
 std::vector<std::string> shipped_tartans() {
     std::vector<std::string> names;
     for (const EmbeddedFile& file : tartan_files()) names.push_back(file_stem(file));

@@ -225,7 +225,7 @@ TEST(ThreadcountText, tells_what_is_wrong) {
     EXPECT_EQ(wrong_with_tartan("K8 W8"), "");
     sim::Pattern pattern;
     pattern.tartan = "K8 ?5";
-    EXPECT_FALSE(sett_of(pattern));
+    EXPECT_FALSE(valid_sett(pattern));
 }
 
 TEST(ThreadcountText, tartans_are_found_by_parts_of_their_words) {

@@ -1,26 +1,64 @@
-// The sheet as a person sees it, in the states that matter. With SELVEDGE_SHEET_PICTURES naming a folder the pictures
-// are written there, to be looked at.
+// The sheet as a person sees it, in the states that matter: what is there has its colour, where it stands. With
+// SELVEDGE_SHEET_PICTURES naming a folder the pictures are written there, to be looked at.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 
+#include "editor/sheet/sheet_pen.h"
 #include "render/image/image.h"
 #include "tests/editor/sheet/sheet_support.h"
 
 namespace selvedge::editor {
 namespace {
 
-void keep(SheetStage& stage, const std::string& name) {
-    const render::Image picture = stage.picture();
-    if (const char* folder = std::getenv("SELVEDGE_SHEET_PICTURES")) {
-        write_png(std::filesystem::path(folder) / (name + ".png"), picture);
+constexpr SheetColours kColours{};
+
+// A picture of the stage as it stands, and where its sheet lies on it.
+class SheetPicture {
+ public:
+    SheetPicture(SheetStage& stage, const std::string& name) : camera_(stage.view.camera()), image_(stage.picture()) {
+        if (const char* folder = std::getenv("SELVEDGE_SHEET_PICTURES")) {
+            write_png(std::filesystem::path(folder) / (name + ".png"), image_);
+        }
     }
-}
+
+    // Whether a pixel of nearly that colour lies within `reach` px of a place on the sheet.
+    bool shows(const render::Rgba8& colour, const Vec2d& sheet, int reach = 4) const {
+        const Vec2d px = to_px(camera_, sheet);
+        for (int y = int(px.y()) - reach; y <= int(px.y()) + reach; ++y)
+            for (int x = int(px.x()) - reach; x <= int(px.x()) + reach; ++x)
+                if (x >= 0 && y >= 0 && x < image_.width_px && y < image_.height_px && is_near(image_.at(x, y), colour))
+                    return true;
+        return false;
+    }
+
+    int pixels_of(const render::Rgba8& colour) const {
+        return int(std::count_if(image_.pixels.begin(), image_.pixels.end(),
+                                 [&](const render::Rgba8& pixel) { return is_near(pixel, colour); }));
+    }
+
+ private:
+    static bool is_near(const render::Rgba8& a, const render::Rgba8& b) {
+        constexpr int kNear = 24;  // of 255, per channel: edges are anti-aliased
+        for (std::size_t i = 0; i < 3; ++i)
+            if (std::abs(int(a[i]) - int(b[i])) > kNear) return false;
+        return true;
+    }
+
+    SheetCamera camera_;
+    render::Image image_;
+};
 
 TEST(SheetPictures, the_tshirt_framed) {
     SheetStage stage(shipped_pattern("tshirt"), {1280, 800, 1});
     stage.move({0.1, 0.1});
-    keep(stage, "tshirt");
+    const SheetPicture picture(stage, "tshirt");
+    for (const sim::Panel& panel : stage.document.pattern().panels)
+        for (int edge = 0; edge < int(panel.edges.size()); ++edge) {
+            const Vec2d middle = stage.on_edge(panel.name, edge, 0.37);
+            EXPECT_TRUE(picture.shows(kColours.ink, middle)) << panel.name << " " << edge;
+        }
+    EXPECT_EQ(picture.pixels_of(kColours.error), 0) << "no seam of it is uneven";
 }
 
 TEST(SheetPictures, an_armhole_with_selection_and_handles) {
@@ -30,9 +68,13 @@ TEST(SheetPictures, an_armhole_with_selection_and_handles) {
     camera.scale = 2600;
     stage.view.set_camera(camera);
     stage.key(key_of('Z'));
+    stage.move(stage.on_edge("front", 2, 0.5));
+    EXPECT_FALSE(SheetPicture(stage, "armhole_before").shows(kColours.accent, stage.on_edge("front", 2, 0.3)));
     stage.click(stage.on_edge("front", 2, 0.5));
     stage.move(stage.vertex("front", 2));
-    keep(stage, "armhole");
+    const SheetPicture picture(stage, "armhole");
+    EXPECT_TRUE(picture.shows(kColours.accent, stage.on_edge("front", 2, 0.3))) << "the selected edge";
+    EXPECT_TRUE(picture.shows(kColours.handle, stage.vertex("front", 2), 8)) << "a handle at its end";
 }
 
 TEST(SheetPictures, sewing_in_progress) {
@@ -41,16 +83,22 @@ TEST(SheetPictures, sewing_in_progress) {
     SheetStage stage(source, {1280, 800, 1});
     stage.key(key_of('N'));
     stage.click(stage.on_edge("front", 3, 0.2));
+    const Vec2d first = stage.on_edge("front", 3, 0.35), second = stage.on_edge("back", 5, 0.65);
+    EXPECT_FALSE(SheetPicture(stage, "sewing_before").shows(kColours.accent, second));
     stage.move(stage.on_edge("back", 5, 0.8));
-    keep(stage, "sewing");
+    const SheetPicture picture(stage, "sewing");
+    EXPECT_TRUE(picture.shows(kColours.accent, first)) << "the edge that was clicked";
+    EXPECT_TRUE(picture.shows(kColours.accent, second)) << "the one under the cursor";
 }
 
 TEST(SheetPictures, an_uneven_seam) {
     SheetStage stage(shipped_pattern("tshirt"), {1280, 800, 1});
-    stage.tools.run({stage.document, stage.hover, stage.messages}, MoveVertices{{{"front", 1}}, Vec2d(0.0, 0.008)});
     stage.key(key_of('N'));
     stage.click(stage.on_edge("front", 1, 0.2));
-    keep(stage, "uneven");
+    EXPECT_EQ(SheetPicture(stage, "even").pixels_of(kColours.error), 0);
+    stage.tools.run({stage.document, stage.hover, stage.messages}, MoveVertices{{{"front", 1}}, Vec2d(0.0, 0.008)});
+    stage.move(stage.on_edge("front", 1, 0.2));
+    EXPECT_GT(SheetPicture(stage, "uneven").pixels_of(kColours.error), 20) << "its length differs by 8 mm";
 }
 
 TEST(SheetPictures, a_polygon_with_a_typed_number) {
@@ -61,8 +109,12 @@ TEST(SheetPictures, a_polygon_with_a_typed_number) {
     stage.click({0.85, 0.45}, {.ctrl = true});
     stage.click({0.70, 0.65});
     stage.move({0.35, 0.65});
+    const int readout = SheetPicture(stage, "polygon_before").pixels_of(kColours.bubble);
     stage.type("92/4+1");
-    keep(stage, "polygon");
+    const SheetPicture picture(stage, "polygon");
+    EXPECT_TRUE(picture.shows(kColours.accent, {0.475, 0.15})) << "the first side";
+    EXPECT_TRUE(picture.shows(kColours.accent, {0.20, 0.15}, 8)) << "the point it began at";
+    EXPECT_NE(picture.pixels_of(kColours.bubble), readout) << "the readout shows what is typed";
 }
 
 }  // namespace
