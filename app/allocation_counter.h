@@ -1,5 +1,5 @@
 #pragma once
-// How often this program asked for memory: its operator new counts.
+// Counts calls of this program's operator new, per CPU thread.
 #include <cstddef>
 
 namespace selvedge::app {

@@ -1,4 +1,4 @@
-// selvedge bench EXPERIMENT: measurements that anyone can repeat, as tables.
+// selvedge bench EXPERIMENT: repeatable measurements, reported as tables.
 #include "app/bench.h"
 
 #include <unistd.h>
@@ -66,7 +66,7 @@ void add_bench_command(CLI::App& app, int& exit_code) {
     add_bench_tshirt(*command, exit_code);
 }
 
-// selvedge bench collide: what it costs to keep cloth out of bodies of many triangles.
+// selvedge bench collide: the cost of collision handling against bodies with many triangles.
 
 namespace {
 
@@ -103,7 +103,7 @@ void add_bench_collide(CLI::App& bench, int& exit_code) {
     command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
-// selvedge bench drop: cloth on a sphere, the yardstick by which cloth solvers are compared.
+// selvedge bench drop: cloth dropped on a sphere, a common benchmark of cloth solvers.
 
 namespace {
 
@@ -146,7 +146,7 @@ void add_bench_drop(CLI::App& bench, int& exit_code) {
     command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
-// selvedge bench fabric: textile tests made with virtual cloth, against theory and published figures.
+// selvedge bench fabric: virtual textile tests, compared with theory and published values.
 
 namespace {
 
@@ -199,7 +199,7 @@ void add_bench_fabric(CLI::App& bench, int& exit_code) {
     command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
-// selvedge bench picture: what a picture costs, the first and those after it.
+// selvedge bench picture: the cost of the first picture and of the following ones.
 
 namespace {
 
@@ -248,7 +248,7 @@ void add_bench_picture(CLI::App& bench, int& exit_code) {
     });
 }
 
-// selvedge bench rest: what a garment costs that has come to rest.
+// selvedge bench rest: the cost of simulating a garment at rest.
 
 namespace {
 
@@ -279,7 +279,7 @@ void add_bench_rest(CLI::App& bench, int& exit_code) {
     command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
-// selvedge bench thesis: the tables and figures of the thesis' chapters 3, 4 and 6, measured here.
+// selvedge bench thesis: the tables and figures of the thesis, measured with this program.
 
 namespace {
 
@@ -291,7 +291,7 @@ struct ThesisArguments {
     bench::ThesisOptions options;
 };
 
-constexpr std::size_t kMostRows = 24;  // of a series, printed
+constexpr std::size_t kMostRows = 24;  // printed rows of a series
 
 using Names = std::vector<std::string>;
 
@@ -426,7 +426,7 @@ void add_bench_thesis(CLI::App& bench, int& exit_code) {
     command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
-// selvedge bench tshirt: what one adaptation and four steps cost a garment on a body.
+// selvedge bench tshirt: the cost of one adaptation and four simulation steps of a garment on a body.
 
 namespace {
 

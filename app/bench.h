@@ -1,5 +1,6 @@
 #pragma once
-// The subcommands of `selvedge bench`. Each function adds one, in a file of its own; its callback stores the exit code.
+// The subcommands of `selvedge bench`, and their common output. Each add_ function adds one subcommand; its callback
+// stores the exit code.
 #include <string>
 #include <vector>
 
@@ -19,16 +20,16 @@ void add_bench_rest(CLI::App& bench, int& exit_code);
 void add_bench_thesis(CLI::App& bench, int& exit_code);
 void add_bench_tshirt(CLI::App& bench, int& exit_code);
 
-// --json FILE, which every experiment has. The path must outlive the parsing.
+// Adds --json FILE, which every experiment has. `path` must outlive the parsing.
 void add_json_option(CLI::App& command, std::string& path);
 
-// Throws InputError when the file of --json cannot be written; call it before the work begins.
+// Throws InputError if the --json file cannot be written; call it before a long experiment.
 void check_json_output(const std::string& path);
 
-// Prints one table as Markdown.
+// Prints a table to stdout as Markdown.
 void print_table(const bench::Table& table);
 
-// Writes a document to the file of --json; does nothing when there is no path.
+// Writes a document to the --json file; does nothing if the path is empty.
 void write_json_output(const std::string& path, const sim::Json& document);
 
 // {"tables": [...]}

@@ -1,4 +1,4 @@
-// selvedge check FILE...: one line for every fault of garment files.
+// selvedge check FILE...: prints one line for every fault in garment files.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
@@ -18,7 +18,7 @@ struct CheckArguments {
     bool is_strict = false;
 };
 
-// What the pattern names is looked up as dressing it would.
+// Looks up the names in the pattern in the same way as dress does.
 void add_faults_of_names(const std::string& file, std::vector<sim::Fault>& faults) {
     const sim::Pattern pattern = sim::load_pattern(file).pattern;
     try {

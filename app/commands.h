@@ -1,6 +1,6 @@
 #pragma once
-// The subcommands of the program. Each function adds one to the command line; its callback stores the exit code:
-// 0 done, 1 differences or warnings, 2 wrong input, 3 dressed with a fault.
+// The subcommands of the program. Each function adds one to the command line; its callback stores the exit code: 0
+// success, 1 differences or warnings, 2 invalid input, 3 the garment was dressed with a fault.
 
 namespace CLI {
 class App;

@@ -1,4 +1,4 @@
-// selvedge diff A.png B.png: are two pictures the same, and if not, where do they differ?
+// selvedge diff A.png B.png: compares two pictures, and shows where they differ.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>

@@ -1,4 +1,4 @@
-// selvedge dress GARMENT: puts a garment on a body, and writes its picture, its mesh and what came of it.
+// selvedge dress GARMENT: puts a garment on a body; writes pictures, meshes and a report.
 #include "sim/dress/dress.h"
 
 #include <CLI/CLI.hpp>
@@ -38,15 +38,15 @@ struct DressArguments {
     BodyOptions body;
     std::string fabric;
     sim::DressOptions dress;
-    std::optional<int> threads;  // none: as many as the machine has
+    std::optional<int> threads;  // none: one per CPU core
     bool is_quiet = false;
 
     PictureOptions picture;
     TurntableOptions turntable;
-    Path picture_file;  // an empty path: not wanted
+    Path picture_file;  // empty: no such output
     Path report_file;
     std::vector<Path> garment_files;
-    bool exports_surface = false;  // the curved surface, not the cloth's own triangles
+    bool exports_surface = false;  // exports the curved surface instead of the simulated triangles
     std::vector<Path> body_files;
 };
 
@@ -60,7 +60,7 @@ template <class T>
 CLI::Option* add_number(CLI::App& command, const std::string& name, Limits<T> limits, const std::string& help,
                         const std::function<void(T)>& take) {
     const auto check_and_take = [=](const T& value) {
-        const bool is_within = value >= limits.least && value <= limits.most;  // NaN is not
+        const bool is_within = value >= limits.least && value <= limits.most;  // false for NaN
         if (!is_within) {
             throw sim::InputError(
                 "", name,
@@ -111,7 +111,7 @@ bool draws(const DressArguments& arguments) {
     return !arguments.picture_file.empty() || !arguments.turntable.file.empty();
 }
 
-// What the command line leaves open, the pattern says.
+// Takes values that the command line does not set from the pattern.
 void fill_in(DressArguments& arguments, const sim::Pattern& pattern) {
     if (!arguments.fabric.empty()) arguments.dress.fabric = sim::find_fabric(arguments.fabric);
     PictureOptions& picture = arguments.picture;
@@ -122,13 +122,14 @@ void fill_in(DressArguments& arguments, const sim::Pattern& pattern) {
         arguments.body.source = pattern.body.empty() ? "mannequin:sex=female" : pattern.body;
 }
 
-// What became of the files that were asked for.
+// The files that were written, and the failures.
 struct Writing {
     std::vector<std::string> written;
     std::vector<std::string> failures;
 };
 
-// Every file is tried, whatever became of the others: a garment that burst has no mesh to export, yet has a report.
+// Tries to write every file, even if others fail: a garment with non-finite positions has no mesh to export, but has a
+// report.
 Writing write_outputs(const DressArguments& arguments, const sim::DressedGarment& dressed, const sim::Body& body) {
     Writing writing;
     const RenderSubject sitter{.garment = dressed.mesh, .body = &body, .hierarchy = &dressed.hierarchy};
@@ -182,7 +183,7 @@ void print_summary(const sim::DressReport& report) {
     for (const std::string& note : report.notes) std::printf("note: %s\n", note.c_str());
 }
 
-// Offsets that were found for one sett do not serve another.
+// Offsets matched for one sett are not valid for another.
 void print_sett_note(const sim::Pattern& pattern, const PictureOptions& picture) {
     if (!pattern.matched_sett) return;
     const sim::MatchedSett& matched = *pattern.matched_sett;

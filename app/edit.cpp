@@ -1,4 +1,4 @@
-// selvedge edit [FILE]: the pattern editor, in a window, or played by a script without one.
+// selvedge edit [FILE]: the pattern editor, in a window, or run by a script without one.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -57,14 +57,14 @@ std::filesystem::path state_of(const EditArguments& arguments) {
 
 void open_at_start(editor::Editor& editor, const EditArguments& arguments) {
     if (arguments.file.empty()) return;
-    sim::PatternDocument source = sim::load_pattern(arguments.file);  // a file that is wrong ends the program
+    sim::PatternDocument source = sim::load_pattern(arguments.file);  // an invalid file ends the program
     open_loaded(editor.desk(), std::move(source), arguments.file);
 }
 
 int run_window(const EditArguments& arguments) {
     const Size size = parse_size(arguments.size);
     Window window({.width = size.width, .height = size.height, .scale = arguments.scale});
-    std::unique_ptr<render::Renderer> fine;  // made when a picture is exported
+    std::unique_ptr<render::Renderer> fine;  // created when a picture is exported
     const auto draw_finely = [&](const render::Scene& scene) {
         if (!fine) fine = std::make_unique<render::Renderer>(window.context());
         return fine->draw(scene, {.width_px = 2048, .height_px = 2048});

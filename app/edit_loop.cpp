@@ -19,15 +19,15 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr unsigned kWindowFramebuffer = 0;
-constexpr double kLeastPeriod = 0.016;  // s from one frame to the next: a little under a screen's, which sets the pace
-constexpr double kIdlePeriod = 0.25;    // s: a blinking caret's, and how late news from other threads may be seen
-constexpr int kFramesToSettle = 3;      // after an event: what was pressed in one frame shows in the next
+constexpr double kLeastPeriod = 0.016;  // s, shortest frame period: slightly less than a 60 Hz screen's
+constexpr double kIdlePeriod = 0.25;    // s: the caret's blink period; limits the delay of other CPU threads' updates
+constexpr int kFramesToSettle = 3;      // frames after an event: its effect shows in the next frame
 
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Charges the time since the last lap to a part, once GL has done it. Does nothing without times.
+// Adds the time since the last lap to one part of the frame time, after GL has finished. Does nothing without `times`.
 class FrameClock {
  public:
     FrameClock(const render::GlContext& context, FrameTimes* times)
@@ -46,7 +46,7 @@ class FrameClock {
     Clock::time_point last_;
 };
 
-// What the window is to look like beside its picture; asked for again only when it changes.
+// Title and cursor of the window; sets them only when they change.
 class WindowDress {
  public:
     void put_on(Window& window, const editor::FrameOutput& output) {
@@ -59,7 +59,7 @@ class WindowDress {
     std::optional<editor::MouseCursor> cursor_;
 };
 
-// When the next frame is due, and with which events.
+// Schedules frames: waits until the next one is due and collects its events.
 class Pace {
  public:
     std::vector<editor::InputEvent> events_of_next(Window& window, bool is_animating) {
@@ -74,7 +74,7 @@ class Pace {
         return events;
     }
 
-    // Seconds since the frame before.
+    // s, since the previous frame.
     double start_frame() {
         const double seconds = started_ == Clock::time_point{} ? 1.0 / 60 : seconds_since(started_);
         started_ = Clock::now();
@@ -82,7 +82,7 @@ class Pace {
     }
 
  private:
-    Clock::time_point started_{};  // the last frame
+    Clock::time_point started_{};  // start of the last frame
     int frames_to_settle_ = kFramesToSettle;
 };
 
@@ -106,7 +106,7 @@ editor::FrameOutput FramePainter::paint(EditSurface& surface, const FrameInput& 
 }
 
 void FramePainter::draw_scene(const editor::SceneToDraw& scene) {
-    if (scene.width_px < 1 || scene.height_px < 1 || !scene.scene) return;  // a view folded away
+    if (scene.width_px < 1 || scene.height_px < 1 || !scene.scene) return;  // a collapsed view
     const auto [found, is_new] = scenes_.try_emplace(scene.texture, context_);
     SceneTexture& drawn = found->second;
     drawn.picture.resize(scene.width_px, scene.height_px);
@@ -125,7 +125,7 @@ void FramePainter::draw_scene(const editor::SceneToDraw& scene) {
     if (is_new) ui_draw_.lend(scene.texture, drawn.picture);
 }
 
-// As large as the view, so that it stands in the view's corner; where there is none, nothing but clear pixels.
+// The picture has the view's size, so that the legend appears in the view's corner; without a legend it is transparent.
 void FramePainter::hold_legend(const editor::SceneToDraw& scene, const std::optional<render::Legend>& legend) {
     editor::PictureToHold held{.texture = scene.legend,
                                .picture = render::Image(scene.width_px, scene.height_px, {0, 0, 0, 0})};
@@ -184,7 +184,7 @@ FrameTimesFile::FrameTimesFile(const std::string& path) : file_(path) {
 
 void FrameTimesFile::add(const FrameTimes& times) {
     file_ << frame_++ << ',' << times.total() << ',' << times.events_and_ui << ',' << times.scenes << ','
-          << times.ui_draw << ',' << times.swap << std::endl;  // can be read meanwhile
+          << times.ui_draw << ',' << times.swap << std::endl;  // flush: readable meanwhile
 }
 
 namespace {
@@ -198,7 +198,7 @@ sim::Body body_of(const render::BodyItem& item) {
     return body;
 }
 
-// Whether it has what its mode shows.
+// Whether the scene has the data that its mode shows.
 bool can_show(const render::Scene& scene) {
     if (scene.cloths.empty() || scene.cloths.front().mesh.triangles.empty()) return false;
     const render::ClothItem& cloth = scene.cloths.front();
@@ -235,7 +235,7 @@ struct Family {
     const char* medium;
 };
 
-// As the packages fonts-inter, fonts-noto-core and fonts-dejavu-core lay them down.
+// Paths in the packages fonts-inter, fonts-noto-core and fonts-dejavu-core.
 constexpr std::array<Family, 4> kFamilies{{
     {"opentype/inter/Inter-Regular.otf", "opentype/inter/Inter-Medium.otf"},
     {"truetype/inter/Inter-Regular.ttf", "truetype/inter/Inter-Medium.ttf"},

@@ -1,6 +1,7 @@
 #pragma once
-// Shows whatever makes frames as the editor does: in a window, or without one, for scripts and tests. Both paint in the
-// same way, so that a screenshot is what the window shows.
+// The host of the editor: draws its frames in a window, or offscreen for scripts and tests. Both use the same drawing
+// code, so a screenshot equals what the window shows. Also: frame times, value maps painted on the cloth, and the
+// interface's fonts.
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -19,9 +20,9 @@
 
 namespace selvedge::app {
 
-// Where the editor's frames take their time, as a table that `--frame-times` writes.
+// Per-frame timing of the editor; `--frame-times` writes it as a CSV file.
 
-// ms of one frame by wall clock, without waiting for the person.
+// Wall-clock time of the parts of one frame, ms, without the time spent waiting for input.
 struct FrameTimes {
     double events_and_ui = 0;
     double scenes = 0;
@@ -33,7 +34,7 @@ struct FrameTimes {
 
 class FrameTimesFile {
  public:
-    // Throws InputError when it cannot be written.
+    // Throws InputError if the file cannot be written.
     explicit FrameTimesFile(const std::string& path);
 
     void add(const FrameTimes& times);
@@ -43,8 +44,8 @@ class FrameTimesFile {
     long frame_ = 0;
 };
 
-// Scenes whose mode paints figures on the cloth (render/marks/show.h), as the editor asks for them: painted once, with
-// the legend beside them.
+// Colours the cloth of a scene whose mode maps values to colours (render/marks/show.h), and makes the legend. Caches
+// the result of the last scene.
 
 struct PaintedScene {
     std::shared_ptr<const render::Scene> scene;
@@ -53,7 +54,8 @@ struct PaintedScene {
 
 class ScenePaint {
  public:
-    // The same scene gives the same pointer. Where the mode asks for what is not there, cloth is plain.
+    // The same scene pointer returns the cached result. If the scene lacks the data that its mode requires, the cloth
+    // is drawn plain.
     const PaintedScene& painted(const std::shared_ptr<const render::Scene>& scene);
 
  private:
@@ -66,7 +68,7 @@ struct FrameInput {
     int width_px = 0;
     int height_px = 0;
     float scale = 1;     // of the interface
-    double seconds = 0;  // since the frame before; above 0
+    double seconds = 0;  // since the previous frame; must be positive
 };
 
 class EditSurface {
@@ -75,25 +77,25 @@ class EditSurface {
     EditSurface(const EditSurface&) = delete;
     EditSurface& operator=(const EditSurface&) = delete;
 
-    // One frame; ends with ImGui::Render in an ImGui context that stays the present one.
+    // Builds one frame. Ends with ImGui::Render() in an ImGui context that stays current.
     virtual editor::FrameOutput frame(const FrameInput& input) = 0;
 
  protected:
     EditSurface() = default;
 };
 
-// Draws what a frame asks for. Its context must outlive it.
+// Draws the output of a frame. The GL context must outlive it.
 class FramePainter {
  public:
     explicit FramePainter(render::GlContext& context);
 
-    // To a framebuffer of the context that has the input's size. With times given, its parts wait for GL, and are added
-    // up there.
+    // Draws to a framebuffer of the context that has the input's size. If `times` is given, waits for GL after each
+    // part and adds the durations to it.
     editor::FrameOutput paint(EditSurface& surface, const FrameInput& input, unsigned framebuffer,
                               FrameTimes* times = nullptr);
 
  private:
-    // A scene's texture, with what is kept to draw it quickly.
+    // The texture of a scene and the resources that are cached to draw it.
     struct SceneTexture {
         explicit SceneTexture(render::GlContext& context) : picture(context.gl()), draft(context) {}
         render::PictureTexture picture;
@@ -106,27 +108,28 @@ class FramePainter {
     render::GlContext& context_;
     UiDraw ui_draw_;
     std::map<editor::UiTexture, SceneTexture> scenes_;
-    std::optional<render::Renderer> renderer_;  // for what is no draft; made when it is first asked for
+    std::optional<render::Renderer> renderer_;  // for scenes that need full quality; made on first use
 };
 
 struct EditLoopOptions {
-    std::string frame_times;       // a CSV file; empty: none
-    std::optional<long> frames{};  // ends after so many; else when the surface wants to close
+    std::string frame_times;       // path of a CSV file; empty: none
+    std::optional<long> frames{};  // stop after this many frames; none: when the surface closes
 };
 
-// At most some sixty frames a second; none while nothing happens and the surface is not animating.
-// Throws InputError when the frame times cannot be written.
+// Draws at most about 60 frames per second; draws none while there is no input and the surface is not animating, except
+// one per 0.25 s.
+// Throws InputError if the frame times cannot be written.
 void run_edit_loop(EditSurface& surface, Window& window, const EditLoopOptions& options = {});
 
 struct OffscreenOptions {
     int width_px = 1280;
     int height_px = 800;
     float scale = 1;
-    double seconds = 1.0 / 60;  // from one frame to the next
+    double seconds = 1.0 / 60;  // s, simulated time between frames
     std::optional<render::ContextMaker> maker{};
 };
 
-// A window's place without a window. Time passes by frames alone, so the same events make the same pictures.
+// Runs a surface without a window. Time advances by a fixed step per frame, so the same events give the same images.
 class OffscreenEditLoop {
  public:
     explicit OffscreenEditLoop(const OffscreenOptions& options = {});
@@ -143,14 +146,14 @@ class OffscreenEditLoop {
     FramePainter painter_;
 };
 
-// A real font for the interface, from the system's packages, found when the program runs.
+// The interface's fonts, searched among the system's packages at run time.
 
 struct FontFiles {
     std::filesystem::path regular;  // empty: none was found
-    std::filesystem::path medium;   // for headings; the regular one where the family has no other
+    std::filesystem::path medium;   // for headings; the regular font if the family has no medium one
 };
 
-// The first family that is there: Inter, Noto Sans, DejaVu Sans. folders: where the system keeps its fonts.
+// The first family that is installed: Inter, Noto Sans, DejaVu Sans. folders: the system's font folders.
 FontFiles find_fonts(const std::vector<std::filesystem::path>& folders = {"/usr/share/fonts",
                                                                           "/usr/local/share/fonts"});
 

@@ -62,7 +62,7 @@ std::vector<editor::LeftJournal> left_journals(const JournalStore& store) {
         if (recovery && recovery->changes > 0) {
             left.push_back({stored.path.string(), *recovery, age_words(stored.age_seconds)});
         } else {
-            JournalStore::discard(stored.path);  // nothing was changed
+            JournalStore::discard(stored.path);  // contains no changes
         }
     }
     return left;
@@ -120,7 +120,7 @@ std::vector<std::string> RecentFiles::list() const {
         for (std::size_t i = 0; i < view.size(); ++i) {
             if (std::filesystem::exists(view.at(i).string())) files.push_back(view.at(i).string());
         }
-    } catch (const sim::InputError&) {  // none yet, or not ours: nothing was opened
+    } catch (const sim::InputError&) {  // no list yet, or an invalid one
     }
     return files;
 }
@@ -136,7 +136,7 @@ void RecentFiles::add(const std::string& path) const {
     for (const std::string& file : files) json.push_back(sim::Json(file));
     try {
         sim::write_file_atomically(file_, write_json(json));
-    } catch (const sim::InputError&) {  // a list of files is not worth an error
+    } catch (const sim::InputError&) {  // not important enough to report
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// What the editor asks of the program, as it is on a real machine: files, journals, exports.
+// Implements the services that the editor requires: files, journals, exports, recent files. Also connects the editor to
+// the loop that shows it, and loads its fonts.
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -15,30 +16,30 @@
 namespace selvedge::app {
 
 struct EditorServicesOptions {
-    std::filesystem::path state;  // where journals and recent files are kept
-    // Draws a scene at a size (px) as finely as can be; for exports.
+    std::filesystem::path state;  // folder of journals and recent files
+    // Renders a scene at full quality, for exports.
     std::function<render::Image(const render::Scene& scene)> draw_finely;
 };
 
-// Throws InputError when the state folder cannot be made.
+// Throws InputError if the state folder cannot be created.
 editor::Services make_editor_services(const EditorServicesOptions& options);
 
-// The files that were opened or saved last, kept from one run to the next.
+// The recently opened or saved files, stored between runs.
 
 class RecentFiles {
  public:
     explicit RecentFiles(std::filesystem::path file) : file_(std::move(file)) {}
 
-    std::vector<std::string> list() const;  // those that are still there, newest first
+    std::vector<std::string> list() const;  // existing files only, newest first
 
-    // First from now on. What cannot be written is only forgotten.
+    // Moves the file to the front of the list. Write errors are ignored.
     void add(const std::string& path) const;
 
  private:
     std::filesystem::path file_;
 };
 
-// The editor as the loop that shows it wants it, and the letters that it is given.
+// Adapts the editor to the EditSurface interface of the loop.
 
 class EditorSurface final : public EditSurface {
  public:
@@ -50,7 +51,7 @@ class EditorSurface final : public EditSurface {
     editor::Editor& editor_;
 };
 
-// The system's; empty where it has none.
+// Reads the system's fonts; empty if none is installed.
 editor::FontBytes read_fonts();
 
 }  // namespace selvedge::app

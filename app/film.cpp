@@ -31,7 +31,7 @@ extern char** environ;
 namespace selvedge::app {
 namespace {
 
-// Writing to a program that has ended shall be an answer, not the end of ours.
+// Ignores SIGPIPE, so that writing to a process that has ended returns an error instead of ending this program.
 class WithoutPipeSignal {
  public:
     WithoutPipeSignal() {
@@ -151,12 +151,12 @@ std::string frame_name(int number) {
     return name.data();
 }
 
-// "out/" is "out" when the folder is to be made.
+// "out/" becomes "out", so that the folder can be created.
 fs::path folder_of_frames(const fs::path& path) {
     return path.has_filename() ? path : path.parent_path();
 }
 
-// Of an earlier, longer film: they would be taken for this one's.
+// Frames of an earlier, longer film would be read as part of this one.
 void check_no_more_frames(const fs::path& folder, int frames) {
     std::error_code ignored;
     const fs::path next = folder / frame_name(frames + 1);
@@ -178,7 +178,7 @@ void check_folder(const fs::path& path) {
         throw sim::InputError(path.string(), "", std::string("cannot write: ") + std::strerror(errno));
 }
 
-// The steps of a gif's few colours are hidden by an ordered pattern, which stands still from frame to frame.
+// GIF has few colours: ordered dithering hides the banding and is stable from frame to frame.
 std::vector<std::string> gif_words() {
     return {"-filter_complex",
             "[0:v]split[a][b];[a]palettegen=stats_mode=full[palette];"
@@ -189,7 +189,7 @@ std::vector<std::string> gif_words() {
             "gif"};
 }
 
-// Colours by the standard that players take for granted.
+// BT.709, the colour standard that players assume.
 std::vector<std::string> mp4_words() {
     return {"-vf",
             "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int",
@@ -280,7 +280,7 @@ void check_film(const fs::path& path, const FilmFormat& format) {
     }
 }
 
-// ffmpeg at work on a file of another name.
+// An ffmpeg process that writes to a temporary file.
 class FilmWriter::Encoder {
  public:
     Encoder(const fs::path& path, FilmKind kind, const FilmFormat& format)
@@ -288,7 +288,7 @@ class FilmWriter::Encoder {
           temporary_(path.parent_path() / ("." + path.filename().string() + "." + std::to_string(::getpid()) + ".tmp")),
           process_(std::in_place, encoder_words(kind, format, temporary_)) {}
     ~Encoder() {
-        process_.reset();  // so that it does not write on
+        process_.reset();  // stops ffmpeg before its file is removed
         std::error_code ignored;
         fs::remove(temporary_, ignored);
     }
@@ -354,7 +354,7 @@ FilmFormat film_format(const PictureOptions& picture, const TurntableOptions& op
             .frames = options.frames};
 }
 
-// So many angles of one turn, rad.
+// `count` equally spaced angles of one turn, rad.
 std::vector<float> turn_in(int count) {
     std::vector<float> turns;
     for (int i = 0; i < count; ++i) turns.push_back(6.2831853F * float(i) / float(count));
@@ -393,7 +393,7 @@ void check_turntable(const TurntableOptions& options, const PictureOptions& pict
 
 void write_turntable(const RenderSubject& sitter, const PictureOptions& picture, const TurntableOptions& options,
                      const sim::Progress& progress) {
-    constexpr int most_framed = 48;  // angles are enough to find the frame for all of them
+    constexpr int most_framed = 48;  // enough angles to find a camera frame for all of them
     const std::vector<float> turns = turn_in(options.frames);
     const Layout layout = compose(sitter, picture, turn_in(std::min(options.frames, most_framed)));
     render::Renderer renderer;

@@ -1,6 +1,6 @@
 #pragma once
-// Pictures one after the other as a film: an .mp4 or .gif by ffmpeg, which reads raw frames from a pipe, or a folder of
-// PNG files.
+// Writes a sequence of images as a film: .mp4 or .gif with ffmpeg, which reads raw frames from a pipe, or a folder of
+// PNG files. Also the child process that runs ffmpeg, and --turntable.
 #include <sys/types.h>
 #include <cstdio>
 #include <filesystem>
@@ -28,16 +28,16 @@ struct FilmFormat {
     int frames = 1;
 };
 
-// By its ending; frames where it names a folder: one that is there, or a name that ends in '/' or .frames.
+// The kind of film for a path, by its extension. Frames: an existing folder, or a name that ends in '/' or .frames.
 // Throws InputError for any other name.
 FilmKind film_kind(const std::filesystem::path& path);
 
-// Throws InputError when such a film cannot be written there, where frames of a longer one are, or ffmpeg is asked for
-// and missing: to be asked before long work.
+// Throws InputError if the film cannot be written to the path, if the folder contains frames of a longer film, or if
+// ffmpeg is required and missing. Call it before long work.
 void check_film(const std::filesystem::path& path, const FilmFormat& format);
 
-// What stands at the path is replaced when the film is whole; until then the film has another name, and goes with the
-// object. Frames are written as frame_0001.png and so on, one by one.
+// Writes to a temporary file and replaces `path` when the film is complete; the destructor removes an incomplete film.
+// Frames are written directly, as frame_0001.png and so on.
 class FilmWriter {
  public:
     FilmWriter(const std::filesystem::path& path, const FilmFormat& format);
@@ -45,7 +45,8 @@ class FilmWriter {
     FilmWriter(const FilmWriter&) = delete;
     FilmWriter& operator=(const FilmWriter&) = delete;
 
-    // Pre: of the format's size. Both throw InputError when the film cannot be written, with ffmpeg's own first words.
+    // Pre: the image has the format's size. Both throw InputError if the film cannot be written, with ffmpeg's first
+    // error line.
     void add(const render::Image& image);
     void finish();
 
@@ -58,54 +59,54 @@ class FilmWriter {
     std::unique_ptr<Encoder> encoder_;  // none for frames
 };
 
-// A program that reads what we write to it. It is started without a shell.
+// A child process that reads from a pipe; started without a shell.
 
-// Whether PATH has a program of that name.
+// Whether PATH contains a program of this name.
 bool has_program(const std::string& name);
 
 class PipedProcess {
  public:
-    // arguments: the program's name first; it is looked for in PATH. Its output goes nowhere.
-    // Throws std::runtime_error when it cannot be started.
+    // arguments: the program's name first; it is searched in PATH. Its stdout is discarded.
+    // Throws std::runtime_error if it cannot be started.
     explicit PipedProcess(const std::vector<std::string>& arguments);
-    ~PipedProcess();  // one that was not waited for is killed
+    ~PipedProcess();  // kills the process unless finish() was called
     PipedProcess(const PipedProcess&) = delete;
     PipedProcess& operator=(const PipedProcess&) = delete;
 
-    // False when it does not read any more.
+    // Returns false if the process no longer reads.
     bool write(std::string_view bytes);
 
-    // Closes the pipe and waits. Whether it ended well.
+    // Closes the pipe and waits for the process. Returns whether it exited successfully.
     bool finish();
 
-    // The first line that it complained with, so far.
+    // The first line that the process has written to stderr so far.
     std::string complaint() const;
 
  private:
     void close_pipe();
 
-    std::FILE* complaints_ = nullptr;  // a file without a name
+    std::FILE* complaints_ = nullptr;  // an unnamed temporary file
     int pipe_ = -1;
     pid_t process_ = -1;
 };
 
-// --turntable: a film of the figure turning once about its upright, before a camera and lights that stand.
+// --turntable: a film of the subject rotating once about its vertical axis; camera and lights are fixed.
 
 struct TurntableOptions {
-    std::filesystem::path file;  // empty: no film is wanted
-    int frames = 100;            // of one turn; the one after the last would be the first
+    std::filesystem::path file;  // empty: no film
+    int frames = 100;            // frames of one full turn; the last is one step before the first
     int frames_per_second = 25;
 };
 
-// Adds --turntable, --frames and --fps. `options` must outlive the command line.
+// Adds --turntable, --frames and --fps. `options` must outlive the parsing.
 void add_turntable_options(CLI::App& command, TurntableOptions& options);
 
-// Throws InputError when the film cannot be written or is at odds with the picture's options: to be asked before long
-// work. Without a file all is well.
+// Throws InputError if the film cannot be written or conflicts with the picture's options. Call it before long work.
+// Does nothing without a file.
 void check_turntable(const TurntableOptions& options, const PictureOptions& picture);
 
-// The frame is one for all angles, and holds the figure at each. Throws InputError as draw_picture does, and when the
-// film cannot be written.
+// Uses one camera frame for all angles, which contains the subject at each. Throws InputError as draw_picture() does,
+// and if the film cannot be written.
 void write_turntable(const RenderSubject& sitter, const PictureOptions& picture, const TurntableOptions& options,
                      const sim::Progress& progress = {});
 

@@ -32,7 +32,7 @@ bool write_all(int file, std::string_view text) {
     return true;
 }
 
-// Whether another process holds it; opened and closed again without a trace.
+// Whether another process holds the journal's lock. Does not modify the file.
 bool is_held(const fs::path& path) {
     const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
     if (file < 0) return true;
@@ -74,7 +74,8 @@ JournalStore::~JournalStore() {
     close_file();
 }
 
-// Written beside it and renamed over it, locked all the while: a kill leaves the old journal or the new one.
+// Writes a new file, locked from the start, and renames it over the old one: a crash leaves either the old or the new
+// journal.
 void JournalStore::begin(std::string_view head) {
     const fs::path fresh = path_.string() + ".new";
     const int file = ::open(fresh.c_str(), O_CREAT | O_TRUNC | O_RDWR | O_APPEND | O_CLOEXEC, 0600);
@@ -118,7 +119,7 @@ void JournalStore::sync_now_and_then() {
         wake_.wait_for(lock, std::chrono::seconds(1), [this] { return is_ending_; });
         if (!is_dirty_ || file_ < 0) continue;
         is_dirty_ = false;
-        const int file = ::dup(file_);  // so that changes are noted while the disk is waited for
+        const int file = ::dup(file_);  // a duplicate, so that note() is not blocked while the disk syncs
         lock.unlock();
         ::fdatasync(file);
         ::close(file);
@@ -134,7 +135,7 @@ std::vector<StoredJournal> JournalStore::left() const {
         if (path.extension() != kEnding || path == path_ || is_held(path)) continue;
         try {
             found.push_back({.path = path, .text = sim::read_file(path, kLargest), .age_seconds = age_of(path)});
-        } catch (const sim::InputError&) {  // gone meanwhile, or no file
+        } catch (const sim::InputError&) {  // removed meanwhile, or not a regular file
         }
     }
     std::sort(found.begin(), found.end(), [](const StoredJournal& a, const StoredJournal& b) {

@@ -1,6 +1,7 @@
 #pragma once
-// Journals on disk: one file per running editor, locked as long as it lives, so that the next one finds what a kill
-// left. A line is with the system before its change is seen, and on the disk within a second.
+// Journals on disk: one file per running editor, locked while the editor runs, so that the next editor finds the
+// journals of crashed ones. A line is written to the operating system before note() returns, and synced to disk within
+// a second.
 #include <condition_variable>
 #include <filesystem>
 #include <mutex>
@@ -20,25 +21,25 @@ struct StoredJournal {
 
 class JournalStore {
  public:
-    // Makes the folder where it is missing. Throws InputError when that cannot be.
+    // Creates the folder if it is missing. Throws InputError if that fails.
     explicit JournalStore(std::filesystem::path folder);
-    ~JournalStore();  // leaves the journal; see end()
+    ~JournalStore();  // keeps the journal file; see end()
     JournalStore(const JournalStore&) = delete;
     JournalStore& operator=(const JournalStore&) = delete;
 
-    // A new journal takes the place of the present one, whole. Throws InputError.
+    // Replaces the current journal by a new one, atomically. Throws InputError.
     void begin(std::string_view head);
 
-    // Adds a line. Nothing without a journal; what cannot be written is passed over, and said once by `problem`.
+    // Appends a line; does nothing without a journal. Write errors are not thrown: problem() returns the first.
     void note(std::string_view line);
 
-    // Nothing is left to recover.
+    // Deletes the journal: nothing is left to recover.
     void end();
 
-    // Empty: all lines were written.
+    // The first write error; empty: all lines were written.
     std::string problem() const { return problem_; }
 
-    // Those of editors that no longer run, newest first.
+    // Journals of editors that no longer run, newest first.
     std::vector<StoredJournal> left() const;
     static void discard(const std::filesystem::path& path);
 
@@ -51,15 +52,14 @@ class JournalStore {
     int file_ = -1;
     std::string problem_;
 
-    std::mutex mutex_;  // guards file_ and what follows
+    std::mutex mutex_;  // guards file_ and the members below
     std::condition_variable wake_;
     bool is_dirty_ = false;
     bool is_ending_ = false;
     std::thread syncing_;
 };
 
-// Where programs keep what they need to go on, not what they are set to: $XDG_STATE_HOME/selvedge, or
-// ~/.local/state/selvedge.
+// The folder for state that persists between runs (not settings): $XDG_STATE_HOME/selvedge, or ~/.local/state/selvedge.
 std::filesystem::path state_folder();
 
 }  // namespace selvedge::app

@@ -31,7 +31,7 @@ void keep(std::vector<T>& values, const std::vector<std::size_t>& kept) {
     values.resize(kept.size());
 }
 
-// A garment that burst must still have its picture. Vertices that are left without a triangle move to one that is not.
+// A garment with non-finite positions can still be drawn. Non-finite vertices without a triangle move to a finite one.
 sim::PlainMesh without_bad_numbers(sim::PlainMesh mesh) {
     std::vector<std::size_t> kept;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -68,7 +68,7 @@ float lowest(const std::vector<Vec3f>& points) {
     return low;
 }
 
-// The upright through the middle of the points.
+// A point on the vertical line through the centre of the points' bounding box.
 Vec3f upright_through(const std::vector<Vec3f>& points) {
     Vec3f low = points.front(), high = points.front();
     for (const Vec3f& x : points) {
@@ -103,7 +103,7 @@ render::Direction direction_wanted(const PictureOptions& options) {
     return options.show == render::ShowMode::Hierarchy ? from_above : direction_of(render::View::Front);
 }
 
-// The frame is chosen for the points; nothing of the scene is cut off by the near or far plane.
+// A camera with these eye and target points; near and far plane enclose all points.
 render::Camera camera_at(const std::array<Vec3f, 2>& eye_and_target, const std::vector<Vec3f>& points) {
     render::Camera camera{.eye = eye_and_target[0], .target = eye_and_target[1]};
     const Vec3f back = (camera.eye - camera.target).normalized();
@@ -119,25 +119,24 @@ render::Camera camera_at(const std::array<Vec3f, 2>& eye_and_target, const std::
     return camera;
 }
 
-// Lines that are drawn as tubes are as wide in large pictures as in ones of 1024 px, and keep their pixels in small
-// ones.
+// Width factor of lines that are drawn as tubes: scales with pictures larger than 1024 px; 1 for smaller ones.
 float line_scale(const PictureOptions& options) {
     return std::max(1.0F, float(std::min(options.width_px, options.height_px)) / 1024);
 }
 
-// m of the scene to one pixel, about where the camera looks.
+// Size of one pixel in m, at the depth of the camera's target.
 float pixel_size(const render::Camera& camera, const PictureOptions& options) {
     return 2 * (camera.eye - camera.target).norm() * std::tan(camera.fov_y / 2) / float(options.height_px);
 }
 
-// Triangles of the scene as boxes of pixels, at every turn.
+// Screen bounding boxes of the scene's triangles, at every turn.
 class Silhouette {
  public:
     Silhouette(const render::Scene& scene, const PictureOptions& options, const Vec3f& axis,
                const std::vector<float>& turns)
         : scene_(scene), options_(options), axis_(axis), turns_(turns) {}
 
-    // How many boxes of triangles lie over the legend's.
+    // Numbers of triangle boxes that overlap the legend's box.
     struct Cover {
         long cloth = 0;
         long body = 0;
@@ -170,7 +169,7 @@ class Silhouette {
         });
     }
 
-    // px from the upper left; far off what is behind the eye.
+    // px from the upper left; far outside the picture for points behind the eye.
     Vec2f on_picture(const Eigen::Matrix4f& matrix, const Vec3f& point) const {
         const Eigen::Vector4f clip = matrix * point.homogeneous();
         if (clip.w() <= 0) return {-1e6F, -1e6F};
@@ -184,35 +183,35 @@ class Silhouette {
     const std::vector<float>& turns_;
 };
 
-// What is framed, and how.
+// The points to frame and the framing options.
 struct Frame {
     std::vector<Vec3f> points;
     render::Direction direction;
     render::FrameOptions options;
     float zoom = 1;
     bool holds_bodies = false;
-    bool is_detail = false;  // the figure is cut off, wherever the legend goes
+    bool is_detail = false;  // the subject is cut off anyway, so the camera is not moved for the legend
 
     render::Camera camera() const { return zoomed(frame_points(points, direction, options), zoom); }
 };
 
-// A camera, and where the legend goes with it.
+// A camera and the legend's corner.
 struct CameraCandidate {
     render::Camera camera;
     render::Corner corner = render::Corner::LowerLeft;
-    long hidden = std::numeric_limits<long>::max();  // triangles under the legend that the frame is there to show
+    long hidden = std::numeric_limits<long>::max();  // triangles under the legend that belong to the framed subject
     float pixel_size = 0;                            // m
-    long beside = 0;                                 // triangles under the legend that are only in the picture
+    long beside = 0;                                 // other triangles under the legend
 
     auto cost() const { return std::tuple(hidden, pixel_size, beside); }
 };
 
-// A strip kept free for the legend, at the left or below; or more room all round.
+// Frames with a free strip for the legend at the left or at the bottom, and frames with a wider margin.
 std::vector<Frame> with_room(const Frame& frame, const render::LegendPlace& legend, const PictureOptions& options) {
     const float edge = 8.0F * float(legend.scale);
     const float right = float(legend.box.left + legend.box.width) + edge;
     const float top = float(options.height_px - legend.box.top) + edge;
-    const float margin = frame.options.margin / 2;  // is free already, of each side
+    const float margin = frame.options.margin / 2;  // already free on each side
     std::vector<Frame> frames{frame, frame};
     frames[0].options.free_left = std::max(right / float(options.width_px) - margin, 0.0F);
     frames[1].options.free_below = std::max(top / float(options.height_px) - margin, 0.0F);
@@ -223,14 +222,14 @@ std::vector<Frame> with_room(const Frame& frame, const render::LegendPlace& lege
     return frames;
 }
 
-// Marks reach beyond the cloth that they are on.
+// Enlarged, because marks extend beyond the cloth.
 render::PixelBox with_edge(const render::LegendPlace& place) {
     const int edge = 6 * place.scale;
     return {place.box.left - edge, place.box.top - edge, place.box.width + 2 * edge, place.box.height + 2 * edge};
 }
 
-// The corner that is clear of the figure; else, where the camera may move, room is made for the legend, so that the
-// figure stays as large as it can; else the corner where it hides least.
+// Chooses a legend corner without overlap. If there is none and the camera may move, makes room for the legend while
+// keeping the subject as large as possible. Otherwise chooses the corner that hides least.
 CameraCandidate clear_of_legend(const render::Camera& camera, bool may_move, const Frame& frame,
                                 const render::Legend& legend, const Silhouette& figure, const PictureOptions& options) {
     CameraCandidate best{.camera = camera};
@@ -280,7 +279,8 @@ Frame make_frame(const render::Scene& scene, const PictureOptions& options, cons
     return frame;
 }
 
-// Strain and hierarchy are of the triangles that were simulated. A figure that turns is seen from all round.
+// Strain and hierarchy modes show the simulated triangles. A rotating subject has no back faces to coarsen, because it
+// is seen from all sides.
 void curve(render::Scene& scene, const RenderSubject& sitter, const PictureOptions& options,
            const std::vector<float>& turns) {
     if (wants_material(options.show) || options.show == render::ShowMode::Hierarchy) return;
@@ -298,7 +298,7 @@ std::optional<render::Legend> fill(render::Scene& scene, const RenderSubject& si
     return fill_show(scene, facts);
 }
 
-// Beside or behind each other, as the picture shows them larger.
+// Places the stack of levels to the right of the flat panels or behind them, whichever shows both larger.
 render::Legend fill_model(render::Scene& scene, const RenderSubject& sitter, const PictureOptions& options,
                           const std::vector<float>& turns) {
     const float line_px = 0.55F * line_scale(options);
@@ -317,12 +317,12 @@ render::Legend fill_model(render::Scene& scene, const RenderSubject& sitter, con
 }
 
 void set_ground(render::Scene& scene) {
-    // A garment alone that hangs high has no floor to stand on.
+    // A garment alone, high above the floor, is drawn without a floor.
     const float low = lowest(scene_points(scene));
     scene.ground_y = std::min(0.0F, low);
-    // Nor is there one for who looks from below it.
+    // No floor is drawn if the camera is below it.
     scene.has_ground = low < 0.3F && scene.camera.eye.y() > scene.ground_y;
-    // What lies on the floor is laid on something, and is not taken for the floor.
+    // Lowers the floor slightly, so that the flat mesh does not coincide with it.
     if (scene.cloths.front().show == render::ShowMode::Hierarchy) scene.ground_y -= 0.01F;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// What a picture shows and from where: the scene, with its camera set so that it holds the figure and leaves room for
-// the legend.
+// The layout of a picture: builds the scene, and chooses camera and legend corner so that the subject is framed and the
+// legend does not cover it.
 #include <optional>
 #include <vector>
 
@@ -14,18 +14,18 @@ namespace selvedge::app {
 struct Layout {
     render::Scene scene;
     std::optional<render::Legend> legend;
-    render::Corner corner = render::Corner::LowerLeft;  // where it is drawn
-    Vec3f axis = Vec3f::Zero();                         // an upright through it is what the figure turns about
+    render::Corner corner = render::Corner::LowerLeft;  // the legend's corner
+    Vec3f axis = Vec3f::Zero();                         // a point on the vertical axis that the subject rotates about
 };
 
-// For a figure that turns by these angles (rad): it stays in the picture, and clear of the legend, at all of them.
-// Throws InputError when nothing is left to draw, or the mode asks for what is not there.
+// Frames a subject that rotates by these angles (rad): at each angle it stays in the picture and clear of the legend.
+// Throws InputError if nothing is left to draw or the mode requires data that is missing.
 Layout compose(const RenderSubject& sitter, const PictureOptions& options, const std::vector<float>& turns = {0});
 
-// The scene after a turn, its lights with the camera.
+// The scene after a turn by `angle` (rad); the lights keep their direction relative to the camera.
 render::Scene turned(const Layout& layout, const PictureOptions& options, float angle);
 
-// One picture of the scene, with the legend.
+// Render options for one picture of the scene.
 render::RenderOptions render_options(const PictureOptions& options);
 
 }  // namespace selvedge::app

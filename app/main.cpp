@@ -1,4 +1,4 @@
-// selvedge: from a pattern file to a picture of a dressed body. Subcommands live in files of their own.
+// selvedge: the program's entry point. Each subcommand has a file of its own.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
@@ -8,7 +8,7 @@
 
 namespace {
 
-// Wrong words on the command line get one line, like every other wrong input.
+// Prints command-line errors on one line, like every other input error.
 int report_usage(const CLI::App& app, const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
     std::fprintf(stderr, "selvedge: %s (see selvedge --help)\n", error.what());

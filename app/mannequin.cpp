@@ -1,4 +1,4 @@
-// selvedge mannequin: makes a body from measurements, writes it, and prints what was asked beside what the tape reads.
+// selvedge mannequin: makes a body from measurements, writes it, and prints requested and measured values.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -16,12 +16,12 @@ namespace selvedge::app {
 namespace {
 
 struct MannequinArguments {
-    sim::MannequinOptions options;  // measures in cm until run
+    sim::MannequinOptions options;  // in cm until run
     std::string sex = "female";
     std::filesystem::path output;
 };
 
-// "--high-hip,--high_hip": words on the command line are joined by hyphens, in a --body text as the measure is named.
+// "--high-hip,--high_hip": accepts hyphens, as usual on a command line, and underscores, as in the --body text.
 std::string flags_of(std::string_view name) {
     const std::string flag = "--" + std::string(name);
     if (name == "hip") return flag + ",--hips";

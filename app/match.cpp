@@ -1,4 +1,4 @@
-// selvedge match GARMENT: moves the sett under each panel so that stripes go on across the seams, and writes the
+// selvedge match GARMENT: offsets the sett under each panel so that stripes continue across the seams, and writes the
 // offsets into the garment file.
 #include "sim/tartan/match.h"
 
@@ -27,20 +27,20 @@ namespace {
 
 using Path = std::filesystem::path;
 
-constexpr std::size_t kMostNames = 60;  // listed when one is not known
+constexpr std::size_t kMostNames = 60;  // number of names to list in an error message
 
 struct MatchArguments {
     Path garment;
     Path output;  // empty: the garment file itself
     Path json_file;
     std::vector<std::string> seams;
-    std::string centre;  // a panel; empty: none
+    std::string centre;  // name of a panel; empty: none
     std::string tartan;  // empty: the pattern's
     std::optional<double> sett_size_cm;
     bool is_dry = false;
 };
 
-// All that they are called, or the first few of very many.
+// The names of the seams; only the first kMostNames if there are more.
 std::string known_names(const sim::Pattern& pattern) {
     std::string names;
     for (std::size_t i = 0; i < pattern.seams.size() && i < kMostNames; ++i) {
@@ -80,7 +80,7 @@ std::string tartan_of(const MatchArguments& arguments, const sim::Pattern& patte
     return pattern.tartan.empty() ? sim::kDefaultTartan : pattern.tartan;
 }
 
-// m; the pattern's is of its own tartan.
+// m. The pattern's size applies only to the pattern's own tartan.
 std::optional<double> sett_size(const MatchArguments& arguments, const sim::Pattern& pattern) {
     if (arguments.sett_size_cm) return *arguments.sett_size_cm / 100;
     return arguments.tartan.empty() ? pattern.sett_size : std::nullopt;
@@ -97,7 +97,7 @@ void check_arguments(const MatchArguments& arguments) {
     if (!arguments.json_file.empty()) check_apart({arguments.json_file}, {arguments.garment});
 }
 
-// To so many parts of one: short when written as decimals.
+// Rounds to multiples of 1/parts, so that the decimal text is short.
 double rounded(double value, double parts) {
     return std::round(value * parts) / parts + 0.0;
 }
@@ -151,7 +151,7 @@ int run(const MatchArguments& arguments) {
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) pattern.panels[p].sett_offset = match.offsets[p];
     pattern.matched_sett = matched;
     pattern.sett_size = sett_size(arguments, pattern);
-    if (!arguments.tartan.empty()) pattern.tartan = matched.tartan;  // the offsets serve no other
+    if (!arguments.tartan.empty()) pattern.tartan = matched.tartan;  // the offsets are valid only for this tartan
 
     print_table(match, matched);
     if (!arguments.json_file.empty()) sim::write_file_atomically(arguments.json_file, to_json(match, matched));

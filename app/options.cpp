@@ -24,7 +24,7 @@ bool is_mannequin(std::string_view source) {
     return source == "mannequin" || source.starts_with("mannequin:");
 }
 
-// The value called `text`, or an error that lists those there are.
+// Returns the value with this name; the error for an unknown name lists the known ones.
 template <class T>
 T named(const std::map<std::string, T>& values, const std::string& option, const std::string& text) {
     const auto found = values.find(text);
@@ -207,7 +207,7 @@ void check_extension(const fs::path& path, std::span<const std::string_view> ext
     throw sim::InputError(path.string(), "", "cannot write: the name should end in " + known);
 }
 
-// One name for a file, whichever way it is spelt; it need not be there.
+// A canonical name of the file, independent of its spelling; the file need not exist.
 fs::path one_name(const fs::path& path) {
     std::error_code error;
     const fs::path name = fs::weakly_canonical(fs::absolute(path), error);

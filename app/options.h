@@ -1,6 +1,6 @@
 #pragma once
-// The body that a garment is put on: a mannequin from measurements, or a file that others made. Shared by dress and
-// render.
+// Command-line options that several subcommands share: the body, the camera, the curved surface; and checks of output
+// paths before the work begins.
 #include <array>
 #include <filesystem>
 #include <optional>
@@ -21,7 +21,7 @@ class App;
 namespace selvedge::app {
 
 struct BodyOptions {
-    std::string source;  // "mannequin[:bust=92,...]" or a file; empty: none was named
+    std::string source;  // "mannequin[:bust=92,...]" or a file; empty: none
     sim::LoadBodyOptions load;
 
     bool is_file() const;
@@ -29,60 +29,61 @@ struct BodyOptions {
 
 struct NotedBody {
     sim::Body body;
-    std::vector<std::string> notes;  // what could not be met, or was changed, a sentence each
+    std::vector<std::string> notes;  // one sentence per deviation from the request, or per change
 };
 
-// Adds -b,--body, --body-unit and --body-up. A mannequin's measures are checked while the command line is read.
-// `options` must outlive the command line.
+// Adds -b,--body, --body-unit and --body-up. Validates a mannequin's measurements while parsing.
+// `options` must outlive the parsing.
 void add_body_options(CLI::App& command, BodyOptions& options, const std::string& help);
 
-// Pre: a source is named. Throws InputError as make_mannequin and load_body do.
+// Pre: options.source is not empty. Throws InputError as make_mannequin() and load_body() do.
 NotedBody make_body(const BodyOptions& options);
 
-// --camera: where the picture is taken from, in numbers.
+// --camera: the camera as numbers.
 
-// Either a direction, in which the scene is framed and then magnified, or the eye and what it looks at.
+// Either a view direction, for which the scene is framed and then zoomed, or an eye and a target point.
 struct CameraChoice {
     render::Direction direction;
     float zoom = 1;
     std::optional<std::array<Vec3f, 2>> eye_and_target;  // m
 };
 
-// "azimuth,elevation[,zoom]" in degrees, or "x,y,z,x,y,z" in metres. Throws InputError.
+// Parses "azimuth,elevation[,zoom]" in degrees, or "x,y,z,x,y,z" in metres. Throws InputError.
 CameraChoice parse_camera(const std::string& text);
 
-// All of `text` as finite numbers between commas, or none where it is anything else.
+// Parses the whole text as finite numbers separated by commas; none if it is anything else.
 std::optional<std::vector<double>> parse_numbers(std::string_view text);
 
-// Drawing the cloth curved: the options that dress and render share.
+// Options to draw the cloth as a curved surface (thesis ch. 6).
 
 struct SurfaceChoice {
-    std::optional<render::SurfaceKind> kind;  // none: the cloth's own triangles, as they were simulated
+    std::optional<render::SurfaceKind> kind;  // none: draw the simulated triangles
     std::optional<int> level;                 // none: adaptive
     bool coarsens_back_faces = false;
     render::LightNormals light_normals = render::LightNormals::Recomputed;
 };
 
-// Adds --surface, --surface-level, --surface-normals and --back-face-coarsening, checked while the command line is
-// read. `choice` must outlive the command line.
+// Adds --surface, --surface-level, --surface-normals and --back-face-coarsening; validates them while parsing. `choice`
+// must outlive the parsing.
 void add_surface_options(CLI::App& command, SurfaceChoice& choice);
 
-// The garment as it is drawn. view: of whoever looks at it, if there is one. body: not to dip into, may be null.
+// The mesh to draw. view: the viewer, for back-face coarsening; may be empty. body: the surface is kept outside it; may
+// be null.
 // Throws InputError as curved_mesh() does.
 sim::PlainMesh drawn_mesh(const sim::PlainMesh& garment, const sim::Body* body, const SurfaceChoice& choice,
                           const std::optional<sim::ViewPoint>& view = {});
 
-// Files that a subcommand will write, looked at before its work begins: nobody should wait for what cannot be kept.
+// Checks of output files, made before a subcommand starts long work.
 
-// For check_output.
+// Extensions for check_output().
 inline constexpr std::array<std::string_view, 1> kPictureExtensions{".png"};
 inline constexpr std::array<std::string_view, 2> kMeshExtensions{".obj", ".glb"};
 
-// Throws InputError when the folder is not there or may not be written to, when something stands there that is no file,
-// or when the name ends in none of the extensions, in small or capital letters (none given: any will do).
+// Throws InputError if the folder is missing or not writable, if the path exists and is not a regular file, or if its
+// extension is not in the list (case-insensitive; an empty list allows any).
 void check_output(const std::filesystem::path& path, std::span<const std::string_view> extensions = {});
 
-// Throws InputError when two outputs are one file, or an output is a file that is read.
+// Throws InputError if two outputs are the same file, or if an output is also an input.
 void check_apart(const std::vector<std::filesystem::path>& outputs, const std::vector<std::filesystem::path>& inputs);
 
 }  // namespace selvedge::app

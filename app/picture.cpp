@@ -62,7 +62,7 @@ Vec2d parse_sett_position(const std::string& text) {
            100;
 }
 
-// The value, or an error that lists those there are.
+// Returns the value, or throws an error that lists the known ones.
 template <class T>
 T known(const std::optional<T>& value, const std::string& option, const std::string& text, const char* names) {
     if (!value) throw sim::InputError("", option, "'" + text + "' is none of " + names);

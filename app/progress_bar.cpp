@@ -57,7 +57,7 @@ ProgressBarOptions progress_bar_options(bool is_quiet) {
 
 std::string progress_line(std::string_view phase, double fraction, double elapsed_s,
                           const ProgressBarOptions& options) {
-    // The last column stays free: some terminals wrap when it is written.
+    // Leave the last column empty: some terminals wrap when it is written.
     const int room = options.width - 1 - kPhaseWidth - kNumbersWidth - 3;
     std::ostringstream line;
     line << std::left << std::setw(kPhaseWidth) << phase.substr(0, kPhaseWidth) << std::right;
@@ -104,7 +104,7 @@ void ProgressBar::begin_phase(std::string_view phase, Clock::time_point now) {
     last_drawn_ = {};
 }
 
-// A phase leaves one line behind, with the time it took.
+// Prints one line for the finished phase, with its duration.
 void ProgressBar::end_phase() {
     if (phase_.empty()) return;
     const double elapsed_s = seconds_between(phase_start_, Clock::now());

@@ -1,6 +1,6 @@
 #pragma once
-// Shows on the terminal how far a long task has come (sim/core/parallel.h): one line redrawn in place on a terminal,
-// one line per phase where the output goes to a file. Written to stderr, so that stdout stays the program's answer.
+// A progress bar for long tasks (sim/core/parallel.h): redraws one line in place on a terminal; writes one line per
+// phase if the output is a file. Writes to stderr, so that stdout holds results only.
 #include <chrono>
 #include <cstdio>
 #include <string>
@@ -11,19 +11,20 @@
 namespace selvedge::app {
 
 struct ProgressBarOptions {
-    bool is_quiet = false;     // shows nothing at all
+    bool is_quiet = false;     // shows nothing
     bool is_terminal = false;  // the line can be redrawn in place
     bool has_colour = false;   // the bar may be coloured
     int width = 80;            // of the terminal, characters
 };
 
-// What stderr and the environment ask for: no redrawing where it is no terminal or a dumb one, no colour with NO_COLOR.
+// Options for stderr: no redrawing on a file or a dumb terminal; no colour if NO_COLOR is set.
 ProgressBarOptions progress_bar_options(bool is_quiet);
 
-// "draping   [########----------------]  33 %   4.2 s", not wider than width. Pre: 0 <= fraction <= 1.
+// For example "draping   [########----------------]  33 %   4.2 s"; at most `width` characters. Pre: 0 <= fraction <=
+// 1.
 std::string progress_line(std::string_view phase, double fraction, double elapsed_s, const ProgressBarOptions& options);
 
-// Owns the terminal's line from the first report to its end: finish() or the destructor leave it clean.
+// Owns the terminal's line from the first report on; finish() or the destructor clears it.
 class ProgressBar {
  public:
     explicit ProgressBar(const ProgressBarOptions& options, std::FILE* stream = stderr);
@@ -34,7 +35,7 @@ class ProgressBar {
     void show(std::string_view phase, double fraction);
     void finish();
 
-    // To be handed to a task that ends before the bar does.
+    // A callback for a task that ends before this object does.
     sim::Progress progress();
 
  private:

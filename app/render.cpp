@@ -1,4 +1,4 @@
-// selvedge render MESH: a picture of a garment that was exported before, with or without a body.
+// selvedge render MESH: draws an exported garment, with or without a body.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>

@@ -23,7 +23,7 @@ void add_attribute(const GladGLContext& gl, GLuint index, int parts, GLenum type
                            reinterpret_cast<const void*>(offset));
 }
 
-// For this frame only: the memory before may still be read.
+// Uploads data for this frame. Allocates new memory, because GL may still read the old one.
 template <class T>
 void stream(const GladGLContext& gl, GLenum target, const ImVector<T>& data) {
     gl.BufferData(target, static_cast<GLsizeiptr>(data.size_in_bytes()), data.Data, GL_STREAM_DRAW);
@@ -46,7 +46,7 @@ bool is_upright(const UiTarget& to) {
     return to.framebuffer == 0;
 }
 
-// px of the framebuffer, from where GL counts.
+// px of the framebuffer; `low` counts from GL's first row.
 struct PixelBox {
     int left = 0, low = 0, width = 0, height = 0;
     bool is_empty() const { return width <= 0 || height <= 0; }
@@ -116,7 +116,7 @@ struct UiDraw::Impl {
         gl.Enable(GL_SCISSOR_TEST);
         gl.Enable(GL_BLEND);
         gl.BlendEquation(GL_FUNC_ADD);
-        gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);  // stays opaque
+        gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);  // alpha stays 1
         for (const render::Program* program : {&plain, &textured}) {
             program->use();
             program->set("display_low", Vec2f(data.DisplayPos.x, data.DisplayPos.y));
@@ -133,7 +133,7 @@ struct UiDraw::Impl {
         stream(gl, GL_ARRAY_BUFFER, list.VtxBuffer);
         stream(gl, GL_ELEMENT_ARRAY_BUFFER, list.IdxBuffer);
         for (const ImDrawCmd& command : list.CmdBuffer) {
-            if (command.UserCallback != nullptr) continue;  // only ImDrawCallback_ResetRenderState, which asks nothing
+            if (command.UserCallback != nullptr) continue;  // only ImDrawCallback_ResetRenderState, which is not needed
             draw_command(list, command, data, to);
         }
     }
@@ -146,7 +146,7 @@ struct UiDraw::Impl {
         if (box.is_empty() || texture == 0) return;
         gl.Scissor(box.left, box.low, box.width, box.height);
         gl.BindTexture(GL_TEXTURE_2D, texture);
-        const float px_per_unit = data.FramebufferScale.x;  // as much as of y
+        const float px_per_unit = data.FramebufferScale.x;  // the same in x and y
         if (number == kFont) {
             for (const UiRun& run : cut_into_runs(list, command, px_per_unit)) draw_run(command, run);
         } else {
@@ -187,7 +187,7 @@ struct UiDraw::Impl {
     render::VertexArray vertex_array;
     render::Buffer vertices, indices;
     render::Sampler nearest;
-    std::map<editor::UiTexture, render::Texture> owned;  // the font, pictures
+    std::map<editor::UiTexture, render::Texture> owned;  // the font and pictures
     std::map<editor::UiTexture, const render::PictureTexture*> lent;
 };
 
@@ -221,7 +221,7 @@ void UiDraw::draw(const UiTarget& to) {
 
 namespace {
 
-constexpr float kLargeArea = 1500;  // px, of a triangle: more pixels than a draw call of its own is worth
+constexpr float kLargeArea = 1500;  // px, of a triangle: above this, saving pixels outweighs an extra draw call
 
 float area(const ImVec2& a, const ImVec2& b, const ImVec2& c) {
     return 0.5F * std::abs((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y));
@@ -244,7 +244,7 @@ RunKind kind_of(const Corners& corners, const ImVec2& white, float least_area) {
 }  // namespace
 
 bool lies_pixel_on_pixel(const ImDrawList& list, const ImDrawCmd& command, const PictureSize& size, float px_per_unit) {
-    if (command.ElemCount != 6) return false;  // one rectangle
+    if (command.ElemCount != 6) return false;  // not one rectangle
     const ImDrawIdx* indices = list.IdxBuffer.Data + command.IdxOffset;
     const ImDrawVert* vertices = list.VtxBuffer.Data + command.VtxOffset;
     const auto offset_of = [&](const ImDrawVert& vertex) {

@@ -1,6 +1,6 @@
 #pragma once
-// Draws ImGui's lists with our own table of GL functions, to a window or a texture of ours: ImGui's backend opens libGL
-// itself, and so cannot draw without a window.
+// Draws ImGui's draw lists with the project's own GL function table, to a window or a texture. ImGui's GL backend loads
+// libGL itself and therefore cannot draw offscreen.
 #include <memory>
 #include <vector>
 
@@ -10,9 +10,9 @@
 
 namespace selvedge::app {
 
-// Where it draws.
+// The render target.
 struct UiTarget {
-    unsigned framebuffer = 0;  // 0: the window's, whose first row is the lowest; of others it is the uppermost
+    unsigned framebuffer = 0;  // 0: the window, whose first row is the lowest; of others the first row is the uppermost
     int width_px = 0;
     int height_px = 0;
 };
@@ -21,22 +21,22 @@ inline UiTarget target_of(const render::PictureTexture& picture) {
     return {.framebuffer = picture.framebuffer(), .width_px = picture.width_px(), .height_px = picture.height_px()};
 }
 
-// Belongs to one thread and to a context, which must outlive it. Textures are known by the editor's numbers.
+// Use it on one CPU thread, with a context that outlives it. The editor's texture numbers identify textures.
 class UiDraw {
  public:
     explicit UiDraw(render::GlContext& context);
     ~UiDraw();
 
-    // Takes the place of what was held by that number. Pre: not the font's number, the picture is not empty.
+    // Replaces the texture with that number. Pre: it is not the font's number; the picture is not empty.
     void hold(const editor::PictureToHold& picture);
 
-    // An opaque picture that others own and draw: it must live as long as lists name it.
+    // Registers an opaque picture that the caller owns; it must live as long as draw lists refer to it.
     void lend(editor::UiTexture number, const render::PictureTexture& picture);
 
-    // What ImGui::Render made last, in the present ImGui context, over black; the picture is opaque. A font atlas that
-    // was built since is taken to GL, and its pixels are then cleared (ImFontAtlas::ClearTexData). A number that stands
-    // for nothing draws nothing. Lists may have vertex offsets (ImGuiBackendFlags_RendererHasVtxOffset).
-    // Leaves blending and scissors off. Pre: `to` has the size of the display, in px.
+    // Draws the lists of the last ImGui::Render() of the current ImGui context over black; the result is opaque.
+    // Uploads a new font atlas and then frees its pixels (ImFontAtlas::ClearTexData). Unknown texture numbers draw
+    // nothing. Lists may use vertex offsets (ImGuiBackendFlags_RendererHasVtxOffset). Leaves blending and the scissor
+    // test disabled. Pre: `to` has the size of the display, in px.
     void draw(const UiTarget& to);
 
  private:
@@ -46,8 +46,8 @@ class UiDraw {
 
 }  // namespace selvedge::app
 
-// Cuts an ImGui draw command into runs of triangles that can be drawn in a cheaper way. A software renderer spends its
-// time on pixels: large areas of one colour need neither texture nor, where they are opaque, blending.
+// Splits an ImGui draw command into runs of triangles that can be drawn more cheaply. A software renderer spends most
+// of its time per pixel: large areas of one colour need no texture, and no blending if they are opaque.
 
 struct ImDrawCmd;
 struct ImDrawList;
@@ -55,18 +55,18 @@ struct ImDrawList;
 namespace selvedge::app {
 
 enum class RunKind {
-    Textured,  // as ImGui means it
-    Blended,   // the texture is white there
-    Opaque,    // and nothing shines through
+    Textured,  // textured and blended, as ImGui specifies
+    Blended,   // untextured: the texture is white there
+    Opaque,    // untextured and opaque
 };
 
 struct UiRun {
     RunKind kind = RunKind::Textured;
-    unsigned first_index = 0;  // in the command's indices
+    unsigned first_index = 0;  // relative to the command's indices
     unsigned count = 0;
 };
 
-// In their order, and all triangles. Only large triangles are told apart; px_per_unit: of ImGui's positions.
+// Returns all triangles in order. Classifies large triangles only. px_per_unit: px per unit of ImGui's positions.
 std::vector<UiRun> cut_into_runs(const ImDrawList& list, const ImDrawCmd& command, float px_per_unit);
 
 struct PictureSize {
@@ -74,8 +74,8 @@ struct PictureSize {
     int height_px = 0;
 };
 
-// Whether the command only lays a picture of that size on the screen, pixel on pixel and untinted: each can be taken as
-// it is, with no mixing of neighbours.
+// Whether the command draws one untinted picture of this size with its pixels aligned to the screen's:
+// nearest-neighbour sampling is then exact.
 bool lies_pixel_on_pixel(const ImDrawList& list, const ImDrawCmd& command, const PictureSize& size, float px_per_unit);
 
 }  // namespace selvedge::app

@@ -31,7 +31,8 @@ class Library {
     Library& operator=(const Library&) = delete;
 };
 
-// The window's, and with it the window: closing it releases the context before any other is made.
+// The context that belongs to the window, and the window itself: the destructor releases the context before another one
+// is made.
 class WindowContext final : public render::GlContext {
  public:
     explicit WindowContext(const WindowOptions& options) {
@@ -69,7 +70,7 @@ class WindowContext final : public render::GlContext {
     GLFWwindow* window_ = nullptr;
 };
 
-// Of GLFW's that the editor has a use for; Hidden has none.
+// GLFW's shapes for the editor's cursors; Hidden has none.
 constexpr std::array<int, 6> kCursorShapes{GLFW_ARROW_CURSOR,     GLFW_IBEAM_CURSOR,   GLFW_HAND_CURSOR,
                                            GLFW_CROSSHAIR_CURSOR, GLFW_HRESIZE_CURSOR, GLFW_VRESIZE_CURSOR};
 
@@ -84,14 +85,14 @@ class Cursors {
     Cursors(const Cursors&) = delete;
     Cursors& operator=(const Cursors&) = delete;
 
-    // Where the screen's theme lacks the shape, its own.
+    // Null if the system's theme lacks the shape: GLFW then uses the default arrow.
     GLFWcursor* of(editor::MouseCursor cursor) const { return cursors_[static_cast<std::size_t>(cursor)]; }
 
  private:
     std::array<GLFWcursor*, kCursorShapes.size()> cursors_{};
 };
 
-// Events since they were last taken.
+// Collects events until they are taken.
 class EventQueue {
  public:
     explicit EventQueue(GLFWwindow* window) : window_(window) {
@@ -148,7 +149,7 @@ class EventQueue {
             editor::InputEvent event = of(w).event_at_cursor(editor::InputEvent::Kind::Key);
             event.key = key_of_code(code, printed == nullptr ? "" : printed);
             event.is_down = action != GLFW_RELEASE;
-            of(w).events_.push_back(event);  // without a key: the modifiers have changed
+            of(w).events_.push_back(event);  // also without a known key: the modifiers may have changed
         });
         glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned code_point) {
             editor::InputEvent event = of(w).event_at_cursor(editor::InputEvent::Kind::Text);
@@ -177,7 +178,7 @@ class EventQueue {
     }
 
     GLFWwindow* window_;
-    Vec2d cursor_{0, 0};  // of the window, as of the event that came last: by now it may be elsewhere
+    Vec2d cursor_{0, 0};  // cursor of the window as of the last event; it may have moved since
     std::vector<editor::InputEvent> events_;
 };
 
@@ -266,7 +267,7 @@ bool is_between(int code, editor::Key first, editor::Key last) {
 
 }  // namespace
 
-// The editor's numbers are GLFW's.
+// The editor's key codes equal GLFW's.
 editor::Key key_of_code(int code, const std::string& printed) {
     if (printed.size() == 1) {
         const char c = printed[0];

@@ -1,4 +1,4 @@
-// The studio behind and below the scene: lightest behind the figure, with no horizon, for the ground only adds shadow.
+// The studio backdrop: lightest behind the body, without a horizon, because the ground only adds shadow.
 uniform vec2 tile_origin_px;   // of this tile in the picture, from the lower left, in finished pixels
 uniform vec2 picture_size_px;
 uniform vec3 backdrop_centre;  // linear

@@ -1,4 +1,4 @@
-centroid in vec3 v_position;  // on the triangle even where its pixel is mostly beside it
+centroid in vec3 v_position;  // centroid: sampled inside the triangle, also where it covers only a part of the pixel
 centroid in vec3 v_normal;
 in float v_openness;
 

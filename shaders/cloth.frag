@@ -1,4 +1,4 @@
-centroid in vec3 v_position;  // on the triangle even where its pixel is mostly beside it
+centroid in vec3 v_position;  // centroid: sampled inside the triangle, also where it covers only a part of the pixel
 centroid in vec3 v_normal;
 in vec2 v_place;
 in vec3 v_heights;
@@ -10,17 +10,17 @@ flat in uint v_marks;
 uniform int show;          // 0 tartan, 1 level, 2 edges, 3 plain, 4 painted
 uniform vec3 cloth_colour;
 uniform vec3 level_colours[8];
-uniform float line_px;     // half the width of an edge's line
+uniform float line_px;     // px, half the width of an edge's line
 uniform sampler2D paint_map;
 uniform int paint_colours;
-uniform float edge_ink;    // 0..1, of edges on plain and painted cloth
+uniform float edge_ink;    // 0..1, darkness of edges on plain and painted cloth
 uniform float gloss;
 uniform float roughness;
 uniform float sheen;
 
 out vec4 colour;
 
-// 1 on the nearest edge, 0 away from it; fades where triangles are hardly larger than the line.
+// 1 on the nearest edge, 0 away from it. Fades out where triangles are hardly larger than the line.
 float edge_line() {
     vec3 distance_px = v_heights / max(fwidth(v_heights), vec3(1e-9));
     float nearest = min(distance_px.x, min(distance_px.y, distance_px.z));
@@ -28,7 +28,8 @@ float edge_line() {
     return (1.0 - smoothstep(line_px - 0.5, line_px + 0.5, nearest)) * smoothstep(line_px, 8.0 * line_px, size_px);
 }
 
-// Cloth sinks where it is sewn, and is doubled where it is hemmed.
+// How dark a seam or hem is, 0..1: cloth sinks in at a seam and is doubled at a hem. mask: the triangle's marked edges;
+// touch: m, distance from a marked edge that only a corner touches; half_width: m.
 float sewn_shade(uint mask, float touch, float half_width) {
     float nearest = mask == 0u ? touch : 1e9;
     for (int i = 0; i < 3; ++i) {
@@ -40,7 +41,7 @@ float sewn_shade(uint mask, float touch, float half_width) {
     return share * (1.0 - smoothstep(0.3 * half_width, half_width + pixel, nearest));
 }
 
-// Between two of the map's colours they are mixed.
+// Interpolates linearly between neighbouring colours of the map.
 vec3 painted() {
     float at = clamp(v_paint, 0.0, 1.0) * float(paint_colours - 1);
     int below = int(min(at, float(paint_colours - 2)));
@@ -49,13 +50,13 @@ vec3 painted() {
 }
 
 vec3 cloth_albedo(float side) {
-    if (show == 0) return 0.94 * tartan(v_place, side) + 0.008;  // even black yarn scatters a little light
+    if (show == 0) return 0.94 * tartan(v_place, side) + 0.008;  // even black yarn reflects a little light
     if (show == 1) return level_colours[min(v_marks & 255u, 7u)];
     if (show == 4) return painted();
     return cloth_colour;
 }
 
-// How the key light runs along the threads: what makes one flank of a yarn lighter than the other.
+// Components of the key light's direction along weft and warp. They make one flank of a yarn lighter than the other.
 vec2 light_along_threads() {
     vec3 right = dFdx(v_position), up = dFdy(v_position);
     vec2 place_right = dFdx(v_place), place_up = dFdy(v_place);
@@ -69,13 +70,13 @@ void main() {
     float side = gl_FrontFacing ? 1.0 : -1.0;
     weave_light = light_along_threads();
     vec3 albedo = cloth_albedo(side);
-    float lines = edge_line();  // derivatives want every pixel
+    float lines = edge_line();  // always computed, because derivatives need every pixel
     albedo *= 1.0 - 0.55 * sewn_shade(v_marks >> 8 & 7u, v_touch.x, 0.0016);
     albedo *= 1.0 - 0.30 * sewn_shade(v_marks >> 11 & 7u, v_touch.y, 0.0020);
     if (show == 1) albedo = mix(albedo, albedo * 0.35, 0.7 * lines);
     if (show == 2) albedo = mix(albedo, vec3(0.035, 0.05, 0.09), 0.9 * lines);
     if (show > 2) albedo = mix(albedo, albedo * 0.25, edge_ink * lines);
-    if (side < 0.0) albedo *= 0.86;  // told from the right side, also where both are alike
+    if (side < 0.0) albedo *= 0.86;  // the wrong side is darker, also where both sides are alike
     Surface surface;
     surface.albedo = albedo;
     surface.normal = normalize(v_normal) * side;

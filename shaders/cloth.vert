@@ -1,11 +1,11 @@
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 place;     // (weft, warp), m
-layout(location = 3) in vec3 heights;   // m above each of the triangle's edges
+layout(location = 3) in vec3 heights;   // m, height over each of the triangle's edges
 layout(location = 4) in vec2 openness;  // right side, wrong side
-layout(location = 5) in vec2 touch;     // m to a seam and a hem that only a corner touches
-layout(location = 6) in uint marks;     // level, then 3 bits of edges on seams, then 3 bits of edges on hems
-layout(location = 7) in float paint;    // along the map of painted modes, 0..1
+layout(location = 5) in vec2 touch;     // m, distance to a seam and a hem that only a corner touches
+layout(location = 6) in uint marks;     // bits 0-7: level; 8-10: edges on seams; 11-13: edges on hems
+layout(location = 7) in float paint;    // position along the colour map of painted modes, 0..1
 
 uniform mat4 camera;
 

@@ -1,4 +1,4 @@
-// The least depth within `cells` tiles, along rows or columns: one after the other for both.
+// The smallest depth within `cells` tiles along rows or columns. Two passes give the smallest depth within a square.
 uniform sampler2D depths;
 uniform int cells;
 uniform int along_columns;

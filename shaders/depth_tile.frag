@@ -1,4 +1,4 @@
-// The least of the depths of one tile, cells x cells texels.
+// The smallest depth in one tile of cells x cells texels.
 uniform sampler2D depths;
 uniform int cells;
 

@@ -1,4 +1,4 @@
-// Linear light to sRGB: what is brighter than white is softened, and dithering, by less than a step, leaves no bands.
+// Linear light to sRGB. shoulder() compresses light above 0.9 to below 1; noise() is for dithering against banding.
 vec3 shoulder(vec3 x) {
     vec3 over = max(x - 0.9, 0.0);
     return min(x, 0.9) + 0.1 * over / (0.1 + over);

@@ -1,6 +1,6 @@
-// Linear light to a picture: average the samples, lay them over the backdrop, encode.
+// Finishes a picture: averages the samples in linear light, blends them over the backdrop, encodes as sRGB.
 uniform sampler2DMS light;  // premultiplied
-uniform int samples;        // of each pixel drawn
+uniform int samples;        // per drawn pixel
 uniform int supersample;
 uniform int is_transparent;
 

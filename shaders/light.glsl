@@ -1,5 +1,5 @@
-// Phong's light: a key light, a fill, and the room's light from all round, dimmed where little of the room is seen.
-// Linear throughout. Wants to_key declared before it.
+// Phong lighting in linear light: a key light, a fill light, and ambient light dimmed by ambient occlusion.
+// `to_key` must be declared before it.
 uniform vec3 eye;
 uniform vec3 to_fill;
 uniform float key_irradiance;
@@ -13,22 +13,22 @@ const vec3 kBounceColour = vec3(1.03, 1.0, 0.96);
 
 struct Surface {
     vec3 albedo;
-    vec3 normal;      // to the side that is seen
-    float openness;   // 0..1 of the room's light that arrives
-    float gloss;      // share of light that is mirrored
-    float roughness;  // 0..1, of the highlight
-    float sheen;      // share of light that fibres catch at the rim
+    vec3 normal;      // on the visible side
+    float openness;   // ambient visibility, 0..1
+    float gloss;      // fraction of light reflected specularly
+    float roughness;  // 0..1, width of the highlight
+    float sheen;      // fraction of light that fibres scatter at grazing angles
 };
 
-// A hollow is also lit by itself: light that does not leave it comes back in its own colour. Fitted by Jimenez et al.,
-// "Practical Realtime Strategies for Accurate Indirect Occlusion" (2016), eq. 10. No hollow is quite without light.
+// Ambient visibility with interreflection: light reflected inside a fold takes on the surface's own colour. Fit by
+// Jimenez et al., "Practical Realtime Strategies for Accurate Indirect Occlusion" (2016), eq. 10. Never below 0.2.
 vec3 with_own_light(float openness, vec3 albedo) {
     vec3 a = 2.0404 * albedo - 0.3324, b = 0.6417 - 4.7951 * albedo, c = 2.7552 * albedo + 0.6903;
     float least = mix(0.2, 1.0, openness);
     return max(vec3(least), ((least * a + b) * least + c) * least);
 }
 
-// key_seen: 0..1 of the key light.
+// key_seen: visibility of the key light, 0..1.
 vec3 lit_by(Surface surface, vec3 x, float key_seen) {
     vec3 to_eye = normalize(eye - x);
     vec3 normal = surface.normal;

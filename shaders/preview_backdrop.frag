@@ -1,4 +1,4 @@
-// The backdrop alone, its upper row first.
+// The backdrop alone, with the top row first.
 out vec4 colour;
 
 void main() {

@@ -4,8 +4,8 @@ in vec3 v_back;
 in vec3 v_edges;
 
 uniform sampler2D picture;  // sRGB: woven or painted colours, or white
-uniform float ink;          // 0..1, how dark lines are
-uniform float line_px;      // half their width
+uniform float ink;          // 0..1, darkness of lines
+uniform float line_px;      // px, half the width of lines
 
 out vec4 colour;
 

@@ -1,24 +1,24 @@
-// Cloth of a draft, three vertices to a triangle. Light is worked out at vertices and encoded, so that a pixel is its
-// picture's colour times that.
+// Cloth in previews, three vertices per triangle. Light is computed at the vertices and encoded as sRGB; a pixel is
+// this light times the picture's colour.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
-layout(location = 2) in vec2 place;  // (weft, warp) in m, or along the map of a painted mode
+layout(location = 2) in vec2 place;  // (weft, warp) in m, or the position along the map of a painted mode
 layout(location = 3) in uint marks;  // as in cloth.vert
 
 uniform mat4 camera;
 uniform vec2 place_scale;
 uniform vec2 place_offset;
-uniform vec3 cloth_colour;  // sRGB; white where a picture tells
+uniform vec3 cloth_colour;  // sRGB; white if the picture gives the colour
 uniform vec3 level_colours[8];
 uniform float level_share;  // 1: coloured by level
-uniform int all_lines;      // 1: every edge is drawn, 0: seams and hems
+uniform int all_lines;      // 1: draws every edge; 0: only seams and hems
 
 out vec2 v_place;
-out vec3 v_front;  // colour seen on the right side
+out vec3 v_front;  // colour of the right side
 out vec3 v_back;
-out vec3 v_edges;  // height over each edge that is drawn, 1 at the corner; 1 throughout over others
+out vec3 v_edges;  // drawn edges: height over the edge, 1 at its opposite corner; other edges: 1
 
-// Cloth's inside is mostly in the shade of its outside.
+// openness (ambient visibility) and key_seen are constants here, lower on the wrong side: previews have no shadows.
 vec3 light_on(vec3 side_normal, float openness, float key_seen) {
     Surface surface;
     surface.albedo = vec3(1.0);

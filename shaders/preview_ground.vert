@@ -1,4 +1,4 @@
-// A soft dark spot on the ground, so that a figure stands somewhere. Four vertices of a strip, no buffer.
+// A soft dark spot on the ground below the body. A strip of four vertices, without a buffer.
 uniform mat4 camera;
 uniform vec3 ground_centre;
 uniform vec2 ground_reach;  // m, along x and z

@@ -1,4 +1,4 @@
-// Bodies and marks of a draft: fine meshes, lit at their vertices, so that pixels cost next to nothing.
+// Bodies and marks in previews. Their meshes are fine, so lighting at the vertices suffices and pixels are cheap.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec4 mark_colour;  // sRGB, of marks

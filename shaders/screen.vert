@@ -1,2 +1,2 @@
-// One triangle that covers the picture; needs no buffer.
+// One triangle that covers the whole target; needs no vertex buffer.
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }

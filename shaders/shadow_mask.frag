@@ -1,26 +1,26 @@
-// How much of the key light each pixel's place sees: 0..1, and the place's depth from the light, by which it is known
-// again. The further the blocker, the softer its edge.
-// Apart from the drawing of surfaces, since these are drawn in triangles hardly larger than a pixel, each of which has
-// whole blocks of pixels shaded.
-uniform sampler2D places;            // of shadow.glsl; w below 0 where no key light falls or nothing is
-uniform sampler2DShadow shadow_map;  // shadow_depth, compared and softened
+// Percentage-closer soft shadows: visibility of the key light at each pixel's position, 0..1, and the position's depth
+// as seen from the light, by which key_shadow.glsl finds the matching pixel. Edges are softer for more distant
+// blockers. This is a pass of its own because surfaces have triangles hardly larger than a pixel, and GL shades whole
+// blocks of pixels for each of them.
+uniform sampler2D places;            // shadow_place() of shadow.glsl; w < 0: faces away from the light, or is empty
+uniform sampler2DShadow shadow_map;  // shadow_depth, with comparison and linear filter
 uniform sampler2D shadow_depth;
-uniform sampler2D shadow_nearest;    // the least depth within shadow_reach, coarsely
-uniform float shadow_reach;          // m: the softest shadow's edge, and how far a blocker is looked for
-uniform float shadow_width;          // m that the map spans
+uniform sampler2D shadow_nearest;    // smallest depth within shadow_reach, on a coarse grid
+uniform float shadow_reach;          // m, search radius for blockers, and largest blur radius
+uniform float shadow_width;          // m, covered by the map
 
 out vec2 mask;
 
 const int kBlockerTaps = 24;
 const int kShadowTaps = 40;
-const float kLightSize = 0.10;   // across, as seen from the scene, rad
-const float kLeastBlur = 0.003;  // m
+const float kLightSize = 0.10;   // blur radius / distance from blocker to surface
+const float kLeastBlur = 0.003;  // m, smallest blur radius
 
-// The points of a disc are spread evenly (Vogel): each lies a golden angle further round than the one before.
+// Vogel's spiral spreads the points of a disc evenly: each is turned by the golden angle from the previous one.
 const mat2 kGoldenTurn = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688);
 
-// What stands before a point of the scene: x how many of the taps, y their mean depth.
-// Software GL works through both sides of a branch: a loop of no rounds is what saves work.
+// Blockers between a position and the light. x: number of taps with a blocker, y: mean depth of these blockers.
+// taps = 0 skips the search: software GL executes both sides of a branch, but no iterations of an empty loop.
 vec2 find_blockers(vec3 at, float radius, float slope, int taps) {
     float sum = 0.0, count = 0.0;
     vec2 way = vec2(1.0, 0.0);
@@ -48,7 +48,7 @@ float lit_share(vec3 at, float radius, float slope, int taps) {
 
 void main() {
     vec4 place = texelFetch(places, ivec2(gl_FragCoord.xy), 0);
-    bool is_beside = any(greaterThan(abs(place.xy - 0.5), vec2(0.5)));  // all that casts shadows
+    bool is_beside = any(greaterThan(abs(place.xy - 0.5), vec2(0.5)));  // outside the map, where nothing casts shadows
     bool is_searched = place.w >= 0.0 && !is_beside && textureLod(shadow_nearest, place.xy, 0.0).r < place.z;
     float most = shadow_reach / shadow_width;
     vec2 blockers = find_blockers(place.xyz, most, place.w, is_searched ? kBlockerTaps : 0);

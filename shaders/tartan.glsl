@@ -1,10 +1,10 @@
-// A woven cloth from its setts, warp and weft each with one of its own: plain weave, 2/2 twill or 3/1 twill. Filtered
-// over the pixel's footprint, each way by itself, without mipmaps: stripe colours by sums along the setts, so that
-// neither edges nor stripes finer than a pixel alias; the crossing threads one by one when near, fading to the mixture
-// that the eye sees when threads are finer than a pixel; and nearer still the round of each yarn and its twist.
-// Every one of these has the same mean colour.
-uniform sampler2D sett_sums;  // row 0 warp, row 1 weft; texel k: sum over the threads before k of (colour - mean)
-uniform int warp_threads;     // of a repeat
+// Woven cloth from the setts of warp and weft: plain weave, 2/2 twill or 3/1 twill. Filtered over the pixel's
+// footprint, along warp and weft separately, without mipmaps. Three parts, all with the same mean colour:
+// - stripes: mean colours from prefix sums along the setts, so that stripes finer than a pixel do not alias;
+// - threads: single crossings when near, fading to the mean mixture of warp and weft when finer than a pixel;
+// - yarns: when nearer still, the roundness and twist of each yarn.
+uniform sampler2D sett_sums;  // row 0 warp, row 1 weft; texel k: sum over threads before k of (colour - mean)
+uniform int warp_threads;     // in one repeat
 uniform int weft_threads;
 uniform vec3 warp_mean;
 uniform vec3 weft_mean;
@@ -12,7 +12,7 @@ uniform int weave;             // 0 plain, 1 2/2 twill, 2 3/1 twill
 uniform float thread_spacing;  // m
 uniform vec2 sett_position;    // m
 
-vec2 weave_light = vec2(0.0);  // of the direction to the key light: its parts along weft and warp
+vec2 weave_light = vec2(0.0);  // components of the direction to the key light along weft and warp
 
 const float kTwoPi = 6.2831853;
 
@@ -47,13 +47,13 @@ vec3 thread_colour(ThreadSystem system, float thread) {
            texelFetch(sett_sums, ivec2(k, system.row), 0).rgb;
 }
 
-// How much of the pixel [t - width/2, t + width/2] lies on the thread [thread, thread + 1].
+// Fraction of the pixel [t - width/2, t + width/2] that the thread [thread, thread + 1] covers.
 float coverage(float thread, float t, float width) {
     float low = max(thread, t - 0.5 * width), high = min(thread + 1.0, t + 0.5 * width);
     return max(high - low, 0.0) / width;
 }
 
-// Whether the warp lies on top, seen from `side`.
+// Whether the warp is on top at this crossing, seen from `side`.
 bool is_warp_seen(float end, float pick, float side) {
     float period = weave == 0 ? 2.0 : 4.0;
     float over = weave == 0 ? 1.0 : (weave == 1 ? 2.0 : 3.0);
@@ -62,14 +62,14 @@ bool is_warp_seen(float end, float pick, float side) {
     return (place < over - 0.5) == (side > 0.0);
 }
 
-// Of what is seen from `side`.
+// Fraction of the visible surface that is warp, seen from `side`.
 float warp_share(float side) { return weave == 2 ? 0.5 + 0.25 * side : 0.5; }
 
-// What the weave adds to the mixture of warp and weft, over the threads that the pixel covers, 4 x 4 at most.
+// Difference between the single threads that the pixel covers (at most 4 x 4) and the mean mixture of warp and weft.
 vec3 weave_detail(vec2 t, vec2 width, float side, bool is_near) {
     vec2 first = floor(t - 0.5 * width);
     float share = warp_share(side);
-    int count = is_near ? 4 : 0;  // a count, not a branch: software GL works through both sides of a branch
+    int count = is_near ? 4 : 0;  // a loop count: software GL executes both sides of a branch
     vec3 detail = vec3(0.0);
     for (int j = 0; j < count; ++j) {
         float pick = first.y + float(j);
@@ -84,9 +84,9 @@ vec3 weave_detail(vec2 t, vec2 width, float side, bool is_near) {
     return detail;
 }
 
-// The light that a round yarn takes at a place on its float, over its mean: across in -0.5..0.5, along in 0..1 within
-// the crossing, dives: whether the yarn goes under at the crossing's beginning and end. Every term's mean over a
-// float is nothing, and so is that of every product.
+// Brightness of a round yarn at a position on its float, relative to its mean. across: -0.5..0.5; along: 0..1 within
+// the crossing; dives: whether the yarn goes under at the beginning and end of the crossing. Every term, and every
+// product of terms, has mean zero over a float.
 float yarn_relief(float across, float along, vec2 dives, vec2 light) {
     vec2 depth = dives * vec2(pow(1.0 - along, 3.0), along * along * along);
     float round_of = 1.0 + 2.6 * (1.0 / 12.0 - across * across);
@@ -95,7 +95,7 @@ float yarn_relief(float across, float along, vec2 dives, vec2 light) {
     return round_of * dive_of * (1.0 + bend) - 1.0;
 }
 
-// Fibres wind round the yarn; every thread is a little otherwise. Means are nothing: whole waves to a crossing.
+// Brightness of the twisted fibres; every thread has a phase of its own. The mean is zero: whole waves per crossing.
 float yarn_twist(float across, float along, float thread, float width) {
     float own = fract(sin(thread * 12.9898) * 43758.547);
     float strand = cos(kTwoPi * (3.0 * along + 1.4 * across + own)) * (1.0 - smoothstep(0.07, 0.16, width));
@@ -114,7 +114,7 @@ float thread_relief(vec2 t, float side, float width) {
     return relief + yarn_twist(place.x - 0.5, place.y, is_warp ? cell.x : cell.y + 0.37, width);
 }
 
-// place: (weft, warp) in m on the fabric; side: 1 seen from the right side, -1 from the wrong one.
+// place: (weft, warp) on the fabric, m; side: 1 for the right side, -1 for the wrong side.
 vec3 tartan(vec2 place, float side) {
     vec2 t = (place - sett_position) / thread_spacing;
     vec2 width = max(fwidth(t), vec2(0.01));

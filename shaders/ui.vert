@@ -1,10 +1,10 @@
-layout(location = 0) in vec2 position;  // as ImGui has it
+layout(location = 0) in vec2 position;  // in ImGui's coordinates
 layout(location = 1) in vec2 place;
 layout(location = 2) in vec4 colour;  // sRGB, straight alpha
 
-uniform vec2 display_low;  // its upper left
+uniform vec2 display_low;  // upper left corner of the display
 uniform vec2 display_size;
-uniform float upwards;  // 1: upright, -1: the target's first row is the uppermost
+uniform float upwards;  // 1: upright; -1: row 0 of the target is the top row
 
 out vec2 v_place;
 out vec4 v_colour;

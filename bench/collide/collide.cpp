@@ -23,7 +23,7 @@
 namespace selvedge::bench {
 namespace {
 
-// A structure and a way to ask it.
+// A structure and the way in which it is queried.
 struct Baseline {
     std::string name;
     const sim::Collider* collider = nullptr;
@@ -32,7 +32,7 @@ struct Baseline {
     std::vector<double> seconds{};
 };
 
-// What is built over one body, and what building took.
+// The structures built for one body, and the time to build each.
 struct Structures {
     Structures(const sim::Body& body, float offset);
 
@@ -45,7 +45,7 @@ struct Structures {
     float reach;
 };
 
-constexpr float kSearchReach = 0.01F;  // m, as far as grid and limited tree look
+constexpr float kSearchReach = 0.01F;  // m, search distance of the grid and of the limited BVH
 
 Structures::Structures(const sim::Body& body, float offset) : reach(offset) {
     const sim::ThreadLimit one(1);
@@ -72,11 +72,11 @@ std::vector<Baseline> rivals_of(const Structures& structures) {
     return rivals;
 }
 
-// How far the answers are off where cloth touches: of points nearer than the offset.
+// Errors of the answers for points in contact, that is, nearer than the offset.
 struct Errors {
     std::vector<double> distance;  // m
     std::vector<double> angle;     // rad, of the normal
-    int missed = 0;                // said to be off by more than half a millimetre
+    int missed = 0;                // answered as more than 0.5 mm beyond the offset
     int touching = 0;
 };
 
@@ -179,7 +179,7 @@ std::vector<Vec3d> vertex_normals(const sim::Body& body) {
     return normals;
 }
 
-// An edge and the triangles on both its sides, each with the place of the edge's first corner in it.
+// An edge and its two triangles, each with the corner index where the edge starts in it.
 struct SharedEdge {
     double length = 0;
     int low = 0, high = 0;
@@ -214,7 +214,8 @@ std::vector<SharedEdge> longest_first(const sim::Body& body) {
     return edges;
 }
 
-// The middle of the edge, moved out as far as the normals at its ends bend. (Vlachos et al. 2001)
+// The midpoint of the edge, displaced to follow the curvature given by the end normals. (curved PN triangles, Vlachos
+// et al. 2001)
 Vec3d bent_middle(const sim::Body& body, const std::vector<Vec3d>& normals, const SharedEdge& edge) {
     const Vec3d& a = body.x[std::size_t(edge.low)];
     const Vec3d& b = body.x[std::size_t(edge.high)];
@@ -224,7 +225,7 @@ Vec3d bent_middle(const sim::Body& body, const std::vector<Vec3d>& normals, cons
     return (a + b) / 2 + (at_a * along.dot(at_a) - at_b * along.dot(at_b)) / 8;
 }
 
-// Both triangles become two.
+// Splits both triangles of the edge in two.
 void split(sim::Body& body, const SharedEdge& edge, const Vec3d& middle) {
     const int m = int(body.x.size());
     body.x.push_back(middle);
@@ -237,7 +238,7 @@ void split(sim::Body& body, const SharedEdge& edge, const Vec3d& middle) {
     }
 }
 
-// Splits the longest edges, none of them in a triangle that this round has split already.
+// Splits edges in order of length, up to `triangles` triangles. Skips edges of a triangle that this call has split.
 void split_round(sim::Body& body, std::size_t triangles) {
     const std::vector<Vec3d> normals = vertex_normals(body);
     std::vector<bool> is_split(body.triangles.size(), false);

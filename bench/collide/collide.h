@@ -1,6 +1,7 @@
 #pragma once
-// What it costs to keep cloth out of a dense body: the thesis' collision grid, a tree of boxes, and the distance field,
-// with and without its kernels and the test of slack, on the same moving points.  (SPEC 3.3; thesis table 4.1)
+// Compares the cost of contact queries against a dense body on the same moving points: the collision grid of the thesis
+// (4.4.1), a bounding volume hierarchy (BVH) and the distance field, the last with and without its SIMD kernels and
+// with and without cached slack distances (see ContactWay).
 #include <cstddef>
 #include <vector>
 
@@ -12,18 +13,17 @@
 namespace selvedge::bench {
 
 struct CollideOptions {
-    std::vector<std::size_t> triangles{27000, 107000, 428000};  // of the body, each at least 17 184
+    std::vector<std::size_t> triangles{27000, 107000, 428000};  // of the body, each at least 17,184
     ClothPointOptions points{};
-    int rounds = 7;  // figures are medians of so many
+    int rounds = 7;  // repetitions; times are medians over them
 };
 
-// One table of queries, one row for each structure and body; and one of what building them takes.
+// Two tables, with one row for each structure and body: the cost and errors of queries, and the cost of building.
 std::vector<Table> bench_collide(const CollideOptions& options, const sim::Progress& progress = {});
 
-// The mannequin with as many triangles as an experiment wants.
-
-// The standing mannequin, its longest edges split until it has about so many triangles (two fewer at most): closed, and
-// as smooth as it was. Pre: triangles >= 17 184, what its coarsest form has.
+// The standing mannequin with `triangles` triangles, or one fewer: its longest edges are split until it has that many.
+// The surface stays closed, and new vertices follow its curvature. No bones. Pre: triangles >= 17,184, the count of the
+// coarsest mannequin.
 sim::Body dense_body(std::size_t triangles);
 
 }  // namespace selvedge::bench

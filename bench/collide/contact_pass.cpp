@@ -16,12 +16,12 @@ sim::Contact answer_in(const sim::ContactBlock& block, std::size_t lane) {
     return {block.distance[lane], {block.nx[lane], block.ny[lane], block.nz[lane]}};
 }
 
-// What is known of each point since it was asked last.
+// For each point, the position and the slack distance of its last query.
 struct Known {
     explicit Known(std::size_t count) : x(count), y(count), z(count), slack(count, -1.0F) {}
 
-    std::vector<float> x, y, z;  // where, m
-    std::vector<float> slack;    // m it may move before it can touch
+    std::vector<float> x, y, z;  // position at the last query, m
+    std::vector<float> slack;    // m, distance it may move before a contact is possible
 
     bool spares(std::size_t i, const sim::ContactBlock& block, std::size_t lane) const {
         const float dx = block.x[lane] - x[i];
@@ -68,7 +68,7 @@ class Pass {
             answers[i] = answer_in(work_[i / sim::kContactLanes], i % sim::kContactLanes);
     }
 
-    // Returns how many were asked.
+    // Returns the number of points that were queried.
     std::size_t step_with_slack(const std::vector<sim::ContactBlock>& asked, sim::Contact* answers) {
         const std::size_t count = list_active(asked);
         for (std::size_t k = 0; k < count; ++k) {
@@ -145,16 +145,16 @@ PassReport run_pass(const PassPoints& points, const sim::Collider& collider, Con
 namespace {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
-constexpr float kThickness = 0.03F;  // m, of the layer that the points stay in
+constexpr float kThickness = 0.03F;  // m, of the layer over the surface in which the points stay
 
 struct MovingPoint {
     Vec3f x;
     Vec3f v = Vec3f::Zero();        // m/s
-    Vec3f outward = Vec3f::Zero();  // at its last place
-    float fall = 0;                 // m/s, towards the body
+    Vec3f outward = Vec3f::Zero();  // surface normal at the closest point of its last position
+    float fall = 0;                 // m/s, speed towards the body
 };
 
-// Uniform 0..1 and normal numbers that are the same on every machine.
+// Uniform numbers in 0..1 and approximately normal ones (a sum of 12), the same on every machine.
 struct Random {
     std::mt19937 engine;
     float share() { return float(double(engine()) / 4294967296.0); }
@@ -170,13 +170,14 @@ struct Random {
     }
 };
 
+// Whether a point is about on the trunk, the upper arms or the thighs.
 bool is_clad(const sim::SurfaceBvh& surface, const Vec3f& p) {
     const float stature = surface.high().y() - surface.low().y();
     const float height = (p.y() - surface.low().y()) / stature;
     return height > 0.3F && height < 0.82F && std::abs(p.x()) < 0.2F * stature;
 }
 
-// Sums of the areas of clad triangles; the others add nothing.
+// By triangle: cumulative double area of the clad triangles up to it.
 std::vector<double> summed_areas(const sim::SurfaceBvh& surface) {
     std::vector<double> sums;
     double sum = 0;
@@ -199,7 +200,7 @@ Vec3f random_point_over(const sim::SurfaceBvh& surface, const std::vector<double
     return on + (x[b] - x[a]).cross(x[c] - x[a]).stableNormalized() * (kThickness * random.share());
 }
 
-// Interleaves the bits of a point's place in cells of 4 mm (Morton), so that what is near in space is near in the list.
+// Morton code of a point on a grid of 4 mm cells. Sorted by it, points near in space are near in the list.
 std::uint32_t place_in_order(const Vec3f& p) {
     std::uint32_t code = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -234,7 +235,7 @@ void move(MovingPoint& point, const ClothPointOptions& options, Random& random) 
     if (random.share() < 0.002F) point.x -= point.outward * (0.01F * random.share());
 }
 
-// Keeps the point in the layer between the offset and its thickness.
+// Projects the point to the offset, and reflects its velocity at the outer limit of the layer.
 void hold(MovingPoint& point, const sim::ClosestPoint& closest, float offset) {
     point.outward = closest.normal;
     const float outward_speed = point.v.dot(closest.normal);

@@ -1,5 +1,6 @@
 #pragma once
-// All points of a ClothPoints asked at every step, in the ways that cloth could ask.
+// Points that move near a body like the vertices of a worn garment (ClothPoints), and run_pass(), which queries a
+// collider for all of them at every step, one by one, in SIMD blocks, or only where a contact is possible.
 #include <vector>
 
 #include "sim/collide/collider.h"
@@ -7,54 +8,52 @@
 
 namespace selvedge::bench {
 
-// Points that move near a body as the vertices of a worn garment do: for measuring what it costs to keep them out.
-
 struct ClothPointOptions {
     int points = 3100;
     int steps = 56;                 // sub-steps
     float substep = 1.0F / 840.0F;  // s
-    float speed = 1.0F;             // m/s, root mean square of free points
-    float offset = 0.003F;          // m, points are put back to this distance
+    float speed = 1.0F;             // m/s, RMS of points without contact
+    float offset = 0.003F;          // m, contact offset: points that come nearer are projected to this distance
     unsigned seed = 7;
 };
 
 struct ClothPoints {
-    // [step][point]: where the point is when it is asked, and what is true there.
+    // [step][point]: the position at the query, and the exact closest point on the surface.
     std::vector<std::vector<Vec3f>> x;
     std::vector<std::vector<sim::ClosestPoint>> exact;
-    double in_contact = 0;  // share of them nearer than the offset
+    double in_contact = 0;  // share of the queries nearer than the offset, 0..1
 };
 
-// Over the trunk, upper arms and thighs, at first 0 to 30 mm from the surface; neighbours in space are about neighbours
-// in the list. Each swings at random; three in ten also fall towards the body, and now and then one leaps in by up to a
-// centimetre. After a step what is nearer than the offset is put back to it and loses its speed inward.
+// The points cover the trunk, upper arms and thighs and start 0 to 30 mm from the surface, in Morton order. Each has a
+// random velocity; 30 % of them also move towards the body, and with a probability of 0.2 % per step a point jumps up
+// to 10 mm inward. After each step, points nearer than the offset are projected to it and lose their inward velocity.
 ClothPoints move_cloth_points(const sim::SurfaceBvh& surface, const ClothPointOptions& options = {});
 
 enum class ContactWay {
-    OneByOne,   // contact() for each
-    InBlocks,   // contacts(), sixteen at once
-    WithSlack,  // the same for those only that may have come too near since they were asked last
+    OneByOne,   // contact() for each point
+    InBlocks,   // contacts(), 16 points per block
+    WithSlack,  // contacts(), only for points that may have come within the offset since their last query
 };
 
-// The points in the order that passes read them.
+// The points of all steps, packed into blocks for run_pass().
 class PassPoints {
  public:
     explicit PassPoints(const ClothPoints& points);
 
-    std::size_t count() const { return count_; }  // of one step
+    std::size_t count() const { return count_; }  // of points in one step
     const std::vector<std::vector<sim::ContactBlock>>& steps() const { return steps_; }
 
  private:
     std::size_t count_ = 0;
-    std::vector<std::vector<sim::ContactBlock>> steps_;  // spare lanes of the last block repeat its last point
+    std::vector<std::vector<sim::ContactBlock>> steps_;  // unused lanes of the last block repeat its last point
 };
 
 struct PassReport {
-    double queries = 0;  // points times steps
-    double asked = 0;    // of which the collider
+    double queries = 0;  // points x steps
+    double asked = 0;    // how many of them queried the collider
 };
 
-// answers, if wanted: [step * count + point]; what slack spared is said to be at infinity.
+// answers, if not null: [step * count + point]. Points that needed no query have an infinite distance.
 PassReport run_pass(const PassPoints& points, const sim::Collider& collider, ContactWay way, float offset,
                     std::vector<sim::Contact>* answers = nullptr);
 

@@ -20,7 +20,8 @@ GridCollider::CellRange GridCollider::cells_in(const Vec3f& low, const Vec3f& hi
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto a = std::ptrdiff_t(axis);
         const auto cell = [&](float at) { return (at - surface_.low()[a]) / cell_size_[a]; };
-        // Held to what an int takes, one outside on either side; what touches the body's box is in it.
+        // Clamped to one cell outside the grid on either side, so that it fits an int. The upper border of the body's
+        // box belongs to the last cell.
         range.first[axis] = int(std::clamp(std::floor(cell(low[a])), 0.0F, float(kCells)));
         range.last[axis] = int(std::clamp(std::floor(cell(high[a])), -1.0F, float(kCells - 1)));
         if (range.first[axis] == kCells && low[a] <= surface_.high()[a]) range.first[axis] = kCells - 1;
@@ -59,7 +60,7 @@ void GridCollider::test_cell(std::size_t cell, const Vec3f& p, sim::NearestTrian
         best.test(*kernels_, packets_[packet], p);
 }
 
-// The point's own cell first, then of its neighbours those that can hold something nearer.
+// Searches the point's own cell first, then those cells within the reach that may contain a nearer triangle.
 sim::Contact GridCollider::contact(const Vec3f& p) const {
     sim::NearestTriangle best{.squared = reach_ * reach_};
     const CellRange own = cells_in(p, p);
@@ -69,7 +70,7 @@ sim::Contact GridCollider::contact(const Vec3f& p) const {
         test_cell(tested, p, best);
     }
     const CellRange range = cells_in(p - Vec3f::Constant(reach_), p + Vec3f::Constant(reach_));
-    constexpr float kHair = 1.0001F;  // rounding of a cell's box
+    constexpr float kHair = 1.0001F;  // tolerance for the rounding of a cell's box
     for (int k = range.first[2]; k <= range.last[2]; ++k)
         for (int j = range.first[1]; j <= range.last[1]; ++j)
             for (int i = range.first[0]; i <= range.last[0]; ++i) {

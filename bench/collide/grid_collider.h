@@ -1,5 +1,6 @@
 #pragma once
-// Colliders that search the surface itself, to compare the distance field with.  (SPEC 3.3; thesis fig. 4.7)
+// Two colliders that search the triangles of the surface, as baselines for the distance field: the collision grid of
+// the thesis (4.4.1, fig. 4.7), and a bounding volume hierarchy (BVH).
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -9,13 +10,13 @@
 
 namespace selvedge::bench {
 
-// The thesis' collision grid: 32^3 cells over the body, each of which lists the triangles that overlap it. Exact as far
-// as the reach on both sides; what lies deeper inside passes for outside.
+// The collision grid of the thesis: 32^3 cells over the body's bounding box; each cell lists the triangles whose
+// bounding boxes overlap it. Exact up to `reach` on both sides of the surface; deeper points inside count as outside.
 class GridCollider final : public sim::Collider {
  public:
     static constexpr int kCells = 32;  // along each axis
 
-    // The surface must outlive the collider. Pre: it is closed; reach > 0 (m).
+    // The surface must outlive the collider. Pre: the surface is closed; reach > 0 (m).
     explicit GridCollider(const sim::SurfaceBvh& surface, float reach = 0.01F);
 
     sim::Contact contact(const Vec3f& p) const override;
@@ -30,10 +31,10 @@ class GridCollider final : public sim::Collider {
  private:
     using CellIndex = std::array<int, 3>;
 
-    // Cells that a box overlaps.
+    // The cells that a box overlaps.
     struct CellRange {
         CellIndex first;
-        CellIndex last;  // the last too
+        CellIndex last;  // inclusive
         bool is_empty() const { return first[0] > last[0] || first[1] > last[1] || first[2] > last[2]; }
     };
     static std::size_t place(int i, int j, int k) { return std::size_t(i + kCells * (j + kCells * k)); }
@@ -46,14 +47,14 @@ class GridCollider final : public sim::Collider {
     const sim::CollideKernels* kernels_ = &sim::collide_kernels(sim::simd_level());
     float reach_;
     Vec3f cell_size_;                   // m
-    std::vector<std::uint32_t> first_;  // packet of each cell; one more at the end
+    std::vector<std::uint32_t> first_;  // by cell: index of its first packet; one more entry at the end
     std::vector<sim::TrianglePacket> packets_;
 };
 
-// The tree of boxes, asked no farther than the reach. What lies deeper inside passes for outside.
+// BVH queries limited to `reach`. Points deeper inside count as outside.
 class BvhCollider final : public sim::Collider {
  public:
-    // The surface must outlive the collider. Pre: it is closed; reach > 0 (m), infinite for no limit.
+    // The surface must outlive the collider. Pre: the surface is closed; reach > 0 (m), infinite for no limit.
     explicit BvhCollider(const sim::SurfaceBvh& surface, float reach) : surface_(surface), reach_(reach) {}
 
     sim::Contact contact(const Vec3f& p) const override;

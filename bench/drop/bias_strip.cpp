@@ -12,12 +12,12 @@
 namespace selvedge::bench {
 namespace {
 
-constexpr int kLength = 4;      // widths
-constexpr double kFrom = 1.25;  // widths below the clamp
+constexpr int kLength = 4;      // widths, of the strip
+constexpr double kFrom = 1.25;  // widths below the clamp: upper gauge line
 constexpr double kTo = 2.75;
 constexpr double kG = 9.81;  // m/s^2
 
-// One column of quads hanging in the plane z = 0 from y = 0; the lowest quad is the weight, a panel of its own.
+// One column of quads in the plane z = 0 that hangs down from y = 0. The lowest quad is the weight, a separate panel.
 sim::GarmentMesh hanging_strip(double width) {
     const int rows = kLength + 1;
     sim::GarmentMesh strip = make_square({.columns = 1, .rows = rows, .width = width, .depth = width * rows});
@@ -32,7 +32,8 @@ sim::GarmentMesh hanging_strip(double width) {
     return strip;
 }
 
-// Of the weight, kg/m^2: with the strip's own below the middle of the gauge it makes the strain asked for.
+// Area density of the weight, kg/m^2: together with the strip's own weight below the middle of the gauge length, it
+// causes options.strain. At least the density of the fabric.
 double weight_density(const sim::Fabric& fabric, const BiasStripOptions& options) {
     const double force = options.strain * bias_stiffness(fabric);  // N/m
     const double strip_below = kLength - (kFrom + kTo) / 2;        // widths
@@ -60,7 +61,7 @@ BiasStrip measure_bias(const sim::Fabric& fabric, const BiasStripOptions& option
     const double rest = (kTo - kFrom) * width;
     const auto strain = [&] { return (line(kFrom).y() - line(kTo).y()) / rest - 1; };
     const double measured = mean_reading(run, sim::NoBody(), resting.damping, strain);
-    const double own = (kLength - (kFrom + kTo) / 2) * width * fabric.area_density;  // kg/m, below the gauge's middle
+    const double own = (kLength - (kFrom + kTo) / 2) * width * fabric.area_density;  // kg/m, strip below gauge middle
     const double force = kG * (own + width * weight.area_density);
     result.stiffness_ratio = bias_strain(fabric, force) / measured;
     return result;

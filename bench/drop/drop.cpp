@@ -15,9 +15,9 @@
 namespace selvedge::bench {
 namespace {
 
-constexpr float kNeverSampled = std::numeric_limits<float>::max();  // m, an edge that no triangle has
+constexpr float kNeverSampled = std::numeric_limits<float>::max();  // m, longer than any edge: no triangle is sampled
 
-// The leaf vertex in the middle stays where it is. The middle of every grid is a vertex once it is refined.
+// Pins the leaf vertex at the centre of the cloth. The centre of every grid is a vertex after refinement.
 void pin_centre(ClothRun& run, double shift, const DropScene& scene) {
     const Vec3d centre(shift, scene.height, 0);
     pin_where(run, [&](const Vec3d& x) { return (x - centre).norm() < 1e-4 * scene.side; });
@@ -114,7 +114,7 @@ bool is_sampled(int frame) {
 
 namespace {
 
-constexpr const char* kBias = "bias";  // the gate
+constexpr const char* kBias = "bias";  // name of the gate
 
 std::vector<std::string> missed_gates(const DropTrial& trial, const DropGates& gates) {
     std::vector<std::string> missed;

@@ -13,7 +13,7 @@ SphereDropOptions options_for(const DropExperiment& experiment, int substeps) {
             .scene = experiment.scene};
 }
 
-// Tries each number of sub-steps once.
+// Runs trials and remembers them, so that each number of sub-steps is tried once.
 class Trials {
  public:
     Trials(const DropExperiment& experiment, std::vector<DropTrial>& trials, const sim::Progress& progress)
@@ -26,8 +26,9 @@ class Trials {
         return trials_.emplace_back(try_drop(options_for(experiment_, substeps), experiment_.gates));
     }
 
-    // The fewest that pass. Stretch and area grow better with more; the strip on the bias is read a little higher or
-    // lower each time, so that from there on one after the other is tried, half as many again at most.
+    // The fewest sub-steps that pass. Stretch and area improve with more sub-steps, so they allow bisection. The
+    // stiffness on the bias varies slightly from one number to the next, so from the result of the bisection every
+    // number is tried in turn, up to 1.5 times that result.
     std::optional<int> fewest() {
         const auto holds = [&](int substeps) { return at(substeps).passes_but_for_bias(); };
         const std::optional<int> least = find_least(experiment_.most_substeps, holds);
@@ -45,7 +46,7 @@ class Trials {
     const sim::Progress& progress_;
 };
 
-// Keeps all trials by rising sub-steps.
+// Returns the chosen trial; leaves all trials in ascending order of sub-steps.
 DropTrial search(const DropExperiment& experiment, std::vector<DropTrial>& trials, const sim::Progress& progress) {
     Trials tried(experiment, trials, progress);
     std::optional<int> found = experiment.substeps;
@@ -59,7 +60,8 @@ DropTrial search(const DropExperiment& experiment, std::vector<DropTrial>& trial
     return *std::ranges::find(trials, wanted, &DropTrial::substeps);
 }
 
-// Many more; but in steps much shorter than this what gravity adds in one is lost in the rounding of positions.
+// Four times as many, within 64..128. In much shorter sub-steps, the displacement by gravity is lost in the rounding of
+// the single-precision positions.
 int converged_substeps(int substeps) {
     return std::max(std::clamp(4 * substeps, 64, 128), substeps);
 }
@@ -152,8 +154,8 @@ void add_quality(const DropReport& report, sim::Json& json) {
     json[drop_key::kNoiseFloorRmsM] = report.converged->noise_floor.rms;
 }
 
-// Both in turns, so that what else the machine does falls on both alike. With samples it is timed once at least: the
-// search has timed the drop without.
+// Runs both variants alternately, so that other load on the machine affects both alike. The variant with contact
+// samples is timed at least once; for the other, the search has a time already.
 void time_drops(const SphereDropOptions& options, int repetitions, DropReport& report, const sim::Progress& progress) {
     SphereDropOptions sampled = options;
     sampled.has_contact_samples = true;

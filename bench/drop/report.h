@@ -1,5 +1,5 @@
 #pragma once
-// The whole drop experiment, and its figures as tables and JSON. Every key of the JSON is declared here, once.
+// The complete drop experiment, and its results as tables and JSON. All JSON keys are declared here.
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -39,23 +39,23 @@ inline constexpr std::string_view kTrials = "trials";
 
 struct DropExperiment {
     int triangles = 1152;
-    std::optional<int> substeps{};  // none: searched for
+    std::optional<int> substeps{};  // none: searched by measure_drop()
     int most_substeps = 256;
     int repetitions = 5;
-    bool is_honest = true;  // whether rest, energy and convergence are measured too
+    bool is_honest = true;  // also measures rest, energy and convergence
     DropGates gates{};
     DropScene scene{};
 };
 
 struct DropReport {
     int triangles = 0;
-    DropTrial chosen;            // the cheapest that passes, or the last tried when none does
+    DropTrial chosen;            // given, or the fewest sub-steps that pass, or the last tried
     double ms_per_frame = 0;     // median over the repetitions' medians
-    double ms_with_samples = 0;  // the same, per frame, with contact samples in the middle of triangles
+    double ms_with_samples = 0;  // the same with contact samples in the middle of triangles
     RestFigures rest;
     WeightlessFigures weightless;
-    std::optional<ConvergedFigures> converged;  // none when honesty was not asked for
-    std::vector<DropTrial> trials;              // by sub-steps
+    std::optional<ConvergedFigures> converged;  // none if DropExperiment::is_honest is false
+    std::vector<DropTrial> trials;              // in ascending order of sub-steps
 };
 
 DropReport measure_drop(const DropExperiment& experiment, const sim::Progress& progress = {});

@@ -31,7 +31,7 @@ MeshSetting turned(MeshSetting mesh, double angle) {
 
 using Test = std::function<Reading(const sim::Fabric&, ThreadDirection, const MeshSetting&, const Stepping&)>;
 
-// One table: a row for each fabric, direction and level, a column for each angle.
+// Makes tables that have one column for each mesh angle, and counts gates.
 struct TableMaker {
     const FabricExperiment& experiment;
     const sim::Progress& progress;
@@ -45,7 +45,7 @@ struct TableMaker {
         return made.tables.back();
     }
 
-    // Counts a row that has a gate, and says whether it was met.
+    // Counts a row with a gate. Returns the text for the verdict column.
     std::string verdict(bool is_met, bool is_at_rest, const std::string& miss) {
         ++made.rows;
         if (!is_met) ++made.missed;
@@ -57,7 +57,7 @@ struct TableMaker {
     }
 };
 
-// scale: from SI to the table's unit.
+// scale: factor from SI to the unit of the table.
 void add_reading_row(TableMaker& maker, Table& table, const Test& test, const sim::Fabric& fabric,
                      ThreadDirection direction, const MeshSetting& level, double scale) {
     std::vector<Cell> row{fabric.name, name_of(direction), level_name(level)};
@@ -145,7 +145,7 @@ void measure_swing(TableMaker& maker) {
                  test, {ThreadDirection::Warp}, 1);
 }
 
-// Angles by rows of a table whose figures have no expected value, but a limit.
+// This table has an upper limit instead of expected values.
 void measure_energy(TableMaker& maker) {
     constexpr double kRounding = 1e-3;
     Table& table = maker.begin(
@@ -170,7 +170,7 @@ void measure_energy(TableMaker& maker) {
     }
 }
 
-// What the levels of one fabric gave, for the comparison of fabrics.
+// Drape coefficients of one fabric over all levels, for the comparison of fabrics.
 struct DrapeOfFabric {
     std::string fabric;
     double least = 1e9;  // %, over the levels 1 to 3 and adaptive

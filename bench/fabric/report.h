@@ -1,6 +1,6 @@
 #pragma once
-// All textile tests on all fabrics, as tables: what was expected, what was measured, by how much they differ, and what
-// was missed.
+// Runs the textile tests on fabrics and makes tables with the expected value, the measured values, the error and
+// whether the gate was met.
 #include <string>
 #include <vector>
 
@@ -11,8 +11,8 @@
 namespace selvedge::bench {
 
 struct FabricExperiment {
-    std::vector<std::string> fabrics{};  // empty: all that ship, or four of them when quick
-    bool is_quick = false;               // levels 1 and 2 at 17 degrees alone
+    std::vector<std::string> fabrics{};  // empty: all built-in fabrics, or four of them if is_quick
+    bool is_quick = false;               // levels 1 and 2 at a mesh angle of 17 degrees only
     Stepping stepping{};
 };
 
@@ -21,23 +21,24 @@ std::vector<std::string> textile_test_names();
 
 struct FabricTables {
     std::vector<Table> tables;
-    int rows = 0;    // with a gate
-    int missed = 0;  // of them
+    int rows = 0;    // rows with a gate
+    int missed = 0;  // rows whose gate was not met
 };
 
 // Throws InputError for an unknown fabric. Pre: test is one of the names.
 FabricTables measure_fabrics(const std::string& test, const FabricExperiment& experiment,
                              const sim::Progress& progress = {});
 
-// How far off a level may be: 5 % at level 2 and finer and where the mesh adapts, 10 % at level 1, nothing is asked of
-// level 0 (a negative number).
+// The allowed relative error: 0.05 at level 2 and finer and on adaptive meshes, 0.1 at level 1. Level 0 has no gate: a
+// negative number.
 double allowed_error(const MeshSetting& mesh);
 
-// Levels 0 to 3 and adaptive, or 1 and 2 when quick; the angles of the specimens on the mesher's grid, rad.
+// Levels 0 to 3 and adaptive, or levels 1 and 2 if is_quick. mesh_angles(): angles between the specimen and the
+// mesher's grid, rad.
 std::vector<MeshSetting> level_settings(const FabricExperiment& experiment);
 std::vector<double> mesh_angles(const FabricExperiment& experiment);
 
-// The drape coefficients published for such a fabric, %, or none known: both 0.
+// The range of drape coefficients published for this kind of fabric, %. Both 0: none is known.
 struct DrapeBand {
     double low = 0;
     double high = 0;

@@ -13,7 +13,7 @@ namespace {
 constexpr double kG = 9.81;           // m/s^2
 constexpr double kChordError = 5e-4;  // m
 
-// The panel's own plane is the specimen's, turned by the mesh angle; its place turns it back.
+// In its own plane the panel is rotated by the mesh angle; its rotation in 3D undoes this.
 sim::Panel turned_panel(const std::string& name, const std::vector<Vec2d>& corners, double mesh_angle,
                         const SpecimenFrame& frame) {
     sim::Panel panel;
@@ -58,8 +58,8 @@ sim::Panel disc_panel(const DiscCut& cut) {
     return panel;
 }
 
-// Half of the ring, from the quarter named counter-clockwise. Edges: 0 outward, 1 and 2 the rim, 3 inward, 4 and 5 the
-// support's edge, clockwise.
+// Half of the ring, counter-clockwise from this quarter. Edges: 0 outward, 1 and 2 on the rim, 3 inward, 4 and 5 on the
+// edge of the support, clockwise.
 sim::Panel half_ring(const std::string& name, const DiscCut& cut, int quarter) {
     const double r = cut.support_radius;
     const std::vector<Vec2d> corners{on_circle(r, quarter),

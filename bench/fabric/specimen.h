@@ -1,6 +1,6 @@
 #pragma once
-// Pieces of cloth for virtual textile tests, cut by the garment mesher and sewn as a garment is: what holds a specimen,
-// or weighs it down, is a panel of its own, so that the clamp's edge is where it should be on any mesh.
+// Specimens for virtual textile tests, meshed and sewn like a garment. The clamp that holds a specimen and the weight
+// that loads it are separate panels, so that the clamp's edge is exact on any mesh.
 #include <vector>
 
 #include "sim/core/math.h"
@@ -10,18 +10,18 @@
 
 namespace selvedge::bench {
 
-// A strip: across it runs a, along it l, from 0 at the clamp to its length.
+// A strip with coordinates a across it and l along it; l = 0 at the clamp, l = length at the free end.
 struct StripCut {
     double width = 0.05;        // m
     double length = 0.5;        // m
-    double weight = 0;          // N per metre of width, sewn to the free end; 0: none
-    double mesh_angle = 0;      // rad, by which the strip lies turned on the mesher's grid
+    double weight = 0;          // N/m (per metre of width), sewn to the free end; 0: none
+    double mesh_angle = 0;      // rad, rotation of the strip on the mesher's grid
     double warp_angle = 0;      // rad, from the strip's length to the warp: 0 tests the warp, pi/2 the weft
     double edge_length = 0.02;  // m, of the base mesh
 };
 
 struct Specimen {
-    sim::GarmentMesh mesh;  // sewn, with its pins: all vertices of what holds the specimen
+    sim::GarmentMesh mesh;  // sewn; its pins are all vertices of the holder (see cut_ridge_strip for the exception)
     std::vector<sim::Fabric> fabrics;
     double mesh_angle = 0;
 
@@ -32,21 +32,21 @@ struct Specimen {
     Vec2d material(double a, double l) const { return Eigen::Rotation2Dd(mesh_angle) * Vec2d(a, l); }
 };
 
-// across, along: where a and l point in the room, unit.
+// World directions of a (across) and l (along), unit vectors.
 struct SpecimenFrame {
     Vec3d across = Vec3d::UnitX();
     Vec3d along = -Vec3d::UnitY();
 };
 
-// The strip stands flat where the frame puts it, a = l = 0 at the origin.
+// The strip lies flat in the plane of the frame, with a = l = 0 at the origin.
 Specimen cut_strip(const sim::Fabric& fabric, const StripCut& cut, const SpecimenFrame& frame);
 
-// A strip of twice the length laid over a ridge at l = 0: pinned there along a seam, it droops on both sides, and is
-// level at the ridge by symmetry. (A clamp that holds the cells behind it would let the cloth bend over half a cell
-// more than it should.) The half with l < 0 is the panel kHolder. No weight.
+// A strip of twice the length, laid over a ridge at l = 0. It is pinned there along a seam and hangs down on both
+// sides; by symmetry it is level at the ridge. (A clamp that pins the cells behind its edge would let the cloth bend
+// over half a cell too much.) The half with l < 0 is the panel kHolder. No weight.
 Specimen cut_ridge_strip(const sim::Fabric& fabric, const StripCut& cut, const SpecimenFrame& frame);
 
-// Cusick's disc, level, its support's centre at the origin.
+// The disc of Cusick's drape test, horizontal, with the centre of its support at the origin.
 struct DiscCut {
     double support_radius = 0.09;  // m
     double radius = 0.15;          // m

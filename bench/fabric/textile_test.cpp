@@ -48,7 +48,7 @@ DrapeBand published_drape(const std::string& fabric_name) {
     return {};
 }
 
-// The tests of textile_test.h that want a strip at rest.
+// Static tests: cantilever and hanging strips at rest.
 
 namespace {
 
@@ -83,7 +83,7 @@ double load_of(const sim::Fabric& fabric, ThreadDirection direction) {
     return most > kE20 ? kE20 : std::min(kE5, most);
 }
 
-// The strain between the lines l = from and l = to of a hanging strip.
+// The mean strain of a hanging strip between the lines l = from and l = to.
 double strain_between(const Specimen& specimen, const ClothRun& run, const StripCut& cut, double from, double to) {
     const auto height = [&](double l) {
         return mean_material_point(run.cloth, Specimen::kCloth, specimen.material(0, l),
@@ -93,13 +93,13 @@ double strain_between(const Specimen& specimen, const ClothRun& run, const Strip
     return (height(from) - height(to)) / (to - from) - 1;
 }
 
-// Hangs the strip and reads its strain. At rest means that it creeps by less than a two-hundredth of what is expected
-// in a second.
+// Hangs the strip and measures its strain. It is at rest when it moves by less than 0.5 % of the expected elongation
+// per second.
 Reading hang(const sim::Fabric& fabric, ThreadDirection direction, const StripCut& cut, const MeshSetting& mesh,
              const Stepping& stepping) {
     constexpr float kDamping = 10;  // 1/s
     const bool is_bias = direction == ThreadDirection::Bias;
-    const double margin = is_bias ? 1.25 * cut.width : 0;  // threads that end in a clamp keep cloth from shearing
+    const double margin = is_bias ? 1.25 * cut.width : 0;  // yarns that end in a clamp prevent shear
     const double from = margin;
     const double to = cut.length - margin;
     const double force = cut.weight + weight_of(fabric) * (cut.length - (from + to) / 2);
@@ -174,7 +174,7 @@ Reading test_load(const sim::Fabric& fabric, ThreadDirection direction, const Me
     return hang(without_friction(fabric), direction, cut, mesh, stepping);
 }
 
-// The tests of textile_test.h in which cloth moves, or folds as it falls.
+// Dynamic tests and the drape test.
 
 namespace {
 
@@ -198,7 +198,7 @@ Shadow shadow_of(const ClothRun& run) {
 
 constexpr double kSwingLength = 0.3;  // m
 
-// angle: from the plumb line to the strip, rad.
+// angle: between the strip and the vertical, rad.
 ClothRun let_go(const sim::Fabric& fabric, double angle, const MeshSetting& mesh, const Stepping& stepping) {
     const StripCut cut{.width = 0.1, .length = kSwingLength, .mesh_angle = mesh.angle, .edge_length = 0.04};
     const SpecimenFrame frame{.across = Vec3d::UnitZ(), .along = Vec3d(std::sin(angle), -std::cos(angle), 0)};
@@ -206,7 +206,7 @@ ClothRun let_go(const sim::Fabric& fabric, double angle, const MeshSetting& mesh
     return start_run(specimen.mesh, specimen.fabrics, run_options(mesh, stepping));
 }
 
-// Mean over the mass, m.
+// x of the centre of mass, m.
 double sideways(const ClothRun& run) {
     const std::vector<double> mass = masses(run);
     double sum = 0;
@@ -232,7 +232,7 @@ DrapeReading test_drape(const sim::Fabric& fabric, const MeshSetting& mesh, cons
     return reading;
 }
 
-// From the first passage of the plumb line to the seventh are three periods.
+// Seven passages through the vertical span three periods.
 double swing_period(const sim::Fabric& fabric, const MeshSetting& mesh, const Stepping& stepping) {
     constexpr std::size_t kPassages = 7;
     constexpr double kLongest = 6;  // s

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kSteps = 500;
 
-// How the section's width grows along the strip: 1 + growth s, s from 0 at the clamp to 1.
+// A strip whose width grows along its length: 1 + growth s, with s from 0 at the clamp to 1 at the free end.
 struct Sector {
     double q;
     double growth;
@@ -21,7 +21,7 @@ struct Sector {
     double beyond(double s) const { return (1 - s) * (1 + growth * (1 + s) / 2); }  // area beyond s
 };
 
-// Angle to the plumb line, bending moment, reach and drop at s. The moment carries what hangs beyond s:
+// Angle from the vertical, bending moment, reach and drop at s. The moment balances the weight beyond s:
 // angle' = -moment / width, moment' = -q beyond(s) sin(angle).
 using State = Eigen::Vector4d;
 
@@ -29,8 +29,8 @@ State slope(const Sector& strip, double s, const State& y) {
     return {-y[1] / strip.width(s), -strip.q * strip.beyond(s) * std::sin(y[0]), std::sin(y[0]), std::cos(y[0])};
 }
 
-// From the free end, where the moment is nil and the angle is `tip`, back to the clamp (Runge-Kutta). Stops where the
-// strip would be level before it gets there.
+// Integrates from the free end, where the moment is zero and the angle is `tip`, to the clamp (4th-order Runge-Kutta).
+// Stops early where the strip becomes horizontal.
 State from_tip(const Sector& strip, double tip) {
     State y(tip, 0, 0, 0);
     const double h = -1.0 / kSteps;
@@ -45,8 +45,8 @@ State from_tip(const Sector& strip, double tip) {
     return y;
 }
 
-// The tip's angle for which the clamp is level. Soft strips end within next to nothing of the plumb line: so it is
-// sought by its logarithm.
+// Finds the tip angle for which the strip is horizontal at the clamp. The bisection is over the logarithm of the angle,
+// because the tip of a soft strip is almost vertical.
 Deflection solve(const Sector& strip) {
     double low = -400;
     double high = std::log(std::numbers::pi / 2);
@@ -137,7 +137,7 @@ double drape_coefficient(double shadow_area, double support_area, double specime
     return 100 * (shadow_area - support_area) / (specimen_area - support_area);
 }
 
-// Twice round, and only the second time counts: by then it is known whether the outline rises or falls.
+// Goes round twice and counts only the second time: after the first it is known whether the outline rises or falls.
 int count_folds(const std::vector<double>& outline, double prominence) {
     int folds = 0;
     bool is_rising = true;

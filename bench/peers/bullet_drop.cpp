@@ -1,5 +1,6 @@
-// The drop on a sphere by Bullet's soft body, judged as ours is (bench/drop). Its stiffness is at its highest;
-// sub-steps are doubled until the stretch gate is met or a run takes longer than the limit.
+// Runs the drop on a sphere with Bullet's soft body and measures it like our own solver (bench/drop). The stiffness is
+// at its maximum. Searches the fewest sub-steps that meet the stretch gate; a run that exceeds the time limit ends the
+// search.
 //   peer_bullet_drop [TRIANGLES [MAX_STRETCH [SECONDS_PER_RUN]]]
 #include <BulletSoftBody/btSoftBody.h>
 #include <BulletSoftBody/btSoftBodyRigidBodyCollisionConfiguration.h>
@@ -29,7 +30,7 @@ btVector3 vector(const Vec3d& v) {
     return {scalar(v.x()), scalar(v.y()), scalar(v.z())};
 }
 
-// A world with the sphere in it. Members are torn down in the reverse of their order, as Bullet wants.
+// A Bullet world with the sphere. The members' order matters: Bullet needs destruction in the reverse order.
 struct World {
     explicit World(const DropScene& scene) : shape(scalar(scene.radius)) {
         world.setGravity({0, scalar(-9.81), 0});
@@ -41,7 +42,7 @@ struct World {
         info.m_gravity = {0, scalar(-9.81), 0};
         info.air_density = 0;
         info.m_sparsesdf.Initialize();
-        info.m_sparsesdf.setDefaultVoxelsz(scalar(0.01));  // m; it holds from the next reset on
+        info.m_sparsesdf.setDefaultVoxelsz(scalar(0.01));  // m; takes effect at the next Reset()
         info.m_sparsesdf.Reset();
     }
     ~World() {
@@ -80,7 +81,7 @@ void add_cloth(World& world, const sim::GarmentMesh& grid, const DropScene& scen
     for (int i = 0; i < x.size(); ++i)
         if ((grid.x[static_cast<std::size_t>(i)] - Vec3d(0, scene.height, 0)).norm() < 1e-6) cloth.setMass(i, 0);
     cloth.m_cfg.kDF = scalar(0.6);
-    cloth.m_cfg.kKHR = 1;  // hardness of contact with what stands still
+    cloth.m_cfg.kKHR = 1;  // contact hardness against static and kinematic bodies
     cloth.m_cfg.piterations = kIterations;
     cloth.m_cfg.collisions = btSoftBody::fCollision::SDF_RS;
     cloth.getCollisionShape()->setMargin(scalar(1e-3));

@@ -1,7 +1,7 @@
-// A peer of the adaptive mesh: one-to-four refinement by OpenMesh's uniform Loop subdivider (its topology alone: no
-// points are smoothed), beside ours, which keeps the hierarchy, levels and material coordinates and can go back; and
-// then brings the flat lists of the leaves up to date, which OpenMesh does not have.
-// A square of 32 x 32 quads from 2,048 to 131,072 triangles. Times are per triangle made: 172,032 on three levels.
+// Compares the adaptive mesh with OpenMesh: one-to-four refinement by OpenMesh's uniform Loop subdivider (topology
+// only, no smoothing of points) and by the adaptive mesh. The adaptive mesh also keeps the hierarchy, levels and
+// material coordinates, can coarsen again, and updates flat lists of leaves, which OpenMesh does not have. A square of
+// 32 x 32 quads is refined from 2,048 to 131,072 triangles. Times are per triangle made: 172,032 on three levels.
 //     refine [--runs N] [--json FILE]
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
@@ -33,12 +33,12 @@ struct Options {
     std::string json_file;
 };
 
-struct Times {  // ns per triangle made, or unmade
+struct Times {  // ns per triangle created, or removed
     std::vector<double> peer;
-    std::vector<double> grown;    // a fresh mesh, whose pools grow
-    std::vector<double> refined;  // in steady state
+    std::vector<double> grown;    // a new mesh, whose pools grow
+    std::vector<double> refined;  // a mesh whose pools have their full size
     std::vector<double> coarsened;
-    std::vector<double> refined_lists;  // the flat lists of the leaves after that
+    std::vector<double> refined_lists;  // update of the flat leaf lists afterwards
     std::vector<double> coarsened_lists;
 };
 
@@ -46,7 +46,7 @@ std::size_t triangles_made(const sim::AdaptiveMesh& mesh) {
     return mesh.triangles().size() - mesh.base_triangle_count();
 }
 
-// Processor time, which does not count the neighbours' work on the machine.
+// CPU time of this process; other processes do not count.
 double processor_ns() {
     timespec now{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
@@ -152,7 +152,7 @@ void save(const Times& times, const std::string& file) {
     write_file_atomically(file, write_json(json));
 }
 
-// None when the arguments are not as the head of this file says.
+// Returns nullopt if the arguments do not match the usage at the top of this file.
 std::optional<Options> read_arguments(int count, char** arguments) {
     Options options;
     for (int i = 1; i < count; i += 2) {

@@ -14,7 +14,7 @@
 namespace selvedge::bench {
 namespace {
 
-// Each triangle in four of the same plane.
+// Divides each triangle into four coplanar triangles.
 sim::PlainMesh split_in_four(const sim::PlainMesh& mesh) {
     sim::PlainMesh split;
     split.panel_names = mesh.panel_names;
@@ -84,7 +84,8 @@ class Stopwatch {
  public:
     Stopwatch(render::Renderer& renderer, render::RenderOptions options) : renderer_(renderer), options_(options) {}
 
-    // Measures either the whole, in which nothing waits but for the picture, or its parts.
+    // Measures either the total time or the times of the parts. Timing the parts waits for GL after each of them, so
+    // the two are measured on different pictures.
     void draw(const render::Scene& scene, bool with_parts) {
         render::PictureTimes times;
         options_.times = with_parts ? &times : nullptr;
@@ -120,7 +121,7 @@ class Stopwatch {
     std::vector<render::PictureTimes> parts_;
 };
 
-// Previews of a scene that others share, left with GL.
+// Times previews of a shared scene. The picture stays in a GL texture and is not read back.
 class DraftStopwatch {
  public:
     DraftStopwatch(const render::GlContext& context, render::PreviewRenderer& renderer, render::PictureTexture& to)

@@ -1,5 +1,6 @@
 #pragma once
-// What a picture of a dressed body costs: the first, those of a turning camera and those of moving cloth.
+// Measures the time to render a picture of a dressed body: the first picture, pictures with a moving camera and
+// pictures with moving cloth, by the renderer and by the preview renderer.
 #include <string>
 #include <vector>
 
@@ -10,18 +11,18 @@ namespace selvedge::bench {
 
 struct PictureExperiment {
     render::RenderOptions render{};
-    int triangles = 20000;  // of the cloth, at least: it is split where it has fewer
+    int triangles = 20000;  // minimum for the cloth: a mesh with fewer is subdivided
     int pictures = 12;      // of each kind
     render::View view = render::View::ThreeQuarter;
-    float turn = 0.06F;      // rad from one picture to the next
-    float ripple = 0.0025F;  // m that the moving cloth moves by
+    float turn = 0.06F;      // rad, rotation of the camera from one picture to the next
+    float ripple = 0.0025F;  // m, moving cloth is displaced along its normals by 0 to twice this
 };
 
 struct PictureFigure {
     std::string kind;
-    double total = 0;      // ms by wall clock, median over the pictures
-    double processor = 0;  // ms of processor time of all threads
-    render::PictureTimes parts;
+    double total = 0;            // ms of wall-clock time, median over the pictures
+    double processor = 0;        // ms of CPU time of all threads, median
+    render::PictureTimes parts;  // ms, medians; measured on separate pictures
 };
 
 struct PictureReport {
@@ -32,7 +33,7 @@ struct PictureReport {
     std::vector<PictureFigure> figures;
 };
 
-// Cloths and bodies of the scene; its camera and light are the experiment's.
+// Draws the cloths and bodies of the scene. The experiment sets its own camera and light.
 PictureReport measure_pictures(const render::Scene& scene, const PictureExperiment& experiment);
 
 Table table_of(const PictureReport& report);

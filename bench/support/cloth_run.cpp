@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kNoFloor = -1000.0F;  // m
 
-// The state of what uniform refinement creates.
+// Sets the state of the vertices that uniform refinement creates: midpoints of their edges.
 struct Midpoints {
     sim::Cloth& cloth;
 
@@ -39,13 +39,14 @@ void refresh(ClothRun& run) {
     update_normals(run.cloth);
 }
 
-// m; what leaves of the deepest level are never shorter than, so that nothing but the level limits them.
+// m; shorter than any leaf edge, so that refinement is limited by the level only.
 constexpr float kNoShortestEdge = 1e-6F;
 
 void adapt_run(ClothRun& run, const sim::Collider& body) {
     adapt_cloth(run.cloth, body, {.shortest_edge = kNoShortestEdge}, contact_options(run.options));
 }
 
+// m/s: RMS displacement since `before`, over the leaf vertices that can move and existed then, divided by the time.
 double net_speed(const ClothRun& run, const std::vector<Vec3d>& before, double seconds) {
     double sum = 0;
     double count = 0;
@@ -82,7 +83,7 @@ void run_frame(ClothRun& run, const sim::Collider& body) {
     sim::StepOptions stepping{
         .substeps = options.substeps, .gravity = options.gravity, .contact = contact_options(options)};
     stepping.extra_damping = options.extra_damping;
-    stepping.max_move_per_substep = 0.1F;  // m: what the experiments fall on has no thin parts
+    stepping.max_move_per_substep = 0.1F;  // m; safe because the objects in the experiments have no thin parts
     step(run.cloth, body, stepping);
 }
 

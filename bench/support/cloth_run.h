@@ -1,6 +1,6 @@
 #pragma once
-// The experiments' one door to the solver: a cloth made of a mesh, run frame by frame at so many sub-steps, and its
-// state read off.
+// Runs the solver for an experiment: makes a cloth from a mesh, advances it frame by frame with a fixed number of
+// sub-steps, and reads its state (positions, velocities, masses, energy).
 #include <functional>
 #include <vector>
 
@@ -17,24 +17,25 @@ class Collider;
 namespace selvedge::bench {
 
 struct RunOptions {
-    int level = 3;             // of all leaves; of the finest ones when adaptive
-    bool is_adaptive = false;  // starts at level 0, and adapts by all criteria
+    int level = 3;             // of all leaves; the finest level when adaptive
+    bool is_adaptive = false;  // starts at level 0 and adapts by all criteria
     int frames_per_adaptation = 4;
     int substeps = 8;  // per frame
     double frame_seconds = 1.0 / 60;
     float contact_offset = 1e-4F;  // m
-    float sampled_edge = 0.02F;    // m: triangles with a longer edge have a contact sample in their middle
-    float extra_damping = 0;       // 1/s, on top of the fabrics'
+    float sampled_edge = 0.02F;    // m: triangles with an edge this long have a contact sample in the middle
+    float extra_damping = 0;       // 1/s, added to the damping of the fabrics
     Vec3f gravity = Vec3f(0, -9.81F, 0);
 };
 
 struct ClothRun {
     sim::Cloth cloth;
-    RunOptions options;  // level, frame_seconds and substeps are settled at the start; the others may change
-    int frames = 0;      // that were run
+    RunOptions options;  // level, frame_seconds and substeps are fixed by start_run(); the others may change
+    int frames = 0;      // run so far; counted in adaptive runs only
 };
 
-// At rest where the mesh stands. Pins: the mesh's, and the middle of every edge between two of them.
+// Starts with zero velocity at the positions of the mesh. Pinned: the mesh's pins, and the midpoint of every edge
+// between two pinned vertices.
 ClothRun start_run(const sim::GarmentMesh& mesh, const std::vector<sim::Fabric>& fabrics, const RunOptions& options);
 
 // Pins the leaf vertices for which is_pinned(position) holds, and no others.
@@ -44,14 +45,15 @@ void run_frame(ClothRun& run, const sim::Collider& body);
 
 struct RestOptions {
     float damping = 6;         // 1/s, extra
-    double least_seconds = 0;  // of simulated time
+    double least_seconds = 0;  // of simulated time, at least
     double max_seconds = 10;
-    double rest_speed = 1e-4;  // m/s, root mean square over the vertices of their net speed over a fifth of a second
+    double rest_speed = 1e-4;  // m/s; at rest when the RMS net displacement over 0.2 s, per time, is below it
 };
-// Frames until the cloth is at rest, or time is up. True when it came to rest.
+// Runs frames until the cloth is at rest or max_seconds have passed. Returns true if it came to rest.
 bool run_to_rest(ClothRun& run, const sim::Collider& body, const RestOptions& options = {});
 
-// The mean of what is read over one more second with that damping (1/s): what trembles about its rest is read at it.
+// Runs 1 s more with this extra damping (1/s) and returns the mean of read() over its frames. The mean removes small
+// oscillations about the rest position.
 double mean_reading(ClothRun& run, const sim::Collider& body, double damping, const std::function<double()>& read);
 
 std::vector<Vec3d> positions(const ClothRun& run);   // m, by vertex id
@@ -62,11 +64,11 @@ MeasuredMesh measured(const ClothRun& run);
 // J.
 struct Energy {
     double kinetic = 0;
-    double potential = 0;  // of gravity, above y = 0
-    double elastic = 0;    // what warp, weft and shear strain store by the fabric's figures, now; without bending
+    double potential = 0;  // of gravity, zero at the origin
+    double elastic = 0;    // of warp, weft and shear strain, from the fabric's stiffness values; without bending
 };
 Energy energy(const ClothRun& run);
 
-double rms_speed(const ClothRun& run);  // m/s, over mass
+double rms_speed(const ClothRun& run);  // m/s, mass-weighted
 
 }  // namespace selvedge::bench

@@ -11,7 +11,7 @@
 namespace selvedge::bench {
 namespace {
 
-constexpr double kAlongThread = 1e-4;  // sine of the angle to a thread
+constexpr double kAlongThread = 1e-4;  // sine of the greatest angle between an edge and the yarn direction
 
 bool is_along_thread(const Vec2d& edge, double grain_angle) {
     const Vec2d warp(-std::sin(grain_angle), std::cos(grain_angle));

@@ -1,5 +1,5 @@
 #pragma once
-// A square of cloth, the thesis' test piece.
+// Makes the mesh of a square of cloth, the test piece of the thesis (3.8).
 #include "sim/mesh/garment_mesh.h"
 
 namespace selvedge::bench {
@@ -8,12 +8,13 @@ struct SquareOptions {
     int columns = 4;  // quads of two triangles each
     int rows = 4;
     double width = 1.0;   // m, along x
-    double depth = 1.0;   // m, along y of the material, -z of the room
-    double height = 0.0;  // m, its y
+    double depth = 1.0;   // m, along y in material coordinates, -z in the world
+    double height = 0.0;  // m, world y of all vertices
 };
 
-// Horizontal, right side up, centred on the y axis; one panel. Vertex (column, row) is row * (columns + 1) + column.
-// The quads' diagonals alternate, so that no direction is preferred. Pre: columns, rows >= 1.
+// One horizontal panel, right side up, centred on the y axis. The index of vertex (column, row) is
+// row * (columns + 1) + column. The diagonals of the quads alternate, so that no direction is preferred.
+// Pre: columns, rows >= 1.
 sim::GarmentMesh make_square(const SquareOptions& options = {});
 
 }  // namespace selvedge::bench

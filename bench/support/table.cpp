@@ -115,7 +115,7 @@ std::string csv_cell(const Cell& cell) {
     return cell.is_empty() ? "" : csv_word(cell.to_text());
 }
 
-// In gnuplot's single quotes.
+// Quoted for gnuplot, in single quotes.
 std::string quoted(const std::string& text) {
     std::string out = "'";
     for (const char c : text) out += c == '\'' ? "''" : std::string(1, c);

@@ -1,5 +1,6 @@
 #pragma once
-// A table of figures as an experiment leaves it: printed for people as Markdown, kept for programs as JSON.
+// The results of an experiment: a table, written as Markdown, JSON or CSV; a figure (a table that gnuplot can draw);
+// and a contact sheet that combines several images.
 #include <concepts>
 #include <filesystem>
 #include <optional>
@@ -11,19 +12,19 @@
 
 namespace selvedge::bench {
 
-// Text, a number or nothing at all (not measured, or not known).
+// Text, a number, or empty (not measured or not known).
 class Cell {
  public:
     Cell() = default;
     Cell(std::string text) : text_(std::move(text)) {}
     Cell(const char* text) : text_(text) {}
-    // Printed with so many decimals; JSON keeps all of it.
+    // Markdown and CSV print this many decimals. JSON keeps full precision, but 0 decimals truncates to an integer.
     Cell(double number, int decimals) : number_(number), decimals_(decimals) {}
     template <std::integral T>
     Cell(T count) : number_(static_cast<double>(count)) {}
 
-    std::string to_text() const;  // "-" when there is nothing
-    sim::Json to_json() const;    // a string, a number, or null when there is nothing
+    std::string to_text() const;  // "-" if empty
+    sim::Json to_json() const;    // a string, a number, or null if empty
     bool is_number() const { return number_.has_value(); }
     bool is_empty() const { return !number_ && text_.empty(); }
 
@@ -34,43 +35,43 @@ class Cell {
 };
 
 struct Table {
-    std::string name;    // for choosing it, such as "3.2"
+    std::string name;    // selects the table on the command line, such as "3.2"
     std::string title;   // one line
-    std::string note{};  // how it was measured, in sentences; may be empty
+    std::string note{};  // how it was measured, in full sentences; may be empty
     std::vector<std::string> columns{};
-    std::vector<std::vector<Cell>> rows{};  // each as long as columns
+    std::vector<std::vector<Cell>> rows{};  // each has as many cells as columns
 
-    void add_row(std::vector<Cell> row);  // pre: as long as columns
+    void add_row(std::vector<Cell> row);  // pre: row has as many cells as columns
 };
 
-// A heading, the note, and the rows under each other; columns of numbers are flush right.
+// A heading, the note and the rows. Columns of numbers are right-aligned.
 std::string to_markdown(const Table& table);
 
-// Some of its rows, evenly spread, the last among them, when there are more than `most`; the note says so.
+// If the table has more than `most` rows: keeps evenly spaced rows, including the last one, and says so in the note.
 Table thinned(const Table& table, std::size_t most);
 
 // {"name": ..., "title": ..., "note": ..., "columns": [...], "rows": [[...], ...]}
 sim::Json to_json(const Table& table);
 
-// A series of figures as CSV, and drawn by gnuplot where that is installed.
+// Figures: a series of values, written as CSV and drawn with gnuplot if it is installed.
 
 struct Figure {
-    Table series;  // columns of numbers; the first is x
+    Table series;  // columns of numbers; the first column is x
     std::string y_label;
-    bool is_plotted = true;       // else the series is for reading alone
+    bool is_plotted = true;       // false: the series is written as CSV only
     bool is_logarithmic = false;  // both axes
-    std::string right_column{};   // drawn against an axis of its own, on the right; empty: none
+    std::string right_column{};   // the column that uses the right-hand y axis; empty: none
 };
 
-// The columns' names, then a row per line; numbers with the digits that are printed, text quoted where it must be.
+// The column names, then one line per row. Numbers have the decimals of to_text(); text is quoted if necessary.
 std::string to_csv(const Table& table);
 
-// Draws it into a PNG file by a script that is left beside it. False when there is no gnuplot, or it would not.
+// Writes a gnuplot script beside the PNG file and runs it to draw the PNG. Returns false if gnuplot is missing or
+// fails.
 bool plot(const Figure& figure, const std::filesystem::path& png);
 
-// Pictures side by side in one.
-
-// Row by row, so many in each, with white between. Pre: there are some, all of one size, columns >= 1.
+// Combines images into one, row by row with `columns` images per row and white gaps between them.
+// Pre: at least one image, all of one size, columns >= 1.
 render::Image contact_sheet(const std::vector<render::Image>& pictures, int columns);
 
 }  // namespace selvedge::bench

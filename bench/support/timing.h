@@ -1,11 +1,11 @@
 #pragma once
-// How long work takes, robust against whatever else the machine does: processor time of the calling thread, over
-// repeated runs.
+// Measures the CPU time of the calling thread over repeated runs, so that other load on the machine has little
+// influence.
 #include <vector>
 
 namespace selvedge::bench {
 
-double thread_seconds();  // processor time that the calling thread has used, s
+double thread_seconds();  // CPU time that the calling thread has used so far, s
 
 struct Timing {
     double median = 0;  // s
@@ -15,8 +15,8 @@ struct Timing {
 
 Timing timing_of(const std::vector<double>& seconds);
 
-// Calls prepare(), then work(), `runs` times; only work() is timed. For figures to be compared, take them in turns
-// instead: time_once in a loop over the rivals, then timing_of.
+// CPU time of one call, s. To compare alternatives, run them alternately: call time_once() for each of them inside one
+// loop, then timing_of().
 template <class Work>
 double time_once(Work&& work) {
     const double start = thread_seconds();
@@ -24,6 +24,7 @@ double time_once(Work&& work) {
     return thread_seconds() - start;
 }
 
+// Calls prepare() and then work(), `runs` times. Only work() is timed.
 template <class Prepare, class Work>
 Timing time_runs(int runs, Prepare&& prepare, Work&& work) {
     std::vector<double> seconds;
@@ -34,7 +35,7 @@ Timing time_runs(int runs, Prepare&& prepare, Work&& work) {
     return timing_of(seconds);
 }
 
-// Keeps a result that nobody reads from being worked out by nobody.
+// Prevents the compiler from removing the computation of a result that is not used.
 template <class T>
 void keep(const T& value) {
     asm volatile("" : : "r"(&value) : "memory");

@@ -20,11 +20,11 @@ constexpr int kStepsPerFrame = 4;
 constexpr double kFrameSeconds = 1.0 / 30;
 constexpr int kGridSide = 33;
 constexpr double kSide = 1.0;              // m, of the cloth
-constexpr double kBeside = 0.15;           // m, how far from the middle a cloth starts that falls off
-constexpr float kSlipperyFriction = 0.2F;  // of the fabric's, so that it does fall off
+constexpr double kBeside = 0.15;           // m, start distance from the centre of a cloth that falls off
+constexpr float kSlipperyFriction = 0.2F;  // times the fabric's friction, so that the cloth does fall off
 constexpr float kNoFloor = -1000.0F;       // m
 constexpr sim::LengthOptions kCompression{.split_compression = 0.01F,
-                                          .rejoin_compression = 0.004F};  // these drops compress less than usual
+                                          .rejoin_compression = 0.004F};  // these drops compress less than garments
 
 sim::Cloth make_drop_cloth(const DropOptions& options) {
     sim::GarmentMesh base =
@@ -41,7 +41,7 @@ struct DropScene {
     DropRun run{};
 };
 
-// A disc that holds the whole cloth.
+// A disc that contains the whole cloth.
 sim::MinimumLevelDisc everywhere(int level) {
     return {.panel = 0, .centre = Vec2f::Zero(), .radius = 10.0F * static_cast<float>(kSide), .level = level};
 }
@@ -66,7 +66,7 @@ DropScene make_scene(const DropOptions& options) {
     return scene;
 }
 
-// With a uniform level: the pass that asks every edge and changes nothing.
+// With a uniform level, this checks every edge and changes nothing.
 void adapt_frame(DropScene& scene, const DropOptions& options) {
     if (options.uniform_level) {
         sim::NoState none;
@@ -103,7 +103,7 @@ DropFrame run_frame(DropScene& scene, const DropOptions& options) {
     return frame;
 }
 
-// The share of each corner in p, as the leaf triangle has it in material coordinates.
+// Barycentric coordinates of p in a triangle with material coordinates u.
 Vec3f barycentric(const std::array<Vec2f, 3>& u, const Vec2f& p) {
     const auto area = [](const Vec2f& a, const Vec2f& b) { return a.x() * b.y() - a.y() * b.x(); };
     const float whole = area(u[1] - u[0], u[2] - u[0]);
@@ -111,7 +111,7 @@ Vec3f barycentric(const std::array<Vec2f, 3>& u, const Vec2f& p) {
     return {1 - b - c, b, c};
 }
 
-// Pre: material coordinates run over a square of kSide, as make_square has it.
+// Pre: the material coordinates cover a square of side kSide, as those of make_square() do.
 std::vector<Vec3f> sample_grid(const sim::Cloth& cloth) {
     std::vector<Vec3f> grid(std::size_t{kGridSide} * kGridSide, Vec3f::Zero());
     Vec2f low = Vec2f::Constant(1e6F);
@@ -185,7 +185,7 @@ namespace {
 
 constexpr std::uint32_t kSegments = 48;
 
-// A surface of revolution: points (along, radius) from one end to the other, turned about an axis.
+// A surface of revolution about the x or y axis. profile: points (position along the axis, radius) from end to end.
 render::BodyItem revolve(const std::vector<Vec2f>& profile, bool about_x) {
     render::BodyItem item;
     for (const Vec2f& p : profile) {

@@ -1,4 +1,5 @@
-// Tables 3.12-3.13, uniform drops, and 3.14, adaptive ones; 3.1, the transitions that these made.
+// Tables 3.12-3.13 (uniform drops), 3.14 (adaptive drops) and 3.1 (transitions in adaptive drops); figures 3.23-3.24
+// (pictures) and 3.25-3.30 (times per frame).
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +11,7 @@ namespace {
 
 constexpr int kStepsPerFrame = 4;
 
-// Per adaptation or per step, ms.
+// Means over a run. Times in ms: per adaptation, per step, per frame.
 struct Means {
     double triangles = 0;
     std::size_t most_triangles = 0;
@@ -111,7 +112,7 @@ void add_adaptive_rows(Table& table, DropObject object, const ThesisOptions& opt
     }
 }
 
-// Cloths that fall off again: more transitions of the kind that coarsens.
+// Adds the transitions of cloths that fall off the object, among which coarsening is more frequent.
 void add_falls(const ThesisOptions& options, sim::TransitionCounts& transitions) {
     for (const DropObject object : {DropObject::Cylinder, DropObject::Sphere})
         for (const Combination& combination : combinations(options))
@@ -184,8 +185,8 @@ ThesisResult measure_adaptive_drops(const ThesisOptions& options) {
     return result;
 }
 
-// Figures 3.23-3.24, pictures of adaptive drops, and 3.25-3.30, how long each frame takes while a cloth drops on an
-// object and falls off it.
+// Figures 3.23-3.24: pictures of adaptive drops. Figures 3.25-3.30: the times of each frame while a cloth falls on an
+// object and slides off it.
 
 namespace {
 
@@ -193,11 +194,12 @@ constexpr sim::CriteriaOptions kAB{.collision = true, .curvature = true, .length
 
 struct Timed {
     const char* name;   // of the figure
-    const char* title;  // what the cloth does to be fine enough
+    const char* title;  // how the mesh is refined
     DropOptions drop;
 };
 
-// The captions of the thesis' six figures are not to be had; these are ours, in an order of our own.
+// These configurations differ from the thesis, whose figs. 3.25-3.30 show Cylinder [A], Sphere [A], Cylinder [B],
+// Sphere [B], Sphere [A+B] and Sphere [C].
 std::vector<Timed> timed_drops(const ThesisOptions& options) {
     std::vector<Timed> all;
     const std::vector<const char*> names{"3.25", "3.26", "3.27", "3.28", "3.29", "3.30"};

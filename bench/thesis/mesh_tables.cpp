@@ -1,4 +1,5 @@
-// Table 3.11: what elements take, and whole hierarchies.
+// The experiments on the adaptive mesh: tables 3.11 (memory), 3.6 (traversal), 3.2-3.5 (cost of transitions) and
+// 3.7-3.10 with figures 3.21-3.22 (uniform refinement); figure 3.9 (choice of diagonal).
 #include <array>
 #include <cmath>
 
@@ -16,7 +17,7 @@ namespace {
 constexpr sim::AdaptiveMesh::BytesPerElement kBytes = sim::AdaptiveMesh::bytes_per_element();
 constexpr std::size_t kThesisVertex = 144, kThesisEdge = 52, kThesisTriangle = 120;
 
-// What stands in the cloth's state arrays for one vertex.
+// Bytes of one vertex in the state arrays of the cloth: x, x_prev, inverse mass and normal.
 constexpr std::size_t kClothBytes = 2 * sizeof(Vec4f) + sizeof(float) + sizeof(Vec3f);
 
 template <class T>
@@ -68,11 +69,11 @@ ThesisResult measure_memory(const ThesisOptions& options) {
     return result;
 }
 
-// Table 3.6: reaching all leaves by recursion through the hierarchy, and through flat lists.
+// Table 3.6: traversal of all leaves by recursion through the hierarchy, and by flat lists.
 
 namespace {
 
-// What is done at each leaf is the same both ways, and little: a sum over what it knows.
+// The work at each leaf is small and the same for both traversals: a sum of rest lengths or areas.
 struct Sums {
     double edges = 0;      // of rest lengths, m
     double triangles = 0;  // of material areas, m^2
@@ -135,7 +136,7 @@ Sums triangles_by_list(const sim::AdaptiveMesh& mesh) {
     return sums;
 }
 
-// us, recursion and list in turns.
+// Median times of recursion and list, us; the two run alternately.
 template <class Recursion, class List>
 std::array<double, 2> compare(const sim::AdaptiveMesh& mesh, int runs, Recursion&& recursion, List&& list) {
     std::vector<double> by_recursion, by_list;
@@ -174,13 +175,13 @@ ThesisResult measure_traversal(const ThesisOptions& options) {
     return result;
 }
 
-// Tables 3.2-3.5: what one transition of one triangle costs, direct and by way of C0.
+// Tables 3.2-3.5: the cost of one transition of one triangle, direct and indirect (via C0).
 
 namespace {
 
 using Matrix = std::array<std::array<double, sim::kConfigurations>, sim::kConfigurations>;  // us, by (from, to)
 
-// Base triangles whose edges are all split, so that each may take any configuration.
+// A mesh of base triangles whose edges are all split, so that each triangle can take any configuration.
 class TestBed {
  public:
     explicit TestBed(int quads) : mesh_(make_square({.columns = quads, .rows = quads}), {.max_level = 1}) {
@@ -218,7 +219,7 @@ void for_each_pair(F&& f) {
     }
 }
 
-// Direct and indirect in turns.
+// Measures direct and indirect transitions alternately.
 Costs measure(const ThesisOptions& options) {
     TestBed bed(options.is_quick ? 2 : 16);
     Costs costs;
@@ -274,7 +275,7 @@ Matrix ratio(const Costs& costs) {
     return percent;
 }
 
-// Sums over all pairs, each by its weight.
+// Weighted sums over pairs of configurations.
 struct WeightedMean {
     double direct = 0, indirect = 0, weight = 0;
 
@@ -330,7 +331,7 @@ ThesisResult measure_transition_cost(const ThesisOptions& options) {
     return result;
 }
 
-// Tables 3.7-3.10 and figures 3.21-3.22: squares refined everywhere and coarsened again, level by level.
+// Tables 3.7-3.10 and figures 3.21-3.22: squares refined uniformly and coarsened again, level by level.
 
 namespace {
 
@@ -342,7 +343,7 @@ struct Counts {
     std::size_t vertices = 0, edges = 0, triangles = 0;  // of the whole hierarchy
 };
 
-// Seconds by rival, by level that is reached (refining) or left (coarsening).
+// Seconds, by baseline and by the level that is reached (refining) or left (coarsening).
 using Samples = std::array<std::array<std::vector<double>, kLevels + 1>, kBaselines>;
 
 struct SquareRun {
@@ -360,7 +361,7 @@ struct SquareRun {
     std::size_t triangles_made() const { return counts[kLevels].triangles - counts[0].triangles; }
 };
 
-// One way up and down again, each level timed.
+// Refines from level 0 to kLevels and coarsens back; times each level.
 template <class To>
 void climb(To&& go_to, std::array<std::vector<double>, kLevels + 1>& refining,
            std::array<std::vector<double>, kLevels + 1>& coarsening) {
@@ -386,7 +387,7 @@ std::array<Counts, kLevels + 1> count_elements(sim::AdaptiveMesh& mesh) {
     return counts;
 }
 
-// The rivals in turns; a first time unmeasured, so that pools and lists have their size.
+// Runs the baselines alternately. The first run is not measured: it lets pools and lists grow to their full size.
 SquareRun run_square(int quads, int runs) {
     const sim::GarmentMesh base = make_square({.columns = quads, .rows = quads});
     sim::AdaptiveMesh mesh(base);
@@ -471,7 +472,7 @@ ThesisResult measure_uniform_refinement(const ThesisOptions& options) {
     return result;
 }
 
-// Figure 3.9: the four ways to choose between two diagonals, side by side.
+// Figure 3.9: the four ways to choose between two diagonals, as a table.
 
 namespace {
 

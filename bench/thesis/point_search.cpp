@@ -12,13 +12,13 @@
 namespace selvedge::bench {
 namespace {
 
-// Which of the eight children of a node at `depth` a cell lies in.
+// The index of the child that contains the cell, among the eight children of a node at `depth`.
 std::uint32_t octant(const std::array<std::uint32_t, 3>& cell, int depth) {
     const int shift = kPointDepth - 1 - depth;
     return ((cell[0] >> shift) & 1U) | ((cell[1] >> shift) & 1U) << 1 | ((cell[2] >> shift) & 1U) << 2;
 }
 
-// The octants from the root down, three bits each: cells of a node have neighbouring codes.
+// Morton code: the octants from the root down, three bits each. The cells of a node have consecutive codes.
 std::uint32_t code_of(const std::array<std::uint32_t, 3>& cell) {
     std::uint32_t code = 0;
     for (int depth = 0; depth < kPointDepth; ++depth) code = code << 3 | octant(cell, depth);
@@ -108,7 +108,7 @@ std::size_t PointOctree::bytes() const {
     return nodes_.size() * sizeof(Node) + points_.size() * sizeof(Entry);
 }
 
-// Table 4.1: finding points in a grid and in an octree of the same depth.
+// Table 4.1: search for points in a grid and in an octree of the same resolution.
 
 namespace {
 
@@ -123,7 +123,7 @@ std::vector<Vec3f> random_points(std::size_t count) {
     return points;
 }
 
-// The middle of the unit cube that has this share of its volume.
+// The cube at the centre of the unit cube with this share of its volume.
 Cube middle_of(double share) {
     const auto side = static_cast<float>(std::cbrt(share));
     return {.low = Vec3f::Constant(0.5F * (1 - side)), .side = side};

@@ -1,6 +1,6 @@
 #pragma once
-// Two structures that find points in a cube: a grid, and an octree of the same depth. Cells and leaves may hold several
-// points, searched one after the other.  (thesis table 4.1; SPEC 3.3)
+// Two structures that find points in a cube: a uniform grid, and an octree of the same resolution. A cell or leaf may
+// hold several points, which are searched linearly. (thesis table 4.1)
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace selvedge::bench {
 
-inline constexpr int kPointDepth = 5;                          // halvings of each side
+inline constexpr int kPointDepth = 5;                          // levels of the octree below its root
 inline constexpr std::uint32_t kPointSide = 1 << kPointDepth;  // cells along each side
 inline constexpr std::uint32_t kNoPoint = 0xFFFFFFFFU;
 
@@ -24,10 +24,10 @@ struct Cube {
 
 class PointGrid {
  public:
-    // Holds the points within the cube.
+    // Stores the points that lie in the cube.
     PointGrid(std::span<const Vec3f> points, const Cube& cube);
 
-    std::uint32_t find(const Vec3f& p) const;  // the index of a point with these very coordinates, or kNoPoint
+    std::uint32_t find(const Vec3f& p) const;  // index of a point with exactly these coordinates, or kNoPoint
     std::size_t size() const { return points_.size(); }
     std::size_t bytes() const;
 
@@ -39,7 +39,7 @@ class PointGrid {
     std::size_t cell_of(const Vec3f& p) const;
 
     Cube cube_;
-    std::vector<std::uint32_t> first_;  // per cell, into points_; one more at the end
+    std::vector<std::uint32_t> first_;  // by cell: index of its first point in points_; one more entry at the end
     std::vector<Entry> points_;
 };
 
@@ -56,8 +56,8 @@ class PointOctree {
         Vec3f x = Vec3f::Zero();
         std::uint32_t index = 0;
     };
-    // Eight children stand together; a leaf has none. A node is divided while it holds more than one point, down to
-    // kPointDepth.
+    // The eight children of a node are contiguous from `children`; 0: a leaf. A node is divided while it holds more
+    // than one point, down to kPointDepth.
     struct Node {
         std::uint32_t children = 0;
         std::uint32_t first = 0;
@@ -67,7 +67,7 @@ class PointOctree {
 
     Cube cube_;
     std::vector<Node> nodes_;
-    std::vector<Entry> points_;  // a node's stand together
+    std::vector<Entry> points_;  // the points of a node are contiguous
 };
 
 }  // namespace selvedge::bench

@@ -98,7 +98,7 @@ void PointerMesh<Store>::split(PointerEdge* edge, Level& finer) {
     finer.edges.insert(finer.edges.end(), edge->children.begin(), edge->children.end());
 }
 
-//            V2           Child k stands at Vk: (Vk, Mk, Mk+2). Child 3 is (M0, M1, M2). Internal edge k is opposite
+//            V2           Child k is at Vk: (Vk, Mk, Mk+2). Child 3 is (M0, M1, M2). Internal edge k is opposite
 //           /  \          Vk: it joins Mk and Mk+2.
 //         M2----M1
 //         / \  / \        .
@@ -117,7 +117,7 @@ void PointerMesh<Store>::fill(PointerTriangle* parent, Level& finer) {
         parent->internal_edges[k] = make_edge(m[k], m[l], (mu[k] - mu[l]).norm(), parent->level + 1);
         finer.edges.push_back(parent->internal_edges[k]);
     }
-    // The half of edge k that touches corner c of the parent.
+    // The half of edge k that ends at corner c of the parent.
     const auto half = [&](std::size_t k, std::size_t c) {
         const PointerEdge* const edge = parent->edges[k];
         return edge->children[edge->ends[0] == parent->vertices[c] ? 0 : 1];

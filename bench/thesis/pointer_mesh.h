@@ -1,8 +1,8 @@
 #pragma once
-// The mesh that the adaptive mesh is compared with: elements tied by pointers, each vertex with room for 20 triangles,
-// as the thesis had it. It knows S0 and S7 only, and refines or coarsens everywhere at once: no criteria, no
-// permissions, no transitions in between. Where its elements come from is the Store's affair: new and delete, or pools.
-// (SPEC 1.5, tables 3.7-3.10)
+// The baseline for the adaptive mesh: elements linked by pointers, and a fixed list of up to 20 triangles in each
+// vertex, as in the thesis. It has only the states S0 and S7 and refines or coarsens the whole mesh at once, without
+// criteria, permissions or other transitions. The template parameter Store allocates the elements: with new and delete,
+// or from pools. (thesis 3.5.1, 3.8.1, tables 3.7-3.10)
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -58,7 +58,7 @@ class NewDelete {
     }
 };
 
-// Blocks of elements and a list of free ones, last in first out.
+// Memory pools: blocks of elements, and a stack of free elements.
 class Pools {
  public:
     template <class T>
@@ -99,8 +99,8 @@ class PointerMesh {
     PointerMesh& operator=(const PointerMesh&) = delete;
 
     int level() const { return static_cast<int>(levels_.size()) - 1; }
-    void refine();   // every leaf, S0 to S7
-    void coarsen();  // back again. Pre: level() > 0
+    void refine();   // all leaves from S0 to S7
+    void coarsen();  // all finest triangles back, S7 to S0. Pre: level() > 0
 
     // Of the whole hierarchy.
     std::size_t vertex_count() const { return vertex_count_; }

@@ -19,7 +19,7 @@
 namespace selvedge::bench {
 namespace {
 
-constexpr double kTurn = 0.8;  // rad/s: the viewer of back-face coarsening walks round the cloth
+constexpr double kTurn = 0.8;  // rad/s, at which the viewer of back-face coarsening moves round the cloth
 
 double clock_ms(const std::function<void()>& work) {
     const auto start = std::chrono::steady_clock::now();
@@ -27,7 +27,8 @@ double clock_ms(const std::function<void()>& work) {
     return 1e3 * std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Of those vertices that both have.
+// m, the largest displacement of a non-base vertex of `to` from its position in `from`. A vertex that `from` does not
+// have counts from the midpoint of its edge in `from`.
 double largest_move(const render::CurvedSurface& from, const render::CurvedSurface& to) {
     float most = 0;
     for (const sim::VertexId v : to.mesh.leaf_vertices()) {
@@ -77,7 +78,7 @@ class Run {
         update_surface(surface_, scene_.cloth.x, normals);
     }
 
-    // Against the same surface moved with the cloth, but with nothing split, rejoined or gliding.
+    // Compares with the earlier surface moved to the same cloth, without splits, rejoins or gliding vertices.
     double jump_since(render::CurvedSurface before) const {
         move_surface(before, scene_.cloth.x, surface_normals(scene_.cloth), {.longest_glide = 0});
         return largest_move(before, surface_);
@@ -162,8 +163,8 @@ render::Image draw_surface(render::Renderer& renderer, const sim::PlainMesh& mes
 
 namespace {
 
-constexpr double kSquareSide = 0.5;                  // m: its edges are 5 cm, as garments have them
-constexpr double kPinnedWidth = 0.8;                 // of the side, between the pinned corners
+constexpr double kSquareSide = 0.5;                  // m; gives edges of about 5 cm, as in garments
+constexpr double kPinnedWidth = 0.8;                 // distance of the pinned corners, as a share of the side
 constexpr double kFlagWidth = 1.2, kFlagDrop = 0.8;  // m
 constexpr int kStepsPerFrame = 4;
 
@@ -177,10 +178,10 @@ sim::Pattern rectangle(double width, double height) {
     return pattern;
 }
 
-// The edge length whose mesh comes nearest to so many triangles.
+// Tries edge lengths and returns the mesh whose number of triangles is nearest to `triangles`.
 sim::GarmentMesh rectangle_of(double width, double height, int triangles) {
     const sim::Pattern pattern = rectangle(width, height);
-    const double mean = std::sqrt(width * height / triangles * 2.3094);  // of equilateral triangles
+    const double mean = std::sqrt(width * height / triangles * 2.3094);  // m, edge length of equilateral triangles
     sim::GarmentMesh nearest;
     const auto off = [&](const sim::GarmentMesh& mesh) {
         return std::abs(static_cast<int>(mesh.triangles.size()) - triangles);
@@ -192,8 +193,8 @@ sim::GarmentMesh rectangle_of(double width, double height, int triangles) {
     return nearest;
 }
 
-// Pinned at its upper corners, which are brought nearer; what is between bulges forward, so that it is as long as it
-// was.
+// A square pinned at its upper corners, which are moved closer together. The cloth between them bulges forward, so that
+// it keeps about its width.
 sim::GarmentMesh pinned_square() {
     sim::GarmentMesh mesh = rectangle_of(kSquareSide, kSquareSide, kSurfaceTriangles);
     const double bulge = 2.8 / std::numbers::pi * std::sqrt(1 - kPinnedWidth) * kSquareSide;
@@ -216,7 +217,7 @@ sim::GarmentMesh flag() {
     return mesh;
 }
 
-// It freshens and veers, always in the same way.
+// Strength (m/s) and direction vary with time; deterministic.
 sim::Wind wind_at(double time) {
     const double strength = 6 + 1.5 * std::sin(1.9 * time) + std::sin(4.3 * time + 1);
     const double veer = 0.35 * std::sin(1.3 * time) + 0.25 * std::sin(3.7 * time + 2);
@@ -254,9 +255,9 @@ void run_for(SurfaceScene& scene, double seconds) {
     for (long i = 0; i < frames; ++i) run_frame(scene);
 }
 
-// Tables 6.2 and 6.3, cloth that is simulated coarse and drawn curved, with what they look like; 6.2-distance, how near
-// that comes to the cloth simulated fine; figures 6.4 and 6.5, what a modifier does to a curve, and 6.6, which normals
-// the light sees.
+// Tables 6.2 and 6.3: coarse cloth drawn as a curved surface, with pictures. 6.2-distance: the distance of the curved
+// surface from cloth simulated on a fine mesh. Figures 6.4 and 6.5: the effect of modifiers on a curve. Figure 6.6:
+// lighting with interpolated and with recomputed normals.
 
 namespace {
 
@@ -314,7 +315,7 @@ Shown show(const std::string& name, SurfaceExperiment experiment, const ThesisOp
     return shown;
 }
 
-// Mean distance of vertices of the same material points, mm.
+// Mean distance between vertices at the same material points, mm.
 double mean_distance_mm(const render::CurvedSurface& drawn, const sim::Cloth& fine) {
     double sum = 0;
     for (const sim::VertexId v : drawn.mesh.leaf_vertices())
@@ -322,7 +323,7 @@ double mean_distance_mm(const render::CurvedSurface& drawn, const sim::Cloth& fi
     return 1e3 * sum / static_cast<double>(drawn.mesh.leaf_vertices().size());
 }
 
-// Both meshes are refined everywhere and in the same order, so that the same ids are the same points.
+// Both meshes are refined uniformly and in the same order, so that equal ids denote equal material points.
 double distance_mm(const SurfaceScene& scene, render::SurfaceKind kind, const std::vector<Vec4f>& x,
                    const sim::Cloth& fine) {
     render::CurvedSurface surface = render::make_curved_surface(scene.base, {.modifier = curve_modifier(kind)});
@@ -355,7 +356,7 @@ Table distances(const ThesisOptions& options) {
     return table;
 }
 
-// An edge of length 1 whose end normals lean out by 30 degrees.
+// An edge of length 1 whose end normals are tilted outward by 30 degrees. r: rest length.
 render::CurveEnds arch(float r) {
     const float s = 0.5F, c = std::sqrt(0.75F);
     return {.a = Vec4f::Zero(),

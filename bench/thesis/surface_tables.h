@@ -1,5 +1,6 @@
 #pragma once
-// One row of the thesis' tables 6.2 and 6.3: a scene run once, its cloth drawn as one surface.
+// The curved-surface experiments of the thesis' chapter 6: the scenes, one run of a scene for one row of tables 6.2 and
+// 6.3, and helpers that draw a curved surface.
 #include <optional>
 #include <string>
 
@@ -12,10 +13,10 @@
 
 namespace selvedge::bench {
 
-// The thesis' scenes of chapter 6: cloth that is simulated coarse and drawn curved.  (SPEC 5)
-//   A  a square pinned at two corners, which stand nearer to each other than it is wide, so that it hangs in folds
-//   B  a flag in the wind, pinned along its hoist
-// 250 triangles each, cut by the garment mesher; cotton shirting. Frames of 1/30 s: four steps of 1/120 s.
+// The cloth is simulated on a coarse mesh and drawn as a curved surface. (thesis 6.3)
+//   A  a square pinned at two corners that are closer together than its side, so that it hangs in folds
+//   B  a flag in the wind, pinned along one side
+// About 250 triangles each, made by the garment mesher; cotton shirting. A frame is 1/30 s: four steps of 1/120 s.
 
 enum class SurfaceExperiment { PinnedSquare, Flag };
 
@@ -26,16 +27,16 @@ struct SurfaceScene {
     SurfaceExperiment experiment = SurfaceExperiment::PinnedSquare;
     sim::GarmentMesh base;
     sim::Cloth cloth;
-    int frames = 0;  // so far
+    int frames = 0;  // run so far
 };
 
-// The cloth uniformly at that level.
+// The whole cloth starts at this level.
 SurfaceScene make_surface_scene(SurfaceExperiment experiment, int level = 0);
 
-// One frame.
+// Runs one frame.
 void run_frame(SurfaceScene& scene);
 
-// As many frames as make up so many seconds.
+// Runs the number of frames that is nearest to this time, s.
 void run_for(SurfaceScene& scene, double seconds);
 
 struct SurfaceRow {
@@ -49,10 +50,10 @@ std::vector<SurfaceRow> surface_rows();
 // Means over the frames.
 struct SurfaceFigures {
     double triangles = 0;       // drawn
-    double simulation_ms = 0;   // four steps, processor time of one thread
-    double surface_ms = 0;      // adaptation and update, likewise
-    double drawing_ms = 0;      // by the clock
-    double largest_jump_m = 0;  // of a vertex within a frame because of a change of level
+    double simulation_ms = 0;   // four steps, CPU time of one thread
+    double surface_ms = 0;      // adaptation and update of the surface, likewise
+    double drawing_ms = 0;      // wall-clock time
+    double largest_jump_m = 0;  // greatest displacement of a vertex in one frame by a change of level
     render::Image picture;      // of the last frame
 };
 
@@ -60,13 +61,13 @@ struct SurfaceRunOptions {
     double seconds = 3;
     render::SurfaceKind kind = render::SurfaceKind::Constant;
     int side_px = 640;
-    int drawn_frames = 3;  // of all, evenly spread, are drawn
+    int drawn_frames = 3;  // number of frames that are drawn, evenly spaced
 };
 
 SurfaceFigures run_surface(SurfaceExperiment experiment, const SurfaceRow& row, const SurfaceRunOptions& options,
                            render::Renderer& renderer);
 
-// The coarse cloth's positions and normals as a surface asks for them are cloth.x and these.
+// Normals of the coarse cloth, to be passed with cloth.x to update_surface().
 std::vector<Vec4f> surface_normals(const sim::Cloth& coarse);
 
 render::Camera surface_camera(SurfaceExperiment experiment);

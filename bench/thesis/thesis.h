@@ -1,6 +1,5 @@
 #pragma once
-// The experiments of the thesis' chapters 3, 4 and 6 (SPEC 1.5, 3.3, 5), under the thesis' own table and figure
-// numbers.
+// The experiments of the thesis' chapters 3, 4 and 6, named by the table and figure numbers of the thesis.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -11,7 +10,7 @@
 namespace selvedge::bench {
 
 struct ThesisOptions {
-    bool is_quick = false;  // tiny sizes and one run each: to see that all works, the times mean nothing
+    bool is_quick = false;  // small sizes and one run each, as a smoke test; the times are not meaningful
 };
 
 struct Capture {
@@ -26,18 +25,20 @@ struct ThesisResult {
     std::vector<Capture> captures;
 };
 
-// What is measured together. The names of what it makes stand first, so that nothing runs that nobody asked for.
+// A group of tables and figures that are measured together. Their names are listed first, so that only the requested
+// experiments run.
 struct Experiment {
     std::vector<std::string> tables;
     std::vector<std::string> figures;
     ThesisResult (*measure)(const ThesisOptions&);
     bool makes_pictures_only = false;
-    bool draws = false;  // needs a way to draw
+    bool draws = false;  // needs a renderer
 };
 
 std::vector<Experiment> thesis_experiments();
 
-// One file each.
+// Defined in mesh_tables.cpp (transition cost, traversal, uniform refinement, memory, tie breakers), drop_tables.cpp
+// (drops), point_search.cpp, and surface_tables.cpp (curved surface).
 ThesisResult measure_transition_cost(const ThesisOptions& options);
 ThesisResult measure_traversal(const ThesisOptions& options);
 ThesisResult measure_uniform_refinement(const ThesisOptions& options);

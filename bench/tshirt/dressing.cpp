@@ -14,14 +14,14 @@
 namespace selvedge::bench {
 namespace {
 
-// The points that split the triangles of a body: those on an edge are shared by its two sides.
+// The vertices that divide the triangles of a body. The two triangles of an edge share the vertices on it.
 class SplitPoints {
  public:
     SplitPoints(sim::Body& body, int parts) : body_(body), parts_(parts) {}
 
-    // Weights sum to parts; they belong to the corners.
+    // The vertex with these barycentric weights (one per corner, sum: parts); created on first use.
     int at(const std::array<int, 3>& corners, const std::array<int, 3>& weights) {
-        std::array<std::array<int, 2>, 3> key{};  // vertex and weight, those without weight last
+        std::array<std::array<int, 2>, 3> key{};  // (vertex, weight) pairs; (-1, 0) where the weight is 0
         Vec3d x = Vec3d::Zero();
         for (std::size_t k = 0; k < 3; ++k) {
             key[k] = weights[k] > 0 ? std::array{corners[k], weights[k]} : std::array{-1, 0};
@@ -64,12 +64,12 @@ sim::GarmentMesh placed_panels(const sim::Pattern& pattern, const sim::Body& bod
     return unsewn;
 }
 
-// Splits shorter and shorter edges, and lets the cloth settle after each round.
+// Decreases shortest_edge step by step, with some frames to settle after each, until there are enough leaf triangles.
 void refine_on(Dressing& dressing, const sim::BodyCollider& collider, int least_leaves) {
     constexpr int kRounds = 80;
-    constexpr int kFrames = 15;  // of an adaptation and four steps
+    constexpr int kFrames = 15;  // of one adaptation and four steps
     constexpr float kShorter = 0.98F;
-    constexpr double kMargin = 1.015;  // the middle of what a measurement accepts, see sized_row() in report.cpp
+    constexpr double kMargin = 1.015;  // the middle of the accepted range, see sized_row() in tshirt.cpp
     const sim::StepOptions stepping{.extra_damping = 8};
     for (int round = 0; round < kRounds; ++round) {
         if (static_cast<double>(dressing.cloth.mesh.leaf_triangles().size()) >= kMargin * least_leaves) return;
@@ -101,7 +101,7 @@ Dressing dress_cloth(const sim::Pattern& pattern, const sim::Body& body, const s
                       .shortest_edge = options.shortest_edge};
     sim::DrapeOptions draping;
     draping.adapt.shortest_edge = options.shortest_edge;
-    draping.finish_time = 0;  // the garment goes on with the usual sub-steps
+    draping.finish_time = 0;  // the experiment continues with the usual sub-steps
     dressing.is_settled = drape(dressing.cloth, collider, draping, progress).settled;
     refine_on(dressing, collider, options.least_leaves);
     return dressing;

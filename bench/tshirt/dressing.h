@@ -1,5 +1,6 @@
 #pragma once
-// A garment dressed and settled, kept as a cloth that can move on.
+// Dresses a body in a garment, lets it settle, and returns a cloth that can be simulated further. Also makes denser
+// bodies by subdivision.
 #include <optional>
 
 #include "sim/body/body.h"
@@ -10,20 +11,20 @@
 
 namespace selvedge::bench {
 
-// Each triangle in n^2 of the same plane, n the least with which there are `triangles` or more: the same shape, as a
-// denser body. No skeleton.
+// Divides each triangle into n^2 coplanar triangles, with the smallest n that gives `triangles` or more. The shape does
+// not change. The result has no bones and no skin weights.
 sim::Body split_triangles(const sim::Body& body, int triangles);
 
 struct DressingOptions {
-    std::optional<double> edge_length{};  // m, of the base mesh, instead of the pattern's
+    std::optional<double> edge_length{};  // m, of the base mesh; none: the pattern's
     int max_level = 3;
-    float shortest_edge = 0.02F;  // m, where refining begins
-    int least_leaves = 0;         // a settled garment with fewer is refined on, with shorter and shorter edges
+    float shortest_edge = 0.02F;  // m, initial value of AdaptClothOptions::shortest_edge
+    int least_leaves = 0;         // with fewer leaf triangles, the settled garment is refined further
 };
 
 struct Dressing {
     sim::Cloth cloth;
-    float shortest_edge = 0;  // m, that was come to
+    float shortest_edge = 0;  // m, final value
     bool is_settled = false;
 };
 

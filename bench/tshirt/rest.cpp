@@ -20,7 +20,7 @@ sim::VertexId lowest_vertex(const sim::Cloth& cloth) {
     return *std::ranges::min_element(all, {}, [&](sim::VertexId v) { return cloth.x[v.value].y(); });
 }
 
-// A garment that hangs from a body and from a hand, and never settles for good.
+// A garment that hangs on a body and is dragged at one vertex. The drape has no time limit and never ends.
 class HeldGarment {
  public:
     HeldGarment(const sim::Cloth& cloth, const sim::Collider& body, sim::VertexId hand, bool may_rest)
@@ -28,7 +28,7 @@ class HeldGarment {
     HeldGarment(const HeldGarment&) = delete;
     HeldGarment& operator=(const HeldGarment&) = delete;
 
-    // s of processor time, for one frame in which the hand goes there.
+    // Runs one frame in which the dragged vertex moves towards `to`. Returns the CPU time, s.
     double advance(const Vec3f& to) {
         goal_ = to;
         const double start = thread_seconds();
@@ -50,7 +50,7 @@ class HeldGarment {
     }
 
     std::span<const sim::KinematicVertex> lead(const sim::Cloth& cloth, float seconds) {
-        constexpr float kApproach = 12;  // 1/s, as the editor's hand
+        constexpr float kApproach = 12;  // 1/s, as in sim/dress/drag_constraint.cpp
         const Vec3f x = cloth.x[led_.vertex].head<3>();
         led_.to = x + (goal_ - x) * (kApproach * seconds);
         return {&led_, 1};
@@ -70,7 +70,7 @@ struct Times {
     RestRow medians() const { return {1e3 * sim::quantile(always, 0.5), 1e3 * sim::quantile(resting, 0.5)}; }
 };
 
-// 2 cm about a point 3 cm above and 5 cm before where it hung, once in 2 s.
+// A circle of radius 2 cm, once in 60 frames (2 s), about a point 3 cm above and 5 cm in front of the start.
 Vec3f pulled_to(const Vec3f& start, int frame) {
     const float turn = 2 * std::numbers::pi_v<float> * static_cast<float>(frame) / 60;
     return start + Vec3f(0.02F * std::sin(turn), 0.03F + 0.02F * std::cos(turn), 0.05F);

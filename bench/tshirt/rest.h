@@ -1,6 +1,6 @@
 #pragma once
-// What a garment costs that has come to rest, against the same while its hem is pulled about: two copies side by side,
-// of which one may rest (sim/cloth/resting.h).
+// Cost of a garment at rest, compared with the same garment while its hem is dragged. Two copies run side by side; one
+// of them is allowed to rest (sim/cloth/resting.h).
 #include <filesystem>
 
 #include "bench/support/table.h"
@@ -12,19 +12,19 @@ struct RestExperiment {
     std::filesystem::path pattern;
     int pulled_frames = 120;  // of 1/30 s
     int rest_frames = 60;
-    int most_frames = 900;  // for it to come to rest
+    int most_frames = 900;  // limit, counted from the start, for coming to rest
 };
 
 struct RestRow {
-    double ms_always = 0;  // per frame, median: of the copy that is always stepped
-    double ms_resting = 0;
+    double ms_always = 0;   // per frame, median, of the copy that may not rest
+    double ms_resting = 0;  // per frame, median, of the copy that may rest
 };
 
 struct RestReport {
     int leaf_triangles = 0;
     RestRow pulled;
     RestRow at_rest;
-    int frames_to_rest = 0;  // from when the hand stood still
+    int frames_to_rest = 0;  // after the dragged vertex stopped
     bool has_rested = false;
 };
 

@@ -18,11 +18,11 @@ namespace {
 
 constexpr int kManyLeaves = 25000;
 constexpr int kDenseBody = 500000;       // triangles
-constexpr int kUsualLeaves = 3500;       // of the shipped T-shirt, less a reserve: fine meshes are refined less
+constexpr int kUsualLeaves = 3500;       // of the built-in T-shirt, minus a reserve: fine meshes are refined less
 constexpr double kUsualEdge = 0.05;      // m
 constexpr float kUsualShortest = 0.02F;  // m
 
-// The body of the pattern, with at least so many triangles.
+// The body of the pattern, subdivided to at least this many triangles.
 sim::Body mannequin_for(const sim::Pattern& pattern, int triangles) {
     const sim::Body body = placed_for(pattern);
     return static_cast<int>(body.triangles.size()) >= triangles ? body : split_triangles(body, triangles);
@@ -36,7 +36,8 @@ TshirtRow sway_row(const std::string& what, sim::Cloth cloth, const sim::BodyCol
             .figures = sway(cloth, collider, options)};
 }
 
-// A finer base mesh and shorter edges alike: the same garment, refined alike, in smaller triangles.
+// Scales the base mesh and shortest_edge by the same factor: the same garment with the same refinement in smaller
+// triangles.
 DressingOptions finer_dressing(int leaves) {
     const double scale = std::sqrt(static_cast<double>(kUsualLeaves) / leaves);
     return {.edge_length = kUsualEdge * scale,
@@ -44,12 +45,12 @@ DressingOptions finer_dressing(int leaves) {
             .least_leaves = leaves};
 }
 
-// A garment that moves splits and rejoins, so that its leaves are counted while it does: the shortest edge is corrected
-// until there are at least as many as asked for and at most 3 % more.
+// The leaf count changes while the garment moves, so it is measured during the motion. Corrects shortest_edge until the
+// mean count is 0 to 3 % above least_leaves, in at most 16 trials.
 TshirtRow sized_row(const std::string& what, const sim::Cloth& cloth, const sim::BodyCollider& collider,
                     SwayOptions& options, int least_leaves) {
     constexpr int kTrials = 16;
-    constexpr double kMost = 1.03, kMiddle = 1.015;  // of what was asked for
+    constexpr double kMost = 1.03, kMiddle = 1.015;  // of least_leaves
     std::optional<float> too_long, too_short;        // m
     for (int trial = 1;; ++trial) {
         TshirtRow row = sway_row(what, cloth, collider, options);
@@ -64,7 +65,7 @@ TshirtRow sized_row(const std::string& what, const sim::Cloth& cloth, const sim:
     }
 }
 
-// With the fewest sub-steps that keep the stretch below what is allowed, at most those of dressing.
+// Tries 3 sub-steps and more, up to the number used for dressing, until the stretch is within most_stretch.
 TshirtRow cheapest_row(const sim::Cloth& cloth, const sim::BodyCollider& collider, SwayOptions& options,
                        const TshirtExperiment& experiment) {
     constexpr int kFewest = 3;
@@ -173,7 +174,7 @@ sim::Json to_json(const TshirtReport& report) {
 
 namespace {
 
-constexpr int kSteps = 4;  // of 1/120 s, to an adaptation
+constexpr int kSteps = 4;  // of 1/120 s, per adaptation
 
 Vec3f leaning_gravity(double seconds) {
     const double lean = 5 * std::numbers::pi / 180;
@@ -182,7 +183,7 @@ Vec3f leaning_gravity(double seconds) {
         .cast<float>();
 }
 
-// Adds up what the cycles took.
+// Runs cycles and accumulates their times and statistics.
 class Cycles {
  public:
     Cycles(sim::Cloth& cloth, const sim::Collider& body, const SwayOptions& options)
@@ -202,7 +203,7 @@ class Cycles {
         if (!is_measured) return;
         const std::size_t allocated_by_steps = allocations() - before_steps;
         if (compares) shares_.push_back((with - without) / (with + adapted_at - start));
-        if (compares) return;  // the steps before have warmed what these find
+        if (compares) return;  // the steps without a body have warmed the caches for these
         add(adapted_at - start, with, adapted.splits + adapted.rejoins);
         adaption_allocations_ += allocated_by_adaption;
         step_allocations_ += allocated_by_steps;
@@ -240,7 +241,7 @@ class Cycles {
         return thread_seconds() - start;
     }
 
-    // A copy takes them: the cloth itself goes on as if nobody had asked.
+    // Runs on a copy, so that the cloth itself is not affected. CPU time, s.
     double steps_without_body() const {
         sim::Cloth copy = cloth_;
         return four_steps(copy, sim::NoBody());

@@ -1,6 +1,6 @@
 #pragma once
-// What one adaptation and four steps cost a garment that moves a little on a body, and what part of it is adaptation
-// and what part contact. (thesis, fig. 4.12: about 22 ms for a T-shirt of 6,199 triangles on a character of 67,000)
+// Measures the time of one adaptation and four steps of a garment that moves slightly on a body, and the shares of
+// adaptation and of contact. (thesis 4.5: about 22 ms for a T-shirt of 6,199 triangles on a character of 67,000)
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -13,26 +13,27 @@
 namespace selvedge::bench {
 
 struct SwayOptions {
-    float shortest_edge = 0.02F;             // m, an edge shorter than this is not split
+    float shortest_edge = 0.02F;             // m, shorter edges are not split
     int substeps = 12;                       // per step
     int cycles = 90;                         // of one adaptation and four steps of 1/120 s
-    int settling_cycles = 15;                // before, not measured
-    int shares_every = 5;                    // cycles, of which one is run without the body too
-    std::size_t (*allocations)() = nullptr;  // how often this program asked for memory so far; none: not counted
+    int settling_cycles = 15;                // run first and not measured
+    int shares_every = 5;                    // one cycle in this many also runs its steps on a copy without a body
+    std::size_t (*allocations)() = nullptr;  // number of heap allocations so far; null: not counted
 };
 
-// Gravity leans by 5 degrees and goes round once a second, so that the garment shifts on the body all the time.
+// Gravity is tilted by 5 degrees from the vertical and rotates once per second, so that the garment shifts on the body
+// all the time.
 struct SwayFigures {
-    int leaf_triangles = 0;  // mean over the cycles
+    int leaf_triangles = 0;  // mean over the measured cycles
     int substeps = 0;        // per step
     double ms_median = 0;    // of one adaptation and four steps
     double ms_p95 = 0;
-    double ms_adaptation = 0;           // medians
-    double ms_steps = 0;                // of four
-    double adapt_share = 0;             // of the whole, by the medians
-    double collision_share = 0;         // of the whole: what the same four steps take less with nothing to collide with
-    double p99_stretch = 0;             // of warp and weft of the leaf triangles, mean over the cycles
-    double changes_per_adaptation = 0;  // splits and rejoins
+    double ms_adaptation = 0;           // median
+    double ms_steps = 0;                // median, of four steps
+    double adapt_share = 0;             // ms_adaptation / ms_median
+    double collision_share = 0;         // of the whole: time that four steps save without a body
+    double p99_stretch = 0;             // of warp and weft strain of the leaf triangles, mean over the cycles
+    double changes_per_adaptation = 0;  // splits and rejoins, mean
     std::optional<double> allocations_per_adaptation;  // none: not counted
     std::optional<double> allocations_per_step;
 };
@@ -61,11 +62,11 @@ inline constexpr std::string_view kGrowthWithBody = "growth_with_body";
 
 struct TshirtExperiment {
     std::filesystem::path pattern;
-    int body_triangles = 67000;     // at least
-    int least_leaves = 6000;        // measured with 0 to 3 % more, whatever the garment splits and rejoins as it moves
-    double most_stretch = 0.05;     // of warp and weft, 99th percentile
-    std::optional<int> substeps{};  // per step; none: the least with which the stretch is no more
-    bool has_growth = true;         // rows of 25,000 leaves and of 500,000 triangles of the body too
+    int body_triangles = 67000;     // minimum
+    int least_leaves = 6000;        // the mean count while the garment moves is 0 to 3 % above this
+    double most_stretch = 0.05;     // limit for the 99th percentile of warp and weft strain
+    std::optional<int> substeps{};  // per step; none: the fewest that keep the stretch within most_stretch
+    bool has_growth = true;         // adds rows with 25,000 leaves and with a body of 500,000 triangles
     SwayOptions sway{};
 };
 
@@ -76,7 +77,7 @@ struct TshirtRow {
 };
 
 struct TshirtReport {
-    std::vector<TshirtRow> rows;  // the first is the garment asked for
+    std::vector<TshirtRow> rows;  // the first is the requested garment
 };
 
 TshirtReport measure_tshirt(const TshirtExperiment& experiment, const sim::Progress& progress = {});

@@ -19,7 +19,7 @@
 namespace selvedge::editor {
 namespace {
 
-// What others throw as wrong input is wrong to a draft, too.
+// Converts an InputError of the simulation modules to a GeometryError.
 template <class Function>
 auto as_geometry_error(Function&& function) {
     try {
@@ -39,7 +39,7 @@ Selection only(const std::string& panel) {
     return selection;
 }
 
-// --- of the pattern
+// --- commands on the pattern
 
 Outcome run(sim::Pattern& pattern, const RenamePattern& command) {
     pattern.name = command.to;
@@ -75,7 +75,7 @@ Outcome run(sim::Pattern& pattern, const SetBody& command) {
 }
 
 Outcome run(sim::Pattern& pattern, const SetEdgeLength& command) {
-    constexpr double kShortest = 0.005, kLongest = 0.5;  // m, as in files
+    constexpr double kShortest = 0.005, kLongest = 0.5;  // m, same limits as in pattern files
     if (command.length && !(*command.length >= kShortest && *command.length <= kLongest)) {
         throw GeometryError("A mesh has edges of 0.5 to 50 cm");
     }
@@ -98,7 +98,7 @@ Outcome run(sim::Pattern& pattern, const TranslateAll& command) {
     return {};
 }
 
-// --- of whole panels
+// --- commands on whole panels
 
 Outcome run(sim::Pattern& pattern, const AddPanels& command) {
     Outcome outcome{.selection = Selection{}};
@@ -137,7 +137,7 @@ Outcome run(sim::Pattern& pattern, const UnlinkPanel& command) {
     return {};
 }
 
-// All panels are laid out before one is put somewhere: the others stay where they are seen.
+// Fixes the sheet position of all panels first, so that the automatic layout does not move the others.
 Outcome run(sim::Pattern& pattern, const MovePanels& command) {
     const std::vector<Vec2d> positions = sheet_positions(pattern);
     for (std::size_t i = 0; i < positions.size(); ++i) pattern.panels[i].sheet_position = positions[i];
@@ -223,16 +223,18 @@ Outcome apply(sim::Pattern& pattern, const Command& command) {
     return std::visit([&](const auto& given) { return run(pattern, given); }, command);
 }
 
+// --- commands on parts of panels and on seams
+
 namespace {
 
-constexpr std::size_t kFewestPoints = 2;  // of an internal line
+constexpr std::size_t kFewestPoints = 2;  // minimum for an internal line
 
 void check_edge(const sim::Panel& panel, int edge) {
     if (edge >= 0 && static_cast<std::size_t>(edge) < panel.edges.size()) return;
     throw GeometryError("'" + panel.name + "' has no edge " + std::to_string(edge), {{.panel = panel.name}});
 }
 
-// Indices by panel, in the order of their names.
+// Groups part indices by panel, in the order of the panels' names.
 std::map<std::string, std::vector<int>> by_panel(const std::vector<PartRef>& parts) {
     std::map<std::string, std::vector<int>> sorted;
     for (const PartRef& part : parts) sorted[part.panel].push_back(part.index);
@@ -301,7 +303,7 @@ Eigen::Affine2d map_in_panel(const sim::Pattern& pattern, int panel, const Plane
     return affine;
 }
 
-// Seams first, whose indices the rest would shift; panels last.
+// Seams first, because the other removals change their indices; panels last.
 Outcome run(sim::Pattern& pattern, const RemoveParts& command) {
     for (const int seam : command.seams) known_seam(pattern, seam);
     remove_seams(pattern, command.seams);

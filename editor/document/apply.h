@@ -1,6 +1,6 @@
 #pragma once
-// What each command does to a pattern. The same pattern and command give the same bits, so that a journal can be played
-// again.
+// Applies each command to a pattern. Deterministic: the same pattern and command give a bit-identical result, so that a
+// journal can be replayed.
 #include <optional>
 #include <string>
 
@@ -16,21 +16,23 @@ struct PanelRename {
 };
 
 struct Outcome {
-    std::optional<Selection> selection = {};  // what was made, to be selected; none: it stays as it was
+    std::optional<Selection> selection = {};  // new selection; none: unchanged
     std::optional<PanelRename> rename = {};
 };
 
-// Throws GeometryError; the pattern may then be half changed. Panels that mirror each other are not yet alike after it.
+// Throws GeometryError; the pattern may then be partly changed. Does not update linked mirror images (update_mirrors
+// does).
 Outcome apply(sim::Pattern& pattern, const Command& command);
 
-// The commands that change parts of panels and seams, and how parts are found; apply.h has the others.
+// Commands on parts of panels and on seams, and access to parts with checks. The other commands are private to
+// apply.cpp.
 
-// Each throws GeometryError where there is no such part.
+// Each throws GeometryError if there is no such part.
 const sim::Seam& known_seam(const sim::Pattern& pattern, int seam);
 sim::SeamSide edge_of(const sim::Pattern& pattern, const PartRef& edge);
 void check_vertex(const sim::Panel& panel, int vertex);
 
-// A map of the sheet as one of the panel's own plane.
+// Converts a map in sheet coordinates to the panel's own coordinates.
 Eigen::Affine2d map_in_panel(const sim::Pattern& pattern, int panel, const PlaneMap& map);
 
 Outcome run(sim::Pattern& pattern, const RemoveParts& command);

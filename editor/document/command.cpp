@@ -146,7 +146,7 @@ std::string label_of(const Command& command) {
 
 namespace {
 
-constexpr double kFarthest = 1000;  // m, or rad: nothing in a pattern is larger
+constexpr double kFarthest = 1000;  // m or rad, limit of all numbers in commands
 
 constexpr std::array<std::pair<sim::CurveKind, std::string_view>, 4> kCurveNames{
     {{sim::CurveKind::Line, "line"},
@@ -154,11 +154,11 @@ constexpr std::array<std::pair<sim::CurveKind, std::string_view>, 4> kCurveNames
      {sim::CurveKind::Cubic, "cubic"},
      {sim::CurveKind::Arc, "circle"}}};
 
-// What has fields: numbers, texts, vectors and lists are no aggregates.
+// Types with fields. Numbers, strings, Eigen vectors and std::vector are not aggregates.
 template <class T>
 concept Record = std::is_aggregate_v<T>;
 
-// The fields of what commands are made of, listed as a command lists its own.
+// The fields of the types that commands contain, in the form of a command's own `fields`.
 template <class Visitor>
 void visit_fields(PartRef& part, Visitor&& visit) {
     visit("panel", part.panel);
@@ -304,7 +304,7 @@ sim::Json all_fields(T value) {
     return object;
 }
 
-// Without those that have their usual value.
+// Without fields that have their default value.
 template <class T>
 sim::Json encode_fields(const T& value) {
     sim::Json object = all_fields(value);
@@ -376,7 +376,7 @@ void decode(const sim::JsonView& view, std::vector<T>& values) {
     for (std::size_t i = 0; i < view.size(); ++i) decode(view.at(i), values.emplace_back());
 }
 
-// The alternative of that name, from its fields; false: this is not its name.
+// Decodes the alternative T if `name` is its name; otherwise returns false.
 template <class T>
 bool decode_if_named(const sim::JsonView& view, const std::string& name, Command& command) {
     if (name != T::name) return false;

@@ -1,9 +1,9 @@
 #pragma once
-// Every change that can be made to a pattern, as plain data. Tools, menus, scripts and the journal all make commands,
-// and Document::run is the one door through which they come.
+// Every possible change of a pattern as plain data. Tools, menus, scripts and the journal create commands;
+// Document::run and Document::preview apply them. Also the JSON form of commands.
 //
-// Metres and radians; points in the panel's held frame. Panels by name, their parts by index. `name` is what a command
-// is called in scripts and journals, `fields` lists its fields for them (command_json.h).
+// Metres and radians; points in the panel's held frame. Panels by name, their parts by index. `name` is the command's
+// key in scripts and journals; `fields` visits its fields for JSON reading and writing.
 #include <string>
 #include <variant>
 
@@ -19,16 +19,16 @@ using Command =
                  UnfoldPanel, MoveVertices, TransformVertices, SetCurve, AddVertex, AddDart, AddInternalLine,
                  SetInternalLine, AddNotch, MoveNotch, SewEdges, SewRuns, ReverseSeam, NameSeam, AcceptEase, EvenSeam>;
 
-// What it is called in the history: "Move 3 points".
+// The label in the history: "Move 3 points".
 std::string label_of(const Command& command);
 
 // Commands as JSON, in scripts and journals: {"move_vertices": {"vertices": [{"panel": "front", "index": 2}], "by":
-// [0.01, 0]}}. Fields that have their usual value may be left out, and are when written.
+// [0.01, 0]}}. Fields with their default value may be left out; writing leaves them out.
 
 sim::Json to_json(const Command& command);
 
-// Throws InputError naming the path: for a command or field that there is not, and for values of another kind, out of
-// range or not finite.
+// Throws InputError with the JSON path for an unknown command or field, and for a value of the wrong type, out of range
+// or not finite.
 Command parse_command(const sim::JsonView& view);
 
 }  // namespace selvedge::editor

@@ -1,5 +1,6 @@
 #pragma once
-// What several commands are made of.
+// The command types (see command.h) and the types that they contain: commands on outlines, on whole panels, on the
+// whole pattern and on seams. Metres and radians.
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,7 +11,7 @@
 
 namespace selvedge::editor {
 
-// A map of the drafting sheet: p -> x_axis p.x + y_axis p.y + shift.
+// An affine map of the sheet: p -> x_axis * p.x + y_axis * p.y + shift.
 struct PlaneMap {
     Vec2d x_axis{1, 0};
     Vec2d y_axis{0, 1};
@@ -29,7 +30,7 @@ struct SpanRef {
     bool operator==(const SpanRef&) const = default;
 };
 
-// Where a panel stands in the room: see Panel.
+// A panel's placement in world space: see Panel.
 struct PanelPlace {
     std::string panel{};
     Vec3d translation = Vec3d::Zero();
@@ -39,7 +40,7 @@ struct PanelPlace {
     bool operator==(const PanelPlace&) const = default;
 };
 
-// Commands that change outlines and what lies in them. See command.h.
+// Commands that change outlines, internal lines and notches.
 
 struct MoveVertices {
     static constexpr const char* name = "move_vertices";
@@ -53,7 +54,7 @@ struct MoveVertices {
     }
 };
 
-// The map is of the sheet.
+// `map` is in sheet coordinates. `what`: the verb of the history label.
 struct TransformVertices {
     static constexpr const char* name = "transform_vertices";
     std::vector<PartRef> vertices{};
@@ -68,7 +69,7 @@ struct TransformVertices {
     }
 };
 
-// Kind, controls and arc of `curve`.
+// Sets the edge's kind and its control points or arc from `curve`; its ends and label stay.
 struct SetCurve {
     static constexpr const char* name = "set_curve";
     std::string panel{};
@@ -83,7 +84,7 @@ struct SetCurve {
     }
 };
 
-// At a fraction of the edge's length.
+// At the fraction t of the edge's length.
 struct AddVertex {
     static constexpr const char* name = "add_vertex";
     std::string panel{};
@@ -172,9 +173,9 @@ struct MoveNotch {
     }
 };
 
-// Commands that change whole panels. See command.h.
+// Commands that change whole panels.
 
-// Under their names, or others where those are taken.
+// Adds panels under their names; a name in use gets a number.
 struct AddPanels {
     static constexpr const char* name = "add_panels";
     std::vector<sim::Panel> panels{};
@@ -197,7 +198,7 @@ struct RenamePanel {
     }
 };
 
-// `shift` on the sheet.
+// `shift` is on the sheet, m.
 struct DuplicatePanel {
     static constexpr const char* name = "duplicate_panel";
     std::string panel{};
@@ -210,7 +211,7 @@ struct DuplicatePanel {
     }
 };
 
-// For the body's other side.
+// A mirror image for the other side of the body; see symmetric_copy in panel_edit.h.
 struct SymmetricCopy {
     static constexpr const char* name = "symmetric_copy";
     std::string panel{};
@@ -225,7 +226,7 @@ struct SymmetricCopy {
     }
 };
 
-// It and its mirror image go their own ways.
+// Ends the mirror link between the panel and its images.
 struct UnlinkPanel {
     static constexpr const char* name = "unlink_panel";
     std::string panel{};
@@ -236,7 +237,7 @@ struct UnlinkPanel {
     }
 };
 
-// On the sheet.
+// Moves panels on the sheet, m.
 struct MovePanels {
     static constexpr const char* name = "move_panels";
     std::vector<std::string> panels{};
@@ -249,7 +250,7 @@ struct MovePanels {
     }
 };
 
-// Rotates, scales or mirrors; the map is of the sheet. `what`: the word for the history.
+// Rotates, scales or mirrors panels; `map` is in sheet coordinates. `what`: the verb of the history label.
 struct TransformPanels {
     static constexpr const char* name = "transform_panels";
     std::vector<std::string> panels{};
@@ -264,7 +265,7 @@ struct TransformPanels {
     }
 };
 
-// In the room.
+// Sets the panel's placement in world space.
 struct PlacePanel {
     static constexpr const char* name = "place_panel";
     std::string panel{};
@@ -281,7 +282,7 @@ struct PlacePanel {
     }
 };
 
-// Several at once.
+// Places several panels at once.
 struct PlacePanels {
     static constexpr const char* name = "place_panels";
     std::vector<PanelPlace> places{};
@@ -292,7 +293,7 @@ struct PlacePanels {
     }
 };
 
-// rad, see Panel::grain_angle.
+// Sets the grain angle, rad; see Panel::grain_angle.
 struct SetGrain {
     static constexpr const char* name = "set_grain";
     std::string panel{};
@@ -305,7 +306,7 @@ struct SetGrain {
     }
 };
 
-// m, see Panel::sett_offset.
+// Sets the sett offset, m; see Panel::sett_offset.
 struct SetSettOffset {
     static constexpr const char* name = "set_sett_offset";
     std::string panel{};
@@ -356,7 +357,7 @@ struct CutPanel {
     }
 };
 
-// The two that the seam joins.
+// Merges the two panels that the seam joins.
 struct MergePanels {
     static constexpr const char* name = "merge_panels";
     int seam = 0;
@@ -367,7 +368,7 @@ struct MergePanels {
     }
 };
 
-// Over a straight edge.
+// Unfolds the panel over a straight edge.
 struct UnfoldPanel {
     static constexpr const char* name = "unfold_panel";
     std::string panel{};
@@ -380,9 +381,9 @@ struct UnfoldPanel {
     }
 };
 
-// Commands that change a pattern as a whole. See command.h.
+// Commands that change the pattern as a whole.
 
-// The pattern's name.
+// Sets the pattern's name.
 struct RenamePattern {
     static constexpr const char* name = "rename_pattern";
     std::string to{};
@@ -393,7 +394,7 @@ struct RenamePattern {
     }
 };
 
-// `panel` empty: the whole pattern's; `fabric` empty: the default.
+// `panel` empty: sets the pattern's fabric. `fabric` empty: the default fabric.
 struct SetFabric {
     static constexpr const char* name = "set_fabric";
     std::string panel{};
@@ -406,7 +407,8 @@ struct SetFabric {
     }
 };
 
-// A name or a threadcount; empty: the default. Its size and position: see Pattern.
+// `tartan`: a name or a threadcount; empty: the default. `size` and `position`: see sett_size and sett_position of
+// Pattern.
 struct SetTartan {
     static constexpr const char* name = "set_tartan";
     std::string tartan{};
@@ -421,11 +423,11 @@ struct SetTartan {
     }
 };
 
-// What the panels are placed for, such as mannequin:sex=female,bust=92.
+// Sets the body that the panels are placed around, such as mannequin:sex=female,bust=92.
 struct SetBody {
     static constexpr const char* name = "set_body";
     std::string body{};
-    std::vector<Vec3d> shifts{};  // m, of each panel, so that it stands about the new body as about the old; or none
+    std::vector<Vec3d> shifts{};  // m, one per panel, to fit the new body; or empty
 
     template <class Visitor>
     void fields(Visitor&& visit) {
@@ -434,7 +436,7 @@ struct SetBody {
     }
 };
 
-// m, of the base mesh; none: the usual.
+// m, edge length of the base mesh; none: the mesher's default.
 struct SetEdgeLength {
     static constexpr const char* name = "set_edge_length";
     std::optional<double> length{};
@@ -445,10 +447,10 @@ struct SetEdgeLength {
     }
 };
 
-// Moves the tartan under the panels so that its stripes go on across seams.
+// Sets the panels' sett offsets so that stripes continue across seams.
 struct MatchSetts {
     static constexpr const char* name = "match_setts";
-    std::vector<int> first_seams{};  // matched before the others
+    std::vector<int> first_seams{};  // seams matched first
 
     template <class Visitor>
     void fields(Visitor&& visit) {
@@ -456,7 +458,7 @@ struct MatchSetts {
     }
 };
 
-// The whole garment in the room: the thesis' GT XYZ.
+// Moves the whole garment in world space (GT XYZ in the thesis).
 struct TranslateAll {
     static constexpr const char* name = "translate_all";
     Vec3d by = Vec3d::Zero();
@@ -467,7 +469,7 @@ struct TranslateAll {
     }
 };
 
-// All that is named, seams by index.
+// Removes all the parts listed; seams by index.
 struct RemoveParts {
     static constexpr const char* name = "remove";
     std::vector<std::string> panels{};
@@ -486,9 +488,9 @@ struct RemoveParts {
     }
 };
 
-// Commands that change seams. Seams are named by their index in Pattern::seams. See command.h.
+// Commands that change seams. `seam` is an index into Pattern::seams.
 
-// See Seam::is_reversed.
+// Sews two whole edges. is_reversed: see Seam.
 struct SewEdges {
     static constexpr const char* name = "sew_edges";
     PartRef first{};
@@ -503,7 +505,7 @@ struct SewEdges {
     }
 };
 
-// Parts of edges, one to many.
+// Sews runs of parts of edges, one to many; see sew_runs in seam_edit.h.
 struct SewRuns {
     static constexpr const char* name = "sew_runs";
     std::vector<SpanRef> first{};
@@ -552,7 +554,7 @@ struct AcceptEase {
     }
 };
 
-// Makes its second side as long as the first.
+// Makes the seam's second side as long as the first.
 struct EvenSeam {
     static constexpr const char* name = "even_seam";
     int seam = 0;

@@ -25,7 +25,8 @@ bool is_drawn_alike(const sim::Pattern& a, const sim::Pattern& b) {
         [](const sim::Panel& p, const sim::Panel& q) { return p.vertices == q.vertices && p.edges == q.edges; });
 }
 
-// Panels stay where they are seen when outlines change or panels come and go: those that were laid out are put there.
+// Keeps panels at their position on the sheet when outlines change or panels are added or removed: a panel that the
+// automatic layout had placed gets that position as its sheet_position.
 void keep_places(sim::Pattern& pattern, const sim::Pattern& before) {
     if (is_drawn_alike(pattern, before)) return;
     const std::vector<Vec2d> places = sheet_positions(before);
@@ -70,7 +71,7 @@ void Document::run(const Command& command) {
 void Document::preview(const Command& command) {
     const sim::Pattern& before = is_previewing_ ? before_preview_ : source_.pattern;
     Changed changed = changed_by(before, command);
-    SELVEDGE_ASSERT(!changed.outcome.rename);  // names are not dragged
+    SELVEDGE_ASSERT(!changed.outcome.rename);  // a drag never renames
     if (!is_previewing_) {
         before_preview_ = source_.pattern;
         selected_before_ = selection_;
@@ -95,7 +96,7 @@ void Document::drop() {
     note(journal_word(JournalWord::Drop));
 }
 
-// What changes nothing is nothing to undo.
+// A command without effect gets no history entry.
 void Document::remember(HistoryEntry entry) {
     if (entry.patch.is_empty()) return;
     entry.after = selection_;
@@ -158,7 +159,7 @@ void Document::note(const sim::Json& line) const {
 
 namespace {
 
-// A name that no panel has while names change places.
+// A temporary name that no panel has, for exchanging names.
 std::string between(const std::string& name) {
     return "\x01" + name;
 }

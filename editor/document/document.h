@@ -1,6 +1,6 @@
 #pragma once
-// The truth of the editor: the pattern that is being edited, what of it is selected, and how it came to be. Views read
-// it; whoever wants a change runs a command.
+// The edited document: the pattern, the selection and the undo history. Views read it; every change of the pattern is a
+// command. Also maps renamed panels to their names in the source file.
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -18,28 +18,29 @@
 
 namespace selvedge::editor {
 
-// What panels that were renamed are called in the file that a document came from: so they keep their place there, and
-// what else the file says of them.
+// Renamed panels keep their position in the source file and the file's additional data about them. For this the
+// document stores their names in the file.
 
-// By a panel's present name, where the file has another.
+// Maps a panel's current name to its name in the file, where the two differ.
 using FileNames = std::map<std::string, std::string>;
 
 FileNames renamed(FileNames names, const std::string& from, const std::string& to);
 
-// The file with the present names. What the file has under a name that now is another panel's goes: its own panel went.
+// The file with the current names. If a current name belongs to another panel in the file, that panel was removed and
+// its entry is deleted.
 sim::Json with_present_names(sim::Json specification, const FileNames& names);
 
 struct HistoryEntry {
     std::string label;
     PatternPatch patch;
-    std::optional<std::pair<FileNames, FileNames>> file_names = {};  // before and after, where a panel was renamed
-    Selection before;                                                // what was selected then
+    std::optional<std::pair<FileNames, FileNames>> file_names = {};  // before, after; only for a rename
+    Selection before;                                                // selection before the command
     Selection after = {};
 };
 
 class Document {
  public:
-    // Gets a line for each change (journal.h); never fails a change.
+    // Receives one line per change (journal.h). Must not throw.
     using Journal = std::function<void(std::string_view line)>;
 
     explicit Document(sim::PatternDocument source = {});
@@ -47,20 +48,21 @@ class Document {
     const sim::Pattern& pattern() const { return source_.pattern; }
     const Selection& selection() const { return selection_; }
 
-    // Counts up with every change of the pattern, undone and tried ones included.
+    // Increases with every change of the pattern, including undo, redo and previews.
     std::uint64_t revision() const { return revision_; }
 
-    // Goes on counting where the one that it takes the place of is: who remembers a revision sees that all is new.
+    // Call when this document replaces `before`: continues its revision count, so that cached revisions become invalid.
     void replace_panel(const Document& before) { revision_ = before.revision_ + 1; }
 
-    // Parts that are not there are left out.
+    // Parts that do not exist are left out.
     void select(Selection selection);
 
-    // Throws GeometryError, with nothing changed, when the command cannot be carried out. What it made is selected.
+    // Applies a command, adds it to the history and selects what it made. Throws GeometryError, with nothing changed,
+    // if the command is not possible.
     void run(const Command& command);
 
-    // Shows what a command would do, as long as a drag lasts: the next one takes its place, `keep` makes it history,
-    // `drop` takes it back. Any other change drops it first. Throws as run; what was shown before it then stays.
+    // Previews a command during a drag. The next preview replaces it, `keep` commits it to the history, `drop` rolls it
+    // back; any other change drops it first. Throws as `run`; the preview shown before then stays.
     void preview(const Command& command);
     void keep();
     void drop();
@@ -68,20 +70,20 @@ class Document {
 
     bool can_undo() const { return position_ > 0; }
     bool can_redo() const { return position_ < history_.size(); }
-    void undo();  // nothing where there is nothing to undo
+    void undo();  // no effect if there is nothing to undo
     void redo();
 
-    // Entries before the position are done, those from it on are undone.
+    // Entries before position() are applied, those from it on are undone.
     const std::vector<HistoryEntry>& history() const { return history_; }
     std::size_t position() const { return position_; }
-    void go_to(std::size_t position);  // undoes or redoes so far. Pre: at most history().size()
+    void go_to(std::size_t position);  // undoes or redoes up to there. Pre: position <= history().size()
 
-    // The pattern as a file.
+    // The document as the text of a pattern file.
     std::string text() const;
 
     bool has_unsaved_changes() const;
     void mark_saved();
-    void mark_changed() { saved_position_.reset(); }  // what is shown is saved nowhere
+    void mark_changed() { saved_position_.reset(); }  // the current state is in no file
 
     void set_journal(Journal journal) { journal_ = std::move(journal); }
 
@@ -95,12 +97,12 @@ class Document {
     Selection selection_;
     std::vector<HistoryEntry> history_;
     std::size_t position_ = 0;
-    std::optional<std::size_t> saved_position_ = 0;  // none: what was saved can no longer be reached
+    std::optional<std::size_t> saved_position_ = 0;  // none: undo and redo cannot reach the saved state
     std::uint64_t revision_ = 0;
     bool is_previewing_ = false;
     sim::Pattern before_preview_;
     Selection selected_before_;
-    std::string previewed_;  // its label; empty: nothing that could be carried out yet
+    std::string previewed_;  // label of the previewed command
     Journal journal_;
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kHead = "selvedge_journal";
 constexpr int kVersion = 1;
-constexpr const char* kFile = "a journal";  // in errors that nobody sees
+constexpr const char* kFile = "a journal";  // file name in errors, which are caught here
 
 const char* name(JournalWord word) {
     switch (word) {
@@ -35,7 +35,7 @@ sim::Json one_member(const char* key, sim::Json value) {
     return line;
 }
 
-// Takes the next whole line off the front; a last one without its end is torn.
+// Removes and returns the next complete line. None: no line break is left (an incomplete last line).
 std::optional<std::string_view> take_line(std::string_view& rest) {
     const std::size_t end = rest.find('\n');
     if (end == std::string_view::npos) return std::nullopt;
@@ -44,7 +44,7 @@ std::optional<std::string_view> take_line(std::string_view& rest) {
     return line;
 }
 
-// Plays one line. Throws InputError or GeometryError where it cannot be.
+// Replays one line. Throws InputError or GeometryError if that is not possible.
 void play(Document& document, std::string_view line) {
     const sim::Json json = sim::parse_json(line, kFile);
     const sim::JsonView view(json, kFile);
@@ -92,7 +92,7 @@ std::optional<Recovery> recover(std::string_view journal) {
                 play(document, *line);
                 ++recovery.changes;
             }
-        } catch (const std::runtime_error&) {  // torn, or of another version: what came before holds
+        } catch (const std::runtime_error&) {  // invalid line: keep the changes before it
         }
         document.keep();
         recovery.text = document.text();
@@ -104,7 +104,7 @@ std::optional<Recovery> recover(std::string_view journal) {
 
 namespace {
 
-// All but panels and seams.
+// The pattern without panels and seams.
 sim::Pattern rest_of(const sim::Pattern& pattern) {
     sim::Pattern rest;
     rest.name = pattern.name;
@@ -138,7 +138,7 @@ PatternPatch difference(const sim::Pattern& before, const sim::Pattern& after) {
     const std::vector<sim::Panel>& b = after.panels;
     const std::size_t least = std::min(a.size(), b.size());
     while (patch.first_panel < least && a[patch.first_panel] == b[patch.first_panel]) ++patch.first_panel;
-    std::size_t last = 0;  // so many at the end are the same
+    std::size_t last = 0;  // number of equal panels at the end
     while (last < least - patch.first_panel && a[a.size() - 1 - last] == b[b.size() - 1 - last]) ++last;
     const auto middle = [&](const std::vector<sim::Panel>& panels) {
         return std::vector<sim::Panel>(panels.begin() + static_cast<std::ptrdiff_t>(patch.first_panel),

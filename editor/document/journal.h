@@ -1,10 +1,10 @@
 #pragma once
-// The journal of a document: a line of JSON for each change, from which the document can be made again after a program
-// was killed. What keeps the lines is not known here.
+// The journal of a document: one line of JSON per change, from which the document can be recovered after a crash. The
+// caller stores the lines. Also PatternPatch, the difference of two pattern states for undo.
 //
-//   {"selvedge_journal": 1, "file": "shirt.json", "text": "..."}    the first line: what was opened, as it was then
+//   {"selvedge_journal": 1, "file": "shirt.json", "text": "..."}    first line: the opened file and its text
 //   {"do": {"move_vertices": {...}}}                                 a command
-//   {"try": {...}}, then {"keep": true} or {"drop": true}            a drag, with each of its moves
+//   {"try": {...}}, then {"keep": true} or {"drop": true}            a drag: one line per preview
 //   {"undo": true}, {"redo": true}
 #include <optional>
 #include <string>
@@ -26,36 +26,36 @@ sim::Json journal_line(const Command& command);
 sim::Json journal_preview(const Command& command);
 sim::Json journal_word(JournalWord word);
 
-// The first line. `file`: where the document is saved; empty: nowhere yet. `text`: the document when the journal
-// begins.
+// The first line. `file`: the document's file; empty: not saved yet. `text`: the document at the start of the journal.
 std::string journal_head(std::string_view file, std::string_view text);
 
-// What can be had from a journal. Lines that are torn or unknown end it: what came before them holds.
+// The result of a recovery. It stops at the first incomplete or invalid line and keeps the changes before it.
 struct Recovery {
     std::string file;
-    std::string text = {};  // of the document as it was when the journal ended, a drag that was under way included
-    int changes = 0;        // that were made since its first line
+    std::string text = {};  // the document at the end of the journal, with an unfinished drag committed
+    int changes = 0;        // number of lines applied
 };
 
-// None: it has no sound first line.
+// None: the first line is missing or invalid.
 std::optional<Recovery> recover(std::string_view journal);
 
-// The difference between two states of a pattern, small where the change is small: what a history keeps.
+// The difference between two states of a pattern, for the undo history. Its size grows with the size of the change.
 
 struct PatternPatch {
-    // Panels by index: in `before` and `after` they have in common the first and the last ones; these lie between.
+    // The range of panels that differ, from index first_panel on. The panels before and after the range are equal in
+    // both states.
     std::size_t first_panel = 0;
     std::vector<sim::Panel> panels_before;
     std::vector<sim::Panel> panels_after;
     std::optional<std::pair<std::vector<sim::Seam>, std::vector<sim::Seam>>> seams;  // before, after
-    std::optional<std::pair<sim::Pattern, sim::Pattern>> rest;  // the same, without panels and seams
+    std::optional<std::pair<sim::Pattern, sim::Pattern>> rest;  // before, after; without panels and seams
 
     bool is_empty() const { return panels_before.empty() && panels_after.empty() && !seams && !rest; }
 };
 
 PatternPatch difference(const sim::Pattern& before, const sim::Pattern& after);
 
-// Pre: the pattern is what the patch was made from: `before` to apply it, `after` to undo it.
+// Pre: the pattern equals the patch's `before` state for apply, its `after` state for undo.
 void apply(sim::Pattern& pattern, const PatternPatch& patch);
 void undo(sim::Pattern& pattern, const PatternPatch& patch);
 

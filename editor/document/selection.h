@@ -1,5 +1,6 @@
 #pragma once
-// What is selected: the same in all views. Panels by name, so that a selection outlives changes of the pattern.
+// The selection and the hovered part, shared by all views. Panels are referred to by name, so that a selection stays
+// valid when the pattern changes.
 #include <optional>
 #include <set>
 #include <string>
@@ -9,7 +10,7 @@
 
 namespace selvedge::editor {
 
-// A part of a panel by its index: vertex, edge, internal line or notch.
+// A part of a panel (vertex, edge, internal line or notch) by its index.
 struct PartRef {
     std::string panel;
     int index = 0;
@@ -32,20 +33,20 @@ struct Selection {
     bool operator==(const Selection&) const = default;
 };
 
-// What the cursor is over: one thing, shown by the sheet and by the 3D view alike.
+// The part under the cursor: at most one, highlighted in the sheet and in the 3D view.
 
 struct Hover {
     std::optional<PartRef> vertex{};
     std::optional<PartRef> edge{};
     std::optional<PartRef> notch{};
     std::optional<PartRef> internal_line{};
-    std::string panel{};        // of all of these, or alone; empty: nothing is under the cursor
-    std::optional<int> seam{};  // index into Pattern::seams: that of the edge
+    std::string panel{};        // panel of the part, or the hovered panel; empty: none
+    std::optional<int> seam{};  // index into Pattern::seams: seam of the edge
 
     bool operator==(const Hover&) const = default;
 };
 
-// A selection without what is not there.
+// The selection without parts that the pattern does not have.
 
 Selection clean_selection(Selection selection, const sim::Pattern& pattern);
 

@@ -1,6 +1,7 @@
 #pragma once
-// What one frame of the editor asks of whoever shows it: scenes to draw into textures, pictures to hold as textures,
-// and then ImGui's draw lists. The editor names textures by numbers of its own and knows no GL.
+// The interface between the editor and the program that hosts it. Output of a frame: scenes to draw into textures,
+// images to upload as textures, and ImGui's draw lists. Input: events and named widgets as plain data. The editor
+// identifies textures by its own numbers and makes no GL calls.
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -13,23 +14,23 @@
 
 namespace selvedge::editor {
 
-// In ImGui's draw lists, as ImTextureID. 0 is the font's.
+// Used as ImTextureID in ImGui's draw lists. 0 is the font atlas.
 using UiTexture = std::uint32_t;
 
-// A scene to be drawn into a texture before the draw lists are.
+// A scene to draw into a texture before the draw lists are drawn.
 struct SceneToDraw {
     UiTexture texture = 0;
-    std::shared_ptr<const render::Scene> scene;  // the same pointer: the same scene but for its camera and lights
+    std::shared_ptr<const render::Scene> scene;  // same pointer: only camera and light changed
     render::Camera camera;
     render::Light light;
     int width_px = 0;
     int height_px = 0;
-    bool is_draft = true;      // fast: no shadows, no room light, one sample
-    UiTexture legend = 0;      // gets a clear picture of the same size with the legend, where the mode is painted
-    bool wants_paint = false;  // the mode of its first cloth is to be filled in first (render/marks/show.h)
+    bool is_draft = true;      // fast preview: no shadows, no ambient occlusion, one sample per pixel
+    UiTexture legend = 0;      // receives the legend on a transparent image of the same size, if wants_paint
+    bool wants_paint = false;  // before drawing, fill in the show mode of the first cloth (render/marks/show.h)
 };
 
-// A picture to be held as a texture that repeats, until another of that number comes.
+// An image to upload as a repeating texture. It stays until another image with the same number replaces it.
 struct PictureToHold {
     UiTexture texture = 0;
     render::Image picture;
@@ -39,17 +40,17 @@ enum class MouseCursor { Arrow, Text, Hand, Cross, ResizeHorizontal, ResizeVerti
 
 struct FrameOutput {
     std::vector<PictureToHold> pictures;
-    std::vector<SceneToDraw> scenes;  // only those that changed: a texture keeps what was drawn
+    std::vector<SceneToDraw> scenes;  // only changed scenes: a texture keeps its content
     std::string window_title;
     MouseCursor cursor = MouseCursor::Arrow;
     bool wants_to_close = false;
-    bool is_animating = false;  // wants a frame as soon as may be, else an event may be waited for
+    bool is_animating = false;  // true: draw the next frame at once; false: the host may wait for an event
 };
 
-// What a person does, as plain data: from a window, from a script, from a test. Positions in px of the framebuffer,
-// from its upper left.
+// User input as plain data: from a window, a script or a test. Positions are in px of the framebuffer, with the origin
+// at its upper left.
 
-// Letters, digits and punctuation are their upper-case ASCII codes; the others follow.
+// Letters, digits and punctuation have their upper-case ASCII codes; the other keys have the values below.
 enum class Key : int {
     None = 0,
     Space = 32,
@@ -106,26 +107,26 @@ struct InputEvent {
     enum class Kind { MouseMove, MouseButton, Wheel, Key, Text, DropFiles, Focus, CloseRequest };
 
     Kind kind = Kind::MouseMove;
-    float x = 0;  // px; of Wheel: notches
+    float x = 0;  // px; for Wheel: wheel notches
     float y = 0;
     MouseButton button = MouseButton::Left;
     Key key = Key::None;
-    bool is_down = false;  // of MouseButton, Key, Focus
+    bool is_down = false;  // for MouseButton, Key, Focus
     Modifiers modifiers{};
-    std::string text{};                // UTF-8, of Text
-    std::vector<std::string> files{};  // of DropFiles
+    std::string text{};                // UTF-8, for Text
+    std::vector<std::string> files{};  // for DropFiles
 };
 
-// Where named controls stand on the screen, so that scripts and tests can click them by name.
+// Screen rectangles of named widgets, so that scripts and tests can click a widget by name.
 
 struct WidgetBox {
-    Vec2f low{0, 0};  // px of the framebuffer, upper left
+    Vec2f low{0, 0};  // px of the framebuffer, upper left corner
     Vec2f high{0, 0};
 
     Vec2f centre() const { return (low + high) / 2; }
 };
 
-// As of the last frame.
+// Widgets of the last frame, by name.
 using WidgetMap = std::map<std::string, WidgetBox>;
 
 }  // namespace selvedge::editor

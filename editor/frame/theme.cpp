@@ -19,7 +19,7 @@ ImVec4 mixed(const sim::Rgb8& a, const sim::Rgb8& b, float share) {
 
 ImFont* add_font(const std::string& bytes, float size_px) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-    // Latin with its accents, dashes and quotes, arrows, mathematical signs.
+    // Latin with accents, dashes and quotes, arrows, mathematical signs.
     static constexpr ImWchar kRanges[] = {0x20, 0x17F, 0x2010, 0x2044, 0x2190, 0x2193, 0x2200, 0x2265, 0};
     ImFontConfig config;
     config.SizePixels = size_px;
@@ -28,7 +28,7 @@ ImFont* add_font(const std::string& bytes, float size_px) {
     config.OversampleH = 2;
     config.OversampleV = 2;
     config.PixelSnapH = false;
-    void* data = const_cast<char*>(bytes.data());  // it is read only
+    void* data = const_cast<char*>(bytes.data());  // ImGui only reads it
     return atlas.AddFontFromMemoryTTF(data, static_cast<int>(bytes.size()), size_px, &config, kRanges);
 }
 

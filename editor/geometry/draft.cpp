@@ -11,12 +11,12 @@
 namespace selvedge::editor {
 namespace {
 
-constexpr double kClearance = 1e-7;   // m
-constexpr double kFarthest = 100;     // m, as files have it
-constexpr double kMargin = 1 + 1e-6;  // numbers are rounded when they are saved
+constexpr double kClearance = 1e-7;   // m, minimum distance between edges of an outline
+constexpr double kFarthest = 100;     // m, same limit as in pattern files
+constexpr double kMargin = 1 + 1e-6;  // saving rounds numbers
 
 bool is_near(double value) {
-    return std::abs(value) <= kFarthest;  // false for what is no number
+    return std::abs(value) <= kFarthest;  // false for NaN
 }
 
 template <class Vector>
@@ -84,7 +84,7 @@ class PanelChecker {
             !(is_near(edge.arc_radius) && edge.arc_radius > 0 && 2 * edge.arc_radius >= chord * (1 - 5e-7))) {
             fail("would have an arc whose radius is too small for its ends", e);
         }
-        // Its controls are saved relative to its chord.
+        // Files store the control points relative to the chord, so the chord must not be zero.
         if (!(chord >= sim::kShortestEdge / 10) || !(outline_length(panel_, edge) >= sim::kShortestEdge * kMargin)) {
             fail("would have an edge shorter than 0.01 mm", e);
         }

@@ -1,6 +1,6 @@
 #pragma once
-// How an edit is carried out: on a copy, which takes the pattern's place only when it is sound. For the sources of this
-// room.
+// How an edit is applied: to a copy of the pattern, which replaces the original only if it passes check_draft. Also
+// GeometryError, checked access by index, and validation of panels. Mostly for the sources of this module.
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -12,12 +12,12 @@
 
 namespace selvedge::editor {
 
-// What cannot be done to a draft, in words a tailor understands, and where: views light the places up.
+// An edit that is not possible: a message in the tailor's terms and the parts involved, which the views highlight.
 
 struct GeometryPlace {
     std::string panel;
-    int edge = -1;    // none: -1
-    int vertex = -1;  // none: -1
+    int edge = -1;    // -1: none
+    int vertex = -1;  // -1: none
 
     bool operator==(const GeometryPlace&) const = default;
 };
@@ -41,7 +41,7 @@ inline int edge_count(const sim::Panel& panel) {
     return static_cast<int>(panel.edges.size());
 }
 
-// Indices that come from outside. Throw GeometryError.
+// Checked access. Each throws GeometryError if the index is out of range.
 sim::Panel& panel_of(sim::Pattern& pattern, int panel);
 const sim::Panel& panel_of(const sim::Pattern& pattern, int panel);
 sim::OutlineEdge& edge_of(sim::Pattern& pattern, const sim::SeamSide& side);
@@ -51,14 +51,15 @@ void expect_vertices(const sim::Panel& panel, const std::vector<int>& vertices);
 
 GeometryPlace place_of(const sim::Pattern& pattern, const sim::SeamSide& side);
 
-// The seam at an edge, as index into Pattern::seams.
+// The seam of an edge, as an index into Pattern::seams. None: the edge is not sewn.
 std::optional<int> seam_at(const sim::Pattern& pattern, const sim::SeamSide& side);
 
-// Throws GeometryError unless what differs from `before` can be saved and loaded again.
+// Throws GeometryError unless every panel and seam that differs from `before` can be saved and loaded again.
 void check_draft(const sim::Pattern& draft, const sim::Pattern& before);
 void check_panel(const sim::Panel& panel);
 
-// Carries out `edit(Pattern&)` wholly or not at all; gives what it gives.
+// Applies `edit(Pattern&)` to a copy, checks the copy and commits it. On an exception `pattern` stays unchanged.
+// Returns what `edit` returns.
 template <class Edit>
 auto edit_pattern(sim::Pattern& pattern, Edit edit) {
     sim::Pattern draft = pattern;

@@ -46,8 +46,8 @@ void split_controls(const sim::Panel& panel, const sim::OutlineEdge& edge, doubl
     out.point = between(out.before.control[1], out.after.control[0], s);
 }
 
-// The cubic of least squares through points with given directions at its ends (P. J. Schneider, "An Algorithm for
-// Automatically Fitting Digitized Curves", Graphics Gems, 1990).
+// The least-squares cubic through points, with given end tangents (P. J. Schneider, "An Algorithm for Automatically
+// Fitting Digitized Curves", Graphics Gems, 1990).
 class CubicFit {
  public:
     CubicFit(const std::vector<Vec2d>& points, const Vec2d& start_direction, const Vec2d& end_direction)
@@ -96,7 +96,7 @@ class CubicFit {
         return true;
     }
 
-    // One step of Newton towards the parameter of the point of the curve that is nearest.
+    // One Newton step towards the parameter of the curve point nearest to `point`.
     void improve(const Vec2d& point, double& u) const {
         const auto [b, c] = current();
         const Vec2d& a = points_.front();
@@ -116,13 +116,13 @@ class CubicFit {
     Vec2d handles_ = Vec2d::Zero();
 };
 
-// The curve that split_curve made these two of, if it did: de Casteljau backwards.
+// Inverse of split_curve (de Casteljau backwards). None: the two edges are not parts of one curve.
 std::optional<sim::OutlineEdge> rejoined(const sim::Panel& panel, const sim::OutlineEdge& a,
                                          const sim::OutlineEdge& b) {
     if (a.kind != b.kind || a.kind == sim::CurveKind::Line) return {};
     sim::OutlineEdge whole = a;
     whole.end = b.end;
-    double t = 0;  // of the whole, where they meet
+    double t = 0;  // parameter of the joint on the whole curve
     if (a.kind == sim::CurveKind::Arc) {
         const sim::ArcCircle one = arc_circle(panel, a);
         const sim::ArcCircle two = arc_circle(panel, b);
@@ -149,7 +149,7 @@ std::optional<sim::OutlineEdge> rejoined(const sim::Panel& panel, const sim::Out
 
 sim::OutlineEdge arc_as_cubic(const sim::Panel& panel, const sim::OutlineEdge& edge) {
     const sim::ArcCircle circle = arc_circle(panel, edge);
-    if (std::abs(circle.sweep) > kPi * 1.01) return joined_curve(panel, {edge});  // one cubic, as near as it can be
+    if (std::abs(circle.sweep) > kPi * 1.01) return joined_curve(panel, {edge});  // best single cubic
     sim::OutlineEdge cubic{.start = edge.start, .end = edge.end, .kind = sim::CurveKind::Cubic, .label = edge.label};
     const double handle = circle.radius * 4 / 3 * std::tan(std::abs(circle.sweep) / 4);
     cubic.control = {start_of(panel, edge) + handle * curve_direction(panel, edge, EdgeEnd::Start),
@@ -251,7 +251,7 @@ sim::OutlineEdge joined_curve(const sim::Panel& panel, const std::vector<sim::Ou
     std::optional<sim::OutlineEdge> whole = chain.front();
     for (std::size_t i = 1; i < chain.size() && whole; ++i) whole = rejoined(panel, *whole, chain[i]);
     if (whole && chain.size() > 1) return *whole;
-    constexpr int kSamples = 24;  // of each edge
+    constexpr int kSamples = 24;  // per edge
     std::vector<Vec2d> points{start_of(panel, chain.front())};
     for (const sim::OutlineEdge& edge : chain) {
         for (int i = 1; i <= kSamples; ++i) points.push_back(curve_point(panel, edge, double(i) / kSamples));

@@ -14,7 +14,7 @@ bool is_digit(char c) {
 }
 
 // sum = term {(+|-) term}; term = factor {(*|/) factor}; factor = [+|-] (number | "(" sum ")");
-// number = decimal, or whole blank whole "/" whole. Each gives nothing where the text is something else.
+// number = decimal, or whole blank whole "/" whole. Each function returns none if the text does not match.
 class Evaluator {
  public:
     explicit Evaluator(std::string_view text) : text_(text) {}
@@ -104,7 +104,7 @@ class Evaluator {
         return rest ? *value + *rest : value;
     }
 
-    // " 1/2" after a whole number; else nothing, and nothing is taken.
+    // " 1/2" after a whole number. Returns none and consumes nothing if the text does not match.
     std::optional<double> fraction() {
         const std::size_t begin = at_;
         skip_blanks();
@@ -118,7 +118,7 @@ class Evaluator {
         return {};
     }
 
-    // Digits with one point, summed up so that no locale has a say.
+    // Digits with one decimal point, parsed by hand so that the result does not depend on the locale.
     static double decimal(const std::string& digits) {
         double value = 0;
         double scale = 1;

@@ -10,7 +10,7 @@
 namespace selvedge::editor {
 namespace {
 
-constexpr double kSmooth = 1e-3;  // rad, edges that meet at less of an angle than this make no corner
+constexpr double kSmooth = 1e-3;  // rad, tangents that differ by less make no corner
 
 void remove_seams_at(sim::Pattern& pattern, const std::vector<sim::SeamSide>& sides) {
     const auto is_there = [&](const sim::SeamSide& side) {
@@ -19,7 +19,7 @@ void remove_seams_at(sim::Pattern& pattern, const std::vector<sim::SeamSide>& si
     std::erase_if(pattern.seams, [&](const sim::Seam& seam) { return is_there(seam.first) || is_there(seam.second); });
 }
 
-// The run's edges, in their order along the outline.
+// The edges of the run, in outline order.
 std::vector<int> run_of(const sim::Panel& panel, int first, int count) {
     std::vector<int> run;
     for (int i = 0; i < count; ++i) run.push_back((first + i) % edge_count(panel));
@@ -28,10 +28,10 @@ std::vector<int> run_of(const sim::Panel& panel, int first, int count) {
 
 struct Partner {
     int panel = 0;
-    int first = 0;  // edge, in the order of that panel's outline
+    int first = 0;  // first edge of the run, in the order of that panel's outline
 };
 
-// The run that the seams of a run lead to, if it follows itself in their order.
+// The run on the other side of a run's seams. None: those edges are not consecutive in matching order.
 std::optional<Partner> partner_of(const sim::Pattern& pattern, int panel, const std::vector<int>& run) {
     std::vector<sim::SeamSide> others;
     std::optional<bool> is_reversed;
@@ -124,12 +124,12 @@ void join_alone(sim::Pattern& pattern, int panel_index, int first, int count) {
     const int total = edge_count(panel);
     const std::vector<int> run = run_of(panel, first, count);
     std::vector<sim::OutlineEdge> chain;
-    std::vector<double> reached{0};  // length before each edge of the chain
+    std::vector<double> reached{0};  // m, arc length before each edge of the chain
     for (const int edge : run) {
         chain.push_back(panel.edges[as_size(edge)]);
         reached.push_back(reached.back() + outline_length(panel, chain.back()));
     }
-    const int wrapped = std::max(0, first + count - total);  // of the run, at the outline's beginning
+    const int wrapped = std::max(0, first + count - total);  // edges of the run that wrap to index 0
     std::vector<int> image(as_size(total));
     for (int i = 0; i < total; ++i) image[as_size(i)] = i < first ? i - wrapped : i - count + 1;
     for (const int edge : run) image[as_size(edge)] = first - wrapped;
@@ -167,7 +167,7 @@ void join_sewn(sim::Pattern& pattern, int panel, int first, int count,
     const int start = own.edges[as_size(first)].start;
     remove_seams_at(pattern, going);
     if (partner) {
-        // The seam that is left was the one at `first`; it lies at the end of a partner that runs the other way.
+        // The remaining seam is that of `first`. If the partner is reversed, it is at the partner's last edge.
         join_alone(pattern, partner->panel, partner->first, count);
     }
     join_alone(pattern, panel, edge_from(pattern.panels[as_size(panel)], start), count);

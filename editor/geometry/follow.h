@@ -1,6 +1,6 @@
 #pragma once
-// What goes with an outline when its edges are split, joined or renumbered: seams, notches and pins. None of these
-// checks the result: edit_pattern does. For the sources of this room.
+// Keeps seams, notches and pins consistent when the edges of an outline are split, joined or renumbered. These
+// functions do not check the result; edit_pattern (draft.h) does. For the sources of this module.
 #include <functional>
 #include <optional>
 
@@ -8,50 +8,53 @@
 
 namespace selvedge::editor {
 
-// Where an edge went: is_turned when it runs the other way round there.
+// The new index of an edge. is_turned: the edge is reversed there.
 struct EdgeImage {
     sim::SeamSide side;
     bool is_turned = false;
 };
 
-// Seams at the panel go where their edges went; those of edges that went nowhere are removed.
+// Updates the panel's seams to the new indices of their edges. Removes the seams of edges without an image.
 void follow_edges(sim::Pattern& pattern, int panel, const std::function<std::optional<EdgeImage>(int)>& image_of);
 
-// Splits an edge and nothing else: a seam there stays with its first part. The new vertex is the panel's last.
+// Splits an edge only; its seam stays with the first part. Returns the index of the new vertex, the panel's last.
 int split_alone(sim::Pattern& pattern, const sim::SeamSide& at, double t);
 
-// Splits an edge and, if it is sewn, the other side of its seam where it meets t. The seam stays with the part at the
-// start of the edge `at`; the other part's, unnamed, is the last of the pattern.
+// Splits an edge and, if it is sewn, the other side of its seam at the point that meets t. The seam stays with the
+// first part of edge `at`; a new, unnamed seam joins the second part and is appended to the pattern. Returns the new
+// vertex of panel at.panel.
 int split_sewn(sim::Pattern& pattern, const sim::SeamSide& at, double t);
 
-// After the side `own` of a seam was split and kept its first part: splits the other side at the fraction t of the
-// whole and sews what is left of it to the edge that starts at `rest`, a vertex of own's panel.
+// Call after side `own` of a seam was split and the seam stayed with the first part. Splits the other side at the point
+// that meets the fraction t of the whole and sews its rest to the edge that starts at `rest`, a vertex of own's panel.
 void share_seam(sim::Pattern& pattern, const sim::SeamSide& own, int rest, double t);
 
-// The edge that starts at a vertex. Pre: one does.
+// The edge that starts at a vertex; edge_count(panel) if there is none.
 int edge_from(const sim::Panel& panel, int vertex);
 
-// Makes one edge of `count` that follow each other from edge `first` on. Their vertices between stay in the list. A
-// seam stays at its first edge only; the caller removes those of the others before.
+// Joins `count` consecutive edges, from edge `first` on, to one edge. The vertices between them stay in the vertex
+// list. Pre: none of the edges but the first is sewn (the caller removes those seams).
 void join_alone(sim::Pattern& pattern, int panel, int first, int count);
 
-// As join_alone. Where all of them are sewn to a run of edges that follow each other just so, and `may_join` allows it
-// for the vertices of that run, the run is joined too, and one seam left; else their seams go.
+// As join_alone, with seams. If all the edges are sewn to a run of consecutive edges in matching order, and `may_join`
+// returns true for the inner vertices of that run, the run is joined too and one seam remains. Otherwise the seams of
+// the edges are removed.
 void join_sewn(sim::Pattern& pattern, int panel, int first, int count,
                const std::function<bool(int panel, int vertex)>& may_join);
 
-// Takes vertices that no edge uses any more out of the list.
+// Removes vertices from the vertex list and renumbers the rest. Pre: no edge uses them.
 void drop_vertices(sim::Panel& panel, const std::vector<int>& vertices);
 
+// Removes those candidates that no edge uses.
 void drop_unused(sim::Panel& panel, std::vector<int> candidates);
 
-// Whether the outline goes on without a corner at a vertex that no pin holds.
+// Whether the outline has no corner at this vertex and the vertex is not pinned.
 bool is_smooth(const sim::Panel& panel, int vertex);
 
-// Takes panels, and the seams at them, out of the pattern.
+// Removes panels and their seams from the pattern, and ends their mirror links.
 void drop_panels(sim::Pattern& pattern, const std::vector<int>& panels);
 
-// Neither the panel nor those that mirror it are kept mirror images from then on.
+// Ends the mirror links of the panel: its own, and those of the panels that mirror it.
 void unlink(sim::Pattern& pattern, int panel);
 
 }  // namespace selvedge::editor

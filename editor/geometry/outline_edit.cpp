@@ -11,7 +11,7 @@
 namespace selvedge::editor {
 namespace {
 
-// Joins the edges round each run of marked vertices.
+// Joins the edges around each run of marked vertices to one edge.
 class VertexRemover {
  public:
     VertexRemover(sim::Pattern& draft, int panel, const std::vector<int>& vertices)
@@ -57,8 +57,8 @@ class VertexRemover {
 
     sim::Pattern& draft_;
     int panel_;
-    std::vector<std::vector<int>> going_;  // per panel
-    std::vector<bool> is_marked_;          // per vertex of the panel
+    std::vector<std::vector<int>> going_;  // vertices to remove, per panel
+    std::vector<bool> is_marked_;          // per vertex of panel_
 };
 
 VertexMove move_of(const sim::Panel& panel, const std::vector<int>& vertices, const Eigen::Affine2d& map) {
@@ -145,7 +145,7 @@ NearestOnEdge nearest_on_edge(const sim::Panel& panel, const sim::OutlineEdge& e
     }
     double low = std::max(0.0, double(best - 1) / kCells);
     double high = std::min(1.0, double(best + 1) / kCells);
-    while (high - low > 1e-9) {  // thirds: within a cell the distance falls, then rises
+    while (high - low > 1e-9) {  // ternary search: the distance is unimodal within a cell
         const double one = low + (high - low) / 3;
         const double two = high - (high - low) / 3;
         (distance(one) <= distance(two) ? high : low) = distance(one) <= distance(two) ? two : one;

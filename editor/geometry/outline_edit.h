@@ -1,48 +1,50 @@
 #pragma once
-// Changing the outlines of a pattern's panels. Seams, notches, pins and the other panel of a seam follow: what was sewn
-// stays sewn wherever it can. Lengths in metres, points in the panel's held frame (sim/pattern/pattern.h).
+// Edits the outlines of a pattern's panels. Seams, notches, pins and the other side of a seam are updated: sewn edges
+// stay sewn where possible. Lengths in metres, points in the panel's held frame (sim/pattern/pattern.h).
 //
-// Every function throws GeometryError, and leaves the pattern as it was, when the outline would have no inside: fewer
-// than three vertices' worth, an edge shorter than 0.01 mm, outlines that cross themselves or come nearer than 0.0001
-// mm; or when a side of a seam would be over four times as long as the other. So whatever is drafted can be saved and
-// loaded. Indices are checked, too.
+// Every function throws GeometryError, and leaves the pattern unchanged, if an index is out of range or if the result
+// would be invalid: an outline with an area below 1e-8 m^2, with an edge shorter than 0.01 mm, that crosses itself or
+// comes within 0.0001 mm of itself, or that lies further than 100 m from the origin; or a seam with one side over four
+// times as long as the other. So every result can be saved and loaded again.
 #include <vector>
 
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::editor {
 
-// The index of the panel of that name. Throws GeometryError when there is none.
+// The index of the panel with this name. Throws GeometryError if there is none.
 int find_panel(const sim::Pattern& pattern, const std::string& name);
 
-// Sets a vertex at the fraction t of the edge's length; the curve keeps its shape. The edges after it count one more;
-// vertices keep their indices, the new one is the last. A seam there becomes two, and the other side is split where it
-// meets t: the seam stays with the part at the start of this edge, the other, unnamed, is added at the end of the
-// pattern's. Both parts keep the edge's label. Returns the new vertex' index.
+// Inserts a vertex at the fraction t of the edge's length; the curve keeps its shape. Indices of later edges grow by
+// one; vertices keep their indices, and the new vertex is the last. If the edge is sewn, its seam becomes two: the
+// other side is split at the point that meets t, the seam stays with the first part of this edge, and a new, unnamed
+// seam is appended to the pattern. Both parts keep the edge's label. Returns the index of the new vertex.
 int split_edge(sim::Pattern& pattern, sim::SeamSide at, double t);
 
-// Takes vertices out; the edges round them become one edge: a line, if all were lines; the whole curve again, if they
-// are the parts that split_edge made of it; else a cubic that keeps the end tangents. Its index is the first's. The
-// seams along them become one (that of the first edge) if the edges across follow each other too and meet without a
-// corner or, in the same panel, at vertices that are taken out with these: then those are joined as well. Else they go.
+// Removes vertices. The edges around each run of removed vertices become one edge, with the index of the first: a line,
+// if all were lines; the original curve, if they are its parts after split_edge; else a cubic with the same end
+// tangents. Their seams become one (that of the first edge) if the edges on the other side are consecutive too and
+// meet without a corner or, in the same panel, at vertices that are also removed: then those edges are joined as well.
+// Otherwise these seams are removed.
 void remove_vertices(sim::Pattern& pattern, int panel, std::vector<int> vertices);
 
-// Moves vertices; the curves of edges with one end moved ride along with their chord.
+// Moves vertices. If only one end of an edge moves, its curve is transformed with its chord.
 void move_vertices(sim::Pattern& pattern, int panel, const std::vector<int>& vertices, const Vec2d& by);
 
-// Applies a map of the plane to some vertices and to the controls of edges between two of them.
+// Applies a map of the plane to some vertices and to the control points of edges between two of them. If only one end
+// of an edge moves, its curve is transformed with its chord.
 void transform_vertices(sim::Pattern& pattern, int panel, const std::vector<int>& vertices, const Eigen::Affine2d& map);
 
-// All of a panel: outline, internal lines, grain; its placement stays. Arcs become cubics where the map is no
-// similarity: those over half a circle then lose some of their shape. A map that mirrors keeps the outline
-// counter-clockwise: edge e of n becomes edge (n - e) % n, from its end to its start, so that edge 0 stays edge 0;
-// vertices keep their indices; seams turn is_reversed, notches and the sett's offset follow.
+// Applies a map to a whole panel: outline, internal lines, grain; its 3D placement stays. If the map is not a
+// similarity, arcs become cubics; arcs over half a circle are then only approximated. A mirroring map keeps the outline
+// counter-clockwise: edge e of n becomes edge (n - e) % n and is reversed, so that edge 0 stays edge 0. Vertices keep
+// their indices; Seam::is_reversed is toggled; notches and the sett offset are updated.
 void transform_panel(sim::Pattern& pattern, int panel, const Eigen::Affine2d& map);
 
-// The edge's curve: kind, controls or arc as in `curve`; its ends and label stay.
+// Sets the edge's kind and its control points or arc from `curve`; its ends and label stay.
 void set_curve(sim::Pattern& pattern, sim::SeamSide at, const sim::OutlineEdge& curve);
 
-// A point of an edge nearest to u: fraction of its length, and the distance, m.
+// The point of an edge nearest to u: the fraction t of the edge's length and the distance, m.
 struct NearestOnEdge {
     double t = 0;
     double distance = 0;

@@ -17,7 +17,7 @@ bool is_taken(const sim::Pattern& pattern, const std::string& name) {
                        [&](const sim::Panel& panel) { return panel.name == name; });
 }
 
-// The name without the number that made it free: front_2 is a front.
+// The name without its number: front for front_2.
 std::string stem_of(const std::string& name) {
     const std::size_t line = name.rfind('_');
     if (line == std::string::npos || line == 0 || line + 1 == name.size()) return name;
@@ -64,7 +64,7 @@ sim::Panel make_rectangle(const Vec2d& low, const Vec2d& high) {
     return make_polygon({low, {high.x(), low.y()}, high, {low.x(), high.y()}});
 }
 
-// A quarter of a circle by a cubic is off by 0.03% of its radius.
+// One cubic per quarter: for a circle the error is 0.03 % of the radius.
 sim::Panel make_ellipse(const Vec2d& centre, const Vec2d& radii) {
     const Vec2d size = radii.cwiseAbs();
     const std::array<Vec2d, 4> spokes{Vec2d(0, -1), Vec2d(1, 0), Vec2d(0, 1), Vec2d(-1, 0)};
@@ -103,14 +103,14 @@ int duplicate_panel(sim::Pattern& pattern, int panel, const Vec2d& shift) {
     return add_panel(pattern, std::move(copy));
 }
 
-// Cutting a panel apart.
+// Cutting a panel in two.
 
 namespace {
 
-constexpr double kSnap = 1e-4;   // m, a cut that ends nearer to a vertex than this ends there
-constexpr double kApart = 0.02;  // m, of the parts on the sheet
+constexpr double kSnap = 1e-4;   // m, an end of the cut closer to a vertex than this is moved to it
+constexpr double kApart = 0.02;  // m, gap between the two parts on the sheet
 
-// Where along a segment, 0..1 and ascending, it meets the path.
+// The parameters (0..1, ascending) at which a segment intersects the path.
 std::vector<double> meetings(const Vec2d& from, const Vec2d& to, const std::vector<Vec2d>& path) {
     std::vector<double> found;
     const Vec2d along = to - from;
@@ -123,12 +123,12 @@ std::vector<double> meetings(const Vec2d& from, const Vec2d& to, const std::vect
         if (t > 1e-9 && t < 1 - 1e-9 && s >= 0 && s <= 1) found.push_back(t);
     }
     std::sort(found.begin(), found.end());
-    const auto is_same = [](double a, double b) { return b - a < 1e-9; };  // at a corner of the path
+    const auto is_same = [](double a, double b) { return b - a < 1e-9; };  // found twice, at a corner of the path
     found.erase(std::unique(found.begin(), found.end(), is_same), found.end());
     return found;
 }
 
-// A line in the pieces that the path leaves of it.
+// Splits an internal line at its intersections with the path.
 std::vector<sim::InternalLine> cut_line(const sim::InternalLine& line, const std::vector<Vec2d>& path) {
     std::vector<sim::InternalLine> pieces{{line.name, {}}};
     for (std::size_t i = 0; i < line.points.size(); ++i) {
@@ -144,11 +144,11 @@ std::vector<sim::InternalLine> cut_line(const sim::InternalLine& line, const std
     return pieces;
 }
 
-// The outline from vertex `from_` to `to_`, counter-clockwise, goes to the new panel, which lies on the right of the
-// path; the rest stays:
+// The new panel is on the right of the path: it gets the outline from vertex `from_` counter-clockwise to `to_`. The
+// rest of the outline stays:
 //
-//        to_ ------<------ .                 kept: path, then the outline on from to_
-//         |  kept  ^  new  |                 new: the outline from from_ to to_, then the path back
+//        to_ ------<------ .                 kept: the path, then the outline from to_ on
+//         |  kept  ^  new  |                 new: the outline from from_ to to_, then the path reversed
 //         . --->- from_ -> .
 class PanelCutter {
  public:
@@ -284,9 +284,9 @@ class PanelCutter {
     std::vector<Vec2d> path_;
     int from_ = 0;
     int to_ = 0;
-    int taken_ = 0;                      // edges of the outline that go
-    int base_ = 0;                       // where the path begins among the edges that stay
-    std::vector<sim::OutlineEdge> cut_;  // the path's edges, vertices of the panel before it was cut
+    int taken_ = 0;                      // number of outline edges moved to the new panel
+    int base_ = 0;                       // index of the path's first edge in the kept panel
+    std::vector<sim::OutlineEdge> cut_;  // edges of the path; vertex indices before the cut
 };
 
 }  // namespace
@@ -305,15 +305,15 @@ int cut_panel(sim::Pattern& pattern, int panel, const std::vector<Vec2d>& path, 
 namespace {
 
 constexpr double kGap = 0.05;       // m, between panels
-constexpr double kRowLength = 1.4;  // m, a panel that would reach further begins a row
+constexpr double kRowLength = 1.4;  // m, a panel that would end beyond this starts a new row
 
 }  // namespace
 
-// All panels take part, so that one that is put elsewhere leaves the others where they are.
+// Panels with a sheet_position also take a slot in the layout, so that moving one panel does not move the others.
 std::vector<Vec2d> sheet_positions(const sim::Pattern& pattern) {
     std::vector<Vec2d> positions;
-    Vec2d corner(0, 0);  // upper left of the next
-    double depth = 0;    // of the row
+    Vec2d corner(0, 0);  // m, upper left of the next panel
+    double depth = 0;    // m, height of the row
     for (const sim::Panel& panel : pattern.panels) {
         const Box box = outline_box(panel);
         const Vec2d size = box.high - box.low;

@@ -1,6 +1,7 @@
 #pragma once
-// Making panels, cutting them apart and joining them. All throw GeometryError and leave the pattern as it was when the
-// result would be no panel. Names that are taken get a number: front, front_2.
+// Creates, copies, mirrors, cuts and merges panels, and lays them out on the sheet. All functions throw GeometryError
+// and leave the pattern unchanged if the result would be invalid (see outline_edit.h). A name that is in use gets a
+// number: front, front_2.
 #include <string>
 #include <vector>
 
@@ -8,64 +9,67 @@
 
 namespace selvedge::editor {
 
-// A name that no panel has: `wanted`, else with the lowest number that is free.
+// A name that no panel has: `wanted`, else with the lowest free number appended.
 std::string free_panel_name(const sim::Pattern& pattern, const std::string& wanted);
 
-// Gives it a name that no panel has; those that mirror it follow. In a document's file: rename_panel_in_file.
+// Renames a panel; mirror_of of its images is updated. Throws if the name is empty or in use. See rename_panel_in_file.
 void rename_panel(sim::Pattern& pattern, int panel, const std::string& name);
 
-// Panels of one counter-clockwise outline. Points in any direction of turning; they are put counter-clockwise.
+// New panels with one counter-clockwise outline. The points may be in either orientation.
 sim::Panel make_polygon(std::vector<Vec2d> points);
 sim::Panel make_rectangle(const Vec2d& low, const Vec2d& high);
-sim::Panel make_ellipse(const Vec2d& centre, const Vec2d& radii);  // four cubic arcs
+sim::Panel make_ellipse(const Vec2d& centre, const Vec2d& radii);  // four cubic curves
 
-// Adds it under a free name; returns its index. Throws when its outline is none.
+// Adds the panel under a free name and returns its index. Throws if its outline is invalid.
 int add_panel(sim::Pattern& pattern, sim::Panel panel);
 
-// Removes panels with their seams; panels that mirror one of them stand alone.
+// Removes panels with their seams. Panels that mirror one of them lose their mirror link.
 void remove_panels(sim::Pattern& pattern, const std::vector<int>& panels);
 
-// A copy beside it, unsewn, moved on the sheet by `shift`.
+// Adds a copy without seams, moved on the sheet by `shift`. Returns its index.
 int duplicate_panel(sim::Pattern& pattern, int panel, const Vec2d& shift);
 
-// The panel's mirror image for the body's other side: geometry mirrored on the sheet, placed mirrored in the room
-// (x to -x); on the sheet it covers the panel's place, moved by `shift`. Of its seams only darts are copied. Vertices
-// keep their indices, edge e of n is the image of edge (n - e) % n, turned round. left_sleeve becomes right_sleeve.
-// `is_linked`: kept a mirror image from then on, which a mirror image cannot have of its own.
+// Adds the panel's mirror image for the other side of the body: its outline is mirrored, its 3D placement reflected
+// (x to -x), and its bounding box on the sheet is that of the panel, moved by `shift`. Of its seams only darts are
+// copied. Vertices keep their indices; edge e of n is the image of edge (n - e) % n, reversed. left_sleeve becomes
+// right_sleeve. `is_linked`: update_mirrors keeps it a mirror image from then on; throws if the panel is itself linked
+// to another. Returns the index of the copy.
 int symmetric_copy(sim::Pattern& pattern, int panel, bool is_linked, const Vec2d& shift);
 
-// After a change of the pattern (compared with `before`): panels that mirror each other follow, in all but names and
-// places on the sheet. Whichever side was edited leads; if both were, the one whose count of edges changed more, else
-// the one that is mirrored. Seams at the follower stay: where the leader's edges were split or joined, its own and what
-// they are sewn to are, too; a stretch of its outline that was redrawn otherwise loses its seams.
+// Propagates an edit (the difference to `before`) to linked mirror images; only names and sheet positions may differ.
+// The source is the edited panel; if both were edited, the one whose number of edges changed more, else the original
+// (not the image). Seams of the updated panel stay: where the source's edges were split or joined, its edges and the
+// edges sewn to them are split or joined too. Parts of its outline that do not correspond any more lose their seams.
 void update_mirrors(sim::Pattern& pattern, const sim::Pattern& before);
 
-// Cuts the panel along the path, which begins and ends on its outline (ends are moved to the nearest point of it) and
-// keeps inside. The panel keeps the side on the left of the path, the new one the right. `is_sewn`: the cut is sewn up.
-// Edges that stay keep their order, the path's stand where the others were; the new panel's are those others from the
-// path's beginning on, then the path backwards. In the room both stay where they are. Ends the panel's links. Returns
-// the new panel's index, the last.
+// Cuts the panel along a path that runs inside it. The ends of the path are moved to the nearest points of the outline.
+// The panel keeps the part on the left of the path; the part on the right becomes a new panel. `is_sewn`: a seam joins
+// both along the cut. Remaining edges keep their order, with the edges of the path in place of the removed ones; the
+// new panel has the removed edges, from the start of the path on, then the path reversed. Both keep their 3D placement.
+// Ends the panel's mirror links. Returns the index of the new panel, the last.
 int cut_panel(sim::Pattern& pattern, int panel, const std::vector<Vec2d>& path, bool is_sewn);
 
-// Joins the two panels of a seam to one in the plane, along that seam; the second is turned and moved to the first.
-// Its sides must be of one length, to 1 mm, and have one shape. Seams that go on along it just so are joined with it.
-// The second's edges stand where those of the seam were; its panel goes, and links with them end. Returns the index of
-// the joined panel.
+// Merges the two panels of a seam into one in the plane: the second is rotated and moved to the first. Both sides must
+// have the same length and shape to within 1 mm. Adjacent seams between the same panels that match in the same way are
+// merged too. The remaining edges of the second panel replace those of the seam; the second panel is removed, and the
+// mirror links of both end. Returns the index of the merged panel.
 int merge_panels(sim::Pattern& pattern, int seam);
 
-// The panel with its mirror image over a straight edge, as one: what was cut on the fold is opened. Its edges before
-// the fold keep their indices, the image's follow (from that of the edge before the fold on backwards), then those
-// behind it. Seams stay with the half that was there, darts are doubled; a seam at the fold goes, and so do links.
+// Unfolds a panel that was cut on the fold: joins it to its mirror image over a straight edge. Edges before the fold
+// keep their indices; then come the images of all edges, in reverse order from the edge before the fold on; then the
+// edges after the fold. Seams stay with the original half, darts are copied to the other; the seam at the fold and the
+// mirror links are removed.
 void unfold_panel(sim::Pattern& pattern, sim::SeamSide fold);
 
-// Cuts a wedge of the width and depth out of the panel at the fraction t of an edge, and sews its legs together. The
-// edge e becomes e, leg, leg, e + 3. If it was sewn, its two parts stay sewn to the whole other side, which is split by
-// share of their lengths: the width is eased. Notches within the mouth go.
+// Cuts a wedge (width and depth in m) out of the panel, centred at the fraction t of an edge, and sews its legs
+// together. Edge e becomes edges e, leg, leg, e + 3. If it was sewn, its two parts stay sewn to the whole other side,
+// which is split in the ratio of their lengths, so the dart's width is eased. Notches within the mouth are removed.
 void insert_dart(sim::Pattern& pattern, sim::SeamSide at, double t, double width, double depth);
 
-// Where panels lie on the drafting sheet that were never put anywhere: side by side in rows, in their order.
+// Layout of panels on the sheet.
 
-// The origin of each panel on the sheet, m: sheet_position where there is one. No two that are laid out overlap.
+// The origin of each panel on the sheet, m: its sheet_position, if set; else its position in an automatic layout in
+// rows, in the order of the panels. Panels placed by the layout do not overlap each other.
 std::vector<Vec2d> sheet_positions(const sim::Pattern& pattern);
 
 }  // namespace selvedge::editor

@@ -1,4 +1,4 @@
-// Joining panels in the plane, opening folds, and darts.
+// Implements merge_panels, unfold_panel and insert_dart of panel_edit.h.
 #include <algorithm>
 #include <cmath>
 
@@ -11,10 +11,10 @@
 namespace selvedge::editor {
 namespace {
 
-constexpr double kSameShape = 1e-3;  // m, how far sides that are joined may lie apart
+constexpr double kSameShape = 1e-3;  // m, largest distance between the two sides of a merged seam
 
-// Joins panel b to panel a along a run of seams between them. Along a's run from its first edge on, b's runs back from
-// its last.
+// Merges panel b into panel a along a run of consecutive seams between them. The runs have opposite directions: a's
+// first edge is sewn to b's last.
 class Merger {
  public:
     Merger(sim::Pattern& draft, const sim::Seam& seam)
@@ -55,7 +55,7 @@ class Merger {
         const Vec2d start = a().vertices[as_size(own.start)];
         const Vec2d end = a().vertices[as_size(own.end)];
         Eigen::Affine2d map = chord_map(from, to, start, end);
-        map.linear() /= std::sqrt(map.linear().determinant());  // turned and moved, not scaled
+        map.linear() /= std::sqrt(map.linear().determinant());  // rigid: remove the scale
         map.translation() = (start + end) / 2 - map.linear() * (from + to) / 2;
         return map;
     }
@@ -80,7 +80,7 @@ class Merger {
         return seam.is_reversed && across == sim::SeamSide{b_, other} && lie_together(own, other);
     }
 
-    // Seams that go on along this one are joined with it: they would leave a slit.
+    // Extends the run by adjacent seams between the same panels, which would otherwise leave a slit.
     void extend() {
         const int most = std::min(edge_count(a()), edge_count(b())) - 1;
         while (count_ < most && are_joined(a_edge(count_), b_edge(-1))) {
@@ -93,7 +93,7 @@ class Merger {
         }
     }
 
-    // The ends of b's run to those of a's, exactly.
+    // Moves the ends of b's run exactly onto those of a's.
     void meet_ends() {
         a_start_ = edge(a(), a_first_).start;
         a_end_ = edge(a(), a_edge(count_ - 1)).end;
@@ -159,7 +159,7 @@ class Merger {
         }
     }
 
-    // Those of a's run between its ends, and all of b's run.
+    // Vertices to remove: those of a's run between its ends, and all of b's run.
     std::vector<int> inner_vertices(int shift) {
         std::vector<int> vertices{b_start_ + shift, b_end_ + shift};
         for (int i = 0; i + 1 < count_; ++i) {
@@ -175,7 +175,7 @@ class Merger {
     int a_first_;
     int b_first_;
     int count_ = 1;
-    sim::Panel other_;  // b as it lies on a
+    sim::Panel other_;  // b, mapped onto a
     int a_start_ = 0;
     int a_end_ = 0;
     int b_start_ = 0;
@@ -198,7 +198,8 @@ Eigen::Affine2d reflection(const Vec2d& from, const Vec2d& to) {
     return map;
 }
 
-// Edge e < fold keeps its index; the image of edge fold - 1 - i comes i-th after them; then those behind the fold.
+// Edges before the fold keep their indices; then the image of edge (fold - 1 - i) at offset i; then those after the
+// fold.
 void unfold(sim::Pattern& draft, const sim::SeamSide& fold) {
     sim::Panel& panel = draft.panels[as_size(fold.panel)];
     const sim::Panel half = panel;
@@ -253,7 +254,7 @@ void unfold(sim::Pattern& draft, const sim::SeamSide& fold) {
     draft.seams.insert(draft.seams.end(), darts.begin(), darts.end());
 }
 
-// Puts the two legs in the place of an edge: from its start to the apex and on to its end. Gives the apex.
+// Replaces an edge by the dart's two legs: start to apex, apex to end. Returns the apex vertex.
 int open_wedge(sim::Pattern& draft, const sim::SeamSide& mouth, double depth) {
     sim::Panel& panel = draft.panels[as_size(mouth.panel)];
     sim::OutlineEdge& edge = panel.edges[as_size(mouth.edge)];

@@ -1,4 +1,4 @@
-// Mirror images of panels, and keeping them so.
+// Implements symmetric_copy and update_mirrors of panel_edit.h: mirror images of panels and symmetry propagation.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -12,10 +12,10 @@
 namespace selvedge::editor {
 namespace {
 
-constexpr double kSamePoint = 1e-6;  // m
+constexpr double kSamePoint = 1e-6;  // m, closer vertices match
 
-// The image in the plane x = 0 of the room. With S = diag(-1, 1, 1) and m the mirroring of the sheet, which keeps
-// is_mirrored: S (R p + t) = (S R S) (S p) + S t, and S p is the local point of m(u).
+// The panel's reflection in the world plane x = 0. Let S = diag(-1, 1, 1) and let m mirror the sheet (is_mirrored
+// stays). Then S (R p + t) = (S R S) (S p) + S t, and S p is the local point of m(u), with p the local point of u.
 sim::Panel mirror_image(const sim::Panel& panel) {
     sim::Panel image = mapped_panel(panel, Eigen::Affine2d(Eigen::Scaling(-1.0, 1.0)));
     const Eigen::Matrix3d across = Vec3d(-1, 1, 1).asDiagonal();
@@ -24,7 +24,7 @@ sim::Panel mirror_image(const sim::Panel& panel) {
     return image;
 }
 
-// left_sleeve for right_sleeve; other names as they are.
+// left_sleeve for right_sleeve and vice versa; other names unchanged.
 std::string name_across(const std::string& name) {
     for (const auto& [one, other] : {std::pair<std::string, std::string>{"left", "right"}, {"right", "left"}}) {
         const std::size_t at = name.find(one);
@@ -33,7 +33,7 @@ std::string name_across(const std::string& name) {
     return name;
 }
 
-// What links keep the same: all but names and places on the sheet.
+// Equality of what a mirror link keeps equal: all but name, mirror_of and sheet position.
 bool is_same_shape(sim::Panel one, sim::Panel other) {
     for (sim::Panel* panel : {&one, &other}) {
         panel->name.clear();
@@ -43,7 +43,7 @@ bool is_same_shape(sim::Panel one, sim::Panel other) {
     return one == other;
 }
 
-// Seams of a panel with itself.
+// Darts: seams between two edges of the same panel. Their panel index is 0 in the result.
 std::vector<sim::Seam> darts_of(const sim::Pattern& pattern, int panel) {
     std::vector<sim::Seam> darts;
     for (const sim::Seam& seam : pattern.seams) {
@@ -53,7 +53,7 @@ std::vector<sim::Seam> darts_of(const sim::Pattern& pattern, int panel) {
     return darts;
 }
 
-// The dart on another panel whose edges run the other way round.
+// The image of a dart on a mirrored panel of `count` edges.
 sim::Seam dart_across(const sim::Seam& dart, int panel, int count) {
     return {{panel, mirrored_edge(dart.first.edge, count)},
             {panel, mirrored_edge(dart.second.edge, count)},
@@ -62,7 +62,8 @@ sim::Seam dart_across(const sim::Seam& dart, int panel, int count) {
             dart.is_eased};
 }
 
-// Which edge of `target` starts where each edge of `panel` does: -1, none. Both loops run the same way round.
+// For each edge of `panel`, the edge of `target` that starts at the same point; -1: none. First tries a cyclic shift of
+// vertex indices, then positions. All -1 if the matches are not in the same cyclic order.
 std::vector<int> match_loops(const sim::Panel& panel, const sim::Panel& target) {
     const int count = edge_count(panel);
     const int target_count = edge_count(target);
@@ -96,7 +97,7 @@ std::vector<int> match_loops(const sim::Panel& panel, const sim::Panel& target) 
     return match;
 }
 
-// A stretch of both loops between two points that they share.
+// Corresponding parts of two outlines, between two consecutive shared points.
 struct Stretch {
     int first = 0;  // edge of the panel
     int count = 0;
@@ -124,8 +125,8 @@ std::vector<Stretch> stretches(const sim::Panel& panel, const sim::Panel& target
     return found;
 }
 
-// Makes a panel the mirror image of another and lets its seams follow: where the other's edges were split or joined,
-// its own are, too.
+// Makes panel `panel_` the mirror image of the source panel `lead_` and updates its seams: where the source's edges
+// were split or joined, its own edges are too.
 class Follower {
  public:
     Follower(sim::Pattern& draft, int lead, int panel) : draft_(draft), lead_(lead), panel_(panel) {}
@@ -160,8 +161,8 @@ class Follower {
         return target;
     }
 
-    // Where the two are sewn to each other, splitting one may split the other, and so on; if that finds no end within
-    // as many steps as there are edges, it never will.
+    // If the two panels are sewn to each other, a split of one may split the other, and so on. Without an end after as
+    // many steps as both have edges, the splits would never end: throws GeometryError.
     void even_stretches() {
         const sim::Panel& lead = draft_.panels[as_size(lead_)];
         const int most = edge_count(own()) + edge_count(lead);
@@ -199,7 +200,7 @@ class Follower {
         for (const auto& [panel, vertex] : joined) drop_unused(draft_.panels[as_size(panel)], {vertex});
     }
 
-    // At the shares that the target's edges have of the stretch, from the last on.
+    // Splits at the same length fractions as the target's edges, from the last to the first.
     void split(const Stretch& stretch, const sim::Panel& target) {
         std::vector<double> reached{0};
         for (int i = 0; i < stretch.target_count; ++i) {
@@ -235,10 +236,10 @@ class Follower {
     int panel_;
 };
 
-// What happened to a panel since `before`, as far as its mirror images are concerned.
+// How a panel differs from `before`, as far as its mirror images are concerned.
 struct Change {
     bool is_changed = false;
-    int edges = 0;  // more or less than before
+    int edges = 0;  // absolute change of the number of edges
 };
 
 Change change_of(const sim::Pattern& pattern, int panel, const sim::Pattern& before) {
@@ -253,7 +254,7 @@ Change change_of(const sim::Pattern& pattern, int panel, const sim::Pattern& bef
             std::abs(edge_count(now) - edge_count(*was))};
 }
 
-// The panel that leads and those that mirror it: the first.
+// Maps each original panel to the panels that mirror it.
 std::map<int, std::vector<int>> linked_groups(const sim::Pattern& pattern) {
     std::map<int, std::vector<int>> groups;
     for (std::size_t i = 0; i < pattern.panels.size(); ++i) {
@@ -283,7 +284,7 @@ int symmetric_copy(sim::Pattern& pattern, int panel, bool is_linked, const Vec2d
     image.name = free_panel_name(pattern, name_across(own.name));
     image.mirror_of = is_linked ? own.name : "";
     const Box box = outline_box(own);
-    const Vec2d to_its_place(box.low.x() + box.high.x(), 0);  // its box is where the panel's is, then moved
+    const Vec2d to_its_place(box.low.x() + box.high.x(), 0);  // puts its box over the panel's
     image.sheet_position = sheet_positions(pattern)[as_size(panel)] + to_its_place + shift;
     return edit_pattern(pattern, [&](sim::Pattern& draft) {
         const int copy = static_cast<int>(draft.panels.size());

@@ -38,7 +38,7 @@ bool do_cross(const Vec2d& a, const Vec2d& b, const Vec2d& c, const Vec2d& d) {
     return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
 
-// Of four points, two lines that cross are the longest way to pair them.
+// Crossing test: of the two ways to pair the ends, the pairing that crosses has the larger total length.
 template <class Point>
 bool is_longer_than_swapped(const std::array<Point, 2>& first, const std::array<Point, 2>& second) {
     const double paired = (first[0] - second[0]).norm() + (first[1] - second[1]).norm();
@@ -46,7 +46,7 @@ bool is_longer_than_swapped(const std::array<Point, 2>& first, const std::array<
     return paired > swapped * (1 + 1e-6) + 1e-9;
 }
 
-// Ends of an edge that may move: those where the next edge is sewn, or that the other side of the seam ends at, hold.
+// Scales one side of a seam about the fixed point that even_seam describes.
 class SideScaler {
  public:
     SideScaler(sim::Pattern& draft, const sim::SeamSide& side, const sim::SeamSide& other)
@@ -145,17 +145,17 @@ bool is_crossed(const sim::Pattern& pattern, const sim::Seam& seam) {
     return do_cross(own[0], ends[0], own[1], ends[1]);
 }
 
-// Sewing one run of edges to another, 1:N.
+// Sewing one run of edges to another (1:N).
 
 namespace {
 
-constexpr double kSnap = 1e-4;  // m, joints nearer than this are one
-constexpr double kSame = 1e-9;  // fractions nearer than this are one
+constexpr double kSnap = 1e-4;  // m, joints closer than this are merged
+constexpr double kSame = 1e-9;  // fractions closer than this are equal
 
-// A run, walked from its start: where each span ends, as share of the run's length.
+// A run of spans with the position of each joint as a fraction of the run's length.
 struct Run {
     std::vector<EdgeSpan> spans;
-    std::vector<double> reached;  // 0, then after each span
+    std::vector<double> reached;  // 0, then the position at the end of each span
     double length = 0;            // m
 };
 
@@ -181,7 +181,7 @@ Run measured(const sim::Pattern& pattern, const std::vector<EdgeSpan>& spans) {
     return run;
 }
 
-// Where the runs are joined across, as shares of each, from the start of the first.
+// A joint: its position on each run, as a fraction of the run's length.
 struct Joint {
     double first = 0;
     double second = 0;
@@ -206,7 +206,7 @@ std::vector<Joint> joints_of(const Run& first, const Run& second, bool is_revers
     return joints;
 }
 
-// The part of one span between two shares of its run.
+// The part of a span between two fractions of the run's length. Pre: no joint lies between them.
 EdgeSpan piece_of(const Run& run, double low, double high) {
     const double middle = (low + high) / 2;
     const auto above = std::upper_bound(run.reached.begin() + 1, run.reached.end() - 1, middle);
@@ -220,7 +220,7 @@ EdgeSpan piece_of(const Run& run, double low, double high) {
     return piece;
 }
 
-// Splits edges at the ends of pieces, and says which edge each piece has become.
+// Splits edges at the ends of the pieces and returns the new edge index of each piece.
 class PieceCutter {
  public:
     explicit PieceCutter(const std::vector<EdgeSpan>& pieces) {
@@ -235,7 +235,7 @@ class PieceCutter {
         }
     }
 
-    // From the last to the first, so that what is still to be split keeps its index.
+    // From the last cut to the first, so that edges that are not split yet keep their indices.
     void cut(sim::Pattern& draft) const {
         for (auto entry = cuts_.rbegin(); entry != cuts_.rend(); ++entry) {
             double whole = 1;
@@ -257,7 +257,7 @@ class PieceCutter {
     }
 
  private:
-    std::map<sim::SeamSide, std::vector<double>> cuts_;  // ascending
+    std::map<sim::SeamSide, std::vector<double>> cuts_;  // fractions of the edge's length, ascending
 };
 
 void expect_apart(const sim::Pattern& pattern, std::vector<EdgeSpan> pieces) {

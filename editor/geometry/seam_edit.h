@@ -1,5 +1,6 @@
 #pragma once
-// Sewing. An edge is sewn at most once; what is only a part of an edge is split off first.
+// Adds, removes and edits seams. An edge belongs to at most one seam; to sew a part of an edge, the edge is split
+// first.
 #include <vector>
 
 #include "sim/pattern/pattern.h"
@@ -16,30 +17,30 @@ struct EdgeSpan {
     bool operator==(const EdgeSpan&) const = default;
 };
 
-// Sews two whole edges. Throws GeometryError when one is sewn already, both are the same, or one is over four times as
-// long.
+// Sews two whole edges. Returns the index of the new seam. Throws GeometryError if one is sewn already, if both are the
+// same edge, or if one is over four times as long as the other.
 int sew_edges(sim::Pattern& pattern, const sim::Seam& seam);
 
-// Sews a run of spans to another, from its start on: spans of a run follow each other. Edges are split where a run
-// begins or ends and where it meets a joint of the other run, by share of their lengths: 1:N. `is_reversed`: the start
-// of the first run meets the end of the second. Joints within 0.1 mm of each other are one. Returns the new seams,
-// along the first run.
+// Sews a run of consecutive spans to another run (1:N sewing). Points of the two runs match by the fraction of the
+// run's length. Edges are split where a run begins or ends and where a joint of the other run falls. `is_reversed`: the
+// start of the first run meets the end of the second. Joints closer than 0.1 mm are merged. Returns the indices of the
+// new seams, in the order of the first run.
 std::vector<int> sew_runs(sim::Pattern& pattern, const std::vector<EdgeSpan>& first,
                           const std::vector<EdgeSpan>& second, bool is_reversed);
 
 void remove_seams(sim::Pattern& pattern, std::vector<int> seams);
 
-// m: of first and second.
+// m, lengths of the first and the second side.
 std::array<double, 2> seam_lengths(const sim::Pattern& pattern, const sim::Seam& seam);
-inline constexpr double kUnevenSeam = 0.001;  // m, sides that differ by more are uneven
+inline constexpr double kUnevenSeam = 0.001;  // m, sides are uneven if their lengths differ by more
 
-// Makes the second side as long as the first: it is scaled with its chord, about the end where the next edge is sewn if
-// the other's is not, else about its middle; an end that both sides share, as a dart's apex, stays. It is no longer
-// eased.
+// Makes the second side as long as the first by scaling it. The fixed point is an end that both sides share (a dart's
+// apex); else the end whose neighbour edge is sewn, if only one is; else the middle of the chord. Clears is_eased.
+// Throws GeometryError if both ends are shared.
 void even_seam(sim::Pattern& pattern, int seam);
 
-// Whether straight lines between the ends as they are paired would cross, seen in the plane as they lie on the sheet,
-// or, where both panels are placed, in the room: the seam is likely meant the other way round.
+// Whether the straight lines between the paired ends of the seam cross; then is_reversed is probably wrong. Tested in
+// 3D if both panels are placed, else on the sheet.
 bool is_crossed(const sim::Pattern& pattern, const sim::Seam& seam);
 
 }  // namespace selvedge::editor

@@ -16,7 +16,7 @@
 namespace selvedge::editor {
 namespace {
 
-constexpr int kGivenUpAfter = 3;  // frames in which nothing was being made and the body is not there: it failed
+constexpr int kGivenUpAfter = 3;  // frames without a running build and without the body: the build has failed
 
 std::string drafted_text(const sim::Pattern& pattern) {
     return pattern.body.empty() ? kDefaultBody : pattern.body;
@@ -26,7 +26,7 @@ void keep_body(InspectorContext& context) {
     BodyState& state = context.state.body;
     const CurrentBody& worn = context.workspace.drape.worn();
     const sim::Pattern& pattern = context.pattern();
-    // Where the body that it was drafted for was never made, panels stay where they are.
+    // If the body that the garment was drafted for was never built, the panels are not moved.
     const SetBody command = state.drafted_body != nullptr && state.drafted == drafted_text(pattern)
                                 ? set_body_command(pattern, worn.text, *state.drafted_body, *worn.body)
                                 : SetBody{.body = worn.text};
@@ -71,11 +71,11 @@ void follow_body_wish(InspectorContext& context) {
     if (state.idle_frames >= kGivenUpAfter) drop_body_wish(context);
 }
 
-// Who wears it: sex, measures, stance, or a body from a file.
+// The body inspector: sex, measurements, stance, or a body from a file.
 
 namespace {
 
-constexpr double kUsualStance = 0.9 * std::numbers::pi / 180;  // rad, of the mannequin
+constexpr double kUsualStance = 0.9 * std::numbers::pi / 180;  // rad, the mannequin's default
 constexpr double kMostStance = 10 * std::numbers::pi / 180;
 
 std::string drafted_body(const InspectorContext& context) {
@@ -130,7 +130,7 @@ void draw_sex(InspectorContext& context, const sim::MannequinOptions& options) {
     }
 }
 
-// What the tape reads on the body that is worn.
+// The measured value on the current body.
 std::optional<double> reading(const CurrentBody& worn, std::string_view name) {
     if (!worn.measures) return std::nullopt;
     for (const sim::MeasureReading& entry : worn.measures->readings) {

@@ -1,6 +1,7 @@
 #pragma once
-// A body on its way from a box to the document: it is worn while it is tried, made beside the interface, and becomes
-// the document's together with the shifts of the panels, which can only be known once it is there.
+// Changing the garment's body. The requested body is built in the background and shown for trial; when it is ready, it
+// is set in the document together with the shifts of the panels, which depend on it. Also converts mannequin
+// measurements to and from text.
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,31 +18,33 @@ namespace selvedge::editor {
 
 enum class BodyRequest { Try, Keep };
 
-// Nothing is worn that is no body: the state then says why.
+// Starts building the body. Does nothing if the text is not a valid body; BodyState::wrong then holds the reason.
 void wish_body(InspectorContext& context, const std::string& text, BodyRequest wish);
 
 void drop_body_wish(InspectorContext& context);
 
-// Once per frame.
+// Completes or abandons a pending request. Call once per frame.
 void follow_body_wish(InspectorContext& context);
 
-// A mannequin's text and its measures: what the boxes show, and what they make of it.
+// Conversion between a mannequin's text and its measurements.
 
 bool is_mannequin(std::string_view body);
 
-// "mannequin:sex=female,bust=92": only what is set, in the order of the measures, to 0.01 cm and 0.01 degrees.
+// "mannequin:sex=female,bust=92": lists only the values that are set, in the order of measure_names(), rounded to 0.01
+// cm and 0.01 degrees.
 std::string mannequin_text(const sim::MannequinOptions& options);
 
-// Why it is no body, in words; empty: it is one. For a mannequin only; files are tried by those who read them.
+// The reason why the text is not a valid body; empty: it is valid. Checks mannequins only; files are checked when they
+// are loaded.
 std::string wrong_with_body(const std::string& text);
 
-// "high_hip" as "High hip"; a male's bust is his chest.
+// "high_hip" as "High hip"; a male's "bust" as "Chest".
 std::string measure_label(std::string_view name, sim::Sex sex);
 
-// What a tailor measures there, in words.
+// How a tailor takes this measurement.
 const char* measure_tip(std::string_view name);
 
-// The garment is placed about the new body as it was about the old.
+// Sets the body and shifts the panels so that they keep their placement relative to the body.
 SetBody set_body_command(const sim::Pattern& pattern, const std::string& text, const sim::Body& from,
                          const sim::Body& onto);
 

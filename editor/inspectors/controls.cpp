@@ -6,9 +6,9 @@
 namespace selvedge::editor {
 namespace {
 
-constexpr float kTipWidth = 22;  // of the font's size
+constexpr float kTipWidth = 22;  // font heights
 
-// The start of a character of UTF-8 at or before the place.
+// Start of the UTF-8 character at or before the byte offset.
 std::size_t character_start(const std::string& text, std::size_t place) {
     while (place > 0 && (static_cast<unsigned char>(text[place]) & 0xC0U) == 0x80U) --place;
     return place;
@@ -184,8 +184,8 @@ int choice_box(InspectorContext& context, const Choice& choice) {
 
 namespace {
 
-constexpr float kBarHeight = 3.2F;    // of the font's size
-constexpr float kSparkHeight = 2.0F;  // of the font's size
+constexpr float kBarHeight = 3.2F;    // font heights
+constexpr float kSparkHeight = 2.0F;  // font heights
 
 }  // namespace
 

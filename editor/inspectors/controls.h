@@ -1,6 +1,6 @@
 #pragma once
-// What the inspectors are put together from: rows of a label and a field, buttons that wrap, words that fit. All sizes
-// follow the font.
+// The building blocks of the inspectors: rows of a label and a field, wrapping button rows, text that is elided to fit,
+// small charts. All sizes scale with the font.
 #include <imgui.h>
 #include <functional>
 #include <span>
@@ -13,45 +13,46 @@
 namespace selvedge::editor {
 
 ImVec4 to_colour(const sim::Rgb8& rgb, float alpha = 1);
-ImVec4 tinted(const sim::Rgb8& ground, const sim::Rgb8& with);  // a little of it
+ImVec4 tinted(const sim::Rgb8& ground, const sim::Rgb8& with);  // a small share of `with` mixed in
 
 ImTextureID texture_id(UiTexture texture);
 
-// Words about the item before it, while the cursor rests on it, also where it is disabled.
+// Tooltip of the previous item, also if the item is disabled.
 void show_tip(const std::string& words);
 
-// "Starts or pauses (Space)": with the key of an action, if it has one.
+// Adds the action's key to the text, for example "Starts or pauses (Space)"; unchanged if the action has no key.
 std::string with_key(const InspectorContext& context, const std::string& words, std::string_view action);
 
-// Where the item before it stands, for whoever asks by name.
+// Records the position of the previous item under this name, for scripts and tests.
 void note_widget(InspectorContext& context, const std::string& name);
 
-// On the line of the item before it, at a place of the window. ImGui::SameLine takes 0 for "behind it".
+// Continues on the line of the previous item, at window coordinate `left`. ImGui::SameLine cannot do this for 0, which
+// means "after the item".
 void back_to(float left);
 
-// As much of the text as fits, "left_sle..." where it does not.
+// The longest prefix that fits, as in "left_sle..."; the whole text if it fits.
 std::string elided(const std::string& text, float width_px);
 
-// Text on one line, elided and then with all of it as a tip.
+// Text on one line; if it is elided, a tooltip shows the whole text.
 void elided_text(const std::string& text, float width_px, const ImVec4& colour);
 
 void heading(const InspectorContext& context, const char* title);
-void paragraph(const InspectorContext& context, const std::string& words);  // wraps, faint
-void complaint(const sim::Rgb8& colour, const std::string& words);          // wraps, coloured
+void paragraph(const InspectorContext& context, const std::string& words);  // wraps; in the faint colour
+void complaint(const sim::Rgb8& colour, const std::string& words);          // wraps; in `colour`
 
-// A section that folds. Returns whether it is open.
+// A collapsible section. Returns whether it is open.
 enum class Fold { Open, Closed };
 bool folding(const char* title, Fold at_first);
 
-// A row: a label, and then what is left for the field.
+// A row: a label, then a field that takes the remaining width.
 float label_width();
 float field_width();
 void row_label(const InspectorContext& context, const char* label, const std::string& tip);
 
-// A row with a value that cannot be changed.
+// A row with a read-only value.
 void fact(const InspectorContext& context, const char* label, const std::string& value, const std::string& tip);
 
-// Buttons side by side, on as many lines as they need.
+// Buttons side by side, wrapped to as many lines as necessary.
 class ButtonRow {
  public:
     explicit ButtonRow(InspectorContext& context) : context_(context) {}
@@ -61,7 +62,7 @@ class ButtonRow {
         const char* title = "";
         std::string tip{};
         bool is_enabled = true;
-        bool is_on = false;  // drawn as chosen
+        bool is_on = false;  // drawn as selected
     };
     bool button(const Button& button);
 
@@ -72,10 +73,10 @@ class ButtonRow {
 
 bool check_box(InspectorContext& context, const char* name, const char* title, bool value, const std::string& tip);
 
-// A choice from a list, as wide as the field. Returns the index chosen now, or -1.
+// A drop-down list, as wide as the field. Returns the newly chosen index, or -1.
 struct Choice {
     const char* name = "";
-    std::string shown{};  // at rest
+    std::string shown{};  // shown while the list is closed
     std::span<const std::string> items{};
     int chosen = -1;
     std::string tip{};
@@ -83,9 +84,9 @@ struct Choice {
 };
 int choice_box(InspectorContext& context, const Choice& choice);
 
-// Small charts: bars and lines that show a shape, with the figure in words beside it.
+// Small charts: bars and lines that show the shape of a series, with the values as text.
 
-// One bar for each figure, from the left, its number below; the tip tells each figure.
+// One bar per value, from the left, with the value below it; a tooltip describes each bar.
 struct BarChart {
     std::vector<int> figures;
     std::function<std::string(std::size_t bar)> tip;
@@ -93,7 +94,7 @@ struct BarChart {
 };
 void bar_chart(const InspectorContext& context, const BarChart& chart);
 
-// The last figures, the newest at the right, from 0 up. `count` of at most `full`: so many fill the width.
+// The latest values, newest at the right; the axis starts at 0. `count` <= `full`; `full` values fill the width.
 struct SparkLine {
     std::size_t count = 0;
     std::size_t full = 1;

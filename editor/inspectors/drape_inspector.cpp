@@ -89,7 +89,7 @@ void DrapeTrace::take(const sim::SessionFrame& frame) {
                                .triangles = static_cast<float>(frame.statistics.leaf_triangles)};
 }
 
-// The running drape: how it is doing, what it costs, and how fine it may become.
+// The drape inspector: state, statistics, and the settings of the adaptive mesh.
 
 namespace {
 

@@ -1,5 +1,5 @@
 #pragma once
-// A drape's state in words.
+// Text for the state and statistics of a drape, and the recent history that its inspector plots.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -9,36 +9,36 @@
 
 namespace selvedge::editor {
 
-// "Sewing: seams close", "Settled: it hangs still".
+// For example "Sewing: seams close" or "Settled: it hangs still".
 std::string stage_text(sim::SessionStage stage, bool is_running);
 
-// "3.2 s", "1.40 ms", "0.8 cm/s".
+// For example "3.2 s", "1.40 ms", "0.8 cm/s".
 std::string seconds_text(double seconds);
 std::string milliseconds_text(double milliseconds);
 std::string speed_text(double metres_per_second);
 
-// "1,234".
+// For example "1,234".
 std::string count_text(int count);
 
-// Angles that the criteria can be asked with: rejoining stays below splitting.
+// Sets the split or rejoin angle (rad) and keeps the rejoin angle below the split angle.
 sim::CurvatureOptions curvature_with(sim::CurvatureOptions options, std::optional<double> split,
                                      std::optional<double> rejoin);
 
-// A name that is not among those yet: "drape", "drape 2".
+// A name that is not in `kept` yet: "drape", "drape 2".
 std::string free_drape_name(const std::vector<std::string>& kept, const std::string& wanted);
 
-// The last frames of a drape, for sparklines.
+// Statistics of the last kLength frames of a drape, for sparklines.
 
 class DrapeTrace {
  public:
     static constexpr std::size_t kLength = 120;
 
-    // Takes a frame that it does not have yet; one that counts from the beginning again begins anew.
+    // Appends the frame unless it is already the newest one. Clears the history if the frame numbers start again.
     void take(const sim::SessionFrame& frame);
 
     std::size_t size() const { return size_; }
 
-    // The oldest is 0. Pre: index < size().
+    // Index 0 is the oldest. Pre: index < size().
     float frame_ms(std::size_t index) const { return rows_[place(index)].frame_ms; }
     float triangles(std::size_t index) const { return rows_[place(index)].triangles; }
 

@@ -1,4 +1,4 @@
-// All that was done, to go back to.
+// The history inspector: the list of commands, with undo and redo to any of them.
 #include "editor/inspectors/inspectors.h"
 
 #include <imgui.h>

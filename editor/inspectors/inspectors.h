@@ -1,5 +1,6 @@
 #pragma once
-// What all boxes and lists are given: what is worked on, and whom they tell.
+// The interface of all inspectors: the state that they keep, the context that they receive, and their drawing
+// functions.
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -20,79 +21,79 @@
 
 namespace selvedge::editor {
 
-// What the boxes and lists remember between two frames of the screen: what is typed and not yet applied, what is
-// unfolded, pictures that are made once.
+// State that the inspectors keep between two UI frames: typed text that is not applied yet, a drag in progress, cached
+// values and textures.
 
 // Text that is being typed into a box.
 struct TypedText {
     unsigned box = 0;  // ImGui's id; 0: none
     std::string text{};
     std::string text_before{};
-    std::optional<double> before{};  // value of a number box, when it was entered
-    std::string wrong{};             // why it cannot be applied, in words; empty: it can
-    bool is_trying = false;          // a change is shown that is not kept yet
-    int last_frame = 0;              // when the box was last drawn
+    std::optional<double> before{};  // value of a number box when editing began
+    std::string wrong{};             // why the text cannot be applied; empty: it can
+    bool is_trying = false;          // a preview is shown that is not committed yet
+    int last_frame = 0;              // UI frame in which the box was last drawn
 };
 
-// A number that is dragged by its label.
+// A number that is being dragged by its label.
 struct Scrub {
     unsigned box = 0;  // ImGui's id; 0: none
     double before = 0;
     double value = 0;
     bool is_trying = false;
-    bool is_given_up = false;  // by Esc, until the button is let go
+    bool is_given_up = false;  // cancelled by Esc; lasts until the button is released
     int last_frame = 0;
 };
 
 struct BoxState {
     TypedText typed;
-    TypedText left;  // another box was entered before this one could apply its text
+    TypedText left;  // text of the previous box, if another box was entered before it was applied
     Scrub scrub;
 };
 
-// What is costly to know of a panel, as of a revision of the document.
+// Expensive values of a panel, valid for one revision of the document.
 struct PanelFacts {
     std::uint64_t revision = 0;
     double area = 0;       // m^2
     double perimeter = 0;  // m
 };
 
-// Angles as they were typed: a rotation has several.
+// Euler angles as the user typed them, because several triples give the same rotation.
 struct TypedAngles {
     Vec3d angles = Vec3d::Zero();  // rad, about x, y, z
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
 };
 
 struct TartanPicture {
-    std::string shown_as{};  // "Black Watch"
+    std::string shown_as{};  // for example "Black Watch"
     sim::Sett sett{};
     UiTexture texture = 0;
 };
 
 struct MaterialState {
-    std::string fabric{};  // whose values are shown; empty: the garment's
+    std::string fabric{};  // the fabric whose values are shown; empty: the garment's
     std::string search{};
-    std::vector<std::pair<std::string, TartanPicture>> tartans{};  // those that ship, by name
-    UiTexture repeats = 0;                                         // the preview from afar,
-    UiTexture threads = 0;                                         // and from near
-    std::string previewed{};                                       // what they show
-    std::vector<sim::SeamMatch> matched{};                         // what the last match came to
+    std::vector<std::pair<std::string, TartanPicture>> tartans{};  // built-in tartans, by name
+    UiTexture repeats = 0;                                         // texture of the preview that shows repeats
+    UiTexture threads = 0;                                         // texture of the preview that shows single threads
+    std::string previewed{};                                       // key of the preview that the textures hold
+    std::vector<sim::SeamMatch> matched{};                         // result of the last seam matching
     std::uint64_t matched_revision = 0;
 };
 
 struct BodyState {
-    std::string pending{};  // the body that is wanted and not yet the document's; empty: none
-    bool is_kept = false;   // to become the document's once it is made
-    int idle_frames = 0;    // that nothing was being made while it was pending
-    std::string wrong{};    // why what was typed is no body
-    std::string drafted{};  // text of the body that the document names, and that body
+    std::string pending{};  // requested body that is not yet the document's; empty: none
+    bool is_kept = false;   // the body is set in the document when it is ready
+    int idle_frames = 0;    // frames since the request in which no body was being built
+    std::string wrong{};    // why the typed text is not a valid body
+    std::string drafted{};  // text of the document's body, and that body
     std::shared_ptr<const sim::Body> drafted_body{};
 };
 
 struct DrapeState {
     DrapeTrace trace{};
-    std::vector<std::string> kept{};  // names of drapes that the session keeps
-    std::string name{};               // for the next
+    std::vector<std::string> kept{};  // names of the drapes that the session keeps
+    std::string name{};               // name for the next one
 };
 
 struct InspectorState {
@@ -102,7 +103,7 @@ struct InspectorState {
     MaterialState material{};
     BodyState body{};
     DrapeState drape{};
-    std::optional<int> hovered_seam{};  // that the list lights up
+    std::optional<int> hovered_seam{};  // the seam whose row in the list is hovered
 };
 
 struct InspectorContext {
@@ -110,21 +111,22 @@ struct InspectorContext {
     FrameOutput& output;
     InspectorState& state;
     const Theme& theme;
-    const Fonts* fonts = nullptr;               // none: all in the present font
-    WidgetMap* widgets = nullptr;               // gets the boxes' places; none: nobody asks
-    std::function<UiTexture()> take_texture{};  // a number that nobody else has
-    std::function<void()> open_body{};          // lets a body's file be chosen; unset: no button for it
-    std::function<std::string(std::string_view action)> key_of{};  // "Ctrl+Z" of an action's id; unset or empty: none
+    const Fonts* fonts = nullptr;               // none: use the current font
+    WidgetMap* widgets = nullptr;               // receives the positions of the widgets; may be null
+    std::function<UiTexture()> take_texture{};  // returns an unused texture number
+    std::function<void()> open_body{};          // opens a file dialog for a body; unset: no button is shown
+    std::function<std::string(std::string_view action)> key_of{};  // "Ctrl+Z" for an action's id; unset or empty: none
 
     const sim::Pattern& pattern() const { return workspace.document->pattern(); }
     const Selection& selection() const { return workspace.document->selection(); }
 };
 
-// Once per frame of the screen, whichever of the inspectors are seen: counts the drape's frames, takes over a body that
-// is finished, and keeps what was being changed in a box that is gone.
+// Call once per UI frame, even if no inspector is visible. Records the drape's statistics, takes over a finished body,
+// and commits edits of boxes that are no longer drawn.
 void update_inspectors(InspectorContext& context);
 
-// Each fills the present ImGui window from where it stands, as wide as it is; 17 times the font's size or more.
+// Each draws into the current ImGui window from the current cursor position, over the available width; needs at least
+// 17 font heights.
 void draw_properties(InspectorContext& context);
 void draw_seams(InspectorContext& context);
 void draw_materials(InspectorContext& context);

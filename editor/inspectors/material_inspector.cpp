@@ -18,13 +18,13 @@
 namespace selvedge::editor {
 namespace {
 
-constexpr int kListedPx = 96;       // side of a listed tartan's picture, one repeat
-constexpr float kRowHeight = 2.4F;  // of the font's size
+constexpr int kListedPx = 96;       // px, side of a tartan's preview in the list; shows one repeat
+constexpr float kRowHeight = 2.4F;  // font heights
 constexpr float kListHeight = 13.0F;
 constexpr float kWovenSide = 14.0F;
 constexpr int kThreadsBefore = 8;
-constexpr float kThread = 0.27F;  // of the font's size: a thread of the woven picture
-constexpr float kRepeat = 5.0F;   // a repeat beside it
+constexpr float kThread = 0.27F;  // font heights, width of a thread in the woven preview
+constexpr float kRepeat = 5.0F;   // font heights, size of a repeat in the other preview
 
 UiTexture take_texture(const InspectorContext& context) {
     return context.take_texture ? context.take_texture() : 0;
@@ -80,7 +80,7 @@ void draw_tartan(InspectorContext& context, const std::string& name, const Tarta
     ImGui::EndGroup();
 }
 
-// Two pictures, one of repeats and one of threads; made anew when something else is to be seen.
+// Updates the two preview textures, one of repeats and one of single threads, if the sett or the font size has changed.
 void update_preview(InspectorContext& context, const sim::Sett& sett) {
     MaterialState& state = context.state.material;
     const float em = ImGui::GetFontSize();
@@ -92,7 +92,7 @@ void update_preview(InspectorContext& context, const sim::Sett& sett) {
     const int repeat = static_cast<int>(std::lround(kRepeat * em)),
               woven = static_cast<int>(std::lround(kWovenSide * em));
     hold(context, state.repeats, sett_picture(sett, {.width_px = repeat, .height_px = repeat}));
-    // Of a broad first stripe only the end, so that the next are seen, too.
+    // Skips most of a broad first stripe, so that the next stripes are visible.
     const int first = std::max(0, sett.stripes.front().threads - kThreadsBefore);
     hold(context, state.threads,
          sett_picture(sett, {.width_px = woven,
@@ -129,7 +129,7 @@ void draw_tartan_list(InspectorContext& context) {
     const bool is_typing = typed.box != 0 && typed.box == ImGui::GetID("##tartan.search");
     if (searched) state.search = *searched;
     const std::string words = is_typing ? typed.text : state.search;
-    ImGui::PushStyleVar(ImGuiStyleVar_ChildBorderSize, 1);  // with it the list has a margin
+    ImGui::PushStyleVar(ImGuiStyleVar_ChildBorderSize, 1);  // a child window with a border gets padding
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.4F * ImGui::GetFontSize(), 0.4F * ImGui::GetFontSize()});
     ImGui::BeginChild("tartans", {0, kListHeight * ImGui::GetFontSize()}, true);
     bool is_empty = true;
@@ -173,7 +173,7 @@ void draw_threadcount(InspectorContext& context) {
 
 namespace {
 
-// Three figures, no exponent: 8000, 56, 0.35.
+// Three significant digits without an exponent: 8000, 56, 0.35.
 std::string figures(double value) {
     char buffer[64];
     const double size = value < 0 ? -value : value;
@@ -223,7 +223,7 @@ std::string stripe_text(const sim::SettStripe& stripe, bool is_pivot) {
     return stripe.code + (is_pivot ? "/" : "") + std::to_string(stripe.threads);
 }
 
-// Of a mirrored repeat only what lies between the pivots is written.
+// Of a mirrored repeat, writes only the stripes from pivot to pivot.
 std::string stripes_text(const std::vector<sim::SettStripe>& stripes, bool is_mirrored) {
     const std::size_t count = is_mirrored ? stripes.size() / 2 + 1 : stripes.size();
     std::string text;
@@ -294,7 +294,7 @@ bool has_words(const std::string& text, const std::string& words) {
     return true;
 }
 
-// Fabrics with their figures, the tartan, and how it meets at seams.
+// The material inspector: fabrics with their values, the tartan, and how it matches at seams.
 
 namespace {
 
@@ -398,7 +398,7 @@ void draw_sett_place(InspectorContext& context) {
     }
 }
 
-// Of all panels that are selected; it shows the first one's.
+// Applies to all selected panels; shows the value of the first.
 void draw_grain(InspectorContext& context) {
     const std::set<std::string> selected = context.selection().panels;
     if (selected.empty()) return;
@@ -440,7 +440,7 @@ void draw_match_table(const InspectorContext& context, const std::vector<sim::Se
     ImGui::TableSetupColumn("before", ImGuiTableColumnFlags_WidthFixed, 3.6F * em);
     ImGui::TableSetupColumn("after, mm", ImGuiTableColumnFlags_WidthFixed, 4.6F * em);
     ImGui::TableHeadersRow();
-    constexpr double kMet = 0.002;  // m
+    constexpr double kMet = 0.002;  // m, mismatch that counts as matched
     for (const sim::SeamMatch& seam : seams) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();

@@ -1,5 +1,6 @@
 #pragma once
-// Tartans to choose from, each with a woven picture, and a threadcount of one's own.
+// The material inspector: the list of tartans with woven previews, editing of a threadcount, and a fabric's values as
+// text.
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,13 +12,13 @@
 
 namespace selvedge::editor {
 
-// The search box, the list that fits it; a click on one takes it.
+// The search box and the list of matching tartans; a click selects one.
 void draw_tartan_list(InspectorContext& context);
 
-// The threadcount, with what it weaves, also while it is typed, and what is wrong with it in words.
+// The threadcount field, with a preview of the weave while typing, and the error if the text is invalid.
 void draw_threadcount(InspectorContext& context);
 
-// A fabric's figures as people who buy cloth read them.
+// A fabric's values in the units of the textile trade.
 
 struct FabricRow {
     const char* label = "";
@@ -25,25 +26,25 @@ struct FabricRow {
     const char* tip = "";
 };
 
-// Weight, stretch, shear, bending, thickness, friction, damping, strain limit.
+// Rows: weight, stretch, shear, bending, thickness, friction, damping, strain limit.
 std::vector<FabricRow> fabric_rows(const sim::Fabric& fabric);
 
-// "wool_twill" as "Wool twill"; a file by its name without folders.
+// "wool_twill" as "Wool twill"; of a file, its name without folders.
 std::string readable_name(const std::string& name);
 
-// A sett as it is written, so that one that ships can be changed by hand.
+// The threadcount notation of a sett, so that a built-in one can be edited.
 
-// "K/8 R24 W/4 weft: ... weave: denim", its colours that the usual letters do not have first. parse_threadcount makes
-// the same threads of it.
+// For example "K/8 R24 W/4 weft: ... weave: denim". Definitions of non-standard colours come first. parse_threadcount()
+// of the result gives the same threads.
 std::string threadcount_of(const sim::Sett& sett);
 
-// Why it cannot be woven, in words; empty: it can. Also for names.
+// The reason why the name or threadcount cannot be woven; empty: it can.
 std::string wrong_with_tartan(const std::string& name_or_threadcount);
 
-// What the garment is woven in, in its size. None: its name or threadcount is wrong.
+// The garment's sett at its repeat size. None: the name or threadcount is invalid.
 std::optional<sim::Sett> valid_sett(const sim::Pattern& pattern);
 
-// Whether all words are in the text, in small or capital letters.
+// Whether the text contains all the words, ignoring case.
 bool has_words(const std::string& text, const std::string& words);
 
 }  // namespace selvedge::editor

@@ -15,9 +15,9 @@
 namespace selvedge::editor {
 namespace {
 
-constexpr float kPxPerStep = 2;  // of dragging, at a font of 13 px
+constexpr float kPxPerStep = 2;  // px of dragging per step, at a font size of 13 px
 constexpr double kFastStep = 10;
-constexpr int kLostAfter = 2;  // frames
+constexpr int kLostAfter = 2;  // frames without being drawn
 
 double limited(const NumberBox& box, double value) {
     if (box.least) value = std::max(value, *box.least);
@@ -39,7 +39,7 @@ struct ArrowKeys {
     bool is_used = false;
 };
 
-// Up and down put another number into the field.
+// Callback of the up and down arrow keys: steps the number in the field.
 int step_by_arrow(ImGuiInputTextCallbackData* data) {
     auto& keys = *static_cast<ArrowKeys*>(data->UserData);
     const std::optional<double> now = read_number(keys.box, std::string(data->Buf, size_t(data->BufTextLen))).value;
@@ -53,7 +53,7 @@ int step_by_arrow(ImGuiInputTextCallbackData* data) {
     return 0;
 }
 
-// The typed text of a box, if it is this one's.
+// The pending text of this box, or null.
 TypedText* typed_in(BoxState& boxes, unsigned id) {
     if (boxes.typed.box == id) return &boxes.typed;
     return boxes.left.box == id ? &boxes.left : nullptr;
@@ -67,7 +67,7 @@ void begin_typing(BoxState& boxes, unsigned id, const std::string& text, std::op
 
 enum class Ending { None, Escaped, Unchanged, Wrong, Applied };
 
-// What the field that was drawn last has come to. Its text is handed back where it is applied.
+// How editing of the last drawn field has ended. Holds the text if it is to be applied.
 struct FieldEnd {
     Ending ending = Ending::None;
     TypedText typed{};
@@ -89,14 +89,14 @@ FieldEnd end_of_field(BoxState& boxes, unsigned id) {
     return end;
 }
 
-// What is not taken is gone from the box: why is said below.
+// Rejected text disappears from the field, so report why.
 void tell_wrong(InspectorContext& context, const FieldEnd& end) {
     if (end.ending == Ending::Wrong) {
         context.workspace.messages.warn("'" + end.typed.text + "' is not taken. " + end.typed.wrong);
     }
 }
 
-// ImGui writes what stands before ## beside the box.
+// ImGui shows the text before ## beside the field.
 std::string hidden(const char* name) {
     return std::string("##") + name;
 }
@@ -108,7 +108,7 @@ struct FieldLook {
     float width_px;
 };
 
-// One line of text with what was typed so far, red where it is wrong. Returns whether it was changed now.
+// A one-line text field, red if the text is wrong. Returns whether the text has changed in this frame.
 bool field(InspectorContext& context, const FieldLook& look, std::string& text, ArrowKeys* keys) {
     const TypedText* typed = typed_in(context.state.boxes, ImGui::GetID(hidden(look.name).c_str()));
     const std::string wrong = typed != nullptr ? typed->wrong : "";
@@ -125,7 +125,7 @@ bool field(InspectorContext& context, const FieldLook& look, std::string& text, 
     if (!wrong.empty()) {
         show_tip(wrong);
     } else if (!ImGui::IsItemActive()) {
-        show_tip(look.tip);  // who types looks at what is below
+        show_tip(look.tip);  // no tooltip while typing: it would cover the fields below
     }
     return is_changed;
 }
@@ -301,10 +301,10 @@ constexpr double kDegree = std::numbers::pi / 180;  // rad
 constexpr double kInch = 0.0254;                    // m
 
 struct UnitRow {
-    double size = 1;  // of one such unit, SI
+    double size = 1;  // SI value of one unit
     int decimals = 0;
     const char* word = "";
-    double step = 1;  // of such units
+    double step = 1;  // in units
 };
 
 UnitRow row_of(Unit unit) {
@@ -335,7 +335,7 @@ struct Suffix {
     bool (*fits)(Unit) = nullptr;
 };
 
-// Longer words before those that end them.
+// Suffixes are tested in order: a suffix that ends in another one ("cm", "mm") comes before it ("m").
 constexpr std::array<Suffix, 8> kSuffixes{{
     {"cm", 0.01, is_length},
     {"mm", 0.001, is_length},
@@ -397,9 +397,9 @@ double stepped(double value, Unit unit, double steps) {
 
 namespace {
 
-constexpr float kRoomBeside = 23;  // of the font's size: below it boxes stand under their label
+constexpr float kRoomBeside = 23;  // font heights; in a narrower window the fields are drawn below their label
 
-// "Place, cm": boxes that stand side by side have no room for units of their own.
+// For example "Place, cm": fields side by side are too narrow for their own units.
 std::string with_unit(const char* label, Unit unit) {
     switch (unit) {
         case Unit::Centimetres:

@@ -1,6 +1,7 @@
 #pragma once
-// Boxes to type into. Enter, Tab or a click elsewhere applies what was typed, Esc takes it back; what cannot be read is
-// marked and not applied. Numbers also go by arrow keys (Shift: ten times as far) and by dragging their label.
+// Input fields for numbers and text. Enter, Tab or a click elsewhere applies the text; Esc cancels. Text that cannot be
+// read is marked and not applied. The arrow keys (Shift: ten times the step) and dragging the label also change a
+// number. Also: conversion between SI values and text with units, and rows of two or three numbers.
 #include <array>
 #include <optional>
 #include <string>
@@ -11,61 +12,62 @@
 
 namespace selvedge::editor {
 
-// Values in boxes: SI inside, cm, mm or degrees to read and type, with as few figures as say it.
+// Values in fields: SI units internally, cm, mm or degrees as text, with as few digits as necessary.
 
 enum class Unit {
-    Centimetres,  // of m
-    Millimetres,  // of m
-    Degrees,      // of rad
-    Factor,       // 1.05, or typed 105%
+    Centimetres,  // value in m
+    Millimetres,  // value in m
+    Degrees,      // value in rad
+    Factor,       // 1.05, or typed as 105%
     Plain,
-    Whole,  // a whole number
+    Whole,  // integer
 };
 
-// "92.5": without the unit, never "-0".
+// For example "92.5": without the unit, never "-0".
 std::string quantity_figure(double value, Unit unit);
 
-// "92.5 cm".
+// For example "92.5 cm".
 std::string quantity_text(double value, Unit unit);
 
-// An expression, and another unit behind it if one likes: 92/4+1, 120 mm, 4 in, 105%. None: it is no such value.
+// Parses an expression with an optional unit: 92/4+1, 120 mm, 4 in, 105%. Returns none if it is not a value of this
+// kind.
 std::optional<double> parse_quantity(std::string_view text, Unit unit);
 
-// One press of an arrow key, or two px of dragging: 1 mm, 0.1 mm, 1 degree, 0.01, 0.1, 1.
+// The step of one arrow key press or of two px of dragging, SI: 1 mm, 0.1 mm, 1 degree, 0.01, 0.1, 1.
 double step_of(Unit unit);
 
-// What a step leads to: on the raster of steps, where 92.53 + 0.1 is 92.6.
+// The value after `steps` steps, rounded to a multiple of the step: 92.53 + 0.1 gives 92.6.
 double stepped(double value, Unit unit, double steps);
 
 enum class EditPhase {
     None,
-    Trying,   // shown while it lasts
-    Kept,     // applied
-    Dropped,  // what was tried is taken back
+    Trying,   // preview while editing
+    Kept,     // commit
+    Dropped,  // roll the preview back
 };
 
 struct NumberEdit {
     EditPhase phase = EditPhase::None;
-    std::optional<double> value{};   // none: the box was emptied
-    std::optional<double> before{};  // when it was entered: what is tried is seen in the document meanwhile
+    std::optional<double> value{};   // none: the field was cleared
+    std::optional<double> before{};  // the value when editing began; meanwhile the document holds the preview
 
     explicit operator bool() const { return phase != EditPhase::None; }
     double by() const { return value.value_or(0) - before.value_or(0); }
 };
 
 struct NumberBox {
-    const char* name = "";   // among the inspectors: "panel.translation.x"
-    const char* label = "";  // before it, to drag; empty: none
+    const char* name = "";   // unique among the inspectors: "panel.translation.x"
+    const char* label = "";  // in front of the field, can be dragged; empty: none
     std::optional<double> value{};
     Unit unit = Unit::Centimetres;
     std::string tip{};
-    float width_px = 0;  // with the label
-    float label_px = 0;  // 0: as wide as it is
+    float width_px = 0;  // includes the label
+    float label_px = 0;  // 0: the label's own width
     std::optional<double> least{};
     std::optional<double> most{};
     bool may_be_empty = false;
-    std::optional<double> standing_for{};  // what an empty box means, shown grey
-    bool has_unit = true;                  // shows it behind the figures
+    std::optional<double> standing_for{};  // value that an empty field stands for, shown in grey
+    bool has_unit = true;                  // shows the unit after the number
 };
 
 NumberEdit number_box(InspectorContext& context, const NumberBox& box);
@@ -73,33 +75,33 @@ NumberEdit number_box(InspectorContext& context, const NumberBox& box);
 struct TextBox {
     const char* name = "";
     std::string text{};
-    std::string hint{};  // shown grey while it is empty
+    std::string hint{};  // shown in grey while the field is empty
     std::string tip{};
     float width_px = 0;
-    std::string (*wrong)(const std::string& text) = nullptr;  // why it cannot be applied; empty: it can
+    std::string (*wrong)(const std::string& text) = nullptr;  // returns why the text cannot be applied; empty: it can
 };
 
-// The text that is to be applied; none: not now.
+// Returns the text when it is to be applied; otherwise none.
 std::optional<std::string> text_box(InspectorContext& context, const TextBox& box);
 
-// What a box makes of its text, apart from drawing. `wrong` tells why there is nothing to apply.
+// Parses a field's text. `wrong` holds the reason if the text cannot be applied.
 struct ReadNumber {
     std::optional<double> value{};
     std::string wrong{};
 };
 ReadNumber read_number(const NumberBox& box, const std::string& text);
 
-// Shows, applies or takes back what a box was changed to.
+// Previews, commits or rolls back the command, according to the edit's phase.
 void carry(InspectorContext& context, const NumberEdit& edit, const Command& command);
 
-// Gives up boxes that are no longer there: what they showed is kept. Once per frame.
+// Ends the editing of fields that are no longer drawn and commits their previews. Call once per frame.
 void forget_lost_boxes(InspectorContext& context);
 
-// Two or three numbers that belong together, side by side: X, Y and Z; below their label where there is little room.
+// Two or three numbers side by side: X, Y and Z. In a narrow window they are drawn below their label.
 
 struct VectorRow {
-    const char* name = "";   // "panel.translation"; boxes add ".x", ".y", ".z"
-    const char* label = "";  // "Place"
+    const char* name = "";   // "panel.translation"; the fields append ".x", ".y", ".z"
+    const char* label = "";  // for example "Place"
     Unit unit = Unit::Centimetres;
     std::string tip{};
     std::array<const char*, 3> axes{"X", "Y", "Z"};
@@ -117,11 +119,11 @@ struct VectorEdit {
 VectorEdit vector_row(InspectorContext& context, const VectorRow& row, const Vec3d& value);
 VectorEdit vector_row(InspectorContext& context, const VectorRow& row, const Vec2d& value);
 
-// The same with what was edited in its place.
+// The vector with the edited component replaced.
 Vec3d edited(Vec3d value, const VectorEdit& edit);
 Vec2d edited(Vec2d value, const VectorEdit& edit);
 
-// One number with its label, as a row. The label can be dragged.
+// A row of a label and a number field. The label can be dragged.
 NumberEdit number_row(InspectorContext& context, NumberBox box, const char* label);
 
 }  // namespace selvedge::editor

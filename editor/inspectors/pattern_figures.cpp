@@ -12,7 +12,7 @@
 namespace selvedge::editor {
 namespace {
 
-constexpr double kChordError = 0.0005;  // m, of outlines that only their box is read of
+constexpr double kChordError = 0.0005;  // m, for outlines of which only the bounding box is used
 
 const Vec2d& start_of(const sim::Panel& panel, const sim::OutlineEdge& edge) {
     return panel.vertices[static_cast<std::size_t>(edge.start)];
@@ -22,7 +22,7 @@ const Vec2d& end_of(const sim::Panel& panel, const sim::OutlineEdge& edge) {
     return panel.vertices[static_cast<std::size_t>(edge.end)];
 }
 
-// The control points of a cubic with the same ends, tangents at them and middle height as the edge.
+// Control points of a cubic with the edge's end points, end tangents and mid-height.
 std::array<Vec2d, 2> cubic_controls(const sim::Panel& panel, const sim::OutlineEdge& edge) {
     const Vec2d a = start_of(panel, edge), d = end_of(panel, edge);
     switch (edge.kind) {
@@ -35,27 +35,29 @@ std::array<Vec2d, 2> cubic_controls(const sim::Panel& panel, const sim::OutlineE
         case sim::CurveKind::Arc:
             break;
     }
-    // Through the points at a third and two thirds: the curve at s is a sum of its four points.
+    // Other curves: the cubic through the edge's points at 1/3 and 2/3.
     const Vec2d p = curve_point(panel, edge, 1.0 / 3), q = curve_point(panel, edge, 2.0 / 3);
     const Vec2d u = (27 * p - 8 * a - d) / 6, v = (27 * q - a - 8 * d) / 6;  // 2 b + c, b + 2 c
     return {(2 * u - v) / 3, (2 * v - u) / 3};
 }
 
-// Twice the curve's middle less half of its ends: the quadratic through the same middle.
+// Control point of the quadratic through the edge's end points and mid-point: twice the mid-point minus the mean of the
+// ends.
 Vec2d quadratic_control(const sim::Panel& panel, const sim::OutlineEdge& edge) {
     const Vec2d a = start_of(panel, edge), d = end_of(panel, edge);
     if (edge.kind == sim::CurveKind::Quadratic) return edge.control[0];
     return 2 * outline_point(panel, edge, 0.5) - (a + d) / 2;
 }
 
-// The arc through the edge's ends and its middle; a flat edge gives one that bulges by a tenth of the chord.
+// The arc through the edge's end points and mid-point. An almost straight edge gives an arc with a rise of a tenth of
+// the chord.
 void set_arc(const sim::Panel& panel, const sim::OutlineEdge& edge, sim::OutlineEdge& arc) {
     const Vec2d a = start_of(panel, edge), d = end_of(panel, edge);
     const double chord = (d - a).norm();
     if (!(chord > 0)) return;
     const Vec2d left(-(d - a).y() / chord, (d - a).x() / chord);
     double height = (outline_point(panel, edge, 0.5) - (a + d) / 2).dot(left);
-    constexpr double kFlat = 0.01;  // of the chord
+    constexpr double kFlat = 0.01;  // fraction of the chord
     if (std::abs(height) < kFlat * chord) height = -0.1 * chord;
     arc.arc_radius = (chord * chord / 4 + height * height) / (2 * std::abs(height));
     arc.is_large_arc = std::abs(height) > chord / 2;
@@ -78,7 +80,7 @@ Vec3d garment_centre(const sim::Pattern& pattern) {
     return is_empty ? Vec3d::Zero() : Vec3d((low + high) / 2);
 }
 
-// R = Rz Ry Rx has -sin y at its lower left, and where cos y is 0 only z - x or z + x can be told.
+// R = Rz Ry Rx has -sin y at its lower left. Where cos y = 0, only z - x or z + x is determined.
 Vec3d angles_of(const Eigen::Matrix3d& r) {
     constexpr double kNoCosine = 1e-9;
     const double cosine = std::hypot(r(0, 0), r(1, 0));
@@ -139,7 +141,7 @@ sim::OutlineEdge with_kind(const sim::Panel& panel, const sim::OutlineEdge& edge
     return curve;
 }
 
-// The chord grows as the curve does.
+// Assumes that the chord grows in proportion to the curve's length.
 Vec2d shift_for_length(const sim::Panel& panel, const sim::OutlineEdge& edge, const LengthChange& change) {
     const double now = outline_length(panel, edge);
     if (!(now > 0 && change.before > 0 && change.after > 0)) return Vec2d::Zero();

@@ -1,6 +1,6 @@
 #pragma once
-// What is read off a pattern to be shown in boxes, and the maps and curves that typed figures stand for. Metres and
-// radians.
+// Measurements of a pattern for display, and the transforms and curves that typed values define. Lengths in m, angles
+// in rad.
 #include <optional>
 #include <string>
 
@@ -9,11 +9,11 @@
 
 namespace selvedge::editor {
 
-// GT XYZ: the middle between the farthest points of all panels as they are placed; the origin where there are none.
+// Centre of the bounding box of all placed panels' vertices (GT XYZ, thesis fig. 4.2); the origin if there are none.
 Vec3d garment_centre(const sim::Pattern& pattern);
 
-// Angles about x, y and z, of which Rz Ry Rx is the rotation: each in (-pi, pi], y in [-pi/2, pi/2]. Where y is a right
-// angle, x is 0.
+// Euler angles about x, y and z with rotation = Rz Ry Rx. x and z lie in (-pi, pi], y in [-pi/2, pi/2]. At y = +-pi/2,
+// x is 0.
 Vec3d angles_of(const Eigen::Matrix3d& rotation);
 Eigen::Matrix3d rotation_of(const Vec3d& angles);
 
@@ -25,26 +25,26 @@ struct PlaneBox {
     Vec2d centre() const { return (low + high) / 2; }
 };
 
-// About the outline with its curves, in the panel's frame.
+// Bounding box of the outline with its curves, in the panel's frame.
 PlaneBox panel_box(const sim::Panel& panel);
 
 double panel_perimeter(const sim::Panel& panel);
 
-// S XY about a point of the sheet.
+// Scales by `factors` (S XY, thesis fig. 4.2) about a point of the sheet.
 PlaneMap scale_about(const Vec2d& centre, const Vec2d& factors);
 
-// The edge as a curve of another kind that lies as near to it as is easily had.
+// Converts the edge to another kind of curve that approximates its shape.
 sim::OutlineEdge with_kind(const sim::Panel& panel, const sim::OutlineEdge& edge, sim::CurveKind kind);
 
-// How far the end of the edge, as it was, is to go for it to get another length, its start and direction kept. The edge
-// may have been tried with other lengths meanwhile. Zero where one of them is not positive.
+// The shift of the edge's end point that changes its length as `change` says; the start and the chord's direction stay.
+// `edge` may hold a previewed length. Zero if one of the lengths is not positive.
 struct LengthChange {
     double before = 0;  // m
     double after = 0;   // m
 };
 Vec2d shift_for_length(const sim::Panel& panel, const sim::OutlineEdge& edge, const LengthChange& change);
 
-// An arc through the ends of the edge has half the chord at least.
+// The smallest radius of an arc through the edge's ends: half the chord, m.
 double least_arc_radius(const sim::Panel& panel, const sim::OutlineEdge& edge);
 
 struct SeamFigures {
@@ -58,16 +58,16 @@ struct SeamFigures {
     bool is_wrong() const { return is_uneven && !is_eased; }
 };
 
-// Pre: the seam's panels and edges are there.
+// Pre: the seam's panels and edges exist.
 SeamFigures seam_figures(const sim::Pattern& pattern, const sim::Seam& seam);
 
-// "+3.2 mm": what the second side has more than the first.
+// For example "+3.2 mm": the length of the second side minus that of the first.
 std::string difference_text(const SeamFigures& figures);
 
-// The seam of that edge.
+// The index of the seam that uses this edge.
 std::optional<int> seam_along(const sim::Pattern& pattern, const sim::SeamSide& side);
 
-// The panel's index, or none.
+// The panel's index; none: there is no such panel.
 std::optional<int> panel_index(const sim::Pattern& pattern, const std::string& name);
 
 }  // namespace selvedge::editor

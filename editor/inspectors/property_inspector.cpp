@@ -1,4 +1,4 @@
-// A panel's name, size, place and cloth.
+// The panel section: a panel's name, size, placement and cloth.
 #include "editor/inspectors/property_inspector.h"
 
 #include <imgui.h>
@@ -20,7 +20,7 @@ namespace {
 constexpr double kLeastScale = 0.01;
 constexpr double kLeastSize = 0.001;  // m
 
-// A panel and where it lies on the sheet.
+// A panel and its position on the sheet.
 struct PanelOnSheet {
     const sim::Panel& panel;
     Vec2d origin = Vec2d::Zero();  // m
@@ -33,7 +33,7 @@ std::string area_text(double area) {
 
 const PanelFacts& facts_of(InspectorContext& context, const sim::Panel& panel) {
     PanelFacts& facts = context.state.panels[panel.name];
-    const std::uint64_t revision = context.workspace.document->revision() + 1;  // 0: not known yet
+    const std::uint64_t revision = context.workspace.document->revision() + 1;  // 0: not computed yet
     if (facts.revision != revision) {
         facts = {.revision = revision, .area = outline_area(panel), .perimeter = panel_perimeter(panel)};
     }
@@ -54,7 +54,7 @@ sim::Pattern only_selected(const sim::Pattern& pattern, const Selection& selecte
     return part;
 }
 
-// So much further than they are seen now, also where that is only tried.
+// Shifts the panels from where they are shown now, which may be a preview.
 PlacePanels placing(const sim::Pattern& pattern, const Selection& selected, const Vec3d& by) {
     PlacePanels command;
     for (const sim::Panel& panel : pattern.panels) {
@@ -79,7 +79,7 @@ void draw_name(InspectorContext& context, const sim::Panel& panel) {
     if (name) context.workspace.run(RenamePanel{.panel = panel.name, .to = *name});
 }
 
-// S XY as a factor from what it is now, or by the size that comes out.
+// Scales the panel (S XY): by a factor relative to its current size, or by the resulting size.
 void draw_scale(InspectorContext& context, const PanelOnSheet& shown) {
     const std::vector<std::string> panels{shown.panel.name};
     const PlaneBox box = panel_box(shown.panel);
@@ -105,7 +105,7 @@ void draw_scale(InspectorContext& context, const PanelOnSheet& shown) {
     }
 }
 
-// The angles that were typed, as long as the panel still stands so.
+// The angles as typed, as long as they still give the panel's rotation.
 Vec3d shown_angles(const InspectorContext& context, const sim::Panel& panel) {
     const auto typed = context.state.angles.find(panel.name);
     constexpr double kSame = 1e-9;
@@ -212,7 +212,7 @@ void draw_panel_section(InspectorContext& context, const std::string& name) {
     const std::optional<int> index = panel_index(context.pattern(), name);
     if (!index) return;
     const auto at = static_cast<std::size_t>(*index);
-    const sim::Panel panel = context.pattern().panels[at];  // a copy: a box may change the pattern
+    const sim::Panel panel = context.pattern().panels[at];  // a copy: a field may change the pattern
     const Vec2d origin = sheet_positions(context.pattern())[at];
     heading(context, ("Panel " + name).c_str());
     ImGui::PushID(name.c_str());
@@ -274,7 +274,7 @@ void draw_panels_section(InspectorContext& context) {
 
 namespace {
 
-constexpr double kShortestEdge = 0.001;  // m, that can be typed
+constexpr double kShortestEdge = 0.001;  // m, lower limit for typed lengths
 
 struct FoundPanel {
     const sim::Panel& panel;
@@ -429,7 +429,7 @@ void draw_edge_section(InspectorContext& context, const PartRef& edge) {
     if (!found || static_cast<std::size_t>(edge.index) >= found->panel.edges.size()) return;
     heading(context, ("Edge " + std::to_string(edge.index) + " of " + edge.panel).c_str());
     ImGui::PushID(("edge " + edge.panel + "." + std::to_string(edge.index)).c_str());
-    // Copies: what a box changes is seen by the next ones a frame later.
+    // Copies: the next fields see a change one frame later.
     const sim::Panel panel = found->panel;
     const FoundPanel shown{.panel = panel, .index = found->index, .origin = found->origin};
     const sim::OutlineEdge curve = panel.edges[static_cast<std::size_t>(edge.index)];
@@ -504,12 +504,12 @@ void draw_internal_line_section(InspectorContext& context, const PartRef& line) 
     ImGui::PopID();
 }
 
-// What is selected, and the garment as a whole.
+// The property inspector: the selected objects, then the garment.
 
 namespace {
 
-constexpr double kUsualEdgeLength = 0.05;                    // m, of the mesher
-constexpr double kShortestMesh = 0.005, kLongestMesh = 0.5;  // m, as files have it
+constexpr double kUsualEdgeLength = 0.05;                    // m, default of the mesher
+constexpr double kShortestMesh = 0.005, kLongestMesh = 0.5;  // m, limits of the file format
 
 std::string counted(std::size_t count, const char* what) {
     return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
@@ -593,7 +593,7 @@ void draw_pattern_section(InspectorContext& context) {
 }
 
 void draw_properties(InspectorContext& context) {
-    const Selection selected = context.selection();  // a copy: boxes may change it
+    const Selection selected = context.selection();  // a copy: fields may change it
     if (context.pattern().panels.empty()) {
         paragraph(context, "No panels yet. Draw one on the sheet, or open a file.");
     } else if (selected.is_empty()) {

@@ -1,12 +1,12 @@
 #pragma once
-// The parts of the property inspector: one for each kind of thing that can be selected.
+// The sections of the property inspector: one per kind of object that can be selected.
 #include "editor/inspectors/inspectors.h"
 
 namespace selvedge::editor {
 
 void draw_pattern_section(InspectorContext& context);
 void draw_panel_section(InspectorContext& context, const std::string& name);
-void draw_panels_section(InspectorContext& context);  // several
+void draw_panels_section(InspectorContext& context);  // for several selected panels
 
 void draw_vertices_section(InspectorContext& context);
 void draw_edge_section(InspectorContext& context, const PartRef& edge);
@@ -14,10 +14,10 @@ void draw_notch_section(InspectorContext& context, const PartRef& notch);
 void draw_internal_line_section(InspectorContext& context, const PartRef& line);
 void draw_seam_section(InspectorContext& context, int seam);
 
-// The fabric of a panel, or with an empty name the garment's.
+// Row to choose the fabric of a panel; with an empty name, of the garment.
 void fabric_row(InspectorContext& context, const std::string& panel);
 
-// Even, accept ease, reverse, delete.
+// Buttons: even, accept ease, reverse, delete.
 void seam_buttons(InspectorContext& context, int seam);
 
 }  // namespace selvedge::editor

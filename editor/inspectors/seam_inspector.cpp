@@ -1,4 +1,4 @@
-// The list of seams, and what can be done with one.
+// The seam inspector: the list of seams, and the actions on one seam.
 #include <imgui.h>
 
 #include <cmath>
@@ -39,7 +39,7 @@ void choose(InspectorContext& context, int seam) {
     context.workspace.document->select(std::move(selected));
 }
 
-// In all views, as long as the cursor rests on its row.
+// Highlights the seam in all views while the cursor is over its row.
 void light_up(InspectorContext& context, int seam, bool is_hovered) {
     std::optional<int>& lit = context.state.hovered_seam;
     if (is_hovered) {
@@ -51,7 +51,7 @@ void light_up(InspectorContext& context, int seam, bool is_hovered) {
     }
 }
 
-// Ends at the place; returns where it begins.
+// Draws text that ends at `right`; returns its left end.
 float right_aligned(const std::string& text, float right, const sim::Rgb8& colour) {
     const float left = right - ImGui::CalcTextSize(text.c_str()).x;
     back_to(left);

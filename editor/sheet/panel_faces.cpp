@@ -14,10 +14,10 @@
 namespace selvedge::editor {
 namespace {
 
-constexpr std::array<double, 4> kChordErrors{1e-3, 2e-4, 3e-5, 6e-6};  // m
+constexpr std::array<double, 4> kChordErrors{1e-3, 2e-4, 3e-5, 6e-6};  // m, per level of detail
 constexpr double kAllowedPx = 0.3;
 constexpr int kFacesPerFrame = 2;
-constexpr std::size_t kMostToCheck = 600;  // points; finding crossings takes their square
+constexpr std::size_t kMostToCheck = 600;  // points; the test for self-intersection takes quadratic time
 
 std::size_t level_for(double scale) {
     std::size_t level = 0;
@@ -71,7 +71,7 @@ const PanelFace& PanelFaces::face(const PanelShape& shape, double scale) {
 
 namespace {
 
-// From linear light, by a table: a large picture asks millions of times.
+// Conversion from linear light to sRGB by a table: a large image converts millions of values.
 class SrgbTable {
  public:
     SrgbTable() {
@@ -91,7 +91,7 @@ class SrgbTable {
     std::array<std::uint8_t, kSteps + 1> bytes_{};
 };
 
-// The mean colour of the threads that each of `count` equal parts of the repeat covers, linear.
+// Divides the repeat into `count` equal parts; returns the mean colour of each in linear light.
 std::vector<Vec3d> sampled(const std::vector<sim::Rgb8>& threads, int count) {
     std::vector<Vec3d> sums(threads.size() + 1, Vec3d::Zero());
     for (std::size_t i = 0; i < threads.size(); ++i) {
@@ -128,7 +128,7 @@ render::Image sett_tile(const sim::Sett& sett, int side_px) {
     const int height = std::clamp(static_cast<int>(std::lround(side_px * proportion)), 1, 2048);
     const std::vector<Vec3d> warp = sampled(thread_colours(sett), side_px);
     const std::vector<Vec3d> weft = sampled(weft_thread_colours(sett), height);
-    // Threads fade in from one px to two.
+    // Single threads fade in from 1 to 2 px per thread.
     const double shows_threads = std::clamp(double(side_px) / ends - 1, 0.0, 1.0);
     const double share = sett.weave == sim::Weave::Twill31 ? 0.75 : 0.5;
     const SrgbTable srgb;

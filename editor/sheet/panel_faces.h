@@ -1,5 +1,6 @@
 #pragma once
-// Outlines and triangles of panels for drawing, as fine as the zoom asks for, kept until the outline changes.
+// Cached outlines and triangulations of panels for drawing, at a level of detail that follows the zoom, and the tartan
+// texture that fills them.
 #include <array>
 #include <map>
 #include <optional>
@@ -13,17 +14,17 @@
 namespace selvedge::editor {
 
 struct PanelFace {
-    std::vector<Vec2d> points;                  // m, held frame; the closed outline, each point once
-    std::vector<std::size_t> edge_starts;       // per edge its first point, and last the number of points
-    std::vector<std::array<int, 3>> triangles;  // none where the outline bounds no clean inside
+    std::vector<Vec2d> points;                  // m, panel frame; the closed outline, each point once
+    std::vector<std::size_t> edge_starts;       // per edge the index of its first point; then the point count
+    std::vector<std::array<int, 3>> triangles;  // empty if the outline intersects itself or is too fine
 };
 
 class PanelFaces {
  public:
-    // Once per frame: how many faces may be made anew before coarser ones serve.
+    // Call once per frame. Limits the number of faces that are built anew in this frame.
     void begin_frame(const SheetGeometry& geometry);
 
-    // Of the level that is right for the scale (px/m), or another one while it waits for its turn.
+    // The face at the level for this scale (px/m); another level if the limit of this frame is used up.
     const PanelFace& face(const PanelShape& shape, double scale);
 
  private:
@@ -38,19 +39,20 @@ class PanelFaces {
     int left_ = 0;
 };
 
-// Points of one edge of the face, its end included.
+// Points of one edge of the face, including its end.
 std::vector<Vec2d> edge_points(const PanelFace& face, std::size_t edge);
 
 PanelFace make_face(const sim::Panel& panel, double chord_error);
 
-// One repeat of a sett as a picture that can be laid side by side: what a tartan panel is filled with.
+// An image of one repeat of a sett, as a texture that tiles: tartan panels are filled with it.
 
-// `side_px` wide, as high in proportion; column 0 is the first thread of the warp, row 0 the first of the weft. Where
-// threads are a px or wider each one is seen as the weave crosses them, else their mean, in linear light.
+// The image is `side_px` wide; its height follows from the repeats of warp and weft. Column 0 is the first thread of
+// the warp, row 0 the first of the weft. From 1 to 2 px per thread, single threads of the weave fade in; below, the
+// mean colour is drawn, averaged in linear light.
 // Pre: the sett has threads; side_px > 0.
 render::Image sett_tile(const sim::Sett& sett, int side_px);
 
-// The size for a picture whose repeat is seen so many px wide: a power of two from 32 to 1,024.
+// The image size for a repeat that is `repeat_px` wide on the screen: a power of two from 32 to 1,024.
 int sett_tile_side(double repeat_px);
 
 }  // namespace selvedge::editor

@@ -17,7 +17,7 @@ ImTextureID id_of(UiTexture texture) {
     return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture));
 }
 
-// (weft, warp) in units of the repeat.
+// Texture coordinates (weft, warp) in units of the repeat.
 ImVec2 sett_place(const SettTexture& sett, const sim::Panel& panel, const Vec2d& u) {
     const double c = std::cos(panel.grain_angle), s = std::sin(panel.grain_angle);
     const Vec2d turned(c * u.x() + s * u.y(), -s * u.x() + c * u.y());
@@ -52,7 +52,7 @@ std::vector<Vec2d> on_sheet(const PanelShape& shape, std::vector<Vec2d> points) 
     return points;
 }
 
-// Where a panel's name stands: its middle, or, where that lies outside, the middle of its largest triangle.
+// Position of the panel's name: the centroid, or, if that lies outside, the centroid of the largest triangle.
 Vec2d middle_of(const PanelShape& shape, const PanelFace& face) {
     Vec2d sum(0, 0), largest = shape.box.center();
     double area = 0, best = 0;
@@ -70,7 +70,7 @@ Vec2d middle_of(const PanelShape& shape, const PanelFace& face) {
     return shape.contains(middle) ? middle : largest;
 }
 
-// Along the warp, with a head at either end.
+// A line along the warp, with an arrow head at both ends.
 void draw_grainline(const SheetLook& look, const PanelShape& shape, const Vec2d& middle, double half) {
     const SheetPen& pen = look.pen;
     const double angle = shape.panel.grain_angle;
@@ -95,7 +95,7 @@ void draw_name(const SheetLook& look, const PanelShape& shape) {
     const bool is_selected = look.selection.panels.contains(shape.panel.name);
     const double words = double(ImGui::CalcTextSize(shape.panel.name.c_str()).x) / double(pen.ui) + 56;
     const double share = std::min(1.0, size_px.x() / words);
-    constexpr double kSmallest = 0.7;  // of the usual size that can still be read
+    constexpr double kSmallest = 0.7;  // smallest legible size, relative to the normal one
     if (share < kSmallest) return;
     pen.words(shape.on_sheet(middle), shape.panel.name, is_selected ? pen.colours.accent : pen.colours.ink, {0, 0},
               static_cast<float>(share));
@@ -250,7 +250,7 @@ struct SeamLook {
     render::Rgba8 colour{};
     double width = 2;
     bool is_uneven = false;
-    bool is_marked = false;  // selected or pointed to
+    bool is_marked = false;  // selected or hovered
 };
 
 const PanelShape* shape_of(const SheetLook& look, const sim::SeamSide& side) {
@@ -296,7 +296,7 @@ void draw_side(const SheetLook& look, const sim::SeamSide& side, const SeamLook&
     draw_direction(pen, inner, drawn.colour, runs_backward ? -1 : 1);
 }
 
-// The difference stands inside of the panel, beside the middle of the side that is changed to even it.
+// Draws the length difference inside the panel, beside the mid-point of the side that "even" would change.
 void draw_difference(const SheetLook& look, const sim::SeamSide& side, double difference, const render::Rgba8& colour) {
     const PanelShape* shape = shape_of(look, side);
     const EdgeShape& edge = shape->edges[static_cast<std::size_t>(side.edge)];
@@ -314,7 +314,7 @@ void draw_button(const SheetLook& look, int seam, const render::Rgba8& colour) {
     const SheetPen& pen = look.pen;
     pen.round(*at, 7, pen.colours.handle, colour);
     const ImVec2 middle = pen.px(*at);
-    for (const float side : {-1.0F, 1.0F}) {  // two arrows that pass each other
+    for (const float side : {-1.0F, 1.0F}) {  // two arrows in opposite directions
         const float y = middle.y + side * pen.px(2), x = side * pen.px(4);
         pen.list.AddLine({middle.x - x, y}, {middle.x + x, y}, packed(colour), pen.px(1.3));
         pen.list.AddLine({middle.x + x, y}, {middle.x + x * 0.35F, y + side * pen.px(2.2)}, packed(colour),
@@ -328,7 +328,7 @@ std::vector<ImVec2> inset_line(std::span<const ImVec2> line, float inset, float 
     const double length = px_length(line);
     if (line.size() < 2 || length < 3 * double(trim)) return {};
     std::vector<ImVec2> inner;
-    const auto add = [&](const LinePlace& place) {  // to the left in the sheet, whose y is turned over
+    const auto add = [&](const LinePlace& place) {  // left on the sheet: px have y down
         inner.push_back({place.at.x + place.along.y * inset, place.at.y - place.along.x * inset});
     };
     add(place_on(line, double(trim)));

@@ -1,5 +1,6 @@
 #pragma once
-// Panels on the sheet: cloth, outline, grainline, name, internal lines, notches, pins, and what of them is selected.
+// Draws the content of the sheet: panels (cloth, outline, grainline, name, internal lines, notches, pins), seams, the
+// selection, and the tool's overlay.
 #include <string>
 #include <vector>
 
@@ -8,30 +9,31 @@
 
 namespace selvedge::editor {
 
-// Beneath seams.
+// Drawn below the seams.
 void draw_cloth(const SheetLook& look, const PanelShape& shape);
 void draw_outline(const SheetLook& look, const PanelShape& shape);
 
-// Above them.
+// Drawn above the seams.
 void draw_marks(const SheetLook& look, const PanelShape& shape);
 void draw_selected(const SheetLook& look, const PanelShape& shape);
 
-// Of Hover and Selection: edges and vertices that are pointed to.
+// Draws the hovered edge and vertex.
 void draw_hovered(const SheetLook& look);
 
-// Seams on the sheet: both sides in one colour, ticks and a triangle that show how they meet, uneven ones in red.
+// Seams on the sheet: both sides in one colour; ticks and a triangle show the direction in which they meet; sides of
+// unequal length are red.
 
 void draw_seams(const SheetLook& look);
 
-// A line inside of a run of px points, `inset` to its left in the sheet, shortened at both ends.
+// A copy of the polyline (px), offset to its left on the sheet by `inset` px and shortened at both ends by `trim` px.
 std::vector<ImVec2> inset_line(std::span<const ImVec2> line, float inset, float trim);
 
-// What the tool wants seen, what is typed, and the places of an error.
+// The tool's overlay and the parts that a message names.
 
 void draw_overlay(const SheetLook& look);
 void draw_lit_places(const SheetLook& look, const std::vector<GeometryPlace>& places);
 
-// Beside the cursor: what is typed, in large, and the tool's readout. `cursor` in px.
+// Shows the typed text in large letters and the tool's readout beside the cursor. `cursor` in px.
 void draw_bubble(const SheetPen& pen, const Vec2d& cursor, const ToolOverlay& overlay, const TypedInput& typed);
 
 }  // namespace selvedge::editor

@@ -17,14 +17,14 @@ float distance(const ImVec2& a, const ImVec2& b) {
     return std::hypot(b.x - a.x, b.y - a.y);
 }
 
-// Dashes far outside would be drawn in vain.
+// Skips segments outside the view: dashing them would be wasted work.
 bool is_seen(const SheetPen& pen, const ImVec2& a, const ImVec2& b) {
     const Vec2d low = pen.camera.view_low, high = low + pen.camera.view_size;
     return std::max(a.x, b.x) >= float(low.x()) && std::min(a.x, b.x) <= float(high.x()) &&
            std::max(a.y, b.y) >= float(low.y()) && std::min(a.y, b.y) <= float(high.y());
 }
 
-// The part of a segment within the view, so that a line of kilometres has few dashes.
+// The part of a segment near the view, so that a segment of many thousand px has few dashes.
 struct Part {
     float from = 0;
     float to = 0;
@@ -71,7 +71,7 @@ void SheetPen::line(std::span<const Vec2d> points, const render::Rgba8& colour, 
 void SheetPen::dashed(std::span<const Vec2d> points, const render::Rgba8& colour, double width, double dash) const {
     const std::vector<ImVec2> drawn = in_px(*this, points);
     const float step = px(dash);
-    float left = step;  // of the dash or gap that is under way
+    float left = step;  // px left of the current dash or gap
     bool is_on = true;
     for (std::size_t i = 0; i + 1 < drawn.size(); ++i) {
         const float length = distance(drawn[i], drawn[i + 1]);

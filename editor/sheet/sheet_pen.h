@@ -1,5 +1,6 @@
 #pragma once
-// Draws on the sheet in its own metres: widths in px of the interface, anti-aliased.
+// Drawing on the sheet: positions in m on the sheet, line widths in px of the interface, anti-aliased. Also holds the
+// sheet's colours and the data that its drawing functions share.
 #include <imgui.h>
 #include <set>
 #include <span>
@@ -16,12 +17,12 @@
 
 namespace selvedge::editor {
 
-// The colours of the drafting sheet, in one place: paper, thin cool grid lines, ink, one accent.
+// The colours of the sheet.
 
 struct SheetColours {
     render::Rgba8 paper{0xFC, 0xFB, 0xF8, 0xFF};
-    render::Rgba8 fine_grid{0x9F, 0xB4, 0xBE, 0x3C};    // faded in as its lines come apart
-    render::Rgba8 coarse_grid{0x8A, 0xA4, 0xB0, 0x6E};  // every fifth or tenth of them
+    render::Rgba8 fine_grid{0x9F, 0xB4, 0xBE, 0x3C};    // fades in as the spacing grows
+    render::Rgba8 coarse_grid{0x8A, 0xA4, 0xB0, 0x6E};  // every fifth or tenth line
     render::Rgba8 axis{0x6F, 0x8E, 0x9C, 0xA0};         // x = 0 and y = 0
     render::Rgba8 ruler{0xF3, 0xF1, 0xEC, 0xFF};
     render::Rgba8 ruler_line{0xD5, 0xD2, 0xCB, 0xFF};
@@ -30,76 +31,77 @@ struct SheetColours {
 
     render::Rgba8 ink{0x26, 0x29, 0x2E, 0xFF};          // outlines, names
     render::Rgba8 faint_ink{0x26, 0x29, 0x2E, 0x80};    // grainlines, internal lines
-    render::Rgba8 plain_cloth{0xEF, 0xEA, 0xDF, 0xE8};  // panels where no tartan is shown
-    render::Rgba8 under_cloth{0xFF, 0xFF, 0xFF, 0xFF};  // beneath a tartan, which is laid over it as strong as:
-    float cloth_strength = 0.40F;                       // so that ink and seams are read on it
-    render::Rgba8 plate{0xFF, 0xFE, 0xFB, 0xDC};        // behind words on the sheet
-    render::Rgba8 mirrored{0x7A, 0x5C, 0x9E, 0xFF};     // of panels that are kept mirror images
+    render::Rgba8 plain_cloth{0xEF, 0xEA, 0xDF, 0xE8};  // panels without a tartan
+    render::Rgba8 under_cloth{0xFF, 0xFF, 0xFF, 0xFF};  // below a tartan
+    float cloth_strength = 0.40F;                       // opacity of the tartan: ink and seams stay legible
+    render::Rgba8 plate{0xFF, 0xFE, 0xFB, 0xDC};        // behind text on the sheet
+    render::Rgba8 mirrored{0x7A, 0x5C, 0x9E, 0xFF};     // names of mirrored panels
 
-    render::Rgba8 accent{0x1F, 0x6F, 0x8B, 0xFF};  // selected, being drawn
+    render::Rgba8 accent{0x1F, 0x6F, 0x8B, 0xFF};  // selected, or being drawn
     render::Rgba8 accent_fill{0x1F, 0x6F, 0x8B, 0x20};
     render::Rgba8 hover{0x1F, 0x6F, 0x8B, 0x78};
-    render::Rgba8 handle{0xFF, 0xFF, 0xFF, 0xFF};  // the inside of handles
-    render::Rgba8 guide{0xC2, 0x4D, 0x8A, 0xD0};   // what a point snaps to
+    render::Rgba8 handle{0xFF, 0xFF, 0xFF, 0xFF};  // inside of handles
+    render::Rgba8 guide{0xC2, 0x4D, 0x8A, 0xD0};   // the snap target
     render::Rgba8 measure{0x4A, 0x4E, 0x55, 0xFF};
-    render::Rgba8 warning{0xB8, 0x74, 0x10, 0xFF};  // likely not meant
-    render::Rgba8 error{0xC2, 0x30, 0x28, 0xFF};    // uneven seams, places of errors
+    render::Rgba8 warning{0xB8, 0x74, 0x10, 0xFF};  // probably not intended
+    render::Rgba8 error{0xC2, 0x30, 0x28, 0xFF};    // uneven seams, errors
     render::Rgba8 pin{0xC2, 0x30, 0x28, 0xFF};
-    render::Rgba8 bubble{0x26, 0x29, 0x2E, 0xEB};       // readouts at the cursor,
-    render::Rgba8 bubble_text{0xFA, 0xF9, 0xF6, 0xFF};  // and their words
+    render::Rgba8 bubble{0x26, 0x29, 0x2E, 0xEB};       // background of readouts at the cursor
+    render::Rgba8 bubble_text{0xFA, 0xF9, 0xF6, 0xFF};  // text of the readouts
 };
 
 struct SheetPen {
     ImDrawList& list;
     const SheetCamera& camera;
     const SheetColours& colours;
-    float ui = 1;  // px per px of the interface
+    float ui = 1;  // framebuffer px per px of the interface
 
     ImVec2 px(const Vec2d& sheet) const;
     float px(double interface_px) const { return static_cast<float>(interface_px) * ui; }
 
-    // Points on the sheet.
+    // Points are in m on the sheet.
     void line(std::span<const Vec2d> points, const render::Rgba8& colour, double width) const;
     void dashed(std::span<const Vec2d> points, const render::Rgba8& colour, double width, double dash = 6) const;
     void square(const Vec2d& at, double side, const render::Rgba8& inside, const render::Rgba8& rim) const;
     void round(const Vec2d& at, double radius, const render::Rgba8& inside, const render::Rgba8& rim) const;
 
-    // Words on a plate about the point; px_offset: of the plate's middle. `size`: of the usual.
+    // Text on a plate around the point. px_offset: offset of the plate's centre, px. `size`: relative to the normal
+    // font size.
     void words(const Vec2d& at, const std::string& text, const render::Rgba8& colour, const ImVec2& px_offset = {0, 0},
                float size = 1) const;
 };
 
 ImU32 packed(const render::Rgba8& colour);
-render::Rgba8 faded(render::Rgba8 colour, double share);  // of its alpha
+render::Rgba8 faded(render::Rgba8 colour, double share);  // multiplies alpha by `share`
 render::Rgba8 mixed(const render::Rgba8& from, const render::Rgba8& to, double share);
 
-// Points along a line in px, evenly spaced: for ticks.
+// A position on a polyline in px and the unit tangent there.
 struct LinePlace {
     ImVec2 at{0, 0};
-    ImVec2 along{1, 0};  // of length 1
+    ImVec2 along{1, 0};  // unit tangent
 };
 double px_length(std::span<const ImVec2> line);
-LinePlace place_on(std::span<const ImVec2> line, double length);  // Pre: two points at least
+LinePlace place_on(std::span<const ImVec2> line, double length);  // Pre: at least two points
 
-// A few small ticks across the line, and a triangle near its beginning that points along it. `inward`: the side of
-// the line, 1 to its left, that ticks reach to.
+// Draws a few small ticks across the line, and a triangle near its start that points along it. `inward`: the side of
+// the ticks, 1 for left of the line.
 void draw_direction(const SheetPen& pen, std::span<const ImVec2> line, const render::Rgba8& colour, double inward);
 
-// What the painters of the sheet are told about one frame.
+// Data that the drawing functions of the sheet share in one frame.
 
-// What a person may switch off.
+// Parts that the user can hide.
 struct SheetShows {
-    bool cloth = true;  // tartans; else plain
-    bool names = true;  // and grainlines
+    bool cloth = true;  // tartans; otherwise plain
+    bool names = true;  // names and grainlines
     bool seams = true;
     bool grid = true;
 };
 
-// A sett as a texture of one repeat.
+// A texture of one repeat of a sett.
 struct SettTexture {
-    UiTexture texture = 0;           // 0: none is shown
-    Vec2d repeat = Vec2d(1, 1);      // m, of the warp's stripes and of the weft's
-    Vec2d position = Vec2d::Zero();  // m, where it begins under all panels
+    UiTexture texture = 0;           // 0: no tartan is drawn
+    Vec2d repeat = Vec2d(1, 1);      // m, repeat across the warp's stripes and across the weft's
+    Vec2d position = Vec2d::Zero();  // m, origin of the repeat in panel coordinates
 };
 
 struct SheetLook {
@@ -110,7 +112,7 @@ struct SheetLook {
     const Selection& selection;
     const Hover& hover;
     const ToolOverlay& overlay;
-    const std::set<std::string>& touched;  // panels that have any part selected
+    const std::set<std::string>& touched;  // panels with any selected part
     SettTexture sett;
     SheetShows shows;
 };

@@ -24,7 +24,7 @@ bool is_repeating(Key key) {
     return key == Key::Backspace || (key >= Key::Right && key <= Key::Up);
 }
 
-// Keys that were pressed since the last frame and may mean something here.
+// Keys pressed since the last frame that the view or its tools may use.
 std::vector<Key> pressed_keys() {
     std::vector<Key> keys;
     const auto look_at = [&](Key key) {
@@ -38,7 +38,7 @@ std::vector<Key> pressed_keys() {
     return keys;
 }
 
-// What was written since the last frame, as far as it is ASCII: numbers are.
+// ASCII text typed since the last frame; enough for numbers.
 std::string written() {
     std::string text;
     for (const ImWchar c : ImGui::GetIO().InputQueueCharacters) {
@@ -60,7 +60,7 @@ void SheetView::set_camera(const SheetCamera& camera) {
     wants_frame_ = Frame::None;
 }
 
-// Takes the room that is left in the child, and says where the mouse is.
+// Fills the child's remaining region with the view; returns the mouse state.
 SheetView::Mouse SheetView::place(SheetContext& context) {
     const ImVec2 low = ImGui::GetCursorScreenPos(), size = ImGui::GetContentRegionAvail();
     camera_.view_low = Vec2d(double(low.x), double(low.y));
@@ -85,7 +85,7 @@ void SheetView::frame_wanted(const SheetContext& context) {
     }
     const bool is_all = wants_frame_ == Frame::All;
     wants_frame_ = Frame::None;
-    SheetCamera inner = camera_;  // the part that the rulers leave
+    SheetCamera inner = camera_;  // the region inside the rulers
     const double ruler = kRulerWidth * context.ui_scale;
     inner.view_size -= Vec2d::Constant(ruler);
     frame(inner, box, 36 * context.ui_scale);
@@ -97,7 +97,8 @@ void SheetView::frame_wanted(const SheetContext& context) {
     framed_box_ = context.tools.geometry().box();
 }
 
-// All stays in sight in a view of another size, as long as nobody has looked elsewhere or drawn anything.
+// Keeps everything framed if the view is resized, as long as the camera and the bounding box are unchanged since
+// everything was framed.
 void SheetView::frame_again(const SheetContext& context) {
     const SheetBox box = context.tools.geometry().box();
     const bool is_same = camera_.centre == framed_.centre && camera_.scale == framed_.scale && !has_left_ &&
@@ -174,7 +175,7 @@ SheetAnswer SheetView::show(SheetContext& context) {
     return answer;
 }
 
-// None where the pattern names no tartan, or one that is not known.
+// Empty if the pattern names no tartan or an unknown one.
 SettTexture SheetView::sett_texture(SheetContext& context) {
     const sim::Pattern& pattern = context.desk.document.pattern();
     if (held_sides_.empty() || pattern.tartan != sett_name_ || pattern.sett_size != sett_size_) {
@@ -185,7 +186,7 @@ SettTexture SheetView::sett_texture(SheetContext& context) {
         try {
             if (!sett_name_.empty()) sett_ = sim::find_tartan(sett_name_);
         } catch (const sim::InputError&) {
-            return {};  // whoever set it was told
+            return {};  // already reported when it was set
         }
         if (sett_ && sett_size_ && *sett_size_ > 0) sett_ = with_repeat_size(*sett_, *sett_size_);
     }
@@ -238,7 +239,7 @@ void SheetView::draw(SheetContext& context, const Mouse& mouse) {
     list.PopClipRect();
 }
 
-// Where the cursor is, at the lower right.
+// The cursor's position on the sheet, at the lower right.
 void SheetView::draw_readout(const SheetPen& pen, const Mouse& mouse) const {
     if (!mouse.is_over) return;
     const Vec2d at = to_sheet(camera_, mouse.at) * 100;
@@ -257,9 +258,9 @@ void SheetView::draw_readout(const SheetPen& pen, const Mouse& mouse) const {
 namespace {
 
 constexpr std::array<double, 6> kSteps{0.001, 0.01, 0.05, 0.10, 0.50, 1.0};  // m
-constexpr double kSeenFrom = 5;                                              // px between lines: faint
-constexpr double kFullFrom = 14;                                             // px: as strong as they get
-constexpr double kCoarseFrom = 45;                                           // px: lines that stand out
+constexpr double kSeenFrom = 5;                                              // px between lines: fading in
+constexpr double kFullFrom = 14;                                             // px: fully visible
+constexpr double kCoarseFrom = 45;                                           // px: drawn in the colour of coarse lines
 constexpr double kLabelsApart = 52;                                          // px
 
 struct Range {
@@ -275,7 +276,7 @@ float crisp(double at) {
     return static_cast<float>(std::floor(at) + 0.5);
 }
 
-// Lines of one step, but for those that the next one draws.
+// Draws the lines of one step, except those that the next coarser step draws.
 void draw_lines(const SheetPen& pen, double step, double next, const render::Rgba8& colour) {
     const SheetBox box = visible_box(pen.camera);
     const Vec2d low = pen.camera.view_low, high = low + pen.camera.view_size;

@@ -1,8 +1,8 @@
 #pragma once
-// The 2D view: draws the pattern on its sheet, and hands mouse and keys to the tools.
+// The 2D view: draws the pattern on its sheet, and passes mouse and keyboard input to the tools.
 //
-// Hold one for as long as the document is open, and call show() once per frame inside the ImGui child that it is to
-// fill. Wheel zooms to the cursor, middle and right drag pan, F frames what is selected, or all.
+// Keep one instance while the document is open; call show() once per frame inside the ImGui child that it fills. The
+// wheel zooms to the cursor, a middle or right drag pans, F frames the selection, or everything.
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,7 +15,7 @@
 
 namespace selvedge::editor {
 
-// Textures that the sheet may hold: this many from `first_texture` on.
+// Number of textures that the sheet may use, from `first_texture` on.
 inline constexpr UiTexture kSheetTextures = 6;
 
 struct SheetContext {
@@ -23,23 +23,23 @@ struct SheetContext {
     ToolHost& tools;
     FrameOutput& output;
     UiTexture first_texture = 1;
-    double ui_scale = 1;     // px of the framebuffer per px of the interface
-    bool takes_keys = true;  // false: they are meant for others; a text box that is active has them anyway
+    double ui_scale = 1;     // framebuffer px per px of the interface
+    bool takes_keys = true;  // false: ignore the keyboard. An active text field always takes precedence
     SheetColours colours{};
     SheetShows shows{};
 };
 
-// What the view did with this frame's input.
+// Result of the frame's input.
 struct SheetAnswer {
-    std::vector<Key> used_keys{};  // not to be taken for anything else
-    bool wants_menu = false;       // a right click that was no drag
+    std::vector<Key> used_keys{};  // keys that the view has consumed
+    bool wants_menu = false;       // a right click without a drag
 };
 
 class SheetView {
  public:
     SheetAnswer show(SheetContext& context);
 
-    // With the next frame: all of it, or what is selected.
+    // Frames everything, or the selection, in the next frame.
     void frame_all() { wants_frame_ = Frame::All; }
     void frame_selected() { wants_frame_ = Frame::Selected; }
 
@@ -67,29 +67,29 @@ class SheetView {
     SheetCamera camera_;
     PanelFaces faces_;
     Frame wants_frame_ = Frame::All;
-    SheetCamera framed_;  // as it was when all was framed
+    SheetCamera framed_;  // camera when everything was framed
     SheetBox framed_box_;
     Vec2d last_at_ = Vec2d::Zero();
     bool is_panning_ = false;
     double panned_px_ = 0;
-    bool has_left_ = false;  // the left button was pressed in here
+    bool has_left_ = false;  // the left button was pressed inside the view
     bool is_double_ = false;
 
-    // The sett that is shown, and which of its pictures are held.
+    // The displayed sett, and the sizes of its textures.
     std::string sett_name_;
     std::optional<double> sett_size_;
     std::optional<sim::Sett> sett_;
-    std::vector<int> held_sides_;  // px, by texture
+    std::vector<int> held_sides_;  // px, per texture; 0: not made yet
 };
 
-// The sheet's paper: grid, and rulers along its top and left edge.
+// The sheet's background: the grid, and the rulers at its top and left edge.
 
-inline constexpr double kRulerWidth = 30;  // px of the interface: as wide as "-160"
+inline constexpr double kRulerWidth = 30;  // px of the interface; fits the label "-160"
 
-// Lines of 1 mm, 1 cm, 5 cm, 10 cm... by the zoom; finer ones fade in.
+// Lines every 1 mm, 1 cm, 5 cm, 10 cm..., depending on the zoom; finer ones fade in.
 void draw_grid(const SheetPen& pen);
 
-// In cm; `cursor` (px) is marked on both.
+// Labels in cm; marks the position of `cursor` (px) on both rulers.
 void draw_rulers(const SheetPen& pen, const std::optional<Vec2d>& cursor);
 
 }  // namespace selvedge::editor

@@ -14,7 +14,7 @@
 namespace selvedge::editor {
 namespace {
 
-// The panel that the point lies in, the one drawn last.
+// The panel under the point; of several, the one drawn last. nullptr: none.
 const PanelShape* panel_at(const SheetGeometry& geometry, const Vec2d& sheet) {
     const PanelShape* found = nullptr;
     for (const PanelShape& shape : geometry.panels()) {
@@ -23,7 +23,7 @@ const PanelShape* panel_at(const SheetGeometry& geometry, const Vec2d& sheet) {
     return found;
 }
 
-// The panel that the path runs through.
+// The panel that the path runs through. Throws GeometryError if there is none.
 const PanelShape& panel_under(const SheetGeometry& geometry, const std::vector<Vec2d>& path) {
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
         if (const PanelShape* shape = panel_at(geometry, (path[i] + path[i + 1]) / 2)) return *shape;
@@ -42,7 +42,7 @@ bool is_enter(Key key) {
 
 }  // namespace
 
-// --- point by point
+// --- paths
 
 void PathTool::hover(ToolContext& context, const SheetPointer& pointer) {
     Tool::hover(context, pointer);
@@ -57,7 +57,7 @@ void PathTool::click(ToolContext& context, const SheetPointer& pointer) {
     if (is_done(context)) finish(context);
 }
 
-// Where a person drags instead of clicking, the point is where the button came up.
+// If the user drags instead of clicking, the point is where the button was released.
 void PathTool::drop(ToolContext& context, const SheetPointer& pointer) {
     click(context, pointer);
 }
@@ -98,7 +98,7 @@ void PathTool::draw(const ToolContext& context, ToolOverlay& overlay) const {
     path_.draw(context, overlay, is_closed());
 }
 
-// What cannot be made stays drawn, so that its points can be taken back.
+// If the command throws, the path stays, so that the user can remove points.
 void PathTool::finish(ToolContext& context) {
     context.document.run(command(context));
     path_.clear();
@@ -153,7 +153,7 @@ void CutTool::refine_aim(const ToolContext& context, const SheetPointer& pointer
     path_.aim_at(sheet_point(*shape, place->edge.index, place->t));
 }
 
-// The second time that the line comes to an outline.
+// Done when a point after the first is on an outline.
 bool CutTool::is_done(const ToolContext& context) const {
     if (path_.points().size() < 2) return false;
     PickOptions options = pick_options(context);
@@ -255,7 +255,7 @@ void BoxTool::drop(ToolContext& context, const SheetPointer& pointer) {
     make(context);
 }
 
-// One number: as wide as high.
+// Width x height, cm. One number: a square.
 bool BoxTool::enter(ToolContext& context, const std::vector<double>& numbers) {
     if (numbers.size() > 2) return false;
     if (!from_) from_ = aimed_.point;
@@ -312,7 +312,7 @@ std::string BoxTool::hint(const ToolContext&) const {
 
 namespace {
 
-// Controls so that the curve passes through points at 1/2, or at 1/3 and 2/3.
+// The edge whose curve passes through the points at parameter 1/2, or at 1/3 and 2/3.
 sim::OutlineEdge bent(int start, int end, const Vec2d& from, const Vec2d& to, const std::vector<Vec2d>& through) {
     sim::OutlineEdge edge{.start = start, .end = end};
     if (through.size() == 1) {
@@ -328,7 +328,7 @@ sim::OutlineEdge bent(int start, int end, const Vec2d& from, const Vec2d& to, co
 
 struct Runs {
     std::vector<Vec2d> vertices;
-    std::vector<std::vector<Vec2d>> through;  // after each vertex
+    std::vector<std::vector<Vec2d>> through;  // curve points after each vertex
 };
 
 Runs runs_of(const std::vector<PathPoint>& points) {
@@ -469,9 +469,9 @@ std::vector<Vec2d> polyline_through(const std::vector<PathPoint>& points, bool i
 }
 
 sim::Panel placed_before_body(const sim::Pattern& pattern, sim::Panel panel) {
-    constexpr double kChest = 0.7;    // of the stature
-    constexpr double kBefore = 0.35;  // m, before the body's middle
-    constexpr double kLayer = 0.02;   // m, each one before the others
+    constexpr double kChest = 0.7;    // fraction of the stature
+    constexpr double kBefore = 0.35;  // m, in front of the body's centre
+    constexpr double kLayer = 0.02;   // m, distance between successive panels
     panel.translation =
         Vec3d(0, kChest * pattern.body_height, kBefore + kLayer * static_cast<double>(pattern.panels.size()));
     return panel;

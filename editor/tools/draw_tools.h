@@ -1,30 +1,30 @@
 #pragma once
-// Tools that draw something new: polygon, rectangle and ellipse, internal line, cut.
+// Tools that draw a path or a box on the sheet: polygon, rectangle, ellipse, internal line, cut and mirror axis.
 #include <vector>
 
 #include "editor/tools/tool.h"
 
 namespace selvedge::editor {
 
-// A line that is drawn point by point: what polygon, internal line, cut and others have in common.
+// A path drawn point by point, shared by polygon, internal line, cut and mirror.
 
 struct PathPoint {
     Vec2d at = Vec2d::Zero();  // on the sheet, m
-    bool is_curve = false;     // the line runs through it in a curve
+    bool is_curve = false;     // the path curves through this point
 };
 
 class PathInProgress {
  public:
-    // Where the next point would come: snapped, or so far along as is typed.
+    // Computes the next point: snapped, or at the typed length in the direction of the cursor.
     void aim(const ToolContext& context, const SheetPointer& pointer);
 
     void aim_at(const Vec2d& at) { aimed_ = {at, SnapKind::Point, {}}; }
 
-    // Pre: it was aimed.
+    // Adds the aimed point. Pre: aim or aim_at was called.
     void add(bool is_curve);
     void add_at(const Vec2d& at) { points_.push_back({at, false}); }
 
-    // The next point at a length (m) in the direction of the cursor.
+    // Adds a point at this distance (m) from the last one, in the direction of the cursor.
     void add_at_length(double length);
 
     bool remove_last();
@@ -35,7 +35,7 @@ class PathInProgress {
     std::vector<Vec2d> places() const;
     const Vec2d& aimed() const { return aimed_.point; }
 
-    // Whether the aimed point is the first one again, with three or more drawn.
+    // Whether the path has three points or more and the aimed point is within the tolerance (m) of the first.
     bool is_closing(double tolerance) const;
 
     void draw(const ToolContext& context, ToolOverlay& overlay, bool is_closed) const;
@@ -45,18 +45,20 @@ class PathInProgress {
     Snap aimed_;
 };
 
-// The outline through the points, counter-clockwise; runs of one or two curve points bend the edge that they are on,
-// further ones become vertices. Vertices are relative to the middle of the whole, where the panel's sheet_position is.
-// Throws GeometryError for fewer than three points, or two with no curve between them.
+// A panel with a counter-clockwise outline through the points. One or two consecutive curve points shape the edge that
+// they are on; further ones become vertices. Vertices are relative to the centre of the bounding box, which is the
+// panel's sheet_position. Throws GeometryError for fewer than three points or fewer than two vertices.
 sim::Panel outline_through(std::vector<PathPoint> points);
 
-// The same as a polyline, open or closed, for showing.
+// The same path as a polyline, open or closed, for display.
 std::vector<Vec2d> polyline_through(const std::vector<PathPoint>& points, bool is_closed);
 
-// Puts the panel before the body, at chest height, so that it is not born inside of it; beside those there are.
+// Places the panel in front of the body at chest height, so that it does not start inside the body. Each further panel
+// is placed 2 cm in front of the last.
 sim::Panel placed_before_body(const sim::Pattern& pattern, sim::Panel panel);
 
-// Click by click; Backspace takes the last point back, Enter ends, a typed length sets the next point.
+// Base of the tools that draw a path. A click adds a point, Backspace removes the last one, Enter ends the path, a
+// typed length (cm) sets the next point.
 class PathTool : public Tool {
  public:
     void hover(ToolContext& context, const SheetPointer& pointer) override;
@@ -70,7 +72,7 @@ class PathTool : public Tool {
 
  protected:
     virtual bool is_closed() const { return false; }
-    virtual bool is_done(const ToolContext& context) const = 0;  // with the point that was just added
+    virtual bool is_done(const ToolContext& context) const = 0;  // called after each added point
     virtual Command command(const ToolContext& context) const = 0;
     virtual void refine_aim(const ToolContext&, const SheetPointer&) {}
 
@@ -111,7 +113,7 @@ class CutTool : public PathTool {
     void refine_aim(const ToolContext& context, const SheetPointer& pointer) override;
 };
 
-// The axis of a mirror: two clicks.
+// Mirrors the selection over an axis given by two clicks.
 class MirrorTool : public PathTool {
  public:
     std::string hint(const ToolContext& context) const override;
@@ -124,7 +126,8 @@ class MirrorTool : public PathTool {
 
 enum class BoxShape { Rectangle, Ellipse };
 
-// Drags a box open; or click a corner, then click the other or type width x height.
+// Draws a rectangular or elliptic panel: drag a box, or click a corner and then click the opposite one or type width x
+// height (cm).
 class BoxTool : public Tool {
  public:
     explicit BoxTool(BoxShape shape) : shape_(shape) {}
@@ -145,7 +148,7 @@ class BoxTool : public Tool {
 
     BoxShape shape_;
     std::optional<Vec2d> from_;
-    bool is_new_ = false;  // the corner was set by the press that is under way
+    bool is_new_ = false;  // the current press set the first corner
     Snap aimed_;
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 PickOptions edges_only(const ToolContext& context) {
     PickOptions options = pick_options(context);
-    options.tolerance *= 1.6;  // an edge is all that is looked for
+    options.tolerance *= 1.6;  // larger, because only edges are candidates
     options.vertices = options.notches = options.internal_lines = options.panels = false;
     return options;
 }
@@ -135,7 +135,7 @@ void DartTool::press(ToolContext&, const SheetPointer&) {
     mouth_ = place_;
 }
 
-void DartTool::click(ToolContext&, const SheetPointer&) {}  // the mouth stays; numbers may follow
+void DartTool::click(ToolContext&, const SheetPointer&) {}  // keeps mouth_: typed numbers may follow
 
 void DartTool::drag(ToolContext& context, const SheetPointer& pointer) {
     if (!mouth_) return;
@@ -243,7 +243,7 @@ void CurveTool::drop(ToolContext& context, const SheetPointer&) {
     context.document.keep();
 }
 
-// Straight again.
+// Makes the edge a line again.
 void CurveTool::double_click(ToolContext& context, const SheetPointer& pointer) {
     const Pick picked = pick(context.geometry, pointer.at, wanted(context));
     if (picked.kind == PickKind::Edge) context.document.run(SetCurve{picked.panel, picked.index, sim::OutlineEdge{}});
@@ -284,7 +284,7 @@ Ends ends_of(const sim::Panel& panel, const sim::OutlineEdge& edge) {
             panel.vertices.at(static_cast<std::size_t>(edge.end))};
 }
 
-// The curve's own parameter where the fraction t of its length is reached, by halving.
+// The curve parameter at the fraction t of the edge's length, by a search with halved steps.
 double parameter_at(const sim::Panel& panel, const sim::OutlineEdge& edge, double t) {
     if (edge.kind == sim::CurveKind::Line) return t;
     const Vec2d wanted = outline_point(panel, edge, t);
@@ -323,7 +323,7 @@ sim::OutlineEdge bent_through(const sim::Panel& panel, const sim::OutlineEdge& e
 sim::OutlineEdge arc_through(const sim::Panel& panel, const sim::OutlineEdge& edge, const Vec2d& to) {
     const auto [start, end] = ends_of(panel, edge);
     const Vec2d chord = end - start, a = to - start, b = to - end;
-    const double twice_area = sim::cross2(chord, a);  // positive: the point lies to the left
+    const double twice_area = sim::cross2(chord, a);  // positive: the point is left of the chord
     sim::OutlineEdge arc = edge;
     arc.control = {Vec2d::Zero(), Vec2d::Zero()};
     if (std::abs(twice_area) <= 1e-4 * chord.squaredNorm()) {
@@ -334,7 +334,7 @@ sim::OutlineEdge arc_through(const sim::Panel& panel, const sim::OutlineEdge& ed
     arc.kind = sim::CurveKind::Arc;
     arc.arc_radius = a.norm() * b.norm() * chord.norm() / (2 * std::abs(twice_area));
     arc.turns_right = twice_area > 0;
-    arc.is_large_arc = a.dot(b) > 0;  // the point sees the chord under less than a right angle
+    arc.is_large_arc = a.dot(b) > 0;  // the angle at `to` is less than a right angle
     return arc;
 }
 

@@ -1,23 +1,24 @@
 #pragma once
-// Tools that act at a point of an outline: add point, curve, notch, dart.
+// Tools that act at a point of an edge (add point, curve, notch, dart), and the geometry of bending an edge.
 #include "editor/tools/sheet_geometry.h"
 #include "editor/tools/tool.h"
 
 namespace selvedge::editor {
 
-// A place on an edge that the cursor points to.
+// A position on an edge.
 struct EdgePlace {
     PartRef edge;
-    double t = 0;  // fraction of its length
+    double t = 0;  // fraction of the edge's length
 };
 
-// The edge under the cursor; at the length (m) from its end that is nearer to the cursor where one is typed, else
-// snapped. None: no edge is near.
+// The snapped position on the edge under the cursor. None: no edge within the tolerance.
 std::optional<EdgePlace> edge_place(const ToolContext& context, const SheetPointer& pointer);
 
-// The same at a length from that end.
+// The position at a length (m) from the end of the edge that is nearer to `place`. Throws GeometryError if the edge is
+// too short.
 EdgePlace at_length(const SheetGeometry& geometry, const EdgePlace& place, double length);
 
+// Base of the tools that act at a position on an edge. Marks the position and its distances to both ends.
 class EdgeTool : public Tool {
  public:
     void hover(ToolContext& context, const SheetPointer& pointer) override;
@@ -44,7 +45,7 @@ class NotchTool : public EdgeTool {
     std::string hint(const ToolContext& context) const override;
 
  private:
-    std::optional<PartRef> held_;  // the notch that is dragged
+    std::optional<PartRef> held_;  // the notch being dragged
 };
 
 class CurveTool : public EdgeTool {
@@ -66,7 +67,7 @@ class CurveTool : public EdgeTool {
     bool is_dragging_ = false;
 };
 
-// The legs of a dart before it is cut, to be shown: mouth, tip, mouth, on the sheet.
+// Preview of a dart's legs on the sheet: mouth, apex, mouth. Width and depth in m.
 std::vector<Vec2d> dart_lines(const PanelShape& shape, const EdgePlace& place, double width, double depth);
 
 class DartTool : public EdgeTool {
@@ -83,21 +84,22 @@ class DartTool : public EdgeTool {
  private:
     void make(ToolContext& context);
 
-    std::optional<EdgePlace> mouth_;  // where it was begun
-    double width_ = 0.03;             // m, of the last one: the next is as wide
+    std::optional<EdgePlace> mouth_;  // position of the dart that was begun
+    double width_ = 0.03;             // m, kept for the next dart
     double depth_ = 0.10;             // m
 };
 
-// Bending an edge by a point of it.
+// Bending an edge by dragging a point of it.
 
-// The curve with its handles moved so that the point at the fraction t of its length comes to `to` (held frame, m). A
-// line becomes a quadratic; an arc stays one. Near the ends the handles would fly off: t counts from 0.1 to 0.9.
+// Moves the control points so that the curve point at the fraction t of its length moves to `to` (held frame, m). A
+// line becomes a quadratic; an arc stays an arc. The curve parameter is clamped to [0.1, 0.9], because near the ends
+// the control points would move very far.
 sim::OutlineEdge bent_through(const sim::Panel& panel, const sim::OutlineEdge& edge, double t, const Vec2d& to);
 
-// A circular arc from end to end through the point; a line where they are in line.
+// A circular arc between the edge's ends through the point `to`; a line if the three points are collinear.
 sim::OutlineEdge arc_through(const sim::Panel& panel, const sim::OutlineEdge& edge, const Vec2d& to);
 
-// A quadratic or cubic of the same shape as a line or quadratic: handles to take hold of.
+// A cubic with the same shape as a line, quadratic or cubic edge. An arc becomes a straight cubic.
 sim::OutlineEdge as_cubic_edge(const sim::Panel& panel, const sim::OutlineEdge& edge);
 
 }  // namespace selvedge::editor

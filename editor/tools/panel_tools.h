@@ -1,5 +1,5 @@
 #pragma once
-// Tools of one click: merge, unfold; and measure.
+// The one-click tools merge and unfold, and the measure tool.
 #include "editor/tools/outline_tools.h"
 
 namespace selvedge::editor {
@@ -32,14 +32,14 @@ class MeasureTool : public Tool {
  private:
     struct End {
         Vec2d at = Vec2d::Zero();
-        std::optional<EdgePlace> place;  // where it lies on an edge
+        std::optional<EdgePlace> place;  // set if the end is on an edge
     };
 
     End end_at(const ToolContext& context, const SheetPointer& pointer);
 
     std::optional<End> from_;
     End to_;
-    bool is_done_ = false;  // what is measured stays to be read
+    bool is_done_ = false;  // the measurement is complete and stays visible
     bool is_new_ = false;
     Snap aimed_;
 };

@@ -12,7 +12,7 @@
 namespace selvedge::editor {
 namespace {
 
-// Calls use(set, value) with the set of the selection that the picked thing belongs to.
+// Calls use(set, value) with the selection's set for the picked kind and the value of the picked part.
 template <class Chosen, class Use>
 void with_set(Chosen& selection, const Pick& picked, Use&& use) {
     switch (picked.kind) {
@@ -32,7 +32,7 @@ void with_set(Chosen& selection, const Pick& picked, Use&& use) {
     }
 }
 
-// The vertex of the panels that lies nearest to where one grips them.
+// The vertex of these panels nearest to `at`, on the sheet; `at` if there is none.
 Vec2d nearest_vertex(const SheetGeometry& geometry, const std::set<std::string>& panels, const Vec2d& at) {
     Vec2d best = at;
     double distance = std::numeric_limits<double>::infinity();
@@ -132,7 +132,7 @@ void SelectTool::move_to(ToolContext& context, const SheetPointer& pointer) {
     options.moving = moving_.moving;
     options.moving_panels = copied_.empty() ? moving_.moving_panels : context.document.selection().panels;
     options.origin = held_;
-    // Panels keep off whole steps of the grid by as much as they did: the way is a whole number of steps.
+    // Panels move by whole grid steps, so that they keep their offset from the grid.
     const bool moves_panels = !moved_.panels.empty();
     if (moves_panels) options.grid = 0;
     const Vec2d way = pointer.at - pressed_at_;
@@ -164,7 +164,7 @@ void SelectTool::drop(ToolContext& context, const SheetPointer& pointer) {
     context.document.select(found);
 }
 
-// Moves the selection so far: x, or x x y, cm.
+// Moves the selection by dx or by dx x dy, cm.
 bool SelectTool::enter(ToolContext& context, const std::vector<double>& numbers) {
     if (numbers.size() > 2) return false;
     const Vec2d by = Vec2d(numbers[0], numbers.size() > 1 ? numbers[1] : 0) / 100;
@@ -406,7 +406,7 @@ void TransformTool::click(ToolContext& context, const SheetPointer& pointer) {
 }
 
 void TransformTool::drag(ToolContext& context, const SheetPointer& pointer) {
-    if (box_.isEmpty()) {  // nothing was selected: take what was pressed
+    if (box_.isEmpty()) {  // nothing was selected: select the pressed part
         if (pressed_.kind == PickKind::Nothing) return;
         context.document.select(with_picked({}, pressed_, false));
         held_ = context.document.selection();
@@ -428,7 +428,7 @@ void TransformTool::rotate(ToolContext& context, const SheetPointer& pointer) {
     preview(context, rotation_about(centre, angle_));
 }
 
-// About the opposite handle, with Alt about the middle. A handle that stands in the middle of a side scales one way.
+// Scales about the opposite handle; with Alt about the centre. A handle at a side's middle scales one axis only.
 void TransformTool::scale(ToolContext& context, const SheetPointer& pointer) {
     if (!handle_) return;
     const bool is_about_middle = pointer.modifiers.alt;

@@ -1,5 +1,5 @@
 #pragma once
-// Select and move: panels, edges and points, by click and by box.
+// The tools select and move, edit point, rotate and scale; the commands that act on a selection; maps of the sheet.
 #include <optional>
 #include <set>
 #include <string>
@@ -11,13 +11,13 @@
 
 namespace selvedge::editor {
 
-// Whether what is picked is selected already.
+// Whether the picked part is selected.
 bool is_selected(const Selection& selection, const Pick& picked);
 
-// Selects what is picked: alone, or, where `toggles`, beside the rest or no longer.
+// Selects the picked part alone; with `toggles`, adds it to the selection or removes it.
 Selection with_picked(const Selection& selection, const Pick& picked, bool toggles);
 
-// A box that is dragged open: to the right it takes what is inside, to the left what it touches.
+// A selection box. Dragged to the right it selects parts fully inside; dragged to the left also parts that it touches.
 struct BoxDrag {
     Vec2d from = Vec2d::Zero();
     Vec2d to = Vec2d::Zero();
@@ -26,7 +26,7 @@ struct BoxDrag {
     BoxRule rule() const { return to.x() >= from.x() ? BoxRule::Inside : BoxRule::Touching; }
 };
 
-// Panels, points and edges together; used by Select and move, and by Edit point with points alone.
+// Selects and moves panels, points and edges. Base of EditPointTool, whose box selects points only.
 class SelectTool : public Tool {
  public:
     void hover(ToolContext& context, const SheetPointer& pointer) override;
@@ -56,15 +56,15 @@ class SelectTool : public Tool {
     BoxDrag box_;
     bool was_selected_ = false;
     Vec2d pressed_at_ = Vec2d::Zero();
-    Vec2d held_ = Vec2d::Zero();  // the point that snaps, before the drag
+    Vec2d held_ = Vec2d::Zero();  // the point that snaps, at its position before the drag
     Vec2d by_ = Vec2d::Zero();
     SnapOptions moving_;
     Snap snapped_;
-    Selection moved_;     // what is dragged
-    std::string copied_;  // the panel that an Alt-drag copies; empty: it moves
+    Selection moved_;     // the dragged parts
+    std::string copied_;  // the panel that an Alt-drag copies; empty: move
 };
 
-// Edit point: points and curve handles; a double click on an edge adds a point, points of internal lines move, too.
+// Edit point: drags points, curve handles and points of internal lines; a double click on an edge adds a point.
 
 class EditPointTool : public SelectTool {
  public:
@@ -84,34 +84,35 @@ class EditPointTool : public SelectTool {
     void drag_handle(ToolContext& context, const SheetPointer& pointer);
     void drag_line_point(ToolContext& context, const SheetPointer& pointer);
 
-    bool is_dragging_part_ = false;  // a handle or a point of an internal line
+    bool is_dragging_part_ = false;  // dragging a handle or a point of an internal line
     sim::OutlineEdge curve_;         // before the drag
     sim::InternalLine line_;
     std::size_t line_point_ = 0;
     Snap snapped_;
 };
 
-// What is selected, as tools act on it.
+// Commands on the selection.
 
-// The vertices that move with the selection, ends of selected edges included; those of selected panels not.
+// The vertices that move with the selection: selected vertices and ends of selected edges, without those of selected
+// panels.
 std::vector<PartRef> selected_vertices(const SheetGeometry& geometry, const Selection& selection);
 
-// Moves selected panels, or else selected vertices and edges. None: nothing of these is selected.
+// Moves the selected panels; if there are none, the selected vertices and edges. None: nothing to move is selected.
 std::optional<Command> move_selected(const SheetGeometry& geometry, const Selection& selection, const Vec2d& by);
 
-// A map of the sheet for the same. `what`: the word for the history.
+// Applies a map in sheet coordinates to the same parts. `what`: the verb of the history label.
 std::optional<Command> transform_selected(const SheetGeometry& geometry, const Selection& selection,
                                           const PlaneMap& map, const std::string& what);
 
-// The panels that have any part selected.
+// The panels that are selected or have a selected part.
 std::set<std::string> touched_panels(const Selection& selection);
 
 PlaneMap rotation_about(const Vec2d& centre, double angle);
 PlaneMap scaling_about(const Vec2d& centre, const Vec2d& factors);
-PlaneMap mirror_over(const Vec2d& on_axis, const Vec2d& direction);  // Pre: the direction is not zero
+PlaneMap mirror_over(const Vec2d& on_axis, const Vec2d& direction);  // Pre: direction != 0
 Vec2d apply(const PlaneMap& map, const Vec2d& p);
 
-// Rotate and scale what is selected: by handles at its box, or typed.
+// Rotates or scales the selection by the handles of its bounding box, or by typed values.
 
 enum class TransformMode { Rotate, Scale };
 
@@ -135,10 +136,10 @@ class TransformTool : public Tool {
 
     TransformMode mode_;
     Pick pressed_;
-    Selection held_;  // what is turned or scaled
-    SheetBox box_;    // of it before the drag
+    Selection held_;  // the selection being transformed
+    SheetBox box_;    // its bounding box before the drag
     Vec2d pressed_at_ = Vec2d::Zero();
-    std::optional<Vec2d> handle_;  // -1, 0 or 1 per axis: a corner or the middle of a side
+    std::optional<Vec2d> handle_;  // -1, 0 or 1 per axis: a corner or a side's middle
     bool is_dragging_ = false;
     double angle_ = 0;
     Vec2d factors_ = Vec2d(1, 1);

@@ -223,7 +223,7 @@ void FreeSewingTool::press(ToolContext& context, const SheetPointer& pointer) {
     drawing_.reset();
 }
 
-// All of the edge, from the end that is nearer.
+// Adds the whole edge, from the end nearer to the click.
 void FreeSewingTool::click(ToolContext& context, const SheetPointer& pointer) {
     if (!pressed_) return;
     const bool is_forward = pressed_->t <= 0.5;
@@ -241,7 +241,7 @@ void FreeSewingTool::drag(ToolContext& context, const SheetPointer& pointer) {
     if (options.is_on && t < end) t = 0;
     if (options.is_on && t > 1 - end) t = 1;
     if (options.is_on && t > 0 && t < 1) t = snap_along(*edge, t, options);
-    // As long as what it is sewn to, where it nearly is.
+    // Snaps to the length at which both runs are equally long.
     if (is_second_ && options.is_on) {
         const double left = (length_of(context, first_) - length_of(context, second_)) / edge->length;
         const double wanted = t > pressed_->t ? pressed_->t + left : pressed_->t - left;
@@ -266,7 +266,7 @@ void FreeSewingTool::add(ToolContext& context, const DrawnSpan& span, bool goes_
 void FreeSewingTool::end_run(ToolContext& context) {
     if (current().empty()) return;
     if (!is_second_) {
-        run_of(first_);  // says what is wrong now rather than later
+        run_of(first_);  // reports errors of the first run at once
         is_second_ = true;
         return;
     }

@@ -1,11 +1,12 @@
 #pragma once
-// Sewing edge to edge: click one, then the other; the ends nearer to the clicks meet.
+// The two sewing tools. SewingTool joins two whole edges: click one, then the other; the ends nearer to the clicks
+// meet. FreeSewingTool joins runs of parts of edges.
 #include "editor/tools/outline_tools.h"
 #include "editor/tools/tool.h"
 
 namespace selvedge::editor {
 
-// An edge, entered at its start or at its end.
+// An edge with the end from which it is sewn.
 struct SewnEnd {
     PartRef edge;
     bool is_from_start = true;
@@ -13,17 +14,17 @@ struct SewnEnd {
     bool operator==(const SewnEnd&) const = default;
 };
 
-// How the two are sewn so that the ends at which they are entered meet (Seam::is_reversed).
+// The value of Seam::is_reversed with which the two given ends meet.
 bool is_reversed(const SewnEnd& first, const SewnEnd& second);
 
-// The seam with panels by index. None: an edge is not there.
+// The seam between the two edges. None: an edge does not exist.
 std::optional<sim::Seam> seam_between(const SheetGeometry& geometry, const SewnEnd& first, const SewnEnd& second);
 
-// Threads between two lines, from start to start.
+// Adds seven lines that connect two polylines at equal fractions of their lengths, from start to end.
 void add_threads(ToolOverlay& overlay, const std::vector<Vec2d>& first, const std::vector<Vec2d>& second,
                  OverlayTone tone);
 
-// The difference of lengths, when it is one to be told.
+// The difference of two lengths (m) as text. None: it is at most kUnevenSeam (1 mm).
 std::optional<std::string> difference_text(double first, double second);
 
 class SewingTool : public Tool {
@@ -40,15 +41,15 @@ class SewingTool : public Tool {
 
     std::optional<SewnEnd> first_;
     std::optional<SewnEnd> second_;  // under the cursor
-    bool is_turned_ = false;         // R: the second is entered at its other end
+    bool is_turned_ = false;         // toggled by R: the second edge is sewn from its other end
 };
 
-// The middle of the seam's first side, where a click on the tick of a selected seam reverses it; on the sheet, m.
+// The middle of the seam's first side, on the sheet, m. A click there reverses a selected seam.
 std::optional<Vec2d> seam_button(const SheetGeometry& geometry, const sim::Pattern& pattern, int seam);
 
-// Sewing parts of edges: draw a run along one or several edges, then what it is sewn to. One to many.
+// Free sewing (one to many): draw a run along one or several edges, then the run it is sewn to.
 
-// A part of an edge in the direction in which it was drawn: from > to is against the outline.
+// A part of an edge, with fractions of its length in drawing order: from > to means against the outline's direction.
 struct DrawnSpan {
     PartRef edge;
     double from = 0;
@@ -57,8 +58,8 @@ struct DrawnSpan {
     bool is_forward() const { return to >= from; }
 };
 
-// Spans along the outline, in its order, and whether they were drawn that way. Throws GeometryError where pieces run
-// both ways, or there are none.
+// Spans in outline order, and whether they were drawn in that order. run_of throws GeometryError if the drawn parts
+// have different directions, or if there are none.
 struct SewnRun {
     std::vector<SpanRef> spans;
     bool is_forward = true;

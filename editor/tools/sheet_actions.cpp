@@ -15,8 +15,8 @@ std::vector<Command> transformed(const SheetGeometry& geometry, const Selection&
     return command ? std::vector<Command>{*command} : std::vector<Command>{};
 }
 
-// Shifts that put copies of the selected panels side by side to the right of the sheet's panels. `lands`: where the
-// copy lies without a shift.
+// One command per selected panel: make(name, shift), with shifts that put the copies side by side to the right of the
+// sheet's panels. lands(shape): the bounding box of the copy without a shift.
 template <class Make, class Lands>
 std::vector<Command> beside(const SheetGeometry& geometry, const Selection& selection, Make&& make, Lands&& lands) {
     std::vector<Command> commands;

@@ -1,5 +1,6 @@
 #pragma once
-// What menus and keys do with what is selected on the sheet, as commands: none where it does not apply.
+// Commands for menu entries and shortcuts that act on the sheet's selection. Each function returns no command if it
+// does not apply.
 #include <vector>
 
 #include "editor/document/command.h"
@@ -8,17 +9,17 @@
 namespace selvedge::editor {
 
 enum class MirrorAxis {
-    Upright,  // left becomes right
-    Level     // top becomes bottom
+    Upright,  // vertical axis: left becomes right
+    Level     // horizontal axis: top becomes bottom
 };
 
-// In place, over the middle of the selection's box.
+// Mirrors in place, over an axis through the centre of the selection's bounding box.
 std::vector<Command> mirror_selected(const SheetGeometry& geometry, const Selection& selection, MirrorAxis axis);
 
-// Counter-clockwise, about the middle; rad.
+// Rotates counter-clockwise about the centre of the selection's bounding box; rad.
 std::vector<Command> rotate_selected(const SheetGeometry& geometry, const Selection& selection, double angle);
 
-// Beside all that lies on the sheet, so that nothing covers anything.
+// Copies are placed to the right of all panels on the sheet, so that nothing overlaps.
 std::vector<Command> duplicate_selected(const SheetGeometry& geometry, const Selection& selection);
 std::vector<Command> symmetric_copy_selected(const SheetGeometry& geometry, const Selection& selection);
 

@@ -35,7 +35,7 @@ PanelShape shape_of(const sim::Panel& panel) {
     return shape;
 }
 
-// The segment of the polyline in which the length is reached, and how far in it.
+// A position on a polyline: the segment and the fraction of its length.
 struct Segment {
     std::size_t index = 0;
     double share = 0;

@@ -7,7 +7,7 @@
 namespace selvedge::editor {
 namespace {
 
-// Keeps the best of what is offered: the smaller kind, then the nearer.
+// Keeps the best candidate: the kind with the higher priority, then the nearer.
 class Best {
  public:
     explicit Best(double tolerance) : tolerance_(tolerance) {}
@@ -80,7 +80,7 @@ void offer_lines(const PanelShape& shape, const Vec2d& u, const PickOptions& opt
 
 bool segment_meets_box(const Vec2d& a, const Vec2d& b, const SheetBox& box) {
     if (box.contains(a) || box.contains(b)) return true;
-    double from = 0, to = 1;  // what of the segment is inside all slabs so far
+    double from = 0, to = 1;  // parameter range inside all slabs so far
     for (int axis = 0; axis < 2; ++axis) {
         const double along = b[axis] - a[axis];
         if (along == 0) {

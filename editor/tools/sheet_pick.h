@@ -1,5 +1,5 @@
 #pragma once
-// What lies under the cursor on the sheet, and in a box drawn with it.
+// Picking on the sheet: the part under the cursor, and the parts in a selection box.
 #include <set>
 #include <string>
 
@@ -17,17 +17,17 @@ struct PickOptions {
     bool edges = true;
     bool internal_lines = true;
     bool panels = true;
-    std::set<PartRef> handle_edges{};  // the edges whose curve handles can be taken
+    std::set<PartRef> handle_edges{};  // edges whose curve handles can be picked
 };
 
-// Small things first: vertex, curve handle, notch, edge, internal line, panel; of one kind the nearest, of panels the
-// one drawn last.
+// The picked part. Priority: vertex, curve handle, notch, edge, internal line, panel; within a kind the nearest; of
+// panels the one drawn last.
 struct Pick {
     PickKind kind = PickKind::Nothing;
     std::string panel{};
-    int index = 0;                // of the vertex, edge, notch or internal line; of a handle: its edge
-    int control = 0;              // of a handle: 0 or 1
-    double t = 0;                 // of an edge: fraction of its length
+    int index = 0;                // of the vertex, edge, notch or internal line; handle: its edge
+    int control = 0;              // handle: control point 0 or 1
+    double t = 0;                 // edge: fraction of its length; notch: its t
     Vec2d point = Vec2d::Zero();  // on the sheet, m
 
     PartRef ref() const { return {panel, index}; }
@@ -38,8 +38,8 @@ Pick pick(const SheetGeometry& geometry, const Vec2d& sheet, const PickOptions& 
 Hover hover_of(const SheetGeometry& geometry, const Pick& picked);
 
 enum class BoxRule {
-    Inside,   // what lies wholly in the box
-    Touching  // and what it only touches
+    Inside,   // parts fully inside the box
+    Touching  // also parts that the box touches
 };
 
 enum class BoxTargets { Panels, Vertices, Edges };

@@ -12,7 +12,7 @@ double to_grid(double value, double step) {
     return step > 0 ? std::round(value / step) * step : value;
 }
 
-// Calls use(point, kind) for all that a point may snap to.
+// Calls use(point, kind) for every point that can be snapped to.
 template <class Use>
 void for_each_point(const SheetGeometry& geometry, const SnapOptions& options, Use&& use) {
     for (const Vec2d& point : options.more_points) use(point, SnapKind::Point);
@@ -44,17 +44,17 @@ struct Nearest {
     }
 };
 
-// The vertices that stand nearest to the upright and to the level through `wanted`.
+// The points nearest to the vertical and to the horizontal line through `wanted`, within the tolerance.
 struct Lines {
-    Nearest upright;  // shares x
-    Nearest level;    // shares y
+    Nearest upright;  // on the vertical line: same x
+    Nearest level;    // on the horizontal line: same y
 };
 
 Lines find_lines(const SheetGeometry& geometry, const Vec2d& wanted, const SnapOptions& options) {
     Lines lines;
     const auto offer = [&](const Vec2d& point) {
         const Vec2d away = (point - wanted).cwiseAbs();
-        // Of points in one line the nearest one along it: a share of the other distance decides.
+        // A small weight of the other distance selects the nearest of several points on one line.
         if (away.x() <= options.tolerance) lines.upright.offer(point, away.x() + 1e-3 * away.y());
         if (away.y() <= options.tolerance) lines.level.offer(point, away.y() + 1e-3 * away.x());
     };

@@ -1,6 +1,6 @@
 #pragma once
-// Where a point comes to lie that a person puts near something: on points of panels, in a direction, in line with
-// points, on the grid.
+// Snapping of a point on the sheet: to points of panels, to directions, to alignment with points, to the grid; and of a
+// position along an edge.
 #include <optional>
 #include <set>
 #include <string>
@@ -14,15 +14,15 @@ namespace selvedge::editor {
 enum class SnapKind { None, Point, Midpoint, Direction, Guide, Grid };
 
 struct SnapOptions {
-    bool is_on = true;         // all of it, but for directions
+    bool is_on = true;         // false: all snapping off, except to_directions
     double tolerance = 0.005;  // m
-    double grid = 0.01;        // m; 0: none
+    double grid = 0.01;        // m; 0: no grid
     bool to_points = true;
     bool to_guides = true;
-    bool to_directions = false;        // multiples of 45 degrees from the origin: while Shift is held
-    std::optional<Vec2d> origin{};     // on the sheet, m: where directions begin; also a point to align with
-    std::vector<Vec2d> more_points{};  // on the sheet, m: of what is being drawn
-    std::set<PartRef> moving{};        // vertices that move along: nothing snaps to these
+    bool to_directions = false;        // multiples of 45 degrees from `origin`; set while Shift is held
+    std::optional<Vec2d> origin{};     // on the sheet, m: start of directions; also a point to align with
+    std::vector<Vec2d> more_points{};  // on the sheet, m: points of the path being drawn
+    std::set<PartRef> moving{};        // vertices in the drag: not snapped to
     std::set<std::string> moving_panels{};
 };
 
@@ -34,15 +34,15 @@ struct SnapGuide {
 struct Snap {
     Vec2d point = Vec2d::Zero();  // on the sheet, m
     SnapKind kind = SnapKind::None;
-    std::vector<SnapGuide> guides{};  // to be shown
+    std::vector<SnapGuide> guides{};  // lines to show
 };
 
-// In this order: a direction (with whole steps of the grid along it, or where it meets the upright or level of a
-// point); a vertex; the middle of an edge; in line with vertices, level or upright; the grid.
+// Snaps in this order: to a direction (and along it to the vertical or horizontal line through a point, else to whole
+// grid steps); to a vertex; to the middle of an edge; to vertical or horizontal alignment with vertices; to the grid.
 Snap snap(const SheetGeometry& geometry, const Vec2d& wanted, const SnapOptions& options);
 
-// A fraction of an edge's length near t that is easily said: its middle, thirds and quarters within the tolerance, else
-// whole millimetres from its nearer end. Off: t.
+// A round fraction of the edge's length near t: its middle, thirds and quarters within half the tolerance; else whole
+// millimetres from its nearer end. Returns t if snapping is off.
 double snap_along(const EdgeShape& edge, double t, const SnapOptions& options);
 
 }  // namespace selvedge::editor

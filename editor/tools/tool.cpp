@@ -73,7 +73,7 @@ const ToolInfo& info_of(ToolKind kind) {
 
 std::optional<ToolKind> tool_of_key(Key key) {
     if (key == Key::None) return {};
-    if (key == key_of('A')) return ToolKind::Select;  // as in other programs
+    if (key == key_of('A')) return ToolKind::Select;  // common shortcut in other programs
     const auto found =
         std::find_if(kTools.begin(), kTools.end(), [&](const ToolInfo& info) { return info.key == key; });
     if (found == kTools.end()) return {};

@@ -1,6 +1,7 @@
 #pragma once
-// What a tool of the sheet is: a small state machine that hears of mouse and keys and changes the document by commands.
-// It says what is to be seen, and draws nothing. Tools throw GeometryError; their host catches it (tool_host.h).
+// The interface of the sheet's tools. A tool is a small state machine: it receives mouse and key events, changes the
+// document by commands, and returns an overlay to show; it draws nothing itself. Tools throw GeometryError, which
+// ToolHost catches (tool_host.h). Also the list of tools, typed numbers and helpers for overlays.
 #include <memory>
 #include <optional>
 #include <set>
@@ -19,22 +20,22 @@
 
 namespace selvedge::editor {
 
-// What a tool wants seen over the sheet, as plain data: the view draws it, tests read it. Points on the sheet, m.
+// What a tool shows over the sheet, as plain data: the view draws it, tests read it. Points on the sheet, m.
 
 enum class OverlayTone {
-    Draft,    // what is being made
-    Faint,    // what helps to make it
-    Guide,    // what it snaps to
+    Draft,    // the part being made
+    Faint,    // auxiliary lines
+    Guide,    // snap targets
     Measure,  // lengths and angles
-    Warning   // what is likely not meant
+    Warning   // probable mistakes
 };
 
 struct OverlayLine {
     std::vector<Vec2d> points;
     OverlayTone tone = OverlayTone::Draft;
     bool is_dashed = false;
-    bool is_closed = false;  // and filled thinly
-    bool has_ticks = false;  // small ticks and a triangle show which way it runs
+    bool is_closed = false;  // closed polygon, with a transparent fill
+    bool has_ticks = false;  // ticks and a triangle show its direction
 };
 
 enum class HandleShape { Square, Round, Diamond, Cross };
@@ -47,7 +48,7 @@ struct OverlayHandle {
 };
 
 struct OverlayLabel {
-    Vec2d at = Vec2d::Zero();  // of its middle
+    Vec2d at = Vec2d::Zero();  // centre of the text
     std::string text;
     OverlayTone tone = OverlayTone::Measure;
 };
@@ -56,13 +57,13 @@ struct ToolOverlay {
     std::vector<OverlayLine> lines{};
     std::vector<OverlayHandle> handles{};
     std::vector<OverlayLabel> labels{};
-    std::set<PartRef> handle_edges{};    // edges whose curve handles are shown
-    std::vector<std::string> readout{};  // beside the cursor, a line each
-    bool shows_vertices = false;         // of panels that have something selected, as handles
-    bool shows_sewing = false;           // seams stand out from the outlines
+    std::set<PartRef> handle_edges{};    // edges with visible curve handles
+    std::vector<std::string> readout{};  // lines of text beside the cursor
+    bool shows_vertices = false;         // of panels with a selected part, as handles
+    bool shows_sewing = false;           // seams are highlighted
 };
 
-// Where the mouse is.
+// The mouse position and modifier keys.
 struct SheetPointer {
     Vec2d at = Vec2d::Zero();  // on the sheet, m
     Modifiers modifiers{};
@@ -73,17 +74,17 @@ struct ToolContext {
     const SheetGeometry& geometry;
     Hover& hover;
     Messages& messages;
-    double px = 0.001;   // m: what a px of the interface is on the sheet
-    double grid = 0.01;  // m, to snap to; 0: none
+    double px = 0.001;   // m, length of one interface px on the sheet
+    double grid = 0.01;  // m, snapping step; 0: no grid
     bool is_snapping = true;
-    std::optional<std::vector<double>> typed{};  // what is being typed, where it can be read
-    SheetPointer pointer{};                      // where the mouse was last
+    std::optional<std::vector<double>> typed{};  // the numbers typed so far, if they can be parsed
+    SheetPointer pointer{};                      // last mouse position
 };
 
 inline constexpr double kPickTolerance = 7;  // px
 inline constexpr double kSnapTolerance = 9;  // px
 
-// Shift asks for directions, Ctrl turns the rest off.
+// Shift enables snapping to directions; Ctrl disables all other snapping.
 SnapOptions snap_options(const ToolContext& context, const Modifiers& modifiers);
 PickOptions pick_options(const ToolContext& context);
 
@@ -97,25 +98,26 @@ class Tool {
     // The mouse moves with no button held.
     virtual void hover(ToolContext& context, const SheetPointer& pointer);
 
-    // The left button goes down, and then either up again at once (click) or after a way (drag, drag, ..., drop).
+    // The left button is pressed, then released within 3 px (click), or moved further and released (drag, drag, ...,
+    // drop).
     virtual void press(ToolContext&, const SheetPointer&) {}
     virtual void click(ToolContext&, const SheetPointer&) {}
     virtual void drag(ToolContext&, const SheetPointer&) {}
     virtual void drop(ToolContext&, const SheetPointer&) {}
-    virtual void double_click(ToolContext&, const SheetPointer&) {}  // after its second click
+    virtual void double_click(ToolContext&, const SheetPointer&) {}  // called after the second click
 
-    // Returns whether the key was meant for this tool as it stands.
+    // Returns whether the tool used the key in its current state.
     virtual bool key(ToolContext&, Key, const Modifiers&) { return false; }
 
-    // Numbers were typed and Enter was pressed. Returns whether they meant something.
+    // Called with the typed numbers when Enter is pressed. Returns whether the tool used them.
     virtual bool enter(ToolContext&, const std::vector<double>&) { return false; }
 
-    // Gives up what was begun. Returns whether anything was.
+    // Cancels the operation in progress. Returns whether there was one.
     virtual bool cancel(ToolContext&) { return false; }
 
     virtual void draw(const ToolContext&, ToolOverlay&) const {}
 
-    // One line: what to do next.
+    // One line of help: what to do next.
     virtual std::string hint(const ToolContext& context) const = 0;
 };
 
@@ -143,30 +145,30 @@ enum class ToolKind {
 
 struct ToolInfo {
     ToolKind kind = ToolKind::Select;
-    std::string_view id;     // for scripts: edit_point
-    std::string_view title;  // for people: Edit point
-    Key key = Key::None;     // None: from a menu only
-    std::string_view what;   // one sentence
+    std::string_view id;     // in scripts: edit_point
+    std::string_view title;  // in the interface: Edit point
+    Key key = Key::None;     // None: only in menus
+    std::string_view what;   // description, one sentence
 };
 
-// All tools, in the order of a toolbar.
+// All tools, in toolbar order.
 const std::vector<ToolInfo>& all_tools();
 const ToolInfo& info_of(ToolKind kind);
 std::optional<ToolKind> tool_of_key(Key key);
 
 std::unique_ptr<Tool> make_tool(ToolKind kind);
 
-// 12.3 cm, -4.5 deg: at most one digit after the point unless the number has more to say; for readouts.
+// Text for readouts: cm with one or two decimals, signed mm with one, degrees with one.
 std::string in_cm(double metres);
 std::string in_mm(double metres);
 std::string in_degrees(double radians);
 
-// Numbers that a person types while a tool is at work: 12, 92/4+1, 30 x 40. Centimetres or degrees, as the tool says.
+// Numbers typed while a tool is active: 12, 92/4+1, 30 x 40. The unit depends on the tool: cm, degrees or a factor.
 
 class TypedInput {
  public:
-    // Takes what can be part of a number; a letter only where it goes on with one that has begun: x between two.
-    // Returns whether it was taken.
+    // Appends the characters that can be part of a number; `x` separates numbers and is accepted only after the first
+    // character. Other characters, and those beyond 64, are ignored. Returns whether any character was appended.
     bool add(std::string_view text);
     void remove_last();
     void clear() { text_.clear(); }
@@ -174,26 +176,26 @@ class TypedInput {
     bool is_empty() const { return text_.empty(); }
     const std::string& text() const { return text_; }
 
-    // One number, or several with x between them. None: it cannot be read (so far), or is empty.
+    // One number, or several separated by x. None: the text is empty or cannot be parsed (yet).
     std::optional<std::vector<double>> numbers() const;
 
  private:
     std::string text_;
 };
 
-// What several tools show alike.
+// Overlay helpers shared by several tools.
 
 void add_guides(ToolOverlay& overlay, const Snap& snapped);
 
-// The part of an edge between two fractions of its length, in that direction, on the sheet.
+// The polyline of an edge from one fraction of its length to another, in that direction, on the sheet, m.
 std::vector<Vec2d> part_of_edge(const PanelShape& shape, int edge, double from, double to);
 
-// A line over an edge.
+// Adds a line along a whole edge.
 void add_edge(ToolOverlay& overlay, const SheetGeometry& geometry, const PartRef& edge, OverlayTone tone);
 
 void add_box(ToolOverlay& overlay, const SheetBox& box, OverlayTone tone);
 
-// Edges of a panel whose handles are shown: of those that have any part selected.
+// The edges of these panels that have curve handles.
 std::set<PartRef> curved_edges_of(const SheetGeometry& geometry, const std::set<std::string>& panels);
 
 }  // namespace selvedge::editor

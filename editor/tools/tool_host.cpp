@@ -33,7 +33,7 @@ ToolContext ToolHost::context(ToolHostContext desk) {
             .pointer = pointer_};
 }
 
-// A draft that cannot be is said, lit up, and taken back.
+// Runs an action; turns a GeometryError into a message that highlights the parts involved. Returns false in that case.
 template <class Action>
 bool ToolHost::guarded(ToolHostContext desk, Action&& action) {
     ToolContext given = context(desk);
@@ -41,7 +41,7 @@ bool ToolHost::guarded(ToolHostContext desk, Action&& action) {
         return action(given);
     } catch (const GeometryError& error) {
         const Message* shown = desk.messages.shown();
-        if (shown == nullptr || shown->words != error.what()) desk.messages.error(error);  // once in a drag
+        if (shown == nullptr || shown->words != error.what()) desk.messages.error(error);  // once per drag
         return false;
     }
 }
@@ -71,7 +71,7 @@ void ToolHost::move(ToolHostContext desk, const Vec2d& px, const Modifiers& modi
         if (state_ == MouseState::Dragging) {
             const std::size_t said = desk.messages.count();
             tool_->drag(given, pointer_);
-            if (desk.messages.count() == said) desk.messages.dismiss();  // what was wrong may be right now
+            if (desk.messages.count() == said) desk.messages.dismiss();  // no error now: hide the old message
         }
         return true;
     });
@@ -153,7 +153,7 @@ bool ToolHost::key_unguarded(ToolHostContext desk, Key key, const Modifiers& mod
             if (!tool_->enter(given, *numbers)) desk.messages.warn("There is nothing here that takes a number");
             return true;
         }
-        if (key == key_of('X')) return true;  // it comes as text: 30 x 40
+        if (key == key_of('X')) return true;  // arrives as text: 30 x 40
     }
     ToolContext given = context(desk);
     if (tool_->key(given, key, modifiers)) return true;

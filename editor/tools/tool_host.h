@@ -1,6 +1,5 @@
 #pragma once
-// Holds the tool that is at work and hands it what a person does. Errors of drafts end here, as
-// messages.
+// Owns the active tool and forwards user input to it. Catches GeometryError and shows it as a message.
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,7 +10,7 @@
 
 namespace selvedge::editor {
 
-// What tools work on: parts of the workspace.
+// The parts of the workspace that tools need.
 struct ToolHostContext {
     Document& document;
     Hover& hover;
@@ -25,25 +24,26 @@ class ToolHost {
     ToolKind kind() const { return kind_; }
     const ToolInfo& info() const { return info_of(kind_); }
 
-    // What was begun is given up.
+    // Switches to another tool and cancels the operation in progress.
     void choose(ToolHostContext desk, ToolKind kind);
 
-    // Once per frame, before anything else: where the sheet lies. `ui_scale`: of the interface, 1 at 96 dpi.
+    // Call once per frame, before anything else. `ui_scale`: scale of the interface, 1 at 96 dpi.
     void begin_frame(const Document& document, const SheetCamera& camera, double ui_scale);
 
-    // The mouse in px of the view. Only the left button; the sheet's view pans and zooms by itself.
+    // Mouse events of the left button, positions in screen px (see SheetCamera). The sheet's view handles panning and
+    // zooming.
     void move(ToolHostContext desk, const Vec2d& px, const Modifiers& modifiers);
     void press(ToolHostContext desk, const Vec2d& px, const Modifiers& modifiers);
     void release(ToolHostContext desk, const Vec2d& px, const Modifiers& modifiers);
     void double_click(ToolHostContext desk, const Vec2d& px, const Modifiers& modifiers);
     void leave(ToolHostContext desk);  // the mouse left the view
 
-    // Return whether it was used. Text: what letters and digits write. Keys choose tools, too.
+    // Each returns whether the input was used. `text` receives typed characters. `key` also handles tool shortcuts.
     bool key(ToolHostContext desk, Key key, const Modifiers& modifiers);
     bool text(ToolHostContext desk, std::string_view typed);
     bool cancel(ToolHostContext desk);
 
-    // Runs a command as tools do: an error becomes the message. Returns whether it was carried out.
+    // Applies a command; a GeometryError becomes a message. Returns whether the command was applied.
     bool run(ToolHostContext desk, const Command& command);
 
     ToolOverlay overlay(ToolHostContext desk);
@@ -78,7 +78,7 @@ class ToolHost {
     TypedInput typed_;
 };
 
-// The parts of the workspace that tools work on.
+// The context from a workspace.
 
 inline ToolHostContext tool_host_context(Workspace& workspace) {
     return {.document = *workspace.document, .hover = workspace.hover, .messages = workspace.messages};

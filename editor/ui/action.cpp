@@ -67,7 +67,7 @@ Key parse_key(const std::string& name) {
     return Key::None;
 }
 
-// Greater is better; none: letters are missing. Runs of letters, and beginnings of words, are what people type.
+// The match score, larger is better; none: a letter is missing. Favours runs of letters and starts of words.
 std::optional<int> score(const std::string& text, const std::string& wanted) {
     int total = 0, run = 0;
     std::size_t at = 0;

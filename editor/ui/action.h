@@ -1,5 +1,6 @@
 #pragma once
-// Everything that can be done besides drawing: one table for menus, keys, the palette and scripts.
+// An action: a command of the editor with its menu entry and keys. The table of all actions serves menus, keys, scripts
+// and the action finder (Ctrl+K), which is declared here too.
 #include <functional>
 #include <optional>
 #include <string>
@@ -20,31 +21,32 @@ struct Chord {
 };
 
 struct Action {
-    std::string id{};     // for scripts: "file.save"
-    std::string menu{};   // "File"
-    std::string title{};  // "Save"
-    std::string tip{};    // a sentence; empty: the title says it
+    std::string id{};     // used by scripts: "file.save"
+    std::string menu{};   // for example "File"
+    std::string title{};  // for example "Save"
+    std::string tip{};    // one sentence; empty: the title is enough
     std::vector<Chord> chords{};
-    bool begins_group = false;  // a line above it in its menu
+    bool begins_group = false;  // separator above it in the menu
     std::function<void(AppState&)> run{};
-    std::function<bool(const AppState&)> can{};    // unset: always
-    std::function<bool(const AppState&)> is_on{};  // unset: no switch
+    std::function<bool(const AppState&)> can{};    // unset: always enabled
+    std::function<bool(const AppState&)> is_on{};  // unset: not a toggle
 };
 
-// "Ctrl+Shift+S"; empty: no key.
+// For example "Ctrl+Shift+S"; empty: no key.
 std::string text_of(const Chord& chord);
 std::string chord_text(const Action& action);
 
-// nullptr: there is none.
+// Returns nullptr if there is no such action.
 const Action* find_action(const std::vector<Action>& actions, std::string_view id);
 
-// "ctrl+shift+s", "space", "f1". None: it is no key.
+// Parses "ctrl+shift+s", "space", "f1". Returns none if it is not a key.
 std::optional<Chord> parse_chord(std::string_view text);
 
-// Those whose title or menu has the letters of `wanted` in that order, the best first: whole words before parts.
+// The actions whose title or menu contains the letters of `wanted` in order, best match first. Runs of letters and
+// starts of words score higher.
 std::vector<const Action*> search(const std::vector<Action>& actions, std::string_view wanted);
 
-// Finding an action by typing some of its letters (Ctrl+K).
+// Finds and runs an action by some of its letters (Ctrl+K).
 
 struct AppState;
 

@@ -61,13 +61,13 @@ void add_file_actions(std::vector<Action>& actions) {
                        .run = close});
 }
 
-// During a drag it takes back the drag, and nothing before it.
+// During a drag, cancels the drag instead of undoing a command.
 void undo(AppState& desk) {
     if (!desk.workspace.document->is_previewing()) return desk.workspace.document->undo();
     desk.tools.cancel(tool_host_context(desk.workspace));
 }
 
-// As the sheet does with a key, wherever the cursor is.
+// Sends the key to the sheet's tools, wherever the cursor is.
 void press_on_sheet(AppState& desk, const Chord& chord) {
     desk.tools.key(tool_host_context(desk.workspace), chord.key, chord.modifiers);
 }
@@ -150,7 +150,7 @@ void add_help_actions(std::vector<Action>& actions) {
                        .is_on = [](const AppState& desk) { return desk.shows_start_page; }});
 }
 
-// One for each tool of the sheet, by its key.
+// One action per tool of the sheet, with the tool's key.
 void add_tool_actions(std::vector<Action>& actions) {
     for (const ToolInfo& tool : all_tools()) {
         Action action{
@@ -187,14 +187,14 @@ std::vector<std::string> menu_names() {
 
 bool run_action(AppState& desk, const Action& action) {
     if (action.can && !action.can(desk)) return false;
-    desk.workspace.messages.dismiss();  // an error was about what was done before
+    desk.workspace.messages.dismiss();  // an error refers to the action before
     action.run(desk);
     return true;
 }
 
 namespace {
 
-constexpr double kBeside = 0.05;  // m between a panel and its copy
+constexpr double kBeside = 0.05;  // m, gap between a panel and its copy
 
 const Selection& selected(const AppState& desk) {
     return desk.workspace.document->selection();
@@ -209,13 +209,13 @@ bool has_one_seam(const AppState& desk) {
     return selected(desk).seams.size() == 1;
 }
 
-// How far copies of the selected panels are moved: all of them alike, to lie beside all of these.
+// The common offset of all copies, so that they lie beside the selected panels.
 Vec2d beside_selected(const AppState& desk) {
     const SheetBox box = desk.tools.geometry().box_of(selected(desk));
     return {box.isEmpty() ? 0.3 : box.sizes().x() + kBeside, 0};
 }
 
-// Seams shift when one goes, so each command looks its seam up when it is run: the first that is selected.
+// Deleting a seam renumbers the others, so each command uses the first selected seam when it runs.
 void with_seam(AppState& desk, const std::function<Command(int)>& make) {
     desk.workspace.run(make(*selected(desk).seams.begin()));
 }
@@ -388,7 +388,7 @@ struct ModeAction {
     render::ShowMode mode;
 };
 
-// `of`: the switch in a desk, constant or not.
+// `of` returns a reference to the flag in an AppState, const or not.
 template <class Of>
 void add_switch(std::vector<Action>& actions, Action action, Of of) {
     action.menu = "View";

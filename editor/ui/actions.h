@@ -1,5 +1,5 @@
 #pragma once
-// The table of all actions, in the order of their menus.
+// The table of all actions, in menu order, and how to run one.
 #include <vector>
 
 #include "editor/ui/action.h"
@@ -8,17 +8,17 @@ namespace selvedge::editor {
 
 std::vector<Action> make_actions();
 
-// The menus of the bar, in their order.
+// The titles of the menus, in the order of the menu bar.
 std::vector<std::string> menu_names();
 
-// Runs it, where it can be run now. False: it cannot.
+// Runs the action if it is enabled. Returns false if it is not.
 bool run_action(AppState& desk, const Action& action);
 
-// Actions on what is selected: panels, points, seams.
+// Actions on the selected panels, points and seams.
 
 void add_panel_actions(std::vector<Action>& actions);
 
-// Actions that change what is seen: views, modes, parts of the window, the interface's size.
+// Actions of the View menu: views, show modes, parts of the window, interface scale.
 
 void add_view_actions(std::vector<Action>& actions);
 

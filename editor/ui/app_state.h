@@ -1,5 +1,5 @@
 #pragma once
-// All that the editor holds: what is worked on, the views onto it, and what lies open about them.
+// The editor's whole state: the workspace, window layout, open dialogs, and resources such as fonts and actions.
 #include <deque>
 #include <functional>
 #include <memory>
@@ -17,7 +17,7 @@
 
 namespace selvedge::editor {
 
-// Asked in a bar above the views: nothing waits for the answer.
+// A question in a bar above the views. It is not modal: the editor stays usable.
 struct Question {
     struct Answer {
         std::string label;
@@ -30,18 +30,18 @@ struct Question {
 enum class InspectorTab { Properties, Seams, Cloth, Body, Drape, History };
 enum class FocusedView { Sheet, Fitting };
 
-// Which parts of the window are there, and how large.
+// The visible parts of the window and their sizes.
 struct WindowLayout {
     bool has_sheet = true;
     bool has_viewport = true;
     bool has_inspectors = true;
     bool has_tools = true;
-    float sheet_share = 0.5F;       // of the width that both views have
-    float inspector_width = 21.5F;  // in heights of the font
+    float sheet_share = 0.5F;       // fraction of the width of both views
+    float inspector_width = 21.5F;  // font heights
     InspectorTab tab = InspectorTab::Properties;
 };
 
-// What the 3D view shows, to be exported.
+// What the 3D view shows, for export.
 struct ShownFitting {
     std::shared_ptr<const render::Scene> scene{};  // null: nothing
     render::Camera camera{};
@@ -67,11 +67,11 @@ struct AppState {
     FocusedView focused = FocusedView::Sheet;
     bool shows_start_page = true;
     bool wants_to_close = false;
-    float user_scale = 1;      // of the interface, on top of the screen's
-    int documents_opened = 0;  // so far: views begin anew with each
+    float user_scale = 1;      // of the interface, multiplied by the screen's scale
+    int documents_opened = 0;  // so far: the views are reset with each one
 };
 
-// Makes the document's changes go to the journal, beginning now.
+// Starts a new journal that records the document's changes from now on.
 void begin_journal(AppState& desk);
 
 }  // namespace selvedge::editor

@@ -53,7 +53,7 @@ void show_line(const sim::Rgb8& colour, const std::string& words, float width) {
     tip_of_whole(words, shown);
 }
 
-// On one line of that width, px.
+// Shows the message, or the tool's hint, on one line of `width` px.
 void show_message(AppState& desk, float width) {
     const Messages& messages = desk.workspace.messages;
     if (const Message* message = messages.shown()) {
@@ -65,7 +65,7 @@ void show_message(AppState& desk, float width) {
     show_line(desk.theme.faint, desk.tools.hint(tool_host_context(desk.workspace)), width);
 }
 
-// px that are left of a line for a question's words when its answers have their place.
+// px left for the question's text beside its answers.
 float width_beside(const Question& question) {
     const ImGuiStyle& style = ImGui::GetStyle();
     float width = ImGui::GetContentRegionAvail().x;
@@ -76,15 +76,15 @@ float width_beside(const Question& question) {
 }
 
 struct ToolGrid {
-    float side = 0;  // px of a tool
-    float edge = 0;  // px beside them
+    float side = 0;  // px, side of a tool button
+    float edge = 0;  // px, horizontal padding
     int columns = 1;
 };
 
 ToolGrid tool_grid(float height) {
     const float unit = ImGui::GetFontSize();
     const auto count = static_cast<float>(all_tools().size());
-    const float side = std::clamp((height - unit) / count - 1, 1.8F * unit, 2.2F * unit);  // a little smaller first
+    const float side = std::clamp((height - unit) / count - 1, 1.8F * unit, 2.2F * unit);  // shrinks the buttons first
     ToolGrid grid{.side = std::floor(side), .edge = std::round(0.2F * unit)};
     const auto rows = std::max<std::size_t>(1, static_cast<std::size_t>((height - unit) / (grid.side + 1)));
     grid.columns = static_cast<int>((all_tools().size() + rows - 1) / rows);
@@ -132,7 +132,7 @@ float show_question(AppState& desk) {
     ImGui::Begin("##question", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoFocusOnAppearing);
-    const Question question = desk.questions.front();  // answers may ask another
+    const Question question = desk.questions.front();  // a copy: an answer may ask another question
     ImGui::AlignTextToFramePadding();
     const std::string shown = elided(question.words, width_beside(question), Elide::Middle);
     ImGui::TextUnformatted(shown.c_str());
@@ -218,7 +218,7 @@ namespace {
 constexpr const char* kName = "##sheet_menu";
 constexpr std::array<std::string_view, 3> kMenus{"Edit", "Panel", "Seam"};
 
-// A right click on a thing that is not selected means that thing. A seam is meant before the edge that it lies on.
+// A right click on an unselected object selects it. A seam has priority over the edge that it lies on.
 void select_under_cursor(AppState& desk) {
     const Hover& hover = desk.workspace.hover;
     const Selection& selected = desk.workspace.document->selection();
@@ -313,7 +313,7 @@ void show_keys(AppState& desk) {
 }  // namespace
 
 void show_start_page(AppState& desk) {
-    if (desk.tools.kind() != ToolKind::Select) desk.shows_start_page = false;  // someone has begun
+    if (desk.tools.kind() != ToolKind::Select) desk.shows_start_page = false;  // the user has started to work
     if (!desk.shows_start_page || desk.browser.is_open()) return;
     const float unit = ImGui::GetFontSize();
     const ImVec2 display = ImGui::GetIO().DisplaySize;

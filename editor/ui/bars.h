@@ -1,5 +1,6 @@
 #pragma once
-// The bars about the views: menus above, questions below them, tools at the left, the status line at the bottom.
+// The bars around the views: menu bar, questions, tools, status line, the bar above the 3D view; also the context menu
+// of the sheet and the start page.
 
 namespace selvedge::editor {
 
@@ -7,29 +8,29 @@ struct AppState;
 
 void show_menu_bar(AppState& desk);
 
-// m px of the height that questions take; 0: nothing is asked.
+// Shows the first open question. Returns the height of the bar, px; 0: there is no question.
 float show_question(AppState& desk);
 
-// px of the width that the tools take in that height: where they do not fit below each other, more columns.
+// The width of the tool bar at this height, px. It has several columns if the tools do not fit in one.
 float tool_bar_width(float height);
 
 void show_tool_bar(AppState& desk);
 void show_status_bar(AppState& desk);
 
-// Above the 3D view: start, reset, what is shown.
+// Above the 3D view: start, reset, show modes.
 void show_viewport_bar(AppState& desk);
 
-// What a right click on the sheet offers: the actions that can be done with what is selected.
+// The context menu of the sheet: the actions that apply to the selection.
 
 struct AppState;
 
-// Opens it at the cursor; what lies under the cursor is selected first unless it is already.
+// Opens the menu at the cursor. Selects what is under the cursor first, unless it is already selected.
 void open_sheet_menu(AppState& desk);
 
-// Each frame: shows it as long as it is open.
+// Call each frame: shows the menu while it is open.
 void show_sheet_menu(AppState& desk);
 
-// What a person sees first: three examples, the files of last time, the keys that matter most.
+// The start page: three examples, the recent files, the most important keys.
 
 struct AppState;
 

@@ -20,7 +20,7 @@
 namespace selvedge::editor {
 namespace {
 
-// Numbers of textures, see frame_output.h.
+// Texture numbers, see editor/frame/frame.h.
 constexpr UiTexture kSheetTexture = 1, kFittingTexture = kSheetTexture + kSheetTextures,
                     kLegendTexture = kFittingTexture + 1, kFirstFreeTexture = kLegendTexture + 1;
 
@@ -29,7 +29,7 @@ struct Rectangle {
     ImVec2 size;
 };
 
-// How the window is shared out, px.
+// The regions of the window, px.
 struct Regions {
     Rectangle tools, sheet, fitting, inspectors, status;
 };
@@ -66,7 +66,7 @@ bool begin_region(const char* name, const Rectangle& where, const ImVec2& paddin
     return is_open;
 }
 
-// A thin upright between two regions that is dragged; returns how far, px.
+// A thin vertical bar between two regions that can be dragged. Returns the drag distance, px.
 float splitter(AppState& desk, const char* name, float x, const Rectangle& beside, FrameOutput& output) {
     const float half = 0.25F * ImGui::GetFontSize();
     begin_region(name, {{x - half, beside.low.y}, {2 * half, beside.size.y}}, {0, 0}, ImGuiWindowFlags_NoBackground);
@@ -83,7 +83,7 @@ float splitter(AppState& desk, const char* name, float x, const Rectangle& besid
     return is_held ? ImGui::GetIO().MouseDelta.x : 0;
 }
 
-// Tools that work on points and edges choose these on the cloth, too.
+// With tools that work on points and edges, a click on the cloth also selects points and edges.
 bool picks_parts(ToolKind kind) {
     return kind == ToolKind::EditPoint || kind == ToolKind::AddPoint || kind == ToolKind::CurvePoint ||
            kind == ToolKind::SegmentSewing || kind == ToolKind::Unfold;
@@ -134,15 +134,15 @@ struct Editor::Impl {
     InspectorState inspectors;
     MessageClock message_clock;
     FrameOutput output;
-    std::vector<Key> used_keys;  // by a view, this frame
+    std::vector<Key> used_keys;  // consumed by a view in this frame
     UiTexture next_texture = kFirstFreeTexture;
     float scale = 0;
     int shown_document = 0;
     Clipboard clipboard;
-    std::string clipboard_text;  // that ImGui reads
+    std::string clipboard_text;  // backing store of the text that ImGui reads
 };
 
-// Letters are made anew for another scale: they stay sharp.
+// Rebuilds the fonts if the scale changes, so that text stays sharp.
 void Editor::Impl::set_size(const FrameSize& size, double seconds) {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(size.width_px), static_cast<float>(size.height_px)};
@@ -163,7 +163,7 @@ void Editor::Impl::take_other_events(const std::vector<InputEvent>& events) {
     }
 }
 
-// A key without Ctrl or Alt is for who is being typed into.
+// A key without Ctrl or Alt goes to an active text field.
 void Editor::Impl::run_keys() {
     if (desk.finder.is_open()) return;
     const bool is_typing = ImGui::GetIO().WantTextInput;
@@ -264,7 +264,7 @@ void Editor::Impl::show_inspectors(const Rectangle& where) {
     ImGui::End();
 }
 
-// Before the views: of windows that stay in their order, ImGui lays the later ones below.
+// Call before the views: of windows with a fixed order, ImGui draws the later ones below.
 void Editor::Impl::show_splitters(const Regions& regions) {
     if (desk.layout.has_sheet && desk.layout.has_viewport) {
         const float views = regions.sheet.size.x + regions.fitting.size.x;

@@ -1,6 +1,6 @@
 #pragma once
-// The editor, from one frame to the next: takes what a person did, and says what is to be seen. Knows no window, no GL
-// and no files: see frame_output.h and services.h.
+// The editor: takes the user's input of one frame and returns what to draw. Does not depend on a window, OpenGL or
+// files: see editor/frame/frame.h and services.h.
 #include <functional>
 #include <memory>
 #include <optional>
@@ -16,19 +16,19 @@ namespace selvedge::editor {
 
 struct EditorOptions {
     sim::SessionDrive drive = sim::SessionDrive::Thread;
-    FontBytes fonts{};       // bytes that the editor keeps
-    bool is_steady = false;  // no blinking caret: the same input gives the same pictures
+    FontBytes fonts{};       // owned by the editor
+    bool is_steady = false;  // no blinking caret: the same input gives the same images
 };
 
 struct FrameSize {
     int width_px = 1280;
     int height_px = 800;
-    float scale = 1;  // of the screen: 2 where letters take twice as many px
+    float scale = 1;  // of the screen: 2 if text needs twice as many px
 
     bool operator==(const FrameSize&) const = default;
 };
 
-// Owns an ImGui context; it is the present one during frame() and until another is made.
+// Owns an ImGui context, which is current during frame() and until another one is made current.
 class Editor {
  public:
     Editor(Services services, EditorOptions options);
@@ -36,10 +36,10 @@ class Editor {
     Editor(const Editor&) = delete;
     Editor& operator=(const Editor&) = delete;
 
-    // Builds one frame, whose lists are then ImGui's draw data. `seconds` since the last one.
+    // Builds one frame; its draw lists are then ImGui's draw data. `seconds`: since the last frame.
     FrameOutput frame(const std::vector<InputEvent>& events, const FrameSize& size, double seconds);
 
-    // Where texts are copied to and from; without one they stay with the editor.
+    // Access to the system clipboard; without it the editor keeps copied text to itself.
     struct Clipboard {
         std::function<std::string()> get;
         std::function<void(const std::string&)> set;
@@ -49,12 +49,12 @@ class Editor {
     AppState& desk();
     const AppState& desk() const;
 
-    // Where a place of the sheet (m) is seen, px.
+    // Projects a point of the sheet (m) to px of the window.
     Vec2d sheet_to_px(const Vec2d& sheet) const;
-    // Where a point of the room (m) is seen in the 3D view, px; none: behind the eye.
+    // Projects a 3D point (m) to px of the window, in the 3D view; none: behind the eye.
     std::optional<Vec2d> room_to_px(const Vec3d& point) const;
 
-    // Events are left for further frames.
+    // Whether events are queued for the next frames.
     bool has_more_input() const;
 
  private:

@@ -21,7 +21,7 @@ void say_error(AppState& desk, const sim::InputError& error) {
     desk.workspace.messages.say({.kind = MessageKind::Error, .words = error.what(), .places = {}});
 }
 
-// Runs what may fail on wrong input. False: it did, and was said.
+// Runs a function that may throw InputError. Returns false if it did; the error is then shown.
 template <class Function>
 bool try_to(AppState& desk, Function&& function) {
     try {
@@ -45,7 +45,7 @@ void show_document(AppState& desk, sim::PatternDocument source, const std::strin
     begin_journal(desk);
 }
 
-// Does it at once where nothing would be lost.
+// Runs `go_on` at once if there are no unsaved changes.
 void after_asking(AppState& desk, std::function<void(AppState&)> go_on) {
     if (!desk.workspace.document->has_unsaved_changes()) return go_on(desk);
     const auto save_first = [go_on](AppState& asked) {
@@ -235,7 +235,7 @@ void FileBrowser::open(BrowseRequest request, const Services& services) {
     enter(folder_, services);
 }
 
-// Where a folder cannot be read, the browser stays in the one it shows.
+// Stays in the current folder if the new one cannot be read.
 void FileBrowser::enter(const std::string& folder, const Services& services) {
     try {
         listing_ = services.list_folder(folder);
@@ -247,7 +247,7 @@ void FileBrowser::enter(const std::string& folder, const Services& services) {
 void FileBrowser::choose(AppState& desk) {
     if (name_.empty()) return;
     is_open_ = false;
-    const BrowseRequest request = request_;  // it may open another
+    const BrowseRequest request = request_;  // a copy: choose() may open another request
     request.choose(desk, joined(folder_, name_));
 }
 

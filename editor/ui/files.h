@@ -1,5 +1,6 @@
 #pragma once
-// Opening, saving and leaving documents. What would lose work asks first, in a bar; what fails says so in words.
+// Opening, saving and closing documents, and the file browser. Operations that would discard unsaved changes ask first,
+// in a bar; errors are shown as messages.
 #include <functional>
 #include <string>
 #include <vector>
@@ -16,36 +17,36 @@ void open_file(AppState& desk, const std::string& file);
 void open_example(AppState& desk, const Example& example);
 void recover_journal(AppState& desk, const LeftJournal& journal);
 
-// A garment file is opened, a body is put on; anything else is said to be neither.
+// Opens a garment file or puts on a body file; reports any other file as unknown.
 void take_dropped_file(AppState& desk, const std::string& file);
 
-bool save(AppState& desk);  // asks for a name where there is none; false: not saved (yet)
+bool save(AppState& desk);  // asks for a name if there is none; false: not saved (yet)
 void save_as(AppState& desk, const std::string& file);
 void export_to(AppState& desk, const std::string& file);
 void close(AppState& desk);
 
-// What the browser is opened for.
+// These open the file browser for a purpose.
 void browse_to_open(AppState& desk);
 void browse_to_save(AppState& desk);
 void browse_to_export(AppState& desk, const std::string& ending);
 void browse_for_body(AppState& desk);
 
-// Asks about what earlier runs left.
+// Offers to recover the journals that earlier runs left.
 void offer_recovery(AppState& desk);
 
-// "tshirt.json", "untitled"
+// For example "tshirt.json"; "untitled" without a file.
 std::string document_name(const AppState& desk);
 
-// Choosing a file, in a window that nothing waits for.
+// A non-modal window to choose a file.
 
 struct AppState;
 
 struct BrowseRequest {
     std::string title;
-    std::string verb;                  // on its button
-    std::vector<std::string> endings;  // of files that are listed: ".json"
+    std::string verb;                  // label of the confirm button
+    std::vector<std::string> endings;  // extensions of the files to list: ".json"
     bool is_saving = false;            // a new name may be typed
-    std::string name{};                // proposed
+    std::string name{};                // proposed file name
     std::function<void(AppState&, const std::string& file)> choose;
 };
 
@@ -66,7 +67,7 @@ class FileBrowser {
     BrowseRequest request_;
     FolderListing listing_;
     std::string name_;
-    std::string folder_;  // of the last time
+    std::string folder_;  // the folder that was shown last
 };
 
 }  // namespace selvedge::editor

@@ -26,7 +26,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-// Words between blanks; quotes hold blanks together.
+// Splits at blanks; quoted text keeps its blanks.
 std::vector<std::string> text_of(std::string_view text) {
     std::vector<std::string> words;
     std::string word;
@@ -76,7 +76,7 @@ namespace {
 constexpr double kCm = 0.01;
 constexpr int kMostFrames = 100000;
 
-// What stands behind a place: how the mouse is pressed there.
+// The words after a PLACE: mouse button and modifiers.
 struct Hand {
     MouseButton button = MouseButton::Left;
     Modifiers modifiers{};
@@ -257,7 +257,7 @@ void ScriptPlayer::fail(const ScriptStep& step, const std::string& problem) cons
     throw sim::InputError(file_, "line " + std::to_string(step.line), problem);
 }
 
-// Until the editor has taken it in, and one more that shows what came of it.
+// Steps until the editor has processed the event, and one frame more to show the result.
 void ScriptPlayer::send(const InputEvent& event) {
     stage_.step({event});
     while (editor_.has_more_input()) stage_.step({});
@@ -290,7 +290,7 @@ void ScriptPlayer::wait_frames(int frames) {
     for (int i = 0; i < std::clamp(frames, 0, kMostFrames); ++i) stage_.step({});
 }
 
-// The drape goes on by frames of its own; the screen looks now and then.
+// Advances the drape without drawing, then shows two frames.
 void ScriptPlayer::settle(double seconds) {
     sim::Session& session = editor_.desk().workspace.drape.session();
     const double end = session.frame()->statistics.simulated_seconds + seconds;

@@ -1,14 +1,15 @@
 #pragma once
-// Scripts: what a person would do at the editor, line by line, for tests and pictures without a person.
+// Scripts: user input as text, one step per line, for automated tests and images.
 //
 //   open FILE | new | save FILE | do COMMAND-AS-JSON | action file.undo | key ctrl+z | type TEXT
 //   move PLACE | press PLACE | release PLACE | click PLACE | double PLACE | drag PLACE to PLACE | wheel PLACE NOTCHES
-//   where PLACE (says its px) | frames COUNT | settle SECONDS | expect WORDS | screenshot FILE | export FILE
+//   where PLACE (prints its px) | wear BODY | frames COUNT | settle SECONDS | expect WORDS | screenshot FILE
+//   export FILE
 //
-// A PLACE is `sheet X Y` (cm on the drafting sheet), `panel NAME X Y` (cm in the panel's frame),
-// `vertex NAME INDEX` (of a panel), `widget NAME`,
-// `point NAME` (an arrangement point), `room X Y Z` (m) or `px X Y`; with shift, ctrl, alt, right or middle after it.
-// `expect` fails unless the 3D view says these words of the drape: Placed, Settled. # begins a comment.
+// A PLACE is `sheet X Y` (cm on the sheet), `panel NAME X Y` (cm in the panel's frame), `vertex NAME INDEX` (of a
+// panel), `widget NAME`, `point NAME` (an arrangement point), `room X Y Z` (m, a 3D point) or `px X Y`, followed by any
+// of shift, ctrl, alt, right, middle. `expect` fails unless the 3D view shows this stage of the drape, for example
+// Placed or Settled. # starts a comment.
 #include <functional>
 #include <string>
 #include <string_view>
@@ -19,20 +20,21 @@
 namespace selvedge::editor {
 
 struct ScriptStep {
-    int line = 0;  // of the file, from 1
+    int line = 0;  // line number in the file, from 1
     std::string verb;
-    std::vector<std::string> words;  // after the verb
-    std::string rest;                // the same as it stands in the line
+    std::vector<std::string> words;  // arguments
+    std::string rest;                // the arguments as written
 };
 
-// Throws InputError(file, "line 3", ...) for a verb that there is not.
+// Throws InputError(file, "line 3", ...) for an unknown verb.
 std::vector<ScriptStep> parse_script(std::string_view text, const std::string& file);
 
-// Plays a script at an editor, frame by frame, as if a person sat there.
+// Plays a script on an editor, frame by frame, as simulated user input.
 
 class ScriptPlayer {
  public:
-    // Shows one frame of the editor with these events; and writes what it shows to a file.
+    // step: shows one frame of the editor with these events. screenshot: writes what is shown to a file. say: prints a
+    // line.
     struct Stage {
         std::function<void(const std::vector<InputEvent>&)> step;
         std::function<void(const std::string& file)> screenshot;
@@ -42,7 +44,7 @@ class ScriptPlayer {
     ScriptPlayer(Editor& editor, Stage stage, std::string file)
         : editor_(editor), stage_(std::move(stage)), file_(std::move(file)) {}
 
-    // Throws InputError naming the line of what cannot be done.
+    // Throws InputError that names the line of a step that cannot be executed.
     void play(const std::vector<ScriptStep>& steps);
 
  private:
@@ -51,7 +53,7 @@ class ScriptPlayer {
     void play_document(const ScriptStep& step);
     void expect(const ScriptStep& step) const;
 
-    // The place that begins with the word at `at`, which goes on behind it.
+    // Parses the PLACE that starts at word `at`; moves `at` past it. Returns px of the window.
     Vec2d place(const ScriptStep& step, std::size_t& at) const;
     double number(const ScriptStep& step, std::size_t at) const;
     const std::string& word(const ScriptStep& step, std::size_t at) const;

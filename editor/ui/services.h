@@ -1,6 +1,6 @@
 #pragma once
-// What the editor asks of the program that it runs in: files, journals, exports. Plain functions, so that tests bring
-// their own. Those that can fail throw InputError.
+// What the editor requires from its host program: files, journals, exports. Plain std::functions, so that tests can
+// replace them. Those that can fail throw InputError.
 #include <functional>
 #include <memory>
 #include <optional>
@@ -21,28 +21,28 @@ struct FolderEntry {
 };
 
 struct FolderListing {
-    std::string folder;                // absolute
+    std::string folder;                // absolute path
     std::string parent;                // empty: there is none
-    std::vector<FolderEntry> entries;  // folders first, by name; hidden ones left out
+    std::vector<FolderEntry> entries;  // folders first, sorted by name; without hidden ones
 };
 
 struct Example {
     std::string title;
-    std::string what;  // a sentence
-    std::string text;  // the garment file
+    std::string what;  // one sentence
+    std::string text;  // content of the garment file
 };
 
-// A journal of an editor that was killed.
+// A journal of an editor that did not exit normally.
 struct LeftJournal {
     std::string id;
     Recovery recovery;
-    std::string age;  // "3 minutes ago"
+    std::string age;  // for example "3 minutes ago"
 };
 
-// What is written where the file's name ends in .png, .obj or .glb.
+// An export; the extension of `file` selects the format: .png, .obj or .glb.
 struct ExportRequest {
     std::string file;
-    std::shared_ptr<const render::Scene> scene;  // of a picture
+    std::shared_ptr<const render::Scene> scene;  // for an image
     render::Camera camera{};
     render::Light light{};
     sim::PlainMesh garment{};
@@ -51,7 +51,7 @@ struct ExportRequest {
 struct Services {
     std::function<sim::PatternDocument(const std::string& file)> load;
     std::function<void(const std::string& file, const std::string& text)> save;  // atomic
-    std::function<FolderListing(const std::string& folder)> list_folder;         // empty: where the program was started
+    std::function<FolderListing(const std::string& folder)> list_folder;         // empty: the working directory
     std::function<bool(const std::string& file)> exists;
     std::function<void(const ExportRequest& request)> write_export;
     BodyMaker make_body = make_worn_mannequin;
@@ -60,15 +60,16 @@ struct Services {
     std::function<void(const std::string& file)> remember_file;
     std::vector<Example> examples{};
 
-    // The journal of the open document begins anew with its first line, then gets a line for each change.
+    // begin_journal starts a new journal for the open document with its first line; note_in_journal appends one line
+    // per change.
     std::function<void(const std::string& head)> begin_journal;
     std::function<void(std::string_view line)> note_in_journal;
-    std::function<void()> end_journal;  // nothing is left to recover
+    std::function<void()> end_journal;  // deletes the journal: nothing to recover
     std::function<std::vector<LeftJournal>()> left_journals;
     std::function<void(const std::string& id)> discard_journal;
 };
 
-// Keeps nothing and finds nothing: for tests, which replace what they need.
+// Services that store and find nothing: for tests, which replace what they need.
 Services no_services();
 
 }  // namespace selvedge::editor

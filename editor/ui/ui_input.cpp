@@ -10,7 +10,7 @@ namespace {
 
 using Kind = InputEvent::Kind;
 
-// What one frame has taken so far.
+// The kinds of events that the current frame has already received.
 struct Taken {
     bool button = false;
     bool key = false;
@@ -18,7 +18,7 @@ struct Taken {
     bool wheel = false;
 };
 
-// A button is looked at where it was pressed, and text goes with the key that made it.
+// A button event must be seen at its own cursor position, and text must arrive with its key.
 bool fits(const InputEvent& event, const Taken& taken) {
     switch (event.kind) {
         case Kind::MouseMove:

@@ -1,6 +1,6 @@
 #pragma once
-// Hands what a person does to ImGui, which looks once per frame: what would be lost between two looks, such as a press
-// and its release, waits for the next frame.
+// Passes input events to ImGui. ImGui samples its input once per frame, so events that would hide each other, such as a
+// press and its release, are spread over several frames.
 #include <deque>
 #include <vector>
 
@@ -12,12 +12,13 @@ namespace selvedge::editor {
 
 class UiInput {
  public:
-    // Tells ImGui which keys are which. Once per context.
+    // Sets ImGui's key map. Call once per context.
     static void map_keys(ImGuiIO& io);
 
     void add(const std::vector<InputEvent>& events);
 
-    // Hands over as much as one frame can take. Returns what ImGui has no place for: dropped files, a wish to close.
+    // Passes as many events as one frame can take. Returns the events that ImGui does not handle: dropped files, close
+    // requests.
     std::vector<InputEvent> begin_frame(ImGuiIO& io);
 
     bool has_more() const { return !waiting_.empty(); }

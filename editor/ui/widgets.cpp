@@ -93,7 +93,7 @@ bool begins_letter(std::string_view text, std::size_t at) {
     return at >= text.size() || (static_cast<unsigned char>(text[at]) & 0xC0U) != 0x80U;
 }
 
-// With `kept` bytes of it or a few less.
+// Keeps at most `kept` bytes of the text.
 std::string with_dots(std::string_view text, std::size_t kept, Elide what) {
     std::size_t head = what == Elide::End ? kept : (kept + 1) / 2;
     std::size_t tail = text.size() - (kept - head);
@@ -126,8 +126,8 @@ void tip_of_whole(const std::string& text, const std::string& shown) {
 
 namespace {
 
-// M x y begins a line, L x y goes on, C x y r is a circle, D x y r a filled one, Z closes. Lower case after a line is
-// never used: what is not understood ends the picture.
+// Path commands: M x y starts a line, L x y continues it, C x y r draws a circle, D x y r a filled one, Z closes the
+// line. An unknown command ends the icon.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 31> kIcons{{
     {"select", "M4 2 L4 13 L7 10 L9 14 L11 13 L9 9 L13 9 Z"},
     {"edit_point", "M2 13 L8 4 L14 11 D8 4 2 C2 13 1.5 C14 11 1.5"},

@@ -1,5 +1,6 @@
 #pragma once
-// Small controls that several parts of the interface share. Those that have a name note where they stand.
+// Small controls that several parts of the interface share, text elision, icons, and the timing of status messages.
+// Named controls record their position for scripts and tests.
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -15,60 +16,60 @@ namespace selvedge::editor {
 struct Action;
 struct AppState;
 
-// Notes where the last item stands.
+// Records the position of the last item under this name.
 void note_widget(WidgetMap& widgets, const std::string& name);
 
-// A tooltip for the last item.
+// Tooltip of the last item.
 void tip(const std::string& words);
 
 bool button(AppState& desk, const std::string& name, const std::string& label);
 
-// A square with the action's picture; pressed in while it is on.
+// A square button with the action's icon; drawn pressed while the action is on.
 void icon_button(AppState& desk, const Action& action, const std::string& icon, float side_px);
 
-// One action in a list: its title, its menu, its key.
+// One action in a list: its title, menu and key.
 bool action_row(AppState& desk, const Action& action, bool is_chosen);
 
 void coloured_text(const sim::Rgb8& colour, const std::string& words);
 
-// Text that is longer than its place: a part of it makes room for three dots.
+// Text that does not fit: an ellipsis replaces a part of it.
 
-// What is left out. Of a sentence its end; of one with a file's path in it, the middle.
+// The part that is omitted: the end of a sentence, or the middle of a text with a file path.
 enum class Elide { Middle, End };
 
-// The longest that is at most `width` px wide, by `width_of`; the text itself where it fits. Letters stay whole
-// (UTF-8).
+// The longest elided text that is at most `width` px wide, as measured by `width_of`; the text itself if it fits. Never
+// cuts a UTF-8 character.
 std::string elided(std::string_view text, float width, Elide what,
                    const std::function<float(std::string_view)>& width_of);
 
-// With the present font.
+// Measured with the current font.
 std::string elided(std::string_view text, float width, Elide what);
 
-// A tip with the whole text over the last item, where `shown` is not all of it.
+// Shows the whole text as a tooltip of the last item if `shown` is not all of it.
 void tip_of_whole(const std::string& text, const std::string& shown);
 
 }  // namespace selvedge::editor
 
-// The pictures on buttons: lines in a square of 16 by 16, drawn at any size, so that they are sharp at every scale.
+// Button icons: line drawings in a 16 x 16 square, drawn at any size, so that they are sharp at every scale.
 
 struct ImDrawList;
 
 namespace selvedge::editor {
 
-// By a tool's id or an action's; nothing is drawn for a name that has none.
+// `name`: a tool's or an action's id. Draws nothing if it has no icon.
 void draw_icon(ImDrawList& list, std::string_view name, const Vec2f& low, float side_px, const sim::Rgb8& colour);
 
 bool has_icon(std::string_view name);
 
-// How long words stay in the status line: notes a while, warnings twice as long, errors until something else is done.
+// How long a message stays in the status line: notes 6 s, warnings 12 s, errors until the next action.
 
 class MessageClock {
  public:
-    // Once per frame; `seconds` since the last one. Takes the message away when its time is over.
+    // Call once per frame; `seconds` since the last one. Dismisses the message when its time is over.
     void follow(Messages& messages, double seconds);
 
  private:
-    std::size_t count_ = 0;  // of the message whose time runs
+    std::size_t count_ = 0;  // number of the message that is being timed
     double shown_for_ = 0;   // s
 };
 

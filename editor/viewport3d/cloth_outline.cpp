@@ -11,7 +11,7 @@
 namespace selvedge::editor {
 namespace {
 
-// One side of an edge, as its triangle runs round.
+// One side of an edge, in the direction in which its triangle traverses it.
 struct HalfEdge {
     std::uint32_t from = 0;
     std::uint32_t to = 0;
@@ -20,7 +20,7 @@ struct HalfEdge {
     std::uint16_t panel = 0;
 };
 
-// Half edges by the vertex that they leave.
+// Half-edges indexed by their start vertex.
 class HalfEdges {
  public:
     HalfEdges(std::vector<HalfEdge> edges, std::size_t vertices) : edges_(std::move(edges)), first_(vertices + 1, 0) {
@@ -60,7 +60,8 @@ HalfEdges half_edges(const sim::PlainMesh& mesh) {
     return {std::move(edges), mesh.x.size()};
 }
 
-// Those that no triangle of the panel lies beyond; material coordinates tell a seam within a panel.
+// Half-edges without a triangle of the same panel on the other side. Comparing material coordinates detects a seam that
+// joins a panel to itself.
 HalfEdges boundary(const HalfEdges& edges, std::size_t vertices) {
     std::vector<HalfEdge> bounds;
     for (const HalfEdge& edge : edges.all()) {
@@ -79,7 +80,7 @@ struct Loop {
     std::vector<Vec2f> u;
 };
 
-// The longest loop of each panel.
+// Finds the longest boundary loop of each panel.
 std::vector<Loop> loops_of_panels(const HalfEdges& bounds, std::size_t panels) {
     std::vector<Loop> longest(panels);
     std::vector<bool> is_taken(bounds.all().size(), false);
@@ -107,7 +108,8 @@ std::size_t nearest_on(const Loop& loop, const Vec2f& u) {
     return static_cast<std::size_t>(std::min_element(loop.u.begin(), loop.u.end(), nearer) - loop.u.begin());
 }
 
-// Onward from `at`: near the vertex, and as far along as the edge is long, for outlines may pass a place twice.
+// Searches onward from `at` for the vertex near `u` whose distance along the loop matches `length`: an outline may pass
+// the same position twice.
 std::size_t next_start(const Loop& loop, std::size_t at, const Vec2f& u, double length) {
     constexpr double kWayWeight = 0.05;
     std::size_t best = at;

@@ -1,6 +1,6 @@
 #pragma once
-// Panels' outlines as they lie on the cloth: the mesh's boundary of each panel, seams included, found by material
-// coordinates.
+// Finds each panel's outline on the cloth: the boundary of the panel's part of the mesh, including its seams. Material
+// coordinates tell where that boundary runs.
 #include <cstdint>
 #include <vector>
 
@@ -10,19 +10,20 @@
 namespace selvedge::editor {
 
 struct ClothOutline {
-    std::vector<std::uint32_t> vertices;  // of the mesh, counter-clockwise, round: the last is joined to the first
-    std::vector<std::size_t> starts;      // of each edge of the panel: where in `vertices` it begins
+    std::vector<std::uint32_t> vertices;  // mesh vertices, counter-clockwise; the last connects to the first
+    std::vector<std::size_t> starts;      // per panel edge: the index in `vertices` of its first vertex
 
     bool is_empty() const { return vertices.empty(); }
     bool operator==(const ClothOutline&) const = default;
 };
 
-// One per panel of the pattern; empty where the mesh does not have it. The mesh may be of a pattern that has changed
-// since: edges then begin at the places nearest to where they should.
+// Returns one outline per panel of the pattern; empty if the mesh does not contain the panel. The mesh may come from an
+// older version of the pattern: each edge then starts at the outline vertex nearest to its expected start.
 std::vector<ClothOutline> find_outlines(const sim::PlainMesh& mesh, const sim::Pattern& pattern);
 
-// Pre: the outline is not empty, x is the mesh's.
-std::vector<Vec3f> whole_path(const ClothOutline& outline, const std::vector<Vec3f>& x);  // ends where it begins
+// Pre: the outline is not empty; x holds the positions (m) of the mesh's vertices. whole_path() repeats its first point
+// at the end.
+std::vector<Vec3f> whole_path(const ClothOutline& outline, const std::vector<Vec3f>& x);  // closed
 std::vector<Vec3f> edge_path(const ClothOutline& outline, std::size_t edge, const std::vector<Vec3f>& x);
 const Vec3f& start_of(const ClothOutline& outline, std::size_t edge, const std::vector<Vec3f>& x);
 

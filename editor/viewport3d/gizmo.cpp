@@ -71,7 +71,7 @@ std::vector<Vec3f> ring_of(const Gizmo& gizmo, const Viewing& viewing, int axis)
     constexpr float kHalfTurn = 3.14159265F;
     const Vec3f normal = gizmo.axis(axis), eye = towards_eye(gizmo, viewing);
     Vec3f facing = eye - eye.dot(normal) * normal;
-    const bool is_flat_on = facing.norm() < 0.15F;  // then all of it faces the eye
+    const bool is_flat_on = facing.norm() < 0.15F;  // then the whole ring faces the eye
     if (is_flat_on) facing = gizmo.axis((axis + 1) % 3);
     facing.normalize();
     const Vec3f side = normal.cross(facing);
@@ -112,9 +112,9 @@ namespace {
 constexpr double kDegree = 3.14159265358979323846 / 180;
 constexpr double kLengthStep = 0.01;  // m
 constexpr double kAngleStep = 5 * kDegree;
-constexpr double kFarthest = 20;  // m: a ray that nearly misses an axis or a plane must not fling panels away
+constexpr double kFarthest = 20;  // m: limits the motion when a ray is almost parallel to an axis or a plane
 
-// Where the ray is nearest to the axis through `through`: m along it from there. Nothing where they are parallel.
+// The axis parameter (m from `through`) of the point on the axis nearest to the ray. None: they are parallel.
 std::optional<float> along_axis(const Ray& ray, const Vec3f& through, const Vec3f& axis) {
     const float slant = ray.direction.dot(axis);
     const float sine2 = 1 - slant * slant;
@@ -135,7 +135,7 @@ double stepped(double value, double step) {
     return step * std::round(value / step);
 }
 
-// The grip's place where an axis drag begins: on the axis, under the cursor.
+// The point where the drag starts: on the handle's axis, in its plane, or in the image plane through the centre.
 Vec3f grip_of(const Gizmo& gizmo, const GizmoHandle& handle, const Viewing& viewing, const Vec2f& px) {
     const Ray ray = ray_through(viewing, px);
     const Vec3f axis = gizmo.axis(handle.axis);
@@ -160,7 +160,8 @@ GizmoDrag::GizmoDrag(const Gizmo& gizmo, const GizmoHandle& handle, const Viewin
     if (handle.kind == GizmoKind::Turn) cursor_angle_ = angle_of_cursor(viewing, px);
 }
 
-// rad about the axis. Of a ring that is seen on edge: by the way across the axis on the screen, a radius for a radian.
+// The cursor's angle about the axis, rad. If the ring is seen edge-on: the motion across the axis on the screen, with
+// one ring radius per radian.
 double GizmoDrag::angle_of_cursor(const Viewing& viewing, const Vec2f& px) const {
     const Vec3f axis = gizmo_.axis(handle_.axis);
     if (is_on_edge_) {

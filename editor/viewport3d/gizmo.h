@@ -1,6 +1,6 @@
 #pragma once
-// The handles by which panels are placed in the room: arrows along three axes, squares in their planes, rings about
-// them. They keep their size on the screen.
+// The gizmo that moves and rotates panels in 3D: an arrow along each of three axes, a square in each plane, a ring
+// about each axis. Its size on the screen is constant. GizmoDrag converts a drag of a handle to a rigid motion.
 #include <array>
 #include <optional>
 #include <string>
@@ -12,48 +12,49 @@ namespace selvedge::editor {
 
 enum class GizmoKind {
     MoveAxis,
-    MovePlane,   // the axis is its normal
-    MoveScreen,  // in the picture's plane, by what is moved itself
+    MovePlane,   // `axis` is the plane's normal
+    MoveScreen,  // parallel to the image plane; starts from a drag of the panel itself, not from a handle
     Turn
 };
 
 struct GizmoHandle {
     GizmoKind kind = GizmoKind::MoveAxis;
-    int axis = 0;  // 0, 1, 2
+    int axis = 0;  // 0 = x, 1 = y, 2 = z of the gizmo
 
     bool operator==(const GizmoHandle&) const = default;
 };
 
 struct Gizmo {
     Vec3f centre = Vec3f::Zero();                        // m
-    Eigen::Matrix3f axes = Eigen::Matrix3f::Identity();  // columns, a rotation
-    float reach = 0.1F;                                  // m, of an arrow
+    Eigen::Matrix3f axes = Eigen::Matrix3f::Identity();  // one axis per column; a rotation matrix
+    float reach = 0.1F;                                  // m, length of an arrow from the centre
 
     Vec3f axis(int i) const { return axes.col(i); }
 };
 
-// `reach_px`: of an arrow that is seen from its side.
+// `reach_px`: length in px of an arrow that is perpendicular to the view direction.
 Gizmo make_gizmo(const Viewing& viewing, const Vec3f& centre, const Eigen::Matrix3f& axes, float reach_px);
 
-// Nothing can be drawn along an axis that points at the eye, nor in a plane or ring that is seen on edge.
+// Whether the handle is drawn and can be picked. Hides an arrow that points almost at the eye and a square seen almost
+// edge-on. Rings are always shown.
 bool is_shown(const Gizmo& gizmo, const Viewing& viewing, const GizmoHandle& handle);
 
-inline constexpr float kArrowStart = 0.16F;                      // of the reach
-inline constexpr float kSquareNear = 0.26F, kSquareFar = 0.46F;  // of the reach, from the centre
-inline constexpr float kRingRadius = 1.22F;                      // of the reach
+inline constexpr float kArrowStart = 0.16F;                      // fraction of the reach
+inline constexpr float kSquareNear = 0.26F, kSquareFar = 0.46F;  // fractions of the reach, from the centre
+inline constexpr float kRingRadius = 1.22F;                      // fraction of the reach
 
 std::array<Vec3f, 2> arrow_of(const Gizmo& gizmo, int axis);
 std::array<Vec3f, 4> square_of(const Gizmo& gizmo, int normal_axis);
 
-// The half of the ring that faces the eye.
+// The half of the ring that faces the eye; the whole ring if its axis points almost at the eye.
 std::vector<Vec3f> ring_of(const Gizmo& gizmo, const Viewing& viewing, int axis);
 
-// The handle under the cursor, within `tolerance_px`: never MoveScreen.
+// Returns the handle under the cursor, within `tolerance_px`. Never returns MoveScreen.
 std::optional<GizmoHandle> pick_gizmo(const Gizmo& gizmo, const Viewing& viewing, const Vec2f& px, float tolerance_px);
 
-// A drag by one of the gizmo's handles: from the cursor's way to a motion in the room.
+// Drag of a handle.
 
-// A turn about the gizmo's centre, then a shift.
+// A rotation about the gizmo's centre, then a translation.
 struct RigidMotion {
     Vec3d centre = Vec3d::Zero();  // m
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
@@ -62,7 +63,7 @@ struct RigidMotion {
 
 enum class DragSteps {
     Free,
-    Whole  // whole centimetres, or 5 degrees
+    Whole  // steps of 1 cm, or of 5 degrees
 };
 
 class GizmoDrag {
@@ -72,32 +73,32 @@ class GizmoDrag {
     const GizmoHandle& handle() const { return handle_; }
     const Gizmo& gizmo() const { return gizmo_; }
 
-    // The gizmo where it has been moved to.
+    // The gizmo at its current, dragged position.
     Gizmo moved_gizmo() const;
 
     void move(const Viewing& viewing, const Vec2f& px);
     void set_steps(DragSteps steps) { steps_ = steps; }
 
-    // Numbers that were typed take the place of what the cursor says: cm along the axis, degrees about it, or, in a
-    // plane, cm along its two axes in their order. Empty: the cursor holds again.
+    // Typed numbers replace the cursor's motion: cm along the axis, degrees about it, or, for a plane, cm along its two
+    // axes in the order x, y, z. An empty list gives control back to the cursor. MoveScreen ignores typed numbers.
     void type(std::vector<double> numbers) { typed_ = std::move(numbers); }
 
     RigidMotion motion() const;
 
-    // "x 12.5 cm", "y -15.0°".
+    // The motion as text, for example "x 12.5 cm" or "y -15.0°".
     std::string readout() const;
 
  private:
-    Vec3d amounts() const;  // m along the axes, or rad about them
+    Vec3d amounts() const;  // translation along the gizmo's axes (m), or rotation about them (rad)
     double angle_of_cursor(const Viewing& viewing, const Vec2f& px) const;
 
     Gizmo gizmo_;
     GizmoHandle handle_;
-    Vec3f grip_ = Vec3f::Zero();  // where it was taken
-    Vec3d way_ = Vec3d::Zero();   // that the cursor made, m along the gizmo's axes
-    double angle_ = 0;            // rad, that the cursor made
+    Vec3f grip_ = Vec3f::Zero();  // m, the point where the drag started
+    Vec3d way_ = Vec3d::Zero();   // m along the gizmo's axes, the cursor's motion
+    double angle_ = 0;            // rad, the cursor's rotation
     double cursor_angle_ = 0;     // rad, at the last move
-    bool is_on_edge_ = false;     // a ring that is turned by the way along it on the screen
+    bool is_on_edge_ = false;     // the ring is seen edge-on: the cursor's motion across its axis rotates it
     DragSteps steps_ = DragSteps::Free;
     std::vector<double> typed_;
 };

@@ -8,9 +8,9 @@ namespace {
 
 constexpr float kPi = 3.14159265F;
 constexpr float kPole = kPi / 2 - 1e-3F;           // rad, the steepest elevation
-constexpr float kNearest = 0.15F, kFarthest = 40;  // m, of the distance
-constexpr float kUsualLens = 0.42F;                // rad, as Camera's
-constexpr float kLongLens = 0.03F;                 // rad
+constexpr float kNearest = 0.15F, kFarthest = 40;  // m, limits of the distance
+constexpr float kUsualLens = 0.42F;                // rad, vertical field of view, as Camera's default
+constexpr float kLongLens = 0.03F;                 // rad, vertical field of view
 constexpr float kTurnPerPx = 0.0075F;              // rad
 constexpr float kNearingPerNotch = 0.87F;
 constexpr float kMoveTime = 0.24F;  // s
@@ -23,7 +23,7 @@ float mix(float a, float b, float t) {
     return a + (b - a) * t;
 }
 
-// Distances in proportion, angles the short way.
+// Interpolates distances geometrically and angles along the shorter arc.
 Standpoint between(const Standpoint& a, const Standpoint& b, float t) {
     return {.target = a.target + t * (b.target - a.target),
             .distance = a.distance * std::pow(b.distance / a.distance, t),
@@ -150,7 +150,7 @@ PictureAxes axes_of(const render::Camera& camera) {
     return {view.block<1, 3>(0, 0).transpose(), view.block<1, 3>(1, 0).transpose(), view.block<1, 3>(2, 0).transpose()};
 }
 
-// px per unit of slope.
+// Focal length in px.
 float focal_px(const Viewing& viewing) {
     return viewing.size_px.y() / 2 / std::tan(viewing.camera.fov_y / 2);
 }

@@ -1,6 +1,6 @@
 #pragma once
-// The camera of the 3D view: it goes round a point, slides and nears by the mouse, and moves smoothly to named views.
-// Time is passed in.
+// The camera of the 3D view. The mouse orbits, pans and zooms it; named views and framing move it smoothly. The caller
+// passes the elapsed time. Also converts between positions on the screen and points in the 3D scene.
 #include <optional>
 #include <vector>
 
@@ -10,14 +10,14 @@ namespace selvedge::editor {
 
 enum class StandardView { Front, Back, Left, Right, Top, Bottom };
 
-// Long: from so far that what is parallel stays so.
+// Usual: perspective. Long: a telephoto lens, almost an orthographic projection.
 enum class Lens { Usual, Long };
 
-// Where the camera stands, by what it looks at.
+// The camera's pose, relative to the point that it looks at.
 struct Standpoint {
     Vec3f target{0, 0.87F, 0};  // m
-    float distance = 5.2F;      // m, with the usual lens; the long one stands further off and shows the same
-    float azimuth = 0.42F;      // rad, see Direction
+    float distance = 5.2F;      // m, with the usual lens; the long one moves the eye back for the same framing
+    float azimuth = 0.42F;      // rad, as in render::Direction
     float elevation = 0.12F;
     Lens lens = Lens::Usual;
 
@@ -31,17 +31,17 @@ class OrbitCamera {
     const Standpoint& standpoint() const { return now_; }
     render::Camera camera() const { return camera_at(now_); }
 
-    // By the mouse's way, px. What the camera was moving to is given up.
+    // Input: the mouse motion in px. orbit(), pan() and zoom() cancel a running camera move.
     void orbit(const Vec2f& by_px);
-    void pan(const Vec2f& by_px, const Vec2f& size_px);  // the target follows the cursor
+    void pan(const Vec2f& by_px, const Vec2f& size_px);  // the target moves with the cursor
 
-    // Nears by wheel notches; `about` stays where it is on the screen.
+    // Zooms by wheel notches; the point `about` keeps its position on the screen.
     void zoom(float notches, const Vec3f& about);
 
-    // These take a moment.
+    // These start a smooth camera move (0.24 s); advance() runs it.
     void look_from(StandardView view);
     void turn_opposite();
-    void frame(const std::vector<Vec3f>& points, float aspect);  // all of them in view; nothing for no points
+    void frame(const std::vector<Vec3f>& points, float aspect);  // frames all points; does nothing if there are none
 
     void change_lens();
 
@@ -55,19 +55,19 @@ class OrbitCamera {
     Standpoint now_;
     Standpoint from_;
     Standpoint to_;
-    float left_ = 0;  // s until it is there
+    float left_ = 0;  // s, remaining time of the camera move
 };
 
-// From the screen into the room and back. Positions on the screen are px from the view's upper left.
+// Conversions between the screen and the 3D scene. Screen positions are px from the upper left corner of the view.
 
 struct Ray {
     Vec3f origin = Vec3f::Zero();      // m
-    Vec3f direction = Vec3f::UnitZ();  // unit
+    Vec3f direction = Vec3f::UnitZ();  // unit length
 
     Vec3f at(float distance) const { return origin + distance * direction; }
 };
 
-// A camera and the picture that it fills.
+// A camera and the size of the image that it fills.
 struct Viewing {
     render::Camera camera;
     Vec2f size_px{1, 1};
@@ -75,16 +75,16 @@ struct Viewing {
 
 Ray ray_through(const Viewing& viewing, const Vec2f& px);
 
-// None: it lies behind the eye.
+// Returns none if the point lies behind the eye.
 std::optional<Vec2f> px_of(const Viewing& viewing, const Vec3f& x);
 
-// m in front of the eye, along its axis.
+// Distance in front of the eye along the view direction, m.
 float depth_of(const Viewing& viewing, const Vec3f& x);
 
-// The size of a pixel at the depth of x, m.
+// Size of one pixel at the depth of x, m.
 float metres_per_px(const Viewing& viewing, const Vec3f& x);
 
-// What is under the pixel in the plane through x that is parallel to the picture. Pre: x is before the eye.
+// The point under the pixel in the plane through x that is parallel to the image plane. Pre: x is in front of the eye.
 Vec3f in_picture_plane(const Viewing& viewing, const Vec2f& px, const Vec3f& x);
 
 }  // namespace selvedge::editor

@@ -10,8 +10,8 @@ namespace {
 // px at scale 1.
 constexpr float kHandleTolerance = 7, kPointTolerance = 9, kPointUnderRing = 5, kEdgeTolerance = 6,
                 kVertexTolerance = 8;
-constexpr float kSkin = 0.004F;    // m: cloth that lies on a body may be a little within it
-constexpr float kBehind = 0.025F;  // m: so far behind what is seen a thing still counts as seen
+constexpr float kSkin = 0.004F;    // m: cloth on a body may lie slightly below its surface
+constexpr float kBehind = 0.025F;  // m: points up to this far behind the visible surface count as visible
 
 Vec3f point_of(const sim::PlainMesh& mesh, const MeshHit& hit) {
     const auto& [a, b, c] = mesh.triangles[hit.triangle];
@@ -36,7 +36,7 @@ void find_surface(const Ray& ray, const std::optional<MeshHit>& body, const Pick
     if (panel < mesh.panel_names.size()) under.hover.panel = mesh.panel_names[panel];
 }
 
-// Keeps the nearest of what is offered on the screen, of what is not hidden.
+// Accepts the candidate nearest to the cursor on the screen. Ignores candidates deeper than `farthest`.
 class Nearest {
  public:
     Nearest(float tolerance_px, float farthest) : least_px_(tolerance_px), farthest_(farthest) {}
@@ -49,11 +49,11 @@ class Nearest {
 
  private:
     float least_px_;
-    float farthest_;  // m before the eye
+    float farthest_;  // m, depth in front of the eye
 };
 
 void find_point(const Viewing& viewing, const Vec2f& px, const PickRoom& room, float farthest, UnderCursor& under) {
-    // A ring may pass before a point, and is easily taken elsewhere.
+    // A ring may cover a point: prefer the point, because the ring can be grabbed elsewhere.
     const float tolerance_px = under.handle ? kPointUnderRing : kPointTolerance;
     Nearest nearest(tolerance_px * room.scale, farthest);
     for (std::size_t i = 0; i < room.points->size(); ++i) {
@@ -104,7 +104,7 @@ UnderCursor find_under(const Viewing& viewing, const Vec2f& px, const PickRoom& 
     const float farthest = behind(under.surface);
     const bool may_be_point = !under.handle || under.handle->kind == GizmoKind::Turn;
     if (room.points && may_be_point) {
-        // Panels that wait before the body do not keep anybody from the points behind them.
+        // Panels placed in front of the body do not block the arrangement points behind them.
         const auto on_body = body ? std::optional<Vec3f>(ray.at(body->distance)) : std::nullopt;
         find_point(viewing, px, room, behind(on_body), under);
     }
@@ -113,7 +113,7 @@ UnderCursor find_under(const Viewing& viewing, const Vec2f& px, const PickRoom& 
     return under;
 }
 
-// Moeller and Trumbore 1997, both sides.
+// Moeller and Trumbore (1997), without back-face culling.
 std::optional<MeshHit> nearest_hit(const Ray& ray, const std::vector<Vec3f>& x, const TriangleList& triangles) {
     std::optional<MeshHit> nearest;
     float least = std::numeric_limits<float>::infinity();

@@ -1,5 +1,6 @@
 #pragma once
-// What lies under the cursor in the 3D view.
+// Picking in the 3D view: finds the gizmo handle, arrangement point, garment part or body surface under the cursor.
+// Surfaces are picked with a ray, points and lines by their distance on the screen.
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -13,61 +14,60 @@
 
 namespace selvedge::editor {
 
-// What is under the cursor: triangles that a ray meets, and points and lines that are near it on the screen.
-
 using TriangleList = std::vector<std::array<std::uint32_t, 3>>;
 
 struct MeshHit {
     float distance = 0;  // m, along the ray
     std::uint32_t triangle = 0;
-    Vec3f weights = Vec3f::Zero();  // of its corners
+    Vec3f weights = Vec3f::Zero();  // barycentric coordinates of the hit
 };
 
-// The nearest hit, on either side of a triangle. Looks at every triangle: 25,000 take some 0.2 ms.
+// Returns the nearest hit; both sides of a triangle count. Tests every triangle: about 0.2 ms for 25,000 triangles.
 std::optional<MeshHit> nearest_hit(const Ray& ray, const std::vector<Vec3f>& x, const TriangleList& triangles);
 
-// How near the cursor a thing is on the screen, and how far from the eye there.
+// Distance from the cursor on the screen, and the depth of the nearest point.
 struct ScreenDistance {
     float px = 0;
     float depth = 0;  // m
 };
 
-// None: it is behind the eye.
+// Returns none if the point is behind the eye.
 std::optional<ScreenDistance> distance_to_point(const Viewing& viewing, const Vec2f& px, const Vec3f& x);
 
-// To the nearest of the path's straight parts; those with an end behind the eye are passed over.
+// Distance to the nearest segment of the path. Ignores segments with an end behind the eye. Returns none if none is
+// left.
 std::optional<ScreenDistance> distance_to_path(const Viewing& viewing, const Vec2f& px, const std::vector<Vec3f>& path);
 
-// What a click on cloth chooses.
+// What a click on cloth selects.
 enum class ClothChoice {
     Panels,
-    Parts  // the vertex or edge of an outline that is near the cursor, else the panel
+    Parts  // the outline vertex or edge near the cursor, otherwise the panel
 };
 
-// A body as it is picked.
+// A body's surface in the format that picking uses.
 struct BodySurface {
     std::vector<Vec3f> x;
     TriangleList triangles;
 };
 BodySurface body_surface(const sim::Body& body);
 
-// All that can be met.
+// Everything that can be picked.
 struct PickRoom {
     const sim::Pattern& pattern;
     const DisplayedGarment& garment;
-    const BodySurface* body = nullptr;                           // null: none is seen
-    const std::vector<sim::ArrangementPoint>* points = nullptr;  // null: none are seen
-    const Gizmo* gizmo = nullptr;                                // null: there is none
+    const BodySurface* body = nullptr;                           // null: the body is hidden
+    const std::vector<sim::ArrangementPoint>* points = nullptr;  // null: the points are hidden
+    const Gizmo* gizmo = nullptr;                                // null: there is no gizmo
     ClothChoice choice = ClothChoice::Panels;
-    float scale = 1;  // of the interface
+    float scale = 1;  // interface scale factor
 };
 
 struct UnderCursor {
     std::optional<GizmoHandle> handle{};
-    std::optional<std::size_t> point{};  // of the arrangement points
-    std::optional<MeshHit> cloth{};      // where no body lies before it
-    std::optional<Vec3f> surface{};      // m, of cloth or body
-    Hover hover{};                       // the panel of that cloth, and its part; nothing over a handle or point
+    std::optional<std::size_t> point{};  // index into the arrangement points
+    std::optional<MeshHit> cloth{};      // empty if the body hides the cloth
+    std::optional<Vec3f> surface{};      // m, the point on the cloth or body
+    Hover hover{};                       // its panel and part; empty over a handle or arrangement point
 };
 
 UnderCursor find_under(const Viewing& viewing, const Vec2f& px, const PickRoom& room);

@@ -11,7 +11,7 @@
 namespace selvedge::editor {
 namespace {
 
-constexpr float kLeastSide = 8;  // px: nothing is shown in less
+constexpr float kLeastSide = 8;  // px: the view is not drawn if it is narrower or lower than this
 
 constexpr std::array<int, 10> kViewKeys{static_cast<int>(Key::Home),        static_cast<int>(Key::KeypadDecimal),
                                         static_cast<int>(Key::KeypadEnter), static_cast<int>(Key::Enter),

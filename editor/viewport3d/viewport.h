@@ -1,5 +1,5 @@
 #pragma once
-// The 3D view, in ImGui: an image of the scene, and over it the gizmo, names and badges.
+// The 3D view in ImGui: shows the rendered scene, and draws the gizmo, labels and badges over it.
 #include <functional>
 #include <memory>
 #include <optional>
@@ -12,14 +12,14 @@
 
 namespace selvedge::editor {
 
-// What the view is given each frame.
+// Input of the view for one frame.
 struct ViewportContext {
     Workspace& workspace;
     FrameOutput& output;
-    UiTexture texture = 1;  // that the scene is drawn into
-    UiTexture legend = 2;   // that a painted mode's legend is drawn into
-    float seconds = 0;      // since the last frame
-    float scale = 1;        // of the interface
+    UiTexture texture = 1;  // the scene is rendered into it
+    UiTexture legend = 2;   // receives the legend if the show mode maps values to colours
+    float seconds = 0;      // s, since the last frame
+    float scale = 1;        // interface scale factor
     ClothChoice choice = ClothChoice::Panels;
 };
 
@@ -27,24 +27,24 @@ class Viewport {
  public:
     explicit Viewport(ViewportColours colours = {}) : colours_(colours), scene_(colours) {}
 
-    // Fills the region that is left of the current window. Asks for the scene to be drawn where something of it has
-    // changed.
+    // Fills the remaining region of the current ImGui window. Requests a new rendering of the scene only if something
+    // in it has changed.
     void show(const ViewportContext& context);
 
-    // As of the last frame; null: there is nothing to be seen.
+    // The scene of the last frame; null: there is nothing to show.
     const std::shared_ptr<const render::Scene>& scene() const { return shown_; }
     render::Camera camera() const { return hand_.orbit().camera(); }
     render::Light light() const { return light_; }
     bool is_focused() const { return is_focused_; }
 
-    // Where a point of the room was seen, px of the window; none: behind the eye.
+    // Projects a 3D point (m) to px of the window; none: the point is behind the eye.
     std::optional<Vec2f> room_to_px(const Vec3f& x) const;
 
     ViewportController& hand() { return hand_; }
     const ViewportController& hand() const { return hand_; }
 
  private:
-    // What the texture was last asked to show.
+    // Key of the last rendering that was requested.
     struct Drawn {
         std::shared_ptr<const render::Scene> scene;
         Standpoint standpoint;
@@ -66,7 +66,7 @@ class Viewport {
     std::shared_ptr<const render::Scene> shown_;
     render::Light light_;
     Drawn drawn_;
-    Vec2f low_px_{0, 0};  // the view's upper left in the window
+    Vec2f low_px_{0, 0};  // upper left corner of the view in the window
     Vec2f size_px_{1, 1};
     bool is_focused_ = false;
 };

@@ -8,7 +8,7 @@
 namespace selvedge::editor {
 namespace {
 
-// px at scale 1.
+// px at interface scale 1
 constexpr float kGizmoReach = 82, kClickSlack = 4;
 
 bool is_sewn_up(sim::SessionStage stage) {
@@ -50,7 +50,7 @@ void ViewportController::update(Workspace& workspace, const ViewportInput& input
     move(workspace, input);
     release(workspace, input);
     use_keys(workspace, input);
-    follow_garment(workspace);  // what was changed is shown in the same frame
+    follow_garment(workspace);  // apply this frame's changes before drawing
     pulled_at_ = pulled_to_ ? place_of(garment_.mesh(), pulled_panel_, pulled_u_) : std::nullopt;
     place_gizmo(workspace, input.scale);
     find_ghosts(workspace);
@@ -124,7 +124,7 @@ void ViewportController::hold_material(const MeshHit& hit) {
     pulled_panel_ = mesh.panel.empty() ? std::uint16_t{0} : mesh.panel[hit.triangle];
 }
 
-// --- looking
+// Camera navigation.
 
 void ViewportController::frame_all(const Workspace& workspace) {
     std::vector<Vec3f> points = garment_.mesh().x;
@@ -170,7 +170,7 @@ bool ViewportController::use_view_key(const Workspace& workspace, Key key, bool 
     return true;
 }
 
-// --- keys
+// Keyboard.
 
 void ViewportController::use_keys(Workspace& workspace, const ViewportInput& input) {
     if (drag_) return type(workspace, input);
@@ -185,7 +185,7 @@ void ViewportController::use_keys(Workspace& workspace, const ViewportInput& inp
     }
 }
 
-// Numbers during a drag: they hold until the button is let go or Enter is pressed.
+// Numbers typed during a drag: they apply until the button is released or Enter is pressed. Esc cancels the drag.
 void ViewportController::type(Workspace& workspace, const ViewportInput& input) {
     if (!input.text.empty()) typed_.add(input.text);
     const auto was_pressed = [&](Key key) {
@@ -202,7 +202,7 @@ void ViewportController::pin_under(Workspace& workspace) {
     if (under_.cloth) workspace.drape.session().pin(cloth_point(*under_.cloth));
 }
 
-// --- the mouse
+// Mouse.
 
 void ViewportController::press(Workspace& workspace, const ViewportInput& input) {
     pressed_px_ = input.cursor_px;
@@ -279,8 +279,8 @@ void ViewportController::end_drag(Workspace& workspace, bool is_kept) {
     is_kept ? workspace.document->keep() : workspace.document->drop();
 }
 
-// The button was pressed on cloth, or beside it, and the cursor has moved on: cloth that is sewn is pulled, a panel
-// that stands is moved.
+// The button was pressed and the cursor has moved beyond the click tolerance: pulls sewn cloth, or moves a panel that
+// is not sewn yet.
 void ViewportController::begin_from_cloth(Workspace& workspace) {
     gesture_ = Gesture::None;
     if (!pressed_.cloth) return;
@@ -362,7 +362,7 @@ std::vector<sim::Panel> panels_of(const sim::Pattern& pattern, const std::set<st
 
 std::vector<Vec3f> placed_outline(const sim::Panel& panel) {
     constexpr double kChordError = 0.001;  // m
-    constexpr double kLongestPart = 0.03;  // m: a bent panel's straight edge is a curve in the room
+    constexpr double kLongestPart = 0.03;  // m: a straight edge of a bent panel is a curve in 3D
     std::vector<Vec3f> path;
     for (const sim::OutlineEdge& edge : panel.edges) {
         const std::vector<Vec2d> line = outline_polyline(panel, edge, kChordError);

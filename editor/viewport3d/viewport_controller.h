@@ -1,6 +1,6 @@
 #pragma once
-// What mouse and keys mean in the 3D view: looking round, choosing panels, placing them by the gizmo and by arrangement
-// points, pulling and pinning cloth. Knows no ImGui.
+// Maps mouse and keyboard input in the 3D view to actions: navigate the camera, select panels, place them with the
+// gizmo or with arrangement points, pull and pin cloth. Does not depend on ImGui.
 #include <array>
 #include <memory>
 #include <optional>
@@ -21,7 +21,7 @@
 
 namespace selvedge::editor {
 
-// What mouse and keys do to the 3D view in one frame. Positions are px from the view's upper left.
+// Mouse and keyboard input of the 3D view in one frame. Positions are px from the upper left corner of the view.
 
 struct ButtonInput {
     bool is_down = false;
@@ -30,23 +30,23 @@ struct ButtonInput {
 };
 
 struct ViewportInput {
-    Vec2f size_px{1, 1};  // of the view
-    float scale = 1;      // of the interface
-    float seconds = 0;    // since the last frame
+    Vec2f size_px{1, 1};  // size of the view
+    float scale = 1;      // interface scale factor
+    float seconds = 0;    // s, since the last frame
     Vec2f cursor_px{0, 0};
-    bool is_over = false;                  // the cursor is over the view, and nothing lies between
-    std::array<ButtonInput, 3> buttons{};  // by MouseButton
+    bool is_over = false;                  // the cursor is over the view and no other widget covers it
+    std::array<ButtonInput, 3> buttons{};  // indexed by MouseButton
     float wheel = 0;                       // notches, over the view
     Modifiers modifiers{};
-    std::vector<Key> keys{};  // pressed in this frame; none while a text is being typed elsewhere
-    std::string text{};       // typed in this frame, the same
+    std::vector<Key> keys{};  // pressed in this frame; empty while another widget takes text
+    std::string text{};       // typed in this frame; empty while another widget takes text
 
     const ButtonInput& button(MouseButton which) const { return buttons[static_cast<std::size_t>(which)]; }
 };
 
 class ViewportController {
  public:
-    // Once per frame.
+    // Call once per frame.
     void update(Workspace& workspace, const ViewportInput& input, ClothChoice choice);
 
     const OrbitCamera& orbit() const { return orbit_; }
@@ -55,21 +55,22 @@ class ViewportController {
     const UnderCursor& under() const { return under_; }
     const Vec2f& cursor_px() const { return last_px_; }
 
-    // Where the gizmo stands; none: nothing is to be placed now.
+    // The gizmo; none: no panel can be placed now.
     const std::optional<Gizmo>& gizmo() const { return gizmo_; }
     const std::optional<GizmoDrag>& drag() const { return drag_; }
     const std::string& typed() const { return typed_.text(); }
     bool shows_points() const { return shows_points_; }
 
-    // Outlines in the room, m, of where panels would stand, or stand while the garment hangs sewn.
+    // Panel outlines in 3D (m) that differ from what is shown: the panels as arranged at the hovered point, or the
+    // placement of the selected panels while the garment is shown sewn.
     const std::vector<std::vector<Vec3f>>& ghosts() const { return ghosts_; }
 
-    // While cloth is pulled, m: to where, and where the point that is held is now.
+    // While cloth is pulled: the target point, and the current position of the grabbed material point (m).
     const std::optional<Vec3f>& pulled_to() const { return pulled_to_; }
     const std::optional<Vec3f>& pulled_at() const { return pulled_at_; }
     bool is_busy() const { return gesture_ != Gesture::None || orbit_.is_moving(); }
 
-    // All that is seen, or what of it is selected.
+    // Frame everything that is shown, or the selected panels.
     void frame_all(const Workspace& workspace);
     void frame_selection(const Workspace& workspace);
     void look_from(StandardView view) { orbit_.look_from(view); }
@@ -101,7 +102,7 @@ class ViewportController {
     Vec2f size_px_{1, 1};
     DisplayedGarment garment_;
     std::shared_ptr<const sim::Body> body_;
-    BodySurface surface_;  // of it
+    BodySurface surface_;  // of body_
     UnderCursor under_;
     bool has_set_hover_ = false;
     bool shows_points_ = false;
@@ -109,36 +110,36 @@ class ViewportController {
     Gesture gesture_ = Gesture::None;
     Vec2f last_px_{0, 0};
     Vec2f pressed_px_{0, 0};
-    UnderCursor pressed_;            // what the button was pressed on
-    sim::ClothPoint pressed_point_;  // and where, when it was cloth: of the frame that was seen then
+    UnderCursor pressed_;            // what was under the cursor when the button was pressed
+    sim::ClothPoint pressed_point_;  // the cloth point there, in the frame that was shown then
 
     std::optional<Gizmo> gizmo_;
     std::optional<GizmoDrag> drag_;
-    std::vector<sim::Panel> dragged_;  // as they were
+    std::vector<sim::Panel> dragged_;  // copies from before the drag
     TypedInput typed_;
     std::vector<std::vector<Vec3f>> ghosts_;
-    std::optional<Vec3f> pulled_from_;  // m, where the cloth was taken
+    std::optional<Vec3f> pulled_from_;  // m, the point where the cloth was grabbed
     std::optional<Vec3f> pulled_to_;
     std::optional<Vec3f> pulled_at_;
-    std::uint16_t pulled_panel_ = 0;  // of the mesh's
-    Vec2f pulled_u_{0, 0};            // m
+    std::uint16_t pulled_panel_ = 0;  // panel index in the mesh
+    Vec2f pulled_u_{0, 0};            // m, material coordinates of the grabbed point
 };
 
-// From gestures in the room to the commands that place panels.
+// Commands that place panels.
 
-// Copies of the named panels, in the pattern's order.
+// Returns copies of the named panels, in the pattern's order.
 std::vector<sim::Panel> panels_of(const sim::Pattern& pattern, const std::set<std::string>& names);
 
-// The middle of the box about what they are in the room, m. Pre: not empty.
+// Centre of the bounding box of the placed panels in 3D, m. Pre: not empty.
 Vec3d placed_centre(const std::vector<sim::Panel>& panels);
 
-// The outline in the room, m: closed, within a millimetre.
+// The panel's outline in 3D, m: a closed polyline, chord error at most 1 mm in the pattern plane.
 std::vector<Vec3f> placed_outline(const sim::Panel& panel);
 
-// Places the panels where the motion takes them; how they are bent stays. Pre: not empty.
+// Applies the motion to the panels' placement; the wrap radius does not change. Pre: not empty.
 Command move_command(const std::vector<sim::Panel>& panels, const RigidMotion& motion);
 
-// Wraps the panels round the point: all of them, each about its own middle. Pre: not empty.
+// Wraps each panel at the arrangement point. Pre: not empty.
 Command arrange_command(std::vector<sim::Panel> panels, const sim::ArrangementPoint& point);
 
 }  // namespace selvedge::editor

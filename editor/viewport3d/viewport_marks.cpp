@@ -114,7 +114,7 @@ void mark_wrong(Marker& marker, const std::vector<GeometryPlace>& places, const 
 
 using Thread = std::array<Vec3f, 2>;
 
-// Points at even steps along the path, ends included. Pre: the path is not empty, count > 1.
+// Points at equal spacing along the path, ends included. Pre: the path is not empty, count > 1.
 std::vector<Vec3f> even_points(const std::vector<Vec3f>& path, std::size_t count) {
     std::vector<float> way{0};
     for (std::size_t i = 1; i < path.size(); ++i) way.push_back(way.back() + (path[i] - path[i - 1]).norm());
@@ -130,7 +130,8 @@ std::vector<Vec3f> even_points(const std::vector<Vec3f>& path, std::size_t count
     return points;
 }
 
-// Of panels where they are placed: the session's own may be from before they were moved.
+// Lines between the two sides of a seam, for panels shown as placed. The session's own lines may date from before the
+// panels were moved.
 std::vector<Thread> threads_of(const sim::Seam& seam, const DisplayedGarment& garment) {
     constexpr float kApart = 0.025F;  // m
     std::array<std::vector<Vec3f>, 2> sides;
@@ -213,7 +214,7 @@ namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-// A vertex of one panel that came from one of the mesh, and the next that came from the same.
+// One copy of a mesh vertex: its panel and material coordinates, and the next copy of the same vertex.
 struct Part {
     std::uint16_t panel = 0;
     Vec2f u = Vec2f::Zero();

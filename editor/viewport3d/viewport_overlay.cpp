@@ -24,7 +24,7 @@ class Overlay {
 
     ImVec2 at(const Vec2f& px) const { return {place_.low_px.x() + px.x(), place_.low_px.y() + px.y()}; }
 
-    // A path in the room; nothing of it where a part lies behind the eye.
+    // Draws a path given in 3D (m); draws nothing if any part is behind the eye.
     void path(const std::vector<Vec3f>& points, ImU32 colour, float width) {
         std::vector<ImVec2> line;
         for (const Vec3f& point : points) {
@@ -35,7 +35,7 @@ class Overlay {
         list_.AddPolyline(line.data(), static_cast<int>(line.size()), colour, 0, width * scale());
     }
 
-    // Over a pale rim, so that it is read on any cloth.
+    // Adds a pale rim, so that the line is visible on any cloth.
     void rimmed_path(const std::vector<Vec3f>& points, ImU32 colour, float width) {
         path(points, rim_of(colour), width + 2.4F);
         path(points, colour, width);
@@ -61,10 +61,10 @@ class Overlay {
     const ViewportColours& colours_;
 };
 
-// Even on the screen, whatever the points' spacing.
+// Dashes have equal length on the screen, independent of the points' spacing.
 void Overlay::dashes(const std::vector<Vec3f>& points, ImU32 colour, float width) {
     const float dash = 6 * scale(), gap = 4 * scale();
-    float phase = 0;  // px into the present dash and gap
+    float phase = 0;  // px, position in the current dash and gap
     for (std::size_t i = 1; i < points.size(); ++i) {
         const std::optional<Vec2f> from = px_of(viewing_, points[i - 1]), to = px_of(viewing_, points[i]);
         if (!from || !to) continue;
@@ -173,7 +173,7 @@ void draw_gizmo(Overlay& overlay, const ViewportController& hand) {
     overlay.list().AddCircle(overlay.at(*centre), 3.5F * overlay.scale(), ink(overlay.colours().ink, 160));
 }
 
-// From the cloth to where it is pulled.
+// Draws a line from the grabbed cloth point to the pull target.
 void draw_pull(Overlay& overlay, const ViewportController& hand) {
     if (!hand.pulled_to() || !hand.pulled_at()) return;
     overlay.rimmed_path({*hand.pulled_at(), *hand.pulled_to()}, ink(overlay.colours().pull), 1.8F);
@@ -181,7 +181,7 @@ void draw_pull(Overlay& overlay, const ViewportController& hand) {
     if (at) overlay.list().AddCircleFilled(overlay.at(*at), 3.5F * overlay.scale(), ink(overlay.colours().pull));
 }
 
-// The readout beside the cursor, within the view.
+// Draws the readout beside the cursor, inside the view.
 void draw_readout(Overlay& overlay, const ViewportController& hand) {
     std::string words;
     sim::Rgb8 colour = overlay.colours().ink;
@@ -208,7 +208,7 @@ void draw_point_name(Overlay& overlay, const std::vector<sim::ArrangementPoint>&
     overlay.badge(low, point.name, overlay.colours().ink);
 }
 
-// Below left; the axis that comes nearest to the eye is drawn last.
+// At the lower left. Draws the axis that points most towards the eye last.
 void draw_axis_cross(Overlay& overlay) {
     const float reach = 24 * overlay.scale();
     const Vec2f centre(38 * overlay.scale(), overlay.viewing().size_px.y() - 38 * overlay.scale());

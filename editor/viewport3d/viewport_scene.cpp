@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kEdgeInk = 0.55F;
 
-// The fabric's name for each panel of the mesh.
+// The fabric name of each panel of the mesh.
 std::vector<std::string> fabrics_of(const sim::PlainMesh& mesh, const sim::Pattern& pattern) {
     std::vector<std::string> names(std::max<std::size_t>(1, mesh.panel_names.size()), pattern.fabric);
     for (std::size_t i = 0; i < mesh.panel_names.size(); ++i) {
@@ -30,7 +30,7 @@ void keep(std::vector<T>& values, const std::vector<std::size_t>& kept) {
     values.resize(kept.size());
 }
 
-// The triangles of those panels, with all vertices.
+// The triangles made of `fabric`, with all vertices.
 sim::PlainMesh part_of(const sim::PlainMesh& mesh, const std::vector<std::string>& fabrics, const std::string& fabric) {
     sim::PlainMesh part = mesh;
     std::vector<std::size_t> kept;
@@ -55,7 +55,7 @@ bool wants_paint(render::ShowMode show) {
     return show > render::ShowMode::Plain;
 }
 
-// A fabric that is not known is the default: the inspector says so.
+// An unknown fabric falls back to the default one; the inspector reports it.
 const sim::Fabric& ViewportScene::fabric(const std::string& name) {
     const auto known = fabrics_.find(name);
     if (known != fabrics_.end()) return known->second;

@@ -1,6 +1,6 @@
 #pragma once
-// From the workspace to a Scene. The same pointer comes back as long as nothing in it has changed, so that whoever
-// draws it can keep what it made of it.
+// Builds the Scene of the 3D view from the workspace. Returns the same pointer as long as nothing has changed, so that
+// the renderer can cache what it derives from the scene.
 #include <map>
 #include <memory>
 #include <string>
@@ -25,11 +25,11 @@ class ViewportScene {
  public:
     explicit ViewportScene(ViewportColours colours = {}) : colours_(std::move(colours)) {}
 
-    // Null: there is nothing to be seen.
+    // Returns the scene for the input; null: there is nothing to show.
     std::shared_ptr<const render::Scene> follow(const FittingSceneInput& input);
 
  private:
-    // What cloth and body were made from.
+    // Key of the cached cloth items.
     struct ContentKey {
         std::uint64_t garment = 0;
         std::uint64_t revision = 0;
@@ -54,11 +54,11 @@ class ViewportScene {
     std::vector<render::ClothItem> cloths_;
     std::string tartan_;
     std::optional<double> sett_size_;
-    std::optional<sim::Sett> sett_;  // of the two above
+    std::optional<sim::Sett> sett_;  // from tartan_ and sett_size_
     std::map<std::string, sim::Fabric> fabrics_;
 };
 
-// Whether colours stand for figures, which the program paints (render/show.h) before the scene is drawn.
+// Whether the mode maps values to colours; the program then colours the cloth (render/marks/show.h) before rendering.
 bool wants_paint(render::ShowMode show);
 
 }  // namespace selvedge::editor

@@ -10,10 +10,10 @@
 namespace selvedge::editor {
 namespace {
 
-using Linear = std::array<double, 3>;  // light, 0..1
+using Linear = std::array<double, 3>;  // linear RGB, 0..1
 
-constexpr double kThreadsAreSeen = 2;  // px per thread
-constexpr int kSamples = 3;            // per px and direction, where threads are seen
+constexpr double kThreadsAreSeen = 2;  // px per thread, minimum for drawing single threads
+constexpr int kSamples = 3;            // samples per px and direction, if threads are drawn
 
 std::vector<Linear> in_light(const std::vector<sim::Rgb8>& colours) {
     std::vector<Linear> light;
@@ -26,7 +26,7 @@ render::Rgba8 to_pixel(const Linear& light) {
     return {render::to_srgb(light[0]), render::to_srgb(light[1]), render::to_srgb(light[2]), 255};
 }
 
-// Mean colours of pixels across the threads: each takes the threads that it covers, in part at its ends.
+// The mean colour per pixel across the threads: a box filter over the threads that the pixel covers.
 std::vector<Linear> means(const std::vector<Linear>& threads, int count_px, double px_per_thread) {
     std::vector<Linear> result(static_cast<std::size_t>(count_px), Linear{});
     for (int px = 0; px < count_px; ++px) {
@@ -63,13 +63,13 @@ render::Image mean_picture(const sim::Sett& sett, const SettPictureOptions& opti
     return image;
 }
 
-// How bright a thread is across its width: round, lit from above, with a dark gap beside it.
+// Brightness factor across a thread's width, 0.62 to 1.08: a round profile lit from above, dark at the edges.
 double roundness(double across) {
     const double from_middle = 2 * across - 1;
     return 0.62 + 0.46 * std::sqrt(std::max(0.0, 1 - from_middle * from_middle));
 }
 
-// How it dips under the next one at the ends of its float: along, where the neighbours on either side are.
+// Brightness factor along a crossing, 0.7 to 1: darker near an end where the thread passes under the next one.
 double dip(double along, bool goes_under_before, bool goes_under_after) {
     constexpr double kLength = 0.3, kDepth = 0.3;
     double light = 1;
@@ -83,7 +83,7 @@ class WovenCloth {
     explicit WovenCloth(const sim::Sett& sett)
         : weave_(sett.weave), warp_(in_light(thread_colours(sett))), weft_(in_light(weft_thread_colours(sett))) {}
 
-    // At a place in threads from the upper left.
+    // Colour at a position given in threads from the upper left.
     Linear at(double x, double y) const {
         const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
         const bool is_warp = is_warp_on_top(weave_, i, j);

@@ -39,7 +39,7 @@ void Messages::error(const GeometryError& error) {
 }
 
 sim::PatternDocument empty_garment() {
-    constexpr double kUsualStature = 1.606;  // m, of that mannequin
+    constexpr double kUsualStature = 1.606;  // m, stature of the default body
     sim::PatternDocument garment;
     garment.pattern.body = kDefaultBody;
     garment.pattern.body_height = kUsualStature;

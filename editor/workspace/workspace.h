@@ -1,5 +1,6 @@
 #pragma once
-// All that a person works on, in one place that views and inspectors share.
+// The editor's shared state: document, drape, hover, messages and 3D view options. Views, tools and inspectors share
+// one Workspace.
 #include <cstddef>
 #include <functional>
 #include <future>
@@ -19,7 +20,7 @@
 
 namespace selvedge::editor {
 
-// What the editor has to say to the person at it: words in the status line, and places that are lit up with them.
+// Messages for the user: a text in the status line and the parts of the pattern to highlight.
 
 enum class MessageKind { Note, Warning, Error };
 
@@ -29,7 +30,7 @@ struct Message {
     std::vector<GeometryPlace> places;
 };
 
-// The newest is last. Old ones are forgotten.
+// The message list, newest last. It keeps the last 200 messages.
 class Messages {
  public:
     void say(Message message);
@@ -37,12 +38,12 @@ class Messages {
     void warn(const std::string& words) { say({.kind = MessageKind::Warning, .words = words, .places = {}}); }
     void error(const GeometryError& error);
 
-    // Takes the newest off the screen; the list keeps it.
+    // Hides the newest message; it stays in the list.
     void dismiss() { is_shown_ = false; }
 
     const Message* shown() const { return is_shown_ && !all_.empty() ? &all_.back() : nullptr; }
     const std::vector<Message>& all() const { return all_; }
-    std::size_t count() const { return count_; }  // ever said
+    std::size_t count() const { return count_; }  // total number of messages so far, including discarded ones
 
  private:
     std::vector<Message> all_;
@@ -50,47 +51,49 @@ class Messages {
     bool is_shown_ = false;
 };
 
-// The garment on its body as the editor shows it: a session that is kept in step with the document, and the body that
-// wears it, which is made in a task of its own.
+// The draped garment and its body: a simulation session synchronized with the document, and the body, which is built
+// asynchronously.
 
-// Who wears what names nobody.
+// The default body: worn if the pattern names no body.
 inline constexpr const char* kDefaultBody = "mannequin:sex=female";
 
-// What a new document begins with: no panels, to be placed about the usual body. Without its name panels would be taken
-// for GarmentCode's, and moved from that program's body to the one that is seen.
+// A new document without panels, for the default body. The body is named explicitly: an empty name would mean
+// GarmentCode's body (patterns/FORMAT.md), and panels would be moved from that body to the displayed one.
 sim::PatternDocument empty_garment();
 
-// A body that can be worn on, with all that views ask of it.
+// A body with the data that the views need.
 struct CurrentBody {
-    std::string text;  // "mannequin:sex=female,bust=92", or the file it came from
+    std::string text;  // "mannequin:sex=female,bust=92", or a file name
     std::shared_ptr<const sim::Body> body;
-    std::optional<sim::MeasureReport> measures;  // of a mannequin
+    std::optional<sim::MeasureReport> measures;  // only for a mannequin
     std::vector<sim::ArrangementPoint> points;
 };
 
-// Makes a body from its text or file. Throws InputError. Files are read by the program, so it brings this along.
+// Makes a body from its text or file. Throws InputError. The host program provides this function, since it reads the
+// files.
 using BodyMaker = std::function<CurrentBody(const std::string& text)>;
 
-// A mannequin from its text, as the editor makes it: of the lowest resolution, which is enough to draft on.
+// Makes a mannequin from its text. Uses one subdivision, which is enough for the editor.
 CurrentBody make_worn_mannequin(const std::string& text);
 
 class Drape {
  public:
     explicit Drape(sim::SessionDrive drive, BodyMaker maker = make_worn_mannequin);
 
-    // Takes over what has changed in the document, and a body that is finished. Once per frame of the screen; never
-    // waits; but with SessionDrive::Caller it waits for the body, and simulates one frame where the drape runs.
+    // Sends changes of the document, the body and the options to the session, and its messages to `messages`. Call once
+    // per displayed frame. Does not block with SessionDrive::Thread. With SessionDrive::Caller it waits for the body
+    // and simulates one frame while the drape is running.
     void follow(const Document& document, Messages& messages);
 
-    // Another document is followed from now on: panels stand where it places them.
+    // Call when another document was opened: resets the drape to the panels' placement.
     void begin_document();
 
-    // A body of one's own, instead of the document's, until `wear({})`.
+    // Shows this body instead of the document's; `wear({})` returns to the document's body.
     void wear(std::optional<std::string> text);
     bool is_making_body() const { return making_.valid(); }
-    const CurrentBody& worn() const { return worn_; }  // body is null until the first is made
+    const CurrentBody& worn() const { return worn_; }  // `body` is null until the first body is ready
 
-    sim::SessionOptions& options() { return options_; }  // taken over by the next `follow`
+    sim::SessionOptions& options() { return options_; }  // takes effect at the next `follow`
 
     sim::Session& session() { return session_; }
     const sim::Session& session() const { return session_; }
@@ -103,8 +106,8 @@ class Drape {
     sim::SessionDrive drive_;
     BodyMaker maker_;
     CurrentBody worn_;
-    std::optional<std::string> own_body_;  // see wear
-    std::string wanted_body_;              // text of the body that is worn or being made
+    std::optional<std::string> own_body_;  // body set by `wear`; none: the document's
+    std::string wanted_body_;              // text of the current body or of the one being made
     std::future<CurrentBody> making_;
     sim::SessionOptions options_;
     std::optional<sim::SessionOptions> taken_options_;
@@ -113,15 +116,15 @@ class Drape {
     sim::Session session_;
 };
 
-// How the 3D view shows the garment.
+// Display options of the 3D view.
 struct FittingLook {
     render::ShowMode show = render::ShowMode::Tartan;
     bool has_body = true;
-    bool has_points = true;   // arrangement points, while a panel is selected and nothing runs
-    bool has_threads = true;  // of seams that are not closed
-    bool has_edges = false;   // of triangles, over plain cloth
-    bool as_placed = false;   // panels where they are placed, also while the garment hangs sewn
-    bool own_axes = false;    // a single panel is moved and turned along its own axes, not the room's
+    bool has_points = true;   // arrangement points, while selected panels can be placed
+    bool has_threads = true;  // connecting lines of open seams
+    bool has_edges = false;   // triangle edges, over plain cloth
+    bool as_placed = false;   // shows panels at their placement, even if the garment is sewn
+    bool own_axes = false;    // gizmo for a single panel uses its own axes, not the world axes
 
     bool operator==(const FittingLook&) const = default;
 };
@@ -130,14 +133,14 @@ struct Workspace {
     Workspace(sim::PatternDocument source, sim::SessionDrive drive, BodyMaker maker)
         : document(std::make_unique<Document>(std::move(source))), drape(drive, std::move(maker)) {}
 
-    std::unique_ptr<Document> document;  // another one when a file is opened
-    std::string file{};                  // where it is saved; empty: nowhere yet
+    std::unique_ptr<Document> document;  // replaced when a file is opened
+    std::string file{};                  // the document's file; empty: not saved yet
     Drape drape;
     Hover hover{};
     Messages messages{};
     FittingLook look{};
 
-    // Runs a command; what is wrong with it becomes a message. False: it was not carried out.
+    // Applies a command; a GeometryError becomes a message. Returns whether the command was applied.
     bool run(const Command& command);
     bool preview(const Command& command);
 };

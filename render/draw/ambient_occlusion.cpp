@@ -9,12 +9,12 @@
 namespace selvedge::render {
 namespace {
 
-// One of the two ways along an axis: towards the light, +1 along the axis, -1 against it.
+// Ambient visibility along one axis: in its direction (is_along) or against it.
 struct LookOut {
     const DepthRange& picture;
-    float fade = 0;  // in units of depth
+    float fade = 0;  // in the image's units of depth
 
-    // 1 when the point at this depth sees out past what this texel holds.
+    // 1 if no surface of this texel blocks a point at this depth; falls to 0 over `fade`.
     float is_open(int x, int y, float depth, bool is_along) const {
         x = std::clamp(x, 0, picture.side_px - 1);
         y = std::clamp(y, 0, picture.side_px - 1);
@@ -39,7 +39,7 @@ struct LookOut {
     }
 };
 
-// Evenly over half the sphere (Fibonacci's spiral); with their opposites, over all of it.
+// Spread evenly over a half sphere (Fibonacci spiral); with the opposite directions, over the whole sphere.
 Vec3f axis_direction(int i, int count) {
     const double y = 1 - (i + 0.5) / count;
     const double radius = std::sqrt(1 - y * y);
@@ -121,10 +121,10 @@ std::vector<Openness> AmbientOcclusion::bake(const Casters& cloths, const Caster
 
 namespace {
 
-constexpr std::uint32_t kCells = 96;  // each way, that the room's light is worked out for
-constexpr std::uint32_t kDrawn = 2;   // so many each way are drawn as one: softened, that is fine enough
+constexpr std::uint32_t kCells = 96;  // per side: resolution of the baked values
+constexpr std::uint32_t kDrawn = 2;   // per side: cells drawn as one; fine enough after smoothing
 
-// One step of [1 2 1]/4 along the ground's rows or columns.
+// One pass of the kernel [1 2 1]/4 along the ground's rows (step 1) or columns.
 void soften(std::vector<Openness>& ambient_visibility, std::size_t step) {
     constexpr std::size_t side = kCells + 1;
     const std::vector<Openness> before = ambient_visibility;
@@ -165,7 +165,7 @@ Ground make_ground(const Scene& scene, const Bounds& bounds) {
 
 std::vector<Openness> softened_ground(std::vector<Openness> ambient_visibility) {
     SELVEDGE_ASSERT(ambient_visibility.size() == (kCells + 1) * (kCells + 1));
-    constexpr int rounds = 6;  // spreads by the square root of half of it, in cells
+    constexpr int rounds = 6;  // standard deviation: sqrt(rounds / 2) cells
     for (int round = 0; round < rounds; ++round) {
         soften(ambient_visibility, 1);
         soften(ambient_visibility, kCells + 1);

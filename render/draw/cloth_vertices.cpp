@@ -10,8 +10,8 @@
 namespace selvedge::render {
 namespace {
 
-// The warp runs at `grain` from +y, counter-clockwise; the weft a quarter turn clockwise from it. The sett's offset
-// comes after the turn.
+// The warp's angle is `grain` (rad, anticlockwise from +y); the weft is a quarter turn clockwise from the warp. The
+// sett's offset is added after the rotation.
 std::array<float, 2> turned_to_grain(const Vec2f& u, float grain, const Vec2f& offset) {
     const float c = std::cos(grain), s = std::sin(grain);
     return {c * u.x() + s * u.y() + offset.x(), -s * u.x() + c * u.y() + offset.y()};
@@ -66,7 +66,7 @@ std::vector<ClothVertex> make_cloth_vertices(const sim::PlainMesh& mesh, const s
 namespace {
 
 constexpr GLuint kPlaceAttribute = 7;
-constexpr int kPlainLook = 3, kPaintedLook = 4;  // as cloth.frag numbers them
+constexpr int kPlainLook = 3, kPaintedLook = 4;  // values of `show` in cloth.frag
 
 void upload_places(const GladGLContext& gl, const PaintBuffer& buffer, const ClothPaint& paint) {
     static_assert(sizeof(paint.places.front()) == 3 * sizeof(float));
@@ -114,7 +114,7 @@ void bind_paint(const GladGLContext& gl, const Program& program, const PaintBuff
 
 namespace {
 
-// One triangle's side, known by its ends in rising order.
+// One triangle's use of an edge, identified by the edge's vertices in ascending order.
 struct EdgeUse {
     std::uint32_t low = 0;
     std::uint32_t high = 0;
@@ -149,7 +149,7 @@ Vec2f material_at(const sim::PlainMesh& mesh, std::uint32_t triangle, std::uint3
 bool jumps(const sim::PlainMesh& mesh, const EdgeUse& a, const EdgeUse& b) {
     if (!mesh.panel.empty() && mesh.panel[a.triangle] != mesh.panel[b.triangle]) return true;
     if (mesh.u.empty()) return false;
-    constexpr float same = 1e-4F;  // m: what a file's decimals may cost
+    constexpr float same = 1e-4F;  // m: rounding by the number of decimals in a file
     for (const std::uint32_t vertex : {a.low, a.high}) {
         if ((material_at(mesh, a.triangle, vertex) - material_at(mesh, b.triangle, vertex)).norm() > same) return true;
     }
@@ -162,7 +162,7 @@ using TouchKind = float TouchDistance::*;
 // Distances of vertices from one kind of marked edge.
 struct MarkedVertices {
     std::vector<bool> is_on;
-    std::vector<float> distance;  // m; of those beside a marked edge, else kFar
+    std::vector<float> distance;  // m; of vertices opposite to a marked edge, else kFar
 };
 
 MarkedVertices find_marked(const sim::PlainMesh& mesh, const std::vector<TriangleMarks>& marks, MarkKind kind) {

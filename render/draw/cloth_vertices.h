@@ -1,6 +1,7 @@
 #pragma once
-// A garment's mesh as the cloth shader reads it: three vertices to a triangle, for material coordinates, edges and
-// levels belong to triangles and their corners.
+// A garment's mesh in the layout of the cloth shader: three vertices per triangle, because material coordinates, marks
+// and levels belong to triangles and their corners. Also the cloth's paint in GL buffers, and the detection of seam and
+// hem edges.
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -13,7 +14,7 @@
 
 namespace selvedge::render {
 
-// How open a point is to the room's light, 0..1, on the surface's two sides.
+// Ambient visibility of a point on the two sides of the surface: 0 (occluded) to 1 (open).
 struct Openness {
     float front = 1;
     float back = 1;
@@ -22,49 +23,49 @@ struct Openness {
 struct ClothVertex {
     std::array<float, 3> position;  // m
     std::array<float, 3> normal;
-    std::array<float, 2> place;    // (weft, warp), m: material coordinates turned by the panel's grain, and its offset
-    std::array<float, 3> heights;  // m; at this corner: its height over the opposite edge, else 0
+    std::array<float, 2> place;    // (weft, warp), m: material coordinates turned to the panel's grain + sett offset
+    std::array<float, 3> heights;  // m: height over the opposite edge in the own slot, else 0
     std::array<float, 2> ambient_visibility;
-    std::array<float, 2> touch;  // m to a seam and a hem that the triangle touches with one corner only
+    std::array<float, 2> touch;  // m, distance to a seam and to a hem that the triangle touches with one corner only
     std::uint32_t marks;         // level | seam edges << 8 | hem edges << 11; edge i is opposite corner i
 };
 
-// normals: one per vertex of the mesh, also when the mesh has its own. Seam edges are those where material
-// coordinates jump, hem edges those with one triangle. Pre: openness has one entry per vertex of the mesh.
+// normals: one per vertex of the mesh; used even if the mesh has its own. Seam edges lie between two panels or where
+// material coordinates jump; hem edges have one triangle. Pre: ambient_visibility has one entry per vertex of the mesh.
 std::vector<ClothVertex> make_cloth_vertices(const sim::PlainMesh& mesh, const std::vector<Vec3f>& normals,
                                              const std::vector<Openness>& ambient_visibility);
 
-// A cloth's paint on its way to GL: a place along a map for each corner, and the map as a row of texels.
+// A cloth's paint in GL buffers: for each corner a position along a colour map, and the map as one row of texels.
 
 struct PaintBuffer {
     Buffer places;
     Texture map{};
-    int colours = 0;  // 0: not painted
-    float ink = 0;    // of edges
+    int colours = 0;  // number of map colours; 0: not painted
+    float ink = 0;    // 0..1, darkness of the triangles' edges
 };
 
-// Adds the corners' places to the bound vertex array. Pre: the item's paint, where it has any, fits its mesh.
+// Adds the corners' map positions to the bound vertex array. Pre: the item's paint, if it has one, fits its mesh.
 PaintBuffer make_paint_buffer(const GladGLContext& gl, const ClothItem& item);
 
-// How the cloth shader is to draw the mode: a painted one without paint is plain.
+// The cloth shader's value of `show` for a mode; a painted mode without paint is drawn plain.
 int cloth_look(ShowMode show, const PaintBuffer& paint);
 
-// Pre: the program is in use. `unit`: for the map.
+// Pre: the program is in use. `unit`: texture unit of the map.
 void bind_paint(const GladGLContext& gl, const Program& program, const PaintBuffer& paint, int unit);
 
-// Which edges of a garment's triangles are sewn or hemmed, and how far from them the cloth beside them is, so that both
-// can be drawn.
+// Which edges of a garment's triangles are seams or hems, and how far the cloth beside them is from them. The shader
+// uses both to darken seams and hems.
 
 // Bit i is the edge opposite corner i.
 struct TriangleMarks {
-    std::uint32_t seam = 0;  // material coordinates jump
+    std::uint32_t seam = 0;  // the edge lies between two panels, or material coordinates jump
     std::uint32_t hem = 0;   // no triangle on the other side
 };
 
 std::vector<TriangleMarks> mark_edges(const sim::PlainMesh& mesh);
 
-// m, at one corner of a triangle that touches a seam or hem with a single vertex: to be interpolated, so that the
-// distance goes on without a jump from the triangles that lie along it.
+// m, at one corner of a triangle that touches a seam or hem with a single vertex. The shader interpolates it, so that
+// the distance continues without a jump from the triangles that have an edge on the seam or hem.
 struct TouchDistance {
     static constexpr float kFar = 1e3F;
     float seam = kFar;
@@ -74,7 +75,7 @@ struct TouchDistance {
 std::vector<std::array<TouchDistance, 3>> touch_distances(const sim::PlainMesh& mesh,
                                                           const std::vector<TriangleMarks>& marks);
 
-// Of each corner over the opposite edge, m.
+// m, height of each corner over the opposite edge.
 std::array<float, 3> corner_heights(const std::array<Vec3f, 3>& x);
 
 }  // namespace selvedge::render

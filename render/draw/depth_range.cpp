@@ -8,7 +8,7 @@
 namespace selvedge::render {
 namespace {
 
-// -1..1 to texels, whose centres are whole numbers, and to depths of 0..1.
+// -1..1 to texels, whose centres are integers, and depth 0..1.
 Eigen::Matrix4f texel_matrix(int side_px) {
     const float half = static_cast<float>(side_px) / 2;
     Eigen::Matrix4f matrix = Eigen::Matrix4f::Identity();
@@ -17,7 +17,7 @@ Eigen::Matrix4f texel_matrix(int side_px) {
     return matrix;
 }
 
-// Where the line from (x0, y0) to (x1, y1) leaves its left side: value >= 0 inside.
+// Edge function of the line between two points: at() >= 0 inside a triangle whose orientation is `sign`.
 struct Edge {
     float dx = 0, dy = 0, constant = 0;
 
@@ -117,9 +117,9 @@ Bounds bounds_of(const std::vector<Vec3f>& points) {
 
 Bounds steady_bounds_of(const std::vector<Vec3f>& points) {
     const Bounds tight = bounds_of(points);
-    const float step = std::exp2(std::floor(std::log2(tight.radius)) - 4);  // a sixteenth of the radius, or less
+    const float step = std::exp2(std::floor(std::log2(tight.radius)) - 4);  // m: a sixteenth of the radius, or less
     return {.centre = step * (tight.centre / step).array().round().matrix(),
-            .radius = step * std::ceil(tight.radius / step + 1)};  // the centre moved by less than a step
+            .radius = step * std::ceil(tight.radius / step + 1)};  // rounding moves the centre by less than a step
 }
 
 Eigen::Matrix4f parallel_matrix(const Bounds& bounds, const Vec3f& direction) {

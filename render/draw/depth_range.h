@@ -1,7 +1,7 @@
 #pragma once
-// The scene seen along parallel rays, from both ends at once: how near and how far along each ray there is anything.
-// Drawn by the processor, so that it serves many small views faster than reading them back from GL, and has the same
-// bits under every driver.
+// Depth images of the scene along parallel rays, with the nearest and the farthest surface in each texel, for ambient
+// occlusion. Rasterized on the CPU: faster for many small images than reading them back from GL, and byte-identical
+// under every driver. Also the shadow casters' geometry and bounding sphere, and the parallel projection.
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -11,9 +11,9 @@
 
 namespace selvedge::render {
 
-// All that casts shadows, as one mesh, and the parallel views of it that shadows and the room's light are made from.
+// The geometry that casts shadows, as one mesh, and the parallel projection for shadows and ambient occlusion.
 
-// A ball that holds all that casts shadows.
+// A sphere that contains all shadow casters.
 struct Bounds {
     Vec3f centre = Vec3f::Zero();
     float radius = 1;  // m
@@ -30,25 +30,25 @@ struct Casters {
 
 Casters cloth_casters_of(const Scene& scene);
 Casters body_casters_of(const Scene& scene);
-Casters casters_of(const Scene& scene);  // both
+Casters casters_of(const Scene& scene);  // cloths and bodies
 
 Bounds bounds_of(const std::vector<Vec3f>& points);
 
-// A somewhat larger ball, the same for points that differ a little: what is drawn within it does not swim when cloth
-// moves.
+// A somewhat larger sphere, quantized: it is the same for points that differ a little, so that shadows do not shimmer
+// when the cloth moves.
 Bounds steady_bounds_of(const std::vector<Vec3f>& points);
 
-// Room to -1..1 in all three, looking from `direction` (unit) towards the ball's centre; depth grows away from it.
+// World space to -1..1 on all three axes. Looks from `direction` (unit) at the centre; depth grows away from it.
 Eigen::Matrix4f parallel_matrix(const Bounds& bounds, const Vec3f& direction);
 
-// Texels in rows; depths in 0..1 along the view, as parallel_matrix has them.
+// Texels in rows. Depth 0..1 in the direction of view of parallel_matrix: 0 is nearest to the viewer.
 struct DepthRange {
     struct Span {
-        float nearest = 2;    // of no blocker
-        float farthest = -1;  // of no blocker
+        float nearest = 2;    // initial value: no surface in this texel
+        float farthest = -1;  // initial value: no surface in this texel
     };
 
-    Eigen::Matrix4f matrix = Eigen::Matrix4f::Identity();  // room to texels (x, y) and depth (z)
+    Eigen::Matrix4f matrix = Eigen::Matrix4f::Identity();  // world space to texels (x, y) and depth (z)
     int side_px = 0;
     std::vector<Span> spans;
 
@@ -57,10 +57,10 @@ struct DepthRange {
     }
 };
 
-// Nothing yet. Pre: direction is unit.
+// An image without surfaces. Pre: direction is unit.
 DepthRange empty_depth_range(const Bounds& bounds, const Vec3f& direction, int side_px);
 
-// Adds casters; in which order they are added does not matter. Pre: triangles' indices are in range.
+// Draws casters into the image. The result does not depend on the order of calls. Pre: triangles' indices are in range.
 void draw_casters(DepthRange& picture, const Casters& casters);
 
 }  // namespace selvedge::render

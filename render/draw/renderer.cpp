@@ -46,14 +46,14 @@ void check_samples(const GlContext& context, const RenderOptions& options) {
                               " samples per pixel here, not " + std::to_string(options.samples));
 }
 
-// A part of the picture, px from its lower left.
+// A part of the picture, px from its lower left corner.
 struct Tile {
     int left = 0;
     int low = 0;
     TargetSize size;
 };
 
-// Clip space of the whole picture to that of the tile.
+// From clip space of the whole picture to clip space of the tile.
 Eigen::Matrix4f tile_matrix(const Tile& tile, const RenderOptions& options) {
     const Vec2f scale(float(options.width_px) / float(tile.size.width_px),
                       float(options.height_px) / float(tile.size.height_px));
@@ -76,21 +76,21 @@ void copy_tile(Image& image, const Image& tile_image, const Tile& tile) {
     }
 }
 
-// How what is prepared is looked at.
+// With what the prepared scene is drawn.
 struct SceneLook {
     const Camera& camera;
     const Light& light;
     const Background& background;
 };
 
-// One view of the scene, as the shaders ask for it.
+// The values that the shaders need for one tile.
 struct Frame {
     const SceneLook& look;
     const RenderOptions& options;
     Tile tile;
-    Eigen::Matrix4f camera;         // room to the tile's clip space
-    Eigen::Matrix4f shadow_matrix;  // room to 0..1
-    float shadow_width = 1;         // m, of the map
+    Eigen::Matrix4f camera;         // world space to the tile's clip space
+    Eigen::Matrix4f shadow_matrix;  // world space to 0..1
+    float shadow_width = 1;         // m, covered by the shadow map
 };
 
 Eigen::Matrix4f unit_cube_matrix() {
@@ -158,7 +158,7 @@ struct Renderer::Impl {
         check_samples(context, options);
     }
 
-    // The finished tile goes into the texture upside down, for that holds the picture's upper row first.
+    // Copies the finished tile into the texture, upside down, because the texture's row 0 is the picture's top row.
     void lay_tile(const PictureTexture& to, const Tile& tile) const {
         const int width = std::min(tile.size.width_px, to.width_px() - tile.left);
         const int height = std::min(tile.size.height_px, to.height_px() - tile.low);
@@ -169,16 +169,16 @@ struct Renderer::Impl {
                            GL_NEAREST);
     }
 
-    // Of the last picture, where they have the same size.
+    // Keeps the targets of the previous picture if the size is the same.
     void make_targets(const TargetSize& size) {
         if (target && target->size() == size) return;
-        target.reset();  // before the next takes its memory
+        target.reset();  // frees its memory before the next one is allocated
         mask.reset();
         target.emplace(gl, size);
         mask.emplace(gl, size.width_px * size.supersample, size.height_px * size.supersample);
     }
 
-    // Of all that is seen of the scene: which of its places the key light reaches.
+    // For every visible position: how much of the key light reaches it.
     void draw_mask(const Frame& frame) const {
         const SceneBuffers& buffers = prepared.buffers();
         mask->begin();
@@ -194,7 +194,7 @@ struct Renderer::Impl {
         mask->finish(prepared.shadow(), prepared.shadow_width());
     }
 
-    // Drawn first: nothing lies below it but the backdrop, over which it is laid at last.
+    // Drawn first: only the backdrop lies behind it, and Target::finish() blends the picture over that.
     void draw_ground(const Frame& frame, const SceneBuffers& buffers) const {
         ground.use();
         set_backdrop(ground, frame);
@@ -279,7 +279,7 @@ struct Renderer::Impl {
         draw_solids(frame, buffers);
     }
 
-    // Of what is prepared. Calls `take` for each tile, once it is finished.
+    // Draws the prepared scene. Calls `take` for each finished tile.
     template <class Take>
     void draw_tiles(const SceneLook& look, const RenderOptions& options, PartClock& clock, const Take& take) {
         const Eigen::Matrix4f room_to_picture =
@@ -311,7 +311,7 @@ struct Renderer::Impl {
         }
     }
 
-    std::unique_ptr<GlContext> owned;  // outlives what follows
+    std::unique_ptr<GlContext> owned;  // declared first, so that it is destroyed last
     GlContext& context;
     const GladGLContext& gl;
     Program cloth_place, body_place;

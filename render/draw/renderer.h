@@ -1,6 +1,7 @@
 #pragma once
-// Scene -> picture. Shading in linear light per pixel (Phong), a key light with soft shadows, the room's light dimmed
-// in folds and hollows, woven tartan; 4x multisampled. The same scene gives the same pixels.  (SPEC 6)
+// Draws a Scene to a picture: Phong shading per pixel in linear light, a key light with soft shadows, ambient light
+// with ambient occlusion, woven tartan, 4x multisampling. The same scene gives the same pixels. Also
+// PictureTimes: how long each stage took.  (thesis 3.7)
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -11,25 +12,25 @@
 #include "render/image/image.h"
 #include "render/scene/scene.h"
 
-// Where a picture's time goes, for benchmarks: wall clock, in milliseconds.
+// Wall-clock time of each stage of drawing a picture, in milliseconds, for benchmarks.
 
 struct GladGLContext;
 
 namespace selvedge::render {
 
 struct PictureTimes {
-    double compare = 0;            // what has changed since the last picture
-    double ambient_occlusion = 0;  // baking
+    double compare = 0;            // detecting what has changed since the last picture
+    double ambient_occlusion = 0;  // baking it
     double upload = 0;
     double shadow = 0;  // the key light's depth map
-    double mask = 0;    // which pixels see the key light
+    double mask = 0;    // how much of the key light each pixel receives
     double draw = 0;
-    double finish = 0;  // resolving samples, encoding
+    double finish = 0;  // averaging the samples, encoding as sRGB
     double read_back = 0;
 };
 
-// Charges the time since the last lap to a part, after waiting for GL. Does nothing, and waits for nothing, without
-// times to charge.
+// Waits for GL, then adds the time since the last lap to a stage. If `times` is null, it does nothing and does not
+// wait.
 class PartClock {
  public:
     PartClock(const GladGLContext& gl, PictureTimes* times);
@@ -44,31 +45,31 @@ class PartClock {
 struct RenderOptions {
     int width_px = 1024;
     int height_px = 1024;
-    int samples = 4;                // per pixel, of triangles' edges
-    int tile_px = 1024;             // greatest side of what is drawn at once
-    int supersample = 1;            // 2: everything is drawn at twice the size and averaged
-    PictureTimes* times = nullptr;  // filled when given; the parts then wait for each other
+    int samples = 4;                // per pixel, for multisampling
+    int tile_px = 1024;             // largest side of a tile; larger pictures are drawn in several tiles
+    int supersample = 1;            // 2: draws at twice the width and height and averages
+    PictureTimes* times = nullptr;  // filled if given; GL is then synchronised after each stage
 };
 
-// The level's colour in ShowMode::Level; levels beyond the last share it.
+// A level's colour in ShowMode::Level; levels above kLevelColours - 1 share the last colour.
 inline constexpr int kLevelColours = 8;
 sim::Rgb8 level_colour(int level);
 
-// Belongs to one thread; with a context of its own, only one lives at a time. Keeps what a scene has in common with the
-// one drawn before, and asks nothing else of it: the same scene has the same bits whatever was drawn before.
+// Belongs to one CPU thread. Only one renderer with a context of its own may exist at a time. It reuses GPU data of the
+// previous scene where the content is equal; the result is byte-identical, whatever was drawn before.
 class Renderer {
  public:
-    // Throws InputError when there is no way to draw (render/gl/context.h).
+    // Throws InputError if no GL context can be created (render/gl/context.h).
     explicit Renderer(std::optional<ContextMaker> maker = {});
-    explicit Renderer(GlContext& shared);  // which must outlive it
+    explicit Renderer(GlContext& shared);  // `shared` must outlive the renderer
     ~Renderer();
 
-    // Any size: a picture is drawn in tiles. Throws InputError when it is over render/image/image.h's limits, or wants
-    // more samples than the context can take. Pre: the scene has a triangle, its numbers are finite.
+    // Draws a picture of any size, in tiles. Throws InputError if the size exceeds the limits of render/image/image.h,
+    // or if the context does not support so many samples. Pre: the scene has a triangle; its numbers are finite.
     Image draw(const Scene& scene, const RenderOptions& options = {});
 
-    // The same picture, of the texture's size, left with GL; the texture's first row is the picture's uppermost. Leaves
-    // GL's state as it pleases. Pre: the texture belongs to this renderer's context.
+    // Draws the same picture into a texture, at the texture's size; row 0 of the texture is the top row of the picture.
+    // Does not restore the GL state. Pre: the texture belongs to this renderer's context.
     void draw(const SceneView& view, PictureTexture& to, const RenderOptions& options = {});
 
     const GlContext& context() const;

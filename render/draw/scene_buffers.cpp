@@ -64,7 +64,7 @@ SurfaceBuffer make_surface_buffer(const GladGLContext& gl, const BodyItem& item,
     return buffer;
 }
 
-// Two rows, the longer setts' length: warp, weft.
+// A texture with two rows, warp and weft, as long as the longer of the two.
 void upload_setts(const GladGLContext& gl, const ClothItem& item, ClothBuffer& buffer) {
     buffer.warp = sum_warp(item.sett);
     buffer.weft = sum_weft(item.sett);
@@ -142,13 +142,13 @@ SceneBuffers make_scene_buffers(const GladGLContext& gl, const Scene& scene, con
 
 namespace {
 
-// But for camera, light and background, which no buffer holds.
+// Compares all but camera, light and background, which no buffer holds.
 bool has_same_content(const Scene& a, const Scene& b) {
     return a.has_ground == b.has_ground && a.ground_y == b.ground_y && a.cloths == b.cloths && a.bodies == b.bodies &&
            a.solids == b.solids;
 }
 
-// In the order in which make_scene_buffers reads their openness.
+// In the order in which make_scene_buffers() reads their ambient visibility.
 LitPoints lit_points(const Scene& scene, const Ground& ground) {
     LitPoints points;
     for (const ClothItem& cloth : scene.cloths) points.add(cloth.mesh.x, vertex_normals(cloth.mesh));

@@ -1,5 +1,6 @@
 #pragma once
-// A scene as GL holds it: the buffers that are drawn, with the room's light on every vertex.
+// A scene in GL buffers, with the ambient visibility of every vertex, and PreparedScene, which keeps these buffers from
+// one picture to the next.
 #include <memory>
 #include <optional>
 #include <vector>
@@ -14,7 +15,7 @@
 
 namespace selvedge::render {
 
-// Solids on their way to GL.
+// GL buffers of a SolidItem.
 
 struct SolidBuffer {
     VertexArray vertex_array;
@@ -29,24 +30,24 @@ struct ClothBuffer {
     VertexArray vertex_array;
     Buffer vertices;
     int vertex_count = 0;
-    Texture sett_sums{};      // when it is woven
-    SettSums warp{}, weft{};  // without their sums
+    Texture sett_sums{};      // prefix sums of warp (row 0) and weft (row 1); only if woven
+    SettSums warp{}, weft{};  // their means and thread counts are passed to the shader
     sim::Weave weave = sim::Weave::Twill22;
-    float thread_spacing = 1;  // m, scaled
+    float thread_spacing = 1;  // m, times sett_scale
     Vec2f sett_position = Vec2f::Zero();
-    ShowMode show = ShowMode::Plain;  // Tartan only where there is a sett and material coordinates
+    ShowMode show = ShowMode::Plain;  // Tartan only if there are a sett and material coordinates
     Vec3f colour = Vec3f::Zero();     // linear
     PaintBuffer paint{};
     Material material{};
 };
 
-// A body, or the ground.
+// A body or the ground.
 struct SurfaceBuffer {
     VertexArray vertex_array;
     Buffer vertices;
     Buffer indices;
     int index_count = 0;
-    bool is_closed = false;        // its inside is not seen
+    bool is_closed = false;        // back faces are culled
     Vec3f colour = Vec3f::Zero();  // linear
     Material material{};
 };
@@ -60,15 +61,15 @@ struct SceneBuffers {
     float ground_radius = 1;  // m
 };
 
-// A closed surface faces as much one way as the other; one with a hole lacks what the hole would face.
+// Whether the triangles' area vectors add up to zero, as on a closed surface (tolerance: 1e-4 of the area).
 bool is_closed(const BodyItem& item);
 
-// openness: of the cloths' vertices, then the bodies', then the ground's, as baked.
+// ambient_visibility: of the cloths' vertices, then the bodies', then the ground's, as baked.
 SceneBuffers make_scene_buffers(const GladGLContext& gl, const Scene& scene, const Ground& ground,
                                 const std::vector<Openness>& ambient_visibility);
 
-// What is kept of a scene from one picture to the next: a turning camera asks for nothing new, moving cloth for all
-// but what it did not change. What is kept was made from equal input, so a picture does not depend on those before.
+// Keeps a scene's buffers from one picture to the next. If only the camera moves, nothing is rebuilt; if cloth moves,
+// only what depends on it. Everything kept was made from equal input, so a picture does not depend on earlier ones.
 
 class PreparedScene {
  public:
@@ -80,15 +81,15 @@ class PreparedScene {
 
     const SceneBuffers& buffers() const { return buffers_; }
     const ShadowMap& shadow() const { return shadow_; }
-    const Eigen::Matrix4f& key_matrix() const { return key_matrix_; }  // room to -1..1, as the key light sees it
-    float shadow_width() const { return 2 * bounds_.radius; }          // m
+    const Eigen::Matrix4f& key_matrix() const { return key_matrix_; }  // world space to -1..1, from the key light
+    float shadow_width() const { return 2 * bounds_.radius; }          // m, covered by the shadow map
 
  private:
     void build(const Scene& scene, PartClock& clock);
     void turn_light(const Light& light, PartClock& clock);
 
     const GladGLContext& gl_;
-    std::shared_ptr<const Scene> scene_;  // that the rest was made from
+    std::shared_ptr<const Scene> scene_;  // from which the other members were made
     Casters casters_;
     Bounds bounds_;
     LitPoints points_;

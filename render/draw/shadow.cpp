@@ -95,7 +95,7 @@ void ShadowMap::draw(const Eigen::Matrix4f& matrix, float reach) const {
     gl_.ActiveTexture(GL_TEXTURE0);
     draw_nearest(tile_program_, {nearest_frame_.id(), kTileSide}, depth_.id(), kTexelsOfTile);
     const int spread = std::min(static_cast<int>(std::ceil(reach * kTileSide)) + 1, kTileSide);
-    // Within a square: along rows, then, the rows' tiles being read for the last time, back along columns.
+    // Minimum over a square: along rows into rows_, then along columns back into nearest_, which is not read any more.
     spread_program_.use();
     spread_program_.set("along_columns", 0);
     draw_nearest(spread_program_, {rows_frame_.id(), kTileSide}, nearest_.id(), spread);

@@ -1,23 +1,24 @@
 #pragma once
-// The scene's depths as the key light sees them, and how near its nearest part is round each place, coarsely: most
-// of a picture is told by that alone that nothing stands before it.
+// The shadow map: the scene's depths as seen from the key light, and a coarse grid of the nearest depth around each
+// texel, from which the shader sees that nothing blocks the light for most of a picture. Also the shadow mask: how much
+// of the key light each pixel of a view receives.
 #include "render/draw/depth_range.h"
 #include "render/gl/handle.h"
 
 namespace selvedge::render {
 
-// How far across the light a blocker is looked for, which is the softest a shadow's edge becomes, m.
+// m: radius across the light within which blockers are searched; also the largest blur radius of a shadow's edge.
 inline constexpr float kShadowReach = 0.07F;
 
 class ShadowMap {
  public:
     explicit ShadowMap(const GladGLContext& gl);
 
-    // Uploads what casts shadows from now on.
+    // Uploads the shadow casters for the following calls of draw().
     void load(const Casters& casters);
 
-    // Draws the depths. matrix: room to -1..1; reach: the greatest distance at which a shadow is looked for, as a
-    // share of the map's width.
+    // Draws the depths. matrix: world space to -1..1; reach: radius within which blockers are searched, as a fraction
+    // of the map's width.
     void draw(const Eigen::Matrix4f& matrix, float reach) const;
 
     unsigned depth() const { return depth_.id(); }
@@ -39,16 +40,16 @@ class ShadowMap {
     Framebuffer depth_frame_, nearest_frame_, rows_frame_;
 };
 
-// Where the key light is kept off, pixel by pixel of one view: first the places that are seen, then what each of them
-// sees of the light.
+// How much of the key light each pixel of a view receives. First pass: the visible position in each pixel; second pass:
+// the key light's visibility at that position.
 
 class ShadowMask {
  public:
     ShadowMask(const GladGLContext& gl, int width_px, int height_px);
 
-    void begin() const;  // binds and clears; surfaces are drawn next, by place.frag
+    void begin() const;  // binds and clears the first pass; then draw surfaces with place.frag
 
-    // shadow_width: m that the map spans.
+    // shadow_width: m, covered by the map.
     void finish(const ShadowMap& map, float shadow_width) const;
 
     unsigned texture() const { return mask_.id(); }

@@ -18,7 +18,8 @@
 namespace selvedge::render {
 namespace {
 
-// A library opened at run time. It stays open: Mesa's leave threads and thread-local data behind.
+// A library opened at run time. It is never closed, because Mesa's libraries leave threads and thread-local data
+// behind.
 class SharedLibrary {
  public:
     explicit SharedLibrary(const char* name) : handle_(dlopen(name, RTLD_NOW | RTLD_LOCAL)) {
@@ -36,7 +37,7 @@ class SharedLibrary {
     void* handle_;
 };
 
-// EGL without a surface: what takes OSMesa's place in newer Mesa, and drives a GPU where there is one.
+// EGL without a surface: replaces OSMesa in newer Mesa versions, and uses a GPU if there is one.
 struct Egl {
     SharedLibrary library{"libEGL.so.1"};
     PFNEGLGETPROCADDRESSPROC get_proc = library.function<PFNEGLGETPROCADDRESSPROC>("eglGetProcAddress");
@@ -92,7 +93,7 @@ class SurfacelessContext final : public GlContext {
         if (context_ == EGL_NO_CONTEXT) throw std::runtime_error("makes no core profile context");
     }
 
-    // The display stays: it is one for the whole process, and others may have contexts on it.
+    // Keeps the display: the process has only one, and other contexts may use it.
     void destroy() {
         egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         if (context_ != EGL_NO_CONTEXT) egl_.destroy(display_, context_);
@@ -107,7 +108,8 @@ std::unique_ptr<GlContext> make_egl_context() {
     return std::make_unique<SurfacelessContext>();
 }
 
-// OSMesa: software rendering with no display, device or server. Declared by hand, as its header clashes with glad's.
+// OSMesa: software rendering without display, device or server. Declared by hand, because its header conflicts with
+// glad's.
 using OSMesaHandle = struct osmesa_context*;
 
 constexpr int kFormat = 0x22, kDepthBits = 0x30, kProfile = 0x33, kCoreProfile = 0x34;

@@ -1,7 +1,9 @@
 #pragma once
-// A place to draw, behind one interface. Two makers need no window: their libraries are opened at run time, so that the
-// program starts where one is absent. A window's context is made with the window (app/window.h).
-// One thread owns every context, and draws to framebuffers of its own, so that the makers' pictures are the same.
+// An OpenGL context behind one interface. OSMesa and EGL need no window; their libraries are opened at run time, so
+// that the program also starts where one is missing. A window's context is made with the window (app/window.h). One CPU
+// thread owns all contexts. Pictures are drawn to framebuffers of our own, so that they are the same in every context.
+// Includes glad for GL's names and function table. Every GL call goes through a context's table, so that contexts of
+// two kinds can exist in one program. Other modules include this header, not glad.
 #include <glad/gl.h>
 #include <memory>
 #include <optional>
@@ -25,16 +27,16 @@ class GlContext {
     virtual void make_current() = 0;
     virtual ContextMaker maker() const = 0;
 
-    // The functions of this context (core profile, 3.3 or above). Valid while the context lives.
+    // GL functions of this context (core profile, version 3.3 or above). Valid as long as the context.
     const GladGLContext& gl() const { return *gl_; }
 
-    // Renderer and version, as the driver names itself.
+    // The driver's own names for renderer and version.
     std::string description() const;
 
-    // Waits until all is drawn, for benchmarks. Pre: current.
+    // Waits until GL has finished drawing, for benchmarks. Pre: the context is current.
     void finish() const;
 
-    // Per pixel that a framebuffer can have. Pre: current.
+    // Largest number of samples per pixel of a framebuffer. Pre: the context is current.
     int most_samples() const;
 
  protected:
@@ -50,12 +52,9 @@ class GlContext {
     std::unique_ptr<GladGLContext, Deleter> gl_;
 };
 
-// A current context by `maker`; without one, by that which the environment names in SELVEDGE_GL (osmesa or egl), or
-// else OSMesa's and, where it is absent, EGL's. Throws InputError with every maker's reason when there is none.
-// No other context may be current. Pre: not a window's.
+// Creates a context and makes it current. Without `maker`: the one named by the environment variable SELVEDGE_GL
+// (osmesa or egl); if that is not set, OSMesa, or EGL if OSMesa is missing. Throws InputError with the reason of each
+// maker if none works. Pre: no other context is current; maker is not Window.
 std::unique_ptr<GlContext> make_context(std::optional<ContextMaker> maker = {});
 
 }  // namespace selvedge::render
-
-// GL's names and the type of its function table, by glad. Every use goes through a context's table (context.h), so that
-// contexts of two makers can live in one program; no other room names the loader.

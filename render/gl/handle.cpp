@@ -86,7 +86,7 @@ namespace {
 
 constexpr const char* kVersionLine = "#version 330 core\n";
 
-// Source string numbers in the compiler's messages follow this order.
+// The compiler's messages number the sources in this order.
 std::string names_of(const std::vector<ShaderText>& texts) {
     std::string names;
     for (const ShaderText& text : texts) names += (names.empty() ? "" : "+") + text.name;

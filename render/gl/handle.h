@@ -1,5 +1,6 @@
 #pragma once
-// Owners of GL objects: made with the handle, deleted with it. The context must outlive its handles and be current.
+// RAII owners of GL objects: handles, a texture that holds a picture (PictureTexture), and a shader program (Program).
+// The context must outlive them and be current when they are made, used and deleted.
 #include <string>
 #include <string_view>
 #include <utility>
@@ -46,14 +47,14 @@ using Framebuffer = Handle<GlObject::Framebuffer>;
 using Renderbuffer = Handle<GlObject::Renderbuffer>;
 using Sampler = Handle<GlObject::Sampler>;
 
-// A picture that stays with GL: drawn into, shown, and read back only where someone asks for it. sRGB bytes; the first
-// row is the uppermost, as in an Image and in a window's memory, though GL would have it the lowest.
+// A picture in GL memory: drawn into, displayed, and read back only on request. sRGB bytes. Row 0 is the top row, as in
+// an Image, although GL's convention is that row 0 is the bottom row.
 
 class PictureTexture {
  public:
-    explicit PictureTexture(const GladGLContext& gl);  // empty
+    explicit PictureTexture(const GladGLContext& gl);  // no pixels until resize()
 
-    // Forgets what was drawn, where the size is another.
+    // Discards the picture if the size changes.
     void resize(int width_px, int height_px);
 
     int width_px() const { return width_px_; }
@@ -61,7 +62,7 @@ class PictureTexture {
     unsigned texture() const { return texture_.id(); }
     unsigned framebuffer() const { return framebuffer_.id(); }
 
-    Image read() const;  // Pre: not empty
+    Image read() const;  // Pre: resize() was called
 
  private:
     const GladGLContext& gl_;
@@ -73,20 +74,20 @@ class PictureTexture {
 
 }  // namespace selvedge::render
 
-// A GLSL program: its sources compiled and linked, its uniforms set by name.
+// A GLSL program: compiles and links its sources; sets uniforms by name.
 
 struct GladGLContext;
 
 namespace selvedge::render {
 
 struct ShaderText {
-    std::string name;  // for errors
+    std::string name;  // for error messages
     std::string text;
 };
 
 class Program {
  public:
-    // The texts of a stage are joined under one #version line. Throws std::runtime_error with the compiler's words.
+    // Joins the texts of each stage under one #version line. Throws std::runtime_error with the compiler's message.
     Program(const GladGLContext& gl, const std::vector<ShaderText>& vertex, const std::vector<ShaderText>& fragment);
     ~Program();
     Program(const Program&) = delete;
@@ -94,7 +95,7 @@ class Program {
 
     void use() const;
 
-    // Pre: in use. A uniform that the program does not read is passed over.
+    // Pre: the program is in use. A uniform that the program does not have is ignored.
     void set(const char* uniform, int value) const;
     void set(const char* uniform, float value) const;
     void set(const char* uniform, const Vec2f& value) const;

@@ -1,6 +1,7 @@
 #pragma once
-// Where a tile of a picture is drawn: our own framebuffer, multisampled and in linear half floats; its samples are
-// averaged, laid over the backdrop, encoded as sRGB bytes and read back.
+// The render target of one tile of a picture: a multisampled framebuffer in linear half floats. Its samples are
+// averaged, blended over the backdrop, encoded as sRGB bytes and read back. Also make_program(), which builds programs
+// from the embedded GLSL files.
 #include <functional>
 #include <initializer_list>
 #include <string_view>
@@ -14,7 +15,7 @@ struct TargetSize {
     int width_px = 0;  // of the finished tile
     int height_px = 0;
     int samples = 4;
-    int supersample = 1;  // pixels drawn per finished pixel, each way
+    int supersample = 1;  // drawn pixels per finished pixel, in each direction
 
     bool operator==(const TargetSize&) const = default;
 };
@@ -27,11 +28,11 @@ class Target {
 
     void begin() const;  // binds and clears to transparent
 
-    // Averages, lays over the backdrop and encodes. set_backdrop sets what backdrop.glsl asks of a program.
+    // Averages the samples, blends them over the backdrop and encodes. set_backdrop sets the uniforms of backdrop.glsl.
     void finish(const std::function<void(const Program&)>& set_backdrop) const;
 
-    unsigned finished_framebuffer() const { return finished_.id(); }  // the first row is the lowest
-    Image read() const;                                               // the first row is the lowest
+    unsigned finished_framebuffer() const { return finished_.id(); }  // row 0 is the bottom row
+    Image read() const;                                               // row 0 is the bottom row
 
  private:
     const GladGLContext& gl_;
@@ -45,9 +46,9 @@ class Target {
     Framebuffer finished_;
 };
 
-// The GLSL files of shaders/, compiled into the program, put together to programs.
+// Programs from the GLSL files of shaders/, which are embedded in the executable.
 
-// Stages by file name, such as {"shadow.glsl", "place.frag"}, joined in that order.
+// The stages' sources by file name, such as {"shadow.glsl", "place.frag"}, joined in that order.
 Program make_program(const GladGLContext& gl, std::initializer_list<std::string_view> vertex,
                      std::initializer_list<std::string_view> fragment);
 

@@ -23,7 +23,7 @@ Rgba8 paled(const Rgba8& pixel) {
     return {pale, pale, pale, 255};
 }
 
-// Even a step of one must be seen.
+// Even a difference of one step must be visible.
 Rgba8 marked(int step) {
     const std::uint8_t rest = to_byte(150.0 * (1.0 - std::min(1.0, step / 32.0)));
     return {230, rest, rest, 255};

@@ -1,6 +1,6 @@
 #pragma once
-// How far two pictures are apart. Software rendering gives the same bits on one machine, and on another CPU differs
-// in a few pixels by a few steps: golden pictures are compared exactly first and within those limits after.
+// Compares pictures for golden tests. Software rendering is byte-identical on one machine; on another CPU a few pixels
+// differ by a few steps. So pictures are compared exactly first, then within these limits.
 #include <cstddef>
 #include <string>
 
@@ -9,16 +9,16 @@
 namespace selvedge::render {
 
 struct CompareOptions {
-    int tolerance = 3;           // largest step of a channel, of 255, that rounding may explain
-    double share_beyond = 1e-4;  // share of pixels that may be off by more
+    int tolerance = 3;           // of 255, in any channel: differences up to this are taken as rounding
+    double share_beyond = 1e-4;  // fraction of pixels that may differ by more
 };
 
 struct Comparison {
     bool has_same_size = false;
-    std::size_t pixels = 0;     // of the larger extent in both directions
-    std::size_t differing = 0;  // pixels that are not the same; those that only one picture has count
+    std::size_t pixels = 0;     // larger width times larger height of the two
+    std::size_t differing = 0;  // pixels that differ, or that only one picture has
     std::size_t beyond = 0;     // pixels that differ by more than the tolerance
-    int largest_step = 0;       // of 255
+    int largest_step = 0;       // of 255, in any channel
 
     bool is_exact() const { return has_same_size && differing == 0; }
     double share_differing() const { return pixels == 0 ? 0.0 : double(differing) / double(pixels); }
@@ -27,14 +27,14 @@ struct Comparison {
 
 Comparison compare(const Image& a, const Image& b, const CompareOptions& options = {});
 
-// The golden rule: exact, or within the tolerance but for the allowed share.
+// The golden tests' rule: exact, or of the same size with at most share_beyond of the pixels beyond the tolerance.
 bool is_alike(const Comparison& comparison, const CompareOptions& options = {});
 
-// One line for people: "1.25 % of the pixels differ (0.30 % by more than 3/255, at most 87/255)".
+// One line of text: "1.25 % of the pixels differ (0.30 % by more than 3/255, at most 87/255)".
 std::string describe(const Comparison& comparison, const CompareOptions& options = {});
 
-// `a` in pale grey, with the pixels that differ in red, the stronger the further apart; magenta where only one
-// picture reaches. Empty when both are.
+// `a` in pale grey; pixels that differ in red, stronger for larger differences; magenta where only one picture has a
+// pixel. Empty if both are empty.
 Image difference_picture(const Image& a, const Image& b);
 
 }  // namespace selvedge::render

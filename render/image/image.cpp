@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMaxFileBytes = std::size_t{512} << 20;
 
-// libpng's simplified interface: it reports errors in the struct instead of jumping over destructors.
+// libpng's simplified interface: it reports errors in the struct and does not jump over destructors (longjmp).
 class PngImage {
  public:
     PngImage() { image_.version = PNG_IMAGE_VERSION; }

@@ -1,5 +1,5 @@
 #pragma once
-// A picture in memory: what the renderer hands over, what PNG files hold, what golden tests compare.
+// A picture in memory, which the renderer returns and golden tests compare, and reading and writing it as a PNG file.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -39,21 +39,21 @@ struct Image {
     }
 };
 
-// Pictures as PNG files (libpng). Reading trusts nothing: size limits come before any memory is taken.
+// PNG files (libpng). The reader does not trust its input: it checks the size limits before it allocates memory.
 
 inline constexpr int kMaxImageSide = 16384;  // px
 inline constexpr long kMaxImagePixels = 100L * 1000 * 1000;
 
-// Throws InputError when the file cannot be read, is damaged or cut short, or holds more pixels than the limits.
+// Throws InputError if the file cannot be read, is damaged or truncated, or exceeds the limits.
 Image read_png(const std::filesystem::path& path);
 
-// `name` stands for the file in errors.
+// `name`: the file's name in error messages.
 Image decode_png(std::string_view bytes, const std::string& name);
 
-// Same image, same bytes. Pre: the image is not empty.
+// Equal images give equal bytes. Pre: the image is not empty.
 std::string encode_png(const Image& image);
 
-// Atomic: a kill leaves the old file or the new one. Throws InputError when it cannot be written.
+// Atomic: if the process is killed, the file is the old or the new one. Throws InputError if it cannot be written.
 void write_png(const std::filesystem::path& path, const Image& image);
 
 }  // namespace selvedge::render

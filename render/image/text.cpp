@@ -23,7 +23,7 @@ bool is_follower(char byte) {
     return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
 }
 
-// Figures keep their cell, so that columns of numbers stand below each other.
+// Digits keep the full width, so that columns of numbers are aligned.
 Letter find_letter(char code) {
     Letter letter{.glyph = find_glyph(code), .first = 0, .width = kGlyphWidth};
     if (code == ' ') return {.glyph = letter.glyph, .first = 0, .width = kSpace};
@@ -41,8 +41,8 @@ bool is_set(const Letter& letter, int column, int row) {
     return (letter.glyph[static_cast<std::size_t>(row)] >> (kGlyphWidth - 1 - column) & 1U) != 0;
 }
 
-// How much of the pixel (x, y), at `scale` to one of the letter's, is ink: where two pixels of a stroke touch by their
-// corners only, the steps between them are filled to a slant.
+// Ink coverage of the pixel (x, y), 0..1; `scale` is in picture pixels per font pixel. Where two font pixels of a
+// stroke touch only at their corners, the steps between them are filled to a slant.
 float ink_at(const Letter& letter, int x, int y, int scale) {
     const int column = x / scale, row = y / scale;
     if (is_set(letter, column, row)) return 1;
@@ -120,7 +120,7 @@ namespace {
 constexpr int kFirst = 32, kLast = 126;
 constexpr int kPerBand = 16;
 
-// Sixteen letters to a band, nine rows to a letter.
+// Sixteen glyphs per band, nine rows per glyph.
 constexpr std::string_view kSheet[] = {
     //       !     "     #     $     %     &     '     (     )     *     +     ,     -     .     /
     "..... ..#.. .#.#. .#.#. ..#.. ##... .##.. ..#.. ...#. .#... ..... ..... ..... ..... ..... ....#",

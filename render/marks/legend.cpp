@@ -6,13 +6,13 @@
 namespace selvedge::render {
 namespace {
 
-// All in the letters' pixels.
+// All in font pixels.
 constexpr int kPadding = 8, kMargin = 10, kSwatch = 9, kGap = 6;
 constexpr int kRow = 13, kTitle = 16;
 constexpr int kBarWidth = 132, kBarHeight = 9, kBarRow = kBarHeight + 4 + kRow;
 constexpr int kBetween = 4;  // above the notes
 constexpr int kRadius = 3;
-constexpr std::size_t kLeastLetters = 14;  // of a name that has no room
+constexpr std::size_t kLeastLetters = 14;  // that remain of a name that does not fit
 
 constexpr Rgba8 kPaper{0xFC, 0xFB, 0xF9, 0xD6}, kRim{0x30, 0x30, 0x38, 0x2A};
 constexpr Rgba8 kInk{0x26, 0x26, 0x2B, 255}, kSoftInk{0x55, 0x55, 0x5C, 255};
@@ -39,7 +39,7 @@ int inner_width(const Legend& legend) {
     return legend.scale ? std::max(width, kBarWidth) : width;
 }
 
-// With names cut to a few letters.
+// With labels cut to kLeastLetters.
 int least_width(const Legend& legend) {
     Legend cut = legend;
     for (LegendRow& row : cut.rows) row.label = row.label.substr(0, kLeastLetters);
@@ -61,7 +61,7 @@ PixelBox in_corner(int width, int height, int margin, Corner corner, int width_p
             .height = height};
 }
 
-// As much of the words as has room, and two dots where that is not all.
+// As much of the text as fits, followed by two dots if it was cut.
 std::string shortened(const std::string& words, int room) {
     if (text_width(words) <= room) return words;
     std::string kept = words;
@@ -69,7 +69,7 @@ std::string shortened(const std::string& words, int room) {
     return kept + "..";
 }
 
-// Draws from the top down, in the letters' pixels.
+// Draws from the top down; coordinates are in font pixels.
 class Pen {
  public:
     Pen(Image& image, const PixelBox& box, int scale) : image_(image), box_(box), scale_(scale), y_(kPadding) {}
@@ -132,8 +132,7 @@ void draw_scale(Pen& pen, const LegendScale& scale) {
     pen.down(kBarRow);
 }
 
-// The letters' size is kept, and rows that have no room are left out; the smallest letters are the last resort, and
-// long names are cut then.
+// The legend's place at this scale, or nullopt. Rows that do not fit are left out. Long names are cut at scale 1 only.
 std::optional<LegendPlace> place_at_scale(const Legend& legend, int scale, int width_px, int height_px, Corner corner) {
     int width = (inner_width(legend) + 2 * kPadding) * scale;
     if (scale == 1) width = std::min(width, std::max(least_width(legend) + 2 * kPadding, width_px / 2));

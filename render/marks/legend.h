@@ -1,5 +1,5 @@
 #pragma once
-// What the colours of a picture mean, written in a corner of it: data in, pixels out.
+// The legend that explains a picture's colours, drawn in a corner of it: data in, pixels out.
 #include <array>
 #include <optional>
 #include <string>
@@ -11,44 +11,44 @@
 
 namespace selvedge::render {
 
-// One colour with its name, and a figure that stands to the right of it.
+// One colour with its name, and a value to the right of it.
 struct LegendRow {
     sim::Rgb8 colour{};
     std::string label;
     std::string figure{};
 };
 
-// A map from its low end, at the left, to its high one.
+// A colour map, drawn with its low end at the left.
 struct LegendScale {
     struct Tick {
         float place = 0;  // 0..1 along the map
         std::string label;
     };
     std::vector<sim::Rgb8> map;
-    std::vector<Tick> ticks;  // rising
+    std::vector<Tick> ticks;  // in rising order
 };
 
 struct Legend {
     std::string title;
     std::vector<LegendRow> rows{};
     std::optional<LegendScale> scale{};
-    std::vector<std::array<std::string, 2>> notes{};  // a name and its figure, below all else
+    std::vector<std::array<std::string, 2>> notes{};  // a name and its value each, below everything else
 };
 
 enum class Corner { LowerLeft, LowerRight, UpperLeft, UpperRight };
 
 struct LegendPlace {
     PixelBox box;
-    int scale = 1;         // px of the picture for one of the letters'
-    std::size_t rows = 0;  // that have room; one less names how many are left out
+    int scale = 1;         // picture pixels per font pixel
+    std::size_t rows = 0;  // rows that fit; if not all do, the last of them reads "and N more"
 };
 
-// Where it comes to lie in a corner of a picture: in letters that fit the picture's size, or the largest smaller ones
-// with which it takes no more than half of the picture's width; rows beyond three quarters of its height are left out.
-// None where there is no room for it even so.
+// The legend's box in a corner of a picture. Scale: the picture's shorter side / 512 px, at least 1; a smaller one if
+// the legend would be wider than half of the picture. Rows beyond three quarters of the picture's height are left out.
+// nullopt if it does not fit even so.
 std::optional<LegendPlace> place_legend(const Legend& legend, int width_px, int height_px, Corner corner);
 
-// Nothing is drawn where there is no place for it.
+// Draws nothing if place_legend() returns nullopt.
 void draw_legend(Image& image, const Legend& legend, Corner corner);
 
 }  // namespace selvedge::render

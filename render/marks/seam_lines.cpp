@@ -11,7 +11,7 @@ namespace {
 
 using Panels = std::array<std::uint16_t, 2>;
 
-// One side of a marked edge, known by its ends in rising order.
+// One triangle's side of a marked edge, identified by the edge's vertices in ascending order.
 struct MarkedSide {
     std::uint32_t low = 0;
     std::uint32_t high = 0;
@@ -55,7 +55,7 @@ EdgesOfPanels marked_edges(const sim::PlainMesh& mesh, const std::vector<Triangl
     return edges;
 }
 
-// Walks along edges that are not taken yet, taking them.
+// Walks along edges that are not taken yet, and marks them as taken.
 class Walker {
  public:
     Walker(const sim::PlainMesh& mesh, std::vector<MarkedEdge>& edges) : mesh_(mesh), edges_(edges) {
@@ -65,7 +65,7 @@ class Walker {
         }
     }
 
-    // All lines, each begun at its least end, or least vertex where it has no end.
+    // All lines. Each starts at its smallest end vertex, or at its smallest vertex if it has no end.
     std::vector<SeamLine> lines(const Panels& panels) {
         std::vector<SeamLine> found;
         for (const auto& [vertex, edges] : at_) {

@@ -18,9 +18,9 @@ namespace {
 
 constexpr sim::Rgb8 kQuietCloth{0xEC, 0xE9, 0xE3};
 constexpr sim::Rgb8 kHemColour{0x55, 0x55, 0x5A};
-constexpr float kBallShare = 0.19F;  // of a base edge, the radius of a vertex of level 0
+constexpr float kBallShare = 0.19F;  // radius of a vertex of level 0 / length of a base edge
 
-// Where the i-th of n kinds lies along its map.
+// Position of the i-th of n kinds along their colour map, 0..1.
 float place_of(std::size_t i, std::size_t n) {
     return n < 2 ? 0.0F : float(i) / float(n - 1);
 }
@@ -35,7 +35,7 @@ std::size_t colour_index(int level) {
     return static_cast<std::size_t>(std::clamp(level, 0, kLevelColours - 1));
 }
 
-// One row for each level up to the highest, with how many there are of it.
+// One row for each level up to the highest, with its number of elements.
 template <class Levels>
 std::vector<LegendRow> level_rows(const Levels& levels) {
     std::array<std::size_t, kLevelColours> counts{};
@@ -50,7 +50,7 @@ std::vector<LegendRow> level_rows(const Levels& levels) {
     return rows;
 }
 
-// A mesh that was read from a file has no levels: all are drawn as level 0.
+// A mesh that was read from a file has no levels: everything is drawn as level 0.
 std::vector<std::array<std::string, 2>> level_notes(bool are_known) {
     if (are_known) return {};
     return {{"levels", "not known"}};
@@ -72,7 +72,7 @@ const char* strain_title(ShowMode mode) {
     return "Strain, the greater";
 }
 
-// The map spans all but one in a hundred; beyond it its ends stand for more.
+// The map covers 99 % of the values; larger ones get the colours at its ends.
 Legend show_strain(ClothItem& cloth) {
     constexpr double least_limit = 0.01;
     const std::vector<float> strain = chosen_strain(cloth.mesh, cloth.show);
@@ -114,7 +114,7 @@ Legend show_panels(ClothItem& cloth) {
         mesh.panel.empty() ? 1 : std::size_t{1} + *std::max_element(mesh.panel.begin(), mesh.panel.end());
     Legend legend{.title = "Panels"};
     ClothPaint paint;
-    constexpr std::size_t kMostColours = 256;  // a map has to fit a texture; colours have come round long before
+    constexpr std::size_t kMostColours = 256;  // the map must fit a texture; so many colours look alike anyway
     for (std::size_t panel = 0; panel < panels; ++panel) {
         if (panel < kMostColours) paint.map.push_back(kind_colour(panel));
         legend.rows.push_back({kind_colour(panel % kMostColours), panel_name(mesh, panel)});
@@ -129,7 +129,7 @@ Legend show_panels(ClothItem& cloth) {
     return legend;
 }
 
-// "left sleeve front + back": words that the second name begins with too are not said again.
+// For example "left sleeve front + back": leading words that both names share are written only once.
 std::string seam_name(const sim::PlainMesh& mesh, const SeamLine& seam) {
     const std::string first = panel_name(mesh, seam.panels[0]), second = panel_name(mesh, seam.panels[1]);
     if (seam.panels[0] == seam.panels[1]) return first;
@@ -174,7 +174,7 @@ Legend show_seams(Scene& scene, float radius) {
     return legend;
 }
 
-// m: the median, over all triangles' edges, of the length that each would have had at level 0.
+// m: the median over all triangles' edges of their lengths at level 0 (length x 2^level).
 float base_edge(const sim::PlainMesh& mesh) {
     std::vector<double> lengths;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -296,7 +296,7 @@ Legend level_legend(const sim::PlainMesh& mesh) {
 
 namespace {
 
-// Without digits that say nothing: 5, 2.5, 0.15.
+// Without trailing zeros: 5, 2.5, 0.15.
 std::string short_number(double value) {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.4g", value);

@@ -1,5 +1,6 @@
 #pragma once
-// From a mesh and a mode to what is drawn: paint, marks and the legend that explains them.  (SPEC 6, thesis 3.7)
+// Display modes: fills in a scene's paint and marks for a mode, and makes the legend that explains them. Also the
+// scales of the strain and clearance legends.  (thesis 3.7, figs. 3.16, 3.17)
 #include <optional>
 #include <vector>
 
@@ -10,37 +11,37 @@
 namespace selvedge::render {
 
 struct ShowFacts {
-    std::vector<float> clearance{};  // m, one per vertex of the garment; Clearance asks for them
-    float line_radius = 0.003F;      // m, of the lines of Seams and of outlines in Hierarchy
+    std::vector<float> clearance{};  // m, one per vertex of the garment; needed by Clearance
+    float line_radius = 0.003F;      // m, of the lines in Seams and of the outlines in Hierarchy
 };
 
-// Whether the mode reads the garment's material coordinates.
+// Whether the mode needs the garment's material coordinates.
 bool wants_material(ShowMode mode);
 
-// Whether colours stand for figures or kinds, so that they want even light.
+// Whether the mode comes after Plain: its colours stand for values or kinds, so it needs even light (even_light()).
 bool is_painted(ShowMode mode);
 
-// Fills in what the mode of the scene's first cloth shows, and returns the legend, where it has one.
-// Pre: the mode is not Hierarchy; material coordinates and facts that it asks for are there, and finite.
+// Fills in what the mode of the scene's first cloth shows. Returns the legend, if the mode has one. Pre: the mode is
+// not Hierarchy; the material coordinates and facts that the mode needs are given and finite.
 std::optional<Legend> fill_show(Scene& scene, const ShowFacts& facts = {});
 
-// The same for Hierarchy: the model becomes the scene's only cloth.
+// The same for Hierarchy: the model replaces all cloths and solids of the scene.
 Legend fill_hierarchy(Scene& scene, const sim::TriangleHierarchy& hierarchy, StackSide side,
                       const ShowFacts& facts = {});
 
-// How many triangles each level has, up to the highest.
+// Number of triangles of each level, up to the highest.
 Legend level_legend(const sim::PlainMesh& mesh);
 
-// Figures on a map: the range that a map spans, in round numbers, and the legend that says so.
+// Scales of values: the range that a colour map covers, rounded, and its legend.
 
-// The least of 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten that is no less. Pre: value > 0, finite.
+// The smallest number of the form {1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8} x 10^n that is >= value. Pre: value > 0, finite.
 double round_up(double value);
 
-// The map's ends in percent, its middle 0; the 99th percentile, the greatest and the least of `strains`, 0.01 being one
-// percent. Pre: limit > 0, strains are not empty.
+// Scale from -limit to +limit, in percent; notes with the 99th percentile, maximum and minimum of `strains` (0.01 is
+// one percent). Pre: limit > 0, strains not empty.
 Legend strain_legend(const std::string& title, double limit, const std::vector<double>& strains);
 
-// From 0 to `limit`, in mm; the figures are in m. Pre: as above.
+// Scale from 0 to `limit`, in mm; limit and clearances are in m. Pre: limit > 0, clearances not empty.
 Legend clearance_legend(double limit, const std::vector<double>& clearances);
 
 }  // namespace selvedge::render

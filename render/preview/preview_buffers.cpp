@@ -15,13 +15,13 @@
 namespace selvedge::render {
 namespace {
 
-// Byte for byte, which is quicker than number for number; what is taken for another is only uploaded again.
+// Compares bytes, which is faster than comparing numbers. A false difference only costs an upload.
 template <class T>
 bool is_same(const std::vector<T>& a, const std::vector<T>& b) {
     return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
-// Given anew rather than changed, for the last picture may still be drawn from it.
+// Allocates new storage instead of overwriting, because GL may still draw the previous picture from the old one.
 template <class T>
 void upload(const GladGLContext& gl, GLenum target, const Buffer& buffer, const std::vector<T>& data) {
     gl.BindBuffer(target, buffer.id());
@@ -34,7 +34,7 @@ void add_floats(const GladGLContext& gl, GLuint index, int floats, std::size_t s
                            reinterpret_cast<const void*>(offset));
 }
 
-// All but positions, normals and look.
+// Same triangles, material coordinates and panels.
 bool is_same_net(const sim::PlainMesh& a, const sim::PlainMesh& b) {
     return is_same(a.triangles, b.triangles) && is_same(a.u, b.u) && is_same(a.panel, b.panel);
 }
@@ -50,7 +50,7 @@ bool is_same_picture(const ClothItem& a, const ClothItem& b) {
            a.mesh.u.empty() == b.mesh.u.empty() && (!a.paint || a.paint->map == b.paint->map);
 }
 
-// Of one panel, from material coordinates to the fabric's (weft, warp).
+// For one panel: from material coordinates to the fabric's (weft, warp).
 struct PanelTurn {
     float c = 1, s = 0;
     Vec2f offset{0, 0};
@@ -192,7 +192,7 @@ void PreviewSurface::update(const SolidItem& item, const SolidItem* before) {
 
 namespace {
 
-constexpr unsigned kMostTexels = 512;  // each way
+constexpr unsigned kMostTexels = 512;  // per side
 
 int texels_for(const SettSums& sums) {
     return static_cast<int>(std::bit_ceil(std::min(static_cast<unsigned>(sums.threads()), kMostTexels)));
@@ -204,7 +204,7 @@ Vec3f sum_at(const SettSums& sums, double thread) {
     return (1 - share) * sums.sums[below] + share * sums.sums[below + 1];
 }
 
-// Linear light, of `count` equal parts of the repeat.
+// Mean colours, in linear light, of `count` equal parts of the repeat.
 std::vector<Vec3f> mean_colours(const SettSums& sums, int count) {
     std::vector<Vec3f> colours;
     const double width = double(sums.threads()) / double(count);
@@ -215,7 +215,7 @@ std::vector<Vec3f> mean_colours(const SettSums& sums, int count) {
     return colours;
 }
 
-// Linear light to sRGB bytes, by a table: a picture has many texels.
+// Linear light to sRGB bytes by a table, because a texture has many texels.
 class ByteEncoder {
  public:
     ByteEncoder() {

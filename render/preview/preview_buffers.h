@@ -1,6 +1,6 @@
 #pragma once
-// What a draft draws, as GL holds it, kept from one picture to the next: of moving cloth only positions and normals go
-// anew.
+// GL buffers of the preview renderer, kept from one picture to the next: when cloth moves, only its positions and
+// normals are uploaded again. Also the tartan as a mipmapped texture.
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -17,7 +17,7 @@ class PreviewCloth {
  public:
     explicit PreviewCloth(const GladGLContext& gl);
 
-    // before: the item that was given last, or none.
+    // before: the item of the previous call, or null.
     void update(const ClothItem& item, const ClothItem* before);
 
     unsigned vertex_array() const { return vertex_array_.id(); }
@@ -25,7 +25,7 @@ class PreviewCloth {
     unsigned picture() const { return picture_.id(); }
     bool is_woven() const { return is_woven_; }
     bool is_painted() const { return is_painted_; }
-    std::array<int, 2> threads() const { return threads_; }  // of a repeat, warp and weft
+    std::array<int, 2> threads() const { return threads_; }  // in one repeat of warp and weft
 
  private:
     struct FixedVertex {
@@ -41,7 +41,7 @@ class PreviewCloth {
     Buffer fixed_, moving_;
     Texture picture_;
     std::vector<TriangleMarks> marks_;
-    std::vector<FixedVertex> fixed_vertices_;    // kept for their memory, as are these:
+    std::vector<FixedVertex> fixed_vertices_;    // kept to reuse its memory, like corners_
     std::vector<std::array<Vec3f, 2>> corners_;  // position, normal
     int vertex_count_ = 0;
     bool is_woven_ = false;
@@ -49,7 +49,7 @@ class PreviewCloth {
     std::array<int, 2> threads_{1, 1};
 };
 
-// A body, or marks with colours of their own.
+// A body, or a solid with a colour per vertex.
 class PreviewSurface {
  public:
     explicit PreviewSurface(const GladGLContext& gl);
@@ -59,7 +59,7 @@ class PreviewSurface {
 
     unsigned vertex_array() const { return vertex_array_.id(); }
     int index_count() const { return index_count_; }
-    bool is_closed() const { return is_closed_; }  // its inside is not seen
+    bool is_closed() const { return is_closed_; }  // back faces are culled
 
  private:
     void fill_points(const std::vector<Vec3f>& x, const std::vector<Vec3f>& normals);
@@ -72,11 +72,11 @@ class PreviewSurface {
     bool is_closed_ = false;
 };
 
-// A tartan as one picture that repeats, with every smaller size of it, for drafts: a lookup by place costs one sample.
-// Single threads are not drawn; each size holds the exact mean colours of the threads that a texel covers.
+// A tartan as one repeating mipmapped texture, for previews: one texture sample per pixel. Single threads are not
+// drawn; each texel has the exact mean colour of the threads that it covers.
 
-// From the largest, a power of two each way, down to one pixel. x is along the weft (the warp's threads), y along the
-// warp.
+// Mip levels from the largest (each side a power of two, at most 512 texels) down to 1 x 1. x runs along the weft,
+// across the warp's threads; y runs along the warp.
 std::vector<Image> preview_weave(const sim::Sett& sett);
 
 Texture upload_draft_weave(const GladGLContext& gl, const std::vector<Image>& sizes);

@@ -13,18 +13,18 @@
 namespace selvedge::render {
 namespace {
 
-constexpr float kBodyOpenness = 0.85F;  // of the room's light, where nothing is baked
+constexpr float kBodyOpenness = 0.85F;  // constant ambient visibility, because previews bake none
 constexpr float kSeamInk = 0.28F, kEdgeInk = 0.6F;
 
-// What is left of a body on the ground.
+// The place of a body's soft shadow on the ground.
 struct Footprint {
     Vec3f centre = Vec3f::Zero();
-    Vec2f reach = Vec2f::Zero();  // m, along x and z
+    Vec2f reach = Vec2f::Zero();  // m, half axes along x and z
 };
 
 std::optional<Footprint> footprint_of(const Scene& scene) {
     if (!scene.has_ground) return std::nullopt;
-    constexpr float low = 0.25F, margin = 0.22F;  // m: what is higher than that leaves nothing
+    constexpr float low = 0.25F, margin = 0.22F;  // m: higher parts of a body are ignored
     Eigen::AlignedBox3f box;
     for (const BodyItem& body : scene.bodies) {
         for (const Vec3f& x : body.x) {
@@ -36,7 +36,7 @@ std::optional<Footprint> footprint_of(const Scene& scene) {
                      .reach = {0.5F * box.sizes().x() + margin, 0.5F * box.sizes().z() + margin}};
 }
 
-// Room to clip space, the picture's upper row first.
+// World space to clip space, upside down: the texture's row 0 is the picture's top row.
 Eigen::Matrix4f upside_down_matrix(const SceneView& view, const PictureTexture& to) {
     Eigen::Matrix4f matrix =
         projection_matrix(view.camera, float(to.width_px()) / float(to.height_px())) * view_matrix(view.camera);
@@ -101,7 +101,7 @@ struct PreviewRenderer::Impl {
         footprint = footprint_of(*next);
     }
 
-    // Kept as it is: most of a picture, and the same in all of a view's.
+    // Draws the backdrop once, then copies it: it is most of a picture and the same in all pictures of a view.
     void draw_backdrop(const Background& wished, const PictureTexture& to) {
         const bool is_same_size = backdrop.width_px() == to.width_px() && backdrop.height_px() == to.height_px();
         if (!is_same_size || !background || background->centre != wished.centre || background->edge != wished.edge) {
@@ -130,7 +130,7 @@ struct PreviewRenderer::Impl {
         gl.Viewport(0, 0, to.width_px(), to.height_px());
     }
 
-    // Depths belong to the view; the texture borrows them while it is drawn.
+    // The depth buffer belongs to the view; it is attached to the texture while that is drawn.
     void attach_depth(const PictureTexture& to) {
         gl.BindFramebuffer(GL_FRAMEBUFFER, to.framebuffer());
         gl.BindRenderbuffer(GL_RENDERBUFFER, depth.id());
@@ -231,8 +231,8 @@ struct PreviewRenderer::Impl {
     Renderbuffer depth;
     int depth_width_px = 0, depth_height_px = 0;
     PictureTexture backdrop;
-    std::optional<Background> background;  // that the backdrop shows
-    std::shared_ptr<const Scene> scene;    // that the buffers hold
+    std::optional<Background> background;  // shown by `backdrop`
+    std::shared_ptr<const Scene> scene;    // held by the buffers
     std::deque<PreviewCloth> cloths;
     std::deque<PreviewSurface> bodies, solids;
     std::optional<Footprint> footprint;
@@ -247,12 +247,12 @@ void PreviewRenderer::draw(const SceneView& view, PictureTexture& to) {
     impl.prepare(view.scene);
     const Eigen::Matrix4f camera = upside_down_matrix(view, to);
     impl.begin(to);
-    impl.attach_depth(to);  // first: while it is smaller than the texture, no more of that is drawn to
+    impl.attach_depth(to);  // first: GL draws only to the size of the smallest attachment
     impl.draw_backdrop(view.scene->background, to);
-    impl.gl.FrontFace(GL_CW);  // for all is upside down
+    impl.gl.FrontFace(GL_CW);  // because the picture is upside down
     impl.draw_ground(camera);
     impl.gl.Enable(GL_DEPTH_TEST);
-    impl.draw_cloths(view, camera);  // what it hides of the body is not drawn
+    impl.draw_cloths(view, camera);  // before bodies: parts of a body that it hides are not shaded
     impl.draw_surfaces(view, camera);
     impl.gl.Disable(GL_DEPTH_TEST);
     impl.gl.FrontFace(GL_CCW);

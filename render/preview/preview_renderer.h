@@ -1,6 +1,6 @@
 #pragma once
-// The picture that an editor shows while something moves: no shadows, no room light, one sample to a pixel, no single
-// threads; light is worked out at vertices. Like the renderer's in colours and view, at a small part of its cost.
+// Draws the picture that an editor shows while something moves: no shadows, no ambient occlusion, one sample per pixel,
+// no single threads, lighting per vertex. Colours and view are those of Renderer, at a small part of its cost.
 #include <memory>
 
 #include "render/gl/context.h"
@@ -9,14 +9,14 @@
 
 namespace selvedge::render {
 
-// Belongs to one thread and to the context, which must outlive it. Keeps what a scene has in common with the one drawn
-// before: have one for each view. The same view has the same bits whatever was drawn before.
+// Belongs to one CPU thread and to the context, which must outlive it. It keeps GPU data that the next scene shares
+// with this one, so use one renderer per view. Equal views give byte-identical pictures, whatever was drawn before.
 class PreviewRenderer {
  public:
     explicit PreviewRenderer(GlContext& context);
     ~PreviewRenderer();
 
-    // Of the texture's size; its first row is the picture's uppermost. A scene may be empty.
+    // Draws at the texture's size; row 0 of the texture is the top row of the picture. The scene may be empty.
     // Pre: the texture belongs to the context; the scene's numbers are finite.
     void draw(const SceneView& view, PictureTexture& to);
 

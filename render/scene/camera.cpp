@@ -17,7 +17,7 @@ struct NamedView {
     Direction direction;
 };
 
-// A little from above, so that the ground is seen as ground.
+// A little from above, so that the ground is visible as a plane.
 constexpr std::array<NamedView, 9> kViews{{{"front", View::Front, {0, 0.07F}},
                                            {"back", View::Back, {3.1415927F, 0.07F}},
                                            {"left", View::Left, {1.5707963F, 0.07F}},
@@ -43,9 +43,9 @@ Axes axes_of(const Direction& direction) {
     return axes;
 }
 
-// Along one picture axis: a point at s across and b towards the eye is inside when
-// -(distance - b) before <= s - centre <= (distance - b) after. So the greatest of s + b after and the least of
-// s - b before bound the distance, and between them lies the centre.
+// Bounds along one axis of the picture. A point at s along the axis and b towards the eye is visible if
+// -(distance - b) before <= s - centre <= (distance - b) after. So the maximum of s + b after and the minimum of
+// s - b before give the smallest distance, and the centre that fits a distance.
 struct Extent {
     float before = 1;
     float after = 1;
@@ -98,7 +98,7 @@ Camera frame_points(const std::vector<Vec3f>& points, const Direction& direction
         nearest = std::max(nearest, b);
         farthest = std::min(farthest, b);
     }
-    constexpr float least_clearance = 0.05F;  // m: a flat thing seen edge-on would touch the eye
+    constexpr float least_clearance = 0.05F;  // m: else a flat object seen edge-on would touch the eye
     const float distance = std::max({across.least_distance(), upward.least_distance(), nearest + least_clearance});
     camera.eye = across.centre(distance) * axes.right + upward.centre(distance) * axes.up + distance * axes.back;
     camera.target = camera.eye - (distance - (nearest + farthest) / 2) * axes.back;
@@ -158,7 +158,7 @@ std::vector<Vec3f> detail_patch(const std::vector<Vec3f>& garment, View view) {
         low = low.cwiseMin(x);
         high = high.cwiseMax(x);
     }
-    constexpr float overlap = 0.02F;  // m, beyond the edge
+    constexpr float overlap = 0.02F;  // m, beyond the garment's edge
     const float middle = (low.x() + high.x()) / 2, half = kDetailSize / 2;
     const float bottom = view == View::Close ? high.y() + overlap - kDetailSize : low.y() - overlap;
     float front = -std::numeric_limits<float>::infinity();

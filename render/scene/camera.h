@@ -1,5 +1,6 @@
 #pragma once
-// Where a picture is taken from. A long lens, as for catalogue pictures, so that a figure keeps its proportions.
+// The camera of a picture, and how it frames a scene or a detail of a garment. The lens is long (24 degrees), as for
+// catalogue pictures, so that a body keeps its proportions.
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,17 +10,17 @@
 
 namespace selvedge::render {
 
-// Seen from: +z is the front of a body, +x its left. Close and Hem are details of a garment (render/scene/camera.h).
+// Where the camera stands: +z is the front of a body, +x its left. Close and Hem are details of a garment (see below).
 enum class View { Front, Back, Left, Right, ThreeQuarter, ThreeQuarterBack, Top, Close, Hem };
 
 inline constexpr const char* kViewNames =
     "front, back, left, right, three-quarter, three-quarter-back, top, close, hem";
 std::optional<View> parse_view(std::string_view name);
 
-// Where the eye stands, seen from what it looks at.
+// Direction from the camera's target to the camera.
 struct Direction {
-    float azimuth = 0;    // rad, from the front towards the body's left
-    float elevation = 0;  // rad, above the horizon; less than a quarter turn
+    float azimuth = 0;    // rad, from the body's front towards its left
+    float elevation = 0;  // rad, above the horizon; below pi/2
 };
 
 Direction direction_of(View view);
@@ -35,33 +36,34 @@ struct Camera {
 
 struct FrameOptions {
     float aspect = 1;      // width over height
-    float margin = 0.07F;  // of the picture's half extent, left free all round
-    // Shares of the width and height that are kept free beside the margin, for a legend.
+    float margin = 0.07F;  // fraction of the picture's half extent, left free on each side
+    // Fractions of the width and height that are also left free, for a legend.
     float free_left = 0;
     float free_below = 0;
 };
 
-// The camera at `view` that holds all points, as near as it can be. Pre: aspect > 0, points not empty, something is
-// left of the picture.
+// The camera at `view` that sees all points from as near as possible. Pre: aspect > 0; points not empty; margin and
+// free parts leave a part of the picture.
 Camera frame_points(const std::vector<Vec3f>& points, View view, const FrameOptions& options);
 Camera frame_points(const std::vector<Vec3f>& points, const Direction& direction, const FrameOptions& options);
 
-// The same camera with a lens that shows everything `times` as large, about the middle. Pre: times > 0.
+// The same camera with another field of view: everything appears `times` as large about the centre. Pre: times > 0.
 Camera zoomed(Camera camera, float times);
 
-// The same camera after the scene turned by `angle` (rad, anticlockwise from above) about the upright through `axis`.
+// The camera for the same view after the scene turned by `angle` (rad, anticlockwise from above) about the vertical
+// line through `axis`: the camera moves the opposite way.
 Camera turned(Camera camera, float angle, const Vec3f& axis);
 
 Eigen::Matrix4f view_matrix(const Camera& camera);
 Eigen::Matrix4f projection_matrix(const Camera& camera, float aspect);
 
-// What of a garment a detail shows: patches of one size, so that fabrics are judged side by side.
+// Detail views show a patch of fixed size, so that fabrics can be compared side by side.
 
-inline constexpr float kDetailSize = 0.30F;  // m, of the patch that Close and Hem show
+inline constexpr float kDetailSize = 0.30F;  // m, side of the square patch that Close and Hem show
 
 bool is_detail(View view);
 
-// The corners of the patch: at the front, by the garment's upper edge for Close, by its lower one for Hem.
+// The corners of the patch at the front of the garment: at its upper edge for Close, at its lower edge for Hem.
 // Pre: is_detail(view), points not empty.
 std::vector<Vec3f> detail_patch(const std::vector<Vec3f>& garment, View view);
 

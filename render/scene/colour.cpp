@@ -12,7 +12,7 @@ Vec3f from_polar(float lightness, float chroma, float hue_deg) {
     return {lightness, chroma * std::cos(hue), chroma * std::sin(hue)};
 }
 
-// At equal steps of length along the polygon, so that equal figures are equally far apart to the eye.
+// Colours at equal steps of length along a polyline in Oklab, so that equal differences of values look equal.
 std::vector<sim::Rgb8> even_map(std::span<const Vec3f> corners) {
     std::vector<float> reached{0};
     for (std::size_t i = 1; i < corners.size(); ++i)
@@ -28,7 +28,7 @@ std::vector<sim::Rgb8> even_map(std::span<const Vec3f> corners) {
     return map;
 }
 
-// Hues a golden angle apart never come close; three lightnesses in turn help where hues are confused.
+// Hues a golden angle apart never come close to each other; three lightnesses in turn help where hues look alike.
 Vec3f kind(std::size_t index, float first_hue_deg, std::array<float, 3> lightness, float chroma) {
     const float hue = std::fmod(first_hue_deg + 137.50776F * float(index), 360.0F);
     return from_polar(lightness[index % 3], chroma, hue);

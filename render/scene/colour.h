@@ -1,6 +1,7 @@
 #pragma once
-// Colours for figures and for kinds, made in Oklab (B. Ottosson 2020), where equal steps look equal: maps whose
-// lightness alone tells the order, and that people who confuse red and green read like everyone else.
+// Colour maps for values and colours for kinds, made in Oklab (B. Ottosson 2020), where equal steps look equal. They
+// stay readable with red-green colour blindness: the sequential map grows lighter from end to end, the diverging map
+// runs from blue to orange. Also the conversion between sRGB and linear light.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -11,25 +12,25 @@
 
 namespace selvedge::render {
 
-// Lightness 0..1, green to red, blue to yellow.
+// L (lightness, 0..1), a (green to red), b (blue to yellow).
 Vec3f to_oklab(const sim::Rgb8& colour);
-sim::Rgb8 from_oklab(const Vec3f& lab);  // clamped to what a screen can show
+sim::Rgb8 from_oklab(const Vec3f& lab);  // clamped to the sRGB gamut
 
-inline constexpr std::size_t kMapColours = 257;  // odd: the middle is one of them
+inline constexpr std::size_t kMapColours = 257;  // odd, so that one colour is the middle
 
-// From blue by a light neutral grey to orange: compressed, at rest, extended.
+// From blue through light neutral grey to orange, for strain: compressed, at rest, stretched.
 std::vector<sim::Rgb8> diverging_map();
 
-// From dark violet by blue and green to pale yellow: near to far.
+// From dark violet through blue and green to pale yellow, for distances: near to far.
 std::vector<sim::Rgb8> sequential_map();
 
-// A calm colour for one of many kinds; any that are next to each other in number are told apart by hue and lightness.
+// A muted colour for the kind with this index. Neighbouring indices differ in hue and lightness.
 sim::Rgb8 kind_colour(std::size_t index);
 
-// The same, deep enough to be read as a line on pale cloth.
+// The same, but dark enough for lines on pale cloth.
 sim::Rgb8 line_colour(std::size_t index);
 
-// sRGB and linear light, in which all shading is done.  (IEC 61966-2-1)
+// Conversion between sRGB and linear light (IEC 61966-2-1). All shading is done in linear light.
 inline double to_linear(std::uint8_t byte) {
     const double s = byte / 255.0;
     return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);

@@ -1,6 +1,6 @@
 #pragma once
-// What a picture shows, as plain data: whoever has a garment fills it, the renderer draws it, and neither knows the
-// other.  (SPEC 6)
+// What a picture shows, as plain data. The caller fills it in from a garment and the renderer draws it, so that neither
+// depends on the other.
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -18,17 +18,17 @@
 namespace selvedge::render {
 
 enum class ShowMode {
-    Tartan,  // woven from the sett, by material coordinates; plain where the mesh has none
+    Tartan,  // woven from the sett, by material coordinates; plain if the mesh has none
     Level,   // triangles coloured by their level
     Edges,   // plain cloth with the triangles' edges
     Plain,
-    // What these show is in ClothItem::paint and Scene::solids (render/marks/show.h):
-    Vertices,    // spheres that halve with each level
+    // The data of the following modes is in ClothItem::paint and Scene::solids (render/marks/show.h):
+    Vertices,    // spheres whose radius halves with each level
     Hierarchy,   // the levels' triangles stacked beside the flat panels
     StrainWarp,  // along the warp
     StrainWeft,
-    Strain,     // the greater of the two
-    Clearance,  // how far the cloth stands off the body
+    Strain,     // the larger of the two
+    Clearance,  // distance of the cloth from the body
     Panels,
     Seams,
 };
@@ -37,20 +37,20 @@ inline constexpr const char* kShowModeNames =
     "tartan, level, edges, plain, vertices, hierarchy, strain-warp, strain-weft, strain, clearance, panels, seams";
 std::optional<ShowMode> parse_show_mode(std::string_view name);
 
-// Colours that belong to triangles and their corners, by way of a map: between corners the map is followed, where
-// colours themselves would be mixed.
+// Colours of triangles' corners, given as positions along a colour map. The shader interpolates the position, not the
+// colour, so that colours between two corners follow the map.
 struct ClothPaint {
-    std::vector<sim::Rgb8> map;                // at least two
-    std::vector<std::array<float, 3>> places;  // per triangle, of its corners along the map, 0..1
+    std::vector<sim::Rgb8> map;                // at least two colours
+    std::vector<std::array<float, 3>> places;  // per triangle: its corners' positions along the map, 0..1
 
     bool operator==(const ClothPaint&) const = default;
 };
 
-// How a surface takes light beyond its colour.
+// How a surface reflects light, apart from its colour.
 struct Material {
-    float gloss = 0.008F;     // share of light that is mirrored, 0..1: wool 0.005, cotton 0.008, silk 0.05
-    float roughness = 0.35F;  // 0..1, of the highlight: silk 0.25, wool 0.5
-    float sheen = 0.045F;     // share of light that fibres on the surface catch at the rim: wool 0.06, silk 0.02
+    float gloss = 0.008F;     // fraction of light reflected specularly, 0..1: wool 0.005, cotton 0.008, silk 0.05
+    float roughness = 0.35F;  // 0..1, width of the highlight: silk 0.25, wool 0.5
+    float sheen = 0.045F;     // fraction of light that surface fibres scatter at grazing angles: wool 0.06, silk 0.02
 
     bool operator==(const Material&) const = default;
 };
@@ -61,13 +61,13 @@ Material material_of(const sim::Fabric& fabric);
 struct ClothItem {
     sim::PlainMesh mesh;
     sim::Sett sett;
-    Vec2f sett_position{0, 0};  // m, in the fabric's (weft, warp) directions: where the first stripe begins
-    float sett_scale = 1;       // of the sett's own repeat
+    Vec2f sett_position{0, 0};  // m, in the fabric's (weft, warp) directions: start of the first stripe
+    float sett_scale = 1;       // factor on the sett's own repeat
     ShowMode show = ShowMode::Tartan;
-    sim::Rgb8 colour{0xE4, 0xDF, 0xD3};  // where no tartan is woven
+    sim::Rgb8 colour{0xE4, 0xDF, 0xD3};  // if no tartan is woven
     Material material{};
-    std::optional<ClothPaint> paint{};  // in the modes that follow Plain
-    float ink = 0;                      // 0..1, of the triangles' edges in them
+    std::optional<ClothPaint> paint{};  // in the modes after Plain
+    float ink = 0;                      // 0..1, darkness of the triangles' edges in those modes
 
     bool operator==(const ClothItem&) const = default;
 };
@@ -82,7 +82,7 @@ struct BodyItem {
     bool operator==(const BodyItem&) const = default;
 };
 
-// A surface with colours of its own: marks on the cloth. It casts no shadow.
+// A surface with a colour per vertex, such as marks on the cloth. It casts no shadow.
 struct SolidItem {
     std::vector<Vec3f> x;            // m
     std::vector<Vec3f> normals;      // unit
@@ -92,20 +92,20 @@ struct SolidItem {
     bool operator==(const SolidItem&) const = default;
 };
 
-// One key light with shadows, a fill from the other side without, and the light of the room from all round.
+// One key light with shadows, a fill light from the other side without shadows, and ambient light.
 struct Light {
-    Vec3f to_key{-0.5F, 0.7F, 0.6F};  // towards the light, unit or not
+    Vec3f to_key{-0.5F, 0.7F, 0.6F};  // direction towards the light; need not be unit
     Vec3f to_fill{0.7F, 0.2F, 0.7F};
-    float key = 0.90F;  // irradiance, 1 makes white white
+    float key = 0.90F;  // irradiance; at 1, a white surface that faces the light is drawn white
     float fill = 0.12F;
-    float sky = 0.36F;     // from above
-    float bounce = 0.19F;  // from below
+    float sky = 0.36F;     // ambient light from above
+    float bounce = 0.19F;  // ambient light from below
 };
 
 struct Background {
     sim::Rgb8 centre{0xF1, 0xEF, 0xEB};
     sim::Rgb8 edge{0xCC, 0xCA, 0xC6};
-    bool is_transparent = false;  // only the ground's shadow remains of it
+    bool is_transparent = false;  // alpha is 0 except for the ground's shadow
 };
 
 struct Scene {
@@ -115,31 +115,31 @@ struct Scene {
     Camera camera;
     Light light;
     Background background;
-    bool has_ground = true;  // catches shadows; has no horizon
+    bool has_ground = true;  // it catches shadows and fades out without a horizon
     float ground_y = 0;      // m
 };
 
-// A scene seen otherwise than by the camera and light in it. Whoever shares a scene does not change it any more: the
-// same pointer is the same matter, and nothing is compared.
+// A scene with a camera and light other than its own. A shared scene must not be changed any more: the same pointer
+// means the same content, and nothing is compared.
 struct SceneView {
     std::shared_ptr<const Scene> scene;
     Camera camera;
     Light light;
 };
 
-// The surface of a body with its normals.
+// The surface of a body, with vertex normals.
 BodyItem make_body_item(const sim::Body& body);
 
 // All cloth and body vertices.
 std::vector<Vec3f> scene_points(const Scene& scene);
 
-// The camera that holds the whole scene. Pre: the scene is not empty.
+// The camera that sees the whole scene. Pre: the scene is not empty.
 Camera frame_scene(const Scene& scene, View view, float aspect);
 
-// Lights that stand with the camera, as in a studio: key from the upper left, fill from the right.
+// Lights that move with the camera, as in a studio: key from the upper left, fill from the right.
 Light studio_light(const Camera& camera);
 
-// The same, softer: colours that stand for figures must not be taken for others in shade.
+// The same directions but softer, for colours that stand for values: a colour in shade must not look like another one.
 Light even_light(const Camera& camera);
 
 }  // namespace selvedge::render

@@ -62,11 +62,11 @@ const UnitBall& unit_ball(BallDetail detail) {
 
 constexpr std::uint32_t kSides = 8;
 
-// One point per side, about the path.
+// A cross-section of a tube: kSides points around the path.
 struct Ring {
     Vec3f centre;
-    Vec3f along;   // unit
-    Vec3f across;  // unit, of the first side
+    Vec3f along;   // unit, direction of the path
+    Vec3f across;  // unit, towards the first point
 };
 
 Vec3f any_across(const Vec3f& along) {
@@ -74,7 +74,7 @@ Vec3f any_across(const Vec3f& along) {
     return along.cross(axis).normalized();
 }
 
-// The ring's first side goes on from the last one's without a twist.
+// Continues the previous ring's first direction without a twist.
 Vec3f carried_across(const Vec3f& across, const Vec3f& along) {
     const Vec3f flat = across - across.dot(along) * along;
     return flat.norm() > 1e-3F ? flat.normalized() : any_across(along);
@@ -120,7 +120,7 @@ void join_rings(SolidItem& solid, std::uint32_t first, std::uint32_t second) {
     }
 }
 
-// Without ends: nothing is seen of them where lines are thin.
+// Without end caps, which are invisible on thin lines.
 void add_pipe(SolidItem& solid, const std::vector<Vec3f>& points, float radius, const sim::Rgb8& colour) {
     const auto first = static_cast<std::uint32_t>(solid.x.size());
     const std::vector<Ring> rings = make_rings(points);
@@ -159,9 +159,9 @@ void add_outline(SolidItem& solid, const std::array<Vec3f, 3>& triangle, float r
 
 namespace {
 
-constexpr float kPanelGap = 0.05F;  // of the greatest panel's greater side
-constexpr float kModelGap = 0.14F;  // of the layout's greater side
-constexpr float kStep = 0.17F;      // from one level to the next, the same
+constexpr float kPanelGap = 0.05F;  // fraction of the largest panel's larger side
+constexpr float kModelGap = 0.14F;  // fraction of the layout's larger side
+constexpr float kStep = 0.17F;      // between two levels; fraction of the layout's larger side
 
 struct Box {
     Vec2f low = Vec2f::Constant(std::numeric_limits<float>::infinity());
@@ -185,13 +185,13 @@ std::vector<Box> panel_boxes(const sim::TriangleHierarchy& hierarchy) {
     return boxes;
 }
 
-// Where each panel's lower left comes to lie, and how much room all take.
+// Position of each panel's lower left corner, and the size of the whole layout.
 struct Layout {
     std::vector<Vec2f> places;
     Vec2f size = Vec2f::Zero();
 };
 
-// Rows no wider than `width`, the highest panels first.
+// Rows of at most `width`, the highest panels first.
 Layout in_rows(const std::vector<Box>& boxes, float width, float gap) {
     std::vector<std::size_t> order(boxes.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -211,7 +211,7 @@ Layout in_rows(const std::vector<Box>& boxes, float width, float gap) {
     return layout;
 }
 
-// The width at which the rows come nearest to the shape that is wanted.
+// Tries row widths and takes the layout that fits into the smallest box of the wanted aspect ratio.
 Layout lay_out(const std::vector<Box>& boxes, float width_over_height) {
     float widest = 0, all = 0, greatest = 0;
     for (const Box& box : boxes) {
@@ -232,7 +232,7 @@ Layout lay_out(const std::vector<Box>& boxes, float width_over_height) {
     return best;
 }
 
-// Puts corners into the mesh; those of one panel at one place are one vertex.
+// Adds triangles to the mesh. In each copy, corners of one panel with equal material coordinates share a vertex.
 class Modeller {
  public:
     Modeller(sim::PlainMesh& mesh, const std::vector<Box>& boxes, const Layout& layout)

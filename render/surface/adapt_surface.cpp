@@ -24,10 +24,10 @@ struct Observer : SurfaceObserver {
     sim::Visibility* visibility;
 };
 
-// What is turned away, too short or deep enough is not to be split.
+// Keeps edges coarse that are hidden, too short or at the maximum level.
 struct CoarseVeto {
     static constexpr bool is_veto = true;
-    const sim::Visibility* visibility;  // none: all is seen
+    const sim::Visibility* visibility;  // null: everything counts as visible
     float shortest_edge;
     int max_level;
 
@@ -37,12 +37,12 @@ struct CoarseVeto {
     }
 };
 
-// All that ask for finer triangles, as one: so that look-ahead serves them all.
+// All criteria that request splits, combined to one, so that look-ahead covers all of them.
 template <sim::EdgeCriterion Shape>
 struct Wish {
     const Shape& shape;
     const CurvedSurface& surface;
-    const CoarseVeto& veto;  // what it keeps coarse is not asked for by way of its neighbours either
+    const CoarseVeto& veto;  // without it, look-ahead would split neighbours of edges that the veto keeps coarse
     float least_bulge;       // m
 
     bool wants_split(const sim::AdaptiveMesh& mesh, sim::EdgeId e) const {
@@ -52,7 +52,7 @@ struct Wish {
         return shape.allows_rejoin(mesh, e) || bulge(mesh.edge(e)) < 0.5F * least_bulge;
     }
 
-    // At most what the middle of a curve with M = 1 leaves its chord by, m.
+    // m, upper bound of the distance by which the middle of a curve with M = 1 leaves its chord.
     float bulge(const sim::AdaptiveEdge& e) const {
         const auto [a, b] = e.ends;
         const Vec4f d = surface.x[b.value] - surface.x[a.value];
@@ -60,8 +60,8 @@ struct Wish {
     }
 };
 
-// Nothing rejoins before its vertex has arrived in the middle: neither for a veto's sake nor with all agreed. Nor does
-// an edge split before its ends have arrived on their curves: it would be judged by a length that it will not have.
+// No edge rejoins before its vertex has reached the midpoint, neither by a veto nor by agreement. No edge splits before
+// its ends have reached their curves, because its present length is not final.
 struct VetoOnArrival {
     static constexpr bool is_veto = true;
     const CurvedSurface& surface;
@@ -84,7 +84,7 @@ struct HoldUntilArrival {
     }
 };
 
-// Which vertices are to glide to the middle of their edges: those whose edges may go and are asked to.
+// Marks the vertices that have to move to the midpoints of their edges: those whose edges may rejoin and should.
 template <class Criterion>
 void note_leaving(CurvedSurface& surface, const CoarseVeto& veto, const Criterion& criterion) {
     const sim::AdaptiveMesh& mesh = surface.mesh;

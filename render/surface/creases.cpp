@@ -9,7 +9,7 @@
 namespace selvedge::render {
 namespace {
 
-// Corners of base triangles, joined where the surface goes on smoothly from one to the other.
+// Union-find over corners of base triangles: corners are joined where the surface is smooth across an edge.
 class SmoothParts {
  public:
     explicit SmoothParts(std::size_t corners) : joined_(corners) { std::iota(joined_.begin(), joined_.end(), 0U); }
@@ -42,8 +42,8 @@ Vec4f area_of(const std::array<sim::VertexId, 3>& v, const std::vector<Vec4f>& x
     return (x[v[1].value] - a).cross3(x[v[2].value] - a);
 }
 
-// What of d lies along the line in which the planes of two normals meet; along the plane of their mean where they are
-// nearly one.
+// The component of d along the line in which the planes of two normals meet; in the plane of their mean if the normals
+// are nearly equal.
 Vec4f along_both(const Vec4f& d, const Vec4f& first, const Vec4f& second) {
     constexpr float kNearlyOne = 1e-3F;
     const Vec4f line = first.cross3(second);

@@ -10,7 +10,7 @@
 namespace selvedge::render {
 namespace {
 
-// As long in the plane as it lies in the room.
+// Material coordinates with the lengths that the triangle has in space.
 std::array<Vec2d, 3> laid_flat(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
     const double length = (b - a).norm();
     if (length <= 0) return {Vec2d::Zero(), Vec2d::Zero(), Vec2d(0, (c - a).norm())};
@@ -46,7 +46,7 @@ void check_size(const sim::PlainMesh& coarse, int level) {
                               " are more than " + std::to_string(kMostDrawnTriangles) + ": choose a lower level");
 }
 
-// Leaves in the order of their base triangles.
+// Writes the leaves in the order of their base triangles.
 class MeshWriter {
  public:
     MeshWriter(const CurvedSurface& surface, const sim::PlainMesh& coarse, LightNormals which)
@@ -117,7 +117,7 @@ class MeshWriter {
     const std::map<SidedVertex, Vec4f>& sided_normals_;
     std::map<SidedVertex, std::uint32_t> sided_places_;
     std::vector<std::uint32_t> places_;  // by VertexId
-    sim::TriangleId base_;               // that is being written
+    sim::TriangleId base_;               // being written
     int base_level_ = 0;
     sim::PlainMesh mesh_;
 };

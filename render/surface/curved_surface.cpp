@@ -28,7 +28,7 @@ CurveEnds ends_of(const CurvedSurface& surface, sim::VertexId a, sim::VertexId b
     return {surface.x[a.value], surface.x[b.value], surface.normals[a.value], surface.normals[b.value], rest_length};
 }
 
-// Of the vertex's way from the middle of its edge to its curve, after this move.
+// Moves the vertex by one step and returns its position between the midpoint of its edge (0) and its curve (1).
 float glided(CurvedSurface& surface, const SurfacePlan::Point& point, float way, float longest_glide) {
     float& shown = surface.shown[point.v.value];
     const float step = way > longest_glide ? longest_glide / way : 1.0F;
@@ -47,7 +47,7 @@ Vec4f glide(CurvedSurface& surface, const SurfacePlan::Point& point, const Vec4f
     return middle + way * glided(surface, point, way.norm(), longest_glide);
 }
 
-// As seen from a side of the root edge.
+// The curve's ends, with the normals seen from one side of the root edge.
 CurveEnds ends_from(const CurvedSurface& surface, const SurfacePlan::Curve& curve, sim::TriangleId side) {
     const Creases& creases = surface.creases;
     const auto normal = [&](sim::VertexId v) {
@@ -57,7 +57,7 @@ CurveEnds ends_from(const CurvedSurface& surface, const SurfacePlan::Curve& curv
     return {surface.x[curve.a.value], surface.x[curve.b.value], normal(curve.a), normal(curve.b), curve.rest_length};
 }
 
-// Where there are creases; also notes the normals of both sides for the points that will stand on one.
+// The curve of a root edge if the surface has creases.
 EdgeCurve creased_curve(CurvedSurface& surface, const SurfacePlan::Curve& curve) {
     const std::array<sim::TriangleId, 2>& sides = surface.mesh.edge(curve.root).sides;
     const bool is_crease =
@@ -132,7 +132,7 @@ void SurfaceObserver::on_capacity(std::size_t capacity) {
     size_arrays(surface_, capacity);
 }
 
-// Where its root's curve has it now: that is what deeper edges are asked by.
+// The vertex gets position and normal from its root's curve as it is now, because criteria of deeper edges read them.
 void SurfaceObserver::on_split(sim::VertexId c, sim::VertexId a, sim::VertexId b) {
     const sim::AdaptiveMesh& mesh = surface_.mesh;
     const sim::EdgeId e = mesh.vertex(c).parent;
@@ -244,8 +244,8 @@ sim::AdaptReport set_surface_level(CurvedSurface& surface, int level) {
 
 namespace {
 
-constexpr int kRounds = 3;      // the way out changes with the place
-constexpr float kNear = 1e-5F;  // m, that is as good as on the offset surface
+constexpr int kRounds = 3;      // iterations, because the contact normal changes with the position
+constexpr float kNear = 1e-5F;  // m, tolerance of the offset surface
 
 }  // namespace
 
@@ -258,7 +258,8 @@ Lift::Lift(CurvedSurface& surface, const MoveOptions& options)
     }
 }
 
-// Distances change by no more than one moves: what is farther from both ends' nearest than it is from them is clear.
+// Distances change by no more than the vertex moves. So `where` is clear if the distance at an end of the edge, minus
+// the way from that end, exceeds the offset.
 Vec4f Lift::lifted(const SurfacePlan::Point& point, const Vec4f& where) const {
     if (body_ == nullptr) return where;
     float& clear = surface_.clear[point.v.value];

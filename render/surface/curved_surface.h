@@ -1,12 +1,12 @@
 #pragma once
-// The surface that is drawn: the coarse cloth's triangles as the base of an adaptive mesh of its own, each new vertex
-// on the curve of a root edge.  (thesis ch. 6; SPEC 5)
+// The drawn surface: an adaptive mesh of its own, with the coarse cloth's triangles as base. Each new vertex lies on
+// the curve of a root edge.  (thesis ch. 6)
 //
-// A root edge is an edge of the base, or one inside a refined triangle. Vertices on it stand on its curve, at t =
-// i/2^k, whatever has been split since; the ends of a root edge are older than it. So curves are made level by level,
-// each vertex is evaluated once, and none moves because another comes or goes.
+// A root edge is an edge of the base, or an edge inside a refined triangle. Vertices on it lie on its curve at t =
+// i/2^k, in whatever order it was split; the ends of a root edge always exist before it is split. So curves are
+// computed level by level, each vertex is evaluated once, and no vertex moves because another one is added or removed.
 //
-//   base edges -> their vertices -> edges inside triangles of level 0 -> their vertices -> ... of level 1 -> ...
+// Order: base edges, their vertices, edges inside triangles of level 0, their vertices, edges of level 1, and so on.
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -27,17 +27,17 @@ namespace selvedge::render {
 struct SurfaceOptions {
     CurveModifier modifier{};
     int max_level = 3;
-    std::vector<CreaseEdge> creases{};  // that stay sharp
+    std::vector<CreaseEdge> creases{};  // edges that stay sharp
 };
 
-// Where an edge lies on its root's curve, in steps of 1/2^max_level.
+// The part of its root's curve that an edge covers, in steps of 1/2^max_level: from `from` to `from + span`.
 struct EdgePlace {
     sim::EdgeId root;
     std::uint16_t from = 0;
     std::uint16_t span = 0;
 };
 
-// What update_surface() goes through, level by level; made anew when the mesh has changed.
+// The curves and vertices that update_surface() computes, sorted by level. plan_surface() rebuilds it.
 struct SurfacePlan {
     struct Curve {
         sim::VertexId a, b;
@@ -46,14 +46,14 @@ struct SurfacePlan {
     };
     struct Point {
         sim::VertexId v;
-        sim::VertexId a, b;       // ends of the edge whose centre it is
-        std::uint32_t curve = 0;  // index
+        sim::VertexId a, b;       // ends of the edge with centre v
+        std::uint32_t curve = 0;  // index in curves
         std::uint32_t step = 0;   // t in steps of 1/2^max_level
     };
     std::vector<Curve> curves;
     std::vector<Point> points;
-    std::vector<std::size_t> curve_ends, point_ends;  // by level: one past its last
-    std::vector<std::uint32_t> curve_of;              // by EdgeId, of roots; scratch
+    std::vector<std::size_t> curve_ends, point_ends;  // by level: one past its last element
+    std::vector<std::uint32_t> curve_of;              // by EdgeId, for roots; scratch
 };
 
 struct CurvedSurface {
@@ -61,59 +61,61 @@ struct CurvedSurface {
     CurveModifier modifier{};
     CurveWeights weights{0};
 
-    // By VertexId, sized to the mesh's capacity; with a fourth 0.
+    // By VertexId, sized to the mesh's capacity; the fourth component (w) is 0.
     std::vector<Vec4f> x{};              // as drawn, m
-    std::vector<Vec4f> normals{};        // unit, of the curves: what the ends' normals say
-    std::vector<Vec4f> light_normals{};  // unit, of the triangles as drawn
-    std::vector<float> shown{};          // 0: in the middle of its edge's ends, 1: on the curve
-    std::vector<bool> is_leaving{};      // on its way to the middle, where it may go
+    std::vector<Vec4f> normals{};        // unit, of the curves, interpolated from their end normals
+    std::vector<Vec4f> light_normals{};  // unit, of the drawn triangles
+    std::vector<float> shown{};          // 0: at the midpoint of its edge, 1: on the curve
+    std::vector<bool> is_leaving{};      // moving back to the midpoint, where it may be removed
     std::vector<EdgePlace> places{};     // by EdgeId
 
     Creases creases{};
     SurfacePlan plan{};
-    std::vector<EdgeCurve> curves{};  // as the plan has them
-    std::vector<float> clear{};       // m from the body, scratch
+    std::vector<EdgeCurve> curves{};  // of plan.curves
+    std::vector<float> clear{};       // m, lower bound of the distance from the body, scratch
 };
 
-// At level 0: as the base is. Pre: base is sewn. Throws InputError as AdaptiveMesh does.
+// Makes the surface at level 0, equal to the base. Pre: base is sewn. Throws InputError as AdaptiveMesh does.
 CurvedSurface make_curved_surface(const sim::GarmentMesh& base, const SurfaceOptions& options = {});
 
 struct MoveOptions {
     const sim::Collider* body =
-        nullptr;                    // that the surface must not dip into: vertices are lifted to its offset surface
-    float offset = 0.003F;          // m, of that surface: the cloth's contacts'
-    float longest_glide = 0.0002F;  // m that a vertex may glide to or from its edge's middle in one move
+        nullptr;                    // the surface must not penetrate it: vertices are moved out to its offset surface
+    float offset = 0.003F;          // m, offset of that surface; the same as the cloth's contact offset
+    float longest_glide = 0.0002F;  // m, largest move of a vertex towards or from its edge's midpoint in one call
 };
 
-// Moves the surface to where the cloth is: one frame. x, normals: of the base's vertices, with a fourth 0; normals
-// unit. A new vertex glides from the middle of its edge to its curve when the ends of the edge have arrived, one that
-// is to go glides back (see adapt_surface.h), so that none jumps because of a change of level.
+// Moves the surface to the cloth's present position; call once per frame. x, normals: of the base vertices, with w = 0;
+// normals are unit. A new vertex moves gradually from its edge's midpoint to its curve, once both ends of the edge have
+// reached their curves; a vertex that is to be removed moves back (see adapt_surface.h). So no vertex jumps when the
+// level changes.
 void update_surface(CurvedSurface& surface, std::span<const Vec4f> x, std::span<const Vec4f> normals,
                     const MoveOptions& options = {});
 
-// The same in two: positions and curves' normals; then what the light needs. Interpolated normals hide the detail that
-// the surface has, so they are made anew from its triangles, weighted by area.  (thesis fig. 6.6)
+// The two parts of update_surface(): positions with the curves' normals; then the normals for lighting. Interpolated
+// normals hide detail of the surface, so lighting normals are recomputed from its triangles, weighted by area.
+// (thesis fig. 6.6)
 void move_surface(CurvedSurface& surface, std::span<const Vec4f> x, std::span<const Vec4f> normals,
                   const MoveOptions& options = {});
 void update_light_normals(CurvedSurface& surface);
 
-// Area-weighted normals of a mesh's leaves, by VertexId: what a coarse cloth gives the surface. (Other weights, and at
-// hems normals that go on bending, came no nearer to a finer simulation: docs/measurements.md.)
+// Area-weighted normals of a mesh's leaves, by VertexId: the end normals that a coarse cloth gives to the curves.
+// (Other weights, and normals extrapolated at hems, came no closer to a finer simulation: docs/measurements.md.)
 void leaf_normals(const sim::AdaptiveMesh& mesh, const std::vector<Vec4f>& x, std::vector<Vec4f>& normals);
 
-// The root edge on whose curve a new vertex stands; none for one of the base.
+// The root edge whose curve a new vertex lies on; none for a base vertex.
 sim::EdgeId root_of(const CurvedSurface& surface, sim::VertexId v);
 
-// Every leaf at that level, all new vertices where they belong. Pre: 0 <= level <= max_level.
+// Brings every leaf to this level and all new vertices onto their curves. Pre: 0 <= level <= max_level.
 sim::AdaptReport set_surface_level(CurvedSurface& surface, int level);
 
-// The plan for the present mesh: after every adaptation that changed it.
+// Rebuilds the plan for the present mesh. Call after every adaptation that changed the mesh.
 void plan_surface(CurvedSurface& surface);
 
-// Keeps the surface's arrays while an adaptation is under way.
+// The mesh's observer during an adaptation: keeps the surface's arrays consistent with the mesh.
 class SurfaceObserver {
  public:
-    // Where a new vertex starts.
+    // Where a new vertex starts: at its edge's midpoint or on its curve.
     enum class SpawnPosition { Middle, Curve };
     SurfaceObserver(CurvedSurface& surface, SpawnPosition entrance) : surface_(surface), entrance_(entrance) {}
 
@@ -128,19 +130,21 @@ class SurfaceObserver {
     SpawnPosition entrance_;
 };
 
-// Keeps the drawn surface out of the body: where the cloth lies on it, a curve or the chord of a new edge may dip below
-// the offset surface; its vertices are lifted back onto it.  (SPEC 5)
+// Keeps the drawn surface out of the body: where the cloth lies on the body, a curve or the chord of a new edge may lie
+// below the offset surface; its vertices are moved out to the offset surface.
 
-// For one update: asks the body once for each base vertex, and then only where a vertex may be too near.
+// Lives for one update. It queries the body once for each base vertex, and for other vertices only if they may be too
+// near.
 class Lift {
  public:
-    // The surface's base vertices are where they are to be. surface.clear is its memory.
+    // Pre: the surface's base vertices are at their new positions. Uses surface.clear as scratch memory.
     Lift(CurvedSurface& surface, const MoveOptions& options);
 
-    // A vertex of an edge, moved to the offset surface if it was nearer to the body or inside, else `where`.
+    // The position of a new vertex: `where`, or moved out to the offset surface if `where` is nearer to the body or
+    // inside.
     Vec4f lifted(const SurfacePlan::Point& point, const Vec4f& where) const;
 
-    // It stands so far, m, from where it was lifted to: so much nearer to the body it may be.
+    // The vertex was placed `distance` (m) away from its lifted position, so it may be that much nearer to the body.
     void note_moved(sim::VertexId v, float distance) const {
         if (body_ != nullptr) surface_.clear[v.value] -= distance;
     }

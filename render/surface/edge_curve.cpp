@@ -9,7 +9,7 @@
 namespace selvedge::render {
 namespace {
 
-constexpr float kShortest = 1e-12F;  // m^2: an edge without length has no curve
+constexpr float kShortest = 1e-12F;  // m^2, squared length: shorter edges have no curve
 
 Vec4f with_length_one(const Vec4f& v, const Vec4f& otherwise) {
     const float squared = v.squaredNorm();
@@ -19,7 +19,7 @@ Vec4f with_length_one(const Vec4f& v, const Vec4f& otherwise) {
 }  // namespace
 
 float arc_over_chord(const Vec4f& chord, const Vec4f& va, const Vec4f& vb) {
-    // Offset of the curve: va t (1-t)^2 + vb t^2 (1-t); its derivative at Gauss' points.
+    // Offset of the curve from the chord: va t (1-t)^2 + vb t^2 (1-t). `speed` is the curve's derivative.
     constexpr float kAway = 0.38729833F;  // sqrt(3/5) / 2
     constexpr float kOuter = 5.0F / 18, kMiddle = 8.0F / 18;
     const auto speed = [&](float t) { return (chord + va * (1 + t * (3 * t - 4)) + vb * (t * (2 - 3 * t))).norm(); };
@@ -35,8 +35,8 @@ Vec4f normal_between(const CurveEnds& ends) {
 namespace {
 
 // With va = -(d.nA) nA and vb = (d.nB) nB the Bezier control points are P1 = (2A + B + va) / 3 and
-// P2 = (A + 2B + vb) / 3; at thirds of the parameter they leave the chord by (4 va + 2 vb) / 27 and (2 va + 4 vb) / 27.
-// Made for each root edge in each frame: inline in both that follow.
+// P2 = (A + 2B + vb) / 3; at t = 1/3 and 2/3 the curve leaves the chord by (4 va + 2 vb) / 27 and (2 va + 4 vb) / 27.
+// Called for each root edge in each frame: inlined into both callers.
 [[gnu::always_inline]] inline EdgeCurve bend(const CurveEnds& ends, const Vec4f& va, const Vec4f& vb,
                                              const CurveModifier& modifier) {
     const Vec4f d = ends.b - ends.a;

@@ -1,6 +1,6 @@
 #pragma once
-// What a garment is put on: a closed surface with, where it is known, a skeleton and its skin weights.
-// Metres, y up, +z to the front, +x to the body's left, floor at y = 0.
+// A body that a garment is dressed on: a closed surface, with a skeleton and skin weights where they are known. Metres,
+// y up, +z to the front, +x to the body's left, floor at y = 0.
 #include <array>
 #include <cstdint>
 #include <string>
@@ -13,12 +13,12 @@ namespace selvedge::sim {
 struct Bone {
     std::string name;
     int parent = -1;
-    Vec3d joint = Vec3d::Zero();  // where the bone begins, m, in the rest pose
+    Vec3d joint = Vec3d::Zero();  // start of the bone in the rest pose, m
 };
 
 struct SkinWeights {
     std::array<std::uint16_t, 4> bones{};
-    std::array<float, 4> weights{};  // sum 1, unused are 0
+    std::array<float, 4> weights{};  // the sum is 1; unused ones are 0
 };
 
 struct Body {
@@ -29,7 +29,7 @@ struct Body {
     std::vector<SkinWeights> skin;              // per vertex, empty when unknown
 };
 
-// Least and greatest y of the surface, m: the stature when it stands on the floor.
+// Minimum and maximum y of the surface, m; `high` is the stature when the body stands on the floor.
 struct HeightRange {
     double low = 0;
     double high = 0;

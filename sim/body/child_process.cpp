@@ -19,7 +19,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 #if defined(__SANITIZE_ADDRESS__)
-constexpr bool kLimitMemory = false;  // its shadow memory spans terabytes of addresses
+constexpr bool kLimitMemory = false;  // its shadow memory reserves terabytes of address space
 #else
 constexpr bool kLimitMemory = true;
 #endif
@@ -29,7 +29,8 @@ void limit(decltype(RLIMIT_CPU) resource, rlim_t most) {
     ::setrlimit(resource, &values);
 }
 
-// Addresses in use: the limit counts from there, for threads and drivers reserve much that they never touch.
+// Address space in use, bytes. The limit is relative to it, because threads and drivers reserve much that they never
+// use.
 std::size_t address_space_in_use() {
     std::FILE* file = std::fopen("/proc/self/statm", "r");
     unsigned long pages = 0;
@@ -52,7 +53,7 @@ void confine(const ChildLimits& limits) {
         ::signal(signal, SIG_DFL);
 }
 
-// Leaves without running the parent's destructors and exit handlers.
+// Exits without running the parent's destructors and exit handlers.
 [[noreturn]] void run_and_exit(const std::function<std::string()>& work, const ChildLimits& limits, int pipe_end) {
     constexpr int kFailed = 1;
     try {
@@ -70,7 +71,7 @@ void confine(const ChildLimits& limits) {
     }
 }
 
-// Reads until the child closes its end. Done says that it did so in time and within bounds.
+// Reads until the child closes its end of the pipe. Done: it did so before the deadline and within answer_bytes.
 ChildResult collect(int pipe_end, const ChildLimits& limits) {
     const Clock::time_point deadline = Clock::now() + std::chrono::seconds(limits.wall_seconds);
     ChildResult result;
@@ -90,7 +91,7 @@ ChildResult collect(int pipe_end, const ChildLimits& limits) {
     }
 }
 
-// The status with which the child left.
+// The child's exit status as waitpid() gives it.
 int reap(pid_t child) {
     int status = 0;
     while (::waitpid(child, &status, 0) < 0)
@@ -119,7 +120,7 @@ ChildResult run_in_child(const std::function<std::string()>& work, const ChildLi
     const int status = reap(child);
     if (result.end != ChildEnd::Done) return result;
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) return {ChildEnd::TimedOut, {}};
-    // At its hard limit of processor time the child is killed, and nobody else kills it.
+    // SIGKILL comes from the hard CPU limit: run_in_child() itself has not killed this child.
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) return {ChildEnd::TimedOut, {}};
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return {ChildEnd::Crashed, {}};
     return result;

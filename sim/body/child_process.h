@@ -1,5 +1,6 @@
 #pragma once
-// Runs a function that may crash, hang or eat memory in a child process, and takes home the bytes that it returns.
+// Runs a function that may crash, hang or exhaust memory in a child process and returns the bytes that it produces.
+// FlatWriter and FlatReader serialise plain data for the transfer.
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -13,7 +14,7 @@
 namespace selvedge::sim {
 
 struct ChildLimits {
-    std::size_t memory_bytes = std::size_t(2) << 30;  // beyond what the program has; not under sanitizers
+    std::size_t memory_bytes = std::size_t(2) << 30;  // on top of what is in use; not applied under AddressSanitizer
     int processor_seconds = 20;
     int wall_seconds = 30;
     std::size_t answer_bytes = std::size_t(1) << 30;
@@ -23,17 +24,17 @@ enum class ChildEnd { Done, Crashed, TimedOut, TooMuch, NotStarted };
 
 struct ChildResult {
     ChildEnd end = ChildEnd::Done;
-    std::string answer;  // whole when Done
+    std::string answer;  // complete when end is Done
 };
 
-// The child is a fork without exec: it has this program's memory but only the calling thread, so `work` must start no
-// parallel loops and take no locks that other threads of ours hold. The allocator's locks are made good by the C
-// library; should another one (a locale's, a stream's) be held at the moment of the fork, the child waits for it and
-// ends as TimedOut: the parent is never at risk. The child's own output goes nowhere.
+// The child is a fork without exec. It has a copy of this program's memory but only the calling thread, so `work` must
+// not start parallel loops or take locks that other threads of the program may hold. The C library resets the
+// allocator's locks. If another lock (of a locale or a stream) is held at the fork, the child blocks and ends as
+// TimedOut; the parent is never at risk. The child's standard output and error go to /dev/null.
 ChildResult run_in_child(const std::function<std::string()>& work, const ChildLimits& limits = {});
 
-// Plain data as bytes, between two processes of the same program: written by one that may be led astray, read by one
-// that trusts no length in it.
+// Serialisation of plain data between two processes of the same program. The writer may run in a process that a bad
+// file has corrupted, so the reader checks every length.
 
 class FlatWriter {
  public:
@@ -46,7 +47,7 @@ class FlatWriter {
         value(std::uint64_t(text.size()));
         bytes_ += text;
     }
-    // Items are copied bit by bit: arrays of numbers, and Eigen's fixed vectors.
+    // Copies items bitwise: arrays of numbers, Eigen's fixed-size vectors.
     template <class T>
     void list(const std::vector<T>& items) {
         value(std::uint64_t(items.size()));
@@ -58,7 +59,7 @@ class FlatWriter {
     std::string bytes_;
 };
 
-// After a read beyond the end all further reads give nothing, and is_sound() is false.
+// After a read beyond the end, all further reads return zeros or empty values and is_sound() is false.
 class FlatReader {
  public:
     explicit FlatReader(std::string_view bytes) : bytes_(bytes) {}
@@ -84,7 +85,7 @@ class FlatReader {
     bool is_at_end() const { return bytes_.empty(); }
 
  private:
-    // A length is believed only if so many items can still follow.
+    // Rejects a count that exceeds the number of items that the remaining bytes can hold.
     std::size_t count(std::size_t item_bytes) {
         const std::uint64_t count = value<std::uint64_t>();
         if (count > bytes_.size() / item_bytes) is_sound_ = false;

@@ -22,7 +22,7 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr float kLargest = 1e6F;  // a body of 1,800 mm fits, and a garbled exponent does not
+constexpr float kLargest = 1e6F;  // admits a body of 1,800 mm, rejects a corrupted exponent
 
 std::string lower_extension(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
@@ -52,7 +52,7 @@ bool looks_like_glb(std::string_view content) {
     return version == 2 && length <= content.size();
 }
 
-// The word by which assimp knows the importer.
+// The file extension by which assimp identifies the importer.
 std::string importer_for(const std::filesystem::path& path, std::string_view content) {
     const std::string extension = lower_extension(path);
     const auto require = [&](bool is_so, const char* format) {
@@ -106,7 +106,7 @@ ImportAnswer run_guarded(const std::filesystem::path& path, const std::string& i
     return std::move(*answer);
 }
 
-// One line, and no longer than a message should be.
+// One line of at most 200 characters.
 std::string tidy(std::string text) {
     constexpr std::size_t kLongest = 200;
     text.resize(std::min(text.size(), kLongest));
@@ -168,7 +168,7 @@ void check_scene(const ImportedScene& scene, const std::string& file, const Impo
 ImportedScene guarded_import(const std::filesystem::path& path, const ImportLimits& limits) {
     const std::string importer = importer_for(path, read_file(path, limits.file_bytes));
     ImportAnswer answer = run_guarded(path, importer, limits);
-    // With one importer left to assimp, "no suitable reader" means that this one found the content broken.
+    // Only one importer is enabled, so "no suitable reader" means that it found the content broken.
     if (answer.failure.starts_with("No suitable reader")) answer.failure = "its content is broken";
     if (!answer.failure.empty()) throw InputError(path.string(), "", "cannot be read: " + tidy(answer.failure));
     check_scene(answer.scene, path.string(), limits);
@@ -177,7 +177,7 @@ ImportedScene guarded_import(const std::filesystem::path& path, const ImportLimi
 
 namespace {
 
-// The scene's nodes that are bones, and where every node stands.
+// The scene's nodes that are bones, and the global transform of every node.
 struct Skeleton {
     std::map<std::string, int> bone_of_node;
     std::map<std::string, aiMatrix4x4> place_of_node;
@@ -224,7 +224,7 @@ struct Pull {
     int bone;
 };
 
-// The four strongest, equal ones in the bones' order; weights scaled to sum 1.
+// The four largest weights, scaled to sum 1; equal weights in the order of the bones.
 SkinWeights strongest(std::vector<Pull> pulls) {
     std::sort(pulls.begin(), pulls.end(), [](const Pull& a, const Pull& b) {
         return a.weight != b.weight ? a.weight > b.weight : a.bone < b.bone;
@@ -240,7 +240,7 @@ SkinWeights strongest(std::vector<Pull> pulls) {
     return skin;
 }
 
-// Moves the vertices to where the bones hold them in the rest pose.
+// Moves the vertices to their skinned positions in the rest pose.
 void apply_skin(const aiMesh& mesh, const Skeleton& skeleton, ImportedMesh& out) {
     std::vector<std::vector<Pull>> pulls(mesh.mNumVertices);
     std::vector<aiVector3D> sums(mesh.mNumVertices);
@@ -290,7 +290,7 @@ ImportedMesh placed_mesh(const aiScene& scene, const aiMesh& mesh, const aiMatri
     return out;
 }
 
-// Places come down the tree, not by name: two nodes may share one.
+// Transforms are passed down the tree and not looked up by name, because two nodes may have the same name.
 void add_meshes(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent, const Skeleton& skeleton,
                 ImportedScene& out) {
     const aiMatrix4x4 place = parent * node.mTransformation;

@@ -34,14 +34,14 @@ bool is_gltf(const std::filesystem::path& path) {
     return extension != ".obj";
 }
 
-// A body that stands is taller than it is deep, whatever its arms do.
+// A standing body is taller than it is deep in any arm pose.
 UpAxis up_axis(const ImportedScene& scene, const std::filesystem::path& path, UpAxis asked) {
     if (asked != UpAxis::Auto) return asked;
     if (is_gltf(path)) return UpAxis::Y;
     return range_along(scene, 2).extent() > range_along(scene, 1).extent() ? UpAxis::Z : UpAxis::Y;
 }
 
-// Bodies are 0.4 to 4 m tall, children and giants included; the three ranges do not meet.
+// Bodies are 0.4 to 4 m tall, which includes children and giants; the ranges of the three units do not overlap.
 LengthUnit length_unit(double height, const std::string& file, LengthUnit asked) {
     if (asked != LengthUnit::Auto) return asked;
     if (height >= 0.4 && height <= 4) return LengthUnit::Metres;
@@ -62,7 +62,7 @@ double metres(LengthUnit unit) {
     }
 }
 
-// Whatever unit was named: nothing larger is a person, and the collision field grows with the volume.
+// Applies to any unit: nothing larger is a person, and the memory of the collision field grows with the volume.
 void check_size(const ImportedScene& scene, double scale, const std::string& file) {
     constexpr double kLargest = 5;  // m
     for (int axis = 0; axis < 3; ++axis) {
@@ -84,7 +84,7 @@ const char* name_of(LengthUnit unit) {
     }
 }
 
-// The file's frame to ours. Z up means the habit of Blender and CAD: the body looks along -y.
+// Converts the file's frame to ours. Z up follows the convention of Blender and CAD: the body faces -y.
 struct Frame {
     double scale = 1;
     UpAxis up = UpAxis::Y;
@@ -107,7 +107,7 @@ Frame choose_frame(const ImportedScene& scene, const std::filesystem::path& path
 
 struct JoinedScene {
     Surface surface;
-    std::vector<SkinWeights> skin;  // empty, or beside surface.x
+    std::vector<SkinWeights> skin;  // empty, or parallel to surface.x
 };
 
 JoinedScene join(const ImportedScene& scene, const Frame& frame) {
@@ -130,7 +130,7 @@ void stand_on_floor(Body& body, LoadBodyReport& report) {
     for (Bone& bone : body.bones) bone.joint.y() += report.floor_shift;
 }
 
-// "moved 0.9 mm down to stand on the floor"
+// For example "moved 0.9 mm down to stand on the floor".
 std::string describe_shift(double shift) {
     char text[64];
     std::snprintf(text, sizeof text, "moved %.1f mm %s to stand on the floor", std::abs(shift) * 1000,

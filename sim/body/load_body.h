@@ -1,6 +1,6 @@
 #pragma once
-// Bodies from files that others made: OBJ, glTF and GLB, read in a guarded child process (guarded_import.h), turned to
-// metres and y up, and made one closed surface (surface_repair.h). Bones and skin weights stay where the file has them.
+// Loads a body from an OBJ, glTF or GLB file: reads it in a guarded child process (guarded_import.h), converts it to
+// metres with y up, and repairs it to a closed surface (surface_repair.h). Keeps the file's bones and skin weights.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -10,26 +10,26 @@
 
 namespace selvedge::sim {
 
-enum class LengthUnit { Auto, Metres, Centimetres, Millimetres };  // Auto: by the height
-enum class UpAxis { Auto, Y, Z };                                  // Auto: the longer one of y and z; glTF is y up
+enum class LengthUnit { Auto, Metres, Centimetres, Millimetres };  // Auto: guessed from the height
+enum class UpAxis { Auto, Y, Z };                                  // Auto: the longer of y and z; y for glTF
 
 struct LoadBodyOptions {
     LengthUnit unit = LengthUnit::Auto;
     UpAxis up = UpAxis::Auto;
-    bool stands_on_floor = true;  // moves the lowest point to y = 0; else it stays where the file has it
+    bool stands_on_floor = true;  // moves the lowest point to y = 0; otherwise the height stays as in the file
     RepairOptions repair = {};
 };
 
 struct LoadBodyReport {
-    LengthUnit unit = LengthUnit::Metres;  // as taken
-    UpAxis up = UpAxis::Y;                 // as taken
-    double floor_shift = 0;                // m, by which it was lifted
+    LengthUnit unit = LengthUnit::Metres;  // as used
+    UpAxis up = UpAxis::Y;                 // as used
+    double floor_shift = 0;                // m, added to y
     RepairReport repair;
-    std::vector<std::string> notes;  // all that was changed, a sentence each; empty when nothing was
+    std::vector<std::string> notes;  // one sentence per change; empty when nothing was changed
 };
 
-// Throws InputError when the file cannot be read, is no body, or is too broken to be closed.
-// Post: the surface is closed, manifold within each piece, and turned outward.
+// Throws InputError when the file cannot be read, is not a body, or its surface cannot be closed. Post: the surface is
+// closed, each piece is manifold and has outward orientation.
 Body load_body(const std::filesystem::path& path, const LoadBodyOptions& options = {},
                LoadBodyReport* report = nullptr);
 

@@ -9,16 +9,16 @@ namespace selvedge::sim {
 
 namespace {
 
-// An edge of the surface by its two vertices, the lower id first.
+// An edge of the surface by its two vertices, lower index first.
 struct CutEdge {
     int low = 0;
     int high = 0;
     auto operator<=>(const CutEdge&) const = default;
 };
 
-// The part of the section inside one triangle: it enters through one edge of it and leaves through another. On a
-// closed oriented surface every cut edge is the entry of exactly one triangle and the exit of exactly one, so that
-// chaining needs no comparison of points.
+// The part of the section inside one triangle, from its entry edge to its exit edge. On a closed oriented surface every
+// cut edge is the entry of exactly one triangle and the exit of exactly one, so segments are chained without comparing
+// points.
 struct CutSegment {
     CutEdge entry;
     CutEdge exit;
@@ -30,8 +30,8 @@ std::vector<double> distances(const Body& body, const Plane& plane) {
     return distance;
 }
 
-// A vertex in the plane counts as below it: the same as lifting the plane by an infinitely small amount, so no edge
-// lies in it and no loop passes through a vertex. (Edelsbrunner and Muecke 1990, Simulation of simplicity)
+// A vertex in the plane counts as below it, as if the plane were raised by an infinitesimal amount. So no edge lies in
+// the plane and no loop passes through a vertex. (Edelsbrunner and Muecke 1990, Simulation of simplicity)
 bool is_above(double distance) {
     return distance > 0;
 }
@@ -62,7 +62,7 @@ Vec3d cut_point(const Body& body, const std::vector<double>& distance, CutEdge e
     return body.x[low] + t * (body.x[high] - body.x[low]);
 }
 
-// Area and centroid by the triangles from the first point; they are small differences there, not of large numbers.
+// Area and centroid as a fan of triangles from the first point; coordinates relative to that point avoid cancellation.
 void measure_area(SectionLoop& loop, const Plane& plane) {
     const Vec3d& origin = loop.points.front();
     Vec3d moment = Vec3d::Zero();
@@ -78,7 +78,7 @@ void measure_area(SectionLoop& loop, const Plane& plane) {
     loop.centre = area == 0 ? origin : Vec3d(origin + moment / area);
 }
 
-// Segments ordered by entry edge; where a faulty surface has several with one entry, each is used once.
+// Segments are sorted by entry edge. On a faulty surface several may have the same entry; each is used once.
 std::size_t find_unused(const std::vector<CutSegment>& segments, const std::vector<bool>& used, CutEdge entry) {
     auto it = std::lower_bound(segments.begin(), segments.end(), entry,
                                [](const CutSegment& segment, CutEdge edge) { return segment.entry < edge; });
@@ -89,7 +89,7 @@ std::size_t find_unused(const std::vector<CutSegment>& segments, const std::vect
     return segments.size();
 }
 
-// Andrew's monotone chain; the first corner stands again at the end.
+// Andrew's monotone chain; the first point is repeated at the end.
 std::vector<Vec2d> convex_hull(std::vector<Vec2d> points) {
     std::sort(points.begin(), points.end(),
               [](const Vec2d& a, const Vec2d& b) { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); });
@@ -126,9 +126,9 @@ std::vector<SectionLoop> section(const Body& body, const Plane& plane) {
             if (segments[at].exit == segments[first].entry) break;
             at = find_unused(segments, used, segments[at].exit);
         }
-        if (at == segments.size()) continue;  // runs into a hole of an open surface: no tape goes round that
+        if (at == segments.size()) continue;  // ends at a hole of an open surface: not a closed loop
         measure_area(loop, plane);
-        if (loop.area > 0) loops.push_back(std::move(loop));  // a tip that just touches the plane has no extent
+        if (loop.area > 0) loops.push_back(std::move(loop));  // a tip that only touches the plane has zero area
     }
     return loops;
 }

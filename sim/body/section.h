@@ -1,6 +1,6 @@
 #pragma once
-// Plane sections of a body and tape measurements on them: a tape spans hollows, so a girth is the perimeter of the
-// section's convex hull.  (Measurements: docs/mannequin.md)
+// Plane sections of a body and tape measurements on them. A tape measure bridges hollows, so a girth is the perimeter
+// of the section's convex hull (docs/mannequin.md).
 #include <optional>
 #include <vector>
 
@@ -14,20 +14,20 @@ struct Plane {
     Vec3d normal = Vec3d::UnitY();  // unit
 };
 
-// One closed loop of a section, as points in the room in order round the loop.
+// One closed loop of a section: 3D points (m) in order around the loop.
 struct SectionLoop {
     std::vector<Vec3d> points;
     Vec3d centre = Vec3d::Zero();  // centroid of the enclosed area
     double area = 0;               // m^2
 };
 
-// All closed loops in which the plane cuts the surface. Deterministic order.
+// All closed loops in which the plane cuts the surface. The order is deterministic.
 std::vector<SectionLoop> section(const Body& body, const Plane& plane);
 
 // Perimeter of the loop's convex hull, m.
 double tape_length(const SectionLoop& loop, const Plane& plane);
 
-// The loop whose centre is nearest to `near`, if any.
+// The loop whose centre is nearest to `near`; nullopt when there are no loops.
 std::optional<SectionLoop> nearest_loop(const std::vector<SectionLoop>& loops, const Vec3d& near);
 
 }  // namespace selvedge::sim

@@ -36,12 +36,12 @@ std::vector<Box> triangle_boxes(const Body& body) {
     return boxes;
 }
 
-// Six times the volume of a tetrahedron: positive when p lies in front of a, b, c.
+// Six times the signed volume of a tetrahedron: positive when p lies in front of the triangle a, b, c.
 double orientation(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& p) {
     return (b - a).cross(c - a).dot(p - a);
 }
 
-// Pre: the line through the two points crosses the triangle's plane.
+// Whether the line through the two points passes through the triangle. Pre: it crosses the triangle's plane.
 bool passes_inside(const Vec3d& from, const Vec3d& to, const Corners& t) {
     const double u = orientation(from, to, t[0], t[1]);
     const double v = orientation(from, to, t[1], t[2]);
@@ -55,12 +55,12 @@ int shared_vertices(const std::array<int, 3>& first, const std::array<int, 3>& s
     return shared;
 }
 
-// On which side of the plane of `t` a point lies; a corner of `t` lies in it, whatever rounding says.
+// Signed side of the plane of `t` on which x lies; exactly 0 for a corner of `t`, regardless of rounding.
 double side_of(const Corners& t, const Vec3d& normal, const Vec3d& x) {
     return std::find(t.begin(), t.end(), x) != t.end() ? 0.0 : normal.dot(x - t[0]);
 }
 
-// Does an edge of `first` pierce `second`? An edge that ends in a shared vertex never does.
+// Whether an edge of `first` pierces `second`. An edge that ends in a shared vertex never does.
 bool an_edge_pierces(const Corners& first, const Corners& second) {
     const Vec3d normal = (second[1] - second[0]).cross(second[2] - second[0]);
     std::array<double, 3> side{};
@@ -72,14 +72,14 @@ bool an_edge_pierces(const Corners& first, const Corners& second) {
     return false;
 }
 
-// A triangle in a cell of the grid; sorting brings those of one cell together.
+// A triangle in a grid cell; sorting makes the entries of one cell contiguous.
 struct Entry {
     std::uint64_t cell = 0;
     int triangle = 0;
     auto operator<=>(const Entry&) const = default;
 };
 
-// Cells as large as a common triangle: few triangles lie in many, few cells hold many.
+// 1.5 times the mean triangle size: few triangles span many cells, few cells hold many triangles.
 double cell_size(const std::vector<Box>& boxes) {
     double sum = 0;
     for (const Box& box : boxes) sum += (box.high - box.low).maxCoeff();
@@ -87,7 +87,7 @@ double cell_size(const std::vector<Box>& boxes) {
 }
 
 std::vector<Entry> grid_entries(const std::vector<Box>& boxes) {
-    constexpr double kMostCells = 1 << 20;  // along an axis, so that three numbers fit into one
+    constexpr double kMostCells = 1 << 20;  // along an axis, so that three indices fit into 64 bits
     Vec3d low = boxes.front().low;
     Vec3d high = boxes.front().high;
     for (const Box& box : boxes) {
@@ -140,7 +140,7 @@ std::vector<std::array<int, 2>> self_intersections(const Body& body) {
             }
         }
     }
-    std::sort(pairs.begin(), pairs.end());  // a pair may have met in several cells
+    std::sort(pairs.begin(), pairs.end());  // a pair may be found in several cells
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     return pairs;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Where a surface goes through itself.
+// Self-intersections of a body's surface: pairs of triangles that pierce each other.
 #include <array>
 #include <vector>
 
@@ -7,9 +7,9 @@
 
 namespace selvedge::sim {
 
-// Pairs of triangles of which an edge of one pierces the other, the lower index first, ordered. Neighbours count when
-// they meet elsewhere than in the vertex they share; two that share an edge do not, nor does mere touching. In double
-// precision: a grazing contact within rounding may go either way.
+// All pairs of triangles in which an edge of one pierces the other. Each pair has the lower index first; the list is
+// sorted. Triangles that share one vertex count if they meet anywhere else; triangles that share an edge, and mere
+// contact, do not count. Computed in double precision: a contact within rounding error may be classified either way.
 std::vector<std::array<int, 2>> self_intersections(const Body& body);
 
 }  // namespace selvedge::sim

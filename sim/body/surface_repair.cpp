@@ -26,7 +26,8 @@ void weld_vertices(Surface& surface, double distance, RepairReport& report) {
         for (int& v : triangle) v = same[std::size_t(v)];
 }
 
-// Those that lost a corner to welding, and all but the first of those on the same three vertices.
+// Drops triangles with a repeated vertex after welding, and duplicates: of those with the same vertices the first
+// stays.
 void drop_degenerate(Surface& surface, RepairReport& report) {
     std::vector<std::pair<std::array<int, 3>, std::size_t>> keys;
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
@@ -72,7 +73,7 @@ void judge_holes(const Surface& surface, const RepairOptions& options, SurfacePi
     }
 }
 
-// A fan about the rim's mean, which runs against the rim.
+// Caps each hole with a triangle fan around the mean of its rim, oriented consistently with the surface.
 void cap_holes(Surface& surface, SurfacePiece& piece, RepairReport& report) {
     for (const std::vector<int>& hole : piece.holes) {
         const int centre = int(surface.x.size());
@@ -93,7 +94,7 @@ void turn_outward(Surface& surface, const SurfacePiece& piece) {
         std::swap(surface.triangles[std::size_t(t)][1], surface.triangles[std::size_t(t)][2]);
 }
 
-// The triangles of a closed surface in columns along y, so that a ray along y meets few of them.
+// The triangles of a closed surface, binned into columns along y so that a ray along y tests few of them.
 class Columns {
  public:
     Columns(const Surface& surface, const SurfacePiece& piece) : surface_(surface) {
@@ -116,7 +117,7 @@ class Columns {
         }
     }
 
-    // Whether the ray upwards from the point leaves the surface an odd number of times.
+    // Whether the upward ray from the vertex crosses the surface an odd number of times.
     bool encloses(int vertex) const {
         const Vec2d p = flat(vertex);
         if ((p.array() < low_.array()).any() || (p.array() > high_.array()).any()) return false;
@@ -136,8 +137,8 @@ class Columns {
         return std::clamp(int((p[axis] - low_[axis]) / width * kSide), 0, kSide - 1);
     }
 
-    // Twice the signed area of p, a, b. The same two vertices give the same bits whichever triangle asks, and a zero
-    // counts as positive, so that a ray through an edge meets just one of its triangles.
+    // Whether p, a, b have positive orientation. The result for an edge a, b has the same bits for both of its
+    // triangles, and zero counts as positive, so that a ray through an edge meets just one of them.
     bool is_left(const Vec2d& p, int a, int b) const {
         const bool is_turned = a > b;
         if (is_turned) std::swap(a, b);
@@ -186,7 +187,7 @@ std::string describe(const SurfacePiece& piece, const std::string& why) {
     return "a piece of " + std::to_string(piece.triangles.size()) + " triangles: " + why;
 }
 
-// Closes and turns each piece; those left without a flaw are kept.
+// Closes and orients each piece; returns the pieces without a flaw.
 std::vector<SurfacePiece> close_pieces(Surface& surface, std::vector<SurfacePiece> pieces, const std::string& file,
                                        const RepairOptions& options, RepairReport& report) {
     const std::size_t main = largest(surface, pieces);
@@ -213,7 +214,7 @@ std::vector<SurfacePiece> close_pieces(Surface& surface, std::vector<SurfacePiec
     return kept;
 }
 
-// The kept pieces' triangles one after another, and only the vertices that they use, in their old order.
+// Concatenates the kept pieces' triangles; keeps only the vertices that they use, in their original order.
 Surface gather(const Surface& surface, const std::vector<SurfacePiece>& pieces) {
     std::vector<int> place(surface.x.size(), -1);
     for (const SurfacePiece& piece : pieces)
@@ -264,7 +265,7 @@ namespace {
 
 constexpr int kNone = -1;
 
-// A triangle's side k runs from its corner k to the next. Sorted, the sides at an undirected edge are neighbours.
+// Side k of a triangle runs from corner k to corner k + 1. When sorted, all sides at an undirected edge are adjacent.
 struct Side {
     int low;
     int high;
@@ -286,7 +287,7 @@ std::vector<Side> sorted_sides(const Triangles& triangles) {
     return sides;
 }
 
-// Triangles joined over edges, however many meet there.
+// Union-find over triangles that share an edge, also non-manifold edges.
 class Groups {
  public:
     explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
@@ -309,7 +310,7 @@ class Groups {
 };
 
 struct Topology {
-    std::vector<std::array<int, 3>> neighbours;  // over side k; kNone at a boundary or where more than two meet
+    std::vector<std::array<int, 3>> neighbours;  // across side k; kNone at a boundary or a non-manifold edge
     std::vector<int> piece;                      // per triangle
     std::vector<SurfacePiece> pieces;
 };
@@ -319,7 +320,7 @@ Topology connect(const Triangles& triangles) {
     Topology topology;
     topology.neighbours.assign(triangles.size(), {kNone, kNone, kNone});
     Groups groups(triangles.size());
-    std::vector<int> crowded;  // a triangle of each edge where more than two meet
+    std::vector<int> crowded;  // one triangle of each edge with more than two triangles
     for (std::size_t first = 0; first < sides.size();) {
         std::size_t last = first + 1;
         while (last < sides.size() && sides[last].same_edge(sides[first])) ++last;
@@ -351,14 +352,14 @@ bool has_directed_edge(const std::array<int, 3>& triangle, int from, int to) {
     return false;
 }
 
-// Whether both triangles run along their common edge in opposite directions, as neighbours should.
+// Whether the triangles traverse their common edge in opposite directions, as consistently oriented neighbours do.
 bool agree(const std::array<int, 3>& a, const std::array<int, 3>& b) {
     for (std::size_t k = 0; k < 3; ++k)
         if (has_directed_edge(b, a[(k + 1) % 3], a[k])) return true;
     return false;
 }
 
-// Spreads the first triangle's side over its piece.
+// Propagates the orientation of the piece's first triangle over the piece.
 void orient(Triangles& triangles, const Topology& topology, std::vector<bool>& is_set, SurfacePiece& piece) {
     std::vector<int> waiting{piece.triangles.front()};
     is_set[std::size_t(waiting.front())] = true;
@@ -381,8 +382,8 @@ void orient(Triangles& triangles, const Topology& topology, std::vector<bool>& i
     }
 }
 
-// Boundary edges chained to loops. Where a vertex has several, the path is cut at its first return, so that no loop
-// visits a vertex twice.
+// Chains boundary edges into loops. Where a vertex has several boundary edges, a loop is split off when the path
+// returns to a vertex, so that no loop visits a vertex twice.
 std::vector<std::vector<int>> chain(std::multimap<int, int> edges) {
     std::vector<std::vector<int>> loops;
     while (!edges.empty()) {
@@ -406,8 +407,9 @@ std::vector<std::vector<int>> chain(std::multimap<int, int> edges) {
     return loops;
 }
 
-// Pre: no edge of the piece is crowded, so that one without a neighbour is a boundary. The neighbours are those of the
-// sides before triangles were turned, hence found anew by their vertices.
+// Pre: no edge of the piece has more than two triangles, so an edge without a neighbour is a boundary.
+// topology.neighbours follows the side numbers before triangles were flipped, so each side's neighbour is found again
+// by its vertices.
 std::vector<std::vector<int>> find_holes(const Triangles& triangles, const Topology& topology,
                                          const SurfacePiece& piece) {
     std::multimap<int, int> edges;
@@ -439,7 +441,7 @@ std::vector<SurfacePiece> find_pieces(Triangles& triangles) {
 }
 
 double signed_volume6(const std::vector<Vec3d>& x, const Triangles& triangles, const SurfacePiece& piece) {
-    // From a point of the piece, for less rounding.
+    // Relative to a point of the piece, to reduce rounding errors.
     const Vec3d& from = x[std::size_t(triangles[std::size_t(piece.triangles.front())][0])];
     double sum = 0;
     for (const int t : piece.triangles) {
@@ -470,8 +472,8 @@ struct CellHash {
     }
 };
 
-// Those that stand for themselves, by cell; the cells are much larger than the distance, so that most searches look
-// into one. Nothing depends on the map's order.
+// The representatives, hashed by cell. Cells are 8 times the distance wide, so most searches visit one cell. No result
+// depends on the order of the hash map.
 class Representatives {
  public:
     Representatives(const std::vector<Vec3d>& x, double distance) : x_(x), distance_(distance), next_(x.size(), kNone) {
@@ -515,7 +517,7 @@ class Representatives {
 
     const std::vector<Vec3d>& x_;
     double distance_;
-    std::vector<int> next_;  // in the same cell
+    std::vector<int> next_;  // next representative in the same cell
     std::unordered_map<Cell, int, CellHash> cells_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
-// Makes one closed, outward surface of the triangles that a file holds, as far as that can be done without guessing:
-// welds, drops triangles without area, turns pieces outward, caps small holes. What it does it counts.
+// Turns the triangles of an imported file into closed surfaces with outward orientation: welds vertices, drops
+// degenerate and duplicate triangles, orients pieces, caps small holes. RepairReport counts each change. Also here: the
+// parts that it uses (connected pieces, vertex welding).
 #include <array>
 #include <string>
 #include <vector>
@@ -12,49 +13,50 @@ namespace selvedge::sim {
 struct Surface {
     std::vector<Vec3d> x;  // m
     std::vector<std::array<int, 3>> triangles;
-    std::vector<int> origin;  // per vertex: its index before welding; of a cap's middle: its rim's
+    std::vector<int> origin;  // per vertex: its index before welding; for a cap's centre, that of one rim vertex
 };
 
 struct RepairOptions {
-    double weld_distance = 1e-6;  // m, vertices no farther apart become one
-    double largest_hole = 0.6;    // m round: a neck or an eye is capped, a missing half is not
+    double weld_distance = 1e-6;  // m, vertices at most this far apart are merged
+    double largest_hole = 0.6;    // m, perimeter: an open neck or eye is capped, a missing half of the body is not
 };
 
 struct RepairReport {
     int welded_vertices = 0;
-    int dropped_triangles = 0;  // without area, or twice there
+    int dropped_triangles = 0;  // degenerate after welding, or duplicates
     int turned_triangles = 0;
     int capped_holes = 0;
-    int pieces = 0;                           // connected pieces that were kept
-    std::vector<std::string> dropped_pieces;  // why, for each
+    int pieces = 0;                           // connected pieces that remain
+    std::vector<std::string> dropped_pieces;  // one description with the reason per piece
 };
 
-// Pieces that cannot be closed, or that lie wholly inside the largest, are dropped; the largest must be sound.
-// Throws InputError with `file` when it is not. Deterministic.
+// Drops pieces that cannot be closed and pieces that lie wholly inside the largest piece. Throws InputError with `file`
+// when the largest piece cannot be closed or when no triangle is left. Deterministic.
 Surface repair(Surface surface, const std::string& file, const RepairOptions& options, RepairReport& report);
 
-// The connected pieces of a triangle soup: who borders whom, which way round, where the holes are.
+// Connected pieces of a triangle soup: adjacency, orientation and holes.
 
 using Triangles = std::vector<std::array<int, 3>>;
 
 struct SurfacePiece {
-    std::vector<int> triangles;           // indices, ascending
-    std::string flaw;                     // why it can be no part of a closed surface; empty when sound
-    std::vector<std::vector<int>> holes;  // vertices in order round each, as the surface's own edges run
+    std::vector<int> triangles;           // triangle indices, ascending
+    std::string flaw;                     // why the piece cannot be part of a closed surface; empty when it can
+    std::vector<std::vector<int>> holes;  // vertices in order around each hole, directed as the surface's own edges
 };
 
-// Turns triangles (in place) so that neighbours agree within each piece; which side is out is left open.
-// Pieces come in the order of their first triangles. Pre: the corners of a triangle are three different vertices.
+// Flips triangles in place so that neighbours within each piece have consistent orientation; it may still be inward.
+// Pieces are ordered by their first triangle. Pre: the three corners of each triangle are different vertices.
 std::vector<SurfacePiece> find_pieces(Triangles& triangles);
 
-// Six times the signed volume under the piece's triangles, m^3: positive when it is closed and turned outward.
+// Six times the signed volume under the piece's triangles, m^3: positive for a closed piece with outward orientation.
 double signed_volume6(const std::vector<Vec3d>& x, const Triangles& triangles, const SurfacePiece& piece);
 
 double area(const std::vector<Vec3d>& x, const Triangles& triangles, const SurfacePiece& piece);
 
-// Which points are the same point.
+// Vertex welding.
 
-// For each point the first one no farther than `distance` (m) from it that stands for itself. Pre: distance > 0.
+// Maps each point to its representative: the first representative at most `distance` (m) away, or the point itself when
+// there is none. Pre: distance > 0.
 std::vector<int> weld(const std::vector<Vec3d>& x, double distance);
 
 }  // namespace selvedge::sim

@@ -11,7 +11,7 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr float kGuardReach = 0.0015F;  // m, how far the field may be off at a crease
+constexpr float kGuardReach = 0.0015F;  // m, assumed maximum error of the field at a crease
 
 }  // namespace
 

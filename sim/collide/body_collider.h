@@ -1,6 +1,6 @@
 #pragma once
-// A body that stands still, as cloth meets it. The distance field answers; where it cannot be trusted (creases, deep
-// inside) the exact surface does.  (SPEC 3.3)
+// Collider for a static body. It samples a distance field; where that is not reliable (at creases, deep inside) it
+// computes the exact closest point on the surface. (thesis 4.4)
 #include <functional>
 
 #include "sim/body/body.h"
@@ -12,7 +12,7 @@ namespace selvedge::sim {
 
 class BodyCollider final : public Collider {
  public:
-    // The body must outlive the collider. interrupt: see DistanceField. Pre: the body is closed.
+    // The body must outlive the collider. interrupt: see DistanceField. Pre: the body's surface is closed.
     explicit BodyCollider(const Body& body, const DistanceFieldOptions& options = {},
                           const std::function<void()>& interrupt = {});
 
@@ -22,7 +22,7 @@ class BodyCollider final : public Collider {
         return bvh_.first_hit(from, to);
     }
     float band() const override { return field_.band(); }
-    // Of the field; where the exact surface was asked there is none.
+    // The field's maximum error; contacts from the exact surface have none.
     float max_error() const override { return field_.max_error(); }
 
     const Body& body() const { return body_; }

@@ -14,10 +14,10 @@ void Collider::contacts(std::span<ContactBlock> blocks, float /*reach*/) const {
 
 namespace {
 
-constexpr float kNoDirection = 1e-12F;  // m, below this a vector has none
+constexpr float kNoDirection = 1e-12F;  // m, a shorter vector has no usable direction
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-// Fractions at which |start + t along| = radius, the lesser first; none where the line misses or has no direction.
+// Fractions at which |start + t along| = radius, smaller first; kNever where the line misses or has zero length.
 std::array<double, 2> ball_crossings(const Vec3d& start, const Vec3d& along, double radius) {
     const double a = along.squaredNorm();
     const double b = start.dot(along);
@@ -26,7 +26,7 @@ std::array<double, 2> ball_crossings(const Vec3d& start, const Vec3d& along, dou
     return {(-b - std::sqrt(root)) / a, (-b + std::sqrt(root)) / a};
 }
 
-// Least of the fractions that lie on the segment and, by `counts`, on the surface.
+// The smallest fraction that lies on the segment and that `counts` accepts.
 template <std::size_t count, class Counts>
 std::optional<double> first_fraction(std::array<double, count> fractions, const Counts& counts) {
     std::sort(fractions.begin(), fractions.end());
@@ -71,7 +71,7 @@ Contact CylinderCollider::contact(const Vec3f& p) const {
     const float beside = from_axis - shape_.radius;
     const float beyond = std::abs(along) - shape_.half_length;
     if (beside <= 0 || beyond <= 0) return beside > beyond ? Contact{beside, sideways} : Contact{beyond, endways};
-    const float distance = std::hypot(beside, beyond);  // from the rim
+    const float distance = std::hypot(beside, beyond);  // to the rim
     return {distance, (sideways * beside + endways * beyond) / distance};
 }
 

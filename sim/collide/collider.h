@@ -1,5 +1,6 @@
 #pragma once
-// What cloth may not enter: how far it is, and which way out.  (SPEC 3.3)
+// Interface to the objects that cloth collides with: signed distance and normal at points, first hits of segments. Also
+// the analytic colliders: sphere, cylinder, and none. (thesis 4.4)
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -11,21 +12,21 @@
 
 namespace selvedge::sim {
 
-// Points that are asked about at once, and what is known of them.  (SPEC 3.3)
+// Batches of query points and their contacts.
 
 struct Contact {
-    float distance = 0;            // m, negative inside; a Collider's band() when it is at least that far outside
-    Vec3f normal = Vec3f::Zero();  // unit, the way out; zero when distance is band()
+    float distance = 0;            // m, negative inside; the Collider's band() at that distance outside or farther
+    Vec3f normal = Vec3f::Zero();  // unit, pointing out of the body; zero when distance is band()
 };
 
 inline constexpr std::size_t kContactLanes = 16;
 
-// Spare lanes hold any point, a copy of another say.
+// Sixteen query points and their results. Unused slots hold any point, for example a copy of another.
 struct alignas(64) ContactBlock {
     using Lanes = std::array<float, kContactLanes>;
-    Lanes x{}, y{}, z{};     // asked, m
-    Lanes distance{};        // answer, m, as in Contact
-    Lanes nx{}, ny{}, nz{};  // its normal
+    Lanes x{}, y{}, z{};     // query points, m
+    Lanes distance{};        // result, m, as in Contact
+    Lanes nx{}, ny{}, nz{};  // result, as in Contact
 
     Vec3f point(std::size_t lane) const { return {x[lane], y[lane], z[lane]}; }
     void set_point(std::size_t lane, const Vec3f& p) {
@@ -50,31 +51,31 @@ class Collider {
 
     virtual Contact contact(const Vec3f& p) const = 0;
 
-    // contact() for every lane of every block. Only what is nearer than `reach` (m) matters to the caller: an answer
-    // of at least reach may be too small, by any amount; too large it is by max_error() at most, like every answer;
-    // and its normal is worth nothing. So a point may move by distance - max_error() before it can touch.
+    // contact() for every slot of every block. The caller needs exact results only nearer than `reach` (m): a returned
+    // distance of at least reach may be too small by any amount, and its normal is undefined. No distance is too large
+    // by more than max_error(), so a point can move by distance - max_error() before it can touch the surface.
     virtual void contacts(std::span<ContactBlock> blocks, float reach) const;
 
-    // Where the segment first meets the surface, from either side.
+    // First intersection of the segment with the surface, from either side.
     virtual std::optional<SurfaceHit> first_hit(const Vec3f& from, const Vec3f& to) const = 0;
 
-    // Nothing is known of distances beyond this outside, m.
+    // Distances outside are capped at this value, m.
     virtual float band() const = 0;
-    // Distances are at most this much too large, m; and where they are below the reach, too small.
+    // Bound on the error of a distance, m: for overestimates always, for underestimates where the distance is below
+    // `reach`.
     virtual float max_error() const = 0;
 };
 
-// Colliders of which everything is known by a formula: the sphere and cylinder that cloth is dropped on, and nothing at
-// all.  (SPEC 1.5)
+// Analytic colliders: the sphere and cylinder of the thesis' drop experiments (thesis 3.8.2), and no body at all.
 
-// What has a formula knows of distances as far as anything can lie, and is off by rounding only.
+// Distances come from a formula: the band is practically unlimited and the error is rounding only.
 class AnalyticCollider : public Collider {
  public:
     float band() const override { return 1e6F; }
     float max_error() const override { return 1e-6F; }
 };
 
-// Never touched.
+// No body: reports no contact anywhere.
 class NoBody final : public AnalyticCollider {
  public:
     Contact contact(const Vec3f&) const override { return {band(), Vec3f::Zero()}; }
@@ -83,7 +84,7 @@ class NoBody final : public AnalyticCollider {
 
 class SphereCollider final : public AnalyticCollider {
  public:
-    // m. Pre: radius > 0.
+    // Lengths in m. Pre: radius > 0.
     SphereCollider(const Vec3f& centre, float radius);
 
     Contact contact(const Vec3f& p) const override;
@@ -96,9 +97,9 @@ class SphereCollider final : public AnalyticCollider {
 
 struct CylinderShape {
     Vec3f centre = Vec3f::Zero();                                // m
-    Vec3f axis = Vec3f::UnitX();                                 // any length but 0
+    Vec3f axis = Vec3f::UnitX();                                 // any non-zero length
     float radius = 0;                                            // m
-    float half_length = std::numeric_limits<float>::infinity();  // m, from the centre to each of the flat ends
+    float half_length = std::numeric_limits<float>::infinity();  // m, from the centre to each flat end
 };
 
 class CylinderCollider final : public AnalyticCollider {
@@ -110,7 +111,7 @@ class CylinderCollider final : public AnalyticCollider {
     std::optional<SurfaceHit> first_hit(const Vec3f& from, const Vec3f& to) const override;
 
  private:
-    CylinderShape shape_;  // its axis has unit length
+    CylinderShape shape_;  // with a unit axis
 };
 
 }  // namespace selvedge::sim

@@ -14,18 +14,18 @@ namespace selvedge::sim {
 namespace {
 
 constexpr float kUnbounded = std::numeric_limits<float>::infinity();
-constexpr float kHair = 1.0001F;  // bounds are widened by this
-constexpr float kSpeck = 1e-6F;   // and this, m, for rounding
+constexpr float kHair = 1.0001F;  // bounds are enlarged by this factor
+constexpr float kSpeck = 1e-6F;   // m, and by this amount, for rounding
 constexpr float kHalfDiagonal = 0.8660254F;
-constexpr std::int16_t kFarNode = 32767;  // at the limit
+constexpr std::int16_t kFarNode = 32767;  // stored at the limit
 
-// Signed distances along a walk in small strides: the nearest point of one bounds the search for the next. Beyond
-// `reach` only the sign is right and the size is at least reach.
+// Signed distances along a path of small steps. The surface point nearest to one point bounds the search for the next.
+// Beyond `reach` only the sign is correct, and the magnitude is at least `reach`.
 class DistanceWalk {
  public:
     DistanceWalk(const SurfaceBvh& bvh, float stride, float reach) : bvh_(bvh), stride_(stride), reach_(reach) {}
 
-    // Pre: p lies within a stride of the point before.
+    // Pre: p is at most one stride away from the previous point.
     float next(const Vec3f& p) {
         if (known_ && std::abs(distance_) - stride_ > reach_) return distance_ -= std::copysign(stride_, distance_);
         const float nearest = has_nearest_ ? (p - nearest_).norm() : kUnbounded;
@@ -37,7 +37,7 @@ class DistanceWalk {
             nearest_ = closest->point;
             return distance_ = closest->distance;
         }
-        // Nothing within reach, and reach is longer than a stride: the sign has not changed.
+        // Nothing is within reach, and reach exceeds a stride, so the sign has not changed.
         return distance_ = std::copysign(reach_, distance_);
     }
 
@@ -48,11 +48,11 @@ class DistanceWalk {
     float distance_ = 0;
     bool known_ = false;
     bool has_nearest_ = false;
-    Vec3f nearest_ = Vec3f::Zero();  // a surface point that is not far
+    Vec3f nearest_ = Vec3f::Zero();  // a surface point near the current point
 };
 
-// The nodes of a block, three by three of them after the other up a column and down the next, so that sixteen in a row
-// lie together and none is farther than three cells from the one before.
+// Order of a block's nodes: layers of 3 x 3 nodes, up one column and down the next. So sixteen successive nodes are
+// close together, and successive nodes are at most three cells apart.
 constexpr int kNodesOfAxis = 9;
 
 consteval auto order_of_nodes() {
@@ -71,8 +71,8 @@ consteval auto order_of_nodes() {
 
 constexpr auto kNodeOrder = order_of_nodes();
 
-// Signed distances of points in groups, held to the limit. What is nearest to one point bounds the search for the next
-// group.
+// Signed distances of groups of points, clamped to the limit. The surface point nearest to one point bounds the search
+// for the next group.
 class GroupWalk {
  public:
     GroupWalk(const SurfaceBvh& bvh, float limit) : bvh_(bvh), limit_(limit) {}
@@ -83,12 +83,12 @@ class GroupWalk {
         group.start(lane, p, std::min(nearest, limit_ * kHair + kSpeck));
     }
 
-    // Pre: each point lies nearer than the limit to the one before.
+    // Pre: successive points are nearer than the limit to each other.
     std::array<float, PointGroup::kPoints> finish(PointGroup& group) {
         bvh_.find_nearest(group);
         std::array<float, PointGroup::kPoints> distances;
         for (std::size_t i = 0; i < PointGroup::kPoints; ++i) {
-            // Nothing within the limit: on the side of the point before.
+            // No triangle within the limit: same side as the previous point.
             distances[i] = std::copysign(limit_, last_);
             if (group.triangle[i] != NearestTriangle::kNone) {
                 const ClosestPoint closest = bvh_.closest_on(group.triangle[i], group.point(i));
@@ -112,8 +112,8 @@ class GroupWalk {
     const SurfaceBvh& bvh_;
     float limit_;
     bool is_known_ = false;
-    float last_ = 0;                 // distance of the last point
-    Vec3f nearest_ = Vec3f::Zero();  // a surface point that is not far
+    float last_ = 0;                 // signed distance of the previous point
+    Vec3f nearest_ = Vec3f::Zero();  // a surface point near the current point
 };
 
 }  // namespace
@@ -123,7 +123,7 @@ DistanceField::DistanceField(const SurfaceBvh& bvh, const DistanceFieldOptions& 
     : cell_(options.cell),
       per_cell_(1 / options.cell),
       band_(options.band),
-      // Nodes of a cell with a point in the band lie within the cell's diagonal of it.
+      // If a cell contains a point in the band, its nodes are at most the cell's diagonal away from that point.
       limit_(options.band + 2 * kHalfDiagonal * options.cell),
       to_metres_(limit_ / float(kFarNode)) {
     SELVEDGE_ASSERT(cell_ > 0 && 2 * cell_ <= band_);
@@ -160,7 +160,7 @@ Vec3f DistanceField::block_corner(std::size_t block) const {
     return origin_ + index * (cell_ * kCells);
 }
 
-// A block whose centre is farther than the band and its own half diagonal holds no point of the band.
+// A block whose centre is farther from the surface than the band plus half the block's diagonal is outside the band.
 void DistanceField::classify_blocks(const SurfaceBvh& bvh) {
     const float edge = cell_ * kCells;
     const float reach = band_ + kHalfDiagonal * edge;
@@ -187,7 +187,7 @@ void DistanceField::classify_blocks(const SurfaceBvh& bvh) {
     std::fill_n(nodes_.begin() + kInside, kBlockNodes, std::int16_t(-kFarNode));
 }
 
-// Signed distances of all nodes, sixteen neighbours in one search.
+// Signed distances of all nodes of a block, sixteen neighbouring nodes per search.
 void DistanceField::fill_block(const SurfaceBvh& bvh, std::size_t block, std::int16_t* nodes) const {
     constexpr std::size_t kAtOnce = PointGroup::kPoints;
     const Vec3f corner = block_corner(block);
@@ -209,7 +209,7 @@ void DistanceField::fill_block(const SurfaceBvh& bvh, std::size_t block, std::in
 FieldSample DistanceField::sample(const Vec3f& p) const {
     const Vec3f at = (p - origin_) * per_cell_;
     const FieldSample outside{band_, Vec3f::Zero()};
-    // Written so that a NaN is outside too.
+    // The condition is written so that NaN also counts as outside.
     if (!((at.array() >= 0).all() && (at.array() < cells_.array()).all())) return outside;
     const int i = int(at.x());
     const int j = int(at.y());
@@ -228,7 +228,7 @@ FieldSample DistanceField::sample(const Vec3f& p) const {
     constexpr int kY = kNodes;
     constexpr int kZ = kNodes * kNodes;
     const auto value = [&](int offset) { return float(node[offset]); };
-    // Steps along x on the cell's four x edges, then the values there, and so on.
+    // Differences along x on the cell's four x edges, then interpolated values there; then the same along y and z.
     const float dx00 = value(1) - value(0), dx10 = value(kY + 1) - value(kY);
     const float dx01 = value(kZ + 1) - value(kZ), dx11 = value(kZ + kY + 1) - value(kZ + kY);
     const float v00 = value(0) + fx * dx00, v10 = value(kY) + fx * dx10;
@@ -258,7 +258,7 @@ FieldView DistanceField::view() const {
             .trusted = kTrustedGradient};
 }
 
-// Kernels take a block for seven rows of floats.
+// Kernels address a ContactBlock as seven rows of floats.
 static_assert(sizeof(ContactBlock) == 7 * sizeof(ContactBlock::Lanes) && offsetof(ContactBlock, x) == 0);
 
 void DistanceField::sample(std::span<ContactBlock> blocks, float reach, std::span<std::uint16_t> doubtful) const {
@@ -268,7 +268,7 @@ void DistanceField::sample(std::span<ContactBlock> blocks, float reach, std::spa
     collide_kernels(simd_level()).sample_blocks(view(), rows, blocks.size(), reach, doubtful.data());
 }
 
-// The true distance is 0 on the surface, and there convex features are at their sharpest.
+// The true distance on the surface is 0, and convex features are sharpest there.
 float DistanceField::error_on(const SurfaceBvh& bvh) const {
     constexpr std::size_t kGrain = 4096;
     const std::span<const Vec3f> x = bvh.points();

@@ -3,7 +3,7 @@
 namespace selvedge::sim {
 namespace {
 
-// A packet has eight triangles: sixteen lanes would find half of them empty.
+// A packet has eight triangles, which would fill only half of sixteen lanes: use the AVX2 kernel.
 CollideKernels fastest_of_avx512() {
     CollideKernels kernels = collide_kernels_of<SimdLevel::Avx512>();
     kernels.squared_distances = collide_kernels_of<SimdLevel::Avx2>().squared_distances;

@@ -1,5 +1,5 @@
 #pragma once
-// The inner loops of distance field and tree: written once, compiled for each SimdLevel and chosen at run time.
+// Inner loops of the distance field and the surface tree, compiled once per SimdLevel and selected at run time.
 #include <cstddef>
 #include <cstdint>
 
@@ -7,41 +7,43 @@
 
 namespace selvedge::sim {
 
-// What a kernel needs of a DistanceField; plain memory, for kernels share no code with the rest of the program.
+// A DistanceField as plain data. Kernels use no inline code of the rest of the program, because each is compiled for
+// another instruction set.
 struct FieldView {
-    const std::int32_t* blocks;  // first node of each block; blocks wholly outside or inside share one of their own
+    const std::int32_t* blocks;  // index of each block's first node; blocks beyond the band share one per sign
     const std::int16_t* nodes;
     float origin[3];       // m
-    float last[3];         // cells along each axis, less a hair
+    float last[3];         // cells along each axis, rounded down to the next float
     std::int32_t size[2];  // blocks along x and y
     float per_cell;        // cells per m
-    float to_metres;       // of a node's value
-    float to_gradient;     // of the difference of two neighbours
+    float to_metres;       // scale of a node's value
+    float to_gradient;     // scale of the difference of two adjacent nodes
     float band;            // m
-    float trusted;         // least length of a gradient that can be
+    float trusted;         // minimum length of a reliable gradient
 };
 
 struct CollideKernels {
-    // `rows` is an array of ContactBlock. Fills distance and normal of each lane; doubtful[block] gets a bit for each
-    // lane that lies nearer than `reach` and whose gradient cannot be trusted.
+    // `rows` is an array of ContactBlock. Writes distance and normal of each slot; doubtful[block] gets a bit for each
+    // slot that is nearer than `reach` and has no reliable gradient.
     void (*sample_blocks)(const FieldView& field, float* rows, std::size_t blocks, float reach,
                           std::uint16_t* doubtful);
 
-    // Squared distances from a point to eight triangles. packet: a TrianglePacket's nine rows of floats; p: x, y, z;
-    // squared: eight, m^2. Returns a bit for each triangle nearer than the root of `limit`.
+    // Squared distances from a point to eight triangles. packet: the nine rows of floats of a TrianglePacket; p: x, y,
+    // z; squared: output, eight values, m^2. Returns a bit for each triangle whose squared distance is below `limit`
+    // (m^2).
     unsigned (*squared_distances)(const float* packet, const float* p, float limit, float* squared);
 
-    // Sixteen points that lie together against eight triangles. packet: as above; ids: its triangles; box: low x, y, z
-    // and high x, y, z of what holds them. rows: x, y, z of sixteen points and the squared distances of what is nearest
-    // to each so far, m and m^2; nearest: which triangles those are. Both are brought up to date. Returns the largest
-    // of the squared distances.
+    // Updates the nearest triangles of sixteen nearby points with eight triangles. packet: as above; ids: its
+    // triangles; box: low x, y, z and high x, y, z of the bounding box of the packet. rows: x, y, z of sixteen points
+    // (m) and their smallest squared distances so far (m^2); nearest: the triangles of those distances. Updates the
+    // distances and `nearest`. Returns the largest of the sixteen squared distances.
     float (*nearest_in_packet)(const float* packet, const std::uint32_t* ids, const float* box, float* rows,
                                std::uint32_t* nearest);
 };
 
 const CollideKernels& collide_kernels(SimdLevel level);
 
-// Those of one level; each is defined by the compilation of kernels_simd.cpp for that level.
+// The kernels of one level, defined by the compilation of kernels_simd.cpp for that level.
 template <SimdLevel>
 const CollideKernels& collide_kernels_of();
 

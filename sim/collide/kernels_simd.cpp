@@ -1,5 +1,5 @@
-// The loops of kernels.h for any number of lanes. CMake compiles this source once for each SimdLevel, so all of it but
-// the last function has internal linkage (sim/core/simd_level.h).
+// The loops of kernels.h for any number of SIMD lanes. CMake compiles this source once for each SimdLevel, so
+// everything but the last function has internal linkage (sim/core/simd_level.h).
 #include <cstddef>
 #include <cstdint>
 
@@ -9,7 +9,7 @@
 namespace selvedge::sim {
 namespace {
 
-// Sampling a distance field. Operations stand in the order of DistanceField::sample(), so that both give the same bits.
+// Distance field sampling. The order of operations is that of DistanceField::sample(), so that both give the same bits.
 
 // Rows of a ContactBlock.
 enum FieldRow { kRowX, kRowY, kRowZ, kRowDistance, kRowNormalX, kRowNormalY, kRowNormalZ, kRows };
@@ -22,7 +22,7 @@ struct LaneCell {
     lanes::Floats within;  // 0..1
 };
 
-// A point beyond the grid, or none at all, comes to lie in the grid's rim, which is outside.
+// A point outside the grid, or NaN, is clamped to the grid's rim, which is outside the band.
 [[gnu::always_inline]] inline LaneCell cell_of(const FieldView& field, int axis, const float* row) {
     lanes::Floats at = (lanes::load(row) - field.origin[axis]) * field.per_cell;
     at = lanes::min(lanes::max(at, lanes::broadcast(0)), lanes::broadcast(field.last[axis]));
@@ -30,7 +30,7 @@ struct LaneCell {
     return {cell, at - lanes::to_float(cell)};
 }
 
-// Place of the cell's lowest node.
+// Index of the cell's lowest node.
 [[gnu::always_inline]] inline lanes::Ints node_of(const FieldView& field, lanes::Ints i, lanes::Ints j, lanes::Ints k) {
     const lanes::Ints place = (i >> 3) + field.size[0] * ((j >> 3) + field.size[1] * (k >> 3));
     constexpr std::int32_t kWithin = kFieldCells - 1;
@@ -39,7 +39,7 @@ struct LaneCell {
 }
 
 struct LaneSample {
-    lanes::Floats distance, x, y, z;  // in steps of a node's value
+    lanes::Floats distance, x, y, z;  // in units of a node's value
 };
 
 [[gnu::always_inline]] inline LaneSample trilinear(const std::int16_t* nodes, lanes::Ints node, lanes::Floats fx,
@@ -65,7 +65,7 @@ struct LaneSample {
     return {v0 + fz * (v1 - v0), dx0 + fz * (dx1 - dx0), (v10 - v00) + fz * ((v11 - v01) - (v10 - v00)), v1 - v0};
 }
 
-// One register of lanes; returns which of them are doubtful.
+// Samples one register of lanes; returns a bit for each doubtful one.
 [[gnu::always_inline]] inline unsigned sample_lanes(const FieldView& field, float* row, float reach) {
     const LaneCell x = cell_of(field, 0, row + kRowX * kRowLength);
     const LaneCell y = cell_of(field, 1, row + kRowY * kRowLength);
@@ -92,7 +92,7 @@ struct LaneSample {
 }
 
 void sample_blocks(const FieldView& view, float* rows, std::size_t blocks, float reach, std::uint16_t* doubtful) {
-    const FieldView field = view;  // a copy, which no store to the rows can change
+    const FieldView field = view;  // a copy, which cannot alias the rows that are written
     for (std::size_t block = 0; block < blocks; ++block) {
         float* row = rows + block * kRows * kRowLength;
         unsigned found = 0;
@@ -106,14 +106,14 @@ void sample_blocks(const FieldView& view, float* rows, std::size_t blocks, float
 constexpr std::size_t kGroupPoints = 16;
 constexpr std::size_t kGroupTriangles = 8;
 
-// What is the same for every point: products of a triangle's edges and reciprocals.
+// Values that are equal for all points: products of a triangle's edges, and reciprocals.
 struct TriangleProducts {
     float bb[kGroupTriangles], cc[kGroupTriangles], bc[kGroupTriangles];
     float per_bb[kGroupTriangles], per_cc[kGroupTriangles], per_third[kGroupTriangles], per_area[kGroupTriangles];
 };
 
 [[gnu::always_inline]] inline void multiply_edges(const float* packet, TriangleProducts& to) {
-    constexpr float kTiny = 1e-30F;  // keeps quotients finite on slivers
+    constexpr float kTiny = 1e-30F;  // keeps quotients finite for slivers
     const float* b = packet + 3 * kGroupTriangles;
     const float* c = packet + 6 * kGroupTriangles;
     constexpr std::size_t kY = kGroupTriangles;
@@ -136,7 +136,7 @@ struct LanePoints {
     lanes::Floats x, y, z;
 };
 
-// Without branches: inside the triangle the plane's foot, else the best of three edges.
+// Branch-free: the projection onto the plane when it is inside the triangle, else the nearest of the three edges.
 [[gnu::always_inline]] inline lanes::Floats squared_distance_to(const float* packet, const TriangleProducts& products,
                                                                 std::size_t i, const LanePoints& p) {
     using lanes::Floats;
@@ -183,7 +183,7 @@ struct LanePoints {
             lanes::load(rows + 2 * kGroupPoints + lane)};
 }
 
-// Whether the box is nearer to any of the points than what they have.
+// Whether the box is nearer to any of the points than that point's nearest triangle so far.
 [[gnu::always_inline]] inline bool may_be_nearer(const float* box, const float* rows) {
     unsigned nearer = 0;
     for (std::size_t lane = 0; lane < kGroupPoints; lane += lanes::kCount)
@@ -222,11 +222,11 @@ float nearest_in_packet(const float* packet, const std::uint32_t* ids, const flo
 
 // One point against eight triangles.
 
-// Without branches: inside the triangle the plane's foot, else the best of three edges.
+// Branch-free, as squared_distance_to().
 [[gnu::always_inline]] inline lanes::Floats squared_distances(const float* row, const float* p) {
     using lanes::Floats;
     constexpr std::size_t kRow = 8;
-    const Floats tiny = lanes::broadcast(1e-30F);  // keeps quotients finite on slivers
+    const Floats tiny = lanes::broadcast(1e-30F);  // keeps quotients finite for slivers
 
     const Floats x = p[0] - lanes::load(row), y = p[1] - lanes::load(row + kRow),
                  z = p[2] - lanes::load(row + 2 * kRow);

@@ -13,7 +13,7 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr float kTiny = 1e-30F;  // keeps quotients finite on slivers
+constexpr float kTiny = 1e-30F;  // keeps quotients finite for slivers
 
 struct TrianglePoint {
     Vec3f point;
@@ -58,22 +58,22 @@ ClosestPoint SurfaceBvh::closest_on(std::uint32_t triangle, const Vec3f& p) cons
     const Vec3f offset = p - on.point;
     const float length = offset.norm();
     const float sign = offset.dot(outward) < 0 ? -1.0F : 1.0F;
-    constexpr float kOnSurface = 1e-6F;  // m, below this the offset's direction is rounding
+    constexpr float kOnSurface = 1e-6F;  // m, below this the offset's direction is rounding error
     const Vec3f normal = length > kOnSurface ? Vec3f(offset * (sign / length)) : outward;
     return {.point = on.point, .normal = normal, .distance = sign * length, .triangle = triangle};
 }
 
 namespace {
 
-constexpr std::size_t kStack = 128;  // 4 children a level, 2^32 triangles have 15 levels
+constexpr std::size_t kStack = 128;  // 4 children per node, 2^32 triangles have 15 levels
 
-// Squared distances of the children's boxes, and a bit for each that is nearer than the root of `limit`.
+// Squared distances to the children's boxes, and a bit for each child whose squared distance is below `limit`.
 struct BoxDistances {
     std::array<float, 4> squared;
     unsigned nearer;
 };
 
-// From the box low..high, a point where they are equal.
+// Distances from the box low..high, which is a point when low equals high.
 template <class Node>
 BoxDistances box_distances(const Node& node, const Vec3f& low, const Vec3f& high, float limit) {
     __m128 sum = _mm_setzero_ps();
@@ -81,7 +81,7 @@ BoxDistances box_distances(const Node& node, const Vec3f& low, const Vec3f& high
         const auto a = std::ptrdiff_t(axis);
         const __m128 below = _mm_sub_ps(_mm_loadu_ps(node.low[axis].data()), _mm_set1_ps(high[a]));
         const __m128 above = _mm_sub_ps(_mm_set1_ps(low[a]), _mm_loadu_ps(node.high[axis].data()));
-        const __m128 out = _mm_max_ps(_mm_setzero_ps(), _mm_max_ps(below, above));  // keeps NaN
+        const __m128 out = _mm_max_ps(_mm_setzero_ps(), _mm_max_ps(below, above));  // propagates NaN
         sum = _mm_add_ps(sum, _mm_mul_ps(out, out));
     }
     BoxDistances boxes;
@@ -91,12 +91,12 @@ BoxDistances box_distances(const Node& node, const Vec3f& low, const Vec3f& high
 }
 
 struct Waiting {
-    float key;           // squared distance of its box
+    float key;           // squared distance to its box; for a ray the entry fraction
     std::int32_t child;  // a node, or ~packet
-    std::int32_t place;  // of its box: node * 4 + which of the four
+    std::int32_t place;  // index of its box: node * 4 + child
 };
 
-// A stack that holds a node's children with the nearest on top.
+// A stack on which a node's children are sorted, nearest on top.
 struct NearFirstStack {
     std::array<Waiting, kStack> entries;
     std::size_t size = 0;
@@ -128,7 +128,7 @@ std::size_t SurfaceBvh::bytes() const {
 std::optional<ClosestPoint> SurfaceBvh::closest(const Vec3f& p, float radius) const {
     if (nodes_.empty() || !(radius >= 0)) return std::nullopt;
     NearestTriangle best;
-    // A hair more, so that a point at exactly the radius is found.
+    // Slightly enlarged, so that a point at exactly the radius is found.
     best.squared = radius * radius * 1.000002F + kTiny;
     NearFirstStack stack;
     stack.push(0, {0, 0, 0});
@@ -186,8 +186,7 @@ struct Ray {
     Vec3f along;
 };
 
-// Where the segment enters the box, 0..1; infinite when it misses. A zero component gives infinite quotients, which
-// the comparisons take rightly.
+// Fraction (0..1) at which the segment enters the box; infinite when it misses.
 template <class Node>
 float entry_fraction(const Node& node, std::size_t k, const Ray& ray) {
     float enter = 0;
@@ -208,7 +207,7 @@ float entry_fraction(const Node& node, std::size_t k, const Ray& ray) {
     return enter <= leave ? enter : std::numeric_limits<float>::infinity();
 }
 
-// Moeller and Trumbore, 1997; in double, so that a ray does not slip between two triangles.
+// Moeller and Trumbore 1997, in double precision, so that a ray cannot pass between two adjacent triangles.
 std::optional<float> hit_fraction(const Ray& ray, const Vec3f& a, const Vec3f& b, const Vec3f& c) {
     const Vec3d along = ray.along.cast<double>();
     const Vec3d edge1 = b.cast<double>() - a.cast<double>();
@@ -261,7 +260,7 @@ namespace {
 
 constexpr double kNoArea = 1e-30;  // m^4, the square of twice a triangle's area
 
-// Which triangles lie at an undirected edge: sorted, so that equal edges are neighbours.
+// The triangles at an undirected edge; when sorted, entries of the same edge are adjacent.
 struct EdgeUse {
     std::uint32_t low;
     std::uint32_t high;
@@ -294,8 +293,8 @@ Vec3f as_unit(const Vec3d& v) {
 
 }  // namespace
 
-// Splits the triangles in halves along the longest axis of their centroids, twice per node; every packet but the last
-// is full.
+// Splits each node's triangles twice in halves, along the longest axis of their centroids; every packet but the last is
+// full.
 struct SurfaceBvh::Builder {
     static constexpr std::size_t kInPacket = TrianglePacket::kLanes;
 
@@ -357,7 +356,7 @@ struct SurfaceBvh::Builder {
         bvh.nodes_.emplace_back();
         Node node{};
         node.child.fill(kNoChild);
-        for (auto& low : node.low) low.fill(std::numeric_limits<float>::infinity());  // spare children are far away
+        for (auto& low : node.low) low.fill(std::numeric_limits<float>::infinity());  // unused children are at infinity
         std::size_t k = 0;
         for (const Range& part : children_of(range)) {
             Eigen::AlignedBox3f child_box;
@@ -402,7 +401,8 @@ SurfaceBvh::SurfaceBvh(const Body& body) {
     high_ = box.max();
 }
 
-// Baerentzen and Aanaes, "Signed distance computation using the angle weighted pseudonormal", 2005.
+// Angle-weighted pseudonormals (Baerentzen and Aanaes, "Signed distance computation using the angle weighted
+// pseudonormal", 2005).
 void SurfaceBvh::make_normals(const Body& body) {
     std::vector<Vec3d> at_vertex(x_.size(), Vec3d::Zero());
     std::vector<Vec3d> at_face(triangles_.size(), Vec3d::Zero());
@@ -429,7 +429,7 @@ void SurfaceBvh::make_normals(const Body& body) {
     }
 }
 
-// Kernels take a packet for nine rows of floats, and a group for four.
+// Kernels address a packet as nine rows of floats, and a group as four.
 static_assert(offsetof(TrianglePacket, triangle) == 9 * sizeof(TrianglePacket::Lanes));
 static_assert(offsetof(PointGroup, triangle) == 4 * PointGroup::kPoints * sizeof(float));
 

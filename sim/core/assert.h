@@ -1,6 +1,6 @@
 #pragma once
-// Checks of our own logic, on in every build: a broken promise stops the program at its place instead of far from it.
-// Wrong input is never an assert: see sim/core/error.h.
+// An assertion that is active in every build type. It checks for programming errors (broken preconditions and
+// invariants), prints the condition, file and line, and aborts. Wrong user input throws InputError (sim/core/error.h).
 
 namespace selvedge::sim {
 

@@ -1,11 +1,13 @@
 #pragma once
-// Wrong input: thrown where it is found, caught once, in main, printed on one line, exit 2.
+// The exception for wrong input. It is thrown where the fault is found and caught once, in main, which prints it on one
+// line and exits with code 2.
 #include <stdexcept>
 #include <string>
 
 namespace selvedge::sim {
 
-// what() reads "file: place: what is wrong"; an empty file or place is left out.
+// what() returns "file: place: problem"; an empty file or place is omitted. `place` is the location in the file, such
+// as a JSON path.
 class InputError : public std::runtime_error {
  public:
     InputError(std::string file, std::string place, std::string problem)

@@ -45,7 +45,7 @@ void write_all(int fd, std::string_view content, const std::filesystem::path& pa
     }
 }
 
-// A new file takes the place of what a link points to, not of the link.
+// The path with symbolic links resolved, so that writing replaces the target of a link and not the link itself.
 std::filesystem::path behind_links(const std::filesystem::path& path) {
     std::error_code error;
     const std::filesystem::path target = std::filesystem::canonical(path, error);

@@ -20,7 +20,8 @@ constexpr std::size_t kMaxDepth = 64;
 constexpr std::size_t kMaxValues = 4'000'000;
 constexpr std::size_t kMaxLine = 100;
 
-// nlohmann-json tells what it meets in the text; this builds our value of it, and stops at what we do not take.
+// SAX handler: builds a Json value from the parser's events, and throws InputError if a limit is exceeded or a key is
+// duplicated.
 class Builder : public nlohmann::json_sax<nlohmann::json> {
  public:
     explicit Builder(std::string file) : file_(std::move(file)) {}
@@ -76,7 +77,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
         insert(std::move(value));
         return true;
     }
-    // Pointers into a parent's elements stay good: nothing is added to a parent while its child is open.
+    // Pointers to a parent's elements stay valid, because nothing is added to a parent while its child is open.
     bool open(Json value) {
         if (open_.size() >= kMaxDepth) fail("nested deeper than " + std::to_string(kMaxDepth) + " levels");
         Json& inserted = insert(std::move(value));
@@ -124,7 +125,7 @@ bool is_plain(const Json& value) {
     return !value.is_array() && !value.is_object();
 }
 
-// The value on one line.
+// The value on one line, with spaces after commas and colons if `spaced`.
 std::string flat_text(const Json& value, bool spaced) {
     if (is_plain(value)) return scalar_text(value);
     const std::string comma = spaced ? ", " : ",";
@@ -141,7 +142,7 @@ std::string flat_text(const Json& value, bool spaced) {
     return "{" + text + "}";
 }
 
-// Does it hold only plain values, or arrays of numbers, so that it reads well on one line?
+// Whether the value may be written on one line: arrays and objects are nested at most 4 levels deep.
 bool is_flat(const Json& value, int depth = 0) {
     if (is_plain(value)) return true;
     if (depth == 4) return false;
@@ -185,7 +186,8 @@ void write_indented(const Json& value, std::size_t step, std::size_t column, std
 
 }  // namespace
 
-// Here rather than in the header: a variant's moves, unfolded at each use, are slow to compile.
+// Defined here and not inline, because instantiating the variant's copy and move functions in each source is slow to
+// compile.
 Json::Json() = default;
 Json::Json(const Json& other) = default;
 Json::Json(Json&& other) noexcept = default;

@@ -1,7 +1,8 @@
 #pragma once
-// JSON, read and written with its order and its numbers as they stood: a number keeps the text it came with, so that
-// what a program does not change it does not reformat. The one owner of nlohmann-json, and of the limits on what is
-// read: 64 MB, 64 levels, 4 million values, finite numbers, no key twice in an object.
+// A JSON value that preserves the order of keys and the original text of floating-point numbers, so that unchanged
+// parts of a document are not reformatted; a parser, a writer, and JsonView for reading with error messages that name
+// the path. Only json.cpp uses nlohmann-json. Limits on input: 64 MiB, 64 nesting levels, 4 million values, finite
+// numbers, no duplicate key in an object.
 #include <concepts>
 #include <cstddef>
 #include <filesystem>
@@ -25,7 +26,7 @@ class Json {
     Json& operator=(Json&& other) noexcept;
     ~Json();
     Json(bool value);
-    Json(double value);  // a number that is not finite becomes null: JSON has no other word for it
+    Json(double value);  // NaN and infinity become null, because JSON cannot represent them
     Json(std::string value);
     Json(std::string_view value);
     Json(const char* value);
@@ -35,7 +36,7 @@ class Json {
 
     static Json array(std::vector<Json> elements = {});
     static Json object();
-    // A number that came as `text`, whose value is `value`.
+    // The number `value`, written as `text`. Pre: `text` is a valid JSON number with that value.
     static Json number_as_written(double value, std::string text);
 
     Kind kind() const { return static_cast<Kind>(value_.index()); }
@@ -46,7 +47,7 @@ class Json {
     bool is_bool() const { return kind() == Kind::Bool; }
     bool is_null() const { return kind() == Kind::Null; }
 
-    // Pre: of that kind.
+    // Pre: the value is of that kind.
     bool boolean() const;
     double number() const;
     const std::string& number_text() const;
@@ -56,11 +57,12 @@ class Json {
     const std::vector<Member>& members() const;
     std::vector<Member>& members();
 
-    // The member of an object; null pointer when there is none, or when this is no object.
+    // The member with this key; nullptr if there is none or if this value is not an object.
     const Json* find(std::string_view key) const;
     Json* find(std::string_view key);
 
-    // The member of an object, added at its end when there is none. A null becomes an object first.
+    // The member with this key, appended (as null) if there is none. A null value becomes an object first, and in
+    // push_back an array. Pre: null or an object (operator[]), null or an array (push_back), an object (erase).
     Json& operator[](std::string_view key);
     void push_back(Json element);
     void erase(std::string_view key);
@@ -79,19 +81,21 @@ struct Json::Member {
     Json value;
 };
 
-// The name of a kind with its article, for messages: "a number", "an object".
+// The name of a kind for messages, with its article: "a number", "an object".
 const char* describe(Json::Kind kind);
 
-// Throws InputError with `file`, and the line where the text stops being JSON.
+// Throws InputError with `file` and the position of a syntax error, or the JSON path where a limit above is exceeded.
 Json parse_json(std::string_view text, const std::string& file);
 Json read_json(const std::filesystem::path& path);
 
-// Indented by `indent` spaces; arrays and objects that hold only plain values stay on one line where they fit in 100
-// columns. Ends in a newline. A negative indent gives one line without spaces.
+// The value as text, indented by `indent` spaces per level, with a newline at the end. An array or object nested at
+// most 4 levels deep stays on one line if its text and indentation fit in 100 columns. A negative indent gives one line
+// without spaces and without a newline.
 std::string write_json(const Json& value, int indent = 2);
 
-// A place in a document, to read what must be there: each step throws an InputError that names the file and the path,
-// such as "fabric.json: warp.stretch: a string where a number should be".
+// A value in a document together with its file and JSON path, for reading required values. Each access throws an
+// InputError if the value is missing or of the wrong kind: "fabric.json: warp.stretch: a string where a number should
+// be".
 class JsonView {
  public:
     // The document must outlive the view.
@@ -105,8 +109,8 @@ class JsonView {
     bool has(std::string_view key) const { return value_->find(key) != nullptr; }
     JsonView at(std::string_view key) const;
     JsonView at(std::size_t index) const;
-    std::size_t size() const;               // elements of an array
-    std::vector<std::string> keys() const;  // of an object, in the file's order
+    std::size_t size() const;               // number of elements; an array
+    std::vector<std::string> keys() const;  // of an object, in file order
 
     bool boolean() const;
     double number() const;
@@ -125,7 +129,8 @@ class JsonView {
     std::string path_;
 };
 
-// "a.b" and "a[3]": how paths are written, here and in every report of a fault.
+// Appends a key or an index to a JSON path: "a.b", "a[3]"; a key with other characters than letters, digits, '_' and
+// '-' is quoted: a["b c"].
 std::string json_path(const std::string& parent, std::string_view key);
 std::string json_path(const std::string& parent, std::size_t index);
 

@@ -1,5 +1,6 @@
 #pragma once
-// Vectors. Double in pattern, mesh and body building; float in the adaptive mesh's and the cloth's state.
+// Vector types (Eigen), the 2D cross product, and a quantile. Double precision is used for patterns, base meshes and
+// bodies; single precision for the state of the adaptive mesh and of the cloth.
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -12,9 +13,9 @@ using Vec2d = Eigen::Vector2d;
 using Vec3d = Eigen::Vector3d;
 using Vec2f = Eigen::Vector2f;
 using Vec3f = Eigen::Vector3f;
-using Vec4f = Eigen::Vector4f;  // a point or direction with a fourth 0, so that it fills one vector register
+using Vec4f = Eigen::Vector4f;  // a point or direction with w = 0, so that it fills one SIMD register
 
-// z of the cross product of two plane vectors: positive when b lies to the left of a.
+// The z component of the cross product of two 2D vectors: positive if b points to the left of a.
 inline double cross2(const Vec2d& a, const Vec2d& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
@@ -23,9 +24,7 @@ inline Vec4f padded(const Vec3f& v) {
     return {v.x(), v.y(), v.z(), 0.0F};
 }
 
-// Order statistics of a handful of figures.
-
-// The value below which the share q (0..1) of the others lies: one of them, none in between. 0 when there are none.
+// The q-quantile (0 <= q <= 1) of the values: always one of them, without interpolation. 0 if there are none.
 inline double quantile(std::vector<double> values, double q) {
     if (values.empty()) return 0;
     const auto at = values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
@@ -35,7 +34,7 @@ inline double quantile(std::vector<double> values, double q) {
 
 }  // namespace selvedge::sim
 
-// Every module writes vectors; their names stand in the outer namespace.
+// All modules use these types, so their names are also in the outer namespace.
 namespace selvedge {
 
 using sim::Vec2d;

@@ -14,8 +14,9 @@
 namespace selvedge::sim {
 namespace {
 
-// Tells the thread sanitizer, which does not know oneTBB's inside, what a loop orders: all that was written before it
-// is seen by every range, and what ranges write is seen after it. Between ranges nothing is ordered.
+// Annotates the ordering of a parallel loop for the thread sanitizer, which cannot see into oneTBB: writes before the
+// loop happen before every range, and writes in a range happen before the end of the loop. Ranges are unordered among
+// each other.
 struct LoopOrder {
     char begun = 0, ended = 0;
 
@@ -42,7 +43,7 @@ struct LoopOrder {
 
 }  // namespace
 
-// Built in its place and never moved: a control that is copied from takes its limit with it when it goes.
+// The control is constructed in place and never copied: destroying a copied-from tbb::global_control removes its limit.
 struct ThreadLimit::Impl {
     explicit Impl(int threads)
         : control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)) {}

@@ -1,6 +1,6 @@
 #pragma once
-// Parallel loops (oneTBB). Only loops whose iterations write to disjoint places go through here, so that the result
-// has the same bits for any number of threads.
+// Parallel loops (oneTBB), a scoped limit on the number of threads, and progress callbacks for long tasks.
+// Iterations of a parallel loop must write to disjoint memory; then the result is bit-identical for any thread count.
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace selvedge::sim {
 
-// Holds the number of threads that parallel loops may use while it lives. Pre: threads >= 1.
+// Limits the number of threads that parallel loops use during its lifetime. Pre: threads >= 1.
 class ThreadLimit {
  public:
     explicit ThreadLimit(int threads);
@@ -22,14 +22,14 @@ class ThreadLimit {
 };
 
 int available_threads();
-int allowed_threads();  // by the limits that live
+int allowed_threads();  // under the limits in force
 
-// Calls body(first, last) on disjoint ranges that cover 0..count; none is longer than grain.
+// Calls body(first, last) on disjoint ranges [first, last) that cover [0, count). No range is longer than grain.
+// Pre: grain > 0.
 void parallel_for(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body);
 
-// How far a long task has come, told to whoever asked: a bar in the terminal, a status line in the editor, nobody.
-
-// phase: a few words ("sewing", "draping"); fraction: 0..1 of that phase.
+// A callback that receives the progress of a long task, for example to draw a progress bar. May be empty.
+// phase: a short label ("sewing", "draping"); fraction: the completed part of that phase, 0..1.
 using Progress = std::function<void(std::string_view phase, double fraction)>;
 
 inline void report(const Progress& progress, std::string_view phase, double fraction) {

@@ -1,7 +1,8 @@
 #pragma once
-// Elements addressed by typed 32-bit ids. The pool grows by whole blocks and never moves an element while it lives;
-// ids are freed last-in first-out, so that splitting again what was just rejoined finds the ids it had.
-// In steady state (no more elements alive than once before) nothing is allocated.
+// A memory pool whose elements are addressed by typed 32-bit ids (thesis 3.5.1), and these id types. The pool grows by
+// whole blocks and never moves an element. Freed ids are reused last-in first-out, so that splitting an edge again just
+// after a rejoin returns the same ids. Memory is allocated only when the number of live elements exceeds its previous
+// maximum.
 #include <array>
 #include <compare>
 #include <cstddef>
@@ -21,14 +22,14 @@ class Pool {
     static constexpr unsigned kBlockBits = 10;
     static constexpr std::size_t kBlockSize = std::size_t{1} << kBlockBits;
 
-    // Takes the id that was released last, or the lowest that was never used.
+    // Reuses the id that was released last; new ids are taken in increasing order.
     ElementId create(const T& element) {
         const ElementId id = take<1>()[0];
         (*this)[id] = element;
         return id;
     }
 
-    // Takes several at once, the last released first. What they hold is left to the caller to overwrite.
+    // Takes several ids at once, the last released first. The caller must overwrite the elements' old contents.
     template <std::size_t kCount>
     std::array<ElementId, kCount> take() {
         if (free_count_ < kCount) grow();
@@ -38,8 +39,8 @@ class Pool {
         return ids;
     }
 
-    // Pre: id is alive. What is left behind is not touched: it would have to be fetched for that. An id that is both
-    // reached and free tells of a stale link.
+    // Pre: id is alive. The element's contents are not cleared, which avoids a cache miss. Mesh checks detect stale
+    // links as ids that are reachable and free.
     void release(ElementId id) {
         SELVEDGE_ASSERT(free_count_ < free_.size());
         free_[free_count_++] = id;
@@ -48,11 +49,11 @@ class Pool {
     T& operator[](ElementId id) { return blocks_[id.value >> kBlockBits][id.value & (kBlockSize - 1)]; }
     const T& operator[](ElementId id) const { return blocks_[id.value >> kBlockBits][id.value & (kBlockSize - 1)]; }
 
-    std::size_t size() const { return capacity() - free_count_; }                        // elements alive
-    std::size_t capacity() const { return blocks_.size() * kBlockSize; }                 // every id is below it
-    std::span<const ElementId> free_ids() const { return {free_.data(), free_count_}; }  // the next is the last
+    std::size_t size() const { return capacity() - free_count_; }                        // number of live elements
+    std::size_t capacity() const { return blocks_.size() * kBlockSize; }                 // every id is below this
+    std::span<const ElementId> free_ids() const { return {free_.data(), free_count_}; }  // the last is reused next
 
-    // What one element costs, its place in the free list included.
+    // Memory per element, including its entry in the free list.
     static constexpr std::size_t kBytesPerElement = sizeof(T) + sizeof(ElementId);
 
  private:
@@ -67,14 +68,14 @@ class Pool {
     }
 
     std::vector<std::vector<T>> blocks_;  // the inner vectors never grow
-    std::vector<ElementId> free_;         // as many as there may be; the first free_count_ are
+    std::vector<ElementId> free_;         // size: capacity; only the first free_count_ are free
     std::size_t free_count_ = 0;
     std::size_t capacity_ = 0;
 };
 
 }  // namespace selvedge::sim
 
-// Typed 32-bit indices: a VertexId cannot be taken for an EdgeId. Ids index flat arrays; they are never pointers.
+// Typed 32-bit indices: the compiler rejects a VertexId where an EdgeId is expected. A default id is "none".
 
 namespace selvedge::sim {
 

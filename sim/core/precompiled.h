@@ -1,5 +1,6 @@
 #pragma once
-// What nearly every source includes, compiled once (cmake/SelvedgeModule.cmake). A source still includes what it uses.
+// The precompiled header: includes that nearly every source needs (cmake/SelvedgeModule.cmake). Each source must still
+// include what it uses.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,8 +1,9 @@
 #pragma once
-// As many floats at once as the instructions that a source is compiled for allow: 16 with AVX-512, 8 with AVX2, else 4.
-// Arithmetic and comparisons are the compiler's own on its vector types; here stands what it has no operator for, each
-// with the same bits at every width. For kernels only (sim/core/simd_level.h): everything is inlined or named after its
-// instructions, so that the linker cannot mix what was compiled differently.
+// SIMD vectors of floats and ints, as wide as the instruction set of the source allows: 16 lanes with AVX-512, 8 with
+// AVX2, otherwise 4. Arithmetic and comparisons are operators of the compiler's vector types; this header adds
+// operations that have no operator, and loads and stores of points with four floats each. All give identical bits at
+// every width, except functions that use multiply_add(). For kernels only (sim/core/simd_level.h): functions are
+// inlined and in a namespace per instruction set, so that the linker cannot mix differently compiled versions.
 #include <immintrin.h>
 #include <cstddef>
 #include <cstdint>
@@ -125,11 +126,11 @@ using Ints [[gnu::vector_size(16)]] = std::int32_t;
 
 #endif
 
-// greater(a, b) and lesser(a, b) give b where a is no number. truncated() rounds to 0; to_float() is exact below 2^24.
-// bits() packs a comparison, lane 0 lowest. gather_pairs() reads two neighbours at from[index], the first in the lower
-// half; the index counts single ones.
+// max(a, b) and min(a, b) return b in lanes where a or b is NaN. truncated() rounds toward zero. to_float() is exact
+// for magnitudes up to 2^24. bits() packs a comparison into bits, lane 0 in the lowest. gather_pairs() loads
+// from[index] into the lower 16 bits of each lane and from[index + 1] into the upper 16 bits.
 
-// Lanes side by side in memory; the address may be any.
+// Loads and stores kCount consecutive values; no alignment is required.
 [[gnu::always_inline]] inline Floats load(const float* from) {
     Floats a;
     std::memcpy(&a, from, sizeof a);
@@ -157,12 +158,12 @@ using Ints [[gnu::vector_size(16)]] = std::int32_t;
     return min(max(a, broadcast(0)), broadcast(1));
 }
 
-// a where the comparison holds, elsewhere +0.
+// a in lanes where the comparison is true, +0 in the others.
 [[gnu::always_inline]] inline Floats where(Ints comparison, Floats a) {
     return Floats(comparison & Ints(a));
 }
 
-// The halves of what gather_pairs() gave, with their signs.
+// The first and second value of each pair from gather_pairs(), sign-extended, as floats.
 [[gnu::always_inline]] inline Floats first_of(Ints pairs) {
     return to_float((pairs << 16) >> 16);
 }
@@ -173,19 +174,19 @@ using Ints [[gnu::vector_size(16)]] = std::int32_t;
 }  // namespace plain, avx2 or avx512
 }  // namespace selvedge::sim::lanes
 
-// Points of four floats each, moved between memory and lanes without gather instructions: whole points are loaded where
-// they stand, and only what a kernel computes with is transposed. For kernels only, see sim/core/simd_lanes.h.
+// Points of four floats each, moved between memory and lanes without gather instructions: each point is loaded with one
+// 128-bit load, and x, y and z are then transposed into one vector each.
 
 namespace selvedge::sim::lanes {
 
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 inline namespace avx512 {
 
-// a b + c, rounded once where the processor can; so plain kernels differ from the others in the last bit.
+// a b + c: one rounding with AVX2 and AVX-512, two in plain kernels, which therefore differ in the last bit.
 [[gnu::always_inline]] inline Floats multiply_add(Floats a, Floats b, Floats c) {
     return _mm512_fmadd_ps(a, b, c);
 }
-// a, but with the fourth floats of b.
+// x, y and z of each point in a, and w of each point in b.
 [[gnu::always_inline]] inline Floats with_w_components(Floats a, Floats b) {
     return _mm512_mask_mov_ps(a, 0x8888, b);
 }
@@ -199,7 +200,7 @@ template <int order>
 [[gnu::always_inline]] inline Floats shuffle(Floats a, Floats b) {
     return _mm512_shuffle_ps(a, b, order);
 }
-// Point k of the row is the one at index[4 k].
+// Point k of the row is loaded from from + index[4 k].
 [[gnu::always_inline]] inline Floats gather_row(const float* from, const std::uint32_t* index) {
     Floats row = _mm512_castps128_ps512(_mm_load_ps(from + index[0]));
     row = _mm512_insertf32x4(row, _mm_load_ps(from + index[4]), 1);
@@ -269,7 +270,7 @@ template <int order>
 
 #endif
 
-// kCount points as they stand in memory: row j holds the points j, j + 4, j + 8 ...
+// kCount points, each as four consecutive floats: row j holds the points j, j + 4, j + 8 ...
 struct Rows {
     Floats row[4];
 };
@@ -279,7 +280,7 @@ struct Xyz {
     Floats x, y, z;
 };
 
-// The points at from + index[lane], all aligned to 16 bytes; index counts floats.
+// Loads the points at from + index[lane]. Pre: each address is aligned to 16 bytes; index counts floats, not points.
 [[gnu::always_inline]] inline Rows gather_points(const float* from, const std::uint32_t* index) {
     return {{gather_row(from, index), gather_row(from, index + 1), gather_row(from, index + 2),
              gather_row(from, index + 3)}};
@@ -296,7 +297,7 @@ struct Xyz {
     return {shuffle<0x44>(xy01, xy23), shuffle<0xEE>(xy01, xy23), shuffle<0x44>(zw01, zw23)};
 }
 
-// Back again; 0 as the fourth float of each point unless it is given.
+// The inverse of transposed(), with `fourth` (zero by default) as w of each point.
 [[gnu::always_inline]] inline Rows rows_of(const Xyz& p, Floats fourth = Floats{}) {
     const Floats xy_low = unpack_low(p.x, p.y);
     const Floats xy_high = unpack_high(p.x, p.y);
@@ -306,19 +307,20 @@ struct Xyz {
              shuffle<0xEE>(xy_high, zw_high)}};
 }
 
-// The fourth float of each point of a row, in all four places.
+// Broadcasts w of each point of a row to all four components of that point.
 [[gnu::always_inline]] inline Floats w_components(Floats row) {
     return shuffle<0xFF>(row, row);
 }
 
-// Of one value per lane, those of the points in row j, each in all four places.
+// Takes one value per point in `lanes`, and broadcasts the values of the points in row j to all four components of each
+// point.
 template <int j>
 [[gnu::always_inline]] inline Floats spread(Floats lanes) {
     return shuffle<j * 0x55>(lanes, lanes);
 }
 
-// 1 / sqrt(a) to about 5e-7, of positive a: an estimate from the exponent, then Newton's
-// iteration twice with adjusted constants.  (Moroz et al. 2018)
+// 1 / sqrt(a) for a > 0 with a relative error below 1e-6: an estimate from the float's bits, then two Newton
+// iterations with tuned constants.  (Moroz et al. 2018)
 [[gnu::always_inline]] inline Floats inverse_root(Floats a) {
     Ints bits_of_a;
     std::memcpy(&bits_of_a, &a, sizeof a);

@@ -1,7 +1,7 @@
 #pragma once
-// Which vector instructions the kernels may use. Kernels are compiled once for each level (selvedge_simd_sources in
-// cmake/SelvedgeModule.cmake) and chosen at run time. Those with fused multiply-add (AVX2, AVX-512) give the same bits,
-// plain ones are off by rounding; none has approximate reciprocals.
+// The SIMD instruction set that the kernels use. Each kernel is compiled once per level (selvedge_simd_sources in
+// cmake/SelvedgeModule.cmake) and selected at run time. AVX2 and AVX-512 kernels use fused multiply-add and give
+// identical bits; plain kernels differ from them by rounding. No kernel uses approximate reciprocal instructions.
 #include <string_view>
 
 namespace selvedge::sim {
@@ -10,14 +10,15 @@ enum class SimdLevel { Plain, Avx2, Avx512 };  // Plain: any x86-64. Avx512: F, 
 
 std::string_view name_of(SimdLevel level);  // "plain", "avx2", "avx512"
 
-// The highest that this processor has.
+// The highest level that this processor supports.
 SimdLevel detected_simd_level();
 
-// The one to use: the detected one, unless the environment variable SELVEDGE_SIMD or a SimdLimit names a lower.
-// Throws InputError when the variable holds no level's name.
+// The level to use: the lowest of the detected level, the environment variable SELVEDGE_SIMD and the SimdLimit in
+// force. Throws InputError if the variable is set and is not a level's name.
 SimdLevel simd_level();
 
-// Holds the level while it lives, for tests and measurements; limits nest. Not while kernels run.
+// Limits simd_level() to `level` during its lifetime, for tests and benchmarks. Limits nest. Do not construct or
+// destroy one while kernels run.
 class SimdLimit {
  public:
     explicit SimdLimit(SimdLevel level);

@@ -20,7 +20,7 @@ bool has_same_joins(const Pattern& a, const Pattern& b) {
     });
 }
 
-// One panel may have another name: somebody renamed it.
+// One panel may have another name, because the user may have renamed it.
 bool has_same_panels(const Pattern& a, const Pattern& b) {
     if (a.panels.size() != b.panels.size()) return false;
     int renamed = 0;
@@ -51,7 +51,7 @@ std::string count_of(std::size_t before, std::size_t after, const std::string& o
     return (many == 1 ? "one " + one : std::to_string(many) + " " + one + "s") + (is_more ? " more" : " fewer");
 }
 
-// Where each unsewn vertex was, and where it is: a seam that was open stays so.
+// Moves each unsewn vertex to its position in the drape and merges the seams, except those that were open.
 GarmentMesh sewn_in_place(const CarriedDrape& drape, const GarmentMesh& unsewn, const DrapedPanels& draped,
                           const std::vector<OutlineMap>& maps) {
     GarmentMesh moved = unsewn;
@@ -71,7 +71,7 @@ GarmentMesh sewn_in_place(const CarriedDrape& drape, const GarmentMesh& unsewn, 
     return merge_seams(moved).mesh;
 }
 
-// Where the vertex lies in each of its panels, once.
+// Material points of a vertex, one per distinct position in its panels.
 struct Places {
     std::vector<MaterialPoint> points;
 };
@@ -88,7 +88,7 @@ std::vector<Places> places_of_vertices(const Cloth& cloth) {
     return places;
 }
 
-// All leaf vertices to where their places were: outside of the body, and at rest.
+// Moves all leaf vertices to the drape's positions of their material points, outside the body and with zero velocity.
 void place_vertices(Cloth& cloth, const DrapedPanels& draped, const std::vector<OutlineMap>& maps,
                     const Collider& body) {
     const std::vector<Places> places = places_of_vertices(cloth);
@@ -163,7 +163,7 @@ CarriedOver carry_over(const CarriedDrape& drape, const Pattern& after, const Ga
 namespace {
 
 constexpr int kSamples = 8;     // per edge
-constexpr double kNear = 1e-9;  // m: closer than this is on the outline
+constexpr double kNear = 1e-9;  // m: points closer than this are on the outline
 
 std::vector<Vec2d> samples_of(const Panel& panel) {
     std::vector<Vec2d> points;
@@ -173,7 +173,7 @@ std::vector<Vec2d> samples_of(const Panel& panel) {
     return points;
 }
 
-// tan of half the angle from a to b. Infinite where they are opposite: u lies between them.
+// tan of half the angle from a to b. Infinite where they are opposite, that is, u is on the segment between them.
 double half_tangent(const Vec2d& a, const Vec2d& b) {
     const double lengths = a.norm() * b.norm();
     return cross2(a, b) / (lengths + a.dot(b));
@@ -192,14 +192,14 @@ OutlineMap::OutlineMap(const Panel& from, const Panel& to)
 Vec2d OutlineMap::operator()(const Vec2d& u) const {
     if (is_identity_) return u;
     const std::size_t count = from_.size();
-    std::vector<double> tangents(count);  // of the angle at u between sample i and the next
+    std::vector<double> tangents(count);  // of half the angle at u between sample i and the next
     for (std::size_t i = 0; i < count; ++i) {
         const Vec2d a = from_[i] - u;
         const Vec2d b = from_[(i + 1) % count] - u;
         const double along = a.norm() + b.norm();
         if (a.norm() < kNear) return to_[i];
         const double length = (b - a).norm();
-        if (along - length < kNear * along) {  // on the side between them
+        if (along - length < kNear * along) {  // u is on the segment between them
             const double t = a.norm() / along;
             return (1 - t) * to_[i] + t * to_[(i + 1) % count];
         }

@@ -1,5 +1,6 @@
 #pragma once
-// A changed pattern on a drape: the cloth goes on from where it hangs.
+// State transfer when a pattern changes: the new cloth continues from the current drape. Also the map between the
+// panels of the old and the new pattern.
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,23 +14,23 @@
 
 namespace selvedge::sim {
 
-// What of a pattern the drape follows from.
+// What changed between two patterns, from the drape's point of view; compare() returns the strongest change.
 enum class PatternChange {
-    None,      // nothing: names, or where panels lie and stand
-    Setts,     // what is printed on it
-    Fabrics,   // or grain
-    Outlines,  // points are elsewhere
-    Kind       // panels, edges or seams have come or gone: see why_sewn_anew
+    None,      // nothing that the drape shows: the placement of panels, names other than panels'
+    Setts,     // the sett's offset on a panel, or one panel's name
+    Fabrics,   // fabric or grain direction
+    Outlines,  // outline geometry, pins or mesh resolution
+    Kind       // panels, edges or seams were added or removed: see why_sewn_anew
 };
 PatternChange compare(const Pattern& before, const Pattern& after);
 
-// "'front' has one edge more: sewn anew from where it is placed". Pre: compare() says Kind.
+// For example "'front' has one edge more: sewn anew from where it is placed". Pre: compare() returns Kind.
 std::string why_sewn_anew(const Pattern& before, const Pattern& after);
 
 struct CarriedDrape {
     const Cloth& cloth;
     const Pattern& pattern;
-    const std::vector<int>& open_seams;  // ascending: they stay open
+    const std::vector<int>& open_seams;  // ascending; they stay open
 };
 
 struct CarriedOver {
@@ -37,21 +38,22 @@ struct CarriedOver {
     std::vector<int> pins;  // base vertices that the pattern pins
 };
 
-// The unsewn mesh of `after` sewn where the drape hangs, as fine as it is, at rest. Each place of a panel is where the
-// like place of the old one was. Pre: compare() says no Kind. Throws InputError where it cannot be sewn.
+// Meshes `after` in the shape of the current drape: sewn, refined by the criteria, at rest. Each material point of a
+// panel is placed where the corresponding point of the old panel was. Pre: compare() does not return Kind. Throws
+// InputError when the mesh cannot be sewn.
 CarriedOver carry_over(const CarriedDrape& drape, const Pattern& after, const GarmentMesh& unsewn,
                        const std::vector<Fabric>& fabrics, const Collider& body, const AdaptClothOptions& adapting);
 
-// From a place in a panel to the like place in another with the same edges: points of the outline go to points of the
-// same edges at the same share of their length, what is inside follows by mean value coordinates.
-// (Floater 2003; Hormann and Floater 2006)
+// Maps points of a panel to corresponding points of another panel with the same edges. A point on the outline keeps its
+// edge and its fraction of that edge's length; interior points follow by mean value coordinates. (Floater 2003; Hormann
+// and Floater 2006)
 
 class OutlineMap {
  public:
-    // Pre: as many edges in both, each with a length.
+    // Pre: both panels have the same number of edges, all of non-zero length.
     OutlineMap(const Panel& from, const Panel& to);
 
-    // Equal panels leave every point as it is. What lies outside of a hollow outline may come out anywhere near it.
+    // The identity for equal panels. Points outside a concave outline may be mapped to a poor position near it.
     Vec2d operator()(const Vec2d& u) const;
 
  private:

@@ -9,12 +9,13 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr float kFastest = 1.5F;  // m/s
-constexpr float kApproach = 12;   // 1/s: the last of the way goes slower
-constexpr float kGives = 0.02F;   // strain of the edges about the hand, from which on it feels the cloth ...
-constexpr float kHolds = 0.08F;   // ... and beyond which it goes no farther
+constexpr float kFastest = 1.5F;  // m/s, maximum speed of the dragged vertex
+constexpr float kApproach = 12;   // 1/s: it slows down near the goal
+constexpr float kGives = 0.02F;   // strain of adjacent edges at which the drag begins to slow down ...
+constexpr float kHolds = 0.08F;   // ... and at which it stops
 
-// Pinned are the pattern's own, the held, and what lies midway between two pinned ones, as on_split would have it.
+// Pins the pattern's base vertices, split vertices between two pinned ones (the rule of on_split), and the held
+// vertices.
 void refresh_pins(Cloth& cloth, const std::vector<int>& base_pins, const std::vector<VertexId>& held) {
     std::fill(cloth.is_pinned.begin(), cloth.is_pinned.end(), false);
     for (const int pin : base_pins) cloth.is_pinned[static_cast<std::size_t>(pin)] = true;
@@ -34,8 +35,8 @@ void refresh_pins(Cloth& cloth, const std::vector<int>& base_pins, const std::ve
     refresh_solver(cloth);
 }
 
-// Of a hand's way from where the vertex is, what the cloth about it lets it go: 1 while that hangs loose, 0 where it
-// is as taut as it may be, and less where it is tauter: back.
+// The fraction of a drag move that the strain of the adjacent cloth allows: 1 while it is loose, 0 at the strain
+// kHolds, negative (back) above it.
 float share_of_way(const Cloth& cloth, VertexId v, const Vec3f& way) {
     const Vec3f x = cloth.x[v.value].head<3>();
     float share = 1;
@@ -46,7 +47,7 @@ float share_of_way(const Cloth& cloth, VertexId v, const Vec3f& way) {
             const Vec3f arm = x - cloth.x[triangle.vertices[other].value].head<3>();
             const float rest = (triangle.u[other] - triangle.u[k]).norm();
             const float strain = arm.norm() / std::max(rest, 1e-6F) - 1;
-            if (arm.dot(way) <= 0) continue;  // it gets no longer
+            if (arm.dot(way) <= 0) continue;  // the move does not lengthen it
             share = std::min(share, (kHolds - strain) / (kHolds - kGives));
         }
     }
@@ -111,7 +112,7 @@ std::span<const KinematicVertex> DragConstraint::lead(const Cloth& cloth, const 
     if (way.norm() > most) way *= most / way.norm();
     Vec3f to = outside(x + way * share_of_way(cloth, v, way), cloth.normals[v.value], body, ContactOptions{}.offset);
     to.y() = std::max(to.y(), ContactOptions{}.floor + ContactOptions{}.offset);
-    // Where it would have to leap round a limb it stays.
+    // A projection that would jump around a limb is rejected: the vertex stays.
     if ((to - x).norm() > 2 * most) to = x;
     led_.push_back({.vertex = v.value, .to = to});
     return led_;

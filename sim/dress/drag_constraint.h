@@ -1,7 +1,8 @@
 #pragma once
-// Hands on a drape: pins hold single vertices where they are, and one vertex may be pulled along.
+// User constraints on a drape: pins hold vertices in place, and one vertex can be dragged.
 //
-// They hold places of the material; which vertex that is follows anew after each adaptation, for a vertex may be gone.
+// Constraints are stored as material points. After each adaptation the nearest leaf vertex is found again, because the
+// previous one may have been removed.
 #include <optional>
 #include <span>
 #include <vector>
@@ -16,35 +17,35 @@ class DragConstraint {
     void pin(const MaterialPoint& at) { pins_.push_back({.at = at}); }
     void unpin_all() { pins_.clear(); }
     void pull(const MaterialPoint& at, const Vec3f& to);
-    bool pull_to(const Vec3f& to);  // false: it is going there already, or pulls nothing
+    bool pull_to(const Vec3f& to);  // false: no change of the goal, or nothing is dragged
     void let_go() { grip_.reset(); }
     bool is_pulling() const { return grip_.has_value(); }
     bool has_pins() const { return !pins_.empty(); }
 
-    // Each place becomes another: when the pattern under it has changed.
+    // Maps all stored material points, after the pattern has changed.
     template <class Map>
     void map_places(const Map& map) {
         for (Held& pin : pins_) pin.at = map(pin.at);
         if (grip_) grip_->held.at = map(grip_->held.at);
     }
 
-    // The cloth is another: which vertices are held is to be found anew, and those of the last are let go by nobody.
+    // Call when the cloth was replaced: clears the held vertices, without unpinning those of the old cloth.
     void forget_vertices();
 
-    // Finds the held vertices, and holds and frees what has changed since the last time. base_pins: the pattern's own,
-    // base vertices. True if anything has.
+    // Finds the held vertices again and updates the cloth's pinned vertices. base_pins: base vertices that the pattern
+    // pins. Returns whether the held vertices changed.
     bool take_hold(Cloth& cloth, const std::vector<int>& base_pins);
 
-    // No vertex of this cloth is held, whoever held it.
+    // Removes all constraints, and unpins all vertices of this cloth except base_pins.
     void free_all(Cloth& cloth, const std::vector<int>& base_pins);
 
-    // Whether the pull goes elsewhere since this was asked the last time.
+    // Whether the goal of the drag has changed since the last call.
     bool take_news();
 
     std::span<const VertexId> held() const { return held_; }
 
-    // Where the pulled vertex is led in the next seconds: towards its goal, no faster than a hand, not into the body,
-    // and no farther than the cloth about it gives.
+    // Target of the dragged vertex for the next `seconds`: towards the goal, at most 1.5 m/s, outside the body, and
+    // limited by the strain of the adjacent cloth.
     std::span<const KinematicVertex> lead(const Cloth& cloth, const Collider& body, float seconds);
 
     std::vector<Vec3f> pin_positions(const Cloth& cloth) const;  // m
@@ -61,7 +62,7 @@ class DragConstraint {
 
     std::vector<Held> pins_;
     std::optional<Grip> grip_;
-    std::vector<VertexId> held_;  // by pins, then by the grip
+    std::vector<VertexId> held_;  // of the pins, then of the drag
     std::vector<KinematicVertex> led_;
     bool has_news_ = false;
 };

@@ -8,9 +8,9 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr float kRelaxDamping = 12;   // 1/s, while the seams' tension goes
-constexpr float kFinishDamping = 40;  // 1/s, while the last of the stretch goes
-constexpr float kFallDamping = 2;     // 1/s, of the air
+constexpr float kRelaxDamping = 12;   // 1/s, while seam tension relaxes
+constexpr float kFinishDamping = 40;  // 1/s, while residual stretch is removed
+constexpr float kFallDamping = 2;     // 1/s, air drag
 
 using Clock = std::chrono::steady_clock;
 
@@ -18,9 +18,9 @@ double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-// How many sub-steps take the place of one at the end: the more, the finer the cloth may be.
+// Number of sub-steps that replace one in the final phase: more for a smaller minimum edge length.
 int finishing_substeps(float shortest_edge) {
-    constexpr float kOnce = 0.08F;  // m, edges for which one would do
+    constexpr float kOnce = 0.08F;  // m, edge length for which one would suffice
     return static_cast<int>(std::lround(std::clamp(kOnce / std::max(shortest_edge, 0.001F), 4.0F, 16.0F)));
 }
 
@@ -90,7 +90,7 @@ void DrapeRun::end(Cloth& cloth) {
     if (result_.bad_vertex) result_.stopped_because = "bad number";
 }
 
-// Without gravity and friction the tension of the seams goes, and what was crumpled in sewing slides flat.
+// Without gravity and friction, seam tension relaxes and cloth that crumpled during sewing slides flat.
 void DrapeRun::relax_frame(Cloth& cloth, const Collider& body) {
     StepOptions stepping{.gravity = Vec3f::Zero(), .extra_damping = kRelaxDamping, .contact = options_.contact};
     stepping.contact.friction_scale = 0;
@@ -105,7 +105,7 @@ void DrapeRun::fall_frame(Cloth& cloth, const Collider& body) {
     const float elapsed = static_cast<float>(result_.simulated_seconds - phase_start_);
     StepOptions stepping{.gravity = options_.gravity, .contact = options_.contact, .may_rest = options_.may_rest};
     stepping.extra_damping = kFallDamping + options_.damping_growth * elapsed;
-    // Biases ever slower as the garment comes to rest, or they would keep it awake.
+    // The update rates of the multipliers decrease as the garment comes to rest; otherwise they would keep it moving.
     stepping.stretch_bias_rate *= learning_rate_scale_;
     stepping.shear_bias_rate *= learning_rate_scale_;
     AdaptClothOptions adapting = options_.adapt;
@@ -119,16 +119,16 @@ void DrapeRun::fall_frame(Cloth& cloth, const Collider& body) {
     fraction_ = std::max({fraction_, result_.simulated_seconds / end, at_rest_ / options_.rest_time});
 }
 
-// Single triangles where much cloth meets, as under an arm, stay stretched by up to 20 % however long they are left:
-// one visit per sub-step cannot move what so many others hold. Finer sub-steps leave 10 %. What that sets in motion
-// gets some time to come to rest again.
+// Single triangles where much cloth meets, as under an arm, stay stretched by up to 20 % however long the fall lasts:
+// one solver iteration per sub-step cannot move what many other constraints hold. Finer sub-steps leave 10 %. The
+// movement that they cause gets some time to come to rest.
 void DrapeRun::finish_frame(Cloth& cloth, const Collider& body) {
     StepOptions stepping{.gravity = options_.gravity, .extra_damping = kFinishDamping, .contact = options_.contact};
-    stepping.stretch_bias_rate = stepping.shear_bias_rate = 0;  // they would wake it
+    stepping.stretch_bias_rate = stepping.shear_bias_rate = 0;  // updates would set it in motion
     stepping.substeps *= static_cast<int>(std::lround(usual_substep_ / cloth.substep));
     const std::size_t usual_steps = result_.step_ms.size();
     run_steps(cloth, body, stepping);
-    result_.step_ms.resize(usual_steps);  // the figure is of usual ones
+    result_.step_ms.resize(usual_steps);  // the statistics cover steps of usual length only
 }
 
 bool DrapeRun::finishes() const {

@@ -1,5 +1,6 @@
 #pragma once
-// Letting a sewn garment fall, adapt and settle.
+// Drapes a sewn garment: relaxes it, lets it fall and adapt under gravity until it is at rest, and removes residual
+// stretch.
 #include <functional>
 #include <optional>
 #include <span>
@@ -15,19 +16,19 @@ namespace selvedge::sim {
 struct DrapeOptions {
     double max_seconds = 12;  // of simulated time
     int steps_per_adaption = 4;
-    float calm_speed = 0.05F;             // m/s rms over mass: below it no edge rejoins any more
-    float damping_growth = 4;             // 1/s per second of the adaptive drape, so that it comes to rest
-    float rest_speed = 0.01F;             // m/s rms over mass: below it the garment is at rest
-    double rest_time = 1.0;               // s for which it must stay there
-    double relax_time = 0.6;              // s without gravity and friction
-    double coarse_time = 0.2;             // s of them at level 0
-    double finish_time = 0.2;             // s of all in finer sub-steps, at the end; longer if it takes longer to rest
+    float calm_speed = 0.05F;             // m/s, mass-weighted rms: below it edges do not rejoin
+    float damping_growth = 4;             // 1/s per simulated second of the fall, so that it comes to rest
+    float rest_speed = 0.01F;             // m/s, mass-weighted rms: below it the garment is at rest
+    double rest_time = 1.0;               // s for which it must stay at rest
+    double relax_time = 0.6;              // s without gravity and friction, at the start
+    double coarse_time = 0.2;             // s of relax_time at level 0
+    double finish_time = 0.2;             // s of max_seconds in finer sub-steps, at the end; up to 3 x until at rest
     Vec3f gravity = Vec3f(0, -9.81F, 0);  // m/s^2
-    bool may_rest = false;                // in the fall: sim/cloth/resting.h
+    bool may_rest = false;                // whether steps skip a cloth at rest during the fall (sim/cloth/resting.h)
     AdaptClothOptions adapt{};
     ContactOptions contact{};
 
-    // Asked before each step, when given: what is led by hand in the seconds that it takes.
+    // Optional; called before each step with its duration (s). Returns the vertices that the user drags.
     std::function<std::span<const KinematicVertex>(const Cloth&, float)> lead = {};
 };
 
@@ -35,49 +36,50 @@ struct DrapeResult {
     bool settled = false;
     std::string stopped_because;
     std::optional<VertexId> bad_vertex;
-    float rms_speed = 0;  // m/s at the end; `settled` is of before it was finished
+    float rms_speed = 0;  // m/s at the end; `settled` is determined before the final phase
     double simulated_seconds = 0;
     long splits = 0;
     long rejoins = 0;
     long transitions = 0;
     std::vector<double> adaptation_ms;  // wall time, one per adaptation
-    std::vector<double> step_ms;        // wall time, one per step of the adaptive part
+    std::vector<double> step_ms;        // wall time, one per step; without those of the final phase
 };
 
 enum class DrapePhase {
-    Relax,   // without gravity and friction the tension of the seams goes
-    Fall,    // until it has been at rest for long enough
-    Finish,  // finer sub-steps take the last of the stretch
+    Relax,   // without gravity and friction, to relieve the tension of the seams
+    Fall,    // under gravity until at rest for rest_time
+    Finish,  // finer sub-steps remove residual stretch
     Done
 };
 
-// A drape under way: one frame, an adaptation and its steps, with each advance(). All calls take the same cloth.
+// A drape in progress. Each advance() computes one frame: one adaptation and its steps. All calls must pass the same
+// cloth.
 class DrapeRun {
  public:
-    // Makes the cloth's contacts anew. Pre: it is sewn.
+    // Recomputes the cloth's contact data. Pre: the cloth is sewn.
     DrapeRun(Cloth& cloth, const DrapeOptions& options);
 
-    // False once it is over. Pre: phase() is not Done.
+    // Returns false when the drape is done. Pre: phase() is not Done.
     bool advance(Cloth& cloth, const Collider& body);
 
-    // From any phase but Relax: it falls again, as if it had just begun to, and comes to rest anew.
+    // Restarts the fall from the current state. No effect in phase Relax or after a bad number.
     void wake(Cloth& cloth);
 
     DrapePhase phase() const { return phase_; }
     double fraction() const { return fraction_; }
     const DrapeResult& result() const { return result_; }
 
-    // May change between frames; what they point to must live while the run does.
+    // May be changed between frames; pointers in it must stay valid as long as the run.
     DrapeOptions& options() { return options_; }
 
-    // The result without its times, which would grow for ever in a drape that has no end.
+    // Clears the timings in the result, which would otherwise grow without limit in an endless drape.
     void forget_times();
 
  private:
     void relax_frame(Cloth& cloth, const Collider& body);
     void fall_frame(Cloth& cloth, const Collider& body);
     void finish_frame(Cloth& cloth, const Collider& body);
-    void change_phase(Cloth& cloth);  // where the present one is over
+    void change_phase(Cloth& cloth);  // when the current phase is over
     void begin_fall();
     void end_fall(Cloth& cloth);
     void end(Cloth& cloth);
@@ -93,8 +95,8 @@ class DrapeRun {
     double phase_start_ = 0;         // s, of simulated time
     double at_rest_ = 0;             // s
     double fraction_ = 0;            // 0..1
-    bool may_rejoin_ = true;         // it still moves enough
-    float learning_rate_scale_ = 1;  // of the biases
+    bool may_rejoin_ = true;         // it still moves fast enough
+    float learning_rate_scale_ = 1;  // of the stretch and shear multipliers
     float usual_substep_ = 0;        // s
 };
 

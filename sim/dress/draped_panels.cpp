@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kCell = 0.03F;  // m
 
-// Weights of the corners for the place in the triangle that is nearest to u.
+// Barycentric weights of the point in the triangle that is nearest to u (approximate when u is outside).
 Vec3f weights_at(const std::array<Vec2f, 3>& triangle, const Vec2f& u) {
     const auto cross = [](const Vec2f& a, const Vec2f& b) { return a.x() * b.y() - a.y() * b.x(); };
     const float area = cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
@@ -21,7 +21,7 @@ Vec3f weights_at(const std::array<Vec2f, 3>& triangle, const Vec2f& u) {
         weights[static_cast<int>(k)] = cross(triangle[(k + 2) % 3] - a, u - a) / area;
     }
     if (!weights.allFinite()) return Vec3f::Constant(1.0F / 3);
-    weights = weights.cwiseMax(0.0F);  // near enough to the nearest place: it is only asked just outside
+    weights = weights.cwiseMax(0.0F);  // approximate projection: u is at most slightly outside
     return weights / weights.sum();
 }
 

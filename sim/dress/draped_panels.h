@@ -1,5 +1,5 @@
 #pragma once
-// Where a drape has its material: from a place in a panel to the room.
+// Maps material points of panels to 3D positions on the drape.
 #include <cstdint>
 #include <vector>
 
@@ -7,7 +7,7 @@
 
 namespace selvedge::sim {
 
-// A place in the material, whatever mesh lies over it.
+// A point in a panel's material coordinates, independent of the mesh.
 struct MaterialPoint {
     std::uint16_t panel = 0;
     Vec2f u = Vec2f::Zero();  // m
@@ -15,18 +15,19 @@ struct MaterialPoint {
     bool operator==(const MaterialPoint&) const = default;
 };
 
-// The leaf triangles of one moment, sorted by place. The cloth must outlive it and keep its leaves.
+// The current leaf triangles, sorted into a grid per panel. The cloth must outlive this object and keep its leaves.
 class DrapedPanels {
  public:
     explicit DrapedPanels(const Cloth& cloth);
 
-    // Interpolated in the triangle over the point; outside of the panel, at the nearest place in it. m
+    // 3D position (m), interpolated in the triangle that contains the point; outside the panel that of the nearest
+    // triangle.
     Vec3f position(const MaterialPoint& at) const;
 
-    // The leaf vertex nearest to the point in the material; none where the panel has no cloth.
+    // The vertex of that triangle that is nearest in the material; a null id where the panel has no cloth.
     VertexId nearest_vertex(const MaterialPoint& at) const;
 
-    // The vertex' own place, in the panel asked for.
+    // The material coordinates of the vertex in the given panel; zero when it has none there.
     static MaterialPoint place_of(const Cloth& cloth, VertexId v, std::uint16_t panel);
 
  private:
@@ -34,7 +35,7 @@ class DrapedPanels {
         Vec2f low = Vec2f::Zero();
         float size = 1;  // m
         int columns = 0, rows = 0;
-        std::vector<std::vector<std::uint32_t>> leaves;  // by cell: indices of leaf triangles over it
+        std::vector<std::vector<std::uint32_t>> leaves;  // per cell: indices of the leaf triangles that overlap it
         std::vector<std::uint32_t> all;
     };
     const LeafTriangle* nearest_leaf(const MaterialPoint& at) const;

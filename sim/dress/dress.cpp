@@ -18,7 +18,7 @@
 namespace selvedge::sim {
 namespace {
 
-// Times the phases of one dressing by wall clock.
+// Measures the wall time of each phase of a dressing.
 class PhaseTimer {
  public:
     explicit PhaseTimer(DressTiming& timing) : timing_(timing) {}
@@ -50,7 +50,7 @@ Pattern anchored(const Pattern& pattern, const Body& body) {
     return moved;
 }
 
-// The unsewn garment where it can be sewn: clear of the body, and at a height at which its seams can close.
+// The unsewn garment, clear of the body and at a height at which its seams can close.
 GarmentMesh place(const Pattern& pattern, const BodyCollider& collider, const DressOptions& options,
                   DressReport& report) {
     MeshOptions meshing = options.mesh;

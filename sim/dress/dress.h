@@ -1,6 +1,6 @@
 #pragma once
-// The facade that batch, tests and the editor share: a pattern and a body become a dressed, settled garment and a
-// report that names every fault.
+// Facade for the batch program, tests and the editor: dresses a body in a pattern, drapes the garment until it is at
+// rest, and reports every fault.
 #include <optional>
 
 #include "sim/body/body.h"
@@ -16,30 +16,31 @@ namespace selvedge::sim {
 
 struct DressOptions {
     MeshOptions mesh{};
-    std::optional<double> edge_length{};  // m, of the base mesh, instead of the pattern's
+    std::optional<double> edge_length{};  // m, of the base mesh; overrides the pattern's
     int max_level = 3;
-    double shortest_edge = 0.02;  // m, an edge shorter than this is not split, whatever max_level says
+    double shortest_edge = 0.02;  // m, shorter edges are not split, regardless of max_level
     CriteriaOptions criteria{};
-    double max_seconds = 12;         // of simulated time, sewing not counted
-    std::optional<Fabric> fabric{};  // instead of the pattern's
+    double max_seconds = 12;         // of simulated time, without sewing
+    std::optional<Fabric> fabric{};  // overrides the pattern's
 };
 
-// The garment as it hangs: its leaf triangles, and all that they came from.
+// The draped garment: its leaf triangles, their refinement hierarchy, and the report.
 struct DressedGarment {
     PlainMesh mesh;
     TriangleHierarchy hierarchy;
     DressReport report;
 };
 
-// Throws InputError for a pattern that cannot be meshed or names an unknown fabric or body; what goes wrong later is a
-// fault in the report.
+// Throws InputError for a pattern that cannot be meshed, or an unknown fabric or body. Later problems are faults in the
+// report.
 DressedGarment dress(const Pattern& pattern, const Body& body, const DressOptions& options = {},
                      const Progress& progress = {});
 
-// The body that the pattern's panels were placed for. (SPEC 3.1)
+// The body that the pattern's panels were placed for: the one it names, or GarmentCode's mean body
+// (patterns/FORMAT.md).
 Body placed_for(const Pattern& pattern);
 
-// One per panel: its own or else the pattern's. Throws InputError for a fabric that is not known.
+// One fabric per panel: the panel's own or else the pattern's. Throws InputError for an unknown fabric.
 std::vector<Fabric> fabrics_of(const Pattern& pattern);
 
 }  // namespace selvedge::sim

@@ -167,7 +167,8 @@ StretchFigures stretch_figures(const std::vector<TriangleStrain>& strains) {
     return figures;
 }
 
-// "smaller than the body and the gap kept from it by up to 7.3 cm, between 1.14 and 1.26 m up: it stretches there"
+// For example "smaller than the body and the gap kept from it by up to 7.3 cm, between 1.14 and 1.26 m up: it stretches
+// there".
 std::string describe_tight(const std::vector<TightLevel>& tight) {
     double least = 0;
     for (const TightLevel& level : tight) least = std::max(least, level.body_girth - level.garment_girth);
@@ -188,14 +189,14 @@ void inspect_rest(const DrapeResult& draped, DressReport& report) {
     }
 }
 
-// A garment that is drafted smaller than the body has to stretch where it is: that is a note. Elsewhere it is a fault.
+// Stretch where the garment is smaller than the body is unavoidable: a note. Elsewhere it is a fault.
 void inspect_stretch(const Cloth& cloth, const Body& body, const Pattern& pattern, const FaultLimits& limits,
                      DressReport& report) {
     const std::vector<TriangleStrain> strains = measure_strain(cloth);
     report.stretch = stretch_figures(strains);
     const std::vector<TightLevel> tight = tight_levels(plain_mesh(cloth, {}), body);
     if (!tight.empty()) report.notes.push_back(describe_tight(tight));
-    std::vector<TriangleStrain> free, beyond;  // beyond: the strain limit of the fabric
+    std::vector<TriangleStrain> free, beyond;  // beyond: strain minus the fabric's strain limit
     std::size_t worst = 0;
     float most_beyond = -std::numeric_limits<float>::infinity();
     for (std::size_t i = 0; i < strains.size(); ++i) {
@@ -218,7 +219,7 @@ void inspect_stretch(const Cloth& cloth, const Body& body, const Pattern& patter
     }
 }
 
-// Not a fault of the drape, but nobody wants it: what did not hold on the body lies about its feet.
+// Not a fault of the drape but unwanted: the garment did not hold on the body and lies on the floor.
 void inspect_floor(const Cloth& cloth, DressReport& report) {
     constexpr float kNear = 0.02F;   // m, above the floor
     constexpr double kShare = 0.01;  // of the vertices

@@ -1,5 +1,6 @@
 #pragma once
-// What came of dressing: plain data, and its JSON. Every key of the JSON is declared here, once.
+// Report on a dressed garment as plain data and as JSON, with the quality checks that find its faults. All keys of the
+// JSON are declared here.
 #include <array>
 #include <map>
 #include <string>
@@ -61,20 +62,20 @@ inline constexpr std::string_view kPhases = "phases";
 inline constexpr std::string_view kPeakMemoryMb = "peak_memory_mb";
 }  // namespace report_key
 
-// What is wrong with a dressed garment, and where.
+// A fault of a dressed garment, and where it is.
 struct DressFault {
     std::string kind;   // "not_settled", "open_seam", "inside_body", "overstretched", "not_finite", "broken_mesh"
-    std::string place;  // a seam, panel or point that a tailor can find
-    double value = 0;   // in the unit that the kind implies: m, m/s, strain
+    std::string place;  // a seam, panel or point that the user can find
+    double value = 0;   // in the unit of the kind: m, m/s, strain
 };
 
 struct MeshCounts {
     int base_triangles = 0;
     int leaf_triangles = 0;
     int leaf_vertices = 0;
-    std::vector<int> by_level;  // leaf triangles of each level
+    std::vector<int> by_level;  // leaf triangles per level
     double min_angle_deg = 0;   // of the base mesh, in material coordinates
-    long splits = 0;            // over the whole run
+    long splits = 0;            // over the whole drape
     long rejoins = 0;
     long transitions = 0;
 };
@@ -82,15 +83,15 @@ struct MeshCounts {
 struct SeamCounts {
     int count = 0;
     int open = 0;
-    double worst_length_mismatch = 0;  // relative: longer side over shorter, less 1
+    double worst_length_mismatch = 0;  // relative: longer side / shorter side - 1
 };
 
 struct ContactCounts {
     int inside = 0;        // leaf vertices inside the body
-    double deepest_m = 0;  // 0 when none is inside
+    double deepest_m = 0;  // 0 when no vertex is inside
 };
 
-// Over the leaf triangles: length of the deformed warp and weft direction less 1, and the angle between them less 90
+// Statistics over the leaf triangles: strain along warp and weft (deformed length - 1), and the angle between them - 90
 // deg.
 struct StretchFigures {
     double warp_weft_p50 = 0;
@@ -115,7 +116,7 @@ struct DressReport {
     std::string stopped_because;  // "settled", "time limit" or "bad number"
     double simulated_seconds = 0;
     std::vector<DressFault> faults;
-    std::vector<std::string> notes;  // what a person should know but is no fault
+    std::vector<std::string> notes;  // information for the user that is not a fault
     MeshCounts mesh;
     SeamCounts seams;
     ContactCounts contact;
@@ -123,26 +124,26 @@ struct DressReport {
     DressTiming timing;
 };
 
-// The whole report as JSON text. The same dressing gives the same text but for `timing`.
+// The whole report as JSON text. Equal input gives equal text, except for `timing`.
 std::string to_json(const DressReport& report);
 
-// Looking a dressed garment over: figures and faults, each named with its place.
+// Quality checks of a dressed garment.
 
-// What counts as a fault.
+// Limits above which a value is a fault.
 struct FaultLimits {
-    double depth = 0.0005;      // m, of a vertex inside the body
-    double stretch_p99 = 0.02;  // warp or weft, beyond the strain limit of the fabric
-    double stretch_max = 0.12;  // the same
+    double depth = 0.0005;      // m, depth of a vertex inside the body
+    double stretch_p99 = 0.02;  // warp or weft strain beyond the fabric's strain limit
+    double stretch_max = 0.12;  // warp or weft strain beyond the fabric's strain limit
 };
 
-// Fills in mesh counts, contact, stretch, open seams and faults.
+// Fills in mesh counts, contact, stretch, open seams, notes and faults.
 void inspect(const Cloth& cloth, const BodyCollider& body, const Pattern& pattern, const SewingResult& sewing,
              const DrapeResult& draped, DressReport& report, const FaultLimits& limits = {});
 
-// The leaf triangles as they hang, with the material coordinates and level of each.
+// The leaf triangles in their current position, with material coordinates and level of each.
 PlainMesh plain_mesh(const Cloth& cloth, const std::vector<std::string>& panel_names);
 
-// "'front' beside 'left_sleeve' at x 0.123 y 1.340 z 0.051 m": where a person would look.
+// Position for the user, for example "'front' beside 'left_sleeve' at x 0.123 y 1.340 z 0.051 m".
 std::string describe_place(const Cloth& cloth, const Pattern& pattern, VertexId vertex);
 
 }  // namespace selvedge::sim

@@ -1,11 +1,10 @@
 #pragma once
-// A garment that is being draped while a person works on it: the running drape that the editor holds. It runs on a
-// thread of its own; whoever looks takes the newest frame, whoever wants something else says so at any time, and no
-// call waits for the simulation.  (SPEC 1.4, 3.1; thesis ch. 4)
+// An interactive drape: simulates a garment while the user edits it. It runs on its own thread. The caller reads the
+// newest frame and posts requests at any time; no call waits for the simulation. (thesis 3.6.7, ch. 4)
 //
-// Pattern, body and options may change while it runs. A changed pattern is sewn anew; where its panels, their outline
-// edges and seams are the same in number and kind, the cloth goes on from where it hangs, else from where it is placed,
-// and a message says why.
+// Pattern, body and options may change while it runs. A changed pattern is meshed and sewn again. If its panels,
+// outline edges and seams are the same in number and kind, the cloth continues from the current drape; otherwise it
+// restarts from the placed panels, and a message says why.
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -20,62 +19,62 @@
 namespace selvedge::sim {
 
 enum class SessionStage {
-    Empty,    // no panels, or none that can be meshed: see SessionFrame::problem
-    Placed,   // panels stand round the body, unsewn
-    Sewing,   // seams close
-    Draping,  // the sewn garment moves
-    Settled,  // it has come to rest, and moves on only when something changes
-    Failed    // a number went bad: see SessionFrame::problem
+    Empty,    // no panels, or they cannot be meshed: see SessionFrame::problem
+    Placed,   // panels are placed around the body, unsewn
+    Sewing,   // seams are closing
+    Draping,  // the sewn garment is moving
+    Settled,  // at rest; continues only after a change
+    Failed    // a value is not finite, or an error: see SessionFrame::problem
 };
 
 struct SessionOptions {
-    std::optional<double> edge_length{};  // m, of the base mesh, instead of the pattern's
+    std::optional<double> edge_length{};  // m, of the base mesh; overrides the pattern's
     int max_level = 3;
     double shortest_edge = 0.02;  // m
     CriteriaOptions criteria{};
     CurvatureOptions curvature{};
-    std::optional<int> triangle_budget{};  // leaf triangles aimed at; none: as many as the criteria ask for
-    bool keeps_real_time = true;           // false: as fast as it can
+    std::optional<int> triangle_budget{};  // target number of leaf triangles; none: no limit
+    bool keeps_real_time = true;           // false: as fast as possible
     bool has_gravity = true;
 
     bool operator==(const SessionOptions&) const;
 };
 
-// Wall time of the last frames, ms: medians.
+// Wall time of the last 30 frames, ms: medians.
 struct SessionTimes {
     double adaptation = 0;
-    double steps = 0;  // all of one frame
-    double frame = 0;  // with making the mesh that is shown
+    double steps = 0;  // all steps of one frame
+    double frame = 0;  // whole frame: adaptation and steps
 };
 
 struct SessionStatistics {
     int base_triangles = 0;
     int leaf_triangles = 0;
     int leaf_vertices = 0;
-    std::vector<int> by_level;  // leaf triangles
+    std::vector<int> by_level;  // leaf triangles per level
     double simulated_seconds = 0;
     double rms_speed = 0;  // m/s
-    int splits = 0;        // of the last adaptation
+    int splits = 0;        // in the last adaptation
     int rejoins = 0;
     SessionTimes times;
 };
 
-// What is seen of the drape at one moment. Never changed once it is published.
+// Snapshot of the drape. Immutable once published.
 struct SessionFrame {
-    std::uint64_t number = 0;  // counts up with each that is published
+    std::uint64_t number = 0;  // increases with each published frame
     SessionStage stage = SessionStage::Empty;
     bool is_running = false;
-    PlainMesh mesh;  // leaves, with material coordinates; of panels that are apart while unsewn
+    PlainMesh mesh;  // leaf triangles with material coordinates; panels are separate while unsewn
     TriangleHierarchy hierarchy;
-    std::vector<std::array<Vec3f, 2>> threads;  // m: links of seams that are not closed, from side to side
-    std::vector<int> thread_seams;              // of each: index into Pattern::seams
-    std::vector<Vec3f> pins;                    // m, where cloth is pinned by hand
+    std::vector<std::array<Vec3f, 2>> threads;  // m: links of unclosed seams, the positions of both ends
+    std::vector<int> thread_seams;              // per link: index into Pattern::seams
+    std::vector<Vec3f> pins;                    // m, vertices that the user pinned
     SessionStatistics statistics;
-    std::string problem;                // in words; empty: none
-    std::vector<std::string> messages;  // what was done that a person should know, newest last
+    std::string problem;                // error message; empty: none
+    std::vector<std::string> messages;  // events that the user should know about, newest last
 };
 
-// A point of the cloth as it is seen: a triangle of a frame's mesh and weights of its corners.
+// A point on the displayed cloth: a triangle of a frame's mesh and barycentric weights.
 struct ClothPoint {
     std::uint64_t frame = 0;
     std::uint32_t triangle = 0;
@@ -83,8 +82,8 @@ struct ClothPoint {
 };
 
 enum class SessionDrive {
-    Thread,  // runs by itself
-    Caller   // runs only inside advance(): for tests and scripts, the same bits each time
+    Thread,  // runs on its own thread
+    Caller   // runs only inside advance(): for tests and scripts, deterministic
 };
 
 class Session {
@@ -94,29 +93,30 @@ class Session {
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
 
-    void set_body(std::shared_ptr<const Body> body);  // the collider is made on the session's thread
-    void set_pattern(const Pattern& pattern);         // as often as it changes; only the newest is taken
+    void set_body(std::shared_ptr<const Body> body);  // the collider is built on the session's thread
+    void set_pattern(const Pattern& pattern);         // may be called often; outdated requests are skipped
     void set_options(const SessionOptions& options);
 
-    void start();  // sews first, where need be
+    void start();  // closes the seams first when needed
     void pause();
-    void reset();  // panels back to where they are placed, unsewn; hands off
+    void reset();  // panels return to their placed position, unsewn; removes pins and drag
 
-    // Pulling: one point follows `to` (m) until it is let go. Pinned points stay where they are.
+    // Dragging: one point follows the target `to` (m) until let_go(). Pinned points stay in place.
     void pull(const ClothPoint& point, const Vec3f& to);
     void pull_to(const Vec3f& to);
     void let_go();
     void pin(const ClothPoint& point);
     void unpin_all();
 
-    // The newest frame; never null. Cheap.
+    // The newest frame; never null. Does not wait for the simulation.
     std::shared_ptr<const SessionFrame> frame() const;
 
-    // Drapes that are kept under a name, and shown or gone on from later.
+    // Saves the current drape under a name, to restore it later.
     void keep(const std::string& name);
-    void restore(const std::string& name);  // only where the pattern still has the same mesh: else a message says so
+    void restore(const std::string& name);  // needs an unchanged base mesh; otherwise only a message is added
 
-    // Drive Caller only: takes in what was asked for, and simulates so many frames, each one adaptation and its steps.
+    // SessionDrive::Caller only: applies pending requests, then simulates up to `frames` frames of one adaptation and
+    // its steps.
     void advance(int frames);
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// What a session shows: frames made from panels that stand, are being sewn, or hang.
+// Builds a session's frames from placed panels, panels being sewn, or a drape, including the adaptive mesh's hierarchy.
 #include "sim/cloth/cloth.h"
 #include "sim/dress/session.h"
 #include "sim/mesh/garment_mesh.h"
@@ -7,13 +7,13 @@
 
 namespace selvedge::sim {
 
-// The unsewn garment where its panels stand, as its leaves would be.
+// The unsewn garment at its placed position, as level-0 leaves.
 void show_placed(SessionFrame& frame, const GarmentMesh& unsewn);
 
-// The leaves of a cloth; its panels go by these names.
+// The leaves of a cloth, with the names of its panels.
 void show_cloth(SessionFrame& frame, const Cloth& cloth, const std::vector<std::string>& panel_names);
 
-// Lines between vertices that seams bring together: vertices as in x, m.
+// Adds a line for each seam link between its two vertices; link indices refer to x, m.
 template <class Position>
 void show_threads(SessionFrame& frame, const std::vector<SeamLink>& links, const std::vector<Position>& x) {
     for (const SeamLink& link : links) {
@@ -24,9 +24,9 @@ void show_threads(SessionFrame& frame, const std::vector<SeamLink>& links, const
     }
 }
 
-// The triangles of a cloth's adaptive mesh as plain data.
+// Refinement hierarchy of a cloth's adaptive mesh as plain data.
 
-// Base triangles in their order, each before what it was refined to.
+// All triangles depth first: base triangles in order, each followed by its internal triangles.
 TriangleHierarchy triangle_hierarchy(const Cloth& cloth);
 
 }  // namespace selvedge::sim

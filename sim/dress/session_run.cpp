@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kTimedFrames = 30;
 constexpr std::size_t kMostMessages = 50;
-constexpr int kSewingSteps = 4;  // per frame, as of an adaptation
+constexpr int kSewingSteps = 4;  // per frame, as many as per adaptation
 
 using Clock = std::chrono::steady_clock;
 
@@ -99,7 +99,7 @@ void SessionRun::advance() {
     if (stage_ == SessionStage::Sewing) {
         try {
             sew_frame();
-        } catch (const InputError& error) {  // seams that no cloth can have
+        } catch (const InputError& error) {  // invalid seams
             sewing_.reset();
             fail(error.what());
         }
@@ -120,7 +120,7 @@ bool SessionRun::may_prepare() const {
     return body_ && !met_ && stage_ == SessionStage::Placed;
 }
 
-// --- sewing
+// Sewing.
 
 void SessionRun::begin_sewing() {
     forget_drape();
@@ -168,7 +168,7 @@ void SessionRun::end_sewing() {
     hang(std::move(drape), DrapeOptions{}.relax_time);
 }
 
-// --- draping
+// Draping.
 
 DrapeOptions SessionRun::draping() const {
     DrapeOptions draping{.max_seconds = std::numeric_limits<double>::infinity(), .may_rest = true};
@@ -192,7 +192,7 @@ void SessionRun::hang(Drape drape, double relax_time) {
     has_changed_ = true;
 }
 
-// What the options point to lives here.
+// The options hold pointers to members of this object.
 void SessionRun::apply_options() {
     if (options_.triangle_budget) {
         const auto target = static_cast<std::size_t>(*options_.triangle_budget);
@@ -239,7 +239,7 @@ void SessionRun::wake() {
     stage_ = SessionStage::Draping;
 }
 
-// --- what is seen
+// Frames.
 
 bool SessionRun::take_change() {
     const bool had_changed = has_changed_;
@@ -271,12 +271,12 @@ std::shared_ptr<SessionFrame> SessionRun::make_frame() {
     return frame;
 }
 
-// What comes in between frames: another body, pattern, options, hands.
+// Changes between frames: body, pattern, options, user constraints.
 
 namespace {
 
 constexpr double kShortRelax = 0.2;    // s, after a change of outlines
-constexpr float kDeepestMove = 0.03F;  // m: by more than this no body is grown into a drape
+constexpr float kDeepestMove = 0.03F;  // m: if a new body overlaps the drape by more than this, sewing restarts
 
 bool has_equal_surface(const Body& a, const Body& b) {
     return a.x == b.x && a.triangles == b.triangles;
@@ -308,14 +308,14 @@ SessionOptions within_limits(SessionOptions options) {
     return options;
 }
 
-// --- the body
+// Body.
 
 void SessionRun::set_body(std::shared_ptr<const Body> body) {
     if (body == body_) return;
     const bool is_same = body && body_ && has_equal_surface(*body, *body_);
     body_ = std::move(body);
     has_changed_ = true;
-    if (is_same) return;  // what was met goes on to hold the equal one
+    if (is_same) return;  // met_ still holds the previous body, which is equal
     met_.reset();
     is_anchored_ = false;
     if (stage_ == SessionStage::Placed) return place();
@@ -335,7 +335,8 @@ void SessionRun::meet_body() {
     if (!met_) met_.reset(new BodyToMeet{body_, BodyCollider(*body_, {}, interrupt_)});
 }
 
-// Panels that were placed for another body move with this one. Growing the body that the pattern names takes long.
+// Panels that were placed for another body move with this one. Making the body that the pattern names is slow, so it is
+// cached.
 const Pattern& SessionRun::anchored() {
     if (is_anchored_) return anchored_;
     anchored_ = pattern_;
@@ -347,7 +348,7 @@ const Pattern& SessionRun::anchored() {
     return anchored_;
 }
 
-// --- the pattern
+// Pattern.
 
 MeshOptions SessionRun::meshing() const {
     MeshOptions meshing;
@@ -360,7 +361,7 @@ GarmentMesh SessionRun::unsewn_mesh() {
     return assemble(anchored(), meshing(), meshes_);
 }
 
-// To be seen at once: a mesh that nobody sews need not be the best.
+// The quick mesh is for display only, so its quality is not relaxed.
 void SessionRun::place() {
     MeshOptions quick = meshing();
     quick.relaxations = 0;
@@ -388,7 +389,7 @@ void SessionRun::set_pattern(Pattern pattern) {
 }
 
 void SessionRun::take_pattern(Pattern pattern) {
-    fabrics_of(pattern);  // throws while nothing has changed yet
+    fabrics_of(pattern);  // throws before anything has changed
     const PatternChange change = compare(drape_ ? drape_->pattern : pattern_, pattern);
     const std::string why =
         drape_ && change == PatternChange::Kind ? why_sewn_anew(drape_->pattern, pattern) : std::string();
@@ -408,7 +409,7 @@ void SessionRun::take_pattern(Pattern pattern) {
     if (drape_ || sewing_ || is_running_) sew_anew(why);
 }
 
-// Fabrics, grain and setts lie on the cloth as it hangs.
+// Applies fabrics, grain and setts to the current cloth.
 void SessionRun::change_cloth(const Pattern& pattern) {
     Cloth& cloth = drape_->cloth;
     const bool is_other_cloth = compare(drape_->pattern, pattern) == PatternChange::Fabrics;
@@ -421,7 +422,7 @@ void SessionRun::change_cloth(const Pattern& pattern) {
     drape_->pattern = pattern;
     if (!is_other_cloth) return;
     refresh_solver(cloth);
-    refresh_contacts(cloth);  // friction
+    refresh_contacts(cloth);  // updates friction
     wake();
 }
 
@@ -453,7 +454,7 @@ void SessionRun::forget_drape() {
     hands_ = {};
 }
 
-// Runs on if it ran.
+// Continues to run if it was running.
 void SessionRun::sew_anew(const std::string& why) {
     forget_drape();
     if (!why.empty()) say(why);
@@ -461,7 +462,7 @@ void SessionRun::sew_anew(const std::string& why) {
     if (is_running_ && stage_ == SessionStage::Placed) begin_sewing();
 }
 
-// --- options
+// Options.
 
 void SessionRun::set_options(const SessionOptions& asked) {
     const SessionOptions options = within_limits(asked);
@@ -498,7 +499,7 @@ void SessionRun::reset() {
     place();
 }
 
-// --- hands
+// User constraints.
 
 void SessionRun::pull(const MaterialPoint& at, const Vec3f& to) {
     if (!drape_ || stage_ == SessionStage::Failed || !to.allFinite()) return;
@@ -529,7 +530,7 @@ void SessionRun::unpin_all() {
     wake();
 }
 
-// --- drapes that are kept
+// Saved drapes.
 
 void SessionRun::keep(const std::string& name) {
     if (!drape_ || stage_ == SessionStage::Failed) return say("nothing hangs yet that could be kept as '" + name + "'");

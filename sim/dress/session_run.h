@@ -1,5 +1,5 @@
 #pragma once
-// What a session does, without its thread: panels that stand, are sewn, and hang; changes come in between frames.
+// The state and logic of a session, without its thread: placed panels, sewing, draping, and changes between frames.
 #include <functional>
 #include <map>
 #include <memory>
@@ -17,20 +17,20 @@
 
 namespace selvedge::sim {
 
-// The last frames' times.
+// Timings of the last frames.
 class FrameTimes {
  public:
     void note(const SessionTimes& frame);
     SessionTimes medians() const;
 
  private:
-    std::vector<SessionTimes> last_;  // a ring
+    std::vector<SessionTimes> last_;  // ring buffer
     std::size_t next_ = 0;
 };
 
 class SessionRun {
  public:
-    // interrupt: called often while what takes long is done; what it throws comes out of any call here.
+    // interrupt: called regularly during long operations; its exceptions propagate from any method here.
     explicit SessionRun(std::function<void()> interrupt = {});
     SessionRun(const SessionRun&) = delete;
     SessionRun& operator=(const SessionRun&) = delete;
@@ -50,20 +50,20 @@ class SessionRun {
     void restore(const std::string& name);
     void say(std::string message);
 
-    // It stands still, and says why, until something changes.
+    // Stops with the stage Failed and this error message, until something changes.
     void fail(const std::string& problem);
 
-    // Running, and not at rest.
+    // Whether a frame can be simulated: running, and sewing or draping.
     bool moves() const;
-    // One frame. Pre: moves().
+    // Simulates one frame. Pre: moves().
     void advance();
-    double frame_seconds() const;  // s, simulated in one
+    double frame_seconds() const;  // simulated time per frame, s
 
-    // What start() would have to do first and takes long: for when there is nothing else to do.
+    // The slow preparation that start() needs (building the collider), to do while idle.
     bool may_prepare() const;
     void prepare() { meet_body(); }
 
-    // Whether anything that is seen has changed since this was asked the last time.
+    // Whether anything visible has changed since the last call.
     bool take_change();
     std::shared_ptr<SessionFrame> make_frame();
 
@@ -76,18 +76,18 @@ class SessionRun {
     };
     struct Drape {
         Cloth cloth;
-        Pattern pattern;              // that it was meshed from
-        GarmentMesh unsewn;           // its mesh
+        Pattern pattern;              // the pattern it was meshed from
+        GarmentMesh unsewn;           // the mesh of that pattern
         std::vector<int> open_seams;  // ascending
-        std::vector<int> pins;        // base vertices, the pattern's own
-        std::optional<DrapeRun> run;  // always one
+        std::vector<int> pins;        // base vertices that the pattern pins
+        std::optional<DrapeRun> run;  // never empty
     };
     struct KeptDrape {
         Drape drape;
         SessionStage stage = SessionStage::Draping;
     };
 
-    // session_run.cpp: what moves
+    // Simulation.
     void sew_frame();
     void drape_frame();
     void begin_sewing();
@@ -99,7 +99,7 @@ class SessionRun {
     void wake();
     bool is_sewn() const { return drape_.has_value(); }
 
-    // session_changes.cpp: what is changed
+    // Changes between frames.
     void place();
     void take_pattern(Pattern pattern);
     void change_cloth(const Pattern& pattern);
@@ -120,34 +120,34 @@ class SessionRun {
     std::vector<std::string> messages_;
 
     std::shared_ptr<const Body> body_;
-    std::unique_ptr<const BodyToMeet> met_;  // of body_; made when it is first met
-    Pattern pattern_;                        // the newest that can be meshed
-    Pattern anchored_;                       // the same, moved to the body
+    std::unique_ptr<const BodyToMeet> met_;  // collider of body_; built when first needed
+    Pattern pattern_;                        // the newest one that can be meshed
+    Pattern anchored_;                       // pattern_ with its panels moved to the body
     bool is_anchored_ = false;
     struct NamedBody {
         std::string text;
         double height = 0;  // m
         Body body;
     };
-    std::optional<NamedBody> placed_for_;  // the body that a pattern named
+    std::optional<NamedBody> placed_for_;  // cache: the body that a pattern named
 
     std::vector<KeptPanelMesh> quick_meshes_, meshes_;
-    GarmentMesh placed_;  // the quick mesh, to be seen
+    GarmentMesh placed_;  // the quick mesh, for display
     std::optional<SewingRun> sewing_;
     std::optional<Drape> drape_;
     std::map<std::string, KeptDrape> kept_;
     DragConstraint hands_;
     std::optional<TriangleBudget> budget_;
     FrameTimes times_;
-    double past_seconds_ = 0;  // s, simulated before what hangs now
+    double past_seconds_ = 0;  // s, simulated before the current drape
     int splits_ = 0, rejoins_ = 0;
 };
 
-// What a session makes of options that nobody checked.
+// Limits on session options.
 
-inline constexpr int kDeepestSessionLevel = 8;  // a base edge of 5 cm then is 0.2 mm long
+inline constexpr int kDeepestSessionLevel = 8;  // a base edge of 5 cm is 0.2 mm long at this level
 
-// The nearest options that can be worked with.
+// Clamps options to their valid ranges.
 SessionOptions within_limits(SessionOptions options);
 
 }  // namespace selvedge::sim

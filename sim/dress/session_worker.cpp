@@ -9,9 +9,9 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr std::size_t kFramesKept = 32;  // a second: what a click may still mean
+constexpr std::size_t kFramesKept = 32;  // about 1 s of frames that a click may still refer to
 
-// Whether the newer says all that the older, put just before it, did.
+// Whether the newer request makes the older one, posted just before it, obsolete.
 bool takes_place_of(const Ask& newer, const Ask& older) {
     if (newer.index() != older.index()) return false;
     return std::holds_alternative<ask::SetPattern>(newer) || std::holds_alternative<ask::SetOptions>(newer) ||
@@ -102,7 +102,7 @@ void Session::Worker::publish() {
     if (!run_.take_change()) return;
     std::shared_ptr<SessionFrame> frame = run_.make_frame();
     frame->number = ++last_number_;
-    std::shared_ptr<const SessionFrame> oldest;  // goes when the lock is open again
+    std::shared_ptr<const SessionFrame> oldest;  // freed after the lock is released
     const std::scoped_lock lock(mutex_);
     frames_.push_back(std::move(frame));
     if (frames_.size() <= kFramesKept) return;
@@ -120,7 +120,7 @@ void Session::Worker::advance(int frames) {
     }
 }
 
-// Until something is asked for, the session ends, or the time has come.
+// Waits until a request arrives, the session ends, or the given time.
 void Session::Worker::wait(std::optional<Clock::time_point> until) {
     std::unique_lock lock(mutex_);
     const auto has_news = [&] { return has_ended_ || !asked_.empty(); };
@@ -137,7 +137,7 @@ void Session::Worker::work() {
             work_until_ended();
         } catch (const Ended&) {
             return;
-        } catch (const std::exception& error) {  // out of memory, say
+        } catch (const std::exception& error) {  // for example out of memory
             run_.fail(error.what());
         }
     }
@@ -156,13 +156,13 @@ void Session::Worker::work_until_ended() {
         }
         if (run_.options().keeps_real_time && Clock::now() < next) {
             wait(next);
-            if (Clock::now() < next) continue;  // something was asked for
+            if (Clock::now() < next) continue;  // a request arrived
         }
         run_.advance();
         publish();
         const auto frame =
             std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(run_.frame_seconds()));
-        next = std::max(next + frame, Clock::now() - frame);  // what is behind is not caught up with for ever
+        next = std::max(next + frame, Clock::now() - frame);  // lags by at most one frame: lost time is not caught up
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// The session's thread and its two doors: what was asked for goes in, frames come out. Nobody waits at either.
+// A session's worker thread, with a queue of requests as input and a queue of published frames as output. Locks are
+// short: no caller waits for the simulation.
 #include <condition_variable>
 #include <deque>
 #include <exception>
@@ -15,7 +16,7 @@
 
 namespace selvedge::sim {
 
-// What can be asked for.
+// Requests.
 namespace ask {
 struct SetBody {
     std::shared_ptr<const Body> body;
@@ -65,14 +66,14 @@ class Session::Worker {
     void put(Ask asked);
     std::shared_ptr<const SessionFrame> frame() const;
 
-    // The place in the material of a point of one of the last frames; none if it is of none of them.
+    // The material point of a point on a recent frame; nullopt when that frame or triangle is not available.
     std::optional<MaterialPoint> find(const ClothPoint& point) const;
 
-    // Drive Caller only.
+    // SessionDrive::Caller only.
     void advance(int frames);
 
  private:
-    struct Ended : std::exception {};  // thrown out of what takes long, when the session is to end
+    struct Ended : std::exception {};  // thrown by the interrupt of long operations when the session ends
     using Clock = std::chrono::steady_clock;
 
     void work();
@@ -83,10 +84,10 @@ class Session::Worker {
     void publish();
     void wait(std::optional<Clock::time_point> until);
 
-    mutable std::mutex mutex_;  // of the doors: the next five
+    mutable std::mutex mutex_;  // guards asked_, frames_ and has_ended_
     std::condition_variable news_;
     std::vector<Ask> asked_;
-    std::deque<std::shared_ptr<const SessionFrame>> frames_;  // the last ones, newest last
+    std::deque<std::shared_ptr<const SessionFrame>> frames_;  // the most recent ones, newest last
     bool has_ended_ = false;
 
     std::uint64_t last_number_ = 0;

@@ -10,7 +10,7 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr float kSewingDamping = 12;  // 1/s: panels are carried, not thrown
+constexpr float kSewingDamping = 12;  // 1/s: strong, so that panels do not swing
 
 float gap_of(const Cloth& cloth, const SeamLink& link) {
     return (cloth.x[static_cast<std::size_t>(link.a)] - cloth.x[static_cast<std::size_t>(link.b)]).norm();
@@ -42,7 +42,7 @@ std::vector<OpenSeam> open_seams(const Cloth& cloth, const std::vector<SeamLink>
     return open;
 }
 
-// The garment where the cloth now is, with only the closed links, merged.
+// The garment at the cloth's current position, merged at the closed links only.
 GarmentMesh merge_closed(const GarmentMesh& unsewn, const Cloth& cloth, float closed_gap) {
     GarmentMesh moved = unsewn;
     for (std::size_t v = 0; v < moved.x.size(); ++v) moved.x[v] = cloth.x[v].head<3>().cast<double>();

@@ -1,6 +1,7 @@
 #pragma once
-// Closing the seams: the panels, still apart and at level 0, are drawn together along their seams without gravity, each
-// colliding with the body from its own side; what has met is merged.  (SPEC 3.1, way b)
+// Closes the seams: the panels, still separate and at level 0, are pulled together along their seams without gravity.
+// Each collides with the body from its own side. Closed seams are merged. (thesis fig. 4.3 merges seams at once, which
+// can put seam vertices inside the body.)
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -16,35 +17,36 @@ namespace selvedge::sim {
 class BodyCollider;
 
 struct SewingOptions {
-    float closing_speed = 0.6F;  // m/s at which the allowed gap shrinks
-    float closed_gap = 0.006F;   // m, a link shorter than this is closed: two contact offsets may lie between its ends
-    float patience = 1.5F;       // s of further pulling once the gap should be nil
+    float closing_speed = 0.6F;  // m/s, rate at which the allowed gap shrinks
+    float closed_gap = 0.006F;   // m, a shorter link is closed: two contact offsets may lie between its ends
+    float patience = 1.5F;       // s of further pulling after the allowed gap has reached zero
     ContactOptions contact;
 };
 
 struct OpenSeam {
     int seam = 0;   // index into Pattern::seams
-    float gap = 0;  // m, the widest of its links
+    float gap = 0;  // m, of its widest link
 };
 
 struct SewingResult {
-    GarmentMesh sewn;  // links that did not close are left out of the merge
+    GarmentMesh sewn;  // merged at the links that closed
     std::vector<OpenSeam> open;
     double simulated_seconds = 0;
-    std::optional<VertexId> bad_vertex;  // of the unsewn mesh, where a number went bad; `sewn` is then not to be used
+    std::optional<VertexId> bad_vertex;  // of the unsewn mesh, where a value is not finite; `sewn` is then invalid
 };
 
-// Sewing under way: one step with each advance().
+// Sewing in progress: one step per advance().
 class SewingRun {
  public:
     SewingRun(GarmentMesh unsewn, const std::vector<Fabric>& fabrics, const SewingOptions& options);
 
-    // False once it is over: all is closed, patience is at its end, or a number went bad. Pre: it was true before.
+    // Returns false when done: all links are closed, the time is up, or a value is not finite. Pre: no call returned
+    // false.
     bool advance(const BodyCollider& body);
 
     double fraction() const { return std::min(1.0F, seconds_ / limit_); }
     const GarmentMesh& unsewn() const { return unsewn_; }
-    const Cloth& cloth() const { return cloth_; }  // of the panels, apart: vertices as in unsewn()
+    const Cloth& cloth() const { return cloth_; }  // of the separate panels: vertices as in unsewn()
     SewingResult result() const;
 
  private:

@@ -26,7 +26,7 @@ constexpr std::uint32_t kBinChunk = 0x004E4942;   // "BIN"
 enum class Component : int { UnsignedShort = 5123, UnsignedInt = 5125, Float = 5126 };
 enum class Target : int { None = 0, Vertices = 34962, Indices = 34963 };
 
-// A float with as many digits as it has, so that bounds in JSON equal the floats in the buffer.
+// The shortest text that reads back as the same float, so that bounds in the JSON equal the floats in the buffer.
 Json number(float value) {
     char digits[32];
     const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value);
@@ -41,13 +41,13 @@ Json numbers(const Vector& v) {
     return array;
 }
 
-// The document under construction: arrays of JSON, and the buffer that they point into.
+// The document under construction: JSON arrays of accessors and buffer views, and the buffer that they refer to.
 struct Document {
     Json accessors = Json::array();
     Json views = Json::array();
     std::string buffer;
 
-    // Element: a flat struct of components, whose size is a multiple of 4 bytes. Gives the accessor's index.
+    // Element: a plain struct of components whose size is a multiple of 4 bytes. Returns the accessor's index.
     template <class Element>
     std::size_t add(std::span<const Element> elements, Component component, const char* type, Target target) {
         static_assert(sizeof(Element) % 4 == 0);
@@ -149,7 +149,7 @@ Json one_mesh(const char* name, Json primitives) {
     return Json::array({std::move(mesh)});
 }
 
-// A panel's name is its material's, for most programs show no other name of a primitive.
+// Each panel has a material with its name, because most programs show no other name for a primitive.
 Json panel_materials(const std::vector<PanelPart>& parts) {
     Json materials = Json::array();
     for (const PanelPart& part : parts) {
@@ -226,7 +226,7 @@ void add_skin_attributes(const Body& body, Json& attributes, Document& document)
     for (const SkinWeights& skin : body.skin) {
         bones.push_back({skin.bones});
         weights.push_back({skin.weights});
-        // glTF wants bone 0 where nothing pulls.
+        // glTF requires joint index 0 where the weight is 0.
         for (std::size_t k = 0; k < 4; ++k)
             if (skin.weights[k] == 0) bones.back().bones[k] = 0;
     }
@@ -236,7 +236,7 @@ void add_skin_attributes(const Body& body, Json& attributes, Document& document)
         document.add(std::span<const FourWeights>(weights), Component::Float, "VEC4", Target::Vertices);
 }
 
-// Joints do not turn in the rest pose, so that a bind matrix is a shift.
+// Joints have no rotation in the rest pose, so that each inverse bind matrix is a translation.
 Json skin_of(const Body& body, std::size_t armature, Document& document) {
     std::vector<std::array<float, 16>> inverse_binds;
     Json joints = Json::array();
@@ -253,7 +253,7 @@ Json skin_of(const Body& body, std::size_t armature, Document& document) {
     return Json::array({std::move(skin)});
 }
 
-// The armature, a common root that skins must have, then a node per bone.
+// Adds the armature (the common root node that a skin requires), then one node per bone.
 void add_bone_nodes(const Body& body, Json& nodes) {
     const std::size_t armature = nodes.elements().size();
     std::vector<Json> children(body.bones.size() + 1, Json::array());

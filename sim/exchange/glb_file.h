@@ -1,6 +1,6 @@
 #pragma once
-// Binary glTF 2.0 (Khronos, "glTF 2.0 Specification", chapter 4.4 for the container): garments with a primitive per
-// panel, bodies with their skeleton and skin.
+// Writes binary glTF 2.0 (Khronos, "glTF 2.0 Specification"; the container is in chapter 4.4): garments with one
+// primitive per panel, bodies with skeleton and skin. Reads back the panel data that only Selvedge writes.
 #include <string>
 #include <string_view>
 #include <utility>
@@ -11,14 +11,15 @@
 
 namespace selvedge::sim {
 
+// The bytes of the file. Pre: indices are in range, and there is at least one triangle.
 std::string garment_glb(const PlainMesh& mesh);
 std::string body_glb(const Body& body);
 
-// Panel names with the grain angles (rad) that garment_glb wrote as extras; none in others' files.
-// Pre: a loader has accepted the bytes; `file` names them in errors.
+// Panel names with the grain angles (rad) that garment_glb() writes as extras; empty for files of other programs.
+// Pre: a glTF loader has accepted the bytes. `file` is the name in error messages.
 std::vector<std::pair<std::string, float>> grain_angles_in_glb(std::string_view bytes, const std::string& file);
 
-// The same for sett offsets (m, weft and warp), which garment_glb writes where a panel has one.
+// The same for sett offsets (m, (weft, warp)); garment_glb() writes those that are not zero.
 std::vector<std::pair<std::string, Vec2f>> sett_offsets_in_glb(std::string_view bytes, const std::string& file);
 
 }  // namespace selvedge::sim

@@ -47,7 +47,7 @@ void check_some(std::size_t triangles, const std::filesystem::path& path) {
     if (triangles == 0) throw InputError(path.string(), "", "not written: there are no triangles");
 }
 
-// A name for the mesh that serves as a panel's: glTF names primitives by nothing but their materials.
+// The panel name of an imported mesh. In glTF it is the name of the material, because primitives have no name.
 std::string panel_name(const ImportedMesh& mesh, MeshFormat format) {
     if (format == MeshFormat::Glb && !mesh.material.empty()) return mesh.material;
     return mesh.name;
@@ -64,7 +64,8 @@ void add_panel(const ImportedMesh& part, PlainMesh& mesh, std::vector<Vec3d>& co
     }
 }
 
-// Files part vertices where texture coordinates jump; in a PlainMesh corners do.
+// Merges corners at equal positions into vertices. Files duplicate vertices where texture coordinates are
+// discontinuous; a PlainMesh stores them per corner.
 void merge_positions(const std::vector<Vec3d>& corners, PlainMesh& mesh) {
     constexpr double kSame = 1e-6;  // m
     const std::vector<int> same = weld(corners, kSame);
@@ -141,7 +142,8 @@ namespace {
 
 constexpr std::uint32_t kNone = UINT32_MAX;
 
-// The part's copies of one vertex, chained: few, as a vertex has few material coordinates in one panel.
+// Linked lists of the part's copies of each mesh vertex. They are short: a vertex has few distinct material coordinates
+// in one panel.
 struct Copies {
     std::vector<std::uint32_t> first;  // per vertex of the mesh
     std::vector<std::uint32_t> next;   // per vertex of the part

@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view kGrainComment = "# grain_angle ";
 constexpr std::string_view kOffsetComment = "# sett_offset ";
 
-// The shortest text that reads back as the same float; std::to_chars knows no locale.
+// Appends the shortest text that reads back as the same number; std::to_chars does not depend on the locale.
 template <class Number>
 void append_number(std::string& text, Number number) {
     char digits[32];
@@ -28,12 +28,12 @@ void append_vector(std::string& text, std::string_view keyword, const Vector& v)
     text += keyword;
     for (const float number : v) {
         text += ' ';
-        append_number(text, number + 0.0F);  // no "-0"
+        append_number(text, number + 0.0F);  // + 0.0F: writes 0 instead of -0
     }
     text += '\n';
 }
 
-// OBJ parts names at blanks.
+// The name with blanks replaced by '_', because OBJ separates names at blanks.
 std::string one_word(const std::string& name) {
     std::string word;
     for (const char c : name)
@@ -46,7 +46,7 @@ void append_points(std::string& text, const std::vector<Vec3f>& x, const std::ve
     for (const Vec3f& normal : normals) append_vector(text, "vn", normal);
 }
 
-// position/texture/normal, counted from 1; without a texture coordinate position//normal.
+// Appends "position/texture/normal", or "position//normal" without a texture coordinate; indices start at 1.
 void append_corner(std::string& text, std::size_t vertex, std::optional<std::size_t> texture) {
     text += ' ';
     append_number(text, vertex + 1);
@@ -73,7 +73,7 @@ void append_part(std::string& text, const PanelPart& part, std::size_t first_tex
     }
 }
 
-// Calls take(group, rest of the line) for each comment that stands in a group.
+// Calls take(group, rest of the line) for each line that begins with `comment`; group: the current group's name.
 template <class Take>
 void for_each_comment(std::string_view text, std::string_view comment, const Take& take) {
     std::string group;
@@ -85,7 +85,7 @@ void for_each_comment(std::string_view text, std::string_view comment, const Tak
     }
 }
 
-// The number that `text` begins with, which is taken from it; none where there is none, or it is not finite.
+// Parses a number at the start of `text` and removes it. Returns nullopt if there is none or it is not finite.
 std::optional<float> take_number(std::string_view& text) {
     float number = 0;
     const auto result = std::from_chars(text.data(), text.data() + text.size(), number);

@@ -1,5 +1,6 @@
 #pragma once
-// Wavefront OBJ as text: garments with a group per panel, bodies.
+// Writes Wavefront OBJ text: garments with one group per panel, and bodies. Reads back the panel data that only
+// Selvedge writes.
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,13 +12,15 @@
 
 namespace selvedge::sim {
 
+// The text of the file. Pre: indices are in range.
 std::string garment_obj(const PlainMesh& mesh);
 std::string body_obj(const Body& body);
 
-// Group names with the grain angles (rad) that garment_obj wrote in comments behind them; none in others' files.
+// Group names with the grain angles (rad) that garment_obj() writes in comments after the group lines; empty for files
+// of other programs.
 std::vector<std::pair<std::string, float>> grain_angles_in_obj(std::string_view text);
 
-// The same for sett offsets (m, weft and warp), which garment_obj writes where a panel has one.
+// The same for sett offsets (m, (weft, warp)); garment_obj() writes those that are not zero.
 std::vector<std::pair<std::string, Vec2f>> sett_offsets_in_obj(std::string_view text);
 
 }  // namespace selvedge::sim

@@ -12,12 +12,12 @@ namespace {
 
 constexpr double kNegligibleWeight = 1e-4;
 
-// Positions and weights in one mesh, so that they are subdivided alike.
+// Positions and weights in one mesh, so that they are subdivided together.
 QuadMesh fill_cage(const Cage& cage, const MannequinTable& table) {
     constexpr auto kWeights = static_cast<Eigen::Index>(kJointCount);
     QuadMesh mesh{.values = VertexRows(cage.vertex_count, 3 + kWeights), .quads = cage.quads};
     for (std::size_t v = 0; v < cage.left.size(); ++v) {
-        // The twin first: on the midplane it is the vertex itself.
+        // The mirror vertex first: on the midplane it is the vertex itself, whose own point must win.
         mesh.values.row(cage.mirror[v]).head<3>() = mirrored(table.left_points[v]).transpose();
         mesh.values.row(static_cast<Eigen::Index>(v)).head<3>() = table.left_points[v].transpose();
     }
@@ -25,7 +25,7 @@ QuadMesh fill_cage(const Cage& cage, const MannequinTable& table) {
     return mesh;
 }
 
-// Stood on the floor.
+// Moved vertically to stand on the floor.
 std::vector<Vec3d> positions(const QuadMesh& mesh) {
     const double floor = mesh.values.col(1).minCoeff();
     std::vector<Vec3d> x;
@@ -50,7 +50,7 @@ double trunk_share(const VertexRows& weights, std::size_t vertex) {
     return weights.row(static_cast<Eigen::Index>(vertex)).head<kMiddleJoints>().sum();
 }
 
-// Halfway between front and back, near the midplane, at each height.
+// z halfway between front and back near the midplane, per height.
 std::vector<double> mid_depths(const MannequinBase& base, std::size_t count) {
     constexpr double kHalfWidth = 0.03;   // m
     constexpr double kHalfHeight = 0.02;  // m
@@ -70,7 +70,7 @@ std::vector<double> mid_depths(const MannequinBase& base, std::size_t count) {
     return front;
 }
 
-// Nine-point moving mean, the ends held.
+// Moving mean over nine values; end values are repeated.
 std::vector<double> smoothed(const std::vector<double>& z) {
     constexpr int kReach = 4;
     const int last = static_cast<int>(z.size()) - 1;
@@ -127,7 +127,7 @@ Limb left_leg(const Joints& joints) {
     return {joints[Joint::LeftUpperLeg], joints[Joint::LeftLowerLeg], joints[Joint::LeftFoot]};
 }
 
-// Across the bone; at the middle joint, halfway between the planes across both bones.
+// Plane perpendicular to the bone; at the middle joint perpendicular to the mean direction of both bones.
 Plane across(const Limb& limb, double position) {
     const Vec3d upper = (limb.middle - limb.root).normalized();
     const Vec3d lower = (limb.end - limb.middle).normalized();

@@ -1,5 +1,6 @@
 #pragma once
-// The body that every mannequin of one sex is bent from: the cage filled with the table's figures, subdivided.
+// The base body of each sex, which is deformed into every mannequin: the cage with the points of the table, subdivided.
+// Also the planes of the 15 girths and their measurement (docs/mannequin.md).
 #include <array>
 #include <cstddef>
 
@@ -10,7 +11,7 @@
 
 namespace selvedge::sim {
 
-// Where the tape goes: the planes of the mannequin's 15 girths and their measurement. (docs/mannequin.md)
+// Measurement of the girths.
 
 enum class Girth {
     Bust,
@@ -39,23 +40,22 @@ struct GirthValues {
     double operator[](Girth girth) const { return value[static_cast<std::size_t>(girth)]; }
 };
 
-// What the tape is laid by.
+// Joints and heights that define the girth planes.
 struct Landmarks {
     Joints joints;
     TrunkLevels levels;
 };
 
-// The plane's point is near the middle of the part that is measured: it picks the loop.
+// The plane of a girth. Its point is near the centre of the measured part and selects the loop of the section.
 Plane girth_plane(Girth girth, const Landmarks& landmarks);
 
-// Of the left limbs, m. Pre: every plane cuts the body.
+// Girths (of the left limbs), m. Pre: every plane cuts the body.
 GirthValues measure_girths(const Body& body, const Landmarks& landmarks);
 
-// Where the thigh is measured, as a part of the way from hip joint to knee.
+// Position of the thigh's girth as a fraction of the way from hip joint to knee.
 double thigh_position(const Landmarks& landmarks);
 
-// Positions along an arm or leg that the girths are measured at: 0 at its root joint, 1 at elbow or knee, 2 at wrist
-// or ankle.
+// Positions of the girths along an arm or leg: 0 at its root joint, 1 at elbow or knee, 2 at wrist or ankle.
 inline constexpr double kMidThighPosition = 0.62;
 inline constexpr double kCalfPosition = 1.28;
 inline constexpr double kAnklePosition = 1.86;
@@ -71,11 +71,11 @@ struct MannequinBase {
     Landmarks landmarks;
     double armpit = 0;   // height, m
     double height = 0;   // m
-    EvenTable axis;      // z of the middle of the trunk by height, in the midplane, m
+    EvenTable axis;      // z of the trunk's centre in the midplane as a function of height, m
     GirthValues girths;  // m
 };
 
-// Pre: subdivisions >= 1, for the trunk's axis needs a vertex every 2 cm.
+// Pre: subdivisions >= 1, because the trunk's axis needs a vertex every 2 cm.
 MannequinBase make_mannequin_base(Sex sex, int subdivisions);
 
 }  // namespace selvedge::sim

@@ -52,7 +52,7 @@ Ring add_ring(CageBuilder& builder, CagePart part, int row, int size) {
     return ring;
 }
 
-// A band of quads from one ring to the next one out.
+// Joins two rings by a band of quads.
 void join_rings(CageBuilder& builder, const Ring& from, const Ring& to) {
     SELVEDGE_ASSERT(from.size() == to.size());
     for (std::size_t i = 0; i < from.size(); ++i) {
@@ -119,7 +119,7 @@ std::vector<Ring> add_torso(CageBuilder& builder) {
     return rows;
 }
 
-// Half of a cap over the top torso row: 6 x 3 quads, whose side b = 0 lies in the midplane.
+// Half of the cap on the top torso row: 6 x 3 quads; side b = 0 is in the midplane.
 void add_crown(CageBuilder& builder, const Ring& top) {
     constexpr std::size_t kRows = 6;
     constexpr std::size_t kColumns = 3;
@@ -144,8 +144,8 @@ void add_crown(CageBuilder& builder, const Ring& top) {
     }
 }
 
-// The leg's first ring is the torso's bottom row, closed by the bridge from back to front. Seen from its far end a leg
-// ring runs the other way round than an arm ring, so its bands and its cap are turned over.
+// The leg's first ring is the torso's bottom row, closed by the bridge from back to front. Leg rings have the opposite
+// direction to arm rings, so the leg's bands and cap are flipped.
 void add_leg(CageBuilder& builder, const Ring& torso_bottom) {
     Ring ring = torso_bottom;
     std::array<int, Count::kBridge> bridge{};
@@ -159,7 +159,7 @@ void add_leg(CageBuilder& builder, const Ring& torso_bottom) {
     add_cap(builder, ring, CagePart::ToeCap, Winding::TurnedOver);
 }
 
-// The 12 points round the armhole: along its bottom, up the back, along the top, down the front.
+// The 12 points of the armhole: along its bottom, up the back, along the top, down the front.
 Ring armhole_ring(const std::vector<Ring>& torso) {
     constexpr int kBottom = Count::kArmholeRow;
     constexpr int kTop = Count::kShoulderTop;

@@ -1,7 +1,7 @@
 #pragma once
-// The control cage of the mannequin: which points there are and which quads they form, all from ring counts. Rings run
-// round torso, legs, arms and thumbs; where rings meet (crotch, armhole, thumb) the quads simply go on, so nothing has
-// to be cut or united. Only the left half is listed; the right half is its mirror image.
+// Topology of the mannequin's control cage: its vertices and quads, derived from ring counts. Rings run around torso,
+// legs, arms and thumbs and share vertices where parts meet (crotch, armhole, thumb), so no boolean operations are
+// needed. The left half is listed; the right half is its mirror image. Also the mannequin's joints.
 #include <array>
 #include <cstddef>
 #include <string_view>
@@ -16,26 +16,26 @@ namespace selvedge::sim {
 enum class CagePart { Torso, Crown, Bridge, Leg, ToeCap, Arm, HandCap, Thumb, ThumbCap };
 inline constexpr int kCagePartCount = 9;
 
-// Ring counts. A torso row is half a ring: columns 0..12 from the front midline over the left side to the back's.
+// Ring counts. A torso row is half a ring: columns 0..12 from the front midline over the left side to the back midline.
 struct CageCounts {
     static constexpr int kTorsoColumns = 13;
     static constexpr int kArmholeRow = 12;   // torso row at the armpit
-    static constexpr int kArmholeRows = 3;   // quads left out, upwards ...
+    static constexpr int kArmholeRows = 3;   // quads omitted for the armhole, upward ...
     static constexpr int kArmholeFirst = 5;  // ... and between these columns
     static constexpr int kArmholeLast = 8;
     static constexpr int kShoulderTop = kArmholeRow + kArmholeRows;
     static constexpr int kNeckBase = kShoulderTop + 4;
     static constexpr int kNeckTop = kNeckBase + 2;
     static constexpr int kTorsoRows = kNeckTop + 7 + 1;
-    static constexpr int kBridge = 3;     // points of the perineum, between the legs
-    static constexpr int kLegRing = 16;   // the torso's bottom row and the bridge
-    static constexpr int kAnkleRow = 17;  // leg row where the rings begin to fan out into the foot
+    static constexpr int kBridge = 3;     // points of the perineum between the legs
+    static constexpr int kLegRing = 16;   // points: the torso's bottom row and the bridge
+    static constexpr int kAnkleRow = 17;  // leg row at which the rings begin to fan out into the foot
     static constexpr int kLegRows = kAnkleRow + 4 + 5;
     static constexpr int kArmRing = 12;
-    static constexpr int kShoulderFan = 2;  // arm rows that turn from the armhole into the arm
+    static constexpr int kShoulderFan = 2;  // arm rows that turn from the armhole towards the arm
     static constexpr int kHandRow = kShoulderFan + 7 + 7;
     static constexpr int kArmRows = kHandRow + 6;
-    static constexpr int kThumbRow = kHandRow + 1;  // two rows of two quads are left out here, from this column - 1
+    static constexpr int kThumbRow = kHandRow + 1;  // 2 x 2 quads are omitted from here and kThumbColumn - 1
     static constexpr int kThumbColumn = 11;
     static constexpr int kThumbRing = 8;
     static constexpr int kThumbRows = 3;
@@ -49,18 +49,18 @@ struct CageVertex {
 };
 
 struct Cage {
-    std::vector<CageVertex> left;  // the left half with the midplane: vertices 0..left.size()-1
-    std::vector<int> mirror;       // per left vertex its twin; itself on the midplane
+    std::vector<CageVertex> left;  // left half and midplane: vertices 0..left.size()-1
+    std::vector<int> mirror;       // per left vertex: its mirror vertex; itself on the midplane
     std::vector<Quad> quads;       // of both halves, counter-clockwise seen from outside
     int vertex_count = 0;          // of both halves
 };
 
-// Within a part, vertices are numbered row by row: the order of the table of figures.
+// Within a part, vertices are numbered row by row, in the order of mannequin_table.json.
 Cage make_cage();
 
 // The mannequin's 21 joints, their names and their order in Body::bones.
 
-// The left side's and the right side's joints come in the same order: see mirrored().
+// The joints of both sides are in the same order: see mirrored().
 enum class Joint {
     Hips,
     Spine,
@@ -88,7 +88,7 @@ inline constexpr std::size_t kJointCount = 21;
 inline constexpr std::size_t kMiddleJoints = 5;  // hips to head
 inline constexpr std::size_t kSideJoints = 8;
 
-// Where the joints are, m, by the order of Joint.
+// Positions of the joints, m, in the order of Joint.
 struct Joints {
     std::array<Vec3d, kJointCount> x{};
 
@@ -96,9 +96,9 @@ struct Joints {
     const Vec3d& operator[](Joint joint) const { return x[static_cast<std::size_t>(joint)]; }
 };
 
-std::string_view joint_name(Joint joint);  // "left_upper_arm"
+std::string_view joint_name(Joint joint);  // for example "left_upper_arm"
 Joint mirrored(Joint joint);
-Vec3d mirrored(const Vec3d& x);  // through the midplane
+Vec3d mirrored(const Vec3d& x);  // reflects in the midplane x = 0
 
 // Sets the right side's joints to the mirror images of the left side's.
 void mirror_left_side(Joints& joints);

@@ -10,7 +10,7 @@
 namespace selvedge::sim {
 namespace {
 
-// Three-point formula, held back where it would overshoot. h: interval widths, d: their slopes, from the end inwards.
+// Three-point formula, limited to avoid overshoot. h: interval widths, d: interval slopes, both from the end inwards.
 double end_slope(double h0, double h1, double d0, double d1) {
     const double slope = ((2 * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
     if (slope * d0 <= 0) return 0;

@@ -1,6 +1,6 @@
 #pragma once
-// Monotone piecewise cubic interpolation: never overshoots its points. (Fritsch and Carlson 1980, Fritsch and Butland
-// 1984: weighted harmonic mean of slopes)
+// Scalar functions for the mannequin: monotone piecewise cubic interpolation without overshoot (Fritsch and Carlson
+// 1980; Fritsch and Butland 1984: weighted harmonic mean of slopes), tables with uniform steps, and smoothstep.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -13,7 +13,7 @@ class Pchip {
     // Pre: at least 3 points, x strictly increasing.
     Pchip(std::vector<double> x, std::vector<double> y);
 
-    // Beyond the ends the first or last cubic goes on.
+    // Outside the interval the first or last cubic is extrapolated.
     double operator()(double x) const;
 
  private:
@@ -22,11 +22,12 @@ class Pchip {
     std::vector<double> slope_;
 };
 
-// A function by its values at even steps, straight between them and held beyond the ends: looked up per vertex.
+// A function given by its values at uniform steps: linear in between, constant outside. Cheap enough to evaluate per
+// vertex.
 
 struct EvenTable {
     double low = 0;              // argument of the first value
-    double high = 0;             // and of the last
+    double high = 0;             // argument of the last value
     std::vector<double> values;  // at least two
 
     double step() const { return (high - low) / static_cast<double>(values.size() - 1); }
@@ -38,7 +39,7 @@ struct EvenTable {
     }
 };
 
-// A soft switch between 0 and 1.
+// Smooth step between 0 and 1.
 
 // 0 below `from`, 1 above `to`, the cubic 3 t^2 - 2 t^3 between.
 inline double smoothstep(double x, double from, double to) {

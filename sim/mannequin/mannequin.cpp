@@ -17,13 +17,13 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr double kEnough = 0.0015;   // relative error at which calibration stops
-constexpr double kPromised = 0.003;  // relative error beyond which a measure counts as not met
+constexpr double kEnough = 0.0015;   // relative error below which calibration stops
+constexpr double kPromised = 0.003;  // relative error above which a measure is reported as not met
 constexpr int kMaxRounds = 12;
-constexpr double kMostClearance = 1.1;  // of the arms from the chest (ShapeParameters)
+constexpr double kMostClearance = 1.1;  // maximum of ShapeParameters::clearance
 constexpr double kClearanceStep = 0.05;
 
-// The measures of a bent body, m.
+// The measures of a deformed body, m.
 struct Readings {
     double height = 0;
     double inseam = 0;
@@ -33,7 +33,7 @@ struct Readings {
     GirthValues girths;
 };
 
-// The lowest point of the midplane: nothing but the trunk reaches it.
+// The lowest vertex of the midplane, to which only the trunk contributes.
 double crotch_height(const MannequinBase& base, const std::vector<Vec3d>& x) {
     double lowest = std::numeric_limits<double>::max();
     for (std::size_t v = 0; v < x.size(); ++v) {
@@ -79,7 +79,7 @@ double relative_error(double value, double wanted) {
     return std::abs(value / wanted - 1);
 }
 
-// The chest keeps the shoulders wider than asked.
+// Whether the chest keeps the shoulders wider than requested.
 bool is_shoulder_held(const ShapeParameters& shape, const Readings& readings, const MannequinOptions& options) {
     const std::optional<double>& asked = options.measures.shoulder;
     return asked && readings.shoulder > *asked && shape.shoulder < least_shoulder(shape, options.sex);
@@ -96,7 +96,7 @@ double worst_error(const Readings& readings, const GirthValues& targets, const M
     return worst;
 }
 
-// Scales each parameter by how far off its measure is; the first steps are held back where they are large.
+// Scales each parameter by the ratio of wanted to measured value, limited to 0.7..1.4 per iteration.
 void correct(ShapeParameters& shape, const Readings& readings, const GirthValues& targets,
              const MannequinMeasures& asked, bool is_shoulder_free) {
     const auto step = [](double wanted, double value) { return std::clamp(wanted / value, 0.7, 1.4); };
@@ -116,7 +116,7 @@ std::vector<SkinWeights> skin_of(const VertexRows& weights) {
             shares[j] = {-weights(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(j)),
                          static_cast<std::uint16_t>(j)};
         }
-        std::partial_sort(shares.begin(), shares.begin() + kMost, shares.end());  // largest first, then lowest joint
+        std::partial_sort(shares.begin(), shares.begin() + kMost, shares.end());  // by weight, then lowest joint
         double sum = 0;
         for (std::size_t k = 0; k < kMost; ++k) sum -= shares[k].first;
         for (std::size_t k = 0; k < kMost; ++k) {
@@ -160,7 +160,7 @@ std::vector<std::string> unmet(const std::vector<MeasureReading>& readings, bool
     return messages;
 }
 
-// The stance in the report, and what there is to say about it.
+// Fills in the stance and its messages.
 void report_stance(MeasureReport& report, const LegGap& gap, double stance, const MannequinOptions& options) {
     report.stance = {
         .asked = options.stance, .made = stance, .is_opened = stance > wanted_stance(options), .gap = gap.width};
@@ -178,7 +178,7 @@ void report_stance(MeasureReport& report, const LegGap& gap, double stance, cons
     }
 }
 
-// Bends, measures and corrects until every girth is right.
+// Deforms, measures and corrects until all requested measures match, at most kMaxRounds times.
 void calibrate(Mannequin& mannequin, ShapeParameters& shape, const MannequinBase& base, const MannequinOptions& options,
                const GirthValues& targets) {
     for (int round = 1;; ++round) {
@@ -227,7 +227,7 @@ Mannequin make_mannequin(const MannequinOptions& options) {
             mannequin.report.messages.push_back(describe_cuts(mannequin.body, cuts));
             return mannequin;
         }
-        shape.clearance += kClearanceStep;  // wide chests and arms meet in the armpit first
+        shape.clearance += kClearanceStep;  // usually a wide chest and the arms intersect at the armpit
     }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// A shop mannequin from tape measurements: a subdivision cage from ring counts and a table of figures, bent until the
-// tape reads what was asked.  (definitions of the measures, method, limits: docs/mannequin.md)
+// A mannequin from tape measurements: a subdivision cage with points from a table, deformed until its measured girths
+// equal the requested ones. Measures, method and limits: docs/mannequin.md
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,11 +12,11 @@ namespace selvedge::sim {
 
 enum class Sex { Female, Male };
 
-// All in metres. What is unset follows the others by the base body's proportions; height is then the base body's.
+// In metres. Unset measures follow from the others by the base body's proportions; an unset height is the base body's.
 struct MannequinMeasures {
     std::optional<double> height = {};
     std::optional<double> inseam = {};    // floor to crotch
-    std::optional<double> shoulder = {};  // width from joint to joint
+    std::optional<double> shoulder = {};  // joint to joint
     std::optional<double> arm = {};       // shoulder joint to wrist
     std::optional<double> bust = {};      // male: chest
     std::optional<double> underbust = {};
@@ -40,34 +40,34 @@ struct MannequinOptions {
     MannequinMeasures measures = {};
     int subdivisions = 2;  // 1..4: 17 184, 68 736, 274 944 or 1 099 776 triangles
 
-    // Each leg's angle outward from the vertical, hip joint to ankle, 0 to 10 degrees, rad; unset: 0.9 degrees. Thick
-    // thighs open it until they are 8 mm apart.
+    // Angle of each leg outward from the vertical, hip joint to ankle, rad: 0 to 10 degrees; unset: 0.9 degrees.
+    // Thick thighs open the legs further, until they are 8 mm apart.
     std::optional<double> stance = {};
 };
 
-// One measure as asked for and as read off the finished surface, m.
+// One measure: the requested value and the value measured on the finished surface, m.
 struct MeasureReading {
     std::string_view name;
     std::optional<double> asked;
     double measured = 0;
-    std::optional<double> level;  // of a girth: height of the middle of the tape
+    std::optional<double> level;  // of a girth: height of its plane's point
 };
 
-// How the legs stand.
+// The stance of the legs: the requested angle and the result.
 struct StanceReading {
     std::optional<double> asked;  // rad
-    double made = 0;              // rad
-    bool is_opened = false;       // beyond what was asked or is usual, because the thighs would touch
-    double gap = 0;               // least distance between the legs from 4 cm below the crotch downward, m
+    double made = 0;              // angle of the result, rad
+    bool is_opened = false;       // more than requested or default, because the thighs would touch
+    double gap = 0;               // smallest distance between the legs from 4 cm below the crotch downward, m
 };
 
 struct MeasureReport {
-    std::vector<MeasureReading> readings;  // every measure: lengths, then girths of trunk, neck, arm and leg
+    std::vector<MeasureReading> readings;  // all measures: lengths, then girths of trunk, neck, arm and leg
     StanceReading stance;
-    std::vector<std::string> messages;  // what could not be met and why: empty when all asked measures are
-                                        // within 0.3 %, the legs stand as asked and apart, and
-                                        // the surface does not cut itself
-    int rounds = 0;                     // of measuring and correcting
+    std::vector<std::string> messages;  // requests that could not be met, with the reason; empty when all requested
+                                        // measures are within 0.3 %, the legs stand as requested and apart,
+                                        // and the surface has no self-intersections
+    int rounds = 0;                     // iterations of measuring and correcting
 };
 
 struct Mannequin {
@@ -75,18 +75,17 @@ struct Mannequin {
     MeasureReport report;
 };
 
-// Throws InputError when a measure is no number or outside the range that make_mannequin accepts for it.
-// Equal options give equal bits.
+// Throws InputError when a measure is not a number or outside its accepted range. Equal options give identical bits.
 Mannequin make_mannequin(const MannequinOptions& options = {});
 
-// Reads "mannequin:sex=female,bust=92,waist=74" (cm, all parts optional, also "hips" for hip, "resolution" for
-// subdivisions and "stance" in degrees). Throws InputError for what it does not know.
+// Parses "mannequin:sex=female,bust=92,waist=74" (cm; all parts are optional; also "hips" for hip, "resolution" for
+// subdivisions and "stance" in degrees). Throws InputError for an unknown name or invalid value.
 MannequinOptions parse_mannequin(std::string_view text);
 
 // "height", "inseam", ... in the order of the report.
 std::vector<std::string_view> measure_names();
 
-// The measure called `name` (also "hips"), or nullptr.
+// The measure called `name` (also "hips"); nullptr when unknown.
 std::optional<double>* find_measure(MannequinMeasures& measures, std::string_view name);
 
 }  // namespace selvedge::sim

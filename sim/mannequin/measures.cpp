@@ -29,8 +29,9 @@ constexpr std::array<MeasureEntry, kLengthCount + kGirthCount> kEntries{{
     {"ankle", &Measures::ankle, 0.16, 0.36},
 }};
 
-// How a girth that is not given follows those that are: powers of their ratios to the base body's, after scaling by
-// stature; and a correction of the base bodies, which are slim at neck, wrist and ankle. Guessed, not surveyed.
+// Derives a girth that is not given from the given ones: powers of their ratios to the base body's girths scaled by
+// stature, and a correction factor because the base bodies are slim at neck, wrist and ankle. The values are estimates,
+// not from a survey.
 struct Proportion {
     Girth girth;
     double bust = 0;
@@ -67,7 +68,7 @@ struct TrunkRatios {
     double hip = 1;
 };
 
-// A waist wider than bust and hip ask for does not end at its own level: it spreads to the girths above and below.
+// A waist wider than bust and hip imply also widens the girths above and below it.
 double spread_of_waist(const TrunkRatios& ratios, Girth girth, Sex sex) {
     const double excess = std::max(0.0, std::log(ratios.waist / std::sqrt(ratios.bust * ratios.hip)));
     if (girth == Girth::HighHip) return std::exp(0.25 * excess);
@@ -107,7 +108,7 @@ void check_options(const MannequinOptions& options) {
         if (*value >= entry.least && *value <= entry.most) continue;  // false for NaN
         refuse(entry, *value, entry.least, entry.most, "");
     }
-    if (options.stance && !(*options.stance >= 0 && *options.stance <= kMostStance)) {  // also for NaN
+    if (options.stance && !(*options.stance >= 0 && *options.stance <= kMostStance)) {  // true for NaN
         char text[64];
         std::snprintf(text, sizeof text, "%.4g degrees is not between 0 and %.4g degrees", degrees(*options.stance),
                       degrees(kMostStance));
@@ -150,14 +151,14 @@ void set_stance(Joints& joints, double stance) {
     Vec3d& knee = joints[Joint::LeftLowerLeg];
     Vec3d& ankle = joints[Joint::LeftFoot];
     const double drop = hip.y() - ankle.y();
-    const double inward = (ankle.x() - hip.x()) - drop * std::tan(stance);  // of the ankle
+    const double inward = (ankle.x() - hip.x()) - drop * std::tan(stance);  // displacement of the ankle
     knee.x() -= inward * (hip.y() - knee.y()) / drop;
     ankle.x() -= inward;
     joints[Joint::LeftToe].x() -= inward;
 }
 
 LegGap measure_leg_gap(const Body& body, double crotch, const Joints& joints) {
-    constexpr double kBelowCrotch = 0.04;  // m; above it the thighs grow together
+    constexpr double kBelowCrotch = 0.04;  // m; above it the thighs merge
     const double top = crotch - kBelowCrotch;
     double nearest = std::numeric_limits<double>::max();
     double height = 0;
@@ -180,7 +181,7 @@ std::optional<double> better_stance(double stance, double wanted, const LegGap& 
     const bool is_narrow = gap.width < kLeastLegGap && stance < kMostStance;
     const bool is_needlessly_open = gap.width > kAmple && stance > wanted;
     if (!is_narrow && !is_needlessly_open) return std::nullopt;
-    const double step = (kAim - gap.width) / (2 * gap.drop);  // both legs turn
+    const double step = (kAim - gap.width) / (2 * gap.drop);  // both legs rotate
     return std::clamp(stance + std::clamp(step, -kLongestStep, kLongestStep), wanted, kMostStance);
 }
 

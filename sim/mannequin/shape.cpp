@@ -10,7 +10,7 @@
 namespace selvedge::sim {
 namespace {
 
-// Arms keep their direction, legs follow the hips a part of the way; heights are the torso's.
+// Arms keep their direction; legs follow the hips' widening in part; heights follow the torso's height map.
 Joints bend_joints(const MannequinBase& base, const ShapeParameters& shape, const TorsoShape& torso) {
     const Joints& from = base.landmarks.joints;
     Joints to;
@@ -38,7 +38,7 @@ Joints bend_joints(const MannequinBase& base, const ShapeParameters& shape, cons
     return to;
 }
 
-// One bone of an arm or leg: stretched along its axis, scaled across it by a profile over the limb's length.
+// One bone of an arm or leg: scaled along its axis, and across it by a profile over the limb's length.
 struct LimbBone {
     Joint joint;
     Vec3d from = Vec3d::Zero();
@@ -48,7 +48,7 @@ struct LimbBone {
     Vec3d new_axis = Vec3d::UnitY();
     double new_length = 0;
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-    double offset = 0;  // of its root in the profile: 0 or 1
+    double offset = 0;  // position of its root joint in the profile: 0 or 1
 
     Vec3d bend(const Vec3d& x, const Pchip& profile, double least, double most) const {
         const double t = (x - from).dot(axis) / length;
@@ -67,7 +67,7 @@ LimbBone make_limb_bone(Joint root, Joint tip, double offset, const Joints& from
     return bone;
 }
 
-// A left limb of two bones; positions along it as in mannequin_girths.h.
+// A left limb of two bones; positions along it as defined in base.h.
 struct LimbShape {
     std::array<LimbBone, 2> bones;
     Pchip profile;
@@ -146,7 +146,7 @@ class BodyShape {
         return joints_[Joint::Head] + head_scale(shape_) * (x - base_.landmarks.joints[Joint::Head]);
     }
 
-    // Soles stay on the floor.
+    // Keeps the soles on the floor.
     Vec3d bend_foot(const Vec3d& x) const {
         const Vec3d& from = base_.landmarks.joints[Joint::LeftFoot];
         const Vec3d& to = joints_[Joint::LeftFoot];
@@ -159,7 +159,7 @@ class BodyShape {
         return joints_[Joint::LeftHand] + shape_.stature * (x - base_.landmarks.joints[Joint::LeftHand]);
     }
 
-    // The weighted sum over the left limbs' joints; the right ones are their mirror image.
+    // Weighted sum over the joints of the left limbs; the right limbs use it mirrored.
     template <class Weight>
     Vec3d bend_left_limbs(const Vec3d& x, const Weight& weight) const {
         Vec3d sum = Vec3d::Zero();
@@ -175,7 +175,7 @@ class BodyShape {
         return sum;
     }
 
-    // Heavy thighs stop short of the midplane, in the order they had, instead of going through each other.
+    // Thick thighs are compressed towards the midplane, in monotone order, so that they do not pass through each other.
     static Vec3d keep_side(const Vec3d& x, Vec3d bent) {
         constexpr double kOnMidplane = 1e-6;
         constexpr double kGap = 0.003;  // m
@@ -217,9 +217,9 @@ BentBody bend_body(const MannequinBase& base, const ShapeParameters& shape) {
 
 namespace {
 
-constexpr double kFigureHeight = 1.6;  // m, of the body that the lengths below were chosen on
+constexpr double kFigureHeight = 1.6;  // m, height of the body on which the lengths below were chosen
 
-// How much of the upper chest's scale is that of the shoulder's width; the rest is the rib cage's.
+// Share of the shoulder width in the upper chest's scale; the rest is the rib cage's.
 constexpr double kShoulderPart = 0.3;
 
 // Crotch, hip, high hip, waist, underbust, bust, upper chest, shoulder, neck base, neck, head.
@@ -243,7 +243,7 @@ std::vector<double> torso_levels(const MannequinBase& base) {
             head};
 }
 
-// Legs, trunk and head each keep their own proportions; the head's length follows head_scale().
+// Legs, trunk and head keep their own proportions; the head's length follows head_scale().
 Pchip height_map(const MannequinBase& base, const ShapeParameters& shape) {
     const double crotch = base.landmarks.levels.crotch;
     const double neck = base.landmarks.joints[Joint::Neck].y();
@@ -258,7 +258,7 @@ Pchip height_map(const MannequinBase& base, const ShapeParameters& shape) {
                   shape.height, shape.height + 0.3 * head_scale(shape)});
 }
 
-// The scale of the chest without the breasts: mostly that of the rib cage below them.
+// The scale of the chest without the breasts: for women mostly that of the underbust.
 double chest_scale(const ShapeParameters& shape, Sex sex) {
     const double bust = shape.scale[Girth::Bust];
     if (sex == Sex::Male) return bust;
@@ -293,7 +293,7 @@ std::vector<double> level_scales(const ShapeParameters& shape, Sex sex) {
             head_scale(shape)};
 }
 
-// A profile through the levels' scales, blurred so that no level shows as a crease.
+// A profile through the levels' scales, smoothed by a Gaussian so that no level shows as a crease.
 EvenTable blurred_profile(const std::vector<double>& levels, const std::vector<double>& scales, double blur) {
     constexpr int kPoints = 240;
     constexpr int kReach = 40;
@@ -320,7 +320,7 @@ EvenTable blurred_profile(const std::vector<double>& levels, const std::vector<d
     return soft;
 }
 
-// Belly and breasts grow to the front, the seat a little to the back.
+// Belly and breasts grow to the front, the seat slightly to the back.
 std::vector<double> front_biases(Sex sex) {
     return {0, -0.05, 0.20, 0.30, 0.10, sex == Sex::Female ? 0.15 : 0.20, 0.15, 0, 0, 0, 0};
 }
@@ -348,7 +348,7 @@ double shoulder_slope_scale(const ShapeParameters& shape) {
     return shape.stature * std::pow(shape.bust_ratio, 0.45);
 }
 
-// Solves width = clearance * upper chest, where the upper chest is part trunk, part 0.3 width.
+// Solves width = clearance * upper chest, where upper chest = trunk part + 0.3 width.
 double least_shoulder(const ShapeParameters& shape, Sex sex) {
     return shape.clearance * trunk_part_of_upper_chest(shape, sex) / (1 - shape.clearance * kShoulderPart);
 }
@@ -363,7 +363,8 @@ TorsoShape::TorsoShape(const MannequinBase& base, const ShapeParameters& shape)
       widening_(levels_, widenings(shape, base.sex)),
       lobes_(lobe_height(shape, base.sex)) {}
 
-// Breasts: at 37 degrees to either side of the front, rounder below the bust level than above it.
+// Breast profile, centred 37 degrees (0.64 rad) to either side of the front, with a smaller extent below the bust level
+// than above.
 double TorsoShape::lobe(double dy, double cosine) const {
     const double reach = (dy > 0 ? 0.062 : 0.038) * base_.height / kFigureHeight;
     const double angle = std::acos(std::clamp(cosine, -1.0, 1.0));

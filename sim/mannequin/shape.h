@@ -1,6 +1,6 @@
 #pragma once
-// Bends the base body to one set of shape parameters: each vertex goes to the weighted mean of where torso, head,
-// limbs, hands and feet would take it.
+// Deforms the base body by a set of shape parameters: each vertex moves to the weighted mean of the positions given by
+// the deformations of torso, head, limbs, hands and feet.
 #include <vector>
 
 #include "sim/mannequin/base.h"
@@ -8,39 +8,39 @@
 
 namespace selvedge::sim {
 
-// How the trunk is bent to its girths: heights are remapped, and every horizontal slice is scaled about the trunk's
-// axis by a profile over eleven levels.
+// Deformation of the trunk: heights are remapped, and every horizontal slice is scaled about the trunk's axis by a
+// profile over eleven levels.
 
-// What calibration turns until the tape reads as asked.
+// The parameters that calibration adjusts until the measured girths match the requested ones.
 struct ShapeParameters {
     double height = 0;       // m
-    double stature = 1;      // height over the base body's
-    double inseam = 0;       // height that the base body's crotch level goes to, m
-    double arm = 1;          // arm length over the base body's
-    double shoulder = 1;     // shoulder width over the base body's, as far as the chest allows
-    double clearance = 0.9;  // least shoulder width, in parts of the upper chest's scale
+    double stature = 1;      // height / height of the base body
+    double inseam = 0;       // new height of the base body's crotch level, m
+    double arm = 1;          // arm length / that of the base body
+    double shoulder = 1;     // shoulder width / that of the base body, subject to least_shoulder()
+    double clearance = 0.9;  // minimum shoulder width relative to the scale of the upper chest
     double stance = 0;       // of each leg, outward from the vertical, rad
-    double bust_ratio = 1;   // bust over that of a base body of this height
+    double bust_ratio = 1;   // bust / bust of the base body scaled to this height
     GirthValues scale;       // radial scales at the levels of the girths
 };
 
-// The head's size changes with the root of the height ratio: tall people do not have much larger heads.
+// Scale of the head: the square root of the height ratio, because tall people do not have much larger heads.
 double head_scale(const ShapeParameters& shape);
 
-// Upper arms and the shoulder's slope, which widen less than the chest.
+// Scale of upper arms and shoulder slope, which widen less than the chest.
 double shoulder_slope_scale(const ShapeParameters& shape);
 
-// The least scale of the shoulder's width at which the arms clear the chest.
+// The smallest scale of the shoulder width at which the arms clear the chest.
 double least_shoulder(const ShapeParameters& shape, Sex sex);
 
 class TorsoShape {
  public:
-    // The base must outlive it.
+    // The base must outlive this object.
     TorsoShape(const MannequinBase& base, const ShapeParameters& shape);
 
     Vec3d bend(const Vec3d& x) const;
 
-    // Where a height of the base body goes.
+    // Maps a height of the base body to the deformed body, m.
     double height_of(double y) const { return heights_(y); }
 
  private:
@@ -50,10 +50,10 @@ class TorsoShape {
     double stature_;
     std::vector<double> levels_;
     Pchip heights_;
-    EvenTable radial_;  // scale of a slice
-    Pchip front_bias_;  // how much more of it goes to the front
+    EvenTable radial_;  // scale of a slice by height
+    Pchip front_bias_;  // additional share of the scaling that goes to the front
     Pchip widening_;    // of the shoulder girdle, in x only
-    double lobes_ = 0;  // how far the breasts stand out over the rib cage
+    double lobes_ = 0;  // strength of the breasts relative to the rib cage
 };
 
 struct BentBody {
@@ -63,7 +63,7 @@ struct BentBody {
 
 BentBody bend_body(const MannequinBase& base, const ShapeParameters& shape);
 
-// Upper and lower arm along their bones, m.
+// Length of upper and lower arm along their bones, m.
 double arm_length(const Joints& joints);
 
 }  // namespace selvedge::sim

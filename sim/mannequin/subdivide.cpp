@@ -12,11 +12,11 @@ namespace {
 constexpr int kNoEdge = -1;
 
 struct EdgeTable {
-    std::vector<std::array<int, 2>> ends;  // the lower vertex first
+    std::vector<std::array<int, 2>> ends;  // lower vertex first
     std::vector<Quad> of_quad;             // edge k joins the quad's vertices k and k + 1
 };
 
-// Numbers the edges as the quads name them. The edges that share a lower vertex are a linked list: they are few.
+// Numbers the edges in the order of the quads. Edges with the same lower vertex form a linked list, which is short.
 EdgeTable number_edges(const std::vector<Quad>& quads, int vertex_count) {
     EdgeTable table;
     std::vector<int> first(static_cast<std::size_t>(vertex_count), kNoEdge);
@@ -67,7 +67,7 @@ VertexRows edge_midpoints(const QuadMesh& mesh, const EdgeTable& edges) {
     return midpoints;
 }
 
-// The mean of the midpoint and of the mean of the two quads' centres.
+// The mean of the edge's midpoint and of the mean of its two quads' centres.
 VertexRows edge_vertices(const VertexRows& midpoints, const VertexRows& centres, const EdgeTable& edges) {
     VertexRows rows = 0.5 * midpoints;
     for (std::size_t q = 0; q < edges.of_quad.size(); ++q) {
@@ -76,7 +76,7 @@ VertexRows edge_vertices(const VertexRows& midpoints, const VertexRows& centres,
     return rows;
 }
 
-// (mean of centres + 2 mean of midpoints + (n - 3) v) / n, for a vertex of n edges.
+// (mean of centres + 2 mean of midpoints + (n - 3) v) / n, for a vertex with n edges.
 VertexRows moved_vertices(const QuadMesh& mesh, const VertexRows& midpoints, const VertexRows& centres,
                           const EdgeTable& edges) {
     VertexRows around = VertexRows::Zero(mesh.values.rows(), mesh.values.cols());
@@ -114,7 +114,7 @@ double diagonal(const QuadMesh& mesh, int a, int b) {
 
 QuadMesh subdivide(const QuadMesh& mesh) {
     const EdgeTable edges = number_edges(mesh.quads, static_cast<int>(mesh.values.rows()));
-    SELVEDGE_ASSERT(edges.ends.size() == 2 * mesh.quads.size());  // closed: 4 edges per quad, each shared by two
+    SELVEDGE_ASSERT(edges.ends.size() == 2 * mesh.quads.size());  // closed: 4 edges per quad, each shared by two quads
     const VertexRows centres = quad_centres(mesh);
     const VertexRows midpoints = edge_midpoints(mesh, edges);
     const Eigen::Index first_quad = mesh.values.rows() + midpoints.rows();
@@ -126,7 +126,7 @@ QuadMesh subdivide(const QuadMesh& mesh) {
     return fine;
 }
 
-// (n^2 v + 4 sum of neighbours + sum of the quads' opposite corners) / (n (n + 5))
+// (n^2 v + 4 sum of neighbours + sum of the quads' opposite corners) / (n (n + 5)), for a vertex with n edges.
 void move_to_limit(QuadMesh& mesh) {
     const EdgeTable edges = number_edges(mesh.quads, static_cast<int>(mesh.values.rows()));
     VertexRows around = VertexRows::Zero(mesh.values.rows(), mesh.values.cols());

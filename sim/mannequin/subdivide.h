@@ -1,6 +1,6 @@
 #pragma once
-// Catmull-Clark subdivision of closed quad meshes, of any values per vertex at once: positions and skin weights stay
-// together. (Catmull and Clark 1978; limit positions: Halstead, Kass, DeRose 1993)
+// Catmull-Clark subdivision of closed quad meshes with any number of values per vertex, so that positions and skin
+// weights are subdivided together. (Catmull and Clark 1978; limit positions: Halstead, Kass, DeRose 1993)
 #include <array>
 #include <vector>
 
@@ -18,17 +18,17 @@ struct QuadMesh {
     std::vector<Quad> quads;  // counter-clockwise seen from outside
 };
 
-// Pre: closed, every edge between two quads. Post: four quads for each; old vertices keep their numbers, then follow
-// the edges' and the quads' vertices.
+// Pre: closed, every edge belongs to two quads. Post: four quads per quad; old vertices keep their indices, followed by
+// the edges' vertices and the quads' vertices.
 QuadMesh subdivide(const QuadMesh& mesh);
 
-// Moves every vertex to where endless subdivision would take it.
+// Moves every vertex to its limit position under infinite subdivision.
 void move_to_limit(QuadMesh& mesh);
 
-// Two triangles for each quad, divided along the shorter diagonal.
+// Two triangles per quad, split along the shorter diagonal.
 std::vector<std::array<int, 3>> split_quads(const QuadMesh& mesh);
 
-// Vertices joined by an edge, each pair once, in the order of their first quad.
+// Edges as vertex pairs, each once, in the order in which the quads first use them.
 std::vector<std::array<int, 2>> quad_edges(const std::vector<Quad>& quads, int vertex_count);
 
 }  // namespace selvedge::sim

@@ -15,7 +15,7 @@ std::span<const EmbeddedFile> mannequin_files();
 
 namespace {
 
-constexpr double kUnit = 1e-4;  // the table counts tenths of millimetres
+constexpr double kUnit = 1e-4;  // m per unit of the table, which is 0.1 mm
 
 constexpr std::array<const char*, kCagePartCount> kPartNames{"torso", "crown",   "bridge", "leg",     "toecap",
                                                              "arm",   "handcap", "thumb",  "thumbcap"};
@@ -46,7 +46,7 @@ std::vector<Vec3d> read_points(const JsonView& parts, const Cage& cage) {
     return in_order;
 }
 
-// The table lists the middle and the left side; a left joint is named there without its side.
+// The table lists the midplane's and the left side's joints; a left joint's key omits "left_".
 Joints read_joints(const JsonView& view) {
     constexpr std::string_view kSide = "left_";
     Joints joints;
@@ -93,18 +93,18 @@ double& of(JointWeights& weights, Joint joint) {
     return weights[static_cast<Eigen::Index>(joint)];
 }
 
-// The lengths below were chosen on a body whose head joint is this high.
+// Scale relative to the body on which the lengths below were chosen, whose head joint was 1.47 m high.
 double body_scale(const Joints& joints) {
     return joints[Joint::Head].y() / 1.47;
 }
 
-// Takes `share` of all weights and gives it to one joint.
+// Moves the given share of all weights to one joint.
 void yield_share(JointWeights& weights, Joint to, double share) {
     weights *= 1 - share;
     of(weights, to) += share;
 }
 
-// Neck and head begin lower in front (jaw, throat) than behind, and never below the shoulder or the neck ring.
+// Neck and head begin lower in front (jaw, throat) than at the back, and never below the shoulder or the neck ring.
 JointWeights spine_weights(const CageVertex& vertex, const Vec3d& x, const Joints& joints) {
     const double h = body_scale(joints);
     const double spine = joints[Joint::Spine].y();
@@ -146,7 +146,7 @@ bool is_on_armhole(const CageVertex& vertex) {
     return rows && columns && (is_side || is_end);
 }
 
-// The shoulder joint carries the outer upper chest; the arm a part of the armhole's edge.
+// The shoulder joint gets the outer upper chest, and the upper arm a part of the armhole's edge.
 void add_shoulder(JointWeights& weights, const CageVertex& vertex, const Vec3d& x, double h) {
     if (vertex.row < Count::kArmholeRow - 3 || vertex.row > Count::kNeckBase) return;
     const double share = 0.85 * smoothstep(x.x(), 0.02 * h, 0.13 * h) *
@@ -158,7 +158,7 @@ void add_shoulder(JointWeights& weights, const CageVertex& vertex, const Vec3d& 
     if (is_on_armhole(vertex)) yield_share(weights, Joint::LeftUpperArm, 0.38);
 }
 
-// The upper leg reaches into the lowest torso rows, less so near the midplane.
+// The upper leg influences the lowest torso rows, less near the midplane.
 void add_thigh(JointWeights& weights, const CageVertex& vertex, const Vec3d& x, double h) {
     constexpr std::array kRamp{0.55, 0.42, 0.26, 0.12, 0.04};
     const auto row = static_cast<std::size_t>(vertex.row);
@@ -181,7 +181,7 @@ JointWeights trunk_weights(const CageVertex& vertex, const Vec3d& x, const Joint
     return weights;
 }
 
-// Halfway between the directions of the two bones that meet in a joint.
+// Mean direction of the two bones that meet at a joint.
 Vec3d bisector(const Vec3d& before, const Vec3d& joint, const Vec3d& after) {
     return ((joint - before).normalized() + (after - joint).normalized()).normalized();
 }
@@ -200,7 +200,7 @@ JointWeights leg_weights(const CageVertex& vertex, const Vec3d& x, const Joints&
     const bool is_near_foot = is_cap || vertex.row >= Count::kAnkleRow - 4;
     const bool is_foot = is_cap || vertex.row > Count::kAnkleRow;
     const double below_knee = smoothstep((x - knee).dot(shin), -0.05 * h, 0.05 * h);
-    const Vec3d instep(0, -0.8, 0.6);  // down and forward: the foot begins on a slant
+    const Vec3d instep(0, -0.8, 0.6);  // down and forward: the boundary of the foot is oblique
     const double below_ankle = is_near_foot ? smoothstep((x - ankle).dot(instep), -0.035 * h, 0.035 * h) : 0.0;
     const double in_toes = is_foot ? smoothstep(x.z() - joints[Joint::LeftToe].z(), -0.02 * h, 0.02 * h) : 0.0;
     const double in_hips =
@@ -257,7 +257,7 @@ JointWeights mirrored_weights(const JointWeights& weights) {
     return twin;
 }
 
-// Half of each row comes from the mean of its neighbours.
+// Each row becomes the mean of itself and the mean of its neighbours.
 void smooth(VertexRows& weights, const std::vector<std::array<int, 2>>& edges) {
     VertexRows around = VertexRows::Zero(weights.rows(), weights.cols());
     Eigen::VectorXd valence = Eigen::VectorXd::Zero(weights.rows());

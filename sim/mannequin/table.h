@@ -1,6 +1,6 @@
 #pragma once
-// The figures that the mannequin is made from (mannequin_table.json): control points of cross-sections, joints and
-// levels, measured on the two CC0 bodies of MakeHuman.
+// The data of the mannequin (mannequin_table.json): control points of cross-sections, joints and levels, measured on
+// the two CC0 bodies of MakeHuman. Also the skin weights of the cage.
 #include <vector>
 
 #include "sim/mannequin/cage.h"
@@ -9,7 +9,7 @@
 
 namespace selvedge::sim {
 
-// Heights at which the tape goes round the trunk, m.
+// Heights of the trunk's girths and of the crotch, m.
 struct TrunkLevels {
     double bust = 0;
     double underbust = 0;
@@ -20,7 +20,7 @@ struct TrunkLevels {
 };
 
 struct MannequinTable {
-    std::vector<Vec3d> left_points;  // of the cage's left half, in its order, m
+    std::vector<Vec3d> left_points;  // of the cage's left half, in the cage's order, m
     Joints joints;                   // m
     TrunkLevels levels;
     double armpit = 0;  // height, m
@@ -28,8 +28,8 @@ struct MannequinTable {
 
 MannequinTable read_mannequin_table(Sex sex, const Cage& cage);
 
-// Skin weights on the mannequin's cage: smooth steps across the joints along each part, fixed ramps where limbs grow
-// out of the trunk, then a little smoothing over the quads. Subdivision carries them to the surface.
+// Skin weights of the mannequin's cage: smooth steps across the joints along each part, fixed ramps where limbs meet
+// the trunk, then two smoothing iterations over the quads. Subdivision interpolates them on the surface.
 
 // One row per cage vertex (both halves), one column per joint; each row sums to 1.
 VertexRows cage_weights(const Cage& cage, const MannequinTable& table);

@@ -14,7 +14,7 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr double kFlat = 1e-9;  // twice the area over the longest edge squared: less is no triangle
+constexpr double kFlat = 1e-9;  // smallest valid ratio of twice the area to the squared longest edge
 
 using EdgeEnds = std::pair<int, int>;  // lower vertex first
 
@@ -118,7 +118,8 @@ void check_edges(const GarmentMesh& mesh, Faults& faults) {
     }
 }
 
-// Joins the corners of neighbouring triangles round their common vertices: what is left apart are separate fans.
+// Joins the corners of neighbouring triangles at their common vertices; corners of a vertex that stay separate belong
+// to separate fans.
 void check_fans(const GarmentMesh& mesh, Faults& faults) {
     DisjointSets corners(3 * mesh.triangles.size());
     const auto corner_at = [&](int triangle, int vertex) {
@@ -154,7 +155,7 @@ void check_fans(const GarmentMesh& mesh, Faults& faults) {
 std::vector<std::string> check_mesh(const GarmentMesh& mesh) {
     Faults faults;
     check_indices(mesh, faults);
-    if (!faults.empty()) return faults;  // the rest relies on indices
+    if (!faults.empty()) return faults;  // the other checks need valid indices
     check_shapes(mesh, faults);
     check_duplicates(mesh, faults);
     check_edges(mesh, faults);
@@ -170,7 +171,7 @@ EdgeEnds edge_of(const GarmentTriangle& triangle, std::size_t k) {
     return std::minmax({triangle.vertices[k], triangle.vertices[(k + 1) % 3]});
 }
 
-// Both meshes have the same triangles: an edge that two triangles share after sewing but not before lies on a seam.
+// Both meshes have the same triangles. An edge is on a seam if two triangles share it after sewing but not before.
 int count_seam_edges(const GarmentMesh& unsewn, const GarmentMesh& sewn) {
     SELVEDGE_ASSERT(unsewn.triangles.size() == sewn.triangles.size());
     std::map<EdgeEnds, EdgeEnds> unsewn_edge;
@@ -228,13 +229,13 @@ MeshReport report_mesh(const Pattern& pattern, const GarmentMesh& unsewn, const 
 
 namespace {
 
-// Twice the area in the material, m^2.
+// Twice the area in material space, m^2.
 float material_area(const std::array<Vec2f, 3>& u) {
     const Vec2f a = u[1] - u[0], b = u[2] - u[0];
     return std::abs(a.x() * b.y() - a.y() * b.x());
 }
 
-// How much longer the unit direction of the material became.
+// Strain along a unit direction of material space: its length after deformation - 1. 0 for a triangle of zero area.
 float stretch_along(const Vec2f& direction, const std::array<Vec2f, 3>& u, const std::array<Vec3f, 3>& x) {
     const Vec2f a = u[1] - u[0], b = u[2] - u[0];
     const float area = a.x() * b.y() - a.y() * b.x();
@@ -244,9 +245,9 @@ float stretch_along(const Vec2f& direction, const std::array<Vec2f, 3>& u, const
     return (along_a * (x[1] - x[0]) + along_b * (x[2] - x[0])).norm() - 1;
 }
 
-// A corner's share in a vertex of one panel.
+// A triangle corner with its (vertex, panel) as a sort key.
 struct Share {
-    std::uint64_t key = 0;  // vertex, then panel
+    std::uint64_t key = 0;  // vertex << 16 | panel
     std::uint32_t triangle = 0;
     std::uint32_t corner = 0;
 

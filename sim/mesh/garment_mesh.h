@@ -1,6 +1,7 @@
 #pragma once
-// All panels of a garment as one mesh: 3D positions on vertices, 2D material coordinates on triangle corners, for
-// they jump at a seam where the position does not.  (SPEC 3.2)
+// All panels of a garment as one mesh, its validation, its statistics and its strain. Vertices have 3D positions;
+// triangle corners have 2D material coordinates, because these are discontinuous at seams.
+// (thesis 4.3, fig. 4.4)
 #include <array>
 #include <optional>
 #include <string>
@@ -14,69 +15,66 @@ namespace selvedge::sim {
 
 struct GarmentTriangle {
     std::array<int, 3> vertices{};  // counter-clockwise seen from the fabric's right side
-    std::array<Vec2d, 3> u{Vec2d::Zero(), Vec2d::Zero(), Vec2d::Zero()};  // per corner, m, own panel's held frame
+    std::array<Vec2d, 3> u{Vec2d::Zero(), Vec2d::Zero(), Vec2d::Zero()};  // per corner, m, panel frame of `panel`
     int panel = 0;
 };
 
-// Two vertices that a seam brings together.
+// Two vertices that a seam joins.
 struct SeamLink {
     int a = 0;
     int b = 0;
     int seam = 0;  // index into Pattern::seams
 };
 
-// Unsewn (links not empty: the panels are apart) or sewn (links empty: linked vertices are one).
+// Either unsewn (panels are separate and `links` lists the vertices to join) or sewn (linked vertices are merged and
+// `links` is empty).
 struct GarmentMesh {
     std::vector<Vec3d> x;  // positions, m
     std::vector<GarmentTriangle> triangles;
     std::vector<SeamLink> links;
-    std::vector<int> pins;  // vertices that do not move
+    std::vector<int> pins;  // pinned vertices
     std::vector<std::string> panel_names;
     std::vector<double> panel_grain_angles;   // rad, see Panel::grain_angle
-    std::vector<Vec2d> panel_sett_offsets{};  // m, see Panel::sett_offset; empty: none is moved
+    std::vector<Vec2d> panel_sett_offsets{};  // m, see Panel::sett_offset; empty: all zero
 };
 
-// Whether a garment mesh is sound.  (SPEC 3.1)
-
-// Every fault of the mesh, each with its place ("triangle 12 (front): ..."); empty when it is sound: indices in range,
-// numbers finite, no triangle of zero area or given twice, no edge with three triangles or with two that run the same
-// way along it, no vertex without a triangle or that joins two fans of triangles.
+// All faults of the mesh, each with its location ("triangle 12 (front): ..."); empty for a valid mesh. A valid mesh has
+// indices in range, finite numbers, no duplicate triangle and none of zero or negative area, no edge with three
+// triangles or with two of opposite orientation, and no vertex without a triangle or with two separate fans of
+// triangles. If an index is out of range, only index faults are reported.
 std::vector<std::string> check_mesh(const GarmentMesh& mesh);
 
-// What a garment mesh measures.  (SPEC 3.1)
-
-// The seam whose sides differ most in length.
+// The seam whose sides have the largest length ratio.
 struct SeamMismatch {
     int seam = 0;           // index into Pattern::seams
-    double ratio = 1;       // longer side over the shorter
+    double ratio = 1;       // longer side / shorter side
     double difference = 0;  // m
 };
 
 struct MeshReport {
     int triangles = 0;
-    int vertices = 0;                            // sewn
+    int vertices = 0;                            // after sewing
     double min_angle_deg = 0;                    // in material coordinates
-    std::string min_angle_panel;                 // where that is
-    int seam_edges = 0;                          // sewn edges whose two sides came from different outline edges
+    std::string min_angle_panel;                 // panel of that angle
+    int seam_edges = 0;                          // interior edges of the sewn mesh that lie on a seam
     std::optional<SeamMismatch> worst_mismatch;  // none where there are no seams
 };
 
-// Pre: `sewn` is merge_seams(unsewn).mesh and `unsewn` is assemble(pattern).
+// Statistics of a garment mesh. Pre: `unsewn` is assemble(pattern) and `sewn` is merge_seams(unsewn).mesh.
 MeshReport report_mesh(const Pattern& pattern, const GarmentMesh& unsewn, const GarmentMesh& sewn);
 
-// How far a mesh is strained along its threads, from positions and material coordinates alone: the measure of
-// sim/cloth/cloth.h for who has no cloth.
-
+// Strain along the yarn directions, computed from positions and material coordinates only. The same measure as in
+// sim/cloth/cloth.h, for meshes without simulation state.
 struct MeshStrain {
-    float warp = 0;  // length of the deformed warp direction less 1: the root of the right Cauchy-Green tensor's entry
+    float warp = 0;  // sqrt(d^T C d) - 1, with d the warp direction and C the right Cauchy-Green tensor
     float weft = 0;
 };
 
-// One per triangle; 0 where it has no area in the material. Pre: the mesh has material coordinates.
+// One per triangle; 0 where the triangle has zero area in material space. Pre: the mesh has material coordinates.
 std::vector<MeshStrain> measure_strain(const PlainMesh& mesh);
 
-// A figure of each triangle, carried to the corners: the mean, by material area, over the triangles of the same panel
-// about the vertex, for warp and weft are others on the other side of a seam.
+// Converts values per triangle to values per corner: the mean over the triangles of the same panel around the vertex,
+// weighted by area in material space. Panels are not mixed, because yarn directions change at a seam.
 // Pre: one value per triangle; the mesh has material coordinates.
 std::vector<std::array<float, 3>> smooth_in_panels(const PlainMesh& mesh, const std::vector<float>& values);
 

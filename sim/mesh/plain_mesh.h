@@ -1,6 +1,6 @@
 #pragma once
-// A mesh as drawn or exported: what is left of a garment when nothing moves any more. Whoever has leaves hands them
-// over as this; renderer and exporters know no cloth.
+// A static triangle mesh for rendering and export, and the triangle hierarchy of an adaptive mesh as plain data. The
+// simulation converts its leaf triangles to a PlainMesh, so that renderer and exporters do not depend on the cloth.
 #include <array>
 #include <cstdint>
 #include <string>
@@ -14,13 +14,13 @@ struct PlainMesh {
     std::vector<Vec3f> x;        // positions, m
     std::vector<Vec3f> normals;  // per vertex, unit
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    std::vector<std::array<Vec2f, 3>> u;     // per corner, m; empty when there are none
-    std::vector<std::uint16_t> panel;        // per triangle; empty: one group
+    std::vector<std::array<Vec2f, 3>> u;     // per corner, m; empty: no material coordinates
+    std::vector<std::uint16_t> panel;        // per triangle; empty: one panel
     std::vector<std::uint8_t> level;         // per triangle; empty: all 0
-    std::vector<std::uint8_t> vertex_level;  // per vertex: of the edges it was born with; empty: not known
+    std::vector<std::uint8_t> vertex_level;  // per vertex: level of the edges created with it; empty: unknown
     std::vector<std::string> panel_names;
     std::vector<float> panel_grain_angles;    // rad
-    std::vector<Vec2f> panel_sett_offsets{};  // m, (weft, warp), see Panel::sett_offset; empty: none is moved
+    std::vector<Vec2f> panel_sett_offsets{};  // m, (weft, warp), see Panel::sett_offset; empty: all zero
 
     bool operator==(const PlainMesh&) const = default;
 };
@@ -30,16 +30,15 @@ inline std::uint16_t panel_of(const PlainMesh& mesh, std::size_t triangle) {
     return mesh.panel.empty() ? std::uint16_t{0} : mesh.panel[triangle];
 }
 
-// Unit normals at vertices, weighted by the area of the triangles about them; +y where there is no area.
+// Unit normals per vertex: area-weighted mean of the adjacent triangles' normals; +y where that mean is zero.
 // Pre: indices are in range.
 std::vector<Vec3f> vertex_normals(const std::vector<Vec3f>& x,
                                   const std::vector<std::array<std::uint32_t, 3>>& triangles);
 
-// The mesh's own normals where it has one for each vertex, else those that follow from its triangles.
+// mesh.normals if there is one per vertex, otherwise normals computed from the triangles.
 std::vector<Vec3f> vertex_normals(const PlainMesh& mesh);
 
-// All triangles of an adaptive mesh, those that were refined too, as plain data: to be shown.  (thesis fig. 3.17)
-
+// A triangle of an adaptive mesh, refined or leaf, as plain data for display.  (thesis fig. 3.17)
 struct HierarchyTriangle {
     std::array<Vec2f, 3> u{Vec2f::Zero(), Vec2f::Zero(), Vec2f::Zero()};  // material coordinates, m
     std::uint16_t panel = 0;

@@ -15,7 +15,7 @@ struct Segment {
     Vec2d end;
 };
 
-// 1 when c lies left of ab, -1 right, 0 on the line; exact.
+// 1 if c is to the left of the line ab, -1 if to the right, 0 if on it; exact.
 int side_of(const Vec2d& a, const Vec2d& b, const Vec2d& c) {
     const auto point = [](const Vec2d& p) { return Kernel::Point_2(p.x(), p.y()); };
     return static_cast<int>(CGAL::orientation(point(a), point(b), point(c)));
@@ -30,7 +30,7 @@ bool boxes_meet(const Segment& a, const Segment& b) {
     return true;
 }
 
-// Whether p, known to lie on the line of s, lies between its ends.
+// Whether p is strictly between the ends of s. Pre: p is on the line of s.
 bool is_between(const Vec2d& p, const Segment& s) {
     const int axis = std::abs(s.end.x() - s.start.x()) >= std::abs(s.end.y() - s.start.y()) ? 0 : 1;
     const auto [low, high] = std::minmax(s.start[axis], s.end[axis]);

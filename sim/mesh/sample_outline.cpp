@@ -14,9 +14,9 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr int kMostSegments = 10000;  // per edge: far beyond any garment, so that wrong units end in a message
+constexpr int kMostSegments = 10000;  // per edge; more than any garment needs, so that wrong units cause an error
 
-// The largest distance, m, of the curve from its chords when cut into `segments`.
+// The largest distance, m, of the curve from its chords for this number of segments, at 5 probes per segment.
 double chord_error_of(const Panel& panel, const OutlineEdge& edge, int segments) {
     constexpr int kProbes = 6;
     double worst = 0;
@@ -32,7 +32,7 @@ double chord_error_of(const Panel& panel, const OutlineEdge& edge, int segments)
     return worst;
 }
 
-// All edges and all corners of a pattern in one row each, so that they can be grouped.
+// Numbers all edges and all corners of a pattern consecutively, for grouping with DisjointSets.
 struct FlatPattern {
     const Pattern& pattern;
     std::vector<int> first_edge;
@@ -91,7 +91,7 @@ void require_seams(const Pattern& pattern) {
     }
 }
 
-// Whether two edges of a panel run along each other in opposite directions, as the banks of a slit of no width do.
+// Whether two edges of a panel coincide with opposite directions, as the two sides of a slit of zero width.
 bool are_banks(const Panel& panel, const OutlineEdge& a, const OutlineEdge& b) {
     const auto corner = [&](int index) { return panel.vertices[static_cast<std::size_t>(index)]; };
     const auto near = [](const Vec2d& p, const Vec2d& q) { return (p - q).norm() < kWeldDistance; };
@@ -125,11 +125,11 @@ DisjointSets group_corners(const FlatPattern& flat) {
     return corners;
 }
 
-// Sewing may close an edge into a ring, or bring both ends of two edges together that are not sewn to each other:
-// with too few segments the sewn mesh would collapse there.
+// Raises counts where sewing merges both ends of an edge (a ring needs 3 segments), or the ends of two edges that are
+// not sewn to each other (2 segments each). With fewer segments the sewn mesh would be degenerate there.
 void keep_rings_open(const FlatPattern& flat, DisjointSets& groups, std::vector<int>& counts) {
     DisjointSets corners = group_corners(flat);
-    std::map<std::pair<int, int>, std::vector<int>> straight;  // ends -> groups of one segment between them
+    std::map<std::pair<int, int>, std::vector<int>> straight;  // merged ends -> groups with one segment
     for (const SeamSide& side : flat.sides()) {
         const int group = groups.find(flat.edge(side));
         int& count = counts[static_cast<std::size_t>(group)];
@@ -162,7 +162,7 @@ int segments_needed(const Panel& panel, const OutlineEdge& edge, const MeshOptio
     while (segments < kMostSegments) {
         const double error = chord_error_of(panel, edge, segments);
         if (error <= options.chord_error) break;
-        // The error falls with the square of the number: leap as far as is surely needed.
+        // The error decreases with the square of the number of segments: jump to a number that is certainly needed.
         const int leap = static_cast<int>(0.7 * segments * std::sqrt(std::min(error / options.chord_error, 1e4)));
         segments = std::max(segments + 1, leap);
     }

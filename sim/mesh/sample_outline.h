@@ -1,6 +1,7 @@
 #pragma once
-// How many straight segments each outline edge gets, and where they meet. Corners are kept; samples lie uniformly in
-// arc length, so that sample i of one side of a seam belongs to sample i (or n - i) of the other.  (SPEC 3.1)
+// Divides each outline edge into straight segments, and sets the options of meshing. Corners are kept. Samples are
+// equally spaced in arc length and both sides of a seam get the same number n of segments, so that sample i of one side
+// matches sample i (or n - i) of the other.
 #include <vector>
 
 #include "sim/mesh/triangulate.h"
@@ -8,24 +9,23 @@
 
 namespace selvedge::sim {
 
-// How finely panels are cut into triangles.
-
+// The resolution and limits of meshing.
 struct MeshOptions {
-    double target_edge = 0.05;   // m, the edge length aimed at; a T-shirt then has some 700 triangles
-    double chord_error = 0.003;  // m, how far an outline curve may stand off its chords
-    int relaxations = 12;        // rounds of moving interior points
-    int max_triangles = 200000;  // of one panel; more is taken for an error in units
+    double target_edge = 0.05;   // m, target edge length; 0.05 gives about 700 triangles for a T-shirt
+    double chord_error = 0.003;  // m, largest distance of an outline curve from its chords
+    int relaxations = 12;        // iterations of moving interior points
+    int max_triangles = 200000;  // per panel; if more are needed, the units are probably wrong
 
     bool operator==(const MeshOptions&) const = default;
 };
 
-// The fewest segments, at least 1, that are about options.target_edge long and stand off the curve by no more than
-// options.chord_error.
+// The number of segments for an edge, at least 1: segments of about options.target_edge, or shorter if needed to keep
+// within options.chord_error of the curve. At most 10,000; throws InputError if the edge is too long for that.
 int segments_needed(const Panel& panel, const OutlineEdge& edge, const MeshOptions& options);
 
-// Segments per panel and edge: as many as needed, the same number on both sides of a seam and on the two banks of a
-// slit, at least 3 round an edge that sewing closes into a ring, and at least 2 where sewing would lay two straight
-// edges that are not sewn together on each other.
+// Segments per panel and edge, from segments_needed(). Both sides of a seam, and both sides of a slit, get the same
+// number. An edge that sewing closes to a ring gets at least 3. Two edges that are not sewn together but whose ends are
+// merged get at least 2, because with one segment they would coincide.
 // Throws InputError for a seam to a missing panel or edge, and for an edge sewn to itself.
 std::vector<std::vector<int>> count_segments(const Pattern& pattern, const MeshOptions& options);
 

@@ -12,7 +12,7 @@
 namespace selvedge::sim {
 namespace {
 
-// Where each panel's vertices begin in the garment's.
+// The mesh of each panel and the index of its first vertex in the garment mesh.
 struct PlacedPanels {
     std::vector<PanelMesh> meshes;
     std::vector<int> first_vertex;
@@ -70,7 +70,7 @@ void add_panel(GarmentMesh& garment, const Panel& panel, const PanelMesh& mesh) 
     garment.panel_sett_offsets.push_back(panel.sett_offset);
 }
 
-// The garment's vertex at sample i of an outline edge, 0 <= i <= its number of segments.
+// The garment mesh vertex at sample i of an outline edge, 0 <= i <= number of segments of the edge.
 int sample_vertex(const PlacedPanels& placed, const SeamSide& side, int i) {
     const auto panel = static_cast<std::size_t>(side.panel);
     const PanelMesh& mesh = placed.meshes[panel];
@@ -82,7 +82,7 @@ int segments_of(const PlacedPanels& placed, const SeamSide& side) {
     return placed.meshes[static_cast<std::size_t>(side.panel)].runs[static_cast<std::size_t>(side.edge)].segments;
 }
 
-// A dart's tip is one vertex on both sides and needs no link.
+// Links the samples of a seam's two sides. A dart's tip is the same vertex on both sides and needs no link.
 void link_seam(GarmentMesh& garment, const PlacedPanels& placed, const Seam& seam, int index) {
     const int segments = segments_of(placed, seam.first);
     SELVEDGE_ASSERT(segments == segments_of(placed, seam.second));
@@ -144,7 +144,7 @@ SewnMesh merge_seams(const GarmentMesh& unsewn) {
     sewn.sewn_vertex.assign(unsewn.x.size(), -1);
     std::vector<int> members;
     for (std::size_t i = 0; i < unsewn.x.size(); ++i) {
-        const auto first = static_cast<std::size_t>(lead[i]);  // never behind i: the lead is the lowest of its group
+        const auto first = static_cast<std::size_t>(lead[i]);  // <= i: the representative is the lowest of its group
         if (first == i) {
             sewn.sewn_vertex[i] = static_cast<int>(sewn.mesh.x.size());
             sewn.mesh.x.emplace_back(Vec3d::Zero());
@@ -174,7 +174,7 @@ SewnMesh merge_seams(const GarmentMesh& unsewn) {
 
 namespace {
 
-constexpr int kMostRounds = 8;  // two are enough for any complex whose outline edges are apart
+constexpr int kMostRounds = 8;  // 2 are enough for any mesh whose outline edges do not coincide
 
 using EdgeEnds = std::pair<int, int>;  // lower vertex first
 
@@ -194,12 +194,12 @@ std::map<EdgeEnds, int> count_triangles_at_edges(const GarmentMesh& mesh) {
     return uses;
 }
 
-// The inner edges that sewing would lay on another edge or shrink to a point.
+// The interior edges that would coincide with another edge after sewing, or whose ends would be merged.
 std::vector<EdgeEnds> find_coinciding(const GarmentMesh& unsewn) {
     const std::vector<int> lead = leads_of_linked(unsewn);
     const auto lead_of = [&](int vertex) { return lead[static_cast<std::size_t>(vertex)]; };
     const std::map<EdgeEnds, int> uses = count_triangles_at_edges(unsewn);
-    std::map<EdgeEnds, int> sewn;  // how many unsewn edges become this one
+    std::map<EdgeEnds, int> sewn;  // number of unsewn edges that become this edge
     for (const auto& [edge, count] : uses) ++sewn[ends(lead_of(edge.first), lead_of(edge.second))];
     std::vector<EdgeEnds> coinciding;
     for (const auto& [edge, count] : uses) {
@@ -217,10 +217,10 @@ struct CornerPoint {
 
 using Middles = std::map<EdgeEnds, int>;
 
-// A triangle's corners, and the middles of those of its edges that are split.
+// A triangle's corners, and the midpoints of its split edges.
 struct SplitTriangle {
     std::array<CornerPoint, 3> corner;
-    std::array<CornerPoint, 3> middle;  // middle[k] halves the edge from corner k to the next; vertex -1: not split
+    std::array<CornerPoint, 3> middle;  // middle[k]: of the edge from corner k to the next; vertex -1: not split
     int panel = 0;
 };
 
@@ -241,7 +241,8 @@ void add_triangle(std::vector<GarmentTriangle>& out, int panel, const CornerPoin
     out.push_back({{a.vertex, b.vertex, c.vertex}, {a.u, b.u, c.u}, panel});
 }
 
-// Triangles that conform to the split edges (SPEC 1.2: C1..C3; C4 or C5 by the shorter diagonal; C10).
+// Triangulates a triangle so that it conforms to its split edges. The cases are the configurations of thesis 3.3.5: one
+// split edge C1..C3, two C4..C9 (the shorter diagonal), three C10.
 void add_parts(std::vector<GarmentTriangle>& out, SplitTriangle t) {
     const auto is_split = [](const CornerPoint& middle) { return middle.vertex >= 0; };
     const auto count = std::ranges::count_if(t.middle, is_split);

@@ -85,7 +85,7 @@ std::optional<PlanarMesh> start_mesh(const std::vector<Vec2d>& outline, const st
     return mesh;
 }
 
-// The best of several grids.
+// The mesh with the lowest angle penalty over several grid poses, then repaired.
 PlanarMesh best_mesh(const Panel& panel, const std::vector<Vec2d>& outline, const TriangulateOptions& options) {
     const SizeField size(outline, options.target_edge);
     std::optional<PlanarMesh> best;
@@ -100,7 +100,8 @@ PlanarMesh best_mesh(const Panel& panel, const std::vector<Vec2d>& outline, cons
     return std::move(*best);
 }
 
-// Every piece of the outline must be the edge of exactly one triangle, or a seam's samples would no longer pair up.
+// Asserts that each outline segment is an edge of exactly one triangle, so that the samples of a seam's two sides
+// match.
 void check_outline_kept(const PlanarMesh& mesh) {
     std::vector<int> uses(mesh.outline_count, 0);
     const auto count = static_cast<int>(mesh.outline_count);
@@ -134,7 +135,7 @@ namespace {
 constexpr int kNoVertex = -1;
 
 struct Corners {
-    std::array<int, 3> vertex{kNoVertex, kNoVertex, kNoVertex};  // our vertex at each corner of the face
+    std::array<int, 3> vertex{kNoVertex, kNoVertex, kNoVertex};  // our vertex index at each corner of the face
     bool is_inside = false;
 };
 
@@ -157,7 +158,7 @@ Kernel::Point_2 point(const Vec2d& p) {
     return {p.x(), p.y()};
 }
 
-// The outline's points in the plane, in its order, joined by constraints.
+// Inserts the outline's points, in order, and its segments as constraints.
 std::vector<Vertex> insert_outline(Triangulation& plane, std::span<const Vec2d> outline) {
     std::vector<Vertex> handles;
     for (const Vec2d& p : outline) {
@@ -171,7 +172,7 @@ std::vector<Vertex> insert_outline(Triangulation& plane, std::span<const Vec2d> 
 }
 
 bool insert_interior(Triangulation& plane, std::span<const Vec2d> interior, std::size_t first) {
-    Face near;  // where the search for the next point's place starts
+    Face near;  // where the point location of the next point starts
     for (std::size_t i = 0; i < interior.size(); ++i) {
         const std::size_t before = plane.number_of_vertices();
         const Vertex handle = plane.insert(point(interior[i]), near);
@@ -182,7 +183,7 @@ bool insert_interior(Triangulation& plane, std::span<const Vec2d> interior, std:
     return true;
 }
 
-// The face to the left of the edge from a to b; none when ab is no edge or that side is beyond the hull.
+// The face to the left of the edge from a to b; null if ab is not an edge or that side is outside the convex hull.
 Face left_of(const Triangulation& plane, Vertex a, Vertex b) {
     Face face;
     int opposite = 0;
@@ -191,12 +192,13 @@ Face left_of(const Triangulation& plane, Vertex a, Vertex b) {
     return plane.is_infinite(face) ? Face() : face;
 }
 
-// Gives `vertex` to the corners at `handle` of all faces from `face`, left of the edge by which the outline leaves it,
-// counter-clockwise to the edge by which it arrives, from `previous`. False when another outline edge lies between.
+// Sets our index `vertex` in the corners at `handle` of a sector of faces: from `face`, left of the outgoing outline
+// edge, counter-clockwise to the incoming outline edge, which comes from `previous`. Returns false if another outline
+// edge is in between.
 //
 //        \  ^  /
-//     f2  \ | /  f1       the sector that belongs to this visit of the outline at v; where the outline passes the
-//   -------v------->      same point again, that visit owns other sectors
+//     f2  \ | /  f1       the sector of this outline vertex at the point v; if the outline passes the same point again,
+//   -------v------->      that outline vertex has another sector
 //          ^  face
 bool claim_sector(const Triangulation& plane, Face face, Vertex handle, Vertex previous, int vertex) {
     while (true) {
@@ -211,7 +213,7 @@ bool claim_sector(const Triangulation& plane, Face face, Vertex handle, Vertex p
     }
 }
 
-// Spreads "inside" over all faces that can be reached without crossing the outline.
+// Flood fill: marks all faces as inside that can be reached from an inside face without crossing the outline.
 void flood(Triangulation& plane) {
     std::vector<Face> open;
     for (Face face : plane.finite_face_handles()) {
@@ -266,10 +268,10 @@ std::optional<std::vector<std::array<int, 3>>> delaunay_inside(std::span<const V
 
 namespace {
 
-constexpr double kGrowth = 0.35;        // of the wanted length, per metre from the outline
-constexpr double kOffOutline = 0.6;     // of the wanted length: nearer to the outline no point is placed
-constexpr double kOffNeighbours = 0.8;  // of the wanted length: nearer to another point no finer one is placed
-constexpr int kMostLevels = 5;          // of the grid, each half as wide as the one before
+constexpr double kGrowth = 0.35;        // increase of the target length per distance from the outline, m/m
+constexpr double kOffOutline = 0.6;     // minimum distance of a point from the outline / target length
+constexpr double kOffNeighbours = 0.8;  // minimum distance between points / target length
+constexpr int kMostLevels = 5;          // of the grid, each with half the spacing of the previous one
 
 struct Box {
     Vec2d low;
@@ -285,7 +287,7 @@ Box box_of(std::span<const Vec2d> points) {
     return box;
 }
 
-// All points of a hexagonal grid over the box, row by row.
+// The points of a hexagonal grid that covers the box, row by row.
 std::vector<Vec2d> hexagonal_grid(const Box& box, double edge, const GridPose& pose) {
     const Vec2d extent = pose.is_turned ? Vec2d((box.high - box.low).reverse()) : Vec2d(box.high - box.low);
     const double row_height = edge * std::numbers::sqrt3 / 2;
@@ -312,7 +314,7 @@ bool has_room(const Vec2d& point, double wanted, std::span<const Vec2d> outline,
 
 SizeField::SizeField(std::span<const Vec2d> outline, double target_edge)
     : outline_(outline), target_edge_(target_edge) {
-    // The geometric mean: where a short edge meets a long one, it leads to better angles than the average.
+    // The geometric mean: where a short segment meets a long one, it gives better angles than the arithmetic mean.
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const Vec2d& before = outline[(i + outline.size() - 1) % outline.size()];
         const Vec2d& after = outline[(i + 1) % outline.size()];
@@ -342,7 +344,7 @@ std::vector<Vec2d> place_interior_points(std::span<const Vec2d> outline, const S
         for (const Vec2d& point : hexagonal_grid(box, edge, pose)) {
             if (!is_inside(point, outline)) continue;
             const double wanted = size.at(point);
-            if (wanted > 1.8 * edge) continue;  // a coarser grid has served this place
+            if (wanted > 1.8 * edge) continue;  // a coarser grid level has covered this point
             if (has_room(point, wanted, outline, placed)) placed.push_back(point);
         }
         if (edge < 1.2 * size.smallest()) break;
@@ -354,10 +356,10 @@ std::vector<Vec2d> place_interior_points(std::span<const Vec2d> outline, const S
 namespace {
 
 constexpr double kGoodAngle = 35 * std::numbers::pi / 180;  // rad
-constexpr double kWorthMoving = 1e-6;                       // rad, of a smallest angle: less is no gain
-constexpr std::size_t kTriedTriangles = 6;  // the worst ones: beyond them repairs hardly lower the penalty
-constexpr double kHelps = 0.98;             // times the penalty: less, and a repair is kept
-constexpr int kMostTries = 150;             // triangulations spent on repairs of one panel
+constexpr double kWorthMoving = 1e-6;                       // rad, minimum gain in the smallest angle
+constexpr std::size_t kTriedTriangles = 6;  // only the worst: repairs of others hardly lower the penalty
+constexpr double kHelps = 0.98;             // a repair is kept if new penalty / old penalty is below this
+constexpr int kMostTries = 150;             // maximum number of triangulations for the repairs of one panel
 
 using Triangle = std::array<int, 3>;
 
@@ -373,7 +375,7 @@ std::span<const Vec2d> outline_of(const PlanarMesh& mesh) {
     return std::span(mesh.points).first(mesh.outline_count);
 }
 
-// The mesh over other interior points; nothing when they do not all become vertices of it.
+// A new triangulation of the points; nullopt if it fails or if a point is not a vertex of it.
 std::optional<PlanarMesh> triangulate_anew(std::vector<Vec2d> points, std::size_t outline_count) {
     const std::span all(points);
     auto triangles = delaunay_inside(all.first(outline_count), all.subspan(outline_count));
@@ -386,7 +388,8 @@ std::optional<PlanarMesh> triangulate_anew(std::vector<Vec2d> points, std::size_
     return PlanarMesh{std::move(points), outline_count, std::move(*triangles)};
 }
 
-// Centroids of the triangles about each interior point, weighted by area over wanted area: small where it is graded.
+// Moves each interior point to the mean of the centroids of its triangles, weighted by area / (target length)^2, so
+// that the grading of triangle sizes is kept. Points that would leave the outline stay.
 std::vector<Vec2d> lloyd_points(const PlanarMesh& mesh, const SizeField& size) {
     std::vector<Vec2d> sum(mesh.points.size(), Vec2d::Zero());
     std::vector<double> weights(mesh.points.size(), 0.0);
@@ -408,7 +411,7 @@ std::vector<Vec2d> lloyd_points(const PlanarMesh& mesh, const SizeField& size) {
     return points;
 }
 
-using Stars = std::vector<std::vector<int>>;  // per vertex, its triangles
+using Stars = std::vector<std::vector<int>>;  // per vertex: indices of its triangles
 
 Stars stars_of(const PlanarMesh& mesh) {
     Stars stars(mesh.points.size());
@@ -418,7 +421,7 @@ Stars stars_of(const PlanarMesh& mesh) {
     return stars;
 }
 
-// The smallest angle about a vertex; negative when a triangle is turned over.
+// The smallest angle in the triangles around a vertex, rad; -1 if one of them is inverted or degenerate.
 double star_quality(const PlanarMesh& mesh, const std::vector<int>& star) {
     double worst = std::numbers::pi;
     for (int index : star) {
@@ -430,7 +433,7 @@ double star_quality(const PlanarMesh& mesh, const std::vector<int>& star) {
     return worst;
 }
 
-// Pattern search for the place where the smallest angle about one vertex is largest.
+// Pattern search for the position that maximises the smallest angle in the triangles around one vertex.
 void sharpen_vertex(PlanarMesh& mesh, std::size_t vertex, const std::vector<int>& star, double wanted) {
     double best = star_quality(mesh, star);
     if (best >= kGoodAngle) return;
@@ -459,7 +462,7 @@ std::vector<Vec2d> sharpened_points(const PlanarMesh& mesh, const SizeField& siz
     return moved.points;
 }
 
-// Keeps the mesh over the given points if it is better.
+// Replaces the mesh by a triangulation of the given points if that has a lower penalty.
 bool take_if_better(PlanarMesh& mesh, std::vector<Vec2d> points) {
     auto moved = triangulate_anew(std::move(points), mesh.outline_count);
     if (!moved || angle_penalty(*moved) >= angle_penalty(mesh)) return false;
@@ -473,7 +476,7 @@ void sharpen(PlanarMesh& mesh, const SizeField& size, int rounds) {
     }
 }
 
-// The triangles with angles below the good one, worst first, ties in their order.
+// The triangles whose smallest angle is below kGoodAngle, worst first, ties by index.
 std::vector<int> bad_triangles(const PlanarMesh& mesh) {
     std::vector<std::pair<double, int>> bad;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -486,7 +489,8 @@ std::vector<int> bad_triangles(const PlanarMesh& mesh) {
     return order;
 }
 
-// One triangle's cures: without each of its interior points, or with one more at its centre or at a longest edge.
+// Point sets that may repair a triangle: each without one of its interior vertices, or with one more point at its
+// centroid or at the midpoint of one of its edges.
 std::vector<std::vector<Vec2d>> cures_of(const PlanarMesh& mesh, const Triangle& triangle) {
     std::vector<std::vector<Vec2d>> cures;
     for (int vertex : triangle) {
@@ -504,7 +508,8 @@ std::vector<std::vector<Vec2d>> cures_of(const PlanarMesh& mesh, const Triangle&
     return cures;
 }
 
-// Makes the first cure that helps; counts the tries down.
+// Applies the first repair that lowers the penalty enough. Decrements tries_left per try. Returns whether it applied
+// one.
 bool repair_one(PlanarMesh& mesh, const SizeField& size, int& tries_left) {
     const double penalty = angle_penalty(mesh);
     std::vector<int> bad = bad_triangles(mesh);
@@ -536,7 +541,7 @@ double angle_penalty(const PlanarMesh& mesh) {
 }
 
 void relax(PlanarMesh& mesh, const SizeField& size, int rounds) {
-    PlanarMesh moving = mesh;  // Lloyd may get worse before it gets better
+    PlanarMesh moving = mesh;  // the penalty may increase before it decreases
     for (int round = 0; round < rounds; ++round) {
         auto moved = triangulate_anew(lloyd_points(moving, size), mesh.outline_count);
         if (!moved) break;

@@ -12,7 +12,7 @@ namespace selvedge::sim {
 
 namespace {
 
-// Which key of a fabric file is which figure, and within what it can be believed.
+// A key of a fabric file, the value that it sets, and the smallest and largest value that is accepted.
 struct Figure {
     const char* key;
     double Fabric::*value;

@@ -1,5 +1,6 @@
 #pragma once
-// What a cloth is made of, in physical units. Warp runs along the panel's grainline, weft across it.  (SPEC 2)
+// The physical properties of a fabric, and the fabrics that ship with the program. Warp yarns run parallel to the
+// panel's grainline, weft yarns perpendicular to it. The file format is in patterns/FORMAT.md.
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,29 +18,29 @@ struct Fabric {
     double shear = 56;              // N/m per rad
     double bending_warp = 9e-6;     // N m
     double bending_weft = 6e-6;     // N m
-    double bending_hysteresis = 0;  // N, KES 2HB
-    double shear_hysteresis = 0;    // N/m, KES 2HG
+    double bending_hysteresis = 0;  // N, 2HB of the Kawabata (KES) bending test
+    double shear_hysteresis = 0;    // N/m, 2HG of the Kawabata (KES) shear test
     double thickness = 0.00028;     // m
-    double friction = 0.35;         // Coulomb, against a body
+    double friction = 0.35;         // Coulomb coefficient, cloth on body
     double damping = 0.6;           // 1/s, of all motion
-    double air_drag = 0.0;          // kg/(m^2 s), per area and speed
-    double strain_limit = 0.03;     // beyond this warp or weft strain the cloth no longer gives
-    double gloss = 0.008;           // how it takes light: share that is mirrored,
-    double roughness = 0.35;        // spread of the highlight, 0..1,
-    double sheen = 0.045;           // share that fibres on its surface catch at the rim
+    double air_drag = 0.0;          // kg/(m^2 s), force per area and speed
+    double strain_limit = 0.03;     // largest strain along warp and weft; beyond it the cloth is inextensible
+    double gloss = 0.008;           // appearance: specular reflectance, 0..1
+    double roughness = 0.35;        // width of the highlight, 0..1
+    double sheen = 0.045;           // reflectance of surface fibres at grazing angles, 0..1
 };
 
-// The fabric of a shipped name (patterns/fabrics), or of a file when the text ends in .json; empty: the default.
-// Throws InputError: it lists the known names, or says which figure is wrong.
+// A shipped fabric (patterns/fabrics) by name, or the fabric in a file if the text ends in .json. Empty text: the
+// default fabric. Throws InputError that lists the known names, or names the value that is missing or out of range.
 Fabric find_fabric(std::string_view name_or_file);
 
-// The fabrics that ship, in the order of the alphabet.
+// The names of the shipped fabrics, in alphabetical order.
 std::vector<std::string> fabric_names();
 
-// Their files, as compiled into the program.
+// The files of the shipped fabrics, as embedded in the program.
 std::span<const EmbeddedFile> embedded_fabrics();
 
-// A fabric from the text of a fabric file; `file` names it in errors. Throws InputError.
+// Parses the text of a fabric file; `file` is its name in error messages. Throws InputError.
 Fabric parse_fabric(std::string_view text, const std::string& file);
 
 }  // namespace selvedge::sim

@@ -1,5 +1,6 @@
 #pragma once
-// What is wrong in a file: where, and how badly.
+// Faults in a file, each with its JSON path and severity, and FaultReader, which reads JSON and records every fault
+// instead of stopping at the first.
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,31 +17,30 @@ struct Fault {
     Severity severity = Severity::Error;
     std::string file;
     std::string place;    // JSON path, e.g. pattern.panels.front.edges[3]
-    std::string problem;  // in words
+    std::string problem;  // message for the user
 };
 
-// "garment.json: pattern.panels.front.edges[3]: warning: ..."
+// The fault on one line: "garment.json: pattern.panels.front.edges[3]: warning: ..."
 std::string describe(const Fault& fault);
 
 bool has_error(const std::vector<Fault>& faults);
 
-// Reading JSON that may be wrong anywhere: every step that fails notes a fault with its path and goes on, so that one
-// pass lists them all.
-
-// No garment reaches further, m, and squares of it stay exact enough.
+// The largest coordinate that is accepted, m. No garment is larger, and squares of it keep enough precision.
 inline constexpr double kFarthest = 100;
 
-// A value and its path; no value: not there.
+// A JSON value and its path. A null `value`: the key does not exist.
 struct JsonNode {
     const Json* value = nullptr;
     std::string path;
 
     explicit operator bool() const { return value != nullptr; }
     JsonNode member(std::string_view key) const;
-    JsonNode element(std::size_t index) const;                     // pre: an array that long
+    JsonNode element(std::size_t index) const;                     // pre: an array with that index
     std::size_t size() const { return value->elements().size(); }  // pre: an array
 };
 
+// Reads values of a JSON document that may be wrong anywhere. Each failed access records a fault with the path, and
+// reading continues, so that one run lists all faults.
 class FaultReader {
  public:
     explicit FaultReader(std::string file) : file_(std::move(file)) {}
@@ -51,7 +51,7 @@ class FaultReader {
     void error(const JsonNode& node, const std::string& problem);
     void warn(const JsonNode& node, const std::string& problem);
 
-    // Each notes an error and gives nothing (or false) when the value is of another kind, or out of its range.
+    // Each records an error and returns nullopt (or false) if the value is of the wrong kind or out of range.
     bool expect(const JsonNode& node, Json::Kind kind);
     bool expect_array(const JsonNode& node, std::size_t size);
     std::optional<double> number(const JsonNode& node);
@@ -61,7 +61,7 @@ class FaultReader {
     std::optional<Vec2d> pair(const JsonNode& node);
     std::optional<Vec3d> triple(const JsonNode& node);
 
-    // Lengths in file units, as metres; further than 100 m is an error.
+    // Read lengths in file units and return metres. An absolute value over 100 m is an error.
     std::optional<double> length(const JsonNode& node);
     std::optional<Vec2d> point(const JsonNode& node);
 

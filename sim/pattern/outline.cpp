@@ -13,14 +13,14 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// The radius grows to half the chord where it is too small to span it, as in SVG; the loader reports such arcs.
+// A radius of less than half the chord is increased to half the chord, as in SVG; loading reports such arcs as errors.
 ArcCircle circle_of(const Vec2d& start, const Vec2d& end, const OutlineEdge& edge) {
     const Vec2d chord = end - start;
     const double half = chord.norm() / 2;
     const double radius = std::max(edge.arc_radius, half);
     const double height = std::sqrt(std::max(0.0, radius * radius - half * half));
     const Vec2d left = half > 0 ? Vec2d(-chord.y(), chord.x()) / (2 * half) : Vec2d(0, 0);
-    // A short arc that turns left has its centre to the left of the chord; either flag moves it across.
+    // A short arc that turns left has its centre to the left of the chord; each of the two flags mirrors the centre.
     const double side = edge.turns_right == edge.is_large_arc ? 1.0 : -1.0;
     const Vec2d centre = (start + end) / 2 + side * height * left;
     const double short_sweep = 2 * std::asin(std::min(1.0, half / radius));
@@ -34,7 +34,7 @@ Vec2d arc_point(const ArcCircle& arc, double s) {
     return arc.centre + arc.radius * Vec2d(std::cos(angle), std::sin(angle));
 }
 
-// A Bezier curve of degree 1 to 3 raised to a cubic, which keeps it exactly and its parameter too.
+// A Bezier curve of degree 1 to 3, degree-elevated to a cubic: same curve, same parameter.
 using Cubic = std::array<Vec2d, 4>;
 
 Cubic as_cubic(const Vec2d& start, const Vec2d& end, const OutlineEdge& edge) {
@@ -59,7 +59,7 @@ double cubic_speed(const Cubic& p, double s) {
     return (3 * r * r * (p[1] - p[0]) + 6 * r * s * (p[2] - p[1]) + 3 * s * s * (p[3] - p[2])).norm();
 }
 
-// Five-point Gauss-Legendre.
+// Arc length by five-point Gauss-Legendre quadrature.
 double gauss_length(const Cubic& p, double from, double to) {
     constexpr std::array<double, 3> node{0.0, 0.5384693101056831, 0.9061798459386640};
     constexpr std::array<double, 3> weight{0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
@@ -72,7 +72,8 @@ double gauss_length(const Cubic& p, double from, double to) {
     return sum * half;
 }
 
-// Halves the range until two halves agree with the whole: a cusp, where the speed falls to zero, needs it.
+// Adaptive quadrature: halves the range until the halves agree with the whole to 1e-10. Needed near a cusp, where the
+// speed is zero.
 double cubic_length(const Cubic& p, double from, double to, int depth = 0) {
     const double middle = (from + to) / 2;
     const double whole = gauss_length(p, from, to);
@@ -81,7 +82,8 @@ double cubic_length(const Cubic& p, double from, double to, int depth = 0) {
     return cubic_length(p, from, middle, depth + 1) + cubic_length(p, middle, to, depth + 1);
 }
 
-// The parameter at which the length from the start reaches the fraction t: bisection on a table, then within its cell.
+// The parameter at which the arc length from the start is the fraction t of the whole: lookup in a table of 16 cells,
+// then bisection within the cell.
 double parameter_at(const Cubic& p, double t) {
     constexpr int kCells = 16;
     std::array<double, kCells + 1> reached{};
@@ -178,7 +180,8 @@ std::vector<Vec2d> outline_polyline(const Panel& panel, const OutlineEdge& edge,
         const double step = 2 * std::acos(std::max(0.0, 1 - chord_error / std::max(arc.radius, chord_error)));
         segments = static_cast<int>(std::ceil(std::min(4096.0, std::abs(arc.sweep) / std::max(step, 1e-3))));
     } else {
-        // The chord of a parameter step h is off by at most h^2/8 of the largest second derivative.
+        // The distance of the chord of a parameter step h from the curve is at most h^2/8 times the largest second
+        // derivative.
         const Cubic p = as_cubic(start, end, edge);
         const double bend =
             6 * std::max((p[0] - 2 * p[1] + p[2]).norm(), (p[1] - 2 * p[2] + p[3]).norm()) / (8 * chord_error);
@@ -200,14 +203,14 @@ double outline_area(const Panel& panel) {
 
 namespace {
 
-constexpr double kCrossingError = 1e-4;  // m, how closely curves are followed
+constexpr double kCrossingError = 1e-4;  // m, chord error of the sampled curves
 
-// A piece of a sampled outline, and the edge that it belongs to.
+// A segment of the sampled outline, and the edge that it belongs to.
 struct Piece {
     Vec2d from;
     Vec2d to;
     std::size_t edge;
-    std::size_t order;  // along the loop
+    std::size_t order;  // index along the loop
 
     double left() const { return std::min(from.x(), to.x()); }
     double right() const { return std::max(from.x(), to.x()); }
@@ -235,7 +238,7 @@ bool touches(const Piece& piece, const Vec2d& p, double clearance) {
     return (piece.from + s * along - p).norm() <= clearance;
 }
 
-// Where two pieces cross or touch, if they do.
+// The point where two segments cross or touch, if any.
 std::optional<Vec2d> meeting(const Piece& a, const Piece& b, double clearance) {
     const double b_from = side_of(a, b.from);
     const double b_to = side_of(a, b.to);
@@ -252,7 +255,7 @@ std::optional<Vec2d> meeting(const Piece& a, const Piece& b, double clearance) {
     return {};
 }
 
-// Neighbours share an end; they cross only where one runs back along the other.
+// Neighbouring segments share an end; they overlap only if the second runs back along the first.
 bool folds_back(const Piece& first, const Piece& next, double clearance) {
     const Vec2d d = first.to - first.from;
     const Vec2d e = next.to - next.from;
@@ -270,7 +273,7 @@ std::optional<Vec2d> crossing(const Piece& a, const Piece& b, std::size_t count,
 
 }  // namespace
 
-// Pieces that overlap in x are compared, each pair once.
+// Sorts the segments by their left end, and tests each pair whose x ranges overlap once.
 std::vector<OutlineCrossing> find_outline_crossings(const Panel& panel, const CrossingSearch& search) {
     std::vector<Piece> pieces = sample_outline(panel);
     std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.left() < b.left(); });

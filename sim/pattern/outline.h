@@ -1,6 +1,7 @@
 #pragma once
-// The curves of an outline: points, tangents and lengths. Lines, quadratic and cubic Beziers and circular arcs are all
-// walked by arc length, so that equal steps give segments of equal length, on both sides of a seam.  (SPEC 3.1)
+// The geometry of panel outlines: points and lengths of their edges (lines, quadratic and cubic Beziers, circular
+// arcs), area, self-intersection, and the limits for valid outlines and seams. Edges are parametrised by arc length, so
+// that equal steps give curve segments of equal length on both sides of a seam.
 #include <span>
 #include <vector>
 
@@ -8,21 +9,21 @@
 
 namespace selvedge::sim {
 
-// The point at the fraction t in [0, 1] of the edge's length, in panel coordinates, m.
-// t = 0 and t = 1 give the end vertices exactly.
+// The point at the fraction t in [0, 1] of the edge's length, in the panel frame, m.
+// t = 0 and t = 1 return the end vertices exactly.
 Vec2d outline_point(const Panel& panel, const OutlineEdge& edge, double t);
 
-// The length of the edge, m, to about 1e-9 of itself.
+// The length of the edge, m, with a relative error of about 1e-9.
 double outline_length(const Panel& panel, const OutlineEdge& edge);
 
-// The point at the curve's own parameter s in [0, 1]: as outline_point, but not spaced by length.
+// The point at the curve parameter s in [0, 1] (the Bezier parameter; the length fraction for lines and arcs).
 Vec2d curve_point(const Panel& panel, const OutlineEdge& edge, double s);
 
-// The curve's own parameter at the fraction t of the edge's length, and the other way round. Lines and arcs: the same.
+// Converts the fraction t of the edge's length to the curve parameter s, and back. Equal for lines and arcs.
 double curve_parameter(const Panel& panel, const OutlineEdge& edge, double t);
 double curve_fraction(const Panel& panel, const OutlineEdge& edge, double s);
 
-// The circle that an edge of kind Arc runs along.
+// The circle and angles of an edge of kind Arc.
 struct ArcCircle {
     Vec2d centre = Vec2d::Zero();
     double radius = 0;
@@ -31,33 +32,33 @@ struct ArcCircle {
 };
 ArcCircle arc_circle(const Panel& panel, const OutlineEdge& edge);
 
-// A polyline along the edge, both ends included, that keeps within chord_error (m) of it; a line gives two points.
+// A polyline along the edge, with both ends, at most chord_error (m) from it. A line gives two points.
 std::vector<Vec2d> outline_polyline(const Panel& panel, const OutlineEdge& edge, double chord_error);
 
-// The signed area inside the outline, m^2, curves sampled to 0.1 mm: positive for a counter-clockwise panel.
+// The signed area inside the outline, m^2, positive for a counter-clockwise panel. Curves are approximated by polylines
+// with a chord error of 0.1 mm.
 double outline_area(const Panel& panel);
 
-// Whether an outline keeps clear of itself, and the limits that outlines and seams keep to: what loading refuses and
-// what drafting must not make.
-
+// Limits for outlines and seams. Loading rejects a file that violates them, and editing must not violate them.
 inline constexpr double kShortestEdge = 1e-5;    // m
 inline constexpr std::size_t kMostEdges = 5000;  // of one panel
 inline constexpr double kSmallestArea = 1e-8;    // m^2
-inline constexpr double kMostGathers = 4;        // a seam side this many times its partner is a slip of the pen
+inline constexpr double kMostGathers = 4;        // largest ratio of the lengths of a seam's sides; more is an error
 
-// Two edges of a panel, first <= second, that cross or touch elsewhere than where neighbours join.
+// Two edges of a panel, first <= second, that cross or touch at a point other than a common end of neighbouring edges.
 struct OutlineCrossing {
     std::size_t first = 0;
     std::size_t second = 0;
-    Vec2d place = Vec2d::Zero();  // m, held frame
+    Vec2d place = Vec2d::Zero();  // m, panel frame
 };
 
 struct CrossingSearch {
-    std::size_t most = 20;  // pairs of edges to report: a scribble need not be listed whole
-    double clearance = 0;   // m, what comes this near to something else touches it
+    std::size_t most = 20;  // maximum number of pairs of edges to report
+    double clearance = 0;   // m, edges that are this close count as touching
 };
 
-// Curves are followed to 0.1 mm. The first crossing of each pair of edges. Pre: edges have length.
+// Finds one crossing for each pair of edges that cross or touch; an edge can also cross itself. Curves are approximated
+// with a chord error of 0.1 mm. Pre: no edge has zero length.
 std::vector<OutlineCrossing> find_outline_crossings(const Panel& panel, const CrossingSearch& search = {});
 
 // Whether a point lies inside a closed polyline, by the parity of its crossings.

@@ -4,7 +4,7 @@
 
 namespace selvedge::sim {
 Vec3d Panel::place(const Vec2d& u) const {
-    const double side = is_mirrored ? -1 : 1;  // the right side looks along side * z
+    const double side = is_mirrored ? -1 : 1;  // the right side faces side * z
     Vec3d local(side * u.x(), u.y(), 0);
     if (wrap_radius > 0) {
         const double angle = u.x() / wrap_radius;

@@ -16,7 +16,7 @@
 namespace selvedge::sim {
 namespace {
 
-// "patterns/shirt_mean_specification.json" is the garment "shirt_mean".
+// The garment's name from its file name: "patterns/shirt_mean_specification.json" gives "shirt_mean".
 std::string garment_name(const std::string& file) {
     std::string name = std::filesystem::path(file).stem().string();
     constexpr std::string_view suffix = "_specification";
@@ -76,7 +76,7 @@ void save_pattern(const PatternDocument& document, const std::filesystem::path& 
 
 namespace {
 
-constexpr double kSeamTolerance = 1e-3;  // m, of difference between the two sides of a seam
+constexpr double kSeamTolerance = 1e-3;  // m, larger length differences between a seam's sides are reported
 
 std::string in_file_units(const Vec2d& p, const Panel& panel, double units) {
     const auto text = [&](double value) { return Json(std::round(value * units * 1e3) / 1e3 + 0.0).number_text(); };
@@ -156,7 +156,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-// Numbers that say what the file says already keep their text; new ones get nine decimals at most.
+// Keeps the number's text in the file if its value is unchanged (to 1e-9); otherwise writes at most nine decimals.
 void set_number(Json& place, double value) {
     if (place.is_number() && std::abs(place.number() - value) <= 1e-9 * std::max(1.0, std::abs(value))) return;
     place = Json(std::round(value * 1e9) / 1e9 + 0.0);
@@ -169,7 +169,7 @@ void set_numbers(Json& place, std::initializer_list<double> values) {
     for (const double value : values) set_number(place.elements()[i++], value);
 }
 
-// A key that says `usual` when it is not there stays away while its value is the usual one.
+// Does not add a key whose value is the default `usual`; updates a key that exists.
 template <class T>
 void set_unless_usual(Json& object, const char* key, const T& value, const T& usual) {
     if (value == usual && !object.find(key)) return;
@@ -246,7 +246,7 @@ class Writer {
         write_panel_additions(json, panel);
     }
 
-    // Angles that give the panel's rotation already stay: more than one triple gives the same rotation.
+    // Keeps the file's angles if they give the panel's rotation, because several triples give the same rotation.
     void write_rotation(Json& json, const Panel& panel) {
         Vec3d angles = Vec3d::Zero();
         if (const Json* rotation = json.find("rotation")) {
@@ -328,7 +328,7 @@ class Writer {
         }
     }
 
-    // What we add stands under one key of the panel, which is made only when there is something to say.
+    // Additions are under the panel's key `selvedge`, which is created only if it has members.
     void write_panel_additions(Json& json, const Panel& panel) {
         const Json* found = json.find("selvedge");
         Json own = found ? *found : Json::object();
@@ -408,7 +408,7 @@ class Writer {
         set_number(json["edge"], side.edge);
     }
 
-    // Names that went leave the order; new ones follow at its end.
+    // Removes the names of deleted panels and appends the names of new ones.
     void write_panel_order(Json& order) {
         if (!order.is_array()) return;
         const auto is_listed = [&](const std::string& name) {
@@ -461,7 +461,7 @@ class Writer {
         set_numbers(json["repeat"], {units_ * matched.repeat.x(), units_ * matched.repeat.y()});
     }
 
-    // A name that stands at either side of its seam already stays there.
+    // Keeps an existing entry that refers to either side of its seam.
     void write_seam_names(Json& own) const {
         std::map<std::string, const Seam*> by_name;
         for (const Seam& seam : pattern_.seams) {
@@ -477,7 +477,7 @@ class Writer {
         }
     }
 
-    // As names do, an eased seam stays where it stands in the list, at either of its sides; new ones follow at the end.
+    // Keeps existing entries of eased seams, which may refer to either side, in their order; appends new ones.
     void write_eased(Json& own) const {
         Json* found = own.find("eased");
         Json list = found && found->is_array() ? *found : Json::array();

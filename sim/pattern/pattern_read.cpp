@@ -123,8 +123,8 @@ class Reader : private FaultReader {
         if (const Node position = node.member("sheet_position")) panel.sheet_position = point(position);
     }
 
-    // [{"edge": INDEX, "at": FRACTION}]. A fraction counts from the start of its edge, which is the same vertex in the
-    // file and in the Panel.
+    // [{"edge": INDEX, "at": FRACTION}]. The fraction is measured from the start of the edge, which is the same vertex
+    // in the file and in the Panel.
     void read_notches(const Node& notches, Panel& panel) {
         if (!expect(notches, Json::Kind::Array)) return;
         for (std::size_t i = 0; i < notches.size(); ++i) {
@@ -142,7 +142,7 @@ class Reader : private FaultReader {
         }
     }
 
-    // One panel leads and the other follows: no panel follows one that follows.
+    // The panel named by mirror_of must exist, be another panel, and not be a mirror image itself.
     void check_mirrors() {
         for (const Mirror& mirror : mirrors_) {
             const auto found = panel_index_.find(mirror.of);
@@ -225,13 +225,13 @@ class Reader : private FaultReader {
             return {};
         }
         const std::vector<OutlineEdge>& edges = out_.pattern.panels[static_cast<std::size_t>(found->second)].edges;
-        if (edges.empty()) return {};  // they could not be read, which is said there
+        if (edges.empty()) return {};  // the edges could not be read; that fault is already recorded
         const auto at = index(edge, edges.size(), "edge");
         if (!at) return {};
         return SeamSide{found->second, *at};
     }
 
-    // An edge that no other stitch has named.
+    // A side of a stitch. Records an error if another stitch already uses this edge.
     std::optional<SeamSide> read_side(const Node& node) {
         const auto side = read_edge(node);
         if (!side) return {};
@@ -293,7 +293,7 @@ class Reader : private FaultReader {
         out_.pattern.matched_sett = std::move(matched);
     }
 
-    // {NAME: {"panel", "edge"}}: the seam at that edge.
+    // {NAME: {"panel", "edge"}}: names the seam at that edge.
     void read_seam_names(const Node& names) {
         if (!expect(names, Json::Kind::Object)) return;
         for (const Json::Member& member : names.value->members()) {
@@ -307,7 +307,7 @@ class Reader : private FaultReader {
         }
     }
 
-    // [{"panel", "edge"}]: the seams at those edges.
+    // [{"panel", "edge"}]: marks the seams at those edges as eased.
     void read_eased(const Node& eased) {
         if (!expect(eased, Json::Kind::Array)) return;
         for (std::size_t i = 0; i < eased.size(); ++i) {
@@ -317,7 +317,7 @@ class Reader : private FaultReader {
         }
     }
 
-    // The seam at an edge that {"panel", "edge"} names; null, and an error, when there is none.
+    // The seam at the edge {"panel", "edge"}. Returns nullptr and records an error if there is none.
     Seam* read_seam_at(const Node& node) {
         const auto side = read_edge(node);
         if (!side) return nullptr;
@@ -430,7 +430,7 @@ class OutlineReader {
     }
 
     void read_curvature(const JsonNode& node, OutlineEdge& edge) {
-        if (node.value->is_array()) {  // as older files have it
+        if (node.value->is_array()) {  // format of older files
             edge.kind = CurveKind::Quadratic;
             return read_control(node, edge, 0);
         }
@@ -476,7 +476,7 @@ class OutlineReader {
         if (!radius || !is_large || !bulges_right) return;
         edge.arc_radius = *radius;
         edge.is_large_arc = *is_large;
-        edge.turns_right = !*bulges_right;  // an arc that lies to the right of its chord turns left
+        edge.turns_right = !*bulges_right;  // an arc to the right of its chord turns left
         if (*radius <= 0) return reader_.error(radius_node, "the radius of an arc must be positive");
         const double span = chord(edge).norm();
         if (!has_sound_vertices_ || *radius * 2 >= span * (1 - 1e-6)) return;
@@ -484,7 +484,8 @@ class OutlineReader {
                                        Json(std::round(span * reader_.units_in_meter * 1e3) / 1e3).number_text());
     }
 
-    // Seams name edges by their place in the file, so the loop must stand in order there.
+    // Checks that the edges form one loop in file order. Seams refer to edges by their index in the file, so the edges
+    // cannot be reordered.
     void check_chain(const JsonNode& edges) {
         const std::size_t count = panel_.edges.size();
         std::vector<int> visits(panel_.vertices.size(), 0);
@@ -516,9 +517,9 @@ void read_outline(FaultReader& reader, const JsonNode& panel_node, bool is_relat
     OutlineReader(reader, is_relative, panel).read(panel_node);
 }
 
-// GarmentCode draws back panels clockwise, seen from the front: the order of traversal says which way a panel faces.
-// Mirroring x turns such a loop counter-clockwise and leaves the order and direction of its edges, so that an edge has
-// the same index, start and end in the file and in the Panel, and a seam means the same in both.
+// GarmentCode draws back panels clockwise, seen from the front: the orientation of the loop tells which way a panel
+// faces. Mirroring x makes such a loop counter-clockwise and keeps the order and direction of its edges. So an edge has
+// the same index, start and end in the file and in the Panel, and seams need no conversion.
 void hold_counter_clockwise(FaultReader& reader, const JsonNode& panel_node, Panel& panel) {
     const double area = outline_area(panel);
     if (std::abs(area) < kSmallestArea) return reader.error(panel_node, "the outline encloses no area");

@@ -1,6 +1,6 @@
 #pragma once
-// From the GarmentCode specification to a Pattern, and every fault on the way. Loading and checking share it: what
-// `check` calls an error is what loading refuses.  (patterns/FORMAT.md)
+// Reads a GarmentCode specification into a Pattern and collects all faults. Loading and `check` share this code, so
+// that loading rejects exactly the files for which `check` reports an error.  (patterns/FORMAT.md)
 #include <string>
 #include <vector>
 
@@ -11,33 +11,32 @@
 namespace selvedge::sim {
 
 struct PatternReading {
-    Pattern pattern;                  // whole only when no fault is an error
-    std::vector<Fault> faults;        // in the order of the file
-    std::vector<bool> is_sound;       // per panel: its outline could be read
+    Pattern pattern;                  // complete only if no fault is an error
+    std::vector<Fault> faults;        // in the order in which they were found
+    std::vector<bool> is_sound;       // per panel: it was read without an error
     std::vector<std::string> places;  // per panel: its JSON path
     std::vector<int> seam_indices;    // per seam of the pattern: its index in the file
 };
 
-// Reads what the file says; what the shapes are like is check_shapes' part.
+// Reads the pattern and records faults in the JSON. Does not check shapes: see check_shapes().
 PatternReading read_pattern(const Json& root, const std::string& file);
 
-// Adds what is wrong with outlines and seams as shapes: zero lengths, crossings, unequal seams.
-// `units` per metre, for the places that it names.
+// Adds faults of the shapes of outlines and seams: edges of zero length, crossings, seams with sides of unequal length.
+// units: file units per metre, for coordinates in messages.
 void check_shapes(PatternReading& reading, const std::string& file, double units);
 
-// How many file units make a metre: properties.units_in_meter, 100 unless given. Non-positive or absurd: nothing.
+// File units per metre: properties.units_in_meter; 100 if it is missing or not between 0.001 and 1e6.
 double units_in_meter(const Json& root);
 
-// Rz Ry Rx of angles in degrees about x, y, z, as GarmentCode's readers compose them.
+// The rotation Rz Ry Rx of angles in degrees about x, y and z, composed as in GarmentCode.
 Eigen::Matrix3d rotation_from_degrees(const Vec3d& angles_deg);
 
-// The outline of one panel of a GarmentCode specification: vertices, edges and their curves.  (patterns/FORMAT.md)
-
-// Fills vertices and edges as the file draws them, and notes what is wrong.
-// `is_relative`: control points are given along and across their edge.
+// Reads the vertices and edges of one panel, in the file's orientation, and records faults.
+// is_relative: control points are given relative to their edge (fractions of its length along and across it).
 void read_outline(FaultReader& reader, const JsonNode& panel_node, bool is_relative, Panel& panel);
 
-// Holds a sound outline as seen from the fabric's right side, counter-clockwise.
+// Converts the panel to the panel frame (sim/pattern/pattern.h): mirrors x if the outline is clockwise. Records an
+// error if the outline encloses no area. Pre: the outline was read without an error.
 void hold_counter_clockwise(FaultReader& reader, const JsonNode& panel_node, Panel& panel);
 
 }  // namespace selvedge::sim

@@ -14,15 +14,15 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr double kClear = 0.022;       // m, from the part of the body that the point belongs to
-constexpr double kPanelClear = 0.012;  // m, that a wrapped panel keeps
-constexpr double kLeastClear = 0.006;  // m, from anything: a point that is nearer, as between thighs, is left out
-constexpr double kFurthest = 0.040;    // m, from its own level, for the sake of those above and below
+constexpr double kClear = 0.022;       // m, from the torso or limb that the point belongs to
+constexpr double kPanelClear = 0.012;  // m, between a wrapped panel and the body
+constexpr double kLeastClear = 0.006;  // m, from any part of the body: a nearer point, as between thighs, is left out
+constexpr double kFurthest = 0.040;    // m, from its own level: limit on the clearance for levels above and below
 
-// A part of the body that a plane cuts: what a cylinder is to go round.
+// A section of a torso or limb, around which a cylinder is fitted.
 struct Cut {
     std::vector<Vec3d> points;  // of the level itself
-    std::vector<Vec3d> nearby;  // of levels above and below, too
+    std::vector<Vec3d> nearby;  // also of levels above and below
     Vec3d centre = Vec3d::Zero();
 };
 
@@ -37,9 +37,9 @@ double widest_x(const std::vector<Vec3d>& points, const Vec3d& centre) {
     return widest;
 }
 
-// --- torso
+// Torso.
 
-// Trunk or both legs: arms and hands are thin, or far from the middle.
+// Section points of the trunk or of both legs. Arms and hands are excluded: they are thin or far from the centre.
 std::vector<Vec3d> trunk_points(const Body& body, double y, double stature) {
     const std::vector<SectionLoop> loops = section(body, {.point = Vec3d(0, y, 0)});
     double largest = 0;
@@ -64,10 +64,10 @@ Vec3d middle_of_box(const std::vector<Vec3d>& points) {
 struct TorsoLevel {
     std::string_view name;
     double y = 0;      // m
-    double reach = 0;  // m above and below that a panel there is to be clear of
+    double reach = 0;  // m above and below that a panel placed here must clear
 };
 
-// Where the trunk is narrowest.
+// Height of the smallest girth of the trunk, m.
 double waist_level(const Body& body, const HeightRange& height) {
     const double stature = height.high - height.low;
     double least = std::numeric_limits<double>::max();
@@ -102,7 +102,7 @@ std::array<TorsoLevel, 5> torso_levels(const Body& body) {
 }
 
 std::optional<Cut> cut_torso(const Body& body, const TorsoLevel& level) {
-    constexpr double kMuchWider = 1.45;  // where arms join the trunk
+    constexpr double kMuchWider = 1.45;  // so much wider where the arms join the trunk
     const HeightRange height = height_range(body);
     Cut cut;
     cut.points = trunk_points(body, level.y, height.high - height.low);
@@ -118,13 +118,13 @@ std::optional<Cut> cut_torso(const Body& body, const TorsoLevel& level) {
     return cut;
 }
 
-// --- limbs
+// Limbs.
 
 struct Limb {
     std::string name;  // "left upper arm"
     Vec3d top = Vec3d::Zero();
     Vec3d bottom = Vec3d::Zero();
-    double share = 0.5;  // of the way from top to bottom
+    double share = 0.5;  // fraction of the way from top to bottom
 };
 
 std::optional<Cut> cut_limb(const Body& body, const Limb& limb) {
@@ -161,7 +161,7 @@ std::vector<Limb> limbs_of_bones(const Body& body) {
     return limbs;
 }
 
-// The outermost loop of a side at a level, if it is of an arm or leg and not of the trunk.
+// Centre of the loop farthest to the given side at a level, if it is off the body's middle.
 std::optional<Vec3d> outermost(const Body& body, double y, double side) {
     std::optional<Vec3d> found;
     double most = 0.01;
@@ -173,11 +173,11 @@ std::optional<Vec3d> outermost(const Body& body, double y, double side) {
     return found;
 }
 
-// Without a skeleton: where horizontal planes cut off arms and legs.
+// Without a skeleton: limbs from horizontal sections.
 std::vector<Limb> limbs_of_sections(const Body& body) {
     struct Levels {
         std::string_view name;
-        double top, bottom;  // of the stature
+        double top, bottom;  // as a fraction of the stature
     };
     const std::array<Levels, 4> levels{
         {{"upper arm", 0.74, 0.69}, {"forearm", 0.66, 0.63}, {"thigh", 0.40, 0.34}, {"calf", 0.24, 0.20}}};
@@ -197,9 +197,10 @@ std::vector<Limb> limbs_of_sections(const Body& body) {
     return limbs;
 }
 
-// --- points
+// Points.
 
-// The least circle through `at`, with its middle behind it, that has all points within and clear of it.
+// Radius of the smallest circle through `at`, with its centre on the body's side, that encloses all points with the
+// panel's clearance.
 double radius_round(const Cut& cut, const Vec3d& at, const Vec3d& outward, const Vec3d& upward) {
     double radius = 0.03;
     for (const Vec3d& p : cut.nearby) {
@@ -279,12 +280,13 @@ std::vector<ArrangementPoint> arrangement_points(const Body& body) {
     return points;
 }
 
-// The wrap bends about the panel's x = 0; where that is not its middle, it is turned until the middle looks outward.
+// The wrap bends about the panel's x = 0. If that is not its centre, the panel is rotated until its centre faces
+// outward.
 void arrange(Panel& panel, const ArrangementPoint& point) {
     const Eigen::AlignedBox2d box = box_of(panel);
     if (box.isEmpty()) return;
     const Vec2d middle = box.center();
-    const double side = panel.is_mirrored ? -1 : 1;  // the right side looks along side * z
+    const double side = panel.is_mirrored ? -1 : 1;  // the right side faces along side * z
     Eigen::Matrix3d frame;
     frame.col(1) = point.upward;
     frame.col(2) = side * point.outward;

@@ -17,14 +17,14 @@
 namespace selvedge::sim {
 namespace {
 
-// An edge of the garment by its two vertices, the lower one first.
+// An edge of the garment by its two vertices, lower index first.
 struct CutEdge {
     std::uint32_t low = 0;
     std::uint32_t high = 0;
     auto operator<=>(const CutEdge&) const = default;
 };
 
-// The cut through one triangle, which it enters through one edge and leaves through another.
+// The cut through one triangle, from its entry edge to its exit edge.
 struct CutSegment {
     CutEdge entry;
     CutEdge exit;
@@ -35,10 +35,10 @@ struct CutSegment {
 // One closed loop of the garment at a level.
 struct GarmentLoop {
     std::vector<Vec3d> points;
-    double girth = 0;  // m, of the material
+    double girth = 0;  // m, in material coordinates
 };
 
-// What lies in the plane counts as below it, so that no loop passes through a vertex.
+// A vertex in the plane counts as below it, so no loop passes through a vertex.
 bool is_above(const Vec3f& x, double y) {
     return static_cast<double>(x.y()) > y;
 }
@@ -69,7 +69,7 @@ std::optional<CutSegment> cut_triangle(const PlainMesh& garment, std::size_t tri
     return segment;
 }
 
-// Ordered by entry edge.
+// Sorted by entry edge.
 std::vector<CutSegment> cut(const PlainMesh& garment, double y) {
     std::vector<CutSegment> segments;
     for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
@@ -80,7 +80,7 @@ std::vector<CutSegment> cut(const PlainMesh& garment, double y) {
     return segments;
 }
 
-// The segment that goes on where this one ends, or segments.size() at the garment's border.
+// The segment that continues where this one ends, or segments.size() at the garment's boundary.
 std::size_t find_next(const std::vector<CutSegment>& segments, CutEdge exit) {
     const auto it = std::lower_bound(segments.begin(), segments.end(), exit,
                                      [](const CutSegment& segment, CutEdge edge) { return segment.entry < edge; });
@@ -105,8 +105,8 @@ std::vector<GarmentLoop> closed_loops(const std::vector<CutSegment>& segments) {
     return loops;
 }
 
-// Whether the loop goes round the point, seen from above: its winding number is not 0. Folded cloth crosses itself, but
-// not so far in as where a body's section has its centre. (Sunday 2001)
+// Whether the loop encloses the point when seen from above: its winding number is not 0. Folded cloth may intersect
+// itself, but not as far in as the centre of a body section. (Sunday 2001)
 bool goes_round(const GarmentLoop& loop, const Vec3d& point) {
     int winding = 0;
     for (std::size_t i = 0; i < loop.points.size(); ++i) {
@@ -120,7 +120,7 @@ bool goes_round(const GarmentLoop& loop, const Vec3d& point) {
     return winding != 0;
 }
 
-// One tape round all that the garment's loop encloses, m; 0 when that is nothing.
+// Length of one tape around all body sections that the garment's loop encloses, m; 0 when there are none.
 double enclosed_girth(const GarmentLoop& garment, const std::vector<SectionLoop>& body, const Plane& plane) {
     SectionLoop enclosed;
     for (const SectionLoop& loop : body) {
@@ -139,7 +139,7 @@ void add_tight_loops(const PlainMesh& garment, const Body& body, const FitOption
     for (const GarmentLoop& loop : loops) {
         const double tape = enclosed_girth(loop, sections, plane);
         if (tape == 0) continue;
-        // The outline at a distance d from a convex one is longer by 2 pi d. (Steiner's formula)
+        // A curve at distance d outside a convex one is longer by 2 pi d (Steiner's formula).
         const double girth = tape + 2 * std::numbers::pi * options.contact_offset;
         if (loop.girth >= (1 - options.tolerance) * girth) continue;
         Eigen::AlignedBox3d box;

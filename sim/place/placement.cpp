@@ -15,14 +15,14 @@ constexpr double kClearance = 0.01;    // m, between a placed panel and the body
 constexpr double kLongestMove = 0.40;  // m
 constexpr double kMoveStep = 0.01;     // m
 
-// Mean of the panel's outline vertices in the room: its level and side.
+// Mean of the panel's outline vertices in 3D.
 Vec3d panel_centre(const Panel& panel) {
     Vec3d sum = Vec3d::Zero();
     for (const Vec2d& u : panel.vertices) sum += panel.place(u);
     return sum / static_cast<double>(std::max<std::size_t>(1, panel.vertices.size()));
 }
 
-// Centre of the torso at a level between knee and neck; arms and legs are other loops.
+// Centre of the torso's section at this height, clamped to between crotch and shoulder; arms and legs are other loops.
 Vec3d torso_centre(const Body& body, double y) {
     const HeightRange height = height_range(body);
     const double stature = height.high - height.low;
@@ -33,7 +33,7 @@ Vec3d torso_centre(const Body& body, double y) {
     return {centre.x(), y, centre.z()};
 }
 
-// A panel as it is placed: its vertices, the points between them, and which way its right side looks.
+// A placed panel: its vertices and edge midpoints, and the direction that its right side faces.
 struct PlacedPanel {
     std::vector<Vec3d> points;
     Vec3d normal = Vec3d::Zero();
@@ -62,7 +62,7 @@ bool is_clear(const PlacedPanel& panel, double move, const BodyCollider& body) {
     });
 }
 
-// The least move that clears the panel; none when even the longest does not.
+// The smallest move that clears the panel; nullopt when even the longest does not.
 std::optional<double> clearing_move(const PlacedPanel& panel, const BodyCollider& body) {
     for (double move = 0; move <= kLongestMove; move += kMoveStep) {
         if (is_clear(panel, move, body)) return move;
@@ -81,7 +81,7 @@ void move_panel(GarmentMesh& unsewn, std::size_t panel, const Vec3d& shift) {
     }
 }
 
-// How deep the line from a to b runs through the body at its deepest, m.
+// Maximum depth of the line from a to b inside the body, m.
 double blocked_depth(const Vec3d& a, const Vec3d& b, const BodyCollider& body) {
     constexpr int kSamples = 16;
     double deepest = 0;
@@ -92,8 +92,8 @@ double blocked_depth(const Vec3d& a, const Vec3d& b, const BodyCollider& body) {
     return deepest;
 }
 
-// Squares: one seam held far back is worse than several that slide a little. But what is deeper than a lift can cure,
-// such as a tight skirt round legs apart, does not count for more.
+// Sum of squared depths: one deep seam is worse than several shallow ones. Depths are capped at 4 cm, because a deeper
+// one, as for a tight skirt around spread legs, cannot be cured by a lift.
 double blocked_cost(const GarmentMesh& unsewn, double lift, const BodyCollider& body) {
     constexpr double kDeepest = 0.04;  // m
     const Vec3d up(0, lift, 0);
@@ -109,13 +109,13 @@ double blocked_cost(const GarmentMesh& unsewn, double lift, const BodyCollider& 
 
 }  // namespace
 
-// Behind a hump of cost a sleeve may be wholly on the other side of the arm, which costs little too: as far as that a
-// garment goes only if its way is clear there.
+// Beyond a maximum of the cost, a sleeve may lie wholly on the wrong side of the arm, where the cost is low again. A
+// lift beyond such a maximum is accepted only if the seams are practically clear there.
 double seam_clearing_lift(const GarmentMesh& unsewn, const BodyCollider& body) {
     constexpr int kStepsEachWay = 12;
     constexpr double kStep = 0.01;               // m
-    constexpr double kWorthPerStep = 0.05;       // of the cost as placed, which each step away has to save
-    constexpr double kHump = 1.2, kClear = 0.1;  // of the cost as placed
+    constexpr double kWorthPerStep = 0.05;       // of the initial cost, which each step must save at least
+    constexpr double kHump = 1.2, kClear = 0.1;  // of the initial cost
     const double as_placed = blocked_cost(unsewn, 0, body);
     if (as_placed <= 0) return 0;
     double best = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Where panels stand round a body they were not placed for.  (SPEC 3.1)
+// Adapts the 3D placement of panels to a body other than the one they were placed for, and clears a way for the seams.
 #include <string>
 #include <vector>
 
@@ -11,20 +11,20 @@ namespace selvedge::sim {
 
 class BodyCollider;
 
-// Shifts each panel with the body: its level scales by stature, and it follows the torso's section centre there.
-// `from` is the body that the pattern names. Equal bodies leave it as it is.
+// Shifts each panel: its height scales with stature, and it moves with the centre of the torso's section at that
+// height. `from` is the body that the pattern names. Does not change the pattern when both bodies are equal.
 void anchor_panels(Pattern& pattern, const Body& from, const Body& onto);
 
-// Moves panels that a body pokes through out along their front normal until they are clear of it, and returns what was
-// done as notes ("panel 'front' moved 42 mm outward").
+// Moves each panel that intersects the body outward along its front normal until it is clear, by at most 40 cm. Returns
+// one note per moved or stuck panel.
 std::vector<std::string> clear_panels(GarmentMesh& unsewn, const BodyCollider& body);
 
-// How far up (m, negative: down) the whole unsewn garment should go so that its seams can close: the body stands
-// between the two sides of a shoulder seam that lies too low, and of an underarm seam that lies too high. The lift is
-// the one for which the straight lines between linked vertices run least deep through the body.
+// The vertical shift of the whole unsewn garment (m, negative: down) with which its seams can close. The body blocks a
+// shoulder seam that is too low or an underarm seam that is too high. The shift minimises how deep the straight lines
+// between linked vertices run through the body.
 double seam_clearing_lift(const GarmentMesh& unsewn, const BodyCollider& body);
 
-// Both of these: where the unsewn garment can be sewn. Returns what was done.
+// Applies seam_clearing_lift() and then clear_panels(). Returns notes on what was changed.
 std::vector<std::string> make_sewable(GarmentMesh& unsewn, const BodyCollider& body);
 
 }  // namespace selvedge::sim

@@ -18,13 +18,13 @@ namespace selvedge::sim {
 namespace {
 
 constexpr double kCrossing = 0.25881904510252074;  // sin 15 degrees
-constexpr double kOpposed = -3e-4;                 // mean product of directions: one degree either way on both sides
-constexpr double kMet = 5e-4;                      // m, a seam that meets
-constexpr double kNearlyMet = 2e-3;                // m, what nobody sees from a step away
-constexpr double kMatchable = 6e-3;                // m, a seam that can do no better gives way to those that can
-constexpr double kWritten = 1e-6;                  // m, the step of offsets in files
-constexpr double kSameSample = 1e-5;               // m, samples that are one
-constexpr double kMostSamples = 2e5;               // of a garment, to keep the time of thousands of seams within bounds
+constexpr double kOpposed = -3e-4;                 // mean product of directions: -sin(1 degree)^2
+constexpr double kMet = 5e-4;                      // m, mismatch of a seam that meets
+constexpr double kNearlyMet = 2e-3;                // m, mismatch that is invisible at arm's length
+constexpr double kMatchable = 6e-3;                // m, a seam with a larger best mismatch has lower priority
+constexpr double kWritten = 1e-6;                  // m, resolution of offsets in files
+constexpr double kSameSample = 1e-5;               // m, samples this close are merged
+constexpr double kMostSamples = 2e5;               // per garment, limits the time for thousands of seams
 
 using Family = Eigen::Index;  // 0: the warp's stripes, 1: the weft's
 
@@ -34,10 +34,10 @@ double as_written(double offset, double repeat) {
 
 struct Lines {
     StripeRepeat repeat;
-    bool is_mirrored = false;  // matched by the mirror image
+    bool is_mirrored = false;  // matched with the mirror image of the sett
     bool is_crossing = false;
 
-    // What must be 0 modulo the repeat, without offsets.
+    // The mismatch for zero offsets; the seam meets if it is 0 modulo the repeat.
     double value(const CoursePoint& point, Family f) const {
         return is_mirrored ? point.first[f] + point.second[f] - 2 * *repeat.mirror : point.first[f] - point.second[f];
     }
@@ -76,8 +76,8 @@ SeamLines find_lines(const Pattern& pattern, const Seam& seam, const std::array<
     return found;
 }
 
-// Samples that lie within a hundredth of a millimetre become one, so that a seam that is straight on both sides has a
-// single one. `most`: about how many may be left of a seam that cannot meet anyway.
+// Merges samples whose values differ by at most 0.01 mm, so that a seam that is straight on both sides has a single
+// sample. most: approximate limit of the number of samples that remain; it applies to seams that cannot meet anyway.
 std::vector<OffsetSample> merge_samples(std::vector<OffsetSample> samples, double repeat, double most) {
     const double about = samples.front().value;
     for (OffsetSample& sample : samples) sample.value = about + wrapped(sample.value - about, repeat);
@@ -100,7 +100,8 @@ std::vector<OffsetSample> merge_samples(std::vector<OffsetSample> samples, doubl
     return merged;
 }
 
-// Crossing lines weigh by the square of how squarely they cross; lines along the seam by its length alone.
+// The samples of a seam for the solver. Weight: length of seam per sample, times the squared sine of the crossing angle
+// if stripes of this family cross the seam at all. An eased seam has a single sample, at its anchor.
 std::vector<OffsetSample> samples_of(const SeamLines& seam, Family f, double most = 1024) {
     const Lines& lines = seam.lines[static_cast<std::size_t>(f)];
     const double step = seam.length() / static_cast<double>(seam.course.points.size());
@@ -121,7 +122,7 @@ double weight_of(const OffsetTerm& term) {
     return sum;
 }
 
-// The worse family's mismatch at a point, m; none: no stripe crosses the seam there.
+// The larger mismatch of the two families at a point, m; nullopt if no stripe crosses the seam there.
 std::optional<double> mismatch_at(const SeamLines& seam, const CoursePoint& point, const Vec2d& first,
                                   const Vec2d& second) {
     std::optional<double> worse;
@@ -137,7 +138,7 @@ struct Mismatch {
     double largest = 0;
     double rms = 0;
     double met = 1;
-    bool is_anchored = false;  // it meets where an eased seam is matched from
+    bool is_anchored = false;  // the mismatch at the anchor is at most kMet
 };
 
 Mismatch measure(const SeamLines& seam, const Vec2d& first, const Vec2d& second) {
@@ -159,7 +160,8 @@ Mismatch measure(const SeamLines& seam, const Vec2d& first, const Vec2d& second)
     return mismatch;
 }
 
-// The least mismatch that offsets of its own could give the seam, as far as the solver's measure finds it.
+// The largest mismatch, m, that remains if only this seam is matched, with the solver's cost function. 0 for a seam
+// within one panel.
 double mismatch_alone(const SeamLines& seam) {
     if (seam.seam->first.panel == seam.seam->second.panel) return 0;
     Vec2d shift = Vec2d::Zero();
@@ -197,8 +199,8 @@ std::string reason(const SeamLines& seam, const Mismatch& after) {
     return "other seams hold its panels";
 }
 
-// Which seams go first: those that were named, in their order; the rest that can meet; the rest that cannot; and then,
-// in the same order, those that the stripes only run along.
+// Priority level per seam, lower first: first_seams in their order; other seams that can meet; seams that cannot; then,
+// in the same order, seams that no stripe of this family crosses.
 std::vector<int> levels_of(const std::vector<SeamLines>& seams, const std::vector<int>& first_seams, Family f) {
     const int named = static_cast<int>(first_seams.size());
     std::vector<int> levels;
@@ -212,7 +214,8 @@ std::vector<int> levels_of(const std::vector<SeamLines>& seams, const std::vecto
     return levels;
 }
 
-// The weft offset near the panel's own that puts a mirror of the warp's stripes midway between its outermost points.
+// The weft offset nearest to `offset` that moves a mirror line of the warp's stripes midway between the panel's
+// outermost points along the weft.
 double centred_offset(const Panel& panel, const StripeRepeat& repeat, double offset) {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
@@ -224,11 +227,11 @@ double centred_offset(const Panel& panel, const StripeRepeat& repeat, double off
         }
     }
     const double centred = *repeat.mirror - (low + high) / 2;
-    return offset + wrapped(centred - offset, repeat.size / 2);  // it mirrors half a repeat further, too
+    return offset + wrapped(centred - offset, repeat.size / 2);  // mirror lines are half a repeat apart
 }
 
-// One family's problem, on panels in the order of their names, so that the order in the file does not matter but for
-// which of them keeps its offset.
+// The offset problem of one family. Its nodes are the panels sorted by name, so that the order in the file affects only
+// which panel keeps its offset.
 class FamilyMatch {
  public:
     FamilyMatch(const Pattern& pattern, const std::vector<SeamLines>& seams, const MatchOptions& options, Family f)
@@ -286,8 +289,8 @@ class FamilyMatch {
 
     const std::vector<SeamLines>& seams_;
     Family family_;
-    std::vector<std::size_t> panels_;  // by node
-    std::vector<int> node_;            // by panel
+    std::vector<std::size_t> panels_;  // panel index per node
+    std::vector<int> node_;            // node per panel
     OffsetProblem problem_;
 };
 
@@ -302,7 +305,7 @@ bool is_sett_of(const MatchedSett& matched, const Sett& sett) {
         const Sett same = with_repeat_size(find_tartan(matched.tartan), matched.repeat.x());
         return thread_colours(same) == thread_colours(sett) && weft_thread_colours(same) == weft_thread_colours(sett);
     } catch (const InputError&) {
-        return false;  // a tartan that does not ship here
+        return false;  // the tartan is not shipped
     }
 }
 
@@ -348,11 +351,11 @@ SettMatch match_sett(const Pattern& pattern, const Sett& sett, const MatchOption
 
 namespace {
 
-constexpr double kEase = 1e-3;          // m; what checking a pattern calls a difference, too
-constexpr double kPointSpacing = 1e-3;  // m: the finest lines of a tartan are some 2 mm wide
+constexpr double kEase = 1e-3;          // m; same tolerance as in the check of a pattern
+constexpr double kPointSpacing = 1e-3;  // m; the finest lines of a tartan are about 2 mm wide
 constexpr double kChordError = 1e-6;    // m
 
-// An outline edge as a polyline that is walked by its length.
+// An outline edge as a polyline with points by arc length.
 class Walk {
  public:
     Walk(const Panel& panel, const OutlineEdge& edge) : points_(outline_polyline(panel, edge, kChordError)) {
@@ -375,7 +378,7 @@ class Walk {
 
  private:
     std::vector<Vec2d> points_;
-    std::vector<double> reached_;  // m along the edge, per point
+    std::vector<double> reached_;  // m, arc length per point
 };
 
 const OutlineEdge& edge_of(const Pattern& pattern, const SeamSide& side) {

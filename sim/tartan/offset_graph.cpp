@@ -12,24 +12,24 @@ namespace selvedge::sim {
 namespace {
 
 constexpr int kMostSweeps = 40;
-constexpr double kSame = 1e-9;  // of the whole cost: sums that differ by less are equal
+constexpr double kSame = 1e-9;  // relative to the largest possible cost: smaller differences count as equal
 
 std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
-// Where the panels stand, and which of them move as one piece: a piece that moves by d moves its node n by sign[n] * d.
+// The offsets, and the pieces (sets of nodes that move together): moving a piece by d moves its node n by sign[n] * d.
 struct State {
     std::vector<double> offset;
     std::vector<int> sign;
     std::vector<int> piece;
-    std::vector<std::vector<int>> members;  // by piece
-    std::vector<bool> is_fixed;             // by piece: a mirrored cycle holds it
+    std::vector<std::vector<int>> members;  // nodes per piece
+    std::vector<bool> is_fixed;             // per piece: a mirrored cycle determines its position
 };
 
 struct Block {
-    std::vector<int> nodes;  // move together
-    int tried = 0;           // the last move in which it was asked
+    std::vector<int> nodes;  // nodes that move together
+    int tried = 0;           // number of the last move in which it was tried
 };
 
 class Solver {
@@ -68,10 +68,10 @@ class Solver {
  private:
     enum class Join { AsItStands, InOrder, InReverse };
 
-    // From several starts; the first of those that end equally well.
+    // Solves a level from three initial states (see Join) and keeps the result of lowest cost, the first of equal ones.
     void solve_level(int level, std::vector<std::size_t> terms) {
         level_ = level;
-        if (terms.size() == 1) {  // most levels of named seams
+        if (terms.size() == 1) {  // the usual case for seams in first_seams
             blocks_.clear();
             join(problem_.terms[terms.front()], Join::InOrder);
             add_whole_pieces(terms);
@@ -84,7 +84,7 @@ class Solver {
         for (const Join how : {Join::AsItStands, Join::InOrder, Join::InReverse}) {
             state_ = before;
             blocks_.clear();
-            add_whole_pieces(terms);  // as they are before they are joined
+            add_whole_pieces(terms);  // the pieces before joining
             if (how == Join::InReverse) std::reverse(terms.begin(), terms.end());
             for (const std::size_t t : terms) join(problem_.terms[t], how);
             add_whole_pieces(terms);
@@ -122,25 +122,25 @@ class Solver {
         return sum;
     }
 
-    // By how much the term's value changes when the stamped nodes move by 1.
+    // The change of the term's value when the nodes stamped with now_ move by 1.
     int factor(const OffsetTerm& term) const {
         const int of_a = stamp_[at(term.a)] == now_ ? state_.sign[at(term.a)] : 0;
         const int of_b = stamp_[at(term.b)] == now_ ? state_.sign[at(term.b)] : 0;
         return of_a + (term.is_mirrored ? of_b : -of_b);
     }
 
-    // Moves a block to where the level's seams about it are best off; `within`: only those between these two pieces.
-    // Gives whether it moved.
+    // Moves a block to the minimum cost of this level's seams at the block; `within`: only of seams between these two
+    // pieces. Returns whether it moved.
     bool move(Block& block, const std::pair<int, int>* within = nullptr) {
         ++now_;
         for (const int n : block.nodes) stamp_[at(n)] = now_;
         std::vector<const OffsetTerm*> terms;
-        int news = 0;  // the last move of anything that counts
+        int news = 0;  // number of the last move of a node of these terms
         for (const int n : block.nodes) {
             for (const std::size_t t : terms_of_[at(n)]) {
                 const OffsetTerm& term = problem_.terms[t];
                 if (term.level != level_ || factor(term) == 0) continue;
-                if (n != term.a && stamp_[at(term.a)] == now_) continue;  // is met at a
+                if (n != term.a && stamp_[at(term.a)] == now_) continue;  // is visited at its node a
                 if (within != nullptr && !is_within(term, *within)) continue;
                 terms.push_back(&term);
                 news = std::max({news, moved_[at(term.a)], moved_[at(term.b)]});
@@ -172,7 +172,8 @@ class Solver {
         return is_one(term.a) && is_one(term.b);
     }
 
-    // Joins the pieces at both ends of a term, so that the term no longer changes when they move together.
+    // Joins the pieces at the two ends of a term, with signs such that the term does not change when they move
+    // together.
     void join(const OffsetTerm& term, Join how) {
         int large = state_.piece[at(term.a)];
         int small = state_.piece[at(term.b)];
@@ -180,7 +181,7 @@ class Solver {
         const auto size = [&](int piece) { return state_.members[at(piece)].size(); };
         const bool can_move_both = !state_.is_fixed[at(large)] && !state_.is_fixed[at(small)];
         if (can_move_both ? size(small) > size(large) : !state_.is_fixed[at(large)]) std::swap(large, small);
-        if (state_.is_fixed[at(small)]) return;  // both are held
+        if (state_.is_fixed[at(small)]) return;  // both are fixed
         const int product = state_.sign[at(term.a)] * state_.sign[at(term.b)];
         std::vector<int>& moving = state_.members[at(small)];
         if (product != (term.is_mirrored ? -1 : 1)) {
@@ -189,7 +190,7 @@ class Solver {
         const std::pair<int, int> pieces(large, small);
         blocks_.push_back({.nodes = moving});
         if (how != Join::AsItStands) move(blocks_.back(), &pieces);
-        blocks_.back().tried = 0;  // it has not been asked about all seams yet
+        blocks_.back().tried = 0;  // it has not been tried with all seams yet
         for (const int n : moving) state_.piece[at(n)] = large;
         std::vector<int>& all = state_.members[at(large)];
         all.insert(all.end(), moving.begin(), moving.end());
@@ -216,7 +217,7 @@ class Solver {
         }
     }
 
-    // A term within a piece that changes as the piece moves holds it from now on.
+    // Fixes each piece that has an internal term whose value changes when the piece moves.
     void hold(const std::vector<std::size_t>& terms) {
         for (const std::size_t t : terms) {
             const OffsetTerm& term = problem_.terms[t];
@@ -227,7 +228,7 @@ class Solver {
         }
     }
 
-    // What may still be moved freely is moved so that its node of lowest rank stands where it stood.
+    // Moves a piece that is not fixed so that its node of lowest rank has its offset from `start` again.
     void settle(std::size_t piece, const std::vector<double>& start) {
         const std::vector<int>& members = state_.members[piece];
         if (members.empty() || state_.is_fixed[piece]) return;
@@ -240,10 +241,10 @@ class Solver {
     const OffsetProblem& problem_;
     std::vector<std::vector<std::size_t>> terms_of_;
     State state_;
-    std::vector<Block> blocks_;  // of the level: what may be moved by itself
+    std::vector<Block> blocks_;  // sets of nodes that are moved in this level
     int level_ = 0;
-    std::vector<int> stamp_;  // per node: the last move in which it was asked
-    std::vector<int> moved_;  // per node: the last move in which it moved
+    std::vector<int> stamp_;  // per node: number of the last move that tried it
+    std::vector<int> moved_;  // per node: number of the last move that moved it
     int now_ = 0;
 };
 
@@ -258,16 +259,16 @@ namespace {
 
 struct Breakpoint {
     double at = 0;       // m, in [0, repeat]
-    double steeper = 0;  // change of slope
+    double steeper = 0;  // increase of the slope there
 };
 
-// value modulo repeat, in [0, repeat).
+// `value` modulo `repeat`, in [0, repeat).
 double phase_of(double value, double repeat) {
     const double phase = value - std::floor(value / repeat) * repeat;
     return phase < repeat ? phase : 0;
 }
 
-// Where factor * shift has that phase, within one repeat: once for a factor of 1, twice for 2.
+// Adds the shifts in one repeat at which factor * shift has this phase: one for a factor of 1, two for 2.
 void add_kinks(double phase, int factor, double steeper, double repeat, std::vector<Breakpoint>& kinks) {
     for (int turn = 0; turn < factor; ++turn) kinks.push_back({(phase + turn * repeat) / factor, steeper});
 }
@@ -281,7 +282,7 @@ double wrapped(double value, double repeat) {
 double best_shift(const std::vector<ShiftTerm>& terms, double repeat) {
     std::vector<Breakpoint> kinks;
     double cost = 0;
-    double slope = 0;  // just before 0
+    double slope = 0;  // just below shift 0
     double scale = 0;
     for (const ShiftTerm& term : terms) {
         const int factor = std::abs(term.factor);
@@ -289,7 +290,8 @@ double best_shift(const std::vector<ShiftTerm>& terms, double repeat) {
         const double weight = term.weight;
         cost += weight * std::min(phase, repeat - phase);
         slope += weight * factor * (phase > 0 && phase <= repeat / 2 ? 1 : -1);
-        // Not by phase_of: what rounds to a whole repeat lies there, and not at 0, or the slope before 0 is another.
+        // Not by phase_of(): a breakpoint that rounds to a whole repeat must stay there and not move to 0, because the
+        // initial slope does not include it.
         const double zero = phase > 0 ? repeat - phase : 0;
         const double farthest = phase <= repeat / 2 ? repeat / 2 - phase : repeat + (repeat / 2 - phase);
         add_kinks(zero, factor, 2 * weight * factor, repeat, kinks);
@@ -299,7 +301,7 @@ double best_shift(const std::vector<ShiftTerm>& terms, double repeat) {
     std::sort(kinks.begin(), kinks.end(), [](const Breakpoint& a, const Breakpoint& b) { return a.at < b.at; });
     const double now = cost;
     double least = cost;
-    std::vector<double> costs;  // at the kinks
+    std::vector<double> costs;  // at the breakpoints
     double at = 0;
     for (const Breakpoint& kink : kinks) {
         cost += slope * (kink.at - at);
@@ -320,10 +322,10 @@ double best_shift(const std::vector<ShiftTerm>& terms, double repeat) {
 
 namespace {
 
-// Neighbouring stripes of one colour are one, also the last and the first.
+// The stripes of a repeat, with neighbouring stripes of the same colour merged, also the last with the first.
 struct Runs {
     std::vector<SettStripe> runs;
-    int start = 0;  // threads before the first run
+    int start = 0;  // position of the first run, threads; negative if it begins before the repeat
 };
 
 Runs merge_runs(const std::vector<SettStripe>& stripes) {

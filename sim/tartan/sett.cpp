@@ -66,7 +66,7 @@ Sett with_repeat_size(Sett sett, double size) {
     return sett;
 }
 
-// The colours that the Scottish Register's rows use most for these letters.
+// The most frequent colours for these codes in the Scottish Register of Tartans.
 const Palette& standard_palette() {
     static const Palette palette{
         {"A", {0x5C, 0x8C, 0xA8}},  {"AA", {0x78, 0x94, 0x84}}, {"B", {0x2C, 0x2C, 0x80}},  {"BL", {0x14, 0x74, 0xB4}},
@@ -93,8 +93,8 @@ Rgb8 parse_colour(std::string_view text, const std::string& file, const std::str
             static_cast<std::uint8_t>(value & 0xFF)};
 }
 
-// The reading of threadcounts: words, then the sections of warp, weft and weave, then stripes, then the mirrored or
-// plain repeat.
+// The parser of threadcounts: splits the text into words, the words into sections (warp, weft, weave), parses the
+// stripes, and expands them to a mirrored or plain repeat.
 
 namespace {
 
@@ -118,8 +118,8 @@ char upper(char c) {
     return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
 }
 
-// Words end at blanks, commas, semicolons, behind a colon and, as threadcounts are also written "B24W4", where a letter
-// follows a count. A colour's digits are none.
+// A word ends at a blank, comma or semicolon, after a colon, and before a letter that follows a count ("B24W4"). In a
+// colour definition ("S=#A09060") letters after digits do not end the word.
 std::vector<Word> split_words(std::string_view text) {
     std::vector<std::string> words;
     std::string word;
@@ -205,7 +205,7 @@ std::string lower(std::string text) {
     return text;
 }
 
-// What stands between the words "weft:" and "weave:".
+// The words before "weft:" or "weave:" (the warp), and those after each of them, with the palette.
 struct Sections {
     std::vector<Word> warp;
     std::vector<Word> weft;
@@ -235,7 +235,7 @@ Sections split_sections(std::string_view text, const Palette& palette) {
             }
         } else if (word.text.find('=') != std::string::npos) {
             add_colour(word, sections.colours);
-        } else if (word.text != "...") {  // some write the dots of "and so on" round a repeat
+        } else if (word.text != "...") {  // some threadcounts have "..." before and after the repeat
             section->push_back(word);
         }
     }

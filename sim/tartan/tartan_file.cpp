@@ -14,7 +14,7 @@ std::span<const EmbeddedFile> tartan_files();
 
 namespace {
 
-// "Black Watch", "black-watch" and "BLACK_WATCH" are one name.
+// Normalises a name: "Black Watch", "black-watch" and "BLACK_WATCH" give "black_watch".
 std::string plain_name(std::string_view name) {
     std::string plain;
     for (char c : name) {
@@ -41,7 +41,7 @@ Palette read_palette(const JsonView& view) {
     return palette;
 }
 
-// The threadcount under `key`; what is wrong in it is told with the file and the key.
+// Parses the threadcount under `key`; errors in it name the file and the key.
 Sett read_threadcount(const JsonView& view, const std::string& key, const Palette& palette) {
     const JsonView text = view.at(key);
     try {

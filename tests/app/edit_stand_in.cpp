@@ -82,7 +82,7 @@ void EditStandIn::fill() {
     ImGui::Image(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(kSceneTexture)), {kSceneSide, kSceneSide});
     ImGui::End();
     ImGui::ShowDemoWindow();
-    ImGui::SetWindowPos("Dear ImGui Demo", {20, 20});  // after it, for it has a place of its own in mind
+    ImGui::SetWindowPos("Dear ImGui Demo", {20, 20});  // afterwards, because the demo window sets its own position
     ImGui::SetWindowSize("Dear ImGui Demo", {560, 620});
     ImGui::SetNextWindowPos({20, 660}, ImGuiCond_Always);
     ImGui::SetNextWindowSize({560, 90}, ImGuiCond_Always);

@@ -1,6 +1,6 @@
 #pragma once
-// Stands in for the editor where only its host is tried: ImGui's demo window beside a scene, a button that counts what
-// it is pressed, a box that holds what is typed.
+// A stand-in for the editor in tests of its host: ImGui's demo window beside a scene, a button that counts its clicks,
+// and a text field.
 #include "app/edit_loop.h"
 
 struct ImGuiContext;
@@ -9,7 +9,7 @@ namespace selvedge::app {
 
 class EditStandIn : public EditSurface {
  public:
-    // The scene's camera turns by `turn` (rad) each frame.
+    // Rotates the scene's camera by `turn` (rad) each frame.
     explicit EditStandIn(render::Scene scene, float turn = 0, const std::string& font = {}, bool is_draft = true);
     ~EditStandIn() override;
 
@@ -19,7 +19,7 @@ class EditStandIn : public EditSurface {
     std::string typed() const { return typed_.data(); }
     bool was_asked_to_close() const { return was_asked_to_close_; }
 
-    static constexpr float kButtonX = 60, kButtonY = 700, kBoxX = 300;  // in them, px at scale 1
+    static constexpr float kButtonX = 60, kButtonY = 700, kBoxX = 300;  // inside the two widgets, px at scale 1
 
  private:
     void take(const editor::InputEvent& event);

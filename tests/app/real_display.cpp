@@ -67,14 +67,14 @@ std::string RealDisplay::missing_program() {
     return "";
 }
 
-// Without -noreset the server starts anew whenever its last client has gone, and refuses who comes meanwhile.
+// Without -noreset the server restarts when its last client disconnects, and refuses connections meanwhile.
 RealDisplay::RealDisplay(int width_px, int height_px) {
     const std::string size = std::to_string(width_px) + "x" + std::to_string(height_px) + "x24";
     const std::string said = scratch_ / "server";
     server_ = std::make_unique<RunningProgram>(
         std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0", size, "-nolisten", "tcp", "-noreset"},
         std::vector<std::string>{}, said);
-    const auto has_number = [&] {  // a line of digits; what it has to say besides goes to the same file
+    const auto has_number = [&] {  // a line of digits; the server's other messages go to the same file
         std::istringstream lines(content_of(said));
         for (std::string line; std::getline(lines, line) && !lines.eof();) {
             if (!line.empty() && line.find_first_not_of("0123456789") == std::string::npos) number_ = line;
@@ -103,7 +103,7 @@ void RealDisplay::move(const Vec2d& px) const {
     hand("mousemove " + std::to_string(std::lround(px.x())) + " " + std::to_string(std::lround(px.y())));
 }
 
-// Shorter presses are missed now and then.
+// Shorter key presses are sometimes missed.
 void RealDisplay::key(const std::string& name) const {
     hand("keydown " + name + " sleep 0.08 keyup " + name);
 }

@@ -1,6 +1,6 @@
 #pragma once
-// A display of its own with a program's window on it, and hands that X11 brings: what a person does and sees, from
-// outside. What takes time is waited for by asking, for as long as a busy machine may need.
+// Runs a program in a window on its own X server, with synthetic mouse and keyboard input from X11, and takes
+// screenshots. Polls for results with a long timeout, because the machine may be busy.
 #include <sys/types.h>
 
 #include <functional>
@@ -14,10 +14,10 @@
 
 namespace selvedge::app {
 
-// A program that runs beside the test; killed at the latest when this goes.
+// A child process beside the test; the destructor kills it if it still runs.
 class RunningProgram {
  public:
-    // words: the program and its arguments. environment: "NAME=value", on top of the test's own.
+    // words: the program and its arguments. environment: "NAME=value", added to the test's own environment.
     RunningProgram(const std::vector<std::string>& words, const std::vector<std::string>& environment,
                    const std::string& out_file);
     ~RunningProgram();
@@ -25,20 +25,20 @@ class RunningProgram {
     RunningProgram& operator=(const RunningProgram&) = delete;
 
     bool has_ended();
-    int exit_code() const { return exit_code_; }  // 128 and more: of a signal. Pre: has_ended()
-    void kill_hard();                             // as by kill -9
+    int exit_code() const { return exit_code_; }  // from 128 on: a signal. Pre: has_ended()
+    void kill_hard();                             // kill -9
 
  private:
     pid_t pid_ = -1;  // -1: it has ended
     int exit_code_ = 0;
 };
 
-// Asks again and again until it holds. False: it did not within a minute and a half.
+// Polls until `holds` returns true. Returns false after 90 s.
 bool wait_until(const std::function<bool()>& holds);
 
 class RealDisplay {
  public:
-    // Empty: all that it needs is there; else what is absent.
+    // Returns the name of a required program that is missing; empty: all are installed.
     static std::string missing_program();
 
     RealDisplay(int width_px, int height_px);
@@ -46,7 +46,7 @@ class RealDisplay {
     bool is_ready() const { return !number_.empty(); }
     std::string environment() const { return "DISPLAY=:" + number_; }
 
-    // The title of the one window; empty: there is none (yet).
+    // The title of the only window; empty: there is none (yet).
     std::string title() const;
     render::Image screenshot() const;
 
@@ -54,7 +54,7 @@ class RealDisplay {
     void press() const { hand("mousedown 1"); }
     void release() const { hand("mouseup 1"); }
     void turn_wheel_up() const { hand("click 4"); }
-    void key(const std::string& name) const;                                // "space"
+    void key(const std::string& name) const;                                // for example "space"
     void key_with(const std::string& held, const std::string& name) const;  // "ctrl", "s"
 
  private:

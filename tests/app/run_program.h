@@ -1,5 +1,5 @@
 #pragma once
-// Runs a command as a user's shell would, for tests that look at the program from outside.
+// Runs commands in a shell, for tests that treat the program as a black box; and helpers for the files that it writes.
 #include <filesystem>
 #include <string>
 
@@ -7,14 +7,14 @@ namespace selvedge::app {
 
 struct ProgramResult {
     int exit_code = 0;
-    std::string out;  // what it wrote to stdout
-    std::string err;  // and to stderr
+    std::string out;  // stdout
+    std::string err;  // stderr
 };
 
-// command: for the shell; the caller quotes what needs it.
+// command: shell syntax; the caller quotes arguments.
 ProgramResult run_command(const std::string& command);
 
-// An empty folder that is there until the object goes.
+// An empty temporary folder; the destructor removes it.
 class ScratchFolder {
  public:
     ScratchFolder();

@@ -1,12 +1,12 @@
 #pragma once
-// The program under test, from outside.
+// Runs the built selvedge program as a black box.
 #include <string>
 
 #include "tests/app/run_program.h"
 
 namespace selvedge::app {
 
-// Runs the built program; arguments are for the shell.
+// Runs the program; `arguments` use shell syntax.
 inline ProgramResult run_selvedge(const std::string& arguments) {
     return run_command("'" SELVEDGE_PROGRAM "' " + arguments);
 }

@@ -1,4 +1,4 @@
-// The stand-in in a real window, for test_window: ends on Escape or when asked to close, and then says what reached it.
+// The stand-in in a real window, for test_window: ends on Escape or a close request, then prints the input it received.
 #include <iostream>
 
 #include "sim/core/error.h"

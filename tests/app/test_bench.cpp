@@ -1,4 +1,4 @@
-// selvedge bench, from outside.
+// selvedge bench, as a black box.
 #include <gtest/gtest.h>
 
 #include <filesystem>

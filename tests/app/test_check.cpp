@@ -1,4 +1,4 @@
-// selvedge check: exit codes, and every fault named with its place.
+// selvedge check: exit codes, and the path of every fault.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 namespace selvedge::app {
 namespace {
 
-// A square of 40 cm, whose outline closes unless one of its edges is asked to end elsewhere.
+// A square of 40 cm; its outline is closed if last_endpoint is 0.
 std::string square_pattern(int last_endpoint) {
     return R"({"pattern": {"panels": {"square": {
         "vertices": [[0, 0], [40, 0], [40, 40], [0, 40]], "translation": [0, 0, 0], "rotation": [0, 0, 0],

@@ -1,4 +1,4 @@
-// selvedge diff: exit 0 for equal pictures, 1 with a difference picture for others.
+// selvedge diff: exit code 0 for equal pictures; 1 and a difference picture for different ones.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// selvedge dress and render, from outside: what they write, that it is the same for any number of threads, exit codes.
+// selvedge dress and render, as black boxes: their output files, identical output for any thread count, exit codes.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -14,7 +14,7 @@ namespace {
 const std::vector<std::string> kWritten = {"picture.png", "garment.obj", "garment.glb",
                                            "body.obj",    "body.glb",    "report.json"};
 
-// Dresses two squares coarsely and writes everything there is to write.
+// Dresses two squares at a low resolution and writes every kind of output.
 ProgramResult dress_into(const ScratchFolder& folder, const std::string& options) {
     return run_selvedge("dress " + shipped("two_squares.json") + " --body mannequin:resolution=1 --max-level 1" +
                         " --render '" + folder / "picture.png" + "' --size 160x120 --export '" +

@@ -1,4 +1,4 @@
-// What shows the editor, without a window.
+// The editor's host without a window.
 #include "app/edit_loop.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ editor::InputEvent move_to(float x, float y) {
     return {.kind = editor::InputEvent::Kind::MouseMove, .x = x, .y = y};
 }
 
-// Moves onto the button, presses, releases, then lets it show.
+// Moves to the button, presses, releases, then draws one more frame.
 render::Image press_and_look(OffscreenEditLoop& loop, EditStandIn& surface) {
     loop.step(surface, {move_to(EditStandIn::kButtonX, EditStandIn::kButtonY)});
     loop.step(surface, {button(true)});
@@ -71,10 +71,10 @@ TEST(EditLoop, a_fine_scene_is_the_renderers_picture) {
     OffscreenEditLoop loop;
     EditStandIn surface(test::make_frozen_scene(), 0, {}, false);
     loop.step(surface);
-    loop.step(surface);  // in its place, for ImGui shows a new window only when it knows its size
+    loop.step(surface);  // a second frame, because ImGui shows a new window only when its size is known
     const render::Image image = loop.screenshot();
     const render::Image fine = render::Renderer().draw(test::make_frozen_scene(), {.width_px = 640, .height_px = 640});
-    const int left = 628, top = 20 + 27;  // of the image, in ImGui's default style
+    const int left = 628, top = 20 + 27;  // position of the scene in the screenshot, in ImGui's default style
     EXPECT_EQ(image.at(left + 320, top + 200), fine.at(320, 200));
     EXPECT_EQ(image.at(left + 400, top + 500), fine.at(400, 500));
 }

@@ -1,5 +1,5 @@
-// The editor in a real window: opened, used, left and killed from outside. The same editor without a window rehearses
-// what is done, and so knows where things are, what is to be seen, and what the file is to hold.
+// The editor in a real window: opened, used, closed and killed from outside. A second editor without a window receives
+// the same events; it provides widget positions, expected pictures and the expected file.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,9 +16,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kWidth = 1280, kHeight = 800;
-const Vec2d kAside(1200, 700);  // px: a mouse there is over nothing that lights up
+const Vec2d kAside(1200, 700);  // px: no widget there reacts to the mouse
 
-// The rehearsal: an editor that is given the same events, and waits for its body.
+// The reference editor without a window: receives the same events, and waits for its body.
 class Rehearsal {
  public:
     Rehearsal(const fs::path& state, const std::string& file)
@@ -69,7 +69,7 @@ struct Columns {
     int high = kWidth;
 };
 
-// But for a few pixels at the ends of lines, which fall to one side or the other of a middle.
+// Allows some different pixels at the ends of lines, which depend on rounding.
 bool is_same(const render::Image& a, const render::Image& b, const Columns& columns = {}) {
     constexpr int kMostOther = 200;
     if (a.width_px != b.width_px || a.height_px != b.height_px) return false;
@@ -110,14 +110,14 @@ class EditWindowTest : public testing::Test {
         return is_shown;
     }
 
-    // Something moves in the 3D view.
+    // Waits until something moves in the 3D view.
     bool waits_to_run() {
         const render::Image before = display_->screenshot();
         display_->key("space");
         return wait_until([&] { return !is_same(display_->screenshot(), before, kFitting); });
     }
 
-    // The front's lower corner, to where it has not been. Leaves the button down.
+    // Drags the front's lower corner to a new position. Leaves the button pressed.
     void drag_corner(Rehearsal& rehearsal) const {
         const Vec2d from = rehearsal.vertex_px("front", 0);
         for (const Vec2d& way : {Vec2d(0, 0), Vec2d(-9, 4), Vec2d(-21, 13), Vec2d(-33, 30)}) {
@@ -129,7 +129,7 @@ class EditWindowTest : public testing::Test {
         }
     }
 
-    // Starts anew, takes up the offer, saves; what the file holds then.
+    // Restarts the editor, accepts the offered recovery and saves; returns the file's content.
     std::string recovered() {
         const std::string copy = scratch_ / "state_of_rehearsal";
         fs::copy(state_, copy, fs::copy_options::recursive);
@@ -145,14 +145,14 @@ class EditWindowTest : public testing::Test {
         return content_of(file_);
     }
 
-    // To be looked at.
+    // Writes pictures for inspection.
     void keep_pictures(const render::Image& wanted) const {
         const std::string folder = testing::TempDir() + "/";
         write_png(folder + "edit_window.out.png", display_->screenshot());
         write_png(folder + "edit_window.wanted.png", wanted);
     }
 
-    // Of the window at this size: the views, but for their edges.
+    // px: the two views at this window size, without their borders.
     static constexpr Columns kSheet{60, 480}, kFitting{520, 930};
 
     ScratchFolder scratch_;

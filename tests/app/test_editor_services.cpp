@@ -1,4 +1,4 @@
-// Files and exports, as the editor is given them.
+// The editor's file and export services.
 #include "app/editor_services.h"
 
 #include <gtest/gtest.h>

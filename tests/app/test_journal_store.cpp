@@ -1,4 +1,4 @@
-// Journals on disk: what lives is left alone, what was killed is found.
+// Journals on disk: those of running editors are not touched, those of killed ones are found.
 #include "app/journal_store.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ void write(const fs::path& file, const std::string& text) {
     std::ofstream(file) << text;
 }
 
-// A process that holds a journal with two lines, until it is killed.
+// A process that holds a journal with two lines until it is killed.
 class OtherEditor {
  public:
     explicit OtherEditor(const fs::path& folder) {
@@ -107,7 +107,7 @@ TEST(JournalStore, one_that_cannot_begin_anew_goes_on_as_it_was) {
     JournalStore store(folder.path());
     store.begin("old");
     const fs::path journal = files_of(folder.path()).at(0);
-    fs::create_directory(journal.string() + ".new");  // where the new one would be written
+    fs::create_directory(journal.string() + ".new");  // blocks the path of the new journal
     EXPECT_THROW(store.begin("new"), sim::InputError);
     store.note("line");
     EXPECT_EQ(content_of(journal), "old\nline\n");

@@ -1,4 +1,4 @@
-// Where legends go: never over the figure, whatever its shape, the picture's size, and through a whole turn.
+// Legend placement: the legend never covers the subject, for any shape, any picture size, and a full turn.
 #include "app/layout.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ struct Size {
     float height;
 };
 
-// A closed tube of two panels on the floor, so wide and so high.
+// A closed tube of two panels on the floor, with this width and height.
 sim::PlainMesh tube(const Size& size) {
     constexpr std::uint32_t around = 24, rows = 12;
     sim::PlainMesh mesh;
@@ -39,7 +39,7 @@ sim::PlainMesh tube(const Size& size) {
     return mesh;
 }
 
-// Opaque pixels of the figure under the legend's place, of the scene drawn without it.
+// Opaque pixels of the subject in the legend's box, in the scene drawn without the legend.
 int hidden_pixels(const render::Scene& shown, const Layout& layout, const PictureOptions& options) {
     render::Scene scene = shown;
     scene.background.is_transparent = true;

@@ -1,4 +1,4 @@
-// selvedge mannequin: the same bytes for the same measures, in both formats, and the girths it reads off itself.
+// selvedge mannequin: identical bytes for the same measurements in both formats, and the printed girths.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -12,7 +12,7 @@ ProgramResult make_mannequin_file(const std::string& options, const std::string&
     return run_selvedge("mannequin --resolution 1 " + options + " -o '" + file + "'");
 }
 
-// From the line "bust  96.0  96.0  117.1": the measure, what was asked, what the tape reads, and at which height; cm.
+// Reads the line "bust  96.0  96.0  117.1": measurement, requested value, measured value, height; cm.
 double printed_girth(const std::string& out, const std::string& measure) {
     std::istringstream lines(out);
     for (std::string line; std::getline(lines, line);) {

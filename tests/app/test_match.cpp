@@ -1,4 +1,4 @@
-// selvedge match: what it writes, what it says, and that both are true of the file that it leaves.
+// selvedge match: its output and messages agree with the file that it writes.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -18,7 +18,7 @@ namespace {
 constexpr const char* kPatterns[] = {"poncho.json", "skirt.json", "tshirt.json", "tshirt_thesis.json",
                                      "two_squares.json"};
 
-// A shipped pattern in a folder of its own, as somebody left it who knew nothing of setts.
+// A copy of a shipped pattern without any sett matching.
 class Copy {
  public:
     explicit Copy(const std::string& name) : path_(folder_ / name) {
@@ -91,7 +91,7 @@ TEST(MatchCommand, changes_nothing_in_the_file_but_offsets_and_what_they_are_for
             panel.value.erase("selvedge");
         }
     }
-    EXPECT_EQ(moved, 1);  // the front stays, the back follows
+    EXPECT_EQ(moved, 1);  // the front stays, the back is offset
     EXPECT_EQ(write_json(after), write_json(before));
 }
 
@@ -125,7 +125,7 @@ TEST(MatchCommand, another_tartan_and_size_are_matched_and_written_down) {
     ASSERT_TRUE(after.matched_sett);
     EXPECT_EQ(after.matched_sett->tartan, "K10 R30 G5 W7");
     EXPECT_NEAR(after.matched_sett->repeat.x(), 0.117, 1e-9);
-    EXPECT_EQ(after.tartan, "K10 R30 G5 W7");  // offsets for one tartan serve no other
+    EXPECT_EQ(after.tartan, "K10 R30 G5 W7");  // offsets are valid for one tartan only
 }
 
 TEST(MatchCommand, seams_go_by_their_own_names_too) {

@@ -10,7 +10,7 @@
 namespace selvedge::app {
 namespace {
 
-// What a task's reports leave on the stream.
+// The text that a task's progress reports write to the stream.
 std::string shown(const ProgressBarOptions& options, const std::function<void(const sim::Progress&)>& task) {
     char* text = nullptr;
     std::size_t size = 0;

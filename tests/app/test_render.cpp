@@ -1,4 +1,4 @@
-// selvedge render, from outside: every mode, camera and film, and what cannot be shown said on one line.
+// selvedge render, as a black box: every mode, camera and film; errors on one line for what cannot be drawn.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace selvedge::app {
 namespace {
 
-// A square of two panels, one of them leaning, with material coordinates.
+// A square of two panels, each at an angle, with material coordinates.
 constexpr const char* kGarment =
     "v -0.3 0.5 0.25\nv 0 0.5 0.3\nv 0.3 0.5 0.25\nv -0.3 1.1 0.25\nv 0 1.1 0.3\nv 0.3 1.1 0.25\n"
     "vt 0 0\nvt 0.3 0\nvt 0 0.6\nvt 0.3 0.6\n"
@@ -184,7 +184,7 @@ TEST_F(RenderCommand, a_turntable_of_frames_turns_once_and_begins_with_the_pictu
     EXPECT_TRUE(is_there("turn.frames/frame_0002.png"));
 }
 
-// What is drawn, in pixels: of rows for no zoom, of columns for nothing cut off.
+// The bounding box of what is drawn, px: rows show the zoom, columns show whether something is cut off.
 struct Extent {
     int left = 1000, right = -1, top = 1000, bottom = -1;
 };

@@ -1,4 +1,4 @@
-// scripts/install_dependencies, seen from systems other than this one.
+// scripts/install_dependencies on other operating systems.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -10,7 +10,7 @@ namespace {
 
 const std::string kScript = "bash '" SELVEDGE_SOURCE_DIR "/scripts/install_dependencies'";
 
-// A system that is not Debian 12, and has nothing but a shell.
+// A system that is not Debian 12 and has only a shell.
 std::string on_another_system(const ScratchFolder& folder, const std::string& command) {
     std::ofstream(folder / "os-release") << "ID=fedora\nVERSION_ID=40\n";
     return "SELVEDGE_OS_RELEASE='" + folder / "os-release" + "' " + command;

@@ -1,4 +1,4 @@
-// ImGui's lists, drawn without a window.
+// Drawing ImGui's lists without a window.
 #include "app/ui_draw.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ class ImGuiContextOwner {
     ImGuiContext* context_;
 };
 
-// Half red, half green; two pixels of each, for pixels are mixed with their neighbours.
+// Half red, half green; two pixels of each, because sampling blends neighbouring pixels.
 editor::PictureToHold red_and_green() {
     editor::PictureToHold held{.texture = kPicture, .picture = render::Image(4, 1, kRed)};
     held.picture.at(2, 0) = held.picture.at(3, 0) = kGreen;
@@ -53,8 +53,8 @@ void fill_blue(const GladGLContext& gl, render::PictureTexture& texture) {
     gl.Clear(GL_COLOR_BUFFER_BIT);
 }
 
-// A square that is clipped to its upper half, a picture twice over, a scene's texture, one that stands for nothing,
-// half a white over nothing, and text.
+// A square clipped to its upper half, a picture drawn twice, a scene's texture, an unknown texture, half-transparent
+// white over the background, and text.
 void make_lists() {
     ImGui::NewFrame();
     ImDrawList& list = *ImGui::GetBackgroundDrawList();

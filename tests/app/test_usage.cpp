@@ -1,4 +1,4 @@
-// What every subcommand promises: help with an example, and wrong input said on one line, with exit code 2.
+// What all subcommands have in common: help with an example; invalid input gives one line and exit code 2.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// The stand-in in a real window on a display of its own, with a mouse and keys that X11 brings.
+// The stand-in in a real window on its own X server, with synthetic mouse and keyboard input from X11.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -15,7 +15,7 @@ bool has_program(const std::string& name) {
     return run_command("command -v " + name).exit_code == 0;
 }
 
-// Short presses are missed: 80 ms. A display may need a while until the window has the keys.
+// Presses last 80 ms, because shorter ones are missed. The window may need some time to get the keyboard focus.
 constexpr const char* kHands = R"(
 program=$1; shift
 press() { xdotool mousemove "$1" "$2"; sleep 0.1; xdotool mousedown 1; sleep 0.08; xdotool mouseup 1; sleep 0.1; }
@@ -51,7 +51,7 @@ class WindowTest : public testing::Test {
     ScratchFolder scratch_;
 };
 
-// What the window is to show when the hands are done.
+// The picture that the window must show at the end.
 render::Image same_without_window() {
     OffscreenEditLoop loop;
     EditStandIn surface(test::make_frozen_scene());

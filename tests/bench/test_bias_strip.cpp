@@ -1,4 +1,4 @@
-// How stiff cloth is on the bias: theory, and a strip.
+// Stiffness on the bias: the theory, and a simulated strip.
 #include "bench/drop/bias_strip.h"
 
 #include <gtest/gtest.h>

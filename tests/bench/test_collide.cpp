@@ -1,4 +1,4 @@
-// The points and bodies that bench collide measures with are what it says they are.
+// Checks the test data and the query modes of `bench collide`: moving points, slack distances and dense bodies.
 #include <gtest/gtest.h>
 
 #include "bench/collide/collide.h"
@@ -18,7 +18,7 @@ TEST(DenseBody, has_the_triangles_asked_for_and_is_closed) {
     EXPECT_NEAR(sim::shapes::volume(dense), sim::shapes::volume(coarse), 0.01 * sim::shapes::volume(coarse));
 }
 
-// A column as tall as a person.
+// An ellipsoid 1.5 m high, about as tall as a person.
 sim::Body column() {
     sim::Body body = sim::shapes::sphere(Vec3d::Zero(), 0.15, 16);
     for (Vec3d& p : body.x) p = Vec3d(p.x(), 0.85 + p.y() * 5, p.z());

@@ -1,4 +1,4 @@
-// The drop on a sphere: its scene, and what is said of a run. Coarser than what is measured, the same in all else.
+// The drop on a sphere: its scene, and the quality measures of a run. The meshes are coarser than in the benchmark.
 #include <gtest/gtest.h>
 #include <algorithm>
 
@@ -115,12 +115,12 @@ TEST(DropHonesty, the_same_run_lies_no_distance_from_itself) {
     const SphereDrop drop = run_sphere_drop(options);
     const ConvergedFigures figures = compare_converged(drop, options, options.substeps);
     EXPECT_EQ(figures.distance.rms, 0);
-    EXPECT_GE(figures.noise_floor.mean, 0.0003);  // the pinned vertex and what lies about it moved by a millimetre
+    EXPECT_GE(figures.noise_floor.mean, 0.0003);  // the pinned vertex and its neighbourhood start shifted by 1 mm
 }
 
 }  // namespace
 
-// The drop experiment as a whole, on a grid of 72 triangles, and its JSON.
+// The complete drop experiment on a grid of 72 triangles, and its JSON.
 
 namespace {
 
@@ -179,7 +179,7 @@ TEST(DropReport, says_which_gates_the_last_setting_missed_when_none_meets_them) 
 
 }  // namespace
 
-// The search for the least number of sub-steps that passes.
+// The search for the smallest number of sub-steps that passes.
 
 namespace {
 

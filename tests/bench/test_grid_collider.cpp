@@ -1,3 +1,4 @@
+// The grid and BVH colliders against exact distances, and the BVH's group queries at every SIMD level.
 #include <gtest/gtest.h>
 #include <cmath>
 #include <limits>
@@ -32,7 +33,7 @@ std::vector<Vec3f> points_about_figure() {
     return points;
 }
 
-// Within the reach what the tree says, beyond it the reach.
+// Expects the exact distance within the reach, and the reach beyond it.
 void expect_the_surface(const sim::Collider& collider, const sim::SurfaceBvh& surface) {
     int near = 0;
     for (const Vec3f& p : points_about_figure()) {
@@ -86,7 +87,7 @@ TEST(SurfaceBvh, has_the_same_bits_at_every_simd_level) {
     }
 }
 
-// Neighbours in space, and at last a group that is scattered.
+// Groups of points that are close together; the last group is scattered.
 std::vector<sim::PointGroup> groups_about_figure(float radius) {
     std::vector<sim::PointGroup> groups;
     const std::vector<Vec3f> points = points_about_figure();

@@ -1,4 +1,4 @@
-// What the experiments read from positions, on positions made by hand.
+// The measurements of measured_mesh.h, on hand-made positions.
 #include "bench/support/measured_mesh.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// Tables as Markdown, JSON and CSV, and timings.
 #include <gtest/gtest.h>
 
 #include "bench/support/table.h"

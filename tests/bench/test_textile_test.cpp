@@ -1,4 +1,4 @@
-// The textile tests on coarse meshes: that they read what they say, not that the solver is right.
+// The textile tests on coarse meshes. Checks that the tests measure correctly, not that the solver is accurate.
 #include <gtest/gtest.h>
 #include <cmath>
 #include <numbers>
@@ -13,7 +13,7 @@ namespace selvedge::bench {
 namespace {
 
 constexpr MeshSetting kCoarse{.angle = 0.3, .level = 0};
-constexpr MeshSetting kFine{.angle = 0.3, .level = 1};  // an overhang of several triangles
+constexpr MeshSetting kFine{.angle = 0.3, .level = 1};  // the overhang is several triangles long
 
 TEST(Textile, a_cantilever_of_a_stiffer_fabric_reads_stiffer) {
     sim::Fabric soft;
@@ -70,7 +70,7 @@ TEST(Textile, levels_have_names) {
 
 }  // namespace
 
-// Specimens are what they are said to be, however they lie on the mesher's grid.
+// Specimens have the specified shape at every angle on the mesher's grid.
 
 namespace {
 
@@ -148,7 +148,7 @@ TEST(Specimen, a_disc_is_held_within_its_support_and_continues_beyond_it_without
 
 }  // namespace
 
-// What the fabric experiment asks of whom, and its table.
+// The gates, settings and tables of the fabric experiment.
 
 namespace {
 

@@ -1,4 +1,4 @@
-// The heavy elastica against figures worked out elsewhere.
+// The heavy elastica, compared with independently computed values.
 #include <gtest/gtest.h>
 #include <array>
 #include <cmath>
@@ -49,7 +49,7 @@ TEST(Elastica, is_found_again_from_its_chord) {
 
 TEST(Elastica, a_sector_of_a_wide_support_is_a_strip) {
     EXPECT_NEAR(sector_droop(8, 1e6).reach, droop(8).reach, 1e-5);
-    EXPECT_LT(sector_droop(8, 1.5).reach, droop(8).reach);  // what widens outward is heavier there
+    EXPECT_LT(sector_droop(8, 1.5).reach, droop(8).reach);  // it widens outward, so more weight is far from the clamp
 }
 
 TEST(DrapeFloor, has_the_known_values) {
@@ -61,7 +61,7 @@ TEST(DrapeFloor, has_the_known_values) {
 
 }  // namespace
 
-// The shadow of a disc, flat, hanging and folded, and its drape coefficient.
+// The shadow of a flat, a hanging and a folded disc, and its drape coefficient.
 
 namespace {
 
@@ -75,7 +75,7 @@ Vec3d flat(double radius, double angle) {
     return {radius * std::cos(angle), 0, radius * std::sin(angle)};
 }
 
-// A disc in sectors and rings, each point where `place` puts it.
+// A disc of sectors and rings; `place` maps polar coordinates to positions.
 Shadow shadow_of(const Place& place) {
     Shadow shadow;
     const auto angle = [](int i) { return 2 * std::numbers::pi * i / kSectors; };

@@ -1,4 +1,4 @@
-// Every table and figure of the thesis in tiny: what does not depend on the clock.
+// Every table and figure of the thesis at small size. Checks only what does not depend on timing.
 #include "bench/thesis/thesis.h"
 
 #include <gtest/gtest.h>
@@ -195,7 +195,7 @@ TEST(Points, grid_and_octree_find_every_point_that_they_hold_and_no_other) {
     for (int i = 0; i < 1000; ++i)
         points.emplace_back(0.001F * static_cast<float>(i), 0.001F * static_cast<float>(i * 7 % 1000),
                             0.001F * static_cast<float>(i * 31 % 1000));
-    points.push_back(points[500] + Vec3f(1e-6F, 0, 0));  // in the same cell as another, at any depth
+    points.push_back(points[500] + Vec3f(1e-6F, 0, 0));  // in the same cell as another point, at any depth
     const Cube cube{.low = Vec3f::Constant(0.25F), .side = 0.5F};
     const PointGrid grid(points, cube);
     const PointOctree octree(points, cube);

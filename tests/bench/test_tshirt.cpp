@@ -1,4 +1,4 @@
-// The T-shirt experiment's parts: denser bodies, swaying cloth and the JSON.
+// Parts of the T-shirt experiment: denser bodies, swaying cloth and the JSON.
 #include "bench/tshirt/tshirt.h"
 
 #include <gtest/gtest.h>

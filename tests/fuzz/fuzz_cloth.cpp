@@ -1,5 +1,5 @@
-// Bytes become what happens to a small cloth: its fabric, levels, criteria, pins, steps and where the body is. Whatever
-// random runs look for stops the fuzzer, as does a failed assertion or what a sanitizer finds.
+// A libFuzzer target. The input bytes choose what happens to a small cloth: fabric, levels, criteria, pins, steps and
+// the body. The fuzzer stops at a fault that RandomRun detects, a failed assertion or a sanitizer error.
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
@@ -10,7 +10,7 @@
 namespace selvedge::test {
 namespace {
 
-// Byte by byte; zeros when they have run out.
+// Uses one byte per choice; returns 0 when there are no bytes left.
 class ByteChoices final : public sim::Choices {
  public:
     explicit ByteChoices(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}

@@ -9,7 +9,7 @@ namespace {
 
 using Mean = std::array<double, 4>;
 
-// Of the block whose corner is (left, top); blocks at the picture's rim may be smaller.
+// Mean of the block with the upper left corner (left, top); blocks at the picture's border may be smaller.
 Mean mean_colour(const render::Image& image, int left, int top, int side_px) {
     Mean sum{};
     int count = 0;

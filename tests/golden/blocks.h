@@ -1,7 +1,7 @@
 #pragma once
-// How far two pictures of a drape are apart. A drape amplifies the last bits in which CPUs differ into other small
-// folds, so its pictures are compared by the mean colours of blocks, and a few blocks may differ. The limits lie
-// between what some 10 nm of the mannequin's height change and what faults do (tests/golden/README.md).
+// Compares pictures of a drape. A drape amplifies rounding differences between CPUs into different small folds, so its
+// pictures are compared by the mean colours of blocks, and a few blocks may differ. The limits lie between the effect
+// of some 10 nm of the mannequin's height and the effect of faults (tests/golden/README.md).
 #include <string>
 
 #include "render/image/image.h"
@@ -10,8 +10,8 @@ namespace selvedge::test {
 
 struct BlockOptions {
     int side_px = 16;
-    double tolerance = 30;       // of 255, of a block's mean in any channel
-    double share_beyond = 0.05;  // share of blocks that may be off by more
+    double tolerance = 30;       // of 255: difference of a block's mean in any channel
+    double share_beyond = 0.05;  // fraction of blocks that may differ by more
 };
 
 struct BlockComparison {
@@ -23,12 +23,12 @@ struct BlockComparison {
     double share_beyond() const { return blocks == 0 ? 0.0 : double(beyond) / double(blocks); }
 };
 
-// Of pictures of unlike size nothing but that is told.
+// If the sizes differ, only has_same_size is set.
 BlockComparison compare_blocks(const render::Image& a, const render::Image& b, const BlockOptions& options = {});
 
 bool is_alike(const BlockComparison& comparison, const BlockOptions& options = {});
 
-// One line for people: "5.1 % of the blocks differ by more than 12/255, at most 43/255".
+// One line of text: "5.1 % of the blocks differ by more than 12/255, at most 43/255".
 std::string describe(const BlockComparison& comparison, const BlockOptions& options = {});
 
 }  // namespace selvedge::test

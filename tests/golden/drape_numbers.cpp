@@ -50,7 +50,7 @@ std::string spoken(const Vec3d& point) {
 }
 
 bool is_near(double reference, double now, double tolerance) {
-    return std::abs(reference - now) <= tolerance;  // not so for a NaN
+    return std::abs(reference - now) <= tolerance;  // false for a NaN
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-// Shipped garments on the coarse mannequin, for the golden cases that run from end to end.
+// Shipped garments on the coarse mannequin, for golden tests that run the whole pipeline.
 #include <string>
 
 #include "sim/dress/dress.h"
@@ -9,7 +9,7 @@ namespace selvedge::test {
 // The female mannequin at its lowest resolution.
 sim::Body coarse_mannequin();
 
-// `garment` is a name of patterns/, without extension.
+// `garment`: a file name in patterns/, without extension.
 sim::DressedGarment dress_shipped(const std::string& garment, const sim::DressOptions& options = {});
 
 }  // namespace selvedge::test

@@ -12,7 +12,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Radix two: even and odd places apart, then together.
+// Radix-2 FFT: transforms elements with even and odd index separately, then combines them.
 void transform(std::vector<Complex>& line) {
     const std::size_t n = line.size();
     if (n == 1) return;
@@ -30,7 +30,7 @@ void transform(std::vector<Complex>& line) {
     }
 }
 
-// One line of the square: every `step`-th from `first`.
+// One row or column of the square: every `step`-th element from `first`.
 void transform_line(std::vector<Complex>& square, std::size_t side, std::size_t first, std::size_t step) {
     std::vector<Complex> line(side);
     for (std::size_t i = 0; i < side; ++i) line[i] = square[first + i * step];
@@ -65,7 +65,7 @@ double greatest_slow_wave(const std::vector<double>& values, int side, int most)
     double greatest = 0;
     for (int y = -most; y <= most; ++y) {
         for (int x = -most; x <= most; ++x) {
-            if (std::max(std::abs(x), std::abs(y)) < 2) continue;  // what the fading makes of slow slopes
+            if (std::max(std::abs(x), std::abs(y)) < 2) continue;  // slow gradients leak into these through the window
             const int row = (y + side) % side, column = (x + side) % side;
             greatest = std::max(greatest, 2 * std::abs(waves[static_cast<std::size_t>(row * side + column)]));
         }

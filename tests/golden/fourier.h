@@ -1,16 +1,16 @@
 #pragma once
-// The waves in a square picture.
+// Fourier transform of a square picture, and the strongest slow wave in it.
 #include <complex>
 #include <vector>
 
 namespace selvedge::test {
 
-// Values in rows, side x side, side a power of two: to coefficients, whose index is the number of waves each way,
-// negative ones counted from the end. The mean of all is at (0, 0).
+// values: in rows, side x side; side is a power of two. Returns the coefficients; the indices are the numbers of waves
+// along x and y, with negative numbers counted from the end. (0, 0) is the mean.
 std::vector<std::complex<double>> fourier(const std::vector<double>& values, int side);
 
-// The greatest amplitude among waves of `most` or fewer to the picture, the mean left out. The picture fades towards
-// its edges (Hann), so that it need not repeat.
+// The largest amplitude among waves with at most `most` and at least 2 periods per picture. A Hann window fades the
+// picture towards its borders, so that it need not be periodic.
 double greatest_slow_wave(const std::vector<double>& values, int side, int most);
 
 }  // namespace selvedge::test

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t kSide = 49;  // vertices along a side of the frozen sheet
 
-// Every eighth vertex is of level 0, every fourth of level 1, and so on.
+// Every eighth vertex along a side has level 0, every fourth level 1, every second level 2, the others level 3.
 std::uint8_t vertex_level(std::uint32_t v) {
     const std::uint32_t i = v % kSide, j = v / kSide;
     for (std::uint8_t level = 0; level < 3; ++level) {
@@ -20,7 +20,7 @@ std::uint8_t vertex_level(std::uint32_t v) {
     return 3;
 }
 
-// m from the ball under the sheet, made larger to the right so that the figures vary on top too.
+// m, distance from the ball under the sheet, increased to both sides so that the values also vary on top.
 std::vector<float> clearances(const sim::PlainMesh& mesh) {
     std::vector<float> distances;
     for (const Vec3f& x : mesh.x) {
@@ -30,7 +30,7 @@ std::vector<float> clearances(const sim::PlainMesh& mesh) {
     return distances;
 }
 
-// Refined towards one corner of each of two panels, down to level 3.
+// Refined towards one corner, down to level 3.
 void add_refined(sim::TriangleHierarchy& all, const std::array<Vec2f, 3>& u, std::uint16_t panel, std::uint8_t level) {
     const Vec2f middle = (u[0] + u[1] + u[2]) / 3;
     const bool is_leaf = level == 3 || middle.norm() > 0.55F / float(1 << level);

@@ -1,5 +1,5 @@
 #pragma once
-// The frozen scene in the modes that paint and mark, with figures made by formula.
+// The frozen scene in the modes that use paint and marks, with values computed by formulas.
 #include "render/marks/legend.h"
 #include "tests/golden/frozen_scene.h"
 
@@ -12,7 +12,7 @@ struct FrozenMode {
 
 FrozenMode make_frozen_mode(render::ShowMode mode);
 
-// With the legend, in the lower left.
+// With the legend in the lower left corner.
 render::Image draw_frozen(const FrozenMode& frozen, int side_px);
 
 }  // namespace selvedge::test

@@ -9,12 +9,12 @@ namespace selvedge::test {
 namespace {
 
 constexpr float kBallRadius = 0.25F;  // m
-constexpr float kBallHeight = 0.55F;  // of its centre
+constexpr float kBallHeight = 0.55F;  // m, of its centre
 constexpr float kClothRadius = kBallRadius + 0.004F;
 constexpr float kHalfSide = 0.55F;
-constexpr std::uint32_t kCells = 48;  // along a side; even, the seam runs along the middle
+constexpr std::uint32_t kCells = 48;  // along a side; even, so that the seam runs along the middle
 
-// Where the sheet's point (x, z) comes to lie: down the ball to its equator by arc length, straight down from there.
+// Position of the sheet's point (x, z): by arc length down the ball to its equator, from there straight down.
 Vec3f drape(const Vec2f& at) {
     const float reach = at.norm();
     if (reach == 0) return {0, kBallHeight + kClothRadius, 0};
@@ -37,7 +37,7 @@ std::uint32_t vertex_at(std::uint32_t i, std::uint32_t j) {
     return j * (kCells + 1) + i;
 }
 
-// Seen from above, +z runs down: (i, j) (i, j+1) (i+1, j) is counter-clockwise.
+// Seen from above, +z points down: (i, j) (i, j+1) (i+1, j) is anticlockwise.
 void add_triangle(sim::PlainMesh& mesh, const std::array<std::array<std::uint32_t, 2>, 3>& corners) {
     const bool is_left = corners[0][0] + corners[1][0] + corners[2][0] < 3 * kCells / 2;
     std::array<Vec2f, 3> u;

@@ -1,6 +1,6 @@
 #pragma once
-// The scene of the golden pictures, made by formula so that nothing but the renderer can change them: a square of cloth
-// laid over a ball, its rim hanging in folds, cut in two panels with a seam between.
+// The scene of the golden pictures, made by formulas so that only the renderer can change the pictures: a square of
+// cloth draped over a ball, its border hanging in folds, cut into two panels with a seam between them.
 #include "render/scene/scene.h"
 
 namespace selvedge::test {

@@ -11,7 +11,7 @@
 namespace selvedge::test {
 namespace {
 
-// What is wrong with the second picture, by the first; nothing when they are alike.
+// Compares reference and picture: a description of what is wrong, or nullopt if they are alike.
 using Judge = std::function<std::optional<std::string>(const render::Image&, const render::Image&)>;
 
 testing::AssertionResult matches(const render::Image& image, const std::string& name, const Judge& judge) {

@@ -1,6 +1,6 @@
 #pragma once
-// Golden references: tests/golden/reference/NAME against what comes out now. A failing picture leaves NAME.out.png and
-// NAME.diff.png in the folder the test runs in. How to renew them: tests/golden/README.md.
+// Compares results with the golden references in tests/golden/reference. If a picture fails, NAME.out.png and
+// NAME.diff.png are written to the test's working directory. How to renew references: tests/golden/README.md.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -11,20 +11,20 @@
 
 namespace selvedge::test {
 
-// Where a reference is kept; `file` with its extension.
+// Path of a reference; `file` includes the extension.
 std::filesystem::path reference_path(const std::string& file);
 
-// Whether SELVEDGE_RENEW_GOLDENS, names with commas between, holds this one.
+// Whether SELVEDGE_RENEW_GOLDENS, a comma-separated list of names, contains this name.
 bool is_to_be_renewed(const std::string& name);
 
-// Fails when the reference is missing or the pictures are not alike (render/image/compare.h). Where
-// SELVEDGE_RENEW_GOLDENS names the picture, it becomes the reference instead.
+// Fails if the reference is missing or the pictures are not alike (render/image/compare.h). If SELVEDGE_RENEW_GOLDENS
+// contains the name, writes the picture as the new reference instead.
 testing::AssertionResult matches_golden(const render::Image& image, const std::string& name);
 
-// The same by the rule for pictures of a drape (tests/golden/blocks.h).
+// The same with the rule for pictures of a drape (tests/golden/blocks.h).
 testing::AssertionResult matches_golden_by_blocks(const render::Image& image, const std::string& name);
 
-// The reference as it is stored. Throws InputError when it is missing.
+// The stored reference. Throws InputError if it is missing.
 render::Image read_reference(const std::string& name);
 
 }  // namespace selvedge::test

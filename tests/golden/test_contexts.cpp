@@ -1,4 +1,4 @@
-// The makers of contexts, and that their pictures are the same.
+// The kinds of GL context, and that all of them give the same picture.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// Previews, and pictures that stay with GL.
+// The preview renderer, and pictures that stay in GL memory (PictureTexture).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -40,7 +40,7 @@ render::Scene rippled(render::Scene scene) {
     return scene;
 }
 
-// Mean colour of the blocks that a picture is cut in, of 12 x 12 px.
+// Mean colours of the picture's blocks of 12 x 12 px.
 std::vector<Vec3f> block_means(const render::Image& image) {
     std::vector<Vec3f> means;
     for (int top = 0; top < image.height_px; top += 12) {

@@ -1,5 +1,5 @@
-// Garments dressed from end to end, by their numbers: a drape differs from one CPU to another in its small folds, and
-// the tolerances are wide enough for that. Each is shown to fail by a fault.
+// Statistics of garments dressed by the whole pipeline. The small folds of a drape differ between CPUs, and the
+// tolerances allow for that. For each tolerance, a test shows that a fault exceeds it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,7 +27,7 @@ DrapeNumbers read_numbers(const std::string& name) {
     return parse_drape_numbers(sim::JsonView(json, path.string()));
 }
 
-// What tells a reference from itself with a fault, in one line.
+// The difference that a fault makes against the reference, in one line.
 std::string what_tells(void (*spoil)(DrapeNumbers&)) {
     const DrapeNumbers reference = read_numbers("drape_tshirt");
     DrapeNumbers spoilt = reference;

@@ -1,4 +1,4 @@
-// One garment from its pattern file to its picture, and what that picture must not be taken for.
+// One garment from its pattern file to its picture, and wrong pictures that the comparison must reject.
 #include <gtest/gtest.h>
 
 #include "render/draw/renderer.h"
@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kName = "dressed_tshirt";
 
-// Of the mannequin's trunk; it stands still, wherever the cloth hangs.
+// Aims at the mannequin's trunk, independently of how the cloth hangs.
 render::Camera camera_at_trunk() {
     const std::vector<Vec3f> corners{Vec3f(-0.4F, 0.75F, 0), Vec3f(0.4F, 1.4F, 0)};
     return frame_points(corners, render::View::ThreeQuarter, {.aspect = 1});
@@ -30,7 +30,7 @@ render::Image draw(const sim::PlainMesh& garment, const std::string& tartan) {
     return render::Renderer().draw(scene, {.width_px = 256, .height_px = 256});
 }
 
-// One process runs this suite, so that the T-shirt is dressed once.
+// One process runs this suite, so the T-shirt is dressed only once.
 class DressedPicture : public testing::Test {
  protected:
     static void SetUpTestSuite() { tshirt_ = dress_shipped("tshirt", {.max_level = 2}).mesh; }

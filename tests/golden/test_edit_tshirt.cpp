@@ -1,4 +1,4 @@
-// The T-shirt that a person makes at the editor from an empty sheet, by clicks and keys alone, is the one that ships.
+// A T-shirt made in the editor from an empty sheet, by clicks and keys alone, equals the shipped T-shirt.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,10 +19,10 @@
 namespace selvedge::test {
 namespace {
 
-constexpr double kLength = 0.001;  // m: handles are typed to 0.01 mm, the file has them to 1/10000 of their edge
+constexpr double kLength = 0.001;  // m: handles are typed to 0.01 mm, the file rounds them to 1/10000 of their edge
 constexpr double kArea = 0.0002;   // m2
 
-// Both sides' panels and lengths, in an order that does not depend on who was clicked first.
+// Panels and lengths of both sides, in an order that does not depend on which side was clicked first.
 struct SewnPair {
     std::vector<std::string> panels;
     std::vector<double> lengths;  // m
@@ -61,7 +61,7 @@ std::map<std::string, sim::Panel> by_name(const sim::Pattern& pattern) {
     return panels;
 }
 
-// The sheet and the tools beside it: while panels wait before the body, copies may stand in one another there.
+// The sheet and its tools. The 3D view is left out: before they are placed, copies may intersect in front of the body.
 render::Image sheet_of(const render::Image& screen) {
     constexpr int kSheetEnd = 498;  // px
     render::Image sheet(kSheetEnd, screen.height_px);
@@ -71,7 +71,7 @@ render::Image sheet_of(const render::Image& screen) {
     return sheet;
 }
 
-// One process runs this suite, so that the script is played once.
+// One process runs this suite, so the script runs only once.
 class EditTshirt : public testing::Test {
  protected:
     static void SetUpTestSuite() {
@@ -127,8 +127,8 @@ TEST_F(EditTshirt, lies_about_the_body_that_it_names_and_is_linked_from_left_to_
     }
 }
 
-// Placed by dots about the body, where the shipped one stands flat before and behind it: so it comes to hang in other
-// folds, but settles as well, as high and as little stretched.
+// Panels are placed at arrangement points around the body, while the shipped garment stands flat in front of and behind
+// it. So the folds differ, but it settles too, with the same height and the same strain.
 TEST_F(EditTshirt, hangs_as_the_shipped_one) {
     const sim::Body body = coarse_mannequin();
     const sim::DressOptions options{.max_level = 2};

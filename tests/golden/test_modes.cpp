@@ -1,4 +1,4 @@
-// A golden picture for each mode that paints or marks, with its legend, and for each one faults seeded on purpose.
+// A golden picture for each mode with paint or marks, including its legend, and for each one deliberate faults.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -61,7 +61,7 @@ void flip_solid_normals(FrozenMode& frozen) {
     for (Vec3f& normal : frozen.scene.solids[0].normals) normal = -normal;
 }
 
-// One colour of the marks becomes another.
+// Replaces one colour of the marks.
 void swap_solid_colour(FrozenMode& frozen) {
     const sim::Rgb8 first = frozen.scene.solids[0].colours.front();
     for (sim::Rgb8& colour : frozen.scene.solids[0].colours) {
@@ -81,7 +81,7 @@ void lose_ink(FrozenMode& frozen) {
     frozen.scene.cloths[0].ink = 0;
 }
 
-// One figure, all digits of it: what a single one changes is as little as rounding may.
+// Changes all digits of one value: a change of a single digit is within the tolerance for rounding.
 void change_figure(FrozenMode& frozen) {
     std::string& figure = frozen.legend->notes.empty() ? frozen.legend->rows[0].figure : frozen.legend->notes[0][1];
     for (char& digit : figure) {

@@ -1,5 +1,5 @@
-// The golden pictures, and for each kind of fault that they guard against one seeded on purpose: a golden that cannot
-// fail guards nothing.
+// The golden pictures, and a deliberate fault for each kind of fault that they detect: a golden test that cannot fail
+// is useless.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -20,7 +20,7 @@ render::Image draw(const render::Scene& scene) {
     return render::Renderer().draw(scene, kSmall);
 }
 
-// So near that threads are seen.
+// So near that single threads are visible.
 render::Scene near_scene() {
     render::Scene scene = make_frozen_scene({.view = render::View::Front});
     scene.camera.target = Vec3f(0.02F, 0.6F, 0.25F);
@@ -36,7 +36,7 @@ render::Scene transparent_scene() {
     return scene;
 }
 
-// From below, where the wrong side of the cloth is seen.
+// From below, where the wrong side of the cloth is visible.
 render::Scene below_scene() {
     render::Scene scene = make_frozen_scene({.has_ball = false});
     scene.camera.eye = Vec3f(0.9F, 0.1F, 2.0F);
@@ -45,7 +45,7 @@ render::Scene below_scene() {
     return scene;
 }
 
-// Warp and weft of unlike setts and colours.
+// Warp and weft have different setts and colours.
 sim::Sett denim() {
     sim::Sett sett = sim::parse_threadcount("I=#2E4468; I24 R2");
     sett.weft_stripes = sim::parse_threadcount("W9 G3").stripes;
@@ -77,7 +77,7 @@ struct GoldenCase {
     std::function<render::Scene()> make;
 };
 
-// How GoogleTest and ctest name the case.
+// The case's name in GoogleTest and ctest.
 void PrintTo(const GoldenCase& golden, std::ostream* out) {
     *out << golden.name;
 }
@@ -109,7 +109,7 @@ TEST_P(Golden, picture_is_as_it_was) {
 INSTANTIATE_TEST_SUITE_P(Picture, Golden, testing::ValuesIn(golden_cases()),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
-// The difference that a fault makes against the stored reference.
+// Expects that a fault makes the picture differ from the stored reference.
 void expect_seen(const render::Scene& faulty, const std::string& name) {
     const render::Comparison comparison = compare(read_reference(name), draw(faulty));
     EXPECT_FALSE(is_alike(comparison)) << "the golden " << name << " does not see it: " << describe(comparison);
@@ -131,7 +131,7 @@ bool is_near(const GoldenCase& golden) {
     return std::string_view(golden.name).ends_with("_near");
 }
 
-// Every golden, by every fault that its kind of picture can show.
+// Every golden with every fault that its kind of picture can show.
 class GoldenFault : public testing::TestWithParam<GoldenCase> {};
 
 TEST_P(GoldenFault, flipped_normals_are_seen) {

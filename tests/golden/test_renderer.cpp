@@ -1,4 +1,4 @@
-// What holds for every picture, whatever it shows.
+// Properties of every picture, whatever it shows.
 #include "render/draw/renderer.h"
 
 #include <gtest/gtest.h>
@@ -73,7 +73,7 @@ TEST(Renderer, a_transparent_backdrop_leaves_corners_empty_and_cloth_whole) {
     EXPECT_EQ(image.at(64, 50)[3], 255);
 }
 
-// From afar every stripe is finer than a pixel: the cloth must have the sett's mean colour and no pattern.
+// From afar every stripe is finer than a pixel: the cloth must have the sett's mean colour without a pattern.
 TEST(Renderer, from_afar_the_tartan_neither_shimmers_nor_shifts_its_colour) {
     render::Scene scene = make_frozen_scene({.view = render::View::Front});
     scene.cloths[0].sett_scale = 0.002F;
@@ -85,7 +85,7 @@ TEST(Renderer, from_afar_the_tartan_neither_shimmers_nor_shifts_its_colour) {
     EXPECT_LE(comparison.largest_step, 8) << describe(comparison);
 }
 
-// Grey at a place of the picture, px from its upper left, between the pixels round it.
+// Grey value at a position in the picture, px from its upper left corner, interpolated between pixels.
 double grey_at(const render::Image& image, const Vec2f& at) {
     const int x = static_cast<int>(std::floor(at.x() - 0.5F)), y = static_cast<int>(std::floor(at.y() - 0.5F));
     const double s = at.x() - 0.5 - x, t = at.y() - 0.5 - y;
@@ -107,8 +107,7 @@ render::Scene turned(render::Scene scene, float angle) {
     return scene;
 }
 
-// Bytes by which the spots of a matt dome, under a light that stands still, change at most from one small turn of the
-// camera to the next.
+// Largest change, in bytes, of spots on a matt dome under a fixed light, from one small turn of the camera to the next.
 double greatest_flicker(const render::Scene& scene) {
     constexpr int side = 256, turns = 8;
     render::Renderer renderer;
@@ -146,7 +145,7 @@ TEST(Flicker, a_still_spot_keeps_its_light_when_the_camera_turns) {
 
 TEST(Flicker, is_seen_where_there_is_some) {
     render::Scene scene = matt_dome();
-    scene.cloths[0].show = render::ShowMode::Edges;  // lines about as wide as a pixel, whose share of it changes
+    scene.cloths[0].show = render::ShowMode::Edges;  // lines about as wide as a pixel, so their coverage of it changes
     EXPECT_GT(greatest_flicker(scene), 8);
 }
 

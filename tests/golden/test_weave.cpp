@@ -1,5 +1,5 @@
-// Woven cloth from a hand's breadth to five metres: one colour at every distance and angle, and no wave that is not in
-// the cloth. Colours are compared as linear light.
+// Woven cloth in pictures that cover 2 cm to 5 m: the same colour at every distance and angle, and no wave that is not
+// in the cloth. Colours are compared in linear light.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,8 +14,8 @@ namespace {
 
 constexpr int kSide = 128;  // px
 constexpr double kOneStep = 1.0 / 255;
-constexpr double kLeastWave = 1.5 / 255;  // amplitude, of linear light, below which none is seen
-constexpr int kSlowest = 6;  // waves to a picture: every pattern below has more where threads are near a pixel
+constexpr double kLeastWave = 1.5 / 255;  // amplitude in linear light; smaller waves are invisible
+constexpr int kSlowest = 6;               // waves per picture: patterns below have more where threads are near a pixel
 
 sim::Sett few_threads(sim::Weave weave) {
     sim::Sett sett = sim::parse_threadcount("K1 W2 R3");
@@ -41,7 +41,7 @@ LinearPicture draw(render::Renderer& renderer, const SheetView& view) {
     return to_linear(renderer.draw(sheet_scene(view), {.width_px = kSide, .height_px = kSide}));
 }
 
-// The light on the sheet, by a cloth of one colour.
+// The light on the sheet, measured with a cloth of one colour.
 Vec3d light_on(render::Renderer& renderer, SheetView view) {
     view.sett = sim::parse_threadcount("W4");
     view.field = 1;
@@ -50,7 +50,7 @@ Vec3d light_on(render::Renderer& renderer, SheetView view) {
     return seen.cwiseQuotient(lit_dye(dye, view, Vec3d::Ones()));
 }
 
-// Greatest difference of a channel's mean from what the threads give.
+// Largest difference of a channel's mean from the value computed from the threads.
 double shift_of(const LinearPicture& picture, const SheetView& view, const Vec3d& light) {
     const Vec3d expected = lit_dye(dyes_seen(view, kSide, 6).mean(), view, light);
     return (picture.mean() - expected).cwiseAbs().maxCoeff();
@@ -131,7 +131,7 @@ TEST_P(Weaves, show_no_wave_that_is_not_in_the_cloth) {
 INSTANTIATE_TEST_SUITE_P(Woven, Weaves, testing::ValuesIn(weave_cases()),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
-// As if nothing were filtered over the pixel: each takes one point of a picture eight times as fine.
+// Without filtering over the pixel: each pixel takes one point of a picture with eight times the resolution.
 LinearPicture unfiltered(render::Renderer& renderer, const SheetView& view) {
     constexpr int times = 8;
     const render::Image fine =
@@ -196,7 +196,7 @@ TEST(Fourier, finds_a_wave_and_its_amplitude) {
     EXPECT_LT(greatest_slow_wave(values, 64, 4), 0.03) << "of which the fading leaves a part to its neighbours";
 }
 
-// The picture's encoding: a cloth of a known colour in light that makes white white keeps its bytes.
+// sRGB encoding: a cloth of a known colour, in light that shows white as white, keeps its bytes.
 TEST(Encoding, a_plain_colour_in_full_even_light_keeps_its_bytes) {
     SheetView view{.sett = sim::parse_threadcount("W4")};
     render::Scene scene = sheet_scene(view);

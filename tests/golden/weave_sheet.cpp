@@ -16,7 +16,7 @@ int wrapped(double value, int count) {
     return (whole % count + count) % count;
 }
 
-// Across the sheet and up it, as it lies in the room.
+// The sheet's directions in world space.
 struct SheetAxes {
     Vec3d weft, warp;
 };
@@ -55,7 +55,7 @@ bool is_warp_over(sim::Weave weave, double end, double pick) {
     return false;
 }
 
-// Where the ray of a place of the picture meets the sheet, m along weft and warp.
+// Where the ray through a position in the picture meets the sheet, m along weft and warp.
 Vec2d place_on_sheet(const SheetView& view, const render::Camera& camera, const Vec2d& at_px, int side_px) {
     const double half = std::tan(camera.fov_y / 2.0);
     const Vec2d ndc = at_px * (2.0 / side_px) - Vec2d(1, 1);
@@ -155,7 +155,7 @@ LinearPicture dyes_seen(const SheetView& view, int side_px, int samples) {
     return picture;
 }
 
-// No yarn is quite black; the wrong side is a little darker.
+// As in the shader: no yarn is fully black, and the wrong side is a little darker.
 Vec3d lit_dye(const Vec3d& dye, const SheetView& view, const Vec3d& light) {
     const Vec3d albedo = (0.94 * dye + Vec3d::Constant(0.008)) * (view.is_behind ? 0.86 : 1.0);
     return albedo.cwiseProduct(light);

@@ -1,5 +1,5 @@
 #pragma once
-// Closed surfaces whose distance is known without a mesh.
+// Closed test surfaces (box, sphere), and simple checks of a body's surface.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,7 +11,7 @@
 
 namespace selvedge::sim::shapes {
 
-// Axis-aligned box from low to high; each face is parted into cells x cells squares.
+// Axis-aligned box from low to high; each face is divided into cells x cells squares.
 inline Body box(const Vec3d& low, const Vec3d& high, int cells) {
     Body body;
     std::map<std::array<int, 3>, int> vertices;
@@ -42,7 +42,7 @@ inline Body box(const Vec3d& low, const Vec3d& high, int cells) {
     return body;
 }
 
-// A cube's grid pushed out onto the sphere.
+// A cube's grid projected onto the sphere.
 inline Body sphere(const Vec3d& centre, double radius, int cells) {
     Body body = box(Vec3d::Constant(-1), Vec3d::Constant(1), cells);
     for (Vec3d& p : body.x) p = centre + radius * p.normalized();
@@ -54,7 +54,7 @@ inline double box_distance(const Vec3d& p, const Vec3d& low, const Vec3d& high) 
     return outside.cwiseMax(0).norm() + std::min(outside.maxCoeff(), 0.0);
 }
 
-// Whether every directed edge is there once and its reverse once.
+// Whether every directed edge occurs once and so does its opposite.
 inline bool is_closed(const Body& body) {
     std::map<std::pair<int, int>, int> uses;
     for (const auto& triangle : body.triangles)
@@ -64,7 +64,7 @@ inline bool is_closed(const Body& body) {
     });
 }
 
-// m^3; positive when the surface is turned outward.
+// m^3; positive when the surface has outward orientation.
 inline double volume(const Body& body) {
     double sum = 0;
     for (const auto& [a, b, c] : body.triangles)
@@ -72,7 +72,7 @@ inline double volume(const Body& body) {
     return sum;
 }
 
-// One body that holds the surfaces of both.
+// The surfaces of both bodies in one body.
 inline Body together(const Body& first, const Body& second) {
     Body body = first;
     const int offset = int(first.x.size());

@@ -1,5 +1,5 @@
 #pragma once
-// A folder that goes when the test is over.
+// A temporary folder that is deleted when the test ends.
 #include <gtest/gtest.h>
 #include <unistd.h>
 #include <filesystem>

@@ -6,7 +6,7 @@
 namespace selvedge::editor {
 namespace {
 
-constexpr std::size_t kManyPanels = 14;  // beyond, more are deleted than added
+constexpr std::size_t kManyPanels = 14;  // with more panels, removals outnumber additions
 
 const sim::Panel* find(const sim::Pattern& pattern, const std::string& name) {
     const auto found = std::find_if(pattern.panels.begin(), pattern.panels.end(),

@@ -1,5 +1,5 @@
 #pragma once
-// Commands as a monkey with a mouse would make them: mostly sensible, often impossible.
+// Random commands for monkey tests: most are plausible, many are not possible.
 #include <random>
 #include <string>
 
@@ -13,7 +13,7 @@ class RandomCommands {
 
     Command next(const sim::Pattern& pattern);
 
-    // 0 .. count - 1
+    // A random index, 0 .. count - 1.
     int pick(std::size_t count);
     double between(double least, double most);
 

@@ -78,7 +78,7 @@ TEST(Document, a_drag_that_goes_wrong_stays_at_its_last_sound_place) {
     Document document(shipped("tshirt.json"));
     document.preview(move_point("front", 0, Vec2d(0.01, 0)));
     const sim::Pattern sound = document.pattern();
-    EXPECT_THROW(document.preview(move_point("front", 0, Vec2d(0.30, 0.45))), GeometryError);  // through the other side
+    EXPECT_THROW(document.preview(move_point("front", 0, Vec2d(0.30, 0.45))), GeometryError);  // crosses the outline
     EXPECT_EQ(document.pattern(), sound);
     document.keep();
     EXPECT_EQ(document.pattern(), sound);
@@ -115,7 +115,7 @@ TEST(Document, knows_whether_it_is_saved) {
     document.redo();
     EXPECT_FALSE(document.has_unsaved_changes());
     document.undo();
-    document.run(SetLayer{.panel = "front", .layer = 2});  // what was saved cannot be come back to
+    document.run(SetLayer{.panel = "front", .layer = 2});  // undo and redo cannot reach the saved state any more
     document.undo();
     EXPECT_TRUE(document.has_unsaved_changes());
 }
@@ -179,7 +179,7 @@ TEST(Document, one_that_takes_the_place_of_another_has_no_revision_of_its) {
     EXPECT_GT(second.revision(), seen);
 }
 
-// Runs so many commands, with undo, redo and drags between them. Returns how many were carried out.
+// Runs `count` random commands, with undo, redo and drags between them. Returns the number of commands applied.
 int run_commands(Document& document, unsigned seed, int count) {
     RandomCommands commands(seed);
     int done = 0;
@@ -206,10 +206,10 @@ TEST(RandomCommands, undone_give_the_first_document_byte_for_byte) {
     for (const char* name : {"tshirt.json", "skirt.json", "poncho.json", "two_squares.json", "tshirt_thesis.json"}) {
         Document document(shipped(name));
         const std::string first = document.text();
-        for (int round = 0; round < 20; ++round) {  // each begins with the last one's garment, a wreck by then
+        for (int round = 0; round < 20; ++round) {  // continues with the garment of the previous round
             done +=
                 run_commands(document, 100 * static_cast<unsigned>(round) + static_cast<unsigned>(first.size()), 1000);
-            document.keep();  // a drag that was under way
+            document.keep();  // commits an unfinished drag
             const std::string last = document.text();
             EXPECT_FALSE(sim::has_error(sim::check_pattern_text(last, name)))
                 << sim::describe(sim::check_pattern_text(last, name).front());

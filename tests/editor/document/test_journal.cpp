@@ -13,7 +13,7 @@ sim::PatternDocument shipped(const std::string& name) {
     return sim::load_pattern(std::string(SELVEDGE_SOURCE_DIR) + "/patterns/" + name);
 }
 
-// A document whose journal is written down.
+// A document with its journal as text.
 struct Journaled {
     explicit Journaled(const std::string& name) : document(shipped(name)) {
         text = journal_head(name, document.text()) + "\n";

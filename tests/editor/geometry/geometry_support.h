@@ -1,5 +1,5 @@
 #pragma once
-// Patterns to draft on, and what must hold of every draft.
+// Test patterns and panels, and checks that every edited pattern must pass.
 #include <filesystem>
 #include <string>
 
@@ -15,14 +15,14 @@ inline sim::Pattern shipped_pattern(const std::string& name) {
     return sim::load_pattern(std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / (name + ".json")).pattern;
 }
 
-// A square of one metre, edges: bottom, right, top, left.
+// A square with sides of 1 m; edges: bottom, right, top, left.
 inline sim::Panel unit_square(const std::string& name = "square") {
     sim::Panel panel = make_rectangle({0, 0}, {1, 1});
     panel.name = name;
     return panel;
 }
 
-// Two squares, the right side of `left` (edge 1) sewn to the left side of `right` (edge 3).
+// Two squares: the right side of `left` (edge 1) is sewn to the left side of `right` (edge 3).
 inline sim::Pattern two_squares() {
     sim::Pattern pattern;
     pattern.panels = {unit_square("left"), unit_square("right")};
@@ -41,7 +41,7 @@ inline Vec2d edge_point(const sim::Pattern& pattern, const sim::SeamSide& side, 
     return outline_point(panel, panel.edges[static_cast<std::size_t>(side.edge)], t);
 }
 
-// Saved and loaded again, it has no fault that is an error, and the same panels and seams.
+// Whether the pattern, saved and loaded again, has no error and the same panels and seams.
 inline ::testing::AssertionResult can_be_saved(const sim::Pattern& pattern) {
     const std::string text = sim::write_pattern({pattern, {}});
     for (const sim::Fault& fault : sim::check_pattern_text(text, "draft.json")) {

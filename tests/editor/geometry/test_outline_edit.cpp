@@ -8,7 +8,7 @@
 namespace selvedge::editor {
 namespace {
 
-// A square whose bottom is a curve of some kind that hangs below it.
+// A square whose bottom edge is a curve of the given kind, below the straight line.
 sim::Panel bottomed(sim::CurveKind kind) {
     sim::Panel panel = unit_square();
     sim::OutlineEdge& edge = panel.edges[0];
@@ -239,7 +239,7 @@ TEST(TransformPanel, a_mirroring_keeps_it_counter_clockwise_and_its_seams_togeth
     transform_panel(pattern, 0, Eigen::Affine2d(Eigen::Scaling(-1.0, 1.0)));
     const sim::Panel& panel = pattern.panels[0];
     EXPECT_GT(outline_area(panel), 0.9);
-    EXPECT_EQ(pattern.seams[0].first, (sim::SeamSide{0, 3}));  // edge e of 4 became (4 - e) % 4
+    EXPECT_EQ(pattern.seams[0].first, (sim::SeamSide{0, 3}));  // edge e of 4 becomes edge (4 - e) % 4
     EXPECT_FALSE(pattern.seams[0].is_reversed);
     EXPECT_EQ(panel.edges[3].label, "side");
     EXPECT_EQ(panel.notches[0], (sim::Notch{3, 0.75}));

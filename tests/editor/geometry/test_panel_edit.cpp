@@ -86,7 +86,7 @@ TEST(DuplicatePanel, lies_beside_it_unsewn) {
     EXPECT_EQ(pattern.panels[2].vertices, pattern.panels[1].vertices);
 }
 
-// An L: edges bottom, right, step, inner, top, left.
+// An L shape; edges: bottom, right, step, inner, top, left.
 sim::Panel ell() {
     sim::Panel panel = make_polygon({{0, 0}, {1, 0}, {1, 0.5}, {0.5, 0.5}, {0.5, 1}, {0, 1}});
     panel.name = "ell";
@@ -104,7 +104,7 @@ TEST(CutPanel, both_parts_stay_where_they_were_and_keep_what_was_theirs) {
     panel.internal_lines = {{"pleat", {{0.1, 0.5}, {0.9, 0.5}}}, {"dart", {{0.8, 0.1}, {0.9, 0.1}}}};
     const sim::Panel before = panel;
     const Vec2d sheet = sheet_positions(pattern)[0];
-    // From the bottom up to the top, bent to the left on its way: the part on its right is new.
+    // From the bottom to the top, with a bend to the left. The part on the right of the path is the new panel.
     EXPECT_EQ(cut_panel(pattern, 0, {{0.5, -0.01}, {0.4, 0.5}, {0.5, 1.01}}, true), 2);
     const sim::Panel& kept = pattern.panels[0];
     const sim::Panel& taken = pattern.panels[2];
@@ -176,9 +176,9 @@ TEST(CutPanel, refuses_a_path_that_leaves_the_panel) {
     sim::Pattern pattern;
     pattern.panels = {ell()};
     const sim::Pattern before = pattern;
-    EXPECT_THROW(cut_panel(pattern, 0, {{0.75, 0.5}, {0.5, 0.75}}, true), GeometryError);  // outside, either way round
+    EXPECT_THROW(cut_panel(pattern, 0, {{0.75, 0.5}, {0.5, 0.75}}, true), GeometryError);  // outside, both directions
     EXPECT_THROW(cut_panel(pattern, 0, {{0.5, 0.75}, {0.75, 0.5}}, true), GeometryError);
-    EXPECT_THROW(cut_panel(pattern, 0, {{0, 0.75}, {1, 0.25}}, true), GeometryError);  // cuts the corner
+    EXPECT_THROW(cut_panel(pattern, 0, {{0, 0.75}, {1, 0.25}}, true), GeometryError);  // crosses the corner
     EXPECT_THROW(cut_panel(pattern, 0, {{0.2, 0}, {0.2, 0.5}, {0.8, 0.2}, {0.1, 0.2}, {0, 0.5}}, true), GeometryError);
     EXPECT_THROW(cut_panel(pattern, 0, {{0.2, 0}, {0.2, 0}}, true), GeometryError);
     EXPECT_THROW(cut_panel(pattern, 0, {{0.2, 0}, {0.8, 0}}, true), GeometryError);
@@ -252,7 +252,7 @@ TEST(UnfoldPanel, opens_what_was_cut_on_the_fold) {
 TEST(UnfoldPanel, darts_are_there_twice_and_a_seam_at_the_fold_goes) {
     sim::Pattern pattern = two_squares();
     insert_dart(pattern, {0, 0}, 0.5, 0.1, 0.4);
-    unfold_panel(pattern, {0, 4});  // the right side, behind the dart's three more edges
+    unfold_panel(pattern, {0, 4});  // the right side: the dart added three edges before it
     EXPECT_NEAR(outline_area(pattern.panels[0]), 2 * (1 - 0.02), 1e-9);
     ASSERT_EQ(pattern.seams.size(), 2U);
     for (const sim::Seam& seam : pattern.seams) {

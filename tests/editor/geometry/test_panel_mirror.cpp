@@ -8,7 +8,7 @@
 namespace selvedge::editor {
 namespace {
 
-// Turned, bent, and of every kind of curve.
+// A rotated, wrapped sleeve with every kind of curve.
 sim::Panel sleeve(bool is_mirrored) {
     sim::Panel panel = make_polygon({{0, 0}, {0.3, 0}, {0.4, 0.5}, {0.1, 0.7}, {-0.1, 0.5}});
     panel.name = "left_sleeve";
@@ -116,7 +116,7 @@ TEST(SymmetricCopy, of_a_linked_image_is_not_linked) {
     EXPECT_TRUE(pattern.panels[2].edges == pattern.panels[0].edges);
 }
 
-// Are panels 0 and `image` mirror images, as symmetric_copy makes them?
+// Expects panels 0 and `image` to be mirror images, as symmetric_copy makes them.
 void expect_mirrored(const sim::Pattern& pattern, int image) {
     sim::Pattern fresh;
     fresh.panels = {pattern.panels[0]};
@@ -142,7 +142,7 @@ void expect_mirrored(const sim::Pattern& pattern, int image) {
     EXPECT_EQ(found.internal_lines.size(), expected.internal_lines.size());
 }
 
-// A bodice with a sleeve on either side, linked, both sewn to it by their edge 2 and its image.
+// A bodice with two linked sleeves, sewn to it by edge 2 of the one and the image of edge 2 of the other.
 sim::Pattern sleeved() {
     sim::Pattern pattern = with_sleeve(false);
     symmetric_copy(pattern, 0, true, {1, 0});
@@ -210,7 +210,7 @@ TEST(UpdateMirrors, a_split_splits_the_image_and_what_it_is_sewn_to) {
             ASSERT_EQ(pattern.seams.size(), sewn);
             for (const sim::Seam& seam : pattern.seams) {
                 EXPECT_NEAR(edge_length(pattern, seam.first), edge_length(pattern, seam.second), 1e-9);
-                EXPECT_EQ(edge_point(pattern, seam.first, 0.5).y() > 0.5, true);  // still the sleeve's head
+                EXPECT_EQ(edge_point(pattern, seam.first, 0.5).y() > 0.5, true);  // still on the sleeve head
             }
             EXPECT_EQ(pattern.panels[2].edges.size(), own_edge == 2 ? 6U : 4U);
         }
@@ -263,7 +263,7 @@ TEST(UpdateMirrors, halves_that_are_sewn_to_each_other_keep_their_seam) {
     }
 }
 
-// Sewn round a corner: a split of one splits the other elsewhere, and that the first again.
+// Sewn around a corner: a split of one panel splits the other at a different edge, which splits the first again.
 TEST(UpdateMirrors, ends_where_splits_would_go_on_for_ever) {
     sim::Pattern before;
     before.panels = {unit_square("left_front")};

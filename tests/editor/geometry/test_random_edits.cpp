@@ -1,5 +1,5 @@
-// Thousands of operations one after the other, on the garments that ship: each is carried out, and what it leaves can
-// be saved and loaded, or it is refused in words and leaves the pattern as it was.
+// Thousands of random operations in sequence on the shipped garments. Each either succeeds, and the result can be saved
+// and loaded, or throws GeometryError and leaves the pattern unchanged.
 #include <gtest/gtest.h>
 #include <array>
 #include <cmath>
@@ -79,7 +79,7 @@ class Drafter {
         }
     }
 
-    // Few seams have sides of one shape, so each is tried.
+    // Few seams have two sides of the same shape, so this tries all seams.
     void merge_any(sim::Pattern& pattern) {
         const sim::Pattern before = pattern;
         for (int i = 0; i <= static_cast<int>(pattern.seams.size()); ++i) {
@@ -95,7 +95,7 @@ class Drafter {
 
     double number(double low, double high) { return low + (high - low) * below(10001) / 10000.0; }
     Vec2d vector(double size) { return {number(-size, size), number(-size, size)}; }
-    // One beyond the last at times.
+    // Sometimes (1 in 50) the range includes one index too many.
     int index(std::size_t count) { return below(static_cast<int>(count) + (below(50) == 0 ? 1 : 0)); }
     int seam(const sim::Pattern& pattern) { return index(pattern.seams.size()); }
 
@@ -109,7 +109,7 @@ class Drafter {
         return {panel_, index(last(pattern).edges.size())};
     }
 
-    // These are drawn for the panel that was drawn last.
+    // Random vertices of the panel chosen last.
     std::vector<int> vertices(const sim::Pattern& pattern) {
         std::vector<int> found;
         for (int i = below(4); i >= 0; --i) found.push_back(index(last(pattern).vertices.size()));
@@ -208,7 +208,7 @@ TEST_P(RandomDrafts, are_sound_or_refused) {
                 ASSERT_TRUE(can_be_saved(pattern)) << what << ", mirrored";
             } catch (const GeometryError& error) {
                 ASSERT_TRUE(pattern == unlinked) << what << ": " << error.what();
-                pattern = before;  // as a document does
+                pattern = before;  // as Document does
             }
             ASSERT_EQ(sheet_positions(pattern).size(), pattern.panels.size());
             for (const sim::Seam& seam : pattern.seams) is_crossed(pattern, seam);

@@ -36,7 +36,7 @@ TEST(SewEdges, refuses_a_side_over_four_times_as_long) {
     EXPECT_DOUBLE_EQ(seam_lengths(pattern, pattern.seams[0])[1], 0.26);
 }
 
-// Ends of each seam's sides, paired, and whether all pieces of both runs are met.
+// Expects each seam's first side to be `ratio` times as long as its second.
 void expect_even_seams(const sim::Pattern& pattern, const std::vector<int>& seams, double ratio) {
     for (const int index : seams) {
         const auto [first, second] = seam_lengths(pattern, pattern.seams[static_cast<std::size_t>(index)]);
@@ -48,7 +48,7 @@ TEST(SewRuns, one_edge_to_three_by_share_of_length) {
     for (const bool is_reversed : {true, false}) {
         sim::Pattern pattern = unsewn_squares();
         split_edge(pattern, {1, 3}, 0.2);
-        split_edge(pattern, {1, 4}, 0.5);  // 0.2, 0.4, 0.4 from the top of the left side down
+        split_edge(pattern, {1, 4}, 0.5);  // lengths 0.2, 0.4, 0.4 from the top of the left side down
         const std::vector<int> seams = sew_runs(pattern, {{0, 1}}, {{1, 3}, {1, 4}, {1, 5}}, is_reversed);
         ASSERT_EQ(seams, (std::vector<int>{0, 1, 2}));
         expect_even_seams(pattern, seams, 1);
@@ -104,7 +104,7 @@ TEST(EvenSeam, moves_the_end_that_is_free) {
     sim::Pattern pattern = unsewn_squares();
     pattern.panels[1] = make_rectangle({0, 0}, {1, 0.8});
     sew_edges(pattern, {{0, 1}, {1, 3}, true});
-    sew_edges(pattern, {{0, 2}, {1, 2}, true});  // holds the upper end
+    sew_edges(pattern, {{0, 2}, {1, 2}, true});  // fixes the upper end
     even_seam(pattern, 0);
     EXPECT_NEAR(edge_length(pattern, {1, 3}), 1, 1e-12);
     EXPECT_NEAR(edge_length(pattern, {0, 1}), 1, 1e-12);

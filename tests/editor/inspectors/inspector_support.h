@@ -1,5 +1,5 @@
 #pragma once
-// Inspectors in an ImGui window of no screen, with a mouse and keys of its own.
+// Inspectors in an offscreen ImGui window, with simulated mouse and keyboard input.
 #include <imgui.h>
 #include <functional>
 #include <string>
@@ -27,9 +27,9 @@ class InspectorFixture {
     void show(Draw draw) { draw_ = draw; }
     void frame();
 
-    // By the names that inspectors give their boxes. Throws std::out_of_range when there is none.
+    // These use the widgets' names. Throws std::out_of_range if there is no such widget.
     void click(const std::string& name);
-    void drag(const std::string& name, float by_px);  // presses there and stays down
+    void drag(const std::string& name, float by_px);  // presses and moves; keeps the button down
     void let_go();
     void type(const std::string& text);
     void key(ImGuiKey key);
@@ -42,7 +42,7 @@ class InspectorFixture {
 
     Document& document() { return *workspace.document; }
     const sim::Panel& panel(std::size_t index) { return document().pattern().panels.at(index); }
-    float overhang_px() const { return overhang_px_; }  // how far the last frame reached beyond the window's inside
+    float overhang_px() const { return overhang_px_; }  // content beyond the window's inner width
 
  private:
     Draw draw_;

@@ -1,4 +1,4 @@
-// All inspectors over the patterns that ship, in a window of no screen.
+// All inspectors with the shipped patterns, in an offscreen window.
 #include <gtest/gtest.h>
 #include <array>
 
@@ -183,7 +183,7 @@ TEST(DrapeInspector, options_are_typed_and_switched) {
 
 }  // namespace
 
-// Words and figures: fabrics, threadcounts, mannequins, drapes.
+// Text of fabrics, threadcounts, mannequins and drapes.
 
 namespace {
 

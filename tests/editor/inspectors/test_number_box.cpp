@@ -1,4 +1,4 @@
-// Boxes that are typed into, dragged and stepped, in a window of no screen.
+// Typing into, dragging and stepping of number fields, in an offscreen window.
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kNear = 1e-9;
 
-// The T-shirt with its front selected.
+// The T-shirt pattern with its front selected.
 class NumberBoxes : public testing::Test {
  protected:
     NumberBoxes() : desk(shipped_pattern("tshirt.json"), draw_properties) {
@@ -169,7 +169,7 @@ TEST(ReadNumber, a_box_that_stands_for_something_may_be_emptied) {
 
 }  // namespace
 
-// Values in boxes.
+// Conversion between values and text.
 
 namespace {
 

@@ -1,4 +1,4 @@
-// What is read off a pattern, and what typed figures stand for.
+// Measurements of a pattern, and the transforms and curves that typed values define.
 #include "editor/inspectors/pattern_figures.h"
 
 #include <gtest/gtest.h>
@@ -90,7 +90,7 @@ TEST(ShiftForLength, starts_from_the_edge_as_it_was_also_while_another_length_is
     sim::Panel panel = square(1);
     const LengthChange change{.before = 1, .after = 1.5};
     EXPECT_TRUE(shift_for_length(panel, panel.edges[0], change).isApprox(Vec2d(0.5, 0)));
-    panel.vertices[1] = {1.2, 0};  // tried
+    panel.vertices[1] = {1.2, 0};  // previewed
     EXPECT_TRUE(shift_for_length(panel, panel.edges[0], change).isApprox(Vec2d(0.5, 0)));
     EXPECT_TRUE(shift_for_length(panel, panel.edges[0], {.before = 1, .after = 0}).isZero());
 }

@@ -84,7 +84,7 @@ void SheetStage::click(const Vec2d& sheet, const Modifiers& modifiers) {
     press(sheet);
     release();
     io.KeyCtrl = io.KeyShift = io.KeyAlt = false;
-    for (int i = 0; i < 30; ++i) frame();  // so that two clicks are no double click
+    for (int i = 0; i < 30; ++i) frame();  // so that two clicks are not a double click
 }
 
 void SheetStage::drag(const Vec2d& from, const Vec2d& to) {

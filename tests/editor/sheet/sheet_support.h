@@ -1,5 +1,5 @@
 #pragma once
-// The sheet without a window: a person's events go in, ImGui's lists come out, as a picture where one is asked for.
+// The sheet without a window: simulated input goes in; ImGui's draw lists, or a picture of them, come out.
 #include <imgui.h>
 #include <filesystem>
 #include <memory>
@@ -40,12 +40,12 @@ class SheetStage {
     void click(const Vec2d& sheet, const Modifiers& modifiers = {});
     void press(const Vec2d& sheet);
     void release();
-    void drag(const Vec2d& from, const Vec2d& to);  // and drop
+    void drag(const Vec2d& from, const Vec2d& to);  // and releases
     void wheel(const Vec2d& sheet, float notches);
     void key(Key key, const Modifiers& modifiers = {});
     void type(const std::string& text);
 
-    // m on the sheet of a vertex, and of a place on an edge.
+    // Positions on the sheet (m) of a vertex and of a point on an edge.
     Vec2d vertex(const std::string& panel, int index);
     Vec2d on_edge(const std::string& panel, int index, double t);
 

@@ -1,4 +1,4 @@
-// The sheet's view in a frame of ImGui, by mouse and keys.
+// The sheet's view in ImGui frames, driven by mouse and keyboard.
 #include "editor/sheet/sheet_view.h"
 
 #include <gtest/gtest.h>
@@ -111,7 +111,7 @@ TEST(SheetView, any_zoom_and_an_empty_document_can_be_drawn) {
 }
 
 TEST(SeamPaint, a_seam_runs_inside_of_its_edge) {
-    const std::vector<ImVec2> line{{100, 200}, {200, 200}};  // to the right: the inside is above, towards smaller y
+    const std::vector<ImVec2> line{{100, 200}, {200, 200}};  // to the right: the inside is above, at smaller y
     const std::vector<ImVec2> inner = inset_line(line, 4, 10);
     ASSERT_EQ(inner.size(), 2U);
     EXPECT_FLOAT_EQ(inner[0].x, 110);

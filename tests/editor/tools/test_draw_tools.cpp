@@ -1,4 +1,4 @@
-// Polygon, rectangle, ellipse, internal line, cut, mirror.
+// The drawing tools: polygon, rectangle, ellipse, internal line, cut, mirror.
 #include <gtest/gtest.h>
 
 #include "sim/pattern/outline.h"

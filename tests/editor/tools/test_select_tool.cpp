@@ -1,4 +1,4 @@
-// Select and move, and what the host does for all tools.
+// The select tool and ToolHost; then edit point, add point, curve, notch, dart, rotate, scale, merge, unfold, measure.
 #include <gtest/gtest.h>
 #include <cmath>
 
@@ -172,7 +172,7 @@ TEST(ToolHost, no_tool_minds_any_click_or_key_on_an_empty_sheet) {
 
 }  // namespace
 
-// Points, curves, notches, darts; rotate and scale; merge, unfold, measure.
+// Tools on points, curves, notches and darts; rotate and scale; merge, unfold, measure.
 
 namespace {
 

@@ -17,8 +17,8 @@ bool has_warning(const ToolOverlay& overlay) {
 TEST(SewingTool, the_ends_that_are_clicked_meet) {
     SheetHands hands;
     hands.choose(ToolKind::SegmentSewing);
-    hands.click({0.2, 0.03});  // edge 1 of left runs up: near its start
-    hands.click({0.3, 0.04});  // edge 3 of right runs down: near its end
+    hands.click({0.2, 0.03});  // edge 1 of `left` points up: near its start
+    hands.click({0.3, 0.04});  // edge 3 of `right` points down: near its end
     ASSERT_EQ(hands.pattern().seams.size(), 1U);
     EXPECT_EQ(hands.pattern().seams[0].first, (sim::SeamSide{0, 1}));
     EXPECT_EQ(hands.pattern().seams[0].second, (sim::SeamSide{1, 3}));

@@ -1,5 +1,5 @@
 #pragma once
-// A person at the sheet, without a screen: moves, clicks and types at places of the sheet.
+// Simulates a user of the sheet without a screen: moves, clicks and types at sheet positions.
 #include <string>
 #include <vector>
 
@@ -8,10 +8,10 @@
 
 namespace selvedge::editor {
 
-// A rectangle from low to high, that lies where its numbers say.
+// A rectangular panel that covers low to high on the sheet, m.
 sim::Panel square_panel(const std::string& name, const Vec2d& low, const Vec2d& high);
 
-// Two squares of 20 cm: "left" from (0, 0), "right" from (0.3, 0); edges 0 below, 1 right, 2 above, 3 left.
+// Two squares of 20 cm: "left" from (0, 0), "right" from (0.3, 0); edges 0 bottom, 1 right, 2 top, 3 left.
 sim::PatternDocument two_squares();
 
 class SheetHands {
@@ -42,7 +42,7 @@ class SheetHands {
     ToolOverlay overlay();
 
  private:
-    SheetCamera camera_{.centre = Vec2d(0.25, 0.1), .scale = 1000};  // a px is a millimetre
+    SheetCamera camera_{.centre = Vec2d(0.25, 0.1), .scale = 1000};  // px/m: one px is 1 mm
 };
 
 }  // namespace selvedge::editor

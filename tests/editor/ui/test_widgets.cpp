@@ -6,7 +6,7 @@
 namespace selvedge::editor {
 namespace {
 
-// Each byte is as wide as the next.
+// Width function for the tests: every byte has width 1.
 float bytes(std::string_view text) {
     return static_cast<float>(text.size());
 }

@@ -5,7 +5,7 @@
 namespace selvedge::editor {
 namespace {
 
-// Two squares of 1 m side by side, "left" and "right", sewn along their common edge; in each a vertex in the middle.
+// Two squares of 1 m side by side, "left" and "right", sewn along their common edge; each has a vertex in its centre.
 struct SewnSquares {
     sim::Pattern pattern;
     sim::PlainMesh mesh;
@@ -53,7 +53,7 @@ TEST(ClothOutline, follows_each_panel_along_its_seams_too) {
 }
 
 TEST(ClothOutline, a_seam_within_a_panel_is_part_of_its_outline) {
-    // The right square is the left panel's too, but lies elsewhere in its plane: a tube's closing seam.
+    // Both squares belong to the left panel, but at different material coordinates, as at the closing seam of a tube.
     SewnSquares squares = sewn_squares();
     squares.mesh.panel.assign(8, 0);
     for (std::size_t t = 4; t < 8; ++t) {

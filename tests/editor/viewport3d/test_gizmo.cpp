@@ -79,7 +79,7 @@ TEST(GizmoDrag, what_is_taken_itself_follows_the_cursor) {
     EXPECT_NEAR((drag.motion().shift - Vec3d(0.3, -0.2, 0)).norm(), 0, 1e-4);
 }
 
-// Round half a ring and more, in small moves.
+// Drags along the ring in small moves.
 double turned_by(const Gizmo& gizmo, const Viewing& viewing, int axis, double angle) {
     const auto at = [&](double turn) {
         const Vec3f from = gizmo.reach * gizmo.axis((axis + 1) % 3);

@@ -8,9 +8,9 @@
 namespace selvedge::editor {
 namespace {
 
-const Vec3f kMiddle(0, 1, 0.3F);  // of the panel
+const Vec3f kMiddle(0, 1, 0.3F);  // centre of the panel
 
-// The panel is selected, and its gizmo stands.
+// Selects the panel, so that its gizmo is shown.
 ViewportFixture& chosen(ViewportFixture& desk) {
     desk.click(desk.seen(kMiddle + Vec3f(-0.17F, 0.17F, 0)));
     EXPECT_TRUE(desk.hand().gizmo().has_value());

@@ -96,7 +96,7 @@ TEST(PlacedMesh, takes_a_sewn_mesh_apart_where_the_pattern_places_its_panels) {
     pattern.panels.push_back(pattern.panels.front());
     pattern.panels.back().name = "other";
     pattern.panels.back().translation = {0, 1, -0.3};
-    sim::PlainMesh sewn;  // one triangle of each, that share an edge
+    sim::PlainMesh sewn;  // one triangle per panel, sharing an edge
     sewn.x = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
     sewn.triangles = {{0, 1, 2}, {1, 3, 2}};
     sewn.u = {{Vec2f(0, 0), Vec2f(0.1F, 0), Vec2f(0, 0.1F)}, {Vec2f(0, 0), Vec2f(0.1F, 0), Vec2f(0, 0.1F)}};

@@ -1,5 +1,5 @@
-// Pictures of the 3D view for a person to judge, of a garment placed, sewn and draped:
-//   fitting_pictures patterns/tshirt.json FOLDER
+// Writes pictures of the 3D view for inspection, of a garment placed, sewn and draped:
+//   viewport_pictures patterns/tshirt.json FOLDER
 #include <imgui.h>
 #include <algorithm>
 #include <chrono>
@@ -18,7 +18,7 @@ namespace {
 constexpr float kSide = 860;  // px
 constexpr UiTexture kTexture = 1;
 
-// Nothing but the 3D view.
+// A surface with only the 3D view.
 class BareFitting : public app::EditSurface {
  public:
     BareFitting(sim::PatternDocument document, float scale)

@@ -1,5 +1,6 @@
 #pragma once
-// A small workspace for tests of the 3D view: one square panel before a small body, and a hand that works on it.
+// A small workspace for tests of the 3D view: one square panel in front of a small body, and a controller with
+// simulated input.
 #include <optional>
 #include <string>
 
@@ -7,10 +8,10 @@
 
 namespace selvedge::editor {
 
-// 40 by 40 cm, called "square": its middle stands at (0, 1, 0.3), facing the front.
+// A panel of 40 x 40 cm, "square"; its centre is at (0, 1, 0.3), facing the front.
 sim::Pattern square_pattern();
 
-// A cube of 20 cm about (0, 1, 0), with the arrangement points "before" and "behind" it.
+// A cube of 20 cm, centred at (0, 1, 0), with the arrangement points "before" and "behind".
 CurrentBody small_body(const std::string& text);
 
 class ViewportFixture {
@@ -24,7 +25,7 @@ class ViewportFixture {
 
     Vec2f seen(const Vec3f& x) const { return px_of(hand_.viewing(), x).value(); }
 
-    // One frame each. The cursor stays where it was put last.
+    // One frame each. The cursor keeps its last position.
     void rest() { step({}); }
     void move_to(const Vec2f& px);
     void press(MouseButton button = MouseButton::Left);

@@ -1,4 +1,4 @@
-// Pictures of tartans without GL.
+// Images of tartans, rendered without GL.
 #include "editor/workspace/sett_picture.h"
 
 #include <gtest/gtest.h>

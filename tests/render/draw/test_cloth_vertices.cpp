@@ -31,7 +31,7 @@ std::vector<ClothVertex> vertices_of(const sim::PlainMesh& mesh) {
 TEST(ClothVertices, a_seam_is_marked_where_material_coordinates_jump_and_a_hem_where_cloth_ends) {
     const std::vector<ClothVertex> vertices = vertices_of(sewn_square());
     ASSERT_EQ(vertices.size(), 6U);
-    const std::uint32_t opposite_first = 1;  // corner 0's opposite edge joins 1 and 2
+    const std::uint32_t opposite_first = 1;  // the edge opposite to corner 0 joins 1 and 2
     EXPECT_EQ(vertices[0].marks >> 8 & 7U, opposite_first);
     EXPECT_EQ(vertices[0].marks >> 11 & 7U, 7U & ~opposite_first);
     EXPECT_EQ(vertices[0].marks & 255U, 2U);
@@ -56,7 +56,7 @@ TEST(ClothVertices, the_sett_follows_the_grain_of_each_panel) {
     // Straight grain: the warp runs along +y of the panel, the weft along +x.
     EXPECT_NEAR(vertices[2].place[0], 0, 1e-6F);
     EXPECT_NEAR(vertices[2].place[1], 0.4F, 1e-6F);
-    // A quarter turn counter-clockwise: the warp runs along -x, the weft along +y.
+    // Grain turned by a quarter turn anticlockwise: the warp runs along -x, the weft along +y.
     EXPECT_NEAR(vertices[3].place[0], 0, 1e-6F);
     EXPECT_NEAR(vertices[3].place[1], -5.3F, 1e-6F);
 }

@@ -29,7 +29,7 @@ std::string fault_of(const std::string& bytes) {
     return "";
 }
 
-// Width and height stand at byte 16; a changed header needs a changed check sum, which libpng reports first.
+// Width and height start at byte 16. A changed header needs a new checksum; otherwise libpng reports that first.
 std::uint32_t crc32_of(std::string_view bytes) {
     std::uint32_t crc = 0xFFFFFFFFU;
     for (const char byte : bytes) {
@@ -61,7 +61,7 @@ TEST(Png, survives_the_way_through_a_file) {
 
 TEST(Png, a_file_cut_short_anywhere_is_an_input_error) {
     const std::string whole = encode_png(gradient(40, 40));
-    constexpr std::size_t end_chunk = 12;  // IEND says only that it is over: without it every pixel is there
+    constexpr std::size_t end_chunk = 12;  // IEND only marks the end: without it all pixels are present
     for (std::size_t length = 0; length + end_chunk < whole.size(); ++length) {
         EXPECT_THROW(decode_png(whole.substr(0, length), "x"), sim::InputError) << "at byte " << length;
     }

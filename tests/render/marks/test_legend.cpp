@@ -116,7 +116,7 @@ TEST(Legend, figures_stand_below_each_other_at_the_right_edge) {
     Legend legend{.title = "T", .rows = {{{1, 2, 3}, "a", "7"}, {{1, 2, 3}, "a", "17"}}};
     const auto place = place_legend(legend, 512, 512, Corner::UpperLeft);
     draw_legend(image, legend, Corner::UpperLeft);
-    // The last figure of both rows is a seven: its columns are the same.
+    // The last digit of both rows is a seven, so its columns are equal.
     const auto column_sum = [&](int x, int top) {
         int sum = 0;
         for (int y = top; y < top + 10; ++y) sum += image.at(x, y)[0];

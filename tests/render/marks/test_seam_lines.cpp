@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint32_t kCells = 8;
 
-// A tube of two panels, each half of it round: seams at two sides, hems above and below.
+// A tube of two panels, each covering half of the circumference: two seams, and hems at the top and bottom.
 sim::PlainMesh tube() {
     sim::PlainMesh mesh;
     for (std::uint32_t j = 0; j <= kCells; ++j) {

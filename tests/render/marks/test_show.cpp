@@ -8,7 +8,7 @@
 namespace selvedge::render {
 namespace {
 
-// A square of two triangles and two panels, one beside the other, strained by 3 % along y.
+// Two squares side by side, each a panel of two triangles, strained by 3 % along y.
 Scene stretched(ShowMode mode) {
     Scene scene;
     ClothItem cloth;

@@ -7,7 +7,7 @@
 namespace selvedge::render {
 namespace {
 
-// How a person without green-sensitive cones sees it (Machado, Oliveira and Fernandes 2009, severity 1).
+// The colour as seen without green-sensitive cones (Machado, Oliveira and Fernandes 2009, severity 1).
 sim::Rgb8 as_deuteranope(const sim::Rgb8& colour) {
     const auto linear = [](std::uint8_t byte) {
         const double s = byte / 255.0;
@@ -23,7 +23,7 @@ sim::Rgb8 as_deuteranope(const sim::Rgb8& colour) {
             byte(-0.011820 * r + 0.042940 * g + 0.968881 * b)};
 }
 
-// The longest of steps of an eighth of the map over the shortest.
+// Ratio of the longest to the shortest of the map's steps of one eighth.
 float unevenness(const std::vector<sim::Rgb8>& map) {
     float least = 1e9F, most = 0;
     const std::size_t step = (map.size() - 1) / 8;

@@ -14,7 +14,7 @@ double volume(const SolidItem& solid) {
     return six_times / 6;
 }
 
-// Edges that no second triangle runs the other way.
+// Number of edges that no second triangle uses in the opposite direction.
 std::size_t open_edges(const SolidItem& solid) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
     for (const auto& t : solid.triangles) {
@@ -63,7 +63,7 @@ TEST(Solids, a_path_of_one_point_and_a_triangle_without_area_leave_nothing_broke
 
 using Corners = std::array<Vec2f, 3>;
 
-// Two panels of one base triangle each; the first is cut in four, at level 1.
+// Two panels of one base triangle each; the first one is split into four triangles of level 1.
 sim::TriangleHierarchy two_panels() {
     const Vec2f a(0, 0), b(0.4F, 0), c(0, 0.4F);
     const Vec2f ab = (a + b) / 2, bc = (b + c) / 2, ca = (c + a) / 2;
@@ -106,7 +106,7 @@ TEST(HierarchyModel, panels_and_stack_lie_beside_each_other) {
         const int axis = side == StackSide::Right ? 0 : 2;
         float flat_end = -1e9F, stack_begin = 1e9F;
         for (std::size_t t = 0; t < 10; ++t) {
-            const bool is_stack = t % 2 == 1;  // each leaf is laid flat, then raised
+            const bool is_stack = t % 2 == 1;  // each leaf is added twice: flat, then in the stack
             for (const std::uint32_t v : model.mesh.triangles[t]) {
                 const float at = axis == 0 ? model.mesh.x[v].x() : -model.mesh.x[v].z();
                 if (is_stack)

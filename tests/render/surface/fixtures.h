@@ -1,5 +1,5 @@
 #pragma once
-// Coarse cloths that stand in known shapes, and surfaces over them.
+// Coarse cloths in known shapes, and surfaces over them.
 #include <cmath>
 #include <functional>
 #include <map>
@@ -12,25 +12,25 @@
 
 namespace selvedge::render::test {
 
-// The unit square's mesh, its vertices where `shape` puts the material point (x, y), both from -0.5 to 0.5.
+// A mesh of the unit square; `shape` gives the position of the material point (x, y), both in -0.5..0.5.
 inline sim::GarmentMesh shaped_square(int quads, const std::function<Vec3d(double, double)>& shape) {
     sim::GarmentMesh mesh = bench::make_square({.columns = quads, .rows = quads});
     for (Vec3d& x : mesh.x) x = shape(x.x(), -x.z());
     return mesh;
 }
 
-// An arch about the z axis; the right side looks outwards.
+// An arch about the z axis; its right side faces outwards.
 inline Vec3d on_arch(double x, double y) {
     constexpr double radius = 0.4;
     return {radius * std::sin(x / radius), radius * std::cos(x / radius), -y};
 }
 
-// Waves that a coarse mesh still sees.
+// Waves that are long enough for a coarse mesh.
 inline Vec3d on_waves(double x, double y) {
     return {x, 0.06 * std::sin(7 * x + 2 * y) + 0.03 * std::cos(5 * y), -y};
 }
 
-// A coarse cloth as the surface asks for it: positions and normals of the base's vertices.
+// The input that the surface takes from a coarse cloth: positions and normals of the base vertices.
 struct Coarse {
     std::vector<Vec4f> x, normals;
 };
@@ -49,7 +49,7 @@ inline CurvedSurface surface_at_level(const sim::GarmentMesh& base, int level, S
     return surface;
 }
 
-// Drawn positions by panel and material point; of a seam's vertices once per side.
+// Drawn positions by panel and material point; vertices of a seam occur once per side.
 using ByMaterial = std::map<std::tuple<int, float, float>, Vec4f>;
 inline ByMaterial by_material(const CurvedSurface& surface) {
     ByMaterial positions;

@@ -48,7 +48,7 @@ TEST(AdaptSurface, refines_what_is_bent_and_keeps_what_is_flat) {
 }
 
 TEST(AdaptSurface, refines_edges_that_are_shorter_than_their_material) {
-    // Too flat for the curvature criterion, a tenth too short.
+    // Too flat for the curvature criterion, but compressed by a tenth.
     const sim::GarmentMesh base =
         shaped_square(4, [](double x, double y) { return Vec3d(0.9 * x, 0.15 * (0.25 - x * x - y * y), -0.9 * y); });
     const SurfaceCriteria only_buckling{.curvature = false, .buckling = true};
@@ -91,7 +91,7 @@ TEST(AdaptSurface, never_splits_below_the_shortest_edge) {
     EXPECT_GT(triangles(surface), triangles(make_curved_surface(shaped_square(4, on_waves))));
 }
 
-// Where each vertex was, and where a new one appears to come from.
+// Largest move of a vertex; a new vertex starts at the midpoint of its edge.
 float greatest_jump(const CurvedSurface& before, const CurvedSurface& after) {
     float most = 0;
     for (const sim::VertexId v : after.mesh.leaf_vertices()) {
@@ -109,7 +109,7 @@ float greatest_jump(const CurvedSurface& before, const CurvedSurface& after) {
     return most;
 }
 
-// What rejoins must stand in the middle of its edge when it goes.
+// Largest distance from the midpoint of its edge at which a vertex was removed by a rejoin.
 float greatest_leap_of_what_went(const CurvedSurface& before, const CurvedSurface& after) {
     float most = 0;
     for (int level = 0; level < before.mesh.max_level(); ++level) {
@@ -138,7 +138,7 @@ TEST(AdaptSurface, glides_so_that_no_vertex_jumps_and_arrives_where_it_would_be_
         still = changed || surface.x != before.x ? 0 : still + 1;
     }
     EXPECT_EQ(still, 30);
-    // Which edges are split may differ within the hysteresis; where their vertices stand may not.
+    // Which edges are split may differ within the hysteresis; the positions of the vertices must not.
     const ByMaterial uniform = by_material(surface_at_level(base, 3)), glided = by_material(surface);
     for (const auto& [material, x] : glided) EXPECT_EQ(x, uniform.at(material));
     const double at_once = static_cast<double>(by_material(settled(base)).size());

@@ -8,7 +8,7 @@
 namespace selvedge::render {
 namespace {
 
-// Two panels in a ridge, sewn along the ridge: material coordinates jump there.
+// Two panels that form a ridge and are sewn along it: material coordinates jump there.
 sim::PlainMesh ridge() {
     sim::PlainMesh mesh;
     mesh.x = {{-1, 0, 0}, {0, 0.5F, 0}, {0, 0.5F, -1}, {-1, 0, -1}, {1, 0, 0}, {1, 0, -1}};

@@ -13,7 +13,7 @@
 namespace selvedge::render::test {
 namespace {
 
-// The mean distance from the arch's cylinder, m.
+// Mean distance from the arch's cylinder, m.
 float off_the_arch(const CurvedSurface& surface) {
     float sum = 0;
     for (const sim::VertexId v : surface.mesh.leaf_vertices())
@@ -106,8 +106,8 @@ TEST(CurvedSurface, moves_with_the_cloth) {
 TEST(CurvedSurface, closes_over_a_seam_where_material_coordinates_jump) {
     const sim::GarmentMesh base = sim::test::tube(6, 3);
     const CurvedSurface surface = surface_at_level(base, 2);
-    // At the seam two material points share each vertex: their positions are one.
-    std::map<std::uint32_t, std::pair<float, float>> range;  // of u along the tube's girth, by vertex
+    // At the seam, two material points share each vertex and so have one position.
+    std::map<std::uint32_t, std::pair<float, float>> range;  // of u along the tube's circumference, by vertex
     for (const sim::LeafTriangle& t : surface.mesh.leaf_triangles()) {
         for (std::size_t k = 0; k < 3; ++k) {
             auto [found, is_new] = range.try_emplace(t.v[k].value, t.u[k].x(), t.u[k].x());
@@ -131,13 +131,13 @@ TEST(CurvedSurface, is_lit_by_the_normals_of_its_triangles) {
         EXPECT_EQ(surface.light_normals[v.value], made_anew[v.value]);
         most = std::max(most, (surface.light_normals[v.value] - surface.normals[v.value]).norm());
     }
-    EXPECT_GT(most, 0.02F);  // interpolated ones hide something
+    EXPECT_GT(most, 0.02F);  // interpolated normals hide detail
 }
 
 TEST(CurvedSurface, does_not_dip_into_the_body_that_the_cloth_lies_on) {
     constexpr float radius = 0.15F, offset = 0.003F;
     const sim::SphereCollider ball(Vec3f::Zero(), radius);
-    // A cap whose coarse vertices lie on the offset surface: flat chords dip deep.
+    // A cap whose coarse vertices lie on the offset surface: flat chords penetrate deeply.
     const sim::GarmentMesh base = shaped_square(4, [&](double x, double y) {
         return Vec3d(Vec3d(0.7 * x, 0.4, -0.7 * y).normalized() * double(radius + offset));
     });
@@ -166,7 +166,7 @@ TEST(CurvedSurface, far_from_the_body_is_left_alone) {
     EXPECT_EQ(surface.x, before);
 }
 
-// A roof: two planes that meet in a ridge along y; its edges are the crease.
+// A roof: two planes that meet in a ridge along y; the ridge's edges are the crease.
 struct Roof {
     sim::GarmentMesh base = shaped_square(4, [](double x, double y) { return Vec3d(x, 0.25 - std::abs(x), -y); });
     std::vector<CreaseEdge> ridge;
@@ -183,7 +183,7 @@ struct Roof {
     }
 };
 
-// How far the surface stands off the two planes, m.
+// Largest distance of the surface from the two planes, m.
 float off_the_roof(const CurvedSurface& surface) {
     float most = 0;
     for (const sim::VertexId v : surface.mesh.leaf_vertices()) {

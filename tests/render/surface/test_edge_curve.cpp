@@ -8,7 +8,7 @@
 namespace selvedge::render {
 namespace {
 
-// An edge along x whose end normals lean outwards by the angle: an arch.
+// An edge along x whose end normals lean outwards by `angle`: an arch.
 CurveEnds arch(float angle, float r = 1) {
     const float s = std::sin(angle), c = std::cos(angle);
     return {.a = Vec4f(0, 0, 0, 0),
@@ -40,7 +40,7 @@ TEST(CurveWeights, are_those_of_the_thesis_table_6_1) {
                                                      {455, 819, -315, 65},
                                                      {120, 1080, -216, 40},
                                                      {-35, 945, 135, -21},
-                                                     {-64, 576, 576, -64}}};  // of 1024
+                                                     {-64, 576, 576, -64}}};  // numerators over 1024
     for (std::size_t i = 0; i < table.size(); ++i) {
         for (std::size_t k = 0; k < 4; ++k) {
             EXPECT_EQ(weights.points(i)[static_cast<int>(k)], table[i][k] / 1024) << i << " " << k;
@@ -163,7 +163,7 @@ TEST(CurveModifier, soft_cap_leaves_what_is_below_it_and_slows_what_is_above) {
     EXPECT_FLOAT_EQ(soft_cap(1.5F, 1), 1 + 0.5F / 1.5F);
     EXPECT_FLOAT_EQ(soft_cap(6, 2), 2 + 4.0F / 6);
     EXPECT_LT(soft_cap(1e6F, 1), 2);
-    EXPECT_NEAR(soft_cap(1.0001F, 1), 1.0001F, 1e-7);  // without a step
+    EXPECT_NEAR(soft_cap(1.0001F, 1), 1.0001F, 1e-7);  // continuous at the cap
 }
 
 TEST(CurveModifier, is_the_capped_cubic_of_the_ratio_of_lengths) {
@@ -177,7 +177,7 @@ TEST(CurveModifier, is_the_capped_cubic_of_the_ratio_of_lengths) {
 
 TEST(CurveModifier, restoring_is_bounded_and_finite_wherever_lengths_are) {
     EXPECT_EQ(restoring(1, 1.1F), 0);
-    EXPECT_EQ(restoring(0.8F, 1.1F), 0);  // stretched: nothing to restore
+    EXPECT_EQ(restoring(0.8F, 1.1F), 0);  // stretched: no length to restore
     EXPECT_FLOAT_EQ(restoring(1.1F, 1.1F), 1);
     EXPECT_EQ(restoring(1.2F, 1), kMostRestored);
     EXPECT_EQ(restoring(std::numeric_limits<float>::max(), 1.1F), kMostRestored);

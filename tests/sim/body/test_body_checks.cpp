@@ -1,4 +1,4 @@
-// The tests' own instruments must be able to fail.
+// The checks of tests/support must detect faulty bodies.
 #include <gtest/gtest.h>
 
 #include "tests/support/bodies.h"

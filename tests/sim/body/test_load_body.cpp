@@ -15,7 +15,7 @@
 namespace selvedge::sim {
 namespace {
 
-// As tall as a person, 40 cm wide, standing on the floor.
+// A box as tall as a person, 40 cm wide, standing on the floor.
 Body post() {
     return shapes::box({-0.2, 0, -0.1}, {0.2, 1.7, 0.1}, 6);
 }
@@ -78,7 +78,7 @@ TEST_F(LoadBody, tells_centimetres_and_millimetres_by_the_height) {
 
 TEST_F(LoadBody, turns_a_body_that_lies_along_z_upright_with_its_front_to_the_front) {
     Body lying = post();
-    lying.x[0] -= Vec3d(0, 0, 0.05);  // a nose, towards -z here
+    lying.x[0] -= Vec3d(0, 0, 0.05);  // a nose, towards -z at this point
     Body z_up = lying;
     for (Vec3d& p : z_up.x) p = Vec3d(p.x(), -p.z(), p.y());
     const Body body = load_text(obj_of(z_up));
@@ -207,7 +207,7 @@ TEST_F(LoadBody, survives_bytes_changed_anywhere) {
     }
 }
 
-// Data that others made.
+// Bodies from other sources.
 class OutsideBodies : public testing::Test {
  protected:
     void SetUp() override {
@@ -245,7 +245,7 @@ TEST_F(OutsideBodies, bring_their_bones_and_weights_along) {
 }
 
 TEST_F(OutsideBodies, stand_at_rest_where_their_skeletons_hold_them) {
-    // glTF of a figure modelled with z up: only the skin's matrices set it upright.
+    // glTF of a body modelled with z up: only the skin's matrices turn it upright.
     const Body figure = load_body(data_ / "bodies" / "RiggedFigure.gltf");
     EXPECT_NEAR(height_range(figure).high, 1.45, 0.05);
     EXPECT_TRUE(shapes::is_closed(figure));

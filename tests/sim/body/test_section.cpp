@@ -84,7 +84,7 @@ TEST(Section, gives_a_loop_for_each_part_and_the_nearest_is_found) {
 
 TEST(Section, of_an_open_surface_leaves_out_what_does_not_close) {
     Body body = unit_box(2);
-    body.triangles.erase(body.triangles.begin());  // of the face x = 0, below y = 0.5
+    body.triangles.erase(body.triangles.begin());  // a triangle of the face x = 0, below y = 0.5
     EXPECT_TRUE(section(body, level(0.25)).empty());
     EXPECT_EQ(section(body, level(0.75)).size(), 1U);
 }
@@ -98,7 +98,7 @@ TEST(Section, gives_equal_bits_each_time) {
 }
 
 TEST(TapeLength, spans_a_hollow) {
-    // An L of two unit squares and a corner square: the tape cuts across the missing fourth.
+    // An L of three unit squares: the tape cuts across the missing fourth.
     SectionLoop loop;
     for (const auto& [x, z] : {std::pair{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}})
         loop.points.emplace_back(x, 0, z);

@@ -33,7 +33,7 @@ Vec3f random_direction(std::mt19937& random) {
     return Vec3f(x, y, normal(random)).normalized();
 }
 
-// Points up to `depth` under and `height` over the ball's surface.
+// Points from `depth` below to `height` above the ball's surface.
 std::vector<Vec3f> points_near_ball(int count, float depth, float height) {
     std::mt19937 random(7);
     std::uniform_real_distribution<float> along(-depth, height);
@@ -87,7 +87,7 @@ TEST(DistanceField, knows_the_side_of_points_beyond_the_band) {
 }
 
 TEST(DistanceField, tells_inside_from_outside_in_a_hollow_shell) {
-    // The room in the shell is outside, though no way leads out of it.
+    // The cavity in the shell is outside, although it is closed.
     Body hollow = shapes::sphere(Vec3d::Zero(), 0.08, 20);
     for (auto& triangle : hollow.triangles) std::swap(triangle[0], triangle[1]);
     const Body shell = shapes::together(shapes::sphere(Vec3d::Zero(), 0.15, 20), hollow);
@@ -106,8 +106,8 @@ TEST(DistanceField, max_error_is_no_less_than_any_error_on_the_surface) {
 }
 
 TEST(DistanceField, is_sound_where_nodes_lie_in_a_face) {
-    // They are at no distance at all, which once passed for nothing found. The box's height brings a layer of nodes
-    // into its top, to the last bit for some of its depths.
+    // Nodes in a face have distance 0, which once counted as "nothing found". The box's height puts a layer of nodes
+    // exactly into its top face for some of its depths.
     const DistanceFieldOptions options;
     const double margin = double(options.band + std::numbers::sqrt3_v<float> * options.cell);
     for (int i = 0; i < 40; ++i) {
@@ -194,8 +194,8 @@ std::vector<Vec3f> points_about(const Vec3f& centre, int count) {
     return points;
 }
 
-// The point one distance back along the normal lies on the surface, and no step brings it nearer by more than its
-// length: then the distance is the distance.
+// The point `distance` back along the normal is on the surface, and the distance changes by no more than the
+// displacement between two points: so it is exact.
 void expect_true_distances(const Collider& collider, const Vec3f& centre) {
     const std::vector<Vec3f> points = points_about(centre, 400);
     Vec3f last = centre;
@@ -208,7 +208,7 @@ void expect_true_distances(const Collider& collider, const Vec3f& centre) {
     }
 }
 
-// A hit lies on the surface and on the segment; a segment from one side to the other has one, and none lies before it.
+// A hit is on the surface and on the segment. A segment that crosses the surface has a hit, and none lies before it.
 void expect_true_hits(const Collider& collider, const Vec3f& centre) {
     const std::vector<Vec3f> points = points_about(centre, 800);
     int hits = 0;
@@ -302,18 +302,18 @@ TEST(Collider, answers_many_points_as_it_does_one) {
 
 }  // namespace
 
-// Many points at once: every kernel gives the bits that one point gives.
+// Batches: every kernel gives the same bits as single points.
 
 namespace {
 
-// Smooth, with edges and corners, and with thin parts that touch: an apple on a crate with a slit beside it.
+// A smooth part, edges and corners, and thin parts that touch: an apple on a crate with a slit beside it.
 Body still_life() {
     const Body apple = shapes::sphere({0.05, 0.17, 0.05}, 0.06, 12);
     const Body crate = shapes::box({0, 0, 0}, {0.1, 0.1, 0.1}, 4);
     return shapes::together(shapes::together(apple, crate), shapes::box({0.106, 0, 0}, {0.112, 0.1, 0.1}, 4));
 }
 
-// About the body, some far off and some that are no points at all.
+// Points about the body, some far away and some NaN.
 std::vector<ContactBlock> random_points(std::size_t blocks) {
     std::mt19937 random(17);
     std::uniform_real_distribution<float> along(-0.06F, 0.26F);
@@ -380,7 +380,7 @@ TEST_P(ContactsAtLevel, within_the_reach_have_them_too_and_beyond_it_are_never_t
             too_small += block.distance[i] < one.distance;
         }
     EXPECT_GT(near, 500);
-    EXPECT_GT(too_small, 0);  // else the reach spared nothing here
+    EXPECT_GT(too_small, 0);  // otherwise the reach saved nothing here
 }
 
 std::string level_name(const testing::TestParamInfo<SimdLevel>& info) {

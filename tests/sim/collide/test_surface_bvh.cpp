@@ -29,7 +29,7 @@ Body wavy_ball() {
     return body;
 }
 
-// Far slower and simpler than the tree: the best of a fine sampling of the triangle, sharpened by halving.
+// Slow and simple reference for the tree: the best of a fine sampling of the triangle, refined by halving.
 double sampled_distance(const Vec3d& p, const Vec3d& a, const Vec3d& b, const Vec3d& c) {
     double best = std::numeric_limits<double>::infinity();
     double u = 1.0 / 3, v = 1.0 / 3;
@@ -79,7 +79,7 @@ TEST(SurfaceBvh, signs_points_by_faces_edges_and_corners_of_a_box) {
 }
 
 TEST(SurfaceBvh, signs_points_beside_a_sharp_spike) {
-    // The nearest feature is often the needle's tip or side edges, where plain face normals disagree.
+    // The nearest feature is often the needle's tip or a side edge, where the normals of adjacent faces disagree.
     Body body;
     body.x = {{0, 1, 0}, {0.01, 0, 0}, {-0.005, 0, -0.009}, {-0.005, 0, 0.009}};
     body.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
@@ -164,7 +164,7 @@ TEST(SurfaceBvh, a_segment_does_not_slip_between_triangles) {
     const Body body = wavy_ball();
     const SurfaceBvh bvh(body);
     for (const auto& [a, b, c] : body.triangles) {
-        // Aimed from the middle at the edge that two triangles share, and at a corner.
+        // From the centre to an edge that two triangles share, and to a corner.
         const Vec3f edge = ((body.x[std::size_t(a)] + body.x[std::size_t(b)]) / 2).cast<float>();
         EXPECT_TRUE(bvh.first_hit(Vec3f::Zero(), 3 * edge));
         EXPECT_TRUE(bvh.first_hit(Vec3f::Zero(), 3 * body.x[std::size_t(c)].cast<float>()));

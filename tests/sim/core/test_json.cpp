@@ -9,7 +9,7 @@
 namespace selvedge::sim {
 namespace {
 
-// What is wrong with the text, as the user reads it; empty when nothing is.
+// The error message for the text; empty if it is valid.
 std::string complaint(const std::string& text) {
     try {
         parse_json(text, "f.json");

@@ -11,7 +11,7 @@
 namespace selvedge::sim {
 namespace {
 
-// The most iterations that ran at the same moment, each waiting a while for others to join it.
+// The largest number of iterations that run simultaneously. Each iteration sleeps for 5 ms, so that they overlap.
 int most_at_once() {
     std::atomic<int> running = 0;
     std::atomic<int> most = 0;

@@ -23,7 +23,7 @@ TEST(SimdLevel, is_limited_for_a_while_and_the_strictest_limit_counts) {
     EXPECT_EQ(simd_level(), before);
 }
 
-// Each in a process of its own, for the variable is read once.
+// Each test runs in its own process, because the variable is read once per process.
 TEST(SimdLevelDeathTest, is_held_by_the_environment) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     EXPECT_EXIT(

@@ -1,5 +1,5 @@
 #pragma once
-// What the tests of a session share: a body, shipped patterns, and measures of frames.
+// Shared by the session tests: a body, shipped patterns, and measurements of frames.
 #include <memory>
 #include <string>
 
@@ -9,21 +9,21 @@ namespace selvedge::sim::test {
 
 std::shared_ptr<const Body> session_body();  // the mannequin, coarse
 Pattern session_pattern(const std::string& name);
-SessionOptions coarse_options();  // one level, as fast as it can
+SessionOptions coarse_options();  // one level of refinement, not in real time
 
-// Starts, and goes on until it has settled or for 20 s.
+// Starts the session and advances until it has settled, at most 20 s.
 void settle(Session& session);
 
-// Cuts an outline edge in the middle; seams follow. Pre: no seam joins it.
+// Splits an outline edge in the middle and updates the edge indices of seams. Pre: no seam joins this edge.
 void split_edge(Pattern& pattern, int panel, int edge);
 
 double stretch_p99(const PlainMesh& mesh);     // of warp and weft
 float least_clearance(const PlainMesh& mesh);  // m, to session_body()
 
-// How far the places of the first frame's material are from where the second has them, in the mean, m.
+// Mean distance between the positions of the same material points in two frames, m.
 double mean_move(const SessionFrame& from, const SessionFrame& to);
 
-// The triangle with the corner that is furthest along a direction, in a panel, and that corner's weight.
+// The corner that is farthest along a direction in a panel, as a point of its triangle.
 ClothPoint furthest_point(const SessionFrame& frame, int panel, const Vec3f& direction);
 Vec3f position_of(const SessionFrame& frame, const ClothPoint& point);
 

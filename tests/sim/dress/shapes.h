@@ -1,5 +1,5 @@
 #pragma once
-// Small patterns that the tests of sim/dress share.
+// Small patterns shared by the tests of sim/dress.
 #include <string>
 #include <vector>
 
@@ -7,8 +7,8 @@
 
 namespace selvedge::sim::test {
 
-// Edges: 0 bottom, 1 right, 2 top, 3 left. The lower edge stands at height y, the panel's middle at x = 0.
-// A back panel is mirrored, so that its right side looks to -z.
+// Edges: 0 bottom, 1 right, 2 top, 3 left. The lower edge is at height y, the panel's centre at x = 0. A back panel is
+// mirrored, so that its right side faces -z.
 struct RectangleOptions {
     double width = 0.4;   // m
     double height = 0.3;  // m
@@ -28,7 +28,7 @@ inline Panel rectangle(const std::string& name, const RectangleOptions& options)
     return panel;
 }
 
-// Front and back, sewn along both sides: a tube. Seam 0 is on the body's left.
+// Front and back, sewn along both sides to a tube. Seam 0 is on the body's left.
 inline Pattern tube(double width, double height, double y, double distance) {
     Pattern pattern;
     pattern.name = "tube";
@@ -38,7 +38,7 @@ inline Pattern tube(double width, double height, double y, double distance) {
     return pattern;
 }
 
-// Front and back, sewn along their upper edges: a tabard.
+// Front and back, sewn along their upper edges to a tabard.
 inline Pattern tabard(double width, double height, double y, double distance) {
     Pattern pattern = tube(width, height, y, distance);
     pattern.name = "tabard";

@@ -1,4 +1,4 @@
-// Closing seams round a body, and saying so where they do not close.
+// Sewing on a body, also where seams cannot close, and draping.
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ Cloth cloth_above_the_ball() {
                       {find_fabric("cotton_shirting")}, {.max_level = 2});
 }
 
-// Falls for ever, as far as its time goes.
+// Falls until max_seconds, without settling.
 DrapeOptions endless() {
     return {.max_seconds = 1e6, .rest_time = 1e6, .relax_time = 0.1, .coarse_time = 0, .may_rest = true};
 }
@@ -59,7 +59,7 @@ TEST(DrapeRun, rests_only_where_that_is_asked_for) {
     EXPECT_EQ(run.result().adaptation_ms.size(), 300U);
 }
 
-// 0.2 x 0.12 m, so 0.64 m round, from the floor up.
+// A box of 0.2 x 0.12 m, so with a girth of 0.64 m, standing on the floor.
 class SewOnABox : public testing::Test {
  protected:
     SewingResult sew(const Pattern& pattern) {
@@ -124,8 +124,7 @@ TEST_F(SewOnABox, sews_nothing_where_there_is_no_seam) {
     EXPECT_EQ(result.sewn.x.size(), unsewn_.x.size());
 }
 
-// A wall stands between the two sides of the seam, far wider and higher than the panels: nothing can bring them
-// together.
+// A wall between the two sides of the seam, far wider and higher than the panels, keeps them apart.
 TEST(SewOnABody, a_seam_that_cannot_close_is_open_and_gapes_by_the_body_between) {
     const Body wall = shapes::box(Vec3d(-0.6, 0, -0.06), Vec3d(0.6, 1.6, 0.06), 12);
     const BodyCollider collider(wall, {.cell = 0.006F, .band = 0.024F});
@@ -134,7 +133,7 @@ TEST(SewOnABody, a_seam_that_cannot_close_is_open_and_gapes_by_the_body_between)
     ASSERT_FALSE(result.bad_vertex);
     EXPECT_TRUE(result.sewn.links.empty());
     EXPECT_TRUE(check_mesh(result.sewn).empty());
-    double least = 1;  // m, on the panel's own side of the wall's middle
+    double least = 1;  // m, on the panel's own side of the wall's centre plane
     for (const GarmentTriangle& t : result.sewn.triangles) {
         for (const int v : t.vertices) {
             const double z = result.sewn.x[std::size_t(v)].z();

@@ -1,4 +1,4 @@
-// Whole dressings: what ships is put on the mannequin, and what others drew on a mannequin of their measurements.
+// Complete dressings: shipped patterns on the mannequin, and published patterns on a mannequin of their measurements.
 #include "sim/dress/dress.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ DressOptions up_to_level(int max_level) {
     return options;
 }
 
-// Every fault on a line of its own, for the message of a failing test.
+// One fault per line, for the message of a failing test.
 std::string list_faults(const DressReport& report) {
     std::string text;
     for (const DressFault& fault : report.faults) {
@@ -44,7 +44,7 @@ std::string list_faults(const DressReport& report) {
     return text;
 }
 
-// What a report that names no fault claims, looked at without its help.
+// Checks independently of the report that a garment without faults is well dressed.
 void expect_dressed(const DressedGarment& dressed, const Body& body) {
     EXPECT_EQ(list_faults(dressed.report), "");
     EXPECT_TRUE(dressed.report.settled) << dressed.report.stopped_because;
@@ -72,13 +72,13 @@ TEST(Dress, a_tshirt_of_one_level_sits_on_the_mannequin_without_a_fault) {
     expect_dressed(dress(shipped("tshirt"), mannequin(), up_to_level(1)), mannequin());
 }
 
-// Where its seams meet under the arms single triangles used to stay stretched, on other bodies others.
+// Regression: single triangles under the arms, where seams meet, stayed stretched; which ones depended on the body.
 TEST(Dress, no_triangle_stays_stretched_under_the_arms) {
     for (const double height : {1.679, 1.680, 1.681}) {
         const Body body = make_mannequin({.measures = {.height = height}, .subdivisions = 1}).body;
         const DressedGarment dressed = dress(shipped("tshirt_thesis"), body, up_to_level(3));
         expect_dressed(dressed, body);
-        EXPECT_LT(dressed.report.stretch.warp_weft_max, 0.13) << height;  // 0.2 and more without finer sub-steps
+        EXPECT_LT(dressed.report.stretch.warp_weft_max, 0.13) << height;  // 0.2 or more without finer sub-steps
     }
 }
 
@@ -116,7 +116,7 @@ TEST(Dress, the_same_dressing_gives_the_same_bits_and_the_same_report_but_for_ti
 
 class DressABox : public testing::Test {
  protected:
-    // Fits no garment: 0.64 m round.
+    // Fits no garment: its girth is 0.64 m.
     DressReport put_on(Pattern pattern, double max_seconds) const {
         pattern.body = "mannequin:sex=female,height=170,resolution=1";
         DressOptions options = up_to_level(0);
@@ -139,7 +139,7 @@ TEST_F(DressABox, a_tube_that_is_less_than_half_as_wide_as_the_body_never_passes
         << faults;
 }
 
-// Published patterns, on the mannequin of the mean measurements that lie beside them.
+// Published patterns, on a mannequin with the mean measurements that are published with them.
 class PublishedPattern : public testing::TestWithParam<const char*> {
  protected:
     static std::filesystem::path folder() {

@@ -1,4 +1,4 @@
-// Faults that are planted are found, named with their place, and nothing else is.
+// The report finds planted faults, names their places, and reports nothing else.
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <limits>
@@ -99,7 +99,7 @@ TEST(Report, survives_places_that_need_escaping) {
     EXPECT_EQ(parsed(report).find("faults")->elements()[0].find("place")->string(), report.faults[0].place);
 }
 
-// A sewn tube of cotton, 0.4 m wide and flat: front and back stand 0.3 m apart, with a ball between them.
+// A sewn cotton tube, 0.4 m wide and flat: front and back are 0.3 m apart, with a ball between them.
 class Inspect : public testing::Test {
  protected:
     Inspect() {
@@ -117,7 +117,7 @@ class Inspect : public testing::Test {
                                      [&](const DressFault& fault) { return fault.kind == kind; });
         return at == report.faults.end() ? nullptr : &*at;
     }
-    // All positions by this map of what they were.
+    // Replaces each position x by map(x).
     template <class Map>
     void deform(const Map& map) {
         for (Vec4f& x : cloth_.x) x = padded(map(Vec3f(x.head<3>())));

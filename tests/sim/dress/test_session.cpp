@@ -1,4 +1,5 @@
-// What pictures show of a garment beside its positions: levels, the hierarchy, strain and clearance as plain data.
+// Sessions: stages, edits while draping, dragging and pinning, the worker thread. Also the plain data of a frame:
+// levels, hierarchy, strain and clearance.
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <chrono>
@@ -85,7 +86,7 @@ TEST_F(SessionOfTwoSquares, settles_with_the_same_figures_as_dress) {
     EXPECT_TRUE(frame->threads.empty());
     EXPECT_TRUE(frame->messages.empty()) << frame->messages.back();
     EXPECT_NEAR(int(frame->mesh.triangles.size()), dressed.report.mesh.leaf_triangles,
-                0.4 * dressed.report.mesh.leaf_triangles);  // its mesh could go deeper, and look-ahead asks that
+                0.4 * dressed.report.mesh.leaf_triangles);  // its mesh may be finer, as look-ahead requests
     EXPECT_NEAR(stretch_p99(frame->mesh), dressed.report.stretch.warp_weft_p99, 0.005);
     EXPECT_GT(least_clearance(frame->mesh), -0.0005F);
 }
@@ -98,7 +99,7 @@ TEST_F(SessionOfTwoSquares, gives_the_same_bits_twice) {
     second.set_pattern(pattern_);
     settle(second);
     EXPECT_EQ(session_.frame()->mesh, second.frame()->mesh);
-    EXPECT_EQ(session_.frame()->number, second.frame()->number + 1);  // it was asked to show itself before
+    EXPECT_EQ(session_.frame()->number, second.frame()->number + 1);  // the fixture has published one frame before
 }
 
 TEST_F(SessionOfTwoSquares, makes_no_frames_once_it_has_settled) {
@@ -274,7 +275,7 @@ TEST(SessionOfATshirt, settles_with_the_same_figures_as_dress) {
                 0.1 * dressed.report.mesh.leaf_triangles);
 }
 
-// Where the vertex of a mesh is that is nearest to a point of another in the same panel's material, m.
+// Position of the mesh vertex nearest in the material to a point of another mesh, in the same panel, m.
 Vec3f nearest_vertex(const PlainMesh& mesh, const PlainMesh& other, const ClothPoint& point) {
     Vec2f wanted = Vec2f::Zero();
     for (std::size_t k = 0; k < 3; ++k) {
@@ -305,7 +306,7 @@ class SessionDrags : public testing::Test {
         settle(session_);
     }
 
-    // m, from the point of the cloth that is nearest
+    // m, to the nearest vertex of the displayed cloth.
     float nearest_to(const Vec3f& place) const {
         float least = 10;
         for (const Vec3f& x : session_.frame()->mesh.x) least = std::min(least, (x - place).norm());
@@ -332,7 +333,7 @@ TEST_F(SessionDrags, a_pulled_point_comes_along_and_to_rest) {
     EXPECT_GT(nearest_to(goal), 0.01F);
 }
 
-// An editor says in each of its frames where the hand is.
+// An editor sets the drag's target in each of its frames.
 TEST_F(SessionDrags, a_garment_that_a_hand_holds_still_settles_and_costs_no_steps) {
     const auto before = session_.frame();
     const ClothPoint hem = furthest_point(*before, 0, Vec3f(0, -1, 0.2F));
@@ -379,7 +380,7 @@ TEST_F(SessionDrags, a_pin_holds_its_point_exactly_whatever_is_pulled) {
     ASSERT_EQ(session_.frame()->pins.size(), 1U);
     const Vec3f pinned = session_.frame()->pins.front();
     EXPECT_EQ(pinned, position_of(*before, hem));
-    // On the other side of the body: where two panels' hems meet in a seam the lowest points of both are one.
+    // On the other side of the body: where hems meet in a seam, the lowest points of both panels are one
     const ClothPoint pulled = furthest_point(*before, 1, Vec3f(pinned.x() > 0 ? -1.0F : 1.0F, -1, 0));
     ASSERT_GT((position_of(*before, pulled) - pinned).norm(), 0.1F);
     session_.pull(pulled, Vec3f(0.4F, 1.2F, -0.4F));
@@ -435,7 +436,7 @@ TEST_F(SessionDrags, go_with_a_reset) {
     EXPECT_TRUE(session_.frame()->pins.empty());
 }
 
-// Small: its collider is made in no time.
+// A small box: its collider is built quickly.
 std::shared_ptr<const Body> small_body() {
     static const auto body = std::make_shared<const Body>(shapes::box(Vec3d(-0.1, 0, -0.06), Vec3d(0.1, 1.7, 0.06), 6));
     return body;
@@ -448,7 +449,7 @@ Pattern small_pattern() {
     return pattern;
 }
 
-// Whether it came to be within a time that is far more than it needs.
+// Whether the condition becomes true within a generous time limit.
 bool comes_to_be(const std::function<bool()>& is_so) {
     for (int i = 0; i < 6000; ++i) {
         if (is_so()) return true;

@@ -21,7 +21,7 @@ struct Container {
     std::string buffer;
 };
 
-// Takes the container apart by the specification's chapter 4.4, and expects that it keeps to it.
+// Splits the container into its chunks and checks it against chapter 4.4 of the glTF 2.0 specification.
 Container open(const std::string& bytes) {
     EXPECT_EQ(bytes.substr(0, 4), "glTF");
     EXPECT_EQ(word_at(bytes, 4), 2U);
@@ -47,7 +47,7 @@ std::size_t element_bytes(const Json& accessor) {
     return count * (component == 5123 ? 2 : 4);
 }
 
-// Each accessor fills its view, each view lies in the buffer on a multiple of 4.
+// Each accessor fills its buffer view; each view is inside the buffer at an offset that is a multiple of 4.
 void expect_sound_accessors(const Container& file) {
     const auto& views = file.root.find("bufferViews")->elements();
     EXPECT_EQ(index_of(file.root.find("buffers")->elements()[0], "byteLength"), file.buffer.size());
@@ -128,7 +128,7 @@ TEST(GlbFile, of_a_body_has_joints_under_one_root_and_binds_that_undo_them) {
     const Json& skin = file.root.find("skins")->elements()[0];
     EXPECT_EQ(index_of(skin, "skeleton"), 1U);
     const Json& binds = file.root.find("accessors")->elements()[index_of(skin, "inverseBindMatrices")];
-    EXPECT_EQ(float_at(file, binds, 16 + 13), -0.5F);  // down column by column: y of the second bone's shift
+    EXPECT_EQ(float_at(file, binds, 16 + 13), -0.5F);  // column-major: y translation of the second bone
     EXPECT_EQ(float_at(file, binds, 16 + 15), 1.0F);
 }
 

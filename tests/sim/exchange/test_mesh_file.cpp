@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kLimit = 1 << 24;
 
-// Corner by corner, for reading may number the vertices anew.
+// Compares corners and not vertices, because reading may renumber the vertices.
 void expect_same_garment(const PlainMesh& read, const PlainMesh& written, float tolerance) {
     ASSERT_EQ(read.triangles.size(), written.triangles.size());
     ASSERT_EQ(read.u.size(), written.u.size());
@@ -45,7 +45,7 @@ TEST(MeshFile, a_garment_comes_back_from_glb_as_it_went) {
     const TemporaryFolder folder;
     write_garment(two_panels(), folder / "garment.glb");
     const PlainMesh read = read_garment(folder / "garment.glb");
-    expect_same_garment(read, two_panels(), 2e-7F);  // v is turned over twice
+    expect_same_garment(read, two_panels(), 2e-7F);  // v is converted to 1 - v twice
     EXPECT_EQ(read.panel_names, two_panels().panel_names);
 }
 
@@ -139,7 +139,7 @@ TEST(MeshFile, readers_survive_bytes_changed_anywhere) {
     for (int round = 0; round < 80; ++round) {
         const bool is_body = round % 2 == 0;
         std::string content = read_file(folder / (is_body ? "body.glb" : "garment.glb"), kLimit);
-        // Half of the changes fall on the description, where they do most.
+        // Half of the changes are in the first 2,500 bytes (the JSON), where they have most effect.
         const std::size_t range = round % 4 < 2 ? content.size() : std::min<std::size_t>(content.size(), 2500);
         for (unsigned i = 0; i <= random() % 3; ++i) content[random() % range] = char(random());
         std::ofstream(folder / "mutant.glb", std::ios::binary) << content;
@@ -168,7 +168,7 @@ TEST(PanelParts, part_a_garment_by_panel_and_double_the_vertices_of_its_seams) {
 }
 
 TEST(PanelParts, double_a_vertex_whose_corners_disagree_within_one_panel) {
-    // A dart: both sides are of the same panel.
+    // A dart: both sides belong to the same panel.
     PlainMesh mesh = two_panels();
     mesh.panel.clear();
     const std::vector<PanelPart> parts = split_by_panel(mesh);

@@ -1,5 +1,6 @@
 #pragma once
-// Two panels of two triangles each, sewn along the edge from vertex 1 to vertex 2, where material coordinates jump.
+// Two panels of two triangles each, sewn along the edge from vertex 1 to vertex 2. Material coordinates are
+// discontinuous there.
 #include "sim/mesh/plain_mesh.h"
 
 namespace selvedge::sim {

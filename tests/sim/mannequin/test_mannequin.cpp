@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kTapeTolerance = 0.003;
 
-// Every measure that was asked for is within 0.3 %, and nothing is reported as unmet.
+// Every requested measure is within 0.3 %, and none is reported as unmet.
 void expect_as_asked(const Mannequin& mannequin) {
     for (const MeasureReading& reading : mannequin.report.readings) {
         if (!reading.asked) continue;
@@ -27,14 +27,14 @@ void expect_as_asked(const Mannequin& mannequin) {
     EXPECT_TRUE(mannequin.report.messages.empty()) << mannequin.report.messages.front();
 }
 
-// The tape once more, from the surface and the joints alone, so that the report is not its own witness.
+// Independent measurement of the girth at y, from the surface alone and not from the report.
 double tape(const Mannequin& mannequin, double y) {
     const Plane plane{.point = Vec3d(0, y, 0), .normal = Vec3d::UnitY()};
     const auto loop = nearest_loop(section(mannequin.body, plane), plane.point);
     return loop ? tape_length(*loop, plane) : 0;
 }
 
-// Triangular around the middle: extremes of all measures at once are rare in people.
+// Triangular distribution around the middle: people rarely have extreme values in all measures.
 MannequinMeasures random_measures(std::mt19937& random) {
     const auto between = [&](double least, double most) {
         const auto unit = [&] { return static_cast<double>(random()) / static_cast<double>(std::mt19937::max()); };
@@ -116,7 +116,7 @@ TEST(Mannequin, meets_seeded_measures_without_cutting_itself) {
 TEST(Mannequin, meets_every_single_measure_that_is_moved_from_its_default) {
     const Mannequin plain = make_mannequin();
     for (const MeasureReading& reading : plain.report.readings) {
-        if (reading.name == "shoulder") continue;  // held by the chest: see below
+        if (reading.name == "shoulder") continue;  // limited by the chest: see below
         SCOPED_TRACE(reading.name);
         MannequinOptions options;
         *find_measure(options.measures, reading.name) = reading.measured * 1.04;
@@ -220,7 +220,7 @@ TEST(Mannequin, refuses_measures_that_no_body_has) {
 
 }  // namespace
 
-// The mannequin's legs: how far apart they stand, and what must not change when they are turned.
+// Stance of the legs: its limits, and what must not change with it.
 
 namespace {
 
@@ -255,9 +255,9 @@ struct Extent {
     double outer = 0;
 };
 
-// Of the left leg at one height, from the cut surface, so that the report is not its own witness.
+// Extent of the left leg at one height, from the cut surface and not from the report.
 Extent left_leg_at(const Body& body, double y) {
-    constexpr double kHands = 0.30;  // m: they hang farther out
+    constexpr double kHands = 0.30;  // m: the hands are farther out
     Extent extent;
     for (const SectionLoop& loop : section(body, {.point = Vec3d(0, y, 0)})) {
         if (loop.centre.x() < 0.01 || loop.centre.x() > kHands) continue;
@@ -284,7 +284,8 @@ void expect_sound(const Mannequin& mannequin) {
     EXPECT_TRUE(mannequin.report.messages.empty()) << mannequin.report.messages.front();
 }
 
-// Of all edges within 15 cm of the crotch's height, between the normals of their triangles, degrees.
+// Largest angle between the normals of two adjacent triangles, of all edges within 15 cm of the crotch's height,
+// degrees.
 double sharpest_edge_at_crotch(const Mannequin& mannequin) {
     const Body& body = mannequin.body;
     const double crotch = reading(mannequin, "inseam");
@@ -366,7 +367,7 @@ TEST(MannequinStance, only_shifts_the_feet_sideways) {
 
 TEST(MannequinStance, leaves_left_and_right_alike) {
     const Body body = make_mannequin({.measures = kMeanBody, .stance = 0.5 * kDegree}).body;
-    Vec3d moment = Vec3d::Zero();  // of x with 1, with y and with z: an odd one would show
+    Vec3d moment = Vec3d::Zero();  // of x with 1, y and z: not 0 if one side differed
     for (const Vec3d& x : body.x) moment += x.x() * Vec3d(1, x.y(), x.z());
     EXPECT_NEAR(moment.norm() / static_cast<double>(body.x.size()), 0, 1e-9);
     EXPECT_EQ(joint(body, "right_foot"), Vec3d(-joint(body, "left_foot").cwiseProduct(Vec3d(1, -1, -1))));
@@ -416,7 +417,7 @@ TEST(MannequinStance, is_refused_outside_its_range) {
     }
 }
 
-// The message of the error that `text` gives; empty when it is accepted.
+// The message of the error that `text` causes; empty when it is accepted.
 std::string refusal(const char* text) {
     try {
         parse_mannequin(text);

@@ -1,4 +1,4 @@
-// Slow: a grid over the whole range of statures, busts and waists that the mannequin is promised for.
+// Slow: a grid over the whole supported range of statures, busts and waists of the mannequin.
 #include <gtest/gtest.h>
 
 #include "sim/mannequin/mannequin.h"

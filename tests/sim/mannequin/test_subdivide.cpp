@@ -7,7 +7,7 @@
 namespace selvedge::sim {
 namespace {
 
-// A cube of 6 quads and 8 vertices; a fourth column marks its top.
+// A cube of 6 quads and 8 vertices; the fourth column marks its top.
 QuadMesh cube() {
     QuadMesh mesh;
     mesh.values.resize(8, 4);

@@ -1,5 +1,5 @@
 #pragma once
-// Panels and small patterns that the tests of sim/mesh share.
+// Panels, small patterns and a topology check that the tests of sim/mesh share.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -16,7 +16,7 @@ namespace selvedge::sim {
 
 inline constexpr double kPi = std::numbers::pi;
 
-// A panel of straight edges through the points, which run counter-clockwise.
+// A panel with straight edges through the points, which must be counter-clockwise.
 inline Panel polygon(const std::string& name, const std::vector<Vec2d>& points) {
     Panel panel;
     panel.name = name;
@@ -71,7 +71,7 @@ inline double area_of(const PanelMesh& mesh) {
     return area;
 }
 
-// The mesh of one panel as a garment, so that check_mesh() can look at it.
+// The mesh of one panel as a garment mesh, for check_mesh().
 inline GarmentMesh as_garment(const PanelMesh& mesh) {
     GarmentMesh garment;
     for (const Vec2d& u : mesh.u) garment.x.emplace_back(u.x(), u.y(), 0);
@@ -85,10 +85,10 @@ inline GarmentMesh as_garment(const PanelMesh& mesh) {
     return garment;
 }
 
-// What a surface is, seen from afar.
+// Topological invariants of a surface.
 struct Topology {
-    int euler = 0;           // vertices - edges + triangles
-    int boundary_loops = 0;  // for a mesh without bow-tie vertices
+    int euler = 0;           // Euler characteristic: vertices - edges + triangles
+    int boundary_loops = 0;  // valid for a mesh without bow-tie vertices
 };
 
 inline Topology topology_of(const GarmentMesh& mesh) {
@@ -99,7 +99,7 @@ inline Topology topology_of(const GarmentMesh& mesh) {
             ++edges[ends];
         }
     }
-    std::map<int, int> next;  // along the boundary
+    std::map<int, int> next;  // next boundary vertex
     for (const GarmentTriangle& t : mesh.triangles) {
         for (std::size_t k = 0; k < 3; ++k) {
             const std::pair<int, int> ends = std::minmax({t.vertices[k], t.vertices[(k + 1) % 3]});

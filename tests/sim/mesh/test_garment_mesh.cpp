@@ -7,7 +7,7 @@
 namespace selvedge::sim {
 namespace {
 
-// Four triangles about a middle vertex.
+// Four triangles around a central vertex.
 GarmentMesh pinwheel() {
     GarmentMesh mesh;
     const std::vector<Vec2d> u{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0.5}};
@@ -98,7 +98,7 @@ TEST(CheckMesh, finds_numbers_that_are_not_finite) {
     expect_fault(mesh, "triangle 0 (front): no finite material");
 }
 
-// One triangle, sheared and stretched by a map of the plane.
+// One triangle, deformed by a linear map of the plane.
 PlainMesh mapped(const Eigen::Matrix2f& map, float grain) {
     PlainMesh mesh;
     const std::array<Vec2f, 3> u{Vec2f(0.1F, 0.2F), Vec2f(1.3F, 0.1F), Vec2f(0.4F, 0.9F)};

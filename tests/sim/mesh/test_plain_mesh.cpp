@@ -5,7 +5,7 @@
 namespace selvedge::sim {
 namespace {
 
-// Two triangles that meet at a ridge along y: one faces +z, the other, of twice the area, +x.
+// Two triangles that share an edge along y: one faces +z, the other, with twice the area, faces +x.
 PlainMesh ridge() {
     PlainMesh mesh;
     mesh.x = {{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, -2}};

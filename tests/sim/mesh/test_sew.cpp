@@ -140,7 +140,7 @@ TEST(MergeSeams, leaves_three_panels_on_one_edge_for_the_check_to_find) {
 TEST(MergeSeams, merges_the_corner_where_three_seams_meet) {
     Pattern pattern;
     pattern.panels = {rectangle("floor", 0.2, 0.2), rectangle("wall", 0.2, 0.2), rectangle("side", 0.2, 0.2)};
-    // All three at their corner 0: edge 0 of one on edge 3 of the next.
+    // All three meet at their corner 0: edge 0 of each panel is sewn to edge 3 of the next.
     pattern.seams = {{{0, 0}, {1, 3}, true}, {{1, 0}, {2, 3}, true}, {{2, 0}, {0, 3}, true}};
     const GarmentMesh unsewn = assemble(pattern);
     const SewnMesh sewn = merge_seams(unsewn);
@@ -202,7 +202,7 @@ TEST(MergeSeams, makes_a_pillow_of_two_squares_sewn_all_round) {
     }
 }
 
-// A cap with ease: its curve is longer than the armhole's, both get the same samples.
+// A sleeve cap with ease: its curve is longer than the armhole's, but both get the same number of samples.
 TEST(MergeSeams, sets_a_sleeve_cap_into_an_armhole_that_is_shorter) {
     Pattern pattern;
     pattern.panels = {rectangle("body", 0.4, 0.45), rectangle("sleeve", 0.42, 0.2)};
@@ -280,14 +280,14 @@ TEST(UnfoldAcross, undoes_any_motion_of_the_other_panel) {
 
 TEST(UnfoldAcross, makes_midpoints_coincide_without_stretching_when_lengths_differ) {
     const EdgeCopy into{{0, 0}, {1, 0}};
-    const EdgeCopy from{{5, 5}, {5, 7}};  // twice as long, turned by 90 degrees
+    const EdgeCopy from{{5, 5}, {5, 7}};  // twice as long, rotated by 90 degrees
     const Vec2d midpoint(5, 6);
     EXPECT_LT((unfold_across(into, from, midpoint) - Vec2d(0.5, 0)).norm(), 1e-15);
     EXPECT_LT((unfold_across(into, from, {5.3, 6}) - Vec2d(0.5, -0.3)).norm(), 1e-15);
     EXPECT_LT((unfold_across(into, from, from.a) - Vec2d(-0.5, 0)).norm(), 1e-15);
 }
 
-// One square of two triangles, and its corner vertices in order.
+// Adds a square of two triangles, with its corner vertices in counter-clockwise order.
 void add_square(GarmentMesh& mesh, const Vec3d& shift) {
     const auto first = static_cast<int>(mesh.x.size());
     const std::vector<Vec2d> u{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
@@ -333,7 +333,7 @@ TEST(SeparateCoincidingEdges, keeps_two_diagonals_apart_whose_ends_are_sewn_toge
 TEST(SeparateCoincidingEdges, saves_a_corner_triangle_whose_two_outline_edges_are_sewn_together) {
     GarmentMesh mesh = named({});
     add_square(mesh, {0, 0, 0});
-    mesh.links = {{0, 2, 0}};  // 0-1 onto 2-1: the diagonal 0-2 would vanish
+    mesh.links = {{0, 2, 0}};  // sews 0-1 to 2-1: the diagonal 0-2 would vanish
     EXPECT_FALSE(check_mesh(merge_seams(mesh).mesh).empty());
     EXPECT_GT(separate_coinciding_edges(mesh), 1);
     const GarmentMesh sewn = merge_seams(mesh).mesh;

@@ -32,7 +32,7 @@ double min_angle_deg(const PanelMesh& mesh) {
     return smallest * 180 / kPi;
 }
 
-// A disc's mesh: sound, as large as its outline, with each outline vertex once.
+// Expects a valid mesh with the topology of a disc and the area of its outline.
 void expect_sound(const PanelMesh& mesh) {
     const GarmentMesh garment = as_garment(mesh);
     const std::vector<std::string> faults = check_mesh(garment);
@@ -95,7 +95,7 @@ TEST(Triangulate, gives_each_bank_of_a_slit_without_width_its_own_vertices) {
     }
 }
 
-// A poncho: the neck hole hangs on the outline by a slit.
+// A poncho: a slit joins the neck hole to the outline.
 TEST(Triangulate, cuts_out_a_hole_that_a_slit_joins_to_the_outline) {
     Panel panel =
         polygon("poncho", {{0, 0}, {0.5, 0}, {0.5, 0.4}, {0.5, 0.6}, {0.5, 0.4}, {0.5, 0}, {1, 0}, {1, 1}, {0, 1}});
@@ -111,7 +111,7 @@ TEST(Triangulate, cuts_out_a_hole_that_a_slit_joins_to_the_outline) {
     EXPECT_GT(min_angle_deg(mesh), 30);
 }
 
-// A ring whose outer and inner boundary touch in one point, walked as one loop.
+// A ring whose outer and inner boundary touch in one point; the outline is one loop.
 TEST(Triangulate, keeps_apart_two_corners_that_touch_in_a_point) {
     const Panel ring = polygon(
         "ring", {{0.3, 0}, {0.6, 0}, {0.6, 0.6}, {0, 0.6}, {0, 0}, {0.3, 0}, {0.2, 0.3}, {0.3, 0.4}, {0.4, 0.3}});
@@ -189,7 +189,7 @@ TEST(Triangulate, refuses_a_panel_that_needs_too_many_triangles) {
 
 }  // namespace
 
-// Hundreds of panels that nobody drew: whatever the outline, the mesh is sound and the outline is kept.
+// Random panels: for any outline the mesh is valid and the outline is kept.
 
 namespace {
 
@@ -216,7 +216,7 @@ TEST(RandomPanels, become_sound_meshes_that_keep_their_outline) {
         std::vector<int> segments;
         for (std::size_t i = 0; i < panel.edges.size(); ++i) segments.push_back(segment_count(random));
         if (outline_area_of({panel.vertices, {}, {0, 1, 2}, {}}) <= 0 && panel.vertices.size() == 3) continue;
-        const bool is_relaxed = run % 4 == 0;  // what comes before relaxing must hold too, and is quick
+        const bool is_relaxed = run % 4 == 0;  // most runs skip relaxing, for speed; the mesh must still be valid
         const PanelMesh mesh = triangulate(panel, segments, {.relaxations = is_relaxed ? 12 : 0});
         const GarmentMesh garment = as_garment(mesh);
         const std::vector<std::string> faults = check_mesh(garment);
@@ -233,8 +233,8 @@ TEST(RandomPanels, become_sound_meshes_that_keep_their_outline) {
     }
 }
 
-// Sewn to its own mirror image all round, a panel is a pillow: a closed surface. Small and notched ones try every way
-// in which inner edges of both sides can fall on each other.
+// A panel that is sewn to its mirror image along its whole outline is a closed surface. Small panels with notches test
+// all ways in which interior edges of the two sides can coincide.
 TEST(RandomPanels, sewn_to_their_mirror_image_are_closed_surfaces) {
     std::mt19937 random(2);
     for (int run = 0; run < 100; ++run) {
@@ -258,13 +258,13 @@ TEST(RandomPanels, sewn_to_their_mirror_image_are_closed_surfaces) {
 
 }  // namespace
 
-// Published GarmentCode patterns, meshed at several sizes.
+// Published GarmentCode patterns, meshed with several target edge lengths.
 
 namespace {
 
 struct RealPattern {
     const char* file;
-    double worst_ratio;  // of seam sides
+    double worst_ratio;  // length ratio of seam sides
     int boundary_loops;
 };
 

@@ -1,12 +1,12 @@
 #pragma once
-// A small garment as text, that tests spoil in one place each.
+// A small garment file as text, which tests modify to create faults.
 #include <string>
 
 #include <gtest/gtest.h>
 
 namespace selvedge::sim {
 
-// Front counter-clockwise, back clockwise, 40 x 50 cm, sewn at both sides.
+// Front counter-clockwise, back clockwise, each 40 x 50 cm, sewn together along both sides.
 inline std::string sample_text() {
     return R"({
  "pattern": {
@@ -31,7 +31,7 @@ inline std::string sample_text() {
 })";
 }
 
-// The text with the first `from` replaced; fails the test when there is none.
+// The text with the first `from` replaced by `to`; fails the test if `from` is not found.
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
     const std::size_t at = text.find(from);
     EXPECT_NE(at, std::string::npos) << from;

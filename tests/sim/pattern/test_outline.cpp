@@ -80,13 +80,13 @@ TEST(Outline, bezier_lengths_agree_with_fine_sampling) {
 
 TEST(Outline, a_cusp_does_not_spoil_the_length) {
     const Panel panel = two_points({0, 0}, {1, 0});
-    const OutlineEdge cusp = cubic({1, 1}, {0, 1});  // the speed falls to zero at its middle
+    const OutlineEdge cusp = cubic({1, 1}, {0, 1});  // the speed is zero at s = 0.5
     EXPECT_NEAR(outline_length(panel, cusp), sampled_length(panel, cusp, 400000), 1e-7);
 }
 
 TEST(Outline, equal_fractions_give_equal_lengths) {
     const Panel panel = two_points({0, 0}, {0.4, 0});
-    const OutlineEdge edge = cubic({0.01, 0.3}, {0.02, 0.1});  // far from even in its own parameter
+    const OutlineEdge edge = cubic({0.01, 0.3}, {0.02, 0.1});  // its speed varies strongly with s
     const int count = 50;
     double least = 1;
     double most = 0;

@@ -30,7 +30,7 @@ TEST(PanelPlace, a_wrap_keeps_lengths_along_x_and_y) {
     }
 }
 
-// Held panels are seen from their right side, where x runs right and y up: their cross product looks at who sees it.
+// Panels are stored as seen from the right side, with x to the right and y up, so x cross y points out of it.
 TEST(PanelPlace, the_right_side_of_a_wrap_looks_away_from_its_axis) {
     for (const bool is_mirrored : {false, true}) {
         const Panel panel = wrapped(is_mirrored);

@@ -16,7 +16,7 @@ std::vector<std::string> faults_of(const std::string& text) {
     return lines;
 }
 
-// One spoilt place, and the only line that check should print about it.
+// A replacement that makes the sample text wrong, and the only line that the check should report.
 struct Case {
     friend void PrintTo(const Case& spoilt, std::ostream* out) { *out << spoilt.name; }
 
@@ -147,7 +147,7 @@ INSTANTIATE_TEST_SUITE_P(
              "selvedge.body_height: 1.7 is no body's height"}),
     [](const auto& spoilt) { return spoilt.param.name; });
 
-// A panel of straight edges through these points, cm; `last` describes the edge that closes it further.
+// A panel with straight edges through these points, cm. `last`: additional JSON members of the last edge.
 std::string polygon(const std::string& vertices, int count, const std::string& last = "") {
     std::string edges;
     for (int i = 0; i < count; ++i) {
@@ -173,7 +173,7 @@ TEST(CheckShape, a_vertex_on_another_edge) {
 
 TEST(CheckShape, an_edge_that_runs_back_along_its_neighbour) {
     const Lines lines = faults_of(polygon("[0,0],[40,0],[20,0],[20,30]", 4));
-    ASSERT_EQ(lines.size(), 2U);  // and its far end lies on the edge before
+    ASSERT_EQ(lines.size(), 2U);  // second fault: the far end of edge 1 is on edge 0
     EXPECT_EQ(lines[0], kEdges + "[0]: the outline crosses or touches itself: edges 0 and 1 meet near (40, 0)");
 }
 

@@ -20,7 +20,7 @@ Pattern sample() {
     return parse_pattern(sample_text(), "sample.json").pattern;
 }
 
-// How far apart in the room the two ends of a seam side stand from the points that they are sewn to.
+// The larger 3D distance, m, between an end of the seam's first side and the end that it is sewn to.
 double widest_gap(const Pattern& pattern, const Seam& seam) {
     const auto end = [&](const SeamSide& side, double t) {
         const Panel& panel = pattern.panels[static_cast<std::size_t>(side.panel)];
@@ -61,7 +61,8 @@ TEST(PatternFile, mirrors_what_is_drawn_clockwise_and_places_it_where_it_was) {
 TEST(PatternFile, places_control_points_left_of_the_edge_for_a_positive_second_number) {
     const Pattern pattern = sample();
     EXPECT_TRUE(pattern.panels[0].edges[0].control[0].isApprox(Vec2d(0.2, -0.02)));
-    // The back's top runs from (5,50) to (35,50): 0.05 to the left of it is up, in the file and mirrored.
+    // The back's top edge runs from (5,50) to (35,50). An offset of 0.05 to its left is upward, in the file and
+    // mirrored.
     EXPECT_TRUE(pattern.panels[1].edges[1].control[0].isApprox(Vec2d(-0.14, 0.515)));
     EXPECT_TRUE(pattern.panels[1].edges[1].control[1].isApprox(Vec2d(-0.26, 0.515)));
 }
@@ -73,7 +74,7 @@ TEST(PatternFile, an_arc_flagged_right_bulges_to_the_right_of_its_edge_as_drawn)
             replaced(sample_text(), R"("curvature": {"type": "cubic", "params": [[0.3, 0.05], [0.7, 0.05]]})", circle),
             "")
             .pattern;
-    // The front's top runs leftwards: its right is up. The back's runs rightwards in the file: its right is down.
+    // The front's top edge runs to the left, so its right side is up. The back's runs to the right in the file: down.
     EXPECT_NEAR(outline_point(pattern.panels[0], pattern.panels[0].edges[2], 0.5).y(), 0.55, 1e-9);
     EXPECT_NEAR(outline_point(pattern.panels[1], pattern.panels[1].edges[1], 0.5).y(), 0.45, 1e-9);
 }
@@ -99,7 +100,7 @@ TEST(PatternFile, reads_and_keeps_absolute_control_points) {
 
 TEST(PatternFile, turns_about_x_first_then_y_then_z) {
     const Eigen::Matrix3d turned = rotation_from_degrees({90, 90, 0});
-    EXPECT_TRUE((turned * Vec3d(0, 1, 0)).isApprox(Vec3d(1, 0, 0), 1e-12));  // y to z, then z to x
+    EXPECT_TRUE((turned * Vec3d(0, 1, 0)).isApprox(Vec3d(1, 0, 0), 1e-12));  // about x: y to z; then about y: z to x
     EXPECT_TRUE((rotation_from_degrees({0, 0, 90}) * Vec3d(1, 0, 0)).isApprox(Vec3d(0, 1, 0), 1e-12));
 }
 
@@ -108,7 +109,7 @@ TEST(PatternFile, seams_join_start_to_end_unless_they_say_right_wrong) {
     ASSERT_EQ(pattern.seams.size(), 2U);
     for (const Seam& seam : pattern.seams) {
         EXPECT_TRUE(seam.is_reversed);
-        EXPECT_NEAR(widest_gap(pattern, seam), 0.34, 1e-9);  // front and back stand that far apart
+        EXPECT_NEAR(widest_gap(pattern, seam), 0.34, 1e-9);  // distance of front and back
     }
     const std::string other =
         replaced(sample_text(), R"({"panel": "back", "edge": 2}])", R"({"panel": "back", "edge": 2}, "right_wrong"])");
@@ -138,8 +139,8 @@ TEST(PatternFile, reads_what_we_add_in_the_held_frame) {
     EXPECT_EQ(back.fabric, "denim");
     EXPECT_EQ(back.layer, 2);
     EXPECT_EQ(back.pins, (std::vector<int>{1, 2}));
-    EXPECT_NEAR(back.grain_angle, -30 * kDegree, 1e-12);          // mirrored with its panel
-    EXPECT_TRUE(back.sett_offset.isApprox(Vec2d(0.015, -0.02)));  // of the fabric, which does not turn over
+    EXPECT_NEAR(back.grain_angle, -30 * kDegree, 1e-12);          // mirrored with the panel
+    EXPECT_TRUE(back.sett_offset.isApprox(Vec2d(0.015, -0.02)));  // relative to the fabric, so it is not mirrored
     EXPECT_TRUE(pattern.panels[0].sett_offset.isZero(0));
     EXPECT_DOUBLE_EQ(pattern.sett_size.value_or(0), 0.149);
     EXPECT_TRUE(pattern.sett_position.isApprox(Vec2d(0.01, -0.025)));
@@ -171,7 +172,7 @@ TEST(PatternFile, writes_only_what_changed) {
     expected = replaced(expected, "\"grainline\": 30", "\"grainline\": -45");
     expected = replaced(expected, "90.0", "91.5");
     expected = replaced(expected, "black_watch", "anderson");
-    // The back's top is curved relative to its chord, which moved: its control points stay where they are.
+    // The curve of the back's top edge is stored relative to its chord, which moved; its control points do not move.
     const PatternDocument again = parse_pattern(write_pattern(document), "");
     EXPECT_TRUE(again.pattern.panels[1].edges[1].control[0].isApprox(Vec2d(-0.14, 0.515), 1e-8));
     document.pattern.panels[1].edges[1].control = parse_pattern(expected, "").pattern.panels[1].edges[1].control;
@@ -254,10 +255,9 @@ TEST_P(GarmentCodeFiles, load_with_seams_that_meet_and_come_back_as_they_were) {
     EXPECT_EQ(write_json(parse_json(write_pattern(document), ""), -1), write_json(parse_json(text.str(), ""), -1));
     for (const Panel& panel : document.pattern.panels) {
         EXPECT_GT(outline_area(panel), 0);
-        EXPECT_EQ(panel.is_mirrored, panel.translation.z() < 0) << panel.name;  // backs are drawn clockwise
+        EXPECT_EQ(panel.is_mirrored, panel.translation.z() < 0) << panel.name;  // back panels are drawn clockwise
     }
-    // Front and back stand half a metre apart. Ends that were swapped would be further from each other, on edges long
-    // enough to tell.
+    // Front and back are half a metre apart. On edges of at least 0.1 m, swapped ends would have a larger distance.
     for (const Seam& seam : document.pattern.seams) {
         EXPECT_LT(widest_gap(document.pattern, seam), 0.56);
         const Panel& panel = document.pattern.panels[static_cast<std::size_t>(seam.first.panel)];
@@ -275,7 +275,7 @@ INSTANTIATE_TEST_SUITE_P(, GarmentCodeFiles,
 
 }  // namespace
 
-// What drafting keeps in a file: notches, wraps, mirror images, places on the sheet, ease, names that change.
+// Additions by pattern editing: notches, wraps, mirror images, sheet positions, eased seams, renamed panels.
 
 namespace {
 

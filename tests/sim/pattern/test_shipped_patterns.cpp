@@ -1,4 +1,4 @@
-// The garments that ship are drafted soundly: each is a test case for the rest of the program.
+// Checks the shipped garments, which are also test cases for the rest of the program.
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <array>
@@ -35,7 +35,8 @@ TEST_P(ShippedPattern, names_a_fabric_a_tartan_and_its_body) {
     EXPECT_NEAR(pattern.body_height, 1.606, 1e-9);
 }
 
-// A seam that closes would cross the body if its sides stood on the same side of it.
+// The sides of each seam are close in x and height, and less than 0.45 m apart, so that the seam closes without
+// crossing the body.
 TEST_P(ShippedPattern, the_ends_of_its_seams_stand_level_across_the_body) {
     for (const Seam& seam : pattern.seams) {
         const auto end = [&](const SeamSide& side, double t) {
@@ -51,7 +52,7 @@ TEST_P(ShippedPattern, the_ends_of_its_seams_stand_level_across_the_body) {
     }
 }
 
-// Reflected left to right, the outlines in the room must be the same set of points.
+// The placed outlines must have the same total length on both sides of x = 0, within 0.5 %.
 TEST_P(ShippedPattern, is_as_long_on_the_left_as_on_the_right) {
     double left = 0;
     double right = 0;
@@ -113,7 +114,8 @@ TEST(ShippedShirt, has_ease_round_the_bust_and_sleeves_that_fit_their_armholes) 
 
 }  // namespace
 
-// Spoils a garment file at many places: it loads or is refused in words, and what loads is sound enough to save.
+// Fuzz test: changes a garment file at random. It must load or be rejected with InputError; what loads must be valid
+// enough to save.
 
 namespace {
 
@@ -121,7 +123,7 @@ constexpr std::array kScraps{"",     "-",     "0",     "9",    "1e9",   "1e300",
                              "true", "\"\"",  "[]",    "{}",   "[",     "]",     "}",          ",",
                              "0.5",  "\"x\"", "[[0]]", "1e-9", "front", "edge",  "\"circle\"", "\"absolute\""};
 
-// Replaces up to eight characters at a random place by a scrap of JSON.
+// Replaces up to eight characters at a random offset by a fragment of JSON.
 std::string spoil(std::string text, std::mt19937& random) {
     const auto below = [&](std::size_t count) { return random() % count; };
     const std::size_t at = below(text.size());
@@ -129,7 +131,7 @@ std::string spoil(std::string text, std::mt19937& random) {
     return text;
 }
 
-// Replaces one number, which leaves the file well-formed far more often.
+// Replaces one number, so that the file stays well-formed much more often.
 std::string spoil_number(std::string text, std::mt19937& random) {
     const std::size_t from = text.find_first_of("0123456789", random() % text.size());
     if (from == std::string::npos) return text;
@@ -138,7 +140,7 @@ std::string spoil_number(std::string text, std::mt19937& random) {
     return text;
 }
 
-// Did it load? Whatever else than InputError leaves this, or a value that is not finite, fails the test.
+// Returns whether the text loads. Any exception other than InputError, or a value that is not finite, fails the test.
 bool survives(const std::string& text) {
     PatternDocument document;
     try {
@@ -163,7 +165,7 @@ TEST(PatternFuzz, loads_or_refuses_whatever_stands_in_the_file) {
     int loaded = 0;
     for (int i = 0; i < 1500; ++i) loaded += survives(spoil(sample_text(), random)) ? 1 : 0;
     for (int i = 0; i < 1500; ++i) loaded += survives(spoil_number(sample_text(), random)) ? 1 : 0;
-    EXPECT_GT(loaded, 300);  // else it tries the JSON parser only
+    EXPECT_GT(loaded, 300);  // otherwise it tests only the JSON parser
     EXPECT_LT(loaded, 2700);
 }
 

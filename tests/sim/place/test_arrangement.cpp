@@ -1,4 +1,4 @@
-// Places round a body at which panels can be put.
+// Arrangement points around a body.
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <limits>
@@ -36,7 +36,7 @@ std::map<std::string, ArrangementPoint> by_name(const Body& body) {
     return points;
 }
 
-// Whether the triangle's skin is an arm's: a wide panel at the chest may well meet that.
+// Whether the triangle belongs to an arm by its skin weights: a wide panel at the chest may intersect an arm.
 bool is_of_an_arm(const Body& body, std::uint32_t triangle) {
     const SkinWeights& skin = body.skin[static_cast<std::size_t>(body.triangles[triangle][0])];
     const auto heaviest = std::ranges::max_element(skin.weights) - skin.weights.begin();
@@ -44,7 +44,7 @@ bool is_of_an_arm(const Body& body, std::uint32_t triangle) {
     return bone.find("arm") != std::string::npos || bone.find("hand") != std::string::npos;
 }
 
-// m, from the trunk to the nearest of a grid of points on the panel
+// m, from the trunk to the nearest of a grid of points on the panel.
 float clearance_of(const Panel& panel, const Body& body, const SurfaceBvh& surface) {
     Eigen::AlignedBox2d box;
     for (const Vec2d& u : panel.vertices) box.extend(u);
@@ -136,7 +136,7 @@ TEST(ArrangementPoints, of_a_body_without_bones_are_found_by_its_sections) {
 TEST(Arrange, puts_the_middle_of_a_panel_at_the_point_with_its_right_side_outward) {
     const auto points = by_name(make_mannequin({.subdivisions = 1}).body);
     for (const bool is_back : {false, true}) {
-        for (const double shift : {0.0, 0.17}) {  // of the origin, from the panel's middle
+        for (const double shift : {0.0, 0.17}) {  // of the origin, from the panel's centre
             Panel panel = rectangle("panel", {.width = 0.4, .height = 0.1, .is_back = is_back});
             for (Vec2d& u : panel.vertices) u.x() += shift;
             for (const auto& [name, point] : points) {

@@ -1,4 +1,4 @@
-// Garments that are drafted too small are told from those that merely hang close.
+// Garments smaller than the body are distinguished from those that only hang close.
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <array>
@@ -23,14 +23,14 @@ constexpr double kOffsetGirth = 2 * std::numbers::pi * 0.003;
 
 struct RoundOptions {
     double girth = 1;   // m, of the material
-    double radius = 0;  // m, of the tube in the room
+    double radius = 0;  // m, of the tube in 3D
     double low = 0;     // m
     double high = 1;    // m
     double x = 0;       // m, of the axis
     bool is_open = false;
 };
 
-// An upright tube of one panel that is sewn to itself at the back, so that u jumps there; open: not sewn.
+// An upright tube of one panel, sewn to itself at the back, so that u is discontinuous there; is_open: not sewn.
 PlainMesh round_garment(const RoundOptions& options) {
     constexpr unsigned kColumns = 48;
     constexpr unsigned kRows = 20;
@@ -69,7 +69,7 @@ PlainMesh together(const PlainMesh& first, const PlainMesh& second) {
     return mesh;
 }
 
-// 1 m round, from the floor to 1.7 m.
+// A column with a girth of 1 m, from the floor to 1.7 m.
 Body column() {
     return shapes::box(Vec3d(-0.15, 0, -0.1), Vec3d(0.15, 1.7, 0.1), 8);
 }
@@ -163,7 +163,7 @@ TEST(Fit, a_tight_level_reaches_a_little_above_and_below) {
     EXPECT_FALSE(is_tight_at(levels, Vec3d(0.251, 1.2, 0)));
 }
 
-// The shipped T-shirt, at its base mesh, on the mannequin of this bust.
+// The shipped T-shirt at its base mesh, on a mannequin with this bust.
 class FitOfTheTshirt : public testing::Test {
  protected:
     static Mannequin mannequin(std::optional<double> bust) {

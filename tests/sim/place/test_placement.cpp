@@ -1,4 +1,4 @@
-// Panels round bodies that they were not drawn for.
+// Placement of panels on bodies for which they were not drawn.
 #include <gtest/gtest.h>
 #include <cmath>
 
@@ -12,12 +12,12 @@
 namespace selvedge::sim::test {
 namespace {
 
-// A torso of some kind from the floor up, with its axis at (x, z).
+// A column as a torso, standing on the floor, with its axis at (x, z).
 Body column(double stature, double x = 0, double z = 0) {
     return shapes::box(Vec3d(x - 0.15, 0, z - 0.1), Vec3d(x + 0.15, stature, z + 0.1), 8);
 }
 
-// Flat faces need no fine grid.
+// Flat faces do not need a fine grid.
 constexpr DistanceFieldOptions kCoarse{.cell = 0.006F, .band = 0.024F};
 
 double centre_height(const Panel& panel) {
@@ -68,7 +68,7 @@ TEST(AnchorPanels, moves_a_shirt_up_on_a_taller_mannequin) {
     for (const Panel& panel : pattern.panels) EXPECT_NEAR(centre_height(panel), 1.1 * 1.8 / 1.6, 0.01);
 }
 
-// The least distance of the mesh from the body, m: at vertices and in the middle of triangles.
+// The smallest distance of the mesh from the body, m: at vertices and triangle centres.
 double clearance(const GarmentMesh& mesh, const BodyCollider& body) {
     double least = 1;
     for (const GarmentTriangle& t : mesh.triangles) {
@@ -130,7 +130,7 @@ TEST(ClearPanels, leaves_clear_panels_alone_and_says_nothing) {
     EXPECT_EQ(after.x, before.x);
 }
 
-// The deepest that a straight line between linked vertices runs inside the body, m, when all stand this much higher.
+// Maximum depth (m) inside the body of the straight lines between linked vertices, with all vertices raised by `lift`.
 double blocked_depth(const GarmentMesh& unsewn, double lift, const BodyCollider& body) {
     double deepest = 0;
     for (const SeamLink& link : unsewn.links) {
@@ -146,7 +146,7 @@ double blocked_depth(const GarmentMesh& unsewn, double lift, const BodyCollider&
 TEST(SeamClearingLift, lifts_a_shoulder_seam_that_lies_too_low) {
     const Body body = column(1.4);
     const BodyCollider collider(body, kCoarse);
-    const GarmentMesh unsewn = assemble(tabard(0.25, 0.4, 0.95, 0.2));  // its upper edges stand at 1.35 m
+    const GarmentMesh unsewn = assemble(tabard(0.25, 0.4, 0.95, 0.2));  // its upper edges are at 1.35 m
     ASSERT_GT(blocked_depth(unsewn, 0, collider), 0.04);
     const double lift = seam_clearing_lift(unsewn, collider);
     EXPECT_GE(lift, 0.05);
@@ -163,7 +163,7 @@ TEST(SeamClearingLift, lowers_a_seam_under_a_body_that_lies_too_high) {
     EXPECT_LT(blocked_depth(unsewn, lift, collider), 1e-3);
 }
 
-// A sleeve, 6 cm high, has the middle of three bars in it. Above and below that its seams would be freer, but not free.
+// A sleeve 6 cm high contains the middle of three bars. Above and below, its seams would be less blocked, but not free.
 TEST(SeamClearingLift, does_not_take_a_sleeve_off_an_arm) {
     Body body;
     for (const double low : {1.1, 1.25, 1.4}) {

@@ -1,5 +1,5 @@
 #pragma once
-// Panels and seams for the tests of matching, and a reading of seams that owes nothing to what it tests.
+// Panels and setts for the tests of matching, and an independent measurement of the mismatch at seams.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,7 +12,7 @@
 
 namespace selvedge::sim {
 
-// A panel of straight edges through the points, which run counter-clockwise.
+// A panel with straight edges through the points, which must be counter-clockwise.
 inline Panel polygon_panel(const std::string& name, const std::vector<Vec2d>& points) {
     Panel panel;
     panel.name = name;
@@ -27,13 +27,13 @@ inline Panel polygon_panel(const std::string& name, const std::vector<Vec2d>& po
     return panel;
 }
 
-// Edges: 0 bottom, 1 right, 2 top, 3 left. The corner below on the left is at `corner`.
+// Edges: 0 bottom, 1 right, 2 top, 3 left. `corner`: position of the lower left corner.
 inline Panel box(const std::string& name, const Vec2d& corner, double width, double height) {
     return polygon_panel(name,
                          {corner, corner + Vec2d(width, 0), corner + Vec2d(width, height), corner + Vec2d(0, height)});
 }
 
-// 100 threads of 0.5 mm, so 5 cm: mirrored, and one that has no mirror.
+// Setts with a repeat of 100 threads of 0.5 mm = 5 cm: one is mirrored, the other has no mirror line.
 inline Sett mirrored_sett() {
     Sett sett = parse_threadcount("K/20 R20 G5 W/30");
     sett.thread_spacing = 5e-4;
@@ -49,15 +49,15 @@ inline const Panel& panel_at(const Pattern& pattern, const SeamSide& side) {
     return pattern.panels[static_cast<std::size_t>(side.panel)];
 }
 
-// The place in the sett, m (weft, warp), at the fraction t of a seam's side from its own start.
+// The position in the sett, m (weft, warp), at the fraction t of the edge's length from the start of the edge.
 inline Vec2d sett_place(const Pattern& pattern, const SeamSide& side, double t) {
     const Panel& panel = panel_at(pattern, side);
     const Vec2d u = outline_point(panel, panel.edges[static_cast<std::size_t>(side.edge)], t);
     return Eigen::Rotation2Dd(-panel.grain_angle) * u + panel.sett_offset;
 }
 
-// How far, m, the nearest place whose surroundings look like those of `from` (`is_mirrored`: their mirror image) is
-// from `to`. By comparing colours thread by thread, no wiser.
+// The distance, m, from `to` to the nearest sett position that is equivalent to `from` (`is_mirrored`: equivalent to
+// its mirror image). Brute force: compares the colours of all threads for every shift.
 inline double colour_distance(const std::vector<Rgb8>& colours, double spacing, double from, double to,
                               bool is_mirrored) {
     const int count = static_cast<int>(colours.size());
@@ -74,7 +74,8 @@ inline double colour_distance(const std::vector<Rgb8>& colours, double spacing, 
     return nearest;
 }
 
-// The largest mismatch of a seam, from the pattern's own offsets: at 201 points, by finite differences and colours.
+// The largest mismatch of a seam, m, for the pattern's sett offsets: at 201 points, with directions from finite
+// differences and by comparing colours.
 inline double seen_mismatch(const Pattern& pattern, const Seam& seam, const Sett& sett) {
     constexpr int kSteps = 200;
     const auto place = [&](bool of_second, double t) {

@@ -12,7 +12,7 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr double kExact = 2e-5;  // m: offsets come in steps of 0.001 mm
+constexpr double kExact = 2e-5;  // m; offsets are rounded to 0.001 mm
 
 Pattern matched(Pattern pattern, const Sett& sett, const MatchOptions& options = {}) {
     const SettMatch match = match_sett(pattern, sett, options);
@@ -20,7 +20,7 @@ Pattern matched(Pattern pattern, const Sett& sett, const MatchOptions& options =
     return pattern;
 }
 
-// Two boxes side by side, whose stripes miss each other at both of their seams by the same.
+// Two boxes sewn to a tube. At both seams the weft's stripes have the mismatch `rise`, m.
 Pattern tube(double rise) {
     Pattern pattern;
     pattern.panels = {box("front", {0, 0}, 0.4, 0.5), box("back", {0.03, rise}, 0.4, 0.5)};
@@ -40,13 +40,13 @@ TEST(Match, straight_side_seams_meet_exactly_all_round) {
             EXPECT_EQ(seam.met, 1);
             EXPECT_EQ(seam.why, "");
         }
-        EXPECT_TRUE(match.offsets[0].isZero(0));  // the first panel stays
+        EXPECT_TRUE(match.offsets[0].isZero(0));  // the first panel keeps its offset
     }
 }
 
 TEST(Match, what_is_reported_is_what_an_independent_look_at_the_colours_sees) {
     Pattern pattern = tube(0.0171);
-    pattern.panels[1].vertices[2].x() += 0.06;  // one side leans
+    pattern.panels[1].vertices[2].x() += 0.06;  // one side is slanted
     pattern.panels[0].grain_angle = 0.2;
     for (const Sett& sett : {mirrored_sett(), one_way_sett()}) {
         const SettMatch match = match_sett(pattern, sett);
@@ -62,8 +62,8 @@ TEST(Match, what_is_reported_is_what_an_independent_look_at_the_colours_sees) {
 TEST(Match, stripes_that_run_along_a_seam_go_on_round_the_body_where_that_is_free) {
     const Sett sett = one_way_sett();
     const Pattern after = matched(tube(0), sett);
-    // The front's right edge, x = 0.4, meets the back's left one, x = 0.03; the other seam cannot follow, as the tube
-    // is no whole number of repeats round.
+    // The front's right edge, x = 0.4, is sewn to the back's left edge, x = 0.03. The other seam cannot match, because
+    // the circumference of the tube is not an integer number of repeats.
     const auto gap = [&](const Seam& seam) {
         const double x = (sett_place(after, seam.first, 0) - sett_place(after, seam.second, 1)).x();
         return std::abs(std::remainder(x, repeat_size(sett)));
@@ -71,7 +71,7 @@ TEST(Match, stripes_that_run_along_a_seam_go_on_round_the_body_where_that_is_fre
     EXPECT_LT(std::min(gap(after.seams[0]), gap(after.seams[1])), kExact);
 }
 
-// Two halves that lean towards each other: cut so that stripes meet the seam at 30 degrees from either side.
+// Two halves with a slanted seam, so that the stripes of both sides meet the seam at 30 degrees.
 Pattern chevron() {
     Pattern pattern;
     const double lean = 0.5 * std::tan(std::numbers::pi / 6);
@@ -113,7 +113,7 @@ TEST(Match, other_angles_on_both_sides_cannot_meet_and_say_so) {
     EXPECT_NE(match.seams[0].why.find("angles"), std::string::npos) << match.seams[0].why;
 }
 
-// Three boxes in a ring: where the last seam closes, the stripes are 8 mm off whatever the offsets.
+// Three boxes in a ring. For any offsets the mismatches around the ring add up to 8 mm.
 Pattern ring() {
     Pattern pattern;
     pattern.panels = {box("a", {0, 0}, 0.3, 0.5), box("b", {0, 0}, 0.3, 0.5), box("c", {0, 0}, 0.3, 0.5)};
@@ -149,7 +149,7 @@ TEST(Match, seams_that_are_named_first_win) {
 }
 
 TEST(Match, a_short_seam_named_first_wins_against_two_long_ones) {
-    // The back's lower half is shifted: its two right edges cannot both meet the front's.
+    // The back's lower half is shifted, so its two left edges cannot both match the front's right edges.
     Pattern pattern;
     pattern.panels = {
         polygon_panel("front", {{0, 0}, {0.4, 0}, {0.4, 0.1}, {0.4, 0.5}, {0, 0.5}}),
@@ -183,7 +183,7 @@ TEST(Match, a_sett_may_be_centred_on_a_panel_and_the_others_follow) {
     const Sett sett = mirrored_sett();
     const Pattern pattern = tube(0.0171);
     const SettMatch match = match_sett(pattern, sett, {.centred_panel = 1});
-    // The back is 0.4 m wide from x = 0.03 on; the sett mirrors 5 mm from its start and 25 mm further.
+    // The back extends from x = 0.03 to 0.43 m. The sett has mirror lines at 5 mm and 30 mm.
     EXPECT_NEAR(std::remainder(0.23 + match.offsets[1].x() - 0.005, 0.025), 0, kExact);
     EXPECT_LE(std::abs(match.offsets[1].x()), 0.0125 + kExact);
     EXPECT_EQ(match.offsets[1].y(), 0);
@@ -204,7 +204,7 @@ TEST(Match, matching_again_changes_nothing) {
     }
 }
 
-// A garment of chance: boxes of many sizes and grains, sewn to each other at random edges.
+// A random garment: boxes of several sizes and grain angles, sewn together at random edges.
 Pattern random_garment(unsigned seed, int panels) {
     std::mt19937 random(seed);
     const auto between = [&](double low, double high) {
@@ -272,7 +272,7 @@ TEST(Match, hostile_offsets_darts_and_points_do_no_harm) {
     Pattern pattern = tube(0.01);
     pattern.panels[0].sett_offset = {std::nan(""), 1e9};
     pattern.panels[1].sett_offset = {std::numeric_limits<double>::infinity(), 99.99};
-    pattern.seams.push_back({{0, 0}, {0, 2}, true});  // a panel sewn to itself
+    pattern.seams.push_back({{0, 0}, {0, 2}, true});  // a panel that is sewn to itself
     pattern.panels.push_back(polygon_panel("point", {{0, 0}, {0, 0}, {0, 0}}));
     pattern.seams.push_back({{2, 0}, {1, 0}, true});
     pattern.seams.push_back({{2, 1}, {2, 2}, true});
@@ -334,7 +334,7 @@ TEST(Match, other_peoples_patterns_meet_at_their_straight_seams_and_are_told_as_
     }
 }
 
-// A chain of hundreds of tubes: ended by what it finds, not by a clock.
+// A ring of 3,000 panels: the solver must stop when nothing improves, and not after a time limit.
 TEST(Match, thousands_of_panels_are_matched_to_the_last) {
     Pattern pattern;
     constexpr int kPanels = 3000;

@@ -85,7 +85,7 @@ TEST(SettRepeat, two_colours_mirror_without_a_pivot) {
 
 TEST(SettRepeat, a_repeat_written_twice_is_found_once) {
     EXPECT_DOUBLE_EQ(repeat_of("K8 W4 R2 K8 W4 R2").size, 0.014);
-    EXPECT_DOUBLE_EQ(repeat_of("K4 W4 R2 K8 W4 R2 K4").size, 0.014);  // and cut within a stripe
+    EXPECT_DOUBLE_EQ(repeat_of("K4 W4 R2 K8 W4 R2 K4").size, 0.014);  // repeat that begins inside a stripe
 }
 
 TEST(SettRepeat, neighbours_of_one_colour_are_one_stripe_across_the_end_too) {
