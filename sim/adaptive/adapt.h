@@ -1,23 +1,25 @@
 #pragma once
-// One adaptation: refine from level 0 down, then coarsen from the deepest level up, retriangulating after each level.
-// Criteria are asked per edge and combined at compile time: split if any asks and none vetoes, rejoin if any vetoes or
-// all agree.  (SPEC 1.2-1.4)
+// One adaptation (remeshing step): refine from level 0 down, then coarsen from the deepest level up. After each level
+// the affected triangles are retriangulated. Criteria are evaluated per edge and combined at compile time: an edge is
+// split if any criterion requests it and none vetoes; it is rejoined if any vetoes or all agree.  (thesis 3.4)
 //
-// A criterion has       bool wants_split(const AdaptiveMesh&, EdgeId) const;    asked of unsplit edges
-//                       bool allows_rejoin(const AdaptiveMesh&, EdgeId) const;  asked of split edges
+// A criterion has       bool wants_split(const AdaptiveMesh&, EdgeId) const;    called for unsplit edges
+//                       bool allows_rejoin(const AdaptiveMesh&, EdgeId) const;  called for split edges
 // A veto has            static constexpr bool is_veto = true;
-//                       bool vetoes(const AdaptiveMesh&, EdgeId) const;         asked of both
+//                       bool vetoes(const AdaptiveMesh&, EdgeId) const;         called for both
 // A batch has           static constexpr bool is_batch = true;
-//                       and is a criterion that is dear to ask: many edges at once, and only those that the others
-//                       leave undecided. note(e) for each of them; look(mesh) gives them back in order; then it is
-//                       asked as others are, and what it says holds if the others, asked again, have not changed their
-//                       minds.
-// The observer (the cloth, or a surface) holds the state by vertex id, and gets
-//                       on_capacity(n)       before any id of n or above is used: state arrays grow to n
-//                       on_split(c, a, b)    c is new between a and b: set all that the criteria read of it
+//                       and is an expensive criterion, evaluated for many edges at once and only for edges that the
+//                       other criteria leave undecided. adapt() calls note(e) for each such edge; look(mesh) evaluates
+//                       them and returns them in the same order. Then wants_split or allows_rejoin is called as usual.
+//                       A split is made if no veto applies by then, a rejoin if the other criteria still agree.
+// The observer (the cloth, or a surface) holds the state by vertex id. It implements
+//                       on_capacity(n)       the id capacity has become n: state arrays grow to n
+//                       on_split(c, a, b)    c was created between a and b: set all values of c that criteria read
 //                       on_rejoin(c)         c is about to be freed
-// and, if it wants to,  before(t), after(t)  t changes its configuration: what is inside it goes and comes
-// An adaptation in which nothing changes asks each leaf edge once and each parent of two leaves once.
+// and, optionally,      before(t), after(t)  called before and after the configuration of t changes
+// An adaptation that changes nothing evaluates each leaf edge, and each split edge with two leaf children, once.
+//
+// The header also defines SplitLimits, which says which edges may be split at all.
 #include <algorithm>
 #include <concepts>
 #include <span>
@@ -28,8 +30,8 @@
 namespace selvedge::sim {
 
 struct AdaptOptions {
-    int max_level = kDeepestLevel;            // below the mesh's own: deeper edges are rejoined where permitted
-    TransitionCounts* transitions = nullptr;  // counted up when given
+    int max_level = kDeepestLevel;            // if below the mesh's own, deeper edges are rejoined where permitted
+    TransitionCounts* transitions = nullptr;  // optional: each transition is counted here
 };
 
 struct AdaptReport {
@@ -110,7 +112,7 @@ void note([[maybe_unused]] EdgeId e, const C&... criteria) {
     (one(criteria), ...);
 }
 
-// Calls then(e, criterion) for each edge that the batch was noted for.
+// Evaluates the batch criterion, if there is one, and calls then(e, criterion) for each noted edge.
 template <class Then, class... C>
 void look(const AdaptiveMesh& mesh, const Then& then, const C&... criteria) {
     static_assert((static_cast<int>(BatchCriterion<C>) + ... + 0) <= 1, "one batch at most");
@@ -122,7 +124,7 @@ void look(const AdaptiveMesh& mesh, const Then& then, const C&... criteria) {
     (one(criteria), ...);
 }
 
-// Told of transitions if it has ears for them.
+// Calls state.before(t) and state.after(t) around each transition if the observer has both functions.
 template <class State, class Choice>
 int retriangulate(AdaptiveMesh& mesh, State& state, int level, TransitionCounts* counts, const Choice& choice) {
     if constexpr (requires(TriangleId t) { state.before(t), state.after(t); }) {
@@ -141,7 +143,7 @@ void split(AdaptiveMesh& mesh, State& state, EdgeId e) {
     state.on_split(centre, mesh.end(e, 0), mesh.end(e, 1));
 }
 
-// Vetoes are cheap, and mesh.may_split() looks no farther than the sides.
+// Cheap tests come first: vetoes, and mesh.may_split(), which reads only the edge and its two sides.
 template <class State, class... C>
 int refine_level(AdaptiveMesh& mesh, State& state, int level, const C&... criteria) {
     int splits = 0;
@@ -168,7 +170,7 @@ template <class State, class... C>
 int coarsen_level(AdaptiveMesh& mesh, State& state, int level, bool beyond_limit, const C&... criteria) {
     int rejoins = 0;
     const auto rejoin_one = [&](EdgeId e) {
-        if (!mesh.may_rejoin(e)) return;  // looks farther than the criteria do, so it comes last
+        if (!mesh.may_rejoin(e)) return;  // reads more of the mesh than the criteria do, so it comes last
         state.on_rejoin(mesh.centre(e));
         mesh.rejoin(e);
         ++rejoins;
@@ -194,8 +196,8 @@ int coarsen_level(AdaptiveMesh& mesh, State& state, int level, bool beyond_limit
 
 }  // namespace adapt_detail
 
-// Pre: state knows mesh.vertex_capacity(). Post: check(mesh) finds nothing that it did not find before; the leaf lists
-// are up to date, and mesh.changes() tells what became of them. For the choice see sim/adaptive/diagonal.h.
+// Pre: the state arrays have mesh.vertex_capacity() entries. Post: check(mesh) reports no new problem; the leaf lists
+// are up to date, and mesh.changes() lists how they changed. For `choice` see sim/adaptive/diagonal.h.
 template <class Choice, AdaptObserver State, EdgeCriterion... Criteria>
 AdaptReport adapt_choosing(const Choice& choice, AdaptiveMesh& mesh, State& state, const AdaptOptions& options,
                            const Criteria&... criteria) {
@@ -222,11 +224,11 @@ AdaptReport adapt(AdaptiveMesh& mesh, State& state, const AdaptOptions& options,
     return adapt_choosing(MinimalChange{}, mesh, state, options, criteria...);
 }
 
-// How far splits may go.
+// Which edges may be split, by length and level.
 
 struct SplitLimits {
     float shortest_edge = 0;        // m, an edge shorter than this is not split
-    int max_level = kDeepestLevel;  // nor one of this level, or of the mesh's own deepest
+    int max_level = kDeepestLevel;  // an edge of this level, or of the mesh's deepest level, is not split
 
     bool allow(const AdaptiveMesh& mesh, EdgeId e) const {
         return mesh.level(e) < std::min(max_level, mesh.max_level()) && mesh.rest_length(e) >= shortest_edge;

@@ -31,8 +31,8 @@ TriangleId AdaptiveMesh::leaf_at(EdgeId e, int side) const {
     return slot == kNoSlot ? TriangleId{} : t.internal_triangles[slot];
 }
 
-// Sides name triangles at the edge's own level, so that the internal triangle of an irregular S1..S6 owner, which
-// borders the same edge one level deeper, never stands in the way of S1 -> S4 or S1 -> S7.
+// The sides of an edge are triangles of the edge's own level. An unsplit edge of an S1..S6 triangle also borders one of
+// its irregular internal triangles, one level deeper; testing that one would make S1 -> S4 and S1 -> S7 impossible.
 bool AdaptiveMesh::may_split(EdgeId e) const {
     const AdaptiveEdge& edge = edges_[e];
     const auto is_regular = [&](TriangleId side) { return !side || triangles_[side].regular; };
@@ -41,7 +41,7 @@ bool AdaptiveMesh::may_split(EdgeId e) const {
 
 bool AdaptiveMesh::may_rejoin(EdgeId e) const {
     if (!is_split(e) || !has_leaf_children(e)) return false;
-    // One that is marked has let another edge go in this pass.
+    // A marked triangle passed this test already, when another of its edges was rejoined.
     const auto lets_go = [&](TriangleId side) { return !side || triangles_[side].marked || has_leaf_children(side); };
     return lets_go(edges_[e].sides[0]) && lets_go(edges_[e].sides[1]);
 }
@@ -51,8 +51,8 @@ bool AdaptiveMesh::has_leaf_children(EdgeId e) const {
     return !edges_[children[0]].centre && !edges_[children[1]].centre;
 }
 
-// The three internal edges and the six child edges of an S7 triangle are the edges of its four children: none of them
-// is split when all four are leaves. In the other states internal triangles always are.
+// The three internal edges and the six child edges of an S7 triangle are the edges of its four children. None of them
+// is split if all four children are leaves. In the other states internal triangles are always leaves.
 bool AdaptiveMesh::has_leaf_children(TriangleId t) const {
     const AdaptiveTriangle& owner = triangles_[t];
     if (owner.configuration != Configuration::C10) return true;
@@ -60,7 +60,7 @@ bool AdaptiveMesh::has_leaf_children(TriangleId t) const {
     return std::all_of(owner.internal_triangles.begin(), owner.internal_triangles.end(), is_whole);
 }
 
-// That both sides are regular is looked at when they are retriangulated.
+// change_configuration() asserts that both sides are regular.
 VertexId AdaptiveMesh::split(EdgeId e) {
     AdaptiveEdge& edge = edges_[e];
     SELVEDGE_ASSERT(!edge.centre && edge.level < options_.max_level);
@@ -78,7 +78,7 @@ VertexId AdaptiveMesh::split(EdgeId e) {
     return centre;
 }
 
-// That no child of the sides is refined is looked at when they are retriangulated.
+// The transition asserts that no internal triangle that it releases is refined.
 void AdaptiveMesh::rejoin(EdgeId e) {
     SELVEDGE_ASSERT(is_split(e) && has_leaf_children(e));
     edges_[e].rejoining = true;
@@ -94,7 +94,7 @@ void AdaptiveMesh::mark_sides(EdgeId e) {
     }
 }
 
-// Last to first, so that none moves when all of a level were split.
+// Removes last to first, so that no entry moves if all edges of a level were split.
 void AdaptiveMesh::list_split() {
     for (std::size_t i = splitting_.size(); i-- > 0;) {
         levels_.remove_unsplit(edges_[splitting_[i]].level, splitting_[i]);
@@ -108,7 +108,7 @@ void AdaptiveMesh::list_split() {
     splitting_.clear();
 }
 
-// In the reverse order of split(), so that splitting again finds the same ids.
+// In the reverse order of split(), so that a later split gets the same ids.
 void AdaptiveMesh::release_rejoined() {
     for (; !rejoining_.empty(); rejoining_.pop_back()) {
         const EdgeId e = rejoining_.back();
@@ -135,8 +135,8 @@ void AdaptiveMesh::grow_lists() {
     listed_capacity_ = vertices_.capacity() + edges_.capacity() + triangles_.capacity();
 }
 
-// A base vertex knows with which base triangle its fan starts; a centre lies on an edge, and the triangles beside the
-// child edges border it. What was split in this pass has no sides yet and is passed over.
+// For a base vertex the first base triangle of each fan is stored. A centre has one fan; it starts beside a child edge
+// of its parent. Children of edges split since the last retriangulate() have no sides yet and are skipped.
 TriangleId AdaptiveMesh::first_at(VertexId v, std::size_t fan) const {
     if (v.value < base_vertices_) {
         const std::size_t place = fan_starts_[v.value] + fan;
@@ -165,17 +165,17 @@ TriangleId AdaptiveMesh::next_at(VertexId v, TriangleId id) const {
     return leaf_at(e, edges_[e].ends[0] == t.vertices[before] ? 1 : 0);
 }
 
-// Building the adaptive mesh's level 0 from a sewn garment.
+// Construction of level 0 from a sewn garment mesh.
 
 namespace {
 
-// One side of a base edge: the corner of a triangle at which the edge starts, running anticlockwise.
+// One side of a base edge: the triangle, and its corner where the edge starts in anticlockwise direction.
 struct BaseSide {
-    int low = 0;  // the edge's vertices
+    int low = 0;  // the edge's vertices, by index
     int high = 0;
     std::uint32_t triangle = 0;
     std::size_t corner = 0;
-    bool rises = false;  // runs from low to high
+    bool rises = false;  // the triangle has the edge in the direction low to high
 
     bool is_of_same_edge(const BaseSide& other) const { return low == other.low && high == other.high; }
     auto key() const { return std::tuple(low, high, triangle, corner); }
@@ -249,7 +249,7 @@ void AdaptiveMesh::list_base() {
     for (std::uint32_t i = 0; i < base_edges_; ++i) levels_.add_unsplit(0, EdgeId(i));
 }
 
-// A corner starts a fan when no triangle lies clockwise of it; in a fan that closes, its lowest triangle does.
+// A fan starts with the triangle that has no neighbour on its clockwise side; a closed fan with its lowest id.
 void AdaptiveMesh::add_base_fans() {
     const auto clockwise_of = [&](TriangleId id, VertexId v) {
         const AdaptiveTriangle& t = triangles_[id];
@@ -296,12 +296,12 @@ void AdaptiveMesh::add_base_edges(const GarmentMesh& base) {
     base_edges_ = edges_.size();
 }
 
-// Retriangulation: how a triangle passes from one configuration to another.  (thesis 3.3; SPEC 1.2)
+// Retriangulation: transitions of a triangle from one configuration to another.  (thesis 3.3.4-3.3.5)
 
 using namespace configuration_tables;
 
-// One function per pair of configurations: the tables are read when it is compiled, what is left is straight-line code
-// over the elements that the two do not share.
+// One function per pair of configurations. The tables are evaluated at compile time; only straight-line code over the
+// elements that the two configurations do not share remains.
 struct AdaptiveMesh::Change {
     using Function = void (*)(AdaptiveMesh&, TriangleId);
     using Table = std::array<std::array<Function, kConfigurations>, kConfigurations>;
@@ -354,7 +354,7 @@ constexpr bool is_released(const std::array<bool, kSlots>& drops, const std::arr
     return true;
 }
 
-// The slot of the triangle that runs along an internal edge from its first point to its second, or the other way.
+// The slot of the triangle that has an internal edge in its own direction (side 0) or in the opposite one (side 1).
 constexpr std::uint8_t slot_beside(const Layout& layout, std::size_t edge, std::size_t side) {
     for (std::uint8_t i = 0; i < layout.triangle_count; ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -381,7 +381,7 @@ struct AdaptiveMesh::Change::One {
     AdaptiveTriangle& owner;
     std::array<VertexId, 3> centres;
     std::array<std::array<EdgeId, 2>, 3> children;  // of the external edges, in the owner's direction
-    std::array<std::size_t, 3> side_of;             // on which side of its external edges the owner lies
+    std::array<std::size_t, 3> side_of;             // by external edge: the side on which the owner lies, 0 or 1
     std::array<TriangleId, 4> triangles;
     std::array<EdgeId, 3> edges;
 
@@ -398,8 +398,8 @@ struct AdaptiveMesh::Change::One {
 
     static constexpr bool splits(const Layout& layout, std::size_t k) { return (layout.split >> k & 1U) != 0; }
 
-    // Reads the external edges that are split before or after, and takes the children of those that no longer are away
-    // from what bordered them.
+    // Reads the external edges that are split before or after the transition. Clears the owner's side of the children
+    // of edges that no longer count as split, unless the edge is rejoining.
     void look_round() {
         for_each_slot<3>([&](auto k) {
             if constexpr (splits(from, k) || splits(to, k)) {
@@ -409,14 +409,14 @@ struct AdaptiveMesh::Change::One {
                 centres[k] = external.centre;
                 children[k] = {external.children[side], external.children[1 - side]};
                 if constexpr (!splits(to, k)) {
-                    if (external.rejoining) return;  // they go, too
+                    if (external.rejoining) return;  // the children will be freed
                     for (const EdgeId child : children[k]) mesh.edges_[child].sides[side] = {};
                 }
             }
         });
     }
 
-    // Last to first, so that the same ids come back in the same order.
+    // Releases last to first, so that later transitions get the same ids in the same order.
     void release_edges_and_triangles() {
         for_each_slot<from.triangle_count>([&](auto i) {
             constexpr std::size_t slot = from.triangle_count - 1U - i;
@@ -527,7 +527,7 @@ struct AdaptiveMesh::Change::One {
         });
     }
 
-    // What the triangle whose place it takes has at the same corner need not be written again.
+    // Whether the triangle whose id is reused has the same point or edge at this corner, so that no write is needed.
     static constexpr bool has_point(std::size_t slot, std::size_t k) {
         const std::uint8_t old = plan.triangle_over[slot];
         return old != kNoSlot && from.triangles[old].points[k] == to.triangles[slot].points[k];
@@ -538,7 +538,7 @@ struct AdaptiveMesh::Change::One {
         return old != kNoSlot && edge < kFirstInternalEdge && from.triangles[old].edges[k] == edge;
     }
 
-    // An external edge that is left whole lies one level above and keeps the owner as its side.
+    // An unsplit external edge lies one level above and keeps the owner as its side.
     template <std::size_t kSlot>
     void write(AdaptiveTriangle& triangle) {
         constexpr InternalTriangle drawn = to.triangles[kSlot];

@@ -1,7 +1,7 @@
 #pragma once
 // The edge-based adaptive mesh: a hierarchy of edges and triangles over a sewn base mesh, changed one edge at a time.
-// It knows topology, levels and material coordinates; positions and all other state live beside it, in flat arrays
-// indexed by vertex id.  (thesis ch. 3; SPEC 1.1-1.2)  What asks for changes is adapt(), sim/adaptive/adapt.h.
+// It stores topology, levels and material coordinates. Positions and all other state are kept outside, in flat arrays
+// indexed by vertex id. adapt() in sim/adaptive/adapt.h decides which edges to split and rejoin.  (thesis 3.2-3.4)
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -19,27 +19,27 @@
 
 namespace selvedge::sim {
 
-// The elements of the edge-based adaptive mesh, as they stand in its pools.  (thesis 3.2, Edge-Trio; SPEC 1.1)
+// The elements of the adaptive mesh, as stored in its pools.  (thesis 3.2, Edge-Trio)
 
-// Its leaf triangles are found by going round it from edge to edge: AdaptiveMesh::triangles_at().
+// AdaptiveMesh::triangles_at() finds the leaf triangles at a vertex by walking round it from edge to edge.
 struct AdaptiveVertex {
-    EdgeId parent;           // whose centre it is; none in the base mesh
-    std::uint8_t level = 0;  // of the edges that it was born with; 0 in the base mesh
+    EdgeId parent;           // the edge whose centre it is; none in the base mesh
+    std::uint8_t level = 0;  // of the child edges created with it; 0 in the base mesh
 
     bool operator==(const AdaptiveVertex&) const = default;
 };
 
-//      A --------- C --------- B        Split: children AC and CB, in this order, each in the direction of its parent.
+//      A --------- C --------- B        Split: children AC and CB, in this order, each directed as its parent.
 struct AdaptiveEdge {
     std::array<VertexId, 2> ends;
     VertexId centre;  // none: unsplit
     std::array<EdgeId, 2> children;
-    std::array<TriangleId, 2> sides;  // at the edge's own level; [0] runs A to B anticlockwise. None: boundary
+    std::array<TriangleId, 2> sides;  // at the edge's own level; [0] has A to B anticlockwise. None: boundary
     float rest_length = 0.0F;         // m
     std::uint8_t level = 0;
-    bool rejoining = false;  // counts as unsplit; its children go when the pass is over
+    bool rejoining = false;  // counts as unsplit; the next retriangulate() frees its children
 
-    // An unsplit edge. Field by field: an edge made elsewhere and copied here would wait for its own stores.
+    // Makes it an unsplit edge. Assigns field by field: copying a temporary edge would stall on store forwarding.
     void set(const std::array<VertexId, 2>& new_ends, const std::array<TriangleId, 2>& new_sides, float length,
              std::uint8_t new_level) {
         ends = new_ends;
@@ -58,13 +58,13 @@ struct AdaptiveTriangle {
     std::array<VertexId, 3> vertices;  // anticlockwise seen from the fabric's right side
     std::array<EdgeId, 3> edges;       // edges[k] joins vertices[k] and vertices[k+1]
     std::array<Vec2f, 3> u{Vec2f::Zero(), Vec2f::Zero(), Vec2f::Zero()};  // material coordinates per corner, m
-    std::array<TriangleId, 4> internal_triangles;                         // by the configuration's layout
+    std::array<TriangleId, 4> internal_triangles;                         // in the slots of the configuration's layout
     std::array<EdgeId, 3> internal_edges;
     std::uint16_t panel = 0;
     std::uint8_t level = 0;
     Configuration configuration : 4 = Configuration::C0;
-    bool regular : 1 = true;  // a base triangle or a child of C10: the only ones that may be refined
-    bool marked : 1 = false;  // waits for its transition
+    bool regular : 1 = true;  // a base triangle or a child of C10: only these may be refined
+    bool marked : 1 = false;  // the next retriangulate() processes it
 
     bool operator==(const AdaptiveTriangle&) const = default;
 };
@@ -73,12 +73,12 @@ constexpr bool is_leaf(const AdaptiveTriangle& t) {
     return t.configuration == Configuration::C0;
 }
 
-// Which corner of t stands on v. Pre: one does.
+// The corner of t that is v, 0..2. Pre: v is a vertex of t.
 inline std::size_t corner_at(const AdaptiveTriangle& t, VertexId v) {
     return t.vertices[0] == v ? 0 : (t.vertices[1] == v ? 1 : 2);
 }
 
-// Which external edge of t is e. Pre: one is.
+// The index of e among the external edges of t, 0..2. Pre: e is one of them.
 inline std::size_t place_of(const AdaptiveTriangle& t, EdgeId e) {
     return t.edges[0] == e ? 0 : (t.edges[1] == e ? 1 : 2);
 }
@@ -86,17 +86,17 @@ inline std::size_t place_of(const AdaptiveTriangle& t, EdgeId e) {
 inline constexpr int kDeepestLevel = 15;
 
 struct AdaptiveMeshOptions {
-    int max_level = 3;        // edges are split down to it; 0..kDeepestLevel
-    float seam_ease = 0.05F;  // a seam's sides that differ by no more share their mean length, else the shorter rules
+    int max_level = 3;        // the deepest level, 0..kDeepestLevel; edges of this level are not split
+    float seam_ease = 0.05F;  // a seam edge takes its sides' mean length if they differ by no more, else the shorter
 };
 
-// Sees transitions, and does nothing.
+// A transition observer that does nothing.
 struct NoWatch {
     void before(TriangleId) {}
     void after(TriangleId) {}
 };
 
-// How often each transition was made, by (from, to).
+// How often each transition was made, indexed by (from, to).  (thesis table 3.1)
 struct TransitionCounts {
     std::array<std::array<std::uint64_t, kConfigurations>, kConfigurations> by_configuration{};
 
@@ -106,7 +106,8 @@ struct TransitionCounts {
 class AdaptiveMesh {
  public:
     // Base vertices and triangles keep their indices as ids. Pre: base is sewn (no links).
-    // Throws InputError where an edge has more than two triangles, or two that face opposite ways.
+    // Throws InputError if an edge joins a vertex to itself, or has more than two triangles, or two that face opposite
+    // ways.
     explicit AdaptiveMesh(const GarmentMesh& base, const AdaptiveMeshOptions& options = {});
 
     int max_level() const { return options_.max_level; }
@@ -114,7 +115,7 @@ class AdaptiveMesh {
     std::size_t base_edge_count() const { return base_edges_; }
     std::size_t base_triangle_count() const { return base_triangles_; }
 
-    // Elements, leaves and all. Pre (for the elements): the id is alive.
+    // All elements of the hierarchy, leaves included. Pre (for single elements): the id is alive.
     const Pool<AdaptiveVertex, VertexId>& vertices() const { return vertices_; }
     const Pool<AdaptiveEdge, EdgeId>& edges() const { return edges_; }
     const Pool<AdaptiveTriangle, TriangleId>& triangles() const { return triangles_; }
@@ -128,62 +129,63 @@ class AdaptiveMesh {
     int level(EdgeId e) const { return edges_[e].level; }
     float rest_length(EdgeId e) const { return edges_[e].rest_length; }
 
-    // State arrays are sized to it; it grows only by whole blocks, and no id ever moves.
+    // The size for state arrays. It grows only by whole blocks, and ids never change.
     std::size_t vertex_capacity() const { return vertices_.capacity(); }
 
     // The leaf triangle on one side of an unsplit edge; none at a boundary. It may be one level deeper than the edge.
     TriangleId leaf_at(EdgeId e, int side) const;
 
-    // for (TriangleId t : mesh.triangles_at(v)): the leaf triangles round a vertex, anticlockwise from edge to edge;
-    // at a boundary from one end to the other. No list is kept for it: it goes by the sides of the edges.
+    // for (TriangleId t : mesh.triangles_at(v)): the leaf triangles round a vertex, anticlockwise; at a boundary from
+    // one boundary edge to the other. No adjacency list is stored: the iterator uses the sides of the edges.
     class TrianglesAt;
     TrianglesAt triangles_at(VertexId v) const;
 
-    // Leaf lists, as refresh_lists() left them.
+    // Leaf lists, as of the last refresh_lists().
     std::span<const VertexId> leaf_vertices() const { return leaves().vertices; }
     std::span<const LeafEdge> leaf_edges() const { return leaves().edges; }
     std::span<const LeafTriangle> leaf_triangles() const { return leaves().triangles; }
     std::span<const Hinge> hinges() const { return leaves().hinges; }
     std::span<const float> vertex_areas() const { return leaves().vertex_areas; }  // m^2, by vertex id
-    const Hinge* hinge(EdgeId e) const { return tracker_.hinge(e); }               // of a leaf edge; none at a boundary
+    const Hinge* hinge(EdgeId e) const { return tracker_.hinge(e); }               // of a leaf edge; null at a boundary
     const LeafLists& leaves() const { return tracker_.lists(); }
 
-    // What the last refresh_lists(), and so the last adaptation, did to them.
+    // How the last refresh_lists(), and so the last adaptation, changed them.
     const LeafChanges& changes() const { return tracker_.changes(); }
 
-    // The elements of one level, 0..max_level, as the last retriangulate() left them. At the deepest level, where no
-    // edge may split, none are listed.
+    // The elements of one level, 0..max_level, as of the last retriangulate(). Empty at the deepest level, where no
+    // edge may be split.
     std::span<const EdgeId> unsplit_edges(int level) const { return levels_.unsplit(level); }
     std::span<const EdgeId> split_edges(int level) const { return levels_.split(level); }
     std::span<const TriangleId> refined_triangles(int level) const { return levels_.refined(level); }
 
-    // Memory per element, alive or free, with its places in the lists; not the lists themselves.
+    // Memory per element, alive or free, with its list positions but without the lists themselves.  (thesis table 3.11)
     struct BytesPerElement {
         std::size_t vertex, edge, triangle;
     };
     static constexpr BytesPerElement bytes_per_element();
 
-    // Permissions.  (SPEC 1.2, fig. 3.11)
+    // Permissions.  (thesis fig. 3.11)
     bool may_split(EdgeId e) const;
     bool may_rejoin(EdgeId e) const;
-    bool has_leaf_children(EdgeId e) const;  // pre: e is split; the first thing that a rejoin needs
+    bool has_leaf_children(EdgeId e) const;  // pre: e is split; a necessary condition for a rejoin
 
-    // Changes. Splitting or rejoining marks the triangles on both sides; retriangulate() lets each marked triangle
-    // make one transition, however many of its edges changed, and returns how many did. A pass changes the edges of
-    // one level only. Pre: permitted. split() returns the centre; rejoin() frees it when the pass is over.
+    // Changes. split() and rejoin() only mark the triangles on both sides. retriangulate() then makes one transition
+    // per marked triangle, however many of its edges changed, and returns the number of transitions (thesis 3.3.3).
+    // Between two calls only edges of one level may change. Pre: the change is permitted. split() returns the centre;
+    // the centre of a rejoined edge is freed by retriangulate().
     VertexId split(EdgeId e);
     void rejoin(EdgeId e);
     int retriangulate(int level, TransitionCounts* counts = nullptr);
 
-    // The same, with another choice where two configurations conform: see sim/adaptive/diagonal.h. `watch` is told of
-    // each transition before and after: watch.before(t), watch.after(t).
+    // The same with another choice where two configurations conform, see sim/adaptive/diagonal.h. Calls watch.before(t)
+    // and watch.after(t) around each transition.
     template <class Choice, class Watch>
     int retriangulate(int level, TransitionCounts* counts, const Choice& choice, Watch& watch);
 
-    // Brings the leaf lists up to date with what has changed since the last time, in place, and tells what it did.
+    // Updates the leaf lists in place with all changes since the last call, and records them in changes().
     void refresh_lists() { tracker_.refresh(*this); }
 
-    // One transition by itself, to test and to measure. Conformity is the caller's care.
+    // A single transition, for tests and benchmarks. The caller is responsible for conformity.
     // Pre: t is regular, the edges that `to` has split are split, no internal element is refined.
     void change_configuration(TriangleId id, Configuration to);
 
@@ -209,7 +211,7 @@ class AdaptiveMesh {
     Configuration chosen(const AdaptiveTriangle& t, SplitMask split, const Choice& choice) const;
     Diagonal diagonal(const AdaptiveTriangle& t, const InternalEdge& drawn) const;
 
-    // Going round a vertex: the first leaf triangle of each of its fans, and the one after.
+    // Walking round a vertex: the first leaf triangle of a fan, and the next one anticlockwise.
     TriangleId first_at(VertexId v, std::size_t fan) const;
     TriangleId next_at(VertexId v, TriangleId t) const;
     TriangleId first_inside(TriangleId owner, VertexId v) const;
@@ -221,8 +223,8 @@ class AdaptiveMesh {
     Pool<AdaptiveVertex, VertexId> vertices_;
     Pool<AdaptiveEdge, EdgeId> edges_;
     Pool<AdaptiveTriangle, TriangleId> triangles_;
-    // The base triangle that each fan of a base vertex starts with: one fan as a rule, several where sheets touch in a
-    // vertex alone. By vertex, those of v from fan_starts_[v] to fan_starts_[v + 1].
+    // The first base triangle of each fan of a base vertex. A vertex normally has one fan, and several where parts of
+    // the surface meet only in that vertex. Those of v are fans_[fan_starts_[v]] to fans_[fan_starts_[v + 1] - 1].
     std::vector<TriangleId> fans_;
     std::vector<std::uint32_t> fan_starts_;
     std::vector<TriangleId> marked_;
@@ -230,7 +232,7 @@ class AdaptiveMesh {
     std::vector<EdgeId> rejoining_;
     LevelLists levels_;
     LeafTracker tracker_;
-    std::size_t listed_capacity_ = 0;  // of all pools, when the lists were last sized to them
+    std::size_t listed_capacity_ = 0;  // total capacity of the pools when the lists were last resized
 };
 
 constexpr AdaptiveMesh::BytesPerElement AdaptiveMesh::bytes_per_element() {
@@ -239,11 +241,11 @@ constexpr AdaptiveMesh::BytesPerElement AdaptiveMesh::bytes_per_element() {
             decltype(triangles_)::kBytesPerElement + LeafTracker::kBytesPerId + LevelLists::kBytesPerId};
 }
 
-// What each marked triangle is to become is asked of choose(triangle, split mask).
+// choose(triangle, split mask) returns the new configuration of a marked triangle.
 template <class Choose, class Watch>
 int AdaptiveMesh::retriangulate_marked(int level, TransitionCounts* counts, const Choose& choose, Watch& watch) {
     list_split();
-    // Coarsening undoes a refinement last to first, so that ids come back in the order in which they were taken.
+    // Coarsening frees ids in reverse order, so that a later refinement gets the same ids in the same order.
     if (!rejoining_.empty()) std::reverse(marked_.begin(), marked_.end());
     int transitions = 0;
     for (const TriangleId id : marked_) {

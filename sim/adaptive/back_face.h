@@ -1,10 +1,10 @@
 #pragma once
-// Back-face coarsening: where the cloth's right side is turned away from the viewer, nothing needs to be fine. The band
-// in which fine passes into coarse lies wholly on the side that is not seen.  (thesis 5; SPEC 1.3)
+// Back-face coarsening: where the fabric's right side faces away from the viewer, the mesh may be coarse. The
+// transition zone between fine and coarse lies entirely on the hidden side.  (thesis 5.5.1, figs. 5.7 and 5.8)
 //
-// An edge that does not split keeps the triangles beside it coarse, and by the permissions also holds back its
-// neighbours' finer edges: at most one ring of triangles of the edge's own level. So an edge is vetoed only when all
-// triangles of its level that touch its two triangles are hidden; a triangle is hidden when none of its leaves is seen.
+// An edge that is not split keeps the triangles beside it coarse. The permissions then also block finer edges of the
+// neighbours, within at most one ring of triangles of the edge's own level. So an edge is vetoed only if all triangles
+// of its level that touch its two triangles are hidden. A triangle is hidden if none of its leaves is visible.
 #include <cstdint>
 #include <vector>
 
@@ -14,25 +14,25 @@
 namespace selvedge::sim {
 
 struct ViewPoint {
-    Vec3f eye = Vec3f::UnitZ();  // where the viewer stands, m; orthographic: unit vector from the cloth to the viewer
+    Vec3f eye = Vec3f::UnitZ();  // position of the viewer, m; orthographic: unit vector from the cloth to the viewer
     bool is_orthographic = false;
 };
 
 struct BackFaceOptions {
-    float split_margin = 0.10F;   // rad beyond the silhouette that still count as seen: no split is refused there
-    float rejoin_margin = 0.25F;  // above split_margin: no rejoin is forced there, so that nothing flickers
+    float split_margin = 0.10F;   // rad beyond the silhouette that still count as visible: splits are not vetoed there
+    float rejoin_margin = 0.25F;  // rad, above split_margin (hysteresis): rejoins are not forced there
 };
 
-// What is seen of a mesh. Part of the state that the adaptation's observer keeps: pass its calls on.
+// Which parts of a mesh are visible. The observer of the adaptation must forward on_capacity and on_split to it.
 class Visibility {
  public:
     explicit Visibility(const ViewPoint& view, const BackFaceOptions& options = {});
 
     void move_to(const ViewPoint& view) { view_ = view; }
 
-    // Looks at all leaves; before each adaptation. A leaf counts as seen when its plane or the normal of one of its
-    // vertices is. Position is any vector type whose first three coefficients are the position, m;
-    // Normal, unit, likewise.
+    // Evaluates all leaves; call it before each adaptation. A leaf counts as visible if its plane or the normal of one
+    // of its vertices faces the viewer. Position is any vector type whose first three coefficients are the position, m;
+    // likewise Normal, a unit vector.
     template <class Position, class Normal>
     void look(const AdaptiveMesh& mesh, const std::vector<Position>& x, const std::vector<Normal>& normals) {
         start(mesh);
@@ -49,16 +49,16 @@ class Visibility {
     }
 
     void on_capacity(std::size_t vertices) { seen_levels_.resize(vertices, 0); }
-    // The triangles round the new centre lie within those that touch both a and b.
+    // The triangles round the new centre lie inside triangles that touch both a and b.
     void on_split(VertexId c, VertexId a, VertexId b) {
         seen_levels_[c.value] = seen_levels_[a.value] & seen_levels_[b.value];
     }
 
-    // Whether all triangles of the edge's level round its two triangles are hidden.
+    // Whether the edge's two triangles, and all triangles of the same level that touch them, are hidden.
     bool is_hidden(const AdaptiveMesh& mesh, EdgeId e) const;
 
  private:
-    // Bit 0: seen, or within the split margin; bit 1: within the rejoin margin.
+    // Bit 0: visible with the split margin; bit 1: visible with the rejoin margin.
     using Seen = std::uint8_t;
     static constexpr Seen kWhollySeen = 3;
 
@@ -73,12 +73,12 @@ class Visibility {
     void mark_corners(const std::array<VertexId, 3>& corners, Seen how, std::uint32_t levels);
 
     ViewPoint view_;
-    float least_facing_split_;  // cosine between normal and direction to the viewer
+    float least_facing_split_;  // minimum cosine between normal and direction to the viewer
     float least_facing_rejoin_;
     std::vector<Seen> vertex_seen_;  // by vertex id
-    std::vector<Seen> leaf_seen_;    // by triangle id, parents too
-    // By vertex id: bit l is set when a triangle of level l at this vertex is seen, or a leaf above level l; the same
-    // for the rejoin margin 16 bits higher.
+    std::vector<Seen> leaf_seen_;    // by triangle id, refined triangles included
+    // By vertex id: bit l is set if a triangle of level l at this vertex, or a leaf coarser than level l, is visible.
+    // Bits 16 and up: the same with the rejoin margin.
     std::vector<std::uint32_t> seen_levels_;
 };
 

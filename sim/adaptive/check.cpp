@@ -8,13 +8,13 @@
 namespace selvedge::sim {
 namespace {
 
-// What a traversal from the base elements reaches, and the leaves among it.
+// The elements that a traversal from the base elements reaches, and the leaves among them.
 struct Reached {
-    std::vector<int> vertices, edges, triangles;  // how often, by id
+    std::vector<int> vertices, edges, triangles;  // number of times reached, by id
     std::vector<VertexId> leaf_vertices;
     std::vector<EdgeId> leaf_edges;
     std::vector<TriangleId> leaf_triangles;
-    bool is_sound = true;  // no link led out of a pool or into a loop
+    bool is_sound = true;  // every link stayed inside its pool, and no element was reached twice
 };
 
 class Traversal {
@@ -103,7 +103,7 @@ class Checker {
         }
     }
 
-    // Each id is either reached or free, and free only once.
+    // Each id is either reached once or free once.
     template <class Pool>
     void check_pool(std::string_view name, const Pool& pool, std::vector<int> counts) {
         for (const auto id : pool.free_ids()) ++counts[id.value];
@@ -204,7 +204,7 @@ class Checker {
         return 0.5F * (owner.u[p - 3U] + owner.u[(p - 2U) % 3]);
     }
 
-    // No T-junction: the edges of a leaf triangle are leaves. No hole: each leaf edge has a leaf triangle at each side.
+    // No T-junction: the edges of a leaf triangle are leaves. No hole: a leaf edge has one leaf triangle for each side.
     void check_conformity() {
         std::vector<int> uses(mesh_.edges().capacity());
         for (const TriangleId t : reached_.leaf_triangles) {
@@ -229,7 +229,7 @@ class Checker {
                "finds the wrong leaf triangle");
     }
 
-    // Going round a vertex passes each of its leaf triangles once.
+    // triangles_at() visits each leaf triangle of a vertex once.
     void check_adjacency() {
         std::vector<std::vector<TriangleId>> expected(mesh_.vertices().capacity());
         std::sort(reached_.leaf_triangles.begin(), reached_.leaf_triangles.end());

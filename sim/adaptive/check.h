@@ -1,6 +1,6 @@
 #pragma once
-// Whether an adaptive mesh is sound: pools, hierarchy, configurations, sides, adjacency, conformity, area and lists,
-// each looked at from the ids up and without trusting the others.  (SPEC 1.1, 1.2)
+// Validation of an adaptive mesh: pools, hierarchy, configurations, edge sides, adjacency, conformity, area and leaf
+// lists. Each is recomputed from the stored elements, independently of the others.
 #include <string>
 #include <vector>
 
@@ -8,7 +8,8 @@
 
 namespace selvedge::sim {
 
-// The broken invariants, each naming its element; empty for a sound mesh. No pass may be half done.
+// The broken invariants, each with its element; empty for a valid mesh. Pre: retriangulate() and refresh_lists() were
+// called after the last split or rejoin.
 std::vector<std::string> check(const AdaptiveMesh& mesh);
 
 }  // namespace selvedge::sim

@@ -1,6 +1,6 @@
 #pragma once
-// The drawings of the configurations, and what follows from them at compile time. Only configuration.cpp and
-// transition.cpp need to look inside; everyone else asks configuration.h.  (thesis 3.3; SPEC 1.2)
+// The internal triangles of each configuration, and the tables derived from them at compile time. Private to
+// configuration.cpp and adaptive_mesh.cpp; other files use configuration.h.  (thesis 3.3)
 #include <initializer_list>
 
 #include "sim/adaptive/configuration.h"
@@ -11,7 +11,7 @@ using Points = std::array<LocalPoint, 3>;
 
 inline constexpr LocalPoint V0 = 0, V1 = 1, V2 = 2, M0 = 3, M1 = 4, M2 = 5;
 
-// The five drawings; every other configuration is one of them turned by one or two corners.
+// The four basic patterns; every other refined configuration is one of them rotated by one or two corners.
 inline constexpr std::initializer_list<Points> kOneSplit = {{V0, M0, V2}, {M0, V1, V2}};
 inline constexpr std::initializer_list<Points> kTwoSplit = {{M0, V1, M1}, {V0, M0, V2}, {M0, M1, V2}};
 inline constexpr std::initializer_list<Points> kTwoSplitOther = {{M0, V1, M1}, {V0, M0, M1}, {V0, M1, V2}};
@@ -22,7 +22,7 @@ constexpr LocalPoint turned(LocalPoint p, unsigned turns) {
     return static_cast<LocalPoint>(base + (p - base + turns) % 3);
 }
 
-// Turned by `turns` corners, then written with its least point first.
+// Rotated by `turns` corners, then reordered to start with its smallest point.
 constexpr Points turned(const Points& points, unsigned turns) {
     const Points t{turned(points[0], turns), turned(points[1], turns), turned(points[2], turns)};
     std::size_t least = 0;
@@ -35,7 +35,7 @@ constexpr InternalEdge between(LocalPoint a, LocalPoint b) {
     return a < b ? InternalEdge{{a, b}} : InternalEdge{{b, a}};
 }
 
-// The local edge between two points that lie on an external edge; kNoSlot for any other two.
+// The local edge between two points on the same external edge; kNoSlot for any other pair.
 constexpr LocalEdge external_edge(const InternalEdge& edge) {
     for (std::uint8_t k = 0; k < 3; ++k) {
         const auto start = static_cast<LocalPoint>(k), end = turned(start, 1), middle = static_cast<LocalPoint>(3 + k);
@@ -60,7 +60,7 @@ constexpr std::uint8_t slot_of(const Layout& layout, const Points& points) {
     return kNoSlot;
 }
 
-// The local number of an edge of an internal triangle; a new internal edge is added to the layout.
+// The local number of an edge of an internal triangle. Adds the edge to the layout if it is a new internal edge.
 constexpr LocalEdge find_or_add(Layout& layout, const InternalEdge& edge) {
     const LocalEdge external = external_edge(edge);
     if (external != kNoSlot) return external;
@@ -94,7 +94,7 @@ inline constexpr std::array<Layout, kConfigurations> kLayouts = {
     draw(kTwoSplit, 0), draw(kTwoSplitOther, 0), draw(kTwoSplit, 1),  draw(kTwoSplitOther, 1),
     draw(kTwoSplit, 2), draw(kTwoSplitOther, 2), draw(kThreeSplit, 0)};
 
-// How many corners and edges a triangle need not be told when it takes the place of another.
+// The number of corners and edges that need not be rewritten when b reuses the element of a.
 constexpr int likeness(const InternalTriangle& a, const InternalTriangle& b) {
     int same = 0;
     for (std::size_t k = 0; k < 3; ++k) same += int{a.points[k] == b.points[k]} + int{a.edges[k] == b.edges[k]};
@@ -105,7 +105,7 @@ constexpr int likeness(const InternalEdge& a, const InternalEdge& b) {
     return int{a.points[0] == b.points[0]} + int{a.points[1] == b.points[1]};
 }
 
-// Pairs what is created with what is dropped, the most alike first.
+// Pairs each created element with a removed one whose id it reuses; the most similar pairs first.
 template <class Element, std::size_t kSlots>
 constexpr std::array<std::uint8_t, kSlots> take_over(const std::array<Element, kSlots>& old,
                                                      std::array<bool, kSlots> left,

@@ -1,6 +1,8 @@
 #pragma once
-// Criteria that look at the surface alone. Each holds references to the state's arrays (not spans: an adaptation may
-// grow them), indexed by vertex id; splits must set them for the new centre.  (SPEC 1.3)
+// Refinement and coarsening criteria that depend only on the surface: curvature, edge length, buckling, painted minimum
+// levels; and how criteria are combined, switched and given look-ahead. Each holds references to the state arrays (not
+// spans, because an adaptation may resize them), indexed by vertex id; the observer sets the values of each new centre.
+// (thesis 3.4.2, 3.4.3)
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -15,15 +17,15 @@
 namespace selvedge::sim {
 
 struct CurvatureOptions {
-    float split_angle = 0.35F;   // rad, a larger angle between the normals of an edge's ends asks for a split
-    float rejoin_angle = 0.10F;  // rad, below split_angle
+    float split_angle = 0.35F;   // rad, a larger angle between the normals of an edge's ends requests a split
+    float rejoin_angle = 0.10F;  // rad, below split_angle (hysteresis)
 
     bool operator==(const CurvatureOptions&) const = default;
 };
 
-// Split edges where the cloth bends, rejoin them where it lies flat: at both ends and at the centre, or a symmetric
-// bump would be flattened away.  (thesis 3.4)
-// Normal: a vector of three, or of four with a fourth 0; unit.
+// Split edges where the cloth bends, rejoin them where it lies flat. A rejoin compares the normals at both ends and at
+// the centre; otherwise it would remove a symmetric bump.  (thesis 3.4.2)
+// Normal: a unit vector of three components, or of four with the fourth 0.
 template <class Normal>
 class CurvatureCriterion {
  public:
@@ -55,11 +57,11 @@ class CurvatureCriterion {
 };
 
 struct LengthOptions {
-    float split_compression = 0.05F;   // of the rest length; an edge compressed by more asks for a split
-    float rejoin_compression = 0.02F;  // below split_compression
+    float split_compression = 0.05F;   // share of the rest length; an edge compressed by more requests a split
+    float rejoin_compression = 0.02F;  // below split_compression (hysteresis)
 };
 
-// Split edges that are compressed against their rest length: there the cloth must wrinkle.
+// Split edges that are shorter than their rest length: there the cloth must wrinkle.  (thesis 3.4.2)
 // Position is any vector type whose first three coefficients are the position, m.
 template <class Position>
 class LengthCriterion {
@@ -92,15 +94,15 @@ class LengthCriterion {
     float rejoin_share_;
 };
 
-// Buckling: an edge that is shorter than its material cannot lie straight, it must curve.  (SPEC 1.3; thesis ch. 6)
+// Buckling: an edge under compression cannot lie straight, it must curve.  (thesis 6.2.5)
 //
-// LengthCriterion asks the same question with the ratio the other way up, compression c = 1 - 1/r: it is meant for
-// cloth that is simulated, and starts where a wrinkle pays (c = 0.05, r = 1.053). Buckling is meant for the surface
-// that is drawn, whose curves bulge with r from the first percent on, and so starts at 1.02. Two classes, so that
-// either can be had by its own name and thresholds; the comparison itself stands in LengthCriterion alone.
+// With r = rest length / length, LengthCriterion compares the same quantity as a compression c = 1 - 1/r. It is meant
+// for the simulated cloth and starts at c = 0.05 (r = 1.053), where an extra wrinkle is worth its cost. Buckling is
+// meant for the drawn curved surface, whose curves bulge with r from the first percent on, so it starts at r = 1.02.
+// These are two classes so that each has its own name and thresholds; only LengthCriterion has the comparison.
 
 struct BucklingOptions {
-    float split_ratio = 1.02F;   // rest length / length; a larger ratio asks for a split
+    float split_ratio = 1.02F;   // rest length / length; a larger ratio requests a split
     float rejoin_ratio = 1.01F;  // 1 or more, below split_ratio
 };
 
@@ -121,9 +123,9 @@ class BucklingCriterion {
     LengthCriterion<Position> length_;
 };
 
-// Regions that are never coarser than a level: what an editor paints with a round brush.  (SPEC 1.3)
+// Regions with a minimum level, which the user paints in the editor with a round brush.
 
-// One dab of the brush.
+// One stroke position of the brush.
 struct MinimumLevelDisc {
     std::uint16_t panel = 0;
     Vec2f centre = Vec2f::Zero();  // material coordinates, m
@@ -131,9 +133,10 @@ struct MinimumLevelDisc {
     int level = 0;
 };
 
-// Asks for splits until every leaf that touches a disc has its level, and lets none of them rejoin below it. An edge
-// also asks for discs within its triangle's size: a neighbour that stays coarse would keep the disc's border coarse
-// (permissions, SPEC 1.2). A disc ends at its panel's seams; paint both sides where the seam itself must be fine.
+// Requests splits until every leaf that touches a disc has at least the disc's level, and prevents rejoins below it.
+// A triangle also requests splits for discs within the length of its longest side: a neighbour that stays coarse would
+// keep the border of the disc coarse (permissions, thesis fig. 3.11). A disc ends at the seams of its panel; paint both
+// panels where the seam itself must be fine.
 struct MinimumLevelCriterion {
     std::span<const MinimumLevelDisc> discs;
 
@@ -144,14 +147,14 @@ struct MinimumLevelCriterion {
     bool is_above(const AdaptiveMesh& mesh, EdgeId e) const;
 };
 
-// From a point to a triangle in the plane, m; 0 inside. Pre: anticlockwise.
+// Distance from a point to a triangle in the plane, m; 0 inside. Pre: the triangle is anticlockwise.
 float distance_to_triangle(const Vec2f& p, const std::array<Vec2f, 3>& triangle);
 
-// A criterion that is asked only while it is switched on: off, it asks for nothing, agrees to all and vetoes nothing.
-// So one adapt() over all criteria serves every combination that a user can choose. One function for each combination
-// would double with each criterion; a switch is one bool in a register, and always goes the same way.
+// A criterion with a switch. While off, it requests no split, agrees to every rejoin and vetoes nothing. So a single
+// instantiation of adapt() over all criteria serves every combination that a user can choose; otherwise each further
+// criterion would double the number of instantiations. The switch costs one well-predicted branch.
 
-// A batch is noted even while it is off: then it agrees to all.
+// A batch criterion gets note(e) even while it is off; then it agrees to every rejoin.
 template <EdgeCriterion Criterion>
 struct OptionalCriterion {
     static constexpr bool is_batch = BatchCriterion<Criterion>;
@@ -186,7 +189,7 @@ struct OptionalCriterion<Criterion> {
 template <class Criterion>
 OptionalCriterion(bool, const Criterion&) -> OptionalCriterion<Criterion>;
 
-// Several as one: it asks for a split if any does, and agrees to a rejoin if all do.
+// Several criteria combined into one: requests a split if any does, and agrees to a rejoin if all do.
 template <EdgeCriterion... Criteria>
 class AnyOf {
  public:
@@ -205,37 +208,37 @@ class AnyOf {
     std::tuple<Criteria...> criteria_;
 };
 
-// The same level everywhere: for experiments, tests and benches.
+// Uniform refinement, for experiments, tests and benchmarks.
 
-// Asks for every split and agrees to no rejoin.
+// Requests every split and agrees to no rejoin.
 struct AlwaysSplit {
     bool wants_split(const AdaptiveMesh&, EdgeId) const { return true; }
     bool allows_rejoin(const AdaptiveMesh&, EdgeId) const { return false; }
 };
 
-// Keeps no state at all.
+// An observer without state.
 struct NoState {
     void on_capacity(std::size_t) {}
     void on_split(VertexId, VertexId, VertexId) {}
     void on_rejoin(VertexId) {}
 };
 
-// Refines what is coarser and coarsens what is finer, until all leaves are at this level. Pre: 0 <= level <= max_level.
+// Splits and rejoins edges until all leaves are at this level. Pre: 0 <= level <= max_level.
 template <AdaptObserver State>
 AdaptReport set_uniform_level(AdaptiveMesh& mesh, State& state, int level) {
     SELVEDGE_ASSERT(level >= 0 && level <= mesh.max_level());
     return adapt(mesh, state, {.max_level = level}, AlwaysSplit{});
 }
 
-// Lets an edge speak for the finer edges beside it, which may not split before it does.
+// Look-ahead: an edge also requests a split on behalf of the finer edges beside it, which may not be split before it.
 //
-// Permissions let an edge split only between regular triangles (SPEC 1.2). In a straight fold the edges along the fold
-// are flat and never ask, so that their triangles stay in S1..S6 and the fold stays at level 1, however much the edges
-// across it ask. With look-ahead an edge also asks when a finer edge of its triangles does. It is a choice of the
-// criterion, made outside of the mesh; the permissions stay as they are.
+// The permissions let an edge split only between regular triangles (thesis fig. 3.11). In a straight fold the edges
+// along the fold are flat and never request a split. So their triangles stay in S1..S6 and the fold stays at level 1,
+// even if edges across the fold request splits. With look-ahead, an edge also requests a split when a finer edge of its
+// triangles does. Look-ahead changes only the criterion; the permissions of the mesh are unchanged.
 
-// What a criterion says of the leaf edges that are there before an adaptation, asked in one flat loop. Edges that are
-// made, or made anew, while it is under way are to be forgotten: see forget().
+// Cached results of a criterion's wants_split for all leaf edges before an adaptation, computed in one flat loop. The
+// results of edges that are created or rewritten during the adaptation must be discarded: see forget().
 class LeafAnswers {
  public:
     template <EdgeCriterion Criterion>
@@ -253,7 +256,7 @@ class LeafAnswers {
         return answer == Answer::Yes || criterion.wants_split(mesh, e);
     }
 
-    // The edges that are new when t has changed its configuration.
+    // Discards the results of the edges that may be new after a transition of t.
     void forget(const AdaptiveMesh& mesh, TriangleId t) {
         const AdaptiveTriangle& owner = mesh.triangle(t);
         for (std::size_t i = 0; i < layout(owner.configuration).edge_count; ++i) forget(owner.internal_edges[i]);
@@ -274,8 +277,8 @@ class LeafAnswers {
     std::vector<Answer> answers_;  // by EdgeId
 };
 
-// Whether holds_for is true of one of the edges that are finer by a level in the triangles beside e, and not too short
-// to be split.
+// Whether holds_for is true for an edge one level finer than e, in or on the two triangles beside e, that the limits
+// allow to be split.
 template <class Holds>
 bool any_finer_edge(const AdaptiveMesh& mesh, EdgeId e, const SplitLimits& limits, const Holds& holds_for) {
     if (mesh.level(e) + 1 >= std::min(mesh.max_level(), limits.max_level)) return false;
@@ -298,7 +301,7 @@ bool any_finer_edge(const AdaptiveMesh& mesh, EdgeId e, const SplitLimits& limit
 template <EdgeCriterion Criterion>
 class LookAheadCriterion {
  public:
-    // Pre: criterion and answers outlive this; answers are those of the criterion, or there are none.
+    // Pre: criterion and answers outlive this; answers belong to this criterion, or are empty.
     explicit LookAheadCriterion(const Criterion& criterion, const SplitLimits& limits = {},
                                 const LeafAnswers& answers = kNone)
         : criterion_(criterion), limits_(limits), answers_(answers) {}
@@ -307,8 +310,9 @@ class LookAheadCriterion {
         return asks(mesh, e) || finer_edges_ask(mesh, e, limits_);
     }
 
-    // Else what was split for others' sake would rejoin and split again, turn by turn. Finer edges that are too short
-    // to be split have a say here: they ask, and would be lost.
+    // A finer edge that requests a split also prevents the rejoin; otherwise an edge that was split on its behalf would
+    // rejoin and split in turns. Finer edges that are too short to be split count here, because a rejoin would remove
+    // them.
     bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId e) const {
         return criterion_.allows_rejoin(mesh, e) && !finer_edges_ask(mesh, e, {});
     }

@@ -1,6 +1,6 @@
 #pragma once
-// Which diagonal a triangle takes when two of its edges are split and either would do. By default the one that is least
-// work from where it stands; these others were tried by the thesis and judged no better.  (thesis fig. 3.9; SPEC 1.2)
+// Which diagonal a triangle gets when two of its edges are split and both diagonals conform. The default is the minimal
+// change from the present configuration. The thesis tried these alternatives and judged them no better.  (fig. 3.9)
 #include <vector>
 
 #include "sim/core/math.h"
@@ -13,10 +13,10 @@ struct Diagonal {
     Vec2f u_a, u_b;  // m
 };
 
-// A choice has    float cost(const Diagonal&) const;    the lower is taken, and where both are equal the least work
+// A choice has    float cost(const Diagonal&) const;    the lower cost wins; at equal cost the minimal change
 struct MinimalChange {};
 
-// In the room. Position is any vector type whose first three coefficients are the position, m.
+// Shortest in 3D. Position is any vector type whose first three coefficients are the position, m.
 template <class Position>
 struct ShortestDiagonal {
     const std::vector<Position>& x;
@@ -28,12 +28,12 @@ struct ShortestDiagonal {
 template <class Position>
 ShortestDiagonal(const std::vector<Position>&) -> ShortestDiagonal<Position>;
 
-// In the material.
+// Shortest in material coordinates.
 struct ShortestRestDiagonal {
     float cost(const Diagonal& d) const { return (d.u_b - d.u_a).squaredNorm(); }
 };
 
-// Along which the surface bends least. Normals are unit.
+// The diagonal along which the surface bends least. Normals are unit vectors.
 struct FlattestDiagonal {
     const std::vector<Vec3f>& normals;
 

@@ -8,8 +8,8 @@
 namespace selvedge::sim {
 namespace {
 
-// A triangle's edges as seen from the triangle: per edge, the unit vector along it, and where the opposite corner lies
-// when the origin is its middle and x runs along it. Four lanes, of which the last repeats the first.
+// Per edge of a triangle: the unit vector along the edge, and the opposite corner in a frame with its origin in the
+// middle of the edge and x along it. Four SIMD lanes; the last repeats the first.
 struct Unfolded {
     Eigen::Array4f along_x, along_y, at_x, at_y;
 };
@@ -25,7 +25,7 @@ Unfolded unfold(const std::array<Vec2f, 3>& u) {
     return {along_x, along_y, along_x * arm_x + along_y * arm_y, along_x * arm_y - along_y * arm_x};
 }
 
-// Where the next entry goes: into a gap, or at the end, which is made longer.
+// The index for a new entry: a gap if there is one, else a new one at the end.
 template <class Entry>
 std::uint32_t next_place(std::vector<Entry>& list, std::vector<std::uint32_t>& gaps) {
     if (gaps.empty()) {
@@ -37,7 +37,7 @@ std::uint32_t next_place(std::vector<Entry>& list, std::vector<std::uint32_t>& g
     return at;
 }
 
-// Moves entries from the end into the gaps that are left; each moves at most once. Returns how many entries remain.
+// Moves entries from the end into the remaining gaps; each entry moves at most once. Returns the new number of entries.
 template <class IsGap, class Move>
 std::uint32_t close(std::size_t size, std::vector<std::uint32_t>& gaps, IsGap&& is_gap, Move&& move) {
     auto left = static_cast<std::uint32_t>(size);
@@ -55,8 +55,7 @@ bool has_hinge(const AdaptiveEdge& edge) {
 
 }  // namespace
 
-// All that is needed for as many elements is reserved here, so that refresh() allocates nothing but for the lists
-// themselves while they grow.
+// Reserves all scratch memory for that many elements, so that refresh() allocates only when the lists themselves grow.
 void LeafTracker::grow(std::size_t vertices, std::size_t edges, std::size_t triangles) {
     const auto enlarge = [](auto& places, std::size_t size) {
         if (places.by_id.size() < size) places.by_id.resize(size, kUnlisted);
@@ -213,8 +212,8 @@ void LeafTracker::insert(const AdaptiveMesh& mesh, TriangleId id) {
     write_hinges(t);
 }
 
-// Each triangle writes its own half of the hinges at its edges: the left one of an edge that runs along it
-// anticlockwise, else the right one, turned about the edge's middle.
+// Each triangle writes its own half of the hinges at its edges: the left half if the edge is directed anticlockwise in
+// the triangle, else the right half, rotated by 180 degrees about the middle of the edge.
 void LeafTracker::write_hinges(const AdaptiveTriangle& t) {
     const Unfolded unfolded = unfold(t.u);
     for (std::size_t k = 0; k < 3; ++k) {

@@ -1,6 +1,7 @@
 #pragma once
-// Keeps the flat lists of the leaves up to date at a cost in proportion to what changed: the mesh notes which elements
-// it touched, and refresh() looks at those and at what they hold, and at nothing else.  (SPEC 1.4)
+// Flat lists of the leaf elements and of the elements of each level, updated incrementally: the cost is proportional to
+// the number of changes. The mesh notes which elements it changed, and refresh() visits only those and the elements
+// inside them.  (thesis 3.6.8)
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -12,9 +13,9 @@
 
 namespace selvedge::sim {
 
-// Flat lists of the leaf elements: all that the inner loops of simulation and drawing read.  (SPEC 1.4, table 3.6)
-// They are kept, not gathered: what changes is put in place of what went, and the last fill what stays empty. Their
-// order depends on the history of the mesh, and is the same for the same history.
+// Flat lists of the leaf elements, the only mesh data that the inner loops of simulation and drawing read.  (thesis
+// table 3.6) They are updated in place: new entries fill the gaps that removed ones leave, and entries from the end
+// fill the gaps that remain. Their order depends on the history of the mesh; the same history gives the same order.
 
 struct LeafEdge {
     VertexId a, b;
@@ -35,34 +36,34 @@ struct LeafTriangle {
 };
 
 // Two leaf triangles about the edge ab, unfolded into one plane: the origin is the middle of ab, x runs from a to b,
-// the left triangle has y > 0. At a seam each triangle comes in its own panel's coordinates, turned and moved so
-// that the mid-points coincide.  (SPEC 3.2, fig. 4.6)
+// the left triangle has y > 0. At a seam each triangle is taken in its own panel's coordinates, then rotated and
+// translated so that the mid-points coincide.  (thesis 4.3.2, fig. 4.6)
 struct Hinge {
     VertexId a, b, left, right;
     float rest_length = 0.0F;        // of ab, m; a = (-rest_length/2, 0), b = (rest_length/2, 0)
     Vec2f left_at = Vec2f::Zero();   // m
     Vec2f right_at = Vec2f::Zero();  // m
-    std::array<Vec2f, 2> along{Vec2f::Zero(), Vec2f::Zero()};  // unit vector a to b in the left, the right panel
+    std::array<Vec2f, 2> along{Vec2f::Zero(), Vec2f::Zero()};  // unit vector a to b in the left and the right panel
     EdgeId edge;
 
     bool operator==(const Hinge&) const = default;
 };
 
-// Edges that have a hinge come first: hinges[i] belongs to edges[i]. The rest are boundary edges.
+// Edges with a hinge come first: hinges[i] belongs to edges[i]. The remaining edges are boundary edges.
 struct LeafLists {
     std::vector<VertexId> vertices;
     std::vector<LeafEdge> edges;
     std::vector<LeafTriangle> triangles;
     std::vector<Hinge> hinges;
-    std::vector<float> vertex_areas;  // m^2, by vertex id, sized to the capacity: a third of the adjacent triangles'
+    std::vector<float> vertex_areas;  // m^2, by vertex id up to the capacity: a third of the area of adjacent leaves
 
     bool operator==(const LeafLists&) const = default;
 };
 
-// What the lists lost and gained. An id that went and came again stands in both: it may be another element, or have
-// other content. A leaf edge that came or went with triangles at both sides came or went with its hinge; the hinges of
-// edges that stayed, but whose triangles did not, are changed. refined_changed: triangles that became refined, or no
-// longer are, at any level, or did both; they may be gone since.
+// What was removed from the lists and added to them. An id that was removed and added again is in both lists: it may be
+// another element, or have other content. A leaf edge with triangles on both sides is added and removed together with
+// its hinge. hinges_changed: edges that stayed but whose triangles changed. refined_changed: triangles of any level
+// that became refined, or ceased to be, or both; they may have been freed since.
 struct LeafChanges {
     std::vector<VertexId> vertices_removed, vertices_added;
     std::vector<EdgeId> edges_removed, edges_added;
@@ -83,26 +84,26 @@ struct AdaptiveTriangle;
 
 class LeafTracker {
  public:
-    // What an id costs here, beside the lists themselves.
+    // Memory per id, in addition to the lists themselves.
     static constexpr std::size_t kBytesPerId = sizeof(std::uint32_t);
     static constexpr std::size_t kBytesPerArea = sizeof(double) + sizeof(float);
 
-    // To be noted: a triangle or an edge that became a leaf or a parent or holds other elements, and whatever
-    // is released or written over. What is new is found through the element that holds it.
+    // Must be noted: every triangle or edge that became a leaf or ceased to be one, or whose inner elements changed;
+    // and every element that is released or overwritten. New elements are found through the element that owns them.
     void note(VertexId v) { note(vertices_, v); }
     void note(EdgeId e) { note(edges_, e); }
     void note(TriangleId t) { note(triangles_, t); }
 
-    // The same for what is released, which only matters to what knows of it ...
+    // The same for a released id. Does nothing if the id is neither listed nor noted.
     void note_released(VertexId v) { note_released(vertices_, v); }
     void note_released(EdgeId e) { note_released(edges_, e); }
     void note_released(TriangleId t) { note_released(triangles_, t); }
 
-    // ... and for what is written over, which only matters if a list holds it.
+    // The same for an overwritten element. Does nothing if it is not listed.
     void note_rewritten(EdgeId e) { note_rewritten(edges_, e); }
     void note_rewritten(TriangleId t) { note_rewritten(triangles_, t); }
 
-    // A triangle that becomes refined, or a leaf again.
+    // A triangle that becomes refined, or becomes a leaf again.
     void note_refined(TriangleId t) {
         Place& place = triangles_.by_id[t.value];
         if ((place & kIsRefinedNoted) != 0) return;
@@ -110,7 +111,7 @@ class LeafTracker {
         refined_noted_.push_back(t);
     }
 
-    // Pre: before an id of that number or above is noted.
+    // Must be called before an id of that number or above is noted.
     void grow(std::size_t vertices, std::size_t edges, std::size_t triangles);
 
     void refresh(const AdaptiveMesh& mesh);
@@ -120,16 +121,16 @@ class LeafTracker {
         const Place place = edges_.by_id[e.value];
         return is_listed(place) && (place & kIsBoundary) == 0 ? &lists_.hinges[place & kPosition] : nullptr;
     }
-    const LeafChanges& changes() const { return changes_; }  // what the last refresh() did
+    const LeafChanges& changes() const { return changes_; }  // of the last refresh()
 
  private:
-    // Where an id stands in its list, with marks above.
+    // The index of an id in its list (bits 0..27), with flags in bits 28..31.
     using Place = std::uint32_t;
     static constexpr Place kNoted = 1U << 31U;
-    static constexpr Place kIsBoundary = 1U << 30U;     // of edges: in the list of those
-    static constexpr Place kIsFresh = 1U << 29U;        // of edges: its hinge is known to have changed
-    static constexpr Place kIsRefinedNoted = kIsFresh;  // of triangles
-    static constexpr Place kIsReleased = 1U << 28U;     // since it was noted; it may have been taken again for another
+    static constexpr Place kIsBoundary = 1U << 30U;     // edges: the index is into the boundary list
+    static constexpr Place kIsFresh = 1U << 29U;        // edges: its hinge is already recorded as changed
+    static constexpr Place kIsRefinedNoted = kIsFresh;  // triangles
+    static constexpr Place kIsReleased = 1U << 28U;     // since it was noted; the id may be in use again since
     static constexpr Place kUnlisted = kIsReleased - 1;
     static constexpr Place kPosition = kUnlisted;
 
@@ -161,7 +162,8 @@ class LeafTracker {
         if (is_listed(places.by_id[id.value])) note(places, id);
     }
 
-    // Asked once per noted id, last of all: forgets it. One that lives again was created, and is found as such.
+    // Returns and clears the flag; call it once per noted id. An id that is in use again belongs to a new element,
+    // which is found through its owner.
     template <class ElementId>
     static bool was_released(Places<ElementId>& places, ElementId id) {
         Place& place = places.by_id[id.value];
@@ -186,12 +188,12 @@ class LeafTracker {
 
     LeafLists lists_;
     LeafChanges changes_;
-    std::vector<LeafEdge> boundary_;  // by their places; they stand again at the end of the list of edges
-    std::vector<double> area_sums_;   // by vertex id; sums of floats, so that what is added can be taken away exactly
+    std::vector<LeafEdge> boundary_;  // refresh() copies it to the end of the list of edges
+    std::vector<double> area_sums_;   // m^2, by vertex id; floats summed in doubles, so that subtraction is exact
     Places<VertexId> vertices_;
     Places<EdgeId> edges_;
     Places<TriangleId> triangles_;
-    std::vector<EdgeId> fresh_;  // those that are marked so
+    std::vector<EdgeId> fresh_;  // edges with the flag kIsFresh
     std::vector<TriangleId> refined_noted_;
     std::size_t old_hinges_ = 0;
     struct Gaps {
@@ -199,9 +201,9 @@ class LeafTracker {
     } gaps_;
 };
 
-// The elements of each level by what they are now: edges that are unsplit or split, triangles that are refined. Each
-// knows its place, so that it can leave when it changes: the last one takes its place. At the deepest level nothing
-// changes, so nothing is listed.  (SPEC 1.4)
+// The unsplit edges, split edges and refined triangles of each level. The index of each element in its list is stored,
+// so that removal takes constant time: the last entry moves into the gap. At the deepest level no edge may be split, so
+// nothing is listed.
 
 class LevelLists {
  public:
@@ -223,7 +225,7 @@ class LevelLists {
     void add_split(int level, EdgeId e) { add(at(level).split, edge_places_, e); }
     void add_refined(int level, TriangleId t) { add(at(level).refined, triangle_places_, t); }
 
-    // Pre: it stands in that list.
+    // Pre: the element is in that list.
     void remove_unsplit(int level, EdgeId e) {
         if (is_listed(level)) remove(at(level).unsplit, edge_places_, e);
     }

@@ -6,8 +6,8 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr float kGreatestAngle = 3.0F;         // rad: no two normals need be further apart to be opposite
-constexpr float kGreatestCompression = 0.98F;  // an edge always keeps some length
+constexpr float kGreatestAngle = 3.0F;         // rad, maximum scaled split angle: close to opposite normals (pi)
+constexpr float kGreatestCompression = 0.98F;  // maximum scaled split compression: the threshold length stays above 0
 
 }  // namespace
 

@@ -1,11 +1,11 @@
 #pragma once
-// A budget of leaf triangles that the adaptation keeps to, whatever the cloth does; the target may change while it
-// runs. (thesis 5; SPEC 1.3)
+// A triangle budget: the adaptation keeps the number of leaf triangles near a target, which may change at run time.
+// (thesis 5.5.2, figs. 5.10 and 5.11)
 //
-// A controller scales the thresholds of the other criteria: before each adaptation the logarithm of the scale moves by
-// gain times log(count / target). Thresholds act late, for a new vertex gets its true normal only with the next
-// adaptation, and in leaps, for whole regions are bent alike; so within an adaptation splits stop at the upper end of a
-// narrow band about the target, and rejoins at its lower end.
+// A controller scales the thresholds of the other criteria: before each adaptation the logarithm of the scale changes
+// by gain times log(count / target). Thresholds act with delay, because a new vertex gets its true normal only at the
+// next adaptation, and in jumps, because whole regions are bent alike. So within an adaptation, splits stop at the
+// upper end of a narrow band about the target, and rejoins at its lower end.
 #include <cstddef>
 
 #include "sim/adaptive/adaptive_mesh.h"
@@ -15,13 +15,13 @@ namespace selvedge::sim {
 
 struct BudgetOptions {
     std::size_t target = 6000;    // leaf triangles
-    float band = 0.02F;           // share of the target, either way, that is as good as the target
-    float gain = 0.3F;            // per adaptation
-    float least_scale = 0.01F;    // of the thresholds: what lies quite flat is not split, however great the target
-    float greatest_scale = 8.0F;  // beyond it edges are rejoined whatever the criteria say, until the target is met
+    float band = 0.02F;           // tolerance: share of the target, above and below
+    float gain = 0.3F;            // of the controller, per adaptation
+    float least_scale = 0.01F;    // minimum scale of the thresholds: flat cloth is not split, however large the target
+    float greatest_scale = 8.0F;  // maximum scale; at this value surplus edges are rejoined whatever the criteria say
 };
 
-// Lives as long as the cloth. Part of the state that the adaptation's observer keeps: pass its calls on.
+// Lives as long as the cloth. The observer of the adaptation must forward on_split and on_rejoin to it.
 class TriangleBudget {
  public:
     explicit TriangleBudget(const BudgetOptions& options = {});
@@ -29,12 +29,12 @@ class TriangleBudget {
     void set_target(std::size_t leaf_triangles) { options_.target = leaf_triangles; }
     std::size_t target() const { return options_.target; }
 
-    // Before each adaptation.
+    // Call it before each adaptation.
     void start(const AdaptiveMesh& mesh);
     float scale() const { return scale_; }  // of the thresholds, in this adaptation
 
-    // An edge has two triangles, and each of them becomes two. At a boundary it has but one: such a count is put right
-    // by the next start().
+    // A split turns each of the edge's two triangles into two. A boundary edge has only one; the next start() corrects
+    // the count.
     void on_split() { count_ += 2; }
     void on_rejoin() { count_ -= 2; }
 
@@ -51,7 +51,8 @@ class TriangleBudget {
     std::ptrdiff_t upper_ = 0;
 };
 
-// Keeps splits below the band and, where even the greatest thresholds leave too many triangles, rejoins.
+// Vetoes splits once the count has reached the upper end of the band; forces rejoins where even the largest thresholds
+// leave too many triangles.
 struct BudgetVeto {
     static constexpr bool is_veto = true;
     const TriangleBudget* budget;
@@ -61,7 +62,7 @@ struct BudgetVeto {
     }
 };
 
-// Keeps rejoins above the band. It asks for no split: what to split is for the others to say.
+// Prevents rejoins once the count has reached the lower end of the band. It requests no split.
 struct BudgetCriterion {
     const TriangleBudget* budget;
 
@@ -69,7 +70,7 @@ struct BudgetCriterion {
     bool allows_rejoin(const AdaptiveMesh&, EdgeId) const { return budget->may_rejoin(); }
 };
 
-// Thresholds times a scale.
+// The thresholds multiplied by a scale.
 CurvatureOptions scaled(const CurvatureOptions& options, float scale);
 LengthOptions scaled(const LengthOptions& options, float scale);
 BucklingOptions scaled(const BucklingOptions& options, float scale);

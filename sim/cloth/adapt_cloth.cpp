@@ -9,7 +9,7 @@
 namespace selvedge::sim {
 namespace {
 
-// What a split and a rejoin do to the state of the cloth.
+// The observer of the adaptation: updates the state of the cloth when edges split and rejoin.
 struct ClothObserver {
     Cloth& cloth;
     const Collider& body;
@@ -30,8 +30,8 @@ struct ClothObserver {
         if (visibility != nullptr) visibility->on_capacity(capacity);
     }
 
-    // The mean of the ends, and of their previous positions, so that velocity is averaged; out of the body if it fell
-    // inside, without gaining speed from that.
+    // The centre gets the mean of the ends' positions and of their previous positions, so velocity is averaged too. If
+    // it lies inside the body, it is moved out without gaining velocity.
     void on_split(VertexId c, VertexId a, VertexId b) {
         const Vec4f middle = (cloth.x[a.value] + cloth.x[b.value]) * 0.5F;
         const Vec4f velocity = middle - (cloth.x_prev[a.value] + cloth.x_prev[b.value]) * 0.5F;
@@ -39,7 +39,7 @@ struct ClothObserver {
         cloth.x[c.value] = padded(outside(middle.head<3>(), normal, body, contact.offset));
         cloth.x_prev[c.value] = cloth.x[c.value] - velocity;
         cloth.normals[c.value] = normal.squaredNorm() > 0 ? Vec3f(normal.normalized()) : Vec3f::Zero();
-        cloth.is_pinned[c.value] = cloth.is_pinned[a.value] && cloth.is_pinned[b.value];  // a pinned waistband stays up
+        cloth.is_pinned[c.value] = cloth.is_pinned[a.value] && cloth.is_pinned[b.value];  // e.g. on a pinned waistband
         cloth.solver.adapting.shape.forget_children(cloth.mesh, cloth.mesh.vertex(c).parent);
         if (visibility != nullptr) visibility->on_split(c, a, b);
         if (budget != nullptr) budget->on_split();
@@ -54,7 +54,7 @@ SplitLimits split_limits(const AdaptClothOptions& options) {
     return {.shortest_edge = options.shortest_edge, .max_level = options.max_level};
 }
 
-// All criteria, each with its switch.
+// Calls adapt_choosing() with all criteria, each with its switch.
 template <class Choice>
 AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& observer,
                            const AdaptClothOptions& options) {
@@ -104,7 +104,8 @@ AdaptReport adapt_chosen(Cloth& cloth, ClothObserver& observer, const AdaptCloth
     return adapt_switched(MinimalChange{}, cloth, observer, options);
 }
 
-// Where a budget or the viewer decides too, an edge that cuts into the body may have to stay as it is.
+// The edges that the collision criterion will split. None if a budget or a view could veto such a split: then the edges
+// need contact samples.
 SplitOnContact split_on_contact(const AdaptClothOptions& options) {
     if (!options.criteria.collision || options.budget != nullptr || options.visibility != nullptr) return std::nullopt;
     return split_limits(options);

@@ -1,5 +1,5 @@
 #pragma once
-// Adapting a cloth: which criteria ask, and what a split or rejoin does to the state of its vertices.  (SPEC 1.3, 1.4)
+// Adaptation of a cloth: the choice of criteria, and the state of the vertices that splits create.  (thesis 3.4)
 #include <algorithm>
 #include <span>
 
@@ -14,8 +14,8 @@ namespace selvedge::sim {
 
 class Collider;
 
-// Vetoes the split of edges that are short enough: below that size cloth of a real weight only crumples, and the solver
-// has to carry the whole garment's tension through vertices that weigh next to nothing.
+// Vetoes the split of edges shorter than `length`: finer cloth of realistic weight only crumples, and the solver would
+// have to transmit the tension of the whole garment through vertices of very small mass.
 struct ShortestEdgeCriterion {
     static constexpr bool is_veto = true;
     float length = 0.02F;  // m
@@ -23,8 +23,8 @@ struct ShortestEdgeCriterion {
     bool vetoes(const AdaptiveMesh& mesh, EdgeId edge) const { return mesh.rest_length(edge) < length; }
 };
 
-// While the cloth comes to rest it keeps what is split, so that edges near a threshold do not split and rejoin for
-// ever.
+// Prevents all rejoins if may_rejoin is false. Used while the cloth comes to rest, so that edges near a threshold do
+// not split and rejoin for ever.
 struct HoldCriterion {
     bool may_rejoin = true;
 
@@ -32,7 +32,8 @@ struct HoldCriterion {
     bool allows_rejoin(const AdaptiveMesh&, EdgeId) const { return may_rejoin; }
 };
 
-// Keeps single vertices: what is pinned or pulled by hand. Lists are short.
+// Prevents the rejoin of edges whose centre is one of these vertices, which are pinned or dragged by the user. Searches
+// linearly, so the list should be short.
 struct KeptVertexCriterion {
     std::span<const VertexId> vertices;
 
@@ -51,7 +52,7 @@ struct CriteriaOptions {
     bool operator==(const CriteriaOptions&) const = default;
 };
 
-// What decides between two diagonals where either conforms, see sim/adaptive/diagonal.h.
+// How to choose between two diagonals that both conform, see sim/adaptive/diagonal.h.  (thesis fig. 3.9)
 enum class DiagonalChoice { MinimalChange, Length, RestLength, Curvature };
 
 struct AdaptClothOptions {
@@ -60,17 +61,17 @@ struct AdaptClothOptions {
     LengthOptions length{};
     BucklingOptions buckling{};
     std::span<const MinimumLevelDisc> minimum_levels{};
-    std::span<const VertexId> kept_vertices{};  // never rejoined, but where a limit of levels or a veto asks for it
-    Visibility* visibility = nullptr;           // what it does not see is coarsened, when given
-    TriangleBudget* budget = nullptr;           // kept to, when given: it scales the thresholds of all but collision
+    std::span<const VertexId> kept_vertices{};  // not removed, except where max_level or a veto forces a rejoin
+    Visibility* visibility = nullptr;           // optional: hidden parts are coarsened
+    TriangleBudget* budget = nullptr;           // optional: scales the thresholds of curvature, length and buckling
     float shortest_edge = 0.02F;                // m, an edge shorter than this is not split
-    int max_level = kDeepestLevel;              // below the mesh's own
+    int max_level = kDeepestLevel;              // if below the mesh's own, deeper edges are rejoined
     bool may_rejoin = true;
     DiagonalChoice diagonal = DiagonalChoice::MinimalChange;
-    TransitionCounts* transitions = nullptr;  // counted up when given
+    TransitionCounts* transitions = nullptr;  // optional: each transition is counted here
 };
 
-// One adaptation. Post: masses sum to what they were, solver lists and contact points are fresh.
+// One adaptation. Post: the total mass is unchanged; solver lists and contact samples are up to date.
 AdaptReport adapt_cloth(Cloth& cloth, const Collider& body, const AdaptClothOptions& options = {},
                         const ContactOptions& contact = {});
 

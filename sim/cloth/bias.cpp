@@ -17,7 +17,8 @@ void set_kept(Cloth& cloth, TriangleId t, const KeptBias& bias) {
     cloth.solver.saved_bias.save(t, cloth.adaptations, bias);
 }
 
-// A triangle that is refined goes on to carry what it did: its leaves, of less mass, carry little with the same bias.
+// The initial bias of the coarse strain limit of a leaf that becomes refined. The triangle continues to bear its
+// stress, because its leaves, which have less mass, bear little with the same bias.
 Vec3f limit_of_leaf(const Vec3f& value) {
     return {std::max(0.0F, value.x()), std::max(0.0F, value.y()), value.z()};
 }
@@ -25,7 +26,8 @@ void set_leaf(Cloth& cloth, TriangleId t, const Vec3f& value, float anchor) {
     set_kept(cloth, t, {.value = value, .limit = limit_of_leaf(value), .anchor = anchor});
 }
 
-// And back: the same share of a strain is taken back.
+// The bias of a refined triangle that becomes a leaf. The factor makes the correction the same with the other
+// relaxation.
 Vec3f leaf_of_limit(const Vec3f& mean, const Vec3f& limit) {
     constexpr float kSame = kLimitShare / kLeafShare;
     return {std::max(mean.x(), kSame * limit.x()), std::max(mean.y(), kSame * limit.y()), mean.z()};
@@ -44,7 +46,7 @@ Vec3f limit_in(const ParentLevel& level, std::uint32_t slot) {
     return lane_of(level.limits.records[slot / kBlock].bias, slot % kBlock);
 }
 
-// Of those that are known.
+// The area-weighted mean of the known states.
 struct MeanBend {
     Vec3f sum = Vec3f::Zero();
     float area = 0;
@@ -57,8 +59,9 @@ struct MeanBend {
     KeptBend mean() const { return area > 0 ? KeptBend{.anchor = sum / area, .is_known = true} : KeptBend{}; }
 };
 
-// A visit makes a multiplier of share (s + b) / (seen + c) of a strain s and a bias b, and s / c is wanted. So the bias
-// is in proportion to (seen + (1 - share) c) / c. c: the compliance over a sub-step, to which it is as 1 to its square.
+// One iteration gives the multiplier share (s + b) / (seen + c) for a strain s and a bias b; the required one is s / c.
+// So b is proportional to (seen + (1 - share) c) / c. c: the compliance over a sub-step, proportional to 1 / substep^2.
+// ratio: new over old length of a sub-step.
 float fitted(float bias, float seen, float compliance, float share, float ratio) {
     const float then = compliance / (ratio * ratio);
     const float sum = seen + (1 - share) * compliance;
@@ -73,8 +76,9 @@ void fit_slot(StretchBlock& block, const StretchRecord& record, std::size_t at, 
     }
 }
 
-// All of a multiplier is made by the bias: of warp and weft by what it is beyond the length that is free without any,
-// of which the strain takes its part. stress: by the stiffness, of it and all that it is inside of; at most the strain.
+// The whole multiplier of a coarse strain limit comes from its bias. For warp and weft, only the part counts by which
+// the bias exceeds the unused free strain, free_length - 1 - strain; the rest (`idle`) is not rescaled. stress: of the
+// triangle and its ancestors, divided by stiffness; it is at most the strain and is used in its place.
 void fit_slot(LimitRecord& record, std::size_t at, const Vec4f& stress, float ratio) {
     for (std::size_t k = 0; k < 3; ++k) {
         const float compliance = record.compliance[k][at];

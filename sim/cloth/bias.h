@@ -1,6 +1,7 @@
 #pragma once
-// What triangles have learnt, biases and friction, while they come and go: it lives in the solver's constraints, and is
-// kept in SolverState::saved_bias and SolverState::saved_bend while an adaptation is under way. (solver_blocks.h)
+// Transfer of the solver's accumulated state when the mesh changes: the multipliers (biases) of stretch and shear and
+// the anchors of internal friction. They are stored in the constraint blocks (solver_blocks.h). During an adaptation
+// the state of changed triangles is saved in SolverState::saved_bias and SolverState::saved_bend.
 #include <array>
 #include <cstddef>
 
@@ -10,31 +11,31 @@
 
 namespace selvedge::sim {
 
-// What was kept of that triangle since Cloth::adaptations was last counted up, else what its slot has; 0 if it has
-// none.
+// The state of a leaf as saved since Cloth::adaptations was last incremented, else the state in its slot; 0 if it has
+// no slot.
 KeptBias kept_bias(const Cloth& cloth, TriangleId t);
 
-// The same of a refined triangle's.
+// The same for the bias of a refined triangle's coarse strain limit.
 Vec3f kept_limit(const Cloth& cloth, TriangleId t);
 
-// From the slot of a leaf, or of a refined triangle of that level, to SolverState::saved_bias, if nothing was kept of
-// it yet; and of all.
+// Saves the state in the slot of a leaf, or of a refined triangle of that level, in SolverState::saved_bias, unless it
+// was saved in this adaptation already. keep_biases() saves the state of all triangles.
 void keep_bias(Cloth& cloth, TriangleId t);
 void keep_limit(Cloth& cloth, TriangleId t, const ParentLevel& level);
 void keep_biases(Cloth& cloth);
 
-// The same of a triangle's friction in bending, leaf or refined; not known if it has no slot.
+// The same for a triangle's friction in bending, leaf or refined; is_known is false if it has no slot.
 KeptBend kept_bend(const Cloth& cloth, TriangleId t);
 void keep_bend(Cloth& cloth, TriangleId t);
 void keep_bends(Cloth& cloth);
 
-// Biases make up for what a visit cannot do, and a visit can do more when sub-steps are shorter: to be called before
-// Cloth::substep becomes its `ratio`-fold, so that what they have learnt is of use with it.
+// Rescales all biases for a new length of sub-steps: with shorter sub-steps one iteration reaches more of the required
+// strain, so a smaller bias is needed. Call it before Cloth::substep is multiplied by `ratio`.
 void fit_biases(Cloth& cloth, float ratio);
 
-// While what is inside a triangle goes and comes: what stays keeps its bias, what is new gets the mean of what was
-// there, weighed by area; a leaf that is refined goes on with its bias as a limit, and back. So do the anchors of
-// friction in bending, and a leaf that is refined keeps its own.
+// Transfers the state at a transition of triangle t. Inner triangles that stay keep their bias; new ones get the
+// area-weighted mean of the previous ones. A leaf that becomes refined passes its bias to its coarse strain limit, and
+// back. Anchors of friction in bending are transferred in the same way; a leaf that is refined also keeps its own.
 class BiasHandover {
  public:
     explicit BiasHandover(Cloth& cloth) : cloth_(cloth) {}
@@ -43,10 +44,10 @@ class BiasHandover {
 
  private:
     Cloth& cloth_;
-    Vec3f mean_ = Vec3f::Zero();   // of what was inside
-    float mean_anchor_ = 0;        // the same
-    KeptBend mean_bend_, bend_;    // the same of friction in bending, and the triangle's own
-    Vec3f limit_ = Vec3f::Zero();  // the triangle's own when it is refined
+    Vec3f mean_ = Vec3f::Zero();   // mean bias of the previous inner triangles, or the bias of the leaf itself
+    float mean_anchor_ = 0;        // the same for the anchor of friction in shear
+    KeptBend mean_bend_, bend_;    // the same for friction in bending; and the triangle's own
+    Vec3f limit_ = Vec3f::Zero();  // bias of the triangle's coarse strain limit
     std::array<TriangleId, 4> inside_{};
     std::array<std::array<VertexId, 3>, 4> corners_{};
     std::size_t count_ = 0;

@@ -10,7 +10,7 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr float kRoom = 100;  // m: whatever is further away has been thrown there by an error
+constexpr float kRoom = 100;  // m: a larger coordinate is the result of an error
 
 float mean_damping(const Cloth& cloth) {
     double sum = 0;
@@ -28,7 +28,7 @@ void set_inverse_mass(Cloth& cloth, std::uint32_t v) {
     cloth.inverse_mass[v] = mass > 0 && !cloth.is_pinned[v] ? 1 / mass : 0.0F;
 }
 
-// Each leaf gives a third of its mass to each of its corners. Total mass is constant to rounding.
+// Each leaf contributes a third of its mass to each of its corners. The total mass is constant up to rounding.
 void refresh_masses(Cloth& cloth) {
     cloth.solver.mass_sums.assign(cloth.x.size(), 0.0);
     for (const LeafTriangle& triangle : cloth.mesh.leaf_triangles()) {
@@ -38,7 +38,7 @@ void refresh_masses(Cloth& cloth) {
     for (std::uint32_t v = 0; v < cloth.x.size(); ++v) set_inverse_mass(cloth, v);
 }
 
-// What went still stands in the solver's slots.
+// Removed leaves still have their vertices and masses in the solver's slots.
 void update_masses(Cloth& cloth) {
     const LeafChanges& changes = cloth.mesh.changes();
     SolverState& solver = cloth.solver;

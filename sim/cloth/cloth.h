@@ -1,8 +1,8 @@
 #pragma once
-// A garment as it moves: the adaptive mesh, what it is made of, the state of every vertex, and the solver's own part.
+// A simulated garment: the adaptive mesh, its fabrics, the state of every vertex, and the state of the solver.
 //
-// Topology (the mesh) and state (flat arrays indexed by VertexId, sized to the mesh's capacity) are kept apart. The
-// solver reads neither the hierarchy nor the fabrics but blocks of constraints, made after an adaptation.
+// Topology (the mesh) and state (flat arrays indexed by VertexId, sized to the mesh's capacity) are kept apart. During
+// a step the solver reads only blocks of constraints, which are updated after each adaptation.  (thesis 3.6)
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -15,7 +15,7 @@
 
 namespace selvedge::sim {
 
-// What the mesh is made of.
+// The fabrics of the panels and how they are laid.
 struct ClothMaterial {
     std::vector<Fabric> fabrics;      // one per panel
     std::vector<float> grain_angles;  // one per panel, rad: from the panel's +y to the warp
@@ -28,13 +28,13 @@ struct Cloth {
 
     // State, by VertexId.
     std::vector<Vec4f> x{};             // position, m
-    std::vector<Vec4f> x_prev{};        // position one sub-step ago, m: velocity is their difference over the sub-step
+    std::vector<Vec4f> x_prev{};        // position one sub-step ago, m; velocity = (x - x_prev) / substep
     std::vector<float> inverse_mass{};  // 1/kg; 0 for a vertex that cannot move or is not in use
     std::vector<Vec3f> normals{};       // unit, of the fabric's right side; see update_normals
     std::vector<bool> is_pinned{};
 
-    float substep = 0;              // s, the length that x_prev and the solver's constraints were made for
-    std::uint32_t adaptations = 0;  // so far
+    float substep = 0;              // s, the length that x_prev and the solver's constraints refer to
+    std::uint32_t adaptations = 0;  // number of adaptations and complete rebuilds so far
 
     SolverState solver{};
 };
@@ -50,39 +50,40 @@ Cloth make_cloth(const GarmentMesh& garment, std::vector<Fabric> fabrics, const 
 // Grows the state arrays to `capacity` vertices.
 void size_state(Cloth& cloth, std::size_t capacity);
 
-// A third of the mass of a triangle of that panel, kg: what it gives to each of its corners.
+// A third of the mass of a triangle of that panel, kg: its contribution to the mass of each of its corners.
 float third_of_mass(const Cloth& cloth, const std::array<Vec2f, 3>& u, std::uint16_t panel);
 
-// Masses (a third of the adjacent leaf triangles' area times density) and the solver's constraints, all anew from the
-// present leaves: after pins, fabrics or the mesh were changed from outside.
+// Recomputes all masses (a third of the area of the adjacent leaf triangles times the area density) and all constraints
+// of the solver from the present leaves. Call it after pins, fabrics or the mesh were changed from outside.
 void refresh_solver(Cloth& cloth);
 
-// The same after one adaptation, in place: see mesh.changes(). What stays only gets its gains anew.
+// The same after one adaptation, incrementally, from mesh.changes(). Constraints that stay only get new gains.
 void update_solver(Cloth& cloth);
 
-// Another length of sub-steps, s. Speeds are kept; what has been learnt is fitted, and fits shorter ones better: for
-// longer ones its errors grow too.
+// Changes the length of sub-steps, s. Velocities are kept. The biases of the solver are rescaled (fit_biases); the
+// result is more accurate for shorter sub-steps than for longer ones, which also amplify the errors of the biases.
 void set_substep(Cloth& cloth, float substep);
 
 // Area-weighted normals of the leaf triangles.
 void update_normals(Cloth& cloth);
 
-// Root mean square, over mass, of the mean speed with which the cloth came from `before` to where it is, m/s: its
-// kinetic energy, but for what trembles to and fro within `seconds`. Pre: nothing was split or rejoined in between.
+// Mass-weighted root mean square of the vertices' mean velocities from the positions `before` to the present ones,
+// `seconds` later, m/s. It measures kinetic energy without vibrations that average out within `seconds`. Pre: no edge
+// was split or rejoined in between.
 float rms_speed(const Cloth& cloth, const std::vector<Vec4f>& before, double seconds);
 
-// The first leaf vertex whose position is not finite or left the room (100 m), if any.
+// The first leaf vertex with a coordinate that is not finite or at least 100 m from the origin, if any.
 std::optional<VertexId> find_bad_vertex(const Cloth& cloth);
 
-// How far a cloth is strained, from the deformation gradients of its leaf triangles.
+// The strain of a cloth, from the deformation gradients of its leaf triangles.
 
 struct TriangleStrain {
-    float warp = 0;  // length of the deformed warp direction less 1
+    float warp = 0;  // length of the deformed warp direction minus 1
     float weft = 0;
-    float shear = 0;  // rad, angle between the deformed warp and weft directions less a right angle, unsigned
+    float shear = 0;  // rad, difference of the angle between deformed warp and weft from a right angle, unsigned
 };
 
-// One per leaf triangle, in their order.
+// One per leaf triangle, in the order of leaf_triangles().
 std::vector<TriangleStrain> measure_strain(const Cloth& cloth);
 
 }  // namespace selvedge::sim

@@ -10,7 +10,7 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr float kNotAsked = std::numeric_limits<float>::lowest();  // m: no depth, and cuts nothing
+constexpr float kNotAsked = std::numeric_limits<float>::lowest();  // m: the depth of an edge that was not evaluated
 
 void put_point(std::vector<ContactBlock>& blocks, std::size_t i, const Vec4f& p) {
     if (i / kContactLanes >= blocks.size()) blocks.emplace_back();
@@ -31,7 +31,7 @@ std::span<const EdgeId> CollisionCriterion::noted() const {
     return is_new ? std::span<const EdgeId>(batch.edges) : std::span<const EdgeId>();
 }
 
-// The edges that were noted, and what they speak for, each once.
+// Collects the noted edges and the finer edges that look-ahead needs, each once.
 void CollisionCriterion::gather(const AdaptiveMesh& mesh) const {
     for (const EdgeId e : batch.asked) batch.depths[e.value] = kNotAsked;
     batch.asked.clear();
@@ -55,14 +55,14 @@ std::span<const EdgeId> CollisionCriterion::look(const AdaptiveMesh& mesh) const
     if (edges.empty()) return edges;
     gather(mesh);
     put_points(mesh);
-    // What is farther away than this neither splits nor keeps anything, however far it is.
+    // Points farther away than this reach neither depth threshold, so their exact distance is not needed.
     body.contacts(batch.blocks, offset - std::min(split_depth, rejoin_depth));
     for (std::size_t i = 0; i < batch.asked.size(); ++i) batch.depths[batch.asked[i].value] = depth(i);
     return edges;
 }
 
-// Of each edge its middle, more of it where it is long, and the middles of the triangles beside it, at the edge's own
-// level.
+// The sample points of each edge: its middle, further points if it is long, and the centroids of the triangles beside
+// it, at the edge's own level.
 void CollisionCriterion::put_points(const AdaptiveMesh& mesh) const {
     batch.blocks.clear();
     batch.first.clear();
@@ -92,7 +92,7 @@ bool CollisionCriterion::finer_edges_cut(const AdaptiveMesh& mesh, EdgeId e) con
     return any_finer_edge(mesh, e, limits, [&](EdgeId finer) { return cuts(finer); });
 }
 
-// How deep the deepest of the i'th asked edge's points lies below the offset surface, m.
+// The maximum depth of the sample points of the i'th evaluated edge below the offset surface, m.
 float CollisionCriterion::depth(std::size_t i) const {
     float least = std::numeric_limits<float>::max();
     for (std::size_t lane = batch.first[i]; lane < batch.first[i + 1]; ++lane) {

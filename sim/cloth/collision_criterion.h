@@ -1,5 +1,5 @@
 #pragma once
-// Which edges cut into the body.  (SPEC 1.3)
+// The collision criterion: splits edges that penetrate the offset surface of the body.  (thesis 3.4.2, fig. 3.13)
 #include <span>
 #include <vector>
 
@@ -11,37 +11,39 @@ namespace selvedge::sim {
 
 class Collider;
 
-// Memory of a batch, kept between adaptations.
+// Working memory of a batch evaluation, reused by later adaptations.
 struct CollisionBatch {
-    std::vector<EdgeId> edges;
-    std::vector<EdgeId> asked;         // they, and the finer edges that they speak for
-    std::vector<std::size_t> first;    // of each asked edge: its first point; and behind the last one
-    std::vector<float> depths;         // by EdgeId, m: of those that were asked last, else the lowest float
+    std::vector<EdgeId> edges;         // the noted edges
+    std::vector<EdgeId> asked;         // the evaluated edges: the noted ones and the finer edges beside them
+    std::vector<std::size_t> first;    // index of the first sample point of each evaluated edge, and the total number
+    std::vector<float> depths;         // by EdgeId, m: penetration at the last evaluation; lowest float: not evaluated
     std::vector<ContactBlock> blocks;  // scratch
     bool is_looked_at = false;
 };
 
-// Splits an edge that cuts deep into the offset surface of the body, or whose triangles do; lets it rejoin when they no
-// longer would. Asked of the parent chord: once the centre lies on the surface the children no longer cut.
-// It speaks for the finer edges beside it, which may not split before it does (look_ahead.h). The offset keeps such
-// chords outside of the body itself: they may use up two thirds of it, for the last third is for the collider's error.
+// Splits an edge if it, or a triangle beside it, lies deeper than split_depth below the offset surface of the body;
+// lets it rejoin if the depth is below rejoin_depth. A split edge is tested as the straight chord between its ends:
+// once the centre lies on the surface, its children no longer penetrate, and testing them would make the edge flicker.
+// With look-ahead (LookAheadCriterion in criteria.h): an edge also requests a split for the finer edges beside it. A
+// chord above the split depth stays outside of the body itself: it may use two thirds of the contact offset, and the
+// last third is reserved for the error of the collider.
 struct CollisionCriterion {
     static constexpr bool is_batch = true;
 
     const std::vector<Vec4f>& x;
     const Collider& body;
     CollisionBatch& batch;
-    SplitLimits limits{};        // of the edges that it speaks for
+    SplitLimits limits{};        // look-ahead considers only finer edges that these allow to be split
     float offset = 0.003F;       // m, contact offset
     float split_depth = 0.002F;  // m, of the chord below the offset surface
     float rejoin_depth = 0.0008F;
-    float spacing = 0.025F;  // m, edges are asked at least this often, and in their middle
+    float spacing = 0.025F;  // m, maximum distance between sample points of an edge; one is always in the middle
 
     void note(EdgeId e) const;
-    std::span<const EdgeId> noted() const;  // since the last look
+    std::span<const EdgeId> noted() const;  // since the last look()
     std::span<const EdgeId> look(const AdaptiveMesh& mesh) const;
 
-    // Pre: the last look saw the edge.
+    // Pre: the last look() evaluated the edge.
     bool wants_split(const AdaptiveMesh& mesh, EdgeId e) const { return cuts(e) || finer_edges_cut(mesh, e); }
     bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId e) const {
         return batch.depths[e.value] < rejoin_depth && !finer_edges_cut(mesh, e);

@@ -1,15 +1,18 @@
 #pragma once
-// The loops over triangles, see kernels.h. For kernels only (sim/core/simd_level.h).
+// The kernels of stretch and shear of leaves, of the coarse strain limits, of the updates of biases and gains, and of
+// prediction and internal damping; for their contracts see kernels.h. Include it only in kernel sources
+// (kernels_simd.cpp; see sim/core/simd_level.h).
 #include "sim/cloth/loop_parts.h"
 
 namespace selvedge::sim {
 
-// The loops over what refined triangles carry, see kernels.h. For kernels only (sim/core/simd_level.h).
+// Sums of stress between levels, and the update of the multipliers (biases) of the coarse strain limits.
 
 namespace {
 
-// Places of RestrictedStress, read and written as points are. Triangles with the same parent share a vertex, so that no
-// place comes twice in a colour, but for that of no triangle, which is read and never written.
+// Entries of RestrictedStress are read and written as points are. The inner triangles of one parent share vertices
+// pairwise, so within a colour no two have the same parent entry. The entry of "no triangle" may occur several times;
+// it is never written.
 [[gnu::always_inline]] inline Xyz load_places(const float* stress, const std::uint32_t* places) {
     return lanes::transposed(lanes::gather_points(stress, places));
 }
@@ -36,7 +39,7 @@ namespace {
     return {p.x + q.x, p.y + q.y, p.z + q.z};
 }
 
-// By the stiffness: what was carried by the triangle itself, of warp, weft and shear.
+// The stress of warp, weft and shear that the triangle itself bears, divided by stiffness.
 template <class Record>
 [[gnu::always_inline]] inline Xyz stress_of(const Record& record, std::size_t at) {
     const auto one = [&](std::size_t k) {
@@ -54,14 +57,15 @@ void restrict_stress(std::span<const LimitRecord> records, float* above) {
     }
 }
 
-// What a limit's bias makes of it.
+// Sets the maximum lengths and the shear multiplier of a coarse strain limit from its biases.
 [[gnu::always_inline]] inline void apply_bias(LimitBlock& block, const LimitRecord& record, std::size_t at) {
     lanes::store(&block.longest_warp[at], load_at(record.free_length[0], at) - load_at(record.bias[0], at));
     lanes::store(&block.longest_weft[at], load_at(record.free_length[1], at) - load_at(record.bias[1], at));
     lanes::store(&block.shear[at], load_at(record.bias[2], at) * -load_at(record.per_shear, at));
 }
 
-// What was summed up for a place, which is left empty, and is handed on to that of the parent.
+// Returns the sum at the triangle's entry and clears it; adds the sum and `more`, weighted by area, to the parent's
+// entry.
 [[gnu::always_inline]] inline Xyz take_sum(float* sums, const LimitRecord& record, std::size_t at, const Xyz& more) {
     const Xyz inside = load_places(sums, &record.place[at]);
     put_places(sums, &record.place[at], Xyz{});
@@ -71,25 +75,26 @@ void restrict_stress(std::span<const LimitRecord> records, float* above) {
     return inside;
 }
 
-// Of a refined triangle: stress of warp, weft and shear, by the stiffness, that it carries by itself, with all that it
-// is inside of, and in all.
+// The stress of warp, weft and shear in a refined triangle, divided by stiffness: what it bears itself; what it and its
+// ancestors bear; and the sum of these and of what its inner triangles bear.
 struct Stress {
     Xyz own, coarse, all;
 
-    // N/m but for a factor that is the same for each: of warp and weft together.
+    // The tension of warp and weft together, N/m up to a constant factor.
     static Floats tension(const LimitRecord& record, std::size_t at, const Xyz& stress) {
         const Floats sum = stress.x / load_at(record.compliance[0], at) + stress.y / load_at(record.compliance[1], at);
         return lanes::max(sum, lanes::broadcast(kTiny));
     }
 };
 
-// off: what the leaves in it are off by on an average. The strain of the refined triangle itself does not do: the flat
+// off: the mean strain error of its leaves. The strain of the refined triangle itself is not suitable: the flat
 // triangle through the corners of bent cloth is shorter than the cloth in some directions and longer in others.
 //
-// Tension along the threads alone may come from refined triangles as from leaves. Where it comes with shear it must
-// not: forces of coarse triangles reach all that hangs on their corners, so at the cloth's edges they balance only if
-// they are in the same proportion as the stress itself. So a refined triangle learns no more tension once it and all
-// that it is inside of carry what the leaves cannot do well; and shear in the same share as tension.
+// Tension along the yarns alone may come from refined triangles or from leaves. If it occurs together with shear, the
+// shares matter: forces of coarse triangles act on all vertices that follow their corners, so at the edges of the cloth
+// they balance only if tension and shear have the same ratio as in the total stress. So the tension bias of a refined
+// triangle stops growing once it and its ancestors bear what the leaves cannot bear well; and it bears the same share
+// of shear as of tension.
 [[gnu::always_inline]] inline void move_biases(LimitRecord& record, std::size_t at, const Stress& stress,
                                                const Xyz& off, const BiasGains& gains) {
     const Floats one = lanes::broadcast(1.0F);
@@ -130,7 +135,7 @@ struct Strains {
     Floats warp, weft, shear;
 };
 
-// Shear, and by how much friction between the threads holds it back from where it slips to.
+// The shear strain; and the strain that friction between the yarns adds, whose anchor is updated.
 [[gnu::always_inline]] inline Floats shear_of(const Threads& t) {
     return dot(t.warp, t.weft) * t.warp_direction_share * t.weft_share;
 }
@@ -145,14 +150,13 @@ struct Strains {
             shear_of(t) + load_at(block.bias[2], at)};
 }
 
-// Multiplier per strain of each condition.
+// Gains: multiplier per strain of each condition.
 using Gains = Strains;
 [[gnu::always_inline]] inline Gains gains_of(const StretchBlock& block, std::size_t at) {
     return {load_at(block.warp, at), load_at(block.weft, at), load_at(block.shear, at)};
 }
 
-// Where cloth is gathered, threads that are slack bear nothing, and do not hold against what shear does to their
-// length.
+// In gathered cloth, slack yarns bear no stress; they are left out of the coupled solve for shear.
 [[gnu::always_inline]] inline Gains without_slack(const StretchBlock& block, std::size_t at, const Strains& strain,
                                                   const Gains& gains) {
     const Ints gives = load_at(block.push, at) <= 0.0F;
@@ -163,8 +167,8 @@ using Gains = Strains;
     return {gains.warp - warp, gains.weft - weft, gains.shear / (more + 1.0F)};
 }
 
-// The three conditions of each triangle are solved together: warp and weft are at right angles, so that the shear is
-// what is coupled with either.
+// Solves the three conditions of each triangle together. Warp and weft are orthogonal, so only shear is coupled with
+// each of them.
 [[gnu::always_inline]] inline Strains multipliers(const StretchBlock& block, std::size_t at, const Strains& strain,
                                                   const Gains& gains) {
     const Floats cross = load_at(block.cross, at);
@@ -195,7 +199,7 @@ template <class Block>
     return {pushed(c.x0, f0), pushed(c.x1, f1), pushed(c.x2, f2)};
 }
 
-// Lanes beyond the fabric's strain limit, side by side.
+// Collects copies of the lanes beyond the fabric's strain limit, without gaps.
 struct OverLanes {
     OverBlock* blocks;
     const OverBlock& spare;
@@ -250,7 +254,7 @@ std::size_t solve_stretch(std::span<StretchBlock> blocks, StretchRecord* records
                    : stretch_loop<false>(blocks, nullptr, points, {over, spare});
 }
 
-// What warp and weft are beyond the fabric's strain limit, and nothing else.
+// Corrects only the excess of warp and weft over the fabric's strain limit.
 void limit_stretch(std::span<const OverBlock> blocks, float* points) {
     for (const OverBlock& block : blocks) {
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
@@ -266,7 +270,7 @@ void limit_stretch(std::span<const OverBlock> blocks, float* points) {
     }
 }
 
-// One direction of refined triangles: how much of it is taken back, per length of it.
+// For one yarn direction of refined triangles: the necessary change of length, relative to its length; at most 0.
 [[gnu::always_inline]] inline Floats excess(const Xyz& direction, Floats longest) {
     const Floats squared = dot(direction, direction) + lanes::broadcast(kTiny);
     return lanes::min(longest * lanes::inverse_root(squared) - 1.0F, Floats{});
@@ -282,7 +286,7 @@ template <bool keeps_multipliers>
             const Floats weft = excess(t.weft, load_at(block.longest_weft, at));
             const Floats of_warp = warp * load_at(block.gain[0], at);
             const Floats of_weft = weft * load_at(block.gain[1], at);
-            // Where nothing is pushed together there is not more shear than that.
+            // With this bound the stress has no compressive principal component.
             const Floats shear = held_within(load_at(block.shear, at), lanes::sqrt(of_warp * of_weft));
             if constexpr (keeps_multipliers) {
                 store_three(records[&block - blocks.data()].multiplier, at, of_warp, of_weft, shear);
@@ -306,7 +310,7 @@ void limit_parents(std::span<const LimitBlock> blocks, LimitRecord* records, flo
     records ? limit_loop<true>(blocks, records, points) : limit_loop<false>(blocks, nullptr, points);
 }
 
-// Of a direction whose gradients are -(g0 + g1), g0 and g1, or of two: the sum of w g g'.
+// The gradients -(g0 + g1), g0 and g1 of a yarn direction at the three corners; and the sum of w f g over the corners.
 using Gradient = std::array<Floats, 3>;
 [[gnu::always_inline]] inline Gradient gradient(const std::array<BlockFloats, 2>& g, std::size_t at) {
     const Floats g0 = load_at(g[0], at), g1 = load_at(g[1], at);
@@ -316,7 +320,7 @@ using Gradient = std::array<Floats, 3>;
     return w[0] * f[0] * g[0] + w[1] * f[1] * g[1] + w[2] * f[2] * g[2];
 }
 
-// Friction's spring in shear may not ask for more than a visit can give.
+// The spring of friction in shear is limited to what one iteration can apply.
 void update_stretch_masses(std::span<StretchBlock> blocks, std::span<const StretchRecord> records,
                            const float* inverse_masses) {
     constexpr float kRoom = 0.25F;
@@ -376,7 +380,7 @@ void predict(float* points, float* before, float* lost, std::size_t count, const
     Floats fall{};
     for (std::size_t i = 0; i < lanes::kCount; ++i) fall[i] = i % 4 < 3 ? motion.fall[i % 4] : 0.0F;
     const Floats keep = lanes::broadcast(motion.keep);
-    for (std::size_t i = 0; i < 4 * count; i += lanes::kCount) {  // a fourth's move is 0
+    for (std::size_t i = 0; i < 4 * count; i += lanes::kCount) {  // w does not change: its displacement is 0
         const Floats x = lanes::load(points + i);
         const Floats move = lanes::multiply_add(x - lanes::load(before + i), keep, fall) + lanes::load(lost + i);
         const Floats moved = x + lanes::where(lanes::w_components(x) > 0.0F, move);
@@ -387,7 +391,7 @@ void predict(float* points, float* before, float* lost, std::size_t count, const
 }
 
 void add_momentum(const CorrectedPoints& corrected, std::size_t count, float momentum) {
-    for (std::size_t i = 0; i < 4 * count; i += lanes::kCount) {  // a fourth's correction is 0
+    for (std::size_t i = 0; i < 4 * count; i += lanes::kCount) {  // w does not change: its correction is 0
         const Floats x = lanes::load(corrected.points + i);
         const Floats again = lanes::where(lanes::w_components(x) > 0.0F, lanes::load(corrected.correction + i));
         const Floats moved = lanes::multiply_add(again, lanes::broadcast(momentum), x);
@@ -418,7 +422,8 @@ void restrict_centres(std::span<const EdgeCentre> centres, const float* before, 
     }
 }
 
-// Corners lose a share of what they move against their mean; pushes in proportion to inverse mass keep the momentum.
+// Damps the velocities of the corners relative to their mean. Impulses act in proportion to inverse mass, so linear
+// momentum is conserved.
 [[gnu::always_inline]] inline Corners rubbed(const Corners& now, const Corners& was, float share) {
     Corners slower;
     for (int j = 0; j < 4; ++j) {
@@ -446,7 +451,7 @@ void update_bias(std::span<StretchBlock> blocks, std::span<const StretchRecord> 
             const Threads t = middle_threads(block, at, points, before);
             const Xyz own = stress_of(record, at);
             const Xyz all = sum_of(own, load_places(sums.above, &record.parent[at]));
-            // Where the cloth is gathered only tension is learnt.
+            // Where the cloth is gathered, only tension is accumulated.
             const Floats push = load_at(block.push, at);
             const Floats least = push * lanes::broadcast(gains.least);
             const auto felt = [&](Floats off) { return lanes::max(off, push * off); };

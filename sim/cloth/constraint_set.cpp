@@ -9,7 +9,7 @@ void BlockColoring::start(std::size_t vertices) {
     runs_.clear();
 }
 
-// Blocks are made colour by colour, so that those of one colour lie side by side; slots are given away from the first.
+// Makes blocks colour by colour, so that those of one colour are consecutive. Slots are assigned in ascending order.
 const std::vector<std::uint32_t>& BlockColoring::assign() {
     std::array<std::uint32_t, kColors + 1> counts{};
     for (const std::uint32_t color : colors_) ++counts[color];

@@ -1,6 +1,6 @@
 #pragma once
-// The constraints of one kind: blocks for the kernels, colours, which blocks wait for their gains, and where the
-// constraint of a triangle stands.
+// The constraints of one kind: blocks of sixteen for the SIMD kernels, their graph colouring, the blocks whose gains
+// are out of date, and the slot of each triangle's constraint.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -14,8 +14,8 @@
 
 namespace selvedge::sim {
 
-// Which blocks of a list wait for their gains: after an adaptation only those in which a constraint or a vertex' mass
-// changed. A kernel takes spans of blocks, so it is called with runs of dirty blocks that lie behind one another.
+// The blocks whose gains are out of date. After an adaptation these are only the blocks with a changed constraint or a
+// changed vertex mass. Kernels take spans of blocks, so they are called for each run of consecutive dirty blocks.
 
 class DirtyBlocks {
  public:
@@ -34,7 +34,7 @@ class DirtyBlocks {
         marked_.clear();
     }
 
-    // Calls visit(first, count) for each run, by rising number. They stay dirty until clear().
+    // Calls visit(first, count) for each run, in ascending order. The blocks stay dirty until clear().
     template <class Visit>
     void for_runs(const Visit& visit) {
         std::sort(marked_.begin(), marked_.end());
@@ -51,28 +51,29 @@ class DirtyBlocks {
     std::vector<std::uint32_t> marked_;
 };
 
-// Sorting constraints into blocks of sixteen that share no vertex, so that a block may be computed at once.
+// Graph colouring: sorts constraints into blocks of sixteen that share no vertex, so that a block can be computed with
+// SIMD instructions.
 
-// Greedy: each constraint gets the first colour that none of its vertices has. All at once, in the order of calling
-// add(), blocks of one colour behind each other; then one by one, as constraints come and go: what comes takes a slot
-// that is free in a block of its colour, or a new block at the end. Keeps its memory between uses.
+// Greedy: each constraint gets the first colour that none of its vertices has. add() and assign() colour all
+// constraints at once; blocks of one colour are consecutive. Then insert() and remove() change single constraints: a
+// new one gets a free slot in a block of its colour, or a new block at the end. Memory is reused.
 class BlockColoring {
  public:
-    // Forgets all constraints. Vertices are below this number.
+    // Removes all constraints. Vertex indices must be below `vertices`.
     void start(std::size_t vertices);
 
-    // Constraint by constraint; vertices: N indices.
+    // Adds a constraint; vertices: N indices.
     template <std::size_t N>
     void add(const std::array<std::uint32_t, N>& vertices) {
         colors_.push_back(color_for(vertices));
     }
 
-    // The slot of each constraint, in the order of adding: block slot / kBlock, place slot % kBlock. Every colour
-    // begins a new block.
+    // The slot of each constraint, in the order of add(): lane slot % kBlock of block slot / kBlock. Every colour
+    // starts a new block.
     const std::vector<std::uint32_t>& assign();
     std::size_t block_count() const { return block_colors_.size(); }  // after assign()
 
-    // After assign(). insert() gives a slot; block_count() may be one more then.
+    // Call them after assign(). insert() returns a slot; it may increase block_count() by one.
     template <std::size_t N>
     std::uint32_t insert(const std::array<std::uint32_t, N>& vertices) {
         return take_slot(color_for(vertices));
@@ -87,18 +88,18 @@ class BlockColoring {
         free_slots_[list_of(color)].push_back(slot);
     }
 
-    // By block. Constraints of one colour share no vertex, whichever blocks they stand in.
+    // The colour of each block. Constraints of one colour share no vertex, even in different blocks.
     const std::vector<std::uint32_t>& colors() const { return block_colors_; }
 
-    // Blocks of one colour, one behind the other.
+    // Consecutive blocks of one colour.
     struct Run {
         std::size_t first, count;
     };
-    // All blocks, in their order.
+    // The runs of all blocks, in order.
     const std::vector<Run>& runs() const { return runs_; }
 
  private:
-    // From there on: of vertices that have them all; such constraints get blocks, and colours, of their own.
+    // Number of shared colours. A constraint for which none is left gets a block and a colour of its own, from kColors.
     static constexpr std::uint32_t kColors = 64;
     static constexpr std::size_t list_of(std::uint32_t color) { return color < kColors ? color : kColors; }
 
@@ -114,28 +115,28 @@ class BlockColoring {
     std::uint32_t take_slot(std::uint32_t color);
     void add_block(std::uint32_t color);
 
-    std::vector<std::uint64_t> used_;    // by vertex: a bit for each colour
+    std::vector<std::uint64_t> used_;    // by vertex: one bit per colour in use there
     std::vector<std::uint32_t> colors_;  // by constraint, between start() and assign()
     std::vector<std::uint32_t> slots_;
     std::vector<std::uint32_t> block_colors_;
-    std::array<std::vector<std::uint32_t>, kColors + 1> free_slots_{};  // by colour, the next last
+    std::array<std::vector<std::uint32_t>, kColors + 1> free_slots_{};  // by colour; the next to use is last
     std::vector<Run> runs_;
-    std::uint32_t alone_ = 0;  // blocks of one constraint
+    std::uint32_t alone_ = 0;  // number of blocks with a single constraint
 };
 
-// Each constraint has a slot: lane slot % kBlock of block slot / kBlock. It belongs to a triangle, and keeps its slot
-// until it is removed, at a cost in proportion to what comes and goes. A slot that is free is a spare one: it moves the
-// spare point alone.
+// Each constraint belongs to a triangle and has a slot: lane slot % kBlock of block slot / kBlock. It keeps its slot
+// until it is removed. The cost of changes is proportional to their number. A free slot holds a dummy constraint, which
+// refers only to the dummy vertex `spare_point`.
 template <class Block, class Record>
 class ConstraintSet {
  public:
     std::vector<Block> blocks;
-    std::vector<Record> records;  // block by block: what weighing and learning need besides
+    std::vector<Record> records;  // one per block: data for updating gains and biases, not read by the inner solve
     BlockColoring coloring;
     DirtyBlocks dirty;
 
-    // All anew. id_of(item): the triangle; corners_of(item): the vertices of its constraint; set(item, slot) fills the
-    // slot.
+    // Makes all constraints anew. id_of(item): the triangle; corners_of(item): the vertices of its constraint;
+    // set(item, slot) fills the slot.
     template <class Items, class IdOf, class CornersOf, class Set>
     void make(const Items& items, std::size_t spare_point, const IdOf& id_of, const CornersOf& corners_of,
               const Set& set) {
@@ -153,7 +154,7 @@ class ConstraintSet {
         dirty.mark_all(blocks.size());
     }
 
-    // set(slot) fills the slot. Pre: the triangle has none; make() was called, with or without items.
+    // set(slot) fills the slot. Pre: the triangle has no slot; make() was called, possibly without items.
     template <std::size_t N, class Set>
     void insert(TriangleId t, const std::array<std::uint32_t, N>& corners, std::size_t spare_point, const Set& set) {
         SELVEDGE_ASSERT(slot_of(t) == kSpare);
@@ -167,7 +168,7 @@ class ConstraintSet {
         note(t, slot);
     }
 
-    // Pre: it has one.
+    // Pre: the triangle has a slot.
     void remove(TriangleId t, std::size_t spare_point) {
         const std::uint32_t slot = slot_of(t);
         SELVEDGE_ASSERT(slot != kSpare);
@@ -179,13 +180,14 @@ class ConstraintSet {
         slot_of_[t.value] = kSpare;
     }
 
-    // While all are made anew, level by level: no triangle has a slot.
+    // Forgets the slots of all triangles. Used before the constraints of all levels are made anew.
     void forget() { slot_of_.clear(); }
 
-    // kSpare: it has none.
+    // kSpare: the triangle has no slot.
     std::uint32_t slot_of(TriangleId t) const { return t.value < slot_of_.size() ? slot_of_[t.value] : kSpare; }
 
-    // The same if it was made for these corners: while the mesh changes, an id may be another triangle's by now.
+    // The same, but only if the slot was made for these corners; after a mesh change the id may belong to another
+    // triangle.
     std::uint32_t slot_of(TriangleId t, const std::array<std::uint32_t, 3>& corners) const {
         const std::uint32_t slot = slot_of(t);
         if (slot == kSpare) return kSpare;
@@ -195,13 +197,13 @@ class ConstraintSet {
         return slot;
     }
 
-    // Colour by colour: visit(blocks, records).
+    // Calls visit(blocks, records) for each run of blocks of one colour.
     template <class Visit>
     void for_colors(const Visit& visit) {
         for (const auto& [first, count] : coloring.runs()) visit(blocks_at(first, count), records_at(first, count));
     }
 
-    // weigh(blocks, records) makes the gains of those that wait for them.
+    // Calls weigh(blocks, records), which computes gains, for each run of dirty blocks; then clears the dirty flags.
     template <class UpdateMasses>
     void update_dirty_masses(const UpdateMasses& weigh) {
         dirty.for_runs(

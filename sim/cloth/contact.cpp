@@ -11,7 +11,7 @@
 namespace selvedge::sim {
 namespace {
 
-// By how much a distance is taken to be too large, m: never less than the collider says.
+// The assumed error of a collider's distance, m: at least 0.7 mm, and at least what the collider reports.
 float slack_margin(const Collider& body) {
     constexpr float kLeast = 0.0007F;
     return std::max(kLeast, body.max_error());
@@ -28,7 +28,7 @@ Vec4f nothing_known() {
     return {0, 0, 0, ContactKnowledge::kUnknown};
 }
 
-// A vertex that joins fabrics has the greatest of their frictions.
+// A vertex shared by several fabrics gets the largest of their friction coefficients.
 void add_friction(const Cloth& cloth, ContactState& contacts, TriangleId t) {
     const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
     const float mu = static_cast<float>(cloth.material.fabrics[triangle.panel].friction);
@@ -39,7 +39,7 @@ float longest_edge(const std::array<Vec2f, 3>& u) {
     return std::sqrt(std::max({(u[1] - u[0]).squaredNorm(), (u[2] - u[1]).squaredNorm(), (u[0] - u[2]).squaredNorm()}));
 }
 
-// The lanes of samples, by what they sample.
+// Adds and removes the samples of edges and triangles.
 class SampleLists {
  public:
     explicit SampleLists(Cloth& cloth) : cloth_(cloth), contacts_(cloth.solver.contacts) {}
@@ -70,7 +70,7 @@ class SampleLists {
  private:
     bool is_split_on_contact(EdgeId e) const { return contacts_.split && contacts_.split->allow(cloth_.mesh, e); }
 
-    // Evenly along an edge, so that no part of it is longer than the spacing.
+    // Samples an edge evenly, so that the distance between samples is at most the spacing.
     void add(EdgeId e) {
         if (is_split_on_contact(e)) return;
         const AdaptiveEdge& edge = cloth_.mesh.edge(e);
@@ -157,7 +157,8 @@ void size_contacts(Cloth& cloth, ContactState& contacts) {
     contacts.friction.resize(cloth.x.size() + 1, 0.0F);
 }
 
-// Puts out what touches, block by block: each sees where those before have moved it.
+// Handles one block of samples: queries the collider if needed, and projects samples that touch. Blocks are processed
+// in sequence, so each starts from the positions that the previous ones left.
 void meet_samples(SolverState& solver, SampleBlock& samples, const Kernels& loops, const Collider& body,
                   const ContactLimits& limits) {
     ContactBlock block;

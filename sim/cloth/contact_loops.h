@@ -1,18 +1,19 @@
 #pragma once
-// The loops that keep points of the cloth outside of a body, see kernels.h. For kernels only (sim/core/simd_level.h).
+// The kernels of contacts, which keep vertices and samples outside of a body, and vertices above the floor; for their
+// contracts see kernels.h. Include it only in kernel sources (kernels_simd.cpp; see sim/core/simd_level.h).
 #include "sim/cloth/loop_parts.h"
 
 namespace selvedge::sim {
 namespace {
 
-// Of rows of points as they stand in memory: the squared length of each, in all four places.
+// For points as stored in memory (x, y, z, w): the squared length of each, in all four of its lanes.
 [[gnu::always_inline]] inline Floats squared_lengths(Floats move) {
     const Floats squares = move * move;
     const Floats pairs = squares + lanes::shuffle<0xB1>(squares, squares);
     return pairs + lanes::shuffle<0x4E>(pairs, pairs);
 }
 
-// Moves that are longer than the longest are shortened.
+// Scales displacements down to the maximum length.
 [[gnu::always_inline]] inline Floats shortened(Floats move, Floats longest_squared) {
     const Floats squared = squared_lengths(move);
     if (lanes::bits(squared > longest_squared) == 0) [[likely]]
@@ -20,16 +21,16 @@ namespace {
     return move * lanes::sqrt(longest_squared / lanes::max(squared, longest_squared + lanes::broadcast(kTiny)));
 }
 
-// What is known of points, and what they are to do.
+// The result of looking up points in the contact cache.
 struct ContactCache {
     Xyz normal;
-    Floats height;   // above the offset surface, m
-    Ints asks;       // must ask the collider
-    Ints is_known;   // near it, and height is what it is
-    Ints may_touch;  // and below the offset surface
+    Floats height;   // above the offset surface, m, by the tangent plane
+    Ints asks;       // the point must query the collider
+    Ints is_known;   // the point has used up its slack, and the tangent plane is valid
+    Ints may_touch;  // is_known, and the point is below the offset surface
 };
 
-// x: where they are; asked and plane: what they know, with slack and height fourth.
+// x: the present positions; the other arguments: their entries in the contact cache.
 [[gnu::always_inline]] inline ContactCache near(const Xyz& x, const Xyz& asked, Floats slack, const Xyz& normal,
                                                 Floats height) {
     const Xyz moved{x.x - asked.x, x.y - asked.y, x.z - asked.z};
@@ -42,8 +43,8 @@ struct ContactCache {
     return {normal, now, is_near & is_lost, is_known, is_known & (now < 0.0F)};
 }
 
-// Where points are that lie `depth` below the offset surface (0: above), when they are put onto it and friction has
-// taken off what it does of their way from `from`.
+// Projects points that lie `depth` below the offset surface (0: above it) onto that surface, and reduces their
+// tangential displacement since `from` by friction times depth.
 [[gnu::always_inline]] inline Xyz project(const Xyz& x, const Xyz& from, const Xyz& normal, Floats depth,
                                           Floats friction) {
     const Xyz out{x.x + normal.x * depth, x.y + normal.y * depth, x.z + normal.z * depth};
@@ -55,7 +56,7 @@ struct ContactCache {
     return {out.x - slid.x * taken, out.y - slid.y * taken, out.z - slid.z * taken};
 }
 
-// kCount points that stand behind each other in memory. Lane 4 k + j holds point kCount / 4 j + k.
+// Loads kCount consecutive points. After transposition lane 4 k + j holds point kCount / 4 j + k.
 [[gnu::always_inline]] inline Rows rows_at(const float* points) {
     Rows rows;
     for (std::size_t j = 0; j < 4; ++j) rows.row[j] = lanes::load(points + j * lanes::kCount);
@@ -71,7 +72,7 @@ constexpr std::size_t lane_of_point(std::size_t i) {
     return lanes::shuffle<0xEE>(zw01, zw23);
 }
 
-// Moves of a group of points since `before` that are longer than the longest are shortened.
+// Limits the displacements of a group of points since `from` to the maximum length.
 [[gnu::always_inline]] inline Rows shortened(const Rows& was, const Rows& from, Floats longest_squared) {
     Rows rows;
     for (std::size_t j = 0; j < 4; ++j) {
@@ -87,7 +88,7 @@ constexpr std::size_t lane_of_point(std::size_t i) {
     return mu;
 }
 
-// Puts those out that are below the floor, and then those that touch the body: what is between both stays outside of
+// Projects points that are below the floor, then those that touch the body. So a point between both ends up outside of
 // the body.
 [[gnu::always_inline]] inline Rows held(const Xyz& x, const Rows& was, const Rows& from, const ContactCache& known,
                                         Ints below, const float* friction, const ContactLimits& limits) {
@@ -197,7 +198,7 @@ void answer_samples(const ContactBlock& said, const ContactLimits& limits, Sampl
     }
 }
 
-// How far each corner moves when a sample does by 1: in proportion to its share of it, if it can move.
+// The displacement of each corner that moves the sample by 1: proportional to its weight, and 0 if it cannot move.
 struct CornerShares {
     Floats s0, s1, s2;
 };
@@ -220,7 +221,8 @@ struct CornerShares {
     return {shifted(c.x0, by, shares.s0), shifted(c.x1, by, shares.s1), shifted(c.x2, by, shares.s2)};
 }
 
-// What a sample stood in when it was new it has not run into: it is lifted out of that without gaining speed.
+// A new sample may start below the offset surface. It did not move there, so it is lifted by that depth without gaining
+// velocity.
 void push_samples(SampleBlock& block, const ContactLimits& limits, float* points, float* before) {
     for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
         const Corners c = corners_of(block, at, points);

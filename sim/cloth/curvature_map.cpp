@@ -7,31 +7,31 @@
 namespace selvedge::sim {
 namespace {
 
-// Norms, the same in every frame, of curvatures (k_11, k_22, 2 k_12) and of the unit quadratics that they belong to.
+// Frame-invariant norms of curvatures (k_11, k_22, 2 k_12) and of the corresponding unit quadratics.
 const Vec3d kCurvatureNorm(1, 1, 0.5);
 const Vec3d kQuadraticNorm(1, 1, 2);
 
-// Angles are cut between the sides of an edge no more unevenly than that.
+// Minimum share of a hinge's angle for either side.
 constexpr double kLeastShare = 0.1;
 
 std::size_t next(std::size_t i) {
     return (i + 1) % 3;
 }
 
-// n n' of the normal of an edge.
+// n n' for the normal n of an edge, as (n_x^2, n_y^2, 2 n_x n_y).
 Vec3d across(const Vec2d& along) {
     return {along.y() * along.y(), along.x() * along.x(), -2 * along.x() * along.y()};
 }
 
-// Curvatures in a frame that is turned by the angle with this cosine and sine.
+// The transformation of curvatures to a frame rotated by the angle with this cosine and sine.
 Mat3d turned(double c, double s) {
     Mat3d turn;
     turn << c * c, s * s, c * s, s * s, c * c, -c * s, -2 * c * s, 2 * c * s, c * c - s * s;
     return turn;
 }
 
-// How much of a hinge's angle lies on one side, by curvatures (tangent, normal to the edge, 2 mixed): from the edge's
-// slope at its middle to the triangle's own. sign: 1 on the left of the edge, else -1.
+// The part of a hinge's angle on one side, per curvature (tangential, normal to the edge, 2 mixed): the difference of
+// the slope at the middle of the edge and the slope of the triangle. sign: 1 on the left of the edge, else -1.
 Vec3d share_of_side(const HingeSide& side, double sign) {
     const double from_middle = (side.foot - 0.5) * side.length;
     const double tangent = side.length * side.length / 4 - from_middle * from_middle;
@@ -46,13 +46,13 @@ double fitted_share(const HingeSide& own, const HingeSide& beyond) {
     return std::clamp(here.dot(weighed) / both.dot(weighed), kLeastShare, 1 - kLeastShare);
 }
 
-// Of edge i, by the heights of a, b, the corner c on this side and the apex d beyond.
+// Derivatives of a hinge's angle with respect to the heights of a, b, the corner c on this side and the apex d beyond.
 std::array<double, 4> hinge_row(const HingeSide& own, const HingeSide& beyond) {
     const double qc = 1 / own.height, qd = 1 / beyond.height;
     return {-(1 - own.foot) * qc - (1 - beyond.foot) * qd, -own.foot * qc - beyond.foot * qd, qc, qd};
 }
 
-// The angle of edge i on the unit quadratics 1/2 x^2, 1/2 y^2, 1/2 x y about its beginning.
+// The angle of hinge i on the unit quadratics 1/2 x^2, 1/2 y^2, 1/2 x y with their origin at the start of the edge.
 Eigen::RowVector3d angle_of_quadratics(const RestTriangle& triangle, std::size_t i, const Vec2d& along) {
     const HingeSide own = triangle.own_side(i), beyond = *triangle.beyond[i];
     const std::array<double, 4> q = hinge_row(own, beyond);
@@ -64,8 +64,8 @@ Eigen::RowVector3d angle_of_quadratics(const RestTriangle& triangle, std::size_t
            q[3] * at(beyond.foot * edge - beyond.height * left);
 }
 
-// The least squares of an exchange z between the maps of two triangles, at their common edge: column `edge` of either
-// changes by z / area. What keeps z small decides where the quadratics leave it open.
+// Least squares for an exchange z between the maps of two triangles at their common edge: column `edge` of each changes
+// by z / area. kKeep weights a regularisation term, which determines z where the quadratics do not.
 constexpr double kKeep = 0.02;
 
 struct Exchange {  // one side's normal equations
@@ -78,7 +78,7 @@ Exchange exchange_of(const CurvatureFit& fit, std::size_t edge) {
     return {fit.size[edge] * (seen * fit.visible + kKeep * norm), seen * fit.miss[edge]};
 }
 
-// turn: from our frame to the other's. Where no hinge is missing the norm is the same in both, and drops out.
+// turn: from own frame to the other's. If no hinge is missing, the norm is the same in both and cancels.
 Vec3d exchanged(const CurvatureFit& own, std::size_t i, const CurvatureFit& other, std::size_t edge, const Mat3d& turn,
                 const Mat3d& back) {
     if (own.is_whole && other.is_whole) {
@@ -133,8 +133,8 @@ CurvatureFit fit_curvature(const RestTriangle& triangle) {
     return fit;
 }
 
-// All hinges make their exchange at once, from the same start: what comes out does not depend on their order. Taken in
-// full, the three of a triangle would overshoot.
+// All hinges exchange at once, from the same initial maps, so the result does not depend on their order. The three full
+// exchanges of a triangle would overshoot, hence kShare.
 Mat3d curvature_map(const CurvatureFit& own, const std::array<FitBeside, 3>& beside) {
     constexpr double kShare = 0.8;
     Mat3d map = own.map;

@@ -2,13 +2,13 @@
 // The curvature of a triangle from the angles of its three hinges: k = C theta, a fixed linear map made at rest.
 //
 // As in the basic shell triangle (Onate and Zarate 2000) the curvature is the integral of the slopes over the
-// triangle's edges: an angle theta about an edge of length l and normal n gives l / area p theta n n', where p is the
-// share of the angle that lies on this side. Both sides' integrals of one hinge add up to l n n', so that bending
-// about the mean is met on every mesh (weak patch test); how the sum is divided is chosen so that quadratic surfaces
-// are met as well as possible.
+// triangle's edges: an angle theta about an edge of length l and normal n contributes l / area p theta n n', where p is
+// the share of the angle that belongs to this side. The contributions of both sides of a hinge sum to l n n', so that
+// the average curvature is exact on every mesh (weak patch test). The shares p are chosen to reproduce quadratic
+// surfaces as well as possible.
 //
 // Curvatures are (k_warp, k_weft, 2 k_twist), 1/m, in the triangle's own frame of warp and weft. Angles are positive
-// where the cloth is hollow towards the fabric's right side.
+// where the fabric's right side is concave. The header also has the material frame of a triangle (MaterialFrame).
 #include <array>
 #include <optional>
 
@@ -18,11 +18,11 @@ namespace selvedge::sim {
 
 using Mat3d = Eigen::Matrix3d;
 
-// A triangle beside an edge, as seen from that edge, at rest.
+// The shape at rest of a triangle beside an edge, relative to that edge.
 struct HingeSide {
     double length = 0;  // of the edge, m
-    double height = 0;  // of the opposite corner over it, m
-    double foot = 0;    // of that height along the edge: 0 at its beginning, 1 at its end
+    double height = 0;  // of the opposite corner above the edge, m
+    double foot = 0;    // position of the foot of that height along the edge: 0 at its start, 1 at its end
 };
 
 // Edge i lies opposite corner i and runs from corner i + 1 to corner i + 2.
@@ -32,18 +32,18 @@ struct RestTriangle {
 
     double area() const { return 0.5 * cross2(x[1] - x[0], x[2] - x[0]); }
     HingeSide own_side(std::size_t i) const;
-    // The same side for the triangle on the other side of the edge, where the edge runs the other way.
+    // The same side for use by the neighbour across the edge, which has the edge in the opposite direction.
     HingeSide side_for_neighbour(std::size_t i) const;
 };
 
-// What is known of a triangle's map without its neighbours' maps.
+// The first approximation of a triangle's map, computed without the maps of its neighbours.
 struct CurvatureFit {
-    Mat3d map = Mat3d::Zero();      // C with the shares that fit each hinge alone best
-    Mat3d angles = Mat3d::Zero();   // M: row i, the angle of hinge i on the three unit quadratics
-    Mat3d visible = Mat3d::Zero();  // the projection that takes out what only missing hinges could show
-    std::array<Vec3d, 3> miss{Vec3d::Zero(), Vec3d::Zero(), Vec3d::Zero()};   // what C M - 1 misses of it, by hinge
-    std::array<double, 3> size{};                                             // of row i of M, squared, over the area
-    bool is_whole = true;                                                     // no hinge is missing
+    Mat3d map = Mat3d::Zero();      // C with the share of each hinge fitted independently of the others
+    Mat3d angles = Mat3d::Zero();   // M: row i has the angles of hinge i on the three unit quadratics
+    Mat3d visible = Mat3d::Zero();  // projection that removes the curvatures that only missing hinges could measure
+    std::array<Vec3d, 3> miss{Vec3d::Zero(), Vec3d::Zero(), Vec3d::Zero()};   // projected error C M - 1, by hinge
+    std::array<double, 3> size{};                                             // squared norm of row i of M over area
+    bool is_whole = true;                                                     // true if no hinge is missing
     std::array<Vec2d, 3> along{Vec2d::Zero(), Vec2d::Zero(), Vec2d::Zero()};  // unit, of edge i
     double area = 0;                                                          // m^2
 };
@@ -51,24 +51,25 @@ CurvatureFit fit_curvature(const RestTriangle& triangle);
 
 struct FitBeside {
     const CurvatureFit* fit = nullptr;  // none at a boundary
-    std::size_t edge = 0;               // the shared edge's number there
+    std::size_t edge = 0;               // the index of the shared edge in the neighbour
 };
 
-// C: the triangle's fit, with one exchange with each neighbour in the least squares of what both miss. The columns of
-// missing hinges are 0.
+// C: the triangle's own fit, corrected by one exchange with each neighbour that minimises the squared errors of both.
+// The columns of missing hinges are 0.
 Mat3d curvature_map(const CurvatureFit& own, const std::array<FitBeside, 3>& beside);
 
-// Rigidities (N m) along warp, weft and of twist, where the cloth may bend freely across missing edges, so that no
-// moment is left there: what is least over the curvatures that they could add.
+// The rigidity matrix (N m) of warp, weft and twist for a triangle with free edges, across which the moment is zero:
+// the energy minimised over the curvatures normal to those edges (static condensation).
 Mat3d free_edge_rigidity(const Vec3d& rigidity, const RestTriangle& triangle);
 
-// Derivatives of the hinges' angles by the heights of the six points, 1/m: the corners, then the apex beyond each edge.
+// Derivatives of the hinge angles with respect to the heights of the six points, 1/m: corners, then the apex of each
+// edge's neighbour.
 using HingeRows = Eigen::Matrix<double, 3, 6>;
 HingeRows hinge_rows(const RestTriangle& triangle);
 
-// How a triangle's edges make up its warp and weft.  (Baraff and Witkin 1998)
+// The warp and weft directions of a triangle as combinations of its edges.  (Baraff and Witkin 1998)
 
-// With e1 = x1 - x0, e2 = x2 - x0 the deformed warp direction is a[0] e1 + a[1] e2, the deformed weft direction
+// With e1 = x1 - x0, e2 = x2 - x0 the deformed warp direction is a[0] e1 + a[1] e2 and the deformed weft direction is
 // b[0] e1 + b[1] e2. Both have length 1 at rest.
 struct MaterialFrame {
     std::array<float, 2> a{};
@@ -76,10 +77,10 @@ struct MaterialFrame {
     float area = 0;  // m^2, at rest
 };
 
-// u: the corners' material coordinates, m, counter-clockwise; grain_angle: from the panel's +y to the warp, rad.
+// u: the corners' material coordinates, m, anticlockwise; grain_angle: from the panel's +y to the warp, rad.
 MaterialFrame material_frame(const std::array<Vec2f, 3>& u, float grain_angle);
 
-// Unit, in the panel's plane.
+// Unit vectors in material coordinates.
 Vec2f warp_direction(float grain_angle);
 Vec2f weft_direction(float grain_angle);
 

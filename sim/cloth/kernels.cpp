@@ -3,8 +3,8 @@
 namespace selvedge::sim {
 namespace {
 
-// Wider is not always faster: what moves more points than it computes with does better eight by eight. Both give the
-// same bits.
+// Wider registers are not always faster: a kernel dominated by gathers and scatters runs faster with 8 lanes than with
+// 16. Both levels give the same bits.
 Kernels fastest_of_avx512() {
     Kernels loops = kernels_of<SimdLevel::Avx512>();
     const Kernels& narrower = kernels_of<SimdLevel::Avx2>();

@@ -1,7 +1,8 @@
 #pragma once
-// The inner loops of a sub-step, one set for each kind of vector instructions; for their bits see simd_level.h.
+// The inner loops of a sub-step (kernels), compiled once for each SIMD level. sim/core/simd_level.h says which levels
+// give the same bits.
 //
-// Points are four floats: x, y, z in metres and, fourth, the inverse mass (1/kg), 0 for what cannot move.
+// Points are four floats: x, y, z in metres and w, the inverse mass (1/kg), which is 0 for a vertex that cannot move.
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -14,26 +15,27 @@
 namespace selvedge::sim {
 
 struct Motion {
-    float keep = 1;               // share of the last move that goes on
-    std::array<float, 3> fall{};  // m, that every sub-step adds: acceleration times h^2
+    float keep = 1;               // factor on the last displacement: 1 - damping h
+    std::array<float, 3> fall{};  // m, displacement that each sub-step adds: acceleration times h^2
 };
 
-// Of vertices, four floats each.
+// Arrays by vertex, four floats each.
 struct CorrectedPoints {
     float* points = nullptr;
-    float* predicted = nullptr;   // before stretch and shear corrected them
-    float* start = nullptr;       // the same with the momentum of corrections
-    float* correction = nullptr;  // what stretch and shear moved them by
+    float* predicted = nullptr;   // positions before the corrections by stretch and shear
+    float* start = nullptr;       // predicted plus the momentum of corrections
+    float* correction = nullptr;  // displacement by the corrections of stretch and shear
 };
 
+// Gains and bounds of the update of the multipliers (biases).
 struct BiasGains {
-    float stretch = 0;  // share of the error that is added to the bias of warp and weft
+    float stretch = 0;  // share of the strain error that is added to the bias of warp and weft
     float shear = 0;
-    float least = -0.02F;  // of warp and weft: cloth that is held compressed must not learn to be longer
-    float most = 0.3F;
+    float least = -0.02F;  // minimum for warp and weft: cloth held compressed must not accumulate a greater length
+    float most = 0.3F;     // maximum for warp and weft
 };
 
-// The arrays of RestrictedStress. below, off: all zero before the biases are moved, and after.
+// The arrays of RestrictedStress. below and off are all zero before and after the update of the biases.
 struct StressSums {
     const float* above = nullptr;
     float* below = nullptr;
@@ -43,89 +45,96 @@ struct StressSums {
 struct ContactLimits {
     float longest_move = 0;  // m per sub-step
     float floor = 0;         // m: height of the floor's offset surface
-    float offset = 0;        // m, kept from the body
+    float offset = 0;        // m, distance kept from the body
     float margin = 0;        // m, by which a collider's distance may be too large
     float friction_scale = 1;
 };
 
-// Of sixteen samples: whether one must ask the collider, and whether one touches as far as is known.
+// For sixteen samples: whether any must query the collider, and whether any touches according to the contact cache.
 struct SampleState {
     bool asks, touches;
 };
 
 struct Kernels {
-    // Gains of constraints from the inverse masses of their vertices (1/kg; 0: cannot move), after an adaptation.
+    // Update the gains of constraints from the inverse masses of their vertices (1/kg; 0: cannot move), after an
+    // adaptation.
     void (*update_stretch_masses)(std::span<StretchBlock> blocks, std::span<const StretchRecord> records,
                                   const float* inverse_masses);
     void (*update_bend_masses)(std::span<BendBlock> blocks, std::span<BendRecord> records, const float* inverse_masses);
 
-    // The same of refined triangles. masses: of a vertex with all that follows it, kg; 0: cannot move.
+    // The same for refined triangles. masses: effective mass of a vertex with all vertices that follow it, kg; 0:
+    // cannot move.
     void (*update_coarse_bend_masses)(std::span<CoarseBendBlock> blocks, std::span<BendRecord> records,
                                       const float* masses);
 
-    // What refined triangles move their corners by. masses: of a corner with all that follows it, kg; 0: cannot move.
+    // Updates the gains of the coarse strain limits of refined triangles. masses: as above.
     void (*update_limit_masses)(std::span<LimitBlock> blocks, std::span<LimitRecord> records, const float* masses);
 
-    // Verlet: before := points, points += keep (points - before) + fall. What rounding takes from a move goes into
-    // `lost` and is added to the next one: a move is a few steps of a float long, so that a hundredth of gravity would
-    // be lost.
+    // Verlet: before := points, points += keep (points - before) + fall. The rounding error of a displacement is stored
+    // in `lost` and added to the next one (compensated summation): a displacement is only a few units in the last place
+    // of a float long, so that otherwise 1 % of gravity would be lost.
     void (*predict)(float* points, float* before, float* lost, std::size_t count, const Motion& motion);
 
-    // predicted := points, points += momentum correction, start := points; and correction := points - predicted.
+    // add_momentum: predicted := points, points += momentum * correction, start := points.
+    // keep_corrections: correction := points - predicted.
     void (*add_momentum)(const CorrectedPoints& corrected, std::size_t count, float momentum);
     void (*keep_corrections)(const CorrectedPoints& corrected, std::size_t count);
 
-    // One pass over warp, weft and shear; anchors of friction follow. With `records` the multipliers are kept. Lanes in
-    // which warp or weft was beyond the fabric's strain limit are copied into `over`, which has room for as many
-    // blocks; returns into how many. Pre: all blocks are of one colour. spare: of spare lanes.
+    // One iteration over warp, weft and shear; also moves the anchors of friction. If `records` is given, the
+    // multipliers are stored there. Constraints in which warp or weft was beyond the fabric's strain limit are copied
+    // into `over`, which has room for as many blocks; returns the number of blocks used. Pre: all blocks have one
+    // colour. spare: a block of dummy constraints, for padding.
     std::size_t (*solve_stretch)(std::span<StretchBlock> blocks, StretchRecord* records, float* points, OverBlock* over,
                                  const OverBlock& spare);
 
-    // Takes back what warp and weft are beyond the fabric's strain limit.
+    // Shortens warp and weft to the fabric's strain limit where they are longer.
     void (*limit_stretch)(std::span<const OverBlock> blocks, float* points);
 
-    // One pass over the bending of triangles; anchors of friction follow. Of refined ones, of those alone to which
-    // something was handed up. interval: of those that are visited as often as that or more often.
+    // One iteration over the bending of triangles; also moves the anchors of friction. Solves only triangles whose
+    // BendBlock::interval is at most `interval`; that excludes refined triangles to which no rigidity was passed up.
     void (*solve_bend)(std::span<BendBlock> blocks, float* points, int interval);
     void (*solve_coarse_bend)(std::span<CoarseBendBlock> blocks, float* points, int interval);
 
-    // Takes back what warp and weft of refined triangles are longer than they may be, with the shear that goes with it;
-    // with `records` the multipliers are kept.
+    // One iteration of the coarse strain limits: shortens warp and weft of refined triangles where they are too long,
+    // with a bounded shear correction. If `records` is given, the multipliers are stored there.
     void (*limit_parents)(std::span<const LimitBlock> blocks, LimitRecord* records, float* points);
 
-    // Moves the centres by half of what the ends of their edges moved since `before`.
+    // Prolongation to the centres of split edges: moves each by the mean displacement of the edge's ends since
+    // `before`.
     void (*restrict_centres)(std::span<const EdgeCentre> centres, const float* before, float* points);
 
-    // What a level of refined triangles and all that each is inside of carry, by the last multipliers. Levels go coarse
-    // to fine. above: of RestrictedStress.
+    // Sums the stress that a refined triangle and all its ancestors bear, from the last multipliers, into `above` of
+    // RestrictedStress. Called level by level, coarse to fine.
     void (*restrict_stress)(std::span<const LimitRecord> records, float* above);
 
-    // Moves each bias towards the one with which strain and stress agree with the fabric, whoever carries the stress:
-    // of leaves by what each is off by; of refined triangles, in warp and weft, by what the leaves in them are off by
-    // on an average, while their shear goes by their share of the tension. First the leaves, then the refined
-    // triangles, fine to coarse.
+    // Update the biases so that the strain approaches the one that the fabric has under the total stress of a leaf and
+    // all its ancestors. The bias of a leaf follows its own strain error. Of a refined triangle, warp and weft follow
+    // the mean strain error of its leaves, and shear follows the triangle's share of the tension. Called for the leaves
+    // first, then for the refined triangles, fine to coarse.
     void (*update_bias)(std::span<StretchBlock> blocks, std::span<const StretchRecord> records, const float* points,
                         const float* before, const BiasGains& gains, const StressSums& sums);
     void (*update_parents)(std::span<LimitBlock> blocks, std::span<LimitRecord> records, const BiasGains& gains,
                            const StressSums& sums);
 
-    // Threads rub against each other: corners lose a share of what they moved against one another since `before`, the
-    // cloth as a whole nothing.
+    // Internal damping: the corners of a triangle lose a share of their relative motion since `before`. Linear momentum
+    // is conserved.
     void (*rub)(std::span<const StretchBlock> blocks, const float* points, float* before, float share);
 
-    // Shortens what moved too far since `before`, and puts what touches the body, as far as is known, or is below the
-    // floor onto its offset surface; friction takes tangential motion since `before` off, by up to its coefficient
-    // times the depth. The offsets of the movable points that must ask the collider go into `found`; returns how many.
-    // Pre: begin and end, of points, are multiples of sixteen; found has room for all.
+    // Limits the displacement of each point since `before`. Then projects points that are below the floor, or that
+    // touch the body according to the contact cache, onto the offset surface; friction reduces the tangential motion
+    // since `before` by up to the coefficient times the depth. The offsets of the movable points that must query the
+    // collider are written to `found`; returns their number. Pre: begin and end are point indices and multiples of
+    // sixteen; found has room for all points.
     std::size_t (*hold_moves)(float* points, const float* before, const ContactKnowledge& known, const float* friction,
                               std::size_t begin, std::size_t end, const ContactLimits& limits, std::uint32_t* found);
 
-    // The same for sixteen points that have asked; notes what they now know.
+    // Projects sixteen points with the collider's results in `said`, and stores these in the contact cache.
     void (*answer_vertices)(const ContactBlock& said, const std::uint32_t* offsets, const float* friction,
                             const ContactLimits& limits, const float* before, float* points,
                             const ContactKnowledge& known);
 
-    // Where the samples are, ready to ask; notes what they now know when they have; and puts those that touch out.
+    // Three steps for sixteen samples: computes their positions for a collider query; stores the results of the query
+    // in the contact cache; projects those that touch.
     SampleState (*look_at_samples)(const SampleBlock& block, const float* points, ContactBlock& at_points);
     void (*answer_samples)(const ContactBlock& said, const ContactLimits& limits, SampleBlock& block);
     void (*push_samples)(SampleBlock& block, const ContactLimits& limits, float* points, float* before);
@@ -133,11 +142,11 @@ struct Kernels {
 
 const Kernels& kernels(SimdLevel level);
 
-// Those of one level; each is defined by the compilation of kernels_simd.cpp for that level.
+// The kernels of one level, defined by the compilation of kernels_simd.cpp for that level.
 template <SimdLevel>
 const Kernels& kernels_of();
 
-// The floats of points, as the loops take them. Pre: there is one.
+// The points as an array of floats, as the kernels take them. Pre: not empty.
 template <class Point>
 float* floats(std::vector<Point>& points) {
     return points.front().data();

@@ -1,5 +1,5 @@
-// The loops of kernels.h. CMake compiles this source once for each SimdLevel, so all of it but the last function has
-// internal linkage (sim/core/simd_level.h).
+// Collects the kernels of one SIMD level. CMake compiles this source once for each SimdLevel, so everything but the
+// last function has internal linkage (sim/core/simd_level.h).
 #include "sim/cloth/constraint_loops.h"
 #include "sim/cloth/contact_loops.h"
 #include "sim/cloth/triangle_bending_loops.h"

@@ -1,6 +1,6 @@
 #pragma once
-// What the loops of constraint_loops.h, contact_loops.h and triangle_bending_loops.h share. For kernels only
-// (sim/core/simd_level.h).
+// Functions shared by constraint_loops.h, contact_loops.h and triangle_bending_loops.h. Include it only in kernel
+// sources (kernels_simd.cpp; see sim/core/simd_level.h).
 #include <cstring>
 
 #include "sim/cloth/kernels.h"
@@ -14,8 +14,8 @@ using lanes::Ints;
 using lanes::Rows;
 using lanes::Xyz;
 
-constexpr float kTiny = 1e-18F;  // m^2, under a root
-constexpr float kMoreShear = 4;  // shear angles are that much larger than strains
+constexpr float kTiny = 1e-18F;  // added under square roots (m^2), or a lower bound of divisors
+constexpr float kMoreShear = 4;  // ratio of the bounds of the shear bias to those of warp and weft
 
 [[gnu::always_inline]] inline Floats load_at(const BlockFloats& values, std::size_t at) {
     return lanes::load(&values[at]);
@@ -31,19 +31,19 @@ constexpr float kMoreShear = 4;  // shear angles are that much larger than strai
 [[gnu::always_inline]] inline Rows difference(const Rows& a, const Rows& b) {
     return {{a.row[0] - b.row[0], a.row[1] - b.row[1], a.row[2] - b.row[2], a.row[3] - b.row[3]}};
 }
-// Each point moved by its inverse mass times what stands in its place in `by`, whose fourth floats are 0.
+// Each point moved by its inverse mass times its entry in `by`, whose w components are 0.
 [[gnu::always_inline]] inline Rows pushed(const Rows& p, const Rows& by) {
     Rows moved;
     for (int j = 0; j < 4; ++j) moved.row[j] = lanes::multiply_add(by.row[j], lanes::w_components(p.row[j]), p.row[j]);
     return moved;
 }
 
-// Of one corner of each triangle or hinge.
+// Gathers a per-vertex value for one corner of each constraint.
 [[gnu::always_inline]] inline Floats value_at(const BlockPoints& corners, std::size_t at, const float* by_vertex) {
     return lanes::gather(by_vertex, lanes::load_ints(&corners[at]) >> 2);
 }
 
-// Whether it holds for one of a block's sixteen.
+// Whether `holds` is true for at least one of a block's sixteen values.
 template <class Holds>
 [[gnu::always_inline]] inline bool has_lane(const BlockFloats& values, const Holds& holds) {
     unsigned found = 0;
@@ -54,17 +54,17 @@ template <class Holds>
     return has_lane(values, [](Floats value) { return value > 0.0F; });
 }
 
-// The nearest to `value` that is within `reach` of nil.
+// `value` clamped to [-reach, reach].
 [[gnu::always_inline]] inline Floats held_within(Floats value, Floats reach) {
     return lanes::min(lanes::max(value, -reach), reach);
 }
 
-// The deformed warp and weft directions of triangles, unit, and their lengths.
+// The deformed warp and weft directions of triangles, as unit vectors after normalise(), and their lengths.
 struct Threads {
     Xyz warp, weft;
     Floats warp_length, weft_length;
     Floats warp_direction_share,
-        weft_share;  // their lengths, at most 1: short threads turn farther, so shear moves them less
+        weft_share;  // their lengths, at most 1: a short yarn rotates further per displacement, so it moves less
 };
 
 template <class Block>
@@ -110,14 +110,14 @@ template <class Block>
     lanes::scatter_points(points, &block.vertices[2][at], c.x2);
 }
 
-// Half-way between two sub-steps: what trembles to and fro from one to the next is not seen.
+// The mean of the positions at two successive sub-steps. It filters out oscillation from one sub-step to the next.
 [[gnu::always_inline]] inline Rows middle(const Rows& a, const Rows& b) {
     Rows sum;
     for (int j = 0; j < 4; ++j) sum.row[j] = (a.row[j] + b.row[j]) * lanes::broadcast(0.5F);
     return sum;
 }
 
-// The threads of triangles, half-way between two sub-steps.
+// The yarn directions of triangles, from the mean positions of two successive sub-steps.
 template <class Block>
 [[gnu::always_inline]] inline Threads middle_threads(const Block& block, std::size_t at, const float* points,
                                                      const float* before) {
@@ -128,7 +128,7 @@ template <class Block>
     return t;
 }
 
-// Three figures of each lane.
+// Three values per lane.
 using Three = std::array<BlockFloats, 3>;
 [[gnu::always_inline]] inline Xyz load_three(const Three& rows, std::size_t at) {
     return {load_at(rows[0], at), load_at(rows[1], at), load_at(rows[2], at)};

@@ -30,7 +30,7 @@ bool has_left_reach(const Cloth& cloth) {
     });
 }
 
-// What rests was left without speed, with its anchors where it is.
+// A cloth at rest has x = x_prev = anchors; any difference means that something else moved it.
 bool was_touched(const Cloth& cloth) {
     const std::vector<Vec4f>& anchors = cloth.solver.resting.anchors;
     return std::ranges::any_of(cloth.mesh.leaf_vertices(), [&](VertexId v) {

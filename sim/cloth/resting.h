@@ -1,12 +1,12 @@
 #pragma once
-// A cloth that has come to rest is left out of the steps, whole, until something could move it.
+// Deactivation of a cloth at rest: its steps compute nothing until something could move it.
 //
-// It rests when for kRestSeconds none of its vertices was farther than kRestReach from where it stood when this time
-// began. Then it has no speed, and all that the solver has learnt stays as it is. Whoever steps it wakes it by what is
-// different: a vertex that was moved, pushed (x_prev) or is led elsewhere; another body, gravity or contact options. It
-// is also woken when its mesh, its blocks or its contacts change: adaptation, pins, fabrics, a body that has moved.
+// The cloth is at rest when, for kRestSeconds, no vertex was farther than kRestReach from its position at the start of
+// that time. Then its velocity is set to zero and the solver's state is kept. step() reactivates it if a vertex was
+// moved, got a velocity (x_prev) or has another kinematic target, or if the body, gravity or contact options differ. It
+// is also reactivated when its mesh, constraint blocks or contacts change: adaptation, pins, fabrics, a moved body.
 //
-// Parts of it do not rest by themselves: docs/solver.md says why.
+// Only the whole cloth can rest, not parts of it: docs/solver.md says why.
 #include <vector>
 
 #include "sim/cloth/contact.h"
@@ -18,31 +18,30 @@ struct Cloth;
 struct StepOptions;
 class Collider;
 
-// m and s. What swings to and fro in 2 s, as a strip of 1.5 m does, stays within the reach for so long only if it
-// swings by less than 3.4 mm (reach / (1 - cos 45 degrees)), so at 11 mm/s at most: the speed at which a drape counts
-// as settled.
+// m and s. A strip of 1.5 m swings with a period of 2 s. It stays within 1 mm for 0.5 s only if its amplitude is below
+// 3.4 mm (kRestReach / (1 - cos 45 degrees)), so its speed below 11 mm/s: the speed at which a drape counts as settled.
 inline constexpr float kRestReach = 1e-3F;
 inline constexpr float kRestSeconds = 0.5F;
 
-// m: a led vertex that is to go farther wakes the cloth. A hand goes a tenth of its way with each step.
+// m: a kinematic vertex with a target farther away than this reactivates the cloth.
 inline constexpr float kKinematicReach = 1e-5F;
 
 struct RestingState {
-    std::vector<Vec4f> anchors;  // m, by vertex: where it stood when the quiet time began
-    float quiet = 0;             // s since then
-    // What the last step went by.
+    std::vector<Vec4f> anchors;  // m, by vertex: the position when `quiet` was 0
+    float quiet = 0;             // s without motion beyond kRestReach
+    // The conditions of the last step.
     Vec3f gravity = Vec3f::Zero();
     ContactOptions contact{};
     const Collider* body = nullptr;
 };
 
-// Looks at what the next step would begin with. Returns whether the cloth rests, so that there is nothing to do; a
-// cloth that has just come to rest loses what speed it had.
+// Updates the state before a step. Returns true if the cloth is at rest, so that the step has nothing to compute. Sets
+// the velocity of a cloth that has just come to rest to zero.
 bool stays_at_rest(Cloth& cloth, const Collider& body, const StepOptions& options);
 
 bool is_at_rest(const Cloth& cloth);
 
-// It begins to be quiet anew.
+// Reactivates the cloth: the time without motion starts again from 0.
 void wake(Cloth& cloth);
 
 }  // namespace selvedge::sim

@@ -1,14 +1,14 @@
 #pragma once
-// What the solver's inner loops read: constraints in blocks of sixteen that share no vertex, one array per figure, with
-// everything that does not change between two adaptations worked out beforehand.
+// The data of the solver's inner loops: constraints in blocks of sixteen that share no vertex, as structures of arrays.
+// Everything that does not change between two adaptations is precomputed. See docs/solver.md for the method.
 //
-// Stretch and shear after Baraff and Witkin (1998), conditions on the deformed warp and weft directions of a triangle;
-// bending by the curvature of triangles (curvature_map.h); both as compliant constraints, visited once per sub-step
-// (Macklin et al. 2019, "Small Steps"), so that stiffness has units.
+// Stretch and shear: conditions on the deformed warp and weft directions of a triangle (Baraff and Witkin 1998).
+// Bending: the curvature of triangles (curvature_map.h). Both are compliant constraints, solved with one iteration per
+// sub-step (Macklin et al. 2019, "Small Steps"), so that stiffness has physical units.
 //
-// Of stretch, one visit per sub-step is not enough to reach the strain that belongs to a load: cloth would hang too
-// long. So each condition has a bias, which is moved slowly until strain and stress agree with the fabric
-// (update_bias).
+// For stretch, one iteration per sub-step does not reach the strain that a load requires: cloth would hang too long. So
+// each condition has a multiplier (bias) in units of strain, which is updated slowly until strain and stress agree with
+// the fabric (Kernels::update_bias).
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -24,76 +24,79 @@ namespace selvedge::sim {
 
 inline constexpr std::size_t kBlock = 16;
 using BlockFloats = std::array<float, kBlock>;
-using BlockPoints = std::array<std::uint32_t, kBlock>;  // four times a vertex's index: where its floats begin
+using BlockPoints = std::array<std::uint32_t, kBlock>;  // offset of a vertex's floats: four times its index
 
-// Warp, weft and shear of leaf triangles. With e1 = x1 - x0, e2 = x2 - x0 the deformed warp direction is a0 e1 + a1 e2,
-// the deformed weft direction b0 e1 + b1 e2; both have length 1 at rest.
+// Warp, weft and shear of leaf triangles. With e1 = x1 - x0, e2 = x2 - x0 the deformed warp direction is a0 e1 + a1 e2
+// and the deformed weft direction is b0 e1 + b1 e2; both have length 1 at rest.
 struct alignas(64) StretchBlock {
     std::array<BlockPoints, 3> vertices{};
     std::array<BlockFloats, 2> a{}, b{};
-    BlockFloats warp{}, weft{}, shear{};  // 1 / (sum of w |grad|^2 + compliance); of shear: what is left of it when
-                                          // warp and weft have been eliminated
+    BlockFloats warp{}, weft{}, shear{};  // gains 1 / (sum of w |grad|^2 + compliance); of shear after elimination of
+                                          // warp and weft
     BlockFloats cross{};                  // sum of w grad grad between shear and warp, and between shear and weft
     BlockFloats longest{};                // length of warp and weft at the fabric's strain limit
     BlockFloats push{};                   // 1, or 0 where a seam gathers the cloth: compression is not resisted
-    std::array<BlockFloats, 3> bias{};    // of warp, weft and shear: added to the strain that is seen
-    BlockFloats stick{}, slip{};          // friction in shear: what it adds per strain beyond the anchor, and how far
-    BlockFloats anchor{};                 // the strain may be from it before it follows
+    std::array<BlockFloats, 3> bias{};    // of warp, weft and shear: added to the measured strain
+    BlockFloats stick{}, slip{};          // friction in shear: spring stiffness, relative to the fabric's; and the
+    BlockFloats anchor{};                 // maximum distance of the strain from the anchor, which then follows
 };
 
-// Shares of what meets the conditions at once that a visit takes. With all of a leaf's, neighbours that share vertices
-// drive each other to and fro, and every sub-step turns that into speed; of a refined triangle's excess half, for what
-// is left the levels below see.
+// Relaxation: the share of the full correction that one iteration applies. With all of a leaf's correction, neighbours
+// that share vertices make each other oscillate, and each sub-step turns this into velocity. Coarse strain limits apply
+// half of their correction, because the finer levels correct the rest.
 inline constexpr float kLeafShare = 0.75F;
 inline constexpr float kLimitShare = 0.5F;
 
-// kappa, the share of the corrections of stretch and shear that a vertex makes again in the next sub-step, before the
-// constraints are visited: what one visit cannot reach adds up over the sub-steps, 1 / (1 - kappa) times as far. A
-// visit that takes a small share of a mode's error is stable with it below 1/2 (the roots of (z - kappa)(z^2 - 2 z + 1)
-// + beta kappa z^2 for beta to 0). So the constraints themselves have (1 - kappa) of the fabric's stiffness. It needs
-// no state of constraints, so nothing is handed over when the mesh changes.
+// kappa, momentum of corrections: the share of the last sub-step's corrections of stretch and shear that each vertex
+// repeats before the constraints are solved. Corrections accumulate over the sub-steps to 1 / (1 - kappa) times their
+// size. For modes of which an iteration removes a small share beta of the error, it is stable below kappa = 1/2 (roots
+// of (z - kappa)(z^2 - 2 z + 1) + beta kappa z^2 for beta -> 0; docs/solver.md). So that the total stiffness is right,
+// constraints have (1 - kappa) of the fabric's. No state per constraint is needed, so none is transferred when the mesh
+// changes.
 inline constexpr float kMomentum = 0.3F;
 
+// Offset of a triangle's four floats in the arrays of RestrictedStress; kNoPlace stands for no triangle.
 inline constexpr std::uint32_t kNoPlace = 0;
 inline std::uint32_t place_of(TriangleId t) {
     return 4 * (t.value + 1);
 }
 
-// What is needed now and then besides: the last multipliers of warp, weft and shear, and the compliances over a
-// sub-step.
+// Data of stretch constraints that only some operations need: the last multipliers of warp, weft and shear, and the
+// compliances over a sub-step.
 struct alignas(64) StretchRecord {
     std::array<BlockFloats, 3> multiplier{};
     std::array<BlockFloats, 3> compliance{};
-    BlockPoints parent{};   // the place of what carries the leaf's tension with it, in RestrictedStress
-    BlockFloats of_area{};  // the leaf's, of its parent's
+    BlockPoints parent{};   // offset of the leaf's parent triangle in RestrictedStress
+    BlockFloats of_area{};  // area of the leaf over that of its parent
 };
 
-// However cloth folds, the flat triangle through three of its points stretches a thread hardly more than the cloth is
-// stretched: a refined triangle is a one-sided limit. Its corners weigh what hangs on them, so that it carries
-// with ease what the leaves in it can not: it has a bias too, and what it carries counts as stress of the leaves.
+// Coarse strain limits of refined triangles. However cloth folds, the flat triangle through three of its points
+// stretches a yarn hardly more than the cloth itself is stretched. So a limit is one-sided: it only shortens. It moves
+// its corners with the masses of all vertices that follow them, so that one iteration transmits tension over a longer
+// distance than that of leaves does. It has a bias too, and the stress that it bears counts as stress of its leaves.
 struct alignas(64) LimitBlock {
     std::array<BlockPoints, 3> vertices{};
     std::array<BlockFloats, 2> a{}, b{};
-    BlockFloats longest_warp{}, longest_weft{};  // lengths of the directions above which they are taken back
-    BlockFloats shear{};                         // multiplier of shear, as far as the tensions allow it
-    std::array<BlockFloats, 2> gain{};           // multipliers of warp and weft per unit of excess
-    std::array<BlockFloats, 3> warp{}, weft{};   // what each vertex moves along the direction per unit of multiplier, m
+    BlockFloats longest_warp{}, longest_weft{};  // maximum lengths of the warp and weft directions
+    BlockFloats shear{};                         // multiplier of shear; its bound depends on the tensions
+    std::array<BlockFloats, 2> gain{};           // multipliers of warp and weft per unit of relative excess length
+    std::array<BlockFloats, 3> warp{}, weft{};   // displacement of each vertex along the direction per multiplier, m
 };
 
-// What update_parents needs besides. Stress is by the stiffness: the strain that the fabric should have.
+// Data for Kernels::update_parents. Stress is divided by stiffness: it is the strain that the fabric has under it.
 struct alignas(64) LimitRecord {
-    BlockPoints place{}, parent{};             // places in RestrictedStress
-    BlockFloats of_area{};                     // the triangle's, of its parent's
-    std::array<BlockFloats, 2> free_length{};  // of warp and weft: the length that they may have without any bias
-    std::array<BlockFloats, 3> bias{};         // how much shorter than that they are held; and of shear
+    BlockPoints place{}, parent{};             // offsets of the triangle and of its parent in RestrictedStress
+    BlockFloats of_area{};                     // area of the triangle over that of its parent
+    std::array<BlockFloats, 2> free_length{};  // maximum length of warp and weft at a bias of 0
+    std::array<BlockFloats, 3> bias{};         // of warp and weft: reduction of that length; and of shear
     std::array<BlockFloats, 3> multiplier{};   // the last ones, of warp, weft and shear
     std::array<BlockFloats, 3> compliance{};   // over a sub-step
-    std::array<BlockFloats, 3> per_stress{};   // bias that makes a unit of stress
-    BlockFloats per_shear{};                   // multiplier that a unit of the bias of shear makes
-    BlockFloats easy_shear{};                  // stress that what is inside carries well by itself
+    std::array<BlockFloats, 3> per_stress{};   // bias per unit of stress
+    BlockFloats per_shear{};                   // multiplier of shear per unit of its bias
+    BlockFloats easy_shear{};                  // shear stress that the inner triangles can bear without this limit
 };
 
-// Copies of the lanes of stretch blocks of one colour that were beyond the fabric's strain limit, side by side.
+// Copies of the stretch constraints of one colour that were beyond the fabric's strain limit, packed without gaps.
 struct alignas(64) OverBlock {
     std::array<BlockPoints, 3> vertices{};
     std::array<BlockFloats, 2> a{}, b{};
@@ -101,64 +104,66 @@ struct alignas(64) OverBlock {
     BlockFloats longest{};
 };
 
-// Sums over warp, weft and shear, and a spare: of each triangle behind its id, and first a place for no triangle.
+// Sums of warp, weft and shear (and padding), passed between levels. Entry 0 stands for no triangle, entry id + 1 for
+// triangle id. Stresses are divided by stiffness, as in LimitRecord.
 struct RestrictedStress {
-    std::vector<Vec4f> above;  // stress that a refined triangle and all that it is inside of carry
-    std::vector<Vec4f> below;  // scratch: mean stress of what is inside of it
-    std::vector<Vec4f> off;    // scratch: mean strain of warp and weft that the leaves in it are off by
+    std::vector<Vec4f> above;  // stress that a refined triangle and all its ancestors bear
+    std::vector<Vec4f> below;  // scratch: mean stress that its inner triangles bear
+    std::vector<Vec4f> off;    // scratch: mean strain error of warp and weft of the leaves in it
 };
 
-// Of a triangle of which no bending is asked: more than any interval of visits.
+// The interval of a triangle that bends with no rigidity: larger than any interval that is solved.
 inline constexpr float kNeverVisited = 8;
 
-// Bending of a triangle: its curvature is a fixed linear map of the angles of its three hinges (curvature_map.h), its
-// energy 1/2 area k' D k with the rigidities D along warp, weft and of twist; the three hinges are solved together, as
-// compliant constraints. Hinge i is the edge from corner i + 1 to corner i + 2. Multipliers are of moments times a
-// sub-step's square, N m s^2.
+// Bending of a triangle: its curvature k is a fixed linear map of the angles of its three hinges (curvature_map.h), its
+// energy is 1/2 area k' D k with the rigidities D along warp, weft and of twist. The three hinges are solved together
+// as compliant constraints. Hinge i is the edge from corner i + 1 to corner i + 2. Multipliers are moments times the
+// square of a sub-step, N m s^2.
 //
-// Internal friction acts on the curvatures along warp, weft and of twist: a spring from each to an anchor, which
-// follows where the spring would pull harder than the fabric's friction (Prandtl's element, Jenkins' cell).
+// Internal friction acts on the curvatures along warp, weft and of twist: a spring connects each to an anchor, which
+// follows where the spring would exceed the fabric's friction (Prandtl element, Jenkins cell).
 struct alignas(64) BendBlock {
-    std::array<BlockPoints, 6> vertices{};  // the corners, then the apex beyond each edge; where there is none the
-                                            // corner opposite to the edge
+    std::array<BlockPoints, 6> vertices{};  // the corners, then the apex beyond each edge; if there is none, the corner
+                                            // opposite to the edge
     std::array<BlockFloats, 3> own{},
-        beyond{};  // 1 / height of corner and apex over the edge at rest, 1/m; 0: no hinge
+        beyond{};  // 1 / height of corner and apex above the edge at rest, 1/m; 0: no hinge
     std::array<BlockFloats, 3> own_foot{},
-        beyond_foot{};                     // of those heights along the edge: 0 at its beginning, 1 at its end
+        beyond_foot{};                     // feet of those heights along the edge: 0 at its start, 1 at its end
     std::array<BlockFloats, 6> gain{};     // multiplier per angle, symmetric: 00 11 22 01 02 12
-    BlockFloats realised{};                // share of the fabric's rigidity that its visits make
-    BlockFloats interval{};                // sub-steps from one visit to the next: 1, 2 or kNeverVisited
-    BlockFloats has_friction{};            // 1 or 0: what follows is of those
+    BlockFloats realised{};                // share of the fabric's rigidity that this triangle applies
+    BlockFloats interval{};                // sub-steps between two solves: 1, 2 or kNeverVisited
+    BlockFloats has_friction{};            // 1 or 0: whether the following values are used
     std::array<BlockFloats, 9> map{};      // curvature per angle, by rows: warp, weft, 2 twist; 1/m
-    std::array<BlockFloats, 9> settled{};  // the same per angle that is seen, when all have had their turn
-    std::array<BlockFloats, 3> stick{};    // multiplier per curvature beyond the anchor
-    std::array<BlockFloats, 3> slip{};     // 1/m, how far a curvature may be from its anchor before that follows
+    std::array<BlockFloats, 9> settled{};  // curvature expected after the whole iteration, per angle before it; 1/m
+    std::array<BlockFloats, 3> stick{};    // multiplier per difference of curvature from the anchor
+    std::array<BlockFloats, 3> slip{};     // 1/m, maximum difference of a curvature from its anchor, which then follows
     std::array<BlockFloats, 3> anchor{};   // 1/m
 };
 
-// The same of a refined triangle. Its vertices weigh what follows them: one visit of a triangle makes at most a
-// stiffness that its masses can follow within a sub-step, and there coarse triangles can do 16 times as much as those
-// of the next level. So every triangle takes of the rigidity and friction what it can, and hands the rest up.
+// The same for a refined triangle. Its vertices have the masses of all vertices that follow them. One iteration of a
+// triangle can apply at most the stiffness that its masses can follow within a sub-step; for a coarse triangle that is
+// 16 times as much as one level deeper. So each triangle applies as much of the rigidity and friction as it can, and
+// passes the rest up to its parent.
 struct alignas(64) CoarseBendBlock : BendBlock {
     std::array<BlockFloats, 6> inverse_mass{};  // 1/kg, of the vertices
 };
 
-// What weighing needs besides: figures of the fabric over a sub-step, for the whole of the rigidity.
+// Data for the update of the gains: values of the fabric over a sub-step, for the full rigidity.
 struct alignas(64) BendRecord {
     std::array<BlockFloats, 6> stiffness{};  // multiplier per angle, symmetric as BendBlock::gain
-    std::array<BlockFloats, 3> rigidity{};   // multiplier per curvature, of warp, weft and twist by themselves
-    std::array<BlockFloats, 3> friction{};   // multiplier at most
-    BlockPoints parent{};                    // place of the refined triangle that it is inside of, or kNoPlace
-    BlockFloats of_area{};                   // the triangle's, of its parent's
-    BlockFloats asked{};                     // share of the rigidity: 1 of leaves, else what was handed up
-    BlockFloats handed_up{};                 // what is left of that
+    std::array<BlockFloats, 3> rigidity{};   // multiplier per curvature, of warp, weft and twist separately
+    std::array<BlockFloats, 3> friction{};   // maximum multiplier
+    BlockPoints parent{};                    // offset of the parent triangle (see place_of), or kNoPlace
+    BlockFloats of_area{};                   // area of the triangle over that of its parent
+    BlockFloats asked{};                     // requested share of the rigidity: 1 for leaves, else what was passed up
+    BlockFloats handed_up{};                 // remaining share, passed up to the parent
 };
 
-// Friction's springs are that much stiffer than the fabric: it slips at a small part of the curvatures or shears over
-// which its loop is measured, and the solver need not follow anything harder.
+// Ratio of the spring of friction in shear to the fabric's shear stiffness: friction slips at a small part of the shear
+// over which its hysteresis loop is measured. A stiffer spring would be harder to solve. (For bending see kBendStick.)
 inline constexpr float kStick = 4;
 
-// The centre of a split edge: it follows what the ends are moved. Offsets as in BlockPoints.
+// The centre of a split edge, which follows the displacements of the ends. Offsets as in BlockPoints.
 struct EdgeCentre {
     std::uint32_t a = 0;
     std::uint32_t b = 0;
@@ -167,9 +172,10 @@ struct EdgeCentre {
 
 inline constexpr std::uint32_t kSpare = UINT32_MAX;
 
-// Single lanes of blocks: rows of sixteen values of four bytes, `vertices` the first of them.
+// Access to single lanes. A block consists of rows of sixteen values of four bytes; `vertices` are the first rows.
 
-// Spare lanes stand on a point of its own behind those of the mesh, which cannot move.
+// A block of dummy constraints. All their vertices are the dummy vertex, whose index is one past those of the mesh and
+// which cannot move.
 template <class Block>
 Block spare_block(std::size_t spare_point) {
     Block block{};
@@ -184,7 +190,7 @@ Block spare_block(std::size_t spare_point) {
     return block;
 }
 
-// Compliances that only keep the gains of spare lanes finite.
+// The record of such a block. Its compliances only keep the gains finite.
 template <class Record>
 Record spare_record() {
     Record record{};
@@ -208,7 +214,7 @@ void copy_lane(const Block& from, Block& to, std::size_t at) {
     }
 }
 
-// Three figures of one lane.
+// Three values of one lane.
 inline Vec3f lane_of(const std::array<BlockFloats, 3>& rows, std::size_t at) {
     return {rows[0][at], rows[1][at], rows[2][at]};
 }
@@ -216,7 +222,7 @@ inline void set_lane(std::array<BlockFloats, 3>& rows, std::size_t at, const Vec
     for (std::size_t k = 0; k < 3; ++k) rows[k][at] = values[static_cast<Eigen::Index>(k)];
 }
 
-// Vertex indices.
+// The vertex indices of one lane.
 template <class Block>
 auto corners_at(const Block& block, std::size_t at) {
     std::array<std::uint32_t, std::tuple_size_v<decltype(Block::vertices)>> corners{};

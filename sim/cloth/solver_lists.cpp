@@ -13,8 +13,8 @@
 namespace selvedge::sim {
 namespace {
 
-// Whether a seam edge of the triangle has to be shorter than the triangle's own copy of it: there the cloth is
-// gathered, in puckers finer than the mesh.  (SPEC 3.2)
+// Whether the rest length of a seam edge is more than 5 % below its length in the triangle's own panel: there the cloth
+// is gathered, in puckers finer than the mesh.  (rest lengths of seams: thesis 4.3.1)
 bool has_gathered_side(const AdaptiveMesh& mesh, const AdaptiveTriangle& triangle) {
     constexpr float kEase = 0.95F;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -32,8 +32,8 @@ bool has_gathers(const AdaptiveMesh& mesh) {
     return false;
 }
 
-// Puckers go on through what touches a gathered side by a corner alone: were it to resist, its sides would be too long
-// for the triangles between them, whose third side is gathered, and stretch those.
+// Triangles that touch a gathered side only by a corner count as gathered too. If they resisted compression, their
+// sides would be too long for the triangles between them, whose third side is gathered, and would stretch those.
 bool is_gathered(const AdaptiveMesh& mesh, const AdaptiveTriangle& leaf) {
     for (const VertexId corner : leaf.vertices) {
         for (const TriangleId t : mesh.triangles_at(corner)) {
@@ -44,7 +44,7 @@ bool is_gathered(const AdaptiveMesh& mesh, const AdaptiveTriangle& leaf) {
     return false;
 }
 
-// All but the gains. t: a leaf.
+// Fills everything but the gains. t: a leaf.
 void set_stretch(Cloth& cloth, TriangleId t, std::uint32_t slot) {
     const AdaptiveTriangle& leaf = cloth.mesh.triangle(t);
     Constraints& constraints = cloth.solver.constraints;
@@ -119,7 +119,7 @@ void forget_triangles(SolverState& solver) {
     for (std::vector<Vec4f>* sums : {&carried.above, &carried.below, &carried.off}) sums->clear();
 }
 
-// Slots that are put in one by one lie less well in memory than those that are put in all at once.
+// Whether all blocks should be made anew: inserting slots one by one gives a worse memory layout than make().
 bool is_fragmented(const Cloth& cloth) {
     const std::size_t leaves = cloth.mesh.leaf_triangles().size();
     const SolverState& solver = cloth.solver;
@@ -184,10 +184,10 @@ void change_blocks(Cloth& cloth) {
 
 namespace {
 
-// A refined triangle lets its threads grow by what the fabric gives under the load that garments usually carry.
+// The free length of a coarse strain limit: yarns may stretch as the fabric does under a usual load.
 float longest_of(double stiffness, const Fabric& fabric) {
-    constexpr double kUsualLoad = 2.5;  // N/m: a shirt hangs from its shoulders with some 1.6
-    constexpr double kLeast = 0.005;    // the flat triangle through the corners of bent cloth is off by some of that
+    constexpr double kUsualLoad = 2.5;  // N/m: a shirt hangs from its shoulders with about 1.6
+    constexpr double kLeast = 0.005;    // strain error of the flat triangle through the corners of bent cloth
     return 1 + static_cast<float>(std::min(fabric.strain_limit, std::max(kLeast, kUsualLoad / stiffness)));
 }
 
@@ -197,7 +197,7 @@ void forget_stress(RestrictedStress& carried, TriangleId t) {
     carried.above[t.value + 1].setZero();
 }
 
-// All but the gains and what the corners are moved. t: refined.
+// Fills everything but the values that depend on masses. t: refined.
 void set_limit(Cloth& cloth, TriangleId t, std::uint32_t slot) {
     const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
     Limits& limits = cloth.solver.constraints.parents[triangle.level].limits;
@@ -220,10 +220,10 @@ void set_limit(Cloth& cloth, TriangleId t, std::uint32_t slot) {
     for (std::vector<Vec4f>* sums : {&carried.below, &carried.off}) (*sums)[t.value + 1].setZero();
 }
 
-// Stress of shear that what is inside a refined triangle carries well by itself. A triangle gives so much stress per
-// unit of its bias.
+// Adds a triangle's part of easy_shear (LimitRecord) to its parent: kEasyBias times the stress per unit of its bias
+// (per_bias), plus what its inner triangles bear (inside), weighted by area.
 void add_easy_shear(SolverLists& lists, std::uint32_t parent, float of_area, float per_bias, float inside) {
-    constexpr float kEasyBias = 0.05F;  // more of it takes long to be learnt
+    constexpr float kEasyBias = 0.05F;  // a larger shear bias takes too long to accumulate
     lists.easy_shear[parent / 4] += of_area * (kEasyBias * per_bias + inside);
 }
 
@@ -260,7 +260,7 @@ void make_limits(Cloth& cloth, int level) {
         [&](TriangleId t, std::uint32_t slot) { set_limit(cloth, t, slot); });
 }
 
-// One that was released was a leaf by then, and one whose id is another's now is looked at as that.
+// A released triangle was a leaf by then. An id that is in use again is treated as its new triangle.
 void change_limits(Cloth& cloth, const LeafChanges& changes) {
     Constraints& constraints = cloth.solver.constraints;
     const std::size_t spare_point = cloth.solver.lists.vertices;
@@ -292,9 +292,9 @@ void list_centres(Cloth& cloth) {
     }
 }
 
-// A refined triangle moves the cloth about its vertices with it. So a vertex weighs as much there as all that follows
-// it: its own mass, and half of that of each centre between it and another. Then no correction changes the momentum.
-// Sums of floats in doubles: the same in any order.
+// A refined triangle moves the cloth around its corners along. So the effective mass of a vertex includes all vertices
+// that follow it: its own mass plus half of the effective mass of each edge centre between it and another vertex. Then
+// corrections conserve linear momentum. Floats are summed in doubles, so the order does not matter.
 void list_limit_masses(Cloth& cloth) {
     SolverState& solver = cloth.solver;
     SolverLists& lists = solver.lists;
@@ -320,7 +320,7 @@ void list_limit_masses(Cloth& cloth) {
     }
 }
 
-// Easy shear is summed up for all: nearly each sum holds something that changed.
+// easy_shear is recomputed for all triangles, because nearly every sum contains a changed value.
 void update_limit_masses(Cloth& cloth, const Kernels& loops) {
     SolverState& solver = cloth.solver;
     add_easy_shear_of_leaves(solver);
@@ -335,7 +335,7 @@ void update_limit_masses(Cloth& cloth, const Kernels& loops) {
 
 namespace {
 
-// Calls visit(v) for each vertex whose value changed, and keeps the new values.
+// Calls visit(v) for each vertex whose value changed, and stores the new values in `kept`.
 template <class Visit>
 void for_changed(const std::vector<float>& now, std::vector<float>& kept, const Visit& visit) {
     constexpr std::size_t kChunk = 16;
@@ -356,7 +356,7 @@ void mark(Set& set, TriangleId t) {
     if (slot != kSpare) set.dirty.mark_slot(slot);
 }
 
-// Of a leaf vertex: the leaves round it, and those beyond them, of whose bending it is an apex.
+// Marks the leaves round a leaf vertex, and their neighbours opposite to it, in whose bending it is an apex.
 void mark_leaves_round(Cloth& cloth, VertexId v) {
     Constraints& constraints = cloth.solver.constraints;
     for (const TriangleId t : cloth.mesh.triangles_at(v)) {
@@ -371,8 +371,8 @@ void mark_leaves_round(Cloth& cloth, VertexId v) {
     }
 }
 
-// Of refined triangles of a level: the blocks that hold a vertex whose mass changed. Coarse corners carry all that is
-// below them, so that a few changes reach many, and looking at all is cheaper than going from vertex to vertex.
+// Marks the blocks of refined triangles that contain a vertex with a changed mass. Coarse corners include the masses of
+// all vertices that follow, so a few changes affect many; testing all blocks is cheaper than going vertex by vertex.
 template <class Set>
 void mark_blocks_with(Set& set, const std::vector<std::uint8_t>& is_changed) {
     for (std::size_t i = 0; i < set.blocks.size(); ++i) {
@@ -388,9 +388,9 @@ void mark_round_changed_masses(Cloth& cloth) {
     SolverLists& lists = cloth.solver.lists;
     lists.inverse_masses.resize(cloth.inverse_mass.size());
     for_changed(cloth.inverse_mass, lists.inverse_masses, [&](VertexId v) {
-        if (cloth.inverse_mass[v.value] > 0) mark_leaves_round(cloth, v);  // else it is gone, or all round it is new
+        if (cloth.inverse_mass[v.value] > 0) mark_leaves_round(cloth, v);  // else removed, or all constraints are new
     });
-    lists.inverse_masses.push_back(0.0F);  // of the spare point
+    lists.inverse_masses.push_back(0.0F);  // of the dummy vertex
     for (std::size_t level = 0; level < lists.masses.size(); ++level) {
         bool has_changed = false;
         lists.is_changed.assign(lists.masses_now[level].size(), 0);

@@ -1,6 +1,6 @@
 #pragma once
-// Makes the constraints from the leaves of a cloth and from its hierarchy, and keeps them up to date. For gains see
-// effective_masses.h.
+// The constraints of a cloth: makes them from its leaves and refined triangles, updates them after an adaptation, and
+// computes their gains (effective masses).
 #include "sim/adaptive/adaptive_mesh.h"
 #include "sim/cloth/constraint_set.h"
 #include "sim/cloth/curvature_map.h"
@@ -10,33 +10,33 @@ namespace selvedge::sim {
 
 struct Cloth;
 
-// The refined triangle that another is inside of.
+// The parent of a triangle: the refined triangle that contains it.
 struct ParentOf {
-    std::uint32_t place = kNoPlace;  // in RestrictedStress
-    float of_area = 1;               // share of the parent's area
+    std::uint32_t place = kNoPlace;  // offset in RestrictedStress
+    float of_area = 1;               // area of the triangle over that of the parent
 };
 
-// The refined triangles of one level, and the centres of its split edges.
+// The constraints of the refined triangles of one level, and the centres of its split edges.
 struct ParentLevel {
     ConstraintSet<LimitBlock, LimitRecord> limits;
     ConstraintSet<CoarseBendBlock, BendRecord> bend;
-    std::vector<EdgeCentre> centres;  // that may move
-    float interval = kNeverVisited;   // sub-steps from one visit of its bending to the next: the shortest of all
+    std::vector<EdgeCentre> centres;  // only those that can move
+    float interval = kNeverVisited;   // the minimum of BendBlock::interval over the level
 };
 
 // The constraints of a cloth.
 struct Constraints {
     ConstraintSet<StretchBlock, StretchRecord> stretch;  // of leaves
     ConstraintSet<BendBlock, BendRecord> bend;           // of leaves
-    std::vector<ParentLevel> parents;                    // coarse to fine
+    std::vector<ParentLevel> parents;                    // by level, coarse to fine
     RestrictedStress carried;
     std::vector<std::uint32_t> triangle_of;  // by slot of stretch: the TriangleId, or kSpare
     std::vector<float> thirds;               // by slot of stretch: a third of the leaf's mass, kg
 };
 
-// Scratch of triangle_bending.cpp, in the memory of the last time.
+// Scratch memory of triangle_bending.cpp, reused between calls.
 struct FitScratch {
-    std::vector<std::uint32_t> place_of;  // by TriangleId, in `fits`; kSpare: not made
+    std::vector<std::uint32_t> place_of;  // by TriangleId: index in `fits`; kSpare: not made
     std::vector<TriangleId> made;
     std::vector<CurvatureFit> fits;
 };
@@ -45,48 +45,49 @@ struct TouchedScratch {
     std::vector<std::uint8_t> marks;  // by TriangleId
 };
 
-// What making and weighing constraints needs besides.
+// Data for making constraints and their gains.
 struct SolverLists {
     std::vector<ParentOf> parent_of;  // by TriangleId
-    std::size_t vertices = 0;         // the spare point's index; 0: none were made yet
-    std::size_t inserted = 0;         // leaves since all were made anew
-    bool has_gathers = false;         // a seam that gathers one of its sides
-    // Masses by vertex, and of the spare point, that the gains were made for: 1/kg; and by level, kg, each with all
-    // that follows it where a refined triangle of that level moves it.
+    std::size_t vertices = 0;         // the dummy vertex' index; 0: no constraints were made yet
+    std::size_t inserted = 0;         // number of leaves inserted since all constraints were made anew
+    bool has_gathers = false;         // whether a seam gathers one of its sides
+    // The masses that the gains were computed for. By vertex, including the dummy vertex: inverse masses, 1/kg. By
+    // level and vertex: effective masses for the refined triangles of that level, kg, including all vertices that
+    // follow.
     std::vector<float> inverse_masses;
     std::vector<std::vector<float>> masses;
 
-    // Scratch. What one pass over stretch found, from the first of the blocks that it looked at on; and how many blocks
-    // of it there are, by run of blocks.
+    // Scratch. `over`: copies of the stretch constraints beyond the strain limit; those of a run of blocks start at the
+    // index of its first block. `over_counts`: the number of blocks of such copies, by run.
     std::vector<OverBlock> over;
     std::vector<std::size_t> over_counts;
-    OverBlock spare{};  // of spare slots
+    OverBlock spare{};  // a block of dummy constraints
     FitScratch fits;
     TouchedScratch touched;
     std::vector<std::uint32_t> idle_bends;  // slots
-    std::vector<float> asked;               // as places: share of the rigidity that was handed up
-    std::vector<float> easy_shear;          // as places, see LimitRecord
+    std::vector<float> asked;               // by triangle id + 1: share of the rigidity passed up to it
+    std::vector<float> easy_shear;          // by triangle id + 1, see LimitRecord
     std::vector<std::vector<float>> masses_now;
     std::vector<double> mass_sums;
     std::vector<std::uint8_t> is_changed;  // by vertex
 };
 
-// Makes all blocks anew, in the memory that they have. Pre: masses are those of the present leaves.
+// Makes all blocks anew, reusing their memory. Pre: masses are those of the present leaves.
 void make_blocks(Cloth& cloth);
 
-// After an adaptation: the slots of what went, by mesh.changes(), are given to what came. Makes all anew where that
-// is more expensive, or where the blocks were made for fewer vertices. Pre: masses are those of the present leaves; the
-// blocks were those of the leaves before.
+// After an adaptation: removes and inserts constraints according to mesh.changes(). Makes all anew if the blocks have
+// become fragmented or the vertex capacity has changed. Pre: masses are those of the present leaves; the blocks are
+// those of the leaves before the adaptation.
 void change_blocks(Cloth& cloth);
 
-// While an adaptation is under way: t has other triangles inside.
+// Updates the parent of t's inner triangles after a transition of t, during an adaptation.
 void note_children(Cloth& cloth, TriangleId t);
 
 inline std::array<std::uint32_t, 3> indices(const std::array<VertexId, 3>& v) {
     return {v[0].value, v[1].value, v[2].value};
 }
 
-// The corners and directions of a triangle, a leaf or a parent.
+// Sets the corners and the warp and weft directions of a triangle, leaf or refined.
 template <class Block>
 void set_frame(Block& block, std::size_t at, const std::array<VertexId, 3>& v, const MaterialFrame& frame) {
     for (std::size_t i = 0; i < 3; ++i) block.vertices[i][at] = 4 * v[i].value;
@@ -96,11 +97,11 @@ void set_frame(Block& block, std::size_t at, const std::array<VertexId, 3>& v, c
     }
 }
 
-// 1/(kg m^2), over a sub-step, of a triangle of that stiffness, N/m, of which momentum makes a share.  (Macklin et
-// al. 2016)
+// Compliance of a triangle over a sub-step, 1/(kg m^2), for a stiffness in N/m: 1 / ((1 - kMomentum) stiffness area
+// h^2), because the momentum of corrections provides the rest of the stiffness.  (Macklin et al. 2016)
 float compliance_of(const Cloth& cloth, const MaterialFrame& frame, double stiffness);
 
-// The blocks of refined triangles, a part of solver_lists.h: one-sided limits with what they carry.
+// The coarse strain limits of refined triangles.
 
 struct Cloth;
 struct Kernels;
@@ -108,26 +109,26 @@ struct Kernels;
 void make_limits(Cloth& cloth, int level);
 void change_limits(Cloth& cloth, const LeafChanges& changes);
 
-// The centres of split edges that may move, level by level.
+// Lists the centres of split edges that can move, level by level.
 void list_centres(Cloth& cloth);
 
-// What the corners of refined triangles weigh now, level by level. Pre: centres are listed.
+// Computes the effective masses of the corners of refined triangles, level by level. Pre: list_centres() was called.
 void list_limit_masses(Cloth& cloth);
 
-// Gains of dirty blocks, from the masses and from what the leaves' blocks have got as theirs.
+// Computes the gains of dirty blocks from the masses, and easy_shear from the gains of all blocks. Pre: the gains of
+// the leaves' blocks are up to date.
 void update_limit_masses(Cloth& cloth, const Kernels& loops);
 
-// Gains of the solver's blocks: what a constraint moves its vertices by, from their inverse masses.
+// Gains of the constraints, which convert an error into displacements of the vertices, from their inverse masses.
 //
-// A block's gains depend on its constraints and on the masses of its vertices alone, and an adaptation changes few of
-// either. So the masses are compared with those that the gains were made for, and only the blocks round a vertex whose
-// mass changed, in which a constraint was added or removed, or, of coarse bending, that are asked for another share,
-// get theirs anew: the same bits as all anew.
+// The gains of a block depend only on its constraints and on the masses of its vertices, and an adaptation changes few
+// of them. So gains are recomputed only for dirty blocks: those with an added or removed constraint, with a vertex
+// whose mass differs from the one that the gains were computed for, or, for coarse bending, with another requested
+// share of the rigidity. The result has the same bits as a complete recomputation.
 
 struct Cloth;
 
-// Of the blocks that are marked as dirty and of those round changed masses. Pre: masses are those of the present
-// leaves.
+// Updates the gains of dirty blocks and of blocks with changed masses. Pre: masses are those of the present leaves.
 void update_effective_masses(Cloth& cloth);
 
 }  // namespace selvedge::sim

@@ -1,5 +1,6 @@
 #pragma once
-// The solver's own part of a cloth.
+// The state of the solver within a cloth: constraints, contacts, per-vertex working arrays, and the state that is saved
+// during an adaptation. Only sim/cloth reads it.
 #include <cstdint>
 #include <vector>
 
@@ -13,17 +14,17 @@
 
 namespace selvedge::sim {
 
-// States of triangles, saved by their ids while an adaptation is under way: their slots come and go.
+// States of triangles, saved by id during an adaptation, because the slots of changed triangles are reassigned.
 
 template <class State>
 class SavedStates {
  public:
-    // What was saved in that adaptation, until the next is saved; none if nothing was.
+    // The state saved last in that adaptation, or null. Valid until the next save().
     const State* find(TriangleId t, std::uint32_t adaptation) const {
         return t.value < entries_.size() && entries_[t.value].adaptation == adaptation ? &entries_[t.value].state
                                                                                        : nullptr;
     }
-    // Later ones of the same adaptation replace earlier ones.
+    // A later state of the same triangle replaces an earlier one.
     void save(TriangleId t, std::uint32_t adaptation, const State& state) {
         if (t.value >= entries_.size()) entries_.resize(t.value + 1);
         entries_[t.value] = {.state = state, .adaptation = adaptation};
@@ -37,42 +38,43 @@ class SavedStates {
     std::vector<Entry> entries_;
 };
 
-// What the solver has learnt about a triangle, see solver_blocks.h and bias.h.
+// Saved state of a triangle: the multipliers (biases) of stretch and shear and the anchor of friction in shear. See
+// solver_blocks.h and bias.h.
 struct KeptBias {
-    Vec3f value = Vec3f::Zero();  // of warp, weft and shear
-    Vec3f limit = Vec3f::Zero();  // the same as a refined triangle
+    Vec3f value = Vec3f::Zero();  // bias of warp, weft and shear of a leaf
+    Vec3f limit = Vec3f::Zero();  // bias of the coarse strain limit of a refined triangle
     float anchor = 0;             // of friction in shear
 };
 
-// The same of a triangle's internal friction in bending, whether a leaf or a refined triangle.
+// Saved state of a triangle's internal friction in bending, for leaves and refined triangles.
 struct KeptBend {
     Vec3f anchor = Vec3f::Zero();  // 1/m, of the curvatures along warp, weft and of twist
-    bool is_known = false;         // else friction starts from how the cloth is bent
+    bool is_known = false;         // if not, the anchor of a leaf starts at its present curvature
 };
 
-// What criteria remember while an adaptation is under way, in the memory of the last one.
+// Working memory of the criteria during an adaptation, reused by the next one.
 struct CriteriaMemory {
-    LeafAnswers shape;  // curvature, length and buckling
+    LeafAnswers shape;  // results of curvature, length and buckling
     CollisionBatch collision;
 };
 
-// What the solver works on, in the memory of the last step, and all that it remembers. Nobody but sim/cloth reads it.
+// The state of the solver and its working memory, which is reused by the next step.
 struct SolverState {
-    std::vector<Vec4f> points;      // positions with the inverse mass as fourth; one spare point behind them
-    std::vector<Vec4f> before;      // one sub-step ago
-    std::vector<Vec4f> lost;        // what rounding took from the last moves
-    std::vector<Vec4f> predicted;   // before stretch and shear corrected them
-    std::vector<Vec4f> carried;     // the same with the momentum of corrections
-    std::vector<Vec4f> correction;  // what stretch and shear moved them by in the last sub-step
+    std::vector<Vec4f> points;      // positions, w: inverse mass; the last one is the dummy vertex
+    std::vector<Vec4f> before;      // positions one sub-step ago
+    std::vector<Vec4f> lost;        // rounding errors of the last displacements
+    std::vector<Vec4f> predicted;   // positions before the corrections by stretch and shear
+    std::vector<Vec4f> carried;     // predicted plus the momentum of corrections; scratch of solve_coarse_bend
+    std::vector<Vec4f> correction;  // displacements by stretch and shear in the last sub-step
     Constraints constraints;
     SolverLists lists;
     ContactState contacts;
     RestingState resting;
-    std::vector<double> mass_sums;  // kg by vertex, pinned or not; sums of floats, so that they can be undone exactly
-    int substeps = 0;               // so far, by 2
-    float damping = 0;              // 1/s, mean over the fabrics' area
+    std::vector<double> mass_sums;  // kg, by vertex, pinned or not; floats summed in doubles: subtraction is exact
+    int substeps = 0;               // number of sub-steps so far, modulo 2
+    float damping = 0;              // 1/s, mean of the fabrics' damping, weighted by area
 
-    // While an adaptation is under way; saved by TriangleId.
+    // Used during an adaptation; saved states are by TriangleId.
     CriteriaMemory adapting;
     SavedStates<KeptBias> saved_bias;
     SavedStates<KeptBend> saved_bend;

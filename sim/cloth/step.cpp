@@ -8,7 +8,7 @@
 namespace selvedge::sim {
 namespace {
 
-// One step. Garments do not share it among threads: batches give each thread a garment of its own.
+// One step of one garment, on one CPU thread. Batches run several garments in parallel, each on its own thread.
 struct Stepper {
     Cloth& cloth;
     const Kernels& loops;
@@ -21,12 +21,12 @@ struct Stepper {
         SolverState& solver = cloth.solver;
         return {points(), floats(solver.predicted), floats(solver.carried), floats(solver.correction)};
     }
-    // Share of a difference that goes within a step at that rate (1/s).
+    // The share of a difference that decays within a step at that rate (1/s): 1 - exp(-rate * seconds).
     float share_at(float rate) const { return 1 - std::exp(-rate * step_seconds(cloth, options)); }
 
     void step();
     void substep(int i);
-    // Of the bending whose turn it is: all, or what is visited in each sub-step.
+    // In even sub-steps all bending constraints are solved; in odd ones only those with an interval of 1.
     int bend_interval(int i) const { return (cloth.solver.substeps + i) % 2 == 0 ? 2 : 1; }
     void load_points();
     void store_points();
@@ -70,12 +70,13 @@ void Stepper::substep(int i) {
     pull_seams(gap);
     hold();
     if (options.seams.empty()) return;
-    // What was drawn deep into the body came out on different sides of a ridge: close it along the surface.
+    // Vertices that a seam pulled deep into the body may come out on different sides of a ridge. The second iteration
+    // closes the seam along the surface.
     pull_seams(gap);
     hold();
 }
 
-// Positions with inverse masses; the spare point stands far from everything.
+// Copies positions and inverse masses. The dummy vertex is placed 10 km away.
 void Stepper::load_points() {
     SolverState& solver = cloth.solver;
     for (std::size_t v = 0; v < cloth.x.size(); ++v) {
@@ -118,8 +119,8 @@ void Stepper::keep_corrections() {
     loops.keep_corrections(corrected(), cloth.x.size());
 }
 
-// Coarse to fine: what a level moves its vertices by, the centres of its edges follow, so that the next level starts
-// from there. Most cloths hand no bending up.
+// Coarse to fine: after each level, the centres of its split edges follow the displacements of the ends, and the next
+// level starts from these positions. Returns early if no bending was passed up to coarse triangles, as for most cloths.
 void Stepper::solve_coarse_bend(int interval) {
     SolverState& solver = cloth.solver;
     const auto bends = [&](const ParentLevel& level) { return level.interval <= static_cast<float>(interval); };
@@ -154,7 +155,8 @@ void Stepper::solve_bend(int interval) {
     cloth.solver.constraints.bend.for_colors([&](auto blocks, auto) { loops.solve_bend(blocks, points(), interval); });
 }
 
-// Copies the lanes that it finds beyond the fabric's strain limit to where the first block of their colour stands.
+// Copies of constraints beyond the fabric's strain limit are stored in lists.over, for each run of blocks from the
+// index of its first block.
 void Stepper::solve_stretch(bool is_last) {
     SolverLists& lists = cloth.solver.lists;
     std::size_t run = 0, first = 0;
@@ -173,8 +175,8 @@ void Stepper::limit_stretch() {
     }
 }
 
-// Biases follow what strain and stress are now: what each level carries is summed up, coarse to fine for what is below
-// it, fine to coarse for what is above.
+// Updates the multipliers (biases) from the present strain and stress. The stress of the refined triangles is first
+// summed coarse to fine (`above`); then leaves and refined triangles are updated fine to coarse (`below`, `off`).
 void Stepper::update_bias() {
     Constraints& constraints = cloth.solver.constraints;
     const BiasGains gains{.stretch = share_at(options.stretch_bias_rate), .shear = share_at(options.shear_bias_rate)};

@@ -1,6 +1,6 @@
 #pragma once
-// Moving the cloth on by one step of small sub-steps: Verlet prediction, then each constraint once, then contacts.
-// (SPEC 2; Macklin et al. 2019)
+// One time step of the cloth, divided into small sub-steps: Verlet prediction, one iteration over all constraints, then
+// contacts. See docs/solver.md.  (thesis 3.6.4; Macklin et al. 2019, "Small Steps")
 #include <span>
 
 #include "sim/cloth/cloth.h"
@@ -10,40 +10,41 @@ namespace selvedge::sim {
 
 class Collider;
 
-// Two vertices that are pulled together until they are no further apart than the allowed gap: an open seam.
+// Two vertices of an open seam, which are pulled together until their distance is at most the allowed gap.
 struct SeamPull {
     std::uint32_t a = 0;
     std::uint32_t b = 0;
 };
 
-// A vertex that does not move by itself but is led: evenly, until at the end of a step it is there.
+// A kinematic vertex: it moves along a straight line in equal parts per sub-step and reaches its target at the end of
+// the step.
 struct KinematicVertex {
-    std::uint32_t vertex = 0;  // pinned
-    Vec3f to = Vec3f::Zero();  // m, outside of the body
+    std::uint32_t vertex = 0;  // a pinned vertex
+    Vec3f to = Vec3f::Zero();  // target, m; outside of the body
 };
 
 struct StepOptions {
-    int substeps = 12;                    // each of Cloth::substep
+    int substeps = 12;                    // each of length Cloth::substep
     Vec3f gravity = Vec3f(0, -9.81F, 0);  // m/s^2
-    float extra_damping = 0;              // 1/s, on top of the fabrics'
-    float internal_damping = 40;          // 1/s, of the motion of neighbouring vertices against each other
-    float stretch_bias_rate = 3;          // 1/s, how fast biases follow (solver_blocks.h): slower than what the cloth
-    float shear_bias_rate = 1.2F;         // does by itself, or they feed its motion
-    int limit_rounds = 2;                 // more passes over what one leaves beyond the strain limit
-    float max_move_per_substep = 0.005F;  // m: contacts see thin parts at this speed
+    float extra_damping = 0;              // 1/s, in addition to the fabrics' damping
+    float internal_damping = 40;          // 1/s, of the relative motion of the corners of a triangle
+    float stretch_bias_rate = 3;          // 1/s, update rate of the multipliers (biases) of warp and weft, and of shear
+    float shear_bias_rate = 1.2F;         // (solver_blocks.h). Higher rates are unstable, see docs/solver.md
+    int limit_rounds = 2;                 // extra iterations over triangles beyond the fabric's strain limit
+    float max_move_per_substep = 0.005F;  // m, limit of displacement, so that vertices do not jump over thin parts
     ContactOptions contact{};
     std::span<const SeamPull> seams{};  // open seams
     float seam_gap = 0;                 // m, allowed at the end of this step
     float seam_gap_rate = 0;            // m per sub-step by which the gap shrinks within the step
     std::span<const KinematicVertex> led{};
-    bool may_rest = false;  // a cloth that has come to rest is left as it is until something could move it (resting.h)
+    bool may_rest = false;  // whether a cloth at rest is deactivated until something could move it (resting.h)
 };
 
 struct StepReport {
-    int substeps = 0;  // that were computed: none if the cloth rests
+    int substeps = 0;  // number of computed sub-steps: 0 if the cloth is at rest
 };
 
-// s, simulated.
+// The simulated time of a step, s.
 float step_seconds(const Cloth& cloth, const StepOptions& options);
 
 StepReport step(Cloth& cloth, const Collider& body, const StepOptions& options);

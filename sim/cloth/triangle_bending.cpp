@@ -14,12 +14,13 @@
 namespace selvedge::sim {
 namespace {
 
-// Leaves have leaves beside them, refined triangles the triangles of their own level, whatever those hold.
+// Which neighbours to use: those of leaves are leaves; those of refined triangles are triangles of the same level,
+// leaves or not.
 enum class Level { Leaves, Refined };
 
 struct Beside {
     TriangleId triangle;   // none at a boundary
-    std::size_t edge = 0;  // the shared edge there: opposite which corner
+    std::size_t edge = 0;  // the shared edge in the neighbour: the index of the opposite corner
 };
 
 Beside beside(const AdaptiveMesh& mesh, TriangleId t, std::size_t i, Level level) {
@@ -33,9 +34,9 @@ Beside beside(const AdaptiveMesh& mesh, TriangleId t, std::size_t i, Level level
     return {found, (place_of(mesh.triangle(found), e) + 2) % 3};
 }
 
-// One triangle with what lies beside it. Its points: the corners, then the apex beyond each edge, or the corner
-// opposite to an edge that has no hinge: at a boundary, and where an apex is one of the points already, for a visit
-// moves each of its points once (so does the vertex between three triangles alone lose one hinge of each).
+// A triangle with its neighbours. points: the corners, then the apex beyond each edge; for an edge without a hinge the
+// opposite corner instead. An edge has no hinge at a boundary, and if its apex is one of the points already, because a
+// solve writes each point once (this removes one hinge of each triangle at a vertex of valence three).
 using Points = std::array<std::uint32_t, 6>;
 struct Neighbourhood {
     RestTriangle rest;
@@ -56,7 +57,7 @@ RestTriangle alone(const Cloth& cloth, TriangleId t) {
     return rest;
 }
 
-// All but the shapes.
+// Everything but the shapes.
 Neighbourhood points_about(const AdaptiveMesh& mesh, TriangleId t, Level level) {
     Neighbourhood found{.rest = {}, .beside = {}, .points = {}};
     const std::array<VertexId, 3>& v = mesh.triangle(t).vertices;
@@ -84,7 +85,7 @@ Neighbourhood neighbourhood(const Cloth& cloth, TriangleId t, Level level) {
     return found;
 }
 
-// Fits of triangles and of what lies beside them, each made once.
+// The fits of triangles and of their neighbours, each computed once.
 class Fits {
  public:
     Fits(const Cloth& cloth, Level level, FitScratch& scratch) : cloth_(cloth), level_(level), scratch_(scratch) {
@@ -104,7 +105,7 @@ class Fits {
         for (std::size_t i = 0; i < 3; ++i) {
             if (own.beside[i].triangle) places[i] = place_of(own.beside[i].triangle);
         }
-        std::array<FitBeside, 3> around;  // now that no fit will move
+        std::array<FitBeside, 3> around;  // pointers are safe now: scratch_.fits does not grow any more
         for (std::size_t i = 0; i < 3; ++i) {
             if (own.beside[i].triangle) around[i] = {&scratch_.fits[places[i]], own.beside[i].edge};
         }
@@ -146,10 +147,10 @@ void set_shape(BendBlock& block, std::size_t at, const RestTriangle& rest, const
     }
 }
 
-// All that follows from the fabric and the shape at rest.
+// Sets the values that follow from the fabric and the shape at rest.
 void set_element(const Cloth& cloth, TriangleId t, Level level, Fits& fits, BendBlock& block, BendRecord& record,
                  std::size_t at) {
-    constexpr double kLeast = 1e-12;  // N m: what bends more easily is limp, and has no spring for friction to act on
+    constexpr double kLeast = 1e-12;  // N m: minimum rigidity; a fabric without more has no friction in bending
     const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
     const Fabric& fabric = cloth.material.fabrics[triangle.panel];
     const Neighbourhood own = neighbourhood(cloth, t, level);
@@ -171,7 +172,7 @@ void set_element(const Cloth& cloth, TriangleId t, Level level, Fits& fits, Bend
     record.asked[at] = level == Level::Leaves ? 1.0F : 0.0F;
 }
 
-// The bending of leaves, or of refined triangles of one level.
+// The bending constraints of leaves, or of the refined triangles of one level.
 template <class Block>
 struct BendLists {
     ConstraintSet<Block, BendRecord>& bend;
@@ -192,7 +193,7 @@ struct BendLists {
         bend.insert(t, points, cloth.solver.lists.vertices,
                     [&](std::uint32_t slot) { set(cloth, t, slot, points, fits); });
     }
-    // Its shape and its vertices are the same, but its neighbours' are not.
+    // For a triangle with the same shape and vertices as before, but with changed neighbours.
     void reshape(const Cloth& cloth, TriangleId t, Fits& fits) const {
         const std::uint32_t slot = bend.slot_of(t);
         set_element(cloth, t, level, fits, bend.blocks[slot / kBlock], bend.records[slot / kBlock], slot % kBlock);
@@ -218,7 +219,8 @@ void erase(Cloth& cloth, TriangleId t) {
     for (ParentLevel& level : constraints.parents) remove_from(level.bend);
 }
 
-// Triangles that an adaptation touched, each once: whose six vertices may be others, or whose map alone.
+// Triangles that an adaptation affects, each listed once. moved: their six vertices may have changed; reshaped: only
+// their curvature map may have.
 class Touched {
  public:
     explicit Touched(TouchedScratch& scratch)
@@ -272,7 +274,7 @@ void change_leaves(Cloth& cloth, const LeafChanges& changes) {
     for (const TriangleId t : touched.reshaped) lists.reshape(cloth, t, fits);
 }
 
-// A triangle of the same level beside a refined one may be any: a leaf, refined too, or inside of a transition.
+// The neighbour of a refined triangle at its level may be a leaf, a refined triangle, or an irregular inner triangle.
 void change_refined(Cloth& cloth, const LeafChanges& changes) {
     const AdaptiveMesh& mesh = cloth.mesh;
     SolverState& solver = cloth.solver;
@@ -281,7 +283,7 @@ void change_refined(Cloth& cloth, const LeafChanges& changes) {
     const auto for_beside = [&](TriangleId t, const auto& act) {
         for (std::size_t i = 0; i < 3; ++i) {
             const TriangleId other = beside(mesh, t, i, Level::Refined).triangle;
-            const TriangleId inside = beside(mesh, t, i, Level::Leaves).triangle;  // it has t beside it as well
+            const TriangleId inside = beside(mesh, t, i, Level::Leaves).triangle;  // t is its neighbour as well
             if (other) act(other);
             if (inside && inside != other) act(inside);
         }
@@ -373,7 +375,7 @@ Vec3f curvature_now(const Cloth& cloth, const BendBlock& block, std::size_t at) 
     return bent;
 }
 
-// Gains of the triangles that bend, and how often they are visited: a part of triangle_bending.h.
+// Update of the gains and intervals of bending.
 
 namespace {
 
@@ -396,9 +398,9 @@ void update_bending_masses(Cloth& cloth, const Kernels& loops) {
     hand_up(solver.lists, solver.constraints.bend.records);
 }
 
-// A refined triangle that begins to bend does so without friction's pull, from its present curvature. The anchors of
-// one that does not bend mean nothing, for a visit of its block may write them; they are cleared, so that blocks hold
-// the same bits whatever came before.
+// A refined triangle that starts to apply rigidity gets its present curvature as anchor, so that friction starts at
+// zero. The anchors of a triangle without rigidity have no meaning, because a solve of its block may write them. They
+// are cleared, so that the bits of a block do not depend on its history.
 void update_coarse_bending_masses(Cloth& cloth, const Kernels& loops, int level) {
     SolverState& solver = cloth.solver;
     ParentLevel& parents = solver.constraints.parents[static_cast<std::size_t>(level)];

@@ -1,5 +1,6 @@
 #pragma once
-// The blocks of triangles that bend, of leaves and, level by level, of refined ones: a part of solver_lists.h.
+// Bending constraints: makes and updates their blocks, for leaves and, level by level, for refined triangles, and
+// computes their gains. The map from hinge angles to curvature is in curvature_map.h; docs/solver.md has the method.
 #include <cstddef>
 #include <cstdint>
 
@@ -14,23 +15,23 @@ struct Kernels;
 
 void make_bending(Cloth& cloth);
 
-// After an adaptation: of triangles that came or went, of those whose hinges changed, and of their neighbours.
+// After an adaptation: updates triangles that were added or removed, those whose hinges changed, and their neighbours.
 void change_bending(Cloth& cloth, const LeafChanges& changes);
 
-// Gains from the masses: first of the leaves, then level by level of the refined triangles, fine to coarse, which take
-// what the level below hands up.
-// Pre: SolverLists::inverse_masses and masses are those of now.
+// Update the gains from the masses: first of the leaves, then of the refined triangles level by level, fine to coarse.
+// Each level takes over the rigidity that the finer level could not apply.
+// Pre: SolverLists::inverse_masses and masses are up to date.
 void update_bending_masses(Cloth& cloth, const Kernels& loops);
 void update_coarse_bending_masses(Cloth& cloth, const Kernels& loops, int level);
 
-// Where a triangle's bending stands, if it was made for its present corners; block: none if it was not.
+// The slot of a triangle's bending constraint; block is null if there is none for its present corners.
 struct BendSlot {
     const BendBlock* block = nullptr;
     std::size_t at = 0;
 };
 BendSlot bend_slot(const Cloth& cloth, TriangleId t);
 
-// How much a triangle is bent now, as the kernels measure it: along warp, weft and twist, 1/m.
+// The present curvature of a triangle along warp, weft and of twist (doubled), 1/m, with the formula of the kernels.
 Vec3f curvature_now(const Cloth& cloth, const BendBlock& block, std::size_t at);
 
 }  // namespace selvedge::sim

@@ -1,5 +1,6 @@
 #pragma once
-// The loops over the hinges of triangles, see kernels.h. For kernels only (sim/core/simd_level.h).
+// The kernels of bending: the solve, and the update of its gains; for their contracts see kernels.h. Include it only in
+// kernel sources (kernels_simd.cpp; see sim/core/simd_level.h).
 #include <type_traits>
 
 #include "sim/cloth/loop_parts.h"
@@ -18,15 +19,15 @@ namespace {
     return {p.x - q.x, p.y - q.y, p.z - q.z};
 }
 
-// Of hinge i: its angle, rad, and the unit normal of the side beyond.
+// A hinge: its angle, rad, and the unit normal of the triangle beyond it.
 struct Fold {
     Xyz normal;
     Floats angle;
 };
 
-// An angle t by its sine s and cosine c: (4 tan(t/2) + s) / 3, 0.06 % off at 0.5 rad, 6 % at a right angle. Towards a
-// half turn it grows to kMostAngle; within 3 degrees of one it falls to 0, for there nobody can tell to which side the
-// cloth is folded.
+// Approximates an angle t from its sine s and cosine c by (4 tan(t/2) + s) / 3: error 0.06 % at 0.5 rad, 6 % at a right
+// angle. Towards 180 degrees it grows to kMostAngle. Within about 3 degrees of 180 it falls to 0, because there the
+// sign of the fold cannot be determined.
 [[gnu::always_inline]] inline Floats angle_of(Floats sine, Floats cosine) {
     constexpr float kLeastCosine = 0.02F;  // above -1
     constexpr float kMostAngle = 3.2F;     // rad
@@ -35,7 +36,7 @@ struct Fold {
                        lanes::broadcast(kMostAngle));
 }
 
-// edge: from corner i + 1 to corner i + 2; apex: from corner i + 1; normal: unit, the triangle's.
+// edge: from corner i + 1 to corner i + 2; apex: from corner i + 1 to the apex; normal: unit normal of the triangle.
 [[gnu::always_inline]] inline Fold fold_of(const BendBlock& block, std::size_t i, std::size_t at, const Xyz& edge,
                                            const Xyz& apex, const Xyz& normal) {
     Fold fold;
@@ -45,7 +46,7 @@ struct Fold {
     return fold;
 }
 
-// Multiplier per angle, a symmetric matrix: 00 11 22 01 02 12.
+// The gain, a symmetric matrix (00 11 22 01 02 12), times the angles.
 [[gnu::always_inline]] inline Xyz gained(const BendBlock& block, std::size_t at, const Xyz& angles) {
     const auto gain = [&](std::size_t i) { return load_at(block.gain[i], at); };
     const Floats g01 = gain(3), g02 = gain(4), g12 = gain(5);
@@ -54,9 +55,9 @@ struct Fold {
             lanes::multiply_add(gain(2), angles.z, lanes::multiply_add(g02, angles.x, g12 * angles.y))};
 }
 
-// What internal friction adds: by each curvature, a spring to an anchor that follows at a distance (Prandtl's element).
-// The curvature is the one that will be left when all have had their turn: an anchor that followed what is seen before
-// would be dragged along by each sub-step's fall, and friction would creep.
+// Adds internal friction: for each curvature a spring to an anchor, which follows at a maximum distance (Prandtl
+// element). The curvature used is the one expected after the whole iteration (BendBlock::settled). With the curvature
+// before it, each sub-step's free fall would drag the anchors along, and friction would creep.
 [[gnu::always_inline]] inline Xyz with_friction(BendBlock& block, std::size_t at, const Xyz& angles, Xyz multipliers,
                                                 Floats visited) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -77,7 +78,7 @@ struct Fold {
     return multipliers;
 }
 
-// Whether points are read a second time before they are moved: wide registers are the scarcer.
+// Whether points are loaded a second time before they are moved. With 16 lanes this saves registers.
 constexpr bool kReadsTwice = lanes::kCount == 16;
 
 // Moves one of the six points.
@@ -93,8 +94,8 @@ template <class Block>
     }
 }
 
-// Forces are the angles' derivatives: along the normals of either side of a hinge, so that they do not vanish where
-// cloth is folded back upon itself.  (Grinspun et al. 2006)
+// Forces follow the derivatives of the angles: they act along the normals of both sides of a hinge, so they do not
+// vanish where cloth is folded flat onto itself.  (Grinspun et al. 2006)
 template <bool has_friction, class Block>
 [[gnu::always_inline]] inline void bend_lanes(Block& block, std::size_t at, float* points, Floats visited) {
     std::array<Rows, 6> kept;
@@ -118,8 +119,8 @@ template <bool has_friction, class Block>
     if constexpr (has_friction) multipliers = with_friction(block, at, angles, multipliers, visited);
     const std::array<Floats, 3> m{multipliers.x * visited, multipliers.y * visited, multipliers.z * visited};
 
-    // By the hinges: what the apexes beyond get, and what the triangle's own corners get along its normal. Where a
-    // hinge is missing a corner stands for the apex, and is written last.
+    // Per hinge: the impulse of the apex, and the impulse of the triangle's own corners along its normal. Where a hinge
+    // is missing, a corner stands for the apex; the loop over the corners writes it last, with the right value.
     std::array<Xyz, 3> apex;
     std::array<Floats, 3> own, own_end;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -137,7 +138,7 @@ template <bool has_friction, class Block>
     }
 }
 
-// Of the lanes that are visited as often as each `most` sub-steps; the others stay as they are.
+// Solves the lanes with an interval of at most `most` sub-steps; the others do not change.
 template <class Block>
 [[gnu::always_inline]] inline void bend_block(Block& block, float* points, float most) {
     const bool has_friction = has_positive(block.has_friction);
@@ -172,7 +173,7 @@ using Symmetric = std::array<Floats, 6>;
 constexpr std::size_t kSymmetric[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
 using Matrix = std::array<std::array<Floats, 3>, 3>;
 
-// How much the angles change per multiplier: the sum over the six points of w q q', 1/(kg m^2).
+// Sigma, the change of the angles per multiplier: the sum over the six points of w q q', 1/(kg m^2).
 [[gnu::always_inline]] inline Symmetric response(const BendBlock& block, std::size_t at,
                                                  const std::array<Floats, 6>& w) {
     Floats q[3][6] = {};
@@ -200,8 +201,8 @@ using Matrix = std::array<std::array<Floats, 3>, 3>;
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + off * 2.0F;
 }
 
-// (1 + Sigma S / 2)^-1: what is left of the angles that are seen when all have had their turn, for neighbours that
-// share vertices take half of each other's corrections away on average.
+// (1 + Sigma S / 2)^-1: the ratio of the angles after the whole iteration to those before it. The factor 1/2 is because
+// neighbours that share vertices undo half of each other's corrections on average.
 [[gnu::always_inline]] inline Matrix left_of_angles(const Symmetric& stiffness, const Symmetric& sigma) {
     Matrix a;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -225,7 +226,7 @@ using Matrix = std::array<std::array<Floats, 3>, 3>;
     return inverse;
 }
 
-// The stiffness on what is left of the angles.
+// The gain: the stiffness applied to the angles expected after the iteration.
 [[gnu::always_inline]] inline Symmetric gain_of(const Symmetric& stiffness, const Matrix& left) {
     Symmetric gain{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -239,19 +240,20 @@ using Matrix = std::array<std::array<Floats, 3>, 3>;
     return gain;
 }
 
-// One visit of a triangle can make at most that much of the stiffness against the masses that it moves (as the trace of
-// S Sigma), so that no mode of it takes more than kCap of its error.
+// kCap: the maximum share of a mode's error that one iteration of a triangle may correct. kMostStiffness: the resulting
+// maximum of trace(S Sigma), stiffness times response.
 constexpr float kCap = 0.7F;
 constexpr float kMostStiffness = 2 * kCap / (2 - kCap);
 
-// Friction's springs are that much stiffer than the rigidity. They slip at H / (2 B) of the curvature (H: half of 2HB),
-// some 0.2 /cm, which is little where 2HB is measured, 0.5 to 1.5 /cm. With stiffer ones triangles of 4 mm hand so much
-// up that drapes fall softer than those of larger triangles: of cotton by 16 points at 4, by 6 at 2.
+// Ratio of the springs of friction in bending to the rigidity B. They slip at a curvature of H / (2 B) (H: half of
+// 2HB), about 0.2 /cm, which is small against the 0.5 to 1.5 /cm at which 2HB is measured. With stiffer springs,
+// triangles of 4 mm pass so much up to coarser ones that their drapes are softer than those of larger triangles: for
+// cotton by 16 points at a ratio of 4, by 6 at 2.
 constexpr float kBendStick = 2;
-constexpr float kLeastShare = 0.03F;  // of the rigidity: less is not worth a visit
+constexpr float kLeastShare = 0.03F;  // share of the rigidity below which a triangle is not solved
 
-// A triangle is visited each second sub-step, with the impulse of two, where that makes all that is asked of it (the
-// impulse method of multiple time steps; Tuckerman et al. 1992).
+// A triangle is solved only every second sub-step, with twice the impulse, if that applies the whole requested rigidity
+// (impulse method of multiple time steps; Tuckerman et al. 1992).
 template <class Block>
 [[gnu::always_inline]] inline void weigh_lanes(Block& block, BendRecord& record, std::size_t at,
                                                const std::array<Floats, 6>& w) {

@@ -8,7 +8,7 @@
 namespace selvedge::sim {
 namespace {
 
-// m/s that a sheet of `area_density` gains which the air passes with `relative` speed, m/s.
+// The gain of velocity, m/s, of cloth with that fabric in air that moves with velocity `relative` to it, m/s.
 Vec4f gain(const Vec4f& relative, const Vec4f& normal, const Wind& wind, const Fabric& fabric, float seconds) {
     const auto area_density = static_cast<float>(fabric.area_density);
     const float across = relative.dot(normal);

@@ -1,9 +1,9 @@
 #pragma once
-// Wind and the drag of still air.  (SPEC 2)
+// Wind, and the drag of still air.
 //
-// Per triangle: across the cloth the dynamic pressure of the air that comes towards it, 1/2 rho c v|v|; in all
-// directions the fabric's air drag, in proportion to speed. Both are followed exactly over the time that is asked for
-// (v' = v / (1 + k |v| t), v' = v exp(-k t)), so the lightest fabric in a storm is only carried along.
+// Per triangle: normal to the cloth the dynamic pressure of the relative wind, 1/2 rho c v|v|; in all directions the
+// fabric's air drag, proportional to the relative speed. Both are integrated analytically over the given time
+// (v' = v / (1 + k |v| t), v' = v exp(-k t)), so even the lightest fabric never exceeds the speed of the wind.
 #include "sim/core/math.h"
 
 namespace selvedge::sim {
@@ -13,10 +13,10 @@ struct Cloth;
 struct Wind {
     Vec3f velocity = Vec3f::Zero();  // m/s; zero: still air
     float density = 1.2F;            // kg/m^3
-    float coefficient = 1.2F;        // of the pressure on a plate across the wind
+    float coefficient = 1.2F;        // drag coefficient of a plate normal to the wind
 };
 
-// Gives the cloth the speed that `seconds` of wind do: before the steps that take that long.
+// Adds the velocity that the wind causes in `seconds`. Call it before the steps that simulate this time.
 void blow(Cloth& cloth, const Wind& wind, float seconds);
 
 }  // namespace selvedge::sim

@@ -26,13 +26,13 @@ GarmentMesh flat_mesh(const std::vector<Vec2d>& points, const std::vector<std::a
     return mesh;
 }
 
-// The two triangles of a quad a b c d, anticlockwise, whose corners are u.
+// Adds the two triangles of a quad with vertices v, anticlockwise, and material coordinates u.
 void add_quad(GarmentMesh& mesh, const std::array<int, 4>& v, const std::array<Vec2d, 4>& u, int panel) {
     mesh.triangles.push_back(triangle_of({v[0], v[1], v[2]}, {u[0], u[1], u[2]}, panel));
     mesh.triangles.push_back(triangle_of({v[0], v[2], v[3]}, {u[0], u[2], u[3]}, panel));
 }
 
-// What is free is left out: all free elements look alike.
+// The elements of a pool; free elements are value-initialised, so that they compare equal.
 template <class T, class ElementId>
 std::vector<T> contents(const Pool<T, ElementId>& pool) {
     std::vector<T> all;
@@ -106,7 +106,7 @@ GarmentMesh front_and_back(int rows, double back_ratio) {
         mesh.x.emplace_back(0.1, 0.2 * row, 0.0);
         mesh.x.emplace_back(0.0, 0.2 * row, -0.1);
     }
-    // The front runs from its left end at u = 0, the back from the right end at u = 7.
+    // In material coordinates the front starts at u = 0 m, the back at u = 7 m.
     const std::array<double, 4> starts = {0.0, 0.1, 7.0, 7.15}, widths = {0.1, 0.1, 0.15, 0.15};
     for (int row = 0; row < rows; ++row) {
         for (std::size_t i = 0; i < 4; ++i) {

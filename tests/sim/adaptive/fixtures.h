@@ -1,5 +1,5 @@
 #pragma once
-// Meshes, observers and criteria that the tests of the adaptive mesh share.
+// Meshes, observers and criteria shared by the tests of the adaptive mesh.
 #include <random>
 #include <set>
 #include <vector>
@@ -17,14 +17,14 @@ GarmentMesh bow_tie();
 GarmentMesh octahedron();
 // One panel of columns x rows quads, each 0.1 m square, sewn to itself: u jumps by the panel's width at the seam.
 GarmentMesh tube(int columns, int rows);
-// Front and back, two quads wide each and sewn along both sides, 0-4-8.. and 2-6-10..; the front's rows are 0.2 m high,
-// the back's by this ratio higher. Panel 1 is the back.
+// Front (panel 0) and back (panel 1), each two quads wide, sewn along both sides: vertices 0-4-8.. and 2-6-10.. . The
+// front's rows are 0.2 m high, the back's back_ratio times as high.
 GarmentMesh front_and_back(int rows, double back_ratio);
 
-// The id of the unsplit or split edge between two vertices. Pre: there is one.
+// The edge between two vertices, split or not. Pre: there is one.
 EdgeId edge_between(const AdaptiveMesh& mesh, VertexId a, VertexId b);
 
-// Positions by vertex id; fails the test when it is told of a split or rejoin that cannot be.
+// An observer that stores positions by vertex id. Fails the test on an impossible split or rejoin.
 struct PositionState {
     std::vector<Vec3f> x;
     std::vector<bool> is_used;
@@ -36,7 +36,7 @@ struct PositionState {
     bool operator==(const PositionState&) const = default;
 };
 
-// Asks at random, the same for the same seed.
+// Random decisions; the same seed gives the same sequence.
 struct RandomCriterion {
     std::mt19937& random;
     double split_share = 0.5;
@@ -47,7 +47,7 @@ struct RandomCriterion {
     double draw() const { return static_cast<double>(random()) / 4294967296.0; }
 };
 
-// Wants exactly these edges split.
+// Requests splits of exactly these edges.
 struct ChosenEdges {
     std::set<EdgeId> chosen;
 
@@ -55,7 +55,8 @@ struct ChosenEdges {
     bool allows_rejoin(const AdaptiveMesh&, EdgeId e) const { return !chosen.contains(e); }
 };
 
-// All that a mesh holds, to compare bit by bit; its leaf lists sorted by id, for their order is history.
+// The complete contents of a mesh, for bitwise comparison. Leaf lists are sorted by id, because their order depends on
+// the history of the mesh.
 struct Snapshot {
     std::vector<AdaptiveVertex> vertices;
     std::vector<AdaptiveEdge> edges;
@@ -63,7 +64,7 @@ struct Snapshot {
     LeafLists leaves;
 
     explicit Snapshot(const AdaptiveMesh& mesh);
-    // The part below these counts, with the leaf lists; vertex areas are sized to the capacity and are cut too.
+    // The elements with ids below the counts of `base`, with the leaf lists; vertex areas are cut likewise.
     Snapshot cut_to(const AdaptiveMesh& base) const;
     bool operator==(const Snapshot&) const = default;
 };

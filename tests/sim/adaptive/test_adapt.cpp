@@ -1,4 +1,5 @@
-// Hundreds of random adaptations: sound after each, back to the base mesh bit by bit, the same for the same seed.
+// Adaptation: combination of criteria, the changes that the mesh reports, and hundreds of random adaptations. The mesh
+// is valid after each, coarsening restores the base mesh bit by bit, and the same seed gives the same mesh.
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <map>
@@ -29,7 +30,7 @@ struct FixedVeto {
     bool vetoes(const AdaptiveMesh&, EdgeId) const { return veto; }
 };
 
-// Counts how often each edge is asked; changes nothing.
+// Counts how often each edge is evaluated; changes nothing.
 struct Counting {
     std::map<EdgeId, int>& splits;
     std::map<EdgeId, int>& rejoins;
@@ -112,7 +113,7 @@ TEST(Adapt, counts_transitions_by_configuration_and_by_state) {
     adapt(mesh, state, {.transitions = &counts}, ChosenEdges{{e[1]}});
     adapt(mesh, state, {.transitions = &counts}, ChosenEdges{{e[0], e[1]}});
     EXPECT_EQ(counts.by_configuration[0][2], 1U);
-    EXPECT_EQ(counts.by_configuration[2][5], 1U);  // keeps the diagonal that is there
+    EXPECT_EQ(counts.by_configuration[2][5], 1U);  // keeps the existing diagonal
     EXPECT_EQ(counts.between_states(2, 4), 1U);
 }
 
@@ -130,7 +131,7 @@ TEST(Adapt, tells_the_observer_of_more_room_before_it_uses_it) {
     AdaptiveMesh mesh(base);
     PositionState state(base, mesh);
     const std::size_t before = state.x.size();
-    set_uniform_level(mesh, state, 3);  // on_split fails the test when the centre lies beyond the state's arrays
+    set_uniform_level(mesh, state, 3);  // on_split fails the test if the id of the centre is beyond the state arrays
     EXPECT_GT(state.x.size(), before);
     EXPECT_EQ(state.x.size(), mesh.vertex_capacity());
     EXPECT_EQ(std::count(state.is_used.begin(), state.is_used.end(), true), 4225);
@@ -147,7 +148,7 @@ TEST(Adapt, finds_the_same_ids_when_it_splits_again_what_it_just_rejoined) {
     EXPECT_EQ(Snapshot(mesh), split);
 }
 
-// The lists by id, as one who follows them would hold them.
+// The leaf lists by id, as a client would store them.
 struct Copy {
     std::set<VertexId> vertices;
     std::map<EdgeId, LeafEdge> edges;
@@ -169,7 +170,7 @@ void take_over(std::map<Key, Value>& old, const std::map<Key, Value>& now, const
     }
 }
 
-// Brings a copy up to date with nothing but what the mesh says has changed.
+// Updates a copy using only the changes that the mesh reports.
 void follow(Copy& copy, const Copy& now, const LeafChanges& changes) {
     for (const VertexId v : changes.vertices_removed) EXPECT_EQ(copy.vertices.erase(v), 1U);
     for (const EdgeId e : changes.edges_removed) {
@@ -232,7 +233,7 @@ TEST(Changes, are_none_when_nothing_changes) {
     EXPECT_TRUE(mesh.changes().hinges_changed.empty());
 }
 
-// One split edge of a large square: what changed is what lies at its two triangles, however large the square.
+// One split edge of a square: only elements at its two triangles change, whatever the size of the square.
 TEST(Changes, of_one_split_are_as_few_in_a_large_mesh_as_in_a_small_one) {
     for (const int quads : {4, 40}) {
         AdaptiveMesh mesh(bench::make_square({.columns = quads, .rows = quads}));
@@ -259,7 +260,7 @@ TEST(Changes, leave_what_did_not_change_in_its_place) {
     EXPECT_EQ(moved, 2U);
 }
 
-// A run of random adaptations, now eager to split, now to rejoin. Stops the test at the first broken invariant.
+// Random adaptations with changing probabilities of splits and rejoins. Stops at the first broken invariant.
 void adapt_at_random(AdaptiveMesh& mesh, PositionState& state, unsigned seed, int adaptations) {
     std::mt19937 random(seed);
     for (int i = 0; i < adaptations; ++i) {
@@ -321,12 +322,13 @@ TEST(Cycles, with_the_same_seed_give_the_same_bits) {
     adapt_at_random(first, first_state, 11, 20);
     adapt_at_random(second, second_state, 11, 20);
     EXPECT_EQ(Snapshot(first), Snapshot(second));
-    EXPECT_EQ(first.leaves(), second.leaves());  // in the same order, too
+    EXPECT_EQ(first.leaves(), second.leaves());  // in the same order
     EXPECT_EQ(first_state, second_state);
     EXPECT_GT(first.leaf_triangles().size(), 32U);
 }
 
-// A pass either splits or rejoins, so that one of two states that follow each other holds all split edges of the other.
+// Between two retriangulations edges are either only split or only rejoined. So of two successive states of a triangle,
+// the split edges of one include those of the other.
 TEST(Cycles, reach_every_transition_that_a_pass_can_ask_for) {
     AdaptiveMesh mesh(bench::make_square(), {.max_level = 2});
     NoState state;

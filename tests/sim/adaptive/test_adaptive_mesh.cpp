@@ -1,4 +1,5 @@
-// That check() does find what is broken, as far as the mesh's own operations can leave it so.
+// The adaptive mesh: base mesh, seams and hinges, choice of diagonals, counts and memory of uniform refinement; and
+// check(), which must find faults as far as operations of the mesh can create them.
 #include <gtest/gtest.h>
 #include <algorithm>
 
@@ -12,7 +13,7 @@
 namespace selvedge::sim::test {
 namespace {
 
-// The sum of a base edge's descendants, which must be its own length.
+// The sum of the rest lengths of an edge's leaves, which must equal its own.
 float length_of_leaves(const AdaptiveMesh& mesh, EdgeId e) {
     if (!mesh.is_split(e)) return mesh.rest_length(e);
     const std::array<EdgeId, 2>& children = mesh.edge(e).children;
@@ -69,7 +70,7 @@ TEST(Seam, lets_a_hinge_measure_across_it) {
     AdaptiveMesh mesh(tube(5, 2));
     NoState state;
     set_uniform_level(mesh, state, 1);
-    // The panel is flat, 0.5 m round: unfolded, every hinge is one of the same quads, whether the seam runs through.
+    // The panel is flat and 0.5 m wide. Unfolded, hinges at the seam have the same shapes as all others.
     std::size_t upright = 0;
     for (const Hinge& h : mesh.hinges()) {
         const bool is_diagonal = h.rest_length > 0.06F;
@@ -78,7 +79,7 @@ TEST(Seam, lets_a_hinge_measure_across_it) {
         EXPECT_NEAR((h.left_at - h.right_at).norm(), 0.05 * std::sqrt(5.0), 1e-6);
         upright += std::abs(h.along[0].y()) > 0.9F ? 1 : 0;
     }
-    EXPECT_EQ(upright, 10U * 4U);  // ten columns of edges, the seam's among them, of four edges each
+    EXPECT_EQ(upright, 10U * 4U);  // ten columns of four edges each, including the seam's
 }
 
 TEST(Seam, has_no_jump_in_position_and_no_hole) {
@@ -88,7 +89,7 @@ TEST(Seam, has_no_jump_in_position_and_no_hole) {
     set_uniform_level(mesh, state, 2);
     std::size_t boundary = 0;
     for (const LeafEdge& e : mesh.leaf_edges()) boundary += !mesh.leaf_at(e.edge, 0) || !mesh.leaf_at(e.edge, 1);
-    EXPECT_EQ(boundary, 2U * 6U * 4U);  // the two rims alone
+    EXPECT_EQ(boundary, 2U * 6U * 4U);  // only the two rims
     EXPECT_TRUE(check(mesh).empty());
 }
 
@@ -269,7 +270,7 @@ struct Row {
     std::size_t vertices, edges, triangles;
 };
 
-// The thesis' counts of the whole hierarchy under uniform refinement (SPEC 1.1).
+// Element counts of the whole hierarchy under uniform refinement (thesis table 3.11).
 constexpr Row kTable[] = {
     {4, 0, 25, 56, 32},         {4, 1, 81, 264, 160},         {4, 2, 289, 1064, 672},        {4, 3, 1089, 4200, 2720},
     {8, 3, 4225, 16560, 10880}, {16, 3, 16641, 65760, 43520}, {32, 3, 66049, 262080, 174080}};
@@ -301,7 +302,7 @@ TEST(Hierarchy, is_sound_at_every_uniform_level_and_comes_back) {
 
 TEST(Hierarchy, costs_fewer_bytes_per_element_than_the_thesis) {
     constexpr AdaptiveMesh::BytesPerElement bytes = AdaptiveMesh::bytes_per_element();
-    EXPECT_LE(bytes.vertex, 28U);    // the thesis: 144
+    EXPECT_LE(bytes.vertex, 28U);    // thesis: 144
     EXPECT_LE(bytes.edge, 48U);      // 52
     EXPECT_LE(bytes.triangle, 92U);  // 120, corner coordinates not counted
 }

@@ -1,4 +1,4 @@
-// That an adaptation allocates nothing in steady state: this program counts what operator new is asked for.
+// An adaptation allocates no memory in steady state. This program counts the calls of operator new.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -32,7 +32,7 @@ void refine_and_coarsen(AdaptiveMesh& mesh, NoState& state) {
     for (const int level : {1, 3, 2, 3, 0}) set_uniform_level(mesh, state, level);
 }
 
-// Splits what lies in a strip that wanders, and lets the rest rejoin; the same turn for turn.
+// Requests splits in a strip about x = at and allows rejoins elsewhere. wander() moves it along the same way each time.
 struct Strip {
     float at;
 

@@ -1,4 +1,4 @@
-// Back-face coarsening on a ball of cloth: what is seen stays as fine as without it.
+// Back-face coarsening on a ball of cloth: the visible side stays as fine as without it.
 #include "sim/adaptive/back_face.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace selvedge::sim::test {
 namespace {
 
-// A cloth on the unit sphere: new vertices land on it, with its normal.
+// A cloth on the unit sphere: new vertices are placed on the sphere and get its normal.
 struct BallState {
     std::vector<Vec3f> x;
     std::vector<Vec3f> normals;
@@ -32,7 +32,7 @@ struct BallState {
     void on_rejoin(VertexId) {}
 };
 
-// The leaves of an octahedron at level 2, as a mesh of their own: 128 triangles.
+// The leaves of an octahedron at level 2 as a base mesh: 128 triangles.
 GarmentMesh ball_of_cloth() {
     const GarmentMesh octa = octahedron();
     AdaptiveMesh mesh(octa);
@@ -86,7 +86,7 @@ class BackFace : public testing::TestWithParam<ViewPoint> {
         return (b - a).cross(c - a).dot(toward) > 0;
     }
 
-    // The leaves that face the viewer, each as its corners.
+    // The leaves that face the viewer, each as the set of its corner positions.
     std::set<std::set<std::array<float, 3>>> seen_triangles(const ViewPoint& view) const {
         std::set<std::set<std::array<float, 3>>> seen;
         for (const LeafTriangle& t : mesh_.leaf_triangles()) {
@@ -99,7 +99,7 @@ class BackFace : public testing::TestWithParam<ViewPoint> {
         return seen;
     }
 
-    const CurvatureOptions bent_{.split_angle = 0.08F, .rejoin_angle = 0.02F};  // level 3 asks for it everywhere
+    const CurvatureOptions bent_{.split_angle = 0.08F, .rejoin_angle = 0.02F};  // requests level 3 everywhere
 };
 
 TEST_P(BackFace, leaves_what_is_seen_as_fine_as_without_it) {

@@ -11,7 +11,7 @@
 namespace selvedge::sim::test {
 namespace {
 
-// A sheet that lies flat but for a round hill in its middle; splits land on the surface, with its normal.
+// A flat sheet with a round hill in its middle; new vertices are placed on the surface and get its normal.
 struct HillState {
     float height = 0.2F;
     std::vector<Vec3f> x;
@@ -31,7 +31,7 @@ struct HillState {
     }
 };
 
-// Normals alone, which the test sets.
+// Only normals, which the test sets.
 struct NormalState {
     std::vector<Vec3f>& normals;
 
@@ -137,7 +137,7 @@ TEST(Length, reads_positions_with_a_fourth_coefficient) {
     EXPECT_FALSE(LengthCriterion(x).wants_split(mesh, edge_between(mesh, VertexId(0), VertexId(1))));
 }
 
-// Straight folds along z, so that the edges of a square mesh that run along z are never bent.
+// Straight folds along z: the mesh edges along z are never bent.
 struct FoldedState {
     float slope = 1.0F;
     std::vector<float> x;
@@ -168,7 +168,7 @@ int deepest(const AdaptiveMesh& mesh) {
 
 class Folds : public testing::Test {
  protected:
-    // Adapts until nothing changes any more; false if it does not come to rest.
+    // Adapts until nothing changes; returns false if it still changes after 10 adaptations.
     template <class Criterion>
     bool settle(const Criterion& criterion) {
         for (int i = 0; i < 10; ++i) {
@@ -207,7 +207,7 @@ TEST_F(Folds, that_are_gone_let_the_mesh_come_back) {
 
 TEST_F(Folds, do_not_split_an_edge_for_finer_ones_that_are_too_short_to_be_split) {
     settle(curvature);
-    const float longest = 2;  // m, no edge is as long
+    const float longest = 2;  // m, longer than every edge
     int spoken_for = 0;
     for (const EdgeId e : mesh.unsplit_edges(0)) {
         const bool asks = curvature.wants_split(mesh, e);
@@ -218,7 +218,7 @@ TEST_F(Folds, do_not_split_an_edge_for_finer_ones_that_are_too_short_to_be_split
     EXPECT_GT(spoken_for, 0) << "nothing was tested";
 }
 
-// Agrees to every rejoin and asks for nothing.
+// Agrees to every rejoin and requests no split.
 struct AlwaysRejoin {
     bool wants_split(const AdaptiveMesh&, EdgeId) const { return false; }
     bool allows_rejoin(const AdaptiveMesh&, EdgeId) const { return true; }

@@ -1,4 +1,4 @@
-// Which edges may split and rejoin (SPEC 1.2, fig. 3.11), and the trap.
+// Permissions of splits and rejoins (thesis fig. 3.11), configurations, and all transitions between them.
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <map>
@@ -20,7 +20,7 @@ std::vector<Configuration> all_configurations() {
     return all;
 }
 
-// One base triangle all of whose edges are split; its configuration is then set by hand.
+// One base triangle with all edges split, whose configuration the test then sets.
 AdaptiveMesh with_all_edges_split() {
     AdaptiveMesh mesh(one_triangle(), {.max_level = 1});
     for (std::uint32_t e = 0; e < 3; ++e) mesh.split(EdgeId(e));
@@ -64,7 +64,7 @@ auto keys(const Map& map) {
     return all;
 }
 
-// The leaf triangles listed by the vertices, each once per corner.
+// The number of leaf triangles found by triangles_at(), summed over all vertices.
 std::size_t listed_corners(const AdaptiveMesh& mesh) {
     std::size_t count = 0;
     for (std::uint32_t v = 0; v < 6; ++v) {
@@ -130,7 +130,7 @@ TEST(Transition, updates_the_adjacency_of_vertices_and_the_sides_of_edges) {
             EXPECT_EQ(t.regular, to == Configuration::C10);
             for (std::size_t k = 0; k < 3; ++k) {
                 const AdaptiveEdge& edge = mesh.edge(t.edges[k]);
-                if (edge.level == 0) continue;  // an external edge that this configuration takes as whole
+                if (edge.level == 0) continue;  // an external edge that is whole in this configuration
                 EXPECT_EQ(edge.sides[edge.ends[0] == t.vertices[k] ? 0 : 1], id);
                 EXPECT_EQ(edge.ends[edge.ends[0] == t.vertices[k] ? 1 : 0], t.vertices[(k + 1) % 3]);
             }
@@ -239,7 +239,7 @@ TEST(Permission, denies_a_rejoin_while_a_child_is_split) {
     EXPECT_TRUE(mesh.may_rejoin(e0) && mesh.may_rejoin(e1) && mesh.may_rejoin(e2));
     split_edges(mesh, {e0, e1, e2, mesh.edge(e0).children[0]});
     EXPECT_FALSE(mesh.may_rejoin(e0));
-    // Its neighbours' children are whole, but theirs is the same S7 triangle, which must stay as it is.
+    // The children of these edges are unsplit, but they border the same S7 triangle, whose children are not all leaves.
     EXPECT_FALSE(mesh.may_rejoin(e1));
     EXPECT_FALSE(mesh.may_rejoin(e2));
 }
@@ -264,8 +264,8 @@ TEST(Permission, binds_across_an_edge_but_not_beyond_the_neighbour) {
     std::set<EdgeId> keep = {mesh.edge(edge_between(mesh, V0, V1)).children[0]};
     for (const EdgeId e : mesh.split_edges(0)) keep.insert(e);
     split_edges(mesh, keep);
-    EXPECT_FALSE(mesh.may_rejoin(shared));                     // its left side is S7 with a split child
-    EXPECT_TRUE(mesh.may_rejoin(edge_between(mesh, V1, V3)));  // borders the right triangle alone
+    EXPECT_FALSE(mesh.may_rejoin(shared));                     // its left side is S7 with a refined child
+    EXPECT_TRUE(mesh.may_rejoin(edge_between(mesh, V1, V3)));  // borders only the right triangle
 }
 
 }  // namespace
@@ -292,7 +292,7 @@ std::vector<std::array<LocalPoint, 3>> triangles_of(Configuration c) {
 
 using Triangles = std::vector<std::array<LocalPoint, 3>>;
 
-// Local points of an actual triangle, in sixteenths: areas are exact.
+// Integer coordinates of the local points of a triangle, so that areas are exact.
 std::array<int, 2> place(LocalPoint p) {
     constexpr std::array<std::array<int, 2>, 6> kPlaces = {{{0, 0}, {8, 0}, {0, 8}, {4, 0}, {4, 4}, {0, 4}}};
     return kPlaces[p];

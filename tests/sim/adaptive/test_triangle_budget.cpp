@@ -1,4 +1,4 @@
-// The triangle budget on a wavy sheet that stands still: the number of leaves follows the target.
+// The triangle budget on a wavy sheet that does not move: the number of leaves follows the target.
 #include "sim/adaptive/triangle_budget.h"
 
 #include <gtest/gtest.h>
@@ -16,13 +16,13 @@
 namespace selvedge::sim::test {
 namespace {
 
-// A sheet in waves that grow steeper to one side. A new vertex takes the mean of its neighbours' normals, as in cloth,
-// and the true one with the next adaptation.
+// A sheet with waves that grow steeper to one side. A new vertex gets the mean of its neighbours' normals, as in cloth,
+// and the true normal at the next adaptation.
 struct WavySheet {
     AdaptiveMesh mesh{bench::make_square({.columns = 12, .rows = 12, .width = 2.0, .depth = 2.0})};
     TriangleBudget budget;
     std::vector<Vec3f> x, normals;
-    std::size_t most_vertices = 0;  // at any time, also while an adaptation is under way
+    std::size_t most_vertices = 0;  // the maximum at any time, also during an adaptation
 
     explicit WavySheet(const BudgetOptions& options) : budget(options) {
         on_capacity(mesh.vertex_capacity());
@@ -59,7 +59,7 @@ struct WavySheet {
     }
 };
 
-// Asks for everything, and lets everything go, all at once.
+// A batch criterion that requests every split and agrees to every rejoin.
 struct EagerBatch {
     static constexpr bool is_batch = true;
     mutable std::vector<EdgeId> noted{};
@@ -76,7 +76,7 @@ struct EagerBatch {
 
 constexpr int kAdaptionsPerSecond = 30;
 
-// What a batch decides, it decides after the budget was asked for each edge; so the budget is asked again.
+// A batch decides after the budget was evaluated for every edge, so adapt() must evaluate the budget again.
 TEST(TriangleBudget, holds_a_batch_that_asks_for_all) {
     WavySheet sheet({.target = 1500});
     for (int i = 0; i < kAdaptionsPerSecond; ++i) {

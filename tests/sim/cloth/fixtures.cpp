@@ -12,7 +12,7 @@
 namespace selvedge::sim::test {
 namespace {
 
-// Fills in the middle for what uniform refinement creates.
+// Places the vertices that uniform refinement creates in the middle of their edges.
 struct Midpoints {
     Cloth& cloth;
 
@@ -29,7 +29,7 @@ struct Midpoints {
     void on_rejoin(VertexId) {}
 };
 
-// The strip as a panel: drawn turned by the angle, turned back upright when placed.
+// The strip as a panel that is drawn rotated by mesh_angle and rotated back when placed.
 Pattern strip_pattern(const StripOptions& options) {
     const Eigen::Rotation2Dd turn(options.mesh_angle);
     Panel panel;

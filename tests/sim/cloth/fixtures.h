@@ -1,5 +1,5 @@
 #pragma once
-// Cloths and bodies that the tests of sim/cloth share.
+// Cloths, bodies and measurements shared by the tests of sim/cloth.
 #include <optional>
 #include <random>
 
@@ -10,7 +10,7 @@
 
 namespace selvedge::sim::test {
 
-// A body with its collider, which points to it: neither copied nor moved.
+// A body with its collider. The collider points to the body, so it cannot be copied or moved.
 struct Obstacle {
     explicit Obstacle(Body shape, const DistanceFieldOptions& field = {})
         : body(std::move(shape)), collider(body, field) {}
@@ -21,11 +21,11 @@ struct Obstacle {
     const BodyCollider collider;
 };
 
-inline constexpr float kNoFloor = -1000.0F;  // m: so far down that nothing reaches it
+inline constexpr float kNoFloor = -1000.0F;  // m: out of reach
 
-// A small sphere that nothing reaches, for tests in which nothing is touched.
+// A small sphere far away, for tests without contact.
 const BodyCollider& nothing_near();
-// 0.15 m about (0, 1, 0).
+// A sphere of radius 0.15 m about (0, 1, 0).
 const BodyCollider& ball();
 
 // A shipped fabric without damping, so that motion can be compared with theory.
@@ -41,9 +41,8 @@ struct PatchOptions {
 };
 Cloth make_patch(const Fabric& fabric, const PatchOptions& options = {});
 
-// A rectangle cut by the garment mesher, its length vertical, held at both ends of its upper edge. mesh_angle (rad):
-// how the mesher's grid, and with it the fabric's outline, is turned against the length; the warp runs along the
-// length.
+// A vertical rectangle meshed by the garment mesher and pinned at its upper edge. The warp runs along the length.
+// mesh_angle (rad): rotation of the mesher's grid against the length.
 struct StripOptions {
     double width = 0.1;   // m
     double length = 1.0;  // m
@@ -52,31 +51,30 @@ struct StripOptions {
 };
 Cloth make_strip(const Fabric& fabric, const StripOptions& options = {});
 
-// All leaves to this level; a new vertex stands in the middle of its edge, and is pinned where both ends are. Solver
-// lists and contact points are fresh.
+// Brings all leaves to this level. A new vertex is placed in the middle of its edge, and is pinned if both ends are.
+// Updates solver lists and contact samples.
 void refine(Cloth& cloth, int level);
 
-// Every leaf vertex up to `reach` m away from where it is, independently, at zero speed.
+// Displaces every leaf vertex independently and at random by up to `reach` m; velocities become zero.
 void shake(Cloth& cloth, float reach, std::mt19937& random);
 float draw(std::mt19937& random, float low, float high);
 
-// Turned about the origin, then moved. Speeds become zero.
+// Rotates about the origin, then translates. Velocities become zero.
 void move_to(Cloth& cloth, const Eigen::Matrix3f& rotation, const Vec3f& shift);
 
-double total_mass(const Cloth& cloth);  // kg, of what is not pinned
+double total_mass(const Cloth& cloth);  // kg, of the vertices that are not pinned
 Vec3d centre_of_mass(const Cloth& cloth);
 
-// Places as the solver's loops want them: with inverse masses, and the spare point behind them.
+// Positions as the kernels take them: with inverse masses as w, followed by the dummy vertex.
 std::vector<Vec4f> solver_points(const Cloth& cloth, const std::vector<Vec4f>& x);
 
-// Signed distance by the exact surface, m, negative inside.
+// Signed distance to the exact surface, m, negative inside.
 float exact_distance(const BodyCollider& body, const Vec3f& p);
-float deepest(const Cloth& cloth, const BodyCollider& body);  // least exact distance of a leaf vertex, m
+float deepest(const Cloth& cloth, const BodyCollider& body);  // minimum exact distance of a leaf vertex, m
 
 void run(Cloth& cloth, const BodyCollider& body, const StepOptions& options, double seconds);
 
-// Root mean square over mass, m/s: at this moment, and of the mean motion over a further run of a fifteenth of a
-// second.
+// Mass-weighted root mean square speed, m/s: at this moment; and of the mean motion over a further run of 1/15 s.
 float speed_now(const Cloth& cloth);
 float speed_of_next_frames(Cloth& cloth, const BodyCollider& body, const StepOptions& options);
 

@@ -15,7 +15,7 @@ namespace {
 constexpr float kRadius = 0.12F;  // m, of the body
 constexpr double kGravity = 9.81;
 
-// Warp, weft and shear of each leaf, each about its bias or about none.
+// Upper bound of the energy of warp, weft and shear of each leaf, with the bias added to the strain or not.
 double strain_energy(const Cloth& cloth) {
     const Constraints& constraints = cloth.solver.constraints;
     const std::vector<TriangleStrain> strains = measure_strain(cloth);
@@ -36,8 +36,9 @@ double strain_energy(const Cloth& cloth) {
     return sum;
 }
 
-// What a limit takes back, over - 1 per length, becomes speed within one sub-step: 1/2 m (over length / substep)^2, and
-// twice that, for limits are met one after the other and undo each other's work.
+// A strain limit corrects the excess strain `over` within one sub-step, which turns it into velocity: an energy of
+// 1/2 m (over length / substep)^2. Returns twice that, because limits are solved one after the other and undo each
+// other's corrections.
 double taken_back(double over, double mass, double area, float substep) {
     const double speed = std::max(0.0, over) * std::sqrt(2 * area) / double(substep);
     return mass * speed * speed;
@@ -55,7 +56,7 @@ double limit_energy(const Cloth& cloth, const LimitBlock& block, std::size_t at)
     return taken_back(warp, mass, area, cloth.substep) + taken_back(weft, mass, area, cloth.substep);
 }
 
-// Of leaves beyond the fabric's strain limit and of refined triangles beyond theirs.
+// The sum over leaves beyond the fabric's strain limit and over coarse strain limits.
 double limit_energy(const Cloth& cloth) {
     const Fabric& fabric = cloth.material.fabrics.front();
     double sum = 0;
@@ -74,7 +75,7 @@ double limit_energy(const Cloth& cloth) {
     return sum;
 }
 
-// 1/2 B k^2 of the larger rigidity, and half as much again: curvatures are averages over neighbours.
+// 1/2 B k^2 with the larger rigidity, times 1.5 because curvatures are averages over neighbours.
 double bending_energy(const Cloth& cloth, const LeafTriangle& leaf) {
     const BendSlot slot = bend_slot(cloth, leaf.triangle);
     const Vec3f curvature = curvature_now(cloth, *slot.block, slot.at);
@@ -158,7 +159,7 @@ RandomRun::RandomRun(Choices& choices)
     change_criteria();
 }
 
-// Of the base mesh, for a vertex that goes takes its pin with it.
+// Only pins base vertices, because a rejoined vertex loses its pin.
 void RandomRun::change_pins() {
     const VertexId v(choices_.next(static_cast<std::uint32_t>(cloth_.mesh.base_vertex_count())));
     cloth_.is_pinned[v.value] = !cloth_.is_pinned[v.value];
@@ -175,7 +176,7 @@ void RandomRun::change_body() {
     forget_contacts(cloth_);
 }
 
-// The speed is kept.
+// Velocities are kept.
 void RandomRun::change_time() {
     const double seconds = choices_.log_between(1.0 / 500, 1.0 / 5);
     stepping_.substeps = 1 + static_cast<int>(choices_.next(24));
@@ -252,8 +253,8 @@ std::optional<std::string> RandomRun::fault() const {
     return std::nullopt;
 }
 
-// Kinetic energy comes from what the cloth had, what its strains held, what it fell, and what pushes it out of the
-// body: that is done within one sub-step, so that nothing gets more speed by it than its depth over that time.
+// Kinetic energy may come from the previous kinetic and elastic energy, from gravity, and from contacts. A contact
+// corrects a depth within one sub-step, so it adds at most the speed depth / substep.
 std::optional<std::string> RandomRun::energy_fault(const Energy& before, double depth) {
     const Energy now = energy_of(cloth_);
     const double pushed = depth / double(cloth_.substep);

@@ -1,7 +1,7 @@
 #pragma once
-// A small cloth to which anything happens that may happen to a cloth: any fabric, levels and criteria that are
-// switched while it moves, pins, a body that is taken away and put back, steps of any length. After each act it is
-// looked at whether all is still sound. What happens is decided by a source of choices: random numbers, or bytes.
+// Randomised test of a small cloth: any fabric, levels and criteria that change while it moves, pins, a body that is
+// removed and put back, steps of any length. After each act it validates the cloth. A source of choices (Choices)
+// decides what happens.
 #include <gtest/gtest.h>
 #include <cstdint>
 #include <optional>
@@ -20,19 +20,19 @@ class Choices {
     virtual std::uint32_t next(std::uint32_t below) = 0;  // 0 .. below - 1
 
     float between(float low, float high) { return low + (high - low) * static_cast<float>(next(256)) / 255; }
-    // Evenly over the orders of magnitude.
+    // Uniform on a logarithmic scale.
     double log_between(double low, double high);
     bool one_in(std::uint32_t n) { return next(n) == 0; }
 };
 
-// Any fabric that a file may hold (sim/pattern/fabric.cpp).
+// A fabric with any values that a file may contain (sim/pattern/fabric.cpp).
 Fabric any_fabric(Choices& choices);
 
-// What a cloth can do work with, J.
+// The mechanical energy of a cloth, J.
 struct Energy {
     double kinetic = 0;
-    double elastic = 0;  // of warp, weft, shear and bending, about the bias or about none, whichever is more
-    double lift = 0;     // against gravity
+    double elastic = 0;  // upper bound for warp, weft, shear and bending, with or without the biases
+    double lift = 0;     // potential energy in gravity
 };
 Energy energy_of(const Cloth& cloth);
 
@@ -40,11 +40,11 @@ class RandomRun {
  public:
     explicit RandomRun(Choices& choices);
 
-    // Changes something or nothing, adapts once and makes some steps. What is found broken, in words; nothing if all is
-    // sound.
+    // Changes something or nothing, adapts once and makes some steps. Returns the description of a fault, if it finds
+    // one.
     std::optional<std::string> act();
 
-    // Every vertex gets this speed downwards, m/s, after each step from now on.
+    // From now on, adds this downward speed, m/s, to every vertex after each step.
     void kick(float speed) { kick_ = speed; }
 
     const Cloth& cloth() const { return cloth_; }
@@ -66,7 +66,7 @@ class RandomRun {
 
     Choices& choices_;
     Cloth cloth_;
-    double mass_ = 0;  // kg, pinned vertices and all
+    double mass_ = 0;  // kg, including pinned vertices
     SphereCollider sphere_;
     NoBody nothing_;
     bool is_away_ = false;
@@ -81,7 +81,7 @@ class RandomRun {
 
 }  // namespace selvedge::sim::test
 
-// Random runs by number.
+// Random runs by seed.
 
 namespace selvedge::sim::test {
 
@@ -94,7 +94,7 @@ class RandomChoices final : public Choices {
     std::mt19937 random_;
 };
 
-// 25 adaptations; how much was split and rejoined. Fails where something breaks.
+// Makes 25 adaptations and returns the number of splits and rejoins. Fails at the first fault.
 inline long run_seed(unsigned seed) {
     RandomChoices choices(seed);
     RandomRun run(choices);

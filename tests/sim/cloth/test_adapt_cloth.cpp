@@ -1,4 +1,4 @@
-// The criteria that adapt_cloth switches on by its options, on cloth that moves.
+// The criteria that the options of adapt_cloth switch on, on moving cloth.
 #include "sim/cloth/adapt_cloth.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace selvedge::sim::test {
 namespace {
 
-// A cloth of 1 m falls on a ball of 0.25 m, one adaptation for each fourth step.
+// A cloth of 1 m falls on a ball of 0.25 m, with one adaptation every fourth step.
 class Drape : public testing::Test {
  protected:
     const SphereCollider ball_{Vec3f::Zero(), 0.25F};
@@ -105,8 +105,7 @@ TEST_F(Drape, goes_no_deeper_than_asked_for) {
     EXPECT_TRUE(cloth_.mesh.split_edges(1).empty());
 }
 
-// m, how far the deepest of the middles of edges that may be split, and of their triangles, is below the offset
-// surface.
+// The maximum depth below the offset surface, m, of the middles of edges that may be split and of their triangles.
 float deepest_middle(const Cloth& cloth, const Collider& body, const SplitLimits& limits) {
     float deepest = 0;
     const auto look = [&](const Vec4f& middle) {
@@ -133,7 +132,7 @@ TEST_F(Drape, is_split_by_collision_alone_wherever_it_cuts_into_the_ball_and_rej
         EXPECT_GT(leaves(), 2 * cloth_.mesh.base_triangle_count());
         for (int i = 0; i < 10 && adapt_cloth(cloth_, ball_, options_).changed(); ++i) continue;
         EXPECT_LT(deepest_middle(cloth_, ball_, {.shortest_edge = shortest}), 0.00201F) << "split_depth";
-        for (int i = 0; i < 3; ++i) adapt_cloth(cloth_, NoBody{}, options_);  // a level at a time
+        for (int i = 0; i < 3; ++i) adapt_cloth(cloth_, NoBody{}, options_);  // one level each
         EXPECT_EQ(leaves(), cloth_.mesh.base_triangle_count());
     }
 }

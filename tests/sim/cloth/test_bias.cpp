@@ -1,4 +1,5 @@
-// The biases of warp, weft and shear outlive an adaptation, and bring cloth to the strain of its stiffness.
+// The multipliers (biases) of warp, weft and shear survive an adaptation, and bring cloth to the strain of its
+// stiffness.
 #include "sim/cloth/bias.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ LeafTriangle leaf_of(const Cloth& cloth, std::uint32_t triangle) {
                          [&](const LeafTriangle& t) { return t.triangle.value == triangle; });
 }
 
-// What the solver works with.
+// The leaves with the biases in the solver's blocks.
 std::vector<BiasedLeaf> biases(const Cloth& cloth) {
     const Constraints& constraints = cloth.solver.constraints;
     std::vector<BiasedLeaf> found;
@@ -39,7 +40,7 @@ std::vector<BiasedLeaf> biases(const Cloth& cloth) {
     return found;
 }
 
-// Each leaf's own.
+// Gives each leaf a different bias.
 void learn(Cloth& cloth, float scale) {
     Constraints& constraints = cloth.solver.constraints;
     for (std::size_t lane = 0; lane < constraints.triangle_of.size(); ++lane) {
@@ -131,12 +132,12 @@ TEST(Bias, an_adaption_that_changes_nothing_leaves_it_alone) {
     }
 }
 
-// At a depth below the clamp the strip carries what hangs below: strain w (L - depth) / k.
+// At a depth below the clamp the strip bears the weight below: strain w (L - depth) / k.
 TEST(Bias, brings_a_hanging_strip_to_the_strain_of_its_stiffness) {
     Fabric fabric = find_fabric("cotton_shirting");
     fabric.stretch_warp = 60;  // N/m
     fabric.strain_limit = 0.5;
-    fabric.shear_hysteresis = 0;                                           // friction would carry a part of the load
+    fabric.shear_hysteresis = 0;                                           // friction would bear a part of the load
     const float weight = static_cast<float>(fabric.area_density) * 9.81F;  // N/m^2
     for (const int level : {0, 1}) {
         Cloth cloth = make_strip(fabric, {.level = level});
@@ -161,22 +162,21 @@ double mean_warp_strain(const Cloth& cloth) {
     return strain / area;
 }
 
-// Of the whole strip, N/m at its clamp, by fifteen times its own weight: leaves of level 2 could carry a fraction of
-// it.
+// The load is fifteen times the weight of the strip. Leaves of level 2 alone could bear only a fraction of it.
 TEST(Bias, of_refined_triangles_brings_heavy_loads_to_the_strain_of_the_stiffness_at_each_level) {
     const Fabric fabric = find_fabric("cotton_shirting");
     const float g = 15 * 9.81F;                                                                        // m/s^2
     const double expected = fabric.area_density * static_cast<double>(g) / (2 * fabric.stretch_warp);  // mean over 1 m
     for (const int level : {0, 1, 2}) {
         Cloth cloth = make_strip(fabric, {.mesh_angle = 0.3, .level = level});
-        move_to(cloth, Eigen::Matrix3f::Identity(), Vec3f(0, 1, 0));  // the free end is where floats are fine
+        move_to(cloth, Eigen::Matrix3f::Identity(), Vec3f(0, 1, 0));  // floats have the smallest steps at the free end
         run(cloth, nothing_near(), {.gravity = Vec3f(0, -g, 0), .extra_damping = 10, .contact = {.floor = kNoFloor}},
             5.0);
         EXPECT_NEAR(mean_warp_strain(cloth), expected, 0.1 * expected) << "level " << level;
     }
 }
 
-// What 12 sub-steps per step have learnt would make the strip far too short with 48.
+// Without rescaling, biases accumulated with 12 sub-steps per step would make the strip far too short with 48.
 TEST(Bias, fits_sub_steps_of_another_length) {
     const Fabric fabric = find_fabric("cotton_shirting");
     const float g = 15 * 9.81F;  // m/s^2
@@ -194,7 +194,7 @@ TEST(Bias, fits_sub_steps_of_another_length) {
     }
 }
 
-// The flat triangle through the corners of cloth that is bent aslant to the threads is longer than the cloth in some
+// The flat triangle through the corners of cloth that is bent obliquely to the yarns is longer than the cloth in some
 // directions.
 TEST(Bias, of_refined_triangles_comes_of_what_their_leaves_are_off_by_and_not_of_their_own_strain) {
     const float c = std::cos(0.5F), s = std::sin(0.5F), r = 0.06F;  // rad, m

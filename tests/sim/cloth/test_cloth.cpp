@@ -1,4 +1,4 @@
-// Masses, pins, speeds and bad numbers; what an adaptation does to the state of the vertices.
+// Masses, pins, velocities and invalid numbers; the effect of an adaptation on the state of the vertices.
 #include "sim/cloth/cloth.h"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@
 namespace selvedge::sim::test {
 namespace {
 
-// A wave along x that stands as high as asked, or flat cloth for 0. Lengths are kept roughly, which is enough to make
-// the criteria ask.
+// Shapes the cloth into a wave along x of this height, or flat for 0. Lengths are kept only roughly; the criteria
+// request splits all the same.
 void wave(Cloth& cloth, float height) {
     for (const VertexId v : cloth.mesh.leaf_vertices()) {
         const float x = cloth.x[v.value].x();
@@ -93,7 +93,7 @@ TEST(UpdateNormals, point_to_the_right_side_and_have_unit_length) {
     }
 }
 
-// A patch of 0.25 m quads over a ball that cuts the edges of one quad and holds no vertex.
+// A patch of 0.25 m quads over a ball that intersects the edges of one quad and contains no vertex.
 class BallUnderAPatch : public testing::Test {
  protected:
     static constexpr float kRadius = 0.1F;
@@ -168,7 +168,7 @@ TEST(AdaptCloth, asks_only_the_criteria_that_are_switched_on) {
                                            CriteriaOptions{.collision = false, .curvature = false, .length = true},
                                            CriteriaOptions{.collision = false, .curvature = false, .length = false}}) {
         Cloth cloth = make_patch(find_fabric("silk"));
-        wave(cloth, 0.05F);  // longer than at rest everywhere: curvature alone would ask
+        wave(cloth, 0.05F);  // longer than at rest everywhere: only curvature would request splits
         EXPECT_EQ(adapt_cloth(cloth, nothing_near(), {.criteria = criteria}).splits, 0);
     }
     Cloth cloth = make_patch(find_fabric("silk"));

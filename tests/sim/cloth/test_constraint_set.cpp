@@ -1,4 +1,4 @@
-// Blocks of constraints share no vertex, and nothing is lost or doubled in them.
+// Constraints in a block share no vertex, and none is lost or duplicated when constraints are added and removed.
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ using Set = ConstraintSet<StretchBlock, StretchRecord>;
 using Corners = std::array<std::uint32_t, 3>;
 constexpr std::size_t kDummyVertex = 60;
 
-// What a slot is filled with: its corners, and a figure of the triangle's own.
+// Fills a slot with its corners and a value of the triangle.
 void fill(Set& set, TriangleId t, const Corners& corners, std::uint32_t slot) {
     const std::size_t at = slot % kBlock;
     for (std::size_t k = 0; k < 3; ++k) set.blocks[slot / kBlock].vertices[k][at] = 4 * corners[k];
@@ -111,7 +111,7 @@ TEST(ConstraintSet, does_not_take_another_triangle_of_the_same_id_for_its_own) {
 
 TEST(ConstraintSet, has_each_block_weighed_once_that_was_changed) {
     Set set = empty_set();
-    for (std::uint32_t t = 0; t < 40; ++t) insert(set, TriangleId(t), {t, 50, 55});  // each of a colour of its own
+    for (std::uint32_t t = 0; t < 40; ++t) insert(set, TriangleId(t), {t, 50, 55});  // each gets its own colour
     std::size_t weighed = 0;
     const auto count = [&](auto blocks, auto records) {
         EXPECT_EQ(blocks.size(), records.size());
@@ -171,7 +171,7 @@ SortedCorners sorted_corners_at(const Block& block, std::size_t at) {
     return corners;
 }
 
-// The constraints of all lanes that are not spare. Fails where a block touches a vertex twice.
+// The constraints of all used slots. Fails if a block contains a vertex twice.
 template <class Block>
 std::multiset<SortedCorners> constraints_of(const std::vector<Block>& blocks, const Cloth& cloth) {
     const std::uint32_t spare = static_cast<std::uint32_t>(cloth.mesh.vertex_capacity());
@@ -184,7 +184,7 @@ std::multiset<SortedCorners> constraints_of(const std::vector<Block>& blocks, co
                 EXPECT_EQ(corners.back(), spare) << "a lane is spare as a whole";
                 continue;
             }
-            const std::set<std::uint32_t> own(corners.begin(), corners.end());  // where a hinge is missing, one twice
+            const std::set<std::uint32_t> own(corners.begin(), corners.end());  // a missing hinge repeats a corner
             for (const std::uint32_t v : own) EXPECT_TRUE(touched.insert(v).second) << "twice in a block: " << v;
             found.insert(corners);
         }
@@ -199,7 +199,7 @@ SortedCorners sorted(std::initializer_list<VertexId> vertices) {
     return corners;
 }
 
-// The apex beyond the edge opposite to a corner; where there is none, the corner.
+// The apex beyond the edge opposite to a corner, or the corner itself if there is none.
 VertexId beyond(const AdaptiveMesh& mesh, const LeafTriangle& leaf, std::size_t corner) {
     const Hinge* hinge = mesh.hinge(mesh.triangle(leaf.triangle).edges[(corner + 1) % 3]);
     if (hinge == nullptr) return leaf.v[corner];
@@ -245,7 +245,7 @@ void expect_each_leaf_in_its_lane(const Cloth& cloth) {
     EXPECT_EQ(seen.size(), cloth.mesh.leaf_triangles().size());
 }
 
-// Triangles about one vertex, all of the same size.
+// Triangles of equal size about one vertex.
 GarmentMesh fan(int count) {
     GarmentMesh mesh;
     mesh.panel_names = {"fan"};
@@ -341,7 +341,7 @@ TEST(BlockColoring, gives_the_lanes_of_what_goes_to_what_comes_and_keeps_colours
     EXPECT_EQ(next, coloring.block_count());
 }
 
-// What a lane holds, by its corners, in their order: whichever lane it is.
+// The contents of each used slot, keyed by its corners in order, independent of the slot's number.
 template <class Block, class Record>
 std::map<SortedCorners, std::vector<float>> contents(const ConstraintSet<Block, Record>& set, const Cloth& cloth) {
     const auto& [blocks, records] = std::tie(set.blocks, set.records);
@@ -412,7 +412,7 @@ TEST(Constraints, that_change_with_the_mesh_hold_what_blocks_made_anew_hold) {
     EXPECT_GT(samples, 0U);
 }
 
-// More triangles than there are colours meet in one vertex.
+// More triangles meet in one vertex than there are colours.
 TEST(Constraints, hold_a_fan_of_a_hundred_triangles) {
     Cloth cloth = make_cloth(fan(100), {find_fabric("silk")}, {.max_level = 1});
     expect_sound_blocks(cloth);

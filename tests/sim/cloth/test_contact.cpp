@@ -1,4 +1,4 @@
-// The body is never entered, whatever moves, and friction holds or lets go where Coulomb says.
+// Contacts: no vertex or sample enters the body, and cloth sticks or slides according to Coulomb's law.
 #include "sim/cloth/contact.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr float kOffset = 0.003F;
 
-// What is left of the offset when the distance field errs by all it may.
+// The contact offset minus the maximum error of the distance field, m.
 float least_clearance(const BodyCollider& body) {
     return kOffset - body.max_error() - 1e-4F;
 }
@@ -87,7 +87,7 @@ TEST(RefreshContacts, samples_every_edge_longer_than_the_spacing_and_triangles_t
     }
 }
 
-// How many there are of edges that may be split, of their triangles, and of the rest.
+// The number of samples whose first vertex belongs to an edge that may be split, and the number of the others.
 std::array<std::size_t, 2> samples_of(const Cloth& cloth, const SplitLimits& limits) {
     std::set<std::uint32_t> near;  // vertices of edges that may be split
     for (const LeafEdge& edge : cloth.mesh.leaf_edges()) {
@@ -118,7 +118,7 @@ TEST(RefreshContacts, samples_no_edge_that_is_split_where_it_dips_into_a_body) {
         refresh_contacts(cloth, {}, limits);
         EXPECT_EQ(samples_of(cloth, limits)[1], before[1]) << "what may not be split is sampled";
     }
-    refresh_contacts(cloth, {}, SplitLimits{.shortest_edge = 0.12F});  // of level 1 diagonals may be split, sides not
+    refresh_contacts(cloth, {}, SplitLimits{.shortest_edge = 0.12F});  // at level 1 only diagonals may be split
     std::size_t sides = 0;
     for (const LeafEdge& edge : cloth.mesh.leaf_edges()) sides += edge.rest_length < 0.12F ? 1 : 0;
     EXPECT_GE(sample_count(cloth.solver.contacts), 3 * sides);
@@ -147,7 +147,7 @@ TEST(PushOutSamples, keeps_the_middle_of_a_long_edge_out_of_a_small_ball) {
     EXPECT_GT(highest, 1.03F) << "it fell past the ball, so nothing was tested";
 }
 
-// Holds all vertices outside of the ball, wherever they came from.
+// Calls hold_vertices() for the ball with the present positions.
 void hold(Cloth& cloth) {
     cloth.solver.points = solver_points(cloth, cloth.x);
     cloth.solver.before = solver_points(cloth, cloth.x_prev);
@@ -155,7 +155,7 @@ void hold(Cloth& cloth) {
     for (std::size_t v = 0; v < cloth.x.size(); ++v) cloth.x[v] = padded(cloth.solver.points[v].head<3>());
 }
 
-// Each vertex walks at random near the ball; whatever the slack says, no vertex may be left nearer than the offset.
+// Random walks of vertices near the ball: whatever slack the cache contains, no vertex may end nearer than the offset.
 TEST(HoldVertices, the_slack_never_hides_a_contact) {
     std::mt19937 random(21);
     Cloth cloth = make_patch(undamped(), {.side = 0.4, .quads = 8, .height = 1.12});
@@ -184,7 +184,7 @@ TEST(HoldVertices, a_falling_cloth_never_comes_nearer_than_the_offset) {
         step(cloth, ball(), {.contact = {.floor = kNoFloor}});
         ASSERT_GT(deepest(cloth, ball()), least) << "after step " << i;
     }
-    // The middles of its triangles touch first, and keep their corners some millimetres further off.
+    // The middles of triangles touch first, so their corners stay some millimetres further away.
     EXPECT_LT(deepest(cloth, ball()), 3 * kOffset) << "it never reached the ball, so nothing was tested";
 }
 
@@ -194,7 +194,7 @@ TEST(HoldVertices, the_floor_holds_what_falls_past_the_body) {
     for (const VertexId v : cloth.mesh.leaf_vertices()) EXPECT_NEAR(cloth.x[v.value].y(), 0.023F, 1e-4F);
 }
 
-// A patch that lies on the upper side of a slab tilted by `angle_deg` about z, and what it does in `seconds`.
+// A patch on the upper side of a slab tilted by `angle_deg` about z.
 class Slope {
  public:
     Slope(double angle_deg, double mu)
@@ -206,7 +206,7 @@ class Slope {
         move_to(cloth_, turn_.toRotationMatrix().cast<float>(), start.cast<float>());
     }
 
-    // m, down the slope.
+    // The displacement down the slope after `seconds`, m.
     double slide(double seconds) {
         const Vec3d before = centre_of_mass(cloth_);
         run(cloth_, slab_.collider, {}, seconds);

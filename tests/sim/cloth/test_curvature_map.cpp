@@ -1,4 +1,4 @@
-// Curvature from the hinges' angles: exact on lattices, exact on average on every mesh.
+// Curvature from hinge angles: exact on lattices, exact on average on every mesh.
 #include "sim/cloth/curvature_map.h"
 
 #include <gtest/gtest.h>
@@ -12,14 +12,14 @@
 namespace selvedge::sim::test {
 namespace {
 
-// A sheet of n x n quads, all cut along the same diagonal; vertices moved at random by up to `rough` of a quad. Each
-// triangle has its own frame, turned against the sheet's.
+// A sheet of n x n quads, all cut along the same diagonal, with vertices displaced at random by up to `rough` of a
+// quad. Each triangle has its own frame, rotated against the sheet's.
 struct Sheet {
     std::vector<Vec2d> points;
     std::vector<std::array<int, 3>> triangles;
     std::vector<double> turns;  // rad
     std::vector<RestTriangle> rest;
-    std::vector<std::array<std::pair<int, std::size_t>, 3>> beside;  // triangle or -1, and the edge's number there
+    std::vector<std::array<std::pair<int, std::size_t>, 3>> beside;  // neighbour or -1, and the edge's index in it
     std::vector<CurvatureFit> fits;
 
     explicit Sheet(int n, double rough = 0) {
@@ -72,7 +72,7 @@ struct Sheet {
         }
         return curvature_map(fits[t], around);
     }
-    // Of a surface with these curvatures in the sheet's frame, the angles of a triangle's hinges.
+    // The hinge angles of a triangle on a surface with these curvatures in the sheet's frame.
     Vec3d angles(std::size_t t, const Vec3d& curvature) const {
         const auto height = [&](const Vec2d& p) {
             return 0.5 * (curvature[0] * p.x() * p.x() + curvature[1] * p.y() * p.y() + curvature[2] * p.x() * p.y());
@@ -88,7 +88,7 @@ struct Sheet {
     }
 };
 
-// In a frame in which what was at angle 0 lies at `turn`.
+// Curvatures in a frame in which the old x axis lies at the angle `turn`.
 Vec3d turned(const Vec3d& k, double turn) {
     const double c = std::cos(turn), s = std::sin(turn);
     return {c * c * k[0] + s * s * k[1] - c * s * k[2], s * s * k[0] + c * c * k[1] + c * s * k[2],
@@ -101,7 +101,7 @@ TEST(CurvatureMap, meets_quadratic_surfaces_exactly_on_a_lattice) {
     const Sheet sheet(6);
     int inner = 0;
     for (std::size_t t = 0; t < sheet.rest.size(); ++t) {
-        // A map takes its neighbours' misses into account, so that those must be inner, too.
+        // A map depends on the errors of its neighbours, so these must be inner triangles too.
         bool is_deep = sheet.is_inner(t);
         for (const auto& [other, edge] : sheet.beside[t]) is_deep = is_deep && sheet.is_inner(std::size_t(other));
         if (!is_deep) continue;

@@ -1,4 +1,4 @@
-// Friction inside the fabric, in bending and in shear: loops as wide as measured, bends that stay, no energy gained.
+// Internal friction in bending and shear: hysteresis loops of the measured width, residual bends, no gain of energy.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace selvedge::sim::test {
 namespace {
 
-// Alike along warp and weft, without damping.
+// A fabric with friction, equal along warp and weft, without damping.
 Fabric rubbing(double bending_hysteresis, double shear_hysteresis = 0) {
     Fabric fabric = undamped();
     fabric.bending_warp = fabric.bending_weft = 1e-5;  // N m
@@ -23,7 +23,7 @@ Fabric rubbing(double bending_hysteresis, double shear_hysteresis = 0) {
     return fabric;
 }
 
-// Rolled about a level axis, from where it hung flat, without stretch. At rest. curvature: 1/m.
+// Rolls the flat cloth about a horizontal axis without stretch, with zero velocity. curvature: 1/m.
 void roll(Cloth& cloth, const std::vector<Vec4f>& flat, float curvature) {
     for (const VertexId v : cloth.mesh.leaf_vertices()) {
         const Vec4f& p = flat[v.value];
@@ -43,7 +43,7 @@ double area_of(const Cloth& cloth) {
     return area;
 }
 
-// A strip turned on its mesh, flat.
+// A strip that is rolled to given curvatures, and the forces that it then has.
 struct Roll {
     Cloth cloth;
     std::vector<Vec4f> flat;
@@ -59,13 +59,13 @@ struct Roll {
     Roll(const Roll&) = delete;
     Roll& operator=(const Roll&) = delete;
 
-    // What one visit of all triangles moves.
+    // The displacements by one iteration over all triangles.
     std::vector<Vec4f> visit() {
         std::vector<Vec4f> points = solver_points(cloth, cloth.x);
         kernels(simd_level()).solve_bend(cloth.solver.constraints.bend.blocks, floats(points), 2);
         return points;
     }
-    // By the work that the moment would do if the curvature changed, N.
+    // The bending moment per width, N, from the virtual work of a small change of curvature.
     double moment_at(float curvature) {
         constexpr float kLittle = 0.1F;  // 1/m
         roll(cloth, flat, curvature + kLittle);
@@ -81,7 +81,7 @@ struct Roll {
         const double time = double(cloth.substep) * double(cloth.substep) * interval();
         return work / time / area_of(cloth);
     }
-    // Sub-steps from one visit to the next: of all leaves the same, for they are large.
+    // The number of sub-steps between two solves; the same for all leaves, because they are large.
     double interval() const {
         const std::vector<BendBlock>& blocks = cloth.solver.constraints.bend.blocks;
         float least = kNeverVisited, most = 0;
@@ -95,7 +95,7 @@ struct Roll {
         EXPECT_EQ(least, most);
         return static_cast<double>(least);
     }
-    // Mean curvature along the strip, 1/m, of the triangles that are not at its edges.
+    // Mean curvature along the strip, 1/m, over triangles that are not at its edges.
     double curvature() const {
         double sum = 0, area = 0;
         for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles()) {
@@ -109,7 +109,7 @@ struct Roll {
     }
 };
 
-// So heavy that a visit moves it by a hundredth of what it sees: what it moves is the moment.
+// So heavy that one iteration corrects only 1 % of an angle: the impulses are then proportional to the moment.
 Fabric heavy(Fabric fabric) {
     fabric.area_density = 1;  // kg/m^2
     return fabric;
@@ -146,7 +146,7 @@ TEST(FrictionInside, leaves_the_slope_of_the_loop_to_the_rigidity) {
     EXPECT_NEAR((strip.moment_at(kMost + 2) - before) / 2, 1e-5, 0.3e-5);
 }
 
-// Not quite: chords of a roll are shorter than its arcs, and forces go by the heights at rest.
+// Not exactly: chords of a roll are shorter than its arcs, and forces use the heights at rest.
 TEST(FrictionInside, leaves_the_moment_of_sharp_folds_in_proportion_to_their_angle) {
     Roll strip(heavy(rubbing(1e-4)));
     const double slip = 2 * 1e-4 / 1e-5;  // 1/m, far beyond where friction slips
@@ -199,7 +199,7 @@ TEST(FrictionInside, does_nothing_in_limp_cloth) {
 
 const StepOptions kFree{.gravity = Vec3f::Zero(), .extra_damping = 5, .contact = {.floor = kNoFloor}};
 
-// Of a strip that was flat when it was made, bent, and let go, 1/m.
+// The residual curvature, 1/m, of a strip that was made flat, bent and released.
 double residual(Roll& strip, double seconds) {
     run(strip.cloth, nothing_near(), kFree, seconds);
     return strip.curvature();
@@ -213,7 +213,7 @@ TEST(FrictionInside, keeps_a_bend_that_was_let_go_in_proportion_to_2hb) {
         kept.push_back(residual(strip, 3));
     }
     EXPECT_NEAR(kept[0], 0, 0.2);
-    const double balanced = 0.5 * 1e-4 / 1e-5;  // 1/m, where the rigidity pulls as hard as friction holds
+    const double balanced = 0.5 * 1e-4 / 1e-5;  // 1/m, where the moments of rigidity and friction are equal
     EXPECT_GT(kept[2], 0.4 * balanced);
     EXPECT_LT(kept[2], 1.3 * balanced);
     EXPECT_NEAR(kept[1] / kept[2], 0.5, 0.15);
@@ -231,7 +231,7 @@ Fabric immovable(Fabric fabric) {
     return fabric;
 }
 
-// Shear, in all leaves the same, as a loop of slow steps; the stress that the biases have settled on, N/m.
+// Shears all leaves equally in a loop of slow steps; measures the stress, N/m, to which the biases have converged.
 struct Shearing {
     Cloth cloth = make_patch(immovable(rubbing(0, 2.5)), {.height = 0});
     std::vector<Vec4f> flat = cloth.x;
@@ -267,8 +267,8 @@ TEST(FrictionInside, makes_a_loop_of_stress_against_shear_that_is_2hg_wide) {
     EXPECT_NEAR(std::abs(patch.stress_at(0) - down), 2.5, 0.05);
 }
 
-// Flat strips that are set swinging, without any damping: the most kinetic energy that each half of a second knows, of
-// what they were given.
+// Flat strips that oscillate without damping: for each half second the maximum kinetic energy, relative to the initial
+// one.
 std::vector<double> swing(double hysteresis) {
     constexpr float kSpeed = 40;               // 1/(m s), of the parabola about the middle
     constexpr float kMean = 0.2F * 0.2F / 12;  // m^2, so that the strip as a whole stays
@@ -292,15 +292,15 @@ std::vector<double> swing(double hysteresis) {
 }
 
 TEST(FrictionInside, takes_energy_and_never_gives_any) {
-    // The strip sways by more than one of its motions: what is kinetic at a time differs from one processor to the
-    // next.
+    // The strip oscillates in several modes, so the share of kinetic energy at a given time differs between types of
+    // processor.
     constexpr double kExchanged = 0.01;
     const std::vector<double> elastic = swing(0), rubbed = swing(1e-4);
     for (std::size_t i = 0; i < rubbed.size(); ++i) EXPECT_LT(rubbed[i], i == 0 ? 1.001 : rubbed[i - 1] + kExchanged);
     EXPECT_LT(rubbed.back(), 0.5 * elastic.back() + kExchanged);
 }
 
-// Shakes the cloth and lets its triangles see that.
+// Displaces the vertices at random and updates the anchors of friction.
 void bend_at_random(Cloth& cloth, unsigned seed) {
     std::mt19937 random(seed);
     shake(cloth, 0.01F, random);
@@ -308,7 +308,7 @@ void bend_at_random(Cloth& cloth, unsigned seed) {
     kernels(simd_level()).solve_bend(cloth.solver.constraints.bend.blocks, floats(points), 2);
 }
 
-// Of a leaf, or of a refined triangle.
+// The anchor of friction of a leaf or a refined triangle.
 Vec3f anchor_of(const Cloth& cloth, TriangleId t) {
     const BendSlot slot = bend_slot(cloth, t);
     return lane_of(slot.block->anchor, slot.at);

@@ -1,4 +1,4 @@
-// No internal constraint pushes or turns the cloth as a whole, and all kinds of vector instructions agree.
+// Internal constraints conserve linear and angular momentum, and kernels of all SIMD levels agree.
 #include "sim/cloth/kernels.h"
 
 #include <gtest/gtest.h>
@@ -21,8 +21,7 @@ bool have_same_bits(const Points& a, const Points& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Vec4f)) == 0;
 }
 
-// One change of positions: what it does to momentum and to angular momentum, compared with the sum of what it does to
-// the single vertices.
+// The change of linear and angular momentum by a change of positions, and the sum of the magnitudes over the vertices.
 struct Push {
     Vec3d linear = Vec3d::Zero();
     Vec3d angular = Vec3d::Zero();
@@ -41,8 +40,8 @@ Push push_between(const Cloth& cloth, const Points& before, const Points& after)
     return push;
 }
 
-// The forces of a constraint pass through the positions that it saw, so blocks are solved one by one: within a block no
-// two share a vertex.
+// Angular momentum is taken at the positions from which a constraint was solved. So blocks are solved one by one:
+// within a block no two constraints share a vertex.
 template <class Block>
 void expect_no_push(const Cloth& cloth, std::vector<Block> blocks,
                     const std::function<void(std::span<Block>, Points&)>& solve, double torque_share) {
@@ -62,8 +61,7 @@ void expect_no_push(const Cloth& cloth, std::vector<Block> blocks,
     EXPECT_LT(linear.norm(), 1e-4 * size);
 }
 
-// About the origin and not at a height, and stiff in bending, so that float steps of the positions are small against
-// the corrections.
+// Near the origin and stiff in bending, so that the rounding of positions is small against the corrections.
 Cloth flat_patch(int level) {
     Fabric fabric = find_fabric("denim");
     fabric.bending_warp = 0.2;  // N m
@@ -90,7 +88,7 @@ void centre_split_edges(Cloth& cloth) {
     }
 }
 
-// One block of refined triangles with all that hangs on it.
+// Solves blocks of refined triangles of one level and moves the vertices that follow their corners.
 void limit_and_carry(const Cloth& cloth, const Kernels& loops, std::span<const LimitBlock> blocks, std::size_t level,
                      Points& points, LimitRecord* records = nullptr, std::span<CoarseBendBlock> bend = {}) {
     Points carried = points;
@@ -109,7 +107,7 @@ class KernelsAtLevel : public testing::TestWithParam<SimdLevel> {
     const Kernels& loops() const { return kernels(GetParam()); }
 };
 
-// A third of them as where a seam gathers the cloth.
+// The same blocks with a third of the constraints marked as gathered by a seam.
 std::vector<StretchBlock> with_gathers(std::vector<StretchBlock> blocks) {
     for (StretchBlock& block : blocks) {
         for (std::size_t at = 0; at < kBlock; at += 3) block.push[at] = 0;
@@ -117,8 +115,8 @@ std::vector<StretchBlock> with_gathers(std::vector<StretchBlock> blocks) {
     return blocks;
 }
 
-// Shear is taken at unit length of warp and weft, so its torque vanishes only to the order of their strain, which is
-// some 20 % here: a wrong gradient would turn by the arm, 0.05 m, and more.
+// Shear uses unit vectors of warp and weft, so its torque vanishes only to the order of their strain, about 20 % here.
+// A wrong gradient would cause a torque of at least 0.05 m (the arm) times the force.
 TEST_P(KernelsAtLevel, stretch_and_shear_push_and_turn_nothing_as_a_whole) {
     std::mt19937 random(11);
     const Cloth cloth = shaken_patch(random, 0.01F);
@@ -131,7 +129,7 @@ TEST_P(KernelsAtLevel, stretch_and_shear_push_and_turn_nothing_as_a_whole) {
         0.01);
 }
 
-// Forces go by the heights at rest, so that their torque vanishes to the order of the strain: nearly none in a roll.
+// Forces use the heights at rest, so their torque vanishes to the order of the strain, which is nearly 0 in a roll.
 Cloth rolled_patch(int level) {
     constexpr float kCurvature = 8;  // 1/m
     Cloth cloth = flat_patch(level);
@@ -174,8 +172,8 @@ TEST_P(KernelsAtLevel, bending_of_refined_triangles_pushes_nothing_and_turns_lit
     }
 }
 
-// What follows a refined triangle weighs upon its corners by halves. That keeps the momentum; the angular momentum only
-// where a corner stands in the middle of its neighbours, and here it is shaken by 0.03 m out of it.
+// Half of the mass of each centre counts at each end of its edge. This conserves linear momentum. It conserves angular
+// momentum only if each centre is in the middle of its edge, and here vertices are displaced by 0.03 m.
 TEST_P(KernelsAtLevel, limits_of_refined_triangles_push_nothing_and_turn_little) {
     std::mt19937 random(13);
     Cloth cloth = flat_patch(2);
@@ -233,7 +231,7 @@ TEST_P(KernelsAtLevel, a_limit_takes_back_what_is_longer_and_touches_nothing_sho
     EXPECT_GT(shorter, 0);
 }
 
-// Every loop once, over a shaken patch that has two pinned vertices.
+// Calls every kernel once, on a randomly displaced patch with two pinned vertices.
 struct Sweep {
     Points points, before, lost, asked, plane;
     std::vector<StretchRecord> records;
@@ -268,7 +266,7 @@ Sweep swept(const Kernels& loops) {
     s.asked.assign(s.points.size(), Vec4f(0, 0, 0, 0.1F));
     s.plane.assign(s.points.size(), Vec4f(0, 1, 0, -0.002F));
     for (std::size_t v = 0; v < s.points.size(); v += 3) {
-        s.asked[v] = s.points[v];  // lies on the body
+        s.asked[v] = s.points[v];  // the point lies on the body
         s.asked[v].w() = 0;
     }
     s.records = constraints.stretch.records;
@@ -359,7 +357,7 @@ TEST(Kernels, of_avx2_and_avx512_weigh_bending_with_the_same_bits) {
     const Cloth cloth = flat_patch(2);
     const SolverLists& lists = cloth.solver.lists;
     Constraints narrow = cloth.solver.constraints, wide = narrow;
-    std::vector<float> inverse_masses = lists.inverse_masses;  // others than it was weighed with
+    std::vector<float> inverse_masses = lists.inverse_masses;  // differ from those that the gains were made for
     for (float& w : inverse_masses) w *= 2;
     const auto weigh = [&](const Kernels& loops, Constraints& constraints) {
         loops.update_bend_masses(constraints.bend.blocks, constraints.bend.records, inverse_masses.data());
@@ -390,7 +388,7 @@ TEST(Kernels, without_fused_multiplication_are_off_by_rounding_only) {
     EXPECT_EQ(plain.found, fused.found);
 }
 
-// A patch on the ball that splits and rejoins, with contacts and friction.
+// A patch dropped on the ball, with adaptation, contacts and friction.
 Points dropped(SimdLevel level) {
     const SimdLimit limit(level);
     Cloth cloth = make_patch(find_fabric("silk"), {.side = 0.5, .quads = 6, .height = 1.16});

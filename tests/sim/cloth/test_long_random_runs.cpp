@@ -1,4 +1,4 @@
-// Anything may happen to a cloth, 10,000 adaptations long.
+// Random runs of a cloth (random_run.h) over 10,000 adaptations.
 #include <gtest/gtest.h>
 
 #include "tests/sim/cloth/random_run.h"
@@ -10,7 +10,7 @@ TEST(LongRandomRuns, stay_sound_over_10000_adaptions) {
     for (unsigned seed = 1000; seed < 1400; ++seed) run_seed(seed);
 }
 
-// Limits of strain that were met one after the other drove a cloth that hung from five pins to strains of 40 %.
+// Regression: strain limits solved one after the other drove a cloth with five pins to strains of 40 %.
 TEST(LongRandomRuns, stay_sound_where_limits_undo_each_others_work) {
     run_seed(600);
 }

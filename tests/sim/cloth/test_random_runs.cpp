@@ -1,4 +1,4 @@
-// Anything may happen to a cloth, and it stays a cloth. The short version; test_long_random_runs.cpp has the long one.
+// Random runs of a cloth (random_run.h): it stays valid whatever happens. test_long_random_runs.cpp has longer runs.
 #include <gtest/gtest.h>
 
 #include "tests/sim/cloth/random_run.h"
@@ -12,12 +12,12 @@ TEST(RandomRuns, stay_sound_over_200_adaptions) {
     EXPECT_GT(changes, 500) << "hardly anything was split or rejoined, so nothing was tested";
 }
 
-// Strict strain limits on stiff cloth; contacts after sub-steps that were much longer; a coarsening into the body.
+// Seeds with strict strain limits on stiff cloth, contacts after much longer sub-steps, or coarsening into the body.
 TEST(RandomRuns, stay_sound_where_pushes_are_hardest) {
     for (const unsigned seed : {25U, 29U, 56U, 96U, 131U, 147U}) run_seed(seed);
 }
 
-// A rule that nothing breaks is worth nothing.
+// Tests the check itself: it must detect added kinetic energy.
 TEST(RandomRuns, would_see_speed_that_comes_from_nowhere) {
     RandomChoices choices(0);
     RandomRun run(choices);

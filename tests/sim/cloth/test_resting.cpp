@@ -1,4 +1,4 @@
-// What rests costs nothing, whatever could move it wakes it, and what moves never rests.
+// Cloth at rest costs no computation, every change that could move it reactivates it, and moving cloth never rests.
 #include "sim/cloth/resting.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 
 const StepOptions kDamped{.extra_damping = 8, .may_rest = true};
 
-// s until it rests; none within 20 s.
+// The time until the cloth is at rest, s; nullopt if it is not within 20 s.
 std::optional<double> come_to_rest(Cloth& cloth, const BodyCollider& body, const StepOptions& options = kDamped) {
     constexpr int kMost = 2400;  // steps
     for (int i = 0; i < kMost; ++i) {
@@ -48,7 +48,8 @@ std::uint32_t lowest(const Cloth& cloth) {
     return found;
 }
 
-// A patch on the ball, and a strip that hangs by its upper edge with one vertex of its hem in a hand.
+// Two fixtures: a patch on the ball, and (HeldStrip) a strip that hangs by its upper edge with kinematic vertices at
+// its hem.
 Cloth patch_at_rest() {
     Cloth cloth = make_patch(find_fabric("cotton_shirting"), {.side = 0.4, .quads = 6, .height = 1.17});
     refine(cloth, 1);
@@ -60,7 +61,7 @@ struct HeldStrip {
     std::uint32_t hand = lowest(cloth);
     std::vector<std::uint32_t> hands{hand};
 
-    // By one vertex of its hem, or by all of it.
+    // Makes one vertex of the hem kinematic, or all of them.
     explicit HeldStrip(bool by_all = false) {
         for (const VertexId v : cloth.mesh.leaf_vertices()) {
             const bool is_at_hem = cloth.x[v.value].y() < cloth.x[hand].y() + 1e-3F;
@@ -149,7 +150,7 @@ TEST(Resting, an_adaptation_wakes_if_it_changes_something) {
     EXPECT_GT(step(cloth, ball(), kDamped).substeps, 0);
 }
 
-// Leads the hand within a second, evenly; fails if a step computes nothing.
+// Moves the kinematic vertices evenly by `way` within 1 s; fails if a step computes nothing.
 void lead_by(HeldStrip& strip, const Vec3f& way, StepOptions options) {
     constexpr int kSteps = 120;
     std::vector<KinematicVertex> led(strip.hands.size());
@@ -170,12 +171,12 @@ TEST(Resting, a_pull_at_one_vertex_moves_all_that_hangs_on_it) {
     lead_by(strip, Vec3f(0.1F, 0.05F, 0.3F), kDamped);
     EXPECT_LT((strip.cloth.x[strip.hand].head<3>() - goal).norm(), 1e-4F);
     for (const VertexId v : strip.cloth.mesh.leaf_vertices()) {
-        if (there[v.value].y() > 1.8F) continue;  // at the clamp
+        if (there[v.value].y() > 1.8F) continue;  // near the clamp
         EXPECT_GT((strip.cloth.x[v.value] - there[v.value]).norm(), 0.01F) << "left behind at " << there[v.value].y();
     }
 }
 
-// Slower than what counts as rest.
+// Slower than the speed of cloth that counts as at rest.
 TEST(Resting, a_vertex_that_is_led_at_a_millimetre_a_second_arrives) {
     HeldStrip strip;
     ASSERT_TRUE(come_to_rest(strip.cloth, nothing_near()).has_value());
@@ -189,7 +190,7 @@ TEST(Resting, a_vertex_that_is_led_at_a_millimetre_a_second_arrives) {
     EXPECT_NEAR(strip.cloth.x[strip.hand].y() - start.y(), 0.005F, 2 * kKinematicReach);
 }
 
-// From one run: one that rested for a while and one that never did, pulled in the same way afterwards.
+// Two copies of the same cloth, one of which rested for a while, are pulled in the same way.
 TEST(Resting, what_rested_and_what_never_did_hang_alike_after_a_pull) {
     HeldStrip resting(true), awake(true);
     ASSERT_TRUE(come_to_rest(resting.cloth, nothing_near()).has_value());
@@ -204,11 +205,11 @@ TEST(Resting, what_rested_and_what_never_did_hang_alike_after_a_pull) {
     EXPECT_TRUE(come_to_rest(resting.cloth, nothing_near()).has_value());
     run(awake.cloth, nothing_near(), always, 12);
     EXPECT_GT(farthest_between(resting.cloth, HeldStrip(true).cloth), 0.1F) << "it never moved";
-    // They started up to kRestReach apart.
+    // Their initial positions differed by up to kRestReach.
     EXPECT_LT(farthest_between(resting.cloth, awake.cloth), 2 * kRestReach) << "after it";
 }
 
-// It stands still at each turning point, and moves on.
+// A pendulum has zero velocity at each turning point, but is not at rest.
 TEST(Resting, a_strip_that_swings_is_never_taken_for_resting) {
     for (const float angle : {0.1F, 0.005F}) {
         Cloth cloth = make_strip(undamped(), {.level = 1});

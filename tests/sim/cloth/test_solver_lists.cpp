@@ -1,4 +1,4 @@
-// Seams whose sides are of unequal length: cloth in puckers finer than the mesh, and folds below them.
+// Incremental updates of gains, and gathered seams, whose sides have unequal lengths.
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <cstring>
@@ -45,7 +45,8 @@ void mark_all_dirty(Constraints& constraints) {
     }
 }
 
-// Adapts where the cloth is shaken; returns how many adaptations changed the blocks in place.
+// Adapts randomly displaced cloth repeatedly and compares the incremental update with a complete one; returns the
+// number of adaptations that changed the blocks in place.
 int adapt_and_compare(Cloth& cloth, float strength, std::mt19937& random) {
     int in_place = 0;
     for (int i = 0; i < 40; ++i) {
@@ -86,7 +87,7 @@ TEST(EffectiveMasses, of_few_changes_leave_most_blocks_alone) {
         shake(cloth, 0.004F, random);
         adapt_cloth(cloth, nothing_near(), {.shortest_edge = 0});
     }
-    // A block that nothing marks keeps what stands in it.
+    // Blocks that are not marked as dirty are not written.
     for (StretchBlock& block : cloth.solver.constraints.stretch.blocks) block.warp.fill(-1);
     update_effective_masses(cloth);
     for (const StretchBlock& block : cloth.solver.constraints.stretch.blocks) EXPECT_EQ(block.warp[0], -1);
@@ -102,8 +103,8 @@ Panel rectangle(const std::string& name, double width, double top, double bottom
     return panel;
 }
 
-// A band held at its upper edge, and a ruffle gathered onto its lower one; hanging, with each vertex a little before or
-// behind the others.
+// A band pinned at its upper edge with a ruffle gathered onto its lower one, hanging; vertices are displaced slightly
+// to the front and back at random.
 Cloth make_ruffle(const Fabric& fabric, double fullness) {
     Pattern pattern;
     pattern.panels = {rectangle("band", kBand, 0, -0.05), rectangle("ruffle", fullness * kBand, -0.05, -0.2)};
@@ -129,7 +130,7 @@ void hang(Cloth& cloth, double seconds) {
     }
 }
 
-// m, how far the cloth stands before and behind itself at the hem.
+// The extent of the hem from front to back, m.
 float depth_of_hem(const Cloth& cloth) {
     float least = 1, most = -1;
     for (const VertexId v : cloth.mesh.leaf_vertices()) {

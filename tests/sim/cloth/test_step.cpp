@@ -1,4 +1,4 @@
-// Motion against mechanics: fall, rest, momentum, pins, hanging and draping.
+// Simulated motion compared with mechanics: fall, rest, momentum, pins, hanging, draping, wind; and determinism.
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <array>
@@ -57,7 +57,7 @@ float farthest_move(const Cloth& cloth, const std::vector<Vec4f>& from) {
     return farthest;
 }
 
-// But for rounding, which makes some thousandths of a millimetre in 120 sub-steps.
+// Up to rounding, which causes some micrometres in 120 sub-steps.
 TEST(Step, a_flat_patch_at_rest_stays_where_it_is_without_gravity) {
     Cloth cloth = make_patch(find_fabric("denim"), {.height = 0.5});
     refine(cloth, 1);
@@ -66,7 +66,7 @@ TEST(Step, a_flat_patch_at_rest_stays_where_it_is_without_gravity) {
     EXPECT_LT(farthest_move(cloth, start), 1e-5F);
 }
 
-// Nothing but rounding is at work, and that has no direction.
+// Only rounding errors act, and they have no preferred direction.
 TEST(Step, a_flat_patch_that_lies_askew_does_not_drift_away) {
     for (const int level : {0, 1, 2}) {
         Cloth cloth = make_patch(find_fabric("denim"), {.height = 0});
@@ -87,7 +87,7 @@ Vec3d momentum(const Cloth& cloth) {
     return sum;
 }
 
-// Whatever the internal forces are, they cannot set the cloth as a whole in motion.
+// Internal forces cannot change the total momentum.
 TEST(Step, a_crumpled_patch_gains_no_momentum_of_its_own) {
     for (const int level : {0, 1}) {
         std::mt19937 random(31);
@@ -149,7 +149,7 @@ TEST(Step, pulled_seams_close_to_the_gap_that_is_allowed) {
     }
 }
 
-// 0.1 x 1 m of cotton: by theory it stretches by less than 0.1 mm. What is beyond is the solver's.
+// A cotton strip of 0.1 x 1 m: in theory it stretches by less than 0.1 mm. The rest is the error of the solver.
 class HangingStrip : public testing::TestWithParam<int> {};
 
 TEST_P(HangingStrip, comes_to_rest_and_keeps_its_length) {
@@ -170,7 +170,7 @@ TEST_P(HangingStrip, comes_to_rest_and_keeps_its_length) {
 
 INSTANTIATE_TEST_SUITE_P(Levels, HangingStrip, testing::Values(0, 1, 2));
 
-// A strip that weighs more than cotton can: w L / k = 4 % at the clamp, w L^2 / (2 k) in all.
+// A strip much softer than cotton: strain w L / k = 4 % at the clamp, total elongation w L^2 / (2 k).
 TEST(Step, a_soft_strip_stretches_under_its_weight_as_theory_says) {
     Fabric fabric = find_fabric("cotton_shirting");
     fabric.stretch_warp = 60;  // N/m
@@ -194,7 +194,7 @@ struct Dropped {
     float speed = 0;  // m/s, of the mean motion between two adaptations; the median of the last 15
 };
 
-// A patch dropped on the ball, adapting as a garment does.
+// A patch dropped on the ball with the adaptation of a garment.
 Dropped drop_on_ball(const std::string& fabric, const Drape& drape, double seconds) {
     Cloth cloth = make_patch(find_fabric(fabric),
                              {.side = 0.5, .quads = 6, .height = 1.2, .max_level = 2, .substep = drape.substep});
@@ -234,7 +234,7 @@ std::vector<std::string> shipped() {
 INSTANTIATE_TEST_SUITE_P(Shipped, EveryFabric, testing::ValuesIn(shipped()),
                          [](const auto& instance) { return instance.param; });
 
-// FNV-1a over the positions of every step, and of the step before.
+// FNV-1a hash over x and x_prev of every step.
 struct HashedRun {
     std::uint64_t hash = 14695981039346656037U;
 
@@ -256,7 +256,7 @@ std::uint64_t hash_of_500_steps(Cloth cloth, const Collider& body) {
     return run.hash;
 }
 
-// Two garments of a batch, on threads of their own.
+// Two garments of a batch, each on its own CPU thread.
 TEST(Step, the_same_cloth_on_two_threads_side_by_side_gives_the_same_bits_over_500_steps) {
     const Obstacle sphere(shapes::sphere(Vec3d(0, 1, 0), 0.15, 24));
     const Cloth cloth = make_patch(find_fabric("silk"), {.side = 0.5, .quads = 8, .height = 1.2});
@@ -276,7 +276,7 @@ TEST(Step, the_same_run_twice_gives_the_same_bits) {
     EXPECT_EQ(std::memcmp(first.x_prev.data(), second.x_prev.data(), first.x.size() * sizeof(Vec4f)), 0);
 }
 
-// At a height of 2 m floats are 2.4e-7 m apart; this gravity adds a hundredth of that to the move of a sub-step.
+// At a height of 2 m floats are 2.4e-7 m apart; this gravity adds 1 % of that to the displacement of a sub-step.
 TEST(Step, an_acceleration_too_small_for_the_floats_of_one_substep_is_not_lost) {
     Cloth cloth = make_patch(undamped());
     const double before = centre_of_mass(cloth).y();

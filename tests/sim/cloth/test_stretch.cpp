@@ -1,4 +1,4 @@
-// What a triangle's frame and the measured strain say about known deformations.
+// The material frame of a triangle and the measured strain, for known deformations.
 #include <gtest/gtest.h>
 #include <cmath>
 
@@ -26,7 +26,7 @@ std::array<Vec2f, 3> random_triangle(std::mt19937& random) {
     return u;
 }
 
-// The deformed warp and weft directions of a triangle under a linear map of its plane into the room.
+// The deformed warp and weft directions of a triangle under a linear map of its plane into 3D.
 struct Threads {
     Vec3f warp = Vec3f::Zero();
     Vec3f weft = Vec3f::Zero();
@@ -71,7 +71,7 @@ TEST(MaterialFrame, has_the_area_of_the_triangle) {
     EXPECT_NEAR(frame.area, 0.03F, 1e-6F);
 }
 
-// Maps the patch's material into the room and measures the strain of its leaves.
+// Maps the patch's material coordinates into 3D and measures the strain of its leaves.
 std::vector<TriangleStrain> strain_under(const Eigen::Matrix2f& map, float grain_angle, int level) {
     Cloth cloth = make_patch(find_fabric("wool_twill"));
     cloth.material.grain_angles = {grain_angle};

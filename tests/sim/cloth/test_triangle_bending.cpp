@@ -1,4 +1,4 @@
-// Triangles that bend have the fabric's rigidity on every mesh, at every level, however few sub-steps there are.
+// Bending has the fabric's rigidity on every mesh, at every level and for every number of sub-steps.
 #include "sim/cloth/triangle_bending.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ Fabric springy(double rigidity) {
     return fabric;
 }
 
-// Rolled along a direction of the plane z = 0 in which it lies, at rest.
+// Rolls a cloth from the plane z = 0 along a direction in that plane, with zero velocity.
 void roll_strip(Cloth& cloth, float curvature, float angle) {
     const Vec2f along(std::cos(angle), std::sin(angle)), across(-std::sin(angle), std::cos(angle));
     for (const VertexId v : cloth.mesh.leaf_vertices()) {
@@ -44,8 +44,8 @@ bool is_inner(const BendSlot& slot) {
     return lane_of(slot.block->own, slot.at).minCoeff() > 0;
 }
 
-// Twice the energy per area over B k^2, by curvatures and rigidities along warp, weft and of twist, of all leaves that
-// have three hinges.
+// Twice the bending energy per area over B k^2, computed from curvatures and rigidities along warp, weft and of twist;
+// over all leaves with three hinges.
 double stored_share(const Cloth& cloth, float curvature) {
     const Fabric& fabric = cloth.material.fabrics.front();
     const Vec3d rigidity(fabric.bending_warp, fabric.bending_weft,
@@ -81,7 +81,7 @@ const AdaptClothOptions kGraded{.criteria = {.collision = false, .curvature = fa
                                 .minimum_levels = {&kDab, 1},
                                 .shortest_edge = 0};
 
-// The mean over all leaves that have three hinges.
+// The area-weighted mean over all leaves with three hinges.
 Vec3d mean_curvature(const Cloth& cloth) {
     Vec3d sum = Vec3d::Zero();
     double area = 0;
@@ -106,7 +106,7 @@ TEST(TriangleBending, sees_the_curvature_of_a_roll_on_average_across_transitions
     EXPECT_LT((mean_curvature(cloth) - expected).norm(), 0.04 * double(kCurvature)) << mean_curvature(cloth);
 }
 
-// Two triangles folded about their common edge: how hard they push, by what one visit moves.
+// Two triangles folded about their common edge: the displacement of an apex by one iteration.
 double push_of_fold(double degrees) {
     GarmentMesh mesh;
     mesh.x = {Vec3d(0, 0, 0), Vec3d(0.1, 0, 0), Vec3d(0.05, 0.1, 0), Vec3d(0.05, -0.1, 0)};
@@ -135,7 +135,7 @@ TEST(TriangleBending, pushes_a_fold_open_the_harder_the_sharper_it_is_nearly_to_
     EXPECT_NEAR(push_of_fold(60) / push_of_fold(30), 2, 0.1);
 }
 
-// Two hinges of each of three triangles about one vertex have the same apex.
+// Three triangles about one vertex: two hinges of each triangle have the same apex.
 TEST(TriangleBending, moves_no_point_twice_where_three_triangles_meet_alone) {
     GarmentMesh mesh;
     mesh.x = {Vec3d(0, 0, 0.02), Vec3d(0.1, 0, 0), Vec3d(-0.05, 0.08, 0), Vec3d(-0.05, -0.08, 0)};
@@ -159,7 +159,7 @@ TEST(TriangleBending, moves_no_point_twice_where_three_triangles_meet_alone) {
     EXPECT_LT(push.norm(), 1e-3 * size);
 }
 
-// The share of the rigidity that leaves and refined triangles make together, by area.
+// The share of the rigidity that leaves, and leaves and refined triangles together, apply; weighted by area.
 struct Realised {
     double leaves = 0, all = 0;
 };
@@ -195,7 +195,7 @@ TEST(TriangleBending, hands_what_leaves_cannot_make_to_refined_triangles_and_not
     EXPECT_NEAR(realised(stiff).all, 1, 0.03);
 }
 
-// The more seldom the longer leaves can make all by themselves, each by its own masses.
+// A leaf is solved every second sub-step only if it can apply its full rigidity that way.
 TEST(TriangleBending, is_visited_more_seldom_where_that_makes_all_of_it) {
     std::set<float> seen;
     for (const double bending : {1e-6, 1e-5, 1e-4, 3e-4, 1e-3, 3e-3}) {
@@ -217,7 +217,7 @@ TEST(TriangleBending, is_visited_more_seldom_where_that_makes_all_of_it) {
     EXPECT_EQ(seen, (std::set<float>{1, 2}));
 }
 
-// What is slow stays as it is, to the bit, while what shares its blocks moves.
+// Triangles with an interval of 2 keep their bits in a sub-step in which others of the same blocks are solved.
 TEST(TriangleBending, of_slow_triangles_waits_for_its_turn) {
     Fabric fabric = springy(3e-4);
     fabric.bending_hysteresis = 1e-3;
@@ -235,7 +235,7 @@ TEST(TriangleBending, of_slow_triangles_waits_for_its_turn) {
     auto& bend = cloth.solver.constraints.bend;
     const std::vector<BendBlock> blocks = bend.blocks;
     kernels(simd_level()).solve_bend(bend.blocks, floats(points), 1);
-    std::set<std::uint32_t> quick;  // points that a quick triangle may move
+    std::set<std::uint32_t> quick;  // vertices that a triangle with an interval of 1 may move
     std::size_t slow = 0, mixed = 0;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         std::size_t slow_here = 0;
@@ -261,7 +261,7 @@ TEST(TriangleBending, of_slow_triangles_waits_for_its_turn) {
     EXPECT_GT(moved, 0U);
 }
 
-// A strip of 4 cm that stands out level: how far its end falls below its clamp, m.
+// A horizontal cantilever of 4 cm: the deflection of its free end, m.
 double droop(int level, float substep) {
     Fabric fabric = springy(2e-5);
     Cloth cloth = make_strip(fabric, {.width = 0.04, .length = 0.04});
@@ -281,7 +281,7 @@ double droop(int level, float substep) {
     return double(-lowest);
 }
 
-// The leaves of level 3 make a small part of the rigidity within such a sub-step.
+// The leaves of level 3 can apply only a small part of the rigidity within such a sub-step.
 TEST(TriangleBending, lets_a_strip_droop_alike_at_every_level_and_substep) {
     const double expected = droop(1, 1.0F / 1440);
     EXPECT_GT(expected, 0.002);
@@ -293,7 +293,7 @@ TEST(TriangleBending, lets_a_strip_droop_alike_at_every_level_and_substep) {
     }
 }
 
-// Waves without gravity or damping at few sub-steps, with refined triangles that bend.
+// Waves without gravity or damping, with few sub-steps, so that refined triangles apply bending.
 TEST(TriangleBending, gives_no_energy) {
     for (const float substep : {1.0F / 240, 1.0F / 960}) {
         Cloth cloth = make_patch(springy(1e-3), {.height = 0, .substep = substep});
@@ -317,7 +317,7 @@ TEST(TriangleBending, gives_no_energy) {
     }
 }
 
-// At its start a refined triangle that had nothing to bend is not pulled back to where it once was.
+// The anchors of a refined triangle that starts to apply rigidity are at its present curvature.
 TEST(TriangleBending, of_refined_triangles_begins_without_friction) {
     Fabric fabric = springy(1e-3);
     fabric.bending_hysteresis = 1e-3;
