@@ -140,7 +140,8 @@ void add_bench_drop(CLI::App& bench, int& exit_code) {
         ->check(CLI::Range(1, 10000));
     command->add_option("--repetitions", experiment.repetitions, "Timed runs of the chosen setting (default 5)")
         ->check(CLI::Range(1, 1000));
-    command->add_flag("--timing-only{false}", experiment.is_honest, "Leave out rest, energy and the converged runs");
+    command->add_flag("--timing-only{false}", experiment.passes_quality_checks,
+                      "Leave out rest, energy and the converged runs");
     add_json_option(*command, arguments->json);
     command->footer("Example: selvedge bench drop --triangles 15488 --max-stretch 0.05 --json drop.json");
     command->callback([arguments, &exit_code] { exit_code = run(*arguments); });

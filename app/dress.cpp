@@ -104,7 +104,7 @@ void check_outputs(const DressArguments& arguments) {
     for (const Path& file : arguments.body_files) check_output(file, kMeshExtensions);
     std::vector<Path> inputs{arguments.garment};
     if (arguments.body.is_file()) inputs.emplace_back(arguments.body.source);
-    check_apart(all_outputs(arguments), inputs);
+    check_distinct(all_outputs(arguments), inputs);
 }
 
 bool draws(const DressArguments& arguments) {
@@ -132,7 +132,7 @@ struct Writing {
 // report.
 Writing write_outputs(const DressArguments& arguments, const sim::DressedGarment& dressed, const sim::Body& body) {
     Writing writing;
-    const RenderSubject sitter{.garment = dressed.mesh, .body = &body, .hierarchy = &dressed.hierarchy};
+    const RenderSubject subject{.garment = dressed.mesh, .body = &body, .hierarchy = &dressed.hierarchy};
     const auto write = [&](const Path& file, const auto& how) {
         try {
             how(file);
@@ -155,12 +155,12 @@ Writing write_outputs(const DressArguments& arguments, const sim::DressedGarment
         write(file, [&](const Path& mesh_file) { write_body(body, mesh_file); });
     if (!arguments.picture_file.empty()) {
         write(arguments.picture_file,
-              [&](const Path& file) { write_png(file, draw_picture(sitter, arguments.picture)); });
+              [&](const Path& file) { write_png(file, draw_picture(subject, arguments.picture)); });
     }
     if (!arguments.turntable.file.empty()) {
         write(arguments.turntable.file, [&](const Path&) {
             ProgressBar bar(progress_bar_options(arguments.is_quiet));
-            write_turntable(sitter, arguments.picture, arguments.turntable, bar.progress());
+            write_turntable(subject, arguments.picture, arguments.turntable, bar.progress());
         });
     }
     return writing;
@@ -207,7 +207,7 @@ int run(DressArguments arguments) {
 
     std::optional<sim::ThreadLimit> limit;
     if (arguments.threads) limit.emplace(*arguments.threads);
-    const NotedBody wearer = make_body(arguments.body);
+    const BodyWithNotes wearer = make_body(arguments.body);
     ProgressBar bar(progress_bar_options(arguments.is_quiet));
     sim::DressedGarment dressed = dress(pattern, wearer.body, arguments.dress, bar.progress());
     bar.finish();

@@ -58,19 +58,20 @@ std::filesystem::path state_of(const EditArguments& arguments) {
 void open_at_start(editor::Editor& editor, const EditArguments& arguments) {
     if (arguments.file.empty()) return;
     sim::PatternDocument source = sim::load_pattern(arguments.file);  // an invalid file ends the program
-    open_loaded(editor.desk(), std::move(source), arguments.file);
+    open_loaded(editor.state(), std::move(source), arguments.file);
 }
 
 int run_window(const EditArguments& arguments) {
     const Size size = parse_size(arguments.size);
     Window window({.width = size.width, .height = size.height, .scale = arguments.scale});
     std::unique_ptr<render::Renderer> fine;  // created when a picture is exported
-    const auto draw_finely = [&](const render::Scene& scene) {
+    const auto render_full_quality = [&](const render::Scene& scene) {
         if (!fine) fine = std::make_unique<render::Renderer>(window.context());
         return fine->draw(scene, {.width_px = 2048, .height_px = 2048});
     };
-    editor::Editor editor(make_editor_services({.state = state_of(arguments), .draw_finely = draw_finely}),
-                          {.fonts = read_fonts()});
+    editor::Editor editor(
+        make_editor_services({.state = state_of(arguments), .render_full_quality = render_full_quality}),
+        {.fonts = read_fonts()});
     editor.set_clipboard(
         {[&] { return window.clipboard(); }, [&](const std::string& text) { window.set_clipboard(text); }});
     open_at_start(editor, arguments);
@@ -85,11 +86,12 @@ int run_script(const EditArguments& arguments) {
         arguments.script.empty() ? std::string() : sim::read_file(arguments.script, kLargestScript), arguments.script);
     if (!arguments.screenshot.empty()) check_output(arguments.screenshot, kPictureExtensions);
     OffscreenEditLoop loop({.width_px = size.width, .height_px = size.height, .scale = arguments.scale.value_or(1)});
-    const auto draw_finely = [](const render::Scene&) -> render::Image {
+    const auto render_full_quality = [](const render::Scene&) -> render::Image {
         throw sim::InputError("", "export", "a script takes pictures by 'screenshot'");
     };
-    editor::Editor editor(make_editor_services({.state = state_of(arguments), .draw_finely = draw_finely}),
-                          {.drive = sim::SessionDrive::Caller, .fonts = read_fonts(), .is_steady = true});
+    editor::Editor editor(
+        make_editor_services({.state = state_of(arguments), .render_full_quality = render_full_quality}),
+        {.drive = sim::SessionDrive::Caller, .fonts = read_fonts(), .is_steady = true});
     open_at_start(editor, arguments);
     EditorSurface surface(editor);
     const auto shoot = [&](const std::string& file) { write_png(file, loop.screenshot()); };

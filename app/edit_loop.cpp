@@ -47,7 +47,7 @@ class FrameClock {
 };
 
 // Title and cursor of the window; sets them only when they change.
-class WindowDress {
+class WindowDecorations {
  public:
     void put_on(Window& window, const editor::FrameOutput& output) {
         if (output.window_title != title_) window.set_title(title_ = output.window_title);
@@ -60,7 +60,7 @@ class WindowDress {
 };
 
 // Schedules frames: waits until the next one is due and collects its events.
-class Pace {
+class FrameScheduler {
  public:
     std::vector<editor::InputEvent> events_of_next(Window& window, bool is_animating) {
         const bool is_hidden = window.width_px() == 0;
@@ -97,21 +97,21 @@ editor::FrameOutput FramePainter::paint(EditSurface& surface, const FrameInput& 
     FrameClock clock(context_, times);
     editor::FrameOutput output = surface.frame(input);
     clock.lap(&FrameTimes::events_and_ui);
-    for (const editor::PictureToHold& picture : output.pictures) ui_draw_.hold(picture);
-    for (const editor::SceneToDraw& scene : output.scenes) draw_scene(scene);
+    for (const editor::TextureUpload& picture : output.pictures) ui_draw_.hold(picture);
+    for (const editor::SceneRequest& scene : output.scenes) draw_scene(scene);
     clock.lap(&FrameTimes::scenes);
     ui_draw_.draw({.framebuffer = framebuffer, .width_px = input.width_px, .height_px = input.height_px});
     clock.lap(&FrameTimes::ui_draw);
     return output;
 }
 
-void FramePainter::draw_scene(const editor::SceneToDraw& scene) {
+void FramePainter::draw_scene(const editor::SceneRequest& scene) {
     if (scene.width_px < 1 || scene.height_px < 1 || !scene.scene) return;  // a collapsed view
     const auto [found, is_new] = scenes_.try_emplace(scene.texture, context_);
     SceneTexture& drawn = found->second;
     drawn.picture.resize(scene.width_px, scene.height_px);
     render::SceneView view{.scene = scene.scene, .camera = scene.camera, .light = scene.light};
-    if (scene.wants_paint) {
+    if (scene.fills_show_mode) {
         const PaintedScene& painted = drawn.paint.painted(scene.scene);
         view.scene = painted.scene;
         hold_legend(scene, painted.legend);
@@ -126,8 +126,8 @@ void FramePainter::draw_scene(const editor::SceneToDraw& scene) {
 }
 
 // The picture has the view's size, so that the legend appears in the view's corner; without a legend it is transparent.
-void FramePainter::hold_legend(const editor::SceneToDraw& scene, const std::optional<render::Legend>& legend) {
-    editor::PictureToHold held{.texture = scene.legend,
+void FramePainter::hold_legend(const editor::SceneRequest& scene, const std::optional<render::Legend>& legend) {
+    editor::TextureUpload held{.texture = scene.legend,
                                .picture = render::Image(scene.width_px, scene.height_px, {0, 0, 0, 0})};
     if (legend) draw_legend(held.picture, *legend, render::Corner::LowerRight);
     ui_draw_.hold(held);
@@ -137,8 +137,8 @@ void run_edit_loop(EditSurface& surface, Window& window, const EditLoopOptions& 
     std::optional<FrameTimesFile> file;
     if (!options.frame_times.empty()) file.emplace(options.frame_times);
     FramePainter painter(window.context());
-    WindowDress dress;
-    Pace pace;
+    WindowDecorations dress;
+    FrameScheduler pace;
     editor::FrameOutput output;
     for (long frame = 0; !output.wants_to_close && frame != options.frames; ++frame) {
         FrameInput input{.events = pace.events_of_next(window, output.is_animating),
@@ -215,7 +215,7 @@ const PaintedScene& ScenePaint::painted(const std::shared_ptr<const render::Scen
     auto copy = std::make_shared<render::Scene>(*scene);
     painted_.legend.reset();
     if (can_show(*copy)) {
-        render::ShowFacts facts;
+        render::ShowInput facts;
         const render::ClothItem& cloth = copy->cloths.front();
         if (cloth.show == render::ShowMode::Clearance) {
             facts.clearance = measure_clearance(cloth.mesh.x, body_of(copy->bodies.front()));

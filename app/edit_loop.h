@@ -102,8 +102,8 @@ class FramePainter {
         render::PreviewRenderer draft;
         ScenePaint paint;
     };
-    void draw_scene(const editor::SceneToDraw& scene);
-    void hold_legend(const editor::SceneToDraw& scene, const std::optional<render::Legend>& legend);
+    void draw_scene(const editor::SceneRequest& scene);
+    void hold_legend(const editor::SceneRequest& scene, const std::optional<render::Legend>& legend);
 
     render::GlContext& context_;
     UiDraw ui_draw_;
@@ -126,7 +126,7 @@ struct OffscreenOptions {
     int height_px = 800;
     float scale = 1;
     double seconds = 1.0 / 60;  // s, simulated time between frames
-    std::optional<render::ContextMaker> maker{};
+    std::optional<render::ContextKind> maker{};
 };
 
 // Runs a surface without a window. Time advances by a fixed step per frame, so the same events give the same images.

@@ -37,7 +37,7 @@ editor::FolderListing list_folder(const std::string& folder) {
 }
 
 editor::CurrentBody make_body(const std::string& text) {
-    if (text.starts_with("mannequin")) return editor::make_worn_mannequin(text);
+    if (text.starts_with("mannequin")) return editor::make_mannequin_body(text);
     editor::CurrentBody worn{
         .text = text, .body = std::make_shared<const sim::Body>(sim::load_body(text)), .measures = {}, .points = {}};
     worn.points = arrangement_points(*worn.body);
@@ -55,8 +55,8 @@ std::string age_words(double seconds) {
     return counted(seconds / 86400, "day");
 }
 
-std::vector<editor::LeftJournal> left_journals(const JournalStore& store) {
-    std::vector<editor::LeftJournal> left;
+std::vector<editor::OrphanedJournal> orphaned_journals(const JournalStore& store) {
+    std::vector<editor::OrphanedJournal> left;
     for (const StoredJournal& stored : store.left()) {
         const auto recovery = editor::recover(stored.text);
         if (recovery && recovery->changes > 0) {
@@ -86,7 +86,7 @@ void write_export(const editor::ExportRequest& request, const EditorServicesOpti
     render::Scene scene = *request.scene;
     scene.camera = request.camera;
     scene.light = request.light;
-    sim::write_file_atomically(request.file, encode_png(options.draw_finely(scene)));
+    sim::write_file_atomically(request.file, encode_png(options.render_full_quality(scene)));
 }
 
 }  // namespace
@@ -107,7 +107,7 @@ editor::Services make_editor_services(const EditorServicesOptions& options) {
     services.begin_journal = [journals](const std::string& head) { journals->begin(head); };
     services.note_in_journal = [journals](std::string_view line) { journals->note(line); };
     services.end_journal = [journals] { journals->end(); };
-    services.left_journals = [journals] { return left_journals(*journals); };
+    services.orphaned_journals = [journals] { return orphaned_journals(*journals); };
     services.discard_journal = [](const std::string& id) { JournalStore::discard(id); };
     return services;
 }

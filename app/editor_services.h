@@ -18,7 +18,7 @@ namespace selvedge::app {
 struct EditorServicesOptions {
     std::filesystem::path state;  // folder of journals and recent files
     // Renders a scene at full quality, for exports.
-    std::function<render::Image(const render::Scene& scene)> draw_finely;
+    std::function<render::Image(const render::Scene& scene)> render_full_quality;
 };
 
 // Throws InputError if the state folder cannot be created.

@@ -121,7 +121,7 @@ bool PipedProcess::finish() {
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-std::string PipedProcess::complaint() const {
+std::string PipedProcess::message_text() const {
     std::array<char, 300> text{};
     const ssize_t got = ::pread(::fileno(complaints_), text.data(), text.size() - 1, 0);
     const std::string words(text.data(), got > 0 ? static_cast<std::size_t>(got) : 0);
@@ -308,7 +308,7 @@ class FilmWriter::Encoder {
 
  private:
     [[noreturn]] void fail() const {
-        const std::string words = process_->complaint();
+        const std::string words = process_->message_text();
         throw sim::InputError(path_.string(), "", "ffmpeg could not write it" + (words.empty() ? "" : ": " + words));
     }
 
@@ -391,11 +391,11 @@ void check_turntable(const TurntableOptions& options, const PictureOptions& pict
         throw sim::InputError("", "--transparent", "films have no transparency: name a folder for frames");
 }
 
-void write_turntable(const RenderSubject& sitter, const PictureOptions& picture, const TurntableOptions& options,
+void write_turntable(const RenderSubject& subject, const PictureOptions& picture, const TurntableOptions& options,
                      const sim::Progress& progress) {
     constexpr int most_framed = 48;  // enough angles to find a camera frame for all of them
     const std::vector<float> turns = turn_in(options.frames);
-    const Layout layout = compose(sitter, picture, turn_in(std::min(options.frames, most_framed)));
+    const Layout layout = compose(subject, picture, turn_in(std::min(options.frames, most_framed)));
     render::Renderer renderer;
     FilmWriter film(options.file, film_format(picture, options));
     for (std::size_t i = 0; i < turns.size(); ++i) {

@@ -80,7 +80,7 @@ class PipedProcess {
     bool finish();
 
     // The first line that the process has written to stderr so far.
-    std::string complaint() const;
+    std::string message_text() const;
 
  private:
     void close_pipe();
@@ -107,7 +107,7 @@ void check_turntable(const TurntableOptions& options, const PictureOptions& pict
 
 // Uses one camera frame for all angles, which contains the subject at each. Throws InputError as draw_picture() does,
 // and if the film cannot be written.
-void write_turntable(const RenderSubject& sitter, const PictureOptions& picture, const TurntableOptions& options,
+void write_turntable(const RenderSubject& subject, const PictureOptions& picture, const TurntableOptions& options,
                      const sim::Progress& progress = {});
 
 }  // namespace selvedge::app

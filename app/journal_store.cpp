@@ -61,7 +61,7 @@ JournalStore::JournalStore(fs::path folder) : folder_(std::move(folder)) {
     for (int i = 2; fs::exists(path_); ++i) {
         path_ = folder_ / (std::to_string(::getpid()) + "-" + std::to_string(i) + kEnding);
     }
-    syncing_ = std::thread([this] { sync_now_and_then(); });
+    syncing_ = std::thread([this] { sync_periodically(); });
 }
 
 JournalStore::~JournalStore() {
@@ -113,7 +113,7 @@ void JournalStore::close_file() {
     file_ = -1;
 }
 
-void JournalStore::sync_now_and_then() {
+void JournalStore::sync_periodically() {
     std::unique_lock lock(mutex_);
     while (!is_ending_) {
         wake_.wait_for(lock, std::chrono::seconds(1), [this] { return is_ending_; });

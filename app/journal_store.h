@@ -44,7 +44,7 @@ class JournalStore {
     static void discard(const std::filesystem::path& path);
 
  private:
-    void sync_now_and_then();
+    void sync_periodically();
     void close_file();
 
     std::filesystem::path folder_;

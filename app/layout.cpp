@@ -207,7 +207,7 @@ struct CameraCandidate {
 };
 
 // Frames with a free strip for the legend at the left or at the bottom, and frames with a wider margin.
-std::vector<Frame> with_room(const Frame& frame, const render::LegendPlace& legend, const PictureOptions& options) {
+std::vector<Frame> with_room(const Frame& frame, const render::LegendLayout& legend, const PictureOptions& options) {
     const float edge = 8.0F * float(legend.scale);
     const float right = float(legend.box.left + legend.box.width) + edge;
     const float top = float(options.height_px - legend.box.top) + edge;
@@ -223,7 +223,7 @@ std::vector<Frame> with_room(const Frame& frame, const render::LegendPlace& lege
 }
 
 // Enlarged, because marks extend beyond the cloth.
-render::PixelBox with_edge(const render::LegendPlace& place) {
+render::PixelBox with_edge(const render::LegendLayout& place) {
     const int edge = 6 * place.scale;
     return {place.box.left - edge, place.box.top - edge, place.box.width + 2 * edge, place.box.height + 2 * edge};
 }
@@ -254,11 +254,11 @@ CameraCandidate clear_of_legend(const render::Camera& camera, bool may_move, con
     return best;
 }
 
-render::Scene bare_scene(const RenderSubject& sitter, const PictureOptions& options) {
+render::Scene bare_scene(const RenderSubject& subject, const PictureOptions& options) {
     render::Scene scene;
     if (options.show == render::ShowMode::Hierarchy) return scene;
-    scene.cloths.push_back(make_cloth_item(sitter.garment, options));
-    if (sitter.body != nullptr) scene.bodies.push_back(render::make_body_item(*sitter.body));
+    scene.cloths.push_back(make_cloth_item(subject.garment, options));
+    if (subject.body != nullptr) scene.bodies.push_back(render::make_body_item(*subject.body));
     return scene;
 }
 
@@ -281,37 +281,37 @@ Frame make_frame(const render::Scene& scene, const PictureOptions& options, cons
 
 // Strain and hierarchy modes show the simulated triangles. A rotating subject has no back faces to coarsen, because it
 // is seen from all sides.
-void curve(render::Scene& scene, const RenderSubject& sitter, const PictureOptions& options,
+void curve(render::Scene& scene, const RenderSubject& subject, const PictureOptions& options,
            const std::vector<float>& turns) {
     if (wants_material(options.show) || options.show == render::ShowMode::Hierarchy) return;
     std::optional<sim::ViewPoint> view;
     if (turns.size() == 1) view = sim::ViewPoint{.eye = scene.camera.eye};
     sim::PlainMesh& mesh = scene.cloths.front().mesh;
-    mesh = drawn_mesh(mesh, sitter.body, options.surface, view);
+    mesh = drawn_mesh(mesh, subject.body, options.surface, view);
 }
 
-std::optional<render::Legend> fill(render::Scene& scene, const RenderSubject& sitter, const PictureOptions& options,
+std::optional<render::Legend> fill(render::Scene& scene, const RenderSubject& subject, const PictureOptions& options,
                                    float line_radius) {
-    render::ShowFacts facts{.clearance = {}, .line_radius = line_radius};
+    render::ShowInput facts{.clearance = {}, .line_radius = line_radius};
     if (options.show == render::ShowMode::Clearance)
-        facts.clearance = measure_clearance(scene.cloths.front().mesh.x, *sitter.body);
+        facts.clearance = measure_clearance(scene.cloths.front().mesh.x, *subject.body);
     return fill_show(scene, facts);
 }
 
 // Places the stack of levels to the right of the flat panels or behind them, whichever shows both larger.
-render::Legend fill_model(render::Scene& scene, const RenderSubject& sitter, const PictureOptions& options,
+render::Legend fill_model(render::Scene& scene, const RenderSubject& subject, const PictureOptions& options,
                           const std::vector<float>& turns) {
     const float line_px = 0.55F * line_scale(options);
     render::Legend legend;
     float least = std::numeric_limits<float>::infinity();
     for (const render::StackSide side : {render::StackSide::Right, render::StackSide::Behind}) {
         render::Scene candidate;
-        fill_hierarchy(candidate, *sitter.hierarchy, side);
+        fill_hierarchy(candidate, *subject.hierarchy, side);
         const Vec3f axis = upright_through(scene_points(candidate));
         const float pixel = pixel_size(make_frame(candidate, options, axis, turns).camera(), options);
         if (pixel >= least) continue;
         least = pixel;
-        legend = fill_hierarchy(scene, *sitter.hierarchy, side, {.clearance = {}, .line_radius = line_px * pixel});
+        legend = fill_hierarchy(scene, *subject.hierarchy, side, {.clearance = {}, .line_radius = line_px * pixel});
     }
     return legend;
 }
@@ -339,13 +339,13 @@ render::RenderOptions render_options(const PictureOptions& options) {
             .supersample = options.supersample};
 }
 
-Layout compose(const RenderSubject& sitter, const PictureOptions& options, const std::vector<float>& turns) {
-    check_can_show(options.show, sitter.body != nullptr, sitter.hierarchy != nullptr);
+Layout compose(const RenderSubject& subject, const PictureOptions& options, const std::vector<float>& turns) {
+    check_can_show(options.show, subject.body != nullptr, subject.hierarchy != nullptr);
     const float line_px = 2.4F * line_scale(options);
     Layout layout;
     render::Scene& scene = layout.scene;
-    scene = bare_scene(sitter, options);
-    if (options.show == render::ShowMode::Hierarchy) layout.legend = fill_model(scene, sitter, options, turns);
+    scene = bare_scene(subject, options);
+    if (options.show == render::ShowMode::Hierarchy) layout.legend = fill_model(scene, subject, options, turns);
     layout.axis = upright_through(scene_points(scene));
 
     const Frame frame = make_frame(scene, options, layout.axis, turns);
@@ -353,9 +353,9 @@ Layout compose(const RenderSubject& sitter, const PictureOptions& options, const
     scene.camera =
         is_placed ? camera_at(*options.camera->eye_and_target, at_all_turns(scene_points(scene), layout.axis, turns))
                   : frame.camera();
-    curve(scene, sitter, options, turns);
+    curve(scene, subject, options, turns);
     if (options.show != render::ShowMode::Hierarchy)
-        layout.legend = fill(scene, sitter, options, line_px * pixel_size(scene.camera, options));
+        layout.legend = fill(scene, subject, options, line_px * pixel_size(scene.camera, options));
     if (layout.legend) {
         const Silhouette figure(scene, options, layout.axis, turns);
         const CameraCandidate shot =

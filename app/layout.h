@@ -20,7 +20,7 @@ struct Layout {
 
 // Frames a subject that rotates by these angles (rad): at each angle it stays in the picture and clear of the legend.
 // Throws InputError if nothing is left to draw or the mode requires data that is missing.
-Layout compose(const RenderSubject& sitter, const PictureOptions& options, const std::vector<float>& turns = {0});
+Layout compose(const RenderSubject& subject, const PictureOptions& options, const std::vector<float>& turns = {0});
 
 // The scene after a turn by `angle` (rad); the lights keep their direction relative to the camera.
 render::Scene turned(const Layout& layout, const PictureOptions& options, float angle);

@@ -93,8 +93,8 @@ void check_arguments(const MatchArguments& arguments) {
     if (!arguments.is_dry) outputs.push_back(arguments.output.empty() ? arguments.garment : arguments.output);
     if (!arguments.json_file.empty()) outputs.push_back(arguments.json_file);
     for (const Path& file : outputs) check_output(file);
-    check_apart(outputs, {});
-    if (!arguments.json_file.empty()) check_apart({arguments.json_file}, {arguments.garment});
+    check_distinct(outputs, {});
+    if (!arguments.json_file.empty()) check_distinct({arguments.json_file}, {arguments.garment});
 }
 
 // Rounds to multiples of 1/parts, so that the decimal text is short.

@@ -64,7 +64,7 @@ void add_body_options(CLI::App& command, BodyOptions& options, const std::string
     })->type_name("AXIS");
 }
 
-NotedBody make_body(const BodyOptions& options) {
+BodyWithNotes make_body(const BodyOptions& options) {
     if (options.is_file()) {
         sim::LoadBodyReport report;
         sim::Body body = load_body(options.source, options.load, &report);
@@ -134,10 +134,10 @@ std::optional<int> parse_level(Text text) {
     if (text == "adaptive") return std::nullopt;
     int level = -1;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), level);
-    if (error != std::errc() || end != text.data() + text.size() || level < 0 || level > render::kMostSurfaceLevel) {
+    if (error != std::errc() || end != text.data() + text.size() || level < 0 || level > render::kMaxSurfaceLevel) {
         throw sim::InputError(
             "", "--surface-level",
-            "'" + text + "' is neither adaptive nor a level from 0 to " + std::to_string(render::kMostSurfaceLevel));
+            "'" + text + "' is neither adaptive nor a level from 0 to " + std::to_string(render::kMaxSurfaceLevel));
     }
     return level;
 }
@@ -227,7 +227,7 @@ void check_output(const fs::path& path, std::span<const std::string_view> extens
     if (!path.has_filename()) throw sim::InputError(path.string(), "", "cannot write: this names a folder");
 }
 
-void check_apart(const std::vector<fs::path>& outputs, const std::vector<fs::path>& inputs) {
+void check_distinct(const std::vector<fs::path>& outputs, const std::vector<fs::path>& inputs) {
     std::set<fs::path> taken;
     for (const fs::path& input : inputs) taken.insert(one_name(input));
     for (const fs::path& output : outputs) {

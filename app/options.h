@@ -27,7 +27,7 @@ struct BodyOptions {
     bool is_file() const;
 };
 
-struct NotedBody {
+struct BodyWithNotes {
     sim::Body body;
     std::vector<std::string> notes;  // one sentence per deviation from the request, or per change
 };
@@ -37,7 +37,7 @@ struct NotedBody {
 void add_body_options(CLI::App& command, BodyOptions& options, const std::string& help);
 
 // Pre: options.source is not empty. Throws InputError as make_mannequin() and load_body() do.
-NotedBody make_body(const BodyOptions& options);
+BodyWithNotes make_body(const BodyOptions& options);
 
 // --camera: the camera as numbers.
 
@@ -84,6 +84,7 @@ inline constexpr std::array<std::string_view, 2> kMeshExtensions{".obj", ".glb"}
 void check_output(const std::filesystem::path& path, std::span<const std::string_view> extensions = {});
 
 // Throws InputError if two outputs are the same file, or if an output is also an input.
-void check_apart(const std::vector<std::filesystem::path>& outputs, const std::vector<std::filesystem::path>& inputs);
+void check_distinct(const std::vector<std::filesystem::path>& outputs,
+                    const std::vector<std::filesystem::path>& inputs);
 
 }  // namespace selvedge::app

@@ -150,7 +150,7 @@ sim::Sett chosen_sett(const PictureOptions& options) {
 
 void check_can_draw(const PictureOptions& options) {
     const auto context = render::make_context();
-    const int most = context->most_samples();
+    const int most = context->max_samples();
     if (options.samples <= most) return;
     throw sim::InputError("", "--samples",
                           std::string(render::name(context->maker())) + " takes at most " + std::to_string(most) +
@@ -168,8 +168,8 @@ void check_can_show(render::ShowMode show, bool has_body, bool has_hierarchy) {
     }
 }
 
-render::Image draw_picture(const RenderSubject& sitter, const PictureOptions& options) {
-    const Layout layout = compose(sitter, options);
+render::Image draw_picture(const RenderSubject& subject, const PictureOptions& options) {
+    const Layout layout = compose(subject, options);
     render::Image image = render::Renderer().draw(layout.scene, render_options(options));
     if (layout.legend) draw_legend(image, *layout.legend, layout.corner);
     return image;

@@ -58,6 +58,6 @@ void check_can_show(render::ShowMode show, bool has_body, bool has_hierarchy);
 
 // Leaves out triangles with non-finite coordinates. Throws InputError if nothing is left to draw, no GL context is
 // available (render/gl/context.h), or the mode requires data that is missing.
-render::Image draw_picture(const RenderSubject& sitter, const PictureOptions& options);
+render::Image draw_picture(const RenderSubject& subject, const PictureOptions& options);
 
 }  // namespace selvedge::app

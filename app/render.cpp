@@ -38,14 +38,14 @@ int render(const RenderArguments& arguments) {
     const sim::PlainMesh garment = sim::read_garment(arguments.garment);
     std::optional<sim::Body> body;
     if (!arguments.body.source.empty()) body = make_body(arguments.body).body;
-    const RenderSubject sitter{.garment = garment, .body = body ? &*body : nullptr};
+    const RenderSubject subject{.garment = garment, .body = body ? &*body : nullptr};
     if (!arguments.output.empty()) {
-        write_png(arguments.output, draw_picture(sitter, arguments.picture));
+        write_png(arguments.output, draw_picture(subject, arguments.picture));
         std::printf("wrote %s\n", arguments.output.c_str());
     }
     if (!arguments.turntable.file.empty()) {
         ProgressBar bar(progress_bar_options(arguments.is_quiet));
-        write_turntable(sitter, arguments.picture, arguments.turntable, bar.progress());
+        write_turntable(subject, arguments.picture, arguments.turntable, bar.progress());
         bar.finish();
         std::printf("wrote %s\n", arguments.turntable.file.c_str());
     }

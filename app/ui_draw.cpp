@@ -194,7 +194,7 @@ struct UiDraw::Impl {
 UiDraw::UiDraw(render::GlContext& context) : impl_(std::make_unique<Impl>(context)) {}
 UiDraw::~UiDraw() = default;
 
-void UiDraw::hold(const editor::PictureToHold& picture) {
+void UiDraw::hold(const editor::TextureUpload& picture) {
     const render::Image& image = picture.picture;
     SELVEDGE_ASSERT(picture.texture != kFont && image.width_px >= 1 && image.height_px >= 1);
     impl_->lent.erase(picture.texture);

@@ -28,7 +28,7 @@ class UiDraw {
     ~UiDraw();
 
     // Replaces the texture with that number. Pre: it is not the font's number; the picture is not empty.
-    void hold(const editor::PictureToHold& picture);
+    void hold(const editor::TextureUpload& picture);
 
     // Registers an opaque picture that the caller owns; it must live as long as draw lists refer to it.
     void lend(editor::UiTexture number, const render::PictureTexture& picture);

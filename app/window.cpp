@@ -58,7 +58,7 @@ class WindowContext final : public render::GlContext {
     ~WindowContext() override { destroy(); }
 
     void make_current() override { glfwMakeContextCurrent(window_); }
-    render::ContextMaker maker() const override { return render::ContextMaker::Window; }
+    render::ContextKind maker() const override { return render::ContextKind::Window; }
     GLFWwindow* window() const { return window_; }
 
  private:

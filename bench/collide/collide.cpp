@@ -56,8 +56,8 @@ Structures::Structures(const sim::Body& body, float offset) : reach(offset) {
     field_seconds = time_once([&] { field = std::make_unique<sim::BodyCollider>(body); }) - tree_seconds;
 }
 
-std::vector<Baseline> rivals_of(const Structures& structures) {
-    std::vector<Baseline> rivals{
+std::vector<Baseline> baselines_of(const Structures& structures) {
+    std::vector<Baseline> baselines{
         {"grid 32^3", structures.grid.get()},
         {"tree", structures.unlimited.get()},
         {"tree, 10 mm", structures.near.get()},
@@ -66,10 +66,10 @@ std::vector<Baseline> rivals_of(const Structures& structures) {
     for (const sim::SimdLevel level : {sim::SimdLevel::Plain, sim::SimdLevel::Avx2, sim::SimdLevel::Avx512}) {
         if (level > sim::simd_level()) continue;
         const std::string name = "field, " + std::string(name_of(level));
-        rivals.push_back({name, structures.field.get(), ContactWay::InBlocks, level});
-        rivals.push_back({name + ", slack", structures.field.get(), ContactWay::WithSlack, level});
+        baselines.push_back({name, structures.field.get(), ContactWay::InBlocks, level});
+        baselines.push_back({name + ", slack", structures.field.get(), ContactWay::WithSlack, level});
     }
-    return rivals;
+    return baselines;
 }
 
 // Errors of the answers for points in contact, that is, nearer than the offset.
@@ -94,13 +94,13 @@ Errors errors_of(const std::vector<sim::Contact>& answers, const std::vector<sim
     return errors;
 }
 
-void add_row(Table& table, std::size_t triangles, const Baseline& rival, const PassReport& report,
+void add_row(Table& table, std::size_t triangles, const Baseline& baseline, const QueryReport& report,
              const Errors& errors) {
     const double queries = report.queries;
     table.add_row({triangles,
-                   rival.name,
-                   {1e9 * timing_of(rival.seconds).median / queries, 1},
-                   {1e9 * timing_of(rival.seconds).least / queries, 1},
+                   baseline.name,
+                   {1e9 * timing_of(baseline.seconds).median / queries, 1},
+                   {1e9 * timing_of(baseline.seconds).least / queries, 1},
                    {100 * report.asked / queries, 1},
                    {1e3 * sim::quantile(errors.distance, 0.99), 3},
                    {1e3 * sim::quantile(errors.distance, 1), 3},
@@ -111,21 +111,22 @@ void add_row(Table& table, std::size_t triangles, const Baseline& rival, const P
 
 void measure(Table& table, std::size_t triangles, const Structures& structures, const CollideOptions& options) {
     const ClothPoints points = move_cloth_points(*structures.surface, options.points);
-    const PassPoints asked(points);
-    std::vector<Baseline> rivals = rivals_of(structures);
+    const QueryPoints asked(points);
+    std::vector<Baseline> baselines = baselines_of(structures);
     for (int round = 0; round < options.rounds; ++round)
-        for (Baseline& rival : rivals) {
-            const sim::SimdLimit limit(rival.level);
-            rival.seconds.push_back(
-                time_once([&] { run_pass(asked, *rival.collider, rival.way, options.points.offset); }));
+        for (Baseline& baseline : baselines) {
+            const sim::SimdLimit limit(baseline.level);
+            baseline.seconds.push_back(
+                time_once([&] { run_queries(asked, *baseline.collider, baseline.way, options.points.offset); }));
         }
     std::vector<sim::ClosestPoint> exact;
     for (const auto& step : points.exact) exact.insert(exact.end(), step.begin(), step.end());
-    for (const Baseline& rival : rivals) {
-        const sim::SimdLimit limit(rival.level);
+    for (const Baseline& baseline : baselines) {
+        const sim::SimdLimit limit(baseline.level);
         std::vector<sim::Contact> answers;
-        const PassReport report = run_pass(asked, *rival.collider, rival.way, options.points.offset, &answers);
-        add_row(table, triangles, rival, report, errors_of(answers, exact, options.points.offset));
+        const QueryReport report =
+            run_queries(asked, *baseline.collider, baseline.way, options.points.offset, &answers);
+        add_row(table, triangles, baseline, report, errors_of(answers, exact, options.points.offset));
     }
 }
 

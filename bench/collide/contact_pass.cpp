@@ -10,7 +10,7 @@
 namespace selvedge::bench {
 namespace {
 
-const sim::Contact kSpared{std::numeric_limits<float>::infinity(), Vec3f::Zero()};
+const sim::Contact kSkipped{std::numeric_limits<float>::infinity(), Vec3f::Zero()};
 
 sim::Contact answer_in(const sim::ContactBlock& block, std::size_t lane) {
     return {block.distance[lane], {block.nx[lane], block.ny[lane], block.nz[lane]}};
@@ -39,7 +39,7 @@ struct Known {
 
 class Pass {
  public:
-    Pass(const PassPoints& points, const sim::Collider& collider, float offset)
+    Pass(const QueryPoints& points, const sim::Collider& collider, float offset)
         : points_(points),
           collider_(collider),
           offset_(offset),
@@ -80,7 +80,7 @@ class Pass {
         for (std::size_t k = 0; k < count; ++k)
             known_.learn(active_[k], work_[k / sim::kContactLanes], k % sim::kContactLanes, surely_free);
         if (!answers) return count;
-        std::fill_n(answers, points_.count(), kSpared);
+        std::fill_n(answers, points_.count(), kSkipped);
         for (std::size_t k = 0; k < count; ++k)
             answers[active_[k]] = answer_in(work_[k / sim::kContactLanes], k % sim::kContactLanes);
         return count;
@@ -96,7 +96,7 @@ class Pass {
         return count;
     }
 
-    const PassPoints& points_;
+    const QueryPoints& points_;
     const sim::Collider& collider_;
     float offset_;
     Known known_;
@@ -106,7 +106,7 @@ class Pass {
 
 }  // namespace
 
-PassPoints::PassPoints(const ClothPoints& points) {
+QueryPoints::QueryPoints(const ClothPoints& points) {
     for (const std::vector<Vec3f>& x : points.x) {
         count_ = x.size();
         std::vector<sim::ContactBlock>& blocks =
@@ -117,11 +117,11 @@ PassPoints::PassPoints(const ClothPoints& points) {
     }
 }
 
-PassReport run_pass(const PassPoints& points, const sim::Collider& collider, ContactWay way, float offset,
-                    std::vector<sim::Contact>* answers) {
+QueryReport run_queries(const QueryPoints& points, const sim::Collider& collider, ContactWay way, float offset,
+                        std::vector<sim::Contact>* answers) {
     Pass pass(points, collider, offset);
-    if (answers) answers->assign(points.steps().size() * points.count(), kSpared);
-    PassReport report;
+    if (answers) answers->assign(points.steps().size() * points.count(), kSkipped);
+    QueryReport report;
     for (std::size_t step = 0; step < points.steps().size(); ++step) {
         sim::Contact* to = answers ? &(*answers)[step * points.count()] : nullptr;
         const std::vector<sim::ContactBlock>& asked = points.steps()[step];
@@ -201,7 +201,7 @@ Vec3f random_point_over(const sim::SurfaceBvh& surface, const std::vector<double
 }
 
 // Morton code of a point on a grid of 4 mm cells. Sorted by it, points near in space are near in the list.
-std::uint32_t place_in_order(const Vec3f& p) {
+std::uint32_t morton_code(const Vec3f& p) {
     std::uint32_t code = 0;
     for (int axis = 0; axis < 3; ++axis) {
         const auto cell = std::uint32_t(std::clamp((p[axis] + 2) * 250, 0.0F, 1023.0F));
@@ -219,7 +219,7 @@ std::vector<MovingPoint> start(const sim::SurfaceBvh& surface, const ClothPointO
         if (closest.distance >= 0) points.push_back({.x = p, .outward = closest.normal});
     }
     std::sort(points.begin(), points.end(),
-              [](const MovingPoint& a, const MovingPoint& b) { return place_in_order(a.x) < place_in_order(b.x); });
+              [](const MovingPoint& a, const MovingPoint& b) { return morton_code(a.x) < morton_code(b.x); });
     for (MovingPoint& point : points) {
         point.v = random.normals() * (options.speed / std::sqrt(3.0F));
         point.fall = random.share() < 0.3F ? 1.5F * options.speed : 0.0F;

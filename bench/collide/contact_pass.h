@@ -1,5 +1,5 @@
 #pragma once
-// Points that move near a body like the vertices of a worn garment (ClothPoints), and run_pass(), which queries a
+// Points that move near a body like the vertices of a worn garment (ClothPoints), and run_queries(), which queries a
 // collider for all of them at every step, one by one, in SIMD blocks, or only where a contact is possible.
 #include <vector>
 
@@ -35,10 +35,10 @@ enum class ContactWay {
     WithSlack,  // contacts(), only for points that may have come within the offset since their last query
 };
 
-// The points of all steps, packed into blocks for run_pass().
-class PassPoints {
+// The points of all steps, packed into blocks for run_queries().
+class QueryPoints {
  public:
-    explicit PassPoints(const ClothPoints& points);
+    explicit QueryPoints(const ClothPoints& points);
 
     std::size_t count() const { return count_; }  // of points in one step
     const std::vector<std::vector<sim::ContactBlock>>& steps() const { return steps_; }
@@ -48,13 +48,13 @@ class PassPoints {
     std::vector<std::vector<sim::ContactBlock>> steps_;  // unused lanes of the last block repeat its last point
 };
 
-struct PassReport {
+struct QueryReport {
     double queries = 0;  // points x steps
     double asked = 0;    // how many of them queried the collider
 };
 
 // answers, if not null: [step * count + point]. Points that needed no query have an infinite distance.
-PassReport run_pass(const PassPoints& points, const sim::Collider& collider, ContactWay way, float offset,
-                    std::vector<sim::Contact>* answers = nullptr);
+QueryReport run_queries(const QueryPoints& points, const sim::Collider& collider, ContactWay way, float offset,
+                        std::vector<sim::Contact>* answers = nullptr);
 
 }  // namespace selvedge::bench

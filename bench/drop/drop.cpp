@@ -25,13 +25,13 @@ void pin_centre(ClothRun& run, double shift, const DropScene& scene) {
 
 }  // namespace
 
-void DropJudge::sample(const std::vector<Vec3d>& x) {
+void DropEvaluator::sample(const std::vector<Vec3d>& x) {
     if (samples_++ == 0) sum_.least_gap = std::numeric_limits<double>::infinity();
     if (!all_finite(mesh_, x)) {
         sum_.is_finite = false;
         return;
     }
-    const ThreadStretch stretch = thread_stretch(mesh_, x);
+    const YarnStretch stretch = yarn_stretch(mesh_, x);
     sum_.p99_stretch += stretch.p99;
     sum_.p1_compression += stretch.p1;
     sum_.max_stretch = std::max(sum_.max_stretch, stretch.max);
@@ -40,7 +40,7 @@ void DropJudge::sample(const std::vector<Vec3d>& x) {
         sum_.least_gap = std::min(sum_.least_gap, x[static_cast<std::size_t>(v)].norm() - scene_.radius);
 }
 
-DropQuality DropJudge::quality() const {
+DropQuality DropEvaluator::quality() const {
     DropQuality mean = sum_;
     mean.p99_stretch /= samples_;
     mean.p1_compression /= samples_;
@@ -56,7 +56,7 @@ SphereDrop run_sphere_drop(const SphereDropOptions& options) {
     const sim::GarmentMesh square = drop_square(options.base_quads, options.shift, scene);
     SphereDrop drop{.run = start_run(square, {drop_fabric()}, running), .quality = {}};
     pin_centre(drop.run, options.shift, scene);
-    DropJudge judge(measured(drop.run), scene);
+    DropEvaluator judge(measured(drop.run), scene);
     std::vector<double> seconds;
     for (int frame = 1; frame <= scene.frames; ++frame) {
         const double start = thread_seconds();
@@ -169,7 +169,7 @@ int frames_in(double seconds, const DropScene& scene) {
 
 }  // namespace
 
-RestFigures rest_after(ClothRun& run, const DropScene& scene, double seconds) {
+RestStatistics rest_after(ClothRun& run, const DropScene& scene, double seconds) {
     const sim::SphereCollider sphere(Vec3f::Zero(), static_cast<float>(scene.radius));
     const int watched = frames_in(1, scene);
     const int frames = frames_in(seconds, scene);
@@ -185,12 +185,12 @@ RestFigures rest_after(ClothRun& run, const DropScene& scene, double seconds) {
             .net_speed = shape_distance(mesh, before, positions(run)).rms / watched_seconds};
 }
 
-WeightlessFigures weightless(ClothRun& run, const DropScene& scene, double seconds) {
+EnergyStatistics weightless(ClothRun& run, const DropScene& scene, double seconds) {
     const sim::SphereCollider sphere(Vec3f::Zero(), static_cast<float>(scene.radius));
     run.options.gravity = Vec3f::Zero();
     const Energy start = energy(run);
     const int window = frames_in(0.25, scene);
-    WeightlessFigures figures;
+    EnergyStatistics figures;
     double first = 0;
     double before = 0;
     double highest = 0;
@@ -209,7 +209,8 @@ WeightlessFigures weightless(ClothRun& run, const DropScene& scene, double secon
     return figures;
 }
 
-ConvergedFigures compare_converged(const SphereDrop& drop, const SphereDropOptions& options, int converged_substeps) {
+ConvergenceStatistics compare_converged(const SphereDrop& drop, const SphereDropOptions& options,
+                                        int converged_substeps) {
     SphereDropOptions fine = options;
     fine.substeps = converged_substeps;
     const SphereDrop converged = run_sphere_drop(fine);

@@ -55,9 +55,9 @@ struct DropQuality {
 };
 
 // Accumulates samples; works with the positions of any solver.
-class DropJudge {
+class DropEvaluator {
  public:
-    explicit DropJudge(MeasuredMesh mesh, const DropScene& scene = {}) : mesh_(std::move(mesh)), scene_(scene) {}
+    explicit DropEvaluator(MeasuredMesh mesh, const DropScene& scene = {}) : mesh_(std::move(mesh)), scene_(scene) {}
     void sample(const std::vector<Vec3d>& x);
     DropQuality quality() const;  // pre: sample() was called
     const MeasuredMesh& mesh() const { return mesh_; }
@@ -114,29 +114,30 @@ std::optional<int> find_least(int most, const std::function<bool(int)>& passes);
 // Quality checks that are not timed: whether the cloth comes to rest, whether its energy grows without cause, and its
 // final distance from a run with smaller time steps.
 
-struct RestFigures {
+struct RestStatistics {
     double kinetic_energy = 0;  // J, after `seconds` more
     double rms_speed = 0;       // m/s, from the last sub-step: includes vibration
     double net_speed = 0;       // m/s, RMS of the net displacement over the last second: creep only
 };
-RestFigures rest_after(ClothRun& run, const DropScene& scene, double seconds = 10);
+RestStatistics rest_after(ClothRun& run, const DropScene& scene, double seconds = 10);
 
 // Gravity is switched off, so that no external force does work on the cloth. Energy is the sum of kinetic and elastic
 // energy, the latter from the fabric's stiffness values. A cloth that the solver lets stretch further stores less than
 // that formula gives, so the kinetic energy is also reported alone.
-struct WeightlessFigures {
+struct EnergyStatistics {
     double energy_growth = 0;   // greatest energy / energy at the start - 1; 0 if it never grows
     double kinetic_growth = 0;  // peak kinetic energy of each 0.25 s window: greatest increase from one window to
                                 // the next, divided by the peak of the first window
     double kinetic_end = 0;     // J, at the end
 };
-WeightlessFigures weightless(ClothRun& run, const DropScene& scene, double seconds = 3);
+EnergyStatistics weightless(ClothRun& run, const DropScene& scene, double seconds = 3);
 
-struct ConvergedFigures {
+struct ConvergenceStatistics {
     int substeps = 0;           // per frame, of the converged runs
     ShapeDistance distance;     // between the tested run and the converged one, after the last frame
     ShapeDistance noise_floor;  // between two converged runs whose start positions differ by 1 mm
 };
-ConvergedFigures compare_converged(const SphereDrop& drop, const SphereDropOptions& options, int converged_substeps);
+ConvergenceStatistics compare_converged(const SphereDrop& drop, const SphereDropOptions& options,
+                                        int converged_substeps);
 
 }  // namespace selvedge::bench

@@ -110,7 +110,7 @@ Table trial_table(const DropReport& report) {
 Table quality_table(const DropReport& report) {
     Table table{.name = "drop honesty", .title = "What the chosen setting does when nobody times it"};
     table.columns = {"figure", "value"};
-    const ConvergedFigures& converged = *report.converged;
+    const ConvergenceStatistics& converged = *report.converged;
     table.add_row({"kinetic energy after 10 s of rest, mJ", Cell(1e3 * report.rest.kinetic_energy, 4)});
     table.add_row({"rms speed then, mm/s", Cell(1e3 * report.rest.rms_speed, 3)});
     table.add_row({"rms net speed over the last second, mm/s", Cell(1e3 * report.rest.net_speed, 3)});
@@ -179,7 +179,7 @@ DropReport measure_drop(const DropExperiment& experiment, const sim::Progress& p
     report.chosen = search(experiment, report.trials, progress);
     const SphereDropOptions options = options_for(experiment, report.chosen.substeps);
     time_drops(options, experiment.repetitions, report, progress);
-    if (experiment.is_honest) measure_quality(options, report, progress);
+    if (experiment.passes_quality_checks) measure_quality(options, report, progress);
     return report;
 }
 

@@ -42,7 +42,7 @@ struct DropExperiment {
     std::optional<int> substeps{};  // none: searched by measure_drop()
     int most_substeps = 256;
     int repetitions = 5;
-    bool is_honest = true;  // also measures rest, energy and convergence
+    bool passes_quality_checks = true;  // also measures rest, energy and convergence
     DropGates gates{};
     DropScene scene{};
 };
@@ -52,10 +52,10 @@ struct DropReport {
     DropTrial chosen;            // given, or the fewest sub-steps that pass, or the last tried
     double ms_per_frame = 0;     // median over the repetitions' medians
     double ms_with_samples = 0;  // the same with contact samples in the middle of triangles
-    RestFigures rest;
-    WeightlessFigures weightless;
-    std::optional<ConvergedFigures> converged;  // none if DropExperiment::is_honest is false
-    std::vector<DropTrial> trials;              // in ascending order of sub-steps
+    RestStatistics rest;
+    EnergyStatistics weightless;
+    std::optional<ConvergenceStatistics> converged;  // none if DropExperiment::passes_quality_checks is false
+    std::vector<DropTrial> trials;                   // in ascending order of sub-steps
 };
 
 DropReport measure_drop(const DropExperiment& experiment, const sim::Progress& progress = {});

@@ -29,7 +29,7 @@ MeshSetting turned(MeshSetting mesh, double angle) {
     return mesh;
 }
 
-using Test = std::function<Reading(const sim::Fabric&, ThreadDirection, const MeshSetting&, const Stepping&)>;
+using Test = std::function<Reading(const sim::Fabric&, YarnDirection, const MeshSetting&, const Stepping&)>;
 
 // Makes tables that have one column for each mesh angle, and counts gates.
 struct TableMaker {
@@ -59,7 +59,7 @@ struct TableMaker {
 
 // scale: factor from SI to the unit of the table.
 void add_reading_row(TableMaker& maker, Table& table, const Test& test, const sim::Fabric& fabric,
-                     ThreadDirection direction, const MeshSetting& level, double scale) {
+                     YarnDirection direction, const MeshSetting& level, double scale) {
     std::vector<Cell> row{fabric.name, name_of(direction), level_name(level)};
     std::vector<Cell> measured;
     double worst = 0;
@@ -83,14 +83,14 @@ void add_reading_row(TableMaker& maker, Table& table, const Test& test, const si
     table.add_row(std::move(row));
 }
 
-void add_readings(TableMaker& maker, Table title, const Test& test, const std::vector<ThreadDirection>& directions,
+void add_readings(TableMaker& maker, Table title, const Test& test, const std::vector<YarnDirection>& directions,
                   double scale) {
     const std::string name = title.name;
     Table& table = maker.begin(std::move(title), {"fabric", "direction", "level", "expected"},
                                {"worst error, %", "gate, %", "verdict"});
     const std::vector<sim::Fabric> fabrics = fabrics_of(maker.experiment);
     for (std::size_t i = 0; i < fabrics.size(); ++i) {
-        for (const ThreadDirection direction : directions) {
+        for (const YarnDirection direction : directions) {
             maker.tell(name + ", " + fabrics[i].name, i, fabrics.size());
             for (const MeshSetting& level : level_settings(maker.experiment))
                 add_reading_row(maker, table, test, fabrics[i], direction, level, scale);
@@ -104,11 +104,11 @@ void measure_cantilever(TableMaker& maker) {
                       .note =
                           "From the dip of a strip's chord by the exact elastica; the overhang is cut so that it "
                           "should be 41.5 degrees. Without internal friction."};
-    add_readings(maker, title, test_cantilever, {ThreadDirection::Warp, ThreadDirection::Weft}, 1e6);
+    add_readings(maker, title, test_cantilever, {YarnDirection::Warp, YarnDirection::Weft}, 1e6);
 }
 
 void measure_strip(TableMaker& maker) {
-    const std::vector<ThreadDirection> threads{ThreadDirection::Warp, ThreadDirection::Weft};
+    const std::vector<YarnDirection> threads{YarnDirection::Warp, YarnDirection::Weft};
     add_readings(maker,
                  {.name = "strip by its own weight",
                   .title = "Hanging strip of 50 cm: strain by its own weight, parts per million",
@@ -127,12 +127,11 @@ void measure_bias(TableMaker& maker) {
                   .title = "Strip cut at 45 degrees to the threads: strain by a weight at its end, %",
                   .note = "By the shear stiffness and the threads; read clear of the clamps. Without internal "
                           "friction."},
-                 test_load, {ThreadDirection::Bias}, 100);
+                 test_load, {YarnDirection::Bias}, 100);
 }
 
 void measure_swing(TableMaker& maker) {
-    const auto test = [](const sim::Fabric& fabric, ThreadDirection, const MeshSetting& mesh,
-                         const Stepping& stepping) {
+    const auto test = [](const sim::Fabric& fabric, YarnDirection, const MeshSetting& mesh, const Stepping& stepping) {
         const Stepping fine{.substeps = 3 * stepping.substeps, .frame_seconds = stepping.frame_seconds};
         const double expected = swing_period(fabric, {.angle = mesh.angle, .level = 3}, fine);
         return Reading{.expected = expected, .measured = swing_period(fabric, mesh, stepping)};
@@ -142,7 +141,7 @@ void measure_swing(TableMaker& maker) {
                   .title = "Strip of 30 cm let go at 20 degrees: period, s",
                   .note = "Expected: level 3 with three times the sub-steps. A hanging chain's, for small swings, is "
                           "0.914 s."},
-                 test, {ThreadDirection::Warp}, 1);
+                 test, {YarnDirection::Warp}, 1);
 }
 
 // This table has an upper limit instead of expected values.

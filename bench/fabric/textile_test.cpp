@@ -58,14 +58,14 @@ double weight_of(const sim::Fabric& fabric) {
     return fabric.area_density * kG;  // N/m^2
 }
 
-double warp_angle(ThreadDirection direction) {
-    if (direction == ThreadDirection::Warp) return 0;
-    return direction == ThreadDirection::Weft ? std::numbers::pi / 2 : std::numbers::pi / 4;
+double warp_angle(YarnDirection direction) {
+    if (direction == YarnDirection::Warp) return 0;
+    return direction == YarnDirection::Weft ? std::numbers::pi / 2 : std::numbers::pi / 4;
 }
 
-double stiffness(const sim::Fabric& fabric, ThreadDirection direction) {
-    if (direction == ThreadDirection::Bias) return bias_stiffness(fabric);
-    return direction == ThreadDirection::Warp ? fabric.stretch_warp : fabric.stretch_weft;
+double stiffness(const sim::Fabric& fabric, YarnDirection direction) {
+    if (direction == YarnDirection::Bias) return bias_stiffness(fabric);
+    return direction == YarnDirection::Warp ? fabric.stretch_warp : fabric.stretch_weft;
 }
 
 sim::Fabric without_friction(sim::Fabric fabric) {
@@ -74,11 +74,11 @@ sim::Fabric without_friction(sim::Fabric fabric) {
     return fabric;
 }
 
-double load_of(const sim::Fabric& fabric, ThreadDirection direction) {
+double load_of(const sim::Fabric& fabric, YarnDirection direction) {
     constexpr double kE5 = 4.905;   // N/m
     constexpr double kE20 = 19.62;  // N/m
     const double k = stiffness(fabric, direction);
-    if (direction == ThreadDirection::Bias) return 0.01 * k;
+    if (direction == YarnDirection::Bias) return 0.01 * k;
     const double most = k * fabric.strain_limit / 2;
     return most > kE20 ? kE20 : std::min(kE5, most);
 }
@@ -95,10 +95,10 @@ double strain_between(const Specimen& specimen, const ClothRun& run, const Strip
 
 // Hangs the strip and measures its strain. It is at rest when it moves by less than 0.5 % of the expected elongation
 // per second.
-Reading hang(const sim::Fabric& fabric, ThreadDirection direction, const StripCut& cut, const MeshSetting& mesh,
+Reading hang(const sim::Fabric& fabric, YarnDirection direction, const StripCut& cut, const MeshSetting& mesh,
              const Stepping& stepping) {
     constexpr float kDamping = 10;  // 1/s
-    const bool is_bias = direction == ThreadDirection::Bias;
+    const bool is_bias = direction == YarnDirection::Bias;
     const double margin = is_bias ? 1.25 * cut.width : 0;  // yarns that end in a clamp prevent shear
     const double from = margin;
     const double to = cut.length - margin;
@@ -117,15 +117,15 @@ Reading hang(const sim::Fabric& fabric, ThreadDirection direction, const StripCu
     return reading;
 }
 
-StripCut strip_cut(ThreadDirection direction, const MeshSetting& mesh) {
+StripCut strip_cut(YarnDirection direction, const MeshSetting& mesh) {
     return {.mesh_angle = mesh.angle, .warp_angle = warp_angle(direction), .edge_length = 0.04};
 }
 
 }  // namespace
 
-std::string name_of(ThreadDirection direction) {
-    if (direction == ThreadDirection::Warp) return "warp";
-    return direction == ThreadDirection::Weft ? "weft" : "bias";
+std::string name_of(YarnDirection direction) {
+    if (direction == YarnDirection::Warp) return "warp";
+    return direction == YarnDirection::Weft ? "weft" : "bias";
 }
 
 std::string level_name(const MeshSetting& setting) {
@@ -139,12 +139,12 @@ RunOptions run_options(const MeshSetting& setting, const Stepping& stepping) {
             .frame_seconds = stepping.frame_seconds};
 }
 
-Reading test_cantilever(const sim::Fabric& tested, ThreadDirection direction, const MeshSetting& mesh,
+Reading test_cantilever(const sim::Fabric& tested, YarnDirection direction, const MeshSetting& mesh,
                         const Stepping& stepping) {
     const sim::Fabric fabric = without_friction(tested);
     const double w = weight_of(fabric);
     Reading reading;
-    reading.expected = direction == ThreadDirection::Warp ? fabric.bending_warp : fabric.bending_weft;
+    reading.expected = direction == YarnDirection::Warp ? fabric.bending_warp : fabric.bending_weft;
     StripCut cut{.mesh_angle = mesh.angle, .warp_angle = warp_angle(direction)};
     cut.length = std::cbrt(kPeirceQ * reading.expected / w);
     const SpecimenFrame level{.across = Vec3d::UnitZ(), .along = Vec3d::UnitX()};
@@ -162,12 +162,12 @@ Reading test_cantilever(const sim::Fabric& tested, ThreadDirection direction, co
     return reading;
 }
 
-Reading test_own_weight(const sim::Fabric& fabric, ThreadDirection direction, const MeshSetting& mesh,
+Reading test_own_weight(const sim::Fabric& fabric, YarnDirection direction, const MeshSetting& mesh,
                         const Stepping& stepping) {
     return hang(without_friction(fabric), direction, strip_cut(direction, mesh), mesh, stepping);
 }
 
-Reading test_load(const sim::Fabric& fabric, ThreadDirection direction, const MeshSetting& mesh,
+Reading test_load(const sim::Fabric& fabric, YarnDirection direction, const MeshSetting& mesh,
                   const Stepping& stepping) {
     StripCut cut = strip_cut(direction, mesh);
     cut.weight = load_of(fabric, direction);

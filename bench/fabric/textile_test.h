@@ -9,8 +9,8 @@
 
 namespace selvedge::bench {
 
-enum class ThreadDirection { Warp, Weft, Bias };
-std::string name_of(ThreadDirection direction);
+enum class YarnDirection { Warp, Weft, Bias };
+std::string name_of(YarnDirection direction);
 
 // The mesh of a specimen.
 struct MeshSetting {
@@ -37,17 +37,17 @@ struct Reading {
 // Peirce's cantilever test on both sides of a ridge, with the overhang at which the chord should dip by 41.5 degrees.
 // Returns the bending rigidity, N m, computed with the exact elastica from the mean measured dip angle. Without
 // internal friction, in the cloth and in the theory.
-Reading test_cantilever(const sim::Fabric& fabric, ThreadDirection direction, const MeshSetting& mesh,
+Reading test_cantilever(const sim::Fabric& fabric, YarnDirection direction, const MeshSetting& mesh,
                         const Stepping& stepping = {});
 
 // Mean strain over the length of a strip that hangs from its upper end under its own weight. For warp and weft.
-Reading test_own_weight(const sim::Fabric& fabric, ThreadDirection direction, const MeshSetting& mesh,
+Reading test_own_weight(const sim::Fabric& fabric, YarnDirection direction, const MeshSetting& mesh,
                         const Stepping& stepping = {});
 
 // Strain under a weight at the lower end. Warp and weft: 19.6 N/m (E20 of the FAST tests) if this strains the fabric to
 // less than half its strain limit; otherwise 4.9 N/m (E5) or the load that reaches half the limit, the smaller. Bias:
 // the load for a strain of 1 %, measured away from the clamps.
-Reading test_load(const sim::Fabric& fabric, ThreadDirection direction, const MeshSetting& mesh,
+Reading test_load(const sim::Fabric& fabric, YarnDirection direction, const MeshSetting& mesh,
                   const Stepping& stepping = {});
 
 struct DrapeReading {

@@ -99,7 +99,7 @@ PeerRun run_bullet(int quads, int substeps, double limit) {
     const sim::GarmentMesh grid = flat_grid(quads, scene);
     World world(scene);
     add_cloth(world, grid, scene);
-    DropJudge judge(measured(grid), scene);
+    DropEvaluator judge(measured(grid), scene);
     std::vector<double> seconds;
     PeerRun run;
     const double start = thread_seconds();

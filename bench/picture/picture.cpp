@@ -101,8 +101,8 @@ class Stopwatch {
         }
     }
 
-    PictureFigure figure(const std::string& kind) const {
-        PictureFigure figure{.kind = kind, .total = median(totals_), .processor = median(processor_), .parts = {}};
+    PictureTimings figure(const std::string& kind) const {
+        PictureTimings figure{.kind = kind, .total = median(totals_), .processor = median(processor_), .parts = {}};
         for (const auto part :
              {&render::PictureTimes::compare, &render::PictureTimes::ambient_occlusion, &render::PictureTimes::upload,
               &render::PictureTimes::shadow, &render::PictureTimes::mask, &render::PictureTimes::draw,
@@ -122,9 +122,9 @@ class Stopwatch {
 };
 
 // Times previews of a shared scene. The picture stays in a GL texture and is not read back.
-class DraftStopwatch {
+class PreviewStopwatch {
  public:
-    DraftStopwatch(const render::GlContext& context, render::PreviewRenderer& renderer, render::PictureTexture& to)
+    PreviewStopwatch(const render::GlContext& context, render::PreviewRenderer& renderer, render::PictureTexture& to)
         : context_(context), renderer_(renderer), to_(to) {}
 
     void draw(const render::SceneView& view) {
@@ -136,7 +136,7 @@ class DraftStopwatch {
         processor_.push_back(processor_ms() - processor_start);
     }
 
-    PictureFigure figure(const std::string& kind) const {
+    PictureTimings figure(const std::string& kind) const {
         return {.kind = kind, .total = median(totals_), .processor = median(processor_), .parts = {}};
     }
 
@@ -147,25 +147,25 @@ class DraftStopwatch {
     std::vector<double> totals_, processor_;
 };
 
-void measure_drafts(render::GlContext& context, const render::Scene& scene, const PictureExperiment& experiment,
-                    std::vector<PictureFigure>& figures) {
+void measure_previews(render::GlContext& context, const render::Scene& scene, const PictureExperiment& experiment,
+                      std::vector<PictureTimings>& figures) {
     render::PreviewRenderer renderer(context);
     render::PictureTexture to(context.gl());
     to.resize(experiment.render.width_px, experiment.render.height_px);
     render::Scene turned = scene;
     render::SceneView view{
         .scene = std::make_shared<const render::Scene>(scene), .camera = scene.camera, .light = scene.light};
-    DraftStopwatch first(context, renderer, to);
+    PreviewStopwatch first(context, renderer, to);
     first.draw(view);
     figures.push_back(first.figure("draft: first"));
-    DraftStopwatch turning(context, renderer, to);
+    PreviewStopwatch turning(context, renderer, to);
     for (int i = 0; i < 4 * experiment.pictures; ++i) {
         turn_camera(turned, experiment.turn);
         view.camera = turned.camera;
         turning.draw(view);
     }
     figures.push_back(turning.figure("draft: camera turns"));
-    DraftStopwatch moving(context, renderer, to);
+    PreviewStopwatch moving(context, renderer, to);
     for (int i = 0; i < 4 * experiment.pictures; ++i) {
         move_cloth(turned, scene, experiment.ripple, i);
         view.scene = std::make_shared<const render::Scene>(turned);
@@ -217,7 +217,7 @@ PictureReport measure_pictures(const render::Scene& given, const PictureExperime
         moving.draw(scene, i % 2 == 1);
     }
     report.figures.push_back(moving.figure("cloth moves"));
-    measure_drafts(*context, rest, experiment, report.figures);
+    measure_previews(*context, rest, experiment, report.figures);
     return report;
 }
 
@@ -232,7 +232,7 @@ Table table_of(const PictureReport& report) {
                         "for each other. Drafts stay with GL.",
                 .columns = {"picture", "whole", "processor", "compare", "room light", "upload", "shadow", "mask",
                             "draw", "finish", "read back"}};
-    for (const PictureFigure& figure : report.figures) {
+    for (const PictureTimings& figure : report.figures) {
         const render::PictureTimes& parts = figure.parts;
         const bool has_parts = parts.draw > 0;
         const auto cell = [&](double value) { return has_parts ? Cell(value, 1) : Cell(); };

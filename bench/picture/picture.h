@@ -18,7 +18,7 @@ struct PictureExperiment {
     float ripple = 0.0025F;  // m, moving cloth is displaced along its normals by 0 to twice this
 };
 
-struct PictureFigure {
+struct PictureTimings {
     std::string kind;
     double total = 0;            // ms of wall-clock time, median over the pictures
     double processor = 0;        // ms of CPU time of all threads, median
@@ -30,7 +30,7 @@ struct PictureReport {
     std::size_t body_triangles = 0;
     int width_px = 0;
     int height_px = 0;
-    std::vector<PictureFigure> figures;
+    std::vector<PictureTimings> figures;
 };
 
 // Draws the cloths and bodies of the scene. The experiment sets its own camera and light.

@@ -11,12 +11,12 @@
 namespace selvedge::bench {
 namespace {
 
-constexpr double kAlongThread = 1e-4;  // sine of the greatest angle between an edge and the yarn direction
+constexpr double kAlongYarn = 1e-4;  // sine of the greatest angle between an edge and the yarn direction
 
-bool is_along_thread(const Vec2d& edge, double grain_angle) {
+bool is_along_yarn(const Vec2d& edge, double grain_angle) {
     const Vec2d warp(-std::sin(grain_angle), std::cos(grain_angle));
     const Vec2d along = edge.normalized();
-    return std::min(std::abs(sim::cross2(warp, along)), std::abs(warp.dot(along))) < kAlongThread;
+    return std::min(std::abs(sim::cross2(warp, along)), std::abs(warp.dot(along))) < kAlongYarn;
 }
 
 const Vec3d& at(const std::vector<Vec3d>& x, int vertex) {
@@ -33,7 +33,7 @@ void MeasuredMeshBuilder::add(const std::array<MeasuredCorner, 3>& corners, doub
         const MeasuredCorner& to = corners[(k + 1) % 3];
         const Vec2d edge = to.u - from.u;
         const auto [a, b] = std::minmax(from.vertex, to.vertex);
-        edges_.push_back({a, b, edge.norm(), is_along_thread(edge, grain_angle)});
+        edges_.push_back({a, b, edge.norm(), is_along_yarn(edge, grain_angle)});
         mesh_.vertices.push_back(from.vertex);
     }
 }
@@ -45,7 +45,7 @@ MeasuredMesh MeasuredMeshBuilder::finish() {
     std::ranges::stable_sort(edges_, {}, ends);
     edges_.erase(std::ranges::unique(edges_, {}, ends).begin(), edges_.end());
     for (const Edge& e : edges_) {
-        if (e.is_thread) mesh_.threads.push_back({e.a, e.b, e.rest_length});
+        if (e.is_yarn) mesh_.yarn_edges.push_back({e.a, e.b, e.rest_length});
     }
     return std::move(mesh_);
 }
@@ -59,10 +59,10 @@ MeasuredMesh measured(const sim::GarmentMesh& mesh) {
     return builder.finish();
 }
 
-ThreadStretch thread_stretch(const MeasuredMesh& mesh, const std::vector<Vec3d>& x) {
+YarnStretch yarn_stretch(const MeasuredMesh& mesh, const std::vector<Vec3d>& x) {
     std::vector<double> strains;
-    strains.reserve(mesh.threads.size());
-    for (const ThreadEdge& e : mesh.threads) strains.push_back((at(x, e.b) - at(x, e.a)).norm() / e.rest_length - 1);
+    strains.reserve(mesh.yarn_edges.size());
+    for (const YarnEdge& e : mesh.yarn_edges) strains.push_back((at(x, e.b) - at(x, e.a)).norm() / e.rest_length - 1);
     return {.p1 = sim::quantile(strains, 0.01), .p99 = sim::quantile(strains, 0.99), .max = sim::quantile(strains, 1)};
 }
 

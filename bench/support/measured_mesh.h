@@ -13,15 +13,15 @@
 namespace selvedge::bench {
 
 // An edge along a yarn direction (warp or weft).
-struct ThreadEdge {
+struct YarnEdge {
     int a = 0;
     int b = 0;
     double rest_length = 0;  // m
 };
 
 struct MeasuredMesh {
-    std::vector<int> vertices;        // those in use, as indices into the positions
-    std::vector<ThreadEdge> threads;  // edges along yarns only: the length of other edges also changes with shear
+    std::vector<int> vertices;         // those in use, as indices into the positions
+    std::vector<YarnEdge> yarn_edges;  // edges along yarns only: the length of other edges also changes with shear
     std::vector<std::array<int, 3>> triangles;
     double rest_area = 0;  // m^2
 };
@@ -42,7 +42,7 @@ class MeasuredMeshBuilder {
     struct Edge {
         int a, b;
         double rest_length;
-        bool is_thread;
+        bool is_yarn;
     };
     MeasuredMesh mesh_;
     std::vector<Edge> edges_;
@@ -50,12 +50,12 @@ class MeasuredMeshBuilder {
 
 MeasuredMesh measured(const sim::GarmentMesh& mesh);
 
-struct ThreadStretch {
+struct YarnStretch {
     double p1 = 0;  // 1st percentile of the strain, negative if yarns are compressed
     double p99 = 0;
     double max = 0;
 };
-ThreadStretch thread_stretch(const MeasuredMesh& mesh, const std::vector<Vec3d>& x);
+YarnStretch yarn_stretch(const MeasuredMesh& mesh, const std::vector<Vec3d>& x);
 
 // Total triangle area divided by the area at rest.
 double area_ratio(const MeasuredMesh& mesh, const std::vector<Vec3d>& x);

@@ -82,7 +82,7 @@ void step_frame(sim::Cloth& cloth, const sim::Collider& object, const sim::StepO
 
 void draw_frame(const sim::Cloth& cloth) {
     const sim::PlainMesh mesh = plain_mesh(cloth, {"cloth"});
-    keep(make_cloth_vertices(mesh, vertex_normals(mesh), std::vector<render::Openness>(mesh.x.size())));
+    keep(make_cloth_vertices(mesh, vertex_normals(mesh), std::vector<render::AmbientVisibility>(mesh.x.size())));
 }
 
 DropFrame run_frame(DropScene& scene, const DropOptions& options) {

@@ -244,7 +244,7 @@ std::string name_of(std::size_t configuration) {
     return "C" + std::to_string(configuration);
 }
 
-Table ends_table(const Costs& costs) {
+Table clear_table(const Costs& costs) {
     Table table{
         .name = "3.2",
         .title = "Clearing a configuration and configuring from C0",
@@ -323,7 +323,7 @@ ThesisResult measure_transition_cost(const ThesisOptions& options) {
                                    .criteria = {.collision = true, .curvature = true, .length = false},
                                    .seconds = options.is_quick ? 0.4 : 2.0});
     ThesisResult result;
-    result.tables = {ends_table(costs),
+    result.tables = {clear_table(costs),
                      matrix_table(costs.indirect, "3.3", "Indirect transitions, by way of C0, us", 3),
                      matrix_table(costs.direct, "3.4", "Direct transitions, us", 3),
                      matrix_table(ratio(costs), "3.5", "Direct transitions as a share of indirect ones, %", 1),
@@ -350,12 +350,12 @@ struct SquareRun {
     std::array<Counts, kLevels + 1> counts{};
     Samples refining, coarsening;
 
-    double ms(const Samples& samples, std::size_t rival, std::size_t level) const {
-        return 1e3 * timing_of(samples[rival][level]).median;
+    double ms(const Samples& samples, std::size_t baseline, std::size_t level) const {
+        return 1e3 * timing_of(samples[baseline][level]).median;
     }
-    double total_ms(const Samples& samples, std::size_t rival) const {
+    double total_ms(const Samples& samples, std::size_t baseline) const {
         double sum = 0;
-        for (std::size_t level = 1; level <= kLevels; ++level) sum += ms(samples, rival, level);
+        for (std::size_t level = 1; level <= kLevels; ++level) sum += ms(samples, baseline, level);
         return sum;
     }
     std::size_t triangles_made() const { return counts[kLevels].triangles - counts[0].triangles; }
@@ -418,20 +418,20 @@ Table table_of(const std::string& name, const SquareRun& run) {
             "leaf lists. Elements are those of the whole hierarchy.",
         .columns = {"level", "vertices", "edges", "triangles"}};
     for (const char* way : {"refine: ", "coarsen: "})
-        for (const char* rival : kBaselineNames) table.columns.push_back(std::string(way) + rival + ", ms");
+        for (const char* baseline : kBaselineNames) table.columns.push_back(std::string(way) + baseline + ", ms");
     for (std::size_t level = 0; level <= kLevels; ++level) {
         const Counts& counts = run.counts[level];
         std::vector<Cell> row{level, counts.vertices, counts.edges, counts.triangles};
         for (const Samples* samples : {&run.refining, &run.coarsening})
-            for (std::size_t rival = 0; rival < kBaselines; ++rival)
-                row.push_back(level == 0 ? Cell() : Cell(run.ms(*samples, rival, level), 4));
+            for (std::size_t baseline = 0; baseline < kBaselines; ++baseline)
+                row.push_back(level == 0 ? Cell() : Cell(run.ms(*samples, baseline, level), 4));
         table.add_row(std::move(row));
     }
     std::vector<Cell> totals{"all", Cell(), Cell(), Cell()};
     std::vector<Cell> each{"ns per triangle made", Cell(), Cell(), Cell()};
     for (const Samples* samples : {&run.refining, &run.coarsening}) {
-        for (std::size_t rival = 0; rival < kBaselines; ++rival) {
-            const double ms = run.total_ms(*samples, rival);
+        for (std::size_t baseline = 0; baseline < kBaselines; ++baseline) {
+            const double ms = run.total_ms(*samples, baseline);
             totals.push_back(Cell(ms, 4));
             each.push_back(Cell(1e6 * ms / static_cast<double>(run.triangles_made()), 1));
         }
@@ -445,13 +445,13 @@ Figure figure_of(const std::string& name, const std::string& title, const std::v
                  Samples SquareRun::*samples) {
     Figure figure;
     figure.series = {.name = name, .title = title, .columns = {"base triangles"}};
-    for (const char* rival : kBaselineNames) figure.series.columns.push_back(std::string(rival) + ", ms");
+    for (const char* baseline : kBaselineNames) figure.series.columns.push_back(std::string(baseline) + ", ms");
     figure.y_label = "ms";
     figure.is_logarithmic = true;
     for (const SquareRun& run : runs) {
         std::vector<Cell> row{run.counts[0].triangles};
-        for (std::size_t rival = 0; rival < kBaselines; ++rival)
-            row.push_back(Cell(run.total_ms(run.*samples, rival), 4));
+        for (std::size_t baseline = 0; baseline < kBaselines; ++baseline)
+            row.push_back(Cell(run.total_ms(run.*samples, baseline), 4));
         figure.series.add_row(std::move(row));
     }
     return figure;

@@ -58,7 +58,7 @@ class Run {
         if (row.level) set_surface_level(surface_, *row.level);
     }
 
-    void frame(SurfaceFigures& sums) {
+    void frame(SurfaceStatistics& sums) {
         sums.simulation_ms += 1e3 * time_once([&] { run_frame(scene_); });
         const render::CurvedSurface before = surface_;
         sums.surface_ms += 1e3 * time_once([&] { move(); });
@@ -80,7 +80,7 @@ class Run {
 
     // Compares with the earlier surface moved to the same cloth, without splits, rejoins or gliding vertices.
     double jump_since(render::CurvedSurface before) const {
-        move_surface(before, scene_.cloth.x, surface_normals(scene_.cloth), {.longest_glide = 0});
+        move_surface(before, scene_.cloth.x, surface_normals(scene_.cloth), {.max_step = 0});
         return largest_move(before, surface_);
     }
 
@@ -107,10 +107,10 @@ std::vector<Vec4f> surface_normals(const sim::Cloth& coarse) {
     return normals;
 }
 
-SurfaceFigures run_surface(SurfaceExperiment experiment, const SurfaceRow& row, const SurfaceRunOptions& options,
-                           render::Renderer& renderer) {
+SurfaceStatistics run_surface(SurfaceExperiment experiment, const SurfaceRow& row, const SurfaceRunOptions& options,
+                              render::Renderer& renderer) {
     Run run(experiment, row, options);
-    SurfaceFigures figures;
+    SurfaceStatistics figures;
     const long frames = std::max(1L, std::lround(options.seconds / kSurfaceFrame));
     const long interval = std::max(1L, frames / options.drawn_frames);
     long drawn = 0;
@@ -304,7 +304,7 @@ Shown show(const std::string& name, SurfaceExperiment experiment, const ThesisOp
     render::Renderer renderer;
     std::vector<render::Image> pictures;
     for (const SurfaceRow& row : surface_rows()) {
-        const SurfaceFigures figures = run_surface(experiment, row, running, renderer);
+        const SurfaceStatistics figures = run_surface(experiment, row, running, renderer);
         pictures.push_back(figures.picture);
         shown.table.add_row({row.name, Cell(figures.triangles, 0), Cell(figures.simulation_ms, 3),
                              Cell(figures.surface_ms, 3), Cell(1e6 * figures.surface_ms / figures.triangles, 1),

@@ -48,7 +48,7 @@ struct SurfaceRow {
 std::vector<SurfaceRow> surface_rows();
 
 // Means over the frames.
-struct SurfaceFigures {
+struct SurfaceStatistics {
     double triangles = 0;       // drawn
     double simulation_ms = 0;   // four steps, CPU time of one thread
     double surface_ms = 0;      // adaptation and update of the surface, likewise
@@ -64,8 +64,8 @@ struct SurfaceRunOptions {
     int drawn_frames = 3;  // number of frames that are drawn, evenly spaced
 };
 
-SurfaceFigures run_surface(SurfaceExperiment experiment, const SurfaceRow& row, const SurfaceRunOptions& options,
-                           render::Renderer& renderer);
+SurfaceStatistics run_surface(SurfaceExperiment experiment, const SurfaceRow& row, const SurfaceRunOptions& options,
+                              render::Renderer& renderer);
 
 // Normals of the coarse cloth, to be passed with cloth.x to update_surface().
 std::vector<Vec4f> surface_normals(const sim::Cloth& coarse);

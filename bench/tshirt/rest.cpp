@@ -33,7 +33,7 @@ class HeldGarment {
         goal_ = to;
         const double start = thread_seconds();
         run_.advance(cloth_, body_);
-        run_.forget_times();
+        run_.clear_times();
         return thread_seconds() - start;
     }
     const sim::Cloth& cloth() const { return cloth_; }
@@ -45,11 +45,13 @@ class HeldGarment {
                                   .relax_time = 0,
                                   .may_rest = may_rest};
         options.adapt.kept_vertices = kept_;
-        options.lead = [this](const sim::Cloth& cloth, float seconds) { return lead(cloth, seconds); };
+        options.kinematic_vertices = [this](const sim::Cloth& cloth, float seconds) {
+            return kinematic_vertices(cloth, seconds);
+        };
         return options;
     }
 
-    std::span<const sim::KinematicVertex> lead(const sim::Cloth& cloth, float seconds) {
+    std::span<const sim::KinematicVertex> kinematic_vertices(const sim::Cloth& cloth, float seconds) {
         constexpr float kApproach = 12;  // 1/s, as in sim/dress/drag_constraint.cpp
         const Vec3f x = cloth.x[led_.vertex].head<3>();
         led_.to = x + (goal_ - x) * (kApproach * seconds);

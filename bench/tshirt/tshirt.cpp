@@ -79,12 +79,12 @@ TshirtRow cheapest_row(const sim::Cloth& cloth, const sim::BodyCollider& collide
     }
 }
 
-double us_per_leaf(const SwayFigures& figures) {
+double us_per_leaf(const SwayStatistics& figures) {
     return 1e3 * figures.ms_median / figures.leaf_triangles;
 }
 
 sim::Json row_json(const TshirtRow& row) {
-    const SwayFigures& f = row.figures;
+    const SwayStatistics& f = row.figures;
     sim::Json json = sim::Json::object();
     json[tshirt_key::kLeafTriangles] = f.leaf_triangles;
     json[tshirt_key::kMsAdaptPlus4Steps] = f.ms_median;
@@ -94,11 +94,11 @@ sim::Json row_json(const TshirtRow& row) {
     json[tshirt_key::kP99Stretch] = f.p99_stretch;
     json[tshirt_key::kSubsteps] = f.substeps;
     json[tshirt_key::kBodyTriangles] = row.body_triangles;
-    json[tshirt_key::kMsAdaption] = f.ms_adaptation;
+    json[tshirt_key::kMsAdaptation] = f.ms_adaptation;
     json[tshirt_key::kMs4Steps] = f.ms_steps;
     json[tshirt_key::kUsPerLeaf] = us_per_leaf(f);
-    json[tshirt_key::kChangesPerAdaption] = f.changes_per_adaptation;
-    if (f.allocations_per_adaptation) json[tshirt_key::kAllocationsPerAdaption] = *f.allocations_per_adaptation;
+    json[tshirt_key::kChangesPerAdaptation] = f.changes_per_adaptation;
+    if (f.allocations_per_adaptation) json[tshirt_key::kAllocationsPerAdaptation] = *f.allocations_per_adaptation;
     if (f.allocations_per_step) json[tshirt_key::kAllocationsPerStep] = *f.allocations_per_step;
     return json;
 }
@@ -146,7 +146,7 @@ Table table_of(const TshirtReport& report) {
                      "p99 stretch, %", "changes per adaption", "allocations per adaption",
                      "per step"};
     for (const TshirtRow& row : report.rows) {
-        const SwayFigures& f = row.figures;
+        const SwayStatistics& f = row.figures;
         const auto optional_cell = [](const std::optional<double>& v) { return v ? Cell(*v, 1) : Cell(); };
         table.add_row({row.what, f.leaf_triangles, row.body_triangles, f.substeps, Cell(f.ms_median, 3),
                        Cell(f.ms_p95, 3), Cell(us_per_leaf(f), 3), Cell(100 * f.adapt_share, 1),
@@ -166,7 +166,7 @@ sim::Json to_json(const TshirtReport& report) {
         rows.push_back(std::move(row_with_name));
     }
     if (report.rows.size() < 4) return json;
-    const auto figures = [&](std::size_t row) -> const SwayFigures& { return report.rows[row].figures; };
+    const auto figures = [&](std::size_t row) -> const SwayStatistics& { return report.rows[row].figures; };
     json[tshirt_key::kGrowthWithBody] = figures(1).ms_median / figures(0).ms_median;
     json[tshirt_key::kGrowthWithLeaves] = us_per_leaf(figures(3)) / us_per_leaf(figures(2));
     return json;
@@ -195,7 +195,7 @@ class Cycles {
         const double start = thread_seconds();
         const sim::AdaptReport adapted = adapt_cloth(cloth_, body_, {.shortest_edge = options_.shortest_edge});
         const double adapted_at = thread_seconds();
-        const std::size_t allocated_by_adaption = allocations() - allocated;
+        const std::size_t allocated_by_adaptation = allocations() - allocated;
         const bool compares = cycle % options_.shares_every == 0;
         const double without = compares ? steps_without_body() : 0;
         const std::size_t before_steps = allocations();
@@ -205,25 +205,25 @@ class Cycles {
         if (compares) shares_.push_back((with - without) / (with + adapted_at - start));
         if (compares) return;  // the steps without a body have warmed the caches for these
         add(adapted_at - start, with, adapted.splits + adapted.rejoins);
-        adaption_allocations_ += allocated_by_adaption;
+        adaptation_allocations_ += allocated_by_adaptation;
         step_allocations_ += allocated_by_steps;
     }
 
-    SwayFigures figures() const {
+    SwayStatistics figures() const {
         const auto count = static_cast<double>(whole_.size());
-        SwayFigures f;
+        SwayStatistics f;
         f.leaf_triangles = static_cast<int>(std::lround(leaves_ / count));
         f.substeps = options_.substeps;
         f.ms_median = 1e3 * sim::quantile(whole_, 0.5);
         f.ms_p95 = 1e3 * sim::quantile(whole_, 0.95);
-        f.ms_adaptation = 1e3 * sim::quantile(adaptions_, 0.5);
+        f.ms_adaptation = 1e3 * sim::quantile(adaptations_, 0.5);
         f.ms_steps = 1e3 * sim::quantile(steps_, 0.5);
         f.adapt_share = f.ms_adaptation / f.ms_median;
         f.collision_share = sim::quantile(shares_, 0.5);
         f.p99_stretch = stretch_ / count;
         f.changes_per_adaptation = changes_ / count;
         if (options_.allocations != nullptr) {
-            f.allocations_per_adaptation = static_cast<double>(adaption_allocations_) / count;
+            f.allocations_per_adaptation = static_cast<double>(adaptation_allocations_) / count;
             f.allocations_per_step = static_cast<double>(step_allocations_) / count / kSteps;
         }
         return f;
@@ -248,7 +248,7 @@ class Cycles {
     }
 
     void add(double adaptation, double steps, int changes) {
-        adaptions_.push_back(adaptation);
+        adaptations_.push_back(adaptation);
         steps_.push_back(steps);
         whole_.push_back(adaptation + steps);
         changes_ += changes;
@@ -265,17 +265,17 @@ class Cycles {
     const sim::Collider& body_;
     const SwayOptions& options_;
     double seconds_ = 0;
-    std::vector<double> adaptions_, steps_, whole_, shares_;
+    std::vector<double> adaptations_, steps_, whole_, shares_;
     double leaves_ = 0;
     double stretch_ = 0;
     double changes_ = 0;
-    std::size_t adaption_allocations_ = 0;
+    std::size_t adaptation_allocations_ = 0;
     std::size_t step_allocations_ = 0;
 };
 
 }  // namespace
 
-SwayFigures sway(sim::Cloth& cloth, const sim::Collider& body, const SwayOptions& options) {
+SwayStatistics sway(sim::Cloth& cloth, const sim::Collider& body, const SwayOptions& options) {
     Cycles cycles(cloth, body, options);
     for (int cycle = 0; cycle < options.settling_cycles + options.cycles; ++cycle)
         cycles.run(cycle, cycle >= options.settling_cycles);

@@ -23,7 +23,7 @@ struct SwayOptions {
 
 // Gravity is tilted by 5 degrees from the vertical and rotates once per second, so that the garment shifts on the body
 // all the time.
-struct SwayFigures {
+struct SwayStatistics {
     int leaf_triangles = 0;  // mean over the measured cycles
     int substeps = 0;        // per step
     double ms_median = 0;    // of one adaptation and four steps
@@ -38,7 +38,7 @@ struct SwayFigures {
     std::optional<double> allocations_per_step;
 };
 
-SwayFigures sway(sim::Cloth& cloth, const sim::Collider& body, const SwayOptions& options);
+SwayStatistics sway(sim::Cloth& cloth, const sim::Collider& body, const SwayOptions& options);
 
 namespace tshirt_key {
 inline constexpr std::string_view kLeafTriangles = "leaf_triangles";
@@ -49,11 +49,11 @@ inline constexpr std::string_view kCollisionShare = "collision_share";
 inline constexpr std::string_view kP99Stretch = "p99_stretch";
 inline constexpr std::string_view kSubsteps = "substeps";
 inline constexpr std::string_view kBodyTriangles = "body_triangles";
-inline constexpr std::string_view kMsAdaption = "ms_adaption";
+inline constexpr std::string_view kMsAdaptation = "ms_adaption";
 inline constexpr std::string_view kMs4Steps = "ms_4_steps";
 inline constexpr std::string_view kUsPerLeaf = "us_per_leaf";
-inline constexpr std::string_view kChangesPerAdaption = "changes_per_adaption";
-inline constexpr std::string_view kAllocationsPerAdaption = "allocations_per_adaption";
+inline constexpr std::string_view kChangesPerAdaptation = "changes_per_adaption";
+inline constexpr std::string_view kAllocationsPerAdaptation = "allocations_per_adaption";
 inline constexpr std::string_view kAllocationsPerStep = "allocations_per_step";
 inline constexpr std::string_view kRows = "rows";
 inline constexpr std::string_view kGrowthWithLeaves = "us_per_leaf_growth_with_leaves";
@@ -73,7 +73,7 @@ struct TshirtExperiment {
 struct TshirtRow {
     std::string what;
     int body_triangles = 0;
-    SwayFigures figures;
+    SwayStatistics figures;
 };
 
 struct TshirtReport {

@@ -167,7 +167,7 @@ Outcome run(sim::Pattern& pattern, const PlacePanel& command) {
 }
 
 Outcome run(sim::Pattern& pattern, const PlacePanels& command) {
-    for (const PanelPlace& place : command.places) {
+    for (const PanelPlacement& place : command.places) {
         run(pattern, PlacePanel{.panel = place.panel,
                                 .translation = place.translation,
                                 .rotation = place.rotation,
@@ -432,7 +432,7 @@ Outcome run(sim::Pattern& pattern, const AcceptEase& command) {
 
 Outcome run(sim::Pattern& pattern, const EvenSeam& command) {
     known_seam(pattern, command.seam);
-    even_seam(pattern, command.seam);
+    equalize_seam(pattern, command.seam);
     return {};
 }
 

@@ -146,7 +146,7 @@ std::string label_of(const Command& command) {
 
 namespace {
 
-constexpr double kFarthest = 1000;  // m or rad, limit of all numbers in commands
+constexpr double kMaxCoordinate = 1000;  // m or rad, limit of all numbers in commands
 
 constexpr std::array<std::pair<sim::CurveKind, std::string_view>, 4> kCurveNames{
     {{sim::CurveKind::Line, "line"},
@@ -174,7 +174,7 @@ void visit_fields(SpanRef& span, Visitor&& visit) {
 }
 
 template <class Visitor>
-void visit_fields(PanelPlace& place, Visitor&& visit) {
+void visit_fields(PanelPlacement& place, Visitor&& visit) {
     visit("panel", place.panel);
     visit("translation", place.translation);
     visit("rotation", place.rotation);
@@ -329,7 +329,7 @@ void decode(const sim::JsonView& view, int& value) {
     value = view.integer();
 }
 void decode(const sim::JsonView& view, double& value) {
-    value = view.number_between(-kFarthest, kFarthest);
+    value = view.number_between(-kMaxCoordinate, kMaxCoordinate);
 }
 void decode(const sim::JsonView& view, std::string& value) {
     value = view.string();

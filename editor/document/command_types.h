@@ -31,13 +31,13 @@ struct SpanRef {
 };
 
 // A panel's placement in world space: see Panel.
-struct PanelPlace {
+struct PanelPlacement {
     std::string panel{};
     Vec3d translation = Vec3d::Zero();
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
     double wrap_radius = 0;
 
-    bool operator==(const PanelPlace&) const = default;
+    bool operator==(const PanelPlacement&) const = default;
 };
 
 // Commands that change outlines, internal lines and notches.
@@ -285,7 +285,7 @@ struct PlacePanel {
 // Places several panels at once.
 struct PlacePanels {
     static constexpr const char* name = "place_panels";
-    std::vector<PanelPlace> places{};
+    std::vector<PanelPlacement> places{};
 
     template <class Visitor>
     void fields(Visitor&& visit) {

@@ -27,7 +27,7 @@ bool is_drawn_alike(const sim::Pattern& a, const sim::Pattern& b) {
 
 // Keeps panels at their position on the sheet when outlines change or panels are added or removed: a panel that the
 // automatic layout had placed gets that position as its sheet_position.
-void keep_places(sim::Pattern& pattern, const sim::Pattern& before) {
+void keep_sheet_positions(sim::Pattern& pattern, const sim::Pattern& before) {
     if (is_drawn_alike(pattern, before)) return;
     const std::vector<Vec2d> places = sheet_positions(before);
     for (sim::Panel& panel : pattern.panels) {
@@ -42,7 +42,7 @@ Changed changed_by(const sim::Pattern& before, const Command& command) {
     Changed changed{.pattern = before};
     changed.outcome = apply(changed.pattern, command);
     update_mirrors(changed.pattern, before);
-    keep_places(changed.pattern, before);
+    keep_sheet_positions(changed.pattern, before);
     return changed;
 }
 
@@ -85,7 +85,7 @@ void Document::preview(const Command& command) {
 void Document::keep() {
     if (!is_previewing_) return;
     is_previewing_ = false;
-    note(journal_word(JournalWord::Keep));
+    note(journal_word(JournalAction::Keep));
     remember({.label = previewed_, .patch = difference(before_preview_, source_.pattern), .before = selected_before_});
 }
 
@@ -93,7 +93,7 @@ void Document::drop() {
     if (!is_previewing_) return;
     is_previewing_ = false;
     show(std::move(before_preview_), selected_before_);
-    note(journal_word(JournalWord::Drop));
+    note(journal_word(JournalAction::Drop));
 }
 
 // A command without effect gets no history entry.
@@ -114,7 +114,7 @@ void Document::undo() {
     selvedge::editor::undo(pattern, entry.patch);
     if (entry.file_names) file_names_ = entry.file_names->first;
     show(std::move(pattern), entry.before);
-    note(journal_word(JournalWord::Undo));
+    note(journal_word(JournalAction::Undo));
 }
 
 void Document::redo() {
@@ -125,7 +125,7 @@ void Document::redo() {
     apply(pattern, entry.patch);
     if (entry.file_names) file_names_ = entry.file_names->second;
     show(std::move(pattern), entry.after);
-    note(journal_word(JournalWord::Redo));
+    note(journal_word(JournalAction::Redo));
 }
 
 void Document::go_to(std::size_t position) {

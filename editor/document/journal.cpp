@@ -15,15 +15,15 @@ constexpr const char* kHead = "selvedge_journal";
 constexpr int kVersion = 1;
 constexpr const char* kFile = "a journal";  // file name in errors, which are caught here
 
-const char* name(JournalWord word) {
+const char* name(JournalAction word) {
     switch (word) {
-        case JournalWord::Keep:
+        case JournalAction::Keep:
             return "keep";
-        case JournalWord::Drop:
+        case JournalAction::Drop:
             return "drop";
-        case JournalWord::Undo:
+        case JournalAction::Undo:
             return "undo";
-        case JournalWord::Redo:
+        case JournalAction::Redo:
             return "redo";
     }
     return "";
@@ -67,7 +67,7 @@ sim::Json journal_preview(const Command& command) {
     return one_member("try", to_json(command));
 }
 
-sim::Json journal_word(JournalWord word) {
+sim::Json journal_word(JournalAction word) {
     return one_member(name(word), sim::Json(true));
 }
 

@@ -18,20 +18,20 @@ namespace selvedge::editor {
 using UiTexture = std::uint32_t;
 
 // A scene to draw into a texture before the draw lists are drawn.
-struct SceneToDraw {
+struct SceneRequest {
     UiTexture texture = 0;
     std::shared_ptr<const render::Scene> scene;  // same pointer: only camera and light changed
     render::Camera camera;
     render::Light light;
     int width_px = 0;
     int height_px = 0;
-    bool is_draft = true;      // fast preview: no shadows, no ambient occlusion, one sample per pixel
-    UiTexture legend = 0;      // receives the legend on a transparent image of the same size, if wants_paint
-    bool wants_paint = false;  // before drawing, fill in the show mode of the first cloth (render/marks/show.h)
+    bool is_draft = true;          // fast preview: no shadows, no ambient occlusion, one sample per pixel
+    UiTexture legend = 0;          // receives the legend on a transparent image of the same size, if fills_show_mode
+    bool fills_show_mode = false;  // before drawing, fill in the show mode of the first cloth (render/marks/show.h)
 };
 
 // An image to upload as a repeating texture. It stays until another image with the same number replaces it.
-struct PictureToHold {
+struct TextureUpload {
     UiTexture texture = 0;
     render::Image picture;
 };
@@ -39,8 +39,8 @@ struct PictureToHold {
 enum class MouseCursor { Arrow, Text, Hand, Cross, ResizeHorizontal, ResizeVertical, Hidden };
 
 struct FrameOutput {
-    std::vector<PictureToHold> pictures;
-    std::vector<SceneToDraw> scenes;  // only changed scenes: a texture keeps its content
+    std::vector<TextureUpload> pictures;
+    std::vector<SceneRequest> scenes;  // only changed scenes: a texture keeps its content
     std::string window_title;
     MouseCursor cursor = MouseCursor::Arrow;
     bool wants_to_close = false;

@@ -11,17 +11,17 @@
 namespace selvedge::editor {
 namespace {
 
-constexpr double kClearance = 1e-7;   // m, minimum distance between edges of an outline
-constexpr double kFarthest = 100;     // m, same limit as in pattern files
-constexpr double kMargin = 1 + 1e-6;  // saving rounds numbers
+constexpr double kClearance = 1e-7;     // m, minimum distance between edges of an outline
+constexpr double kMaxCoordinate = 100;  // m, same limit as in pattern files
+constexpr double kMargin = 1 + 1e-6;    // saving rounds numbers
 
 bool is_near(double value) {
-    return std::abs(value) <= kFarthest;  // false for NaN
+    return std::abs(value) <= kMaxCoordinate;  // false for NaN
 }
 
 template <class Vector>
 bool is_near(const Eigen::MatrixBase<Vector>& point) {
-    return point.allFinite() && point.cwiseAbs().maxCoeff() <= kFarthest;
+    return point.allFinite() && point.cwiseAbs().maxCoeff() <= kMaxCoordinate;
 }
 
 class PanelChecker {
@@ -65,8 +65,8 @@ class PanelChecker {
     void check_chain() const {
         const int count = edge_count(panel_);
         if (count < 2) fail("would have no inside");
-        if (panel_.edges.size() > sim::kMostEdges)
-            fail("would have more than " + std::to_string(sim::kMostEdges) + " edges");
+        if (panel_.edges.size() > sim::kMaxEdges)
+            fail("would have more than " + std::to_string(sim::kMaxEdges) + " edges");
         std::set<int> passed;
         for (int e = 0; e < count; ++e) {
             const sim::OutlineEdge& edge = panel_.edges[as_size(e)];
@@ -94,7 +94,7 @@ class PanelChecker {
         const std::vector<sim::OutlineCrossing> crossings =
             find_outline_crossings(panel_, {.most = 4, .clearance = kClearance});
         if (crossings.empty()) return;
-        std::vector<GeometryPlace> places;
+        std::vector<PartLocation> places;
         for (const sim::OutlineCrossing& crossing : crossings) {
             places.push_back({panel_.name, static_cast<int>(crossing.first), -1});
             if (crossing.second != crossing.first) {
@@ -110,7 +110,7 @@ class PanelChecker {
 void check_seam(const sim::Pattern& draft, const sim::Seam& seam) {
     const double first = outline_length(draft.panels[as_size(seam.first.panel)], edge_of(draft, seam.first));
     const double second = outline_length(draft.panels[as_size(seam.second.panel)], edge_of(draft, seam.second));
-    if (std::max(first, second) * kMargin <= sim::kMostGathers * std::min(first, second)) return;
+    if (std::max(first, second) * kMargin <= sim::kMaxGatherRatio * std::min(first, second)) return;
     throw GeometryError(
         "One side of seam " + seam_name(draft, seam) + " would be over four times as long as the other.",
         {place_of(draft, seam.first), place_of(draft, seam.second)});
@@ -151,7 +151,7 @@ void expect_vertices(const sim::Panel& panel, const std::vector<int>& vertices) 
     }
 }
 
-GeometryPlace place_of(const sim::Pattern& pattern, const sim::SeamSide& side) {
+PartLocation place_of(const sim::Pattern& pattern, const sim::SeamSide& side) {
     return {panel_of(pattern, side.panel).name, side.edge, -1};
 }
 
@@ -166,7 +166,7 @@ void check_panel(const sim::Panel& panel) {
     PanelChecker(panel).check();
 }
 
-void check_draft(const sim::Pattern& draft, const sim::Pattern& before) {
+void check_edit(const sim::Pattern& draft, const sim::Pattern& before) {
     std::vector<bool> is_changed(draft.panels.size(), true);
     for (std::size_t i = 0; i < draft.panels.size(); ++i) {
         is_changed[i] = i >= before.panels.size() || !(draft.panels[i] == before.panels[i]);

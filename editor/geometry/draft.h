@@ -1,5 +1,5 @@
 #pragma once
-// How an edit is applied: to a copy of the pattern, which replaces the original only if it passes check_draft. Also
+// How an edit is applied: to a copy of the pattern, which replaces the original only if it passes check_edit. Also
 // GeometryError, checked access by index, and validation of panels. Mostly for the sources of this module.
 #include <optional>
 #include <stdexcept>
@@ -14,23 +14,23 @@ namespace selvedge::editor {
 
 // An edit that is not possible: a message in the tailor's terms and the parts involved, which the views highlight.
 
-struct GeometryPlace {
+struct PartLocation {
     std::string panel;
     int edge = -1;    // -1: none
     int vertex = -1;  // -1: none
 
-    bool operator==(const GeometryPlace&) const = default;
+    bool operator==(const PartLocation&) const = default;
 };
 
 class GeometryError : public std::runtime_error {
  public:
-    explicit GeometryError(const std::string& words, std::vector<GeometryPlace> places = {})
+    explicit GeometryError(const std::string& words, std::vector<PartLocation> places = {})
         : std::runtime_error(words), places_(std::move(places)) {}
 
-    const std::vector<GeometryPlace>& places() const { return places_; }
+    const std::vector<PartLocation>& places() const { return places_; }
 
  private:
-    std::vector<GeometryPlace> places_;
+    std::vector<PartLocation> places_;
 };
 
 inline std::size_t as_size(int index) {
@@ -49,13 +49,13 @@ const sim::OutlineEdge& edge_of(const sim::Pattern& pattern, const sim::SeamSide
 const sim::Seam& seam_of(const sim::Pattern& pattern, int seam);
 void expect_vertices(const sim::Panel& panel, const std::vector<int>& vertices);
 
-GeometryPlace place_of(const sim::Pattern& pattern, const sim::SeamSide& side);
+PartLocation place_of(const sim::Pattern& pattern, const sim::SeamSide& side);
 
 // The seam of an edge, as an index into Pattern::seams. None: the edge is not sewn.
 std::optional<int> seam_at(const sim::Pattern& pattern, const sim::SeamSide& side);
 
 // Throws GeometryError unless every panel and seam that differs from `before` can be saved and loaded again.
-void check_draft(const sim::Pattern& draft, const sim::Pattern& before);
+void check_edit(const sim::Pattern& draft, const sim::Pattern& before);
 void check_panel(const sim::Panel& panel);
 
 // Applies `edit(Pattern&)` to a copy, checks the copy and commits it. On an exception `pattern` stays unchanged.
@@ -65,11 +65,11 @@ auto edit_pattern(sim::Pattern& pattern, Edit edit) {
     sim::Pattern draft = pattern;
     if constexpr (std::is_void_v<decltype(edit(draft))>) {
         edit(draft);
-        check_draft(draft, pattern);
+        check_edit(draft, pattern);
         std::swap(pattern, draft);
     } else {
         auto result = edit(draft);
-        check_draft(draft, pattern);
+        check_edit(draft, pattern);
         std::swap(pattern, draft);
         return result;
     }

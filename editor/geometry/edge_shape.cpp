@@ -178,7 +178,7 @@ SplitCurve split_curve(const sim::Panel& panel, const sim::OutlineEdge& edge, do
     return out;
 }
 
-sim::OutlineEdge turned_round(const sim::OutlineEdge& edge) {
+sim::OutlineEdge reversed_edge(const sim::OutlineEdge& edge) {
     sim::OutlineEdge other = edge;
     std::swap(other.start, other.end);
     if (edge.kind == sim::CurveKind::Cubic) std::swap(other.control[0], other.control[1]);
@@ -295,7 +295,7 @@ sim::Panel mapped_panel(const sim::Panel& panel, const Eigen::Affine2d& map) {
     mapped.sett_offset.x() = -panel.sett_offset.x();
     const int count = edge_count(panel);
     const std::vector<sim::OutlineEdge> edges = mapped.edges;
-    for (int e = 0; e < count; ++e) mapped.edges[as_size(mirrored_edge(e, count))] = turned_round(edges[as_size(e)]);
+    for (int e = 0; e < count; ++e) mapped.edges[as_size(mirrored_edge(e, count))] = reversed_edge(edges[as_size(e)]);
     for (sim::Notch& notch : mapped.notches) notch = {mirrored_edge(notch.edge, count), 1 - notch.t};
     return mapped;
 }

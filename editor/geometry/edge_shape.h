@@ -18,7 +18,7 @@ struct SplitCurve {
 SplitCurve split_curve(const sim::Panel& panel, const sim::OutlineEdge& edge, double t, int vertex);
 
 // The same curve, reversed: from its end to its start.
-sim::OutlineEdge turned_round(const sim::OutlineEdge& edge);
+sim::OutlineEdge reversed_edge(const sim::OutlineEdge& edge);
 
 // The edge's curve under the map; the caller maps the end vertices. Pre: `panel` still has the unmapped vertices. If
 // the map is not a similarity, an arc becomes a cubic.

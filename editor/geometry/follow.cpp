@@ -26,13 +26,13 @@ std::vector<int> run_of(const sim::Panel& panel, int first, int count) {
     return run;
 }
 
-struct Partner {
+struct OppositeRun {
     int panel = 0;
     int first = 0;  // first edge of the run, in the order of that panel's outline
 };
 
 // The run on the other side of a run's seams. None: those edges are not consecutive in matching order.
-std::optional<Partner> partner_of(const sim::Pattern& pattern, int panel, const std::vector<int>& run) {
+std::optional<OppositeRun> partner_of(const sim::Pattern& pattern, int panel, const std::vector<int>& run) {
     std::vector<sim::SeamSide> others;
     std::optional<bool> is_reversed;
     for (const int edge : run) {
@@ -52,12 +52,12 @@ std::optional<Partner> partner_of(const sim::Pattern& pattern, int panel, const 
         const bool is_own = others[i].panel == panel && std::find(run.begin(), run.end(), others[i].edge) != run.end();
         if (!follows || is_own) return {};
     }
-    return Partner{others[0].panel, others[0].edge};
+    return OppositeRun{others[0].panel, others[0].edge};
 }
 
 }  // namespace
 
-void follow_edges(sim::Pattern& pattern, int panel, const std::function<std::optional<EdgeImage>(int)>& image_of) {
+void remap_edges(sim::Pattern& pattern, int panel, const std::function<std::optional<EdgeImage>(int)>& image_of) {
     std::vector<sim::Seam> kept;
     for (sim::Seam seam : pattern.seams) {
         bool is_whole = true;
@@ -89,7 +89,7 @@ int split_alone(sim::Pattern& pattern, const sim::SeamSide& at, double t) {
                                  : sim::Notch{at.edge + 1, std::clamp((notch.t - t) / (1 - t), 0.0, 1.0)};
         }
     }
-    follow_edges(pattern, at.panel, [&](int edge) { return EdgeImage{{at.panel, edge > at.edge ? edge + 1 : edge}}; });
+    remap_edges(pattern, at.panel, [&](int edge) { return EdgeImage{{at.panel, edge > at.edge ? edge + 1 : edge}}; });
     return vertex;
 }
 
@@ -145,14 +145,14 @@ void join_alone(sim::Pattern& pattern, int panel_index, int first, int count) {
     panel.edges[as_size(first)] = joined_curve(panel, chain);
     panel.edges.erase(panel.edges.begin() + first + 1, panel.edges.begin() + std::min(first + count, total));
     panel.edges.erase(panel.edges.begin(), panel.edges.begin() + wrapped);
-    follow_edges(pattern, panel_index, [&](int edge) { return EdgeImage{{panel_index, image[as_size(edge)]}}; });
+    remap_edges(pattern, panel_index, [&](int edge) { return EdgeImage{{panel_index, image[as_size(edge)]}}; });
 }
 
 void join_sewn(sim::Pattern& pattern, int panel, int first, int count,
                const std::function<bool(int panel, int vertex)>& may_join) {
     const sim::Panel& own = pattern.panels[as_size(panel)];
     const std::vector<int> run = run_of(own, first, count);
-    std::optional<Partner> partner = partner_of(pattern, panel, run);
+    std::optional<OppositeRun> partner = partner_of(pattern, panel, run);
     if (partner) {
         const sim::Panel& other = pattern.panels[as_size(partner->panel)];
         for (const int edge : run_of(other, partner->first, count - 1)) {

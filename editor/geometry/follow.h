@@ -15,7 +15,7 @@ struct EdgeImage {
 };
 
 // Updates the panel's seams to the new indices of their edges. Removes the seams of edges without an image.
-void follow_edges(sim::Pattern& pattern, int panel, const std::function<std::optional<EdgeImage>(int)>& image_of);
+void remap_edges(sim::Pattern& pattern, int panel, const std::function<std::optional<EdgeImage>(int)>& image_of);
 
 // Splits an edge only; its seam stays with the first part. Returns the index of the new vertex, the panel's last.
 int split_alone(sim::Pattern& pattern, const sim::SeamSide& at, double t);

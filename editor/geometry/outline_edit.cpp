@@ -106,7 +106,7 @@ void transform_panel(sim::Pattern& pattern, int panel, const Eigen::Affine2d& ma
         sim::Panel& own = draft.panels[as_size(panel)];
         own = mapped_panel(own, map);
         if (map.linear().determinant() >= 0) return;
-        follow_edges(draft, panel, [&](int edge) {
+        remap_edges(draft, panel, [&](int edge) {
             return EdgeImage{{panel, mirrored_edge(edge, edge_count(own))}, true};
         });
     });

@@ -204,7 +204,7 @@ class PanelCutter {
         taken.name = free_panel_name(draft_, kept.name);
         taken.edges.clear();
         for (int i = 0; i < taken_; ++i) taken.edges.push_back(kept.edges[as_size((first + i) % count)]);
-        for (int k = cut_edges() - 1; k >= 0; --k) taken.edges.push_back(turned_round(cut_[as_size(k)]));
+        for (int k = cut_edges() - 1; k >= 0; --k) taken.edges.push_back(reversed_edge(cut_[as_size(k)]));
         kept.edges.erase(kept.edges.begin() + first, kept.edges.begin() + std::min(first + taken_, count));
         kept.edges.erase(kept.edges.begin(), kept.edges.begin() + wrapped);
         kept.edges.insert(kept.edges.begin() + base_, cut_.begin(), cut_.end());
@@ -213,7 +213,7 @@ class PanelCutter {
             if (along < taken_) return {other_, along};
             return {panel_, edge < first ? edge - wrapped : edge - taken_ + cut_edges()};
         };
-        follow_edges(draft_, panel_, [&](int edge) { return EdgeImage{image_of(edge)}; });
+        remap_edges(draft_, panel_, [&](int edge) { return EdgeImage{image_of(edge)}; });
         divide_notches(kept, taken, image_of);
         divide_lines(kept, taken);
         drop_foreign_vertices(kept, taken);

@@ -147,8 +147,8 @@ class Merger {
         add_notches(joined, other_.notches, b_image);
         for (sim::InternalLine& line : other_.internal_lines) joined.internal_lines.push_back(std::move(line));
         drop_vertices(joined, inner_vertices(shift));
-        follow_edges(draft_, a_, a_image);
-        follow_edges(draft_, b_, b_image);
+        remap_edges(draft_, a_, a_image);
+        remap_edges(draft_, b_, b_image);
         a() = std::move(joined);
     }
 
@@ -219,7 +219,7 @@ void unfold(sim::Pattern& draft, const sim::SeamSide& fold) {
     panel.notches.clear();
     for (int e = 0; e < count; ++e) {
         if (e == fold.edge) continue;
-        sim::OutlineEdge other = turned_round(mapped_curve(half, half.edges[as_size(e)], map));
+        sim::OutlineEdge other = reversed_edge(mapped_curve(half, half.edges[as_size(e)], map));
         other.start = image[as_size(other.start)];
         other.end = image[as_size(other.end)];
         panel.edges[as_size(stays_at(e))] = half.edges[as_size(e)];
@@ -247,7 +247,7 @@ void unfold(sim::Pattern& draft, const sim::SeamSide& fold) {
                          "",
                          seam.is_eased});
     }
-    follow_edges(draft, fold.panel, [&](int e) -> std::optional<EdgeImage> {
+    remap_edges(draft, fold.panel, [&](int e) -> std::optional<EdgeImage> {
         if (e == fold.edge) return {};
         return EdgeImage{{fold.panel, stays_at(e)}};
     });
@@ -268,7 +268,7 @@ int open_wedge(sim::Pattern& draft, const sim::SeamSide& mouth, double depth) {
     panel.edges.insert(panel.edges.begin() + mouth.edge + 1, second);
     std::erase_if(panel.notches, [&](const sim::Notch& notch) { return notch.edge == mouth.edge; });
     for (sim::Notch& notch : panel.notches) notch.edge += notch.edge > mouth.edge ? 1 : 0;
-    follow_edges(draft, mouth.panel, [&](int e) { return EdgeImage{{mouth.panel, e > mouth.edge ? e + 1 : e}}; });
+    remap_edges(draft, mouth.panel, [&](int e) { return EdgeImage{{mouth.panel, e > mouth.edge ? e + 1 : e}}; });
     return apex;
 }
 
@@ -276,7 +276,7 @@ int open_wedge(sim::Pattern& draft, const sim::SeamSide& mouth, double depth) {
 
 int merge_panels(sim::Pattern& pattern, int seam) {
     const sim::Seam joint = seam_of(pattern, seam);
-    const std::vector<GeometryPlace> places{place_of(pattern, joint.first), place_of(pattern, joint.second)};
+    const std::vector<PartLocation> places{place_of(pattern, joint.first), place_of(pattern, joint.second)};
     if (joint.first.panel == joint.second.panel) throw GeometryError("A seam within one panel joins no two.", places);
     if (!joint.is_reversed) throw GeometryError("The panels face different ways: turn one over first.", places);
     return edit_pattern(pattern, [&](sim::Pattern& draft) { return Merger(draft, joint).merge(); });

@@ -127,12 +127,12 @@ std::vector<Stretch> stretches(const sim::Panel& panel, const sim::Panel& target
 
 // Makes panel `panel_` the mirror image of the source panel `lead_` and updates its seams: where the source's edges
 // were split or joined, its own edges are too.
-class Follower {
+class SymmetryPropagation {
  public:
-    Follower(sim::Pattern& draft, int lead, int panel) : draft_(draft), lead_(lead), panel_(panel) {}
+    SymmetryPropagation(sim::Pattern& draft, int lead, int panel) : draft_(draft), lead_(lead), panel_(panel) {}
 
     void follow() {
-        even_stretches();
+        match_splits();
         const sim::Panel target = image();
         std::vector<int> place(own().edges.size(), -1);
         for (const Stretch& stretch : stretches(own(), target)) {
@@ -142,7 +142,7 @@ class Follower {
                     (stretch.target_first + i) % edge_count(target);
             }
         }
-        follow_edges(draft_, panel_, [&](int e) -> std::optional<EdgeImage> {
+        remap_edges(draft_, panel_, [&](int e) -> std::optional<EdgeImage> {
             if (place[as_size(e)] < 0) return {};
             return EdgeImage{{panel_, place[as_size(e)]}};
         });
@@ -163,7 +163,7 @@ class Follower {
 
     // If the two panels are sewn to each other, a split of one may split the other, and so on. Without an end after as
     // many steps as both have edges, the splits would never end: throws GeometryError.
-    void even_stretches() {
+    void match_splits() {
         const sim::Panel& lead = draft_.panels[as_size(lead_)];
         const int most = edge_count(own()) + edge_count(lead);
         for (int step = 0; even_one_stretch(); ++step) {
@@ -312,9 +312,9 @@ void update_mirrors(sim::Pattern& pattern, const sim::Pattern& before) {
                 most = change;
             }
             if (!most.is_changed) continue;
-            if (lead != head) Follower(draft, lead, head).follow();
+            if (lead != head) SymmetryPropagation(draft, lead, head).follow();
             for (const int image : images) {
-                if (image != lead) Follower(draft, head, image).follow();
+                if (image != lead) SymmetryPropagation(draft, head, image).follow();
             }
         }
     });

@@ -21,7 +21,7 @@ std::array<Vec2d, 2> ends_on_sheet(const sim::Pattern& pattern, const sim::SeamS
     return {origin + panel.vertices[as_size(edge.start)], origin + panel.vertices[as_size(edge.end)]};
 }
 
-std::array<Vec3d, 2> ends_in_room(const sim::Pattern& pattern, const sim::SeamSide& side) {
+std::array<Vec3d, 2> ends_in_world(const sim::Pattern& pattern, const sim::SeamSide& side) {
     const sim::Panel& panel = panel_of(pattern, side.panel);
     const sim::OutlineEdge& edge = edge_of(pattern, side);
     return {panel.place(panel.vertices[as_size(edge.start)]), panel.place(panel.vertices[as_size(edge.end)])};
@@ -46,7 +46,7 @@ bool is_longer_than_swapped(const std::array<Point, 2>& first, const std::array<
     return paired > swapped * (1 + 1e-6) + 1e-9;
 }
 
-// Scales one side of a seam about the fixed point that even_seam describes.
+// Scales one side of a seam about the fixed point that equalize_seam describes.
 class SideScaler {
  public:
     SideScaler(sim::Pattern& draft, const sim::SeamSide& side, const sim::SeamSide& other)
@@ -120,7 +120,7 @@ std::array<double, 2> seam_lengths(const sim::Pattern& pattern, const sim::Seam&
             outline_length(panel_of(pattern, seam.second.panel), edge_of(pattern, seam.second))};
 }
 
-void even_seam(sim::Pattern& pattern, int seam) {
+void equalize_seam(sim::Pattern& pattern, int seam) {
     const sim::Seam uneven = seam_of(pattern, seam);
     edit_pattern(pattern, [&](sim::Pattern& draft) {
         const auto [first, second] = seam_lengths(draft, uneven);
@@ -133,9 +133,9 @@ bool is_crossed(const sim::Pattern& pattern, const sim::Seam& seam) {
     const sim::Panel& first = panel_of(pattern, seam.first.panel);
     const sim::Panel& second = panel_of(pattern, seam.second.panel);
     if (is_placed(first) && is_placed(second)) {
-        std::array<Vec3d, 2> ends = ends_in_room(pattern, seam.second);
+        std::array<Vec3d, 2> ends = ends_in_world(pattern, seam.second);
         if (seam.is_reversed) std::swap(ends[0], ends[1]);
-        return is_longer_than_swapped(ends_in_room(pattern, seam.first), ends);
+        return is_longer_than_swapped(ends_in_world(pattern, seam.first), ends);
     }
     const std::vector<Vec2d> origins = sheet_positions(pattern);
     const std::array<Vec2d, 2> own = ends_on_sheet(pattern, seam.first, origins[as_size(seam.first.panel)]);
@@ -260,7 +260,7 @@ class PieceCutter {
     std::map<sim::SeamSide, std::vector<double>> cuts_;  // fractions of the edge's length, ascending
 };
 
-void expect_apart(const sim::Pattern& pattern, std::vector<EdgeSpan> pieces) {
+void check_disjoint(const sim::Pattern& pattern, std::vector<EdgeSpan> pieces) {
     std::sort(pieces.begin(), pieces.end(), [](const EdgeSpan& a, const EdgeSpan& b) {
         return std::tie(a.panel, a.edge, a.from) < std::tie(b.panel, b.edge, b.from);
     });
@@ -285,7 +285,7 @@ std::vector<int> sew_runs(sim::Pattern& pattern, const std::vector<EdgeSpan>& fi
         pieces.push_back(piece_of(run, joints[i].first, joints[i + 1].first));
         pieces.push_back(piece_of(other, low, high));
     }
-    expect_apart(pattern, pieces);
+    check_disjoint(pattern, pieces);
     const PieceCutter cutter(pieces);
     return edit_pattern(pattern, [&](sim::Pattern& draft) {
         cutter.cut(draft);

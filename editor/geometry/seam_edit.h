@@ -37,7 +37,7 @@ inline constexpr double kUnevenSeam = 0.001;  // m, sides are uneven if their le
 // Makes the second side as long as the first by scaling it. The fixed point is an end that both sides share (a dart's
 // apex); else the end whose neighbour edge is sewn, if only one is; else the middle of the chord. Clears is_eased.
 // Throws GeometryError if both ends are shared.
-void even_seam(sim::Pattern& pattern, int seam);
+void equalize_seam(sim::Pattern& pattern, int seam);
 
 // Whether the straight lines between the paired ends of the seam cross; then is_reversed is probably wrong. Tested in
 // 3D if both panels are placed, else on the sheet.

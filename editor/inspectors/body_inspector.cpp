@@ -31,12 +31,12 @@ void keep_body(InspectorContext& context) {
                                 ? set_body_command(pattern, worn.text, *state.drafted_body, *worn.body)
                                 : SetBody{.body = worn.text};
     context.workspace.run(command);
-    drop_body_wish(context);
+    cancel_body_request(context);
 }
 
 }  // namespace
 
-void wish_body(InspectorContext& context, const std::string& text, BodyRequest wish) {
+void request_body(InspectorContext& context, const std::string& text, BodyRequest wish) {
     BodyState& state = context.state.body;
     state.wrong = wrong_with_body(text);
     if (!state.wrong.empty()) return;
@@ -46,7 +46,7 @@ void wish_body(InspectorContext& context, const std::string& text, BodyRequest w
     context.workspace.drape.wear(text);
 }
 
-void drop_body_wish(InspectorContext& context) {
+void cancel_body_request(InspectorContext& context) {
     BodyState& state = context.state.body;
     state.pending.clear();
     state.wrong.clear();
@@ -54,7 +54,7 @@ void drop_body_wish(InspectorContext& context) {
     context.workspace.drape.wear({});
 }
 
-void follow_body_wish(InspectorContext& context) {
+void update_body_request(InspectorContext& context) {
     BodyState& state = context.state.body;
     const Drape& drape = context.workspace.drape;
     const std::string drafted = drafted_text(context.pattern());
@@ -68,14 +68,14 @@ void follow_body_wish(InspectorContext& context) {
         return;
     }
     state.idle_frames = drape.is_making_body() ? 0 : state.idle_frames + 1;
-    if (state.idle_frames >= kGivenUpAfter) drop_body_wish(context);
+    if (state.idle_frames >= kGivenUpAfter) cancel_body_request(context);
 }
 
 // The body inspector: sex, measurements, stance, or a body from a file.
 
 namespace {
 
-constexpr double kUsualStance = 0.9 * std::numbers::pi / 180;  // rad, the mannequin's default
+constexpr double kDefaultStance = 0.9 * std::numbers::pi / 180;  // rad, the mannequin's default
 constexpr double kMostStance = 10 * std::numbers::pi / 180;
 
 std::string drafted_body(const InspectorContext& context) {
@@ -96,13 +96,13 @@ void carry_body(InspectorContext& context, const NumberEdit& edit, const sim::Ma
         case EditPhase::None:
             break;
         case EditPhase::Trying:
-            wish_body(context, mannequin_text(wanted), BodyRequest::Try);
+            request_body(context, mannequin_text(wanted), BodyRequest::Try);
             break;
         case EditPhase::Kept:
-            wish_body(context, mannequin_text(wanted), BodyRequest::Keep);
+            request_body(context, mannequin_text(wanted), BodyRequest::Keep);
             break;
         case EditPhase::Dropped:
-            drop_body_wish(context);
+            cancel_body_request(context);
             break;
     }
 }
@@ -118,7 +118,7 @@ void draw_sex(InspectorContext& context, const sim::MannequinOptions& options) {
             return;
         }
         wanted.sex = sex;
-        wish_body(context, mannequin_text(wanted), BodyRequest::Keep);
+        request_body(context, mannequin_text(wanted), BodyRequest::Keep);
     };
     choose(sim::Sex::Female, "body.female", "Female");
     choose(sim::Sex::Male, "body.male", "Male");
@@ -126,7 +126,7 @@ void draw_sex(InspectorContext& context, const sim::MannequinOptions& options) {
                     .title = "Clear measures",
                     .tip = "All measures follow the proportions again.",
                     .is_enabled = mannequin_text(options) != mannequin_text({.sex = options.sex})})) {
-        wish_body(context, mannequin_text({.sex = options.sex}), BodyRequest::Keep);
+        request_body(context, mannequin_text({.sex = options.sex}), BodyRequest::Keep);
     }
 }
 
@@ -167,7 +167,7 @@ void draw_measures(InspectorContext& context, const sim::MannequinOptions& optio
                                           .least = 0,
                                           .most = kMostStance,
                                           .may_be_empty = true,
-                                          .standing_for = worn.measures ? worn.measures->stance.made : kUsualStance},
+                                          .standing_for = worn.measures ? worn.measures->stance.made : kDefaultStance},
                                          "Stance");
     wanted.stance = stance.value;
     carry_body(context, stance, wanted);
@@ -176,10 +176,10 @@ void draw_measures(InspectorContext& context, const sim::MannequinOptions& optio
 void draw_state(InspectorContext& context) {
     const BodyState& state = context.state.body;
     const CurrentBody& worn = context.workspace.drape.worn();
-    if (!state.wrong.empty()) complaint(context.theme.error, state.wrong);
+    if (!state.wrong.empty()) message_text(context.theme.error, state.wrong);
     if (context.workspace.drape.is_making_body()) paragraph(context, "The body is being made...");
     if (!worn.measures) return;
-    for (const std::string& message : worn.measures->messages) complaint(context.theme.warning, message);
+    for (const std::string& message : worn.measures->messages) message_text(context.theme.warning, message);
 }
 
 void draw_file_body(InspectorContext& context, const std::string& file, bool is_drafted) {
@@ -191,15 +191,15 @@ void draw_file_body(InspectorContext& context, const std::string& file, bool is_
                                    .title = "Use for this garment",
                                    .tip = "The garment is placed about this body from now on, and its file names it.",
                                    .is_enabled = is_ready})) {
-        wish_body(context, file, BodyRequest::Keep);
+        request_body(context, file, BodyRequest::Keep);
     }
     if (row.button({.name = "body.mannequin",
                     .title = is_drafted ? "Use a mannequin" : "Back to the garment's body",
                     .tip = is_drafted ? "A body from measures takes its place." : "Takes this body off."})) {
         if (is_drafted) {
-            wish_body(context, kDefaultBody, BodyRequest::Keep);
+            request_body(context, kDefaultBody, BodyRequest::Keep);
         } else {
-            drop_body_wish(context);
+            cancel_body_request(context);
         }
     }
 }
@@ -267,9 +267,9 @@ std::string mannequin_text(const sim::MannequinOptions& options) {
     sim::MannequinMeasures measures = options.measures;
     for (const std::string_view name : sim::measure_names()) {
         const std::optional<double>* value = find_measure(measures, name);
-        if (*value) text += "," + std::string(name) + "=" + quantity_figure(**value, Unit::Centimetres);
+        if (*value) text += "," + std::string(name) + "=" + quantity_number(**value, Unit::Centimetres);
     }
-    if (options.stance) text += ",stance=" + quantity_figure(*options.stance, Unit::Degrees);
+    if (options.stance) text += ",stance=" + quantity_number(*options.stance, Unit::Degrees);
     return text;
 }
 

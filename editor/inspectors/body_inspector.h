@@ -19,12 +19,12 @@ namespace selvedge::editor {
 enum class BodyRequest { Try, Keep };
 
 // Starts building the body. Does nothing if the text is not a valid body; BodyState::wrong then holds the reason.
-void wish_body(InspectorContext& context, const std::string& text, BodyRequest wish);
+void request_body(InspectorContext& context, const std::string& text, BodyRequest wish);
 
-void drop_body_wish(InspectorContext& context);
+void cancel_body_request(InspectorContext& context);
 
 // Completes or abandons a pending request. Call once per frame.
-void follow_body_wish(InspectorContext& context);
+void update_body_request(InspectorContext& context);
 
 // Conversion between a mannequin's text and its measurements.
 

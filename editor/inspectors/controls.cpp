@@ -89,10 +89,10 @@ void heading(const InspectorContext& context, const char* title) {
 }
 
 void paragraph(const InspectorContext& context, const std::string& words) {
-    complaint(context.theme.faint, words);
+    message_text(context.theme.faint, words);
 }
 
-void complaint(const sim::Rgb8& colour, const std::string& words) {
+void message_text(const sim::Rgb8& colour, const std::string& words) {
     ImGui::PushStyleColor(ImGuiCol_Text, to_colour(colour));
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(words.c_str());

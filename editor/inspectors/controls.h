@@ -38,7 +38,7 @@ void elided_text(const std::string& text, float width_px, const ImVec4& colour);
 
 void heading(const InspectorContext& context, const char* title);
 void paragraph(const InspectorContext& context, const std::string& words);  // wraps; in the faint colour
-void complaint(const sim::Rgb8& colour, const std::string& words);          // wraps; in `colour`
+void message_text(const sim::Rgb8& colour, const std::string& words);       // wraps; in `colour`
 
 // A collapsible section. Returns whether it is open.
 enum class Fold { Open, Closed };

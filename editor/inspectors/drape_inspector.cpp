@@ -284,7 +284,7 @@ void draw_drape(InspectorContext& context) {
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(stage_text(frame->stage, frame->is_running).c_str());
     ImGui::PopTextWrapPos();
-    if (!frame->problem.empty()) complaint(context.theme.error, frame->problem);
+    if (!frame->problem.empty()) message_text(context.theme.error, frame->problem);
     draw_figures(context, *frame);
     draw_levels(context, *frame);
     if (folding("Cost", Fold::Open)) draw_times(context, *frame);

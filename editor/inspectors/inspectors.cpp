@@ -70,7 +70,7 @@ void draw_history(InspectorContext& context) {
 
 void update_inspectors(InspectorContext& context) {
     context.state.drape.trace.take(*context.workspace.drape.frame());
-    follow_body_wish(context);
+    update_body_request(context);
     forget_lost_boxes(context);
 }
 

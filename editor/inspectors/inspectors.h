@@ -52,7 +52,7 @@ struct BoxState {
 };
 
 // Expensive values of a panel, valid for one revision of the document.
-struct PanelFacts {
+struct PanelMeasures {
     std::uint64_t revision = 0;
     double area = 0;       // m^2
     double perimeter = 0;  // m
@@ -98,7 +98,7 @@ struct DrapeState {
 
 struct InspectorState {
     BoxState boxes{};
-    std::map<std::string, PanelFacts> panels{};
+    std::map<std::string, PanelMeasures> panels{};
     std::map<std::string, TypedAngles> angles{};
     MaterialState material{};
     BodyState body{};

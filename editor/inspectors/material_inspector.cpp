@@ -146,7 +146,7 @@ void draw_tartan_list(InspectorContext& context) {
 void draw_threadcount(InspectorContext& context) {
     const sim::Pattern& pattern = context.pattern();
     const std::optional<sim::Sett> worn = valid_sett(pattern);
-    const bool has_name = pattern.tartan.empty() || wrong_with_tartan(pattern.tartan).empty();
+    const bool has_name = pattern.tartan.empty() || tartan_error(pattern.tartan).empty();
     const auto typed_now = text_box(
         context,
         {.name = "tartan.threadcount",
@@ -158,10 +158,10 @@ void draw_threadcount(InspectorContext& context) {
                 "mirrored. S=#A09060; before it gives a colour of one's own, weft: a weft of its own, weave: "
                 "plain, twill or denim.",
          .width_px = ImGui::GetContentRegionAvail().x,
-         .wrong = wrong_with_tartan});
+         .wrong = tartan_error});
     const TypedText& typed = context.state.boxes.typed;
     const bool is_typing = typed.box != 0 && typed.box == ImGui::GetID("##tartan.threadcount");
-    if (is_typing && !typed.wrong.empty()) complaint(context.theme.error, typed.wrong);
+    if (is_typing && !typed.wrong.empty()) message_text(context.theme.error, typed.wrong);
     std::optional<sim::Sett> shown = worn;
     if (is_typing && typed.wrong.empty() && !typed.text.empty()) shown = sim::find_tartan(typed.text);
     if (shown) draw_preview(context, *shown);
@@ -267,7 +267,7 @@ std::string threadcount_of(const sim::Sett& sett) {
     return text;
 }
 
-std::string wrong_with_tartan(const std::string& name_or_threadcount) {
+std::string tartan_error(const std::string& name_or_threadcount) {
     if (name_or_threadcount.empty()) return "";
     try {
         sim::find_tartan(name_or_threadcount);
@@ -322,7 +322,7 @@ void draw_fabric_rows(InspectorContext& context, const std::string& name) {
     try {
         for (const FabricRow& row : fabric_rows(sim::find_fabric(name))) fact(context, row.label, row.value, row.tip);
     } catch (const sim::InputError& error) {
-        complaint(context.theme.error, error.problem());
+        message_text(context.theme.error, error.problem());
     }
 }
 
@@ -447,10 +447,10 @@ void draw_match_table(const InspectorContext& context, const std::vector<sim::Se
         ImGui::TextUnformatted(elided(seam.name, ImGui::GetContentRegionAvail().x).c_str());
         show_tip(seam.name + (seam.why.empty() ? "\nIt meets all along." : "\n" + seam.why));
         ImGui::TableNextColumn();
-        ImGui::TextUnformatted(quantity_figure(seam.before, Unit::Millimetres).c_str());
+        ImGui::TextUnformatted(quantity_number(seam.before, Unit::Millimetres).c_str());
         ImGui::TableNextColumn();
-        complaint(seam.after > kMet ? context.theme.warning : context.theme.ink,
-                  quantity_figure(seam.after, Unit::Millimetres));
+        message_text(seam.after > kMet ? context.theme.warning : context.theme.ink,
+                     quantity_number(seam.after, Unit::Millimetres));
     }
     ImGui::EndTable();
 }
@@ -462,7 +462,7 @@ void draw_match(InspectorContext& context) {
     if (!pattern.matched_sett) {
         paragraph(context, "Nobody has matched the stripes at the seams yet.");
     } else if (!is_sett_of(*pattern.matched_sett, *sett)) {
-        complaint(context.theme.warning, "The stripes were matched for another tartan or size. Match them again.");
+        message_text(context.theme.warning, "The stripes were matched for another tartan or size. Match them again.");
     }
     ButtonRow row(context);
     if (row.button({.name = "material.match",

@@ -39,7 +39,7 @@ std::string readable_name(const std::string& name);
 std::string threadcount_of(const sim::Sett& sett);
 
 // The reason why the name or threadcount cannot be woven; empty: it can.
-std::string wrong_with_tartan(const std::string& name_or_threadcount);
+std::string tartan_error(const std::string& name_or_threadcount);
 
 // The garment's sett at its repeat size. None: the name or threadcount is invalid.
 std::optional<sim::Sett> valid_sett(const sim::Pattern& pattern);

@@ -27,7 +27,7 @@ double limited(const NumberBox& box, double value) {
 
 std::string text_of(const NumberBox& box, std::optional<double> value) {
     if (!value) return "";
-    return box.has_unit ? quantity_text(*value, box.unit) : quantity_figure(*value, box.unit);
+    return box.has_unit ? quantity_text(*value, box.unit) : quantity_number(*value, box.unit);
 }
 
 bool is_escape_pressed() {
@@ -90,7 +90,7 @@ FieldEnd end_of_field(BoxState& boxes, unsigned id) {
 }
 
 // Rejected text disappears from the field, so report why.
-void tell_wrong(InspectorContext& context, const FieldEnd& end) {
+void report_invalid(InspectorContext& context, const FieldEnd& end) {
     if (end.ending == Ending::Wrong) {
         context.workspace.messages.warn("'" + end.typed.text + "' is not taken. " + end.typed.wrong);
     }
@@ -154,7 +154,7 @@ NumberEdit type_number(InspectorContext& context, const NumberBox& box, float wi
         }
     }
     const FieldEnd end = end_of_field(boxes, id);
-    tell_wrong(context, end);
+    report_invalid(context, end);
     if (end.ending == Ending::Applied) {
         edit = {.phase = EditPhase::Kept, .value = read_number(box, end.typed.text).value, .before = end.typed.before};
     } else if (end.typed.is_trying) {
@@ -261,7 +261,7 @@ std::optional<std::string> text_box(InspectorContext& context, const TextBox& bo
         boxes.typed.wrong = box.wrong != nullptr ? box.wrong(text) : "";
     }
     FieldEnd end = end_of_field(boxes, id);
-    tell_wrong(context, end);
+    report_invalid(context, end);
     if (end.ending != Ending::Applied) return std::nullopt;
     return std::move(end.typed.text);
 }
@@ -354,7 +354,7 @@ std::string_view without_blanks_behind(std::string_view text) {
 
 }  // namespace
 
-std::string quantity_figure(double value, Unit unit) {
+std::string quantity_number(double value, Unit unit) {
     const UnitRow row = row_of(unit);
     char buffer[64];
     std::snprintf(buffer, sizeof buffer, "%.*f", row.decimals, value / row.size);
@@ -367,7 +367,7 @@ std::string quantity_figure(double value, Unit unit) {
 }
 
 std::string quantity_text(double value, Unit unit) {
-    return quantity_figure(value, unit) + row_of(unit).word;
+    return quantity_number(value, unit) + row_of(unit).word;
 }
 
 std::optional<double> parse_quantity(std::string_view text, Unit unit) {

@@ -24,7 +24,7 @@ enum class Unit {
 };
 
 // For example "92.5": without the unit, never "-0".
-std::string quantity_figure(double value, Unit unit);
+std::string quantity_number(double value, Unit unit);
 
 // For example "92.5 cm".
 std::string quantity_text(double value, Unit unit);

@@ -152,7 +152,7 @@ double least_arc_radius(const sim::Panel& panel, const sim::OutlineEdge& edge) {
     return (end_of(panel, edge) - start_of(panel, edge)).norm() / 2;
 }
 
-SeamFigures seam_figures(const sim::Pattern& pattern, const sim::Seam& seam) {
+SeamMeasures seam_measures(const sim::Pattern& pattern, const sim::Seam& seam) {
     const std::array<double, 2> lengths = seam_lengths(pattern, seam);
     return {.name = seam_name(pattern, seam),
             .first = lengths[0],
@@ -161,7 +161,7 @@ SeamFigures seam_figures(const sim::Pattern& pattern, const sim::Seam& seam) {
             .is_eased = seam.is_eased};
 }
 
-std::string difference_text(const SeamFigures& figures) {
+std::string difference_text(const SeamMeasures& figures) {
     const std::string text = quantity_text(figures.difference(), Unit::Millimetres);
     return text.front() == '-' || text == "0 mm" ? text : "+" + text;
 }

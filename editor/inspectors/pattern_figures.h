@@ -47,7 +47,7 @@ Vec2d shift_for_length(const sim::Panel& panel, const sim::OutlineEdge& edge, co
 // The smallest radius of an arc through the edge's ends: half the chord, m.
 double least_arc_radius(const sim::Panel& panel, const sim::OutlineEdge& edge);
 
-struct SeamFigures {
+struct SeamMeasures {
     std::string name;
     double first = 0;   // m
     double second = 0;  // m
@@ -59,10 +59,10 @@ struct SeamFigures {
 };
 
 // Pre: the seam's panels and edges exist.
-SeamFigures seam_figures(const sim::Pattern& pattern, const sim::Seam& seam);
+SeamMeasures seam_measures(const sim::Pattern& pattern, const sim::Seam& seam);
 
 // For example "+3.2 mm": the length of the second side minus that of the first.
-std::string difference_text(const SeamFigures& figures);
+std::string difference_text(const SeamMeasures& figures);
 
 // The index of the seam that uses this edge.
 std::optional<int> seam_along(const sim::Pattern& pattern, const sim::SeamSide& side);

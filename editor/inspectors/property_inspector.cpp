@@ -27,12 +27,12 @@ struct PanelOnSheet {
 };
 
 std::string area_text(double area) {
-    return area < 0.1 ? quantity_figure(area * 1e4, Unit::Whole) + " cm\u00B2"
-                      : quantity_figure(area, Unit::Plain) + " m\u00B2";
+    return area < 0.1 ? quantity_number(area * 1e4, Unit::Whole) + " cm\u00B2"
+                      : quantity_number(area, Unit::Plain) + " m\u00B2";
 }
 
-const PanelFacts& facts_of(InspectorContext& context, const sim::Panel& panel) {
-    PanelFacts& facts = context.state.panels[panel.name];
+const PanelMeasures& facts_of(InspectorContext& context, const sim::Panel& panel) {
+    PanelMeasures& facts = context.state.panels[panel.name];
     const std::uint64_t revision = context.workspace.document->revision() + 1;  // 0: not computed yet
     if (facts.revision != revision) {
         facts = {.revision = revision, .area = outline_area(panel), .perimeter = panel_perimeter(panel)};
@@ -220,7 +220,7 @@ void draw_panel_section(InspectorContext& context, const std::string& name) {
     draw_scale(context, {.panel = panel, .origin = origin});
     draw_place(context, panel);
     draw_cloth(context, panel);
-    const PanelFacts& facts = facts_of(context, panel);
+    const PanelMeasures& facts = facts_of(context, panel);
     fact(context, "Area", area_text(facts.area), "Of the cloth inside the outline.");
     fact(context, "Perimeter", quantity_text(facts.perimeter, Unit::Centimetres), "The length of the outline.");
     fact(context, "Points", std::to_string(panel.vertices.size()), "Corners and joints of the outline.");

@@ -17,8 +17,8 @@ bool has_seam(const sim::Pattern& pattern, int seam) {
     return seam >= 0 && static_cast<std::size_t>(seam) < pattern.seams.size();
 }
 
-std::string lengths_text(const SeamFigures& figures) {
-    const std::string first = quantity_figure(figures.first, Unit::Centimetres);
+std::string lengths_text(const SeamMeasures& figures) {
+    const std::string first = quantity_number(figures.first, Unit::Centimetres);
     const std::string second = quantity_text(figures.second, Unit::Centimetres);
     return figures.is_uneven ? first + " : " + second : second;
 }
@@ -61,7 +61,7 @@ float right_aligned(const std::string& text, float right, const sim::Rgb8& colou
     return left;
 }
 
-void draw_seam_row(InspectorContext& context, int seam, const SeamFigures& figures) {
+void draw_seam_row(InspectorContext& context, int seam, const SeamMeasures& figures) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x, left = ImGui::GetCursorPosX();
     const std::string name = "seams." + std::to_string(seam);
     const ImVec2 size(ImGui::GetContentRegionAvail().x, ImGui::GetTextLineHeight());
@@ -93,7 +93,7 @@ void draw_name_row(InspectorContext& context, int seam) {
     row_label(context, "Name", "What the seam is called.");
     const auto name = text_box(context, {.name = "seam.name",
                                          .text = held.name,
-                                         .hint = seam_figures(context.pattern(), held).name,
+                                         .hint = seam_measures(context.pattern(), held).name,
                                          .tip = "What the seam is called. Without a name it goes by its edges.",
                                          .width_px = field_width(),
                                          .wrong = [](const std::string& text) -> std::string {
@@ -108,8 +108,8 @@ void draw_name_row(InspectorContext& context, int seam) {
 
 void seam_buttons(InspectorContext& context, int seam) {
     if (!has_seam(context.pattern(), seam)) return;
-    const SeamFigures figures =
-        seam_figures(context.pattern(), context.pattern().seams[static_cast<std::size_t>(seam)]);
+    const SeamMeasures figures =
+        seam_measures(context.pattern(), context.pattern().seams[static_cast<std::size_t>(seam)]);
     ButtonRow row(context);
     if (row.button({.name = "seam.even",
                     .title = "Even",
@@ -137,8 +137,8 @@ void seam_buttons(InspectorContext& context, int seam) {
 
 void draw_seam_section(InspectorContext& context, int seam) {
     if (!has_seam(context.pattern(), seam)) return;
-    const SeamFigures figures =
-        seam_figures(context.pattern(), context.pattern().seams[static_cast<std::size_t>(seam)]);
+    const SeamMeasures figures =
+        seam_measures(context.pattern(), context.pattern().seams[static_cast<std::size_t>(seam)]);
     heading(context, ("Seam " + figures.name).c_str());
     ImGui::PushID(("seam " + std::to_string(seam)).c_str());
     draw_name_row(context, seam);
@@ -147,10 +147,10 @@ void draw_seam_section(InspectorContext& context, int seam) {
     fact(context, "Difference", difference_text(figures) + (figures.is_eased ? ", eased" : ""),
          "What the second side has more than the first.");
     if (figures.is_wrong()) {
-        complaint(context.theme.error, "The sides differ by more than 1 mm: even them, or accept it as ease.");
+        message_text(context.theme.error, "The sides differ by more than 1 mm: even them, or accept it as ease.");
     }
     if (is_crossed(context.pattern(), context.pattern().seams[static_cast<std::size_t>(seam)])) {
-        complaint(context.theme.warning, "The seam looks twisted. Reverse sews it the other way round.");
+        message_text(context.theme.warning, "The seam looks twisted. Reverse sews it the other way round.");
     }
     seam_buttons(context, seam);
     ImGui::PopID();
@@ -161,14 +161,15 @@ void draw_seams(InspectorContext& context) {
     if (count == 0) return paragraph(context, "No seams yet. Choose Segment sewing and click two edges.");
     std::size_t wrong = 0;
     for (std::size_t i = 0; i < context.pattern().seams.size(); ++i) {
-        const SeamFigures figures = seam_figures(context.pattern(), context.pattern().seams[i]);
+        const SeamMeasures figures = seam_measures(context.pattern(), context.pattern().seams[i]);
         wrong += figures.is_wrong() ? 1 : 0;
         draw_seam_row(context, static_cast<int>(i), figures);
     }
     ImGui::Spacing();
     if (wrong > 0) {
-        complaint(context.theme.error, wrong == 1 ? std::string("One seam has sides of different lengths.")
-                                                  : std::to_string(wrong) + " seams have sides of different lengths.");
+        message_text(context.theme.error, wrong == 1
+                                              ? std::string("One seam has sides of different lengths.")
+                                              : std::to_string(wrong) + " seams have sides of different lengths.");
     }
     const std::set<int>& selected = context.selection().seams;
     if (selected.size() == 1) return draw_seam_section(context, *selected.begin());

@@ -18,7 +18,7 @@ ImTextureID id_of(UiTexture texture) {
 }
 
 // Texture coordinates (weft, warp) in units of the repeat.
-ImVec2 sett_place(const SettTexture& sett, const sim::Panel& panel, const Vec2d& u) {
+ImVec2 sett_uv(const SettTexture& sett, const sim::Panel& panel, const Vec2d& u) {
     const double c = std::cos(panel.grain_angle), s = std::sin(panel.grain_angle);
     const Vec2d turned(c * u.x() + s * u.y(), -s * u.x() + c * u.y());
     const Vec2d place = (turned + panel.sett_offset - sett.position).cwiseQuotient(sett.repeat);
@@ -178,7 +178,7 @@ void draw_cloth(const SheetLook& look, const PanelShape& shape) {
     if (has_sett) {
         look.pen.list.PushTextureID(id_of(look.sett.texture));
         fill(look, shape, face, faded({255, 255, 255, 255}, double(colours.cloth_strength)),
-             [&](const Vec2d& u) { return sett_place(look.sett, shape.panel, u); });
+             [&](const Vec2d& u) { return sett_uv(look.sett, shape.panel, u); });
         look.pen.list.PopTextureID();
     }
     if (look.selection.panels.contains(shape.panel.name)) fill_plain(look, shape, colours.accent_fill);
@@ -328,7 +328,7 @@ std::vector<ImVec2> inset_line(std::span<const ImVec2> line, float inset, float 
     const double length = px_length(line);
     if (line.size() < 2 || length < 3 * double(trim)) return {};
     std::vector<ImVec2> inner;
-    const auto add = [&](const LinePlace& place) {  // left on the sheet: px have y down
+    const auto add = [&](const LinePoint& place) {  // left on the sheet: px have y down
         inner.push_back({place.at.x + place.along.y * inset, place.at.y - place.along.x * inset});
     };
     add(place_on(line, double(trim)));
@@ -428,9 +428,9 @@ void draw_overlay(const SheetLook& look) {
     }
 }
 
-void draw_lit_places(const SheetLook& look, const std::vector<GeometryPlace>& places) {
+void draw_lit_places(const SheetLook& look, const std::vector<PartLocation>& places) {
     const SheetPen& pen = look.pen;
-    for (const GeometryPlace& place : places) {
+    for (const PartLocation& place : places) {
         const PanelShape* shape = look.geometry.find(place.panel);
         if (shape == nullptr) continue;
         const bool has_edge = place.edge >= 0 && static_cast<std::size_t>(place.edge) < shape->edges.size();

@@ -126,7 +126,7 @@ double px_length(std::span<const ImVec2> line) {
     return length;
 }
 
-LinePlace place_on(std::span<const ImVec2> line, double length) {
+LinePoint place_on(std::span<const ImVec2> line, double length) {
     double left = length;
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
         const double part = distance(line[i], line[i + 1]);
@@ -150,13 +150,13 @@ void draw_direction(const SheetPen& pen, std::span<const ImVec2> line, const ren
     const int ticks = std::clamp(static_cast<int>(length / spacing), 1, 24);
     const auto side = static_cast<float>(inward);
     for (int i = 1; i <= ticks; ++i) {
-        const LinePlace place = place_on(line, length * i / (ticks + 1));
+        const LinePoint place = place_on(line, length * i / (ticks + 1));
         const ImVec2 across{place.along.y * side, -place.along.x * side};  // px have y down
         const float reach = pen.px(5);
         pen.list.AddLine(place.at, {place.at.x + across.x * reach, place.at.y + across.y * reach}, packed(colour),
                          pen.px(1.4));
     }
-    const LinePlace place = place_on(line, std::min<double>(pen.px(12), length / 3));
+    const LinePoint place = place_on(line, std::min<double>(pen.px(12), length / 3));
     const ImVec2 across{place.along.y, -place.along.x};
     const float back = pen.px(4.5), half = pen.px(4), ahead = pen.px(5.5);
     const ImVec2 base{place.at.x - place.along.x * back, place.at.y - place.along.y * back};

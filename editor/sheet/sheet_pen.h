@@ -76,12 +76,12 @@ render::Rgba8 faded(render::Rgba8 colour, double share);  // multiplies alpha by
 render::Rgba8 mixed(const render::Rgba8& from, const render::Rgba8& to, double share);
 
 // A position on a polyline in px and the unit tangent there.
-struct LinePlace {
+struct LinePoint {
     ImVec2 at{0, 0};
     ImVec2 along{1, 0};  // unit tangent
 };
 double px_length(std::span<const ImVec2> line);
-LinePlace place_on(std::span<const ImVec2> line, double length);  // Pre: at least two points
+LinePoint place_on(std::span<const ImVec2> line, double length);  // Pre: at least two points
 
 // Draws a few small ticks across the line, and a triangle near its start that points along it. `inward`: the side of
 // the ticks, 1 for left of the line.
@@ -90,7 +90,7 @@ void draw_direction(const SheetPen& pen, std::span<const ImVec2> line, const ren
 // Data that the drawing functions of the sheet share in one frame.
 
 // Parts that the user can hide.
-struct SheetShows {
+struct SheetVisibility {
     bool cloth = true;  // tartans; otherwise plain
     bool names = true;  // names and grainlines
     bool seams = true;
@@ -114,7 +114,7 @@ struct SheetLook {
     const ToolOverlay& overlay;
     const std::set<std::string>& touched;  // panels with any selected part
     SettTexture sett;
-    SheetShows shows;
+    SheetVisibility shows;
 };
 
 bool is_in_view(const SheetLook& look, const PanelShape& shape);

@@ -80,7 +80,7 @@ void SheetView::frame_wanted(const SheetContext& context) {
     if (wants_frame_ == Frame::None) return;
     SheetBox box = context.tools.geometry().box();
     if (wants_frame_ == Frame::Selected) {
-        const SheetBox chosen = context.tools.geometry().box_of(context.desk.document.selection());
+        const SheetBox chosen = context.tools.geometry().box_of(context.host.document.selection());
         if (!chosen.isEmpty()) box = chosen;
     }
     const bool is_all = wants_frame_ == Frame::All;
@@ -106,7 +106,7 @@ void SheetView::frame_again(const SheetContext& context) {
     if (is_same && camera_.view_size != framed_.view_size && wants_frame_ == Frame::None) frame_all();
 }
 
-void SheetView::navigate(const Mouse& mouse, SheetAnswer& answer) {
+void SheetView::navigate(const Mouse& mouse, SheetResult& answer) {
     const ImGuiIO& io = ImGui::GetIO();
     if (mouse.is_over && io.MouseWheel != 0) zoom_at(camera_, mouse.at, double(io.MouseWheel));
     const bool is_held = ImGui::IsMouseDown(ImGuiMouseButton_Middle) || ImGui::IsMouseDown(ImGuiMouseButton_Right);
@@ -127,30 +127,30 @@ void SheetView::navigate(const Mouse& mouse, SheetAnswer& answer) {
     last_at_ = mouse.at;
 }
 
-void SheetView::hand_mouse(SheetContext& context, const Mouse& mouse) {
+void SheetView::forward_mouse(SheetContext& context, const Mouse& mouse) {
     ToolHost& tools = context.tools;
     if (mouse.is_over && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
         has_left_ = true;
         is_double_ = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
-        tools.press(context.desk, mouse.at, mouse.modifiers);
+        tools.press(context.host, mouse.at, mouse.modifiers);
     } else if (mouse.is_over || has_left_) {
-        tools.move(context.desk, mouse.at, mouse.modifiers);
+        tools.move(context.host, mouse.at, mouse.modifiers);
     } else {
-        tools.leave(context.desk);
+        tools.leave(context.host);
     }
     if (!has_left_ || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
     has_left_ = false;
-    tools.release(context.desk, mouse.at, mouse.modifiers);
-    if (is_double_) tools.double_click(context.desk, mouse.at, mouse.modifiers);
+    tools.release(context.host, mouse.at, mouse.modifiers);
+    if (is_double_) tools.double_click(context.host, mouse.at, mouse.modifiers);
 }
 
-void SheetView::hand_keys(SheetContext& context, const Mouse& mouse, SheetAnswer& answer) {
+void SheetView::forward_keys(SheetContext& context, const Mouse& mouse, SheetResult& answer) {
     const bool is_here = mouse.is_over || has_left_ || ImGui::IsWindowFocused();
     if (!context.takes_keys || !is_here || ImGui::GetIO().WantTextInput) return;
     const bool was_typing = !context.tools.typed().is_empty();
-    if (!mouse.modifiers.ctrl && !mouse.modifiers.alt) context.tools.text(context.desk, written());
+    if (!mouse.modifiers.ctrl && !mouse.modifiers.alt) context.tools.text(context.host, written());
     for (const Key key : pressed_keys()) {
-        if (context.tools.key(context.desk, key, mouse.modifiers)) {
+        if (context.tools.key(context.host, key, mouse.modifiers)) {
             answer.used_keys.push_back(key);
         } else if (key == key_of('F') && mouse.modifiers == Modifiers{} && !was_typing) {
             frame_selected();
@@ -159,25 +159,25 @@ void SheetView::hand_keys(SheetContext& context, const Mouse& mouse, SheetAnswer
     }
 }
 
-SheetAnswer SheetView::show(SheetContext& context) {
-    SheetAnswer answer;
+SheetResult SheetView::show(SheetContext& context) {
+    SheetResult answer;
     const Mouse mouse = place(context);
-    context.tools.begin_frame(context.desk.document, camera_, context.ui_scale);
+    context.tools.begin_frame(context.host.document, camera_, context.ui_scale);
     frame_again(context);
     frame_wanted(context);
     navigate(mouse, answer);
-    context.tools.begin_frame(context.desk.document, camera_, context.ui_scale);
-    if (!is_panning_) hand_mouse(context, mouse);
-    hand_keys(context, mouse, answer);
+    context.tools.begin_frame(context.host.document, camera_, context.ui_scale);
+    if (!is_panning_) forward_mouse(context, mouse);
+    forward_keys(context, mouse, answer);
     frame_wanted(context);
-    context.tools.begin_frame(context.desk.document, camera_, context.ui_scale);
+    context.tools.begin_frame(context.host.document, camera_, context.ui_scale);
     draw(context, mouse);
     return answer;
 }
 
 // Empty if the pattern names no tartan or an unknown one.
 SettTexture SheetView::sett_texture(SheetContext& context) {
-    const sim::Pattern& pattern = context.desk.document.pattern();
+    const sim::Pattern& pattern = context.host.document.pattern();
     if (held_sides_.empty() || pattern.tartan != sett_name_ || pattern.sett_size != sett_size_) {
         held_sides_.assign(kSheetTextures, 0);
         sett_name_ = pattern.tartan;
@@ -208,15 +208,15 @@ void SheetView::draw(SheetContext& context, const Mouse& mouse) {
     list.PushClipRect({float(low.x()), float(low.y())}, {float(high.x()), float(high.y())}, true);
     const SheetPen pen{list, camera_, context.colours, static_cast<float>(context.ui_scale)};
     const SheetGeometry& geometry = context.tools.geometry();
-    const ToolOverlay overlay = context.tools.overlay(context.desk);
-    const std::set<std::string> touched = touched_panels(context.desk.document.selection());
+    const ToolOverlay overlay = context.tools.overlay(context.host);
+    const std::set<std::string> touched = touched_panels(context.host.document.selection());
     faces_.begin_frame(geometry);
     const SheetLook look{pen,
-                         context.desk.document.pattern(),
+                         context.host.document.pattern(),
                          geometry,
                          faces_,
-                         context.desk.document.selection(),
-                         context.desk.hover,
+                         context.host.document.selection(),
+                         context.host.hover,
                          overlay,
                          touched,
                          sett_texture(context),
@@ -231,7 +231,7 @@ void SheetView::draw(SheetContext& context, const Mouse& mouse) {
     for (const PanelShape* shape : seen) draw_marks(look, *shape);
     draw_hovered(look);
     for (const PanelShape* shape : seen) draw_selected(look, *shape);
-    if (const Message* message = context.desk.messages.shown()) draw_lit_places(look, message->places);
+    if (const Message* message = context.host.messages.shown()) draw_lit_places(look, message->places);
     draw_overlay(look);
     draw_rulers(pen, mouse.is_over ? std::optional<Vec2d>(mouse.at) : std::nullopt);
     draw_readout(pen, mouse);

@@ -19,25 +19,25 @@ namespace selvedge::editor {
 inline constexpr UiTexture kSheetTextures = 6;
 
 struct SheetContext {
-    ToolHostContext desk;
+    ToolHostContext host;
     ToolHost& tools;
     FrameOutput& output;
     UiTexture first_texture = 1;
     double ui_scale = 1;     // framebuffer px per px of the interface
     bool takes_keys = true;  // false: ignore the keyboard. An active text field always takes precedence
     SheetColours colours{};
-    SheetShows shows{};
+    SheetVisibility shows{};
 };
 
 // Result of the frame's input.
-struct SheetAnswer {
+struct SheetResult {
     std::vector<Key> used_keys{};  // keys that the view has consumed
     bool wants_menu = false;       // a right click without a drag
 };
 
 class SheetView {
  public:
-    SheetAnswer show(SheetContext& context);
+    SheetResult show(SheetContext& context);
 
     // Frames everything, or the selection, in the next frame.
     void frame_all() { wants_frame_ = Frame::All; }
@@ -57,9 +57,9 @@ class SheetView {
     Mouse place(SheetContext& context);
     void frame_wanted(const SheetContext& context);
     void frame_again(const SheetContext& context);
-    void navigate(const Mouse& mouse, SheetAnswer& answer);
-    void hand_mouse(SheetContext& context, const Mouse& mouse);
-    void hand_keys(SheetContext& context, const Mouse& mouse, SheetAnswer& answer);
+    void navigate(const Mouse& mouse, SheetResult& answer);
+    void forward_mouse(SheetContext& context, const Mouse& mouse);
+    void forward_keys(SheetContext& context, const Mouse& mouse, SheetResult& answer);
     SettTexture sett_texture(SheetContext& context);
     void draw(SheetContext& context, const Mouse& mouse);
     void draw_readout(const SheetPen& pen, const Mouse& mouse) const;

@@ -147,7 +147,7 @@ std::string InternalLineTool::hint(const ToolContext&) const {
 // --- cut
 
 void CutTool::refine_aim(const ToolContext& context, const SheetPointer& pointer) {
-    const std::optional<EdgePlace> place = edge_place(context, pointer);
+    const std::optional<EdgePoint> place = edge_point_at(context, pointer);
     if (!place || pointer.modifiers.shift) return;
     const PanelShape* shape = context.geometry.find(place->edge.panel);
     path_.aim_at(sheet_point(*shape, place->edge.index, place->t));

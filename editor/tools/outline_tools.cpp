@@ -20,7 +20,7 @@ PickOptions edges_only(const ToolContext& context) {
 
 }  // namespace
 
-EdgePlace at_length(const SheetGeometry& geometry, const EdgePlace& place, double length) {
+EdgePoint at_length(const SheetGeometry& geometry, const EdgePoint& place, double length) {
     const EdgeShape* edge = geometry.edge(place.edge);
     if (edge == nullptr || !(edge->length > 0)) return place;
     const double share = length / edge->length;
@@ -28,16 +28,16 @@ EdgePlace at_length(const SheetGeometry& geometry, const EdgePlace& place, doubl
     return {place.edge, place.t <= 0.5 ? share : 1 - share};
 }
 
-std::optional<EdgePlace> edge_place(const ToolContext& context, const SheetPointer& pointer) {
+std::optional<EdgePoint> edge_point_at(const ToolContext& context, const SheetPointer& pointer) {
     const Pick picked = pick(context.geometry, pointer.at, edges_only(context));
     if (picked.kind != PickKind::Edge) return {};
     const EdgeShape& edge = *context.geometry.edge(picked.ref());
-    return EdgePlace{picked.ref(), snap_along(edge, picked.t, snap_options(context, pointer.modifiers))};
+    return EdgePoint{picked.ref(), snap_along(edge, picked.t, snap_options(context, pointer.modifiers))};
 }
 
 void EdgeTool::hover(ToolContext& context, const SheetPointer& pointer) {
     Tool::hover(context, pointer);
-    place_ = edge_place(context, pointer);
+    place_ = edge_point_at(context, pointer);
     if (!place_) return;
     context.hover =
         hover_of(context.geometry, {.kind = PickKind::Edge, .panel = place_->edge.panel, .index = place_->edge.index});
@@ -48,7 +48,7 @@ void EdgeTool::draw(const ToolContext& context, ToolOverlay& overlay) const {
     const PanelShape* shape = context.geometry.find(place_->edge.panel);
     const EdgeShape* edge = context.geometry.edge(place_->edge);
     if (shape == nullptr || edge == nullptr) return;
-    EdgePlace place = *place_;
+    EdgePoint place = *place_;
     const bool is_typed = context.typed && context.typed->size() == 1 && context.typed->front() > 0 &&
                           context.typed->front() / 100 < edge->length;
     if (is_typed) place = at_length(context.geometry, place, context.typed->front() / 100);
@@ -66,7 +66,7 @@ void AddPointTool::click(ToolContext& context, const SheetPointer&) {
 
 bool AddPointTool::enter(ToolContext& context, const std::vector<double>& numbers) {
     if (!place_ || numbers.size() != 1) return false;
-    const EdgePlace place = at_length(context.geometry, *place_, numbers[0] / 100);
+    const EdgePoint place = at_length(context.geometry, *place_, numbers[0] / 100);
     context.document.run(AddVertex{place.edge.panel, place.edge.index, place.t});
     return true;
 }
@@ -98,7 +98,7 @@ void NotchTool::click(ToolContext& context, const SheetPointer&) {
 
 void NotchTool::drag(ToolContext& context, const SheetPointer& pointer) {
     if (!held_) return;
-    const std::optional<EdgePlace> to = edge_place(context, pointer);
+    const std::optional<EdgePoint> to = edge_point_at(context, pointer);
     if (!to || to->edge.panel != held_->panel) return;
     place_ = to;
     context.document.preview(MoveNotch{held_->panel, held_->index, to->edge.index, to->t});
@@ -112,7 +112,7 @@ void NotchTool::drop(ToolContext& context, const SheetPointer& pointer) {
 
 bool NotchTool::enter(ToolContext& context, const std::vector<double>& numbers) {
     if (!place_ || numbers.size() != 1) return false;
-    const EdgePlace place = at_length(context.geometry, *place_, numbers[0] / 100);
+    const EdgePoint place = at_length(context.geometry, *place_, numbers[0] / 100);
     context.document.run(AddNotch{place.edge.panel, place.edge.index, place.t});
     return true;
 }
@@ -123,7 +123,7 @@ std::string NotchTool::hint(const ToolContext&) const {
 
 // --- dart
 
-std::vector<Vec2d> dart_lines(const PanelShape& shape, const EdgePlace& place, double width, double depth) {
+std::vector<Vec2d> dart_lines(const PanelShape& shape, const EdgePoint& place, double width, double depth) {
     const EdgeShape& edge = shape.edges.at(static_cast<std::size_t>(place.edge.index));
     const double half = edge.length > 0 ? width / 2 / edge.length : 0;
     const Vec2d tangent = edge.tangent(place.t);
@@ -163,7 +163,7 @@ bool DartTool::enter(ToolContext& context, const std::vector<double>& numbers) {
 }
 
 void DartTool::make(ToolContext& context) {
-    const EdgePlace mouth = *mouth_;
+    const EdgePoint mouth = *mouth_;
     mouth_.reset();
     context.document.run(AddDart{mouth.edge.panel, mouth.edge.index, mouth.t, width_, depth_});
 }
@@ -176,7 +176,7 @@ bool DartTool::cancel(ToolContext&) {
 
 void DartTool::draw(const ToolContext& context, ToolOverlay& overlay) const {
     EdgeTool::draw(context, overlay);
-    const std::optional<EdgePlace>& place = mouth_ ? mouth_ : place_;
+    const std::optional<EdgePoint>& place = mouth_ ? mouth_ : place_;
     if (!place) return;
     const PanelShape* shape = context.geometry.find(place->edge.panel);
     if (shape == nullptr || context.geometry.edge(place->edge) == nullptr) return;

@@ -6,17 +6,17 @@
 namespace selvedge::editor {
 
 // A position on an edge.
-struct EdgePlace {
+struct EdgePoint {
     PartRef edge;
     double t = 0;  // fraction of the edge's length
 };
 
 // The snapped position on the edge under the cursor. None: no edge within the tolerance.
-std::optional<EdgePlace> edge_place(const ToolContext& context, const SheetPointer& pointer);
+std::optional<EdgePoint> edge_point_at(const ToolContext& context, const SheetPointer& pointer);
 
 // The position at a length (m) from the end of the edge that is nearer to `place`. Throws GeometryError if the edge is
 // too short.
-EdgePlace at_length(const SheetGeometry& geometry, const EdgePlace& place, double length);
+EdgePoint at_length(const SheetGeometry& geometry, const EdgePoint& place, double length);
 
 // Base of the tools that act at a position on an edge. Marks the position and its distances to both ends.
 class EdgeTool : public Tool {
@@ -25,7 +25,7 @@ class EdgeTool : public Tool {
     void draw(const ToolContext& context, ToolOverlay& overlay) const override;
 
  protected:
-    std::optional<EdgePlace> place_;
+    std::optional<EdgePoint> place_;
 };
 
 class AddPointTool : public EdgeTool {
@@ -68,7 +68,7 @@ class CurveTool : public EdgeTool {
 };
 
 // Preview of a dart's legs on the sheet: mouth, apex, mouth. Width and depth in m.
-std::vector<Vec2d> dart_lines(const PanelShape& shape, const EdgePlace& place, double width, double depth);
+std::vector<Vec2d> dart_lines(const PanelShape& shape, const EdgePoint& place, double width, double depth);
 
 class DartTool : public EdgeTool {
  public:
@@ -84,7 +84,7 @@ class DartTool : public EdgeTool {
  private:
     void make(ToolContext& context);
 
-    std::optional<EdgePlace> mouth_;  // position of the dart that was begun
+    std::optional<EdgePoint> mouth_;  // position of the dart that was begun
     double width_ = 0.03;             // m, kept for the next dart
     double depth_ = 0.10;             // m
 };

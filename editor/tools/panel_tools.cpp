@@ -52,7 +52,7 @@ MeasureTool::End MeasureTool::end_at(const ToolContext& context, const SheetPoin
                           .internal_lines = false,
                           .panels = false});
     if (on.kind != PickKind::Edge || aimed_.kind == SnapKind::Direction) return end;
-    end.place = EdgePlace{on.ref(), on.t};
+    end.place = EdgePoint{on.ref(), on.t};
     if (aimed_.kind == SnapKind::None) end.at = on.point;
     return end;
 }

@@ -32,7 +32,7 @@ class MeasureTool : public Tool {
  private:
     struct End {
         Vec2d at = Vec2d::Zero();
-        std::optional<EdgePlace> place;  // set if the end is on an edge
+        std::optional<EdgePoint> place;  // set if the end is on an edge
     };
 
     End end_at(const ToolContext& context, const SheetPointer& pointer);

@@ -48,8 +48,8 @@ std::optional<sim::Seam> seam_between(const SheetGeometry& geometry, const SewnE
     return sim::Seam{{*a, first.edge.index}, {*b, second.edge.index}, is_reversed(first, second)};
 }
 
-void add_threads(ToolOverlay& overlay, const std::vector<Vec2d>& first, const std::vector<Vec2d>& second,
-                 OverlayTone tone) {
+void add_seam_lines(ToolOverlay& overlay, const std::vector<Vec2d>& first, const std::vector<Vec2d>& second,
+                    OverlayTone tone) {
     if (first.size() < 2 || second.size() < 2) return;
     constexpr int kThreads = 6;
     for (int i = 0; i <= kThreads; ++i) {
@@ -155,7 +155,7 @@ void SewingTool::draw(const ToolContext& context, ToolOverlay& overlay) const {
     const OverlayTone tone = is_twisted ? OverlayTone::Warning : OverlayTone::Draft;
     const std::vector<Vec2d> second = line_of(context.geometry, *second_);
     overlay.lines.push_back({.points = second, .tone = tone, .has_ticks = true});
-    add_threads(overlay, line_of(context.geometry, *first_), second, is_twisted ? tone : OverlayTone::Faint);
+    add_seam_lines(overlay, line_of(context.geometry, *first_), second, is_twisted ? tone : OverlayTone::Faint);
     const double other = context.geometry.edge(second_->edge)->length;
     overlay.readout = {in_cm(length) + " to " + in_cm(other)};
     if (const std::optional<std::string> words = difference_text(length, other)) overlay.readout.push_back(*words);
@@ -248,7 +248,7 @@ void FreeSewingTool::drag(ToolContext& context, const SheetPointer& pointer) {
         if (left > 0 && wanted >= 0 && wanted <= 1 && std::abs(t - wanted) < end) t = wanted;
     }
     drawing_ = DrawnSpan{pressed_->edge, pressed_->t, t};
-    place_ = EdgePlace{pressed_->edge, t};
+    place_ = EdgePoint{pressed_->edge, t};
 }
 
 void FreeSewingTool::drop(ToolContext& context, const SheetPointer& pointer) {
@@ -314,7 +314,7 @@ void FreeSewingTool::draw(const ToolContext& context, ToolOverlay& overlay) cons
     const double length = length_of(context, first), other = length_of(context, second);
     overlay.readout = {in_cm(length)};
     if (second.empty()) return;
-    add_threads(overlay, line_of(context.geometry, first), line_of(context.geometry, second), OverlayTone::Faint);
+    add_seam_lines(overlay, line_of(context.geometry, first), line_of(context.geometry, second), OverlayTone::Faint);
     overlay.readout = {in_cm(length) + " to " + in_cm(other)};
     if (const std::optional<std::string> words = difference_text(length, other)) overlay.readout.push_back(*words);
 }

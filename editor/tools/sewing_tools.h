@@ -21,8 +21,8 @@ bool is_reversed(const SewnEnd& first, const SewnEnd& second);
 std::optional<sim::Seam> seam_between(const SheetGeometry& geometry, const SewnEnd& first, const SewnEnd& second);
 
 // Adds seven lines that connect two polylines at equal fractions of their lengths, from start to end.
-void add_threads(ToolOverlay& overlay, const std::vector<Vec2d>& first, const std::vector<Vec2d>& second,
-                 OverlayTone tone);
+void add_seam_lines(ToolOverlay& overlay, const std::vector<Vec2d>& first, const std::vector<Vec2d>& second,
+                    OverlayTone tone);
 
 // The difference of two lengths (m) as text. None: it is at most kUnevenSeam (1 mm).
 std::optional<std::string> difference_text(double first, double second);
@@ -87,7 +87,7 @@ class FreeSewingTool : public EdgeTool {
     std::vector<DrawnSpan> first_;
     std::vector<DrawnSpan> second_;
     bool is_second_ = false;
-    std::optional<EdgePlace> pressed_;
+    std::optional<EdgePoint> pressed_;
     std::optional<DrawnSpan> drawing_;
 };
 

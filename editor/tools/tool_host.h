@@ -25,29 +25,29 @@ class ToolHost {
     const ToolInfo& info() const { return info_of(kind_); }
 
     // Switches to another tool and cancels the operation in progress.
-    void choose(ToolHostContext desk, ToolKind kind);
+    void choose(ToolHostContext host, ToolKind kind);
 
     // Call once per frame, before anything else. `ui_scale`: scale of the interface, 1 at 96 dpi.
     void begin_frame(const Document& document, const SheetCamera& camera, double ui_scale);
 
     // Mouse events of the left button, positions in screen px (see SheetCamera). The sheet's view handles panning and
     // zooming.
-    void move(ToolHostContext desk, const Vec2d& px, const Modifiers& modifiers);
-    void press(ToolHostContext desk, const Vec2d& px, const Modifiers& modifiers);
-    void release(ToolHostContext desk, const Vec2d& px, const Modifiers& modifiers);
-    void double_click(ToolHostContext desk, const Vec2d& px, const Modifiers& modifiers);
-    void leave(ToolHostContext desk);  // the mouse left the view
+    void move(ToolHostContext host, const Vec2d& px, const Modifiers& modifiers);
+    void press(ToolHostContext host, const Vec2d& px, const Modifiers& modifiers);
+    void release(ToolHostContext host, const Vec2d& px, const Modifiers& modifiers);
+    void double_click(ToolHostContext host, const Vec2d& px, const Modifiers& modifiers);
+    void leave(ToolHostContext host);  // the mouse left the view
 
     // Each returns whether the input was used. `text` receives typed characters. `key` also handles tool shortcuts.
-    bool key(ToolHostContext desk, Key key, const Modifiers& modifiers);
-    bool text(ToolHostContext desk, std::string_view typed);
-    bool cancel(ToolHostContext desk);
+    bool key(ToolHostContext host, Key key, const Modifiers& modifiers);
+    bool text(ToolHostContext host, std::string_view typed);
+    bool cancel(ToolHostContext host);
 
     // Applies a command; a GeometryError becomes a message. Returns whether the command was applied.
-    bool run(ToolHostContext desk, const Command& command);
+    bool run(ToolHostContext host, const Command& command);
 
-    ToolOverlay overlay(ToolHostContext desk);
-    std::string hint(ToolHostContext desk);
+    ToolOverlay overlay(ToolHostContext host);
+    std::string hint(ToolHostContext host);
 
     const SheetGeometry& geometry() const { return geometry_; }
     const TypedInput& typed() const { return typed_; }
@@ -59,13 +59,13 @@ class ToolHost {
  private:
     enum class MouseState { Up, Pressed, Dragging };
 
-    ToolContext context(ToolHostContext desk);
+    ToolContext context(ToolHostContext host);
     template <class Action>
-    bool guarded(ToolHostContext desk, Action&& action);
-    bool key_unguarded(ToolHostContext desk, Key key, const Modifiers& modifiers);
-    bool nudge(ToolHostContext desk, Key key, const Modifiers& modifiers);
-    bool remove_selected(ToolHostContext desk);
-    bool select_all(ToolHostContext desk);
+    bool guarded(ToolHostContext host, Action&& action);
+    bool key_unguarded(ToolHostContext host, Key key, const Modifiers& modifiers);
+    bool nudge(ToolHostContext host, Key key, const Modifiers& modifiers);
+    bool remove_selected(ToolHostContext host);
+    bool select_all(ToolHostContext host);
 
     ToolKind kind_ = ToolKind::Select;
     std::unique_ptr<Tool> tool_;

@@ -148,7 +148,7 @@ void ActionFinder::open() {
     chosen_ = 0;
 }
 
-void ActionFinder::show(AppState& desk) {
+void ActionFinder::show(AppState& state) {
     if (!is_open_) return;
     const float unit = ImGui::GetFontSize();
     const ImVec2 display = ImGui::GetIO().DisplaySize;
@@ -163,7 +163,7 @@ void ActionFinder::show(AppState& desk) {
     takes_focus_ = false;
     ImGui::SetNextItemWidth(-1);
     if (ImGui::InputTextWithHint("##wanted", "What do you want to do?", &wanted_)) chosen_ = 0;
-    std::vector<const Action*> found = search(desk.actions, wanted_);
+    std::vector<const Action*> found = search(state.actions, wanted_);
     if (found.size() > kMostShown) found.resize(kMostShown);
     const int count = static_cast<int>(found.size());
     if (is_pressed(Key::Down)) ++chosen_;
@@ -172,15 +172,15 @@ void ActionFinder::show(AppState& desk) {
     const Action* wants = nullptr;
     for (int i = 0; i < count; ++i) {
         const Action& action = *found[static_cast<std::size_t>(i)];
-        if (action_row(desk, action, i == chosen_)) wants = &action;
+        if (action_row(state, action, i == chosen_)) wants = &action;
     }
     if (count == 0) ImGui::TextDisabled("Nothing is called so.");
     const bool is_confirmed = is_pressed(Key::Enter) || is_pressed(Key::KeypadEnter);
     if (is_confirmed && count > 0) wants = found[static_cast<std::size_t>(chosen_)];
     if (is_pressed(Key::Escape) || wants != nullptr) is_open_ = false;
     ImGui::End();
-    if (wants != nullptr && !run_action(desk, *wants)) {
-        desk.workspace.messages.warn("'" + wants->title + "' cannot be done now");
+    if (wants != nullptr && !run_action(state, *wants)) {
+        state.workspace.messages.warn("'" + wants->title + "' cannot be done now");
     }
 }
 

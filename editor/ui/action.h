@@ -54,7 +54,7 @@ class ActionFinder {
  public:
     void open();
     bool is_open() const { return is_open_; }
-    void show(AppState& desk);
+    void show(AppState& state);
 
  private:
     bool is_open_ = false;

@@ -30,7 +30,7 @@ void add_file_actions(std::vector<Action>& actions) {
                        .title = "Save",
                        .chords = {ctrl('S')},
                        .begins_group = true,
-                       .run = [](AppState& desk) { save(desk); }});
+                       .run = [](AppState& state) { save(state); }});
     actions.push_back({.id = "file.save_as",
                        .menu = "File",
                        .title = "Save as...",
@@ -42,7 +42,7 @@ void add_file_actions(std::vector<Action>& actions) {
                            .title = title,
                            .tip = tip,
                            .begins_group = std::string_view(ending) == ".png",
-                           .run = [ending](AppState& desk) { browse_to_export(desk, ending); }});
+                           .run = [ending](AppState& state) { browse_to_export(state, ending); }});
     };
     exports("file.export_png", "Export picture...", "The 3D view as a PNG file, with shadows and fine edges", ".png");
     exports("file.export_obj", "Export OBJ...", "The garment as it hangs", ".obj");
@@ -62,31 +62,32 @@ void add_file_actions(std::vector<Action>& actions) {
 }
 
 // During a drag, cancels the drag instead of undoing a command.
-void undo(AppState& desk) {
-    if (!desk.workspace.document->is_previewing()) return desk.workspace.document->undo();
-    desk.tools.cancel(tool_host_context(desk.workspace));
+void undo(AppState& state) {
+    if (!state.workspace.document->is_previewing()) return state.workspace.document->undo();
+    state.tools.cancel(tool_host_context(state.workspace));
 }
 
 // Sends the key to the sheet's tools, wherever the cursor is.
-void press_on_sheet(AppState& desk, const Chord& chord) {
-    desk.tools.key(tool_host_context(desk.workspace), chord.key, chord.modifiers);
+void press_on_sheet(AppState& state, const Chord& chord) {
+    state.tools.key(tool_host_context(state.workspace), chord.key, chord.modifiers);
 }
 
 void add_selection_actions(std::vector<Action>& actions) {
     const Chord all = ctrl('A'), remove{Key::Delete, {}};
-    actions.push_back({.id = "edit.select_all",
-                       .menu = "Edit",
-                       .title = "Select all panels",
-                       .chords = {all},
-                       .begins_group = true,
-                       .run = [all](AppState& desk) { press_on_sheet(desk, all); },
-                       .can = [](const AppState& desk) { return !desk.workspace.document->pattern().panels.empty(); }});
+    actions.push_back(
+        {.id = "edit.select_all",
+         .menu = "Edit",
+         .title = "Select all panels",
+         .chords = {all},
+         .begins_group = true,
+         .run = [all](AppState& state) { press_on_sheet(state, all); },
+         .can = [](const AppState& state) { return !state.workspace.document->pattern().panels.empty(); }});
     actions.push_back({.id = "edit.delete",
                        .menu = "Edit",
                        .title = "Delete what is selected",
                        .chords = {remove},
-                       .run = [remove](AppState& desk) { press_on_sheet(desk, remove); },
-                       .can = [](const AppState& desk) { return !desk.workspace.document->selection().is_empty(); }});
+                       .run = [remove](AppState& state) { press_on_sheet(state, remove); },
+                       .can = [](const AppState& state) { return !state.workspace.document->selection().is_empty(); }});
 }
 
 void add_edit_actions(std::vector<Action>& actions) {
@@ -95,15 +96,15 @@ void add_edit_actions(std::vector<Action>& actions) {
                        .title = "Undo",
                        .chords = {ctrl('Z')},
                        .run = undo,
-                       .can = [](const AppState& desk) {
-                           return desk.workspace.document->can_undo() || desk.workspace.document->is_previewing();
+                       .can = [](const AppState& state) {
+                           return state.workspace.document->can_undo() || state.workspace.document->is_previewing();
                        }});
     actions.push_back({.id = "edit.redo",
                        .menu = "Edit",
                        .title = "Redo",
                        .chords = {ctrl('Y'), ctrl_shift('Z')},
-                       .run = [](AppState& desk) { desk.workspace.document->redo(); },
-                       .can = [](const AppState& desk) { return desk.workspace.document->can_redo(); }});
+                       .run = [](AppState& state) { state.workspace.document->redo(); },
+                       .can = [](const AppState& state) { return state.workspace.document->can_redo(); }});
 }
 
 void add_simulate_actions(std::vector<Action>& actions) {
@@ -113,25 +114,25 @@ void add_simulate_actions(std::vector<Action>& actions) {
                        .tip = "Sews the panels and lets the garment fall; editing goes on meanwhile",
                        .chords = {{Key::Space, {}}},
                        .run =
-                           [](AppState& desk) {
-                               sim::Session& session = desk.workspace.drape.session();
+                           [](AppState& state) {
+                               sim::Session& session = state.workspace.drape.session();
                                if (session.frame()->is_running) return session.pause();
                                session.start();
                            },
-                       .can = [](const AppState& desk) { return !desk.workspace.document->pattern().panels.empty(); },
-                       .is_on = [](const AppState& desk) { return desk.workspace.drape.frame()->is_running; }});
+                       .can = [](const AppState& state) { return !state.workspace.document->pattern().panels.empty(); },
+                       .is_on = [](const AppState& state) { return state.workspace.drape.frame()->is_running; }});
     actions.push_back({.id = "simulate.reset",
                        .menu = "Simulate",
                        .title = "Reset",
                        .tip = "Panels go back to where they are placed, unsewn",
                        .chords = {ctrl('R')},
-                       .run = [](AppState& desk) { desk.workspace.drape.session().reset(); }});
+                       .run = [](AppState& state) { state.workspace.drape.session().reset(); }});
     actions.push_back({.id = "simulate.unpin",
                        .menu = "Simulate",
                        .title = "Unpin all",
                        .tip = "Takes out the pins that were set with P in the 3D view",
-                       .run = [](AppState& desk) { desk.workspace.drape.session().unpin_all(); },
-                       .can = [](const AppState& desk) { return !desk.workspace.drape.frame()->pins.empty(); }});
+                       .run = [](AppState& state) { state.workspace.drape.session().unpin_all(); },
+                       .can = [](const AppState& state) { return !state.workspace.drape.frame()->pins.empty(); }});
 }
 
 void add_help_actions(std::vector<Action>& actions) {
@@ -140,26 +141,26 @@ void add_help_actions(std::vector<Action>& actions) {
                        .title = "Find an action...",
                        .tip = "Type some of its letters",
                        .chords = {ctrl('K')},
-                       .run = [](AppState& desk) { desk.finder.open(); }});
+                       .run = [](AppState& state) { state.finder.open(); }});
     actions.push_back({.id = "help.start",
                        .menu = "Help",
                        .title = "Start page",
                        .tip = "Examples, recent files and the most useful keys",
                        .chords = {{Key::F1, {}}},
-                       .run = [](AppState& desk) { desk.shows_start_page = !desk.shows_start_page; },
-                       .is_on = [](const AppState& desk) { return desk.shows_start_page; }});
+                       .run = [](AppState& state) { state.shows_start_page = !state.shows_start_page; },
+                       .is_on = [](const AppState& state) { return state.shows_start_page; }});
 }
 
 // One action per tool of the sheet, with the tool's key.
 void add_tool_actions(std::vector<Action>& actions) {
     for (const ToolInfo& tool : all_tools()) {
-        Action action{
-            .id = "tool." + std::string(tool.id),
-            .menu = "Tools",
-            .title = std::string(tool.title),
-            .tip = std::string(tool.what),
-            .run = [kind = tool.kind](AppState& desk) { desk.tools.choose(tool_host_context(desk.workspace), kind); },
-            .is_on = [kind = tool.kind](const AppState& desk) { return desk.tools.kind() == kind; }};
+        Action action{.id = "tool." + std::string(tool.id),
+                      .menu = "Tools",
+                      .title = std::string(tool.title),
+                      .tip = std::string(tool.what),
+                      .run = [kind = tool.kind](
+                                 AppState& state) { state.tools.choose(tool_host_context(state.workspace), kind); },
+                      .is_on = [kind = tool.kind](const AppState& state) { return state.tools.kind() == kind; }};
         if (tool.key != Key::None) action.chords.push_back({tool.key, {}});
         if (tool.kind == ToolKind::Select) action.chords.push_back({key_of('A'), {}});  // as in other programs
         actions.push_back(std::move(action));
@@ -185,10 +186,10 @@ std::vector<std::string> menu_names() {
     return {"File", "Edit", "Panel", "Seam", "Tools", "Simulate", "View", "Help"};
 }
 
-bool run_action(AppState& desk, const Action& action) {
-    if (action.can && !action.can(desk)) return false;
-    desk.workspace.messages.dismiss();  // an error refers to the action before
-    action.run(desk);
+bool run_action(AppState& state, const Action& action) {
+    if (action.can && !action.can(state)) return false;
+    state.workspace.messages.dismiss();  // an error refers to the action before
+    action.run(state);
     return true;
 }
 
@@ -196,66 +197,66 @@ namespace {
 
 constexpr double kBeside = 0.05;  // m, gap between a panel and its copy
 
-const Selection& selected(const AppState& desk) {
-    return desk.workspace.document->selection();
+const Selection& selected(const AppState& state) {
+    return state.workspace.document->selection();
 }
-bool has_panels(const AppState& desk) {
-    return !selected(desk).panels.empty();
+bool has_panels(const AppState& state) {
+    return !selected(state).panels.empty();
 }
-bool has_seams(const AppState& desk) {
-    return !selected(desk).seams.empty();
+bool has_seams(const AppState& state) {
+    return !selected(state).seams.empty();
 }
-bool has_one_seam(const AppState& desk) {
-    return selected(desk).seams.size() == 1;
+bool has_one_seam(const AppState& state) {
+    return selected(state).seams.size() == 1;
 }
 
 // The common offset of all copies, so that they lie beside the selected panels.
-Vec2d beside_selected(const AppState& desk) {
-    const SheetBox box = desk.tools.geometry().box_of(selected(desk));
+Vec2d beside_selected(const AppState& state) {
+    const SheetBox box = state.tools.geometry().box_of(selected(state));
     return {box.isEmpty() ? 0.3 : box.sizes().x() + kBeside, 0};
 }
 
 // Deleting a seam renumbers the others, so each command uses the first selected seam when it runs.
-void with_seam(AppState& desk, const std::function<Command(int)>& make) {
-    desk.workspace.run(make(*selected(desk).seams.begin()));
+void with_seam(AppState& state, const std::function<Command(int)>& make) {
+    state.workspace.run(make(*selected(state).seams.begin()));
 }
 
-void copy_panels(AppState& desk) {
-    desk.clipboard.clear();
-    for (const sim::Panel& panel : desk.workspace.document->pattern().panels) {
-        if (selected(desk).panels.contains(panel.name)) desk.clipboard.push_back(panel);
+void copy_panels(AppState& state) {
+    state.clipboard.clear();
+    for (const sim::Panel& panel : state.workspace.document->pattern().panels) {
+        if (selected(state).panels.contains(panel.name)) state.clipboard.push_back(panel);
     }
-    desk.workspace.messages.note(std::to_string(desk.clipboard.size()) + " panels copied");
+    state.workspace.messages.note(std::to_string(state.clipboard.size()) + " panels copied");
 }
 
-void paste_panels(AppState& desk) {
-    AddPanels command{.panels = desk.clipboard};
+void paste_panels(AppState& state) {
+    AddPanels command{.panels = state.clipboard};
     for (sim::Panel& panel : command.panels) {
         panel.mirror_of.clear();
         if (panel.sheet_position) *panel.sheet_position += Vec2d(kBeside, -kBeside);
     }
-    desk.workspace.run(command);
+    state.workspace.run(command);
 }
 
-void for_each_panel(AppState& desk, const std::function<Command(const std::string&)>& make) {
-    for (const std::string& name : std::set<std::string>(selected(desk).panels)) {
-        if (!desk.workspace.run(make(name))) return;
+void for_each_panel(AppState& state, const std::function<Command(const std::string&)>& make) {
+    for (const std::string& name : std::set<std::string>(selected(state).panels)) {
+        if (!state.workspace.run(make(name))) return;
     }
 }
 
-void mirror_panels(AppState& desk, const Vec2d& axis) {
-    const SheetBox box = desk.tools.geometry().box_of(selected(desk));
+void mirror_panels(AppState& state, const Vec2d& axis) {
+    const SheetBox box = state.tools.geometry().box_of(selected(state));
     if (box.isEmpty()) return;
-    const Selection& selection = selected(desk);
+    const Selection& selection = selected(state);
     const auto command =
-        transform_selected(desk.tools.geometry(), selection, mirror_over(box.center(), axis), "Mirror");
-    if (command) desk.workspace.run(*command);
+        transform_selected(state.tools.geometry(), selection, mirror_over(box.center(), axis), "Mirror");
+    if (command) state.workspace.run(*command);
 }
 
-bool is_linked(const AppState& desk) {
-    for (const sim::Panel& panel : desk.workspace.document->pattern().panels) {
-        if (selected(desk).panels.contains(panel.name) && !panel.mirror_of.empty()) return true;
-        if (!panel.mirror_of.empty() && selected(desk).panels.contains(panel.mirror_of)) return true;
+bool is_linked(const AppState& state) {
+    for (const sim::Panel& panel : state.workspace.document->pattern().panels) {
+        if (selected(state).panels.contains(panel.name) && !panel.mirror_of.empty()) return true;
+        if (!panel.mirror_of.empty() && selected(state).panels.contains(panel.mirror_of)) return true;
     }
     return false;
 }
@@ -273,16 +274,16 @@ void add_clipboard(std::vector<Action>& actions) {
                        .title = "Paste panels",
                        .chords = {{key_of('V'), {.ctrl = true}}},
                        .run = paste_panels,
-                       .can = [](const AppState& desk) { return !desk.clipboard.empty(); }});
+                       .can = [](const AppState& state) { return !state.clipboard.empty(); }});
     actions.push_back(
         {.id = "edit.duplicate",
          .menu = "Edit",
          .title = "Duplicate panels",
          .chords = {{key_of('D'), {.ctrl = true}}},
          .run =
-             [](AppState& desk) {
-                 const Vec2d shift = beside_selected(desk);
-                 for_each_panel(desk, [&](const std::string& name) -> Command { return DuplicatePanel{name, shift}; });
+             [](AppState& state) {
+                 const Vec2d shift = beside_selected(state);
+                 for_each_panel(state, [&](const std::string& name) -> Command { return DuplicatePanel{name, shift}; });
              },
          .can = has_panels});
 }
@@ -293,9 +294,9 @@ void add_panels(std::vector<Action>& actions) {
                        .title = "Symmetric copy, linked",
                        .tip = "For the body's other side: what is changed on one is changed on both",
                        .run =
-                           [](AppState& desk) {
-                               const Vec2d shift = beside_selected(desk);
-                               for_each_panel(desk, [&](const std::string& name) -> Command {
+                           [](AppState& state) {
+                               const Vec2d shift = beside_selected(state);
+                               for_each_panel(state, [&](const std::string& name) -> Command {
                                    return SymmetricCopy{name, true, shift};
                                });
                            },
@@ -304,8 +305,8 @@ void add_panels(std::vector<Action>& actions) {
                        .menu = "Panel",
                        .title = "Unlink from its mirror image",
                        .run =
-                           [](AppState& desk) {
-                               for_each_panel(desk,
+                           [](AppState& state) {
+                               for_each_panel(state,
                                               [](const std::string& name) -> Command { return UnlinkPanel{name}; });
                            },
                        .can = is_linked});
@@ -313,23 +314,23 @@ void add_panels(std::vector<Action>& actions) {
                        .menu = "Panel",
                        .title = "Mirror left to right",
                        .begins_group = true,
-                       .run = [](AppState& desk) { mirror_panels(desk, Vec2d(0, 1)); },
+                       .run = [](AppState& state) { mirror_panels(state, Vec2d(0, 1)); },
                        .can = has_panels});
     actions.push_back({.id = "panel.mirror_upright",
                        .menu = "Panel",
                        .title = "Mirror top to bottom",
-                       .run = [](AppState& desk) { mirror_panels(desk, Vec2d(1, 0)); },
+                       .run = [](AppState& state) { mirror_panels(state, Vec2d(1, 0)); },
                        .can = has_panels});
     actions.push_back({.id = "panel.unfold",
                        .menu = "Panel",
                        .title = "Unfold over the selected edge",
                        .tip = "What was drawn as a half on the fold is opened",
                        .run =
-                           [](AppState& desk) {
-                               const PartRef edge = *selected(desk).edges.begin();
-                               desk.workspace.run(UnfoldPanel{edge.panel, edge.index});
+                           [](AppState& state) {
+                               const PartRef edge = *selected(state).edges.begin();
+                               state.workspace.run(UnfoldPanel{edge.panel, edge.index});
                            },
-                       .can = [](const AppState& desk) { return selected(desk).edges.size() == 1; }});
+                       .can = [](const AppState& state) { return selected(state).edges.size() == 1; }});
 }
 
 void add_seams(std::vector<Action>& actions) {
@@ -338,7 +339,7 @@ void add_seams(std::vector<Action>& actions) {
                            .menu = "Seam",
                            .title = title,
                            .tip = tip,
-                           .run = [make](AppState& desk) { with_seam(desk, make); },
+                           .run = [make](AppState& state) { with_seam(state, make); },
                            .can = has_one_seam});
     };
     add("seam.reverse", "Reverse", "Sews it the other way round",
@@ -354,22 +355,23 @@ void add_seams(std::vector<Action>& actions) {
                        .menu = "Seam",
                        .title = "Delete",
                        .run =
-                           [](AppState& desk) {
-                               const std::set<int>& seams = selected(desk).seams;
-                               desk.workspace.run(RemoveParts{.seams = {seams.begin(), seams.end()}});
+                           [](AppState& state) {
+                               const std::set<int>& seams = selected(state).seams;
+                               state.workspace.run(RemoveParts{.seams = {seams.begin(), seams.end()}});
                            },
                        .can = has_seams});
-    actions.push_back({.id = "seam.match",
-                       .menu = "Seam",
-                       .title = "Match tartan at seams",
-                       .tip = "Moves the tartan under the panels so that stripes go on; selected seams come first",
-                       .begins_group = true,
-                       .run =
-                           [](AppState& desk) {
-                               const std::set<int>& seams = selected(desk).seams;
-                               desk.workspace.run(MatchSetts{.first_seams = {seams.begin(), seams.end()}});
-                           },
-                       .can = [](const AppState& desk) { return !desk.workspace.document->pattern().seams.empty(); }});
+    actions.push_back(
+        {.id = "seam.match",
+         .menu = "Seam",
+         .title = "Match tartan at seams",
+         .tip = "Moves the tartan under the panels so that stripes go on; selected seams come first",
+         .begins_group = true,
+         .run =
+             [](AppState& state) {
+                 const std::set<int>& seams = selected(state).seams;
+                 state.workspace.run(MatchSetts{.first_seams = {seams.begin(), seams.end()}});
+             },
+         .can = [](const AppState& state) { return !state.workspace.document->pattern().seams.empty(); }});
 }
 
 }  // namespace
@@ -392,8 +394,8 @@ struct ModeAction {
 template <class Of>
 void add_switch(std::vector<Action>& actions, Action action, Of of) {
     action.menu = "View";
-    action.run = [of](AppState& desk) { of(desk) = !of(desk); };
-    action.is_on = [of](const AppState& desk) { return of(desk); };
+    action.run = [of](AppState& state) { of(state) = !of(state); };
+    action.is_on = [of](const AppState& state) { return of(state); };
     actions.push_back(std::move(action));
 }
 
@@ -412,14 +414,14 @@ void add_modes(std::vector<Action>& actions) {
              .menu = "View",
              .title = mode.title,
              .begins_group = mode.mode == render::ShowMode::Tartan,
-             .run = [show = mode.mode](AppState& desk) { desk.workspace.look.show = show; },
-             .is_on = [show = mode.mode](const AppState& desk) { return desk.workspace.look.show == show; }});
+             .run = [show = mode.mode](AppState& state) { state.workspace.look.show = show; },
+             .is_on = [show = mode.mode](const AppState& state) { return state.workspace.look.show == show; }});
     }
 }
 
-void scale_by(AppState& desk, float step) {
+void scale_by(AppState& state, float step) {
     constexpr float kSmallest = 0.75F, kLargest = 2.5F;
-    desk.user_scale = std::clamp(desk.user_scale + step, kSmallest, kLargest);
+    state.user_scale = std::clamp(state.user_scale + step, kSmallest, kLargest);
 }
 
 void add_sizes(std::vector<Action>& actions) {
@@ -429,12 +431,12 @@ void add_sizes(std::vector<Action>& actions) {
                        .title = "Larger interface",
                        .chords = {{key_of('='), {.ctrl = true}}, {Key::KeypadAdd, {.ctrl = true}}},
                        .begins_group = true,
-                       .run = [](AppState& desk) { scale_by(desk, kStep); }});
+                       .run = [](AppState& state) { scale_by(state, kStep); }});
     actions.push_back({.id = "view.smaller",
                        .menu = "View",
                        .title = "Smaller interface",
                        .chords = {{key_of('-'), {.ctrl = true}}, {Key::KeypadSubtract, {.ctrl = true}}},
-                       .run = [](AppState& desk) { scale_by(desk, -kStep); }});
+                       .run = [](AppState& state) { scale_by(state, -kStep); }});
 }
 
 }  // namespace
@@ -442,39 +444,39 @@ void add_sizes(std::vector<Action>& actions) {
 void add_view_actions(std::vector<Action>& actions) {
     add_switch(
         actions, {.id = "view.sheet", .title = "Pattern", .tip = "The 2D view", .chords = {{Key::F3, {}}}},
-        [](auto& desk) -> auto& { return desk.layout.has_sheet; });
+        [](auto& state) -> auto& { return state.layout.has_sheet; });
     add_switch(
         actions, {.id = "view.fitting", .title = "Fitting", .tip = "The 3D view", .chords = {{Key::F4, {}}}},
-        [](auto& desk) -> auto& { return desk.layout.has_viewport; });
+        [](auto& state) -> auto& { return state.layout.has_viewport; });
     add_switch(
         actions, {.id = "view.inspectors", .title = "Inspectors", .chords = {{Key::F5, {}}}},
-        [](auto& desk) -> auto& { return desk.layout.has_inspectors; });
+        [](auto& state) -> auto& { return state.layout.has_inspectors; });
     add_switch(
         actions, {.id = "view.tools", .title = "Tools", .chords = {{Key::F6, {}}}},
-        [](auto& desk) -> auto& { return desk.layout.has_tools; });
+        [](auto& state) -> auto& { return state.layout.has_tools; });
     add_modes(actions);
     add_switch(
         actions, {.id = "view.body", .title = "Body", .begins_group = true},
-        [](auto& desk) -> auto& { return desk.workspace.look.has_body; });
+        [](auto& state) -> auto& { return state.workspace.look.has_body; });
     add_switch(
         actions, {.id = "view.points", .title = "Arrangement points"},
-        [](auto& desk) -> auto& { return desk.workspace.look.has_points; });
+        [](auto& state) -> auto& { return state.workspace.look.has_points; });
     add_switch(
         actions, {.id = "view.threads", .title = "Threads of open seams"},
-        [](auto& desk) -> auto& { return desk.workspace.look.has_threads; });
+        [](auto& state) -> auto& { return state.workspace.look.has_seam_lines; });
     add_switch(
         actions,
         {.id = "view.as_placed",
          .title = "Panels as they are placed",
          .tip = "Before sewing, also while the garment hangs",
          .chords = {{Key::F7, {}}}},
-        [](auto& desk) -> auto& { return desk.workspace.look.as_placed; });
+        [](auto& state) -> auto& { return state.workspace.look.as_placed; });
     add_switch(
         actions, {.id = "view.own_axes", .title = "Move panels along their own axes", .tip = "Else along the room's"},
-        [](auto& desk) -> auto& { return desk.workspace.look.own_axes; });
+        [](auto& state) -> auto& { return state.workspace.look.own_axes; });
     add_switch(
         actions, {.id = "view.snap", .title = "Snap to grid and points", .begins_group = true},
-        [](auto& desk) -> auto& { return desk.tools.is_snapping; });
+        [](auto& state) -> auto& { return state.tools.is_snapping; });
     add_sizes(actions);
 }
 

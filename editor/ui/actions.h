@@ -12,7 +12,7 @@ std::vector<Action> make_actions();
 std::vector<std::string> menu_names();
 
 // Runs the action if it is enabled. Returns false if it is not.
-bool run_action(AppState& desk, const Action& action);
+bool run_action(AppState& state, const Action& action);
 
 // Actions on the selected panels, points and seams.
 

@@ -42,7 +42,7 @@ struct WindowLayout {
 };
 
 // What the 3D view shows, for export.
-struct ShownFitting {
+struct ShownViewport {
     std::shared_ptr<const render::Scene> scene{};  // null: nothing
     render::Camera camera{};
     render::Light light{};
@@ -63,7 +63,7 @@ struct AppState {
     std::deque<Question> questions;
     std::vector<sim::Panel> clipboard;
     WidgetMap widgets;
-    ShownFitting fitting;
+    ShownViewport fitting;
     FocusedView focused = FocusedView::Sheet;
     bool shows_start_page = true;
     bool wants_to_close = false;
@@ -72,6 +72,6 @@ struct AppState {
 };
 
 // Starts a new journal that records the document's changes from now on.
-void begin_journal(AppState& desk);
+void begin_journal(AppState& state);
 
 }  // namespace selvedge::editor

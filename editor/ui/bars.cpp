@@ -18,24 +18,24 @@
 namespace selvedge::editor {
 namespace {
 
-void show_recent_files(AppState& desk) {
-    const std::vector<std::string> files = desk.services.recent_files();
+void show_recent_files(AppState& state) {
+    const std::vector<std::string> files = state.services.recent_files();
     if (!ImGui::BeginMenu("Open recent", !files.empty())) return;
     for (const std::string& file : files) {
-        if (ImGui::MenuItem(file.c_str())) open_file(desk, file);
+        if (ImGui::MenuItem(file.c_str())) open_file(state, file);
     }
     ImGui::EndMenu();
 }
 
-void show_action(AppState& desk, const Action& action) {
+void show_action(AppState& state, const Action& action) {
     if (action.begins_group) ImGui::Separator();
-    const bool is_on = action.is_on && action.is_on(desk);
-    const bool can = !action.can || action.can(desk);
+    const bool is_on = action.is_on && action.is_on(state);
+    const bool can = !action.can || action.can(state);
     const std::string keys = chord_text(action);
-    if (ImGui::MenuItem(action.title.c_str(), keys.c_str(), is_on, can)) run_action(desk, action);
-    note_widget(desk.widgets, "menu." + action.id);
+    if (ImGui::MenuItem(action.title.c_str(), keys.c_str(), is_on, can)) run_action(state, action);
+    note_widget(state.widgets, "menu." + action.id);
     tip(action.tip);
-    if (action.id == "file.open") show_recent_files(desk);
+    if (action.id == "file.open") show_recent_files(state);
 }
 
 std::string drape_words(const sim::SessionFrame& frame) {
@@ -54,15 +54,15 @@ void show_line(const sim::Rgb8& colour, const std::string& words, float width) {
 }
 
 // Shows the message, or the tool's hint, on one line of `width` px.
-void show_message(AppState& desk, float width) {
-    const Messages& messages = desk.workspace.messages;
+void show_message(AppState& state, float width) {
+    const Messages& messages = state.workspace.messages;
     if (const Message* message = messages.shown()) {
-        const sim::Rgb8& colour = message->kind == MessageKind::Error     ? desk.theme.error
-                                  : message->kind == MessageKind::Warning ? desk.theme.warning
-                                                                          : desk.theme.ink;
+        const sim::Rgb8& colour = message->kind == MessageKind::Error     ? state.theme.error
+                                  : message->kind == MessageKind::Warning ? state.theme.warning
+                                                                          : state.theme.ink;
         return show_line(colour, message->words, width);
     }
-    show_line(desk.theme.faint, desk.tools.hint(tool_host_context(desk.workspace)), width);
+    show_line(state.theme.faint, state.tools.hint(tool_host_context(state.workspace)), width);
 }
 
 // px left for the question's text beside its answers.
@@ -91,48 +91,48 @@ ToolGrid tool_grid(float height) {
     return grid;
 }
 
-void show_icon(AppState& desk, const char* action, const char* icon, float side_px) {
-    const Action* found = find_action(desk.actions, action);
-    if (found != nullptr) icon_button(desk, *found, icon, side_px);
+void show_icon(AppState& state, const char* action, const char* icon, float side_px) {
+    const Action* found = find_action(state.actions, action);
+    if (found != nullptr) icon_button(state, *found, icon, side_px);
 }
 
 }  // namespace
 
-void show_menu_bar(AppState& desk) {
+void show_menu_bar(AppState& state) {
     if (!ImGui::BeginMainMenuBar()) return;
     for (const std::string& menu : menu_names()) {
         const bool is_open = ImGui::BeginMenu(menu.c_str());
-        note_widget(desk.widgets, "menu." + menu);
+        note_widget(state.widgets, "menu." + menu);
         if (!is_open) continue;
-        for (const Action& action : desk.actions) {
-            if (action.menu == menu) show_action(desk, action);
+        for (const Action& action : state.actions) {
+            if (action.menu == menu) show_action(state, action);
         }
         ImGui::EndMenu();
     }
     const std::string name =
-        document_name(desk) + (desk.workspace.document->has_unsaved_changes() ? "  (unsaved)" : "");
+        document_name(state) + (state.workspace.document->has_unsaved_changes() ? "  (unsaved)" : "");
     const float room = ImGui::GetWindowWidth() - ImGui::GetCursorPosX() - 3 * ImGui::GetFontSize();
     const std::string shown = elided(name, std::max(0.0F, room), Elide::Middle);
     ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::CalcTextSize(shown.c_str()).x - ImGui::GetFontSize());
     ImGui::TextDisabled("%s", shown.c_str());
-    tip_of_whole(desk.workspace.file.empty() ? shown : desk.workspace.file, shown);
+    tip_of_whole(state.workspace.file.empty() ? shown : state.workspace.file, shown);
     ImGui::EndMainMenuBar();
 }
 
-float show_question(AppState& desk) {
-    if (desk.questions.empty()) return 0;
+float show_question(AppState& state) {
+    if (state.questions.empty()) return 0;
     const float top = ImGui::GetFrameHeight();
     const float height = 2 * ImGui::GetFrameHeight();
     ImGui::SetNextWindowPos({0, top});
     ImGui::SetNextWindowSize({ImGui::GetIO().DisplaySize.x, height});
-    const sim::Rgb8& tint = desk.theme.warning;
+    const sim::Rgb8& tint = state.theme.warning;
     ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(0xFB, 0xF1, 0xDC, 255));
     ImGui::PushStyleColor(ImGuiCol_Border, IM_COL32(tint[0], tint[1], tint[2], 120));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
     ImGui::Begin("##question", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoFocusOnAppearing);
-    const Question question = desk.questions.front();  // a copy: an answer may ask another question
+    const Question question = state.questions.front();  // a copy: an answer may ask another question
     ImGui::AlignTextToFramePadding();
     const std::string shown = elided(question.words, width_beside(question), Elide::Middle);
     ImGui::TextUnformatted(shown.c_str());
@@ -140,14 +140,14 @@ float show_question(AppState& desk) {
     const Question::Answer* given = nullptr;
     for (const Question::Answer& answer : question.answers) {
         ImGui::SameLine();
-        if (button(desk, "answer." + answer.label, answer.label)) given = &answer;
+        if (button(state, "answer." + answer.label, answer.label)) given = &answer;
     }
     ImGui::End();
     ImGui::PopStyleVar();
     ImGui::PopStyleColor(2);
     if (given != nullptr) {
-        desk.questions.pop_front();
-        given->run(desk);
+        state.questions.pop_front();
+        given->run(state);
     }
     return height;
 }
@@ -157,37 +157,37 @@ float tool_bar_width(float height) {
     return 2 * grid.edge + static_cast<float>(grid.columns) * grid.side;
 }
 
-void show_tool_bar(AppState& desk) {
+void show_tool_bar(AppState& state) {
     const ToolGrid grid = tool_grid(ImGui::GetWindowHeight());
     int column = 0;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 1});
     for (const ToolInfo& tool : all_tools()) {
         const std::string id(tool.id);
         if (column > 0) ImGui::SameLine();
-        show_icon(desk, ("tool." + id).c_str(), id.c_str(), grid.side);
+        show_icon(state, ("tool." + id).c_str(), id.c_str(), grid.side);
         column = (column + 1) % grid.columns;
     }
     ImGui::PopStyleVar();
 }
 
-void show_viewport_bar(AppState& desk) {
+void show_viewport_bar(AppState& state) {
     const float side = ImGui::GetFrameHeight();
-    const bool is_running = desk.workspace.drape.frame()->is_running;
-    show_icon(desk, "simulate.run", is_running ? "pause" : "play", side);
+    const bool is_running = state.workspace.drape.frame()->is_running;
+    show_icon(state, "simulate.run", is_running ? "pause" : "play", side);
     ImGui::SameLine();
-    show_icon(desk, "simulate.reset", "reset", side);
+    show_icon(state, "simulate.reset", "reset", side);
     ImGui::SameLine(0, ImGui::GetFontSize());
     const float switches = 3 * (side + ImGui::GetStyle().ItemSpacing.x);
     const float room = ImGui::GetContentRegionAvail().x - switches;
     ImGui::SetNextItemWidth(std::clamp(room, 3 * ImGui::GetFontSize(), 10 * ImGui::GetFontSize()));
     const Action* shown = nullptr;
-    for (const Action& action : desk.actions) {
-        if (action.id.starts_with("view.") && action.title.starts_with("Show ") && action.is_on(desk)) shown = &action;
+    for (const Action& action : state.actions) {
+        if (action.id.starts_with("view.") && action.title.starts_with("Show ") && action.is_on(state)) shown = &action;
     }
     if (ImGui::BeginCombo("##show", shown == nullptr ? "" : shown->title.c_str() + 5)) {
-        for (const Action& action : desk.actions) {
+        for (const Action& action : state.actions) {
             if (!action.title.starts_with("Show ")) continue;
-            if (ImGui::Selectable(action.title.c_str() + 5, &action == shown)) run_action(desk, action);
+            if (ImGui::Selectable(action.title.c_str() + 5, &action == shown)) run_action(state, action);
         }
         ImGui::EndCombo();
     }
@@ -195,20 +195,20 @@ void show_viewport_bar(AppState& desk) {
     for (const auto& [action, icon] :
          {std::pair("view.body", "body"), std::pair("view.threads", "threads"), std::pair("view.points", "points")}) {
         ImGui::SameLine();
-        show_icon(desk, action, icon, side);
+        show_icon(state, action, icon, side);
     }
 }
 
-void show_status_bar(AppState& desk) {
-    const std::shared_ptr<const sim::SessionFrame> frame = desk.workspace.drape.frame();
+void show_status_bar(AppState& state) {
+    const std::shared_ptr<const sim::SessionFrame> frame = state.workspace.drape.frame();
     const std::string figures = drape_words(*frame);
     const float width = ImGui::CalcTextSize(figures.c_str()).x + ImGui::GetFontSize();
-    show_message(desk, ImGui::GetContentRegionAvail().x - width);
+    show_message(state, ImGui::GetContentRegionAvail().x - width);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - width + ImGui::GetFontSize());
     if (frame->problem.empty()) {
         ImGui::TextDisabled("%s", figures.c_str());
     } else {
-        coloured_text(desk.theme.error, figures);
+        coloured_text(state.theme.error, figures);
         tip(frame->problem);
     }
 }
@@ -219,9 +219,9 @@ constexpr const char* kName = "##sheet_menu";
 constexpr std::array<std::string_view, 3> kMenus{"Edit", "Panel", "Seam"};
 
 // A right click on an unselected object selects it. A seam has priority over the edge that it lies on.
-void select_under_cursor(AppState& desk) {
-    const Hover& hover = desk.workspace.hover;
-    const Selection& selected = desk.workspace.document->selection();
+void select_under_cursor(AppState& state) {
+    const Hover& hover = state.workspace.hover;
+    const Selection& selected = state.workspace.document->selection();
     Selection wanted;
     if (hover.seam && !selected.seams.contains(*hover.seam)) {
         wanted.seams.insert(*hover.seam);
@@ -231,32 +231,32 @@ void select_under_cursor(AppState& desk) {
     } else {
         return;
     }
-    desk.workspace.document->select(wanted);
+    state.workspace.document->select(wanted);
 }
 
-void show_entry(AppState& desk, const Action& action) {
-    if (ImGui::MenuItem(action.title.c_str(), chord_text(action).c_str())) run_action(desk, action);
-    note_widget(desk.widgets, "sheet_menu." + action.id);
+void show_entry(AppState& state, const Action& action) {
+    if (ImGui::MenuItem(action.title.c_str(), chord_text(action).c_str())) run_action(state, action);
+    note_widget(state.widgets, "sheet_menu." + action.id);
     tip(action.tip);
 }
 
 }  // namespace
 
-void open_sheet_menu(AppState& desk) {
-    select_under_cursor(desk);
+void open_sheet_menu(AppState& state) {
+    select_under_cursor(state);
     ImGui::OpenPopup(kName);
 }
 
-void show_sheet_menu(AppState& desk) {
+void show_sheet_menu(AppState& state) {
     if (!ImGui::BeginPopup(kName)) return;
     bool has_group = false;
     for (const std::string_view menu : kMenus) {
         bool has_any = false;
-        for (const Action& action : desk.actions) {
-            if (action.menu != menu || (action.can && !action.can(desk))) continue;
+        for (const Action& action : state.actions) {
+            if (action.menu != menu || (action.can && !action.can(state))) continue;
             if (!has_any && has_group) ImGui::Separator();
             has_any = true;
-            show_entry(desk, action);
+            show_entry(state, action);
         }
         has_group = has_group || has_any;
     }
@@ -274,33 +274,33 @@ constexpr std::array<std::pair<const char*, const char*>, 8> kKeys{{{"Space", "s
                                                                     {"Ctrl+Z", "undo, also while it drapes"},
                                                                     {"Ctrl+K", "find any action by its name"}}};
 
-void show_examples(AppState& desk) {
+void show_examples(AppState& state) {
     const float unit = ImGui::GetFontSize();
-    for (const Example& example : desk.services.examples) {
-        if (button(desk, "example." + example.title, example.title)) open_example(desk, example);
+    for (const Example& example : state.services.examples) {
+        if (button(state, "example." + example.title, example.title)) open_example(state, example);
         ImGui::SameLine(9 * unit);
         ImGui::TextWrapped("%s", example.what.c_str());
     }
 }
 
-void show_recent(AppState& desk) {
-    const std::vector<std::string> files = desk.services.recent_files();
+void show_recent(AppState& state) {
+    const std::vector<std::string> files = state.services.recent_files();
     if (files.empty()) return;
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.5F});
-    ImGui::PushFont(desk.fonts.bold);
+    ImGui::PushFont(state.fonts.bold);
     ImGui::TextUnformatted("Go on with");
     ImGui::PopFont();
     constexpr std::size_t kMost = 5;
     for (std::size_t i = 0; i < std::min(kMost, files.size()); ++i) {
         const std::string shown = elided(files[i], ImGui::GetContentRegionAvail().x, Elide::Middle);
-        if (ImGui::Selectable((shown + "##" + std::to_string(i)).c_str())) open_file(desk, files[i]);
+        if (ImGui::Selectable((shown + "##" + std::to_string(i)).c_str())) open_file(state, files[i]);
         tip_of_whole(files[i], shown);
     }
 }
 
-void show_keys(AppState& desk) {
+void show_keys(AppState& state) {
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.5F});
-    ImGui::PushFont(desk.fonts.bold);
+    ImGui::PushFont(state.fonts.bold);
     ImGui::TextUnformatted("Keys");
     ImGui::PopFont();
     for (const auto& [key, what] : kKeys) {
@@ -312,9 +312,9 @@ void show_keys(AppState& desk) {
 
 }  // namespace
 
-void show_start_page(AppState& desk) {
-    if (desk.tools.kind() != ToolKind::Select) desk.shows_start_page = false;  // the user has started to work
-    if (!desk.shows_start_page || desk.browser.is_open()) return;
+void show_start_page(AppState& state) {
+    if (state.tools.kind() != ToolKind::Select) state.shows_start_page = false;  // the user has started to work
+    if (!state.shows_start_page || state.browser.is_open()) return;
     const float unit = ImGui::GetFontSize();
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float width = std::min(38 * unit, display.x - 2 * unit);
@@ -324,23 +324,23 @@ void show_start_page(AppState& desk) {
                             ImGuiWindowFlags_NoFocusOnAppearing;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {1.6F * unit, 1.4F * unit});
     if (ImGui::Begin("##start", nullptr, kFlags)) {
-        ImGui::PushFont(desk.fonts.large);
+        ImGui::PushFont(state.fonts.large);
         ImGui::TextUnformatted("Selvedge");
         ImGui::PopFont();
         ImGui::TextDisabled("Draw panels, sew them, put them on a body, let them fall.");
         ImGui::Dummy({0, unit * 0.5F});
-        ImGui::PushFont(desk.fonts.bold);
+        ImGui::PushFont(state.fonts.bold);
         ImGui::TextUnformatted("Begin with");
         ImGui::PopFont();
-        if (button(desk, "start.empty", "Empty sheet")) desk.shows_start_page = false;
+        if (button(state, "start.empty", "Empty sheet")) state.shows_start_page = false;
         ImGui::SameLine();
-        if (button(desk, "start.open", "Open a file...")) browse_to_open(desk);
-        show_examples(desk);
-        show_recent(desk);
-        show_keys(desk);
+        if (button(state, "start.open", "Open a file...")) browse_to_open(state);
+        show_examples(state);
+        show_recent(state);
+        show_keys(state);
         const bool is_over = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
         const bool is_left = !ImGui::IsWindowAppearing() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !is_over;
-        if (is_left || ImGui::IsKeyPressed(static_cast<int>(Key::Escape), false)) desk.shows_start_page = false;
+        if (is_left || ImGui::IsKeyPressed(static_cast<int>(Key::Escape), false)) state.shows_start_page = false;
     }
     ImGui::End();
     ImGui::PopStyleVar();

@@ -6,34 +6,34 @@ namespace selvedge::editor {
 
 struct AppState;
 
-void show_menu_bar(AppState& desk);
+void show_menu_bar(AppState& state);
 
 // Shows the first open question. Returns the height of the bar, px; 0: there is no question.
-float show_question(AppState& desk);
+float show_question(AppState& state);
 
 // The width of the tool bar at this height, px. It has several columns if the tools do not fit in one.
 float tool_bar_width(float height);
 
-void show_tool_bar(AppState& desk);
-void show_status_bar(AppState& desk);
+void show_tool_bar(AppState& state);
+void show_status_bar(AppState& state);
 
 // Above the 3D view: start, reset, show modes.
-void show_viewport_bar(AppState& desk);
+void show_viewport_bar(AppState& state);
 
 // The context menu of the sheet: the actions that apply to the selection.
 
 struct AppState;
 
 // Opens the menu at the cursor. Selects what is under the cursor first, unless it is already selected.
-void open_sheet_menu(AppState& desk);
+void open_sheet_menu(AppState& state);
 
 // Call each frame: shows the menu while it is open.
-void show_sheet_menu(AppState& desk);
+void show_sheet_menu(AppState& state);
 
 // The start page: three examples, the recent files, the most important keys.
 
 struct AppState;
 
-void show_start_page(AppState& desk);
+void show_start_page(AppState& state);
 
 }  // namespace selvedge::editor

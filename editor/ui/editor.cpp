@@ -67,11 +67,11 @@ bool begin_region(const char* name, const Rectangle& where, const ImVec2& paddin
 }
 
 // A thin vertical bar between two regions that can be dragged. Returns the drag distance, px.
-float splitter(AppState& desk, const char* name, float x, const Rectangle& beside, FrameOutput& output) {
+float splitter(AppState& state, const char* name, float x, const Rectangle& beside, FrameOutput& output) {
     const float half = 0.25F * ImGui::GetFontSize();
     begin_region(name, {{x - half, beside.low.y}, {2 * half, beside.size.y}}, {0, 0}, ImGuiWindowFlags_NoBackground);
     ImGui::InvisibleButton("##grip", {2 * half, beside.size.y});
-    note_widget(desk.widgets, name);
+    note_widget(state.widgets, name);
     const bool is_held = ImGui::IsItemActive();
     const bool is_lit = is_held || ImGui::IsItemHovered();
     if (is_lit) {
@@ -102,7 +102,7 @@ AppState::AppState(Services given, sim::SessionDrive drive)
 
 struct Editor::Impl {
     Impl(Services services, EditorOptions given)
-        : options(std::move(given)), desk(std::move(services), options.drive), context(ImGui::CreateContext()) {
+        : options(std::move(given)), state(std::move(services), options.drive), context(ImGui::CreateContext()) {
         ImGuiIO& io = ImGui::GetIO();
         io.IniFilename = nullptr;
         io.LogFilename = nullptr;
@@ -110,8 +110,8 @@ struct Editor::Impl {
         io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
         io.ConfigInputTextCursorBlink = !options.is_steady;
         UiInput::map_keys(io);
-        begin_journal(desk);
-        offer_recovery(desk);
+        begin_journal(state);
+        offer_recovery(state);
     }
     ~Impl() { ImGui::DestroyContext(context); }
 
@@ -126,7 +126,7 @@ struct Editor::Impl {
     InspectorContext inspector_context();
 
     EditorOptions options;
-    AppState desk;
+    AppState state;
     ImGuiContext* context;
     UiInput input;
     SheetView sheet;
@@ -147,27 +147,27 @@ void Editor::Impl::set_size(const FrameSize& size, double seconds) {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(size.width_px), static_cast<float>(size.height_px)};
     io.DeltaTime = std::max(1e-4F, static_cast<float>(seconds));
-    const float wanted = size.scale * desk.user_scale;
+    const float wanted = size.scale * state.user_scale;
     if (wanted == scale) return;
     scale = wanted;
-    desk.fonts = load_fonts(options.fonts, desk.theme, scale);
-    apply_theme(desk.theme, scale);
+    state.fonts = load_fonts(options.fonts, state.theme, scale);
+    apply_theme(state.theme, scale);
     io.Fonts->Build();
-    for (ImFont* font : {desk.fonts.regular, desk.fonts.bold}) make_digits_tabular(*font);
+    for (ImFont* font : {state.fonts.regular, state.fonts.bold}) make_digits_tabular(*font);
 }
 
 void Editor::Impl::take_other_events(const std::vector<InputEvent>& events) {
     for (const InputEvent& event : events) {
-        if (event.kind == InputEvent::Kind::CloseRequest) close(desk);
-        for (const std::string& file : event.files) take_dropped_file(desk, file);
+        if (event.kind == InputEvent::Kind::CloseRequest) close(state);
+        for (const std::string& file : event.files) take_dropped_file(state, file);
     }
 }
 
 // A key without Ctrl or Alt goes to an active text field.
 void Editor::Impl::run_keys() {
-    if (desk.finder.is_open()) return;
+    if (state.finder.is_open()) return;
     const bool is_typing = ImGui::GetIO().WantTextInput;
-    for (const Action& action : desk.actions) {
+    for (const Action& action : state.actions) {
         for (const Chord& chord : action.chords) {
             const bool is_plain = !chord.modifiers.ctrl && !chord.modifiers.alt && chord.key < Key::F1;
             if (is_typing && (is_plain || chord.key == key_of('C') || chord.key == key_of('V') ||
@@ -175,41 +175,41 @@ void Editor::Impl::run_keys() {
                 continue;
             }
             const bool is_used = std::find(used_keys.begin(), used_keys.end(), chord.key) != used_keys.end();
-            if (!is_used && is_pressed(chord)) run_action(desk, action);
+            if (!is_used && is_pressed(chord)) run_action(state, action);
         }
     }
     if (is_typing || !is_pressed({Key::Escape, {}})) return;
-    desk.workspace.messages.dismiss();
-    desk.shows_start_page = false;
+    state.workspace.messages.dismiss();
+    state.shows_start_page = false;
 }
 
 void Editor::Impl::show_sheet(const Rectangle& where) {
     begin_region("##sheet", where, {0, 0});
-    SheetContext sheet_context{.desk = tool_host_context(desk.workspace),
-                               .tools = desk.tools,
+    SheetContext sheet_context{.host = tool_host_context(state.workspace),
+                               .tools = state.tools,
                                .output = output,
                                .first_texture = kSheetTexture,
                                .ui_scale = static_cast<double>(scale),
-                               .takes_keys = !desk.finder.is_open() && !desk.browser.is_open()};
-    const SheetAnswer answer = sheet.show(sheet_context);
+                               .takes_keys = !state.finder.is_open() && !state.browser.is_open()};
+    const SheetResult answer = sheet.show(sheet_context);
     used_keys.insert(used_keys.end(), answer.used_keys.begin(), answer.used_keys.end());
-    if (answer.wants_menu) open_sheet_menu(desk);
-    show_sheet_menu(desk);
+    if (answer.wants_menu) open_sheet_menu(state);
+    show_sheet_menu(state);
     ImGui::End();
 }
 
 InspectorContext Editor::Impl::inspector_context() {
-    return {.workspace = desk.workspace,
+    return {.workspace = state.workspace,
             .output = output,
             .state = inspectors,
-            .theme = desk.theme,
-            .fonts = &desk.fonts,
-            .widgets = &desk.widgets,
+            .theme = state.theme,
+            .fonts = &state.fonts,
+            .widgets = &state.widgets,
             .take_texture = [this] { return next_texture++; },
-            .open_body = [this] { browse_for_body(desk); },
+            .open_body = [this] { browse_for_body(state); },
             .key_of =
                 [this](std::string_view id) {
-                    const Action* action = find_action(desk.actions, id);
+                    const Action* action = find_action(state.actions, id);
                     return action == nullptr ? std::string() : chord_text(*action);
                 }};
 }
@@ -218,18 +218,18 @@ void Editor::Impl::show_viewport(const Rectangle& where, double seconds) {
     const float unit = ImGui::GetFontSize();
     const float bar = ImGui::GetFrameHeight() + 0.6F * unit;
     begin_region("##fitting_bar", {where.low, {where.size.x, bar}}, {0.5F * unit, 0.3F * unit});
-    show_viewport_bar(desk);
+    show_viewport_bar(state);
     ImGui::End();
     begin_region("##fitting", {{where.low.x, where.low.y + bar}, {where.size.x, where.size.y - bar}}, {0, 0});
-    fitting.show({.workspace = desk.workspace,
+    fitting.show({.workspace = state.workspace,
                   .output = output,
                   .texture = kFittingTexture,
                   .legend = kLegendTexture,
                   .seconds = static_cast<float>(seconds),
                   .scale = scale,
-                  .choice = picks_parts(desk.tools.kind()) ? ClothChoice::Parts : ClothChoice::Panels});
+                  .choice = picks_parts(state.tools.kind()) ? ClothChoice::Parts : ClothChoice::Panels});
     ImGui::End();
-    desk.fitting = {.scene = fitting.scene(), .camera = fitting.camera(), .light = fitting.light()};
+    state.fitting = {.scene = fitting.scene(), .camera = fitting.camera(), .light = fitting.light()};
 }
 
 void Editor::Impl::show_inspectors(const Rectangle& where) {
@@ -249,9 +249,9 @@ void Editor::Impl::show_inspectors(const Rectangle& where) {
     if (has_tabs) {
         for (const auto& [title, tab] : tabs) {
             const bool is_open = ImGui::BeginTabItem(title);
-            note_widget(desk.widgets, std::string("tab.") + title);
+            note_widget(state.widgets, std::string("tab.") + title);
             if (!is_open) continue;
-            desk.layout.tab = tab;
+            state.layout.tab = tab;
             ImGui::EndTabItem();
         }
         ImGui::EndTabBar();
@@ -259,38 +259,39 @@ void Editor::Impl::show_inspectors(const Rectangle& where) {
     ImGui::PopStyleVar(2);
     ImGui::BeginChild("##box");
     InspectorContext box = inspector_context();
-    draws[static_cast<std::size_t>(desk.layout.tab)](box);
+    draws[static_cast<std::size_t>(state.layout.tab)](box);
     ImGui::EndChild();
     ImGui::End();
 }
 
 // Call before the views: of windows with a fixed order, ImGui draws the later ones below.
 void Editor::Impl::show_splitters(const Regions& regions) {
-    if (desk.layout.has_sheet && desk.layout.has_viewport) {
+    if (state.layout.has_sheet && state.layout.has_viewport) {
         const float views = regions.sheet.size.x + regions.fitting.size.x;
-        const float by = splitter(desk, "splitter.views", regions.fitting.low.x, regions.fitting, output);
-        desk.layout.sheet_share = std::clamp(desk.layout.sheet_share + by / views, 0.15F, 0.85F);
+        const float by = splitter(state, "splitter.views", regions.fitting.low.x, regions.fitting, output);
+        state.layout.sheet_share = std::clamp(state.layout.sheet_share + by / views, 0.15F, 0.85F);
     }
-    if (desk.layout.has_inspectors) {
-        const float by = splitter(desk, "splitter.inspectors", regions.inspectors.low.x, regions.inspectors, output);
-        desk.layout.inspector_width = std::clamp(desk.layout.inspector_width - by / ImGui::GetFontSize(), 17.5F, 40.0F);
+    if (state.layout.has_inspectors) {
+        const float by = splitter(state, "splitter.inspectors", regions.inspectors.low.x, regions.inspectors, output);
+        state.layout.inspector_width =
+            std::clamp(state.layout.inspector_width - by / ImGui::GetFontSize(), 17.5F, 40.0F);
     }
 }
 
 void Editor::Impl::show_views(double seconds) {
     const float unit = ImGui::GetFontSize();
-    const Regions regions = share_out(desk.layout, show_question(desk));
-    if (desk.layout.has_tools) {
+    const Regions regions = share_out(state.layout, show_question(state));
+    if (state.layout.has_tools) {
         begin_region("##tools", regions.tools, {std::round(0.2F * unit), 0.3F * unit});
-        show_tool_bar(desk);
+        show_tool_bar(state);
         ImGui::End();
     }
     show_splitters(regions);
-    if (desk.layout.has_sheet) show_sheet(regions.sheet);
-    if (desk.layout.has_viewport) show_viewport(regions.fitting, seconds);
-    if (desk.layout.has_inspectors) show_inspectors(regions.inspectors);
+    if (state.layout.has_sheet) show_sheet(regions.sheet);
+    if (state.layout.has_viewport) show_viewport(regions.fitting, seconds);
+    if (state.layout.has_inspectors) show_inspectors(regions.inspectors);
     begin_region("##status", regions.status, {0.6F * unit, 0.25F * unit});
-    show_status_bar(desk);
+    show_status_bar(state);
     ImGui::End();
 }
 
@@ -300,36 +301,36 @@ Editor::~Editor() = default;
 
 FrameOutput Editor::frame(const std::vector<InputEvent>& events, const FrameSize& size, double seconds) {
     Impl& impl = *impl_;
-    AppState& desk = impl.desk;
+    AppState& state = impl.state;
     ImGui::SetCurrentContext(impl.context);
     impl.output = {};
     impl.used_keys.clear();
-    desk.widgets.clear();
+    state.widgets.clear();
     impl.set_size(size, seconds);
     impl.input.add(events);
     const std::vector<InputEvent> others = impl.input.begin_frame(ImGui::GetIO());
     ImGui::NewFrame();
     impl.take_other_events(others);
-    desk.workspace.drape.follow(*desk.workspace.document, desk.workspace.messages);
-    impl.message_clock.follow(desk.workspace.messages, seconds);
-    if (impl.shown_document != desk.documents_opened) {
-        impl.shown_document = desk.documents_opened;
+    state.workspace.drape.follow(*state.workspace.document, state.workspace.messages);
+    impl.message_clock.follow(state.workspace.messages, seconds);
+    if (impl.shown_document != state.documents_opened) {
+        impl.shown_document = state.documents_opened;
         impl.sheet.frame_all();
     }
     InspectorContext box = impl.inspector_context();
     update_inspectors(box);
-    show_menu_bar(desk);
+    show_menu_bar(state);
     impl.show_views(seconds);
-    show_start_page(desk);
-    desk.browser.show(desk);
-    desk.finder.show(desk);
+    show_start_page(state);
+    state.browser.show(state);
+    state.finder.show(state);
     impl.run_keys();
     ImGui::Render();
     impl.output.window_title =
-        document_name(desk) + (desk.workspace.document->has_unsaved_changes() ? "* - Selvedge" : " - Selvedge");
-    impl.output.wants_to_close = desk.wants_to_close;
+        document_name(state) + (state.workspace.document->has_unsaved_changes() ? "* - Selvedge" : " - Selvedge");
+    impl.output.wants_to_close = state.wants_to_close;
     impl.output.is_animating =
-        impl.input.has_more() || desk.workspace.drape.frame()->is_running || desk.workspace.drape.is_making_body();
+        impl.input.has_more() || state.workspace.drape.frame()->is_running || state.workspace.drape.is_making_body();
     return std::move(impl.output);
 }
 
@@ -346,19 +347,19 @@ void Editor::set_clipboard(Clipboard clipboard) {
     io.SetClipboardTextFn = [](void* user, const char* text) { static_cast<Impl*>(user)->clipboard.set(text); };
 }
 
-AppState& Editor::desk() {
-    return impl_->desk;
+AppState& Editor::state() {
+    return impl_->state;
 }
-const AppState& Editor::desk() const {
-    return impl_->desk;
+const AppState& Editor::state() const {
+    return impl_->state;
 }
 
 Vec2d Editor::sheet_to_px(const Vec2d& sheet) const {
     return to_px(impl_->sheet.camera(), sheet);
 }
 
-std::optional<Vec2d> Editor::room_to_px(const Vec3d& point) const {
-    const auto px = impl_->fitting.room_to_px(point.cast<float>());
+std::optional<Vec2d> Editor::world_to_px(const Vec3d& point) const {
+    const auto px = impl_->fitting.world_to_px(point.cast<float>());
     return px ? std::optional<Vec2d>(px->cast<double>()) : std::nullopt;
 }
 

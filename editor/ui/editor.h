@@ -46,13 +46,13 @@ class Editor {
     };
     void set_clipboard(Clipboard clipboard);
 
-    AppState& desk();
-    const AppState& desk() const;
+    AppState& state();
+    const AppState& state() const;
 
     // Projects a point of the sheet (m) to px of the window.
     Vec2d sheet_to_px(const Vec2d& sheet) const;
     // Projects a 3D point (m) to px of the window, in the 3D view; none: behind the eye.
-    std::optional<Vec2d> room_to_px(const Vec3d& point) const;
+    std::optional<Vec2d> world_to_px(const Vec3d& point) const;
 
     // Whether events are queued for the next frames.
     bool has_more_input() const;

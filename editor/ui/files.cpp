@@ -17,87 +17,88 @@ std::string name_in_folder(const std::string& file) {
     return file.substr(file.find_last_of('/') + 1);
 }
 
-void say_error(AppState& desk, const sim::InputError& error) {
-    desk.workspace.messages.say({.kind = MessageKind::Error, .words = error.what(), .places = {}});
+void say_error(AppState& state, const sim::InputError& error) {
+    state.workspace.messages.say({.kind = MessageKind::Error, .words = error.what(), .places = {}});
 }
 
 // Runs a function that may throw InputError. Returns false if it did; the error is then shown.
 template <class Function>
-bool try_to(AppState& desk, Function&& function) {
+bool try_to(AppState& state, Function&& function) {
     try {
         function();
         return true;
     } catch (const sim::InputError& error) {
-        say_error(desk, error);
+        say_error(state, error);
         return false;
     }
 }
 
-void show_document(AppState& desk, sim::PatternDocument source, const std::string& file) {
+void show_document(AppState& state, sim::PatternDocument source, const std::string& file) {
     auto document = std::make_unique<Document>(std::move(source));
-    document->replace_panel(*desk.workspace.document);
-    desk.workspace.document = std::move(document);
-    desk.workspace.file = file;
-    desk.workspace.drape.begin_document();
-    desk.tools.choose(tool_host_context(desk.workspace), ToolKind::Select);
-    desk.shows_start_page = false;
-    ++desk.documents_opened;
-    begin_journal(desk);
+    document->replace_panel(*state.workspace.document);
+    state.workspace.document = std::move(document);
+    state.workspace.file = file;
+    state.workspace.drape.begin_document();
+    state.tools.choose(tool_host_context(state.workspace), ToolKind::Select);
+    state.shows_start_page = false;
+    ++state.documents_opened;
+    begin_journal(state);
 }
 
 // Runs `go_on` at once if there are no unsaved changes.
-void after_asking(AppState& desk, std::function<void(AppState&)> go_on) {
-    if (!desk.workspace.document->has_unsaved_changes()) return go_on(desk);
+void after_asking(AppState& state, std::function<void(AppState&)> go_on) {
+    if (!state.workspace.document->has_unsaved_changes()) return go_on(state);
     const auto save_first = [go_on](AppState& asked) {
         if (save(asked)) go_on(asked);
     };
-    desk.questions.push_front({"'" + document_name(desk) + "' has changes that are not saved.",
-                               {{"Save", save_first}, {"Discard", go_on}, {"Cancel", [](AppState&) {}}}});
+    state.questions.push_front({"'" + document_name(state) + "' has changes that are not saved.",
+                                {{"Save", save_first}, {"Discard", go_on}, {"Cancel", [](AppState&) {}}}});
 }
 
 std::string with_ending(std::string file, const std::string& ending) {
     return file.ends_with(ending) ? file : file + ending;
 }
 
-void write_document(AppState& desk, const std::string& file) {
-    Document& document = *desk.workspace.document;
+void write_document(AppState& state, const std::string& file) {
+    Document& document = *state.workspace.document;
     document.keep();
-    desk.services.save(file, document.text());
+    state.services.save(file, document.text());
     document.mark_saved();
-    desk.workspace.file = file;
-    desk.services.remember_file(file);
-    desk.workspace.messages.note("Saved as " + file);
-    begin_journal(desk);
+    state.workspace.file = file;
+    state.services.remember_file(file);
+    state.workspace.messages.note("Saved as " + file);
+    begin_journal(state);
 }
 
 }  // namespace
 
-std::string document_name(const AppState& desk) {
-    const std::string& file = desk.workspace.file;
+std::string document_name(const AppState& state) {
+    const std::string& file = state.workspace.file;
     return file.empty() ? "untitled" : name_in_folder(file);
 }
 
-void new_document(AppState& desk) {
-    after_asking(desk, [](AppState& asked) { show_document(asked, empty_garment(), ""); });
+void new_document(AppState& state) {
+    after_asking(state, [](AppState& asked) { show_document(asked, empty_garment(), ""); });
 }
 
-void open_loaded(AppState& desk, sim::PatternDocument source, const std::string& file) {
-    show_document(desk, std::move(source), file);
-    desk.services.remember_file(file);
+void open_loaded(AppState& state, sim::PatternDocument source, const std::string& file) {
+    show_document(state, std::move(source), file);
+    state.services.remember_file(file);
 }
 
-void open_file(AppState& desk, const std::string& file) {
-    after_asking(
-        desk, [file](AppState& asked) { try_to(asked, [&] { open_loaded(asked, asked.services.load(file), file); }); });
+void open_file(AppState& state, const std::string& file) {
+    after_asking(state, [file](AppState& asked) {
+        try_to(asked, [&] { open_loaded(asked, asked.services.load(file), file); });
+    });
 }
 
-void open_example(AppState& desk, const Example& example) {
-    after_asking(desk, [example](AppState& asked) {
+void open_example(AppState& state, const Example& example) {
+    after_asking(state, [example](AppState& asked) {
         try_to(asked, [&] { show_document(asked, sim::parse_pattern(example.text, example.title), ""); });
     });
 }
 
-void recover_journal(AppState& desk, const LeftJournal& journal) {
+void recover_journal(AppState& state, const OrphanedJournal& journal) {
     const auto go_on = [journal](AppState& asked) {
         const bool is_open = try_to(asked, [&] {
             show_document(asked, sim::parse_pattern(journal.recovery.text, journal.recovery.file),
@@ -109,97 +110,97 @@ void recover_journal(AppState& desk, const LeftJournal& journal) {
         asked.services.discard_journal(journal.id);
         asked.workspace.messages.note("Recovered '" + document_name(asked) + "': save it to keep it");
     };
-    after_asking(desk, go_on);
+    after_asking(state, go_on);
 }
 
-void take_dropped_file(AppState& desk, const std::string& file) {
+void take_dropped_file(AppState& state, const std::string& file) {
     const auto ends_with = [&](std::initializer_list<const char*> endings) {
         return std::any_of(endings.begin(), endings.end(), [&](const char* ending) { return file.ends_with(ending); });
     };
-    if (ends_with({".json"})) return open_file(desk, file);
-    if (ends_with({".obj", ".glb", ".gltf", ".fbx", ".stl"})) return desk.workspace.drape.wear(file);
-    desk.workspace.messages.warn("'" + file + "' is neither a garment (.json) nor a body (.obj, .glb)");
+    if (ends_with({".json"})) return open_file(state, file);
+    if (ends_with({".obj", ".glb", ".gltf", ".fbx", ".stl"})) return state.workspace.drape.wear(file);
+    state.workspace.messages.warn("'" + file + "' is neither a garment (.json) nor a body (.obj, .glb)");
 }
 
-bool save(AppState& desk) {
-    if (desk.workspace.file.empty()) {
-        browse_to_save(desk);
+bool save(AppState& state) {
+    if (state.workspace.file.empty()) {
+        browse_to_save(state);
         return false;
     }
-    return try_to(desk, [&] { write_document(desk, desk.workspace.file); });
+    return try_to(state, [&] { write_document(state, state.workspace.file); });
 }
 
-void save_as(AppState& desk, const std::string& file) {
+void save_as(AppState& state, const std::string& file) {
     const std::string target = with_ending(file, ".json");
     const auto write = [target](AppState& asked) { try_to(asked, [&] { write_document(asked, target); }); };
-    if (target == desk.workspace.file || !desk.services.exists(target)) return write(desk);
-    desk.questions.push_front(
+    if (target == state.workspace.file || !state.services.exists(target)) return write(state);
+    state.questions.push_front(
         {"There is a file '" + target + "' already.", {{"Replace", write}, {"Cancel", [](AppState&) {}}}});
 }
 
-void export_to(AppState& desk, const std::string& file) {
+void export_to(AppState& state, const std::string& file) {
     const ExportRequest request{.file = file,
-                                .scene = desk.fitting.scene,
-                                .camera = desk.fitting.camera,
-                                .light = desk.fitting.light,
-                                .garment = desk.workspace.drape.frame()->mesh};
+                                .scene = state.fitting.scene,
+                                .camera = state.fitting.camera,
+                                .light = state.fitting.light,
+                                .garment = state.workspace.drape.frame()->mesh};
     if (!request.scene || request.garment.triangles.empty()) {
-        return desk.workspace.messages.warn("There is nothing to export yet");
+        return state.workspace.messages.warn("There is nothing to export yet");
     }
-    if (try_to(desk, [&] { desk.services.write_export(request); })) desk.workspace.messages.note("Wrote " + file);
+    if (try_to(state, [&] { state.services.write_export(request); })) state.workspace.messages.note("Wrote " + file);
 }
 
-void close(AppState& desk) {
-    after_asking(desk, [](AppState& asked) {
+void close(AppState& state) {
+    after_asking(state, [](AppState& asked) {
         asked.services.end_journal();
         asked.wants_to_close = true;
     });
 }
 
-void browse_to_open(AppState& desk) {
-    desk.browser.open({.title = "Open a garment",
-                       .verb = "Open",
-                       .endings = {".json"},
-                       .choose = [](AppState& asked, const std::string& file) { open_file(asked, file); }},
-                      desk.services);
+void browse_to_open(AppState& state) {
+    state.browser.open({.title = "Open a garment",
+                        .verb = "Open",
+                        .endings = {".json"},
+                        .choose = [](AppState& asked, const std::string& file) { open_file(asked, file); }},
+                       state.services);
 }
 
-void browse_to_save(AppState& desk) {
-    desk.browser.open({.title = "Save the garment",
-                       .verb = "Save",
-                       .endings = {".json"},
-                       .is_saving = true,
-                       .name = desk.workspace.file.empty() ? "garment.json" : document_name(desk),
-                       .choose = [](AppState& asked, const std::string& file) { save_as(asked, file); }},
-                      desk.services);
+void browse_to_save(AppState& state) {
+    state.browser.open({.title = "Save the garment",
+                        .verb = "Save",
+                        .endings = {".json"},
+                        .is_saving = true,
+                        .name = state.workspace.file.empty() ? "garment.json" : document_name(state),
+                        .choose = [](AppState& asked, const std::string& file) { save_as(asked, file); }},
+                       state.services);
 }
 
-void browse_to_export(AppState& desk, const std::string& ending) {
-    std::string name = document_name(desk);
+void browse_to_export(AppState& state, const std::string& ending) {
+    std::string name = document_name(state);
     if (name.ends_with(".json")) name.resize(name.size() - 5);
-    desk.browser.open(
+    state.browser.open(
         {.title = "Export",
          .verb = "Export",
          .endings = {ending},
          .is_saving = true,
          .name = name + ending,
          .choose = [ending](AppState& asked, const std::string& file) { export_to(asked, with_ending(file, ending)); }},
-        desk.services);
+        state.services);
 }
 
-void browse_for_body(AppState& desk) {
-    desk.browser.open({.title = "Put it on a body",
-                       .verb = "Wear",
-                       .endings = {".obj", ".glb", ".gltf", ".fbx", ".stl"},
-                       .choose = [](AppState& asked, const std::string& file) { asked.workspace.drape.wear(file); }},
-                      desk.services);
+void browse_for_body(AppState& state) {
+    state.browser.open({.title = "Put it on a body",
+                        .verb = "Wear",
+                        .endings = {".obj", ".glb", ".gltf", ".fbx", ".stl"},
+                        .choose = [](AppState& asked, const std::string& file) { asked.workspace.drape.wear(file); }},
+                       state.services);
 }
 
-void offer_recovery(AppState& desk) {
-    for (const LeftJournal& journal : desk.services.left_journals()) {
+void offer_recovery(AppState& state) {
+    for (const OrphanedJournal& journal : state.services.orphaned_journals()) {
         const std::string name =
             journal.recovery.file.empty() ? "an unsaved garment" : "'" + name_in_folder(journal.recovery.file) + "'";
-        desk.questions.push_back(
+        state.questions.push_back(
             {"The editor ended " + journal.age + " without saving " + name + " (" +
                  std::to_string(journal.recovery.changes) + " changes).",
              {{"Recover", [journal](AppState& asked) { recover_journal(asked, journal); }},
@@ -208,10 +209,10 @@ void offer_recovery(AppState& desk) {
     }
 }
 
-void begin_journal(AppState& desk) {
-    Document& document = *desk.workspace.document;
-    desk.services.begin_journal(journal_head(desk.workspace.file, document.text()));
-    document.set_journal([&desk](std::string_view line) { desk.services.note_in_journal(line); });
+void begin_journal(AppState& state) {
+    Document& document = *state.workspace.document;
+    state.services.begin_journal(journal_head(state.workspace.file, document.text()));
+    document.set_journal([&state](std::string_view line) { state.services.note_in_journal(line); });
 }
 
 namespace {
@@ -244,29 +245,29 @@ void FileBrowser::enter(const std::string& folder, const Services& services) {
     }
 }
 
-void FileBrowser::choose(AppState& desk) {
+void FileBrowser::choose(AppState& state) {
     if (name_.empty()) return;
     is_open_ = false;
     const BrowseRequest request = request_;  // a copy: choose() may open another request
-    request.choose(desk, joined(folder_, name_));
+    request.choose(state, joined(folder_, name_));
 }
 
-void FileBrowser::show_entries(AppState& desk) {
-    if (!listing_.parent.empty() && ImGui::Selectable("..")) return enter(listing_.parent, desk.services);
+void FileBrowser::show_entries(AppState& state) {
+    if (!listing_.parent.empty() && ImGui::Selectable("..")) return enter(listing_.parent, state.services);
     for (const FolderEntry& entry : listing_.entries) {
         if (!is_listed(entry, request_.endings)) continue;
         const bool is_chosen = !entry.is_folder && entry.name == name_;
         const std::string label = entry.name + (entry.is_folder ? "/" : "");
         const bool is_pressed = ImGui::Selectable(label.c_str(), is_chosen, ImGuiSelectableFlags_AllowDoubleClick);
-        note_widget(desk.widgets, "browser." + entry.name);
+        note_widget(state.widgets, "browser." + entry.name);
         if (!is_pressed) continue;
-        if (entry.is_folder) return enter(joined(folder_, entry.name), desk.services);
+        if (entry.is_folder) return enter(joined(folder_, entry.name), state.services);
         name_ = entry.name;
-        if (ImGui::IsMouseDoubleClicked(0)) return choose(desk);
+        if (ImGui::IsMouseDoubleClicked(0)) return choose(state);
     }
 }
 
-void FileBrowser::show(AppState& desk) {
+void FileBrowser::show(AppState& state) {
     if (!is_open_) return;
     const float unit = ImGui::GetFontSize();
     const ImVec2 display = ImGui::GetIO().DisplaySize;
@@ -279,7 +280,7 @@ void FileBrowser::show(AppState& desk) {
         ImGui::TextDisabled("%s", shown.c_str());
         tip_of_whole(folder_, shown);
         ImGui::BeginChild("##entries", {0, -2 * ImGui::GetFrameHeightWithSpacing()}, true);
-        show_entries(desk);
+        show_entries(state);
         ImGui::EndChild();
         if (takes_focus_) ImGui::SetKeyboardFocusHere();
         takes_focus_ = false;
@@ -287,10 +288,10 @@ void FileBrowser::show(AppState& desk) {
         const bool is_entered =
             ImGui::InputTextWithHint("##name", "Name of the file", &name_,
                                      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-        note_widget(desk.widgets, "browser.name");
-        if (button(desk, "browser.choose", request_.verb) || is_entered) choose(desk);
+        note_widget(state.widgets, "browser.name");
+        if (button(state, "browser.choose", request_.verb) || is_entered) choose(state);
         ImGui::SameLine();
-        if (button(desk, "browser.cancel", "Cancel")) is_open_ = false;
+        if (button(state, "browser.cancel", "Cancel")) is_open_ = false;
         const bool has_focus = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
         if (has_focus && ImGui::IsKeyPressed(static_cast<int>(Key::Escape))) is_open_ = false;
     }

@@ -11,31 +11,31 @@ namespace selvedge::editor {
 
 struct AppState;
 
-void new_document(AppState& desk);
-void open_loaded(AppState& desk, sim::PatternDocument source, const std::string& file);
-void open_file(AppState& desk, const std::string& file);
-void open_example(AppState& desk, const Example& example);
-void recover_journal(AppState& desk, const LeftJournal& journal);
+void new_document(AppState& state);
+void open_loaded(AppState& state, sim::PatternDocument source, const std::string& file);
+void open_file(AppState& state, const std::string& file);
+void open_example(AppState& state, const Example& example);
+void recover_journal(AppState& state, const OrphanedJournal& journal);
 
 // Opens a garment file or puts on a body file; reports any other file as unknown.
-void take_dropped_file(AppState& desk, const std::string& file);
+void take_dropped_file(AppState& state, const std::string& file);
 
-bool save(AppState& desk);  // asks for a name if there is none; false: not saved (yet)
-void save_as(AppState& desk, const std::string& file);
-void export_to(AppState& desk, const std::string& file);
-void close(AppState& desk);
+bool save(AppState& state);  // asks for a name if there is none; false: not saved (yet)
+void save_as(AppState& state, const std::string& file);
+void export_to(AppState& state, const std::string& file);
+void close(AppState& state);
 
 // These open the file browser for a purpose.
-void browse_to_open(AppState& desk);
-void browse_to_save(AppState& desk);
-void browse_to_export(AppState& desk, const std::string& ending);
-void browse_for_body(AppState& desk);
+void browse_to_open(AppState& state);
+void browse_to_save(AppState& state);
+void browse_to_export(AppState& state, const std::string& ending);
+void browse_for_body(AppState& state);
 
 // Offers to recover the journals that earlier runs left.
-void offer_recovery(AppState& desk);
+void offer_recovery(AppState& state);
 
 // For example "tshirt.json"; "untitled" without a file.
-std::string document_name(const AppState& desk);
+std::string document_name(const AppState& state);
 
 // A non-modal window to choose a file.
 
@@ -55,12 +55,12 @@ class FileBrowser {
     void open(BrowseRequest request, const Services& services);
     bool is_open() const { return is_open_; }
 
-    void show(AppState& desk);
+    void show(AppState& state);
 
  private:
-    void show_entries(AppState& desk);
+    void show_entries(AppState& state);
     void enter(const std::string& folder, const Services& services);
-    void choose(AppState& desk);
+    void choose(AppState& state);
 
     bool is_open_ = false;
     bool takes_focus_ = false;

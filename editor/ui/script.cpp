@@ -128,9 +128,9 @@ void ScriptPlayer::play(const ScriptStep& step) {
     }
     if (verb == "type") return send({.kind = InputEvent::Kind::Text, .text = step.rest});
     if (verb == "action") {
-        const Action* action = find_action(editor_.desk().actions, word(step, 0));
+        const Action* action = find_action(editor_.state().actions, word(step, 0));
         if (action == nullptr) fail(step, "there is no action '" + word(step, 0) + "'");
-        if (!run_action(editor_.desk(), *action)) fail(step, "'" + action->title + "' cannot be done now");
+        if (!run_action(editor_.state(), *action)) fail(step, "'" + action->title + "' cannot be done now");
         return wait_frames(1);
     }
     const bool is_of_document =
@@ -139,23 +139,23 @@ void ScriptPlayer::play(const ScriptStep& step) {
 }
 
 void ScriptPlayer::expect(const ScriptStep& step) const {
-    const std::string words = stage_text(*editor_.desk().workspace.drape.frame());
+    const std::string words = stage_text(*editor_.state().workspace.drape.frame());
     if (words != step.rest) fail(step, "the drape is not '" + step.rest + "' but '" + words + "'");
 }
 
 void ScriptPlayer::play_document(const ScriptStep& step) {
-    AppState& desk = editor_.desk();
-    if (step.verb == "new") new_document(desk);
-    if (step.verb == "open") open_file(desk, word(step, 0));
-    if (step.verb == "save") save_as(desk, word(step, 0));
-    if (step.verb == "export") export_to(desk, word(step, 0));
-    if (step.verb == "wear") desk.workspace.drape.wear(step.rest);
+    AppState& state = editor_.state();
+    if (step.verb == "new") new_document(state);
+    if (step.verb == "open") open_file(state, word(step, 0));
+    if (step.verb == "save") save_as(state, word(step, 0));
+    if (step.verb == "export") export_to(state, word(step, 0));
+    if (step.verb == "wear") state.workspace.drape.wear(step.rest);
     if (step.verb == "do") {
         const sim::Json json = sim::parse_json(step.rest, file_);
-        desk.workspace.document->run(parse_command(sim::JsonView(json, file_)));
+        state.workspace.document->run(parse_command(sim::JsonView(json, file_)));
     }
     wait_frames(2);
-    const Message* message = desk.workspace.messages.shown();
+    const Message* message = state.workspace.messages.shown();
     if (message != nullptr && message->kind == MessageKind::Error) fail(step, message->words);
 }
 
@@ -189,7 +189,7 @@ void ScriptPlayer::play_mouse(const ScriptStep& step) {
 
 Vec2d ScriptPlayer::place(const ScriptStep& step, std::size_t& at) const {
     const std::string& kind = word(step, at++);
-    const AppState& desk = editor_.desk();
+    const AppState& state = editor_.state();
     const auto take = [&] { return number(step, at++); };
     if (kind == "px") {
         const double x = take();
@@ -201,27 +201,27 @@ Vec2d ScriptPlayer::place(const ScriptStep& step, std::size_t& at) const {
     }
     if (kind == "panel") {
         const std::string& name = word(step, at++);
-        const PanelShape* shape = desk.tools.geometry().find(name);
+        const PanelShape* shape = state.tools.geometry().find(name);
         if (shape == nullptr) fail(step, "there is no panel '" + name + "'");
         const double x = take();
         return editor_.sheet_to_px(shape->on_sheet(kCm * Vec2d(x, take())));
     }
     if (kind == "vertex") {
         const std::string& name = word(step, at++);
-        const auto vertex = desk.tools.geometry().vertex({name, static_cast<int>(take())});
+        const auto vertex = state.tools.geometry().vertex({name, static_cast<int>(take())});
         if (!vertex) fail(step, "'" + name + "' has no such point");
         return editor_.sheet_to_px(*vertex);
     }
     if (kind == "widget") {
-        const auto found = desk.widgets.find(word(step, at));
-        if (found == desk.widgets.end()) fail(step, "nothing on the screen is called '" + word(step, at) + "'");
+        const auto found = state.widgets.find(word(step, at));
+        if (found == state.widgets.end()) fail(step, "nothing on the screen is called '" + word(step, at) + "'");
         ++at;
         return found->second.centre().cast<double>();
     }
     Vec3d point = Vec3d::Zero();
     if (kind == "point") {
         const std::string& name = word(step, at++);
-        const std::vector<sim::ArrangementPoint>& points = desk.workspace.drape.worn().points;
+        const std::vector<sim::ArrangementPoint>& points = state.workspace.drape.worn().points;
         const auto found = std::find_if(points.begin(), points.end(),
                                         [&](const sim::ArrangementPoint& known) { return known.name == name; });
         if (found == points.end()) fail(step, "the body has no arrangement point '" + name + "'");
@@ -233,7 +233,7 @@ Vec2d ScriptPlayer::place(const ScriptStep& step, std::size_t& at) const {
     } else {
         fail(step, "'" + kind + "' is no place: sheet, panel, widget, point, room and px are");
     }
-    const auto seen = editor_.room_to_px(point);
+    const auto seen = editor_.world_to_px(point);
     if (!seen) fail(step, "the place is not seen from here");
     return *seen;
 }
@@ -292,7 +292,7 @@ void ScriptPlayer::wait_frames(int frames) {
 
 // Advances the drape without drawing, then shows two frames.
 void ScriptPlayer::settle(double seconds) {
-    sim::Session& session = editor_.desk().workspace.drape.session();
+    sim::Session& session = editor_.state().workspace.drape.session();
     const double end = session.frame()->statistics.simulated_seconds + seconds;
     stage_.step({});
     for (int i = 0; i < kMostFrames && session.frame()->is_running; ++i) {

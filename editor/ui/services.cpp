@@ -22,7 +22,7 @@ Services no_services() {
     services.begin_journal = [](const std::string&) {};
     services.note_in_journal = [](std::string_view) {};
     services.end_journal = [] {};
-    services.left_journals = [] { return std::vector<LeftJournal>(); };
+    services.orphaned_journals = [] { return std::vector<OrphanedJournal>(); };
     services.discard_journal = [](const std::string&) {};
     return services;
 }

@@ -33,7 +33,7 @@ struct Example {
 };
 
 // A journal of an editor that did not exit normally.
-struct LeftJournal {
+struct OrphanedJournal {
     std::string id;
     Recovery recovery;
     std::string age;  // for example "3 minutes ago"
@@ -54,7 +54,7 @@ struct Services {
     std::function<FolderListing(const std::string& folder)> list_folder;         // empty: the working directory
     std::function<bool(const std::string& file)> exists;
     std::function<void(const ExportRequest& request)> write_export;
-    BodyMaker make_body = make_worn_mannequin;
+    BodyMaker make_body = make_mannequin_body;
 
     std::function<std::vector<std::string>()> recent_files;  // newest first
     std::function<void(const std::string& file)> remember_file;
@@ -65,7 +65,7 @@ struct Services {
     std::function<void(const std::string& head)> begin_journal;
     std::function<void(std::string_view line)> note_in_journal;
     std::function<void()> end_journal;  // deletes the journal: nothing to recover
-    std::function<std::vector<LeftJournal>()> left_journals;
+    std::function<std::vector<OrphanedJournal>()> orphaned_journals;
     std::function<void(const std::string& id)> discard_journal;
 };
 

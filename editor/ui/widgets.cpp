@@ -33,43 +33,43 @@ void tip(const std::string& words) {
     ImGui::EndTooltip();
 }
 
-bool button(AppState& desk, const std::string& name, const std::string& label) {
+bool button(AppState& state, const std::string& name, const std::string& label) {
     const bool is_pressed = ImGui::Button((label + "##" + name).c_str());
-    note_widget(desk.widgets, name);
+    note_widget(state.widgets, name);
     return is_pressed;
 }
 
-void icon_button(AppState& desk, const Action& action, const std::string& icon, float side_px) {
-    const bool is_on = action.is_on && action.is_on(desk);
-    const bool can = !action.can || action.can(desk);
+void icon_button(AppState& state, const Action& action, const std::string& icon, float side_px) {
+    const bool is_on = action.is_on && action.is_on(state);
+    const bool can = !action.can || action.can(state);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     ImGui::PushID(action.id.c_str());
     const bool is_pressed = ImGui::InvisibleButton("##icon", {side_px, side_px});
     ImGui::PopID();
-    note_widget(desk.widgets, action.id);
+    note_widget(state.widgets, action.id);
     const ImVec2 high{low.x + side_px, low.y + side_px};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float rounding = side_px * 0.16F;
-    if (is_on) list.AddRectFilled(low, high, colour_of(desk.theme.accent), rounding);
+    if (is_on) list.AddRectFilled(low, high, colour_of(state.theme.accent), rounding);
     if (!is_on && can && ImGui::IsItemHovered())
-        list.AddRectFilled(low, high, colour_of(desk.theme.accent, 36), rounding);
+        list.AddRectFilled(low, high, colour_of(state.theme.accent, 36), rounding);
     if (ImGui::IsItemFocused() && ImGui::GetIO().NavVisible)
-        list.AddRect(low, high, colour_of(desk.theme.accent), rounding);
+        list.AddRect(low, high, colour_of(state.theme.accent), rounding);
     const float inset = side_px * 0.2F;
-    const sim::Rgb8 ink = is_on ? desk.theme.field : can ? desk.theme.ink : desk.theme.line;
+    const sim::Rgb8 ink = is_on ? state.theme.field : can ? state.theme.ink : state.theme.line;
     draw_icon(list, icon, {low.x + inset, low.y + inset}, side_px - 2 * inset, ink);
     const std::string keys = chord_text(action);
     tip(action.title + (keys.empty() ? "" : "  (" + keys + ")") + (action.tip.empty() ? "" : "\n" + action.tip));
-    if (is_pressed) run_action(desk, action);
+    if (is_pressed) run_action(state, action);
 }
 
-bool action_row(AppState& desk, const Action& action, bool is_chosen) {
-    const bool can = !action.can || action.can(desk);
+bool action_row(AppState& state, const Action& action, bool is_chosen) {
+    const bool can = !action.can || action.can(state);
     ImGui::PushID(action.id.c_str());
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(can ? ImGuiCol_Text : ImGuiCol_TextDisabled));
     const bool is_pressed = ImGui::Selectable(action.title.c_str(), is_chosen);
     ImGui::PopStyleColor();
-    note_widget(desk.widgets, "find." + action.id);
+    note_widget(state.widgets, "find." + action.id);
     const std::string keys = chord_text(action);
     const std::string aside = action.menu + (keys.empty() ? "" : "   " + keys);
     const float width = ImGui::CalcTextSize(aside.c_str()).x;

@@ -22,13 +22,13 @@ void note_widget(WidgetMap& widgets, const std::string& name);
 // Tooltip of the last item.
 void tip(const std::string& words);
 
-bool button(AppState& desk, const std::string& name, const std::string& label);
+bool button(AppState& state, const std::string& name, const std::string& label);
 
 // A square button with the action's icon; drawn pressed while the action is on.
-void icon_button(AppState& desk, const Action& action, const std::string& icon, float side_px);
+void icon_button(AppState& state, const Action& action, const std::string& icon, float side_px);
 
 // One action in a list: its title, menu and key.
-bool action_row(AppState& desk, const Action& action, bool is_chosen);
+bool action_row(AppState& state, const Action& action, bool is_chosen);
 
 void coloured_text(const sim::Rgb8& colour, const std::string& words);
 

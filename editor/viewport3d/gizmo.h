@@ -94,7 +94,7 @@ class GizmoDrag {
 
     Gizmo gizmo_;
     GizmoHandle handle_;
-    Vec3f grip_ = Vec3f::Zero();  // m, the point where the drag started
+    Vec3f drag_ = Vec3f::Zero();  // m, the point where the drag started
     Vec3d way_ = Vec3d::Zero();   // m along the gizmo's axes, the cursor's motion
     double angle_ = 0;            // rad, the cursor's rotation
     double cursor_angle_ = 0;     // rad, at the last move

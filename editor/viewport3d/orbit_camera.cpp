@@ -7,11 +7,11 @@ namespace selvedge::editor {
 namespace {
 
 constexpr float kPi = 3.14159265F;
-constexpr float kPole = kPi / 2 - 1e-3F;           // rad, the steepest elevation
-constexpr float kNearest = 0.15F, kFarthest = 40;  // m, limits of the distance
-constexpr float kUsualLens = 0.42F;                // rad, vertical field of view, as Camera's default
-constexpr float kLongLens = 0.03F;                 // rad, vertical field of view
-constexpr float kTurnPerPx = 0.0075F;              // rad
+constexpr float kPole = kPi / 2 - 1e-3F;                // rad, the steepest elevation
+constexpr float kNearest = 0.15F, kMaxCoordinate = 40;  // m, limits of the distance
+constexpr float kUsualLens = 0.42F;                     // rad, vertical field of view, as Camera's default
+constexpr float kLongLens = 0.03F;                      // rad, vertical field of view
+constexpr float kTurnPerPx = 0.0075F;                   // rad
 constexpr float kNearingPerNotch = 0.87F;
 constexpr float kMoveTime = 0.24F;  // s
 
@@ -24,7 +24,7 @@ float mix(float a, float b, float t) {
 }
 
 // Interpolates distances geometrically and angles along the shorter arc.
-Standpoint between(const Standpoint& a, const Standpoint& b, float t) {
+CameraPose between(const CameraPose& a, const CameraPose& b, float t) {
     return {.target = a.target + t * (b.target - a.target),
             .distance = a.distance * std::pow(b.distance / a.distance, t),
             .azimuth = wrapped(a.azimuth + t * wrapped(b.azimuth - a.azimuth)),
@@ -34,7 +34,7 @@ Standpoint between(const Standpoint& a, const Standpoint& b, float t) {
 
 }  // namespace
 
-render::Camera camera_at(const Standpoint& standpoint) {
+render::Camera camera_at(const CameraPose& standpoint) {
     const float a = standpoint.azimuth, e = standpoint.elevation;
     const Vec3f back(std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e));
     const Vec3f right(std::cos(a), 0, -std::sin(a));
@@ -69,13 +69,13 @@ void OrbitCamera::pan(const Vec2f& by_px, const Vec2f& size_px) {
 void OrbitCamera::zoom(float notches, const Vec3f& about) {
     left_ = 0;
     const float wanted = now_.distance * std::pow(kNearingPerNotch, notches);
-    const float distance = std::clamp(wanted, kNearest, kFarthest);
+    const float distance = std::clamp(wanted, kNearest, kMaxCoordinate);
     now_.target = about + (now_.target - about) * (distance / now_.distance);
     now_.distance = distance;
 }
 
 void OrbitCamera::look_from(StandardView view) {
-    Standpoint there = goal();
+    CameraPose there = goal();
     there.elevation = 0;
     switch (view) {
         case StandardView::Front:
@@ -100,7 +100,7 @@ void OrbitCamera::look_from(StandardView view) {
 }
 
 void OrbitCamera::turn_opposite() {
-    Standpoint there = goal();
+    CameraPose there = goal();
     if (std::abs(there.elevation) > kPi / 4) {
         there.elevation = -there.elevation;
     } else {
@@ -111,11 +111,11 @@ void OrbitCamera::turn_opposite() {
 
 void OrbitCamera::frame(const std::vector<Vec3f>& points, float aspect) {
     if (points.empty() || !(aspect > 0)) return;
-    Standpoint there = goal();
+    CameraPose there = goal();
     const render::Camera camera =
         frame_points(points, render::Direction{there.azimuth, there.elevation}, {.aspect = aspect, .margin = 0.12F});
     there.target = camera.target;
-    there.distance = std::clamp((camera.eye - camera.target).norm(), 4 * kNearest, kFarthest);
+    there.distance = std::clamp((camera.eye - camera.target).norm(), 4 * kNearest, kMaxCoordinate);
     move_to(there);
 }
 
@@ -124,7 +124,7 @@ void OrbitCamera::change_lens() {
     to_.lens = now_.lens;
 }
 
-void OrbitCamera::move_to(const Standpoint& there) {
+void OrbitCamera::move_to(const CameraPose& there) {
     from_ = now_;
     to_ = there;
     left_ = kMoveTime;

@@ -14,21 +14,21 @@ enum class StandardView { Front, Back, Left, Right, Top, Bottom };
 enum class Lens { Usual, Long };
 
 // The camera's pose, relative to the point that it looks at.
-struct Standpoint {
+struct CameraPose {
     Vec3f target{0, 0.87F, 0};  // m
     float distance = 5.2F;      // m, with the usual lens; the long one moves the eye back for the same framing
     float azimuth = 0.42F;      // rad, as in render::Direction
     float elevation = 0.12F;
     Lens lens = Lens::Usual;
 
-    bool operator==(const Standpoint&) const = default;
+    bool operator==(const CameraPose&) const = default;
 };
 
-render::Camera camera_at(const Standpoint& standpoint);
+render::Camera camera_at(const CameraPose& standpoint);
 
 class OrbitCamera {
  public:
-    const Standpoint& standpoint() const { return now_; }
+    const CameraPose& standpoint() const { return now_; }
     render::Camera camera() const { return camera_at(now_); }
 
     // Input: the mouse motion in px. orbit(), pan() and zoom() cancel a running camera move.
@@ -49,12 +49,12 @@ class OrbitCamera {
     bool is_moving() const { return left_ > 0; }
 
  private:
-    void move_to(const Standpoint& there);
-    const Standpoint& goal() const { return is_moving() ? to_ : now_; }
+    void move_to(const CameraPose& there);
+    const CameraPose& goal() const { return is_moving() ? to_ : now_; }
 
-    Standpoint now_;
-    Standpoint from_;
-    Standpoint to_;
+    CameraPose now_;
+    CameraPose from_;
+    CameraPose to_;
     float left_ = 0;  // s, remaining time of the camera move
 };
 

@@ -18,11 +18,11 @@ Vec3f point_of(const sim::PlainMesh& mesh, const MeshHit& hit) {
     return hit.weights[0] * mesh.x[a] + hit.weights[1] * mesh.x[b] + hit.weights[2] * mesh.x[c];
 }
 
-std::optional<MeshHit> hit_body(const Ray& ray, const PickRoom& room) {
+std::optional<MeshHit> hit_body(const Ray& ray, const PickScene& room) {
     return room.body ? nearest_hit(ray, room.body->x, room.body->triangles) : std::nullopt;
 }
 
-void find_surface(const Ray& ray, const std::optional<MeshHit>& body, const PickRoom& room, UnderCursor& under) {
+void find_surface(const Ray& ray, const std::optional<MeshHit>& body, const PickScene& room, UnderCursor& under) {
     const sim::PlainMesh& mesh = room.garment.mesh();
     const std::optional<MeshHit> cloth = nearest_hit(ray, mesh.x, mesh.triangles);
     if (body && (!cloth || body->distance < cloth->distance - kSkin)) {
@@ -52,7 +52,7 @@ class Nearest {
     float farthest_;  // m, depth in front of the eye
 };
 
-void find_point(const Viewing& viewing, const Vec2f& px, const PickRoom& room, float farthest, UnderCursor& under) {
+void find_point(const Viewing& viewing, const Vec2f& px, const PickScene& room, float farthest, UnderCursor& under) {
     // A ring may cover a point: prefer the point, because the ring can be grabbed elsewhere.
     const float tolerance_px = under.handle ? kPointUnderRing : kPointTolerance;
     Nearest nearest(tolerance_px * room.scale, farthest);
@@ -62,7 +62,7 @@ void find_point(const Viewing& viewing, const Vec2f& px, const PickRoom& room, f
     if (under.point) under.handle.reset();
 }
 
-void find_part(const Viewing& viewing, const Vec2f& px, const PickRoom& room, float farthest, Hover& hover) {
+void find_part(const Viewing& viewing, const Vec2f& px, const PickScene& room, float farthest, Hover& hover) {
     Nearest vertices(kVertexTolerance * room.scale, farthest), edges(kEdgeTolerance * room.scale, farthest);
     const std::vector<Vec3f>& x = room.garment.mesh().x;
     for (std::size_t p = 0; p < room.pattern.panels.size() && p < room.garment.outlines().size(); ++p) {
@@ -92,7 +92,7 @@ BodySurface body_surface(const sim::Body& body) {
     return surface;
 }
 
-UnderCursor find_under(const Viewing& viewing, const Vec2f& px, const PickRoom& room) {
+UnderCursor find_under(const Viewing& viewing, const Vec2f& px, const PickScene& room) {
     UnderCursor under;
     if (room.gizmo) under.handle = pick_gizmo(*room.gizmo, viewing, px, kHandleTolerance * room.scale);
     const Ray ray = ray_through(viewing, px);

@@ -52,7 +52,7 @@ struct BodySurface {
 BodySurface body_surface(const sim::Body& body);
 
 // Everything that can be picked.
-struct PickRoom {
+struct PickScene {
     const sim::Pattern& pattern;
     const DisplayedGarment& garment;
     const BodySurface* body = nullptr;                           // null: the body is hidden
@@ -70,6 +70,6 @@ struct UnderCursor {
     Hover hover{};                       // its panel and part; empty over a handle or arrangement point
 };
 
-UnderCursor find_under(const Viewing& viewing, const Vec2f& px, const PickRoom& room);
+UnderCursor find_under(const Viewing& viewing, const Vec2f& px, const PickScene& room);
 
 }  // namespace selvedge::editor

@@ -43,7 +43,7 @@ ImTextureID image_of(UiTexture texture) {
 
 }  // namespace
 
-std::optional<Vec2f> Viewport::room_to_px(const Vec3f& x) const {
+std::optional<Vec2f> Viewport::world_to_px(const Vec3f& x) const {
     std::optional<Vec2f> px = px_of(hand_.viewing(), x);
     if (px) *px += low_px_;
     return px;
@@ -78,7 +78,7 @@ void Viewport::make_scene(const ViewportContext& context) {
     const Message* message = workspace.messages.shown();
     ViewportMarks marks{.selection = document.selection(), .hover = workspace.hover};
     if (message && message->kind != MessageKind::Note) marks.wrong = message->places;
-    marks.has_threads = workspace.look.has_threads;
+    marks.has_seam_lines = workspace.look.has_seam_lines;
     marks.has_points = hand_.shows_points();
     marks.hovered_point = hand_.under().point;
     marks.pulled_to = hand_.pulled_to();
@@ -90,10 +90,10 @@ void Viewport::make_scene(const ViewportContext& context) {
                             .look = workspace.look,
                             .marks = std::move(marks)});
     const render::Camera camera = hand_.orbit().camera();
-    light_ = wants_paint(workspace.look.show) ? even_light(camera) : studio_light(camera);
+    light_ = fills_show_mode(workspace.look.show) ? even_light(camera) : studio_light(camera);
 }
 
-void Viewport::ask_for_picture(const ViewportContext& context) {
+void Viewport::request_rendering(const ViewportContext& context) {
     if (!shown_) return;
     const Drawn wanted{.scene = shown_,
                        .standpoint = hand_.orbit().standpoint(),
@@ -110,7 +110,7 @@ void Viewport::ask_for_picture(const ViewportContext& context) {
                                      .height_px = wanted.height_px,
                                      .is_draft = true,
                                      .legend = context.legend,
-                                     .wants_paint = wants_paint(context.workspace.look.show)});
+                                     .fills_show_mode = fills_show_mode(context.workspace.look.show)});
 }
 
 void Viewport::choose_cursor(const ViewportContext& context) const {
@@ -128,7 +128,7 @@ void Viewport::show(const ViewportContext& context) {
     ImGui::InvisibleButton("fitting", {size_px_.x(), size_px_.y()}, kAll);
     hand_.update(context.workspace, take_input(context), context.choice);
     make_scene(context);
-    ask_for_picture(context);
+    request_rendering(context);
     choose_cursor(context);
     context.output.is_animating = context.output.is_animating || hand_.orbit().is_moving();
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -136,7 +136,7 @@ void Viewport::show(const ViewportContext& context) {
     list.PushClipRect(from, to, true);
     if (shown_) {
         list.AddImage(image_of(context.texture), from, to);
-        if (wants_paint(context.workspace.look.show)) list.AddImage(image_of(context.legend), from, to);
+        if (fills_show_mode(context.workspace.look.show)) list.AddImage(image_of(context.legend), from, to);
     } else {
         const sim::Rgb8& paper = colours_.background.edge;
         list.AddRectFilled(from, to, IM_COL32(paper[0], paper[1], paper[2], 255));

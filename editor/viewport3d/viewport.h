@@ -38,7 +38,7 @@ class Viewport {
     bool is_focused() const { return is_focused_; }
 
     // Projects a 3D point (m) to px of the window; none: the point is behind the eye.
-    std::optional<Vec2f> room_to_px(const Vec3f& x) const;
+    std::optional<Vec2f> world_to_px(const Vec3f& x) const;
 
     ViewportController& hand() { return hand_; }
     const ViewportController& hand() const { return hand_; }
@@ -47,7 +47,7 @@ class Viewport {
     // Key of the last rendering that was requested.
     struct Drawn {
         std::shared_ptr<const render::Scene> scene;
-        Standpoint standpoint;
+        CameraPose standpoint;
         int width_px = 0;
         int height_px = 0;
         UiTexture texture = 0;
@@ -57,7 +57,7 @@ class Viewport {
 
     ViewportInput take_input(const ViewportContext& context);
     void make_scene(const ViewportContext& context);
-    void ask_for_picture(const ViewportContext& context);
+    void request_rendering(const ViewportContext& context);
     void choose_cursor(const ViewportContext& context) const;
 
     ViewportColours colours_;

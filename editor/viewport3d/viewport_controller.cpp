@@ -343,7 +343,7 @@ Command place_command(const std::vector<sim::Panel>& panels) {
                               .wrap_radius = panel.wrap_radius});
     }
     if (all.places.size() > 1) return all;
-    PanelPlace& one = all.places.front();
+    PanelPlacement& one = all.places.front();
     return PlacePanel{.panel = std::move(one.panel),
                       .translation = one.translation,
                       .rotation = one.rotation,

@@ -104,8 +104,8 @@ void mark_hover(Marker& marker, const ViewportMarks& marks, const sim::Rgb8& col
         marker.outline(hover.panel, kHoveredOutline, colour);
 }
 
-void mark_wrong(Marker& marker, const std::vector<GeometryPlace>& places, const sim::Rgb8& colour) {
-    for (const GeometryPlace& place : places) {
+void mark_wrong(Marker& marker, const std::vector<PartLocation>& places, const sim::Rgb8& colour) {
+    for (const PartLocation& place : places) {
         if (place.edge >= 0) marker.edge({place.panel, place.edge}, kEdge, colour);
         if (place.vertex >= 0) marker.vertex({place.panel, place.vertex}, kVertex, colour);
         if (place.edge < 0 && place.vertex < 0) marker.outline(place.panel, kOutline, colour);
@@ -132,7 +132,7 @@ std::vector<Vec3f> even_points(const std::vector<Vec3f>& path, std::size_t count
 
 // Lines between the two sides of a seam, for panels shown as placed. The session's own lines may date from before the
 // panels were moved.
-std::vector<Thread> threads_of(const sim::Seam& seam, const DisplayedGarment& garment) {
+std::vector<Thread> seam_lines_of(const sim::Seam& seam, const DisplayedGarment& garment) {
     constexpr float kApart = 0.025F;  // m
     std::array<std::vector<Vec3f>, 2> sides;
     const std::array<sim::SeamSide, 2> ends{seam.first, seam.second};
@@ -148,25 +148,27 @@ std::vector<Thread> threads_of(const sim::Seam& seam, const DisplayedGarment& ga
     for (std::size_t i = 1; i < sides[0].size(); ++i) length += (sides[0][i] - sides[0][i - 1]).norm();
     const auto count = static_cast<std::size_t>(std::clamp(length / kApart, 2.0F, 100.0F)) + 1;
     const std::vector<Vec3f> first = even_points(sides[0], count), second = even_points(sides[1], count);
-    std::vector<Thread> threads;
-    for (std::size_t k = 0; k < count; ++k) threads.push_back({first[k], second[seam.is_reversed ? count - 1 - k : k]});
-    return threads;
+    std::vector<Thread> seam_lines;
+    for (std::size_t k = 0; k < count; ++k)
+        seam_lines.push_back({first[k], second[seam.is_reversed ? count - 1 - k : k]});
+    return seam_lines;
 }
 
-void mark_threads(render::SolidItem& solid, const sim::Pattern& pattern, const DisplayedGarment& garment, float size) {
+void mark_seam_lines(render::SolidItem& solid, const sim::Pattern& pattern, const DisplayedGarment& garment,
+                     float size) {
     const auto draw = [&](const Thread& thread, std::size_t seam) {
         add_rod(solid, thread[0], thread[1], kThread * size, render::line_colour(seam));
     };
     if (garment.is_placed()) {
         for (std::size_t s = 0; s < pattern.seams.size(); ++s) {
-            for (const Thread& thread : threads_of(pattern.seams[s], garment)) draw(thread, s);
+            for (const Thread& thread : seam_lines_of(pattern.seams[s], garment)) draw(thread, s);
         }
         return;
     }
     const sim::SessionFrame& frame = garment.frame();
-    for (std::size_t i = 0; i < frame.threads.size(); ++i) {
-        const int seam = i < frame.thread_seams.size() ? std::max(0, frame.thread_seams[i]) : 0;
-        draw(frame.threads[i], static_cast<std::size_t>(seam));
+    for (std::size_t i = 0; i < frame.seam_lines.size(); ++i) {
+        const int seam = i < frame.seam_line_seams.size() ? std::max(0, frame.seam_line_seams[i]) : 0;
+        draw(frame.seam_lines[i], static_cast<std::size_t>(seam));
     }
 }
 
@@ -193,7 +195,7 @@ render::SolidItem make_marks(const sim::Pattern& pattern, const DisplayedGarment
                              const ViewportColours& colours) {
     render::SolidItem solid;
     Marker marker(pattern, garment, marks.size, solid);
-    if (marks.has_threads) mark_threads(solid, pattern, garment, marks.size);
+    if (marks.has_seam_lines) mark_seam_lines(solid, pattern, garment, marks.size);
     mark_selection(marker, marks.selection, colours.selected);
     mark_hover(marker, marks, colours.hovered);
     mark_wrong(marker, marks.wrong, colours.error);

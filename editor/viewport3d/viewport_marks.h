@@ -84,9 +84,9 @@ class DisplayedGarment {
 struct ViewportMarks {
     Selection selection{};
     Hover hover{};
-    std::vector<GeometryPlace> wrong{};  // parts that a message names
-    bool has_threads = true;             // lines between the two sides of open seams
-    bool has_points = false;             // shows the arrangement points
+    std::vector<PartLocation> wrong{};  // parts that a message names
+    bool has_seam_lines = true;         // lines between the two sides of open seams
+    bool has_points = false;            // shows the arrangement points
     std::optional<std::size_t> hovered_point{};
     std::optional<Vec3f> pulled_to{};  // m
     float size = 0.0028F;              // m, approximate size of a pixel: keeps the marks' size on the screen constant

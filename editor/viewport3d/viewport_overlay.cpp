@@ -15,7 +15,7 @@ ImU32 ink(const sim::Rgb8& colour, int alpha = 255) {
 // Draws in px of the view.
 class Overlay {
  public:
-    Overlay(ImDrawList& list, const OverlayPlace& place, const Viewing& viewing, const ViewportColours& colours)
+    Overlay(ImDrawList& list, const OverlayFrame& place, const Viewing& viewing, const ViewportColours& colours)
         : list_(list), place_(place), viewing_(viewing), colours_(colours) {}
 
     const Viewing& viewing() const { return viewing_; }
@@ -56,7 +56,7 @@ class Overlay {
 
  private:
     ImDrawList& list_;
-    OverlayPlace place_;
+    OverlayFrame place_;
     Viewing viewing_;
     const ViewportColours& colours_;
 };
@@ -268,7 +268,7 @@ std::string stage_text(const sim::SessionFrame& frame) {
         case sim::SessionStage::Placed:
             return "Placed";
         case sim::SessionStage::Sewing: {
-            const auto open = std::set<int>(frame.thread_seams.begin(), frame.thread_seams.end()).size();
+            const auto open = std::set<int>(frame.seam_line_seams.begin(), frame.seam_line_seams.end()).size();
             const std::string verb = frame.is_running ? "Sewing" : "Sewing, paused";
             return open == 0 ? verb : verb + " \u00B7 " + std::to_string(open) + (open == 1 ? " seam" : " seams");
         }
@@ -282,7 +282,7 @@ std::string stage_text(const sim::SessionFrame& frame) {
     return "";
 }
 
-void draw_overlay(ImDrawList& list, const OverlayPlace& place, const Workspace& workspace,
+void draw_overlay(ImDrawList& list, const OverlayFrame& place, const Workspace& workspace,
                   const ViewportController& hand, const ViewportColours& colours) {
     Overlay overlay(list, place, hand.viewing(), colours);
     draw_ghosts(overlay, hand);

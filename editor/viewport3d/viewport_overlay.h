@@ -8,12 +8,12 @@ struct ImDrawList;
 
 namespace selvedge::editor {
 
-struct OverlayPlace {
+struct OverlayFrame {
     Vec2f low_px{0, 0};  // upper left corner of the view in the window
     float scale = 1;     // interface scale factor
 };
 
-void draw_overlay(ImDrawList& list, const OverlayPlace& place, const Workspace& workspace,
+void draw_overlay(ImDrawList& list, const OverlayFrame& place, const Workspace& workspace,
                   const ViewportController& hand, const ViewportColours& colours);
 
 // The current simulation stage in a few words, for example "Sewing 3 seams".

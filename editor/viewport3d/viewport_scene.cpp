@@ -51,7 +51,7 @@ bool is_sound(const sim::PlainMesh& mesh) {
 
 }  // namespace
 
-bool wants_paint(render::ShowMode show) {
+bool fills_show_mode(render::ShowMode show) {
     return show > render::ShowMode::Plain;
 }
 
@@ -68,7 +68,7 @@ const sim::Fabric& ViewportScene::fabric(const std::string& name) {
     return fabrics_.emplace(name, std::move(fabric)).first->second;
 }
 
-void ViewportScene::take_sett(const sim::Pattern& pattern) {
+void ViewportScene::update_sett(const sim::Pattern& pattern) {
     if (sett_ && pattern.tartan == tartan_ && pattern.sett_size == sett_size_) return;
     tartan_ = pattern.tartan;
     sett_size_ = pattern.sett_size;
@@ -80,11 +80,11 @@ void ViewportScene::take_sett(const sim::Pattern& pattern) {
     if (sett_size_ && *sett_size_ > 0) sett_ = with_repeat_size(std::move(*sett_), *sett_size_);
 }
 
-void ViewportScene::take_cloth(const FittingSceneInput& input) {
+void ViewportScene::update_cloth(const ViewportSceneInput& input) {
     cloths_.clear();
     const sim::PlainMesh& mesh = input.garment.mesh();
     if (!is_sound(mesh)) return;
-    take_sett(input.pattern);
+    update_sett(input.pattern);
     const std::vector<std::string> names = fabrics_of(mesh, input.pattern);
     const std::set<std::string> distinct(names.begin(), names.end());
     for (const std::string& name : distinct) {
@@ -104,14 +104,14 @@ void ViewportScene::take_cloth(const FittingSceneInput& input) {
     }
 }
 
-void ViewportScene::take_body(const FittingSceneInput& input) {
+void ViewportScene::update_body(const ViewportSceneInput& input) {
     has_body_ = input.look.has_body;
     body_ = input.worn.body;
     bodies_.clear();
     if (has_body_ && body_ && !body_->triangles.empty()) bodies_.push_back(render::make_body_item(*body_));
 }
 
-std::shared_ptr<const render::Scene> ViewportScene::follow(const FittingSceneInput& input) {
+std::shared_ptr<const render::Scene> ViewportScene::follow(const ViewportSceneInput& input) {
     const ContentKey key{.garment = input.garment.version(),
                          .revision = input.revision,
                          .show = input.look.show,
@@ -121,8 +121,8 @@ std::shared_ptr<const render::Scene> ViewportScene::follow(const FittingSceneInp
     if (!is_cloth_new && !is_body_new && input.marks == marks_) return scene_;
     key_ = key;
     marks_ = input.marks;
-    if (is_cloth_new) take_cloth(input);
-    if (is_body_new) take_body(input);
+    if (is_cloth_new) update_cloth(input);
+    if (is_body_new) update_body(input);
     auto scene = std::make_shared<render::Scene>();
     scene->cloths = cloths_;
     scene->bodies = bodies_;

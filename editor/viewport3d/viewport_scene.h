@@ -12,12 +12,12 @@
 
 namespace selvedge::editor {
 
-struct FittingSceneInput {
+struct ViewportSceneInput {
     const sim::Pattern& pattern;
     std::uint64_t revision = 0;  // of the pattern
     const DisplayedGarment& garment;
     const CurrentBody& worn;
-    FittingLook look{};
+    ViewOptions look{};
     ViewportMarks marks{};
 };
 
@@ -26,7 +26,7 @@ class ViewportScene {
     explicit ViewportScene(ViewportColours colours = {}) : colours_(std::move(colours)) {}
 
     // Returns the scene for the input; null: there is nothing to show.
-    std::shared_ptr<const render::Scene> follow(const FittingSceneInput& input);
+    std::shared_ptr<const render::Scene> follow(const ViewportSceneInput& input);
 
  private:
     // Key of the cached cloth items.
@@ -39,9 +39,9 @@ class ViewportScene {
         bool operator==(const ContentKey&) const = default;
     };
 
-    void take_cloth(const FittingSceneInput& input);
-    void take_body(const FittingSceneInput& input);
-    void take_sett(const sim::Pattern& pattern);
+    void update_cloth(const ViewportSceneInput& input);
+    void update_body(const ViewportSceneInput& input);
+    void update_sett(const sim::Pattern& pattern);
     const sim::Fabric& fabric(const std::string& name);
 
     ViewportColours colours_;
@@ -59,6 +59,6 @@ class ViewportScene {
 };
 
 // Whether the mode maps values to colours; the program then colours the cloth (render/marks/show.h) before rendering.
-bool wants_paint(render::ShowMode show);
+bool fills_show_mode(render::ShowMode show);
 
 }  // namespace selvedge::editor

@@ -12,7 +12,7 @@ namespace {
 
 using Linear = std::array<double, 3>;  // linear RGB, 0..1
 
-constexpr double kThreadsAreSeen = 2;  // px per thread, minimum for drawing single threads
+constexpr double kMinPxPerThread = 2;  // px per thread, minimum for drawing single threads
 constexpr int kSamples = 3;            // samples per px and direction, if threads are drawn
 
 std::vector<Linear> in_light(const std::vector<sim::Rgb8>& colours) {
@@ -140,7 +140,7 @@ render::Image sett_picture(const sim::Sett& sett, const SettPictureOptions& opti
     const double px_per_thread = options.px_per_thread > 0
                                      ? options.px_per_thread
                                      : std::min(options.width_px, options.height_px) / double(thread_count(sett));
-    return px_per_thread < kThreadsAreSeen ? mean_picture(sett, options, px_per_thread)
+    return px_per_thread < kMinPxPerThread ? mean_picture(sett, options, px_per_thread)
                                            : thread_picture(sett, options, px_per_thread);
 }
 

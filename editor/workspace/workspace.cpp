@@ -46,7 +46,7 @@ sim::PatternDocument empty_garment() {
     return garment;
 }
 
-CurrentBody make_worn_mannequin(const std::string& text) {
+CurrentBody make_mannequin_body(const std::string& text) {
     sim::MannequinOptions options = sim::parse_mannequin(text);
     options.subdivisions = 1;
     sim::Mannequin mannequin = make_mannequin(options);
@@ -61,7 +61,7 @@ CurrentBody make_worn_mannequin(const std::string& text) {
 Drape::Drape(sim::SessionDrive drive, BodyMaker maker) : drive_(drive), maker_(std::move(maker)), session_(drive) {}
 
 void Drape::wear(std::optional<std::string> text) {
-    own_body_ = std::move(text);
+    body_override_ = std::move(text);
 }
 
 void Drape::begin_document() {
@@ -74,7 +74,7 @@ void Drape::begin_body(const std::string& text) {
     making_ = std::async(std::launch::async, maker_, text);
 }
 
-void Drape::take_body(Messages& messages) {
+void Drape::update_body(Messages& messages) {
     try {
         worn_ = making_.get();
         session_.set_body(worn_.body);
@@ -85,11 +85,11 @@ void Drape::take_body(Messages& messages) {
 
 void Drape::follow(const Document& document, Messages& messages) {
     const std::string drafted = document.pattern().body.empty() ? kDefaultBody : document.pattern().body;
-    const std::string text = own_body_.value_or(drafted);
+    const std::string text = body_override_.value_or(drafted);
     if (!making_.valid() && text != wanted_body_) begin_body(text);
     const bool waits = drive_ == sim::SessionDrive::Caller;
     if (making_.valid() && (waits || making_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)) {
-        take_body(messages);
+        update_body(messages);
     }
     if (!taken_options_ || !(*taken_options_ == options_)) {
         taken_options_ = options_;

@@ -27,7 +27,7 @@ enum class MessageKind { Note, Warning, Error };
 struct Message {
     MessageKind kind = MessageKind::Note;
     std::string words;
-    std::vector<GeometryPlace> places;
+    std::vector<PartLocation> places;
 };
 
 // The message list, newest last. It keeps the last 200 messages.
@@ -74,11 +74,11 @@ struct CurrentBody {
 using BodyMaker = std::function<CurrentBody(const std::string& text)>;
 
 // Makes a mannequin from its text. Uses one subdivision, which is enough for the editor.
-CurrentBody make_worn_mannequin(const std::string& text);
+CurrentBody make_mannequin_body(const std::string& text);
 
 class Drape {
  public:
-    explicit Drape(sim::SessionDrive drive, BodyMaker maker = make_worn_mannequin);
+    explicit Drape(sim::SessionDrive drive, BodyMaker maker = make_mannequin_body);
 
     // Sends changes of the document, the body and the options to the session, and its messages to `messages`. Call once
     // per displayed frame. Does not block with SessionDrive::Thread. With SessionDrive::Caller it waits for the body
@@ -101,13 +101,13 @@ class Drape {
 
  private:
     void begin_body(const std::string& text);
-    void take_body(Messages& messages);
+    void update_body(Messages& messages);
 
     sim::SessionDrive drive_;
     BodyMaker maker_;
     CurrentBody worn_;
-    std::optional<std::string> own_body_;  // body set by `wear`; none: the document's
-    std::string wanted_body_;              // text of the current body or of the one being made
+    std::optional<std::string> body_override_;  // body set by `wear`; none: the document's
+    std::string wanted_body_;                   // text of the current body or of the one being made
     std::future<CurrentBody> making_;
     sim::SessionOptions options_;
     std::optional<sim::SessionOptions> taken_options_;
@@ -117,16 +117,16 @@ class Drape {
 };
 
 // Display options of the 3D view.
-struct FittingLook {
+struct ViewOptions {
     render::ShowMode show = render::ShowMode::Tartan;
     bool has_body = true;
-    bool has_points = true;   // arrangement points, while selected panels can be placed
-    bool has_threads = true;  // connecting lines of open seams
-    bool has_edges = false;   // triangle edges, over plain cloth
-    bool as_placed = false;   // shows panels at their placement, even if the garment is sewn
-    bool own_axes = false;    // gizmo for a single panel uses its own axes, not the world axes
+    bool has_points = true;      // arrangement points, while selected panels can be placed
+    bool has_seam_lines = true;  // connecting lines of open seams
+    bool has_edges = false;      // triangle edges, over plain cloth
+    bool as_placed = false;      // shows panels at their placement, even if the garment is sewn
+    bool own_axes = false;       // gizmo for a single panel uses its own axes, not the world axes
 
-    bool operator==(const FittingLook&) const = default;
+    bool operator==(const ViewOptions&) const = default;
 };
 
 struct Workspace {
@@ -138,7 +138,7 @@ struct Workspace {
     Drape drape;
     Hover hover{};
     Messages messages{};
-    FittingLook look{};
+    ViewOptions look{};
 
     // Applies a command; a GeometryError becomes a message. Returns whether the command was applied.
     bool run(const Command& command);

@@ -10,7 +10,7 @@ namespace selvedge::render {
 namespace {
 
 // Ambient visibility along one axis: in its direction (is_along) or against it.
-struct LookOut {
+struct AxisVisibility {
     const DepthRange& picture;
     float fade = 0;  // in the image's units of depth
 
@@ -60,7 +60,8 @@ void LitPoints::add(const std::vector<Vec3f>& more_x, const std::vector<Vec3f>& 
     normals.insert(normals.end(), more_normals.begin(), more_normals.end());
 }
 
-void AmbientOcclusion::draw_bodies(const Casters& bodies, const Bounds& bounds, const RoomLightOptions& options) {
+void AmbientOcclusion::draw_bodies(const Casters& bodies, const Bounds& bounds,
+                                   const AmbientOcclusionOptions& options) {
     const auto axes = static_cast<std::size_t>(options.axes);
     const bool is_kept = body_pictures_.size() == axes && body_pictures_[0].side_px == options.side_px &&
                          bounds == bounds_ && bodies == bodies_;
@@ -77,8 +78,8 @@ void AmbientOcclusion::draw_bodies(const Casters& bodies, const Bounds& bounds, 
     bounds_ = bounds;
 }
 
-std::vector<Openness> AmbientOcclusion::bake(const Casters& cloths, const Casters& bodies, const LitPoints& points,
-                                             const RoomLightOptions& options) {
+std::vector<AmbientVisibility> AmbientOcclusion::bake(const Casters& cloths, const Casters& bodies,
+                                                      const LitPoints& points, const AmbientOcclusionOptions& options) {
     SELVEDGE_ASSERT(points.x.size() == points.normals.size() && options.axes >= 1);
     std::vector<Vec3f> all = cloths.x;
     all.insert(all.end(), bodies.x.begin(), bodies.x.end());
@@ -93,12 +94,12 @@ std::vector<Openness> AmbientOcclusion::bake(const Casters& cloths, const Caster
     });
     const float width = 2 * bounds.radius, texel = width / static_cast<float>(options.side_px);
     const float reach = std::max(options.reach, texel), fade = std::max(options.fade, 2 * texel) / width;
-    std::vector<Openness> result(points.x.size());
+    std::vector<AmbientVisibility> result(points.x.size());
     sim::parallel_for(points.x.size(), 8192, [&](std::size_t first, std::size_t last) {
         std::vector<Sums> sums(last - first);
         for (int i = 0; i < options.axes; ++i) {
             const Vec3f axis = axis_direction(i, options.axes);
-            const LookOut look{.picture = pictures_[static_cast<std::size_t>(i)], .fade = fade};
+            const AxisVisibility look{.picture = pictures_[static_cast<std::size_t>(i)], .fade = fade};
             for (std::size_t p = first; p < last; ++p) {
                 const float cosine = points.normals[p].dot(axis);
                 const Vec3f off = reach * points.normals[p];
@@ -125,9 +126,9 @@ constexpr std::uint32_t kCells = 96;  // per side: resolution of the baked value
 constexpr std::uint32_t kDrawn = 2;   // per side: cells drawn as one; fine enough after smoothing
 
 // One pass of the kernel [1 2 1]/4 along the ground's rows (step 1) or columns.
-void soften(std::vector<Openness>& ambient_visibility, std::size_t step) {
+void soften(std::vector<AmbientVisibility>& ambient_visibility, std::size_t step) {
     constexpr std::size_t side = kCells + 1;
-    const std::vector<Openness> before = ambient_visibility;
+    const std::vector<AmbientVisibility> before = ambient_visibility;
     for (std::size_t i = 0; i < ambient_visibility.size(); ++i) {
         const std::size_t place = step == 1 ? i % side : i / side;
         if (place == 0 || place + 1 == side) continue;
@@ -163,10 +164,10 @@ Ground make_ground(const Scene& scene, const Bounds& bounds) {
     return ground;
 }
 
-std::vector<Openness> softened_ground(std::vector<Openness> ambient_visibility) {
+std::vector<AmbientVisibility> softened_ground(std::vector<AmbientVisibility> ambient_visibility) {
     SELVEDGE_ASSERT(ambient_visibility.size() == (kCells + 1) * (kCells + 1));
-    constexpr int rounds = 6;  // standard deviation: sqrt(rounds / 2) cells
-    for (int round = 0; round < rounds; ++round) {
+    constexpr int iterations = 6;  // standard deviation: sqrt(rounds / 2) cells
+    for (int round = 0; round < iterations; ++round) {
         soften(ambient_visibility, 1);
         soften(ambient_visibility, kCells + 1);
     }

@@ -9,7 +9,7 @@
 
 namespace selvedge::render {
 
-struct RoomLightOptions {
+struct AmbientOcclusionOptions {
     int axes = 40;         // axes, spread evenly; each is sampled in both directions
     int side_px = 320;     // width and height of each depth image
     float reach = 0.007F;  // m, offset of a sample point along the normal; raised to one texel if smaller
@@ -28,11 +28,11 @@ struct LitPoints {
 // Keeps the bodies' depth images between calls of bake(), because the cloth changes more often than the bodies.
 class AmbientOcclusion {
  public:
-    std::vector<Openness> bake(const Casters& cloths, const Casters& bodies, const LitPoints& points,
-                               const RoomLightOptions& options = {});
+    std::vector<AmbientVisibility> bake(const Casters& cloths, const Casters& bodies, const LitPoints& points,
+                                        const AmbientOcclusionOptions& options = {});
 
  private:
-    void draw_bodies(const Casters& bodies, const Bounds& bounds, const RoomLightOptions& options);
+    void draw_bodies(const Casters& bodies, const Bounds& bounds, const AmbientOcclusionOptions& options);
 
     Casters bodies_;  // drawn in body_pictures_
     Bounds bounds_;
@@ -52,6 +52,6 @@ Ground make_ground(const Scene& scene, const Bounds& bounds);
 
 // Smooths the baked values: each of the sampled directions casts a faint, sharp shadow of its own on the ground.
 // Pre: one value for each vertex of the sheet.
-std::vector<Openness> softened_ground(std::vector<Openness> ambient_visibility);
+std::vector<AmbientVisibility> softened_ground(std::vector<AmbientVisibility> ambient_visibility);
 
 }  // namespace selvedge::render

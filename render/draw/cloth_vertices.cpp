@@ -34,7 +34,7 @@ std::array<float, 3> to_array(const Vec3f& v) {
 }  // namespace
 
 std::vector<ClothVertex> make_cloth_vertices(const sim::PlainMesh& mesh, const std::vector<Vec3f>& normals,
-                                             const std::vector<Openness>& ambient_visibility) {
+                                             const std::vector<AmbientVisibility>& ambient_visibility) {
     SELVEDGE_ASSERT(normals.size() == mesh.x.size() && ambient_visibility.size() == mesh.x.size());
     SELVEDGE_ASSERT(mesh.u.empty() || mesh.u.size() == mesh.triangles.size());
     const std::vector<TriangleMarks> marks = mark_edges(mesh);

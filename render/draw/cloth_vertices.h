@@ -15,7 +15,7 @@
 namespace selvedge::render {
 
 // Ambient visibility of a point on the two sides of the surface: 0 (occluded) to 1 (open).
-struct Openness {
+struct AmbientVisibility {
     float front = 1;
     float back = 1;
 };
@@ -33,7 +33,7 @@ struct ClothVertex {
 // normals: one per vertex of the mesh; used even if the mesh has its own. Seam edges lie between two panels or where
 // material coordinates jump; hem edges have one triangle. Pre: ambient_visibility has one entry per vertex of the mesh.
 std::vector<ClothVertex> make_cloth_vertices(const sim::PlainMesh& mesh, const std::vector<Vec3f>& normals,
-                                             const std::vector<Openness>& ambient_visibility);
+                                             const std::vector<AmbientVisibility>& ambient_visibility);
 
 // A cloth's paint in GL buffers: for each corner a position along a colour map, and the map as one row of texels.
 

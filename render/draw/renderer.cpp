@@ -39,7 +39,7 @@ void check_size(const RenderOptions& options) {
 }
 
 void check_samples(const GlContext& context, const RenderOptions& options) {
-    const int most = context.most_samples();
+    const int most = context.max_samples();
     if (options.samples <= most) return;
     throw sim::InputError("", "samples",
                           std::string(name(context.maker())) + " takes at most " + std::to_string(most) +
@@ -77,7 +77,7 @@ void copy_tile(Image& image, const Image& tile_image, const Tile& tile) {
 }
 
 // With what the prepared scene is drawn.
-struct SceneLook {
+struct ViewSettings {
     const Camera& camera;
     const Light& light;
     const Background& background;
@@ -85,7 +85,7 @@ struct SceneLook {
 
 // The values that the shaders need for one tile.
 struct Frame {
-    const SceneLook& look;
+    const ViewSettings& look;
     const RenderOptions& options;
     Tile tile;
     Eigen::Matrix4f camera;         // world space to the tile's clip space
@@ -281,8 +281,8 @@ struct Renderer::Impl {
 
     // Draws the prepared scene. Calls `take` for each finished tile.
     template <class Take>
-    void draw_tiles(const SceneLook& look, const RenderOptions& options, PartClock& clock, const Take& take) {
-        const Eigen::Matrix4f room_to_picture =
+    void draw_tiles(const ViewSettings& look, const RenderOptions& options, PartClock& clock, const Take& take) {
+        const Eigen::Matrix4f world_to_clip =
             projection_matrix(look.camera, float(options.width_px) / float(options.height_px)) *
             view_matrix(look.camera);
         const TargetSize size{.width_px = std::min(options.width_px, options.tile_px),
@@ -296,7 +296,7 @@ struct Renderer::Impl {
                 const Frame frame{.look = look,
                                   .options = options,
                                   .tile = tile,
-                                  .camera = tile_matrix(tile, options) * room_to_picture,
+                                  .camera = tile_matrix(tile, options) * world_to_clip,
                                   .shadow_matrix = unit_cube_matrix() * prepared.key_matrix(),
                                   .shadow_width = prepared.shadow_width()};
                 draw_mask(frame);
@@ -321,7 +321,7 @@ struct Renderer::Impl {
     std::optional<ShadowMask> mask;
 };
 
-Renderer::Renderer(std::optional<ContextMaker> maker) : impl_(std::make_unique<Impl>(make_context(maker))) {}
+Renderer::Renderer(std::optional<ContextKind> maker) : impl_(std::make_unique<Impl>(make_context(maker))) {}
 Renderer::Renderer(GlContext& shared) : impl_(std::make_unique<Impl>(shared)) {}
 Renderer::~Renderer() = default;
 
@@ -334,7 +334,7 @@ Image Renderer::draw(const Scene& scene, const RenderOptions& options) {
     PartClock clock(impl_->gl, options.times);
     impl_->prepared.prepare(scene, clock);
     Image image(options.width_px, options.height_px);
-    const SceneLook look{.camera = scene.camera, .light = scene.light, .background = scene.background};
+    const ViewSettings look{.camera = scene.camera, .light = scene.light, .background = scene.background};
     impl_->draw_tiles(look, options, clock, [&](const Tile& tile) { copy_tile(image, impl_->target->read(), tile); });
     return image;
 }
@@ -346,7 +346,7 @@ void Renderer::draw(const SceneView& view, PictureTexture& to, const RenderOptio
     impl_->begin(options);
     PartClock clock(impl_->gl, options.times);
     impl_->prepared.prepare(view, clock);
-    const SceneLook look{.camera = view.camera, .light = view.light, .background = view.scene->background};
+    const ViewSettings look{.camera = view.camera, .light = view.light, .background = view.scene->background};
     impl_->draw_tiles(look, options, clock, [&](const Tile& tile) { impl_->lay_tile(to, tile); });
 }
 

@@ -60,7 +60,7 @@ sim::Rgb8 level_colour(int level);
 class Renderer {
  public:
     // Throws InputError if no GL context can be created (render/gl/context.h).
-    explicit Renderer(std::optional<ContextMaker> maker = {});
+    explicit Renderer(std::optional<ContextKind> maker = {});
     explicit Renderer(GlContext& shared);  // `shared` must outlive the renderer
     ~Renderer();
 

@@ -16,17 +16,17 @@ struct SurfaceVertex {
     float ambient_visibility;
 };
 
-class Opennesses {
+class AmbientVisibilityReader {
  public:
-    explicit Opennesses(const std::vector<Openness>& all) : all_(all) {}
-    std::vector<Openness> take(std::size_t count) {
+    explicit AmbientVisibilityReader(const std::vector<AmbientVisibility>& all) : all_(all) {}
+    std::vector<AmbientVisibility> take(std::size_t count) {
         const auto first = all_.begin() + static_cast<std::ptrdiff_t>(taken_);
         taken_ += count;
         return {first, first + static_cast<std::ptrdiff_t>(count)};
     }
 
  private:
-    const std::vector<Openness>& all_;
+    const std::vector<AmbientVisibility>& all_;
     std::size_t taken_ = 0;
 };
 
@@ -43,7 +43,7 @@ void add_attribute(const GladGLContext& gl, GLuint index, int floats, std::size_
 }
 
 SurfaceBuffer make_surface_buffer(const GladGLContext& gl, const BodyItem& item,
-                                  const std::vector<Openness>& ambient_visibility) {
+                                  const std::vector<AmbientVisibility>& ambient_visibility) {
     std::vector<SurfaceVertex> vertices;
     vertices.reserve(item.x.size());
     for (std::size_t i = 0; i < item.x.size(); ++i) {
@@ -83,7 +83,7 @@ void upload_setts(const GladGLContext& gl, const ClothItem& item, ClothBuffer& b
 }
 
 ClothBuffer make_cloth_buffer(const GladGLContext& gl, const ClothItem& item,
-                              const std::vector<Openness>& ambient_visibility) {
+                              const std::vector<AmbientVisibility>& ambient_visibility) {
     const std::vector<ClothVertex> vertices =
         make_cloth_vertices(item.mesh, vertex_normals(item.mesh), ambient_visibility);
     ClothBuffer buffer{.vertex_array = VertexArray(gl), .vertices = Buffer(gl)};
@@ -122,11 +122,11 @@ bool is_closed(const BodyItem& item) {
 }
 
 SceneBuffers make_scene_buffers(const GladGLContext& gl, const Scene& scene, const Ground& ground,
-                                const std::vector<Openness>& ambient_visibility) {
+                                const std::vector<AmbientVisibility>& ambient_visibility) {
     SceneBuffers buffers;
     buffers.ground_centre = ground.centre;
     buffers.ground_radius = ground.radius;
-    Opennesses each(ambient_visibility);
+    AmbientVisibilityReader each(ambient_visibility);
     for (const ClothItem& cloth : scene.cloths) {
         buffers.cloths.push_back(make_cloth_buffer(gl, cloth, each.take(cloth.mesh.x.size())));
     }

@@ -66,7 +66,7 @@ bool is_closed(const BodyItem& item);
 
 // ambient_visibility: of the cloths' vertices, then the bodies', then the ground's, as baked.
 SceneBuffers make_scene_buffers(const GladGLContext& gl, const Scene& scene, const Ground& ground,
-                                const std::vector<Openness>& ambient_visibility);
+                                const std::vector<AmbientVisibility>& ambient_visibility);
 
 // Keeps a scene's buffers from one picture to the next. If only the camera moves, nothing is rebuilt; if cloth moves,
 // only what depends on it. Everything kept was made from equal input, so a picture does not depend on earlier ones.
@@ -94,7 +94,7 @@ class PreparedScene {
     Bounds bounds_;
     LitPoints points_;
     AmbientOcclusion ambient_occlusion_;
-    std::vector<Openness> ambient_visibility_;
+    std::vector<AmbientVisibility> ambient_visibility_;
     SceneBuffers buffers_;
     ShadowMap shadow_;
     Eigen::Matrix4f key_matrix_ = Eigen::Matrix4f::Zero();

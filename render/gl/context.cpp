@@ -74,7 +74,7 @@ class SurfacelessContext final : public GlContext {
         }
     }
 
-    ContextMaker maker() const override { return ContextMaker::Egl; }
+    ContextKind maker() const override { return ContextKind::Egl; }
 
  private:
     void create() {
@@ -149,7 +149,7 @@ class OSMesaContext final : public GlContext {
         }
     }
 
-    ContextMaker maker() const override { return ContextMaker::OSMesa; }
+    ContextKind maker() const override { return ContextKind::OSMesa; }
 
  private:
     static constexpr int kSide = 4;  // px; nothing is drawn here
@@ -163,23 +163,23 @@ std::unique_ptr<GlContext> make_osmesa_context() {
     return std::make_unique<OSMesaContext>();
 }
 
-std::vector<ContextMaker> makers_to_try(std::optional<ContextMaker> maker) {
+std::vector<ContextKind> makers_to_try(std::optional<ContextKind> maker) {
     if (maker) return {*maker};
     const char* wished = std::getenv("SELVEDGE_GL");
-    if (wished == nullptr || *wished == '\0') return {ContextMaker::OSMesa, ContextMaker::Egl};
-    for (const ContextMaker known : {ContextMaker::OSMesa, ContextMaker::Egl}) {
+    if (wished == nullptr || *wished == '\0') return {ContextKind::OSMesa, ContextKind::Egl};
+    for (const ContextKind known : {ContextKind::OSMesa, ContextKind::Egl}) {
         if (std::string_view(wished) == name(known)) return {known};
     }
     throw sim::InputError("", "SELVEDGE_GL", "'" + std::string(wished) + "' is neither osmesa nor egl");
 }
 
-std::unique_ptr<GlContext> make(ContextMaker maker) {
+std::unique_ptr<GlContext> make(ContextKind maker) {
     switch (maker) {
-        case ContextMaker::OSMesa:
+        case ContextKind::OSMesa:
             return make_osmesa_context();
-        case ContextMaker::Egl:
+        case ContextKind::Egl:
             return make_egl_context();
-        case ContextMaker::Window:
+        case ContextKind::Window:
             break;
     }
     SELVEDGE_ASSERT(!"a window makes its own context");
@@ -192,9 +192,9 @@ std::string text_of(const GLubyte* text) {
 
 }  // namespace
 
-const char* name(ContextMaker maker) {
-    if (maker == ContextMaker::Window) return "window";
-    return maker == ContextMaker::OSMesa ? "osmesa" : "egl";
+const char* name(ContextKind maker) {
+    if (maker == ContextKind::Window) return "window";
+    return maker == ContextKind::OSMesa ? "osmesa" : "egl";
 }
 
 GlContext::GlContext() : gl_(new GladGLContext{}) {}
@@ -212,7 +212,7 @@ void GlContext::finish() const {
     gl_->Finish();
 }
 
-int GlContext::most_samples() const {
+int GlContext::max_samples() const {
     GLint most = 1;
     gl_->GetIntegerv(GL_MAX_SAMPLES, &most);
     return most;
@@ -222,9 +222,9 @@ std::string GlContext::description() const {
     return text_of(gl_->GetString(GL_RENDERER)) + ", OpenGL " + text_of(gl_->GetString(GL_VERSION));
 }
 
-std::unique_ptr<GlContext> make_context(std::optional<ContextMaker> maker) {
+std::unique_ptr<GlContext> make_context(std::optional<ContextKind> maker) {
     std::string reasons;
-    for (const ContextMaker candidate : makers_to_try(maker)) {
+    for (const ContextKind candidate : makers_to_try(maker)) {
         try {
             return make(candidate);
         } catch (const std::runtime_error& error) {

@@ -14,9 +14,9 @@ struct GladGLContext;
 
 namespace selvedge::render {
 
-enum class ContextMaker { OSMesa, Egl, Window };
+enum class ContextKind { OSMesa, Egl, Window };
 
-const char* name(ContextMaker maker);
+const char* name(ContextKind maker);
 
 class GlContext {
  public:
@@ -25,7 +25,7 @@ class GlContext {
     GlContext& operator=(const GlContext&) = delete;
 
     virtual void make_current() = 0;
-    virtual ContextMaker maker() const = 0;
+    virtual ContextKind maker() const = 0;
 
     // GL functions of this context (core profile, version 3.3 or above). Valid as long as the context.
     const GladGLContext& gl() const { return *gl_; }
@@ -37,7 +37,7 @@ class GlContext {
     void finish() const;
 
     // Largest number of samples per pixel of a framebuffer. Pre: the context is current.
-    int most_samples() const;
+    int max_samples() const;
 
  protected:
     using GetProcAddress = void (*(*)(const char*))();
@@ -55,6 +55,6 @@ class GlContext {
 // Creates a context and makes it current. Without `maker`: the one named by the environment variable SELVEDGE_GL
 // (osmesa or egl); if that is not set, OSMesa, or EGL if OSMesa is missing. Throws InputError with the reason of each
 // maker if none works. Pre: no other context is current; maker is not Window.
-std::unique_ptr<GlContext> make_context(std::optional<ContextMaker> maker = {});
+std::unique_ptr<GlContext> make_context(std::optional<ContextKind> maker = {});
 
 }  // namespace selvedge::render

@@ -19,7 +19,7 @@ struct Letter {
     int width = 0;  // px
 };
 
-bool is_follower(char byte) {
+bool is_continuation_byte(char byte) {
     return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
 }
 
@@ -58,7 +58,7 @@ float ink_at(const Letter& letter, int x, int y, int scale) {
     return 0;
 }
 
-void lay_over(Rgba8& under, const Rgba8& colour, float share) {
+void blend(Rgba8& under, const Rgba8& colour, float share) {
     const float over = share * float(colour[3]) / 255;
     const float below = float(under[3]) / 255 * (1 - over);
     const float all = over + below;
@@ -73,8 +73,7 @@ void draw_letter(Image& image, int left, int top, const Letter& letter, const Te
     for (int y = 0; y < kGlyphHeight * options.scale; ++y) {
         for (int x = 0; x < letter.width * options.scale; ++x) {
             const float ink = ink_at(letter, x + letter.first * options.scale, y, options.scale);
-            if (ink > 0 && image.contains(left + x, top + y))
-                lay_over(image.at(left + x, top + y), options.colour, ink);
+            if (ink > 0 && image.contains(left + x, top + y)) blend(image.at(left + x, top + y), options.colour, ink);
         }
     }
 }
@@ -93,7 +92,7 @@ void fill_rounded(Image& image, const PixelBox& box, int radius, const Rgba8& co
             const float off =
                 std::hypot(std::max(float(radius) - inside_x, 0.0F), std::max(float(radius) - inside_y, 0.0F));
             const float inside = radius > 0 ? std::clamp(float(radius) + 0.5F - off, 0.0F, 1.0F) : 1.0F;
-            lay_over(image.at(x, y), colour, inside);
+            blend(image.at(x, y), colour, inside);
         }
     }
 }
@@ -101,14 +100,14 @@ void fill_rounded(Image& image, const PixelBox& box, int radius, const Rgba8& co
 int text_width(std::string_view text) {
     int width = 0;
     for (const char code : text) {
-        if (!is_follower(code)) width += find_letter(code).width + kGap;
+        if (!is_continuation_byte(code)) width += find_letter(code).width + kGap;
     }
     return std::max(width - kGap, 0);
 }
 
 void draw_text(Image& image, int left, int top, std::string_view text, const TextOptions& options) {
     for (const char code : text) {
-        if (is_follower(code)) continue;
+        if (is_continuation_byte(code)) continue;
         const Letter letter = find_letter(code);
         draw_letter(image, left, top, letter, options);
         left += (letter.width + kGap) * options.scale;

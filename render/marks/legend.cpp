@@ -25,14 +25,14 @@ std::string left_out(const Legend& legend, std::size_t rows) {
     return "and " + std::to_string(legend.rows.size() - rows + 1) + " more";
 }
 
-int figure_room(const std::string& figure) {
+int value_width(const std::string& figure) {
     return figure.empty() ? 0 : 2 * kGap + text_width(figure);
 }
 
 int inner_width(const Legend& legend) {
     int width = text_width(legend.title);
     for (const LegendRow& row : legend.rows) {
-        width = std::max(width, kSwatch + kGap + text_width(row.label) + figure_room(row.figure));
+        width = std::max(width, kSwatch + kGap + text_width(row.label) + value_width(row.figure));
     }
     for (const auto& [name, figure] : legend.notes)
         width = std::max(width, text_width(name) + 2 * kGap + text_width(figure));
@@ -108,7 +108,7 @@ void draw_rows(Pen& pen, const Legend& legend, std::size_t rows) {
             pen.text(kSwatch + kGap, 1, left_out(legend, rows), kSoftInk);
         } else {
             pen.box(0, 0, kSwatch, kSwatch, opaque(legend.rows[i].colour));
-            const int room = pen.inner() - kSwatch - kGap - figure_room(legend.rows[i].figure);
+            const int room = pen.inner() - kSwatch - kGap - value_width(legend.rows[i].figure);
             pen.text(kSwatch + kGap, 1, shortened(legend.rows[i].label, room), kInk);
             pen.text_at_right(1, legend.rows[i].figure, kSoftInk);
         }
@@ -133,23 +133,24 @@ void draw_scale(Pen& pen, const LegendScale& scale) {
 }
 
 // The legend's place at this scale, or nullopt. Rows that do not fit are left out. Long names are cut at scale 1 only.
-std::optional<LegendPlace> place_at_scale(const Legend& legend, int scale, int width_px, int height_px, Corner corner) {
+std::optional<LegendLayout> place_at_scale(const Legend& legend, int scale, int width_px, int height_px,
+                                           Corner corner) {
     int width = (inner_width(legend) + 2 * kPadding) * scale;
     if (scale == 1) width = std::min(width, std::max(least_width(legend) + 2 * kPadding, width_px / 2));
     const auto height_of = [&](std::size_t rows) { return (inner_height(legend, rows) + 2 * kPadding) * scale; };
     const int most_height = height_px * 3 / 4;
     std::size_t rows = legend.rows.size();
     while (rows > 0 && height_of(rows) > most_height) --rows;
-    const bool says_nothing = rows < std::min<std::size_t>(legend.rows.size(), 2);
-    if (width > width_px / 2 || says_nothing || height_of(rows) > most_height) return std::nullopt;
-    return LegendPlace{.box = in_corner(width, height_of(rows), kMargin * scale, corner, width_px, height_px),
-                       .scale = scale,
-                       .rows = rows};
+    const bool shows_too_little = rows < std::min<std::size_t>(legend.rows.size(), 2);
+    if (width > width_px / 2 || shows_too_little || height_of(rows) > most_height) return std::nullopt;
+    return LegendLayout{.box = in_corner(width, height_of(rows), kMargin * scale, corner, width_px, height_px),
+                        .scale = scale,
+                        .rows = rows};
 }
 
 }  // namespace
 
-std::optional<LegendPlace> place_legend(const Legend& legend, int width_px, int height_px, Corner corner) {
+std::optional<LegendLayout> place_legend(const Legend& legend, int width_px, int height_px, Corner corner) {
     for (int scale = std::max(1, std::min(width_px, height_px) / 512); scale > 0; --scale) {
         const auto place = place_at_scale(legend, scale, width_px, height_px, corner);
         if (place) return place;
@@ -158,7 +159,7 @@ std::optional<LegendPlace> place_legend(const Legend& legend, int width_px, int 
 }
 
 void draw_legend(Image& image, const Legend& legend, Corner corner) {
-    const std::optional<LegendPlace> place = place_legend(legend, image.width_px, image.height_px, corner);
+    const std::optional<LegendLayout> place = place_legend(legend, image.width_px, image.height_px, corner);
     if (!place) return;
     const auto& [box, scale, rows] = *place;
     fill_rounded(image, {box.left - scale, box.top - scale, box.width + 2 * scale, box.height + 2 * scale},

@@ -37,7 +37,7 @@ struct Legend {
 
 enum class Corner { LowerLeft, LowerRight, UpperLeft, UpperRight };
 
-struct LegendPlace {
+struct LegendLayout {
     PixelBox box;
     int scale = 1;         // picture pixels per font pixel
     std::size_t rows = 0;  // rows that fit; if not all do, the last of them reads "and N more"
@@ -46,7 +46,7 @@ struct LegendPlace {
 // The legend's box in a corner of a picture. Scale: the picture's shorter side / 512 px, at least 1; a smaller one if
 // the legend would be wider than half of the picture. Rows beyond three quarters of the picture's height are left out.
 // nullopt if it does not fit even so.
-std::optional<LegendPlace> place_legend(const Legend& legend, int width_px, int height_px, Corner corner);
+std::optional<LegendLayout> place_legend(const Legend& legend, int width_px, int height_px, Corner corner);
 
 // Draws nothing if place_legend() returns nullopt.
 void draw_legend(Image& image, const Legend& legend, Corner corner);

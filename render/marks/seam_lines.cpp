@@ -78,10 +78,10 @@ class Walker {
 
  private:
     SeamLine line_through(std::uint32_t vertex) {
-        const std::vector<std::uint32_t> members = connected(vertex);
+        const std::vector<std::uint32_t> connected_vertices = connected(vertex);
         SeamLine line;
         for (const bool starts_at_ends : {true, false}) {
-            for (const std::uint32_t v : members) {
+            for (const std::uint32_t v : connected_vertices) {
                 if (starts_at_ends && at_[v].size() == 2) continue;
                 for (VertexPath path = walk(v, line.length); path.size() > 1; path = walk(v, line.length))
                     line.paths.push_back(path);
@@ -91,15 +91,15 @@ class Walker {
     }
 
     std::vector<std::uint32_t> connected(std::uint32_t from) {
-        std::vector<std::uint32_t> members{from};
-        for (std::size_t i = 0; i < members.size(); ++i) {
-            for (const std::size_t e : at_[members[i]]) {
-                const std::uint32_t next = edges_[e].other(members[i]);
-                if (reached_.emplace(next, true).second && next != from) members.push_back(next);
+        std::vector<std::uint32_t> connected_vertices{from};
+        for (std::size_t i = 0; i < connected_vertices.size(); ++i) {
+            for (const std::size_t e : at_[connected_vertices[i]]) {
+                const std::uint32_t next = edges_[e].other(connected_vertices[i]);
+                if (reached_.emplace(next, true).second && next != from) connected_vertices.push_back(next);
             }
         }
-        std::sort(members.begin(), members.end());
-        return members;
+        std::sort(connected_vertices.begin(), connected_vertices.end());
+        return connected_vertices;
     }
 
     VertexPath walk(std::uint32_t vertex, double& length) {

@@ -240,7 +240,7 @@ bool is_painted(ShowMode mode) {
     return mode > ShowMode::Plain;
 }
 
-std::optional<Legend> fill_show(Scene& scene, const ShowFacts& facts) {
+std::optional<Legend> fill_show(Scene& scene, const ShowInput& facts) {
     ClothItem& cloth = scene.cloths.front();
     SELVEDGE_ASSERT(cloth.show != ShowMode::Hierarchy && (!wants_material(cloth.show) || !cloth.mesh.u.empty()));
     switch (cloth.show) {
@@ -263,7 +263,7 @@ std::optional<Legend> fill_show(Scene& scene, const ShowFacts& facts) {
     }
 }
 
-Legend fill_hierarchy(Scene& scene, const sim::TriangleHierarchy& hierarchy, StackSide side, const ShowFacts& facts) {
+Legend fill_hierarchy(Scene& scene, const sim::TriangleHierarchy& hierarchy, StackSide side, const ShowInput& facts) {
     HierarchyModel model = model_hierarchy(hierarchy, side);
     ClothItem cloth;
     cloth.mesh = std::move(model.mesh);

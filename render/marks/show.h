@@ -10,7 +10,7 @@
 
 namespace selvedge::render {
 
-struct ShowFacts {
+struct ShowInput {
     std::vector<float> clearance{};  // m, one per vertex of the garment; needed by Clearance
     float line_radius = 0.003F;      // m, of the lines in Seams and of the outlines in Hierarchy
 };
@@ -23,11 +23,11 @@ bool is_painted(ShowMode mode);
 
 // Fills in what the mode of the scene's first cloth shows. Returns the legend, if the mode has one. Pre: the mode is
 // not Hierarchy; the material coordinates and facts that the mode needs are given and finite.
-std::optional<Legend> fill_show(Scene& scene, const ShowFacts& facts = {});
+std::optional<Legend> fill_show(Scene& scene, const ShowInput& facts = {});
 
 // The same for Hierarchy: the model replaces all cloths and solids of the scene.
 Legend fill_hierarchy(Scene& scene, const sim::TriangleHierarchy& hierarchy, StackSide side,
-                      const ShowFacts& facts = {});
+                      const ShowInput& facts = {});
 
 // Number of triangles of each level, up to the highest.
 Legend level_legend(const sim::PlainMesh& mesh);

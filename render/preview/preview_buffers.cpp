@@ -35,7 +35,7 @@ void add_floats(const GladGLContext& gl, GLuint index, int floats, std::size_t s
 }
 
 // Same triangles, material coordinates and panels.
-bool is_same_net(const sim::PlainMesh& a, const sim::PlainMesh& b) {
+bool has_same_topology(const sim::PlainMesh& a, const sim::PlainMesh& b) {
     return is_same(a.triangles, b.triangles) && is_same(a.u, b.u) && is_same(a.panel, b.panel);
 }
 
@@ -92,7 +92,7 @@ PreviewCloth::PreviewCloth(const GladGLContext& gl) : gl_(gl), vertex_array_(gl)
 }
 
 void PreviewCloth::update(const ClothItem& item, const ClothItem* before) {
-    const bool has_same_net = before != nullptr && is_same_net(item.mesh, before->mesh);
+    const bool has_same_net = before != nullptr && has_same_topology(item.mesh, before->mesh);
     if (!has_same_net) marks_ = mark_edges(item.mesh);
     if (before == nullptr || !is_same_picture(item, *before)) fill_picture(item);
     if (!has_same_net || !is_same_fixed(item, *before)) fill_fixed(item);
@@ -106,11 +106,11 @@ void PreviewCloth::fill_picture(const ClothItem& item) {
     is_painted_ = item.show > ShowMode::Plain && item.paint.has_value();
     if (is_woven_) {
         threads_ = {sum_warp(item.sett).threads(), sum_weft(item.sett).threads()};
-        picture_ = upload_draft_weave(gl_, preview_weave(item.sett));
+        picture_ = upload_preview_weave(gl_, preview_weave(item.sett));
         return;
     }
-    picture_ =
-        upload_draft_weave(gl_, {is_painted_ ? image_of_map(item.paint->map) : Image(1, 1, Rgba8{255, 255, 255, 255})});
+    picture_ = upload_preview_weave(
+        gl_, {is_painted_ ? image_of_map(item.paint->map) : Image(1, 1, Rgba8{255, 255, 255, 255})});
     gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
 }
 
@@ -260,7 +260,7 @@ std::vector<Image> preview_weave(const sim::Sett& sett) {
     }
 }
 
-Texture upload_draft_weave(const GladGLContext& gl, const std::vector<Image>& sizes) {
+Texture upload_preview_weave(const GladGLContext& gl, const std::vector<Image>& sizes) {
     Texture texture(gl);
     gl.ActiveTexture(GL_TEXTURE0);
     gl.BindTexture(GL_TEXTURE_2D, texture.id());

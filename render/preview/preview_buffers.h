@@ -79,6 +79,6 @@ class PreviewSurface {
 // across the warp's threads; y runs along the warp.
 std::vector<Image> preview_weave(const sim::Sett& sett);
 
-Texture upload_draft_weave(const GladGLContext& gl, const std::vector<Image>& sizes);
+Texture upload_preview_weave(const GladGLContext& gl, const std::vector<Image>& sizes);
 
 }  // namespace selvedge::render

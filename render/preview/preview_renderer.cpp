@@ -13,7 +13,7 @@
 namespace selvedge::render {
 namespace {
 
-constexpr float kBodyOpenness = 0.85F;  // constant ambient visibility, because previews bake none
+constexpr float kBodyAmbientVisibility = 0.85F;  // constant ambient visibility, because previews bake none
 constexpr float kSeamInk = 0.28F, kEdgeInk = 0.6F;
 
 // The place of a body's soft shadow on the ground.
@@ -199,7 +199,7 @@ struct PreviewRenderer::Impl {
         surface.use();
         set_light(surface, view, camera);
         surface.set("body_share", 1.0F);
-        surface.set("openness", kBodyOpenness);
+        surface.set("openness", kBodyAmbientVisibility);
         for (std::size_t i = 0; i < bodies.size(); ++i) {
             surface.set("body_colour", to_linear(scene->bodies[i].colour));
             set_material(scene->bodies[i].material);

@@ -75,7 +75,7 @@ Vec3f any_across(const Vec3f& along) {
 }
 
 // Continues the previous ring's first direction without a twist.
-Vec3f carried_across(const Vec3f& across, const Vec3f& along) {
+Vec3f transported_across(const Vec3f& across, const Vec3f& along) {
     const Vec3f flat = across - across.dot(along) * along;
     return flat.norm() > 1e-3F ? flat.normalized() : any_across(along);
 }
@@ -95,7 +95,7 @@ std::vector<Ring> make_rings(const std::vector<Vec3f>& points) {
         const Vec3f after = i + 1 < points.size() ? (points[i + 1] - points[i]).normalized() : Vec3f::Zero();
         const Vec3f sum = before + after;
         const Vec3f along = sum.norm() > 1e-3F ? sum.normalized() : (i > 0 ? before : after);
-        const Vec3f across = rings.empty() ? any_across(along) : carried_across(rings.back().across, along);
+        const Vec3f across = rings.empty() ? any_across(along) : transported_across(rings.back().across, along);
         rings.push_back({points[i], along, across});
     }
     return rings;

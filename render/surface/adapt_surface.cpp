@@ -39,17 +39,17 @@ struct CoarseVeto {
 
 // All criteria that request splits, combined to one, so that look-ahead covers all of them.
 template <sim::EdgeCriterion Shape>
-struct Wish {
+struct SplitRequest {
     const Shape& shape;
     const CurvedSurface& surface;
     const CoarseVeto& veto;  // without it, look-ahead would split neighbours of edges that the veto keeps coarse
-    float least_bulge;       // m
+    float min_bulge;         // m
 
     bool wants_split(const sim::AdaptiveMesh& mesh, sim::EdgeId e) const {
-        return shape.wants_split(mesh, e) && bulge(mesh.edge(e)) > least_bulge && !veto.vetoes(mesh, e);
+        return shape.wants_split(mesh, e) && bulge(mesh.edge(e)) > min_bulge && !veto.vetoes(mesh, e);
     }
     bool allows_rejoin(const sim::AdaptiveMesh& mesh, sim::EdgeId e) const {
-        return shape.allows_rejoin(mesh, e) || bulge(mesh.edge(e)) < 0.5F * least_bulge;
+        return shape.allows_rejoin(mesh, e) || bulge(mesh.edge(e)) < 0.5F * min_bulge;
     }
 
     // m, upper bound of the distance by which the middle of a curve with M = 1 leaves its chord.
@@ -75,7 +75,7 @@ struct VetoOnArrival {
     float shown(sim::VertexId v) const { return surface.shown[v.value]; }
     bool stands(sim::VertexId v) const { return shown(v) >= 1 && !surface.is_leaving[v.value]; }
 };
-struct HoldUntilArrival {
+struct RejoinOnArrival {
     const CurvedSurface& surface;
 
     bool wants_split(const sim::AdaptiveMesh&, sim::EdgeId) const { return false; }
@@ -104,7 +104,7 @@ sim::AdaptReport adapt_with(CurvedSurface& surface, const AdaptSurfaceOptions& o
     Observer observer(surface, options.glides ? SpawnPosition::Middle : SpawnPosition::Curve, options.visibility);
     if (!options.glides) return adapt(surface.mesh, observer, {}, veto, criterion);
     note_leaving(surface, veto, criterion);
-    return adapt(surface.mesh, observer, {}, VetoOnArrival{surface, veto}, HoldUntilArrival{surface}, criterion);
+    return adapt(surface.mesh, observer, {}, VetoOnArrival{surface, veto}, RejoinOnArrival{surface}, criterion);
 }
 
 }  // namespace
@@ -118,7 +118,7 @@ sim::AdaptReport adapt_surface(CurvedSurface& surface, const AdaptSurfaceOptions
     const sim::LengthCriterion<Vec4f> length(surface.x, on.compressions);
     const sim::AnyOf shape(sim::OptionalCriterion(on.curvature, curvature),
                            sim::OptionalCriterion(on.buckling, buckling), sim::OptionalCriterion(on.length, length));
-    const Wish wish{shape, surface, veto, on.least_bulge};
+    const SplitRequest wish{shape, surface, veto, on.min_bulge};
     const sim::AdaptReport report = adapt_with(surface, options, veto, sim::LookAheadCriterion(wish));
     if (report.changed()) plan_surface(surface);
     return report;
@@ -126,13 +126,13 @@ sim::AdaptReport adapt_surface(CurvedSurface& surface, const AdaptSurfaceOptions
 
 void settle_surface(CurvedSurface& surface, std::span<const Vec4f> x, std::span<const Vec4f> normals,
                     const AdaptSurfaceOptions& options, const MoveOptions& move) {
-    constexpr int kMostRounds = 12;
+    constexpr int kMaxIterations = 12;
     AdaptSurfaceOptions at_once = options;
     at_once.glides = false;
     std::fill(surface.shown.begin(), surface.shown.end(), 1.0F);
     std::fill(surface.is_leaving.begin(), surface.is_leaving.end(), false);
     move_surface(surface, x, normals, move);
-    for (int round = 0; round < kMostRounds && adapt_surface(surface, at_once).changed(); ++round) {
+    for (int round = 0; round < kMaxIterations && adapt_surface(surface, at_once).changed(); ++round) {
         move_surface(surface, x, normals, move);
     }
     update_light_normals(surface);

@@ -15,7 +15,7 @@ struct SurfaceCriteria {
     sim::CurvatureOptions curvature_angles{.split_angle = 0.12F, .rejoin_angle = 0.05F};  // between the curves' normals
     sim::BucklingOptions buckling_ratios{.split_ratio = 1.02F, .rejoin_ratio = 1.01F};
     sim::LengthOptions compressions{};
-    float least_bulge = 0.0002F;   // m, how far a curve with M = 1 leaves its chord: up to this, no split; below
+    float min_bulge = 0.0002F;     // m, how far a curve with M = 1 leaves its chord: up to this, no split; below
                                    // half of it, a rejoin is allowed whatever the other criteria say
     float shortest_edge = 0.002F;  // m, rest length; shorter edges are not split
 };

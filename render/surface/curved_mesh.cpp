@@ -39,11 +39,11 @@ sim::GarmentMesh base_of(const sim::PlainMesh& coarse) {
 }
 
 void check_size(const sim::PlainMesh& coarse, int level) {
-    const std::size_t most = kMostDrawnTriangles >> (2 * level);
+    const std::size_t most = kMaxDrawnTriangles >> (2 * level);
     if (coarse.triangles.size() <= most) return;
     throw sim::InputError("", "surface",
                           std::to_string(coarse.triangles.size()) + " triangles at level " + std::to_string(level) +
-                              " are more than " + std::to_string(kMostDrawnTriangles) + ": choose a lower level");
+                              " are more than " + std::to_string(kMaxDrawnTriangles) + ": choose a lower level");
 }
 
 // Writes the leaves in the order of their base triangles.
@@ -139,7 +139,7 @@ void refine(CurvedSurface& surface, const CurvedMeshOptions& options) {
 
 sim::PlainMesh curved_mesh(const sim::PlainMesh& coarse, const CurvedMeshOptions& options) {
     const int level = options.level.value_or(options.deepest_level);
-    SELVEDGE_ASSERT(level >= 0 && level <= kMostSurfaceLevel);
+    SELVEDGE_ASSERT(level >= 0 && level <= kMaxSurfaceLevel);
     check_size(coarse, level);
     CurvedSurface surface = make_curved_surface(
         base_of(coarse), {.modifier = curve_modifier(options.kind), .max_level = level, .creases = options.creases});

@@ -24,14 +24,14 @@ struct CurvedMeshOptions {
                                         // written once per side
 };
 
-inline constexpr int kMostSurfaceLevel = 6;
-inline constexpr std::size_t kMostDrawnTriangles = 20'000'000;
+inline constexpr int kMaxSurfaceLevel = 6;
+inline constexpr std::size_t kMaxDrawnTriangles = 20'000'000;
 
 // The result has the coarse mesh's material coordinates, panels and names. Levels count on from those of the coarse
 // mesh, to 255 at most; a vertex on an edge between triangles of two levels counts on from the first of them. Without
 // material coordinates, a triangle's shape in space is its rest shape. Throws InputError if the mesh cannot be the base
 // of a surface (an edge with three triangles, a triangle with two equal corners), or if the result could have more than
-// kMostDrawnTriangles triangles.
+// kMaxDrawnTriangles triangles.
 sim::PlainMesh curved_mesh(const sim::PlainMesh& coarse, const CurvedMeshOptions& options = {});
 
 }  // namespace selvedge::render

@@ -29,9 +29,9 @@ CurveEnds ends_of(const CurvedSurface& surface, sim::VertexId a, sim::VertexId b
 }
 
 // Moves the vertex by one step and returns its position between the midpoint of its edge (0) and its curve (1).
-float glided(CurvedSurface& surface, const SurfacePlan::Point& point, float way, float longest_glide) {
+float glided(CurvedSurface& surface, const SurfacePlan::Point& point, float way, float max_step) {
     float& shown = surface.shown[point.v.value];
-    const float step = way > longest_glide ? longest_glide / way : 1.0F;
+    const float step = way > max_step ? max_step / way : 1.0F;
     if (surface.is_leaving[point.v.value]) {
         shown = std::max(0.0F, shown - step);
     } else if (surface.shown[point.a.value] >= 1 && surface.shown[point.b.value] >= 1) {
@@ -40,11 +40,11 @@ float glided(CurvedSurface& surface, const SurfacePlan::Point& point, float way,
     return shown;
 }
 
-Vec4f glide(CurvedSurface& surface, const SurfacePlan::Point& point, const Vec4f& where, float longest_glide) {
+Vec4f glide(CurvedSurface& surface, const SurfacePlan::Point& point, const Vec4f& where, float max_step) {
     if (surface.shown[point.v.value] >= 1 && !surface.is_leaving[point.v.value]) return where;
     const Vec4f middle = (surface.x[point.a.value] + surface.x[point.b.value]) * 0.5F;
     const Vec4f way = where - middle;
-    return middle + way * glided(surface, point, way.norm(), longest_glide);
+    return middle + way * glided(surface, point, way.norm(), max_step);
 }
 
 // The curve's ends, with the normals seen from one side of the root edge.
@@ -80,7 +80,7 @@ void note_crease_normals(CurvedSurface& surface, const SurfacePlan::Point& point
     if (sum.squaredNorm() > 0) surface.normals[point.v.value] = sum.normalized();
 }
 
-void move_level(CurvedSurface& surface, std::size_t level, const Lift& lift, float longest_glide) {
+void move_level(CurvedSurface& surface, std::size_t level, const Lift& lift, float max_step) {
     const SurfacePlan& plan = surface.plan;
     const bool has_creases = !surface.creases.empty();
     const auto first = [level](const std::vector<std::size_t>& ends) { return level == 0 ? 0 : ends[level - 1]; };
@@ -100,7 +100,7 @@ void move_level(CurvedSurface& surface, std::size_t level, const Lift& lift, flo
         surface.normals[point.v.value] = surface.weights.normal(curve, point.step);
         if (has_creases) note_crease_normals(surface, point);
         const Vec4f lifted = lift.lifted(point, where);
-        surface.x[point.v.value] = glide(surface, point, lifted, longest_glide);
+        surface.x[point.v.value] = glide(surface, point, lifted, max_step);
         lift.note_moved(point.v, (surface.x[point.v.value] - lifted).norm());
     }
 }
@@ -117,7 +117,7 @@ CurvedSurface make_curved_surface(const sim::GarmentMesh& base, const SurfaceOpt
                           .modifier = options.modifier,
                           .weights = CurveWeights(options.max_level)};
     size_arrays(surface, surface.mesh.vertex_capacity());
-    for (std::size_t i = 0; i < base.x.size(); ++i) surface.x[i] = sim::padded(base.x[i].cast<float>());
+    for (std::size_t i = 0; i < base.x.size(); ++i) surface.x[i] = sim::with_zero_w(base.x[i].cast<float>());
     surface.places.resize(surface.mesh.edges().capacity());
     for (std::uint32_t e = 0; e < surface.mesh.base_edge_count(); ++e) make_root(surface, sim::EdgeId(e));
     surface.creases = find_creases(surface.mesh, options.creases);
@@ -137,7 +137,7 @@ void SurfaceObserver::on_split(sim::VertexId c, sim::VertexId a, sim::VertexId b
     const sim::AdaptiveMesh& mesh = surface_.mesh;
     const sim::EdgeId e = mesh.vertex(c).parent;
     if (surface_.places.size() < mesh.edges().capacity()) surface_.places.resize(mesh.edges().capacity());
-    const EdgePlace place = surface_.places[e.value];
+    const CurveInterval place = surface_.places[e.value];
     const auto half = static_cast<std::uint16_t>(place.span / 2);
     const auto middle = static_cast<std::uint16_t>(place.from + half);
     const auto [first, second] = mesh.edge(e).children;
@@ -147,7 +147,7 @@ void SurfaceObserver::on_split(sim::VertexId c, sim::VertexId a, sim::VertexId b
     const sim::AdaptiveEdge& root = mesh.edge(place.root);
     const EdgeCurve curve =
         make_edge_curve(ends_of(surface_, root.ends[0], root.ends[1], root.rest_length), surface_.modifier);
-    const bool is_whole = entrance_ == SpawnPosition::Curve;
+    const bool is_whole = spawn_ == SpawnPosition::Curve;
     surface_.shown[c.value] = is_whole ? 1.0F : 0.0F;
     surface_.is_leaving[c.value] = false;
     surface_.normals[c.value] = surface_.weights.normal(curve, middle);
@@ -175,7 +175,7 @@ void plan_surface(CurvedSurface& surface) {
     for (int level = 0; level < mesh.max_level(); ++level) {
         for (const sim::EdgeId e : mesh.split_edges(level)) {
             const sim::AdaptiveEdge& edge = mesh.edge(e);
-            const EdgePlace& place = surface.places[e.value];
+            const CurveInterval& place = surface.places[e.value];
             if (place.root == e) {
                 curve_of[e.value] = static_cast<std::uint32_t>(plan.curves.size());
                 plan.curves.push_back({edge.ends[0], edge.ends[1], edge.rest_length, e});
@@ -201,7 +201,7 @@ void move_surface(CurvedSurface& surface, std::span<const Vec4f> x, std::span<co
     if (!surface.creases.empty()) update_base_normals(surface.creases, surface.mesh, surface.x);
     const Lift lift(surface, options);
     for (std::size_t level = 0; level < surface.plan.point_ends.size(); ++level)
-        move_level(surface, level, lift, options.longest_glide);
+        move_level(surface, level, lift, options.max_step);
 }
 
 void leaf_normals(const sim::AdaptiveMesh& mesh, const std::vector<Vec4f>& x, std::vector<Vec4f>& normals) {
@@ -274,7 +274,7 @@ Vec4f Lift::lifted(const SurfacePlan::Point& point, const Vec4f& where) const {
         clear = contact.distance;
         const float lacking = offset_ - contact.distance;
         if (lacking <= kNear) break;
-        x += sim::padded(contact.normal * lacking);
+        x += sim::with_zero_w(contact.normal * lacking);
         clear = offset_;
     }
     return x;

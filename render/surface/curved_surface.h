@@ -31,7 +31,7 @@ struct SurfaceOptions {
 };
 
 // The part of its root's curve that an edge covers, in steps of 1/2^max_level: from `from` to `from + span`.
-struct EdgePlace {
+struct CurveInterval {
     sim::EdgeId root;
     std::uint16_t from = 0;
     std::uint16_t span = 0;
@@ -62,12 +62,12 @@ struct CurvedSurface {
     CurveWeights weights{0};
 
     // By VertexId, sized to the mesh's capacity; the fourth component (w) is 0.
-    std::vector<Vec4f> x{};              // as drawn, m
-    std::vector<Vec4f> normals{};        // unit, of the curves, interpolated from their end normals
-    std::vector<Vec4f> light_normals{};  // unit, of the drawn triangles
-    std::vector<float> shown{};          // 0: at the midpoint of its edge, 1: on the curve
-    std::vector<bool> is_leaving{};      // moving back to the midpoint, where it may be removed
-    std::vector<EdgePlace> places{};     // by EdgeId
+    std::vector<Vec4f> x{};               // as drawn, m
+    std::vector<Vec4f> normals{};         // unit, of the curves, interpolated from their end normals
+    std::vector<Vec4f> light_normals{};   // unit, of the drawn triangles
+    std::vector<float> shown{};           // 0: at the midpoint of its edge, 1: on the curve
+    std::vector<bool> is_leaving{};       // moving back to the midpoint, where it may be removed
+    std::vector<CurveInterval> places{};  // by EdgeId
 
     Creases creases{};
     SurfacePlan plan{};
@@ -80,9 +80,9 @@ CurvedSurface make_curved_surface(const sim::GarmentMesh& base, const SurfaceOpt
 
 struct MoveOptions {
     const sim::Collider* body =
-        nullptr;                    // the surface must not penetrate it: vertices are moved out to its offset surface
-    float offset = 0.003F;          // m, offset of that surface; the same as the cloth's contact offset
-    float longest_glide = 0.0002F;  // m, largest move of a vertex towards or from its edge's midpoint in one call
+        nullptr;               // the surface must not penetrate it: vertices are moved out to its offset surface
+    float offset = 0.003F;     // m, offset of that surface; the same as the cloth's contact offset
+    float max_step = 0.0002F;  // m, largest move of a vertex towards or from its edge's midpoint in one call
 };
 
 // Moves the surface to the cloth's present position; call once per frame. x, normals: of the base vertices, with w = 0;
@@ -117,7 +117,7 @@ class SurfaceObserver {
  public:
     // Where a new vertex starts: at its edge's midpoint or on its curve.
     enum class SpawnPosition { Middle, Curve };
-    SurfaceObserver(CurvedSurface& surface, SpawnPosition entrance) : surface_(surface), entrance_(entrance) {}
+    SurfaceObserver(CurvedSurface& surface, SpawnPosition entrance) : surface_(surface), spawn_(entrance) {}
 
     void on_capacity(std::size_t capacity);
     void on_split(sim::VertexId c, sim::VertexId a, sim::VertexId b);
@@ -127,7 +127,7 @@ class SurfaceObserver {
 
  private:
     CurvedSurface& surface_;
-    SpawnPosition entrance_;
+    SpawnPosition spawn_;
 };
 
 // Keeps the drawn surface out of the body: where the cloth lies on the body, a curve or the chord of a new edge may lie

@@ -128,7 +128,7 @@ float modified(const CurveModifier& modifier, float r) {
 float restoring(float r, float s0) {
     const float lacking = r - 1, given = s0 - 1;
     if (lacking <= 0) return 0;
-    if (lacking >= kMostRestored * kMostRestored * given) return kMostRestored;
+    if (lacking >= kMaxRestored * kMaxRestored * given) return kMaxRestored;
     return std::sqrt(lacking / given);
 }
 

@@ -42,9 +42,9 @@ float soft_cap(float value, float cap);
 float modified(const CurveModifier& modifier, float r);
 
 // M for a curve whose arc is s0 times its chord at M = 1. For small offsets, arc / chord - 1 grows with M^2, so
-// M = sqrt((r - 1) / (s0 - 1)). 0 if r <= 1; at most kMostRestored.
+// M = sqrt((r - 1) / (s0 - 1)). 0 if r <= 1; at most kMaxRestored.
 float restoring(float r, float s0);
-inline constexpr float kMostRestored = 5;  // limit for nearly straight curves, whose s0 tends to 1
+inline constexpr float kMaxRestored = 5;  // limit for nearly straight curves, whose s0 tends to 1
 
 // The fourth component (w) of all vectors is 0.
 struct CurveEnds {

@@ -70,7 +70,7 @@ concept BatchCriterion = EdgeCriterion<C> && requires(const C& criterion, const 
 namespace adapt_detail {
 
 template <class C>
-bool asks(const C& criterion, const AdaptiveMesh& mesh, EdgeId e) {
+bool requests_split(const C& criterion, const AdaptiveMesh& mesh, EdgeId e) {
     if constexpr (VetoCriterion<C> || BatchCriterion<C>) {
         return false;
     } else {
@@ -79,7 +79,7 @@ bool asks(const C& criterion, const AdaptiveMesh& mesh, EdgeId e) {
 }
 
 template <class C>
-bool agrees(const C& criterion, const AdaptiveMesh& mesh, EdgeId e) {
+bool agrees_to_rejoin(const C& criterion, const AdaptiveMesh& mesh, EdgeId e) {
     if constexpr (VetoCriterion<C> || BatchCriterion<C>) {
         return true;
     } else {
@@ -130,7 +130,7 @@ int retriangulate(AdaptiveMesh& mesh, State& state, int level, TransitionCounts*
     if constexpr (requires(TriangleId t) { state.before(t), state.after(t); }) {
         return mesh.retriangulate(level, counts, choice, state);
     } else {
-        NoWatch watch;
+        NoObserver watch;
         return mesh.retriangulate(level, counts, choice, watch);
     }
 }
@@ -153,7 +153,7 @@ int refine_level(AdaptiveMesh& mesh, State& state, int level, const C&... criter
     };
     for (const EdgeId e : mesh.unsplit_edges(level)) {
         if (is_vetoed(mesh, e, criteria...) || !mesh.may_split(e)) continue;
-        if ((asks(criteria, mesh, e) || ...)) {
+        if ((requests_split(criteria, mesh, e) || ...)) {
             split_one(e);
         } else {
             note(e, criteria...);
@@ -179,7 +179,7 @@ int coarsen_level(AdaptiveMesh& mesh, State& state, int level, bool beyond_limit
         if (!mesh.has_leaf_children(e)) continue;
         if (beyond_limit || is_vetoed(mesh, e, criteria...)) {
             rejoin_one(e);
-        } else if ((agrees(criteria, mesh, e) && ...)) {
+        } else if ((agrees_to_rejoin(criteria, mesh, e) && ...)) {
             if constexpr (has_batch<C...>) {
                 note(e, criteria...);
             } else {
@@ -188,7 +188,7 @@ int coarsen_level(AdaptiveMesh& mesh, State& state, int level, bool beyond_limit
         }
     }
     const auto ask = [&](EdgeId e, const auto& criterion) {
-        if (criterion.allows_rejoin(mesh, e) && (agrees(criteria, mesh, e) && ...)) rejoin_one(e);
+        if (criterion.allows_rejoin(mesh, e) && (agrees_to_rejoin(criteria, mesh, e) && ...)) rejoin_one(e);
     };
     look(mesh, ask, criteria...);
     return rejoins;

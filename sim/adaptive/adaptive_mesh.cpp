@@ -590,7 +590,7 @@ void AdaptiveMesh::change_configuration(TriangleId id, Configuration to) {
 }
 
 int AdaptiveMesh::retriangulate(int level, TransitionCounts* counts) {
-    NoWatch watch;
+    NoObserver watch;
     return retriangulate(level, counts, MinimalChange{}, watch);
 }
 

@@ -91,7 +91,7 @@ struct AdaptiveMeshOptions {
 };
 
 // A transition observer that does nothing.
-struct NoWatch {
+struct NoObserver {
     void before(TriangleId) {}
     void after(TriangleId) {}
 };
@@ -269,7 +269,7 @@ template <class Choice, class Watch>
 int AdaptiveMesh::retriangulate(int level, TransitionCounts* counts, const Choice& choice, Watch& watch) {
     const auto choose = [&](const AdaptiveTriangle& t, SplitMask split) {
         if constexpr (std::is_same_v<Choice, MinimalChange>) {
-            return least_work(t.configuration, split);
+            return minimal_change(t.configuration, split);
         } else {
             return chosen(t, split, choice);
         }
@@ -279,9 +279,9 @@ int AdaptiveMesh::retriangulate(int level, TransitionCounts* counts, const Choic
 
 template <class Choice>
 Configuration AdaptiveMesh::chosen(const AdaptiveTriangle& t, SplitMask split, const Choice& choice) const {
-    const Configuration least = least_work(t.configuration, split);
+    const Configuration least = minimal_change(t.configuration, split);
     if (least == t.configuration || !is_ambiguous(split)) return least;
-    const AmbiguousSplit ways = either_way(split);
+    const AmbiguousSplit ways = ambiguous_split(split);
     const float first = choice.cost(diagonal(t, ways.diagonals[0]));
     const float second = choice.cost(diagonal(t, ways.diagonals[1]));
     if (first == second) return least;

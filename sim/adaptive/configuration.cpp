@@ -28,7 +28,7 @@ bool is_ambiguous(SplitMask split) {
     return 4 <= state && state <= 6;
 }
 
-AmbiguousSplit either_way(SplitMask split) {
+AmbiguousSplit ambiguous_split(SplitMask split) {
     SELVEDGE_ASSERT(is_ambiguous(split));
     const std::size_t first = 2 * state_of(split) - 4;  // S4: C4 and C5
     AmbiguousSplit ways{{static_cast<Configuration>(first), static_cast<Configuration>(first + 1)}, {}};
@@ -41,7 +41,7 @@ AmbiguousSplit either_way(SplitMask split) {
     return ways;
 }
 
-Configuration least_work(Configuration from, SplitMask split) {
+Configuration minimal_change(Configuration from, SplitMask split) {
     return kMinimalChange[index_of(from)][split];
 }
 

@@ -85,9 +85,9 @@ struct AmbiguousSplit {
 };
 
 bool is_ambiguous(SplitMask split);
-AmbiguousSplit either_way(SplitMask split);  // pre: is_ambiguous(split)
+AmbiguousSplit ambiguous_split(SplitMask split);  // pre: is_ambiguous(split)
 
 // The configuration that conforms to `split` with the least Transition::work from `from`; of two equal ones the first.
-Configuration least_work(Configuration from, SplitMask split);
+Configuration minimal_change(Configuration from, SplitMask split);
 
 }  // namespace selvedge::sim

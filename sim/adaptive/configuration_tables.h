@@ -95,13 +95,13 @@ inline constexpr std::array<Layout, kConfigurations> kLayouts = {
     draw(kTwoSplit, 2), draw(kTwoSplitOther, 2), draw(kThreeSplit, 0)};
 
 // The number of corners and edges that need not be rewritten when b reuses the element of a.
-constexpr int likeness(const InternalTriangle& a, const InternalTriangle& b) {
+constexpr int similarity(const InternalTriangle& a, const InternalTriangle& b) {
     int same = 0;
     for (std::size_t k = 0; k < 3; ++k) same += int{a.points[k] == b.points[k]} + int{a.edges[k] == b.edges[k]};
     return same;
 }
 
-constexpr int likeness(const InternalEdge& a, const InternalEdge& b) {
+constexpr int similarity(const InternalEdge& a, const InternalEdge& b) {
     return int{a.points[0] == b.points[0]} + int{a.points[1] == b.points[1]};
 }
 
@@ -121,8 +121,8 @@ constexpr std::array<std::uint8_t, kSlots> take_over(const std::array<Element, k
         for (std::size_t i = 0; i < count; ++i) {
             for (std::uint8_t j = 0; j < kSlots; ++j) {
                 if (made_from[i] != kNoSlot || over[i] != kNoSlot || !left[j]) continue;
-                if (likeness(old[j], made[i]) <= most) continue;
-                most = likeness(old[j], made[i]);
+                if (similarity(old[j], made[i]) <= most) continue;
+                most = similarity(old[j], made[i]);
                 slot = i;
                 place = j;
             }

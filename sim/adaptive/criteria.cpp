@@ -39,11 +39,11 @@ bool MinimumLevelCriterion::is_above(const AdaptiveMesh& mesh, EdgeId e) const {
     for (const TriangleId side : mesh.edge(e).sides) {
         if (!side) continue;
         const AdaptiveTriangle& t = mesh.triangle(side);
-        const auto asks = [&](const MinimumLevelDisc& disc) {
+        const auto requests_split = [&](const MinimumLevelDisc& disc) {
             return disc.level > t.level && disc.panel == t.panel &&
                    distance_to_triangle(disc.centre, t.u) <= disc.radius + longest_side(t.u);
         };
-        if (std::any_of(discs.begin(), discs.end(), asks)) return true;
+        if (std::any_of(discs.begin(), discs.end(), requests_split)) return true;
     }
     return false;
 }

@@ -239,7 +239,7 @@ AdaptReport set_uniform_level(AdaptiveMesh& mesh, State& state, int level) {
 
 // Cached results of a criterion's wants_split for all leaf edges before an adaptation, computed in one flat loop. The
 // results of edges that are created or rewritten during the adaptation must be discarded: see forget().
-class LeafAnswers {
+class CachedSplitRequests {
  public:
     template <EdgeCriterion Criterion>
     void ask(const AdaptiveMesh& mesh, const Criterion& criterion) {
@@ -303,11 +303,11 @@ class LookAheadCriterion {
  public:
     // Pre: criterion and answers outlive this; answers belong to this criterion, or are empty.
     explicit LookAheadCriterion(const Criterion& criterion, const SplitLimits& limits = {},
-                                const LeafAnswers& answers = kNone)
+                                const CachedSplitRequests& answers = kNone)
         : criterion_(criterion), limits_(limits), answers_(answers) {}
 
     bool wants_split(const AdaptiveMesh& mesh, EdgeId e) const {
-        return asks(mesh, e) || finer_edges_ask(mesh, e, limits_);
+        return requests_split(mesh, e) || finer_edges_ask(mesh, e, limits_);
     }
 
     // A finer edge that requests a split also prevents the rejoin; otherwise an edge that was split on its behalf would
@@ -318,17 +318,17 @@ class LookAheadCriterion {
     }
 
  private:
-    static inline const LeafAnswers kNone{};
+    static inline const CachedSplitRequests kNone{};
 
-    bool asks(const AdaptiveMesh& mesh, EdgeId e) const { return answers_.wants_split(mesh, e, criterion_); }
+    bool requests_split(const AdaptiveMesh& mesh, EdgeId e) const { return answers_.wants_split(mesh, e, criterion_); }
 
     bool finer_edges_ask(const AdaptiveMesh& mesh, EdgeId e, const SplitLimits& limits) const {
-        return any_finer_edge(mesh, e, limits, [&](EdgeId finer) { return asks(mesh, finer); });
+        return any_finer_edge(mesh, e, limits, [&](EdgeId finer) { return requests_split(mesh, finer); });
     }
 
     const Criterion& criterion_;
     SplitLimits limits_;
-    const LeafAnswers& answers_;
+    const CachedSplitRequests& answers_;
 };
 
 }  // namespace selvedge::sim

@@ -107,7 +107,7 @@ ImportAnswer run_guarded(const std::filesystem::path& path, const std::string& i
 }
 
 // One line of at most 200 characters.
-std::string tidy(std::string text) {
+std::string one_line(std::string text) {
     constexpr std::size_t kLongest = 200;
     text.resize(std::min(text.size(), kLongest));
     std::replace_if(
@@ -170,7 +170,7 @@ ImportedScene guarded_import(const std::filesystem::path& path, const ImportLimi
     ImportAnswer answer = run_guarded(path, importer, limits);
     // Only one importer is enabled, so "no suitable reader" means that it found the content broken.
     if (answer.failure.starts_with("No suitable reader")) answer.failure = "its content is broken";
-    if (!answer.failure.empty()) throw InputError(path.string(), "", "cannot be read: " + tidy(answer.failure));
+    if (!answer.failure.empty()) throw InputError(path.string(), "", "cannot be read: " + one_line(answer.failure));
     check_scene(answer.scene, path.string(), limits);
     return std::move(answer.scene);
 }
@@ -180,7 +180,7 @@ namespace {
 // The scene's nodes that are bones, and the global transform of every node.
 struct Skeleton {
     std::map<std::string, int> bone_of_node;
-    std::map<std::string, aiMatrix4x4> place_of_node;
+    std::map<std::string, aiMatrix4x4> transform_of_node;
     std::vector<Bone> bones;
 };
 
@@ -196,17 +196,17 @@ void keep_only_importer(Assimp::Importer& importer, const std::string& extension
     for (Assimp::BaseImporter* other : others) importer.UnregisterLoader(other);
 }
 
-void place_nodes(const aiNode& node, const aiMatrix4x4& parent, int parent_bone, Skeleton& skeleton) {
+void transform_nodes(const aiNode& node, const aiMatrix4x4& parent, int parent_bone, Skeleton& skeleton) {
     const aiMatrix4x4 place = parent * node.mTransformation;
     const std::string name = node.mName.C_Str();
-    skeleton.place_of_node[name] = place;
+    skeleton.transform_of_node[name] = place;
     const auto bone = skeleton.bone_of_node.find(name);
     if (bone != skeleton.bone_of_node.end() && bone->second < 0) {
         bone->second = int(skeleton.bones.size());
         skeleton.bones.push_back({name, parent_bone, Vec3d(place.a4, place.b4, place.c4)});
         parent_bone = bone->second;
     }
-    for (unsigned i = 0; i < node.mNumChildren; ++i) place_nodes(*node.mChildren[i], place, parent_bone, skeleton);
+    for (unsigned i = 0; i < node.mNumChildren; ++i) transform_nodes(*node.mChildren[i], place, parent_bone, skeleton);
 }
 
 Skeleton find_skeleton(const aiScene& scene) {
@@ -215,7 +215,7 @@ Skeleton find_skeleton(const aiScene& scene) {
     for (unsigned m = 0; m < scene.mNumMeshes; ++m)
         for (unsigned b = 0; b < scene.mMeshes[m]->mNumBones; ++b)
             skeleton.bone_of_node[scene.mMeshes[m]->mBones[b]->mName.C_Str()] = kNotYetMet;
-    place_nodes(*scene.mRootNode, aiMatrix4x4(), -1, skeleton);
+    transform_nodes(*scene.mRootNode, aiMatrix4x4(), -1, skeleton);
     return skeleton;
 }
 
@@ -250,7 +250,7 @@ void apply_skin(const aiMesh& mesh, const Skeleton& skeleton, ImportedMesh& out)
         const std::string name = bone.mName.C_Str();
         const int index = skeleton.bone_of_node.at(name);
         if (index < 0) continue;
-        const aiMatrix4x4 move = skeleton.place_of_node.at(name) * bone.mOffsetMatrix;
+        const aiMatrix4x4 move = skeleton.transform_of_node.at(name) * bone.mOffsetMatrix;
         for (unsigned w = 0; w < bone.mNumWeights; ++w) {
             const unsigned vertex = bone.mWeights[w].mVertexId;
             const float weight = bone.mWeights[w].mWeight;

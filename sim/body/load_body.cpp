@@ -160,12 +160,12 @@ void write_notes(LoadBodyReport& report) {
 
 Body load_body(const std::filesystem::path& path, const LoadBodyOptions& options, LoadBodyReport* report) {
     LoadBodyReport own;
-    LoadBodyReport& told = report ? *report : own;
-    told = {};
+    LoadBodyReport& filled_report = report ? *report : own;
+    filled_report = {};
     const ImportedScene scene = guarded_import(path);
-    const Frame frame = choose_frame(scene, path, options, told);
+    const Frame frame = choose_frame(scene, path, options, filled_report);
     JoinedScene joined = join(scene, frame);
-    Surface surface = repair(std::move(joined.surface), path.string(), options.repair, told.repair);
+    Surface surface = repair(std::move(joined.surface), path.string(), options.repair, filled_report.repair);
 
     Body body;
     body.name = path.stem().string();
@@ -175,8 +175,8 @@ Body load_body(const std::filesystem::path& path, const LoadBodyOptions& options
     for (Bone& bone : body.bones) bone.joint = frame(bone.joint);
     if (!joined.skin.empty())
         for (const int origin : surface.origin) body.skin.push_back(joined.skin[std::size_t(origin)]);
-    if (options.stands_on_floor) stand_on_floor(body, told);
-    write_notes(told);
+    if (options.stands_on_floor) stand_on_floor(body, filled_report);
+    write_notes(filled_report);
     return body;
 }
 

@@ -16,7 +16,7 @@ struct ClothObserver {
     const ContactOptions& contact;
     Visibility* visibility;
     TriangleBudget* budget;
-    BiasHandover biases{cloth};
+    StateTransfer biases{cloth};
 
     void before(TriangleId t) { biases.before(t); }
     void after(TriangleId t) {
@@ -36,7 +36,7 @@ struct ClothObserver {
         const Vec4f middle = (cloth.x[a.value] + cloth.x[b.value]) * 0.5F;
         const Vec4f velocity = middle - (cloth.x_prev[a.value] + cloth.x_prev[b.value]) * 0.5F;
         const Vec3f normal = cloth.normals[a.value] + cloth.normals[b.value];
-        cloth.x[c.value] = padded(outside(middle.head<3>(), normal, body, contact.offset));
+        cloth.x[c.value] = with_zero_w(outside(middle.head<3>(), normal, body, contact.offset));
         cloth.x_prev[c.value] = cloth.x[c.value] - velocity;
         cloth.normals[c.value] = normal.squaredNorm() > 0 ? Vec3f(normal.normalized()) : Vec3f::Zero();
         cloth.is_pinned[c.value] = cloth.is_pinned[a.value] && cloth.is_pinned[b.value];  // e.g. on a pinned waistband
@@ -78,14 +78,14 @@ AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& ob
     if (asks_shape) cloth.solver.adapting.shape.ask(cloth.mesh, shape);
     const LookAheadCriterion look_ahead(shape, limits, cloth.solver.adapting.shape);
     const MinimumLevelCriterion minimum{options.minimum_levels};
-    const KeptVertexCriterion kept{options.kept_vertices};
+    const PinnedVertexCriterion kept{options.kept_vertices};
     const BackFaceCriterion back_face{options.visibility};
     const BudgetVeto veto{options.budget};
     const BudgetCriterion keep{options.budget};
     return adapt_choosing(
         choice, cloth.mesh, observer, {.max_level = options.max_level, .transitions = options.transitions},
-        ShortestEdgeCriterion{options.shortest_edge}, HoldCriterion{options.may_rejoin},
-        OptionalCriterion(counts, veto), OptionalCriterion(sees, back_face), OptionalCriterion(asks_shape, look_ahead),
+        ShortestEdgeCriterion{options.shortest_edge}, RejoinSwitch{options.may_rejoin}, OptionalCriterion(counts, veto),
+        OptionalCriterion(sees, back_face), OptionalCriterion(asks_shape, look_ahead),
         OptionalCriterion(!options.minimum_levels.empty(), minimum), OptionalCriterion(counts, keep),
         OptionalCriterion(!options.kept_vertices.empty(), kept), OptionalCriterion(on.collision, collision));
 }

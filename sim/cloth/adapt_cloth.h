@@ -25,7 +25,7 @@ struct ShortestEdgeCriterion {
 
 // Prevents all rejoins if may_rejoin is false. Used while the cloth comes to rest, so that edges near a threshold do
 // not split and rejoin for ever.
-struct HoldCriterion {
+struct RejoinSwitch {
     bool may_rejoin = true;
 
     bool wants_split(const AdaptiveMesh&, EdgeId) const { return false; }
@@ -34,7 +34,7 @@ struct HoldCriterion {
 
 // Prevents the rejoin of edges whose centre is one of these vertices, which are pinned or dragged by the user. Searches
 // linearly, so the list should be short.
-struct KeptVertexCriterion {
+struct PinnedVertexCriterion {
     std::span<const VertexId> vertices;
 
     bool wants_split(const AdaptiveMesh&, EdgeId) const { return false; }

@@ -13,7 +13,7 @@ std::span<const TriangleId> inside(const AdaptiveTriangle& triangle) {
     return {triangle.internal_triangles.data(), layout(triangle.configuration).triangle_count};
 }
 
-void set_kept(Cloth& cloth, TriangleId t, const KeptBias& bias) {
+void restore_saved(Cloth& cloth, TriangleId t, const SavedBias& bias) {
     cloth.solver.saved_bias.save(t, cloth.adaptations, bias);
 }
 
@@ -23,7 +23,7 @@ Vec3f limit_of_leaf(const Vec3f& value) {
     return {std::max(0.0F, value.x()), std::max(0.0F, value.y()), value.z()};
 }
 void set_leaf(Cloth& cloth, TriangleId t, const Vec3f& value, float anchor) {
-    set_kept(cloth, t, {.value = value, .limit = limit_of_leaf(value), .anchor = anchor});
+    restore_saved(cloth, t, {.value = value, .limit = limit_of_leaf(value), .anchor = anchor});
 }
 
 // The bias of a refined triangle that becomes a leaf. The factor makes the correction the same with the other
@@ -37,7 +37,7 @@ bool is_kept(const Cloth& cloth, TriangleId t) {
     return cloth.solver.saved_bias.find(t, cloth.adaptations) != nullptr;
 }
 
-KeptBias bias_in(const Cloth& cloth, std::uint32_t slot) {
+SavedBias bias_in(const Cloth& cloth, std::uint32_t slot) {
     const StretchBlock& block = cloth.solver.constraints.stretch.blocks[slot / kBlock];
     return {.value = lane_of(block.bias, slot % kBlock), .anchor = block.anchor[slot % kBlock]};
 }
@@ -51,12 +51,12 @@ struct MeanBend {
     Vec3f sum = Vec3f::Zero();
     float area = 0;
 
-    void add(const KeptBend& bend, float of_area) {
+    void add(const SavedBend& bend, float of_area) {
         if (!bend.is_known) return;
         sum += of_area * bend.anchor;
         area += of_area;
     }
-    KeptBend mean() const { return area > 0 ? KeptBend{.anchor = sum / area, .is_known = true} : KeptBend{}; }
+    SavedBend mean() const { return area > 0 ? SavedBend{.anchor = sum / area, .is_known = true} : SavedBend{}; }
 };
 
 // One iteration gives the multiplier share (s + b) / (seen + c) for a strain s and a bias b; the required one is s / c.
@@ -92,10 +92,10 @@ void fit_slot(LimitRecord& record, std::size_t at, const Vec4f& stress, float ra
 
 }  // namespace
 
-void fit_biases(Cloth& cloth, float ratio) {
+void rescale_biases(Cloth& cloth, float ratio) {
     Constraints& constraints = cloth.solver.constraints;
     for (std::size_t slot = 0; slot < constraints.triangle_of.size(); ++slot) {
-        if (constraints.triangle_of[slot] == kSpare) continue;
+        if (constraints.triangle_of[slot] == kNoBlockSlot) continue;
         fit_slot(constraints.stretch.blocks[slot / kBlock], constraints.stretch.records[slot / kBlock], slot % kBlock,
                  ratio);
     }
@@ -109,66 +109,66 @@ void fit_biases(Cloth& cloth, float ratio) {
     }
 }
 
-KeptBias kept_bias(const Cloth& cloth, TriangleId t) {
-    if (const KeptBias* const kept = cloth.solver.saved_bias.find(t, cloth.adaptations)) return *kept;
+SavedBias saved_bias_of(const Cloth& cloth, TriangleId t) {
+    if (const SavedBias* const kept = cloth.solver.saved_bias.find(t, cloth.adaptations)) return *kept;
     const std::uint32_t slot = cloth.solver.constraints.stretch.slot_of(t, indices(cloth.mesh.triangle(t).vertices));
-    return slot == kSpare ? KeptBias{} : bias_in(cloth, slot);
+    return slot == kNoBlockSlot ? SavedBias{} : bias_in(cloth, slot);
 }
 
-Vec3f kept_limit(const Cloth& cloth, TriangleId t) {
-    if (const KeptBias* const kept = cloth.solver.saved_bias.find(t, cloth.adaptations)) return kept->limit;
+Vec3f saved_limit_of(const Cloth& cloth, TriangleId t) {
+    if (const SavedBias* const kept = cloth.solver.saved_bias.find(t, cloth.adaptations)) return kept->limit;
     const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
     const std::vector<ParentLevel>& parents = cloth.solver.constraints.parents;
     if (triangle.level >= parents.size()) return Vec3f::Zero();
     const std::uint32_t slot = parents[triangle.level].limits.slot_of(t, indices(triangle.vertices));
-    return slot == kSpare ? Vec3f(Vec3f::Zero()) : limit_in(parents[triangle.level], slot);
+    return slot == kNoBlockSlot ? Vec3f(Vec3f::Zero()) : limit_in(parents[triangle.level], slot);
 }
 
-void keep_bias(Cloth& cloth, TriangleId t) {
+void save_bias(Cloth& cloth, TriangleId t) {
     if (is_kept(cloth, t)) return;
-    const KeptBias kept = bias_in(cloth, cloth.solver.constraints.stretch.slot_of(t));
+    const SavedBias kept = bias_in(cloth, cloth.solver.constraints.stretch.slot_of(t));
     set_leaf(cloth, t, kept.value, kept.anchor);
 }
 
-void keep_limit(Cloth& cloth, TriangleId t, const ParentLevel& level) {
-    if (!is_kept(cloth, t)) set_kept(cloth, t, {.limit = limit_in(level, level.limits.slot_of(t))});
+void save_limit(Cloth& cloth, TriangleId t, const ParentLevel& level) {
+    if (!is_kept(cloth, t)) restore_saved(cloth, t, {.limit = limit_in(level, level.limits.slot_of(t))});
 }
 
-void keep_biases(Cloth& cloth) {
+void save_biases(Cloth& cloth) {
     for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles()) {
-        const KeptBias kept = kept_bias(cloth, leaf.triangle);
+        const SavedBias kept = saved_bias_of(cloth, leaf.triangle);
         set_leaf(cloth, leaf.triangle, kept.value, kept.anchor);
     }
     for (int level = 0; level < cloth.mesh.max_level(); ++level) {
         for (const TriangleId t : cloth.mesh.refined_triangles(level)) {
-            set_kept(cloth, t, {.limit = kept_limit(cloth, t)});
+            restore_saved(cloth, t, {.limit = saved_limit_of(cloth, t)});
         }
     }
 }
 
-void BiasHandover::before(TriangleId t) {
+void StateTransfer::before(TriangleId t) {
     const AdaptiveTriangle& triangle = cloth_.mesh.triangle(t);
     count_ = 0;
-    bend_ = kept_bend(cloth_, t);
+    bend_ = saved_bend_of(cloth_, t);
     if (is_leaf(triangle)) {
         mean_bend_ = bend_;
-        const KeptBias kept = kept_bias(cloth_, t);
+        const SavedBias kept = saved_bias_of(cloth_, t);
         mean_ = kept.value;
         mean_anchor_ = kept.anchor;
         limit_ = limit_of_leaf(mean_);
         return;
     }
-    limit_ = kept_limit(cloth_, t);
+    limit_ = saved_limit_of(cloth_, t);
     Vec3f sum = Vec3f::Zero();
     MeanBend bends;
     float anchors = 0, area = 0;
     for (const TriangleId child : inside(triangle)) {
         const AdaptiveTriangle& one = cloth_.mesh.triangle(child);
         const float a = material_area(one.u);
-        const KeptBias kept = kept_bias(cloth_, child);
+        const SavedBias kept = saved_bias_of(cloth_, child);
         sum += a * kept.value;
         anchors += a * kept.anchor;
-        bends.add(kept_bend(cloth_, child), a);
+        bends.add(saved_bend_of(cloth_, child), a);
         area += a;
         inside_[count_] = child;
         corners_[count_++] = one.vertices;
@@ -178,11 +178,11 @@ void BiasHandover::before(TriangleId t) {
     mean_bend_ = bends.mean();
 }
 
-void BiasHandover::after(TriangleId t) {
+void StateTransfer::after(TriangleId t) {
     const AdaptiveTriangle& triangle = cloth_.mesh.triangle(t);
     cloth_.solver.saved_bend.save(t, cloth_.adaptations, is_leaf(triangle) ? mean_bend_ : bend_);
     if (is_leaf(triangle)) return set_leaf(cloth_, t, leaf_of_limit(mean_, limit_), mean_anchor_);
-    set_kept(cloth_, t, {.limit = limit_});
+    restore_saved(cloth_, t, {.limit = limit_});
     for (const TriangleId child : inside(triangle)) {
         const auto end = inside_.begin() + static_cast<std::ptrdiff_t>(count_);
         const auto was = std::find(inside_.begin(), end, child);
@@ -194,22 +194,22 @@ void BiasHandover::after(TriangleId t) {
     }
 }
 
-KeptBend kept_bend(const Cloth& cloth, TriangleId t) {
-    if (const KeptBend* const kept = cloth.solver.saved_bend.find(t, cloth.adaptations)) return *kept;
+SavedBend saved_bend_of(const Cloth& cloth, TriangleId t) {
+    if (const SavedBend* const kept = cloth.solver.saved_bend.find(t, cloth.adaptations)) return *kept;
     const BendSlot slot = bend_slot(cloth, t);
     if (slot.block == nullptr) return {};
     return {.anchor = lane_of(slot.block->anchor, slot.at), .is_known = slot.block->realised[slot.at] > 0};
 }
 
-void keep_bend(Cloth& cloth, TriangleId t) {
+void save_bend(Cloth& cloth, TriangleId t) {
     const bool is_kept = cloth.solver.saved_bend.find(t, cloth.adaptations) != nullptr;
-    if (!is_kept) cloth.solver.saved_bend.save(t, cloth.adaptations, kept_bend(cloth, t));
+    if (!is_kept) cloth.solver.saved_bend.save(t, cloth.adaptations, saved_bend_of(cloth, t));
 }
 
 void keep_bends(Cloth& cloth) {
-    for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles()) keep_bend(cloth, leaf.triangle);
+    for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles()) save_bend(cloth, leaf.triangle);
     for (int level = 0; level < cloth.mesh.max_level(); ++level) {
-        for (const TriangleId t : cloth.mesh.refined_triangles(level)) keep_bend(cloth, t);
+        for (const TriangleId t : cloth.mesh.refined_triangles(level)) save_bend(cloth, t);
     }
 }
 

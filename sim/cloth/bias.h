@@ -13,32 +13,32 @@ namespace selvedge::sim {
 
 // The state of a leaf as saved since Cloth::adaptations was last incremented, else the state in its slot; 0 if it has
 // no slot.
-KeptBias kept_bias(const Cloth& cloth, TriangleId t);
+SavedBias saved_bias_of(const Cloth& cloth, TriangleId t);
 
 // The same for the bias of a refined triangle's coarse strain limit.
-Vec3f kept_limit(const Cloth& cloth, TriangleId t);
+Vec3f saved_limit_of(const Cloth& cloth, TriangleId t);
 
 // Saves the state in the slot of a leaf, or of a refined triangle of that level, in SolverState::saved_bias, unless it
-// was saved in this adaptation already. keep_biases() saves the state of all triangles.
-void keep_bias(Cloth& cloth, TriangleId t);
-void keep_limit(Cloth& cloth, TriangleId t, const ParentLevel& level);
-void keep_biases(Cloth& cloth);
+// was saved in this adaptation already. save_biases() saves the state of all triangles.
+void save_bias(Cloth& cloth, TriangleId t);
+void save_limit(Cloth& cloth, TriangleId t, const ParentLevel& level);
+void save_biases(Cloth& cloth);
 
 // The same for a triangle's friction in bending, leaf or refined; is_known is false if it has no slot.
-KeptBend kept_bend(const Cloth& cloth, TriangleId t);
-void keep_bend(Cloth& cloth, TriangleId t);
+SavedBend saved_bend_of(const Cloth& cloth, TriangleId t);
+void save_bend(Cloth& cloth, TriangleId t);
 void keep_bends(Cloth& cloth);
 
 // Rescales all biases for a new length of sub-steps: with shorter sub-steps one iteration reaches more of the required
 // strain, so a smaller bias is needed. Call it before Cloth::substep is multiplied by `ratio`.
-void fit_biases(Cloth& cloth, float ratio);
+void rescale_biases(Cloth& cloth, float ratio);
 
 // Transfers the state at a transition of triangle t. Inner triangles that stay keep their bias; new ones get the
 // area-weighted mean of the previous ones. A leaf that becomes refined passes its bias to its coarse strain limit, and
 // back. Anchors of friction in bending are transferred in the same way; a leaf that is refined also keeps its own.
-class BiasHandover {
+class StateTransfer {
  public:
-    explicit BiasHandover(Cloth& cloth) : cloth_(cloth) {}
+    explicit StateTransfer(Cloth& cloth) : cloth_(cloth) {}
     void before(TriangleId t);
     void after(TriangleId t);
 
@@ -46,7 +46,7 @@ class BiasHandover {
     Cloth& cloth_;
     Vec3f mean_ = Vec3f::Zero();   // mean bias of the previous inner triangles, or the bias of the leaf itself
     float mean_anchor_ = 0;        // the same for the anchor of friction in shear
-    KeptBend mean_bend_, bend_;    // the same for friction in bending; and the triangle's own
+    SavedBend mean_bend_, bend_;   // the same for friction in bending; and the triangle's own
     Vec3f limit_ = Vec3f::Zero();  // bias of the triangle's coarse strain limit
     std::array<TriangleId, 4> inside_{};
     std::array<std::array<VertexId, 3>, 4> corners_{};

@@ -82,7 +82,7 @@ Cloth make_cloth(const GarmentMesh& garment, std::vector<Fabric> fabrics, const 
     for (const Vec2d& offset : garment.panel_sett_offsets) cloth.material.sett_offsets.push_back(offset.cast<float>());
     cloth.substep = options.substep;
     size_state(cloth, cloth.mesh.vertex_capacity());
-    for (std::size_t v = 0; v < garment.x.size(); ++v) cloth.x[v] = padded(garment.x[v].cast<float>());
+    for (std::size_t v = 0; v < garment.x.size(); ++v) cloth.x[v] = with_zero_w(garment.x[v].cast<float>());
     cloth.x_prev = cloth.x;
     for (const int pin : garment.pins) cloth.is_pinned[static_cast<std::size_t>(pin)] = true;
     refresh_solver(cloth);
@@ -99,7 +99,7 @@ void refresh_solver(Cloth& cloth) {
     refresh_masses(cloth);
     cloth.solver.damping = mean_damping(cloth);
     make_blocks(cloth);
-    wake(cloth);
+    reactivate(cloth);
 }
 
 void update_solver(Cloth& cloth) {
@@ -110,7 +110,7 @@ void update_solver(Cloth& cloth) {
     }
     update_masses(cloth);
     change_blocks(cloth);
-    wake(cloth);
+    reactivate(cloth);
 }
 
 void set_substep(Cloth& cloth, float substep) {
@@ -118,7 +118,7 @@ void set_substep(Cloth& cloth, float substep) {
         cloth.x_prev[v] = cloth.x[v] - (cloth.x[v] - cloth.x_prev[v]) * (substep / cloth.substep);
     }
     const float ratio = substep / cloth.substep;
-    fit_biases(cloth, ratio);
+    rescale_biases(cloth, ratio);
     for (Vec4f& correction : cloth.solver.correction) correction *= ratio * ratio;
     cloth.substep = substep;
     refresh_solver(cloth);

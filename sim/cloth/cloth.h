@@ -60,7 +60,7 @@ void refresh_solver(Cloth& cloth);
 // The same after one adaptation, incrementally, from mesh.changes(). Constraints that stay only get new gains.
 void update_solver(Cloth& cloth);
 
-// Changes the length of sub-steps, s. Velocities are kept. The biases of the solver are rescaled (fit_biases); the
+// Changes the length of sub-steps, s. Velocities are kept. The biases of the solver are rescaled (rescale_biases); the
 // result is more accurate for shorter sub-steps than for longer ones, which also amplify the errors of the biases.
 void set_substep(Cloth& cloth, float substep);
 

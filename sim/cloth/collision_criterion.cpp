@@ -20,14 +20,14 @@ void put_point(std::vector<ContactBlock>& blocks, std::size_t i, const Vec4f& p)
 }  // namespace
 
 void CollisionCriterion::note(EdgeId e) const {
-    if (batch.is_looked_at) batch.edges.clear();
-    batch.is_looked_at = false;
+    if (batch.is_evaluated) batch.edges.clear();
+    batch.is_evaluated = false;
     batch.edges.push_back(e);
 }
 
 std::span<const EdgeId> CollisionCriterion::noted() const {
-    const bool is_new = !batch.is_looked_at;
-    batch.is_looked_at = true;
+    const bool is_new = !batch.is_evaluated;
+    batch.is_evaluated = true;
     return is_new ? std::span<const EdgeId>(batch.edges) : std::span<const EdgeId>();
 }
 

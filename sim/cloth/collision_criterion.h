@@ -18,7 +18,7 @@ struct CollisionBatch {
     std::vector<std::size_t> first;    // index of the first sample point of each evaluated edge, and the total number
     std::vector<float> depths;         // by EdgeId, m: penetration at the last evaluation; lowest float: not evaluated
     std::vector<ContactBlock> blocks;  // scratch
-    bool is_looked_at = false;
+    bool is_evaluated = false;
 };
 
 // Splits an edge if it, or a triangle beside it, lies deeper than split_depth below the offset surface of the body;

@@ -10,7 +10,7 @@ namespace selvedge::sim {
 
 namespace {
 
-// Entries of RestrictedStress are read and written as points are. The inner triangles of one parent share vertices
+// Entries of LevelStress are read and written as points are. The inner triangles of one parent share vertices
 // pairwise, so within a colour no two have the same parent entry. The entry of "no triangle" may occur several times;
 // it is never written.
 [[gnu::always_inline]] inline Xyz load_places(const float* stress, const std::uint32_t* places) {
@@ -48,7 +48,7 @@ template <class Record>
     return {one(0), one(1), one(2)};
 }
 
-void restrict_stress(std::span<const LimitRecord> records, float* above) {
+void prolong_stress(std::span<const LimitRecord> records, float* above) {
     for (const LimitRecord& record : records) {
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
             const Xyz all = sum_of(load_places(above, &record.parent[at]), stress_of(record, at));
@@ -102,7 +102,7 @@ struct Stress {
     const Floats coarse = Stress::tension(record, at, stress.coarse) / tension;
     const Floats per_tension = lanes::broadcast(2.0F) / (load_at(record.compliance[2], at) * tension);
     const Floats sheared = lanes::max(stress.all.z, -stress.all.z);
-    const Floats easy = lanes::min(lanes::min(sheared, load_at(record.easy_shear, at)) * per_tension, one);
+    const Floats easy = lanes::min(lanes::min(sheared, load_at(record.bearable_shear, at)) * per_tension, one);
     const auto move = [&](std::size_t k, Floats by) {
         const Floats allowed =
             lanes::where(coarse < one - easy, by) + lanes::where(coarse >= one - easy, lanes::min(by, Floats{}));
@@ -116,8 +116,8 @@ struct Stress {
               lanes::broadcast(-kMoreShear * gains.most), kMoreShear * gains.most);
 }
 
-void update_parents(std::span<LimitBlock> blocks, std::span<LimitRecord> records, const BiasGains& gains,
-                    const StressSums& sums) {
+void update_limit_biases(std::span<LimitBlock> blocks, std::span<LimitRecord> records, const BiasGains& gains,
+                         const StressSums& sums) {
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         LimitRecord& record = records[i];
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
@@ -136,7 +136,7 @@ struct Strains {
 };
 
 // The shear strain; and the strain that friction between the yarns adds, whose anchor is updated.
-[[gnu::always_inline]] inline Floats shear_of(const Threads& t) {
+[[gnu::always_inline]] inline Floats shear_of(const YarnDirections& t) {
     return dot(t.warp, t.weft) * t.warp_direction_share * t.weft_share;
 }
 [[gnu::always_inline]] inline Floats held_shear(StretchBlock& block, std::size_t at, Floats shear) {
@@ -145,7 +145,8 @@ struct Strains {
     return off * load_at(block.stick, at);
 }
 
-[[gnu::always_inline]] inline Strains biased_strains(const StretchBlock& block, std::size_t at, const Threads& t) {
+[[gnu::always_inline]] inline Strains biased_strains(const StretchBlock& block, std::size_t at,
+                                                     const YarnDirections& t) {
     return {t.warp_length - 1.0F + load_at(block.bias[0], at), t.weft_length - 1.0F + load_at(block.bias[1], at),
             shear_of(t) + load_at(block.bias[2], at)};
 }
@@ -184,8 +185,8 @@ using Gains = Strains;
 }
 
 template <class Block>
-[[gnu::always_inline]] inline Corners corrected(const Block& block, std::size_t at, const Corners& c, const Threads& t,
-                                                const Strains& m) {
+[[gnu::always_inline]] inline Corners corrected(const Block& block, std::size_t at, const Corners& c,
+                                                const YarnDirections& t, const Strains& m) {
     const Floats along_warp = m.shear * t.warp_direction_share;
     const Floats along_weft = m.shear * t.weft_share;
     const auto force = [&](std::size_t i) {
@@ -228,7 +229,7 @@ template <bool keeps_multipliers>
         const bool gives = has_lane(block.push, [](Floats push) { return push <= 0.0F; });
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
             const Corners c = corners_of(block, at, points);
-            Threads t = directions(block, at, c.x0, c.x1, c.x2);
+            YarnDirections t = directions(block, at, c.x0, c.x1, c.x2);
             normalise(t);
             Strains strains = biased_strains(block, at, t);
             if (rubs) strains.shear = strains.shear + held_shear(block, at, shear_of(t));
@@ -259,7 +260,7 @@ void limit_stretch(std::span<const OverBlock> blocks, float* points) {
     for (const OverBlock& block : blocks) {
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
             const Corners c = corners_of(block, at, points);
-            Threads t = directions(block, at, c.x0, c.x1, c.x2);
+            YarnDirections t = directions(block, at, c.x0, c.x1, c.x2);
             normalise(t);
             const Floats longest = load_at(block.longest, at);
             const Strains back{lanes::min(longest - t.warp_length, Floats{}) * load_at(block.warp, at),
@@ -281,7 +282,7 @@ template <bool keeps_multipliers>
     for (const LimitBlock& block : blocks) {
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
             Corners c = corners_of(block, at, points);
-            const Threads t = directions(block, at, c.x0, c.x1, c.x2);
+            const YarnDirections t = directions(block, at, c.x0, c.x1, c.x2);
             const Floats warp = excess(t.warp, load_at(block.longest_warp, at));
             const Floats weft = excess(t.weft, load_at(block.longest_weft, at));
             const Floats of_warp = warp * load_at(block.gain[0], at);
@@ -306,7 +307,7 @@ template <bool keeps_multipliers>
     }
 }
 
-void limit_parents(std::span<const LimitBlock> blocks, LimitRecord* records, float* points) {
+void solve_coarse_limits(std::span<const LimitBlock> blocks, LimitRecord* records, float* points) {
     records ? limit_loop<true>(blocks, records, points) : limit_loop<false>(blocks, nullptr, points);
 }
 
@@ -401,14 +402,14 @@ void add_momentum(const CorrectedPoints& corrected, std::size_t count, float mom
     }
 }
 
-void keep_corrections(const CorrectedPoints& corrected, std::size_t count) {
+void store_corrections(const CorrectedPoints& corrected, std::size_t count) {
     for (std::size_t i = 0; i < 4 * count; i += lanes::kCount) {
         lanes::store(corrected.correction + i,
                      lanes::load(corrected.points + i) - lanes::load(corrected.predicted + i));
     }
 }
 
-void restrict_centres(std::span<const EdgeCentre> centres, const float* before, float* points) {
+void prolong_centres(std::span<const EdgeCentre> centres, const float* before, float* points) {
     typedef float Point __attribute__((vector_size(16)));
     const auto at = [](const float* from, std::uint32_t offset) {
         Point p;
@@ -424,7 +425,7 @@ void restrict_centres(std::span<const EdgeCentre> centres, const float* before, 
 
 // Damps the velocities of the corners relative to their mean. Impulses act in proportion to inverse mass, so linear
 // momentum is conserved.
-[[gnu::always_inline]] inline Corners rubbed(const Corners& now, const Corners& was, float share) {
+[[gnu::always_inline]] inline Corners damped(const Corners& now, const Corners& was, float share) {
     Corners slower;
     for (int j = 0; j < 4; ++j) {
         const Floats v0 = now.x0.row[j] - was.x0.row[j];
@@ -448,7 +449,7 @@ void update_bias(std::span<StretchBlock> blocks, std::span<const StretchRecord> 
         StretchBlock& block = blocks[i];
         const StretchRecord& record = records[i];
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
-            const Threads t = middle_threads(block, at, points, before);
+            const YarnDirections t = mean_directions(block, at, points, before);
             const Xyz own = stress_of(record, at);
             const Xyz all = sum_of(own, load_places(sums.above, &record.parent[at]));
             // Where the cloth is gathered, only tension is accumulated.
@@ -463,18 +464,19 @@ void update_bias(std::span<StretchBlock> blocks, std::span<const StretchRecord> 
             move_bias(block.bias[0], at, warp_off, gains.stretch, least, gains.most);
             move_bias(block.bias[1], at, weft_off, gains.stretch, least, gains.most);
             const Floats shear = dot(t.warp, t.weft);
-            const Floats rubbed_off = held_within(shear - load_at(block.anchor, at), load_at(block.slip, at)) * kStick;
-            move_bias(block.bias[2], at, shear + rubbed_off - all.z, gains.shear,
+            const Floats damped_strain =
+                held_within(shear - load_at(block.anchor, at), load_at(block.slip, at)) * kStick;
+            move_bias(block.bias[2], at, shear + damped_strain - all.z, gains.shear,
                       lanes::broadcast(-kMoreShear * gains.most), kMoreShear * gains.most);
         }
     }
 }
 
-void rub(std::span<const StretchBlock> blocks, const float* points, float* before, float share) {
+void apply_internal_damping(std::span<const StretchBlock> blocks, const float* points, float* before, float share) {
     for (const StretchBlock& block : blocks) {
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
             const Corners now = corners_of(block, at, points);
-            put_corners(block, at, rubbed(now, corners_of(block, at, before), share), before);
+            put_corners(block, at, damped(now, corners_of(block, at, before), share), before);
         }
     }
 }

@@ -157,7 +157,7 @@ class ConstraintSet {
     // set(slot) fills the slot. Pre: the triangle has no slot; make() was called, possibly without items.
     template <std::size_t N, class Set>
     void insert(TriangleId t, const std::array<std::uint32_t, N>& corners, std::size_t spare_point, const Set& set) {
-        SELVEDGE_ASSERT(slot_of(t) == kSpare);
+        SELVEDGE_ASSERT(slot_of(t) == kNoBlockSlot);
         const std::uint32_t slot = coloring.insert(corners);
         if (coloring.block_count() > blocks.size()) {
             blocks.push_back(spare_block<Block>(spare_point));
@@ -171,28 +171,28 @@ class ConstraintSet {
     // Pre: the triangle has a slot.
     void remove(TriangleId t, std::size_t spare_point) {
         const std::uint32_t slot = slot_of(t);
-        SELVEDGE_ASSERT(slot != kSpare);
+        SELVEDGE_ASSERT(slot != kNoBlockSlot);
         const std::size_t at = slot % kBlock;
         coloring.remove(slot, corners_at(blocks[slot / kBlock], at));
         dirty.mark_slot(slot);
         copy_lane(spare_block<Block>(spare_point), blocks[slot / kBlock], at);
         copy_lane(spare_record<Record>(), records[slot / kBlock], at);
-        slot_of_[t.value] = kSpare;
+        slot_of_[t.value] = kNoBlockSlot;
     }
 
     // Forgets the slots of all triangles. Used before the constraints of all levels are made anew.
     void forget() { slot_of_.clear(); }
 
-    // kSpare: the triangle has no slot.
-    std::uint32_t slot_of(TriangleId t) const { return t.value < slot_of_.size() ? slot_of_[t.value] : kSpare; }
+    // kNoBlockSlot: the triangle has no slot.
+    std::uint32_t slot_of(TriangleId t) const { return t.value < slot_of_.size() ? slot_of_[t.value] : kNoBlockSlot; }
 
     // The same, but only if the slot was made for these corners; after a mesh change the id may belong to another
     // triangle.
     std::uint32_t slot_of(TriangleId t, const std::array<std::uint32_t, 3>& corners) const {
         const std::uint32_t slot = slot_of(t);
-        if (slot == kSpare) return kSpare;
+        if (slot == kNoBlockSlot) return kNoBlockSlot;
         for (std::size_t k = 0; k < 3; ++k) {
-            if (blocks[slot / kBlock].vertices[k][slot % kBlock] != 4 * corners[k]) return kSpare;
+            if (blocks[slot / kBlock].vertices[k][slot % kBlock] != 4 * corners[k]) return kNoBlockSlot;
         }
         return slot;
     }
@@ -218,7 +218,7 @@ class ConstraintSet {
 
  private:
     void note(TriangleId t, std::uint32_t slot) {
-        if (t.value >= slot_of_.size()) slot_of_.resize(t.value + 1, kSpare);
+        if (t.value >= slot_of_.size()) slot_of_.resize(t.value + 1, kNoBlockSlot);
         slot_of_[t.value] = slot;
     }
     std::vector<std::uint32_t> slot_of_;  // by TriangleId

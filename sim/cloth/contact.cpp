@@ -25,7 +25,7 @@ ContactLimits limits_for(const Collider& body, const ContactOptions& options) {
 }
 
 Vec4f nothing_known() {
-    return {0, 0, 0, ContactKnowledge::kUnknown};
+    return {0, 0, 0, ContactCacheArrays::kUnknown};
 }
 
 // A vertex shared by several fabrics gets the largest of their friction coefficients.
@@ -50,8 +50,8 @@ class SampleLists {
         contacts_.coloring.assign();
         contacts_.samples.clear();
         contacts_.next.clear();
-        contacts_.of_triangle.assign(cloth_.mesh.triangles().capacity(), kSpare);
-        contacts_.of_edge.assign(cloth_.mesh.edges().capacity(), kSpare);
+        contacts_.of_triangle.assign(cloth_.mesh.triangles().capacity(), kNoBlockSlot);
+        contacts_.of_edge.assign(cloth_.mesh.edges().capacity(), kNoBlockSlot);
         for (const LeafEdge& edge : cloth_.mesh.leaf_edges()) add(edge.edge);
         for (const LeafTriangle& triangle : cloth_.mesh.leaf_triangles()) add(triangle.triangle);
         contacts_.inserted = 0;
@@ -59,8 +59,8 @@ class SampleLists {
 
     void change() {
         const LeafChanges& changes = cloth_.mesh.changes();
-        contacts_.of_triangle.resize(cloth_.mesh.triangles().capacity(), kSpare);
-        contacts_.of_edge.resize(cloth_.mesh.edges().capacity(), kSpare);
+        contacts_.of_triangle.resize(cloth_.mesh.triangles().capacity(), kNoBlockSlot);
+        contacts_.of_edge.resize(cloth_.mesh.edges().capacity(), kNoBlockSlot);
         for (const EdgeId e : changes.edges_removed) remove(e);
         for (const TriangleId t : changes.triangles_removed) remove(t);
         for (const EdgeId e : changes.edges_added) add(e);
@@ -75,7 +75,7 @@ class SampleLists {
         if (is_split_on_contact(e)) return;
         const AdaptiveEdge& edge = cloth_.mesh.edge(e);
         const int count = static_cast<int>(std::ceil(edge.rest_length / contacts_.spacing)) - 1;
-        std::uint32_t next = kSpare;
+        std::uint32_t next = kNoBlockSlot;
         for (int i = 1; i <= count; ++i) {
             const float t = static_cast<float>(i) / static_cast<float>(count + 1);
             const std::uint32_t lane = put_edge({edge.ends[0].value, edge.ends[1].value}, t);
@@ -97,21 +97,21 @@ class SampleLists {
     }
 
     void remove(EdgeId e) {
-        for (std::uint32_t lane = contacts_.of_edge[e.value]; lane != kSpare; lane = contacts_.next[lane]) {
+        for (std::uint32_t lane = contacts_.of_edge[e.value]; lane != kNoBlockSlot; lane = contacts_.next[lane]) {
             const SampleBlock& block = contacts_.samples[lane / kBlock];
             const std::size_t at = lane % kBlock;
             contacts_.coloring.remove<2>(lane, {block.vertices[0][at] / 4, block.vertices[1][at] / 4});
             clear(lane);
         }
-        contacts_.of_edge[e.value] = kSpare;
+        contacts_.of_edge[e.value] = kNoBlockSlot;
     }
 
     void remove(TriangleId t) {
         const std::uint32_t lane = contacts_.of_triangle[t.value];
-        if (lane == kSpare) return;
+        if (lane == kNoBlockSlot) return;
         contacts_.coloring.remove(lane, corners_at(contacts_.samples[lane / kBlock], lane % kBlock));
         clear(lane);
-        contacts_.of_triangle[t.value] = kSpare;
+        contacts_.of_triangle[t.value] = kNoBlockSlot;
     }
 
     std::uint32_t put_edge(const std::array<std::uint32_t, 2>& v, float t) {
@@ -124,7 +124,7 @@ class SampleLists {
                       float friction) {
         if (contacts_.coloring.block_count() > contacts_.samples.size()) {
             contacts_.samples.push_back(spare_samples());
-            contacts_.next.resize(contacts_.samples.size() * kBlock, kSpare);
+            contacts_.next.resize(contacts_.samples.size() * kBlock, kNoBlockSlot);
         }
         SampleBlock& block = contacts_.samples[lane / kBlock];
         const std::size_t at = lane % kBlock;
@@ -133,7 +133,7 @@ class SampleLists {
             block.shares[k][at] = shares[k];
         }
         block.friction[at] = friction;
-        block.slack[at] = ContactKnowledge::kUnknown;
+        block.slack[at] = ContactCacheArrays::kUnknown;
         ++contacts_.inserted;
         return lane;
     }
@@ -162,12 +162,12 @@ void size_contacts(Cloth& cloth, ContactState& contacts) {
 void meet_samples(SolverState& solver, SampleBlock& samples, const Kernels& loops, const Collider& body,
                   const ContactLimits& limits) {
     ContactBlock block;
-    const SampleState state = loops.look_at_samples(samples, floats(solver.points), block);
-    if (state.asks) {
+    const SampleState state = loops.locate_samples(samples, floats(solver.points), block);
+    if (state.needs_query) {
         body.contacts({&block, 1}, limits.offset + kPlaneReach);
-        loops.answer_samples(block, limits, samples);
+        loops.store_query(block, limits, samples);
     }
-    if (state.asks || state.touches) {
+    if (state.needs_query || state.touches) {
         loops.push_samples(samples, limits, floats(solver.points), floats(solver.before));
     }
 }
@@ -176,7 +176,7 @@ void meet_samples(SolverState& solver, SampleBlock& samples, const Kernels& loop
 
 void refresh_contacts(Cloth& cloth, const ContactOptions& options, const SplitOnContact& split) {
     ContactState& contacts = cloth.solver.contacts;
-    wake(cloth);
+    reactivate(cloth);
     size_contacts(cloth, contacts);
     std::fill(contacts.friction.begin(), contacts.friction.end(), 0.0F);
     for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles()) add_friction(cloth, contacts, leaf.triangle);
@@ -210,11 +210,11 @@ void update_contacts(Cloth& cloth, const ContactOptions& options, const SplitOnC
 }
 
 void forget_contacts(Cloth& cloth) {
-    wake(cloth);
+    reactivate(cloth);
     std::fill(cloth.solver.contacts.asked.begin(), cloth.solver.contacts.asked.end(), nothing_known());
     for (SampleBlock& block : cloth.solver.contacts.samples) {
         for (std::size_t at = 0; at < kBlock; ++at) {
-            if (block.shares[0][at] > 0) block.slack[at] = ContactKnowledge::kUnknown;
+            if (block.shares[0][at] > 0) block.slack[at] = ContactCacheArrays::kUnknown;
         }
     }
 }
@@ -254,11 +254,12 @@ void hold_vertices(Cloth& cloth, const Kernels& loops, const Collider& body, flo
     SolverState& solver = cloth.solver;
     ContactLimits limits = limits_for(body, options);
     limits.longest_move = longest_move;
-    const ContactKnowledge known{floats(contacts.asked), floats(contacts.plane)};
+    const ContactCacheArrays known{floats(contacts.asked), floats(contacts.plane)};
     auto& [asking, blocks] = contacts.scratch;
     asking.resize(cloth.x.size() + kBlock);
-    const std::size_t count = loops.hold_moves(floats(solver.points), floats(solver.before), known,
-                                               contacts.friction.data(), 0, cloth.x.size(), limits, asking.data());
+    const std::size_t count =
+        loops.project_vertices(floats(solver.points), floats(solver.before), known, contacts.friction.data(), 0,
+                               cloth.x.size(), limits, asking.data());
     if (count == 0) return;
     const std::uint32_t spare = static_cast<std::uint32_t>(4 * (solver.points.size() - 1));
     std::fill_n(asking.begin() + static_cast<std::ptrdiff_t>(count), kBlock, spare);
@@ -268,8 +269,8 @@ void hold_vertices(Cloth& cloth, const Kernels& loops, const Collider& body, flo
     }
     body.contacts(blocks, limits.offset + kPlaneReach);
     for (std::size_t i = 0; i < blocks.size(); ++i) {
-        loops.answer_vertices(blocks[i], &asking[i * kBlock], contacts.friction.data(), limits, floats(solver.before),
-                              floats(solver.points), known);
+        loops.store_query_and_project(blocks[i], &asking[i * kBlock], contacts.friction.data(), limits,
+                                      floats(solver.before), floats(solver.points), known);
     }
 }
 

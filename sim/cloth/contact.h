@@ -30,9 +30,9 @@ namespace selvedge::sim {
 inline constexpr float kPlaneReach = 0.0002F;  // m: the plane's error is kPlaneReach^2 / (2 R), 2 um at R = 1 cm
 
 // Arrays by vertex, four floats each.
-struct ContactKnowledge {
-    static constexpr float kLost = -1;      // m: a slack below this means that the entry is invalid
-    static constexpr float kUnknown = -10;  // m: the slack of an invalid entry
+struct ContactCacheArrays {
+    static constexpr float kInvalidBelow = -1;  // m: a slack below this means that the entry is invalid
+    static constexpr float kUnknown = -10;      // m: the slack of an invalid entry
 
     float* asked = nullptr;  // position of the last query; w: the slack, m
     float* plane = nullptr;  // unit normal found there; w: the height above the offset surface, m
@@ -43,7 +43,7 @@ struct alignas(64) SampleBlock {
     std::array<BlockPoints, 3> vertices{};  // none twice within a block; the third of an edge is the dummy vertex
     std::array<BlockFloats, 3> shares{};    // barycentric weights of the vertices; they sum to 1
     BlockFloats friction{};
-    std::array<BlockFloats, 3> asked{};  // m; this and the next three as in ContactKnowledge
+    std::array<BlockFloats, 3> asked{};  // m; this and the next three as in ContactCacheArrays
     BlockFloats slack{};
     std::array<BlockFloats, 3> normal{};
     BlockFloats height{};
@@ -68,7 +68,7 @@ struct ContactOptions {
 using SplitOnContact = std::optional<SplitLimits>;
 
 struct ContactState {
-    std::vector<Vec4f> asked;     // by vertex, see ContactKnowledge
+    std::vector<Vec4f> asked;     // by vertex, see ContactCacheArrays
     std::vector<Vec4f> plane;     // by vertex
     std::vector<float> friction;  // by vertex
     std::vector<SampleBlock> samples;
@@ -79,9 +79,9 @@ struct ContactState {
 
     // The slots of the samples.
     BlockColoring coloring;
-    std::vector<std::uint32_t> of_triangle;  // by TriangleId: its slot, or kSpare
-    std::vector<std::uint32_t> of_edge;      // by EdgeId: its first slot, or kSpare
-    std::vector<std::uint32_t> next;         // by slot: the next one of the same edge, or kSpare
+    std::vector<std::uint32_t> of_triangle;  // by TriangleId: its slot, or kNoBlockSlot
+    std::vector<std::uint32_t> of_edge;      // by EdgeId: its first slot, or kNoBlockSlot
+    std::vector<std::uint32_t> next;         // by slot: the next one of the same edge, or kNoBlockSlot
     float spacing = 0, sampled_edge = 0;     // m, the options that the samples were made for
     SplitOnContact split{};                  // the same
     std::size_t vertices = 0;                // the dummy vertex' index

@@ -24,10 +24,10 @@ namespace {
 // The result of looking up points in the contact cache.
 struct ContactCache {
     Xyz normal;
-    Floats height;   // above the offset surface, m, by the tangent plane
-    Ints asks;       // the point must query the collider
-    Ints is_known;   // the point has used up its slack, and the tangent plane is valid
-    Ints may_touch;  // is_known, and the point is below the offset surface
+    Floats height;     // above the offset surface, m, by the tangent plane
+    Ints needs_query;  // the point must query the collider
+    Ints is_known;     // the point has used up its slack, and the tangent plane is valid
+    Ints may_touch;    // is_known, and the point is below the offset surface
 };
 
 // x: the present positions; the other arguments: their entries in the contact cache.
@@ -37,7 +37,7 @@ struct ContactCache {
     const Floats squared = dot(moved, moved);
     const Floats free = lanes::max(slack, Floats{});
     const Ints is_near = squared >= free * free;
-    const Ints is_lost = (squared > kPlaneReach * kPlaneReach) | (slack < ContactKnowledge::kLost);
+    const Ints is_lost = (squared > kPlaneReach * kPlaneReach) | (slack < ContactCacheArrays::kInvalidBelow);
     const Floats now = height + dot(normal, moved);
     const Ints is_known = is_near & ~is_lost;
     return {normal, now, is_near & is_lost, is_known, is_known & (now < 0.0F)};
@@ -102,8 +102,8 @@ constexpr std::size_t lane_of_point(std::size_t i) {
     return lanes::rows_of(out, fourth_of(was));
 }
 
-std::size_t hold_moves(float* points, const float* before, const ContactKnowledge& known, const float* friction,
-                       std::size_t begin, std::size_t end, const ContactLimits& limits, std::uint32_t* found) {
+std::size_t project_vertices(float* points, const float* before, const ContactCacheArrays& known, const float* friction,
+                             std::size_t begin, std::size_t end, const ContactLimits& limits, std::uint32_t* found) {
     const Floats longest_squared = lanes::broadcast(limits.longest_move * limits.longest_move);
     std::size_t n = 0;
     for (std::size_t first = begin; first < end; first += lanes::kCount) {
@@ -123,7 +123,7 @@ std::size_t hold_moves(float* points, const float* before, const ContactKnowledg
             const Rows out = held(x, was, from, here, below, friction + first, limits);
             for (std::size_t j = 0; j < 4; ++j) lanes::store(points + i + j * lanes::kCount, out.row[j]);
         }
-        const unsigned asking = lanes::bits(here.asks & moves);
+        const unsigned asking = lanes::bits(here.needs_query & moves);
         if (asking == 0) [[likely]]
             continue;
         for (std::size_t k = 0; k < lanes::kCount; ++k) {
@@ -140,8 +140,9 @@ std::size_t hold_moves(float* points, const float* before, const ContactKnowledg
     return {lanes::load(&said.nx[at]), lanes::load(&said.ny[at]), lanes::load(&said.nz[at])};
 }
 
-void answer_vertices(const ContactBlock& said, const std::uint32_t* offsets, const float* friction,
-                     const ContactLimits& limits, const float* before, float* points, const ContactKnowledge& known) {
+void store_query_and_project(const ContactBlock& said, const std::uint32_t* offsets, const float* friction,
+                             const ContactLimits& limits, const float* before, float* points,
+                             const ContactCacheArrays& known) {
     for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
         Floats mu{};
         for (std::size_t i = 0; i < lanes::kCount; ++i) mu[i] = friction[offsets[at + i] / 4] * limits.friction_scale;
@@ -171,25 +172,25 @@ void answer_vertices(const ContactBlock& said, const std::uint32_t* offsets, con
                 load_at(block.height, at));
 }
 
-SampleState look_at_samples(const SampleBlock& block, const float* points, ContactBlock& at_points) {
-    unsigned asks = 0, touches = 0;
+SampleState locate_samples(const SampleBlock& block, const float* points, ContactBlock& at_points) {
+    unsigned needs_query = 0, touches = 0;
     for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
         const Xyz x = mixed(block, at, corners_of(block, at, points));
         lanes::store(&at_points.x[at], x.x);
         lanes::store(&at_points.y[at], x.y);
         lanes::store(&at_points.z[at], x.z);
         const ContactCache here = near(block, at, x);
-        asks |= lanes::bits(here.asks);
+        needs_query |= lanes::bits(here.needs_query);
         touches |= lanes::bits(here.may_touch);
     }
-    return {asks != 0, touches != 0};
+    return {needs_query != 0, touches != 0};
 }
 
-void answer_samples(const ContactBlock& said, const ContactLimits& limits, SampleBlock& block) {
+void store_query(const ContactBlock& said, const ContactLimits& limits, SampleBlock& block) {
     for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
         const Xyz x = load_xyz(said, at), normal = load_normal(said, at);
         const Floats height = lanes::load(&said.distance[at]) - limits.offset;
-        const Ints is_new = load_at(block.slack, at) < ContactKnowledge::kLost;
+        const Ints is_new = load_at(block.slack, at) < ContactCacheArrays::kInvalidBelow;
         lanes::store(&block.sunk[at], lanes::where(is_new, lanes::max(-height, Floats{})));
         store_three(block.asked, at, x.x, x.y, x.z);
         lanes::store(&block.slack[at], height - limits.margin);

@@ -8,7 +8,7 @@ namespace {
 Kernels fastest_of_avx512() {
     Kernels loops = kernels_of<SimdLevel::Avx512>();
     const Kernels& narrower = kernels_of<SimdLevel::Avx2>();
-    loops.limit_parents = narrower.limit_parents;
+    loops.solve_coarse_limits = narrower.solve_coarse_limits;
     return loops;
 }
 

@@ -35,7 +35,7 @@ struct BiasGains {
     float most = 0.3F;     // maximum for warp and weft
 };
 
-// The arrays of RestrictedStress. below and off are all zero before and after the update of the biases.
+// The arrays of LevelStress. below and off are all zero before and after the update of the biases.
 struct StressSums {
     const float* above = nullptr;
     float* below = nullptr;
@@ -52,7 +52,7 @@ struct ContactLimits {
 
 // For sixteen samples: whether any must query the collider, and whether any touches according to the contact cache.
 struct SampleState {
-    bool asks, touches;
+    bool needs_query, touches;
 };
 
 struct Kernels {
@@ -76,9 +76,9 @@ struct Kernels {
     void (*predict)(float* points, float* before, float* lost, std::size_t count, const Motion& motion);
 
     // add_momentum: predicted := points, points += momentum * correction, start := points.
-    // keep_corrections: correction := points - predicted.
+    // store_corrections: correction := points - predicted.
     void (*add_momentum)(const CorrectedPoints& corrected, std::size_t count, float momentum);
-    void (*keep_corrections)(const CorrectedPoints& corrected, std::size_t count);
+    void (*store_corrections)(const CorrectedPoints& corrected, std::size_t count);
 
     // One iteration over warp, weft and shear; also moves the anchors of friction. If `records` is given, the
     // multipliers are stored there. Constraints in which warp or weft was beyond the fabric's strain limit are copied
@@ -97,15 +97,15 @@ struct Kernels {
 
     // One iteration of the coarse strain limits: shortens warp and weft of refined triangles where they are too long,
     // with a bounded shear correction. If `records` is given, the multipliers are stored there.
-    void (*limit_parents)(std::span<const LimitBlock> blocks, LimitRecord* records, float* points);
+    void (*solve_coarse_limits)(std::span<const LimitBlock> blocks, LimitRecord* records, float* points);
 
     // Prolongation to the centres of split edges: moves each by the mean displacement of the edge's ends since
     // `before`.
-    void (*restrict_centres)(std::span<const EdgeCentre> centres, const float* before, float* points);
+    void (*prolong_centres)(std::span<const EdgeCentre> centres, const float* before, float* points);
 
     // Sums the stress that a refined triangle and all its ancestors bear, from the last multipliers, into `above` of
-    // RestrictedStress. Called level by level, coarse to fine.
-    void (*restrict_stress)(std::span<const LimitRecord> records, float* above);
+    // LevelStress. Called level by level, coarse to fine.
+    void (*prolong_stress)(std::span<const LimitRecord> records, float* above);
 
     // Update the biases so that the strain approaches the one that the fabric has under the total stress of a leaf and
     // all its ancestors. The bias of a leaf follows its own strain error. Of a refined triangle, warp and weft follow
@@ -113,30 +113,32 @@ struct Kernels {
     // first, then for the refined triangles, fine to coarse.
     void (*update_bias)(std::span<StretchBlock> blocks, std::span<const StretchRecord> records, const float* points,
                         const float* before, const BiasGains& gains, const StressSums& sums);
-    void (*update_parents)(std::span<LimitBlock> blocks, std::span<LimitRecord> records, const BiasGains& gains,
-                           const StressSums& sums);
+    void (*update_limit_biases)(std::span<LimitBlock> blocks, std::span<LimitRecord> records, const BiasGains& gains,
+                                const StressSums& sums);
 
     // Internal damping: the corners of a triangle lose a share of their relative motion since `before`. Linear momentum
     // is conserved.
-    void (*rub)(std::span<const StretchBlock> blocks, const float* points, float* before, float share);
+    void (*apply_internal_damping)(std::span<const StretchBlock> blocks, const float* points, float* before,
+                                   float share);
 
     // Limits the displacement of each point since `before`. Then projects points that are below the floor, or that
     // touch the body according to the contact cache, onto the offset surface; friction reduces the tangential motion
     // since `before` by up to the coefficient times the depth. The offsets of the movable points that must query the
     // collider are written to `found`; returns their number. Pre: begin and end are point indices and multiples of
     // sixteen; found has room for all points.
-    std::size_t (*hold_moves)(float* points, const float* before, const ContactKnowledge& known, const float* friction,
-                              std::size_t begin, std::size_t end, const ContactLimits& limits, std::uint32_t* found);
+    std::size_t (*project_vertices)(float* points, const float* before, const ContactCacheArrays& known,
+                                    const float* friction, std::size_t begin, std::size_t end,
+                                    const ContactLimits& limits, std::uint32_t* found);
 
     // Projects sixteen points with the collider's results in `said`, and stores these in the contact cache.
-    void (*answer_vertices)(const ContactBlock& said, const std::uint32_t* offsets, const float* friction,
-                            const ContactLimits& limits, const float* before, float* points,
-                            const ContactKnowledge& known);
+    void (*store_query_and_project)(const ContactBlock& said, const std::uint32_t* offsets, const float* friction,
+                                    const ContactLimits& limits, const float* before, float* points,
+                                    const ContactCacheArrays& known);
 
     // Three steps for sixteen samples: computes their positions for a collider query; stores the results of the query
     // in the contact cache; projects those that touch.
-    SampleState (*look_at_samples)(const SampleBlock& block, const float* points, ContactBlock& at_points);
-    void (*answer_samples)(const ContactBlock& said, const ContactLimits& limits, SampleBlock& block);
+    SampleState (*locate_samples)(const SampleBlock& block, const float* points, ContactBlock& at_points);
+    void (*store_query)(const ContactBlock& said, const ContactLimits& limits, SampleBlock& block);
     void (*push_samples)(SampleBlock& block, const ContactLimits& limits, float* points, float* before);
 };
 

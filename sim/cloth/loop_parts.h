@@ -60,7 +60,7 @@ template <class Holds>
 }
 
 // The deformed warp and weft directions of triangles, as unit vectors after normalise(), and their lengths.
-struct Threads {
+struct YarnDirections {
     Xyz warp, weft;
     Floats warp_length, weft_length;
     Floats warp_direction_share,
@@ -68,8 +68,8 @@ struct Threads {
 };
 
 template <class Block>
-[[gnu::always_inline]] inline Threads directions(const Block& block, std::size_t at, const Rows& x0, const Rows& x1,
-                                                 const Rows& x2) {
+[[gnu::always_inline]] inline YarnDirections directions(const Block& block, std::size_t at, const Rows& x0,
+                                                        const Rows& x1, const Rows& x2) {
     const Xyz e1 = lanes::transposed(difference(x1, x0));
     const Xyz e2 = lanes::transposed(difference(x2, x0));
     return {.warp = combined(e1, load_at(block.a[0], at), e2, load_at(block.a[1], at)),
@@ -88,7 +88,7 @@ template <class Block>
     return squared * inverse;
 }
 
-[[gnu::always_inline]] inline void normalise(Threads& t) {
+[[gnu::always_inline]] inline void normalise(YarnDirections& t) {
     t.warp_length = normalise(t.warp);
     t.weft_length = normalise(t.weft);
     t.warp_direction_share = lanes::min(t.warp_length, lanes::broadcast(1.0F));
@@ -119,11 +119,11 @@ template <class Block>
 
 // The yarn directions of triangles, from the mean positions of two successive sub-steps.
 template <class Block>
-[[gnu::always_inline]] inline Threads middle_threads(const Block& block, std::size_t at, const float* points,
-                                                     const float* before) {
+[[gnu::always_inline]] inline YarnDirections mean_directions(const Block& block, std::size_t at, const float* points,
+                                                             const float* before) {
     const Corners c = corners_of(block, at, points);
     const Corners was = corners_of(block, at, before);
-    Threads t = directions(block, at, middle(c.x0, was.x0), middle(c.x1, was.x1), middle(c.x2, was.x2));
+    YarnDirections t = directions(block, at, middle(c.x0, was.x0), middle(c.x1, was.x1), middle(c.x2, was.x2));
     normalise(t);
     return t;
 }

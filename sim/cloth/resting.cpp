@@ -17,9 +17,9 @@ bool has_other_surroundings(RestingState& resting, const Collider& body, const S
     return !is_same;
 }
 
-bool is_led_on(const Cloth& cloth, std::span<const KinematicVertex> all) {
-    return std::ranges::any_of(all, [&](const KinematicVertex& led) {
-        return (led.to - cloth.x[led.vertex].head<3>()).norm() > kKinematicReach;
+bool has_kinematic_target(const Cloth& cloth, std::span<const KinematicVertex> all) {
+    return std::ranges::any_of(all, [&](const KinematicVertex& kinematic) {
+        return (kinematic.to - cloth.x[kinematic.vertex].head<3>()).norm() > kKinematicReach;
     });
 }
 
@@ -48,24 +48,25 @@ bool has_moved(const Cloth& cloth) {
 bool stays_at_rest(Cloth& cloth, const Collider& body, const StepOptions& options) {
     RestingState& resting = cloth.solver.resting;
     const bool is_elsewhere = has_other_surroundings(resting, body, options);
-    if (!options.may_rest || is_elsewhere || !options.seams.empty() || is_led_on(cloth, options.led)) wake(cloth);
+    if (!options.may_rest || is_elsewhere || !options.seams.empty() || has_kinematic_target(cloth, options.kinematic))
+        reactivate(cloth);
     if (!options.may_rest) return false;
-    if (resting.quiet == 0 || has_moved(cloth)) {
+    if (resting.still_seconds == 0 || has_moved(cloth)) {
         resting.anchors = cloth.x;
-        resting.quiet = 0;
+        resting.still_seconds = 0;
     }
     const bool rested = is_at_rest(cloth);
-    resting.quiet += step_seconds(cloth, options);
+    resting.still_seconds += step_seconds(cloth, options);
     if (is_at_rest(cloth) && !rested) resting.anchors = cloth.x_prev = cloth.x;
     return is_at_rest(cloth);
 }
 
 bool is_at_rest(const Cloth& cloth) {
-    return cloth.solver.resting.quiet >= kRestSeconds;
+    return cloth.solver.resting.still_seconds >= kRestSeconds;
 }
 
-void wake(Cloth& cloth) {
-    cloth.solver.resting.quiet = 0;
+void reactivate(Cloth& cloth) {
+    cloth.solver.resting.still_seconds = 0;
 }
 
 }  // namespace selvedge::sim

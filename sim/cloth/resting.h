@@ -28,7 +28,7 @@ inline constexpr float kKinematicReach = 1e-5F;
 
 struct RestingState {
     std::vector<Vec4f> anchors;  // m, by vertex: the position when `quiet` was 0
-    float quiet = 0;             // s without motion beyond kRestReach
+    float still_seconds = 0;     // s without motion beyond kRestReach
     // The conditions of the last step.
     Vec3f gravity = Vec3f::Zero();
     ContactOptions contact{};
@@ -42,6 +42,6 @@ bool stays_at_rest(Cloth& cloth, const Collider& body, const StepOptions& option
 bool is_at_rest(const Cloth& cloth);
 
 // Reactivates the cloth: the time without motion starts again from 0.
-void wake(Cloth& cloth);
+void reactivate(Cloth& cloth);
 
 }  // namespace selvedge::sim

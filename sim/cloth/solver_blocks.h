@@ -55,7 +55,7 @@ inline constexpr float kLimitShare = 0.5F;
 // changes.
 inline constexpr float kMomentum = 0.3F;
 
-// Offset of a triangle's four floats in the arrays of RestrictedStress; kNoPlace stands for no triangle.
+// Offset of a triangle's four floats in the arrays of LevelStress; kNoPlace stands for no triangle.
 inline constexpr std::uint32_t kNoPlace = 0;
 inline std::uint32_t place_of(TriangleId t) {
     return 4 * (t.value + 1);
@@ -66,7 +66,7 @@ inline std::uint32_t place_of(TriangleId t) {
 struct alignas(64) StretchRecord {
     std::array<BlockFloats, 3> multiplier{};
     std::array<BlockFloats, 3> compliance{};
-    BlockPoints parent{};   // offset of the leaf's parent triangle in RestrictedStress
+    BlockPoints parent{};   // offset of the leaf's parent triangle in LevelStress
     BlockFloats of_area{};  // area of the leaf over that of its parent
 };
 
@@ -83,9 +83,9 @@ struct alignas(64) LimitBlock {
     std::array<BlockFloats, 3> warp{}, weft{};   // displacement of each vertex along the direction per multiplier, m
 };
 
-// Data for Kernels::update_parents. Stress is divided by stiffness: it is the strain that the fabric has under it.
+// Data for Kernels::update_limit_biases. Stress is divided by stiffness: it is the strain that the fabric has under it.
 struct alignas(64) LimitRecord {
-    BlockPoints place{}, parent{};             // offsets of the triangle and of its parent in RestrictedStress
+    BlockPoints place{}, parent{};             // offsets of the triangle and of its parent in LevelStress
     BlockFloats of_area{};                     // area of the triangle over that of its parent
     std::array<BlockFloats, 2> free_length{};  // maximum length of warp and weft at a bias of 0
     std::array<BlockFloats, 3> bias{};         // of warp and weft: reduction of that length; and of shear
@@ -93,7 +93,7 @@ struct alignas(64) LimitRecord {
     std::array<BlockFloats, 3> compliance{};   // over a sub-step
     std::array<BlockFloats, 3> per_stress{};   // bias per unit of stress
     BlockFloats per_shear{};                   // multiplier of shear per unit of its bias
-    BlockFloats easy_shear{};                  // shear stress that the inner triangles can bear without this limit
+    BlockFloats bearable_shear{};              // shear stress that the inner triangles can bear without this limit
 };
 
 // Copies of the stretch constraints of one colour that were beyond the fabric's strain limit, packed without gaps.
@@ -106,14 +106,14 @@ struct alignas(64) OverBlock {
 
 // Sums of warp, weft and shear (and padding), passed between levels. Entry 0 stands for no triangle, entry id + 1 for
 // triangle id. Stresses are divided by stiffness, as in LimitRecord.
-struct RestrictedStress {
+struct LevelStress {
     std::vector<Vec4f> above;  // stress that a refined triangle and all its ancestors bear
     std::vector<Vec4f> below;  // scratch: mean stress that its inner triangles bear
     std::vector<Vec4f> off;    // scratch: mean strain error of warp and weft of the leaves in it
 };
 
 // The interval of a triangle that bends with no rigidity: larger than any interval that is solved.
-inline constexpr float kNeverVisited = 8;
+inline constexpr float kNeverSolved = 8;
 
 // Bending of a triangle: its curvature k is a fixed linear map of the angles of its three hinges (curvature_map.h), its
 // energy is 1/2 area k' D k with the rigidities D along warp, weft and of twist. The three hinges are solved together
@@ -131,7 +131,7 @@ struct alignas(64) BendBlock {
         beyond_foot{};                     // feet of those heights along the edge: 0 at its start, 1 at its end
     std::array<BlockFloats, 6> gain{};     // multiplier per angle, symmetric: 00 11 22 01 02 12
     BlockFloats realised{};                // share of the fabric's rigidity that this triangle applies
-    BlockFloats interval{};                // sub-steps between two solves: 1, 2 or kNeverVisited
+    BlockFloats interval{};                // sub-steps between two solves: 1, 2 or kNeverSolved
     BlockFloats has_friction{};            // 1 or 0: whether the following values are used
     std::array<BlockFloats, 9> map{};      // curvature per angle, by rows: warp, weft, 2 twist; 1/m
     std::array<BlockFloats, 9> settled{};  // curvature expected after the whole iteration, per angle before it; 1/m
@@ -170,7 +170,7 @@ struct EdgeCentre {
     std::uint32_t centre = 0;
 };
 
-inline constexpr std::uint32_t kSpare = UINT32_MAX;
+inline constexpr std::uint32_t kNoBlockSlot = UINT32_MAX;
 
 // Access to single lanes. A block consists of rows of sixteen values of four bytes; `vertices` are the first rows.
 

@@ -57,7 +57,7 @@ void set_stretch(Cloth& cloth, TriangleId t, std::uint32_t slot) {
     block.longest[at] = 1 + static_cast<float>(fabric.strain_limit);
     block.push[at] = cloth.solver.lists.has_gathers && is_gathered(cloth.mesh, leaf) ? 0.0F : 1.0F;
     block.slip[at] = static_cast<float>(fabric.shear_hysteresis / (2 * fabric.shear)) / kStick;
-    const KeptBias kept = kept_bias(cloth, t);
+    const SavedBias kept = saved_bias_of(cloth, t);
     set_lane(block.bias, at, kept.value);
     block.anchor[at] = kept.anchor;
     record.compliance[0][at] = compliance_of(cloth, frame, fabric.stretch_warp);
@@ -66,7 +66,7 @@ void set_stretch(Cloth& cloth, TriangleId t, std::uint32_t slot) {
     const ParentOf& parent = cloth.solver.lists.parent_of[t.value];
     record.parent[at] = parent.place;
     record.of_area[at] = parent.of_area;
-    constraints.triangle_of.resize(constraints.stretch.blocks.size() * kBlock, kSpare);
+    constraints.triangle_of.resize(constraints.stretch.blocks.size() * kBlock, kNoBlockSlot);
     constraints.thirds.resize(constraints.stretch.blocks.size() * kBlock, 0.0F);
     constraints.triangle_of[slot] = t.value;
     constraints.thirds[slot] = third_of_mass(cloth, leaf.u, leaf.panel);
@@ -86,8 +86,8 @@ void change_stretch(Cloth& cloth, const LeafChanges& changes) {
     Constraints& constraints = cloth.solver.constraints;
     const std::size_t spare_point = cloth.solver.lists.vertices;
     for (const TriangleId t : changes.triangles_removed) {
-        keep_bias(cloth, t);
-        constraints.triangle_of[constraints.stretch.slot_of(t)] = kSpare;
+        save_bias(cloth, t);
+        constraints.triangle_of[constraints.stretch.slot_of(t)] = kNoBlockSlot;
         constraints.stretch.remove(t, spare_point);
     }
     for (const TriangleId t : changes.triangles_added) {
@@ -100,8 +100,8 @@ void size_triangles(Cloth& cloth) {
     SolverState& solver = cloth.solver;
     const std::size_t capacity = cloth.mesh.triangles().capacity();
     solver.lists.parent_of.resize(capacity);
-    solver.lists.easy_shear.resize(capacity + 1, 0.0F);
-    RestrictedStress& carried = solver.constraints.carried;
+    solver.lists.bearable_shear.resize(capacity + 1, 0.0F);
+    LevelStress& carried = solver.constraints.carried;
     for (std::vector<Vec4f>* sums : {&carried.above, &carried.below, &carried.off}) {
         sums->resize(capacity + 1, Vec4f::Zero());
     }
@@ -115,7 +115,7 @@ void forget_triangles(SolverState& solver) {
         level.limits.forget();
         level.bend.forget();
     }
-    RestrictedStress& carried = solver.constraints.carried;
+    LevelStress& carried = solver.constraints.carried;
     for (std::vector<Vec4f>* sums : {&carried.above, &carried.below, &carried.off}) sums->clear();
 }
 
@@ -147,7 +147,7 @@ void note_children(Cloth& cloth, TriangleId t) {
 
 void make_blocks(Cloth& cloth) {
     SolverState& solver = cloth.solver;
-    keep_biases(cloth);
+    save_biases(cloth);
     keep_bends(cloth);
     solver.lists.vertices = cloth.mesh.vertex_capacity();
     solver.lists.inserted = 0;
@@ -193,7 +193,7 @@ float longest_of(double stiffness, const Fabric& fabric) {
 
 using Limits = ConstraintSet<LimitBlock, LimitRecord>;
 
-void forget_stress(RestrictedStress& carried, TriangleId t) {
+void forget_stress(LevelStress& carried, TriangleId t) {
     carried.above[t.value + 1].setZero();
 }
 
@@ -207,7 +207,7 @@ void set_limit(Cloth& cloth, TriangleId t, std::uint32_t slot) {
     const MaterialFrame frame = material_frame(triangle.u, cloth.material.grain_angles[triangle.panel]);
     set_frame(limits.blocks[slot / kBlock], at, triangle.vertices, frame);
     const std::array<double, 3> stiffness{fabric.stretch_warp, fabric.stretch_weft, fabric.shear};
-    set_lane(record.bias, at, kept_limit(cloth, t));
+    set_lane(record.bias, at, saved_limit_of(cloth, t));
     for (std::size_t k = 0; k < 3; ++k) {
         record.compliance[k][at] = compliance_of(cloth, frame, stiffness[k]);
         if (k < 2) record.free_length[k][at] = longest_of(stiffness[k], fabric);
@@ -216,36 +216,36 @@ void set_limit(Cloth& cloth, TriangleId t, std::uint32_t slot) {
     record.place[at] = place_of(t);
     record.parent[at] = parent.place;
     record.of_area[at] = parent.of_area;
-    RestrictedStress& carried = cloth.solver.constraints.carried;
+    LevelStress& carried = cloth.solver.constraints.carried;
     for (std::vector<Vec4f>* sums : {&carried.below, &carried.off}) (*sums)[t.value + 1].setZero();
 }
 
-// Adds a triangle's part of easy_shear (LimitRecord) to its parent: kEasyBias times the stress per unit of its bias
+// Adds a triangle's part of bearable_shear (LimitRecord) to its parent: kEasyBias times the stress per unit of its bias
 // (per_bias), plus what its inner triangles bear (inside), weighted by area.
-void add_easy_shear(SolverLists& lists, std::uint32_t parent, float of_area, float per_bias, float inside) {
+void add_bearable_shear(SolverLists& lists, std::uint32_t parent, float of_area, float per_bias, float inside) {
     constexpr float kEasyBias = 0.05F;  // a larger shear bias takes too long to accumulate
-    lists.easy_shear[parent / 4] += of_area * (kEasyBias * per_bias + inside);
+    lists.bearable_shear[parent / 4] += of_area * (kEasyBias * per_bias + inside);
 }
 
-void add_easy_shear_of_leaves(SolverState& solver) {
-    std::fill(solver.lists.easy_shear.begin(), solver.lists.easy_shear.end(), 0.0F);
+void add_bearable_shear_of_leaves(SolverState& solver) {
+    std::fill(solver.lists.bearable_shear.begin(), solver.lists.bearable_shear.end(), 0.0F);
     const auto& stretch = solver.constraints.stretch;
     for (std::size_t i = 0; i < stretch.blocks.size(); ++i) {
         const StretchRecord& record = stretch.records[i];
         for (std::size_t at = 0; at < kBlock; ++at) {
             const float per_bias = stretch.blocks[i].shear[at] * record.compliance[2][at];
-            add_easy_shear(solver.lists, record.parent[at], record.of_area[at], per_bias, 0);
+            add_bearable_shear(solver.lists, record.parent[at], record.of_area[at], per_bias, 0);
         }
     }
 }
 
-void add_easy_shear_of_limits(SolverState& solver, ParentLevel& parents) {
+void add_bearable_shear_of_limits(SolverState& solver, ParentLevel& parents) {
     for (LimitRecord& record : parents.limits.records) {
         for (std::size_t at = 0; at < kBlock; ++at) {
-            const float inside = solver.lists.easy_shear[record.place[at] / 4];
+            const float inside = solver.lists.bearable_shear[record.place[at] / 4];
             const float per_bias = record.per_shear[at] * record.compliance[2][at];
-            record.easy_shear[at] = inside;
-            add_easy_shear(solver.lists, record.parent[at], record.of_area[at], per_bias, inside);
+            record.bearable_shear[at] = inside;
+            add_bearable_shear(solver.lists, record.parent[at], record.of_area[at], per_bias, inside);
         }
     }
 }
@@ -266,8 +266,8 @@ void change_limits(Cloth& cloth, const LeafChanges& changes) {
     const std::size_t spare_point = cloth.solver.lists.vertices;
     for (const TriangleId t : changes.refined_changed) {
         for (ParentLevel& level : constraints.parents) {
-            if (level.limits.slot_of(t) == kSpare) continue;
-            keep_limit(cloth, t, level);
+            if (level.limits.slot_of(t) == kNoBlockSlot) continue;
+            save_limit(cloth, t, level);
             forget_stress(constraints.carried, t);
             level.limits.remove(t, spare_point);
         }
@@ -320,16 +320,16 @@ void list_limit_masses(Cloth& cloth) {
     }
 }
 
-// easy_shear is recomputed for all triangles, because nearly every sum contains a changed value.
+// bearable_shear is recomputed for all triangles, because nearly every sum contains a changed value.
 void update_limit_masses(Cloth& cloth, const Kernels& loops) {
     SolverState& solver = cloth.solver;
-    add_easy_shear_of_leaves(solver);
+    add_bearable_shear_of_leaves(solver);
     for (std::size_t level = solver.constraints.parents.size(); level-- > 0;) {
         ParentLevel& parents = solver.constraints.parents[level];
         parents.limits.update_dirty_masses([&](auto blocks, auto records) {
             loops.update_limit_masses(blocks, records, solver.lists.masses[level].data());
         });
-        add_easy_shear_of_limits(solver, parents);
+        add_bearable_shear_of_limits(solver, parents);
     }
 }
 
@@ -353,7 +353,7 @@ void for_changed(const std::vector<float>& now, std::vector<float>& kept, const 
 template <class Set>
 void mark(Set& set, TriangleId t) {
     const std::uint32_t slot = set.slot_of(t);
-    if (slot != kSpare) set.dirty.mark_slot(slot);
+    if (slot != kNoBlockSlot) set.dirty.mark_slot(slot);
 }
 
 // Marks the leaves round a leaf vertex, and their neighbours opposite to it, in whose bending it is an apex.

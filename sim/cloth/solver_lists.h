@@ -12,7 +12,7 @@ struct Cloth;
 
 // The parent of a triangle: the refined triangle that contains it.
 struct ParentOf {
-    std::uint32_t place = kNoPlace;  // offset in RestrictedStress
+    std::uint32_t place = kNoPlace;  // offset in LevelStress
     float of_area = 1;               // area of the triangle over that of the parent
 };
 
@@ -21,7 +21,7 @@ struct ParentLevel {
     ConstraintSet<LimitBlock, LimitRecord> limits;
     ConstraintSet<CoarseBendBlock, BendRecord> bend;
     std::vector<EdgeCentre> centres;  // only those that can move
-    float interval = kNeverVisited;   // the minimum of BendBlock::interval over the level
+    float interval = kNeverSolved;    // the minimum of BendBlock::interval over the level
 };
 
 // The constraints of a cloth.
@@ -29,14 +29,14 @@ struct Constraints {
     ConstraintSet<StretchBlock, StretchRecord> stretch;  // of leaves
     ConstraintSet<BendBlock, BendRecord> bend;           // of leaves
     std::vector<ParentLevel> parents;                    // by level, coarse to fine
-    RestrictedStress carried;
-    std::vector<std::uint32_t> triangle_of;  // by slot of stretch: the TriangleId, or kSpare
+    LevelStress carried;
+    std::vector<std::uint32_t> triangle_of;  // by slot of stretch: the TriangleId, or kNoBlockSlot
     std::vector<float> thirds;               // by slot of stretch: a third of the leaf's mass, kg
 };
 
 // Scratch memory of triangle_bending.cpp, reused between calls.
 struct FitScratch {
-    std::vector<std::uint32_t> place_of;  // by TriangleId: index in `fits`; kSpare: not made
+    std::vector<std::uint32_t> place_of;  // by TriangleId: index in `fits`; kNoBlockSlot: not made
     std::vector<TriangleId> made;
     std::vector<CurvatureFit> fits;
 };
@@ -66,7 +66,7 @@ struct SolverLists {
     TouchedScratch touched;
     std::vector<std::uint32_t> idle_bends;  // slots
     std::vector<float> asked;               // by triangle id + 1: share of the rigidity passed up to it
-    std::vector<float> easy_shear;          // by triangle id + 1, see LimitRecord
+    std::vector<float> bearable_shear;      // by triangle id + 1, see LimitRecord
     std::vector<std::vector<float>> masses_now;
     std::vector<double> mass_sums;
     std::vector<std::uint8_t> is_changed;  // by vertex
@@ -115,8 +115,8 @@ void list_centres(Cloth& cloth);
 // Computes the effective masses of the corners of refined triangles, level by level. Pre: list_centres() was called.
 void list_limit_masses(Cloth& cloth);
 
-// Computes the gains of dirty blocks from the masses, and easy_shear from the gains of all blocks. Pre: the gains of
-// the leaves' blocks are up to date.
+// Computes the gains of dirty blocks from the masses, and bearable_shear from the gains of all blocks. Pre: the gains
+// of the leaves' blocks are up to date.
 void update_limit_masses(Cloth& cloth, const Kernels& loops);
 
 // Gains of the constraints, which convert an error into displacements of the vertices, from their inverse masses.

@@ -40,21 +40,21 @@ class SavedStates {
 
 // Saved state of a triangle: the multipliers (biases) of stretch and shear and the anchor of friction in shear. See
 // solver_blocks.h and bias.h.
-struct KeptBias {
+struct SavedBias {
     Vec3f value = Vec3f::Zero();  // bias of warp, weft and shear of a leaf
     Vec3f limit = Vec3f::Zero();  // bias of the coarse strain limit of a refined triangle
     float anchor = 0;             // of friction in shear
 };
 
 // Saved state of a triangle's internal friction in bending, for leaves and refined triangles.
-struct KeptBend {
+struct SavedBend {
     Vec3f anchor = Vec3f::Zero();  // 1/m, of the curvatures along warp, weft and of twist
     bool is_known = false;         // if not, the anchor of a leaf starts at its present curvature
 };
 
 // Working memory of the criteria during an adaptation, reused by the next one.
 struct CriteriaMemory {
-    LeafAnswers shape;  // results of curvature, length and buckling
+    CachedSplitRequests shape;  // results of curvature, length and buckling
     CollisionBatch collision;
 };
 
@@ -76,8 +76,8 @@ struct SolverState {
 
     // Used during an adaptation; saved states are by TriangleId.
     CriteriaMemory adapting;
-    SavedStates<KeptBias> saved_bias;
-    SavedStates<KeptBend> saved_bend;
+    SavedStates<SavedBias> saved_bias;
+    SavedStates<SavedBend> saved_bend;
 };
 
 }  // namespace selvedge::sim

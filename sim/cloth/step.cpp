@@ -31,25 +31,25 @@ struct Stepper {
     void load_points();
     void store_points();
     void predict(int i);
-    void lead(int i);
+    void move_kinematic(int i);
     void add_momentum();
-    void keep_corrections();
+    void store_corrections();
     void solve_coarse_bend(int interval);
-    void limit_parents(bool is_last);
-    void restrict_centres(std::size_t level);
+    void solve_coarse_limits(bool is_last);
+    void prolong_centres(std::size_t level);
     void solve_bend(int interval);
     void solve_stretch(bool is_last);
     void limit_stretch();
     void update_bias();
     void pull_seams(float gap);
     void hold();
-    void rub();
+    void apply_internal_damping();
 };
 
 void Stepper::step() {
     load_points();
     for (int i = 0; i < options.substeps; ++i) substep(i);
-    rub();
+    apply_internal_damping();
     store_points();
 }
 
@@ -59,10 +59,10 @@ void Stepper::substep(int i) {
     solve_coarse_bend(bend_interval(i));
     solve_bend(bend_interval(i));
     add_momentum();
-    limit_parents(is_last);
+    solve_coarse_limits(is_last);
     solve_stretch(is_last);
-    for (int round = 0; round < options.limit_rounds; ++round) limit_stretch();
-    keep_corrections();
+    for (int round = 0; round < options.limit_iterations; ++round) limit_stretch();
+    store_corrections();
     if (is_last) update_bias();
     push_out_samples(cloth, loops, body, options.contact);
     const float to_go = static_cast<float>(options.substeps - 1 - i);
@@ -90,8 +90,8 @@ void Stepper::load_points() {
 
 void Stepper::store_points() {
     for (std::size_t v = 0; v < cloth.x.size(); ++v) {
-        cloth.x[v] = padded(cloth.solver.points[v].head<3>());
-        cloth.x_prev[v] = padded(cloth.solver.before[v].head<3>());
+        cloth.x[v] = with_zero_w(cloth.solver.points[v].head<3>());
+        cloth.x_prev[v] = with_zero_w(cloth.solver.before[v].head<3>());
     }
 }
 
@@ -100,14 +100,14 @@ void Stepper::predict(int i) {
     const Motion motion{.keep = std::max(0.0F, 1 - (cloth.solver.damping + options.extra_damping) * cloth.substep),
                         .fall = {fall.x(), fall.y(), fall.z()}};
     loops.predict(points(), before(), floats(cloth.solver.lost), cloth.x.size(), motion);
-    lead(i);
+    move_kinematic(i);
 }
 
-void Stepper::lead(int i) {
+void Stepper::move_kinematic(int i) {
     const float share = 1 / static_cast<float>(options.substeps - i);
-    for (const KinematicVertex& led : options.led) {
-        Vec4f& x = cloth.solver.points[led.vertex];
-        x.head<3>() += (led.to - x.head<3>()) * share;
+    for (const KinematicVertex& kinematic : options.kinematic) {
+        Vec4f& x = cloth.solver.points[kinematic.vertex];
+        x.head<3>() += (kinematic.to - x.head<3>()) * share;
     }
 }
 
@@ -115,8 +115,8 @@ void Stepper::add_momentum() {
     loops.add_momentum(corrected(), cloth.x.size(), kMomentum);
 }
 
-void Stepper::keep_corrections() {
-    loops.keep_corrections(corrected(), cloth.x.size());
+void Stepper::store_corrections() {
+    loops.store_corrections(corrected(), cloth.x.size());
 }
 
 // Coarse to fine: after each level, the centres of its split edges follow the displacements of the ends, and the next
@@ -131,24 +131,24 @@ void Stepper::solve_coarse_bend(int interval) {
         if (bends(parents)) {
             parents.bend.for_colors([&](auto blocks, auto) { loops.solve_coarse_bend(blocks, points(), interval); });
         }
-        restrict_centres(level);
+        prolong_centres(level);
     }
 }
 
-void Stepper::limit_parents(bool is_last) {
+void Stepper::solve_coarse_limits(bool is_last) {
     SolverState& solver = cloth.solver;
     for (std::size_t level = 0; level < solver.constraints.parents.size(); ++level) {
         ParentLevel& parents = solver.constraints.parents[level];
         parents.limits.for_colors([&](auto blocks, auto records) {
-            loops.limit_parents(blocks, is_last ? records.data() : nullptr, points());
+            loops.solve_coarse_limits(blocks, is_last ? records.data() : nullptr, points());
         });
-        restrict_centres(level);
+        prolong_centres(level);
     }
 }
 
-void Stepper::restrict_centres(std::size_t level) {
+void Stepper::prolong_centres(std::size_t level) {
     SolverState& solver = cloth.solver;
-    loops.restrict_centres(solver.constraints.parents[level].centres, floats(solver.carried), points());
+    loops.prolong_centres(solver.constraints.parents[level].centres, floats(solver.carried), points());
 }
 
 void Stepper::solve_bend(int interval) {
@@ -180,16 +180,16 @@ void Stepper::limit_stretch() {
 void Stepper::update_bias() {
     Constraints& constraints = cloth.solver.constraints;
     const BiasGains gains{.stretch = share_at(options.stretch_bias_rate), .shear = share_at(options.shear_bias_rate)};
-    RestrictedStress& carried = constraints.carried;
+    LevelStress& carried = constraints.carried;
     for (const ParentLevel& level : constraints.parents) {
-        loops.restrict_stress(level.limits.records, floats(carried.above));
+        loops.prolong_stress(level.limits.records, floats(carried.above));
     }
     const StressSums sums{.above = floats(carried.above), .below = floats(carried.below), .off = floats(carried.off)};
     constraints.stretch.for_colors(
         [&](auto blocks, auto records) { loops.update_bias(blocks, records, points(), before(), gains, sums); });
     for (std::size_t level = constraints.parents.size(); level-- > 0;) {
         constraints.parents[level].limits.for_colors(
-            [&](auto blocks, auto records) { loops.update_parents(blocks, records, gains, sums); });
+            [&](auto blocks, auto records) { loops.update_limit_biases(blocks, records, gains, sums); });
     }
 }
 
@@ -198,7 +198,7 @@ void Stepper::pull_seams(float gap) {
     for (const SeamPull& pull : options.seams) {
         Vec4f& a = solver.points[pull.a];
         Vec4f& b = solver.points[pull.b];
-        const Vec4f d = padded((b - a).head<3>());
+        const Vec4f d = with_zero_w((b - a).head<3>());
         const float length = d.norm();
         if (length <= gap || a.w() + b.w() <= 0) continue;
         const Vec4f c = d * ((length - gap) / length / (a.w() + b.w()));
@@ -211,10 +211,10 @@ void Stepper::hold() {
     hold_vertices(cloth, loops, body, options.max_move_per_substep, options.contact);
 }
 
-void Stepper::rub() {
+void Stepper::apply_internal_damping() {
     const float share = share_at(options.internal_damping);
     cloth.solver.constraints.stretch.for_colors(
-        [&](auto blocks, auto) { loops.rub(blocks, points(), before(), share); });
+        [&](auto blocks, auto) { loops.apply_internal_damping(blocks, points(), before(), share); });
 }
 
 }  // namespace

@@ -30,13 +30,13 @@ struct StepOptions {
     float internal_damping = 40;          // 1/s, of the relative motion of the corners of a triangle
     float stretch_bias_rate = 3;          // 1/s, update rate of the multipliers (biases) of warp and weft, and of shear
     float shear_bias_rate = 1.2F;         // (solver_blocks.h). Higher rates are unstable, see docs/solver.md
-    int limit_rounds = 2;                 // extra iterations over triangles beyond the fabric's strain limit
+    int limit_iterations = 2;             // extra iterations over triangles beyond the fabric's strain limit
     float max_move_per_substep = 0.005F;  // m, limit of displacement, so that vertices do not jump over thin parts
     ContactOptions contact{};
     std::span<const SeamPull> seams{};  // open seams
     float seam_gap = 0;                 // m, allowed at the end of this step
     float seam_gap_rate = 0;            // m per sub-step by which the gap shrinks within the step
-    std::span<const KinematicVertex> led{};
+    std::span<const KinematicVertex> kinematic{};
     bool may_rest = false;  // whether a cloth at rest is deactivated until something could move it (resting.h)
 };
 

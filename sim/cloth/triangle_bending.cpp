@@ -89,10 +89,10 @@ Neighbourhood neighbourhood(const Cloth& cloth, TriangleId t, Level level) {
 class Fits {
  public:
     Fits(const Cloth& cloth, Level level, FitScratch& scratch) : cloth_(cloth), level_(level), scratch_(scratch) {
-        scratch_.place_of.resize(cloth.mesh.triangles().capacity(), kSpare);
+        scratch_.place_of.resize(cloth.mesh.triangles().capacity(), kNoBlockSlot);
     }
     ~Fits() {
-        for (const TriangleId t : scratch_.made) scratch_.place_of[t.value] = kSpare;
+        for (const TriangleId t : scratch_.made) scratch_.place_of[t.value] = kNoBlockSlot;
         scratch_.made.clear();
         scratch_.fits.clear();
     }
@@ -115,7 +115,7 @@ class Fits {
  private:
     std::uint32_t place_of(TriangleId t) {
         std::uint32_t& place = scratch_.place_of[t.value];
-        if (place == kSpare) {
+        if (place == kNoBlockSlot) {
             place = static_cast<std::uint32_t>(scratch_.fits.size());
             scratch_.made.push_back(t);
             scratch_.fits.push_back(fit_curvature(neighbourhood(cloth_, t, level_).rest));
@@ -183,7 +183,7 @@ struct BendLists {
         const std::size_t at = slot % kBlock;
         for (std::size_t i = 0; i < 6; ++i) block.vertices[i][at] = 4 * points[i];
         set_element(cloth, t, level, fits, block, bend.records[slot / kBlock], at);
-        const KeptBend kept = kept_bend(cloth, t);
+        const SavedBend kept = saved_bend_of(cloth, t);
         block.realised[at] = kept.is_known ? 1.0F : 0.0F;
         const bool starts = !kept.is_known && level == Level::Leaves;
         set_lane(block.anchor, at, starts ? curvature_now(cloth, block, at) : kept.anchor);
@@ -211,8 +211,8 @@ BendLists<CoarseBendBlock> refined_lists(SolverState& solver, int level) {
 void erase(Cloth& cloth, TriangleId t) {
     Constraints& constraints = cloth.solver.constraints;
     const auto remove_from = [&](auto& bend) {
-        if (bend.slot_of(t) == kSpare) return;
-        keep_bend(cloth, t);
+        if (bend.slot_of(t) == kNoBlockSlot) return;
+        save_bend(cloth, t);
         bend.remove(t, cloth.solver.lists.vertices);
     };
     remove_from(constraints.bend);
@@ -349,7 +349,7 @@ BendSlot bend_slot(const Cloth& cloth, TriangleId t) {
     const std::array<std::uint32_t, 3> corners = indices(cloth.mesh.triangle(t).vertices);
     const auto slot_in = [&](const auto& bend) -> BendSlot {
         const std::uint32_t slot = bend.slot_of(t, corners);
-        return slot == kSpare ? BendSlot{} : BendSlot{&bend.blocks[slot / kBlock], slot % kBlock};
+        return slot == kNoBlockSlot ? BendSlot{} : BendSlot{&bend.blocks[slot / kBlock], slot % kBlock};
     };
     BendSlot slot = slot_in(constraints.bend);
     for (std::size_t level = 0; slot.block == nullptr && level < constraints.parents.size(); ++level) {
@@ -423,7 +423,7 @@ void update_coarse_bending_masses(Cloth& cloth, const Kernels& loops, int level)
         const std::size_t at = slot % kBlock;
         if (block.realised[at] > 0) set_lane(block.anchor, at, curvature_now(cloth, block, at));
     }
-    parents.interval = kNeverVisited;
+    parents.interval = kNeverSolved;
     for (const TriangleId t : cloth.mesh.refined_triangles(level)) {
         const std::uint32_t slot = bend.slot_of(t);
         CoarseBendBlock& block = bend.blocks[slot / kBlock];

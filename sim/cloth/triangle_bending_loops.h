@@ -255,8 +255,8 @@ constexpr float kLeastShare = 0.03F;  // share of the rigidity below which a tri
 // A triangle is solved only every second sub-step, with twice the impulse, if that applies the whole requested rigidity
 // (impulse method of multiple time steps; Tuckerman et al. 1992).
 template <class Block>
-[[gnu::always_inline]] inline void weigh_lanes(Block& block, BendRecord& record, std::size_t at,
-                                               const std::array<Floats, 6>& w) {
+[[gnu::always_inline]] inline void update_masses(Block& block, BendRecord& record, std::size_t at,
+                                                 const std::array<Floats, 6>& w) {
     const Symmetric sigma = response(block, at, w);
     const Floats one = lanes::broadcast(1.0F);
     const Floats asked = load_at(record.asked, at);
@@ -270,7 +270,7 @@ template <class Block>
     const Floats most = room / (interval * interval);
     for (Floats& s : stiffness) s = s * interval;
     lanes::store(&block.interval[at], lanes::where(asked >= kLeastShare, interval) +
-                                          lanes::where(asked < kLeastShare, lanes::broadcast(kNeverVisited)));
+                                          lanes::where(asked < kLeastShare, lanes::broadcast(kNeverSolved)));
     const Floats realised = lanes::where(asked >= kLeastShare, lanes::min(asked, most));
     lanes::store(&record.handed_up[at], lanes::where(asked >= kLeastShare, asked - realised));
     lanes::store(&block.realised[at], realised);
@@ -305,7 +305,7 @@ void update_bend_masses(std::span<BendBlock> blocks, std::span<BendRecord> recor
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
             std::array<Floats, 6> w;
             for (std::size_t v = 0; v < 6; ++v) w[v] = value_at(blocks[i].vertices[v], at, inverse_masses);
-            weigh_lanes(blocks[i], records[i], at, w);
+            update_masses(blocks[i], records[i], at, w);
         }
     }
 }
@@ -319,7 +319,7 @@ void update_coarse_bend_masses(std::span<CoarseBendBlock> blocks, std::span<Bend
                 w[v] = lanes::where(mass > 0.0F, 1.0F / lanes::max(mass, lanes::broadcast(kTiny)));
                 lanes::store(&blocks[i].inverse_mass[v][at], w[v]);
             }
-            weigh_lanes(blocks[i], records[i], at, w);
+            update_masses(blocks[i], records[i], at, w);
         }
     }
 }

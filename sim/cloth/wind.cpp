@@ -21,7 +21,7 @@ Vec4f gain(const Vec4f& relative, const Vec4f& normal, const Wind& wind, const F
 }  // namespace
 
 void blow(Cloth& cloth, const Wind& wind, float seconds) {
-    const Vec4f air = padded(wind.velocity);
+    const Vec4f air = with_zero_w(wind.velocity);
     std::vector<Vec4f> impulses(cloth.x.size(), Vec4f::Zero());  // N s
     for (const LeafTriangle& t : cloth.mesh.leaf_triangles()) {
         const auto x = [&](std::size_t k) -> const Vec4f& { return cloth.x[t.v[k].value]; };

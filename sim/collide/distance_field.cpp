@@ -14,8 +14,8 @@ namespace selvedge::sim {
 namespace {
 
 constexpr float kUnbounded = std::numeric_limits<float>::infinity();
-constexpr float kHair = 1.0001F;  // bounds are enlarged by this factor
-constexpr float kSpeck = 1e-6F;   // m, and by this amount, for rounding
+constexpr float kRelativeSlack = 1.0001F;  // bounds are enlarged by this factor
+constexpr float kAbsoluteSlack = 1e-6F;    // m, and by this amount, for rounding
 constexpr float kHalfDiagonal = 0.8660254F;
 constexpr std::int16_t kFarNode = 32767;  // stored at the limit
 
@@ -30,7 +30,8 @@ class DistanceWalk {
         if (known_ && std::abs(distance_) - stride_ > reach_) return distance_ -= std::copysign(stride_, distance_);
         const float nearest = has_nearest_ ? (p - nearest_).norm() : kUnbounded;
         const float reach = known_ ? reach_ : kUnbounded;
-        const std::optional<ClosestPoint> closest = bvh_.closest(p, std::min(nearest, reach) * kHair + kSpeck);
+        const std::optional<ClosestPoint> closest =
+            bvh_.closest(p, std::min(nearest, reach) * kRelativeSlack + kAbsoluteSlack);
         known_ = true;
         has_nearest_ = closest.has_value();
         if (closest) {
@@ -79,8 +80,8 @@ class GroupWalk {
 
     void start(PointGroup& group, std::size_t lane, const Vec3f& p) {
         if (!is_known_) meet(p);
-        const float nearest = (p - nearest_).norm() * kHair + kSpeck;
-        group.start(lane, p, std::min(nearest, limit_ * kHair + kSpeck));
+        const float nearest = (p - nearest_).norm() * kRelativeSlack + kAbsoluteSlack;
+        group.start(lane, p, std::min(nearest, limit_ * kRelativeSlack + kAbsoluteSlack));
     }
 
     // Pre: successive points are nearer than the limit to each other.

@@ -151,9 +151,9 @@ struct LanePoints {
     const Floats d2 = cx * x + cy * y + cz * z;
     const Floats v = (cc * d1 - bc * d2) * products.per_area[i];
     const Floats w = (bb * d2 - bc * d1) * products.per_area[i];
-    const Floats t1 = lanes::held_to_unit(d1 * products.per_bb[i]);
-    const Floats t2 = lanes::held_to_unit(d2 * products.per_cc[i]);
-    const Floats t3 = lanes::held_to_unit((d2 - d1 - bc + bb) * products.per_third[i]);
+    const Floats t1 = lanes::clamp_to_unit(d1 * products.per_bb[i]);
+    const Floats t2 = lanes::clamp_to_unit(d2 * products.per_cc[i]);
+    const Floats t3 = lanes::clamp_to_unit((d2 - d1 - bc + bb) * products.per_third[i]);
     const Floats r3 = 1 - t3;
     const Floats g1 = t1 * (t1 * bb - 2 * d1);
     const Floats g2 = t2 * (t2 * cc - 2 * d2);
@@ -240,9 +240,9 @@ float nearest_in_packet(const float* packet, const std::uint32_t* ids, const flo
     const Floats area = bb * cc - bc * bc;
     const Floats v = cc * d1 - bc * d2;
     const Floats w = bb * d2 - bc * d1;
-    const Floats t1 = lanes::held_to_unit(d1 / (bb + tiny));
-    const Floats t2 = lanes::held_to_unit(d2 / (cc + tiny));
-    const Floats t3 = lanes::held_to_unit((d2 - d1 - bc + bb) / (bb + cc - 2 * bc + tiny));
+    const Floats t1 = lanes::clamp_to_unit(d1 / (bb + tiny));
+    const Floats t2 = lanes::clamp_to_unit(d2 / (cc + tiny));
+    const Floats t3 = lanes::clamp_to_unit((d2 - d1 - bc + bb) / (bb + cc - 2 * bc + tiny));
     const Floats r3 = 1 - t3;
     const Floats g1 = t1 * (t1 * bb - 2 * d1);
     const Floats g2 = t2 * (t2 * cc - 2 * d2);

@@ -90,7 +90,7 @@ BoxDistances box_distances(const Node& node, const Vec3f& low, const Vec3f& high
     return boxes;
 }
 
-struct Waiting {
+struct StackEntry {
     float key;           // squared distance to its box; for a ray the entry fraction
     std::int32_t child;  // a node, or ~packet
     std::int32_t place;  // index of its box: node * 4 + child
@@ -98,10 +98,10 @@ struct Waiting {
 
 // A stack on which a node's children are sorted, nearest on top.
 struct NearFirstStack {
-    std::array<Waiting, kStack> entries;
+    std::array<StackEntry, kStack> entries;
     std::size_t size = 0;
 
-    void push(std::size_t bottom, Waiting entry) {
+    void push(std::size_t bottom, StackEntry entry) {
         std::size_t k = size++;
         for (; k > bottom && entries[k - 1].key < entry.key; --k) entries[k] = entries[k - 1];
         entries[k] = entry;
@@ -133,7 +133,7 @@ std::optional<ClosestPoint> SurfaceBvh::closest(const Vec3f& p, float radius) co
     NearFirstStack stack;
     stack.push(0, {0, 0, 0});
     while (stack.size > 0) {
-        const Waiting top = stack.entries[--stack.size];
+        const StackEntry top = stack.entries[--stack.size];
         if (top.key >= best.squared) continue;
         if (top.child < 0) {
             best.test(*kernels_, packets_[std::size_t(~top.child)], p);
@@ -165,7 +165,7 @@ void SurfaceBvh::find_nearest(PointGroup& group) const {
     NearFirstStack stack;
     stack.push(0, {0, 0, 0});
     while (stack.size > 0) {
-        const Waiting top = stack.entries[--stack.size];
+        const StackEntry top = stack.entries[--stack.size];
         if (top.key >= farthest) continue;
         if (top.child < 0) {
             const TrianglePacket& packet = packets_[std::size_t(~top.child)];
@@ -234,7 +234,7 @@ std::optional<SurfaceHit> SurfaceBvh::first_hit(const Vec3f& from, const Vec3f& 
     NearFirstStack stack;
     stack.push(0, {0, 0, 0});
     while (stack.size > 0) {
-        const Waiting top = stack.entries[--stack.size];
+        const StackEntry top = stack.entries[--stack.size];
         if (hit && top.key > hit->fraction) continue;
         if (top.child >= 0) {
             const Node& node = nodes_[std::size_t(top.child)];

@@ -20,7 +20,7 @@ inline double cross2(const Vec2d& a, const Vec2d& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 
-inline Vec4f padded(const Vec3f& v) {
+inline Vec4f with_zero_w(const Vec3f& v) {
     return {v.x(), v.y(), v.z(), 0.0F};
 }
 

@@ -154,7 +154,7 @@ using Ints [[gnu::vector_size(16)]] = std::int32_t;
     return a - Ints{};
 }
 
-[[gnu::always_inline]] inline Floats held_to_unit(Floats a) {
+[[gnu::always_inline]] inline Floats clamp_to_unit(Floats a) {
     return min(max(a, broadcast(0)), broadcast(1));
 }
 

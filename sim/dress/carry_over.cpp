@@ -52,7 +52,7 @@ std::string count_of(std::size_t before, std::size_t after, const std::string& o
 }
 
 // Moves each unsewn vertex to its position in the drape and merges the seams, except those that were open.
-GarmentMesh sewn_in_place(const CarriedDrape& drape, const GarmentMesh& unsewn, const DrapedPanels& draped,
+GarmentMesh sewn_in_place(const DrapeState& drape, const GarmentMesh& unsewn, const DrapedPanels& draped,
                           const std::vector<OutlineMap>& maps) {
     GarmentMesh moved = unsewn;
     std::vector<bool> is_known(moved.x.size(), false);
@@ -99,7 +99,7 @@ void place_vertices(Cloth& cloth, const DrapedPanels& draped, const std::vector<
             sum += draped.position({at.panel, was.cast<float>()});
         }
         const Vec3f x = sum / static_cast<float>(places[v.value].points.size());
-        cloth.x[v.value] = padded(outside(x, cloth.normals[v.value], body, ContactOptions{}.offset));
+        cloth.x[v.value] = with_zero_w(outside(x, cloth.normals[v.value], body, ContactOptions{}.offset));
     }
     cloth.x_prev = cloth.x;
 }
@@ -120,7 +120,7 @@ PatternChange compare(const Pattern& before, const Pattern& after) {
     return differ(before, after, shown) ? PatternChange::Setts : PatternChange::None;
 }
 
-std::string why_sewn_anew(const Pattern& before, const Pattern& after) {
+std::string restart_reason(const Pattern& before, const Pattern& after) {
     const std::string whole = ": sewn anew from where the panels are placed";
     for (const Panel& panel : after.panels) {
         const Panel* was = find_panel(before, panel.name);
@@ -139,8 +139,9 @@ std::string why_sewn_anew(const Pattern& before, const Pattern& after) {
     return has_same_joins(before, after) ? "the panels have another order" + whole : "seams join other edges" + whole;
 }
 
-CarriedOver carry_over(const CarriedDrape& drape, const Pattern& after, const GarmentMesh& unsewn,
-                       const std::vector<Fabric>& fabrics, const Collider& body, const AdaptClothOptions& adapting) {
+TransferredDrape transfer_drape(const DrapeState& drape, const Pattern& after, const GarmentMesh& unsewn,
+                                const std::vector<Fabric>& fabrics, const Collider& body,
+                                const AdaptClothOptions& adapting) {
     const DrapedPanels draped(drape.cloth);
     std::vector<OutlineMap> maps;
     for (std::size_t p = 0; p < after.panels.size(); ++p) maps.emplace_back(after.panels[p], drape.pattern.panels[p]);

@@ -20,20 +20,20 @@ enum class PatternChange {
     Setts,     // the sett's offset on a panel, or one panel's name
     Fabrics,   // fabric or grain direction
     Outlines,  // outline geometry, pins or mesh resolution
-    Kind       // panels, edges or seams were added or removed: see why_sewn_anew
+    Kind       // panels, edges or seams were added or removed: see restart_reason
 };
 PatternChange compare(const Pattern& before, const Pattern& after);
 
 // For example "'front' has one edge more: sewn anew from where it is placed". Pre: compare() returns Kind.
-std::string why_sewn_anew(const Pattern& before, const Pattern& after);
+std::string restart_reason(const Pattern& before, const Pattern& after);
 
-struct CarriedDrape {
+struct DrapeState {
     const Cloth& cloth;
     const Pattern& pattern;
     const std::vector<int>& open_seams;  // ascending; they stay open
 };
 
-struct CarriedOver {
+struct TransferredDrape {
     Cloth cloth;
     std::vector<int> pins;  // base vertices that the pattern pins
 };
@@ -41,8 +41,9 @@ struct CarriedOver {
 // Meshes `after` in the shape of the current drape: sewn, refined by the criteria, at rest. Each material point of a
 // panel is placed where the corresponding point of the old panel was. Pre: compare() does not return Kind. Throws
 // InputError when the mesh cannot be sewn.
-CarriedOver carry_over(const CarriedDrape& drape, const Pattern& after, const GarmentMesh& unsewn,
-                       const std::vector<Fabric>& fabrics, const Collider& body, const AdaptClothOptions& adapting);
+TransferredDrape transfer_drape(const DrapeState& drape, const Pattern& after, const GarmentMesh& unsewn,
+                                const std::vector<Fabric>& fabrics, const Collider& body,
+                                const AdaptClothOptions& adapting);
 
 // Maps points of a panel to corresponding points of another panel with the same edges. A point on the outline keeps its
 // edge and its fraction of that edge's length; interior points follow by mean value coordinates. (Floater 2003; Hormann

@@ -57,37 +57,37 @@ float share_of_way(const Cloth& cloth, VertexId v, const Vec3f& way) {
 }  // namespace
 
 void DragConstraint::pull(const MaterialPoint& at, const Vec3f& to) {
-    grip_ = Grip{.held = {.at = at}, .goal = to};
-    has_news_ = true;
+    drag_ = Drag{.held = {.at = at}, .goal = to};
+    goal_has_changed_ = true;
 }
 
 bool DragConstraint::pull_to(const Vec3f& to) {
-    if (!grip_ || grip_->goal == to) return false;
-    grip_->goal = to;
-    has_news_ = true;
+    if (!drag_ || drag_->goal == to) return false;
+    drag_->goal = to;
+    goal_has_changed_ = true;
     return true;
 }
 
 void DragConstraint::forget_vertices() {
     held_.clear();
-    for (Held& pin : pins_) pin.vertex = {};
-    if (grip_) grip_->held.vertex = {};
+    for (Anchor& pin : pins_) pin.vertex = {};
+    if (drag_) drag_->held.vertex = {};
 }
 
-bool DragConstraint::take_hold(Cloth& cloth, const std::vector<int>& base_pins) {
-    if (pins_.empty() && !grip_ && held_.empty()) return false;
+bool DragConstraint::update_held(Cloth& cloth, const std::vector<int>& base_pins) {
+    if (pins_.empty() && !drag_ && held_.empty()) return false;
     const DrapedPanels draped(cloth);
     const std::vector<VertexId> before = held_;
     held_.clear();
-    const auto find = [&](Held& held) {
+    const auto find = [&](Anchor& held) {
         const bool is_new = !held.vertex;
         held.vertex = draped.nearest_vertex(held.at);
         if (!held.vertex) return;
         if (is_new) held.at = DrapedPanels::place_of(cloth, held.vertex, held.at.panel);
         held_.push_back(held.vertex);
     };
-    for (Held& pin : pins_) find(pin);
-    if (grip_) find(grip_->held);
+    for (Anchor& pin : pins_) find(pin);
+    if (drag_) find(drag_->held);
     if (held_ == before) return false;
     refresh_pins(cloth, base_pins, held_);
     return true;
@@ -98,16 +98,17 @@ void DragConstraint::free_all(Cloth& cloth, const std::vector<int>& base_pins) {
     refresh_pins(cloth, base_pins, held_);
 }
 
-bool DragConstraint::take_news() {
-    return std::exchange(has_news_, false);
+bool DragConstraint::take_goal_change() {
+    return std::exchange(goal_has_changed_, false);
 }
 
-std::span<const KinematicVertex> DragConstraint::lead(const Cloth& cloth, const Collider& body, float seconds) {
+std::span<const KinematicVertex> DragConstraint::kinematic_target(const Cloth& cloth, const Collider& body,
+                                                                  float seconds) {
     led_.clear();
-    if (!grip_ || !grip_->held.vertex) return led_;
-    const VertexId v = grip_->held.vertex;
+    if (!drag_ || !drag_->held.vertex) return led_;
+    const VertexId v = drag_->held.vertex;
     const Vec3f x = cloth.x[v.value].head<3>();
-    Vec3f way = (grip_->goal - x) * std::min(1.0F, kApproach * seconds);
+    Vec3f way = (drag_->goal - x) * std::min(1.0F, kApproach * seconds);
     const float most = kFastest * seconds;
     if (way.norm() > most) way *= most / way.norm();
     Vec3f to = outside(x + way * share_of_way(cloth, v, way), cloth.normals[v.value], body, ContactOptions{}.offset);
@@ -120,7 +121,7 @@ std::span<const KinematicVertex> DragConstraint::lead(const Cloth& cloth, const 
 
 std::vector<Vec3f> DragConstraint::pin_positions(const Cloth& cloth) const {
     std::vector<Vec3f> positions;
-    for (const Held& pin : pins_) {
+    for (const Anchor& pin : pins_) {
         if (pin.vertex) positions.emplace_back(cloth.x[pin.vertex.value].head<3>());
     }
     return positions;

@@ -44,7 +44,7 @@ bool DrapeRun::advance(Cloth& cloth, const Collider& body) {
     return phase_ != DrapePhase::Done;
 }
 
-void DrapeRun::wake(Cloth& cloth) {
+void DrapeRun::reactivate(Cloth& cloth) {
     if (phase_ == DrapePhase::Relax || result_.bad_vertex) return;
     if (cloth.substep != usual_substep_) set_substep(cloth, usual_substep_);
     result_.settled = false;
@@ -52,7 +52,7 @@ void DrapeRun::wake(Cloth& cloth) {
     begin_fall();
 }
 
-void DrapeRun::forget_times() {
+void DrapeRun::clear_times() {
     result_.adaptation_ms.clear();
     result_.step_ms.clear();
 }
@@ -148,9 +148,10 @@ void DrapeRun::adapt_once(Cloth& cloth, const Collider& body, const AdaptClothOp
 
 void DrapeRun::run_steps(Cloth& cloth, const Collider& body, StepOptions stepping) {
     const std::vector<Vec4f> before = cloth.x;
-    for (int i = 0; i < options_.steps_per_adaption; ++i) {
+    for (int i = 0; i < options_.steps_per_adaptation; ++i) {
         const auto start = Clock::now();
-        if (options_.lead) stepping.led = options_.lead(cloth, step_seconds(cloth, stepping));
+        if (options_.kinematic_vertices)
+            stepping.kinematic = options_.kinematic_vertices(cloth, step_seconds(cloth, stepping));
         step(cloth, body, stepping);
         result_.step_ms.push_back(ms_since(start));
         result_.simulated_seconds += step_seconds(cloth, stepping);
@@ -160,7 +161,7 @@ void DrapeRun::run_steps(Cloth& cloth, const Collider& body, StepOptions steppin
 }
 
 double DrapeRun::frame_seconds(const Cloth& cloth, const StepOptions& stepping) const {
-    return static_cast<double>(step_seconds(cloth, stepping)) * options_.steps_per_adaption;
+    return static_cast<double>(step_seconds(cloth, stepping)) * options_.steps_per_adaptation;
 }
 
 DrapeResult drape(Cloth& cloth, const Collider& body, const DrapeOptions& options, const Progress& progress) {

@@ -15,7 +15,7 @@ namespace selvedge::sim {
 
 struct DrapeOptions {
     double max_seconds = 12;  // of simulated time
-    int steps_per_adaption = 4;
+    int steps_per_adaptation = 4;
     float calm_speed = 0.05F;             // m/s, mass-weighted rms: below it edges do not rejoin
     float damping_growth = 4;             // 1/s per simulated second of the fall, so that it comes to rest
     float rest_speed = 0.01F;             // m/s, mass-weighted rms: below it the garment is at rest
@@ -29,7 +29,7 @@ struct DrapeOptions {
     ContactOptions contact{};
 
     // Optional; called before each step with its duration (s). Returns the vertices that the user drags.
-    std::function<std::span<const KinematicVertex>(const Cloth&, float)> lead = {};
+    std::function<std::span<const KinematicVertex>(const Cloth&, float)> kinematic_vertices = {};
 };
 
 struct DrapeResult {
@@ -63,7 +63,7 @@ class DrapeRun {
     bool advance(Cloth& cloth, const Collider& body);
 
     // Restarts the fall from the current state. No effect in phase Relax or after a bad number.
-    void wake(Cloth& cloth);
+    void reactivate(Cloth& cloth);
 
     DrapePhase phase() const { return phase_; }
     double fraction() const { return fraction_; }
@@ -73,7 +73,7 @@ class DrapeRun {
     DrapeOptions& options() { return options_; }
 
     // Clears the timings in the result, which would otherwise grow without limit in an endless drape.
-    void forget_times();
+    void clear_times();
 
  private:
     void relax_frame(Cloth& cloth, const Collider& body);

@@ -58,7 +58,7 @@ Json contact_json(const ContactCounts& contact) {
     return json;
 }
 
-Json stretch_json(const StretchFigures& stretch) {
+Json stretch_json(const StretchStatistics& stretch) {
     Json json = Json::object();
     json[report_key::kWarpWeftP50] = stretch.warp_weft_p50;
     json[report_key::kWarpWeftP99] = stretch.warp_weft_p99;
@@ -151,18 +151,18 @@ Vec3d middle_of(const Cloth& cloth, const LeafTriangle& t) {
     return ((cloth.x[t.v[0].value] + cloth.x[t.v[1].value] + cloth.x[t.v[2].value]) / 3.0F).head<3>().cast<double>();
 }
 
-StretchFigures stretch_figures(const std::vector<TriangleStrain>& strains) {
-    std::vector<double> threads;
+StretchStatistics stretch_statistics(const std::vector<TriangleStrain>& strains) {
+    std::vector<double> seam_lines;
     std::vector<double> shears;
-    StretchFigures figures;
+    StretchStatistics figures;
     for (const TriangleStrain& strain : strains) {
-        threads.push_back(strain.warp);
-        threads.push_back(strain.weft);
+        seam_lines.push_back(strain.warp);
+        seam_lines.push_back(strain.weft);
         shears.push_back(strain.shear * 180 / std::numbers::pi);
         figures.warp_weft_max = std::max(figures.warp_weft_max, static_cast<double>(larger_of(strain)));
     }
-    figures.warp_weft_p50 = quantile(threads, 0.5);
-    figures.warp_weft_p99 = quantile(threads, 0.99);
+    figures.warp_weft_p50 = quantile(seam_lines, 0.5);
+    figures.warp_weft_p99 = quantile(seam_lines, 0.99);
     figures.shear_deg_p99 = quantile(shears, 0.99);
     return figures;
 }
@@ -193,7 +193,7 @@ void inspect_rest(const DrapeResult& draped, DressReport& report) {
 void inspect_stretch(const Cloth& cloth, const Body& body, const Pattern& pattern, const FaultLimits& limits,
                      DressReport& report) {
     const std::vector<TriangleStrain> strains = measure_strain(cloth);
-    report.stretch = stretch_figures(strains);
+    report.stretch = stretch_statistics(strains);
     const std::vector<TightLevel> tight = tight_levels(plain_mesh(cloth, {}), body);
     if (!tight.empty()) report.notes.push_back(describe_tight(tight));
     std::vector<TriangleStrain> free, beyond;  // beyond: strain minus the fabric's strain limit
@@ -209,10 +209,11 @@ void inspect_stretch(const Cloth& cloth, const Body& body, const Pattern& patter
         worst = i;
     }
     if (free.empty()) return;
-    const StretchFigures figures = stretch_figures(beyond);
+    const StretchStatistics figures = stretch_statistics(beyond);
     const std::string place = describe_place(cloth, pattern, cloth.mesh.leaf_triangles()[worst].v[0]);
     if (figures.warp_weft_p99 > limits.stretch_p99) {
-        add_fault(report, "overstretched", "99th percentile, worst at " + place, stretch_figures(free).warp_weft_p99);
+        add_fault(report, "overstretched", "99th percentile, worst at " + place,
+                  stretch_statistics(free).warp_weft_p99);
     }
     if (figures.warp_weft_max > limits.stretch_max) {
         add_fault(report, "overstretched", place, static_cast<double>(larger_of(strains[worst])));

@@ -93,7 +93,7 @@ struct ContactCounts {
 
 // Statistics over the leaf triangles: strain along warp and weft (deformed length - 1), and the angle between them - 90
 // deg.
-struct StretchFigures {
+struct StretchStatistics {
     double warp_weft_p50 = 0;
     double warp_weft_p99 = 0;
     double warp_weft_max = 0;
@@ -120,7 +120,7 @@ struct DressReport {
     MeshCounts mesh;
     SeamCounts seams;
     ContactCounts contact;
-    StretchFigures stretch;
+    StretchStatistics stretch;
     DressTiming timing;
 };
 

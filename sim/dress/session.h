@@ -66,9 +66,9 @@ struct SessionFrame {
     bool is_running = false;
     PlainMesh mesh;  // leaf triangles with material coordinates; panels are separate while unsewn
     TriangleHierarchy hierarchy;
-    std::vector<std::array<Vec3f, 2>> threads;  // m: links of unclosed seams, the positions of both ends
-    std::vector<int> thread_seams;              // per link: index into Pattern::seams
-    std::vector<Vec3f> pins;                    // m, vertices that the user pinned
+    std::vector<std::array<Vec3f, 2>> seam_lines;  // m: links of unclosed seams, the positions of both ends
+    std::vector<int> seam_line_seams;              // per link: index into Pattern::seams
+    std::vector<Vec3f> pins;                       // m, vertices that the user pinned
     SessionStatistics statistics;
     std::string problem;                // error message; empty: none
     std::vector<std::string> messages;  // events that the user should know about, newest last

@@ -41,7 +41,7 @@ void show_placed(SessionFrame& frame, const GarmentMesh& unsewn) {
     mesh.panel_names = unsewn.panel_names;
     for (const double angle : unsewn.panel_grain_angles) mesh.panel_grain_angles.push_back(static_cast<float>(angle));
     for (const Vec2d& offset : unsewn.panel_sett_offsets) mesh.panel_sett_offsets.push_back(offset.cast<float>());
-    show_threads(frame, unsewn.links, unsewn.x);
+    add_seam_lines(frame, unsewn.links, unsewn.x);
     count_triangles(frame, unsewn.triangles.size());
 }
 

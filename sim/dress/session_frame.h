@@ -15,12 +15,12 @@ void show_cloth(SessionFrame& frame, const Cloth& cloth, const std::vector<std::
 
 // Adds a line for each seam link between its two vertices; link indices refer to x, m.
 template <class Position>
-void show_threads(SessionFrame& frame, const std::vector<SeamLink>& links, const std::vector<Position>& x) {
+void add_seam_lines(SessionFrame& frame, const std::vector<SeamLink>& links, const std::vector<Position>& x) {
     for (const SeamLink& link : links) {
         const Vec3f a = x[static_cast<std::size_t>(link.a)].template head<3>().template cast<float>();
         const Vec3f b = x[static_cast<std::size_t>(link.b)].template head<3>().template cast<float>();
-        frame.threads.push_back({a, b});
-        frame.thread_seams.push_back(link.seam);
+        frame.seam_lines.push_back({a, b});
+        frame.seam_line_seams.push_back(link.seam);
     }
 }
 

@@ -109,7 +109,7 @@ void SessionRun::advance() {
         if (drape_) {
             times.adaptation = sum_of(drape_->run->result().adaptation_ms);
             times.steps = sum_of(drape_->run->result().step_ms);
-            drape_->run->forget_times();
+            drape_->run->clear_times();
         }
     }
     times.frame = ms_since(start);
@@ -123,10 +123,10 @@ bool SessionRun::may_prepare() const {
 // Sewing.
 
 void SessionRun::begin_sewing() {
-    forget_drape();
+    clear_drape();
     problem_.clear();
     if (!body_) return fail("there is no body to put it on");
-    meet_body();
+    ensure_collider();
     try {
         GarmentMesh unsewn = unsewn_mesh();
         for (std::string& note : make_sewable(unsewn, met_->collider)) say(std::move(note));
@@ -182,7 +182,7 @@ DrapeOptions SessionRun::draping() const {
 
 void SessionRun::hang(Drape drape, double relax_time) {
     drape_ = std::move(drape);
-    hands_.forget_vertices();
+    drag_constraint_.forget_vertices();
     DrapeOptions options = draping();
     options.relax_time = relax_time;
     options.coarse_time = std::min(options.coarse_time, relax_time - DrapeOptions{}.coarse_time);
@@ -208,20 +208,22 @@ void SessionRun::apply_options() {
     options.relax_time = relax_time;
     options.coarse_time = coarse_time;
     options.adapt.budget = budget_ ? &*budget_ : nullptr;
-    options.adapt.kept_vertices = hands_.held();
-    options.lead = [this](const Cloth& cloth, float seconds) { return hands_.lead(cloth, met_->collider, seconds); };
+    options.adapt.kept_vertices = drag_constraint_.held();
+    options.kinematic_vertices = [this](const Cloth& cloth, float seconds) {
+        return drag_constraint_.kinematic_target(cloth, met_->collider, seconds);
+    };
 }
 
-void SessionRun::follow_hands() {
-    const bool is_other = hands_.take_hold(drape_->cloth, drape_->pins);
-    const bool goes_elsewhere = hands_.take_news();
-    drape_->run->options().adapt.kept_vertices = hands_.held();
-    if (is_other || goes_elsewhere) drape_->run->wake(drape_->cloth);
+void SessionRun::update_drag() {
+    const bool is_other = drag_constraint_.update_held(drape_->cloth, drape_->pins);
+    const bool goes_elsewhere = drag_constraint_.take_goal_change();
+    drape_->run->options().adapt.kept_vertices = drag_constraint_.held();
+    if (is_other || goes_elsewhere) drape_->run->reactivate(drape_->cloth);
 }
 
 void SessionRun::drape_frame() {
-    meet_body();
-    follow_hands();
+    ensure_collider();
+    update_drag();
     const DrapeResult before = drape_->run->result();
     const bool goes_on = drape_->run->advance(drape_->cloth, met_->collider);
     const DrapeResult& after = drape_->run->result();
@@ -232,10 +234,10 @@ void SessionRun::drape_frame() {
     if (!goes_on) stage_ = SessionStage::Settled;
 }
 
-void SessionRun::wake() {
+void SessionRun::reactivate() {
     has_changed_ = true;
     if (!drape_ || stage_ == SessionStage::Failed) return;
-    drape_->run->wake(drape_->cloth);
+    drape_->run->reactivate(drape_->cloth);
     stage_ = SessionStage::Draping;
 }
 
@@ -256,14 +258,14 @@ std::shared_ptr<SessionFrame> SessionRun::make_frame() {
     frame->statistics.simulated_seconds = past_seconds_;
     if (drape_) {
         show_cloth(*frame, drape_->cloth, names_of(pattern_));
-        frame->pins = hands_.pin_positions(drape_->cloth);
+        frame->pins = drag_constraint_.pin_positions(drape_->cloth);
         frame->statistics.simulated_seconds += drape_->run->result().simulated_seconds;
         frame->statistics.rms_speed = static_cast<double>(drape_->run->result().rms_speed);
         frame->statistics.splits = splits_;
         frame->statistics.rejoins = rejoins_;
     } else if (sewing_) {
         show_cloth(*frame, sewing_->cloth(), names_of(pattern_));
-        show_threads(*frame, sewing_->unsewn().links, sewing_->cloth().x);
+        add_seam_lines(*frame, sewing_->unsewn().links, sewing_->cloth().x);
     } else {
         show_placed(*frame, placed_);
     }
@@ -319,20 +321,21 @@ void SessionRun::set_body(std::shared_ptr<const Body> body) {
     met_.reset();
     is_anchored_ = false;
     if (stage_ == SessionStage::Placed) return place();
-    if (sewing_) return sew_anew("");
+    if (sewing_) return restart_sewing("");
     if (!drape_ || stage_ == SessionStage::Failed) return;
-    if (!body_) return sew_anew("there is no body: the panels are back where they are placed");
-    meet_body();
+    if (!body_) return restart_sewing("there is no body: the panels are back where they are placed");
+    ensure_collider();
     forget_contacts(drape_->cloth);
     float deepest = 0;
     for (const VertexId v : drape_->cloth.mesh.leaf_vertices())
         deepest = std::max(deepest, -met_->collider.contact(drape_->cloth.x[v.value].head<3>()).distance);
-    if (deepest > kDeepestMove) return sew_anew("the body is another: sewn anew from where the panels are placed");
-    wake();
+    if (deepest > kDeepestMove)
+        return restart_sewing("the body is another: sewn anew from where the panels are placed");
+    reactivate();
 }
 
-void SessionRun::meet_body() {
-    if (!met_) met_.reset(new BodyToMeet{body_, BodyCollider(*body_, {}, interrupt_)});
+void SessionRun::ensure_collider() {
+    if (!met_) met_.reset(new ColliderOfBody{body_, BodyCollider(*body_, {}, interrupt_)});
 }
 
 // Panels that were placed for another body move with this one. Making the body that the pattern names is slow, so it is
@@ -392,7 +395,7 @@ void SessionRun::take_pattern(Pattern pattern) {
     fabrics_of(pattern);  // throws before anything has changed
     const PatternChange change = compare(drape_ ? drape_->pattern : pattern_, pattern);
     const std::string why =
-        drape_ && change == PatternChange::Kind ? why_sewn_anew(drape_->pattern, pattern) : std::string();
+        drape_ && change == PatternChange::Kind ? restart_reason(drape_->pattern, pattern) : std::string();
     const bool is_seen_only = change <= PatternChange::Setts && !is_placed_otherwise(pattern_, pattern);
     const bool had_failed = stage_ == SessionStage::Failed;
     pattern_ = std::move(pattern);
@@ -406,7 +409,7 @@ void SessionRun::take_pattern(Pattern pattern) {
     problem_.clear();
     if (sewing_ && is_seen_only) return;
     place();
-    if (drape_ || sewing_ || is_running_) sew_anew(why);
+    if (drape_ || sewing_ || is_running_) restart_sewing(why);
 }
 
 // Applies fabrics, grain and setts to the current cloth.
@@ -423,20 +426,20 @@ void SessionRun::change_cloth(const Pattern& pattern) {
     if (!is_other_cloth) return;
     refresh_solver(cloth);
     refresh_contacts(cloth);  // updates friction
-    wake();
+    reactivate();
 }
 
 void SessionRun::change_outlines(const Pattern& pattern) {
     GarmentMesh unsewn = unsewn_mesh();
-    meet_body();
+    ensure_collider();
     AdaptClothOptions adapting = draping().adapt;
     past_seconds_ += drape_->run->result().simulated_seconds;
-    const CarriedDrape carried{drape_->cloth, drape_->pattern, drape_->open_seams};
-    CarriedOver over = carry_over(carried, pattern, unsewn, fabrics_of(pattern), met_->collider, adapting);
+    const DrapeState carried{drape_->cloth, drape_->pattern, drape_->open_seams};
+    TransferredDrape over = transfer_drape(carried, pattern, unsewn, fabrics_of(pattern), met_->collider, adapting);
     std::vector<OutlineMap> maps;
     for (std::size_t p = 0; p < pattern.panels.size(); ++p)
         maps.emplace_back(drape_->pattern.panels[p], pattern.panels[p]);
-    hands_.map_places([&](const MaterialPoint& at) {
+    drag_constraint_.map_anchors([&](const MaterialPoint& at) {
         return MaterialPoint{at.panel, maps[at.panel](at.u.cast<double>()).cast<float>()};
     });
     hang({.cloth = std::move(over.cloth),
@@ -448,15 +451,15 @@ void SessionRun::change_outlines(const Pattern& pattern) {
          kShortRelax);
 }
 
-void SessionRun::forget_drape() {
+void SessionRun::clear_drape() {
     sewing_.reset();
     drape_.reset();
-    hands_ = {};
+    drag_constraint_ = {};
 }
 
 // Continues to run if it was running.
-void SessionRun::sew_anew(const std::string& why) {
-    forget_drape();
+void SessionRun::restart_sewing(const std::string& why) {
+    clear_drape();
     if (!why.empty()) say(why);
     place();
     if (is_running_ && stage_ == SessionStage::Placed) begin_sewing();
@@ -475,7 +478,7 @@ void SessionRun::set_options(const SessionOptions& asked) {
         if (is_other_mesh && drape_ && stage_ != SessionStage::Failed) {
             change_outlines(anchored());
         } else if (is_other_mesh && sewing_) {
-            sew_anew("");
+            restart_sewing("");
         } else if (is_other_mesh) {
             place();
         }
@@ -487,15 +490,15 @@ void SessionRun::set_options(const SessionOptions& asked) {
     SessionOptions as_before = last;
     as_before.keeps_real_time = options.keeps_real_time;
     if (drape_ && options_ != as_before) {
-        selvedge::sim::wake(drape_->cloth);
-        wake();
+        selvedge::sim::reactivate(drape_->cloth);
+        reactivate();
     }
 }
 
 void SessionRun::reset() {
     is_running_ = false;
     problem_.clear();
-    forget_drape();
+    clear_drape();
     place();
 }
 
@@ -503,38 +506,38 @@ void SessionRun::reset() {
 
 void SessionRun::pull(const MaterialPoint& at, const Vec3f& to) {
     if (!drape_ || stage_ == SessionStage::Failed || !to.allFinite()) return;
-    hands_.pull(at, to);
-    wake();
+    drag_constraint_.pull(at, to);
+    reactivate();
 }
 
 void SessionRun::pull_to(const Vec3f& to) {
-    if (to.allFinite() && hands_.pull_to(to)) wake();
+    if (to.allFinite() && drag_constraint_.pull_to(to)) reactivate();
 }
 
 void SessionRun::let_go() {
-    if (!hands_.is_pulling()) return;
-    hands_.let_go();
-    wake();
+    if (!drag_constraint_.is_pulling()) return;
+    drag_constraint_.let_go();
+    reactivate();
 }
 
 void SessionRun::pin(const MaterialPoint& at) {
     if (!drape_ || stage_ == SessionStage::Failed) return;
-    hands_.pin(at);
-    hands_.take_hold(drape_->cloth, drape_->pins);
+    drag_constraint_.pin(at);
+    drag_constraint_.update_held(drape_->cloth, drape_->pins);
     has_changed_ = true;
 }
 
 void SessionRun::unpin_all() {
-    if (!hands_.has_pins()) return;
-    hands_.unpin_all();
-    wake();
+    if (!drag_constraint_.has_pins()) return;
+    drag_constraint_.unpin_all();
+    reactivate();
 }
 
 // Saved drapes.
 
 void SessionRun::keep(const std::string& name) {
     if (!drape_ || stage_ == SessionStage::Failed) return say("nothing hangs yet that could be kept as '" + name + "'");
-    kept_.insert_or_assign(name, KeptDrape{*drape_, stage_});
+    kept_.insert_or_assign(name, SavedDrape{*drape_, stage_});
     say("kept as '" + name + "'");
 }
 
@@ -548,13 +551,13 @@ void SessionRun::restore(const std::string& name) {
     if (compare(drape.pattern, pattern_) == PatternChange::Kind ||
         !std::ranges::equal(drape.unsewn.triangles, unsewn_mesh().triangles, is_same))
         return say("'" + name + "' was kept of another cut: the pattern's pieces have changed since");
-    forget_drape();
+    clear_drape();
     drape_ = drape;
     problem_.clear();
     stage_ = found->second.stage;
-    meet_body();
+    ensure_collider();
     forget_contacts(drape_->cloth);
-    hands_.free_all(drape_->cloth, drape_->pins);
+    drag_constraint_.free_all(drape_->cloth, drape_->pins);
     apply_options();
     change_cloth(anchored());
     has_changed_ = true;

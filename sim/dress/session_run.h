@@ -61,7 +61,7 @@ class SessionRun {
 
     // The slow preparation that start() needs (building the collider), to do while idle.
     bool may_prepare() const;
-    void prepare() { meet_body(); }
+    void prepare() { ensure_collider(); }
 
     // Whether anything visible has changed since the last call.
     bool take_change();
@@ -70,7 +70,7 @@ class SessionRun {
     const SessionOptions& options() const { return options_; }
 
  private:
-    struct BodyToMeet {
+    struct ColliderOfBody {
         std::shared_ptr<const Body> body;
         BodyCollider collider;
     };
@@ -82,7 +82,7 @@ class SessionRun {
         std::vector<int> pins;        // base vertices that the pattern pins
         std::optional<DrapeRun> run;  // never empty
     };
-    struct KeptDrape {
+    struct SavedDrape {
         Drape drape;
         SessionStage stage = SessionStage::Draping;
     };
@@ -93,10 +93,10 @@ class SessionRun {
     void begin_sewing();
     void end_sewing();
     void hang(Drape drape, double relax_time);
-    void follow_hands();
+    void update_drag();
     DrapeOptions draping() const;
     void apply_options();
-    void wake();
+    void reactivate();
     bool is_sewn() const { return drape_.has_value(); }
 
     // Changes between frames.
@@ -104,9 +104,9 @@ class SessionRun {
     void take_pattern(Pattern pattern);
     void change_cloth(const Pattern& pattern);
     void change_outlines(const Pattern& pattern);
-    void sew_anew(const std::string& why);
-    void forget_drape();
-    void meet_body();
+    void restart_sewing(const std::string& why);
+    void clear_drape();
+    void ensure_collider();
     const Pattern& anchored();
     MeshOptions meshing() const;
     GarmentMesh unsewn_mesh();
@@ -120,9 +120,9 @@ class SessionRun {
     std::vector<std::string> messages_;
 
     std::shared_ptr<const Body> body_;
-    std::unique_ptr<const BodyToMeet> met_;  // collider of body_; built when first needed
-    Pattern pattern_;                        // the newest one that can be meshed
-    Pattern anchored_;                       // pattern_ with its panels moved to the body
+    std::unique_ptr<const ColliderOfBody> met_;  // collider of body_; built when first needed
+    Pattern pattern_;                            // the newest one that can be meshed
+    Pattern anchored_;                           // pattern_ with its panels moved to the body
     bool is_anchored_ = false;
     struct NamedBody {
         std::string text;
@@ -131,12 +131,12 @@ class SessionRun {
     };
     std::optional<NamedBody> placed_for_;  // cache: the body that a pattern named
 
-    std::vector<KeptPanelMesh> quick_meshes_, meshes_;
+    std::vector<CachedPanelMesh> quick_meshes_, meshes_;
     GarmentMesh placed_;  // the quick mesh, for display
     std::optional<SewingRun> sewing_;
     std::optional<Drape> drape_;
-    std::map<std::string, KeptDrape> kept_;
-    DragConstraint hands_;
+    std::map<std::string, SavedDrape> kept_;
+    DragConstraint drag_constraint_;
     std::optional<TriangleBudget> budget_;
     FrameTimes times_;
     double past_seconds_ = 0;  // s, simulated before the current drape

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kFramesKept = 32;  // about 1 s of frames that a click may still refer to
 
 // Whether the newer request makes the older one, posted just before it, obsolete.
-bool takes_place_of(const Ask& newer, const Ask& older) {
+bool supersedes(const Ask& newer, const Ask& older) {
     if (newer.index() != older.index()) return false;
     return std::holds_alternative<ask::SetPattern>(newer) || std::holds_alternative<ask::SetOptions>(newer) ||
            std::holds_alternative<ask::SetBody>(newer) || std::holds_alternative<ask::PullTo>(newer);
@@ -52,20 +52,20 @@ Session::Worker::~Worker() {
         const std::scoped_lock lock(mutex_);
         has_ended_ = true;
     }
-    news_.notify_all();
+    wake_up_.notify_all();
     if (thread_.joinable()) thread_.join();
 }
 
 void Session::Worker::put(Ask asked) {
     {
         const std::scoped_lock lock(mutex_);
-        if (!asked_.empty() && takes_place_of(asked, asked_.back())) {
-            asked_.back() = std::move(asked);
+        if (!requests_.empty() && supersedes(asked, requests_.back())) {
+            requests_.back() = std::move(asked);
         } else {
-            asked_.push_back(std::move(asked));
+            requests_.push_back(std::move(asked));
         }
     }
-    news_.notify_all();
+    wake_up_.notify_all();
 }
 
 std::shared_ptr<const SessionFrame> Session::Worker::frame() const {
@@ -89,9 +89,9 @@ bool Session::Worker::has_ended() const {
     return has_ended_;
 }
 
-std::vector<Ask> Session::Worker::take_asked() {
+std::vector<Ask> Session::Worker::take_requests() {
     const std::scoped_lock lock(mutex_);
-    return std::exchange(asked_, {});
+    return std::exchange(requests_, {});
 }
 
 void Session::Worker::apply(std::vector<Ask> all) {
@@ -112,7 +112,7 @@ void Session::Worker::publish() {
 
 void Session::Worker::advance(int frames) {
     SELVEDGE_ASSERT(!thread_.joinable());
-    apply(take_asked());
+    apply(take_requests());
     publish();
     for (int i = 0; i < frames && run_.moves(); ++i) {
         run_.advance();
@@ -123,11 +123,11 @@ void Session::Worker::advance(int frames) {
 // Waits until a request arrives, the session ends, or the given time.
 void Session::Worker::wait(std::optional<Clock::time_point> until) {
     std::unique_lock lock(mutex_);
-    const auto has_news = [&] { return has_ended_ || !asked_.empty(); };
+    const auto has_news = [&] { return has_ended_ || !requests_.empty(); };
     if (until) {
-        news_.wait_until(lock, *until, has_news);
+        wake_up_.wait_until(lock, *until, has_news);
     } else {
-        news_.wait(lock, has_news);
+        wake_up_.wait(lock, has_news);
     }
 }
 
@@ -146,7 +146,7 @@ void Session::Worker::work() {
 void Session::Worker::work_until_ended() {
     Clock::time_point next = Clock::now();  // when the next frame is due
     while (!has_ended()) {
-        apply(take_asked());
+        apply(take_requests());
         publish();
         if (!run_.moves()) {
             if (run_.may_prepare()) run_.prepare();

@@ -79,14 +79,14 @@ class Session::Worker {
     void work();
     void work_until_ended();
     bool has_ended() const;
-    std::vector<Ask> take_asked();
+    std::vector<Ask> take_requests();
     void apply(std::vector<Ask> all);
     void publish();
     void wait(std::optional<Clock::time_point> until);
 
-    mutable std::mutex mutex_;  // guards asked_, frames_ and has_ended_
-    std::condition_variable news_;
-    std::vector<Ask> asked_;
+    mutable std::mutex mutex_;  // guards requests_, frames_ and has_ended_
+    std::condition_variable wake_up_;
+    std::vector<Ask> requests_;
     std::deque<std::shared_ptr<const SessionFrame>> frames_;  // the most recent ones, newest last
     bool has_ended_ = false;
 

@@ -60,7 +60,7 @@ StepOptions stepping_for(const SewingOptions& options, const std::vector<SeamPul
     StepOptions stepping{.gravity = Vec3f::Zero(), .extra_damping = kSewingDamping, .contact = options.contact};
     stepping.contact.friction_scale = 0;
     stepping.stretch_bias_rate = stepping.shear_bias_rate = 0;  // the seams pull harder than any load
-    stepping.limit_rounds = 0;
+    stepping.limit_iterations = 0;
     stepping.seams = pulls;
     return stepping;
 }
@@ -73,7 +73,7 @@ SewingRun::SewingRun(GarmentMesh unsewn, const std::vector<Fabric>& fabrics, con
       cloth_(apart(unsewn_, fabrics)),
       pulls_(pulls_of(unsewn_.links)),
       start_gap_(widest_gap(cloth_, unsewn_.links)),
-      limit_(start_gap_ / options.closing_speed + options.patience) {
+      limit_(start_gap_ / options.closing_speed + options.extra_pull_time) {
     refresh_contacts(cloth_, options.contact);
 }
 

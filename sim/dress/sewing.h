@@ -17,9 +17,9 @@ namespace selvedge::sim {
 class BodyCollider;
 
 struct SewingOptions {
-    float closing_speed = 0.6F;  // m/s, rate at which the allowed gap shrinks
-    float closed_gap = 0.006F;   // m, a shorter link is closed: two contact offsets may lie between its ends
-    float patience = 1.5F;       // s of further pulling after the allowed gap has reached zero
+    float closing_speed = 0.6F;    // m/s, rate at which the allowed gap shrinks
+    float closed_gap = 0.006F;     // m, a shorter link is closed: two contact offsets may lie between its ends
+    float extra_pull_time = 1.5F;  // s of further pulling after the allowed gap has reached zero
     ContactOptions contact;
 };
 

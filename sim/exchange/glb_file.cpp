@@ -92,11 +92,11 @@ void append_word(std::string& bytes, std::uint32_t word) {
 }
 
 void append_chunk(std::string& bytes, std::uint32_t kind, std::string_view content, char padding) {
-    const std::size_t padded = (content.size() + 3) / 4 * 4;
-    append_word(bytes, std::uint32_t(padded));
+    const std::size_t with_zero_w = (content.size() + 3) / 4 * 4;
+    append_word(bytes, std::uint32_t(with_zero_w));
     append_word(bytes, kind);
     bytes += content;
-    bytes.append(padded - content.size(), padding);
+    bytes.append(with_zero_w - content.size(), padding);
 }
 
 std::string container(Json root, Document document) {

@@ -182,14 +182,14 @@ void report_stance(MeasureReport& report, const LegGap& gap, double stance, cons
 void calibrate(Mannequin& mannequin, ShapeParameters& shape, const MannequinBase& base, const MannequinOptions& options,
                const GirthValues& targets) {
     for (int round = 1;; ++round) {
-        BentBody bent = bend_body(base, shape);
+        DeformedBody bent = bend_body(base, shape);
         mannequin.body.x = std::move(bent.x);
         mannequin.body.bones = make_bones(bent.landmarks.joints);
         const Readings readings = take_measures(base, mannequin.body, bent.landmarks);
         const bool is_shoulder_free = !is_shoulder_held(shape, readings, options);
         const double worst = worst_error(readings, targets, options.measures, is_shoulder_free);
         const std::optional<double> stance = better_stance(shape.stance, wanted_stance(options), readings.leg_gap);
-        ++mannequin.report.rounds;
+        ++mannequin.report.iterations;
         if (round == kMaxRounds || (worst < kEnough && !stance)) {
             mannequin.report.readings = read_off(readings, bent.landmarks, options.measures);
             mannequin.report.messages = unmet(mannequin.report.readings, is_shoulder_free);

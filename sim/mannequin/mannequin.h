@@ -67,7 +67,7 @@ struct MeasureReport {
     std::vector<std::string> messages;  // requests that could not be met, with the reason; empty when all requested
                                         // measures are within 0.3 %, the legs stand as requested and apart,
                                         // and the surface has no self-intersections
-    int rounds = 0;                     // iterations of measuring and correcting
+    int iterations = 0;                 // iterations of measuring and correcting
 };
 
 struct Mannequin {

@@ -206,9 +206,9 @@ double arm_length(const Joints& joints) {
            (joints[Joint::LeftHand] - joints[Joint::LeftLowerArm]).norm();
 }
 
-BentBody bend_body(const MannequinBase& base, const ShapeParameters& shape) {
+DeformedBody bend_body(const MannequinBase& base, const ShapeParameters& shape) {
     const BodyShape bent(base, shape);
-    BentBody body{.x = std::vector<Vec3d>(base.surface.x.size()), .landmarks = bent.landmarks()};
+    DeformedBody body{.x = std::vector<Vec3d>(base.surface.x.size()), .landmarks = bent.landmarks()};
     parallel_for(body.x.size(), 1024, [&](std::size_t first, std::size_t last) {
         for (std::size_t v = first; v < last; ++v) body.x[v] = bent.bend(v);
     });
@@ -217,7 +217,7 @@ BentBody bend_body(const MannequinBase& base, const ShapeParameters& shape) {
 
 namespace {
 
-constexpr double kFigureHeight = 1.6;  // m, height of the body on which the lengths below were chosen
+constexpr double kReferenceHeight = 1.6;  // m, height of the body on which the lengths below were chosen
 
 // Share of the shoulder width in the upper chest's scale; the rest is the rib cage's.
 constexpr double kShoulderPart = 0.3;
@@ -358,15 +358,15 @@ TorsoShape::TorsoShape(const MannequinBase& base, const ShapeParameters& shape)
       stature_(shape.stature),
       levels_(torso_levels(base)),
       heights_(height_map(base, shape)),
-      radial_(blurred_profile(levels_, level_scales(shape, base.sex), 0.022 * base.height / kFigureHeight)),
-      front_bias_(levels_, front_biases(base.sex)),
+      radial_(blurred_profile(levels_, level_scales(shape, base.sex), 0.022 * base.height / kReferenceHeight)),
+      front_share_(levels_, front_biases(base.sex)),
       widening_(levels_, widenings(shape, base.sex)),
       lobes_(lobe_height(shape, base.sex)) {}
 
 // Breast profile, centred 37 degrees (0.64 rad) to either side of the front, with a smaller extent below the bust level
 // than above.
 double TorsoShape::lobe(double dy, double cosine) const {
-    const double reach = (dy > 0 ? 0.062 : 0.038) * base_.height / kFigureHeight;
+    const double reach = (dy > 0 ? 0.062 : 0.038) * base_.height / kReferenceHeight;
     const double angle = std::acos(std::clamp(cosine, -1.0, 1.0));
     return std::exp(-std::pow(dy / reach, 2) - std::pow((angle - 0.64) / 0.52, 2));
 }
@@ -377,7 +377,7 @@ Vec3d TorsoShape::bend(const Vec3d& x) const {
     const double depth = x.z() - axis;
     const double cosine = depth / (std::hypot(x.x(), depth) + 1e-9);  // of the angle from the front
     const double slice = radial_.at(y);
-    const double bias = front_bias_(y) * cosine * (slice > 1 ? 1.0 : 0.6);
+    const double bias = front_share_(y) * cosine * (slice > 1 ? 1.0 : 0.6);
     double scale = 1 + (slice - 1) * (1 + bias);
     if (lobes_ != 0) scale *= 1 + lobes_ * lobe(x.y() - base_.landmarks.levels.bust, cosine);
     return {x.x() * scale * widening_(y), heights_(x.y()), axis * stature_ + depth * scale};

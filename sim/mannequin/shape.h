@@ -50,18 +50,18 @@ class TorsoShape {
     double stature_;
     std::vector<double> levels_;
     Pchip heights_;
-    EvenTable radial_;  // scale of a slice by height
-    Pchip front_bias_;  // additional share of the scaling that goes to the front
-    Pchip widening_;    // of the shoulder girdle, in x only
-    double lobes_ = 0;  // strength of the breasts relative to the rib cage
+    EvenTable radial_;   // scale of a slice by height
+    Pchip front_share_;  // additional share of the scaling that goes to the front
+    Pchip widening_;     // of the shoulder girdle, in x only
+    double lobes_ = 0;   // strength of the breasts relative to the rib cage
 };
 
-struct BentBody {
+struct DeformedBody {
     std::vector<Vec3d> x;
     Landmarks landmarks;
 };
 
-BentBody bend_body(const MannequinBase& base, const ShapeParameters& shape);
+DeformedBody bend_body(const MannequinBase& base, const ShapeParameters& shape);
 
 // Length of upper and lower arm along their bones, m.
 double arm_length(const Joints& joints);

@@ -92,7 +92,7 @@ void require_seams(const Pattern& pattern) {
 }
 
 // Whether two edges of a panel coincide with opposite directions, as the two sides of a slit of zero width.
-bool are_banks(const Panel& panel, const OutlineEdge& a, const OutlineEdge& b) {
+bool are_slit_sides(const Panel& panel, const OutlineEdge& a, const OutlineEdge& b) {
     const auto corner = [&](int index) { return panel.vertices[static_cast<std::size_t>(index)]; };
     const auto near = [](const Vec2d& p, const Vec2d& q) { return (p - q).norm() < kWeldDistance; };
     return near(corner(a.start), corner(b.end)) && near(corner(a.end), corner(b.start)) &&
@@ -107,7 +107,7 @@ DisjointSets group_edges(const FlatPattern& flat) {
         const Panel& panel = flat.pattern.panels[p];
         for (std::size_t a = 0; a < panel.edges.size(); ++a) {
             for (std::size_t b = a + 1; b < panel.edges.size(); ++b) {
-                if (!are_banks(panel, panel.edges[a], panel.edges[b])) continue;
+                if (!are_slit_sides(panel, panel.edges[a], panel.edges[b])) continue;
                 groups.join(flat.first_edge[p] + static_cast<int>(a), flat.first_edge[p] + static_cast<int>(b));
             }
         }
@@ -127,7 +127,7 @@ DisjointSets group_corners(const FlatPattern& flat) {
 
 // Raises counts where sewing merges both ends of an edge (a ring needs 3 segments), or the ends of two edges that are
 // not sewn to each other (2 segments each). With fewer segments the sewn mesh would be degenerate there.
-void keep_rings_open(const FlatPattern& flat, DisjointSets& groups, std::vector<int>& counts) {
+void raise_degenerate_counts(const FlatPattern& flat, DisjointSets& groups, std::vector<int>& counts) {
     DisjointSets corners = group_corners(flat);
     std::map<std::pair<int, int>, std::vector<int>> straight;  // merged ends -> groups with one segment
     for (const SeamSide& side : flat.sides()) {
@@ -179,7 +179,7 @@ std::vector<std::vector<int>> count_segments(const Pattern& pattern, const MeshO
         int& count = counts[static_cast<std::size_t>(groups.find(flat.edge(side)))];
         count = std::max(count, segments_needed(panel, flat.outline_edge(side), options));
     }
-    keep_rings_open(flat, groups, counts);
+    raise_degenerate_counts(flat, groups, counts);
 
     std::vector<std::vector<int>> segments(pattern.panels.size());
     for (const SeamSide& side : flat.sides()) {

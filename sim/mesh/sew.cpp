@@ -18,9 +18,9 @@ struct PlacedPanels {
     std::vector<int> first_vertex;
 };
 
-PanelMesh cut_or_kept(const Panel& panel, const std::vector<int>& segments, const MeshOptions& options,
-                      const std::vector<KeptPanelMesh>& kept) {
-    const auto is_same = [&](const KeptPanelMesh& one) {
+PanelMesh triangulate_or_reuse(const Panel& panel, const std::vector<int>& segments, const MeshOptions& options,
+                               const std::vector<CachedPanelMesh>& kept) {
+    const auto is_same = [&](const CachedPanelMesh& one) {
         return one.segments == segments && one.options == options && one.vertices == panel.vertices &&
                one.edges == panel.edges;
     };
@@ -32,14 +32,15 @@ PanelMesh cut_or_kept(const Panel& panel, const std::vector<int>& segments, cons
                         .max_triangles = options.max_triangles});
 }
 
-PlacedPanels triangulate_panels(const Pattern& pattern, const MeshOptions& options, std::vector<KeptPanelMesh>& kept) {
+PlacedPanels triangulate_panels(const Pattern& pattern, const MeshOptions& options,
+                                std::vector<CachedPanelMesh>& kept) {
     const std::vector<std::vector<int>> segments = count_segments(pattern, options);
-    std::vector<KeptPanelMesh> fresh;
+    std::vector<CachedPanelMesh> fresh;
     PlacedPanels placed;
     int vertices = 0;
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
         const Panel& panel = pattern.panels[p];
-        placed.meshes.push_back(cut_or_kept(panel, segments[p], options, kept));
+        placed.meshes.push_back(triangulate_or_reuse(panel, segments[p], options, kept));
         fresh.push_back({panel.vertices, panel.edges, segments[p], options, placed.meshes.back()});
         placed.first_vertex.push_back(vertices);
         vertices += static_cast<int>(placed.meshes.back().u.size());
@@ -96,11 +97,11 @@ void link_seam(GarmentMesh& garment, const PlacedPanels& placed, const Seam& sea
 }  // namespace
 
 GarmentMesh assemble(const Pattern& pattern, const MeshOptions& options) {
-    std::vector<KeptPanelMesh> none;
+    std::vector<CachedPanelMesh> none;
     return assemble(pattern, options, none);
 }
 
-GarmentMesh assemble(const Pattern& pattern, const MeshOptions& options, std::vector<KeptPanelMesh>& kept) {
+GarmentMesh assemble(const Pattern& pattern, const MeshOptions& options, std::vector<CachedPanelMesh>& kept) {
     const PlacedPanels placed = triangulate_panels(pattern, options, kept);
     GarmentMesh garment;
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) add_panel(garment, pattern.panels[p], placed.meshes[p]);
@@ -130,7 +131,7 @@ void DisjointSets::join(int a, int b) {
     parent_[static_cast<std::size_t>(std::max(root_a, root_b))] = std::min(root_a, root_b);
 }
 
-std::vector<int> leads_of_linked(const GarmentMesh& mesh) {
+std::vector<int> representatives_of_links(const GarmentMesh& mesh) {
     DisjointSets sets(mesh.x.size());
     for (const SeamLink& link : mesh.links) sets.join(link.a, link.b);
     std::vector<int> leads(mesh.x.size());
@@ -139,7 +140,7 @@ std::vector<int> leads_of_linked(const GarmentMesh& mesh) {
 }
 
 SewnMesh merge_seams(const GarmentMesh& unsewn) {
-    const std::vector<int> lead = leads_of_linked(unsewn);
+    const std::vector<int> lead = representatives_of_links(unsewn);
     SewnMesh sewn;
     sewn.sewn_vertex.assign(unsewn.x.size(), -1);
     std::vector<int> members;
@@ -174,7 +175,7 @@ SewnMesh merge_seams(const GarmentMesh& unsewn) {
 
 namespace {
 
-constexpr int kMostRounds = 8;  // 2 are enough for any mesh whose outline edges do not coincide
+constexpr int kMaxIterations = 8;  // 2 are enough for any mesh whose outline edges do not coincide
 
 using EdgeEnds = std::pair<int, int>;  // lower vertex first
 
@@ -196,7 +197,7 @@ std::map<EdgeEnds, int> count_triangles_at_edges(const GarmentMesh& mesh) {
 
 // The interior edges that would coincide with another edge after sewing, or whose ends would be merged.
 std::vector<EdgeEnds> find_coinciding(const GarmentMesh& unsewn) {
-    const std::vector<int> lead = leads_of_linked(unsewn);
+    const std::vector<int> lead = representatives_of_links(unsewn);
     const auto lead_of = [&](int vertex) { return lead[static_cast<std::size_t>(vertex)]; };
     const std::map<EdgeEnds, int> uses = count_triangles_at_edges(unsewn);
     std::map<EdgeEnds, int> sewn;  // number of unsewn edges that become this edge
@@ -291,7 +292,7 @@ void split_edges(GarmentMesh& mesh, const std::vector<EdgeEnds>& edges) {
 
 int separate_coinciding_edges(GarmentMesh& unsewn) {
     int split = 0;
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kMaxIterations; ++round) {
         const std::vector<EdgeEnds> edges = find_coinciding(unsewn);
         if (edges.empty()) break;
         split_edges(unsewn, edges);

@@ -26,7 +26,7 @@ class DisjointSets {
 
 // Per vertex, the lowest vertex that it is connected to by a chain of links (itself if it has no links).
 // Pre: links are in range.
-std::vector<int> leads_of_linked(const GarmentMesh& mesh);
+std::vector<int> representatives_of_links(const GarmentMesh& mesh);
 
 struct SewnMesh {
     GarmentMesh mesh;
@@ -46,7 +46,7 @@ SewnMesh merge_seams(const GarmentMesh& unsewn);
 GarmentMesh assemble(const Pattern& pattern, const MeshOptions& options = {});
 
 // The cached mesh of a panel, with the input that it was made from.
-struct KeptPanelMesh {
+struct CachedPanelMesh {
     std::vector<Vec2d> vertices;
     std::vector<OutlineEdge> edges;
     std::vector<int> segments;
@@ -56,7 +56,7 @@ struct KeptPanelMesh {
 
 // As above, but reuses the meshes in `kept` of panels with unchanged outline, segments and options. Post: `kept` holds
 // the panels of this garment.
-GarmentMesh assemble(const Pattern& pattern, const MeshOptions& options, std::vector<KeptPanelMesh>& kept);
+GarmentMesh assemble(const Pattern& pattern, const MeshOptions& options, std::vector<CachedPanelMesh>& kept);
 
 // Prevents degenerate triangles after sewing. If sewing merges both ends of an interior edge with the ends of another
 // edge, or with each other, triangles would collapse or three of them would share an edge. This function splits such

@@ -303,7 +303,7 @@ std::vector<Vec2d> hexagonal_grid(const Box& box, double edge, const GridPose& p
     return points;
 }
 
-bool has_room(const Vec2d& point, double wanted, std::span<const Vec2d> outline, std::span<const Vec2d> placed) {
+bool has_clearance(const Vec2d& point, double wanted, std::span<const Vec2d> outline, std::span<const Vec2d> placed) {
     if (distance_to_outline(point, outline) < kOffOutline * wanted) return false;
     const double nearest = kOffNeighbours * wanted;
     return std::ranges::none_of(placed,
@@ -345,7 +345,7 @@ std::vector<Vec2d> place_interior_points(std::span<const Vec2d> outline, const S
             if (!is_inside(point, outline)) continue;
             const double wanted = size.at(point);
             if (wanted > 1.8 * edge) continue;  // a coarser grid level has covered this point
-            if (has_room(point, wanted, outline, placed)) placed.push_back(point);
+            if (has_clearance(point, wanted, outline, placed)) placed.push_back(point);
         }
         if (edge < 1.2 * size.smallest()) break;
         edge /= 2;
@@ -358,8 +358,8 @@ namespace {
 constexpr double kGoodAngle = 35 * std::numbers::pi / 180;  // rad
 constexpr double kWorthMoving = 1e-6;                       // rad, minimum gain in the smallest angle
 constexpr std::size_t kTriedTriangles = 6;  // only the worst: repairs of others hardly lower the penalty
-constexpr double kHelps = 0.98;             // a repair is kept if new penalty / old penalty is below this
-constexpr int kMostTries = 150;             // maximum number of triangulations for the repairs of one panel
+constexpr double kMaxPenaltyRatio = 0.98;   // a repair is kept if new penalty / old penalty is below this
+constexpr int kMaxTriangulations = 150;     // maximum number of triangulations for the repairs of one panel
 
 using Triangle = std::array<int, 3>;
 
@@ -491,7 +491,7 @@ std::vector<int> bad_triangles(const PlanarMesh& mesh) {
 
 // Point sets that may repair a triangle: each without one of its interior vertices, or with one more point at its
 // centroid or at the midpoint of one of its edges.
-std::vector<std::vector<Vec2d>> cures_of(const PlanarMesh& mesh, const Triangle& triangle) {
+std::vector<std::vector<Vec2d>> repairs_of(const PlanarMesh& mesh, const Triangle& triangle) {
     std::vector<std::vector<Vec2d>> cures;
     for (int vertex : triangle) {
         if (static_cast<std::size_t>(vertex) < mesh.outline_count) continue;
@@ -516,12 +516,12 @@ bool repair_one(PlanarMesh& mesh, const SizeField& size, int& tries_left) {
     if (bad.size() > kTriedTriangles) bad.resize(kTriedTriangles);
     for (int index : bad) {
         const Triangle triangle = mesh.triangles[static_cast<std::size_t>(index)];
-        for (std::vector<Vec2d>& points : cures_of(mesh, triangle)) {
+        for (std::vector<Vec2d>& points : repairs_of(mesh, triangle)) {
             if (tries_left-- <= 0) return false;
             auto cured = triangulate_anew(std::move(points), mesh.outline_count);
             if (!cured) continue;
             sharpen(*cured, size, 3);
-            if (angle_penalty(*cured) >= kHelps * penalty) continue;
+            if (angle_penalty(*cured) >= kMaxPenaltyRatio * penalty) continue;
             mesh = std::move(*cured);
             return true;
         }
@@ -552,7 +552,7 @@ void relax(PlanarMesh& mesh, const SizeField& size, int rounds) {
 }
 
 void heal(PlanarMesh& mesh, const SizeField& size) {
-    int tries_left = kMostTries;
+    int tries_left = kMaxTriangulations;
     while (repair_one(mesh, size, tries_left)) {
     }
 }

@@ -94,7 +94,7 @@ std::optional<Vec3d> FaultReader::triple(const JsonNode& node) {
 std::optional<double> FaultReader::length(const JsonNode& node) {
     const auto value = number(node);
     if (!value) return {};
-    if (std::abs(*value) <= kFarthest * units_in_meter) return *value / units_in_meter;
+    if (std::abs(*value) <= kMaxCoordinate * units_in_meter) return *value / units_in_meter;
     error(node, "further than 100 m");
     return {};
 }
@@ -102,7 +102,7 @@ std::optional<double> FaultReader::length(const JsonNode& node) {
 std::optional<Vec2d> FaultReader::point(const JsonNode& node) {
     const auto values = pair(node);
     if (!values) return {};
-    if (values->cwiseAbs().maxCoeff() <= kFarthest * units_in_meter) return Vec2d(*values / units_in_meter);
+    if (values->cwiseAbs().maxCoeff() <= kMaxCoordinate * units_in_meter) return Vec2d(*values / units_in_meter);
     error(node, "further than 100 m");
     return {};
 }

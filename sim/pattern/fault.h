@@ -26,7 +26,7 @@ std::string describe(const Fault& fault);
 bool has_error(const std::vector<Fault>& faults);
 
 // The largest coordinate that is accepted, m. No garment is larger, and squares of it keep enough precision.
-inline constexpr double kFarthest = 100;
+inline constexpr double kMaxCoordinate = 100;
 
 // A JSON value and its path. A null `value`: the key does not exist.
 struct JsonNode {

@@ -40,10 +40,10 @@ std::vector<Vec2d> outline_polyline(const Panel& panel, const OutlineEdge& edge,
 double outline_area(const Panel& panel);
 
 // Limits for outlines and seams. Loading rejects a file that violates them, and editing must not violate them.
-inline constexpr double kShortestEdge = 1e-5;    // m
-inline constexpr std::size_t kMostEdges = 5000;  // of one panel
-inline constexpr double kSmallestArea = 1e-8;    // m^2
-inline constexpr double kMostGathers = 4;        // largest ratio of the lengths of a seam's sides; more is an error
+inline constexpr double kShortestEdge = 1e-5;   // m
+inline constexpr std::size_t kMaxEdges = 5000;  // of one panel
+inline constexpr double kSmallestArea = 1e-8;   // m^2
+inline constexpr double kMaxGatherRatio = 4;    // largest ratio of the lengths of a seam's sides; more is an error
 
 // Two edges of a panel, first <= second, that cross or touch at a point other than a common end of neighbouring edges.
 struct OutlineCrossing {

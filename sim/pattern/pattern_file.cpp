@@ -135,7 +135,7 @@ class ShapeChecker {
         std::array<char, 160> text{};
         std::snprintf(text.data(), text.size(), "the sides differ by %.1f mm (%.1f and %.1f, ratio %.2f)",
                       1e3 * difference, 1e3 * first, 1e3 * second, std::max(first, second) / std::min(first, second));
-        const bool is_absurd = std::max(first, second) > kMostGathers * std::min(first, second);
+        const bool is_absurd = std::max(first, second) > kMaxGatherRatio * std::min(first, second);
         if (seam.is_eased && !is_absurd) return;
         add(is_absurd ? Severity::Error : Severity::Warning,
             json_path("pattern.stitches", static_cast<std::size_t>(reading_.seam_indices[i])), text.data());
@@ -171,7 +171,7 @@ void set_numbers(Json& place, std::initializer_list<double> values) {
 
 // Does not add a key whose value is the default `usual`; updates a key that exists.
 template <class T>
-void set_unless_usual(Json& object, const char* key, const T& value, const T& usual) {
+void set_unless_default(Json& object, const char* key, const T& value, const T& usual) {
     if (value == usual && !object.find(key)) return;
     object[key] = Json(value);
 }
@@ -276,7 +276,7 @@ class Writer {
             Json& place = json.elements()[i];
             if (!place.is_object()) place = Json::object();
             set_numbers(place["endpoints"], {double(edge.start), double(edge.end)});
-            set_unless_usual(place, "label", edge.label, std::string());
+            set_unless_default(place, "label", edge.label, std::string());
             write_curvature(place, panel, edge);
         }
     }
@@ -336,7 +336,7 @@ class Writer {
         if (own.find("sett_offset") || !panel.sett_offset.isZero(0)) {
             set_numbers(own["sett_offset"], {units_ * panel.sett_offset.x(), units_ * panel.sett_offset.y()});
         }
-        set_unless_usual(own, "fabric", panel.fabric, std::string());
+        set_unless_default(own, "fabric", panel.fabric, std::string());
         set_number_unless_zero(own, "layer", panel.layer);
         if (own.find("pins") || !panel.pins.empty()) write_pins(own["pins"], panel);
         if (own.find("internal_lines") || !panel.internal_lines.empty()) {
@@ -345,7 +345,7 @@ class Writer {
         if (own.find("notches") || !panel.notches.empty()) write_notches(own["notches"], panel);
         set_number_unless_zero(own, "wrap_radius", units_ * panel.wrap_radius);
         if (panel.mirror_of.empty()) own.erase("mirror_of");
-        set_unless_usual(own, "mirror_of", panel.mirror_of, std::string());
+        set_unless_default(own, "mirror_of", panel.mirror_of, std::string());
         if (!panel.sheet_position) own.erase("sheet_position");
         if (const auto& position = panel.sheet_position) {
             set_numbers(own["sheet_position"], {units_ * position->x(), units_ * position->y()});
@@ -377,7 +377,7 @@ class Writer {
             const InternalLine& line = panel.internal_lines[i];
             Json& place = json.elements()[i];
             if (!place.is_object()) place = Json::object();
-            set_unless_usual(place, "name", line.name, std::string());
+            set_unless_default(place, "name", line.name, std::string());
             Json& points = place["points"];
             if (!points.is_array()) points = Json::array();
             points.elements().resize(line.points.size());
@@ -428,13 +428,13 @@ class Writer {
     void write_additions() {
         const Json* found = root_.find("selvedge");
         Json own = found ? *found : Json::object();
-        set_unless_usual(own, "fabric", pattern_.fabric, std::string());
-        set_unless_usual(own, "tartan", pattern_.tartan, std::string());
+        set_unless_default(own, "fabric", pattern_.fabric, std::string());
+        set_unless_default(own, "tartan", pattern_.tartan, std::string());
         write_sett_place(own);
         write_matched_sett(own);
         write_seam_names(own);
         write_eased(own);
-        set_unless_usual(own, "body", pattern_.body, std::string());
+        set_unless_default(own, "body", pattern_.body, std::string());
         if (own.find("body_height") || pattern_.body_height != Pattern().body_height) {
             set_number(own["body_height"], units_ * pattern_.body_height);
         }
@@ -457,7 +457,7 @@ class Writer {
         const MatchedSett& matched = *pattern_.matched_sett;
         Json& json = own["matched_sett"];
         if (!json.is_object()) json = Json::object();
-        set_unless_usual(json, "tartan", matched.tartan, std::string());
+        set_unless_default(json, "tartan", matched.tartan, std::string());
         set_numbers(json["repeat"], {units_ * matched.repeat.x(), units_ * matched.repeat.y()});
     }
 

@@ -81,13 +81,13 @@ class Reader : private FaultReader {
         read_outline(*this, node, is_relative_, panel);
         if (const Node translation = node.member("translation")) {
             if (const auto values = triple(translation)) panel.translation = *values / units_in_meter;
-            if (panel.translation.cwiseAbs().maxCoeff() > kFarthest) error(translation, "further than 100 m");
+            if (panel.translation.cwiseAbs().maxCoeff() > kMaxCoordinate) error(translation, "further than 100 m");
         }
         if (const Node rotation = node.member("rotation")) {
             if (const auto angles = triple(rotation)) panel.rotation = rotation_from_degrees(*angles);
         }
         if (const Node own = node.member("selvedge")) read_panel_additions(own, panel);
-        if (error_count() == before) hold_counter_clockwise(*this, node, panel);
+        if (error_count() == before) convert_to_panel_frame(*this, node, panel);
     }
 
     void read_panel_additions(const Node& node, Panel& panel) {
@@ -403,8 +403,8 @@ class OutlineReader {
         const JsonNode edges = node.member("edges");
         if (!edges) return reader_.error(node, "no key 'edges'");
         if (!reader_.expect(edges, Json::Kind::Array)) return;
-        if (edges.size() > kMostEdges) {
-            return reader_.error(edges, std::to_string(edges.size()) + " edges: at most " + std::to_string(kMostEdges));
+        if (edges.size() > kMaxEdges) {
+            return reader_.error(edges, std::to_string(edges.size()) + " edges: at most " + std::to_string(kMaxEdges));
         }
         if (edges.size() < 2) reader_.error(edges, "an outline needs two edges or more");
         for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -460,7 +460,7 @@ class OutlineReader {
         if (!relative) return;
         const Vec2d along = chord(edge);
         const Vec2d control = vertex(edge.start) + relative->x() * along + relative->y() * Vec2d(-along.y(), along.x());
-        if (!(control.cwiseAbs().maxCoeff() <= kFarthest)) {
+        if (!(control.cwiseAbs().maxCoeff() <= kMaxCoordinate)) {
             return reader_.error(node, "the control point is further than 100 m");
         }
         edge.control[which] = control;
@@ -520,7 +520,7 @@ void read_outline(FaultReader& reader, const JsonNode& panel_node, bool is_relat
 // GarmentCode draws back panels clockwise, seen from the front: the orientation of the loop tells which way a panel
 // faces. Mirroring x makes such a loop counter-clockwise and keeps the order and direction of its edges. So an edge has
 // the same index, start and end in the file and in the Panel, and seams need no conversion.
-void hold_counter_clockwise(FaultReader& reader, const JsonNode& panel_node, Panel& panel) {
+void convert_to_panel_frame(FaultReader& reader, const JsonNode& panel_node, Panel& panel) {
     const double area = outline_area(panel);
     if (std::abs(area) < kSmallestArea) return reader.error(panel_node, "the outline encloses no area");
     if (area > 0) return;

@@ -37,6 +37,6 @@ void read_outline(FaultReader& reader, const JsonNode& panel_node, bool is_relat
 
 // Converts the panel to the panel frame (sim/pattern/pattern.h): mirrors x if the outline is clockwise. Records an
 // error if the outline encloses no area. Pre: the outline was read without an error.
-void hold_counter_clockwise(FaultReader& reader, const JsonNode& panel_node, Panel& panel);
+void convert_to_panel_frame(FaultReader& reader, const JsonNode& panel_node, Panel& panel);
 
 }  // namespace selvedge::sim

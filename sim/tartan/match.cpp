@@ -22,14 +22,14 @@ constexpr double kOpposed = -3e-4;                 // mean product of directions
 constexpr double kMet = 5e-4;                      // m, mismatch of a seam that meets
 constexpr double kNearlyMet = 2e-3;                // m, mismatch that is invisible at arm's length
 constexpr double kMatchable = 6e-3;                // m, a seam with a larger best mismatch has lower priority
-constexpr double kWritten = 1e-6;                  // m, resolution of offsets in files
+constexpr double kOffsetStep = 1e-6;               // m, resolution of offsets in files
 constexpr double kSameSample = 1e-5;               // m, samples this close are merged
 constexpr double kMostSamples = 2e5;               // per garment, limits the time for thousands of seams
 
 using Family = Eigen::Index;  // 0: the warp's stripes, 1: the weft's
 
 double as_written(double offset, double repeat) {
-    return std::round(wrapped(offset, repeat) / kWritten) * kWritten;
+    return std::round(wrapped(offset, repeat) / kOffsetStep) * kOffsetStep;
 }
 
 struct Lines {
@@ -254,7 +254,7 @@ class FamilyMatch {
         for (const std::size_t panel : panels_) start.push_back(offsets[panel][family_]);
         const std::vector<double> found = solve_offsets(problem_, start);
         for (std::size_t n = 0; n < panels_.size(); ++n) {
-            if (std::abs(wrapped(found[n] - start[n], problem_.repeat)) < kWritten) continue;
+            if (std::abs(wrapped(found[n] - start[n], problem_.repeat)) < kOffsetStep) continue;
             offsets[panels_[n]][family_] = as_written(found[n], problem_.repeat);
         }
     }

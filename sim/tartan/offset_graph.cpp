@@ -11,7 +11,7 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr int kMostSweeps = 40;
+constexpr int kMaxSweeps = 40;
 constexpr double kSame = 1e-9;  // relative to the largest possible cost: smaller differences count as equal
 
 std::size_t at(int i) {
@@ -210,7 +210,7 @@ class Solver {
     }
 
     void sweep() {
-        for (int round = 0; round < kMostSweeps; ++round) {
+        for (int round = 0; round < kMaxSweeps; ++round) {
             bool has_moved = false;
             for (Block& block : blocks_) has_moved = move(block) || has_moved;
             if (!has_moved) return;
@@ -269,8 +269,8 @@ double phase_of(double value, double repeat) {
 }
 
 // Adds the shifts in one repeat at which factor * shift has this phase: one for a factor of 1, two for 2.
-void add_kinks(double phase, int factor, double steeper, double repeat, std::vector<Breakpoint>& kinks) {
-    for (int turn = 0; turn < factor; ++turn) kinks.push_back({(phase + turn * repeat) / factor, steeper});
+void add_breakpoints(double phase, int factor, double steeper, double repeat, std::vector<Breakpoint>& breakpoints) {
+    for (int turn = 0; turn < factor; ++turn) breakpoints.push_back({(phase + turn * repeat) / factor, steeper});
 }
 
 }  // namespace
@@ -280,7 +280,7 @@ double wrapped(double value, double repeat) {
 }
 
 double best_shift(const std::vector<ShiftTerm>& terms, double repeat) {
-    std::vector<Breakpoint> kinks;
+    std::vector<Breakpoint> breakpoints;
     double cost = 0;
     double slope = 0;  // just below shift 0
     double scale = 0;
@@ -294,16 +294,17 @@ double best_shift(const std::vector<ShiftTerm>& terms, double repeat) {
         // initial slope does not include it.
         const double zero = phase > 0 ? repeat - phase : 0;
         const double farthest = phase <= repeat / 2 ? repeat / 2 - phase : repeat + (repeat / 2 - phase);
-        add_kinks(zero, factor, 2 * weight * factor, repeat, kinks);
-        add_kinks(farthest, factor, -2 * weight * factor, repeat, kinks);
+        add_breakpoints(zero, factor, 2 * weight * factor, repeat, breakpoints);
+        add_breakpoints(farthest, factor, -2 * weight * factor, repeat, breakpoints);
         scale += weight * repeat;
     }
-    std::sort(kinks.begin(), kinks.end(), [](const Breakpoint& a, const Breakpoint& b) { return a.at < b.at; });
+    std::sort(breakpoints.begin(), breakpoints.end(),
+              [](const Breakpoint& a, const Breakpoint& b) { return a.at < b.at; });
     const double now = cost;
     double least = cost;
     std::vector<double> costs;  // at the breakpoints
     double at = 0;
-    for (const Breakpoint& kink : kinks) {
+    for (const Breakpoint& kink : breakpoints) {
         cost += slope * (kink.at - at);
         at = kink.at;
         slope += kink.steeper;
@@ -312,9 +313,9 @@ double best_shift(const std::vector<ShiftTerm>& terms, double repeat) {
     }
     if (now <= least + kSame * scale) return 0;
     double best = repeat;
-    for (std::size_t i = 0; i < kinks.size(); ++i) {
+    for (std::size_t i = 0; i < breakpoints.size(); ++i) {
         if (costs[i] > least + kSame * scale) continue;
-        const double shift = kinks[i].at > repeat / 2 ? kinks[i].at - repeat : kinks[i].at;
+        const double shift = breakpoints[i].at > repeat / 2 ? breakpoints[i].at - repeat : breakpoints[i].at;
         if (std::abs(shift) < std::abs(best) - kSame * repeat) best = shift;
     }
     return best;

@@ -10,7 +10,7 @@ constexpr int kSceneSide = 640;  // px at scale 1
 
 }  // namespace
 
-EditStandIn::EditStandIn(render::Scene scene, float turn, const std::string& font, bool is_draft)
+FakeEditor::FakeEditor(render::Scene scene, float turn, const std::string& font, bool is_draft)
     : context_(ImGui::CreateContext()),
       scene_(std::make_shared<const render::Scene>(std::move(scene))),
       camera_(scene_->camera),
@@ -31,11 +31,11 @@ EditStandIn::EditStandIn(render::Scene scene, float turn, const std::string& fon
     io.KeyMap[ImGuiKey_Enter] = static_cast<int>(editor::Key::Enter);
 }
 
-EditStandIn::~EditStandIn() {
+FakeEditor::~FakeEditor() {
     ImGui::DestroyContext(context_);
 }
 
-void EditStandIn::take(const editor::InputEvent& event) {
+void FakeEditor::take(const editor::InputEvent& event) {
     ImGuiIO& io = ImGui::GetIO();
     switch (event.kind) {
         case editor::InputEvent::Kind::MouseMove:
@@ -64,7 +64,7 @@ void EditStandIn::take(const editor::InputEvent& event) {
     }
 }
 
-editor::SceneToDraw EditStandIn::scene_to_draw() {
+editor::SceneRequest FakeEditor::scene_to_draw() {
     camera_ = turned(camera_, turn_, Vec3f::Zero());
     return {.texture = kSceneTexture,
             .scene = scene_,
@@ -75,7 +75,7 @@ editor::SceneToDraw EditStandIn::scene_to_draw() {
             .is_draft = is_draft_};
 }
 
-void EditStandIn::fill() {
+void FakeEditor::fill() {
     ImGui::SetNextWindowPos({620, 20}, ImGuiCond_Always);
     ImGui::SetNextWindowSize({kSceneSide + 16, kSceneSide + 40}, ImGuiCond_Always);
     ImGui::Begin("Scene");
@@ -93,7 +93,7 @@ void EditStandIn::fill() {
     ImGui::End();
 }
 
-editor::FrameOutput EditStandIn::frame(const FrameInput& input) {
+editor::FrameOutput FakeEditor::frame(const FrameInput& input) {
     ImGuiIO& io = ImGui::GetIO();
     for (const editor::InputEvent& event : input.events) take(event);
     io.DisplaySize = {float(input.width_px), float(input.height_px)};

@@ -7,11 +7,11 @@ struct ImGuiContext;
 
 namespace selvedge::app {
 
-class EditStandIn : public EditSurface {
+class FakeEditor : public EditSurface {
  public:
     // Rotates the scene's camera by `turn` (rad) each frame.
-    explicit EditStandIn(render::Scene scene, float turn = 0, const std::string& font = {}, bool is_draft = true);
-    ~EditStandIn() override;
+    explicit FakeEditor(render::Scene scene, float turn = 0, const std::string& font = {}, bool is_draft = true);
+    ~FakeEditor() override;
 
     editor::FrameOutput frame(const FrameInput& input) override;
 
@@ -24,7 +24,7 @@ class EditStandIn : public EditSurface {
  private:
     void take(const editor::InputEvent& event);
     void fill();
-    editor::SceneToDraw scene_to_draw();
+    editor::SceneRequest scene_to_draw();
 
     ImGuiContext* context_;
     std::shared_ptr<const render::Scene> scene_;

@@ -11,7 +11,7 @@ int main(int argc, char** argv) {
     const std::string frame_times = argc > 1 ? argv[1] : "";
     try {
         Window window({.title = "Stand-in", .width = 1280, .height = 800});
-        EditStandIn surface(test::make_frozen_scene(), frame_times.empty() ? 0 : 0.02F);
+        FakeEditor surface(test::make_frozen_scene(), frame_times.empty() ? 0 : 0.02F);
         EditLoopOptions options{.frame_times = frame_times};
         if (!frame_times.empty()) options.frames = 240;
         run_edit_loop(surface, window, options);

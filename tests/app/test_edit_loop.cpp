@@ -16,8 +16,8 @@ namespace {
 
 editor::InputEvent button(bool is_down) {
     return {.kind = editor::InputEvent::Kind::MouseButton,
-            .x = EditStandIn::kButtonX,
-            .y = EditStandIn::kButtonY,
+            .x = FakeEditor::kButtonX,
+            .y = FakeEditor::kButtonY,
             .is_down = is_down};
 }
 
@@ -26,8 +26,8 @@ editor::InputEvent move_to(float x, float y) {
 }
 
 // Moves to the button, presses, releases, then draws one more frame.
-render::Image press_and_look(OffscreenEditLoop& loop, EditStandIn& surface) {
-    loop.step(surface, {move_to(EditStandIn::kButtonX, EditStandIn::kButtonY)});
+render::Image press_and_look(OffscreenEditLoop& loop, FakeEditor& surface) {
+    loop.step(surface, {move_to(FakeEditor::kButtonX, FakeEditor::kButtonY)});
     loop.step(surface, {button(true)});
     loop.step(surface, {button(false)});
     loop.step(surface);
@@ -42,13 +42,13 @@ int reddish_pixels(const render::Image& image) {
 
 TEST(EditLoop, events_reach_the_surface_and_the_screenshot_shows_its_scene) {
     OffscreenEditLoop loop;
-    EditStandIn surface(test::make_frozen_scene());
+    FakeEditor surface(test::make_frozen_scene());
     const render::Image image = press_and_look(loop, surface);
     EXPECT_EQ(surface.presses(), 1);
     EXPECT_EQ(image.width_px, 1280);
     const render::Image scene = [] {
         OffscreenEditLoop other;
-        EditStandIn bare(render::Scene{});
+        FakeEditor bare(render::Scene{});
         return press_and_look(other, bare);
     }();
     EXPECT_FALSE(image == scene);
@@ -61,7 +61,7 @@ TEST(EditLoop, the_same_events_make_the_same_bits) {
     std::vector<render::Image> images;
     for (int i = 0; i < 2; ++i) {
         OffscreenEditLoop loop;
-        EditStandIn surface(test::make_frozen_scene(), 0.1F);
+        FakeEditor surface(test::make_frozen_scene(), 0.1F);
         images.push_back(press_and_look(loop, surface));
     }
     EXPECT_TRUE(images[0] == images[1]);
@@ -69,7 +69,7 @@ TEST(EditLoop, the_same_events_make_the_same_bits) {
 
 TEST(EditLoop, a_fine_scene_is_the_renderers_picture) {
     OffscreenEditLoop loop;
-    EditStandIn surface(test::make_frozen_scene(), 0, {}, false);
+    FakeEditor surface(test::make_frozen_scene(), 0, {}, false);
     loop.step(surface);
     loop.step(surface);  // a second frame, because ImGui shows a new window only when its size is known
     const render::Image image = loop.screenshot();

@@ -22,10 +22,10 @@ const Vec2d kAside(1200, 700);  // px: no widget there reacts to the mouse
 class Rehearsal {
  public:
     Rehearsal(const fs::path& state, const std::string& file)
-        : editor_(make_editor_services({.state = state, .draw_finely = {}}),
+        : editor_(make_editor_services({.state = state, .render_full_quality = {}}),
                   {.drive = sim::SessionDrive::Caller, .fonts = read_fonts(), .is_steady = true}),
           surface_(editor_) {
-        open_loaded(editor_.desk(), sim::load_pattern(file), file);
+        open_loaded(editor_.state(), sim::load_pattern(file), file);
         move(kAside);
     }
 
@@ -38,18 +38,18 @@ class Rehearsal {
     void rest() {
         for (int i = 0; i < 10; ++i) loop_.step(surface_);
     }
-    void undo() { editor_.desk().workspace.document->undo(); }
+    void undo() { editor_.state().workspace.document->undo(); }
 
     Vec2d vertex_px(const std::string& panel, std::size_t vertex) const {
-        const editor::PanelShape& shape = *editor_.desk().tools.geometry().find(panel);
+        const editor::PanelShape& shape = *editor_.state().tools.geometry().find(panel);
         return editor_.sheet_to_px(shape.on_sheet(shape.panel.vertices[vertex]));
     }
     Vec2d widget_px(const std::string& name) const {
-        const auto found = editor_.desk().widgets.find(name);
-        return found == editor_.desk().widgets.end() ? Vec2d(0, 0) : Vec2d(found->second.centre().cast<double>());
+        const auto found = editor_.state().widgets.find(name);
+        return found == editor_.state().widgets.end() ? Vec2d(0, 0) : Vec2d(found->second.centre().cast<double>());
     }
     render::Image picture() const { return loop_.screenshot(); }
-    std::string text() const { return editor_.desk().workspace.document->text(); }
+    std::string text() const { return editor_.state().workspace.document->text(); }
 
  private:
     void send(editor::InputEvent::Kind kind, bool is_down) {

@@ -20,7 +20,7 @@ class EditorServices : public testing::Test {
  protected:
     ScratchFolder folder_;
     editor::Services services_ =
-        make_editor_services({.state = folder_.path() / "state", .draw_finely = [](const render::Scene&) {
+        make_editor_services({.state = folder_.path() / "state", .render_full_quality = [](const render::Scene&) {
                                   return render::Image(3, 2, {9, 8, 7, 255});
                               }});
 };
@@ -91,11 +91,11 @@ TEST_F(EditorServices, a_journal_is_offered_with_its_changes_and_goes_where_it_h
     const fs::path journal = folder_.path() / "state/journals/none.journal";
     const std::string head = editor::journal_head("shirt.json", services_.examples[1].text);
     std::ofstream(journal) << head << '\n';
-    EXPECT_TRUE(services_.left_journals().empty());
+    EXPECT_TRUE(services_.orphaned_journals().empty());
     EXPECT_FALSE(fs::exists(journal));
     const std::string line = write_json(journal_line(editor::MoveVertices{{{"front", 0}}, Vec2d(0.01, 0)}), -1);
     std::ofstream(journal) << head << '\n' << line << "\n{\"do\": {\"torn";
-    const std::vector<editor::LeftJournal> left = services_.left_journals();
+    const std::vector<editor::OrphanedJournal> left = services_.orphaned_journals();
     ASSERT_EQ(left.size(), 1U);
     EXPECT_EQ(left[0].id, journal.string());
     EXPECT_EQ(left[0].recovery.changes, 1) << "but for the torn line";

@@ -40,8 +40,8 @@ class ImGuiContextOwner {
 };
 
 // Half red, half green; two pixels of each, because sampling blends neighbouring pixels.
-editor::PictureToHold red_and_green() {
-    editor::PictureToHold held{.texture = kPicture, .picture = render::Image(4, 1, kRed)};
+editor::TextureUpload red_and_green() {
+    editor::TextureUpload held{.texture = kPicture, .picture = render::Image(4, 1, kRed)};
     held.picture.at(2, 0) = held.picture.at(3, 0) = kGreen;
     return held;
 }
@@ -73,7 +73,7 @@ struct DrawnFrames {
     render::Image first, second;
 };
 
-DrawnFrames draw_frames(render::ContextMaker maker, float scale) {
+DrawnFrames draw_frames(render::ContextKind maker, float scale) {
     const ImGuiContextOwner imgui(scale);
     const std::unique_ptr<render::GlContext> context = make_context(maker);
     UiDraw drawer(*context);
@@ -100,7 +100,7 @@ int lit_pixels(const render::Image& image, int top, int bottom) {
 }
 
 TEST(UiDraw, clips_repeats_pictures_and_shows_scenes) {
-    const render::Image image = draw_frames(render::ContextMaker::OSMesa, 1).first;
+    const render::Image image = draw_frames(render::ContextKind::OSMesa, 1).first;
     EXPECT_EQ(image.at(12, 12), kWhite);
     EXPECT_EQ(image.at(12, 16), kBlack) << "below the clip rectangle";
     EXPECT_EQ(image.at(35, 15), kRed);
@@ -113,13 +113,13 @@ TEST(UiDraw, clips_repeats_pictures_and_shows_scenes) {
 }
 
 TEST(UiDraw, writes_text) {
-    const render::Image image = draw_frames(render::ContextMaker::OSMesa, 1).first;
+    const render::Image image = draw_frames(render::ContextKind::OSMesa, 1).first;
     EXPECT_GT(lit_pixels(image, 78, 96), 60);
     EXPECT_EQ(lit_pixels(image, 64, 78), 0);
 }
 
 TEST(UiDraw, a_larger_scale_draws_the_same_at_more_pixels) {
-    const render::Image image = draw_frames(render::ContextMaker::OSMesa, 2).first;
+    const render::Image image = draw_frames(render::ContextKind::OSMesa, 2).first;
     EXPECT_EQ(image.width_px, 2 * kSide);
     EXPECT_EQ(image.at(24, 28), kWhite);
     EXPECT_EQ(image.at(24, 32), kBlack);
@@ -128,24 +128,24 @@ TEST(UiDraw, a_larger_scale_draws_the_same_at_more_pixels) {
 }
 
 TEST(UiDraw, the_same_lists_have_the_same_bits) {
-    const DrawnFrames frames = draw_frames(render::ContextMaker::OSMesa, 1);
+    const DrawnFrames frames = draw_frames(render::ContextKind::OSMesa, 1);
     EXPECT_EQ(frames.first, frames.second) << "the font stays when its pixels are gone from memory";
-    EXPECT_EQ(frames.first, draw_frames(render::ContextMaker::OSMesa, 1).first);
+    EXPECT_EQ(frames.first, draw_frames(render::ContextKind::OSMesa, 1).first);
 }
 
 TEST(UiDraw, both_makers_draw_the_same) {
-    const render::Image osmesa = draw_frames(render::ContextMaker::OSMesa, 1).first;
+    const render::Image osmesa = draw_frames(render::ContextKind::OSMesa, 1).first;
     try {
-        make_context(render::ContextMaker::Egl);
+        make_context(render::ContextKind::Egl);
     } catch (const sim::InputError& error) {
         GTEST_SKIP() << error.problem();
     }
-    EXPECT_EQ(osmesa, draw_frames(render::ContextMaker::Egl, 1).first);
+    EXPECT_EQ(osmesa, draw_frames(render::ContextKind::Egl, 1).first);
 }
 
 TEST(UiDraw, a_font_atlas_built_anew_takes_the_place_of_the_old) {
     const ImGuiContextOwner imgui(1);
-    const std::unique_ptr<render::GlContext> context = make_context(render::ContextMaker::OSMesa);
+    const std::unique_ptr<render::GlContext> context = make_context(render::ContextKind::OSMesa);
     UiDraw drawer(*context);
     render::PictureTexture to(context->gl());
     to.resize(kSide, kSide);

@@ -54,7 +54,7 @@ class WindowTest : public testing::Test {
 // The picture that the window must show at the end.
 render::Image same_without_window() {
     OffscreenEditLoop loop;
-    EditStandIn surface(test::make_frozen_scene());
+    FakeEditor surface(test::make_frozen_scene());
     const auto press = [&](float x, float y) {
         editor::InputEvent event{.kind = editor::InputEvent::Kind::MouseMove, .x = x, .y = y};
         loop.step(surface, {event});

@@ -40,16 +40,16 @@ TEST(ClothPoints, stay_near_the_body_and_touch_it_about_as_often_as_cloth_does) 
         }
 }
 
-TEST(ContactPass, with_slack_asks_fewer_and_misses_none_that_touches) {
+TEST(QueryRun, with_slack_asks_fewer_and_misses_none_that_touches) {
     constexpr float kOffset = 0.003F;
     const sim::Body body = column();
     const sim::BodyCollider collider(body);
     const ClothPoints path = move_cloth_points(collider.surface(), {.points = 1001, .steps = 40});
-    const PassPoints points(path);
+    const QueryPoints points(path);
     std::vector<sim::Contact> all;
     std::vector<sim::Contact> spared;
-    const PassReport every = run_pass(points, collider, ContactWay::InBlocks, kOffset, &all);
-    const PassReport some = run_pass(points, collider, ContactWay::WithSlack, kOffset, &spared);
+    const QueryReport every = run_queries(points, collider, ContactWay::InBlocks, kOffset, &all);
+    const QueryReport some = run_queries(points, collider, ContactWay::WithSlack, kOffset, &spared);
     EXPECT_EQ(every.queries, 40 * 1001);
     EXPECT_EQ(every.asked, every.queries);
     EXPECT_LT(some.asked, 0.7 * some.queries);

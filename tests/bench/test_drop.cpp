@@ -81,9 +81,9 @@ TEST(Drop, more_substeps_stretch_less) {
     EXPECT_LT(run_sphere_drop(coarse(32)).quality.p99_stretch, run_sphere_drop(coarse(1)).quality.p99_stretch);
 }
 
-TEST(DropJudge, finds_a_vertex_inside_the_sphere_and_means_the_samples) {
+TEST(DropEvaluator, finds_a_vertex_inside_the_sphere_and_means_the_samples) {
     const sim::GarmentMesh square = flat_grid(10);
-    DropJudge judge(measured(square));
+    DropEvaluator judge(measured(square));
     judge.sample(square.x);
     std::vector<Vec3d> x = square.x;
     for (Vec3d& p : x) p *= 1.02;
@@ -103,7 +103,7 @@ TEST(DropHonesty, a_weightless_cloth_at_rest_keeps_no_energy) {
     SphereDrop drop = run_sphere_drop(options);
     const double kinetic = energy(drop.run).kinetic;
     ASSERT_GT(kinetic, 0);
-    const WeightlessFigures figures = weightless(drop.run, options.scene, 1);
+    const EnergyStatistics figures = weightless(drop.run, options.scene, 1);
     EXPECT_GE(figures.energy_growth, 0);
     EXPECT_GT(figures.kinetic_end, 0);
     EXPECT_LT(figures.kinetic_end, kinetic);
@@ -113,7 +113,7 @@ TEST(DropHonesty, the_same_run_lies_no_distance_from_itself) {
     SphereDropOptions options = coarse(8);
     options.scene.frames = 30;
     const SphereDrop drop = run_sphere_drop(options);
-    const ConvergedFigures figures = compare_converged(drop, options, options.substeps);
+    const ConvergenceStatistics figures = compare_converged(drop, options, options.substeps);
     EXPECT_EQ(figures.distance.rms, 0);
     EXPECT_GE(figures.noise_floor.mean, 0.0003);  // the pinned vertex and its neighbourhood start shifted by 1 mm
 }
@@ -152,7 +152,7 @@ TEST(DropReport, has_every_figure_that_was_promised) {
 
 TEST(DropReport, takes_the_least_substeps_that_pass_and_keeps_all_that_were_tried) {
     DropExperiment experiment = coarse_experiment();
-    experiment.is_honest = false;
+    experiment.passes_quality_checks = false;
     const DropReport report = measure_drop(experiment);
     ASSERT_TRUE(report.chosen.passes());
     for (std::size_t i = 1; i < report.trials.size(); ++i)
@@ -167,7 +167,7 @@ TEST(DropReport, takes_the_least_substeps_that_pass_and_keeps_all_that_were_trie
 
 TEST(DropReport, says_which_gates_the_last_setting_missed_when_none_meets_them) {
     DropExperiment experiment = coarse_experiment();
-    experiment.is_honest = false;
+    experiment.passes_quality_checks = false;
     experiment.most_substeps = 2;
     experiment.gates.max_stretch = 1e-9;
     const DropReport report = measure_drop(experiment);

@@ -19,8 +19,8 @@ TEST(Textile, a_cantilever_of_a_stiffer_fabric_reads_stiffer) {
     sim::Fabric soft;
     sim::Fabric stiff;
     stiff.bending_warp *= 4;
-    const Reading a = test_cantilever(soft, ThreadDirection::Warp, kFine);
-    const Reading b = test_cantilever(stiff, ThreadDirection::Warp, kFine);
+    const Reading a = test_cantilever(soft, YarnDirection::Warp, kFine);
+    const Reading b = test_cantilever(stiff, YarnDirection::Warp, kFine);
     EXPECT_TRUE(a.is_at_rest);
     EXPECT_EQ(a.expected, soft.bending_warp);
     EXPECT_GT(a.measured, 0);
@@ -31,7 +31,7 @@ TEST(Textile, a_hanging_strip_expects_what_theory_says) {
     sim::Fabric wool;
     wool.area_density = 0.265;
     wool.stretch_warp = 1500;
-    const Reading reading = test_own_weight(wool, ThreadDirection::Warp, kCoarse);
+    const Reading reading = test_own_weight(wool, YarnDirection::Warp, kCoarse);
     EXPECT_NEAR(reading.expected, 0.265 * 9.81 * 0.5 / 2 / 1500, 1e-9);
     EXPECT_GT(reading.measured, 0);
     EXPECT_LT(reading.measured, 0.1);
@@ -41,12 +41,12 @@ TEST(Textile, a_load_never_strains_a_fabric_beyond_half_its_limit) {
     sim::Fabric weak;
     weak.stretch_weft = 60;
     weak.strain_limit = 0.1;
-    const Reading reading = test_load(weak, ThreadDirection::Weft, kCoarse);
+    const Reading reading = test_load(weak, YarnDirection::Weft, kCoarse);
     EXPECT_NEAR(reading.expected, 0.05, 0.01);
 }
 
 TEST(Textile, a_bias_strip_expects_about_1_percent) {
-    EXPECT_NEAR(test_load({}, ThreadDirection::Bias, kCoarse).expected, 0.011, 0.002);
+    EXPECT_NEAR(test_load({}, YarnDirection::Bias, kCoarse).expected, 0.011, 0.002);
 }
 
 TEST(Textile, a_strip_swings_about_as_a_hanging_chain_does) {

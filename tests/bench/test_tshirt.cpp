@@ -50,14 +50,14 @@ TEST(SplitTriangles, takes_the_least_square_that_suffices) {
     EXPECT_EQ(split_triangles(tetrahedron(), 17).triangles.size(), 36U);
 }
 
-SwayFigures sway_square() {
+SwayStatistics sway_square() {
     sim::Cloth cloth = make_cloth(make_square({.height = 0.5}), {sim::Fabric{}});
     refresh_contacts(cloth);
     return sway(cloth, sim::SphereCollider(Vec3f::Zero(), 0.45F), {.cycles = 12, .settling_cycles = 3});
 }
 
 TEST(Sway, measures_shares_between_nothing_and_all) {
-    const SwayFigures figures = sway_square();
+    const SwayStatistics figures = sway_square();
     EXPECT_GE(figures.leaf_triangles, 32);
     EXPECT_GT(figures.ms_median, 0);
     EXPECT_GE(figures.ms_p95, figures.ms_median);

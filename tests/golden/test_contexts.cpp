@@ -11,7 +11,7 @@
 namespace selvedge::test {
 namespace {
 
-std::optional<std::string> why_absent(render::ContextMaker maker) {
+std::optional<std::string> why_absent(render::ContextKind maker) {
     try {
         make_context(maker);
         return std::nullopt;
@@ -34,19 +34,19 @@ class WithEnvironment {
 };
 
 TEST(Contexts, both_makers_draw_the_same_picture) {
-    for (const render::ContextMaker maker : {render::ContextMaker::OSMesa, render::ContextMaker::Egl}) {
+    for (const render::ContextKind maker : {render::ContextKind::OSMesa, render::ContextKind::Egl}) {
         if (const auto reason = why_absent(maker)) GTEST_SKIP() << name(maker) << " is absent: " << *reason;
     }
     const render::Scene scene = make_frozen_scene();
     const render::RenderOptions options{.width_px = 200, .height_px = 160};
-    const render::Image osmesa = render::Renderer(render::ContextMaker::OSMesa).draw(scene, options);
-    const render::Image egl = render::Renderer(render::ContextMaker::Egl).draw(scene, options);
+    const render::Image osmesa = render::Renderer(render::ContextKind::OSMesa).draw(scene, options);
+    const render::Image egl = render::Renderer(render::ContextKind::Egl).draw(scene, options);
     const render::Comparison comparison = compare(osmesa, egl);
     EXPECT_TRUE(is_alike(comparison)) << describe(comparison);
 }
 
 TEST(Contexts, the_environment_chooses_the_maker) {
-    for (const render::ContextMaker maker : {render::ContextMaker::OSMesa, render::ContextMaker::Egl}) {
+    for (const render::ContextKind maker : {render::ContextKind::OSMesa, render::ContextKind::Egl}) {
         if (const auto reason = why_absent(maker)) GTEST_SKIP() << name(maker) << " is absent: " << *reason;
         const WithEnvironment environment(name(maker));
         EXPECT_EQ(render::make_context()->maker(), maker);

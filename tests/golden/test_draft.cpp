@@ -25,7 +25,7 @@ class Previews : public testing::Test {
         renderer.draw(view, to_);
         return to_.read();
     }
-    render::Image fresh_draft(const render::Scene& scene) {
+    render::Image fresh_preview(const render::Scene& scene) {
         render::PreviewRenderer renderer(*context_);
         return draft(renderer, view_of(scene));
     }
@@ -67,7 +67,7 @@ TEST_F(Previews, a_shared_view_in_a_texture_is_the_picture_of_its_scene) {
 TEST_F(Previews, are_like_the_picture_from_afar) {
     for (const render::ShowMode show : {render::ShowMode::Tartan, render::ShowMode::Level, render::ShowMode::Plain}) {
         const render::Scene scene = make_frozen_scene({.show = show});
-        const std::vector<Vec3f> drafted = block_means(fresh_draft(scene));
+        const std::vector<Vec3f> drafted = block_means(fresh_preview(scene));
         render::Renderer renderer(*context_);
         const std::vector<Vec3f> fine = block_means(renderer.draw(scene, {.width_px = kWidth, .height_px = kHeight}));
         double difference = 0;
@@ -83,7 +83,7 @@ TEST_F(Previews, have_the_same_bits_whatever_was_drawn_before) {
     const render::Image first = draft(renderer, view_of(still));
     EXPECT_FALSE(first == draft(renderer, view_of(moved)));
     for (const render::Scene& scene : {moved, levels, still, moved}) {
-        EXPECT_TRUE(fresh_draft(scene) == draft(renderer, view_of(scene)));
+        EXPECT_TRUE(fresh_preview(scene) == draft(renderer, view_of(scene)));
     }
 }
 
@@ -96,7 +96,7 @@ TEST_F(Previews, follow_the_camera_and_the_size_of_the_same_scene) {
     EXPECT_FALSE(first == second);
     render::Scene same = make_frozen_scene();
     same.camera = view.camera;
-    EXPECT_TRUE(second == fresh_draft(same));
+    EXPECT_TRUE(second == fresh_preview(same));
     to_.resize(kHeight, kWidth);
     EXPECT_EQ(draft(renderer, view).width_px, kHeight);
 }
@@ -107,19 +107,19 @@ TEST_F(Previews, fill_a_picture_that_has_grown) {
     to_.resize(kWidth, kHeight / 2);
     draft(renderer, view);
     to_.resize(kWidth, kHeight);
-    EXPECT_TRUE(draft(renderer, view) == fresh_draft(*view.scene));
+    EXPECT_TRUE(draft(renderer, view) == fresh_preview(*view.scene));
 }
 
 TEST_F(Previews, show_painted_cloth_marks_and_an_empty_room) {
     render::Scene scene = make_frozen_scene({.show = render::ShowMode::Plain});
-    const render::Image plain = fresh_draft(scene);
+    const render::Image plain = fresh_preview(scene);
     render::ClothItem& cloth = scene.cloths[0];
     cloth.show = render::ShowMode::Strain;
     cloth.paint = render::ClothPaint{.map = {{255, 0, 0}, {0, 0, 255}}, .places = {}};
     cloth.paint->places.assign(cloth.mesh.triangles.size(), {0.F, 0.F, 0.F});
-    const render::Image red = fresh_draft(scene);
+    const render::Image red = fresh_preview(scene);
     cloth.paint->places.assign(cloth.mesh.triangles.size(), {1.F, 1.F, 1.F});
-    const render::Image blue = fresh_draft(scene);
+    const render::Image blue = fresh_preview(scene);
     const render::Rgba8 red_pixel = red.at(kWidth / 2, kHeight / 3), blue_pixel = blue.at(kWidth / 2, kHeight / 3);
     EXPECT_GT(red_pixel[0], red_pixel[2] + 100);
     EXPECT_GT(blue_pixel[2], blue_pixel[0] + 100);
@@ -127,9 +127,9 @@ TEST_F(Previews, show_painted_cloth_marks_and_an_empty_room) {
                             .normals = std::vector<Vec3f>(3, Vec3f::UnitZ()),
                             .colours = std::vector<sim::Rgb8>(3, sim::Rgb8{0, 255, 0}),
                             .triangles = {{0, 1, 2}}});
-    const render::Rgba8 green_pixel = fresh_draft(scene).at(kWidth / 2, kHeight / 3);
+    const render::Rgba8 green_pixel = fresh_preview(scene).at(kWidth / 2, kHeight / 3);
     EXPECT_GT(green_pixel[1], green_pixel[0] + 100);
-    const render::Image empty = fresh_draft({});
+    const render::Image empty = fresh_preview({});
     EXPECT_EQ(empty.at(kWidth / 2, kHeight / 2)[3], 255);
     EXPECT_FALSE(empty == plain);
 }

@@ -28,10 +28,10 @@ DrapeNumbers read_numbers(const std::string& name) {
 }
 
 // The difference that a fault makes against the reference, in one line.
-std::string what_tells(void (*spoil)(DrapeNumbers&)) {
+std::string what_tells(void (*mutate)(DrapeNumbers&)) {
     const DrapeNumbers reference = read_numbers("drape_tshirt");
     DrapeNumbers spoilt = reference;
-    spoil(spoilt);
+    mutate(spoilt);
     const auto found = differences(reference, spoilt);
     return found.size() == 1 ? found.front().substr(0, found.front().find(':')) : "not one thing alone";
 }

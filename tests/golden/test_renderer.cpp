@@ -155,8 +155,8 @@ TEST(Flicker, light_on_the_ball_hardly_changes_when_cloth_moves_by_a_tenth_of_a_
     for (Vec3f& x : scene.cloths[0].mesh.x) x.y() += 0.0001F;
     const render::Casters after = cloth_casters_of(scene);
     const render::LitPoints ball{.x = scene.bodies[0].x, .normals = scene.bodies[0].normals};
-    const std::vector<render::Openness> a = render::AmbientOcclusion().bake(before, bodies, ball),
-                                        b = render::AmbientOcclusion().bake(after, bodies, ball);
+    const std::vector<render::AmbientVisibility> a = render::AmbientOcclusion().bake(before, bodies, ball),
+                                                 b = render::AmbientOcclusion().bake(after, bodies, ball);
     float greatest = 0;
     for (std::size_t i = 0; i < a.size(); ++i) greatest = std::max(greatest, std::abs(a[i].front - b[i].front));
     EXPECT_LT(greatest, 0.04F);
@@ -188,7 +188,7 @@ TEST(AmbientOcclusion, a_plate_under_another_is_dark_above_and_open_below) {
         casters.triangles.push_back({base, base + 2, base + 1});
         casters.triangles.push_back({base, base + 3, base + 2});
     }
-    const std::vector<render::Openness> open = render::AmbientOcclusion().bake(
+    const std::vector<render::AmbientVisibility> open = render::AmbientOcclusion().bake(
         casters, {},
         {.x = {Vec3f(0, 0, 0), Vec3f(0, 0.1F, 0)}, .normals = {Vec3f(0, 1, 0), Vec3f(0, 1, 0)}, .two_sided = 2});
     EXPECT_LT(open[0].front, 0.1F);

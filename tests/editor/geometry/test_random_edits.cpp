@@ -42,7 +42,7 @@ class Drafter {
             case 8:
                 return remove_seams(pattern, {seam(pattern)});
             case 9:
-                return even_seam(pattern, seam(pattern));
+                return equalize_seam(pattern, seam(pattern));
             case 10:
                 return set_notch(pattern);
             case 11:

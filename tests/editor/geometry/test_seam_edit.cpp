@@ -105,7 +105,7 @@ TEST(EvenSeam, moves_the_end_that_is_free) {
     pattern.panels[1] = make_rectangle({0, 0}, {1, 0.8});
     sew_edges(pattern, {{0, 1}, {1, 3}, true});
     sew_edges(pattern, {{0, 2}, {1, 2}, true});  // fixes the upper end
-    even_seam(pattern, 0);
+    equalize_seam(pattern, 0);
     EXPECT_NEAR(edge_length(pattern, {1, 3}), 1, 1e-12);
     EXPECT_NEAR(edge_length(pattern, {0, 1}), 1, 1e-12);
     EXPECT_TRUE(pattern.panels[1].vertices[3].isApprox(Vec2d(0, 0.8)));
@@ -116,7 +116,7 @@ TEST(EvenSeam, scales_a_curve_with_its_chord_and_moves_both_ends_when_both_are_f
     sim::Pattern pattern = unsewn_squares();
     set_curve(pattern, {1, 3}, {.kind = sim::CurveKind::Quadratic, .control = {Vec2d(-0.5, 0.5), Vec2d(0, 0)}});
     sew_edges(pattern, {{0, 1}, {1, 3}, true});
-    even_seam(pattern, 0);
+    equalize_seam(pattern, 0);
     EXPECT_NEAR(edge_length(pattern, {1, 3}), 1, 1e-9);
     EXPECT_NEAR(pattern.panels[1].vertices[0].y() + pattern.panels[1].vertices[3].y(), 1, 1e-9);
 }
@@ -128,7 +128,7 @@ TEST(EvenSeam, a_dart_keeps_its_apex) {
     const sim::Seam dart = pattern.seams[0];
     const sim::OutlineEdge leg = pattern.panels[0].edges[static_cast<std::size_t>(dart.second.edge)];
     const Vec2d apex = pattern.panels[0].vertices[static_cast<std::size_t>(leg.start)];
-    even_seam(pattern, 0);
+    equalize_seam(pattern, 0);
     const auto [first, second] = seam_lengths(pattern, pattern.seams[0]);
     EXPECT_NEAR(first, second, 1e-12);
     EXPECT_TRUE(pattern.panels[0].vertices[static_cast<std::size_t>(leg.start)].isApprox(apex, 1e-15));

@@ -11,7 +11,7 @@ sim::PatternDocument shipped_pattern(const std::string& file) {
 }
 
 InspectorFixture::InspectorFixture(sim::PatternDocument source, Draw draw, const WindowSize& size)
-    : workspace(std::move(source), sim::SessionDrive::Caller, make_worn_mannequin),
+    : workspace(std::move(source), sim::SessionDrive::Caller, make_mannequin_body),
       draw_(draw),
       size_(size),
       imgui_(ImGui::CreateContext()) {

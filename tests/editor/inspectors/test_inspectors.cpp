@@ -212,7 +212,7 @@ TEST(ThreadcountText, every_tartan_that_ships_is_woven_alike_from_it) {
     for (const std::string& name : sim::shipped_tartans()) {
         const sim::Sett sett = sim::find_tartan(name);
         const std::string text = threadcount_of(sett);
-        ASSERT_EQ(wrong_with_tartan(text), "") << name << ": " << text;
+        ASSERT_EQ(tartan_error(text), "") << name << ": " << text;
         const sim::Sett again = sim::find_tartan(text);
         EXPECT_EQ(thread_colours(again), thread_colours(sett)) << name << ": " << text;
         EXPECT_EQ(weft_thread_colours(again), weft_thread_colours(sett)) << name << ": " << text;
@@ -221,8 +221,8 @@ TEST(ThreadcountText, every_tartan_that_ships_is_woven_alike_from_it) {
 }
 
 TEST(ThreadcountText, tells_what_is_wrong) {
-    EXPECT_NE(wrong_with_tartan("K8 ?5"), "");
-    EXPECT_EQ(wrong_with_tartan("K8 W8"), "");
+    EXPECT_NE(tartan_error("K8 ?5"), "");
+    EXPECT_EQ(tartan_error("K8 W8"), "");
     sim::Pattern pattern;
     pattern.tartan = "K8 ?5";
     EXPECT_FALSE(valid_sett(pattern));

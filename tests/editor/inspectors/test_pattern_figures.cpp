@@ -95,17 +95,17 @@ TEST(ShiftForLength, starts_from_the_edge_as_it_was_also_while_another_length_is
     EXPECT_TRUE(shift_for_length(panel, panel.edges[0], {.before = 1, .after = 0}).isZero());
 }
 
-TEST(SeamFigures, tell_which_seams_are_wrong) {
+TEST(SeamMeasures, tell_which_seams_are_wrong) {
     sim::Pattern pattern;
     pattern.panels = {square(1), square(1.002)};
     pattern.panels[1].name = "other";
     sim::Seam seam{.first = {0, 1}, .second = {1, 3}};
-    EXPECT_TRUE(seam_figures(pattern, seam).is_wrong());
-    EXPECT_EQ(difference_text(seam_figures(pattern, seam)), "+2 mm");
+    EXPECT_TRUE(seam_measures(pattern, seam).is_wrong());
+    EXPECT_EQ(difference_text(seam_measures(pattern, seam)), "+2 mm");
     seam.is_eased = true;
-    EXPECT_FALSE(seam_figures(pattern, seam).is_wrong());
+    EXPECT_FALSE(seam_measures(pattern, seam).is_wrong());
     pattern.panels[1] = square(1.0005);
-    EXPECT_FALSE(seam_figures(pattern, seam).is_uneven) << "half a millimetre is no difference";
+    EXPECT_FALSE(seam_measures(pattern, seam).is_uneven) << "half a millimetre is no difference";
 }
 
 }  // namespace

@@ -11,15 +11,15 @@ constexpr const char* kFont = "/usr/share/fonts/opentype/inter/Inter-Regular.otf
 
 }  // namespace
 
-struct SheetStage::Drawing {
-    Drawing() : context(make_context(render::ContextMaker::OSMesa)), drawer(*context), to(context->gl()) {}
+struct SheetFixture::Drawing {
+    Drawing() : context(make_context(render::ContextKind::OSMesa)), drawer(*context), to(context->gl()) {}
 
     std::unique_ptr<render::GlContext> context;
     app::UiDraw drawer;
     render::PictureTexture to;
 };
 
-SheetStage::SheetStage(sim::PatternDocument source, const Size& size)
+SheetFixture::SheetFixture(sim::PatternDocument source, const Size& size)
     : document(std::move(source)), size_(size), context_(ImGui::CreateContext()) {
     ImGui::SetCurrentContext(context_);
     ImGuiIO& io = ImGui::GetIO();
@@ -39,18 +39,18 @@ SheetStage::SheetStage(sim::PatternDocument source, const Size& size)
     frame();
 }
 
-SheetStage::~SheetStage() {
+SheetFixture::~SheetFixture() {
     ImGui::DestroyContext(context_);
 }
 
-void SheetStage::frame() {
+void SheetFixture::frame() {
     ImGui::NewFrame();
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize({float(size_.width_px), float(size_.height_px)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
     ImGui::Begin("sheet window", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
-    SheetContext context{.desk = {document, hover, messages}, .tools = tools, .output = output};
+    SheetContext context{.host = {document, hover, messages}, .tools = tools, .output = output};
     context.ui_scale = size_.ui_scale;
     context.shows = shows;
     answer = view.show(context);
@@ -59,24 +59,24 @@ void SheetStage::frame() {
     ImGui::Render();
 }
 
-void SheetStage::move(const Vec2d& sheet) {
+void SheetFixture::move(const Vec2d& sheet) {
     const Vec2d at = to_px(view.camera(), sheet);
     ImGui::GetIO().MousePos = {float(at.x()), float(at.y())};
     frame();
 }
 
-void SheetStage::press(const Vec2d& sheet) {
+void SheetFixture::press(const Vec2d& sheet) {
     move(sheet);
     ImGui::GetIO().MouseDown[0] = true;
     frame();
 }
 
-void SheetStage::release() {
+void SheetFixture::release() {
     ImGui::GetIO().MouseDown[0] = false;
     frame();
 }
 
-void SheetStage::click(const Vec2d& sheet, const Modifiers& modifiers) {
+void SheetFixture::click(const Vec2d& sheet, const Modifiers& modifiers) {
     ImGuiIO& io = ImGui::GetIO();
     io.KeyCtrl = modifiers.ctrl;
     io.KeyShift = modifiers.shift;
@@ -87,7 +87,7 @@ void SheetStage::click(const Vec2d& sheet, const Modifiers& modifiers) {
     for (int i = 0; i < 30; ++i) frame();  // so that two clicks are not a double click
 }
 
-void SheetStage::drag(const Vec2d& from, const Vec2d& to) {
+void SheetFixture::drag(const Vec2d& from, const Vec2d& to) {
     press(from);
     move(from + 0.3 * (to - from));
     move(to);
@@ -95,13 +95,13 @@ void SheetStage::drag(const Vec2d& from, const Vec2d& to) {
     for (int i = 0; i < 30; ++i) frame();
 }
 
-void SheetStage::wheel(const Vec2d& sheet, float notches) {
+void SheetFixture::wheel(const Vec2d& sheet, float notches) {
     move(sheet);
     ImGui::GetIO().MouseWheel = notches;
     frame();
 }
 
-void SheetStage::key(Key key, const Modifiers& modifiers) {
+void SheetFixture::key(Key key, const Modifiers& modifiers) {
     ImGuiIO& io = ImGui::GetIO();
     io.KeyCtrl = modifiers.ctrl;
     io.KeyShift = modifiers.shift;
@@ -113,26 +113,26 @@ void SheetStage::key(Key key, const Modifiers& modifiers) {
     frame();
 }
 
-void SheetStage::type(const std::string& text) {
+void SheetFixture::type(const std::string& text) {
     ImGui::GetIO().AddInputCharactersUTF8(text.c_str());
     frame();
 }
 
-Vec2d SheetStage::vertex(const std::string& panel, int index) {
+Vec2d SheetFixture::vertex(const std::string& panel, int index) {
     return tools.geometry().vertex({panel, index}).value();
 }
 
-Vec2d SheetStage::on_edge(const std::string& panel, int index, double t) {
+Vec2d SheetFixture::on_edge(const std::string& panel, int index, double t) {
     return sheet_point(*tools.geometry().find(panel), index, t);
 }
 
-std::size_t SheetStage::drawn_vertices() const {
+std::size_t SheetFixture::drawn_vertices() const {
     return static_cast<std::size_t>(ImGui::GetDrawData()->TotalVtxCount);
 }
 
-render::Image SheetStage::picture() {
+render::Image SheetFixture::picture() {
     if (!drawing_) drawing_ = std::make_unique<Drawing>();
-    for (const PictureToHold& held : output.pictures) drawing_->drawer.hold(held);
+    for (const TextureUpload& held : output.pictures) drawing_->drawer.hold(held);
     output.pictures.clear();
     drawing_->to.resize(size_.width_px, size_.height_px);
     drawing_->drawer.draw(app::target_of(drawing_->to));

@@ -12,7 +12,7 @@
 
 namespace selvedge::editor {
 
-class SheetStage {
+class SheetFixture {
  public:
     struct Size {
         int width_px = 1000;
@@ -20,20 +20,20 @@ class SheetStage {
         double ui_scale = 1;
     };
 
-    explicit SheetStage(sim::PatternDocument source) : SheetStage(std::move(source), Size{}) {}
-    SheetStage(sim::PatternDocument source, const Size& size);
-    ~SheetStage();
-    SheetStage(const SheetStage&) = delete;
-    SheetStage& operator=(const SheetStage&) = delete;
+    explicit SheetFixture(sim::PatternDocument source) : SheetFixture(std::move(source), Size{}) {}
+    SheetFixture(sim::PatternDocument source, const Size& size);
+    ~SheetFixture();
+    SheetFixture(const SheetFixture&) = delete;
+    SheetFixture& operator=(const SheetFixture&) = delete;
 
     Document document;
     Hover hover;
     Messages messages;
     ToolHost tools;
     SheetView view;
-    SheetAnswer answer;  // of the last frame
+    SheetResult answer;  // of the last frame
     FrameOutput output;  // of all frames
-    SheetShows shows{};
+    SheetVisibility shows{};
 
     void frame();
     void move(const Vec2d& sheet);

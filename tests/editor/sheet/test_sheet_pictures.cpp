@@ -16,7 +16,7 @@ constexpr SheetColours kColours{};
 // A picture of the stage as it stands, and where its sheet lies on it.
 class SheetPicture {
  public:
-    SheetPicture(SheetStage& stage, const std::string& name) : camera_(stage.view.camera()), image_(stage.picture()) {
+    SheetPicture(SheetFixture& stage, const std::string& name) : camera_(stage.view.camera()), image_(stage.picture()) {
         if (const char* folder = std::getenv("SELVEDGE_SHEET_PICTURES")) {
             write_png(std::filesystem::path(folder) / (name + ".png"), image_);
         }
@@ -50,7 +50,7 @@ class SheetPicture {
 };
 
 TEST(SheetPictures, the_tshirt_framed) {
-    SheetStage stage(shipped_pattern("tshirt"), {1280, 800, 1});
+    SheetFixture stage(shipped_pattern("tshirt"), {1280, 800, 1});
     stage.move({0.1, 0.1});
     const SheetPicture picture(stage, "tshirt");
     for (const sim::Panel& panel : stage.document.pattern().panels)
@@ -62,7 +62,7 @@ TEST(SheetPictures, the_tshirt_framed) {
 }
 
 TEST(SheetPictures, an_armhole_with_selection_and_handles) {
-    SheetStage stage(shipped_pattern("tshirt"));
+    SheetFixture stage(shipped_pattern("tshirt"));
     SheetCamera camera = stage.view.camera();
     camera.centre = stage.on_edge("front", 2, 0.5);
     camera.scale = 2600;
@@ -80,7 +80,7 @@ TEST(SheetPictures, an_armhole_with_selection_and_handles) {
 TEST(SheetPictures, sewing_in_progress) {
     sim::PatternDocument source = shipped_pattern("tshirt");
     source.pattern.seams.erase(source.pattern.seams.begin(), source.pattern.seams.begin() + 2);
-    SheetStage stage(source, {1280, 800, 1});
+    SheetFixture stage(source, {1280, 800, 1});
     stage.key(key_of('N'));
     stage.click(stage.on_edge("front", 3, 0.2));
     const Vec2d first = stage.on_edge("front", 3, 0.35), second = stage.on_edge("back", 5, 0.65);
@@ -92,7 +92,7 @@ TEST(SheetPictures, sewing_in_progress) {
 }
 
 TEST(SheetPictures, an_uneven_seam) {
-    SheetStage stage(shipped_pattern("tshirt"), {1280, 800, 1});
+    SheetFixture stage(shipped_pattern("tshirt"), {1280, 800, 1});
     stage.key(key_of('N'));
     stage.click(stage.on_edge("front", 1, 0.2));
     EXPECT_EQ(SheetPicture(stage, "even").pixels_of(kColours.error), 0);
@@ -102,7 +102,7 @@ TEST(SheetPictures, an_uneven_seam) {
 }
 
 TEST(SheetPictures, a_polygon_with_a_typed_number) {
-    SheetStage stage(sim::PatternDocument{});
+    SheetFixture stage(sim::PatternDocument{});
     stage.key(key_of('H'));
     stage.click({0.20, 0.15});
     stage.click({0.75, 0.15});

@@ -10,13 +10,13 @@ namespace selvedge::editor {
 namespace {
 
 TEST(SheetView, frames_all_panels_when_it_opens) {
-    SheetStage stage(shipped_pattern("tshirt"));
+    SheetFixture stage(shipped_pattern("tshirt"));
     const SheetBox seen = visible_box(stage.view.camera());
     EXPECT_TRUE(seen.contains(stage.tools.geometry().box()));
 }
 
 TEST(SheetView, f_frames_what_is_selected) {
-    SheetStage stage(shipped_pattern("tshirt"));
+    SheetFixture stage(shipped_pattern("tshirt"));
     const double before = stage.view.camera().scale;
     stage.click(stage.vertex("front", 0) + 0.5 * (stage.vertex("front", 2) - stage.vertex("front", 0)));
     ASSERT_EQ(stage.document.selection().panels.size(), 1U);
@@ -26,7 +26,7 @@ TEST(SheetView, f_frames_what_is_selected) {
 }
 
 TEST(SheetView, the_wheel_zooms_to_the_cursor) {
-    SheetStage stage(shipped_pattern("tshirt"));
+    SheetFixture stage(shipped_pattern("tshirt"));
     const Vec2d at = stage.vertex("front", 0);
     const Vec2d px = to_px(stage.view.camera(), at);
     const double before = stage.view.camera().scale;
@@ -36,7 +36,7 @@ TEST(SheetView, the_wheel_zooms_to_the_cursor) {
 }
 
 TEST(SheetView, the_middle_button_pans_and_the_right_one_asks_for_a_menu_where_it_only_clicks) {
-    SheetStage stage(shipped_pattern("tshirt"));
+    SheetFixture stage(shipped_pattern("tshirt"));
     const Vec2d centre = stage.view.camera().centre;
     ImGuiIO& io = ImGui::GetIO();
     io.MousePos = {500, 400};
@@ -57,7 +57,7 @@ TEST(SheetView, the_middle_button_pans_and_the_right_one_asks_for_a_menu_where_i
 }
 
 TEST(SheetView, a_dragged_vertex_is_one_entry_of_the_history) {
-    SheetStage stage(shipped_pattern("tshirt"));
+    SheetFixture stage(shipped_pattern("tshirt"));
     const Vec2d at = stage.vertex("front", 0);
     stage.drag(at, at + Vec2d(-0.03, -0.02));
     EXPECT_EQ(stage.document.position(), 1U);
@@ -65,7 +65,7 @@ TEST(SheetView, a_dragged_vertex_is_one_entry_of_the_history) {
 }
 
 TEST(SheetView, keys_that_it_uses_are_named_and_others_are_left) {
-    SheetStage stage(shipped_pattern("tshirt"));
+    SheetFixture stage(shipped_pattern("tshirt"));
     stage.move({0, 0});
     ImGui::GetIO().KeysDown[static_cast<int>(key_of('H'))] = true;
     stage.frame();
@@ -80,7 +80,7 @@ TEST(SheetView, keys_that_it_uses_are_named_and_others_are_left) {
 }
 
 TEST(SheetView, a_tartan_is_held_once_for_each_size) {
-    SheetStage stage(shipped_pattern("tshirt"));
+    SheetFixture stage(shipped_pattern("tshirt"));
     ASSERT_EQ(stage.output.pictures.size(), 1U);
     for (int i = 0; i < 5; ++i) stage.frame();
     EXPECT_EQ(stage.output.pictures.size(), 1U);
@@ -92,7 +92,7 @@ TEST(SheetView, a_tartan_is_held_once_for_each_size) {
 }
 
 TEST(SheetView, panels_out_of_view_cost_nothing) {
-    SheetStage stage(shipped_pattern("tshirt"));
+    SheetFixture stage(shipped_pattern("tshirt"));
     const std::size_t framed = stage.drawn_vertices();
     stage.view.set_camera({.centre = Vec2d(50, 50), .scale = stage.view.camera().scale});
     stage.frame();
@@ -100,9 +100,9 @@ TEST(SheetView, panels_out_of_view_cost_nothing) {
 }
 
 TEST(SheetView, any_zoom_and_an_empty_document_can_be_drawn) {
-    SheetStage empty(sim::PatternDocument{});
+    SheetFixture empty(sim::PatternDocument{});
     EXPECT_GT(empty.view.camera().scale, 0);
-    SheetStage stage(shipped_pattern("skirt"));
+    SheetFixture stage(shipped_pattern("skirt"));
     for (const double scale : {kMinSheetScale, 300.0, 8000.0, kMaxSheetScale}) {
         stage.view.set_camera({.centre = stage.tools.geometry().box().min(), .scale = scale});
         stage.frame();

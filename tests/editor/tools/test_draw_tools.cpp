@@ -13,7 +13,7 @@ class DrawTools : public ::testing::Test {
 
     const sim::Panel& made() { return hands_.pattern().panels.at(0); }
 
-    SheetHands hands_;
+    SheetUser hands_;
 };
 
 TEST_F(DrawTools, a_polygon_closes_at_its_first_point) {
@@ -104,7 +104,7 @@ TEST_F(DrawTools, an_ellipse_fills_its_box) {
 }
 
 TEST(InternalLineTool, puts_its_line_into_the_panel_under_it) {
-    SheetHands hands;
+    SheetUser hands;
     hands.choose(ToolKind::InternalLine);
     hands.click({0.35, 0.05});
     hands.click({0.45, 0.05});
@@ -114,7 +114,7 @@ TEST(InternalLineTool, puts_its_line_into_the_panel_under_it) {
 }
 
 TEST(InternalLineTool, says_that_a_line_beside_all_panels_belongs_to_none) {
-    SheetHands hands;
+    SheetUser hands;
     hands.choose(ToolKind::InternalLine);
     hands.click({0.22, 0.05});
     hands.double_click({0.28, 0.05});
@@ -123,7 +123,7 @@ TEST(InternalLineTool, says_that_a_line_beside_all_panels_belongs_to_none) {
 }
 
 TEST(CutTool, ends_at_the_second_edge_and_sews_the_cut) {
-    SheetHands hands;
+    SheetUser hands;
     hands.choose(ToolKind::Cut);
     hands.click({0.05, 0.001});
     hands.click({0.05, 0.199});
@@ -132,7 +132,7 @@ TEST(CutTool, ends_at_the_second_edge_and_sews_the_cut) {
 }
 
 TEST(CutTool, with_alt_leaves_the_cut_open) {
-    SheetHands hands;
+    SheetUser hands;
     hands.choose(ToolKind::Cut);
     hands.click({0.05, 0.001});
     hands.click({0.05, 0.199}, {.alt = true});
@@ -141,7 +141,7 @@ TEST(CutTool, with_alt_leaves_the_cut_open) {
 }
 
 TEST(MirrorTool, mirrors_what_is_selected_over_two_clicks) {
-    SheetHands hands;
+    SheetUser hands;
     hands.drag({0.2, 0.2}, {0.2, 0.25}, {.ctrl = true});
     hands.click({0.1, 0.06});
     hands.choose(ToolKind::Mirror);

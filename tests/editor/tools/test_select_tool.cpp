@@ -10,7 +10,7 @@ namespace selvedge::editor {
 namespace {
 
 TEST(SelectTool, a_click_selects_and_shift_adds_or_takes_away) {
-    SheetHands hands;
+    SheetUser hands;
     hands.click({0.1, 0.06});
     EXPECT_EQ(hands.document.selection().panels, (std::set<std::string>{"left"}));
     hands.click({0.4, 0.06}, {.shift = true});
@@ -22,7 +22,7 @@ TEST(SelectTool, a_click_selects_and_shift_adds_or_takes_away) {
 }
 
 TEST(SelectTool, dragging_a_panel_moves_it_as_one_entry_of_the_history) {
-    SheetHands hands;
+    SheetUser hands;
     hands.press({0.1, 0.06});
     hands.move({0.07, 0.06});
     hands.move({0.06, -0.031});
@@ -38,14 +38,14 @@ TEST(SelectTool, dragging_a_panel_moves_it_as_one_entry_of_the_history) {
 }
 
 TEST(SelectTool, a_dragged_vertex_snaps_to_another_panels_vertex) {
-    SheetHands hands;
+    SheetUser hands;
     hands.drag({0.2, 0.2}, {0.304, 0.196});
     EXPECT_TRUE(hands.vertex("left", 2).isApprox(Vec2d(0.3, 0.2), 1e-9));
     EXPECT_EQ(hands.pattern().panels.size(), 2U);
 }
 
 TEST(SelectTool, an_edge_moves_with_both_its_ends) {
-    SheetHands hands;
+    SheetUser hands;
     hands.drag({0.05, 0.2}, {0.05, 0.25}, {.ctrl = true});
     EXPECT_NEAR(hands.vertex("left", 2).y(), 0.25, 1e-9);
     EXPECT_NEAR(hands.vertex("left", 3).y(), 0.25, 1e-9);
@@ -53,7 +53,7 @@ TEST(SelectTool, an_edge_moves_with_both_its_ends) {
 }
 
 TEST(SelectTool, escape_in_a_drag_puts_all_back) {
-    SheetHands hands;
+    SheetUser hands;
     hands.press({0.1, 0.06});
     hands.move({0.1, 0.15});
     hands.key(Key::Escape);
@@ -64,7 +64,7 @@ TEST(SelectTool, escape_in_a_drag_puts_all_back) {
 }
 
 TEST(SelectTool, an_alt_drag_leaves_a_copy) {
-    SheetHands hands;
+    SheetUser hands;
     hands.drag({0.1, 0.06}, {0.1, 0.36}, {.alt = true});
     ASSERT_EQ(hands.pattern().panels.size(), 3U);
     EXPECT_LT(hands.vertex("left", 0).norm(), 1e-9) << "the panel itself stays";
@@ -72,7 +72,7 @@ TEST(SelectTool, an_alt_drag_leaves_a_copy) {
 }
 
 TEST(SelectTool, a_box_to_the_right_takes_what_is_inside) {
-    SheetHands hands;
+    SheetUser hands;
     hands.drag({-0.05, 0.25}, {0.45, -0.05});
     EXPECT_EQ(hands.document.selection().panels, (std::set<std::string>{"left"}));
     hands.drag({0.45, -0.05}, {0.15, 0.25});
@@ -80,7 +80,7 @@ TEST(SelectTool, a_box_to_the_right_takes_what_is_inside) {
 }
 
 TEST(SelectTool, arrows_nudge_by_a_millimetre_and_with_shift_by_a_centimetre) {
-    SheetHands hands;
+    SheetUser hands;
     EXPECT_FALSE(hands.key(Key::Right)) << "nothing is selected";
     hands.click({0.1, 0.06});
     EXPECT_TRUE(hands.key(Key::Right));
@@ -89,14 +89,14 @@ TEST(SelectTool, arrows_nudge_by_a_millimetre_and_with_shift_by_a_centimetre) {
 }
 
 TEST(SelectTool, a_typed_way_moves_the_selection) {
-    SheetHands hands;
+    SheetUser hands;
     hands.click({0.1, 0.06});
     hands.type("10/4 x -1");
     EXPECT_TRUE(hands.vertex("left", 0).isApprox(Vec2d(0.025, -0.01), 1e-9));
 }
 
 TEST(ToolHost, what_cannot_be_is_said_and_the_panel_stays_sound) {
-    SheetHands hands;
+    SheetUser hands;
     hands.press({0.2, 0.2});
     hands.move({0.1, 0.1}, {.ctrl = true});
     hands.move({-0.2, -0.2}, {.ctrl = true});
@@ -106,7 +106,7 @@ TEST(ToolHost, what_cannot_be_is_said_and_the_panel_stays_sound) {
 }
 
 TEST(ToolHost, delete_takes_out_what_is_selected) {
-    SheetHands hands;
+    SheetUser hands;
     hands.click({0.1, 0.06});
     EXPECT_TRUE(hands.key(Key::Delete));
     ASSERT_EQ(hands.pattern().panels.size(), 1U);
@@ -115,7 +115,7 @@ TEST(ToolHost, delete_takes_out_what_is_selected) {
 }
 
 TEST(ToolHost, keys_choose_tools_but_not_while_a_number_is_typed) {
-    SheetHands hands;
+    SheetUser hands;
     EXPECT_TRUE(hands.key(key_of('S')));
     EXPECT_EQ(hands.tools.kind(), ToolKind::Rectangle);
     hands.type("30", Key::None);
@@ -125,7 +125,7 @@ TEST(ToolHost, keys_choose_tools_but_not_while_a_number_is_typed) {
 }
 
 TEST(ToolHost, escape_ends_what_is_typed_then_what_is_selected_then_the_tool) {
-    SheetHands hands;
+    SheetUser hands;
     hands.click({0.1, 0.06});
     hands.choose(ToolKind::AddPoint);
     hands.type("5", Key::None);
@@ -139,13 +139,13 @@ TEST(ToolHost, escape_ends_what_is_typed_then_what_is_selected_then_the_tool) {
 }
 
 TEST(ToolHost, every_tool_has_a_name_a_hint_and_a_key_of_its_own) {
-    SheetHands hands;
+    SheetUser hands;
     std::set<Key> keys;
     std::set<std::string_view> ids;
     for (const ToolInfo& info : all_tools()) {
         hands.choose(info.kind);
         EXPECT_EQ(hands.tools.kind(), info.kind);
-        EXPECT_FALSE(hands.tools.hint(hands.desk()).empty()) << info.id;
+        EXPECT_FALSE(hands.tools.hint(hands.host()).empty()) << info.id;
         EXPECT_TRUE(keys.insert(info.key).second) << info.id;
         EXPECT_TRUE(ids.insert(info.id).second) << info.id;
         EXPECT_NE(info.key, key_of('F')) << "frames the view";
@@ -154,7 +154,7 @@ TEST(ToolHost, every_tool_has_a_name_a_hint_and_a_key_of_its_own) {
 
 TEST(ToolHost, no_tool_minds_any_click_or_key_on_an_empty_sheet) {
     for (const ToolInfo& info : all_tools()) {
-        SheetHands hands(sim::PatternDocument{});
+        SheetUser hands(sim::PatternDocument{});
         hands.choose(info.kind);
         hands.key(Key::Enter);
         hands.drag({0.1, 0.1}, {0.1, 0.1004});
@@ -177,7 +177,7 @@ TEST(ToolHost, no_tool_minds_any_click_or_key_on_an_empty_sheet) {
 namespace {
 
 TEST(EditPointTool, a_double_click_on_an_edge_adds_a_point_and_delete_takes_it_out) {
-    SheetHands hands;
+    SheetUser hands;
     hands.choose(ToolKind::EditPoint);
     hands.double_click({0.05, 0});
     ASSERT_EQ(hands.panel("left").vertices.size(), 5U);
@@ -191,7 +191,7 @@ TEST(EditPointTool, drags_the_handles_of_a_panel_that_is_selected) {
     sim::PatternDocument source = two_squares();
     source.pattern.panels[0].edges[0].kind = sim::CurveKind::Quadratic;
     source.pattern.panels[0].edges[0].control[0] = Vec2d(0.1, -0.05);
-    SheetHands hands(source);
+    SheetUser hands(source);
     hands.choose(ToolKind::EditPoint);
     hands.drag({0.1, -0.05}, {0.1, -0.08}, {.ctrl = true});
     EXPECT_TRUE(hands.panel("left").edges[0].control[0].isApprox(Vec2d(0.1, -0.05))) << "handles are not shown yet";
@@ -201,7 +201,7 @@ TEST(EditPointTool, drags_the_handles_of_a_panel_that_is_selected) {
 }
 
 TEST(EditPointTool, a_box_selects_points) {
-    SheetHands hands;
+    SheetUser hands;
     hands.choose(ToolKind::EditPoint);
     hands.drag({-0.05, -0.05}, {0.35, 0.05});
     EXPECT_EQ(hands.document.selection().vertices.size(), 3U);
@@ -211,7 +211,7 @@ TEST(EditPointTool, a_box_selects_points) {
 TEST(EditPointTool, drags_a_point_of_an_internal_line) {
     sim::PatternDocument source = two_squares();
     source.pattern.panels[0].internal_lines.push_back({"", {Vec2d(0.05, 0.05), Vec2d(0.15, 0.05)}});
-    SheetHands hands(source);
+    SheetUser hands(source);
     hands.choose(ToolKind::EditPoint);
     hands.drag({0.149, 0.05}, {0.15, 0.15}, {.ctrl = true});
     EXPECT_TRUE(hands.panel("left").internal_lines[0].points[1].isApprox(Vec2d(0.15, 0.15), 1e-9));
@@ -219,7 +219,7 @@ TEST(EditPointTool, drags_a_point_of_an_internal_line) {
 }
 
 TEST(AddPointTool, splits_an_edge_at_a_typed_distance_from_its_nearer_end) {
-    SheetHands hands;
+    SheetUser hands;
     hands.choose(ToolKind::AddPoint);
     hands.move({0.17, 0.001});
     hands.type("5.5");
@@ -231,7 +231,7 @@ TEST(AddPointTool, splits_an_edge_at_a_typed_distance_from_its_nearer_end) {
 }
 
 TEST(CurveTool, bends_an_edge_through_the_cursor) {
-    SheetHands hands;
+    SheetUser hands;
     hands.choose(ToolKind::CurvePoint);
     hands.drag({0.1, 0}, {0.1, -0.04});
     const sim::Panel& panel = hands.panel("left");
@@ -242,7 +242,7 @@ TEST(CurveTool, bends_an_edge_through_the_cursor) {
 }
 
 TEST(CurveTool, with_alt_draws_a_circles_arc_and_with_shift_two_handles) {
-    SheetHands hands;
+    SheetUser hands;
     hands.choose(ToolKind::CurvePoint);
     hands.drag({0.1, 0}, {0.1, -0.04}, {.alt = true});
     EXPECT_EQ(hands.panel("left").edges[0].kind, sim::CurveKind::Arc);
@@ -270,7 +270,7 @@ TEST(CurveShape, a_cubic_is_bent_through_the_point_it_was_held_at) {
 }
 
 TEST(NotchTool, a_click_notches_and_a_drag_moves_the_notch) {
-    SheetHands hands;
+    SheetUser hands;
     hands.choose(ToolKind::Notch);
     hands.click({0.05, 0.001});
     ASSERT_EQ(hands.panel("left").notches.size(), 1U);
@@ -284,7 +284,7 @@ TEST(NotchTool, a_click_notches_and_a_drag_moves_the_notch) {
 }
 
 TEST(DartTool, is_dragged_to_its_depth_or_typed) {
-    SheetHands hands;
+    SheetUser hands;
     hands.choose(ToolKind::Dart);
     hands.drag({0.1, 0}, {0.1, 0.081});
     EXPECT_EQ(hands.panel("left").vertices.size(), 7U);
@@ -296,7 +296,7 @@ TEST(DartTool, is_dragged_to_its_depth_or_typed) {
 }
 
 TEST(RotateTool, turns_by_dragging_and_by_typing) {
-    SheetHands hands;
+    SheetUser hands;
     hands.click({0.1, 0.06});
     hands.choose(ToolKind::Rotate);
     hands.drag({0.2, 0.1}, {0.1, 0.205}, {.shift = true});
@@ -306,7 +306,7 @@ TEST(RotateTool, turns_by_dragging_and_by_typing) {
 }
 
 TEST(ScaleTool, a_handle_scales_about_the_opposite_one) {
-    SheetHands hands;
+    SheetUser hands;
     hands.click({0.1, 0.06});
     hands.choose(ToolKind::Scale);
     hands.drag({0.2, 0.1}, {0.25, 0.17}, {.ctrl = true});
@@ -318,7 +318,7 @@ TEST(ScaleTool, a_handle_scales_about_the_opposite_one) {
 }
 
 TEST(MergeTool, joins_the_panels_of_a_seam_and_says_where_there_is_none) {
-    SheetHands hands;
+    SheetUser hands;
     hands.choose(ToolKind::Merge);
     hands.click({0.05, 0});
     EXPECT_FALSE(hands.message().empty());
@@ -328,14 +328,14 @@ TEST(MergeTool, joins_the_panels_of_a_seam_and_says_where_there_is_none) {
 }
 
 TEST(UnfoldTool, opens_a_panel_over_an_edge) {
-    SheetHands hands;
+    SheetUser hands;
     hands.choose(ToolKind::Unfold);
     hands.click({0, 0.05});
     EXPECT_NEAR(outline_area(hands.panel("left")), 0.08, 1e-6);
 }
 
 TEST(MeasureTool, tells_distance_and_length_along_an_edge) {
-    SheetHands hands;
+    SheetUser hands;
     hands.choose(ToolKind::CurvePoint);
     hands.drag({0.1, 0}, {0.1, -0.06});
     hands.choose(ToolKind::Measure);

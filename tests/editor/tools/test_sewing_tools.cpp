@@ -15,7 +15,7 @@ bool has_warning(const ToolOverlay& overlay) {
 }
 
 TEST(SewingTool, the_ends_that_are_clicked_meet) {
-    SheetHands hands;
+    SheetUser hands;
     hands.choose(ToolKind::SegmentSewing);
     hands.click({0.2, 0.03});  // edge 1 of `left` points up: near its start
     hands.click({0.3, 0.04});  // edge 3 of `right` points down: near its end
@@ -26,7 +26,7 @@ TEST(SewingTool, the_ends_that_are_clicked_meet) {
 }
 
 TEST(SewingTool, warns_of_crossed_threads_and_r_turns_the_second_edge) {
-    SheetHands hands;
+    SheetUser hands;
     hands.choose(ToolKind::SegmentSewing);
     hands.click({0.2, 0.03});
     hands.move({0.3, 0.04});
@@ -41,7 +41,7 @@ TEST(SewingTool, warns_of_crossed_threads_and_r_turns_the_second_edge) {
 }
 
 TEST(SewingTool, tells_both_lengths_and_their_difference) {
-    SheetHands hands;
+    SheetUser hands;
     hands.document.run(MoveVertices{{{"right", 3}}, Vec2d(0, 0.0032)});
     hands.choose(ToolKind::SegmentSewing);
     hands.click({0.2, 0.03});
@@ -53,7 +53,7 @@ TEST(SewingTool, tells_both_lengths_and_their_difference) {
 }
 
 TEST(SewingTool, a_sewn_edge_is_selected_and_r_or_a_click_on_its_mark_reverses_it) {
-    SheetHands hands;
+    SheetUser hands;
     hands.document.run(SewEdges{{"left", 1}, {"right", 3}, true});
     hands.choose(ToolKind::SegmentSewing);
     hands.click({0.3, 0.05});
@@ -67,7 +67,7 @@ TEST(SewingTool, a_sewn_edge_is_selected_and_r_or_a_click_on_its_mark_reverses_i
 }
 
 TEST(SewingTool, an_edge_is_not_sewn_to_itself) {
-    SheetHands hands;
+    SheetUser hands;
     hands.choose(ToolKind::SegmentSewing);
     hands.click({0.2, 0.03});
     hands.click({0.2, 0.16});
@@ -76,7 +76,7 @@ TEST(SewingTool, an_edge_is_not_sewn_to_itself) {
 }
 
 TEST(FreeSewingTool, sews_parts_of_edges_that_are_dragged_over) {
-    SheetHands hands;
+    SheetUser hands;
     hands.choose(ToolKind::FreeSewing);
     hands.drag({0.2, 0.0}, {0.2, 0.1});
     hands.drag({0.3, 0.0}, {0.3, 0.098});
@@ -96,7 +96,7 @@ TEST(FreeSewingTool, one_run_is_sewn_to_several_with_shift) {
     sim::PatternDocument source = two_squares();
     source.pattern.panels[1] = square_panel("right", {0.3, 0}, {0.5, 0.1});
     source.pattern.panels.push_back(square_panel("upper", {0.3, 0.12}, {0.5, 0.22}));
-    SheetHands hands(source);
+    SheetUser hands(source);
     hands.choose(ToolKind::FreeSewing);
     hands.click({0.2, 0.03});
     hands.click({0.3, 0.02}, {.shift = true});

@@ -19,62 +19,62 @@ sim::PatternDocument two_squares() {
     return source;
 }
 
-SheetHands::SheetHands(sim::PatternDocument source) : document(std::move(source)) {
+SheetUser::SheetUser(sim::PatternDocument source) : document(std::move(source)) {
     tools.begin_frame(document, camera_, 1);
 }
 
-const sim::Panel& SheetHands::panel(const std::string& name) const {
+const sim::Panel& SheetUser::panel(const std::string& name) const {
     return pattern().panels.at(static_cast<std::size_t>(find_panel(pattern(), name)));
 }
 
-Vec2d SheetHands::vertex(const std::string& panel, int index) {
+Vec2d SheetUser::vertex(const std::string& panel, int index) {
     tools.begin_frame(document, camera_, 1);
     return tools.geometry().vertex({panel, index}).value();
 }
 
-void SheetHands::move(const Vec2d& sheet, const Modifiers& modifiers) {
+void SheetUser::move(const Vec2d& sheet, const Modifiers& modifiers) {
     tools.begin_frame(document, camera_, 1);
-    tools.move(desk(), to_px(camera_, sheet), modifiers);
+    tools.move(host(), to_px(camera_, sheet), modifiers);
 }
 
-void SheetHands::press(const Vec2d& sheet, const Modifiers& modifiers) {
+void SheetUser::press(const Vec2d& sheet, const Modifiers& modifiers) {
     move(sheet, modifiers);
-    tools.press(desk(), to_px(camera_, sheet), modifiers);
+    tools.press(host(), to_px(camera_, sheet), modifiers);
 }
 
-void SheetHands::release(const Vec2d& sheet, const Modifiers& modifiers) {
-    tools.release(desk(), to_px(camera_, sheet), modifiers);
+void SheetUser::release(const Vec2d& sheet, const Modifiers& modifiers) {
+    tools.release(host(), to_px(camera_, sheet), modifiers);
 }
 
-void SheetHands::click(const Vec2d& sheet, const Modifiers& modifiers) {
+void SheetUser::click(const Vec2d& sheet, const Modifiers& modifiers) {
     press(sheet, modifiers);
     release(sheet, modifiers);
 }
 
-void SheetHands::double_click(const Vec2d& sheet) {
+void SheetUser::double_click(const Vec2d& sheet) {
     click(sheet);
     click(sheet);
-    tools.double_click(desk(), to_px(camera_, sheet), {});
+    tools.double_click(host(), to_px(camera_, sheet), {});
 }
 
-void SheetHands::drag(const Vec2d& from, const Vec2d& to, const Modifiers& modifiers) {
+void SheetUser::drag(const Vec2d& from, const Vec2d& to, const Modifiers& modifiers) {
     press(from, modifiers);
     move(from + 0.4 * (to - from), modifiers);
     move(to, modifiers);
     release(to, modifiers);
 }
 
-bool SheetHands::key(Key key, const Modifiers& modifiers) {
-    return tools.key(desk(), key, modifiers);
+bool SheetUser::key(Key key, const Modifiers& modifiers) {
+    return tools.key(host(), key, modifiers);
 }
 
-void SheetHands::type(const std::string& text, Key then) {
-    for (const char c : text) tools.text(desk(), std::string(1, c));
+void SheetUser::type(const std::string& text, Key then) {
+    for (const char c : text) tools.text(host(), std::string(1, c));
     if (then != Key::None) key(then);
 }
 
-ToolOverlay SheetHands::overlay() {
-    return tools.overlay(desk());
+ToolOverlay SheetUser::overlay() {
+    return tools.overlay(host());
 }
 
 }  // namespace selvedge::editor

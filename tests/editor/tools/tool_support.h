@@ -14,21 +14,21 @@ sim::Panel square_panel(const std::string& name, const Vec2d& low, const Vec2d& 
 // Two squares of 20 cm: "left" from (0, 0), "right" from (0.3, 0); edges 0 bottom, 1 right, 2 top, 3 left.
 sim::PatternDocument two_squares();
 
-class SheetHands {
+class SheetUser {
  public:
-    explicit SheetHands(sim::PatternDocument source = two_squares());
+    explicit SheetUser(sim::PatternDocument source = two_squares());
 
     Document document;
     Hover hover;
     Messages messages;
     ToolHost tools;
 
-    ToolHostContext desk() { return {document, hover, messages}; }
+    ToolHostContext host() { return {document, hover, messages}; }
     const sim::Pattern& pattern() const { return document.pattern(); }
     const sim::Panel& panel(const std::string& name) const;
     Vec2d vertex(const std::string& panel, int index);  // on the sheet
 
-    void choose(ToolKind kind) { tools.choose(desk(), kind); }
+    void choose(ToolKind kind) { tools.choose(host(), kind); }
     void move(const Vec2d& sheet, const Modifiers& modifiers = {});
     void press(const Vec2d& sheet, const Modifiers& modifiers = {});
     void release(const Vec2d& sheet, const Modifiers& modifiers = {});

@@ -148,13 +148,13 @@ TEST(ViewportController, a_point_behind_the_cloth_cannot_be_clicked) {
 
 TEST(ViewportController, the_right_button_orbits_and_the_middle_one_pans) {
     ViewportFixture desk;
-    const Standpoint before = desk.hand().orbit().standpoint();
+    const CameraPose before = desk.hand().orbit().standpoint();
     desk.move_to({100, 100});
     desk.press(MouseButton::Right);
     desk.move_to({180, 100});
     desk.release(MouseButton::Right);
     desk.move_to({300, 100});
-    const Standpoint orbited = desk.hand().orbit().standpoint();
+    const CameraPose orbited = desk.hand().orbit().standpoint();
     EXPECT_LT(orbited.azimuth, before.azimuth - 0.3F);
     EXPECT_GT(orbited.azimuth, before.azimuth - 1) << "no further after the button was let go";
     EXPECT_EQ(orbited.target, before.target);

@@ -22,7 +22,7 @@ constexpr UiTexture kTexture = 1;
 class BareFitting : public app::EditSurface {
  public:
     BareFitting(sim::PatternDocument document, float scale)
-        : workspace(std::move(document), sim::SessionDrive::Caller, make_worn_mannequin),
+        : workspace(std::move(document), sim::SessionDrive::Caller, make_mannequin_body),
           context_(ImGui::CreateContext()) {
         ImGuiIO& io = ImGui::GetIO();
         io.IniFilename = nullptr;
@@ -101,7 +101,7 @@ class Photographer {
                                .button = which,
                                .is_down = is_down}});
     }
-    Vec2f seen(const Vec3f& x) { return surface_.view.room_to_px(x).value_or(Vec2f(0, 0)); }
+    Vec2f seen(const Vec3f& x) { return surface_.view.world_to_px(x).value_or(Vec2f(0, 0)); }
 
     void take(const std::string& name) {
         rest(2);

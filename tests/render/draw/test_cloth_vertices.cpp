@@ -25,7 +25,7 @@ sim::PlainMesh sewn_square() {
 }
 
 std::vector<ClothVertex> vertices_of(const sim::PlainMesh& mesh) {
-    return make_cloth_vertices(mesh, mesh.normals, std::vector<Openness>(mesh.x.size()));
+    return make_cloth_vertices(mesh, mesh.normals, std::vector<AmbientVisibility>(mesh.x.size()));
 }
 
 TEST(ClothVertices, a_seam_is_marked_where_material_coordinates_jump_and_a_hem_where_cloth_ends) {

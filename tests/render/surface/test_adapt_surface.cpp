@@ -79,10 +79,10 @@ TEST(AdaptSurface, keeps_what_is_turned_away_coarse) {
 TEST(AdaptSurface, splits_no_edge_whose_curve_hardly_leaves_its_chord) {
     const sim::GarmentMesh base = shaped_square(4, on_waves);
     const std::size_t fine = triangles(settled(base)),
-                      coarse = triangles(settled(base, {.criteria = {.least_bulge = 0.004F}}));
+                      coarse = triangles(settled(base, {.criteria = {.min_bulge = 0.004F}}));
     EXPECT_LT(2 * coarse, fine);
     EXPECT_GT(coarse, base.triangles.size());
-    EXPECT_EQ(triangles(settled(base, {.criteria = {.least_bulge = 1}})), base.triangles.size());
+    EXPECT_EQ(triangles(settled(base, {.criteria = {.min_bulge = 1}})), base.triangles.size());
 }
 
 TEST(AdaptSurface, never_splits_below_the_shortest_edge) {

@@ -113,7 +113,7 @@ TEST(CurvedMesh, refuses_an_edge_with_three_triangles_and_too_many_triangles) {
 
     sim::PlainMesh many = ridge();
     many.triangles.resize(6000, many.triangles[0]);
-    EXPECT_THROW(curved_mesh(many, {.level = kMostSurfaceLevel}), sim::InputError);
+    EXPECT_THROW(curved_mesh(many, {.level = kMaxSurfaceLevel}), sim::InputError);
 }
 
 }  // namespace

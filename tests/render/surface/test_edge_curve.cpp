@@ -179,8 +179,8 @@ TEST(CurveModifier, restoring_is_bounded_and_finite_wherever_lengths_are) {
     EXPECT_EQ(restoring(1, 1.1F), 0);
     EXPECT_EQ(restoring(0.8F, 1.1F), 0);  // stretched: no length to restore
     EXPECT_FLOAT_EQ(restoring(1.1F, 1.1F), 1);
-    EXPECT_EQ(restoring(1.2F, 1), kMostRestored);
-    EXPECT_EQ(restoring(std::numeric_limits<float>::max(), 1.1F), kMostRestored);
+    EXPECT_EQ(restoring(1.2F, 1), kMaxRestored);
+    EXPECT_EQ(restoring(std::numeric_limits<float>::max(), 1.1F), kMaxRestored);
 }
 
 }  // namespace

@@ -144,12 +144,12 @@ constexpr TriangleId kOwner{0};
 constexpr SplitMask kTwoSplits[] = {0b011, 0b110, 0b101};
 
 TEST(AmbiguousSplit, gives_the_two_configurations_of_a_state_and_their_own_diagonals) {
-    const AmbiguousSplit ways = either_way(0b011);
+    const AmbiguousSplit ways = ambiguous_split(0b011);
     EXPECT_EQ(ways.configurations, (std::array{Configuration::C4, Configuration::C5}));
     EXPECT_EQ(ways.diagonals[0], (InternalEdge{{2, 3}}));
     EXPECT_EQ(ways.diagonals[1], (InternalEdge{{0, 4}}));
     for (const SplitMask split : kTwoSplits) {
-        for (const Configuration c : either_way(split).configurations) EXPECT_EQ(layout(c).split, split);
+        for (const Configuration c : ambiguous_split(split).configurations) EXPECT_EQ(layout(c).split, split);
     }
     for (const unsigned split : {0b000U, 0b001U, 0b010U, 0b100U, 0b111U}) {
         EXPECT_FALSE(is_ambiguous(static_cast<SplitMask>(split)));

@@ -379,24 +379,24 @@ TEST(Transition, to_the_same_configuration_is_no_work) {
 }
 
 TEST(MinimalChange, takes_the_diagonal_that_is_already_there) {
-    EXPECT_EQ(least_work(Configuration::C1, 0b011), Configuration::C4);
-    EXPECT_EQ(least_work(Configuration::C2, 0b011), Configuration::C5);
-    EXPECT_EQ(least_work(Configuration::C2, 0b110), Configuration::C6);
-    EXPECT_EQ(least_work(Configuration::C3, 0b110), Configuration::C7);
-    EXPECT_EQ(least_work(Configuration::C3, 0b101), Configuration::C8);
-    EXPECT_EQ(least_work(Configuration::C1, 0b101), Configuration::C9);
+    EXPECT_EQ(minimal_change(Configuration::C1, 0b011), Configuration::C4);
+    EXPECT_EQ(minimal_change(Configuration::C2, 0b011), Configuration::C5);
+    EXPECT_EQ(minimal_change(Configuration::C2, 0b110), Configuration::C6);
+    EXPECT_EQ(minimal_change(Configuration::C3, 0b110), Configuration::C7);
+    EXPECT_EQ(minimal_change(Configuration::C3, 0b101), Configuration::C8);
+    EXPECT_EQ(minimal_change(Configuration::C1, 0b101), Configuration::C9);
 }
 
 TEST(MinimalChange, stays_where_it_is_and_conforms_wherever_it_goes) {
     for (const Configuration from : all_configurations()) {
-        EXPECT_EQ(least_work(from, layout(from).split), from);
-        for (SplitMask split = 0; split < 8; ++split) EXPECT_EQ(layout(least_work(from, split)).split, split);
+        EXPECT_EQ(minimal_change(from, layout(from).split), from);
+        for (SplitMask split = 0; split < 8; ++split) EXPECT_EQ(layout(minimal_change(from, split)).split, split);
     }
 }
 
 TEST(MinimalChange, takes_the_first_where_both_are_equal) {
-    EXPECT_EQ(least_work(Configuration::C0, 0b011), Configuration::C4);
-    EXPECT_EQ(least_work(Configuration::C10, 0b110), Configuration::C6);
+    EXPECT_EQ(minimal_change(Configuration::C0, 0b011), Configuration::C4);
+    EXPECT_EQ(minimal_change(Configuration::C10, 0b110), Configuration::C6);
 }
 
 }  // namespace

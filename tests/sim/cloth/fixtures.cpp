@@ -116,7 +116,7 @@ void shake(Cloth& cloth, float reach, std::mt19937& random) {
 
 void move_to(Cloth& cloth, const Eigen::Matrix3f& rotation, const Vec3f& shift) {
     for (const VertexId v : cloth.mesh.leaf_vertices()) {
-        cloth.x[v.value] = padded(rotation * cloth.x[v.value].head<3>() + shift);
+        cloth.x[v.value] = with_zero_w(rotation * cloth.x[v.value].head<3>() + shift);
     }
     cloth.x_prev = cloth.x;
     update_normals(cloth);

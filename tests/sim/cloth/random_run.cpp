@@ -238,7 +238,7 @@ double RandomRun::depth() const {
     for (const VertexId v : cloth_.mesh.leaf_vertices()) look(cloth_.x[v.value]);
     for (std::size_t lane = 0; lane < kBlock * cloth_.solver.contacts.samples.size(); ++lane) {
         const std::optional<Vec3f> sample = sample_at(cloth_.solver.contacts, lane, cloth_.x);
-        if (sample) look(padded(*sample));
+        if (sample) look(with_zero_w(*sample));
     }
     return double(stepping_.contact.offset - least);
 }

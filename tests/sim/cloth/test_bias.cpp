@@ -32,7 +32,7 @@ std::vector<BiasedLeaf> biases(const Cloth& cloth) {
     const Constraints& constraints = cloth.solver.constraints;
     std::vector<BiasedLeaf> found;
     for (std::size_t lane = 0; lane < constraints.triangle_of.size(); ++lane) {
-        if (constraints.triangle_of[lane] == kSpare) continue;
+        if (constraints.triangle_of[lane] == kNoBlockSlot) continue;
         const auto& b = constraints.stretch.blocks[lane / kBlock].bias;
         const std::size_t at = lane % kBlock;
         found.push_back({leaf_of(cloth, constraints.triangle_of[lane]), Vec3f(b[0][at], b[1][at], b[2][at])});
@@ -44,7 +44,7 @@ std::vector<BiasedLeaf> biases(const Cloth& cloth) {
 void learn(Cloth& cloth, float scale) {
     Constraints& constraints = cloth.solver.constraints;
     for (std::size_t lane = 0; lane < constraints.triangle_of.size(); ++lane) {
-        if (constraints.triangle_of[lane] == kSpare) continue;
+        if (constraints.triangle_of[lane] == kNoBlockSlot) continue;
         const LeafTriangle leaf = leaf_of(cloth, constraints.triangle_of[lane]);
         const float value = scale * (1 + static_cast<float>(leaf.triangle.value));
         auto& b = constraints.stretch.blocks[lane / kBlock].bias;

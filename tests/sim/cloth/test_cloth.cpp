@@ -46,7 +46,7 @@ TEST(Cloth, weighs_the_same_after_any_number_of_adaptions) {
     }
     EXPECT_GT(changes, 100) << "the waves made hardly anything split, so nothing was tested";
     const std::vector<std::uint32_t>& lanes = cloth.solver.constraints.triangle_of;
-    const auto spare = std::count(lanes.begin(), lanes.end(), kSpare);
+    const auto spare = std::count(lanes.begin(), lanes.end(), kNoBlockSlot);
     EXPECT_EQ(lanes.size() - static_cast<std::size_t>(spare), cloth.mesh.leaf_triangles().size());
 }
 
@@ -144,7 +144,7 @@ TEST_F(BallUnderAPatch, a_split_gives_the_centre_the_mean_velocity_of_the_ends) 
     std::mt19937 random(3);
     for (const VertexId v : cloth_.mesh.leaf_vertices()) {
         const Vec3f velocity(draw(random, -1, 1), draw(random, -1, 1), draw(random, -1, 1));
-        cloth_.x_prev[v.value] = cloth_.x[v.value] - padded(velocity) * cloth_.substep;
+        cloth_.x_prev[v.value] = cloth_.x[v.value] - with_zero_w(velocity) * cloth_.substep;
     }
     const auto moved = [&](VertexId v) { return Vec4f(cloth_.x[v.value] - cloth_.x_prev[v.value]); };
     adapt_once();

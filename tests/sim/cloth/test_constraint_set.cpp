@@ -41,7 +41,7 @@ Set empty_set() {
 
 void expect_holds(const Set& set, TriangleId t, const Corners& corners) {
     const std::uint32_t slot = set.slot_of(t, corners);
-    ASSERT_NE(slot, kSpare);
+    ASSERT_NE(slot, kNoBlockSlot);
     EXPECT_EQ(slot, set.slot_of(t));
     EXPECT_EQ(set.blocks[slot / kBlock].anchor[slot % kBlock], static_cast<float>(t.value));
     EXPECT_EQ(set.records[slot / kBlock].of_area[slot % kBlock], static_cast<float>(t.value));
@@ -66,7 +66,7 @@ TEST(ConstraintSet, finds_by_its_triangle_what_was_made_and_inserted_and_not_wha
         if (random() % 2 == 0 && !held.empty()) {
             const auto one = std::next(held.begin(), static_cast<std::ptrdiff_t>(random() % held.size()));
             set.remove(TriangleId(one->first), kDummyVertex);
-            EXPECT_EQ(set.slot_of(TriangleId(one->first)), kSpare);
+            EXPECT_EQ(set.slot_of(TriangleId(one->first)), kNoBlockSlot);
             gone.push_back(one->first);
             held.erase(one);
         } else {
@@ -98,15 +98,15 @@ TEST(ConstraintSet, finds_by_its_triangle_what_was_made_and_inserted_and_not_wha
     }
     EXPECT_EQ(used, held.size()) << "all others are spare";
     set.forget();
-    EXPECT_EQ(set.slot_of(TriangleId(held.begin()->first)), kSpare);
+    EXPECT_EQ(set.slot_of(TriangleId(held.begin()->first)), kNoBlockSlot);
 }
 
 TEST(ConstraintSet, does_not_take_another_triangle_of_the_same_id_for_its_own) {
     Set set = empty_set();
     insert(set, TriangleId(5), {1, 21, 41});
-    EXPECT_NE(set.slot_of(TriangleId(5), {1, 21, 41}), kSpare);
-    EXPECT_EQ(set.slot_of(TriangleId(5), {1, 21, 42}), kSpare);
-    EXPECT_EQ(set.slot_of(TriangleId(6), {1, 21, 41}), kSpare);
+    EXPECT_NE(set.slot_of(TriangleId(5), {1, 21, 41}), kNoBlockSlot);
+    EXPECT_EQ(set.slot_of(TriangleId(5), {1, 21, 42}), kNoBlockSlot);
+    EXPECT_EQ(set.slot_of(TriangleId(6), {1, 21, 41}), kNoBlockSlot);
 }
 
 TEST(ConstraintSet, has_each_block_weighed_once_that_was_changed) {
@@ -140,7 +140,7 @@ TEST(ConstraintSet, forgets_what_it_had_when_it_is_made_again) {
     set.make(
         std::vector<TriangleId>{TriangleId(3)}, kDummyVertex, [](TriangleId t) { return t; },
         [&](TriangleId) { return corners; }, [&](TriangleId t, std::uint32_t slot) { fill(set, t, corners, slot); });
-    EXPECT_EQ(set.slot_of(TriangleId(4)), kSpare);
+    EXPECT_EQ(set.slot_of(TriangleId(4)), kNoBlockSlot);
     expect_holds(set, TriangleId(3), corners);
     std::size_t weighed = 0;
     set.update_dirty_masses([&](auto blocks, auto) { weighed += blocks.size(); });
@@ -235,7 +235,7 @@ void expect_each_leaf_in_its_lane(const Cloth& cloth) {
     ASSERT_EQ(constraints.triangle_of.size(), constraints.stretch.blocks.size() * kBlock);
     std::set<std::uint32_t> seen;
     for (std::size_t lane = 0; lane < constraints.triangle_of.size(); ++lane) {
-        if (constraints.triangle_of[lane] == kSpare) continue;
+        if (constraints.triangle_of[lane] == kNoBlockSlot) continue;
         const std::array<VertexId, 3>& v = cloth.mesh.triangle(TriangleId(constraints.triangle_of[lane])).vertices;
         EXPECT_EQ(sorted_corners_at(constraints.stretch.blocks[lane / kBlock], lane % kBlock),
                   sorted({v[0], v[1], v[2]}));

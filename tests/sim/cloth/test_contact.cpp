@@ -152,7 +152,7 @@ void hold(Cloth& cloth) {
     cloth.solver.points = solver_points(cloth, cloth.x);
     cloth.solver.before = solver_points(cloth, cloth.x_prev);
     hold_vertices(cloth, kernels(simd_level()), ball(), 1, {.friction_scale = 0, .floor = kNoFloor});
-    for (std::size_t v = 0; v < cloth.x.size(); ++v) cloth.x[v] = padded(cloth.solver.points[v].head<3>());
+    for (std::size_t v = 0; v < cloth.x.size(); ++v) cloth.x[v] = with_zero_w(cloth.solver.points[v].head<3>());
 }
 
 // Random walks of vertices near the ball: whatever slack the cache contains, no vertex may end nearer than the offset.

@@ -50,7 +50,7 @@ struct Roll {
 
     explicit Roll(const Fabric& fabric)
         : cloth(make_strip(fabric, {.width = 0.2, .length = 0.2, .mesh_angle = 0.3, .level = 2})), flat(cloth.x) {
-        const Vec4f middle = padded(centre_of_mass(cloth).cast<float>());
+        const Vec4f middle = with_zero_w(centre_of_mass(cloth).cast<float>());
         for (Vec4f& p : flat) p -= middle;
         roll(cloth, flat, 0);
         cloth.is_pinned.assign(cloth.is_pinned.size(), false);
@@ -84,10 +84,10 @@ struct Roll {
     // The number of sub-steps between two solves; the same for all leaves, because they are large.
     double interval() const {
         const std::vector<BendBlock>& blocks = cloth.solver.constraints.bend.blocks;
-        float least = kNeverVisited, most = 0;
+        float least = kNeverSolved, most = 0;
         for (const BendBlock& block : blocks) {
             for (const float interval : block.interval) {
-                if (interval == kNeverVisited) continue;
+                if (interval == kNeverSolved) continue;
                 least = std::min(least, interval);
                 most = std::max(most, interval);
             }
@@ -295,9 +295,9 @@ TEST(FrictionInside, takes_energy_and_never_gives_any) {
     // The strip oscillates in several modes, so the share of kinetic energy at a given time differs between types of
     // processor.
     constexpr double kExchanged = 0.01;
-    const std::vector<double> elastic = swing(0), rubbed = swing(1e-4);
-    for (std::size_t i = 0; i < rubbed.size(); ++i) EXPECT_LT(rubbed[i], i == 0 ? 1.001 : rubbed[i - 1] + kExchanged);
-    EXPECT_LT(rubbed.back(), 0.5 * elastic.back() + kExchanged);
+    const std::vector<double> elastic = swing(0), damped = swing(1e-4);
+    for (std::size_t i = 0; i < damped.size(); ++i) EXPECT_LT(damped[i], i == 0 ? 1.001 : damped[i - 1] + kExchanged);
+    EXPECT_LT(damped.back(), 0.5 * elastic.back() + kExchanged);
 }
 
 // Displaces the vertices at random and updates the anchors of friction.

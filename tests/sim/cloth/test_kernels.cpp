@@ -92,10 +92,10 @@ void centre_split_edges(Cloth& cloth) {
 void limit_and_carry(const Cloth& cloth, const Kernels& loops, std::span<const LimitBlock> blocks, std::size_t level,
                      Points& points, LimitRecord* records = nullptr, std::span<CoarseBendBlock> bend = {}) {
     Points carried = points;
-    loops.limit_parents(blocks, records, floats(points));
+    loops.solve_coarse_limits(blocks, records, floats(points));
     loops.solve_coarse_bend(bend, floats(points), 2);
     for (std::size_t below = level; below < cloth.solver.constraints.parents.size(); ++below) {
-        loops.restrict_centres(cloth.solver.constraints.parents[below].centres, floats(carried), floats(points));
+        loops.prolong_centres(cloth.solver.constraints.parents[below].centres, floats(carried), floats(points));
     }
 }
 
@@ -164,8 +164,8 @@ TEST_P(KernelsAtLevel, bending_of_refined_triangles_pushes_nothing_and_turns_lit
                 Points carried = points;
                 loops().solve_coarse_bend(one, floats(points), 2);
                 for (std::size_t below = level; below < cloth.solver.constraints.parents.size(); ++below) {
-                    loops().restrict_centres(cloth.solver.constraints.parents[below].centres, floats(carried),
-                                             floats(points));
+                    loops().prolong_centres(cloth.solver.constraints.parents[below].centres, floats(carried),
+                                            floats(points));
                 }
             },
             0.02);
@@ -193,7 +193,7 @@ TEST_P(KernelsAtLevel, bending_leaves_a_flat_patch_flat_however_it_lies) {
     Points points = solver_points(cloth, cloth.x);
     loops().solve_bend(cloth.solver.constraints.bend.blocks, floats(points), 2);
     for (const VertexId v : cloth.mesh.leaf_vertices()) {
-        EXPECT_LT((points[v.value] - padded(cloth.x[v.value].head<3>())).head<3>().norm(), 1e-6F);
+        EXPECT_LT((points[v.value] - with_zero_w(cloth.x[v.value].head<3>())).head<3>().norm(), 1e-6F);
     }
 }
 
@@ -210,7 +210,7 @@ TEST_P(KernelsAtLevel, a_limit_takes_back_what_is_longer_and_touches_nothing_sho
     for (const LimitBlock& block : cloth.solver.constraints.parents[0].limits.blocks) {
         const Points before = solver_points(cloth, cloth.x);
         Points after = before;
-        loops().limit_parents(std::span(&block, 1), nullptr, floats(after));
+        loops().solve_coarse_limits(std::span(&block, 1), nullptr, floats(after));
         for (std::size_t at = 0; at < kBlock; ++at) {
             if (block.vertices[0][at] / 4 + 1 == before.size()) continue;
             const float warp = thread_length(block, at, block.a, before);
@@ -240,13 +240,13 @@ struct Sweep {
     std::vector<ParentLevel> parents;
     std::vector<std::uint32_t> over, found;
 };
-void move_biases(const Kernels& loops, Sweep& s, RestrictedStress stress) {
+void move_biases(const Kernels& loops, Sweep& s, LevelStress stress) {
     const BiasGains gains{.stretch = 0.1F, .shear = 0.05F};
     const StressSums sums{.above = floats(stress.above), .below = floats(stress.below), .off = floats(stress.off)};
-    for (const ParentLevel& level : s.parents) loops.restrict_stress(level.limits.records, floats(stress.above));
+    for (const ParentLevel& level : s.parents) loops.prolong_stress(level.limits.records, floats(stress.above));
     loops.update_bias(s.stretch, s.records, floats(s.points), floats(s.before), gains, sums);
     for (std::size_t i = s.parents.size(); i-- > 0;) {
-        loops.update_parents(s.parents[i].limits.blocks, s.parents[i].limits.records, gains, sums);
+        loops.update_limit_biases(s.parents[i].limits.blocks, s.parents[i].limits.records, gains, sums);
     }
     for (const std::vector<Vec4f>* scratch : {&stress.below, &stress.off}) {
         for (const Vec4f& sum : *scratch) EXPECT_EQ(sum, Vec4f(Vec4f::Zero()));
@@ -290,12 +290,12 @@ Sweep swept(const Kernels& loops) {
             s.over.insert(s.over.end(), block.vertices[0].begin(), block.vertices[0].end());
     }
     move_biases(loops, s, constraints.carried);
-    loops.rub(s.stretch, floats(s.points), floats(s.before), 0.2F);
+    loops.apply_internal_damping(s.stretch, floats(s.points), floats(s.before), 0.2F);
     s.found.resize(s.points.size() + kBlock);
     const std::vector<float> friction(s.points.size(), 0.4F);
-    s.found.resize(loops.hold_moves(floats(s.points), floats(s.before), {floats(s.asked), floats(s.plane)},
-                                    friction.data(), 0, cloth.x.size(), {.longest_move = 0.003F, .floor = -0.01F},
-                                    s.found.data()));
+    s.found.resize(loops.project_vertices(floats(s.points), floats(s.before), {floats(s.asked), floats(s.plane)},
+                                          friction.data(), 0, cloth.x.size(), {.longest_move = 0.003F, .floor = -0.01F},
+                                          s.found.data()));
     return s;
 }
 

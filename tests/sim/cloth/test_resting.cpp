@@ -151,13 +151,13 @@ TEST(Resting, an_adaptation_wakes_if_it_changes_something) {
 }
 
 // Moves the kinematic vertices evenly by `way` within 1 s; fails if a step computes nothing.
-void lead_by(HeldStrip& strip, const Vec3f& way, StepOptions options) {
+void move_kinematic(HeldStrip& strip, const Vec3f& way, StepOptions options) {
     constexpr int kSteps = 120;
-    std::vector<KinematicVertex> led(strip.hands.size());
-    options.led = led;
+    std::vector<KinematicVertex> kinematic(strip.hands.size());
+    options.kinematic = kinematic;
     for (int i = 0; i < kSteps; ++i) {
-        for (std::size_t k = 0; k < led.size(); ++k) {
-            led[k] = {strip.hands[k], strip.cloth.x[strip.hands[k]].head<3>() + way / kSteps};
+        for (std::size_t k = 0; k < kinematic.size(); ++k) {
+            kinematic[k] = {strip.hands[k], strip.cloth.x[strip.hands[k]].head<3>() + way / kSteps};
         }
         ASSERT_GT(step(strip.cloth, nothing_near(), options).substeps, 0) << "step " << i;
     }
@@ -168,7 +168,7 @@ TEST(Resting, a_pull_at_one_vertex_moves_all_that_hangs_on_it) {
     ASSERT_TRUE(come_to_rest(strip.cloth, nothing_near()).has_value());
     const std::vector<Vec4f> there = strip.cloth.x;
     const Vec3f goal = there[strip.hand].head<3>() + Vec3f(0.1F, 0.05F, 0.3F);
-    lead_by(strip, Vec3f(0.1F, 0.05F, 0.3F), kDamped);
+    move_kinematic(strip, Vec3f(0.1F, 0.05F, 0.3F), kDamped);
     EXPECT_LT((strip.cloth.x[strip.hand].head<3>() - goal).norm(), 1e-4F);
     for (const VertexId v : strip.cloth.mesh.leaf_vertices()) {
         if (there[v.value].y() > 1.8F) continue;  // near the clamp
@@ -183,8 +183,8 @@ TEST(Resting, a_vertex_that_is_led_at_a_millimetre_a_second_arrives) {
     const Vec3f start = strip.cloth.x[strip.hand].head<3>();
     StepOptions options = kDamped;
     for (int i = 1; i <= 600; ++i) {
-        const KinematicVertex led{strip.hand, start + Vec3f(0, float(i) * 0.001F / 120, 0)};
-        options.led = {&led, 1};
+        const KinematicVertex kinematic{strip.hand, start + Vec3f(0, float(i) * 0.001F / 120, 0)};
+        options.kinematic = {&kinematic, 1};
         step(strip.cloth, nothing_near(), options);
     }
     EXPECT_NEAR(strip.cloth.x[strip.hand].y() - start.y(), 0.005F, 2 * kKinematicReach);
@@ -200,8 +200,8 @@ TEST(Resting, what_rested_and_what_never_did_hang_alike_after_a_pull) {
     run(awake.cloth, nothing_near(), always, 12);
     EXPECT_LT(farthest_between(resting.cloth, awake.cloth), kRestReach) << "before the pull";
     const Vec3f way(0, 0.1F, 0.3F);
-    lead_by(resting, way, kDamped);
-    lead_by(awake, way, always);
+    move_kinematic(resting, way, kDamped);
+    move_kinematic(awake, way, always);
     EXPECT_TRUE(come_to_rest(resting.cloth, nothing_near()).has_value());
     run(awake.cloth, nothing_near(), always, 12);
     EXPECT_GT(farthest_between(resting.cloth, HeldStrip(true).cloth), 0.1F) << "it never moved";

@@ -114,7 +114,7 @@ TEST(Step, no_spare_lane_is_taken_for_a_triangle_beyond_its_strain_limit) {
     const Constraints& constraints = cloth.solver.constraints;
     std::size_t spares = 0;
     for (std::size_t lane = 0; lane < constraints.triangle_of.size(); ++lane) {
-        if (constraints.triangle_of[lane] != kSpare) continue;
+        if (constraints.triangle_of[lane] != kNoBlockSlot) continue;
         ++spares;
         EXPECT_GT(constraints.stretch.blocks[lane / kBlock].longest[lane % kBlock], 1e30F)
             << "a spare lane would count as over";

@@ -18,7 +18,7 @@ namespace selvedge::sim::test {
 namespace {
 
 bool bends(const ParentLevel& level) {
-    return level.interval < kNeverVisited;
+    return level.interval < kNeverSolved;
 }
 
 Fabric springy(double rigidity) {
@@ -242,7 +242,7 @@ TEST(TriangleBending, of_slow_triangles_waits_for_its_turn) {
         for (std::size_t at = 0; at < kBlock; ++at) {
             if (blocks[i].interval[at] > 1) {
                 EXPECT_EQ(lane_of(bend.blocks[i].anchor, at), lane_of(blocks[i].anchor, at));
-                slow_here += blocks[i].interval[at] < kNeverVisited ? 1U : 0U;
+                slow_here += blocks[i].interval[at] < kNeverSolved ? 1U : 0U;
             } else {
                 for (const BlockPoints& corner : blocks[i].vertices) quick.insert(corner[at] / 4);
             }

@@ -61,12 +61,12 @@ void split_edge(Pattern& pattern, int panel, int edge) {
 }
 
 double stretch_p99(const PlainMesh& mesh) {
-    std::vector<double> threads;
+    std::vector<double> seam_lines;
     for (const MeshStrain& strain : measure_strain(mesh)) {
-        threads.push_back(static_cast<double>(strain.warp));
-        threads.push_back(static_cast<double>(strain.weft));
+        seam_lines.push_back(static_cast<double>(strain.warp));
+        seam_lines.push_back(static_cast<double>(strain.weft));
     }
-    return quantile(threads, 0.99);
+    return quantile(seam_lines, 0.99);
 }
 
 float least_clearance(const PlainMesh& mesh) {

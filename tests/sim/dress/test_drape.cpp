@@ -41,7 +41,7 @@ TEST(DrapeRun, a_cloth_at_rest_is_neither_adapted_nor_stepped) {
     ASSERT_GT(cloth.mesh.leaf_triangles().size(), cloth.mesh.base_triangle_count());
     const std::vector<Vec4f> there = cloth.x;
     const std::uint32_t adaptations = cloth.adaptations;
-    run.forget_times();
+    run.clear_times();
     for (int frame = 0; frame < 60; ++frame) run.advance(cloth, ball());
     EXPECT_EQ(cloth.x, there);
     EXPECT_EQ(cloth.adaptations, adaptations);

@@ -120,7 +120,7 @@ class Inspect : public testing::Test {
     // Replaces each position x by map(x).
     template <class Map>
     void deform(const Map& map) {
-        for (Vec4f& x : cloth_.x) x = padded(map(Vec3f(x.head<3>())));
+        for (Vec4f& x : cloth_.x) x = with_zero_w(map(Vec3f(x.head<3>())));
         cloth_.x_prev = cloth_.x;
     }
 

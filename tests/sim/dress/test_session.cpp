@@ -59,10 +59,10 @@ TEST_F(SessionOfTwoSquares, shows_panels_where_they_are_placed_and_threads_of_th
     EXPECT_EQ(frame->stage, SessionStage::Placed);
     EXPECT_EQ(frame->mesh.panel_names, (std::vector<std::string>{"front", "back"}));
     EXPECT_EQ(frame->hierarchy.size(), frame->mesh.triangles.size());
-    ASSERT_FALSE(frame->threads.empty());
-    ASSERT_EQ(frame->threads.size(), frame->thread_seams.size());
-    for (const int seam : frame->thread_seams) EXPECT_LT(seam, int(pattern_.seams.size()));
-    for (const auto& [a, b] : frame->threads) EXPECT_GT((a - b).norm(), 0.05F);
+    ASSERT_FALSE(frame->seam_lines.empty());
+    ASSERT_EQ(frame->seam_lines.size(), frame->seam_line_seams.size());
+    for (const int seam : frame->seam_line_seams) EXPECT_LT(seam, int(pattern_.seams.size()));
+    for (const auto& [a, b] : frame->seam_lines) EXPECT_GT((a - b).norm(), 0.05F);
 }
 
 TEST_F(SessionOfTwoSquares, follows_a_panel_that_is_moved_while_it_is_only_placed) {
@@ -83,7 +83,7 @@ TEST_F(SessionOfTwoSquares, settles_with_the_same_figures_as_dress) {
     settle(session_);
     const auto frame = session_.frame();
     EXPECT_EQ(frame->stage, SessionStage::Settled);
-    EXPECT_TRUE(frame->threads.empty());
+    EXPECT_TRUE(frame->seam_lines.empty());
     EXPECT_TRUE(frame->messages.empty()) << frame->messages.back();
     EXPECT_NEAR(int(frame->mesh.triangles.size()), dressed.report.mesh.leaf_triangles,
                 0.4 * dressed.report.mesh.leaf_triangles);  // its mesh may be finer, as look-ahead requests
@@ -113,7 +113,7 @@ TEST_F(SessionOfTwoSquares, pauses_and_goes_on) {
     session_.start();
     session_.advance(5);
     EXPECT_EQ(session_.frame()->stage, SessionStage::Sewing);
-    EXPECT_FALSE(session_.frame()->threads.empty());
+    EXPECT_FALSE(session_.frame()->seam_lines.empty());
     session_.pause();
     session_.advance(5);
     const auto paused = session_.frame();

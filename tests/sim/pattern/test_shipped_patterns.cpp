@@ -124,7 +124,7 @@ constexpr std::array kScraps{"",     "-",     "0",     "9",    "1e9",   "1e300",
                              "0.5",  "\"x\"", "[[0]]", "1e-9", "front", "edge",  "\"circle\"", "\"absolute\""};
 
 // Replaces up to eight characters at a random offset by a fragment of JSON.
-std::string spoil(std::string text, std::mt19937& random) {
+std::string mutate(std::string text, std::mt19937& random) {
     const auto below = [&](std::size_t count) { return random() % count; };
     const std::size_t at = below(text.size());
     text.replace(at, below(9), kScraps[below(kScraps.size())]);
@@ -163,7 +163,7 @@ bool survives(const std::string& text) {
 TEST(PatternFuzz, loads_or_refuses_whatever_stands_in_the_file) {
     std::mt19937 random(20121);
     int loaded = 0;
-    for (int i = 0; i < 1500; ++i) loaded += survives(spoil(sample_text(), random)) ? 1 : 0;
+    for (int i = 0; i < 1500; ++i) loaded += survives(mutate(sample_text(), random)) ? 1 : 0;
     for (int i = 0; i < 1500; ++i) loaded += survives(spoil_number(sample_text(), random)) ? 1 : 0;
     EXPECT_GT(loaded, 300);  // otherwise it tests only the JSON parser
     EXPECT_LT(loaded, 2700);
@@ -177,7 +177,7 @@ TEST(PatternFuzz, loads_or_refuses_whatever_stands_in_what_drafting_adds) {
                  R"("pattern": {)", R"("selvedge": {"eased": [{"panel": "back", "edge": 2}]}, "pattern": {)");
     std::mt19937 random(5);
     int loaded = 0;
-    for (int i = 0; i < 1500; ++i) loaded += survives(spoil(text, random)) ? 1 : 0;
+    for (int i = 0; i < 1500; ++i) loaded += survives(mutate(text, random)) ? 1 : 0;
     for (int i = 0; i < 1500; ++i) loaded += survives(spoil_number(text, random)) ? 1 : 0;
     EXPECT_GT(loaded, 300);
     EXPECT_LT(loaded, 2700);
