@@ -64,6 +64,8 @@ function(selvedge_simd_sources TARGET)
   endforeach()
 endfunction()
 
+add_custom_target(selvedge_modules)  # all of them
+
 # selvedge_module([USES folder ...] [LINK target ...] [PRIVATE_LINK target ...])
 # makes a library of all sources and headers in this folder. Headers form a file set, so that each must compile alone.
 function(selvedge_module)
@@ -91,6 +93,7 @@ function(selvedge_module)
   endforeach()
   target_link_libraries(${target} ${scope} ${ARG_LINK})
   add_library(selvedge::${name} ALIAS ${target})
+  add_dependencies(selvedge_modules ${target})
   if(simd_sources)
     selvedge_simd_sources(${target} ${simd_sources})
   endif()

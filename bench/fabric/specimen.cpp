@@ -81,7 +81,7 @@ std::vector<int> vertices_of(const sim::GarmentMesh& mesh, int panel) {
         if (t.panel == panel) vertices.insert(vertices.end(), t.vertices.begin(), t.vertices.end());
     }
     std::ranges::sort(vertices);
-    vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     return vertices;
 }
 

@@ -40,10 +40,13 @@ void MeasuredMeshBuilder::add(const std::array<MeasuredCorner, 3>& corners, doub
 
 MeasuredMesh MeasuredMeshBuilder::finish() {
     std::ranges::sort(mesh_.vertices);
-    mesh_.vertices.erase(std::ranges::unique(mesh_.vertices).begin(), mesh_.vertices.end());
+    mesh_.vertices.erase(std::unique(mesh_.vertices.begin(), mesh_.vertices.end()), mesh_.vertices.end());
     const auto ends = [](const Edge& e) { return std::tie(e.a, e.b); };
     std::ranges::stable_sort(edges_, {}, ends);
-    edges_.erase(std::ranges::unique(edges_, {}, ends).begin(), edges_.end());
+    edges_.erase(
+        std::unique(edges_.begin(), edges_.end(),
+                    [&](const auto& a, const auto& b) { return std::invoke(ends, a) == std::invoke(ends, b); }),
+        edges_.end());
     for (const Edge& e : edges_) {
         if (e.is_yarn) mesh_.yarn_edges.push_back({e.a, e.b, e.rest_length});
     }

@@ -157,8 +157,9 @@ Outcome run(sim::Pattern& pattern, const PlacePanel& command) {
     constexpr double kNearly = 1e-6;
     const Eigen::Matrix3d& r = command.rotation;
     const bool is_rotation = (r * r.transpose()).isIdentity(kNearly) && r.determinant() > 0;
-    if (!is_rotation) throw GeometryError("A panel is placed by a rotation", {{.panel = command.panel}});
-    if (!(command.wrap_radius >= 0)) throw GeometryError("A panel is bent by a radius", {{.panel = command.panel}});
+    if (!is_rotation) throw GeometryError("The placement must be a rotation", {{.panel = command.panel}});
+    if (!(command.wrap_radius >= 0))
+        throw GeometryError("The wrap radius must be 0 or more", {{.panel = command.panel}});
     sim::Panel& panel = panel_of(pattern, command.panel);
     panel.translation = command.translation;
     panel.rotation = command.rotation;
@@ -263,7 +264,7 @@ void check_internal_line(const sim::InternalLine& line, const std::string& panel
 }
 
 void check_fraction(double t) {
-    if (!(t >= 0 && t <= 1)) throw GeometryError("A place along an edge is between its ends");
+    if (!(t >= 0 && t <= 1)) throw GeometryError("The position must be between 0 and 1");
 }
 
 std::vector<EdgeSpan> spans_of(const sim::Pattern& pattern, const std::vector<SpanRef>& refs) {

@@ -5,23 +5,23 @@
 #include <set>
 #include <string>
 
+#include "sim/pattern/fault.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::editor {
 namespace {
 
-constexpr double kClearance = 1e-7;     // m, minimum distance between edges of an outline
-constexpr double kMaxCoordinate = 100;  // m, same limit as in pattern files
-constexpr double kMargin = 1 + 1e-6;    // saving rounds numbers
+constexpr double kClearance = 1e-7;   // m, minimum distance between edges of an outline
+constexpr double kMargin = 1 + 1e-6;  // saving rounds numbers
 
 bool is_near(double value) {
-    return std::abs(value) <= kMaxCoordinate;  // false for NaN
+    return std::abs(value) <= sim::kMaxCoordinate;  // false for NaN
 }
 
 template <class Vector>
 bool is_near(const Eigen::MatrixBase<Vector>& point) {
-    return point.allFinite() && point.cwiseAbs().maxCoeff() <= kMaxCoordinate;
+    return point.allFinite() && point.cwiseAbs().maxCoeff() <= sim::kMaxCoordinate;
 }
 
 class PanelChecker {
@@ -35,11 +35,11 @@ class PanelChecker {
         check_crossings();
         const double area = outline_area(panel_);
         if (!(area >= sim::kSmallestArea * kMargin)) {
-            fail(area < -sim::kSmallestArea ? "would be turned inside out" : "would have no inside");
+            fail(area < -sim::kSmallestArea ? "would be turned inside out" : "would have no area");
         }
         for (const sim::Notch& notch : panel_.notches) {
             if (notch.edge < 0 || notch.edge >= edge_count(panel_) || !(notch.t >= 0 && notch.t <= 1)) {
-                fail("would have a notch that is nowhere on its outline");
+                fail("would have a notch outside its outline");
             }
         }
         expect_vertices(panel_, panel_.pins);
@@ -64,7 +64,7 @@ class PanelChecker {
 
     void check_chain() const {
         const int count = edge_count(panel_);
-        if (count < 2) fail("would have no inside");
+        if (count < 2) fail("would have no area");
         if (panel_.edges.size() > sim::kMaxEdges)
             fail("would have more than " + std::to_string(sim::kMaxEdges) + " edges");
         std::set<int> passed;

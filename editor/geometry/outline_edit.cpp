@@ -23,7 +23,7 @@ class VertexRemover {
     void remove() {
         const auto is_kept = [&](const sim::OutlineEdge& edge) { return !is_marked_[as_size(edge.start)]; };
         if (std::count_if(own().edges.begin(), own().edges.end(), is_kept) < 2) {
-            throw GeometryError("Panel " + own().name + " would have no inside.", {{own().name, -1, -1}});
+            throw GeometryError("Panel " + own().name + " would have no area.", {{own().name, -1, -1}});
         }
         while (join_one_run()) continue;
         for (std::size_t i = 0; i < going_.size(); ++i) {

@@ -278,7 +278,7 @@ int merge_panels(sim::Pattern& pattern, int seam) {
     const sim::Seam joint = seam_of(pattern, seam);
     const std::vector<PartLocation> places{place_of(pattern, joint.first), place_of(pattern, joint.second)};
     if (joint.first.panel == joint.second.panel) throw GeometryError("A seam within one panel joins no two.", places);
-    if (!joint.is_reversed) throw GeometryError("The panels face different ways: turn one over first.", places);
+    if (!joint.is_reversed) throw GeometryError("The panels have opposite orientation: mirror one first.", places);
     return edit_pattern(pattern, [&](sim::Pattern& draft) { return Merger(draft, joint).merge(); });
 }
 
@@ -297,7 +297,7 @@ void insert_dart(sim::Pattern& pattern, sim::SeamSide at, double t, double width
     const double from = t - width / 2 / length;
     const double to = t + width / 2 / length;
     if (!(width > 0 && depth > 0)) throw GeometryError("A dart needs a width and a depth.", {place_of(pattern, at)});
-    if (!(from > 0 && to < 1)) throw GeometryError("The dart is wider than there is room.", {place_of(pattern, at)});
+    if (!(from > 0 && to < 1)) throw GeometryError("The dart does not fit on the edge.", {place_of(pattern, at)});
     edit_pattern(pattern, [&](sim::Pattern& draft) {
         const sim::Panel& panel = draft.panels[as_size(at.panel)];
         const int second = split_alone(draft, at, to);

@@ -160,7 +160,7 @@ struct Run {
 };
 
 Run measured(const sim::Pattern& pattern, const std::vector<EdgeSpan>& spans) {
-    if (spans.empty()) throw GeometryError("There is nothing to sew on one side.");
+    if (spans.empty()) throw GeometryError("One side of the seam is empty.");
     Run run{spans, {0}, 0};
     for (EdgeSpan& span : run.spans) {
         const sim::SeamSide side{span.panel, span.edge};

@@ -24,13 +24,13 @@ std::string stage_text(sim::SessionStage stage, bool is_running) {
         case sim::SessionStage::Empty:
             return "Empty: there is nothing to drape";
         case sim::SessionStage::Placed:
-            return is_running ? "Panels are taken up" : "Placed: panels stand round the body";
+            return is_running ? "Loading panels" : "Placed: panels stand round the body";
         case sim::SessionStage::Sewing:
             return is_running ? "Sewing: seams close" : "Sewing, paused";
         case sim::SessionStage::Draping:
             return is_running ? "Draping: the garment falls" : "Draping, paused";
         case sim::SessionStage::Settled:
-            return "Settled: it hangs still";
+            return "Settled: at rest";
         case sim::SessionStage::Failed:
             break;
     }

@@ -138,7 +138,7 @@ void draw_tartan_list(InspectorContext& context) {
         draw_tartan(context, name, tartan);
         is_empty = false;
     }
-    if (is_empty) paragraph(context, "None is called so. A threadcount can be typed below.");
+    if (is_empty) paragraph(context, "No tartan has this name. A threadcount can be typed below.");
     ImGui::EndChild();
     ImGui::PopStyleVar(2);
 }
@@ -204,7 +204,7 @@ std::vector<FabricRow> fabric_rows(const sim::Fabric& fabric) {
         {"Thickness", figures(fabric.thickness * 1e3) + " mm", "Of one layer."},
         {"Friction", figures(fabric.friction), "Against the body: 0 slides like oil, 1 hardly slides."},
         {"Damping", figures(fabric.damping) + " /s", "How fast its motion dies away by itself."},
-        {"Gives up to", figures(fabric.strain_limit * 100) + " %", "Beyond this strain it no longer gives."},
+        {"Strain limit", figures(fabric.strain_limit * 100) + " %", "Beyond this strain it no longer gives."},
     };
 }
 
@@ -338,7 +338,7 @@ void draw_fabric_choice(InspectorContext& context, const std::string& shown) {
                                          .shown = readable_name(shown),
                                          .items = words,
                                          .chosen = chosen,
-                                         .tip = "Whose figures are shown. The buttons below put it to use.",
+                                         .tip = "The fabric whose values are shown. The buttons below put it to use.",
                                          .width_px = ImGui::GetContentRegionAvail().x});
     if (now >= 0) context.state.material.fabric = names[static_cast<std::size_t>(now)];
 }

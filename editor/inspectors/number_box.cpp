@@ -92,7 +92,7 @@ FieldEnd end_of_field(BoxState& boxes, unsigned id) {
 // Rejected text disappears from the field, so report why.
 void report_invalid(InspectorContext& context, const FieldEnd& end) {
     if (end.ending == Ending::Wrong) {
-        context.workspace.messages.warn("'" + end.typed.text + "' is not taken. " + end.typed.wrong);
+        context.workspace.messages.warn("'" + end.typed.text + "' is not valid. " + end.typed.wrong);
     }
 }
 
@@ -215,7 +215,7 @@ NumberEdit drag_number(InspectorContext& context, const NumberBox& box, float wi
 
 ReadNumber read_number(const NumberBox& box, const std::string& text) {
     if (text.find_first_not_of(' ') == std::string::npos) {
-        return box.may_be_empty ? ReadNumber{} : ReadNumber{.wrong = "A number is wanted here"};
+        return box.may_be_empty ? ReadNumber{} : ReadNumber{.wrong = "Enter a number"};
     }
     const std::optional<double> value = parse_quantity(text, box.unit);
     if (!value) {

@@ -86,7 +86,7 @@ void draw_scale(InspectorContext& context, const PanelOnSheet& shown) {
     const Vec2d centre = box.centre() + shown.origin;
     const VectorEdit scale = vector_row(context,
                                         {.name = "panel.scale",
-                                         .label = "S: scale",
+                                         .label = "Scale",
                                          .unit = Unit::Factor,
                                          .tip = "Scales the outline about its middle: 1.05 or 105%.",
                                          .least = kLeastScale},
@@ -123,13 +123,13 @@ void draw_place(InspectorContext& context, const sim::Panel& panel) {
     const VectorEdit moved =
         vector_row(context,
                    {.name = "panel.translation",
-                    .label = "T: place",
+                    .label = "Place",
                     .tip = "Where the panel's origin stands in the room: X to the body's left, Y up, Z to the front."},
                    panel.translation);
     const Vec3d angles = shown_angles(context, panel);
     const VectorEdit turned = vector_row(context,
                                          {.name = "panel.rotation",
-                                          .label = "R: turned",
+                                          .label = "Turn",
                                           .unit = Unit::Degrees,
                                           .tip = "Turned about X first, then Y, then Z, as the room has them."},
                                          angles);
@@ -248,7 +248,7 @@ void draw_panels_section(InspectorContext& context) {
     const std::vector<std::string> names(selected.panels.begin(), selected.panels.end());
     const VectorEdit scale = vector_row(context,
                                         {.name = "panels.scale",
-                                         .label = "S: scale",
+                                         .label = "Scale",
                                          .unit = Unit::Factor,
                                          .tip = "Scales all of them about their common middle: 1.05 or 105%.",
                                          .least = kLeastScale},
@@ -262,7 +262,7 @@ void draw_panels_section(InspectorContext& context) {
     const Vec3d centre = garment_centre(only_selected(pattern, selected));
     const VectorEdit placed = vector_row(context,
                                          {.name = "panels.translation",
-                                          .label = "T: place",
+                                          .label = "Place",
                                           .tip = "Moves all of them in the room, with their middle to this place."},
                                          centre);
     if (placed) carry(context, placed.number, placing(pattern, selected, edited(centre, placed) - centre));
@@ -568,7 +568,7 @@ void draw_pattern_section(InspectorContext& context) {
     if (name) context.workspace.run(RenamePattern{*name});
     const VectorEdit moved = vector_row(context,
                                         {.name = "pattern.translation",
-                                         .label = "GT: all panels",
+                                         .label = "All panels",
                                          .tip = "Moves all panels in the room, with their middle to this place."},
                                         garment_centre(pattern));
     if (moved) {
@@ -597,7 +597,7 @@ void draw_properties(InspectorContext& context) {
     if (context.pattern().panels.empty()) {
         paragraph(context, "No panels yet. Draw one on the sheet, or open a file.");
     } else if (selected.is_empty()) {
-        paragraph(context, "Click a panel, point, edge or seam to see its figures here.");
+        paragraph(context, "Click a panel, point, edge or seam to see its values here.");
     }
     draw_selected(context, selected);
     if (folding("Garment", Fold::Open)) draw_pattern_section(context);

@@ -82,7 +82,7 @@ bool PathTool::key(ToolContext& context, Key key, const Modifiers& modifiers) {
 
 bool PathTool::enter(ToolContext& context, const std::vector<double>& numbers) {
     if (numbers.size() != 1 || path_.is_empty()) return false;
-    if (!(numbers[0] > 0)) throw GeometryError("A length is more than nothing");
+    if (!(numbers[0] > 0)) throw GeometryError("The length must be greater than 0");
     path_.add_at_length(numbers[0] / 100);
     if (is_done(context)) finish(context);
     return true;
@@ -185,7 +185,7 @@ Command MirrorTool::command(const ToolContext& context) const {
     if (!(along.norm() > 0)) throw GeometryError("The axis needs two points");
     const std::optional<Command> command =
         transform_selected(context.geometry, context.document.selection(), mirror_over(axis[0], along), "Mirror");
-    if (!command) throw GeometryError("Select first what is to be mirrored");
+    if (!command) throw GeometryError("Select what to mirror first");
     return *command;
 }
 
@@ -206,7 +206,7 @@ void MirrorTool::draw(const ToolContext& context, ToolOverlay& overlay) const {
 }
 
 std::string MirrorTool::hint(const ToolContext& context) const {
-    if (context.document.selection().is_empty()) return "Select first what is to be mirrored";
+    if (context.document.selection().is_empty()) return "Select what to mirror first";
     return "Click two points of the axis; Shift: 45\u00b0";
 }
 

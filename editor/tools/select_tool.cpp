@@ -467,7 +467,7 @@ void TransformTool::drop(ToolContext& context, const SheetPointer&) {
 bool TransformTool::enter(ToolContext& context, const std::vector<double>& numbers) {
     const Selection& selection = context.document.selection();
     const SheetBox box = context.geometry.box_of(selection);
-    if (box.isEmpty()) throw GeometryError("Select first what is to be changed");
+    if (box.isEmpty()) throw GeometryError("Select something first");
     PlaneMap map;
     if (mode_ == TransformMode::Rotate) {
         if (numbers.size() != 1) return false;
@@ -476,7 +476,7 @@ bool TransformTool::enter(ToolContext& context, const std::vector<double>& numbe
         if (numbers.size() > 2) return false;
         const Vec2d factors(numbers.front(), numbers.back());
         if (factors.cwiseAbs().minCoeff() < 0.01)
-            throw GeometryError("A factor of nothing leaves nothing: type such as 1.05");
+            throw GeometryError("The factor must not be 0; type, for example, 1.05");
         map = scaling_about(box.center(), factors);
     }
     const char* what = mode_ == TransformMode::Rotate ? "Rotate" : "Scale";
@@ -518,7 +518,7 @@ void TransformTool::draw(const ToolContext& context, ToolOverlay& overlay) const
 std::string TransformTool::hint(const ToolContext& context) const {
     if (context.document.selection().is_empty()) return "Click what is to be changed";
     if (mode_ == TransformMode::Rotate) return "Drag to turn, Shift: by 15\u00b0; or type degrees, then Enter";
-    return "Drag a handle, Shift: both ways alike, Alt: about the middle; or type a factor, such as 1.05 or 1.1 x 1";
+    return "Drag a handle, Shift: keep proportions, Alt: about the middle; or type a factor, such as 1.05 or 1.1 x 1";
 }
 
 }  // namespace selvedge::editor

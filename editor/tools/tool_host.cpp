@@ -150,7 +150,7 @@ bool ToolHost::key_unguarded(ToolHostContext host, Key key, const Modifiers& mod
             host.messages.dismiss();
             if (!numbers) return host.messages.warn("\"" + typed_.text() + "\" is no number"), true;
             typed_.clear();
-            if (!tool_->enter(given, *numbers)) host.messages.warn("There is nothing here that takes a number");
+            if (!tool_->enter(given, *numbers)) host.messages.warn("This tool does not use a number here");
             return true;
         }
         if (key == key_of('X')) return true;  // arrives as text: 30 x 40

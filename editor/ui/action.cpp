@@ -174,7 +174,7 @@ void ActionFinder::show(AppState& state) {
         const Action& action = *found[static_cast<std::size_t>(i)];
         if (action_row(state, action, i == chosen_)) wants = &action;
     }
-    if (count == 0) ImGui::TextDisabled("Nothing is called so.");
+    if (count == 0) ImGui::TextDisabled("No action has this name.");
     const bool is_confirmed = is_pressed(Key::Enter) || is_pressed(Key::KeypadEnter);
     if (is_confirmed && count > 0) wants = found[static_cast<std::size_t>(chosen_)];
     if (is_pressed(Key::Escape) || wants != nullptr) is_open_ = false;

@@ -45,8 +45,8 @@ void add_file_actions(std::vector<Action>& actions) {
                            .run = [ending](AppState& state) { browse_to_export(state, ending); }});
     };
     exports("file.export_png", "Export picture...", "The 3D view as a PNG file, with shadows and fine edges", ".png");
-    exports("file.export_obj", "Export OBJ...", "The garment as it hangs", ".obj");
-    exports("file.export_glb", "Export GLB...", "The garment as it hangs, for other 3D programs", ".glb");
+    exports("file.export_obj", "Export OBJ...", "The draped garment", ".obj");
+    exports("file.export_glb", "Export GLB...", "The draped garment, for other 3D programs", ".glb");
     actions.push_back({.id = "file.body",
                        .menu = "File",
                        .title = "Put on a body...",
@@ -446,7 +446,7 @@ void add_view_actions(std::vector<Action>& actions) {
         actions, {.id = "view.sheet", .title = "Pattern", .tip = "The 2D view", .chords = {{Key::F3, {}}}},
         [](auto& state) -> auto& { return state.layout.has_sheet; });
     add_switch(
-        actions, {.id = "view.fitting", .title = "Fitting", .tip = "The 3D view", .chords = {{Key::F4, {}}}},
+        actions, {.id = "view.fitting", .title = "3D view", .tip = "The 3D view", .chords = {{Key::F4, {}}}},
         [](auto& state) -> auto& { return state.layout.has_viewport; });
     add_switch(
         actions, {.id = "view.inspectors", .title = "Inspectors", .chords = {{Key::F5, {}}}},
@@ -462,7 +462,7 @@ void add_view_actions(std::vector<Action>& actions) {
         actions, {.id = "view.points", .title = "Arrangement points"},
         [](auto& state) -> auto& { return state.workspace.look.has_points; });
     add_switch(
-        actions, {.id = "view.threads", .title = "Threads of open seams"},
+        actions, {.id = "view.threads", .title = "Lines of open seams"},
         [](auto& state) -> auto& { return state.workspace.look.has_seam_lines; });
     add_switch(
         actions,

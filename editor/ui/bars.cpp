@@ -288,7 +288,7 @@ void show_recent(AppState& state) {
     if (files.empty()) return;
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.5F});
     ImGui::PushFont(state.fonts.bold);
-    ImGui::TextUnformatted("Go on with");
+    ImGui::TextUnformatted("Recent files");
     ImGui::PopFont();
     constexpr std::size_t kMost = 5;
     for (std::size_t i = 0; i < std::min(kMost, files.size()); ++i) {

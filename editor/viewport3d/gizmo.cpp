@@ -112,7 +112,7 @@ namespace {
 constexpr double kDegree = 3.14159265358979323846 / 180;
 constexpr double kLengthStep = 0.01;  // m
 constexpr double kAngleStep = 5 * kDegree;
-constexpr double kMaxCoordinate = 20;  // m: limits the motion when a ray is almost parallel to an axis or a plane
+constexpr double kMaxMotion = 20;  // m: limits the motion when a ray is almost parallel to an axis or a plane
 
 // The axis parameter (m from `through`) of the point on the axis nearest to the ray. None: they are parallel.
 std::optional<float> along_axis(const Ray& ray, const Vec3f& through, const Vec3f& axis) {
@@ -154,7 +154,7 @@ Vec3f grip_of(const Gizmo& gizmo, const GizmoHandle& handle, const Viewing& view
 }  // namespace
 
 GizmoDrag::GizmoDrag(const Gizmo& gizmo, const GizmoHandle& handle, const Viewing& viewing, const Vec2f& px)
-    : gizmo_(gizmo), handle_(handle), drag_(grip_of(gizmo, handle, viewing, px)) {
+    : gizmo_(gizmo), handle_(handle), start_(grip_of(gizmo, handle, viewing, px)) {
     const Vec3f to_eye = (viewing.camera.eye - gizmo.centre).normalized();
     is_on_edge_ = handle.kind == GizmoKind::Turn && std::abs(to_eye.dot(gizmo.axis(handle.axis))) < 0.2F;
     if (handle.kind == GizmoKind::Turn) cursor_angle_ = angle_of_cursor(viewing, px);
@@ -183,13 +183,13 @@ void GizmoDrag::move(const Viewing& viewing, const Vec2f& px) {
     std::optional<Vec3f> at;
     switch (handle_.kind) {
         case GizmoKind::MoveAxis:
-            if (const auto along = along_axis(ray, drag_, axis)) at = drag_ + *along * axis;
+            if (const auto along = along_axis(ray, start_, axis)) at = start_ + *along * axis;
             break;
         case GizmoKind::MovePlane:
-            at = on_plane(ray, drag_, axis);
+            at = on_plane(ray, start_, axis);
             break;
         case GizmoKind::MoveScreen:
-            at = in_picture_plane(viewing, px, drag_);
+            at = in_picture_plane(viewing, px, start_);
             break;
         case GizmoKind::Turn: {
             const double angle = angle_of_cursor(viewing, px);
@@ -199,8 +199,8 @@ void GizmoDrag::move(const Viewing& viewing, const Vec2f& px) {
             return;
         }
     }
-    if (!at || !at->allFinite() || static_cast<double>((*at - drag_).norm()) > kMaxCoordinate) return;
-    way_ = (gizmo_.axes.transpose() * (*at - drag_)).cast<double>();
+    if (!at || !at->allFinite() || static_cast<double>((*at - start_).norm()) > kMaxMotion) return;
+    way_ = (gizmo_.axes.transpose() * (*at - start_)).cast<double>();
 }
 
 Vec3d GizmoDrag::amounts() const {

@@ -94,11 +94,11 @@ class GizmoDrag {
 
     Gizmo gizmo_;
     GizmoHandle handle_;
-    Vec3f drag_ = Vec3f::Zero();  // m, the point where the drag started
-    Vec3d way_ = Vec3d::Zero();   // m along the gizmo's axes, the cursor's motion
-    double angle_ = 0;            // rad, the cursor's rotation
-    double cursor_angle_ = 0;     // rad, at the last move
-    bool is_on_edge_ = false;     // the ring is seen edge-on: the cursor's motion across its axis rotates it
+    Vec3f start_ = Vec3f::Zero();  // m, the point where the drag started
+    Vec3d way_ = Vec3d::Zero();    // m along the gizmo's axes, the cursor's motion
+    double angle_ = 0;             // rad, the cursor's rotation
+    double cursor_angle_ = 0;      // rad, at the last move
+    bool is_on_edge_ = false;      // the ring is seen edge-on: the cursor's motion across its axis rotates it
     DragSteps steps_ = DragSteps::Free;
     std::vector<double> typed_;
 };

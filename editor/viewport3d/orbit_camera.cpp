@@ -7,11 +7,11 @@ namespace selvedge::editor {
 namespace {
 
 constexpr float kPi = 3.14159265F;
-constexpr float kPole = kPi / 2 - 1e-3F;                // rad, the steepest elevation
-constexpr float kNearest = 0.15F, kMaxCoordinate = 40;  // m, limits of the distance
-constexpr float kUsualLens = 0.42F;                     // rad, vertical field of view, as Camera's default
-constexpr float kLongLens = 0.03F;                      // rad, vertical field of view
-constexpr float kTurnPerPx = 0.0075F;                   // rad
+constexpr float kPole = kPi / 2 - 1e-3F;           // rad, the steepest elevation
+constexpr float kNearest = 0.15F, kFarthest = 40;  // m, limits of the distance
+constexpr float kUsualLens = 0.42F;                // rad, vertical field of view, as Camera's default
+constexpr float kLongLens = 0.03F;                 // rad, vertical field of view
+constexpr float kTurnPerPx = 0.0075F;              // rad
 constexpr float kNearingPerNotch = 0.87F;
 constexpr float kMoveTime = 0.24F;  // s
 
@@ -69,7 +69,7 @@ void OrbitCamera::pan(const Vec2f& by_px, const Vec2f& size_px) {
 void OrbitCamera::zoom(float notches, const Vec3f& about) {
     left_ = 0;
     const float wanted = now_.distance * std::pow(kNearingPerNotch, notches);
-    const float distance = std::clamp(wanted, kNearest, kMaxCoordinate);
+    const float distance = std::clamp(wanted, kNearest, kFarthest);
     now_.target = about + (now_.target - about) * (distance / now_.distance);
     now_.distance = distance;
 }
@@ -115,7 +115,7 @@ void OrbitCamera::frame(const std::vector<Vec3f>& points, float aspect) {
     const render::Camera camera =
         frame_points(points, render::Direction{there.azimuth, there.elevation}, {.aspect = aspect, .margin = 0.12F});
     there.target = camera.target;
-    there.distance = std::clamp((camera.eye - camera.target).norm(), 4 * kNearest, kMaxCoordinate);
+    there.distance = std::clamp((camera.eye - camera.target).norm(), 4 * kNearest, kFarthest);
     move_to(there);
 }
 

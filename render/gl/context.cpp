@@ -70,7 +70,7 @@ class SurfacelessContext final : public GlContext {
 
     void make_current() override {
         if (!egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
-            throw std::runtime_error("does not make its context current");
+            throw std::runtime_error("cannot make its context current");
         }
     }
 
@@ -90,7 +90,7 @@ class SurfacelessContext final : public GlContext {
             throw std::runtime_error("has no configuration for OpenGL");
         }
         context_ = egl_.create(display_, config, EGL_NO_CONTEXT, attributes.data());
-        if (context_ == EGL_NO_CONTEXT) throw std::runtime_error("makes no core profile context");
+        if (context_ == EGL_NO_CONTEXT) throw std::runtime_error("cannot create a core profile context");
     }
 
     // Keeps the display: the process has only one, and other contexts may use it.
@@ -132,7 +132,7 @@ class OSMesaContext final : public GlContext {
         const std::array<int, 11> attributes{kFormat, kRgba, kDepthBits, 0, kProfile, kCoreProfile,
                                              kMajor,  3,     kMinor,     3, 0};
         context_ = mesa_.create(attributes.data(), nullptr);
-        if (context_ == nullptr) throw std::runtime_error("makes no core profile context");
+        if (context_ == nullptr) throw std::runtime_error("cannot create a core profile context");
         make_current();
         load_functions(mesa_.get_proc);
     }
@@ -145,7 +145,7 @@ class OSMesaContext final : public GlContext {
     void make_current() override {
         const int side = kSide;
         if (!mesa_.make_current(context_, default_framebuffer_.data(), kUnsignedByte, side, side)) {
-            throw std::runtime_error("does not make its context current");
+            throw std::runtime_error("cannot make its context current");
         }
     }
 

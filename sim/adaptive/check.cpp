@@ -114,7 +114,7 @@ class Checker {
 
     void check_edge(EdgeId e) {
         const AdaptiveEdge& edge = mesh_.edge(e);
-        expect(!edge.rejoining, "edge", e, "a pass is not over");
+        expect(!edge.rejoining, "edge", e, "retriangulate() was not called");
         expect(edge.level <= mesh_.max_level(), "edge", e, "deeper than the maximum level");
         expect(edge.ends[0] != edge.ends[1], "edge", e, "its ends are one vertex");
         expect(edge.rest_length > 0.0F, "edge", e, "its rest length is not positive");
@@ -134,7 +134,7 @@ class Checker {
 
     void check_children(EdgeId e, const AdaptiveEdge& edge) {
         expect(mesh_.vertex(edge.centre).level == edge.level + 1, "edge", e, "its centre has the wrong level");
-        expect(mesh_.vertex(edge.centre).parent == e, "edge", e, "its centre knows another edge");
+        expect(mesh_.vertex(edge.centre).parent == e, "edge", e, "its centre has another parent");
         for (std::size_t i = 0; i < 2; ++i) {
             const AdaptiveEdge& child = mesh_.edge(edge.children[i]);
             expect(child.ends[i] == edge.ends[i] && child.ends[1 - i] == edge.centre, "edge", e,
@@ -149,7 +149,7 @@ class Checker {
 
     void check_triangle(TriangleId id) {
         const AdaptiveTriangle& t = mesh_.triangle(id);
-        expect(!t.marked, "triangle", id, "a pass is not over");
+        expect(!t.marked, "triangle", id, "retriangulate() was not called");
         unsigned split = 0;
         for (std::size_t k = 0; k < 3; ++k) {
             const AdaptiveEdge& edge = mesh_.edge(t.edges[k]);
@@ -157,7 +157,7 @@ class Checker {
             expect(edge.ends[s] == t.vertices[k] && edge.ends[1 - s] == t.vertices[(k + 1) % 3], "triangle", id,
                    "an edge does not join its vertices");
             expect(edge.sides[s] == id || (!t.regular && edge.level < t.level), "triangle", id,
-                   "an edge does not know it");
+                   "it is not a side of its edge");
             split |= edge.centre ? 1U << k : 0U;
         }
         expect(t.regular || is_leaf(t), "triangle", id, "is irregular, yet refined");

@@ -102,7 +102,7 @@ ImportAnswer run_guarded(const std::filesystem::path& path, const std::string& i
             break;
     }
     std::optional<ImportAnswer> answer = from_bytes(result.answer);
-    if (!answer) return fail("the file leads its reader astray");
+    if (!answer) return fail("the reader returned invalid data");
     return std::move(*answer);
 }
 

@@ -44,7 +44,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     bool end_array() override { return close(); }
     bool key(std::string& name) override {
         open_.back().key = name;
-        if (!open_.back().keys.insert(name).second) fail("the key '" + name + "' stands here twice");
+        if (!open_.back().keys.insert(name).second) fail("the key '" + name + "' is a duplicate key");
         return true;
     }
     bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception& error) override {

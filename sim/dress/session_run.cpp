@@ -149,7 +149,7 @@ void SessionRun::end_sewing() {
     past_seconds_ = sewing.simulated_seconds;
     if (sewing.bad_vertex) {
         sewing_.reset();
-        return fail("a number went bad while it was sewn: do its panels stand where they can be sewn?");
+        return fail("a value is not finite while it was sewn: do its panels stand where they can be sewn?");
     }
     std::vector<int> open;
     for (const OpenSeam& seam : sewing.open) {
@@ -230,7 +230,7 @@ void SessionRun::drape_frame() {
     splits_ = static_cast<int>(after.splits - before.splits);
     rejoins_ = static_cast<int>(after.rejoins - before.rejoins);
     if (after.bad_vertex)
-        return fail("a number went bad " + describe_place(drape_->cloth, drape_->pattern, *after.bad_vertex));
+        return fail("a value is not finite " + describe_place(drape_->cloth, drape_->pattern, *after.bad_vertex));
     if (!goes_on) stage_ = SessionStage::Settled;
 }
 

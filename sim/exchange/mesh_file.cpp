@@ -25,7 +25,7 @@ MeshFormat format_of(const std::filesystem::path& path) {
     for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
     if (extension == ".obj") return MeshFormat::Obj;
     if (extension == ".glb") return MeshFormat::Glb;
-    throw InputError(path.string(), "", "'" + extension + "' is no mesh format: .obj and .glb are");
+    throw InputError(path.string(), "", "'" + extension + "' is not a mesh format: use .obj or .glb");
 }
 
 template <class Vector>

@@ -248,8 +248,8 @@ void add_parts(std::vector<GarmentTriangle>& out, SplitTriangle t) {
     const auto is_split = [](const CornerPoint& middle) { return middle.vertex >= 0; };
     const auto count = std::ranges::count_if(t.middle, is_split);
     const auto turn = [&] {
-        std::ranges::rotate(t.corner, t.corner.begin() + 1);
-        std::ranges::rotate(t.middle, t.middle.begin() + 1);
+        std::rotate(t.corner.begin(), t.corner.begin() + 1, t.corner.end());
+        std::rotate(t.middle.begin(), t.middle.begin() + 1, t.middle.end());
     };
     if (count == 1) {
         while (!is_split(t.middle[0])) turn();

@@ -241,7 +241,7 @@ std::optional<std::vector<std::array<int, 3>>> collect_inside(Triangulation& pla
             triangle[static_cast<std::size_t>(i)] = inner != kNoVertex ? inner : corner(face, i);
         }
         if (std::ranges::find(triangle, kNoVertex) != triangle.end()) return std::nullopt;
-        std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+        std::rotate(triangle.begin(), std::ranges::min_element(triangle), triangle.end());
         triangles.push_back(triangle);
     }
     std::ranges::sort(triangles);

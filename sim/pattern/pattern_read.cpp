@@ -113,7 +113,7 @@ class Reader : private FaultReader {
         if (const Node notches = node.member("notches")) read_notches(notches, panel);
         if (const Node wrap = node.member("wrap_radius")) {
             panel.wrap_radius = length(wrap).value_or(0);
-            if (panel.wrap_radius < 0) error(wrap, "the radius of a wrap is not negative");
+            if (panel.wrap_radius < 0) error(wrap, "wrap_radius must not be negative");
         }
         if (const Node other = node.member("mirror_of")) {
             const auto name = text(other);
@@ -260,7 +260,7 @@ class Reader : private FaultReader {
         if (const Node height = node.member("body_height")) {
             const auto value = length(height);
             if (value && (*value < 0.3 || *value > 3)) {
-                error(height, height.value->number_text() + " is no body's height");
+                error(height, height.value->number_text() + " is not a body height: 30 to 300 cm");
             } else {
                 pattern.body_height = value.value_or(pattern.body_height);
             }
@@ -288,7 +288,7 @@ class Reader : private FaultReader {
         const Node repeat = node.member("repeat");
         if (!repeat) return error(node, "no key 'repeat'");
         const auto size = point(repeat);
-        if (size && size->minCoeff() <= 0) return error(repeat, "a repeat is longer than nothing");
+        if (size && size->minCoeff() <= 0) return error(repeat, "the repeat must be positive");
         matched.repeat = size.value_or(Vec2d::Zero());
         out_.pattern.matched_sett = std::move(matched);
     }

@@ -190,13 +190,13 @@ std::string reason(const SeamLines& seam, const Mismatch& after) {
         const char* place = course.is_upright ? "matched from its lower end" : "matched in its middle";
         std::snprintf(text.data(), text.size(), "its sides differ by %.1f mm: %s",
                       1e3 * std::abs(course.first_length - course.second_length),
-                      after.is_anchored ? place : "other seams hold its panels");
+                      after.is_anchored ? place : "other seams determine the offsets of its panels");
         return text.data();
     }
     if (seam.seam->first.panel == seam.seam->second.panel) return "both sides belong to one panel";
     if (is_opposed_without_mirror(seam)) return "its sides run in opposite directions, and the sett has no mirror";
     if (mismatch_alone(seam) > kMet) return "its sides meet the stripes at different angles";
-    return "other seams hold its panels";
+    return "other seams determine the offsets of its panels";
 }
 
 // Priority level per seam, lower first: first_seams in their order; other seams that can meet; seams that cannot; then,

@@ -11,8 +11,8 @@
 namespace selvedge::app {
 namespace {
 
-const std::vector<std::string> kOffsetStep = {"picture.png", "garment.obj", "garment.glb",
-                                              "body.obj",    "body.glb",    "report.json"};
+const std::vector<std::string> kWritten = {"picture.png", "garment.obj", "garment.glb",
+                                           "body.obj",    "body.glb",    "report.json"};
 
 // Dresses two squares at a low resolution and writes every kind of output.
 ProgramResult dress_into(const ScratchFolder& folder, const std::string& options) {
@@ -66,7 +66,7 @@ TEST_F(DressCommand, two_squares_dress_without_a_fault) {
 }
 
 TEST_F(DressCommand, writes_every_file_it_was_asked_for) {
-    for (const std::string& name : kOffsetStep) EXPECT_GT(content_of(file(name)).size(), 100U) << name;
+    for (const std::string& name : kWritten) EXPECT_GT(content_of(file(name)).size(), 100U) << name;
     const render::Image picture = render::read_png(file("picture.png"));
     EXPECT_EQ(picture.width_px, 160);
     EXPECT_EQ(picture.height_px, 120);
@@ -108,7 +108,7 @@ TEST_F(DressCommand, two_threads_write_the_same_bytes_as_one) {
     const ScratchFolder other;
     const ProgramResult again = dress_into(other, "--threads 2");
     EXPECT_EQ(again.exit_code, result().exit_code);
-    for (const std::string& name : kOffsetStep) {
+    for (const std::string& name : kWritten) {
         if (name == "report.json") continue;
         EXPECT_TRUE(content_of(file(name)) == content_of(other / name)) << name << " differs";
     }

@@ -8,6 +8,7 @@ import check_format
 import check_includes
 import check_text
 import check_types
+import draw_modules
 import rules
 from sources import read_tree
 
@@ -24,6 +25,8 @@ def includes(root):
                   check_includes.check_cycles):
         yield from check(sources, architecture)
     yield from check_includes.check_table(architecture)
+    document = pathlib.Path(root, rules.ARCHITECTURE).read_text(encoding="utf-8")
+    yield from draw_modules.check_picture(document, architecture)
 
 
 def types(root):

@@ -9,6 +9,7 @@ import check_format
 import check_includes
 import check_text
 import check_types
+import draw_modules
 import rules
 from sources import Source, functions_of
 
@@ -92,6 +93,22 @@ class Includes(unittest.TestCase):
         circle = rules.Architecture(TABLES.replace("| nothing of ours |", "| sim/mesh |"))
         self.assertEqual(len(problems(check_includes.check_table(circle))), 1)
         self.assertEqual(problems(check_includes.check_table(ARCHITECTURE)), [])
+
+
+class Picture(unittest.TestCase):
+    PICTURE = "\n".join(draw_modules.draw(ARCHITECTURE.may_include))
+
+    def faults_of(self, text):
+        return problems(draw_modules.check_picture(text, ARCHITECTURE))
+
+    def test_an_arrow_that_follows_from_others_is_left_out(self):
+        self.assertIn("sim_dress --> sim_mesh", self.PICTURE)
+        self.assertNotIn("sim_dress --> sim_core", self.PICTURE)
+        self.assertEqual(self.faults_of("text\n" + self.PICTURE + "\ntext"), [])
+
+    def test_a_picture_with_another_arrow_or_with_one_less_fails(self):
+        self.assertEqual(len(self.faults_of(self.PICTURE.replace("sim_mesh --> sim_core", "sim_core --> sim_mesh"))), 2)
+        self.assertEqual(len(self.faults_of("no picture")), 1)
 
 
 class Types(unittest.TestCase):
@@ -179,8 +196,9 @@ class Program(unittest.TestCase):
             header = pathlib.Path(root, "sim", "core", "a.h")
             header.parent.mkdir(parents=True)
             pathlib.Path(root, "docs").mkdir()
+            table = "| module | may include |\n|---|---|\n| sim/core | nothing of ours |\n| app | everything |\n"
             pathlib.Path(root, "docs", "architecture.md").write_text(
-                "| module | may include |\n|---|---|\n| sim/core | nothing of ours |\n| app | everything |\n",
+                table + "\n\n" + "\n".join(draw_modules.draw(rules.Architecture(table).may_include)) + "\n",
                 encoding="utf-8")
             for text, exit_code in [(PRAGMA, 0), (PRAGMA + '#include "app/commands.h"\n', 1)]:
                 header.write_text(text, encoding="utf-8")

@@ -200,7 +200,7 @@ TEST(FabricText, speaks_in_units_of_the_trade) {
     EXPECT_EQ(value_of(fabric, "Stretch"), "8000 \u00D7 5000 N/m");
     EXPECT_EQ(value_of(fabric, "Bending"), "9 \u00D7 6 \u00B5N\u00B7m");
     EXPECT_EQ(value_of(fabric, "Thickness"), "0.28 mm");
-    EXPECT_EQ(value_of(fabric, "Gives up to"), "3 %");
+    EXPECT_EQ(value_of(fabric, "Strain limit"), "3 %");
 }
 
 TEST(FabricText, names_are_made_readable) {

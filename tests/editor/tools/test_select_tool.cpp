@@ -167,6 +167,14 @@ TEST(ToolHost, no_tool_minds_any_click_or_key_on_an_empty_sheet) {
         hands.key(Key::Escape);
         hands.drag({0.4, 0.1}, {0.1, 0.3}, {.shift = true});
         hands.overlay();
+        hands.key(Key::Escape);
+        EXPECT_TRUE(hands.pattern().seams.empty()) << info.title;
+        for (const sim::Panel& panel : hands.pattern().panels) {
+            EXPECT_TRUE(sim::find_outline_crossings(panel).empty()) << info.title;
+            EXPECT_GT(sim::outline_area(panel), 0) << info.title;
+        }
+        hands.document.go_to(0);
+        EXPECT_TRUE(hands.pattern().panels.empty()) << info.title << ": all that it did can be undone";
     }
 }
 

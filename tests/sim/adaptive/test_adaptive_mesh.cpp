@@ -231,7 +231,7 @@ TEST(Check, names_the_triangles_of_a_pass_that_is_not_over) {
     AdaptiveMesh mesh(two_triangles());
     mesh.split(edge_between(mesh, VertexId(1), VertexId(2)));
     const std::vector<std::string> problems = check(mesh);
-    EXPECT_TRUE(names(problems, "triangle 0: a pass is not over"));
+    EXPECT_TRUE(names(problems, "triangle 0: retriangulate() was not called"));
     EXPECT_TRUE(names(problems, "triangle 1: does not conform to its edges"));
     EXPECT_TRUE(names(problems, "triangle 0: a T-junction lies on its edge"));
     EXPECT_TRUE(names(problems, "vertices: the leaf list is not what a traversal finds"));

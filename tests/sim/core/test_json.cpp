@@ -77,7 +77,7 @@ TEST(Json, refuses_numbers_that_no_double_holds) {
 }
 
 TEST(Json, refuses_a_key_that_stands_twice_and_says_where) {
-    EXPECT_EQ(complaint(R"({"a":{"b":[0,{"c":1,"c":2}]}})"), "f.json: a.b[1].c: the key 'c' stands here twice");
+    EXPECT_EQ(complaint(R"({"a":{"b":[0,{"c":1,"c":2}]}})"), "f.json: a.b[1].c: the key 'c' is a duplicate key");
 }
 
 TEST(Json, names_the_line_where_the_text_stops_being_json) {

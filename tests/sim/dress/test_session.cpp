@@ -14,6 +14,7 @@
 #include "sim/dress/report.h"
 #include "sim/dress/session.h"
 #include "sim/dress/session_frame.h"
+#include "sim/dress/session_run.h"
 #include "sim/mannequin/mannequin.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/mesh/sew.h"
@@ -472,14 +473,27 @@ TEST(SessionThread, settles_by_itself_and_then_makes_no_frames) {
     EXPECT_TRUE(comes_to_be([&] { return session.frame()->number > number + 3; }));
 }
 
-TEST(SessionThread, ends_at_once_while_a_collider_is_made_or_panels_are_sewn) {
-    for (int i = 0; i < 6; ++i) {
-        Session session;
-        session.set_body(session_body());
-        session.set_pattern(session_pattern("two_squares"));
-        session.start();
-        std::this_thread::sleep_for(std::chrono::milliseconds(60 * i));
-    }
+// A session's thread ends by an exception that SessionRun's interrupt throws: the long operation, making the collider,
+// must call it often, and let its exception through at once.
+TEST(SessionRun, can_be_interrupted_while_a_collider_is_made) {
+    struct Stop {};
+    // The calls of the interrupt; it throws at the call `last`.
+    const auto calls_until = [](int last) {
+        int calls = 0;
+        SessionRun run([&] {
+            if (++calls == last) throw Stop();
+        });
+        run.set_body(session_body());
+        run.set_pattern(session_pattern("two_squares"));
+        if (last < 0)
+            run.prepare();
+        else
+            EXPECT_THROW(run.prepare(), Stop) << last;
+        return calls;
+    };
+    const int in_all = calls_until(-1);
+    EXPECT_GE(in_all, 100);
+    for (const int last : {1, in_all / 2, in_all}) EXPECT_EQ(calls_until(last), last);
 }
 
 TEST(SessionThread, takes_whatever_is_asked_for_in_quick_succession) {

@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
              "selvedge.seam_names[\"a,b\"]: a seam's name is not empty, and has no comma and no plus sign"},
         Case{"matched_to_nothing", R"("pattern": {)",
              R"("selvedge": {"matched_sett": {"repeat": [0, 14]}}, "pattern": {)",
-             "selvedge.matched_sett.repeat: a repeat is longer than nothing"},
+             "selvedge.matched_sett.repeat: the repeat must be positive"},
         Case{"a_sett_of_no_size", R"("pattern": {)", R"("selvedge": {"sett_size": 0.05}, "pattern": {)",
              "selvedge.sett_size: 0.05 is no size of a sett's repeat: 0.1 to 500 cm are"},
         Case{"matched_to_what", R"("pattern": {)", R"("selvedge": {"matched_sett": {}}, "pattern": {)",
@@ -120,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"worded_notch", R"("back": {)", R"("back": {"selvedge": {"notches": [3]}, )",
              "pattern.panels.back.selvedge.notches[0]: a number where an object should be"},
         Case{"wrap", R"("back": {)", R"("back": {"selvedge": {"wrap_radius": -1}, )",
-             "pattern.panels.back.selvedge.wrap_radius: the radius of a wrap is not negative"},
+             "pattern.panels.back.selvedge.wrap_radius: wrap_radius must not be negative"},
         Case{"huge_wrap", R"("back": {)", R"("back": {"selvedge": {"wrap_radius": 1e6}, )",
              "pattern.panels.back.selvedge.wrap_radius: further than 100 m"},
         Case{"mirror_of_nothing", R"("back": {)", R"("back": {"selvedge": {"mirror_of": "fornt"}, )",
@@ -144,7 +144,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"fabric", R"("pattern": {)", R"("selvedge": {"fabric": "velour"}, "pattern": {)",
              "selvedge.fabric: warning: no fabric 'velour' ships with the program"},
         Case{"height", R"("pattern": {)", R"("selvedge": {"body_height": 1.7}, "pattern": {)",
-             "selvedge.body_height: 1.7 is no body's height"}),
+             "selvedge.body_height: 1.7 is not a body height: 30 to 300 cm"}),
     [](const auto& spoilt) { return spoilt.param.name; });
 
 // A panel with straight edges through these points, cm. `last`: additional JSON members of the last edge.

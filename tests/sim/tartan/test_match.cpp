@@ -131,7 +131,7 @@ TEST(Match, a_cycle_that_cannot_close_leaves_its_error_to_one_seam) {
     for (const SeamMatch& seam : match.seams) {
         if (seam.after < kExact) continue;
         EXPECT_NEAR(seam.after, 0.008, kExact);
-        EXPECT_EQ(seam.why, "other seams hold its panels");
+        EXPECT_EQ(seam.why, "other seams determine the offsets of its panels");
     }
 }
 
