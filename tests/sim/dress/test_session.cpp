@@ -2,6 +2,7 @@
 // levels, hierarchy, strain and clearance.
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <functional>
@@ -474,12 +475,12 @@ TEST(SessionThread, settles_by_itself_and_then_makes_no_frames) {
 }
 
 // A session's thread ends by an exception that SessionRun's interrupt throws: the long operation, making the collider,
-// must call it often, and let its exception through at once.
+// must call it often, and let its exception through at once: other threads finish the pieces that they work on.
 TEST(SessionRun, can_be_interrupted_while_a_collider_is_made) {
     struct Stop {};
     // The calls of the interrupt; it throws at the call `last`.
-    const auto calls_until = [](int last) {
-        int calls = 0;
+    const auto calls_until = [](int last) -> int {
+        std::atomic<int> calls = 0;
         SessionRun run([&] {
             if (++calls == last) throw Stop();
         });
@@ -493,7 +494,7 @@ TEST(SessionRun, can_be_interrupted_while_a_collider_is_made) {
     };
     const int in_all = calls_until(-1);
     EXPECT_GE(in_all, 100);
-    for (const int last : {1, in_all / 2, in_all}) EXPECT_EQ(calls_until(last), last);
+    for (const int last : {1, in_all / 2}) EXPECT_LE(calls_until(last), last + in_all / 100);
 }
 
 TEST(SessionThread, takes_whatever_is_asked_for_in_quick_succession) {
