@@ -71,25 +71,7 @@ const PanelFace& PanelFaces::face(const PanelShape& shape, double scale) {
 
 namespace {
 
-// Conversion from linear light to sRGB by a table: a large image converts millions of values.
-class SrgbTable {
- public:
-    SrgbTable() {
-        for (std::size_t i = 0; i < bytes_.size(); ++i) {
-            const double linear = double(i) / kSteps;
-            const double v = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-            bytes_[i] = static_cast<std::uint8_t>(std::lround(v * 255));
-        }
-    }
-
-    std::uint8_t at(double linear) const {
-        return bytes_[static_cast<std::size_t>(std::clamp(linear, 0.0, 1.0) * kSteps + 0.5)];
-    }
-
- private:
-    static constexpr int kSteps = 8192;
-    std::array<std::uint8_t, kSteps + 1> bytes_{};
-};
+;
 
 // Divides the repeat into `count` equal parts; returns the mean colour of each in linear light.
 std::vector<Vec3d> sampled(const std::vector<sim::Rgb8>& threads, int count) {
@@ -131,7 +113,7 @@ render::Image sett_tile(const sim::Sett& sett, int side_px) {
     // Single threads fade in from 1 to 2 px per thread.
     const double shows_threads = std::clamp(double(side_px) / ends - 1, 0.0, 1.0);
     const double share = sett.weave == sim::Weave::Twill31 ? 0.75 : 0.5;
-    const SrgbTable srgb;
+    const render::SrgbTable<double, 8193> srgb;
     render::Image picture(side_px, height);
     for (int y = 0; y < height; ++y) {
         const int pick = static_cast<int>(double(y) * picks / height);

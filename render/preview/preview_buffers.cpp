@@ -10,6 +10,7 @@
 #include "render/draw/cloth_vertices.h"
 #include "render/draw/scene_buffers.h"
 #include "render/gl/context.h"
+#include "render/scene/colour.h"
 #include "sim/core/assert.h"
 
 namespace selvedge::render {
@@ -215,32 +216,17 @@ std::vector<Vec3f> mean_colours(const SettSums& sums, int count) {
     return colours;
 }
 
-// Linear light to sRGB bytes by a table, because a texture has many texels.
-class ByteEncoder {
- public:
-    ByteEncoder() {
-        for (std::size_t i = 0; i < table_.size(); ++i) {
-            const double light = double(i) / double(table_.size() - 1);
-            const double encoded = light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
-            table_[i] = static_cast<std::uint8_t>(std::lround(255 * encoded));
-        }
-    }
-    std::uint8_t operator()(float light) const {
-        const float at = std::clamp(light, 0.0F, 1.0F) * float(table_.size() - 1);
-        return table_[static_cast<std::size_t>(at + 0.5F)];
-    }
+;
 
- private:
-    std::array<std::uint8_t, 4096> table_{};
-};
+using PreviewSrgb = SrgbTable<float, 4096>;
 
 Image weave_of_size(const std::vector<Vec3f>& warp, const std::vector<Vec3f>& weft, float warp_direction_share,
-                    const ByteEncoder& encode) {
+                    const PreviewSrgb& srgb) {
     Image image(static_cast<int>(warp.size()), static_cast<int>(weft.size()));
     for (std::size_t y = 0; y < weft.size(); ++y) {
         for (std::size_t x = 0; x < warp.size(); ++x) {
             const Vec3f mixed = warp_direction_share * warp[x] + (1 - warp_direction_share) * weft[y];
-            image.pixels[y * warp.size() + x] = {encode(mixed.x()), encode(mixed.y()), encode(mixed.z()), 255};
+            image.pixels[y * warp.size() + x] = {srgb.at(mixed.x()), srgb.at(mixed.y()), srgb.at(mixed.z()), 255};
         }
     }
     return image;
@@ -251,11 +237,11 @@ Image weave_of_size(const std::vector<Vec3f>& warp, const std::vector<Vec3f>& we
 std::vector<Image> preview_weave(const sim::Sett& sett) {
     const SettSums warp = sum_warp(sett), weft = sum_weft(sett);
     const float warp_direction_share = sett.weave == sim::Weave::Twill31 ? 0.75F : 0.5F;
-    const ByteEncoder encode;
+    const PreviewSrgb srgb;
     std::vector<Image> sizes;
     for (int width = texels_for(warp), height = texels_for(weft);; width = (width + 1) / 2, height = (height + 1) / 2) {
         sizes.push_back(
-            weave_of_size(mean_colours(warp, width), mean_colours(weft, height), warp_direction_share, encode));
+            weave_of_size(mean_colours(warp, width), mean_colours(weft, height), warp_direction_share, srgb));
         if (width == 1 && height == 1) return sizes;
     }
 }

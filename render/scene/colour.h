@@ -47,4 +47,20 @@ inline std::uint8_t to_srgb(double linear) {
     return static_cast<std::uint8_t>(std::lround(255 * s));
 }
 
+// to_srgb() by a table, for millions of values: rounds to one of `Entries` evenly spaced values from 0 to 1.
+template <class Real, std::size_t Entries>
+class SrgbTable {
+ public:
+    SrgbTable() {
+        for (std::size_t i = 0; i < Entries; ++i) bytes_[i] = to_srgb(double(i) / double(Entries - 1));
+    }
+
+    std::uint8_t at(Real linear) const {
+        return bytes_[static_cast<std::size_t>(std::clamp(linear, Real(0), Real(1)) * Real(Entries - 1) + Real(0.5))];
+    }
+
+ private:
+    std::array<std::uint8_t, Entries> bytes_{};
+};
+
 }  // namespace selvedge::render

@@ -16,15 +16,7 @@ Kernels fastest_of_avx512() {
 
 const Kernels& kernels(SimdLevel level) {
     static const Kernels avx512 = fastest_of_avx512();
-    switch (level) {
-        case SimdLevel::Avx512:
-            return avx512;
-        case SimdLevel::Avx2:
-            return kernels_of<SimdLevel::Avx2>();
-        case SimdLevel::Plain:
-            break;
-    }
-    return kernels_of<SimdLevel::Plain>();
+    return for_level(level, kernels_of<SimdLevel::Plain>(), kernels_of<SimdLevel::Avx2>(), avx512);
 }
 
 }  // namespace selvedge::sim

@@ -14,15 +14,7 @@ CollideKernels fastest_of_avx512() {
 
 const CollideKernels& collide_kernels(SimdLevel level) {
     static const CollideKernels avx512 = fastest_of_avx512();
-    switch (level) {
-        case SimdLevel::Avx512:
-            return avx512;
-        case SimdLevel::Avx2:
-            return collide_kernels_of<SimdLevel::Avx2>();
-        case SimdLevel::Plain:
-            break;
-    }
-    return collide_kernels_of<SimdLevel::Plain>();
+    return for_level(level, collide_kernels_of<SimdLevel::Plain>(), collide_kernels_of<SimdLevel::Avx2>(), avx512);
 }
 
 }  // namespace selvedge::sim

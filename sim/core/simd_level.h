@@ -17,6 +17,20 @@ SimdLevel detected_simd_level();
 // force. Throws InputError if the variable is set and is not a level's name.
 SimdLevel simd_level();
 
+// The one of three sets of kernels that is compiled for the level.
+template <class Kernels>
+const Kernels& for_level(SimdLevel level, const Kernels& plain, const Kernels& avx2, const Kernels& avx512) {
+    switch (level) {
+        case SimdLevel::Avx512:
+            return avx512;
+        case SimdLevel::Avx2:
+            return avx2;
+        case SimdLevel::Plain:
+            break;
+    }
+    return plain;
+}
+
 // Limits simd_level() to `level` during its lifetime, for tests and benchmarks. Limits nest. Do not construct or
 // destroy one while kernels run.
 class SimdLimit {

@@ -25,8 +25,7 @@ def includes(root):
                   check_includes.check_cycles):
         yield from check(sources, architecture)
     yield from check_includes.check_table(architecture)
-    document = pathlib.Path(root, rules.ARCHITECTURE).read_text(encoding="utf-8")
-    yield from draw_modules.check_picture(document, architecture)
+    yield from draw_modules.check_picture(architecture)
 
 
 def types(root):

@@ -43,9 +43,9 @@ def draw(may_include):
     return lines + [END]
 
 
-def check_picture(text, architecture):
+def check_picture(architecture):
     """The document's first Mermaid picture is the table's."""
-    lines = text.split("\n")
+    lines = architecture.text.split("\n")
     begin = lines.index(BEGIN) if BEGIN in lines else None
     if begin is None:
         yield Fault(rules.ARCHITECTURE, 1, "has no picture of the modules")

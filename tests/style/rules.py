@@ -23,9 +23,10 @@ def rows_of(text, heads):
 
 class Architecture:
     """may_include: module -> modules, None where it may include everything; lines: module -> line in the document;
-    owners: beginning of an included name -> beginnings of the paths that may include it."""
+    owners: beginning of an included name -> beginnings of the paths that may include it; text: the document."""
 
     def __init__(self, text):
+        self.text = text
         self.may_include, self.lines, self.owners = {}, {}, {}
         for number, (modules, others) in rows_of(text, ["module", "may include"]):
             for module in modules.split(", "):

@@ -99,7 +99,7 @@ class Picture(unittest.TestCase):
     PICTURE = "\n".join(draw_modules.draw(ARCHITECTURE.may_include))
 
     def faults_of(self, text):
-        return problems(draw_modules.check_picture(text, ARCHITECTURE))
+        return problems(draw_modules.check_picture(rules.Architecture(TABLES + text)))
 
     def test_an_arrow_that_follows_from_others_is_left_out(self):
         self.assertIn("sim_dress --> sim_mesh", self.PICTURE)
