@@ -88,7 +88,8 @@ std::vector<int> vertices_of(const sim::GarmentMesh& mesh, int panel) {
 Specimen sew_specimen(const sim::Pattern& pattern, const std::vector<sim::Fabric>& fabrics, double edge_length,
                       double mesh_angle) {
     const sim::MeshOptions meshing{.target_edge = edge_length, .chord_error = kChordError};
-    Specimen specimen{.mesh = merge_seams(assemble(pattern, meshing)).mesh, .fabrics = fabrics};
+    Specimen specimen{.mesh = assemble(pattern, meshing), .fabrics = fabrics};
+    merge_seams(specimen.mesh);
     specimen.mesh.pins = vertices_of(specimen.mesh, Specimen::kHolder);
     specimen.mesh_angle = mesh_angle;
     return specimen;

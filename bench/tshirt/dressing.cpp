@@ -4,12 +4,11 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <memory>
 
-#include "sim/dress/drape.h"
-#include "sim/dress/dress.h"
-#include "sim/dress/sewing.h"
-#include "sim/mesh/sew.h"
-#include "sim/place/placement.h"
+#include "sim/cloth/adapt_cloth.h"
+#include "sim/cloth/step.h"
+#include "sim/dress/dressing.h"
 
 namespace selvedge::bench {
 namespace {
@@ -51,32 +50,19 @@ void split_triangle(const std::array<int, 3>& corners, int parts, SplitPoints& p
     }
 }
 
-sim::GarmentMesh placed_panels(const sim::Pattern& pattern, const sim::Body& body, const sim::BodyCollider& collider,
-                               const DressingOptions& options) {
-    sim::Pattern moved = pattern;
-    anchor_panels(moved, placed_for(pattern), body);
-    sim::MeshOptions meshing;
-    meshing.target_edge = options.edge_length.value_or(pattern.edge_length.value_or(meshing.target_edge));
-    sim::GarmentMesh unsewn = assemble(moved, meshing);
-    const double lift = seam_clearing_lift(unsewn, collider);
-    for (Vec3d& x : unsewn.x) x.y() += lift;
-    clear_panels(unsewn, collider);
-    return unsewn;
-}
-
 // Decreases shortest_edge step by step, with some frames to settle after each, until there are enough leaf triangles.
-void refine_on(Dressing& dressing, const sim::BodyCollider& collider, int least_leaves) {
+void refine_on(DressedCloth& dressed, const sim::BodyCollider& collider, int least_leaves) {
     constexpr int kRounds = 80;
     constexpr int kFrames = 15;  // of one adaptation and four steps
     constexpr float kShorter = 0.98F;
     constexpr double kMargin = 1.015;  // the middle of the accepted range, see sized_row() in tshirt.cpp
     const sim::StepOptions stepping{.extra_damping = 8};
     for (int round = 0; round < kRounds; ++round) {
-        if (static_cast<double>(dressing.cloth.mesh.leaf_triangles().size()) >= kMargin * least_leaves) return;
-        dressing.shortest_edge *= kShorter;
+        if (static_cast<double>(dressed.cloth.mesh.leaf_triangles().size()) >= kMargin * least_leaves) return;
+        dressed.shortest_edge *= kShorter;
         for (int frame = 0; frame < kFrames; ++frame) {
-            adapt_cloth(dressing.cloth, collider, {.shortest_edge = dressing.shortest_edge});
-            for (int i = 0; i < 4; ++i) step(dressing.cloth, collider, stepping);
+            adapt_cloth(dressed.cloth, collider, {.shortest_edge = dressed.shortest_edge});
+            for (int i = 0; i < 4; ++i) step(dressed.cloth, collider, stepping);
         }
     }
 }
@@ -92,19 +78,20 @@ sim::Body split_triangles(const sim::Body& body, int triangles) {
     return split;
 }
 
-Dressing dress_cloth(const sim::Pattern& pattern, const sim::Body& body, const sim::BodyCollider& collider,
-                     const DressingOptions& options, const sim::Progress& progress) {
-    const std::vector<sim::Fabric> fabrics = fabrics_of(pattern);
-    const sim::SewingResult sewing =
-        sew_on_body(placed_panels(pattern, body, collider, options), fabrics, collider, {}, progress);
-    Dressing dressing{.cloth = make_cloth(sewing.sewn, fabrics, {.max_level = options.max_level}),
-                      .shortest_edge = options.shortest_edge};
-    sim::DrapeOptions draping;
-    draping.adapt.shortest_edge = options.shortest_edge;
-    draping.finish_time = 0;  // the experiment continues with the usual sub-steps
-    dressing.is_settled = drape(dressing.cloth, collider, draping, progress).settled;
-    refine_on(dressing, collider, options.least_leaves);
-    return dressing;
+DressedCloth dress_cloth(const sim::Pattern& pattern, const sim::Body& body, const DressingOptions& options,
+                         const sim::Progress& progress) {
+    sim::Dressing dressing;
+    dressing.set_options({.edge_length = options.edge_length,
+                          .max_level = options.max_level,
+                          .shortest_edge = static_cast<double>(options.shortest_edge),
+                          .finish_time = 0});  // the experiment continues with the usual sub-steps
+    dressing.set_body(std::shared_ptr<const sim::Body>(std::shared_ptr<void>(), &body));
+    dressing.set_pattern(pattern);
+    while (dressing.advance()) sim::report(progress, "dressing", dressing.fraction());
+    DressedCloth dressed{
+        .cloth = *dressing.cloth(), .shortest_edge = options.shortest_edge, .is_settled = dressing.result().settled};
+    refine_on(dressed, dressing.collider(), options.least_leaves);
+    return dressed;
 }
 
 }  // namespace selvedge::bench

@@ -22,13 +22,13 @@ struct DressingOptions {
     int least_leaves = 0;         // with fewer leaf triangles, the settled garment is refined further
 };
 
-struct Dressing {
+struct DressedCloth {
     sim::Cloth cloth;
     float shortest_edge = 0;  // m, final value
     bool is_settled = false;
 };
 
-Dressing dress_cloth(const sim::Pattern& pattern, const sim::Body& body, const sim::BodyCollider& collider,
-                     const DressingOptions& options = {}, const sim::Progress& progress = {});
+DressedCloth dress_cloth(const sim::Pattern& pattern, const sim::Body& body, const DressingOptions& options = {},
+                         const sim::Progress& progress = {});
 
 }  // namespace selvedge::bench

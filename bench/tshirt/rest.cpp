@@ -9,7 +9,7 @@
 #include "bench/tshirt/dressing.h"
 #include "sim/core/math.h"
 #include "sim/dress/drape.h"
-#include "sim/dress/dress.h"
+#include "sim/dress/dressing.h"
 #include "sim/pattern/pattern_file.h"
 
 namespace selvedge::bench {
@@ -84,7 +84,7 @@ RestReport measure_rest(const RestExperiment& experiment, const sim::Progress& p
     const sim::Pattern pattern = sim::load_pattern(experiment.pattern).pattern;
     const sim::Body body = placed_for(pattern);
     const sim::BodyCollider collider(body);
-    sim::Cloth dressed = dress_cloth(pattern, body, collider, {}, progress).cloth;
+    sim::Cloth dressed = dress_cloth(pattern, body, {}, progress).cloth;
     const sim::VertexId hand = lowest_vertex(dressed);
     const Vec3f start = dressed.x[hand.value].head<3>();
     dressed.is_pinned[hand.value] = true;

@@ -7,9 +7,10 @@
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/step.h"
+#include "sim/collide/body_collider.h"
 #include "sim/collide/collider.h"
 #include "sim/core/math.h"
-#include "sim/dress/dress.h"
+#include "sim/dress/dressing.h"
 #include "sim/mannequin/mannequin.h"
 #include "sim/pattern/pattern_file.h"
 
@@ -112,7 +113,7 @@ TshirtReport measure_tshirt(const TshirtExperiment& experiment, const sim::Progr
     TshirtReport report;
     SwayOptions options = experiment.sway;
 
-    const Dressing usual = dress_cloth(pattern, body, collider, {.least_leaves = experiment.least_leaves}, progress);
+    const DressedCloth usual = dress_cloth(pattern, body, {.least_leaves = experiment.least_leaves}, progress);
     options.shortest_edge = usual.shortest_edge;
     const int dressed_with = options.substeps;
     if (experiment.substeps) options.substeps = *experiment.substeps;
@@ -126,7 +127,7 @@ TshirtReport measure_tshirt(const TshirtExperiment& experiment, const sim::Progr
     report.rows.push_back(sway_row("dense body", usual.cloth, dense_collider, options));
     options.substeps = dressed_with;
     report.rows.push_back(sway_row("sub-steps of dressing", usual.cloth, collider, options));
-    const Dressing many = dress_cloth(pattern, body, collider, finer_dressing(kManyLeaves), progress);
+    const DressedCloth many = dress_cloth(pattern, body, finer_dressing(kManyLeaves), progress);
     options.shortest_edge = many.shortest_edge;
     report.rows.push_back(sized_row("many leaves", many.cloth, collider, options, kManyLeaves));
     return report;

@@ -27,6 +27,7 @@ struct Body {
     std::vector<std::array<int, 3>> triangles;  // counter-clockwise seen from outside
     std::vector<Bone> bones;                    // empty when unknown
     std::vector<SkinWeights> skin;              // per vertex, empty when unknown
+    std::string made_from{};                    // bodies with equal text have equal surfaces; empty: unknown
 };
 
 // Minimum and maximum y of the surface, m; `high` is the stature when the body stands on the floor.

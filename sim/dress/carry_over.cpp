@@ -7,7 +7,6 @@
 
 #include "sim/collide/collider.h"
 #include "sim/core/assert.h"
-#include "sim/dress/session_run.h"
 #include "sim/mesh/sew.h"
 #include "sim/pattern/outline.h"
 
@@ -52,23 +51,22 @@ std::string count_of(std::size_t before, std::size_t after, const std::string& o
 }
 
 // Moves each unsewn vertex to its position in the drape and merges the seams, except those that were open.
-GarmentMesh sewn_in_place(const DrapeState& drape, const GarmentMesh& unsewn, const DrapedPanels& draped,
-                          const std::vector<OutlineMap>& maps) {
-    GarmentMesh moved = unsewn;
-    std::vector<bool> is_known(moved.x.size(), false);
-    for (const GarmentTriangle& triangle : unsewn.triangles) {
+void sew_in_place(GarmentMesh& mesh, const DrapeState& drape, const DrapedPanels& draped,
+                  const std::vector<OutlineMap>& maps) {
+    std::vector<bool> is_known(mesh.x.size(), false);
+    for (const GarmentTriangle& triangle : mesh.triangles) {
         for (std::size_t k = 0; k < 3; ++k) {
             const auto v = static_cast<std::size_t>(triangle.vertices[k]);
             if (is_known[v]) continue;
             is_known[v] = true;
             const Vec2d was = maps[static_cast<std::size_t>(triangle.panel)](triangle.u[k]);
             const MaterialPoint at{static_cast<std::uint16_t>(triangle.panel), was.cast<float>()};
-            moved.x[v] = draped.position(at).cast<double>();
+            mesh.x[v] = draped.position(at).cast<double>();
         }
     }
-    std::erase_if(moved.links,
+    std::erase_if(mesh.links,
                   [&](const SeamLink& link) { return std::ranges::binary_search(drape.open_seams, link.seam); });
-    return merge_seams(moved).mesh;
+    merge_seams(mesh);
 }
 
 // Material points of a vertex, one per distinct position in its panels.
@@ -139,26 +137,27 @@ std::string restart_reason(const Pattern& before, const Pattern& after) {
     return has_same_joins(before, after) ? "the panels have another order" + whole : "seams join other edges" + whole;
 }
 
-TransferredDrape transfer_drape(const DrapeState& drape, const Pattern& after, const GarmentMesh& unsewn,
+TransferredDrape transfer_drape(const DrapeState& drape, const Pattern& after, GarmentMesh unsewn,
                                 const std::vector<Fabric>& fabrics, const Collider& body,
-                                const AdaptClothOptions& adapting) {
+                                const AdaptClothOptions& adapting, int deepest_level) {
     const DrapedPanels draped(drape.cloth);
     std::vector<OutlineMap> maps;
     for (std::size_t p = 0; p < after.panels.size(); ++p) maps.emplace_back(after.panels[p], drape.pattern.panels[p]);
-    GarmentMesh sewn = sewn_in_place(drape, unsewn, draped, maps);
-    Cloth cloth = make_cloth(sewn, fabrics, {.max_level = kDeepestSessionLevel});
+    GarmentMesh mesh = std::move(unsewn);
+    sew_in_place(mesh, drape, draped, maps);
+    Cloth cloth = make_cloth(mesh, fabrics, {.max_level = deepest_level});
     refresh_contacts(cloth);
     update_normals(cloth);
     place_vertices(cloth, draped, maps, body);
     AdaptClothOptions refining = adapting;
     refining.may_rejoin = false;
     refining.kept_vertices = {};
-    for (int level = 0; level < std::min(adapting.max_level, kDeepestSessionLevel); ++level) {
+    for (int level = 0; level < std::min(adapting.max_level, deepest_level); ++level) {
         adapt_cloth(cloth, body, refining);
         place_vertices(cloth, draped, maps, body);
     }
     forget_contacts(cloth);
-    return {.cloth = std::move(cloth), .pins = std::move(sewn.pins)};
+    return {.cloth = std::move(cloth), .mesh = std::move(mesh)};
 }
 
 namespace {

@@ -35,15 +35,15 @@ struct DrapeState {
 
 struct TransferredDrape {
     Cloth cloth;
-    std::vector<int> pins;  // base vertices that the pattern pins
+    GarmentMesh mesh;  // level 0, sewn
 };
 
 // Meshes `after` in the shape of the current drape: sewn, refined by the criteria, at rest. Each material point of a
 // panel is placed where the corresponding point of the old panel was. Pre: compare() does not return Kind. Throws
-// InputError when the mesh cannot be sewn.
-TransferredDrape transfer_drape(const DrapeState& drape, const Pattern& after, const GarmentMesh& unsewn,
+// InputError when the mesh cannot be sewn. deepest_level: the new cloth's.
+TransferredDrape transfer_drape(const DrapeState& drape, const Pattern& after, GarmentMesh unsewn,
                                 const std::vector<Fabric>& fabrics, const Collider& body,
-                                const AdaptClothOptions& adapting);
+                                const AdaptClothOptions& adapting, int deepest_level);
 
 // Maps points of a panel to corresponding points of another panel with the same edges. A point on the outline keeps its
 // edge and its fraction of that edge's length; interior points follow by mean value coordinates. (Floater 2003; Hormann

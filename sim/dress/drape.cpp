@@ -164,15 +164,4 @@ double DrapeRun::frame_seconds(const Cloth& cloth, const StepOptions& stepping) 
     return static_cast<double>(step_seconds(cloth, stepping)) * options_.steps_per_adaptation;
 }
 
-DrapeResult drape(Cloth& cloth, const Collider& body, const DrapeOptions& options, const Progress& progress) {
-    report(progress, "draping", 0);
-    DrapeRun run(cloth, options);
-    while (run.phase() != DrapePhase::Done) {
-        run.advance(cloth, body);
-        if (run.phase() == DrapePhase::Fall) report(progress, "draping", std::min(1.0, run.fraction()));
-    }
-    report(progress, "draping", 1);
-    return run.result();
-}
-
 }  // namespace selvedge::sim

@@ -9,7 +9,6 @@
 
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/step.h"
-#include "sim/core/parallel.h"
 
 namespace selvedge::sim {
 
@@ -99,7 +98,5 @@ class DrapeRun {
     float learning_rate_scale_ = 1;  // of the stretch and shear multipliers
     float usual_substep_ = 0;        // s
 };
-
-DrapeResult drape(Cloth& cloth, const Collider& body, const DrapeOptions& options, const Progress& progress);
 
 }  // namespace selvedge::sim

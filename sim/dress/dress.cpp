@@ -4,16 +4,9 @@
 
 #include <chrono>
 
-#include "sim/collide/body_collider.h"
 #include "sim/core/math.h"
-#include "sim/dress/drape.h"
-#include "sim/dress/report.h"
 #include "sim/dress/session_frame.h"
-#include "sim/dress/sewing.h"
-#include "sim/mannequin/mannequin.h"
 #include "sim/mesh/garment_mesh.h"
-#include "sim/mesh/sew.h"
-#include "sim/place/placement.h"
 
 namespace selvedge::sim {
 namespace {
@@ -44,22 +37,6 @@ double peak_memory_mb() {
     return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
-Pattern anchored(const Pattern& pattern, const Body& body) {
-    Pattern moved = pattern;
-    anchor_panels(moved, placed_for(pattern), body);
-    return moved;
-}
-
-// The unsewn garment, clear of the body and at a height at which its seams can close.
-GarmentMesh place(const Pattern& pattern, const BodyCollider& collider, const DressOptions& options,
-                  DressReport& report) {
-    MeshOptions meshing = options.mesh;
-    meshing.target_edge = options.edge_length.value_or(pattern.edge_length.value_or(meshing.target_edge));
-    GarmentMesh unsewn = assemble(pattern, meshing);
-    report.notes = make_sewable(unsewn, collider);
-    return unsewn;
-}
-
 void record_drape(DressReport& report, const DrapeResult& result) {
     report.settled = result.settled;
     report.stopped_because = result.stopped_because;
@@ -72,33 +49,23 @@ void record_drape(DressReport& report, const DrapeResult& result) {
     report.timing.ms_adapt_plus_4_steps = report.timing.ms_per_adaptation + 4 * report.timing.ms_per_step;
 }
 
-void record_mesh(DressReport& report, const Pattern& pattern, const GarmentMesh& unsewn, const GarmentMesh& sewn) {
-    const MeshReport mesh = report_mesh(pattern, unsewn, sewn);
-    report.mesh.base_triangles = mesh.triangles;
-    report.mesh.min_angle_deg = mesh.min_angle_deg;
+void record_mesh(DressReport& report, const Pattern& pattern, const GarmentMesh& mesh) {
+    const MeshReport found = report_mesh(pattern, mesh);
+    report.mesh.base_triangles = found.triangles;
+    report.mesh.min_angle_deg = found.min_angle_deg;
     report.seams.count = static_cast<int>(pattern.seams.size());
-    report.seams.worst_length_mismatch = mesh.worst_mismatch ? mesh.worst_mismatch->ratio - 1 : 0;
+    report.seams.worst_length_mismatch = found.worst_mismatch ? found.worst_mismatch->ratio - 1 : 0;
+}
+
+// Runs the dressing to the end of this stage.
+void finish_stage(Dressing& dressing, DressingStage stage, std::string_view phase, const Progress& progress) {
+    while (dressing.stage() == stage) {
+        dressing.advance();
+        if (dressing.stage() == stage) report(progress, phase, dressing.fraction());
+    }
 }
 
 }  // namespace
-
-std::vector<Fabric> fabrics_of(const Pattern& pattern) {
-    std::vector<Fabric> fabrics;
-    for (const Panel& panel : pattern.panels)
-        fabrics.push_back(find_fabric(panel.fabric.empty() ? pattern.fabric : panel.fabric));
-    return fabrics;
-}
-
-Body placed_for(const Pattern& pattern) {
-    if (!pattern.body.empty()) return make_mannequin(parse_mannequin(pattern.body)).body;
-    // GarmentCode's mean body, by its published measurements.
-    MannequinOptions mean;
-    mean.measures.height = pattern.body_height;
-    mean.measures.bust = 0.998;
-    mean.measures.waist = 0.843;
-    mean.measures.hip = 1.035;
-    return make_mannequin(mean).body;
-}
 
 DressedGarment dress(const Pattern& pattern, const Body& body, const DressOptions& options, const Progress& progress) {
     DressedGarment dressed;
@@ -106,31 +73,34 @@ DressedGarment dress(const Pattern& pattern, const Body& body, const DressOption
     PhaseTimer timer(report.timing);
     report.garment = pattern.name;
     report.body = body.name;
-    const std::vector<Fabric> fabrics =
-        options.fabric ? std::vector(pattern.panels.size(), *options.fabric) : fabrics_of(pattern);
+    Dressing dressing;
+    dressing.set_options(options);
+    dressing.set_body(std::shared_ptr<const Body>(std::shared_ptr<void>(), &body));  // the caller owns it
 
     selvedge::sim::report(progress, "reading the body", 0);
-    const BodyCollider collider(body);
+    dressing.collider();
     timer.done("body");
 
-    const Pattern moved = anchored(pattern, body);
-    const GarmentMesh unsewn = place(moved, collider, options, report);
+    dressing.set_pattern(pattern);
+    dressing.sew();
+    report.notes = dressing.take_notes();
     timer.done("mesh");
 
-    const SewingResult sewing = sew_on_body(unsewn, fabrics, collider, {}, progress);
-    record_mesh(report, pattern, unsewn, sewing.sewn);
+    finish_stage(dressing, DressingStage::Sew, "sewing", progress);
+    selvedge::sim::report(progress, "sewing", 1);
+    record_mesh(report, pattern, dressing.sewn_mesh());
     timer.done("sewing");
 
-    Cloth cloth = make_cloth(sewing.sewn, fabrics, {.max_level = options.max_level});
-    DrapeOptions draping{.max_seconds = options.max_seconds};
-    draping.adapt.criteria = options.criteria;
-    draping.adapt.shortest_edge = static_cast<float>(options.shortest_edge);
-    const DrapeResult draped = drape(cloth, collider, draping, progress);
-    record_drape(report, draped);
+    selvedge::sim::report(progress, "draping", 0);
+    finish_stage(dressing, DressingStage::Relax, "draping", {});
+    finish_stage(dressing, DressingStage::Fall, "draping", progress);
+    selvedge::sim::report(progress, "draping", 1);
+    record_drape(report, dressing.result());
     timer.done("draping");
 
-    inspect(cloth, collider, moved, sewing, draped, report);
-    dressed.mesh = plain_mesh(cloth, sewing.sewn.panel_names);
+    const Cloth& cloth = *dressing.cloth();
+    inspect(cloth, dressing.collider(), dressing.anchored(), dressing.open_seams(), dressing.result(), report);
+    dressed.mesh = plain_mesh(cloth, dressing.sewn_mesh().panel_names);
     dressed.hierarchy = triangle_hierarchy(cloth);
     timer.done("inspection");
     report.timing.peak_memory_mb = peak_memory_mb();

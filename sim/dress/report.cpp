@@ -234,11 +234,10 @@ void inspect_floor(const Cloth& cloth, DressReport& report) {
 
 }  // namespace
 
-void inspect(const Cloth& cloth, const BodyCollider& body, const Pattern& pattern, const SewingResult& sewing,
+void inspect(const Cloth& cloth, const BodyCollider& body, const Pattern& pattern, std::span<const OpenSeam> open_seams,
              const DrapeResult& draped, DressReport& report, const FaultLimits& limits) {
-    report.seams.open = static_cast<int>(sewing.open.size());
-    for (const OpenSeam& open : sewing.open)
-        add_fault(report, "open_seam", describe_seam(pattern, open.seam), open.gap);
+    report.seams.open = static_cast<int>(open_seams.size());
+    for (const OpenSeam& open : open_seams) add_fault(report, "open_seam", describe_seam(pattern, open.seam), open.gap);
     if (draped.bad_vertex) {
         add_fault(report, "not_finite", describe_place(cloth, pattern, *draped.bad_vertex), 0);
     } else {

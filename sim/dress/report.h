@@ -3,6 +3,7 @@
 // JSON are declared here.
 #include <array>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,8 @@
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::sim {
+
+class BodyCollider;
 
 namespace report_key {
 inline constexpr std::string_view kGarment = "garment";
@@ -137,7 +140,7 @@ struct FaultLimits {
 };
 
 // Fills in mesh counts, contact, stretch, open seams, notes and faults.
-void inspect(const Cloth& cloth, const BodyCollider& body, const Pattern& pattern, const SewingResult& sewing,
+void inspect(const Cloth& cloth, const BodyCollider& body, const Pattern& pattern, std::span<const OpenSeam> open_seams,
              const DrapeResult& draped, DressReport& report, const FaultLimits& limits = {});
 
 // The leaf triangles in their current position, with material coordinates and level of each.

@@ -1,10 +1,606 @@
 #include "sim/dress/session.h"
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <limits>
+#include <map>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <variant>
+
 #include "sim/core/assert.h"
-#include "sim/dress/session_worker.h"
+#include "sim/core/error.h"
+#include "sim/core/math.h"
+#include "sim/dress/report.h"
+#include "sim/dress/session_frame.h"
 
 namespace selvedge::sim {
-bool SessionOptions::operator==(const SessionOptions&) const = default;
+namespace {
+
+constexpr std::size_t kTimedFrames = 30;
+constexpr std::size_t kMaxMessages = 50;
+constexpr std::size_t kFramesKept = 32;  // about 1 s of frames that a click may still refer to
+constexpr int kDeepestSessionLevel = 8;  // a base edge of 5 cm is 0.2 mm long at this level
+
+using Clock = std::chrono::steady_clock;
+
+double ms_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+double sum_of(const std::vector<double>& values) {
+    double sum = 0;
+    for (const double value : values) sum += value;
+    return sum;
+}
+
+std::vector<std::string> names_of(const Pattern& pattern) {
+    std::vector<std::string> names;
+    for (const Panel& panel : pattern.panels) names.push_back(panel.name);
+    return names;
+}
+
+// Timings of the last frames.
+class FrameTimes {
+ public:
+    void note(const SessionTimes& frame);
+    SessionTimes medians() const;
+
+ private:
+    std::vector<SessionTimes> last_;  // ring buffer
+    std::size_t next_ = 0;
+};
+
+void FrameTimes::note(const SessionTimes& frame) {
+    if (last_.size() < kTimedFrames) {
+        last_.push_back(frame);
+    } else {
+        last_[next_] = frame;
+    }
+    next_ = (next_ + 1) % kTimedFrames;
+}
+
+SessionTimes FrameTimes::medians() const {
+    const auto median = [&](double SessionTimes::*part) {
+        std::vector<double> values;
+        for (const SessionTimes& one : last_) values.push_back(one.*part);
+        return quantile(values, 0.5);
+    };
+    return {median(&SessionTimes::adaptation), median(&SessionTimes::steps), median(&SessionTimes::frame)};
+}
+
+template <class Number>
+Number clamped(Number value, Number low, Number high, Number otherwise) {
+    return std::isfinite(value) ? std::clamp(value, low, high) : otherwise;
+}
+
+// Clamps options to their valid ranges.
+SessionOptions within_limits(SessionOptions options) {
+    const SessionOptions usual;
+    if (options.edge_length) options.edge_length = clamped(*options.edge_length, 0.005, 0.5, 0.05);
+    options.max_level = std::clamp(options.max_level, 0, kDeepestSessionLevel);
+    options.shortest_edge = clamped(options.shortest_edge, 0.002, 1.0, usual.shortest_edge);
+    CurvatureOptions& curvature = options.curvature;
+    curvature.split_angle = clamped(curvature.split_angle, 0.01F, 3.0F, usual.curvature.split_angle);
+    curvature.rejoin_angle =
+        clamped(curvature.rejoin_angle, 0.0F, 0.95F * curvature.split_angle, 0.3F * curvature.split_angle);
+    if (options.triangle_budget) options.triangle_budget = std::max(1, *options.triangle_budget);
+    return options;
+}
+
+// Requests.
+namespace ask {
+struct SetBody {
+    std::shared_ptr<const Body> body;
+};
+struct SetPattern {
+    Pattern pattern;
+};
+struct SetOptions {
+    SessionOptions options;
+};
+struct Start {};
+struct Pause {};
+struct Reset {};
+struct Pull {
+    MaterialPoint at;
+    Vec3f to;
+};
+struct PullTo {
+    Vec3f to;
+};
+struct LetGo {};
+struct Pin {
+    MaterialPoint at;
+};
+struct UnpinAll {};
+struct Keep {
+    std::string name;
+};
+struct Restore {
+    std::string name;
+};
+struct Say {
+    std::string message;
+};
+}  // namespace ask
+
+using Ask = std::variant<ask::SetBody, ask::SetPattern, ask::SetOptions, ask::Start, ask::Pause, ask::Reset, ask::Pull,
+                         ask::PullTo, ask::LetGo, ask::Pin, ask::UnpinAll, ask::Keep, ask::Restore, ask::Say>;
+
+// Whether the newer request makes the older one, posted just before it, obsolete.
+bool supersedes(const Ask& newer, const Ask& older) {
+    if (newer.index() != older.index()) return false;
+    return std::holds_alternative<ask::SetPattern>(newer) || std::holds_alternative<ask::SetOptions>(newer) ||
+           std::holds_alternative<ask::SetBody>(newer) || std::holds_alternative<ask::PullTo>(newer);
+}
+
+// What a session does with requests and between frames, without its thread.
+class SessionState {
+ public:
+    explicit SessionState(std::function<void()> interrupt) : dressing_(std::move(interrupt)) {}
+
+    // Each carries out one request.
+    void operator()(ask::SetBody& asked);
+    void operator()(ask::SetPattern& asked);
+    void operator()(const ask::SetOptions& asked);
+    void operator()(ask::Start);
+    void operator()(ask::Pause);
+    void operator()(ask::Reset);
+    void operator()(const ask::Pull& asked);
+    void operator()(const ask::PullTo& asked);
+    void operator()(ask::LetGo);
+    void operator()(const ask::Pin& asked);
+    void operator()(ask::UnpinAll);
+    void operator()(const ask::Keep& asked);
+    void operator()(const ask::Restore& asked);
+    void operator()(ask::Say& asked) { say(std::move(asked.message)); }
+
+    // Stops with the stage Failed and this error message, until something changes.
+    void fail(const std::string& problem);
+
+    // Whether a frame can be simulated: running, and sewing or draping.
+    bool moves() const;
+    // Simulates one frame. Pre: moves().
+    void advance();
+    double frame_seconds() const;  // simulated time per frame, s
+
+    // The slow preparation that sewing needs (the collider), to do while idle.
+    bool may_prepare() const;
+    void prepare() { dressing_.collider(); }
+
+    // Whether anything visible has changed since the last call.
+    bool take_change() { return std::exchange(has_changed_, false); }
+    std::shared_ptr<SessionFrame> make_frame();
+
+    bool keeps_real_time() const { return options_.keeps_real_time; }
+
+ private:
+    SessionStage stage() const;
+    void sew();
+    void sew_if_running();
+    void say(std::string message);
+    void say_open_seams();
+    void advance_dressing();
+
+    Dressing dressing_;
+    SessionOptions options_;
+    bool is_running_ = false;
+    bool has_failed_ = false;
+    bool has_changed_ = true;
+    std::string problem_;
+    std::vector<std::string> messages_;
+    std::map<std::string, Dressing::Drape> kept_;
+    FrameTimes times_;
+    int splits_ = 0, rejoins_ = 0;  // in the last frame
+};
+
+SessionStage SessionState::stage() const {
+    if (has_failed_) return SessionStage::Failed;
+    switch (dressing_.stage()) {
+        case DressingStage::Place:
+            return dressing_.placed().triangles.empty() ? SessionStage::Empty : SessionStage::Placed;
+        case DressingStage::Sew:
+            return SessionStage::Sewing;
+        case DressingStage::Relax:
+        case DressingStage::Fall:
+            return SessionStage::Draping;
+        case DressingStage::Done:
+            break;
+    }
+    return SessionStage::Settled;
+}
+
+bool SessionState::moves() const {
+    const SessionStage now = stage();
+    return is_running_ && (now == SessionStage::Sewing || now == SessionStage::Draping);
+}
+
+double SessionState::frame_seconds() const {
+    return kSewingSteps * StepOptions{}.substeps * static_cast<double>(ClothOptions{}.substep);
+}
+
+bool SessionState::may_prepare() const {
+    return dressing_.body() != nullptr && !dressing_.has_collider() && stage() == SessionStage::Placed;
+}
+
+void SessionState::say(std::string message) {
+    if (messages_.size() == kMaxMessages) messages_.erase(messages_.begin());
+    messages_.push_back(std::move(message));
+    has_changed_ = true;
+}
+
+void SessionState::fail(const std::string& problem) {
+    has_failed_ = has_changed_ = true;
+    is_running_ = false;
+    problem_ = problem;
+}
+
+// Simulation.
+
+void SessionState::operator()(ask::Start) {
+    is_running_ = has_changed_ = true;
+    if (has_failed_ || stage() == SessionStage::Placed) sew();
+}
+
+void SessionState::operator()(ask::Pause) {
+    is_running_ = false;
+    has_changed_ = true;
+}
+
+void SessionState::operator()(ask::Reset) {
+    is_running_ = has_failed_ = false;
+    has_changed_ = true;
+    problem_.clear();
+    dressing_.reset();
+}
+
+void SessionState::sew() {
+    has_failed_ = false;
+    problem_.clear();
+    try {
+        dressing_.sew();
+        for (std::string& note : dressing_.take_notes()) say(std::move(note));
+    } catch (const InputError& error) {
+        fail(error.what());
+    }
+}
+
+void SessionState::sew_if_running() {
+    for (std::string& note : dressing_.take_notes()) say(std::move(note));
+    if (is_running_ && stage() == SessionStage::Placed) sew();
+}
+
+void SessionState::advance() {
+    const auto start = Clock::now();
+    has_changed_ = true;
+    SessionTimes times;
+    if (dressing_.is_hanging()) {
+        advance_dressing();
+        times.adaptation = sum_of(dressing_.result().adaptation_ms);
+        times.steps = sum_of(dressing_.result().step_ms);
+        dressing_.clear_times();
+    } else {
+        advance_dressing();
+        times.steps = ms_since(start);
+    }
+    times.frame = ms_since(start);
+    times_.note(times);
+}
+
+void SessionState::advance_dressing() {
+    const bool was_sewing = !dressing_.is_hanging();
+    const DrapeResult before = was_sewing ? DrapeResult() : dressing_.result();
+    try {
+        dressing_.advance();
+    } catch (const InputError& error) {  // invalid seams
+        return fail(error.what());
+    }
+    if (!dressing_.is_hanging()) return;
+    const DrapeResult& after = dressing_.result();
+    splits_ = static_cast<int>(after.splits - before.splits);
+    rejoins_ = static_cast<int>(after.rejoins - before.rejoins);
+    if (was_sewing && after.bad_vertex) {
+        dressing_.reset();
+        return fail("a value is not finite while it was sewn: do its panels stand where they can be sewn?");
+    }
+    if (was_sewing) say_open_seams();
+    if (after.bad_vertex) {
+        fail("a value is not finite " +
+             describe_place(*dressing_.cloth(), dressing_.drape().pattern, *after.bad_vertex));
+    }
+}
+
+void SessionState::say_open_seams() {
+    const Pattern& pattern = dressing_.pattern();
+    for (const OpenSeam& open : dressing_.open_seams()) {
+        say("seam '" + seam_name(pattern, pattern.seams[static_cast<std::size_t>(open.seam)]) +
+            "' did not close: it gapes by " + std::to_string(std::lround(1000 * open.gap)) + " mm");
+    }
+}
+
+// Changes between frames.
+
+void SessionState::operator()(ask::SetBody& asked) {
+    if (asked.body.get() == dressing_.body()) return;
+    has_changed_ = true;
+    dressing_.set_body(std::move(asked.body));
+    sew_if_running();
+}
+
+void SessionState::operator()(ask::SetPattern& asked) {
+    if (asked.pattern == dressing_.pattern() && problem_.empty()) return;
+    has_changed_ = true;
+    try {
+        dressing_.set_pattern(std::move(asked.pattern));
+        has_failed_ = false;
+        problem_.clear();
+    } catch (const InputError& error) {
+        problem_ = error.what();
+    }
+    sew_if_running();
+}
+
+void SessionState::operator()(const ask::SetOptions& asked) {
+    const SessionOptions options = within_limits(asked.options);
+    if (options == options_) return;
+    options_ = options;
+    has_changed_ = true;
+    try {
+        dressing_.set_options(options);
+    } catch (const InputError& error) {
+        problem_ = error.what();
+    }
+    sew_if_running();
+}
+
+void SessionState::operator()(const ask::Pull& asked) {
+    if (has_failed_) return;
+    dressing_.pull(asked.at, asked.to);
+    has_changed_ = true;
+}
+
+void SessionState::operator()(const ask::PullTo& asked) {
+    if (!has_failed_ && dressing_.pull_to(asked.to)) has_changed_ = true;
+}
+
+void SessionState::operator()(ask::LetGo) {
+    dressing_.let_go();
+    has_changed_ = true;
+}
+
+void SessionState::operator()(const ask::Pin& asked) {
+    if (has_failed_) return;
+    dressing_.pin(asked.at);
+    has_changed_ = true;
+}
+
+void SessionState::operator()(ask::UnpinAll) {
+    dressing_.unpin_all();
+    has_changed_ = true;
+}
+
+void SessionState::operator()(const ask::Keep& asked) {
+    if (!dressing_.is_hanging() || has_failed_)
+        return say("nothing hangs yet that could be kept as '" + asked.name + "'");
+    kept_.insert_or_assign(asked.name, dressing_.drape());
+    say("kept as '" + asked.name + "'");
+}
+
+void SessionState::operator()(const ask::Restore& asked) {
+    const auto found = kept_.find(asked.name);
+    if (found == kept_.end()) return say("no drape was kept as '" + asked.name + "'");
+    if (!dressing_.restore(found->second))
+        return say("'" + asked.name + "' was kept of another cut: the pattern's pieces have changed since");
+    has_failed_ = false;
+    has_changed_ = true;
+    problem_.clear();
+}
+
+// Frames.
+
+std::shared_ptr<SessionFrame> SessionState::make_frame() {
+    auto frame = std::make_shared<SessionFrame>();
+    frame->stage = stage();
+    frame->is_running = is_running_;
+    frame->problem = problem_;
+    frame->messages = messages_;
+    SessionStatistics& statistics = frame->statistics;
+    statistics.simulated_seconds = dressing_.simulated_seconds();
+    if (const Cloth* cloth = dressing_.cloth()) {
+        show_cloth(*frame, *cloth, names_of(dressing_.pattern()));
+        add_seam_lines(*frame, dressing_.seam_links(), cloth->x);
+        frame->pins = dressing_.pins();
+    } else {
+        show_placed(*frame, dressing_.placed());
+    }
+    if (dressing_.is_hanging()) {
+        statistics.rms_speed = static_cast<double>(dressing_.result().rms_speed);
+        statistics.splits = splits_;
+        statistics.rejoins = rejoins_;
+    }
+    statistics.times = times_.medians();
+    return frame;
+}
+
+}  // namespace
+
+SessionOptions::SessionOptions() {
+    deepest_level = kDeepestSessionLevel;
+    max_seconds = std::numeric_limits<double>::infinity();
+    may_rest = true;
+}
+
+class Session::Worker {
+ public:
+    explicit Worker(SessionDrive drive);
+    ~Worker();
+    Worker(const Worker&) = delete;
+    Worker& operator=(const Worker&) = delete;
+
+    void put(Ask asked);
+    std::shared_ptr<const SessionFrame> frame() const;
+
+    // The material point of a point on a recent frame; nullopt when that frame or triangle is not available.
+    std::optional<MaterialPoint> find(const ClothPoint& point) const;
+
+    // SessionDrive::Caller only.
+    void advance(int frames);
+
+ private:
+    struct Ended : std::exception {};  // thrown by the interrupt of long operations when the session ends
+    using Clock = std::chrono::steady_clock;
+
+    void work();
+    void work_until_ended();
+    bool has_ended() const;
+    std::vector<Ask> take_requests();
+    void apply(std::vector<Ask> all);
+    void publish();
+    void wait(std::optional<Clock::time_point> until);
+
+    mutable std::mutex mutex_;  // guards requests_, frames_ and has_ended_
+    std::condition_variable wake_up_;
+    std::vector<Ask> requests_;
+    std::deque<std::shared_ptr<const SessionFrame>> frames_;  // the most recent ones, newest last
+    bool has_ended_ = false;
+
+    std::uint64_t last_number_ = 0;
+    SessionState state_;
+    std::thread thread_;
+};
+
+Session::Worker::Worker(SessionDrive drive)
+    : state_([this] {
+          if (has_ended()) throw Ended();
+      }) {
+    publish();
+    if (drive == SessionDrive::Thread) thread_ = std::thread([this] { work(); });
+}
+
+Session::Worker::~Worker() {
+    {
+        const std::scoped_lock lock(mutex_);
+        has_ended_ = true;
+    }
+    wake_up_.notify_all();
+    if (thread_.joinable()) thread_.join();
+}
+
+void Session::Worker::put(Ask asked) {
+    {
+        const std::scoped_lock lock(mutex_);
+        if (!requests_.empty() && supersedes(asked, requests_.back())) {
+            requests_.back() = std::move(asked);
+        } else {
+            requests_.push_back(std::move(asked));
+        }
+    }
+    wake_up_.notify_all();
+}
+
+std::shared_ptr<const SessionFrame> Session::Worker::frame() const {
+    const std::scoped_lock lock(mutex_);
+    return frames_.back();
+}
+
+std::optional<MaterialPoint> Session::Worker::find(const ClothPoint& point) const {
+    const std::scoped_lock lock(mutex_);
+    const auto found = std::ranges::find(frames_, point.frame, [](const auto& frame) { return frame->number; });
+    if (found == frames_.end()) return std::nullopt;
+    const PlainMesh& mesh = (*found)->mesh;
+    if (point.triangle >= mesh.triangles.size() || !point.weights.allFinite()) return std::nullopt;
+    const std::array<Vec2f, 3>& u = mesh.u[point.triangle];
+    return MaterialPoint{mesh.panel[point.triangle],
+                         point.weights[0] * u[0] + point.weights[1] * u[1] + point.weights[2] * u[2]};
+}
+
+bool Session::Worker::has_ended() const {
+    const std::scoped_lock lock(mutex_);
+    return has_ended_;
+}
+
+std::vector<Ask> Session::Worker::take_requests() {
+    const std::scoped_lock lock(mutex_);
+    return std::exchange(requests_, {});
+}
+
+void Session::Worker::apply(std::vector<Ask> all) {
+    for (Ask& one : all) std::visit(state_, one);
+}
+
+void Session::Worker::publish() {
+    if (!state_.take_change()) return;
+    std::shared_ptr<SessionFrame> frame = state_.make_frame();
+    frame->number = ++last_number_;
+    std::shared_ptr<const SessionFrame> oldest;  // freed after the lock is released
+    const std::scoped_lock lock(mutex_);
+    frames_.push_back(std::move(frame));
+    if (frames_.size() <= kFramesKept) return;
+    oldest = std::move(frames_.front());
+    frames_.pop_front();
+}
+
+void Session::Worker::advance(int frames) {
+    SELVEDGE_ASSERT(!thread_.joinable());
+    apply(take_requests());
+    publish();
+    for (int i = 0; i < frames && state_.moves(); ++i) {
+        state_.advance();
+        publish();
+    }
+}
+
+// Waits until a request arrives, the session ends, or the given time.
+void Session::Worker::wait(std::optional<Clock::time_point> until) {
+    std::unique_lock lock(mutex_);
+    const auto has_news = [&] { return has_ended_ || !requests_.empty(); };
+    if (until) {
+        wake_up_.wait_until(lock, *until, has_news);
+    } else {
+        wake_up_.wait(lock, has_news);
+    }
+}
+
+void Session::Worker::work() {
+    while (!has_ended()) {
+        try {
+            work_until_ended();
+        } catch (const Ended&) {
+            return;
+        } catch (const std::exception& error) {  // for example out of memory
+            state_.fail(error.what());
+        }
+    }
+}
+
+void Session::Worker::work_until_ended() {
+    Clock::time_point next = Clock::now();  // when the next frame is due
+    while (!has_ended()) {
+        apply(take_requests());
+        publish();
+        if (!state_.moves()) {
+            if (state_.may_prepare()) state_.prepare();
+            wait(std::nullopt);
+            next = Clock::now();
+            continue;
+        }
+        if (state_.keeps_real_time() && Clock::now() < next) {
+            wait(next);
+            if (Clock::now() < next) continue;  // a request arrived
+        }
+        state_.advance();
+        publish();
+        const auto frame =
+            std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(state_.frame_seconds()));
+        next = std::max(next + frame, Clock::now() - frame);  // lags by at most one frame: lost time is not caught up
+    }
+}
 
 Session::Session(SessionDrive drive) : worker_(std::make_unique<Worker>(drive)) {}
 Session::~Session() = default;

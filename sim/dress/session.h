@@ -1,10 +1,8 @@
 #pragma once
-// An interactive drape: simulates a garment while the user edits it. It runs on its own thread. The caller reads the
+// An interactive drape: a dressing that runs on its own thread while the user edits the pattern. The caller reads the
 // newest frame and posts requests at any time; no call waits for the simulation. (thesis 3.6.7, ch. 4)
 //
-// Pattern, body and options may change while it runs. A changed pattern is meshed and sewn again. If its panels,
-// outline edges and seams are the same in number and kind, the cloth continues from the current drape; otherwise it
-// restarts from the placed panels, and a message says why.
+// Pattern, body and options may change while it runs (sim/dress/dressing.h).
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -12,7 +10,7 @@
 #include <vector>
 
 #include "sim/body/body.h"
-#include "sim/cloth/adapt_cloth.h"
+#include "sim/dress/dressing.h"
 #include "sim/mesh/plain_mesh.h"
 #include "sim/pattern/pattern.h"
 
@@ -27,17 +25,13 @@ enum class SessionStage {
     Failed    // a value is not finite, or an error: see SessionFrame::problem
 };
 
-struct SessionOptions {
-    std::optional<double> edge_length{};  // m, of the base mesh; overrides the pattern's
-    int max_level = 3;
-    double shortest_edge = 0.02;  // m
-    CriteriaOptions criteria{};
-    CurvatureOptions curvature{};
-    std::optional<int> triangle_budget{};  // target number of leaf triangles; none: no limit
-    bool keeps_real_time = true;           // false: as fast as possible
-    bool has_gravity = true;
+// Never ends, and skips the steps of a cloth at rest.
+struct SessionOptions : DressOptions {
+    SessionOptions();
 
-    bool operator==(const SessionOptions&) const;
+    bool keeps_real_time = true;  // false: as fast as possible
+
+    bool operator==(const SessionOptions&) const = default;
 };
 
 // Wall time of the last 30 frames, ms: medians.

@@ -1,5 +1,7 @@
 #pragma once
 // Builds a session's frames from placed panels, panels being sewn, or a drape, including the adaptive mesh's hierarchy.
+#include <span>
+
 #include "sim/cloth/cloth.h"
 #include "sim/dress/session.h"
 #include "sim/mesh/garment_mesh.h"
@@ -15,7 +17,7 @@ void show_cloth(SessionFrame& frame, const Cloth& cloth, const std::vector<std::
 
 // Adds a line for each seam link between its two vertices; link indices refer to x, m.
 template <class Position>
-void add_seam_lines(SessionFrame& frame, const std::vector<SeamLink>& links, const std::vector<Position>& x) {
+void add_seam_lines(SessionFrame& frame, std::span<const SeamLink> links, const std::vector<Position>& x) {
     for (const SeamLink& link : links) {
         const Vec3f a = x[static_cast<std::size_t>(link.a)].template head<3>().template cast<float>();
         const Vec3f b = x[static_cast<std::size_t>(link.b)].template head<3>().template cast<float>();

@@ -1,10 +1,11 @@
 #include "sim/dress/sewing.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <utility>
 
 #include "sim/cloth/step.h"
-#include "sim/collide/body_collider.h"
 #include "sim/mesh/sew.h"
 
 namespace selvedge::sim {
@@ -31,7 +32,7 @@ std::vector<SeamPull> pulls_of(const std::vector<SeamLink>& links) {
     return pulls;
 }
 
-std::vector<OpenSeam> open_seams(const Cloth& cloth, const std::vector<SeamLink>& links, float closed_gap) {
+std::vector<OpenSeam> find_open_seams(const Cloth& cloth, const std::vector<SeamLink>& links, float closed_gap) {
     std::map<int, float> widest;
     for (const SeamLink& link : links) {
         const float gap = gap_of(cloth, link);
@@ -40,20 +41,6 @@ std::vector<OpenSeam> open_seams(const Cloth& cloth, const std::vector<SeamLink>
     std::vector<OpenSeam> open;
     for (const auto& [seam, gap] : widest) open.push_back({seam, gap});
     return open;
-}
-
-// The garment at the cloth's current position, merged at the closed links only.
-GarmentMesh merge_closed(const GarmentMesh& unsewn, const Cloth& cloth, float closed_gap) {
-    GarmentMesh moved = unsewn;
-    for (std::size_t v = 0; v < moved.x.size(); ++v) moved.x[v] = cloth.x[v].head<3>().cast<double>();
-    std::erase_if(moved.links, [&](const SeamLink& link) { return !(gap_of(cloth, link) <= closed_gap); });
-    return merge_seams(moved).mesh;
-}
-
-Cloth apart(const GarmentMesh& unsewn, const std::vector<Fabric>& fabrics) {
-    GarmentMesh panels = unsewn;
-    panels.links.clear();
-    return make_cloth(panels, fabrics, {.max_level = 0});
 }
 
 StepOptions stepping_for(const SewingOptions& options, const std::vector<SeamPull>& pulls) {
@@ -68,16 +55,17 @@ StepOptions stepping_for(const SewingOptions& options, const std::vector<SeamPul
 }  // namespace
 
 SewingRun::SewingRun(GarmentMesh unsewn, const std::vector<Fabric>& fabrics, const SewingOptions& options)
-    : unsewn_(std::move(unsewn)),
+    : mesh_(std::move(unsewn)),
+      links_(std::exchange(mesh_.links, {})),
       options_(options),
-      cloth_(apart(unsewn_, fabrics)),
-      pulls_(pulls_of(unsewn_.links)),
-      start_gap_(widest_gap(cloth_, unsewn_.links)),
+      cloth_(make_cloth(mesh_, fabrics, {.max_level = 0})),
+      pulls_(pulls_of(links_)),
+      start_gap_(widest_gap(cloth_, links_)),
       limit_(start_gap_ / options.closing_speed + options.extra_pull_time) {
     refresh_contacts(cloth_, options.contact);
 }
 
-bool SewingRun::advance(const BodyCollider& body) {
+bool SewingRun::advance(const Collider& body) {
     StepOptions stepping = stepping_for(options_, pulls_);
     seconds_ += step_seconds(cloth_, stepping);
     stepping.seam_gap = std::max(0.0F, start_gap_ - options_.closing_speed * seconds_);
@@ -85,27 +73,21 @@ bool SewingRun::advance(const BodyCollider& body) {
     step(cloth_, body, stepping);
     bad_vertex_ = find_bad_vertex(cloth_);
     if (bad_vertex_) return false;
-    if (stepping.seam_gap <= 0 && widest_gap(cloth_, unsewn_.links) < options_.closed_gap) return false;
+    if (stepping.seam_gap <= 0 && widest_gap(cloth_, links_) < options_.closed_gap) return false;
     return seconds_ < limit_;
 }
 
-SewingResult SewingRun::result() const {
-    return {.sewn = merge_closed(unsewn_, cloth_, options_.closed_gap),
-            .open = open_seams(cloth_, unsewn_.links, options_.closed_gap),
-            .simulated_seconds = seconds_,
-            .bad_vertex = bad_vertex_};
-}
-
-SewingResult sew_on_body(const GarmentMesh& unsewn, const std::vector<Fabric>& fabrics, const BodyCollider& body,
-                         const SewingOptions& options, const Progress& progress) {
-    SewingRun run(unsewn, fabrics, options);
-    bool goes_on = true;
-    while (goes_on) {
-        goes_on = run.advance(body);
-        report(progress, "sewing", run.fraction());
-    }
-    report(progress, "sewing", 1);
-    return run.result();
+SewingResult SewingRun::result() && {
+    SewingResult result{.sewn = std::move(mesh_),
+                        .open = find_open_seams(cloth_, links_, options_.closed_gap),
+                        .simulated_seconds = seconds_,
+                        .bad_vertex = bad_vertex_};
+    GarmentMesh& mesh = result.sewn;
+    for (std::size_t v = 0; v < mesh.x.size(); ++v) mesh.x[v] = cloth_.x[v].head<3>().cast<double>();
+    std::ranges::copy_if(links_, std::back_inserter(mesh.links),
+                         [&](const SeamLink& link) { return gap_of(cloth_, link) <= options_.closed_gap; });
+    merge_seams(mesh);
+    return result;
 }
 
 }  // namespace selvedge::sim

@@ -9,12 +9,9 @@
 
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/step.h"
-#include "sim/core/parallel.h"
 #include "sim/mesh/garment_mesh.h"
 
 namespace selvedge::sim {
-
-class BodyCollider;
 
 struct SewingOptions {
     float closing_speed = 0.6F;    // m/s, rate at which the allowed gap shrinks
@@ -42,15 +39,16 @@ class SewingRun {
 
     // Returns false when done: all links are closed, the time is up, or a value is not finite. Pre: no call returned
     // false.
-    bool advance(const BodyCollider& body);
+    bool advance(const Collider& body);
 
     double fraction() const { return std::min(1.0F, seconds_ / limit_); }
-    const GarmentMesh& unsewn() const { return unsewn_; }
-    const Cloth& cloth() const { return cloth_; }  // of the separate panels: vertices as in unsewn()
-    SewingResult result() const;
+    const Cloth& cloth() const { return cloth_; }  // of the separate panels
+    std::span<const SeamLink> links() const { return links_; }
+    SewingResult result() &&;  // sews the mesh in place
 
  private:
-    GarmentMesh unsewn_;
+    GarmentMesh mesh_;
+    std::vector<SeamLink> links_;  // taken from the mesh
     SewingOptions options_;
     Cloth cloth_;
     std::vector<SeamPull> pulls_;
@@ -59,8 +57,5 @@ class SewingRun {
     float seconds_ = 0;
     std::optional<VertexId> bad_vertex_;
 };
-
-SewingResult sew_on_body(const GarmentMesh& unsewn, const std::vector<Fabric>& fabrics, const BodyCollider& body,
-                         const SewingOptions& options, const Progress& progress);
 
 }  // namespace selvedge::sim

@@ -209,6 +209,21 @@ std::string describe_cuts(const Body& body, const std::vector<std::array<int, 2>
 
 }  // namespace
 
+std::string made_from(const MannequinOptions& options) {
+    std::string text = options.sex == Sex::Female ? "mannequin, female" : "mannequin, male";
+    const auto add = [&](std::string_view name, double value) {
+        std::array<char, 32> digits{};  // the shortest that read as the same number
+        const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+        text += ", " + std::string(name) + " " + std::string(digits.data(), end);
+    };
+    for (const MeasureEntry& entry : measure_entries()) {
+        if (const auto& value = options.measures.*entry.value) add(entry.name, *value);
+    }
+    if (options.stance) add("stance", *options.stance);
+    add("subdivisions", options.subdivisions);
+    return text;
+}
+
 Mannequin make_mannequin(const MannequinOptions& options) {
     check_options(options);
     const MannequinBase base = make_mannequin_base(options.sex, options.subdivisions);
@@ -218,6 +233,7 @@ Mannequin make_mannequin(const MannequinOptions& options) {
 
     Mannequin mannequin{.body = base.surface, .report = {}};
     mannequin.body.name = options.sex == Sex::Female ? "mannequin, female" : "mannequin, male";
+    mannequin.body.made_from = made_from(options);
     mannequin.body.skin = skin_of(base.weights);
     for (;;) {
         calibrate(mannequin, shape, base, options, targets);

@@ -78,6 +78,9 @@ struct Mannequin {
 // Throws InputError when a measure is not a number or outside its accepted range. Equal options give identical bits.
 Mannequin make_mannequin(const MannequinOptions& options = {});
 
+// Body::made_from of the mannequin of these options, without making it: equal for equal options only.
+std::string made_from(const MannequinOptions& options);
+
 // Parses "mannequin:sex=female,bust=92,waist=74" (cm; all parts are optional; also "hips" for hip, "resolution" for
 // subdivisions and "stance" in degrees). Throws InputError for an unknown name or invalid value.
 MannequinOptions parse_mannequin(std::string_view text);

@@ -165,27 +165,6 @@ std::vector<std::string> check_mesh(const GarmentMesh& mesh) {
 
 namespace {
 
-using EdgeEnds = std::pair<int, int>;  // lower vertex first
-
-EdgeEnds edge_of(const GarmentTriangle& triangle, std::size_t k) {
-    return std::minmax({triangle.vertices[k], triangle.vertices[(k + 1) % 3]});
-}
-
-// Both meshes have the same triangles. An edge is on a seam if two triangles share it after sewing but not before.
-int count_seam_edges(const GarmentMesh& unsewn, const GarmentMesh& sewn) {
-    SELVEDGE_ASSERT(unsewn.triangles.size() == sewn.triangles.size());
-    std::map<EdgeEnds, EdgeEnds> unsewn_edge;
-    int count = 0;
-    for (std::size_t t = 0; t < sewn.triangles.size(); ++t) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const EdgeEnds own = edge_of(unsewn.triangles[t], k);
-            const auto [other, is_new] = unsewn_edge.emplace(edge_of(sewn.triangles[t], k), own);
-            if (!is_new && other->second != own) ++count;
-        }
-    }
-    return count;
-}
-
 void measure_angles(const GarmentMesh& mesh, MeshReport& report) {
     double smallest = std::numbers::pi;
     for (const GarmentTriangle& triangle : mesh.triangles) {
@@ -217,13 +196,11 @@ std::optional<SeamMismatch> worst_mismatch(const Pattern& pattern) {
 
 }  // namespace
 
-MeshReport report_mesh(const Pattern& pattern, const GarmentMesh& unsewn, const GarmentMesh& sewn) {
+MeshReport report_mesh(const Pattern& pattern, const GarmentMesh& mesh) {
     MeshReport report;
-    report.triangles = static_cast<int>(sewn.triangles.size());
-    report.vertices = static_cast<int>(sewn.x.size());
-    report.seam_edges = count_seam_edges(unsewn, sewn);
+    report.triangles = static_cast<int>(mesh.triangles.size());
     report.worst_mismatch = worst_mismatch(pattern);
-    measure_angles(sewn, report);
+    measure_angles(mesh, report);
     return report;
 }
 

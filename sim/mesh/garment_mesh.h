@@ -13,6 +13,16 @@
 
 namespace selvedge::sim {
 
+// The resolution and limits of meshing.
+struct MeshOptions {
+    double target_edge = 0.05;   // m, target edge length; 0.05 gives about 700 triangles for a T-shirt
+    double chord_error = 0.003;  // m, largest distance of an outline curve from its chords
+    int relaxations = 12;        // iterations of moving interior points
+    int max_triangles = 200000;  // per panel; if more are needed, the units are probably wrong
+
+    bool operator==(const MeshOptions&) const = default;
+};
+
 struct GarmentTriangle {
     std::array<int, 3> vertices{};  // counter-clockwise seen from the fabric's right side
     std::array<Vec2d, 3> u{Vec2d::Zero(), Vec2d::Zero(), Vec2d::Zero()};  // per corner, m, panel frame of `panel`
@@ -53,15 +63,13 @@ struct SeamMismatch {
 
 struct MeshReport {
     int triangles = 0;
-    int vertices = 0;                            // after sewing
     double min_angle_deg = 0;                    // in material coordinates
     std::string min_angle_panel;                 // panel of that angle
-    int seam_edges = 0;                          // interior edges of the sewn mesh that lie on a seam
     std::optional<SeamMismatch> worst_mismatch;  // none where there are no seams
 };
 
-// Statistics of a garment mesh. Pre: `unsewn` is assemble(pattern) and `sewn` is merge_seams(unsewn).mesh.
-MeshReport report_mesh(const Pattern& pattern, const GarmentMesh& unsewn, const GarmentMesh& sewn);
+// Statistics of the pattern's mesh, sewn or not.
+MeshReport report_mesh(const Pattern& pattern, const GarmentMesh& mesh);
 
 // Strain along the yarn directions, computed from positions and material coordinates only. The same measure as in
 // sim/cloth/cloth.h, for meshes without simulation state.

@@ -1,23 +1,14 @@
 #pragma once
-// Divides each outline edge into straight segments, and sets the options of meshing. Corners are kept. Samples are
+// Divides each outline edge into straight segments. Corners are kept. Samples are
 // equally spaced in arc length and both sides of a seam get the same number n of segments, so that sample i of one side
 // matches sample i (or n - i) of the other.
 #include <vector>
 
+#include "sim/mesh/garment_mesh.h"
 #include "sim/mesh/triangulate.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::sim {
-
-// The resolution and limits of meshing.
-struct MeshOptions {
-    double target_edge = 0.05;   // m, target edge length; 0.05 gives about 700 triangles for a T-shirt
-    double chord_error = 0.003;  // m, largest distance of an outline curve from its chords
-    int relaxations = 12;        // iterations of moving interior points
-    int max_triangles = 200000;  // per panel; if more are needed, the units are probably wrong
-
-    bool operator==(const MeshOptions&) const = default;
-};
 
 // The number of segments for an edge, at least 1: segments of about options.target_edge, or shorter if needed to keep
 // within options.chord_error of the curve. At most 10,000; throws InputError if the edge is too long for that.

@@ -10,6 +10,20 @@
 #include "sim/mesh/triangulate.h"
 
 namespace selvedge::sim {
+
+// A panel's mesh and what it was made from.
+struct CachedPanelMesh {
+    std::vector<Vec2d> vertices;
+    std::vector<OutlineEdge> edges;
+    std::vector<int> segments;
+    MeshOptions options;
+    PanelMesh mesh;
+};
+
+struct CachedPanelMeshes {
+    std::vector<CachedPanelMesh> panels;
+};
+
 namespace {
 
 // The mesh of each panel and the index of its first vertex in the garment mesh.
@@ -19,33 +33,34 @@ struct PlacedPanels {
 };
 
 PanelMesh triangulate_or_reuse(const Panel& panel, const std::vector<int>& segments, const MeshOptions& options,
-                               const std::vector<CachedPanelMesh>& kept) {
+                               const PanelMeshCache& cache) {
     const auto is_same = [&](const CachedPanelMesh& one) {
         return one.segments == segments && one.options == options && one.vertices == panel.vertices &&
                one.edges == panel.edges;
     };
-    const auto found = std::ranges::find_if(kept, is_same);
-    if (found != kept.end()) return found->mesh;
+    if (cache.meshes) {
+        const auto found = std::ranges::find_if(cache.meshes->panels, is_same);
+        if (found != cache.meshes->panels.end()) return found->mesh;
+    }
     return triangulate(panel, segments,
                        {.target_edge = options.target_edge,
                         .relaxations = options.relaxations,
                         .max_triangles = options.max_triangles});
 }
 
-PlacedPanels triangulate_panels(const Pattern& pattern, const MeshOptions& options,
-                                std::vector<CachedPanelMesh>& kept) {
+PlacedPanels triangulate_panels(const Pattern& pattern, const MeshOptions& options, PanelMeshCache& cache) {
     const std::vector<std::vector<int>> segments = count_segments(pattern, options);
-    std::vector<CachedPanelMesh> fresh;
+    const auto fresh = std::make_shared<CachedPanelMeshes>();
     PlacedPanels placed;
     int vertices = 0;
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
         const Panel& panel = pattern.panels[p];
-        placed.meshes.push_back(triangulate_or_reuse(panel, segments[p], options, kept));
-        fresh.push_back({panel.vertices, panel.edges, segments[p], options, placed.meshes.back()});
+        placed.meshes.push_back(triangulate_or_reuse(panel, segments[p], options, cache));
+        fresh->panels.push_back({panel.vertices, panel.edges, segments[p], options, placed.meshes.back()});
         placed.first_vertex.push_back(vertices);
         vertices += static_cast<int>(placed.meshes.back().u.size());
     }
-    kept = std::move(fresh);
+    cache.meshes = fresh;
     return placed;
 }
 
@@ -97,12 +112,12 @@ void link_seam(GarmentMesh& garment, const PlacedPanels& placed, const Seam& sea
 }  // namespace
 
 GarmentMesh assemble(const Pattern& pattern, const MeshOptions& options) {
-    std::vector<CachedPanelMesh> none;
+    PanelMeshCache none;
     return assemble(pattern, options, none);
 }
 
-GarmentMesh assemble(const Pattern& pattern, const MeshOptions& options, std::vector<CachedPanelMesh>& kept) {
-    const PlacedPanels placed = triangulate_panels(pattern, options, kept);
+GarmentMesh assemble(const Pattern& pattern, const MeshOptions& options, PanelMeshCache& cache) {
+    const PlacedPanels placed = triangulate_panels(pattern, options, cache);
     GarmentMesh garment;
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) add_panel(garment, pattern.panels[p], placed.meshes[p]);
     for (std::size_t s = 0; s < pattern.seams.size(); ++s) {
@@ -139,38 +154,36 @@ std::vector<int> representatives_of_links(const GarmentMesh& mesh) {
     return leads;
 }
 
-SewnMesh merge_seams(const GarmentMesh& unsewn) {
-    const std::vector<int> lead = representatives_of_links(unsewn);
-    SewnMesh sewn;
-    sewn.sewn_vertex.assign(unsewn.x.size(), -1);
-    std::vector<int> members;
-    for (std::size_t i = 0; i < unsewn.x.size(); ++i) {
+std::vector<int> merge_seams(GarmentMesh& mesh) {
+    const std::vector<int> lead = representatives_of_links(mesh);
+    std::vector<int> sewn_vertex(mesh.x.size());
+    std::vector<int> members;  // per vertex of the sewn mesh; its index is never larger than theirs
+    for (std::size_t i = 0; i < mesh.x.size(); ++i) {
         const auto first = static_cast<std::size_t>(lead[i]);  // <= i: the representative is the lowest of its group
+        const Vec3d x = mesh.x[i];
         if (first == i) {
-            sewn.sewn_vertex[i] = static_cast<int>(sewn.mesh.x.size());
-            sewn.mesh.x.emplace_back(Vec3d::Zero());
+            sewn_vertex[i] = static_cast<int>(members.size());
+            mesh.x[members.size()].setZero();
             members.push_back(0);
         }
-        sewn.sewn_vertex[i] = sewn.sewn_vertex[first];
-        const auto merged = static_cast<std::size_t>(sewn.sewn_vertex[i]);
-        sewn.mesh.x[merged] += unsewn.x[i];
+        sewn_vertex[i] = sewn_vertex[first];
+        const auto merged = static_cast<std::size_t>(sewn_vertex[i]);
+        mesh.x[merged] += x;
         ++members[merged];
     }
-    for (std::size_t i = 0; i < members.size(); ++i) sewn.mesh.x[i] /= members[i];
+    mesh.x.resize(members.size());
+    for (std::size_t i = 0; i < members.size(); ++i) mesh.x[i] /= members[i];
 
-    const auto renamed = [&](int vertex) { return sewn.sewn_vertex[static_cast<std::size_t>(vertex)]; };
-    sewn.mesh.triangles = unsewn.triangles;
-    for (GarmentTriangle& triangle : sewn.mesh.triangles) {
-        for (int& vertex : triangle.vertices) vertex = renamed(vertex);
+    const auto rename = [&](int& vertex) { vertex = sewn_vertex[static_cast<std::size_t>(vertex)]; };
+    for (GarmentTriangle& triangle : mesh.triangles) std::ranges::for_each(triangle.vertices, rename);
+    std::vector<int> pins;
+    for (int pin : mesh.pins) {
+        rename(pin);
+        if (std::ranges::find(pins, pin) == pins.end()) pins.push_back(pin);
     }
-    for (int pin : unsewn.pins) {
-        if (std::ranges::find(sewn.mesh.pins, renamed(pin)) == sewn.mesh.pins.end())
-            sewn.mesh.pins.push_back(renamed(pin));
-    }
-    sewn.mesh.panel_names = unsewn.panel_names;
-    sewn.mesh.panel_grain_angles = unsewn.panel_grain_angles;
-    sewn.mesh.panel_sett_offsets = unsewn.panel_sett_offsets;
-    return sewn;
+    mesh.pins = std::move(pins);
+    mesh.links.clear();
+    return sewn_vertex;
 }
 
 namespace {

@@ -2,12 +2,11 @@
 // From a pattern to its seamed mesh (thesis 4.2, figs. 4.1 and 4.3): assemble() triangulates the panels, places them in
 // 3D and links them along the seams; merge_seams() merges linked vertices. Also prevents degenerate triangles at seams,
 // and computes lengths at and across seams, where material coordinates are discontinuous (thesis 4.3).
+#include <memory>
 #include <vector>
 
 #include "sim/core/math.h"
 #include "sim/mesh/garment_mesh.h"
-#include "sim/mesh/sample_outline.h"
-#include "sim/mesh/triangulate.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::sim {
@@ -28,35 +27,26 @@ class DisjointSets {
 // Pre: links are in range.
 std::vector<int> representatives_of_links(const GarmentMesh& mesh);
 
-struct SewnMesh {
-    GarmentMesh mesh;
-    std::vector<int> sewn_vertex;  // per vertex of the unsewn mesh: its vertex in `mesh`
-};
-
-// Merges each group of linked vertices into one vertex at the mean of their positions, also where several seams meet.
-// Triangles keep their order and their corners' material coordinates. Vertices keep the order of their first
-// appearance.
-SewnMesh merge_seams(const GarmentMesh& unsewn);
+// Sews the mesh in place: merges each group of linked vertices into one vertex at the mean of their positions, also
+// where several seams meet. Triangles keep their order and their corners' material coordinates. Vertices keep the order
+// of their first appearance. Returns, for each vertex of the unsewn mesh, its vertex in the sewn one.
+std::vector<int> merge_seams(GarmentMesh& mesh);
 
 // The unsewn garment mesh. Along a seam, sample i of one side is linked to sample i (or n - i) of the other, ends
-// included. Post: merge_seams() of the result has no triangle with two equal vertices and no edge with three triangles,
-// unless the pattern itself sews three edges together.
-// Throws InputError for an invalid outline (names the panel, see triangulate()), for a seam to a missing edge or of an
-// edge to itself, and for a panel that needs more than options.max_triangles.
+// included. Post: once merge_seams() has sewn it, it has no triangle with two equal vertices and no edge with three
+// triangles, unless the pattern itself sews three edges together. Throws InputError for an invalid outline (names the
+// panel, see triangulate()), for a seam to a missing edge or of an edge to itself, and for a panel that needs more than
+// options.max_triangles.
 GarmentMesh assemble(const Pattern& pattern, const MeshOptions& options = {});
 
-// The cached mesh of a panel, with the input that it was made from.
-struct CachedPanelMesh {
-    std::vector<Vec2d> vertices;
-    std::vector<OutlineEdge> edges;
-    std::vector<int> segments;
-    MeshOptions options;
-    PanelMesh mesh;
+// The meshes of a garment's panels, with what each was made from: kept from one assemble() to the next.
+struct PanelMeshCache {
+    std::shared_ptr<const struct CachedPanelMeshes> meshes{};
 };
 
-// As above, but reuses the meshes in `kept` of panels with unchanged outline, segments and options. Post: `kept` holds
-// the panels of this garment.
-GarmentMesh assemble(const Pattern& pattern, const MeshOptions& options, std::vector<CachedPanelMesh>& kept);
+// As above, but takes from the cache the meshes of panels with unchanged outline, segments and options. Post: the cache
+// holds the panels of this garment.
+GarmentMesh assemble(const Pattern& pattern, const MeshOptions& options, PanelMeshCache& cache);
 
 // Prevents degenerate triangles after sewing. If sewing merges both ends of an interior edge with the ends of another
 // edge, or with each other, triangles would collapse or three of them would share an edge. This function splits such

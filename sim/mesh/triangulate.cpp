@@ -19,6 +19,53 @@
 namespace selvedge::sim {
 namespace {
 
+// The target edge length at each point of a panel: the spacing of the samples on the outline, increasing with the
+// distance from it up to target_edge.
+class SizeField {
+ public:
+    // target_edge: m. Pre: outline is not empty.
+    SizeField(std::span<const Vec2d> outline, double target_edge);
+    double at(const Vec2d& point) const;  // m
+    double smallest() const;              // m, minimum over the outline
+
+ private:
+    std::span<const Vec2d> outline_;
+    std::vector<double> spacing_;
+    double target_edge_;
+};
+
+// Position and direction of the hexagonal grid; several are tried and the best mesh is kept.
+struct GridPose {
+    double along = 0;        // shift along the rows, in edge lengths
+    double across = 0;       // shift across the rows, in row heights
+    bool is_turned = false;  // rows run along y instead of x
+};
+
+// The initial interior points: on hexagonal grids with a minimum distance from the outline and from each other, finer
+// where the outline is sampled finely. target_edge: m.
+std::vector<Vec2d> place_interior_points(std::span<const Vec2d> outline, const SizeField& size, double target_edge,
+                                         const GridPose& pose);
+
+// A triangulation during optimisation: outline points first, then interior points. Only interior points change.
+struct PlanarMesh {
+    std::vector<Vec2d> points;
+    std::size_t outline_count = 0;
+    std::vector<std::array<int, 3>> triangles;
+};
+
+// Quality measure, lower is better: the sum over all triangles of max(0, 35 degrees - smallest angle)^3, in rad^3. The
+// cube makes a few bad triangles count more than many moderate ones.
+double angle_penalty(const PlanarMesh& mesh);
+
+// Smooths the mesh. First `rounds` Lloyd iterations: each interior point moves to the weighted centroid of its
+// triangles; the iteration with the lowest penalty is kept. Then at most `rounds` iterations that move points of bad
+// triangles to where the smallest angle is largest, until the penalty no longer decreases. Retriangulates after each
+// iteration.
+void relax(PlanarMesh& mesh, const SizeField& size, int rounds);
+
+// Removes or adds single interior points at the worst triangles if that lowers the penalty.
+void heal(PlanarMesh& mesh, const SizeField& size);
+
 constexpr std::array<GridPose, 6> kPoses{
     {{0, 0, false}, {0.5, 0.5, false}, {0.25, 0.75, false}, {0, 0, true}, {0.5, 0.5, true}, {0.25, 0.75, true}}};
 
@@ -310,8 +357,6 @@ bool has_clearance(const Vec2d& point, double wanted, std::span<const Vec2d> out
                                 [&](const Vec2d& other) { return (other - point).squaredNorm() < nearest * nearest; });
 }
 
-}  // namespace
-
 SizeField::SizeField(std::span<const Vec2d> outline, double target_edge)
     : outline_(outline), target_edge_(target_edge) {
     // The geometric mean: where a short segment meets a long one, it gives better angles than the arithmetic mean.
@@ -352,8 +397,6 @@ std::vector<Vec2d> place_interior_points(std::span<const Vec2d> outline, const S
     }
     return placed;
 }
-
-namespace {
 
 constexpr double kGoodAngle = 35 * std::numbers::pi / 180;  // rad
 constexpr double kWorthMoving = 1e-6;                       // rad, minimum gain in the smallest angle
@@ -529,8 +572,6 @@ bool repair_one(PlanarMesh& mesh, const SizeField& size, int& tries_left) {
     return false;
 }
 
-}  // namespace
-
 double angle_penalty(const PlanarMesh& mesh) {
     double penalty = 0;
     for (const Triangle& t : mesh.triangles) {
@@ -557,4 +598,5 @@ void heal(PlanarMesh& mesh, const SizeField& size) {
     }
 }
 
+}  // namespace
 }  // namespace selvedge::sim

@@ -28,6 +28,8 @@ struct Fabric {
     double gloss = 0.008;           // appearance: specular reflectance, 0..1
     double roughness = 0.35;        // width of the highlight, 0..1
     double sheen = 0.045;           // reflectance of surface fibres at grazing angles, 0..1
+
+    bool operator==(const Fabric&) const = default;
 };
 
 // A shipped fabric (patterns/fabrics) by name, or the fabric in a file if the text ends in .json. Empty text: the

@@ -109,8 +109,9 @@ Cloth make_ruffle(const Fabric& fabric, double fullness) {
     Pattern pattern;
     pattern.panels = {rectangle("band", kBand, 0, -0.05), rectangle("ruffle", fullness * kBand, -0.05, -0.2)};
     pattern.seams.push_back({.first = {0, 0}, .second = {1, 2}});
-    const GarmentMesh sewn = merge_seams(assemble(pattern, {.target_edge = 0.025})).mesh;
-    Cloth cloth = make_cloth(sewn, {fabric, fabric}, {.max_level = 2});
+    GarmentMesh mesh = assemble(pattern, {.target_edge = 0.025});
+    merge_seams(mesh);
+    Cloth cloth = make_cloth(mesh, {fabric, fabric}, {.max_level = 2});
     std::mt19937 random(3);
     for (const VertexId v : cloth.mesh.leaf_vertices()) {
         cloth.is_pinned[v.value] = cloth.x[v.value].y() > -1e-4F;

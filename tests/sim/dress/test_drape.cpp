@@ -28,6 +28,12 @@ Cloth cloth_above_the_ball() {
                       {find_fabric("cotton_shirting")}, {.max_level = 2});
 }
 
+SewingResult sew_on_body(const GarmentMesh& unsewn, const std::vector<Fabric>& fabrics, const Collider& body) {
+    SewingRun run(unsewn, fabrics, {});
+    while (run.advance(body)) continue;
+    return std::move(run).result();
+}
+
 // Falls until max_seconds, without settling.
 DrapeOptions endless() {
     return {.max_seconds = 1e6, .rest_time = 1e6, .relax_time = 0.1, .coarse_time = 0, .may_rest = true};
@@ -65,7 +71,7 @@ class SewOnABox : public testing::Test {
     SewingResult sew(const Pattern& pattern) {
         unsewn_ = assemble(pattern);
         const std::vector<Fabric> fabrics(pattern.panels.size(), find_fabric("cotton_shirting"));
-        return sew_on_body(unsewn_, fabrics, collider_, {}, {});
+        return sew_on_body(unsewn_, fabrics, collider_);
     }
     double deepest(const GarmentMesh& mesh) const {
         double least = 1;
@@ -129,7 +135,7 @@ TEST(SewOnABody, a_seam_that_cannot_close_is_open_and_gapes_by_the_body_between)
     const Body wall = shapes::box(Vec3d(-0.6, 0, -0.06), Vec3d(0.6, 1.6, 0.06), 12);
     const BodyCollider collider(wall, {.cell = 0.006F, .band = 0.024F});
     const std::vector<Fabric> fabrics(2, find_fabric("cotton_shirting"));
-    const SewingResult result = sew_on_body(assemble(tabard(0.14, 0.3, 0.5, 0.15)), fabrics, collider, {}, {});
+    const SewingResult result = sew_on_body(assemble(tabard(0.14, 0.3, 0.5, 0.15)), fabrics, collider);
     ASSERT_FALSE(result.bad_vertex);
     EXPECT_TRUE(result.sewn.links.empty());
     EXPECT_TRUE(check_mesh(result.sewn).empty());

@@ -7,11 +7,14 @@
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
 
 #include "sim/collide/surface_bvh.h"
+#include "sim/core/error.h"
+#include "sim/dress/dressing.h"
 #include "sim/mannequin/mannequin.h"
 #include "sim/pattern/pattern_file.h"
 #include "tests/sim/dress/shapes.h"
@@ -112,6 +115,76 @@ TEST(Dress, the_same_dressing_gives_the_same_bits_and_the_same_report_but_for_ti
     first.report.timing = {};
     second.report.timing = {};
     EXPECT_EQ(to_json(first.report), to_json(second.report));
+}
+
+std::shared_ptr<const Body> shared_mannequin() {
+    return std::make_shared<const Body>(mannequin());
+}
+
+TEST(Dressing, goes_through_its_stages_in_order_and_ends_where_dress_does) {
+    const Pattern pattern = shipped("two_squares");
+    const DressOptions options = up_to_level(1);
+    Dressing dressing;
+    dressing.set_options(options);
+    dressing.set_body(shared_mannequin());
+    dressing.set_pattern(pattern);
+    EXPECT_EQ(dressing.cloth(), nullptr);
+    std::vector<DressingStage> stages{dressing.stage()};
+    while (dressing.advance()) {
+        if (dressing.stage() != stages.back()) stages.push_back(dressing.stage());
+    }
+    stages.push_back(dressing.stage());
+    EXPECT_EQ(stages, (std::vector{DressingStage::Place, DressingStage::Sew, DressingStage::Relax, DressingStage::Fall,
+                                   DressingStage::Done}));
+    EXPECT_TRUE(dressing.result().settled);
+    EXPECT_EQ(plain_mesh(*dressing.cloth(), dressing.sewn_mesh().panel_names),
+              dress(pattern, mannequin(), options).mesh);
+}
+
+TEST(Dressing, without_a_body_cannot_be_sewn) {
+    Dressing dressing;
+    dressing.set_pattern(shipped("two_squares"));
+    EXPECT_THROW(dressing.advance(), InputError);
+    EXPECT_EQ(dressing.stage(), DressingStage::Place);
+}
+
+TEST(Dressing, is_not_changed_by_a_pattern_that_it_refuses) {
+    const Pattern pattern = shipped("two_squares");
+    Dressing dressing;
+    dressing.set_options(up_to_level(0));
+    dressing.set_body(shared_mannequin());
+    dressing.set_pattern(pattern);
+    while (dressing.stage() < DressingStage::Fall) dressing.advance();
+    const std::vector<Vec4f> x = dressing.cloth()->x;
+    Pattern crossing = pattern;
+    std::swap(crossing.panels[0].vertices[0], crossing.panels[0].vertices[1]);
+    Pattern unknown = pattern;
+    unknown.fabric = "cobweb";
+    for (const Pattern& refused : {crossing, unknown}) {
+        EXPECT_THROW(dressing.set_pattern(refused), InputError);
+        EXPECT_EQ(dressing.pattern(), pattern);
+        EXPECT_EQ(dressing.stage(), DressingStage::Fall);
+        EXPECT_EQ(dressing.cloth()->x, x);
+    }
+    EXPECT_TRUE(dressing.take_notes().empty());
+}
+
+TEST(Dressing, moves_no_panel_that_was_placed_for_an_equal_body) {
+    Pattern pattern = shipped("two_squares");
+    pattern.body = "mannequin:sex=female,bust=92,resolution=1";
+    Body body = make_mannequin(parse_mannequin(pattern.body)).body;
+    ASSERT_EQ(body.made_from, made_from(parse_mannequin("mannequin:resolution=1,bust=92,sex=female")));
+    const auto anchored_to = [&](const Body& worn) {
+        Dressing dressing;
+        dressing.set_body(std::make_shared<const Body>(worn));
+        dressing.set_pattern(pattern);
+        return dressing.anchored();
+    };
+    EXPECT_EQ(anchored_to(body), pattern);
+    body.made_from.clear();  // the body that the pattern names is made, and its surface compared
+    EXPECT_EQ(anchored_to(body), pattern);
+    for (Vec3d& x : body.x) x.z() += 0.1;
+    EXPECT_NE(anchored_to(body), pattern);
 }
 
 class DressABox : public testing::Test {

@@ -109,7 +109,7 @@ class Inspect : public testing::Test {
 
     DressReport look() const {
         DressReport report;
-        inspect(cloth_, collider_, pattern_, sewing_, draped_, report);
+        inspect(cloth_, collider_, pattern_, open_seams_, draped_, report);
         return report;
     }
     const DressFault* find(const DressReport& report, const std::string& kind) const {
@@ -134,7 +134,7 @@ class Inspect : public testing::Test {
     const BodyCollider collider_{ball_, {.cell = 0.006F, .band = 0.024F}};
     const Pattern pattern_ = apart();
     Cloth cloth_ = make_cloth(assemble(pattern_), {Fabric{}, Fabric{}});
-    SewingResult sewing_;
+    std::vector<OpenSeam> open_seams_;
     DrapeResult draped_;
 };
 
@@ -219,9 +219,9 @@ TEST_F(Inspect, says_that_a_garment_did_not_settle) {
 
 TEST_F(Inspect, says_which_seam_is_open_between_which_panels) {
     Pattern sewn = tube(0.4, 0.3, 0.8, 0.15);
-    sewing_.open = {{.seam = 1, .gap = 0.04F}};
+    open_seams_ = {{.seam = 1, .gap = 0.04F}};
     DressReport report;
-    inspect(cloth_, collider_, sewn, sewing_, draped_, report);
+    inspect(cloth_, collider_, sewn, open_seams_, draped_, report);
     ASSERT_EQ(report.faults.size(), 1U);
     EXPECT_EQ(report.seams.open, 1);
     EXPECT_EQ(report.faults[0].kind, "open_seam");

@@ -12,10 +12,10 @@
 #include "sim/cloth/cloth.h"
 #include "sim/core/math.h"
 #include "sim/dress/dress.h"
+#include "sim/dress/dressing.h"
 #include "sim/dress/report.h"
 #include "sim/dress/session.h"
 #include "sim/dress/session_frame.h"
-#include "sim/dress/session_run.h"
 #include "sim/mannequin/mannequin.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/mesh/sew.h"
@@ -474,22 +474,23 @@ TEST(SessionThread, settles_by_itself_and_then_makes_no_frames) {
     EXPECT_TRUE(comes_to_be([&] { return session.frame()->number > number + 3; }));
 }
 
-// A session's thread ends by an exception that SessionRun's interrupt throws: the long operation, making the collider,
-// must call it often, and let its exception through at once: other threads finish the pieces that they work on.
-TEST(SessionRun, can_be_interrupted_while_a_collider_is_made) {
+// A session's thread ends by an exception that the dressing's interrupt throws: the long operation, making the
+// collider, must call it often, and let its exception through at once: other threads finish the pieces that they work
+// on.
+TEST(Dressing, can_be_interrupted_while_a_collider_is_made) {
     struct Stop {};
     // The calls of the interrupt; it throws at the call `last`.
     const auto calls_until = [](int last) -> int {
         std::atomic<int> calls = 0;
-        SessionRun run([&] {
+        Dressing dressing([&] {
             if (++calls == last) throw Stop();
         });
-        run.set_body(session_body());
-        run.set_pattern(session_pattern("two_squares"));
+        dressing.set_body(session_body());
+        dressing.set_pattern(session_pattern("two_squares"));
         if (last < 0)
-            run.prepare();
+            dressing.collider();
         else
-            EXPECT_THROW(run.prepare(), Stop) << last;
+            EXPECT_THROW(dressing.collider(), Stop) << last;
         return calls;
     };
     const int in_all = calls_until(-1);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim/mesh/garment_mesh.h"
+#include "sim/mesh/sew.h"
 #include "sim/mesh/triangulate.h"
 #include "sim/pattern/pattern.h"
 
@@ -83,6 +84,30 @@ inline GarmentMesh as_garment(const PanelMesh& mesh) {
     garment.panel_names = {"panel"};
     garment.panel_grain_angles = {0};
     return garment;
+}
+
+// The mesh with its seams merged.
+inline GarmentMesh sew_together(GarmentMesh mesh) {
+    merge_seams(mesh);
+    return mesh;
+}
+
+// The number of edges that two triangles share after sewing but not before. Both meshes have the same triangles.
+inline int count_seam_edges(const GarmentMesh& before, const GarmentMesh& after) {
+    using EdgeEnds = std::pair<int, int>;  // lower vertex first
+    const auto edge_of = [](const GarmentTriangle& triangle, std::size_t k) -> EdgeEnds {
+        return std::minmax({triangle.vertices[k], triangle.vertices[(k + 1) % 3]});
+    };
+    std::map<EdgeEnds, EdgeEnds> edge_before;
+    int count = 0;
+    for (std::size_t t = 0; t < after.triangles.size(); ++t) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const EdgeEnds own = edge_of(before.triangles[t], k);
+            const auto [other, is_new] = edge_before.emplace(edge_of(after.triangles[t], k), own);
+            if (!is_new && other->second != own) ++count;
+        }
+    }
+    return count;
 }
 
 // Topological invariants of a surface.

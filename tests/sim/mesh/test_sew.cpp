@@ -12,14 +12,14 @@ namespace {
 
 GarmentMesh sew_soundly(const Pattern& pattern, const MeshOptions& options = {}) {
     const GarmentMesh unsewn = assemble(pattern, options);
-    const SewnMesh sewn = merge_seams(unsewn);
-    for (const GarmentMesh* mesh : {&unsewn, &sewn.mesh}) {
+    const GarmentMesh sewn = sew_together(unsewn);
+    for (const GarmentMesh* mesh : {&unsewn, &sewn}) {
         const auto faults = check_mesh(*mesh);
         EXPECT_EQ(faults.size(), 0U) << faults[0];
     }
-    EXPECT_EQ(unsewn.triangles.size(), sewn.mesh.triangles.size());
-    EXPECT_TRUE(sewn.mesh.links.empty());
-    return sewn.mesh;
+    EXPECT_EQ(unsewn.triangles.size(), sewn.triangles.size());
+    EXPECT_TRUE(sewn.links.empty());
+    return sewn;
 }
 
 Pattern two_squares() {
@@ -67,23 +67,24 @@ TEST(Assemble, carries_pins_to_the_corners_they_name) {
     const GarmentMesh unsewn = assemble(pattern);
     ASSERT_EQ(unsewn.pins.size(), 1U);
     EXPECT_LT((unsewn.x[static_cast<std::size_t>(unsewn.pins[0])] - Vec3d(0.7, 0.3, 0)).norm(), 1e-15);
-    const GarmentMesh sewn = merge_seams(unsewn).mesh;
+    const GarmentMesh sewn = sew_together(unsewn);
     ASSERT_EQ(sewn.pins.size(), 1U);
     EXPECT_LT((sewn.x[static_cast<std::size_t>(sewn.pins[0])] - Vec3d(0.7, 0.3, 0)).norm(), 1e-15);
 }
 
 TEST(MergeSeams, joins_two_squares_half_way_between_them) {
     const GarmentMesh unsewn = assemble(two_squares());
-    const SewnMesh sewn = merge_seams(unsewn);
-    EXPECT_EQ(sewn.mesh.x.size() + 7, unsewn.x.size());
+    GarmentMesh sewn = unsewn;
+    const std::vector<int> sewn_vertex = merge_seams(sewn);
+    EXPECT_EQ(sewn.x.size() + 7, unsewn.x.size());
     for (const SeamLink& link : unsewn.links) {
-        const int merged = sewn.sewn_vertex[static_cast<std::size_t>(link.a)];
-        EXPECT_EQ(merged, sewn.sewn_vertex[static_cast<std::size_t>(link.b)]);
-        EXPECT_NEAR(sewn.mesh.x[static_cast<std::size_t>(merged)].x(), 0.35, 1e-15);
+        const int merged = sewn_vertex[static_cast<std::size_t>(link.a)];
+        EXPECT_EQ(merged, sewn_vertex[static_cast<std::size_t>(link.b)]);
+        EXPECT_NEAR(sewn.x[static_cast<std::size_t>(merged)].x(), 0.35, 1e-15);
     }
     for (std::size_t t = 0; t < unsewn.triangles.size(); ++t) {
-        EXPECT_EQ(unsewn.triangles[t].u, sewn.mesh.triangles[t].u);
-        EXPECT_EQ(unsewn.triangles[t].panel, sewn.mesh.triangles[t].panel);
+        EXPECT_EQ(unsewn.triangles[t].u, sewn.triangles[t].u);
+        EXPECT_EQ(unsewn.triangles[t].panel, sewn.triangles[t].panel);
     }
     const Topology topology = topology_of(sew_soundly(two_squares()));
     EXPECT_EQ(topology.euler, 1);
@@ -97,7 +98,7 @@ TEST(MergeSeams, joins_starts_to_starts_when_a_seam_is_not_reversed) {
     const SeamLink& first = unsewn.links.front();
     EXPECT_NEAR(unsewn.x[static_cast<std::size_t>(first.a)].y(), 0, 1e-15);
     EXPECT_NEAR(unsewn.x[static_cast<std::size_t>(first.b)].y(), 0.3, 1e-15);
-    const auto faults = check_mesh(merge_seams(unsewn).mesh);
+    const auto faults = check_mesh(sew_together(unsewn));
     ASSERT_FALSE(faults.empty()) << "right sides on opposite faces must be told";
     EXPECT_NE(faults[0].find("opposite sides"), std::string::npos) << faults[0];
 }
@@ -125,14 +126,14 @@ TEST(MergeSeams, closes_a_slit_without_width_into_the_ring_it_cut_open) {
     const Topology topology = topology_of(sewn);
     EXPECT_EQ(topology.euler, 0);
     EXPECT_EQ(topology.boundary_loops, 2);
-    EXPECT_EQ(report_mesh(pattern, assemble(pattern), sewn).seam_edges, 6);
+    EXPECT_EQ(count_seam_edges(assemble(pattern), sewn), 6);
 }
 
 TEST(MergeSeams, leaves_three_panels_on_one_edge_for_the_check_to_find) {
     Pattern pattern = two_squares();
     pattern.panels.push_back(rectangle("third", 0.3, 0.3));
     pattern.seams.push_back({{0, 1}, {2, 3}, true});
-    const auto faults = check_mesh(merge_seams(assemble(pattern)).mesh);
+    const auto faults = check_mesh(sew_together(assemble(pattern)));
     ASSERT_EQ(faults.size(), 6U) << "one for each seam edge";
     EXPECT_NE(faults[0].find("3 triangles meet"), std::string::npos) << faults[0];
 }
@@ -143,11 +144,12 @@ TEST(MergeSeams, merges_the_corner_where_three_seams_meet) {
     // All three meet at their corner 0: edge 0 of each panel is sewn to edge 3 of the next.
     pattern.seams = {{{0, 0}, {1, 3}, true}, {{1, 0}, {2, 3}, true}, {{2, 0}, {0, 3}, true}};
     const GarmentMesh unsewn = assemble(pattern);
-    const SewnMesh sewn = merge_seams(unsewn);
+    GarmentMesh sewn = unsewn;
+    const std::vector<int> sewn_vertex = merge_seams(sewn);
     std::vector<int> corner;
     for (const GarmentTriangle& t : unsewn.triangles) {
         for (std::size_t k = 0; k < 3; ++k) {
-            if (t.u[k].norm() < 1e-12) corner.push_back(sewn.sewn_vertex[static_cast<std::size_t>(t.vertices[k])]);
+            if (t.u[k].norm() < 1e-12) corner.push_back(sewn_vertex[static_cast<std::size_t>(t.vertices[k])]);
         }
     }
     ASSERT_GE(corner.size(), 3U);
@@ -215,23 +217,22 @@ TEST(MergeSeams, sets_a_sleeve_cap_into_an_armhole_that_is_shorter) {
     pattern.seams = {{{0, 1}, {1, 2}, true}};
     const GarmentMesh sewn = sew_soundly(pattern);
     EXPECT_EQ(topology_of(sewn).euler, 1);
-    const MeshReport report = report_mesh(pattern, assemble(pattern), sewn);
+    const MeshReport report = report_mesh(pattern, sewn);
     ASSERT_TRUE(report.worst_mismatch);
     const double body = outline_length(pattern.panels[0], armhole);
     const double sleeve = outline_length(pattern.panels[1], cap);
     EXPECT_NEAR(report.worst_mismatch->ratio, std::max(body, sleeve) / std::min(body, sleeve), 1e-12);
-    EXPECT_EQ(report.seam_edges, static_cast<int>(assemble(pattern).links.size()) - 1);
+    const GarmentMesh unsewn = assemble(pattern);
+    EXPECT_EQ(count_seam_edges(unsewn, sewn), static_cast<int>(unsewn.links.size()) - 1);
     EXPECT_GT(report.min_angle_deg, 25);
 }
 
 TEST(ReportMesh, counts_what_there_is) {
     const Pattern pattern = two_squares();
     const GarmentMesh unsewn = assemble(pattern);
-    const SewnMesh sewn = merge_seams(unsewn);
-    const MeshReport report = report_mesh(pattern, unsewn, sewn.mesh);
+    const MeshReport report = report_mesh(pattern, sew_together(unsewn));
     EXPECT_EQ(report.triangles, static_cast<int>(unsewn.triangles.size()));
-    EXPECT_EQ(report.vertices, static_cast<int>(sewn.mesh.x.size()));
-    EXPECT_EQ(report.seam_edges, 6);
+    EXPECT_EQ(report_mesh(pattern, unsewn).min_angle_deg, report.min_angle_deg);
     ASSERT_TRUE(report.worst_mismatch);
     EXPECT_NEAR(report.worst_mismatch->ratio, 1, 1e-12);
     EXPECT_GT(report.min_angle_deg, 30);
@@ -240,10 +241,7 @@ TEST(ReportMesh, counts_what_there_is) {
 TEST(ReportMesh, has_no_mismatch_without_seams) {
     Pattern pattern;
     pattern.panels = {rectangle("only", 0.3, 0.3)};
-    const GarmentMesh mesh = assemble(pattern);
-    const MeshReport report = report_mesh(pattern, mesh, merge_seams(mesh).mesh);
-    EXPECT_FALSE(report.worst_mismatch);
-    EXPECT_EQ(report.seam_edges, 0);
+    EXPECT_FALSE(report_mesh(pattern, assemble(pattern)).worst_mismatch);
 }
 
 TEST(SeamRestLength, is_the_average_within_the_ease) {
@@ -322,9 +320,9 @@ TEST(SeparateCoincidingEdges, keeps_two_diagonals_apart_whose_ends_are_sewn_toge
     add_square(mesh, {0, 0, 0});
     add_square(mesh, {0, 0, 0});
     mesh.links = {{0, 6, 0}, {1, 5, 0}, {2, 4, 0}};  // the diagonals 0-2 and 4-6 would become one edge
-    EXPECT_FALSE(check_mesh(merge_seams(mesh).mesh).empty());
+    EXPECT_FALSE(check_mesh(sew_together(mesh)).empty());
     EXPECT_EQ(separate_coinciding_edges(mesh), 2);
-    const GarmentMesh sewn = merge_seams(mesh).mesh;
+    const GarmentMesh sewn = sew_together(mesh);
     const auto faults = check_mesh(sewn);
     EXPECT_TRUE(faults.empty()) << faults[0];
     EXPECT_NEAR(total_area(sewn), 2, 1e-12);
@@ -334,9 +332,9 @@ TEST(SeparateCoincidingEdges, saves_a_corner_triangle_whose_two_outline_edges_ar
     GarmentMesh mesh = named({});
     add_square(mesh, {0, 0, 0});
     mesh.links = {{0, 2, 0}};  // sews 0-1 to 2-1: the diagonal 0-2 would vanish
-    EXPECT_FALSE(check_mesh(merge_seams(mesh).mesh).empty());
+    EXPECT_FALSE(check_mesh(sew_together(mesh)).empty());
     EXPECT_GT(separate_coinciding_edges(mesh), 1);
-    const GarmentMesh sewn = merge_seams(mesh).mesh;
+    const GarmentMesh sewn = sew_together(mesh);
     const auto faults = check_mesh(sewn);
     EXPECT_EQ(faults.size(), 0U) << faults[0];
     EXPECT_NEAR(total_area(sewn), 1, 1e-12);

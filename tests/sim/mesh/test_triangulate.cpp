@@ -247,7 +247,7 @@ TEST(RandomPanels, sewn_to_their_mirror_image_are_closed_surfaces) {
         for (int i = 0; i < corners; ++i) {
             pattern.seams.push_back({{0, i}, {1, (2 * corners - 2 - i) % corners}, true});
         }
-        const GarmentMesh sewn = merge_seams(assemble(pattern, {.relaxations = run % 4 == 0 ? 12 : 0})).mesh;
+        const GarmentMesh sewn = sew_together(assemble(pattern, {.relaxations = run % 4 == 0 ? 12 : 0}));
         const std::vector<std::string> faults = check_mesh(sewn);
         ASSERT_TRUE(faults.empty()) << "run " << run << ": " << faults[0];
         const Topology topology = topology_of(sewn);
@@ -285,14 +285,13 @@ class RealPatterns : public testing::TestWithParam<RealPattern> {
 
 TEST_P(RealPatterns, are_sewn_into_one_sound_surface_at_every_size) {
     for (double target_edge : {0.03, 0.04, 0.05, 0.06}) {
-        const GarmentMesh unsewn = assemble(pattern_, {.target_edge = target_edge});
-        const GarmentMesh sewn = merge_seams(unsewn).mesh;
+        const GarmentMesh sewn = sew_together(assemble(pattern_, {.target_edge = target_edge}));
         const auto faults = check_mesh(sewn);
         EXPECT_EQ(faults.size(), 0U) << faults[0];
         const Topology topology = topology_of(sewn);
         EXPECT_EQ(topology.boundary_loops, GetParam().boundary_loops);
         EXPECT_EQ(topology.euler, 2 - GetParam().boundary_loops);
-        const MeshReport report = report_mesh(pattern_, unsewn, sewn);
+        const MeshReport report = report_mesh(pattern_, sewn);
         EXPECT_GT(report.min_angle_deg, 21) << target_edge << " " << report.min_angle_panel;
         ASSERT_TRUE(report.worst_mismatch);
         EXPECT_NEAR(report.worst_mismatch->ratio, GetParam().worst_ratio, 0.01);

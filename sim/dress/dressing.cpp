@@ -1,0 +1,410 @@
+#include "sim/dress/dressing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sim/core/assert.h"
+#include "sim/core/error.h"
+#include "sim/dress/carry_over.h"
+#include "sim/mannequin/mannequin.h"
+#include "sim/place/placement.h"
+
+namespace selvedge::sim {
+namespace {
+
+constexpr double kShortRelax = 0.2;    // s, after a change of outlines
+constexpr float kDeepestMove = 0.03F;  // m: if a new body overlaps the drape by more than this, sewing starts again
+
+bool has_equal_surface(const Body& a, const Body& b) {
+    return a.x == b.x && a.triangles == b.triangles;
+}
+
+bool is_placed_otherwise(const Pattern& a, const Pattern& b) {
+    return !std::ranges::equal(a.panels, b.panels, [](const Panel& p, const Panel& q) {
+        return p.translation == q.translation && p.rotation == q.rotation && p.wrap_radius == q.wrap_radius;
+    });
+}
+
+MannequinOptions mannequin_of(const Pattern& pattern) {
+    if (!pattern.body.empty()) return parse_mannequin(pattern.body);
+    // GarmentCode's mean body, by its published measurements.
+    MannequinOptions mean;
+    mean.measures.height = pattern.body_height;
+    mean.measures.bust = 0.998;
+    mean.measures.waist = 0.843;
+    mean.measures.hip = 1.035;
+    return mean;
+}
+
+}  // namespace
+
+std::vector<Fabric> fabrics_of(const Pattern& pattern) {
+    std::vector<Fabric> fabrics;
+    for (const Panel& panel : pattern.panels)
+        fabrics.push_back(find_fabric(panel.fabric.empty() ? pattern.fabric : panel.fabric));
+    return fabrics;
+}
+
+Body placed_for(const Pattern& pattern) {
+    return make_mannequin(mannequin_of(pattern)).body;
+}
+
+Dressing::Dressing(std::function<void()> interrupt) : interrupt_(std::move(interrupt)) {}
+
+DressingStage Dressing::stage() const {
+    if (sewing_) return DressingStage::Sew;
+    if (!drape_) return DressingStage::Place;
+    switch (drape_->run->phase()) {
+        case DrapePhase::Relax:
+            return DressingStage::Relax;
+        case DrapePhase::Fall:
+        case DrapePhase::Finish:
+            return DressingStage::Fall;
+        case DrapePhase::Done:
+            break;
+    }
+    return DressingStage::Done;
+}
+
+double Dressing::fraction() const {
+    if (sewing_) return sewing_->fraction();
+    return drape_ ? std::min(1.0, drape_->run->fraction()) : 0;
+}
+
+const Cloth* Dressing::cloth() const {
+    if (sewing_) return &sewing_->cloth();
+    return drape_ ? &drape_->cloth : nullptr;
+}
+
+std::span<const SeamLink> Dressing::seam_links() const {
+    return sewing_ ? sewing_->links() : std::span<const SeamLink>();
+}
+
+double Dressing::simulated_seconds() const {
+    return past_seconds_ + (drape_ ? drape_->run->result().simulated_seconds : 0);
+}
+
+bool Dressing::advance() {
+    switch (stage()) {
+        case DressingStage::Place:
+            sew();
+            return true;
+        case DressingStage::Sew:
+            for (int i = 0; i < kSewingSteps && sewing_; ++i) {
+                if (!sewing_->advance(collider())) end_sewing();
+            }
+            break;
+        case DressingStage::Relax:
+        case DressingStage::Fall:
+            update_drag();
+            drape_->run->advance(drape_->cloth, collider());
+            break;
+        case DressingStage::Done:
+            SELVEDGE_ASSERT(false);
+    }
+    return stage() != DressingStage::Done;
+}
+
+void Dressing::sew() {
+    if (!body_) throw InputError("", "", "there is no body to put it on");
+    GarmentMesh unsewn = assemble(anchored(), meshing(), meshes_);
+    std::vector<std::string> notes = make_sewable(unsewn, collider());
+    SewingRun sewing(std::move(unsewn), fabrics(), {});
+    clear();
+    sewing_.emplace(std::move(sewing));
+    std::ranges::move(notes, std::back_inserter(notes_));
+    past_seconds_ = 0;
+}
+
+void Dressing::end_sewing() {
+    SewingResult sewing = std::move(*sewing_).result();
+    sewing_.reset();
+    past_seconds_ = sewing.simulated_seconds;
+    Cloth cloth = make_cloth(sewing.sewn, fabrics(), {.max_level = deepest_level()});
+    hang({.cloth = std::move(cloth),
+          .pattern = anchored(),
+          .meshing = meshing(),
+          .mesh = std::move(sewing.sewn),
+          .open = std::move(sewing.open),
+          .run = {}},
+         DrapeOptions{}.relax_time);
+}
+
+DrapeOptions Dressing::draping() const {
+    DrapeOptions draping{
+        .max_seconds = options_.max_seconds, .finish_time = options_.finish_time, .may_rest = options_.may_rest};
+    if (!options_.has_gravity) draping.gravity.setZero();
+    draping.adapt.criteria = options_.criteria;
+    draping.adapt.curvature = options_.curvature;
+    draping.adapt.shortest_edge = static_cast<float>(options_.shortest_edge);
+    draping.adapt.max_level = options_.max_level;
+    return draping;
+}
+
+void Dressing::hang(Drape drape, double relax_time) {
+    drape_ = std::move(drape);
+    drag_constraint_.forget_vertices();
+    DrapeOptions options = draping();
+    options.relax_time = relax_time;
+    options.coarse_time = std::min(options.coarse_time, relax_time - DrapeOptions{}.coarse_time);
+    drape_->run.emplace(drape_->cloth, options);
+    apply_options();
+}
+
+// The run's options hold pointers to members of this object.
+void Dressing::apply_options() {
+    if (options_.triangle_budget) {
+        const auto target = static_cast<std::size_t>(*options_.triangle_budget);
+        if (!budget_) budget_.emplace(BudgetOptions{.target = target});
+        budget_->set_target(target);
+    } else {
+        budget_.reset();
+    }
+    if (!drape_) return;
+    DrapeOptions& options = drape_->run->options();
+    const double relax_time = options.relax_time, coarse_time = options.coarse_time;
+    options = draping();
+    options.relax_time = relax_time;
+    options.coarse_time = coarse_time;
+    options.adapt.budget = budget_ ? &*budget_ : nullptr;
+    options.adapt.kept_vertices = drag_constraint_.held();
+    options.kinematic_vertices = [this](const Cloth& cloth, float seconds) {
+        return drag_constraint_.kinematic_target(cloth, collider(), seconds);
+    };
+}
+
+void Dressing::update_drag() {
+    const bool is_other = drag_constraint_.update_held(drape_->cloth, drape_->mesh.pins);
+    const bool goes_elsewhere = drag_constraint_.take_goal_change();
+    drape_->run->options().adapt.kept_vertices = drag_constraint_.held();
+    if (is_other || goes_elsewhere) drape_->run->reactivate(drape_->cloth);
+}
+
+void Dressing::reactivate() {
+    if (drape_) drape_->run->reactivate(drape_->cloth);
+}
+
+// Body.
+
+void Dressing::set_body(std::shared_ptr<const Body> body) {
+    if (body == body_) return;
+    const bool is_same = body && body_ && has_equal_surface(*body, *body_);
+    body_ = std::move(body);
+    if (is_same) return;  // collider_ still holds the previous body, which is equal
+    collider_.reset();
+    anchored_.reset();
+    if (sewing_) return start_again("");
+    if (!drape_) return place();
+    if (has_bad_number()) return;
+    if (!body_) return start_again("there is no body: the panels are back where they are placed");
+    forget_contacts(drape_->cloth);
+    float deepest = 0;
+    for (const VertexId v : drape_->cloth.mesh.leaf_vertices())
+        deepest = std::max(deepest, -collider().contact(drape_->cloth.x[v.value].head<3>()).distance);
+    if (deepest > kDeepestMove) return start_again("the body is another: sewn anew from where the panels are placed");
+    reactivate();
+}
+
+const BodyCollider& Dressing::collider() {
+    SELVEDGE_ASSERT(body_ || collider_);
+    if (!collider_) collider_.reset(new ColliderOfBody{body_, BodyCollider(*body_, {}, interrupt_)});
+    return collider_->collider;
+}
+
+// Panels that were placed for another body move with this one. The body that the pattern names is made only if it is
+// another, and once, because that is slow.
+const Pattern& Dressing::anchored() {
+    if (anchored_) return *anchored_;
+    Pattern moved = pattern_;
+    if (body_ && !pattern_.panels.empty()) {
+        const std::string text = made_from(mannequin_of(pattern_));
+        if (text != body_->made_from) {
+            if (!placed_for_ || placed_for_->text != text) placed_for_ = NamedBody{text, placed_for(pattern_)};
+            anchor_panels(moved, placed_for_->body, *body_);
+        }
+    }
+    return anchored_.emplace(std::move(moved));
+}
+
+// Pattern.
+
+MeshOptions Dressing::meshing() const {
+    MeshOptions meshing = options_.mesh;
+    const std::optional<double>& asked = options_.edge_length ? options_.edge_length : pattern_.edge_length;
+    meshing.target_edge = asked.value_or(meshing.target_edge);
+    return meshing;
+}
+
+std::vector<Fabric> Dressing::fabrics() const {
+    return options_.fabric ? std::vector(pattern_.panels.size(), *options_.fabric) : fabrics_of(pattern_);
+}
+
+// The quick mesh is for display only, so its quality is not relaxed.
+void Dressing::place() {
+    MeshOptions quick = meshing();
+    quick.relaxations = 0;
+    placed_ = assemble(anchored(), quick, quick_meshes_);
+}
+
+void Dressing::set_pattern(Pattern pattern) {
+    Pattern last = std::exchange(pattern_, std::move(pattern));
+    std::optional<Pattern> last_anchored = std::exchange(anchored_, std::nullopt);
+    try {
+        fabrics();
+        take_pattern(last);
+    } catch (...) {
+        pattern_ = std::move(last);
+        anchored_ = std::move(last_anchored);
+        throw;
+    }
+}
+
+void Dressing::take_pattern(const Pattern& last) {
+    const PatternChange change = compare(drape_ ? drape_->pattern : last, pattern_);
+    if (drape_ && !has_bad_number() && change != PatternChange::Kind) {
+        if (change == PatternChange::Outlines) change_outlines(anchored());
+        change_cloth(anchored());
+        return;
+    }
+    if (sewing_ && change <= PatternChange::Setts && !is_placed_otherwise(last, pattern_)) return;
+    const std::string why =
+        drape_ && change == PatternChange::Kind ? restart_reason(drape_->pattern, pattern_) : std::string();
+    place();
+    if (drape_ || sewing_) start_again(why);
+}
+
+// Applies fabrics, grain and setts to the current cloth.
+void Dressing::change_cloth(const Pattern& pattern) {
+    Cloth& cloth = drape_->cloth;
+    std::vector<Fabric> fabrics = this->fabrics();
+    const bool is_other_cloth =
+        compare(drape_->pattern, pattern) == PatternChange::Fabrics || fabrics != cloth.material.fabrics;
+    cloth.material.fabrics = std::move(fabrics);
+    cloth.material.sett_offsets.clear();
+    for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
+        cloth.material.grain_angles[p] = static_cast<float>(pattern.panels[p].grain_angle);
+        cloth.material.sett_offsets.push_back(pattern.panels[p].sett_offset.cast<float>());
+    }
+    drape_->pattern = pattern;
+    if (!is_other_cloth) return;
+    refresh_solver(cloth);
+    refresh_contacts(cloth);  // updates friction
+    reactivate();
+}
+
+void Dressing::change_outlines(const Pattern& pattern) {
+    GarmentMesh unsewn = assemble(anchored(), meshing(), meshes_);
+    std::vector<int> open;
+    for (const OpenSeam& seam : drape_->open) open.push_back(seam.seam);
+    TransferredDrape over = transfer_drape({drape_->cloth, drape_->pattern, open}, pattern, std::move(unsewn),
+                                           fabrics(), collider(), draping().adapt, deepest_level());
+    past_seconds_ += drape_->run->result().simulated_seconds;
+    std::vector<OutlineMap> maps;
+    for (std::size_t p = 0; p < pattern.panels.size(); ++p)
+        maps.emplace_back(drape_->pattern.panels[p], pattern.panels[p]);
+    drag_constraint_.map_anchors([&](const MaterialPoint& at) {
+        return MaterialPoint{at.panel, maps[at.panel](at.u.cast<double>()).cast<float>()};
+    });
+    hang({.cloth = std::move(over.cloth),
+          .pattern = pattern,
+          .meshing = meshing(),
+          .mesh = std::move(over.mesh),
+          .open = std::move(drape_->open),
+          .run = {}},
+         kShortRelax);
+}
+
+void Dressing::start_again(const std::string& why) {
+    reset();
+    if (!why.empty()) notes_.push_back(why);
+}
+
+void Dressing::reset() {
+    clear();
+    place();
+}
+
+void Dressing::clear() {
+    sewing_.reset();
+    drape_.reset();
+    drag_constraint_ = {};
+}
+
+// Options.
+
+void Dressing::set_options(const DressOptions& options) {
+    if (options == options_) return;
+    const MeshOptions last_meshing = meshing();
+    const DressOptions last = std::exchange(options_, options);
+    try {
+        if (meshing() != last_meshing) {
+            if (drape_ && !has_bad_number()) {
+                change_outlines(anchored());
+            } else if (sewing_) {
+                start_again("");
+            } else {
+                place();
+            }
+        }
+    } catch (...) {
+        options_ = last;
+        throw;
+    }
+    apply_options();
+    if (!drape_) return;
+    if (options_.fabric != last.fabric) change_cloth(drape_->pattern);
+    selvedge::sim::reactivate(drape_->cloth);
+    reactivate();
+}
+
+// Dragging and pinning.
+
+void Dressing::pull(const MaterialPoint& at, const Vec3f& to) {
+    if (!drape_ || has_bad_number() || !to.allFinite()) return;
+    drag_constraint_.pull(at, to);
+    reactivate();
+}
+
+bool Dressing::pull_to(const Vec3f& to) {
+    if (!to.allFinite() || !drag_constraint_.pull_to(to)) return false;
+    reactivate();
+    return true;
+}
+
+void Dressing::let_go() {
+    if (!drag_constraint_.is_pulling()) return;
+    drag_constraint_.let_go();
+    reactivate();
+}
+
+void Dressing::pin(const MaterialPoint& at) {
+    if (!drape_ || has_bad_number()) return;
+    drag_constraint_.pin(at);
+    drag_constraint_.update_held(drape_->cloth, drape_->mesh.pins);
+}
+
+void Dressing::unpin_all() {
+    if (!drag_constraint_.has_pins()) return;
+    drag_constraint_.unpin_all();
+    reactivate();
+}
+
+std::vector<Vec3f> Dressing::pins() const {
+    return drape_ ? drag_constraint_.pin_positions(drape_->cloth) : std::vector<Vec3f>();
+}
+
+// Equal outlines, sampled and meshed with equal options, have equal meshes.
+bool Dressing::restore(const Drape& drape) {
+    if (compare(drape.pattern, pattern_) >= PatternChange::Outlines || drape.meshing != meshing()) return false;
+    Drape copy = drape;
+    clear();
+    drape_ = std::move(copy);
+    forget_contacts(drape_->cloth);
+    drag_constraint_.free_all(drape_->cloth, drape_->mesh.pins);
+    apply_options();
+    change_cloth(anchored());
+    return true;
+}
+
+}  // namespace selvedge::sim

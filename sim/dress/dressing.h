@@ -1,0 +1,180 @@
+#pragma once
+// A garment on its way onto a body, frame by frame: its panels stand around the body, its seams close, their tension
+// relaxes, and it falls until it is at rest. dress() runs one to its end, and a session runs one on its thread.
+// (thesis 3.6.7, 4.2)
+//
+// Pattern, body and options may change at any time. A changed pattern is meshed and sewn again. If its panels, outline
+// edges and seams are the same in number and kind, the cloth continues from the current drape; otherwise it restarts
+// from the placed panels, and a note says why.
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/adaptive/triangle_budget.h"
+#include "sim/body/body.h"
+#include "sim/collide/body_collider.h"
+#include "sim/dress/drag_constraint.h"
+#include "sim/dress/drape.h"
+#include "sim/dress/sewing.h"
+#include "sim/mesh/garment_mesh.h"
+#include "sim/mesh/sew.h"
+#include "sim/pattern/fabric.h"
+#include "sim/pattern/pattern.h"
+
+namespace selvedge::sim {
+
+struct DressOptions {
+    MeshOptions mesh{};
+    std::optional<double> edge_length{};  // m, of the base mesh; overrides the pattern's
+    int max_level = 3;
+    std::optional<int> deepest_level{};  // to which max_level may be raised while the garment hangs; none: max_level
+    double shortest_edge = 0.02;         // m, shorter edges are not split, regardless of max_level
+    CriteriaOptions criteria{};
+    CurvatureOptions curvature{};
+    std::optional<int> triangle_budget{};             // target number of leaf triangles; none: no limit
+    std::optional<Fabric> fabric{};                   // overrides the pattern's
+    double max_seconds = 12;                          // of simulated time, without sewing
+    double finish_time = DrapeOptions{}.finish_time;  // s, see DrapeOptions
+    bool has_gravity = true;
+    bool may_rest = false;  // whether steps skip a cloth at rest (sim/cloth/resting.h)
+
+    bool operator==(const DressOptions&) const = default;
+};
+
+enum class DressingStage {
+    Place,  // the panels stand around the body, unsewn
+    Sew,    // the seams are closing
+    Relax,  // sewn, without gravity and friction: the tension of the seams relaxes
+    Fall,   // under gravity until at rest, at the end in finer sub-steps
+    Done    // at rest, out of time, or a value is not finite
+};
+
+class Dressing {
+ public:
+    // interrupt: called regularly during long operations; its exceptions propagate from any method here.
+    explicit Dressing(std::function<void()> interrupt = {});
+    Dressing(const Dressing&) = delete;
+    Dressing& operator=(const Dressing&) = delete;
+
+    // What is dressed in what. A method that throws InputError (a pattern that cannot be meshed, an unknown fabric)
+    // changes nothing.
+    void set_body(std::shared_ptr<const Body> body);
+    void set_pattern(Pattern pattern);
+    void set_options(const DressOptions& options);
+
+    DressingStage stage() const;
+    double fraction() const;  // of the stage, 0..1
+
+    // From Place to Sew; at a later stage it starts again. Throws InputError if there is no body, or the panels cannot
+    // be meshed.
+    void sew();
+    // Simulates one frame: kSewingSteps steps, or an adaptation and its steps. From Place it only begins to sew.
+    // Returns whether the stage is not Done. Throws InputError if the sewn mesh is invalid; the stage is then Place.
+    // Pre: the stage is not Done.
+    bool advance();
+    // Back to Place; removes pins and drag.
+    void reset();
+
+    // What the user should know, since the last call: panels that were moved, and why sewing starts again.
+    std::vector<std::string> take_notes() { return std::exchange(notes_, {}); }
+
+    const Body* body() const { return body_.get(); }
+    const Pattern& pattern() const { return pattern_; }
+    const DressOptions& options() const { return options_; }
+    const Pattern& anchored();       // the pattern with its panels moved from the body that it names to this one
+    const BodyCollider& collider();  // of the body; built when first needed, which is slow. Pre: there is a body
+    bool has_collider() const { return collider_ != nullptr; }
+
+    const GarmentMesh& placed() const { return placed_; }  // for display: meshed quickly
+    const Cloth* cloth() const;                            // of separate panels in Sew; null in Place
+    std::span<const SeamLink> seam_links() const;          // that are closing, in Sew: vertices of the cloth
+
+    // From Relax to Done.
+    bool is_hanging() const { return drape_.has_value(); }
+    const GarmentMesh& sewn_mesh() const { return drape_->mesh; }             // level 0, as it was sewn
+    const std::vector<OpenSeam>& open_seams() const { return drape_->open; }  // that did not close, ascending
+    const DrapeResult& result() const { return drape_->run->result(); }
+    void clear_times() { drape_->run->clear_times(); }  // see DrapeRun
+    double simulated_seconds() const;                   // since sewing began
+
+    // Dragging and pinning of the cloth that hangs; no effect at other stages.
+    void pull(const MaterialPoint& at, const Vec3f& to);
+    bool pull_to(const Vec3f& to);  // false: no change of the goal, or nothing is dragged
+    void let_go();
+    void pin(const MaterialPoint& at);
+    void unpin_all();
+    std::vector<Vec3f> pins() const;  // m
+
+    // A drape that can be restored later. Pre: is_hanging().
+    struct Drape {
+        Cloth cloth;
+        Pattern pattern;              // that it was meshed from ...
+        MeshOptions meshing;          // ... and how
+        GarmentMesh mesh;             // sewn
+        std::vector<OpenSeam> open;   // ascending
+        std::optional<DrapeRun> run;  // never empty
+    };
+    const Drape& drape() const { return *drape_; }
+    // Returns false, and changes nothing, if the base mesh of the pattern is another now.
+    bool restore(const Drape& drape);
+
+ private:
+    struct ColliderOfBody {
+        std::shared_ptr<const Body> body;
+        BodyCollider collider;
+    };
+
+    void end_sewing();
+    void hang(Drape drape, double relax_time);
+    void apply_options();
+    void update_drag();
+    void reactivate();
+    bool has_bad_number() const { return drape_ && drape_->run->result().bad_vertex; }
+    DrapeOptions draping() const;
+    std::vector<Fabric> fabrics() const;
+    int deepest_level() const { return options_.deepest_level.value_or(options_.max_level); }
+
+    void place();
+    void clear();
+    void take_pattern(const Pattern& last);
+    void change_cloth(const Pattern& pattern);
+    void change_outlines(const Pattern& pattern);
+    void start_again(const std::string& why);
+    MeshOptions meshing() const;
+
+    std::function<void()> interrupt_;
+    DressOptions options_;
+    Pattern pattern_;  // the newest one that can be meshed
+    std::optional<Pattern> anchored_;
+    std::shared_ptr<const Body> body_;
+    std::unique_ptr<const ColliderOfBody> collider_;
+    struct NamedBody {
+        std::string text;  // canonical
+        Body body;
+    };
+    std::optional<NamedBody> placed_for_;  // cache: the body that a pattern named
+
+    PanelMeshCache quick_meshes_, meshes_;
+    GarmentMesh placed_;
+    std::optional<SewingRun> sewing_;
+    std::optional<Drape> drape_;
+    DragConstraint drag_constraint_;
+    std::optional<TriangleBudget> budget_;
+    double past_seconds_ = 0;  // s, simulated before the current drape
+    std::vector<std::string> notes_;
+};
+
+inline constexpr int kSewingSteps = 4;  // per frame, as many as per adaptation
+
+// The body that the pattern's panels were placed for: the one it names, or GarmentCode's mean body
+// (patterns/FORMAT.md).
+Body placed_for(const Pattern& pattern);
+
+// One fabric per panel: the panel's own or else the pattern's. Throws InputError for an unknown fabric.
+std::vector<Fabric> fabrics_of(const Pattern& pattern);
+
+}  // namespace selvedge::sim
