@@ -131,6 +131,30 @@ TEST_P(BackFace, does_not_flicker_while_nothing_moves) {
     EXPECT_FALSE(adapt_seen().changed());
 }
 
+// What one side of the sway makes fine stays fine on its other side: it is hidden there, but by less than the margin of
+// rejoins.
+TEST_P(BackFace, keeps_every_edge_while_the_viewer_sways_by_less_than_the_margins_differ) {
+    constexpr float sway = 0.1F;  // rad
+    ViewPoint aside = GetParam();
+    aside.eye = Eigen::AngleAxisf(sway, aside.eye.unitOrthogonal()) * aside.eye;
+    // Splits and rejoins of further sways, once both sides have been seen.
+    const auto changes = [&](const BackFaceOptions& options) {
+        visibility_ = Visibility(GetParam(), options);
+        for (int i = 0; i < 4; ++i) adapt_seen();
+        visibility_.move_to(aside);
+        for (int i = 0; i < 4; ++i) adapt_seen();
+        int sum = 0;
+        for (const ViewPoint& view : {GetParam(), aside, GetParam(), aside}) {
+            visibility_.move_to(view);
+            const AdaptReport report = adapt_seen();
+            sum += report.splits + report.rejoins;
+        }
+        return sum;
+    };
+    EXPECT_EQ(changes({.split_margin = 0.10F, .rejoin_margin = 0.25F}), 0);
+    EXPECT_GT(changes({.split_margin = 0.10F, .rejoin_margin = 0.101F}), 0) << "the sway shows nothing new";
+}
+
 TEST_P(BackFace, follows_a_viewer_who_walks_round) {
     for (int i = 0; i < 3; ++i) adapt_seen();
     const auto before = seen_triangles(GetParam());
