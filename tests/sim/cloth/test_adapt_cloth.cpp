@@ -168,6 +168,22 @@ TEST(CollisionCriterion, splits_a_long_edge_that_a_small_ball_touches_far_from_i
     EXPECT_GT(adapt_cloth(cloth, ball, {.criteria = {.curvature = false, .length = false}}).splits, 0);
 }
 
+TEST(CollisionCriterion, splits_a_triangle_that_a_small_ball_touches_between_its_edges) {
+    Cloth cloth = make_patch(find_fabric("silk"), {.side = 0.4, .quads = 1});
+    const LeafTriangle& t = cloth.mesh.leaf_triangles()[0];
+    const Vec4f centroid = (cloth.x[t.v[0].value] + cloth.x[t.v[1].value] + cloth.x[t.v[2].value]) / 3;
+    const SphereCollider ball{Vec3f(centroid.head<3>()), 0.01F};
+    const AdaptClothOptions options{.criteria = {.curvature = false, .length = false}};
+    for (const LeafEdge& e : cloth.mesh.leaf_edges()) {
+        for (const float share : {0.0F, 0.25F, 0.5F, 0.75F}) {
+            const Vec4f point = cloth.x[e.a.value] * (1 - share) + cloth.x[e.b.value] * share;
+            ASSERT_GT(ball.contact(point.head<3>()).distance, 0.05F) << "an edge is near the ball as well";
+        }
+    }
+    EXPECT_GT(adapt_cloth(cloth, ball, options).splits, 0);
+    EXPECT_GT(adapt_cloth(cloth, NoBody{}, options).rejoins, 0) << "without the ball";
+}
+
 TEST_F(Drape, that_is_compressed_along_the_mesh_is_split_as_deep_as_it_may) {
     options_.criteria = {.collision = false, .curvature = false, .length = true};
     options_.shortest_edge = 0;
