@@ -42,6 +42,24 @@ TEST(Step, free_cloth_falls_with_g_and_keeps_its_shape) {
     EXPECT_NEAR(speed_now(cloth), 9.81 * t, 0.02);
 }
 
+TEST(Step, a_falling_cloth_keeps_its_velocity_when_its_sub_steps_become_shorter_or_longer) {
+    const StepOptions options{.max_move_per_substep = 1, .contact = kNoContact};
+    for (const float ratio : {0.25F, 3.0F}) {
+        Cloth cloth = make_patch(undamped());
+        refine(cloth, 1);
+        for (int i = 0; i < 24; ++i) step(cloth, nothing_near(), options);
+        const double speed = double(speed_now(cloth)), height = centre_of_mass(cloth).y();
+        ASSERT_GT(speed, 2);
+        set_substep(cloth, cloth.substep * ratio);
+        EXPECT_NEAR(double(speed_now(cloth)), speed, 1e-3 * speed) << ratio;
+        const int steps = 10;
+        for (int i = 0; i < steps; ++i) step(cloth, nothing_near(), options);
+        const double t = seconds_of(cloth, options, steps);
+        const double one_substep = (speed + 9.81 * t) * double(cloth.substep);
+        EXPECT_NEAR(height - centre_of_mass(cloth).y(), speed * t + 0.5 * 9.81 * t * t, one_substep) << ratio;
+    }
+}
+
 TEST(Step, the_speed_limit_of_contacts_is_the_only_limit_to_falling) {
     Cloth cloth = make_patch(undamped(), {.height = 90});
     const StepOptions options{.max_move_per_substep = 0.001F, .contact = kNoContact};
