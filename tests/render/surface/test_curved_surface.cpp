@@ -66,16 +66,49 @@ TEST(CurvedSurface, has_each_vertex_at_the_same_place_whatever_else_is_split) {
     }
 }
 
+// Where the middle of an edge's curve lies, from the edge's ends, their normals and the length of its material.
+Vec4f middle_of_curve(const CurvedSurface& surface, sim::EdgeId e) {
+    const auto [a, b] = surface.mesh.edge(e).ends;
+    const Vec4f &xa = surface.x[a.value], &xb = surface.x[b.value];
+    const Vec4f &na = surface.normals[a.value], &nb = surface.normals[b.value];
+    const Vec4f chord = xb - xa;
+    const float m = modified(surface.modifier, surface.mesh.rest_length(e) / chord.norm());
+    return (xa + xb) / 2 + (nb * chord.dot(nb) - na * chord.dot(na)) * (m / 8);
+}
+
+// The arch is a tenth narrower than its material, so lengths matter.
+TEST(CurvedSurface, bends_the_edges_inside_triangles_by_the_length_of_their_material_too) {
+    const sim::GarmentMesh base = shaped_square(4, [](double x, double y) {
+        const Vec3d on = on_arch(x, y);
+        return Vec3d(0.9 * on.x(), on.y(), on.z());
+    });
+    const CurvedSurface surface = surface_at_level(base, 3, SurfaceKind::Quadratic);
+    int inside = 0;
+    for (int level = 0; level < 2; ++level) {
+        for (const sim::TriangleId id : surface.mesh.refined_triangles(level)) {
+            const sim::AdaptiveTriangle& t = surface.mesh.triangle(id);
+            for (std::size_t i = 0; i < layout(t.configuration).edge_count; ++i, ++inside) {
+                const sim::EdgeId e = t.internal_edges[i];
+                const Vec4f centre = surface.x[surface.mesh.centre(e).value];
+                EXPECT_LT((centre - middle_of_curve(surface, e)).norm(), 1e-6F) << "level " << level;
+            }
+        }
+    }
+    EXPECT_EQ(inside, 3 * 32 + 3 * 128);
+}
+
 TEST(CurvedSurface, has_new_vertices_on_their_curves_while_an_adaption_is_under_way) {
     const sim::GarmentMesh base = shaped_square(4, on_waves);
-    CurvedSurface surface = make_curved_surface(base, {.max_level = 2});
     const Coarse coarse = coarse_of(base);
-    update_surface(surface, coarse.x, coarse.normals);
-    set_surface_level(surface, 2);
-    const std::vector<Vec4f> at_once = surface.x;
-    move_surface(surface, coarse.x, coarse.normals);
-    for (const sim::VertexId v : surface.mesh.leaf_vertices())
-        EXPECT_LT((surface.x[v.value] - at_once[v.value]).norm(), 1e-6F);
+    for (const SurfaceKind kind : {SurfaceKind::Constant, SurfaceKind::Quadratic}) {
+        CurvedSurface surface = make_curved_surface(base, {.modifier = curve_modifier(kind), .max_level = 2});
+        update_surface(surface, coarse.x, coarse.normals);
+        set_surface_level(surface, 2);
+        const std::vector<Vec4f> at_once = surface.x;
+        move_surface(surface, coarse.x, coarse.normals);
+        for (const sim::VertexId v : surface.mesh.leaf_vertices())
+            EXPECT_LT((surface.x[v.value] - at_once[v.value]).norm(), 1e-6F) << name(kind);
+    }
 }
 
 TEST(CurvedSurface, comes_back_bit_by_bit_when_it_is_coarsened_and_refined_again) {
