@@ -35,35 +35,6 @@ FakeEditor::~FakeEditor() {
     ImGui::DestroyContext(context_);
 }
 
-void FakeEditor::take(const editor::InputEvent& event) {
-    ImGuiIO& io = ImGui::GetIO();
-    switch (event.kind) {
-        case editor::InputEvent::Kind::MouseMove:
-            io.MousePos = {event.x, event.y};
-            break;
-        case editor::InputEvent::Kind::MouseButton:
-            io.MousePos = {event.x, event.y};
-            io.MouseDown[static_cast<int>(event.button)] = event.is_down;
-            break;
-        case editor::InputEvent::Kind::Wheel:
-            io.MouseWheel += event.y;
-            break;
-        case editor::InputEvent::Kind::Key:
-            io.KeysDown[static_cast<int>(event.key)] = event.is_down;
-            if (event.key == editor::Key::Escape) was_asked_to_close_ = true;
-            break;
-        case editor::InputEvent::Kind::Text:
-            io.AddInputCharactersUTF8(event.text.c_str());
-            break;
-        case editor::InputEvent::Kind::CloseRequest:
-            was_asked_to_close_ = true;
-            break;
-        case editor::InputEvent::Kind::DropFiles:
-        case editor::InputEvent::Kind::Focus:
-            break;
-    }
-}
-
 editor::SceneRequest FakeEditor::scene_to_draw() {
     camera_ = turned(camera_, turn_, Vec3f::Zero());
     return {.texture = kSceneTexture,
@@ -95,7 +66,13 @@ void FakeEditor::fill() {
 
 editor::FrameOutput FakeEditor::frame(const FrameInput& input) {
     ImGuiIO& io = ImGui::GetIO();
-    for (const editor::InputEvent& event : input.events) take(event);
+    for (const editor::InputEvent& event : input.events) {
+        using Kind = editor::InputEvent::Kind;
+        const bool is_escape = event.kind == Kind::Key && event.key == editor::Key::Escape;
+        was_asked_to_close_ |= is_escape || event.kind == Kind::CloseRequest;
+    }
+    input_.add(input.events);
+    input_.begin_frame(io);
     io.DisplaySize = {float(input.width_px), float(input.height_px)};
     io.DeltaTime = static_cast<float>(input.seconds);
     ImGui::NewFrame();
@@ -104,7 +81,7 @@ editor::FrameOutput FakeEditor::frame(const FrameInput& input) {
     editor::FrameOutput output;
     output.window_title = "Stand-in, pressed " + std::to_string(presses_);
     output.wants_to_close = was_asked_to_close_;
-    output.is_animating = turn_ != 0;
+    output.is_animating = turn_ != 0 || input_.has_more();
     if (turn_ != 0 || frames_ == 0) output.scenes.push_back(scene_to_draw());
     ++frames_;
     return output;

@@ -2,6 +2,7 @@
 // A stand-in for the editor in tests of its host: ImGui's demo window beside a scene, a button that counts its clicks,
 // and a text field.
 #include "app/edit_loop.h"
+#include "editor/ui/ui_input.h"
 
 struct ImGuiContext;
 
@@ -22,11 +23,11 @@ class FakeEditor : public EditSurface {
     static constexpr float kButtonX = 60, kButtonY = 700, kBoxX = 300;  // inside the two widgets, px at scale 1
 
  private:
-    void take(const editor::InputEvent& event);
     void fill();
     editor::SceneRequest scene_to_draw();
 
     ImGuiContext* context_;
+    editor::UiInput input_;
     std::shared_ptr<const render::Scene> scene_;
     render::Camera camera_;
     float turn_;

@@ -4,14 +4,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <sstream>
-#include <thread>
 
 #include "render/image/image.h"
+#include "tests/support/wait_until.h"
 
 namespace selvedge::app {
 
@@ -51,15 +50,6 @@ void RunningProgram::kill_hard() {
     exit_code_ = 128 + SIGKILL;
 }
 
-bool wait_until(const std::function<bool()>& holds) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(90);
-    while (!holds()) {
-        if (std::chrono::steady_clock::now() > end) return false;
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-    return true;
-}
-
 std::string RealDisplay::missing_program() {
     for (const char* program : {"Xvfb", "xdotool", "import"}) {
         if (run_command(std::string("command -v ") + program).exit_code != 0) return program;
@@ -81,7 +71,7 @@ RealDisplay::RealDisplay(int width_px, int height_px) {
         }
         return !number_.empty() || server_->has_ended();
     };
-    wait_until(has_number);
+    is_ready_ = wait_until(has_number) && !number_.empty();
 }
 
 std::string RealDisplay::hand(const std::string& words) const {
@@ -89,7 +79,7 @@ std::string RealDisplay::hand(const std::string& words) const {
 }
 
 std::string RealDisplay::title() const {
-    const std::string name = hand("search --onlyvisible --class '^selvedge$' getwindowname");
+    const std::string name = hand("search --onlyvisible --name . getwindowname");
     return name.substr(0, name.find('\n'));
 }
 
@@ -103,13 +93,12 @@ void RealDisplay::move(const Vec2d& px) const {
     hand("mousemove " + std::to_string(std::lround(px.x())) + " " + std::to_string(std::lround(px.y())));
 }
 
-// Shorter key presses are sometimes missed.
 void RealDisplay::key(const std::string& name) const {
-    hand("keydown " + name + " sleep 0.08 keyup " + name);
+    hand("keydown " + name + " keyup " + name);
 }
 
 void RealDisplay::key_with(const std::string& held, const std::string& name) const {
-    hand("keydown " + held + " sleep 0.08 keydown " + name + " sleep 0.08 keyup " + name + " sleep 0.08 keyup " + held);
+    hand("keydown " + held + " keydown " + name + " keyup " + name + " keyup " + held);
 }
 
 }  // namespace selvedge::app

@@ -1,9 +1,8 @@
 #pragma once
 // Runs a program in a window on its own X server, with synthetic mouse and keyboard input from X11, and takes
-// screenshots. Polls for results with a long timeout, because the machine may be busy.
+// screenshots. Tests wait for results by wait_until().
 #include <sys/types.h>
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,9 +32,6 @@ class RunningProgram {
     int exit_code_ = 0;
 };
 
-// Polls until `holds` returns true. Returns false after 90 s.
-bool wait_until(const std::function<bool()>& holds);
-
 class RealDisplay {
  public:
     // Returns the name of a required program that is missing; empty: all are installed.
@@ -43,7 +39,7 @@ class RealDisplay {
 
     RealDisplay(int width_px, int height_px);
 
-    bool is_ready() const { return !number_.empty(); }
+    bool is_ready() const { return is_ready_; }
     std::string environment() const { return "DISPLAY=:" + number_; }
 
     // The title of the only window; empty: there is none (yet).
@@ -63,6 +59,7 @@ class RealDisplay {
     ScratchFolder scratch_;
     std::unique_ptr<RunningProgram> server_;
     std::string number_;
+    bool is_ready_ = false;
 };
 
 }  // namespace selvedge::app

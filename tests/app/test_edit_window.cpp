@@ -9,6 +9,7 @@
 #include "editor/ui/files.h"
 #include "render/image/image.h"
 #include "tests/app/real_display.h"
+#include "tests/support/wait_until.h"
 
 namespace selvedge::app {
 namespace {
@@ -166,30 +167,30 @@ TEST_F(EditWindowTest, opens_a_file_moves_a_vertex_undoes_simulates_saves_and_qu
     Rehearsal rehearsal(scratch_ / "other_state", file_);
     const std::string first = content_of(file_), as_written = rehearsal.text();
     start();
-    EXPECT_TRUE(waits_to_show(rehearsal.picture()));
+    ASSERT_TRUE(waits_to_show(rehearsal.picture()));
 
     drag_corner(rehearsal);
     rehearsal.release();
     display_->release();
-    EXPECT_TRUE(waits_for_title("skirt.json* - Selvedge"));
-    EXPECT_TRUE(waits_to_show(rehearsal.picture()));
+    ASSERT_TRUE(waits_for_title("skirt.json* - Selvedge"));
+    ASSERT_TRUE(waits_to_show(rehearsal.picture()));
     const std::string moved = rehearsal.text();
     EXPECT_NE(moved, as_written);
 
     display_->key_with("ctrl", "z");
-    EXPECT_TRUE(waits_for_title("skirt.json - Selvedge")) << "as it was";
+    ASSERT_TRUE(waits_for_title("skirt.json - Selvedge")) << "as it was";
     display_->key_with("ctrl", "y");
-    EXPECT_TRUE(waits_for_title("skirt.json* - Selvedge"));
+    ASSERT_TRUE(waits_for_title("skirt.json* - Selvedge"));
     EXPECT_EQ(content_of(file_), first) << "nothing is saved yet";
 
-    EXPECT_TRUE(waits_to_run());
+    ASSERT_TRUE(waits_to_run());
     display_->key_with("ctrl", "s");
-    EXPECT_TRUE(waits_for_title("skirt.json - Selvedge"));
+    ASSERT_TRUE(waits_for_title("skirt.json - Selvedge"));
     EXPECT_EQ(content_of(file_), moved);
-    EXPECT_TRUE(waits_to_show(rehearsal.picture(), kSheet)) << "the sheet stands still while the cloth moves";
+    ASSERT_TRUE(waits_to_show(rehearsal.picture(), kSheet)) << "the sheet stands still while the cloth moves";
 
     display_->key_with("ctrl", "q");
-    EXPECT_TRUE(wait_until([&] { return program_->has_ended(); }));
+    ASSERT_TRUE(wait_until([&] { return program_->has_ended(); }));
     EXPECT_EQ(program_->exit_code(), 0) << content_of(scratch_ / "said");
     EXPECT_TRUE(fs::is_empty(fs::path(state_) / "journals")) << "nothing is left to recover";
 }
@@ -199,7 +200,7 @@ TEST_F(EditWindowTest, what_was_seen_of_a_drag_is_recovered_when_the_program_is_
     const std::string as_written = rehearsal.text();
     start();
     drag_corner(rehearsal);
-    EXPECT_TRUE(waits_to_show(rehearsal.picture(), kSheet));
+    ASSERT_TRUE(waits_to_show(rehearsal.picture(), kSheet));
     program_->kill_hard();
     display_->release();
     const std::string dragged = rehearsal.text();
@@ -213,8 +214,8 @@ TEST_F(EditWindowTest, edits_are_recovered_when_the_program_is_killed_while_it_s
     drag_corner(rehearsal);
     rehearsal.release();
     display_->release();
-    EXPECT_TRUE(waits_to_show(rehearsal.picture()));
-    EXPECT_TRUE(waits_to_run());
+    ASSERT_TRUE(waits_to_show(rehearsal.picture()));
+    ASSERT_TRUE(waits_to_run());
     program_->kill_hard();
     EXPECT_EQ(recovered(), rehearsal.text());
 }

@@ -1,54 +1,41 @@
 // The stand-in in a real window on its own X server, with synthetic mouse and keyboard input from X11.
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "render/image/image.h"
 #include "tests/app/edit_stand_in.h"
+#include "tests/app/real_display.h"
 #include "tests/app/run_program.h"
 #include "tests/golden/frozen_scene.h"
+#include "tests/support/wait_until.h"
 
 namespace selvedge::app {
 namespace {
 
-bool has_program(const std::string& name) {
-    return run_command("command -v " + name).exit_code == 0;
-}
-
-// Presses last 80 ms, because shorter ones are missed. The window may need some time to get the keyboard focus.
-constexpr const char* kHands = R"(
-program=$1; shift
-press() { xdotool mousemove "$1" "$2"; sleep 0.1; xdotool mousedown 1; sleep 0.08; xdotool mouseup 1; sleep 0.1; }
-key() { xdotool keydown "$1"; sleep 0.08; xdotool keyup "$1"; sleep 0.05; }
-"$program" "$@" & pid=$!
-if [ $# = 0 ]; then
-    for i in $(seq 100); do xdotool search --name Stand-in >/dev/null 2>&1 && break; sleep 0.1; done
-    sleep 1
-    press 60 700
-    press 300 695
-    for letter in w a r p; do key $letter; done
-    import -window root shot.png
-    key Escape
-fi
-wait $pid
-)";
-
 class WindowTest : public testing::Test {
  protected:
     void SetUp() override {
-        for (const char* program : {"xvfb-run", "xdotool", "import"}) {
-            if (!has_program(program)) GTEST_SKIP() << program << " is absent";
-        }
-        std::ofstream(scratch_ / "hands.sh") << kHands;
+        const std::string missing = RealDisplay::missing_program();
+        if (!missing.empty()) GTEST_SKIP() << missing << " is absent";
+        display_ = std::make_unique<RealDisplay>(1280, 800);
+        ASSERT_TRUE(display_->is_ready());
     }
 
-    ProgramResult run(const std::string& arguments) {
-        return run_command("cd '" + scratch_.path().string() +
-                           "' && timeout 60 xvfb-run -a -s '-screen 0 1280x800x24'" +
-                           " bash hands.sh " SELVEDGE_STAND_IN " " + arguments);
+    void start(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), SELVEDGE_STAND_IN);
+        program_ = std::make_unique<RunningProgram>(
+            arguments, std::vector<std::string>{display_->environment(), "LIBGL_ALWAYS_SOFTWARE=1"}, said_);
     }
+    void click(const Vec2d& px) {
+        display_->move(px);
+        display_->press();
+        display_->release();
+    }
+    bool has_title(const std::string& title) const { return program_->has_ended() || display_->title() == title; }
 
     ScratchFolder scratch_;
+    std::string said_ = scratch_ / "said";
+    std::unique_ptr<RealDisplay> display_;
+    std::unique_ptr<RunningProgram> program_;
 };
 
 // The picture that the window must show at the end.
@@ -65,23 +52,32 @@ render::Image same_without_window() {
         }
     };
     loop.step(surface);
-    press(60, 700);
-    press(300, 695);
+    press(FakeEditor::kButtonX, FakeEditor::kButtonY);
+    press(FakeEditor::kBoxX, FakeEditor::kButtonY);
     loop.step(surface, {{.kind = editor::InputEvent::Kind::Text, .text = "warp"}});
     loop.step(surface);
     return loop.screenshot();
 }
 
 TEST_F(WindowTest, brings_clicks_keys_text_and_the_clipboard) {
-    const ProgramResult result = run("");
-    EXPECT_EQ(result.out, "pressed 1 typed 'warp' clipboard 'woven' scale 1\n");
-    EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_TRUE(render::read_png(scratch_ / "shot.png") == same_without_window());
+    start({});
+    ASSERT_TRUE(wait_until([&] { return has_title("Stand-in, pressed 0"); }));
+    click({FakeEditor::kButtonX, FakeEditor::kButtonY});
+    ASSERT_TRUE(wait_until([&] { return has_title("Stand-in, pressed 1"); }));
+    click({FakeEditor::kBoxX, FakeEditor::kButtonY});
+    for (const char* letter : {"w", "a", "r", "p"}) display_->key(letter);
+    const render::Image wanted = same_without_window();
+    ASSERT_TRUE(wait_until([&] { return program_->has_ended() || display_->screenshot() == wanted; }));
+    display_->key("Escape");
+    ASSERT_TRUE(wait_until([&] { return program_->has_ended(); }));
+    EXPECT_EQ(program_->exit_code(), 0);
+    EXPECT_EQ(content_of(said_), "pressed 1 typed 'warp' clipboard 'woven' scale 1\n");
 }
 
 TEST_F(WindowTest, writes_the_times_of_its_frames) {
-    const ProgramResult result = run("times.csv");
-    EXPECT_EQ(result.exit_code, 0) << result.err;
+    start({scratch_ / "times.csv"});
+    ASSERT_TRUE(wait_until([&] { return program_->has_ended(); }));
+    EXPECT_EQ(program_->exit_code(), 0) << content_of(said_);
     EXPECT_EQ(count_lines(content_of(scratch_ / "times.csv")), 241);
 }
 

@@ -5,9 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <filesystem>
-#include <functional>
 #include <limits>
-#include <thread>
 
 #include "sim/cloth/cloth.h"
 #include "sim/core/math.h"
@@ -24,6 +22,7 @@
 #include "tests/sim/dress/session_support.h"
 #include "tests/sim/dress/shapes.h"
 #include "tests/support/bodies.h"
+#include "tests/support/wait_until.h"
 
 namespace selvedge::sim::test {
 namespace {
@@ -451,27 +450,17 @@ Pattern small_pattern() {
     return pattern;
 }
 
-// Whether the condition becomes true within a generous time limit.
-bool comes_to_be(const std::function<bool()>& is_so) {
-    for (int i = 0; i < 6000; ++i) {
-        if (is_so()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    return false;
-}
-
 TEST(SessionThread, settles_by_itself_and_then_makes_no_frames) {
     Session session;
     session.set_options(coarse_options());
     session.set_body(session_body());
     session.set_pattern(session_pattern("two_squares"));
     session.start();
-    ASSERT_TRUE(comes_to_be([&] { return session.frame()->stage == SessionStage::Settled; }));
+    ASSERT_TRUE(wait_until([&] { return session.frame()->stage == SessionStage::Settled; }));
     const auto number = session.frame()->number;
-    std::this_thread::sleep_for(std::chrono::milliseconds(150));
-    EXPECT_EQ(session.frame()->number, number);
+    EXPECT_FALSE(wait_until([&] { return session.frame()->number != number; }, std::chrono::milliseconds(150)));
     session.pull(furthest_point(*session.frame(), 0, Vec3f(0, -1, 0)), Vec3f(0, 1, 0.3F));
-    EXPECT_TRUE(comes_to_be([&] { return session.frame()->number > number + 3; }));
+    EXPECT_TRUE(wait_until([&] { return session.frame()->number > number + 3; }));
 }
 
 // A session's thread ends by an exception that the dressing's interrupt throws: the long operation, making the
@@ -518,7 +507,10 @@ TEST(SessionThread, takes_whatever_is_asked_for_in_quick_succession) {
         session.pin({.frame = session.frame()->number, .triangle = 3});
         session.keep("it");
         session.restore("it");
-        if (round % 7 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(round % 11));
+        if (round % 25 == 0) {  // ends while it sews, at another frame each time
+            const auto last = static_cast<std::uint64_t>(2 + round / 25);
+            ASSERT_TRUE(wait_until([&] { return session.frame()->number >= last; })) << "round " << round;
+        }
         session.let_go();
         session.unpin_all();
         ASSERT_NE(session.frame(), nullptr);
