@@ -97,7 +97,7 @@ TEST(CurvedSurface, bends_the_edges_inside_triangles_by_the_length_of_their_mate
     EXPECT_EQ(inside, 3 * 32 + 3 * 128);
 }
 
-TEST(CurvedSurface, has_new_vertices_on_their_curves_while_an_adaption_is_under_way) {
+TEST(CurvedSurface, has_new_vertices_on_their_curves_while_an_adaptation_is_under_way) {
     const sim::GarmentMesh base = shaped_square(4, on_waves);
     const Coarse coarse = coarse_of(base);
     for (const SurfaceKind kind : {SurfaceKind::Constant, SurfaceKind::Quadratic}) {

@@ -200,7 +200,7 @@ void follow_random_adaptations(const GarmentMesh& base, unsigned seed) {
         const Copy now(mesh.leaves());
         follow(copy, now, mesh.changes());
         changes += mesh.changes().triangles_added.size() + mesh.changes().hinges_changed.size();
-        ASSERT_EQ(copy, now) << "seed " << seed << ", adaption " << i;
+        ASSERT_EQ(copy, now) << "seed " << seed << ", adaptation " << i;
         ASSERT_TRUE(check(mesh).empty()) << check(mesh).front();
     }
     EXPECT_GT(changes, 100U);
@@ -268,7 +268,7 @@ void adapt_at_random(AdaptiveMesh& mesh, PositionState& state, unsigned seed, in
         const RandomCriterion criterion{random, eagerness, 1.0 - eagerness};
         adapt(mesh, state, {}, criterion);
         const std::vector<std::string> problems = check(mesh);
-        ASSERT_TRUE(problems.empty()) << "seed " << seed << ", adaption " << i << ": " << problems.front();
+        ASSERT_TRUE(problems.empty()) << "seed " << seed << ", adaptation " << i << ": " << problems.front();
         ASSERT_EQ(static_cast<std::size_t>(std::count(state.is_used.begin(), state.is_used.end(), true)),
                   mesh.vertices().size());
     }

@@ -207,7 +207,7 @@ TEST_F(Choice, leaves_a_triangle_as_it_is_when_its_edges_do_not_change) {
     EXPECT_EQ(mesh.triangle(kOwner).configuration, Configuration::C4);
 }
 
-TEST(Choices, keep_a_mesh_sound_in_random_adaptions) {
+TEST(Choices, keep_a_mesh_sound_in_random_adaptations) {
     const GarmentMesh base = bench::make_square();
     AdaptiveMesh mesh(base);
     PositionState state(base, mesh);

@@ -67,7 +67,7 @@ TEST(Allocation, happens_while_the_mesh_first_grows_and_never_again) {
     EXPECT_EQ(allocations, after_growth);
 }
 
-TEST(Allocation, does_not_happen_in_adaptions_once_the_mesh_was_as_large) {
+TEST(Allocation, does_not_happen_in_adaptations_once_the_mesh_was_as_large) {
     AdaptiveMesh mesh(bench::make_square({.columns = 8, .rows = 8}));
     NoState state;
     refine_and_coarsen(mesh, state);

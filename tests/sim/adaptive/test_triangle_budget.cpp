@@ -74,12 +74,12 @@ struct EagerBatch {
     bool allows_rejoin(const AdaptiveMesh&, EdgeId) const { return true; }
 };
 
-constexpr int kAdaptionsPerSecond = 30;
+constexpr int kAdaptationsPerSecond = 30;
 
 // A batch decides after the budget was evaluated for every edge, so adapt() must evaluate the budget again.
 TEST(TriangleBudget, holds_a_batch_that_asks_for_all) {
     WavySheet sheet({.target = 1500});
-    for (int i = 0; i < kAdaptionsPerSecond; ++i) {
+    for (int i = 0; i < kAdaptationsPerSecond; ++i) {
         sheet.budget.start(sheet.mesh);
         adapt(sheet.mesh, sheet, {}, EagerBatch{}, BudgetCriterion{&sheet.budget}, BudgetVeto{&sheet.budget});
     }
@@ -90,9 +90,9 @@ TEST(TriangleBudget, holds_a_batch_that_asks_for_all) {
 TEST(TriangleBudget, meets_a_target_within_a_second_and_keeps_it) {
     for (const std::size_t target : {600U, 1500U, 4000U, 9000U}) {
         WavySheet sheet({.target = target});
-        for (int i = 0; i < kAdaptionsPerSecond; ++i) sheet.adapt_once();
-        for (int i = 0; i < 2 * kAdaptionsPerSecond; ++i) {
-            EXPECT_LT(sheet.miss(), 0.05) << target << " in adaption " << kAdaptionsPerSecond + i;
+        for (int i = 0; i < kAdaptationsPerSecond; ++i) sheet.adapt_once();
+        for (int i = 0; i < 2 * kAdaptationsPerSecond; ++i) {
+            EXPECT_LT(sheet.miss(), 0.05) << target << " in adaptation " << kAdaptationsPerSecond + i;
             sheet.adapt_once();
         }
         EXPECT_TRUE(check(sheet.mesh).empty());
@@ -103,9 +103,9 @@ TEST(TriangleBudget, follows_a_target_that_steps_up_and_down) {
     WavySheet sheet({.target = 1500});
     for (const std::size_t target : {1500U, 6000U, 800U, 5000U, 2500U}) {
         sheet.budget.set_target(target);
-        for (int i = 0; i < kAdaptionsPerSecond; ++i) sheet.adapt_once();
-        for (int i = 0; i < kAdaptionsPerSecond; ++i) {
-            EXPECT_LT(sheet.miss(), 0.05) << target << " in adaption " << kAdaptionsPerSecond + i;
+        for (int i = 0; i < kAdaptationsPerSecond; ++i) sheet.adapt_once();
+        for (int i = 0; i < kAdaptationsPerSecond; ++i) {
+            EXPECT_LT(sheet.miss(), 0.05) << target << " in adaptation " << kAdaptationsPerSecond + i;
             sheet.adapt_once();
         }
     }
@@ -113,9 +113,9 @@ TEST(TriangleBudget, follows_a_target_that_steps_up_and_down) {
 
 TEST(TriangleBudget, leaves_a_sheet_that_stands_still_alone_once_it_has_what_it_wants) {
     WavySheet sheet({.target = 3000});
-    for (int i = 0; i < 3 * kAdaptionsPerSecond; ++i) sheet.adapt_once();
+    for (int i = 0; i < 3 * kAdaptationsPerSecond; ++i) sheet.adapt_once();
     const std::size_t before = sheet.mesh.leaf_triangles().size();
-    for (int i = 0; i < kAdaptionsPerSecond; ++i) sheet.adapt_once();
+    for (int i = 0; i < kAdaptationsPerSecond; ++i) sheet.adapt_once();
     const double change = static_cast<double>(sheet.mesh.leaf_triangles().size()) / static_cast<double>(before) - 1;
     EXPECT_LT(std::abs(change), 0.04);
 }
@@ -126,9 +126,9 @@ TEST(TriangleBudget, a_target_below_what_any_threshold_leaves_is_met_all_the_sam
         bool allows_rejoin(const AdaptiveMesh&, EdgeId) const { return false; }
     };
     WavySheet sheet({.target = 9000});
-    for (int i = 0; i < kAdaptionsPerSecond; ++i) sheet.adapt_once();
+    for (int i = 0; i < kAdaptationsPerSecond; ++i) sheet.adapt_once();
     sheet.budget.set_target(1000);
-    for (int i = 0; i < kAdaptionsPerSecond; ++i) {
+    for (int i = 0; i < kAdaptationsPerSecond; ++i) {
         sheet.budget.start(sheet.mesh);
         adapt(sheet.mesh, sheet, {}, Demanding{}, BudgetCriterion{&sheet.budget}, BudgetVeto{&sheet.budget});
     }
@@ -137,7 +137,7 @@ TEST(TriangleBudget, a_target_below_what_any_threshold_leaves_is_met_all_the_sam
 
 TEST(TriangleBudget, a_flat_sheet_stays_coarse_however_great_the_target) {
     WavySheet sheet({.target = 5000});
-    for (int i = 0; i < kAdaptionsPerSecond; ++i) {
+    for (int i = 0; i < kAdaptationsPerSecond; ++i) {
         sheet.budget.start(sheet.mesh);
         adapt(sheet.mesh, sheet, {},
               CurvatureCriterion(sheet.normals, scaled(CurvatureOptions{}, sheet.budget.scale())),

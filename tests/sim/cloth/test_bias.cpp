@@ -122,7 +122,7 @@ TEST(Bias, of_children_that_come_again_is_the_one_that_their_parent_has_by_then)
     }
 }
 
-TEST(Bias, an_adaption_that_changes_nothing_leaves_it_alone) {
+TEST(Bias, an_adaptation_that_changes_nothing_leaves_it_alone) {
     Cloth cloth = make_patch(find_fabric("silk"));
     learn(cloth, 1e-4F);
     ASSERT_FALSE(rejoin(cloth).changed());

@@ -32,7 +32,7 @@ TEST(Cloth, weighs_its_area_times_its_density) {
     EXPECT_NEAR(total_mass(cloth), 0.16 * fabric.area_density, 1e-6);
 }
 
-TEST(Cloth, weighs_the_same_after_any_number_of_adaptions) {
+TEST(Cloth, weighs_the_same_after_any_number_of_adaptations) {
     const Fabric fabric = find_fabric("denim");
     const double mass = 0.16 * fabric.area_density;
     Cloth cloth = make_patch(fabric, {.side = 0.4});

@@ -6,7 +6,7 @@
 namespace selvedge::sim::test {
 namespace {
 
-TEST(LongRandomRuns, stay_sound_over_10000_adaptions) {
+TEST(LongRandomRuns, stay_sound_over_10000_adaptations) {
     for (unsigned seed = 1000; seed < 1400; ++seed) run_seed(seed);
 }
 

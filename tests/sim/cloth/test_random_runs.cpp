@@ -6,7 +6,7 @@
 namespace selvedge::sim::test {
 namespace {
 
-TEST(RandomRuns, stay_sound_over_200_adaptions) {
+TEST(RandomRuns, stay_sound_over_200_adaptations) {
     long changes = 0;
     for (unsigned seed = 0; seed < 8; ++seed) changes += run_seed(seed);
     EXPECT_GT(changes, 500) << "hardly anything was split or rejoined, so nothing was tested";
