@@ -119,6 +119,7 @@ TEST(Specimen, material_points_lie_where_the_frame_puts_them) {
 
 TEST(Specimen, the_warp_follows_the_strip_and_not_the_grid) {
     const Specimen strip = cut_strip({}, {.mesh_angle = 0.3, .warp_angle = 0.5}, {});
+    EXPECT_EQ(strip.mesh.panel_grain_angles.size(), strip.mesh.panel_names.size());
     for (const double grain : strip.mesh.panel_grain_angles) EXPECT_NEAR(grain, 0.8, 1e-12);
 }
 
@@ -136,6 +137,7 @@ TEST(Specimen, a_disc_is_held_within_its_support_and_continues_beyond_it_without
         const double pi = std::numbers::pi;
         EXPECT_NEAR(area_of(disc.mesh, 0) / (pi * 0.09 * 0.09), 1, 0.02);
         EXPECT_NEAR((area_of(disc.mesh, 1) + area_of(disc.mesh, 2)) / (pi * (0.15 * 0.15 - 0.09 * 0.09)), 1, 0.02);
+        EXPECT_FALSE(disc.mesh.pins.empty());
         for (const int pin : disc.mesh.pins) EXPECT_LT(disc.mesh.x[static_cast<std::size_t>(pin)].norm(), 0.09 + 1e-9);
         for (const sim::GarmentTriangle& t : disc.mesh.triangles) {
             for (std::size_t k = 0; k < 3; ++k) {

@@ -46,7 +46,10 @@ TEST(SeamLines, a_tube_of_two_panels_has_two_seams_of_its_height_and_two_hems_of
 
 TEST(SeamLines, paths_run_from_edge_to_edge_without_a_gap) {
     const sim::PlainMesh mesh = tube();
-    for (const SeamLine& seam : find_seam_lines(mesh).seams) {
+    const SeamLines lines = find_seam_lines(mesh);
+    ASSERT_FALSE(lines.seams.empty());
+    for (const SeamLine& seam : lines.seams) {
+        ASSERT_FALSE(seam.paths.empty());
         for (std::size_t i = 1; i < seam.paths[0].size(); ++i) {
             const float step = (mesh.x[seam.paths[0][i]] - mesh.x[seam.paths[0][i - 1]]).norm();
             EXPECT_NEAR(step, 0.1F, 1e-6F);

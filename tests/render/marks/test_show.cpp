@@ -47,6 +47,7 @@ TEST(Show, strain_is_painted_by_each_panels_own_threads) {
 TEST(Show, the_greater_strain_is_that_of_either_direction) {
     Scene scene = stretched(ShowMode::Strain);
     fill_show(scene);
+    ASSERT_EQ(scene.cloths[0].paint->places.size(), scene.cloths[0].mesh.triangles.size());
     for (const auto& corners : scene.cloths[0].paint->places)
         for (const float place : corners) EXPECT_NEAR(place, 1, 1e-3F);
 }

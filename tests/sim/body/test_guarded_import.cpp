@@ -53,13 +53,17 @@ TEST(SceneBytes, are_refused_when_cut_anywhere_or_followed_by_more) {
 TEST(SceneBytes, with_any_lengths_garbled_are_read_without_harm) {
     std::mt19937 random(3);
     const std::string sound = to_bytes(some_answer());
+    int read = 0;
     for (int round = 0; round < 2000; ++round) {
         std::string bytes = sound;
         for (int i = 0; i < 3; ++i) bytes[random() % bytes.size()] = char(random());
         if (const auto answer = from_bytes(bytes)) {
             EXPECT_LE(answer->scene.meshes.size(), bytes.size());
+            ++read;
         }
     }
+    EXPECT_GT(read, 100);
+    EXPECT_LT(read, 1900) << "hardly any length was garbled";
 }
 
 TEST(ChildProcess, brings_home_what_the_work_returns) {

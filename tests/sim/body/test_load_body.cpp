@@ -253,6 +253,7 @@ TEST_F(OutsideBodies, stand_at_rest_where_their_skeletons_hold_them) {
 
 TEST_F(OutsideBodies, that_crash_readers_are_refused) {
     TemporaryFolder folder;
+    ASSERT_FALSE(std::filesystem::is_empty(data_ / "hostile"));
     for (const auto& entry : std::filesystem::directory_iterator(data_ / "hostile")) {
         EXPECT_THROW(load_body(entry.path()), InputError) << entry.path();
         for (const char* disguise : {"disguised.obj", "disguised.gltf", "disguised.glb"}) {

@@ -82,7 +82,9 @@ std::vector<TriangleStrain> strain_under(const Eigen::Matrix2f& map, float grain
             cloth.x[t.v[k].value] = Vec4f(at.x(), 1, -at.y(), 0);
         }
     }
-    return measure_strain(cloth);
+    const std::vector<TriangleStrain> strain = measure_strain(cloth);
+    EXPECT_EQ(strain.size(), cloth.mesh.leaf_triangles().size());
+    return strain;
 }
 
 TEST(MeasureStrain, finds_the_same_stretch_in_every_leaf_of_a_pulled_patch) {

@@ -85,7 +85,9 @@ TEST(SplitQuads, cuts_the_shorter_diagonal) {
     kite.values.resize(4, 3);
     kite.values << 0, 0, 0, 1, 0, 0, 3, 3, 0, 0, 1, 0;
     kite.quads = {{0, 1, 2, 3}};
-    for (const auto& triangle : split_quads(kite)) {
+    const auto triangles = split_quads(kite);
+    EXPECT_EQ(triangles.size(), 2U);
+    for (const auto& triangle : triangles) {
         EXPECT_EQ(std::count(triangle.begin(), triangle.end(), 1), 1);
         EXPECT_EQ(std::count(triangle.begin(), triangle.end(), 3), 1);
     }

@@ -51,6 +51,7 @@ TEST(Match, what_is_reported_is_what_an_independent_look_at_the_colours_sees) {
     for (const Sett& sett : {mirrored_sett(), one_way_sett()}) {
         const SettMatch match = match_sett(pattern, sett);
         const Pattern after = matched(pattern, sett);
+        ASSERT_EQ(match.seams.size(), pattern.seams.size());
         for (const SeamMatch& seam : match.seams) {
             const Seam& sewn = pattern.seams[static_cast<std::size_t>(seam.seam)];
             EXPECT_NEAR(seam.before, seen_mismatch(pattern, sewn, sett), 2e-4) << seam.name;
@@ -241,6 +242,8 @@ TEST(Match, the_order_of_the_panels_does_not_matter) {
         for (const Sett& sett : {mirrored_sett(), one_way_sett()}) {
             const SettMatch a = match_sett(pattern, sett);
             const SettMatch b = match_sett(turned, sett);
+            ASSERT_EQ(a.seams.size(), pattern.seams.size());
+            ASSERT_EQ(b.seams.size(), pattern.seams.size());
             for (std::size_t s = 0; s < a.seams.size(); ++s) {
                 EXPECT_EQ(a.seams[s].name, b.seams[s].name);
                 EXPECT_NEAR(a.seams[s].after, b.seams[s].after, 5e-6) << seed << a.seams[s].name;
@@ -343,7 +346,9 @@ TEST(Match, thousands_of_panels_are_matched_to_the_last) {
         if (p > 0) pattern.seams.push_back({{p - 1, 1}, {p, 3}, true});
     }
     pattern.seams.push_back({{kPanels - 1, 1}, {0, 3}, true});
-    for (const SeamMatch& seam : match_sett(pattern, mirrored_sett()).seams) EXPECT_LT(seam.after, kExact) << seam.name;
+    const SettMatch match = match_sett(pattern, mirrored_sett());
+    ASSERT_EQ(match.seams.size(), pattern.seams.size());
+    for (const SeamMatch& seam : match.seams) EXPECT_LT(seam.after, kExact) << seam.name;
 }
 
 }  // namespace
