@@ -165,7 +165,7 @@ TriangleId AdaptiveMesh::next_at(VertexId v, TriangleId id) const {
     return leaf_at(e, edges_[e].ends[0] == t.vertices[before] ? 1 : 0);
 }
 
-// Construction of level 0 from a sewn garment mesh.
+// Construction of level 0 from a triangle mesh.
 
 namespace {
 
@@ -181,11 +181,11 @@ struct BaseSide {
     auto key() const { return std::tuple(low, high, triangle, corner); }
 };
 
-std::vector<BaseSide> sides_by_edge(const GarmentMesh& base) {
+std::vector<BaseSide> sides_by_edge(std::span<const GarmentTriangle> base) {
     std::vector<BaseSide> sides;
-    sides.reserve(3 * base.triangles.size());
-    for (std::uint32_t t = 0; t < base.triangles.size(); ++t) {
-        const std::array<int, 3>& v = base.triangles[t].vertices;
+    sides.reserve(3 * base.size());
+    for (std::uint32_t t = 0; t < base.size(); ++t) {
+        const std::array<int, 3>& v = base[t].vertices;
         for (std::size_t k = 0; k < 3; ++k) {
             const int from = v[k], to = v[(k + 1) % 3];
             sides.push_back({std::min(from, to), std::max(from, to), t, k, from < to});
@@ -215,12 +215,12 @@ AdaptiveTriangle make_base_triangle(const GarmentTriangle& from) {
     return triangle;
 }
 
-double side_length(const GarmentMesh& base, const BaseSide& side) {
-    const std::array<Vec2d, 3>& u = base.triangles[side.triangle].u;
+double side_length(std::span<const GarmentTriangle> base, const BaseSide& side) {
+    const std::array<Vec2d, 3>& u = base[side.triangle].u;
     return (u[(side.corner + 1) % 3] - u[side.corner]).norm();
 }
 
-double edge_length(const GarmentMesh& base, std::span<const BaseSide> edge, double seam_ease) {
+double edge_length(std::span<const GarmentTriangle> base, std::span<const BaseSide> edge, double seam_ease) {
     const double length = side_length(base, edge.front());
     if (edge.size() == 1) return length;
     return seam_rest_length(length, side_length(base, edge.back()), {.ease = seam_ease});
@@ -229,12 +229,17 @@ double edge_length(const GarmentMesh& base, std::span<const BaseSide> edge, doub
 }  // namespace
 
 AdaptiveMesh::AdaptiveMesh(const GarmentMesh& base, const AdaptiveMeshOptions& options)
-    : options_(options), base_vertices_(base.x.size()), base_triangles_(base.triangles.size()) {
+    : AdaptiveMesh(base.x.size(), base.triangles, options) {
     SELVEDGE_ASSERT(base.links.empty());
+}
+
+AdaptiveMesh::AdaptiveMesh(std::size_t vertex_count, std::span<const GarmentTriangle> triangles,
+                           const AdaptiveMeshOptions& options)
+    : options_(options), base_vertices_(vertex_count), base_triangles_(triangles.size()) {
     SELVEDGE_ASSERT(options.max_level >= 0 && options.max_level <= kDeepestLevel);
     for (std::size_t i = 0; i < base_vertices_; ++i) vertices_.create({});
-    for (const GarmentTriangle& triangle : base.triangles) triangles_.create(make_base_triangle(triangle));
-    add_base_edges(base);
+    for (const GarmentTriangle& triangle : triangles) triangles_.create(make_base_triangle(triangle));
+    add_base_edges(triangles);
     add_base_fans();
     levels_.set_deepest(options.max_level);
     grow_lists();
@@ -277,7 +282,7 @@ void AdaptiveMesh::add_base_fans() {
     std::partial_sum(fan_starts_.begin(), fan_starts_.end(), fan_starts_.begin());
 }
 
-void AdaptiveMesh::add_base_edges(const GarmentMesh& base) {
+void AdaptiveMesh::add_base_edges(std::span<const GarmentTriangle> base) {
     const std::vector<BaseSide> sides = sides_by_edge(base);
     for (std::size_t first = 0; first < sides.size();) {
         std::size_t last = first;

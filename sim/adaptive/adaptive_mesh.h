@@ -105,9 +105,12 @@ struct TransitionCounts {
 
 class AdaptiveMesh {
  public:
-    // Base vertices and triangles keep their indices as ids. Pre: base is sewn (no links).
+    // Base vertices and triangles keep their indices as ids. Pre: the triangles' vertices are 0 to vertex_count - 1.
     // Throws InputError if an edge joins a vertex to itself, or has more than two triangles, or two that face opposite
     // ways.
+    AdaptiveMesh(std::size_t vertex_count, std::span<const GarmentTriangle> triangles,
+                 const AdaptiveMeshOptions& options = {});
+    // The same over a sewn garment. Pre: base has no links.
     explicit AdaptiveMesh(const GarmentMesh& base, const AdaptiveMeshOptions& options = {});
 
     int max_level() const { return options_.max_level; }
@@ -192,7 +195,7 @@ class AdaptiveMesh {
  private:
     struct Change;  // the transitions, one function each
 
-    void add_base_edges(const GarmentMesh& base);
+    void add_base_edges(std::span<const GarmentTriangle> base);
     void add_base_fans();
     void list_base();
     void grow_lists();
