@@ -182,11 +182,11 @@ void add_surface_options(CLI::App& command, SurfaceChoice& choice) {
 sim::PlainMesh drawn_mesh(const sim::PlainMesh& garment, const sim::Body* body, const SurfaceChoice& choice,
                           const std::optional<sim::ViewPoint>& view) {
     if (!choice.kind) return garment;
-    render::CurvedMeshOptions options{
-        .kind = *choice.kind, .level = choice.level, .light_normals = choice.light_normals};
-    if (choice.coarsens_back_faces) options.view = view;
+    render::CurvedMeshOptions options{.curve = {.kind = *choice.kind, .level = choice.level},
+                                      .light_normals = choice.light_normals};
+    if (choice.coarsens_back_faces) options.curve.view = view;
     std::optional<sim::BodyCollider> collider;
-    if (body != nullptr) options.move.body = &collider.emplace(*body);
+    if (body != nullptr) options.curve.move.body = &collider.emplace(*body);
     try {
         return curved_mesh(garment, options);
     } catch (const sim::InputError& error) {

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <map>
-#include <string>
 
 #include "sim/core/assert.h"
-#include "sim/core/error.h"
 
 namespace selvedge::render {
 namespace {
@@ -19,50 +17,46 @@ std::array<Vec2d, 3> laid_flat(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
     return {Vec2d::Zero(), Vec2d(length, 0), Vec2d(x, (c - a - x * along).norm())};
 }
 
-sim::GarmentMesh base_of(const sim::PlainMesh& coarse) {
-    sim::GarmentMesh base;
-    base.x.reserve(coarse.x.size());
-    for (const Vec3f& x : coarse.x) base.x.push_back(x.cast<double>());
-    base.triangles.reserve(coarse.triangles.size());
-    for (std::size_t t = 0; t < coarse.triangles.size(); ++t) {
-        const auto& [a, b, c] = coarse.triangles[t];
-        sim::GarmentTriangle triangle{.vertices = {static_cast<int>(a), static_cast<int>(b), static_cast<int>(c)}};
-        if (coarse.u.empty()) {
-            triangle.u = laid_flat(base.x[a], base.x[b], base.x[c]);
+std::vector<Vec4f> positions_of(const sim::PlainMesh& mesh) {
+    std::vector<Vec4f> x;
+    x.reserve(mesh.x.size());
+    for (const Vec3f& at : mesh.x) x.push_back(sim::with_zero_w(at));
+    return x;
+}
+
+std::vector<sim::GarmentTriangle> triangles_of(const sim::PlainMesh& mesh) {
+    std::vector<sim::GarmentTriangle> triangles;
+    triangles.reserve(mesh.triangles.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto& [a, b, c] = mesh.triangles[t];
+        sim::GarmentTriangle triangle{.vertices = {static_cast<int>(a), static_cast<int>(b), static_cast<int>(c)},
+                                      .panel = panel_of(mesh, t)};
+        if (mesh.u.empty()) {
+            triangle.u = laid_flat(mesh.x[a].cast<double>(), mesh.x[b].cast<double>(), mesh.x[c].cast<double>());
         } else {
-            for (std::size_t k = 0; k < 3; ++k) triangle.u[k] = coarse.u[t][k].cast<double>();
+            for (std::size_t k = 0; k < 3; ++k) triangle.u[k] = mesh.u[t][k].cast<double>();
         }
-        triangle.panel = coarse.panel.empty() ? 0 : coarse.panel[t];
-        base.triangles.push_back(triangle);
+        triangles.push_back(triangle);
     }
-    return base;
+    return triangles;
 }
 
-void check_size(const sim::PlainMesh& coarse, int level) {
-    const std::size_t most = kMaxDrawnTriangles >> (2 * level);
-    if (coarse.triangles.size() <= most) return;
-    throw sim::InputError("", "surface",
-                          std::to_string(coarse.triangles.size()) + " triangles at level " + std::to_string(level) +
-                              " are more than " + std::to_string(kMaxDrawnTriangles) + ": choose a lower level");
-}
-
-// Writes the leaves in the order of their base triangles.
 class MeshWriter {
  public:
-    MeshWriter(const CurvedSurface& surface, const sim::PlainMesh& coarse, LightNormals which)
+    MeshWriter(const CurvedSurface& surface, const sim::PlainMesh& base, LightNormals which)
         : surface_(surface),
-          coarse_(coarse),
+          base_mesh_(base),
           normals_(which == LightNormals::Recomputed ? surface.light_normals : surface.normals),
           sided_normals_(which == LightNormals::Recomputed ? surface.creases.light_normals : surface.creases.normals),
           places_(surface.mesh.vertex_capacity(), kNone) {
-        mesh_.panel_names = coarse.panel_names;
-        mesh_.panel_grain_angles = coarse.panel_grain_angles;
-        mesh_.panel_sett_offsets = coarse.panel_sett_offsets;
+        mesh_.panel_names = base.panel_names;
+        mesh_.panel_grain_angles = base.panel_grain_angles;
+        mesh_.panel_sett_offsets = base.panel_sett_offsets;
     }
 
     sim::PlainMesh write() {
         for (std::uint32_t t = 0; t < surface_.mesh.base_triangle_count(); ++t) {
-            base_level_ = coarse_.level.empty() ? 0 : coarse_.level[t];
+            base_level_ = base_mesh_.level.empty() ? 0 : base_mesh_.level[t];
             base_ = sim::TriangleId(t);
             write(base_);
         }
@@ -79,8 +73,8 @@ class MeshWriter {
             return;
         }
         mesh_.triangles.push_back({place(t.vertices[0]), place(t.vertices[1]), place(t.vertices[2])});
-        if (!coarse_.u.empty()) mesh_.u.push_back(t.u);
-        if (!coarse_.panel.empty()) mesh_.panel.push_back(t.panel);
+        if (!base_mesh_.u.empty()) mesh_.u.push_back(t.u);
+        if (!base_mesh_.panel.empty()) mesh_.panel.push_back(t.panel);
         mesh_.level.push_back(level_from_base(t.level));
     }
 
@@ -104,7 +98,7 @@ class MeshWriter {
 
     std::uint8_t level_of(sim::VertexId v) const {
         const bool is_base = v.value < surface_.mesh.base_vertex_count();
-        if (is_base) return coarse_.vertex_level.empty() ? std::uint8_t{0} : coarse_.vertex_level[v.value];
+        if (is_base) return base_mesh_.vertex_level.empty() ? std::uint8_t{0} : base_mesh_.vertex_level[v.value];
         return level_from_base(surface_.mesh.vertex(v).level);
     }
     std::uint8_t level_from_base(int level) const {
@@ -112,7 +106,7 @@ class MeshWriter {
     }
 
     const CurvedSurface& surface_;
-    const sim::PlainMesh& coarse_;
+    const sim::PlainMesh& base_mesh_;
     const std::vector<Vec4f>& normals_;
     const std::map<SidedVertex, Vec4f>& sided_normals_;
     std::map<SidedVertex, std::uint32_t> sided_places_;
@@ -122,29 +116,17 @@ class MeshWriter {
     sim::PlainMesh mesh_;
 };
 
-void refine(CurvedSurface& surface, const CurvedMeshOptions& options) {
-    const std::vector<Vec4f> x = surface.x, normals = surface.normals;
-    if (options.level) {
-        set_surface_level(surface, *options.level);
-        update_surface(surface, x, normals, options.move);
-        return;
-    }
-    std::optional<sim::Visibility> visibility;
-    if (options.view) visibility.emplace(*options.view);
-    settle_surface(surface, x, normals,
-                   {.criteria = options.criteria, .visibility = visibility ? &*visibility : nullptr}, options.move);
-}
-
 }  // namespace
 
+sim::PlainMesh plain_mesh(const CurvedSurface& surface, const sim::PlainMesh& base, LightNormals normals) {
+    SELVEDGE_ASSERT(surface.mesh.base_triangle_count() == base.triangles.size());
+    return MeshWriter(surface, base, normals).write();
+}
+
 sim::PlainMesh curved_mesh(const sim::PlainMesh& coarse, const CurvedMeshOptions& options) {
-    const int level = options.level.value_or(options.deepest_level);
-    SELVEDGE_ASSERT(level >= 0 && level <= kMaxSurfaceLevel);
-    check_size(coarse, level);
-    CurvedSurface surface = make_curved_surface(
-        base_of(coarse), {.modifier = curve_modifier(options.kind), .max_level = level, .creases = options.creases});
-    refine(surface, options);
-    return MeshWriter(surface, coarse, options.light_normals).write();
+    const CurvedSurface surface =
+        render::curve(positions_of(coarse), triangles_of(coarse), options.curve, options.creases);
+    return plain_mesh(surface, coarse, options.light_normals);
 }
 
 }  // namespace selvedge::render

@@ -1,10 +1,9 @@
 #pragma once
-// Refines the mesh of a draped garment to a curved surface, for pictures and exports: PlainMesh in, PlainMesh out.
-// (thesis ch. 6)
-#include <optional>
+// The mesh that renderers and exporters take from a curved surface; and a mesh, such as one from a file, refined to a
+// curved surface: PlainMesh in, PlainMesh out.  (thesis ch. 6)
+#include <vector>
 
-#include "render/surface/adapt_surface.h"
-#include "render/surface/edge_curve.h"
+#include "render/surface/curve.h"
 #include "sim/mesh/plain_mesh.h"
 
 namespace selvedge::render {
@@ -12,26 +11,20 @@ namespace selvedge::render {
 // Normals for lighting. Interpolated normals are smooth and hide detail of the surface.  (thesis fig. 6.6)
 enum class LightNormals { Recomputed, Interpolated };
 
+// The leaves of the surface, in the order of their base triangles; a vertex on a crease once per side. base: the mesh
+// that the surface was made over, in the same order, of which the result has the panels and names, and material
+// coordinates if it has them. Levels count on from those of the base, to 255 at most; a vertex on an edge between
+// triangles of two levels counts on from the first of them.
+sim::PlainMesh plain_mesh(const CurvedSurface& surface, const sim::PlainMesh& base,
+                          LightNormals normals = LightNormals::Recomputed);
+
 struct CurvedMeshOptions {
-    SurfaceKind kind = SurfaceKind::Constant;
-    std::optional<int> level{};  // uniform level; none: adaptive, by the criteria
-    int deepest_level = 3;       // largest level of the adaptive surface
-    SurfaceCriteria criteria{};
-    std::optional<sim::ViewPoint> view{};  // if given, what is turned away from it stays coarse; adaptive only
+    CurveOptions curve{};
     LightNormals light_normals = LightNormals::Recomputed;
-    MoveOptions move{};                 // the body that the surface must not penetrate
-    std::vector<CreaseEdge> creases{};  // edges between two triangles of the mesh that stay sharp; their vertices are
-                                        // written once per side
+    std::vector<CreaseEdge> creases{};  // edges between two triangles of the mesh that stay sharp
 };
 
-inline constexpr int kMaxSurfaceLevel = 6;
-inline constexpr std::size_t kMaxDrawnTriangles = 20'000'000;
-
-// The result has the coarse mesh's material coordinates, panels and names. Levels count on from those of the coarse
-// mesh, to 255 at most; a vertex on an edge between triangles of two levels counts on from the first of them. Without
-// material coordinates, a triangle's shape in space is its rest shape. Throws InputError if the mesh cannot be the base
-// of a surface (an edge with three triangles, a triangle with two equal corners), or if the result could have more than
-// kMaxDrawnTriangles triangles.
+// Without material coordinates, a triangle's shape in space is its rest shape. Throws InputError as curve() does.
 sim::PlainMesh curved_mesh(const sim::PlainMesh& coarse, const CurvedMeshOptions& options = {});
 
 }  // namespace selvedge::render

@@ -113,11 +113,20 @@ sim::EdgeId root_of(const CurvedSurface& surface, sim::VertexId v) {
 }
 
 CurvedSurface make_curved_surface(const sim::GarmentMesh& base, const SurfaceOptions& options) {
-    CurvedSurface surface{.mesh = sim::AdaptiveMesh(base, {.max_level = options.max_level}),
+    SELVEDGE_ASSERT(base.links.empty());
+    std::vector<Vec4f> x;
+    x.reserve(base.x.size());
+    for (const Vec3d& at : base.x) x.push_back(sim::with_zero_w(at.cast<float>()));
+    return make_curved_surface(x, base.triangles, options);
+}
+
+CurvedSurface make_curved_surface(std::span<const Vec4f> x, std::span<const sim::GarmentTriangle> triangles,
+                                  const SurfaceOptions& options) {
+    CurvedSurface surface{.mesh = sim::AdaptiveMesh(x.size(), triangles, {.max_level = options.max_level}),
                           .modifier = options.modifier,
                           .weights = CurveWeights(options.max_level)};
     size_arrays(surface, surface.mesh.vertex_capacity());
-    for (std::size_t i = 0; i < base.x.size(); ++i) surface.x[i] = sim::with_zero_w(base.x[i].cast<float>());
+    std::copy(x.begin(), x.end(), surface.x.begin());
     surface.places.resize(surface.mesh.edges().capacity());
     for (std::uint32_t e = 0; e < surface.mesh.base_edge_count(); ++e) make_root(surface, sim::EdgeId(e));
     surface.creases = find_creases(surface.mesh, options.creases);

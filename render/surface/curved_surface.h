@@ -75,7 +75,11 @@ struct CurvedSurface {
     std::vector<float> clear{};       // m, lower bound of the distance from the body, scratch
 };
 
-// Makes the surface at level 0, equal to the base. Pre: base is sewn. Throws InputError as AdaptiveMesh does.
+// Makes the surface at level 0, equal to the base. x: positions of the base vertices, m, w = 0. The triangles' material
+// coordinates give the rest lengths. Throws InputError as AdaptiveMesh does.
+CurvedSurface make_curved_surface(std::span<const Vec4f> x, std::span<const sim::GarmentTriangle> triangles,
+                                  const SurfaceOptions& options = {});
+// The same over a sewn garment. Pre: base has no links.
 CurvedSurface make_curved_surface(const sim::GarmentMesh& base, const SurfaceOptions& options = {});
 
 struct MoveOptions {

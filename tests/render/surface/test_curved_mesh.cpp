@@ -31,7 +31,7 @@ float area_of(const std::vector<std::array<Vec2f, 3>>& u) {
 
 TEST(CurvedMesh, carries_panels_names_grain_and_material_over_and_counts_levels_on) {
     const sim::PlainMesh coarse = ridge();
-    const sim::PlainMesh drawn = curved_mesh(coarse, {.level = 2});
+    const sim::PlainMesh drawn = curved_mesh(coarse, {.curve = {.level = 2}});
     ASSERT_EQ(drawn.triangles.size(), 4U * 16U);
     EXPECT_EQ(drawn.panel_names, coarse.panel_names);
     EXPECT_EQ(drawn.panel_grain_angles, coarse.panel_grain_angles);
@@ -45,14 +45,14 @@ TEST(CurvedMesh, carries_panels_names_grain_and_material_over_and_counts_levels_
 }
 
 TEST(CurvedMesh, shares_the_vertices_of_a_seam) {
-    const sim::PlainMesh drawn = curved_mesh(ridge(), {.level = 2});
+    const sim::PlainMesh drawn = curved_mesh(ridge(), {.curve = {.level = 2}});
     EXPECT_EQ(drawn.x.size(), 9U * 5U);
     EXPECT_EQ(drawn.normals.size(), drawn.x.size());
 }
 
 TEST(CurvedMesh, at_level_0_is_the_coarse_mesh) {
     const sim::PlainMesh coarse = ridge();
-    const sim::PlainMesh drawn = curved_mesh(coarse, {.level = 0});
+    const sim::PlainMesh drawn = curved_mesh(coarse, {.curve = {.level = 0}});
     EXPECT_EQ(drawn.triangles.size(), coarse.triangles.size());
     for (std::size_t t = 0; t < drawn.triangles.size(); ++t) {
         for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(drawn.x[drawn.triangles[t][k]], coarse.x[coarse.triangles[t][k]]);
@@ -60,8 +60,9 @@ TEST(CurvedMesh, at_level_0_is_the_coarse_mesh) {
 }
 
 TEST(CurvedMesh, interpolated_normals_differ_from_those_of_its_triangles) {
-    const sim::PlainMesh recomputed = curved_mesh(ridge(), {.level = 2});
-    const sim::PlainMesh interpolated = curved_mesh(ridge(), {.level = 2, .light_normals = LightNormals::Interpolated});
+    const sim::PlainMesh recomputed = curved_mesh(ridge(), {.curve = {.level = 2}});
+    const sim::PlainMesh interpolated =
+        curved_mesh(ridge(), {.curve = {.level = 2}, .light_normals = LightNormals::Interpolated});
     EXPECT_EQ(recomputed.x, interpolated.x);
     float most = 0;
     for (std::size_t i = 0; i < recomputed.x.size(); ++i) {
@@ -75,7 +76,7 @@ TEST(CurvedMesh, of_a_mesh_without_material_coordinates_has_none) {
     sim::PlainMesh coarse = ridge();
     coarse.u.clear();
     coarse.panel.clear();
-    const sim::PlainMesh drawn = curved_mesh(coarse, {.kind = SurfaceKind::Restore, .level = 1});
+    const sim::PlainMesh drawn = curved_mesh(coarse, {.curve = {.kind = SurfaceKind::Restore, .level = 1}});
     EXPECT_TRUE(drawn.u.empty());
     EXPECT_TRUE(drawn.panel.empty());
     EXPECT_EQ(drawn.triangles.size(), 16U);
@@ -83,9 +84,10 @@ TEST(CurvedMesh, of_a_mesh_without_material_coordinates_has_none) {
 }
 
 TEST(CurvedMesh, of_a_crease_has_each_vertex_once_for_each_side) {
-    const sim::PlainMesh smooth = curved_mesh(ridge(), {.level = 2});
+    const sim::PlainMesh smooth = curved_mesh(ridge(), {.curve = {.level = 2}});
     for (const LightNormals which : {LightNormals::Recomputed, LightNormals::Interpolated}) {
-        const sim::PlainMesh sharp = curved_mesh(ridge(), {.level = 2, .light_normals = which, .creases = {{1, 2}}});
+        const sim::PlainMesh sharp =
+            curved_mesh(ridge(), {.curve = {.level = 2}, .light_normals = which, .creases = {{1, 2}}});
         ASSERT_EQ(sharp.x.size(), smooth.x.size() + 5);
         EXPECT_EQ(sharp.triangles.size(), smooth.triangles.size());
         for (std::size_t t = 0; t < sharp.triangles.size(); ++t) {
@@ -98,7 +100,7 @@ TEST(CurvedMesh, of_a_crease_has_each_vertex_once_for_each_side) {
 
 TEST(CurvedMesh, adaptive_is_coarser_where_it_is_turned_away) {
     const sim::PlainMesh all = curved_mesh(ridge());
-    const sim::PlainMesh seen = curved_mesh(ridge(), {.view = sim::ViewPoint{.eye = Vec3f(0, -5, 0)}});
+    const sim::PlainMesh seen = curved_mesh(ridge(), {.curve = {.view = sim::ViewPoint{.eye = Vec3f(0, -5, 0)}}});
     EXPECT_GT(all.triangles.size(), 16U);
     EXPECT_LT(seen.triangles.size(), all.triangles.size());
 }
@@ -113,7 +115,7 @@ TEST(CurvedMesh, refuses_an_edge_with_three_triangles_and_too_many_triangles) {
 
     sim::PlainMesh many = ridge();
     many.triangles.resize(6000, many.triangles[0]);
-    EXPECT_THROW(curved_mesh(many, {.level = kMaxSurfaceLevel}), sim::InputError);
+    EXPECT_THROW(curved_mesh(many, {.curve = {.level = kMaxSurfaceLevel}}), sim::InputError);
 }
 
 }  // namespace

@@ -1,0 +1,62 @@
+#pragma once
+// The curved surface over a cloth, kept from frame to frame; and the curved surface over any triangles.  (thesis ch. 6)
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "render/surface/adapt_surface.h"
+#include "render/surface/curved_surface.h"
+#include "render/surface/edge_curve.h"
+#include "sim/adaptive/adaptive_mesh.h"
+#include "sim/adaptive/back_face.h"
+#include "sim/cloth/cloth.h"
+#include "sim/core/math.h"
+#include "sim/mesh/garment_mesh.h"
+
+namespace selvedge::render {
+
+inline constexpr int kMaxSurfaceLevel = 6;
+inline constexpr std::size_t kMaxDrawnTriangles = 20'000'000;
+
+struct CurveOptions {
+    SurfaceKind kind = SurfaceKind::Constant;
+    std::optional<int> level{};  // uniform level, 0..kMaxSurfaceLevel; none: adaptive, by the criteria
+    int deepest_level = 3;       // largest level of the adaptive surface, 0..kMaxSurfaceLevel
+    SurfaceCriteria criteria{};
+    std::optional<sim::ViewPoint> view{};  // if given, what is turned away from it stays coarse; adaptive only
+    MoveOptions move{};                    // the body that the surface must not penetrate
+    // For a surface that is kept from frame to frame, adaptive only. false: each frame is refined until no edge
+    // changes. true: each frame adapts the surface once, and its vertices move in and out gradually
+    // (AdaptSurfaceOptions).
+    bool glides = false;
+};
+
+// A surface over triangles, refined. x: positions of their vertices, m, w = 0. creases: see SurfaceOptions.
+// Throws InputError if they cannot be the base of a surface (an edge with three triangles, a triangle with two equal
+// corners), or if the surface could have more than kMaxDrawnTriangles triangles.
+CurvedSurface curve(std::span<const Vec4f> x, std::span<const sim::GarmentTriangle> triangles,
+                    const CurveOptions& options = {}, const std::vector<CreaseEdge>& creases = {});
+
+// The surface over the leaf triangles of a cloth. Its base has their order, and its base vertices that of the leaf
+// vertices, as plain_mesh(cloth) does (sim/dress/report.h).
+class SurfaceOverCloth {
+ public:
+    // The surface over the cloth as it is now. While the leaves are those of the last call, the surface only moves and
+    // adapts; if they are others, also because the cloth is another one, it is made anew and refined at once.
+    // Valid until the next call. Throws InputError if the surface could have more than kMaxDrawnTriangles triangles.
+    const CurvedSurface& curve(const sim::Cloth& cloth, const CurveOptions& options = {});
+
+ private:
+    bool is_over(const sim::AdaptiveMesh& mesh) const;
+
+    std::optional<CurvedSurface> surface_;
+    // What the surface was made for. Cloth::adaptations does not tell whether the leaves are others: it also counts
+    // adaptations that changed nothing, and two cloths may have the same number.
+    std::vector<sim::VertexId> vertices_;
+    std::vector<sim::LeafTriangle> triangles_;
+    SurfaceKind kind_ = SurfaceKind::Constant;
+    std::vector<Vec4f> normals_;  // by the cloth's VertexId, scratch
+};
+
+}  // namespace selvedge::render
