@@ -212,6 +212,10 @@ const BodyCollider& Dressing::collider() {
     return collider_->collider;
 }
 
+std::shared_ptr<const BodyCollider> Dressing::shared_collider() const {
+    return collider_ ? std::shared_ptr<const BodyCollider>(collider_, &collider_->collider) : nullptr;
+}
+
 // Panels that were placed for another body move with this one. The body that the pattern names is made only if it is
 // another, and once, because that is slow.
 const Pattern& Dressing::anchored() {

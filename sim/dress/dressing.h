@@ -87,7 +87,8 @@ class Dressing {
     const DressOptions& options() const { return options_; }
     const Pattern& anchored();       // the pattern with its panels moved from the body that it names to this one
     const BodyCollider& collider();  // of the body; built when first needed, which is slow. Pre: there is a body
-    bool has_collider() const { return collider_ != nullptr; }
+    // The same, with its body, for others to keep; null if it has not been needed.
+    std::shared_ptr<const BodyCollider> shared_collider() const;
 
     const GarmentMesh& placed() const { return placed_; }  // for display: meshed quickly
     const Cloth* cloth() const;                            // of separate panels in Sew; null in Place
@@ -151,7 +152,7 @@ class Dressing {
     Pattern pattern_;  // the newest one that can be meshed
     std::optional<Pattern> anchored_;
     std::shared_ptr<const Body> body_;
-    std::unique_ptr<const ColliderOfBody> collider_;
+    std::shared_ptr<const ColliderOfBody> collider_;
     struct NamedBody {
         std::string text;  // canonical
         Body body;

@@ -197,7 +197,8 @@ class SessionState {
     std::vector<std::string> messages_;
     std::map<std::string, Dressing::Drape> kept_;
     FrameTimes times_;
-    int splits_ = 0, rejoins_ = 0;  // in the last frame
+    int splits_ = 0, rejoins_ = 0;                // in the last frame
+    std::shared_ptr<const Cloth> cloth_at_rest_;  // a copy, made for the first frame at rest
 };
 
 SessionStage SessionState::stage() const {
@@ -226,7 +227,7 @@ double SessionState::frame_seconds() const {
 }
 
 bool SessionState::may_prepare() const {
-    return dressing_.body() != nullptr && !dressing_.has_collider() && stage() == SessionStage::Placed;
+    return dressing_.body() != nullptr && !dressing_.shared_collider() && stage() == SessionStage::Placed;
 }
 
 void SessionState::say(std::string message) {
@@ -278,6 +279,7 @@ void SessionState::sew_if_running() {
 
 void SessionState::advance() {
     const auto start = Clock::now();
+    cloth_at_rest_.reset();
     has_changed_ = true;
     SessionTimes times;
     if (dressing_.is_hanging()) {
@@ -328,6 +330,7 @@ void SessionState::say_open_seams() {
 
 void SessionState::operator()(ask::SetBody& asked) {
     if (asked.body.get() == dressing_.body()) return;
+    cloth_at_rest_.reset();
     has_changed_ = true;
     dressing_.set_body(std::move(asked.body));
     sew_if_running();
@@ -335,6 +338,7 @@ void SessionState::operator()(ask::SetBody& asked) {
 
 void SessionState::operator()(ask::SetPattern& asked) {
     if (asked.pattern == dressing_.pattern() && problem_.empty()) return;
+    cloth_at_rest_.reset();
     has_changed_ = true;
     try {
         dressing_.set_pattern(std::move(asked.pattern));
@@ -349,6 +353,7 @@ void SessionState::operator()(ask::SetPattern& asked) {
 void SessionState::operator()(const ask::SetOptions& asked) {
     const SessionOptions options = within_limits(asked.options);
     if (options == options_) return;
+    cloth_at_rest_.reset();
     options_ = options;
     has_changed_ = true;
     try {
@@ -397,6 +402,7 @@ void SessionState::operator()(const ask::Restore& asked) {
     if (found == kept_.end()) return say("no drape was kept as '" + asked.name + "'");
     if (!dressing_.restore(found->second))
         return say("'" + asked.name + "' was kept of another cut: the pattern's pieces have changed since");
+    cloth_at_rest_.reset();
     has_failed_ = false;
     has_changed_ = true;
     problem_.clear();
@@ -423,6 +429,11 @@ std::shared_ptr<SessionFrame> SessionState::make_frame() {
         statistics.rms_speed = static_cast<double>(dressing_.result().rms_speed);
         statistics.splits = splits_;
         statistics.rejoins = rejoins_;
+    }
+    if (frame->stage == SessionStage::Settled) {
+        if (!cloth_at_rest_) cloth_at_rest_ = std::make_shared<const Cloth>(*dressing_.cloth());
+        frame->cloth = cloth_at_rest_;
+        frame->collider = dressing_.shared_collider();
     }
     statistics.times = times_.medians();
     return frame;

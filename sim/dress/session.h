@@ -66,6 +66,10 @@ struct SessionFrame {
     SessionStatistics statistics;
     std::string problem;                // error message; empty: none
     std::vector<std::string> messages;  // events that the user should know about, newest last
+
+    // At rest only: the cloth itself and the collider that it hangs on, for a curved surface over it.
+    std::shared_ptr<const Cloth> cloth{};
+    std::shared_ptr<const Collider> collider{};
 };
 
 // A point on the displayed cloth: a triangle of a frame's mesh and barycentric weights.

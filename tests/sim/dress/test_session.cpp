@@ -92,6 +92,26 @@ TEST_F(SessionOfTwoSquares, settles_with_the_same_figures_as_dress) {
     EXPECT_GT(least_clearance(frame->mesh), -0.0005F);
 }
 
+TEST_F(SessionOfTwoSquares, gives_the_cloth_at_rest_and_copies_it_once) {
+    settle(session_);
+    const auto first = session_.frame();
+    ASSERT_TRUE(first->cloth);
+    EXPECT_EQ(plain_mesh(*first->cloth, first->mesh.panel_names), first->mesh);
+    ASSERT_TRUE(first->collider);
+    EXPECT_GT(first->collider->contact(first->mesh.x.front()).distance, 0);
+    session_.pin(furthest_point(*first, 0, {0, 1, 0}));
+    session_.advance(0);
+    EXPECT_NE(session_.frame(), first);
+    EXPECT_EQ(session_.frame()->cloth, first->cloth);
+    pattern_.fabric = "denim";
+    session_.set_pattern(pattern_);
+    session_.advance(1);
+    EXPECT_FALSE(session_.frame()->cloth) << "it moves";
+    session_.advance(400);
+    ASSERT_TRUE(session_.frame()->cloth);
+    EXPECT_EQ(plain_mesh(*session_.frame()->cloth, first->mesh.panel_names), session_.frame()->mesh);
+}
+
 TEST_F(SessionOfTwoSquares, gives_the_same_bits_twice) {
     settle(session_);
     Session second(SessionDrive::Caller);
