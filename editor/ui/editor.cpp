@@ -329,8 +329,8 @@ FrameOutput Editor::frame(const std::vector<InputEvent>& events, const FrameSize
     impl.output.window_title =
         document_name(state) + (state.workspace.document->has_unsaved_changes() ? "* - Selvedge" : " - Selvedge");
     impl.output.wants_to_close = state.wants_to_close;
-    impl.output.is_animating =
-        impl.input.has_more() || state.workspace.drape.frame()->is_running || state.workspace.drape.is_making_body();
+    impl.output.is_animating = impl.output.is_animating || impl.input.has_more() ||
+                               state.workspace.drape.frame()->is_running || state.workspace.drape.is_making_body();
     return std::move(impl.output);
 }
 
