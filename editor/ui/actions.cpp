@@ -456,7 +456,14 @@ void add_view_actions(std::vector<Action>& actions) {
         [](auto& state) -> auto& { return state.layout.has_tools; });
     add_modes(actions);
     add_switch(
-        actions, {.id = "view.body", .title = "Body", .begins_group = true},
+        actions,
+        {.id = "view.curved",
+         .title = "Curved surface",
+         .tip = "At rest, instead of the cloth's triangles",
+         .begins_group = true},
+        [](auto& state) -> auto& { return state.workspace.look.is_curved; });
+    add_switch(
+        actions, {.id = "view.body", .title = "Body"},
         [](auto& state) -> auto& { return state.workspace.look.has_body; });
     add_switch(
         actions, {.id = "view.points", .title = "Arrangement points"},

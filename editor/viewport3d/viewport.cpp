@@ -72,6 +72,10 @@ ViewportInput Viewport::take_input(const ViewportContext& context) {
     return input;
 }
 
+bool Viewport::wants_curved(const Workspace& workspace) const {
+    return may_be_curved(workspace.look) && !hand_.garment().is_placed();
+}
+
 void Viewport::make_scene(const ViewportContext& context) {
     const Workspace& workspace = context.workspace;
     const Document& document = *workspace.document;
@@ -83,10 +87,13 @@ void Viewport::make_scene(const ViewportContext& context) {
     marks.hovered_point = hand_.under().point;
     marks.pulled_to = hand_.pulled_to();
     marks.size = context.scale * coarse_size(metres_per_px(hand_.viewing(), hand_.orbit().standpoint().target));
+    std::shared_ptr<const sim::PlainMesh> curved;
+    if (wants_curved(workspace)) curved = curved_.follow(hand_.garment().shared_frame(), workspace.drape.drive());
     shown_ = scene_.follow({.pattern = document.pattern(),
                             .revision = document.revision(),
                             .garment = hand_.garment(),
                             .worn = workspace.drape.worn(),
+                            .curved = std::move(curved),
                             .look = workspace.look,
                             .marks = std::move(marks)});
     const render::Camera camera = hand_.orbit().camera();
@@ -130,7 +137,8 @@ void Viewport::show(const ViewportContext& context) {
     make_scene(context);
     request_rendering(context);
     choose_cursor(context);
-    context.output.is_animating = context.output.is_animating || hand_.orbit().is_moving();
+    const bool waits_for_task = wants_curved(context.workspace) && curved_.is_making();
+    context.output.is_animating = context.output.is_animating || hand_.orbit().is_moving() || waits_for_task;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 from(low_px_.x(), low_px_.y()), to(low_px_.x() + size_px_.x(), low_px_.y() + size_px_.y());
     list.PushClipRect(from, to, true);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "editor/frame/frame.h"
+#include "editor/viewport3d/curved_drape.h"
 #include "editor/viewport3d/viewport_controller.h"
 #include "editor/viewport3d/viewport_marks.h"
 #include "editor/viewport3d/viewport_scene.h"
@@ -56,12 +57,14 @@ class Viewport {
     };
 
     ViewportInput take_input(const ViewportContext& context);
+    bool wants_curved(const Workspace& workspace) const;
     void make_scene(const ViewportContext& context);
     void request_rendering(const ViewportContext& context);
     void choose_cursor(const ViewportContext& context) const;
 
     ViewportColours colours_;
     ViewportController hand_;
+    CurvedDrape curved_;
     ViewportScene scene_;
     std::shared_ptr<const render::Scene> shown_;
     render::Light light_;

@@ -64,6 +64,7 @@ class DisplayedGarment {
 
     const sim::PlainMesh& mesh() const { return is_placed_ ? placed_ : frame_->mesh; }  // same triangles as the frame
     const sim::SessionFrame& frame() const { return *frame_; }
+    const std::shared_ptr<const sim::SessionFrame>& shared_frame() const { return frame_; }
     bool is_placed() const { return is_placed_; }
     const std::vector<ClothOutline>& outlines() const { return outlines_; }  // one per panel of the pattern
     std::uint64_t version() const { return version_; }                       // increases with every change

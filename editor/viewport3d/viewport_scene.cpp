@@ -55,6 +55,12 @@ bool fills_show_mode(render::ShowMode show) {
     return show > render::ShowMode::Plain;
 }
 
+bool may_be_curved(const ViewOptions& look) {
+    const bool shows_surface = look.show == render::ShowMode::Tartan || look.show == render::ShowMode::Plain ||
+                               look.show == render::ShowMode::Panels || look.show == render::ShowMode::Seams;
+    return look.is_curved && shows_surface && !look.has_edges;
+}
+
 // An unknown fabric falls back to the default one; the inspector reports it.
 const sim::Fabric& ViewportScene::fabric(const std::string& name) {
     const auto known = fabrics_.find(name);
@@ -82,7 +88,7 @@ void ViewportScene::update_sett(const sim::Pattern& pattern) {
 
 void ViewportScene::update_cloth(const ViewportSceneInput& input) {
     cloths_.clear();
-    const sim::PlainMesh& mesh = input.garment.mesh();
+    const sim::PlainMesh& mesh = input.curved ? *input.curved : input.garment.mesh();
     if (!is_sound(mesh)) return;
     update_sett(input.pattern);
     const std::vector<std::string> names = fabrics_of(mesh, input.pattern);
@@ -115,7 +121,8 @@ std::shared_ptr<const render::Scene> ViewportScene::follow(const ViewportSceneIn
     const ContentKey key{.garment = input.garment.version(),
                          .revision = input.revision,
                          .show = input.look.show,
-                         .has_edges = input.look.has_edges};
+                         .has_edges = input.look.has_edges,
+                         .curved = input.curved};
     const bool is_cloth_new = !(key == key_);
     const bool is_body_new = input.worn.body != body_ || input.look.has_body != has_body_;
     if (!is_cloth_new && !is_body_new && input.marks == marks_) return scene_;

@@ -17,6 +17,7 @@ struct ViewportSceneInput {
     std::uint64_t revision = 0;  // of the pattern
     const DisplayedGarment& garment;
     const CurrentBody& worn;
+    std::shared_ptr<const sim::PlainMesh> curved{};  // drawn instead of the garment's mesh; null: none
     ViewOptions look{};
     ViewportMarks marks{};
 };
@@ -35,6 +36,7 @@ class ViewportScene {
         std::uint64_t revision = 0;
         render::ShowMode show = render::ShowMode::Tartan;
         bool has_edges = false;
+        std::shared_ptr<const sim::PlainMesh> curved;
 
         bool operator==(const ContentKey&) const = default;
     };
@@ -57,6 +59,9 @@ class ViewportScene {
     std::optional<sim::Sett> sett_;  // from tartan_ and sett_size_
     std::map<std::string, sim::Fabric> fabrics_;
 };
+
+// Whether the curved surface can stand for the cloth. The other modes show data of the simulated triangles.
+bool may_be_curved(const ViewOptions& look);
 
 // Whether the mode maps values to colours; the program then colours the cloth (render/marks/show.h) before rendering.
 bool fills_show_mode(render::ShowMode show);

@@ -91,6 +91,7 @@ class Drape {
     // Shows this body instead of the document's; `wear({})` returns to the document's body.
     void wear(std::optional<std::string> text);
     bool is_making_body() const { return making_.valid(); }
+    sim::SessionDrive drive() const { return drive_; }
     const CurrentBody& worn() const { return worn_; }  // `body` is null until the first body is ready
 
     sim::SessionOptions& options() { return options_; }  // takes effect at the next `follow`
@@ -123,6 +124,7 @@ struct ViewOptions {
     bool has_points = true;      // arrangement points, while selected panels can be placed
     bool has_seam_lines = true;  // connecting lines of open seams
     bool has_edges = false;      // triangle edges, over plain cloth
+    bool is_curved = true;       // at rest, the curved surface over the cloth instead of its triangles
     bool as_placed = false;      // shows panels at their placement, even if the garment is sewn
     bool own_axes = false;       // gizmo for a single panel uses its own axes, not the world axes
 
