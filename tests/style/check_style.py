@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Checks the tree's style: check_style.py includes|types|text|lengths|format [ROOT]. Prints file:line: problem; exit 1 when
-there is any, 77 when the check cannot be made here (ctest then says skipped)."""
+"""Checks the tree's style: check_style.py includes|types|flow|text|lengths|format [ROOT]. Prints file:line: problem;
+exit 1 when there is any, 77 when the check cannot be made here (ctest then says skipped)."""
 import pathlib
 import sys
 
+import check_flow
 import check_format
 import check_includes
 import check_text
@@ -32,6 +33,10 @@ def types(root):
     yield from check_types.check_types(cpp_sources(root))
 
 
+def flow(root):
+    yield from check_flow.check_flow(cpp_sources(root), rules.Architecture.of(root))
+
+
 def text(root):
     yield from check_text.check_lines(read_tree(root, rules.TEXT_FOLDERS, rules.TEXT_SUFFIXES))
     yield from check_text.check_headers(cpp_sources(root))
@@ -53,7 +58,7 @@ def formatting(root):
     yield from check_format.check_format(root, cpp_sources(root), program)
 
 
-CHECKS = {"includes": includes, "types": types, "text": text, "lengths": lengths, "format": formatting}
+CHECKS = {"includes": includes, "types": types, "flow": flow, "text": text, "lengths": lengths, "format": formatting}
 
 
 def main(arguments):

@@ -8,7 +8,7 @@ import sys
 import rules
 from sources import Fault
 
-BEGIN, END = "```mermaid", "```"
+BEGIN, END = ["```mermaid", "flowchart BT"], "```"
 
 
 def direct_edges(may_include):
@@ -34,7 +34,7 @@ def direct_edges(may_include):
 def draw(may_include):
     """The lines of the picture, the fence included."""
     drawn = {module: others for module, others in may_include.items() if others is not None}
-    lines = [BEGIN, "flowchart BT"]
+    lines = list(BEGIN)
     for folder in dict.fromkeys(module.split("/")[0] for module in drawn):
         lines.append(f"  subgraph {folder}")
         lines += [f"    {module.replace('/', '_')}[{module}]" for module in drawn if module.split("/")[0] == folder]
@@ -44,9 +44,9 @@ def draw(may_include):
 
 
 def check_picture(architecture):
-    """The document's first Mermaid picture is the table's."""
+    """The document's picture of the modules is the table's."""
     lines = architecture.text.split("\n")
-    begin = lines.index(BEGIN) if BEGIN in lines else None
+    begin = next((i for i in range(len(lines)) if lines[i:i + 2] == BEGIN), None)
     if begin is None:
         yield Fault(rules.ARCHITECTURE, 1, "has no picture of the modules")
         return

@@ -5,6 +5,7 @@ import sys
 import tempfile
 import unittest
 
+import check_flow
 import check_format
 import check_includes
 import check_text
@@ -109,6 +110,57 @@ class Picture(unittest.TestCase):
     def test_a_picture_with_another_arrow_or_with_one_less_fails(self):
         self.assertEqual(len(self.faults_of(self.PICTURE.replace("sim_mesh --> sim_core", "sim_core --> sim_mesh"))), 2)
         self.assertEqual(len(self.faults_of("no picture")), 1)
+
+
+class Flow(unittest.TestCase):
+    MESH = """#pragma once
+namespace selvedge {
+// curve(Cloth) gives a Surface.
+struct Mesh {
+    std::vector<Cloth> cloths{};
+    Cloth cut() const { return curve(1); }
+};
+Surface curve(const sim::Cloth& cloth, const Options& options = {});
+class Over {
+ public:
+    const Surface& curve(const Cloth& cloth);
+ private:
+    Mesh mesh_;
+};
+}
+"""
+    PICTURE = """```mermaid
+flowchart TD
+  file["sim::Cloth"] -->|"curve<br>sim/mesh/a.h"| Surface
+  Cloth -->|"Over::curve<br>sim/mesh/a.h"| Surface
+  Cloth -->|"Mesh::cloths<br>sim/mesh/a.h"| Mesh
+```
+"""
+
+    def faults_of(self, text):
+        sources = [Source("sim/mesh/a.h", self.MESH), Source("sim/mesh/b.h", PRAGMA)]
+        return problems(check_flow.check_flow(sources, rules.Architecture(text)))
+
+    def test_a_picture_of_what_the_headers_declare_passes(self):
+        self.assertEqual(self.faults_of(self.PICTURE), [])
+
+    def test_an_arrow_from_or_to_another_type_fails(self):
+        self.assertEqual(self.faults_of(self.PICTURE.replace("| Mesh", "| Image")),
+                         ["docs/architecture.md:5: no declaration of Mesh::cloths mentions Cloth and Image"])
+        self.assertEqual(self.faults_of(self.PICTURE.replace('file["sim::Cloth"]', "Mesh")),
+                         ["docs/architecture.md:3: no declaration of curve mentions Mesh and Surface"])
+
+    def test_a_function_that_the_header_does_not_declare_fails(self):
+        for header in ("sim/mesh/b.h", "sim/mesh/none.h"):
+            picture = self.PICTURE.replace('"Over::curve<br>sim/mesh/a.h"', f'"curve<br>{header}"')
+            self.assertEqual(self.faults_of(picture), [f"docs/architecture.md:4: {header} does not declare curve"])
+        self.assertEqual(self.faults_of(self.PICTURE.replace("Mesh::cloths", "Over::cloths")),
+                         ["docs/architecture.md:5: sim/mesh/a.h does not declare Over::cloths"])
+
+    def test_a_missing_picture_and_a_line_that_is_no_arrow_fail(self):
+        self.assertEqual(len(self.faults_of("no picture")), 1)
+        self.assertEqual(self.faults_of(self.PICTURE.replace('|"Mesh::cloths<br>sim/mesh/a.h"|', "")),
+                         ["docs/architecture.md:5: 'Cloth --> Mesh' is no arrow of the picture"])
 
 
 class Types(unittest.TestCase):
