@@ -27,7 +27,8 @@ struct Known {
         const float dx = block.x[lane] - x[i];
         const float dy = block.y[lane] - y[i];
         const float dz = block.z[lane] - z[i];
-        return (slack[i] > 0) & (dx * dx + dy * dy + dz * dz < slack[i] * slack[i]);
+        const float free = std::max(slack[i], 0.0F);
+        return dx * dx + dy * dy + dz * dz < free * free;
     }
     void learn(std::size_t i, const sim::ContactBlock& block, std::size_t lane, float surely_free) {
         x[i] = block.x[lane];

@@ -69,8 +69,8 @@ sim::Panel half_ring(const std::string& name, const DiscCut& cut, int quarter) {
                                      on_circle(r, quarter + 2),
                                      on_circle(r, quarter + 1)};
     sim::Panel panel = turned_panel(name, corners, cut.mesh_angle, kLevel);
-    for (const std::size_t rim : {1, 2}) make_arc(panel.edges[rim], cut.radius, false);
-    for (const std::size_t inner : {4, 5}) make_arc(panel.edges[inner], r, true);
+    for (const std::size_t rim : {1U, 2U}) make_arc(panel.edges[rim], cut.radius, false);
+    for (const std::size_t inner : {4U, 5U}) make_arc(panel.edges[inner], r, true);
     panel.grain_angle = cut.mesh_angle;
     return panel;
 }

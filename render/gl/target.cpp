@@ -1,5 +1,6 @@
 #include "render/gl/target.h"
 
+#include <algorithm>
 #include <span>
 
 #include "render/gl/context.h"
@@ -81,11 +82,10 @@ std::span<const sim::EmbeddedFile> shader_files();
 namespace {
 
 ShaderText find_shader(std::string_view name) {
-    for (const sim::EmbeddedFile& file : shader_files()) {
-        if (file.name == "shaders/" + std::string(name)) return {std::string(name), std::string(file.text)};
-    }
-    SELVEDGE_ASSERT(!"a shader of that name is embedded");
-    return {};
+    const std::span<const sim::EmbeddedFile> files = shader_files();
+    const auto file = std::ranges::find(files, "shaders/" + std::string(name), &sim::EmbeddedFile::name);
+    SELVEDGE_ASSERT(file != files.end());  // a shader of that name is embedded
+    return {std::string(name), std::string(file->text)};
 }
 
 std::vector<ShaderText> find_shaders(std::initializer_list<std::string_view> names) {

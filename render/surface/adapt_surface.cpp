@@ -59,6 +59,8 @@ struct SplitRequest {
         return (std::abs(d.dot(surface.normals[a.value])) + std::abs(d.dot(surface.normals[b.value]))) / 8;
     }
 };
+template <sim::EdgeCriterion Shape>
+SplitRequest(const Shape&, const CurvedSurface&, const CoarseVeto&, float) -> SplitRequest<Shape>;
 
 // No edge rejoins before its vertex has reached the midpoint, neither by a veto nor by agreement. No edge splits before
 // its ends have reached their curves, because its present length is not final.

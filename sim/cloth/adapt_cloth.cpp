@@ -93,7 +93,7 @@ AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& ob
 AdaptReport adapt_chosen(Cloth& cloth, ClothObserver& observer, const AdaptClothOptions& options) {
     switch (options.diagonal) {
         case DiagonalChoice::Length:
-            return adapt_switched(ShortestDiagonal(cloth.x), cloth, observer, options);
+            return adapt_switched(ShortestDiagonal{cloth.x}, cloth, observer, options);
         case DiagonalChoice::RestLength:
             return adapt_switched(ShortestRestDiagonal{}, cloth, observer, options);
         case DiagonalChoice::Curvature:

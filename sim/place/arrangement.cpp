@@ -152,7 +152,7 @@ std::vector<Limb> limbs_of_bones(const Body& body) {
         if (top == body.bones.end() || bottom == body.bones.end()) return;
         limbs.push_back({side + " " + std::string(bones.name), top->joint, bottom->joint, bones.share});
     };
-    for (const std::size_t first : {0, 2}) {  // arms, then legs
+    for (const std::size_t first : {0U, 2U}) {  // arms, then legs
         for (const std::string side : {"left", "right"}) {
             add(side, kLimbs[first]);
             add(side, kLimbs[first + 1]);
@@ -183,7 +183,7 @@ std::vector<Limb> limbs_of_sections(const Body& body) {
         {{"upper arm", 0.74, 0.69}, {"forearm", 0.66, 0.63}, {"thigh", 0.40, 0.34}, {"calf", 0.24, 0.20}}};
     const HeightRange height = height_range(body);
     std::vector<Limb> limbs;
-    for (const std::size_t first : {0, 2}) {
+    for (const std::size_t first : {0U, 2U}) {
         for (const double side : {1.0, -1.0}) {
             for (const std::size_t i : {first, first + 1}) {
                 const auto at = [&](double share) { return height.low + share * (height.high - height.low); };
