@@ -51,7 +51,6 @@ DropScene make_scene(const DropOptions& options) {
     scene.stepping.contact.floor = kNoFloor;
     if (options.falls_off) scene.stepping.contact.friction_scale = kSlipperyFriction;
     scene.adapting.criteria = options.criteria;
-    scene.adapting.diagonal = options.diagonal;
     scene.adapting.shortest_edge = 0;
     scene.adapting.length = kCompression;
     refresh_contacts(scene.cloth, scene.stepping.contact);
@@ -72,6 +71,7 @@ void adapt_frame(DropScene& scene, const DropOptions& options) {
         sim::NoState none;
         set_uniform_level(scene.cloth.mesh, none, *options.uniform_level);
     } else {
+        scene.adapting.diagonal_cost = diagonal_cost(scene.cloth, options.diagonal);
         adapt_cloth(scene.cloth, *scene.object, scene.adapting, scene.stepping.contact);
     }
 }

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/thesis/diagonal_choices.h"
 #include "render/draw/renderer.h"
 #include "render/image/image.h"
 #include "sim/cloth/adapt_cloth.h"
@@ -26,7 +27,7 @@ struct DropOptions {
     bool falls_off = false;              // starts off centre, with less friction, so that it slides off the object
     std::optional<int> uniform_level{};  // uniform refinement to this level; none: adaptive by the criteria
     sim::CriteriaOptions criteria{};
-    sim::DiagonalChoice diagonal = sim::DiagonalChoice::MinimalChange;
+    DiagonalChoice diagonal = DiagonalChoice::MinimalChange;
     double seconds = 2.0;
     double shift = 0;          // m, of the start position along z, to compare runs that should hardly differ
     bool times_parts = false;  // also times collision and drawing; the run takes longer

@@ -478,13 +478,13 @@ namespace {
 
 struct TieBreaker {
     const char* name;
-    sim::DiagonalChoice choice;
+    DiagonalChoice choice;
 };
 
-constexpr std::array<TieBreaker, 4> kTieBreakers{{{"least work", sim::DiagonalChoice::MinimalChange},
-                                                  {"length", sim::DiagonalChoice::Length},
-                                                  {"rest length", sim::DiagonalChoice::RestLength},
-                                                  {"curvature", sim::DiagonalChoice::Curvature}}};
+constexpr std::array<TieBreaker, 4> kTieBreakers{{{"least work", DiagonalChoice::MinimalChange},
+                                                  {"length", DiagonalChoice::Length},
+                                                  {"rest length", DiagonalChoice::RestLength},
+                                                  {"curvature", DiagonalChoice::Curvature}}};
 
 std::uint64_t total(const sim::TransitionCounts& counts) {
     std::uint64_t sum = 0;

@@ -90,19 +90,10 @@ AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& ob
         OptionalCriterion(!options.kept_vertices.empty(), kept), OptionalCriterion(on.collision, collision));
 }
 
-AdaptReport adapt_chosen(Cloth& cloth, ClothObserver& observer, const AdaptClothOptions& options) {
-    switch (options.diagonal) {
-        case DiagonalChoice::Length:
-            return adapt_switched(ShortestDiagonal{cloth.x}, cloth, observer, options);
-        case DiagonalChoice::RestLength:
-            return adapt_switched(ShortestRestDiagonal{}, cloth, observer, options);
-        case DiagonalChoice::Curvature:
-            return adapt_switched(FlattestDiagonal{cloth.normals}, cloth, observer, options);
-        case DiagonalChoice::MinimalChange:
-            break;
-    }
-    return adapt_switched(MinimalChange{}, cloth, observer, options);
-}
+// A choice of diagonals by the cost that the options give.
+struct CheapestDiagonal {
+    const std::function<float(const Diagonal&)>& cost;
+};
 
 // The edges that the collision criterion will split. None if a budget or a view could veto such a split: then the edges
 // need contact samples.
@@ -120,7 +111,9 @@ AdaptReport adapt_cloth(Cloth& cloth, const Collider& body, const AdaptClothOpti
     if (options.visibility != nullptr) options.visibility->look(cloth.mesh, cloth.x, cloth.normals);
     if (options.budget != nullptr) options.budget->start(cloth.mesh);
     ClothObserver observer{cloth, body, contact, options.visibility, options.budget};
-    const AdaptReport report = adapt_chosen(cloth, observer, options);
+    const AdaptReport report = options.diagonal_cost
+                                   ? adapt_switched(CheapestDiagonal{options.diagonal_cost}, cloth, observer, options)
+                                   : adapt_switched(MinimalChange{}, cloth, observer, options);
     if (report.changed()) update_solver(cloth);
     const SplitOnContact split = split_on_contact(options);
     if (report.changed() || !are_contacts_made_for(cloth, contact, split)) update_contacts(cloth, contact, split);

@@ -1,6 +1,7 @@
 #pragma once
 // Adaptation of a cloth: the choice of criteria, and the state of the vertices that splits create.  (thesis 3.4)
 #include <algorithm>
+#include <functional>
 #include <span>
 
 #include "sim/adaptive/adapt.h"
@@ -52,9 +53,6 @@ struct CriteriaOptions {
     bool operator==(const CriteriaOptions&) const = default;
 };
 
-// How to choose between two diagonals that both conform, see sim/adaptive/diagonal.h.  (thesis fig. 3.9)
-enum class DiagonalChoice { MinimalChange, Length, RestLength, Curvature };
-
 struct AdaptClothOptions {
     CriteriaOptions criteria{};
     CurvatureOptions curvature{};
@@ -67,8 +65,8 @@ struct AdaptClothOptions {
     float shortest_edge = 0.02F;                // m, an edge shorter than this is not split
     int max_level = kDeepestLevel;              // if below the mesh's own, deeper edges are rejoined
     bool may_rejoin = true;
-    DiagonalChoice diagonal = DiagonalChoice::MinimalChange;
-    TransitionCounts* transitions = nullptr;  // optional: each transition is counted here
+    TransitionCounts* transitions = nullptr;                // optional: each transition is counted here
+    std::function<float(const Diagonal&)> diagonal_cost{};  // optional: a choice, see sim/adaptive/diagonal.h
 };
 
 // One adaptation. Post: the total mass is unchanged; solver lists and contact samples are up to date.
