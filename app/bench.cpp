@@ -4,6 +4,7 @@
 #include <unistd.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -29,6 +30,7 @@
 #include "sim/tartan/tartan_file.h"
 
 namespace selvedge::app {
+
 void add_json_option(CLI::App& command, std::string& path) {
     command.add_option("--json", path, "Write the figures here too, as JSON")->type_name("FILE");
 }
@@ -136,7 +138,7 @@ void add_bench_drop(CLI::App& bench, int& exit_code) {
         ->check(CLI::Range(0.0001, 1.0));
     command->add_option("--substeps", experiment.substeps, "Sub-steps per frame, instead of searching for the least")
         ->check(CLI::Range(1, 10000));
-    command->add_option("--most-substeps", experiment.most_substeps, "Where the search gives up (default 256)")
+    command->add_option("--most-substeps", experiment.max_substeps, "Where the search gives up (default 256)")
         ->check(CLI::Range(1, 10000));
     command->add_option("--repetitions", experiment.repetitions, "Timed runs of the chosen setting (default 5)")
         ->check(CLI::Range(1, 1000));
@@ -292,7 +294,7 @@ struct ThesisArguments {
     bench::ThesisOptions options;
 };
 
-constexpr std::size_t kMostRows = 24;  // printed rows of a series
+constexpr std::size_t kMaxRows = 24;  // printed rows of a series
 
 using Names = std::vector<std::string>;
 
@@ -358,7 +360,7 @@ class Run {
     }
 
     void show(const bench::Figure& figure) {
-        print_table(thinned(figure.series, kMostRows));
+        print_table(thinned(figure.series, kMaxRows));
         figures_.push_back(figure.series);
         if (arguments_.folder.empty()) return;
         const std::string stem = "figure-" + figure.series.name;
@@ -458,10 +460,10 @@ void add_bench_tshirt(CLI::App& bench, int& exit_code) {
     command
         ->add_option("--body-triangles", experiment.body_triangles, "Triangles of the body, at least (default 67000)")
         ->check(CLI::Range(1, 5000000));
-    command->add_option("--min-leaves", experiment.least_leaves, "Refined until there are so many (default 6000)")
+    command->add_option("--min-leaves", experiment.min_leaves, "Refined until there are so many (default 6000)")
         ->check(CLI::Range(0, 1000000));
     command
-        ->add_option("--max-stretch", experiment.most_stretch,
+        ->add_option("--max-stretch", experiment.max_stretch,
                      "Share of length, 99th percentile of warp and weft (default 0.05)")
         ->check(CLI::Range(1e-4, 1.0));
     command->add_option("--substeps", experiment.substeps, "Per step, instead of searching for the fewest")

@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "app/commands.h"
-#include "render/image/compare.h"
 #include "render/image/image.h"
 
 namespace selvedge::app {

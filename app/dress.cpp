@@ -100,8 +100,8 @@ void check_outputs(const DressArguments& arguments) {
     if (!arguments.picture_file.empty()) check_output(arguments.picture_file, kPictureExtensions);
     if (!arguments.report_file.empty()) check_output(arguments.report_file);
     check_turntable(arguments.turntable, arguments.picture);
-    for (const Path& file : arguments.garment_files) check_output(file, kMeshExtensions);
-    for (const Path& file : arguments.body_files) check_output(file, kMeshExtensions);
+    for (const Path& file : arguments.garment_files) check_output(file, sim::mesh_extensions());
+    for (const Path& file : arguments.body_files) check_output(file, sim::mesh_extensions());
     std::vector<Path> inputs{arguments.garment};
     if (arguments.body.is_file()) inputs.emplace_back(arguments.body.source);
     check_distinct(all_outputs(arguments), inputs);

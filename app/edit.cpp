@@ -96,7 +96,7 @@ int run_script(const EditArguments& arguments) {
     EditorSurface surface(editor);
     const auto shoot = [&](const std::string& file) { write_png(file, loop.screenshot()); };
     const auto step = [&](const std::vector<editor::InputEvent>& events) { loop.step(surface, events); };
-    const auto say = [](const std::string& words) { std::printf("%s\n", words.c_str()); };
+    const auto say = [](const std::string& text) { std::printf("%s\n", text.c_str()); };
     editor::ScriptPlayer player(editor, {step, shoot, say}, arguments.script);
     for (int i = 0; i < 3; ++i) loop.step(surface);
     player.play(steps);

@@ -19,9 +19,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr unsigned kWindowFramebuffer = 0;
-constexpr double kLeastPeriod = 0.016;  // s, shortest frame period: slightly less than a 60 Hz screen's
-constexpr double kIdlePeriod = 0.25;    // s: the caret's blink period; limits the delay of other CPU threads' updates
-constexpr int kFramesToSettle = 3;      // frames after an event: its effect shows in the next frame
+constexpr double kMinPeriod = 0.016;  // s, shortest frame period: slightly less than a 60 Hz screen's
+constexpr double kIdlePeriod = 0.25;  // s: the caret's blink period; limits the delay of other CPU threads' updates
+constexpr int kFramesToSettle = 3;    // frames after an event: its effect shows in the next frame
 
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -67,7 +67,7 @@ class FrameScheduler {
         const bool may_wait = is_hidden || (!is_animating && frames_to_settle_ == 0);
         std::vector<editor::InputEvent> events =
             may_wait ? window.wait(kIdlePeriod) : std::vector<editor::InputEvent>{};
-        const double left = kLeastPeriod - seconds_since(started_);
+        const double left = kMinPeriod - seconds_since(started_);
         if (left > 0) std::this_thread::sleep_for(std::chrono::duration<double>(left));
         for (editor::InputEvent& event : window.poll()) events.push_back(std::move(event));
         frames_to_settle_ = events.empty() ? std::max(frames_to_settle_ - 1, 0) : kFramesToSettle;
@@ -116,7 +116,7 @@ void FramePainter::draw_scene(const editor::SceneRequest& scene) {
         view.scene = painted.scene;
         hold_legend(scene, painted.legend);
     }
-    if (scene.is_draft) {
+    if (scene.is_preview) {
         drawn.draft.draw(view, drawn.picture);
     } else {
         if (!renderer_) renderer_.emplace(context_);

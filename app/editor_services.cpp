@@ -44,7 +44,7 @@ editor::CurrentBody make_body(const std::string& text) {
     return worn;
 }
 
-std::string age_words(double seconds) {
+std::string age_text(double seconds) {
     const auto counted = [](double count, const char* what) {
         const long whole = std::lround(count);
         return std::to_string(whole) + " " + what + (whole == 1 ? " ago" : "s ago");
@@ -60,7 +60,7 @@ std::vector<editor::OrphanedJournal> orphaned_journals(const JournalStore& store
     for (const StoredJournal& stored : store.left()) {
         const auto recovery = editor::recover(stored.text);
         if (recovery && recovery->changes > 0) {
-            left.push_back({stored.path.string(), *recovery, age_words(stored.age_seconds)});
+            left.push_back({stored.path.string(), *recovery, age_text(stored.age_seconds)});
         } else {
             JournalStore::discard(stored.path);  // contains no changes
         }
@@ -126,12 +126,12 @@ std::vector<std::string> RecentFiles::list() const {
 }
 
 void RecentFiles::add(const std::string& path) const {
-    constexpr std::size_t kMost = 12;
+    constexpr std::size_t kMax = 12;
     std::vector<std::string> files = list();
     const std::string whole = std::filesystem::absolute(path).lexically_normal().string();
     std::erase(files, whole);
     files.insert(files.begin(), whole);
-    if (files.size() > kMost) files.resize(kMost);
+    if (files.size() > kMax) files.resize(kMax);
     sim::Json json = sim::Json::array();
     for (const std::string& file : files) json.push_back(sim::Json(file));
     try {

@@ -19,8 +19,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "app/layout.h"
 #include "app/options.h"
+#include "app/picture.h"
 #include "render/draw/renderer.h"
 #include "render/image/image.h"
 #include "sim/core/assert.h"
@@ -53,10 +53,10 @@ int spawn(pid_t& process, std::vector<std::string> arguments, int input, int com
     posix_spawn_file_actions_adddup2(&files, input, STDIN_FILENO);
     posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_adddup2(&files, complaints, STDERR_FILENO);
-    std::vector<char*> words;
-    for (std::string& argument : arguments) words.push_back(argument.data());
-    words.push_back(nullptr);
-    const int error = ::posix_spawnp(&process, words.front(), &files, nullptr, words.data(), environ);
+    std::vector<char*> pointers;
+    for (std::string& argument : arguments) pointers.push_back(argument.data());
+    pointers.push_back(nullptr);
+    const int error = ::posix_spawnp(&process, pointers.front(), &files, nullptr, pointers.data(), environ);
     posix_spawn_file_actions_destroy(&files);
     return error;
 }
@@ -124,8 +124,8 @@ bool PipedProcess::finish() {
 std::string PipedProcess::message_text() const {
     std::array<char, 300> text{};
     const ssize_t got = ::pread(::fileno(complaints_), text.data(), text.size() - 1, 0);
-    const std::string words(text.data(), got > 0 ? static_cast<std::size_t>(got) : 0);
-    return words.substr(0, words.find('\n'));
+    const std::string message(text.data(), got > 0 ? static_cast<std::size_t>(got) : 0);
+    return message.substr(0, message.find('\n'));
 }
 
 void PipedProcess::close_pipe() {
@@ -179,7 +179,7 @@ void check_folder(const fs::path& path) {
 }
 
 // GIF has few colours: ordered dithering hides the banding and is stable from frame to frame.
-std::vector<std::string> gif_words() {
+std::vector<std::string> gif_arguments() {
     return {"-filter_complex",
             "[0:v]split[a][b];[a]palettegen=stats_mode=full[palette];"
             "[b][palette]paletteuse=dither=bayer:bayer_scale=4:diff_mode=rectangle",
@@ -190,7 +190,7 @@ std::vector<std::string> gif_words() {
 }
 
 // BT.709, the colour standard that players assume.
-std::vector<std::string> mp4_words() {
+std::vector<std::string> mp4_arguments() {
     return {"-vf",
             "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int",
             "-c:v",
@@ -215,27 +215,27 @@ std::vector<std::string> mp4_words() {
             "mp4"};
 }
 
-std::vector<std::string> encoder_words(FilmKind kind, const FilmFormat& format, const fs::path& output) {
-    std::vector<std::string> words{"ffmpeg",
-                                   "-hide_banner",
-                                   "-nostdin",
-                                   "-v",
-                                   "error",
-                                   "-y",
-                                   "-f",
-                                   "rawvideo",
-                                   "-pixel_format",
-                                   "rgb24",
-                                   "-video_size",
-                                   std::to_string(format.width_px) + "x" + std::to_string(format.height_px),
-                                   "-framerate",
-                                   std::to_string(format.frames_per_second),
-                                   "-i",
-                                   "pipe:0"};
-    const std::vector<std::string> more = kind == FilmKind::Gif ? gif_words() : mp4_words();
-    words.insert(words.end(), more.begin(), more.end());
-    words.insert(words.end(), {"-fflags", "+bitexact", "-flags:v", "+bitexact", fs::absolute(output).string()});
-    return words;
+std::vector<std::string> encoder_arguments(FilmKind kind, const FilmFormat& format, const fs::path& output) {
+    std::vector<std::string> arguments{"ffmpeg",
+                                       "-hide_banner",
+                                       "-nostdin",
+                                       "-v",
+                                       "error",
+                                       "-y",
+                                       "-f",
+                                       "rawvideo",
+                                       "-pixel_format",
+                                       "rgb24",
+                                       "-video_size",
+                                       std::to_string(format.width_px) + "x" + std::to_string(format.height_px),
+                                       "-framerate",
+                                       std::to_string(format.frames_per_second),
+                                       "-i",
+                                       "pipe:0"};
+    const std::vector<std::string> more = kind == FilmKind::Gif ? gif_arguments() : mp4_arguments();
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    arguments.insert(arguments.end(), {"-fflags", "+bitexact", "-flags:v", "+bitexact", fs::absolute(output).string()});
+    return arguments;
 }
 
 std::string as_rgb(const render::Image& image) {
@@ -286,7 +286,7 @@ class FilmWriter::Encoder {
     Encoder(const fs::path& path, FilmKind kind, const FilmFormat& format)
         : path_(path),
           temporary_(path.parent_path() / ("." + path.filename().string() + "." + std::to_string(::getpid()) + ".tmp")),
-          process_(std::in_place, encoder_words(kind, format, temporary_)) {}
+          process_(std::in_place, encoder_arguments(kind, format, temporary_)) {}
     ~Encoder() {
         process_.reset();  // stops ffmpeg before its file is removed
         std::error_code ignored;
@@ -308,8 +308,8 @@ class FilmWriter::Encoder {
 
  private:
     [[noreturn]] void fail() const {
-        const std::string words = process_->message_text();
-        throw sim::InputError(path_.string(), "", "ffmpeg could not write it" + (words.empty() ? "" : ": " + words));
+        const std::string text = process_->message_text();
+        throw sim::InputError(path_.string(), "", "ffmpeg could not write it" + (text.empty() ? "" : ": " + text));
     }
 
     fs::path path_;

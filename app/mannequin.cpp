@@ -50,7 +50,7 @@ void print_readings(const sim::MeasureReport& report) {
 }
 
 int run(MannequinArguments arguments) {
-    check_output(arguments.output, kMeshExtensions);
+    check_output(arguments.output, sim::mesh_extensions());
     arguments.options.sex = arguments.sex == "male" ? sim::Sex::Male : sim::Sex::Female;
     for (const std::string_view name : sim::measure_names()) {
         std::optional<double>& measure = *find_measure(arguments.options.measures, name);

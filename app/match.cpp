@@ -27,7 +27,7 @@ namespace {
 
 using Path = std::filesystem::path;
 
-constexpr std::size_t kMostNames = 60;  // number of names to list in an error message
+constexpr std::size_t kMaxNames = 60;  // number of names to list in an error message
 
 struct MatchArguments {
     Path garment;
@@ -40,14 +40,14 @@ struct MatchArguments {
     bool is_dry = false;
 };
 
-// The names of the seams; only the first kMostNames if there are more.
+// The names of the seams; only the first kMaxNames if there are more.
 std::string known_names(const sim::Pattern& pattern) {
     std::string names;
-    for (std::size_t i = 0; i < pattern.seams.size() && i < kMostNames; ++i) {
+    for (std::size_t i = 0; i < pattern.seams.size() && i < kMaxNames; ++i) {
         names += (names.empty() ? "" : ", ") + seam_name(pattern, pattern.seams[i]);
     }
     if (pattern.seams.empty()) return "none: nothing is sewn";
-    return pattern.seams.size() > kMostNames ? names + ", ..." : names;
+    return pattern.seams.size() > kMaxNames ? names + ", ..." : names;
 }
 
 std::vector<int> seams_of(const sim::Pattern& pattern, const std::vector<std::string>& names) {
@@ -70,7 +70,7 @@ std::optional<int> centred_panel(const sim::Pattern& pattern, const std::string&
     std::string known;
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
         if (pattern.panels[p].name == name) return static_cast<int>(p);
-        if (p < kMostNames) known += (known.empty() ? "" : ", ") + pattern.panels[p].name;
+        if (p < kMaxNames) known += (known.empty() ? "" : ", ") + pattern.panels[p].name;
     }
     throw sim::InputError("", "--centre", "no panel '" + name.substr(0, 64) + "'; known are " + known);
 }

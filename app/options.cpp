@@ -179,8 +179,8 @@ void add_surface_options(CLI::App& command, SurfaceChoice& choice) {
         ->needs(kind);
 }
 
-sim::PlainMesh drawn_mesh(const sim::PlainMesh& garment, const sim::Body* body, const SurfaceChoice& choice,
-                          const std::optional<sim::ViewPoint>& view) {
+sim::DrawMesh drawn_mesh(const sim::DrawMesh& garment, const sim::Body* body, const SurfaceChoice& choice,
+                         const std::optional<sim::ViewPoint>& view) {
     if (!choice.kind) return garment;
     render::CurvedMeshOptions options{.curve = {.kind = *choice.kind, .level = choice.level},
                                       .light_normals = choice.light_normals};

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "render/scene/camera.h"
-#include "render/surface/curved_mesh.h"
+#include "render/surface/curve.h"
 #include "sim/body/body.h"
 #include "sim/body/load_body.h"
 
@@ -70,14 +70,13 @@ void add_surface_options(CLI::App& command, SurfaceChoice& choice);
 // The mesh to draw. view: the viewer, for back-face coarsening; may be empty. body: the surface is kept outside it; may
 // be null.
 // Throws InputError as curved_mesh() does.
-sim::PlainMesh drawn_mesh(const sim::PlainMesh& garment, const sim::Body* body, const SurfaceChoice& choice,
-                          const std::optional<sim::ViewPoint>& view = {});
+sim::DrawMesh drawn_mesh(const sim::DrawMesh& garment, const sim::Body* body, const SurfaceChoice& choice,
+                         const std::optional<sim::ViewPoint>& view = {});
 
 // Checks of output files, made before a subcommand starts long work.
 
-// Extensions for check_output().
+// Extensions for check_output(). Those of meshes: sim::mesh_extensions().
 inline constexpr std::array<std::string_view, 1> kPictureExtensions{".png"};
-inline constexpr std::array<std::string_view, 2> kMeshExtensions{".obj", ".glb"};
 
 // Throws InputError if the folder is missing or not writable, if the path exists and is not a regular file, or if its
 // extension is not in the list (case-insensitive; an empty list allows any).

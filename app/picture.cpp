@@ -1,14 +1,19 @@
 #include "app/picture.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
-#include "app/layout.h"
 #include "render/draw/renderer.h"
 #include "render/gl/context.h"
 #include "render/image/image.h"
+#include "render/marks/legend.h"
+#include "render/marks/show.h"
+#include "render/scene/camera.h"
 #include "sim/core/error.h"
+#include "sim/place/fit.h"
 #include "sim/tartan/tartan_file.h"
 
 namespace selvedge::app {
@@ -173,6 +178,202 @@ render::Image draw_picture(const RenderSubject& subject, const PictureOptions& o
     render::Image image = render::Renderer().draw(layout.scene, render_options(options));
     if (layout.legend) draw_legend(image, *layout.legend, layout.corner);
     return image;
+}
+
+namespace {
+
+bool is_finite(const sim::DrawMesh& mesh, std::size_t triangle) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        if (!mesh.x[mesh.triangles[triangle][corner]].allFinite()) return false;
+        if (!mesh.u.empty() && !mesh.u[triangle][corner].allFinite()) return false;
+    }
+    return true;
+}
+
+template <class T>
+void keep(std::vector<T>& values, const std::vector<std::size_t>& kept) {
+    if (values.empty()) return;
+    for (std::size_t i = 0; i < kept.size(); ++i) values[i] = values[kept[i]];
+    values.resize(kept.size());
+}
+
+// A garment with non-finite positions can still be drawn. Non-finite vertices without a triangle move to a finite one.
+sim::DrawMesh without_bad_numbers(sim::DrawMesh mesh) {
+    std::vector<std::size_t> kept;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (is_finite(mesh, t)) kept.push_back(t);
+    }
+    if (kept.empty()) throw sim::InputError("", "picture", "the garment has no triangle that can be drawn");
+    keep(mesh.triangles, kept);
+    keep(mesh.u, kept);
+    keep(mesh.panel, kept);
+    keep(mesh.level, kept);
+    const Vec3f somewhere = mesh.x[mesh.triangles.front().front()];
+    for (Vec3f& x : mesh.x) x = x.allFinite() ? x : somewhere;
+    const bool has_normals =
+        std::all_of(mesh.normals.begin(), mesh.normals.end(), [](const Vec3f& normal) { return normal.allFinite(); });
+    if (!has_normals) mesh.normals.clear();
+    return mesh;
+}
+
+render::ClothItem make_cloth_item(const sim::DrawMesh& garment, const PictureOptions& options) {
+    render::ClothItem item;
+    item.mesh = without_bad_numbers(garment);
+    item.sett = chosen_sett(options);
+    item.sett_position = options.sett_position.value_or(Vec2d::Zero()).cast<float>();
+    item.show = options.show;
+    item.material = options.material;
+    if (wants_material(item.show) && item.mesh.u.empty())
+        throw sim::InputError("", "--show", "strain is measured from material coordinates, and the mesh has none");
+    return item;
+}
+
+float lowest(const std::vector<Vec3f>& points) {
+    float low = points.front().y();
+    for (const Vec3f& point : points) low = std::min(low, point.y());
+    return low;
+}
+
+render::PictureSize size_of(const PictureOptions& options) {
+    return {.width_px = options.width_px, .height_px = options.height_px};
+}
+
+render::Direction direction_wanted(const PictureOptions& options) {
+    constexpr render::Direction from_above{.azimuth = 0.30F, .elevation = 0.62F};
+    if (options.camera) return options.camera->direction;
+    if (options.view) return direction_of(*options.view);
+    return options.show == render::ShowMode::Hierarchy ? from_above : direction_of(render::View::Front);
+}
+
+// Width factor of lines that are drawn as tubes: scales with pictures larger than 1024 px; 1 for smaller ones.
+float line_scale(const PictureOptions& options) {
+    return std::max(1.0F, float(std::min(options.width_px, options.height_px)) / 1024);
+}
+
+render::Scene bare_scene(const RenderSubject& subject, const PictureOptions& options) {
+    render::Scene scene;
+    if (options.show == render::ShowMode::Hierarchy) return scene;
+    scene.cloths.push_back(make_cloth_item(subject.garment, options));
+    if (subject.body != nullptr) scene.bodies.push_back(render::make_body_item(*subject.body));
+    return scene;
+}
+
+render::SubjectFrame make_frame(const render::Scene& scene, const PictureOptions& options, const Vec3f& axis,
+                                const std::vector<float>& turns) {
+    const bool frames_garment = options.framing == Framing::Garment || scene.bodies.empty();
+    render::SubjectFrame frame{
+        .points = frames_garment ? scene.cloths.front().mesh.x : scene_points(scene),
+        .direction = direction_wanted(options),
+        .options = {.aspect = size_of(options).aspect(),
+                    .margin = frames_garment ? render::kGarmentMargin : render::FrameOptions{}.margin},
+        .holds_bodies = !frames_garment};
+    if (options.camera) frame.zoom = options.camera->zoom;
+    const bool is_placed = options.camera && options.camera->eye_and_target;
+    const bool is_cut_off = frame.zoom > 1 || (options.view && is_detail(*options.view));
+    frame.may_move = !is_placed && !is_cut_off;
+    if (options.view && is_detail(*options.view)) {
+        frame.points = detail_patch(scene.cloths.front().mesh.x, *options.view);
+        frame.options.margin = 0;
+    }
+    frame.points = render::at_all_turns(frame.points, axis, turns);
+    return frame;
+}
+
+// Strain and hierarchy modes show the simulated triangles. A rotating subject has no back faces to coarsen, because it
+// is seen from all sides.
+void curve(render::Scene& scene, const RenderSubject& subject, const PictureOptions& options,
+           const std::vector<float>& turns) {
+    if (wants_material(options.show) || options.show == render::ShowMode::Hierarchy) return;
+    std::optional<sim::ViewPoint> view;
+    if (turns.size() == 1) view = sim::ViewPoint{.eye = scene.camera.eye};
+    sim::DrawMesh& mesh = scene.cloths.front().mesh;
+    mesh = drawn_mesh(mesh, subject.body, options.surface, view);
+}
+
+std::optional<render::Legend> fill(render::Scene& scene, const RenderSubject& subject, const PictureOptions& options,
+                                   float line_radius) {
+    render::ShowInput facts{.clearance = {}, .line_radius = line_radius};
+    if (options.show == render::ShowMode::Clearance)
+        facts.clearance = measure_clearance(scene.cloths.front().mesh.x, *subject.body);
+    return fill_show(scene, facts);
+}
+
+// Places the stack of levels to the right of the flat panels or behind them, whichever shows both larger.
+render::Legend fill_model(render::Scene& scene, const RenderSubject& subject, const PictureOptions& options,
+                          const std::vector<float>& turns) {
+    const float line_px = 0.55F * line_scale(options);
+    render::Legend legend;
+    float least = std::numeric_limits<float>::infinity();
+    for (const render::StackSide side : {render::StackSide::Right, render::StackSide::Behind}) {
+        render::Scene candidate;
+        fill_hierarchy(candidate, *subject.hierarchy, side);
+        const Vec3f axis = render::upright_through(scene_points(candidate));
+        const float pixel = pixel_size(make_frame(candidate, options, axis, turns).camera(), options.height_px);
+        if (pixel >= least) continue;
+        least = pixel;
+        legend = fill_hierarchy(scene, *subject.hierarchy, side, {.clearance = {}, .line_radius = line_px * pixel});
+    }
+    return legend;
+}
+
+void set_ground(render::Scene& scene) {
+    // A garment alone, high above the floor, is drawn without a floor.
+    const float low = lowest(scene_points(scene));
+    scene.ground_y = std::min(0.0F, low);
+    // No floor is drawn if the camera is below it.
+    scene.has_ground = low < 0.3F && scene.camera.eye.y() > scene.ground_y;
+    // Lowers the floor slightly, so that the flat mesh does not coincide with it.
+    if (scene.cloths.front().show == render::ShowMode::Hierarchy) scene.ground_y -= 0.01F;
+}
+
+void set_light(render::Scene& scene, const PictureOptions& options) {
+    scene.light = is_painted(options.show) ? even_light(scene.camera) : studio_light(scene.camera);
+}
+
+}  // namespace
+
+render::RenderOptions render_options(const PictureOptions& options) {
+    return {.width_px = options.width_px,
+            .height_px = options.height_px,
+            .samples = options.samples,
+            .supersample = options.supersample};
+}
+
+Layout compose(const RenderSubject& subject, const PictureOptions& options, const std::vector<float>& turns) {
+    check_can_show(options.show, subject.body != nullptr, subject.hierarchy != nullptr);
+    const float line_px = 2.4F * line_scale(options);
+    Layout layout;
+    render::Scene& scene = layout.scene;
+    scene = bare_scene(subject, options);
+    if (options.show == render::ShowMode::Hierarchy) layout.legend = fill_model(scene, subject, options, turns);
+    layout.axis = render::upright_through(scene_points(scene));
+
+    const render::SubjectFrame frame = make_frame(scene, options, layout.axis, turns);
+    scene.camera = frame.camera();
+    if (options.camera && options.camera->eye_and_target) {
+        const auto& [eye, target] = *options.camera->eye_and_target;
+        scene.camera = render::camera_at(eye, target, render::at_all_turns(scene_points(scene), layout.axis, turns));
+    }
+    curve(scene, subject, options, turns);
+    if (options.show != render::ShowMode::Hierarchy)
+        layout.legend = fill(scene, subject, options, line_px * pixel_size(scene.camera, options.height_px));
+    if (layout.legend) {
+        const render::LegendPlace place = find_legend_place(
+            *layout.legend, {.scene = scene, .frame = frame, .axis = layout.axis, .turns = turns}, size_of(options));
+        scene.camera = place.camera;
+        layout.corner = place.corner;
+    }
+    set_light(scene, options);
+    scene.background.is_transparent = options.is_transparent;
+    set_ground(scene);
+    return layout;
+}
+
+render::Scene turned(const Layout& layout, const PictureOptions& options, float angle) {
+    render::Scene scene = layout.scene;
+    scene.camera = turned(scene.camera, angle, layout.axis);
+    set_light(scene, options);
+    return scene;
 }
 
 }  // namespace selvedge::app

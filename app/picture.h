@@ -1,12 +1,15 @@
 #pragma once
 // Draws a picture of a garment and a body, and declares the picture options that dress and render share.
 #include <optional>
+#include <vector>
 
 #include "app/options.h"
+#include "render/draw/renderer.h"
 #include "render/image/image.h"
+#include "render/marks/legend.h"
 #include "render/scene/scene.h"
 #include "sim/body/body.h"
-#include "sim/mesh/plain_mesh.h"
+#include "sim/mesh/draw_mesh.h"
 #include "sim/pattern/fabric.h"
 #include "sim/tartan/sett.h"
 
@@ -48,7 +51,7 @@ void check_can_draw(const PictureOptions& options = {});
 
 // The objects in a picture; a null pointer means that there is none.
 struct RenderSubject {
-    const sim::PlainMesh& garment;
+    const sim::DrawMesh& garment;
     const sim::Body* body = nullptr;
     const sim::TriangleHierarchy* hierarchy = nullptr;
 };
@@ -59,5 +62,25 @@ void check_can_show(render::ShowMode show, bool has_body, bool has_hierarchy);
 // Leaves out triangles with non-finite coordinates. Throws InputError if nothing is left to draw, no GL context is
 // available (render/gl/context.h), or the mode requires data that is missing.
 render::Image draw_picture(const RenderSubject& subject, const PictureOptions& options);
+
+// The layout of a picture: builds the scene, and chooses camera and legend corner so that the subject is framed and the
+// legend does not cover it.
+
+struct Layout {
+    render::Scene scene;
+    std::optional<render::Legend> legend;
+    render::Corner corner = render::Corner::LowerLeft;  // the legend's corner
+    Vec3f axis = Vec3f::Zero();                         // a point on the vertical axis that the subject rotates about
+};
+
+// Frames a subject that rotates by these angles (rad): at each angle it stays in the picture and clear of the legend.
+// Throws InputError if nothing is left to draw or the mode requires data that is missing.
+Layout compose(const RenderSubject& subject, const PictureOptions& options, const std::vector<float>& turns = {0});
+
+// The scene after a turn by `angle` (rad); the lights keep their direction relative to the camera.
+render::Scene turned(const Layout& layout, const PictureOptions& options, float angle);
+
+// Render options for one picture of the scene.
+render::RenderOptions render_options(const PictureOptions& options);
 
 }  // namespace selvedge::app

@@ -35,7 +35,7 @@ int render(const RenderArguments& arguments) {
     check_outputs(arguments);
     check_can_draw(arguments.picture);
     check_can_show(arguments.picture.show, !arguments.body.source.empty(), false);
-    const sim::PlainMesh garment = sim::read_garment(arguments.garment);
+    const sim::DrawMesh garment = sim::read_garment(arguments.garment);
     std::optional<sim::Body> body;
     if (!arguments.body.source.empty()) body = make_body(arguments.body).body;
     const RenderSubject subject{.garment = garment, .body = body ? &*body : nullptr};

@@ -233,10 +233,10 @@ bool is_same(const ImVec2& a, const ImVec2& b) {
 
 using Corners = std::array<const ImDrawVert*, 3>;
 
-RunKind kind_of(const Corners& corners, const ImVec2& white, float least_area) {
+RunKind kind_of(const Corners& corners, const ImVec2& white, float min_area) {
     const auto is_white = [&](const ImDrawVert* vertex) { return is_same(vertex->uv, white); };
     const auto is_opaque = [](const ImDrawVert* vertex) { return vertex->col >> IM_COL32_A_SHIFT == 255; };
-    if (area(corners[0]->pos, corners[1]->pos, corners[2]->pos) < least_area) return RunKind::Textured;
+    if (area(corners[0]->pos, corners[1]->pos, corners[2]->pos) < min_area) return RunKind::Textured;
     if (!std::all_of(corners.begin(), corners.end(), is_white)) return RunKind::Textured;
     return std::all_of(corners.begin(), corners.end(), is_opaque) ? RunKind::Opaque : RunKind::Blended;
 }
@@ -264,13 +264,13 @@ bool lies_pixel_on_pixel(const ImDrawList& list, const ImDrawCmd& command, const
 
 std::vector<UiRun> cut_into_runs(const ImDrawList& list, const ImDrawCmd& command, float px_per_unit) {
     const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
-    const float least_area = kLargeArea / (px_per_unit * px_per_unit);
+    const float min_area = kLargeArea / (px_per_unit * px_per_unit);
     const ImDrawIdx* indices = list.IdxBuffer.Data + command.IdxOffset;
     const ImDrawVert* vertices = list.VtxBuffer.Data + command.VtxOffset;
     std::vector<UiRun> runs;
     for (unsigned i = 0; i + 3 <= command.ElemCount; i += 3) {
         const Corners corners{vertices + indices[i], vertices + indices[i + 1], vertices + indices[i + 2]};
-        const RunKind kind = kind_of(corners, white, least_area);
+        const RunKind kind = kind_of(corners, white, min_area);
         if (runs.empty() || runs.back().kind != kind) runs.push_back({.kind = kind, .first_index = i, .count = 0});
         runs.back().count += 3;
     }

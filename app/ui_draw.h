@@ -6,7 +6,7 @@
 
 #include "editor/frame/frame.h"
 #include "render/gl/context.h"
-#include "render/gl/handle.h"
+#include "render/gl/target.h"
 
 namespace selvedge::app {
 

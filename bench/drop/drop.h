@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "bench/drop/bias_strip.h"
 #include "bench/support/cloth_run.h"
 #include "sim/cloth/cloth.h"
 #include "sim/core/math.h"
@@ -14,6 +13,26 @@
 #include "sim/pattern/fabric.h"
 
 namespace selvedge::bench {
+
+// Measures the solver's stiffness on the bias: a strip cut at 45 degrees to the yarns hangs from its upper end, with a
+// weight sewn to its lower end.
+
+struct BiasStripOptions {
+    double element = 0.1;  // m, edge of the coarse quads; the strip is one quad wide and four quads long
+    int level = 3;
+    int substeps = 8;  // per frame
+    double frame_seconds = 1.0 / 60;
+    double strain = 0.01;  // approximate strain that the weight causes
+};
+
+struct BiasStrip {
+    double stiffness_ratio = 0;  // expected strain / measured strain
+    bool is_at_rest = false;
+};
+
+// The elongation is measured between the lines 1.25 and 2.75 widths below the clamp. Within about one width of either
+// end, yarns that hardly stretch prevent the cloth from shearing freely.
+BiasStrip measure_bias(const sim::Fabric& fabric, const BiasStripOptions& options);
 
 // A square of cotton, pinned at its centre, falls on a sphere. Other solvers run the same scene (bench/peers).
 
@@ -50,7 +69,7 @@ struct DropQuality {
     double p1_compression = 0;  // 1st percentile of the same strain, mean; negative
     double max_stretch = 0;
     double area_error = 0;  // mean of |area / area at rest - 1|
-    double least_gap = 0;   // m, smallest distance of a vertex from the sphere; negative inside
+    double min_gap = 0;     // m, smallest distance of a vertex from the sphere; negative inside
     bool is_finite = true;
 };
 

@@ -31,9 +31,9 @@ class Trials {
     // number is tried in turn, up to 1.5 times that result.
     std::optional<int> fewest() {
         const auto holds = [&](int substeps) { return at(substeps).passes_but_for_bias(); };
-        const std::optional<int> least = find_least(experiment_.most_substeps, holds);
+        const std::optional<int> least = find_least(experiment_.max_substeps, holds);
         if (!least) return std::nullopt;
-        const int last = std::min(experiment_.most_substeps, *least + *least / 2);
+        const int last = std::min(experiment_.max_substeps, *least + *least / 2);
         for (int substeps = *least; substeps <= last; ++substeps) {
             if (at(substeps).passes()) return substeps;
         }
@@ -91,7 +91,7 @@ std::vector<Cell> trial_cells(const DropTrial& trial) {
             Cell(q.max_stretch, 4),
             Cell(q.p1_compression, 4),
             Cell(q.area_error, 4),
-            Cell(1e3 * q.least_gap, 3),
+            Cell(1e3 * q.min_gap, 3),
             Cell(trial.bias.stiffness_ratio, 3),
             trial.passes() ? "all met" : "missed: " + joined(trial.missed)};
 }
@@ -134,7 +134,7 @@ sim::Json trial_json(const DropTrial& trial, double ms_per_frame, int triangles)
     json[drop_key::kAreaError] = q.area_error;
     json[drop_key::kSubsteps] = trial.substeps;
     json[drop_key::kP1Compression] = q.p1_compression;
-    json[drop_key::kLeastGapM] = q.least_gap;
+    json[drop_key::kMinGapM] = q.min_gap;
     json[drop_key::kBiasStiffnessRatio] = trial.bias.stiffness_ratio;
     json[drop_key::kMeetsGates] = trial.passes();
     json[drop_key::kMissed] = sim::Json::array({trial.missed.begin(), trial.missed.end()});

@@ -22,7 +22,7 @@ inline constexpr std::string_view kTriangles = "triangles";
 inline constexpr std::string_view kMeetsGates = "meets_gates";
 inline constexpr std::string_view kMissed = "missed";
 inline constexpr std::string_view kP1Compression = "p1_compression";
-inline constexpr std::string_view kLeastGapM = "least_gap_m";
+inline constexpr std::string_view kMinGapM = "least_gap_m";
 inline constexpr std::string_view kBiasStiffnessRatio = "bias_stiffness_ratio";
 inline constexpr std::string_view kRestKineticEnergyJ = "rest_kinetic_energy_j";
 inline constexpr std::string_view kRestRmsSpeed = "rest_rms_speed";
@@ -40,7 +40,7 @@ inline constexpr std::string_view kTrials = "trials";
 struct DropExperiment {
     int triangles = 1152;
     std::optional<int> substeps{};  // none: searched by measure_drop()
-    int most_substeps = 256;
+    int max_substeps = 256;
     int repetitions = 5;
     bool passes_quality_checks = true;  // also measures rest, energy and convergence
     DropGates gates{};

@@ -13,8 +13,8 @@
 #include <optional>
 
 #include "bench/drop/drop.h"
+#include "bench/support/cloth_run.h"
 #include "bench/support/table.h"
-#include "bench/support/timing.h"
 #include "sim/core/math.h"
 
 namespace selvedge::bench {
@@ -135,11 +135,11 @@ std::vector<Cell> cells_of(int substeps, const PeerRun& run) {
             Cell(q.max_stretch, 4),
             Cell(q.p1_compression, 4),
             Cell(q.area_error, 4),
-            Cell(1e3 * q.least_gap, 2)};
+            Cell(1e3 * q.min_gap, 2)};
 }
 
 int compare(int triangles, double max_stretch, double limit) {
-    constexpr int kMost = 256;
+    constexpr int kMax = 256;
     const int quads = base_quads_for(triangles) << DropScene{}.level;
     Table table{
         .name = "bullet",
@@ -147,7 +147,7 @@ int compare(int triangles, double max_stretch, double limit) {
         .note = "Linear stiffness 1, " + std::to_string(kIterations) + " position iterations per sub-step."};
     table.columns = {"sub-steps", "ms per frame", "p99 stretch", "max stretch", "p1", "area error", "least gap, mm"};
     bool is_too_long = false;
-    const std::optional<int> found = find_least(kMost, [&](int substeps) {
+    const std::optional<int> found = find_least(kMax, [&](int substeps) {
         if (is_too_long) return false;
         const PeerRun run = run_bullet(quads, substeps, limit);
         is_too_long = run.seconds >= limit;

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/support/square.h"
+#include "bench/support/measured_mesh.h"
 #include "sim/adaptive/adaptive_mesh.h"
 #include "sim/core/file.h"
 #include "sim/core/json.h"

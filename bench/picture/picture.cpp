@@ -7,7 +7,7 @@
 #include <ctime>
 #include <map>
 
-#include "bench/support/timing.h"
+#include "bench/support/cloth_run.h"
 #include "render/preview/preview_renderer.h"
 #include "sim/core/math.h"
 
@@ -15,8 +15,8 @@ namespace selvedge::bench {
 namespace {
 
 // Divides each triangle into four coplanar triangles.
-sim::PlainMesh split_in_four(const sim::PlainMesh& mesh) {
-    sim::PlainMesh split;
+sim::DrawMesh split_in_four(const sim::DrawMesh& mesh) {
+    sim::DrawMesh split;
     split.panel_names = mesh.panel_names;
     split.panel_grain_angles = mesh.panel_grain_angles;
     split.x = mesh.x;
@@ -59,8 +59,8 @@ void turn_camera(render::Scene& scene, float angle) {
 
 void move_cloth(render::Scene& scene, const render::Scene& rest, float amount, int picture) {
     for (std::size_t i = 0; i < scene.cloths.size(); ++i) {
-        sim::PlainMesh& mesh = scene.cloths[i].mesh;
-        const sim::PlainMesh& before = rest.cloths[i].mesh;
+        sim::DrawMesh& mesh = scene.cloths[i].mesh;
+        const sim::DrawMesh& before = rest.cloths[i].mesh;
         const std::vector<Vec3f> normals = sim::vertex_normals(before.x, before.triangles);
         for (std::size_t v = 0; v < mesh.x.size(); ++v) {
             const float phase = 25 * before.x[v].y() + 0.7F * float(picture);

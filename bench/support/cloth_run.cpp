@@ -1,12 +1,15 @@
 #include "bench/support/cloth_run.h"
 
+#include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <utility>
 
 #include "sim/adaptive/criteria.h"
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/step.h"
+#include "sim/core/math.h"
 
 namespace selvedge::bench {
 namespace {
@@ -97,7 +100,7 @@ bool run_to_rest(ClothRun& run, const sim::Collider& body, const RestOptions& op
         const std::vector<Vec3d> before = positions(run);
         for (int i = 0; i < frames; ++i) run_frame(run, body);
         const double speed = net_speed(run, before, frames * run.options.frame_seconds);
-        is_at_rest = speed < options.rest_speed && t >= options.least_seconds;
+        is_at_rest = speed < options.rest_speed && t >= options.min_seconds;
     }
     run.options.extra_damping = damping;
     return is_at_rest;
@@ -180,6 +183,19 @@ double rms_speed(const ClothRun& run) {
     double total = 0;
     for (const double mass : masses(run)) total += mass;
     return total > 0 ? std::sqrt(2 * energy(run).kinetic / total) : 0;
+}
+
+double thread_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+Timing timing_of(const std::vector<double>& seconds) {
+    if (seconds.empty()) return {};
+    return {.median = sim::quantile(seconds, 0.5),
+            .least = *std::min_element(seconds.begin(), seconds.end()),
+            .runs = static_cast<int>(seconds.size())};
 }
 
 }  // namespace selvedge::bench

@@ -1,6 +1,6 @@
 #pragma once
 // Runs the solver for an experiment: makes a cloth from a mesh, advances it frame by frame with a fixed number of
-// sub-steps, and reads its state (positions, velocities, masses, energy).
+// sub-steps, and reads its state (positions, velocities, masses, energy). Also CPU time of the calling thread.
 #include <functional>
 #include <vector>
 
@@ -44,8 +44,8 @@ void pin_where(ClothRun& run, const std::function<bool(const Vec3d&)>& is_pinned
 void run_frame(ClothRun& run, const sim::Collider& body);
 
 struct RestOptions {
-    float damping = 6;         // 1/s, extra
-    double least_seconds = 0;  // of simulated time, at least
+    float damping = 6;       // 1/s, extra
+    double min_seconds = 0;  // of simulated time, at least
     double max_seconds = 10;
     double rest_speed = 1e-4;  // m/s; at rest when the RMS net displacement over 0.2 s, per time, is below it
 };
@@ -70,5 +70,44 @@ struct Energy {
 Energy energy(const ClothRun& run);
 
 double rms_speed(const ClothRun& run);  // m/s, mass-weighted
+
+// Measures the CPU time of the calling thread over repeated runs, so that other load on the machine has little
+// influence.
+
+double thread_seconds();  // CPU time that the calling thread has used so far, s
+
+struct Timing {
+    double median = 0;  // s
+    double least = 0;   // s
+    int runs = 0;
+};
+
+Timing timing_of(const std::vector<double>& seconds);
+
+// CPU time of one call, s. To compare alternatives, run them alternately: call time_once() for each of them inside one
+// loop, then timing_of().
+template <class Work>
+double time_once(Work&& work) {
+    const double start = thread_seconds();
+    work();
+    return thread_seconds() - start;
+}
+
+// Calls prepare() and then work(), `runs` times. Only work() is timed.
+template <class Prepare, class Work>
+Timing time_runs(int runs, Prepare&& prepare, Work&& work) {
+    std::vector<double> seconds;
+    for (int i = 0; i < runs; ++i) {
+        prepare();
+        seconds.push_back(time_once(work));
+    }
+    return timing_of(seconds);
+}
+
+// Prevents the compiler from removing the computation of a result that is not used.
+template <class T>
+void keep(const T& value) {
+    asm volatile("" : : "r"(&value) : "memory");
+}
 
 }  // namespace selvedge::bench

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "bench/support/square.h"
-#include "bench/support/timing.h"
+#include "bench/support/cloth_run.h"
+#include "bench/support/measured_mesh.h"
 #include "render/draw/cloth_vertices.h"
 #include "render/marks/show.h"
 #include "sim/adaptive/criteria.h"
@@ -81,7 +81,7 @@ void step_frame(sim::Cloth& cloth, const sim::Collider& object, const sim::StepO
 }
 
 void draw_frame(const sim::Cloth& cloth) {
-    const sim::PlainMesh mesh = plain_mesh(cloth, {"cloth"});
+    const sim::DrawMesh mesh = draw_mesh(cloth, {"cloth"});
     keep(make_cloth_vertices(mesh, vertex_normals(mesh), std::vector<render::AmbientVisibility>(mesh.x.size())));
 }
 
@@ -227,7 +227,7 @@ render::BodyItem object_item(DropObject object) {
 
 render::Image DropPainter::draw(const sim::Cloth& cloth, DropObject object) {
     render::Scene scene;
-    scene.cloths.push_back({.mesh = plain_mesh(cloth, {"cloth"}), .sett = {}, .show = render::ShowMode::Level});
+    scene.cloths.push_back({.mesh = draw_mesh(cloth, {"cloth"}), .sett = {}, .show = render::ShowMode::Level});
     scene.bodies.push_back(object_item(object));
     scene.camera = {.eye = Vec3f(1.25F, 1.0F, 2.9F), .target = Vec3f(0, -0.08F, 0)};
     scene.light = studio_light(scene.camera);
@@ -235,6 +235,25 @@ render::Image DropPainter::draw(const sim::Cloth& cloth, DropObject object) {
     render::Image image = renderer_.draw(scene, {.width_px = side_px_, .height_px = side_px_});
     draw_legend(image, render::level_legend(scene.cloths.front().mesh), render::Corner::LowerLeft);
     return image;
+}
+
+using sim::Diagonal;
+
+std::function<float(const Diagonal&)> diagonal_cost(const sim::Cloth& cloth, DiagonalChoice choice) {
+    switch (choice) {
+        case DiagonalChoice::Length:
+            return [&x = cloth.x](const Diagonal& d) {
+                return (x[d.b.value].head<3>() - x[d.a.value].head<3>()).squaredNorm();
+            };
+        case DiagonalChoice::RestLength:
+            return [](const Diagonal& d) { return (d.u_b - d.u_a).squaredNorm(); };
+        case DiagonalChoice::Curvature:
+            return
+                [&normals = cloth.normals](const Diagonal& d) { return -normals[d.a.value].dot(normals[d.b.value]); };
+        case DiagonalChoice::MinimalChange:
+            break;
+    }
+    return {};
 }
 
 }  // namespace selvedge::bench

@@ -11,14 +11,26 @@
 #include <string>
 #include <vector>
 
-#include "bench/thesis/diagonal_choices.h"
 #include "render/draw/renderer.h"
 #include "render/image/image.h"
+#include "sim/adaptive/adaptive_mesh.h"
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/cloth.h"
 #include "sim/collide/collider.h"
 
 namespace selvedge::bench {
+
+// The choices between two diagonals that the thesis tried beside the minimal change, and judged no better.  (fig. 3.9)
+
+enum class DiagonalChoice {
+    MinimalChange,
+    Length,      // shortest in 3D
+    RestLength,  // shortest in material coordinates
+    Curvature,   // along which the surface bends least
+};
+
+// For AdaptClothOptions::diagonal_cost. Empty for MinimalChange. The cloth must outlive it.
+std::function<float(const sim::Diagonal&)> diagonal_cost(const sim::Cloth& cloth, DiagonalChoice choice);
 
 enum class DropObject { Sphere, Cylinder };
 

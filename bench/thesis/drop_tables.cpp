@@ -14,7 +14,7 @@ constexpr int kStepsPerFrame = 4;
 // Means over a run. Times in ms: per adaptation, per step, per frame.
 struct Means {
     double triangles = 0;
-    std::size_t most_triangles = 0;
+    std::size_t max_triangles = 0;
     double adaptation = 0;
     double step = 0;
     double collision = 0;
@@ -25,7 +25,7 @@ Means means_of(const DropRun& run) {
     Means means;
     for (const DropFrame& frame : run.frames) {
         means.triangles += static_cast<double>(frame.triangles);
-        means.most_triangles = std::max(means.most_triangles, frame.triangles);
+        means.max_triangles = std::max(means.max_triangles, frame.triangles);
         means.adaptation += frame.adaptation;
         means.step += frame.steps / kStepsPerFrame;
         means.collision += frame.collision / kStepsPerFrame;
@@ -57,7 +57,7 @@ Table uniform_table(const std::string& name, DropObject object, const ThesisOpti
             {.object = object, .uniform_level = level, .seconds = seconds_of(options), .times_parts = true},
             runs_of(options)));
         table.add_row(
-            {level, means.most_triangles, Cell(means.adaptation, 4), Cell(means.step, 4), Cell(means.collision, 4)});
+            {level, means.max_triangles, Cell(means.adaptation, 4), Cell(means.step, 4), Cell(means.collision, 4)});
     }
     return table;
 }
@@ -88,7 +88,7 @@ void add_counts(sim::TransitionCounts& sum, const sim::TransitionCounts& counts)
 void add_drop_row(Table& table, DropObject object, const std::string& name, const DropRun& run,
                   const DropRun& uniform) {
     const Means means = means_of(run);
-    table.add_row({name_of(object), name, Cell(means.triangles, 0), means.most_triangles, Cell(means.adaptation, 4),
+    table.add_row({name_of(object), name, Cell(means.triangles, 0), means.max_triangles, Cell(means.adaptation, 4),
                    Cell(means.step, 4), Cell(means.collision, 4), Cell(means.frame, 3),
                    Cell(means.frame / means_of(uniform).frame, 2), Cell(1e3 * mean_distance(run, uniform), 1)});
 }

@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "bench/support/square.h"
-#include "bench/support/timing.h"
+#include "bench/support/cloth_run.h"
+#include "bench/support/measured_mesh.h"
 #include "bench/thesis/drop.h"
 #include "bench/thesis/pointer_mesh.h"
 #include "bench/thesis/thesis.h"

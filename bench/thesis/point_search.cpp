@@ -5,7 +5,7 @@
 #include <numeric>
 #include <random>
 
-#include "bench/support/timing.h"
+#include "bench/support/cloth_run.h"
 #include "bench/thesis/thesis.h"
 #include "sim/core/assert.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "bench/support/cloth_run.h"
 #include "bench/support/table.h"
-#include "bench/support/timing.h"
 #include "bench/thesis/thesis.h"
 #include "sim/adaptive/criteria.h"
 #include "sim/cloth/adapt_cloth.h"
@@ -117,7 +117,7 @@ SurfaceStatistics run_surface(SurfaceExperiment experiment, const SurfaceRow& ro
     for (long i = 1; i <= frames; ++i) {
         run.frame(figures);
         if (i % interval != 0) continue;
-        const sim::PlainMesh mesh = mesh_of(run.surface(), run.surface().light_normals);
+        const sim::DrawMesh mesh = mesh_of(run.surface(), run.surface().light_normals);
         figures.drawing_ms += clock_ms([&] {
             figures.picture = draw_surface(renderer, mesh, experiment, render::ShowMode::Edges, options.side_px);
         });
@@ -135,8 +135,8 @@ render::Camera surface_camera(SurfaceExperiment experiment) {
     return {.eye = Vec3f(0.5F, 1.45F, 1.5F), .target = Vec3f(0, 1.24F, 0)};
 }
 
-sim::PlainMesh mesh_of(const render::CurvedSurface& surface, const std::vector<Vec4f>& normals) {
-    sim::PlainMesh mesh;
+sim::DrawMesh mesh_of(const render::CurvedSurface& surface, const std::vector<Vec4f>& normals) {
+    sim::DrawMesh mesh;
     std::vector<std::uint32_t> places(surface.mesh.vertex_capacity());
     for (const sim::VertexId v : surface.mesh.leaf_vertices()) {
         places[v.value] = static_cast<std::uint32_t>(mesh.x.size());
@@ -151,7 +151,7 @@ sim::PlainMesh mesh_of(const render::CurvedSurface& surface, const std::vector<V
     return mesh;
 }
 
-render::Image draw_surface(render::Renderer& renderer, const sim::PlainMesh& mesh, SurfaceExperiment experiment,
+render::Image draw_surface(render::Renderer& renderer, const sim::DrawMesh& mesh, SurfaceExperiment experiment,
                            render::ShowMode show, int side_px) {
     render::Scene scene;
     scene.cloths.push_back({.mesh = mesh, .sett = {}, .show = show});

@@ -71,8 +71,8 @@ SurfaceStatistics run_surface(SurfaceExperiment experiment, const SurfaceRow& ro
 std::vector<Vec4f> surface_normals(const sim::Cloth& coarse);
 
 render::Camera surface_camera(SurfaceExperiment experiment);
-render::Image draw_surface(render::Renderer& renderer, const sim::PlainMesh& mesh, SurfaceExperiment experiment,
+render::Image draw_surface(render::Renderer& renderer, const sim::DrawMesh& mesh, SurfaceExperiment experiment,
                            render::ShowMode show, int side_px);
-sim::PlainMesh mesh_of(const render::CurvedSurface& surface, const std::vector<Vec4f>& normals);
+sim::DrawMesh mesh_of(const render::CurvedSurface& surface, const std::vector<Vec4f>& normals);
 
 }  // namespace selvedge::bench

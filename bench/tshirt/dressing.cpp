@@ -51,14 +51,14 @@ void split_triangle(const std::array<int, 3>& corners, int parts, SplitPoints& p
 }
 
 // Decreases shortest_edge step by step, with some frames to settle after each, until there are enough leaf triangles.
-void refine_on(DressedCloth& dressed, const sim::BodyCollider& collider, int least_leaves) {
+void refine_on(DressedCloth& dressed, const sim::BodyCollider& collider, int min_leaves) {
     constexpr int kRounds = 80;
     constexpr int kFrames = 15;  // of one adaptation and four steps
     constexpr float kShorter = 0.98F;
     constexpr double kMargin = 1.015;  // the middle of the accepted range, see sized_row() in tshirt.cpp
     const sim::StepOptions stepping{.extra_damping = 8};
     for (int round = 0; round < kRounds; ++round) {
-        if (static_cast<double>(dressed.cloth.mesh.leaf_triangles().size()) >= kMargin * least_leaves) return;
+        if (static_cast<double>(dressed.cloth.mesh.leaf_triangles().size()) >= kMargin * min_leaves) return;
         dressed.shortest_edge *= kShorter;
         for (int frame = 0; frame < kFrames; ++frame) {
             adapt_cloth(dressed.cloth, collider, {.shortest_edge = dressed.shortest_edge});
@@ -90,7 +90,7 @@ DressedCloth dress_cloth(const sim::Pattern& pattern, const sim::Body& body, con
     while (dressing.advance()) sim::report(progress, "dressing", dressing.fraction());
     DressedCloth dressed{
         .cloth = *dressing.cloth(), .shortest_edge = options.shortest_edge, .is_settled = dressing.result().settled};
-    refine_on(dressed, dressing.collider(), options.least_leaves);
+    refine_on(dressed, dressing.collider(), options.min_leaves);
     return dressed;
 }
 

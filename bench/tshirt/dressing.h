@@ -19,7 +19,7 @@ struct DressingOptions {
     std::optional<double> edge_length{};  // m, of the base mesh; none: the pattern's
     int max_level = 3;
     float shortest_edge = 0.02F;  // m, initial value of AdaptClothOptions::shortest_edge
-    int least_leaves = 0;         // with fewer leaf triangles, the settled garment is refined further
+    int min_leaves = 0;           // with fewer leaf triangles, the settled garment is refined further
 };
 
 struct DressedCloth {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "bench/support/timing.h"
+#include "bench/support/cloth_run.h"
 #include "bench/tshirt/dressing.h"
 #include "sim/core/math.h"
 #include "sim/dress/drape.h"
@@ -100,7 +100,7 @@ RestReport measure_rest(const RestExperiment& experiment, const sim::Progress& p
     int frame = 0;
     Times pulled, coming, at_rest;
     while (frame < experiment.pulled_frames) advance(frame++, pulled);
-    while (frame < experiment.most_frames && !is_at_rest(resting.cloth())) advance(frame++, coming);
+    while (frame < experiment.max_frames && !is_at_rest(resting.cloth())) advance(frame++, coming);
     RestReport report;
     report.leaf_triangles = static_cast<int>(resting.cloth().mesh.leaf_triangles().size());
     report.pulled = pulled.medians();

@@ -12,7 +12,7 @@ struct RestExperiment {
     std::filesystem::path pattern;
     int pulled_frames = 120;  // of 1/30 s
     int rest_frames = 60;
-    int most_frames = 900;  // limit, counted from the start, for coming to rest
+    int max_frames = 900;  // limit, counted from the start, for coming to rest
 };
 
 struct RestRow {

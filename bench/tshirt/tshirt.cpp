@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bench/support/timing.h"
+#include "bench/support/cloth_run.h"
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/step.h"
@@ -34,7 +34,7 @@ TshirtRow sway_row(const std::string& what, sim::Cloth cloth, const sim::BodyCol
     set_substep(cloth, 1.0F / static_cast<float>(120 * options.substeps));
     return {.what = what,
             .body_triangles = static_cast<int>(collider.body().triangles.size()),
-            .figures = sway(cloth, collider, options)};
+            .statistics = sway(cloth, collider, options)};
 }
 
 // Scales the base mesh and shortest_edge by the same factor: the same garment with the same refinement in smaller
@@ -43,49 +43,49 @@ DressingOptions finer_dressing(int leaves) {
     const double scale = std::sqrt(static_cast<double>(kUsualLeaves) / leaves);
     return {.edge_length = kUsualEdge * scale,
             .shortest_edge = kUsualShortest * static_cast<float>(scale),
-            .least_leaves = leaves};
+            .min_leaves = leaves};
 }
 
 // The leaf count changes while the garment moves, so it is measured during the motion. Corrects shortest_edge until the
-// mean count is 0 to 3 % above least_leaves, in at most 16 trials.
+// mean count is 0 to 3 % above min_leaves, in at most 16 trials.
 TshirtRow sized_row(const std::string& what, const sim::Cloth& cloth, const sim::BodyCollider& collider,
-                    SwayOptions& options, int least_leaves) {
+                    SwayOptions& options, int min_leaves) {
     constexpr int kTrials = 16;
-    constexpr double kMost = 1.03, kMiddle = 1.015;  // of least_leaves
-    std::optional<float> too_long, too_short;        // m
+    constexpr double kMax = 1.03, kMiddle = 1.015;  // of min_leaves
+    std::optional<float> too_long, too_short;       // m
     for (int trial = 1;; ++trial) {
         TshirtRow row = sway_row(what, cloth, collider, options);
-        const int leaves = row.figures.leaf_triangles;
-        const bool is_enough = leaves >= least_leaves, is_too_many = leaves > kMost * least_leaves;
-        if (least_leaves == 0 || (is_enough && !is_too_many) || trial == kTrials) return row;
+        const int leaves = row.statistics.leaf_triangles;
+        const bool is_enough = leaves >= min_leaves, is_too_many = leaves > kMax * min_leaves;
+        if (min_leaves == 0 || (is_enough && !is_too_many) || trial == kTrials) return row;
         (is_enough ? too_short : too_long) = options.shortest_edge;
         options.shortest_edge =
             too_long && too_short
                 ? std::sqrt(*too_long * *too_short)
-                : options.shortest_edge * std::sqrt(static_cast<float>(leaves / (kMiddle * least_leaves)));
+                : options.shortest_edge * std::sqrt(static_cast<float>(leaves / (kMiddle * min_leaves)));
     }
 }
 
-// Tries 3 sub-steps and more, up to the number used for dressing, until the stretch is within most_stretch.
+// Tries 3 sub-steps and more, up to the number used for dressing, until the stretch is within max_stretch.
 TshirtRow cheapest_row(const sim::Cloth& cloth, const sim::BodyCollider& collider, SwayOptions& options,
                        const TshirtExperiment& experiment) {
-    constexpr int kFewest = 3;
+    constexpr int kMin = 3;
     const int most = options.substeps;
-    for (options.substeps = kFewest;; ++options.substeps) {
-        TshirtRow row = sized_row("as asked for", cloth, collider, options, experiment.least_leaves);
-        if (row.figures.p99_stretch <= experiment.most_stretch) return row;
+    for (options.substeps = kMin;; ++options.substeps) {
+        TshirtRow row = sized_row("as asked for", cloth, collider, options, experiment.min_leaves);
+        if (row.statistics.p99_stretch <= experiment.max_stretch) return row;
         if (options.substeps < most) continue;
         row.what = "stretch not met";
         return row;
     }
 }
 
-double us_per_leaf(const SwayStatistics& figures) {
-    return 1e3 * figures.ms_median / figures.leaf_triangles;
+double us_per_leaf(const SwayStatistics& statistics) {
+    return 1e3 * statistics.ms_median / statistics.leaf_triangles;
 }
 
 sim::Json row_json(const TshirtRow& row) {
-    const SwayStatistics& f = row.figures;
+    const SwayStatistics& f = row.statistics;
     sim::Json json = sim::Json::object();
     json[tshirt_key::kLeafTriangles] = f.leaf_triangles;
     json[tshirt_key::kMsAdaptPlus4Steps] = f.ms_median;
@@ -113,12 +113,12 @@ TshirtReport measure_tshirt(const TshirtExperiment& experiment, const sim::Progr
     TshirtReport report;
     SwayOptions options = experiment.sway;
 
-    const DressedCloth usual = dress_cloth(pattern, body, {.least_leaves = experiment.least_leaves}, progress);
+    const DressedCloth usual = dress_cloth(pattern, body, {.min_leaves = experiment.min_leaves}, progress);
     options.shortest_edge = usual.shortest_edge;
     const int dressed_with = options.substeps;
     if (experiment.substeps) options.substeps = *experiment.substeps;
     report.rows.push_back(experiment.substeps
-                              ? sized_row("as asked for", usual.cloth, collider, options, experiment.least_leaves)
+                              ? sized_row("as asked for", usual.cloth, collider, options, experiment.min_leaves)
                               : cheapest_row(usual.cloth, collider, options, experiment));
     if (!experiment.has_growth) return report;
 
@@ -147,7 +147,7 @@ Table table_of(const TshirtReport& report) {
                      "p99 stretch, %", "changes per adaption", "allocations per adaption",
                      "per step"};
     for (const TshirtRow& row : report.rows) {
-        const SwayStatistics& f = row.figures;
+        const SwayStatistics& f = row.statistics;
         const auto optional_cell = [](const std::optional<double>& v) { return v ? Cell(*v, 1) : Cell(); };
         table.add_row({row.what, f.leaf_triangles, row.body_triangles, f.substeps, Cell(f.ms_median, 3),
                        Cell(f.ms_p95, 3), Cell(us_per_leaf(f), 3), Cell(100 * f.adapt_share, 1),
@@ -167,9 +167,9 @@ sim::Json to_json(const TshirtReport& report) {
         rows.push_back(std::move(row_with_name));
     }
     if (report.rows.size() < 4) return json;
-    const auto figures = [&](std::size_t row) -> const SwayStatistics& { return report.rows[row].figures; };
-    json[tshirt_key::kGrowthWithBody] = figures(1).ms_median / figures(0).ms_median;
-    json[tshirt_key::kGrowthWithLeaves] = us_per_leaf(figures(3)) / us_per_leaf(figures(2));
+    const auto statistics = [&](std::size_t row) -> const SwayStatistics& { return report.rows[row].statistics; };
+    json[tshirt_key::kGrowthWithBody] = statistics(1).ms_median / statistics(0).ms_median;
+    json[tshirt_key::kGrowthWithLeaves] = us_per_leaf(statistics(3)) / us_per_leaf(statistics(2));
     return json;
 }
 
@@ -210,7 +210,7 @@ class Cycles {
         step_allocations_ += allocated_by_steps;
     }
 
-    SwayStatistics figures() const {
+    SwayStatistics statistics() const {
         const auto count = static_cast<double>(whole_.size());
         SwayStatistics f;
         f.leaf_triangles = static_cast<int>(std::lround(leaves_ / count));
@@ -280,7 +280,7 @@ SwayStatistics sway(sim::Cloth& cloth, const sim::Collider& body, const SwayOpti
     Cycles cycles(cloth, body, options);
     for (int cycle = 0; cycle < options.settling_cycles + options.cycles; ++cycle)
         cycles.run(cycle, cycle >= options.settling_cycles);
-    return cycles.figures();
+    return cycles.statistics();
 }
 
 }  // namespace selvedge::bench

@@ -63,9 +63,9 @@ inline constexpr std::string_view kGrowthWithBody = "growth_with_body";
 struct TshirtExperiment {
     std::filesystem::path pattern;
     int body_triangles = 67000;     // minimum
-    int least_leaves = 6000;        // the mean count while the garment moves is 0 to 3 % above this
-    double most_stretch = 0.05;     // limit for the 99th percentile of warp and weft strain
-    std::optional<int> substeps{};  // per step; none: the fewest that keep the stretch within most_stretch
+    int min_leaves = 6000;          // the mean count while the garment moves is 0 to 3 % above this
+    double max_stretch = 0.05;      // limit for the 99th percentile of warp and weft strain
+    std::optional<int> substeps{};  // per step; none: the fewest that keep the stretch within max_stretch
     bool has_growth = true;         // adds rows with 25,000 leaves and with a body of 500,000 triangles
     SwayOptions sway{};
 };
@@ -73,7 +73,7 @@ struct TshirtExperiment {
 struct TshirtRow {
     std::string what;
     int body_triangles = 0;
-    SwayStatistics figures;
+    SwayStatistics statistics;
 };
 
 struct TshirtReport {

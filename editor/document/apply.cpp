@@ -228,7 +228,7 @@ Outcome apply(sim::Pattern& pattern, const Command& command) {
 
 namespace {
 
-constexpr std::size_t kFewestPoints = 2;  // minimum for an internal line
+constexpr std::size_t kMinPoints = 2;  // minimum for an internal line
 
 void check_edge(const sim::Panel& panel, int edge) {
     if (edge >= 0 && static_cast<std::size_t>(edge) < panel.edges.size()) return;
@@ -259,7 +259,7 @@ Outcome select_seams(const std::vector<int>& seams) {
 }
 
 void check_internal_line(const sim::InternalLine& line, const std::string& panel) {
-    if (line.points.size() >= kFewestPoints) return;
+    if (line.points.size() >= kMinPoints) return;
     throw GeometryError("An internal line has two points at least", {{.panel = panel}});
 }
 

@@ -55,7 +55,7 @@ void Document::select(Selection selection) {
 }
 
 void Document::run(const Command& command) {
-    drop();
+    rollback();
     Changed changed = changed_by(source_.pattern, command);
     HistoryEntry entry{
         .label = label_of(command), .patch = difference(source_.pattern, changed.pattern), .before = selection_};
@@ -82,14 +82,14 @@ void Document::preview(const Command& command) {
     note(journal_preview(command));
 }
 
-void Document::keep() {
+void Document::commit() {
     if (!is_previewing_) return;
     is_previewing_ = false;
     note(journal_word(JournalAction::Keep));
     remember({.label = previewed_, .patch = difference(before_preview_, source_.pattern), .before = selected_before_});
 }
 
-void Document::drop() {
+void Document::rollback() {
     if (!is_previewing_) return;
     is_previewing_ = false;
     show(std::move(before_preview_), selected_before_);
@@ -107,7 +107,7 @@ void Document::remember(HistoryEntry entry) {
 }
 
 void Document::undo() {
-    drop();
+    rollback();
     if (!can_undo()) return;
     const HistoryEntry& entry = history_[--position_];
     sim::Pattern pattern = source_.pattern;
@@ -118,7 +118,7 @@ void Document::undo() {
 }
 
 void Document::redo() {
-    drop();
+    rollback();
     if (!can_redo()) return;
     const HistoryEntry& entry = history_[position_++];
     sim::Pattern pattern = source_.pattern;
@@ -130,7 +130,7 @@ void Document::redo() {
 
 void Document::go_to(std::size_t position) {
     SELVEDGE_ASSERT(position <= history_.size());
-    drop();
+    rollback();
     while (position_ > position) undo();
     while (position_ < position) redo();
 }

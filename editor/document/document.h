@@ -52,7 +52,7 @@ class Document {
     std::uint64_t revision() const { return revision_; }
 
     // Call when this document replaces `before`: continues its revision count, so that cached revisions become invalid.
-    void replace_panel(const Document& before) { revision_ = before.revision_ + 1; }
+    void continue_revisions(const Document& before) { revision_ = before.revision_ + 1; }
 
     // Parts that do not exist are left out.
     void select(Selection selection);
@@ -61,11 +61,11 @@ class Document {
     // if the command is not possible.
     void run(const Command& command);
 
-    // Previews a command during a drag. The next preview replaces it, `keep` commits it to the history, `drop` rolls it
-    // back; any other change drops it first. Throws as `run`; the preview shown before then stays.
+    // Previews a command during a drag. The next preview replaces it, `commit` adds it to the history, `rollback`
+    // undoes it; any other change rolls it back first. Throws as `run`; the preview shown before then stays.
     void preview(const Command& command);
-    void keep();
-    void drop();
+    void commit();
+    void rollback();
     bool is_previewing() const { return is_previewing_; }
 
     bool can_undo() const { return position_ > 0; }

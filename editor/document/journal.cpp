@@ -50,8 +50,8 @@ void play(Document& document, std::string_view line) {
     const sim::JsonView view(json, kFile);
     if (view.has("do")) return document.run(parse_command(view.at("do")));
     if (view.has("try")) return document.preview(parse_command(view.at("try")));
-    if (view.has("keep")) return document.keep();
-    if (view.has("drop")) return document.drop();
+    if (view.has("keep")) return document.commit();
+    if (view.has("drop")) return document.rollback();
     if (view.has("undo")) return document.undo();
     if (view.has("redo")) return document.redo();
     view.fail("no line of a journal");
@@ -94,7 +94,7 @@ std::optional<Recovery> recover(std::string_view journal) {
             }
         } catch (const std::runtime_error&) {  // invalid line: keep the changes before it
         }
-        document.keep();
+        document.commit();
         recovery.text = document.text();
         return recovery;
     } catch (const sim::InputError&) {

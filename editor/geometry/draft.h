@@ -24,8 +24,8 @@ struct PartLocation {
 
 class GeometryError : public std::runtime_error {
  public:
-    explicit GeometryError(const std::string& words, std::vector<PartLocation> places = {})
-        : std::runtime_error(words), places_(std::move(places)) {}
+    explicit GeometryError(const std::string& text, std::vector<PartLocation> places = {})
+        : std::runtime_error(text), places_(std::move(places)) {}
 
     const std::vector<PartLocation>& places() const { return places_; }
 

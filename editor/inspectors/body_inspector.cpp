@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kGivenUpAfter = 3;  // frames without a running build and without the body: the build has failed
 
-std::string drafted_text(const sim::Pattern& pattern) {
+std::string pattern_text(const sim::Pattern& pattern) {
     return pattern.body.empty() ? kDefaultBody : pattern.body;
 }
 
@@ -27,8 +27,8 @@ void keep_body(InspectorContext& context) {
     const CurrentBody& worn = context.workspace.drape.worn();
     const sim::Pattern& pattern = context.pattern();
     // If the body that the garment was drafted for was never built, the panels are not moved.
-    const SetBody command = state.drafted_body != nullptr && state.drafted == drafted_text(pattern)
-                                ? set_body_command(pattern, worn.text, *state.drafted_body, *worn.body)
+    const SetBody command = state.pattern_body != nullptr && state.drafted == pattern_text(pattern)
+                                ? set_body_command(pattern, worn.text, *state.pattern_body, *worn.body)
                                 : SetBody{.body = worn.text};
     context.workspace.run(command);
     cancel_body_request(context);
@@ -57,10 +57,10 @@ void cancel_body_request(InspectorContext& context) {
 void update_body_request(InspectorContext& context) {
     BodyState& state = context.state.body;
     const Drape& drape = context.workspace.drape;
-    const std::string drafted = drafted_text(context.pattern());
+    const std::string drafted = pattern_text(context.pattern());
     if (drape.worn().body != nullptr && drape.worn().text == drafted) {
         state.drafted = drafted;
-        state.drafted_body = drape.worn().body;
+        state.pattern_body = drape.worn().body;
     }
     if (state.pending.empty()) return;
     if (drape.worn().body != nullptr && drape.worn().text == state.pending) {
@@ -76,9 +76,9 @@ void update_body_request(InspectorContext& context) {
 namespace {
 
 constexpr double kDefaultStance = 0.9 * std::numbers::pi / 180;  // rad, the mannequin's default
-constexpr double kMostStance = 10 * std::numbers::pi / 180;
+constexpr double kMaxStance = 10 * std::numbers::pi / 180;
 
-std::string drafted_body(const InspectorContext& context) {
+std::string pattern_body(const InspectorContext& context) {
     const std::string& body = context.pattern().body;
     return body.empty() ? kDefaultBody : body;
 }
@@ -165,7 +165,7 @@ void draw_measures(InspectorContext& context, const sim::MannequinOptions& optio
                                           .unit = Unit::Degrees,
                                           .tip = "How far each leg stands outward. Thick thighs open it by themselves.",
                                           .least = 0,
-                                          .most = kMostStance,
+                                          .most = kMaxStance,
                                           .may_be_empty = true,
                                           .standing_for = worn.measures ? worn.measures->stance.made : kDefaultStance},
                                          "Stance");
@@ -209,7 +209,7 @@ void draw_file_body(InspectorContext& context, const std::string& file, bool is_
 void draw_body(InspectorContext& context) {
     ImGui::PushID("body");
     const BodyState& state = context.state.body;
-    const std::string drafted = drafted_body(context);
+    const std::string drafted = pattern_body(context);
     const std::string worn = context.workspace.drape.worn().text;
     const bool has_foreign = state.pending.empty() && !is_mannequin(worn) && worn != drafted;
     const std::string shown = !state.pending.empty() ? state.pending : has_foreign ? worn : drafted;
@@ -226,7 +226,7 @@ void draw_body(InspectorContext& context) {
     if (context.open_body &&
         row.button({.name = "body.open",
                     .title = "Body from file...",
-                    .tip = with_key(context, "An OBJ, GLB, FBX or STL file in metres, y up", "file.body")})) {
+                    .tip = with_key(context, "An OBJ, GLB or glTF file in metres, y up", "file.body")})) {
         context.open_body();
     }
     ImGui::PopID();
@@ -285,10 +285,10 @@ std::string wrong_with_body(const std::string& text) {
 
 std::string measure_label(std::string_view name, sim::Sex sex) {
     if (name == "bust" && sex == sim::Sex::Male) return "Chest";
-    std::string words(name);
-    std::replace(words.begin(), words.end(), '_', ' ');
-    if (!words.empty()) words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
-    return words;
+    std::string text(name);
+    std::replace(text.begin(), text.end(), '_', ' ');
+    if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    return text;
 }
 
 const char* measure_tip(std::string_view name) {

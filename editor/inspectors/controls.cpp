@@ -35,19 +35,19 @@ ImTextureID texture_id(UiTexture texture) {
     return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture));
 }
 
-void show_tip(const std::string& words) {
-    if (words.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+void show_tip(const std::string& text) {
+    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(kTipWidth * ImGui::GetFontSize());
-    ImGui::TextUnformatted(words.c_str());
+    ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }
 
-std::string with_key(const InspectorContext& context, const std::string& words, std::string_view action) {
+std::string with_key(const InspectorContext& context, const std::string& text, std::string_view action) {
     const std::string key = context.key_of ? context.key_of(action) : "";
-    return key.empty() ? words : words + " (" + key + ")";
+    return key.empty() ? text : text + " (" + key + ")";
 }
 
 void note_widget(InspectorContext& context, const std::string& name) {
@@ -88,14 +88,14 @@ void heading(const InspectorContext& context, const char* title) {
     if (bold != nullptr) ImGui::PopFont();
 }
 
-void paragraph(const InspectorContext& context, const std::string& words) {
-    message_text(context.theme.faint, words);
+void paragraph(const InspectorContext& context, const std::string& text) {
+    message_text(context.theme.faint, text);
 }
 
-void message_text(const sim::Rgb8& colour, const std::string& words) {
+void message_text(const sim::Rgb8& colour, const std::string& text) {
     ImGui::PushStyleColor(ImGuiCol_Text, to_colour(colour));
     ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(words.c_str());
+    ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
 }

@@ -18,10 +18,10 @@ ImVec4 tinted(const sim::Rgb8& ground, const sim::Rgb8& with);  // a small share
 ImTextureID texture_id(UiTexture texture);
 
 // Tooltip of the previous item, also if the item is disabled.
-void show_tip(const std::string& words);
+void show_tip(const std::string& text);
 
 // Adds the action's key to the text, for example "Starts or pauses (Space)"; unchanged if the action has no key.
-std::string with_key(const InspectorContext& context, const std::string& words, std::string_view action);
+std::string with_key(const InspectorContext& context, const std::string& text, std::string_view action);
 
 // Records the position of the previous item under this name, for scripts and tests.
 void note_widget(InspectorContext& context, const std::string& name);
@@ -37,8 +37,8 @@ std::string elided(const std::string& text, float width_px);
 void elided_text(const std::string& text, float width_px, const ImVec4& colour);
 
 void heading(const InspectorContext& context, const char* title);
-void paragraph(const InspectorContext& context, const std::string& words);  // wraps; in the faint colour
-void message_text(const sim::Rgb8& colour, const std::string& words);       // wraps; in `colour`
+void paragraph(const InspectorContext& context, const std::string& text);  // wraps; in the faint colour
+void message_text(const sim::Rgb8& colour, const std::string& text);       // wraps; in `colour`
 
 // A collapsible section. Returns whether it is open.
 enum class Fold { Open, Closed };

@@ -93,10 +93,10 @@ void DrapeTrace::take(const sim::SessionFrame& frame) {
 
 namespace {
 
-constexpr int kMostLevels = 6;
+constexpr int kMaxLevels = 6;
 constexpr double kDegree = std::numbers::pi / 180;           // rad
 constexpr double kShortestEdge = 0.002, kLongestEdge = 0.2;  // m
-constexpr int kFewestTriangles = 100, kMostTriangles = 200000;
+constexpr int kMinTriangles = 100, kMaxTriangles = 200000;
 
 void draw_buttons(InspectorContext& context, const sim::SessionFrame& frame) {
     sim::Session& session = context.workspace.drape.session();
@@ -126,7 +126,7 @@ void draw_buttons(InspectorContext& context, const sim::SessionFrame& frame) {
     }
 }
 
-void draw_figures(InspectorContext& context, const sim::SessionFrame& frame) {
+void draw_statistics(InspectorContext& context, const sim::SessionFrame& frame) {
     const sim::SessionStatistics& now = frame.statistics;
     fact(context, "Simulated", seconds_text(now.simulated_seconds), "How long the cloth has fallen, by its own clock.");
     fact(context, "Speed", speed_text(now.rms_speed), "How fast the cloth moves, as a mean.");
@@ -213,7 +213,7 @@ void draw_fineness(InspectorContext& context, sim::SessionOptions& options) {
                                          .tip = "How often an edge may be halved. Each level has four times as many "
                                                 "triangles, at most.",
                                          .least = 0,
-                                         .most = kMostLevels},
+                                         .most = kMaxLevels},
                                         "Levels");
     if (level) options.max_level = static_cast<int>(level.value.value_or(options.max_level));
     const NumberEdit shortest = number_row(context,
@@ -230,8 +230,8 @@ void draw_fineness(InspectorContext& context, sim::SessionOptions& options) {
                     .value = options.triangle_budget ? std::optional<double>(*options.triangle_budget) : std::nullopt,
                     .unit = Unit::Whole,
                     .tip = "About so many triangles are kept to. Empty: as many as are asked for.",
-                    .least = kFewestTriangles,
-                    .most = kMostTriangles,
+                    .least = kMinTriangles,
+                    .most = kMaxTriangles,
                     .may_be_empty = true},
                    "Triangles");
     if (!budget) return;
@@ -285,7 +285,7 @@ void draw_drape(InspectorContext& context) {
     ImGui::TextUnformatted(stage_text(frame->stage, frame->is_running).c_str());
     ImGui::PopTextWrapPos();
     if (!frame->problem.empty()) message_text(context.theme.error, frame->problem);
-    draw_figures(context, *frame);
+    draw_statistics(context, *frame);
     draw_levels(context, *frame);
     if (folding("Cost", Fold::Open)) draw_times(context, *frame);
     if (folding("Fineness", Fold::Open)) {

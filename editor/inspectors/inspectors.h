@@ -87,7 +87,7 @@ struct BodyState {
     int idle_frames = 0;    // frames since the request in which no body was being built
     std::string wrong{};    // why the typed text is not a valid body
     std::string drafted{};  // text of the document's body, and that body
-    std::shared_ptr<const sim::Body> drafted_body{};
+    std::shared_ptr<const sim::Body> pattern_body{};
 };
 
 struct DrapeState {

@@ -71,11 +71,11 @@ void draw_tartan(InspectorContext& context, const std::string& name, const Tarta
     draw_picture(context, tartan.texture, {side, side}, {1, 1});
     ImGui::SameLine(0, 0.6F * em);
     ImGui::BeginGroup();
-    const float words = room - side - 0.6F * em;
-    ImGui::TextUnformatted(elided(tartan.shown_as, words).c_str());
+    const float text = room - side - 0.6F * em;
+    ImGui::TextUnformatted(elided(tartan.shown_as, text).c_str());
     ImGui::PushStyleColor(ImGuiCol_Text, to_colour(context.theme.faint));
     ImGui::TextUnformatted(
-        elided("repeat " + quantity_text(repeat_size(tartan.sett), Unit::Centimetres), words).c_str());
+        elided("repeat " + quantity_text(repeat_size(tartan.sett), Unit::Centimetres), text).c_str());
     ImGui::PopStyleColor();
     ImGui::EndGroup();
 }
@@ -128,13 +128,13 @@ void draw_tartan_list(InspectorContext& context) {
     const TypedText& typed = context.state.boxes.typed;
     const bool is_typing = typed.box != 0 && typed.box == ImGui::GetID("##tartan.search");
     if (searched) state.search = *searched;
-    const std::string words = is_typing ? typed.text : state.search;
+    const std::string text = is_typing ? typed.text : state.search;
     ImGui::PushStyleVar(ImGuiStyleVar_ChildBorderSize, 1);  // a child window with a border gets padding
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.4F * ImGui::GetFontSize(), 0.4F * ImGui::GetFontSize()});
     ImGui::BeginChild("tartans", {0, kListHeight * ImGui::GetFontSize()}, true);
     bool is_empty = true;
     for (const auto& [name, tartan] : state.tartans) {
-        if (!has_words(tartan.shown_as + " " + name, words)) continue;
+        if (!has_words(tartan.shown_as + " " + name, text)) continue;
         draw_tartan(context, name, tartan);
         is_empty = false;
     }
@@ -211,10 +211,10 @@ std::vector<FabricRow> fabric_rows(const sim::Fabric& fabric) {
 std::string readable_name(const std::string& name) {
     const std::size_t slash = name.find_last_of('/');
     if (name.ends_with(".json")) return slash == std::string::npos ? name : name.substr(slash + 1);
-    std::string words = name;
-    for (char& c : words) c = c == '_' ? ' ' : c;
-    if (!words.empty()) words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
-    return words;
+    std::string text = name;
+    for (char& c : text) c = c == '_' ? ' ' : c;
+    if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    return text;
 }
 
 namespace {
@@ -327,16 +327,16 @@ void draw_fabric_rows(InspectorContext& context, const std::string& name) {
 }
 
 void draw_fabric_choice(InspectorContext& context, const std::string& shown) {
-    std::vector<std::string> names = sim::fabric_names(), words;
+    std::vector<std::string> names = sim::fabric_names(), text;
     if (std::find(names.begin(), names.end(), shown) == names.end()) names.push_back(shown);
     int chosen = -1;
     for (const std::string& name : names) {
-        if (name == shown) chosen = static_cast<int>(words.size());
-        words.push_back(readable_name(name));
+        if (name == shown) chosen = static_cast<int>(text.size());
+        text.push_back(readable_name(name));
     }
     const int now = choice_box(context, {.name = "material.fabric",
                                          .shown = readable_name(shown),
-                                         .items = words,
+                                         .items = text,
                                          .chosen = chosen,
                                          .tip = "The fabric whose values are shown. The buttons below put it to use.",
                                          .width_px = ImGui::GetContentRegionAvail().x});

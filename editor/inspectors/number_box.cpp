@@ -277,7 +277,7 @@ void carry(InspectorContext& context, const NumberEdit& edit, const Command& com
             context.workspace.run(command);
             break;
         case EditPhase::Dropped:
-            context.workspace.document->drop();
+            context.workspace.document->rollback();
             break;
     }
 }
@@ -287,7 +287,7 @@ void forget_lost_boxes(InspectorContext& context) {
     const int now = ImGui::GetFrameCount();
     const auto forget = [&](auto& entry) {
         if (entry.box == 0 || now - entry.last_frame < kLostAfter) return;
-        if (entry.is_trying) context.workspace.document->keep();
+        if (entry.is_trying) context.workspace.document->commit();
         entry = {};
     };
     forget(boxes.typed);

@@ -148,7 +148,7 @@ Vec2d shift_for_length(const sim::Panel& panel, const sim::OutlineEdge& edge, co
     return (end_of(panel, edge) - start_of(panel, edge)) * ((change.after - change.before) / now);
 }
 
-double least_arc_radius(const sim::Panel& panel, const sim::OutlineEdge& edge) {
+double min_arc_radius(const sim::Panel& panel, const sim::OutlineEdge& edge) {
     return (end_of(panel, edge) - start_of(panel, edge)).norm() / 2;
 }
 

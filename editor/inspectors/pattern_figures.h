@@ -45,7 +45,7 @@ struct LengthChange {
 Vec2d shift_for_length(const sim::Panel& panel, const sim::OutlineEdge& edge, const LengthChange& change);
 
 // The smallest radius of an arc through the edge's ends: half the chord, m.
-double least_arc_radius(const sim::Panel& panel, const sim::OutlineEdge& edge);
+double min_arc_radius(const sim::Panel& panel, const sim::OutlineEdge& edge);
 
 struct SeamMeasures {
     std::string name;

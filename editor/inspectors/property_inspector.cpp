@@ -17,8 +17,8 @@
 namespace selvedge::editor {
 namespace {
 
-constexpr double kLeastScale = 0.01;
-constexpr double kLeastSize = 0.001;  // m
+constexpr double kMinScale = 0.01;
+constexpr double kMinSize = 0.001;  // m
 
 // A panel and its position on the sheet.
 struct PanelOnSheet {
@@ -89,7 +89,7 @@ void draw_scale(InspectorContext& context, const PanelOnSheet& shown) {
                                          .label = "Scale",
                                          .unit = Unit::Factor,
                                          .tip = "Scales the outline about its middle: 1.05 or 105%.",
-                                         .least = kLeastScale},
+                                         .least = kMinScale},
                                         Vec2d(1, 1));
     if (scale) carry(context, scale.number, scaling(panels, centre, scale.axis, scale.number.value.value_or(1)));
     const VectorEdit size = vector_row(context,
@@ -97,7 +97,7 @@ void draw_scale(InspectorContext& context, const PanelOnSheet& shown) {
                                         .label = "Size",
                                         .tip = "Of the box about its outline; type one to scale the panel to it.",
                                         .axes = {"W", "H", ""},
-                                        .least = kLeastSize},
+                                        .least = kMinSize},
                                        box.size());
     if (size && size.number.before.value_or(0) > 0) {
         const double factor = size.number.value.value_or(0) / *size.number.before;
@@ -251,7 +251,7 @@ void draw_panels_section(InspectorContext& context) {
                                          .label = "Scale",
                                          .unit = Unit::Factor,
                                          .tip = "Scales all of them about their common middle: 1.05 or 105%.",
-                                         .least = kLeastScale},
+                                         .least = kMinScale},
                                         Vec2d(1, 1));
     if (scale) carry(context, scale.number, scaling(names, all->centre(), scale.axis, scale.number.value.value_or(1)));
     const VectorEdit moved = vector_row(
@@ -356,7 +356,7 @@ void draw_arc(InspectorContext& context, const PartRef& edge, const FoundPanel& 
                                          {.name = "edge.radius",
                                           .value = curve.arc_radius,
                                           .tip = "Of the circle; half the distance of the ends or more.",
-                                          .least = least_arc_radius(found.panel, curve)},
+                                          .least = min_arc_radius(found.panel, curve)},
                                          "Radius");
     if (radius) {
         command.curve.arc_radius = radius.value.value_or(curve.arc_radius);

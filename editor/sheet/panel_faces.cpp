@@ -7,7 +7,7 @@
 
 #include "render/scene/colour.h"
 #include "sim/core/math.h"
-#include "sim/mesh/planar.h"
+#include "sim/mesh/sample_outline.h"
 #include "sim/mesh/triangulate.h"
 #include "sim/pattern/outline.h"
 
@@ -17,7 +17,7 @@ namespace {
 constexpr std::array<double, 4> kChordErrors{1e-3, 2e-4, 3e-5, 6e-6};  // m, per level of detail
 constexpr double kAllowedPx = 0.3;
 constexpr int kFacesPerFrame = 2;
-constexpr std::size_t kMostToCheck = 600;  // points; the test for self-intersection takes quadratic time
+constexpr std::size_t kMaxToCheck = 600;  // points; the test for self-intersection takes quadratic time
 
 std::size_t level_for(double scale) {
     std::size_t level = 0;
@@ -35,7 +35,7 @@ PanelFace make_face(const sim::Panel& panel, double chord_error) {
         face.points.insert(face.points.end(), line.begin(), line.end() - 1);
     }
     face.edge_starts.push_back(face.points.size());
-    if (face.points.size() < 3 || face.points.size() > kMostToCheck) return face;
+    if (face.points.size() < 3 || face.points.size() > kMaxToCheck) return face;
     std::vector<Vec2d> welded = face.points;
     sim::weld(welded);
     if (sim::find_crossing(welded)) return face;

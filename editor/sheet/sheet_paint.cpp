@@ -93,19 +93,19 @@ void draw_name(const SheetLook& look, const PanelShape& shape) {
     const Vec2d middle = middle_of(shape, look.faces.face(shape, pen.camera.scale));
     draw_grainline(look, shape, middle, std::min(0.30 * shape.box.sizes().y(), 0.5 * shape.box.sizes().minCoeff()));
     const bool is_selected = look.selection.panels.contains(shape.panel.name);
-    const double words = double(ImGui::CalcTextSize(shape.panel.name.c_str()).x) / double(pen.ui) + 56;
-    const double share = std::min(1.0, size_px.x() / words);
+    const double text = double(ImGui::CalcTextSize(shape.panel.name.c_str()).x) / double(pen.ui) + 56;
+    const double share = std::min(1.0, size_px.x() / text);
     constexpr double kSmallest = 0.7;  // smallest legible size, relative to the normal one
     if (share < kSmallest) return;
-    pen.words(shape.on_sheet(middle), shape.panel.name, is_selected ? pen.colours.accent : pen.colours.ink, {0, 0},
-              static_cast<float>(share));
+    pen.text(shape.on_sheet(middle), shape.panel.name, is_selected ? pen.colours.accent : pen.colours.ink, {0, 0},
+             static_cast<float>(share));
     if (shape.panel.mirror_of.empty()) return;
     const std::string mirrored = "mirrors " + shape.panel.mirror_of;
     const double below = double(ImGui::CalcTextSize(mirrored.c_str()).x) / double(pen.ui) + 40;
     const double small = std::min(0.85, size_px.x() / below);
     if (small < kSmallest || size_px.y() < 80) return;
-    pen.words(shape.on_sheet(middle), mirrored, pen.colours.mirrored, {0, ImGui::GetTextLineHeight() + pen.px(2)},
-              static_cast<float>(small));
+    pen.text(shape.on_sheet(middle), mirrored, pen.colours.mirrored, {0, ImGui::GetTextLineHeight() + pen.px(2)},
+             static_cast<float>(small));
 }
 
 void draw_notch(const SheetLook& look, const PanelShape& shape, std::size_t index) {
@@ -301,11 +301,11 @@ void draw_difference(const SheetLook& look, const sim::SeamSide& side, double di
     const PanelShape* shape = shape_of(look, side);
     const EdgeShape& edge = shape->edges[static_cast<std::size_t>(side.edge)];
     const Vec2d along = edge.tangent(0.5);
-    const std::string words = in_mm(difference);
-    const float reach = look.pen.px(10) + 0.5F * ImGui::CalcTextSize(words.c_str()).x * float(std::abs(along.y())) +
+    const std::string text = in_mm(difference);
+    const float reach = look.pen.px(10) + 0.5F * ImGui::CalcTextSize(text.c_str()).x * float(std::abs(along.y())) +
                         0.5F * ImGui::GetTextLineHeight() * float(std::abs(along.x()));
     const ImVec2 offset{float(-along.y()) * reach, float(-along.x()) * reach};
-    look.pen.words(shape->on_sheet(edge.at(0.5)), words, colour, offset);
+    look.pen.text(shape->on_sheet(edge.at(0.5)), text, colour, offset);
 }
 
 void draw_button(const SheetLook& look, int seam, const render::Rgba8& colour) {
@@ -424,7 +424,7 @@ void draw_overlay(const SheetLook& look) {
     for (const OverlayLine& line : look.overlay.lines) draw_line(look.pen, line);
     for (const OverlayHandle& handle : look.overlay.handles) draw_handle(look.pen, handle);
     for (const OverlayLabel& label : look.overlay.labels) {
-        look.pen.words(label.at, label.text, colour_of(look.pen.colours, label.tone), {0, -look.pen.px(14)});
+        look.pen.text(label.at, label.text, colour_of(look.pen.colours, label.tone), {0, -look.pen.px(14)});
     }
 }
 

@@ -108,8 +108,8 @@ void SheetPen::round(const Vec2d& at, double radius, const render::Rgba8& inside
     list.AddCircle(px(at), px(radius), packed(rim), 20, px(1.4));
 }
 
-void SheetPen::words(const Vec2d& at, const std::string& text, const render::Rgba8& colour, const ImVec2& px_offset,
-                     float size) const {
+void SheetPen::text(const Vec2d& at, const std::string& text, const render::Rgba8& colour, const ImVec2& px_offset,
+                    float size) const {
     ImFont* font = ImGui::GetFont();
     const float height = std::round(ImGui::GetFontSize() * size);
     const ImVec2 room = font->CalcTextSizeA(height, 1e6F, 0, text.c_str());

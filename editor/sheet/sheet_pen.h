@@ -67,8 +67,8 @@ struct SheetPen {
 
     // Text on a plate around the point. px_offset: offset of the plate's centre, px. `size`: relative to the normal
     // font size.
-    void words(const Vec2d& at, const std::string& text, const render::Rgba8& colour, const ImVec2& px_offset = {0, 0},
-               float size = 1) const;
+    void text(const Vec2d& at, const std::string& text, const render::Rgba8& colour, const ImVec2& px_offset = {0, 0},
+              float size = 1) const;
 };
 
 ImU32 packed(const render::Rgba8& colour);

@@ -47,11 +47,6 @@ std::string written() {
     return text;
 }
 
-bool is_drawing(ToolKind kind) {
-    return kind != ToolKind::Select && kind != ToolKind::EditPoint && kind != ToolKind::Rotate &&
-           kind != ToolKind::Scale;
-}
-
 }  // namespace
 
 void SheetView::set_camera(const SheetCamera& camera) {
@@ -70,7 +65,7 @@ SheetView::Mouse SheetView::place(SheetContext& context) {
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle | ImGuiButtonFlags_MouseButtonRight);
     const ImVec2 at = ImGui::GetIO().MousePos;
     const bool is_over = ImGui::IsItemHovered() && ImGui::IsMousePosValid(&at);
-    if (is_over && is_drawing(context.tools.kind())) context.output.cursor = MouseCursor::Cross;
+    if (is_over && context.tools.info().is_drawing) context.output.cursor = MouseCursor::Cross;
     if (is_panning_) context.output.cursor = MouseCursor::Hand;
     const bool is_valid = ImGui::IsMousePosValid(&at);
     return {is_valid ? Vec2d(double(at.x), double(at.y)) : last_at_, modifiers_now(), is_over};

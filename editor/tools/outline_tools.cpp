@@ -107,7 +107,7 @@ void NotchTool::drag(ToolContext& context, const SheetPointer& pointer) {
 void NotchTool::drop(ToolContext& context, const SheetPointer& pointer) {
     if (!held_) return click(context, pointer);
     held_.reset();
-    context.document.keep();
+    context.document.commit();
 }
 
 bool NotchTool::enter(ToolContext& context, const std::vector<double>& numbers) {
@@ -240,7 +240,7 @@ void CurveTool::drag(ToolContext& context, const SheetPointer& pointer) {
 
 void CurveTool::drop(ToolContext& context, const SheetPointer&) {
     is_dragging_ = false;
-    context.document.keep();
+    context.document.commit();
 }
 
 // Makes the edge a line again.

@@ -151,7 +151,7 @@ void SelectTool::move_to(ToolContext& context, const SheetPointer& pointer) {
 void SelectTool::drop(ToolContext& context, const SheetPointer& pointer) {
     const Drag was = drag_;
     drag_ = Drag::None;
-    if (was == Drag::Move) context.document.keep();
+    if (was == Drag::Move) context.document.commit();
     if (was != Drag::Box) return;
     box_.to = pointer.at;
     Selection found = boxed(context);
@@ -263,7 +263,7 @@ void EditPointTool::drag_line_point(ToolContext& context, const SheetPointer& po
 void EditPointTool::drop(ToolContext& context, const SheetPointer& pointer) {
     if (!is_dragging_part_) return SelectTool::drop(context, pointer);
     is_dragging_part_ = false;
-    context.document.keep();
+    context.document.commit();
 }
 
 void EditPointTool::double_click(ToolContext& context, const SheetPointer& pointer) {
@@ -461,7 +461,7 @@ void TransformTool::preview(ToolContext& context, const PlaneMap& map) {
 
 void TransformTool::drop(ToolContext& context, const SheetPointer&) {
     is_dragging_ = false;
-    context.document.keep();
+    context.document.commit();
 }
 
 bool TransformTool::enter(ToolContext& context, const std::vector<double>& numbers) {

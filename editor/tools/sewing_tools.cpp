@@ -158,7 +158,7 @@ void SewingTool::draw(const ToolContext& context, ToolOverlay& overlay) const {
     add_seam_lines(overlay, line_of(context.geometry, *first_), second, is_twisted ? tone : OverlayTone::Faint);
     const double other = context.geometry.edge(second_->edge)->length;
     overlay.readout = {in_cm(length) + " to " + in_cm(other)};
-    if (const std::optional<std::string> words = difference_text(length, other)) overlay.readout.push_back(*words);
+    if (const std::optional<std::string> text = difference_text(length, other)) overlay.readout.push_back(*text);
     if (is_twisted) overlay.readout.push_back("twisted? R turns it");
 }
 
@@ -316,7 +316,7 @@ void FreeSewingTool::draw(const ToolContext& context, ToolOverlay& overlay) cons
     if (second.empty()) return;
     add_seam_lines(overlay, line_of(context.geometry, first), line_of(context.geometry, second), OverlayTone::Faint);
     overlay.readout = {in_cm(length) + " to " + in_cm(other)};
-    if (const std::optional<std::string> words = difference_text(length, other)) overlay.readout.push_back(*words);
+    if (const std::optional<std::string> text = difference_text(length, other)) overlay.readout.push_back(*text);
 }
 
 std::string FreeSewingTool::hint(const ToolContext&) const {

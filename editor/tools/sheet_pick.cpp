@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/mesh/planar.h"
+#include "sim/mesh/sample_outline.h"
 
 namespace selvedge::editor {
 namespace {

@@ -20,28 +20,6 @@ std::string rounded(double value, const char* unit) {
     return number + " " + unit;
 }
 
-const std::vector<ToolInfo> kTools{
-    {ToolKind::Select, "select", "Select and move", key_of('V'), "Select panels, edges and points; drag to move them"},
-    {ToolKind::EditPoint, "edit_point", "Edit point", key_of('Z'), "Move points and curve handles"},
-    {ToolKind::AddPoint, "add_point", "Add point", key_of('X'), "Click an edge to put a point there"},
-    {ToolKind::CurvePoint, "curve_point", "Curve", key_of('C'), "Drag an edge to bend it"},
-    {ToolKind::Polygon, "polygon", "Polygon", key_of('H'), "Draw a panel point by point"},
-    {ToolKind::Rectangle, "rectangle", "Rectangle", key_of('S'), "Draw a rectangular panel"},
-    {ToolKind::Ellipse, "ellipse", "Ellipse", key_of('E'), "Draw a round panel"},
-    {ToolKind::InternalLine, "internal_line", "Internal line", key_of('G'), "Draw a line inside a panel"},
-    {ToolKind::Dart, "dart", "Dart", key_of('D'), "Drag from an edge into the panel to take in a dart"},
-    {ToolKind::Notch, "notch", "Notch", key_of('K'), "Click an edge to mark it"},
-    {ToolKind::Rotate, "rotate", "Rotate", key_of('R'), "Turn what is selected"},
-    {ToolKind::Scale, "scale", "Scale", key_of('T'), "Scale what is selected"},
-    {ToolKind::Mirror, "mirror", "Mirror", key_of('I'), "Mirror the selected panels over a line"},
-    {ToolKind::Cut, "cut", "Cut", key_of('U'), "Draw a line across a panel to cut it in two"},
-    {ToolKind::Merge, "merge", "Merge", key_of('J'), "Click a seam to make its two panels one"},
-    {ToolKind::Unfold, "unfold", "Unfold", key_of('O'), "Click a straight edge to open the panel over it"},
-    {ToolKind::Measure, "measure", "Measure", key_of('Q'), "Measure distances, angles and lengths along edges"},
-    {ToolKind::SegmentSewing, "segment_sewing", "Sew edges", key_of('N'), "Click one edge, then the other"},
-    {ToolKind::FreeSewing, "free_sewing", "Sew freely", key_of('M'), "Sew parts of edges, one to many"},
-};
-
 }  // namespace
 
 SnapOptions snap_options(const ToolContext& context, const Modifiers& modifiers) {
@@ -61,23 +39,6 @@ PickOptions pick_options(const ToolContext& context) {
 
 void Tool::hover(ToolContext& context, const SheetPointer& pointer) {
     context.hover = hover_of(context.geometry, pick(context.geometry, pointer.at, pick_options(context)));
-}
-
-const std::vector<ToolInfo>& all_tools() {
-    return kTools;
-}
-
-const ToolInfo& info_of(ToolKind kind) {
-    return *std::find_if(kTools.begin(), kTools.end(), [&](const ToolInfo& info) { return info.kind == kind; });
-}
-
-std::optional<ToolKind> tool_of_key(Key key) {
-    if (key == Key::None) return {};
-    if (key == key_of('A')) return ToolKind::Select;  // common shortcut in other programs
-    const auto found =
-        std::find_if(kTools.begin(), kTools.end(), [&](const ToolInfo& info) { return info.key == key; });
-    if (found == kTools.end()) return {};
-    return found->kind;
 }
 
 std::string in_cm(double metres) {

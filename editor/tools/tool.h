@@ -1,8 +1,7 @@
 #pragma once
 // The interface of the sheet's tools. A tool is a small state machine: it receives mouse and key events, changes the
 // document by commands, and returns an overlay to show; it draws nothing itself. Tools throw GeometryError, which
-// ToolHost catches (tool_host.h). Also the list of tools, typed numbers and helpers for overlays.
-#include <memory>
+// ToolHost catches (tool_host.h). The tools are listed in tool_table.h. Also typed numbers and helpers for overlays.
 #include <optional>
 #include <set>
 #include <string>
@@ -120,43 +119,6 @@ class Tool {
     // One line of help: what to do next.
     virtual std::string hint(const ToolContext& context) const = 0;
 };
-
-enum class ToolKind {
-    Select,
-    EditPoint,
-    AddPoint,
-    CurvePoint,
-    Polygon,
-    Rectangle,
-    Ellipse,
-    InternalLine,
-    Dart,
-    Notch,
-    Rotate,
-    Scale,
-    Mirror,
-    Cut,
-    Merge,
-    Unfold,
-    Measure,
-    SegmentSewing,
-    FreeSewing
-};
-
-struct ToolInfo {
-    ToolKind kind = ToolKind::Select;
-    std::string_view id;     // in scripts: edit_point
-    std::string_view title;  // in the interface: Edit point
-    Key key = Key::None;     // None: only in menus
-    std::string_view what;   // description, one sentence
-};
-
-// All tools, in toolbar order.
-const std::vector<ToolInfo>& all_tools();
-const ToolInfo& info_of(ToolKind kind);
-std::optional<ToolKind> tool_of_key(Key key);
-
-std::unique_ptr<Tool> make_tool(ToolKind kind);
 
 // Text for readouts: cm with one or two decimals, signed mm with one, degrees with one.
 std::string in_cm(double metres);

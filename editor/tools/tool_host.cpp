@@ -2,11 +2,7 @@
 
 #include <cmath>
 
-#include "editor/tools/draw_tools.h"
-#include "editor/tools/outline_tools.h"
-#include "editor/tools/panel_tools.h"
 #include "editor/tools/select_tool.h"
-#include "editor/tools/sewing_tools.h"
 
 namespace selvedge::editor {
 namespace {
@@ -18,7 +14,7 @@ constexpr double kLongNudge = 0.01;     // m
 
 }  // namespace
 
-ToolHost::ToolHost() : tool_(make_tool(ToolKind::Select)) {}
+ToolHost::ToolHost() : tool_(default_tool().make()) {}
 
 ToolContext ToolHost::context(ToolHostContext host) {
     geometry_.update(host.document.pattern(), host.document.revision());
@@ -41,17 +37,17 @@ bool ToolHost::guarded(ToolHostContext host, Action&& action) {
         return action(given);
     } catch (const GeometryError& error) {
         const Message* shown = host.messages.shown();
-        if (shown == nullptr || shown->words != error.what()) host.messages.error(error);  // once per drag
+        if (shown == nullptr || shown->text != error.what()) host.messages.error(error);  // once per drag
         return false;
     }
 }
 
-void ToolHost::choose(ToolHostContext host, ToolKind kind) {
+void ToolHost::choose(ToolHostContext host, const ToolInfo& tool) {
     cancel(host);
     state_ = MouseState::Up;
     host.messages.dismiss();
-    kind_ = kind;
-    tool_ = make_tool(kind);
+    info_ = &tool;
+    tool_ = tool.make();
     if (pointer_.at.allFinite()) guarded(host, [&](ToolContext& given) { return tool_->hover(given, pointer_), true; });
 }
 
@@ -120,7 +116,7 @@ bool ToolHost::cancel(ToolHostContext host) {
     typed_.clear();
     host.messages.dismiss();
     if (state_ == MouseState::Dragging) state_ = MouseState::Up;
-    if (host.document.is_previewing()) host.document.drop();
+    if (host.document.is_previewing()) host.document.rollback();
     return guarded(host, [&](ToolContext& given) { return tool_->cancel(given); }) || had_typed;
 }
 
@@ -139,7 +135,7 @@ bool ToolHost::key_unguarded(ToolHostContext host, Key key, const Modifiers& mod
     if (key == Key::Escape) {
         if (cancel(host)) return true;
         if (!host.document.selection().is_empty()) return host.document.select({}), true;
-        if (kind_ != ToolKind::Select) return choose(host, ToolKind::Select), true;
+        if (info_ != &default_tool()) return choose(host, default_tool()), true;
         return false;
     }
     if (!typed_.is_empty()) {
@@ -161,8 +157,8 @@ bool ToolHost::key_unguarded(ToolHostContext host, Key key, const Modifiers& mod
     if (key >= Key::Right && key <= Key::Up) return nudge(host, key, modifiers);
     if (modifiers.ctrl && !modifiers.alt && key == key_of('A')) return select_all(host);
     if (modifiers.ctrl || modifiers.alt || modifiers.shift) return false;
-    const std::optional<ToolKind> wanted = tool_of_key(key);
-    if (!wanted) return false;
+    const ToolInfo* wanted = tool_of_key(key);
+    if (wanted == nullptr) return false;
     choose(host, *wanted);
     return true;
 }
@@ -218,50 +214,6 @@ ToolOverlay ToolHost::overlay(ToolHostContext host) {
 
 std::string ToolHost::hint(ToolHostContext host) {
     return tool_->hint(context(host));
-}
-
-std::unique_ptr<Tool> make_tool(ToolKind kind) {
-    switch (kind) {
-        case ToolKind::Select:
-            return std::make_unique<SelectTool>();
-        case ToolKind::EditPoint:
-            return std::make_unique<EditPointTool>();
-        case ToolKind::AddPoint:
-            return std::make_unique<AddPointTool>();
-        case ToolKind::CurvePoint:
-            return std::make_unique<CurveTool>();
-        case ToolKind::Polygon:
-            return std::make_unique<PolygonTool>();
-        case ToolKind::Rectangle:
-            return std::make_unique<BoxTool>(BoxShape::Rectangle);
-        case ToolKind::Ellipse:
-            return std::make_unique<BoxTool>(BoxShape::Ellipse);
-        case ToolKind::InternalLine:
-            return std::make_unique<InternalLineTool>();
-        case ToolKind::Dart:
-            return std::make_unique<DartTool>();
-        case ToolKind::Notch:
-            return std::make_unique<NotchTool>();
-        case ToolKind::Rotate:
-            return std::make_unique<TransformTool>(TransformMode::Rotate);
-        case ToolKind::Scale:
-            return std::make_unique<TransformTool>(TransformMode::Scale);
-        case ToolKind::Mirror:
-            return std::make_unique<MirrorTool>();
-        case ToolKind::Cut:
-            return std::make_unique<CutTool>();
-        case ToolKind::Merge:
-            return std::make_unique<MergeTool>();
-        case ToolKind::Unfold:
-            return std::make_unique<UnfoldTool>();
-        case ToolKind::Measure:
-            return std::make_unique<MeasureTool>();
-        case ToolKind::SegmentSewing:
-            return std::make_unique<SewingTool>();
-        case ToolKind::FreeSewing:
-            return std::make_unique<FreeSewingTool>();
-    }
-    return std::make_unique<SelectTool>();
 }
 
 }  // namespace selvedge::editor

@@ -6,6 +6,7 @@
 
 #include "editor/geometry/draft.h"
 #include "editor/tools/tool.h"
+#include "editor/tools/tool_table.h"
 #include "editor/workspace/workspace.h"
 
 namespace selvedge::editor {
@@ -21,11 +22,10 @@ class ToolHost {
  public:
     ToolHost();
 
-    ToolKind kind() const { return kind_; }
-    const ToolInfo& info() const { return info_of(kind_); }
+    const ToolInfo& info() const { return *info_; }
 
-    // Switches to another tool and cancels the operation in progress.
-    void choose(ToolHostContext host, ToolKind kind);
+    // Switches to another tool and cancels the operation in progress. `tool` must outlive the host.
+    void choose(ToolHostContext host, const ToolInfo& tool);
 
     // Call once per frame, before anything else. `ui_scale`: scale of the interface, 1 at 96 dpi.
     void begin_frame(const Document& document, const SheetCamera& camera, double ui_scale);
@@ -67,7 +67,7 @@ class ToolHost {
     bool remove_selected(ToolHostContext host);
     bool select_all(ToolHostContext host);
 
-    ToolKind kind_ = ToolKind::Select;
+    const ToolInfo* info_ = &default_tool();
     std::unique_ptr<Tool> tool_;
     SheetCamera camera_;
     double ui_scale_ = 1;

@@ -133,7 +133,7 @@ std::vector<const Action*> search(const std::vector<Action>& actions, std::strin
 
 namespace {
 
-constexpr std::size_t kMostShown = 12;
+constexpr std::size_t kMaxShown = 12;
 
 bool is_pressed(Key key) {
     return ImGui::IsKeyPressed(static_cast<int>(key));
@@ -164,7 +164,7 @@ void ActionFinder::show(AppState& state) {
     ImGui::SetNextItemWidth(-1);
     if (ImGui::InputTextWithHint("##wanted", "What do you want to do?", &wanted_)) chosen_ = 0;
     std::vector<const Action*> found = search(state.actions, wanted_);
-    if (found.size() > kMostShown) found.resize(kMostShown);
+    if (found.size() > kMaxShown) found.resize(kMaxShown);
     const int count = static_cast<int>(found.size());
     if (is_pressed(Key::Down)) ++chosen_;
     if (is_pressed(Key::Up)) --chosen_;

@@ -158,11 +158,11 @@ void add_tool_actions(std::vector<Action>& actions) {
                       .menu = "Tools",
                       .title = std::string(tool.title),
                       .tip = std::string(tool.what),
-                      .run = [kind = tool.kind](
-                                 AppState& state) { state.tools.choose(tool_host_context(state.workspace), kind); },
-                      .is_on = [kind = tool.kind](const AppState& state) { return state.tools.kind() == kind; }};
-        if (tool.key != Key::None) action.chords.push_back({tool.key, {}});
-        if (tool.kind == ToolKind::Select) action.chords.push_back({key_of('A'), {}});  // as in other programs
+                      .run = [&tool](AppState& state) { state.tools.choose(tool_host_context(state.workspace), tool); },
+                      .is_on = [&tool](const AppState& state) { return &state.tools.info() == &tool; }};
+        for (const Key key : {tool.key, tool.other_key}) {
+            if (key != Key::None) action.chords.push_back({key, {}});
+        }
         actions.push_back(std::move(action));
     }
 }

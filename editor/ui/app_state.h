@@ -23,7 +23,7 @@ struct Question {
         std::string label;
         std::function<void(AppState&)> run;
     };
-    std::string words;
+    std::string text;
     std::vector<Answer> answers;
 };
 

@@ -38,19 +38,19 @@ void show_action(AppState& state, const Action& action) {
     if (action.id == "file.open") show_recent_files(state);
 }
 
-std::string drape_words(const sim::SessionFrame& frame) {
+std::string drape_text(const sim::SessionFrame& frame) {
     char figures[96];
     const sim::SessionStatistics& statistics = frame.statistics;
     std::snprintf(figures, sizeof figures, "%d triangles   %.1f ms", statistics.leaf_triangles, statistics.times.frame);
     return stage_text(frame) + "   " + figures;
 }
 
-void show_line(const sim::Rgb8& colour, const std::string& words, float width) {
-    const std::string shown = elided(words, width, Elide::End);
+void show_line(const sim::Rgb8& colour, const std::string& text, float width) {
+    const std::string shown = elided(text, width, Elide::End);
     ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(colour[0], colour[1], colour[2], 255));
     ImGui::TextUnformatted(shown.c_str());
     ImGui::PopStyleColor();
-    tip_of_whole(words, shown);
+    tip_of_whole(text, shown);
 }
 
 // Shows the message, or the tool's hint, on one line of `width` px.
@@ -60,7 +60,7 @@ void show_message(AppState& state, float width) {
         const sim::Rgb8& colour = message->kind == MessageKind::Error     ? state.theme.error
                                   : message->kind == MessageKind::Warning ? state.theme.warning
                                                                           : state.theme.ink;
-        return show_line(colour, message->words, width);
+        return show_line(colour, message->text, width);
     }
     show_line(state.theme.faint, state.tools.hint(tool_host_context(state.workspace)), width);
 }
@@ -134,9 +134,9 @@ float show_question(AppState& state) {
                      ImGuiWindowFlags_NoFocusOnAppearing);
     const Question question = state.questions.front();  // a copy: an answer may ask another question
     ImGui::AlignTextToFramePadding();
-    const std::string shown = elided(question.words, width_beside(question), Elide::Middle);
+    const std::string shown = elided(question.text, width_beside(question), Elide::Middle);
     ImGui::TextUnformatted(shown.c_str());
-    tip_of_whole(question.words, shown);
+    tip_of_whole(question.text, shown);
     const Question::Answer* given = nullptr;
     for (const Question::Answer& answer : question.answers) {
         ImGui::SameLine();
@@ -201,7 +201,7 @@ void show_viewport_bar(AppState& state) {
 
 void show_status_bar(AppState& state) {
     const std::shared_ptr<const sim::SessionFrame> frame = state.workspace.drape.frame();
-    const std::string figures = drape_words(*frame);
+    const std::string figures = drape_text(*frame);
     const float width = ImGui::CalcTextSize(figures.c_str()).x + ImGui::GetFontSize();
     show_message(state, ImGui::GetContentRegionAvail().x - width);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - width + ImGui::GetFontSize());
@@ -290,8 +290,8 @@ void show_recent(AppState& state) {
     ImGui::PushFont(state.fonts.bold);
     ImGui::TextUnformatted("Recent files");
     ImGui::PopFont();
-    constexpr std::size_t kMost = 5;
-    for (std::size_t i = 0; i < std::min(kMost, files.size()); ++i) {
+    constexpr std::size_t kMax = 5;
+    for (std::size_t i = 0; i < std::min(kMax, files.size()); ++i) {
         const std::string shown = elided(files[i], ImGui::GetContentRegionAvail().x, Elide::Middle);
         if (ImGui::Selectable((shown + "##" + std::to_string(i)).c_str())) open_file(state, files[i]);
         tip_of_whole(files[i], shown);
@@ -313,7 +313,7 @@ void show_keys(AppState& state) {
 }  // namespace
 
 void show_start_page(AppState& state) {
-    if (state.tools.kind() != ToolKind::Select) state.shows_start_page = false;  // the user has started to work
+    if (&state.tools.info() != &default_tool()) state.shows_start_page = false;  // the user has started to work
     if (!state.shows_start_page || state.browser.is_open()) return;
     const float unit = ImGui::GetFontSize();
     const ImVec2 display = ImGui::GetIO().DisplaySize;

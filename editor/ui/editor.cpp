@@ -83,12 +83,6 @@ float splitter(AppState& state, const char* name, float x, const Rectangle& besi
     return is_held ? ImGui::GetIO().MouseDelta.x : 0;
 }
 
-// With tools that work on points and edges, a click on the cloth also selects points and edges.
-bool picks_parts(ToolKind kind) {
-    return kind == ToolKind::EditPoint || kind == ToolKind::AddPoint || kind == ToolKind::CurvePoint ||
-           kind == ToolKind::SegmentSewing || kind == ToolKind::Unfold;
-}
-
 bool is_pressed(const Chord& chord) {
     const ImGuiIO& io = ImGui::GetIO();
     const Modifiers held{.ctrl = io.KeyCtrl, .shift = io.KeyShift, .alt = io.KeyAlt};
@@ -227,7 +221,7 @@ void Editor::Impl::show_viewport(const Rectangle& where, double seconds) {
                   .legend = kLegendTexture,
                   .seconds = static_cast<float>(seconds),
                   .scale = scale,
-                  .choice = picks_parts(state.tools.kind()) ? ClothChoice::Parts : ClothChoice::Panels});
+                  .choice = state.tools.info().picks_parts ? ClothChoice::Parts : ClothChoice::Panels});
     ImGui::End();
     state.fitting = {.scene = fitting.scene(), .camera = fitting.camera(), .light = fitting.light()};
 }

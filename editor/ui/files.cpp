@@ -18,7 +18,7 @@ std::string name_in_folder(const std::string& file) {
 }
 
 void say_error(AppState& state, const sim::InputError& error) {
-    state.workspace.messages.say({.kind = MessageKind::Error, .words = error.what(), .places = {}});
+    state.workspace.messages.say({.kind = MessageKind::Error, .text = error.what(), .places = {}});
 }
 
 // Runs a function that may throw InputError. Returns false if it did; the error is then shown.
@@ -33,13 +33,18 @@ bool try_to(AppState& state, Function&& function) {
     }
 }
 
+// The formats that a body is read from (sim/body/guarded_import.h).
+std::vector<std::string> body_endings() {
+    return {".obj", ".glb", ".gltf"};
+}
+
 void show_document(AppState& state, sim::PatternDocument source, const std::string& file) {
     auto document = std::make_unique<Document>(std::move(source));
-    document->replace_panel(*state.workspace.document);
+    document->continue_revisions(*state.workspace.document);
     state.workspace.document = std::move(document);
     state.workspace.file = file;
     state.workspace.drape.begin_document();
-    state.tools.choose(tool_host_context(state.workspace), ToolKind::Select);
+    state.tools.choose(tool_host_context(state.workspace), default_tool());
     state.shows_start_page = false;
     ++state.documents_opened;
     begin_journal(state);
@@ -61,7 +66,7 @@ std::string with_ending(std::string file, const std::string& ending) {
 
 void write_document(AppState& state, const std::string& file) {
     Document& document = *state.workspace.document;
-    document.keep();
+    document.commit();
     state.services.save(file, document.text());
     document.mark_saved();
     state.workspace.file = file;
@@ -114,11 +119,9 @@ void recover_journal(AppState& state, const OrphanedJournal& journal) {
 }
 
 void take_dropped_file(AppState& state, const std::string& file) {
-    const auto ends_with = [&](std::initializer_list<const char*> endings) {
-        return std::any_of(endings.begin(), endings.end(), [&](const char* ending) { return file.ends_with(ending); });
-    };
-    if (ends_with({".json"})) return open_file(state, file);
-    if (ends_with({".obj", ".glb", ".gltf", ".fbx", ".stl"})) return state.workspace.drape.wear(file);
+    if (file.ends_with(".json")) return open_file(state, file);
+    const auto is_ending = [&](const std::string& ending) { return file.ends_with(ending); };
+    if (std::ranges::any_of(body_endings(), is_ending)) return state.workspace.drape.wear(file);
     state.workspace.messages.warn("'" + file + "' is neither a garment (.json) nor a body (.obj, .glb)");
 }
 
@@ -191,7 +194,7 @@ void browse_to_export(AppState& state, const std::string& ending) {
 void browse_for_body(AppState& state) {
     state.browser.open({.title = "Put it on a body",
                         .verb = "Wear",
-                        .endings = {".obj", ".glb", ".gltf", ".fbx", ".stl"},
+                        .endings = body_endings(),
                         .choose = [](AppState& asked, const std::string& file) { asked.workspace.drape.wear(file); }},
                        state.services);
 }

@@ -27,7 +27,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 // Splits at blanks; quoted text keeps its blanks.
-std::vector<std::string> text_of(std::string_view text) {
+std::vector<std::string> split_words(std::string_view text) {
     std::vector<std::string> words;
     std::string word;
     bool is_quoted = false, has_word = false;
@@ -60,9 +60,9 @@ std::vector<ScriptStep> parse_script(std::string_view text, const std::string& f
         ++number;
         if (line.empty() || line.front() == '#') continue;
         const std::size_t blank = std::min(line.find(' '), line.size());
-        ScriptStep step{.line = number, .verb = std::string(line.substr(0, blank)), .words = {}, .rest = {}};
+        ScriptStep step{.line = number, .verb = std::string(line.substr(0, blank)), .arguments = {}, .rest = {}};
         step.rest = trimmed(line.substr(blank));
-        step.words = text_of(step.rest);
+        step.arguments = split_words(step.rest);
         if (std::find(kVerbs.begin(), kVerbs.end(), step.verb) == kVerbs.end()) {
             throw sim::InputError(file, "line " + std::to_string(number), "there is no step '" + step.verb + "'");
         }
@@ -74,7 +74,7 @@ std::vector<ScriptStep> parse_script(std::string_view text, const std::string& f
 namespace {
 
 constexpr double kCm = 0.01;
-constexpr int kMostFrames = 100000;
+constexpr int kMaxFrames = 100000;
 
 // The words after a PLACE: mouse button and modifiers.
 struct Hand {
@@ -84,8 +84,8 @@ struct Hand {
 
 Hand hand_of(const ScriptStep& step, std::size_t at) {
     Hand hand;
-    for (; at < step.words.size(); ++at) {
-        const std::string& word = step.words[at];
+    for (; at < step.arguments.size(); ++at) {
+        const std::string& word = step.arguments[at];
         if (word == "shift") hand.modifiers.shift = true;
         if (word == "ctrl") hand.modifiers.ctrl = true;
         if (word == "alt") hand.modifiers.alt = true;
@@ -139,8 +139,8 @@ void ScriptPlayer::play(const ScriptStep& step) {
 }
 
 void ScriptPlayer::expect(const ScriptStep& step) const {
-    const std::string words = stage_text(*editor_.state().workspace.drape.frame());
-    if (words != step.rest) fail(step, "the drape is not '" + step.rest + "' but '" + words + "'");
+    const std::string text = stage_text(*editor_.state().workspace.drape.frame());
+    if (text != step.rest) fail(step, "the drape is not '" + step.rest + "' but '" + text + "'");
 }
 
 void ScriptPlayer::play_document(const ScriptStep& step) {
@@ -156,7 +156,7 @@ void ScriptPlayer::play_document(const ScriptStep& step) {
     }
     wait_frames(2);
     const Message* message = state.workspace.messages.shown();
-    if (message != nullptr && message->kind == MessageKind::Error) fail(step, message->words);
+    if (message != nullptr && message->kind == MessageKind::Error) fail(step, message->text);
 }
 
 void ScriptPlayer::play_mouse(const ScriptStep& step) {
@@ -239,8 +239,8 @@ Vec2d ScriptPlayer::place(const ScriptStep& step, std::size_t& at) const {
 }
 
 const std::string& ScriptPlayer::word(const ScriptStep& step, std::size_t at) const {
-    if (at >= step.words.size()) fail(step, "something is missing after '" + step.verb + "'");
-    return step.words[at];
+    if (at >= step.arguments.size()) fail(step, "something is missing after '" + step.verb + "'");
+    return step.arguments[at];
 }
 
 double ScriptPlayer::number(const ScriptStep& step, std::size_t at) const {
@@ -287,7 +287,7 @@ void ScriptPlayer::press_key(const Chord& chord) {
 }
 
 void ScriptPlayer::wait_frames(int frames) {
-    for (int i = 0; i < std::clamp(frames, 0, kMostFrames); ++i) stage_.step({});
+    for (int i = 0; i < std::clamp(frames, 0, kMaxFrames); ++i) stage_.step({});
 }
 
 // Advances the drape without drawing, then shows two frames.
@@ -295,7 +295,7 @@ void ScriptPlayer::settle(double seconds) {
     sim::Session& session = editor_.state().workspace.drape.session();
     const double end = session.frame()->statistics.simulated_seconds + seconds;
     stage_.step({});
-    for (int i = 0; i < kMostFrames && session.frame()->is_running; ++i) {
+    for (int i = 0; i < kMaxFrames && session.frame()->is_running; ++i) {
         const sim::SessionFrame& frame = *session.frame();
         if (frame.stage == sim::SessionStage::Settled || frame.statistics.simulated_seconds >= end) break;
         session.advance(1);

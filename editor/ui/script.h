@@ -22,8 +22,8 @@ namespace selvedge::editor {
 struct ScriptStep {
     int line = 0;  // line number in the file, from 1
     std::string verb;
-    std::vector<std::string> words;  // arguments
-    std::string rest;                // the arguments as written
+    std::vector<std::string> arguments;
+    std::string rest;  // the arguments as written
 };
 
 // Throws InputError(file, "line 3", ...) for an unknown verb.
@@ -38,7 +38,7 @@ class ScriptPlayer {
     struct Stage {
         std::function<void(const std::vector<InputEvent>&)> step;
         std::function<void(const std::string& file)> screenshot;
-        std::function<void(const std::string& words)> say;
+        std::function<void(const std::string& text)> say;
     };
 
     ScriptPlayer(Editor& editor, Stage stage, std::string file)

@@ -10,7 +10,7 @@
 #include "editor/document/journal.h"
 #include "editor/workspace/workspace.h"
 #include "render/scene/scene.h"
-#include "sim/mesh/plain_mesh.h"
+#include "sim/mesh/draw_mesh.h"
 #include "sim/pattern/pattern_file.h"
 
 namespace selvedge::editor {
@@ -45,7 +45,7 @@ struct ExportRequest {
     std::shared_ptr<const render::Scene> scene;  // for an image
     render::Camera camera{};
     render::Light light{};
-    sim::PlainMesh garment{};
+    sim::DrawMesh garment{};
 };
 
 struct Services {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "editor/tools/tool_table.h"
 #include "editor/ui/actions.h"
 #include "editor/ui/app_state.h"
 
@@ -23,12 +24,12 @@ void note_widget(WidgetMap& widgets, const std::string& name) {
     widgets[name] = {{low.x, low.y}, {high.x, high.y}};
 }
 
-void tip(const std::string& words) {
-    if (words.empty() || ImGui::GetIO().MouseDown[0]) return;
+void tip(const std::string& text) {
+    if (text.empty() || ImGui::GetIO().MouseDown[0]) return;
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
-    ImGui::TextUnformatted(words.c_str());
+    ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }
@@ -79,9 +80,9 @@ bool action_row(AppState& state, const Action& action, bool is_chosen) {
     return is_pressed;
 }
 
-void coloured_text(const sim::Rgb8& colour, const std::string& words) {
+void coloured_text(const sim::Rgb8& colour, const std::string& text) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour_of(colour));
-    ImGui::TextWrapped("%s", words.c_str());
+    ImGui::TextWrapped("%s", text.c_str());
     ImGui::PopStyleColor();
 }
 
@@ -126,28 +127,8 @@ void tip_of_whole(const std::string& text, const std::string& shown) {
 
 namespace {
 
-// Path commands: M x y starts a line, L x y continues it, C x y r draws a circle, D x y r a filled one, Z closes the
-// line. An unknown command ends the icon.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 31> kIcons{{
-    {"select", "M4 2 L4 13 L7 10 L9 14 L11 13 L9 9 L13 9 Z"},
-    {"edit_point", "M2 13 L8 4 L14 11 D8 4 2 C2 13 1.5 C14 11 1.5"},
-    {"add_point", "M2 12 L14 12 D8 12 2 M8 2 L8 7 M5.5 4.5 L10.5 4.5"},
-    {"curve_point", "M2 13 L3 9.5 L5 6.5 L8 5 L11 6.5 L13 9.5 L14 13 D8 5 2"},
-    {"polygon", "M3 12 L5 3 L13 5 L12 13 Z D3 12 1.3 D5 3 1.3 D13 5 1.3 D12 13 1.3"},
-    {"rectangle", "M2 4 L14 4 L14 12 L2 12 Z"},
-    {"ellipse", "C8 8 5.5"},
-    {"internal_line", "M3 2 L13 2 L13 14 L3 14 Z M6 4 L6 6 M6 7.5 L6 9.5 M6 11 L6 12.5"},
-    {"dart", "M2 3 L6 3 L8 13 L10 3 L14 3"},
-    {"notch", "M2 5 L14 5 M8 5 L8 11 M6 8.5 L8 11 L10 8.5"},
-    {"rotate", "M12.5 5 L13 8 L11.5 11 L8.5 13 L5 12 L3 9.5 L3 6.5 L5 4 L8 3 L10.5 3.5 M10.5 1 L10.8 3.8 L8 4.8"},
-    {"scale", "M2 7 L9 7 L9 14 L2 14 Z M7 9 L14 2 M10 2 L14 2 L14 6"},
-    {"mirror", "M8 1 L8 15 M6 4 L2 12 L6 12 Z M10 4 L14 12 L10 12 Z"},
-    {"cut", "M3 3 L11 12 M13 3 L5 12 C3.8 13.2 1.6 C12.2 13.2 1.6"},
-    {"merge", "M2 3 L7 3 L7 13 L2 13 M14 3 L9 3 L9 13 L14 13 M4 8 L12 8"},
-    {"unfold", "M8 2 L8 14 M8 4 L3 5 L3 13 L8 12 M8 4 L13 5 L13 13 L8 12"},
-    {"measure", "M2 11 L11 2 L14 5 L5 14 Z M5 8 L6.5 9.5 M7.5 5.5 L9 7"},
-    {"segment_sewing", "M2 3 L14 3 M2 13 L14 13 M4 3 L4 13 M8 3 L8 13 M12 3 L12 13"},
-    {"free_sewing", "M2 3 L5 4 L10 2 L14 3 M2 13 L7 12 L14 13 M5 4 L4 12.6 M10 2 L11 12.5"},
+// Of actions that are no tools (those: ToolInfo::icon). An unknown command of a path ends the icon.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kIcons{{
     {"play", "M4 2.5 L13 8 L4 13.5 Z"},
     {"pause", "M5 3 L5 13 M11 3 L11 13"},
     {"reset", "M3 6 L3 2 M3 6 L7 6 M3 6 L6 3.4 L10 3.2 L13 6 L13 10 L10 13 L6 13 L3.5 10.5"},
@@ -231,6 +212,9 @@ class Pen {
 std::string_view path_of(std::string_view name) {
     for (const auto& [known, path] : kIcons) {
         if (known == name) return path;
+    }
+    for (const ToolInfo& tool : all_tools()) {
+        if (tool.id == name) return tool.icon;
     }
     return {};
 }

@@ -20,7 +20,7 @@ struct AppState;
 void note_widget(WidgetMap& widgets, const std::string& name);
 
 // Tooltip of the last item.
-void tip(const std::string& words);
+void tip(const std::string& text);
 
 bool button(AppState& state, const std::string& name, const std::string& label);
 
@@ -30,7 +30,7 @@ void icon_button(AppState& state, const Action& action, const std::string& icon,
 // One action in a list: its title, menu and key.
 bool action_row(AppState& state, const Action& action, bool is_chosen);
 
-void coloured_text(const sim::Rgb8& colour, const std::string& words);
+void coloured_text(const sim::Rgb8& colour, const std::string& text);
 
 // Text that does not fit: an ellipsis replaces a part of it.
 

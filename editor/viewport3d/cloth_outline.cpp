@@ -47,7 +47,7 @@ class HalfEdges {
     std::vector<std::size_t> order_;
 };
 
-HalfEdges half_edges(const sim::PlainMesh& mesh) {
+HalfEdges half_edges(const sim::DrawMesh& mesh) {
     std::vector<HalfEdge> edges;
     edges.reserve(3 * mesh.triangles.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -140,7 +140,7 @@ ClothOutline outline_of(const Loop& loop, const sim::Panel& panel) {
 
 }  // namespace
 
-std::vector<ClothOutline> find_outlines(const sim::PlainMesh& mesh, const sim::Pattern& pattern) {
+std::vector<ClothOutline> find_outlines(const sim::DrawMesh& mesh, const sim::Pattern& pattern) {
     std::vector<ClothOutline> outlines(pattern.panels.size());
     if (mesh.u.size() != mesh.triangles.size() || mesh.panel_names.empty()) return outlines;
     const std::vector<Loop> loops = loops_of_panels(boundary(half_edges(mesh), mesh.x.size()), mesh.panel_names.size());

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/mesh/plain_mesh.h"
+#include "sim/mesh/draw_mesh.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::editor {
@@ -19,7 +19,7 @@ struct ClothOutline {
 
 // Returns one outline per panel of the pattern; empty if the mesh does not contain the panel. The mesh may come from an
 // older version of the pattern: each edge then starts at the outline vertex nearest to its expected start.
-std::vector<ClothOutline> find_outlines(const sim::PlainMesh& mesh, const sim::Pattern& pattern);
+std::vector<ClothOutline> find_outlines(const sim::DrawMesh& mesh, const sim::Pattern& pattern);
 
 // Pre: the outline is not empty; x holds the positions (m) of the mesh's vertices. whole_path() repeats its first point
 // at the end.

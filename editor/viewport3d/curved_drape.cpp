@@ -3,7 +3,7 @@
 #include <chrono>
 #include <utility>
 
-#include "render/surface/curved_mesh.h"
+#include "render/surface/curve.h"
 #include "sim/core/error.h"
 
 namespace selvedge::editor {
@@ -15,15 +15,15 @@ CurvedDrape::Made CurvedDrape::make(render::SurfaceOverCloth over, const sim::Se
         // Interpolated normals light it like the leaf triangles, so that little changes when the cloth comes to rest.
         const render::CurvedSurface& surface = over.curve(*frame.cloth, options);
         auto mesh =
-            std::make_shared<const sim::PlainMesh>(plain_mesh(surface, frame.mesh, render::LightNormals::Interpolated));
+            std::make_shared<const sim::DrawMesh>(draw_mesh(surface, frame.mesh, render::LightNormals::Interpolated));
         return {.over = std::move(over), .mesh = std::move(mesh)};
     } catch (const sim::InputError&) {  // too many triangles: the leaves are drawn
         return {};
     }
 }
 
-std::shared_ptr<const sim::PlainMesh> CurvedDrape::follow(const std::shared_ptr<const sim::SessionFrame>& frame,
-                                                          sim::SessionDrive drive) {
+std::shared_ptr<const sim::DrawMesh> CurvedDrape::follow(const std::shared_ptr<const sim::SessionFrame>& frame,
+                                                         sim::SessionDrive drive) {
     const bool waits = drive == sim::SessionDrive::Caller;
     const auto take = [&] {
         Made made = making_.get();

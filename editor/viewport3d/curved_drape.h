@@ -6,7 +6,7 @@
 
 #include "render/surface/curve.h"
 #include "sim/dress/session.h"
-#include "sim/mesh/plain_mesh.h"
+#include "sim/mesh/draw_mesh.h"
 
 namespace selvedge::editor {
 
@@ -15,22 +15,22 @@ class CurvedDrape {
     // Call once per displayed frame. Returns the surface over the frame's cloth, with the frame's panels; null while
     // the cloth moves, and until the task has ended. The same cloth gives the same pointer. With SessionDrive::Caller
     // it waits for the task.
-    std::shared_ptr<const sim::PlainMesh> follow(const std::shared_ptr<const sim::SessionFrame>& frame,
-                                                 sim::SessionDrive drive);
+    std::shared_ptr<const sim::DrawMesh> follow(const std::shared_ptr<const sim::SessionFrame>& frame,
+                                                sim::SessionDrive drive);
 
     bool is_making() const { return making_.valid(); }
 
  private:
     struct Made {
         render::SurfaceOverCloth over;
-        std::shared_ptr<const sim::PlainMesh> mesh;  // null: there can be no surface over this cloth
+        std::shared_ptr<const sim::DrawMesh> mesh;  // null: there can be no surface over this cloth
     };
     static Made make(render::SurfaceOverCloth over, const sim::SessionFrame& frame);
 
     render::SurfaceOverCloth over_;
     std::future<Made> making_;
     std::shared_ptr<const sim::Cloth> cloth_;  // mesh_ is, or will be, the surface over it
-    std::shared_ptr<const sim::PlainMesh> mesh_;
+    std::shared_ptr<const sim::DrawMesh> mesh_;
 };
 
 }  // namespace selvedge::editor

@@ -9,9 +9,9 @@ namespace {
 constexpr float kPi = 3.14159265F;
 constexpr float kPole = kPi / 2 - 1e-3F;           // rad, the steepest elevation
 constexpr float kNearest = 0.15F, kFarthest = 40;  // m, limits of the distance
-constexpr float kUsualLens = 0.42F;                // rad, vertical field of view, as Camera's default
-constexpr float kLongLens = 0.03F;                 // rad, vertical field of view
-constexpr float kTurnPerPx = 0.0075F;              // rad
+constexpr float kUsualLens = render::kUsualFovY;
+constexpr float kLongLens = 0.03F;     // rad, vertical field of view
+constexpr float kTurnPerPx = 0.0075F;  // rad
 constexpr float kNearingPerNotch = 0.87F;
 constexpr float kMoveTime = 0.24F;  // s
 
@@ -35,8 +35,8 @@ CameraPose between(const CameraPose& a, const CameraPose& b, float t) {
 }  // namespace
 
 render::Camera camera_at(const CameraPose& standpoint) {
-    const float a = standpoint.azimuth, e = standpoint.elevation;
-    const Vec3f back(std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e));
+    const float a = standpoint.azimuth;
+    const Vec3f back = unit_vector(render::Direction{a, standpoint.elevation});
     const Vec3f right(std::cos(a), 0, -std::sin(a));
     render::Camera camera{.target = standpoint.target, .up = back.cross(right)};
     float distance = standpoint.distance;
@@ -112,8 +112,8 @@ void OrbitCamera::turn_opposite() {
 void OrbitCamera::frame(const std::vector<Vec3f>& points, float aspect) {
     if (points.empty() || !(aspect > 0)) return;
     CameraPose there = goal();
-    const render::Camera camera =
-        frame_points(points, render::Direction{there.azimuth, there.elevation}, {.aspect = aspect, .margin = 0.12F});
+    const render::Camera camera = frame_points(points, render::Direction{there.azimuth, there.elevation},
+                                               {.aspect = aspect, .margin = render::kGarmentMargin});
     there.target = camera.target;
     there.distance = std::clamp((camera.eye - camera.target).norm(), 4 * kNearest, kFarthest);
     move_to(there);
@@ -139,7 +139,7 @@ void OrbitCamera::advance(float seconds) {
 
 namespace {
 
-constexpr float kLeastDepth = 1e-3F;  // m
+constexpr float kMinDepth = 1e-3F;  // m
 
 struct PictureAxes {
     Vec3f right, up, back;
@@ -173,13 +173,13 @@ std::optional<Vec2f> px_of(const Viewing& viewing, const Vec3f& x) {
     const PictureAxes axes = axes_of(viewing.camera);
     const Vec3f from_eye = x - viewing.camera.eye;
     const float depth = -axes.back.dot(from_eye);
-    if (!(depth > kLeastDepth)) return std::nullopt;
+    if (!(depth > kMinDepth)) return std::nullopt;
     const Vec2f slope(axes.right.dot(from_eye) / depth, -axes.up.dot(from_eye) / depth);
     return Vec2f(viewing.size_px / 2 + focal_px(viewing) * slope);
 }
 
 float metres_per_px(const Viewing& viewing, const Vec3f& x) {
-    return std::max(depth_of(viewing, x), kLeastDepth) / focal_px(viewing);
+    return std::max(depth_of(viewing, x), kMinDepth) / focal_px(viewing);
 }
 
 Vec3f in_picture_plane(const Viewing& viewing, const Vec2f& px, const Vec3f& x) {

@@ -13,7 +13,7 @@ constexpr float kHandleTolerance = 7, kPointTolerance = 9, kPointUnderRing = 5, 
 constexpr float kSkin = 0.004F;    // m: cloth on a body may lie slightly below its surface
 constexpr float kBehind = 0.025F;  // m: points up to this far behind the visible surface count as visible
 
-Vec3f point_of(const sim::PlainMesh& mesh, const MeshHit& hit) {
+Vec3f point_of(const sim::DrawMesh& mesh, const MeshHit& hit) {
     const auto& [a, b, c] = mesh.triangles[hit.triangle];
     return hit.weights[0] * mesh.x[a] + hit.weights[1] * mesh.x[b] + hit.weights[2] * mesh.x[c];
 }
@@ -23,7 +23,7 @@ std::optional<MeshHit> hit_body(const Ray& ray, const PickScene& room) {
 }
 
 void find_surface(const Ray& ray, const std::optional<MeshHit>& body, const PickScene& room, UnderCursor& under) {
-    const sim::PlainMesh& mesh = room.garment.mesh();
+    const sim::DrawMesh& mesh = room.garment.mesh();
     const std::optional<MeshHit> cloth = nearest_hit(ray, mesh.x, mesh.triangles);
     if (body && (!cloth || body->distance < cloth->distance - kSkin)) {
         under.surface = ray.at(body->distance);
@@ -39,16 +39,16 @@ void find_surface(const Ray& ray, const std::optional<MeshHit>& body, const Pick
 // Accepts the candidate nearest to the cursor on the screen. Ignores candidates deeper than `farthest`.
 class Nearest {
  public:
-    Nearest(float tolerance_px, float farthest) : least_px_(tolerance_px), farthest_(farthest) {}
+    Nearest(float tolerance_px, float farthest) : min_px_(tolerance_px), farthest_(farthest) {}
 
     bool take(const std::optional<ScreenDistance>& distance) {
-        if (!distance || distance->depth > farthest_ || !(distance->px < least_px_)) return false;
-        least_px_ = distance->px;
+        if (!distance || distance->depth > farthest_ || !(distance->px < min_px_)) return false;
+        min_px_ = distance->px;
         return true;
     }
 
  private:
-    float least_px_;
+    float min_px_;
     float farthest_;  // m, depth in front of the eye
 };
 

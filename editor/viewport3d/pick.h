@@ -10,7 +10,7 @@
 #include "editor/viewport3d/gizmo.h"
 #include "editor/viewport3d/orbit_camera.h"
 #include "editor/viewport3d/viewport_marks.h"
-#include "sim/place/arrangement.h"
+#include "sim/place/placement.h"
 
 namespace selvedge::editor {
 

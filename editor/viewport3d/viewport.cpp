@@ -11,7 +11,7 @@
 namespace selvedge::editor {
 namespace {
 
-constexpr float kLeastSide = 8;  // px: the view is not drawn if it is narrower or lower than this
+constexpr float kMinSide = 8;  // px: the view is not drawn if it is narrower or lower than this
 
 constexpr std::array<int, 10> kViewKeys{static_cast<int>(Key::Home),        static_cast<int>(Key::KeypadDecimal),
                                         static_cast<int>(Key::KeypadEnter), static_cast<int>(Key::Enter),
@@ -87,7 +87,7 @@ void Viewport::make_scene(const ViewportContext& context) {
     marks.hovered_point = hand_.under().point;
     marks.pulled_to = hand_.pulled_to();
     marks.size = context.scale * coarse_size(metres_per_px(hand_.viewing(), hand_.orbit().standpoint().target));
-    std::shared_ptr<const sim::PlainMesh> curved;
+    std::shared_ptr<const sim::DrawMesh> curved;
     if (wants_curved(workspace)) curved = curved_.follow(hand_.garment().shared_frame(), workspace.drape.drive());
     shown_ = scene_.follow({.pattern = document.pattern(),
                             .revision = document.revision(),
@@ -115,7 +115,7 @@ void Viewport::request_rendering(const ViewportContext& context) {
                                      .light = light_,
                                      .width_px = wanted.width_px,
                                      .height_px = wanted.height_px,
-                                     .is_draft = true,
+                                     .is_preview = true,
                                      .legend = context.legend,
                                      .fills_show_mode = fills_show_mode(context.workspace.look.show)});
 }
@@ -127,7 +127,7 @@ void Viewport::choose_cursor(const ViewportContext& context) const {
 
 void Viewport::show(const ViewportContext& context) {
     const ImVec2 low = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
-    if (room.x < kLeastSide || room.y < kLeastSide) return;
+    if (room.x < kMinSide || room.y < kMinSide) return;
     low_px_ = {std::floor(low.x), std::floor(low.y)};
     size_px_ = {std::floor(room.x), std::floor(room.y)};
     constexpr ImGuiButtonFlags kAll =

@@ -117,7 +117,7 @@ sim::ClothPoint ViewportController::cloth_point(const MeshHit& hit) const {
 }
 
 void ViewportController::hold_material(const MeshHit& hit) {
-    const sim::PlainMesh& mesh = garment_.mesh();
+    const sim::DrawMesh& mesh = garment_.mesh();
     if (hit.triangle >= mesh.u.size()) return;
     const auto& [a, b, c] = mesh.u[hit.triangle];
     pulled_u_ = hit.weights[0] * a + hit.weights[1] * b + hit.weights[2] * c;
@@ -276,7 +276,7 @@ void ViewportController::end_drag(Workspace& workspace, bool is_kept) {
     drag_.reset();
     typed_.clear();
     if (!workspace.document->is_previewing()) return;
-    is_kept ? workspace.document->keep() : workspace.document->drop();
+    is_kept ? workspace.document->commit() : workspace.document->rollback();
 }
 
 // The button was pressed and the cursor has moved beyond the click tolerance: pulls sewn cloth, or moves a panel that

@@ -17,7 +17,7 @@
 #include "editor/viewport3d/viewport_marks.h"
 #include "editor/workspace/workspace.h"
 #include "sim/core/math.h"
-#include "sim/place/arrangement.h"
+#include "sim/place/placement.h"
 
 namespace selvedge::editor {
 

@@ -72,7 +72,7 @@ class Marker {
     }
 
     Vec3f normal_near(const Vec3f& at) const {
-        const sim::PlainMesh& mesh = garment_.mesh();
+        const sim::DrawMesh& mesh = garment_.mesh();
         if (mesh.x.empty() || mesh.normals.size() != mesh.x.size()) return Vec3f::UnitY();
         const auto nearer = [&](const Vec3f& a, const Vec3f& b) {
             return (a - at).squaredNorm() < (b - at).squaredNorm();
@@ -223,7 +223,7 @@ struct Part {
     std::uint32_t next = kNone;
 };
 
-std::vector<const sim::Panel*> panels_by_mesh(const sim::PlainMesh& mesh, const sim::Pattern& pattern) {
+std::vector<const sim::Panel*> panels_by_mesh(const sim::DrawMesh& mesh, const sim::Pattern& pattern) {
     std::vector<const sim::Panel*> panels;
     for (const std::string& name : mesh.panel_names) {
         const auto found = std::find_if(pattern.panels.begin(), pattern.panels.end(),
@@ -235,9 +235,9 @@ std::vector<const sim::Panel*> panels_by_mesh(const sim::PlainMesh& mesh, const 
 
 }  // namespace
 
-sim::PlainMesh placed_mesh(const sim::PlainMesh& mesh, const sim::Pattern& pattern) {
+sim::DrawMesh placed_mesh(const sim::DrawMesh& mesh, const sim::Pattern& pattern) {
     const std::vector<const sim::Panel*> panels = panels_by_mesh(mesh, pattern);
-    sim::PlainMesh placed = mesh;
+    sim::DrawMesh placed = mesh;
     placed.x.clear();
     placed.vertex_level.clear();
     std::vector<std::uint32_t> first(mesh.x.size(), kNone);
@@ -262,7 +262,7 @@ sim::PlainMesh placed_mesh(const sim::PlainMesh& mesh, const sim::Pattern& patte
     return placed;
 }
 
-std::optional<Vec3f> place_of(const sim::PlainMesh& mesh, std::uint16_t panel, const Vec2f& u) {
+std::optional<Vec3f> place_of(const sim::DrawMesh& mesh, std::uint16_t panel, const Vec2f& u) {
     constexpr float kBeside = -1e-3F;
     for (std::size_t t = 0; t < mesh.u.size(); ++t) {
         if (!mesh.panel.empty() && mesh.panel[t] != panel) continue;
@@ -295,7 +295,7 @@ void DisplayedGarment::follow(const sim::Pattern& pattern, std::uint64_t revisio
 
 // Between adaptations a moving cloth has the same triangles, and so the same outlines.
 void DisplayedGarment::find_outlines_again(const sim::Pattern& pattern, bool is_pattern_new) {
-    const sim::PlainMesh& seen = mesh();
+    const sim::DrawMesh& seen = mesh();
     if (!is_pattern_new && seen.triangles == outlined_ && seen.u == outlined_u_) return;
     outlined_ = seen.triangles;
     outlined_u_ = seen.u;

@@ -13,7 +13,7 @@
 #include "render/scene/scene.h"
 #include "sim/dress/session.h"
 #include "sim/pattern/pattern.h"
-#include "sim/place/arrangement.h"
+#include "sim/place/placement.h"
 
 namespace selvedge::editor {
 
@@ -49,11 +49,11 @@ enum class GarmentState {
 // Separates the mesh into its panels and moves each to where the pattern places it. The triangles stay the same; seam
 // vertices are duplicated. A panel that the pattern does not contain keeps its current positions. Pre: the mesh has
 // material coordinates.
-sim::PlainMesh placed_mesh(const sim::PlainMesh& mesh, const sim::Pattern& pattern);
+sim::DrawMesh placed_mesh(const sim::DrawMesh& mesh, const sim::Pattern& pattern);
 
 // Returns the 3D position of the material coordinates `u` (m) in panel `panel` (index in the mesh), from the first
 // triangle that contains them. None: no triangle does.
-std::optional<Vec3f> place_of(const sim::PlainMesh& mesh, std::uint16_t panel, const Vec2f& u);
+std::optional<Vec3f> place_of(const sim::DrawMesh& mesh, std::uint16_t panel, const Vec2f& u);
 
 class DisplayedGarment {
  public:
@@ -62,7 +62,7 @@ class DisplayedGarment {
     void follow(const sim::Pattern& pattern, std::uint64_t revision, std::shared_ptr<const sim::SessionFrame> frame,
                 GarmentState wanted);
 
-    const sim::PlainMesh& mesh() const { return is_placed_ ? placed_ : frame_->mesh; }  // same triangles as the frame
+    const sim::DrawMesh& mesh() const { return is_placed_ ? placed_ : frame_->mesh; }  // same triangles as the frame
     const sim::SessionFrame& frame() const { return *frame_; }
     const std::shared_ptr<const sim::SessionFrame>& shared_frame() const { return frame_; }
     bool is_placed() const { return is_placed_; }
@@ -73,7 +73,7 @@ class DisplayedGarment {
     void find_outlines_again(const sim::Pattern& pattern, bool is_pattern_new);
 
     std::shared_ptr<const sim::SessionFrame> frame_ = std::make_shared<const sim::SessionFrame>();
-    sim::PlainMesh placed_;
+    sim::DrawMesh placed_;
     bool is_placed_ = false;
     std::vector<ClothOutline> outlines_;
     std::vector<std::array<std::uint32_t, 3>> outlined_;  // the triangles that outlines_ was computed from

@@ -46,9 +46,9 @@ class Overlay {
     }
 
     void dashes(const std::vector<Vec3f>& points, ImU32 colour, float width);
-    void badge(const Vec2f& low, const std::string& words, const sim::Rgb8& colour);
-    Vec2f badge_size(const std::string& words) const {
-        const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+    void badge(const Vec2f& low, const std::string& text, const sim::Rgb8& colour);
+    Vec2f badge_size(const std::string& text) const {
+        const ImVec2 size = ImGui::CalcTextSize(text.c_str());
         return {size.x + 14 * scale(), size.y + 8 * scale()};
     }
 
@@ -81,12 +81,12 @@ void Overlay::dashes(const std::vector<Vec3f>& points, ImU32 colour, float width
     }
 }
 
-void Overlay::badge(const Vec2f& low, const std::string& words, const sim::Rgb8& colour) {
-    const Vec2f size = badge_size(words);
+void Overlay::badge(const Vec2f& low, const std::string& text, const sim::Rgb8& colour) {
+    const Vec2f size = badge_size(text);
     const float round = 4 * scale();
     list_.AddRectFilled(at(low), at(low + size), ink(colours_.badge, 236), round);
     list_.AddRect(at(low), at(low + size), ink(colours_.badge_line), round);
-    list_.AddText(at(low + Vec2f(7, 4) * scale()), ink(colour), words.c_str());
+    list_.AddText(at(low + Vec2f(7, 4) * scale()), ink(colour), text.c_str());
 }
 
 void draw_ghosts(Overlay& overlay, const ViewportController& hand) {
@@ -183,17 +183,17 @@ void draw_pull(Overlay& overlay, const ViewportController& hand) {
 
 // Draws the readout beside the cursor, inside the view.
 void draw_readout(Overlay& overlay, const ViewportController& hand) {
-    std::string words;
+    std::string text;
     sim::Rgb8 colour = overlay.colours().ink;
     if (hand.drag()) {
-        words = hand.drag()->readout();
-        if (!hand.typed().empty()) words += "   = " + hand.typed();
+        text = hand.drag()->readout();
+        if (!hand.typed().empty()) text += "   = " + hand.typed();
     }
-    if (words.empty()) return;
-    const Vec2f size = overlay.badge_size(words);
+    if (text.empty()) return;
+    const Vec2f size = overlay.badge_size(text);
     Vec2f low = hand.cursor_px() + Vec2f(18, 18) * overlay.scale();
     low = low.cwiseMin(overlay.viewing().size_px - size - Vec2f(6, 6)).cwiseMax(Vec2f(6, 6));
-    overlay.badge(low, words, colour);
+    overlay.badge(low, text, colour);
 }
 
 void draw_point_name(Overlay& overlay, const std::vector<sim::ArrangementPoint>& points,
@@ -245,18 +245,18 @@ sim::Rgb8 stage_colour(const sim::SessionFrame& frame, const ViewportColours& co
 
 void draw_stage(Overlay& overlay, const Workspace& workspace, const ViewportController& hand) {
     const sim::SessionFrame& frame = hand.garment().frame();
-    std::string words = stage_text(frame);
+    std::string text = stage_text(frame);
     const bool is_sewn = frame.stage == sim::SessionStage::Draping || frame.stage == sim::SessionStage::Settled;
-    if (is_sewn && hand.garment().is_placed()) words += " \u00B7 shown as placed";
-    if (workspace.drape.is_making_body()) words += words.empty() ? "Making the body" : " \u00B7 making the body";
-    if (words.empty()) return;
+    if (is_sewn && hand.garment().is_placed()) text += " \u00B7 shown as placed";
+    if (workspace.drape.is_making_body()) text += text.empty() ? "Making the body" : " \u00B7 making the body";
+    if (text.empty()) return;
     const float scale = overlay.scale();
-    const Vec2f low(10 * scale, 10 * scale), size = overlay.badge_size(words) + Vec2f(14 * scale, 0);
+    const Vec2f low(10 * scale, 10 * scale), size = overlay.badge_size(text) + Vec2f(14 * scale, 0);
     overlay.list().AddRectFilled(overlay.at(low), overlay.at(low + size), ink(overlay.colours().badge, 236), 4 * scale);
     overlay.list().AddRect(overlay.at(low), overlay.at(low + size), ink(overlay.colours().badge_line), 4 * scale);
     overlay.list().AddCircleFilled(overlay.at(low + Vec2f(12 * scale, size.y() / 2)), 4 * scale,
                                    ink(stage_colour(frame, overlay.colours())));
-    overlay.list().AddText(overlay.at(low + Vec2f(21, 4) * scale), ink(overlay.colours().ink), words.c_str());
+    overlay.list().AddText(overlay.at(low + Vec2f(21, 4) * scale), ink(overlay.colours().ink), text.c_str());
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 constexpr float kEdgeInk = 0.55F;
 
 // The fabric name of each panel of the mesh.
-std::vector<std::string> fabrics_of(const sim::PlainMesh& mesh, const sim::Pattern& pattern) {
+std::vector<std::string> fabrics_of(const sim::DrawMesh& mesh, const sim::Pattern& pattern) {
     std::vector<std::string> names(std::max<std::size_t>(1, mesh.panel_names.size()), pattern.fabric);
     for (std::size_t i = 0; i < mesh.panel_names.size(); ++i) {
         const auto panel = std::find_if(pattern.panels.begin(), pattern.panels.end(),
@@ -31,8 +31,8 @@ void keep(std::vector<T>& values, const std::vector<std::size_t>& kept) {
 }
 
 // The triangles made of `fabric`, with all vertices.
-sim::PlainMesh part_of(const sim::PlainMesh& mesh, const std::vector<std::string>& fabrics, const std::string& fabric) {
-    sim::PlainMesh part = mesh;
+sim::DrawMesh part_of(const sim::DrawMesh& mesh, const std::vector<std::string>& fabrics, const std::string& fabric) {
+    sim::DrawMesh part = mesh;
     std::vector<std::size_t> kept;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         if (fabrics[mesh.panel.empty() ? 0 : mesh.panel[t]] == fabric) kept.push_back(t);
@@ -44,7 +44,7 @@ sim::PlainMesh part_of(const sim::PlainMesh& mesh, const std::vector<std::string
     return part;
 }
 
-bool is_sound(const sim::PlainMesh& mesh) {
+bool is_sound(const sim::DrawMesh& mesh) {
     return !mesh.triangles.empty() &&
            std::all_of(mesh.x.begin(), mesh.x.end(), [](const Vec3f& x) { return x.allFinite(); });
 }
@@ -88,7 +88,7 @@ void ViewportScene::update_sett(const sim::Pattern& pattern) {
 
 void ViewportScene::update_cloth(const ViewportSceneInput& input) {
     cloths_.clear();
-    const sim::PlainMesh& mesh = input.curved ? *input.curved : input.garment.mesh();
+    const sim::DrawMesh& mesh = input.curved ? *input.curved : input.garment.mesh();
     if (!is_sound(mesh)) return;
     update_sett(input.pattern);
     const std::vector<std::string> names = fabrics_of(mesh, input.pattern);

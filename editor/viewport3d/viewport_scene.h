@@ -17,7 +17,7 @@ struct ViewportSceneInput {
     std::uint64_t revision = 0;  // of the pattern
     const DisplayedGarment& garment;
     const CurrentBody& worn;
-    std::shared_ptr<const sim::PlainMesh> curved{};  // drawn instead of the garment's mesh; null: none
+    std::shared_ptr<const sim::DrawMesh> curved{};  // drawn instead of the garment's mesh; null: none
     ViewOptions look{};
     ViewportMarks marks{};
 };
@@ -36,7 +36,7 @@ class ViewportScene {
         std::uint64_t revision = 0;
         render::ShowMode show = render::ShowMode::Tartan;
         bool has_edges = false;
-        std::shared_ptr<const sim::PlainMesh> curved;
+        std::shared_ptr<const sim::DrawMesh> curved;
 
         bool operator==(const ContentKey&) const = default;
     };

@@ -27,15 +27,15 @@ bool Workspace::preview(const Command& command) {
 }
 
 void Messages::say(Message message) {
-    constexpr std::size_t kMost = 200;
+    constexpr std::size_t kMax = 200;
     all_.push_back(std::move(message));
-    if (all_.size() > kMost) all_.erase(all_.begin());
+    if (all_.size() > kMax) all_.erase(all_.begin());
     ++count_;
     is_shown_ = true;
 }
 
 void Messages::error(const GeometryError& error) {
-    say({.kind = MessageKind::Error, .words = error.what(), .places = error.places()});
+    say({.kind = MessageKind::Error, .text = error.what(), .places = error.places()});
 }
 
 sim::PatternDocument empty_garment() {
@@ -79,7 +79,7 @@ void Drape::update_body(Messages& messages) {
         worn_ = making_.get();
         session_.set_body(worn_.body);
     } catch (const sim::InputError& error) {
-        messages.say({.kind = MessageKind::Error, .words = error.what(), .places = {}});
+        messages.say({.kind = MessageKind::Error, .text = error.what(), .places = {}});
     }
 }
 

@@ -16,7 +16,7 @@
 #include "sim/body/body.h"
 #include "sim/dress/session.h"
 #include "sim/mannequin/mannequin.h"
-#include "sim/place/arrangement.h"
+#include "sim/place/placement.h"
 
 namespace selvedge::editor {
 
@@ -26,7 +26,7 @@ enum class MessageKind { Note, Warning, Error };
 
 struct Message {
     MessageKind kind = MessageKind::Note;
-    std::string words;
+    std::string text;
     std::vector<PartLocation> places;
 };
 
@@ -34,8 +34,8 @@ struct Message {
 class Messages {
  public:
     void say(Message message);
-    void note(const std::string& words) { say({.kind = MessageKind::Note, .words = words, .places = {}}); }
-    void warn(const std::string& words) { say({.kind = MessageKind::Warning, .words = words, .places = {}}); }
+    void note(const std::string& text) { say({.kind = MessageKind::Note, .text = text, .places = {}}); }
+    void warn(const std::string& text) { say({.kind = MessageKind::Warning, .text = text, .places = {}}); }
     void error(const GeometryError& error);
 
     // Hides the newest message; it stays in the list.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/draw/cloth_vertices.h"
-#include "render/draw/depth_range.h"
+#include "render/draw/shadow.h"
 
 namespace selvedge::render {
 

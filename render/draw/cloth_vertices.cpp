@@ -17,12 +17,12 @@ std::array<float, 2> turned_to_grain(const Vec2f& u, float grain, const Vec2f& o
     return {c * u.x() + s * u.y() + offset.x(), -s * u.x() + c * u.y() + offset.y()};
 }
 
-float grain_of(const sim::PlainMesh& mesh, std::size_t triangle) {
+float grain_of(const sim::DrawMesh& mesh, std::size_t triangle) {
     const std::size_t panel = mesh.panel.empty() ? 0 : mesh.panel[triangle];
     return panel < mesh.panel_grain_angles.size() ? mesh.panel_grain_angles[panel] : 0.0F;
 }
 
-Vec2f sett_offset_of(const sim::PlainMesh& mesh, std::size_t triangle) {
+Vec2f sett_offset_of(const sim::DrawMesh& mesh, std::size_t triangle) {
     const std::size_t panel = mesh.panel.empty() ? 0 : mesh.panel[triangle];
     return panel < mesh.panel_sett_offsets.size() ? mesh.panel_sett_offsets[panel] : Vec2f(0, 0);
 }
@@ -33,7 +33,7 @@ std::array<float, 3> to_array(const Vec3f& v) {
 
 }  // namespace
 
-std::vector<ClothVertex> make_cloth_vertices(const sim::PlainMesh& mesh, const std::vector<Vec3f>& normals,
+std::vector<ClothVertex> make_cloth_vertices(const sim::DrawMesh& mesh, const std::vector<Vec3f>& normals,
                                              const std::vector<AmbientVisibility>& ambient_visibility) {
     SELVEDGE_ASSERT(normals.size() == mesh.x.size() && ambient_visibility.size() == mesh.x.size());
     SELVEDGE_ASSERT(mesh.u.empty() || mesh.u.size() == mesh.triangles.size());
@@ -125,7 +125,7 @@ struct EdgeUse {
     bool is_same_edge(const EdgeUse& other) const { return low == other.low && high == other.high; }
 };
 
-std::vector<EdgeUse> sorted_edge_uses(const sim::PlainMesh& mesh) {
+std::vector<EdgeUse> sorted_edge_uses(const sim::DrawMesh& mesh) {
     std::vector<EdgeUse> uses;
     uses.reserve(mesh.triangles.size() * 3);
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -139,14 +139,14 @@ std::vector<EdgeUse> sorted_edge_uses(const sim::PlainMesh& mesh) {
     return uses;
 }
 
-Vec2f material_at(const sim::PlainMesh& mesh, std::uint32_t triangle, std::uint32_t vertex) {
+Vec2f material_at(const sim::DrawMesh& mesh, std::uint32_t triangle, std::uint32_t vertex) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
         if (mesh.triangles[triangle][corner] == vertex) return mesh.u[triangle][corner];
     }
     return Vec2f::Zero();
 }
 
-bool jumps(const sim::PlainMesh& mesh, const EdgeUse& a, const EdgeUse& b) {
+bool jumps(const sim::DrawMesh& mesh, const EdgeUse& a, const EdgeUse& b) {
     if (!mesh.panel.empty() && mesh.panel[a.triangle] != mesh.panel[b.triangle]) return true;
     if (mesh.u.empty()) return false;
     constexpr float same = 1e-4F;  // m: rounding by the number of decimals in a file
@@ -165,7 +165,7 @@ struct MarkedVertices {
     std::vector<float> distance;  // m; of vertices opposite to a marked edge, else kFar
 };
 
-MarkedVertices find_marked(const sim::PlainMesh& mesh, const std::vector<TriangleMarks>& marks, MarkKind kind) {
+MarkedVertices find_marked(const sim::DrawMesh& mesh, const std::vector<TriangleMarks>& marks, MarkKind kind) {
     MarkedVertices marked{.is_on = std::vector<bool>(mesh.x.size(), false),
                           .distance = std::vector<float>(mesh.x.size(), TouchDistance::kFar)};
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -183,7 +183,7 @@ MarkedVertices find_marked(const sim::PlainMesh& mesh, const std::vector<Triangl
     return marked;
 }
 
-void add_touches(const sim::PlainMesh& mesh, const std::vector<TriangleMarks>& marks, MarkKind mark_kind,
+void add_touches(const sim::DrawMesh& mesh, const std::vector<TriangleMarks>& marks, MarkKind mark_kind,
                  TouchKind touch_kind, std::vector<std::array<TouchDistance, 3>>& touches) {
     const MarkedVertices marked = find_marked(mesh, marks, mark_kind);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -211,7 +211,7 @@ std::array<float, 3> corner_heights(const std::array<Vec3f, 3>& x) {
     return heights;
 }
 
-std::vector<TriangleMarks> mark_edges(const sim::PlainMesh& mesh) {
+std::vector<TriangleMarks> mark_edges(const sim::DrawMesh& mesh) {
     std::vector<TriangleMarks> marks(mesh.triangles.size());
     const std::vector<EdgeUse> uses = sorted_edge_uses(mesh);
     for (std::size_t first = 0; first < uses.size();) {
@@ -229,13 +229,43 @@ std::vector<TriangleMarks> mark_edges(const sim::PlainMesh& mesh) {
     return marks;
 }
 
-std::vector<std::array<TouchDistance, 3>> touch_distances(const sim::PlainMesh& mesh,
+std::vector<std::array<TouchDistance, 3>> touch_distances(const sim::DrawMesh& mesh,
                                                           const std::vector<TriangleMarks>& marks) {
     SELVEDGE_ASSERT(marks.size() == mesh.triangles.size());
     std::vector<std::array<TouchDistance, 3>> touches(mesh.triangles.size());
     add_touches(mesh, marks, &TriangleMarks::seam, &TouchDistance::seam, touches);
     add_touches(mesh, marks, &TriangleMarks::hem, &TouchDistance::hem, touches);
     return touches;
+}
+
+namespace {
+
+SettSums sum_colours(const std::vector<sim::Rgb8>& colours) {
+    SELVEDGE_ASSERT(!colours.empty());
+    Vec3d mean = Vec3d::Zero();
+    for (const sim::Rgb8& colour : colours) mean += to_linear(colour).cast<double>();
+    mean /= static_cast<double>(colours.size());
+
+    SettSums result;
+    result.mean = mean.cast<float>();
+    result.sums.push_back(Vec3f::Zero());
+    Vec3d sum = Vec3d::Zero();
+    for (const sim::Rgb8& colour : colours) {
+        sum += to_linear(colour).cast<double>() - mean;
+        result.sums.push_back(sum.cast<float>());
+    }
+    result.sums.back().setZero();
+    return result;
+}
+
+}  // namespace
+
+SettSums sum_warp(const sim::Sett& sett) {
+    return sum_colours(thread_colours(sett));
+}
+
+SettSums sum_weft(const sim::Sett& sett) {
+    return sum_colours(weft_thread_colours(sett));
 }
 
 }  // namespace selvedge::render

@@ -1,16 +1,17 @@
 #pragma once
 // A garment's mesh in the layout of the cloth shader: three vertices per triangle, because material coordinates, marks
-// and levels belong to triangles and their corners. Also the cloth's paint in GL buffers, and the detection of seam and
-// hem edges.
+// and levels belong to triangles and their corners. Also the cloth's paint in GL buffers, the detection of seam and hem
+// edges, and the prefix sums of a sett's colours.
 #include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
-#include "render/gl/handle.h"
+#include "render/gl/target.h"
 #include "render/scene/scene.h"
 #include "sim/core/math.h"
-#include "sim/mesh/plain_mesh.h"
+#include "sim/mesh/draw_mesh.h"
+#include "sim/tartan/sett.h"
 
 namespace selvedge::render {
 
@@ -32,7 +33,7 @@ struct ClothVertex {
 
 // normals: one per vertex of the mesh; used even if the mesh has its own. Seam edges lie between two panels or where
 // material coordinates jump; hem edges have one triangle. Pre: ambient_visibility has one entry per vertex of the mesh.
-std::vector<ClothVertex> make_cloth_vertices(const sim::PlainMesh& mesh, const std::vector<Vec3f>& normals,
+std::vector<ClothVertex> make_cloth_vertices(const sim::DrawMesh& mesh, const std::vector<Vec3f>& normals,
                                              const std::vector<AmbientVisibility>& ambient_visibility);
 
 // A cloth's paint in GL buffers: for each corner a position along a colour map, and the map as one row of texels.
@@ -62,7 +63,7 @@ struct TriangleMarks {
     std::uint32_t hem = 0;   // no triangle on the other side
 };
 
-std::vector<TriangleMarks> mark_edges(const sim::PlainMesh& mesh);
+std::vector<TriangleMarks> mark_edges(const sim::DrawMesh& mesh);
 
 // m, at one corner of a triangle that touches a seam or hem with a single vertex. The shader interpolates it, so that
 // the distance continues without a jump from the triangles that have an edge on the seam or hem.
@@ -72,10 +73,25 @@ struct TouchDistance {
     float hem = kFar;
 };
 
-std::vector<std::array<TouchDistance, 3>> touch_distances(const sim::PlainMesh& mesh,
+std::vector<std::array<TouchDistance, 3>> touch_distances(const sim::DrawMesh& mesh,
                                                           const std::vector<TriangleMarks>& marks);
 
 // m, height of each corner over the opposite edge.
 std::array<float, 3> corner_heights(const std::array<Vec3f, 3>& x);
+
+// Prefix sums of a sett's colours. With them the shader gets the mean colour of any stretch of a sett in two lookups.
+
+// Linear light. sums[k] = sum over threads i < k of (colour(i) - mean), k = 0..threads. Because the mean is subtracted,
+// the sums begin and end at 0, so they repeat with the sett and stay small enough for float precision.
+struct SettSums {
+    Vec3f mean = Vec3f::Zero();
+    std::vector<Vec3f> sums;
+
+    int threads() const { return static_cast<int>(sums.size()) - 1; }
+};
+
+// Pre: the sett has threads.
+SettSums sum_warp(const sim::Sett& sett);
+SettSums sum_weft(const sim::Sett& sett);  // equals the warp's if the weft repeats it
 
 }  // namespace selvedge::render

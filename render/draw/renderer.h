@@ -8,7 +8,7 @@
 #include <string>
 
 #include "render/gl/context.h"
-#include "render/gl/handle.h"
+#include "render/gl/target.h"
 #include "render/image/image.h"
 #include "render/scene/scene.h"
 

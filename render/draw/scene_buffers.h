@@ -8,9 +8,8 @@
 #include "render/draw/ambient_occlusion.h"
 #include "render/draw/cloth_vertices.h"
 #include "render/draw/renderer.h"
-#include "render/draw/sett_sums.h"
 #include "render/draw/shadow.h"
-#include "render/gl/handle.h"
+#include "render/gl/target.h"
 #include "render/scene/scene.h"
 
 namespace selvedge::render {

@@ -1,7 +1,11 @@
 #include "render/marks/legend.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <tuple>
 
 namespace selvedge::render {
 namespace {
@@ -12,7 +16,7 @@ constexpr int kRow = 13, kTitle = 16;
 constexpr int kBarWidth = 132, kBarHeight = 9, kBarRow = kBarHeight + 4 + kRow;
 constexpr int kBetween = 4;  // above the notes
 constexpr int kRadius = 3;
-constexpr std::size_t kLeastLetters = 14;  // that remain of a name that does not fit
+constexpr std::size_t kMinLetters = 14;  // that remain of a name that does not fit
 
 constexpr Rgba8 kPaper{0xFC, 0xFB, 0xF9, 0xD6}, kRim{0x30, 0x30, 0x38, 0x2A};
 constexpr Rgba8 kInk{0x26, 0x26, 0x2B, 255}, kSoftInk{0x55, 0x55, 0x5C, 255};
@@ -39,10 +43,10 @@ int inner_width(const Legend& legend) {
     return legend.scale ? std::max(width, kBarWidth) : width;
 }
 
-// With labels cut to kLeastLetters.
-int least_width(const Legend& legend) {
+// With labels cut to kMinLetters.
+int min_width(const Legend& legend) {
     Legend cut = legend;
-    for (LegendRow& row : cut.rows) row.label = row.label.substr(0, kLeastLetters);
+    for (LegendRow& row : cut.rows) row.label = row.label.substr(0, kMinLetters);
     return inner_width(cut);
 }
 
@@ -62,9 +66,9 @@ PixelBox in_corner(int width, int height, int margin, Corner corner, int width_p
 }
 
 // As much of the text as fits, followed by two dots if it was cut.
-std::string shortened(const std::string& words, int room) {
-    if (text_width(words) <= room) return words;
-    std::string kept = words;
+std::string shortened(const std::string& text, int room) {
+    if (text_width(text) <= room) return text;
+    std::string kept = text;
     while (!kept.empty() && text_width(kept + "..") > room) kept.pop_back();
     return kept + "..";
 }
@@ -83,11 +87,11 @@ class Pen {
     void column(int x_px, int height, const Rgba8& colour) const {
         fill_box(image_, {left(0) + x_px, top(0), 1, height * scale_}, colour);
     }
-    void text(int x, int y, const std::string& words, const Rgba8& colour) const {
-        draw_text(image_, left(x), top(y), words, {.scale = scale_, .colour = colour});
+    void text(int x, int y, const std::string& line, const Rgba8& colour) const {
+        draw_text(image_, left(x), top(y), line, {.scale = scale_, .colour = colour});
     }
-    void text_at_right(int y, const std::string& words, const Rgba8& colour) const {
-        text(inner() - text_width(words), y, words, colour);
+    void text_at_right(int y, const std::string& line, const Rgba8& colour) const {
+        text(inner() - text_width(line), y, line, colour);
     }
     int scale() const { return scale_; }
 
@@ -136,13 +140,13 @@ void draw_scale(Pen& pen, const LegendScale& scale) {
 std::optional<LegendLayout> place_at_scale(const Legend& legend, int scale, int width_px, int height_px,
                                            Corner corner) {
     int width = (inner_width(legend) + 2 * kPadding) * scale;
-    if (scale == 1) width = std::min(width, std::max(least_width(legend) + 2 * kPadding, width_px / 2));
+    if (scale == 1) width = std::min(width, std::max(min_width(legend) + 2 * kPadding, width_px / 2));
     const auto height_of = [&](std::size_t rows) { return (inner_height(legend, rows) + 2 * kPadding) * scale; };
-    const int most_height = height_px * 3 / 4;
+    const int max_height = height_px * 3 / 4;
     std::size_t rows = legend.rows.size();
-    while (rows > 0 && height_of(rows) > most_height) --rows;
+    while (rows > 0 && height_of(rows) > max_height) --rows;
     const bool shows_too_little = rows < std::min<std::size_t>(legend.rows.size(), 2);
-    if (width > width_px / 2 || shows_too_little || height_of(rows) > most_height) return std::nullopt;
+    if (width > width_px / 2 || shows_too_little || height_of(rows) > max_height) return std::nullopt;
     return LegendLayout{.box = in_corner(width, height_of(rows), kMargin * scale, corner, width_px, height_px),
                         .scale = scale,
                         .rows = rows};
@@ -176,6 +180,105 @@ void draw_legend(Image& image, const Legend& legend, Corner corner) {
         pen.text_at_right(0, figure, kInk);
         pen.down(kRow);
     }
+}
+
+namespace {
+
+// px from the upper left; far outside the picture for points behind the eye.
+Vec2f on_picture(const Eigen::Matrix4f& matrix, const Vec3f& point, const PictureSize& size) {
+    const Eigen::Vector4f clip = matrix * point.homogeneous();
+    if (clip.w() <= 0) return {-1e6F, -1e6F};
+    return {(0.5F + 0.5F * clip.x() / clip.w()) * float(size.width_px),
+            (0.5F - 0.5F * clip.y() / clip.w()) * float(size.height_px)};
+}
+
+// Number of triangles whose bounding box on the screen overlaps the legend's box.
+long count_under(const PixelBox& legend, const Eigen::Matrix4f& matrix, const PictureSize& size,
+                 const std::vector<Vec3f>& x, const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+    std::vector<Vec2f> at;
+    at.reserve(x.size());
+    for (const Vec3f& point : x) at.push_back(on_picture(matrix, point, size));
+    const Vec2f low(float(legend.left), float(legend.top));
+    const Vec2f high(float(legend.left + legend.width), float(legend.top + legend.height));
+    return std::count_if(triangles.begin(), triangles.end(), [&](const auto& t) {
+        const Vec2f least = at[t[0]].cwiseMin(at[t[1]]).cwiseMin(at[t[2]]);
+        const Vec2f most = at[t[0]].cwiseMax(at[t[1]]).cwiseMax(at[t[2]]);
+        return (least.array() < high.array()).all() && (most.array() > low.array()).all();
+    });
+}
+
+// Numbers of triangles under the legend, summed over all turns.
+struct Cover {
+    long cloth = 0;
+    long body = 0;
+};
+Cover cover_of(const PixelBox& legend, const Camera& camera, const LegendSubject& subject, const PictureSize& size) {
+    Cover cover;
+    for (const float angle : subject.turns) {
+        const Eigen::Matrix4f matrix =
+            projection_matrix(camera, size.aspect()) * view_matrix(turned(camera, angle, subject.axis));
+        for (const ClothItem& cloth : subject.scene.cloths)
+            cover.cloth += count_under(legend, matrix, size, cloth.mesh.x, cloth.mesh.triangles);
+        for (const BodyItem& body : subject.scene.bodies)
+            cover.body += count_under(legend, matrix, size, body.x, body.triangles);
+    }
+    return cover;
+}
+
+// A camera and the legend's corner.
+struct Candidate {
+    LegendPlace place;
+    long hidden = std::numeric_limits<long>::max();  // triangles under the legend that belong to the framed subject
+    float pixel_size = 0;                            // m
+    long beside = 0;                                 // other triangles under the legend
+
+    auto cost() const { return std::tuple(hidden, pixel_size, beside); }
+};
+
+// Frames with a free strip for the legend at the left or at the bottom, and frames with a wider margin.
+std::vector<SubjectFrame> with_room(const SubjectFrame& frame, const LegendLayout& legend, const PictureSize& size) {
+    const float edge = 8.0F * float(legend.scale);
+    const float right = float(legend.box.left + legend.box.width) + edge;
+    const float top = float(size.height_px - legend.box.top) + edge;
+    const float margin = frame.options.margin / 2;  // already free on each side
+    std::vector<SubjectFrame> frames{frame, frame};
+    frames[0].options.free_left = std::max(right / float(size.width_px) - margin, 0.0F);
+    frames[1].options.free_below = std::max(top / float(size.height_px) - margin, 0.0F);
+    for (const float more : {0.08F, 0.16F, 0.24F, 0.32F}) {
+        frames.push_back(frame);
+        frames.back().options.margin += more;
+    }
+    return frames;
+}
+
+// Enlarged, because marks extend beyond the cloth.
+PixelBox with_edge(const LegendLayout& place) {
+    const int edge = 6 * place.scale;
+    return {place.box.left - edge, place.box.top - edge, place.box.width + 2 * edge, place.box.height + 2 * edge};
+}
+
+}  // namespace
+
+LegendPlace find_legend_place(const Legend& legend, const LegendSubject& subject, const PictureSize& size) {
+    const SubjectFrame& frame = subject.frame;
+    Candidate best{.place = {.camera = subject.scene.camera}};
+    const auto try_corners = [&](const Camera& tried) {
+        for (const Corner corner : {Corner::LowerLeft, Corner::LowerRight, Corner::UpperLeft, Corner::UpperRight}) {
+            const auto place = place_legend(legend, size.width_px, size.height_px, corner);
+            if (!place) return;
+            const auto [cloth, body] = cover_of(with_edge(*place), tried, subject, size);
+            const Candidate candidate{.place = {.camera = tried, .corner = corner},
+                                      .hidden = cloth + (frame.holds_bodies ? body : 0),
+                                      .pixel_size = pixel_size(tried, size.height_px),
+                                      .beside = frame.holds_bodies ? 0 : body};
+            if (candidate.cost() < best.cost()) best = candidate;
+        }
+    };
+    try_corners(subject.scene.camera);
+    const auto place = place_legend(legend, size.width_px, size.height_px, Corner::LowerLeft);
+    if (best.hidden == 0 || !place || !frame.may_move) return best.place;
+    for (const SubjectFrame& roomy : with_room(frame, *place, size)) try_corners(roomy.camera());
+    return best.place;
 }
 
 }  // namespace selvedge::render

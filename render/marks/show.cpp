@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <compare>
 #include <cstdio>
+#include <map>
 
+#include "render/draw/cloth_vertices.h"
 #include "render/draw/renderer.h"
-#include "render/marks/seam_lines.h"
 #include "render/scene/colour.h"
 #include "render/scene/solids.h"
 #include "sim/core/assert.h"
@@ -56,7 +58,7 @@ std::vector<std::array<std::string, 2>> level_notes(bool are_known) {
     return {{"levels", "not known"}};
 }
 
-std::vector<float> chosen_strain(const sim::PlainMesh& mesh, ShowMode mode) {
+std::vector<float> chosen_strain(const sim::DrawMesh& mesh, ShowMode mode) {
     std::vector<float> values;
     for (const sim::MeshStrain& strain : measure_strain(mesh)) {
         const float greater = std::max(strain.warp, strain.weft);
@@ -74,11 +76,11 @@ const char* strain_title(ShowMode mode) {
 
 // The map covers 99 % of the values; larger ones get the colours at its ends.
 Legend show_strain(ClothItem& cloth) {
-    constexpr double least_limit = 0.01;
+    constexpr double min_limit = 0.01;
     const std::vector<float> strain = chosen_strain(cloth.mesh, cloth.show);
     std::vector<double> sizes, values(strain.begin(), strain.end());
     for (const double value : values) sizes.push_back(std::abs(value));
-    const double limit = round_up(std::max(sim::quantile(sizes, 0.99), least_limit));
+    const double limit = round_up(std::max(sim::quantile(sizes, 0.99), min_limit));
     ClothPaint paint{.map = diverging_map(), .places = smooth_in_panels(cloth.mesh, strain)};
     for (auto& corners : paint.places) {
         for (float& place : corners) place = 0.5F + 0.5F * place / static_cast<float>(limit);
@@ -89,9 +91,9 @@ Legend show_strain(ClothItem& cloth) {
 
 Legend show_clearance(ClothItem& cloth, const std::vector<float>& clearance) {
     SELVEDGE_ASSERT(clearance.size() == cloth.mesh.x.size());
-    constexpr double least_limit = 0.01;  // m
+    constexpr double min_limit = 0.01;  // m
     const std::vector<double> values(clearance.begin(), clearance.end());
-    const double limit = round_up(std::max(sim::quantile(values, 0.95), least_limit));
+    const double limit = round_up(std::max(sim::quantile(values, 0.95), min_limit));
     ClothPaint paint{.map = sequential_map(), .places = {}};
     for (const auto& [a, b, c] : cloth.mesh.triangles) {
         const auto place = [&](std::uint32_t v) { return clearance[v] / static_cast<float>(limit); };
@@ -101,7 +103,7 @@ Legend show_clearance(ClothItem& cloth, const std::vector<float>& clearance) {
     return clearance_legend(limit, values);
 }
 
-std::string panel_name(const sim::PlainMesh& mesh, std::size_t panel) {
+std::string panel_name(const sim::DrawMesh& mesh, std::size_t panel) {
     if (panel >= mesh.panel_names.size()) return "panel " + std::to_string(panel);
     std::string name = mesh.panel_names[panel];
     std::replace(name.begin(), name.end(), '_', ' ');
@@ -109,20 +111,20 @@ std::string panel_name(const sim::PlainMesh& mesh, std::size_t panel) {
 }
 
 Legend show_panels(ClothItem& cloth) {
-    const sim::PlainMesh& mesh = cloth.mesh;
+    const sim::DrawMesh& mesh = cloth.mesh;
     const std::size_t panels =
         mesh.panel.empty() ? 1 : std::size_t{1} + *std::max_element(mesh.panel.begin(), mesh.panel.end());
     Legend legend{.title = "Panels"};
     ClothPaint paint;
-    constexpr std::size_t kMostColours = 256;  // the map must fit a texture; so many colours look alike anyway
+    constexpr std::size_t kMaxColours = 256;  // the map must fit a texture; so many colours look alike anyway
     for (std::size_t panel = 0; panel < panels; ++panel) {
-        if (panel < kMostColours) paint.map.push_back(kind_colour(panel));
-        legend.rows.push_back({kind_colour(panel % kMostColours), panel_name(mesh, panel)});
+        if (panel < kMaxColours) paint.map.push_back(kind_colour(panel));
+        legend.rows.push_back({kind_colour(panel % kMaxColours), panel_name(mesh, panel)});
     }
     if (panels == 1) paint.map.push_back(paint.map.front());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const std::size_t panel = mesh.panel.empty() ? 0 : mesh.panel[t];
-        const float place = place_of(panel % kMostColours, paint.map.size());
+        const float place = place_of(panel % kMaxColours, paint.map.size());
         paint.places.push_back({place, place, place});
     }
     cloth.paint = std::move(paint);
@@ -130,7 +132,7 @@ Legend show_panels(ClothItem& cloth) {
 }
 
 // For example "left sleeve front + back": leading words that both names share are written only once.
-std::string seam_name(const sim::PlainMesh& mesh, const SeamLine& seam) {
+std::string seam_name(const sim::DrawMesh& mesh, const SeamLine& seam) {
     const std::string first = panel_name(mesh, seam.panels[0]), second = panel_name(mesh, seam.panels[1]);
     if (seam.panels[0] == seam.panels[1]) return first;
     std::size_t said = 0;
@@ -144,7 +146,7 @@ std::string centimetres(double metres) {
     return std::to_string(std::lround(100 * metres)) + " cm";
 }
 
-void add_lines(SolidItem& solid, const sim::PlainMesh& mesh, const SeamLine& line, float radius,
+void add_lines(SolidItem& solid, const sim::DrawMesh& mesh, const SeamLine& line, float radius,
                const sim::Rgb8& colour) {
     for (const VertexPath& path : line.paths) {
         std::vector<Vec3f> points;
@@ -175,7 +177,7 @@ Legend show_seams(Scene& scene, float radius) {
 }
 
 // m: the median over all triangles' edges of their lengths at level 0 (length x 2^level).
-float base_edge(const sim::PlainMesh& mesh) {
+float base_edge(const sim::DrawMesh& mesh) {
     std::vector<double> lengths;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const double halvings = std::exp2(mesh.level.empty() ? 0 : mesh.level[t]);
@@ -187,7 +189,7 @@ float base_edge(const sim::PlainMesh& mesh) {
     return static_cast<float>(sim::quantile(lengths, 0.5));
 }
 
-std::vector<bool> drawn_vertices(const sim::PlainMesh& mesh) {
+std::vector<bool> drawn_vertices(const sim::DrawMesh& mesh) {
     std::vector<bool> is_drawn(mesh.x.size(), false);
     for (const auto& triangle : mesh.triangles) {
         for (const std::uint32_t v : triangle) is_drawn[v] = true;
@@ -197,7 +199,7 @@ std::vector<bool> drawn_vertices(const sim::PlainMesh& mesh) {
 
 Legend show_vertices(Scene& scene) {
     ClothItem& cloth = scene.cloths.front();
-    const sim::PlainMesh& mesh = cloth.mesh;
+    const sim::DrawMesh& mesh = cloth.mesh;
     cloth.colour = kQuietCloth;
     cloth.ink = 0.45F;
     const float radius = kBallShare * base_edge(mesh);
@@ -287,7 +289,7 @@ Legend fill_hierarchy(Scene& scene, const sim::TriangleHierarchy& hierarchy, Sta
             .notes = {{"in all", std::to_string(hierarchy.size())}, {"leaves", std::to_string(leaves)}}};
 }
 
-Legend level_legend(const sim::PlainMesh& mesh) {
+Legend level_legend(const sim::DrawMesh& mesh) {
     if (!mesh.level.empty()) return {.title = "Triangles by level", .rows = level_rows(mesh.level)};
     return {.title = "Triangles by level",
             .rows = level_rows(std::vector<int>(mesh.triangles.size(), 0)),
@@ -347,6 +349,140 @@ Legend clearance_legend(double limit, const std::vector<double>& clearances) {
     const double least = *std::min_element(clearances.begin(), clearances.end());
     if (least < 0) legend.notes.push_back({"deepest inside", millimetres(-least)});
     return legend;
+}
+
+namespace {
+
+using Panels = std::array<std::uint16_t, 2>;
+
+// One triangle's side of a marked edge, identified by the edge's vertices in ascending order.
+struct MarkedSide {
+    std::uint32_t low = 0;
+    std::uint32_t high = 0;
+    std::uint16_t panel = 0;
+
+    auto operator<=>(const MarkedSide&) const = default;
+};
+
+struct MarkedEdge {
+    std::uint32_t low = 0;
+    std::uint32_t high = 0;
+    bool is_taken = false;
+
+    std::uint32_t other(std::uint32_t vertex) const { return vertex == low ? high : low; }
+};
+
+using EdgesOfPanels = std::map<Panels, std::vector<MarkedEdge>>;
+
+EdgesOfPanels marked_edges(const sim::DrawMesh& mesh, const std::vector<TriangleMarks>& marks,
+                           std::uint32_t TriangleMarks::*kind) {
+    std::vector<MarkedSide> sides;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const std::uint16_t panel = mesh.panel.empty() ? std::uint16_t{0} : mesh.panel[t];
+        for (std::size_t edge = 0; edge < 3; ++edge) {
+            if ((marks[t].*kind >> edge & 1U) == 0) continue;
+            const auto [low, high] = std::minmax(mesh.triangles[t][(edge + 1) % 3], mesh.triangles[t][(edge + 2) % 3]);
+            sides.push_back({low, high, panel});
+        }
+    }
+    std::sort(sides.begin(), sides.end());
+    EdgesOfPanels edges;
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        const bool is_second = i > 0 && sides[i].low == sides[i - 1].low && sides[i].high == sides[i - 1].high;
+        const bool has_second =
+            i + 1 < sides.size() && sides[i].low == sides[i + 1].low && sides[i].high == sides[i + 1].high;
+        if (!is_second) {
+            const std::uint16_t other = has_second ? sides[i + 1].panel : sides[i].panel;
+            edges[{sides[i].panel, other}].push_back({sides[i].low, sides[i].high});
+        }
+    }
+    return edges;
+}
+
+// Walks along edges that are not taken yet, and marks them as taken.
+class Walker {
+ public:
+    Walker(const sim::DrawMesh& mesh, std::vector<MarkedEdge>& edges) : mesh_(mesh), edges_(edges) {
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            at_[edges[i].low].push_back(i);
+            at_[edges[i].high].push_back(i);
+        }
+    }
+
+    // All lines. Each starts at its smallest end vertex, or at its smallest vertex if it has no end.
+    std::vector<SeamLine> lines(const Panels& panels) {
+        std::vector<SeamLine> found;
+        for (const auto& [vertex, edges] : at_) {
+            if (std::all_of(edges.begin(), edges.end(), [&](std::size_t e) { return edges_[e].is_taken; })) continue;
+            found.push_back(line_through(vertex));
+            found.back().panels = panels;
+        }
+        return found;
+    }
+
+ private:
+    SeamLine line_through(std::uint32_t vertex) {
+        const std::vector<std::uint32_t> connected_vertices = connected(vertex);
+        SeamLine line;
+        for (const bool starts_at_ends : {true, false}) {
+            for (const std::uint32_t v : connected_vertices) {
+                if (starts_at_ends && at_[v].size() == 2) continue;
+                for (VertexPath path = walk(v, line.length); path.size() > 1; path = walk(v, line.length))
+                    line.paths.push_back(path);
+            }
+        }
+        return line;
+    }
+
+    std::vector<std::uint32_t> connected(std::uint32_t from) {
+        std::vector<std::uint32_t> connected_vertices{from};
+        for (std::size_t i = 0; i < connected_vertices.size(); ++i) {
+            for (const std::size_t e : at_[connected_vertices[i]]) {
+                const std::uint32_t next = edges_[e].other(connected_vertices[i]);
+                if (reached_.emplace(next, true).second && next != from) connected_vertices.push_back(next);
+            }
+        }
+        std::sort(connected_vertices.begin(), connected_vertices.end());
+        return connected_vertices;
+    }
+
+    VertexPath walk(std::uint32_t vertex, double& length) {
+        VertexPath path{vertex};
+        while (true) {
+            const std::vector<std::size_t>& edges = at_[vertex];
+            const auto free =
+                std::find_if(edges.begin(), edges.end(), [&](std::size_t e) { return !edges_[e].is_taken; });
+            if (free == edges.end()) return path;
+            edges_[*free].is_taken = true;
+            const std::uint32_t next = edges_[*free].other(vertex);
+            length += static_cast<double>((mesh_.x[next] - mesh_.x[vertex]).norm());
+            path.push_back(next);
+            vertex = next;
+            if (at_[vertex].size() != 2) return path;
+        }
+    }
+
+    const sim::DrawMesh& mesh_;
+    std::vector<MarkedEdge>& edges_;
+    std::map<std::uint32_t, std::vector<std::size_t>> at_;
+    std::map<std::uint32_t, bool> reached_;
+};
+
+std::vector<SeamLine> lines_of(const sim::DrawMesh& mesh, EdgesOfPanels all) {
+    std::vector<SeamLine> lines;
+    for (auto& [panels, edges] : all) {
+        std::vector<SeamLine> found = Walker(mesh, edges).lines(panels);
+        std::move(found.begin(), found.end(), std::back_inserter(lines));
+    }
+    return lines;
+}
+
+}  // namespace
+
+SeamLines find_seam_lines(const sim::DrawMesh& mesh) {
+    const std::vector<TriangleMarks> marks = mark_edges(mesh);
+    return {.seams = lines_of(mesh, marked_edges(mesh, marks, &TriangleMarks::seam)),
+            .hems = lines_of(mesh, marked_edges(mesh, marks, &TriangleMarks::hem))};
 }
 
 }  // namespace selvedge::render

@@ -1,12 +1,15 @@
 #pragma once
 // Display modes: fills in a scene's paint and marks for a mode, and makes the legend that explains them. Also the
-// scales of the strain and clearance legends.  (thesis 3.7, figs. 3.16, 3.17)
+// scales of the strain and clearance legends, and seams and hems as polylines.  (thesis 3.7, figs. 3.16, 3.17)
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "render/marks/legend.h"
 #include "render/scene/scene.h"
 #include "render/scene/solids.h"
+#include "sim/mesh/draw_mesh.h"
 
 namespace selvedge::render {
 
@@ -30,7 +33,7 @@ Legend fill_hierarchy(Scene& scene, const sim::TriangleHierarchy& hierarchy, Sta
                       const ShowInput& facts = {});
 
 // Number of triangles of each level, up to the highest.
-Legend level_legend(const sim::PlainMesh& mesh);
+Legend level_legend(const sim::DrawMesh& mesh);
 
 // Scales of values: the range that a colour map covers, rounded, and its legend.
 
@@ -43,5 +46,23 @@ Legend strain_legend(const std::string& title, double limit, const std::vector<d
 
 // Scale from 0 to `limit`, in mm; limit and clearances are in m. Pre: limit > 0, clearances not empty.
 Legend clearance_legend(double limit, const std::vector<double>& clearances);
+
+// A garment's seams and hems as polylines: connected edges are joined to the lines that a tailor would sew in one go.
+
+using VertexPath = std::vector<std::uint32_t>;  // vertices of a mesh; a closed path ends with its first vertex
+
+// Connected marked edges between the same two panels, or within one panel (a dart, or a panel sewn to a tube).
+struct SeamLine {
+    std::array<std::uint16_t, 2> panels{};  // the smaller one first
+    std::vector<VertexPath> paths;          // one path, or more if the line forks
+    double length = 0;                      // m
+};
+
+struct SeamLines {
+    std::vector<SeamLine> seams;  // sorted by panels, then by smallest vertex
+    std::vector<SeamLine> hems;   // of one panel each
+};
+
+SeamLines find_seam_lines(const sim::DrawMesh& mesh);
 
 }  // namespace selvedge::render

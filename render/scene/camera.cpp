@@ -35,9 +35,8 @@ struct Axes {
 };
 
 Axes axes_of(const Direction& direction) {
-    const float angle = direction.azimuth, pitch = direction.elevation;
     Axes axes;
-    axes.back = {std::sin(angle) * std::cos(pitch), std::sin(pitch), std::cos(angle) * std::cos(pitch)};
+    axes.back = unit_vector(direction);
     axes.right = Vec3f::UnitY().cross(axes.back).normalized();
     axes.up = axes.back.cross(axes.right);
     return axes;
@@ -56,7 +55,7 @@ struct Extent {
         high = std::max(high, s + b * after);
         low = std::min(low, s - b * before);
     }
-    float least_distance() const { return (high - low) / (before + after); }
+    float min_distance() const { return (high - low) / (before + after); }
     float centre(float distance) const { return (high - distance * after + low + distance * before) / 2; }
 };
 
@@ -74,6 +73,11 @@ Direction direction_of(View view) {
         if (known.view == view) return known.direction;
     }
     return {};
+}
+
+Vec3f unit_vector(const Direction& direction) {
+    const float angle = direction.azimuth, pitch = direction.elevation;
+    return {std::sin(angle) * std::cos(pitch), std::sin(pitch), std::cos(angle) * std::cos(pitch)};
 }
 
 Camera frame_points(const std::vector<Vec3f>& points, View view, const FrameOptions& options) {
@@ -98,14 +102,33 @@ Camera frame_points(const std::vector<Vec3f>& points, const Direction& direction
         nearest = std::max(nearest, b);
         farthest = std::min(farthest, b);
     }
-    constexpr float least_clearance = 0.05F;  // m: else a flat object seen edge-on would touch the eye
-    const float distance = std::max({across.least_distance(), upward.least_distance(), nearest + least_clearance});
+    constexpr float min_clearance = 0.05F;  // m: else a flat object seen edge-on would touch the eye
+    const float distance = std::max({across.min_distance(), upward.min_distance(), nearest + min_clearance});
     camera.eye = across.centre(distance) * axes.right + upward.centre(distance) * axes.up + distance * axes.back;
     camera.target = camera.eye - (distance - (nearest + farthest) / 2) * axes.back;
     camera.up = axes.up;
     camera.near_plane = std::max(0.2F * (distance - nearest), 0.01F);
     camera.far_plane = (distance - farthest) * 4 + 20;
     return camera;
+}
+
+Camera camera_at(const Vec3f& eye, const Vec3f& target, const std::vector<Vec3f>& points) {
+    Camera camera{.eye = eye, .target = target};
+    const Vec3f back = (camera.eye - camera.target).normalized();
+    if (std::abs(back.y()) > 0.999F) camera.up = -Vec3f::UnitZ();
+    float nearest = std::numeric_limits<float>::infinity(), farthest = 0;
+    for (const Vec3f& point : points) {
+        const float depth = (camera.eye - point).dot(back);
+        nearest = std::min(nearest, depth);
+        farthest = std::max(farthest, depth);
+    }
+    camera.near_plane = std::max(0.2F * nearest, 0.01F);
+    camera.far_plane = 4 * farthest + 20;
+    return camera;
+}
+
+float pixel_size(const Camera& camera, int height_px) {
+    return 2 * (camera.eye - camera.target).norm() * std::tan(camera.fov_y / 2) / float(height_px);
 }
 
 Camera zoomed(Camera camera, float times) {
@@ -121,6 +144,30 @@ Camera turned(Camera camera, float angle, const Vec3f& axis) {
     camera.target = axis + turn(camera.target - axis);
     camera.up = turn(camera.up);
     return camera;
+}
+
+Vec3f upright_through(const std::vector<Vec3f>& points) {
+    SELVEDGE_ASSERT(!points.empty());
+    Vec3f low = points.front(), high = points.front();
+    for (const Vec3f& x : points) {
+        low = low.cwiseMin(x);
+        high = high.cwiseMax(x);
+    }
+    const Vec3f middle = (low + high) / 2;
+    return {middle.x(), 0, middle.z()};
+}
+
+std::vector<Vec3f> at_all_turns(const std::vector<Vec3f>& points, const Vec3f& axis, const std::vector<float>& turns) {
+    std::vector<Vec3f> swept;
+    swept.reserve(points.size() * turns.size());
+    for (const float angle : turns) {
+        const float c = std::cos(angle), s = std::sin(angle);
+        for (const Vec3f& point : points) {
+            const Vec3f v = point - axis;
+            swept.push_back(axis + Vec3f(c * v.x() + s * v.z(), v.y(), -s * v.x() + c * v.z()));
+        }
+    }
+    return swept;
 }
 
 Eigen::Matrix4f view_matrix(const Camera& camera) {

@@ -25,13 +25,18 @@ struct Direction {
 
 Direction direction_of(View view);
 
+// The direction as a unit vector.
+Vec3f unit_vector(const Direction& direction);
+
+inline constexpr float kUsualFovY = 0.42F;  // rad, full vertical angle of the usual lens
+
 struct Camera {
     Vec3f eye{0, 1, 5};     // m
     Vec3f target{0, 1, 0};  // m
     Vec3f up{0, 1, 0};
-    float fov_y = 0.42F;      // rad, full vertical angle
-    float near_plane = 0.1F;  // m
-    float far_plane = 100;    // m
+    float fov_y = kUsualFovY;  // rad, full vertical angle
+    float near_plane = 0.1F;   // m
+    float far_plane = 100;     // m
 };
 
 struct FrameOptions {
@@ -42,10 +47,18 @@ struct FrameOptions {
     float free_below = 0;
 };
 
+inline constexpr float kGarmentMargin = 0.12F;  // for a garment that is framed without its body
+
 // The camera at `view` that sees all points from as near as possible. Pre: aspect > 0; points not empty; margin and
 // free parts leave a part of the picture.
 Camera frame_points(const std::vector<Vec3f>& points, View view, const FrameOptions& options);
 Camera frame_points(const std::vector<Vec3f>& points, const Direction& direction, const FrameOptions& options);
+
+// A camera with these eye and target points; near and far plane enclose all points.
+Camera camera_at(const Vec3f& eye, const Vec3f& target, const std::vector<Vec3f>& points);
+
+// Size of one pixel in m, at the depth of the camera's target, in a picture of this height.
+float pixel_size(const Camera& camera, int height_px);
 
 // The same camera with another field of view: everything appears `times` as large about the centre. Pre: times > 0.
 Camera zoomed(Camera camera, float times);
@@ -53,6 +66,12 @@ Camera zoomed(Camera camera, float times);
 // The camera for the same view after the scene turned by `angle` (rad, anticlockwise from above) about the vertical
 // line through `axis`: the camera moves the opposite way.
 Camera turned(Camera camera, float angle, const Vec3f& axis);
+
+// A point on the vertical line through the centre of the points' bounding box. Pre: points not empty.
+Vec3f upright_through(const std::vector<Vec3f>& points);
+
+// The points after each of these turns (rad) about that line, one turn after the other: to frame a scene that turns.
+std::vector<Vec3f> at_all_turns(const std::vector<Vec3f>& points, const Vec3f& axis, const std::vector<float>& turns);
 
 Eigen::Matrix4f view_matrix(const Camera& camera);
 Eigen::Matrix4f projection_matrix(const Camera& camera, float aspect);

@@ -11,7 +11,7 @@
 #include "render/scene/camera.h"
 #include "sim/body/body.h"
 #include "sim/core/math.h"
-#include "sim/mesh/plain_mesh.h"
+#include "sim/mesh/draw_mesh.h"
 #include "sim/pattern/fabric.h"
 #include "sim/tartan/sett.h"
 
@@ -59,7 +59,7 @@ struct Material {
 Material material_of(const sim::Fabric& fabric);
 
 struct ClothItem {
-    sim::PlainMesh mesh;
+    sim::DrawMesh mesh;
     sim::Sett sett;
     Vec2f sett_position{0, 0};  // m, in the fabric's (weft, warp) directions: start of the first stripe
     float sett_scale = 1;       // factor on the sett's own repeat

@@ -235,7 +235,7 @@ Layout lay_out(const std::vector<Box>& boxes, float width_over_height) {
 // Adds triangles to the mesh. In each copy, corners of one panel with equal material coordinates share a vertex.
 class Modeller {
  public:
-    Modeller(sim::PlainMesh& mesh, const std::vector<Box>& boxes, const Layout& layout)
+    Modeller(sim::DrawMesh& mesh, const std::vector<Box>& boxes, const Layout& layout)
         : mesh_(mesh), boxes_(boxes), layout_(layout) {}
 
     Vec3f place(const sim::HierarchyTriangle& t, std::size_t corner, const Vec3f& shift) const {
@@ -259,7 +259,7 @@ class Modeller {
     }
 
  private:
-    sim::PlainMesh& mesh_;
+    sim::DrawMesh& mesh_;
     const std::vector<Box>& boxes_;
     const Layout& layout_;
     std::map<std::tuple<int, std::uint16_t, float, float>, std::uint32_t> known_;

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "render/scene/scene.h"
-#include "sim/mesh/plain_mesh.h"
+#include "sim/mesh/draw_mesh.h"
 
 namespace selvedge::render {
 
@@ -28,7 +28,7 @@ void add_outline(SolidItem& solid, const std::array<Vec3f, 3>& triangle, float r
 enum class StackSide { Right, Behind };
 
 struct HierarchyModel {
-    sim::PlainMesh mesh;  // the leaves twice: flat on y = 0, and in the stack; with their levels
+    sim::DrawMesh mesh;  // the leaves twice: flat on y = 0, and in the stack; with their levels
     struct Outline {
         std::array<Vec3f, 3> x;
         int level = 0;

@@ -12,6 +12,7 @@
 #include "sim/adaptive/back_face.h"
 #include "sim/cloth/cloth.h"
 #include "sim/core/math.h"
+#include "sim/mesh/draw_mesh.h"
 #include "sim/mesh/garment_mesh.h"
 
 namespace selvedge::render {
@@ -39,7 +40,7 @@ CurvedSurface curve(std::span<const Vec4f> x, std::span<const sim::GarmentTriang
                     const CurveOptions& options = {}, const std::vector<CreaseEdge>& creases = {});
 
 // The surface over the leaf triangles of a cloth. Its base has their order, and its base vertices that of the leaf
-// vertices, as plain_mesh(cloth) does (sim/dress/report.h).
+// vertices, as draw_mesh(cloth) does (sim/dress/report.h).
 class SurfaceOverCloth {
  public:
     // The surface over the cloth as it is now. While the leaves are those of the last call, the surface only moves and
@@ -58,5 +59,27 @@ class SurfaceOverCloth {
     SurfaceKind kind_ = SurfaceKind::Constant;
     std::vector<Vec4f> normals_;  // by the cloth's VertexId, scratch
 };
+
+// The mesh that renderers and exporters take from a curved surface; and a mesh, such as one from a file, refined to a
+// curved surface: DrawMesh in, DrawMesh out.  (thesis ch. 6)
+
+// Normals for lighting. Interpolated normals are smooth and hide detail of the surface.  (thesis fig. 6.6)
+enum class LightNormals { Recomputed, Interpolated };
+
+// The leaves of the surface, in the order of their base triangles; a vertex on a crease once per side. base: the mesh
+// that the surface was made over, in the same order, of which the result has the panels and names, and material
+// coordinates if it has them. Levels count on from those of the base, to 255 at most; a vertex on an edge between
+// triangles of two levels counts on from the first of them.
+sim::DrawMesh draw_mesh(const CurvedSurface& surface, const sim::DrawMesh& base,
+                        LightNormals normals = LightNormals::Recomputed);
+
+struct CurvedMeshOptions {
+    CurveOptions curve{};
+    LightNormals light_normals = LightNormals::Recomputed;
+    std::vector<CreaseEdge> creases{};  // edges between two triangles of the mesh that stay sharp
+};
+
+// Without material coordinates, a triangle's shape in space is its rest shape. Throws InputError as curve() does.
+sim::DrawMesh curved_mesh(const sim::DrawMesh& coarse, const CurvedMeshOptions& options = {});
 
 }  // namespace selvedge::render

@@ -197,7 +197,7 @@ int coarsen_level(AdaptiveMesh& mesh, State& state, int level, bool beyond_limit
 }  // namespace adapt_detail
 
 // Pre: the state arrays have mesh.vertex_capacity() entries. Post: check(mesh) reports no new problem; the leaf lists
-// are up to date, and mesh.changes() lists how they changed. For `choice` see sim/adaptive/diagonal.h.
+// are up to date, and mesh.changes() lists how they changed. For `choice` see sim/adaptive/adaptive_mesh.h.
 template <class Choice, AdaptObserver State, EdgeCriterion... Criteria>
 AdaptReport adapt_choosing(const Choice& choice, AdaptiveMesh& mesh, State& state, const AdaptOptions& options,
                            const Criteria&... criteria) {

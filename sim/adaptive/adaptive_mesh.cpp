@@ -27,7 +27,7 @@ TriangleId AdaptiveMesh::leaf_at(EdgeId e, int side) const {
     if (!owner) return owner;
     const AdaptiveTriangle& t = triangles_[owner];
     if (is_leaf(t)) return owner;
-    const std::uint8_t slot = layout(t.configuration).slot_at_unsplit[place_of(t, e)];
+    const std::uint8_t slot = layout(t.configuration).slot_at_unsplit[index_of(t, e)];
     return slot == kNoSlot ? TriangleId{} : t.internal_triangles[slot];
 }
 

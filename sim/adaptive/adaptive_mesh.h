@@ -11,13 +11,23 @@
 #include <vector>
 
 #include "sim/adaptive/configuration.h"
-#include "sim/adaptive/diagonal.h"
 #include "sim/adaptive/leaf_tracker.h"
 #include "sim/core/math.h"
 #include "sim/core/pool.h"
 #include "sim/mesh/garment_mesh.h"
 
 namespace selvedge::sim {
+
+// Which diagonal a triangle gets when two of its edges are split and both diagonals conform. The default is the minimal
+// change from the present configuration.  (thesis fig. 3.9; bench/thesis measures its alternatives)
+
+struct Diagonal {
+    VertexId a, b;
+    Vec2f u_a, u_b;  // m
+};
+
+// A choice has    float cost(const Diagonal&) const;    the lower cost wins; at equal cost the minimal change
+struct MinimalChange {};
 
 // The elements of the adaptive mesh, as stored in its pools.  (thesis 3.2, Edge-Trio)
 
@@ -79,7 +89,7 @@ inline std::size_t corner_at(const AdaptiveTriangle& t, VertexId v) {
 }
 
 // The index of e among the external edges of t, 0..2. Pre: e is one of them.
-inline std::size_t place_of(const AdaptiveTriangle& t, EdgeId e) {
+inline std::size_t index_of(const AdaptiveTriangle& t, EdgeId e) {
     return t.edges[0] == e ? 0 : (t.edges[1] == e ? 1 : 2);
 }
 
@@ -180,8 +190,8 @@ class AdaptiveMesh {
     void rejoin(EdgeId e);
     int retriangulate(int level, TransitionCounts* counts = nullptr);
 
-    // The same with another choice where two configurations conform, see sim/adaptive/diagonal.h. Calls watch.before(t)
-    // and watch.after(t) around each transition.
+    // The same with another choice where two configurations conform, see sim/adaptive/adaptive_mesh.h. Calls
+    // watch.before(t) and watch.after(t) around each transition.
     template <class Choice, class Watch>
     int retriangulate(int level, TransitionCounts* counts, const Choice& choice, Watch& watch);
 

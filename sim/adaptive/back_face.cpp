@@ -13,8 +13,8 @@ static_assert(kDeepestLevel < kRejoinShift);
 
 Visibility::Visibility(const ViewPoint& view, const BackFaceOptions& options)
     : view_(view),
-      least_facing_split_(-std::sin(options.split_margin)),
-      least_facing_rejoin_(-std::sin(options.rejoin_margin)) {
+      min_facing_split_(-std::sin(options.split_margin)),
+      min_facing_rejoin_(-std::sin(options.rejoin_margin)) {
     SELVEDGE_ASSERT(options.split_margin < options.rejoin_margin);
 }
 

@@ -64,7 +64,7 @@ class Visibility {
 
     void start(const AdaptiveMesh& mesh);
     Seen seen(float facing) const {
-        return static_cast<Seen>((facing > least_facing_split_ ? 1 : 0) | (facing > least_facing_rejoin_ ? 2 : 0));
+        return static_cast<Seen>((facing > min_facing_split_ ? 1 : 0) | (facing > min_facing_rejoin_ ? 2 : 0));
     }
     Seen seen_plane(const std::array<Vec3f, 3>& x) const;
     float facing(const Vec3f& at, const Vec3f& normal) const;
@@ -73,8 +73,8 @@ class Visibility {
     void mark_corners(const std::array<VertexId, 3>& corners, Seen how, std::uint32_t levels);
 
     ViewPoint view_;
-    float least_facing_split_;  // minimum cosine between normal and direction to the viewer
-    float least_facing_rejoin_;
+    float min_facing_split_;  // minimum cosine between normal and direction to the viewer
+    float min_facing_rejoin_;
     std::vector<Seen> vertex_seen_;  // by vertex id
     std::vector<Seen> leaf_seen_;    // by triangle id, refined triangles included
     // By vertex id: bit l is set if a triangle of level l at this vertex, or a leaf coarser than level l, is visible.

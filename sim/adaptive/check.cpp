@@ -125,7 +125,7 @@ class Checker {
     void check_side(EdgeId e, const AdaptiveEdge& edge, std::size_t s) {
         if (!edge.sides[s]) return;
         const AdaptiveTriangle& t = mesh_.triangle(edge.sides[s]);
-        const std::size_t k = place_of(t, e);
+        const std::size_t k = index_of(t, e);
         expect(reached_.triangles[edge.sides[s].value] > 0 && t.edges[k] == e, "edge", e, "a side is not its triangle");
         expect(t.level == edge.level, "edge", e, "a side is not at its level");
         expect(t.vertices[k] == edge.ends[s] && t.vertices[(k + 1) % 3] == edge.ends[1 - s], "edge", e,
@@ -224,7 +224,7 @@ class Checker {
         const TriangleId leaf = mesh_.leaf_at(e, side);
         if (!leaf) return;
         const AdaptiveTriangle& t = mesh_.triangle(leaf);
-        const std::size_t k = place_of(t, e);
+        const std::size_t k = index_of(t, e);
         expect(is_leaf(t) && t.edges[k] == e && t.vertices[k] == mesh_.end(e, side), "edge", e,
                "finds the wrong leaf triangle");
     }

@@ -17,7 +17,7 @@ struct BudgetOptions {
     std::size_t target = 6000;    // leaf triangles
     float band = 0.02F;           // tolerance: share of the target, above and below
     float gain = 0.3F;            // of the controller, per adaptation
-    float least_scale = 0.01F;    // minimum scale of the thresholds: flat cloth is not split, however large the target
+    float min_scale = 0.01F;      // minimum scale of the thresholds: flat cloth is not split, however large the target
     float greatest_scale = 8.0F;  // maximum scale; at this value surplus edges are rejoined whatever the criteria say
 };
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "sim/adaptive/criteria.h"
-#include "sim/cloth/bias.h"
+#include "sim/cloth/state_transfer.h"
 #include "sim/collide/collider.h"
 
 namespace selvedge::sim {

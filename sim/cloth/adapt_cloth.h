@@ -66,7 +66,7 @@ struct AdaptClothOptions {
     int max_level = kDeepestLevel;              // if below the mesh's own, deeper edges are rejoined
     bool may_rejoin = true;
     TransitionCounts* transitions = nullptr;                // optional: each transition is counted here
-    std::function<float(const Diagonal&)> diagonal_cost{};  // optional: a choice, see sim/adaptive/diagonal.h
+    std::function<float(const Diagonal&)> diagonal_cost{};  // optional: a choice, see sim/adaptive/adaptive_mesh.h
 };
 
 // One adaptation. Post: the total mass is unchanged; solver lists and contact samples are up to date.

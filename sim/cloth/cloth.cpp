@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/cloth/bias.h"
 #include "sim/cloth/curvature_map.h"
+#include "sim/cloth/state_transfer.h"
 #include "sim/core/assert.h"
 
 namespace selvedge::sim {
@@ -173,6 +173,48 @@ std::vector<TriangleStrain> measure_strain(const Cloth& cloth) {
         strains.push_back({warp.norm() - 1, weft.norm() - 1, std::abs(std::asin(cosine))});
     }
     return strains;
+}
+
+DrawMesh draw_mesh(const Cloth& cloth, const std::vector<std::string>& panel_names) {
+    DrawMesh mesh;
+    mesh.panel_names = panel_names;
+    mesh.panel_grain_angles = cloth.material.grain_angles;
+    mesh.panel_sett_offsets = cloth.material.sett_offsets;
+    std::vector<std::uint32_t> index(cloth.x.size(), 0);
+    for (const VertexId v : cloth.mesh.leaf_vertices()) {
+        index[v.value] = static_cast<std::uint32_t>(mesh.x.size());
+        mesh.x.push_back(cloth.x[v.value].head<3>());
+        mesh.vertex_level.push_back(cloth.mesh.vertex(v).level);
+    }
+    for (const LeafTriangle& t : cloth.mesh.leaf_triangles()) {
+        const std::array<std::uint32_t, 3> v{index[t.v[0].value], index[t.v[1].value], index[t.v[2].value]};
+        mesh.triangles.push_back(v);
+        mesh.u.push_back(t.u);
+        mesh.panel.push_back(t.panel);
+        mesh.level.push_back(t.level);
+    }
+    mesh.normals = vertex_normals(mesh.x, mesh.triangles);
+    return mesh;
+}
+
+namespace {
+
+void add_with_inner(const AdaptiveMesh& mesh, TriangleId id, TriangleHierarchy& all) {
+    const AdaptiveTriangle& t = mesh.triangle(id);
+    all.push_back({.u = t.u, .panel = t.panel, .level = t.level, .is_leaf = is_leaf(t)});
+    if (is_leaf(t)) return;
+    const std::size_t inner = layout(t.configuration).triangle_count;
+    for (std::size_t i = 0; i < inner; ++i) add_with_inner(mesh, t.internal_triangles[i], all);
+}
+
+}  // namespace
+
+TriangleHierarchy triangle_hierarchy(const Cloth& cloth) {
+    TriangleHierarchy all;
+    all.reserve(cloth.mesh.triangles().size());
+    for (std::size_t t = 0; t < cloth.mesh.base_triangle_count(); ++t)
+        add_with_inner(cloth.mesh, TriangleId(static_cast<std::uint32_t>(t)), all);
+    return all;
 }
 
 }  // namespace selvedge::sim

@@ -5,11 +5,13 @@
 // a step the solver reads only blocks of constraints, which are updated after each adaptation.  (thesis 3.6)
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "sim/adaptive/adaptive_mesh.h"
 #include "sim/cloth/solver_state.h"
 #include "sim/core/math.h"
+#include "sim/mesh/draw_mesh.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/fabric.h"
 
@@ -74,6 +76,13 @@ float rms_speed(const Cloth& cloth, const std::vector<Vec4f>& before, double sec
 
 // The first leaf vertex with a coordinate that is not finite or at least 100 m from the origin, if any.
 std::optional<VertexId> find_bad_vertex(const Cloth& cloth);
+
+// The leaf triangles in their current position, with material coordinates and level of each.
+DrawMesh draw_mesh(const Cloth& cloth, const std::vector<std::string>& panel_names);
+
+// The refinement hierarchy: all triangles depth first: base triangles in order, each followed by its internal
+// triangles.
+TriangleHierarchy triangle_hierarchy(const Cloth& cloth);
 
 // The strain of a cloth, from the deformation gradients of its leaf triangles.
 

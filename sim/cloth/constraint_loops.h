@@ -17,12 +17,12 @@ namespace {
     return lanes::transposed(lanes::gather_points(stress, places));
 }
 [[gnu::always_inline]] inline bool are_all_of_triangles(const std::uint32_t* places) {
-    return lanes::bits(lanes::load_ints(places) == static_cast<std::int32_t>(kNoPlace)) == 0;
+    return lanes::bits(lanes::load_ints(places) == static_cast<std::int32_t>(kNoOffset)) == 0;
 }
 [[gnu::always_inline]] inline void put_rows(float* stress, const std::uint32_t* places, const Rows& rows) {
     if (are_all_of_triangles(places)) return lanes::scatter_points(stress, places, rows);
     for (std::size_t i = 0; i < lanes::kCount; ++i) {
-        if (places[i] == kNoPlace) continue;
+        if (places[i] == kNoOffset) continue;
         for (std::size_t k = 0; k < 4; ++k) stress[places[i] + k] = rows.row[i % 4][4 * (i / 4) + k];
     }
 }

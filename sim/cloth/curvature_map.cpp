@@ -12,7 +12,7 @@ const Vec3d kCurvatureNorm(1, 1, 0.5);
 const Vec3d kQuadraticNorm(1, 1, 2);
 
 // Minimum share of a hinge's angle for either side.
-constexpr double kLeastShare = 0.1;
+constexpr double kMinShare = 0.1;
 
 std::size_t next(std::size_t i) {
     return (i + 1) % 3;
@@ -43,7 +43,7 @@ double fitted_share(const HingeSide& own, const HingeSide& beyond) {
     const Vec3d here = share_of_side(own, 1);
     const Vec3d both = here + share_of_side(beyond, -1);
     const Vec3d weighed = weights.cwiseProduct(both);
-    return std::clamp(here.dot(weighed) / both.dot(weighed), kLeastShare, 1 - kLeastShare);
+    return std::clamp(here.dot(weighed) / both.dot(weighed), kMinShare, 1 - kMinShare);
 }
 
 // Derivatives of a hinge's angle with respect to the heights of a, b, the corner c on this side and the apex d beyond.

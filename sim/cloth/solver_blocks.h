@@ -56,8 +56,8 @@ inline constexpr float kLimitShare = 0.5F;
 inline constexpr float kMomentum = 0.3F;
 
 // Offset of a triangle's four floats in the arrays of LevelStress; kNoPlace stands for no triangle.
-inline constexpr std::uint32_t kNoPlace = 0;
-inline std::uint32_t place_of(TriangleId t) {
+inline constexpr std::uint32_t kNoOffset = 0;
+inline std::uint32_t index_of(TriangleId t) {
     return 4 * (t.value + 1);
 }
 

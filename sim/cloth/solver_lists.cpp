@@ -5,9 +5,9 @@
 #include <cstring>
 #include <functional>
 
-#include "sim/cloth/bias.h"
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/kernels.h"
+#include "sim/cloth/state_transfer.h"
 #include "sim/cloth/triangle_bending.h"
 
 namespace selvedge::sim {
@@ -141,14 +141,14 @@ void note_children(Cloth& cloth, TriangleId t) {
     for (std::size_t i = 0; i < layout(triangle.configuration).triangle_count; ++i) {
         const TriangleId child = triangle.internal_triangles[i];
         if (child.value >= parent_of.size()) parent_of.resize(cloth.mesh.triangles().capacity());
-        parent_of[child.value] = {place_of(t), material_area(cloth.mesh.triangle(child).u) / area};
+        parent_of[child.value] = {index_of(t), material_area(cloth.mesh.triangle(child).u) / area};
     }
 }
 
 void make_blocks(Cloth& cloth) {
     SolverState& solver = cloth.solver;
     save_biases(cloth);
-    keep_bends(cloth);
+    save_bends(cloth);
     solver.lists.vertices = cloth.mesh.vertex_capacity();
     solver.lists.inserted = 0;
     solver.lists.has_gathers = has_gathers(cloth.mesh);
@@ -187,8 +187,8 @@ namespace {
 // The free length of a coarse strain limit: yarns may stretch as the fabric does under a usual load.
 float longest_of(double stiffness, const Fabric& fabric) {
     constexpr double kUsualLoad = 2.5;  // N/m: a shirt hangs from its shoulders with about 1.6
-    constexpr double kLeast = 0.005;    // strain error of the flat triangle through the corners of bent cloth
-    return 1 + static_cast<float>(std::min(fabric.strain_limit, std::max(kLeast, kUsualLoad / stiffness)));
+    constexpr double kMin = 0.005;      // strain error of the flat triangle through the corners of bent cloth
+    return 1 + static_cast<float>(std::min(fabric.strain_limit, std::max(kMin, kUsualLoad / stiffness)));
 }
 
 using Limits = ConstraintSet<LimitBlock, LimitRecord>;
@@ -213,18 +213,18 @@ void set_limit(Cloth& cloth, TriangleId t, std::uint32_t slot) {
         if (k < 2) record.free_length[k][at] = longest_of(stiffness[k], fabric);
     }
     const ParentOf& parent = cloth.solver.lists.parent_of[t.value];
-    record.place[at] = place_of(t);
+    record.place[at] = index_of(t);
     record.parent[at] = parent.place;
     record.of_area[at] = parent.of_area;
     LevelStress& carried = cloth.solver.constraints.carried;
     for (std::vector<Vec4f>* sums : {&carried.below, &carried.off}) (*sums)[t.value + 1].setZero();
 }
 
-// Adds a triangle's part of bearable_shear (LimitRecord) to its parent: kEasyBias times the stress per unit of its bias
-// (per_bias), plus what its inner triangles bear (inside), weighted by area.
+// Adds a triangle's part of bearable_shear (LimitRecord) to its parent: kMaxLeafShearBias times the stress per unit of
+// its bias (per_bias), plus what its inner triangles bear (inside), weighted by area.
 void add_bearable_shear(SolverLists& lists, std::uint32_t parent, float of_area, float per_bias, float inside) {
-    constexpr float kEasyBias = 0.05F;  // a larger shear bias takes too long to accumulate
-    lists.bearable_shear[parent / 4] += of_area * (kEasyBias * per_bias + inside);
+    constexpr float kMaxLeafShearBias = 0.05F;  // a larger shear bias takes too long to accumulate
+    lists.bearable_shear[parent / 4] += of_area * (kMaxLeafShearBias * per_bias + inside);
 }
 
 void add_bearable_shear_of_leaves(SolverState& solver) {

@@ -12,8 +12,8 @@ struct Cloth;
 
 // The parent of a triangle: the refined triangle that contains it.
 struct ParentOf {
-    std::uint32_t place = kNoPlace;  // offset in LevelStress
-    float of_area = 1;               // area of the triangle over that of the parent
+    std::uint32_t place = kNoOffset;  // offset in LevelStress
+    float of_area = 1;                // area of the triangle over that of the parent
 };
 
 // The constraints of the refined triangles of one level, and the centres of its split edges.
@@ -36,7 +36,7 @@ struct Constraints {
 
 // Scratch memory of triangle_bending.cpp, reused between calls.
 struct FitScratch {
-    std::vector<std::uint32_t> place_of;  // by TriangleId: index in `fits`; kNoBlockSlot: not made
+    std::vector<std::uint32_t> index_of;  // by TriangleId: index in `fits`; kNoBlockSlot: not made
     std::vector<TriangleId> made;
     std::vector<CurvatureFit> fits;
 };

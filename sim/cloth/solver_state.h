@@ -39,7 +39,7 @@ class SavedStates {
 };
 
 // Saved state of a triangle: the multipliers (biases) of stretch and shear and the anchor of friction in shear. See
-// solver_blocks.h and bias.h.
+// solver_blocks.h and state_transfer.h.
 struct SavedBias {
     Vec3f value = Vec3f::Zero();  // bias of warp, weft and shear of a leaf
     Vec3f limit = Vec3f::Zero();  // bias of the coarse strain limit of a refined triangle

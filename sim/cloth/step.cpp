@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/cloth/kernels.h"
+#include "sim/core/assert.h"
 
 namespace selvedge::sim {
 namespace {
@@ -62,6 +63,7 @@ void Stepper::substep(int i) {
     solve_coarse_limits(is_last);
     solve_stretch(is_last);
     for (int round = 0; round < options.limit_iterations; ++round) limit_stretch();
+    if (options.solve_more) options.solve_more(points());
     store_corrections();
     if (is_last) update_bias();
     push_out_samples(cloth, loops, body, options.contact);
@@ -224,6 +226,7 @@ float step_seconds(const Cloth& cloth, const StepOptions& options) {
 }
 
 StepReport step(Cloth& cloth, const Collider& body, const StepOptions& options) {
+    SELVEDGE_ASSERT(cloth.solver.contacts.friction.size() >= cloth.x.size());
     if (stays_at_rest(cloth, body, options)) return {};
     SolverState& solver = cloth.solver;
     const std::size_t count = cloth.x.size() + 1;

@@ -1,6 +1,7 @@
 #pragma once
 // One time step of the cloth, divided into small sub-steps: Verlet prediction, one iteration over all constraints, then
 // contacts. See docs/solver.md.  (thesis 3.6.4; Macklin et al. 2019, "Small Steps")
+#include <functional>
 #include <span>
 
 #include "sim/cloth/cloth.h"
@@ -37,6 +38,10 @@ struct StepOptions {
     float seam_gap = 0;                 // m, allowed at the end of this step
     float seam_gap_rate = 0;            // m per sub-step by which the gap shrinks within the step
     std::span<const KinematicVertex> kinematic{};
+    // Optional: solves constraints of the caller in each sub-step, as the last of stretch. points: by vertex, x, y, z
+    // (m) and the inverse mass (1/kg), then the dummy vertex. Such a cloth never rests. See
+    // docs/adding-a-constraint.md.
+    std::function<void(float* points)> solve_more{};
     bool may_rest = false;  // whether a cloth at rest is deactivated until something could move it (resting.h)
 };
 
@@ -47,6 +52,7 @@ struct StepReport {
 // The simulated time of a step, s.
 float step_seconds(const Cloth& cloth, const StepOptions& options);
 
+// Pre: the contacts are those of the present leaves: adapt_cloth() or refresh_contacts() came after make_cloth().
 StepReport step(Cloth& cloth, const Collider& body, const StepOptions& options);
 
 }  // namespace selvedge::sim

@@ -5,11 +5,11 @@
 #include <functional>
 #include <span>
 
-#include "sim/cloth/bias.h"
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/curvature_map.h"
 #include "sim/cloth/kernels.h"
 #include "sim/cloth/solver_blocks.h"
+#include "sim/cloth/state_transfer.h"
 
 namespace selvedge::sim {
 namespace {
@@ -31,7 +31,7 @@ Beside beside(const AdaptiveMesh& mesh, TriangleId t, std::size_t i, Level level
     const TriangleId found =
         level == Level::Leaves ? mesh.leaf_at(e, other) : mesh.edge(e).sides[static_cast<std::size_t>(other)];
     if (!found) return {};
-    return {found, (place_of(mesh.triangle(found), e) + 2) % 3};
+    return {found, (index_of(mesh.triangle(found), e) + 2) % 3};
 }
 
 // A triangle with its neighbours. points: the corners, then the apex beyond each edge; for an edge without a hinge the
@@ -89,10 +89,10 @@ Neighbourhood neighbourhood(const Cloth& cloth, TriangleId t, Level level) {
 class Fits {
  public:
     Fits(const Cloth& cloth, Level level, FitScratch& scratch) : cloth_(cloth), level_(level), scratch_(scratch) {
-        scratch_.place_of.resize(cloth.mesh.triangles().capacity(), kNoBlockSlot);
+        scratch_.index_of.resize(cloth.mesh.triangles().capacity(), kNoBlockSlot);
     }
     ~Fits() {
-        for (const TriangleId t : scratch_.made) scratch_.place_of[t.value] = kNoBlockSlot;
+        for (const TriangleId t : scratch_.made) scratch_.index_of[t.value] = kNoBlockSlot;
         scratch_.made.clear();
         scratch_.fits.clear();
     }
@@ -100,10 +100,10 @@ class Fits {
     Fits& operator=(const Fits&) = delete;
 
     Mat3d curvature_map(const Neighbourhood& own, TriangleId t) {
-        const std::uint32_t here = place_of(t);
+        const std::uint32_t here = index_of(t);
         std::array<std::uint32_t, 3> places{};
         for (std::size_t i = 0; i < 3; ++i) {
-            if (own.beside[i].triangle) places[i] = place_of(own.beside[i].triangle);
+            if (own.beside[i].triangle) places[i] = index_of(own.beside[i].triangle);
         }
         std::array<FitBeside, 3> around;  // pointers are safe now: scratch_.fits does not grow any more
         for (std::size_t i = 0; i < 3; ++i) {
@@ -113,8 +113,8 @@ class Fits {
     }
 
  private:
-    std::uint32_t place_of(TriangleId t) {
-        std::uint32_t& place = scratch_.place_of[t.value];
+    std::uint32_t index_of(TriangleId t) {
+        std::uint32_t& place = scratch_.index_of[t.value];
         if (place == kNoBlockSlot) {
             place = static_cast<std::uint32_t>(scratch_.fits.size());
             scratch_.made.push_back(t);
@@ -150,14 +150,14 @@ void set_shape(BendBlock& block, std::size_t at, const RestTriangle& rest, const
 // Sets the values that follow from the fabric and the shape at rest.
 void set_element(const Cloth& cloth, TriangleId t, Level level, Fits& fits, BendBlock& block, BendRecord& record,
                  std::size_t at) {
-    constexpr double kLeast = 1e-12;  // N m: minimum rigidity; a fabric without more has no friction in bending
+    constexpr double kMin = 1e-12;  // N m: minimum rigidity; a fabric without more has no friction in bending
     const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
     const Fabric& fabric = cloth.material.fabrics[triangle.panel];
     const Neighbourhood own = neighbourhood(cloth, t, level);
     const Mat3d map = fits.curvature_map(own, t);
     set_shape(block, at, own.rest, map);
 
-    const double warp = std::max(fabric.bending_warp, kLeast), weft = std::max(fabric.bending_weft, kLeast);
+    const double warp = std::max(fabric.bending_warp, kMin), weft = std::max(fabric.bending_weft, kMin);
     const Vec3d rigidity(warp, weft, 0.5 * std::sqrt(warp * weft));
     const double hysteresis = fabric.bending_hysteresis;
     const Vec3d friction(0.5 * hysteresis, 0.5 * hysteresis, 0.25 * hysteresis);
@@ -165,7 +165,7 @@ void set_element(const Cloth& cloth, TriangleId t, Level level, Fits& fits, Bend
     set_symmetric(record.stiffness, at, time * map.transpose() * free_edge_rigidity(rigidity, own.rest) * map);
     set_lane(record.rigidity, at, (time * rigidity).cast<float>());
     set_lane(record.friction, at, (time * friction).cast<float>());
-    block.has_friction[at] = hysteresis > 0 && std::max(warp, weft) > kLeast ? 1.0F : 0.0F;
+    block.has_friction[at] = hysteresis > 0 && std::max(warp, weft) > kMin ? 1.0F : 0.0F;
     const ParentOf& parent = cloth.solver.lists.parent_of[t.value];
     record.parent[at] = parent.place;
     record.of_area[at] = parent.of_area;
@@ -367,9 +367,9 @@ Vec3f curvature_now(const Cloth& cloth, const BendBlock& block, std::size_t at) 
         const Vec3f apex = x(3 + i) - a;
         const Vec3f beyond = apex.cross(x((i + 2) % 3) - a).normalized();
         const float sine = apex.dot(normal) * block.beyond[i][at], cosine = beyond.dot(normal);
-        constexpr float kLeastCosine = 0.02F, kMostAngle = 3.2F;  // as in triangle_bending_loops.h
-        const float half = sine / std::max(cosine + 1, kLeastCosine);
-        const float angle = std::clamp((4 * half + sine) / 3, -kMostAngle, kMostAngle);
+        constexpr float kMinCosine = 0.02F, kMaxAngle = 3.2F;  // as in triangle_bending_loops.h
+        const float half = sine / std::max(cosine + 1, kMinCosine);
+        const float angle = std::clamp((4 * half + sine) / 3, -kMaxAngle, kMaxAngle);
         bent += angle * Vec3f(block.map[i][at], block.map[3 + i][at], block.map[6 + i][at]);
     }
     return bent;
@@ -410,7 +410,7 @@ void update_coarse_bending_masses(Cloth& cloth, const Kernels& loops, int level)
     for (const TriangleId t : cloth.mesh.refined_triangles(level)) {
         const std::uint32_t slot = bend.slot_of(t);
         float& asked = bend.records[slot / kBlock].asked[slot % kBlock];
-        const float now = solver.lists.asked[place_of(t) / 4];
+        const float now = solver.lists.asked[index_of(t) / 4];
         if (asked != now) bend.dirty.mark_slot(slot);
         asked = now;
         if (bend.blocks[slot / kBlock].realised[slot % kBlock] <= 0) idle.push_back(slot);

@@ -26,14 +26,14 @@ struct Fold {
 };
 
 // Approximates an angle t from its sine s and cosine c by (4 tan(t/2) + s) / 3: error 0.06 % at 0.5 rad, 6 % at a right
-// angle. Towards 180 degrees it grows to kMostAngle. Within about 3 degrees of 180 it falls to 0, because there the
+// angle. Towards 180 degrees it grows to kMaxAngle. Within about 3 degrees of 180 it falls to 0, because there the
 // sign of the fold cannot be determined.
 [[gnu::always_inline]] inline Floats angle_of(Floats sine, Floats cosine) {
-    constexpr float kLeastCosine = 0.02F;  // above -1
-    constexpr float kMostAngle = 3.2F;     // rad
-    const Floats half = sine / lanes::max(cosine + 1.0F, lanes::broadcast(kLeastCosine));
+    constexpr float kMinCosine = 0.02F;  // above -1
+    constexpr float kMaxAngle = 3.2F;    // rad
+    const Floats half = sine / lanes::max(cosine + 1.0F, lanes::broadcast(kMinCosine));
     return held_within(lanes::multiply_add(half, lanes::broadcast(4.0F / 3), sine * lanes::broadcast(1.0F / 3)),
-                       lanes::broadcast(kMostAngle));
+                       lanes::broadcast(kMaxAngle));
 }
 
 // edge: from corner i + 1 to corner i + 2; apex: from corner i + 1 to the apex; normal: unit normal of the triangle.
@@ -240,17 +240,17 @@ using Matrix = std::array<std::array<Floats, 3>, 3>;
     return gain;
 }
 
-// kCap: the maximum share of a mode's error that one iteration of a triangle may correct. kMostStiffness: the resulting
+// kCap: the maximum share of a mode's error that one iteration of a triangle may correct. kMaxStiffness: the resulting
 // maximum of trace(S Sigma), stiffness times response.
 constexpr float kCap = 0.7F;
-constexpr float kMostStiffness = 2 * kCap / (2 - kCap);
+constexpr float kMaxStiffness = 2 * kCap / (2 - kCap);
 
 // Ratio of the springs of friction in bending to the rigidity B. They slip at a curvature of H / (2 B) (H: half of
 // 2HB), about 0.2 /cm, which is small against the 0.5 to 1.5 /cm at which 2HB is measured. With stiffer springs,
 // triangles of 4 mm pass so much up to coarser ones that their drapes are softer than those of larger triangles: for
 // cotton by 16 points at a ratio of 4, by 6 at 2.
 constexpr float kBendStick = 2;
-constexpr float kLeastShare = 0.03F;  // share of the rigidity below which a triangle is not solved
+constexpr float kMinShare = 0.03F;  // share of the rigidity below which a triangle is not solved
 
 // A triangle is solved only every second sub-step, with twice the impulse, if that applies the whole requested rigidity
 // (impulse method of multiple time steps; Tuckerman et al. 1992).
@@ -264,15 +264,15 @@ template <class Block>
     Symmetric stiffness;
     for (std::size_t i = 0; i < 6; ++i) stiffness[i] = load_at(record.stiffness[i], at);
     const Floats room =
-        lanes::broadcast(kMostStiffness) /
+        lanes::broadcast(kMaxStiffness) /
         (trace_of_product(stiffness, sigma) * lanes::multiply_add(has_friction, lanes::broadcast(kBendStick), one));
     const Floats interval = one + lanes::where(asked * 4.0F <= room, one);
     const Floats most = room / (interval * interval);
     for (Floats& s : stiffness) s = s * interval;
-    lanes::store(&block.interval[at], lanes::where(asked >= kLeastShare, interval) +
-                                          lanes::where(asked < kLeastShare, lanes::broadcast(kNeverSolved)));
-    const Floats realised = lanes::where(asked >= kLeastShare, lanes::min(asked, most));
-    lanes::store(&record.handed_up[at], lanes::where(asked >= kLeastShare, asked - realised));
+    lanes::store(&block.interval[at], lanes::where(asked >= kMinShare, interval) +
+                                          lanes::where(asked < kMinShare, lanes::broadcast(kNeverSolved)));
+    const Floats realised = lanes::where(asked >= kMinShare, lanes::min(asked, most));
+    lanes::store(&record.handed_up[at], lanes::where(asked >= kMinShare, asked - realised));
     lanes::store(&block.realised[at], realised);
     for (Floats& s : stiffness) s = s * realised;
     const Matrix left = left_of_angles(stiffness, sigma);

@@ -78,17 +78,17 @@ std::string read_file(const std::filesystem::path& path, std::size_t max_bytes) 
     return content;
 }
 
-void write_file_atomically(const std::filesystem::path& name, std::string_view content) {
-    const std::filesystem::path path = behind_links(name);
-    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+void write_file_atomically(const std::filesystem::path& path, std::string_view content) {
+    const std::filesystem::path target = behind_links(path);
+    const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : std::filesystem::path(".");
     const std::filesystem::path temporary =
-        folder / ("." + path.filename().string() + "." + std::to_string(::getpid()) + ".tmp");
+        folder / ("." + target.filename().string() + "." + std::to_string(::getpid()) + ".tmp");
     try {
         Descriptor file(temporary, O_WRONLY | O_CREAT | O_TRUNC, 0644);
-        if (!file.is_open()) fail(path, "write");
-        write_all(file.get(), content, path);
-        if (::fsync(file.get()) != 0 || !file.close()) fail(path, "write");
-        if (::rename(temporary.c_str(), path.c_str()) != 0) fail(path, "write");
+        if (!file.is_open()) fail(target, "write");
+        write_all(file.get(), content, target);
+        if (::fsync(file.get()) != 0 || !file.close()) fail(target, "write");
+        if (::rename(temporary.c_str(), target.c_str()) != 0) fail(target, "write");
     } catch (...) {
         ::unlink(temporary.c_str());
         throw;

@@ -14,31 +14,41 @@
 namespace selvedge::sim {
 namespace {
 
+#if defined(SELVEDGE_THREAD_SANITIZER)
+void acquire(char& at) {
+    __tsan_acquire(&at);
+}
+void release(char& at) {
+    __tsan_release(&at);
+}
+#else
+void acquire(char&) {}
+void release(char&) {}
+#endif
+
 // Annotates the ordering of a parallel loop for the thread sanitizer, which cannot see into oneTBB: writes before the
 // loop happen before every range, and writes in a range happen before the end of the loop. Ranges are unordered among
-// each other.
-struct LoopOrder {
-    char begun = 0, ended = 0;
+// each other. The same holds if a range throws: oneTBB waits for those that have begun before it rethrows.
+class LoopOrder {
+ public:
+    LoopOrder() { release(begun_); }
+    ~LoopOrder() { acquire(ended_); }
+    LoopOrder(const LoopOrder&) = delete;
+    LoopOrder& operator=(const LoopOrder&) = delete;
 
-#if defined(SELVEDGE_THREAD_SANITIZER)
-    void begin() {
-        __tsan_release(&begun);
-    }
-    void begin_range() {
-        __tsan_acquire(&begun);
-    }
-    void end_range() {
-        __tsan_release(&ended);
-    }
-    void end() {
-        __tsan_acquire(&ended);
-    }
-#else
-    void begin() {}
-    void begin_range() {}
-    void end_range() {}
-    void end() {}
-#endif
+    class Range {
+     public:
+        explicit Range(LoopOrder& loop) : loop_(loop) { acquire(loop_.begun_); }
+        ~Range() { release(loop_.ended_); }
+        Range(const Range&) = delete;
+        Range& operator=(const Range&) = delete;
+
+     private:
+        LoopOrder& loop_;
+    };
+
+ private:
+    char begun_ = 0, ended_ = 0;
 };
 
 }  // namespace
@@ -69,16 +79,13 @@ int allowed_threads() {
 void parallel_for(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) {
     SELVEDGE_ASSERT(grain > 0);
     LoopOrder order;
-    order.begin();
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, count, grain),
         [&](const tbb::blocked_range<std::size_t>& range) {
-            order.begin_range();
+            const LoopOrder::Range in_order(order);
             body(range.begin(), range.end());
-            order.end_range();
         },
         tbb::simple_partitioner());
-    order.end();
 }
 
 }  // namespace selvedge::sim

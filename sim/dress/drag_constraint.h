@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/cloth/step.h"
-#include "sim/dress/draped_panels.h"
+#include "sim/dress/carry_over.h"
 
 namespace selvedge::sim {
 

@@ -99,8 +99,8 @@ DressedGarment dress(const Pattern& pattern, const Body& body, const DressOption
     timer.done("draping");
 
     const Cloth& cloth = *dressing.cloth();
-    inspect(cloth, dressing.collider(), dressing.anchored(), dressing.open_seams(), dressing.result(), report);
-    dressed.mesh = plain_mesh(cloth, dressing.sewn_mesh().panel_names);
+    validate(cloth, dressing.collider(), dressing.anchored(), dressing.open_seams(), dressing.result(), report);
+    dressed.mesh = draw_mesh(cloth, dressing.sewn_mesh().panel_names);
     dressed.hierarchy = triangle_hierarchy(cloth);
     timer.done("inspection");
     report.timing.peak_memory_mb = peak_memory_mb();

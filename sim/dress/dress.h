@@ -5,14 +5,14 @@
 #include "sim/core/parallel.h"
 #include "sim/dress/dressing.h"
 #include "sim/dress/report.h"
-#include "sim/mesh/plain_mesh.h"
+#include "sim/mesh/draw_mesh.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::sim {
 
 // The draped garment: its leaf triangles, their refinement hierarchy, and the report.
 struct DressedGarment {
-    PlainMesh mesh;
+    DrawMesh mesh;
     TriangleHierarchy hierarchy;
     DressReport report;
 };

@@ -115,7 +115,7 @@ std::string describe_seam(const Pattern& pattern, int seam) {
     return "seam " + std::to_string(seam) + ", " + side(sewn.first) + " to " + side(sewn.second);
 }
 
-void inspect_mesh(const Cloth& cloth, DressReport& report) {
+void validate_mesh(const Cloth& cloth, DressReport& report) {
     report.mesh.leaf_triangles = static_cast<int>(cloth.mesh.leaf_triangles().size());
     report.mesh.leaf_vertices = static_cast<int>(cloth.mesh.leaf_vertices().size());
     report.mesh.by_level.assign(static_cast<std::size_t>(cloth.mesh.max_level()) + 1, 0);
@@ -123,8 +123,8 @@ void inspect_mesh(const Cloth& cloth, DressReport& report) {
     for (const std::string& broken : check(cloth.mesh)) add_fault(report, "broken_mesh", broken, 0);
 }
 
-void inspect_contact(const Cloth& cloth, const BodyCollider& body, const Pattern& pattern, const FaultLimits& limits,
-                     DressReport& report) {
+void validate_contact(const Cloth& cloth, const BodyCollider& body, const Pattern& pattern, const FaultLimits& limits,
+                      DressReport& report) {
     VertexId deepest;
     for (const VertexId v : cloth.mesh.leaf_vertices()) {
         const auto closest = body.surface().closest(cloth.x[v.value].head<3>(), std::numeric_limits<float>::infinity());
@@ -152,19 +152,19 @@ Vec3d middle_of(const Cloth& cloth, const LeafTriangle& t) {
 }
 
 StretchStatistics stretch_statistics(const std::vector<TriangleStrain>& strains) {
-    std::vector<double> seam_lines;
+    std::vector<double> yarn_strains;
     std::vector<double> shears;
-    StretchStatistics figures;
+    StretchStatistics statistics;
     for (const TriangleStrain& strain : strains) {
-        seam_lines.push_back(strain.warp);
-        seam_lines.push_back(strain.weft);
+        yarn_strains.push_back(strain.warp);
+        yarn_strains.push_back(strain.weft);
         shears.push_back(strain.shear * 180 / std::numbers::pi);
-        figures.warp_weft_max = std::max(figures.warp_weft_max, static_cast<double>(larger_of(strain)));
+        statistics.warp_weft_max = std::max(statistics.warp_weft_max, static_cast<double>(larger_of(strain)));
     }
-    figures.warp_weft_p50 = quantile(seam_lines, 0.5);
-    figures.warp_weft_p99 = quantile(seam_lines, 0.99);
-    figures.shear_deg_p99 = quantile(shears, 0.99);
-    return figures;
+    statistics.warp_weft_p50 = quantile(yarn_strains, 0.5);
+    statistics.warp_weft_p99 = quantile(yarn_strains, 0.99);
+    statistics.shear_deg_p99 = quantile(shears, 0.99);
+    return statistics;
 }
 
 // For example "smaller than the body and the gap kept from it by up to 7.3 cm, between 1.14 and 1.26 m up: it stretches
@@ -180,7 +180,7 @@ std::string describe_tight(const std::vector<TightLevel>& tight) {
     return text;
 }
 
-void inspect_rest(const DrapeResult& draped, DressReport& report) {
+void validate_rest(const DrapeResult& draped, DressReport& report) {
     if (!draped.settled) {
         add_fault(report, "not_settled", "whole garment, rms speed in m/s", draped.rms_speed);
     } else if (draped.rms_speed > DrapeOptions{}.rest_speed) {
@@ -190,38 +190,38 @@ void inspect_rest(const DrapeResult& draped, DressReport& report) {
 }
 
 // Stretch where the garment is smaller than the body is unavoidable: a note. Elsewhere it is a fault.
-void inspect_stretch(const Cloth& cloth, const Body& body, const Pattern& pattern, const FaultLimits& limits,
-                     DressReport& report) {
+void validate_stretch(const Cloth& cloth, const Body& body, const Pattern& pattern, const FaultLimits& limits,
+                      DressReport& report) {
     const std::vector<TriangleStrain> strains = measure_strain(cloth);
     report.stretch = stretch_statistics(strains);
-    const std::vector<TightLevel> tight = tight_levels(plain_mesh(cloth, {}), body);
+    const std::vector<TightLevel> tight = tight_levels(draw_mesh(cloth, {}), body);
     if (!tight.empty()) report.notes.push_back(describe_tight(tight));
     std::vector<TriangleStrain> free, beyond;  // beyond: strain minus the fabric's strain limit
     std::size_t worst = 0;
-    float most_beyond = -std::numeric_limits<float>::infinity();
+    float max_beyond = -std::numeric_limits<float>::infinity();
     for (std::size_t i = 0; i < strains.size(); ++i) {
         const LeafTriangle& leaf = cloth.mesh.leaf_triangles()[i];
         if (is_tight_at(tight, middle_of(cloth, leaf))) continue;
         free.push_back(strains[i]);
         beyond.push_back(beyond_limit(strains[i], cloth.material.fabrics[leaf.panel]));
-        if (larger_of(beyond.back()) <= most_beyond) continue;
-        most_beyond = larger_of(beyond.back());
+        if (larger_of(beyond.back()) <= max_beyond) continue;
+        max_beyond = larger_of(beyond.back());
         worst = i;
     }
     if (free.empty()) return;
-    const StretchStatistics figures = stretch_statistics(beyond);
+    const StretchStatistics statistics = stretch_statistics(beyond);
     const std::string place = describe_place(cloth, pattern, cloth.mesh.leaf_triangles()[worst].v[0]);
-    if (figures.warp_weft_p99 > limits.stretch_p99) {
+    if (statistics.warp_weft_p99 > limits.stretch_p99) {
         add_fault(report, "overstretched", "99th percentile, worst at " + place,
                   stretch_statistics(free).warp_weft_p99);
     }
-    if (figures.warp_weft_max > limits.stretch_max) {
+    if (statistics.warp_weft_max > limits.stretch_max) {
         add_fault(report, "overstretched", place, static_cast<double>(larger_of(strains[worst])));
     }
 }
 
 // Not a fault of the drape but unwanted: the garment did not hold on the body and lies on the floor.
-void inspect_floor(const Cloth& cloth, DressReport& report) {
+void validate_floor(const Cloth& cloth, DressReport& report) {
     constexpr float kNear = 0.02F;   // m, above the floor
     constexpr double kShare = 0.01;  // of the vertices
     const auto lies = [&](VertexId v) { return cloth.x[v.value].y() < kNear; };
@@ -234,41 +234,20 @@ void inspect_floor(const Cloth& cloth, DressReport& report) {
 
 }  // namespace
 
-void inspect(const Cloth& cloth, const BodyCollider& body, const Pattern& pattern, std::span<const OpenSeam> open_seams,
-             const DrapeResult& draped, DressReport& report, const FaultLimits& limits) {
+void validate(const Cloth& cloth, const BodyCollider& body, const Pattern& pattern,
+              std::span<const OpenSeam> open_seams, const DrapeResult& draped, DressReport& report,
+              const FaultLimits& limits) {
     report.seams.open = static_cast<int>(open_seams.size());
     for (const OpenSeam& open : open_seams) add_fault(report, "open_seam", describe_seam(pattern, open.seam), open.gap);
     if (draped.bad_vertex) {
         add_fault(report, "not_finite", describe_place(cloth, pattern, *draped.bad_vertex), 0);
     } else {
-        inspect_contact(cloth, body, pattern, limits, report);
-        inspect_stretch(cloth, body.body(), pattern, limits, report);
-        inspect_floor(cloth, report);
+        validate_contact(cloth, body, pattern, limits, report);
+        validate_stretch(cloth, body.body(), pattern, limits, report);
+        validate_floor(cloth, report);
     }
-    inspect_rest(draped, report);
-    inspect_mesh(cloth, report);
-}
-
-PlainMesh plain_mesh(const Cloth& cloth, const std::vector<std::string>& panel_names) {
-    PlainMesh mesh;
-    mesh.panel_names = panel_names;
-    mesh.panel_grain_angles = cloth.material.grain_angles;
-    mesh.panel_sett_offsets = cloth.material.sett_offsets;
-    std::vector<std::uint32_t> index(cloth.x.size(), 0);
-    for (const VertexId v : cloth.mesh.leaf_vertices()) {
-        index[v.value] = static_cast<std::uint32_t>(mesh.x.size());
-        mesh.x.push_back(cloth.x[v.value].head<3>());
-        mesh.vertex_level.push_back(cloth.mesh.vertex(v).level);
-    }
-    for (const LeafTriangle& t : cloth.mesh.leaf_triangles()) {
-        const std::array<std::uint32_t, 3> v{index[t.v[0].value], index[t.v[1].value], index[t.v[2].value]};
-        mesh.triangles.push_back(v);
-        mesh.u.push_back(t.u);
-        mesh.panel.push_back(t.panel);
-        mesh.level.push_back(t.level);
-    }
-    mesh.normals = vertex_normals(mesh.x, mesh.triangles);
-    return mesh;
+    validate_rest(draped, report);
+    validate_mesh(cloth, report);
 }
 
 std::string describe_place(const Cloth& cloth, const Pattern& pattern, VertexId vertex) {

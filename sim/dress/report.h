@@ -11,7 +11,7 @@
 #include "sim/cloth/cloth.h"
 #include "sim/dress/drape.h"
 #include "sim/dress/sewing.h"
-#include "sim/mesh/plain_mesh.h"
+#include "sim/mesh/draw_mesh.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::sim {
@@ -140,11 +140,9 @@ struct FaultLimits {
 };
 
 // Fills in mesh counts, contact, stretch, open seams, notes and faults.
-void inspect(const Cloth& cloth, const BodyCollider& body, const Pattern& pattern, std::span<const OpenSeam> open_seams,
-             const DrapeResult& draped, DressReport& report, const FaultLimits& limits = {});
-
-// The leaf triangles in their current position, with material coordinates and level of each.
-PlainMesh plain_mesh(const Cloth& cloth, const std::vector<std::string>& panel_names);
+void validate(const Cloth& cloth, const BodyCollider& body, const Pattern& pattern,
+              std::span<const OpenSeam> open_seams, const DrapeResult& draped, DressReport& report,
+              const FaultLimits& limits = {});
 
 // Position for the user, for example "'front' beside 'left_sleeve' at x 0.123 y 1.340 z 0.051 m".
 std::string describe_place(const Cloth& cloth, const Pattern& pattern, VertexId vertex);

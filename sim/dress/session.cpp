@@ -524,7 +524,7 @@ std::optional<MaterialPoint> Session::Worker::find(const ClothPoint& point) cons
     const std::scoped_lock lock(mutex_);
     const auto found = std::ranges::find(frames_, point.frame, [](const auto& frame) { return frame->number; });
     if (found == frames_.end()) return std::nullopt;
-    const PlainMesh& mesh = (*found)->mesh;
+    const DrawMesh& mesh = (*found)->mesh;
     if (point.triangle >= mesh.triangles.size() || !point.weights.allFinite()) return std::nullopt;
     const std::array<Vec2f, 3>& u = mesh.u[point.triangle];
     return MaterialPoint{mesh.panel[point.triangle],

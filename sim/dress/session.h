@@ -11,7 +11,7 @@
 
 #include "sim/body/body.h"
 #include "sim/dress/dressing.h"
-#include "sim/mesh/plain_mesh.h"
+#include "sim/mesh/draw_mesh.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::sim {
@@ -58,7 +58,7 @@ struct SessionFrame {
     std::uint64_t number = 0;  // increases with each published frame
     SessionStage stage = SessionStage::Empty;
     bool is_running = false;
-    PlainMesh mesh;  // leaf triangles with material coordinates; panels are separate while unsewn
+    DrawMesh mesh;  // leaf triangles with material coordinates; panels are separate while unsewn
     TriangleHierarchy hierarchy;
     std::vector<std::array<Vec3f, 2>> seam_lines;  // m: links of unclosed seams, the positions of both ends
     std::vector<int> seam_line_seams;              // per link: index into Pattern::seams

@@ -20,7 +20,7 @@ void count_triangles(SessionFrame& frame, std::size_t base_triangles) {
 }  // namespace
 
 void show_placed(SessionFrame& frame, const GarmentMesh& unsewn) {
-    PlainMesh& mesh = frame.mesh;
+    DrawMesh& mesh = frame.mesh;
     for (const Vec3d& x : unsewn.x) mesh.x.emplace_back(x.cast<float>());
     mesh.vertex_level.assign(mesh.x.size(), 0);
     for (const GarmentTriangle& t : unsewn.triangles) {
@@ -46,29 +46,9 @@ void show_placed(SessionFrame& frame, const GarmentMesh& unsewn) {
 }
 
 void show_cloth(SessionFrame& frame, const Cloth& cloth, const std::vector<std::string>& panel_names) {
-    frame.mesh = plain_mesh(cloth, panel_names);
+    frame.mesh = draw_mesh(cloth, panel_names);
     frame.hierarchy = triangle_hierarchy(cloth);
     count_triangles(frame, cloth.mesh.base_triangle_count());
-}
-
-namespace {
-
-void add_with_inner(const AdaptiveMesh& mesh, TriangleId id, TriangleHierarchy& all) {
-    const AdaptiveTriangle& t = mesh.triangle(id);
-    all.push_back({.u = t.u, .panel = t.panel, .level = t.level, .is_leaf = is_leaf(t)});
-    if (is_leaf(t)) return;
-    const std::size_t inner = layout(t.configuration).triangle_count;
-    for (std::size_t i = 0; i < inner; ++i) add_with_inner(mesh, t.internal_triangles[i], all);
-}
-
-}  // namespace
-
-TriangleHierarchy triangle_hierarchy(const Cloth& cloth) {
-    TriangleHierarchy all;
-    all.reserve(cloth.mesh.triangles().size());
-    for (std::size_t t = 0; t < cloth.mesh.base_triangle_count(); ++t)
-        add_with_inner(cloth.mesh, TriangleId(static_cast<std::uint32_t>(t)), all);
-    return all;
 }
 
 }  // namespace selvedge::sim

@@ -4,8 +4,8 @@
 
 #include "sim/cloth/cloth.h"
 #include "sim/dress/session.h"
+#include "sim/mesh/draw_mesh.h"
 #include "sim/mesh/garment_mesh.h"
-#include "sim/mesh/plain_mesh.h"
 
 namespace selvedge::sim {
 
@@ -25,10 +25,5 @@ void add_seam_lines(SessionFrame& frame, std::span<const SeamLink> links, const 
         frame.seam_line_seams.push_back(link.seam);
     }
 }
-
-// Refinement hierarchy of a cloth's adaptive mesh as plain data.
-
-// All triangles depth first: base triangles in order, each followed by its internal triangles.
-TriangleHierarchy triangle_hierarchy(const Cloth& cloth);
 
 }  // namespace selvedge::sim

@@ -196,7 +196,7 @@ Json panel_primitive(const PanelPart& part, std::size_t material, const std::vec
 
 }  // namespace
 
-std::string garment_glb(const PlainMesh& mesh) {
+std::string garment_glb(const DrawMesh& mesh) {
     const std::vector<PanelPart> parts = split_by_panel(mesh);
     const std::vector<Vec3f> normals = vertex_normals(mesh);
     Document document;

@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "sim/body/body.h"
-#include "sim/mesh/plain_mesh.h"
+#include "sim/mesh/draw_mesh.h"
 
 namespace selvedge::sim {
 
 // The bytes of the file. Pre: indices are in range, and there is at least one triangle.
-std::string garment_glb(const PlainMesh& mesh);
+std::string garment_glb(const DrawMesh& mesh);
 std::string body_glb(const Body& body);
 
 // Panel names with the grain angles (rad) that garment_glb() writes as extras; empty for files of other programs.

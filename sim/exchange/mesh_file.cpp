@@ -18,14 +18,31 @@
 namespace selvedge::sim {
 namespace {
 
-enum class MeshFormat { Obj, Glb };
+PanelFigures figures_in_obj(std::string_view text, const std::string&) {
+    return {grain_angles_in_obj(text), sett_offsets_in_obj(text)};
+}
 
-MeshFormat format_of(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
-    if (extension == ".obj") return MeshFormat::Obj;
-    if (extension == ".glb") return MeshFormat::Glb;
-    throw InputError(path.string(), "", "'" + extension + "' is not a mesh format: use .obj or .glb");
+PanelFigures figures_in_glb(std::string_view bytes, const std::string& file) {
+    return {grain_angles_in_glb(bytes, file), sett_offsets_in_glb(bytes, file)};
+}
+
+const std::vector<MeshFormat> kFormats{
+    {.extension = ".obj", .garment = garment_obj, .body = body_obj, .panel_figures = figures_in_obj},
+    {.extension = ".glb",
+     .garment = garment_glb,
+     .body = body_glb,
+     .panel_figures = figures_in_glb,
+     .has_panel_materials = true},  // a primitive of glTF has no name of its own
+};
+
+// "use .obj or .glb"
+std::string usable_extensions() {
+    std::string text = "use ";
+    for (std::size_t i = 0; i < kFormats.size(); ++i) {
+        if (i > 0) text += i + 1 < kFormats.size() ? ", " : " or ";
+        text += kFormats[i].extension;
+    }
+    return text;
 }
 
 template <class Vector>
@@ -35,7 +52,7 @@ void check_finite(const std::vector<Vector>& x, const std::filesystem::path& pat
             throw InputError(path.string(), "vertex " + std::to_string(v), "not written: it is not finite");
 }
 
-void check_corners(const PlainMesh& mesh, const std::filesystem::path& path) {
+void check_corners(const DrawMesh& mesh, const std::filesystem::path& path) {
     for (std::size_t t = 0; t < mesh.u.size(); ++t)
         for (const Vec2f& u : mesh.u[t])
             if (!u.allFinite())
@@ -47,13 +64,12 @@ void check_some(std::size_t triangles, const std::filesystem::path& path) {
     if (triangles == 0) throw InputError(path.string(), "", "not written: there are no triangles");
 }
 
-// The panel name of an imported mesh. In glTF it is the name of the material, because primitives have no name.
-std::string panel_name(const ImportedMesh& mesh, MeshFormat format) {
-    if (format == MeshFormat::Glb && !mesh.material.empty()) return mesh.material;
+std::string panel_name(const ImportedMesh& mesh, const MeshFormat& format) {
+    if (format.has_panel_materials && !mesh.material.empty()) return mesh.material;
     return mesh.name;
 }
 
-void add_panel(const ImportedMesh& part, PlainMesh& mesh, std::vector<Vec3d>& corners) {
+void add_panel(const ImportedMesh& part, DrawMesh& mesh, std::vector<Vec3d>& corners) {
     const std::uint32_t first = std::uint32_t(corners.size());
     const std::uint16_t panel = std::uint16_t(mesh.panel_names.size());
     for (const Vec3f& p : part.x) corners.push_back(p.cast<double>());
@@ -65,8 +81,8 @@ void add_panel(const ImportedMesh& part, PlainMesh& mesh, std::vector<Vec3d>& co
 }
 
 // Merges corners at equal positions into vertices. Files duplicate vertices where texture coordinates are
-// discontinuous; a PlainMesh stores them per corner.
-void merge_positions(const std::vector<Vec3d>& corners, PlainMesh& mesh) {
+// discontinuous; a DrawMesh stores them per corner.
+void merge_positions(const std::vector<Vec3d>& corners, DrawMesh& mesh) {
     constexpr double kSame = 1e-6;  // m
     const std::vector<int> same = weld(corners, kSame);
     std::vector<std::uint32_t> place(corners.size());
@@ -83,7 +99,7 @@ void merge_positions(const std::vector<Vec3d>& corners, PlainMesh& mesh) {
 }
 
 template <class T>
-std::vector<T> by_panel(const std::vector<std::pair<std::string, T>>& named, const PlainMesh& mesh, const T& usual) {
+std::vector<T> by_panel(const std::vector<std::pair<std::string, T>>& named, const DrawMesh& mesh, const T& usual) {
     std::vector<T> values(mesh.panel_names.size(), usual);
     for (std::size_t panel = 0; panel < mesh.panel_names.size(); ++panel)
         for (const auto& [name, value] : named)
@@ -91,37 +107,57 @@ std::vector<T> by_panel(const std::vector<std::pair<std::string, T>>& named, con
     return values;
 }
 
-void add_panel_figures(const std::filesystem::path& path, MeshFormat format, PlainMesh& mesh) {
-    const std::string content = read_file(path, ImportLimits().file_bytes);
-    const bool is_obj = format == MeshFormat::Obj;
-    mesh.panel_grain_angles =
-        by_panel(is_obj ? grain_angles_in_obj(content) : grain_angles_in_glb(content, path.string()), mesh, 0.0F);
-    mesh.panel_sett_offsets = by_panel(
-        is_obj ? sett_offsets_in_obj(content) : sett_offsets_in_glb(content, path.string()), mesh, Vec2f(0, 0));
+void add_panel_statistics(const std::filesystem::path& path, const MeshFormat& format, DrawMesh& mesh) {
+    const PanelFigures statistics = format.panel_figures(read_file(path, ImportLimits().file_bytes), path.string());
+    mesh.panel_grain_angles = by_panel(statistics.grain_angles, mesh, 0.0F);
+    mesh.panel_sett_offsets = by_panel(statistics.sett_offsets, mesh, Vec2f(0, 0));
 }
 
 }  // namespace
 
-void write_garment(const PlainMesh& mesh, const std::filesystem::path& path) {
-    const MeshFormat format = format_of(path);
+const std::vector<MeshFormat>& mesh_formats() {
+    return kFormats;
+}
+
+std::vector<std::string_view> mesh_extensions() {
+    std::vector<std::string_view> extensions;
+    for (const MeshFormat& format : kFormats) extensions.push_back(format.extension);
+    return extensions;
+}
+
+const MeshFormat& mesh_format_of(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
+    const auto found = std::ranges::find(kFormats, extension, &MeshFormat::extension);
+    if (found == kFormats.end())
+        throw InputError(path.string(), "", "'" + extension + "' is not a mesh format: " + usable_extensions());
+    return *found;
+}
+
+void write_garment(const DrawMesh& mesh, const std::filesystem::path& path) {
+    write_garment(mesh, path, mesh_format_of(path));
+}
+
+void write_garment(const DrawMesh& mesh, const std::filesystem::path& path, const MeshFormat& format) {
     check_some(mesh.triangles.size(), path);
     check_finite(mesh.x, path);
     check_finite(mesh.normals, path);
     check_corners(mesh, path);
-    write_file_atomically(path, format == MeshFormat::Obj ? garment_obj(mesh) : garment_glb(mesh));
+    write_file_atomically(path, format.garment(mesh));
 }
 
 void write_body(const Body& body, const std::filesystem::path& path) {
-    const MeshFormat format = format_of(path);
+    const MeshFormat& format = mesh_format_of(path);
     check_some(body.triangles.size(), path);
     check_finite(body.x, path);
-    write_file_atomically(path, format == MeshFormat::Obj ? body_obj(body) : body_glb(body));
+    write_file_atomically(path, format.body(body));
 }
 
-PlainMesh read_garment(const std::filesystem::path& path) {
-    const MeshFormat format = format_of(path);
+DrawMesh read_garment(const std::filesystem::path& path) {
+    const MeshFormat& format = mesh_format_of(path);
+    if (format.panel_figures == nullptr) throw InputError(path.string(), "", "this format is written, but not read");
     const ImportedScene scene = guarded_import(path);
-    PlainMesh mesh;
+    DrawMesh mesh;
     std::vector<Vec3d> corners;
     bool has_u = true;
     for (const ImportedMesh& part : scene.meshes) {
@@ -134,7 +170,7 @@ PlainMesh read_garment(const std::filesystem::path& path) {
     if (!has_u) mesh.u.clear();
     merge_positions(corners, mesh);
     mesh.normals = vertex_normals(mesh.x, mesh.triangles);
-    add_panel_figures(path, format, mesh);
+    add_panel_statistics(path, format, mesh);
     return mesh;
 }
 
@@ -160,13 +196,13 @@ std::uint32_t part_vertex(PanelPart& part, Copies& copies, std::uint32_t vertex,
     return added;
 }
 
-std::string panel_name(const PlainMesh& mesh, std::size_t panel) {
+std::string panel_name(const DrawMesh& mesh, std::size_t panel) {
     return panel < mesh.panel_names.size() ? mesh.panel_names[panel] : "panel" + std::to_string(panel);
 }
 
 }  // namespace
 
-std::vector<PanelPart> split_by_panel(const PlainMesh& mesh) {
+std::vector<PanelPart> split_by_panel(const DrawMesh& mesh) {
     SELVEDGE_ASSERT(mesh.panel.empty() || mesh.panel.size() == mesh.triangles.size());
     SELVEDGE_ASSERT(mesh.u.empty() || mesh.u.size() == mesh.triangles.size());
     std::vector<std::vector<std::size_t>> triangles_of_panel;

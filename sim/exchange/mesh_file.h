@@ -1,5 +1,6 @@
 #pragma once
-// Writes garments and bodies to mesh files for other programs, and reads garments. The extension selects the format:
+// Writes garments and bodies to mesh files for other programs, and reads garments. The extension selects the format.
+// mesh_formats() is the table of the formats; a row is all that the program knows of one:
 //   .obj  positions in metres, vt = material coordinates in metres per corner, vn, one group per panel;
 //   .glb  binary glTF 2.0: one primitive per panel, TEXCOORD_0 = material coordinates in metres (as 1 - v, because v
 //         points down in glTF); a body's skeleton and skin if it has them.
@@ -8,24 +9,51 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "sim/body/body.h"
 #include "sim/core/math.h"
-#include "sim/mesh/plain_mesh.h"
+#include "sim/mesh/draw_mesh.h"
 
 namespace selvedge::sim {
 
-// Throw InputError if the extension is neither .obj nor .glb, there are no triangles, a number is not finite, or the
-// file cannot be written. Pre: indices are in range.
-void write_garment(const PlainMesh& mesh, const std::filesystem::path& path);
+// What a file says of its panels beyond the mesh, by panel name.
+struct PanelFigures {
+    std::vector<std::pair<std::string, float>> grain_angles;  // rad
+    std::vector<std::pair<std::string, Vec2f>> sett_offsets;  // m, see Panel::sett_offset
+};
+
+struct MeshFormat {
+    std::string_view extension;                              // lower case: ".obj"
+    std::string (*garment)(const DrawMesh& mesh) = nullptr;  // the bytes of the file
+    std::string (*body)(const Body& body) = nullptr;
+    // The panel data in a file that assimp has accepted; nullptr: the format is written, but not read. file: its name
+    // in error messages.
+    PanelFigures (*panel_figures)(std::string_view bytes, const std::string& file) = nullptr;
+    bool has_panel_materials = false;  // a panel's name is that of its material, not of its mesh
+};
+
+const std::vector<MeshFormat>& mesh_formats();
+
+// Their extensions, in the same order.
+std::vector<std::string_view> mesh_extensions();
+
+// The format of a file, by its extension in upper or lower case. Throws InputError if there is none.
+const MeshFormat& mesh_format_of(const std::filesystem::path& path);
+
+// Throw InputError if the extension is of no format, there are no triangles, a number is not finite, or the file cannot
+// be written. Pre: indices are in range.
+void write_garment(const DrawMesh& mesh, const std::filesystem::path& path);
+void write_garment(const DrawMesh& mesh, const std::filesystem::path& path, const MeshFormat& format);
 void write_body(const Body& body, const std::filesystem::path& path);
 
-// Reads a garment from an .obj or .glb file of Selvedge or another program. Groups or primitives become panels, texture
+// Reads a garment from a file of Selvedge or another program. Groups or primitives become panels, texture
 // coordinates become material coordinates (m), and vertices within 1e-6 m are merged. Grain angles and sett offsets
 // from write_garment() are read separately, because assimp drops them. Throws InputError if the file cannot be read, is
 // not a mesh or exceeds the limits of import (sim/body/guarded_import.h).
-PlainMesh read_garment(const std::filesystem::path& path);
+DrawMesh read_garment(const std::filesystem::path& path);
 
 // One panel of a garment in the layout of mesh files, with one texture coordinate per vertex. A vertex whose corners
 // have different material coordinates (at a seam or dart) is duplicated.
@@ -39,6 +67,6 @@ struct PanelPart {
 };
 
 // One part per panel that has triangles, in panel order.
-std::vector<PanelPart> split_by_panel(const PlainMesh& mesh);
+std::vector<PanelPart> split_by_panel(const DrawMesh& mesh);
 
 }  // namespace selvedge::sim

@@ -5,8 +5,7 @@
 #include <cstddef>
 
 #include "sim/body/section.h"
-#include "sim/mannequin/curves.h"
-#include "sim/mannequin/subdivide.h"
+#include "sim/mannequin/cage.h"
 #include "sim/mannequin/table.h"
 
 namespace selvedge::sim {

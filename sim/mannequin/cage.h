@@ -1,7 +1,8 @@
 #pragma once
 // Topology of the mannequin's control cage: its vertices and quads, derived from ring counts. Rings run around torso,
 // legs, arms and thumbs and share vertices where parts meet (crotch, armhole, thumb), so no boolean operations are
-// needed. The left half is listed; the right half is its mirror image. Also the mannequin's joints.
+// needed. The left half is listed; the right half is its mirror image. Also the mannequin's joints, and the
+// subdivision of cages.
 #include <array>
 #include <cstddef>
 #include <string_view>
@@ -9,9 +10,34 @@
 
 #include "sim/body/body.h"
 #include "sim/core/math.h"
-#include "sim/mannequin/subdivide.h"
 
 namespace selvedge::sim {
+
+// Catmull-Clark subdivision of closed quad meshes with any number of values per vertex, so that positions and skin
+// weights are subdivided together. (Catmull and Clark 1978; limit positions: Halstead, Kass, DeRose 1993)
+
+using Quad = std::array<int, 4>;
+
+// One row per vertex; the first three columns are its position.
+using VertexRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+struct QuadMesh {
+    VertexRows values;
+    std::vector<Quad> quads;  // counter-clockwise seen from outside
+};
+
+// Pre: closed, every edge belongs to two quads. Post: four quads per quad; old vertices keep their indices, followed by
+// the edges' vertices and the quads' vertices.
+QuadMesh subdivide(const QuadMesh& mesh);
+
+// Moves every vertex to its limit position under infinite subdivision.
+void move_to_limit(QuadMesh& mesh);
+
+// Two triangles per quad, split along the shorter diagonal.
+std::vector<std::array<int, 3>> split_quads(const QuadMesh& mesh);
+
+// Edges as vertex pairs, each once, in the order in which the quads first use them.
+std::vector<std::array<int, 2>> quad_edges(const std::vector<Quad>& quads, int vertex_count);
 
 enum class CagePart { Torso, Crown, Bridge, Leg, ToeCap, Arm, HandCap, Thumb, ThumbCap };
 inline constexpr int kCagePartCount = 9;

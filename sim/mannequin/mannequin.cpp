@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-#include "sim/body/self_intersections.h"
+#include "sim/body/surface_repair.h"
 #include "sim/core/error.h"
 #include "sim/mannequin/measures.h"
 #include "sim/mannequin/shape.h"
@@ -20,7 +20,7 @@ namespace {
 constexpr double kEnough = 0.0015;   // relative error below which calibration stops
 constexpr double kPromised = 0.003;  // relative error above which a measure is reported as not met
 constexpr int kMaxRounds = 12;
-constexpr double kMostClearance = 1.1;  // maximum of ShapeParameters::clearance
+constexpr double kMaxClearance = 1.1;  // maximum of ShapeParameters::clearance
 constexpr double kClearanceStep = 0.05;
 
 // The measures of a deformed body, m.
@@ -82,7 +82,7 @@ double relative_error(double value, double wanted) {
 // Whether the chest keeps the shoulders wider than requested.
 bool is_shoulder_held(const ShapeParameters& shape, const Readings& readings, const MannequinOptions& options) {
     const std::optional<double>& asked = options.measures.shoulder;
-    return asked && readings.shoulder > *asked && shape.shoulder < least_shoulder(shape, options.sex);
+    return asked && readings.shoulder > *asked && shape.shoulder < min_shoulder(shape, options.sex);
 }
 
 double worst_error(const Readings& readings, const GirthValues& targets, const MannequinMeasures& asked,
@@ -108,7 +108,7 @@ void correct(ShapeParameters& shape, const Readings& readings, const GirthValues
 }
 
 std::vector<SkinWeights> skin_of(const VertexRows& weights) {
-    constexpr std::size_t kMost = 4;
+    constexpr std::size_t kMax = 4;
     std::vector<SkinWeights> skin(static_cast<std::size_t>(weights.rows()));
     for (std::size_t v = 0; v < skin.size(); ++v) {
         std::array<std::pair<double, std::uint16_t>, kJointCount> shares;
@@ -116,10 +116,10 @@ std::vector<SkinWeights> skin_of(const VertexRows& weights) {
             shares[j] = {-weights(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(j)),
                          static_cast<std::uint16_t>(j)};
         }
-        std::partial_sort(shares.begin(), shares.begin() + kMost, shares.end());  // by weight, then lowest joint
+        std::partial_sort(shares.begin(), shares.begin() + kMax, shares.end());  // by weight, then lowest joint
         double sum = 0;
-        for (std::size_t k = 0; k < kMost; ++k) sum -= shares[k].first;
-        for (std::size_t k = 0; k < kMost; ++k) {
+        for (std::size_t k = 0; k < kMax; ++k) sum -= shares[k].first;
+        for (std::size_t k = 0; k < kMax; ++k) {
             if (shares[k].first == 0) break;
             skin[v].bones[k] = shares[k].second;
             skin[v].weights[k] = static_cast<float>(-shares[k].first / sum);
@@ -171,7 +171,7 @@ void report_stance(MeasureReport& report, const LegGap& gap, double stance, cons
                       degrees(*options.stance), degrees(stance));
         report.messages.emplace_back(text);
     }
-    if (gap.width < kLeastLegGap) {
+    if (gap.width < kMinLegGap) {
         std::snprintf(text, sizeof text, "stance: at %.1f degrees the thighs are only %.1f mm apart", degrees(stance),
                       1000 * gap.width);
         report.messages.emplace_back(text);
@@ -239,7 +239,7 @@ Mannequin make_mannequin(const MannequinOptions& options) {
         calibrate(mannequin, shape, base, options, targets);
         const auto cuts = self_intersections(mannequin.body);
         if (cuts.empty()) return mannequin;
-        if (shape.clearance >= kMostClearance) {
+        if (shape.clearance >= kMaxClearance) {
             mannequin.report.messages.push_back(describe_cuts(mannequin.body, cuts));
             return mannequin;
         }

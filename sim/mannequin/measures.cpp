@@ -108,10 +108,10 @@ void check_options(const MannequinOptions& options) {
         if (*value >= entry.least && *value <= entry.most) continue;  // false for NaN
         refuse(entry, *value, entry.least, entry.most, "");
     }
-    if (options.stance && !(*options.stance >= 0 && *options.stance <= kMostStance)) {  // true for NaN
+    if (options.stance && !(*options.stance >= 0 && *options.stance <= kMaxStance)) {  // true for NaN
         char text[64];
         std::snprintf(text, sizeof text, "%.4g degrees is not between 0 and %.4g degrees", degrees(*options.stance),
-                      degrees(kMostStance));
+                      degrees(kMaxStance));
         throw InputError("mannequin", "stance", text);
     }
     if (options.subdivisions < 1 || options.subdivisions > 4) {
@@ -121,12 +121,12 @@ void check_options(const MannequinOptions& options) {
 }
 
 void check_inseam(const MannequinBase& base, const MannequinMeasures& measures) {
-    constexpr double kLeast = 0.40;
-    constexpr double kMost = 0.53;
+    constexpr double kMin = 0.40;
+    constexpr double kMax = 0.53;
     if (!measures.inseam) return;
     const double height = measures.height.value_or(base.height);
-    if (*measures.inseam >= kLeast * height && *measures.inseam <= kMost * height) return;
-    refuse(kEntries[1], *measures.inseam, kLeast * height, kMost * height, " for a height of " + in_cm(height));
+    if (*measures.inseam >= kMin * height && *measures.inseam <= kMax * height) return;
+    refuse(kEntries[1], *measures.inseam, kMin * height, kMax * height, " for a height of " + in_cm(height));
 }
 
 GirthValues target_girths(const MannequinBase& base, const MannequinMeasures& measures) {
@@ -175,14 +175,14 @@ LegGap measure_leg_gap(const Body& body, double crotch, const Joints& joints) {
 }
 
 std::optional<double> better_stance(double stance, double wanted, const LegGap& gap) {
-    constexpr double kAim = kLeastLegGap + 0.0005;   // m
-    constexpr double kAmple = kLeastLegGap + 0.001;  // m
+    constexpr double kAim = kMinLegGap + 0.0005;   // m
+    constexpr double kAmple = kMinLegGap + 0.001;  // m
     constexpr double kLongestStep = radians(3);
-    const bool is_narrow = gap.width < kLeastLegGap && stance < kMostStance;
+    const bool is_narrow = gap.width < kMinLegGap && stance < kMaxStance;
     const bool is_needlessly_open = gap.width > kAmple && stance > wanted;
     if (!is_narrow && !is_needlessly_open) return std::nullopt;
     const double step = (kAim - gap.width) / (2 * gap.drop);  // both legs rotate
-    return std::clamp(stance + std::clamp(step, -kLongestStep, kLongestStep), wanted, kMostStance);
+    return std::clamp(stance + std::clamp(step, -kLongestStep, kLongestStep), wanted, kMaxStance);
 }
 
 }  // namespace selvedge::sim

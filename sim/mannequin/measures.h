@@ -44,7 +44,7 @@ constexpr double degrees(double radians) {
 // Nearly parallel, as on shop mannequins and people who are being measured: a straight skirt drafted for the girths
 // must close around both calves.
 inline constexpr double kUsualStance = radians(0.9);
-inline constexpr double kMostStance = radians(10);  // maximum that a request or thick thighs may give
+inline constexpr double kMaxStance = radians(10);  // maximum that a request or thick thighs may give
 
 // Rotates the left leg about the hip joint until the line from hip joint to ankle has this angle (rad). Knee and ankle
 // keep their heights and the foot its direction, so it stays flat on the floor.
@@ -57,7 +57,7 @@ struct LegGap {
 };
 LegGap measure_leg_gap(const Body& body, double crotch, const Joints& joints);
 
-inline constexpr double kLeastLegGap = 0.008;  // m
+inline constexpr double kMinLegGap = 0.008;  // m
 
 // The stance (rad) for the next iteration of calibration: opened as far as the gap requires, or closed towards `wanted`
 // as far as the gap allows. nullopt when the current stance is good.

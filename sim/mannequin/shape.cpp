@@ -79,31 +79,31 @@ LimbShape make_arm(const MannequinBase& base, const ShapeParameters& shape, cons
     const Joints& from = base.landmarks.joints;
     const GirthValues& scale = shape.scale;
     const double root = 0.5 * (shoulder_slope_scale(shape) + scale[Girth::Biceps]);
-    constexpr double kLeast = -0.12;
-    constexpr double kMost = 2.15;
+    constexpr double kMin = -0.12;
+    constexpr double kMax = 2.15;
     return {.bones = {make_limb_bone(Joint::LeftUpperArm, Joint::LeftLowerArm, 0, from, to),
                       make_limb_bone(Joint::LeftLowerArm, Joint::LeftHand, 1, from, to)},
-            .profile = Pchip({kLeast, 0.18, kBicepsPosition, 1, kForearmPosition, kWristPosition, kMost},
+            .profile = Pchip({kMin, 0.18, kBicepsPosition, 1, kForearmPosition, kWristPosition, kMax},
                              {root, scale[Girth::Biceps], scale[Girth::Biceps], scale[Girth::Elbow],
                               scale[Girth::Forearm], scale[Girth::Wrist], shape.stature}),
-            .least = kLeast,
-            .most = kMost};
+            .least = kMin,
+            .most = kMax};
 }
 
 LimbShape make_leg(const MannequinBase& base, const ShapeParameters& shape, const Joints& to) {
     const Joints& from = base.landmarks.joints;
     const GirthValues& scale = shape.scale;
     const double root = 0.5 * (scale[Girth::Thigh] + scale[Girth::Hip]);
-    constexpr double kLeast = -0.1;
-    constexpr double kMost = 2.1;
+    constexpr double kMin = -0.1;
+    constexpr double kMax = 2.1;
     return {.bones = {make_limb_bone(Joint::LeftUpperLeg, Joint::LeftLowerLeg, 0, from, to),
                       make_limb_bone(Joint::LeftLowerLeg, Joint::LeftFoot, 1, from, to)},
-            .profile = Pchip(
-                {kLeast, thigh_position(base.landmarks), kMidThighPosition, 1, kCalfPosition, kAnklePosition, kMost},
-                {root, scale[Girth::Thigh], scale[Girth::MidThigh], scale[Girth::Knee], scale[Girth::Calf],
-                 scale[Girth::Ankle], shape.stature}),
-            .least = kLeast,
-            .most = kMost};
+            .profile =
+                Pchip({kMin, thigh_position(base.landmarks), kMidThighPosition, 1, kCalfPosition, kAnklePosition, kMax},
+                      {root, scale[Girth::Thigh], scale[Girth::MidThigh], scale[Girth::Knee], scale[Girth::Calf],
+                       scale[Girth::Ankle], shape.stature}),
+            .least = kMin,
+            .most = kMax};
 }
 
 class BodyShape {
@@ -266,7 +266,7 @@ double chest_scale(const ShapeParameters& shape, Sex sex) {
 }
 
 double shoulder_width_scale(const ShapeParameters& shape, Sex sex) {
-    return std::max(shape.shoulder, least_shoulder(shape, sex));
+    return std::max(shape.shoulder, min_shoulder(shape, sex));
 }
 
 double trunk_part_of_upper_chest(const ShapeParameters& shape, Sex sex) {
@@ -349,7 +349,7 @@ double shoulder_slope_scale(const ShapeParameters& shape) {
 }
 
 // Solves width = clearance * upper chest, where upper chest = trunk part + 0.3 width.
-double least_shoulder(const ShapeParameters& shape, Sex sex) {
+double min_shoulder(const ShapeParameters& shape, Sex sex) {
     return shape.clearance * trunk_part_of_upper_chest(shape, sex) / (1 - shape.clearance * kShoulderPart);
 }
 

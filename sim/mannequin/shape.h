@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/mannequin/base.h"
-#include "sim/mannequin/curves.h"
+#include "sim/mannequin/table.h"
 
 namespace selvedge::sim {
 
@@ -17,7 +17,7 @@ struct ShapeParameters {
     double stature = 1;      // height / height of the base body
     double inseam = 0;       // new height of the base body's crotch level, m
     double arm = 1;          // arm length / that of the base body
-    double shoulder = 1;     // shoulder width / that of the base body, subject to least_shoulder()
+    double shoulder = 1;     // shoulder width / that of the base body, subject to min_shoulder()
     double clearance = 0.9;  // minimum shoulder width relative to the scale of the upper chest
     double stance = 0;       // of each leg, outward from the vertical, rad
     double bust_ratio = 1;   // bust / bust of the base body scaled to this height
@@ -31,7 +31,7 @@ double head_scale(const ShapeParameters& shape);
 double shoulder_slope_scale(const ShapeParameters& shape);
 
 // The smallest scale of the shoulder width at which the arms clear the chest.
-double least_shoulder(const ShapeParameters& shape, Sex sex);
+double min_shoulder(const ShapeParameters& shape, Sex sex);
 
 class TorsoShape {
  public:

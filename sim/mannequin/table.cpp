@@ -1,14 +1,15 @@
 #include "sim/mannequin/table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "sim/core/assert.h"
 #include "sim/core/file.h"
 #include "sim/core/json.h"
-#include "sim/mannequin/curves.h"
 
 namespace selvedge::sim {
 std::span<const EmbeddedFile> mannequin_files();
@@ -24,9 +25,9 @@ constexpr std::array<const char*, kCagePartCount> kPartNames{"torso", "crown",  
 std::vector<Vec3d> read_part(const JsonView& sections) {
     std::vector<Vec3d> points;
     for (std::size_t s = 0; s < sections.size(); ++s) {
-        const std::vector<double> figures = sections.at(s).numbers();
-        for (std::size_t i = 0; i + 2 < figures.size(); i += 3) {
-            points.emplace_back(kUnit * figures[i], kUnit * figures[i + 1], kUnit * figures[i + 2]);
+        const std::vector<double> statistics = sections.at(s).numbers();
+        for (std::size_t i = 0; i + 2 < statistics.size(); i += 3) {
+            points.emplace_back(kUnit * statistics[i], kUnit * statistics[i + 1], kUnit * statistics[i + 2]);
         }
     }
     return points;
@@ -77,11 +78,11 @@ MannequinTable read_mannequin_table(Sex sex, const Cage& cage) {
     const EmbeddedFile& file = mannequin_files().front();
     const std::string name(file.name);
     const Json document = parse_json(file.text, name);
-    const JsonView figures = JsonView(document, name).at(sex == Sex::Female ? "female" : "male");
-    return {.left_points = read_points(figures.at("parts"), cage),
-            .joints = read_joints(figures.at("joints")),
-            .levels = read_levels(figures),
-            .armpit = kUnit * figures.at("armpit_y").number()};
+    const JsonView statistics = JsonView(document, name).at(sex == Sex::Female ? "female" : "male");
+    return {.left_points = read_points(statistics.at("parts"), cage),
+            .joints = read_joints(statistics.at("joints")),
+            .levels = read_levels(statistics),
+            .armpit = kUnit * statistics.at("armpit_y").number()};
 }
 
 namespace {
@@ -287,6 +288,51 @@ VertexRows cage_weights(const Cage& cage, const MannequinTable& table) {
     const auto edges = quad_edges(cage.quads, cage.vertex_count);
     for (int pass = 0; pass < 2; ++pass) smooth(weights, edges);
     return weights;
+}
+
+namespace {
+
+// Three-point formula, limited to avoid overshoot. h: interval widths, d: interval slopes, both from the end inwards.
+double end_slope(double h0, double h1, double d0, double d1) {
+    const double slope = ((2 * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
+    if (slope * d0 <= 0) return 0;
+    if (d0 * d1 <= 0 && std::abs(slope) > 3 * std::abs(d0)) return 3 * d0;
+    return slope;
+}
+
+double inner_slope(double h0, double h1, double d0, double d1) {
+    if (d0 * d1 <= 0) return 0;
+    const double w0 = 2 * h1 + h0;
+    const double w1 = h1 + 2 * h0;
+    return (w0 + w1) / (w0 / d0 + w1 / d1);
+}
+
+}  // namespace
+
+Pchip::Pchip(std::vector<double> x, std::vector<double> y) : x_(std::move(x)), y_(std::move(y)) {
+    const std::size_t n = x_.size();
+    SELVEDGE_ASSERT(n >= 3 && y_.size() == n);
+    std::vector<double> h;
+    std::vector<double> d;
+    for (std::size_t i = 0; i + 1 < n; ++i) {
+        h.push_back(x_[i + 1] - x_[i]);
+        SELVEDGE_ASSERT(h.back() > 0);
+        d.push_back((y_[i + 1] - y_[i]) / h.back());
+    }
+    slope_.push_back(end_slope(h[0], h[1], d[0], d[1]));
+    for (std::size_t i = 1; i + 1 < n; ++i) slope_.push_back(inner_slope(h[i - 1], h[i], d[i - 1], d[i]));
+    slope_.push_back(end_slope(h[n - 2], h[n - 3], d[n - 2], d[n - 3]));
+}
+
+double Pchip::operator()(double x) const {
+    const auto above = std::upper_bound(x_.begin() + 1, x_.end() - 1, x) - x_.begin();
+    const auto i = static_cast<std::size_t>(above) - 1;
+    const double h = x_[i + 1] - x_[i];
+    const double t = (x - x_[i]) / h;
+    const double t2 = t * t;
+    const double t3 = t2 * t;
+    return (2 * t3 - 3 * t2 + 1) * y_[i] + (t3 - 2 * t2 + t) * h * slope_[i] + (3 * t2 - 2 * t3) * y_[i + 1] +
+           (t3 - t2) * h * slope_[i + 1];
 }
 
 }  // namespace selvedge::sim

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "sim/core/assert.h"
-#include "sim/mesh/planar.h"
+#include "sim/mesh/sample_outline.h"
 #include "sim/mesh/sew.h"
 #include "sim/pattern/outline.h"
 
@@ -231,7 +231,7 @@ struct Share {
     auto operator<=>(const Share&) const = default;
 };
 
-std::vector<Share> sorted_shares(const PlainMesh& mesh) {
+std::vector<Share> sorted_shares(const DrawMesh& mesh) {
     std::vector<Share> shares;
     shares.reserve(3 * mesh.triangles.size());
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -246,7 +246,7 @@ std::vector<Share> sorted_shares(const PlainMesh& mesh) {
 
 }  // namespace
 
-std::vector<MeshStrain> measure_strain(const PlainMesh& mesh) {
+std::vector<MeshStrain> measure_strain(const DrawMesh& mesh) {
     SELVEDGE_ASSERT(mesh.u.size() == mesh.triangles.size());
     std::vector<MeshStrain> strains;
     strains.reserve(mesh.triangles.size());
@@ -261,7 +261,7 @@ std::vector<MeshStrain> measure_strain(const PlainMesh& mesh) {
     return strains;
 }
 
-std::vector<std::array<float, 3>> smooth_in_panels(const PlainMesh& mesh, const std::vector<float>& values) {
+std::vector<std::array<float, 3>> smooth_in_panels(const DrawMesh& mesh, const std::vector<float>& values) {
     SELVEDGE_ASSERT(values.size() == mesh.triangles.size() && mesh.u.size() == mesh.triangles.size());
     std::vector<std::array<float, 3>> corners(mesh.triangles.size(), {0, 0, 0});
     const std::vector<Share> shares = sorted_shares(mesh);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/core/math.h"
-#include "sim/mesh/plain_mesh.h"
+#include "sim/mesh/draw_mesh.h"
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::sim {
@@ -79,11 +79,11 @@ struct MeshStrain {
 };
 
 // One per triangle; 0 where the triangle has zero area in material space. Pre: the mesh has material coordinates.
-std::vector<MeshStrain> measure_strain(const PlainMesh& mesh);
+std::vector<MeshStrain> measure_strain(const DrawMesh& mesh);
 
 // Converts values per triangle to values per corner: the mean over the triangles of the same panel around the vertex,
 // weighted by area in material space. Panels are not mixed, because yarn directions change at a seam.
 // Pre: one value per triangle; the mesh has material coordinates.
-std::vector<std::array<float, 3>> smooth_in_panels(const PlainMesh& mesh, const std::vector<float>& values);
+std::vector<std::array<float, 3>> smooth_in_panels(const DrawMesh& mesh, const std::vector<float>& values);
 
 }  // namespace selvedge::sim

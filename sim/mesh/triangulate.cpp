@@ -12,7 +12,6 @@
 
 #include "sim/core/assert.h"
 #include "sim/core/error.h"
-#include "sim/mesh/planar.h"
 #include "sim/mesh/sample_outline.h"
 #include "sim/pattern/outline.h"
 
@@ -318,7 +317,7 @@ namespace {
 constexpr double kGrowth = 0.35;        // increase of the target length per distance from the outline, m/m
 constexpr double kOffOutline = 0.6;     // minimum distance of a point from the outline / target length
 constexpr double kOffNeighbours = 0.8;  // minimum distance between points / target length
-constexpr int kMostLevels = 5;          // of the grid, each with half the spacing of the previous one
+constexpr int kMaxLevels = 5;           // of the grid, each with half the spacing of the previous one
 
 struct Box {
     Vec2d low;
@@ -385,7 +384,7 @@ std::vector<Vec2d> place_interior_points(std::span<const Vec2d> outline, const S
     const Box box = box_of(outline);
     std::vector<Vec2d> placed;
     double edge = target_edge;
-    for (int level = 0; level < kMostLevels; ++level) {
+    for (int level = 0; level < kMaxLevels; ++level) {
         for (const Vec2d& point : hexagonal_grid(box, edge, pose)) {
             if (!is_inside(point, outline)) continue;
             const double wanted = size.at(point);
@@ -528,6 +527,7 @@ std::vector<int> bad_triangles(const PlanarMesh& mesh) {
     }
     std::ranges::sort(bad);
     std::vector<int> order;
+    order.reserve(bad.size());
     for (const auto& [angle, index] : bad) order.push_back(index);
     return order;
 }

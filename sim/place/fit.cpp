@@ -43,7 +43,7 @@ bool is_above(const Vec3f& x, double y) {
     return static_cast<double>(x.y()) > y;
 }
 
-std::optional<CutSegment> cut_triangle(const PlainMesh& garment, std::size_t triangle, double y) {
+std::optional<CutSegment> cut_triangle(const DrawMesh& garment, std::size_t triangle, double y) {
     const auto& vertices = garment.triangles[triangle];
     const auto& corners = garment.u[triangle];
     CutSegment segment;
@@ -70,7 +70,7 @@ std::optional<CutSegment> cut_triangle(const PlainMesh& garment, std::size_t tri
 }
 
 // Sorted by entry edge.
-std::vector<CutSegment> cut(const PlainMesh& garment, double y) {
+std::vector<CutSegment> cut(const DrawMesh& garment, double y) {
     std::vector<CutSegment> segments;
     for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
         if (const auto segment = cut_triangle(garment, t, y)) segments.push_back(*segment);
@@ -130,7 +130,7 @@ double enclosed_girth(const GarmentLoop& garment, const std::vector<SectionLoop>
     return tape_length(enclosed, plane);
 }
 
-void add_tight_loops(const PlainMesh& garment, const Body& body, const FitOptions& options, double y,
+void add_tight_loops(const DrawMesh& garment, const Body& body, const FitOptions& options, double y,
                      std::vector<TightLevel>& levels) {
     const std::vector<GarmentLoop> loops = closed_loops(cut(garment, y));
     if (loops.empty()) return;
@@ -151,7 +151,7 @@ void add_tight_loops(const PlainMesh& garment, const Body& body, const FitOption
 
 }  // namespace
 
-std::vector<TightLevel> tight_levels(const PlainMesh& garment, const Body& body, const FitOptions& options) {
+std::vector<TightLevel> tight_levels(const DrawMesh& garment, const Body& body, const FitOptions& options) {
     SELVEDGE_ASSERT(options.step > 0);
     SELVEDGE_ASSERT(garment.u.size() == garment.triangles.size());
     SELVEDGE_ASSERT(std::all_of(garment.x.begin(), garment.x.end(), [](const Vec3f& x) { return x.allFinite(); }));

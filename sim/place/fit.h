@@ -7,7 +7,7 @@
 
 #include "sim/body/body.h"
 #include "sim/core/math.h"
-#include "sim/mesh/plain_mesh.h"
+#include "sim/mesh/draw_mesh.h"
 
 namespace selvedge::sim {
 
@@ -31,7 +31,7 @@ struct TightLevel {
 // several times: for the torso and two sleeves. A sleeve and the arm in it are cut obliquely, but by the same plane.
 // One tape goes around both legs in a skirt. Open garment sections have no girth and are skipped. Pre: triangles have
 // corner material coordinates and consistent orientation; positions are finite.
-std::vector<TightLevel> tight_levels(const PlainMesh& garment, const Body& body, const FitOptions& options = {});
+std::vector<TightLevel> tight_levels(const DrawMesh& garment, const Body& body, const FitOptions& options = {});
 
 // Whether the height is within reach of a tight level.
 bool is_tight_at(const std::vector<TightLevel>& levels, double y, const FitOptions& options = {});

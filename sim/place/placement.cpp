@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <string_view>
 
 #include "sim/body/section.h"
 #include "sim/collide/body_collider.h"
+#include "sim/collide/surface_bvh.h"
+#include "sim/pattern/outline.h"
 
 namespace selvedge::sim {
 namespace {
@@ -171,6 +175,292 @@ std::vector<std::string> make_sewable(GarmentMesh& unsewn, const BodyCollider& b
     }
     for (std::string& note : clear_panels(unsewn, body)) notes.push_back(std::move(note));
     return notes;
+}
+
+namespace {
+
+constexpr double kClear = 0.022;       // m, from the torso or limb that the point belongs to
+constexpr double kPanelClear = 0.012;  // m, between a wrapped panel and the body
+constexpr double kMinClear = 0.006;    // m, from any part of the body: a nearer point, as between thighs, is left out
+constexpr double kFurthest = 0.040;    // m, from its own level: limit on the clearance for levels above and below
+
+// A section of a torso or limb, around which a cylinder is fitted.
+struct Cut {
+    std::vector<Vec3d> points;  // of the level itself
+    std::vector<Vec3d> nearby;  // also of levels above and below
+    Vec3d centre = Vec3d::Zero();
+};
+
+struct Direction {
+    std::string_view name;
+    Vec3d outward = Vec3d::Zero();
+};
+
+double widest_x(const std::vector<Vec3d>& points, const Vec3d& centre) {
+    double widest = 0;
+    for (const Vec3d& p : points) widest = std::max(widest, std::abs(p.x() - centre.x()));
+    return widest;
+}
+
+// Torso.
+
+// Section points of the trunk or of both legs. Arms and hands are excluded: they are thin or far from the centre.
+std::vector<Vec3d> trunk_points(const Body& body, double y, double stature) {
+    const std::vector<SectionLoop> loops = section(body, {.point = Vec3d(0, y, 0)});
+    double largest = 0;
+    const auto is_middle = [&](const SectionLoop& loop) { return std::abs(loop.centre.x()) < 0.1 * stature; };
+    for (const SectionLoop& loop : loops) {
+        if (is_middle(loop)) largest = std::max(largest, loop.area);
+    }
+    std::vector<Vec3d> points;
+    for (const SectionLoop& loop : loops) {
+        if (is_middle(loop) && loop.area > 0.35 * largest)
+            points.insert(points.end(), loop.points.begin(), loop.points.end());
+    }
+    return points;
+}
+
+Vec3d middle_of_box(const std::vector<Vec3d>& points) {
+    Eigen::AlignedBox3d box;
+    for (const Vec3d& p : points) box.extend(p);
+    return box.center();
+}
+
+struct TorsoLevel {
+    std::string_view name;
+    double y = 0;      // m
+    double reach = 0;  // m above and below that a panel placed here must clear
+};
+
+// Height of the smallest girth of the trunk, m.
+double waist_level(const Body& body, const HeightRange& height) {
+    const double stature = height.high - height.low;
+    double least = std::numeric_limits<double>::max();
+    double waist = height.low + 0.62 * stature;
+    for (double share = 0.57; share < 0.685; share += 0.01) {
+        const double y = height.low + share * stature;
+        const std::vector<Vec3d> points = trunk_points(body, y, stature);
+        if (points.empty()) continue;
+        const double girth = tape_length({.points = points, .centre = {}, .area = 0}, {.point = Vec3d(0, y, 0)});
+        if (girth >= least) continue;
+        least = girth;
+        waist = y;
+    }
+    return waist;
+}
+
+double joint_height(const Body& body, std::string_view name, double otherwise) {
+    const auto found = std::ranges::find(body.bones, name, &Bone::name);
+    return found == body.bones.end() ? otherwise : found->joint.y();
+}
+
+std::array<TorsoLevel, 5> torso_levels(const Body& body) {
+    const HeightRange height = height_range(body);
+    const double stature = height.high - height.low;
+    const auto at = [&](double share) { return height.low + share * stature; };
+    const double hip = joint_height(body, "hips", at(0.525)) - 0.037 * stature;
+    return {{{"neck", joint_height(body, "neck", at(0.848)) + 0.012 * stature, 0},
+             {"chest", at(0.728), 0.08},
+             {"waist", waist_level(body, height), 0.08},
+             {"hip", hip, 0.08},
+             {"below hip", hip - 0.07 * stature, 0.04}}};
+}
+
+std::optional<Cut> cut_torso(const Body& body, const TorsoLevel& level) {
+    constexpr double kMuchWider = 1.45;  // so much wider where the arms join the trunk
+    const HeightRange height = height_range(body);
+    Cut cut;
+    cut.points = trunk_points(body, level.y, height.high - height.low);
+    if (cut.points.empty()) return std::nullopt;
+    cut.centre = middle_of_box(cut.points);
+    cut.nearby = cut.points;
+    for (const double way : {-1.0, -0.5, 0.5, 1.0}) {
+        if (level.reach == 0) break;
+        const auto points = trunk_points(body, level.y + way * level.reach, height.high - height.low);
+        if (widest_x(points, cut.centre) > kMuchWider * widest_x(cut.points, cut.centre)) continue;
+        cut.nearby.insert(cut.nearby.end(), points.begin(), points.end());
+    }
+    return cut;
+}
+
+// Limbs.
+
+struct Limb {
+    std::string name;  // "left upper arm"
+    Vec3d top = Vec3d::Zero();
+    Vec3d bottom = Vec3d::Zero();
+    double share = 0.5;  // fraction of the way from top to bottom
+};
+
+std::optional<Cut> cut_limb(const Body& body, const Limb& limb) {
+    const Vec3d point = limb.top + limb.share * (limb.bottom - limb.top);
+    const auto loop =
+        nearest_loop(section(body, {.point = point, .normal = (limb.top - limb.bottom).normalized()}), point);
+    if (!loop || (loop->centre - point).norm() > 0.1) return std::nullopt;
+    return Cut{.points = loop->points, .nearby = loop->points, .centre = loop->centre};
+}
+
+struct LimbBones {
+    std::string_view name, top, bottom;
+    double share;
+};
+constexpr std::array<LimbBones, 4> kLimbs{{{"upper arm", "upper_arm", "lower_arm", 0.6},
+                                           {"forearm", "lower_arm", "hand", 0.35},
+                                           {"thigh", "upper_leg", "lower_leg", 0.55},
+                                           {"calf", "lower_leg", "foot", 0.3}}};
+
+std::vector<Limb> limbs_of_bones(const Body& body) {
+    std::vector<Limb> limbs;
+    const auto add = [&](const std::string& side, const LimbBones& bones) {
+        const auto top = std::ranges::find(body.bones, side + "_" + std::string(bones.top), &Bone::name);
+        const auto bottom = std::ranges::find(body.bones, side + "_" + std::string(bones.bottom), &Bone::name);
+        if (top == body.bones.end() || bottom == body.bones.end()) return;
+        limbs.push_back({side + " " + std::string(bones.name), top->joint, bottom->joint, bones.share});
+    };
+    for (const std::size_t first : {0U, 2U}) {  // arms, then legs
+        for (const std::string side : {"left", "right"}) {
+            add(side, kLimbs[first]);
+            add(side, kLimbs[first + 1]);
+        }
+    }
+    return limbs;
+}
+
+// Centre of the loop farthest to the given side at a level, if it is off the body's middle.
+std::optional<Vec3d> outermost(const Body& body, double y, double side) {
+    std::optional<Vec3d> found;
+    double most = 0.01;
+    for (const SectionLoop& loop : section(body, {.point = Vec3d(0, y, 0)})) {
+        if (side * loop.centre.x() <= most) continue;
+        most = side * loop.centre.x();
+        found = loop.centre;
+    }
+    return found;
+}
+
+// Without a skeleton: limbs from horizontal sections.
+std::vector<Limb> limbs_of_sections(const Body& body) {
+    struct Levels {
+        std::string_view name;
+        double top, bottom;  // as a fraction of the stature
+    };
+    const std::array<Levels, 4> levels{
+        {{"upper arm", 0.74, 0.69}, {"forearm", 0.66, 0.63}, {"thigh", 0.40, 0.34}, {"calf", 0.24, 0.20}}};
+    const HeightRange height = height_range(body);
+    std::vector<Limb> limbs;
+    for (const std::size_t first : {0U, 2U}) {
+        for (const double side : {1.0, -1.0}) {
+            for (const std::size_t i : {first, first + 1}) {
+                const auto at = [&](double share) { return height.low + share * (height.high - height.low); };
+                const auto top = outermost(body, at(levels[i].top), side);
+                const auto bottom = outermost(body, at(levels[i].bottom), side);
+                if (!top || !bottom) continue;
+                limbs.push_back({(side > 0 ? "left " : "right ") + std::string(levels[i].name), *top, *bottom});
+            }
+        }
+    }
+    return limbs;
+}
+
+// Points.
+
+// Radius of the smallest circle through `at`, with its centre on the body's side, that encloses all points with the
+// panel's clearance.
+double radius_round(const Cut& cut, const Vec3d& at, const Vec3d& outward, const Vec3d& upward) {
+    double radius = 0.03;
+    for (const Vec3d& p : cut.nearby) {
+        const Vec3d to = (p - at) - (p - at).dot(upward) * upward;
+        const double along = -to.dot(outward);
+        const double squared = to.squaredNorm() - kPanelClear * kPanelClear;
+        if (along > 1.2 * kPanelClear) radius = std::max(radius, squared / (2 * (along - kPanelClear)));
+    }
+    return std::min(radius, 1.0);
+}
+
+std::optional<ArrangementPoint> point_at(const Cut& cut, const Direction& direction, const Vec3d& upward,
+                                         const SurfaceBvh& surface) {
+    const auto farthest = [&](const std::vector<Vec3d>& points) {
+        double most = 0;
+        for (const Vec3d& p : points) most = std::max(most, (p - cut.centre).dot(direction.outward));
+        return most;
+    };
+    const double own = farthest(cut.points);
+    const double all = std::max(own, std::min(farthest(cut.nearby), own + kFurthest - kClear));
+    for (const double clear : {kClear, 0.014, 0.009}) {
+        ArrangementPoint point;
+        point.outward = direction.outward;
+        point.upward = upward;
+        point.position = cut.centre + (all + clear) * direction.outward;
+        const auto closest = surface.closest(point.position.cast<float>(), std::numeric_limits<float>::infinity());
+        if (closest && closest->distance < static_cast<float>(kMinClear)) continue;
+        point.radius = radius_round(cut, point.position, point.outward, upward);
+        return point;
+    }
+    return std::nullopt;
+}
+
+void add_points(std::vector<ArrangementPoint>& points, const std::string& name, const Cut& cut, const Vec3d& upward,
+                const std::array<Direction, 4>& directions, const SurfaceBvh& surface) {
+    for (const Direction& direction : directions) {
+        auto point = point_at(cut, direction, upward, surface);
+        if (!point) continue;
+        point->name = name + " " + std::string(direction.name);
+        points.push_back(std::move(*point));
+    }
+}
+
+std::array<Direction, 4> directions_about(const Limb& limb, const Vec3d& upward) {
+    const auto across = [&](const Vec3d& way) { return Vec3d((way - way.dot(upward) * upward).normalized()); };
+    const Vec3d front = across(Vec3d::UnitZ());
+    const Vec3d outside = across(limb.name.starts_with("left") ? Vec3d(Vec3d::UnitX()) : Vec3d(-Vec3d::UnitX()));
+    return {{{"outside", outside}, {"front", front}, {"back", -front}, {"inside", -outside}}};
+}
+
+Eigen::AlignedBox2d box_of(const Panel& panel) {
+    constexpr double kChordError = 0.0005;  // m
+    Eigen::AlignedBox2d box;
+    for (const OutlineEdge& edge : panel.edges) {
+        for (const Vec2d& u : outline_polyline(panel, edge, kChordError)) box.extend(u);
+    }
+    return box;
+}
+
+}  // namespace
+
+std::vector<ArrangementPoint> arrangement_points(const Body& body) {
+    std::vector<ArrangementPoint> points;
+    if (body.triangles.empty()) return points;
+    const SurfaceBvh surface(body);
+    const std::array<Direction, 4> ways{
+        {{"front", Vec3d::UnitZ()}, {"back", -Vec3d::UnitZ()}, {"left", Vec3d::UnitX()}, {"right", -Vec3d::UnitX()}}};
+    for (const TorsoLevel& level : torso_levels(body)) {
+        if (const auto cut = cut_torso(body, level))
+            add_points(points, std::string(level.name), *cut, Vec3d::UnitY(), ways, surface);
+    }
+    for (const Limb& limb : body.bones.empty() ? limbs_of_sections(body) : limbs_of_bones(body)) {
+        const Vec3d upward = (limb.top - limb.bottom).normalized();
+        if (const auto cut = cut_limb(body, limb))
+            add_points(points, limb.name, *cut, upward, directions_about(limb, upward), surface);
+    }
+    return points;
+}
+
+// The wrap bends about the panel's x = 0. If that is not its centre, the panel is rotated until its centre faces
+// outward.
+void arrange(Panel& panel, const ArrangementPoint& point) {
+    const Eigen::AlignedBox2d box = box_of(panel);
+    if (box.isEmpty()) return;
+    const Vec2d middle = box.center();
+    const double side = panel.is_mirrored ? -1 : 1;  // the right side faces along side * z
+    Eigen::Matrix3d frame;
+    frame.col(1) = point.upward;
+    frame.col(2) = side * point.outward;
+    frame.col(0) = frame.col(1).cross(frame.col(2));
+    panel.wrap_radius = point.radius;
+    const double turned = middle.x() / panel.wrap_radius;
+    panel.rotation = frame * Eigen::AngleAxisd(-turned, Vec3d::UnitY()).toRotationMatrix();
+    panel.translation.setZero();
+    panel.translation = point.position - panel.place(middle);
 }
 
 }  // namespace selvedge::sim

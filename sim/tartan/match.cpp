@@ -24,7 +24,7 @@ constexpr double kNearlyMet = 2e-3;                // m, mismatch that is invisi
 constexpr double kMatchable = 6e-3;                // m, a seam with a larger best mismatch has lower priority
 constexpr double kOffsetStep = 1e-6;               // m, resolution of offsets in files
 constexpr double kSameSample = 1e-5;               // m, samples this close are merged
-constexpr double kMostSamples = 2e5;               // per garment, limits the time for thousands of seams
+constexpr double kMaxSamples = 2e5;                // per garment, limits the time for thousands of seams
 
 using Family = Eigen::Index;  // 0: the warp's stripes, 1: the weft's
 
@@ -266,7 +266,7 @@ class FamilyMatch {
             double weight = 0;
             const std::string* name = nullptr;
         };
-        const double most = std::clamp(kMostSamples / static_cast<double>(seams_.size() + 1), 32.0, 1024.0);
+        const double most = std::clamp(kMaxSamples / static_cast<double>(seams_.size() + 1), 32.0, 1024.0);
         std::vector<Ordered> ordered;
         for (std::size_t s = 0; s < seams_.size(); ++s) {
             const SeamLines& seam = seams_[s];

@@ -10,12 +10,12 @@ constexpr int kSceneSide = 640;  // px at scale 1
 
 }  // namespace
 
-FakeEditor::FakeEditor(render::Scene scene, float turn, const std::string& font, bool is_draft)
+FakeEditor::FakeEditor(render::Scene scene, float turn, const std::string& font, bool is_preview)
     : context_(ImGui::CreateContext()),
       scene_(std::make_shared<const render::Scene>(std::move(scene))),
       camera_(scene_->camera),
       turn_(turn),
-      is_draft_(is_draft) {
+      is_draft_(is_preview) {
     ImGui::SetCurrentContext(context_);
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
@@ -43,7 +43,7 @@ editor::SceneRequest FakeEditor::scene_to_draw() {
             .light = scene_->light,
             .width_px = kSceneSide,
             .height_px = kSceneSide,
-            .is_draft = is_draft_};
+            .is_preview = is_draft_};
 }
 
 void FakeEditor::fill() {

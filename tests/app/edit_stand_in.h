@@ -11,7 +11,7 @@ namespace selvedge::app {
 class FakeEditor : public EditSurface {
  public:
     // Rotates the scene's camera by `turn` (rad) each frame.
-    explicit FakeEditor(render::Scene scene, float turn = 0, const std::string& font = {}, bool is_draft = true);
+    explicit FakeEditor(render::Scene scene, float turn = 0, const std::string& font = {}, bool is_preview = true);
     ~FakeEditor() override;
 
     editor::FrameOutput frame(const FrameInput& input) override;

@@ -14,7 +14,7 @@
 
 namespace selvedge::app {
 
-RunningProgram::RunningProgram(const std::vector<std::string>& words, const std::vector<std::string>& environment,
+RunningProgram::RunningProgram(const std::vector<std::string>& text, const std::vector<std::string>& environment,
                                const std::string& out_file) {
     pid_ = fork();
     if (pid_ != 0) return;
@@ -23,7 +23,7 @@ RunningProgram::RunningProgram(const std::vector<std::string>& words, const std:
     dup2(out, STDERR_FILENO);
     for (const std::string& setting : environment) putenv(const_cast<char*>(setting.c_str()));
     std::vector<char*> arguments;
-    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    for (const std::string& word : text) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     execvp(arguments[0], arguments.data());
     _exit(127);
@@ -74,8 +74,8 @@ RealDisplay::RealDisplay(int width_px, int height_px) {
     is_ready_ = wait_until(has_number) && !number_.empty();
 }
 
-std::string RealDisplay::hand(const std::string& words) const {
-    return run_command(environment() + " xdotool " + words).out;
+std::string RealDisplay::hand(const std::string& text) const {
+    return run_command(environment() + " xdotool " + text).out;
 }
 
 std::string RealDisplay::title() const {

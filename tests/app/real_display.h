@@ -17,7 +17,7 @@ namespace selvedge::app {
 class RunningProgram {
  public:
     // words: the program and its arguments. environment: "NAME=value", added to the test's own environment.
-    RunningProgram(const std::vector<std::string>& words, const std::vector<std::string>& environment,
+    RunningProgram(const std::vector<std::string>& text, const std::vector<std::string>& environment,
                    const std::string& out_file);
     ~RunningProgram();
     RunningProgram(const RunningProgram&) = delete;
@@ -54,7 +54,7 @@ class RealDisplay {
     void key_with(const std::string& held, const std::string& name) const;  // "ctrl", "s"
 
  private:
-    std::string hand(const std::string& words) const;
+    std::string hand(const std::string& text) const;
 
     ScratchFolder scratch_;
     std::unique_ptr<RunningProgram> server_;

@@ -72,13 +72,13 @@ struct Columns {
 
 // Allows some different pixels at the ends of lines, which depend on rounding.
 bool is_same(const render::Image& a, const render::Image& b, const Columns& columns = {}) {
-    constexpr int kMostOther = 200;
+    constexpr int kMaxOther = 200;
     if (a.width_px != b.width_px || a.height_px != b.height_px) return false;
     int other = 0;
     for (int y = 0; y < a.height_px; ++y) {
         for (int x = columns.low; x < columns.high; ++x) other += a.at(x, y) != b.at(x, y) ? 1 : 0;
     }
-    return other <= kMostOther;
+    return other <= kMaxOther;
 }
 
 class EditWindowTest : public testing::Test {

@@ -1,11 +1,9 @@
 // The editor's file and export services.
-#include "app/editor_services.h"
-
 #include <gtest/gtest.h>
-
 #include <filesystem>
 #include <fstream>
 
+#include "app/editor_services.h"
 #include "render/image/image.h"
 #include "sim/core/error.h"
 #include "sim/exchange/mesh_file.h"
@@ -27,7 +25,7 @@ class EditorServices : public testing::Test {
 
 editor::ExportRequest triangle_to(const std::string& file) {
     editor::ExportRequest request{.file = file, .scene = std::make_shared<const render::Scene>()};
-    sim::PlainMesh& mesh = request.garment;
+    sim::DrawMesh& mesh = request.garment;
     mesh.x = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     mesh.normals.assign(3, Vec3f(0, 0, 1));
     mesh.triangles = {{0, 1, 2}};
@@ -105,4 +103,56 @@ TEST_F(EditorServices, a_journal_is_offered_with_its_changes_and_goes_where_it_h
 }
 
 }  // namespace
+
+// The list of recent files.
+
+namespace {
+
+using Files = std::vector<std::string>;
+
+TEST(RecentFiles, come_newest_first_each_once_and_only_while_they_are_there) {
+    const ScratchFolder folder;
+    const RecentFiles recent(folder / "recent.json");
+    EXPECT_TRUE(recent.list().empty());
+    for (const char* name : {"a", "b"}) std::ofstream(folder / name) << name;
+    recent.add(folder / "a");
+    recent.add(folder / "b");
+    recent.add((folder.path() / "." / "a").string());
+    EXPECT_EQ(recent.list(), (Files{folder / "a", folder / "b"}));
+    std::filesystem::remove(folder / "a");
+    EXPECT_EQ(recent.list(), Files{folder / "b"});
+}
+
+TEST(RecentFiles, are_a_dozen_at_most) {
+    const ScratchFolder folder;
+    const RecentFiles recent(folder / "recent.json");
+    for (int i = 0; i < 15; ++i) {
+        std::ofstream(folder / std::to_string(i)) << i;
+        recent.add(folder / std::to_string(i));
+    }
+    EXPECT_EQ(recent.list().size(), 12U);
+    EXPECT_EQ(recent.list().front(), folder / "14");
+}
+
+TEST(RecentFiles, a_list_that_is_none_is_an_empty_one_and_is_written_anew) {
+    const ScratchFolder folder;
+    const RecentFiles recent(folder / "recent.json");
+    std::ofstream(folder / "shirt") << "";
+    for (const char* text : {"", "[1, 2]", "{\"a\": [", "null"}) {
+        std::ofstream(folder / "recent.json") << text;
+        EXPECT_TRUE(recent.list().empty()) << text;
+        recent.add(folder / "shirt");
+        EXPECT_EQ(recent.list(), Files{folder / "shirt"}) << text;
+    }
+}
+
+TEST(RecentFiles, what_cannot_be_written_is_forgotten) {
+    const ScratchFolder folder;
+    const RecentFiles recent(folder.path() / "no" / "such" / "recent.json");
+    EXPECT_NO_THROW(recent.add("shirt"));
+    EXPECT_TRUE(recent.list().empty());
+}
+
+}  // namespace
+
 }  // namespace selvedge::app

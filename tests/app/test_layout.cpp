@@ -1,5 +1,5 @@
 // Legend placement: the legend never covers the subject, for any shape, any picture size, and a full turn.
-#include "app/layout.h"
+#include "app/picture.h"
 
 #include <gtest/gtest.h>
 
@@ -16,9 +16,9 @@ struct Size {
 };
 
 // A closed tube of two panels on the floor, with this width and height.
-sim::PlainMesh tube(const Size& size) {
+sim::DrawMesh tube(const Size& size) {
     constexpr std::uint32_t around = 24, rows = 12;
-    sim::PlainMesh mesh;
+    sim::DrawMesh mesh;
     for (std::uint32_t j = 0; j <= rows; ++j) {
         for (std::uint32_t i = 0; i < around; ++i) {
             const float turn = 6.2831853F * float(i) / float(around);
@@ -57,7 +57,7 @@ int hidden_pixels(const render::Scene& shown, const Layout& layout, const Pictur
 TEST(Layout, the_legend_hides_nothing_of_the_figure) {
     int would_hide = 0;
     for (const Size size : {Size{1.0F, 1.0F}, {0.4F, 1.6F}, {2.0F, 0.5F}}) {
-        const sim::PlainMesh mesh = tube(size);
+        const sim::DrawMesh mesh = tube(size);
         for (const auto& [width, height] : {std::pair{256, 256}, {400, 200}, {220, 400}}) {
             for (const render::ShowMode mode : {render::ShowMode::Panels, render::ShowMode::Seams}) {
                 PictureOptions options;
@@ -79,7 +79,7 @@ TEST(Layout, the_legend_hides_nothing_of_the_figure) {
 }
 
 TEST(Layout, the_legend_hides_nothing_through_a_whole_turn) {
-    const sim::PlainMesh mesh = tube({1.2F, 0.8F});
+    const sim::DrawMesh mesh = tube({1.2F, 0.8F});
     PictureOptions options;
     options.width_px = options.height_px = 256;
     options.show = render::ShowMode::Panels;
@@ -91,7 +91,7 @@ TEST(Layout, the_legend_hides_nothing_through_a_whole_turn) {
 }
 
 TEST(Layout, a_figure_that_leaves_a_corner_free_is_as_large_as_without_a_legend) {
-    const sim::PlainMesh mesh = tube({0.4F, 1.6F});
+    const sim::DrawMesh mesh = tube({0.4F, 1.6F});
     PictureOptions options;
     options.width_px = options.height_px = 512;
     const render::Camera plain = compose({.garment = mesh}, options).scene.camera;
@@ -101,7 +101,7 @@ TEST(Layout, a_figure_that_leaves_a_corner_free_is_as_large_as_without_a_legend)
 }
 
 TEST(Layout, a_camera_given_by_its_eye_is_left_as_it_is) {
-    const sim::PlainMesh mesh = tube({1, 1});
+    const sim::DrawMesh mesh = tube({1, 1});
     PictureOptions options;
     options.show = render::ShowMode::Panels;
     options.camera = parse_camera("0.5,1,2,0,0.5,0");

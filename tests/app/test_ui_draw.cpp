@@ -1,11 +1,15 @@
 // Drawing ImGui's lists without a window.
-#include "app/ui_draw.h"
-
 #include <gtest/gtest.h>
 #include <imgui.h>
+#include <fstream>
 
+#include "app/edit_loop.h"
+#include "app/ui_draw.h"
+#include "app/window.h"
+#include "editor/frame/theme.h"
 #include "render/gl/context.h"
 #include "sim/core/error.h"
+#include "tests/app/run_program.h"
 
 namespace selvedge::app {
 namespace {
@@ -163,4 +167,72 @@ TEST(UiDraw, a_font_atlas_built_anew_takes_the_place_of_the_old) {
 }
 
 }  // namespace
+
+namespace {
+
+void lay_down(const std::filesystem::path& file) {
+    std::filesystem::create_directories(file.parent_path());
+    std::ofstream(file) << "font";
+}
+
+TEST(FindFont, the_first_family_that_is_there_is_taken) {
+    const ScratchFolder scratch;
+    const std::filesystem::path root = scratch.path();
+    EXPECT_TRUE(find_fonts({root / "absent", root}).regular.empty());
+    lay_down(root / "truetype/dejavu/DejaVuSans.ttf");
+    EXPECT_EQ(find_fonts({root}).regular, root / "truetype/dejavu/DejaVuSans.ttf");
+    EXPECT_EQ(find_fonts({root}).medium, root / "truetype/dejavu/DejaVuSans.ttf");
+    lay_down(root / "opentype/inter/Inter-Regular.otf");
+    EXPECT_EQ(find_fonts({root}).regular, root / "opentype/inter/Inter-Regular.otf");
+    EXPECT_EQ(find_fonts({root}).medium, root / "opentype/inter/Inter-Regular.otf") << "it has no medium here";
+    lay_down(root / "opentype/inter/Inter-Medium.otf");
+    EXPECT_EQ(find_fonts({root}).medium, root / "opentype/inter/Inter-Medium.otf");
+}
+
+TEST(TabularDigits, have_one_width_that_is_the_widest_ones) {
+    const FontFiles files = find_fonts();
+    if (files.regular.empty()) GTEST_SKIP() << "no font is installed";
+    ImFontAtlas atlas;
+    ImFont* font = atlas.AddFontFromFileTTF(files.regular.c_str(), 32);
+    atlas.Build();
+    const auto width = [&](const char* text) { return font->CalcTextSizeA(32, 1e6F, 0, text).x; };
+    const float letters = width("seam");
+    float widest = 0;
+    for (const char* digit : {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"})
+        widest = std::max(widest, width(digit));
+    editor::make_digits_tabular(*font);
+    for (const char* digit : {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"})
+        EXPECT_EQ(width(digit), widest) << digit;
+    EXPECT_EQ(width("seam"), letters);
+}
+
+}  // namespace
+
+namespace {
+
+TEST(WindowKeys, letters_are_those_that_the_layout_writes) {
+    EXPECT_EQ(key_of_code('Q', "a"), editor::Key('A')) << "a French keyboard";
+    EXPECT_EQ(key_of_code('Q', ""), editor::Key('Q'));
+    EXPECT_EQ(key_of_code('1', "&"), editor::Key('1'));
+    EXPECT_EQ(key_of_code(';', "\xC3\xB6"), editor::Key(';')) << "a letter that has no key of its own";
+}
+
+TEST(WindowKeys, others_are_known_by_their_place) {
+    EXPECT_EQ(key_of_code(256, ""), editor::Key::Escape);
+    EXPECT_EQ(key_of_code(269, ""), editor::Key::End);
+    EXPECT_EQ(key_of_code(335, ""), editor::Key::KeypadEnter);
+    EXPECT_EQ(key_of_code(341, ""), editor::Key::None) << "a modifier";
+    EXPECT_EQ(key_of_code(-1, ""), editor::Key::None);
+    EXPECT_EQ(key_of_code(280, ""), editor::Key::None) << "caps lock";
+}
+
+TEST(WindowKeys, text_is_utf8) {
+    EXPECT_EQ(utf8_of('a'), "a");
+    EXPECT_EQ(utf8_of(0xE9), "\xC3\xA9");
+    EXPECT_EQ(utf8_of(0x20AC), "\xE2\x82\xAC");
+    EXPECT_EQ(utf8_of(0x1F9F5), "\xF0\x9F\xA7\xB5");
+}
+
+}  // namespace
+
 }  // namespace selvedge::app

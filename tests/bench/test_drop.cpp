@@ -4,6 +4,7 @@
 
 #include "bench/drop/drop.h"
 #include "bench/drop/report.h"
+#include "bench/support/measured_mesh.h"
 
 namespace selvedge::bench {
 namespace {
@@ -69,8 +70,8 @@ TEST(Drop, pins_the_middle_of_even_and_of_odd_grids_and_nothing_else) {
 TEST(Drop, hangs_over_the_sphere_and_no_vertex_is_inside) {
     const SphereDrop drop = run_sphere_drop(coarse(16));
     EXPECT_TRUE(drop.quality.is_finite);
-    EXPECT_GE(drop.quality.least_gap, 0);
-    EXPECT_LT(drop.quality.least_gap, 0.01);
+    EXPECT_GE(drop.quality.min_gap, 0);
+    EXPECT_LT(drop.quality.min_gap, 0.01);
     double lowest = 1;
     for (const int v : measured(drop.run).vertices)
         lowest = std::min(lowest, positions(drop.run)[static_cast<std::size_t>(v)].y());
@@ -91,10 +92,10 @@ TEST(DropEvaluator, finds_a_vertex_inside_the_sphere_and_means_the_samples) {
     EXPECT_NEAR(judge.quality().p99_stretch, 0.01, 1e-12);
     EXPECT_NEAR(judge.quality().max_stretch, 0.02, 1e-12);
     EXPECT_NEAR(judge.quality().area_error, (1.02 * 1.02 - 1) / 2, 1e-12);
-    EXPECT_NEAR(judge.quality().least_gap, 0.006, 1e-9);
+    EXPECT_NEAR(judge.quality().min_gap, 0.006, 1e-9);
     x[60] = Vec3d(0, 0.24, 0);
     judge.sample(x);
-    EXPECT_NEAR(judge.quality().least_gap, -0.01, 1e-9);
+    EXPECT_NEAR(judge.quality().min_gap, -0.01, 1e-9);
 }
 
 TEST(DropHonesty, a_weightless_cloth_at_rest_keeps_no_energy) {
@@ -127,7 +128,7 @@ namespace {
 DropExperiment coarse_experiment() {
     DropExperiment experiment;
     experiment.triangles = 72;
-    experiment.most_substeps = 16;
+    experiment.max_substeps = 16;
     experiment.repetitions = 1;
     experiment.scene.level = 1;
     experiment.gates = {.max_stretch = 0.2, .max_area_error = 0.5, .max_bias_error = 5};
@@ -168,7 +169,7 @@ TEST(DropReport, takes_the_least_substeps_that_pass_and_keeps_all_that_were_trie
 TEST(DropReport, says_which_gates_the_last_setting_missed_when_none_meets_them) {
     DropExperiment experiment = coarse_experiment();
     experiment.passes_quality_checks = false;
-    experiment.most_substeps = 2;
+    experiment.max_substeps = 2;
     experiment.gates.max_stretch = 1e-9;
     const DropReport report = measure_drop(experiment);
     EXPECT_FALSE(report.chosen.passes());
@@ -216,6 +217,42 @@ TEST(FindLeast, gives_up_where_it_should) {
 TEST(FindLeast, reaches_its_most_also_when_that_is_no_power_of_two) {
     EXPECT_EQ(search_for(100, 100).found, 100);
     EXPECT_EQ(search_for(1, 1).found, 1);
+}
+
+}  // namespace
+
+// Stiffness on the bias: the theory, and a simulated strip.
+
+namespace {
+
+TEST(BiasTheory, approaches_four_times_the_shear_stiffness_where_threads_hardly_stretch) {
+    sim::Fabric fabric = drop_fabric();
+    EXPECT_NEAR(bias_stiffness(fabric), 220.9, 0.1);
+    fabric.stretch_warp = fabric.stretch_weft = 1e9;
+    EXPECT_NEAR(bias_stiffness(fabric), 4 * fabric.shear, 1e-4);
+}
+
+TEST(BiasTheory, agrees_with_the_small_strain_formula_at_small_strains_and_is_stiffer_beyond) {
+    const sim::Fabric fabric = drop_fabric();
+    EXPECT_NEAR(bias_strain(fabric, 1e-3) * bias_stiffness(fabric) / 1e-3, 1, 1e-4);
+    const double force = 0.05 * bias_stiffness(fabric);
+    EXPECT_LT(bias_strain(fabric, force), 0.05);
+    EXPECT_GT(bias_strain(fabric, force), 0.045);
+}
+
+TEST(BiasStrip, comes_to_rest_at_a_strain_of_the_right_size) {
+    const BiasStrip strip = measure_bias(drop_fabric(), {.element = 1.0 / 6, .level = 1, .substeps = 16});
+    EXPECT_TRUE(strip.is_at_rest);
+    EXPECT_GT(strip.stiffness_ratio, 0.5);
+    EXPECT_LT(strip.stiffness_ratio, 1.5);
+}
+
+TEST(BiasStrip, a_fabric_of_half_the_shear_stiffness_gives_the_same_ratio) {
+    sim::Fabric soft = drop_fabric();
+    soft.shear /= 2;
+    const BiasStripOptions options{.element = 1.0 / 6, .level = 1, .substeps = 32};
+    EXPECT_NEAR(measure_bias(soft, options).stiffness_ratio, measure_bias(drop_fabric(), options).stiffness_ratio,
+                0.15);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "bench/support/square.h"
+#include "bench/support/measured_mesh.h"
 #include "sim/collide/collider.h"
 
 namespace selvedge::bench {
@@ -57,20 +57,20 @@ SwayStatistics sway_square() {
 }
 
 TEST(Sway, measures_shares_between_nothing_and_all) {
-    const SwayStatistics figures = sway_square();
-    EXPECT_GE(figures.leaf_triangles, 32);
-    EXPECT_GT(figures.ms_median, 0);
-    EXPECT_GE(figures.ms_p95, figures.ms_median);
-    EXPECT_GT(figures.adapt_share, 0);
-    EXPECT_LT(figures.adapt_share, 1);
-    EXPECT_LT(figures.collision_share, 1);
-    EXPECT_GT(figures.p99_stretch, 0);
-    EXPECT_FALSE(figures.allocations_per_step);
+    const SwayStatistics statistics = sway_square();
+    EXPECT_GE(statistics.leaf_triangles, 32);
+    EXPECT_GT(statistics.ms_median, 0);
+    EXPECT_GE(statistics.ms_p95, statistics.ms_median);
+    EXPECT_GT(statistics.adapt_share, 0);
+    EXPECT_LT(statistics.adapt_share, 1);
+    EXPECT_LT(statistics.collision_share, 1);
+    EXPECT_GT(statistics.p99_stretch, 0);
+    EXPECT_FALSE(statistics.allocations_per_step);
 }
 
 TEST(TshirtReport, has_every_figure_that_was_promised) {
     TshirtReport report;
-    report.rows.push_back({.what = "a", .body_triangles = 4, .figures = sway_square()});
+    report.rows.push_back({.what = "a", .body_triangles = 4, .statistics = sway_square()});
     const sim::Json one = to_json(report);
     for (const char* key :
          {"leaf_triangles", "ms_adapt_plus_4_steps", "adapt_share", "collision_share", "p99_stretch"}) {
@@ -79,8 +79,8 @@ TEST(TshirtReport, has_every_figure_that_was_promised) {
     }
     EXPECT_EQ(one.find("growth_with_body"), nullptr);
     report.rows.resize(4, report.rows[0]);
-    report.rows[1].figures.ms_median = 2 * report.rows[0].figures.ms_median;
-    report.rows[3].figures.ms_median = 3 * report.rows[2].figures.ms_median;
+    report.rows[1].statistics.ms_median = 2 * report.rows[0].statistics.ms_median;
+    report.rows[3].statistics.ms_median = 3 * report.rows[2].statistics.ms_median;
     const sim::Json all = to_json(report);
     EXPECT_NEAR(all.find("growth_with_body")->number(), 2, 1e-12);
     EXPECT_NEAR(all.find("us_per_leaf_growth_with_leaves")->number(), 3, 1e-12);

@@ -28,10 +28,10 @@ class ByteChoices final : public sim::Choices {
 };
 
 void run(std::span<const std::uint8_t> bytes) {
-    constexpr int kMostActs = 40;
+    constexpr int kMaxActs = 40;
     ByteChoices choices(bytes);
     sim::RandomRun cloth(choices);
-    for (int i = 0; i < kMostActs && !choices.is_empty(); ++i) {
+    for (int i = 0; i < kMaxActs && !choices.is_empty(); ++i) {
         const auto fault = cloth.act();
         if (!fault) continue;
         std::fprintf(stderr, "act %d: %s\n", i, fault->c_str());

@@ -2,16 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <sstream>
 
 #include "sim/core/file.h"
+#include "sim/mannequin/mannequin.h"
+#include "sim/pattern/pattern_file.h"
 #include "tests/golden/golden.h"
 
 namespace selvedge::test {
 namespace {
 
-Vec3d centre_of_area(const sim::PlainMesh& mesh) {
+Vec3d centre_of_area(const sim::DrawMesh& mesh) {
     Vec3d sum = Vec3d::Zero();
     double area = 0;
     for (const auto& [a, b, c] : mesh.triangles) {
@@ -23,7 +26,7 @@ Vec3d centre_of_area(const sim::PlainMesh& mesh) {
     return sum / area;
 }
 
-double lowest(const sim::PlainMesh& mesh) {
+double lowest(const sim::DrawMesh& mesh) {
     float low = std::numeric_limits<float>::max();
     for (const Vec3f& x : mesh.x) low = std::min(low, x.y());
     return low;
@@ -129,6 +132,15 @@ testing::AssertionResult matches_numbers(const DrapeNumbers& numbers, const std:
     auto failure = testing::AssertionFailure() << name;
     for (const std::string& difference : found) failure << "\n  " << difference;
     return failure;
+}
+
+sim::Body coarse_mannequin() {
+    return sim::make_mannequin(sim::parse_mannequin("mannequin:sex=female,resolution=1")).body;
+}
+
+sim::DressedGarment dress_shipped(const std::string& garment, const sim::DressOptions& options) {
+    const auto path = std::filesystem::path(SELVEDGE_SOURCE_DIR) / "patterns" / (garment + ".json");
+    return dress(sim::load_pattern(path).pattern, coarse_mannequin(), options);
 }
 
 }  // namespace selvedge::test

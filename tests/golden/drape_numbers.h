@@ -2,7 +2,6 @@
 // Statistics of a dressed garment that hold on every CPU type, and their tolerances against the references in
 // tests/golden/reference/NAME.json.
 #include <gtest/gtest.h>
-
 #include <string>
 #include <vector>
 
@@ -39,5 +38,13 @@ std::vector<std::string> differences(const DrapeNumbers& reference, const DrapeN
 // Fails if the reference is missing or a value differs. If SELVEDGE_RENEW_GOLDENS contains the name, writes the numbers
 // as the new reference instead.
 testing::AssertionResult matches_numbers(const DrapeNumbers& numbers, const std::string& name);
+
+// Shipped garments on the coarse mannequin, for golden tests that run the whole pipeline.
+
+// The female mannequin at its lowest resolution.
+sim::Body coarse_mannequin();
+
+// `garment`: a file name in patterns/, without extension.
+sim::DressedGarment dress_shipped(const std::string& garment, const sim::DressOptions& options = {});
 
 }  // namespace selvedge::test

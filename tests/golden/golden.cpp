@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "render/image/image.h"
-#include "tests/golden/blocks.h"
+#include "tests/golden/fourier.h"
 
 namespace selvedge::test {
 namespace {

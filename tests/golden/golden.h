@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <string>
 
-#include "render/image/compare.h"
 #include "render/image/image.h"
 
 namespace selvedge::test {
@@ -17,11 +16,11 @@ std::filesystem::path reference_path(const std::string& file);
 // Whether SELVEDGE_RENEW_GOLDENS, a comma-separated list of names, contains this name.
 bool is_to_be_renewed(const std::string& name);
 
-// Fails if the reference is missing or the pictures are not alike (render/image/compare.h). If SELVEDGE_RENEW_GOLDENS
+// Fails if the reference is missing or the pictures are not alike (render/image/image.h). If SELVEDGE_RENEW_GOLDENS
 // contains the name, writes the picture as the new reference instead.
 testing::AssertionResult matches_golden(const render::Image& image, const std::string& name);
 
-// The same with the rule for pictures of a drape (tests/golden/blocks.h).
+// The same with the rule for pictures of a drape (tests/golden/fourier.h).
 testing::AssertionResult matches_golden_by_blocks(const render::Image& image, const std::string& name);
 
 // The stored reference. Throws InputError if it is missing.

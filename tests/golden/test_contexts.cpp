@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "render/draw/renderer.h"
-#include "render/image/compare.h"
+#include "render/image/image.h"
 #include "sim/core/error.h"
 #include "tests/golden/frozen_scene.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "render/draw/renderer.h"
-#include "render/image/compare.h"
+#include "render/image/image.h"
 #include "render/preview/preview_renderer.h"
 #include "tests/golden/frozen_scene.h"
 

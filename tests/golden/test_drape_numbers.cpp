@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "tests/golden/drape_numbers.h"
-#include "tests/golden/dressed.h"
 #include "tests/golden/golden.h"
 
 namespace selvedge::test {

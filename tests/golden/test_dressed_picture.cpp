@@ -3,8 +3,8 @@
 
 #include "render/draw/renderer.h"
 #include "sim/tartan/tartan_file.h"
-#include "tests/golden/blocks.h"
-#include "tests/golden/dressed.h"
+#include "tests/golden/drape_numbers.h"
+#include "tests/golden/fourier.h"
 #include "tests/golden/golden.h"
 
 namespace selvedge::test {
@@ -18,7 +18,7 @@ render::Camera camera_at_trunk() {
     return frame_points(corners, render::View::ThreeQuarter, {.aspect = 1});
 }
 
-render::Image draw(const sim::PlainMesh& garment, const std::string& tartan) {
+render::Image draw(const sim::DrawMesh& garment, const std::string& tartan) {
     render::Scene scene;
     render::ClothItem cloth;
     cloth.mesh = garment;
@@ -40,10 +40,10 @@ class DressedPicture : public testing::Test {
         EXPECT_FALSE(is_alike(comparison)) << describe(comparison);
     }
 
-    static sim::PlainMesh tshirt_;
+    static sim::DrawMesh tshirt_;
 };
 
-sim::PlainMesh DressedPicture::tshirt_;
+sim::DrawMesh DressedPicture::tshirt_;
 
 TEST_F(DressedPicture, is_as_it_was) {
     EXPECT_TRUE(matches_golden_by_blocks(draw(tshirt_, "royal_stewart"), kName));
@@ -58,13 +58,13 @@ TEST_F(DressedPicture, of_another_garment_is_told_apart) {
 }
 
 TEST_F(DressedPicture, of_a_garment_that_slipped_by_2_cm_is_told_apart) {
-    sim::PlainMesh slipped = tshirt_;
+    sim::DrawMesh slipped = tshirt_;
     for (Vec3f& x : slipped.x) x.y() -= 0.02F;
     expect_told_apart(draw(slipped, "royal_stewart"));
 }
 
 TEST_F(DressedPicture, of_a_garment_without_a_sleeve_is_told_apart) {
-    sim::PlainMesh torn = tshirt_;
+    sim::DrawMesh torn = tshirt_;
     for (std::size_t t = 0; t < torn.triangles.size(); ++t) {
         const std::string& panel = torn.panel_names[torn.panel[t]];
         if (panel.find("sleeve") != std::string::npos) torn.triangles[t] = {0, 0, 0};

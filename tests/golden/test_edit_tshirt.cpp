@@ -13,7 +13,6 @@
 #include "sim/pattern/pattern_file.h"
 #include "tests/app/selvedge_program.h"
 #include "tests/golden/drape_numbers.h"
-#include "tests/golden/dressed.h"
 #include "tests/golden/golden.h"
 
 namespace selvedge::test {

@@ -8,7 +8,7 @@
 #include "render/draw/renderer.h"
 #include "render/marks/show.h"
 #include "sim/core/error.h"
-#include "tests/golden/frozen_mode.h"
+#include "tests/golden/frozen_scene.h"
 #include "tests/golden/golden.h"
 
 namespace selvedge::test {

@@ -214,7 +214,7 @@ TEST(SeededFault, a_light_moved_by_two_degrees_is_seen) {
 
 TEST(SeededFault, a_missing_triangle_is_seen) {
     render::Scene scene = make_frozen_scene({.view = render::View::Left, .show = render::ShowMode::Edges});
-    sim::PlainMesh& mesh = scene.cloths[0].mesh;
+    sim::DrawMesh& mesh = scene.cloths[0].mesh;
     mesh.triangles[2372] = {0, 0, 0};
     expect_seen(scene, "edges_left");
 }

@@ -7,7 +7,7 @@
 
 #include "render/draw/ambient_occlusion.h"
 #include "render/gl/target.h"
-#include "render/image/compare.h"
+#include "render/image/image.h"
 #include "sim/core/error.h"
 #include "tests/golden/frozen_scene.h"
 
@@ -117,7 +117,7 @@ double greatest_flicker(const render::Scene& scene) {
         const render::Scene now = turned(scene, 0.004F * float(i));
         const render::Image image = renderer.draw(now, {.width_px = side, .height_px = side});
         std::vector<double> greys;
-        const sim::PlainMesh& mesh = now.cloths[0].mesh;
+        const sim::DrawMesh& mesh = now.cloths[0].mesh;
         for (std::size_t v = 0; v < mesh.x.size(); ++v) {
             const Vec3f& x = mesh.x[v];
             const bool is_seen = x.y() > 0.62F && mesh.normals[v].dot((scene.camera.eye - x).normalized()) > 0.4F;

@@ -14,8 +14,8 @@ namespace {
 
 constexpr int kSide = 128;  // px
 constexpr double kOneStep = 1.0 / 255;
-constexpr double kLeastWave = 1.5 / 255;  // amplitude in linear light; smaller waves are invisible
-constexpr int kSlowest = 6;               // waves per picture: patterns below have more where threads are near a pixel
+constexpr double kMinWave = 1.5 / 255;  // amplitude in linear light; smaller waves are invisible
+constexpr int kSlowest = 6;             // waves per picture: patterns below have more where threads are near a pixel
 
 sim::Sett few_threads(sim::Weave weave) {
     sim::Sett sett = sim::parse_threadcount("K1 W2 R3");
@@ -124,7 +124,7 @@ TEST_P(Weaves, show_no_wave_that_is_not_in_the_cloth) {
     const Vec3d light = light_on(renderer, view_of(GetParam(), 1));
     for (const double threads_per_px : {1.05, 1.4, 1.9, 2.9, 4.0, 6.1, 11.0, 40.0}) {
         const SheetView view = view_of(GetParam(), threads_per_px * kSide * GetParam().sett.thread_spacing);
-        EXPECT_LT(moire_of(draw(renderer, view), view, light), kLeastWave) << threads_per_px << " threads to a pixel";
+        EXPECT_LT(moire_of(draw(renderer, view), view, light), kMinWave) << threads_per_px << " threads to a pixel";
     }
 }
 
@@ -153,7 +153,7 @@ TEST(SeededWeaveFault, waves_are_found_where_nothing_is_filtered) {
             view.field = threads_per_px * kSide * view.sett.thread_spacing;
             greatest = std::max(greatest, moire_of(unfiltered(renderer, view), view, light));
         }
-        EXPECT_GT(greatest, 4 * kLeastWave) << turn;
+        EXPECT_GT(greatest, 4 * kMinWave) << turn;
     }
 }
 

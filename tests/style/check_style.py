@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Checks the tree's style: check_style.py includes|types|flow|text|lengths|format [ROOT]. Prints file:line: problem;
-exit 1 when there is any, 77 when the check cannot be made here (ctest then says skipped)."""
+"""Checks the tree's style: check_style.py includes|types|flow|text|lengths|examples|format [ROOT]. Prints file:line:
+problem; exit 1 when there is any, 77 when the check cannot be made here (ctest then says skipped)."""
 import pathlib
 import sys
 
+import check_examples
 import check_flow
 import check_format
 import check_includes
@@ -50,6 +51,11 @@ def lengths(root):
     yield from check_text.check_lengths(sources)
 
 
+def examples(root):
+    pages = [page for page in read_tree(root, ["docs"], [".md"]) if page.path.startswith("docs/adding-")]
+    yield from check_examples.check_examples(pages, read_tree(root, ["tests/docs"], rules.TEXT_SUFFIXES))
+
+
 def formatting(root):
     program, why_not = check_format.find_clang_format()
     if not program:
@@ -58,7 +64,8 @@ def formatting(root):
     yield from check_format.check_format(root, cpp_sources(root), program)
 
 
-CHECKS = {"includes": includes, "types": types, "flow": flow, "text": text, "lengths": lengths, "format": formatting}
+CHECKS = {"includes": includes, "types": types, "flow": flow, "text": text, "lengths": lengths, "examples": examples,
+          "format": formatting}
 
 
 def main(arguments):

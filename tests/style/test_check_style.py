@@ -5,6 +5,7 @@ import sys
 import tempfile
 import unittest
 
+import check_examples
 import check_flow
 import check_format
 import check_includes
@@ -225,6 +226,33 @@ class Lengths(unittest.TestCase):
         text = 'void f() {\n    g("}", \'{\', 1\'000);  // }\n    h(R"x( } )x");\n#define B {\n}\n'
         found = [(function.name, function.length) for function in functions_of(Source("x.cpp", text))]
         self.assertEqual(found, [("f", 5)])
+
+
+class Examples(unittest.TestCase):
+    SOURCE = "int before;\n    // [block]\n    int a;\n      int b;\n    // [/block]\n"
+    PAGE = "Text.\n<!-- tests/docs/x.cpp: block -->\n```cpp\nint a;\n  int b;\n```\n"
+
+    def faults_of(self, page, source=SOURCE):
+        return problems(check_examples.check_examples([Source("docs/adding-x.md", page)],
+                                                      [Source("tests/docs/x.cpp", source)]))
+
+    def test_a_block_that_equals_its_region_passes(self):
+        self.assertEqual(self.faults_of(self.PAGE), [])
+
+    def test_a_block_with_another_byte_fails(self):
+        self.assertEqual(self.faults_of(self.PAGE.replace("int b", "int  b")),
+                         ["docs/adding-x.md:3: differs from the region block of tests/docs/x.cpp"])
+
+    def test_a_block_without_origin_or_with_a_wrong_one_fails(self):
+        self.assertEqual(self.faults_of(self.PAGE + "\n```\nint c;\n```\n"),
+                         ["docs/adding-x.md:8: no comment above this block names the region that it shows"])
+        self.assertIn("docs/adding-x.md:2: tests/docs/x.cpp has no region black",
+                      self.faults_of(self.PAGE.replace(": block", ": black")))
+
+    def test_a_region_that_no_page_shows_or_without_end_fails(self):
+        self.assertEqual(self.faults_of("No block.\n"), ["tests/docs/x.cpp:2: no page shows the region block"])
+        self.assertIn("tests/docs/x.cpp:2: the region block has no end",
+                      self.faults_of(self.PAGE, self.SOURCE.replace("[/block]", "[/black]")))
 
 
 class Format(unittest.TestCase):

@@ -57,7 +57,7 @@ TEST(Document, a_drag_is_one_entry_of_the_history) {
     for (int i = 1; i <= 10; ++i) document.preview(move_point("front", 0, Vec2d(0.001 * i, 0)));
     EXPECT_TRUE(document.is_previewing());
     EXPECT_NEAR(panel_named(document, "front").vertices[0].x() - start.x(), 0.010, 1e-12);
-    document.keep();
+    document.commit();
     ASSERT_EQ(document.history().size(), 1U);
     EXPECT_EQ(document.history()[0].label, "Move point");
     document.undo();
@@ -68,7 +68,7 @@ TEST(Document, a_dropped_drag_leaves_no_trace) {
     Document document(shipped("tshirt.json"));
     const sim::Pattern before = document.pattern();
     document.preview(move_point("front", 0, Vec2d(0.05, 0)));
-    document.drop();
+    document.rollback();
     EXPECT_EQ(document.pattern(), before);
     EXPECT_TRUE(document.history().empty());
     EXPECT_FALSE(document.has_unsaved_changes());
@@ -80,7 +80,7 @@ TEST(Document, a_drag_that_goes_wrong_stays_at_its_last_sound_place) {
     const sim::Pattern sound = document.pattern();
     EXPECT_THROW(document.preview(move_point("front", 0, Vec2d(0.30, 0.45))), GeometryError);  // crosses the outline
     EXPECT_EQ(document.pattern(), sound);
-    document.keep();
+    document.commit();
     EXPECT_EQ(document.pattern(), sound);
     EXPECT_EQ(document.history().size(), 1U);
 }
@@ -175,7 +175,7 @@ TEST(Document, one_that_takes_the_place_of_another_has_no_revision_of_its) {
     Document first;
     const std::uint64_t seen = first.revision();
     Document second(shipped("tshirt.json"));
-    second.replace_panel(first);
+    second.continue_revisions(first);
     EXPECT_GT(second.revision(), seen);
 }
 
@@ -196,7 +196,7 @@ int run_commands(Document& document, unsigned seed, int count) {
             ++done;
         } catch (const GeometryError&) {
         }
-        if (is_dragged && commands.pick(3) > 0) document.keep();
+        if (is_dragged && commands.pick(3) > 0) document.commit();
     }
     return done;
 }
@@ -209,7 +209,7 @@ TEST(RandomCommands, undone_give_the_first_document_byte_for_byte) {
         for (int round = 0; round < 20; ++round) {  // continues with the garment of the previous round
             done +=
                 run_commands(document, 100 * static_cast<unsigned>(round) + static_cast<unsigned>(first.size()), 1000);
-            document.keep();  // commits an unfinished drag
+            document.commit();  // commits an unfinished drag
             const std::string last = document.text();
             EXPECT_FALSE(sim::has_error(sim::check_pattern_text(last, name)))
                 << sim::describe(sim::check_pattern_text(last, name).front());

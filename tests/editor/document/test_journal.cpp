@@ -32,7 +32,7 @@ TEST(Journal, gives_back_all_that_was_done) {
     document.run(SetGrain{.panel = "back", .angle = 0.1});
     document.preview(MoveVertices{.vertices = {{"back", 1}}, .by = Vec2d(0.01, 0)});
     document.preview(MoveVertices{.vertices = {{"back", 1}}, .by = Vec2d(0.011, 0)});
-    document.keep();
+    document.commit();
     const auto recovery = recover(journaled.text);
     ASSERT_TRUE(recovery);
     EXPECT_EQ(recovery->file, "tshirt.json");

@@ -87,7 +87,7 @@ TEST_F(NumberBoxes, what_is_no_number_is_not_taken_and_why_is_said) {
     EXPECT_TRUE(desk.document().history().empty());
     const Message* message = desk.workspace.messages.shown();
     ASSERT_NE(message, nullptr);
-    EXPECT_NE(message->words.find("12 apples"), std::string::npos);
+    EXPECT_NE(message->text.find("12 apples"), std::string::npos);
 }
 
 TEST_F(NumberBoxes, a_label_is_dragged_and_its_change_kept_when_it_is_let_go) {

@@ -17,7 +17,7 @@ class DrawTools : public ::testing::Test {
 };
 
 TEST_F(DrawTools, a_polygon_closes_at_its_first_point) {
-    hands_.choose(ToolKind::Polygon);
+    hands_.choose("polygon");
     for (const Vec2d& at : {Vec2d(0, 0), Vec2d(0, 0.2), Vec2d(0.3, 0.2), Vec2d(0.002, 0.002)}) hands_.click(at);
     ASSERT_EQ(hands_.pattern().panels.size(), 1U);
     EXPECT_EQ(made().vertices.size(), 3U);
@@ -27,7 +27,7 @@ TEST_F(DrawTools, a_polygon_closes_at_its_first_point) {
 }
 
 TEST_F(DrawTools, enter_closes_a_polygon_and_backspace_takes_a_point_back) {
-    hands_.choose(ToolKind::Polygon);
+    hands_.choose("polygon");
     for (const Vec2d& at : {Vec2d(0, 0), Vec2d(0.2, 0), Vec2d(0.2, 0.2), Vec2d(0.4, 0.25)}) hands_.click(at);
     EXPECT_TRUE(hands_.key(Key::Backspace));
     EXPECT_TRUE(hands_.key(Key::Enter));
@@ -35,7 +35,7 @@ TEST_F(DrawTools, enter_closes_a_polygon_and_backspace_takes_a_point_back) {
 }
 
 TEST_F(DrawTools, a_typed_length_sets_the_next_point_along_the_direction) {
-    hands_.choose(ToolKind::Polygon);
+    hands_.choose("polygon");
     hands_.click({0, 0});
     hands_.move({0.1, 0.004}, {.shift = true});
     hands_.type("92/4+1");
@@ -45,7 +45,7 @@ TEST_F(DrawTools, a_typed_length_sets_the_next_point_along_the_direction) {
 }
 
 TEST_F(DrawTools, ctrl_puts_a_point_on_a_curve) {
-    hands_.choose(ToolKind::Polygon);
+    hands_.choose("polygon");
     hands_.click({0, 0});
     hands_.click({0.1, -0.05}, {.ctrl = true});
     for (const Vec2d& at : {Vec2d(0.2, 0), Vec2d(0.2, 0.2), Vec2d(0, 0.2)}) hands_.click(at);
@@ -56,17 +56,17 @@ TEST_F(DrawTools, ctrl_puts_a_point_on_a_curve) {
 }
 
 TEST_F(DrawTools, escape_gives_a_polygon_up) {
-    hands_.choose(ToolKind::Polygon);
+    hands_.choose("polygon");
     hands_.click({0, 0});
     hands_.click({0.2, 0});
     EXPECT_TRUE(hands_.key(Key::Escape));
     EXPECT_FALSE(hands_.key(Key::Enter));
     EXPECT_TRUE(hands_.pattern().panels.empty());
-    EXPECT_EQ(hands_.tools.kind(), ToolKind::Polygon);
+    EXPECT_EQ(hands_.tools.info().id, "polygon");
 }
 
 TEST_F(DrawTools, two_points_are_no_panel_and_stay_drawn) {
-    hands_.choose(ToolKind::Polygon);
+    hands_.choose("polygon");
     hands_.click({0, 0});
     hands_.click({0.2, 0});
     hands_.key(Key::Enter);
@@ -77,7 +77,7 @@ TEST_F(DrawTools, two_points_are_no_panel_and_stay_drawn) {
 }
 
 TEST_F(DrawTools, a_rectangle_is_dragged_or_typed) {
-    hands_.choose(ToolKind::Rectangle);
+    hands_.choose("rectangle");
     hands_.drag({0, 0}, {0.3, 0.2});
     EXPECT_NEAR(outline_area(made()), 0.06, 1e-9);
     hands_.click({0.4, 0});
@@ -90,7 +90,7 @@ TEST_F(DrawTools, a_rectangle_is_dragged_or_typed) {
 }
 
 TEST_F(DrawTools, a_rectangle_without_height_is_refused) {
-    hands_.choose(ToolKind::Rectangle);
+    hands_.choose("rectangle");
     hands_.click({0, 0});
     hands_.type("30 x 0");
     EXPECT_TRUE(hands_.pattern().panels.empty());
@@ -98,14 +98,14 @@ TEST_F(DrawTools, a_rectangle_without_height_is_refused) {
 }
 
 TEST_F(DrawTools, an_ellipse_fills_its_box) {
-    hands_.choose(ToolKind::Ellipse);
+    hands_.choose("ellipse");
     hands_.drag({0, 0}, {0.2, 0.2});
     EXPECT_NEAR(outline_area(made()), 3.14159265 * 0.01, 1e-4);
 }
 
 TEST(InternalLineTool, puts_its_line_into_the_panel_under_it) {
     SheetUser hands;
-    hands.choose(ToolKind::InternalLine);
+    hands.choose("internal_line");
     hands.click({0.35, 0.05});
     hands.click({0.45, 0.05});
     hands.key(Key::Enter);
@@ -115,7 +115,7 @@ TEST(InternalLineTool, puts_its_line_into_the_panel_under_it) {
 
 TEST(InternalLineTool, says_that_a_line_beside_all_panels_belongs_to_none) {
     SheetUser hands;
-    hands.choose(ToolKind::InternalLine);
+    hands.choose("internal_line");
     hands.click({0.22, 0.05});
     hands.double_click({0.28, 0.05});
     EXPECT_FALSE(hands.message().empty());
@@ -124,7 +124,7 @@ TEST(InternalLineTool, says_that_a_line_beside_all_panels_belongs_to_none) {
 
 TEST(CutTool, ends_at_the_second_edge_and_sews_the_cut) {
     SheetUser hands;
-    hands.choose(ToolKind::Cut);
+    hands.choose("cut");
     hands.click({0.05, 0.001});
     hands.click({0.05, 0.199});
     EXPECT_EQ(hands.pattern().panels.size(), 3U);
@@ -133,7 +133,7 @@ TEST(CutTool, ends_at_the_second_edge_and_sews_the_cut) {
 
 TEST(CutTool, with_alt_leaves_the_cut_open) {
     SheetUser hands;
-    hands.choose(ToolKind::Cut);
+    hands.choose("cut");
     hands.click({0.05, 0.001});
     hands.click({0.05, 0.199}, {.alt = true});
     EXPECT_EQ(hands.pattern().panels.size(), 3U);
@@ -144,7 +144,7 @@ TEST(MirrorTool, mirrors_what_is_selected_over_two_clicks) {
     SheetUser hands;
     hands.drag({0.2, 0.2}, {0.2, 0.25}, {.ctrl = true});
     hands.click({0.1, 0.06});
-    hands.choose(ToolKind::Mirror);
+    hands.choose("mirror");
     hands.click({0, -0.1});
     hands.click({0, 0.4}, {.shift = true});
     SheetBox box;

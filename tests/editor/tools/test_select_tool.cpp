@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "editor/tools/outline_tools.h"
+#include "editor/tools/tool.h"
 #include "sim/pattern/outline.h"
 #include "tests/editor/tools/tool_support.h"
 
@@ -117,24 +118,24 @@ TEST(ToolHost, delete_takes_out_what_is_selected) {
 TEST(ToolHost, keys_choose_tools_but_not_while_a_number_is_typed) {
     SheetUser hands;
     EXPECT_TRUE(hands.key(key_of('S')));
-    EXPECT_EQ(hands.tools.kind(), ToolKind::Rectangle);
+    EXPECT_EQ(hands.tools.info().id, "rectangle");
     hands.type("30", Key::None);
     hands.key(key_of('X'));
-    EXPECT_EQ(hands.tools.kind(), ToolKind::Rectangle);
+    EXPECT_EQ(hands.tools.info().id, "rectangle");
     EXPECT_FALSE(hands.key(key_of('Z'), {.ctrl = true})) << "undo is not the sheet's";
 }
 
 TEST(ToolHost, escape_ends_what_is_typed_then_what_is_selected_then_the_tool) {
     SheetUser hands;
     hands.click({0.1, 0.06});
-    hands.choose(ToolKind::AddPoint);
+    hands.choose("add_point");
     hands.type("5", Key::None);
     EXPECT_TRUE(hands.key(Key::Escape));
     EXPECT_FALSE(hands.document.selection().is_empty());
     EXPECT_TRUE(hands.key(Key::Escape));
     EXPECT_TRUE(hands.document.selection().is_empty());
     EXPECT_TRUE(hands.key(Key::Escape));
-    EXPECT_EQ(hands.tools.kind(), ToolKind::Select);
+    EXPECT_EQ(hands.tools.info().id, "select");
     EXPECT_FALSE(hands.key(Key::Escape));
 }
 
@@ -143,8 +144,8 @@ TEST(ToolHost, every_tool_has_a_name_a_hint_and_a_key_of_its_own) {
     std::set<Key> keys;
     std::set<std::string_view> ids;
     for (const ToolInfo& info : all_tools()) {
-        hands.choose(info.kind);
-        EXPECT_EQ(hands.tools.kind(), info.kind);
+        hands.choose(info.id);
+        EXPECT_EQ(hands.tools.info().id, info.id);
         EXPECT_FALSE(hands.tools.hint(hands.host()).empty()) << info.id;
         EXPECT_TRUE(keys.insert(info.key).second) << info.id;
         EXPECT_TRUE(ids.insert(info.id).second) << info.id;
@@ -155,7 +156,7 @@ TEST(ToolHost, every_tool_has_a_name_a_hint_and_a_key_of_its_own) {
 TEST(ToolHost, no_tool_minds_any_click_or_key_on_an_empty_sheet) {
     for (const ToolInfo& info : all_tools()) {
         SheetUser hands(sim::PatternDocument{});
-        hands.choose(info.kind);
+        hands.choose(info.id);
         hands.key(Key::Enter);
         hands.drag({0.1, 0.1}, {0.1, 0.1004});
         hands.click({0.3, 0.2}, {.ctrl = true, .alt = true});
@@ -186,7 +187,7 @@ namespace {
 
 TEST(EditPointTool, a_double_click_on_an_edge_adds_a_point_and_delete_takes_it_out) {
     SheetUser hands;
-    hands.choose(ToolKind::EditPoint);
+    hands.choose("edit_point");
     hands.double_click({0.05, 0});
     ASSERT_EQ(hands.panel("left").vertices.size(), 5U);
     hands.click({0.05, 0});
@@ -200,7 +201,7 @@ TEST(EditPointTool, drags_the_handles_of_a_panel_that_is_selected) {
     source.pattern.panels[0].edges[0].kind = sim::CurveKind::Quadratic;
     source.pattern.panels[0].edges[0].control[0] = Vec2d(0.1, -0.05);
     SheetUser hands(source);
-    hands.choose(ToolKind::EditPoint);
+    hands.choose("edit_point");
     hands.drag({0.1, -0.05}, {0.1, -0.08}, {.ctrl = true});
     EXPECT_TRUE(hands.panel("left").edges[0].control[0].isApprox(Vec2d(0.1, -0.05))) << "handles are not shown yet";
     hands.click({0.1, 0.1});
@@ -210,7 +211,7 @@ TEST(EditPointTool, drags_the_handles_of_a_panel_that_is_selected) {
 
 TEST(EditPointTool, a_box_selects_points) {
     SheetUser hands;
-    hands.choose(ToolKind::EditPoint);
+    hands.choose("edit_point");
     hands.drag({-0.05, -0.05}, {0.35, 0.05});
     EXPECT_EQ(hands.document.selection().vertices.size(), 3U);
     EXPECT_TRUE(hands.document.selection().panels.empty());
@@ -220,7 +221,7 @@ TEST(EditPointTool, drags_a_point_of_an_internal_line) {
     sim::PatternDocument source = two_squares();
     source.pattern.panels[0].internal_lines.push_back({"", {Vec2d(0.05, 0.05), Vec2d(0.15, 0.05)}});
     SheetUser hands(source);
-    hands.choose(ToolKind::EditPoint);
+    hands.choose("edit_point");
     hands.drag({0.149, 0.05}, {0.15, 0.15}, {.ctrl = true});
     EXPECT_TRUE(hands.panel("left").internal_lines[0].points[1].isApprox(Vec2d(0.15, 0.15), 1e-9));
     EXPECT_TRUE(hands.panel("left").internal_lines[0].points[0].isApprox(Vec2d(0.05, 0.05), 1e-9));
@@ -228,7 +229,7 @@ TEST(EditPointTool, drags_a_point_of_an_internal_line) {
 
 TEST(AddPointTool, splits_an_edge_at_a_typed_distance_from_its_nearer_end) {
     SheetUser hands;
-    hands.choose(ToolKind::AddPoint);
+    hands.choose("add_point");
     hands.move({0.17, 0.001});
     hands.type("5.5");
     ASSERT_EQ(hands.panel("left").vertices.size(), 5U);
@@ -240,7 +241,7 @@ TEST(AddPointTool, splits_an_edge_at_a_typed_distance_from_its_nearer_end) {
 
 TEST(CurveTool, bends_an_edge_through_the_cursor) {
     SheetUser hands;
-    hands.choose(ToolKind::CurvePoint);
+    hands.choose("curve_point");
     hands.drag({0.1, 0}, {0.1, -0.04});
     const sim::Panel& panel = hands.panel("left");
     ASSERT_EQ(panel.edges[0].kind, sim::CurveKind::Quadratic);
@@ -251,7 +252,7 @@ TEST(CurveTool, bends_an_edge_through_the_cursor) {
 
 TEST(CurveTool, with_alt_draws_a_circles_arc_and_with_shift_two_handles) {
     SheetUser hands;
-    hands.choose(ToolKind::CurvePoint);
+    hands.choose("curve_point");
     hands.drag({0.1, 0}, {0.1, -0.04}, {.alt = true});
     EXPECT_EQ(hands.panel("left").edges[0].kind, sim::CurveKind::Arc);
     hands.drag({0.1, 0.2}, {0.1, 0.25}, {.shift = true});
@@ -279,7 +280,7 @@ TEST(CurveShape, a_cubic_is_bent_through_the_point_it_was_held_at) {
 
 TEST(NotchTool, a_click_notches_and_a_drag_moves_the_notch) {
     SheetUser hands;
-    hands.choose(ToolKind::Notch);
+    hands.choose("notch");
     hands.click({0.05, 0.001});
     ASSERT_EQ(hands.panel("left").notches.size(), 1U);
     EXPECT_NEAR(hands.panel("left").notches[0].t, 0.25, 1e-9);
@@ -293,7 +294,7 @@ TEST(NotchTool, a_click_notches_and_a_drag_moves_the_notch) {
 
 TEST(DartTool, is_dragged_to_its_depth_or_typed) {
     SheetUser hands;
-    hands.choose(ToolKind::Dart);
+    hands.choose("dart");
     hands.drag({0.1, 0}, {0.1, 0.081});
     EXPECT_EQ(hands.panel("left").vertices.size(), 7U);
     EXPECT_EQ(hands.pattern().seams.size(), 1U) << "its legs are sewn";
@@ -306,7 +307,7 @@ TEST(DartTool, is_dragged_to_its_depth_or_typed) {
 TEST(RotateTool, turns_by_dragging_and_by_typing) {
     SheetUser hands;
     hands.click({0.1, 0.06});
-    hands.choose(ToolKind::Rotate);
+    hands.choose("rotate");
     hands.drag({0.2, 0.1}, {0.1, 0.205}, {.shift = true});
     EXPECT_TRUE(hands.vertex("left", 0).isApprox(Vec2d(0.2, 0), 1e-6)) << "a quarter turn about the middle";
     hands.type("-90");
@@ -316,7 +317,7 @@ TEST(RotateTool, turns_by_dragging_and_by_typing) {
 TEST(ScaleTool, a_handle_scales_about_the_opposite_one) {
     SheetUser hands;
     hands.click({0.1, 0.06});
-    hands.choose(ToolKind::Scale);
+    hands.choose("scale");
     hands.drag({0.2, 0.1}, {0.25, 0.17}, {.ctrl = true});
     EXPECT_TRUE(hands.vertex("left", 2).isApprox(Vec2d(0.25, 0.2), 1e-6)) << "one way only";
     hands.type("0.8 x 1");
@@ -327,7 +328,7 @@ TEST(ScaleTool, a_handle_scales_about_the_opposite_one) {
 
 TEST(MergeTool, joins_the_panels_of_a_seam_and_says_where_there_is_none) {
     SheetUser hands;
-    hands.choose(ToolKind::Merge);
+    hands.choose("merge");
     hands.click({0.05, 0});
     EXPECT_FALSE(hands.message().empty());
     hands.document.run(SewEdges{{"left", 1}, {"right", 3}, true});
@@ -337,22 +338,62 @@ TEST(MergeTool, joins_the_panels_of_a_seam_and_says_where_there_is_none) {
 
 TEST(UnfoldTool, opens_a_panel_over_an_edge) {
     SheetUser hands;
-    hands.choose(ToolKind::Unfold);
+    hands.choose("unfold");
     hands.click({0, 0.05});
     EXPECT_NEAR(outline_area(hands.panel("left")), 0.08, 1e-6);
 }
 
 TEST(MeasureTool, tells_distance_and_length_along_an_edge) {
     SheetUser hands;
-    hands.choose(ToolKind::CurvePoint);
+    hands.choose("curve_point");
     hands.drag({0.1, 0}, {0.1, -0.06});
-    hands.choose(ToolKind::Measure);
+    hands.choose("measure");
     hands.click({0, 0});
     hands.click({0.2, 0});
     const ToolOverlay overlay = hands.overlay();
     ASSERT_EQ(overlay.labels.size(), 1U) << "corners belong to two edges: the distance alone";
     EXPECT_EQ(overlay.labels[0].text.substr(0, 7), "20.0 cm");
     EXPECT_EQ(hands.document.position(), 1U) << "measuring changes nothing";
+}
+
+}  // namespace
+
+namespace {
+
+TEST(TypedInput, a_letter_does_not_begin_a_number) {
+    TypedInput input;
+    EXPECT_FALSE(input.add("x"));
+    EXPECT_FALSE(input.add("h"));
+    EXPECT_TRUE(input.is_empty());
+    EXPECT_FALSE(input.numbers());
+}
+
+TEST(TypedInput, reads_expressions) {
+    TypedInput input;
+    EXPECT_TRUE(input.add("92/4+1"));
+    EXPECT_EQ(input.numbers(), std::vector<double>{24});
+}
+
+TEST(TypedInput, reads_several_numbers_with_a_cross_between) {
+    TypedInput input;
+    for (const char* c : {"3", "0", " ", "x", " ", "4", "0", "/", "2"}) EXPECT_TRUE(input.add(c));
+    EXPECT_EQ(input.numbers(), (std::vector<double>{30, 20}));
+}
+
+TEST(TypedInput, has_no_number_while_one_is_unfinished) {
+    TypedInput input;
+    input.add("30x");
+    EXPECT_FALSE(input.numbers());
+    input.remove_last();
+    EXPECT_EQ(input.numbers(), std::vector<double>{30});
+    input.clear();
+    EXPECT_TRUE(input.is_empty());
+}
+
+TEST(TypedInput, does_not_grow_without_end) {
+    TypedInput input;
+    for (int i = 0; i < 1000; ++i) input.add("1");
+    EXPECT_LE(input.text().size(), 64U);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ bool has_warning(const ToolOverlay& overlay) {
 
 TEST(SewingTool, the_ends_that_are_clicked_meet) {
     SheetUser hands;
-    hands.choose(ToolKind::SegmentSewing);
+    hands.choose("segment_sewing");
     hands.click({0.2, 0.03});  // edge 1 of `left` points up: near its start
     hands.click({0.3, 0.04});  // edge 3 of `right` points down: near its end
     ASSERT_EQ(hands.pattern().seams.size(), 1U);
@@ -27,7 +27,7 @@ TEST(SewingTool, the_ends_that_are_clicked_meet) {
 
 TEST(SewingTool, warns_of_crossed_threads_and_r_turns_the_second_edge) {
     SheetUser hands;
-    hands.choose(ToolKind::SegmentSewing);
+    hands.choose("segment_sewing");
     hands.click({0.2, 0.03});
     hands.move({0.3, 0.04});
     EXPECT_FALSE(has_warning(hands.overlay()));
@@ -37,13 +37,13 @@ TEST(SewingTool, warns_of_crossed_threads_and_r_turns_the_second_edge) {
     EXPECT_FALSE(has_warning(hands.overlay()));
     hands.click({0.3, 0.17});
     EXPECT_TRUE(hands.pattern().seams.at(0).is_reversed);
-    EXPECT_EQ(hands.tools.kind(), ToolKind::SegmentSewing) << "R is not Rotate here";
+    EXPECT_EQ(hands.tools.info().id, "segment_sewing") << "R is not Rotate here";
 }
 
 TEST(SewingTool, tells_both_lengths_and_their_difference) {
     SheetUser hands;
     hands.document.run(MoveVertices{{{"right", 3}}, Vec2d(0, 0.0032)});
-    hands.choose(ToolKind::SegmentSewing);
+    hands.choose("segment_sewing");
     hands.click({0.2, 0.03});
     hands.move({0.3, 0.04});
     const std::vector<std::string> readout = hands.overlay().readout;
@@ -55,7 +55,7 @@ TEST(SewingTool, tells_both_lengths_and_their_difference) {
 TEST(SewingTool, a_sewn_edge_is_selected_and_r_or_a_click_on_its_mark_reverses_it) {
     SheetUser hands;
     hands.document.run(SewEdges{{"left", 1}, {"right", 3}, true});
-    hands.choose(ToolKind::SegmentSewing);
+    hands.choose("segment_sewing");
     hands.click({0.3, 0.05});
     EXPECT_EQ(hands.document.selection().seams, (std::set<int>{0}));
     hands.key(key_of('R'));
@@ -68,7 +68,7 @@ TEST(SewingTool, a_sewn_edge_is_selected_and_r_or_a_click_on_its_mark_reverses_i
 
 TEST(SewingTool, an_edge_is_not_sewn_to_itself) {
     SheetUser hands;
-    hands.choose(ToolKind::SegmentSewing);
+    hands.choose("segment_sewing");
     hands.click({0.2, 0.03});
     hands.click({0.2, 0.16});
     EXPECT_TRUE(hands.pattern().seams.empty());
@@ -77,7 +77,7 @@ TEST(SewingTool, an_edge_is_not_sewn_to_itself) {
 
 TEST(FreeSewingTool, sews_parts_of_edges_that_are_dragged_over) {
     SheetUser hands;
-    hands.choose(ToolKind::FreeSewing);
+    hands.choose("free_sewing");
     hands.drag({0.2, 0.0}, {0.2, 0.1});
     hands.drag({0.3, 0.0}, {0.3, 0.098});
     ASSERT_EQ(hands.pattern().seams.size(), 1U);
@@ -97,7 +97,7 @@ TEST(FreeSewingTool, one_run_is_sewn_to_several_with_shift) {
     source.pattern.panels[1] = square_panel("right", {0.3, 0}, {0.5, 0.1});
     source.pattern.panels.push_back(square_panel("upper", {0.3, 0.12}, {0.5, 0.22}));
     SheetUser hands(source);
-    hands.choose(ToolKind::FreeSewing);
+    hands.choose("free_sewing");
     hands.click({0.2, 0.03});
     hands.click({0.3, 0.02}, {.shift = true});
     hands.click({0.3, 0.13}, {.shift = true});

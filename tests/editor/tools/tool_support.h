@@ -28,7 +28,7 @@ class SheetUser {
     const sim::Panel& panel(const std::string& name) const;
     Vec2d vertex(const std::string& panel, int index);  // on the sheet
 
-    void choose(ToolKind kind) { tools.choose(host(), kind); }
+    void choose(std::string_view id) { tools.choose(host(), info_of(id)); }
     void move(const Vec2d& sheet, const Modifiers& modifiers = {});
     void press(const Vec2d& sheet, const Modifiers& modifiers = {});
     void release(const Vec2d& sheet, const Modifiers& modifiers = {});
@@ -38,7 +38,7 @@ class SheetUser {
     bool key(Key key, const Modifiers& modifiers = {});
     void type(const std::string& text, Key then = Key::Enter);
 
-    std::string message() const { return messages.shown() ? messages.shown()->words : ""; }
+    std::string message() const { return messages.shown() ? messages.shown()->text : ""; }
     ToolOverlay overlay();
 
  private:

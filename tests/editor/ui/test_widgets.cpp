@@ -61,13 +61,13 @@ TEST(MessageClock, a_new_note_has_its_own_time) {
     messages.note("Copied");
     let_pass(clock, messages, 5);
     ASSERT_NE(messages.shown(), nullptr);
-    EXPECT_EQ(messages.shown()->words, "Copied");
+    EXPECT_EQ(messages.shown()->text, "Copied");
 }
 
 TEST(MessageClock, an_error_stays) {
     MessageClock clock;
     Messages messages;
-    messages.say({.kind = MessageKind::Error, .words = "That cannot be", .places = {}});
+    messages.say({.kind = MessageKind::Error, .text = "That cannot be", .places = {}});
     let_pass(clock, messages, 600);
     EXPECT_NE(messages.shown(), nullptr);
 }

@@ -1,7 +1,21 @@
 #include <gtest/gtest.h>
+#include <imgui.h>
+#include <chrono>
+#include <memory>
+#include <thread>
 
+#include "editor/viewport3d/cloth_outline.h"
+#include "editor/viewport3d/curved_drape.h"
+#include "editor/viewport3d/viewport.h"
 #include "editor/viewport3d/viewport_scene.h"
+#include "render/surface/curve.h"
+#include "sim/cloth/cloth.h"
+#include "sim/collide/collider.h"
+#include "sim/dress/dress.h"
+#include "sim/dress/report.h"
+#include "sim/mesh/sew.h"
 #include "tests/editor/viewport3d/viewport_support.h"
+#include "tests/sim/dress/session_support.h"
 
 namespace selvedge::editor {
 namespace {
@@ -96,17 +110,243 @@ TEST(PlacedMesh, takes_a_sewn_mesh_apart_where_the_pattern_places_its_panels) {
     pattern.panels.push_back(pattern.panels.front());
     pattern.panels.back().name = "other";
     pattern.panels.back().translation = {0, 1, -0.3};
-    sim::PlainMesh sewn;  // one triangle per panel, sharing an edge
+    sim::DrawMesh sewn;  // one triangle per panel, sharing an edge
     sewn.x = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
     sewn.triangles = {{0, 1, 2}, {1, 3, 2}};
     sewn.u = {{Vec2f(0, 0), Vec2f(0.1F, 0), Vec2f(0, 0.1F)}, {Vec2f(0, 0), Vec2f(0.1F, 0), Vec2f(0, 0.1F)}};
     sewn.panel = {0, 1};
     sewn.panel_names = {"square", "other"};
-    const sim::PlainMesh placed = placed_mesh(sewn, pattern);
+    const sim::DrawMesh placed = placed_mesh(sewn, pattern);
     EXPECT_EQ(placed.x.size(), 6U);
     EXPECT_EQ(placed.x[placed.triangles[0][1]], Vec3f(0.1F, 1, 0.3F));
     EXPECT_EQ(placed.x[placed.triangles[1][2]], Vec3f(0, 1.1F, -0.3F));
     EXPECT_EQ(placed.normals.size(), 6U);
+}
+
+}  // namespace
+
+namespace {
+
+CurrentBody mannequin(const std::string& text) {
+    return {.text = text, .body = sim::test::session_body(), .measures = {}, .points = {}};
+}
+
+// Two squares that hang from the shoulders of the mannequin, in a window that holds only the 3D view.
+class CurvedDrapeTest : public testing::Test {
+ protected:
+    CurvedDrapeTest() {
+        ImGuiIO& io = ImGui::GetIO();
+        io.IniFilename = nullptr;
+        io.DisplaySize = {800, 600};
+        io.DeltaTime = 1;
+        io.Fonts->Build();
+        ImGui::GetStyle().WindowPadding = {0, 0};
+        workspace.drape.options() = sim::test::coarse_options();
+        show();
+    }
+    ~CurvedDrapeTest() override { ImGui::DestroyContext(context_); }
+
+    // One frame of the editor, which is one of the drape while that runs.
+    void show() {
+        workspace.drape.follow(*workspace.document, workspace.messages);
+        ImGui::NewFrame();
+        ImGui::SetNextWindowPos({0, 0});
+        ImGui::SetNextWindowSize({800, 600});
+        ImGui::Begin("view", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+        view.show({.workspace = workspace, .output = output});
+        ImGui::End();
+        ImGui::Render();
+    }
+
+    std::size_t shown() const { return view.scene()->cloths.front().mesh.triangles.size(); }
+    const sim::SessionFrame& frame() const { return view.hand().garment().frame(); }
+    std::size_t leaves() const { return frame().mesh.triangles.size(); }
+    bool is_at_rest() const { return frame().stage == sim::SessionStage::Settled; }
+
+    // The left button of the mouse over the point, with Ctrl or without.
+    void press(const Vec2f& px, bool is_down, bool has_ctrl) {
+        ViewportInput input{.size_px = {800, 600}, .cursor_px = px, .is_over = true};
+        input.modifiers.ctrl = has_ctrl;
+        view.hand().update(workspace, input, ClothChoice::Panels);
+        input.buttons[0] = {.is_down = is_down, .was_pressed = is_down, .was_released = !is_down};
+        view.hand().update(workspace, input, ClothChoice::Panels);
+    }
+    Vec2f middle_of_a_triangle() const {
+        const sim::DrawMesh& mesh = frame().mesh;
+        std::size_t nearest = 0;
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+            if (mesh.x[mesh.triangles[t][0]].z() > mesh.x[mesh.triangles[nearest][0]].z()) nearest = t;
+        }
+        const auto& [a, b, c] = mesh.triangles[nearest];
+        return px_of(view.hand().viewing(), (mesh.x[a] + mesh.x[b] + mesh.x[c]) / 3).value();
+    }
+
+ private:
+    ImGuiContext* context_ = ImGui::CreateContext();
+
+ protected:
+    Workspace workspace{
+        {.pattern = sim::test::session_pattern("two_squares"), .json = {}}, sim::SessionDrive::Caller, mannequin};
+    FrameOutput output;
+    Viewport view;
+};
+
+TEST_F(CurvedDrapeTest, is_shown_at_rest_only_and_only_if_the_view_option_is_on) {
+    ASSERT_TRUE(view.scene());
+    workspace.drape.session().start();
+    int moving = 0;
+    for (; moving < 1000 && !is_at_rest(); ++moving) {
+        EXPECT_EQ(shown(), leaves());
+        show();
+    }
+    EXPECT_GT(moving, 20);
+    ASSERT_TRUE(is_at_rest());
+    ASSERT_TRUE(frame().collider);
+    render::CurvedMeshOptions options{.light_normals = render::LightNormals::Interpolated};
+    options.curve.move.body = frame().collider.get();
+    const sim::DrawMesh curved = curved_mesh(frame().mesh, options);
+    EXPECT_GT(curved.triangles.size(), leaves());
+    EXPECT_EQ(view.scene()->cloths.front().mesh, curved);
+    for (const Vec3f& x : curved.x) EXPECT_GT(frame().collider->contact(x).distance, -0.0005F) << "in the body";
+
+    const auto scene = view.scene();
+    output.scenes.clear();
+    show();
+    EXPECT_EQ(view.scene(), scene) << "nothing has changed";
+    EXPECT_TRUE(output.scenes.empty());
+
+    workspace.look.is_curved = false;
+    show();
+    EXPECT_EQ(view.scene()->cloths.front().mesh, frame().mesh);
+    workspace.look.is_curved = true;
+    show();
+    EXPECT_EQ(view.scene()->cloths.front().mesh, curved);
+    for (const render::ShowMode mode : {render::ShowMode::Level, render::ShowMode::Edges, render::ShowMode::Strain}) {
+        workspace.look.show = mode;
+        show();
+        EXPECT_EQ(shown(), leaves()) << "the mode shows data of the simulated triangles";
+    }
+    workspace.look.show = render::ShowMode::Plain;
+    workspace.look.as_placed = true;
+    show();
+    EXPECT_EQ(shown(), leaves());
+    workspace.look.as_placed = false;
+
+    // Picking uses the simulated triangles under the surface.
+    view.hand().look_from(StandardView::Front);
+    for (int i = 0; i < 3; ++i) show();
+    press(middle_of_a_triangle(), true, true);
+    ASSERT_TRUE(view.hand().under().cloth);
+    EXPECT_LT(view.hand().under().cloth->triangle, leaves());
+    press(middle_of_a_triangle(), false, true);
+    show();
+    show();
+    EXPECT_EQ(frame().pins.size(), 1U);
+    EXPECT_EQ(shown(), curved.triangles.size());
+    press(middle_of_a_triangle(), true, false);
+    press(middle_of_a_triangle() + Vec2f(40, 0), true, false);
+    show();
+    show();
+    EXPECT_FALSE(is_at_rest());
+    EXPECT_EQ(shown(), leaves()) << "the cloth is pulled";
+}
+
+TEST(CurvedDrape, does_not_wait_for_the_task_where_the_drape_has_its_own_thread) {
+    const sim::Pattern pattern = square_pattern();
+    const auto cloth = std::make_shared<const sim::Cloth>(make_cloth(assemble(pattern), sim::fabrics_of(pattern)));
+    auto at_rest = std::make_shared<sim::SessionFrame>();
+    at_rest->cloth = cloth;
+    at_rest->mesh = draw_mesh(*cloth, {"square"});
+    CurvedDrape drape;
+    EXPECT_FALSE(drape.follow(at_rest, sim::SessionDrive::Thread)) << "it has only begun";
+    EXPECT_TRUE(drape.is_making());
+    std::shared_ptr<const sim::DrawMesh> mesh;
+    for (int i = 0; i < 1000 && !mesh; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        mesh = drape.follow(at_rest, sim::SessionDrive::Thread);
+    }
+    ASSERT_TRUE(mesh);
+    EXPECT_FALSE(drape.is_making());
+    EXPECT_EQ(*mesh, render::curved_mesh(at_rest->mesh, {.light_normals = render::LightNormals::Interpolated}));
+    EXPECT_FALSE(drape.follow(std::make_shared<const sim::SessionFrame>(), sim::SessionDrive::Thread)) << "it moves";
+    EXPECT_EQ(drape.follow(at_rest, sim::SessionDrive::Thread), mesh) << "the same cloth gives the same pointer";
+}
+
+}  // namespace
+
+namespace {
+
+// Two squares of 1 m side by side, "left" and "right", sewn along their common edge; each has a vertex in its centre.
+struct SewnSquares {
+    sim::Pattern pattern;
+    sim::DrawMesh mesh;
+};
+
+sim::Panel square_panel(const std::string& name) {
+    sim::Panel panel;
+    panel.name = name;
+    panel.vertices = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    for (int i = 0; i < 4; ++i) panel.edges.push_back({.start = i, .end = (i + 1) % 4});
+    return panel;
+}
+
+SewnSquares sewn_squares() {
+    SewnSquares squares;
+    squares.pattern.panels = {square_panel("right"), square_panel("left")};
+    sim::DrawMesh& mesh = squares.mesh;
+    mesh.panel_names = {"left", "right"};
+    mesh.x = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {0, 1, 0}, {0.5F, 0.5F, 0}, {1.5F, 0.5F, 0}};
+    const std::array<std::array<std::uint32_t, 5>, 2> corners{{{0, 1, 4, 5, 6}, {1, 2, 3, 4, 7}}};
+    for (std::uint16_t p = 0; p < 2; ++p) {
+        for (std::size_t i = 0; i < 4; ++i) {
+            const std::array<std::uint32_t, 3> triangle{corners[p][i], corners[p][(i + 1) % 4], corners[p][4]};
+            mesh.triangles.push_back(triangle);
+            mesh.panel.push_back(p);
+            std::array<Vec2f, 3> u;
+            for (std::size_t c = 0; c < 3; ++c) u[c] = mesh.x[triangle[c]].head<2>() - Vec2f(float(p), 0);
+            mesh.u.push_back(u);
+        }
+    }
+    return squares;
+}
+
+TEST(ClothOutline, follows_each_panel_along_its_seams_too) {
+    const SewnSquares squares = sewn_squares();
+    const std::vector<ClothOutline> outlines = find_outlines(squares.mesh, squares.pattern);
+    ASSERT_EQ(outlines.size(), 2U);
+    EXPECT_EQ(outlines[0].vertices.size(), 4U);
+    EXPECT_EQ(start_of(outlines[0], 0, squares.mesh.x), Vec3f(1, 0, 0));
+    EXPECT_EQ(start_of(outlines[0], 2, squares.mesh.x), Vec3f(2, 1, 0));
+    EXPECT_EQ(edge_path(outlines[0], 3, squares.mesh.x), (std::vector<Vec3f>{{1, 1, 0}, {1, 0, 0}})) << "the seam";
+    EXPECT_EQ(edge_path(outlines[1], 1, squares.mesh.x), (std::vector<Vec3f>{{1, 0, 0}, {1, 1, 0}}))
+        << "its other side";
+    EXPECT_EQ(whole_path(outlines[1], squares.mesh.x).size(), 5U);
+}
+
+TEST(ClothOutline, a_seam_within_a_panel_is_part_of_its_outline) {
+    // Both squares belong to the left panel, but at different material coordinates, as at the closing seam of a tube.
+    SewnSquares squares = sewn_squares();
+    squares.mesh.panel.assign(8, 0);
+    for (std::size_t t = 4; t < 8; ++t) {
+        for (Vec2f& u : squares.mesh.u[t]) u += Vec2f(5, 0);
+    }
+    const std::vector<ClothOutline> outlines = find_outlines(squares.mesh, squares.pattern);
+    EXPECT_EQ(outlines[1].vertices.size(), 4U) << "not the six round both";
+    EXPECT_TRUE(outlines[0].is_empty()) << "no triangle is of the panel on the right";
+}
+
+TEST(ClothOutline, a_panel_that_the_mesh_does_not_know_has_none) {
+    SewnSquares squares = sewn_squares();
+    squares.pattern.panels[0].name = "collar";
+    const std::vector<ClothOutline> outlines = find_outlines(squares.mesh, squares.pattern);
+    EXPECT_TRUE(outlines[0].is_empty());
+    EXPECT_FALSE(outlines[1].is_empty());
+}
+
+TEST(ClothOutline, a_mesh_without_material_coordinates_has_none) {
+    SewnSquares squares = sewn_squares();
+    squares.mesh.u.clear();
+    EXPECT_TRUE(find_outlines(squares.mesh, squares.pattern)[0].is_empty());
 }
 
 }  // namespace

@@ -158,7 +158,7 @@ void take_draped(Photographer& photographer) {
     photographer.take("sewing");
     photographer.advance(150);
     photographer.take("draped");
-    const sim::PlainMesh& mesh = photographer.surface().view.hand().garment().mesh();
+    const sim::DrawMesh& mesh = photographer.surface().view.hand().garment().mesh();
     workspace.drape.session().pin(
         {.frame = workspace.drape.frame()->number, .triangle = 40, .weights = Vec3f::Constant(1.0F / 3)});
     photographer.move_to(photographer.seen(mesh.x[mesh.triangles[mesh.triangles.size() / 4][0]]));

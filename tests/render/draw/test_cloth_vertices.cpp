@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include "render/draw/cloth_vertices.h"
-#include "render/draw/sett_sums.h"
 #include "render/scene/colour.h"
 #include "sim/tartan/tartan_file.h"
 
@@ -12,8 +11,8 @@ namespace {
 //   2---3
 //   | \ |
 //   0---1
-sim::PlainMesh sewn_square() {
-    sim::PlainMesh mesh;
+sim::DrawMesh sewn_square() {
+    sim::DrawMesh mesh;
     mesh.x = {{0, 0, 0}, {0.3F, 0, 0}, {0, 0.4F, 0}, {0.3F, 0.4F, 0}};
     mesh.normals.assign(4, Vec3f(0, 0, 1));
     mesh.triangles = {{0, 1, 2}, {1, 3, 2}};
@@ -24,7 +23,7 @@ sim::PlainMesh sewn_square() {
     return mesh;
 }
 
-std::vector<ClothVertex> vertices_of(const sim::PlainMesh& mesh) {
+std::vector<ClothVertex> vertices_of(const sim::DrawMesh& mesh) {
     return make_cloth_vertices(mesh, mesh.normals, std::vector<AmbientVisibility>(mesh.x.size()));
 }
 
@@ -39,14 +38,14 @@ TEST(ClothVertices, a_seam_is_marked_where_material_coordinates_jump_and_a_hem_w
 }
 
 TEST(ClothVertices, an_edge_within_one_panel_is_neither_seam_nor_hem) {
-    sim::PlainMesh mesh = sewn_square();
+    sim::DrawMesh mesh = sewn_square();
     mesh.panel = {0, 0};
     mesh.u[1] = {Vec2f(0.3F, 0), Vec2f(0.3F, 0.4F), Vec2f(0, 0.4F)};
     EXPECT_EQ(vertices_of(mesh)[0].marks >> 8 & 7U, 0U);
 }
 
 TEST(ClothVertices, a_dart_is_a_seam_within_one_panel) {
-    sim::PlainMesh mesh = sewn_square();
+    sim::DrawMesh mesh = sewn_square();
     mesh.panel = {0, 0};
     EXPECT_EQ(vertices_of(mesh)[0].marks >> 8 & 7U, 1U);
 }
@@ -62,7 +61,7 @@ TEST(ClothVertices, the_sett_follows_the_grain_of_each_panel) {
 }
 
 TEST(ClothVertices, the_offset_of_a_panels_sett_comes_after_the_turn_to_its_grain) {
-    sim::PlainMesh mesh = sewn_square();
+    sim::DrawMesh mesh = sewn_square();
     mesh.panel_sett_offsets = {{0.01F, 0.02F}, {-0.5F, 0.25F}};
     const std::vector<ClothVertex> vertices = vertices_of(mesh);
     EXPECT_NEAR(vertices[2].place[0], 0.01F, 1e-6F);
@@ -80,7 +79,7 @@ TEST(ClothVertices, heights_are_those_of_the_triangle_and_lie_on_their_own_corne
 }
 
 TEST(ClothVertices, a_mesh_with_nothing_but_triangles_will_do) {
-    sim::PlainMesh mesh = sewn_square();
+    sim::DrawMesh mesh = sewn_square();
     mesh.u.clear();
     mesh.panel.clear();
     mesh.level.clear();

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 #include <filesystem>
+#include <map>
 
 #include "render/image/image.h"
+#include "render/image/text.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
 
@@ -98,6 +100,149 @@ TEST(Png, a_header_that_promises_too_many_pixels_is_refused_before_memory_is_tak
 TEST(Png, a_missing_folder_is_an_input_error) {
     EXPECT_THROW(read_png("/no/such/folder/a.png"), sim::InputError);
     EXPECT_THROW(write_png("/no/such/folder/a.png", gradient(2, 2)), sim::InputError);
+}
+
+}  // namespace
+
+namespace {
+
+constexpr Rgba8 kGrey{120, 120, 120, 255};
+
+Image changed(Image image, int pixels, int step) {
+    for (int i = 0; i < pixels; ++i) {
+        std::uint8_t& red = image.pixels[static_cast<std::size_t>(i)][0];
+        red = static_cast<std::uint8_t>(red + step);
+    }
+    return image;
+}
+
+TEST(Compare, a_picture_is_exactly_itself) {
+    const Image image(100, 100, kGrey);
+    const Comparison comparison = compare(image, image);
+    EXPECT_TRUE(comparison.is_exact());
+    EXPECT_TRUE(is_alike(comparison));
+    EXPECT_EQ(describe(comparison), "the pictures are the same");
+}
+
+TEST(Compare, steps_of_three_are_alike_however_many) {
+    const Image image(100, 100, kGrey);
+    const Comparison comparison = compare(image, changed(image, 10000, 3));
+    EXPECT_FALSE(comparison.is_exact());
+    EXPECT_EQ(comparison.differing, 10000U);
+    EXPECT_EQ(comparison.beyond, 0U);
+    EXPECT_TRUE(is_alike(comparison));
+}
+
+TEST(Compare, one_pixel_in_ten_thousand_may_be_further_off_and_a_second_may_not) {
+    const Image image(100, 100, kGrey);
+    EXPECT_TRUE(is_alike(compare(image, changed(image, 1, 100))));
+    EXPECT_FALSE(is_alike(compare(image, changed(image, 2, 4))));
+}
+
+TEST(Compare, a_step_down_or_in_alpha_counts_like_a_step_up) {
+    const Image image(10, 10, kGrey);
+    Image other = image;
+    other.at(3, 4)[1] = 100;
+    other.at(5, 6)[3] = 0;
+    const Comparison comparison = compare(image, other);
+    EXPECT_EQ(comparison.differing, 2U);
+    EXPECT_EQ(comparison.largest_step, 255);
+}
+
+TEST(Compare, pictures_of_different_sizes_are_never_alike) {
+    const Comparison comparison = compare(Image(10, 20, kGrey), Image(20, 10, kGrey));
+    EXPECT_FALSE(comparison.has_same_size);
+    EXPECT_EQ(comparison.pixels, 400U);
+    EXPECT_EQ(comparison.differing, 300U);
+    EXPECT_FALSE(is_alike(comparison, {.share_beyond = 1}));
+    EXPECT_NE(describe(comparison).find("sizes differ"), std::string::npos);
+}
+
+TEST(Compare, the_share_that_differs_is_named) {
+    const Image image(100, 100, kGrey);
+    EXPECT_EQ(describe(compare(image, changed(image, 150, 7))),
+              "1.5 % of the pixels differ (1.5 % by more than 3/255, at most 7/255)");
+}
+
+TEST(DifferencePicture, is_red_where_pixels_differ_and_grey_elsewhere) {
+    const Image image(4, 2, kGrey);
+    const Image difference = difference_picture(image, changed(image, 1, 1));
+    EXPECT_GT(difference.at(0, 0)[0], difference.at(0, 0)[1] + 60);
+    EXPECT_EQ(difference.at(1, 0)[0], difference.at(1, 0)[1]);
+}
+
+TEST(DifferencePicture, covers_both_pictures_when_their_sizes_differ) {
+    const Image difference = difference_picture(Image(4, 2, kGrey), Image(2, 4, kGrey));
+    EXPECT_EQ(difference.width_px, 4);
+    EXPECT_EQ(difference.height_px, 4);
+    EXPECT_EQ(difference.at(3, 0), (Rgba8{255, 0, 255, 255}));
+    EXPECT_EQ(difference.at(3, 3), (Rgba8{255, 0, 255, 255}));
+}
+
+}  // namespace
+
+namespace {
+
+TEST(Glyphs, every_letter_of_ascii_differs_from_every_other) {
+    std::map<Glyph, char> seen;
+    for (char letter = 32; letter < 127; ++letter) {
+        const auto [found, is_new] = seen.emplace(find_glyph(letter), letter);
+        EXPECT_TRUE(is_new) << letter << " looks like " << found->second;
+    }
+}
+
+TEST(Glyphs, only_a_space_is_empty_and_only_what_descends_goes_below_the_line) {
+    for (char letter = 33; letter < 127; ++letter) {
+        const Glyph glyph = find_glyph(letter);
+        EXPECT_NE(glyph, Glyph{}) << letter;
+        const bool descends = std::string_view("gjpqy,;_").find(letter) != std::string_view::npos;
+        EXPECT_EQ((glyph[7] | glyph[8]) != 0, descends) << letter;
+    }
+    EXPECT_EQ(find_glyph(' '), Glyph{});
+}
+
+TEST(Glyphs, what_is_not_ascii_is_a_question_mark) {
+    EXPECT_EQ(find_glyph('\t'), find_glyph('?'));
+    EXPECT_EQ(find_glyph(static_cast<char>(0xE9)), find_glyph('?'));
+}
+
+TEST(Text, figures_are_all_as_wide_and_an_umlaut_counts_once) {
+    for (char figure = '0'; figure <= '9'; ++figure) EXPECT_EQ(text_width(std::string(1, figure)), 5) << figure;
+    EXPECT_EQ(text_width("\xC3\xA4"), text_width("?"));
+    EXPECT_EQ(text_width(""), 0);
+}
+
+TEST(Text, fills_exactly_the_width_that_it_was_said_to_have) {
+    for (const int scale : {1, 2, 3}) {
+        Image image(400, 40, {255, 255, 255, 255});
+        draw_text(image, 10, 5, "Model 42", {.scale = scale});
+        int first = image.width_px, last = -1;
+        for (int x = 0; x < image.width_px; ++x) {
+            for (int y = 0; y < image.height_px; ++y) {
+                if (image.at(x, y) == Rgba8{255, 255, 255, 255}) continue;
+                first = std::min(first, x);
+                last = std::max(last, x);
+            }
+        }
+        EXPECT_EQ(first, 10);
+        EXPECT_EQ(last - first + 1, text_width("Model 42") * scale);
+    }
+}
+
+TEST(Text, outside_the_picture_nothing_is_drawn_and_nothing_breaks) {
+    Image image(20, 20, {9, 9, 9, 255});
+    draw_text(image, -3, -4, "Wide words", {.scale = 3});
+    fill_box(image, {-5, -5, 100, 8}, {255, 0, 0, 255});
+    fill_rounded(image, {15, 15, 50, 50}, 4, {0, 255, 0, 255});
+    EXPECT_EQ(image.at(0, 0), (Rgba8{255, 0, 0, 255}));
+    EXPECT_EQ(image.at(19, 19), (Rgba8{0, 255, 0, 255}));
+}
+
+TEST(Text, half_a_colour_over_nothing_is_that_colour_half_seen) {
+    Image image(2, 1, {0, 0, 0, 0});
+    fill_box(image, {0, 0, 1, 1}, {200, 100, 50, 128});
+    EXPECT_EQ(image.at(0, 0), (Rgba8{200, 100, 50, 128}));
+    EXPECT_EQ(image.at(1, 0), (Rgba8{0, 0, 0, 0}));
 }
 
 }  // namespace

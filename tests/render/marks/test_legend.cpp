@@ -128,4 +128,58 @@ TEST(Legend, figures_stand_below_each_other_at_the_right_edge) {
 
 }  // namespace
 
+// The legend goes where it covers nothing; if there is no such corner, the camera makes room.
+
+namespace {
+
+constexpr PictureSize kSize{.width_px = 400, .height_px = 300};
+const Legend kLegend{.title = "Panels", .rows = {{.colour = {}, .label = "front"}, {.colour = {}, .label = "back"}}};
+
+// Upright rectangles in the plane z = 0: low and high corner, m.
+Scene scene_of(const std::vector<std::array<Vec2f, 2>>& rectangles) {
+    Scene scene;
+    ClothItem& cloth = scene.cloths.emplace_back();
+    for (const auto& [low, high] : rectangles) {
+        const auto first = static_cast<std::uint32_t>(cloth.mesh.x.size());
+        for (const Vec2f& p : {low, Vec2f(high.x(), low.y()), high, Vec2f(low.x(), high.y())})
+            cloth.mesh.x.emplace_back(p.x(), p.y(), 0.0F);
+        cloth.mesh.triangles.push_back({first, first + 1, first + 2});
+        cloth.mesh.triangles.push_back({first, first + 2, first + 3});
+    }
+    return scene;
+}
+
+SubjectFrame frame_of(const Scene& scene) {
+    return {.points = scene.cloths.front().mesh.x, .direction = {}, .options = {.aspect = kSize.aspect()}};
+}
+
+LegendPlace place_in(Scene& scene, const SubjectFrame& frame) {
+    scene.camera = frame.camera();
+    const std::vector<float> turns{0};
+    return find_legend_place(kLegend, {.scene = scene, .frame = frame, .turns = turns}, kSize);
+}
+
+// An L: the column at the left and the beam at the bottom leave the upper right corner free.
+Scene letter_l() {
+    return scene_of({{Vec2f(-2, 0), Vec2f(-1.6F, 3)}, {Vec2f(-2, 0), Vec2f(2, 0.4F)}});
+}
+
+TEST(LegendPlace, is_the_corner_that_the_subject_leaves_free) {
+    Scene scene = letter_l();
+    const LegendPlace place = place_in(scene, frame_of(scene));
+    EXPECT_EQ(place.corner, Corner::UpperRight);
+    EXPECT_EQ(place.camera.eye, scene.camera.eye) << "the camera stays";
+}
+
+TEST(LegendPlace, is_made_by_a_camera_farther_away_if_no_corner_is_free) {
+    Scene scene = scene_of({{Vec2f(-2, 0), Vec2f(2, 3)}});
+    SubjectFrame frame = frame_of(scene);
+    const LegendPlace place = place_in(scene, frame);
+    EXPECT_GT(pixel_size(place.camera, kSize.height_px), pixel_size(scene.camera, kSize.height_px));
+    frame.may_move = false;
+    EXPECT_EQ(place_in(scene, frame).camera.eye, scene.camera.eye);
+}
+
+}  // namespace
+
 }  // namespace selvedge::render

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "render/preview/preview_buffers.h"
+#include "render/preview/preview_renderer.h"
 #include "render/scene/colour.h"
 #include "sim/tartan/tartan_file.h"
 

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "bench/support/square.h"
+#include "bench/support/measured_mesh.h"
 #include "render/surface/adapt_surface.h"
 #include "sim/mesh/garment_mesh.h"
 

@@ -11,7 +11,7 @@
 namespace selvedge::render::test {
 namespace {
 
-constexpr float kMostJump = 0.0005F;  // m
+constexpr float kMaxJump = 0.0005F;  // m
 
 std::size_t triangles(const CurvedSurface& surface) {
     return surface.mesh.leaf_triangles().size();
@@ -133,7 +133,7 @@ TEST(AdaptSurface, glides_so_that_no_vertex_jumps_and_arrives_where_it_would_be_
         const CurvedSurface before = surface;
         const bool changed = adapt_surface(surface, {.glides = true}).changed();
         update_surface(surface, coarse.x, coarse.normals);
-        ASSERT_LT(greatest_jump(before, surface), kMostJump);
+        ASSERT_LT(greatest_jump(before, surface), kMaxJump);
         ASSERT_LT(greatest_leap_of_what_went(before, surface), 1e-6F);
         still = changed || surface.x != before.x ? 0 : still + 1;
     }
@@ -162,7 +162,7 @@ TEST(AdaptSurface, glides_out_and_rejoins_what_is_no_longer_seen) {
         update_surface(surface, coarse.x, coarse.normals);
         splits += report.splits;
         rejoins += report.rejoins;
-        ASSERT_LT(greatest_jump(before, surface), kMostJump) << frame;
+        ASSERT_LT(greatest_jump(before, surface), kMaxJump) << frame;
         ASSERT_LT(greatest_leap_of_what_went(before, surface), 1e-6F) << frame;
     }
     EXPECT_GT(splits, 100);
@@ -184,7 +184,7 @@ TEST(AdaptSurface, glides_down_to_a_lower_level_too) {
         const CurvedSurface before = surface;
         adapt_surface(surface, {.max_level = 1, .glides = true});
         update_surface(surface, coarse.x, coarse.normals);
-        ASSERT_LT(greatest_jump(before, surface), kMostJump) << frame;
+        ASSERT_LT(greatest_jump(before, surface), kMaxJump) << frame;
         ASSERT_LT(greatest_leap_of_what_went(before, surface), 1e-6F) << frame;
     }
     EXPECT_EQ(deepest(), 1);

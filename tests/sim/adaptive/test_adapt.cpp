@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-#include "bench/support/square.h"
+#include "bench/support/measured_mesh.h"
 #include "sim/adaptive/adapt.h"
 #include "sim/adaptive/check.h"
 #include "sim/adaptive/criteria.h"

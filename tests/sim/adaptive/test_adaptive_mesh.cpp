@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 
-#include "bench/support/square.h"
+#include "bench/support/measured_mesh.h"
+#include "sim/adaptive/adaptive_mesh.h"
 #include "sim/adaptive/check.h"
 #include "sim/adaptive/criteria.h"
-#include "sim/adaptive/diagonal.h"
 #include "sim/core/error.h"
 #include "tests/sim/adaptive/fixtures.h"
 
@@ -60,7 +60,7 @@ TEST(Seam, gives_internal_edges_the_length_of_their_own_panel) {
         const AdaptiveTriangle& owner = mesh.triangle(TriangleId(t));
         for (const EdgeId e : owner.internal_edges) {
             const AdaptiveTriangle& side = mesh.triangle(mesh.edge(e).sides[0]);
-            const std::size_t k = place_of(side, e);
+            const std::size_t k = index_of(side, e);
             EXPECT_FLOAT_EQ(mesh.rest_length(e), (side.u[(k + 1) % 3] - side.u[k]).norm());
         }
     }

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "bench/support/square.h"
+#include "bench/support/measured_mesh.h"
 #include "sim/adaptive/criteria.h"
 
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "bench/support/square.h"
+#include "bench/support/measured_mesh.h"
 #include "sim/adaptive/adapt.h"
 #include "sim/adaptive/check.h"
 
@@ -22,7 +22,7 @@ struct WavySheet {
     AdaptiveMesh mesh{bench::make_square({.columns = 12, .rows = 12, .width = 2.0, .depth = 2.0})};
     TriangleBudget budget;
     std::vector<Vec3f> x, normals;
-    std::size_t most_vertices = 0;  // the maximum at any time, also during an adaptation
+    std::size_t max_vertices = 0;  // the maximum at any time, also during an adaptation
 
     explicit WavySheet(const BudgetOptions& options) : budget(options) {
         on_capacity(mesh.vertex_capacity());
@@ -38,7 +38,7 @@ struct WavySheet {
         x[c.value] = 0.5F * (x[a.value] + x[b.value]);
         normals[c.value] = (normals[a.value] + normals[b.value]).normalized();
         budget.on_split();
-        most_vertices = std::max(most_vertices, mesh.vertices().size());
+        max_vertices = std::max(max_vertices, mesh.vertices().size());
     }
     void on_rejoin(VertexId) { budget.on_rejoin(); }
 
@@ -84,7 +84,7 @@ TEST(TriangleBudget, holds_a_batch_that_asks_for_all) {
         adapt(sheet.mesh, sheet, {}, EagerBatch{}, BudgetCriterion{&sheet.budget}, BudgetVeto{&sheet.budget});
     }
     EXPECT_LT(sheet.miss(), 0.05);
-    EXPECT_LT(sheet.most_vertices, 1000U) << "1,500 triangles have some 800";
+    EXPECT_LT(sheet.max_vertices, 1000U) << "1,500 triangles have some 800";
 }
 
 TEST(TriangleBudget, meets_a_target_within_a_second_and_keeps_it) {

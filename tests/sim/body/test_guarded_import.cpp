@@ -8,7 +8,6 @@
 #include <thread>
 #include <vector>
 
-#include "sim/body/child_process.h"
 #include "sim/body/guarded_import.h"
 #include "sim/core/parallel.h"
 

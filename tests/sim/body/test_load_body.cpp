@@ -47,9 +47,9 @@ class LoadBody : public testing::Test {
         }
         return "none";
     }
-    bool noted(const std::string& words) const {
+    bool noted(const std::string& text) const {
         return std::any_of(report_.notes.begin(), report_.notes.end(),
-                           [&](const std::string& note) { return note.find(words) != std::string::npos; });
+                           [&](const std::string& note) { return note.find(text) != std::string::npos; });
     }
 
     TemporaryFolder folder_;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "bench/support/square.h"
+#include "bench/support/measured_mesh.h"
 #include "sim/adaptive/criteria.h"
 #include "sim/mesh/sew.h"
 #include "tests/support/bodies.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/support/square.h"
+#include "bench/support/measured_mesh.h"
 #include "sim/adaptive/check.h"
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/curvature_map.h"
@@ -105,7 +105,7 @@ Cloth any_patch(Choices& choices) {
     return cloth;
 }
 
-std::string figures(const char* what, double value, double most) {
+std::string statistics(const char* what, double value, double most) {
     return std::string(what) + " " + std::to_string(value) + " of " + std::to_string(most);
 }
 
@@ -249,7 +249,7 @@ std::optional<std::string> RandomRun::fault() const {
         if (!cloth_.x_prev[v.value].allFinite()) return "a speed is no number";
     }
     const double mass = mass_of(cloth_);
-    if (!(std::abs(mass - mass_) < 1e-5 * mass_)) return figures("the mass is", mass, mass_);
+    if (!(std::abs(mass - mass_) < 1e-5 * mass_)) return statistics("the mass is", mass, mass_);
     return std::nullopt;
 }
 
@@ -262,7 +262,7 @@ std::optional<std::string> RandomRun::energy_fault(const Energy& before, double 
     const double most = before.kinetic + before.elastic + std::max(0.0, before.lift - now.lift) +
                         0.5 * mass_ * pushed * pushed + margin;
     if (now.kinetic <= most) return std::nullopt;
-    return figures("kinetic energy (J)", now.kinetic, most);
+    return statistics("kinetic energy (J)", now.kinetic, most);
 }
 
 void RandomRun::adapt() {

@@ -20,7 +20,7 @@ namespace {
 constexpr float kOffset = 0.003F;
 
 // The contact offset minus the maximum error of the distance field, m.
-float least_clearance(const BodyCollider& body) {
+float min_clearance(const BodyCollider& body) {
     return kOffset - body.max_error() - 1e-4F;
 }
 
@@ -160,7 +160,7 @@ TEST(HoldVertices, the_slack_never_hides_a_contact) {
     std::mt19937 random(21);
     Cloth cloth = make_patch(undamped(), {.side = 0.4, .quads = 8, .height = 1.12});
     hold(cloth);
-    const float least = least_clearance(ball());
+    const float least = min_clearance(ball());
     long pushed = 0;
     for (int round = 0; round < 300; ++round) {
         const float reach = round % 10 == 0 ? 0.03F : 0.002F;
@@ -179,7 +179,7 @@ TEST(HoldVertices, the_slack_never_hides_a_contact) {
 
 TEST(HoldVertices, a_falling_cloth_never_comes_nearer_than_the_offset) {
     Cloth cloth = make_patch(undamped("silk"), {.side = 0.4, .quads = 8, .height = 1.25});
-    const float least = least_clearance(ball());
+    const float least = min_clearance(ball());
     for (int i = 0; i < 120; ++i) {
         step(cloth, ball(), {.contact = {.floor = kNoFloor}});
         ASSERT_GT(deepest(cloth, ball()), least) << "after step " << i;

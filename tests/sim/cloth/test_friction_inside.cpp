@@ -115,7 +115,7 @@ Fabric heavy(Fabric fabric) {
     return fabric;
 }
 
-constexpr float kMost = 20;  // 1/m
+constexpr float kMax = 20;  // 1/m
 
 void bend_slowly(Roll& strip, float from, float to) {
     constexpr int kSteps = 40;
@@ -124,12 +124,12 @@ void bend_slowly(Roll& strip, float from, float to) {
 
 double loop_width(double hysteresis) {
     Roll strip(heavy(rubbing(hysteresis)));
-    bend_slowly(strip, 0, kMost);
-    bend_slowly(strip, kMost, -kMost);
-    bend_slowly(strip, -kMost, 0);
+    bend_slowly(strip, 0, kMax);
+    bend_slowly(strip, kMax, -kMax);
+    bend_slowly(strip, -kMax, 0);
     const double going_up = strip.moment_at(0);
-    bend_slowly(strip, 0, kMost);
-    bend_slowly(strip, kMost, 0);
+    bend_slowly(strip, 0, kMax);
+    bend_slowly(strip, kMax, 0);
     return going_up - strip.moment_at(0);
 }
 
@@ -141,9 +141,9 @@ TEST(FrictionInside, makes_a_loop_of_moment_against_curvature_that_is_2hb_wide) 
 
 TEST(FrictionInside, leaves_the_slope_of_the_loop_to_the_rigidity) {
     Roll strip(heavy(rubbing(1e-4)));
-    bend_slowly(strip, 0, kMost);
-    const double before = strip.moment_at(kMost);
-    EXPECT_NEAR((strip.moment_at(kMost + 2) - before) / 2, 1e-5, 0.3e-5);
+    bend_slowly(strip, 0, kMax);
+    const double before = strip.moment_at(kMax);
+    EXPECT_NEAR((strip.moment_at(kMax + 2) - before) / 2, 1e-5, 0.3e-5);
 }
 
 // Not exactly: chords of a roll are shorter than its arcs, and forces use the heights at rest.
@@ -173,7 +173,7 @@ TEST(FrictionInside, costs_nothing_where_the_fabric_has_none) {
 
 TEST(FrictionInside, does_not_hold_bent_cloth_back_from_turning) {
     Roll strip(heavy(rubbing(1e-4)));
-    bend_slowly(strip, 0, kMost);
+    bend_slowly(strip, 0, kMax);
     const auto size = [&] {
         const std::vector<Vec4f> moved = strip.visit();
         double sum = 0;
@@ -209,7 +209,7 @@ TEST(FrictionInside, keeps_a_bend_that_was_let_go_in_proportion_to_2hb) {
     std::vector<double> kept;
     for (const double hysteresis : {0.0, 5e-5, 1e-4}) {
         Roll strip(rubbing(hysteresis));
-        roll(strip.cloth, strip.flat, kMost);
+        roll(strip.cloth, strip.flat, kMax);
         kept.push_back(residual(strip, 3));
     }
     EXPECT_NEAR(kept[0], 0, 0.2);
@@ -221,7 +221,7 @@ TEST(FrictionInside, keeps_a_bend_that_was_let_go_in_proportion_to_2hb) {
 
 TEST(FrictionInside, brings_cloth_to_rest_and_does_not_let_it_creep) {
     Roll strip(rubbing(1e-4));
-    roll(strip.cloth, strip.flat, kMost);
+    roll(strip.cloth, strip.flat, kMax);
     const double soon = residual(strip, 3);
     EXPECT_NEAR(residual(strip, 6), soon, 0.02 * soon);
 }

@@ -19,8 +19,8 @@ const StepOptions kDamped{.extra_damping = 8, .may_rest = true};
 
 // The time until the cloth is at rest, s; nullopt if it is not within 20 s.
 std::optional<double> come_to_rest(Cloth& cloth, const BodyCollider& body, const StepOptions& options = kDamped) {
-    constexpr int kMost = 2400;  // steps
-    for (int i = 0; i < kMost; ++i) {
+    constexpr int kMax = 2400;  // steps
+    for (int i = 0; i < kMax; ++i) {
         if (step(cloth, body, options).substeps == 0) return double(step_seconds(cloth, options)) * i;
     }
     return std::nullopt;

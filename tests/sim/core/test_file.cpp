@@ -1,10 +1,10 @@
-#include "sim/core/file.h"
-
 #include <gtest/gtest.h>
-
 #include <filesystem>
+#include <limits>
 
 #include "sim/core/error.h"
+#include "sim/core/file.h"
+#include "sim/core/json.h"
 
 namespace selvedge::sim {
 namespace {
@@ -55,4 +55,115 @@ TEST_F(File, writes_what_a_link_points_to_and_leaves_the_link) {
 }
 
 }  // namespace
+
+namespace {
+
+// The error message for the text; empty if it is valid.
+std::string complaint(const std::string& text) {
+    try {
+        parse_json(text, "f.json");
+        return "";
+    } catch (const InputError& error) {
+        return error.what();
+    }
+}
+
+std::string nested(int depth) {
+    return std::string(depth, '[') + std::string(depth, ']');
+}
+
+TEST(Json, keeps_the_order_of_keys_and_the_text_of_numbers) {
+    const std::string text = R"({"b":25,"a":1.50,"c":[1e2,-0.0,12345678901234567890,0.1],"A":"\u00e9\n"})";
+    EXPECT_EQ(write_json(parse_json(text, ""), -1),
+              R"({"b":25,"a":1.50,"c":[1e2,-0.0,12345678901234567890,0.1],"A":"é\n"})");
+}
+
+TEST(Json, reads_back_what_it_writes_indented) {
+    Json json;
+    json["flags"] = Json::array({true, false, Json()});
+    json["deep"]["deeper"]["numbers"] = Json::array({0.1, 1e-9, 3, -7});
+    json["text"] = std::string(200, 'x');
+    json["empty"] = Json::object();
+    EXPECT_EQ(write_json(parse_json(write_json(json), ""), -1), write_json(json, -1));
+}
+
+TEST(Json, breaks_lines_only_where_they_grow_long) {
+    Json json;
+    json["point"] = Json::array({1, 2.5});
+    json["points"] = Json::array(std::vector<Json>(30, Json::array({1, 2})));
+    const std::string text = write_json(json);
+    EXPECT_NE(text.find("  \"point\": [1, 2.5],\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("\n    [1, 2],\n"), std::string::npos) << text;
+    for (std::size_t from = 0, to = 0; from < text.size(); from = to + 1) {
+        to = text.find('\n', from);
+        EXPECT_LE(to - from, 100U);
+    }
+}
+
+TEST(Json, writes_the_shortest_text_that_gives_the_number_back) {
+    EXPECT_EQ(Json(25.0).number_text(), "25");
+    EXPECT_EQ(Json(0.1).number_text(), "0.1");
+    EXPECT_EQ(parse_json(Json(1.0 / 3).number_text(), "").number(), 1.0 / 3);
+}
+
+TEST(Json, has_null_for_what_is_not_finite) {
+    EXPECT_TRUE(Json(std::numeric_limits<double>::quiet_NaN()).is_null());
+    EXPECT_TRUE(Json(-std::numeric_limits<double>::infinity()).is_null());
+}
+
+TEST(Json, allows_64_levels_and_refuses_the_65th) {
+    EXPECT_EQ(complaint(nested(64)), "");
+    EXPECT_NE(complaint(nested(65)).find("nested deeper than 64 levels"), std::string::npos);
+    EXPECT_NE(complaint(nested(1'000'000)).find("nested deeper than 64 levels"), std::string::npos);
+}
+
+TEST(Json, refuses_numbers_that_no_double_holds) {
+    EXPECT_NE(complaint("[1, 1e999]").find("f.json: [1]: "), std::string::npos) << complaint("[1, 1e999]");
+    EXPECT_NE(complaint("[1, 1e999]").find("1e999"), std::string::npos);
+    EXPECT_NE(complaint("[NaN]"), "");
+    EXPECT_NE(complaint("[Infinity]"), "");
+    EXPECT_EQ(complaint("[1e308, 1e-400]"), "");
+}
+
+TEST(Json, refuses_a_key_that_stands_twice_and_says_where) {
+    EXPECT_EQ(complaint(R"({"a":{"b":[0,{"c":1,"c":2}]}})"), "f.json: a.b[1].c: the key 'c' is a duplicate key");
+}
+
+TEST(Json, names_the_line_where_the_text_stops_being_json) {
+    EXPECT_NE(complaint("{\n\"a\": 1,\n}").find("not JSON at line 3"), std::string::npos)
+        << complaint("{\n\"a\": 1,\n}");
+    EXPECT_NE(complaint(""), "");
+    EXPECT_NE(complaint("{} {}"), "");
+    EXPECT_NE(complaint("// comment\n{}"), "");
+    EXPECT_NE(complaint("[\"\xff\"]"), "");
+}
+
+TEST(Json, refuses_more_than_64_megabytes_and_more_than_four_million_values) {
+    EXPECT_NE(complaint(std::string((std::size_t{64} << 20) + 1, ' ')).find("over 64 MB"), std::string::npos);
+    std::string many = "[0";
+    for (int i = 0; i < 4'000'000; ++i) many += ",0";
+    EXPECT_NE(complaint(many + "]").find("more than 4000000 values"), std::string::npos);
+}
+
+TEST(JsonView, says_which_value_is_of_the_wrong_kind) {
+    const Json json = parse_json(R"({"a":{"b":[1,"two"]},"n":2.5})", "");
+    const JsonView view(json, "f.json");
+    EXPECT_EQ(view.at("a").at("b").at(std::size_t{0}).number(), 1);
+    const auto problem_of = [](auto read) {
+        try {
+            read();
+            return std::string();
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+    };
+    EXPECT_EQ(problem_of([&] { view.at("a").at("b").numbers(); }), "f.json: a.b[1]: a string where a number should be");
+    EXPECT_EQ(problem_of([&] { view.at("c"); }), "f.json: no key 'c'");
+    EXPECT_EQ(problem_of([&] { view.at("a").at("b").at(std::size_t{2}); }), "f.json: a.b: only 2 elements");
+    EXPECT_EQ(problem_of([&] { view.at("n").integer(); }), "f.json: n: 2.5 is not a whole number");
+    EXPECT_EQ(problem_of([&] { view.at("n").number_between(3, 4); }), "f.json: n: 2.5 is not between 3 and 4");
+}
+
+}  // namespace
+
 }  // namespace selvedge::sim

@@ -53,6 +53,23 @@ TEST(Parallel, covers_every_index_once_in_ranges_no_longer_than_the_grain) {
     EXPECT_GT(longest, 0U);
 }
 
+// No atomics here: under the thread sanitizer, the order that parallel_for() promises is the only one.
+TEST(Parallel, passes_an_exception_on_after_all_ranges_that_were_started_have_ended) {
+    struct Stop {};
+    std::vector<int> started(64, 0), ended(64, 0);
+    const auto run = [&] {
+        parallel_for(started.size(), 1, [&](std::size_t first, std::size_t) {
+            started[first] = 1;
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            ended[first] = 1;
+            if (first == 20) throw Stop();
+        });
+    };
+    EXPECT_THROW(run(), Stop);
+    EXPECT_EQ(started[20], 1);
+    EXPECT_EQ(ended, started);
+}
+
 TEST(ThreadLimit, of_one_runs_one_iteration_at_a_time) {
     const ThreadLimit limit(1);
     EXPECT_EQ(most_at_once(1), 1);

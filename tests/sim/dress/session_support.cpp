@@ -14,11 +14,11 @@
 namespace selvedge::sim::test {
 namespace {
 
-Vec3f middle_of(const PlainMesh& mesh, std::size_t t) {
+Vec3f middle_of(const DrawMesh& mesh, std::size_t t) {
     return (mesh.x[mesh.triangles[t][0]] + mesh.x[mesh.triangles[t][1]] + mesh.x[mesh.triangles[t][2]]) / 3;
 }
 
-Vec2f middle_u(const PlainMesh& mesh, std::size_t t) {
+Vec2f middle_u(const DrawMesh& mesh, std::size_t t) {
     return (mesh.u[t][0] + mesh.u[t][1] + mesh.u[t][2]) / 3;
 }
 
@@ -60,16 +60,16 @@ void split_edge(Pattern& pattern, int panel, int edge) {
     }
 }
 
-double stretch_p99(const PlainMesh& mesh) {
-    std::vector<double> seam_lines;
+double stretch_p99(const DrawMesh& mesh) {
+    std::vector<double> yarn_strains;
     for (const MeshStrain& strain : measure_strain(mesh)) {
-        seam_lines.push_back(static_cast<double>(strain.warp));
-        seam_lines.push_back(static_cast<double>(strain.weft));
+        yarn_strains.push_back(static_cast<double>(strain.warp));
+        yarn_strains.push_back(static_cast<double>(strain.weft));
     }
-    return quantile(seam_lines, 0.99);
+    return quantile(yarn_strains, 0.99);
 }
 
-float least_clearance(const PlainMesh& mesh) {
+float min_clearance(const DrawMesh& mesh) {
     const std::vector<float> all = measure_clearance(mesh.x, *session_body());
     return *std::ranges::min_element(all);
 }

@@ -17,8 +17,8 @@ void settle(Session& session);
 // Splits an outline edge in the middle and updates the edge indices of seams. Pre: no seam joins this edge.
 void split_edge(Pattern& pattern, int panel, int edge);
 
-double stretch_p99(const PlainMesh& mesh);     // of warp and weft
-float least_clearance(const PlainMesh& mesh);  // m, to session_body()
+double stretch_p99(const DrawMesh& mesh);   // of warp and weft
+float min_clearance(const DrawMesh& mesh);  // m, to session_body()
 
 // Mean distance between the positions of the same material points in two frames, m.
 double mean_move(const SessionFrame& from, const SessionFrame& to);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "bench/support/square.h"
+#include "bench/support/measured_mesh.h"
 #include "sim/collide/body_collider.h"
 #include "sim/collide/collider.h"
 #include "sim/dress/drape.h"

@@ -137,7 +137,7 @@ TEST(Dressing, goes_through_its_stages_in_order_and_ends_where_dress_does) {
     EXPECT_EQ(stages, (std::vector{DressingStage::Place, DressingStage::Sew, DressingStage::Relax, DressingStage::Fall,
                                    DressingStage::Done}));
     EXPECT_TRUE(dressing.result().settled);
-    EXPECT_EQ(plain_mesh(*dressing.cloth(), dressing.sewn_mesh().panel_names),
+    EXPECT_EQ(draw_mesh(*dressing.cloth(), dressing.sewn_mesh().panel_names),
               dress(pattern, mannequin(), options).mesh);
 }
 

@@ -109,7 +109,7 @@ class Inspect : public testing::Test {
 
     DressReport look() const {
         DressReport report;
-        inspect(cloth_, collider_, pattern_, open_seams_, draped_, report);
+        validate(cloth_, collider_, pattern_, open_seams_, draped_, report);
         return report;
     }
     const DressFault* find(const DressReport& report, const std::string& kind) const {
@@ -221,7 +221,7 @@ TEST_F(Inspect, says_which_seam_is_open_between_which_panels) {
     Pattern sewn = tube(0.4, 0.3, 0.8, 0.15);
     open_seams_ = {{.seam = 1, .gap = 0.04F}};
     DressReport report;
-    inspect(cloth_, collider_, sewn, open_seams_, draped_, report);
+    validate(cloth_, collider_, sewn, open_seams_, draped_, report);
     ASSERT_EQ(report.faults.size(), 1U);
     EXPECT_EQ(report.seams.open, 1);
     EXPECT_EQ(report.faults[0].kind, "open_seam");
@@ -248,7 +248,7 @@ TEST_F(Inspect, describes_a_place_by_its_panel_and_its_coordinates) {
 }
 
 TEST_F(Inspect, hands_over_the_leaves_as_a_plain_mesh) {
-    const PlainMesh mesh = plain_mesh(cloth_, {"front", "back"});
+    const DrawMesh mesh = draw_mesh(cloth_, {"front", "back"});
     EXPECT_EQ(mesh.x.size(), cloth_.mesh.leaf_vertices().size());
     EXPECT_EQ(mesh.normals.size(), mesh.x.size());
     ASSERT_EQ(mesh.triangles.size(), cloth_.mesh.leaf_triangles().size());

@@ -89,14 +89,14 @@ TEST_F(SessionOfTwoSquares, settles_with_the_same_figures_as_dress) {
     EXPECT_NEAR(int(frame->mesh.triangles.size()), dressed.report.mesh.leaf_triangles,
                 0.4 * dressed.report.mesh.leaf_triangles);  // its mesh may be finer, as look-ahead requests
     EXPECT_NEAR(stretch_p99(frame->mesh), dressed.report.stretch.warp_weft_p99, 0.005);
-    EXPECT_GT(least_clearance(frame->mesh), -0.0005F);
+    EXPECT_GT(min_clearance(frame->mesh), -0.0005F);
 }
 
 TEST_F(SessionOfTwoSquares, gives_the_cloth_at_rest_and_copies_it_once) {
     settle(session_);
     const auto first = session_.frame();
     ASSERT_TRUE(first->cloth);
-    EXPECT_EQ(plain_mesh(*first->cloth, first->mesh.panel_names), first->mesh);
+    EXPECT_EQ(draw_mesh(*first->cloth, first->mesh.panel_names), first->mesh);
     ASSERT_TRUE(first->collider);
     EXPECT_GT(first->collider->contact(first->mesh.x.front()).distance, 0);
     session_.pin(furthest_point(*first, 0, {0, 1, 0}));
@@ -109,7 +109,7 @@ TEST_F(SessionOfTwoSquares, gives_the_cloth_at_rest_and_copies_it_once) {
     EXPECT_FALSE(session_.frame()->cloth) << "it moves";
     session_.advance(400);
     ASSERT_TRUE(session_.frame()->cloth);
-    EXPECT_EQ(plain_mesh(*session_.frame()->cloth, first->mesh.panel_names), session_.frame()->mesh);
+    EXPECT_EQ(draw_mesh(*session_.frame()->cloth, first->mesh.panel_names), session_.frame()->mesh);
 }
 
 TEST_F(SessionOfTwoSquares, gives_the_same_bits_twice) {
@@ -169,7 +169,7 @@ TEST_F(SessionOfTwoSquares, goes_on_from_where_it_hangs_when_a_point_is_moved) {
     EXPECT_EQ(session_.frame()->stage, SessionStage::Settled);
     EXPECT_LT(mean_move(*before, *session_.frame()), 0.04);
     EXPECT_TRUE(session_.frame()->messages.empty()) << session_.frame()->messages.back();
-    EXPECT_GT(least_clearance(session_.frame()->mesh), -0.0005F);
+    EXPECT_GT(min_clearance(session_.frame()->mesh), -0.0005F);
 }
 
 TEST_F(SessionOfTwoSquares, is_sewn_anew_when_a_panel_has_another_edge_and_says_so) {
@@ -290,14 +290,14 @@ TEST(SessionOfATshirt, settles_with_the_same_figures_as_dress) {
     const auto frame = session.frame();
     EXPECT_EQ(frame->stage, SessionStage::Settled);
     EXPECT_TRUE(frame->messages.empty()) << frame->messages.back();
-    EXPECT_GT(least_clearance(frame->mesh), -0.0005F);
+    EXPECT_GT(min_clearance(frame->mesh), -0.0005F);
     EXPECT_NEAR(stretch_p99(frame->mesh), dressed.report.stretch.warp_weft_p99, 0.005);
     EXPECT_NEAR(frame->statistics.leaf_triangles, dressed.report.mesh.leaf_triangles,
                 0.1 * dressed.report.mesh.leaf_triangles);
 }
 
 // Position of the mesh vertex nearest in the material to a point of another mesh, in the same panel, m.
-Vec3f nearest_vertex(const PlainMesh& mesh, const PlainMesh& other, const ClothPoint& point) {
+Vec3f nearest_vertex(const DrawMesh& mesh, const DrawMesh& other, const ClothPoint& point) {
     Vec2f wanted = Vec2f::Zero();
     for (std::size_t k = 0; k < 3; ++k) {
         wanted += point.weights[static_cast<Eigen::Index>(k)] * other.u[point.triangle][k];
@@ -347,7 +347,7 @@ TEST_F(SessionDrags, a_pulled_point_comes_along_and_to_rest) {
     session_.advance(400);
     EXPECT_EQ(session_.frame()->stage, SessionStage::Settled);
     EXPECT_LT(nearest_to(goal), 0.005F);
-    EXPECT_GT(least_clearance(session_.frame()->mesh), -0.0005F);
+    EXPECT_GT(min_clearance(session_.frame()->mesh), -0.0005F);
     session_.let_go();
     session_.advance(400);
     EXPECT_EQ(session_.frame()->stage, SessionStage::Settled);
@@ -385,7 +385,7 @@ TEST_F(SessionDrags, a_pull_that_the_cloth_cannot_follow_neither_tears_it_nor_pu
             session_.advance(6);
             ASSERT_EQ(session_.frame()->problem, "");
             EXPECT_LT(stretch_p99(session_.frame()->mesh), 0.08);
-            EXPECT_GT(least_clearance(session_.frame()->mesh), -0.0005F);
+            EXPECT_GT(min_clearance(session_.frame()->mesh), -0.0005F);
         }
     }
     session_.let_go();
@@ -565,10 +565,10 @@ TEST(Hierarchy, lists_every_triangle_once_each_before_what_it_was_refined_to) {
     }
 }
 
-TEST(PlainMeshOfCloth, vertices_carry_the_level_that_they_were_born_at) {
+TEST(DrawMeshOfCloth, vertices_carry_the_level_that_they_were_born_at) {
     Cloth cloth = flat_tube();
     split_all_base_edges(cloth);
-    const PlainMesh mesh = plain_mesh(cloth, {"front", "back"});
+    const DrawMesh mesh = draw_mesh(cloth, {"front", "back"});
     ASSERT_EQ(mesh.vertex_level.size(), mesh.x.size());
     const auto base = std::count(mesh.vertex_level.begin(), mesh.vertex_level.end(), 0);
     EXPECT_EQ(static_cast<std::size_t>(base), cloth.mesh.base_vertex_count());
@@ -580,7 +580,7 @@ TEST(MeshStrainOfCloth, is_what_the_solver_measures) {
     cloth.material.grain_angles = {0.3F, -0.8F};
     for (Vec4f& x : cloth.x) x = Vec4f(1.04F * x.x() + 0.1F * x.y(), 0.98F * x.y(), x.z() + 0.2F * x.x(), 0);
     const std::vector<TriangleStrain> expected = measure_strain(cloth);
-    const std::vector<MeshStrain> strain = measure_strain(plain_mesh(cloth, {"front", "back"}));
+    const std::vector<MeshStrain> strain = measure_strain(draw_mesh(cloth, {"front", "back"}));
     ASSERT_EQ(strain.size(), expected.size());
     for (std::size_t i = 0; i < strain.size(); ++i) {
         EXPECT_NEAR(strain[i].warp, expected[i].warp, 1e-4F);

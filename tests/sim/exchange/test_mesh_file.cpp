@@ -1,14 +1,21 @@
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <clocale>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <limits>
+#include <locale>
 #include <random>
+#include <sstream>
 
 #include "sim/body/load_body.h"
 #include "sim/core/error.h"
 #include "sim/core/file.h"
+#include "sim/core/json.h"
+#include "sim/exchange/glb_file.h"
 #include "sim/exchange/mesh_file.h"
+#include "sim/exchange/obj_text.h"
 #include "tests/sim/exchange/two_panels.h"
 #include "tests/support/bodies.h"
 #include "tests/support/temporary_folder.h"
@@ -19,7 +26,7 @@ namespace {
 constexpr std::size_t kLimit = 1 << 24;
 
 // Compares corners and not vertices, because reading may renumber the vertices.
-void expect_same_garment(const PlainMesh& read, const PlainMesh& written, float tolerance) {
+void expect_same_garment(const DrawMesh& read, const DrawMesh& written, float tolerance) {
     ASSERT_EQ(read.triangles.size(), written.triangles.size());
     ASSERT_EQ(read.u.size(), written.u.size());
     EXPECT_EQ(read.x.size(), written.x.size());
@@ -36,7 +43,7 @@ void expect_same_garment(const PlainMesh& read, const PlainMesh& written, float 
 TEST(MeshFile, a_garment_comes_back_from_obj_as_it_went) {
     const TemporaryFolder folder;
     write_garment(two_panels(), folder / "garment.obj");
-    const PlainMesh read = read_garment(folder / "garment.obj");
+    const DrawMesh read = read_garment(folder / "garment.obj");
     expect_same_garment(read, two_panels(), 0);
     EXPECT_EQ(read.panel_names, (std::vector<std::string>{"front", "left_sleeve"}));
 }
@@ -44,20 +51,20 @@ TEST(MeshFile, a_garment_comes_back_from_obj_as_it_went) {
 TEST(MeshFile, a_garment_comes_back_from_glb_as_it_went) {
     const TemporaryFolder folder;
     write_garment(two_panels(), folder / "garment.glb");
-    const PlainMesh read = read_garment(folder / "garment.glb");
+    const DrawMesh read = read_garment(folder / "garment.glb");
     expect_same_garment(read, two_panels(), 2e-7F);  // v is converted to 1 - v twice
     EXPECT_EQ(read.panel_names, two_panels().panel_names);
 }
 
 TEST(MeshFile, a_garment_without_material_coordinates_or_panels_comes_back) {
     const TemporaryFolder folder;
-    PlainMesh mesh = two_panels();
+    DrawMesh mesh = two_panels();
     mesh.u.clear();
     mesh.panel.clear();
     mesh.normals.clear();
     for (const char* name : {"bare.obj", "bare.glb"}) {
         write_garment(mesh, folder / name);
-        const PlainMesh read = read_garment(folder / name);
+        const DrawMesh read = read_garment(folder / name);
         EXPECT_EQ(read.x.size(), mesh.x.size()) << name;
         EXPECT_EQ(read.triangles.size(), mesh.triangles.size()) << name;
         EXPECT_TRUE(read.u.empty()) << name;
@@ -121,10 +128,10 @@ TEST(MeshFile, what_cannot_be_written_is_refused_and_leaves_the_old_file) {
     const TemporaryFolder folder;
     write_garment(two_panels(), folder / "garment.obj");
     const std::string old = read_file(folder / "garment.obj", kLimit);
-    PlainMesh sick = two_panels();
+    DrawMesh sick = two_panels();
     sick.x[3].y() = std::numeric_limits<float>::quiet_NaN();
     EXPECT_THROW(write_garment(sick, folder / "garment.obj"), InputError);
-    EXPECT_THROW(write_garment(PlainMesh{}, folder / "garment.obj"), InputError);
+    EXPECT_THROW(write_garment(DrawMesh{}, folder / "garment.obj"), InputError);
     EXPECT_EQ(read_file(folder / "garment.obj", kLimit), old);
     EXPECT_THROW(write_garment(two_panels(), folder / "garment.fbx"), InputError);
     EXPECT_THROW(write_body(Body{}, folder / "body.glb"), InputError);
@@ -169,7 +176,7 @@ TEST(PanelParts, part_a_garment_by_panel_and_double_the_vertices_of_its_seams) {
 
 TEST(PanelParts, double_a_vertex_whose_corners_disagree_within_one_panel) {
     // A dart: both sides belong to the same panel.
-    PlainMesh mesh = two_panels();
+    DrawMesh mesh = two_panels();
     mesh.panel.clear();
     const std::vector<PanelPart> parts = split_by_panel(mesh);
     ASSERT_EQ(parts.size(), 1U);
@@ -183,11 +190,244 @@ TEST(PanelParts, double_a_vertex_whose_corners_disagree_within_one_panel) {
 }
 
 TEST(PanelParts, leave_out_panels_without_triangles) {
-    PlainMesh mesh = two_panels();
+    DrawMesh mesh = two_panels();
     for (std::uint16_t& panel : mesh.panel) panel = 1;
     const std::vector<PanelPart> parts = split_by_panel(mesh);
     ASSERT_EQ(parts.size(), 1U);
     EXPECT_EQ(parts[0].name, "left sleeve");
+}
+
+}  // namespace
+
+namespace {
+
+std::vector<std::string> lines_with(const std::string& text, const std::string& start) {
+    std::istringstream in(text);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(in, line);)
+        if (line.starts_with(start)) lines.push_back(line);
+    return lines;
+}
+
+TEST(ObjText, writes_positions_and_material_coordinates_in_metres_and_a_group_per_panel) {
+    const std::string text = garment_obj(two_panels());
+    EXPECT_EQ(lines_with(text, "v "), (std::vector<std::string>{"v 0 1 0", "v 0.1 1 0", "v 0.1 1.3 0", "v 0 1.3 0",
+                                                                "v 0.2 1 -0.05", "v 0.2 1.3 -0.05"}));
+    EXPECT_EQ(lines_with(text, "g "), (std::vector<std::string>{"g front", "g left_sleeve"}));
+    EXPECT_EQ(lines_with(text, "vt ").size(), 8U);
+    EXPECT_EQ(lines_with(text, "vt ")[4], "vt -0.7 0.013");
+    EXPECT_EQ(lines_with(text, "f "), (std::vector<std::string>{"f 1/1/1 2/2/2 3/3/3", "f 1/1/1 3/3/3 4/4/4",
+                                                                "f 2/5/2 5/6/5 6/7/6", "f 2/5/2 6/7/6 3/8/3"}));
+}
+
+TEST(ObjText, keeps_every_bit_of_a_float) {
+    DrawMesh mesh = two_panels();
+    mesh.x[0] = {0.1F + 0.2F, 1.0F / 3, 1e-7F};
+    std::istringstream line(lines_with(garment_obj(mesh), "v ")[0].substr(2));
+    for (const float expected : mesh.x[0]) {
+        std::string word;
+        line >> word;
+        EXPECT_EQ(std::stof(word), expected);
+    }
+}
+
+struct CommaLocale : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+};
+
+TEST(ObjText, is_the_same_in_any_locale) {
+    const std::string expected = garment_obj(two_panels());
+    const std::locale before = std::locale::global(std::locale(std::locale::classic(), new CommaLocale));
+    const std::string text = garment_obj(two_panels());
+    std::locale::global(before);
+    EXPECT_EQ(text, expected);
+}
+
+TEST(ObjText, gives_back_the_grain_angles_that_it_wrote) {
+    const auto angles = grain_angles_in_obj(garment_obj(two_panels()));
+    ASSERT_EQ(angles.size(), 2U);
+    EXPECT_EQ(angles[0], (std::pair<std::string, float>("front", 0.0F)));
+    EXPECT_EQ(angles[1], (std::pair<std::string, float>("left_sleeve", 0.7853982F)));
+    EXPECT_TRUE(grain_angles_in_obj("g a\nf 1 2 3\n# grain_angle many\n# grain_angle").empty());
+}
+
+TEST(ObjText, gives_back_the_sett_offsets_that_it_wrote_where_there_are_any) {
+    const auto offsets = sett_offsets_in_obj(garment_obj(two_panels()));
+    ASSERT_EQ(offsets.size(), 1U);
+    EXPECT_EQ(offsets[0], (std::pair<std::string, Vec2f>("left_sleeve", Vec2f(0.0123F, -0.05F))));
+    EXPECT_TRUE(
+        sett_offsets_in_obj("g a\n# sett_offset 1\n# sett_offset 1 x\n# sett_offset nan 1\n# sett_offset").empty());
+}
+
+TEST(ObjText, writes_a_body_as_one_group) {
+    Body body;
+    body.name = "mannequin female";
+    body.x = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    body.triangles = {{0, 1, 2}};
+    const std::string text = body_obj(body);
+    EXPECT_EQ(lines_with(text, "g "), (std::vector<std::string>{"g mannequin_female"}));
+    EXPECT_EQ(lines_with(text, "vn ")[0], "vn 0 0 1");
+    EXPECT_EQ(lines_with(text, "f ")[0], "f 1//1 2//2 3//3");
+}
+
+}  // namespace
+
+namespace {
+
+std::uint32_t word_at(const std::string& bytes, std::size_t offset) {
+    std::uint32_t word = 0;
+    std::memcpy(&word, bytes.data() + offset, sizeof word);
+    return word;
+}
+
+struct Container {
+    Json root;
+    std::string buffer;
+};
+
+// Splits the container into its chunks and checks it against chapter 4.4 of the glTF 2.0 specification.
+Container open(const std::string& bytes) {
+    EXPECT_EQ(bytes.substr(0, 4), "glTF");
+    EXPECT_EQ(word_at(bytes, 4), 2U);
+    EXPECT_EQ(word_at(bytes, 8), bytes.size());
+    const std::size_t json_length = word_at(bytes, 12);
+    EXPECT_EQ(json_length % 4, 0U);
+    EXPECT_EQ(bytes.substr(16, 4), "JSON");
+    const std::size_t binary = 20 + json_length;
+    EXPECT_EQ(word_at(bytes, binary) % 4, 0U);
+    EXPECT_EQ(bytes.substr(binary + 4, 4), std::string("BIN\0", 4));
+    EXPECT_EQ(binary + 8 + word_at(bytes, binary), bytes.size());
+    return {parse_json(bytes.substr(20, json_length), "test.glb"), bytes.substr(binary + 8)};
+}
+
+std::size_t index_of(const Json& json, const char* key) {
+    return std::size_t(json.find(key)->number());
+}
+
+std::size_t element_bytes(const Json& accessor) {
+    const int component = int(accessor.find("componentType")->number());
+    const std::string type = accessor.find("type")->string();
+    const std::size_t count = type == "SCALAR" ? 1 : type == "VEC2" ? 2 : type == "VEC3" ? 3 : type == "VEC4" ? 4 : 16;
+    return count * (component == 5123 ? 2 : 4);
+}
+
+// Each accessor fills its buffer view; each view is inside the buffer at an offset that is a multiple of 4.
+void expect_sound_accessors(const Container& file) {
+    const auto& views = file.root.find("bufferViews")->elements();
+    EXPECT_EQ(index_of(file.root.find("buffers")->elements()[0], "byteLength"), file.buffer.size());
+    for (const Json& accessor : file.root.find("accessors")->elements()) {
+        const Json& view = views.at(index_of(accessor, "bufferView"));
+        EXPECT_EQ(index_of(view, "byteOffset") % 4, 0U);
+        EXPECT_LE(index_of(view, "byteOffset") + index_of(view, "byteLength"), file.buffer.size());
+        EXPECT_EQ(index_of(accessor, "count") * element_bytes(accessor), index_of(view, "byteLength"));
+    }
+}
+
+float float_at(const Container& file, const Json& accessor, std::size_t index) {
+    const Json& view = file.root.find("bufferViews")->elements().at(index_of(accessor, "bufferView"));
+    float value = 0;
+    std::memcpy(&value, file.buffer.data() + index_of(view, "byteOffset") + index * sizeof value, sizeof value);
+    return value;
+}
+
+Body small_skinned_body() {
+    Body body;
+    body.name = "figure";
+    body.x = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    body.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+    body.bones = {{"hips", -1, {0, 0.2, 0}}, {"spine", 0, {0, 0.5, 0.1}}, {"other_root", -1, {1, 0, 0}}};
+    body.skin.resize(4);
+    for (SkinWeights& skin : body.skin) {
+        skin.bones = {1, 2, 7, 9};
+        skin.weights = {0.75F, 0.25F, 0, 0};
+    }
+    return body;
+}
+
+TEST(GlbFile, of_a_garment_is_sound_and_has_a_primitive_per_panel) {
+    const Container file = open(garment_glb(two_panels()));
+    expect_sound_accessors(file);
+    const auto& primitives = file.root.find("meshes")->elements()[0].find("primitives")->elements();
+    ASSERT_EQ(primitives.size(), 2U);
+    EXPECT_EQ(primitives[1].find("extras")->find("panel")->string(), "left sleeve");
+    const auto& materials = file.root.find("materials")->elements();
+    EXPECT_EQ(materials[index_of(primitives[1], "material")].find("name")->string(), "left sleeve");
+    EXPECT_TRUE(materials[0].find("doubleSided")->boolean());
+}
+
+TEST(GlbFile, gives_texture_coordinates_in_metres_with_v_downward) {
+    const Container file = open(garment_glb(two_panels()));
+    const auto& primitive = file.root.find("meshes")->elements()[0].find("primitives")->elements()[1];
+    const Json& u = file.root.find("accessors")->elements()[index_of(*primitive.find("attributes"), "TEXCOORD_0")];
+    EXPECT_EQ(float_at(file, u, 0), -0.7F);
+    EXPECT_EQ(float_at(file, u, 1), 1 - 0.013F);
+}
+
+TEST(GlbFile, states_the_bounds_of_positions_to_the_bit) {
+    DrawMesh mesh = two_panels();
+    mesh.x[4].x() = 0.1F + 0.2F;
+    const Container file = open(garment_glb(mesh));
+    const auto& primitive = file.root.find("meshes")->elements()[0].find("primitives")->elements()[1];
+    const Json& x = file.root.find("accessors")->elements()[index_of(*primitive.find("attributes"), "POSITION")];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        float low = float_at(file, x, axis), high = low;
+        for (std::size_t v = 1; v < index_of(x, "count"); ++v) {
+            low = std::min(low, float_at(file, x, 3 * v + axis));
+            high = std::max(high, float_at(file, x, 3 * v + axis));
+        }
+        EXPECT_EQ(float(x.find("min")->elements()[axis].number()), low);
+        EXPECT_EQ(float(x.find("max")->elements()[axis].number()), high);
+    }
+}
+
+TEST(GlbFile, of_a_body_has_joints_under_one_root_and_binds_that_undo_them) {
+    const Body body = small_skinned_body();
+    const Container file = open(body_glb(body));
+    expect_sound_accessors(file);
+    const auto& nodes = file.root.find("nodes")->elements();
+    ASSERT_EQ(nodes.size(), 5U);
+    EXPECT_EQ(nodes[1].find("name")->string(), "armature");
+    EXPECT_EQ(nodes[1].find("children")->elements().size(), 2U);
+    EXPECT_EQ(float(nodes[3].find("translation")->elements()[1].number()), float(0.5 - 0.2));
+    const Json& skin = file.root.find("skins")->elements()[0];
+    EXPECT_EQ(index_of(skin, "skeleton"), 1U);
+    const Json& binds = file.root.find("accessors")->elements()[index_of(skin, "inverseBindMatrices")];
+    EXPECT_EQ(float_at(file, binds, 16 + 13), -0.5F);  // column-major: y translation of the second bone
+    EXPECT_EQ(float_at(file, binds, 16 + 15), 1.0F);
+}
+
+TEST(GlbFile, names_no_bone_where_none_pulls) {
+    const Container file = open(body_glb(small_skinned_body()));
+    const auto& primitive = file.root.find("meshes")->elements()[0].find("primitives")->elements()[0];
+    const Json& joints = file.root.find("accessors")->elements()[index_of(*primitive.find("attributes"), "JOINTS_0")];
+    const Json& view = file.root.find("bufferViews")->elements()[index_of(joints, "bufferView")];
+    std::array<std::uint16_t, 4> bones{};
+    std::memcpy(bones.data(), file.buffer.data() + index_of(view, "byteOffset"), sizeof bones);
+    EXPECT_EQ(bones, (std::array<std::uint16_t, 4>{1, 2, 0, 0}));
+}
+
+TEST(GlbFile, of_a_body_without_bones_has_no_skin) {
+    Body body = small_skinned_body();
+    body.bones.clear();
+    body.skin.clear();
+    const Container file = open(body_glb(body));
+    expect_sound_accessors(file);
+    EXPECT_FALSE(file.root.find("skins"));
+    EXPECT_EQ(file.root.find("nodes")->elements().size(), 1U);
+}
+
+TEST(GlbFile, gives_back_the_sett_offsets_that_it_wrote_where_there_are_any) {
+    const auto offsets = sett_offsets_in_glb(garment_glb(two_panels()), "test.glb");
+    ASSERT_EQ(offsets.size(), 1U);
+    EXPECT_EQ(offsets[0], (std::pair<std::string, Vec2f>("left sleeve", Vec2f(0.0123F, -0.05F))));
+}
+
+TEST(GlbFile, gives_back_the_grain_angles_that_it_wrote) {
+    const auto angles = grain_angles_in_glb(garment_glb(two_panels()), "test.glb");
+    ASSERT_EQ(angles.size(), 2U);
+    EXPECT_EQ(angles[1], (std::pair<std::string, float>("left sleeve", 0.7853982F)));
 }
 
 }  // namespace

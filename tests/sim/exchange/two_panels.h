@@ -1,12 +1,12 @@
 #pragma once
 // Two panels of two triangles each, sewn along the edge from vertex 1 to vertex 2. Material coordinates are
 // discontinuous there.
-#include "sim/mesh/plain_mesh.h"
+#include "sim/mesh/draw_mesh.h"
 
 namespace selvedge::sim {
 
-inline PlainMesh two_panels() {
-    PlainMesh mesh;
+inline DrawMesh two_panels() {
+    DrawMesh mesh;
     mesh.x = {{0, 1, 0}, {0.1F, 1, 0}, {0.1F, 1.3F, 0}, {0, 1.3F, 0}, {0.2F, 1, -0.05F}, {0.2F, 1.3F, -0.05F}};
     mesh.normals.assign(mesh.x.size(), Vec3f::UnitZ());
     mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}};

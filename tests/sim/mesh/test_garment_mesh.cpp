@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/mesh/draw_mesh.h"
 #include "sim/mesh/garment_mesh.h"
 
 namespace selvedge::sim {
@@ -99,8 +100,8 @@ TEST(CheckMesh, finds_numbers_that_are_not_finite) {
 }
 
 // One triangle, deformed by a linear map of the plane.
-PlainMesh mapped(const Eigen::Matrix2f& map, float grain) {
-    PlainMesh mesh;
+DrawMesh mapped(const Eigen::Matrix2f& map, float grain) {
+    DrawMesh mesh;
     const std::array<Vec2f, 3> u{Vec2f(0.1F, 0.2F), Vec2f(1.3F, 0.1F), Vec2f(0.4F, 0.9F)};
     for (const Vec2f& at : u) {
         const Vec2f x = map * at;
@@ -126,14 +127,14 @@ TEST(MeshStrain, is_the_stretch_of_the_panels_own_threads) {
 }
 
 TEST(MeshStrain, a_triangle_without_area_in_the_material_has_none) {
-    PlainMesh mesh = mapped(Eigen::Matrix2f::Identity(), 0);
+    DrawMesh mesh = mapped(Eigen::Matrix2f::Identity(), 0);
     mesh.u[0] = {Vec2f(0, 0), Vec2f(1, 1), Vec2f(2, 2)};
     EXPECT_EQ(measure_strain(mesh)[0].warp, 0);
     EXPECT_EQ(smooth_in_panels(mesh, {0.5F})[0][0], 0);
 }
 
 TEST(MeshStrain, smoothing_keeps_what_is_even_weighs_by_area_and_stops_at_seams) {
-    PlainMesh mesh;
+    DrawMesh mesh;
     mesh.x = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 3, 0}, {-1, 0, 0}};
     mesh.triangles = {{0, 1, 2}, {1, 3, 2}, {0, 2, 4}};
     for (const auto& t : mesh.triangles)
@@ -147,6 +148,43 @@ TEST(MeshStrain, smoothing_keeps_what_is_even_weighs_by_area_and_stops_at_seams)
     EXPECT_FLOAT_EQ(corners[0][1], 3) << "areas are as one to three";
     EXPECT_FLOAT_EQ(corners[1][0], 3);
     EXPECT_FLOAT_EQ(corners[2][0], 10) << "another panel";
+}
+
+}  // namespace
+
+namespace {
+
+// Two triangles that share an edge along y: one faces +z, the other, with twice the area, faces +x.
+DrawMesh ridge() {
+    DrawMesh mesh;
+    mesh.x = {{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, -2}};
+    mesh.triangles = {{0, 1, 2}, {0, 3, 1}};
+    return mesh;
+}
+
+TEST(VertexNormals, point_to_the_side_from_which_triangles_run_counter_clockwise) {
+    const std::vector<Vec3f> normals = vertex_normals(ridge());
+    ASSERT_EQ(normals.size(), 4U);
+    EXPECT_TRUE(normals[2].isApprox(Vec3f(0, 0, 1))) << normals[2].transpose();
+    EXPECT_TRUE(normals[3].isApprox(Vec3f(1, 0, 0))) << normals[3].transpose();
+}
+
+TEST(VertexNormals, are_unit_and_lean_to_the_larger_triangle) {
+    const std::vector<Vec3f> normals = vertex_normals(ridge());
+    EXPECT_TRUE(normals[0].isApprox(Vec3f(2, 0, 1).normalized())) << normals[0].transpose();
+}
+
+TEST(VertexNormals, point_up_where_a_vertex_has_no_area_round_it) {
+    const std::vector<Vec3f> normals = vertex_normals({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {5, 5, 5}}, {{0, 1, 2}});
+    EXPECT_EQ(normals, std::vector<Vec3f>(4, Vec3f(0, 1, 0)));
+}
+
+TEST(VertexNormals, are_the_meshs_own_where_it_has_one_for_each_vertex) {
+    DrawMesh mesh = ridge();
+    mesh.normals.assign(4, Vec3f::UnitX());
+    EXPECT_EQ(vertex_normals(mesh), mesh.normals);
+    mesh.normals.pop_back();
+    EXPECT_EQ(vertex_normals(mesh), vertex_normals(ridge()));
 }
 
 }  // namespace

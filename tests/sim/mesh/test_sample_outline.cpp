@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include "sim/core/error.h"
-#include "sim/mesh/planar.h"
 #include "sim/mesh/sample_outline.h"
 #include "sim/pattern/outline.h"
 #include "tests/sim/mesh/shapes.h"

@@ -6,7 +6,6 @@
 
 #include "sim/core/error.h"
 #include "sim/mesh/garment_mesh.h"
-#include "sim/mesh/planar.h"
 #include "sim/mesh/sample_outline.h"
 #include "sim/mesh/sew.h"
 #include "sim/mesh/triangulate.h"

@@ -31,10 +31,10 @@ struct RoundOptions {
 };
 
 // An upright tube of one panel, sewn to itself at the back, so that u is discontinuous there; is_open: not sewn.
-PlainMesh round_garment(const RoundOptions& options) {
+DrawMesh round_garment(const RoundOptions& options) {
     constexpr unsigned kColumns = 48;
     constexpr unsigned kRows = 20;
-    PlainMesh garment;
+    DrawMesh garment;
     const unsigned width = options.is_open ? kColumns + 1 : kColumns;
     for (unsigned row = 0; row <= kRows; ++row)
         for (unsigned column = 0; column < width; ++column) {
@@ -60,8 +60,8 @@ PlainMesh round_garment(const RoundOptions& options) {
     return garment;
 }
 
-PlainMesh together(const PlainMesh& first, const PlainMesh& second) {
-    PlainMesh mesh = first;
+DrawMesh together(const DrawMesh& first, const DrawMesh& second) {
+    DrawMesh mesh = first;
     const auto offset = std::uint32_t(first.x.size());
     mesh.x.insert(mesh.x.end(), second.x.begin(), second.x.end());
     mesh.u.insert(mesh.u.end(), second.u.begin(), second.u.end());
@@ -79,7 +79,7 @@ Body leg(double x) {
 }
 
 TEST(Fit, a_tube_drafted_larger_than_the_body_is_not_tight) {
-    const PlainMesh garment = round_garment({.girth = 1 + kOffsetGirth + 0.001, .radius = 0.2, .low = 0.5});
+    const DrawMesh garment = round_garment({.girth = 1 + kOffsetGirth + 0.001, .radius = 0.2, .low = 0.5});
     EXPECT_TRUE(tight_levels(garment, column()).empty());
 }
 
@@ -129,8 +129,8 @@ TEST(Fit, a_skirt_has_one_tape_round_both_legs) {
 TEST(Fit, each_trouser_leg_is_compared_with_its_own_leg) {
     const Body legs = shapes::together(leg(-0.1), leg(0.1));
     const double tape = 2 * (0.12 + 0.14) + kOffsetGirth;
-    const PlainMesh trousers = together(round_garment({.girth = tape, .radius = 0.095, .high = 0.7, .x = -0.1}),
-                                        round_garment({.girth = 0.9 * tape, .radius = 0.095, .high = 0.7, .x = 0.1}));
+    const DrawMesh trousers = together(round_garment({.girth = tape, .radius = 0.095, .high = 0.7, .x = -0.1}),
+                                       round_garment({.girth = 0.9 * tape, .radius = 0.095, .high = 0.7, .x = 0.1}));
     const auto levels = tight_levels(trousers, legs);
     ASSERT_FALSE(levels.empty());
     for (const TightLevel& level : levels) {
@@ -146,7 +146,7 @@ TEST(Fit, each_trouser_leg_is_compared_with_its_own_leg) {
 TEST(Fit, a_garment_that_hangs_open_or_beside_the_body_has_no_girth) {
     EXPECT_TRUE(tight_levels(round_garment({.girth = 0.5, .radius = 0.2, .is_open = true}), column()).empty());
     EXPECT_TRUE(tight_levels(round_garment({.girth = 0.5, .radius = 0.2, .x = 0.5}), column()).empty());
-    EXPECT_TRUE(tight_levels(PlainMesh{}, column()).empty());
+    EXPECT_TRUE(tight_levels(DrawMesh{}, column()).empty());
 }
 
 TEST(Fit, a_tight_level_reaches_a_little_above_and_below) {

@@ -1,0 +1,44 @@
+#pragma once
+// The table of the sheet's tools. A row is all that the rest of the editor knows of a tool: the toolbar, menus, keys,
+// scripts and both views read it from here.
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "editor/tools/tool.h"
+
+namespace selvedge::editor {
+
+struct ToolInfo {
+    std::string_view id;                        // in scripts: edit_point
+    std::string_view title;                     // in the interface: Edit point
+    std::string_view what;                      // description, one sentence
+    std::unique_ptr<Tool> (*make)() = nullptr;  // the tool in its initial state
+    // Drawn in a square of 16 x 16: M x y starts a line, L x y continues it, Z closes it; C x y r draws a circle,
+    // D x y r a filled one. Empty: none.
+    std::string_view icon = "";
+    Key key = Key::None;        // None: only in menus
+    Key other_key = Key::None;  // a common shortcut in other programs
+    bool is_drawing = true;     // the cursor over the sheet is a cross
+    bool picks_parts = false;   // a click in the 3D view also selects points and edges
+};
+
+// For ToolInfo::make. arguments: those of T's constructor.
+template <class T, auto... arguments>
+std::unique_ptr<Tool> make() {
+    return std::make_unique<T>(arguments...);
+}
+
+// All tools, in toolbar order.
+const std::vector<ToolInfo>& all_tools();
+
+// The first one: Select and move.
+const ToolInfo& default_tool();
+
+// Pre: there is a tool with this id.
+const ToolInfo& info_of(std::string_view id);
+
+// Returns nullptr if no tool has this key.
+const ToolInfo* tool_of_key(Key key);
+
+}  // namespace selvedge::editor
