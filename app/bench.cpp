@@ -454,7 +454,7 @@ void add_bench_tshirt(CLI::App& bench, int& exit_code) {
     auto arguments = std::make_shared<TshirtArguments>();
     bench::TshirtExperiment& experiment = arguments->experiment;
     experiment.sway.allocations = allocations_of_this_thread;
-    CLI::App* command = bench.add_subcommand("tshirt", "One adaption and four steps of a dressed garment");
+    CLI::App* command = bench.add_subcommand("tshirt", "One adaptation and four steps of a dressed garment");
     command->add_option("GARMENT", experiment.pattern, "Garment file (default patterns/tshirt.json)")
         ->type_name("FILE");
     command

@@ -126,12 +126,12 @@ std::vector<std::string> RecentFiles::list() const {
 }
 
 void RecentFiles::add(const std::string& path) const {
-    constexpr std::size_t kMax = 12;
+    constexpr std::size_t kMaxRecentFiles = 12;
     std::vector<std::string> files = list();
     const std::string whole = std::filesystem::absolute(path).lexically_normal().string();
     std::erase(files, whole);
     files.insert(files.begin(), whole);
-    if (files.size() > kMax) files.resize(kMax);
+    if (files.size() > kMaxRecentFiles) files.resize(kMaxRecentFiles);
     sim::Json json = sim::Json::array();
     for (const std::string& file : files) json.push_back(sim::Json(file));
     try {

@@ -191,23 +191,23 @@ EnergyStatistics weightless(ClothRun& run, const DropScene& scene, double second
     run.options.gravity = Vec3f::Zero();
     const Energy start = energy(run);
     const int window = frames_in(0.25, scene);
-    EnergyStatistics figures;
+    EnergyStatistics statistics;
     double first = 0;
     double before = 0;
     double highest = 0;
     for (int frame = 0; frame < frames_in(seconds, scene); ++frame) {
         run_frame(run, sphere);
         const Energy now = energy(run);
-        figures.energy_growth =
-            std::max(figures.energy_growth, (now.kinetic + now.elastic) / (start.kinetic + start.elastic) - 1);
+        statistics.energy_growth =
+            std::max(statistics.energy_growth, (now.kinetic + now.elastic) / (start.kinetic + start.elastic) - 1);
         highest = std::max(highest, now.kinetic);
-        figures.kinetic_end = now.kinetic;
+        statistics.kinetic_end = now.kinetic;
         if ((frame + 1) % window != 0) continue;
         if (first == 0) first = highest;
-        if (before > 0) figures.kinetic_growth = std::max(figures.kinetic_growth, (highest - before) / first);
+        if (before > 0) statistics.kinetic_growth = std::max(statistics.kinetic_growth, (highest - before) / first);
         before = std::exchange(highest, 0.0);
     }
-    return figures;
+    return statistics;
 }
 
 ConvergenceStatistics compare_converged(const SphereDrop& drop, const SphereDropOptions& options,

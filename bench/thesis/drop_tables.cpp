@@ -48,10 +48,10 @@ Table uniform_table(const std::string& name, DropObject object, const ThesisOpti
     Table table{.name = name,
                 .title = std::string("Uniform drop on a ") + name_of(object),
                 .note =
-                    "Base mesh of 32 triangles, the same level everywhere. Means over the run: ms of an adaption "
+                    "Base mesh of 32 triangles, the same level everywhere. Means over the run: ms of an adaptation "
                     "pass (it asks each edge and changes nothing), of a step of 1/120 s with all it does, and of "
                     "the collision within it (what the step takes more than the same one with nothing near).",
-                .columns = {"level", "triangles", "adaption, ms", "step, ms", "of it collision, ms"}};
+                .columns = {"level", "triangles", "adaptation, ms", "step, ms", "of it collision, ms"}};
     for (int level = 0; level <= (options.is_quick ? 1 : 3); ++level) {
         const Means means = means_of(run_drop_repeatedly(
             {.object = object, .uniform_level = level, .seconds = seconds_of(options), .times_parts = true},
@@ -171,10 +171,10 @@ ThesisResult measure_adaptive_drops(const ThesisOptions& options) {
     Table table{.name = "3.14",
                 .title = "Adaptive drops with the criteria A collision, B curvature, C edge length",
                 .note =
-                    "Base mesh of 32 triangles, at most level 3; a frame is one adaption and four steps. Share: of "
+                    "Base mesh of 32 triangles, at most level 3; a frame is one adaptation and four steps. Share: of "
                     "the uniform level 3's time. Distance: mean distance of the last drape from that of the "
                     "uniform run, over 33 x 33 material points; shifted: a uniform run that started 1 mm aside.",
-                .columns = {"object", "criteria", "triangles, mean", "triangles, most", "adaption, ms", "step, ms",
+                .columns = {"object", "criteria", "triangles, mean", "triangles, most", "adaptation, ms", "step, ms",
                             "of it collision, ms", "frame, ms", "share of uniform", "distance, mm"}};
     sim::TransitionCounts transitions;
     for (const DropObject object : {DropObject::Cylinder, DropObject::Sphere})
@@ -223,9 +223,9 @@ Figure figure_of(const Timed& timed, const DropRun& run) {
         .name = timed.name,
         .title = std::string("Onto and off a ") + name_of(timed.drop.object) + ", " + timed.title,
         .note =
-            "ms of each frame of 1/30 s: one adaption, four steps parted into simulation and "
+            "ms of each frame of 1/30 s: one adaptation, four steps parted into simulation and "
             "collision, and rendering: making the arrays of vertices that the renderer draws.",
-        .columns = {"time, s", "adaption, ms", "simulation, ms", "collision, ms", "rendering, ms", "triangles"}};
+        .columns = {"time, s", "adaptation, ms", "simulation, ms", "collision, ms", "rendering, ms", "triangles"}};
     figure.y_label = "ms";
     figure.right_column = "triangles";
     for (const DropFrame& frame : run.frames)

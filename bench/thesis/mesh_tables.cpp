@@ -517,8 +517,8 @@ ThesisResult measure_tie_breakers(const ThesisOptions& options) {
                      .note =
                          "Drops with the criteria A and B, as in table 3.14. Least work is the default; the thesis "
                          "judged the others no better. Distance: of the last drape from the uniform run's.",
-                     .columns = {"object", "tie-breaker", "triangles, mean", "transitions", "adaption, ms", "frame, ms",
-                                 "distance, mm"}};
+                     .columns = {"object", "tie-breaker", "triangles, mean", "transitions", "adaptation, ms",
+                                 "frame, ms", "distance, mm"}};
     const int runs = options.is_quick ? 1 : 3;
     for (const DropObject object : {DropObject::Cylinder, DropObject::Sphere}) {
         DropOptions drop{.object = object, .seconds = options.is_quick ? 0.3 : 3.0};

@@ -110,23 +110,23 @@ std::vector<Vec4f> surface_normals(const sim::Cloth& coarse) {
 SurfaceStatistics run_surface(SurfaceExperiment experiment, const SurfaceRow& row, const SurfaceRunOptions& options,
                               render::Renderer& renderer) {
     Run run(experiment, row, options);
-    SurfaceStatistics figures;
+    SurfaceStatistics statistics;
     const long frames = std::max(1L, std::lround(options.seconds / kSurfaceFrame));
     const long interval = std::max(1L, frames / options.drawn_frames);
     long drawn = 0;
     for (long i = 1; i <= frames; ++i) {
-        run.frame(figures);
+        run.frame(statistics);
         if (i % interval != 0) continue;
         const sim::DrawMesh mesh = mesh_of(run.surface(), run.surface().light_normals);
-        figures.drawing_ms += clock_ms([&] {
-            figures.picture = draw_surface(renderer, mesh, experiment, render::ShowMode::Edges, options.side_px);
+        statistics.drawing_ms += clock_ms([&] {
+            statistics.picture = draw_surface(renderer, mesh, experiment, render::ShowMode::Edges, options.side_px);
         });
         ++drawn;
     }
-    for (double* mean : {&figures.triangles, &figures.simulation_ms, &figures.surface_ms})
+    for (double* mean : {&statistics.triangles, &statistics.simulation_ms, &statistics.surface_ms})
         *mean /= static_cast<double>(frames);
-    figures.drawing_ms /= static_cast<double>(drawn);
-    return figures;
+    statistics.drawing_ms /= static_cast<double>(drawn);
+    return statistics;
 }
 
 render::Camera surface_camera(SurfaceExperiment experiment) {
@@ -304,11 +304,12 @@ Shown show(const std::string& name, SurfaceExperiment experiment, const ThesisOp
     render::Renderer renderer;
     std::vector<render::Image> pictures;
     for (const SurfaceRow& row : surface_rows()) {
-        const SurfaceStatistics figures = run_surface(experiment, row, running, renderer);
-        pictures.push_back(figures.picture);
-        shown.table.add_row({row.name, Cell(figures.triangles, 0), Cell(figures.simulation_ms, 3),
-                             Cell(figures.surface_ms, 3), Cell(1e6 * figures.surface_ms / figures.triangles, 1),
-                             Cell(figures.drawing_ms, 1), row.level ? Cell() : Cell(1e3 * figures.largest_jump_m, 3)});
+        const SurfaceStatistics statistics = run_surface(experiment, row, running, renderer);
+        pictures.push_back(statistics.picture);
+        shown.table.add_row(
+            {row.name, Cell(statistics.triangles, 0), Cell(statistics.simulation_ms, 3), Cell(statistics.surface_ms, 3),
+             Cell(1e6 * statistics.surface_ms / statistics.triangles, 1), Cell(statistics.drawing_ms, 1),
+             row.level ? Cell() : Cell(1e3 * statistics.largest_jump_m, 3)});
     }
     shown.table.add_row(fine_row(experiment, running.seconds));
     shown.sheet.image = contact_sheet(pictures, 3);

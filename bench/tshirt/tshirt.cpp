@@ -136,15 +136,23 @@ TshirtReport measure_tshirt(const TshirtExperiment& experiment, const sim::Progr
 Table table_of(const TshirtReport& report) {
     Table table{
         .name = "tshirt",
-        .title = "One adaption and four steps of 1/120 s, by processor time",
+        .title = "One adaptation and four steps of 1/120 s, by processor time",
         .note =
             "Gravity leans by 5 degrees and goes round once a second. Sub-steps per step: the fewest with which the "
             "99th percentile of stretch is at most what was asked for, or what was given; in the last two rows "
             "those of dressing. Contact's share: what the steps take less with nothing to collide with."};
-    table.columns = {"garment",        "leaf triangles",       "body triangles",
-                     "sub-steps",      "ms, median",           "p95",
-                     "us per leaf",    "adaption, %",          "contact, %",
-                     "p99 stretch, %", "changes per adaption", "allocations per adaption",
+    table.columns = {"garment",
+                     "leaf triangles",
+                     "body triangles",
+                     "sub-steps",
+                     "ms, median",
+                     "p95",
+                     "us per leaf",
+                     "adaptation, %",
+                     "contact, %",
+                     "p99 stretch, %",
+                     "changes per adaptation",
+                     "allocations per adaptation",
                      "per step"};
     for (const TshirtRow& row : report.rows) {
         const SwayStatistics& f = row.statistics;

@@ -18,7 +18,8 @@ namespace {
 
 constexpr int kGivenUpAfter = 3;  // frames without a running build and without the body: the build has failed
 
-std::string pattern_text(const sim::Pattern& pattern) {
+// The text of the body that the pattern is for.
+std::string body_text(const sim::Pattern& pattern) {
     return pattern.body.empty() ? kDefaultBody : pattern.body;
 }
 
@@ -27,7 +28,7 @@ void keep_body(InspectorContext& context) {
     const CurrentBody& worn = context.workspace.drape.worn();
     const sim::Pattern& pattern = context.pattern();
     // If the body that the garment was drafted for was never built, the panels are not moved.
-    const SetBody command = state.pattern_body != nullptr && state.drafted == pattern_text(pattern)
+    const SetBody command = state.pattern_body != nullptr && state.pattern_body_text == body_text(pattern)
                                 ? set_body_command(pattern, worn.text, *state.pattern_body, *worn.body)
                                 : SetBody{.body = worn.text};
     context.workspace.run(command);
@@ -57,9 +58,9 @@ void cancel_body_request(InspectorContext& context) {
 void update_body_request(InspectorContext& context) {
     BodyState& state = context.state.body;
     const Drape& drape = context.workspace.drape;
-    const std::string drafted = pattern_text(context.pattern());
-    if (drape.worn().body != nullptr && drape.worn().text == drafted) {
-        state.drafted = drafted;
+    const std::string of_pattern = body_text(context.pattern());
+    if (drape.worn().body != nullptr && drape.worn().text == of_pattern) {
+        state.pattern_body_text = of_pattern;
         state.pattern_body = drape.worn().body;
     }
     if (state.pending.empty()) return;
@@ -77,11 +78,6 @@ namespace {
 
 constexpr double kDefaultStance = 0.9 * std::numbers::pi / 180;  // rad, the mannequin's default
 constexpr double kMaxStance = 10 * std::numbers::pi / 180;
-
-std::string pattern_body(const InspectorContext& context) {
-    const std::string& body = context.pattern().body;
-    return body.empty() ? kDefaultBody : body;
-}
 
 sim::MannequinOptions read_mannequin(const std::string& text) {
     try {
@@ -182,21 +178,22 @@ void draw_state(InspectorContext& context) {
     for (const std::string& message : worn.measures->messages) message_text(context.theme.warning, message);
 }
 
-void draw_file_body(InspectorContext& context, const std::string& file, bool is_drafted) {
+void draw_file_body(InspectorContext& context, const std::string& file, bool is_of_pattern) {
     fact(context, "From file", readable_name(file), file);
     const Drape& drape = context.workspace.drape;
     ButtonRow row(context);
     const bool is_ready = drape.worn().body != nullptr && drape.worn().text == file;
-    if (!is_drafted && row.button({.name = "body.adopt",
-                                   .title = "Use for this garment",
-                                   .tip = "The garment is placed about this body from now on, and its file names it.",
-                                   .is_enabled = is_ready})) {
+    if (!is_of_pattern &&
+        row.button({.name = "body.adopt",
+                    .title = "Use for this garment",
+                    .tip = "The garment is placed about this body from now on, and its file names it.",
+                    .is_enabled = is_ready})) {
         request_body(context, file, BodyRequest::Keep);
     }
     if (row.button({.name = "body.mannequin",
-                    .title = is_drafted ? "Use a mannequin" : "Back to the garment's body",
-                    .tip = is_drafted ? "A body from measures takes its place." : "Takes this body off."})) {
-        if (is_drafted) {
+                    .title = is_of_pattern ? "Use a mannequin" : "Back to the garment's body",
+                    .tip = is_of_pattern ? "A body from measures takes its place." : "Takes this body off."})) {
+        if (is_of_pattern) {
             request_body(context, kDefaultBody, BodyRequest::Keep);
         } else {
             cancel_body_request(context);
@@ -209,17 +206,17 @@ void draw_file_body(InspectorContext& context, const std::string& file, bool is_
 void draw_body(InspectorContext& context) {
     ImGui::PushID("body");
     const BodyState& state = context.state.body;
-    const std::string drafted = pattern_body(context);
+    const std::string of_pattern = body_text(context.pattern());
     const std::string worn = context.workspace.drape.worn().text;
-    const bool has_foreign = state.pending.empty() && !is_mannequin(worn) && worn != drafted;
-    const std::string shown = !state.pending.empty() ? state.pending : has_foreign ? worn : drafted;
+    const bool has_foreign = state.pending.empty() && !is_mannequin(worn) && worn != of_pattern;
+    const std::string shown = !state.pending.empty() ? state.pending : has_foreign ? worn : of_pattern;
     if (is_mannequin(shown)) {
         const sim::MannequinOptions options = read_mannequin(shown);
         draw_sex(context, options);
         draw_state(context);
         draw_measures(context, options);
     } else {
-        draw_file_body(context, shown, shown == drafted);
+        draw_file_body(context, shown, shown == of_pattern);
         draw_state(context);
     }
     ButtonRow row(context);

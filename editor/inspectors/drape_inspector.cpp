@@ -133,7 +133,7 @@ void draw_statistics(InspectorContext& context, const sim::SessionFrame& frame) 
     fact(context, "Triangles", count_text(now.leaf_triangles) + " of " + count_text(now.base_triangles) + " coarse",
          "Triangles that are simulated now, and those of the coarsest mesh.");
     fact(context, "Last step", count_text(now.splits) + " split, " + count_text(now.rejoins) + " rejoined",
-         "Edges that the last adaption split or put together again.");
+         "Edges that the last adaptation split or put together again.");
 }
 
 void draw_levels(InspectorContext& context, const sim::SessionFrame& frame) {

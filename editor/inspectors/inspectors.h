@@ -82,11 +82,11 @@ struct MaterialState {
 };
 
 struct BodyState {
-    std::string pending{};  // requested body that is not yet the document's; empty: none
-    bool is_kept = false;   // the body is set in the document when it is ready
-    int idle_frames = 0;    // frames since the request in which no body was being built
-    std::string wrong{};    // why the typed text is not a valid body
-    std::string drafted{};  // text of the document's body, and that body
+    std::string pending{};            // requested body that is not yet the document's; empty: none
+    bool is_kept = false;             // the body is set in the document when it is ready
+    int idle_frames = 0;              // frames since the request in which no body was being built
+    std::string wrong{};              // why the typed text is not a valid body
+    std::string pattern_body_text{};  // text of the document's body, and that body
     std::shared_ptr<const sim::Body> pattern_body{};
 };
 

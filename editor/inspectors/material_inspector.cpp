@@ -71,11 +71,11 @@ void draw_tartan(InspectorContext& context, const std::string& name, const Tarta
     draw_picture(context, tartan.texture, {side, side}, {1, 1});
     ImGui::SameLine(0, 0.6F * em);
     ImGui::BeginGroup();
-    const float text = room - side - 0.6F * em;
-    ImGui::TextUnformatted(elided(tartan.shown_as, text).c_str());
+    const float text_width = room - side - 0.6F * em;
+    ImGui::TextUnformatted(elided(tartan.shown_as, text_width).c_str());
     ImGui::PushStyleColor(ImGuiCol_Text, to_colour(context.theme.faint));
     ImGui::TextUnformatted(
-        elided("repeat " + quantity_text(repeat_size(tartan.sett), Unit::Centimetres), text).c_str());
+        elided("repeat " + quantity_text(repeat_size(tartan.sett), Unit::Centimetres), text_width).c_str());
     ImGui::PopStyleColor();
     ImGui::EndGroup();
 }
@@ -327,16 +327,16 @@ void draw_fabric_rows(InspectorContext& context, const std::string& name) {
 }
 
 void draw_fabric_choice(InspectorContext& context, const std::string& shown) {
-    std::vector<std::string> names = sim::fabric_names(), text;
+    std::vector<std::string> names = sim::fabric_names(), labels;
     if (std::find(names.begin(), names.end(), shown) == names.end()) names.push_back(shown);
     int chosen = -1;
     for (const std::string& name : names) {
-        if (name == shown) chosen = static_cast<int>(text.size());
-        text.push_back(readable_name(name));
+        if (name == shown) chosen = static_cast<int>(labels.size());
+        labels.push_back(readable_name(name));
     }
     const int now = choice_box(context, {.name = "material.fabric",
                                          .shown = readable_name(shown),
-                                         .items = text,
+                                         .items = labels,
                                          .chosen = chosen,
                                          .tip = "The fabric whose values are shown. The buttons below put it to use.",
                                          .width_px = ImGui::GetContentRegionAvail().x});

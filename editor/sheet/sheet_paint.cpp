@@ -93,8 +93,8 @@ void draw_name(const SheetLook& look, const PanelShape& shape) {
     const Vec2d middle = middle_of(shape, look.faces.face(shape, pen.camera.scale));
     draw_grainline(look, shape, middle, std::min(0.30 * shape.box.sizes().y(), 0.5 * shape.box.sizes().minCoeff()));
     const bool is_selected = look.selection.panels.contains(shape.panel.name);
-    const double text = double(ImGui::CalcTextSize(shape.panel.name.c_str()).x) / double(pen.ui) + 56;
-    const double share = std::min(1.0, size_px.x() / text);
+    const double name_width = double(ImGui::CalcTextSize(shape.panel.name.c_str()).x) / double(pen.ui) + 56;
+    const double share = std::min(1.0, size_px.x() / name_width);
     constexpr double kSmallest = 0.7;  // smallest legible size, relative to the normal one
     if (share < kSmallest) return;
     pen.text(shape.on_sheet(middle), shape.panel.name, is_selected ? pen.colours.accent : pen.colours.ink, {0, 0},

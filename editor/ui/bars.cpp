@@ -290,8 +290,8 @@ void show_recent(AppState& state) {
     ImGui::PushFont(state.fonts.bold);
     ImGui::TextUnformatted("Recent files");
     ImGui::PopFont();
-    constexpr std::size_t kMax = 5;
-    for (std::size_t i = 0; i < std::min(kMax, files.size()); ++i) {
+    constexpr std::size_t kMaxShown = 5;
+    for (std::size_t i = 0; i < std::min(kMaxShown, files.size()); ++i) {
         const std::string shown = elided(files[i], ImGui::GetContentRegionAvail().x, Elide::Middle);
         if (ImGui::Selectable((shown + "##" + std::to_string(i)).c_str())) open_file(state, files[i]);
         tip_of_whole(files[i], shown);

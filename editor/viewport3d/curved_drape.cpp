@@ -1,6 +1,7 @@
 #include "editor/viewport3d/curved_drape.h"
 
 #include <chrono>
+#include <new>
 #include <utility>
 
 #include "render/surface/curve.h"
@@ -18,6 +19,8 @@ CurvedDrape::Made CurvedDrape::make(render::SurfaceOverCloth over, const sim::Se
             std::make_shared<const sim::DrawMesh>(draw_mesh(surface, frame.mesh, render::LightNormals::Interpolated));
         return {.over = std::move(over), .mesh = std::move(mesh)};
     } catch (const sim::InputError&) {  // too many triangles: the leaves are drawn
+        return {};
+    } catch (const std::bad_alloc&) {
         return {};
     }
 }

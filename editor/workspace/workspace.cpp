@@ -27,9 +27,9 @@ bool Workspace::preview(const Command& command) {
 }
 
 void Messages::say(Message message) {
-    constexpr std::size_t kMax = 200;
+    constexpr std::size_t kMaxMessages = 200;
     all_.push_back(std::move(message));
-    if (all_.size() > kMax) all_.erase(all_.begin());
+    if (all_.size() > kMaxMessages) all_.erase(all_.begin());
     ++count_;
     is_shown_ = true;
 }

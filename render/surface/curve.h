@@ -40,7 +40,7 @@ CurvedSurface curve(std::span<const Vec4f> x, std::span<const sim::GarmentTriang
                     const CurveOptions& options = {}, const std::vector<CreaseEdge>& creases = {});
 
 // The surface over the leaf triangles of a cloth. Its base has their order, and its base vertices that of the leaf
-// vertices, as draw_mesh(cloth) does (sim/dress/report.h).
+// vertices, as draw_mesh(cloth) does (sim/cloth/cloth.h).
 class SurfaceOverCloth {
  public:
     // The surface over the cloth as it is now. While the leaves are those of the last call, the surface only moves and

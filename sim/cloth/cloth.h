@@ -80,7 +80,7 @@ std::optional<VertexId> find_bad_vertex(const Cloth& cloth);
 // The leaf triangles in their current position, with material coordinates and level of each.
 DrawMesh draw_mesh(const Cloth& cloth, const std::vector<std::string>& panel_names);
 
-// The refinement hierarchy: all triangles depth first: base triangles in order, each followed by its internal
+// The refinement hierarchy: all triangles, depth first. Each base triangle in order is followed by its internal
 // triangles.
 TriangleHierarchy triangle_hierarchy(const Cloth& cloth);
 

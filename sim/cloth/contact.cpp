@@ -13,8 +13,8 @@ namespace {
 
 // The assumed error of a collider's distance, m: at least 0.7 mm, and at least what the collider reports.
 float slack_margin(const Collider& body) {
-    constexpr float kMin = 0.0007F;
-    return std::max(kMin, body.max_error());
+    constexpr float kMinMargin = 0.0007F;
+    return std::max(kMinMargin, body.max_error());
 }
 
 ContactLimits limits_for(const Collider& body, const ContactOptions& options) {

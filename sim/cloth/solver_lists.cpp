@@ -186,9 +186,9 @@ namespace {
 
 // The free length of a coarse strain limit: yarns may stretch as the fabric does under a usual load.
 float longest_of(double stiffness, const Fabric& fabric) {
-    constexpr double kUsualLoad = 2.5;  // N/m: a shirt hangs from its shoulders with about 1.6
-    constexpr double kMin = 0.005;      // strain error of the flat triangle through the corners of bent cloth
-    return 1 + static_cast<float>(std::min(fabric.strain_limit, std::max(kMin, kUsualLoad / stiffness)));
+    constexpr double kUsualLoad = 2.5;     // N/m: a shirt hangs from its shoulders with about 1.6
+    constexpr double kMinStretch = 0.005;  // strain error of the flat triangle through the corners of bent cloth
+    return 1 + static_cast<float>(std::min(fabric.strain_limit, std::max(kMinStretch, kUsualLoad / stiffness)));
 }
 
 using Limits = ConstraintSet<LimitBlock, LimitRecord>;

@@ -150,14 +150,14 @@ void set_shape(BendBlock& block, std::size_t at, const RestTriangle& rest, const
 // Sets the values that follow from the fabric and the shape at rest.
 void set_element(const Cloth& cloth, TriangleId t, Level level, Fits& fits, BendBlock& block, BendRecord& record,
                  std::size_t at) {
-    constexpr double kMin = 1e-12;  // N m: minimum rigidity; a fabric without more has no friction in bending
+    constexpr double kMinRigidity = 1e-12;  // N m: minimum rigidity; a fabric without more has no friction in bending
     const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
     const Fabric& fabric = cloth.material.fabrics[triangle.panel];
     const Neighbourhood own = neighbourhood(cloth, t, level);
     const Mat3d map = fits.curvature_map(own, t);
     set_shape(block, at, own.rest, map);
 
-    const double warp = std::max(fabric.bending_warp, kMin), weft = std::max(fabric.bending_weft, kMin);
+    const double warp = std::max(fabric.bending_warp, kMinRigidity), weft = std::max(fabric.bending_weft, kMinRigidity);
     const Vec3d rigidity(warp, weft, 0.5 * std::sqrt(warp * weft));
     const double hysteresis = fabric.bending_hysteresis;
     const Vec3d friction(0.5 * hysteresis, 0.5 * hysteresis, 0.25 * hysteresis);
@@ -165,7 +165,7 @@ void set_element(const Cloth& cloth, TriangleId t, Level level, Fits& fits, Bend
     set_symmetric(record.stiffness, at, time * map.transpose() * free_edge_rigidity(rigidity, own.rest) * map);
     set_lane(record.rigidity, at, (time * rigidity).cast<float>());
     set_lane(record.friction, at, (time * friction).cast<float>());
-    block.has_friction[at] = hysteresis > 0 && std::max(warp, weft) > kMin ? 1.0F : 0.0F;
+    block.has_friction[at] = hysteresis > 0 && std::max(warp, weft) > kMinRigidity ? 1.0F : 0.0F;
     const ParentOf& parent = cloth.solver.lists.parent_of[t.value];
     record.parent[at] = parent.place;
     record.of_area[at] = parent.of_area;

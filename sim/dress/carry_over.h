@@ -14,8 +14,6 @@
 
 namespace selvedge::sim {
 
-// Maps material points of panels to 3D positions on the drape.
-
 // A point in a panel's material coordinates, independent of the mesh.
 struct MaterialPoint {
     std::uint16_t panel = 0;
@@ -87,7 +85,6 @@ TransferredDrape transfer_drape(const DrapeState& drape, const Pattern& after, G
 // Maps points of a panel to corresponding points of another panel with the same edges. A point on the outline keeps its
 // edge and its fraction of that edge's length; interior points follow by mean value coordinates. (Floater 2003; Hormann
 // and Floater 2006)
-
 class OutlineMap {
  public:
     // Pre: both panels have the same number of edges, all of non-zero length.

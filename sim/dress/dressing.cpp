@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <utility>
 
 #include "sim/core/assert.h"
@@ -129,6 +131,7 @@ void Dressing::end_sewing() {
           .open = std::move(sewing.open),
           .run = {}},
          DrapeOptions{}.relax_time);
+    change_cloth(anchored());  // setts may have been moved while it was sewn
 }
 
 DrapeOptions Dressing::draping() const {
@@ -190,10 +193,21 @@ void Dressing::reactivate() {
 void Dressing::set_body(std::shared_ptr<const Body> body) {
     if (body == body_) return;
     const bool is_same = body && body_ && has_equal_surface(*body, *body_);
-    body_ = std::move(body);
+    const std::shared_ptr<const Body> last = std::exchange(body_, std::move(body));
     if (is_same) return;  // collider_ still holds the previous body, which is equal
-    collider_.reset();
-    anchored_.reset();
+    const auto last_collider = std::exchange(collider_, nullptr);
+    std::optional<Pattern> last_anchored = std::exchange(anchored_, std::nullopt);
+    try {
+        take_body();
+    } catch (...) {
+        body_ = last;
+        collider_ = last_collider;
+        anchored_ = std::move(last_anchored);
+        throw;
+    }
+}
+
+void Dressing::take_body() {
     if (sewing_) return start_again("");
     if (!drape_) return place();
     if (has_bad_number()) return;
@@ -325,8 +339,8 @@ void Dressing::start_again(const std::string& why) {
 }
 
 void Dressing::reset() {
+    place();  // first: it may throw
     clear();
-    place();
 }
 
 void Dressing::clear() {
@@ -364,10 +378,11 @@ void Dressing::set_options(const DressOptions& options) {
 
 // Dragging and pinning.
 
-void Dressing::pull(const MaterialPoint& at, const Vec3f& to) {
-    if (!drape_ || has_bad_number() || !to.allFinite()) return;
+bool Dressing::pull(const MaterialPoint& at, const Vec3f& to) {
+    if (!drape_ || has_bad_number() || !to.allFinite()) return false;
     drag_constraint_.pull(at, to);
     reactivate();
+    return true;
 }
 
 bool Dressing::pull_to(const Vec3f& to) {
@@ -376,22 +391,25 @@ bool Dressing::pull_to(const Vec3f& to) {
     return true;
 }
 
-void Dressing::let_go() {
-    if (!drag_constraint_.is_pulling()) return;
+bool Dressing::let_go() {
+    if (!drag_constraint_.is_pulling()) return false;
     drag_constraint_.let_go();
     reactivate();
+    return true;
 }
 
-void Dressing::pin(const MaterialPoint& at) {
-    if (!drape_ || has_bad_number()) return;
+bool Dressing::pin(const MaterialPoint& at) {
+    if (!drape_ || has_bad_number()) return false;
     drag_constraint_.pin(at);
     drag_constraint_.update_held(drape_->cloth, drape_->mesh.pins);
+    return true;
 }
 
-void Dressing::unpin_all() {
-    if (!drag_constraint_.has_pins()) return;
+bool Dressing::unpin_all() {
+    if (!drag_constraint_.has_pins()) return false;
     drag_constraint_.unpin_all();
     reactivate();
+    return true;
 }
 
 std::vector<Vec3f> Dressing::pins() const {
@@ -401,6 +419,7 @@ std::vector<Vec3f> Dressing::pins() const {
 // Equal outlines, sampled and meshed with equal options, have equal meshes.
 bool Dressing::restore(const Drape& drape) {
     if (compare(drape.pattern, pattern_) >= PatternChange::Outlines || drape.meshing != meshing()) return false;
+    collider();
     Drape copy = drape;
     clear();
     drape_ = std::move(copy);

@@ -60,14 +60,14 @@ class Dressing {
     Dressing(const Dressing&) = delete;
     Dressing& operator=(const Dressing&) = delete;
 
-    // What is dressed in what. A method that throws InputError (a pattern that cannot be meshed, an unknown fabric)
-    // changes nothing.
+    // What is dressed in what. A method that throws InputError (a pattern that cannot be meshed, an unknown fabric or
+    // body) changes nothing.
     void set_body(std::shared_ptr<const Body> body);
     void set_pattern(Pattern pattern);
     void set_options(const DressOptions& options);
 
     DressingStage stage() const;
-    double fraction() const;  // of the stage, 0..1
+    double fraction() const;  // of Sew or of Fall, 0..1; 0 in Place and Relax
 
     // From Place to Sew; at a later stage it starts again. Throws InputError if there is no body, or the panels cannot
     // be meshed.
@@ -102,12 +102,13 @@ class Dressing {
     void clear_times() { drape_->run->clear_times(); }  // see DrapeRun
     double simulated_seconds() const;                   // since sewing began
 
-    // Dragging and pinning of the cloth that hangs; no effect at other stages.
-    void pull(const MaterialPoint& at, const Vec3f& to);
-    bool pull_to(const Vec3f& to);  // false: no change of the goal, or nothing is dragged
-    void let_go();
-    void pin(const MaterialPoint& at);
-    void unpin_all();
+    // Dragging and pinning of the cloth that hangs. Each returns whether anything has changed: false at other stages,
+    // if nothing is dragged or pinned, or the goal is the same.
+    bool pull(const MaterialPoint& at, const Vec3f& to);
+    bool pull_to(const Vec3f& to);
+    bool let_go();
+    bool pin(const MaterialPoint& at);
+    bool unpin_all();
     std::vector<Vec3f> pins() const;  // m
 
     // A drape that can be restored later. Pre: is_hanging().
@@ -120,7 +121,7 @@ class Dressing {
         std::optional<DrapeRun> run;  // never empty
     };
     const Drape& drape() const { return *drape_; }
-    // Returns false, and changes nothing, if the base mesh of the pattern is another now.
+    // Returns false, and changes nothing, if the base mesh of the pattern is another now. Pre: there is a body.
     bool restore(const Drape& drape);
 
  private:
@@ -139,6 +140,7 @@ class Dressing {
     std::vector<Fabric> fabrics() const;
     int deepest_level() const { return options_.deepest_level.value_or(options_.max_level); }
 
+    void take_body();
     void place();
     void clear();
     void take_pattern(const Pattern& last);

@@ -6,6 +6,7 @@
 #include <condition_variable>
 #include <deque>
 #include <exception>
+#include <functional>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -16,6 +17,7 @@
 #include "sim/core/assert.h"
 #include "sim/core/error.h"
 #include "sim/core/math.h"
+#include "sim/dress/carry_over.h"
 #include "sim/dress/report.h"
 #include "sim/dress/session_frame.h"
 
@@ -143,7 +145,9 @@ bool supersedes(const Ask& newer, const Ask& older) {
 // What a session does with requests and between frames, without its thread.
 class SessionState {
  public:
-    explicit SessionState(std::function<void()> interrupt) : dressing_(std::move(interrupt)) {}
+    explicit SessionState(std::function<void()> interrupt) : dressing_(std::move(interrupt)) {
+        dressing_.set_options(options_);
+    }
 
     // Each carries out one request.
     void operator()(ask::SetBody& asked);
@@ -330,44 +334,53 @@ void SessionState::say_open_seams() {
 
 void SessionState::operator()(ask::SetBody& asked) {
     if (asked.body.get() == dressing_.body()) return;
-    cloth_at_rest_.reset();
     has_changed_ = true;
-    dressing_.set_body(std::move(asked.body));
+    try {
+        dressing_.set_body(std::move(asked.body));
+    } catch (const InputError& error) {  // the body that the pattern names is none
+        return fail(error.what());
+    }
+    cloth_at_rest_.reset();
     sew_if_running();
 }
 
 void SessionState::operator()(ask::SetPattern& asked) {
     if (asked.pattern == dressing_.pattern() && problem_.empty()) return;
-    cloth_at_rest_.reset();
     has_changed_ = true;
+    const bool is_seen = compare(dressing_.pattern(), asked.pattern) != PatternChange::None;
     try {
         dressing_.set_pattern(std::move(asked.pattern));
-        has_failed_ = false;
-        problem_.clear();
     } catch (const InputError& error) {
         problem_ = error.what();
+        return;
     }
+    if (is_seen) cloth_at_rest_.reset();
+    has_failed_ = false;
+    problem_.clear();
     sew_if_running();
 }
 
 void SessionState::operator()(const ask::SetOptions& asked) {
     const SessionOptions options = within_limits(asked.options);
     if (options == options_) return;
-    cloth_at_rest_.reset();
-    options_ = options;
+    const SessionOptions last = std::exchange(options_, options);
     has_changed_ = true;
     try {
-        dressing_.set_options(options);
-    } catch (const InputError& error) {
+        dressing_.set_options(options_);
+    } catch (const InputError& error) {  // it cannot be meshed like that: the other options still hold
         problem_ = error.what();
+        options_.edge_length = last.edge_length;
+        options_.mesh = last.mesh;
+        dressing_.set_options(options_);
+        return;
     }
+    const DressOptions &was = last, &is = options_;
+    if (is != was) cloth_at_rest_.reset();
     sew_if_running();
 }
 
 void SessionState::operator()(const ask::Pull& asked) {
-    if (has_failed_) return;
-    dressing_.pull(asked.at, asked.to);
-    has_changed_ = true;
+    if (!has_failed_ && dressing_.pull(asked.at, asked.to)) has_changed_ = true;
 }
 
 void SessionState::operator()(const ask::PullTo& asked) {
@@ -375,19 +388,15 @@ void SessionState::operator()(const ask::PullTo& asked) {
 }
 
 void SessionState::operator()(ask::LetGo) {
-    dressing_.let_go();
-    has_changed_ = true;
+    if (dressing_.let_go()) has_changed_ = true;
 }
 
 void SessionState::operator()(const ask::Pin& asked) {
-    if (has_failed_) return;
-    dressing_.pin(asked.at);
-    has_changed_ = true;
+    if (!has_failed_ && dressing_.pin(asked.at)) has_changed_ = true;
 }
 
 void SessionState::operator()(ask::UnpinAll) {
-    dressing_.unpin_all();
-    has_changed_ = true;
+    if (dressing_.unpin_all()) has_changed_ = true;
 }
 
 void SessionState::operator()(const ask::Keep& asked) {
@@ -400,6 +409,7 @@ void SessionState::operator()(const ask::Keep& asked) {
 void SessionState::operator()(const ask::Restore& asked) {
     const auto found = kept_.find(asked.name);
     if (found == kept_.end()) return say("no drape was kept as '" + asked.name + "'");
+    if (dressing_.body() == nullptr) return say("there is no body to put '" + asked.name + "' on");
     if (!dressing_.restore(found->second))
         return say("'" + asked.name + "' was kept of another cut: the pattern's pieces have changed since");
     cloth_at_rest_.reset();

@@ -25,7 +25,7 @@ enum class SessionStage {
     Failed    // a value is not finite, or an error: see SessionFrame::problem
 };
 
-// Never ends, and skips the steps of a cloth at rest.
+// The drape has no time limit, and steps skip a cloth at rest.
 struct SessionOptions : DressOptions {
     SessionOptions();
 

@@ -18,20 +18,20 @@
 namespace selvedge::sim {
 namespace {
 
-PanelFigures figures_in_obj(std::string_view text, const std::string&) {
+PanelData data_in_obj(std::string_view text, const std::string&) {
     return {grain_angles_in_obj(text), sett_offsets_in_obj(text)};
 }
 
-PanelFigures figures_in_glb(std::string_view bytes, const std::string& file) {
+PanelData data_in_glb(std::string_view bytes, const std::string& file) {
     return {grain_angles_in_glb(bytes, file), sett_offsets_in_glb(bytes, file)};
 }
 
 const std::vector<MeshFormat> kFormats{
-    {.extension = ".obj", .garment = garment_obj, .body = body_obj, .panel_figures = figures_in_obj},
+    {.extension = ".obj", .garment = garment_obj, .body = body_obj, .panel_data = data_in_obj},
     {.extension = ".glb",
      .garment = garment_glb,
      .body = body_glb,
-     .panel_figures = figures_in_glb,
+     .panel_data = data_in_glb,
      .has_panel_materials = true},  // a primitive of glTF has no name of its own
 };
 
@@ -107,10 +107,10 @@ std::vector<T> by_panel(const std::vector<std::pair<std::string, T>>& named, con
     return values;
 }
 
-void add_panel_statistics(const std::filesystem::path& path, const MeshFormat& format, DrawMesh& mesh) {
-    const PanelFigures statistics = format.panel_figures(read_file(path, ImportLimits().file_bytes), path.string());
-    mesh.panel_grain_angles = by_panel(statistics.grain_angles, mesh, 0.0F);
-    mesh.panel_sett_offsets = by_panel(statistics.sett_offsets, mesh, Vec2f(0, 0));
+void add_panel_data(const std::filesystem::path& path, const MeshFormat& format, DrawMesh& mesh) {
+    const PanelData data = format.panel_data(read_file(path, ImportLimits().file_bytes), path.string());
+    mesh.panel_grain_angles = by_panel(data.grain_angles, mesh, 0.0F);
+    mesh.panel_sett_offsets = by_panel(data.sett_offsets, mesh, Vec2f(0, 0));
 }
 
 }  // namespace
@@ -155,7 +155,7 @@ void write_body(const Body& body, const std::filesystem::path& path) {
 
 DrawMesh read_garment(const std::filesystem::path& path) {
     const MeshFormat& format = mesh_format_of(path);
-    if (format.panel_figures == nullptr) throw InputError(path.string(), "", "this format is written, but not read");
+    if (format.panel_data == nullptr) throw InputError(path.string(), "", "this format is written, but not read");
     const ImportedScene scene = guarded_import(path);
     DrawMesh mesh;
     std::vector<Vec3d> corners;
@@ -170,7 +170,7 @@ DrawMesh read_garment(const std::filesystem::path& path) {
     if (!has_u) mesh.u.clear();
     merge_positions(corners, mesh);
     mesh.normals = vertex_normals(mesh.x, mesh.triangles);
-    add_panel_statistics(path, format, mesh);
+    add_panel_data(path, format, mesh);
     return mesh;
 }
 

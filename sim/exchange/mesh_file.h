@@ -1,6 +1,7 @@
 #pragma once
 // Writes garments and bodies to mesh files for other programs, and reads garments. The extension selects the format.
-// mesh_formats() is the table of the formats; a row is all that the program knows of one:
+// mesh_formats() is the table of the formats; a row is all that the program knows of one.
+// The formats:
 //   .obj  positions in metres, vt = material coordinates in metres per corner, vn, one group per panel;
 //   .glb  binary glTF 2.0: one primitive per panel, TEXCOORD_0 = material coordinates in metres (as 1 - v, because v
 //         points down in glTF); a body's skeleton and skin if it has them.
@@ -20,7 +21,7 @@
 namespace selvedge::sim {
 
 // What a file says of its panels beyond the mesh, by panel name.
-struct PanelFigures {
+struct PanelData {
     std::vector<std::pair<std::string, float>> grain_angles;  // rad
     std::vector<std::pair<std::string, Vec2f>> sett_offsets;  // m, see Panel::sett_offset
 };
@@ -31,7 +32,7 @@ struct MeshFormat {
     std::string (*body)(const Body& body) = nullptr;
     // The panel data in a file that assimp has accepted; nullptr: the format is written, but not read. file: its name
     // in error messages.
-    PanelFigures (*panel_figures)(std::string_view bytes, const std::string& file) = nullptr;
+    PanelData (*panel_data)(std::string_view bytes, const std::string& file) = nullptr;
     bool has_panel_materials = false;  // a panel's name is that of its material, not of its mesh
 };
 

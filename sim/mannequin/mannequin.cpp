@@ -108,7 +108,7 @@ void correct(ShapeParameters& shape, const Readings& readings, const GirthValues
 }
 
 std::vector<SkinWeights> skin_of(const VertexRows& weights) {
-    constexpr std::size_t kMax = 4;
+    constexpr std::size_t kMaxBones = 4;
     std::vector<SkinWeights> skin(static_cast<std::size_t>(weights.rows()));
     for (std::size_t v = 0; v < skin.size(); ++v) {
         std::array<std::pair<double, std::uint16_t>, kJointCount> shares;
@@ -116,10 +116,10 @@ std::vector<SkinWeights> skin_of(const VertexRows& weights) {
             shares[j] = {-weights(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(j)),
                          static_cast<std::uint16_t>(j)};
         }
-        std::partial_sort(shares.begin(), shares.begin() + kMax, shares.end());  // by weight, then lowest joint
+        std::partial_sort(shares.begin(), shares.begin() + kMaxBones, shares.end());  // by weight, then lowest joint
         double sum = 0;
-        for (std::size_t k = 0; k < kMax; ++k) sum -= shares[k].first;
-        for (std::size_t k = 0; k < kMax; ++k) {
+        for (std::size_t k = 0; k < kMaxBones; ++k) sum -= shares[k].first;
+        for (std::size_t k = 0; k < kMaxBones; ++k) {
             if (shares[k].first == 0) break;
             skin[v].bones[k] = shares[k].second;
             skin[v].weights[k] = static_cast<float>(-shares[k].first / sum);

@@ -104,10 +104,10 @@ TEST(DropHonesty, a_weightless_cloth_at_rest_keeps_no_energy) {
     SphereDrop drop = run_sphere_drop(options);
     const double kinetic = energy(drop.run).kinetic;
     ASSERT_GT(kinetic, 0);
-    const EnergyStatistics figures = weightless(drop.run, options.scene, 1);
-    EXPECT_LT(figures.energy_growth, 0.01);
-    EXPECT_GT(figures.kinetic_end, 0);
-    EXPECT_LT(figures.kinetic_end, kinetic);
+    const EnergyStatistics statistics = weightless(drop.run, options.scene, 1);
+    EXPECT_LT(statistics.energy_growth, 0.01);
+    EXPECT_GT(statistics.kinetic_end, 0);
+    EXPECT_LT(statistics.kinetic_end, kinetic);
 }
 
 TEST(DropHonesty, the_same_run_lies_no_distance_from_itself) {

@@ -11,35 +11,35 @@ namespace {
 
 // [test]
 TEST(PocketTool, puts_a_panel_of_the_typed_size_where_the_user_clicks) {
-    SheetUser hands;
-    hands.tools.choose(hands.host(), kPocket);
-    hands.type("10x12");
-    hands.click({0.6, 0.4});
-    ASSERT_EQ(hands.pattern().panels.size(), 3U);
-    EXPECT_TRUE(hands.vertex("pocket", 0).isApprox(Vec2d(0.55, 0.34), 1e-6));
-    hands.document.undo();
-    EXPECT_EQ(hands.pattern().panels.size(), 2U) << "one entry of the history";
+    SheetUser user;
+    user.tools.choose(user.host(), kPocket);
+    user.type("10x12");
+    user.click({0.6, 0.4});
+    ASSERT_EQ(user.pattern().panels.size(), 3U);
+    EXPECT_TRUE(user.vertex("pocket", 0).isApprox(Vec2d(0.55, 0.34), 1e-6));
+    user.document.undo();
+    EXPECT_EQ(user.pattern().panels.size(), 2U) << "one entry of the history";
 }
 // [/test]
 
 TEST(PocketTool, drops_its_preview_on_escape) {
-    SheetUser hands;
-    hands.tools.choose(hands.host(), kPocket);
-    hands.press({0.6, 0.4});
-    hands.move({0.7, 0.5});
-    EXPECT_EQ(hands.pattern().panels.size(), 3U);
-    hands.key(Key::Escape);
-    hands.release({0.7, 0.5});
-    EXPECT_EQ(hands.pattern().panels.size(), 2U);
+    SheetUser user;
+    user.tools.choose(user.host(), kPocket);
+    user.press({0.6, 0.4});
+    user.move({0.7, 0.5});
+    EXPECT_EQ(user.pattern().panels.size(), 3U);
+    user.key(Key::Escape);
+    user.release({0.7, 0.5});
+    EXPECT_EQ(user.pattern().panels.size(), 2U);
 }
 
 TEST(PocketTool, says_what_is_too_small_and_changes_nothing) {
-    SheetUser hands;
-    hands.tools.choose(hands.host(), kPocket);
-    hands.type("0x12");
-    hands.click({0.6, 0.4});
-    EXPECT_EQ(hands.message(), "A pocket is at least 1 cm wide and high");
-    EXPECT_EQ(hands.pattern().panels.size(), 2U);
+    SheetUser user;
+    user.tools.choose(user.host(), kPocket);
+    user.type("0x12");
+    user.click({0.6, 0.4});
+    EXPECT_EQ(user.message(), "A pocket is at least 1 cm wide and high");
+    EXPECT_EQ(user.pattern().panels.size(), 2U);
 }
 
 TEST(PocketTool, has_a_key_and_an_id_that_no_tool_has) {

@@ -100,9 +100,9 @@ TEST(Report, survives_places_that_need_escaping) {
 }
 
 // A sewn cotton tube, 0.4 m wide and flat: front and back are 0.3 m apart, with a ball between them.
-class Inspect : public testing::Test {
+class Validate : public testing::Test {
  protected:
-    Inspect() {
+    Validate() {
         draped_.settled = true;
         draped_.stopped_because = "settled";
     }
@@ -138,7 +138,7 @@ class Inspect : public testing::Test {
     DrapeResult draped_;
 };
 
-TEST_F(Inspect, finds_no_fault_where_there_is_none) {
+TEST_F(Validate, finds_no_fault_where_there_is_none) {
     const DressReport report = look();
     EXPECT_TRUE(report.faults.empty()) << report.faults[0].kind << " " << report.faults[0].place;
     EXPECT_EQ(report.contact.inside, 0);
@@ -150,7 +150,7 @@ TEST_F(Inspect, finds_no_fault_where_there_is_none) {
     EXPECT_EQ(report.mesh.by_level[0], report.mesh.leaf_triangles);
 }
 
-TEST_F(Inspect, finds_cloth_that_is_stretched_throughout) {
+TEST_F(Validate, finds_cloth_that_is_stretched_throughout) {
     deform([](const Vec3f& x) { return Vec3f(x.x(), 1.08F * x.y(), x.z()); });
     const DressReport report = look();
     EXPECT_NEAR(report.stretch.warp_weft_p99, 0.08, 1e-3);
@@ -160,7 +160,7 @@ TEST_F(Inspect, finds_cloth_that_is_stretched_throughout) {
     EXPECT_EQ(report.faults.size(), 1U) << "8 % is no fault of the maximum";
 }
 
-TEST_F(Inspect, lets_a_fabric_stretch_that_is_made_to) {
+TEST_F(Validate, lets_a_fabric_stretch_that_is_made_to) {
     for (Fabric& fabric : cloth_.material.fabrics) fabric.strain_limit = 0.1;  // a knit's
     deform([](const Vec3f& x) { return Vec3f(x.x(), 1.08F * x.y(), x.z()); });
     EXPECT_EQ(find(look(), "overstretched"), nullptr);
@@ -168,7 +168,7 @@ TEST_F(Inspect, lets_a_fabric_stretch_that_is_made_to) {
     EXPECT_NE(find(look(), "overstretched"), nullptr);
 }
 
-TEST_F(Inspect, finds_one_triangle_that_is_torn_apart_and_says_where) {
+TEST_F(Validate, finds_one_triangle_that_is_torn_apart_and_says_where) {
     const LeafTriangle& torn = cloth_.mesh.leaf_triangles()[3];
     cloth_.x[torn.v[0].value].z() += 0.1F;
     const DressReport report = look();
@@ -178,14 +178,14 @@ TEST_F(Inspect, finds_one_triangle_that_is_torn_apart_and_says_where) {
     EXPECT_NE(fault->place.find("'front'"), std::string::npos) << fault->place;
 }
 
-TEST_F(Inspect, does_not_take_shear_for_stretch) {
+TEST_F(Validate, does_not_take_shear_for_stretch) {
     deform([](const Vec3f& x) { return Vec3f(x.x() + 0.2F * (x.y() - 1), x.y(), x.z()); });
     const DressReport report = look();
     EXPECT_NEAR(report.stretch.shear_deg_p99, 11.3, 0.2);
     EXPECT_EQ(find(report, "overstretched"), nullptr);
 }
 
-TEST_F(Inspect, finds_cloth_in_the_body_and_how_deep) {
+TEST_F(Validate, finds_cloth_in_the_body_and_how_deep) {
     deform([](const Vec3f& x) { return Vec3f(x.x(), x.y(), x.z() > 0 ? x.z() - 0.07F : x.z()); });
     const DressReport report = look();
     const DressFault* fault = find(report, "inside_body");
@@ -199,7 +199,7 @@ TEST_F(Inspect, finds_cloth_in_the_body_and_how_deep) {
     EXPECT_EQ(report.faults.size(), 1U);
 }
 
-TEST_F(Inspect, counts_but_forgives_what_is_inside_by_less_than_half_a_millimetre) {
+TEST_F(Validate, counts_but_forgives_what_is_inside_by_less_than_half_a_millimetre) {
     const std::uint32_t vertex = cloth_.mesh.leaf_vertices()[0].value;
     cloth_.x[vertex] = Vec4f(0, 0.95F, 0.0997F, 0);
     const DressReport report = look();
@@ -207,7 +207,7 @@ TEST_F(Inspect, counts_but_forgives_what_is_inside_by_less_than_half_a_millimetr
     EXPECT_EQ(find(report, "inside_body"), nullptr);
 }
 
-TEST_F(Inspect, says_that_a_garment_did_not_settle) {
+TEST_F(Validate, says_that_a_garment_did_not_settle) {
     draped_.settled = false;
     draped_.rms_speed = 0.3F;
     const DressReport report = look();
@@ -217,7 +217,7 @@ TEST_F(Inspect, says_that_a_garment_did_not_settle) {
     EXPECT_EQ(report.faults.size(), 1U);
 }
 
-TEST_F(Inspect, says_which_seam_is_open_between_which_panels) {
+TEST_F(Validate, says_which_seam_is_open_between_which_panels) {
     Pattern sewn = tube(0.4, 0.3, 0.8, 0.15);
     open_seams_ = {{.seam = 1, .gap = 0.04F}};
     DressReport report;
@@ -230,7 +230,7 @@ TEST_F(Inspect, says_which_seam_is_open_between_which_panels) {
     EXPECT_NE(report.faults[0].place.find("back"), std::string::npos) << report.faults[0].place;
 }
 
-TEST_F(Inspect, says_that_a_number_went_bad_and_trusts_no_other_figure) {
+TEST_F(Validate, says_that_a_number_went_bad_and_trusts_no_other_figure) {
     const VertexId bad = cloth_.mesh.leaf_vertices()[5];
     cloth_.x[bad.value].setConstant(std::numeric_limits<float>::quiet_NaN());
     draped_.bad_vertex = bad;
@@ -241,13 +241,13 @@ TEST_F(Inspect, says_that_a_number_went_bad_and_trusts_no_other_figure) {
     EXPECT_EQ(find(report, "inside_body"), nullptr);
 }
 
-TEST_F(Inspect, describes_a_place_by_its_panel_and_its_coordinates) {
+TEST_F(Validate, describes_a_place_by_its_panel_and_its_coordinates) {
     const std::string place = describe_place(cloth_, pattern_, cloth_.mesh.leaf_vertices()[0]);
     EXPECT_NE(place.find("'front'"), std::string::npos) << place;
     EXPECT_NE(place.find("0.8"), std::string::npos) << place;
 }
 
-TEST_F(Inspect, hands_over_the_leaves_as_a_plain_mesh) {
+TEST_F(Validate, gives_the_leaves_as_a_draw_mesh) {
     const DrawMesh mesh = draw_mesh(cloth_, {"front", "back"});
     EXPECT_EQ(mesh.x.size(), cloth_.mesh.leaf_vertices().size());
     EXPECT_EQ(mesh.normals.size(), mesh.x.size());

@@ -240,6 +240,63 @@ TEST_F(SessionOfTwoSquares, takes_levels_budget_and_bad_options_while_it_hangs) 
     for (const Vec3f& x : session_.frame()->mesh.x) ASSERT_TRUE(x.allFinite());
 }
 
+TEST(Session, of_default_options_may_be_refined_further_while_it_hangs) {
+    Session session(SessionDrive::Caller);
+    session.set_body(session_body());
+    session.set_options({});
+    session.set_pattern(session_pattern("two_squares"));
+    settle(session);
+    ASSERT_EQ(session.frame()->stage, SessionStage::Settled);
+    ASSERT_LE(session.frame()->statistics.by_level.size(), 4U);
+    SessionOptions finer;
+    finer.max_level = 5;
+    finer.shortest_edge = 0.002;
+    finer.triangle_budget = 20000;
+    session.set_options(finer);
+    session.advance(20);
+    EXPECT_GT(session.frame()->statistics.by_level.size(), 4U);
+}
+
+TEST(Session, refuses_an_edge_length_that_cannot_be_meshed_and_takes_the_other_options) {
+    Pattern pattern = session_pattern("two_squares");
+    for (Panel& panel : pattern.panels) {
+        for (Vec2d& vertex : panel.vertices) vertex *= 4;
+    }
+    Session session(SessionDrive::Caller);
+    session.set_body(session_body());
+    session.set_options(coarse_options());
+    session.set_pattern(pattern);
+    session.start();
+    session.advance(3);
+    ASSERT_EQ(session.frame()->stage, SessionStage::Sewing);
+    const auto before = session.frame();
+    SessionOptions options = coarse_options();
+    options.edge_length = 0.005;
+    options.max_level = 0;
+    session.set_options(options);
+    session.advance(0);
+    EXPECT_NE(session.frame()->problem, "");
+    EXPECT_EQ(session.frame()->stage, SessionStage::Sewing);
+    EXPECT_EQ(session.frame()->mesh.x, before->mesh.x);
+    session.advance(1);
+    EXPECT_EQ(session.frame()->statistics.base_triangles, before->statistics.base_triangles);
+    options.edge_length = 0.2;
+    session.set_options(options);
+    session.advance(0);
+    EXPECT_LT(session.frame()->statistics.base_triangles, before->statistics.base_triangles);
+}
+
+TEST_F(SessionOfTwoSquares, wears_a_sett_that_was_moved_while_it_was_sewn) {
+    session_.start();
+    session_.advance(3);
+    ASSERT_EQ(session_.frame()->stage, SessionStage::Sewing);
+    pattern_.panels[0].sett_offset = Vec2d(0.05, 0.02);
+    session_.set_pattern(pattern_);
+    session_.advance(600);
+    ASSERT_EQ(session_.frame()->stage, SessionStage::Settled);
+    EXPECT_EQ(session_.frame()->mesh.panel_sett_offsets.at(0), Vec2f(0.05F, 0.02F));
+}
+
 TEST_F(SessionOfTwoSquares, is_another_mesh_with_another_edge_length_and_hangs_on) {
     settle(session_);
     const auto before = session_.frame();
