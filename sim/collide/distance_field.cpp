@@ -57,7 +57,8 @@ class DistanceWalk {
 constexpr int kNodesOfAxis = 9;
 
 consteval auto order_of_nodes() {
-    std::array<std::array<int, 3>, kNodesOfAxis * kNodesOfAxis * kNodesOfAxis> order{};
+    constexpr std::size_t kNodes = kNodesOfAxis;
+    std::array<std::array<int, 3>, kNodes * kNodes * kNodes> order{};
     std::size_t count = 0;
     for (int column = 0; column < 9; ++column) {
         const int row = column / 3;

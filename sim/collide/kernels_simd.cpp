@@ -12,7 +12,8 @@ namespace {
 // Distance field sampling. The order of operations is that of DistanceField::sample(), so that both give the same bits.
 
 // Rows of a ContactBlock.
-enum FieldRow { kRowX, kRowY, kRowZ, kRowDistance, kRowNormalX, kRowNormalY, kRowNormalZ, kRows };
+constexpr std::size_t kRowX = 0, kRowY = 1, kRowZ = 2, kRowDistance = 3;
+constexpr std::size_t kRowNormalX = 4, kRowNormalY = 5, kRowNormalZ = 6, kRows = 7;
 constexpr std::size_t kRowLength = 16;
 constexpr std::int32_t kFieldCells = 8;  // per block and axis
 constexpr std::int32_t kFieldNodes = kFieldCells + 1;

@@ -204,6 +204,7 @@ std::string reason(const SeamLines& seam, const Mismatch& after) {
 std::vector<int> levels_of(const std::vector<SeamLines>& seams, const std::vector<int>& first_seams, Family f) {
     const int named = static_cast<int>(first_seams.size());
     std::vector<int> levels;
+    levels.reserve(seams.size());
     for (const SeamLines& seam : seams) levels.push_back(mismatch_alone(seam) <= kMatchable ? named : named + 1);
     for (int i = named; i-- > 0;) {
         levels[static_cast<std::size_t>(first_seams[static_cast<std::size_t>(i)])] = i;

@@ -252,6 +252,7 @@ Repeat expand(const std::vector<Word>& words, const Palette& colours, const std:
         throw InputError("threadcount", "", "no stripes" + whose + ": write, for example, B/24 W4 B24 R/2");
     }
     std::vector<ReadStripe> read;
+    read.reserve(words.size());
     for (const Word& word : words) read.push_back(parse_stripe(word, colours));
     check_pivots(read, words);
     Repeat repeat;
