@@ -19,7 +19,7 @@ struct alignas(64) FoundationBlock {
 };
 
 struct alignas(64) FoundationRecord {
-    std::array<BlockFloats, 1> compliance{};  // 1/kg, over a sub-step: 1 / (k A h^2)
+    std::array<BlockFloats, 1> compliance{};  // 1/kg, over a sub-step: compliance_of()
 };
 // [/block]
 
