@@ -190,13 +190,6 @@ bool is_finite(const sim::DrawMesh& mesh, std::size_t triangle) {
     return true;
 }
 
-template <class T>
-void keep(std::vector<T>& values, const std::vector<std::size_t>& kept) {
-    if (values.empty()) return;
-    for (std::size_t i = 0; i < kept.size(); ++i) values[i] = values[kept[i]];
-    values.resize(kept.size());
-}
-
 // A garment with non-finite positions can still be drawn. Non-finite vertices without a triangle move to a finite one.
 sim::DrawMesh without_bad_numbers(sim::DrawMesh mesh) {
     std::vector<std::size_t> kept;
@@ -204,10 +197,7 @@ sim::DrawMesh without_bad_numbers(sim::DrawMesh mesh) {
         if (is_finite(mesh, t)) kept.push_back(t);
     }
     if (kept.empty()) throw sim::InputError("", "picture", "the garment has no triangle that can be drawn");
-    keep(mesh.triangles, kept);
-    keep(mesh.u, kept);
-    keep(mesh.panel, kept);
-    keep(mesh.level, kept);
+    mesh = with_triangles(std::move(mesh), kept);
     const Vec3f somewhere = mesh.x[mesh.triangles.front().front()];
     for (Vec3f& x : mesh.x) x = x.allFinite() ? x : somewhere;
     const bool has_normals =

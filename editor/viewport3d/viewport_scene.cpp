@@ -23,25 +23,13 @@ std::vector<std::string> fabrics_of(const sim::DrawMesh& mesh, const sim::Patter
     return names;
 }
 
-template <class T>
-void keep(std::vector<T>& values, const std::vector<std::size_t>& kept) {
-    if (values.empty()) return;
-    for (std::size_t i = 0; i < kept.size(); ++i) values[i] = values[kept[i]];
-    values.resize(kept.size());
-}
-
 // The triangles made of `fabric`, with all vertices.
 sim::DrawMesh part_of(const sim::DrawMesh& mesh, const std::vector<std::string>& fabrics, const std::string& fabric) {
-    sim::DrawMesh part = mesh;
     std::vector<std::size_t> kept;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        if (fabrics[mesh.panel.empty() ? 0 : mesh.panel[t]] == fabric) kept.push_back(t);
+        if (fabrics[panel_of(mesh, t)] == fabric) kept.push_back(t);
     }
-    keep(part.triangles, kept);
-    keep(part.u, kept);
-    keep(part.panel, kept);
-    keep(part.level, kept);
-    return part;
+    return with_triangles(mesh, kept);
 }
 
 bool is_sound(const sim::DrawMesh& mesh) {

@@ -70,11 +70,8 @@ constexpr int kPlainLook = 3, kPaintedLook = 4;  // values of `show` in cloth.fr
 
 void upload_places(const GladGLContext& gl, const PaintBuffer& buffer, const ClothPaint& paint) {
     static_assert(sizeof(paint.places.front()) == 3 * sizeof(float));
-    gl.BindBuffer(GL_ARRAY_BUFFER, buffer.places.id());
-    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(paint.places.size() * sizeof(paint.places.front())),
-                  paint.places.data(), GL_STATIC_DRAW);
-    gl.EnableVertexAttribArray(kPlaceAttribute);
-    gl.VertexAttribPointer(kPlaceAttribute, 1, GL_FLOAT, GL_FALSE, sizeof(float), nullptr);
+    upload(gl, GL_ARRAY_BUFFER, buffer.places, paint.places, GL_STATIC_DRAW);
+    add_floats(gl, kPlaceAttribute, 1, sizeof(float), 0);
 }
 
 void upload_map(const GladGLContext& gl, const PaintBuffer& buffer, const ClothPaint& paint) {

@@ -30,18 +30,6 @@ class AmbientVisibilityReader {
     std::size_t taken_ = 0;
 };
 
-template <class T>
-void upload(const GladGLContext& gl, GLenum target, const Buffer& buffer, const std::vector<T>& data) {
-    gl.BindBuffer(target, buffer.id());
-    gl.BufferData(target, static_cast<GLsizeiptr>(data.size() * sizeof(T)), data.data(), GL_STATIC_DRAW);
-}
-
-void add_attribute(const GladGLContext& gl, GLuint index, int floats, std::size_t stride, std::size_t offset) {
-    gl.EnableVertexAttribArray(index);
-    gl.VertexAttribPointer(index, floats, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
-                           reinterpret_cast<const void*>(offset));
-}
-
 SurfaceBuffer make_surface_buffer(const GladGLContext& gl, const BodyItem& item,
                                   const std::vector<AmbientVisibility>& ambient_visibility) {
     std::vector<SurfaceVertex> vertices;
@@ -52,11 +40,11 @@ SurfaceBuffer make_surface_buffer(const GladGLContext& gl, const BodyItem& item,
     }
     SurfaceBuffer buffer{.vertex_array = VertexArray(gl), .vertices = Buffer(gl), .indices = Buffer(gl)};
     gl.BindVertexArray(buffer.vertex_array.id());
-    upload(gl, GL_ARRAY_BUFFER, buffer.vertices, vertices);
-    add_attribute(gl, 0, 3, sizeof(SurfaceVertex), offsetof(SurfaceVertex, position));
-    add_attribute(gl, 1, 3, sizeof(SurfaceVertex), offsetof(SurfaceVertex, normal));
-    add_attribute(gl, 2, 1, sizeof(SurfaceVertex), offsetof(SurfaceVertex, ambient_visibility));
-    upload(gl, GL_ELEMENT_ARRAY_BUFFER, buffer.indices, item.triangles);
+    upload(gl, GL_ARRAY_BUFFER, buffer.vertices, vertices, GL_STATIC_DRAW);
+    add_floats(gl, 0, 3, sizeof(SurfaceVertex), offsetof(SurfaceVertex, position));
+    add_floats(gl, 1, 3, sizeof(SurfaceVertex), offsetof(SurfaceVertex, normal));
+    add_floats(gl, 2, 1, sizeof(SurfaceVertex), offsetof(SurfaceVertex, ambient_visibility));
+    upload(gl, GL_ELEMENT_ARRAY_BUFFER, buffer.indices, item.triangles, GL_STATIC_DRAW);
     buffer.index_count = static_cast<int>(item.triangles.size() * 3);
     buffer.is_closed = is_closed(item);
     buffer.colour = to_linear(item.colour);
@@ -88,13 +76,13 @@ ClothBuffer make_cloth_buffer(const GladGLContext& gl, const ClothItem& item,
         make_cloth_vertices(item.mesh, vertex_normals(item.mesh), ambient_visibility);
     ClothBuffer buffer{.vertex_array = VertexArray(gl), .vertices = Buffer(gl)};
     gl.BindVertexArray(buffer.vertex_array.id());
-    upload(gl, GL_ARRAY_BUFFER, buffer.vertices, vertices);
-    add_attribute(gl, 0, 3, sizeof(ClothVertex), offsetof(ClothVertex, position));
-    add_attribute(gl, 1, 3, sizeof(ClothVertex), offsetof(ClothVertex, normal));
-    add_attribute(gl, 2, 2, sizeof(ClothVertex), offsetof(ClothVertex, place));
-    add_attribute(gl, 3, 3, sizeof(ClothVertex), offsetof(ClothVertex, heights));
-    add_attribute(gl, 4, 2, sizeof(ClothVertex), offsetof(ClothVertex, ambient_visibility));
-    add_attribute(gl, 5, 2, sizeof(ClothVertex), offsetof(ClothVertex, touch));
+    upload(gl, GL_ARRAY_BUFFER, buffer.vertices, vertices, GL_STATIC_DRAW);
+    add_floats(gl, 0, 3, sizeof(ClothVertex), offsetof(ClothVertex, position));
+    add_floats(gl, 1, 3, sizeof(ClothVertex), offsetof(ClothVertex, normal));
+    add_floats(gl, 2, 2, sizeof(ClothVertex), offsetof(ClothVertex, place));
+    add_floats(gl, 3, 3, sizeof(ClothVertex), offsetof(ClothVertex, heights));
+    add_floats(gl, 4, 2, sizeof(ClothVertex), offsetof(ClothVertex, ambient_visibility));
+    add_floats(gl, 5, 2, sizeof(ClothVertex), offsetof(ClothVertex, touch));
     gl.EnableVertexAttribArray(6);
     gl.VertexAttribIPointer(6, 1, GL_UNSIGNED_INT, sizeof(ClothVertex),
                             reinterpret_cast<const void*>(offsetof(ClothVertex, marks)));
@@ -229,27 +217,19 @@ std::vector<SolidVertex> solid_vertices(const SolidItem& item) {
     return vertices;
 }
 
-const void* offset(std::size_t bytes) {
-    return reinterpret_cast<const void*>(bytes);
-}
-
 }  // namespace
 
 SolidBuffer make_solid_buffer(const GladGLContext& gl, const SolidItem& item) {
     const std::vector<SolidVertex> vertices = solid_vertices(item);
     SolidBuffer buffer{.vertex_array = VertexArray(gl), .vertices = Buffer(gl), .indices = Buffer(gl)};
     gl.BindVertexArray(buffer.vertex_array.id());
-    gl.BindBuffer(GL_ARRAY_BUFFER, buffer.vertices.id());
-    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(SolidVertex)), vertices.data(),
-                  GL_STATIC_DRAW);
-    for (GLuint attribute = 0; attribute < 3; ++attribute) gl.EnableVertexAttribArray(attribute);
-    constexpr GLsizei stride = sizeof(SolidVertex);
-    gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, offset(offsetof(SolidVertex, position)));
-    gl.VertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride, offset(offsetof(SolidVertex, normal)));
-    gl.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, offset(offsetof(SolidVertex, colour)));
-    gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer.indices.id());
-    gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(item.triangles.size() * sizeof(item.triangles[0])),
-                  item.triangles.data(), GL_STATIC_DRAW);
+    upload(gl, GL_ARRAY_BUFFER, buffer.vertices, vertices, GL_STATIC_DRAW);
+    add_floats(gl, 0, 3, sizeof(SolidVertex), offsetof(SolidVertex, position));
+    add_floats(gl, 1, 3, sizeof(SolidVertex), offsetof(SolidVertex, normal));
+    gl.EnableVertexAttribArray(2);
+    gl.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(SolidVertex),
+                           reinterpret_cast<const void*>(offsetof(SolidVertex, colour)));
+    upload(gl, GL_ELEMENT_ARRAY_BUFFER, buffer.indices, item.triangles, GL_STATIC_DRAW);
     buffer.index_count = static_cast<int>(item.triangles.size() * 3);
     return buffer;
 }

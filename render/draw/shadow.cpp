@@ -15,10 +15,6 @@ constexpr int kDepthSide = 2048;  // px
 constexpr int kTileSide = 128;    // px
 constexpr int kTexelsOfTile = kDepthSide / kTileSide;
 
-GLsizeiptr byte_size(std::size_t count, std::size_t size) {
-    return static_cast<GLsizeiptr>(count * size);
-}
-
 void set_nearest_filter(const GladGLContext& gl) {
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
@@ -72,13 +68,9 @@ ShadowMap::ShadowMap(const GladGLContext& gl)
 void ShadowMap::load(const Casters& casters) {
     index_count_ = static_cast<int>(casters.triangles.size() * 3);
     gl_.BindVertexArray(vertex_array_.id());
-    gl_.BindBuffer(GL_ARRAY_BUFFER, positions_.id());
-    gl_.BufferData(GL_ARRAY_BUFFER, byte_size(casters.x.size(), sizeof(Vec3f)), casters.x.data(), GL_STATIC_DRAW);
-    gl_.EnableVertexAttribArray(0);
-    gl_.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vec3f), nullptr);
-    gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
-    gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, byte_size(casters.triangles.size(), sizeof(casters.triangles[0])),
-                   casters.triangles.data(), GL_STATIC_DRAW);
+    upload(gl_, GL_ARRAY_BUFFER, positions_, casters.x, GL_STATIC_DRAW);
+    add_floats(gl_, 0, 3, sizeof(Vec3f), 0);
+    upload(gl_, GL_ELEMENT_ARRAY_BUFFER, indices_, casters.triangles, GL_STATIC_DRAW);
 }
 
 void ShadowMap::draw(const Eigen::Matrix4f& matrix, float reach) const {
@@ -284,12 +276,7 @@ Casters casters_of(const Scene& scene) {
 
 Bounds bounds_of(const std::vector<Vec3f>& points) {
     SELVEDGE_ASSERT(!points.empty());
-    Vec3f low = points.front(), high = points.front();
-    for (const Vec3f& point : points) {
-        low = low.cwiseMin(point);
-        high = high.cwiseMax(point);
-    }
-    Bounds bounds{.centre = (low + high) / 2, .radius = 0};
+    Bounds bounds{.centre = sim::box_around(points).center(), .radius = 0};
     for (const Vec3f& point : points) bounds.radius = std::max(bounds.radius, (point - bounds.centre).norm());
     bounds.radius = std::max(bounds.radius * 1.02F, 0.01F);
     return bounds;

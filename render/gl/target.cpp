@@ -17,6 +17,18 @@ void check_framebuffer(const GladGLContext& gl) {
 
 }  // namespace
 
+void upload_bytes(const GladGLContext& gl, unsigned target, const Buffer& buffer, std::span<const std::byte> data,
+                  unsigned usage) {
+    gl.BindBuffer(target, buffer.id());
+    gl.BufferData(target, static_cast<GLsizeiptr>(data.size()), data.data(), usage);
+}
+
+void add_floats(const GladGLContext& gl, unsigned index, int floats, std::size_t stride, std::size_t offset) {
+    gl.EnableVertexAttribArray(index);
+    gl.VertexAttribPointer(index, floats, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                           reinterpret_cast<const void*>(offset));
+}
+
 Target::Target(const GladGLContext& gl, const TargetSize& size)
     : gl_(gl),
       size_(size),

@@ -1,9 +1,11 @@
 #pragma once
-// RAII owners of GL objects: handles, a texture that holds a picture (PictureTexture), a shader program (Program), and
-// the render target of one tile of a picture. The context must outlive them and be current when they are made, used and
-// deleted.
+// RAII owners of GL objects: handles and what fills a buffer, a texture that holds a picture (PictureTexture), a shader
+// program (Program), and the render target of one tile of a picture. The context must outlive them and be current when
+// they are made, used and deleted.
+#include <cstddef>
 #include <functional>
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -49,6 +51,22 @@ using Texture = Handle<GlObject::Texture>;
 using Framebuffer = Handle<GlObject::Framebuffer>;
 using Renderbuffer = Handle<GlObject::Renderbuffer>;
 using Sampler = Handle<GlObject::Sampler>;
+
+// Binds the buffer to `target` and fills it. Allocates new storage instead of overwriting, because GL may still draw
+// the previous picture from the old one. `usage` is GL_STATIC_DRAW for data drawn many times, GL_STREAM_DRAW for data
+// that is soon replaced.
+void upload_bytes(const GladGLContext& gl, unsigned target, const Buffer& buffer, std::span<const std::byte> data,
+                  unsigned usage);
+
+template <class T>
+void upload(const GladGLContext& gl, unsigned target, const Buffer& buffer, const std::vector<T>& data,
+            unsigned usage) {
+    upload_bytes(gl, target, buffer, std::as_bytes(std::span(data)), usage);
+}
+
+// Reads attribute `index` of the bound vertex array from the bound buffer: `floats` numbers per vertex, the first at
+// `offset`, the next vertex `stride` further on (bytes).
+void add_floats(const GladGLContext& gl, unsigned index, int floats, std::size_t stride, std::size_t offset);
 
 // A picture in GL memory: drawn into, displayed, and read back only on request. sRGB bytes. Row 0 is the top row, as in
 // an Image, although GL's convention is that row 0 is the bottom row.

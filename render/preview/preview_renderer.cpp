@@ -273,19 +273,6 @@ bool is_same(const std::vector<T>& a, const std::vector<T>& b) {
     return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
-// Allocates new storage instead of overwriting, because GL may still draw the previous picture from the old one.
-template <class T>
-void upload(const GladGLContext& gl, GLenum target, const Buffer& buffer, const std::vector<T>& data) {
-    gl.BindBuffer(target, buffer.id());
-    gl.BufferData(target, static_cast<GLsizeiptr>(data.size() * sizeof(T)), data.data(), GL_STREAM_DRAW);
-}
-
-void add_floats(const GladGLContext& gl, GLuint index, int floats, std::size_t stride, std::size_t offset) {
-    gl.EnableVertexAttribArray(index);
-    gl.VertexAttribPointer(index, floats, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
-                           reinterpret_cast<const void*>(offset));
-}
-
 // Same triangles, material coordinates and panels.
 bool has_same_topology(const sim::DrawMesh& a, const sim::DrawMesh& b) {
     return is_same(a.triangles, b.triangles) && is_same(a.u, b.u) && is_same(a.panel, b.panel);
@@ -383,7 +370,7 @@ void PreviewCloth::fill_fixed(const ClothItem& item) {
             fixed_vertices_.push_back({place, marks});
         }
     }
-    upload(gl_, GL_ARRAY_BUFFER, fixed_, fixed_vertices_);
+    upload(gl_, GL_ARRAY_BUFFER, fixed_, fixed_vertices_, GL_STREAM_DRAW);
 }
 
 void PreviewCloth::fill_moving(const ClothItem& item) {
@@ -395,7 +382,7 @@ void PreviewCloth::fill_moving(const ClothItem& item) {
     for (const auto& triangle : mesh.triangles) {
         for (const std::uint32_t v : triangle) corners_.push_back({mesh.x[v], normals[v]});
     }
-    upload(gl_, GL_ARRAY_BUFFER, moving_, corners_);
+    upload(gl_, GL_ARRAY_BUFFER, moving_, corners_, GL_STREAM_DRAW);
     vertex_count_ = static_cast<int>(corners_.size());
 }
 
@@ -411,13 +398,13 @@ PreviewSurface::PreviewSurface(const GladGLContext& gl)
 
 void PreviewSurface::fill_points(const std::vector<Vec3f>& x, const std::vector<Vec3f>& normals) {
     SELVEDGE_ASSERT(normals.size() == x.size());
-    upload(gl_, GL_ARRAY_BUFFER, positions_, x);
-    upload(gl_, GL_ARRAY_BUFFER, normals_, normals);
+    upload(gl_, GL_ARRAY_BUFFER, positions_, x, GL_STREAM_DRAW);
+    upload(gl_, GL_ARRAY_BUFFER, normals_, normals, GL_STREAM_DRAW);
 }
 
 void PreviewSurface::fill_triangles(const std::vector<std::array<std::uint32_t, 3>>& triangles) {
     gl_.BindVertexArray(vertex_array_.id());
-    upload(gl_, GL_ELEMENT_ARRAY_BUFFER, indices_, triangles);
+    upload(gl_, GL_ELEMENT_ARRAY_BUFFER, indices_, triangles, GL_STREAM_DRAW);
     index_count_ = static_cast<int>(triangles.size() * 3);
 }
 
@@ -437,7 +424,7 @@ void PreviewSurface::update(const SolidItem& item, const SolidItem* before) {
     if (before == nullptr || !is_same(item.triangles, before->triangles)) fill_triangles(item.triangles);
     if (before != nullptr && is_same(item.colours, before->colours)) return;
     gl_.BindVertexArray(vertex_array_.id());
-    upload(gl_, GL_ARRAY_BUFFER, colours_, item.colours);
+    upload(gl_, GL_ARRAY_BUFFER, colours_, item.colours, GL_STREAM_DRAW);
     gl_.EnableVertexAttribArray(2);
     gl_.VertexAttribPointer(2, 3, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(sim::Rgb8), nullptr);
 }

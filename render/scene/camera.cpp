@@ -148,12 +148,7 @@ Camera turned(Camera camera, float angle, const Vec3f& axis) {
 
 Vec3f upright_through(const std::vector<Vec3f>& points) {
     SELVEDGE_ASSERT(!points.empty());
-    Vec3f low = points.front(), high = points.front();
-    for (const Vec3f& x : points) {
-        low = low.cwiseMin(x);
-        high = high.cwiseMax(x);
-    }
-    const Vec3f middle = (low + high) / 2;
+    const Vec3f middle = sim::box_around(points).center();
     return {middle.x(), 0, middle.z()};
 }
 
@@ -200,20 +195,16 @@ bool is_detail(View view) {
 
 std::vector<Vec3f> detail_patch(const std::vector<Vec3f>& garment, View view) {
     SELVEDGE_ASSERT(is_detail(view) && !garment.empty());
-    Vec3f low = garment.front(), high = garment.front();
-    for (const Vec3f& x : garment) {
-        low = low.cwiseMin(x);
-        high = high.cwiseMax(x);
-    }
+    const Eigen::AlignedBox3f box = sim::box_around(garment);
     constexpr float overlap = 0.02F;  // m, beyond the garment's edge
-    const float middle = (low.x() + high.x()) / 2, half = kDetailSize / 2;
-    const float bottom = view == View::Close ? high.y() + overlap - kDetailSize : low.y() - overlap;
+    const float middle = box.center().x(), half = kDetailSize / 2;
+    const float bottom = view == View::Close ? box.max().y() + overlap - kDetailSize : box.min().y() - overlap;
     float front = -std::numeric_limits<float>::infinity();
     for (const Vec3f& x : garment) {
         const bool is_inside = std::abs(x.x() - middle) < half && x.y() > bottom && x.y() < bottom + kDetailSize;
         if (is_inside) front = std::max(front, x.z());
     }
-    if (!std::isfinite(front)) front = high.z();
+    if (!std::isfinite(front)) front = box.max().z();
     std::vector<Vec3f> corners;
     for (const float side : {-half, half}) {
         for (const float up : {0.0F, kDetailSize}) corners.emplace_back(middle + side, bottom + up, front);

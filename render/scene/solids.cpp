@@ -163,24 +163,14 @@ constexpr float kPanelGap = 0.05F;  // fraction of the largest panel's larger si
 constexpr float kModelGap = 0.14F;  // fraction of the layout's larger side
 constexpr float kStep = 0.17F;      // between two levels; fraction of the layout's larger side
 
-struct Box {
-    Vec2f low = Vec2f::Constant(std::numeric_limits<float>::infinity());
-    Vec2f high = -low;
-
-    Vec2f size() const { return high - low; }
-};
-
-std::vector<Box> panel_boxes(const sim::TriangleHierarchy& hierarchy) {
-    std::vector<Box> boxes;
+std::vector<Eigen::AlignedBox2f> panel_boxes(const sim::TriangleHierarchy& hierarchy) {
+    std::vector<Eigen::AlignedBox2f> boxes;
     for (const sim::HierarchyTriangle& t : hierarchy) {
         if (t.panel >= boxes.size()) boxes.resize(t.panel + std::size_t{1});
-        for (const Vec2f& u : t.u) {
-            boxes[t.panel].low = boxes[t.panel].low.cwiseMin(u);
-            boxes[t.panel].high = boxes[t.panel].high.cwiseMax(u);
-        }
+        for (const Vec2f& u : t.u) boxes[t.panel].extend(u);
     }
-    for (Box& box : boxes) {
-        if (box.low.x() > box.high.x()) box = {Vec2f::Zero(), Vec2f::Zero()};
+    for (Eigen::AlignedBox2f& box : boxes) {
+        if (box.isEmpty()) box = {Vec2f::Zero(), Vec2f::Zero()};
     }
     return boxes;
 }
@@ -192,16 +182,16 @@ struct Layout {
 };
 
 // Rows of at most `width`, the highest panels first.
-Layout in_rows(const std::vector<Box>& boxes, float width, float gap) {
+Layout in_rows(const std::vector<Eigen::AlignedBox2f>& boxes, float width, float gap) {
     std::vector<std::size_t> order(boxes.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return boxes[a].size().y() > boxes[b].size().y(); });
+                     [&](std::size_t a, std::size_t b) { return boxes[a].sizes().y() > boxes[b].sizes().y(); });
     Layout layout{.places = std::vector<Vec2f>(boxes.size(), Vec2f::Zero())};
     Vec2f at = Vec2f::Zero();
     float row_height = 0;
     for (const std::size_t panel : order) {
-        const Vec2f size = boxes[panel].size();
+        const Vec2f size = boxes[panel].sizes();
         if (at.x() > 0 && at.x() + size.x() > width * 1.0001F) at = {0, at.y() + row_height + gap}, row_height = 0;
         layout.places[panel] = at;
         row_height = std::max(row_height, size.y());
@@ -212,12 +202,12 @@ Layout in_rows(const std::vector<Box>& boxes, float width, float gap) {
 }
 
 // Tries row widths and takes the layout that fits into the smallest box of the wanted aspect ratio.
-Layout lay_out(const std::vector<Box>& boxes, float width_over_height) {
+Layout lay_out(const std::vector<Eigen::AlignedBox2f>& boxes, float width_over_height) {
     float widest = 0, all = 0, greatest = 0;
-    for (const Box& box : boxes) {
-        widest = std::max(widest, box.size().x());
-        greatest = std::max(greatest, box.size().maxCoeff());
-        all += box.size().x();
+    for (const Eigen::AlignedBox2f& box : boxes) {
+        widest = std::max(widest, box.sizes().x());
+        greatest = std::max(greatest, box.sizes().maxCoeff());
+        all += box.sizes().x();
     }
     const float gap = kPanelGap * greatest;
     all += gap * static_cast<float>(boxes.size());
@@ -235,11 +225,11 @@ Layout lay_out(const std::vector<Box>& boxes, float width_over_height) {
 // Adds triangles to the mesh. In each copy, corners of one panel with equal material coordinates share a vertex.
 class Modeller {
  public:
-    Modeller(sim::DrawMesh& mesh, const std::vector<Box>& boxes, const Layout& layout)
+    Modeller(sim::DrawMesh& mesh, const std::vector<Eigen::AlignedBox2f>& boxes, const Layout& layout)
         : mesh_(mesh), boxes_(boxes), layout_(layout) {}
 
     Vec3f place(const sim::HierarchyTriangle& t, std::size_t corner, const Vec3f& shift) const {
-        const Vec2f at = t.u[corner] - boxes_[t.panel].low + layout_.places[t.panel];
+        const Vec2f at = t.u[corner] - boxes_[t.panel].min() + layout_.places[t.panel];
         return shift + Vec3f(at.x(), 0, -at.y());
     }
 
@@ -260,7 +250,7 @@ class Modeller {
 
  private:
     sim::DrawMesh& mesh_;
-    const std::vector<Box>& boxes_;
+    const std::vector<Eigen::AlignedBox2f>& boxes_;
     const Layout& layout_;
     std::map<std::tuple<int, std::uint16_t, float, float>, std::uint32_t> known_;
 };
@@ -269,7 +259,7 @@ class Modeller {
 
 HierarchyModel model_hierarchy(const sim::TriangleHierarchy& hierarchy, StackSide side) {
     SELVEDGE_ASSERT(!hierarchy.empty());
-    const std::vector<Box> boxes = panel_boxes(hierarchy);
+    const std::vector<Eigen::AlignedBox2f> boxes = panel_boxes(hierarchy);
     const Layout layout = lay_out(boxes, side == StackSide::Right ? 0.9F : 2.2F);
     HierarchyModel model;
     model.panel_size = layout.size.maxCoeff();

@@ -1,10 +1,11 @@
 #pragma once
-// Vector types (Eigen), the 2D cross product, and a quantile. Double precision is used for patterns, base meshes and
-// bodies; single precision for the state of the adaptive mesh and of the cloth.
+// Vector types (Eigen), the 2D cross product, a bounding box, and a quantile. Double precision is used for patterns,
+// base meshes and bodies; single precision for the state of the adaptive mesh and of the cloth.
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace selvedge::sim {
@@ -22,6 +23,13 @@ inline double cross2(const Vec2d& a, const Vec2d& b) {
 
 inline Vec4f with_zero_w(const Vec3f& v) {
     return {v.x(), v.y(), v.z(), 0.0F};
+}
+
+// The smallest axis-aligned box that holds the points; empty if there are none.
+inline Eigen::AlignedBox3f box_around(std::span<const Vec3f> points) {
+    Eigen::AlignedBox3f box;
+    for (const Vec3f& point : points) box.extend(point);
+    return box;
 }
 
 // The q-quantile (0 <= q <= 1) of the values: always one of them, without interpolation. 0 if there are none.

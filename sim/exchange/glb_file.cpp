@@ -70,14 +70,9 @@ struct Document {
 
     std::size_t add_positions(std::span<const Vec3f> x) {
         const std::size_t index = add(x, Component::Float, "VEC3", Target::Vertices);
-        Vec3f low = x.front();
-        Vec3f high = x.front();
-        for (const Vec3f& p : x) {
-            low = low.cwiseMin(p);
-            high = high.cwiseMax(p);
-        }
-        accessors.elements()[index]["min"] = numbers(low);
-        accessors.elements()[index]["max"] = numbers(high);
+        const Eigen::AlignedBox3f box = box_around(x);
+        accessors.elements()[index]["min"] = numbers(box.min());
+        accessors.elements()[index]["max"] = numbers(box.max());
         return index;
     }
 

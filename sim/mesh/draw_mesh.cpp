@@ -1,8 +1,31 @@
 #include "sim/mesh/draw_mesh.h"
 
+#include <utility>
+
 #include "sim/core/assert.h"
 
 namespace selvedge::sim {
+namespace {
+
+template <class T>
+void keep(std::vector<T>& values, const std::vector<std::size_t>& kept) {
+    if (values.empty()) return;
+    std::vector<T> left;
+    left.reserve(kept.size());
+    for (const std::size_t i : kept) left.push_back(values[i]);
+    values = std::move(left);
+}
+
+}  // namespace
+
+DrawMesh with_triangles(DrawMesh mesh, const std::vector<std::size_t>& kept) {
+    keep(mesh.triangles, kept);
+    keep(mesh.u, kept);
+    keep(mesh.panel, kept);
+    keep(mesh.level, kept);
+    return mesh;
+}
+
 std::vector<Vec3f> vertex_normals(const std::vector<Vec3f>& x,
                                   const std::vector<std::array<std::uint32_t, 3>>& triangles) {
     std::vector<Vec3d> sums(x.size(), Vec3d::Zero());

@@ -2,6 +2,7 @@
 // A static triangle mesh for rendering and export, and the triangle hierarchy of an adaptive mesh as plain data. The
 // simulation converts its leaf triangles to a DrawMesh, so that renderer and exporters do not depend on the cloth.
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -29,6 +30,9 @@ struct DrawMesh {
 inline std::uint16_t panel_of(const DrawMesh& mesh, std::size_t triangle) {
     return mesh.panel.empty() ? std::uint16_t{0} : mesh.panel[triangle];
 }
+
+// The mesh with these of its triangles only, in this order. Every vertex stays.
+DrawMesh with_triangles(DrawMesh mesh, const std::vector<std::size_t>& kept);
 
 // Unit normals per vertex: area-weighted mean of the adjacent triangles' normals; +y where that mean is zero.
 // Pre: indices are in range.
