@@ -66,8 +66,9 @@ void sew_in_place(GarmentMesh& mesh, const DrapeState& drape, const DrapedPanels
             mesh.x[v] = draped.position(at).cast<double>();
         }
     }
-    std::erase_if(mesh.links,
-                  [&](const SeamLink& link) { return std::ranges::binary_search(drape.open_seams, link.seam); });
+    std::erase_if(mesh.links, [&](const SeamLink& link) {
+        return std::ranges::binary_search(drape.open_seams, link.seam, {}, &OpenSeam::seam);
+    });
     merge_seams(mesh);
 }
 
@@ -139,13 +140,12 @@ std::string restart_reason(const Pattern& before, const Pattern& after) {
     return has_same_joins(before, after) ? "the panels have another order" + whole : "seams join other edges" + whole;
 }
 
-TransferredDrape transfer_drape(const DrapeState& drape, const Pattern& after, GarmentMesh unsewn,
+TransferredDrape transfer_drape(const DrapeState& drape, const Pattern& after, GarmentMesh mesh,
                                 const std::vector<Fabric>& fabrics, const Collider& body,
                                 const AdaptClothOptions& adapting, int deepest_level) {
     const DrapedPanels draped(drape.cloth);
     std::vector<OutlineMap> maps;
     for (std::size_t p = 0; p < after.panels.size(); ++p) maps.emplace_back(after.panels[p], drape.pattern.panels[p]);
-    GarmentMesh mesh = std::move(unsewn);
     sew_in_place(mesh, drape, draped, maps);
     Cloth cloth = make_cloth(mesh, fabrics, {.max_level = deepest_level});
     refresh_contacts(cloth);

@@ -3,12 +3,14 @@
 // panels of the old and the new pattern, and the map from material points to positions on a drape.
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/cloth.h"
 #include "sim/core/math.h"
+#include "sim/dress/sewing.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/pattern.h"
 
@@ -67,7 +69,7 @@ std::string restart_reason(const Pattern& before, const Pattern& after);
 struct DrapeState {
     const Cloth& cloth;
     const Pattern& pattern;
-    const std::vector<int>& open_seams;  // ascending; they stay open
+    std::span<const OpenSeam> open_seams;  // ascending; they stay open
 };
 
 struct TransferredDrape {
@@ -75,10 +77,10 @@ struct TransferredDrape {
     GarmentMesh mesh;  // level 0, sewn
 };
 
-// Meshes `after` in the shape of the current drape: sewn, refined by the criteria, at rest. Each material point of a
-// panel is placed where the corresponding point of the old panel was. Pre: compare() does not return Kind. Throws
-// InputError when the mesh cannot be sewn. deepest_level: the new cloth's.
-TransferredDrape transfer_drape(const DrapeState& drape, const Pattern& after, GarmentMesh unsewn,
+// Gives `mesh`, the unsewn mesh of `after`, the shape of the current drape: sewn, refined by the criteria, at rest. Each
+// material point of a panel is placed where the corresponding point of the old panel was. Pre: compare() does not return
+// Kind. Throws InputError when the mesh cannot be sewn. deepest_level: the new cloth's.
+TransferredDrape transfer_drape(const DrapeState& drape, const Pattern& after, GarmentMesh mesh,
                                 const std::vector<Fabric>& fabrics, const Collider& body,
                                 const AdaptClothOptions& adapting, int deepest_level);
 

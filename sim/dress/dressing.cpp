@@ -313,9 +313,7 @@ void Dressing::change_cloth(const Pattern& pattern) {
 
 void Dressing::change_outlines(const Pattern& pattern) {
     GarmentMesh unsewn = assemble(anchored(), meshing(), meshes_);
-    std::vector<int> open;
-    for (const OpenSeam& seam : drape_->open) open.push_back(seam.seam);
-    TransferredDrape over = transfer_drape({drape_->cloth, drape_->pattern, open}, pattern, std::move(unsewn),
+    TransferredDrape over = transfer_drape({drape_->cloth, drape_->pattern, drape_->open}, pattern, std::move(unsewn),
                                            fabrics(), collider(), draping().adapt, deepest_level());
     past_seconds_ += drape_->run->result().simulated_seconds;
     std::vector<OutlineMap> maps;
