@@ -6,7 +6,7 @@
 
 #include "bench/support/table.h"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
 class App;
 }
 

@@ -1,7 +1,7 @@
 #include "app/film.h"
 
 #include <fcntl.h>
-#include <signal.h>
+#include <signal.h>  // NOLINT(modernize-deprecated-headers): <csignal> need not have POSIX sigaction
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -25,8 +25,6 @@
 #include "render/image/image.h"
 #include "sim/core/assert.h"
 #include "sim/core/error.h"
-
-extern char** environ;
 
 namespace selvedge::app {
 namespace {
@@ -54,6 +52,7 @@ int spawn(pid_t& process, std::vector<std::string> arguments, int input, int com
     posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_adddup2(&files, complaints, STDERR_FILENO);
     std::vector<char*> pointers;
+    pointers.reserve(arguments.size() + 1);
     for (std::string& argument : arguments) pointers.push_back(argument.data());
     pointers.push_back(nullptr);
     const int error = ::posix_spawnp(&process, pointers.front(), &files, nullptr, pointers.data(), environ);
@@ -180,13 +179,10 @@ void check_folder(const fs::path& path) {
 
 // GIF has few colours: ordered dithering hides the banding and is stable from frame to frame.
 std::vector<std::string> gif_arguments() {
-    return {"-filter_complex",
-            "[0:v]split[a][b];[a]palettegen=stats_mode=full[palette];"
-            "[b][palette]paletteuse=dither=bayer:bayer_scale=4:diff_mode=rectangle",
-            "-loop",
-            "0",
-            "-f",
-            "gif"};
+    const std::string colours =
+        "[0:v]split[a][b];[a]palettegen=stats_mode=full[palette];"
+        "[b][palette]paletteuse=dither=bayer:bayer_scale=4:diff_mode=rectangle";
+    return {"-filter_complex", colours, "-loop", "0", "-f", "gif"};
 }
 
 // BT.709, the colour standard that players assume.
@@ -357,6 +353,7 @@ FilmFormat film_format(const PictureOptions& picture, const TurntableOptions& op
 // `count` equally spaced angles of one turn, rad.
 std::vector<float> turn_in(int count) {
     std::vector<float> turns;
+    turns.reserve(std::size_t(count));
     for (int i = 0; i < count; ++i) turns.push_back(6.2831853F * float(i) / float(count));
     return turns;
 }

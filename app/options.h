@@ -14,7 +14,7 @@
 #include "sim/body/body.h"
 #include "sim/body/load_body.h"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): CLI11's name
 class App;
 }
 

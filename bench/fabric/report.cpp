@@ -16,6 +16,7 @@ std::vector<sim::Fabric> fabrics_of(const FabricExperiment& experiment) {
     if (names.empty() && experiment.is_quick) names = {"silk", "wool_twill", "cotton_shirting", "denim"};
     if (names.empty()) names = sim::fabric_names();
     std::vector<sim::Fabric> fabrics;
+    fabrics.reserve(names.size());
     for (const std::string& name : names) fabrics.push_back(sim::find_fabric(name));
     return fabrics;
 }

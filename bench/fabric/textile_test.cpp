@@ -306,8 +306,9 @@ Vec2d on_circle(double radius, int quarter) {
 const SpecimenFrame kLevel{.across = Vec3d::UnitX(), .along = -Vec3d::UnitZ()};
 
 sim::Panel disc_panel(const DiscCut& cut) {
-    std::vector<Vec2d> corners;
-    for (int quarter = 0; quarter < 4; ++quarter) corners.push_back(on_circle(cut.support_radius, quarter));
+    std::vector<Vec2d> corners(4);
+    for (int quarter = 0; quarter < 4; ++quarter)
+        corners[std::size_t(quarter)] = on_circle(cut.support_radius, quarter);
     sim::Panel panel = turned_panel("support", corners, cut.mesh_angle, kLevel);
     for (sim::OutlineEdge& edge : panel.edges) make_arc(edge, cut.support_radius, false);
     panel.grain_angle = cut.mesh_angle;

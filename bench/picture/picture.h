@@ -33,8 +33,8 @@ struct PictureReport {
     std::vector<PictureTimings> figures;
 };
 
-// Draws the cloths and bodies of the scene. The experiment sets its own camera and light.
-PictureReport measure_pictures(const render::Scene& scene, const PictureExperiment& experiment);
+// Draws the cloths and bodies of the given scene. The experiment sets its own camera and light.
+PictureReport measure_pictures(const render::Scene& given, const PictureExperiment& experiment);
 
 Table table_of(const PictureReport& report);
 

@@ -22,6 +22,7 @@ void remove_seams_at(sim::Pattern& pattern, const std::vector<sim::SeamSide>& si
 // The edges of the run, in outline order.
 std::vector<int> run_of(const sim::Panel& panel, int first, int count) {
     std::vector<int> run;
+    run.reserve(as_size(count));
     for (int i = 0; i < count; ++i) run.push_back((first + i) % edge_count(panel));
     return run;
 }

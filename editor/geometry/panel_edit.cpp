@@ -72,8 +72,8 @@ sim::Panel make_ellipse(const Vec2d& centre, const Vec2d& radii) {
     sim::Panel panel;
     panel.name = "panel";
     for (int i = 0; i < 4; ++i) {
-        const Vec2d from = spokes[as_size(i)];
-        const Vec2d to = spokes[as_size((i + 1) % 4)];
+        const Vec2d& from = spokes[as_size(i)];
+        const Vec2d& to = spokes[as_size((i + 1) % 4)];
         panel.vertices.push_back(centre + size.cwiseProduct(from));
         sim::OutlineEdge edge{.start = i, .end = (i + 1) % 4, .kind = sim::CurveKind::Cubic};
         edge.control = {centre + size.cwiseProduct(from + handle * to), centre + size.cwiseProduct(to + handle * from)};

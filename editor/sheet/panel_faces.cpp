@@ -85,6 +85,7 @@ std::vector<Vec3d> sampled(const std::vector<sim::Rgb8>& threads, int count) {
         return Vec3d(sums[whole] + (at - double(whole)) * (sums[whole + 1] - sums[whole]));
     };
     std::vector<Vec3d> parts;
+    parts.reserve(static_cast<std::size_t>(count));
     const double width = double(threads.size()) / count;
     for (int i = 0; i < count; ++i) parts.push_back((sum_to((i + 1) * width) - sum_to(i * width)) / width);
     return parts;

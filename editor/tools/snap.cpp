@@ -75,7 +75,7 @@ Snap snap_to_direction(const SheetGeometry& geometry, const Vec2d& wanted, const
     const std::array<Vec2d, 8> directions{
         Vec2d(1, 0),  Vec2d(diagonal, diagonal),   Vec2d(0, 1),  Vec2d(-diagonal, diagonal),
         Vec2d(-1, 0), Vec2d(-diagonal, -diagonal), Vec2d(0, -1), Vec2d(diagonal, -diagonal)};
-    const Vec2d direction = directions[static_cast<std::size_t>((eighth + 8) % 8)];
+    const Vec2d& direction = directions[static_cast<std::size_t>((eighth + 8) % 8)];
     double length = away.dot(direction);
     Snap result{Vec2d::Zero(), SnapKind::Direction, {}};
     std::optional<Vec2d> met;

@@ -128,7 +128,7 @@ void add_edge(ToolOverlay& overlay, const SheetGeometry& geometry, const PartRef
 
 void add_box(ToolOverlay& overlay, const SheetBox& box, OverlayTone tone) {
     if (box.isEmpty()) return;
-    const Vec2d low = box.min(), high = box.max();
+    const Vec2d &low = box.min(), &high = box.max();
     overlay.lines.push_back({.points = {low, Vec2d(high.x(), low.y()), high, Vec2d(low.x(), high.y()), low},
                              .tone = tone,
                              .is_closed = true});

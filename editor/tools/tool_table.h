@@ -16,7 +16,7 @@ struct ToolInfo {
     std::unique_ptr<Tool> (*make)() = nullptr;  // the tool in its initial state
     // Drawn in a square of 16 x 16: M x y starts a line, L x y continues it, Z closes it; C x y r draws a circle,
     // D x y r a filled one. Empty: none.
-    std::string_view icon = "";
+    std::string_view icon;
     Key key = Key::None;        // None: only in menus
     Key other_key = Key::None;  // a common shortcut in other programs
     bool is_drawing = true;     // the cursor over the sheet is a cross

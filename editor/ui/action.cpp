@@ -127,6 +127,7 @@ std::vector<const Action*> search(const std::vector<Action>& actions, std::strin
     }
     std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     std::vector<const Action*> sorted;
+    sorted.reserve(found.size());
     for (const auto& [points, action] : found) sorted.push_back(action);
     return sorted;
 }

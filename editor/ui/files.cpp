@@ -60,7 +60,7 @@ void after_asking(AppState& state, std::function<void(AppState&)> go_on) {
                                 {{"Save", save_first}, {"Discard", go_on}, {"Cancel", [](AppState&) {}}}});
 }
 
-std::string with_ending(std::string file, const std::string& ending) {
+std::string with_ending(const std::string& file, const std::string& ending) {
     return file.ends_with(ending) ? file : file + ending;
 }
 

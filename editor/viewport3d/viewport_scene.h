@@ -24,7 +24,7 @@ struct ViewportSceneInput {
 
 class ViewportScene {
  public:
-    explicit ViewportScene(ViewportColours colours = {}) : colours_(std::move(colours)) {}
+    explicit ViewportScene(ViewportColours colours = {}) : colours_(colours) {}
 
     // Returns the scene for the input; null: there is nothing to show.
     std::shared_ptr<const render::Scene> follow(const ViewportSceneInput& input);

@@ -17,6 +17,7 @@ constexpr int kSamples = 3;            // samples per px and direction, if threa
 
 std::vector<Linear> in_light(const std::vector<sim::Rgb8>& colours) {
     std::vector<Linear> light;
+    light.reserve(colours.size());
     for (const sim::Rgb8& c : colours)
         light.push_back({render::to_linear(c[0]), render::to_linear(c[1]), render::to_linear(c[2])});
     return light;

@@ -165,9 +165,9 @@ Ground make_ground(const Scene& scene, const Bounds& bounds) {
 }
 
 std::vector<AmbientVisibility> softened_ground(std::vector<AmbientVisibility> ambient_visibility) {
-    SELVEDGE_ASSERT(ambient_visibility.size() == (kCells + 1) * (kCells + 1));
-    constexpr int iterations = 6;  // standard deviation: sqrt(rounds / 2) cells
-    for (int round = 0; round < iterations; ++round) {
+    SELVEDGE_ASSERT(ambient_visibility.size() == std::size_t{kCells + 1} * (kCells + 1));
+    constexpr int iterations = 6;  // standard deviation: sqrt(iterations / 2) cells
+    for (int i = 0; i < iterations; ++i) {
         soften(ambient_visibility, 1);
         soften(ambient_visibility, kCells + 1);
     }

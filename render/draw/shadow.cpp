@@ -109,7 +109,7 @@ void ShadowMap::draw_nearest(const Program& program, const View& to, unsigned fr
 
 namespace {
 
-enum Unit { kPlaces, kMap, kDepth, kNearest };
+enum Unit { Places, Map, Depth, Nearest };
 
 void make_colour(const GladGLContext& gl, const Texture& texture, const Framebuffer& framebuffer, GLint format,
                  std::array<int, 2> size_px) {
@@ -161,10 +161,10 @@ void ShadowMask::finish(const ShadowMap& map, float shadow_width) const {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, mask_frame_.id());
     gl_.Disable(GL_DEPTH_TEST);
     program_.use();
-    program_.set("places", kPlaces);
-    program_.set("shadow_map", kMap);
-    program_.set("shadow_depth", kDepth);
-    program_.set("shadow_nearest", kNearest);
+    program_.set("places", Places);
+    program_.set("shadow_map", Map);
+    program_.set("shadow_depth", Depth);
+    program_.set("shadow_nearest", Nearest);
     program_.set("shadow_reach", kShadowReach);
     program_.set("shadow_width", shadow_width);
     const std::array<unsigned, 4> textures{places_.id(), map.depth(), map.depth(), map.nearest()};
@@ -172,10 +172,10 @@ void ShadowMask::finish(const ShadowMap& map, float shadow_width) const {
         gl_.ActiveTexture(GL_TEXTURE0 + unit);
         gl_.BindTexture(GL_TEXTURE_2D, textures[unit]);
     }
-    gl_.BindSampler(kMap, compare_sampler_.id());
+    gl_.BindSampler(Map, compare_sampler_.id());
     gl_.BindVertexArray(no_vertices_.id());
     gl_.DrawArrays(GL_TRIANGLES, 0, 3);
-    gl_.BindSampler(kMap, 0);
+    gl_.BindSampler(Map, 0);
 }
 
 namespace {

@@ -156,7 +156,7 @@ class OSMesaContext final : public GlContext {
 
     OSMesa mesa_;
     OSMesaHandle context_ = nullptr;
-    std::array<unsigned char, kSide * kSide * 4> default_framebuffer_{};
+    std::array<unsigned char, 4UL * kSide * kSide> default_framebuffer_{};
 };
 
 std::unique_ptr<GlContext> make_osmesa_context() {
@@ -218,7 +218,7 @@ std::unique_ptr<GlContext> make_context(std::optional<ContextKind> maker) {
     std::string reasons;
     for (const ContextKind candidate : makers_to_try(maker)) {
         try {
-            return make(candidate);
+            return make(candidate);  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): a unique_ptr holds it
         } catch (const std::runtime_error& error) {
             reasons += (reasons.empty() ? "" : "; ") + std::string(name(candidate)) + ": " + error.what();
         }

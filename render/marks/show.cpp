@@ -29,6 +29,7 @@ float place_of(std::size_t i, std::size_t n) {
 
 std::vector<sim::Rgb8> level_colours() {
     std::vector<sim::Rgb8> map;
+    map.reserve(kLevelColours);
     for (int level = 0; level < kLevelColours; ++level) map.push_back(level_colour(level));
     return map;
 }
@@ -468,7 +469,7 @@ class Walker {
     std::map<std::uint32_t, bool> reached_;
 };
 
-std::vector<SeamLine> lines_of(const sim::DrawMesh& mesh, EdgesOfPanels all) {
+std::vector<SeamLine> lines_of(const sim::DrawMesh& mesh, EdgesOfPanels&& all) {
     std::vector<SeamLine> lines;
     for (auto& [panels, edges] : all) {
         std::vector<SeamLine> found = Walker(mesh, edges).lines(panels);

@@ -219,7 +219,7 @@ void leaf_normals(const sim::AdaptiveMesh& mesh, const std::vector<Vec4f>& x, st
     normals.resize(mesh.vertex_capacity());
     for (const sim::VertexId v : mesh.leaf_vertices()) normals[v.value].setZero();
     for (const sim::LeafTriangle& t : mesh.leaf_triangles()) {
-        const Vec4f a = x[t.v[0].value];
+        const Vec4f& a = x[t.v[0].value];
         const Vec4f area = (x[t.v[1].value] - a).cross3(x[t.v[2].value] - a);
         for (const sim::VertexId v : t.v) normals[v.value] += area;
     }

@@ -574,12 +574,14 @@ struct AdaptiveMesh::Change::One {
     std::uint8_t inner_level() const { return static_cast<std::uint8_t>(owner.level + 1); }
 
     void finish(TriangleId id) {
+        // NOLINTBEGIN(misc-redundant-expression): only where `from` and `to` have as many slots
         for_each_slot<4>([&](auto i) {
             if constexpr (i < from.triangle_count || i < to.triangle_count) owner.internal_triangles[i] = triangles[i];
         });
         for_each_slot<3>([&](auto i) {
             if constexpr (i < from.edge_count || i < to.edge_count) owner.internal_edges[i] = edges[i];
         });
+        // NOLINTEND(misc-redundant-expression)
         owner.configuration = static_cast<Configuration>(kTo);
         if constexpr (from.triangle_count == 0) mesh.levels_.add_refined(owner.level, id);
         if constexpr (to.triangle_count == 0) mesh.levels_.remove_refined(owner.level, id);

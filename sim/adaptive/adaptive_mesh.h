@@ -226,7 +226,7 @@ class AdaptiveMesh {
 
     // Walking round a vertex: the first leaf triangle of a fan, and the next one anticlockwise.
     TriangleId first_at(VertexId v, std::size_t fan) const;
-    TriangleId next_at(VertexId v, TriangleId t) const;
+    TriangleId next_at(VertexId v, TriangleId id) const;
     TriangleId first_inside(TriangleId owner, VertexId v) const;
 
     AdaptiveMeshOptions options_;

@@ -119,12 +119,12 @@ constexpr std::array<std::uint8_t, kSlots> take_over(const std::array<Element, k
         std::size_t slot = 0;
         std::uint8_t place = kNoSlot;
         for (std::size_t i = 0; i < count; ++i) {
-            for (std::uint8_t j = 0; j < kSlots; ++j) {
+            for (std::size_t j = 0; j < kSlots; ++j) {
                 if (made_from[i] != kNoSlot || over[i] != kNoSlot || !left[j]) continue;
                 if (similarity(old[j], made[i]) <= most) continue;
                 most = similarity(old[j], made[i]);
                 slot = i;
-                place = j;
+                place = static_cast<std::uint8_t>(j);
             }
         }
         if (place == kNoSlot) return over;

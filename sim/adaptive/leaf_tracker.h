@@ -178,7 +178,7 @@ class LeafTracker {
     void insert_edges(const AdaptiveMesh& mesh);
     void insert_triangles(const AdaptiveMesh& mesh);
     void insert(const AdaptiveMesh& mesh, EdgeId e);
-    void insert(const AdaptiveMesh& mesh, TriangleId t);
+    void insert(const AdaptiveMesh& mesh, TriangleId id);
     void insert(VertexId v);
     void write_hinges(const AdaptiveTriangle& t);
     void mark_fresh(EdgeId e, Place& place);

@@ -410,7 +410,7 @@ void store_corrections(const CorrectedPoints& corrected, std::size_t count) {
 }
 
 void prolong_centres(std::span<const EdgeCentre> centres, const float* before, float* points) {
-    typedef float Point __attribute__((vector_size(16)));
+    using Point __attribute__((vector_size(16))) = float;
     const auto at = [](const float* from, std::uint32_t offset) {
         Point p;
         std::memcpy(&p, from + offset, sizeof p);

@@ -257,9 +257,8 @@ void hold_vertices(Cloth& cloth, const Kernels& loops, const Collider& body, flo
     const ContactCacheArrays known{floats(contacts.asked), floats(contacts.plane)};
     auto& [asking, blocks] = contacts.scratch;
     asking.resize(cloth.x.size() + kBlock);
-    const std::size_t count =
-        loops.project_vertices(floats(solver.points), floats(solver.before), known, contacts.friction.data(), 0,
-                               cloth.x.size(), limits, asking.data());
+    const std::size_t count = loops.project_vertices(floats(solver.points), floats(solver.before), known,
+                                                     contacts.friction.data(), cloth.x.size(), limits, asking.data());
     if (count == 0) return;
     const std::uint32_t spare = static_cast<std::uint32_t>(4 * (solver.points.size() - 1));
     std::fill_n(asking.begin() + static_cast<std::ptrdiff_t>(count), kBlock, spare);

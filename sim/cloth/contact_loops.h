@@ -103,10 +103,10 @@ constexpr std::size_t lane_of_point(std::size_t i) {
 }
 
 std::size_t project_vertices(float* points, const float* before, const ContactCacheArrays& known, const float* friction,
-                             std::size_t begin, std::size_t end, const ContactLimits& limits, std::uint32_t* found) {
+                             std::size_t count, const ContactLimits& limits, std::uint32_t* found) {
     const Floats longest_squared = lanes::broadcast(limits.longest_move * limits.longest_move);
     std::size_t n = 0;
-    for (std::size_t first = begin; first < end; first += lanes::kCount) {
+    for (std::size_t first = 0; first < count; first += lanes::kCount) {
         const std::size_t i = 4 * first;
         const Rows from = rows_at(before + i);
         const Rows was = shortened(rows_at(points + i), from, longest_squared);

@@ -124,11 +124,11 @@ struct Kernels {
     // Limits the displacement of each point since `before`. Then projects points that are below the floor, or that
     // touch the body according to the contact cache, onto the offset surface; friction reduces the tangential motion
     // since `before` by up to the coefficient times the depth. The offsets of the movable points that must query the
-    // collider are written to `found`; returns their number. Pre: begin and end are point indices and multiples of
-    // sixteen; found has room for all points.
+    // collider are written to `found`; returns their number. Pre: `count` is a multiple of sixteen; found has
+    // room for all points.
     std::size_t (*project_vertices)(float* points, const float* before, const ContactCacheArrays& known,
-                                    const float* friction, std::size_t begin, std::size_t end,
-                                    const ContactLimits& limits, std::uint32_t* found);
+                                    const float* friction, std::size_t count, const ContactLimits& limits,
+                                    std::uint32_t* found);
 
     // Projects sixteen points with the collider's results in `said`, and stores these in the contact cache.
     void (*store_query_and_project)(const ContactBlock& said, const std::uint32_t* offsets, const float* friction,

@@ -39,6 +39,7 @@ std::vector<OpenSeam> find_open_seams(const Cloth& cloth, const std::vector<Seam
         if (!(gap <= closed_gap)) widest[link.seam] = std::max(widest[link.seam], gap);
     }
     std::vector<OpenSeam> open;
+    open.reserve(widest.size());
     for (const auto& [seam, gap] : widest) open.push_back({seam, gap});
     return open;
 }

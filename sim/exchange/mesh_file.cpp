@@ -121,6 +121,7 @@ const std::vector<MeshFormat>& mesh_formats() {
 
 std::vector<std::string_view> mesh_extensions() {
     std::vector<std::string_view> extensions;
+    extensions.reserve(kFormats.size());
     for (const MeshFormat& format : kFormats) extensions.push_back(format.extension);
     return extensions;
 }

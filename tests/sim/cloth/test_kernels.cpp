@@ -294,7 +294,7 @@ Sweep swept(const Kernels& loops) {
     s.found.resize(s.points.size() + kBlock);
     const std::vector<float> friction(s.points.size(), 0.4F);
     s.found.resize(loops.project_vertices(floats(s.points), floats(s.before), {floats(s.asked), floats(s.plane)},
-                                          friction.data(), 0, cloth.x.size(), {.longest_move = 0.003F, .floor = -0.01F},
+                                          friction.data(), cloth.x.size(), {.longest_move = 0.003F, .floor = -0.01F},
                                           s.found.data()));
     return s;
 }
