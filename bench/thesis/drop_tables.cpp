@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/thesis/drop.h"
 #include "bench/thesis/thesis.h"
+#include "bench/thesis/thesis_drop.h"
 
 namespace selvedge::bench {
 namespace {
@@ -21,9 +21,9 @@ struct Means {
     double frame = 0;
 };
 
-Means means_of(const DropRun& run) {
+Means means_of(const ThesisDropRun& run) {
     Means means;
-    for (const DropFrame& frame : run.frames) {
+    for (const ThesisDropFrame& frame : run.frames) {
         means.triangles += static_cast<double>(frame.triangles);
         means.max_triangles = std::max(means.max_triangles, frame.triangles);
         means.adaptation += frame.adaptation;
@@ -44,7 +44,7 @@ double seconds_of(const ThesisOptions& options) {
     return options.is_quick ? 0.4 : 3.0;
 }
 
-Table uniform_table(const std::string& name, DropObject object, const ThesisOptions& options) {
+Table uniform_table(const std::string& name, ThesisDropObject object, const ThesisOptions& options) {
     Table table{.name = name,
                 .title = std::string("Uniform drop on a ") + name_of(object),
                 .note =
@@ -53,7 +53,7 @@ Table uniform_table(const std::string& name, DropObject object, const ThesisOpti
                     "the collision within it (what the step takes more than the same one with nothing near).",
                 .columns = {"level", "triangles", "adaptation, ms", "step, ms", "of it collision, ms"}};
     for (int level = 0; level <= (options.is_quick ? 1 : 3); ++level) {
-        const Means means = means_of(run_drop_repeatedly(
+        const Means means = means_of(run_thesis_drop_repeatedly(
             {.object = object, .uniform_level = level, .seconds = seconds_of(options), .times_parts = true},
             runs_of(options)));
         table.add_row(
@@ -85,28 +85,28 @@ void add_counts(sim::TransitionCounts& sum, const sim::TransitionCounts& counts)
             sum.by_configuration[from][to] += counts.by_configuration[from][to];
 }
 
-void add_drop_row(Table& table, DropObject object, const std::string& name, const DropRun& run,
-                  const DropRun& uniform) {
+void add_drop_row(Table& table, ThesisDropObject object, const std::string& name, const ThesisDropRun& run,
+                  const ThesisDropRun& uniform) {
     const Means means = means_of(run);
     table.add_row({name_of(object), name, Cell(means.triangles, 0), means.max_triangles, Cell(means.adaptation, 4),
                    Cell(means.step, 4), Cell(means.collision, 4), Cell(means.frame, 3),
                    Cell(means.frame / means_of(uniform).frame, 2), Cell(1e3 * mean_distance(run, uniform), 1)});
 }
 
-void add_adaptive_rows(Table& table, DropObject object, const ThesisOptions& options,
+void add_adaptive_rows(Table& table, ThesisDropObject object, const ThesisOptions& options,
                        sim::TransitionCounts& transitions) {
     const int runs = runs_of(options);
-    DropOptions drop{.object = object, .seconds = seconds_of(options), .times_parts = true};
+    ThesisDropOptions drop{.object = object, .seconds = seconds_of(options), .times_parts = true};
     drop.uniform_level = options.is_quick ? 1 : 3;
-    const DropRun uniform = run_drop_repeatedly(drop, runs);
+    const ThesisDropRun uniform = run_thesis_drop_repeatedly(drop, runs);
     add_drop_row(table, object, "uniform", uniform, uniform);
     drop.shift = 0.001;
-    add_drop_row(table, object, "uniform, shifted", run_drop_repeatedly(drop, runs), uniform);
+    add_drop_row(table, object, "uniform, shifted", run_thesis_drop_repeatedly(drop, runs), uniform);
     drop.shift = 0;
     drop.uniform_level.reset();
     for (const Combination& combination : combinations(options)) {
         drop.criteria = combination.criteria;
-        const DropRun run = run_drop_repeatedly(drop, runs);
+        const ThesisDropRun run = run_thesis_drop_repeatedly(drop, runs);
         add_drop_row(table, object, combination.name, run, uniform);
         add_counts(transitions, run.transitions);
     }
@@ -114,12 +114,12 @@ void add_adaptive_rows(Table& table, DropObject object, const ThesisOptions& opt
 
 // Adds the transitions of cloths that fall off the object, among which coarsening is more frequent.
 void add_falls(const ThesisOptions& options, sim::TransitionCounts& transitions) {
-    for (const DropObject object : {DropObject::Cylinder, DropObject::Sphere})
+    for (const ThesisDropObject object : {ThesisDropObject::Cylinder, ThesisDropObject::Sphere})
         for (const Combination& combination : combinations(options))
-            add_counts(transitions, run_drop({.object = object,
-                                              .falls_off = true,
-                                              .criteria = combination.criteria,
-                                              .seconds = seconds_of(options)})
+            add_counts(transitions, run_thesis_drop({.object = object,
+                                                     .falls_off = true,
+                                                     .criteria = combination.criteria,
+                                                     .seconds = seconds_of(options)})
                                         .transitions);
 }
 
@@ -162,8 +162,8 @@ Table frequency_table(const sim::TransitionCounts& counts) {
 
 ThesisResult measure_uniform_drops(const ThesisOptions& options) {
     ThesisResult result;
-    result.tables = {uniform_table("3.12", DropObject::Cylinder, options),
-                     uniform_table("3.13", DropObject::Sphere, options)};
+    result.tables = {uniform_table("3.12", ThesisDropObject::Cylinder, options),
+                     uniform_table("3.13", ThesisDropObject::Sphere, options)};
     return result;
 }
 
@@ -177,7 +177,7 @@ ThesisResult measure_adaptive_drops(const ThesisOptions& options) {
                 .columns = {"object", "criteria", "triangles, mean", "triangles, most", "adaptation, ms", "step, ms",
                             "of it collision, ms", "frame, ms", "share of uniform", "distance, mm"}};
     sim::TransitionCounts transitions;
-    for (const DropObject object : {DropObject::Cylinder, DropObject::Sphere})
+    for (const ThesisDropObject object : {ThesisDropObject::Cylinder, ThesisDropObject::Sphere})
         add_adaptive_rows(table, object, options, transitions);
     add_falls(options, transitions);
     ThesisResult result;
@@ -195,7 +195,7 @@ constexpr sim::CriteriaOptions kAB{.collision = true, .curvature = true, .length
 struct Timed {
     const char* name;   // of the figure
     const char* title;  // how the mesh is refined
-    DropOptions drop;
+    ThesisDropOptions drop;
 };
 
 // These configurations differ from the thesis, whose figs. 3.25-3.30 show Cylinder [A], Sphere [A], Cylinder [B],
@@ -203,8 +203,8 @@ struct Timed {
 std::vector<Timed> timed_drops(const ThesisOptions& options) {
     std::vector<Timed> all;
     const std::vector<const char*> names{"3.25", "3.26", "3.27", "3.28", "3.29", "3.30"};
-    for (const DropObject object : {DropObject::Cylinder, DropObject::Sphere}) {
-        DropOptions drop{
+    for (const ThesisDropObject object : {ThesisDropObject::Cylinder, ThesisDropObject::Sphere}) {
+        ThesisDropOptions drop{
             .object = object, .falls_off = true, .seconds = options.is_quick ? 0.3 : 4.0, .times_parts = true};
         drop.uniform_level = options.is_quick ? 1 : 3;
         all.push_back({names[all.size()], "uniform", drop});
@@ -217,7 +217,7 @@ std::vector<Timed> timed_drops(const ThesisOptions& options) {
     return all;
 }
 
-Figure figure_of(const Timed& timed, const DropRun& run) {
+Figure figure_of(const Timed& timed, const ThesisDropRun& run) {
     Figure figure;
     figure.series = {
         .name = timed.name,
@@ -228,7 +228,7 @@ Figure figure_of(const Timed& timed, const DropRun& run) {
         .columns = {"time, s", "adaptation, ms", "simulation, ms", "collision, ms", "rendering, ms", "triangles"}};
     figure.y_label = "ms";
     figure.right_column = "triangles";
-    for (const DropFrame& frame : run.frames)
+    for (const ThesisDropFrame& frame : run.frames)
         figure.series.add_row({Cell(frame.time, 3), Cell(frame.adaptation, 4), Cell(frame.steps - frame.collision, 4),
                                Cell(frame.collision, 4), Cell(frame.drawing, 4), frame.triangles});
     return figure;
@@ -239,22 +239,22 @@ Figure figure_of(const Timed& timed, const DropRun& run) {
 ThesisResult measure_drop_timings(const ThesisOptions& options) {
     ThesisResult result;
     for (const Timed& timed : timed_drops(options))
-        result.figures.push_back(figure_of(timed, run_drop_repeatedly(timed.drop, options.is_quick ? 1 : 3)));
+        result.figures.push_back(figure_of(timed, run_thesis_drop_repeatedly(timed.drop, options.is_quick ? 1 : 3)));
     return result;
 }
 
 ThesisResult measure_drop_captures(const ThesisOptions& options) {
     ThesisResult result;
     DropPainter painter(options.is_quick ? 96 : 640);
-    for (const DropObject object : {DropObject::Cylinder, DropObject::Sphere}) {
-        const std::string figure = object == DropObject::Cylinder ? "3.23" : "3.24";
+    for (const ThesisDropObject object : {ThesisDropObject::Cylinder, ThesisDropObject::Sphere}) {
+        const std::string figure = object == ThesisDropObject::Cylinder ? "3.23" : "3.24";
         const double interval = options.is_quick ? 0.2 : 0.4;  // s
         int frame = 0;
         const auto capture = [&](const sim::Cloth& cloth, double time) {
             if (++frame % std::lround(30 * interval) != 0) return;
             result.captures.push_back({figure, Cell(time, 1).to_text() + "s", painter.draw(cloth, object)});
         };
-        run_drop({.object = object, .criteria = kAB, .seconds = 5 * interval, .watch = capture});
+        run_thesis_drop({.object = object, .criteria = kAB, .seconds = 5 * interval, .watch = capture});
     }
     return result;
 }

@@ -5,9 +5,9 @@
 
 #include "bench/support/cloth_run.h"
 #include "bench/support/measured_mesh.h"
-#include "bench/thesis/drop.h"
 #include "bench/thesis/pointer_mesh.h"
 #include "bench/thesis/thesis.h"
+#include "bench/thesis/thesis_drop.h"
 #include "sim/adaptive/criteria.h"
 #include "sim/cloth/cloth.h"
 
@@ -319,9 +319,9 @@ Table means_table(const Costs& costs, const sim::TransitionCounts& recorded) {
 
 ThesisResult measure_transition_cost(const ThesisOptions& options) {
     const Costs costs = measure(options);
-    const DropRun drop = run_drop({.object = DropObject::Sphere,
-                                   .criteria = {.collision = true, .curvature = true, .length = false},
-                                   .seconds = options.is_quick ? 0.4 : 2.0});
+    const ThesisDropRun drop = run_thesis_drop({.object = ThesisDropObject::Sphere,
+                                                .criteria = {.collision = true, .curvature = true, .length = false},
+                                                .seconds = options.is_quick ? 0.4 : 2.0});
     ThesisResult result;
     result.tables = {clear_table(costs),
                      matrix_table(costs.indirect, "3.3", "Indirect transitions, by way of C0, us", 3),
@@ -493,10 +493,10 @@ std::uint64_t total(const sim::TransitionCounts& counts) {
     return sum;
 }
 
-void add_row(Table& table, DropObject object, const TieBreaker& tie_breaker, const DropRun& run,
-             const DropRun& uniform) {
+void add_row(Table& table, ThesisDropObject object, const TieBreaker& tie_breaker, const ThesisDropRun& run,
+             const ThesisDropRun& uniform) {
     double triangles = 0, adaptation = 0, steps = 0;
-    for (const DropFrame& frame : run.frames) {
+    for (const ThesisDropFrame& frame : run.frames) {
         triangles += static_cast<double>(frame.triangles);
         adaptation += frame.adaptation;
         steps += frame.steps;
@@ -520,15 +520,15 @@ ThesisResult measure_tie_breakers(const ThesisOptions& options) {
                      .columns = {"object", "tie-breaker", "triangles, mean", "transitions", "adaptation, ms",
                                  "frame, ms", "distance, mm"}};
     const int runs = options.is_quick ? 1 : 3;
-    for (const DropObject object : {DropObject::Cylinder, DropObject::Sphere}) {
-        DropOptions drop{.object = object, .seconds = options.is_quick ? 0.3 : 3.0};
+    for (const ThesisDropObject object : {ThesisDropObject::Cylinder, ThesisDropObject::Sphere}) {
+        ThesisDropOptions drop{.object = object, .seconds = options.is_quick ? 0.3 : 3.0};
         drop.uniform_level = options.is_quick ? 1 : 3;
-        const DropRun uniform = run_drop(drop);
+        const ThesisDropRun uniform = run_thesis_drop(drop);
         drop.uniform_level.reset();
         drop.criteria = {.collision = true, .curvature = true, .length = false};
         for (const TieBreaker& tie_breaker : kTieBreakers) {
             drop.diagonal = tie_breaker.choice;
-            add_row(figure.series, object, tie_breaker, run_drop_repeatedly(drop, runs), uniform);
+            add_row(figure.series, object, tie_breaker, run_thesis_drop_repeatedly(drop, runs), uniform);
         }
     }
     ThesisResult result;

@@ -4,10 +4,10 @@
 #include <set>
 
 #include "bench/support/measured_mesh.h"
-#include "bench/thesis/drop.h"
 #include "bench/thesis/point_search.h"
 #include "bench/thesis/pointer_mesh.h"
 #include "bench/thesis/thesis.h"
+#include "bench/thesis/thesis_drop.h"
 
 namespace selvedge::bench {
 namespace {
@@ -157,23 +157,23 @@ TEST(Thesis, tie_breakers_stand_side_by_side_on_both_objects) {
 }
 
 TEST(Drop, does_the_same_each_time) {
-    const DropOptions options{.object = DropObject::Sphere, .seconds = 0.5};
-    const DropRun once = run_drop(options), again = run_drop(options);
+    const ThesisDropOptions options{.object = ThesisDropObject::Sphere, .seconds = 0.5};
+    const ThesisDropRun once = run_thesis_drop(options), again = run_thesis_drop(options);
     EXPECT_EQ(mean_distance(once, again), 0);
     EXPECT_EQ(once.transitions.by_configuration, again.transitions.by_configuration);
 }
 
 TEST(Drop, rests_on_its_object_or_falls_off_it) {
-    const auto lowest = [](const DropRun& run) {
+    const auto lowest = [](const ThesisDropRun& run) {
         float low = 1000;
         for (const Vec3f& x : run.grid) low = std::min(low, x.y());
         return low;
     };
-    for (const DropObject object : {DropObject::Sphere, DropObject::Cylinder}) {
-        DropOptions options{.object = object, .criteria = {}, .seconds = 2.5};
-        EXPECT_GT(lowest(run_drop(options)), -0.5F) << name_of(object);
+    for (const ThesisDropObject object : {ThesisDropObject::Sphere, ThesisDropObject::Cylinder}) {
+        ThesisDropOptions options{.object = object, .criteria = {}, .seconds = 2.5};
+        EXPECT_GT(lowest(run_thesis_drop(options)), -0.5F) << name_of(object);
         options.falls_off = true;
-        EXPECT_LT(lowest(run_drop(options)), -1.0F) << name_of(object);
+        EXPECT_LT(lowest(run_thesis_drop(options)), -1.0F) << name_of(object);
     }
 }
 

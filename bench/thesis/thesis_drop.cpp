@@ -1,4 +1,4 @@
-#include "bench/thesis/drop.h"
+#include "bench/thesis/thesis_drop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,19 +26,19 @@ constexpr float kNoFloor = -1000.0F;       // m
 constexpr sim::LengthOptions kCompression{.split_compression = 0.01F,
                                           .rejoin_compression = 0.004F};  // these drops compress less than garments
 
-sim::Cloth make_drop_cloth(const DropOptions& options) {
+sim::Cloth make_drop_cloth(const ThesisDropOptions& options) {
     sim::GarmentMesh base =
         make_square({.columns = 4, .rows = 4, .width = kSide, .depth = kSide, .height = kDropRadius + 0.1});
     for (Vec3d& x : base.x) x += Vec3d(0, 0, options.shift + (options.falls_off ? kBeside : 0.0));
     return make_cloth(base, {sim::find_fabric("cotton_shirting")});
 }
 
-struct DropScene {
+struct ThesisDropScene {
     sim::Cloth cloth;
     std::unique_ptr<sim::Collider> object;
     sim::StepOptions stepping{};
     sim::AdaptClothOptions adapting{};
-    DropRun run{};
+    ThesisDropRun run{};
 };
 
 // A disc that contains the whole cloth.
@@ -46,8 +46,8 @@ sim::MinimumLevelDisc everywhere(int level) {
     return {.panel = 0, .centre = Vec2f::Zero(), .radius = 10.0F * static_cast<float>(kSide), .level = level};
 }
 
-DropScene make_scene(const DropOptions& options) {
-    DropScene scene{.cloth = make_drop_cloth(options), .object = make_drop_object(options.object)};
+ThesisDropScene make_scene(const ThesisDropOptions& options) {
+    ThesisDropScene scene{.cloth = make_drop_cloth(options), .object = make_drop_object(options.object)};
     scene.stepping.contact.floor = kNoFloor;
     if (options.falls_off) scene.stepping.contact.friction_scale = kSlipperyFriction;
     scene.adapting.criteria = options.criteria;
@@ -66,7 +66,7 @@ DropScene make_scene(const DropOptions& options) {
 }
 
 // With a uniform level, this checks every edge and changes nothing.
-void adapt_frame(DropScene& scene, const DropOptions& options) {
+void adapt_frame(ThesisDropScene& scene, const ThesisDropOptions& options) {
     if (options.uniform_level) {
         sim::NoState none;
         set_uniform_level(scene.cloth.mesh, none, *options.uniform_level);
@@ -85,8 +85,8 @@ void draw_frame(const sim::Cloth& cloth) {
     keep(make_cloth_vertices(mesh, vertex_normals(mesh), std::vector<render::AmbientVisibility>(mesh.x.size())));
 }
 
-DropFrame run_frame(DropScene& scene, const DropOptions& options) {
-    DropFrame frame;
+ThesisDropFrame run_frame(ThesisDropScene& scene, const ThesisDropOptions& options) {
+    ThesisDropFrame frame;
     frame.adaptation = 1e3 * time_once([&] { adapt_frame(scene, options); });
     frame.triangles = scene.cloth.mesh.leaf_triangles().size();
     double free_steps = 0;
@@ -137,22 +137,22 @@ std::vector<Vec3f> sample_grid(const sim::Cloth& cloth) {
 
 }  // namespace
 
-std::unique_ptr<sim::Collider> make_drop_object(DropObject object) {
-    if (object == DropObject::Sphere) return std::make_unique<sim::SphereCollider>(Vec3f::Zero(), kDropRadius);
+std::unique_ptr<sim::Collider> make_drop_object(ThesisDropObject object) {
+    if (object == ThesisDropObject::Sphere) return std::make_unique<sim::SphereCollider>(Vec3f::Zero(), kDropRadius);
     return std::make_unique<sim::CylinderCollider>(
         sim::CylinderShape{.radius = kDropRadius, .half_length = kDropHalfLength});
 }
 
-const char* name_of(DropObject object) {
-    return object == DropObject::Sphere ? "sphere" : "cylinder";
+const char* name_of(ThesisDropObject object) {
+    return object == ThesisDropObject::Sphere ? "sphere" : "cylinder";
 }
 
-DropRun run_drop(const DropOptions& options) {
-    DropScene scene = make_scene(options);
+ThesisDropRun run_thesis_drop(const ThesisDropOptions& options) {
+    ThesisDropScene scene = make_scene(options);
     scene.adapting.transitions = &scene.run.transitions;
     const int frames = static_cast<int>(std::lround(options.seconds / kFrameSeconds));
     for (int i = 0; i < frames; ++i) {
-        DropFrame& frame = scene.run.frames.emplace_back(run_frame(scene, options));
+        ThesisDropFrame& frame = scene.run.frames.emplace_back(run_frame(scene, options));
         frame.time = (i + 1) * kFrameSeconds;
         if (options.watch) options.watch(scene.cloth, frame.time);
     }
@@ -160,12 +160,12 @@ DropRun run_drop(const DropOptions& options) {
     return std::move(scene.run);
 }
 
-DropRun run_drop_repeatedly(const DropOptions& options, int runs) {
-    DropRun run = run_drop(options);
+ThesisDropRun run_thesis_drop_repeatedly(const ThesisDropOptions& options, int runs) {
+    ThesisDropRun run = run_thesis_drop(options);
     for (int i = 1; i < runs; ++i) {
-        const DropRun again = run_drop(options);
+        const ThesisDropRun again = run_thesis_drop(options);
         for (std::size_t f = 0; f < run.frames.size(); ++f) {
-            DropFrame& least = run.frames[f];
+            ThesisDropFrame& least = run.frames[f];
             least.adaptation = std::min(least.adaptation, again.frames[f].adaptation);
             least.steps = std::min(least.steps, again.frames[f].steps);
             least.collision = std::min(least.collision, again.frames[f].collision);
@@ -175,7 +175,7 @@ DropRun run_drop_repeatedly(const DropOptions& options, int runs) {
     return run;
 }
 
-double mean_distance(const DropRun& a, const DropRun& b) {
+double mean_distance(const ThesisDropRun& a, const ThesisDropRun& b) {
     double sum = 0;
     for (std::size_t i = 0; i < a.grid.size(); ++i) sum += static_cast<double>((a.grid[i] - b.grid[i]).norm());
     return sum / static_cast<double>(a.grid.size());
@@ -206,8 +206,8 @@ render::BodyItem revolve(const std::vector<Vec2f>& profile, bool about_x) {
     return item;
 }
 
-render::BodyItem object_item(DropObject object) {
-    if (object == DropObject::Cylinder)
+render::BodyItem object_item(ThesisDropObject object) {
+    if (object == ThesisDropObject::Cylinder)
         return revolve({{-kDropHalfLength, 0.001F},
                         {-kDropHalfLength, 0.999F * kDropRadius},
                         {-0.999F * kDropHalfLength, kDropRadius},
@@ -225,7 +225,7 @@ render::BodyItem object_item(DropObject object) {
 
 }  // namespace
 
-render::Image DropPainter::draw(const sim::Cloth& cloth, DropObject object) {
+render::Image DropPainter::draw(const sim::Cloth& cloth, ThesisDropObject object) {
     render::Scene scene;
     scene.cloths.push_back({.mesh = draw_mesh(cloth, {"cloth"}), .sett = {}, .show = render::ShowMode::Level});
     scene.bodies.push_back(object_item(object));

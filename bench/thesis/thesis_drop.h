@@ -32,10 +32,10 @@ enum class DiagonalChoice {
 // For AdaptClothOptions::diagonal_cost. Empty for MinimalChange. The cloth must outlive it.
 std::function<float(const sim::Diagonal&)> diagonal_cost(const sim::Cloth& cloth, DiagonalChoice choice);
 
-enum class DropObject { Sphere, Cylinder };
+enum class ThesisDropObject { Sphere, Cylinder };
 
-struct DropOptions {
-    DropObject object = DropObject::Sphere;
+struct ThesisDropOptions {
+    ThesisDropObject object = ThesisDropObject::Sphere;
     bool falls_off = false;              // starts off centre, with less friction, so that it slides off the object
     std::optional<int> uniform_level{};  // uniform refinement to this level; none: adaptive by the criteria
     sim::CriteriaOptions criteria{};
@@ -47,7 +47,7 @@ struct DropOptions {
 };
 
 // CPU times of one frame, ms.
-struct DropFrame {
+struct ThesisDropFrame {
     double time = 0;            // s, simulated, at the end of the frame
     std::size_t triangles = 0;  // leaves
     double adaptation = 0;
@@ -56,23 +56,23 @@ struct DropFrame {
     double drawing = 0;    // filling the vertex arrays for the renderer; no rendering
 };
 
-struct DropRun {
-    std::vector<DropFrame> frames;
+struct ThesisDropRun {
+    std::vector<ThesisDropFrame> frames;
     sim::TransitionCounts transitions;
     std::vector<Vec3f> grid;  // final positions at 33 x 33 material points, independent of the mesh
 };
 
-DropRun run_drop(const DropOptions& options);
+ThesisDropRun run_thesis_drop(const ThesisDropOptions& options);
 
 // Repeats the run, which is deterministic. Each time is the minimum over the runs.
-DropRun run_drop_repeatedly(const DropOptions& options, int runs);
+ThesisDropRun run_thesis_drop_repeatedly(const ThesisDropOptions& options, int runs);
 
 // m, mean distance of corresponding grid points.
-double mean_distance(const DropRun& a, const DropRun& b);
+double mean_distance(const ThesisDropRun& a, const ThesisDropRun& b);
 
 // The object as a collider, and its dimensions for pictures.
-std::unique_ptr<sim::Collider> make_drop_object(DropObject object);
-const char* name_of(DropObject object);
+std::unique_ptr<sim::Collider> make_drop_object(ThesisDropObject object);
+const char* name_of(ThesisDropObject object);
 inline constexpr float kDropRadius = 0.25F;     // m
 inline constexpr float kDropHalfLength = 0.6F;  // m, of the cylinder
 
@@ -83,7 +83,7 @@ class DropPainter {
  public:
     explicit DropPainter(int side_px) : side_px_(side_px) {}
 
-    render::Image draw(const sim::Cloth& cloth, DropObject object);
+    render::Image draw(const sim::Cloth& cloth, ThesisDropObject object);
 
  private:
     render::Renderer renderer_;
