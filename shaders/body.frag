@@ -1,6 +1,6 @@
 centroid in vec3 v_position;  // centroid: sampled inside the triangle, also where it covers only a part of the pixel
 centroid in vec3 v_normal;
-in float v_openness;
+in float v_ambient_visibility;
 
 uniform vec3 body_colour;
 uniform float gloss;
@@ -13,7 +13,7 @@ void main() {
     Surface surface;
     surface.albedo = body_colour;
     surface.normal = normalize(v_normal);
-    surface.openness = v_openness;
+    surface.ambient_visibility = v_ambient_visibility;
     surface.gloss = gloss;
     surface.roughness = roughness;
     surface.sheen = sheen;

@@ -2,7 +2,7 @@ centroid in vec3 v_position;  // centroid: sampled inside the triangle, also whe
 centroid in vec3 v_normal;
 in vec2 v_place;
 in vec3 v_heights;
-in vec2 v_openness;
+in vec2 v_ambient_visibility;
 in vec2 v_touch;
 in float v_paint;
 flat in uint v_marks;
@@ -80,7 +80,7 @@ void main() {
     Surface surface;
     surface.albedo = albedo;
     surface.normal = normalize(v_normal) * side;
-    surface.openness = side > 0.0 ? v_openness.x : v_openness.y;
+    surface.ambient_visibility = side > 0.0 ? v_ambient_visibility.x : v_ambient_visibility.y;
     surface.gloss = gloss;
     surface.roughness = roughness;
     surface.sheen = sheen;

@@ -18,12 +18,12 @@ out vec3 v_front;  // colour of the right side
 out vec3 v_back;
 out vec3 v_edges;  // drawn edges: height over the edge, 1 at its opposite corner; other edges: 1
 
-// openness (ambient visibility) and key_seen are constants here, lower on the wrong side: previews have no shadows.
-vec3 light_on(vec3 side_normal, float openness, float key_seen) {
+// ambient_visibility and key_seen are constants here, lower on the wrong side: previews have no shadows.
+vec3 light_on(vec3 side_normal, float ambient_visibility, float key_seen) {
     Surface surface;
     surface.albedo = vec3(1.0);
     surface.normal = side_normal;
-    surface.openness = openness;
+    surface.ambient_visibility = ambient_visibility;
     surface.gloss = 0.0;
     surface.roughness = 0.5;
     surface.sheen = 0.0;

@@ -6,7 +6,7 @@ layout(location = 2) in vec4 mark_colour;  // sRGB, of marks
 uniform mat4 camera;
 uniform vec3 body_colour;  // linear
 uniform float body_share;  // 1 for bodies, 0 for marks
-uniform float openness;
+uniform float ambient_visibility;
 uniform float gloss;
 uniform float roughness;
 uniform float sheen;
@@ -17,7 +17,7 @@ void main() {
     Surface surface;
     surface.albedo = mix(pow(mark_colour.rgb, vec3(2.2)), body_colour, body_share);
     surface.normal = normal;
-    surface.openness = openness;
+    surface.ambient_visibility = ambient_visibility;
     surface.gloss = gloss;
     surface.roughness = roughness;
     surface.sheen = sheen;

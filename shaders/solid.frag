@@ -8,7 +8,7 @@ void main() {
     Surface surface;
     surface.albedo = v_colour;
     surface.normal = normalize(v_normal);
-    surface.openness = 1.0;
+    surface.ambient_visibility = 1.0;
     surface.gloss = 0.04;
     surface.roughness = 0.3;
     surface.sheen = 0.0;

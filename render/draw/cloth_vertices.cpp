@@ -18,12 +18,12 @@ std::array<float, 2> turned_to_grain(const Vec2f& u, float grain, const Vec2f& o
 }
 
 float grain_of(const sim::DrawMesh& mesh, std::size_t triangle) {
-    const std::size_t panel = mesh.panel.empty() ? 0 : mesh.panel[triangle];
+    const std::size_t panel = panel_of(mesh, triangle);
     return panel < mesh.panel_grain_angles.size() ? mesh.panel_grain_angles[panel] : 0.0F;
 }
 
 Vec2f sett_offset_of(const sim::DrawMesh& mesh, std::size_t triangle) {
-    const std::size_t panel = mesh.panel.empty() ? 0 : mesh.panel[triangle];
+    const std::size_t panel = panel_of(mesh, triangle);
     return panel < mesh.panel_sett_offsets.size() ? mesh.panel_sett_offsets[panel] : Vec2f(0, 0);
 }
 
@@ -144,7 +144,7 @@ Vec2f material_at(const sim::DrawMesh& mesh, std::uint32_t triangle, std::uint32
 }
 
 bool jumps(const sim::DrawMesh& mesh, const EdgeUse& a, const EdgeUse& b) {
-    if (!mesh.panel.empty() && mesh.panel[a.triangle] != mesh.panel[b.triangle]) return true;
+    if (panel_of(mesh, a.triangle) != panel_of(mesh, b.triangle)) return true;
     if (mesh.u.empty()) return false;
     constexpr float same = 1e-4F;  // m: rounding by the number of decimals in a file
     for (const std::uint32_t vertex : {a.low, a.high}) {

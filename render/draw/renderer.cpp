@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "render/draw/light_uniforms.h"
 #include "render/draw/scene_buffers.h"
 #include "render/draw/shadow.h"
 #include "render/gl/context.h"
@@ -109,17 +110,11 @@ void set_backdrop(const Program& program, const Frame& frame) {
 }
 
 void set_light(const Program& program, const Frame& frame) {
-    const Light& light = frame.look.light;
+    set_light(program, frame.look.light, frame.look.camera.eye);
     program.set("camera", frame.camera);
-    program.set("eye", frame.look.camera.eye);
-    program.set("to_key", Vec3f(light.to_key.normalized()));
-    program.set("to_fill", Vec3f(light.to_fill.normalized()));
-    program.set("key_irradiance", light.key);
-    program.set("fill_irradiance", light.fill);
-    program.set("sky_irradiance", light.sky);
-    program.set("bounce_irradiance", light.bounce);
     program.set("shadow_matrix", frame.shadow_matrix);
     program.set("shadow_width", frame.shadow_width);
+    program.set("shadow_map_side", float(kShadowMapSide));
     program.set("shadow_mask", kShadowMaskUnit);
 }
 

@@ -11,9 +11,8 @@
 namespace selvedge::render {
 namespace {
 
-constexpr int kDepthSide = 2048;  // px
-constexpr int kTileSide = 128;    // px
-constexpr int kTexelsOfTile = kDepthSide / kTileSide;
+constexpr int kTileSide = 128;  // px
+constexpr int kTexelsOfTile = kShadowMapSide / kTileSide;
 
 void set_nearest_filter(const GladGLContext& gl) {
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -24,8 +23,8 @@ void set_nearest_filter(const GladGLContext& gl) {
 
 void make_depth(const GladGLContext& gl, const Texture& texture, const Framebuffer& framebuffer) {
     gl.BindTexture(GL_TEXTURE_2D, texture.id());
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, kDepthSide, kDepthSide, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
-                  nullptr);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, kShadowMapSide, kShadowMapSide, 0, GL_DEPTH_COMPONENT,
+                  GL_FLOAT, nullptr);
     set_nearest_filter(gl);
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, texture.id(), 0);
@@ -75,7 +74,7 @@ void ShadowMap::load(const Casters& casters) {
 
 void ShadowMap::draw(const Eigen::Matrix4f& matrix, float reach) const {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, depth_frame_.id());
-    gl_.Viewport(0, 0, kDepthSide, kDepthSide);
+    gl_.Viewport(0, 0, kShadowMapSide, kShadowMapSide);
     gl_.Enable(GL_DEPTH_TEST);
     gl_.Disable(GL_BLEND);
     gl_.Clear(GL_DEPTH_BUFFER_BIT);

@@ -12,10 +12,6 @@
 
 namespace selvedge::render {
 
-// Depth images of the scene along parallel rays, with the nearest and the farthest surface in each texel, for ambient
-// occlusion. Rasterized on the CPU: faster for many small images than reading them back from GL, and byte-identical
-// under every driver. Also the shadow casters' geometry and bounding sphere, and the parallel projection.
-
 // The geometry that casts shadows, as one mesh, and the parallel projection for shadows and ambient occlusion.
 
 // A sphere that contains all shadow casters.
@@ -67,6 +63,8 @@ DepthRange empty_depth_range(const Bounds& bounds, const Vec3f& direction, int s
 
 // Draws casters into the image. The result does not depend on the order of calls. Pre: triangles' indices are in range.
 void draw_casters(DepthRange& picture, const Casters& casters);
+
+inline constexpr int kShadowMapSide = 2048;  // px
 
 // m: radius across the light within which blockers are searched; also the largest blur radius of a shadow's edge.
 inline constexpr float kShadowReach = 0.07F;

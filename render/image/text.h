@@ -34,7 +34,6 @@ void draw_text(Image& image, int left, int top, std::string_view text, const Tex
 // The legends' bitmap font. It is part of the program, so that pictures do not depend on the machine's fonts.
 inline constexpr int kGlyphWidth = 5;   // px, at most
 inline constexpr int kGlyphHeight = 9;  // px; the lowest two rows are below the baseline
-inline constexpr int kCapitalHeight = 7;
 
 // Rows from the top; bit 4 is the leftmost pixel. Characters outside ASCII 32..126 look like a question mark.
 using Glyph = std::array<std::uint8_t, kGlyphHeight>;

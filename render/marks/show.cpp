@@ -124,7 +124,7 @@ Legend show_panels(ClothItem& cloth) {
     }
     if (panels == 1) paint.map.push_back(paint.map.front());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const std::size_t panel = mesh.panel.empty() ? 0 : mesh.panel[t];
+        const std::size_t panel = panel_of(mesh, t);
         const float place = place_of(panel % kMaxColours, paint.map.size());
         paint.places.push_back({place, place, place});
     }
@@ -379,7 +379,7 @@ EdgesOfPanels marked_edges(const sim::DrawMesh& mesh, const std::vector<Triangle
                            std::uint32_t TriangleMarks::*kind) {
     std::vector<MarkedSide> sides;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const std::uint16_t panel = mesh.panel.empty() ? std::uint16_t{0} : mesh.panel[t];
+        const std::uint16_t panel = panel_of(mesh, t);
         for (std::size_t edge = 0; edge < 3; ++edge) {
             if ((marks[t].*kind >> edge & 1U) == 0) continue;
             const auto [low, high] = std::minmax(mesh.triangles[t][(edge + 1) % 3], mesh.triangles[t][(edge + 2) % 3]);

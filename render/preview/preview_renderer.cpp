@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "render/draw/cloth_vertices.h"
+#include "render/draw/light_uniforms.h"
 #include "render/draw/renderer.h"
 #include "render/draw/scene_buffers.h"
 #include "render/gl/context.h"
@@ -52,15 +53,8 @@ Eigen::Matrix4f upside_down_matrix(const SceneView& view, const PictureTexture& 
 }
 
 void set_light(const Program& program, const SceneView& view, const Eigen::Matrix4f& camera) {
-    const Light& light = view.light;
+    set_light(program, view.light, view.camera.eye);
     program.set("camera", camera);
-    program.set("eye", view.camera.eye);
-    program.set("to_key", Vec3f(light.to_key.normalized()));
-    program.set("to_fill", Vec3f(light.to_fill.normalized()));
-    program.set("key_irradiance", light.key);
-    program.set("fill_irradiance", light.fill);
-    program.set("sky_irradiance", light.sky);
-    program.set("bounce_irradiance", light.bounce);
 }
 
 Vec3f as_floats(const sim::Rgb8& colour) {
@@ -206,14 +200,14 @@ struct PreviewRenderer::Impl {
         surface.use();
         set_light(surface, view, camera);
         surface.set("body_share", 1.0F);
-        surface.set("openness", kBodyAmbientVisibility);
+        surface.set("ambient_visibility", kBodyAmbientVisibility);
         for (std::size_t i = 0; i < bodies.size(); ++i) {
             surface.set("body_colour", to_linear(scene->bodies[i].colour));
             set_material(scene->bodies[i].material);
             draw_surface(bodies[i]);
         }
         surface.set("body_share", 0.0F);
-        surface.set("openness", 1.0F);
+        surface.set("ambient_visibility", 1.0F);
         set_material({.gloss = 0.04F, .roughness = 0.3F, .sheen = 0});
         for (const PreviewSurface& solid : solids) draw_surface(solid);
     }
@@ -359,7 +353,7 @@ void PreviewCloth::fill_fixed(const ClothItem& item) {
     SELVEDGE_ASSERT(!is_painted_ || item.paint->places.size() == mesh.triangles.size());
     fixed_vertices_.clear();
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const std::size_t panel = mesh.panel.empty() ? 0 : mesh.panel[t];
+        const std::size_t panel = panel_of(mesh, t);
         const PanelTurn& turn = turns[panel < turns.size() ? panel : 0];
         const std::uint32_t level = mesh.level.empty() ? 0U : mesh.level[t];
         const std::uint32_t marks = level | marks_[t].seam << 8 | marks_[t].hem << 11;

@@ -134,7 +134,7 @@ void settle_surface(CurvedSurface& surface, std::span<const Vec4f> x, std::span<
     std::fill(surface.shown.begin(), surface.shown.end(), 1.0F);
     std::fill(surface.is_leaving.begin(), surface.is_leaving.end(), false);
     move_surface(surface, x, normals, move);
-    for (int round = 0; round < kMaxIterations && adapt_surface(surface, at_once).changed(); ++round) {
+    for (int i = 0; i < kMaxIterations && adapt_surface(surface, at_once).changed(); ++i) {
         move_surface(surface, x, normals, move);
     }
     update_light_normals(surface);

@@ -255,7 +255,7 @@ sim::AdaptReport set_surface_level(CurvedSurface& surface, int level) {
 
 namespace {
 
-constexpr int kRounds = 3;      // iterations, because the contact normal changes with the position
+constexpr int kIterations = 3;  // because the contact normal changes with the position
 constexpr float kNear = 1e-5F;  // m, tolerance of the offset surface
 
 }  // namespace
@@ -280,7 +280,7 @@ Vec4f Lift::lifted(const SurfacePlan::Point& point, const Vec4f& where) const {
     clear = std::max(still_clear(point.a), still_clear(point.b));
     if (clear > offset_ + body_->max_error()) return where;
     Vec4f x = where;
-    for (int round = 0; round < kRounds; ++round) {
+    for (int i = 0; i < kIterations; ++i) {
         const sim::Contact contact = body_->contact(x.head<3>());
         clear = contact.distance;
         const float lacking = offset_ - contact.distance;
