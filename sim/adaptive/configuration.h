@@ -29,7 +29,6 @@ using SplitMask = std::uint8_t;
 
 // Local points: 0 1 2 are V0 V1 V2, 3 4 5 are M0 M1 M2.
 using LocalPoint = std::uint8_t;
-inline constexpr std::size_t kLocalPoints = 6;
 
 // Local edges: 0 1 2 are E0 E1 E2; 3+2k is the child VkMk of Ek, 4+2k its child MkVk+1; 9 10 11 are the internal edges.
 using LocalEdge = std::uint8_t;

@@ -167,22 +167,6 @@ Mat3d free_edge_rigidity(const Vec3d& rigidity, const RestTriangle& triangle) {
     return full - moments * (free.transpose() * moments).inverse() * moments.transpose();
 }
 
-HingeRows hinge_rows(const RestTriangle& triangle) {
-    HingeRows rows = HingeRows::Zero();
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (!triangle.beyond[i]) continue;
-        const std::array<double, 4> q = hinge_row(triangle.own_side(i), *triangle.beyond[i]);
-        const auto set = [&](std::size_t point, double value) {
-            rows(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(point)) = value;
-        };
-        set(next(i), q[0]);
-        set(next(next(i)), q[1]);
-        set(i, q[2]);
-        set(3 + i, q[3]);
-    }
-    return rows;
-}
-
 Vec2f warp_direction(float grain_angle) {
     return {-std::sin(grain_angle), std::cos(grain_angle)};
 }

@@ -62,11 +62,6 @@ Mat3d curvature_map(const CurvatureFit& own, const std::array<FitBeside, 3>& bes
 // the energy minimised over the curvatures normal to those edges (static condensation).
 Mat3d free_edge_rigidity(const Vec3d& rigidity, const RestTriangle& triangle);
 
-// Derivatives of the hinge angles with respect to the heights of the six points, 1/m: corners, then the apex of each
-// edge's neighbour.
-using HingeRows = Eigen::Matrix<double, 3, 6>;
-HingeRows hinge_rows(const RestTriangle& triangle);
-
 // The warp and weft directions of a triangle as combinations of its edges.  (Baraff and Witkin 1998)
 
 // With e1 = x1 - x0, e2 = x2 - x0 the deformed warp direction is a[0] e1 + a[1] e2 and the deformed weft direction is

@@ -59,24 +59,15 @@ GarmentMesh assemble(const Pattern& pattern, const MeshOptions& options, PanelMe
 //        \|/
 int separate_coinciding_edges(GarmentMesh& unsewn);
 
-// A seam edge AB in the material coordinates of one of its two sides, m.
-struct EdgeCopy {
-    Vec2d a;
-    Vec2d b;
-};
+// The largest relative difference in length of two sides that are eased together; beyond it the longer side gathers.
+inline constexpr double kSeamEase = 0.05;
 
 struct SeamLengthOptions {
-    double ease = 0.05;  // largest relative length difference for averaging; beyond it the longer side gathers
+    double ease = kSeamEase;
 };
 
 // The rest length, m, of a seam edge from the lengths of its two sides: their average, or the shorter one if they
 // differ by more than options.ease (gathers). Symmetric in its arguments.  (thesis 4.3.1, fig. 4.5: always the average)
 double seam_rest_length(double left_length, double right_length, const SeamLengthOptions& options = {});
-
-// For lengths across a seam: the vertex `opposite` of the triangle on the side of `from`, in the material coordinates
-// of the side of `into`. It is rotated and translated (not scaled) so that `from` is parallel to `into` and their
-// midpoints coincide.  (thesis 4.3.2, fig. 4.6)
-// Pre: neither edge has zero length; both triangles are counter-clockwise; a and b are the same vertices in both.
-Vec2d unfold_across(const EdgeCopy& into, const EdgeCopy& from, const Vec2d& opposite);
 
 }  // namespace selvedge::sim

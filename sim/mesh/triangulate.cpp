@@ -56,11 +56,11 @@ struct PlanarMesh {
 // cube makes a few bad triangles count more than many moderate ones.
 double angle_penalty(const PlanarMesh& mesh);
 
-// Smooths the mesh. First `rounds` Lloyd iterations: each interior point moves to the weighted centroid of its
-// triangles; the iteration with the lowest penalty is kept. Then at most `rounds` iterations that move points of bad
-// triangles to where the smallest angle is largest, until the penalty no longer decreases. Retriangulates after each
-// iteration.
-void relax(PlanarMesh& mesh, const SizeField& size, int rounds);
+// Smooths the mesh. First `iterations` Lloyd iterations: each interior point moves to the weighted centroid of its
+// triangles; the iteration with the lowest penalty is kept. Then at most `iterations` iterations that move points of
+// bad triangles to where the smallest angle is largest, until the penalty no longer decreases. Retriangulates after
+// each iteration.
+void relax(PlanarMesh& mesh, const SizeField& size, int iterations);
 
 // Removes or adds single interior points at the worst triangles if that lowers the penalty.
 void heal(PlanarMesh& mesh, const SizeField& size);
@@ -512,8 +512,8 @@ bool take_if_better(PlanarMesh& mesh, std::vector<Vec2d> points) {
     return true;
 }
 
-void sharpen(PlanarMesh& mesh, const SizeField& size, int rounds) {
-    for (int round = 0; round < rounds; ++round) {
+void sharpen(PlanarMesh& mesh, const SizeField& size, int iterations) {
+    for (int i = 0; i < iterations; ++i) {
         if (!take_if_better(mesh, sharpened_points(mesh, size))) break;
     }
 }
@@ -581,15 +581,15 @@ double angle_penalty(const PlanarMesh& mesh) {
     return penalty;
 }
 
-void relax(PlanarMesh& mesh, const SizeField& size, int rounds) {
+void relax(PlanarMesh& mesh, const SizeField& size, int iterations) {
     PlanarMesh moving = mesh;  // the penalty may increase before it decreases
-    for (int round = 0; round < rounds; ++round) {
+    for (int i = 0; i < iterations; ++i) {
         auto moved = triangulate_anew(lloyd_points(moving, size), mesh.outline_count);
         if (!moved) break;
         moving = std::move(*moved);
         if (angle_penalty(moving) < angle_penalty(mesh)) mesh = moving;
     }
-    sharpen(mesh, size, rounds);
+    sharpen(mesh, size, iterations);
 }
 
 void heal(PlanarMesh& mesh, const SizeField& size) {

@@ -77,14 +77,19 @@ struct Sheet {
         const auto height = [&](const Vec2d& p) {
             return 0.5 * (curvature[0] * p.x() * p.x() + curvature[1] * p.y() * p.y() + curvature[2] * p.x() * p.y());
         };
-        Eigen::Matrix<double, 6, 1> heights = Eigen::Matrix<double, 6, 1>::Zero();
+        std::array<double, 3> corners{};
+        for (std::size_t i = 0; i < 3; ++i) corners[i] = height(points[std::size_t(triangles[t][i])]);
+        Vec3d angles = Vec3d::Zero();
         for (std::size_t i = 0; i < 3; ++i) {
-            heights[Eigen::Index(i)] = height(points[std::size_t(triangles[t][i])]);
             const auto [other, edge] = beside[t][i];
             if (other < 0) continue;
-            heights[Eigen::Index(3 + i)] = height(points[std::size_t(triangles[std::size_t(other)][edge])]);
+            const double apex = height(points[std::size_t(triangles[std::size_t(other)][edge])]);
+            const HingeSide own = rest[t].own_side(i), beyond = *rest[t].beyond[i];
+            const double start = corners[(i + 1) % 3], end = corners[(i + 2) % 3];
+            angles[Eigen::Index(i)] = (corners[i] - std::lerp(start, end, own.foot)) / own.height +
+                                      (apex - std::lerp(start, end, beyond.foot)) / beyond.height;
         }
-        return hinge_rows(rest[t]) * heights;
+        return angles;
     }
 };
 
