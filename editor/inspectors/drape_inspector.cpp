@@ -260,14 +260,14 @@ void draw_kept(InspectorContext& context) {
                     .title = "Keep this drape",
                     .tip = "Remembers how the cloth hangs now, to come back to."})) {
         state.kept.push_back(free_drape_name(state.kept, state.name));
-        session.keep(state.kept.back());
+        session.save_drape(state.kept.back());
         state.name.clear();
     }
     if (state.kept.empty()) return paragraph(context, "Drapes that are kept are listed here.");
     for (const std::string& kept : state.kept) {
         const std::string item = "drape.kept." + kept;
         if (ImGui::Selectable((elided(kept, ImGui::GetContentRegionAvail().x) + "##" + item).c_str())) {
-            session.restore(kept);
+            session.restore_drape(kept);
         }
         show_tip(kept + "\nClick to go back to it, where the panels still have the same mesh.");
         note_widget(context, item);

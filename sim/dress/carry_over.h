@@ -77,9 +77,9 @@ struct TransferredDrape {
     GarmentMesh mesh;  // level 0, sewn
 };
 
-// Gives `mesh`, the unsewn mesh of `after`, the shape of the current drape: sewn, refined by the criteria, at rest. Each
-// material point of a panel is placed where the corresponding point of the old panel was. Pre: compare() does not return
-// Kind. Throws InputError when the mesh cannot be sewn. deepest_level: the new cloth's.
+// Gives `mesh`, the unsewn mesh of `after`, the shape of the current drape: sewn, refined by the criteria, at rest.
+// Each material point of a panel is placed where the corresponding point of the old panel was. Pre: compare() does not
+// return Kind. Throws InputError when the mesh cannot be sewn. deepest_level: the new cloth's.
 TransferredDrape transfer_drape(const DrapeState& drape, const Pattern& after, GarmentMesh mesh,
                                 const std::vector<Fabric>& fabrics, const Collider& body,
                                 const AdaptClothOptions& adapting, int deepest_level);

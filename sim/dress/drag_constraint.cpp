@@ -104,8 +104,8 @@ bool DragConstraint::take_goal_change() {
 
 std::span<const KinematicVertex> DragConstraint::kinematic_target(const Cloth& cloth, const Collider& body,
                                                                   float seconds) {
-    led_.clear();
-    if (!drag_ || !drag_->held.vertex) return led_;
+    kinematic_.clear();
+    if (!drag_ || !drag_->held.vertex) return kinematic_;
     const VertexId v = drag_->held.vertex;
     const Vec3f x = cloth.x[v.value].head<3>();
     Vec3f way = (drag_->goal - x) * std::min(1.0F, kApproach * seconds);
@@ -115,8 +115,8 @@ std::span<const KinematicVertex> DragConstraint::kinematic_target(const Cloth& c
     to.y() = std::max(to.y(), ContactOptions{}.floor + ContactOptions{}.offset);
     // A projection that would jump around a limb is rejected: the vertex stays.
     if ((to - x).norm() > 2 * most) to = x;
-    led_.push_back({.vertex = v.value, .to = to});
-    return led_;
+    kinematic_.push_back({.vertex = v.value, .to = to});
+    return kinematic_;
 }
 
 std::vector<Vec3f> DragConstraint::pin_positions(const Cloth& cloth) const {

@@ -63,7 +63,7 @@ class DragConstraint {
     std::vector<Anchor> pins_;
     std::optional<Drag> drag_;
     std::vector<VertexId> held_;  // of the pins, then of the drag
-    std::vector<KinematicVertex> led_;
+    std::vector<KinematicVertex> kinematic_;
     bool goal_has_changed_ = false;
 };
 

@@ -105,7 +105,7 @@ void DrapeRun::fall_frame(Cloth& cloth, const Collider& body) {
     const float elapsed = static_cast<float>(result_.simulated_seconds - phase_start_);
     StepOptions stepping{.gravity = options_.gravity, .contact = options_.contact, .may_rest = options_.may_rest};
     stepping.extra_damping = kFallDamping + options_.damping_growth * elapsed;
-    // The update rates of the multipliers decrease as the garment comes to rest; otherwise they would keep it moving.
+    // The update rates of the biases decrease as the garment comes to rest; otherwise they would keep it moving.
     stepping.stretch_bias_rate *= learning_rate_scale_;
     stepping.shear_bias_rate *= learning_rate_scale_;
     AdaptClothOptions adapting = options_.adapt;

@@ -95,7 +95,7 @@ class DrapeRun {
     double at_rest_ = 0;             // s
     double fraction_ = 0;            // 0..1
     bool may_rejoin_ = true;         // it still moves fast enough
-    float learning_rate_scale_ = 1;  // of the stretch and shear multipliers
+    float learning_rate_scale_ = 1;  // of the biases of stretch and shear
     float usual_substep_ = 0;        // s
 };
 

@@ -84,7 +84,7 @@ Number clamped(Number value, Number low, Number high, Number otherwise) {
 // Clamps options to their valid ranges.
 SessionOptions within_limits(SessionOptions options) {
     const SessionOptions usual;
-    if (options.edge_length) options.edge_length = clamped(*options.edge_length, 0.005, 0.5, 0.05);
+    if (options.edge_length) options.edge_length = clamped(*options.edge_length, 0.005, 0.5, MeshOptions{}.target_edge);
     options.max_level = std::clamp(options.max_level, 0, kDeepestSessionLevel);
     options.shortest_edge = clamped(options.shortest_edge, 0.002, 1.0, usual.shortest_edge);
     CurvatureOptions& curvature = options.curvature;
@@ -95,8 +95,8 @@ SessionOptions within_limits(SessionOptions options) {
     return options;
 }
 
-// Requests.
-namespace ask {
+// What the session is asked for; each is carried out on its thread.
+namespace request {
 struct SetBody {
     std::shared_ptr<const Body> body;
 };
@@ -121,25 +121,26 @@ struct Pin {
     MaterialPoint at;
 };
 struct UnpinAll {};
-struct Keep {
+struct SaveDrape {
     std::string name;
 };
-struct Restore {
+struct RestoreDrape {
     std::string name;
 };
-struct Say {
+struct Message {
     std::string message;
 };
-}  // namespace ask
+}  // namespace request
 
-using Ask = std::variant<ask::SetBody, ask::SetPattern, ask::SetOptions, ask::Start, ask::Pause, ask::Reset, ask::Pull,
-                         ask::PullTo, ask::LetGo, ask::Pin, ask::UnpinAll, ask::Keep, ask::Restore, ask::Say>;
+using Request = std::variant<request::SetBody, request::SetPattern, request::SetOptions, request::Start, request::Pause,
+                             request::Reset, request::Pull, request::PullTo, request::LetGo, request::Pin,
+                             request::UnpinAll, request::SaveDrape, request::RestoreDrape, request::Message>;
 
 // Whether the newer request makes the older one, posted just before it, obsolete.
-bool supersedes(const Ask& newer, const Ask& older) {
+bool supersedes(const Request& newer, const Request& older) {
     if (newer.index() != older.index()) return false;
-    return std::holds_alternative<ask::SetPattern>(newer) || std::holds_alternative<ask::SetOptions>(newer) ||
-           std::holds_alternative<ask::SetBody>(newer) || std::holds_alternative<ask::PullTo>(newer);
+    return std::holds_alternative<request::SetPattern>(newer) || std::holds_alternative<request::SetOptions>(newer) ||
+           std::holds_alternative<request::SetBody>(newer) || std::holds_alternative<request::PullTo>(newer);
 }
 
 // What a session does with requests and between frames, without its thread.
@@ -150,20 +151,20 @@ class SessionState {
     }
 
     // Each carries out one request.
-    void operator()(ask::SetBody& asked);
-    void operator()(ask::SetPattern& asked);
-    void operator()(const ask::SetOptions& asked);
-    void operator()(ask::Start);
-    void operator()(ask::Pause);
-    void operator()(ask::Reset);
-    void operator()(const ask::Pull& asked);
-    void operator()(const ask::PullTo& asked);
-    void operator()(ask::LetGo);
-    void operator()(const ask::Pin& asked);
-    void operator()(ask::UnpinAll);
-    void operator()(const ask::Keep& asked);
-    void operator()(const ask::Restore& asked);
-    void operator()(ask::Say& asked) { say(std::move(asked.message)); }
+    void operator()(request::SetBody& request);
+    void operator()(request::SetPattern& request);
+    void operator()(const request::SetOptions& request);
+    void operator()(request::Start);
+    void operator()(request::Pause);
+    void operator()(request::Reset);
+    void operator()(const request::Pull& request);
+    void operator()(const request::PullTo& request);
+    void operator()(request::LetGo);
+    void operator()(const request::Pin& request);
+    void operator()(request::UnpinAll);
+    void operator()(const request::SaveDrape& request);
+    void operator()(const request::RestoreDrape& request);
+    void operator()(request::Message& request) { say(std::move(request.message)); }
 
     // Stops with the stage Failed and this error message, until something changes.
     void fail(const std::string& problem);
@@ -189,7 +190,7 @@ class SessionState {
     void sew();
     void sew_if_running();
     void say(std::string message);
-    void say_open_seams();
+    void report_open_seams();
     void advance_dressing();
 
     Dressing dressing_;
@@ -199,7 +200,7 @@ class SessionState {
     bool has_changed_ = true;
     std::string problem_;
     std::vector<std::string> messages_;
-    std::map<std::string, Dressing::Drape> kept_;
+    std::map<std::string, Dressing::Drape> saved_;
     FrameTimes times_;
     int splits_ = 0, rejoins_ = 0;                // in the last frame
     std::shared_ptr<const Cloth> cloth_at_rest_;  // a copy, made for the first frame at rest
@@ -248,17 +249,17 @@ void SessionState::fail(const std::string& problem) {
 
 // Simulation.
 
-void SessionState::operator()(ask::Start) {
+void SessionState::operator()(request::Start) {
     is_running_ = has_changed_ = true;
     if (has_failed_ || stage() == SessionStage::Placed) sew();
 }
 
-void SessionState::operator()(ask::Pause) {
+void SessionState::operator()(request::Pause) {
     is_running_ = false;
     has_changed_ = true;
 }
 
-void SessionState::operator()(ask::Reset) {
+void SessionState::operator()(request::Reset) {
     is_running_ = has_failed_ = false;
     has_changed_ = true;
     problem_.clear();
@@ -315,14 +316,14 @@ void SessionState::advance_dressing() {
         dressing_.reset();
         return fail("a value is not finite while it was sewn: do its panels stand where they can be sewn?");
     }
-    if (was_sewing) say_open_seams();
+    if (was_sewing) report_open_seams();
     if (after.bad_vertex) {
         fail("a value is not finite " +
              describe_place(*dressing_.cloth(), dressing_.drape().pattern, *after.bad_vertex));
     }
 }
 
-void SessionState::say_open_seams() {
+void SessionState::report_open_seams() {
     const Pattern& pattern = dressing_.pattern();
     for (const OpenSeam& open : dressing_.open_seams()) {
         say("seam '" + seam_name(pattern, pattern.seams[static_cast<std::size_t>(open.seam)]) +
@@ -332,11 +333,11 @@ void SessionState::say_open_seams() {
 
 // Changes between frames.
 
-void SessionState::operator()(ask::SetBody& asked) {
-    if (asked.body.get() == dressing_.body()) return;
+void SessionState::operator()(request::SetBody& request) {
+    if (request.body.get() == dressing_.body()) return;
     has_changed_ = true;
     try {
-        dressing_.set_body(std::move(asked.body));
+        dressing_.set_body(std::move(request.body));
     } catch (const InputError& error) {  // the body that the pattern names is none
         return fail(error.what());
     }
@@ -344,12 +345,12 @@ void SessionState::operator()(ask::SetBody& asked) {
     sew_if_running();
 }
 
-void SessionState::operator()(ask::SetPattern& asked) {
-    if (asked.pattern == dressing_.pattern() && problem_.empty()) return;
+void SessionState::operator()(request::SetPattern& request) {
+    if (request.pattern == dressing_.pattern() && problem_.empty()) return;
     has_changed_ = true;
-    const bool is_seen = compare(dressing_.pattern(), asked.pattern) != PatternChange::None;
+    const bool is_seen = compare(dressing_.pattern(), request.pattern) != PatternChange::None;
     try {
-        dressing_.set_pattern(std::move(asked.pattern));
+        dressing_.set_pattern(std::move(request.pattern));
     } catch (const InputError& error) {
         problem_ = error.what();
         return;
@@ -360,8 +361,8 @@ void SessionState::operator()(ask::SetPattern& asked) {
     sew_if_running();
 }
 
-void SessionState::operator()(const ask::SetOptions& asked) {
-    const SessionOptions options = within_limits(asked.options);
+void SessionState::operator()(const request::SetOptions& request) {
+    const SessionOptions options = within_limits(request.options);
     if (options == options_) return;
     const SessionOptions last = std::exchange(options_, options);
     has_changed_ = true;
@@ -379,39 +380,39 @@ void SessionState::operator()(const ask::SetOptions& asked) {
     sew_if_running();
 }
 
-void SessionState::operator()(const ask::Pull& asked) {
-    if (!has_failed_ && dressing_.pull(asked.at, asked.to)) has_changed_ = true;
+void SessionState::operator()(const request::Pull& request) {
+    if (!has_failed_ && dressing_.pull(request.at, request.to)) has_changed_ = true;
 }
 
-void SessionState::operator()(const ask::PullTo& asked) {
-    if (!has_failed_ && dressing_.pull_to(asked.to)) has_changed_ = true;
+void SessionState::operator()(const request::PullTo& request) {
+    if (!has_failed_ && dressing_.pull_to(request.to)) has_changed_ = true;
 }
 
-void SessionState::operator()(ask::LetGo) {
+void SessionState::operator()(request::LetGo) {
     if (dressing_.let_go()) has_changed_ = true;
 }
 
-void SessionState::operator()(const ask::Pin& asked) {
-    if (!has_failed_ && dressing_.pin(asked.at)) has_changed_ = true;
+void SessionState::operator()(const request::Pin& request) {
+    if (!has_failed_ && dressing_.pin(request.at)) has_changed_ = true;
 }
 
-void SessionState::operator()(ask::UnpinAll) {
+void SessionState::operator()(request::UnpinAll) {
     if (dressing_.unpin_all()) has_changed_ = true;
 }
 
-void SessionState::operator()(const ask::Keep& asked) {
+void SessionState::operator()(const request::SaveDrape& request) {
     if (!dressing_.is_hanging() || has_failed_)
-        return say("nothing hangs yet that could be kept as '" + asked.name + "'");
-    kept_.insert_or_assign(asked.name, dressing_.drape());
-    say("kept as '" + asked.name + "'");
+        return say("nothing hangs yet that could be kept as '" + request.name + "'");
+    saved_.insert_or_assign(request.name, dressing_.drape());
+    say("kept as '" + request.name + "'");
 }
 
-void SessionState::operator()(const ask::Restore& asked) {
-    const auto found = kept_.find(asked.name);
-    if (found == kept_.end()) return say("no drape was kept as '" + asked.name + "'");
-    if (dressing_.body() == nullptr) return say("there is no body to put '" + asked.name + "' on");
+void SessionState::operator()(const request::RestoreDrape& request) {
+    const auto found = saved_.find(request.name);
+    if (found == saved_.end()) return say("no drape was kept as '" + request.name + "'");
+    if (dressing_.body() == nullptr) return say("there is no body to put '" + request.name + "' on");
     if (!dressing_.restore(found->second))
-        return say("'" + asked.name + "' was kept of another cut: the pattern's pieces have changed since");
+        return say("'" + request.name + "' was kept of another cut: the pattern's pieces have changed since");
     cloth_at_rest_.reset();
     has_failed_ = false;
     has_changed_ = true;
@@ -464,7 +465,7 @@ class Session::Worker {
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
 
-    void put(Ask asked);
+    void put(Request request);
     std::shared_ptr<const SessionFrame> frame() const;
 
     // The material point of a point on a recent frame; nullopt when that frame or triangle is not available.
@@ -480,14 +481,14 @@ class Session::Worker {
     void work();
     void work_until_ended();
     bool has_ended() const;
-    std::vector<Ask> take_requests();
-    void apply(std::vector<Ask> all);
+    std::vector<Request> take_requests();
+    void apply(std::vector<Request> all);
     void publish();
     void wait(std::optional<Clock::time_point> until);
 
     mutable std::mutex mutex_;  // guards requests_, frames_ and has_ended_
     std::condition_variable wake_up_;
-    std::vector<Ask> requests_;
+    std::vector<Request> requests_;
     std::deque<std::shared_ptr<const SessionFrame>> frames_;  // the most recent ones, newest last
     bool has_ended_ = false;
 
@@ -513,13 +514,13 @@ Session::Worker::~Worker() {
     if (thread_.joinable()) thread_.join();
 }
 
-void Session::Worker::put(Ask asked) {
+void Session::Worker::put(Request request) {
     {
         const std::scoped_lock lock(mutex_);
-        if (!requests_.empty() && supersedes(asked, requests_.back())) {
-            requests_.back() = std::move(asked);
+        if (!requests_.empty() && supersedes(request, requests_.back())) {
+            requests_.back() = std::move(request);
         } else {
-            requests_.push_back(std::move(asked));
+            requests_.push_back(std::move(request));
         }
     }
     wake_up_.notify_all();
@@ -546,13 +547,13 @@ bool Session::Worker::has_ended() const {
     return has_ended_;
 }
 
-std::vector<Ask> Session::Worker::take_requests() {
+std::vector<Request> Session::Worker::take_requests() {
     const std::scoped_lock lock(mutex_);
     return std::exchange(requests_, {});
 }
 
-void Session::Worker::apply(std::vector<Ask> all) {
-    for (Ask& one : all) std::visit(state_, one);
+void Session::Worker::apply(std::vector<Request> all) {
+    for (Request& one : all) std::visit(state_, one);
 }
 
 void Session::Worker::publish() {
@@ -627,67 +628,67 @@ Session::Session(SessionDrive drive) : worker_(std::make_unique<Worker>(drive)) 
 Session::~Session() = default;
 
 void Session::set_body(std::shared_ptr<const Body> body) {
-    worker_->put(ask::SetBody{std::move(body)});
+    worker_->put(request::SetBody{std::move(body)});
 }
 
 void Session::set_pattern(const Pattern& pattern) {
-    worker_->put(ask::SetPattern{pattern});
+    worker_->put(request::SetPattern{pattern});
 }
 
 void Session::set_options(const SessionOptions& options) {
-    worker_->put(ask::SetOptions{options});
+    worker_->put(request::SetOptions{options});
 }
 
 void Session::start() {
-    worker_->put(ask::Start{});
+    worker_->put(request::Start{});
 }
 
 void Session::pause() {
-    worker_->put(ask::Pause{});
+    worker_->put(request::Pause{});
 }
 
 void Session::reset() {
-    worker_->put(ask::Reset{});
+    worker_->put(request::Reset{});
 }
 
 void Session::pull(const ClothPoint& point, const Vec3f& to) {
     if (const auto at = worker_->find(point)) {
-        worker_->put(ask::Pull{*at, to});
+        worker_->put(request::Pull{*at, to});
     } else {
-        worker_->put(ask::Say{"what was taken hold of is no longer there"});
+        worker_->put(request::Message{"what was taken hold of is no longer there"});
     }
 }
 
 void Session::pull_to(const Vec3f& to) {
-    worker_->put(ask::PullTo{to});
+    worker_->put(request::PullTo{to});
 }
 
 void Session::let_go() {
-    worker_->put(ask::LetGo{});
+    worker_->put(request::LetGo{});
 }
 
 void Session::pin(const ClothPoint& point) {
     if (const auto at = worker_->find(point)) {
-        worker_->put(ask::Pin{*at});
+        worker_->put(request::Pin{*at});
     } else {
-        worker_->put(ask::Say{"what was to be pinned is no longer there"});
+        worker_->put(request::Message{"what was to be pinned is no longer there"});
     }
 }
 
 void Session::unpin_all() {
-    worker_->put(ask::UnpinAll{});
+    worker_->put(request::UnpinAll{});
 }
 
 std::shared_ptr<const SessionFrame> Session::frame() const {
     return worker_->frame();
 }
 
-void Session::keep(const std::string& name) {
-    worker_->put(ask::Keep{name});
+void Session::save_drape(const std::string& name) {
+    worker_->put(request::SaveDrape{name});
 }
 
-void Session::restore(const std::string& name) {
-    worker_->put(ask::Restore{name});
+void Session::restore_drape(const std::string& name) {
+    worker_->put(request::RestoreDrape{name});
 }
 
 void Session::advance(int frames) {

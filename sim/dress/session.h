@@ -110,8 +110,8 @@ class Session {
     std::shared_ptr<const SessionFrame> frame() const;
 
     // Saves the current drape under a name, to restore it later.
-    void keep(const std::string& name);
-    void restore(const std::string& name);  // needs an unchanged base mesh; otherwise only a message is added
+    void save_drape(const std::string& name);
+    void restore_drape(const std::string& name);  // needs an unchanged base mesh; otherwise only a message is added
 
     // SessionDrive::Caller only: applies pending requests, then simulates up to `frames` frames of one adaptation and
     // its steps.

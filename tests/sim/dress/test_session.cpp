@@ -311,19 +311,19 @@ TEST_F(SessionOfTwoSquares, is_another_mesh_with_another_edge_length_and_hangs_o
 TEST_F(SessionOfTwoSquares, shows_a_kept_drape_again) {
     settle(session_);
     const auto kept = session_.frame();
-    session_.keep("first");
+    session_.save_drape("first");
     session_.reset();
     session_.advance(0);
-    session_.restore("first");
+    session_.restore_drape("first");
     session_.advance(0);
     EXPECT_EQ(session_.frame()->mesh, kept->mesh);
     EXPECT_EQ(session_.frame()->stage, SessionStage::Settled);
     split_edge(pattern_, 0, 0);
     session_.set_pattern(pattern_);
-    session_.restore("first");
+    session_.restore_drape("first");
     session_.advance(0);
     EXPECT_NE(session_.frame()->messages.back().find("another cut"), std::string::npos);
-    session_.restore("second");
+    session_.restore_drape("second");
     session_.advance(0);
     EXPECT_EQ(session_.frame()->messages.back(), "no drape was kept as 'second'");
 }
@@ -582,8 +582,8 @@ TEST(SessionThread, takes_whatever_is_asked_for_in_quick_succession) {
         if (round % 5 == 0) session.reset();
         session.start();
         session.pin({.frame = session.frame()->number, .triangle = 3});
-        session.keep("it");
-        session.restore("it");
+        session.save_drape("it");
+        session.restore_drape("it");
         if (round % 25 == 0) {  // ends while it sews, at another frame each time
             const auto last = static_cast<std::uint64_t>(2 + round / 25);
             ASSERT_TRUE(wait_until([&] { return session.frame()->number >= last; })) << "round " << round;
