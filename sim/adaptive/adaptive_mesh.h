@@ -15,6 +15,7 @@
 #include "sim/core/math.h"
 #include "sim/core/pool.h"
 #include "sim/mesh/garment_mesh.h"
+#include "sim/mesh/sew.h"
 
 namespace selvedge::sim {
 
@@ -96,8 +97,9 @@ inline std::size_t index_of(const AdaptiveTriangle& t, EdgeId e) {
 inline constexpr int kDeepestLevel = 15;
 
 struct AdaptiveMeshOptions {
-    int max_level = 3;        // the deepest level, 0..kDeepestLevel; edges of this level are not split
-    float seam_ease = 0.05F;  // a seam edge takes its sides' mean length if they differ by no more, else the shorter
+    int max_level = 3;  // the deepest level, 0..kDeepestLevel; edges of this level are not split
+    // A seam edge takes its sides' mean length if they differ by no more, else the shorter.
+    float seam_ease = static_cast<float>(kSeamEase);
 };
 
 // A transition observer that does nothing.
@@ -190,7 +192,7 @@ class AdaptiveMesh {
     void rejoin(EdgeId e);
     int retriangulate(int level, TransitionCounts* counts = nullptr);
 
-    // The same with another choice where two configurations conform, see sim/adaptive/adaptive_mesh.h. Calls
+    // The same with another choice where two configurations conform, see MinimalChange. Calls
     // watch.before(t) and watch.after(t) around each transition.
     template <class Choice, class Watch>
     int retriangulate(int level, TransitionCounts* counts, const Choice& choice, Watch& watch);

@@ -13,9 +13,9 @@
 
 namespace selvedge::sim {
 
-// Flat lists of the leaf elements, the only mesh data that the inner loops of simulation and drawing read.  (thesis
-// table 3.6) They are updated in place: new entries fill the gaps that removed ones leave, and entries from the end
-// fill the gaps that remain. Their order depends on the history of the mesh; the same history gives the same order.
+// Flat lists of the leaf elements, for loops over the mesh.  (thesis table 3.6) They are updated in place: new entries
+// fill the gaps that removed ones leave, and entries from the end fill the gaps that remain. Their order depends on the
+// history of the mesh; the same history gives the same order.
 
 struct LeafEdge {
     VertexId a, b;
@@ -54,7 +54,7 @@ struct LeafLists {
     std::vector<VertexId> vertices;
     std::vector<LeafEdge> edges;
     std::vector<LeafTriangle> triangles;
-    std::vector<Hinge> hinges;
+    std::vector<Hinge> hinges;  // the solver bends triangles (sim/cloth/triangle_bending.h) and does not read these
     std::vector<float> vertex_areas;  // m^2, by vertex id up to the capacity: a third of the area of adjacent leaves
 
     bool operator==(const LeafLists&) const = default;

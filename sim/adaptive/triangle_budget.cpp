@@ -12,7 +12,7 @@ constexpr float kGreatestCompression = 0.98F;  // maximum scaled split compressi
 }  // namespace
 
 TriangleBudget::TriangleBudget(const BudgetOptions& options) : options_(options) {
-    SELVEDGE_ASSERT(options.band > 0 && options.gain > 0 && options.min_scale < options.greatest_scale);
+    SELVEDGE_ASSERT(options.band > 0 && options.gain > 0 && options.min_scale < options.max_scale);
 }
 
 void TriangleBudget::start(const AdaptiveMesh& mesh) {
@@ -22,8 +22,8 @@ void TriangleBudget::start(const AdaptiveMesh& mesh) {
     upper_ = std::lround(target * (1 + options_.band));
     if (count_ < lower_ || count_ > upper_)
         scale_ *= std::exp(options_.gain * std::log(static_cast<float>(count_) / target));
-    scale_ = std::clamp(scale_, options_.min_scale, options_.greatest_scale);
-    is_at_end_ = scale_ >= options_.greatest_scale;
+    scale_ = std::clamp(scale_, options_.min_scale, options_.max_scale);
+    is_at_end_ = scale_ >= options_.max_scale;
 }
 
 CurvatureOptions scaled(const CurvatureOptions& options, float scale) {

@@ -14,11 +14,11 @@
 namespace selvedge::sim {
 
 struct BudgetOptions {
-    std::size_t target = 6000;    // leaf triangles
-    float band = 0.02F;           // tolerance: share of the target, above and below
-    float gain = 0.3F;            // of the controller, per adaptation
-    float min_scale = 0.01F;      // minimum scale of the thresholds: flat cloth is not split, however large the target
-    float greatest_scale = 8.0F;  // maximum scale; at this value surplus edges are rejoined whatever the criteria say
+    std::size_t target = 6000;  // leaf triangles
+    float band = 0.02F;         // tolerance: share of the target, above and below
+    float gain = 0.3F;          // of the controller, per adaptation
+    float min_scale = 0.01F;    // minimum scale of the thresholds: flat cloth is not split, however large the target
+    float max_scale = 8.0F;     // at this value surplus edges are rejoined whatever the criteria say
 };
 
 // Lives as long as the cloth. The observer of the adaptation must forward on_split and on_rejoin to it.

@@ -10,7 +10,7 @@
 namespace selvedge::sim {
 namespace {
 
-constexpr float kNotAsked = std::numeric_limits<float>::lowest();  // m: the depth of an edge that was not evaluated
+constexpr float kNotEvaluated = std::numeric_limits<float>::lowest();  // m: the depth of an edge that was not evaluated
 
 void put_point(std::vector<ContactBlock>& blocks, std::size_t i, const Vec4f& p) {
     if (i / kContactLanes >= blocks.size()) blocks.emplace_back();
@@ -33,13 +33,13 @@ std::span<const EdgeId> CollisionCriterion::noted() const {
 
 // Collects the noted edges and the finer edges that look-ahead needs, each once.
 void CollisionCriterion::gather(const AdaptiveMesh& mesh) const {
-    for (const EdgeId e : batch.asked) batch.depths[e.value] = kNotAsked;
-    batch.asked.clear();
-    batch.depths.resize(mesh.edges().capacity(), kNotAsked);
+    for (const EdgeId e : batch.evaluated) batch.depths[e.value] = kNotEvaluated;
+    batch.evaluated.clear();
+    batch.depths.resize(mesh.edges().capacity(), kNotEvaluated);
     const auto add = [&](EdgeId e) {
-        if (batch.depths[e.value] != kNotAsked) return;
+        if (batch.depths[e.value] != kNotEvaluated) return;
         batch.depths[e.value] = 0;
-        batch.asked.push_back(e);
+        batch.evaluated.push_back(e);
     };
     for (const EdgeId e : batch.edges) {
         add(e);
@@ -57,7 +57,7 @@ std::span<const EdgeId> CollisionCriterion::look(const AdaptiveMesh& mesh) const
     put_points(mesh);
     // Points farther away than this reach neither depth threshold, so their exact distance is not needed.
     body.contacts(batch.blocks, offset - std::min(split_depth, rejoin_depth));
-    for (std::size_t i = 0; i < batch.asked.size(); ++i) batch.depths[batch.asked[i].value] = depth(i);
+    for (std::size_t i = 0; i < batch.evaluated.size(); ++i) batch.depths[batch.evaluated[i].value] = depth(i);
     return edges;
 }
 
@@ -67,7 +67,7 @@ void CollisionCriterion::put_points(const AdaptiveMesh& mesh) const {
     batch.blocks.clear();
     batch.first.clear();
     std::size_t count = 0;
-    for (const EdgeId id : batch.asked) {
+    for (const EdgeId id : batch.evaluated) {
         batch.first.push_back(count);
         const AdaptiveEdge& edge = mesh.edge(id);
         const Vec4f &a = x[edge.ends[0].value], &b = x[edge.ends[1].value];
@@ -82,7 +82,7 @@ void CollisionCriterion::put_points(const AdaptiveMesh& mesh) const {
         }
     }
     batch.first.push_back(count);
-    const Vec4f& any = x[mesh.end(batch.asked.back(), 0).value];
+    const Vec4f& any = x[mesh.end(batch.evaluated.back(), 0).value];
     for (std::size_t lane = count; lane < kContactLanes * batch.blocks.size(); ++lane) {
         put_point(batch.blocks, lane, any);
     }

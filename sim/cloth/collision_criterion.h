@@ -14,7 +14,7 @@ class Collider;
 // Working memory of a batch evaluation, reused by later adaptations.
 struct CollisionBatch {
     std::vector<EdgeId> edges;         // the noted edges
-    std::vector<EdgeId> asked;         // the evaluated edges: the noted ones and the finer edges beside them
+    std::vector<EdgeId> evaluated;     // the evaluated edges: the noted ones and the finer edges beside them
     std::vector<std::size_t> first;    // index of the first sample point of each evaluated edge, and the total number
     std::vector<float> depths;         // by EdgeId, m: penetration at the last evaluation; lowest float: not evaluated
     std::vector<ContactBlock> blocks;  // scratch

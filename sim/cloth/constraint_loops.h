@@ -6,34 +6,34 @@
 
 namespace selvedge::sim {
 
-// Sums of stress between levels, and the update of the multipliers (biases) of the coarse strain limits.
+// Sums of stress between levels, and the update of the biases of the coarse strain limits.
 
 namespace {
 
 // Entries of LevelStress are read and written as points are. The inner triangles of one parent share vertices
 // pairwise, so within a colour no two have the same parent entry. The entry of "no triangle" may occur several times;
 // it is never written.
-[[gnu::always_inline]] inline Xyz load_places(const float* stress, const std::uint32_t* places) {
-    return lanes::transposed(lanes::gather_points(stress, places));
+[[gnu::always_inline]] inline Xyz load_stress(const float* stress, const std::uint32_t* offsets) {
+    return lanes::transposed(lanes::gather_points(stress, offsets));
 }
-[[gnu::always_inline]] inline bool are_all_of_triangles(const std::uint32_t* places) {
-    return lanes::bits(lanes::load_ints(places) == static_cast<std::int32_t>(kNoOffset)) == 0;
+[[gnu::always_inline]] inline bool are_all_of_triangles(const std::uint32_t* offsets) {
+    return lanes::bits(lanes::load_ints(offsets) == static_cast<std::int32_t>(kNoOffset)) == 0;
 }
-[[gnu::always_inline]] inline void put_rows(float* stress, const std::uint32_t* places, const Rows& rows) {
-    if (are_all_of_triangles(places)) return lanes::scatter_points(stress, places, rows);
+[[gnu::always_inline]] inline void store_rows(float* stress, const std::uint32_t* offsets, const Rows& rows) {
+    if (are_all_of_triangles(offsets)) return lanes::scatter_points(stress, offsets, rows);
     for (std::size_t i = 0; i < lanes::kCount; ++i) {
-        if (places[i] == kNoOffset) continue;
-        for (std::size_t k = 0; k < 4; ++k) stress[places[i] + k] = rows.row[i % 4][4 * (i / 4) + k];
+        if (offsets[i] == kNoOffset) continue;
+        for (std::size_t k = 0; k < 4; ++k) stress[offsets[i] + k] = rows.row[i % 4][4 * (i / 4) + k];
     }
 }
-[[gnu::always_inline]] inline void put_places(float* stress, const std::uint32_t* places, const Xyz& values) {
-    put_rows(stress, places, lanes::rows_of(values));
+[[gnu::always_inline]] inline void store_stress(float* stress, const std::uint32_t* offsets, const Xyz& values) {
+    store_rows(stress, offsets, lanes::rows_of(values));
 }
-[[gnu::always_inline]] inline void add_to_places(float* stress, const std::uint32_t* places, const Xyz& by) {
-    Rows sum = lanes::gather_points(stress, places);
+[[gnu::always_inline]] inline void add_stress(float* stress, const std::uint32_t* offsets, const Xyz& by) {
+    Rows sum = lanes::gather_points(stress, offsets);
     const Rows more = lanes::rows_of(by);
     for (int j = 0; j < 4; ++j) sum.row[j] = sum.row[j] + more.row[j];
-    put_rows(stress, places, sum);
+    store_rows(stress, offsets, sum);
 }
 [[gnu::always_inline]] inline Xyz sum_of(const Xyz& p, const Xyz& q) {
     return {p.x + q.x, p.y + q.y, p.z + q.z};
@@ -51,8 +51,8 @@ template <class Record>
 void prolong_stress(std::span<const LimitRecord> records, float* above) {
     for (const LimitRecord& record : records) {
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
-            const Xyz all = sum_of(load_places(above, &record.parent[at]), stress_of(record, at));
-            put_places(above, &record.place[at], all);
+            const Xyz all = sum_of(load_stress(above, &record.parent[at]), stress_of(record, at));
+            store_stress(above, &record.offset[at], all);
         }
     }
 }
@@ -67,11 +67,11 @@ void prolong_stress(std::span<const LimitRecord> records, float* above) {
 // Returns the sum at the triangle's entry and clears it; adds the sum and `more`, weighted by area, to the parent's
 // entry.
 [[gnu::always_inline]] inline Xyz take_sum(float* sums, const LimitRecord& record, std::size_t at, const Xyz& more) {
-    const Xyz inside = load_places(sums, &record.place[at]);
-    put_places(sums, &record.place[at], Xyz{});
+    const Xyz inside = load_stress(sums, &record.offset[at]);
+    store_stress(sums, &record.offset[at], Xyz{});
     const Xyz here = sum_of(inside, more);
     const Floats of_area = load_at(record.of_area, at);
-    add_to_places(sums, &record.parent[at], {here.x * of_area, here.y * of_area, here.z * of_area});
+    add_stress(sums, &record.parent[at], {here.x * of_area, here.y * of_area, here.z * of_area});
     return inside;
 }
 
@@ -102,10 +102,11 @@ struct Stress {
     const Floats coarse = Stress::tension(record, at, stress.coarse) / tension;
     const Floats per_tension = lanes::broadcast(2.0F) / (load_at(record.compliance[2], at) * tension);
     const Floats sheared = lanes::max(stress.all.z, -stress.all.z);
-    const Floats easy = lanes::min(lanes::min(sheared, load_at(record.bearable_shear, at)) * per_tension, one);
+    const Floats share_of_leaves =
+        lanes::min(lanes::min(sheared, load_at(record.bearable_shear, at)) * per_tension, one);
     const auto move = [&](std::size_t k, Floats by) {
-        const Floats allowed =
-            lanes::where(coarse < one - easy, by) + lanes::where(coarse >= one - easy, lanes::min(by, Floats{}));
+        const Floats allowed = lanes::where(coarse < one - share_of_leaves, by) +
+                               lanes::where(coarse >= one - share_of_leaves, lanes::min(by, Floats{}));
         move_bias(record.bias[k], at, allowed, gains.stretch, Floats{}, gains.most);
     };
     move(0, off.x);
@@ -122,7 +123,7 @@ void update_limit_biases(std::span<LimitBlock> blocks, std::span<LimitRecord> re
         LimitRecord& record = records[i];
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
             const Xyz own = stress_of(record, at);
-            const Xyz coarse = load_places(sums.above, &record.place[at]);
+            const Xyz coarse = load_stress(sums.above, &record.offset[at]);
             const Xyz all = sum_of(take_sum(sums.below, record, at, own), coarse);
             const Xyz off = take_sum(sums.off, record, at, Xyz{});
             move_biases(record, at, {.own = own, .coarse = coarse, .all = all}, off, gains);
@@ -137,10 +138,10 @@ struct Strains {
 
 // The shear strain; and the strain that friction between the yarns adds, whose anchor is updated.
 [[gnu::always_inline]] inline Floats shear_of(const YarnDirections& t) {
-    return dot(t.warp, t.weft) * t.warp_direction_share * t.weft_share;
+    return dot(t.warp, t.weft) * t.warp_arm * t.weft_arm;
 }
-[[gnu::always_inline]] inline Floats held_shear(StretchBlock& block, std::size_t at, Floats shear) {
-    const Floats off = held_within(shear - load_at(block.anchor, at), load_at(block.slip, at));
+[[gnu::always_inline]] inline Floats friction_shear(StretchBlock& block, std::size_t at, Floats shear) {
+    const Floats off = clamped(shear - load_at(block.anchor, at), load_at(block.slip, at));
     lanes::store(&block.anchor[at], shear - off);
     return off * load_at(block.stick, at);
 }
@@ -187,8 +188,8 @@ using Gains = Strains;
 template <class Block>
 [[gnu::always_inline]] inline Corners corrected(const Block& block, std::size_t at, const Corners& c,
                                                 const YarnDirections& t, const Strains& m) {
-    const Floats along_warp = m.shear * t.warp_direction_share;
-    const Floats along_weft = m.shear * t.weft_share;
+    const Floats along_warp = m.shear * t.warp_arm;
+    const Floats along_weft = m.shear * t.weft_arm;
     const auto force = [&](std::size_t i) {
         const Floats a = load_at(block.a[i], at), b = load_at(block.b[i], at);
         return lanes::rows_of(combined(t.warp, lanes::multiply_add(m.warp, a, along_warp * b), t.weft,
@@ -203,21 +204,21 @@ template <class Block>
 // Collects copies of the lanes beyond the fabric's strain limit, without gaps.
 struct OverLanes {
     OverBlock* blocks;
-    const OverBlock& spare;
+    const OverBlock& dummy;
     std::size_t count = 0;
 
     void add(const StretchBlock& from, std::size_t at) {
         OverBlock& to = blocks[count / kBlock];
-        const std::size_t place = count++ % kBlock;
-        if (place == 0) to = spare;
-        for (std::size_t k = 0; k < 3; ++k) to.vertices[k][place] = from.vertices[k][at];
+        const std::size_t into = count++ % kBlock;
+        if (into == 0) to = dummy;
+        for (std::size_t k = 0; k < 3; ++k) to.vertices[k][into] = from.vertices[k][at];
         for (std::size_t k = 0; k < 2; ++k) {
-            to.a[k][place] = from.a[k][at];
-            to.b[k][place] = from.b[k][at];
+            to.a[k][into] = from.a[k][at];
+            to.b[k][into] = from.b[k][at];
         }
-        to.warp[place] = from.warp[at];
-        to.weft[place] = from.weft[at];
-        to.longest[place] = from.longest[at];
+        to.warp[into] = from.warp[at];
+        to.weft[into] = from.weft[at];
+        to.longest[into] = from.longest[at];
     }
 };
 
@@ -225,14 +226,14 @@ template <bool keeps_multipliers>
 [[gnu::always_inline]] inline std::size_t stretch_loop(std::span<StretchBlock> blocks, StretchRecord* records,
                                                        float* points, OverLanes over) {
     for (StretchBlock& block : blocks) {
-        const bool rubs = has_positive(block.stick);
+        const bool has_friction = has_positive(block.stick);
         const bool gives = has_lane(block.push, [](Floats push) { return push <= 0.0F; });
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
             const Corners c = corners_of(block, at, points);
             YarnDirections t = directions(block, at, c.x0, c.x1, c.x2);
             normalise(t);
             Strains strains = biased_strains(block, at, t);
-            if (rubs) strains.shear = strains.shear + held_shear(block, at, shear_of(t));
+            if (has_friction) strains.shear = strains.shear + friction_shear(block, at, shear_of(t));
             Gains gains = gains_of(block, at);
             if (gives) gains = without_slack(block, at, strains, gains);
             const Strains m = relaxed(multipliers(block, at, strains, gains));
@@ -250,9 +251,9 @@ template <bool keeps_multipliers>
 }
 
 std::size_t solve_stretch(std::span<StretchBlock> blocks, StretchRecord* records, float* points, OverBlock* over,
-                          const OverBlock& spare) {
-    return records ? stretch_loop<true>(blocks, records, points, {over, spare})
-                   : stretch_loop<false>(blocks, nullptr, points, {over, spare});
+                          const OverBlock& dummy) {
+    return records ? stretch_loop<true>(blocks, records, points, {over, dummy})
+                   : stretch_loop<false>(blocks, nullptr, points, {over, dummy});
 }
 
 // Corrects only the excess of warp and weft over the fabric's strain limit.
@@ -288,7 +289,7 @@ template <bool keeps_multipliers>
             const Floats of_warp = warp * load_at(block.gain[0], at);
             const Floats of_weft = weft * load_at(block.gain[1], at);
             // With this bound the stress has no compressive principal component.
-            const Floats shear = held_within(load_at(block.shear, at), lanes::sqrt(of_warp * of_weft));
+            const Floats shear = clamped(load_at(block.shear, at), lanes::sqrt(of_warp * of_weft));
             if constexpr (keeps_multipliers) {
                 store_three(records[&block - blocks.data()].multiplier, at, of_warp, of_weft, shear);
             }
@@ -317,14 +318,17 @@ using Gradient = std::array<Floats, 3>;
     const Floats g0 = load_at(g[0], at), g1 = load_at(g[1], at);
     return {-(g0 + g1), g0, g1};
 }
-[[gnu::always_inline]] inline Floats weighed(const Gradient& f, const Gradient& g, const std::array<Floats, 3>& w) {
+[[gnu::always_inline]] inline Floats dot_weighted(const Gradient& f, const Gradient& g,
+                                                  const std::array<Floats, 3>& w) {
     return w[0] * f[0] * g[0] + w[1] * f[1] * g[1] + w[2] * f[2] * g[2];
 }
 
 // The spring of friction in shear is limited to what one iteration can apply.
 void update_stretch_masses(std::span<StretchBlock> blocks, std::span<const StretchRecord> records,
                            const float* inverse_masses) {
-    constexpr float kRoom = 0.25F;
+    // Minimum ratio of the spring to the fabric's shear stiffness. Where the fabric is so stiff that one iteration can
+    // apply no more than its stiffness (compliance -> 0), the spring makes it overshoot by this share.
+    constexpr float kMinSpring = 0.25F;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         StretchBlock& block = blocks[i];
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
@@ -332,12 +336,13 @@ void update_stretch_masses(std::span<StretchBlock> blocks, std::span<const Stret
                                           value_at(block.vertices[1], at, inverse_masses),
                                           value_at(block.vertices[2], at, inverse_masses)};
             const Gradient a = gradient(block.a, at), b = gradient(block.b, at);
-            const Floats of_warp = weighed(a, a, w), of_weft = weighed(b, b, w), cross = weighed(a, b, w);
+            const Floats of_warp = dot_weighted(a, a, w), of_weft = dot_weighted(b, b, w),
+                         cross = dot_weighted(a, b, w);
             const Floats warp = 1.0F / (of_warp + load_at(records[i].compliance[0], at));
             const Floats weft = 1.0F / (of_weft + load_at(records[i].compliance[1], at));
             const Floats compliance = load_at(records[i].compliance[2], at);
             const Floats of_shear = of_warp + of_weft - cross * cross * (warp + weft);
-            const Floats spring = lanes::min(compliance / lanes::max(of_shear, lanes::broadcast(kTiny)) + kRoom,
+            const Floats spring = lanes::min(compliance / lanes::max(of_shear, lanes::broadcast(kTiny)) + kMinSpring,
                                              lanes::broadcast(kStick));
             lanes::store(&block.warp[at], warp);
             lanes::store(&block.weft[at], weft);
@@ -359,7 +364,7 @@ void update_limit_masses(std::span<LimitBlock> blocks, std::span<LimitRecord> re
                 w[k] = lanes::where(mass > 0.0F, 1.0F / lanes::max(mass, lanes::broadcast(kTiny)));
             }
             const Gradient a = gradient(block.a, at), b = gradient(block.b, at);
-            const Floats of_warp = weighed(a, a, w), of_weft = weighed(b, b, w);
+            const Floats of_warp = dot_weighted(a, a, w), of_weft = dot_weighted(b, b, w);
             const std::array<Floats, 3> seen{of_warp, of_weft, of_warp + of_weft};
             std::array<Floats, 3> gain;
             for (std::size_t k = 0; k < 3; ++k) {
@@ -451,7 +456,7 @@ void update_bias(std::span<StretchBlock> blocks, std::span<const StretchRecord> 
         for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
             const YarnDirections t = mean_directions(block, at, points, before);
             const Xyz own = stress_of(record, at);
-            const Xyz all = sum_of(own, load_places(sums.above, &record.parent[at]));
+            const Xyz all = sum_of(own, load_stress(sums.above, &record.parent[at]));
             // Where the cloth is gathered, only tension is accumulated.
             const Floats push = load_at(block.push, at);
             const Floats least = push * lanes::broadcast(gains.least);
@@ -459,14 +464,14 @@ void update_bias(std::span<StretchBlock> blocks, std::span<const StretchRecord> 
             const Floats warp_off = t.warp_length - 1.0F - all.x;
             const Floats weft_off = t.weft_length - 1.0F - all.y;
             const Floats of_area = load_at(record.of_area, at);
-            add_to_places(sums.below, &record.parent[at], {own.x * of_area, own.y * of_area, own.z * of_area});
-            add_to_places(sums.off, &record.parent[at], {felt(warp_off) * of_area, felt(weft_off) * of_area, Floats{}});
+            add_stress(sums.below, &record.parent[at], {own.x * of_area, own.y * of_area, own.z * of_area});
+            add_stress(sums.off, &record.parent[at], {felt(warp_off) * of_area, felt(weft_off) * of_area, Floats{}});
             move_bias(block.bias[0], at, warp_off, gains.stretch, least, gains.most);
             move_bias(block.bias[1], at, weft_off, gains.stretch, least, gains.most);
             const Floats shear = dot(t.warp, t.weft);
-            const Floats damped_strain =
-                held_within(shear - load_at(block.anchor, at), load_at(block.slip, at)) * kStick;
-            move_bias(block.bias[2], at, shear + damped_strain - all.z, gains.shear,
+            // The full spring: the bias follows the fabric, not the stiffness that one iteration can apply.
+            const Floats friction_strain = clamped(shear - load_at(block.anchor, at), load_at(block.slip, at)) * kStick;
+            move_bias(block.bias[2], at, shear + friction_strain - all.z, gains.shear,
                       lanes::broadcast(-kMoreShear * gains.most), kMoreShear * gains.most);
         }
     }

@@ -68,7 +68,7 @@ class BlockColoring {
         colors_.push_back(color_for(vertices));
     }
 
-    // The slot of each constraint, in the order of add(): lane slot % kBlock of block slot / kBlock. Every colour
+    // The slot of each constraint, in the order of add(): number slot % kBlock in block slot / kBlock. Every colour
     // starts a new block.
     const std::vector<std::uint32_t>& assign();
     std::size_t block_count() const { return block_colors_.size(); }  // after assign()
@@ -124,9 +124,9 @@ class BlockColoring {
     std::uint32_t alone_ = 0;  // number of blocks with a single constraint
 };
 
-// Each constraint belongs to a triangle and has a slot: lane slot % kBlock of block slot / kBlock. It keeps its slot
+// Each constraint belongs to a triangle and has a slot: number slot % kBlock in block slot / kBlock. It keeps its slot
 // until it is removed. The cost of changes is proportional to their number. A free slot holds a dummy constraint, which
-// refers only to the dummy vertex `spare_point`.
+// refers only to the vertex `dummy_vertex`.
 template <class Block, class Record>
 class ConstraintSet {
  public:
@@ -138,13 +138,13 @@ class ConstraintSet {
     // Makes all constraints anew. id_of(item): the triangle; corners_of(item): the vertices of its constraint;
     // set(item, slot) fills the slot.
     template <class Items, class IdOf, class CornersOf, class Set>
-    void make(const Items& items, std::size_t spare_point, const IdOf& id_of, const CornersOf& corners_of,
+    void make(const Items& items, std::size_t dummy_vertex, const IdOf& id_of, const CornersOf& corners_of,
               const Set& set) {
-        coloring.start(spare_point);
+        coloring.start(dummy_vertex);
         for (const auto& item : items) coloring.add(corners_of(item));
         const std::vector<std::uint32_t>& slots = coloring.assign();
-        blocks.assign(coloring.block_count(), spare_block<Block>(spare_point));
-        records.assign(coloring.block_count(), spare_record<Record>());
+        blocks.assign(coloring.block_count(), dummy_block<Block>(dummy_vertex));
+        records.assign(coloring.block_count(), dummy_record<Record>());
         slot_of_.clear();
         for (std::size_t i = 0; i < slots.size(); ++i) {
             set(items[i], slots[i]);
@@ -156,12 +156,12 @@ class ConstraintSet {
 
     // set(slot) fills the slot. Pre: the triangle has no slot; make() was called, possibly without items.
     template <std::size_t N, class Set>
-    void insert(TriangleId t, const std::array<std::uint32_t, N>& corners, std::size_t spare_point, const Set& set) {
+    void insert(TriangleId t, const std::array<std::uint32_t, N>& corners, std::size_t dummy_vertex, const Set& set) {
         SELVEDGE_ASSERT(slot_of(t) == kNoBlockSlot);
         const std::uint32_t slot = coloring.insert(corners);
         if (coloring.block_count() > blocks.size()) {
-            blocks.push_back(spare_block<Block>(spare_point));
-            records.push_back(spare_record<Record>());
+            blocks.push_back(dummy_block<Block>(dummy_vertex));
+            records.push_back(dummy_record<Record>());
         }
         dirty.mark_slot(slot);
         set(slot);
@@ -169,14 +169,14 @@ class ConstraintSet {
     }
 
     // Pre: the triangle has a slot.
-    void remove(TriangleId t, std::size_t spare_point) {
+    void remove(TriangleId t, std::size_t dummy_vertex) {
         const std::uint32_t slot = slot_of(t);
         SELVEDGE_ASSERT(slot != kNoBlockSlot);
         const std::size_t at = slot % kBlock;
         coloring.remove(slot, corners_at(blocks[slot / kBlock], at));
         dirty.mark_slot(slot);
-        copy_lane(spare_block<Block>(spare_point), blocks[slot / kBlock], at);
-        copy_lane(spare_record<Record>(), records[slot / kBlock], at);
+        copy_slot(dummy_block<Block>(dummy_vertex), blocks[slot / kBlock], at);
+        copy_slot(dummy_record<Record>(), records[slot / kBlock], at);
         slot_of_[t.value] = kNoBlockSlot;
     }
 
@@ -203,11 +203,11 @@ class ConstraintSet {
         for (const auto& [first, count] : coloring.runs()) visit(blocks_at(first, count), records_at(first, count));
     }
 
-    // Calls weigh(blocks, records), which computes gains, for each run of dirty blocks; then clears the dirty flags.
+    // Calls update(blocks, records), which computes gains, for each run of dirty blocks; then clears the dirty flags.
     template <class UpdateMasses>
-    void update_dirty_masses(const UpdateMasses& weigh) {
+    void update_dirty_masses(const UpdateMasses& update) {
         dirty.for_runs(
-            [&](std::size_t first, std::size_t count) { weigh(blocks_at(first, count), records_at(first, count)); });
+            [&](std::size_t first, std::size_t count) { update(blocks_at(first, count), records_at(first, count)); });
         dirty.clear();
     }
 

@@ -78,9 +78,9 @@ class SampleLists {
         std::uint32_t next = kNoBlockSlot;
         for (int i = 1; i <= count; ++i) {
             const float t = static_cast<float>(i) / static_cast<float>(count + 1);
-            const std::uint32_t lane = put_edge({edge.ends[0].value, edge.ends[1].value}, t);
-            contacts_.next[lane] = next;
-            next = lane;
+            const std::uint32_t slot = put_edge({edge.ends[0].value, edge.ends[1].value}, t);
+            contacts_.next[slot] = next;
+            next = slot;
         }
         contacts_.of_edge[e.value] = next;
     }
@@ -97,37 +97,37 @@ class SampleLists {
     }
 
     void remove(EdgeId e) {
-        for (std::uint32_t lane = contacts_.of_edge[e.value]; lane != kNoBlockSlot; lane = contacts_.next[lane]) {
-            const SampleBlock& block = contacts_.samples[lane / kBlock];
-            const std::size_t at = lane % kBlock;
-            contacts_.coloring.remove<2>(lane, {block.vertices[0][at] / 4, block.vertices[1][at] / 4});
-            clear(lane);
+        for (std::uint32_t slot = contacts_.of_edge[e.value]; slot != kNoBlockSlot; slot = contacts_.next[slot]) {
+            const SampleBlock& block = contacts_.samples[slot / kBlock];
+            const std::size_t at = slot % kBlock;
+            contacts_.coloring.remove<2>(slot, {block.vertices[0][at] / 4, block.vertices[1][at] / 4});
+            clear(slot);
         }
         contacts_.of_edge[e.value] = kNoBlockSlot;
     }
 
     void remove(TriangleId t) {
-        const std::uint32_t lane = contacts_.of_triangle[t.value];
-        if (lane == kNoBlockSlot) return;
-        contacts_.coloring.remove(lane, corners_at(contacts_.samples[lane / kBlock], lane % kBlock));
-        clear(lane);
+        const std::uint32_t slot = contacts_.of_triangle[t.value];
+        if (slot == kNoBlockSlot) return;
+        contacts_.coloring.remove(slot, corners_at(contacts_.samples[slot / kBlock], slot % kBlock));
+        clear(slot);
         contacts_.of_triangle[t.value] = kNoBlockSlot;
     }
 
     std::uint32_t put_edge(const std::array<std::uint32_t, 2>& v, float t) {
-        const auto spare = static_cast<std::uint32_t>(contacts_.vertices);
-        return put(contacts_.coloring.insert(v), {v[0], v[1], spare}, {1 - t, t, 0},
+        const auto dummy = static_cast<std::uint32_t>(contacts_.vertices);
+        return put(contacts_.coloring.insert(v), {v[0], v[1], dummy}, {1 - t, t, 0},
                    std::max(contacts_.friction[v[0]], contacts_.friction[v[1]]));
     }
 
-    std::uint32_t put(std::uint32_t lane, const std::array<std::uint32_t, 3>& v, const std::array<float, 3>& shares,
+    std::uint32_t put(std::uint32_t slot, const std::array<std::uint32_t, 3>& v, const std::array<float, 3>& shares,
                       float friction) {
         if (contacts_.coloring.block_count() > contacts_.samples.size()) {
-            contacts_.samples.push_back(spare_samples());
+            contacts_.samples.push_back(dummy_samples());
             contacts_.next.resize(contacts_.samples.size() * kBlock, kNoBlockSlot);
         }
-        SampleBlock& block = contacts_.samples[lane / kBlock];
-        const std::size_t at = lane % kBlock;
+        SampleBlock& block = contacts_.samples[slot / kBlock];
+        const std::size_t at = slot % kBlock;
         for (std::size_t k = 0; k < 3; ++k) {
             block.vertices[k][at] = 4 * v[k];
             block.shares[k][at] = shares[k];
@@ -135,14 +135,14 @@ class SampleLists {
         block.friction[at] = friction;
         block.slack[at] = ContactCacheArrays::kUnknown;
         ++contacts_.inserted;
-        return lane;
+        return slot;
     }
 
-    void clear(std::uint32_t lane) { copy_lane(spare_samples(), contacts_.samples[lane / kBlock], lane % kBlock); }
+    void clear(std::uint32_t slot) { copy_slot(dummy_samples(), contacts_.samples[slot / kBlock], slot % kBlock); }
 
-    SampleBlock spare_samples() const {
+    SampleBlock dummy_samples() const {
         constexpr float kFar = 1e6F;  // m
-        SampleBlock block = spare_block<SampleBlock>(contacts_.vertices);
+        SampleBlock block = dummy_block<SampleBlock>(contacts_.vertices);
         block.slack.fill(kFar);
         return block;
     }
@@ -152,7 +152,7 @@ class SampleLists {
 };
 
 void size_contacts(Cloth& cloth, ContactState& contacts) {
-    contacts.asked.resize(cloth.x.size() + 1, nothing_known());
+    contacts.query_point.resize(cloth.x.size() + 1, nothing_known());
     contacts.plane.resize(cloth.x.size() + 1, Vec4f::Zero());
     contacts.friction.resize(cloth.x.size() + 1, 0.0F);
 }
@@ -202,7 +202,7 @@ void update_contacts(Cloth& cloth, const ContactOptions& options, const SplitOnC
     const LeafChanges& changes = cloth.mesh.changes();
     for (const VertexId v : changes.vertices_removed) contacts.friction[v.value] = 0;
     for (const VertexId v : changes.vertices_added) {
-        contacts.asked[v.value] = nothing_known();
+        contacts.query_point[v.value] = nothing_known();
         contacts.friction[v.value] = 0;
     }
     for (const TriangleId t : changes.triangles_added) add_friction(cloth, contacts, t);
@@ -211,7 +211,7 @@ void update_contacts(Cloth& cloth, const ContactOptions& options, const SplitOnC
 
 void forget_contacts(Cloth& cloth) {
     reactivate(cloth);
-    std::fill(cloth.solver.contacts.asked.begin(), cloth.solver.contacts.asked.end(), nothing_known());
+    std::fill(cloth.solver.contacts.query_point.begin(), cloth.solver.contacts.query_point.end(), nothing_known());
     for (SampleBlock& block : cloth.solver.contacts.samples) {
         for (std::size_t at = 0; at < kBlock; ++at) {
             if (block.shares[0][at] > 0) block.slack[at] = ContactCacheArrays::kUnknown;
@@ -221,15 +221,15 @@ void forget_contacts(Cloth& cloth) {
 
 std::size_t sample_count(const ContactState& contacts) {
     std::size_t count = 0;
-    for (std::size_t lane = 0; lane < contacts.samples.size() * kBlock; ++lane) {
-        count += contacts.samples[lane / kBlock].shares[0][lane % kBlock] > 0 ? 1 : 0;
+    for (std::size_t slot = 0; slot < contacts.samples.size() * kBlock; ++slot) {
+        count += contacts.samples[slot / kBlock].shares[0][slot % kBlock] > 0 ? 1 : 0;
     }
     return count;
 }
 
-std::optional<Vec3f> sample_at(const ContactState& contacts, std::size_t lane, const std::vector<Vec4f>& x) {
-    const SampleBlock& block = contacts.samples[lane / kBlock];
-    const std::size_t at = lane % kBlock;
+std::optional<Vec3f> sample_at(const ContactState& contacts, std::size_t slot, const std::vector<Vec4f>& x) {
+    const SampleBlock& block = contacts.samples[slot / kBlock];
+    const std::size_t at = slot % kBlock;
     if (block.shares[0][at] <= 0) return std::nullopt;
     Vec3f sum = Vec3f::Zero();
     for (std::size_t k = 0; k < 3; ++k) {
@@ -254,21 +254,21 @@ void hold_vertices(Cloth& cloth, const Kernels& loops, const Collider& body, flo
     SolverState& solver = cloth.solver;
     ContactLimits limits = limits_for(body, options);
     limits.longest_move = longest_move;
-    const ContactCacheArrays known{floats(contacts.asked), floats(contacts.plane)};
-    auto& [asking, blocks] = contacts.scratch;
-    asking.resize(cloth.x.size() + kBlock);
+    const ContactCacheArrays known{floats(contacts.query_point), floats(contacts.plane)};
+    auto& [to_query, blocks] = contacts.scratch;
+    to_query.resize(cloth.x.size() + kBlock);
     const std::size_t count = loops.project_vertices(floats(solver.points), floats(solver.before), known,
-                                                     contacts.friction.data(), cloth.x.size(), limits, asking.data());
+                                                     contacts.friction.data(), cloth.x.size(), limits, to_query.data());
     if (count == 0) return;
-    const std::uint32_t spare = static_cast<std::uint32_t>(4 * (solver.points.size() - 1));
-    std::fill_n(asking.begin() + static_cast<std::ptrdiff_t>(count), kBlock, spare);
+    const std::uint32_t dummy = static_cast<std::uint32_t>(4 * (solver.points.size() - 1));
+    std::fill_n(to_query.begin() + static_cast<std::ptrdiff_t>(count), kBlock, dummy);
     blocks.resize((count + kBlock - 1) / kBlock);
     for (std::size_t i = 0; i < blocks.size() * kBlock; ++i) {
-        blocks[i / kBlock].set_point(i % kBlock, solver.points[asking[i] / 4].head<3>());
+        blocks[i / kBlock].set_point(i % kBlock, solver.points[to_query[i] / 4].head<3>());
     }
     body.contacts(blocks, limits.offset + kPlaneReach);
     for (std::size_t i = 0; i < blocks.size(); ++i) {
-        loops.store_query_and_project(blocks[i], &asking[i * kBlock], contacts.friction.data(), limits,
+        loops.store_query_and_project(blocks[i], &to_query[i * kBlock], contacts.friction.data(), limits,
                                       floats(solver.before), floats(solver.points), known);
     }
 }

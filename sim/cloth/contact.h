@@ -34,8 +34,8 @@ struct ContactCacheArrays {
     static constexpr float kInvalidBelow = -1;  // m: a slack below this means that the entry is invalid
     static constexpr float kUnknown = -10;      // m: the slack of an invalid entry
 
-    float* asked = nullptr;  // position of the last query; w: the slack, m
-    float* plane = nullptr;  // unit normal found there; w: the height above the offset surface, m
+    float* query_point = nullptr;  // position of the last query; w: the slack, m
+    float* plane = nullptr;        // unit normal found there; w: the height above the offset surface, m
 };
 
 // Samples: contact points on an edge or in the middle of a triangle. A free slot has a slack of 1,000 km.
@@ -43,7 +43,7 @@ struct alignas(64) SampleBlock {
     std::array<BlockPoints, 3> vertices{};  // none twice within a block; the third of an edge is the dummy vertex
     std::array<BlockFloats, 3> shares{};    // barycentric weights of the vertices; they sum to 1
     BlockFloats friction{};
-    std::array<BlockFloats, 3> asked{};  // m; this and the next three as in ContactCacheArrays
+    std::array<BlockFloats, 3> query_point{};  // m; this and the next three as in ContactCacheArrays
     BlockFloats slack{};
     std::array<BlockFloats, 3> normal{};
     BlockFloats height{};
@@ -51,7 +51,6 @@ struct alignas(64) SampleBlock {
 };
 
 struct Cloth;
-class Collider;
 struct Kernels;
 
 struct ContactOptions {
@@ -68,12 +67,12 @@ struct ContactOptions {
 using SplitOnContact = std::optional<SplitLimits>;
 
 struct ContactState {
-    std::vector<Vec4f> asked;     // by vertex, see ContactCacheArrays
-    std::vector<Vec4f> plane;     // by vertex
-    std::vector<float> friction;  // by vertex
+    std::vector<Vec4f> query_point;  // by vertex, see ContactCacheArrays
+    std::vector<Vec4f> plane;        // by vertex
+    std::vector<float> friction;     // by vertex
     std::vector<SampleBlock> samples;
     struct Scratch {
-        std::vector<std::uint32_t> asking;
+        std::vector<std::uint32_t> to_query;
         std::vector<ContactBlock> blocks;
     } scratch;
 
@@ -100,9 +99,9 @@ void update_contacts(Cloth& cloth, const ContactOptions& options = {}, const Spl
 // Invalidates the contact cache. Call it when the collider is another one or has moved.
 void forget_contacts(Cloth& cloth);
 
-// The number of samples; and the position of the sample in slot `lane` for vertex positions x, nullopt for a free slot.
+// The number of samples; and the position of the sample in `slot` for vertex positions x, nullopt for a free slot.
 std::size_t sample_count(const ContactState& contacts);
-std::optional<Vec3f> sample_at(const ContactState& contacts, std::size_t lane, const std::vector<Vec4f>& x);
+std::optional<Vec3f> sample_at(const ContactState& contacts, std::size_t slot, const std::vector<Vec4f>& x);
 
 // Moves the samples in Cloth::solver at least `offset` away from the collider. Friction reduces the tangential motion
 // since the last sub-step by up to the friction coefficient times the corrected depth.

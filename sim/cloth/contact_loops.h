@@ -31,9 +31,9 @@ struct ContactCache {
 };
 
 // x: the present positions; the other arguments: their entries in the contact cache.
-[[gnu::always_inline]] inline ContactCache near(const Xyz& x, const Xyz& asked, Floats slack, const Xyz& normal,
+[[gnu::always_inline]] inline ContactCache near(const Xyz& x, const Xyz& query_point, Floats slack, const Xyz& normal,
                                                 Floats height) {
-    const Xyz moved{x.x - asked.x, x.y - asked.y, x.z - asked.z};
+    const Xyz moved{x.x - query_point.x, x.y - query_point.y, x.z - query_point.z};
     const Floats squared = dot(moved, moved);
     const Floats free = lanes::max(slack, Floats{});
     const Ints is_near = squared >= free * free;
@@ -112,9 +112,9 @@ std::size_t project_vertices(float* points, const float* before, const ContactCa
         const Rows was = shortened(rows_at(points + i), from, longest_squared);
         for (std::size_t j = 0; j < 4; ++j) lanes::store(points + i + j * lanes::kCount, was.row[j]);
         const Xyz x = lanes::transposed(was);
-        const Rows asked = rows_at(known.asked + i), plane = rows_at(known.plane + i);
+        const Rows query_point = rows_at(known.query_point + i), plane = rows_at(known.plane + i);
         ContactCache here =
-            near(x, lanes::transposed(asked), fourth_of(asked), lanes::transposed(plane), fourth_of(plane));
+            near(x, lanes::transposed(query_point), fourth_of(query_point), lanes::transposed(plane), fourth_of(plane));
         const Ints moves = fourth_of(was) > 0.0F;
         const Ints below = (x.y < limits.floor) & moves;
         here.may_touch &= moves;
@@ -123,38 +123,38 @@ std::size_t project_vertices(float* points, const float* before, const ContactCa
             const Rows out = held(x, was, from, here, below, friction + first, limits);
             for (std::size_t j = 0; j < 4; ++j) lanes::store(points + i + j * lanes::kCount, out.row[j]);
         }
-        const unsigned asking = lanes::bits(here.needs_query & moves);
-        if (asking == 0) [[likely]]
+        const unsigned to_query = lanes::bits(here.needs_query & moves);
+        if (to_query == 0) [[likely]]
             continue;
         for (std::size_t k = 0; k < lanes::kCount; ++k) {
-            if ((asking >> lane_of_point(k) & 1U) != 0) found[n++] = static_cast<std::uint32_t>(i + 4 * k);
+            if ((to_query >> lane_of_point(k) & 1U) != 0) found[n++] = static_cast<std::uint32_t>(i + 4 * k);
         }
     }
     return n;
 }
 
-[[gnu::always_inline]] inline Xyz load_xyz(const ContactBlock& said, std::size_t at) {
-    return {lanes::load(&said.x[at]), lanes::load(&said.y[at]), lanes::load(&said.z[at])};
+[[gnu::always_inline]] inline Xyz load_xyz(const ContactBlock& result, std::size_t at) {
+    return {lanes::load(&result.x[at]), lanes::load(&result.y[at]), lanes::load(&result.z[at])};
 }
-[[gnu::always_inline]] inline Xyz load_normal(const ContactBlock& said, std::size_t at) {
-    return {lanes::load(&said.nx[at]), lanes::load(&said.ny[at]), lanes::load(&said.nz[at])};
+[[gnu::always_inline]] inline Xyz load_normal(const ContactBlock& result, std::size_t at) {
+    return {lanes::load(&result.nx[at]), lanes::load(&result.ny[at]), lanes::load(&result.nz[at])};
 }
 
-void store_query_and_project(const ContactBlock& said, const std::uint32_t* offsets, const float* friction,
+void store_query_and_project(const ContactBlock& result, const std::uint32_t* offsets, const float* friction,
                              const ContactLimits& limits, const float* before, float* points,
                              const ContactCacheArrays& known) {
     for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
         Floats mu{};
         for (std::size_t i = 0; i < lanes::kCount; ++i) mu[i] = friction[offsets[at + i] / 4] * limits.friction_scale;
-        const Xyz x = load_xyz(said, at), normal = load_normal(said, at);
-        const Floats height = lanes::load(&said.distance[at]) - limits.offset;
+        const Xyz x = load_xyz(result, at), normal = load_normal(result, at);
+        const Floats height = lanes::load(&result.distance[at]) - limits.offset;
         const Floats depth = lanes::max(-height, Floats{});
         const Xyz from = lanes::transposed(lanes::gather_points(before, offsets + at));
         const Rows as_it_was = lanes::gather_points(points, offsets + at);
         Rows moved = lanes::rows_of(project(x, from, normal, depth, mu));
         for (int j = 0; j < 4; ++j) moved.row[j] = lanes::with_w_components(moved.row[j], as_it_was.row[j]);
         lanes::scatter_points(points, offsets + at, moved);
-        lanes::scatter_points(known.asked, offsets + at, lanes::rows_of(x, height - limits.margin));
+        lanes::scatter_points(known.query_point, offsets + at, lanes::rows_of(x, height - limits.margin));
         lanes::scatter_points(known.plane, offsets + at, lanes::rows_of(normal, height));
     }
 }
@@ -168,7 +168,7 @@ void store_query_and_project(const ContactBlock& said, const std::uint32_t* offs
 }
 
 [[gnu::always_inline]] inline ContactCache near(const SampleBlock& block, std::size_t at, const Xyz& x) {
-    return near(x, load_three(block.asked, at), load_at(block.slack, at), load_three(block.normal, at),
+    return near(x, load_three(block.query_point, at), load_at(block.slack, at), load_three(block.normal, at),
                 load_at(block.height, at));
 }
 
@@ -186,13 +186,13 @@ SampleState locate_samples(const SampleBlock& block, const float* points, Contac
     return {needs_query != 0, touches != 0};
 }
 
-void store_query(const ContactBlock& said, const ContactLimits& limits, SampleBlock& block) {
+void store_query(const ContactBlock& result, const ContactLimits& limits, SampleBlock& block) {
     for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
-        const Xyz x = load_xyz(said, at), normal = load_normal(said, at);
-        const Floats height = lanes::load(&said.distance[at]) - limits.offset;
+        const Xyz x = load_xyz(result, at), normal = load_normal(result, at);
+        const Floats height = lanes::load(&result.distance[at]) - limits.offset;
         const Ints is_new = load_at(block.slack, at) < ContactCacheArrays::kInvalidBelow;
         lanes::store(&block.sunk[at], lanes::where(is_new, lanes::max(-height, Floats{})));
-        store_three(block.asked, at, x.x, x.y, x.z);
+        store_three(block.query_point, at, x.x, x.y, x.z);
         lanes::store(&block.slack[at], height - limits.margin);
         store_three(block.normal, at, normal.x, normal.y, normal.z);
         lanes::store(&block.height[at], height);

@@ -27,7 +27,7 @@ struct CorrectedPoints {
     float* correction = nullptr;  // displacement by the corrections of stretch and shear
 };
 
-// Gains and bounds of the update of the multipliers (biases).
+// Gains and bounds of the update of the biases.
 struct BiasGains {
     float stretch = 0;  // share of the strain error that is added to the bias of warp and weft
     float shear = 0;
@@ -83,9 +83,9 @@ struct Kernels {
     // One iteration over warp, weft and shear; also moves the anchors of friction. If `records` is given, the
     // multipliers are stored there. Constraints in which warp or weft was beyond the fabric's strain limit are copied
     // into `over`, which has room for as many blocks; returns the number of blocks used. Pre: all blocks have one
-    // colour. spare: a block of dummy constraints, for padding.
+    // colour. dummy: a block of dummy constraints, for padding.
     std::size_t (*solve_stretch)(std::span<StretchBlock> blocks, StretchRecord* records, float* points, OverBlock* over,
-                                 const OverBlock& spare);
+                                 const OverBlock& dummy);
 
     // Shortens warp and weft to the fabric's strain limit where they are longer.
     void (*limit_stretch)(std::span<const OverBlock> blocks, float* points);
@@ -131,14 +131,14 @@ struct Kernels {
                                     std::uint32_t* found);
 
     // Projects sixteen points with the collider's results in `said`, and stores these in the contact cache.
-    void (*store_query_and_project)(const ContactBlock& said, const std::uint32_t* offsets, const float* friction,
+    void (*store_query_and_project)(const ContactBlock& result, const std::uint32_t* offsets, const float* friction,
                                     const ContactLimits& limits, const float* before, float* points,
                                     const ContactCacheArrays& known);
 
     // Three steps for sixteen samples: computes their positions for a collider query; stores the results of the query
     // in the contact cache; projects those that touch.
     SampleState (*locate_samples)(const SampleBlock& block, const float* points, ContactBlock& at_points);
-    void (*store_query)(const ContactBlock& said, const ContactLimits& limits, SampleBlock& block);
+    void (*store_query)(const ContactBlock& result, const ContactLimits& limits, SampleBlock& block);
     void (*push_samples)(SampleBlock& block, const ContactLimits& limits, float* points, float* before);
 };
 

@@ -55,7 +55,7 @@ template <class Holds>
 }
 
 // `value` clamped to [-reach, reach].
-[[gnu::always_inline]] inline Floats held_within(Floats value, Floats reach) {
+[[gnu::always_inline]] inline Floats clamped(Floats value, Floats reach) {
     return lanes::min(lanes::max(value, -reach), reach);
 }
 
@@ -63,8 +63,7 @@ template <class Holds>
 struct YarnDirections {
     Xyz warp, weft;
     Floats warp_length, weft_length;
-    Floats warp_direction_share,
-        weft_share;  // their lengths, at most 1: a short yarn rotates further per displacement, so it moves less
+    Floats warp_arm, weft_arm;  // min(length, 1): a short yarn rotates further per displacement, so it moves less
 };
 
 template <class Block>
@@ -76,8 +75,8 @@ template <class Block>
             .weft = combined(e1, load_at(block.b[0], at), e2, load_at(block.b[1], at)),
             .warp_length = Floats{},
             .weft_length = Floats{},
-            .warp_direction_share = Floats{},
-            .weft_share = Floats{}};
+            .warp_arm = Floats{},
+            .weft_arm = Floats{}};
 }
 
 [[gnu::always_inline]] inline Floats normalise(Xyz& p) {
@@ -91,8 +90,8 @@ template <class Block>
 [[gnu::always_inline]] inline void normalise(YarnDirections& t) {
     t.warp_length = normalise(t.warp);
     t.weft_length = normalise(t.weft);
-    t.warp_direction_share = lanes::min(t.warp_length, lanes::broadcast(1.0F));
-    t.weft_share = lanes::min(t.weft_length, lanes::broadcast(1.0F));
+    t.warp_arm = lanes::min(t.warp_length, lanes::broadcast(1.0F));
+    t.weft_arm = lanes::min(t.weft_length, lanes::broadcast(1.0F));
 }
 
 struct Corners {

@@ -27,7 +27,7 @@ inline constexpr float kRestSeconds = 0.5F;
 inline constexpr float kKinematicReach = 1e-5F;
 
 struct RestingState {
-    std::vector<Vec4f> anchors;  // m, by vertex: the position when `quiet` was 0
+    std::vector<Vec4f> anchors;  // m, by vertex: the position when `still_seconds` was 0
     float still_seconds = 0;     // s without motion beyond kRestReach
     // The conditions of the last step.
     Vec3f gravity = Vec3f::Zero();

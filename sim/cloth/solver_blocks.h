@@ -7,8 +7,8 @@
 // sub-step (Macklin et al. 2019, "Small Steps"), so that stiffness has physical units.
 //
 // For stretch, one iteration per sub-step does not reach the strain that a load requires: cloth would hang too long. So
-// each condition has a multiplier (bias) in units of strain, which is updated slowly until strain and stress agree with
-// the fabric (Kernels::update_bias).
+// each condition has a bias: an accumulated strain (an integral term), added to the strain that the condition sees, and
+// updated slowly until strain and stress agree with the fabric (Kernels::update_bias).
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -55,9 +55,9 @@ inline constexpr float kLimitShare = 0.5F;
 // changes.
 inline constexpr float kMomentum = 0.3F;
 
-// Offset of a triangle's four floats in the arrays of LevelStress; kNoPlace stands for no triangle.
+// Offset of a triangle's four floats in the arrays of LevelStress; kNoOffset: no triangle.
 inline constexpr std::uint32_t kNoOffset = 0;
-inline std::uint32_t index_of(TriangleId t) {
+inline std::uint32_t stress_offset(TriangleId t) {
     return 4 * (t.value + 1);
 }
 
@@ -85,7 +85,7 @@ struct alignas(64) LimitBlock {
 
 // Data for Kernels::update_limit_biases. Stress is divided by stiffness: it is the strain that the fabric has under it.
 struct alignas(64) LimitRecord {
-    BlockPoints place{}, parent{};             // offsets of the triangle and of its parent in LevelStress
+    BlockPoints offset{}, parent{};            // offsets of the triangle and of its parent in LevelStress
     BlockFloats of_area{};                     // area of the triangle over that of its parent
     std::array<BlockFloats, 2> free_length{};  // maximum length of warp and weft at a bias of 0
     std::array<BlockFloats, 3> bias{};         // of warp and weft: reduction of that length; and of shear
@@ -153,10 +153,10 @@ struct alignas(64) BendRecord {
     std::array<BlockFloats, 6> stiffness{};  // multiplier per angle, symmetric as BendBlock::gain
     std::array<BlockFloats, 3> rigidity{};   // multiplier per curvature, of warp, weft and twist separately
     std::array<BlockFloats, 3> friction{};   // maximum multiplier
-    BlockPoints parent{};                    // offset of the parent triangle (see place_of), or kNoPlace
+    BlockPoints parent{};                    // offset of the parent triangle (see stress_offset), or kNoOffset
     BlockFloats of_area{};                   // area of the triangle over that of its parent
-    BlockFloats asked{};                     // requested share of the rigidity: 1 for leaves, else what was passed up
-    BlockFloats handed_up{};                 // remaining share, passed up to the parent
+    BlockFloats requested{};                 // requested share of the rigidity: 1 for leaves, else what was passed up
+    BlockFloats passed_up{};                 // remaining share, passed up to the parent
 };
 
 // Ratio of the spring of friction in shear to the fabric's shear stiffness: friction slips at a small part of the shear
@@ -172,14 +172,14 @@ struct EdgeCentre {
 
 inline constexpr std::uint32_t kNoBlockSlot = UINT32_MAX;
 
-// Access to single lanes. A block consists of rows of sixteen values of four bytes; `vertices` are the first rows.
+// Access to single slots. A block consists of rows of sixteen values of four bytes; `vertices` are the first rows.
 
 // A block of dummy constraints. All their vertices are the dummy vertex, whose index is one past those of the mesh and
 // which cannot move.
 template <class Block>
-Block spare_block(std::size_t spare_point) {
+Block dummy_block(std::size_t dummy_vertex) {
     Block block{};
-    for (BlockPoints& points : block.vertices) points.fill(static_cast<std::uint32_t>(4 * spare_point));
+    for (BlockPoints& points : block.vertices) points.fill(static_cast<std::uint32_t>(4 * dummy_vertex));
     if constexpr (std::is_same_v<Block, StretchBlock> || std::is_same_v<Block, OverBlock>)
         block.longest.fill(std::numeric_limits<float>::max());
     if constexpr (std::is_same_v<Block, StretchBlock>) block.push.fill(1);  // not gathered
@@ -192,7 +192,7 @@ Block spare_block(std::size_t spare_point) {
 
 // The record of such a block. Its compliances only keep the gains finite.
 template <class Record>
-Record spare_record() {
+Record dummy_record() {
     Record record{};
     if constexpr (!std::is_same_v<Record, BendRecord>) {
         for (BlockFloats& compliance : record.compliance) compliance.fill(1);
@@ -204,25 +204,25 @@ Record spare_record() {
 }
 
 template <class Block>
-void copy_lane(const Block& from, Block& to, std::size_t at) {
+void copy_slot(const Block& from, Block& to, std::size_t at) {
     constexpr std::size_t kValue = sizeof(float), kRow = kBlock * kValue;
     static_assert(sizeof(Block) % kRow == 0 && std::is_trivially_copyable_v<Block>);
     const auto* source = static_cast<const std::byte*>(static_cast<const void*>(&from));
     auto* target = static_cast<std::byte*>(static_cast<void*>(&to));
-    for (std::size_t place = at * kValue; place < sizeof(Block); place += kRow) {
-        std::memcpy(target + place, source + place, kValue);
+    for (std::size_t offset = at * kValue; offset < sizeof(Block); offset += kRow) {
+        std::memcpy(target + offset, source + offset, kValue);
     }
 }
 
-// Three values of one lane.
-inline Vec3f lane_of(const std::array<BlockFloats, 3>& rows, std::size_t at) {
+// Three values of one constraint.
+inline Vec3f values_at(const std::array<BlockFloats, 3>& rows, std::size_t at) {
     return {rows[0][at], rows[1][at], rows[2][at]};
 }
-inline void set_lane(std::array<BlockFloats, 3>& rows, std::size_t at, const Vec3f& values) {
+inline void set_values(std::array<BlockFloats, 3>& rows, std::size_t at, const Vec3f& values) {
     for (std::size_t k = 0; k < 3; ++k) rows[k][at] = values[static_cast<Eigen::Index>(k)];
 }
 
-// The vertex indices of one lane.
+// The vertex indices of one constraint.
 template <class Block>
 auto corners_at(const Block& block, std::size_t at) {
     std::array<std::uint32_t, std::tuple_size_v<decltype(Block::vertices)>> corners{};

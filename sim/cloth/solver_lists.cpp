@@ -9,18 +9,19 @@
 #include "sim/cloth/kernels.h"
 #include "sim/cloth/state_transfer.h"
 #include "sim/cloth/triangle_bending.h"
+#include "sim/mesh/sew.h"
 
 namespace selvedge::sim {
 namespace {
 
-// Whether the rest length of a seam edge is more than 5 % below its length in the triangle's own panel: there the cloth
-// is gathered, in puckers finer than the mesh.  (rest lengths of seams: thesis 4.3.1)
+// Whether the rest length of a seam edge is more than kSeamEase below its length in the triangle's own panel: there the
+// cloth is gathered, in puckers finer than the mesh.  (rest lengths of seams: thesis 4.3.1)
 bool has_gathered_side(const AdaptiveMesh& mesh, const AdaptiveTriangle& triangle) {
-    constexpr float kEase = 0.95F;
+    constexpr float kShortest = 1 - static_cast<float>(kSeamEase);
     for (std::size_t k = 0; k < 3; ++k) {
         const float own = (triangle.u[(k + 1) % 3] - triangle.u[k]).squaredNorm();
         const float rest = mesh.rest_length(triangle.edges[k]);
-        if (rest * rest < kEase * kEase * own) return true;
+        if (rest * rest < kShortest * kShortest * own) return true;
     }
     return false;
 }
@@ -58,13 +59,13 @@ void set_stretch(Cloth& cloth, TriangleId t, std::uint32_t slot) {
     block.push[at] = cloth.solver.lists.has_gathers && is_gathered(cloth.mesh, leaf) ? 0.0F : 1.0F;
     block.slip[at] = static_cast<float>(fabric.shear_hysteresis / (2 * fabric.shear)) / kStick;
     const SavedBias kept = saved_bias_of(cloth, t);
-    set_lane(block.bias, at, kept.value);
+    set_values(block.bias, at, kept.value);
     block.anchor[at] = kept.anchor;
     record.compliance[0][at] = compliance_of(cloth, frame, fabric.stretch_warp);
     record.compliance[1][at] = compliance_of(cloth, frame, fabric.stretch_weft);
     record.compliance[2][at] = compliance_of(cloth, frame, fabric.shear);
     const ParentOf& parent = cloth.solver.lists.parent_of[t.value];
-    record.parent[at] = parent.place;
+    record.parent[at] = parent.offset;
     record.of_area[at] = parent.of_area;
     constraints.triangle_of.resize(constraints.stretch.blocks.size() * kBlock, kNoBlockSlot);
     constraints.thirds.resize(constraints.stretch.blocks.size() * kBlock, 0.0F);
@@ -84,14 +85,14 @@ void make_stretch(Cloth& cloth) {
 
 void change_stretch(Cloth& cloth, const LeafChanges& changes) {
     Constraints& constraints = cloth.solver.constraints;
-    const std::size_t spare_point = cloth.solver.lists.vertices;
+    const std::size_t dummy_vertex = cloth.solver.lists.vertices;
     for (const TriangleId t : changes.triangles_removed) {
         save_bias(cloth, t);
         constraints.triangle_of[constraints.stretch.slot_of(t)] = kNoBlockSlot;
-        constraints.stretch.remove(t, spare_point);
+        constraints.stretch.remove(t, dummy_vertex);
     }
     for (const TriangleId t : changes.triangles_added) {
-        constraints.stretch.insert(t, indices(cloth.mesh.triangle(t).vertices), spare_point,
+        constraints.stretch.insert(t, indices(cloth.mesh.triangle(t).vertices), dummy_vertex,
                                    [&](std::uint32_t slot) { set_stretch(cloth, t, slot); });
     }
 }
@@ -101,8 +102,8 @@ void size_triangles(Cloth& cloth) {
     const std::size_t capacity = cloth.mesh.triangles().capacity();
     solver.lists.parent_of.resize(capacity);
     solver.lists.bearable_shear.resize(capacity + 1, 0.0F);
-    LevelStress& carried = solver.constraints.carried;
-    for (std::vector<Vec4f>* sums : {&carried.above, &carried.below, &carried.off}) {
+    LevelStress& stress = solver.constraints.stress;
+    for (std::vector<Vec4f>* sums : {&stress.above, &stress.below, &stress.off}) {
         sums->resize(capacity + 1, Vec4f::Zero());
     }
 }
@@ -115,74 +116,11 @@ void forget_triangles(SolverState& solver) {
         level.limits.forget();
         level.bend.forget();
     }
-    LevelStress& carried = solver.constraints.carried;
-    for (std::vector<Vec4f>* sums : {&carried.above, &carried.below, &carried.off}) sums->clear();
+    LevelStress& stress = solver.constraints.stress;
+    for (std::vector<Vec4f>* sums : {&stress.above, &stress.below, &stress.off}) sums->clear();
 }
 
-// Whether all blocks should be made anew: inserting slots one by one gives a worse memory layout than make().
-bool is_fragmented(const Cloth& cloth) {
-    const std::size_t leaves = cloth.mesh.leaf_triangles().size();
-    const SolverState& solver = cloth.solver;
-    return solver.lists.vertices != cloth.mesh.vertex_capacity() || solver.lists.inserted > leaves ||
-           solver.constraints.stretch.blocks.size() * kBlock > 2 * leaves + 64 * kBlock;
-}
-
-}  // namespace
-
-float compliance_of(const Cloth& cloth, const MaterialFrame& frame, double stiffness) {
-    const float own = static_cast<float>(stiffness) * (1 - kMomentum);
-    return 1 / (frame.area * cloth.substep * cloth.substep) / own;
-}
-
-void note_children(Cloth& cloth, TriangleId t) {
-    const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
-    std::vector<ParentOf>& parent_of = cloth.solver.lists.parent_of;
-    const float area = material_area(triangle.u);
-    for (std::size_t i = 0; i < layout(triangle.configuration).triangle_count; ++i) {
-        const TriangleId child = triangle.internal_triangles[i];
-        if (child.value >= parent_of.size()) parent_of.resize(cloth.mesh.triangles().capacity());
-        parent_of[child.value] = {index_of(t), material_area(cloth.mesh.triangle(child).u) / area};
-    }
-}
-
-void make_blocks(Cloth& cloth) {
-    SolverState& solver = cloth.solver;
-    save_biases(cloth);
-    save_bends(cloth);
-    solver.lists.vertices = cloth.mesh.vertex_capacity();
-    solver.lists.inserted = 0;
-    solver.lists.has_gathers = has_gathers(cloth.mesh);
-    solver.lists.spare = spare_block<OverBlock>(solver.lists.vertices);
-    const auto levels = static_cast<std::size_t>(cloth.mesh.max_level());
-    solver.constraints.parents.resize(levels);
-    forget_triangles(solver);
-    size_triangles(cloth);
-    for (int level = 0; level < cloth.mesh.max_level(); ++level) {
-        for (const TriangleId t : cloth.mesh.refined_triangles(level)) note_children(cloth, t);
-    }
-    make_stretch(cloth);
-    make_bending(cloth);
-    for (int level = 0; level < cloth.mesh.max_level(); ++level) make_limits(cloth, level);
-    list_centres(cloth);
-    update_effective_masses(cloth);
-}
-
-void change_blocks(Cloth& cloth) {
-    const LeafChanges& changes = cloth.mesh.changes();
-    cloth.solver.lists.inserted += changes.triangles_added.size();
-    if (is_fragmented(cloth)) {
-        make_blocks(cloth);
-        return;
-    }
-    size_triangles(cloth);
-    change_stretch(cloth, changes);
-    change_bending(cloth, changes);
-    change_limits(cloth, changes);
-    list_centres(cloth);
-    update_effective_masses(cloth);
-}
-
-namespace {
+// The coarse strain limits of refined triangles.
 
 // The free length of a coarse strain limit: yarns may stretch as the fabric does under a usual load.
 float longest_of(double stiffness, const Fabric& fabric) {
@@ -193,8 +131,8 @@ float longest_of(double stiffness, const Fabric& fabric) {
 
 using Limits = ConstraintSet<LimitBlock, LimitRecord>;
 
-void forget_stress(LevelStress& carried, TriangleId t) {
-    carried.above[t.value + 1].setZero();
+void forget_stress(LevelStress& stress, TriangleId t) {
+    stress.above[t.value + 1].setZero();
 }
 
 // Fills everything but the values that depend on masses. t: refined.
@@ -207,17 +145,17 @@ void set_limit(Cloth& cloth, TriangleId t, std::uint32_t slot) {
     const MaterialFrame frame = material_frame(triangle.u, cloth.material.grain_angles[triangle.panel]);
     set_frame(limits.blocks[slot / kBlock], at, triangle.vertices, frame);
     const std::array<double, 3> stiffness{fabric.stretch_warp, fabric.stretch_weft, fabric.shear};
-    set_lane(record.bias, at, saved_limit_of(cloth, t));
+    set_values(record.bias, at, saved_limit_of(cloth, t));
     for (std::size_t k = 0; k < 3; ++k) {
         record.compliance[k][at] = compliance_of(cloth, frame, stiffness[k]);
         if (k < 2) record.free_length[k][at] = longest_of(stiffness[k], fabric);
     }
     const ParentOf& parent = cloth.solver.lists.parent_of[t.value];
-    record.place[at] = index_of(t);
-    record.parent[at] = parent.place;
+    record.offset[at] = stress_offset(t);
+    record.parent[at] = parent.offset;
     record.of_area[at] = parent.of_area;
-    LevelStress& carried = cloth.solver.constraints.carried;
-    for (std::vector<Vec4f>* sums : {&carried.below, &carried.off}) (*sums)[t.value + 1].setZero();
+    LevelStress& stress = cloth.solver.constraints.stress;
+    for (std::vector<Vec4f>* sums : {&stress.below, &stress.off}) (*sums)[t.value + 1].setZero();
 }
 
 // Adds a triangle's part of bearable_shear (LimitRecord) to its parent: kMaxLeafShearBias times the stress per unit of
@@ -242,15 +180,13 @@ void add_bearable_shear_of_leaves(SolverState& solver) {
 void add_bearable_shear_of_limits(SolverState& solver, ParentLevel& parents) {
     for (LimitRecord& record : parents.limits.records) {
         for (std::size_t at = 0; at < kBlock; ++at) {
-            const float inside = solver.lists.bearable_shear[record.place[at] / 4];
+            const float inside = solver.lists.bearable_shear[record.offset[at] / 4];
             const float per_bias = record.per_shear[at] * record.compliance[2][at];
             record.bearable_shear[at] = inside;
             add_bearable_shear(solver.lists, record.parent[at], record.of_area[at], per_bias, inside);
         }
     }
 }
-
-}  // namespace
 
 void make_limits(Cloth& cloth, int level) {
     SolverState& solver = cloth.solver;
@@ -263,23 +199,24 @@ void make_limits(Cloth& cloth, int level) {
 // A released triangle was a leaf by then. An id that is in use again is treated as its new triangle.
 void change_limits(Cloth& cloth, const LeafChanges& changes) {
     Constraints& constraints = cloth.solver.constraints;
-    const std::size_t spare_point = cloth.solver.lists.vertices;
+    const std::size_t dummy_vertex = cloth.solver.lists.vertices;
     for (const TriangleId t : changes.refined_changed) {
         for (ParentLevel& level : constraints.parents) {
             if (level.limits.slot_of(t) == kNoBlockSlot) continue;
             save_limit(cloth, t, level);
-            forget_stress(constraints.carried, t);
-            level.limits.remove(t, spare_point);
+            forget_stress(constraints.stress, t);
+            level.limits.remove(t, dummy_vertex);
         }
     }
     for (const TriangleId t : changes.refined_changed) {
         const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
         if (is_leaf(triangle)) continue;
-        constraints.parents[triangle.level].limits.insert(t, indices(triangle.vertices), spare_point,
+        constraints.parents[triangle.level].limits.insert(t, indices(triangle.vertices), dummy_vertex,
                                                           [&](std::uint32_t slot) { set_limit(cloth, t, slot); });
     }
 }
 
+// Lists the centres of split edges that can move, level by level.
 void list_centres(Cloth& cloth) {
     for (int level = 0; level < cloth.mesh.max_level(); ++level) {
         std::vector<EdgeCentre>& centres = cloth.solver.constraints.parents[static_cast<std::size_t>(level)].centres;
@@ -292,6 +229,8 @@ void list_centres(Cloth& cloth) {
     }
 }
 
+// Computes the effective masses of the corners of refined triangles, level by level. Pre: list_centres() was called.
+//
 // A refined triangle moves the cloth around its corners along. So the effective mass of a vertex includes all vertices
 // that follow it: its own mass plus half of the effective mass of each edge centre between it and another vertex. Then
 // corrections conserve linear momentum. Floats are summed in doubles, so the order does not matter.
@@ -320,7 +259,9 @@ void list_limit_masses(Cloth& cloth) {
     }
 }
 
-// bearable_shear is recomputed for all triangles, because nearly every sum contains a changed value.
+// Computes the gains of dirty blocks from the masses, and bearable_shear from the gains of all blocks. Pre: the gains
+// of the leaves' blocks are up to date. bearable_shear is recomputed for all triangles, because nearly every sum
+// contains a changed value.
 void update_limit_masses(Cloth& cloth, const Kernels& loops) {
     SolverState& solver = cloth.solver;
     add_bearable_shear_of_leaves(solver);
@@ -331,6 +272,69 @@ void update_limit_masses(Cloth& cloth, const Kernels& loops) {
         });
         add_bearable_shear_of_limits(solver, parents);
     }
+}
+
+// Whether all blocks should be made anew: inserting slots one by one gives a worse memory layout than make().
+bool is_fragmented(const Cloth& cloth) {
+    const std::size_t leaves = cloth.mesh.leaf_triangles().size();
+    const SolverState& solver = cloth.solver;
+    return solver.lists.vertices != cloth.mesh.vertex_capacity() || solver.lists.inserted > leaves ||
+           solver.constraints.stretch.blocks.size() * kBlock > 2 * leaves + 64 * kBlock;
+}
+
+}  // namespace
+
+float compliance_of(const Cloth& cloth, const MaterialFrame& frame, double stiffness) {
+    const float own = static_cast<float>(stiffness) * (1 - kMomentum);
+    return 1 / (frame.area * cloth.substep * cloth.substep) / own;
+}
+
+void note_children(Cloth& cloth, TriangleId t) {
+    const AdaptiveTriangle& triangle = cloth.mesh.triangle(t);
+    std::vector<ParentOf>& parent_of = cloth.solver.lists.parent_of;
+    const float area = material_area(triangle.u);
+    for (std::size_t i = 0; i < layout(triangle.configuration).triangle_count; ++i) {
+        const TriangleId child = triangle.internal_triangles[i];
+        if (child.value >= parent_of.size()) parent_of.resize(cloth.mesh.triangles().capacity());
+        parent_of[child.value] = {stress_offset(t), material_area(cloth.mesh.triangle(child).u) / area};
+    }
+}
+
+void make_blocks(Cloth& cloth) {
+    SolverState& solver = cloth.solver;
+    save_biases(cloth);
+    save_bends(cloth);
+    solver.lists.vertices = cloth.mesh.vertex_capacity();
+    solver.lists.inserted = 0;
+    solver.lists.has_gathers = has_gathers(cloth.mesh);
+    solver.lists.dummy = dummy_block<OverBlock>(solver.lists.vertices);
+    const auto levels = static_cast<std::size_t>(cloth.mesh.max_level());
+    solver.constraints.parents.resize(levels);
+    forget_triangles(solver);
+    size_triangles(cloth);
+    for (int level = 0; level < cloth.mesh.max_level(); ++level) {
+        for (const TriangleId t : cloth.mesh.refined_triangles(level)) note_children(cloth, t);
+    }
+    make_stretch(cloth);
+    make_bending(cloth);
+    for (int level = 0; level < cloth.mesh.max_level(); ++level) make_limits(cloth, level);
+    list_centres(cloth);
+    update_effective_masses(cloth);
+}
+
+void change_blocks(Cloth& cloth) {
+    const LeafChanges& changes = cloth.mesh.changes();
+    cloth.solver.lists.inserted += changes.triangles_added.size();
+    if (is_fragmented(cloth)) {
+        make_blocks(cloth);
+        return;
+    }
+    size_triangles(cloth);
+    change_stretch(cloth, changes);
+    change_bending(cloth, changes);
+    change_limits(cloth, changes);
+    list_centres(cloth);
+    update_effective_masses(cloth);
 }
 
 namespace {

@@ -12,8 +12,8 @@ struct Cloth;
 
 // The parent of a triangle: the refined triangle that contains it.
 struct ParentOf {
-    std::uint32_t place = kNoOffset;  // offset in LevelStress
-    float of_area = 1;                // area of the triangle over that of the parent
+    std::uint32_t offset = kNoOffset;  // offset in LevelStress
+    float of_area = 1;                 // area of the triangle over that of the parent
 };
 
 // The constraints of the refined triangles of one level, and the centres of its split edges.
@@ -29,7 +29,7 @@ struct Constraints {
     ConstraintSet<StretchBlock, StretchRecord> stretch;  // of leaves
     ConstraintSet<BendBlock, BendRecord> bend;           // of leaves
     std::vector<ParentLevel> parents;                    // by level, coarse to fine
-    LevelStress carried;
+    LevelStress stress;
     std::vector<std::uint32_t> triangle_of;  // by slot of stretch: the TriangleId, or kNoBlockSlot
     std::vector<float> thirds;               // by slot of stretch: a third of the leaf's mass, kg
 };
@@ -61,11 +61,11 @@ struct SolverLists {
     // index of its first block. `over_counts`: the number of blocks of such copies, by run.
     std::vector<OverBlock> over;
     std::vector<std::size_t> over_counts;
-    OverBlock spare{};  // a block of dummy constraints
+    OverBlock dummy{};  // a block of dummy constraints
     FitScratch fits;
     TouchedScratch touched;
     std::vector<std::uint32_t> idle_bends;  // slots
-    std::vector<float> asked;               // by triangle id + 1: share of the rigidity passed up to it
+    std::vector<float> requested;           // by triangle id + 1: share of the rigidity passed up to it
     std::vector<float> bearable_shear;      // by triangle id + 1, see LimitRecord
     std::vector<std::vector<float>> masses_now;
     std::vector<double> mass_sums;
@@ -101,32 +101,12 @@ void set_frame(Block& block, std::size_t at, const std::array<VertexId, 3>& v, c
 // h^2), because the momentum of corrections provides the rest of the stiffness.  (Macklin et al. 2016)
 float compliance_of(const Cloth& cloth, const MaterialFrame& frame, double stiffness);
 
-// The coarse strain limits of refined triangles.
-
-struct Cloth;
-struct Kernels;
-
-void make_limits(Cloth& cloth, int level);
-void change_limits(Cloth& cloth, const LeafChanges& changes);
-
-// Lists the centres of split edges that can move, level by level.
-void list_centres(Cloth& cloth);
-
-// Computes the effective masses of the corners of refined triangles, level by level. Pre: list_centres() was called.
-void list_limit_masses(Cloth& cloth);
-
-// Computes the gains of dirty blocks from the masses, and bearable_shear from the gains of all blocks. Pre: the gains
-// of the leaves' blocks are up to date.
-void update_limit_masses(Cloth& cloth, const Kernels& loops);
-
 // Gains of the constraints, which convert an error into displacements of the vertices, from their inverse masses.
 //
 // The gains of a block depend only on its constraints and on the masses of its vertices, and an adaptation changes few
 // of them. So gains are recomputed only for dirty blocks: those with an added or removed constraint, with a vertex
 // whose mass differs from the one that the gains were computed for, or, for coarse bending, with another requested
 // share of the rigidity. The result has the same bits as a complete recomputation.
-
-struct Cloth;
 
 // Updates the gains of dirty blocks and of blocks with changed masses. Pre: masses are those of the present leaves.
 void update_effective_masses(Cloth& cloth);

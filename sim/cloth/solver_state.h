@@ -38,7 +38,7 @@ class SavedStates {
     std::vector<Entry> entries_;
 };
 
-// Saved state of a triangle: the multipliers (biases) of stretch and shear and the anchor of friction in shear. See
+// Saved state of a triangle: the biases of stretch and shear and the anchor of friction in shear. See
 // solver_blocks.h and state_transfer.h.
 struct SavedBias {
     Vec3f value = Vec3f::Zero();  // bias of warp, weft and shear of a leaf
@@ -64,7 +64,7 @@ struct SolverState {
     std::vector<Vec4f> before;      // positions one sub-step ago
     std::vector<Vec4f> lost;        // rounding errors of the last displacements
     std::vector<Vec4f> predicted;   // positions before the corrections by stretch and shear
-    std::vector<Vec4f> carried;     // predicted plus the momentum of corrections; scratch of solve_coarse_bend
+    std::vector<Vec4f> start;       // predicted plus the momentum of corrections; scratch of solve_coarse_bend
     std::vector<Vec4f> correction;  // displacements by stretch and shear in the last sub-step
     Constraints constraints;
     SolverLists lists;

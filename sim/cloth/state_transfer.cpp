@@ -39,11 +39,11 @@ bool is_kept(const Cloth& cloth, TriangleId t) {
 
 SavedBias bias_in(const Cloth& cloth, std::uint32_t slot) {
     const StretchBlock& block = cloth.solver.constraints.stretch.blocks[slot / kBlock];
-    return {.value = lane_of(block.bias, slot % kBlock), .anchor = block.anchor[slot % kBlock]};
+    return {.value = values_at(block.bias, slot % kBlock), .anchor = block.anchor[slot % kBlock]};
 }
 
 Vec3f limit_in(const ParentLevel& level, std::uint32_t slot) {
-    return lane_of(level.limits.records[slot / kBlock].bias, slot % kBlock);
+    return values_at(level.limits.records[slot / kBlock].bias, slot % kBlock);
 }
 
 // The area-weighted mean of the known states.
@@ -102,8 +102,8 @@ void rescale_biases(Cloth& cloth, float ratio) {
     for (ParentLevel& level : constraints.parents) {
         for (LimitRecord& record : level.limits.records) {
             for (std::size_t at = 0; at < kBlock; ++at) {
-                if (record.place[at] == kNoOffset) continue;
-                fit_slot(record, at, constraints.carried.above[record.place[at] / 4], ratio);
+                if (record.offset[at] == kNoOffset) continue;
+                fit_slot(record, at, constraints.stress.above[record.offset[at] / 4], ratio);
             }
         }
     }
@@ -198,7 +198,7 @@ SavedBend saved_bend_of(const Cloth& cloth, TriangleId t) {
     if (const SavedBend* const kept = cloth.solver.saved_bend.find(t, cloth.adaptations)) return *kept;
     const BendSlot slot = bend_slot(cloth, t);
     if (slot.block == nullptr) return {};
-    return {.anchor = lane_of(slot.block->anchor, slot.at), .is_known = slot.block->realised[slot.at] > 0};
+    return {.anchor = values_at(slot.block->anchor, slot.at), .is_known = slot.block->realised[slot.at] > 0};
 }
 
 void save_bend(Cloth& cloth, TriangleId t) {

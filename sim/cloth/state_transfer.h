@@ -1,5 +1,5 @@
 #pragma once
-// Transfer of the solver's accumulated state when the mesh changes: the multipliers (biases) of stretch and shear and
+// Transfer of the solver's accumulated state when the mesh changes: the biases of stretch and shear and
 // the anchors of internal friction. They are stored in the constraint blocks (solver_blocks.h). During an adaptation
 // the state of changed triangles is saved in SolverState::saved_bias and SolverState::saved_bend.
 #include <array>

@@ -20,7 +20,7 @@ struct Stepper {
     float* before() const { return floats(cloth.solver.before); }
     CorrectedPoints corrected() const {
         SolverState& solver = cloth.solver;
-        return {points(), floats(solver.predicted), floats(solver.carried), floats(solver.correction)};
+        return {points(), floats(solver.predicted), floats(solver.start), floats(solver.correction)};
     }
     // The share of a difference that decays within a step at that rate (1/s): 1 - exp(-rate * seconds).
     float share_at(float rate) const { return 1 - std::exp(-rate * step_seconds(cloth, options)); }
@@ -62,7 +62,7 @@ void Stepper::substep(int i) {
     add_momentum();
     solve_coarse_limits(is_last);
     solve_stretch(is_last);
-    for (int round = 0; round < options.limit_iterations; ++round) limit_stretch();
+    for (int iteration = 0; iteration < options.limit_iterations; ++iteration) limit_stretch();
     if (options.solve_more) options.solve_more(points());
     store_corrections();
     if (is_last) update_bias();
@@ -127,7 +127,7 @@ void Stepper::solve_coarse_bend(int interval) {
     SolverState& solver = cloth.solver;
     const auto bends = [&](const ParentLevel& level) { return level.interval <= static_cast<float>(interval); };
     if (std::ranges::none_of(solver.constraints.parents, bends)) return;
-    std::copy_n(solver.points.begin(), cloth.x.size(), solver.carried.begin());
+    std::copy_n(solver.points.begin(), cloth.x.size(), solver.start.begin());
     for (std::size_t level = 0; level < solver.constraints.parents.size(); ++level) {
         ParentLevel& parents = solver.constraints.parents[level];
         if (bends(parents)) {
@@ -150,7 +150,7 @@ void Stepper::solve_coarse_limits(bool is_last) {
 
 void Stepper::prolong_centres(std::size_t level) {
     SolverState& solver = cloth.solver;
-    loops.prolong_centres(solver.constraints.parents[level].centres, floats(solver.carried), points());
+    loops.prolong_centres(solver.constraints.parents[level].centres, floats(solver.start), points());
 }
 
 void Stepper::solve_bend(int interval) {
@@ -164,7 +164,7 @@ void Stepper::solve_stretch(bool is_last) {
     std::size_t run = 0, first = 0;
     cloth.solver.constraints.stretch.for_colors([&](auto blocks, auto records) {
         lists.over_counts[run++] =
-            loops.solve_stretch(blocks, is_last ? records.data() : nullptr, points(), &lists.over[first], lists.spare);
+            loops.solve_stretch(blocks, is_last ? records.data() : nullptr, points(), &lists.over[first], lists.dummy);
         first += blocks.size();
     });
 }
@@ -177,16 +177,16 @@ void Stepper::limit_stretch() {
     }
 }
 
-// Updates the multipliers (biases) from the present strain and stress. The stress of the refined triangles is first
+// Updates the biases from the present strain and stress. The stress of the refined triangles is first
 // summed coarse to fine (`above`); then leaves and refined triangles are updated fine to coarse (`below`, `off`).
 void Stepper::update_bias() {
     Constraints& constraints = cloth.solver.constraints;
     const BiasGains gains{.stretch = share_at(options.stretch_bias_rate), .shear = share_at(options.shear_bias_rate)};
-    LevelStress& carried = constraints.carried;
+    LevelStress& stress = constraints.stress;
     for (const ParentLevel& level : constraints.parents) {
-        loops.prolong_stress(level.limits.records, floats(carried.above));
+        loops.prolong_stress(level.limits.records, floats(stress.above));
     }
-    const StressSums sums{.above = floats(carried.above), .below = floats(carried.below), .off = floats(carried.off)};
+    const StressSums sums{.above = floats(stress.above), .below = floats(stress.below), .off = floats(stress.off)};
     constraints.stretch.for_colors(
         [&](auto blocks, auto records) { loops.update_bias(blocks, records, points(), before(), gains, sums); });
     for (std::size_t level = constraints.parents.size(); level-- > 0;) {
@@ -232,7 +232,7 @@ StepReport step(Cloth& cloth, const Collider& body, const StepOptions& options) 
     const std::size_t count = cloth.x.size() + 1;
     solver.points.resize(count);
     solver.before.resize(count);
-    solver.carried.resize(count);
+    solver.start.resize(count);
     solver.lost.resize(count, Vec4f::Zero());
     solver.predicted.resize(count);
     solver.correction.resize(count, Vec4f::Zero());

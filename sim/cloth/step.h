@@ -29,7 +29,7 @@ struct StepOptions {
     Vec3f gravity = Vec3f(0, -9.81F, 0);  // m/s^2
     float extra_damping = 0;              // 1/s, in addition to the fabrics' damping
     float internal_damping = 40;          // 1/s, of the relative motion of the corners of a triangle
-    float stretch_bias_rate = 3;          // 1/s, update rate of the multipliers (biases) of warp and weft, and of shear
+    float stretch_bias_rate = 3;          // 1/s, update rate of the biases of warp and weft, and of shear
     float shear_bias_rate = 1.2F;         // (solver_blocks.h). Higher rates are unstable, see docs/solver.md
     int limit_iterations = 2;             // extra iterations over triangles beyond the fabric's strain limit
     float max_move_per_substep = 0.005F;  // m, limit of displacement, so that vertices do not jump over thin parts

@@ -163,13 +163,13 @@ void set_element(const Cloth& cloth, TriangleId t, Level level, Fits& fits, Bend
     const Vec3d friction(0.5 * hysteresis, 0.5 * hysteresis, 0.25 * hysteresis);
     const double time = double(cloth.substep) * double(cloth.substep) * own.rest.area();
     set_symmetric(record.stiffness, at, time * map.transpose() * free_edge_rigidity(rigidity, own.rest) * map);
-    set_lane(record.rigidity, at, (time * rigidity).cast<float>());
-    set_lane(record.friction, at, (time * friction).cast<float>());
+    set_values(record.rigidity, at, (time * rigidity).cast<float>());
+    set_values(record.friction, at, (time * friction).cast<float>());
     block.has_friction[at] = hysteresis > 0 && std::max(warp, weft) > kMinRigidity ? 1.0F : 0.0F;
     const ParentOf& parent = cloth.solver.lists.parent_of[t.value];
-    record.parent[at] = parent.place;
+    record.parent[at] = parent.offset;
     record.of_area[at] = parent.of_area;
-    record.asked[at] = level == Level::Leaves ? 1.0F : 0.0F;
+    record.requested[at] = level == Level::Leaves ? 1.0F : 0.0F;
 }
 
 // The bending constraints of leaves, or of the refined triangles of one level.
@@ -186,7 +186,7 @@ struct BendLists {
         const SavedBend kept = saved_bend_of(cloth, t);
         block.realised[at] = kept.is_known ? 1.0F : 0.0F;
         const bool starts = !kept.is_known && level == Level::Leaves;
-        set_lane(block.anchor, at, starts ? curvature_now(cloth, block, at) : kept.anchor);
+        set_values(block.anchor, at, starts ? curvature_now(cloth, block, at) : kept.anchor);
     }
     void insert(Cloth& cloth, TriangleId t, Fits& fits) const {
         const Points points = points_about(cloth.mesh, t, level).points;
@@ -314,7 +314,7 @@ void change_refined(Cloth& cloth, const LeafChanges& changes) {
 void size_lists(SolverState& solver, const AdaptiveMesh& mesh) {
     const std::size_t capacity = mesh.triangles().capacity();
     solver.lists.touched.marks.resize(capacity, 0);
-    solver.lists.asked.resize(capacity + 1, 0.0F);
+    solver.lists.requested.resize(capacity + 1, 0.0F);
 }
 
 }  // namespace
@@ -382,7 +382,7 @@ namespace {
 void hand_up(SolverLists& lists, const std::vector<BendRecord>& records) {
     for (const BendRecord& record : records) {
         for (std::size_t at = 0; at < kBlock; ++at) {
-            lists.asked[record.parent[at] / 4] += record.of_area[at] * record.handed_up[at];
+            lists.requested[record.parent[at] / 4] += record.of_area[at] * record.passed_up[at];
         }
     }
 }
@@ -394,7 +394,7 @@ void update_bending_masses(Cloth& cloth, const Kernels& loops) {
     solver.constraints.bend.update_dirty_masses([&](auto blocks, auto records) {
         loops.update_bend_masses(blocks, records, solver.lists.inverse_masses.data());
     });
-    std::fill(solver.lists.asked.begin(), solver.lists.asked.end(), 0.0F);
+    std::fill(solver.lists.requested.begin(), solver.lists.requested.end(), 0.0F);
     hand_up(solver.lists, solver.constraints.bend.records);
 }
 
@@ -409,10 +409,10 @@ void update_coarse_bending_masses(Cloth& cloth, const Kernels& loops, int level)
     idle.clear();
     for (const TriangleId t : cloth.mesh.refined_triangles(level)) {
         const std::uint32_t slot = bend.slot_of(t);
-        float& asked = bend.records[slot / kBlock].asked[slot % kBlock];
-        const float now = solver.lists.asked[index_of(t) / 4];
-        if (asked != now) bend.dirty.mark_slot(slot);
-        asked = now;
+        float& requested = bend.records[slot / kBlock].requested[slot % kBlock];
+        const float now = solver.lists.requested[stress_offset(t) / 4];
+        if (requested != now) bend.dirty.mark_slot(slot);
+        requested = now;
         if (bend.blocks[slot / kBlock].realised[slot % kBlock] <= 0) idle.push_back(slot);
     }
     const float* const masses = solver.lists.masses[static_cast<std::size_t>(level)].data();
@@ -421,13 +421,13 @@ void update_coarse_bending_masses(Cloth& cloth, const Kernels& loops, int level)
     for (const std::uint32_t slot : idle) {
         CoarseBendBlock& block = bend.blocks[slot / kBlock];
         const std::size_t at = slot % kBlock;
-        if (block.realised[at] > 0) set_lane(block.anchor, at, curvature_now(cloth, block, at));
+        if (block.realised[at] > 0) set_values(block.anchor, at, curvature_now(cloth, block, at));
     }
     parents.interval = kNeverSolved;
     for (const TriangleId t : cloth.mesh.refined_triangles(level)) {
         const std::uint32_t slot = bend.slot_of(t);
         CoarseBendBlock& block = bend.blocks[slot / kBlock];
-        if (block.realised[slot % kBlock] <= 0) set_lane(block.anchor, slot % kBlock, Vec3f::Zero());
+        if (block.realised[slot % kBlock] <= 0) set_values(block.anchor, slot % kBlock, Vec3f::Zero());
         parents.interval = std::min(parents.interval, block.interval[slot % kBlock]);
     }
     hand_up(solver.lists, bend.records);

@@ -32,8 +32,8 @@ struct Fold {
     constexpr float kMinCosine = 0.02F;  // above -1
     constexpr float kMaxAngle = 3.2F;    // rad
     const Floats half = sine / lanes::max(cosine + 1.0F, lanes::broadcast(kMinCosine));
-    return held_within(lanes::multiply_add(half, lanes::broadcast(4.0F / 3), sine * lanes::broadcast(1.0F / 3)),
-                       lanes::broadcast(kMaxAngle));
+    return clamped(lanes::multiply_add(half, lanes::broadcast(4.0F / 3), sine * lanes::broadcast(1.0F / 3)),
+                   lanes::broadcast(kMaxAngle));
 }
 
 // edge: from corner i + 1 to corner i + 2; apex: from corner i + 1 to the apex; normal: unit normal of the triangle.
@@ -59,7 +59,7 @@ struct Fold {
 // element). The curvature used is the one expected after the whole iteration (BendBlock::settled). With the curvature
 // before it, each sub-step's free fall would drag the anchors along, and friction would creep.
 [[gnu::always_inline]] inline Xyz with_friction(BendBlock& block, std::size_t at, const Xyz& angles, Xyz multipliers,
-                                                Floats visited) {
+                                                Floats is_solved) {
     for (std::size_t k = 0; k < 3; ++k) {
         const Floats c0 = load_at(block.map[3 * k], at), c1 = load_at(block.map[3 * k + 1], at),
                      c2 = load_at(block.map[3 * k + 2], at);
@@ -67,9 +67,9 @@ struct Fold {
                                                 lanes::multiply_add(load_at(block.settled[3 * k + 1], at), angles.y,
                                                                     load_at(block.settled[3 * k + 2], at) * angles.z));
         const Floats anchor = load_at(block.anchor[k], at);
-        const Floats off = held_within(bent - anchor, load_at(block.slip[k], at));
+        const Floats off = clamped(bent - anchor, load_at(block.slip[k], at));
         lanes::store(&block.anchor[k][at],
-                     lanes::where(visited > 0.0F, bent - off) + lanes::where(visited <= 0.0F, anchor));
+                     lanes::where(is_solved > 0.0F, bent - off) + lanes::where(is_solved <= 0.0F, anchor));
         const Floats by = load_at(block.stick[k], at) * off;
         multipliers.x = lanes::multiply_add(c0, by, multipliers.x);
         multipliers.y = lanes::multiply_add(c1, by, multipliers.y);
@@ -97,7 +97,7 @@ template <class Block>
 // Forces follow the derivatives of the angles: they act along the normals of both sides of a hinge, so they do not
 // vanish where cloth is folded flat onto itself.  (Grinspun et al. 2006)
 template <bool has_friction, class Block>
-[[gnu::always_inline]] inline void bend_lanes(Block& block, std::size_t at, float* points, Floats visited) {
+[[gnu::always_inline]] inline void bend_lanes(Block& block, std::size_t at, float* points, Floats is_solved) {
     std::array<Rows, 6> kept;
     const auto read = [&](std::size_t i) { return lanes::gather_points(points, &block.vertices[i][at]); };
     const auto read_again = [&](std::size_t i) { return kReadsTwice ? read(i) : kept[i]; };
@@ -116,8 +116,8 @@ template <bool has_friction, class Block>
         fold_of(block, 2, at, e1, from_first(5), normal)};
     const Xyz angles{fold[0].angle, fold[1].angle, fold[2].angle};
     Xyz multipliers = gained(block, at, angles);
-    if constexpr (has_friction) multipliers = with_friction(block, at, angles, multipliers, visited);
-    const std::array<Floats, 3> m{multipliers.x * visited, multipliers.y * visited, multipliers.z * visited};
+    if constexpr (has_friction) multipliers = with_friction(block, at, angles, multipliers, is_solved);
+    const std::array<Floats, 3> m{multipliers.x * is_solved, multipliers.y * is_solved, multipliers.z * is_solved};
 
     // Per hinge: the impulse of the apex, and the impulse of the triangle's own corners along its normal. Where a hinge
     // is missing, a corner stands for the apex; the loop over the corners writes it last, with the right value.
@@ -143,11 +143,11 @@ template <class Block>
 [[gnu::always_inline]] inline void bend_block(Block& block, float* points, float most) {
     const bool has_friction = has_positive(block.has_friction);
     for (std::size_t at = 0; at < kBlock; at += lanes::kCount) {
-        const Floats visited = lanes::where(load_at(block.interval, at) <= most, lanes::broadcast(1.0F));
+        const Floats is_solved = lanes::where(load_at(block.interval, at) <= most, lanes::broadcast(1.0F));
         if (has_friction) {
-            bend_lanes<true>(block, at, points, visited);
+            bend_lanes<true>(block, at, points, is_solved);
         } else {
-            bend_lanes<false>(block, at, points, visited);
+            bend_lanes<false>(block, at, points, is_solved);
         }
     }
 }
@@ -259,20 +259,20 @@ template <class Block>
                                                  const std::array<Floats, 6>& w) {
     const Symmetric sigma = response(block, at, w);
     const Floats one = lanes::broadcast(1.0F);
-    const Floats asked = load_at(record.asked, at);
+    const Floats requested = load_at(record.requested, at);
     const Floats has_friction = load_at(block.has_friction, at);
     Symmetric stiffness;
     for (std::size_t i = 0; i < 6; ++i) stiffness[i] = load_at(record.stiffness[i], at);
     const Floats room =
         lanes::broadcast(kMaxStiffness) /
         (trace_of_product(stiffness, sigma) * lanes::multiply_add(has_friction, lanes::broadcast(kBendStick), one));
-    const Floats interval = one + lanes::where(asked * 4.0F <= room, one);
+    const Floats interval = one + lanes::where(requested * 4.0F <= room, one);
     const Floats most = room / (interval * interval);
     for (Floats& s : stiffness) s = s * interval;
-    lanes::store(&block.interval[at], lanes::where(asked >= kMinShare, interval) +
-                                          lanes::where(asked < kMinShare, lanes::broadcast(kNeverSolved)));
-    const Floats realised = lanes::where(asked >= kMinShare, lanes::min(asked, most));
-    lanes::store(&record.handed_up[at], lanes::where(asked >= kMinShare, asked - realised));
+    lanes::store(&block.interval[at], lanes::where(requested >= kMinShare, interval) +
+                                          lanes::where(requested < kMinShare, lanes::broadcast(kNeverSolved)));
+    const Floats realised = lanes::where(requested >= kMinShare, lanes::min(requested, most));
+    lanes::store(&record.passed_up[at], lanes::where(requested >= kMinShare, requested - realised));
     lanes::store(&block.realised[at], realised);
     for (Floats& s : stiffness) s = s * realised;
     const Matrix left = left_of_angles(stiffness, sigma);

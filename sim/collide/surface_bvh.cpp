@@ -327,7 +327,7 @@ struct SurfaceBvh::Builder {
 
     std::vector<Range> children_of(Range range) {
         std::vector<Range> halves{range};
-        for (int round = 0; round < 2; ++round) {
+        for (int iteration = 0; iteration < 2; ++iteration) {
             std::vector<Range> next;
             for (const Range& half : halves) {
                 if (half.size() <= kInPacket) {

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kEnough = 0.0015;   // relative error below which calibration stops
 constexpr double kPromised = 0.003;  // relative error above which a measure is reported as not met
-constexpr int kMaxRounds = 12;
+constexpr int kMaxIterations = 12;
 constexpr double kMaxClearance = 1.1;  // maximum of ShapeParameters::clearance
 constexpr double kClearanceStep = 0.05;
 
@@ -178,10 +178,10 @@ void report_stance(MeasureReport& report, const LegGap& gap, double stance, cons
     }
 }
 
-// Deforms, measures and corrects until all requested measures match, at most kMaxRounds times.
+// Deforms, measures and corrects until all requested measures match, at most kMaxIterations times.
 void calibrate(Mannequin& mannequin, ShapeParameters& shape, const MannequinBase& base, const MannequinOptions& options,
                const GirthValues& targets) {
-    for (int round = 1;; ++round) {
+    for (int iteration = 1;; ++iteration) {
         DeformedBody bent = bend_body(base, shape);
         mannequin.body.x = std::move(bent.x);
         mannequin.body.bones = make_bones(bent.landmarks.joints);
@@ -190,7 +190,7 @@ void calibrate(Mannequin& mannequin, ShapeParameters& shape, const MannequinBase
         const double worst = worst_error(readings, targets, options.measures, is_shoulder_free);
         const std::optional<double> stance = better_stance(shape.stance, wanted_stance(options), readings.leg_gap);
         ++mannequin.report.iterations;
-        if (round == kMaxRounds || (worst < kEnough && !stance)) {
+        if (iteration == kMaxIterations || (worst < kEnough && !stance)) {
             mannequin.report.readings = read_off(readings, bent.landmarks, options.measures);
             mannequin.report.messages = unmet(mannequin.report.readings, is_shoulder_free);
             report_stance(mannequin.report, readings.leg_gap, shape.stance, options);

@@ -210,7 +210,7 @@ class Solver {
     }
 
     void sweep() {
-        for (int round = 0; round < kMaxSweeps; ++round) {
+        for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
             bool has_moved = false;
             for (Block& block : blocks_) has_moved = move(block) || has_moved;
             if (!has_moved) return;

@@ -78,8 +78,8 @@ TEST(ConstraintSet, finds_by_its_triangle_what_was_made_and_inserted_and_not_wha
         }
     }
     for (const auto& [t, corners] : held) expect_holds(set, TriangleId(t), corners);
-    const StretchBlock spare = spare_block<StretchBlock>(kDummyVertex);
-    const StretchRecord spare_of_records = spare_record<StretchRecord>();
+    const StretchBlock dummy = dummy_block<StretchBlock>(kDummyVertex);
+    const StretchRecord spare_of_records = dummy_record<StretchRecord>();
     std::size_t used = 0;
     for (std::size_t slot = 0; slot < set.blocks.size() * kBlock; ++slot) {
         const std::size_t at = slot % kBlock;
@@ -91,8 +91,8 @@ TEST(ConstraintSet, finds_by_its_triangle_what_was_made_and_inserted_and_not_wha
         }
         const StretchBlock found = block;
         const StretchRecord found_record = record;
-        copy_lane(spare, block, at);
-        copy_lane(spare_of_records, record, at);
+        copy_slot(dummy, block, at);
+        copy_slot(spare_of_records, record, at);
         EXPECT_EQ(std::memcmp(&block, &found, sizeof block), 0);
         EXPECT_EQ(std::memcmp(&record, &found_record, sizeof record), 0);
     }
@@ -174,14 +174,14 @@ SortedCorners sorted_corners_at(const Block& block, std::size_t at) {
 // The constraints of all used slots. Fails if a block contains a vertex twice.
 template <class Block>
 std::multiset<SortedCorners> constraints_of(const std::vector<Block>& blocks, const Cloth& cloth) {
-    const std::uint32_t spare = static_cast<std::uint32_t>(cloth.mesh.vertex_capacity());
+    const std::uint32_t dummy = static_cast<std::uint32_t>(cloth.mesh.vertex_capacity());
     std::multiset<SortedCorners> found;
     for (const Block& block : blocks) {
         std::set<std::uint32_t> touched;
         for (std::size_t at = 0; at < kBlock; ++at) {
             const SortedCorners corners = sorted_corners_at(block, at);
-            if (corners.front() == spare) {
-                EXPECT_EQ(corners.back(), spare) << "a lane is spare as a whole";
+            if (corners.front() == dummy) {
+                EXPECT_EQ(corners.back(), dummy) << "a lane is spare as a whole";
                 continue;
             }
             const std::set<std::uint32_t> own(corners.begin(), corners.end());  // a missing hinge repeats a corner
@@ -234,12 +234,12 @@ void expect_each_leaf_in_its_lane(const Cloth& cloth) {
     const Constraints& constraints = cloth.solver.constraints;
     ASSERT_EQ(constraints.triangle_of.size(), constraints.stretch.blocks.size() * kBlock);
     std::set<std::uint32_t> seen;
-    for (std::size_t lane = 0; lane < constraints.triangle_of.size(); ++lane) {
-        if (constraints.triangle_of[lane] == kNoBlockSlot) continue;
-        const std::array<VertexId, 3>& v = cloth.mesh.triangle(TriangleId(constraints.triangle_of[lane])).vertices;
-        EXPECT_EQ(sorted_corners_at(constraints.stretch.blocks[lane / kBlock], lane % kBlock),
+    for (std::size_t slot = 0; slot < constraints.triangle_of.size(); ++slot) {
+        if (constraints.triangle_of[slot] == kNoBlockSlot) continue;
+        const std::array<VertexId, 3>& v = cloth.mesh.triangle(TriangleId(constraints.triangle_of[slot])).vertices;
+        EXPECT_EQ(sorted_corners_at(constraints.stretch.blocks[slot / kBlock], slot % kBlock),
                   sorted({v[0], v[1], v[2]}));
-        EXPECT_TRUE(seen.insert(constraints.triangle_of[lane]).second) << "twice";
+        EXPECT_TRUE(seen.insert(constraints.triangle_of[slot]).second) << "twice";
     }
     for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles()) EXPECT_TRUE(seen.contains(leaf.triangle.value));
     EXPECT_EQ(seen.size(), cloth.mesh.leaf_triangles().size());
@@ -320,14 +320,14 @@ TEST(BlockColoring, gives_the_lanes_of_what_goes_to_what_comes_and_keeps_colours
         }
         const auto among = [&](std::uint32_t least) { return least + static_cast<std::uint32_t>(random() % 20); };
         const Corners3 corners{among(0), among(20), among(40)};
-        const std::uint32_t lane = coloring.insert(corners);
-        EXPECT_LT(lane, coloring.block_count() * kBlock);
-        EXPECT_TRUE(by_lane.emplace(lane, corners).second) << "two in one lane";
+        const std::uint32_t slot = coloring.insert(corners);
+        EXPECT_LT(slot, coloring.block_count() * kBlock);
+        EXPECT_TRUE(by_lane.emplace(slot, corners).second) << "two in one lane";
     }
     std::set<std::pair<std::uint32_t, std::uint32_t>> touched;  // colour, vertex
-    for (const auto& [lane, corners] : by_lane) {
+    for (const auto& [slot, corners] : by_lane) {
         for (const std::uint32_t v : corners) {
-            EXPECT_TRUE(touched.insert({coloring.colors()[lane / kBlock], v}).second);
+            EXPECT_TRUE(touched.insert({coloring.colors()[slot / kBlock], v}).second);
         }
     }
     std::size_t next = 0;
@@ -351,15 +351,15 @@ std::map<SortedCorners, std::vector<float>> contents(const ConstraintSet<Block, 
         std::memcpy(values.data(), &rows, sizeof(rows));
         for (std::size_t i = at; i < values.size(); i += kBlock) to.push_back(values[i]);
     };
-    for (std::size_t lane = 0; lane < blocks.size() * kBlock; ++lane) {
-        const Block& block = blocks[lane / kBlock];
+    for (std::size_t slot = 0; slot < blocks.size() * kBlock; ++slot) {
+        const Block& block = blocks[slot / kBlock];
         SortedCorners corners;
-        for (const BlockPoints& points : block.vertices) corners.push_back(points[lane % kBlock] / 4);
+        for (const BlockPoints& points : block.vertices) corners.push_back(points[slot % kBlock] / 4);
         if (corners.front() == cloth.mesh.vertex_capacity()) continue;
         EXPECT_FALSE(found.contains(corners)) << "twice";
         std::vector<float>& values = found[corners];
-        add_column(block, lane % kBlock, values);
-        if constexpr (!std::is_same_v<Record, StretchRecord>) add_column(records[lane / kBlock], lane % kBlock, values);
+        add_column(block, slot % kBlock, values);
+        if constexpr (!std::is_same_v<Record, StretchRecord>) add_column(records[slot / kBlock], slot % kBlock, values);
     }
     return found;
 }

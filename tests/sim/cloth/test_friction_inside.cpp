@@ -100,7 +100,7 @@ struct Roll {
         double sum = 0, area = 0;
         for (const LeafTriangle& leaf : cloth.mesh.leaf_triangles()) {
             const BendSlot slot = bend_slot(cloth, leaf.triangle);
-            if (lane_of(slot.block->own, slot.at).minCoeff() <= 0) continue;
+            if (values_at(slot.block->own, slot.at).minCoeff() <= 0) continue;
             const double a = double(material_area(leaf.u));
             sum += a * double(curvature_now(cloth, *slot.block, slot.at).x());
             area += a;
@@ -244,12 +244,12 @@ struct Shearing {
         const Kernels& loops = kernels(simd_level());
         std::vector<Vec4f> points = solver_points(cloth, cloth.x);
         std::vector<Vec4f> before = points;
-        const StressSums sums{.above = floats(constraints.carried.above),
-                              .below = floats(constraints.carried.below),
-                              .off = floats(constraints.carried.off)};
+        const StressSums sums{.above = floats(constraints.stress.above),
+                              .below = floats(constraints.stress.below),
+                              .off = floats(constraints.stress.off)};
         for (int i = 0; i < 20; ++i) {
             loops.solve_stretch(constraints.stretch.blocks, constraints.stretch.records.data(), floats(points),
-                                cloth.solver.lists.over.data(), cloth.solver.lists.spare);
+                                cloth.solver.lists.over.data(), cloth.solver.lists.dummy);
             loops.update_bias(constraints.stretch.blocks, constraints.stretch.records, floats(points), floats(before),
                               {.shear = 1}, sums);
         }
@@ -311,7 +311,7 @@ void bend_at_random(Cloth& cloth, unsigned seed) {
 // The anchor of friction of a leaf or a refined triangle.
 Vec3f anchor_of(const Cloth& cloth, TriangleId t) {
     const BendSlot slot = bend_slot(cloth, t);
-    return lane_of(slot.block->anchor, slot.at);
+    return values_at(slot.block->anchor, slot.at);
 }
 
 struct AnchoredLeaf {

@@ -91,11 +91,11 @@ void centre_split_edges(Cloth& cloth) {
 // Solves blocks of refined triangles of one level and moves the vertices that follow their corners.
 void limit_and_carry(const Cloth& cloth, const Kernels& loops, std::span<const LimitBlock> blocks, std::size_t level,
                      Points& points, LimitRecord* records = nullptr, std::span<CoarseBendBlock> bend = {}) {
-    Points carried = points;
+    Points stress = points;
     loops.solve_coarse_limits(blocks, records, floats(points));
     loops.solve_coarse_bend(bend, floats(points), 2);
     for (std::size_t below = level; below < cloth.solver.constraints.parents.size(); ++below) {
-        loops.prolong_centres(cloth.solver.constraints.parents[below].centres, floats(carried), floats(points));
+        loops.prolong_centres(cloth.solver.constraints.parents[below].centres, floats(stress), floats(points));
     }
 }
 
@@ -124,7 +124,7 @@ TEST_P(KernelsAtLevel, stretch_and_shear_push_and_turn_nothing_as_a_whole) {
         cloth, with_gathers(cloth.solver.constraints.stretch.blocks),
         [&](auto one, Points& points) {
             std::vector<OverBlock> over(one.size());
-            loops().solve_stretch(one, nullptr, floats(points), over.data(), cloth.solver.lists.spare);
+            loops().solve_stretch(one, nullptr, floats(points), over.data(), cloth.solver.lists.dummy);
         },
         0.01);
 }
@@ -161,10 +161,10 @@ TEST_P(KernelsAtLevel, bending_of_refined_triangles_pushes_nothing_and_turns_lit
         expect_no_push<CoarseBendBlock>(
             cloth, cloth.solver.constraints.parents[level].bend.blocks,
             [&](auto one, Points& points) {
-                Points carried = points;
+                Points stress = points;
                 loops().solve_coarse_bend(one, floats(points), 2);
                 for (std::size_t below = level; below < cloth.solver.constraints.parents.size(); ++below) {
-                    loops().prolong_centres(cloth.solver.constraints.parents[below].centres, floats(carried),
+                    loops().prolong_centres(cloth.solver.constraints.parents[below].centres, floats(stress),
                                             floats(points));
                 }
             },
@@ -284,12 +284,12 @@ Sweep swept(const Kernels& loops) {
         const std::span<StretchBlock> some = std::span(s.stretch).subspan(run.first, run.count);
         std::vector<OverBlock> over(run.count);
         over.resize(
-            loops.solve_stretch(some, &s.records[run.first], floats(s.points), over.data(), cloth.solver.lists.spare));
+            loops.solve_stretch(some, &s.records[run.first], floats(s.points), over.data(), cloth.solver.lists.dummy));
         loops.limit_stretch(over, floats(s.points));
         for (const OverBlock& block : over)
             s.over.insert(s.over.end(), block.vertices[0].begin(), block.vertices[0].end());
     }
-    move_biases(loops, s, constraints.carried);
+    move_biases(loops, s, constraints.stress);
     loops.apply_internal_damping(s.stretch, floats(s.points), floats(s.before), 0.2F);
     s.found.resize(s.points.size() + kBlock);
     const std::vector<float> friction(s.points.size(), 0.4F);

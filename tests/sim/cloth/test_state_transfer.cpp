@@ -1,4 +1,4 @@
-// The multipliers (biases) of warp, weft and shear survive an adaptation, and bring cloth to the strain of its
+// The biases of warp, weft and shear survive an adaptation, and bring cloth to the strain of its
 // stiffness.
 #include "sim/cloth/state_transfer.h"
 
@@ -212,7 +212,7 @@ TEST(Bias, of_refined_triangles_comes_of_what_their_leaves_are_off_by_and_not_of
     for (const ParentLevel& level : cloth.solver.constraints.parents) {
         for (const LimitRecord& record : level.limits.records) {
             for (std::size_t at = 0; at < kBlock; ++at) {
-                if (record.place[at] == kNoOffset) continue;
+                if (record.offset[at] == kNoOffset) continue;
                 EXPECT_LT(std::max(record.bias[0][at], record.bias[1][at]), 1e-3F);
                 ++looked_at;
             }
@@ -229,9 +229,9 @@ TEST(Bias, of_a_leaf_is_what_it_goes_on_to_carry_with_as_a_refined_triangle) {
     int refined = 0;
     for (const LimitRecord& record : cloth.solver.constraints.parents[0].limits.records) {
         for (std::size_t at = 0; at < kBlock; ++at) {
-            if (record.place[at] == kNoOffset) continue;
+            if (record.offset[at] == kNoOffset) continue;
             const auto was = std::find_if(before.begin(), before.end(), [&](const BiasedLeaf& old) {
-                return index_of(old.leaf.triangle) == record.place[at];
+                return stress_offset(old.leaf.triangle) == record.offset[at];
             });
             ASSERT_NE(was, before.end());
             for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(record.bias[k][at], was->bias[static_cast<int>(k)]);

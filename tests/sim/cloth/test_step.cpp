@@ -131,10 +131,10 @@ TEST(Step, no_spare_lane_is_taken_for_a_triangle_beyond_its_strain_limit) {
     step(cloth, nothing_near(), {.contact = kNoContact});
     const Constraints& constraints = cloth.solver.constraints;
     std::size_t spares = 0;
-    for (std::size_t lane = 0; lane < constraints.triangle_of.size(); ++lane) {
-        if (constraints.triangle_of[lane] != kNoBlockSlot) continue;
+    for (std::size_t slot = 0; slot < constraints.triangle_of.size(); ++slot) {
+        if (constraints.triangle_of[slot] != kNoBlockSlot) continue;
         ++spares;
-        EXPECT_GT(constraints.stretch.blocks[lane / kBlock].longest[lane % kBlock], 1e30F)
+        EXPECT_GT(constraints.stretch.blocks[slot / kBlock].longest[slot % kBlock], 1e30F)
             << "a spare lane would count as over";
     }
     EXPECT_GT(spares, 0U);

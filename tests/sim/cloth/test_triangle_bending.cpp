@@ -41,7 +41,7 @@ void roll_strip(Cloth& cloth, float curvature, float angle) {
 }
 
 bool is_inner(const BendSlot& slot) {
-    return lane_of(slot.block->own, slot.at).minCoeff() > 0;
+    return values_at(slot.block->own, slot.at).minCoeff() > 0;
 }
 
 // Twice the bending energy per area over B k^2, computed from curvatures and rigidities along warp, weft and of twist;
@@ -241,7 +241,7 @@ TEST(TriangleBending, of_slow_triangles_waits_for_its_turn) {
         std::size_t slow_here = 0;
         for (std::size_t at = 0; at < kBlock; ++at) {
             if (blocks[i].interval[at] > 1) {
-                EXPECT_EQ(lane_of(bend.blocks[i].anchor, at), lane_of(blocks[i].anchor, at));
+                EXPECT_EQ(values_at(bend.blocks[i].anchor, at), values_at(blocks[i].anchor, at));
                 slow_here += blocks[i].interval[at] < kNeverSolved ? 1U : 0U;
             } else {
                 for (const BlockPoints& corner : blocks[i].vertices) quick.insert(corner[at] / 4);
@@ -330,7 +330,7 @@ TEST(TriangleBending, of_refined_triangles_begins_without_friction) {
     const BendSlot slot = bend_slot(cloth, refined());
     ASSERT_GT(slot.block->realised[slot.at], 0);
     const Vec3f now = curvature_now(cloth, *slot.block, slot.at);
-    EXPECT_LT((lane_of(slot.block->anchor, slot.at) - now).norm(), 1e-3F);
+    EXPECT_LT((values_at(slot.block->anchor, slot.at) - now).norm(), 1e-3F);
 }
 
 }  // namespace
