@@ -69,7 +69,7 @@ Vec2d parse_sett_position(const std::string& text) {
 
 // Returns the value, or throws an error that lists the known ones.
 template <class T>
-T known(const std::optional<T>& value, const std::string& option, const std::string& text, const char* names) {
+T known(const std::optional<T>& value, const std::string& option, const std::string& text, const std::string& names) {
     if (!value) throw sim::InputError("", option, "'" + text + "' is none of " + names);
     return *value;
 }
@@ -129,9 +129,9 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
     add("--frame", "What fills the picture: all, garment (default all)", [&](Text text) {
         options.framing = parse_framing(text);
     })->type_name("WHAT");
-    add("--show", std::string("How the cloth is drawn: ") + render::kShowModeNames + " (default tartan)",
-        [&](Text text) { options.show = known(render::parse_show_mode(text), "--show", text, render::kShowModeNames); })
-        ->type_name("MODE");
+    add("--show", "How the cloth is drawn: " + render::show_mode_names() + " (default tartan)", [&](Text text) {
+        options.show = known(render::parse_show_mode(text), "--show", text, render::show_mode_names());
+    })->type_name("MODE");
     add("--tartan",
         std::string("A shipped tartan or a threadcount, such as 'B/24 W4 B24 R/2' (default the pattern's, or ") +
             sim::kDefaultTartan + ")",

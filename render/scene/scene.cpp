@@ -27,6 +27,12 @@ std::optional<ShowMode> parse_show_mode(std::string_view name) {
     return std::nullopt;
 }
 
+std::string show_mode_names() {
+    std::string names;
+    for (const auto& [name, mode] : kShowModes) names += (names.empty() ? "" : ", ") + std::string(name);
+    return names;
+}
+
 BodyItem make_body_item(const sim::Body& body) {
     BodyItem item;
     item.x.reserve(body.x.size());

@@ -33,9 +33,8 @@ enum class ShowMode {
     Seams,
 };
 
-inline constexpr const char* kShowModeNames =
-    "tartan, level, edges, plain, vertices, hierarchy, strain-warp, strain-weft, strain, clearance, panels, seams";
 std::optional<ShowMode> parse_show_mode(std::string_view name);
+std::string show_mode_names();  // that parse_show_mode() knows, separated by commas
 
 // Colours of triangles' corners, given as positions along a colour map. The shader interpolates the position, not the
 // colour, so that colours between two corners follow the map.
