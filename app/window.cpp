@@ -232,10 +232,6 @@ std::vector<editor::InputEvent> Window::wait(double seconds) {
     return impl_->events.take();
 }
 
-void Window::wake() {
-    glfwPostEmptyEvent();
-}
-
 void Window::show() {
     glfwSwapBuffers(impl_->window);
 }

@@ -38,9 +38,6 @@ class Window {
     std::vector<editor::InputEvent> poll();
     std::vector<editor::InputEvent> wait(double seconds);
 
-    // Ends a wait(). May be called from any thread.
-    void wake();
-
     // Shows the content of framebuffer 0; waits for vertical sync where supported. The content is undefined afterwards,
     // so draw all of it in each frame.
     void show();

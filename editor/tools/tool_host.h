@@ -51,7 +51,6 @@ class ToolHost {
 
     const SheetGeometry& geometry() const { return geometry_; }
     const TypedInput& typed() const { return typed_; }
-    bool is_dragging() const { return state_ == MouseState::Dragging; }
     const SheetPointer& pointer() const { return pointer_; }
 
     bool is_snapping = true;

@@ -28,7 +28,6 @@ struct Question {
 };
 
 enum class InspectorTab { Properties, Seams, Cloth, Body, Drape, History };
-enum class FocusedView { Sheet, Fitting };
 
 // The visible parts of the window and their sizes.
 struct WindowLayout {
@@ -64,7 +63,6 @@ struct AppState {
     std::vector<sim::Panel> clipboard;
     WidgetMap widgets;
     ShownViewport fitting;
-    FocusedView focused = FocusedView::Sheet;
     bool shows_start_page = true;
     bool wants_to_close = false;
     float user_scale = 1;      // of the interface, multiplied by the screen's scale

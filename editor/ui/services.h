@@ -69,7 +69,4 @@ struct Services {
     std::function<void(const std::string& id)> discard_journal;
 };
 
-// Services that store and find nothing: for tests, which replace what they need.
-Services no_services();
-
 }  // namespace selvedge::editor

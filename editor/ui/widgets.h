@@ -59,8 +59,6 @@ namespace selvedge::editor {
 // `name`: a tool's or an action's id. Draws nothing if it has no icon.
 void draw_icon(ImDrawList& list, std::string_view name, const Vec2f& low, float side_px, const sim::Rgb8& colour);
 
-bool has_icon(std::string_view name);
-
 // How long a message stays in the status line: notes 6 s, warnings 12 s, errors until the next action.
 
 class MessageClock {

@@ -68,7 +68,6 @@ class ViewportController {
     // While cloth is pulled: the target point, and the current position of the grabbed material point (m).
     const std::optional<Vec3f>& pulled_to() const { return pulled_to_; }
     const std::optional<Vec3f>& pulled_at() const { return pulled_at_; }
-    bool is_busy() const { return gesture_ != Gesture::None || orbit_.is_moving(); }
 
     // Frame everything that is shown, or the selected panels.
     void frame_all(const Workspace& workspace);
