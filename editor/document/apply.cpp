@@ -34,6 +34,39 @@ sim::Panel& panel_of(sim::Pattern& pattern, const std::string& name) {
     return pattern.panels[static_cast<std::size_t>(find_panel(pattern, name))];
 }
 
+// Checks of and access to parts. Each throws GeometryError if there is no such part.
+
+void check_seam(const sim::Pattern& pattern, int seam) {
+    if (seam >= 0 && static_cast<std::size_t>(seam) < pattern.seams.size()) return;
+    throw GeometryError("There is no such seam");
+}
+
+void check_edge(const sim::Panel& panel, int edge) {
+    if (edge >= 0 && static_cast<std::size_t>(edge) < panel.edges.size()) return;
+    throw GeometryError("'" + panel.name + "' has no edge " + std::to_string(edge), {{.panel = panel.name}});
+}
+
+sim::SeamSide edge_of(const sim::Pattern& pattern, const PartRef& edge) {
+    const int panel = find_panel(pattern, edge.panel);
+    check_edge(pattern.panels[static_cast<std::size_t>(panel)], edge.index);
+    return {.panel = panel, .edge = edge.index};
+}
+
+void check_vertex(const sim::Panel& panel, int vertex) {
+    if (vertex >= 0 && static_cast<std::size_t>(vertex) < panel.vertices.size()) return;
+    throw GeometryError("'" + panel.name + "' has no point " + std::to_string(vertex), {{.panel = panel.name}});
+}
+
+// Converts a map in sheet coordinates to the panel's own coordinates.
+Eigen::Affine2d map_in_panel(const sim::Pattern& pattern, int panel, const PlaneMap& map) {
+    const Vec2d origin = sheet_positions(pattern)[static_cast<std::size_t>(panel)];
+    Eigen::Affine2d affine = Eigen::Affine2d::Identity();
+    affine.linear().col(0) = map.x_axis;
+    affine.linear().col(1) = map.y_axis;
+    affine.translation() = affine.linear() * origin + map.shift - origin;
+    return affine;
+}
+
 Selection only(const std::string& panel) {
     Selection selection;
     selection.panels.insert(panel);
@@ -86,7 +119,7 @@ Outcome run(sim::Pattern& pattern, const SetEdgeLength& command) {
 
 Outcome run(sim::Pattern& pattern, const MatchSetts& command) {
     const sim::Sett sett = as_geometry_error([&] { return sett_of(pattern); });
-    for (const int seam : command.first_seams) known_seam(pattern, seam);
+    for (const int seam : command.first_seams) check_seam(pattern, seam);
     const sim::SettMatch match = match_sett(pattern, sett, {.first_seams = command.first_seams});
     for (std::size_t i = 0; i < pattern.panels.size(); ++i) pattern.panels[i].sett_offset = match.offsets[i];
     pattern.matched_sett = sim::MatchedSett{.tartan = pattern.tartan.empty() ? sim::kDefaultTartan : pattern.tartan,
@@ -210,7 +243,7 @@ Outcome run(sim::Pattern& pattern, const CutPanel& command) {
 }
 
 Outcome run(sim::Pattern& pattern, const MergePanels& command) {
-    known_seam(pattern, command.seam);
+    check_seam(pattern, command.seam);
     return select_new(pattern, merge_panels(pattern, command.seam));
 }
 
@@ -219,22 +252,9 @@ Outcome run(sim::Pattern& pattern, const UnfoldPanel& command) {
     return {.selection = only(command.panel)};
 }
 
-}  // namespace
-
-Outcome apply(sim::Pattern& pattern, const Command& command) {
-    return std::visit([&](const auto& given) { return run(pattern, given); }, command);
-}
-
 // --- commands on parts of panels and on seams
 
-namespace {
-
 constexpr std::size_t kMinPoints = 2;  // minimum for an internal line
-
-void check_edge(const sim::Panel& panel, int edge) {
-    if (edge >= 0 && static_cast<std::size_t>(edge) < panel.edges.size()) return;
-    throw GeometryError("'" + panel.name + "' has no edge " + std::to_string(edge), {{.panel = panel.name}});
-}
 
 // Groups part indices by panel, in the order of the panels' names.
 std::map<std::string, std::vector<int>> by_panel(const std::vector<PartRef>& parts) {
@@ -277,37 +297,9 @@ std::vector<EdgeSpan> spans_of(const sim::Pattern& pattern, const std::vector<Sp
     return spans;
 }
 
-}  // namespace
-
-const sim::Seam& known_seam(const sim::Pattern& pattern, int seam) {
-    if (seam < 0 || static_cast<std::size_t>(seam) >= pattern.seams.size())
-        throw GeometryError("There is no such seam");
-    return pattern.seams[static_cast<std::size_t>(seam)];
-}
-
-sim::SeamSide edge_of(const sim::Pattern& pattern, const PartRef& edge) {
-    const int panel = find_panel(pattern, edge.panel);
-    check_edge(pattern.panels[static_cast<std::size_t>(panel)], edge.index);
-    return {.panel = panel, .edge = edge.index};
-}
-
-void check_vertex(const sim::Panel& panel, int vertex) {
-    if (vertex >= 0 && static_cast<std::size_t>(vertex) < panel.vertices.size()) return;
-    throw GeometryError("'" + panel.name + "' has no point " + std::to_string(vertex), {{.panel = panel.name}});
-}
-
-Eigen::Affine2d map_in_panel(const sim::Pattern& pattern, int panel, const PlaneMap& map) {
-    const Vec2d origin = sheet_positions(pattern)[static_cast<std::size_t>(panel)];
-    Eigen::Affine2d affine = Eigen::Affine2d::Identity();
-    affine.linear().col(0) = map.x_axis;
-    affine.linear().col(1) = map.y_axis;
-    affine.translation() = affine.linear() * origin + map.shift - origin;
-    return affine;
-}
-
 // Seams first, because the other removals change their indices; panels last.
 Outcome run(sim::Pattern& pattern, const RemoveParts& command) {
-    for (const int seam : command.seams) known_seam(pattern, seam);
+    for (const int seam : command.seams) check_seam(pattern, seam);
     remove_seams(pattern, command.seams);
     for (const auto& [name, indices] : by_panel(command.internal_lines)) {
         erase_at(panel_of(pattern, name).internal_lines, indices, name, "internal line");
@@ -408,14 +400,14 @@ Outcome run(sim::Pattern& pattern, const SewRuns& command) {
 }
 
 Outcome run(sim::Pattern& pattern, const ReverseSeam& command) {
-    known_seam(pattern, command.seam);
+    check_seam(pattern, command.seam);
     bool& is_reversed = pattern.seams[static_cast<std::size_t>(command.seam)].is_reversed;
     is_reversed = !is_reversed;
     return {};
 }
 
 Outcome run(sim::Pattern& pattern, const NameSeam& command) {
-    known_seam(pattern, command.seam);
+    check_seam(pattern, command.seam);
     if (command.to.find_first_of(",+") != std::string::npos)
         throw GeometryError("A seam's name has no comma and no plus sign");
     for (const sim::Seam& seam : pattern.seams) {
@@ -427,15 +419,21 @@ Outcome run(sim::Pattern& pattern, const NameSeam& command) {
 }
 
 Outcome run(sim::Pattern& pattern, const AcceptEase& command) {
-    known_seam(pattern, command.seam);
+    check_seam(pattern, command.seam);
     pattern.seams[static_cast<std::size_t>(command.seam)].is_eased = command.is_eased;
     return {};
 }
 
 Outcome run(sim::Pattern& pattern, const EvenSeam& command) {
-    known_seam(pattern, command.seam);
+    check_seam(pattern, command.seam);
     equalize_seam(pattern, command.seam);
     return {};
+}
+
+}  // namespace
+
+Outcome apply(sim::Pattern& pattern, const Command& command) {
+    return std::visit([&](const auto& given) { return run(pattern, given); }, command);
 }
 
 }  // namespace selvedge::editor

@@ -157,6 +157,12 @@ sim::OutlineEdge arc_as_cubic(const sim::Panel& panel, const sim::OutlineEdge& e
     return cubic;
 }
 
+bool is_similarity(const Eigen::Affine2d& map) {
+    const Eigen::Matrix2d square = map.linear().transpose() * map.linear();
+    const double size = square.trace() / 2;
+    return (square - size * Eigen::Matrix2d::Identity()).cwiseAbs().maxCoeff() <= 1e-9 * size;
+}
+
 }  // namespace
 
 SplitCurve split_curve(const sim::Panel& panel, const sim::OutlineEdge& edge, double t, int vertex) {
@@ -184,12 +190,6 @@ sim::OutlineEdge reversed_edge(const sim::OutlineEdge& edge) {
     if (edge.kind == sim::CurveKind::Cubic) std::swap(other.control[0], other.control[1]);
     if (edge.kind == sim::CurveKind::Arc) other.turns_right = !edge.turns_right;
     return other;
-}
-
-bool is_similarity(const Eigen::Affine2d& map) {
-    const Eigen::Matrix2d square = map.linear().transpose() * map.linear();
-    const double size = square.trace() / 2;
-    return (square - size * Eigen::Matrix2d::Identity()).cwiseAbs().maxCoeff() <= 1e-9 * size;
 }
 
 sim::OutlineEdge mapped_curve(const sim::Panel& panel, const sim::OutlineEdge& edge, const Eigen::Affine2d& map) {

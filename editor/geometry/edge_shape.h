@@ -27,8 +27,6 @@ sim::OutlineEdge mapped_curve(const sim::Panel& panel, const sim::OutlineEdge& e
 // The similarity (rotation, scale, translation) that maps one pair of points to another. Pre: from_a != from_b.
 Eigen::Affine2d chord_map(const Vec2d& from_a, const Vec2d& from_b, const Vec2d& to_a, const Vec2d& to_b);
 
-bool is_similarity(const Eigen::Affine2d& map);
-
 enum class EdgeEnd { Start, End };
 
 // The unit tangent of the edge at its start or end, in the direction of travel.
