@@ -85,7 +85,7 @@ void Document::preview(const Command& command) {
 void Document::commit() {
     if (!is_previewing_) return;
     is_previewing_ = false;
-    note(journal_word(JournalAction::Keep));
+    note(journal_action(JournalAction::Commit));
     remember({.label = previewed_, .patch = difference(before_preview_, source_.pattern), .before = selected_before_});
 }
 
@@ -93,7 +93,7 @@ void Document::rollback() {
     if (!is_previewing_) return;
     is_previewing_ = false;
     show(std::move(before_preview_), selected_before_);
-    note(journal_word(JournalAction::Drop));
+    note(journal_action(JournalAction::Rollback));
 }
 
 // A command without effect gets no history entry.
@@ -114,7 +114,7 @@ void Document::undo() {
     selvedge::editor::undo(pattern, entry.patch);
     if (entry.file_names) file_names_ = entry.file_names->first;
     show(std::move(pattern), entry.before);
-    note(journal_word(JournalAction::Undo));
+    note(journal_action(JournalAction::Undo));
 }
 
 void Document::redo() {
@@ -125,7 +125,7 @@ void Document::redo() {
     apply(pattern, entry.patch);
     if (entry.file_names) file_names_ = entry.file_names->second;
     show(std::move(pattern), entry.after);
-    note(journal_word(JournalAction::Redo));
+    note(journal_action(JournalAction::Redo));
 }
 
 void Document::go_to(std::size_t position) {

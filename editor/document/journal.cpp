@@ -15,11 +15,11 @@ constexpr const char* kHead = "selvedge_journal";
 constexpr int kVersion = 1;
 constexpr const char* kFile = "a journal";  // file name in errors, which are caught here
 
-const char* name(JournalAction word) {
-    switch (word) {
-        case JournalAction::Keep:
+const char* name(JournalAction action) {
+    switch (action) {
+        case JournalAction::Commit:
             return "keep";
-        case JournalAction::Drop:
+        case JournalAction::Rollback:
             return "drop";
         case JournalAction::Undo:
             return "undo";
@@ -67,8 +67,8 @@ sim::Json journal_preview(const Command& command) {
     return one_member("try", to_json(command));
 }
 
-sim::Json journal_word(JournalAction word) {
-    return one_member(name(word), sim::Json(true));
+sim::Json journal_action(JournalAction action) {
+    return one_member(name(action), sim::Json(true));
 }
 
 std::string journal_head(std::string_view file, std::string_view text) {

@@ -20,11 +20,11 @@ namespace selvedge::editor {
 
 class Document;
 
-enum class JournalAction { Keep, Drop, Undo, Redo };
+enum class JournalAction { Commit, Rollback, Undo, Redo };
 
 sim::Json journal_line(const Command& command);
 sim::Json journal_preview(const Command& command);
-sim::Json journal_word(JournalAction word);
+sim::Json journal_action(JournalAction action);
 
 // The first line. `file`: the document's file; empty: not saved yet. `text`: the document at the start of the journal.
 std::string journal_head(std::string_view file, std::string_view text);

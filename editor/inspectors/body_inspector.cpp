@@ -23,7 +23,7 @@ std::string body_text(const sim::Pattern& pattern) {
     return pattern.body.empty() ? kDefaultBody : pattern.body;
 }
 
-void keep_body(InspectorContext& context) {
+void commit_body(InspectorContext& context) {
     BodyState& state = context.state.body;
     const CurrentBody& worn = context.workspace.drape.worn();
     const sim::Pattern& pattern = context.pattern();
@@ -37,12 +37,12 @@ void keep_body(InspectorContext& context) {
 
 }  // namespace
 
-void request_body(InspectorContext& context, const std::string& text, BodyRequest wish) {
+void request_body(InspectorContext& context, const std::string& text, BodyRequest request) {
     BodyState& state = context.state.body;
     state.wrong = wrong_with_body(text);
     if (!state.wrong.empty()) return;
     state.pending = text;
-    state.is_kept = wish == BodyRequest::Keep;
+    state.is_commit = request == BodyRequest::Commit;
     state.idle_frames = 0;
     context.workspace.drape.wear(text);
 }
@@ -51,7 +51,7 @@ void cancel_body_request(InspectorContext& context) {
     BodyState& state = context.state.body;
     state.pending.clear();
     state.wrong.clear();
-    state.is_kept = false;
+    state.is_commit = false;
     context.workspace.drape.wear({});
 }
 
@@ -65,7 +65,7 @@ void update_body_request(InspectorContext& context) {
     }
     if (state.pending.empty()) return;
     if (drape.worn().body != nullptr && drape.worn().text == state.pending) {
-        if (state.is_kept) keep_body(context);
+        if (state.is_commit) commit_body(context);
         return;
     }
     state.idle_frames = drape.is_making_body() ? 0 : state.idle_frames + 1;
@@ -87,17 +87,17 @@ sim::MannequinOptions read_mannequin(const std::string& text) {
     }
 }
 
-void carry_body(InspectorContext& context, const NumberEdit& edit, const sim::MannequinOptions& wanted) {
+void apply_body_edit(InspectorContext& context, const NumberEdit& edit, const sim::MannequinOptions& wanted) {
     switch (edit.phase) {
         case EditPhase::None:
             break;
-        case EditPhase::Trying:
-            request_body(context, mannequin_text(wanted), BodyRequest::Try);
+        case EditPhase::Preview:
+            request_body(context, mannequin_text(wanted), BodyRequest::Preview);
             break;
-        case EditPhase::Kept:
-            request_body(context, mannequin_text(wanted), BodyRequest::Keep);
+        case EditPhase::Commit:
+            request_body(context, mannequin_text(wanted), BodyRequest::Commit);
             break;
-        case EditPhase::Dropped:
+        case EditPhase::Rollback:
             cancel_body_request(context);
             break;
     }
@@ -114,7 +114,7 @@ void draw_sex(InspectorContext& context, const sim::MannequinOptions& options) {
             return;
         }
         wanted.sex = sex;
-        request_body(context, mannequin_text(wanted), BodyRequest::Keep);
+        request_body(context, mannequin_text(wanted), BodyRequest::Commit);
     };
     choose(sim::Sex::Female, "body.female", "Female");
     choose(sim::Sex::Male, "body.male", "Male");
@@ -122,7 +122,7 @@ void draw_sex(InspectorContext& context, const sim::MannequinOptions& options) {
                     .title = "Clear measures",
                     .tip = "All measures follow the proportions again.",
                     .is_enabled = mannequin_text(options) != mannequin_text({.sex = options.sex})})) {
-        request_body(context, mannequin_text({.sex = options.sex}), BodyRequest::Keep);
+        request_body(context, mannequin_text({.sex = options.sex}), BodyRequest::Commit);
     }
 }
 
@@ -152,7 +152,7 @@ void draw_measures(InspectorContext& context, const sim::MannequinOptions& optio
                         .standing_for = reading(worn, name)},
                        label.c_str());
         *value = edit.value;
-        carry_body(context, edit, wanted);
+        apply_body_edit(context, edit, wanted);
     }
     sim::MannequinOptions wanted = options;
     const NumberEdit stance = number_row(context,
@@ -166,7 +166,7 @@ void draw_measures(InspectorContext& context, const sim::MannequinOptions& optio
                                           .standing_for = worn.measures ? worn.measures->stance.made : kDefaultStance},
                                          "Stance");
     wanted.stance = stance.value;
-    carry_body(context, stance, wanted);
+    apply_body_edit(context, stance, wanted);
 }
 
 void draw_state(InspectorContext& context) {
@@ -188,13 +188,13 @@ void draw_file_body(InspectorContext& context, const std::string& file, bool is_
                     .title = "Use for this garment",
                     .tip = "The garment is placed about this body from now on, and its file names it.",
                     .is_enabled = is_ready})) {
-        request_body(context, file, BodyRequest::Keep);
+        request_body(context, file, BodyRequest::Commit);
     }
     if (row.button({.name = "body.mannequin",
                     .title = is_of_pattern ? "Use a mannequin" : "Back to the garment's body",
                     .tip = is_of_pattern ? "A body from measures takes its place." : "Takes this body off."})) {
         if (is_of_pattern) {
-            request_body(context, kDefaultBody, BodyRequest::Keep);
+            request_body(context, kDefaultBody, BodyRequest::Commit);
         } else {
             cancel_body_request(context);
         }

@@ -16,10 +16,10 @@
 
 namespace selvedge::editor {
 
-enum class BodyRequest { Try, Keep };
+enum class BodyRequest { Preview, Commit };
 
 // Starts building the body. Does nothing if the text is not a valid body; BodyState::wrong then holds the reason.
-void request_body(InspectorContext& context, const std::string& text, BodyRequest wish);
+void request_body(InspectorContext& context, const std::string& text, BodyRequest request);
 
 void cancel_body_request(InspectorContext& context);
 

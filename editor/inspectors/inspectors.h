@@ -31,7 +31,7 @@ struct TypedText {
     std::string text_before{};
     std::optional<double> before{};  // value of a number box when editing began
     std::string wrong{};             // why the text cannot be applied; empty: it can
-    bool is_trying = false;          // a preview is shown that is not committed yet
+    bool has_preview = false;        // a preview is shown that is not committed yet
     int last_frame = 0;              // UI frame in which the box was last drawn
 };
 
@@ -40,7 +40,7 @@ struct Scrub {
     unsigned box = 0;  // ImGui's id; 0: none
     double before = 0;
     double value = 0;
-    bool is_trying = false;
+    bool has_preview = false;
     bool is_given_up = false;  // cancelled by Esc; lasts until the button is released
     int last_frame = 0;
 };
@@ -83,7 +83,7 @@ struct MaterialState {
 
 struct BodyState {
     std::string pending{};            // requested body that is not yet the document's; empty: none
-    bool is_kept = false;             // the body is set in the document when it is ready
+    bool is_commit = false;           // the body is set in the document when it is ready
     int idle_frames = 0;              // frames since the request in which no body was being built
     std::string wrong{};              // why the typed text is not a valid body
     std::string pattern_body_text{};  // text of the document's body, and that body

@@ -391,10 +391,10 @@ void draw_sett_place(InspectorContext& context) {
                                         pattern.sett_position);
     if (size) {
         command.size = size.value;
-        carry(context, size, command);
+        apply_edit(context, size, command);
     } else if (moved) {
         command.position = edited(pattern.sett_position, moved);
-        carry(context, moved.number, command);
+        apply_edit(context, moved.number, command);
     }
 }
 
@@ -412,8 +412,8 @@ void draw_grain(InspectorContext& context) {
                     .tip = "Of the selected panels, from upward to the warp, counter-clockwise. "
                            "45: cut on the bias."},
                    "Grain");
-    if (selected.size() == 1 || grain.phase != EditPhase::Kept) {
-        return carry(context, grain, SetGrain{.panel = *selected.begin(), .angle = grain.value.value_or(0)});
+    if (selected.size() == 1 || grain.phase != EditPhase::Commit) {
+        return apply_edit(context, grain, SetGrain{.panel = *selected.begin(), .angle = grain.value.value_or(0)});
     }
     for (const std::string& name : selected) {
         context.workspace.run(SetGrain{.panel = name, .angle = grain.value.value_or(0)});

@@ -83,7 +83,7 @@ FieldEnd end_of_field(BoxState& boxes, unsigned id) {
         end.ending = Ending::Escaped;
     } else if (!end.typed.wrong.empty()) {
         end.ending = Ending::Wrong;
-    } else if (end.typed.text == end.typed.text_before && !end.typed.is_trying) {
+    } else if (end.typed.text == end.typed.text_before && !end.typed.has_preview) {
         end.ending = Ending::Unchanged;
     }
     return end;
@@ -149,16 +149,17 @@ NumberEdit type_number(InspectorContext& context, const NumberBox& box, float wi
         boxes.typed.text = text;
         boxes.typed.wrong = read.wrong;
         if (keys.is_used) {
-            boxes.typed.is_trying = true;
-            edit = {.phase = EditPhase::Trying, .value = read.value, .before = boxes.typed.before};
+            boxes.typed.has_preview = true;
+            edit = {.phase = EditPhase::Preview, .value = read.value, .before = boxes.typed.before};
         }
     }
     const FieldEnd end = end_of_field(boxes, id);
     report_invalid(context, end);
     if (end.ending == Ending::Applied) {
-        edit = {.phase = EditPhase::Kept, .value = read_number(box, end.typed.text).value, .before = end.typed.before};
-    } else if (end.typed.is_trying) {
-        edit = {.phase = EditPhase::Dropped, .value = end.typed.before, .before = end.typed.before};
+        edit = {
+            .phase = EditPhase::Commit, .value = read_number(box, end.typed.text).value, .before = end.typed.before};
+    } else if (end.typed.has_preview) {
+        edit = {.phase = EditPhase::Rollback, .value = end.typed.before, .before = end.typed.before};
     }
     return edit;
 }
@@ -189,14 +190,14 @@ NumberEdit drag_number(InspectorContext& context, const NumberBox& box, float wi
     scrub.last_frame = ImGui::GetFrameCount();
     NumberEdit edit{.phase = EditPhase::None, .value = scrub.value, .before = scrub.before};
     if (ImGui::IsItemDeactivated()) {
-        if (scrub.is_trying) edit.phase = EditPhase::Kept;
+        if (scrub.has_preview) edit.phase = EditPhase::Commit;
         scrub = {};
         return edit;
     }
     if (is_escape_pressed() && !scrub.is_given_up) {
-        if (scrub.is_trying) edit = {.phase = EditPhase::Dropped, .value = scrub.before, .before = scrub.before};
+        if (scrub.has_preview) edit = {.phase = EditPhase::Rollback, .value = scrub.before, .before = scrub.before};
         scrub.is_given_up = true;
-        scrub.is_trying = false;
+        scrub.has_preview = false;
         scrub.value = scrub.before;
         return edit;
     }
@@ -207,8 +208,8 @@ NumberEdit drag_number(InspectorContext& context, const NumberBox& box, float wi
     const double value = steps == 0 ? scrub.before : limited(box, stepped(scrub.before, box.unit, steps));
     if (value == scrub.value) return edit;
     scrub.value = value;
-    scrub.is_trying = true;
-    return {.phase = EditPhase::Trying, .value = value, .before = scrub.before};
+    scrub.has_preview = true;
+    return {.phase = EditPhase::Preview, .value = value, .before = scrub.before};
 }
 
 }  // namespace
@@ -266,17 +267,17 @@ std::optional<std::string> text_box(InspectorContext& context, const TextBox& bo
     return std::move(end.typed.text);
 }
 
-void carry(InspectorContext& context, const NumberEdit& edit, const Command& command) {
+void apply_edit(InspectorContext& context, const NumberEdit& edit, const Command& command) {
     switch (edit.phase) {
         case EditPhase::None:
             break;
-        case EditPhase::Trying:
+        case EditPhase::Preview:
             context.workspace.preview(command);
             break;
-        case EditPhase::Kept:
+        case EditPhase::Commit:
             context.workspace.run(command);
             break;
-        case EditPhase::Dropped:
+        case EditPhase::Rollback:
             context.workspace.document->rollback();
             break;
     }
@@ -287,7 +288,7 @@ void forget_lost_boxes(InspectorContext& context) {
     const int now = ImGui::GetFrameCount();
     const auto forget = [&](auto& entry) {
         if (entry.box == 0 || now - entry.last_frame < kLostAfter) return;
-        if (entry.is_trying) context.workspace.document->commit();
+        if (entry.has_preview) context.workspace.document->commit();
         entry = {};
     };
     forget(boxes.typed);

@@ -39,12 +39,8 @@ double step_of(Unit unit);
 // The value after `steps` steps, rounded to a multiple of the step: 92.53 + 0.1 gives 92.6.
 double stepped(double value, Unit unit, double steps);
 
-enum class EditPhase {
-    None,
-    Trying,   // preview while editing
-    Kept,     // commit
-    Dropped,  // roll the preview back
-};
+// What the document does with the edit.
+enum class EditPhase { None, Preview, Commit, Rollback };
 
 struct NumberEdit {
     EditPhase phase = EditPhase::None;
@@ -92,7 +88,7 @@ struct ReadNumber {
 ReadNumber read_number(const NumberBox& box, const std::string& text);
 
 // Previews, commits or rolls back the command, according to the edit's phase.
-void carry(InspectorContext& context, const NumberEdit& edit, const Command& command);
+void apply_edit(InspectorContext& context, const NumberEdit& edit, const Command& command);
 
 // Ends the editing of fields that are no longer drawn and commits their previews. Call once per frame.
 void forget_lost_boxes(InspectorContext& context);

@@ -91,7 +91,7 @@ void draw_scale(InspectorContext& context, const PanelOnSheet& shown) {
                                          .tip = "Scales the outline about its middle: 1.05 or 105%.",
                                          .least = kMinScale},
                                         Vec2d(1, 1));
-    if (scale) carry(context, scale.number, scaling(panels, centre, scale.axis, scale.number.value.value_or(1)));
+    if (scale) apply_edit(context, scale.number, scaling(panels, centre, scale.axis, scale.number.value.value_or(1)));
     const VectorEdit size = vector_row(context,
                                        {.name = "panel.size",
                                         .label = "Size",
@@ -101,7 +101,7 @@ void draw_scale(InspectorContext& context, const PanelOnSheet& shown) {
                                        box.size());
     if (size && size.number.before.value_or(0) > 0) {
         const double factor = size.number.value.value_or(0) / *size.number.before;
-        carry(context, size.number, scaling(panels, centre, size.axis, factor));
+        apply_edit(context, size.number, scaling(panels, centre, size.axis, factor));
     }
 }
 
@@ -142,16 +142,16 @@ void draw_place(InspectorContext& context, const sim::Panel& panel) {
                                           "Wrap radius");
     if (moved) {
         placed.translation = edited(panel.translation, moved);
-        carry(context, moved.number, placed);
+        apply_edit(context, moved.number, placed);
     } else if (turned) {
         const Vec3d wanted = edited(angles, turned);
         placed.rotation = rotation_of(wanted);
         const std::string name = panel.name;
-        carry(context, turned.number, placed);
+        apply_edit(context, turned.number, placed);
         context.state.angles[name] = {.angles = wanted, .rotation = rotation_of(wanted)};
     } else if (wrapped) {
         placed.wrap_radius = wrapped.value.value_or(0);
-        carry(context, wrapped, placed);
+        apply_edit(context, wrapped, placed);
     }
 }
 
@@ -165,7 +165,7 @@ void draw_cloth(InspectorContext& context, const sim::Panel& panel) {
                     .unit = Unit::Degrees,
                     .tip = "From the panel's upward direction to the warp, counter-clockwise. 45: cut on the bias."},
                    "Grain");
-    carry(context, grain, SetGrain{.panel = name, .angle = grain.value.value_or(0)});
+    apply_edit(context, grain, SetGrain{.panel = name, .angle = grain.value.value_or(0)});
     const NumberEdit layer = number_row(context,
                                         {.name = "panel.layer",
                                          .value = panel.layer,
@@ -174,7 +174,7 @@ void draw_cloth(InspectorContext& context, const sim::Panel& panel) {
                                          .least = -100,
                                          .most = 100},
                                         "Layer");
-    carry(context, layer, SetLayer{.panel = name, .layer = static_cast<int>(layer.value.value_or(0))});
+    apply_edit(context, layer, SetLayer{.panel = name, .layer = static_cast<int>(layer.value.value_or(0))});
 }
 
 std::string mirror_of(const sim::Pattern& pattern, const sim::Panel& panel) {
@@ -253,19 +253,20 @@ void draw_panels_section(InspectorContext& context) {
                                          .tip = "Scales all of them about their common middle: 1.05 or 105%.",
                                          .least = kMinScale},
                                         Vec2d(1, 1));
-    if (scale) carry(context, scale.number, scaling(names, all->centre(), scale.axis, scale.number.value.value_or(1)));
+    if (scale)
+        apply_edit(context, scale.number, scaling(names, all->centre(), scale.axis, scale.number.value.value_or(1)));
     const VectorEdit moved = vector_row(
         context,
         {.name = "panels.move", .label = "Move by", .tip = "On the sheet; they stay where they are in the room."},
         Vec2d(0, 0));
-    if (moved) carry(context, moved.number, MovePanels{.panels = names, .by = edited(Vec2d(0, 0), moved)});
+    if (moved) apply_edit(context, moved.number, MovePanels{.panels = names, .by = edited(Vec2d(0, 0), moved)});
     const Vec3d centre = garment_centre(only_selected(pattern, selected));
     const VectorEdit placed = vector_row(context,
                                          {.name = "panels.translation",
                                           .label = "Place",
                                           .tip = "Moves all of them in the room, with their middle to this place."},
                                          centre);
-    if (placed) carry(context, placed.number, placing(pattern, selected, edited(centre, placed) - centre));
+    if (placed) apply_edit(context, placed.number, placing(pattern, selected, edited(centre, placed) - centre));
     fact(context, "Area", area_text(area), "Of the cloth inside their outlines.");
     ImGui::PopID();
 }
@@ -315,7 +316,7 @@ void draw_vertex(InspectorContext& context, const PartRef& vertex) {
     if (!moved) return;
     Vec2d by = Vec2d::Zero();
     by[moved.axis] = moved.number.by();
-    carry(context, moved.number, MoveVertices{.vertices = {vertex}, .by = by});
+    apply_edit(context, moved.number, MoveVertices{.vertices = {vertex}, .by = by});
 }
 
 void draw_kind(InspectorContext& context, const PartRef& edge, const FoundPanel& found, const sim::OutlineEdge& curve) {
@@ -346,7 +347,7 @@ void draw_controls(InspectorContext& context, const PartRef& edge, const FoundPa
         if (!moved) continue;
         SetCurve command{.panel = edge.panel, .edge = edge.index, .curve = curve};
         command.curve.control[i][moved.axis] = moved.number.value.value_or(0) - found.origin[moved.axis];
-        return carry(context, moved.number, command);
+        return apply_edit(context, moved.number, command);
     }
 }
 
@@ -360,7 +361,7 @@ void draw_arc(InspectorContext& context, const PartRef& edge, const FoundPanel& 
                                          "Radius");
     if (radius) {
         command.curve.arc_radius = radius.value.value_or(curve.arc_radius);
-        return carry(context, radius, command);
+        return apply_edit(context, radius, command);
     }
     if (check_box(context, "edge.large", "Longer way round", curve.is_large_arc,
                   "The part of the circle that is more than half of it.")) {
@@ -384,7 +385,7 @@ void draw_length(InspectorContext& context, const PartRef& edge, const FoundPane
     if (!length) return;
     const double before = length.before.value_or(0);
     const Vec2d by = shift_for_length(found.panel, curve, {.before = before, .after = length.value.value_or(before)});
-    carry(context, length, MoveVertices{.vertices = {{edge.panel, curve.end}}, .by = by});
+    apply_edit(context, length, MoveVertices{.vertices = {{edge.panel, curve.end}}, .by = by});
 }
 
 void draw_seam_of(InspectorContext& context, const FoundPanel& found, int edge) {
@@ -417,8 +418,8 @@ void draw_vertices_section(InspectorContext& context) {
     const VectorEdit moved =
         vector_row(context, {.name = "vertex.move", .label = "Move by", .tip = "From where it is now."}, Vec2d(0, 0));
     if (moved) {
-        carry(context, moved.number,
-              MoveVertices{.vertices = {vertices.begin(), vertices.end()}, .by = edited(Vec2d(0, 0), moved)});
+        apply_edit(context, moved.number,
+                   MoveVertices{.vertices = {vertices.begin(), vertices.end()}, .by = edited(Vec2d(0, 0), moved)});
     }
     if (is_one && context.selection().vertices.contains(first)) draw_pin(context, first);
     ImGui::PopID();
@@ -465,10 +466,10 @@ void draw_notch_section(InspectorContext& context, const PartRef& notch) {
     MoveNotch command{.panel = notch.panel, .index = notch.index, .edge = held.edge};
     if (from_start) {
         command.t = std::clamp(from_start.value.value_or(0) / length, 0.0, 1.0);
-        carry(context, from_start, command);
+        apply_edit(context, from_start, command);
     } else if (from_end) {
         command.t = std::clamp(1 - from_end.value.value_or(0) / length, 0.0, 1.0);
-        carry(context, from_end, command);
+        apply_edit(context, from_end, command);
     }
     fact(context, "On edge", std::to_string(held.edge), "The edge of the outline that it marks.");
     ButtonRow row(context);
@@ -574,7 +575,7 @@ void draw_pattern_section(InspectorContext& context) {
     if (moved) {
         Vec3d by = Vec3d::Zero();
         by[moved.axis] = moved.number.by();
-        carry(context, moved.number, TranslateAll{by});
+        apply_edit(context, moved.number, TranslateAll{by});
     }
     fabric_row(context, "");
     const NumberEdit length = number_row(context,
@@ -586,7 +587,7 @@ void draw_pattern_section(InspectorContext& context) {
                                           .may_be_empty = true,
                                           .standing_for = kUsualEdgeLength},
                                          "Mesh edges");
-    carry(context, length, SetEdgeLength{length.value});
+    apply_edit(context, length, SetEdgeLength{length.value});
     fact(context, "Parts", counted(pattern.panels.size(), "panel") + ", " + counted(pattern.seams.size(), "seam"),
          "What the garment consists of.");
     ImGui::PopID();
