@@ -38,10 +38,10 @@ editor::FolderListing list_folder(const std::string& folder) {
 
 editor::CurrentBody make_body(const std::string& text) {
     if (text.starts_with("mannequin")) return editor::make_mannequin_body(text);
-    editor::CurrentBody worn{
+    editor::CurrentBody made{
         .text = text, .body = std::make_shared<const sim::Body>(sim::load_body(text)), .measures = {}, .points = {}};
-    worn.points = arrangement_points(*worn.body);
-    return worn;
+    made.points = arrangement_points(*made.body);
+    return made;
 }
 
 std::string age_text(double seconds) {

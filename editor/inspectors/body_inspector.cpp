@@ -25,12 +25,12 @@ std::string body_text(const sim::Pattern& pattern) {
 
 void commit_body(InspectorContext& context) {
     BodyState& state = context.state.body;
-    const CurrentBody& worn = context.workspace.drape.worn();
+    const CurrentBody& current = context.workspace.drape.current_body();
     const sim::Pattern& pattern = context.pattern();
     // If the body that the garment was drafted for was never built, the panels are not moved.
     const SetBody command = state.pattern_body != nullptr && state.pattern_body_text == body_text(pattern)
-                                ? set_body_command(pattern, worn.text, *state.pattern_body, *worn.body)
-                                : SetBody{.body = worn.text};
+                                ? set_body_command(pattern, current.text, *state.pattern_body, *current.body)
+                                : SetBody{.body = current.text};
     context.workspace.run(command);
     cancel_body_request(context);
 }
@@ -44,7 +44,7 @@ void request_body(InspectorContext& context, const std::string& text, BodyReques
     state.pending = text;
     state.is_commit = request == BodyRequest::Commit;
     state.idle_frames = 0;
-    context.workspace.drape.wear(text);
+    context.workspace.drape.show_body(text);
 }
 
 void cancel_body_request(InspectorContext& context) {
@@ -52,19 +52,19 @@ void cancel_body_request(InspectorContext& context) {
     state.pending.clear();
     state.wrong.clear();
     state.is_commit = false;
-    context.workspace.drape.wear({});
+    context.workspace.drape.show_body({});
 }
 
 void update_body_request(InspectorContext& context) {
     BodyState& state = context.state.body;
     const Drape& drape = context.workspace.drape;
     const std::string of_pattern = body_text(context.pattern());
-    if (drape.worn().body != nullptr && drape.worn().text == of_pattern) {
+    if (drape.current_body().body != nullptr && drape.current_body().text == of_pattern) {
         state.pattern_body_text = of_pattern;
-        state.pattern_body = drape.worn().body;
+        state.pattern_body = drape.current_body().body;
     }
     if (state.pending.empty()) return;
-    if (drape.worn().body != nullptr && drape.worn().text == state.pending) {
+    if (drape.current_body().body != nullptr && drape.current_body().text == state.pending) {
         if (state.is_commit) commit_body(context);
         return;
     }
@@ -127,16 +127,17 @@ void draw_sex(InspectorContext& context, const sim::MannequinOptions& options) {
 }
 
 // The measured value on the current body.
-std::optional<double> reading(const CurrentBody& worn, std::string_view name) {
-    if (!worn.measures) return std::nullopt;
-    for (const sim::MeasureReading& entry : worn.measures->readings) {
+std::optional<double> reading(const CurrentBody& current, std::string_view name) {
+    if (!current.measures) return std::nullopt;
+    for (const sim::MeasureReading& entry : current.measures->readings) {
         if (entry.name == name) return entry.measured;
     }
     return std::nullopt;
 }
 
 void draw_measures(InspectorContext& context, const sim::MannequinOptions& options) {
-    const CurrentBody worn{.text = {}, .body = {}, .measures = context.workspace.drape.worn().measures, .points = {}};
+    const CurrentBody current{
+        .text = {}, .body = {}, .measures = context.workspace.drape.current_body().measures, .points = {}};
     for (const std::string_view name : sim::measure_names()) {
         sim::MannequinOptions wanted = options;
         std::optional<double>* value = find_measure(wanted.measures, name);
@@ -149,40 +150,41 @@ void draw_measures(InspectorContext& context, const sim::MannequinOptions& optio
                         .tip = std::string(measure_tip(name)) +
                                " Empty: it follows the other measures; what the tape reads is grey.",
                         .may_be_empty = true,
-                        .standing_for = reading(worn, name)},
+                        .standing_for = reading(current, name)},
                        label.c_str());
         *value = edit.value;
         apply_body_edit(context, edit, wanted);
     }
     sim::MannequinOptions wanted = options;
-    const NumberEdit stance = number_row(context,
-                                         {.name = "body.stance",
-                                          .value = options.stance,
-                                          .unit = Unit::Degrees,
-                                          .tip = "How far each leg stands outward. Thick thighs open it by themselves.",
-                                          .least = 0,
-                                          .most = kMaxStance,
-                                          .may_be_empty = true,
-                                          .standing_for = worn.measures ? worn.measures->stance.made : kDefaultStance},
-                                         "Stance");
+    const NumberEdit stance =
+        number_row(context,
+                   {.name = "body.stance",
+                    .value = options.stance,
+                    .unit = Unit::Degrees,
+                    .tip = "How far each leg stands outward. Thick thighs open it by themselves.",
+                    .least = 0,
+                    .most = kMaxStance,
+                    .may_be_empty = true,
+                    .standing_for = current.measures ? current.measures->stance.made : kDefaultStance},
+                   "Stance");
     wanted.stance = stance.value;
     apply_body_edit(context, stance, wanted);
 }
 
 void draw_state(InspectorContext& context) {
     const BodyState& state = context.state.body;
-    const CurrentBody& worn = context.workspace.drape.worn();
+    const CurrentBody& current = context.workspace.drape.current_body();
     if (!state.wrong.empty()) message_text(context.theme.error, state.wrong);
     if (context.workspace.drape.is_making_body()) paragraph(context, "The body is being made...");
-    if (!worn.measures) return;
-    for (const std::string& message : worn.measures->messages) message_text(context.theme.warning, message);
+    if (!current.measures) return;
+    for (const std::string& message : current.measures->messages) message_text(context.theme.warning, message);
 }
 
 void draw_file_body(InspectorContext& context, const std::string& file, bool is_of_pattern) {
     fact(context, "From file", readable_name(file), file);
     const Drape& drape = context.workspace.drape;
     ButtonRow row(context);
-    const bool is_ready = drape.worn().body != nullptr && drape.worn().text == file;
+    const bool is_ready = drape.current_body().body != nullptr && drape.current_body().text == file;
     if (!is_of_pattern &&
         row.button({.name = "body.adopt",
                     .title = "Use for this garment",
@@ -207,9 +209,9 @@ void draw_body(InspectorContext& context) {
     ImGui::PushID("body");
     const BodyState& state = context.state.body;
     const std::string of_pattern = body_text(context.pattern());
-    const std::string worn = context.workspace.drape.worn().text;
-    const bool has_foreign = state.pending.empty() && !is_mannequin(worn) && worn != of_pattern;
-    const std::string shown = !state.pending.empty() ? state.pending : has_foreign ? worn : of_pattern;
+    const std::string current = context.workspace.drape.current_body().text;
+    const bool has_foreign = state.pending.empty() && !is_mannequin(current) && current != of_pattern;
+    const std::string shown = !state.pending.empty() ? state.pending : has_foreign ? current : of_pattern;
     if (is_mannequin(shown)) {
         const sim::MannequinOptions options = read_mannequin(shown);
         draw_sex(context, options);

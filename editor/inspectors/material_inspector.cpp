@@ -145,12 +145,12 @@ void draw_tartan_list(InspectorContext& context) {
 
 void draw_threadcount(InspectorContext& context) {
     const sim::Pattern& pattern = context.pattern();
-    const std::optional<sim::Sett> worn = valid_sett(pattern);
+    const std::optional<sim::Sett> own_sett = valid_sett(pattern);
     const bool has_name = pattern.tartan.empty() || tartan_error(pattern.tartan).empty();
     const auto typed_now = text_box(
         context,
         {.name = "tartan.threadcount",
-         .text = has_name && worn
+         .text = has_name && own_sett
                      ? threadcount_of(sim::find_tartan(pattern.tartan.empty() ? sim::kDefaultTartan : pattern.tartan))
                      : pattern.tartan,
          .hint = "B/24 W4 B24 R/2",
@@ -162,7 +162,7 @@ void draw_threadcount(InspectorContext& context) {
     const TypedText& typed = context.state.boxes.typed;
     const bool is_typing = typed.box != 0 && typed.box == ImGui::GetID("##tartan.threadcount");
     if (is_typing && !typed.wrong.empty()) message_text(context.theme.error, typed.wrong);
-    std::optional<sim::Sett> shown = worn;
+    std::optional<sim::Sett> shown = own_sett;
     if (is_typing && typed.wrong.empty() && !typed.text.empty()) shown = sim::find_tartan(typed.text);
     if (shown) draw_preview(context, *shown);
     if (typed_now) {

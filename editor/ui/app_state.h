@@ -62,7 +62,7 @@ struct AppState {
     std::deque<Question> questions;
     std::vector<sim::Panel> clipboard;
     WidgetMap widgets;
-    ShownViewport fitting;
+    ShownViewport viewport;
     bool shows_start_page = true;
     bool wants_to_close = false;
     float user_scale = 1;      // of the interface, multiplied by the screen's scale

@@ -21,8 +21,8 @@ namespace selvedge::editor {
 namespace {
 
 // Texture numbers, see editor/frame/frame.h.
-constexpr UiTexture kSheetTexture = 1, kFittingTexture = kSheetTexture + kSheetTextures,
-                    kLegendTexture = kFittingTexture + 1, kFirstFreeTexture = kLegendTexture + 1;
+constexpr UiTexture kSheetTexture = 1, kViewportTexture = kSheetTexture + kSheetTextures,
+                    kLegendTexture = kViewportTexture + 1, kFirstFreeTexture = kLegendTexture + 1;
 
 struct Rectangle {
     ImVec2 low;
@@ -31,7 +31,7 @@ struct Rectangle {
 
 // The regions of the window, px.
 struct Regions {
-    Rectangle tools, sheet, fitting, inspectors, status;
+    Rectangle tools, sheet, viewport, inspectors, status;
 };
 
 constexpr auto kRegionFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
@@ -50,7 +50,7 @@ Regions share_out(const WindowLayout& layout, float question_height) {
     const float sheet = std::round(views * share);
     return {.tools = {{0, top}, {tools, height}},
             .sheet = {{tools, top}, {sheet, height}},
-            .fitting = {{tools + sheet, top}, {views - sheet, height}},
+            .viewport = {{tools + sheet, top}, {views - sheet, height}},
             .inspectors = {{display.x - inspectors, top}, {inspectors, height}},
             .status = {{0, display.y - status}, {display.x, status}}};
 }
@@ -124,7 +124,7 @@ struct Editor::Impl {
     ImGuiContext* context;
     UiInput input;
     SheetView sheet;
-    Viewport fitting;
+    Viewport viewport;
     InspectorState inspectors;
     MessageClock message_clock;
     FrameOutput output;
@@ -211,19 +211,19 @@ InspectorContext Editor::Impl::inspector_context() {
 void Editor::Impl::show_viewport(const Rectangle& where, double seconds) {
     const float unit = ImGui::GetFontSize();
     const float bar = ImGui::GetFrameHeight() + 0.6F * unit;
-    begin_region("##fitting_bar", {where.low, {where.size.x, bar}}, {0.5F * unit, 0.3F * unit});
+    begin_region("##viewport_bar", {where.low, {where.size.x, bar}}, {0.5F * unit, 0.3F * unit});
     show_viewport_bar(state);
     ImGui::End();
-    begin_region("##fitting", {{where.low.x, where.low.y + bar}, {where.size.x, where.size.y - bar}}, {0, 0});
-    fitting.show({.workspace = state.workspace,
-                  .output = output,
-                  .texture = kFittingTexture,
-                  .legend = kLegendTexture,
-                  .seconds = static_cast<float>(seconds),
-                  .scale = scale,
-                  .choice = state.tools.info().picks_parts ? ClothChoice::Parts : ClothChoice::Panels});
+    begin_region("##viewport", {{where.low.x, where.low.y + bar}, {where.size.x, where.size.y - bar}}, {0, 0});
+    viewport.show({.workspace = state.workspace,
+                   .output = output,
+                   .texture = kViewportTexture,
+                   .legend = kLegendTexture,
+                   .seconds = static_cast<float>(seconds),
+                   .scale = scale,
+                   .choice = state.tools.info().picks_parts ? ClothChoice::Parts : ClothChoice::Panels});
     ImGui::End();
-    state.fitting = {.scene = fitting.scene(), .camera = fitting.camera(), .light = fitting.light()};
+    state.viewport = {.scene = viewport.scene(), .camera = viewport.camera(), .light = viewport.light()};
 }
 
 void Editor::Impl::show_inspectors(const Rectangle& where) {
@@ -261,8 +261,8 @@ void Editor::Impl::show_inspectors(const Rectangle& where) {
 // Call before the views: of windows with a fixed order, ImGui draws the later ones below.
 void Editor::Impl::show_splitters(const Regions& regions) {
     if (state.layout.has_sheet && state.layout.has_viewport) {
-        const float views = regions.sheet.size.x + regions.fitting.size.x;
-        const float by = splitter(state, "splitter.views", regions.fitting.low.x, regions.fitting, output);
+        const float views = regions.sheet.size.x + regions.viewport.size.x;
+        const float by = splitter(state, "splitter.views", regions.viewport.low.x, regions.viewport, output);
         state.layout.sheet_share = std::clamp(state.layout.sheet_share + by / views, 0.15F, 0.85F);
     }
     if (state.layout.has_inspectors) {
@@ -282,7 +282,7 @@ void Editor::Impl::show_views(double seconds) {
     }
     show_splitters(regions);
     if (state.layout.has_sheet) show_sheet(regions.sheet);
-    if (state.layout.has_viewport) show_viewport(regions.fitting, seconds);
+    if (state.layout.has_viewport) show_viewport(regions.viewport, seconds);
     if (state.layout.has_inspectors) show_inspectors(regions.inspectors);
     begin_region("##status", regions.status, {0.6F * unit, 0.25F * unit});
     show_status_bar(state);
@@ -305,8 +305,8 @@ FrameOutput Editor::frame(const std::vector<InputEvent>& events, const FrameSize
     const std::vector<InputEvent> others = impl.input.begin_frame(ImGui::GetIO());
     ImGui::NewFrame();
     impl.take_other_events(others);
-    state.workspace.drape.follow(*state.workspace.document, state.workspace.messages);
-    impl.message_clock.follow(state.workspace.messages, seconds);
+    state.workspace.drape.update(*state.workspace.document, state.workspace.messages);
+    impl.message_clock.update(state.workspace.messages, seconds);
     if (impl.shown_document != state.documents_opened) {
         impl.shown_document = state.documents_opened;
         impl.sheet.frame_all();
@@ -353,7 +353,7 @@ Vec2d Editor::sheet_to_px(const Vec2d& sheet) const {
 }
 
 std::optional<Vec2d> Editor::world_to_px(const Vec3d& point) const {
-    const auto px = impl_->fitting.world_to_px(point.cast<float>());
+    const auto px = impl_->viewport.world_to_px(point.cast<float>());
     return px ? std::optional<Vec2d>(px->cast<double>()) : std::nullopt;
 }
 

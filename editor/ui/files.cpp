@@ -121,7 +121,7 @@ void recover_journal(AppState& state, const OrphanedJournal& journal) {
 void take_dropped_file(AppState& state, const std::string& file) {
     if (file.ends_with(".json")) return open_file(state, file);
     const auto is_ending = [&](const std::string& ending) { return file.ends_with(ending); };
-    if (std::ranges::any_of(body_endings(), is_ending)) return state.workspace.drape.wear(file);
+    if (std::ranges::any_of(body_endings(), is_ending)) return state.workspace.drape.show_body(file);
     state.workspace.messages.warn("'" + file + "' is neither a garment (.json) nor a body (.obj, .glb)");
 }
 
@@ -143,9 +143,9 @@ void save_as(AppState& state, const std::string& file) {
 
 void export_to(AppState& state, const std::string& file) {
     const ExportRequest request{.file = file,
-                                .scene = state.fitting.scene,
-                                .camera = state.fitting.camera,
-                                .light = state.fitting.light,
+                                .scene = state.viewport.scene,
+                                .camera = state.viewport.camera,
+                                .light = state.viewport.light,
                                 .garment = state.workspace.drape.frame()->mesh};
     if (!request.scene || request.garment.triangles.empty()) {
         return state.workspace.messages.warn("There is nothing to export yet");
@@ -192,11 +192,12 @@ void browse_to_export(AppState& state, const std::string& ending) {
 }
 
 void browse_for_body(AppState& state) {
-    state.browser.open({.title = "Put it on a body",
-                        .verb = "Wear",
-                        .endings = body_endings(),
-                        .choose = [](AppState& asked, const std::string& file) { asked.workspace.drape.wear(file); }},
-                       state.services);
+    state.browser.open(
+        {.title = "Put it on a body",
+         .verb = "Wear",
+         .endings = body_endings(),
+         .choose = [](AppState& asked, const std::string& file) { asked.workspace.drape.show_body(file); }},
+        state.services);
 }
 
 void offer_recovery(AppState& state) {

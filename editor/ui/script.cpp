@@ -77,22 +77,22 @@ constexpr double kCm = 0.01;
 constexpr int kMaxFrames = 100000;
 
 // The words after a PLACE: mouse button and modifiers.
-struct Hand {
+struct PointerState {
     MouseButton button = MouseButton::Left;
     Modifiers modifiers{};
 };
 
-Hand hand_of(const ScriptStep& step, std::size_t at) {
-    Hand hand;
+PointerState pointer_state_of(const ScriptStep& step, std::size_t at) {
+    PointerState pointer;
     for (; at < step.arguments.size(); ++at) {
         const std::string& word = step.arguments[at];
-        if (word == "shift") hand.modifiers.shift = true;
-        if (word == "ctrl") hand.modifiers.ctrl = true;
-        if (word == "alt") hand.modifiers.alt = true;
-        if (word == "right") hand.button = MouseButton::Right;
-        if (word == "middle") hand.button = MouseButton::Middle;
+        if (word == "shift") pointer.modifiers.shift = true;
+        if (word == "ctrl") pointer.modifiers.ctrl = true;
+        if (word == "alt") pointer.modifiers.alt = true;
+        if (word == "right") pointer.button = MouseButton::Right;
+        if (word == "middle") pointer.button = MouseButton::Middle;
     }
-    return hand;
+    return pointer;
 }
 
 }  // namespace
@@ -149,7 +149,7 @@ void ScriptPlayer::play_document(const ScriptStep& step) {
     if (step.verb == "open") open_file(state, word(step, 0));
     if (step.verb == "save") save_as(state, word(step, 0));
     if (step.verb == "export") export_to(state, word(step, 0));
-    if (step.verb == "wear") state.workspace.drape.wear(step.rest);
+    if (step.verb == "wear") state.workspace.drape.show_body(step.rest);
     if (step.verb == "do") {
         const sim::Json json = sim::parse_json(step.rest, file_);
         state.workspace.document->run(parse_command(sim::JsonView(json, file_)));
@@ -169,21 +169,22 @@ void ScriptPlayer::play_mouse(const ScriptStep& step) {
         to = place(step, ++at);
     }
     const double notches = step.verb == "wheel" ? number(step, at) : 0;
-    const Hand hand = hand_of(step, at);
-    move_to(px, hand.modifiers);
+    const PointerState pointer = pointer_state_of(step, at);
+    move_to(px, pointer.modifiers);
     if (step.verb == "wheel") {
-        send({.kind = InputEvent::Kind::Wheel, .y = static_cast<float>(notches), .modifiers = hand.modifiers});
+        send({.kind = InputEvent::Kind::Wheel, .y = static_cast<float>(notches), .modifiers = pointer.modifiers});
     }
     const bool presses = step.verb == "press" || step.verb == "click" || step.verb == "double" || is_drag;
-    if (presses) set_button(hand.button, true, hand.modifiers);
+    if (presses) set_button(pointer.button, true, pointer.modifiers);
     if (is_drag) {
         constexpr int kMoves = 8;
-        for (int i = 1; i <= kMoves; ++i) move_to(px + (to - px) * (i / double(kMoves)), hand.modifiers);
+        for (int i = 1; i <= kMoves; ++i) move_to(px + (to - px) * (i / double(kMoves)), pointer.modifiers);
     }
-    if (step.verb != "press" && (presses || step.verb == "release")) set_button(hand.button, false, hand.modifiers);
+    if (step.verb != "press" && (presses || step.verb == "release"))
+        set_button(pointer.button, false, pointer.modifiers);
     if (step.verb == "double") {
-        set_button(hand.button, true, hand.modifiers);
-        set_button(hand.button, false, hand.modifiers);
+        set_button(pointer.button, true, pointer.modifiers);
+        set_button(pointer.button, false, pointer.modifiers);
     }
 }
 
@@ -221,7 +222,7 @@ Vec2d ScriptPlayer::place(const ScriptStep& step, std::size_t& at) const {
     Vec3d point = Vec3d::Zero();
     if (kind == "point") {
         const std::string& name = word(step, at++);
-        const std::vector<sim::ArrangementPoint>& points = state.workspace.drape.worn().points;
+        const std::vector<sim::ArrangementPoint>& points = state.workspace.drape.current_body().points;
         const auto found = std::find_if(points.begin(), points.end(),
                                         [&](const sim::ArrangementPoint& known) { return known.name == name; });
         if (found == points.end()) fail(step, "the body has no arrangement point '" + name + "'");

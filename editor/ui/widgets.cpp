@@ -225,7 +225,7 @@ void draw_icon(ImDrawList& list, std::string_view name, const Vec2f& low, float 
     Pen(list, low, side_px, IM_COL32(colour[0], colour[1], colour[2], 255)).draw(path_of(name));
 }
 
-void MessageClock::follow(Messages& messages, double seconds) {
+void MessageClock::update(Messages& messages, double seconds) {
     constexpr double kNoteStays = 6, kWarningStays = 12;  // s
     if (messages.count() != count_) {
         count_ = messages.count();

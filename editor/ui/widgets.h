@@ -64,7 +64,7 @@ void draw_icon(ImDrawList& list, std::string_view name, const Vec2f& low, float 
 class MessageClock {
  public:
     // Call once per frame; `seconds` since the last one. Dismisses the message when its time is over.
-    void follow(Messages& messages, double seconds);
+    void update(Messages& messages, double seconds);
 
  private:
     std::size_t count_ = 0;  // number of the message that is being timed

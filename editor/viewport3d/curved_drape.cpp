@@ -25,7 +25,7 @@ CurvedDrape::Made CurvedDrape::make(render::SurfaceOverCloth over, const sim::Se
     }
 }
 
-std::shared_ptr<const sim::DrawMesh> CurvedDrape::follow(const std::shared_ptr<const sim::SessionFrame>& frame,
+std::shared_ptr<const sim::DrawMesh> CurvedDrape::update(const std::shared_ptr<const sim::SessionFrame>& frame,
                                                          sim::SessionDrive drive) {
     const bool waits = drive == sim::SessionDrive::Caller;
     const auto take = [&] {

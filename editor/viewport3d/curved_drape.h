@@ -15,7 +15,7 @@ class CurvedDrape {
     // Call once per displayed frame. Returns the surface over the frame's cloth, with the frame's panels; null while
     // the cloth moves, and until the task has ended. The same cloth gives the same pointer. With SessionDrive::Caller
     // it waits for the task.
-    std::shared_ptr<const sim::DrawMesh> follow(const std::shared_ptr<const sim::SessionFrame>& frame,
+    std::shared_ptr<const sim::DrawMesh> update(const std::shared_ptr<const sim::SessionFrame>& frame,
                                                 sim::SessionDrive drive);
 
     bool is_making() const { return making_.valid(); }

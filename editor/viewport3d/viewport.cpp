@@ -44,7 +44,7 @@ ImTextureID image_of(UiTexture texture) {
 }  // namespace
 
 std::optional<Vec2f> Viewport::world_to_px(const Vec3f& x) const {
-    std::optional<Vec2f> px = px_of(hand_.viewing(), x);
+    std::optional<Vec2f> px = px_of(controller_.viewing(), x);
     if (px) *px += low_px_;
     return px;
 }
@@ -73,7 +73,7 @@ ViewportInput Viewport::take_input(const ViewportContext& context) {
 }
 
 bool Viewport::wants_curved(const Workspace& workspace) const {
-    return may_be_curved(workspace.look) && !hand_.garment().is_placed();
+    return may_be_curved(workspace.look) && !controller_.garment().is_placed();
 }
 
 void Viewport::make_scene(const ViewportContext& context) {
@@ -83,27 +83,28 @@ void Viewport::make_scene(const ViewportContext& context) {
     ViewportMarks marks{.selection = document.selection(), .hover = workspace.hover};
     if (message && message->kind != MessageKind::Note) marks.wrong = message->places;
     marks.has_seam_lines = workspace.look.has_seam_lines;
-    marks.has_points = hand_.shows_points();
-    marks.hovered_point = hand_.under().point;
-    marks.pulled_to = hand_.pulled_to();
-    marks.size = context.scale * coarse_size(metres_per_px(hand_.viewing(), hand_.orbit().standpoint().target));
+    marks.has_points = controller_.shows_points();
+    marks.hovered_point = controller_.under().point;
+    marks.pulled_to = controller_.pulled_to();
+    marks.size =
+        context.scale * coarse_size(metres_per_px(controller_.viewing(), controller_.orbit().standpoint().target));
     std::shared_ptr<const sim::DrawMesh> curved;
-    if (wants_curved(workspace)) curved = curved_.follow(hand_.garment().shared_frame(), workspace.drape.drive());
-    shown_ = scene_.follow({.pattern = document.pattern(),
+    if (wants_curved(workspace)) curved = curved_.update(controller_.garment().shared_frame(), workspace.drape.drive());
+    shown_ = scene_.update({.pattern = document.pattern(),
                             .revision = document.revision(),
-                            .garment = hand_.garment(),
-                            .worn = workspace.drape.worn(),
+                            .garment = controller_.garment(),
+                            .current_body = workspace.drape.current_body(),
                             .curved = std::move(curved),
                             .look = workspace.look,
                             .marks = std::move(marks)});
-    const render::Camera camera = hand_.orbit().camera();
+    const render::Camera camera = controller_.orbit().camera();
     light_ = fills_show_mode(workspace.look.show) ? even_light(camera) : studio_light(camera);
 }
 
 void Viewport::request_rendering(const ViewportContext& context) {
     if (!shown_) return;
     const Drawn wanted{.scene = shown_,
-                       .standpoint = hand_.orbit().standpoint(),
+                       .standpoint = controller_.orbit().standpoint(),
                        .width_px = static_cast<int>(size_px_.x()),
                        .height_px = static_cast<int>(size_px_.y()),
                        .texture = context.texture};
@@ -111,7 +112,7 @@ void Viewport::request_rendering(const ViewportContext& context) {
     drawn_ = wanted;
     context.output.scenes.push_back({.texture = context.texture,
                                      .scene = shown_,
-                                     .camera = hand_.orbit().camera(),
+                                     .camera = controller_.orbit().camera(),
                                      .light = light_,
                                      .width_px = wanted.width_px,
                                      .height_px = wanted.height_px,
@@ -121,8 +122,9 @@ void Viewport::request_rendering(const ViewportContext& context) {
 }
 
 void Viewport::choose_cursor(const ViewportContext& context) const {
-    const UnderCursor& under = hand_.under();
-    if (under.handle || under.point || hand_.drag() || hand_.pulled_to()) context.output.cursor = MouseCursor::Hand;
+    const UnderCursor& under = controller_.under();
+    if (under.handle || under.point || controller_.drag() || controller_.pulled_to())
+        context.output.cursor = MouseCursor::Hand;
 }
 
 void Viewport::show(const ViewportContext& context) {
@@ -132,13 +134,13 @@ void Viewport::show(const ViewportContext& context) {
     size_px_ = {std::floor(room.x), std::floor(room.y)};
     constexpr ImGuiButtonFlags kAll =
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle;
-    ImGui::InvisibleButton("fitting", {size_px_.x(), size_px_.y()}, kAll);
-    hand_.update(context.workspace, take_input(context), context.choice);
+    ImGui::InvisibleButton("viewport", {size_px_.x(), size_px_.y()}, kAll);
+    controller_.update(context.workspace, take_input(context), context.choice);
     make_scene(context);
     request_rendering(context);
     choose_cursor(context);
     const bool waits_for_task = wants_curved(context.workspace) && curved_.is_making();
-    context.output.is_animating = context.output.is_animating || hand_.orbit().is_moving() || waits_for_task;
+    context.output.is_animating = context.output.is_animating || controller_.orbit().is_moving() || waits_for_task;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 from(low_px_.x(), low_px_.y()), to(low_px_.x() + size_px_.x(), low_px_.y() + size_px_.y());
     list.PushClipRect(from, to, true);
@@ -149,7 +151,7 @@ void Viewport::show(const ViewportContext& context) {
         const sim::Rgb8& paper = colours_.background.edge;
         list.AddRectFilled(from, to, IM_COL32(paper[0], paper[1], paper[2], 255));
     }
-    draw_overlay(list, {.low_px = low_px_, .scale = context.scale}, context.workspace, hand_, colours_);
+    draw_overlay(list, {.low_px = low_px_, .scale = context.scale}, context.workspace, controller_, colours_);
     list.PopClipRect();
 }
 

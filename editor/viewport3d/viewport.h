@@ -34,15 +34,15 @@ class Viewport {
 
     // The scene of the last frame; null: there is nothing to show.
     const std::shared_ptr<const render::Scene>& scene() const { return shown_; }
-    render::Camera camera() const { return hand_.orbit().camera(); }
+    render::Camera camera() const { return controller_.orbit().camera(); }
     render::Light light() const { return light_; }
     bool is_focused() const { return is_focused_; }
 
     // Projects a 3D point (m) to px of the window; none: the point is behind the eye.
     std::optional<Vec2f> world_to_px(const Vec3f& x) const;
 
-    ViewportController& hand() { return hand_; }
-    const ViewportController& hand() const { return hand_; }
+    ViewportController& controller() { return controller_; }
+    const ViewportController& controller() const { return controller_; }
 
  private:
     // Key of the last rendering that was requested.
@@ -63,7 +63,7 @@ class Viewport {
     void choose_cursor(const ViewportContext& context) const;
 
     ViewportColours colours_;
-    ViewportController hand_;
+    ViewportController controller_;
     CurvedDrape curved_;
     ViewportScene scene_;
     std::shared_ptr<const render::Scene> shown_;

@@ -41,7 +41,7 @@ std::vector<Vec3f> placed_points(const std::vector<sim::Panel>& panels) {
 void ViewportController::update(Workspace& workspace, const ViewportInput& input, ClothChoice choice) {
     size_px_ = input.size_px.cwiseMax(1);
     orbit_.advance(input.seconds);
-    follow_garment(workspace);
+    update_garment(workspace);
     place_gizmo(workspace, input.scale);
     if (gesture_ == Gesture::None) {
         pick(workspace, input, choice);
@@ -50,22 +50,22 @@ void ViewportController::update(Workspace& workspace, const ViewportInput& input
     move(workspace, input);
     release(workspace, input);
     use_keys(workspace, input);
-    follow_garment(workspace);  // apply this frame's changes before drawing
+    update_garment(workspace);  // apply this frame's changes before drawing
     pulled_at_ = pulled_to_ ? place_of(garment_.mesh(), pulled_panel_, pulled_u_) : std::nullopt;
     place_gizmo(workspace, input.scale);
     find_ghosts(workspace);
     last_px_ = input.cursor_px;
 }
 
-void ViewportController::follow_garment(const Workspace& workspace) {
-    garment_.follow(workspace.document->pattern(), workspace.document->revision(), workspace.drape.frame(),
+void ViewportController::update_garment(const Workspace& workspace) {
+    garment_.update(workspace.document->pattern(), workspace.document->revision(), workspace.drape.frame(),
                     workspace.look.as_placed ? GarmentState::AsPlaced : GarmentState::AsItIs);
 }
 
 void ViewportController::pick(Workspace& workspace, const ViewportInput& input, ClothChoice choice) {
-    const CurrentBody& worn = workspace.drape.worn();
-    if (worn.body != body_) {
-        body_ = worn.body;
+    const CurrentBody& current = workspace.drape.current_body();
+    if (current.body != body_) {
+        body_ = current.body;
         surface_ = body_ ? body_surface(*body_) : BodySurface{};
     }
     under_ = {};
@@ -74,7 +74,7 @@ void ViewportController::pick(Workspace& workspace, const ViewportInput& input, 
                             {.pattern = workspace.document->pattern(),
                              .garment = garment_,
                              .body = workspace.look.has_body ? &surface_ : nullptr,
-                             .points = shows_points_ ? &worn.points : nullptr,
+                             .points = shows_points_ ? &current.points : nullptr,
                              .gizmo = gizmo_ ? &*gizmo_ : nullptr,
                              .choice = choice,
                              .scale = input.scale});
@@ -103,7 +103,7 @@ void ViewportController::find_ghosts(const Workspace& workspace) {
     ghosts_.clear();
     std::vector<sim::Panel> panels = panels_of(workspace.document->pattern(), workspace.document->selection().panels);
     const bool is_apart = gizmo_ && !garment_.is_placed() && is_sewn_up(garment_.frame().stage);
-    const std::vector<sim::ArrangementPoint>& points = workspace.drape.worn().points;
+    const std::vector<sim::ArrangementPoint>& points = workspace.drape.current_body().points;
     const bool would_go = under_.point && *under_.point < points.size() && gesture_ == Gesture::None;
     if (!is_apart && !would_go) return;
     for (sim::Panel& panel : panels) {
@@ -128,8 +128,8 @@ void ViewportController::hold_material(const MeshHit& hit) {
 
 void ViewportController::frame_all(const Workspace& workspace) {
     std::vector<Vec3f> points = garment_.mesh().x;
-    if (workspace.look.has_body && workspace.drape.worn().body) {
-        for (const Vec3d& x : workspace.drape.worn().body->x) points.push_back(x.cast<float>());
+    if (workspace.look.has_body && workspace.drape.current_body().body) {
+        for (const Vec3d& x : workspace.drape.current_body().body->x) points.push_back(x.cast<float>());
     }
     orbit_.frame(points, size_px_.x() / size_px_.y());
 }
@@ -221,7 +221,8 @@ void ViewportController::press(Workspace& workspace, const ViewportInput& input)
     } else if (is_left && under_.point) {
         const std::vector<sim::Panel> panels =
             panels_of(workspace.document->pattern(), workspace.document->selection().panels);
-        if (!panels.empty()) workspace.run(arrange_command(panels, workspace.drape.worn().points[*under_.point]));
+        if (!panels.empty())
+            workspace.run(arrange_command(panels, workspace.drape.current_body().points[*under_.point]));
     } else if (is_left) {
         pressed_ = under_;
         if (under_.cloth) {

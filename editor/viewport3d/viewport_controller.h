@@ -77,7 +77,7 @@ class ViewportController {
  private:
     enum class Gesture { None, Orbit, Pan, Pressed, Gizmo, Pull };
 
-    void follow_garment(const Workspace& workspace);
+    void update_garment(const Workspace& workspace);
     void place_gizmo(const Workspace& workspace, float scale);
     void find_ghosts(const Workspace& workspace);
     void pick(Workspace& workspace, const ViewportInput& input, ClothChoice choice);

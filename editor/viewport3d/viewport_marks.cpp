@@ -278,7 +278,7 @@ std::optional<Vec3f> place_of(const sim::DrawMesh& mesh, std::uint16_t panel, co
     return std::nullopt;
 }
 
-void DisplayedGarment::follow(const sim::Pattern& pattern, std::uint64_t revision,
+void DisplayedGarment::update(const sim::Pattern& pattern, std::uint64_t revision,
                               std::shared_ptr<const sim::SessionFrame> frame, GarmentState wanted) {
     const bool has_material = frame->mesh.u.size() == frame->mesh.triangles.size();
     const bool is_placed =

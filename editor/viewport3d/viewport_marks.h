@@ -59,7 +59,7 @@ class DisplayedGarment {
  public:
     // Takes over changes of the pattern and of the frame. Before sewing, the panels are always shown as placed, so that
     // a drag is visible before the session has processed it.
-    void follow(const sim::Pattern& pattern, std::uint64_t revision, std::shared_ptr<const sim::SessionFrame> frame,
+    void update(const sim::Pattern& pattern, std::uint64_t revision, std::shared_ptr<const sim::SessionFrame> frame,
                 GarmentState wanted);
 
     const sim::DrawMesh& mesh() const { return is_placed_ ? placed_ : frame_->mesh; }  // same triangles as the frame

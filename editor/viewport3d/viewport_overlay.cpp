@@ -89,8 +89,8 @@ void Overlay::badge(const Vec2f& low, const std::string& text, const sim::Rgb8& 
     list_.AddText(at(low + Vec2f(7, 4) * scale()), ink(colour), text.c_str());
 }
 
-void draw_ghosts(Overlay& overlay, const ViewportController& hand) {
-    for (const std::vector<Vec3f>& ghost : hand.ghosts()) {
+void draw_ghosts(Overlay& overlay, const ViewportController& controller) {
+    for (const std::vector<Vec3f>& ghost : controller.ghosts()) {
         overlay.path(ghost, ink(overlay.colours().badge, 120), 3);
         overlay.dashes(ghost, ink(overlay.colours().selected, 230), 1.6F);
     }
@@ -102,9 +102,10 @@ struct HandleLook {
     bool is_held = false;
 };
 
-HandleLook look_of(const Overlay& overlay, const ViewportController& hand, const GizmoHandle& handle) {
-    const bool is_held = hand.drag() ? hand.drag()->handle() == handle : hand.under().handle == handle;
-    const bool is_aside = hand.drag() && !is_held;
+HandleLook look_of(const Overlay& overlay, const ViewportController& controller, const GizmoHandle& handle) {
+    const bool is_held =
+        controller.drag() ? controller.drag()->handle() == handle : controller.under().handle == handle;
+    const bool is_aside = controller.drag() && !is_held;
     const sim::Rgb8& axis = overlay.colours().axes[static_cast<std::size_t>(handle.axis)];
     return {.colour = ink(is_held ? overlay.colours().held_axis : axis, is_aside ? 70 : 235),
             .width = is_held ? 3.6F : 2.6F,
@@ -150,19 +151,19 @@ void draw_square(Overlay& overlay, const Gizmo& gizmo, int axis, const HandleLoo
     overlay.rimmed_path(corners, look.colour, 1);
 }
 
-void draw_gizmo(Overlay& overlay, const ViewportController& hand) {
-    if (!hand.gizmo()) return;
-    const Gizmo& gizmo = *hand.gizmo();
-    const bool is_free = hand.drag() && hand.drag()->handle().kind == GizmoKind::MoveScreen;
+void draw_gizmo(Overlay& overlay, const ViewportController& controller) {
+    if (!controller.gizmo()) return;
+    const Gizmo& gizmo = *controller.gizmo();
+    const bool is_free = controller.drag() && controller.drag()->handle().kind == GizmoKind::MoveScreen;
     for (int axis = 0; axis < 3 && !is_free; ++axis) {
-        const HandleLook look = look_of(overlay, hand, {GizmoKind::Turn, axis});
+        const HandleLook look = look_of(overlay, controller, {GizmoKind::Turn, axis});
         overlay.rimmed_path(ring_of(gizmo, overlay.viewing(), axis), look.colour, look.is_held ? 3.0F : 2.0F);
     }
     for (const GizmoKind kind : {GizmoKind::MovePlane, GizmoKind::MoveAxis}) {
         for (int axis = 0; axis < 3 && !is_free; ++axis) {
             const GizmoHandle handle{kind, axis};
             if (!is_shown(gizmo, overlay.viewing(), handle)) continue;
-            const HandleLook look = look_of(overlay, hand, handle);
+            const HandleLook look = look_of(overlay, controller, handle);
             if (kind == GizmoKind::MoveAxis) draw_arrow(overlay, gizmo, axis, look);
             if (kind == GizmoKind::MovePlane) draw_square(overlay, gizmo, axis, look);
         }
@@ -174,32 +175,32 @@ void draw_gizmo(Overlay& overlay, const ViewportController& hand) {
 }
 
 // Draws a line from the grabbed cloth point to the pull target.
-void draw_pull(Overlay& overlay, const ViewportController& hand) {
-    if (!hand.pulled_to() || !hand.pulled_at()) return;
-    overlay.rimmed_path({*hand.pulled_at(), *hand.pulled_to()}, ink(overlay.colours().pull), 1.8F);
-    const std::optional<Vec2f> at = px_of(overlay.viewing(), *hand.pulled_at());
+void draw_pull(Overlay& overlay, const ViewportController& controller) {
+    if (!controller.pulled_to() || !controller.pulled_at()) return;
+    overlay.rimmed_path({*controller.pulled_at(), *controller.pulled_to()}, ink(overlay.colours().pull), 1.8F);
+    const std::optional<Vec2f> at = px_of(overlay.viewing(), *controller.pulled_at());
     if (at) overlay.list().AddCircleFilled(overlay.at(*at), 3.5F * overlay.scale(), ink(overlay.colours().pull));
 }
 
 // Draws the readout beside the cursor, inside the view.
-void draw_readout(Overlay& overlay, const ViewportController& hand) {
+void draw_readout(Overlay& overlay, const ViewportController& controller) {
     std::string text;
     sim::Rgb8 colour = overlay.colours().ink;
-    if (hand.drag()) {
-        text = hand.drag()->readout();
-        if (!hand.typed().empty()) text += "   = " + hand.typed();
+    if (controller.drag()) {
+        text = controller.drag()->readout();
+        if (!controller.typed().empty()) text += "   = " + controller.typed();
     }
     if (text.empty()) return;
     const Vec2f size = overlay.badge_size(text);
-    Vec2f low = hand.cursor_px() + Vec2f(18, 18) * overlay.scale();
+    Vec2f low = controller.cursor_px() + Vec2f(18, 18) * overlay.scale();
     low = low.cwiseMin(overlay.viewing().size_px - size - Vec2f(6, 6)).cwiseMax(Vec2f(6, 6));
     overlay.badge(low, text, colour);
 }
 
 void draw_point_name(Overlay& overlay, const std::vector<sim::ArrangementPoint>& points,
-                     const ViewportController& hand) {
-    if (!hand.under().point || *hand.under().point >= points.size()) return;
-    const sim::ArrangementPoint& point = points[*hand.under().point];
+                     const ViewportController& controller) {
+    if (!controller.under().point || *controller.under().point >= points.size()) return;
+    const sim::ArrangementPoint& point = points[*controller.under().point];
     const std::optional<Vec2f> px = px_of(overlay.viewing(), point.position.cast<float>());
     if (!px) return;
     const Vec2f size = overlay.badge_size(point.name);
@@ -243,11 +244,11 @@ sim::Rgb8 stage_colour(const sim::SessionFrame& frame, const ViewportColours& co
     return colours.faint;
 }
 
-void draw_stage(Overlay& overlay, const Workspace& workspace, const ViewportController& hand) {
-    const sim::SessionFrame& frame = hand.garment().frame();
+void draw_stage(Overlay& overlay, const Workspace& workspace, const ViewportController& controller) {
+    const sim::SessionFrame& frame = controller.garment().frame();
     std::string text = stage_text(frame);
     const bool is_sewn = frame.stage == sim::SessionStage::Draping || frame.stage == sim::SessionStage::Settled;
-    if (is_sewn && hand.garment().is_placed()) text += " \u00B7 shown as placed";
+    if (is_sewn && controller.garment().is_placed()) text += " \u00B7 shown as placed";
     if (workspace.drape.is_making_body()) text += text.empty() ? "Making the body" : " \u00B7 making the body";
     if (text.empty()) return;
     const float scale = overlay.scale();
@@ -283,15 +284,15 @@ std::string stage_text(const sim::SessionFrame& frame) {
 }
 
 void draw_overlay(ImDrawList& list, const OverlayFrame& place, const Workspace& workspace,
-                  const ViewportController& hand, const ViewportColours& colours) {
-    Overlay overlay(list, place, hand.viewing(), colours);
-    draw_ghosts(overlay, hand);
-    draw_gizmo(overlay, hand);
-    draw_pull(overlay, hand);
-    draw_point_name(overlay, workspace.drape.worn().points, hand);
+                  const ViewportController& controller, const ViewportColours& colours) {
+    Overlay overlay(list, place, controller.viewing(), colours);
+    draw_ghosts(overlay, controller);
+    draw_gizmo(overlay, controller);
+    draw_pull(overlay, controller);
+    draw_point_name(overlay, workspace.drape.current_body().points, controller);
     draw_axis_cross(overlay);
-    draw_stage(overlay, workspace, hand);
-    draw_readout(overlay, hand);
+    draw_stage(overlay, workspace, controller);
+    draw_readout(overlay, controller);
 }
 
 }  // namespace selvedge::editor

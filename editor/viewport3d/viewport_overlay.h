@@ -14,7 +14,7 @@ struct OverlayFrame {
 };
 
 void draw_overlay(ImDrawList& list, const OverlayFrame& place, const Workspace& workspace,
-                  const ViewportController& hand, const ViewportColours& colours);
+                  const ViewportController& controller, const ViewportColours& colours);
 
 // The current simulation stage in a few words, for example "Sewing 3 seams".
 std::string stage_text(const sim::SessionFrame& frame);

@@ -100,19 +100,19 @@ void ViewportScene::update_cloth(const ViewportSceneInput& input) {
 
 void ViewportScene::update_body(const ViewportSceneInput& input) {
     has_body_ = input.look.has_body;
-    body_ = input.worn.body;
+    body_ = input.current_body.body;
     bodies_.clear();
     if (has_body_ && body_ && !body_->triangles.empty()) bodies_.push_back(render::make_body_item(*body_));
 }
 
-std::shared_ptr<const render::Scene> ViewportScene::follow(const ViewportSceneInput& input) {
+std::shared_ptr<const render::Scene> ViewportScene::update(const ViewportSceneInput& input) {
     const ContentKey key{.garment = input.garment.version(),
                          .revision = input.revision,
                          .show = input.look.show,
                          .has_edges = input.look.has_edges,
                          .curved = input.curved};
     const bool is_cloth_new = !(key == key_);
-    const bool is_body_new = input.worn.body != body_ || input.look.has_body != has_body_;
+    const bool is_body_new = input.current_body.body != body_ || input.look.has_body != has_body_;
     if (!is_cloth_new && !is_body_new && input.marks == marks_) return scene_;
     key_ = key;
     marks_ = input.marks;
@@ -121,7 +121,8 @@ std::shared_ptr<const render::Scene> ViewportScene::follow(const ViewportSceneIn
     auto scene = std::make_shared<render::Scene>();
     scene->cloths = cloths_;
     scene->bodies = bodies_;
-    render::SolidItem marks = make_marks(input.pattern, input.garment, input.worn.points, input.marks, colours_);
+    render::SolidItem marks =
+        make_marks(input.pattern, input.garment, input.current_body.points, input.marks, colours_);
     if (!marks.triangles.empty()) scene->solids.push_back(std::move(marks));
     scene->background = colours_.background;
     if (scene->cloths.empty() && scene->bodies.empty()) {

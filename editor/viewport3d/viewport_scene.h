@@ -16,7 +16,7 @@ struct ViewportSceneInput {
     const sim::Pattern& pattern;
     std::uint64_t revision = 0;  // of the pattern
     const DisplayedGarment& garment;
-    const CurrentBody& worn;
+    const CurrentBody& current_body;
     std::shared_ptr<const sim::DrawMesh> curved{};  // drawn instead of the garment's mesh; null: none
     ViewOptions look{};
     ViewportMarks marks{};
@@ -27,7 +27,7 @@ class ViewportScene {
     explicit ViewportScene(ViewportColours colours = {}) : colours_(colours) {}
 
     // Returns the scene for the input; null: there is nothing to show.
-    std::shared_ptr<const render::Scene> follow(const ViewportSceneInput& input);
+    std::shared_ptr<const render::Scene> update(const ViewportSceneInput& input);
 
  private:
     // Key of the cached cloth items.

@@ -50,17 +50,17 @@ CurrentBody make_mannequin_body(const std::string& text) {
     sim::MannequinOptions options = sim::parse_mannequin(text);
     options.subdivisions = 1;
     sim::Mannequin mannequin = make_mannequin(options);
-    CurrentBody worn{.text = text,
+    CurrentBody made{.text = text,
                      .body = std::make_shared<const sim::Body>(std::move(mannequin.body)),
                      .measures = std::move(mannequin.report),
                      .points = {}};
-    worn.points = arrangement_points(*worn.body);
-    return worn;
+    made.points = arrangement_points(*made.body);
+    return made;
 }
 
 Drape::Drape(sim::SessionDrive drive, BodyMaker maker) : drive_(drive), maker_(std::move(maker)), session_(drive) {}
 
-void Drape::wear(std::optional<std::string> text) {
+void Drape::show_body(std::optional<std::string> text) {
     body_override_ = std::move(text);
 }
 
@@ -76,14 +76,14 @@ void Drape::begin_body(const std::string& text) {
 
 void Drape::update_body(Messages& messages) {
     try {
-        worn_ = making_.get();
-        session_.set_body(worn_.body);
+        current_body_ = making_.get();
+        session_.set_body(current_body_.body);
     } catch (const sim::InputError& error) {
         messages.say({.kind = MessageKind::Error, .text = error.what(), .places = {}});
     }
 }
 
-void Drape::follow(const Document& document, Messages& messages) {
+void Drape::update(const Document& document, Messages& messages) {
     const std::string drafted = document.pattern().body.empty() ? kDefaultBody : document.pattern().body;
     const std::string text = body_override_.value_or(drafted);
     if (!making_.valid() && text != wanted_body_) begin_body(text);

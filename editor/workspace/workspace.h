@@ -54,7 +54,7 @@ class Messages {
 // The draped garment and its body: a simulation session synchronized with the document, and the body, which is built
 // asynchronously.
 
-// The default body: worn if the pattern names no body.
+// The default body: used if the pattern names no body.
 inline constexpr const char* kDefaultBody = "mannequin:sex=female";
 
 // A new document without panels, for the default body. The body is named explicitly: an empty name would mean
@@ -83,18 +83,18 @@ class Drape {
     // Sends changes of the document, the body and the options to the session, and its messages to `messages`. Call once
     // per displayed frame. Does not block with SessionDrive::Thread. With SessionDrive::Caller it waits for the body
     // and simulates one frame while the drape is running.
-    void follow(const Document& document, Messages& messages);
+    void update(const Document& document, Messages& messages);
 
     // Call when another document was opened: resets the drape to the panels' placement.
     void begin_document();
 
-    // Shows this body instead of the document's; `wear({})` returns to the document's body.
-    void wear(std::optional<std::string> text);
+    // Shows this body instead of the document's; `show_body({})` returns to the document's body.
+    void show_body(std::optional<std::string> text);
     bool is_making_body() const { return making_.valid(); }
     sim::SessionDrive drive() const { return drive_; }
-    const CurrentBody& worn() const { return worn_; }  // `body` is null until the first body is ready
+    const CurrentBody& current_body() const { return current_body_; }  // `body` is null until the first body is ready
 
-    sim::SessionOptions& options() { return options_; }  // takes effect at the next `follow`
+    sim::SessionOptions& options() { return options_; }  // takes effect at the next `update`
 
     sim::Session& session() { return session_; }
     const sim::Session& session() const { return session_; }
@@ -106,8 +106,8 @@ class Drape {
 
     sim::SessionDrive drive_;
     BodyMaker maker_;
-    CurrentBody worn_;
-    std::optional<std::string> body_override_;  // body set by `wear`; none: the document's
+    CurrentBody current_body_;
+    std::optional<std::string> body_override_;  // body set by `show_body`; none: the document's
     std::string wanted_body_;                   // text of the current body or of the one being made
     std::future<CurrentBody> making_;
     sim::SessionOptions options_;

@@ -74,12 +74,12 @@ RealDisplay::RealDisplay(int width_px, int height_px) {
     is_ready_ = wait_until(has_number) && !number_.empty();
 }
 
-std::string RealDisplay::hand(const std::string& text) const {
+std::string RealDisplay::xdotool(const std::string& text) const {
     return run_command(environment() + " xdotool " + text).out;
 }
 
 std::string RealDisplay::title() const {
-    const std::string name = hand("search --onlyvisible --name . getwindowname");
+    const std::string name = xdotool("search --onlyvisible --name . getwindowname");
     return name.substr(0, name.find('\n'));
 }
 
@@ -90,15 +90,15 @@ render::Image RealDisplay::screenshot() const {
 }
 
 void RealDisplay::move(const Vec2d& px) const {
-    hand("mousemove " + std::to_string(std::lround(px.x())) + " " + std::to_string(std::lround(px.y())));
+    xdotool("mousemove " + std::to_string(std::lround(px.x())) + " " + std::to_string(std::lround(px.y())));
 }
 
 void RealDisplay::key(const std::string& name) const {
-    hand("keydown " + name + " keyup " + name);
+    xdotool("keydown " + name + " keyup " + name);
 }
 
 void RealDisplay::key_with(const std::string& held, const std::string& name) const {
-    hand("keydown " + held + " keydown " + name + " keyup " + name + " keyup " + held);
+    xdotool("keydown " + held + " keydown " + name + " keyup " + name + " keyup " + held);
 }
 
 }  // namespace selvedge::app

@@ -47,14 +47,14 @@ class RealDisplay {
     render::Image screenshot() const;
 
     void move(const Vec2d& px) const;
-    void press() const { hand("mousedown 1"); }
-    void release() const { hand("mouseup 1"); }
-    void turn_wheel_up() const { hand("click 4"); }
+    void press() const { xdotool("mousedown 1"); }
+    void release() const { xdotool("mouseup 1"); }
+    void turn_wheel_up() const { xdotool("click 4"); }
     void key(const std::string& name) const;                                // for example "space"
     void key_with(const std::string& held, const std::string& name) const;  // "ctrl", "s"
 
  private:
-    std::string hand(const std::string& text) const;
+    std::string xdotool(const std::string& text) const;
 
     ScratchFolder scratch_;
     std::unique_ptr<RunningProgram> server_;

@@ -115,7 +115,7 @@ class EditWindowTest : public testing::Test {
     bool waits_to_run() {
         const render::Image before = display_->screenshot();
         display_->key("space");
-        return wait_until([&] { return !is_same(display_->screenshot(), before, kFitting); });
+        return wait_until([&] { return !is_same(display_->screenshot(), before, kViewport); });
     }
 
     // Drags the front's lower corner to a new position. Leaves the button pressed.
@@ -154,7 +154,7 @@ class EditWindowTest : public testing::Test {
     }
 
     // px: the two views at this window size, without their borders.
-    static constexpr Columns kSheet{60, 480}, kFitting{520, 930};
+    static constexpr Columns kSheet{60, 480}, kViewport{520, 930};
 
     ScratchFolder scratch_;
     std::string file_ = scratch_ / "skirt.json";

@@ -145,14 +145,14 @@ TEST(HistoryInspector, a_click_goes_back_and_forth) {
 
 TEST(BodyInspector, a_measure_becomes_the_documents_with_the_panels_moved_along) {
     InspectorFixture desk(shipped_pattern("tshirt.json"), draw_body);
-    desk.workspace.drape.follow(desk.document(), desk.workspace.messages);
+    desk.workspace.drape.update(desk.document(), desk.workspace.messages);
     desk.frame();
     const double before = desk.panel(0).translation.y();
     desk.click("body.height");
     desk.type("175");
     desk.key(ImGuiKey_Enter);
     EXPECT_EQ(desk.state.body.pending, "mannequin:sex=female,height=175");
-    desk.workspace.drape.follow(desk.document(), desk.workspace.messages);
+    desk.workspace.drape.update(desk.document(), desk.workspace.messages);
     desk.frame();
     EXPECT_EQ(desk.document().pattern().body, "mannequin:sex=female,height=175");
     EXPECT_GT(desk.panel(0).translation.y(), before + 0.05) << "the panel stands as high on the taller body";

@@ -40,7 +40,7 @@ TEST(Elide, where_there_is_no_room_the_dots_are_left) {
 constexpr double kFrame = 0.25;  // s
 
 void let_pass(MessageClock& clock, Messages& messages, double seconds) {
-    for (double left = seconds; left > 0; left -= kFrame) clock.follow(messages, kFrame);
+    for (double left = seconds; left > 0; left -= kFrame) clock.update(messages, kFrame);
 }
 
 TEST(MessageClock, a_note_makes_room_for_the_hint_after_a_while) {

@@ -13,15 +13,15 @@ const Vec3f kMiddle(0, 1, 0.3F);  // centre of the panel
 // Selects the panel, so that its gizmo is shown.
 ViewportFixture& chosen(ViewportFixture& desk) {
     desk.click(desk.seen(kMiddle + Vec3f(-0.17F, 0.17F, 0)));
-    EXPECT_TRUE(desk.hand().gizmo().has_value());
+    EXPECT_TRUE(desk.controller().gizmo().has_value());
     return desk;
 }
 
 TEST(ViewportController, shows_the_panel_as_it_is_placed) {
     ViewportFixture desk;
-    EXPECT_TRUE(desk.hand().garment().is_placed());
-    ASSERT_FALSE(desk.hand().garment().mesh().x.empty());
-    for (const Vec3f& x : desk.hand().garment().mesh().x) EXPECT_NEAR(x.z(), 0.3F, 1e-6F);
+    EXPECT_TRUE(desk.controller().garment().is_placed());
+    ASSERT_FALSE(desk.controller().garment().mesh().x.empty());
+    for (const Vec3f& x : desk.controller().garment().mesh().x) EXPECT_NEAR(x.z(), 0.3F, 1e-6F);
 }
 
 TEST(ViewportController, the_panel_under_the_cursor_is_hovered_and_a_click_selects_it) {
@@ -47,14 +47,14 @@ TEST(ViewportController, parts_of_an_outline_are_chosen_where_they_lie_on_the_cl
 TEST(ViewportController, an_arrow_moves_the_panel_along_its_axis_and_makes_one_entry_of_the_history) {
     ViewportFixture desk;
     chosen(desk);
-    const Vec3f tip = arrow_of(*desk.hand().gizmo(), 0)[1];
+    const Vec3f tip = arrow_of(*desk.controller().gizmo(), 0)[1];
     desk.move_to(desk.seen(tip));
-    EXPECT_EQ(desk.hand().under().handle, (GizmoHandle{GizmoKind::MoveAxis, 0}));
+    EXPECT_EQ(desk.controller().under().handle, (GizmoHandle{GizmoKind::MoveAxis, 0}));
     desk.press();
     desk.move_to(desk.seen(tip + Vec3f(0.05F, 0.03F, 0)));
     desk.move_to(desk.seen(tip + Vec3f(0.1F, 0.03F, 0)));
     EXPECT_TRUE(desk.document().is_previewing());
-    EXPECT_EQ(desk.hand().drag()->readout(), "x 10.0 cm");
+    EXPECT_EQ(desk.controller().drag()->readout(), "x 10.0 cm");
     desk.release();
     EXPECT_FALSE(desk.document().is_previewing());
     EXPECT_NEAR((desk.panel().translation - Vec3d(0.1, 1, 0.3)).norm(), 0, 1e-4);
@@ -64,7 +64,7 @@ TEST(ViewportController, an_arrow_moves_the_panel_along_its_axis_and_makes_one_e
 TEST(ViewportController, a_number_typed_during_a_drag_holds_until_it_is_let_go) {
     ViewportFixture desk;
     chosen(desk);
-    const Vec3f tip = arrow_of(*desk.hand().gizmo(), 1)[1];
+    const Vec3f tip = arrow_of(*desk.controller().gizmo(), 1)[1];
     desk.move_to(desk.seen(tip));
     desk.press();
     desk.move_to(desk.seen(tip + Vec3f(0, 0.02F, 0)));
@@ -79,7 +79,7 @@ TEST(ViewportController, a_number_typed_during_a_drag_holds_until_it_is_let_go) 
 TEST(ViewportController, escape_takes_a_drag_back) {
     ViewportFixture desk;
     chosen(desk);
-    const Vec3f tip = arrow_of(*desk.hand().gizmo(), 1)[1];
+    const Vec3f tip = arrow_of(*desk.controller().gizmo(), 1)[1];
     desk.move_to(desk.seen(tip));
     desk.press();
     desk.move_to(desk.seen(tip + Vec3f(0, 0.2F, 0)));
@@ -93,14 +93,14 @@ TEST(ViewportController, escape_takes_a_drag_back) {
 TEST(ViewportController, a_ring_turns_the_panel_about_its_middle) {
     ViewportFixture desk;
     chosen(desk);
-    const Gizmo gizmo = *desk.hand().gizmo();
+    const Gizmo gizmo = *desk.controller().gizmo();
     const float radius = kRingRadius * gizmo.reach;
     const auto on_ring = [&](float degrees) {
         const float angle = degrees * 3.14159265F / 180;
         return desk.seen(gizmo.centre + radius * Vec3f(std::cos(angle), std::sin(angle), 0));
     };
     desk.move_to(on_ring(30));
-    ASSERT_EQ(desk.hand().under().handle, (GizmoHandle{GizmoKind::Turn, 2}));
+    ASSERT_EQ(desk.controller().under().handle, (GizmoHandle{GizmoKind::Turn, 2}));
     desk.press();
     desk.move_to(on_ring(50));
     desk.move_to(on_ring(75));
@@ -125,12 +125,12 @@ TEST(ViewportController, a_click_on_an_arrangement_point_wraps_the_panel_there) 
     ViewportFixture desk;
     const Vec2f point = desk.seen({0, 1.35F, 0.2F});
     desk.move_to(point);
-    EXPECT_FALSE(desk.hand().under().point) << "nothing is selected";
+    EXPECT_FALSE(desk.controller().under().point) << "nothing is selected";
     chosen(desk);
     desk.move_to(point);
-    ASSERT_EQ(desk.hand().under().point, 0U);
-    ASSERT_EQ(desk.hand().ghosts().size(), 1U);
-    const std::vector<Vec3f> ghost = desk.hand().ghosts().front();
+    ASSERT_EQ(desk.controller().under().point, 0U);
+    ASSERT_EQ(desk.controller().ghosts().size(), 1U);
+    const std::vector<Vec3f> ghost = desk.controller().ghosts().front();
     desk.press();
     desk.release();
     EXPECT_EQ(desk.panel().wrap_radius, 0.2);
@@ -143,38 +143,38 @@ TEST(ViewportController, a_point_behind_the_cloth_cannot_be_clicked) {
     ViewportFixture desk;
     chosen(desk);
     desk.move_to(desk.seen({0, 1, -0.2F}));
-    EXPECT_FALSE(desk.hand().under().point);
+    EXPECT_FALSE(desk.controller().under().point);
 }
 
 TEST(ViewportController, the_right_button_orbits_and_the_middle_one_pans) {
     ViewportFixture desk;
-    const CameraPose before = desk.hand().orbit().standpoint();
+    const CameraPose before = desk.controller().orbit().standpoint();
     desk.move_to({100, 100});
     desk.press(MouseButton::Right);
     desk.move_to({180, 100});
     desk.release(MouseButton::Right);
     desk.move_to({300, 100});
-    const CameraPose orbited = desk.hand().orbit().standpoint();
+    const CameraPose orbited = desk.controller().orbit().standpoint();
     EXPECT_LT(orbited.azimuth, before.azimuth - 0.3F);
     EXPECT_GT(orbited.azimuth, before.azimuth - 1) << "no further after the button was let go";
     EXPECT_EQ(orbited.target, before.target);
     desk.press(MouseButton::Middle);
     desk.move_to({300, 160});
     desk.release(MouseButton::Middle);
-    EXPECT_GT(desk.hand().orbit().standpoint().target.y(), before.target.y() + 0.1F);
+    EXPECT_GT(desk.controller().orbit().standpoint().target.y(), before.target.y() + 0.1F);
 }
 
 TEST(ViewportController, keys_turn_the_camera_and_frame_what_is_selected) {
     ViewportFixture desk;
     desk.key(static_cast<Key>(static_cast<int>(Key::Keypad0) + 3));
     desk.rest();
-    EXPECT_NEAR(desk.hand().orbit().standpoint().azimuth, 1.5707963F, 1e-4F);
+    EXPECT_NEAR(desk.controller().orbit().standpoint().azimuth, 1.5707963F, 1e-4F);
     Selection square;
     square.panels.insert("square");
     desk.workspace().document->select(square);
     desk.key(key_of('F'));
     desk.rest();
-    EXPECT_NEAR((desk.hand().orbit().standpoint().target - kMiddle).norm(), 0, 0.1F);
+    EXPECT_NEAR((desk.controller().orbit().standpoint().target - kMiddle).norm(), 0, 0.1F);
 }
 
 TEST(ViewportController, sewn_cloth_is_pulled_instead_of_moved) {
@@ -186,24 +186,24 @@ TEST(ViewportController, sewn_cloth_is_pulled_instead_of_moved) {
     }
     desk.workspace().drape.session().pause();
     desk.rest();
-    ASSERT_FALSE(desk.hand().garment().is_placed());
-    const Vec3f grip = desk.hand().garment().mesh().x.front();
-    const auto& triangle = desk.hand().garment().mesh().triangles.front();
-    const std::vector<Vec3f>& x = desk.hand().garment().mesh().x;
+    ASSERT_FALSE(desk.controller().garment().is_placed());
+    const Vec3f grip = desk.controller().garment().mesh().x.front();
+    const auto& triangle = desk.controller().garment().mesh().triangles.front();
+    const std::vector<Vec3f>& x = desk.controller().garment().mesh().x;
     const Vec3f middle = (x[triangle[0]] + x[triangle[1]] + x[triangle[2]]) / 3;
     desk.move_to(desk.seen(middle));
-    ASSERT_TRUE(desk.hand().under().cloth);
+    ASSERT_TRUE(desk.controller().under().cloth);
     desk.press();
     desk.move_to(desk.seen(middle) + Vec2f(30, 0));
     desk.move_to(desk.seen(middle) + Vec2f(60, 0));
-    ASSERT_TRUE(desk.hand().pulled_to());
-    EXPECT_GT(desk.hand().pulled_to()->x(), grip.x());
-    EXPECT_NEAR(desk.hand().pulled_to()->z(), middle.z(), 0.05F) << "in the picture's plane";
-    ASSERT_TRUE(desk.hand().pulled_at());
-    EXPECT_NEAR((*desk.hand().pulled_at() - middle).norm(), 0, 1e-3F) << "time has not gone on";
+    ASSERT_TRUE(desk.controller().pulled_to());
+    EXPECT_GT(desk.controller().pulled_to()->x(), grip.x());
+    EXPECT_NEAR(desk.controller().pulled_to()->z(), middle.z(), 0.05F) << "in the picture's plane";
+    ASSERT_TRUE(desk.controller().pulled_at());
+    EXPECT_NEAR((*desk.controller().pulled_at() - middle).norm(), 0, 1e-3F) << "time has not gone on";
     EXPECT_EQ(desk.panel().translation, Vec3d(0, 1, 0.3)) << "where it is placed does not change";
     desk.release();
-    EXPECT_FALSE(desk.hand().pulled_to());
+    EXPECT_FALSE(desk.controller().pulled_to());
 }
 
 sim::Pattern two_panels() {

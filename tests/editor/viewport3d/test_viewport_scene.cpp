@@ -20,14 +20,14 @@
 namespace selvedge::editor {
 namespace {
 
-class FittingSceneTest : public testing::Test {
+class ViewportSceneTest : public testing::Test {
  protected:
-    std::shared_ptr<const render::Scene> follow() {
+    std::shared_ptr<const render::Scene> update() {
         desk.rest();
-        return scene.follow({.pattern = desk.document().pattern(),
+        return scene.update({.pattern = desk.document().pattern(),
                              .revision = desk.document().revision(),
-                             .garment = desk.hand().garment(),
-                             .worn = desk.workspace().drape.worn(),
+                             .garment = desk.controller().garment(),
+                             .current_body = desk.workspace().drape.current_body(),
                              .look = desk.workspace().look,
                              .marks = marks});
     }
@@ -37,19 +37,19 @@ class FittingSceneTest : public testing::Test {
     ViewportMarks marks;
 };
 
-TEST_F(FittingSceneTest, is_the_same_pointer_while_nothing_changes) {
-    const auto first = follow();
+TEST_F(ViewportSceneTest, is_the_same_pointer_while_nothing_changes) {
+    const auto first = update();
     ASSERT_TRUE(first);
-    EXPECT_EQ(follow(), first);
+    EXPECT_EQ(update(), first);
     EXPECT_EQ(first->cloths.size(), 1U);
     EXPECT_EQ(first->bodies.size(), 1U);
     EXPECT_TRUE(first->solids.empty());
 }
 
-TEST_F(FittingSceneTest, selection_hover_look_and_pattern_make_another) {
-    std::shared_ptr<const render::Scene> last = follow();
+TEST_F(ViewportSceneTest, selection_hover_look_and_pattern_make_another) {
+    std::shared_ptr<const render::Scene> last = update();
     const auto is_another = [&] {
-        const auto next = follow();
+        const auto next = update();
         const bool is = next != last;
         last = next;
         return is;
@@ -71,10 +71,10 @@ TEST_F(FittingSceneTest, selection_hover_look_and_pattern_make_another) {
     EXPECT_FALSE(is_another());
 }
 
-TEST_F(FittingSceneTest, a_selected_edge_is_marked_where_it_lies_on_the_cloth) {
+TEST_F(ViewportSceneTest, a_selected_edge_is_marked_where_it_lies_on_the_cloth) {
     marks.selection.edges.insert({"square", 2});
     marks.size = 0.001F;
-    const auto made = follow();
+    const auto made = update();
     ASSERT_EQ(made->solids.size(), 1U);
     Eigen::AlignedBox3f box;
     for (const Vec3f& x : made->solids.front().x) box.extend(x);
@@ -83,7 +83,7 @@ TEST_F(FittingSceneTest, a_selected_edge_is_marked_where_it_lies_on_the_cloth) {
     EXPECT_LT(box.sizes().y(), 0.01F);
 }
 
-TEST_F(FittingSceneTest, panels_of_other_fabrics_are_cloths_of_their_own) {
+TEST_F(ViewportSceneTest, panels_of_other_fabrics_are_cloths_of_their_own) {
     sim::Panel other = desk.panel();
     other.name = "other";
     other.translation.x() += 0.5;
@@ -91,18 +91,18 @@ TEST_F(FittingSceneTest, panels_of_other_fabrics_are_cloths_of_their_own) {
     desk.workspace().run(AddPanels{.panels = {other}});
     desk.rest();
     desk.workspace().drape.session().advance(0);
-    const auto made = follow();
+    const auto made = update();
     ASSERT_EQ(made->cloths.size(), 2U);
     EXPECT_EQ(made->cloths[0].mesh.triangles.size() + made->cloths[1].mesh.triangles.size(),
-              desk.hand().garment().mesh().triangles.size());
+              desk.controller().garment().mesh().triangles.size());
     EXPECT_FALSE(made->cloths[0].material == made->cloths[1].material);
 }
 
-TEST_F(FittingSceneTest, an_unknown_tartan_or_panel_does_not_stop_it) {
+TEST_F(ViewportSceneTest, an_unknown_tartan_or_panel_does_not_stop_it) {
     marks.wrong = {{.panel = "nowhere", .edge = 3}, {.panel = "square", .edge = 77}, {.panel = "square", .vertex = -5}};
     marks.selection.vertices.insert({"square", 99});
     marks.hover.seam = 5;
-    EXPECT_TRUE(follow());
+    EXPECT_TRUE(update());
 }
 
 TEST(PlacedMesh, takes_a_sewn_mesh_apart_where_the_pattern_places_its_panels) {
@@ -148,7 +148,7 @@ class CurvedDrapeTest : public testing::Test {
 
     // One frame of the editor, which is one of the drape while that runs.
     void show() {
-        workspace.drape.follow(*workspace.document, workspace.messages);
+        workspace.drape.update(*workspace.document, workspace.messages);
         ImGui::NewFrame();
         ImGui::SetNextWindowPos({0, 0});
         ImGui::SetNextWindowSize({800, 600});
@@ -159,7 +159,7 @@ class CurvedDrapeTest : public testing::Test {
     }
 
     std::size_t shown() const { return view.scene()->cloths.front().mesh.triangles.size(); }
-    const sim::SessionFrame& frame() const { return view.hand().garment().frame(); }
+    const sim::SessionFrame& frame() const { return view.controller().garment().frame(); }
     std::size_t leaves() const { return frame().mesh.triangles.size(); }
     bool is_at_rest() const { return frame().stage == sim::SessionStage::Settled; }
 
@@ -167,9 +167,9 @@ class CurvedDrapeTest : public testing::Test {
     void press(const Vec2f& px, bool is_down, bool has_ctrl) {
         ViewportInput input{.size_px = {800, 600}, .cursor_px = px, .is_over = true};
         input.modifiers.ctrl = has_ctrl;
-        view.hand().update(workspace, input, ClothChoice::Panels);
+        view.controller().update(workspace, input, ClothChoice::Panels);
         input.buttons[0] = {.is_down = is_down, .was_pressed = is_down, .was_released = !is_down};
-        view.hand().update(workspace, input, ClothChoice::Panels);
+        view.controller().update(workspace, input, ClothChoice::Panels);
     }
     Vec2f middle_of_a_triangle() const {
         const sim::DrawMesh& mesh = frame().mesh;
@@ -178,7 +178,7 @@ class CurvedDrapeTest : public testing::Test {
             if (mesh.x[mesh.triangles[t][0]].z() > mesh.x[mesh.triangles[nearest][0]].z()) nearest = t;
         }
         const auto& [a, b, c] = mesh.triangles[nearest];
-        return px_of(view.hand().viewing(), (mesh.x[a] + mesh.x[b] + mesh.x[c]) / 3).value();
+        return px_of(view.controller().viewing(), (mesh.x[a] + mesh.x[b] + mesh.x[c]) / 3).value();
     }
 
  private:
@@ -233,11 +233,11 @@ TEST_F(CurvedDrapeTest, is_shown_at_rest_only_and_only_if_the_view_option_is_on)
     workspace.look.as_placed = false;
 
     // Picking uses the simulated triangles under the surface.
-    view.hand().look_from(StandardView::Front);
+    view.controller().look_from(StandardView::Front);
     for (int i = 0; i < 3; ++i) show();
     press(middle_of_a_triangle(), true, true);
-    ASSERT_TRUE(view.hand().under().cloth);
-    EXPECT_LT(view.hand().under().cloth->triangle, leaves());
+    ASSERT_TRUE(view.controller().under().cloth);
+    EXPECT_LT(view.controller().under().cloth->triangle, leaves());
     press(middle_of_a_triangle(), false, true);
     show();
     show();
@@ -258,18 +258,18 @@ TEST(CurvedDrape, does_not_wait_for_the_task_where_the_drape_has_its_own_thread)
     at_rest->cloth = cloth;
     at_rest->mesh = draw_mesh(*cloth, {"square"});
     CurvedDrape drape;
-    EXPECT_FALSE(drape.follow(at_rest, sim::SessionDrive::Thread)) << "it has only begun";
+    EXPECT_FALSE(drape.update(at_rest, sim::SessionDrive::Thread)) << "it has only begun";
     EXPECT_TRUE(drape.is_making());
     std::shared_ptr<const sim::DrawMesh> mesh;
     for (int i = 0; i < 1000 && !mesh; ++i) {
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        mesh = drape.follow(at_rest, sim::SessionDrive::Thread);
+        mesh = drape.update(at_rest, sim::SessionDrive::Thread);
     }
     ASSERT_TRUE(mesh);
     EXPECT_FALSE(drape.is_making());
     EXPECT_EQ(*mesh, render::curved_mesh(at_rest->mesh, {.light_normals = render::LightNormals::Interpolated}));
-    EXPECT_FALSE(drape.follow(std::make_shared<const sim::SessionFrame>(), sim::SessionDrive::Thread)) << "it moves";
-    EXPECT_EQ(drape.follow(at_rest, sim::SessionDrive::Thread), mesh) << "the same cloth gives the same pointer";
+    EXPECT_FALSE(drape.update(std::make_shared<const sim::SessionFrame>(), sim::SessionDrive::Thread)) << "it moves";
+    EXPECT_EQ(drape.update(at_rest, sim::SessionDrive::Thread), mesh) << "the same cloth gives the same pointer";
 }
 
 }  // namespace

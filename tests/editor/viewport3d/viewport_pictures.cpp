@@ -19,9 +19,9 @@ constexpr float kSide = 860;  // px
 constexpr UiTexture kTexture = 1;
 
 // A surface with only the 3D view.
-class BareFitting : public app::EditSurface {
+class ViewportSurface : public app::EditSurface {
  public:
-    BareFitting(sim::PatternDocument document, float scale)
+    ViewportSurface(sim::PatternDocument document, float scale)
         : workspace(std::move(document), sim::SessionDrive::Caller, make_mannequin_body),
           context_(ImGui::CreateContext()) {
         ImGuiIO& io = ImGui::GetIO();
@@ -32,13 +32,13 @@ class BareFitting : public app::EditSurface {
         if (!font.empty()) io.Fonts->AddFontFromFileTTF(font.c_str(), 15 * scale);
         io.Fonts->Build();
     }
-    ~BareFitting() override { ImGui::DestroyContext(context_); }
+    ~ViewportSurface() override { ImGui::DestroyContext(context_); }
 
     FrameOutput frame(const app::FrameInput& input) override {
         ImGuiIO& io = ImGui::GetIO();
         io.DisplaySize = {float(input.width_px), float(input.height_px)};
         io.DeltaTime = static_cast<float>(input.seconds);
-        workspace.drape.follow(*workspace.document, workspace.messages);
+        workspace.drape.update(*workspace.document, workspace.messages);
         events_.add(input.events);
         events_.begin_frame(io);
         ImGui::NewFrame();
@@ -81,7 +81,7 @@ class Photographer {
           surface_(sim::load_pattern(pattern), scale) {}
 
     Workspace& workspace() { return surface_.workspace; }
-    BareFitting& surface() { return surface_; }
+    ViewportSurface& surface() { return surface_; }
 
     void rest(int frames) {
         for (int i = 0; i < frames; ++i) loop_.step(surface_);
@@ -107,7 +107,7 @@ class Photographer {
         rest(2);
         write_png(folder_ / (name + ".png"), loop_.screenshot());
         std::printf("%-14s the view took at most %.2f ms, %zu triangles\n", name.c_str(), surface_.spent_ms,
-                    surface_.view.hand().garment().mesh().triangles.size());
+                    surface_.view.controller().garment().mesh().triangles.size());
         surface_.spent_ms = 0;
     }
 
@@ -115,7 +115,7 @@ class Photographer {
     float scale_;
     std::filesystem::path folder_;
     app::OffscreenEditLoop loop_;
-    BareFitting surface_;
+    ViewportSurface surface_;
     Vec2f cursor_{0, 0};
 };
 
@@ -131,14 +131,14 @@ void take_placed(Photographer& photographer) {
     photographer.take("placed");
     select_first(photographer.workspace());
     photographer.take("selected");
-    const std::vector<sim::ArrangementPoint>& points = photographer.workspace().drape.worn().points;
+    const std::vector<sim::ArrangementPoint>& points = photographer.workspace().drape.current_body().points;
     for (const sim::ArrangementPoint& point : points) {
         if (point.name == "left upper arm outside")
             photographer.move_to(photographer.seen(point.position.cast<float>()));
     }
     photographer.take("point");
     photographer.rest(1);
-    const Gizmo gizmo = *photographer.surface().view.hand().gizmo();
+    const Gizmo gizmo = *photographer.surface().view.controller().gizmo();
     photographer.move_to(photographer.seen(arrow_of(gizmo, 0)[1]));
     photographer.take("handle");
     photographer.button(true);
@@ -158,7 +158,7 @@ void take_draped(Photographer& photographer) {
     photographer.take("sewing");
     photographer.advance(150);
     photographer.take("draped");
-    const sim::DrawMesh& mesh = photographer.surface().view.hand().garment().mesh();
+    const sim::DrawMesh& mesh = photographer.surface().view.controller().garment().mesh();
     workspace.drape.session().pin(
         {.frame = workspace.drape.frame()->number, .triangle = 40, .weights = Vec3f::Constant(1.0F / 3)});
     photographer.move_to(photographer.seen(mesh.x[mesh.triangles[mesh.triangles.size() / 4][0]]));

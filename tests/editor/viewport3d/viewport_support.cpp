@@ -18,28 +18,28 @@ CurrentBody small_body(const std::string& text) {
         body->x.push_back({(i & 1 ? 0.1 : -0.1), 1 + (i & 2 ? 0.1 : -0.1), (i & 4 ? 0.1 : -0.1)});
     body->triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                        {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-    CurrentBody worn{.text = text, .body = body, .measures = {}, .points = {}};
-    worn.points = {{.name = "before", .position = {0, 1.35, 0.2}, .outward = {0, 0, 1}, .radius = 0.2},
+    CurrentBody made{.text = text, .body = body, .measures = {}, .points = {}};
+    made.points = {{.name = "before", .position = {0, 1.35, 0.2}, .outward = {0, 0, 1}, .radius = 0.2},
                    {.name = "behind", .position = {0, 1, -0.2}, .outward = {0, 0, -1}, .radius = 0.2}};
-    return worn;
+    return made;
 }
 
 ViewportFixture::ViewportFixture(const sim::Pattern& pattern)
     : workspace_({.pattern = pattern, .json = {}}, sim::SessionDrive::Caller, small_body) {
-    hand_.look_from(StandardView::Front);
+    controller_.look_from(StandardView::Front);
     rest();
     workspace_.drape.session().advance(0);
     rest();
 }
 
 void ViewportFixture::step(ViewportInput input) {
-    workspace_.drape.follow(document(), workspace_.messages);
+    workspace_.drape.update(document(), workspace_.messages);
     input.size_px = {800, 600};
     input.seconds = 1;
     input.cursor_px = cursor_;
     input.is_over = true;
     input.modifiers = modifiers;
-    hand_.update(workspace_, input, choice);
+    controller_.update(workspace_, input, choice);
 }
 
 void ViewportFixture::move_to(const Vec2f& px) {

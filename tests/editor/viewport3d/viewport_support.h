@@ -20,10 +20,10 @@ class ViewportFixture {
 
     Workspace& workspace() { return workspace_; }
     const Document& document() const { return *workspace_.document; }
-    ViewportController& hand() { return hand_; }
+    ViewportController& controller() { return controller_; }
     const sim::Panel& panel(std::size_t index = 0) const { return document().pattern().panels[index]; }
 
-    Vec2f seen(const Vec3f& x) const { return px_of(hand_.viewing(), x).value(); }
+    Vec2f seen(const Vec3f& x) const { return px_of(controller_.viewing(), x).value(); }
 
     // One frame each. The cursor keeps its last position.
     void rest() { step({}); }
@@ -41,7 +41,7 @@ class ViewportFixture {
     void step(ViewportInput input);
 
     Workspace workspace_;
-    ViewportController hand_;
+    ViewportController controller_;
     Vec2f cursor_{2, 2};
 };
 
