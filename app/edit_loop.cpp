@@ -117,7 +117,7 @@ void FramePainter::draw_scene(const editor::SceneRequest& scene) {
         hold_legend(scene, painted.legend);
     }
     if (scene.is_preview) {
-        drawn.draft.draw(view, drawn.picture);
+        drawn.preview.draw(view, drawn.picture);
     } else {
         if (!renderer_) renderer_.emplace(context_);
         renderer_->draw(view, drawn.picture);

@@ -97,9 +97,9 @@ class FramePainter {
  private:
     // The texture of a scene and the resources that are cached to draw it.
     struct SceneTexture {
-        explicit SceneTexture(render::GlContext& context) : picture(context.gl()), draft(context) {}
+        explicit SceneTexture(render::GlContext& context) : picture(context.gl()), preview(context) {}
         render::PictureTexture picture;
-        render::PreviewRenderer draft;
+        render::PreviewRenderer preview;
         ScenePaint paint;
     };
     void draw_scene(const editor::SceneRequest& scene);

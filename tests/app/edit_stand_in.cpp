@@ -15,7 +15,7 @@ FakeEditor::FakeEditor(render::Scene scene, float turn, const std::string& font,
       scene_(std::make_shared<const render::Scene>(std::move(scene))),
       camera_(scene_->camera),
       turn_(turn),
-      is_draft_(is_preview) {
+      is_preview_(is_preview) {
     ImGui::SetCurrentContext(context_);
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
@@ -43,7 +43,7 @@ editor::SceneRequest FakeEditor::scene_to_draw() {
             .light = scene_->light,
             .width_px = kSceneSide,
             .height_px = kSceneSide,
-            .is_preview = is_draft_};
+            .is_preview = is_preview_};
 }
 
 void FakeEditor::fill() {

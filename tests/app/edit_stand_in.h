@@ -31,7 +31,7 @@ class FakeEditor : public EditSurface {
     std::shared_ptr<const render::Scene> scene_;
     render::Camera camera_;
     float turn_;
-    bool is_draft_;
+    bool is_preview_;
     int frames_ = 0;
     int presses_ = 0;
     std::array<char, 64> typed_{};

@@ -21,13 +21,13 @@ class Previews : public testing::Test {
  protected:
     Previews() { to_.resize(kWidth, kHeight); }
 
-    render::Image draft(render::PreviewRenderer& renderer, const render::SceneView& view) {
+    render::Image preview(render::PreviewRenderer& renderer, const render::SceneView& view) {
         renderer.draw(view, to_);
         return to_.read();
     }
     render::Image fresh_preview(const render::Scene& scene) {
         render::PreviewRenderer renderer(*context_);
-        return draft(renderer, view_of(scene));
+        return preview(renderer, view_of(scene));
     }
 
     std::unique_ptr<render::GlContext> context_ = render::make_context();
@@ -80,34 +80,34 @@ TEST_F(Previews, have_the_same_bits_whatever_was_drawn_before) {
     render::PreviewRenderer renderer(*context_);
     const render::Scene still = make_frozen_scene(), moved = rippled(still);
     const render::Scene levels = make_frozen_scene({.show = render::ShowMode::Level, .has_ball = false});
-    const render::Image first = draft(renderer, view_of(still));
-    EXPECT_FALSE(first == draft(renderer, view_of(moved)));
+    const render::Image first = preview(renderer, view_of(still));
+    EXPECT_FALSE(first == preview(renderer, view_of(moved)));
     for (const render::Scene& scene : {moved, levels, still, moved}) {
-        EXPECT_TRUE(fresh_preview(scene) == draft(renderer, view_of(scene)));
+        EXPECT_TRUE(fresh_preview(scene) == preview(renderer, view_of(scene)));
     }
 }
 
 TEST_F(Previews, follow_the_camera_and_the_size_of_the_same_scene) {
     render::PreviewRenderer renderer(*context_);
     render::SceneView view = view_of(make_frozen_scene());
-    const render::Image first = draft(renderer, view);
+    const render::Image first = preview(renderer, view);
     view.camera = turned(view.camera, 0.4F, Vec3f::Zero());
-    const render::Image second = draft(renderer, view);
+    const render::Image second = preview(renderer, view);
     EXPECT_FALSE(first == second);
     render::Scene same = make_frozen_scene();
     same.camera = view.camera;
     EXPECT_TRUE(second == fresh_preview(same));
     to_.resize(kHeight, kWidth);
-    EXPECT_EQ(draft(renderer, view).width_px, kHeight);
+    EXPECT_EQ(preview(renderer, view).width_px, kHeight);
 }
 
 TEST_F(Previews, fill_a_picture_that_has_grown) {
     render::PreviewRenderer renderer(*context_);
     const render::SceneView view = view_of(make_frozen_scene());
     to_.resize(kWidth, kHeight / 2);
-    draft(renderer, view);
+    preview(renderer, view);
     to_.resize(kWidth, kHeight);
-    EXPECT_TRUE(draft(renderer, view) == fresh_preview(*view.scene));
+    EXPECT_TRUE(preview(renderer, view) == fresh_preview(*view.scene));
 }
 
 TEST_F(Previews, show_painted_cloth_marks_and_an_empty_room) {
