@@ -1,6 +1,6 @@
 #pragma once
 // The geometry of single outline edges: splitting, reversing, mapping and joining their curves; moving vertices of an
-// outline with its curves, and mapping a whole panel. For the sources of this module.
+// outline with its curves, and mapping a whole panel. Mostly for the sources of this module.
 #include <vector>
 
 #include "sim/pattern/pattern.h"
@@ -56,9 +56,12 @@ inline int mirrored_edge(int e, int count) {
 struct Box {
     Vec2d low = Vec2d::Zero();
     Vec2d high = Vec2d::Zero();
+
+    Vec2d size() const { return high - low; }
+    Vec2d centre() const { return (low + high) / 2; }
 };
 
-// The panel's bounding box in its held frame (sim/pattern/pattern.h), m, curves included.
-Box outline_box(const sim::Panel& panel);
+// The panel's bounding box in its held frame (sim/pattern/pattern.h), m, curves included up to the chord error, m.
+Box outline_box(const sim::Panel& panel, double chord_error = 1e-4);
 
 }  // namespace selvedge::editor

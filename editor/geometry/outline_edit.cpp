@@ -70,10 +70,15 @@ VertexMove move_of(const sim::Panel& panel, const std::vector<int>& vertices, co
 
 }  // namespace
 
-int find_panel(const sim::Pattern& pattern, const std::string& name) {
+std::optional<int> panel_index(const sim::Pattern& pattern, const std::string& name) {
     for (std::size_t i = 0; i < pattern.panels.size(); ++i) {
         if (pattern.panels[i].name == name) return static_cast<int>(i);
     }
+    return std::nullopt;
+}
+
+int find_panel(const sim::Pattern& pattern, const std::string& name) {
+    if (const std::optional<int> index = panel_index(pattern, name)) return *index;
     throw GeometryError("There is no panel " + name + ".");
 }
 

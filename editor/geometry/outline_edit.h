@@ -6,13 +6,16 @@
 // would be invalid: an outline with an area below 1e-8 m^2, with an edge shorter than 0.01 mm, that crosses itself or
 // comes within 0.0001 mm of itself, or that lies further than 100 m from the origin; or a seam with one side over four
 // times as long as the other. So every result can be saved and loaded again.
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "sim/pattern/pattern.h"
 
 namespace selvedge::editor {
 
-// The index of the panel with this name. Throws GeometryError if there is none.
+// The index of the panel with this name. None: there is no such panel; find_panel then throws GeometryError.
+std::optional<int> panel_index(const sim::Pattern& pattern, const std::string& name);
 int find_panel(const sim::Pattern& pattern, const std::string& name);
 
 // Inserts a vertex at the fraction t of the edge's length; the curve keeps its shape. Indices of later edges grow by

@@ -316,7 +316,7 @@ std::vector<Vec2d> sheet_positions(const sim::Pattern& pattern) {
     double depth = 0;    // m, height of the row
     for (const sim::Panel& panel : pattern.panels) {
         const Box box = outline_box(panel);
-        const Vec2d size = box.high - box.low;
+        const Vec2d size = box.size();
         if (corner.x() > 0 && corner.x() + size.x() > kRowLength) {
             corner = {0, corner.y() - depth - kGap};
             depth = 0;

@@ -6,14 +6,6 @@
 namespace selvedge::editor {
 namespace {
 
-constexpr float kTipWidth = 22;  // font heights
-
-// Start of the UTF-8 character at or before the byte offset.
-std::size_t character_start(const std::string& text, std::size_t place) {
-    while (place > 0 && (static_cast<unsigned char>(text[place]) & 0xC0U) == 0x80U) --place;
-    return place;
-}
-
 float text_width(const std::string& text) {
     return ImGui::CalcTextSize(text.c_str(), text.c_str() + text.size()).x;
 }
@@ -35,41 +27,18 @@ ImTextureID texture_id(UiTexture texture) {
     return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture));
 }
 
-void show_tip(const std::string& text) {
-    if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-    if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(kTipWidth * ImGui::GetFontSize());
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
-}
-
 std::string with_key(const InspectorContext& context, const std::string& text, std::string_view action) {
     const std::string key = context.key_of ? context.key_of(action) : "";
     return key.empty() ? text : text + " (" + key + ")";
 }
 
 void note_widget(InspectorContext& context, const std::string& name) {
-    if (context.widgets == nullptr) return;
-    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-    (*context.widgets)[name] = {.low = {low.x, low.y}, .high = {high.x, high.y}};
+    if (context.widgets != nullptr) note_widget(*context.widgets, name);
 }
 
 void back_to(float left) {
     ImGui::SameLine();
     ImGui::SetCursorPosX(left);
-}
-
-std::string elided(const std::string& text, float width_px) {
-    if (text_width(text) <= width_px) return text;
-    std::size_t fits = 0, too_long = text.size();
-    while (fits + 1 < too_long) {
-        const std::size_t middle = (fits + too_long) / 2;
-        const std::string tried = text.substr(0, character_start(text, middle)) + "...";
-        (text_width(tried) <= width_px ? fits : too_long) = middle;
-    }
-    return text.substr(0, character_start(text, fits)) + "...";
 }
 
 void elided_text(const std::string& text, float width_px, const ImVec4& colour) {

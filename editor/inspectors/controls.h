@@ -1,6 +1,6 @@
 #pragma once
-// The building blocks of the inspectors: rows of a label and a field, wrapping button rows, text that is elided to fit,
-// small charts. All sizes scale with the font.
+// The building blocks of the inspectors: rows of a label and a field, wrapping button rows, elided text, small
+// charts. All sizes scale with the font.
 #include <imgui.h>
 #include <functional>
 #include <span>
@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "editor/frame/item.h"
 #include "editor/inspectors/inspectors.h"
 
 namespace selvedge::editor {
@@ -16,9 +17,6 @@ ImVec4 to_colour(const sim::Rgb8& rgb, float alpha = 1);
 ImVec4 tinted(const sim::Rgb8& ground, const sim::Rgb8& with);  // a small share of `with` mixed in
 
 ImTextureID texture_id(UiTexture texture);
-
-// Tooltip of the previous item, also if the item is disabled.
-void show_tip(const std::string& text);
 
 // Adds the action's key to the text, for example "Starts or pauses (Space)"; unchanged if the action has no key.
 std::string with_key(const InspectorContext& context, const std::string& text, std::string_view action);
@@ -29,9 +27,6 @@ void note_widget(InspectorContext& context, const std::string& name);
 // Continues on the line of the previous item, at window coordinate `left`. ImGui::SameLine cannot do this for 0, which
 // means "after the item".
 void back_to(float left);
-
-// The longest prefix that fits, as in "left_sle..."; the whole text if it fits.
-std::string elided(const std::string& text, float width_px);
 
 // Text on one line; if it is elided, a tooltip shows the whole text.
 void elided_text(const std::string& text, float width_px, const ImVec4& colour);

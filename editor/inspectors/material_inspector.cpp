@@ -8,6 +8,7 @@
 #include <map>
 #include <sstream>
 
+#include "editor/geometry/outline_edit.h"
 #include "editor/inspectors/controls.h"
 #include "editor/inspectors/number_box.h"
 #include "editor/inspectors/pattern_figures.h"

@@ -12,8 +12,6 @@
 namespace selvedge::editor {
 namespace {
 
-constexpr double kChordError = 0.0005;  // m, for outlines of which only the bounding box is used
-
 const Vec2d& start_of(const sim::Panel& panel, const sim::OutlineEdge& edge) {
     return panel.vertices[static_cast<std::size_t>(edge.start)];
 }
@@ -95,18 +93,6 @@ Eigen::Matrix3d rotation_of(const Vec3d& angles) {
         .toRotationMatrix();
 }
 
-PlaneBox panel_box(const sim::Panel& panel) {
-    if (panel.edges.empty()) return {};
-    PlaneBox box{.low = panel.vertices.front(), .high = panel.vertices.front()};
-    for (const sim::OutlineEdge& edge : panel.edges) {
-        for (const Vec2d& u : outline_polyline(panel, edge, kChordError)) {
-            box.low = box.low.cwiseMin(u);
-            box.high = box.high.cwiseMax(u);
-        }
-    }
-    return box;
-}
-
 double panel_perimeter(const sim::Panel& panel) {
     double sum = 0;
     for (const sim::OutlineEdge& edge : panel.edges) sum += outline_length(panel, edge);
@@ -164,20 +150,6 @@ SeamMeasures seam_measures(const sim::Pattern& pattern, const sim::Seam& seam) {
 std::string difference_text(const SeamMeasures& figures) {
     const std::string text = quantity_text(figures.difference(), Unit::Millimetres);
     return text.front() == '-' || text == "0 mm" ? text : "+" + text;
-}
-
-std::optional<int> seam_along(const sim::Pattern& pattern, const sim::SeamSide& side) {
-    for (std::size_t i = 0; i < pattern.seams.size(); ++i) {
-        if (pattern.seams[i].first == side || pattern.seams[i].second == side) return static_cast<int>(i);
-    }
-    return std::nullopt;
-}
-
-std::optional<int> panel_index(const sim::Pattern& pattern, const std::string& name) {
-    for (std::size_t i = 0; i < pattern.panels.size(); ++i) {
-        if (pattern.panels[i].name == name) return static_cast<int>(i);
-    }
-    return std::nullopt;
 }
 
 }  // namespace selvedge::editor

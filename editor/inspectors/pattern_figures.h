@@ -1,7 +1,6 @@
 #pragma once
 // Measurements of a pattern for display, and the transforms and curves that typed values define. Lengths in m, angles
 // in rad.
-#include <optional>
 #include <string>
 
 #include "editor/document/command.h"
@@ -16,17 +15,6 @@ Vec3d garment_centre(const sim::Pattern& pattern);
 // x is 0.
 Vec3d angles_of(const Eigen::Matrix3d& rotation);
 Eigen::Matrix3d rotation_of(const Vec3d& angles);
-
-struct PlaneBox {
-    Vec2d low = Vec2d::Zero();
-    Vec2d high = Vec2d::Zero();
-
-    Vec2d size() const { return high - low; }
-    Vec2d centre() const { return (low + high) / 2; }
-};
-
-// Bounding box of the outline with its curves, in the panel's frame.
-PlaneBox panel_box(const sim::Panel& panel);
 
 double panel_perimeter(const sim::Panel& panel);
 
@@ -63,11 +51,5 @@ SeamMeasures seam_measures(const sim::Pattern& pattern, const sim::Seam& seam);
 
 // For example "+3.2 mm": the length of the second side minus that of the first.
 std::string difference_text(const SeamMeasures& figures);
-
-// The index of the seam that uses this edge.
-std::optional<int> seam_along(const sim::Pattern& pattern, const sim::SeamSide& side);
-
-// The panel's index; none: there is no such panel.
-std::optional<int> panel_index(const sim::Pattern& pattern, const std::string& name);
 
 }  // namespace selvedge::editor

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 
+#include "editor/geometry/draft.h"
+#include "editor/geometry/edge_shape.h"
+#include "editor/geometry/outline_edit.h"
 #include "editor/geometry/panel_edit.h"
 #include "editor/inspectors/controls.h"
 #include "editor/inspectors/material_inspector.h"
@@ -17,6 +20,7 @@
 namespace selvedge::editor {
 namespace {
 
+constexpr double kChordError = 0.0005;  // m, for outlines of which only the bounding box is used
 constexpr double kMinScale = 0.01;
 constexpr double kMinSize = 0.001;  // m
 
@@ -82,7 +86,7 @@ void draw_name(InspectorContext& context, const sim::Panel& panel) {
 // Scales the panel (S XY): by a factor relative to its current size, or by the resulting size.
 void draw_scale(InspectorContext& context, const PanelOnSheet& shown) {
     const std::vector<std::string> panels{shown.panel.name};
-    const PlaneBox box = panel_box(shown.panel);
+    const Box box = outline_box(shown.panel, kChordError);
     const Vec2d centre = box.centre() + shown.origin;
     const VectorEdit scale = vector_row(context,
                                         {.name = "panel.scale",
@@ -232,11 +236,11 @@ void draw_panels_section(InspectorContext& context) {
     const Selection selected = context.selection();
     const sim::Pattern& pattern = context.pattern();
     const std::vector<Vec2d> origins = sheet_positions(pattern);
-    std::optional<PlaneBox> all;
+    std::optional<Box> all;
     double area = 0;
     for (std::size_t i = 0; i < pattern.panels.size(); ++i) {
         if (!selected.panels.contains(pattern.panels[i].name)) continue;
-        const PlaneBox box = panel_box(pattern.panels[i]);
+        const Box box = outline_box(pattern.panels[i], kChordError);
         if (!all) all = {.low = box.low + origins[i], .high = box.high + origins[i]};
         all->low = all->low.cwiseMin(box.low + origins[i]);
         all->high = all->high.cwiseMax(box.high + origins[i]);
@@ -389,7 +393,7 @@ void draw_length(InspectorContext& context, const PartRef& edge, const FoundPane
 }
 
 void draw_seam_of(InspectorContext& context, const FoundPanel& found, int edge) {
-    const std::optional<int> seam = seam_along(context.pattern(), {.panel = found.index, .edge = edge});
+    const std::optional<int> seam = seam_at(context.pattern(), {.panel = found.index, .edge = edge});
     if (!seam) {
         fact(context, "Seam", "not sewn", "No seam runs along this edge.");
         return;

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "editor/frame/item.h"
 #include "editor/tools/tool_host.h"
 #include "editor/ui/actions.h"
 #include "editor/ui/app_state.h"
@@ -34,7 +35,7 @@ void show_action(AppState& state, const Action& action) {
     const std::string keys = chord_text(action);
     if (ImGui::MenuItem(action.title.c_str(), keys.c_str(), is_on, can)) run_action(state, action);
     note_widget(state.widgets, "menu." + action.id);
-    tip(action.tip);
+    show_tip(action.tip, kTipWidth);
     if (action.id == "file.open") show_recent_files(state);
 }
 
@@ -191,7 +192,7 @@ void show_viewport_bar(AppState& state) {
         }
         ImGui::EndCombo();
     }
-    tip("What the cloth shows");
+    show_tip("What the cloth shows", kTipWidth);
     for (const auto& [action, icon] :
          {std::pair("view.body", "body"), std::pair("view.threads", "threads"), std::pair("view.points", "points")}) {
         ImGui::SameLine();
@@ -209,7 +210,7 @@ void show_status_bar(AppState& state) {
         ImGui::TextDisabled("%s", figures.c_str());
     } else {
         coloured_text(state.theme.error, figures);
-        tip(frame->problem);
+        show_tip(frame->problem, kTipWidth);
     }
 }
 
@@ -237,7 +238,7 @@ void select_under_cursor(AppState& state) {
 void show_entry(AppState& state, const Action& action) {
     if (ImGui::MenuItem(action.title.c_str(), chord_text(action).c_str())) run_action(state, action);
     note_widget(state.widgets, "sheet_menu." + action.id);
-    tip(action.tip);
+    show_tip(action.tip, kTipWidth);
 }
 
 }  // namespace

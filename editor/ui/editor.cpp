@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "editor/frame/item.h"
 #include "editor/frame/theme.h"
 #include "editor/inspectors/inspectors.h"
 #include "editor/sheet/sheet_view.h"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "editor/frame/item.h"
 #include "editor/tools/tool_host.h"
 #include "editor/ui/app_state.h"
 #include "editor/ui/widgets.h"

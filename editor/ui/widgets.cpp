@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "editor/frame/item.h"
 #include "editor/tools/tool_table.h"
 #include "editor/ui/actions.h"
 #include "editor/ui/app_state.h"
@@ -18,21 +19,6 @@ ImU32 colour_of(const sim::Rgb8& rgb, int alpha = 255) {
 }
 
 }  // namespace
-
-void note_widget(WidgetMap& widgets, const std::string& name) {
-    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-    widgets[name] = {{low.x, low.y}, {high.x, high.y}};
-}
-
-void tip(const std::string& text) {
-    if (text.empty() || ImGui::GetIO().MouseDown[0]) return;
-    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
-}
 
 bool button(AppState& state, const std::string& name, const std::string& label) {
     const bool is_pressed = ImGui::Button((label + "##" + name).c_str());
@@ -60,7 +46,8 @@ void icon_button(AppState& state, const Action& action, const std::string& icon,
     const sim::Rgb8 ink = is_on ? state.theme.field : can ? state.theme.ink : state.theme.line;
     draw_icon(list, icon, {low.x + inset, low.y + inset}, side_px - 2 * inset, ink);
     const std::string keys = chord_text(action);
-    tip(action.title + (keys.empty() ? "" : "  (" + keys + ")") + (action.tip.empty() ? "" : "\n" + action.tip));
+    show_tip(action.title + (keys.empty() ? "" : "  (" + keys + ")") + (action.tip.empty() ? "" : "\n" + action.tip),
+             kTipWidth);
     if (is_pressed) run_action(state, action);
 }
 
@@ -86,43 +73,8 @@ void coloured_text(const sim::Rgb8& colour, const std::string& text) {
     ImGui::PopStyleColor();
 }
 
-namespace {
-
-constexpr std::string_view kDots = "...";
-
-bool begins_letter(std::string_view text, std::size_t at) {
-    return at >= text.size() || (static_cast<unsigned char>(text[at]) & 0xC0U) != 0x80U;
-}
-
-// Keeps at most `kept` bytes of the text.
-std::string with_dots(std::string_view text, std::size_t kept, Elide what) {
-    std::size_t head = what == Elide::End ? kept : (kept + 1) / 2;
-    std::size_t tail = text.size() - (kept - head);
-    while (!begins_letter(text, head)) --head;
-    while (!begins_letter(text, tail)) ++tail;
-    return std::string(text.substr(0, head)).append(kDots).append(text.substr(tail));
-}
-
-}  // namespace
-
-std::string elided(std::string_view text, float width, Elide what,
-                   const std::function<float(std::string_view)>& width_of) {
-    if (width_of(text) <= width) return std::string(text);
-    std::size_t fits = 0, too_many = text.size();
-    while (too_many - fits > 1) {
-        const std::size_t kept = (fits + too_many) / 2;
-        (width_of(with_dots(text, kept, what)) <= width ? fits : too_many) = kept;
-    }
-    return with_dots(text, fits, what);
-}
-
-std::string elided(std::string_view text, float width, Elide what) {
-    return elided(text, width, what,
-                  [](std::string_view part) { return ImGui::CalcTextSize(part.data(), part.data() + part.size()).x; });
-}
-
 void tip_of_whole(const std::string& text, const std::string& shown) {
-    if (text != shown) tip(text);
+    if (text != shown) show_tip(text, kTipWidth);
 }
 
 namespace {

@@ -1,8 +1,7 @@
 #pragma once
-// Small controls that several parts of the interface share, text elision, icons, and the timing of status messages.
-// Named controls record their position for scripts and tests.
+// Small controls that several parts of the interface share, icons, and the timing of status messages. Named controls
+// record their position for scripts and tests.
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <string_view>
 
@@ -16,11 +15,7 @@ namespace selvedge::editor {
 struct Action;
 struct AppState;
 
-// Records the position of the last item under this name.
-void note_widget(WidgetMap& widgets, const std::string& name);
-
-// Tooltip of the last item.
-void tip(const std::string& text);
+constexpr float kTipWidth = 24;  // font heights, of tooltips outside the inspectors
 
 bool button(AppState& state, const std::string& name, const std::string& label);
 
@@ -31,19 +26,6 @@ void icon_button(AppState& state, const Action& action, const std::string& icon,
 bool action_row(AppState& state, const Action& action, bool is_chosen);
 
 void coloured_text(const sim::Rgb8& colour, const std::string& text);
-
-// Text that does not fit: an ellipsis replaces a part of it.
-
-// The part that is omitted: the end of a sentence, or the middle of a text with a file path.
-enum class Elide { Middle, End };
-
-// The longest elided text that is at most `width` px wide, as measured by `width_of`; the text itself if it fits. Never
-// cuts a UTF-8 character.
-std::string elided(std::string_view text, float width, Elide what,
-                   const std::function<float(std::string_view)>& width_of);
-
-// Measured with the current font.
-std::string elided(std::string_view text, float width, Elide what);
 
 // Shows the whole text as a tooltip of the last item if `shown` is not all of it.
 void tip_of_whole(const std::string& text, const std::string& shown);

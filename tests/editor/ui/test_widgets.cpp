@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 
+#include "editor/frame/item.h"
 #include "editor/ui/widgets.h"
 
 namespace selvedge::editor {
