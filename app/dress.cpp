@@ -166,7 +166,7 @@ Writing write_outputs(const DressArguments& arguments, const sim::DressedGarment
     return writing;
 }
 
-std::string spoken(std::string kind) {
+std::string fault_text(std::string kind) {
     std::replace(kind.begin(), kind.end(), '_', ' ');
     return kind;
 }
@@ -196,7 +196,7 @@ void print_sett_note(const sim::Pattern& pattern, const PictureOptions& picture)
 
 void print_faults(const sim::DressReport& report) {
     for (const sim::DressFault& fault : report.faults)
-        std::printf("fault: %s: %s (%.4g)\n", spoken(fault.kind).c_str(), fault.place.c_str(), fault.value);
+        std::printf("fault: %s: %s (%.4g)\n", fault_text(fault.kind).c_str(), fault.place.c_str(), fault.value);
 }
 
 int run(DressArguments arguments) {

@@ -8,6 +8,9 @@
 #include "render/gl/context.h"
 #include "render/gl/target.h"
 
+struct ImDrawCmd;
+struct ImDrawList;
+
 namespace selvedge::app {
 
 // The render target.
@@ -44,15 +47,8 @@ class UiDraw {
     std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace selvedge::app
-
 // Splits an ImGui draw command into runs of triangles that can be drawn more cheaply. A software renderer spends most
 // of its time per pixel: large areas of one colour need no texture, and no blending if they are opaque.
-
-struct ImDrawCmd;
-struct ImDrawList;
-
-namespace selvedge::app {
 
 enum class RunKind {
     Textured,  // textured and blended, as ImGui specifies

@@ -40,14 +40,8 @@ Fonts load_fonts(const FontBytes& files, const Theme& theme, float scale);
 // Sets the style of the current ImGui context.
 void apply_theme(const Theme& theme, float scale);
 
-}  // namespace selvedge::editor
-
 // Tabular digits: all digits have one width, so that numbers align in columns and do not shift while they change.
 // Fonts such as Inter offer them as an OpenType feature (tnum), which ImGui does not support.
-
-struct ImFont;
-
-namespace selvedge::editor {
 
 // Sets the advance of every digit to that of the widest digit and centres the glyphs. Pre: the font atlas is built.
 void make_digits_tabular(ImFont& font);

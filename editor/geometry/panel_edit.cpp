@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "editor/geometry/draft.h"
+#include "editor/geometry/edge_remap.h"
 #include "editor/geometry/edge_shape.h"
-#include "editor/geometry/follow.h"
 #include "editor/geometry/outline_edit.h"
 #include "sim/pattern/outline.h"
 

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "editor/geometry/draft.h"
+#include "editor/geometry/edge_remap.h"
 #include "editor/geometry/edge_shape.h"
-#include "editor/geometry/follow.h"
 #include "editor/geometry/panel_edit.h"
 #include "sim/pattern/outline.h"
 

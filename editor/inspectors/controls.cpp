@@ -159,21 +159,21 @@ constexpr float kSparkHeight = 2.0F;  // font heights
 }  // namespace
 
 void bar_chart(const InspectorContext& context, const BarChart& chart) {
-    if (chart.figures.empty()) return;
+    if (chart.values.empty()) return;
     const float em = ImGui::GetFontSize(), height = kBarHeight * em;
     const float gap = 0.25F * em, room = ImGui::GetContentRegionAvail().x;
-    const auto count = static_cast<float>(chart.figures.size());
+    const auto count = static_cast<float>(chart.values.size());
     const float width = std::min(3.2F * em, (room - gap * (count - 1)) / count);
-    const int most = std::max(1, *std::max_element(chart.figures.begin(), chart.figures.end()));
+    const int most = std::max(1, *std::max_element(chart.values.begin(), chart.values.end()));
     const ImVec2 low = ImGui::GetCursorScreenPos();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImU32 line = ImGui::GetColorU32(to_colour(context.theme.line));
     list.AddLine({low.x, low.y + height}, {low.x + room, low.y + height}, line);
-    for (std::size_t i = 0; i < chart.figures.size(); ++i) {
+    for (std::size_t i = 0; i < chart.values.size(); ++i) {
         const float left = low.x + static_cast<float>(i) * (width + gap);
-        const float share = static_cast<float>(chart.figures[i]) / static_cast<float>(most);
+        const float share = static_cast<float>(chart.values[i]) / static_cast<float>(most);
         const float top = low.y + height * (1 - share);
-        if (chart.figures[i] > 0) {
+        if (chart.values[i] > 0) {
             list.AddRectFilled({left, std::min(top, low.y + height - 1)}, {left + width, low.y + height},
                                ImGui::GetColorU32(to_colour(chart.colour(i))));
         }
@@ -200,14 +200,14 @@ void spark_line(const InspectorContext& context, const SparkLine& line) {
     ImGui::Dummy({width, height});
     show_tip(line.tip);
     float most = 0;
-    for (std::size_t i = 0; i < line.count; ++i) most = std::max(most, line.figure(i));
+    for (std::size_t i = 0; i < line.count; ++i) most = std::max(most, line.value(i));
     if (line.count < 2 || !(most > 0)) return;
     constexpr float kHeadroom = 1.15F;
     const float step = width / static_cast<float>(std::max<std::size_t>(1, line.full - 1));
     std::vector<ImVec2> points;
     for (std::size_t i = 0; i < line.count; ++i) {
         const float x = low.x + width - step * static_cast<float>(line.count - 1 - i);
-        points.emplace_back(x, low.y + height * (1 - line.figure(i) / (most * kHeadroom)));
+        points.emplace_back(x, low.y + height * (1 - line.value(i) / (most * kHeadroom)));
     }
     list.AddPolyline(points.data(), static_cast<int>(points.size()),
                      ImGui::GetColorU32(to_colour(context.theme.accent)), 0, 0.1F * ImGui::GetFontSize());

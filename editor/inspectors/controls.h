@@ -83,7 +83,7 @@ int choice_box(InspectorContext& context, const Choice& choice);
 
 // One bar per value, from the left, with the value below it; a tooltip describes each bar.
 struct BarChart {
-    std::vector<int> figures;
+    std::vector<int> values;
     std::function<std::string(std::size_t bar)> tip;
     std::function<sim::Rgb8(std::size_t bar)> colour;
 };
@@ -93,7 +93,7 @@ void bar_chart(const InspectorContext& context, const BarChart& chart);
 struct SparkLine {
     std::size_t count = 0;
     std::size_t full = 1;
-    std::function<float(std::size_t index)> figure;
+    std::function<float(std::size_t index)> value;
     std::string tip;
 };
 void spark_line(const InspectorContext& context, const SparkLine& line);

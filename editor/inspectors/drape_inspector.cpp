@@ -19,7 +19,7 @@ std::string printed(const char* format, double value) {
 
 }  // namespace
 
-std::string stage_text(sim::SessionStage stage, bool is_running) {
+std::string stage_sentence(sim::SessionStage stage, bool is_running) {
     switch (stage) {
         case sim::SessionStage::Empty:
             return "Empty: there is nothing to drape";
@@ -140,7 +140,7 @@ void draw_levels(InspectorContext& context, const sim::SessionFrame& frame) {
     const std::vector<int>& levels = frame.statistics.by_level;
     if (levels.empty()) return;
     ImGui::TextUnformatted(elided("Triangles per level", ImGui::GetContentRegionAvail().x).c_str());
-    bar_chart(context, {.figures = levels,
+    bar_chart(context, {.values = levels,
                         .tip =
                             [&](std::size_t level) {
                                 return "Level " + std::to_string(level) + ": " + count_text(levels[level]) +
@@ -164,9 +164,9 @@ void draw_times(InspectorContext& context, const sim::SessionFrame& frame) {
     fact(context, "Adaption", milliseconds_text(times.adaptation), "Splitting and rejoining edges, once per frame.");
     fact(context, "Steps", milliseconds_text(times.steps), "All steps of one frame: forces, constraints, contacts.");
     draw_spark(context, "Frame", milliseconds_text(times.frame),
-               {.figure = [&](std::size_t i) { return trace.frame_ms(i); }, .tip = "What the last 120 frames took."});
+               {.value = [&](std::size_t i) { return trace.frame_ms(i); }, .tip = "What the last 120 frames took."});
     draw_spark(context, "Triangles", count_text(frame.statistics.leaf_triangles),
-               {.figure = [&](std::size_t i) { return trace.triangles(i); },
+               {.value = [&](std::size_t i) { return trace.triangles(i); },
                 .tip = "How many triangles the last 120 frames had."});
 }
 
@@ -282,7 +282,7 @@ void draw_drape(InspectorContext& context) {
     sim::SessionOptions& options = context.workspace.drape.options();
     draw_buttons(context, *frame);
     ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(stage_text(frame->stage, frame->is_running).c_str());
+    ImGui::TextUnformatted(stage_sentence(frame->stage, frame->is_running).c_str());
     ImGui::PopTextWrapPos();
     if (!frame->problem.empty()) message_text(context.theme.error, frame->problem);
     draw_statistics(context, *frame);

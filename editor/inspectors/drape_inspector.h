@@ -10,7 +10,7 @@
 namespace selvedge::editor {
 
 // For example "Sewing: seams close" or "Settled: at rest".
-std::string stage_text(sim::SessionStage stage, bool is_running);
+std::string stage_sentence(sim::SessionStage stage, bool is_running);
 
 // For example "3.2 s", "1.40 ms", "0.8 cm/s".
 std::string seconds_text(double seconds);

@@ -11,7 +11,7 @@
 #include "editor/geometry/outline_edit.h"
 #include "editor/inspectors/controls.h"
 #include "editor/inspectors/number_box.h"
-#include "editor/inspectors/pattern_figures.h"
+#include "editor/inspectors/pattern_measures.h"
 #include "editor/workspace/sett_picture.h"
 #include "sim/core/error.h"
 #include "sim/tartan/tartan_file.h"
@@ -175,7 +175,7 @@ void draw_threadcount(InspectorContext& context) {
 namespace {
 
 // Three significant digits without an exponent: 8000, 56, 0.35.
-std::string figures(double value) {
+std::string number_text(double value) {
     char buffer[64];
     const double size = value < 0 ? -value : value;
     const int decimals = size >= 100 || size == 0 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3;
@@ -188,7 +188,7 @@ std::string figures(double value) {
 }
 
 std::string both(double warp, double weft, const char* unit) {
-    const std::string a = figures(warp), b = figures(weft);
+    const std::string a = number_text(warp), b = number_text(weft);
     return (a == b ? a : a + " \u00D7 " + b) + unit;
 }
 
@@ -196,16 +196,16 @@ std::string both(double warp, double weft, const char* unit) {
 
 std::vector<FabricRow> fabric_rows(const sim::Fabric& fabric) {
     return {
-        {"Weight", figures(fabric.area_density * 1e3) + " g/m\u00B2", "What a square metre weighs."},
+        {"Weight", number_text(fabric.area_density * 1e3) + " g/m\u00B2", "What a square metre weighs."},
         {"Stretch", both(fabric.stretch_warp, fabric.stretch_weft, " N/m"),
          "Force per width that would double its length: along the warp \u00D7 along the weft."},
-        {"Shear", figures(fabric.shear) + " N/m", "Force per width and radian that makes squares of it oblique."},
+        {"Shear", number_text(fabric.shear) + " N/m", "Force per width and radian that makes squares of it oblique."},
         {"Bending", both(fabric.bending_warp * 1e6, fabric.bending_weft * 1e6, " \u00B5N\u00B7m"),
          "How stiffly it bends: along the warp \u00D7 along the weft. Silk about 5, denim about 40."},
-        {"Thickness", figures(fabric.thickness * 1e3) + " mm", "Of one layer."},
-        {"Friction", figures(fabric.friction), "Against the body: 0 slides like oil, 1 hardly slides."},
-        {"Damping", figures(fabric.damping) + " /s", "How fast its motion dies away by itself."},
-        {"Strain limit", figures(fabric.strain_limit * 100) + " %", "Beyond this strain it no longer gives."},
+        {"Thickness", number_text(fabric.thickness * 1e3) + " mm", "Of one layer."},
+        {"Friction", number_text(fabric.friction), "Against the body: 0 slides like oil, 1 hardly slides."},
+        {"Damping", number_text(fabric.damping) + " /s", "How fast its motion dies away by itself."},
+        {"Strain limit", number_text(fabric.strain_limit * 100) + " %", "Beyond this strain it no longer gives."},
     };
 }
 

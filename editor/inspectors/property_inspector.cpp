@@ -12,7 +12,7 @@
 #include "editor/inspectors/controls.h"
 #include "editor/inspectors/material_inspector.h"
 #include "editor/inspectors/number_box.h"
-#include "editor/inspectors/pattern_figures.h"
+#include "editor/inspectors/pattern_measures.h"
 #include "sim/pattern/fabric.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern.h"

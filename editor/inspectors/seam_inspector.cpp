@@ -6,7 +6,7 @@
 #include "editor/geometry/seam_edit.h"
 #include "editor/inspectors/controls.h"
 #include "editor/inspectors/number_box.h"
-#include "editor/inspectors/pattern_figures.h"
+#include "editor/inspectors/pattern_measures.h"
 #include "editor/inspectors/property_inspector.h"
 #include "render/scene/colour.h"
 
@@ -17,10 +17,10 @@ bool has_seam(const sim::Pattern& pattern, int seam) {
     return seam >= 0 && static_cast<std::size_t>(seam) < pattern.seams.size();
 }
 
-std::string lengths_text(const SeamMeasures& figures) {
-    const std::string first = quantity_number(figures.first, Unit::Centimetres);
-    const std::string second = quantity_text(figures.second, Unit::Centimetres);
-    return figures.is_uneven ? first + " : " + second : second;
+std::string lengths_text(const SeamMeasures& measures) {
+    const std::string first = quantity_number(measures.first, Unit::Centimetres);
+    const std::string second = quantity_text(measures.second, Unit::Centimetres);
+    return measures.is_uneven ? first + " : " + second : second;
 }
 
 void draw_chip(int seam, float side_px) {
@@ -61,7 +61,7 @@ float right_aligned(const std::string& text, float right, const sim::Rgb8& colou
     return left;
 }
 
-void draw_seam_row(InspectorContext& context, int seam, const SeamMeasures& figures) {
+void draw_seam_row(InspectorContext& context, int seam, const SeamMeasures& measures) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x, left = ImGui::GetCursorPosX();
     const std::string name = "seams." + std::to_string(seam);
     const ImVec2 size(ImGui::GetContentRegionAvail().x, ImGui::GetTextLineHeight());
@@ -69,23 +69,23 @@ void draw_seam_row(InspectorContext& context, int seam, const SeamMeasures& figu
         choose(context, seam);
     note_widget(context, name);
     light_up(context, seam, ImGui::IsItemHovered());
-    const std::string state = figures.is_wrong()
+    const std::string state = measures.is_wrong()
                                   ? "\nIts sides differ by more than 1 mm: even it, or accept it as ease."
-                              : figures.is_uneven ? "\nEased: its sides are meant to differ."
-                                                  : "";
-    show_tip(figures.name + "\n" + lengths_text(figures) + ", difference " + difference_text(figures) + state);
+                              : measures.is_uneven ? "\nEased: its sides are meant to differ."
+                                                   : "";
+    show_tip(measures.name + "\n" + lengths_text(measures) + ", difference " + difference_text(measures) + state);
     const float chip = 0.7F * ImGui::GetFontSize();
     float right = left + size.x;
-    if (figures.is_uneven) {
-        right = right_aligned(difference_text(figures), right,
-                              figures.is_wrong() ? context.theme.error : context.theme.faint) -
+    if (measures.is_uneven) {
+        right = right_aligned(difference_text(measures), right,
+                              measures.is_wrong() ? context.theme.error : context.theme.faint) -
                 2 * gap;
     }
-    right = right_aligned(lengths_text(figures), right, context.theme.faint) - gap;
+    right = right_aligned(lengths_text(measures), right, context.theme.faint) - gap;
     back_to(left);
     draw_chip(seam, chip);
     ImGui::SameLine(0, gap);
-    ImGui::TextUnformatted(elided(figures.name, right - left - chip - gap).c_str());
+    ImGui::TextUnformatted(elided(measures.name, right - left - chip - gap).c_str());
 }
 
 void draw_name_row(InspectorContext& context, int seam) {
@@ -108,22 +108,22 @@ void draw_name_row(InspectorContext& context, int seam) {
 
 void seam_buttons(InspectorContext& context, int seam) {
     if (!has_seam(context.pattern(), seam)) return;
-    const SeamMeasures figures =
+    const SeamMeasures measures =
         seam_measures(context.pattern(), context.pattern().seams[static_cast<std::size_t>(seam)]);
     ButtonRow row(context);
     if (row.button({.name = "seam.even",
                     .title = "Even",
                     .tip = with_key(context, "Makes the second side as long as the first", "seam.even"),
-                    .is_enabled = figures.is_uneven})) {
+                    .is_enabled = measures.is_uneven})) {
         context.workspace.run(EvenSeam{seam});
     } else if (row.button(
                    {.name = "seam.ease",
-                    .title = figures.is_eased ? "Not eased" : "Accept ease",
-                    .tip = figures.is_eased
+                    .title = measures.is_eased ? "Not eased" : "Accept ease",
+                    .tip = measures.is_eased
                                ? std::string("Its sides are to be of one length again")
                                : with_key(context, "The longer side is gathered: it is meant to be so", "seam.accept"),
-                    .is_enabled = figures.is_eased || figures.is_uneven})) {
-        context.workspace.run(AcceptEase{.seam = seam, .is_eased = !figures.is_eased});
+                    .is_enabled = measures.is_eased || measures.is_uneven})) {
+        context.workspace.run(AcceptEase{.seam = seam, .is_eased = !measures.is_eased});
     } else if (row.button({.name = "seam.reverse",
                            .title = "Reverse",
                            .tip = with_key(context, "Sews it the other way round", "seam.reverse")})) {
@@ -137,16 +137,16 @@ void seam_buttons(InspectorContext& context, int seam) {
 
 void draw_seam_section(InspectorContext& context, int seam) {
     if (!has_seam(context.pattern(), seam)) return;
-    const SeamMeasures figures =
+    const SeamMeasures measures =
         seam_measures(context.pattern(), context.pattern().seams[static_cast<std::size_t>(seam)]);
-    heading(context, ("Seam " + figures.name).c_str());
+    heading(context, ("Seam " + measures.name).c_str());
     ImGui::PushID(("seam " + std::to_string(seam)).c_str());
     draw_name_row(context, seam);
-    fact(context, "First side", quantity_text(figures.first, Unit::Centimetres), "The length of its first side.");
-    fact(context, "Second side", quantity_text(figures.second, Unit::Centimetres), "The length of its second side.");
-    fact(context, "Difference", difference_text(figures) + (figures.is_eased ? ", eased" : ""),
+    fact(context, "First side", quantity_text(measures.first, Unit::Centimetres), "The length of its first side.");
+    fact(context, "Second side", quantity_text(measures.second, Unit::Centimetres), "The length of its second side.");
+    fact(context, "Difference", difference_text(measures) + (measures.is_eased ? ", eased" : ""),
          "What the second side has more than the first.");
-    if (figures.is_wrong()) {
+    if (measures.is_wrong()) {
         message_text(context.theme.error, "The sides differ by more than 1 mm: even them, or accept it as ease.");
     }
     if (is_crossed(context.pattern(), context.pattern().seams[static_cast<std::size_t>(seam)])) {
@@ -161,9 +161,9 @@ void draw_seams(InspectorContext& context) {
     if (count == 0) return paragraph(context, "No seams yet. Choose Segment sewing and click two edges.");
     std::size_t wrong = 0;
     for (std::size_t i = 0; i < context.pattern().seams.size(); ++i) {
-        const SeamMeasures figures = seam_measures(context.pattern(), context.pattern().seams[i]);
-        wrong += figures.is_wrong() ? 1 : 0;
-        draw_seam_row(context, static_cast<int>(i), figures);
+        const SeamMeasures measures = seam_measures(context.pattern(), context.pattern().seams[i]);
+        wrong += measures.is_wrong() ? 1 : 0;
+        draw_seam_row(context, static_cast<int>(i), measures);
     }
     ImGui::Spacing();
     if (wrong > 0) {

@@ -359,8 +359,8 @@ void draw_seams(const SheetLook& look) {
         const SeamLook drawn = look_of(look, index, difference);
         draw_side(look, seam.first, drawn, false);
         draw_side(look, seam.second, drawn, seam.is_reversed);
-        const bool is_told = drawn.is_uneven || (drawn.is_marked && std::abs(difference) > kUnevenSeam);
-        if (is_told && is_in_view(look, *second)) draw_difference(look, seam.second, difference, drawn.colour);
+        const bool is_shown = drawn.is_uneven || (drawn.is_marked && std::abs(difference) > kUnevenSeam);
+        if (is_shown && is_in_view(look, *second)) draw_difference(look, seam.second, difference, drawn.colour);
         if (look.selection.seams.contains(index) && look.overlay.shows_sewing) draw_button(look, index, drawn.colour);
     }
 }

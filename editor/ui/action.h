@@ -48,8 +48,6 @@ std::vector<const Action*> search(const std::vector<Action>& actions, std::strin
 
 // Finds and runs an action by some of its letters (Ctrl+K).
 
-struct AppState;
-
 class ActionFinder {
  public:
     void open();

@@ -40,10 +40,10 @@ void show_action(AppState& state, const Action& action) {
 }
 
 std::string drape_text(const sim::SessionFrame& frame) {
-    char figures[96];
+    char text[96];
     const sim::SessionStatistics& statistics = frame.statistics;
-    std::snprintf(figures, sizeof figures, "%d triangles   %.1f ms", statistics.leaf_triangles, statistics.times.frame);
-    return stage_text(frame) + "   " + figures;
+    std::snprintf(text, sizeof text, "%d triangles   %.1f ms", statistics.leaf_triangles, statistics.times.frame);
+    return stage_badge(frame) + "   " + text;
 }
 
 void show_line(const sim::Rgb8& colour, const std::string& text, float width) {
@@ -202,14 +202,14 @@ void show_viewport_bar(AppState& state) {
 
 void show_status_bar(AppState& state) {
     const std::shared_ptr<const sim::SessionFrame> frame = state.workspace.drape.frame();
-    const std::string figures = drape_text(*frame);
-    const float width = ImGui::CalcTextSize(figures.c_str()).x + ImGui::GetFontSize();
+    const std::string text = drape_text(*frame);
+    const float width = ImGui::CalcTextSize(text.c_str()).x + ImGui::GetFontSize();
     show_message(state, ImGui::GetContentRegionAvail().x - width);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - width + ImGui::GetFontSize());
     if (frame->problem.empty()) {
-        ImGui::TextDisabled("%s", figures.c_str());
+        ImGui::TextDisabled("%s", text.c_str());
     } else {
-        coloured_text(state.theme.error, figures);
+        coloured_text(state.theme.error, text);
         show_tip(frame->problem, kTipWidth);
     }
 }

@@ -22,8 +22,6 @@ void show_viewport_bar(AppState& state);
 
 // The context menu of the sheet: the actions that apply to the selection.
 
-struct AppState;
-
 // Opens the menu at the cursor. Selects what is under the cursor first, unless it is already selected.
 void open_sheet_menu(AppState& state);
 
@@ -31,8 +29,6 @@ void open_sheet_menu(AppState& state);
 void show_sheet_menu(AppState& state);
 
 // The start page: three examples, the recent files, the most important keys.
-
-struct AppState;
 
 void show_start_page(AppState& state);
 

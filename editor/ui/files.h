@@ -39,8 +39,6 @@ std::string document_name(const AppState& state);
 
 // A non-modal window to choose a file.
 
-struct AppState;
-
 struct BrowseRequest {
     std::string title;
     std::string verb;                  // label of the confirm button

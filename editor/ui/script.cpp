@@ -139,7 +139,7 @@ void ScriptPlayer::play(const ScriptStep& step) {
 }
 
 void ScriptPlayer::expect(const ScriptStep& step) const {
-    const std::string text = stage_text(*editor_.state().workspace.drape.frame());
+    const std::string text = stage_badge(*editor_.state().workspace.drape.frame());
     if (text != step.rest) fail(step, "the drape is not '" + step.rest + "' but '" + text + "'");
 }
 

@@ -10,6 +10,8 @@
 #include "sim/core/math.h"
 #include "sim/tartan/sett.h"
 
+struct ImDrawList;
+
 namespace selvedge::editor {
 
 struct Action;
@@ -30,13 +32,7 @@ void coloured_text(const sim::Rgb8& colour, const std::string& text);
 // Shows the whole text as a tooltip of the last item if `shown` is not all of it.
 void tip_of_whole(const std::string& text, const std::string& shown);
 
-}  // namespace selvedge::editor
-
 // Button icons: line drawings in a 16 x 16 square, drawn at any size, so that they are sharp at every scale.
-
-struct ImDrawList;
-
-namespace selvedge::editor {
 
 // `name`: a tool's or an action's id. Draws nothing if it has no icon.
 void draw_icon(ImDrawList& list, std::string_view name, const Vec2f& low, float side_px, const sim::Rgb8& colour);

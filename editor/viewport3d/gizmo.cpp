@@ -255,9 +255,9 @@ std::string GizmoDrag::readout() const {
     const bool is_turn = handle_.kind == GizmoKind::Turn;
     std::string text;
     for (int i = 0; i < 3; ++i) {
-        const bool is_told =
+        const bool is_shown =
             handle_.kind == GizmoKind::MoveScreen || (i == handle_.axis) != (handle_.kind == GizmoKind::MovePlane);
-        if (!is_told) continue;
+        if (!is_shown) continue;
         std::array<char, 40> part{};
         const double value = is_turn ? by[i] / kDegree : 100 * by[i];
         std::snprintf(part.data(), part.size(), "%s %.1f%s", kNames[static_cast<std::size_t>(i)], value,

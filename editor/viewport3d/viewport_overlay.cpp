@@ -246,7 +246,7 @@ sim::Rgb8 stage_colour(const sim::SessionFrame& frame, const ViewportColours& co
 
 void draw_stage(Overlay& overlay, const Workspace& workspace, const ViewportController& controller) {
     const sim::SessionFrame& frame = controller.garment().frame();
-    std::string text = stage_text(frame);
+    std::string text = stage_badge(frame);
     const bool is_sewn = frame.stage == sim::SessionStage::Draping || frame.stage == sim::SessionStage::Settled;
     if (is_sewn && controller.garment().is_placed()) text += " \u00B7 shown as placed";
     if (workspace.drape.is_making_body()) text += text.empty() ? "Making the body" : " \u00B7 making the body";
@@ -262,7 +262,7 @@ void draw_stage(Overlay& overlay, const Workspace& workspace, const ViewportCont
 
 }  // namespace
 
-std::string stage_text(const sim::SessionFrame& frame) {
+std::string stage_badge(const sim::SessionFrame& frame) {
     switch (frame.stage) {
         case sim::SessionStage::Empty:
             return frame.problem.empty() ? "" : "Cannot be cut yet";

@@ -17,6 +17,6 @@ void draw_overlay(ImDrawList& list, const OverlayFrame& place, const Workspace& 
                   const ViewportController& controller, const ViewportColours& colours);
 
 // The current simulation stage in a few words, for example "Sewing 3 seams".
-std::string stage_text(const sim::SessionFrame& frame);
+std::string stage_badge(const sim::SessionFrame& frame);
 
 }  // namespace selvedge::editor

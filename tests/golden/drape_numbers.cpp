@@ -46,7 +46,7 @@ std::string both(const char* what, const T& reference, const T& now) {
     return text.str();
 }
 
-std::string spoken(const Vec3d& point) {
+std::string point_text(const Vec3d& point) {
     std::ostringstream text;
     text << "(" << point.x() << ", " << point.y() << ", " << point.z() << ")";
     return text.str();
@@ -113,7 +113,7 @@ std::vector<std::string> differences(const DrapeNumbers& reference, const DrapeN
     expect(is_near(reference.hem_height, now.hem_height, tolerances.length),
            both("height of the hem, m", reference.hem_height, now.hem_height));
     expect((reference.centre - now.centre).norm() <= tolerances.length,
-           both("centre, m", spoken(reference.centre), spoken(now.centre)));
+           both("centre, m", point_text(reference.centre), point_text(now.centre)));
     return found;
 }
 

@@ -6,7 +6,7 @@
 #include "editor/inspectors/body_inspector.h"
 #include "editor/inspectors/drape_inspector.h"
 #include "editor/inspectors/material_inspector.h"
-#include "editor/inspectors/pattern_figures.h"
+#include "editor/inspectors/pattern_measures.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern_read.h"
 #include "sim/tartan/tartan_file.h"

@@ -50,6 +50,6 @@ struct SeamMeasures {
 SeamMeasures seam_measures(const sim::Pattern& pattern, const sim::Seam& seam);
 
 // For example "+3.2 mm": the length of the second side minus that of the first.
-std::string difference_text(const SeamMeasures& figures);
+std::string difference_text(const SeamMeasures& measures);
 
 }  // namespace selvedge::editor

@@ -1,4 +1,4 @@
-#include "editor/geometry/follow.h"
+#include "editor/geometry/edge_remap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ struct OppositeRun {
 };
 
 // The run on the other side of a run's seams. None: those edges are not consecutive in matching order.
-std::optional<OppositeRun> partner_of(const sim::Pattern& pattern, int panel, const std::vector<int>& run) {
+std::optional<OppositeRun> opposite_run(const sim::Pattern& pattern, int panel, const std::vector<int>& run) {
     std::vector<sim::SeamSide> others;
     std::optional<bool> is_reversed;
     for (const int edge : run) {
@@ -153,23 +153,23 @@ void join_sewn(sim::Pattern& pattern, int panel, int first, int count,
                const std::function<bool(int panel, int vertex)>& may_join) {
     const sim::Panel& own = pattern.panels[as_size(panel)];
     const std::vector<int> run = run_of(own, first, count);
-    std::optional<OppositeRun> partner = partner_of(pattern, panel, run);
-    if (partner) {
-        const sim::Panel& other = pattern.panels[as_size(partner->panel)];
-        for (const int edge : run_of(other, partner->first, count - 1)) {
-            if (!may_join(partner->panel, other.edges[as_size(edge)].end)) partner.reset();
-            if (!partner) break;
+    std::optional<OppositeRun> opposite = opposite_run(pattern, panel, run);
+    if (opposite) {
+        const sim::Panel& other = pattern.panels[as_size(opposite->panel)];
+        for (const int edge : run_of(other, opposite->first, count - 1)) {
+            if (!may_join(opposite->panel, other.edges[as_size(edge)].end)) opposite.reset();
+            if (!opposite) break;
         }
     }
     std::vector<sim::SeamSide> going;
     for (const int edge : run) {
-        if (!partner || edge != first) going.push_back({panel, edge});
+        if (!opposite || edge != first) going.push_back({panel, edge});
     }
     const int start = own.edges[as_size(first)].start;
     remove_seams_at(pattern, going);
-    if (partner) {
-        // The remaining seam is that of `first`. If the partner is reversed, it is at the partner's last edge.
-        join_alone(pattern, partner->panel, partner->first, count);
+    if (opposite) {
+        // The remaining seam is that of `first`. If the opposite run is reversed, it is at that run's last edge.
+        join_alone(pattern, opposite->panel, opposite->first, count);
     }
     join_alone(pattern, panel, edge_from(pattern.panels[as_size(panel)], start), count);
 }

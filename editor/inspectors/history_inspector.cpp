@@ -1,4 +1,5 @@
-// The history inspector: the list of commands, with undo and redo to any of them.
+// The history inspector: the list of commands, with undo and redo to any of them. Also what all inspectors do once per
+// frame.
 #include "editor/inspectors/inspectors.h"
 
 #include <imgui.h>

@@ -1,4 +1,4 @@
-#include "editor/inspectors/pattern_figures.h"
+#include "editor/inspectors/pattern_measures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -147,8 +147,8 @@ SeamMeasures seam_measures(const sim::Pattern& pattern, const sim::Seam& seam) {
             .is_eased = seam.is_eased};
 }
 
-std::string difference_text(const SeamMeasures& figures) {
-    const std::string text = quantity_text(figures.difference(), Unit::Millimetres);
+std::string difference_text(const SeamMeasures& measures) {
+    const std::string text = quantity_text(measures.difference(), Unit::Millimetres);
     return text.front() == '-' || text == "0 mm" ? text : "+" + text;
 }
 
