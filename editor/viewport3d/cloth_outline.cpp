@@ -51,7 +51,7 @@ HalfEdges half_edges(const sim::DrawMesh& mesh) {
     std::vector<HalfEdge> edges;
     edges.reserve(3 * mesh.triangles.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const std::uint16_t panel = mesh.panel.empty() ? std::uint16_t{0} : mesh.panel[t];
+        const std::uint16_t panel = sim::panel_of(mesh, t);
         for (std::size_t i = 0; i < 3; ++i) {
             const std::size_t j = (i + 1) % 3;
             edges.push_back({mesh.triangles[t][i], mesh.triangles[t][j], mesh.u[t][i], mesh.u[t][j], panel});

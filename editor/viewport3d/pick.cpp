@@ -32,7 +32,7 @@ void find_surface(const Ray& ray, const std::optional<MeshHit>& body, const Pick
     if (!cloth) return;
     under.cloth = cloth;
     under.surface = point_of(mesh, *cloth);
-    const std::size_t panel = mesh.panel.empty() ? 0 : mesh.panel[cloth->triangle];
+    const std::size_t panel = sim::panel_of(mesh, cloth->triangle);
     if (panel < mesh.panel_names.size()) under.hover.panel = mesh.panel_names[panel];
 }
 

@@ -121,7 +121,7 @@ void ViewportController::hold_material(const MeshHit& hit) {
     if (hit.triangle >= mesh.u.size()) return;
     const auto& [a, b, c] = mesh.u[hit.triangle];
     pulled_u_ = hit.weights[0] * a + hit.weights[1] * b + hit.weights[2] * c;
-    pulled_panel_ = mesh.panel.empty() ? std::uint16_t{0} : mesh.panel[hit.triangle];
+    pulled_panel_ = sim::panel_of(mesh, hit.triangle);
 }
 
 // Camera navigation.

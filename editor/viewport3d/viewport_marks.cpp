@@ -243,7 +243,7 @@ sim::DrawMesh placed_mesh(const sim::DrawMesh& mesh, const sim::Pattern& pattern
     std::vector<std::uint32_t> first(mesh.x.size(), kNone);
     std::vector<Part> parts;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const std::uint16_t panel = mesh.panel.empty() ? std::uint16_t{0} : mesh.panel[t];
+        const std::uint16_t panel = sim::panel_of(mesh, t);
         for (std::size_t c = 0; c < 3; ++c) {
             const std::uint32_t vertex = mesh.triangles[t][c];
             const Vec2f& u = mesh.u[t][c];
