@@ -4,8 +4,8 @@
 // free of noise, and does not change when the camera moves. Also the ground sheet, whose vertices store it.
 #include <vector>
 
+#include "render/draw/casters.h"
 #include "render/draw/cloth_vertices.h"
-#include "render/draw/shadow.h"
 
 namespace selvedge::render {
 

@@ -1,7 +1,7 @@
 #pragma once
 // A garment's mesh in the layout of the cloth shader: three vertices per triangle, because material coordinates, marks
-// and levels belong to triangles and their corners. Also the cloth's paint in GL buffers, the detection of seam and hem
-// edges, and the prefix sums of a sett's colours.
+// and levels belong to triangles and their corners. Also the cloth's paint in GL buffers, and the prefix sums of a
+// sett's colours.
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -53,31 +53,6 @@ int cloth_look(ShowMode show, const PaintBuffer& paint);
 
 // Pre: the program is in use. `unit`: texture unit of the map.
 void bind_paint(const GladGLContext& gl, const Program& program, const PaintBuffer& paint, int unit);
-
-// Which edges of a garment's triangles are seams or hems, and how far the cloth beside them is from them. The shader
-// uses both to darken seams and hems.
-
-// Bit i is the edge opposite corner i.
-struct TriangleMarks {
-    std::uint32_t seam = 0;  // the edge lies between two panels, or material coordinates jump
-    std::uint32_t hem = 0;   // no triangle on the other side
-};
-
-std::vector<TriangleMarks> mark_edges(const sim::DrawMesh& mesh);
-
-// m, at one corner of a triangle that touches a seam or hem with a single vertex. The shader interpolates it, so that
-// the distance continues without a jump from the triangles that have an edge on the seam or hem.
-struct TouchDistance {
-    static constexpr float kFar = 1e3F;
-    float seam = kFar;
-    float hem = kFar;
-};
-
-std::vector<std::array<TouchDistance, 3>> touch_distances(const sim::DrawMesh& mesh,
-                                                          const std::vector<TriangleMarks>& marks);
-
-// m, height of each corner over the opposite edge.
-std::array<float, 3> corner_heights(const std::array<Vec3f, 3>& x);
 
 // Prefix sums of a sett's colours. With them the shader gets the mean colour of any stretch of a sett in two lookups.
 

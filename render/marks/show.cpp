@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <map>
 
-#include "render/draw/cloth_vertices.h"
+#include "render/draw/edge_marks.h"
 #include "render/draw/renderer.h"
 #include "render/scene/colour.h"
 #include "render/scene/solids.h"

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "render/draw/cloth_vertices.h"
+#include "render/draw/edge_marks.h"
 #include "render/gl/context.h"
 #include "render/gl/target.h"
 #include "render/image/image.h"
