@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/cloth/curvature_map.h"
+#include "sim/cloth/material_frame.h"
 #include "sim/cloth/state_transfer.h"
 #include "sim/core/assert.h"
 

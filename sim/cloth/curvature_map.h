@@ -8,7 +8,7 @@
 // surfaces as well as possible.
 //
 // Curvatures are (k_warp, k_weft, 2 k_twist), 1/m, in the triangle's own frame of warp and weft. Angles are positive
-// where the fabric's right side is concave. The header also has the material frame of a triangle (MaterialFrame).
+// where the fabric's right side is concave.
 #include <array>
 #include <optional>
 
@@ -61,22 +61,5 @@ Mat3d curvature_map(const CurvatureFit& own, const std::array<FitBeside, 3>& bes
 // The rigidity matrix (N m) of warp, weft and twist for a triangle with free edges, across which the moment is zero:
 // the energy minimised over the curvatures normal to those edges (static condensation).
 Mat3d free_edge_rigidity(const Vec3d& rigidity, const RestTriangle& triangle);
-
-// The warp and weft directions of a triangle as combinations of its edges.  (Baraff and Witkin 1998)
-
-// With e1 = x1 - x0, e2 = x2 - x0 the deformed warp direction is a[0] e1 + a[1] e2 and the deformed weft direction is
-// b[0] e1 + b[1] e2. Both have length 1 at rest.
-struct MaterialFrame {
-    std::array<float, 2> a{};
-    std::array<float, 2> b{};
-    float area = 0;  // m^2, at rest
-};
-
-// u: the corners' material coordinates, m, anticlockwise; grain_angle: from the panel's +y to the warp, rad.
-MaterialFrame material_frame(const std::array<Vec2f, 3>& u, float grain_angle);
-
-// Unit vectors in material coordinates.
-Vec2f warp_direction(float grain_angle);
-Vec2f weft_direction(float grain_angle);
 
 }  // namespace selvedge::sim

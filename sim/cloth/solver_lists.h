@@ -4,6 +4,7 @@
 #include "sim/adaptive/adaptive_mesh.h"
 #include "sim/cloth/constraint_set.h"
 #include "sim/cloth/curvature_map.h"
+#include "sim/cloth/material_frame.h"
 #include "sim/cloth/solver_blocks.h"
 
 namespace selvedge::sim {

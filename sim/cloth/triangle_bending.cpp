@@ -8,6 +8,7 @@
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/curvature_map.h"
 #include "sim/cloth/kernels.h"
+#include "sim/cloth/material_frame.h"
 #include "sim/cloth/solver_blocks.h"
 #include "sim/cloth/state_transfer.h"
 

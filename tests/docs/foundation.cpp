@@ -1,6 +1,6 @@
 #include "tests/docs/foundation.h"
 
-#include "sim/cloth/curvature_map.h"
+#include "sim/cloth/material_frame.h"
 #include "sim/cloth/solver_lists.h"
 
 namespace selvedge::sim {

@@ -7,7 +7,7 @@
 #include "sim/adaptive/check.h"
 #include "sim/cloth/adapt_cloth.h"
 #include "sim/cloth/cloth.h"
-#include "sim/cloth/curvature_map.h"
+#include "sim/cloth/material_frame.h"
 #include "tests/sim/cloth/fixtures.h"
 #include "tests/support/bodies.h"
 
