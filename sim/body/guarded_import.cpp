@@ -95,9 +95,7 @@ ImportAnswer run_guarded(const std::filesystem::path& path, const std::string& i
             }
             return to_bytes(answer);
         },
-        {.memory_bytes = limits.memory_bytes,
-         .processor_seconds = limits.processor_seconds,
-         .wall_seconds = limits.wall_seconds});
+        limits.child);
     const auto fail = [&](const char* problem) -> ImportAnswer { throw InputError(path.string(), "", problem); };
     switch (result.end) {
         case ChildEnd::NotStarted:

@@ -19,11 +19,17 @@
 
 namespace selvedge::sim {
 
-struct ImportLimits {
-    std::size_t file_bytes = std::size_t(256) << 20;
+// Of a child process that may crash, hang or exhaust memory.
+struct ChildLimits {
     std::size_t memory_bytes = std::size_t(2) << 30;  // on top of what is in use; not applied under AddressSanitizer
     int processor_seconds = 20;
     int wall_seconds = 30;
+    std::size_t answer_bytes = std::size_t(1) << 30;
+};
+
+struct ImportLimits {
+    std::size_t file_bytes = std::size_t(256) << 20;
+    ChildLimits child{};
     std::size_t vertices = 8'000'000;  // OBJ readers create three for each triangle
     std::size_t triangles = 4'000'000;
 };
@@ -67,13 +73,6 @@ ImportAnswer read_with_assimp(const std::string& path, const std::string& extens
 
 // Runs a function that may crash, hang or exhaust memory in a child process and returns the bytes that it produces.
 // FlatWriter and FlatReader serialise plain data for the transfer.
-
-struct ChildLimits {
-    std::size_t memory_bytes = std::size_t(2) << 30;  // on top of what is in use; not applied under AddressSanitizer
-    int processor_seconds = 20;
-    int wall_seconds = 30;
-    std::size_t answer_bytes = std::size_t(1) << 30;
-};
 
 enum class ChildEnd { Done, Crashed, TimedOut, TooMuch, NotStarted };
 
