@@ -4,7 +4,6 @@
 #include "render/draw/renderer.h"
 #include "sim/tartan/tartan_file.h"
 #include "tests/golden/drape_numbers.h"
-#include "tests/golden/fourier.h"
 #include "tests/golden/golden.h"
 
 namespace selvedge::test {

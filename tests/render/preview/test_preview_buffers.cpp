@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "render/draw/cloth_vertices.h"
 #include "render/preview/preview_renderer.h"
 #include "render/scene/colour.h"
 #include "sim/tartan/tartan_file.h"
@@ -13,7 +14,7 @@ Vec3f mean_light(const Image& image) {
     return (sum / static_cast<double>(image.pixels.size())).cast<float>();
 }
 
-TEST(DraftWeave, halves_down_to_one_pixel_and_keeps_its_mean_light) {
+TEST(PreviewWeave, halves_down_to_one_pixel_and_keeps_its_mean_light) {
     const sim::Sett sett = sim::find_tartan("royal_stewart");
     const std::vector<Image> sizes = preview_weave(sett);
     EXPECT_EQ(sizes.back().width_px * sizes.back().height_px, 1);
@@ -22,7 +23,7 @@ TEST(DraftWeave, halves_down_to_one_pixel_and_keeps_its_mean_light) {
     for (const Image& size : sizes) EXPECT_LT((mean_light(size) - mean).cwiseAbs().maxCoeff(), 0.01F);
 }
 
-TEST(DraftWeave, a_denim_shows_mostly_its_warp) {
+TEST(PreviewWeave, a_denim_shows_mostly_its_warp) {
     const sim::Sett sett = sim::parse_threadcount("B8 weft: W8 weave: denim");
     const Vec3f denim = mean_light(preview_weave(sett).front());
     const Vec3f expected = 0.75F * sum_warp(sett).mean + 0.25F * sum_weft(sett).mean;
