@@ -10,7 +10,6 @@ struct ImFont;
 namespace selvedge::editor {
 
 struct Theme {
-    sim::Rgb8 desk{0xE9, 0xE7, 0xE2};    // window background
     sim::Rgb8 panel{0xF7, 0xF6, 0xF3};   // panels and lists
     sim::Rgb8 field{0xFF, 0xFF, 0xFF};   // input fields
     sim::Rgb8 line{0xD5, 0xD2, 0xCB};    // separators and borders

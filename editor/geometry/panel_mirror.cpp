@@ -126,11 +126,11 @@ std::vector<Stretch> stretches(const sim::Panel& panel, const sim::Panel& target
     return found;
 }
 
-// Makes panel `panel_` the mirror image of the source panel `lead_` and updates its seams: where the source's edges
+// Makes panel `panel_` the mirror image of the source panel `source_` and updates its seams: where the source's edges
 // were split or joined, its own edges are too.
 class SymmetryPropagation {
  public:
-    SymmetryPropagation(sim::Pattern& draft, int lead, int panel) : draft_(draft), lead_(lead), panel_(panel) {}
+    SymmetryPropagation(sim::Pattern& draft, int source, int panel) : draft_(draft), source_(source), panel_(panel) {}
 
     void follow() {
         match_splits();
@@ -155,7 +155,7 @@ class SymmetryPropagation {
     sim::Panel& own() { return draft_.panels[as_size(panel_)]; }
 
     sim::Panel image() {
-        sim::Panel target = mirror_image(draft_.panels[as_size(lead_)]);
+        sim::Panel target = mirror_image(draft_.panels[as_size(source_)]);
         target.name = own().name;
         target.mirror_of = own().mirror_of;
         target.sheet_position = own().sheet_position;
@@ -165,14 +165,14 @@ class SymmetryPropagation {
     // If the two panels are sewn to each other, a split of one may split the other, and so on. Without an end after as
     // many steps as both have edges, the splits would never end: throws GeometryError.
     void match_splits() {
-        const sim::Panel& lead = draft_.panels[as_size(lead_)];
-        const int most = edge_count(own()) + edge_count(lead);
+        const sim::Panel& source = draft_.panels[as_size(source_)];
+        const int most = edge_count(own()) + edge_count(source);
         for (int step = 0; even_one_stretch(); ++step) {
             if (step < most) continue;
             throw GeometryError(
-                "Panels " + lead.name + " and " + own().name +
+                "Panels " + source.name + " and " + own().name +
                     " are mirror images and sewn to each other so that their seams cannot be split alike.",
-                {{lead.name, -1, -1}, {own().name, -1, -1}});
+                {{source.name, -1, -1}, {own().name, -1, -1}});
         }
     }
 
@@ -216,7 +216,7 @@ class SymmetryPropagation {
 
     void follow_darts() {
         std::vector<sim::Seam> wanted;
-        for (const sim::Seam& dart : darts_of(draft_, lead_))
+        for (const sim::Seam& dart : darts_of(draft_, source_))
             wanted.push_back(dart_across(dart, panel_, edge_count(own())));
         const auto is_same = [](const sim::Seam& one, const sim::Seam& other) {
             return one.is_reversed == other.is_reversed && ((one.first == other.first && one.second == other.second) ||
@@ -233,7 +233,7 @@ class SymmetryPropagation {
     }
 
     sim::Pattern& draft_;
-    int lead_;
+    int source_;
     int panel_;
 };
 
@@ -302,20 +302,20 @@ void update_mirrors(sim::Pattern& pattern, const sim::Pattern& before) {
     if (groups.empty()) return;
     edit_pattern(pattern, [&](sim::Pattern& draft) {
         for (const auto& [head, images] : groups) {
-            int lead = head;
+            int source = head;
             Change most = change_of(pattern, head, before);
             for (const int image : images) {
                 const Change change = change_of(pattern, image, before);
                 const bool is_new = !was_linked(before, pattern.panels[as_size(image)]);
                 if (is_new) most.is_changed = true;
                 if (is_new || !change.is_changed || (most.is_changed && change.edges <= most.edges)) continue;
-                lead = image;
+                source = image;
                 most = change;
             }
             if (!most.is_changed) continue;
-            if (lead != head) SymmetryPropagation(draft, lead, head).follow();
+            if (source != head) SymmetryPropagation(draft, source, head).follow();
             for (const int image : images) {
-                if (image != lead) SymmetryPropagation(draft, head, image).follow();
+                if (image != source) SymmetryPropagation(draft, head, image).follow();
             }
         }
     });

@@ -135,7 +135,7 @@ void draw_tartan_list(InspectorContext& context) {
     ImGui::BeginChild("tartans", {0, kListHeight * ImGui::GetFontSize()}, true);
     bool is_empty = true;
     for (const auto& [name, tartan] : state.tartans) {
-        if (!has_words(tartan.shown_as + " " + name, text)) continue;
+        if (!has_all_words(tartan.shown_as + " " + name, text)) continue;
         draw_tartan(context, name, tartan);
         is_empty = false;
     }
@@ -286,7 +286,7 @@ std::optional<sim::Sett> valid_sett(const sim::Pattern& pattern) {
     }
 }
 
-bool has_words(const std::string& text, const std::string& words) {
+bool has_all_words(const std::string& text, const std::string& words) {
     const std::string small = small_letters(text);
     std::istringstream stream(small_letters(words));
     for (std::string word; stream >> word;) {

@@ -45,6 +45,6 @@ std::string tartan_error(const std::string& name_or_threadcount);
 std::optional<sim::Sett> valid_sett(const sim::Pattern& pattern);
 
 // Whether the text contains all the words, ignoring case.
-bool has_words(const std::string& text, const std::string& words);
+bool has_all_words(const std::string& text, const std::string& words);
 
 }  // namespace selvedge::editor

@@ -54,8 +54,8 @@ void show_document(AppState& state, sim::PatternDocument source, const std::stri
 // Runs `go_on` at once if there are no unsaved changes.
 void after_asking(AppState& state, std::function<void(AppState&)> go_on) {
     if (!state.workspace.document->has_unsaved_changes()) return go_on(state);
-    const auto save_first = [go_on](AppState& asked) {
-        if (save(asked)) go_on(asked);
+    const auto save_first = [go_on](AppState& current) {
+        if (save(current)) go_on(current);
     };
     state.questions.push_front({"'" + document_name(state) + "' has changes that are not saved.",
                                 {{"Save", save_first}, {"Discard", go_on}, {"Cancel", [](AppState&) {}}}});
@@ -84,7 +84,7 @@ std::string document_name(const AppState& state) {
 }
 
 void new_document(AppState& state) {
-    after_asking(state, [](AppState& asked) { show_document(asked, empty_garment(), ""); });
+    after_asking(state, [](AppState& current) { show_document(current, empty_garment(), ""); });
 }
 
 void open_loaded(AppState& state, sim::PatternDocument source, const std::string& file) {
@@ -93,28 +93,28 @@ void open_loaded(AppState& state, sim::PatternDocument source, const std::string
 }
 
 void open_file(AppState& state, const std::string& file) {
-    after_asking(state, [file](AppState& asked) {
-        try_to(asked, [&] { open_loaded(asked, asked.services.load(file), file); });
+    after_asking(state, [file](AppState& current) {
+        try_to(current, [&] { open_loaded(current, current.services.load(file), file); });
     });
 }
 
 void open_example(AppState& state, const Example& example) {
-    after_asking(state, [example](AppState& asked) {
-        try_to(asked, [&] { show_document(asked, sim::parse_pattern(example.text, example.title), ""); });
+    after_asking(state, [example](AppState& current) {
+        try_to(current, [&] { show_document(current, sim::parse_pattern(example.text, example.title), ""); });
     });
 }
 
 void recover_journal(AppState& state, const OrphanedJournal& journal) {
-    const auto go_on = [journal](AppState& asked) {
-        const bool is_open = try_to(asked, [&] {
-            show_document(asked, sim::parse_pattern(journal.recovery.text, journal.recovery.file),
+    const auto go_on = [journal](AppState& current) {
+        const bool is_open = try_to(current, [&] {
+            show_document(current, sim::parse_pattern(journal.recovery.text, journal.recovery.file),
                           journal.recovery.file);
         });
         if (!is_open) return;
-        asked.workspace.document->mark_changed();
-        begin_journal(asked);  // so that it can be recovered again
-        asked.services.discard_journal(journal.id);
-        asked.workspace.messages.note("Recovered '" + document_name(asked) + "': save it to keep it");
+        current.workspace.document->mark_changed();
+        begin_journal(current);  // so that it can be recovered again
+        current.services.discard_journal(journal.id);
+        current.workspace.messages.note("Recovered '" + document_name(current) + "': save it to keep it");
     };
     after_asking(state, go_on);
 }
@@ -136,7 +136,7 @@ bool save(AppState& state) {
 
 void save_as(AppState& state, const std::string& file) {
     const std::string target = with_ending(file, ".json");
-    const auto write = [target](AppState& asked) { try_to(asked, [&] { write_document(asked, target); }); };
+    const auto write = [target](AppState& current) { try_to(current, [&] { write_document(current, target); }); };
     if (target == state.workspace.file || !state.services.exists(target)) return write(state);
     state.questions.push_front(
         {"There is a file '" + target + "' already.", {{"Replace", write}, {"Cancel", [](AppState&) {}}}});
@@ -155,9 +155,9 @@ void export_to(AppState& state, const std::string& file) {
 }
 
 void close(AppState& state) {
-    after_asking(state, [](AppState& asked) {
-        asked.services.end_journal();
-        asked.wants_to_close = true;
+    after_asking(state, [](AppState& current) {
+        current.services.end_journal();
+        current.wants_to_close = true;
     });
 }
 
@@ -165,7 +165,7 @@ void browse_to_open(AppState& state) {
     state.browser.open({.title = "Open a garment",
                         .verb = "Open",
                         .endings = {".json"},
-                        .choose = [](AppState& asked, const std::string& file) { open_file(asked, file); }},
+                        .choose = [](AppState& current, const std::string& file) { open_file(current, file); }},
                        state.services);
 }
 
@@ -175,21 +175,21 @@ void browse_to_save(AppState& state) {
                         .endings = {".json"},
                         .is_saving = true,
                         .name = state.workspace.file.empty() ? "garment.json" : document_name(state),
-                        .choose = [](AppState& asked, const std::string& file) { save_as(asked, file); }},
+                        .choose = [](AppState& current, const std::string& file) { save_as(current, file); }},
                        state.services);
 }
 
 void browse_to_export(AppState& state, const std::string& ending) {
     std::string name = document_name(state);
     if (name.ends_with(".json")) name.resize(name.size() - 5);
-    state.browser.open(
-        {.title = "Export",
-         .verb = "Export",
-         .endings = {ending},
-         .is_saving = true,
-         .name = name + ending,
-         .choose = [ending](AppState& asked, const std::string& file) { export_to(asked, with_ending(file, ending)); }},
-        state.services);
+    state.browser.open({.title = "Export",
+                        .verb = "Export",
+                        .endings = {ending},
+                        .is_saving = true,
+                        .name = name + ending,
+                        .choose = [ending](AppState& current,
+                                           const std::string& file) { export_to(current, with_ending(file, ending)); }},
+                       state.services);
 }
 
 void browse_for_body(AppState& state) {
@@ -197,7 +197,7 @@ void browse_for_body(AppState& state) {
         {.title = "Put it on a body",
          .verb = "Wear",
          .endings = body_endings(),
-         .choose = [](AppState& asked, const std::string& file) { asked.workspace.drape.show_body(file); }},
+         .choose = [](AppState& current, const std::string& file) { current.workspace.drape.show_body(file); }},
         state.services);
 }
 
@@ -208,8 +208,8 @@ void offer_recovery(AppState& state) {
         state.questions.push_back(
             {"The editor ended " + journal.age + " without saving " + name + " (" +
                  std::to_string(journal.recovery.changes) + " changes).",
-             {{"Recover", [journal](AppState& asked) { recover_journal(asked, journal); }},
-              {"Discard", [journal](AppState& asked) { asked.services.discard_journal(journal.id); }},
+             {{"Recover", [journal](AppState& current) { recover_journal(current, journal); }},
+              {"Discard", [journal](AppState& current) { current.services.discard_journal(journal.id); }},
               {"Later", [](AppState&) {}}}});
     }
 }

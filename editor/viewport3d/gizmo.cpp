@@ -136,7 +136,7 @@ double stepped(double value, double step) {
 }
 
 // The point where the drag starts: on the handle's axis, in its plane, or in the image plane through the centre.
-Vec3f grip_of(const Gizmo& gizmo, const GizmoHandle& handle, const Viewing& viewing, const Vec2f& px) {
+Vec3f handle_point(const Gizmo& gizmo, const GizmoHandle& handle, const Viewing& viewing, const Vec2f& px) {
     const Ray ray = ray_through(viewing, px);
     const Vec3f axis = gizmo.axis(handle.axis);
     switch (handle.kind) {
@@ -154,7 +154,7 @@ Vec3f grip_of(const Gizmo& gizmo, const GizmoHandle& handle, const Viewing& view
 }  // namespace
 
 GizmoDrag::GizmoDrag(const Gizmo& gizmo, const GizmoHandle& handle, const Viewing& viewing, const Vec2f& px)
-    : gizmo_(gizmo), handle_(handle), start_(grip_of(gizmo, handle, viewing, px)) {
+    : gizmo_(gizmo), handle_(handle), start_(handle_point(gizmo, handle, viewing, px)) {
     const Vec3f to_eye = (viewing.camera.eye - gizmo.centre).normalized();
     is_on_edge_ = handle.kind == GizmoKind::Turn && std::abs(to_eye.dot(gizmo.axis(handle.axis))) < 0.2F;
     if (handle.kind == GizmoKind::Turn) cursor_angle_ = angle_of_cursor(viewing, px);

@@ -100,9 +100,9 @@ void Drape::update(const Document& document, Messages& messages) {
         session_.set_pattern(document.pattern());
     }
     if (waits) session_.advance(session_.frame()->is_running ? 1 : 0);
-    const std::vector<std::string> said = session_.frame()->messages;
-    reported_messages_ = std::min(reported_messages_, said.size());
-    for (; reported_messages_ < said.size(); ++reported_messages_) messages.note(said[reported_messages_]);
+    const std::vector<std::string> reported = session_.frame()->messages;
+    reported_messages_ = std::min(reported_messages_, reported.size());
+    for (; reported_messages_ < reported.size(); ++reported_messages_) messages.note(reported[reported_messages_]);
 }
 
 }  // namespace selvedge::editor

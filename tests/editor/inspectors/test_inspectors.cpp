@@ -55,17 +55,17 @@ class AllInspectors : public testing::TestWithParam<WindowSize> {};
 
 TEST_P(AllInspectors, stay_inside_their_window_whatever_is_selected) {
     for (const char* file : kPatterns) {
-        InspectorFixture desk(shipped_pattern(file), draw_properties, GetParam());
-        add_parts(desk.document());
-        desk.document().undo();
-        for (const Selection& selected : selections(desk.document().pattern())) {
-            desk.document().select(selected);
+        InspectorFixture inspector(shipped_pattern(file), draw_properties, GetParam());
+        add_parts(inspector.document());
+        inspector.document().undo();
+        for (const Selection& selected : selections(inspector.document().pattern())) {
+            inspector.document().select(selected);
             for (std::size_t i = 0; i < kInspectors.size(); ++i) {
-                desk.show(kInspectors[i]);
-                desk.frame();
-                desk.frame();
-                EXPECT_LE(desk.overhang_px(), 0.5F) << file << ", inspector " << i;
-                for (const auto& [name, box] : desk.widgets) EXPECT_TRUE(is_inside(box, GetParam())) << name;
+                inspector.show(kInspectors[i]);
+                inspector.frame();
+                inspector.frame();
+                EXPECT_LE(inspector.overhang_px(), 0.5F) << file << ", inspector " << i;
+                for (const auto& [name, box] : inspector.widgets) EXPECT_TRUE(is_inside(box, GetParam())) << name;
             }
         }
     }
@@ -78,111 +78,111 @@ INSTANTIATE_TEST_SUITE_P(Widths, AllInspectors,
                                          WindowSize{.width_px = 420, .scale = 2}));
 
 TEST(Inspectors, show_an_empty_pattern) {
-    InspectorFixture desk({}, draw_properties);
+    InspectorFixture inspector({}, draw_properties);
     for (const InspectorFixture::Draw draw : kInspectors) {
-        desk.show(draw);
-        desk.frame();
-        desk.frame();
+        inspector.show(draw);
+        inspector.frame();
+        inspector.frame();
     }
-    EXPECT_TRUE(desk.document().history().empty());
+    EXPECT_TRUE(inspector.document().history().empty());
 }
 
 TEST(SeamInspector, a_click_selects_a_seam_and_the_buttons_change_it) {
-    InspectorFixture desk(shipped_pattern("tshirt.json"), draw_seams);
-    desk.click("seams.2");
-    EXPECT_EQ(desk.document().selection().seams, std::set<int>{2});
-    EXPECT_EQ(desk.workspace.hover.seam, std::optional<int>(2)) << "lights up where the cursor rests";
-    const bool was_reversed = desk.document().pattern().seams[2].is_reversed;
-    desk.click("seam.reverse");
-    EXPECT_NE(desk.document().pattern().seams[2].is_reversed, was_reversed);
-    desk.click("seam.delete");
-    EXPECT_EQ(desk.document().pattern().seams.size(), 11U);
+    InspectorFixture inspector(shipped_pattern("tshirt.json"), draw_seams);
+    inspector.click("seams.2");
+    EXPECT_EQ(inspector.document().selection().seams, std::set<int>{2});
+    EXPECT_EQ(inspector.workspace.hover.seam, std::optional<int>(2)) << "lights up where the cursor rests";
+    const bool was_reversed = inspector.document().pattern().seams[2].is_reversed;
+    inspector.click("seam.reverse");
+    EXPECT_NE(inspector.document().pattern().seams[2].is_reversed, was_reversed);
+    inspector.click("seam.delete");
+    EXPECT_EQ(inspector.document().pattern().seams.size(), 11U);
 }
 
 TEST(MaterialInspector, a_click_takes_a_tartan_and_its_picture_is_made_once) {
-    InspectorFixture desk(shipped_pattern("skirt.json"), draw_materials);
-    desk.frame();
-    EXPECT_TRUE(desk.output.pictures.empty()) << "held since the first frame";
-    desk.click("tartan.anderson");
-    EXPECT_EQ(desk.document().pattern().tartan, "anderson");
+    InspectorFixture inspector(shipped_pattern("skirt.json"), draw_materials);
+    inspector.frame();
+    EXPECT_TRUE(inspector.output.pictures.empty()) << "held since the first frame";
+    inspector.click("tartan.anderson");
+    EXPECT_EQ(inspector.document().pattern().tartan, "anderson");
 }
 
 TEST(MaterialInspector, a_threadcount_is_tried_in_the_preview_and_told_when_it_is_wrong) {
-    InspectorFixture desk(shipped_pattern("skirt.json"), draw_materials);
-    desk.click("tartan.threadcount");
-    desk.type("K8 W");
-    EXPECT_FALSE(desk.state.boxes.typed.wrong.empty());
-    desk.type("8");
-    EXPECT_TRUE(desk.state.boxes.typed.wrong.empty());
-    desk.frame();
-    EXPECT_EQ(desk.state.material.previewed.substr(0, 5), "K8 W8");
-    EXPECT_NE(desk.document().pattern().tartan, "K8 W8") << "not before Enter";
-    desk.key(ImGuiKey_Enter);
-    EXPECT_EQ(desk.document().pattern().tartan, "K8 W8");
+    InspectorFixture inspector(shipped_pattern("skirt.json"), draw_materials);
+    inspector.click("tartan.threadcount");
+    inspector.type("K8 W");
+    EXPECT_FALSE(inspector.state.boxes.typed.wrong.empty());
+    inspector.type("8");
+    EXPECT_TRUE(inspector.state.boxes.typed.wrong.empty());
+    inspector.frame();
+    EXPECT_EQ(inspector.state.material.previewed.substr(0, 5), "K8 W8");
+    EXPECT_NE(inspector.document().pattern().tartan, "K8 W8") << "not before Enter";
+    inspector.key(ImGuiKey_Enter);
+    EXPECT_EQ(inspector.document().pattern().tartan, "K8 W8");
 }
 
 TEST(MaterialInspector, stripes_are_matched_and_the_result_is_told_by_seam) {
-    InspectorFixture desk(shipped_pattern("skirt.json"), draw_materials);
-    desk.frame();
-    desk.click("material.match");
-    EXPECT_EQ(desk.state.material.matched.size(), desk.document().pattern().seams.size());
-    EXPECT_TRUE(desk.document().pattern().matched_sett);
+    InspectorFixture inspector(shipped_pattern("skirt.json"), draw_materials);
+    inspector.frame();
+    inspector.click("material.match");
+    EXPECT_EQ(inspector.state.material.matched.size(), inspector.document().pattern().seams.size());
+    EXPECT_TRUE(inspector.document().pattern().matched_sett);
 }
 
 TEST(HistoryInspector, a_click_goes_back_and_forth) {
-    InspectorFixture desk(shipped_pattern("skirt.json"), draw_history);
-    desk.document().run(RenamePattern{"a"});
-    desk.document().run(RenamePattern{"b"});
-    desk.frame();
-    desk.click("history.1");
-    EXPECT_EQ(desk.document().pattern().name, "a");
-    EXPECT_EQ(desk.document().position(), 1U);
-    desk.click("history.2");
-    EXPECT_EQ(desk.document().pattern().name, "b");
-    desk.click("history.0");
-    EXPECT_EQ(desk.document().position(), 0U);
+    InspectorFixture inspector(shipped_pattern("skirt.json"), draw_history);
+    inspector.document().run(RenamePattern{"a"});
+    inspector.document().run(RenamePattern{"b"});
+    inspector.frame();
+    inspector.click("history.1");
+    EXPECT_EQ(inspector.document().pattern().name, "a");
+    EXPECT_EQ(inspector.document().position(), 1U);
+    inspector.click("history.2");
+    EXPECT_EQ(inspector.document().pattern().name, "b");
+    inspector.click("history.0");
+    EXPECT_EQ(inspector.document().position(), 0U);
 }
 
 TEST(BodyInspector, a_measure_becomes_the_documents_with_the_panels_moved_along) {
-    InspectorFixture desk(shipped_pattern("tshirt.json"), draw_body);
-    desk.workspace.drape.update(desk.document(), desk.workspace.messages);
-    desk.frame();
-    const double before = desk.panel(0).translation.y();
-    desk.click("body.height");
-    desk.type("175");
-    desk.key(ImGuiKey_Enter);
-    EXPECT_EQ(desk.state.body.pending, "mannequin:sex=female,height=175");
-    desk.workspace.drape.update(desk.document(), desk.workspace.messages);
-    desk.frame();
-    EXPECT_EQ(desk.document().pattern().body, "mannequin:sex=female,height=175");
-    EXPECT_GT(desk.panel(0).translation.y(), before + 0.05) << "the panel stands as high on the taller body";
-    EXPECT_TRUE(desk.state.body.pending.empty());
-    desk.document().undo();
-    EXPECT_EQ(desk.panel(0).translation.y(), before);
+    InspectorFixture inspector(shipped_pattern("tshirt.json"), draw_body);
+    inspector.workspace.drape.update(inspector.document(), inspector.workspace.messages);
+    inspector.frame();
+    const double before = inspector.panel(0).translation.y();
+    inspector.click("body.height");
+    inspector.type("175");
+    inspector.key(ImGuiKey_Enter);
+    EXPECT_EQ(inspector.state.body.pending, "mannequin:sex=female,height=175");
+    inspector.workspace.drape.update(inspector.document(), inspector.workspace.messages);
+    inspector.frame();
+    EXPECT_EQ(inspector.document().pattern().body, "mannequin:sex=female,height=175");
+    EXPECT_GT(inspector.panel(0).translation.y(), before + 0.05) << "the panel stands as high on the taller body";
+    EXPECT_TRUE(inspector.state.body.pending.empty());
+    inspector.document().undo();
+    EXPECT_EQ(inspector.panel(0).translation.y(), before);
 }
 
 TEST(BodyInspector, a_measure_that_no_body_has_is_told_and_not_worn) {
-    InspectorFixture desk(shipped_pattern("tshirt.json"), draw_body);
-    desk.click("body.bust");
-    desk.type("12");
-    desk.key(ImGuiKey_Enter);
-    EXPECT_NE(desk.state.body.wrong.find("bust"), std::string::npos);
-    EXPECT_TRUE(desk.state.body.pending.empty());
-    EXPECT_TRUE(desk.document().history().empty());
+    InspectorFixture inspector(shipped_pattern("tshirt.json"), draw_body);
+    inspector.click("body.bust");
+    inspector.type("12");
+    inspector.key(ImGuiKey_Enter);
+    EXPECT_NE(inspector.state.body.wrong.find("bust"), std::string::npos);
+    EXPECT_TRUE(inspector.state.body.pending.empty());
+    EXPECT_TRUE(inspector.document().history().empty());
 }
 
 TEST(DrapeInspector, options_are_typed_and_switched) {
-    InspectorFixture desk(shipped_pattern("skirt.json"), draw_drape);
-    desk.click("drape.max_level");
-    desk.type("2");
-    desk.key(ImGuiKey_Enter);
-    EXPECT_EQ(desk.workspace.drape.options().max_level, 2);
-    desk.click("drape.gravity");
-    EXPECT_FALSE(desk.workspace.drape.options().has_gravity);
-    desk.click("drape.budget");
-    desk.type("2500");
-    desk.key(ImGuiKey_Enter);
-    EXPECT_EQ(desk.workspace.drape.options().triangle_budget, std::optional<int>(2500));
+    InspectorFixture inspector(shipped_pattern("skirt.json"), draw_drape);
+    inspector.click("drape.max_level");
+    inspector.type("2");
+    inspector.key(ImGuiKey_Enter);
+    EXPECT_EQ(inspector.workspace.drape.options().max_level, 2);
+    inspector.click("drape.gravity");
+    EXPECT_FALSE(inspector.workspace.drape.options().has_gravity);
+    inspector.click("drape.budget");
+    inspector.type("2500");
+    inspector.key(ImGuiKey_Enter);
+    EXPECT_EQ(inspector.workspace.drape.options().triangle_budget, std::optional<int>(2500));
 }
 
 }  // namespace
@@ -234,9 +234,9 @@ TEST(ThreadcountText, tells_what_is_wrong) {
 }
 
 TEST(ThreadcountText, tartans_are_found_by_parts_of_their_words) {
-    EXPECT_TRUE(has_words("Hunting Stewart", "stew hunt"));
-    EXPECT_FALSE(has_words("Hunting Stewart", "stew dress"));
-    EXPECT_TRUE(has_words("Hunting Stewart", ""));
+    EXPECT_TRUE(has_all_words("Hunting Stewart", "stew hunt"));
+    EXPECT_FALSE(has_all_words("Hunting Stewart", "stew dress"));
+    EXPECT_TRUE(has_all_words("Hunting Stewart", ""));
 }
 
 TEST(BodyText, only_what_is_set_is_written_and_read_back) {

@@ -11,142 +11,142 @@ namespace selvedge::editor {
 namespace {
 
 TEST(SelectTool, a_click_selects_and_shift_adds_or_takes_away) {
-    SheetUser hands;
-    hands.click({0.1, 0.06});
-    EXPECT_EQ(hands.document.selection().panels, (std::set<std::string>{"left"}));
-    hands.click({0.4, 0.06}, {.shift = true});
-    EXPECT_EQ(hands.document.selection().panels.size(), 2U);
-    hands.click({0.1, 0.06}, {.shift = true});
-    EXPECT_EQ(hands.document.selection().panels, (std::set<std::string>{"right"}));
-    hands.click({0.25, 0.1});
-    EXPECT_TRUE(hands.document.selection().is_empty());
+    SheetUser user;
+    user.click({0.1, 0.06});
+    EXPECT_EQ(user.document.selection().panels, (std::set<std::string>{"left"}));
+    user.click({0.4, 0.06}, {.shift = true});
+    EXPECT_EQ(user.document.selection().panels.size(), 2U);
+    user.click({0.1, 0.06}, {.shift = true});
+    EXPECT_EQ(user.document.selection().panels, (std::set<std::string>{"right"}));
+    user.click({0.25, 0.1});
+    EXPECT_TRUE(user.document.selection().is_empty());
 }
 
 TEST(SelectTool, dragging_a_panel_moves_it_as_one_entry_of_the_history) {
-    SheetUser hands;
-    hands.press({0.1, 0.06});
-    hands.move({0.07, 0.06});
-    hands.move({0.06, -0.031});
-    EXPECT_TRUE(hands.document.is_previewing());
-    const ToolOverlay overlay = hands.overlay();
+    SheetUser user;
+    user.press({0.1, 0.06});
+    user.move({0.07, 0.06});
+    user.move({0.06, -0.031});
+    EXPECT_TRUE(user.document.is_previewing());
+    const ToolOverlay overlay = user.overlay();
     ASSERT_EQ(overlay.readout.size(), 3U);
     EXPECT_EQ(overlay.readout[0], "dx -4.0 cm");
-    hands.release({0.06, -0.031});
-    EXPECT_TRUE(hands.vertex("left", 0).isApprox(Vec2d(-0.04, -0.09), 1e-9)) << "whole steps of the grid";
-    EXPECT_EQ(hands.document.position(), 1U);
-    hands.document.undo();
-    EXPECT_LT(hands.vertex("left", 0).norm(), 1e-9);
+    user.release({0.06, -0.031});
+    EXPECT_TRUE(user.vertex("left", 0).isApprox(Vec2d(-0.04, -0.09), 1e-9)) << "whole steps of the grid";
+    EXPECT_EQ(user.document.position(), 1U);
+    user.document.undo();
+    EXPECT_LT(user.vertex("left", 0).norm(), 1e-9);
 }
 
 TEST(SelectTool, a_dragged_vertex_snaps_to_another_panels_vertex) {
-    SheetUser hands;
-    hands.drag({0.2, 0.2}, {0.304, 0.196});
-    EXPECT_TRUE(hands.vertex("left", 2).isApprox(Vec2d(0.3, 0.2), 1e-9));
-    EXPECT_EQ(hands.pattern().panels.size(), 2U);
+    SheetUser user;
+    user.drag({0.2, 0.2}, {0.304, 0.196});
+    EXPECT_TRUE(user.vertex("left", 2).isApprox(Vec2d(0.3, 0.2), 1e-9));
+    EXPECT_EQ(user.pattern().panels.size(), 2U);
 }
 
 TEST(SelectTool, an_edge_moves_with_both_its_ends) {
-    SheetUser hands;
-    hands.drag({0.05, 0.2}, {0.05, 0.25}, {.ctrl = true});
-    EXPECT_NEAR(hands.vertex("left", 2).y(), 0.25, 1e-9);
-    EXPECT_NEAR(hands.vertex("left", 3).y(), 0.25, 1e-9);
-    EXPECT_NEAR(hands.vertex("left", 0).y(), 0, 1e-9);
+    SheetUser user;
+    user.drag({0.05, 0.2}, {0.05, 0.25}, {.ctrl = true});
+    EXPECT_NEAR(user.vertex("left", 2).y(), 0.25, 1e-9);
+    EXPECT_NEAR(user.vertex("left", 3).y(), 0.25, 1e-9);
+    EXPECT_NEAR(user.vertex("left", 0).y(), 0, 1e-9);
 }
 
 TEST(SelectTool, escape_in_a_drag_puts_all_back) {
-    SheetUser hands;
-    hands.press({0.1, 0.06});
-    hands.move({0.1, 0.15});
-    hands.key(Key::Escape);
-    EXPECT_LT(hands.vertex("left", 0).norm(), 1e-9);
-    hands.release({0.1, 0.15});
-    EXPECT_EQ(hands.document.position(), 0U);
-    EXPECT_FALSE(hands.document.is_previewing());
+    SheetUser user;
+    user.press({0.1, 0.06});
+    user.move({0.1, 0.15});
+    user.key(Key::Escape);
+    EXPECT_LT(user.vertex("left", 0).norm(), 1e-9);
+    user.release({0.1, 0.15});
+    EXPECT_EQ(user.document.position(), 0U);
+    EXPECT_FALSE(user.document.is_previewing());
 }
 
 TEST(SelectTool, an_alt_drag_leaves_a_copy) {
-    SheetUser hands;
-    hands.drag({0.1, 0.06}, {0.1, 0.36}, {.alt = true});
-    ASSERT_EQ(hands.pattern().panels.size(), 3U);
-    EXPECT_LT(hands.vertex("left", 0).norm(), 1e-9) << "the panel itself stays";
-    EXPECT_TRUE(hands.vertex(hands.pattern().panels[2].name, 0).isApprox(Vec2d(0, 0.3), 1e-9));
+    SheetUser user;
+    user.drag({0.1, 0.06}, {0.1, 0.36}, {.alt = true});
+    ASSERT_EQ(user.pattern().panels.size(), 3U);
+    EXPECT_LT(user.vertex("left", 0).norm(), 1e-9) << "the panel itself stays";
+    EXPECT_TRUE(user.vertex(user.pattern().panels[2].name, 0).isApprox(Vec2d(0, 0.3), 1e-9));
 }
 
 TEST(SelectTool, a_box_to_the_right_takes_what_is_inside) {
-    SheetUser hands;
-    hands.drag({-0.05, 0.25}, {0.45, -0.05});
-    EXPECT_EQ(hands.document.selection().panels, (std::set<std::string>{"left"}));
-    hands.drag({0.45, -0.05}, {0.15, 0.25});
-    EXPECT_EQ(hands.document.selection().panels.size(), 2U) << "to the left: what it touches";
+    SheetUser user;
+    user.drag({-0.05, 0.25}, {0.45, -0.05});
+    EXPECT_EQ(user.document.selection().panels, (std::set<std::string>{"left"}));
+    user.drag({0.45, -0.05}, {0.15, 0.25});
+    EXPECT_EQ(user.document.selection().panels.size(), 2U) << "to the left: what it touches";
 }
 
 TEST(SelectTool, arrows_nudge_by_a_millimetre_and_with_shift_by_a_centimetre) {
-    SheetUser hands;
-    EXPECT_FALSE(hands.key(Key::Right)) << "nothing is selected";
-    hands.click({0.1, 0.06});
-    EXPECT_TRUE(hands.key(Key::Right));
-    EXPECT_TRUE(hands.key(Key::Up, {.shift = true}));
-    EXPECT_TRUE(hands.vertex("left", 0).isApprox(Vec2d(0.001, 0.01), 1e-9));
+    SheetUser user;
+    EXPECT_FALSE(user.key(Key::Right)) << "nothing is selected";
+    user.click({0.1, 0.06});
+    EXPECT_TRUE(user.key(Key::Right));
+    EXPECT_TRUE(user.key(Key::Up, {.shift = true}));
+    EXPECT_TRUE(user.vertex("left", 0).isApprox(Vec2d(0.001, 0.01), 1e-9));
 }
 
 TEST(SelectTool, a_typed_way_moves_the_selection) {
-    SheetUser hands;
-    hands.click({0.1, 0.06});
-    hands.type("10/4 x -1");
-    EXPECT_TRUE(hands.vertex("left", 0).isApprox(Vec2d(0.025, -0.01), 1e-9));
+    SheetUser user;
+    user.click({0.1, 0.06});
+    user.type("10/4 x -1");
+    EXPECT_TRUE(user.vertex("left", 0).isApprox(Vec2d(0.025, -0.01), 1e-9));
 }
 
 TEST(ToolHost, what_cannot_be_is_said_and_the_panel_stays_sound) {
-    SheetUser hands;
-    hands.press({0.2, 0.2});
-    hands.move({0.1, 0.1}, {.ctrl = true});
-    hands.move({-0.2, -0.2}, {.ctrl = true});
-    EXPECT_FALSE(hands.message().empty());
-    hands.release({-0.2, -0.2}, {.ctrl = true});
-    EXPECT_GT(hands.vertex("left", 2).x(), 0) << "the last place that could be";
+    SheetUser user;
+    user.press({0.2, 0.2});
+    user.move({0.1, 0.1}, {.ctrl = true});
+    user.move({-0.2, -0.2}, {.ctrl = true});
+    EXPECT_FALSE(user.message().empty());
+    user.release({-0.2, -0.2}, {.ctrl = true});
+    EXPECT_GT(user.vertex("left", 2).x(), 0) << "the last place that could be";
 }
 
 TEST(ToolHost, delete_takes_out_what_is_selected) {
-    SheetUser hands;
-    hands.click({0.1, 0.06});
-    EXPECT_TRUE(hands.key(Key::Delete));
-    ASSERT_EQ(hands.pattern().panels.size(), 1U);
-    EXPECT_EQ(hands.pattern().panels[0].name, "right");
-    EXPECT_FALSE(hands.key(Key::Delete));
+    SheetUser user;
+    user.click({0.1, 0.06});
+    EXPECT_TRUE(user.key(Key::Delete));
+    ASSERT_EQ(user.pattern().panels.size(), 1U);
+    EXPECT_EQ(user.pattern().panels[0].name, "right");
+    EXPECT_FALSE(user.key(Key::Delete));
 }
 
 TEST(ToolHost, keys_choose_tools_but_not_while_a_number_is_typed) {
-    SheetUser hands;
-    EXPECT_TRUE(hands.key(key_of('S')));
-    EXPECT_EQ(hands.tools.info().id, "rectangle");
-    hands.type("30", Key::None);
-    hands.key(key_of('X'));
-    EXPECT_EQ(hands.tools.info().id, "rectangle");
-    EXPECT_FALSE(hands.key(key_of('Z'), {.ctrl = true})) << "undo is not the sheet's";
+    SheetUser user;
+    EXPECT_TRUE(user.key(key_of('S')));
+    EXPECT_EQ(user.tools.info().id, "rectangle");
+    user.type("30", Key::None);
+    user.key(key_of('X'));
+    EXPECT_EQ(user.tools.info().id, "rectangle");
+    EXPECT_FALSE(user.key(key_of('Z'), {.ctrl = true})) << "undo is not the sheet's";
 }
 
 TEST(ToolHost, escape_ends_what_is_typed_then_what_is_selected_then_the_tool) {
-    SheetUser hands;
-    hands.click({0.1, 0.06});
-    hands.choose("add_point");
-    hands.type("5", Key::None);
-    EXPECT_TRUE(hands.key(Key::Escape));
-    EXPECT_FALSE(hands.document.selection().is_empty());
-    EXPECT_TRUE(hands.key(Key::Escape));
-    EXPECT_TRUE(hands.document.selection().is_empty());
-    EXPECT_TRUE(hands.key(Key::Escape));
-    EXPECT_EQ(hands.tools.info().id, "select");
-    EXPECT_FALSE(hands.key(Key::Escape));
+    SheetUser user;
+    user.click({0.1, 0.06});
+    user.choose("add_point");
+    user.type("5", Key::None);
+    EXPECT_TRUE(user.key(Key::Escape));
+    EXPECT_FALSE(user.document.selection().is_empty());
+    EXPECT_TRUE(user.key(Key::Escape));
+    EXPECT_TRUE(user.document.selection().is_empty());
+    EXPECT_TRUE(user.key(Key::Escape));
+    EXPECT_EQ(user.tools.info().id, "select");
+    EXPECT_FALSE(user.key(Key::Escape));
 }
 
 TEST(ToolHost, every_tool_has_a_name_a_hint_and_a_key_of_its_own) {
-    SheetUser hands;
+    SheetUser user;
     std::set<Key> keys;
     std::set<std::string_view> ids;
     for (const ToolInfo& info : all_tools()) {
-        hands.choose(info.id);
-        EXPECT_EQ(hands.tools.info().id, info.id);
-        EXPECT_FALSE(hands.tools.hint(hands.host()).empty()) << info.id;
+        user.choose(info.id);
+        EXPECT_EQ(user.tools.info().id, info.id);
+        EXPECT_FALSE(user.tools.hint(user.host()).empty()) << info.id;
         EXPECT_TRUE(keys.insert(info.key).second) << info.id;
         EXPECT_TRUE(ids.insert(info.id).second) << info.id;
         EXPECT_NE(info.key, key_of('F')) << "frames the view";
@@ -155,27 +155,27 @@ TEST(ToolHost, every_tool_has_a_name_a_hint_and_a_key_of_its_own) {
 
 TEST(ToolHost, no_tool_minds_any_click_or_key_on_an_empty_sheet) {
     for (const ToolInfo& info : all_tools()) {
-        SheetUser hands(sim::PatternDocument{});
-        hands.choose(info.id);
-        hands.key(Key::Enter);
-        hands.drag({0.1, 0.1}, {0.1, 0.1004});
-        hands.click({0.3, 0.2}, {.ctrl = true, .alt = true});
-        hands.double_click({0.2, 0.05});
-        for (const char* typed : {"0", "-3", "1e9", "5x0x7", "((", "1/0"}) hands.type(typed);
-        hands.key(key_of('R'));
-        hands.key(Key::Backspace);
-        hands.overlay();
-        hands.key(Key::Escape);
-        hands.drag({0.4, 0.1}, {0.1, 0.3}, {.shift = true});
-        hands.overlay();
-        hands.key(Key::Escape);
-        EXPECT_TRUE(hands.pattern().seams.empty()) << info.title;
-        for (const sim::Panel& panel : hands.pattern().panels) {
+        SheetUser user(sim::PatternDocument{});
+        user.choose(info.id);
+        user.key(Key::Enter);
+        user.drag({0.1, 0.1}, {0.1, 0.1004});
+        user.click({0.3, 0.2}, {.ctrl = true, .alt = true});
+        user.double_click({0.2, 0.05});
+        for (const char* typed : {"0", "-3", "1e9", "5x0x7", "((", "1/0"}) user.type(typed);
+        user.key(key_of('R'));
+        user.key(Key::Backspace);
+        user.overlay();
+        user.key(Key::Escape);
+        user.drag({0.4, 0.1}, {0.1, 0.3}, {.shift = true});
+        user.overlay();
+        user.key(Key::Escape);
+        EXPECT_TRUE(user.pattern().seams.empty()) << info.title;
+        for (const sim::Panel& panel : user.pattern().panels) {
             EXPECT_TRUE(sim::find_outline_crossings(panel).empty()) << info.title;
             EXPECT_GT(sim::outline_area(panel), 0) << info.title;
         }
-        hands.document.go_to(0);
-        EXPECT_TRUE(hands.pattern().panels.empty()) << info.title << ": all that it did can be undone";
+        user.document.go_to(0);
+        EXPECT_TRUE(user.pattern().panels.empty()) << info.title << ": all that it did can be undone";
     }
 }
 
@@ -186,77 +186,77 @@ TEST(ToolHost, no_tool_minds_any_click_or_key_on_an_empty_sheet) {
 namespace {
 
 TEST(EditPointTool, a_double_click_on_an_edge_adds_a_point_and_delete_takes_it_out) {
-    SheetUser hands;
-    hands.choose("edit_point");
-    hands.double_click({0.05, 0});
-    ASSERT_EQ(hands.panel("left").vertices.size(), 5U);
-    hands.click({0.05, 0});
-    EXPECT_EQ(hands.document.selection().vertices.size(), 1U);
-    hands.key(Key::Delete);
-    EXPECT_EQ(hands.panel("left").vertices.size(), 4U);
+    SheetUser user;
+    user.choose("edit_point");
+    user.double_click({0.05, 0});
+    ASSERT_EQ(user.panel("left").vertices.size(), 5U);
+    user.click({0.05, 0});
+    EXPECT_EQ(user.document.selection().vertices.size(), 1U);
+    user.key(Key::Delete);
+    EXPECT_EQ(user.panel("left").vertices.size(), 4U);
 }
 
 TEST(EditPointTool, drags_the_handles_of_a_panel_that_is_selected) {
     sim::PatternDocument source = two_squares();
     source.pattern.panels[0].edges[0].kind = sim::CurveKind::Quadratic;
     source.pattern.panels[0].edges[0].control[0] = Vec2d(0.1, -0.05);
-    SheetUser hands(source);
-    hands.choose("edit_point");
-    hands.drag({0.1, -0.05}, {0.1, -0.08}, {.ctrl = true});
-    EXPECT_TRUE(hands.panel("left").edges[0].control[0].isApprox(Vec2d(0.1, -0.05))) << "handles are not shown yet";
-    hands.click({0.1, 0.1});
-    hands.drag({0.1, -0.05}, {0.12, -0.08}, {.ctrl = true});
-    EXPECT_TRUE(hands.panel("left").edges[0].control[0].isApprox(Vec2d(0.12, -0.08), 1e-9));
+    SheetUser user(source);
+    user.choose("edit_point");
+    user.drag({0.1, -0.05}, {0.1, -0.08}, {.ctrl = true});
+    EXPECT_TRUE(user.panel("left").edges[0].control[0].isApprox(Vec2d(0.1, -0.05))) << "handles are not shown yet";
+    user.click({0.1, 0.1});
+    user.drag({0.1, -0.05}, {0.12, -0.08}, {.ctrl = true});
+    EXPECT_TRUE(user.panel("left").edges[0].control[0].isApprox(Vec2d(0.12, -0.08), 1e-9));
 }
 
 TEST(EditPointTool, a_box_selects_points) {
-    SheetUser hands;
-    hands.choose("edit_point");
-    hands.drag({-0.05, -0.05}, {0.35, 0.05});
-    EXPECT_EQ(hands.document.selection().vertices.size(), 3U);
-    EXPECT_TRUE(hands.document.selection().panels.empty());
+    SheetUser user;
+    user.choose("edit_point");
+    user.drag({-0.05, -0.05}, {0.35, 0.05});
+    EXPECT_EQ(user.document.selection().vertices.size(), 3U);
+    EXPECT_TRUE(user.document.selection().panels.empty());
 }
 
 TEST(EditPointTool, drags_a_point_of_an_internal_line) {
     sim::PatternDocument source = two_squares();
     source.pattern.panels[0].internal_lines.push_back({"", {Vec2d(0.05, 0.05), Vec2d(0.15, 0.05)}});
-    SheetUser hands(source);
-    hands.choose("edit_point");
-    hands.drag({0.149, 0.05}, {0.15, 0.15}, {.ctrl = true});
-    EXPECT_TRUE(hands.panel("left").internal_lines[0].points[1].isApprox(Vec2d(0.15, 0.15), 1e-9));
-    EXPECT_TRUE(hands.panel("left").internal_lines[0].points[0].isApprox(Vec2d(0.05, 0.05), 1e-9));
+    SheetUser user(source);
+    user.choose("edit_point");
+    user.drag({0.149, 0.05}, {0.15, 0.15}, {.ctrl = true});
+    EXPECT_TRUE(user.panel("left").internal_lines[0].points[1].isApprox(Vec2d(0.15, 0.15), 1e-9));
+    EXPECT_TRUE(user.panel("left").internal_lines[0].points[0].isApprox(Vec2d(0.05, 0.05), 1e-9));
 }
 
 TEST(AddPointTool, splits_an_edge_at_a_typed_distance_from_its_nearer_end) {
-    SheetUser hands;
-    hands.choose("add_point");
-    hands.move({0.17, 0.001});
-    hands.type("5.5");
-    ASSERT_EQ(hands.panel("left").vertices.size(), 5U);
-    EXPECT_NEAR(hands.vertex("left", hands.panel("left").edges[0].end).x(), 0.145, 1e-9);
-    hands.type("80");
-    EXPECT_EQ(hands.panel("left").vertices.size(), 5U);
-    EXPECT_NE(hands.message().find("only"), std::string::npos) << "the edge is not that long";
+    SheetUser user;
+    user.choose("add_point");
+    user.move({0.17, 0.001});
+    user.type("5.5");
+    ASSERT_EQ(user.panel("left").vertices.size(), 5U);
+    EXPECT_NEAR(user.vertex("left", user.panel("left").edges[0].end).x(), 0.145, 1e-9);
+    user.type("80");
+    EXPECT_EQ(user.panel("left").vertices.size(), 5U);
+    EXPECT_NE(user.message().find("only"), std::string::npos) << "the edge is not that long";
 }
 
 TEST(CurveTool, bends_an_edge_through_the_cursor) {
-    SheetUser hands;
-    hands.choose("curve_point");
-    hands.drag({0.1, 0}, {0.1, -0.04});
-    const sim::Panel& panel = hands.panel("left");
+    SheetUser user;
+    user.choose("curve_point");
+    user.drag({0.1, 0}, {0.1, -0.04});
+    const sim::Panel& panel = user.panel("left");
     ASSERT_EQ(panel.edges[0].kind, sim::CurveKind::Quadratic);
     EXPECT_TRUE(curve_point(panel, panel.edges[0], 0.5).isApprox(Vec2d(0.1, -0.04), 1e-3));
-    hands.double_click({0.1, -0.04});
-    EXPECT_EQ(hands.panel("left").edges[0].kind, sim::CurveKind::Line);
+    user.double_click({0.1, -0.04});
+    EXPECT_EQ(user.panel("left").edges[0].kind, sim::CurveKind::Line);
 }
 
 TEST(CurveTool, with_alt_draws_a_circles_arc_and_with_shift_two_handles) {
-    SheetUser hands;
-    hands.choose("curve_point");
-    hands.drag({0.1, 0}, {0.1, -0.04}, {.alt = true});
-    EXPECT_EQ(hands.panel("left").edges[0].kind, sim::CurveKind::Arc);
-    hands.drag({0.1, 0.2}, {0.1, 0.25}, {.shift = true});
-    EXPECT_EQ(hands.panel("left").edges[2].kind, sim::CurveKind::Cubic);
+    SheetUser user;
+    user.choose("curve_point");
+    user.drag({0.1, 0}, {0.1, -0.04}, {.alt = true});
+    EXPECT_EQ(user.panel("left").edges[0].kind, sim::CurveKind::Arc);
+    user.drag({0.1, 0.2}, {0.1, 0.25}, {.shift = true});
+    EXPECT_EQ(user.panel("left").edges[2].kind, sim::CurveKind::Cubic);
 }
 
 TEST(CurveShape, an_arc_goes_through_the_point_on_either_side) {
@@ -279,81 +279,81 @@ TEST(CurveShape, a_cubic_is_bent_through_the_point_it_was_held_at) {
 }
 
 TEST(NotchTool, a_click_notches_and_a_drag_moves_the_notch) {
-    SheetUser hands;
-    hands.choose("notch");
-    hands.click({0.05, 0.001});
-    ASSERT_EQ(hands.panel("left").notches.size(), 1U);
-    EXPECT_NEAR(hands.panel("left").notches[0].t, 0.25, 1e-9);
-    hands.drag({0.05, 0}, {0.2, 0.1});
-    ASSERT_EQ(hands.panel("left").notches.size(), 1U);
-    EXPECT_EQ(hands.panel("left").notches[0].edge, 1);
-    hands.click({0.2, 0.1});
-    hands.key(Key::Delete);
-    EXPECT_TRUE(hands.panel("left").notches.empty());
+    SheetUser user;
+    user.choose("notch");
+    user.click({0.05, 0.001});
+    ASSERT_EQ(user.panel("left").notches.size(), 1U);
+    EXPECT_NEAR(user.panel("left").notches[0].t, 0.25, 1e-9);
+    user.drag({0.05, 0}, {0.2, 0.1});
+    ASSERT_EQ(user.panel("left").notches.size(), 1U);
+    EXPECT_EQ(user.panel("left").notches[0].edge, 1);
+    user.click({0.2, 0.1});
+    user.key(Key::Delete);
+    EXPECT_TRUE(user.panel("left").notches.empty());
 }
 
 TEST(DartTool, is_dragged_to_its_depth_or_typed) {
-    SheetUser hands;
-    hands.choose("dart");
-    hands.drag({0.1, 0}, {0.1, 0.081});
-    EXPECT_EQ(hands.panel("left").vertices.size(), 7U);
-    EXPECT_EQ(hands.pattern().seams.size(), 1U) << "its legs are sewn";
-    hands.click({0.4, 0.2});
-    hands.type("2x6");
-    EXPECT_EQ(hands.panel("right").vertices.size(), 7U);
-    EXPECT_NEAR(outline_area(hands.panel("right")), 0.04 - 0.02 * 0.06 / 2, 1e-6);
+    SheetUser user;
+    user.choose("dart");
+    user.drag({0.1, 0}, {0.1, 0.081});
+    EXPECT_EQ(user.panel("left").vertices.size(), 7U);
+    EXPECT_EQ(user.pattern().seams.size(), 1U) << "its legs are sewn";
+    user.click({0.4, 0.2});
+    user.type("2x6");
+    EXPECT_EQ(user.panel("right").vertices.size(), 7U);
+    EXPECT_NEAR(outline_area(user.panel("right")), 0.04 - 0.02 * 0.06 / 2, 1e-6);
 }
 
 TEST(RotateTool, turns_by_dragging_and_by_typing) {
-    SheetUser hands;
-    hands.click({0.1, 0.06});
-    hands.choose("rotate");
-    hands.drag({0.2, 0.1}, {0.1, 0.205}, {.shift = true});
-    EXPECT_TRUE(hands.vertex("left", 0).isApprox(Vec2d(0.2, 0), 1e-6)) << "a quarter turn about the middle";
-    hands.type("-90");
-    EXPECT_LT(hands.vertex("left", 0).norm(), 1e-6);
+    SheetUser user;
+    user.click({0.1, 0.06});
+    user.choose("rotate");
+    user.drag({0.2, 0.1}, {0.1, 0.205}, {.shift = true});
+    EXPECT_TRUE(user.vertex("left", 0).isApprox(Vec2d(0.2, 0), 1e-6)) << "a quarter turn about the middle";
+    user.type("-90");
+    EXPECT_LT(user.vertex("left", 0).norm(), 1e-6);
 }
 
 TEST(ScaleTool, a_handle_scales_about_the_opposite_one) {
-    SheetUser hands;
-    hands.click({0.1, 0.06});
-    hands.choose("scale");
-    hands.drag({0.2, 0.1}, {0.25, 0.17}, {.ctrl = true});
-    EXPECT_TRUE(hands.vertex("left", 2).isApprox(Vec2d(0.25, 0.2), 1e-6)) << "one way only";
-    hands.type("0.8 x 1");
-    EXPECT_NEAR(hands.vertex("left", 2).x() - hands.vertex("left", 0).x(), 0.2, 1e-6);
-    hands.type("0");
-    EXPECT_FALSE(hands.message().empty());
+    SheetUser user;
+    user.click({0.1, 0.06});
+    user.choose("scale");
+    user.drag({0.2, 0.1}, {0.25, 0.17}, {.ctrl = true});
+    EXPECT_TRUE(user.vertex("left", 2).isApprox(Vec2d(0.25, 0.2), 1e-6)) << "one way only";
+    user.type("0.8 x 1");
+    EXPECT_NEAR(user.vertex("left", 2).x() - user.vertex("left", 0).x(), 0.2, 1e-6);
+    user.type("0");
+    EXPECT_FALSE(user.message().empty());
 }
 
 TEST(MergeTool, joins_the_panels_of_a_seam_and_says_where_there_is_none) {
-    SheetUser hands;
-    hands.choose("merge");
-    hands.click({0.05, 0});
-    EXPECT_FALSE(hands.message().empty());
-    hands.document.run(SewEdges{{"left", 1}, {"right", 3}, true});
-    hands.click({0.2, 0.05});
-    EXPECT_EQ(hands.pattern().panels.size(), 1U);
+    SheetUser user;
+    user.choose("merge");
+    user.click({0.05, 0});
+    EXPECT_FALSE(user.message().empty());
+    user.document.run(SewEdges{{"left", 1}, {"right", 3}, true});
+    user.click({0.2, 0.05});
+    EXPECT_EQ(user.pattern().panels.size(), 1U);
 }
 
 TEST(UnfoldTool, opens_a_panel_over_an_edge) {
-    SheetUser hands;
-    hands.choose("unfold");
-    hands.click({0, 0.05});
-    EXPECT_NEAR(outline_area(hands.panel("left")), 0.08, 1e-6);
+    SheetUser user;
+    user.choose("unfold");
+    user.click({0, 0.05});
+    EXPECT_NEAR(outline_area(user.panel("left")), 0.08, 1e-6);
 }
 
 TEST(MeasureTool, tells_distance_and_length_along_an_edge) {
-    SheetUser hands;
-    hands.choose("curve_point");
-    hands.drag({0.1, 0}, {0.1, -0.06});
-    hands.choose("measure");
-    hands.click({0, 0});
-    hands.click({0.2, 0});
-    const ToolOverlay overlay = hands.overlay();
+    SheetUser user;
+    user.choose("curve_point");
+    user.drag({0.1, 0}, {0.1, -0.06});
+    user.choose("measure");
+    user.click({0, 0});
+    user.click({0.2, 0});
+    const ToolOverlay overlay = user.overlay();
     ASSERT_EQ(overlay.labels.size(), 1U) << "corners belong to two edges: the distance alone";
     EXPECT_EQ(overlay.labels[0].text.substr(0, 7), "20.0 cm");
-    EXPECT_EQ(hands.document.position(), 1U) << "measuring changes nothing";
+    EXPECT_EQ(user.document.position(), 1U) << "measuring changes nothing";
 }
 
 }  // namespace

@@ -11,199 +11,199 @@ namespace {
 const Vec3f kMiddle(0, 1, 0.3F);  // centre of the panel
 
 // Selects the panel, so that its gizmo is shown.
-ViewportFixture& chosen(ViewportFixture& desk) {
-    desk.click(desk.seen(kMiddle + Vec3f(-0.17F, 0.17F, 0)));
-    EXPECT_TRUE(desk.controller().gizmo().has_value());
-    return desk;
+ViewportFixture& chosen(ViewportFixture& viewport) {
+    viewport.click(viewport.seen(kMiddle + Vec3f(-0.17F, 0.17F, 0)));
+    EXPECT_TRUE(viewport.controller().gizmo().has_value());
+    return viewport;
 }
 
 TEST(ViewportController, shows_the_panel_as_it_is_placed) {
-    ViewportFixture desk;
-    EXPECT_TRUE(desk.controller().garment().is_placed());
-    ASSERT_FALSE(desk.controller().garment().mesh().x.empty());
-    for (const Vec3f& x : desk.controller().garment().mesh().x) EXPECT_NEAR(x.z(), 0.3F, 1e-6F);
+    ViewportFixture viewport;
+    EXPECT_TRUE(viewport.controller().garment().is_placed());
+    ASSERT_FALSE(viewport.controller().garment().mesh().x.empty());
+    for (const Vec3f& x : viewport.controller().garment().mesh().x) EXPECT_NEAR(x.z(), 0.3F, 1e-6F);
 }
 
 TEST(ViewportController, the_panel_under_the_cursor_is_hovered_and_a_click_selects_it) {
-    ViewportFixture desk;
-    desk.move_to(desk.seen(kMiddle));
-    EXPECT_EQ(desk.workspace().hover.panel, "square");
-    desk.click(desk.seen(kMiddle));
-    EXPECT_EQ(desk.document().selection().panels, (std::set<std::string>{"square"}));
-    desk.click({5, 5});
-    EXPECT_TRUE(desk.document().selection().is_empty()) << "a click beside it";
-    EXPECT_EQ(desk.workspace().hover, Hover{});
+    ViewportFixture viewport;
+    viewport.move_to(viewport.seen(kMiddle));
+    EXPECT_EQ(viewport.workspace().hover.panel, "square");
+    viewport.click(viewport.seen(kMiddle));
+    EXPECT_EQ(viewport.document().selection().panels, (std::set<std::string>{"square"}));
+    viewport.click({5, 5});
+    EXPECT_TRUE(viewport.document().selection().is_empty()) << "a click beside it";
+    EXPECT_EQ(viewport.workspace().hover, Hover{});
 }
 
 TEST(ViewportController, parts_of_an_outline_are_chosen_where_they_lie_on_the_cloth) {
-    ViewportFixture desk;
-    desk.choice = ClothChoice::Parts;
-    desk.move_to(desk.seen(kMiddle + Vec3f(0.2F, 0.02F, 0)) + Vec2f(-3, 0));
-    EXPECT_EQ(desk.workspace().hover.edge, (PartRef{"square", 1}));
-    desk.click(desk.seen(kMiddle + Vec3f(0.2F, 0.2F, 0)) + Vec2f(-3, 3));
-    EXPECT_EQ(desk.document().selection().vertices, (std::set<PartRef>{{"square", 2}}));
+    ViewportFixture viewport;
+    viewport.choice = ClothChoice::Parts;
+    viewport.move_to(viewport.seen(kMiddle + Vec3f(0.2F, 0.02F, 0)) + Vec2f(-3, 0));
+    EXPECT_EQ(viewport.workspace().hover.edge, (PartRef{"square", 1}));
+    viewport.click(viewport.seen(kMiddle + Vec3f(0.2F, 0.2F, 0)) + Vec2f(-3, 3));
+    EXPECT_EQ(viewport.document().selection().vertices, (std::set<PartRef>{{"square", 2}}));
 }
 
 TEST(ViewportController, an_arrow_moves_the_panel_along_its_axis_and_makes_one_entry_of_the_history) {
-    ViewportFixture desk;
-    chosen(desk);
-    const Vec3f tip = arrow_of(*desk.controller().gizmo(), 0)[1];
-    desk.move_to(desk.seen(tip));
-    EXPECT_EQ(desk.controller().under().handle, (GizmoHandle{GizmoKind::MoveAxis, 0}));
-    desk.press();
-    desk.move_to(desk.seen(tip + Vec3f(0.05F, 0.03F, 0)));
-    desk.move_to(desk.seen(tip + Vec3f(0.1F, 0.03F, 0)));
-    EXPECT_TRUE(desk.document().is_previewing());
-    EXPECT_EQ(desk.controller().drag()->readout(), "x 10.0 cm");
-    desk.release();
-    EXPECT_FALSE(desk.document().is_previewing());
-    EXPECT_NEAR((desk.panel().translation - Vec3d(0.1, 1, 0.3)).norm(), 0, 1e-4);
-    EXPECT_EQ(desk.document().history().size(), 1U);
+    ViewportFixture viewport;
+    chosen(viewport);
+    const Vec3f tip = arrow_of(*viewport.controller().gizmo(), 0)[1];
+    viewport.move_to(viewport.seen(tip));
+    EXPECT_EQ(viewport.controller().under().handle, (GizmoHandle{GizmoKind::MoveAxis, 0}));
+    viewport.press();
+    viewport.move_to(viewport.seen(tip + Vec3f(0.05F, 0.03F, 0)));
+    viewport.move_to(viewport.seen(tip + Vec3f(0.1F, 0.03F, 0)));
+    EXPECT_TRUE(viewport.document().is_previewing());
+    EXPECT_EQ(viewport.controller().drag()->readout(), "x 10.0 cm");
+    viewport.release();
+    EXPECT_FALSE(viewport.document().is_previewing());
+    EXPECT_NEAR((viewport.panel().translation - Vec3d(0.1, 1, 0.3)).norm(), 0, 1e-4);
+    EXPECT_EQ(viewport.document().history().size(), 1U);
 }
 
 TEST(ViewportController, a_number_typed_during_a_drag_holds_until_it_is_let_go) {
-    ViewportFixture desk;
-    chosen(desk);
-    const Vec3f tip = arrow_of(*desk.controller().gizmo(), 1)[1];
-    desk.move_to(desk.seen(tip));
-    desk.press();
-    desk.move_to(desk.seen(tip + Vec3f(0, 0.02F, 0)));
-    desk.type("1");
-    desk.type("2");
-    desk.move_to(desk.seen(tip + Vec3f(0, 0.07F, 0)));
-    EXPECT_NEAR(desk.panel().translation.y(), 1.12, 1e-9);
-    desk.release();
-    EXPECT_NEAR(desk.panel().translation.y(), 1.12, 1e-9);
+    ViewportFixture viewport;
+    chosen(viewport);
+    const Vec3f tip = arrow_of(*viewport.controller().gizmo(), 1)[1];
+    viewport.move_to(viewport.seen(tip));
+    viewport.press();
+    viewport.move_to(viewport.seen(tip + Vec3f(0, 0.02F, 0)));
+    viewport.type("1");
+    viewport.type("2");
+    viewport.move_to(viewport.seen(tip + Vec3f(0, 0.07F, 0)));
+    EXPECT_NEAR(viewport.panel().translation.y(), 1.12, 1e-9);
+    viewport.release();
+    EXPECT_NEAR(viewport.panel().translation.y(), 1.12, 1e-9);
 }
 
 TEST(ViewportController, escape_takes_a_drag_back) {
-    ViewportFixture desk;
-    chosen(desk);
-    const Vec3f tip = arrow_of(*desk.controller().gizmo(), 1)[1];
-    desk.move_to(desk.seen(tip));
-    desk.press();
-    desk.move_to(desk.seen(tip + Vec3f(0, 0.2F, 0)));
-    EXPECT_GT(desk.panel().translation.y(), 1.1);
-    desk.key(Key::Escape);
-    desk.release();
-    EXPECT_EQ(desk.panel().translation, Vec3d(0, 1, 0.3));
-    EXPECT_TRUE(desk.document().history().empty());
+    ViewportFixture viewport;
+    chosen(viewport);
+    const Vec3f tip = arrow_of(*viewport.controller().gizmo(), 1)[1];
+    viewport.move_to(viewport.seen(tip));
+    viewport.press();
+    viewport.move_to(viewport.seen(tip + Vec3f(0, 0.2F, 0)));
+    EXPECT_GT(viewport.panel().translation.y(), 1.1);
+    viewport.key(Key::Escape);
+    viewport.release();
+    EXPECT_EQ(viewport.panel().translation, Vec3d(0, 1, 0.3));
+    EXPECT_TRUE(viewport.document().history().empty());
 }
 
 TEST(ViewportController, a_ring_turns_the_panel_about_its_middle) {
-    ViewportFixture desk;
-    chosen(desk);
-    const Gizmo gizmo = *desk.controller().gizmo();
+    ViewportFixture viewport;
+    chosen(viewport);
+    const Gizmo gizmo = *viewport.controller().gizmo();
     const float radius = kRingRadius * gizmo.reach;
     const auto on_ring = [&](float degrees) {
         const float angle = degrees * 3.14159265F / 180;
-        return desk.seen(gizmo.centre + radius * Vec3f(std::cos(angle), std::sin(angle), 0));
+        return viewport.seen(gizmo.centre + radius * Vec3f(std::cos(angle), std::sin(angle), 0));
     };
-    desk.move_to(on_ring(30));
-    ASSERT_EQ(desk.controller().under().handle, (GizmoHandle{GizmoKind::Turn, 2}));
-    desk.press();
-    desk.move_to(on_ring(50));
-    desk.move_to(on_ring(75));
-    desk.release();
-    const Eigen::AngleAxisd turn(desk.panel().rotation);
+    viewport.move_to(on_ring(30));
+    ASSERT_EQ(viewport.controller().under().handle, (GizmoHandle{GizmoKind::Turn, 2}));
+    viewport.press();
+    viewport.move_to(on_ring(50));
+    viewport.move_to(on_ring(75));
+    viewport.release();
+    const Eigen::AngleAxisd turn(viewport.panel().rotation);
     EXPECT_NEAR(turn.angle() * turn.axis().z(), 45 * 3.14159265 / 180, 1e-3);
-    EXPECT_NEAR((desk.panel().place({0, 0}) - Vec3d(0, 1, 0.3)).norm(), 0, 1e-6);
+    EXPECT_NEAR((viewport.panel().place({0, 0}) - Vec3d(0, 1, 0.3)).norm(), 0, 1e-6);
 }
 
 TEST(ViewportController, a_panel_that_is_taken_itself_follows_the_cursor) {
-    ViewportFixture desk;
+    ViewportFixture viewport;
     const Vec3f grip = kMiddle + Vec3f(-0.15F, -0.15F, 0);
-    desk.move_to(desk.seen(grip));
-    desk.press();
-    desk.move_to(desk.seen(grip + Vec3f(0.1F, 0, 0)));
-    desk.move_to(desk.seen(grip + Vec3f(0.3F, 0.1F, 0)));
-    desk.release();
-    EXPECT_NEAR((desk.panel().translation - Vec3d(0.3, 1.1, 0.3)).norm(), 0, 1e-3);
+    viewport.move_to(viewport.seen(grip));
+    viewport.press();
+    viewport.move_to(viewport.seen(grip + Vec3f(0.1F, 0, 0)));
+    viewport.move_to(viewport.seen(grip + Vec3f(0.3F, 0.1F, 0)));
+    viewport.release();
+    EXPECT_NEAR((viewport.panel().translation - Vec3d(0.3, 1.1, 0.3)).norm(), 0, 1e-3);
 }
 
 TEST(ViewportController, a_click_on_an_arrangement_point_wraps_the_panel_there) {
-    ViewportFixture desk;
-    const Vec2f point = desk.seen({0, 1.35F, 0.2F});
-    desk.move_to(point);
-    EXPECT_FALSE(desk.controller().under().point) << "nothing is selected";
-    chosen(desk);
-    desk.move_to(point);
-    ASSERT_EQ(desk.controller().under().point, 0U);
-    ASSERT_EQ(desk.controller().ghosts().size(), 1U);
-    const std::vector<Vec3f> ghost = desk.controller().ghosts().front();
-    desk.press();
-    desk.release();
-    EXPECT_EQ(desk.panel().wrap_radius, 0.2);
-    EXPECT_NEAR((desk.panel().place({0, 0}) - Vec3d(0, 1.35, 0.2)).norm(), 0, 1e-9);
-    EXPECT_NEAR((desk.panel().place({-0.2, -0.2}).cast<float>() - ghost.front()).norm(), 0, 1e-6F);
-    EXPECT_EQ(desk.document().history().size(), 1U);
+    ViewportFixture viewport;
+    const Vec2f point = viewport.seen({0, 1.35F, 0.2F});
+    viewport.move_to(point);
+    EXPECT_FALSE(viewport.controller().under().point) << "nothing is selected";
+    chosen(viewport);
+    viewport.move_to(point);
+    ASSERT_EQ(viewport.controller().under().point, 0U);
+    ASSERT_EQ(viewport.controller().ghosts().size(), 1U);
+    const std::vector<Vec3f> ghost = viewport.controller().ghosts().front();
+    viewport.press();
+    viewport.release();
+    EXPECT_EQ(viewport.panel().wrap_radius, 0.2);
+    EXPECT_NEAR((viewport.panel().place({0, 0}) - Vec3d(0, 1.35, 0.2)).norm(), 0, 1e-9);
+    EXPECT_NEAR((viewport.panel().place({-0.2, -0.2}).cast<float>() - ghost.front()).norm(), 0, 1e-6F);
+    EXPECT_EQ(viewport.document().history().size(), 1U);
 }
 
 TEST(ViewportController, a_point_behind_the_cloth_cannot_be_clicked) {
-    ViewportFixture desk;
-    chosen(desk);
-    desk.move_to(desk.seen({0, 1, -0.2F}));
-    EXPECT_FALSE(desk.controller().under().point);
+    ViewportFixture viewport;
+    chosen(viewport);
+    viewport.move_to(viewport.seen({0, 1, -0.2F}));
+    EXPECT_FALSE(viewport.controller().under().point);
 }
 
 TEST(ViewportController, the_right_button_orbits_and_the_middle_one_pans) {
-    ViewportFixture desk;
-    const CameraPose before = desk.controller().orbit().standpoint();
-    desk.move_to({100, 100});
-    desk.press(MouseButton::Right);
-    desk.move_to({180, 100});
-    desk.release(MouseButton::Right);
-    desk.move_to({300, 100});
-    const CameraPose orbited = desk.controller().orbit().standpoint();
+    ViewportFixture viewport;
+    const CameraPose before = viewport.controller().orbit().standpoint();
+    viewport.move_to({100, 100});
+    viewport.press(MouseButton::Right);
+    viewport.move_to({180, 100});
+    viewport.release(MouseButton::Right);
+    viewport.move_to({300, 100});
+    const CameraPose orbited = viewport.controller().orbit().standpoint();
     EXPECT_LT(orbited.azimuth, before.azimuth - 0.3F);
     EXPECT_GT(orbited.azimuth, before.azimuth - 1) << "no further after the button was let go";
     EXPECT_EQ(orbited.target, before.target);
-    desk.press(MouseButton::Middle);
-    desk.move_to({300, 160});
-    desk.release(MouseButton::Middle);
-    EXPECT_GT(desk.controller().orbit().standpoint().target.y(), before.target.y() + 0.1F);
+    viewport.press(MouseButton::Middle);
+    viewport.move_to({300, 160});
+    viewport.release(MouseButton::Middle);
+    EXPECT_GT(viewport.controller().orbit().standpoint().target.y(), before.target.y() + 0.1F);
 }
 
 TEST(ViewportController, keys_turn_the_camera_and_frame_what_is_selected) {
-    ViewportFixture desk;
-    desk.key(static_cast<Key>(static_cast<int>(Key::Keypad0) + 3));
-    desk.rest();
-    EXPECT_NEAR(desk.controller().orbit().standpoint().azimuth, 1.5707963F, 1e-4F);
+    ViewportFixture viewport;
+    viewport.key(static_cast<Key>(static_cast<int>(Key::Keypad0) + 3));
+    viewport.rest();
+    EXPECT_NEAR(viewport.controller().orbit().standpoint().azimuth, 1.5707963F, 1e-4F);
     Selection square;
     square.panels.insert("square");
-    desk.workspace().document->select(square);
-    desk.key(key_of('F'));
-    desk.rest();
-    EXPECT_NEAR((desk.controller().orbit().standpoint().target - kMiddle).norm(), 0, 0.1F);
+    viewport.workspace().document->select(square);
+    viewport.key(key_of('F'));
+    viewport.rest();
+    EXPECT_NEAR((viewport.controller().orbit().standpoint().target - kMiddle).norm(), 0, 0.1F);
 }
 
 TEST(ViewportController, sewn_cloth_is_pulled_instead_of_moved) {
-    ViewportFixture desk;
-    desk.workspace().drape.session().start();
+    ViewportFixture viewport;
+    viewport.workspace().drape.session().start();
     for (int i = 0; i < 5; ++i) {
-        desk.workspace().drape.session().advance(1);
-        desk.rest();
+        viewport.workspace().drape.session().advance(1);
+        viewport.rest();
     }
-    desk.workspace().drape.session().pause();
-    desk.rest();
-    ASSERT_FALSE(desk.controller().garment().is_placed());
-    const Vec3f grip = desk.controller().garment().mesh().x.front();
-    const auto& triangle = desk.controller().garment().mesh().triangles.front();
-    const std::vector<Vec3f>& x = desk.controller().garment().mesh().x;
+    viewport.workspace().drape.session().pause();
+    viewport.rest();
+    ASSERT_FALSE(viewport.controller().garment().is_placed());
+    const Vec3f grip = viewport.controller().garment().mesh().x.front();
+    const auto& triangle = viewport.controller().garment().mesh().triangles.front();
+    const std::vector<Vec3f>& x = viewport.controller().garment().mesh().x;
     const Vec3f middle = (x[triangle[0]] + x[triangle[1]] + x[triangle[2]]) / 3;
-    desk.move_to(desk.seen(middle));
-    ASSERT_TRUE(desk.controller().under().cloth);
-    desk.press();
-    desk.move_to(desk.seen(middle) + Vec2f(30, 0));
-    desk.move_to(desk.seen(middle) + Vec2f(60, 0));
-    ASSERT_TRUE(desk.controller().pulled_to());
-    EXPECT_GT(desk.controller().pulled_to()->x(), grip.x());
-    EXPECT_NEAR(desk.controller().pulled_to()->z(), middle.z(), 0.05F) << "in the picture's plane";
-    ASSERT_TRUE(desk.controller().pulled_at());
-    EXPECT_NEAR((*desk.controller().pulled_at() - middle).norm(), 0, 1e-3F) << "time has not gone on";
-    EXPECT_EQ(desk.panel().translation, Vec3d(0, 1, 0.3)) << "where it is placed does not change";
-    desk.release();
-    EXPECT_FALSE(desk.controller().pulled_to());
+    viewport.move_to(viewport.seen(middle));
+    ASSERT_TRUE(viewport.controller().under().cloth);
+    viewport.press();
+    viewport.move_to(viewport.seen(middle) + Vec2f(30, 0));
+    viewport.move_to(viewport.seen(middle) + Vec2f(60, 0));
+    ASSERT_TRUE(viewport.controller().pulled_to());
+    EXPECT_GT(viewport.controller().pulled_to()->x(), grip.x());
+    EXPECT_NEAR(viewport.controller().pulled_to()->z(), middle.z(), 0.05F) << "in the picture's plane";
+    ASSERT_TRUE(viewport.controller().pulled_at());
+    EXPECT_NEAR((*viewport.controller().pulled_at() - middle).norm(), 0, 1e-3F) << "time has not gone on";
+    EXPECT_EQ(viewport.panel().translation, Vec3d(0, 1, 0.3)) << "where it is placed does not change";
+    viewport.release();
+    EXPECT_FALSE(viewport.controller().pulled_to());
 }
 
 sim::Pattern two_panels() {

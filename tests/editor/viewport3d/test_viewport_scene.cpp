@@ -23,16 +23,16 @@ namespace {
 class ViewportSceneTest : public testing::Test {
  protected:
     std::shared_ptr<const render::Scene> update() {
-        desk.rest();
-        return scene.update({.pattern = desk.document().pattern(),
-                             .revision = desk.document().revision(),
-                             .garment = desk.controller().garment(),
-                             .current_body = desk.workspace().drape.current_body(),
-                             .look = desk.workspace().look,
+        viewport.rest();
+        return scene.update({.pattern = viewport.document().pattern(),
+                             .revision = viewport.document().revision(),
+                             .garment = viewport.controller().garment(),
+                             .current_body = viewport.workspace().drape.current_body(),
+                             .look = viewport.workspace().look,
                              .marks = marks});
     }
 
-    ViewportFixture desk;
+    ViewportFixture viewport;
     ViewportScene scene;
     ViewportMarks marks;
 };
@@ -59,13 +59,13 @@ TEST_F(ViewportSceneTest, selection_hover_look_and_pattern_make_another) {
     EXPECT_EQ(last->solids.size(), 1U);
     marks.hover.edge = PartRef{"square", 2};
     EXPECT_TRUE(is_another());
-    desk.workspace().look.show = render::ShowMode::Level;
+    viewport.workspace().look.show = render::ShowMode::Level;
     EXPECT_TRUE(is_another());
     EXPECT_EQ(last->cloths.front().show, render::ShowMode::Level);
-    desk.workspace().run(SetTartan{.tartan = "K/8 R24 W/4"});
+    viewport.workspace().run(SetTartan{.tartan = "K/8 R24 W/4"});
     EXPECT_TRUE(is_another());
     EXPECT_EQ(last->cloths.front().sett.stripes.front().threads, 8);
-    desk.workspace().look.has_body = false;
+    viewport.workspace().look.has_body = false;
     EXPECT_TRUE(is_another());
     EXPECT_TRUE(last->bodies.empty());
     EXPECT_FALSE(is_another());
@@ -84,17 +84,17 @@ TEST_F(ViewportSceneTest, a_selected_edge_is_marked_where_it_lies_on_the_cloth) 
 }
 
 TEST_F(ViewportSceneTest, panels_of_other_fabrics_are_cloths_of_their_own) {
-    sim::Panel other = desk.panel();
+    sim::Panel other = viewport.panel();
     other.name = "other";
     other.translation.x() += 0.5;
     other.fabric = "denim";
-    desk.workspace().run(AddPanels{.panels = {other}});
-    desk.rest();
-    desk.workspace().drape.session().advance(0);
+    viewport.workspace().run(AddPanels{.panels = {other}});
+    viewport.rest();
+    viewport.workspace().drape.session().advance(0);
     const auto made = update();
     ASSERT_EQ(made->cloths.size(), 2U);
     EXPECT_EQ(made->cloths[0].mesh.triangles.size() + made->cloths[1].mesh.triangles.size(),
-              desk.controller().garment().mesh().triangles.size());
+              viewport.controller().garment().mesh().triangles.size());
     EXPECT_FALSE(made->cloths[0].material == made->cloths[1].material);
 }
 
