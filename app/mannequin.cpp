@@ -42,7 +42,7 @@ void print_readings(const sim::MeasureReport& report) {
     std::printf("%-10s %9s %9s %9s\n", "cm", "asked", "measured", "at height");
     for (const sim::MeasureReading& reading : report.readings) {
         std::printf("%-10s ", std::string(reading.name).c_str());
-        reading.asked ? std::printf("%9.1f ", 100 * *reading.asked) : std::printf("%9s ", "-");
+        reading.requested ? std::printf("%9.1f ", 100 * *reading.requested) : std::printf("%9s ", "-");
         std::printf("%9.1f ", 100 * reading.measured);
         reading.level ? std::printf("%9.1f\n", 100 * *reading.level) : std::printf("\n");
     }

@@ -186,14 +186,14 @@ class EventQueue {
 
 struct Window::Impl {
     explicit Impl(const WindowOptions& options)
-        : context(options), window(context.window()), events(window), wished_scale(options.scale) {}
+        : context(options), window(context.window()), events(window), requested_scale(options.scale) {}
 
     Library library;
     WindowContext context;
     Cursors cursors;
     GLFWwindow* window;
     EventQueue events;
-    std::optional<float> wished_scale;
+    std::optional<float> requested_scale;
 };
 
 Window::Window(const WindowOptions& options) : impl_(std::make_unique<Impl>(options)) {}
@@ -216,7 +216,7 @@ int Window::height_px() const {
 }
 
 float Window::scale() const {
-    if (impl_->wished_scale) return *impl_->wished_scale;
+    if (impl_->requested_scale) return *impl_->requested_scale;
     float x = 1, y = 1;
     glfwGetWindowContentScale(impl_->window, &x, &y);
     return std::max({x, y, 0.5F});

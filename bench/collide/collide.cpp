@@ -101,7 +101,7 @@ void add_row(Table& table, std::size_t triangles, const Baseline& baseline, cons
                    baseline.name,
                    {1e9 * timing_of(baseline.seconds).median / queries, 1},
                    {1e9 * timing_of(baseline.seconds).least / queries, 1},
-                   {100 * report.asked / queries, 1},
+                   {100 * report.queried / queries, 1},
                    {1e3 * sim::quantile(errors.distance, 0.99), 3},
                    {1e3 * sim::quantile(errors.distance, 1), 3},
                    {180 / std::numbers::pi * sim::quantile(errors.angle, 0.99), 1},
@@ -111,13 +111,13 @@ void add_row(Table& table, std::size_t triangles, const Baseline& baseline, cons
 
 void measure(Table& table, std::size_t triangles, const Structures& structures, const CollideOptions& options) {
     const ClothPoints points = move_cloth_points(*structures.surface, options.points);
-    const QueryPoints asked(points);
+    const QueryPoints queried(points);
     std::vector<Baseline> baselines = baselines_of(structures);
     for (int round = 0; round < options.rounds; ++round)
         for (Baseline& baseline : baselines) {
             const sim::SimdLimit limit(baseline.level);
             baseline.seconds.push_back(
-                time_once([&] { run_queries(asked, *baseline.collider, baseline.way, options.points.offset); }));
+                time_once([&] { run_queries(queried, *baseline.collider, baseline.way, options.points.offset); }));
         }
     std::vector<sim::ClosestPoint> exact;
     for (const auto& step : points.exact) exact.insert(exact.end(), step.begin(), step.end());
@@ -125,7 +125,7 @@ void measure(Table& table, std::size_t triangles, const Structures& structures, 
         const sim::SimdLimit limit(baseline.level);
         std::vector<sim::Contact> answers;
         const QueryReport report =
-            run_queries(asked, *baseline.collider, baseline.way, options.points.offset, &answers);
+            run_queries(queried, *baseline.collider, baseline.way, options.points.offset, &answers);
         add_row(table, triangles, baseline, report, errors_of(answers, exact, options.points.offset));
     }
 }
@@ -286,7 +286,7 @@ struct Known {
         const float free = std::max(slack[i], 0.0F);
         return dx * dx + dy * dy + dz * dz < free * free;
     }
-    void learn(std::size_t i, const sim::ContactBlock& block, std::size_t lane, float surely_free) {
+    void store(std::size_t i, const sim::ContactBlock& block, std::size_t lane, float surely_free) {
         x[i] = block.x[lane];
         y[i] = block.y[lane];
         z[i] = block.z[lane];
@@ -304,21 +304,22 @@ class Pass {
           work_(points.count() / sim::kContactLanes + 1),
           active_(points.count() + 1) {}
 
-    void step_one_by_one(const std::vector<sim::ContactBlock>& asked, sim::Contact* answers) {
+    void step_one_by_one(const std::vector<sim::ContactBlock>& queried, sim::Contact* answers) {
         for (std::size_t i = 0; i < points_.count(); ++i) {
-            const sim::Contact contact = collider_.contact(asked[i / sim::kContactLanes].point(i % sim::kContactLanes));
+            const sim::Contact contact =
+                collider_.contact(queried[i / sim::kContactLanes].point(i % sim::kContactLanes));
             keep(contact);
             if (answers) answers[i] = contact;
         }
     }
 
-    void step_in_blocks(const std::vector<sim::ContactBlock>& asked, sim::Contact* answers) {
-        for (std::size_t b = 0; b < asked.size(); ++b) {
-            work_[b].x = asked[b].x;
-            work_[b].y = asked[b].y;
-            work_[b].z = asked[b].z;
+    void step_in_blocks(const std::vector<sim::ContactBlock>& queried, sim::Contact* answers) {
+        for (std::size_t b = 0; b < queried.size(); ++b) {
+            work_[b].x = queried[b].x;
+            work_[b].y = queried[b].y;
+            work_[b].z = queried[b].z;
         }
-        collider_.contacts({work_.data(), asked.size()}, offset_);
+        collider_.contacts({work_.data(), queried.size()}, offset_);
         keep(work_);
         if (!answers) return;
         for (std::size_t i = 0; i < points_.count(); ++i)
@@ -326,16 +327,16 @@ class Pass {
     }
 
     // Returns the number of points that were queried.
-    std::size_t step_with_slack(const std::vector<sim::ContactBlock>& asked, sim::Contact* answers) {
-        const std::size_t count = list_active(asked);
+    std::size_t step_with_slack(const std::vector<sim::ContactBlock>& queried, sim::Contact* answers) {
+        const std::size_t count = list_active(queried);
         for (std::size_t k = 0; k < count; ++k) {
-            const Vec3f p = asked[active_[k] / sim::kContactLanes].point(active_[k] % sim::kContactLanes);
+            const Vec3f p = queried[active_[k] / sim::kContactLanes].point(active_[k] % sim::kContactLanes);
             work_[k / sim::kContactLanes].set_point(k % sim::kContactLanes, p);
         }
         collider_.contacts({work_.data(), (count + sim::kContactLanes - 1) / sim::kContactLanes}, offset_);
         const float surely_free = offset_ + collider_.max_error();
         for (std::size_t k = 0; k < count; ++k)
-            known_.learn(active_[k], work_[k / sim::kContactLanes], k % sim::kContactLanes, surely_free);
+            known_.store(active_[k], work_[k / sim::kContactLanes], k % sim::kContactLanes, surely_free);
         if (!answers) return count;
         std::fill_n(answers, points_.count(), kSkipped);
         for (std::size_t k = 0; k < count; ++k)
@@ -344,11 +345,11 @@ class Pass {
     }
 
  private:
-    std::size_t list_active(const std::vector<sim::ContactBlock>& asked) {
+    std::size_t list_active(const std::vector<sim::ContactBlock>& queried) {
         std::size_t count = 0;
         for (std::size_t i = 0; i < points_.count(); ++i) {
             active_[count] = std::uint32_t(i);
-            count += !known_.spares(i, asked[i / sim::kContactLanes], i % sim::kContactLanes);
+            count += !known_.spares(i, queried[i / sim::kContactLanes], i % sim::kContactLanes);
         }
         return count;
     }
@@ -381,18 +382,18 @@ QueryReport run_queries(const QueryPoints& points, const sim::Collider& collider
     QueryReport report;
     for (std::size_t step = 0; step < points.steps().size(); ++step) {
         sim::Contact* to = answers ? &(*answers)[step * points.count()] : nullptr;
-        const std::vector<sim::ContactBlock>& asked = points.steps()[step];
+        const std::vector<sim::ContactBlock>& queried = points.steps()[step];
         report.queries += double(points.count());
-        report.asked += double(points.count());
+        report.queried += double(points.count());
         switch (way) {
             case ContactWay::OneByOne:
-                pass.step_one_by_one(asked, to);
+                pass.step_one_by_one(queried, to);
                 break;
             case ContactWay::InBlocks:
-                pass.step_in_blocks(asked, to);
+                pass.step_in_blocks(queried, to);
                 break;
             case ContactWay::WithSlack:
-                report.asked -= double(points.count() - pass.step_with_slack(asked, to));
+                report.queried -= double(points.count() - pass.step_with_slack(queried, to));
                 break;
         }
     }

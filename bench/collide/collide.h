@@ -58,7 +58,7 @@ class QueryPoints {
 
 struct QueryReport {
     double queries = 0;  // points x steps
-    double asked = 0;    // how many of them queried the collider
+    double queried = 0;  // how many of them queried the collider
 };
 
 // answers, if not null: [step * count + point]. Points that needed no query have an infinite distance.

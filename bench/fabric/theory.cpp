@@ -60,12 +60,12 @@ Deflection solve(const Sector& strip) {
 
 }  // namespace
 
-Deflection droop(double q) {
+Deflection deflection(double q) {
     return solve({q, 0});
 }
 
-double chord_angle(const Deflection& droop) {
-    return std::atan2(droop.drop, droop.reach);
+double chord_angle(const Deflection& deflection) {
+    return std::atan2(deflection.drop, deflection.reach);
 }
 
 double q_of_chord_angle(double angle) {
@@ -73,19 +73,19 @@ double q_of_chord_angle(double angle) {
     double high = std::log(1e5);
     for (int i = 0; i < 28; ++i) {
         const double middle = (low + high) / 2;
-        (chord_angle(droop(std::exp(middle))) > angle ? high : low) = middle;
+        (chord_angle(deflection(std::exp(middle))) > angle ? high : low) = middle;
     }
     return std::exp((low + high) / 2);
 }
 
-Deflection sector_droop(double q, double inner) {
+Deflection sector_deflection(double q, double inner) {
     return solve({q, 1 / inner});
 }
 
 double drape_floor(double bending_length, double support_radius, double radius) {
     const double length = radius - support_radius;
     const double q = std::pow(length / bending_length, 3);
-    const double shadow = support_radius + length * sector_droop(q, support_radius / length).reach;
+    const double shadow = support_radius + length * sector_deflection(q, support_radius / length).reach;
     const auto squared = [](double r) { return r * r; };
     return 100 * (squared(shadow) - squared(support_radius)) / (squared(radius) - squared(support_radius));
 }

@@ -17,10 +17,10 @@ struct Deflection {
 
 // q = w L^3 / B, dimensionless: w weight per area (N/m^2), L length (m), B bending rigidity per width (N m).
 // Pre: 0 <= q <= 1e5.
-Deflection droop(double q);
+Deflection deflection(double q);
 
 // The angle of the chord from clamp to free end below the horizontal, rad, and its inverse function.
-double chord_angle(const Deflection& droop);
+double chord_angle(const Deflection& deflection);
 double q_of_chord_angle(double angle);  // pre: 0 < angle < 1.55
 
 // At this q the chord angle is 41.5 degrees, and the bending length (B/w)^(1/3) is half the overhang.
@@ -28,7 +28,7 @@ inline constexpr double kPeirceQ = 8.004;
 
 // The same for a narrow sector of a disc on a round support: the width, and with it weight and rigidity, grows outward.
 // q as above, with the length of the sector beyond the support; inner: radius of the support / that length.
-Deflection sector_droop(double q, double inner);
+Deflection sector_deflection(double q, double inner);
 
 // The drape coefficient, %, of a disc made of such sectors that hang independently of each other. It is a lower bound
 // for real cloth, which its folds stiffen. bending_length: (B/w)^(1/3), m.

@@ -334,8 +334,8 @@ Image Renderer::draw(const Scene& scene, const RenderOptions& options) {
     return image;
 }
 
-void Renderer::draw(const SceneView& view, PictureTexture& to, const RenderOptions& wished) {
-    RenderOptions options = wished;
+void Renderer::draw(const SceneView& view, PictureTexture& to, const RenderOptions& requested) {
+    RenderOptions options = requested;
     options.width_px = to.width_px();
     options.height_px = to.height_px();
     impl_->begin(options);

@@ -70,7 +70,7 @@ class Renderer {
 
     // Draws the same picture into a texture, at the texture's size; row 0 of the texture is the top row of the picture.
     // Does not restore the GL state. Pre: the texture belongs to this renderer's context.
-    void draw(const SceneView& view, PictureTexture& to, const RenderOptions& wished = {});
+    void draw(const SceneView& view, PictureTexture& to, const RenderOptions& requested = {});
 
     const GlContext& context() const;
 

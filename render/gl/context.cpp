@@ -165,12 +165,12 @@ std::unique_ptr<GlContext> make_osmesa_context() {
 
 std::vector<ContextKind> makers_to_try(std::optional<ContextKind> maker) {
     if (maker) return {*maker};
-    const char* wished = std::getenv("SELVEDGE_GL");
-    if (wished == nullptr || *wished == '\0') return {ContextKind::OSMesa, ContextKind::Egl};
+    const char* requested = std::getenv("SELVEDGE_GL");
+    if (requested == nullptr || *requested == '\0') return {ContextKind::OSMesa, ContextKind::Egl};
     for (const ContextKind known : {ContextKind::OSMesa, ContextKind::Egl}) {
-        if (std::string_view(wished) == name(known)) return {known};
+        if (std::string_view(requested) == name(known)) return {known};
     }
-    throw sim::InputError("", "SELVEDGE_GL", "'" + std::string(wished) + "' is neither osmesa nor egl");
+    throw sim::InputError("", "SELVEDGE_GL", "'" + std::string(requested) + "' is neither osmesa nor egl");
 }
 
 std::unique_ptr<GlContext> make(ContextKind maker) {

@@ -136,11 +136,11 @@ Legend show_panels(ClothItem& cloth) {
 std::string seam_name(const sim::DrawMesh& mesh, const SeamLine& seam) {
     const std::string first = panel_name(mesh, seam.panels[0]), second = panel_name(mesh, seam.panels[1]);
     if (seam.panels[0] == seam.panels[1]) return first;
-    std::size_t said = 0;
+    std::size_t last_word = 0;
     for (std::size_t i = 0; i < std::min(first.size(), second.size()) && first[i] == second[i]; ++i) {
-        if (first[i] == ' ') said = i + 1;
+        if (first[i] == ' ') last_word = i + 1;
     }
-    return first + " + " + second.substr(said);
+    return first + " + " + second.substr(last_word);
 }
 
 std::string centimetres(double metres) {

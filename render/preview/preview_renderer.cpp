@@ -103,17 +103,18 @@ struct PreviewRenderer::Impl {
     }
 
     // Draws the backdrop once, then copies it: it is most of a picture and the same in all pictures of a view.
-    void draw_backdrop(const Background& wished, const PictureTexture& to) {
+    void draw_backdrop(const Background& requested, const PictureTexture& to) {
         const bool is_same_size = backdrop.width_px() == to.width_px() && backdrop.height_px() == to.height_px();
-        if (!is_same_size || !background || background->centre != wished.centre || background->edge != wished.edge) {
-            background = wished;
+        if (!is_same_size || !background || background->centre != requested.centre ||
+            background->edge != requested.edge) {
+            background = requested;
             backdrop.resize(to.width_px(), to.height_px());
             gl.BindFramebuffer(GL_FRAMEBUFFER, backdrop.framebuffer());
             backdrop_program.use();
             backdrop_program.set("tile_origin_px", Vec2f(0, 0));
             backdrop_program.set("picture_size_px", Vec2f(float(to.width_px()), float(to.height_px())));
-            backdrop_program.set("backdrop_centre", to_linear(wished.centre));
-            backdrop_program.set("backdrop_edge", to_linear(wished.edge));
+            backdrop_program.set("backdrop_centre", to_linear(requested.centre));
+            backdrop_program.set("backdrop_edge", to_linear(requested.edge));
             gl.BindVertexArray(no_vertices.id());
             gl.DrawArrays(GL_TRIANGLES, 0, 3);
         }

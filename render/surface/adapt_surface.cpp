@@ -9,8 +9,8 @@ namespace selvedge::render {
 namespace {
 
 struct Observer : SurfaceObserver {
-    Observer(CurvedSurface& surface, SpawnPosition entrance, sim::Visibility* seen)
-        : SurfaceObserver(surface, entrance), visibility(seen) {}
+    Observer(CurvedSurface& surface, SpawnPosition position, sim::Visibility* seen)
+        : SurfaceObserver(surface, position), visibility(seen) {}
 
     void on_capacity(std::size_t capacity) {
         SurfaceObserver::on_capacity(capacity);
@@ -120,8 +120,8 @@ sim::AdaptReport adapt_surface(CurvedSurface& surface, const AdaptSurfaceOptions
     const sim::LengthCriterion<Vec4f> length(surface.x, on.compressions);
     const sim::AnyOf shape(sim::OptionalCriterion(on.curvature, curvature),
                            sim::OptionalCriterion(on.buckling, buckling), sim::OptionalCriterion(on.length, length));
-    const SplitRequest wish{shape, surface, veto, on.min_bulge};
-    const sim::AdaptReport report = adapt_with(surface, options, veto, sim::LookAheadCriterion(wish));
+    const SplitRequest request{shape, surface, veto, on.min_bulge};
+    const sim::AdaptReport report = adapt_with(surface, options, veto, sim::LookAheadCriterion(request));
     if (report.changed()) plan_surface(surface);
     return report;
 }

@@ -165,7 +165,7 @@ class SurfaceObserver {
  public:
     // Where a new vertex starts: at its edge's midpoint or on its curve.
     enum class SpawnPosition { Middle, Curve };
-    SurfaceObserver(CurvedSurface& surface, SpawnPosition entrance) : surface_(surface), spawn_(entrance) {}
+    SurfaceObserver(CurvedSurface& surface, SpawnPosition position) : surface_(surface), spawn_(position) {}
 
     void on_capacity(std::size_t capacity);
     void on_split(sim::VertexId c, sim::VertexId a, sim::VertexId b);

@@ -158,7 +158,7 @@ float distance_to_triangle(const Vec2f& p, const std::array<Vec2f, 3>& triangle)
 template <EdgeCriterion Criterion>
 struct OptionalCriterion {
     static constexpr bool is_batch = BatchCriterion<Criterion>;
-    OptionalCriterion(bool on, const Criterion& asked) : is_on(on), criterion(asked) {}
+    OptionalCriterion(bool on, const Criterion& given) : is_on(on), criterion(given) {}
 
     bool is_on;
     const Criterion& criterion;  // outlives this
@@ -178,7 +178,7 @@ struct OptionalCriterion {
 template <VetoCriterion Criterion>
 struct OptionalCriterion<Criterion> {
     static constexpr bool is_veto = true;
-    OptionalCriterion(bool on, const Criterion& asked) : is_on(on), criterion(asked) {}
+    OptionalCriterion(bool on, const Criterion& given) : is_on(on), criterion(given) {}
 
     bool is_on;
     const Criterion& criterion;  // outlives this

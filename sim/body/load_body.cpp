@@ -35,15 +35,15 @@ bool is_gltf(const std::filesystem::path& path) {
 }
 
 // A standing body is taller than it is deep in any arm pose.
-UpAxis up_axis(const ImportedScene& scene, const std::filesystem::path& path, UpAxis asked) {
-    if (asked != UpAxis::Auto) return asked;
+UpAxis up_axis(const ImportedScene& scene, const std::filesystem::path& path, UpAxis requested) {
+    if (requested != UpAxis::Auto) return requested;
     if (is_gltf(path)) return UpAxis::Y;
     return range_along(scene, 2).extent() > range_along(scene, 1).extent() ? UpAxis::Z : UpAxis::Y;
 }
 
 // Bodies are 0.4 to 4 m tall, which includes children and giants; the ranges of the three units do not overlap.
-LengthUnit length_unit(double height, const std::string& file, LengthUnit asked) {
-    if (asked != LengthUnit::Auto) return asked;
+LengthUnit length_unit(double height, const std::string& file, LengthUnit requested) {
+    if (requested != LengthUnit::Auto) return requested;
     if (height >= 0.4 && height <= 4) return LengthUnit::Metres;
     if (height >= 40 && height <= 400) return LengthUnit::Centimetres;
     if (height > 400 && height <= 4000) return LengthUnit::Millimetres;

@@ -74,8 +74,8 @@ AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& ob
     const BucklingCriterion<Vec4f> buckling(cloth.x, scaled(options.buckling, scale));
     const AnyOf shape(OptionalCriterion(on.curvature, curvature), OptionalCriterion(on.length, length),
                       OptionalCriterion(on.buckling, buckling));
-    const bool asks_shape = on.curvature || on.length || on.buckling;
-    if (asks_shape) cloth.solver.adapting.shape.ask(cloth.mesh, shape);
+    const bool tests_shape = on.curvature || on.length || on.buckling;
+    if (tests_shape) cloth.solver.adapting.shape.ask(cloth.mesh, shape);
     const LookAheadCriterion look_ahead(shape, limits, cloth.solver.adapting.shape);
     const MinimumLevelCriterion minimum{options.minimum_levels};
     const PinnedVertexCriterion kept{options.kept_vertices};
@@ -85,7 +85,7 @@ AdaptReport adapt_switched(const Choice& choice, Cloth& cloth, ClothObserver& ob
     return adapt_choosing(
         choice, cloth.mesh, observer, {.max_level = options.max_level, .transitions = options.transitions},
         ShortestEdgeCriterion{options.shortest_edge}, RejoinSwitch{options.may_rejoin}, OptionalCriterion(counts, veto),
-        OptionalCriterion(sees, back_face), OptionalCriterion(asks_shape, look_ahead),
+        OptionalCriterion(sees, back_face), OptionalCriterion(tests_shape, look_ahead),
         OptionalCriterion(!options.minimum_levels.empty(), minimum), OptionalCriterion(counts, keep),
         OptionalCriterion(!options.kept_vertices.empty(), kept), OptionalCriterion(on.collision, collision));
 }

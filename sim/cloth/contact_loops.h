@@ -66,7 +66,7 @@ constexpr std::size_t lane_of_point(std::size_t i) {
     constexpr std::size_t kPerRow = lanes::kCount / 4;
     return 4 * (i % kPerRow) + i / kPerRow;
 }
-[[gnu::always_inline]] inline Floats fourth_of(const Rows& p) {
+[[gnu::always_inline]] inline Floats w_of(const Rows& p) {
     const Floats zw01 = lanes::unpack_high(p.row[0], p.row[1]);
     const Floats zw23 = lanes::unpack_high(p.row[2], p.row[3]);
     return lanes::shuffle<0xEE>(zw01, zw23);
@@ -99,7 +99,7 @@ constexpr std::size_t lane_of_point(std::size_t i) {
     const Xyz lift{above.x - x.x, above.y - x.y, above.z - x.z};
     const Floats height = lanes::min(known.height + dot(known.normal, lift), Floats{});
     const Xyz out = project(above, before, known.normal, lanes::where(known.is_known, -height), mu);
-    return lanes::rows_of(out, fourth_of(was));
+    return lanes::rows_of(out, w_of(was));
 }
 
 std::size_t project_vertices(float* points, const float* before, const ContactCacheArrays& known, const float* friction,
@@ -114,8 +114,8 @@ std::size_t project_vertices(float* points, const float* before, const ContactCa
         const Xyz x = lanes::transposed(was);
         const Rows query_point = rows_at(known.query_point + i), plane = rows_at(known.plane + i);
         ContactCache here =
-            near(x, lanes::transposed(query_point), fourth_of(query_point), lanes::transposed(plane), fourth_of(plane));
-        const Ints moves = fourth_of(was) > 0.0F;
+            near(x, lanes::transposed(query_point), w_of(query_point), lanes::transposed(plane), w_of(plane));
+        const Ints moves = w_of(was) > 0.0F;
         const Ints below = (x.y < limits.floor) & moves;
         here.may_touch &= moves;
         here.is_known &= moves;
@@ -205,7 +205,7 @@ struct CornerShares {
 };
 [[gnu::always_inline]] inline CornerShares corner_shares(const SampleBlock& block, std::size_t at, const Corners& c) {
     const auto share = [&](std::size_t i, const Rows& x) {
-        return lanes::where(fourth_of(x) > 0.0F, load_at(block.shares[i], at));
+        return lanes::where(w_of(x) > 0.0F, load_at(block.shares[i], at));
     };
     const Floats s0 = share(0, c.x0), s1 = share(1, c.x1), s2 = share(2, c.x2);
     const Floats sum = lanes::multiply_add(s0, s0, lanes::multiply_add(s1, s1, s2 * s2));

@@ -87,9 +87,9 @@ struct LaneSample {
     lanes::store(row + kRowNormalX * kRowLength, lanes::where(has_normal, gx * inverse));
     lanes::store(row + kRowNormalY * kRowLength, lanes::where(has_normal, gy * inverse));
     lanes::store(row + kRowNormalZ * kRowLength, lanes::where(has_normal, gz * inverse));
-    const lanes::Ints is_asked = distance < lanes::min(lanes::broadcast(reach), band);
+    const lanes::Ints is_near = distance < lanes::min(lanes::broadcast(reach), band);
     const lanes::Ints is_trusted = is_known & (length >= field.trusted);
-    return lanes::bits(is_asked & ~is_trusted);
+    return lanes::bits(is_near & ~is_trusted);
 }
 
 void sample_blocks(const FieldView& view, float* rows, std::size_t blocks, float reach, std::uint16_t* doubtful) {

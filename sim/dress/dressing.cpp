@@ -249,8 +249,8 @@ const Pattern& Dressing::anchored() {
 
 MeshOptions Dressing::meshing() const {
     MeshOptions meshing = options_.mesh;
-    const std::optional<double>& asked = options_.edge_length ? options_.edge_length : pattern_.edge_length;
-    meshing.target_edge = asked.value_or(meshing.target_edge);
+    const std::optional<double>& requested = options_.edge_length ? options_.edge_length : pattern_.edge_length;
+    meshing.target_edge = requested.value_or(meshing.target_edge);
     return meshing;
 }
 

@@ -81,30 +81,31 @@ double relative_error(double value, double wanted) {
 
 // Whether the chest keeps the shoulders wider than requested.
 bool is_shoulder_held(const ShapeParameters& shape, const Readings& readings, const MannequinOptions& options) {
-    const std::optional<double>& asked = options.measures.shoulder;
-    return asked && readings.shoulder > *asked && shape.shoulder < min_shoulder(shape, options.sex);
+    const std::optional<double>& requested = options.measures.shoulder;
+    return requested && readings.shoulder > *requested && shape.shoulder < min_shoulder(shape, options.sex);
 }
 
-double worst_error(const Readings& readings, const GirthValues& targets, const MannequinMeasures& asked,
+double worst_error(const Readings& readings, const GirthValues& targets, const MannequinMeasures& requested,
                    bool is_shoulder_free) {
     double worst = 0;
     for (std::size_t g = 0; g < kGirthCount; ++g) {
         worst = std::max(worst, relative_error(readings.girths.value[g], targets.value[g]));
     }
-    if (asked.inseam) worst = std::max(worst, relative_error(readings.inseam, *asked.inseam));
-    if (asked.shoulder && is_shoulder_free) worst = std::max(worst, relative_error(readings.shoulder, *asked.shoulder));
+    if (requested.inseam) worst = std::max(worst, relative_error(readings.inseam, *requested.inseam));
+    if (requested.shoulder && is_shoulder_free)
+        worst = std::max(worst, relative_error(readings.shoulder, *requested.shoulder));
     return worst;
 }
 
 // Scales each parameter by the ratio of wanted to measured value, limited to 0.7..1.4 per iteration.
 void correct(ShapeParameters& shape, const Readings& readings, const GirthValues& targets,
-             const MannequinMeasures& asked, bool is_shoulder_free) {
+             const MannequinMeasures& requested, bool is_shoulder_free) {
     const auto step = [](double wanted, double value) { return std::clamp(wanted / value, 0.7, 1.4); };
     for (std::size_t g = 0; g < kGirthCount; ++g) {
         shape.scale.value[g] *= std::pow(step(targets.value[g], readings.girths.value[g]), 0.95);
     }
-    if (asked.inseam) shape.inseam += *asked.inseam - readings.inseam;
-    if (asked.shoulder && is_shoulder_free) shape.shoulder *= step(*asked.shoulder, readings.shoulder);
+    if (requested.inseam) shape.inseam += *requested.inseam - readings.inseam;
+    if (requested.shoulder && is_shoulder_free) shape.shoulder *= step(*requested.shoulder, readings.shoulder);
 }
 
 std::vector<SkinWeights> skin_of(const VertexRows& weights) {
@@ -129,12 +130,12 @@ std::vector<SkinWeights> skin_of(const VertexRows& weights) {
 }
 
 std::vector<MeasureReading> read_off(const Readings& readings, const Landmarks& landmarks,
-                                     const MannequinMeasures& asked) {
+                                     const MannequinMeasures& requested) {
     const std::array<double, 4> lengths{readings.height, readings.inseam, readings.shoulder, readings.arm};
     std::vector<MeasureReading> lines;
     for (const MeasureEntry& entry : measure_entries()) {
         const std::size_t line = lines.size();
-        lines.push_back({.name = entry.name, .asked = asked.*entry.value, .measured = 0, .level = {}});
+        lines.push_back({.name = entry.name, .requested = requested.*entry.value, .measured = 0, .level = {}});
         if (line < lengths.size()) {
             lines.back().measured = lengths[line];
         } else {
@@ -149,11 +150,11 @@ std::vector<MeasureReading> read_off(const Readings& readings, const Landmarks& 
 std::vector<std::string> unmet(const std::vector<MeasureReading>& readings, bool is_shoulder_free) {
     std::vector<std::string> messages;
     for (const MeasureReading& reading : readings) {
-        if (!reading.asked || relative_error(reading.measured, *reading.asked) <= kPromised) continue;
+        if (!reading.requested || relative_error(reading.measured, *reading.requested) <= kPromised) continue;
         char text[160];
         std::snprintf(
             text, sizeof text, "%.*s: asked %.1f cm, made %.1f cm%s", static_cast<int>(reading.name.size()),
-            reading.name.data(), 100 * *reading.asked, 100 * reading.measured,
+            reading.name.data(), 100 * *reading.requested, 100 * reading.measured,
             reading.name == "shoulder" && !is_shoulder_free ? ": narrower, the arms would cut the chest" : "");
         messages.emplace_back(text);
     }
@@ -163,7 +164,7 @@ std::vector<std::string> unmet(const std::vector<MeasureReading>& readings, bool
 // Fills in the stance and its messages.
 void report_stance(MeasureReport& report, const LegGap& gap, double stance, const MannequinOptions& options) {
     report.stance = {
-        .asked = options.stance, .made = stance, .is_opened = stance > wanted_stance(options), .gap = gap.width};
+        .requested = options.stance, .made = stance, .is_opened = stance > wanted_stance(options), .gap = gap.width};
     char text[160];
     if (options.stance && report.stance.is_opened) {
         std::snprintf(text, sizeof text,

@@ -48,17 +48,17 @@ struct MannequinOptions {
 // One measure: the requested value and the value measured on the finished surface, m.
 struct MeasureReading {
     std::string_view name;
-    std::optional<double> asked;
+    std::optional<double> requested;
     double measured = 0;
     std::optional<double> level;  // of a girth: height of its plane's point
 };
 
 // The stance of the legs: the requested angle and the result.
 struct StanceReading {
-    std::optional<double> asked;  // rad
-    double made = 0;              // angle of the result, rad
-    bool is_opened = false;       // more than requested or default, because the thighs would touch
-    double gap = 0;               // smallest distance between the legs from 4 cm below the crotch downward, m
+    std::optional<double> requested;  // rad
+    double made = 0;                  // angle of the result, rad
+    bool is_opened = false;           // more than requested or default, because the thighs would touch
+    double gap = 0;                   // smallest distance between the legs from 4 cm below the crotch downward, m
 };
 
 struct MeasureReport {

@@ -134,14 +134,14 @@ GirthValues target_girths(const MannequinBase& base, const MannequinMeasures& me
     GirthValues targets = base.girths;
     for (double& girth : targets.value) girth *= stature;
     const auto ratio = [&](Girth girth) {
-        const std::optional<double>& asked = measures.*measure_entry(girth).value;
-        return asked ? *asked / targets[girth] : 1.0;
+        const std::optional<double>& requested = measures.*measure_entry(girth).value;
+        return requested ? *requested / targets[girth] : 1.0;
     };
     const TrunkRatios ratios{ratio(Girth::Bust), ratio(Girth::Waist), ratio(Girth::Hip)};
     for (const Proportion& p : kProportions) targets[p.girth] *= follow(p, ratios, base.sex);
     for (std::size_t g = 0; g < kGirthCount; ++g) {
-        const std::optional<double>& asked = measures.*measure_entry(static_cast<Girth>(g)).value;
-        if (asked) targets.value[g] = *asked;
+        const std::optional<double>& requested = measures.*measure_entry(static_cast<Girth>(g)).value;
+        if (requested) targets.value[g] = *requested;
     }
     return targets;
 }

@@ -155,11 +155,12 @@ std::vector<int> representatives_of_links(const GarmentMesh& mesh) {
 }
 
 std::vector<int> merge_seams(GarmentMesh& mesh) {
-    const std::vector<int> lead = representatives_of_links(mesh);
+    const std::vector<int> representatives = representatives_of_links(mesh);
     std::vector<int> sewn_vertex(mesh.x.size());
     std::vector<int> members;  // per vertex of the sewn mesh; its index is never larger than theirs
     for (std::size_t i = 0; i < mesh.x.size(); ++i) {
-        const auto first = static_cast<std::size_t>(lead[i]);  // <= i: the representative is the lowest of its group
+        const auto first =
+            static_cast<std::size_t>(representatives[i]);  // <= i: the representative is the lowest of its group
         const Vec3d x = mesh.x[i];
         if (first == i) {
             sewn_vertex[i] = static_cast<int>(members.size());
@@ -210,15 +211,15 @@ std::map<EdgeEnds, int> count_triangles_at_edges(const GarmentMesh& mesh) {
 
 // The interior edges that would coincide with another edge after sewing, or whose ends would be merged.
 std::vector<EdgeEnds> find_coinciding(const GarmentMesh& unsewn) {
-    const std::vector<int> lead = representatives_of_links(unsewn);
-    const auto lead_of = [&](int vertex) { return lead[static_cast<std::size_t>(vertex)]; };
+    const std::vector<int> representatives = representatives_of_links(unsewn);
+    const auto representative_of = [&](int vertex) { return representatives[static_cast<std::size_t>(vertex)]; };
     const std::map<EdgeEnds, int> uses = count_triangles_at_edges(unsewn);
     std::map<EdgeEnds, int> sewn;  // number of unsewn edges that become this edge
-    for (const auto& [edge, count] : uses) ++sewn[ends(lead_of(edge.first), lead_of(edge.second))];
+    for (const auto& [edge, count] : uses) ++sewn[ends(representative_of(edge.first), representative_of(edge.second))];
     std::vector<EdgeEnds> coinciding;
     for (const auto& [edge, count] : uses) {
         if (count < 2) continue;
-        const EdgeEnds merged = ends(lead_of(edge.first), lead_of(edge.second));
+        const EdgeEnds merged = ends(representative_of(edge.first), representative_of(edge.second));
         if (merged.first == merged.second || sewn[merged] > 1) coinciding.push_back(edge);
     }
     return coinciding;

@@ -304,10 +304,10 @@ double best_shift(const std::vector<ShiftTerm>& terms, double repeat) {
     double least = cost;
     std::vector<double> costs;  // at the breakpoints
     double at = 0;
-    for (const Breakpoint& kink : breakpoints) {
-        cost += slope * (kink.at - at);
-        at = kink.at;
-        slope += kink.steeper;
+    for (const Breakpoint& breakpoint : breakpoints) {
+        cost += slope * (breakpoint.at - at);
+        at = breakpoint.at;
+        slope += breakpoint.steeper;
         costs.push_back(cost);
         least = std::min(least, cost);
     }

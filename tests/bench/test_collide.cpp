@@ -57,8 +57,8 @@ TEST(QueryRun, with_slack_asks_fewer_and_misses_none_that_touches) {
     const QueryReport every = run_queries(points, collider, ContactWay::InBlocks, kOffset, &all);
     const QueryReport some = run_queries(points, collider, ContactWay::WithSlack, kOffset, &spared);
     EXPECT_EQ(every.queries, 40 * 1001);
-    EXPECT_EQ(every.asked, every.queries);
-    EXPECT_LT(some.asked, 0.7 * some.queries);
+    EXPECT_EQ(every.queried, every.queries);
+    EXPECT_LT(some.queried, 0.7 * some.queries);
     ASSERT_EQ(all.size(), spared.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
         const sim::ClosestPoint& exact = path.exact[i / 1001][i % 1001];

@@ -61,18 +61,18 @@ TEST(ConstraintSet, finds_by_its_triangle_what_was_made_and_inserted_and_not_wha
         first, kDummyVertex, [](TriangleId t) { return t; }, [&](TriangleId t) { return held[t.value]; },
         [&](TriangleId t, std::uint32_t slot) { fill(set, t, held[t.value], slot); });
     std::uint32_t next = 1000;
-    std::vector<std::uint32_t> gone;
+    std::vector<std::uint32_t> removed;
     for (int i = 0; i < 3000; ++i) {
         if (random() % 2 == 0 && !held.empty()) {
             const auto one = std::next(held.begin(), static_cast<std::ptrdiff_t>(random() % held.size()));
             set.remove(TriangleId(one->first), kDummyVertex);
             EXPECT_EQ(set.slot_of(TriangleId(one->first)), kNoBlockSlot);
-            gone.push_back(one->first);
+            removed.push_back(one->first);
             held.erase(one);
         } else {
-            const bool comes_again = !gone.empty() && random() % 2 == 0;
-            const std::uint32_t t = comes_again ? gone.back() : ++next;
-            if (comes_again) gone.pop_back();
+            const bool comes_again = !removed.empty() && random() % 2 == 0;
+            const std::uint32_t t = comes_again ? removed.back() : ++next;
+            if (comes_again) removed.pop_back();
             held[t] = {among(0), among(20), among(40)};
             insert(set, TriangleId(t), held[t]);
         }

@@ -89,8 +89,8 @@ void centre_split_edges(Cloth& cloth) {
 }
 
 // Solves blocks of refined triangles of one level and moves the vertices that follow their corners.
-void limit_and_carry(const Cloth& cloth, const Kernels& loops, std::span<const LimitBlock> blocks, std::size_t level,
-                     Points& points, LimitRecord* records = nullptr, std::span<CoarseBendBlock> bend = {}) {
+void limit_and_prolong(const Cloth& cloth, const Kernels& loops, std::span<const LimitBlock> blocks, std::size_t level,
+                       Points& points, LimitRecord* records = nullptr, std::span<CoarseBendBlock> bend = {}) {
     Points stress = points;
     loops.solve_coarse_limits(blocks, records, floats(points));
     loops.solve_coarse_bend(bend, floats(points), 2);
@@ -182,7 +182,7 @@ TEST_P(KernelsAtLevel, limits_of_refined_triangles_push_nothing_and_turn_little)
     for (const std::size_t level : {0U, 1U}) {
         expect_no_push<LimitBlock>(
             cloth, cloth.solver.constraints.parents[level].limits.blocks,
-            [&](auto one, Points& points) { limit_and_carry(cloth, loops(), one, level, points); }, 0.02);
+            [&](auto one, Points& points) { limit_and_prolong(cloth, loops(), one, level, points); }, 0.02);
     }
 }
 
@@ -233,7 +233,7 @@ TEST_P(KernelsAtLevel, a_limit_takes_back_what_is_longer_and_touches_nothing_sho
 
 // Calls every kernel once, on a randomly displaced patch with two pinned vertices.
 struct Sweep {
-    Points points, before, lost, asked, plane;
+    Points points, before, lost, query_point, plane;
     std::vector<StretchRecord> records;
     std::vector<StretchBlock> stretch;
     std::vector<BendBlock> bend;
@@ -263,11 +263,11 @@ Sweep swept(const Kernels& loops) {
     Sweep s;
     s.points = s.before = solver_points(cloth, cloth.x);
     s.lost.assign(s.points.size(), Vec4f::Zero());
-    s.asked.assign(s.points.size(), Vec4f(0, 0, 0, 0.1F));
+    s.query_point.assign(s.points.size(), Vec4f(0, 0, 0, 0.1F));
     s.plane.assign(s.points.size(), Vec4f(0, 1, 0, -0.002F));
     for (std::size_t v = 0; v < s.points.size(); v += 3) {
-        s.asked[v] = s.points[v];  // the point lies on the body
-        s.asked[v].w() = 0;
+        s.query_point[v] = s.points[v];  // the point lies on the body
+        s.query_point[v].w() = 0;
     }
     s.records = constraints.stretch.records;
     s.stretch = with_gathers(constraints.stretch.blocks);
@@ -276,8 +276,8 @@ Sweep swept(const Kernels& loops) {
     loops.predict(floats(s.points), floats(s.before), floats(s.lost), cloth.x.size(),
                   {.keep = 0.9F, .fall = {1e-4F, -1e-3F, 2e-4F}});
     for (std::size_t level = 0; level < constraints.parents.size(); ++level) {
-        limit_and_carry(cloth, loops, constraints.parents[level].limits.blocks, level, s.points,
-                        s.parents[level].limits.records.data(), s.parents[level].bend.blocks);
+        limit_and_prolong(cloth, loops, constraints.parents[level].limits.blocks, level, s.points,
+                          s.parents[level].limits.records.data(), s.parents[level].bend.blocks);
     }
     loops.solve_bend(s.bend, floats(s.points), 2);
     for (const BlockColoring::Run& run : cloth.solver.constraints.stretch.coloring.runs()) {
@@ -293,7 +293,7 @@ Sweep swept(const Kernels& loops) {
     loops.apply_internal_damping(s.stretch, floats(s.points), floats(s.before), 0.2F);
     s.found.resize(s.points.size() + kBlock);
     const std::vector<float> friction(s.points.size(), 0.4F);
-    s.found.resize(loops.project_vertices(floats(s.points), floats(s.before), {floats(s.asked), floats(s.plane)},
+    s.found.resize(loops.project_vertices(floats(s.points), floats(s.before), {floats(s.query_point), floats(s.plane)},
                                           friction.data(), cloth.x.size(), {.longest_move = 0.003F, .floor = -0.01F},
                                           s.found.data()));
     return s;
@@ -332,9 +332,9 @@ bool have_same_bits(const std::vector<ParentLevel>& a, const std::vector<ParentL
 }
 
 bool has_learnt(const std::vector<ParentLevel>& parents) {
-    const auto learnt = [](const LimitRecord& record) { return record.bias != LimitRecord{}.bias; };
-    return std::ranges::all_of(parents,
-                               [&](const ParentLevel& p) { return std::ranges::any_of(p.limits.records, learnt); });
+    const auto accumulated = [](const LimitRecord& record) { return record.bias != LimitRecord{}.bias; };
+    return std::ranges::all_of(
+        parents, [&](const ParentLevel& p) { return std::ranges::any_of(p.limits.records, accumulated); });
 }
 
 TEST(Kernels, of_avx2_and_avx512_give_the_same_bits) {
@@ -359,13 +359,13 @@ TEST(Kernels, of_avx2_and_avx512_weigh_bending_with_the_same_bits) {
     Constraints narrow = cloth.solver.constraints, wide = narrow;
     std::vector<float> inverse_masses = lists.inverse_masses;  // differ from those that the gains were made for
     for (float& w : inverse_masses) w *= 2;
-    const auto weigh = [&](const Kernels& loops, Constraints& constraints) {
+    const auto update_masses = [&](const Kernels& loops, Constraints& constraints) {
         loops.update_bend_masses(constraints.bend.blocks, constraints.bend.records, inverse_masses.data());
         loops.update_coarse_bend_masses(constraints.parents[1].bend.blocks, constraints.parents[1].bend.records,
                                         lists.masses[1].data());
     };
-    weigh(kernels(SimdLevel::Avx2), narrow);
-    weigh(kernels(SimdLevel::Avx512), wide);
+    update_masses(kernels(SimdLevel::Avx2), narrow);
+    update_masses(kernels(SimdLevel::Avx512), wide);
     EXPECT_EQ(
         std::memcmp(narrow.bend.blocks.data(), wide.bend.blocks.data(), narrow.bend.blocks.size() * sizeof(BendBlock)),
         0);

@@ -41,7 +41,7 @@ std::vector<BiasedLeaf> biases(const Cloth& cloth) {
 }
 
 // Gives each leaf a different bias.
-void learn(Cloth& cloth, float scale) {
+void accumulate(Cloth& cloth, float scale) {
     Constraints& constraints = cloth.solver.constraints;
     for (std::size_t lane = 0; lane < constraints.triangle_of.size(); ++lane) {
         if (constraints.triangle_of[lane] == kNoBlockSlot) continue;
@@ -74,7 +74,7 @@ AdaptReport rejoin(Cloth& cloth) {
 
 TEST(Bias, stays_with_triangles_that_stay_and_goes_to_the_children_of_those_that_are_refined) {
     Cloth cloth = make_patch(find_fabric("silk"));
-    learn(cloth, 1e-4F);
+    accumulate(cloth, 1e-4F);
     const std::vector<BiasedLeaf> before = biases(cloth);
     ASSERT_GT(split_under_dab(cloth).splits, 0);
     int kept = 0, handed_on = 0;
@@ -92,7 +92,7 @@ TEST(Bias, stays_with_triangles_that_stay_and_goes_to_the_children_of_those_that
 TEST(Bias, of_a_triangle_that_comes_back_is_the_mean_of_what_was_inside_it) {
     Cloth cloth = make_patch(find_fabric("silk"));
     ASSERT_GT(split_under_dab(cloth).splits, 0);
-    learn(cloth, 1e-4F);
+    accumulate(cloth, 1e-4F);
     const std::vector<BiasedLeaf> before = biases(cloth);
     ASSERT_GT(rejoin(cloth).rejoins, 0);
     ASSERT_EQ(cloth.mesh.leaf_triangles().size(), cloth.mesh.base_triangle_count());
@@ -109,9 +109,9 @@ TEST(Bias, of_a_triangle_that_comes_back_is_the_mean_of_what_was_inside_it) {
 TEST(Bias, of_children_that_come_again_is_the_one_that_their_parent_has_by_then) {
     Cloth cloth = make_patch(find_fabric("silk"));
     split_under_dab(cloth);
-    learn(cloth, 1e-4F);
+    accumulate(cloth, 1e-4F);
     rejoin(cloth);
-    learn(cloth, -3e-4F);
+    accumulate(cloth, -3e-4F);
     const std::vector<BiasedLeaf> before = biases(cloth);
     ASSERT_GT(split_under_dab(cloth).splits, 0);
     for (const BiasedLeaf& now : biases(cloth)) {
@@ -124,7 +124,7 @@ TEST(Bias, of_children_that_come_again_is_the_one_that_their_parent_has_by_then)
 
 TEST(Bias, an_adaptation_that_changes_nothing_leaves_it_alone) {
     Cloth cloth = make_patch(find_fabric("silk"));
-    learn(cloth, 1e-4F);
+    accumulate(cloth, 1e-4F);
     ASSERT_FALSE(rejoin(cloth).changed());
     refresh_solver(cloth);
     for (const BiasedLeaf& leaf : biases(cloth)) {
@@ -185,12 +185,12 @@ TEST(Bias, fits_sub_steps_of_another_length) {
         move_to(cloth, Eigen::Matrix3f::Identity(), Vec3f(0, 1, 0));
         StepOptions stepping{.gravity = Vec3f(0, -g, 0), .extra_damping = 10, .contact = {.floor = kNoFloor}};
         run(cloth, nothing_near(), stepping, 5.0);
-        const double learnt = mean_warp_strain(cloth);
+        const double accumulated = mean_warp_strain(cloth);
         constexpr int kTimes = 4;
         set_substep(cloth, cloth.substep / kTimes);
         stepping.substeps *= kTimes;
         run(cloth, nothing_near(), stepping, 0.1);
-        EXPECT_NEAR(mean_warp_strain(cloth), learnt, (level < 2 ? 0.2 : 0.7) * learnt) << "level " << level;
+        EXPECT_NEAR(mean_warp_strain(cloth), accumulated, (level < 2 ? 0.2 : 0.7) * accumulated) << "level " << level;
     }
 }
 
@@ -223,7 +223,7 @@ TEST(Bias, of_refined_triangles_comes_of_what_their_leaves_are_off_by_and_not_of
 
 TEST(Bias, of_a_leaf_is_what_it_goes_on_to_carry_with_as_a_refined_triangle) {
     Cloth cloth = make_patch(find_fabric("silk"));
-    learn(cloth, 1e-4F);
+    accumulate(cloth, 1e-4F);
     const std::vector<BiasedLeaf> before = biases(cloth);
     ASSERT_GT(split_under_dab(cloth).splits, 0);
     int refined = 0;

@@ -317,17 +317,17 @@ Body still_life() {
 std::vector<ContactBlock> random_points(std::size_t blocks) {
     std::mt19937 random(17);
     std::uniform_real_distribution<float> along(-0.06F, 0.26F);
-    std::vector<ContactBlock> asked(blocks);
-    for (ContactBlock& block : asked)
+    std::vector<ContactBlock> queried(blocks);
+    for (ContactBlock& block : queried)
         for (std::size_t i = 0; i < kContactLanes; ++i) {
             block.x[i] = along(random);
             block.y[i] = along(random);
             block.z[i] = along(random);
         }
-    asked[0].x[3] = kFar;
-    asked[0].y[4] = -1e30F;
-    asked[0].z[5] = std::nanf("");
-    return asked;
+    queried[0].x[3] = kFar;
+    queried[0].y[4] = -1e30F;
+    queried[0].z[5] = std::nanf("");
+    return queried;
 }
 
 std::vector<std::uint32_t> bits_of(const ContactBlock& block) {

@@ -23,8 +23,8 @@ constexpr double kTapeTolerance = 0.003;
 // Every requested measure is within 0.3 %, and none is reported as unmet.
 void expect_as_asked(const Mannequin& mannequin) {
     for (const MeasureReading& reading : mannequin.report.readings) {
-        if (!reading.asked) continue;
-        EXPECT_NEAR(reading.measured / *reading.asked, 1, kTapeTolerance) << reading.name;
+        if (!reading.requested) continue;
+        EXPECT_NEAR(reading.measured / *reading.requested, 1, kTapeTolerance) << reading.name;
     }
     EXPECT_TRUE(mannequin.report.messages.empty()) << mannequin.report.messages.front();
 }
@@ -84,8 +84,8 @@ TEST(Mannequin, has_the_asked_girth_where_its_surface_is_cut_at_the_reported_lev
     const Mannequin mannequin = make_mannequin({.measures = {.bust = 0.96, .waist = 0.78, .hip = 1.02}});
     int levels = 0;
     for (const MeasureReading& reading : mannequin.report.readings) {
-        if (!reading.asked || !reading.level) continue;
-        EXPECT_NEAR(tape(mannequin, *reading.level) / *reading.asked, 1, kTapeTolerance) << reading.name;
+        if (!reading.requested || !reading.level) continue;
+        EXPECT_NEAR(tape(mannequin, *reading.level) / *reading.requested, 1, kTapeTolerance) << reading.name;
         ++levels;
     }
     EXPECT_EQ(levels, 3);
@@ -311,7 +311,7 @@ TEST(MannequinStance, is_nearly_parallel_unless_another_is_asked_for) {
     for (const Sex sex : {Sex::Female, Sex::Male}) {
         const Mannequin mannequin = make_mannequin({.sex = sex});
         EXPECT_NEAR(stance(mannequin.body), kUsual, 1e-9);
-        EXPECT_FALSE(mannequin.report.stance.asked.has_value());
+        EXPECT_FALSE(mannequin.report.stance.requested.has_value());
         EXPECT_FALSE(mannequin.report.stance.is_opened);
         EXPECT_GT(min_gap(mannequin), kMinGap);
         expect_sound(mannequin);

@@ -39,8 +39,8 @@ TEST(MannequinSweep, meets_its_measures_within_a_third_of_a_percent_and_never_cu
                                         << *c.measures.hip);
         const Mannequin mannequin = make_mannequin({.sex = c.sex, .measures = c.measures});
         for (const MeasureReading& reading : mannequin.report.readings) {
-            if (!reading.asked) continue;
-            EXPECT_NEAR(reading.measured / *reading.asked, 1, 0.003) << reading.name;
+            if (!reading.requested) continue;
+            EXPECT_NEAR(reading.measured / *reading.requested, 1, 0.003) << reading.name;
         }
         EXPECT_TRUE(mannequin.report.messages.empty());
         EXPECT_EQ(count_self_intersections(mannequin.body), 0);
