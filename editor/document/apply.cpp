@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <ranges>
 
 #include "editor/geometry/draft.h"
 #include "editor/geometry/outline_edit.h"
@@ -270,7 +269,7 @@ void erase_at(std::vector<T>& items, std::vector<int> indices, const std::string
     if (!indices.empty() && (indices.front() < 0 || static_cast<std::size_t>(indices.back()) >= items.size())) {
         throw GeometryError("'" + panel + "' has no such " + what, {{.panel = panel}});
     }
-    for (const int index : std::views::reverse(indices)) items.erase(items.begin() + index);
+    for (auto index = indices.rbegin(); index != indices.rend(); ++index) items.erase(items.begin() + *index);
 }
 
 Outcome select_seams(const std::vector<int>& seams) {

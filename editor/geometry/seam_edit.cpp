@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <ranges>
 #include <tuple>
 
 #include "editor/geometry/draft.h"
@@ -113,7 +112,7 @@ void remove_seams(sim::Pattern& pattern, std::vector<int> seams) {
     for (const int seam : seams) seam_of(pattern, seam);
     std::sort(seams.begin(), seams.end());
     seams.erase(std::unique(seams.begin(), seams.end()), seams.end());
-    for (const int seam : std::views::reverse(seams)) pattern.seams.erase(pattern.seams.begin() + seam);
+    for (auto seam = seams.rbegin(); seam != seams.rend(); ++seam) pattern.seams.erase(pattern.seams.begin() + *seam);
 }
 
 std::array<double, 2> seam_lengths(const sim::Pattern& pattern, const sim::Seam& seam) {
@@ -238,11 +237,11 @@ class PieceCutter {
 
     // From the last cut to the first, so that edges that are not split yet keep their indices.
     void cut(sim::Pattern& draft) const {
-        for (const auto& [edge, places] : std::views::reverse(cuts_)) {
+        for (auto entry = cuts_.rbegin(); entry != cuts_.rend(); ++entry) {
             double whole = 1;
-            for (const double t : std::views::reverse(places)) {
-                split_alone(draft, edge, t / whole);
-                whole = t;
+            for (auto t = entry->second.rbegin(); t != entry->second.rend(); ++t) {
+                split_alone(draft, entry->first, *t / whole);
+                whole = *t;
             }
         }
     }
