@@ -75,8 +75,7 @@ class ViewportSurface : public app::EditSurface {
 class Photographer {
  public:
     Photographer(const std::string& pattern, std::filesystem::path folder, float scale)
-        : scale_(scale),
-          folder_(std::move(folder)),
+        : folder_(std::move(folder)),
           loop_({.width_px = int(kSide * scale), .height_px = int(kSide * scale), .scale = scale, .seconds = 0.3}),
           surface_(sim::load_pattern(pattern), scale) {}
 
@@ -112,7 +111,6 @@ class Photographer {
     }
 
  private:
-    float scale_;
     std::filesystem::path folder_;
     app::OffscreenEditLoop loop_;
     ViewportSurface surface_;
