@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <span>
 
 #include "render/gl/context.h"
 #include "render/gl/target.h"
@@ -17,16 +18,9 @@ namespace {
 
 constexpr editor::UiTexture kFont = 0;
 
-void add_attribute(const GladGLContext& gl, GLuint index, int parts, GLenum type, std::size_t offset) {
-    gl.EnableVertexAttribArray(index);
-    gl.VertexAttribPointer(index, parts, type, type == GL_UNSIGNED_BYTE ? GL_TRUE : GL_FALSE, sizeof(ImDrawVert),
-                           reinterpret_cast<const void*>(offset));
-}
-
-// Uploads data for this frame. Allocates new memory, because GL may still read the old one.
 template <class T>
-void stream(const GladGLContext& gl, GLenum target, const ImVector<T>& data) {
-    gl.BufferData(target, static_cast<GLsizeiptr>(data.size_in_bytes()), data.Data, GL_STREAM_DRAW);
+std::span<const std::byte> bytes_of(const ImVector<T>& data) {
+    return std::as_bytes(std::span<const T>(data.Data, static_cast<std::size_t>(data.Size)));
 }
 
 render::Texture make_texture(const GladGLContext& gl, int width_px, int height_px, const void* rgba, GLint wrap) {
@@ -83,9 +77,9 @@ struct UiDraw::Impl {
         gl.BindVertexArray(vertex_array.id());
         gl.BindBuffer(GL_ARRAY_BUFFER, vertices.id());
         gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.id());
-        add_attribute(gl, 0, 2, GL_FLOAT, offsetof(ImDrawVert, pos));
-        add_attribute(gl, 1, 2, GL_FLOAT, offsetof(ImDrawVert, uv));
-        add_attribute(gl, 2, 4, GL_UNSIGNED_BYTE, offsetof(ImDrawVert, col));
+        render::add_floats(gl, 0, 2, sizeof(ImDrawVert), offsetof(ImDrawVert, pos));
+        render::add_floats(gl, 1, 2, sizeof(ImDrawVert), offsetof(ImDrawVert, uv));
+        render::add_bytes(gl, 2, 4, sizeof(ImDrawVert), offsetof(ImDrawVert, col));
     }
 
     void take_font(ImFontAtlas& atlas) {
@@ -126,12 +120,11 @@ struct UiDraw::Impl {
         textured.set("picture", 0);
         gl.ActiveTexture(GL_TEXTURE0);
         gl.BindVertexArray(vertex_array.id());
-        gl.BindBuffer(GL_ARRAY_BUFFER, vertices.id());
     }
 
     void draw_list(const ImDrawList& list, const ImDrawData& data, const UiTarget& to) const {
-        stream(gl, GL_ARRAY_BUFFER, list.VtxBuffer);
-        stream(gl, GL_ELEMENT_ARRAY_BUFFER, list.IdxBuffer);
+        render::upload_bytes(gl, GL_ARRAY_BUFFER, vertices, bytes_of(list.VtxBuffer), GL_STREAM_DRAW);
+        render::upload_bytes(gl, GL_ELEMENT_ARRAY_BUFFER, indices, bytes_of(list.IdxBuffer), GL_STREAM_DRAW);
         for (const ImDrawCmd& command : list.CmdBuffer) {
             if (command.UserCallback != nullptr) continue;  // only ImDrawCallback_ResetRenderState, which is not needed
             draw_command(list, command, data, to);

@@ -226,9 +226,7 @@ SolidBuffer make_solid_buffer(const GladGLContext& gl, const SolidItem& item) {
     upload(gl, GL_ARRAY_BUFFER, buffer.vertices, vertices, GL_STATIC_DRAW);
     add_floats(gl, 0, 3, sizeof(SolidVertex), offsetof(SolidVertex, position));
     add_floats(gl, 1, 3, sizeof(SolidVertex), offsetof(SolidVertex, normal));
-    gl.EnableVertexAttribArray(2);
-    gl.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(SolidVertex),
-                           reinterpret_cast<const void*>(offsetof(SolidVertex, colour)));
+    add_bytes(gl, 2, 4, sizeof(SolidVertex), offsetof(SolidVertex, colour));
     upload(gl, GL_ELEMENT_ARRAY_BUFFER, buffer.indices, item.triangles, GL_STATIC_DRAW);
     buffer.index_count = static_cast<int>(item.triangles.size() * 3);
     return buffer;

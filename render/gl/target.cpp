@@ -29,6 +29,12 @@ void add_floats(const GladGLContext& gl, unsigned index, int floats, std::size_t
                            reinterpret_cast<const void*>(offset));
 }
 
+void add_bytes(const GladGLContext& gl, unsigned index, int bytes, std::size_t stride, std::size_t offset) {
+    gl.EnableVertexAttribArray(index);
+    gl.VertexAttribPointer(index, bytes, GL_UNSIGNED_BYTE, GL_TRUE, static_cast<GLsizei>(stride),
+                           reinterpret_cast<const void*>(offset));
+}
+
 Target::Target(const GladGLContext& gl, const TargetSize& size)
     : gl_(gl),
       size_(size),

@@ -68,6 +68,9 @@ void upload(const GladGLContext& gl, unsigned target, const Buffer& buffer, cons
 // `offset`, the next vertex `stride` further on (bytes).
 void add_floats(const GladGLContext& gl, unsigned index, int floats, std::size_t stride, std::size_t offset);
 
+// The same for numbers 0..1 that are stored as bytes 0..255.
+void add_bytes(const GladGLContext& gl, unsigned index, int bytes, std::size_t stride, std::size_t offset);
+
 // A picture in GL memory: drawn into, displayed, and read back only on request. sRGB bytes. Row 0 is the top row, as in
 // an Image, although GL's convention is that row 0 is the bottom row.
 

@@ -420,8 +420,7 @@ void PreviewSurface::update(const SolidItem& item, const SolidItem* before) {
     if (before != nullptr && is_same(item.colours, before->colours)) return;
     gl_.BindVertexArray(vertex_array_.id());
     upload(gl_, GL_ARRAY_BUFFER, colours_, item.colours, GL_STREAM_DRAW);
-    gl_.EnableVertexAttribArray(2);
-    gl_.VertexAttribPointer(2, 3, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(sim::Rgb8), nullptr);
+    add_bytes(gl_, 2, 3, sizeof(sim::Rgb8), 0);
 }
 
 namespace {
