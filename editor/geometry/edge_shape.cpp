@@ -300,13 +300,12 @@ sim::Panel mapped_panel(const sim::Panel& panel, const Eigen::Affine2d& map) {
     return mapped;
 }
 
-Box outline_box(const sim::Panel& panel, double chord_error) {
+Eigen::AlignedBox2d outline_box(const sim::Panel& panel, double chord_error) {
     Eigen::AlignedBox2d box;
     for (const sim::OutlineEdge& edge : panel.edges) {
         for (const Vec2d& point : outline_polyline(panel, edge, chord_error)) box.extend(point);
     }
-    if (box.isEmpty()) return {};
-    return {box.min(), box.max()};
+    return box.isEmpty() ? Eigen::AlignedBox2d(Vec2d(0, 0)) : box;
 }
 
 }  // namespace selvedge::editor

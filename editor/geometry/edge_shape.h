@@ -53,15 +53,8 @@ inline int mirrored_edge(int e, int count) {
     return (count - e) % count;
 }
 
-struct Box {
-    Vec2d low = Vec2d::Zero();
-    Vec2d high = Vec2d::Zero();
-
-    Vec2d size() const { return high - low; }
-    Vec2d centre() const { return (low + high) / 2; }
-};
-
-// The panel's bounding box in its held frame (sim/pattern/pattern.h), m, curves included up to the chord error, m.
-Box outline_box(const sim::Panel& panel, double chord_error = 1e-4);
+// The panel's bounding box in its held frame (sim/pattern/pattern.h), m, curves included up to the chord error, m. The
+// origin if it has no outline.
+Eigen::AlignedBox2d outline_box(const sim::Panel& panel, double chord_error = 1e-4);
 
 }  // namespace selvedge::editor

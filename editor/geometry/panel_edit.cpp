@@ -315,13 +315,13 @@ std::vector<Vec2d> sheet_positions(const sim::Pattern& pattern) {
     Vec2d corner(0, 0);  // m, upper left of the next panel
     double depth = 0;    // m, height of the row
     for (const sim::Panel& panel : pattern.panels) {
-        const Box box = outline_box(panel);
-        const Vec2d size = box.size();
+        const Eigen::AlignedBox2d box = outline_box(panel);
+        const Vec2d size = box.sizes();
         if (corner.x() > 0 && corner.x() + size.x() > kRowLength) {
             corner = {0, corner.y() - depth - kGap};
             depth = 0;
         }
-        const Vec2d laid_out = corner - Vec2d(box.low.x(), box.high.y());
+        const Vec2d laid_out = corner - Vec2d(box.min().x(), box.max().y());
         positions.push_back(panel.sheet_position.value_or(laid_out));
         corner.x() += size.x() + kGap;
         depth = std::max(depth, size.y());

@@ -284,8 +284,8 @@ int symmetric_copy(sim::Pattern& pattern, int panel, bool is_linked, const Vec2d
     sim::Panel image = mirror_image(own);
     image.name = free_panel_name(pattern, name_across(own.name));
     image.mirror_of = is_linked ? own.name : "";
-    const Box box = outline_box(own);
-    const Vec2d to_its_place(box.low.x() + box.high.x(), 0);  // puts its box over the panel's
+    const Eigen::AlignedBox2d box = outline_box(own);
+    const Vec2d to_its_place(box.min().x() + box.max().x(), 0);  // puts its box over the panel's
     image.sheet_position = sheet_positions(pattern)[as_size(panel)] + to_its_place + shift;
     return edit_pattern(pattern, [&](sim::Pattern& draft) {
         const int copy = static_cast<int>(draft.panels.size());

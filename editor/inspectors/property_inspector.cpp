@@ -86,8 +86,8 @@ void draw_name(InspectorContext& context, const sim::Panel& panel) {
 // Scales the panel (S XY): by a factor relative to its current size, or by the resulting size.
 void draw_scale(InspectorContext& context, const PanelOnSheet& shown) {
     const std::vector<std::string> panels{shown.panel.name};
-    const Box box = outline_box(shown.panel, kChordError);
-    const Vec2d centre = box.centre() + shown.origin;
+    const Eigen::AlignedBox2d box = outline_box(shown.panel, kChordError);
+    const Vec2d centre = box.center() + shown.origin;
     const VectorEdit scale = vector_row(context,
                                         {.name = "panel.scale",
                                          .label = "Scale",
@@ -102,7 +102,7 @@ void draw_scale(InspectorContext& context, const PanelOnSheet& shown) {
                                         .tip = "Of the box about its outline; type one to scale the panel to it.",
                                         .axes = {"W", "H", ""},
                                         .least = kMinSize},
-                                       box.size());
+                                       Vec2d(box.sizes()));
     if (size && size.number.before.value_or(0) > 0) {
         const double factor = size.number.value.value_or(0) / *size.number.before;
         apply_edit(context, size.number, scaling(panels, centre, size.axis, factor));
@@ -236,17 +236,14 @@ void draw_panels_section(InspectorContext& context) {
     const Selection selected = context.selection();
     const sim::Pattern& pattern = context.pattern();
     const std::vector<Vec2d> origins = sheet_positions(pattern);
-    std::optional<Box> all;
+    Eigen::AlignedBox2d all;
     double area = 0;
     for (std::size_t i = 0; i < pattern.panels.size(); ++i) {
         if (!selected.panels.contains(pattern.panels[i].name)) continue;
-        const Box box = outline_box(pattern.panels[i], kChordError);
-        if (!all) all = {.low = box.low + origins[i], .high = box.high + origins[i]};
-        all->low = all->low.cwiseMin(box.low + origins[i]);
-        all->high = all->high.cwiseMax(box.high + origins[i]);
+        all.extend(outline_box(pattern.panels[i], kChordError).translated(origins[i]));
         area += facts_of(context, pattern.panels[i]).area;
     }
-    if (!all) return;
+    if (all.isEmpty()) return;
     heading(context, (std::to_string(selected.panels.size()) + " panels").c_str());
     ImGui::PushID("panels");
     const std::vector<std::string> names(selected.panels.begin(), selected.panels.end());
@@ -258,7 +255,7 @@ void draw_panels_section(InspectorContext& context) {
                                          .least = kMinScale},
                                         Vec2d(1, 1));
     if (scale)
-        apply_edit(context, scale.number, scaling(names, all->centre(), scale.axis, scale.number.value.value_or(1)));
+        apply_edit(context, scale.number, scaling(names, all.center(), scale.axis, scale.number.value.value_or(1)));
     const VectorEdit moved = vector_row(
         context,
         {.name = "panels.move", .label = "Move by", .tip = "On the sheet; they stay where they are in the room."},
