@@ -17,14 +17,11 @@
 #include <type_traits>
 #include <vector>
 
+#include "sim/core/blocks.h"
 #include "sim/core/math.h"
 #include "sim/core/pool.h"
 
 namespace selvedge::sim {
-
-inline constexpr std::size_t kBlock = 16;
-using BlockFloats = std::array<float, kBlock>;
-using BlockPoints = std::array<std::uint32_t, kBlock>;  // offset of a vertex's floats: four times its index
 
 // Warp, weft and shear of leaf triangles. With e1 = x1 - x0, e2 = x2 - x0 the deformed warp direction is a0 e1 + a1 e2
 // and the deformed weft direction is b0 e1 + b1 e2; both have length 1 at rest.

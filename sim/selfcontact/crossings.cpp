@@ -1,0 +1,125 @@
+#include "sim/selfcontact/crossings.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace selvedge::sim {
+namespace {
+
+Vec3f point_at(const float* points, std::uint32_t v) {
+    return Eigen::Map<const Vec3f>(points + 4 * static_cast<std::size_t>(v));
+}
+
+// Six times the signed volume of a tetrahedron, m^3.
+double volume(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
+    return (a - d).dot((b - d).cross(c - d));
+}
+
+bool shares_vertex(const ContactSurface& surface, const std::array<std::uint32_t, 2>& ends,
+                   const ContactTriangle& triangle) {
+    return std::ranges::any_of(ends, [&](std::uint32_t v) {
+        return std::ranges::any_of(triangle.vertices,
+                                   [&](std::uint32_t w) { return surface.sewn_as(v) == surface.sewn_as(w); });
+    });
+}
+
+std::vector<ContactBox> boxes_of(const ContactSurface& surface, const float* points) {
+    std::vector<ContactBox> boxes(surface.triangles.size());
+    const auto at = [&](std::uint32_t v) { return Eigen::Map<const Vec4f>(points + 4 * static_cast<std::size_t>(v)); };
+    for (std::size_t t = 0; t < boxes.size(); ++t) {
+        const auto [a, b, c] = surface.triangles[t].vertices;
+        boxes[t] = {at(a).cwiseMin(at(b)).cwiseMin(at(c)), at(a).cwiseMax(at(b)).cwiseMax(at(c))};
+    }
+    return boxes;
+}
+
+// Whether all corners of a triangle are on one side of another one's plane, by more than rounding.
+bool is_on_one_side(const ContactSurface& surface, const float* points, std::uint32_t plane, std::uint32_t other) {
+    constexpr float kRounding = 1e-6F;  // m
+    const std::array<std::uint32_t, 3>& corners = surface.triangles[plane].vertices;
+    const Vec3f origin = point_at(points, corners[0]);
+    const Vec3f normal =
+        (point_at(points, corners[1]) - origin).cross(point_at(points, corners[2]) - origin).normalized();
+    float lowest = std::numeric_limits<float>::max(), highest = std::numeric_limits<float>::lowest();
+    for (const std::uint32_t v : surface.triangles[other].vertices) {
+        const float height = normal.dot(point_at(points, v) - origin);
+        lowest = std::min(lowest, height);
+        highest = std::max(highest, height);
+    }
+    return lowest > kRounding || highest < -kRounding;
+}
+
+bool cross(const ContactSurface& surface, const float* points, std::uint32_t a, std::uint32_t b) {
+    const auto pierces = [&](std::uint32_t from, std::uint32_t into) {
+        return std::ranges::any_of(surface.triangles[from].edges, [&](std::uint32_t e) {
+            return !shares_vertex(surface, surface.edges[e].ends, surface.triangles[into]) &&
+                   find_crossing(surface, points, e, into);
+        });
+    };
+    return pierces(a, b) || pierces(b, a);
+}
+
+}  // namespace
+
+std::optional<Crossing> find_crossing(const ContactSurface& surface, const float* points, std::uint32_t edge,
+                                      std::uint32_t triangle) {
+    const auto at = [&](std::uint32_t v) -> Vec3d { return point_at(points, v).cast<double>(); };
+    const std::array<std::uint32_t, 2>& ends = surface.edges[edge].ends;
+    const std::array<std::uint32_t, 3>& corners = surface.triangles[triangle].vertices;
+    const Vec3d p = at(ends[0]), q = at(ends[1]), a = at(corners[0]), b = at(corners[1]), c = at(corners[2]);
+    const double below = volume(a, b, c, p), above = volume(a, b, c, q);
+    if ((below > 0) == (above > 0)) return std::nullopt;
+    const double ab = volume(p, q, a, b), bc = volume(p, q, b, c), ca = volume(p, q, c, a);
+    const bool is_inside = (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
+    const double sum = ab + bc + ca;
+    if (!is_inside || sum == 0) return std::nullopt;
+    return Crossing{
+        .edge = edge,
+        .triangle = triangle,
+        .along = static_cast<float>(below / (below - above)),
+        .corners = {static_cast<float>(bc / sum), static_cast<float>(ca / sum), static_cast<float>(ab / sum)}};
+}
+
+std::vector<Crossing> find_crossings(const ContactSurface& surface, const PairSearch& search, const float* points) {
+    std::vector<Crossing> crossings;
+    const auto look = [&](std::uint32_t from, std::uint32_t into) {
+        for (const std::uint32_t e : search.owned_edges(from)) {
+            if (e == kNoElement) return;
+            if (shares_vertex(surface, surface.edges[e].ends, surface.triangles[into])) continue;
+            if (const auto found = find_crossing(surface, points, e, into)) crossings.push_back(*found);
+        }
+    };
+    const std::vector<ContactBox> boxes = boxes_of(surface, points);
+    for (const auto [a, b] : search.triangle_pairs()) {
+        if (!overlap(boxes[a], boxes[b])) continue;
+        if (is_on_one_side(surface, points, a, b) || is_on_one_side(surface, points, b, a)) continue;
+        look(a, b);
+        look(b, a);
+    }
+    return crossings;
+}
+
+std::vector<TrianglePair> find_crossing_triangles(const ContactSurface& surface, const float* points) {
+    const std::size_t count = surface.triangles.size();
+    const std::vector<ContactBox> boxes = boxes_of(surface, points);
+    std::vector<std::uint32_t> order(count);
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::stable_sort(order, {}, [&](std::uint32_t t) { return boxes[t].low.x(); });
+    std::vector<TrianglePair> pairs;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint32_t a = order[i];
+        for (std::size_t j = i + 1; j < count && boxes[order[j]].low.x() <= boxes[a].high.x(); ++j) {
+            const std::uint32_t b = order[j];
+            if (!overlap(boxes[a], boxes[b])) continue;
+            const auto has = [&](std::uint32_t v) {
+                return std::ranges::any_of(surface.triangles[b].vertices,
+                                           [&](std::uint32_t w) { return surface.sewn_as(v) == surface.sewn_as(w); });
+            };
+            if (std::ranges::any_of(surface.triangles[a].vertices, has)) continue;
+            if (cross(surface, points, a, b)) pairs.push_back({a, b});
+        }
+    }
+    return pairs;
+}
+
+}  // namespace selvedge::sim

@@ -1,0 +1,37 @@
+#pragma once
+// Crossings: edges that pierce triangles. The signs of the volumes are computed in double precision from the float
+// positions, so that the test is exact but for volumes below 1e-20 m^3. An edge that meets the border of a triangle
+// crosses it; an edge in the plane of a triangle does not.
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sim/core/math.h"
+#include "sim/selfcontact/pair_search.h"
+#include "sim/selfcontact/surface.h"
+
+namespace selvedge::sim {
+
+// Where an edge pierces a triangle.
+struct Crossing {
+    std::uint32_t edge = 0;  // indices into ContactSurface
+    std::uint32_t triangle = 0;
+    float along = 0;                 // 0..1, from the edge's first end
+    std::array<float, 3> corners{};  // barycentric coordinates in the triangle
+};
+
+// points: by vertex, four floats each. The edge and the triangle must not share a vertex.
+std::optional<Crossing> find_crossing(const ContactSurface& surface, const float* points, std::uint32_t edge,
+                                      std::uint32_t triangle);
+
+// All crossings of these pairs of triangles, in their order. Edges that share a (sewn) vertex with a triangle do not
+// cross it.
+std::vector<Crossing> find_crossings(const ContactSurface& surface, const PairSearch& search, const float* points);
+
+// The pairs of triangles that cross each other, and share no vertex, in a fixed order: an exact test of all pairs.
+// (Ericson, Real-Time Collision Detection, 5.2.10: edges of each against the other; sweep and prune along x)
+std::vector<TrianglePair> find_crossing_triangles(const ContactSurface& surface, const float* points);
+
+}  // namespace selvedge::sim

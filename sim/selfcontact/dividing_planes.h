@@ -1,0 +1,45 @@
+#pragma once
+// Certifies that no pair of elements went through each other since the last detection: the plane that divided the pair
+// then, moved along with the pair, still divides it. Two convex sets whose vertices are on the two sides of a plane at
+// both ends of linear paths never met. What fails is parted, and if that fails too, its movement is truncated.
+// (after "divide and truncate", planar variant, in Newton's vertex block descent)
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/core/math.h"
+#include "sim/selfcontact/kernels.h"
+#include "sim/selfcontact/pair_search.h"
+#include "sim/selfcontact/untangle.h"
+
+namespace selvedge::sim {
+
+struct CertificateReport {
+    int rounds = 0;
+    int parted = 0;     // pairs of vertices that were moved apart
+    int truncated = 0;  // vertices whose movement was shortened
+};
+
+class DividingPlanes {
+ public:
+    // Makes all pairs divided by their planes. start: positions at the last detection; mean: the mean displacement of
+    // all vertices since then, which is not truncated; mean_move: the mean displacement per sub-step.
+    CertificateReport certify(const SelfContactKernels& loops, const ContactPairs& pairs, std::span<const Vec4f> start,
+                              const Vec3f& mean, const Vec3f& mean_move, const MovingPoints& points);
+
+ private:
+    struct Undivided {
+        const PairBlock* block;
+        std::size_t at;
+        std::size_t first_side;
+    };
+    void collect(const SelfContactKernels& loops, const PairList& pairs, const MovingPoints& points);
+    bool part(const Undivided& pair, const MovingPoints& points, CertificateReport& report) const;
+    bool shorten(const Undivided& pair, const MovingPoints& points, float most);
+
+    std::vector<Undivided> undivided_;
+    std::vector<float> share_;            // by vertex, of its movement that is kept
+    std::vector<std::uint32_t> touched_;  // vertices with a share below 1
+};
+
+}  // namespace selvedge::sim

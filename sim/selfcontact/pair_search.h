@@ -1,0 +1,72 @@
+#pragma once
+// Finds the pairs of mesh elements that can touch soon: boxes of triangles in packets of sixteen, overlapping boxes,
+// then the vertices and edges of two triangles against each other. Every vertex and every edge is owned by one
+// triangle, so that no pair is found twice.
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "sim/core/math.h"
+#include "sim/selfcontact/boxes.h"
+#include "sim/selfcontact/kernels.h"
+#include "sim/selfcontact/pairs.h"
+#include "sim/selfcontact/surface.h"
+
+namespace selvedge::sim {
+
+// The candidates of self-contact.
+struct ContactPairs {
+    PairList vertex_triangle{PairKind::VertexTriangle};
+    PairList edge_edge{PairKind::EdgeEdge};
+
+    std::size_t size() const { return vertex_triangle.size() + edge_edge.size(); }
+};
+
+class PairSearch {
+ public:
+    // Prepares for a surface, which all later calls must be given; dummy: the index of the dummy vertex.
+    void set_surface(const ContactSurface& surface, std::uint32_t dummy);
+
+    // Computes boxes and finds pairs of triangles. reach: the largest distance at which two sides matter, m.
+    void find_triangles(const SelfContactKernels& loops, const ContactSurface& surface, const float* points,
+                        const Sweep& sweep, float reach);
+
+    // Of those, finds the pairs of elements within reach and adds them to `pairs`, which must be clear. The radius of a
+    // pair is the mean thickness of its sheets times `thickness_scale`, but less for elements of triangles that share a
+    // vertex: a quarter of their shortest edge.
+    void find_elements(const SelfContactKernels& loops, const ContactSurface& surface, const float* points,
+                       const Sweep& sweep, const PairReach& reach, float thickness_scale, ContactPairs& pairs);
+
+    const std::vector<TrianglePair>& triangle_pairs() const { return triangle_pairs_; }
+    Vec3f normal_of(std::uint32_t triangle) const {
+        return {normal_[0][triangle], normal_[1][triangle], normal_[2][triangle]};
+    }
+    bool is_flat(std::uint32_t vertex) const { return flat_vertices_[vertex] != 0; }
+    const std::array<std::uint32_t, 3>& owned_edges(std::uint32_t triangle) const { return owned_edges_[triangle]; }
+
+ private:
+    TriangleRows rows();
+    void find_flat(const ContactSurface& surface);
+    void bound_elements(const ContactSurface& surface, const float* points, const Sweep& sweep, float grow);
+    void note_elements(const ContactSurface& surface, TrianglePair pair, float thickness_scale);
+    bool is_near(const ContactSurface& surface, std::uint32_t vertex, std::uint32_t triangle) const;
+    bool are_near(const ContactSurface& surface, std::uint32_t edge, std::uint32_t other) const;
+    float radius_of(const ContactSurface& surface, TrianglePair pair, float thickness_scale) const;
+    void measure(const SelfContactKernels& loops, PairList& noted, const float* points, const Sweep& sweep,
+                 const PairReach& reach, PairList& pairs);
+
+    std::uint32_t dummy_ = 0;
+    std::size_t padded_ = 0;
+    std::vector<std::array<std::uint32_t, 3>> owned_vertices_, owned_edges_;  // by triangle, kNoElement at the end
+    std::vector<float> shortest_edge_;                                        // by triangle, m
+    std::array<std::vector<std::uint32_t>, 3> corner_, sewn_;
+    std::vector<std::uint32_t> sheet_, flat_;
+    std::vector<std::uint8_t> flat_vertices_;
+    std::vector<float> u_, v_;
+    std::array<std::vector<float>, 3> low_, high_, normal_, middle_, packet_low_, packet_high_;
+    std::vector<ContactBox> vertex_boxes_, edge_boxes_, triangle_boxes_;  // over the sweep
+    std::vector<TrianglePair> triangle_pairs_, found_;
+    PairList noted_vertices_{PairKind::VertexTriangle}, noted_edges_{PairKind::EdgeEdge};  // to be measured
+};
+
+}  // namespace selvedge::sim
