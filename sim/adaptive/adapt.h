@@ -17,6 +17,7 @@
 //                       on_split(c, a, b)    c was created between a and b: set all values of c that criteria read
 //                       on_rejoin(c)         c is about to be freed
 // and, optionally,      before(t), after(t)  called before and after the configuration of t changes
+//                       permits_rejoin(e)    asked last, when the rejoin is otherwise decided: false prevents it
 // An adaptation that changes nothing evaluates each leaf edge, and each split edge with two leaf children, once.
 //
 // The header also defines SplitLimits, which says which edges may be split at all.
@@ -136,6 +137,15 @@ int retriangulate(AdaptiveMesh& mesh, State& state, int level, TransitionCounts*
 }
 
 template <class State>
+bool is_rejoin_permitted(State& state, EdgeId e) {
+    if constexpr (requires { state.permits_rejoin(e); }) {
+        return state.permits_rejoin(e);
+    } else {
+        return true;
+    }
+}
+
+template <class State>
 void split(AdaptiveMesh& mesh, State& state, EdgeId e) {
     const std::size_t capacity = mesh.vertex_capacity();
     const VertexId centre = mesh.split(e);
@@ -171,6 +181,7 @@ int coarsen_level(AdaptiveMesh& mesh, State& state, int level, bool beyond_limit
     int rejoins = 0;
     const auto rejoin_one = [&](EdgeId e) {
         if (!mesh.may_rejoin(e)) return;  // reads more of the mesh than the criteria do, so it comes last
+        if (!is_rejoin_permitted(state, e)) return;
         state.on_rejoin(mesh.centre(e));
         mesh.rejoin(e);
         ++rejoins;

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "sim/adaptive/criteria.h"
+#include "sim/cloth/contact_guard.h"
+#include "sim/cloth/contact_surface.h"
 #include "sim/cloth/state_transfer.h"
 #include "sim/collide/collider.h"
 
@@ -16,7 +18,10 @@ struct ClothObserver {
     const ContactOptions& contact;
     Visibility* visibility;
     TriangleBudget* budget;
+    ContactGuard guard;
     StateTransfer biases{cloth};
+
+    bool permits_rejoin(EdgeId e) { return guard.permits_rejoin(e); }
 
     void before(TriangleId t) { biases.before(t); }
     void after(TriangleId t) {
@@ -41,6 +46,8 @@ struct ClothObserver {
         cloth.normals[c.value] = normal.squaredNorm() > 0 ? Vec3f(normal.normalized()) : Vec3f::Zero();
         cloth.is_pinned[c.value] = cloth.is_pinned[a.value] && cloth.is_pinned[b.value];  // e.g. on a pinned waistband
         cloth.solver.adapting.shape.forget_children(cloth.mesh, cloth.mesh.vertex(c).parent);
+        cloth.solver.self_contact->contact.on_split(c.value, a.value, b.value);
+        guard.note_split(cloth.mesh.vertex(c).parent);
         if (visibility != nullptr) visibility->on_split(c, a, b);
         if (budget != nullptr) budget->on_split();
     }
@@ -110,11 +117,17 @@ AdaptReport adapt_cloth(Cloth& cloth, const Collider& body, const AdaptClothOpti
     ++cloth.adaptations;
     if (options.visibility != nullptr) options.visibility->look(cloth.mesh, cloth.x, cloth.normals);
     if (options.budget != nullptr) options.budget->start(cloth.mesh);
-    ClothObserver observer{cloth, body, contact, options.visibility, options.budget};
+    ClothObserver observer{cloth,          body,
+                           contact,        options.visibility,
+                           options.budget, {cloth.mesh, cloth.x, self_contact_clearances(cloth)}};
     const AdaptReport report = options.diagonal_cost
                                    ? adapt_switched(CheapestDiagonal{options.diagonal_cost}, cloth, observer, options)
                                    : adapt_switched(MinimalChange{}, cloth, observer, options);
-    if (report.changed()) update_solver(cloth);
+    if (report.changed()) {
+        update_solver(cloth);
+        cloth.solver.self_contact->has_surface = false;
+        if (observer.guard.is_doubtful()) cloth.solver.self_contact->contact.doubt();
+    }
     const SplitOnContact split = split_on_contact(options);
     if (report.changed() || !are_contacts_made_for(cloth, contact, split)) update_contacts(cloth, contact, split);
     return report;

@@ -22,6 +22,7 @@ struct ClothMaterial {
     std::vector<Fabric> fabrics;      // one per panel
     std::vector<float> grain_angles;  // one per panel, rad: from the panel's +y to the warp
     std::vector<Vec2f> sett_offsets;  // one per panel or none, m: see Panel::sett_offset
+    std::vector<int> layers{};        // one per panel or none: a higher layer lies farther out
 };
 
 struct Cloth {

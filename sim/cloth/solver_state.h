@@ -8,6 +8,7 @@
 #include "sim/cloth/collision_criterion.h"
 #include "sim/cloth/contact.h"
 #include "sim/cloth/resting.h"
+#include "sim/cloth/self_contact_state.h"
 #include "sim/cloth/solver_lists.h"
 #include "sim/core/math.h"
 #include "sim/core/pool.h"
@@ -69,6 +70,7 @@ struct SolverState {
     Constraints constraints;
     SolverLists lists;
     ContactState contacts;
+    SelfContactHolder self_contact;
     RestingState resting;
     std::vector<double> mass_sums;  // kg, by vertex, pinned or not; floats summed in doubles: subtraction is exact
     int substeps = 0;               // number of sub-steps so far, modulo 2

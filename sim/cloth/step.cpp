@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/cloth/contact_surface.h"
 #include "sim/cloth/kernels.h"
 #include "sim/core/assert.h"
 
@@ -44,12 +45,24 @@ struct Stepper {
     void update_bias();
     void pull_seams(float gap);
     void hold();
+    MovingPoints moving_points() const { return {points(), before(), cloth.x.size()}; }
     void apply_internal_damping();
 };
 
 void Stepper::step() {
     load_points();
-    for (int i = 0; i < options.substeps; ++i) substep(i);
+    SelfContact& self_contact = cloth.solver.self_contact->contact;
+    if (options.self_contact) {
+        update_contact_surface(cloth);
+        self_contact.begin_step(moving_points(), *options.self_contact);
+    } else {
+        self_contact.forget();
+    }
+    for (int i = 0; i < options.substeps; ++i) {
+        substep(i);
+        if (options.self_contact) self_contact.substep(moving_points(), *options.self_contact);
+    }
+    if (options.self_contact) self_contact.end_step(moving_points(), *options.self_contact);
     apply_internal_damping();
     store_points();
 }

@@ -2,10 +2,12 @@
 // One time step of the cloth, divided into small sub-steps: Verlet prediction, one iteration over all constraints, then
 // contacts. See docs/solver.md.  (thesis 3.6.4; Macklin et al. 2019, "Small Steps")
 #include <functional>
+#include <optional>
 #include <span>
 
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/contact.h"
+#include "sim/selfcontact/options.h"
 
 namespace selvedge::sim {
 
@@ -34,9 +36,10 @@ struct StepOptions {
     int limit_iterations = 2;             // extra iterations over triangles beyond the fabric's strain limit
     float max_move_per_substep = 0.005F;  // m, limit of displacement, so that vertices do not jump over thin parts
     ContactOptions contact{};
-    std::span<const SeamPull> seams{};  // open seams
-    float seam_gap = 0;                 // m, allowed at the end of this step
-    float seam_gap_rate = 0;            // m per sub-step by which the gap shrinks within the step
+    std::optional<SelfContactOptions> self_contact{};  // none: cloth passes through itself
+    std::span<const SeamPull> seams{};                 // open seams
+    float seam_gap = 0;                                // m, allowed at the end of this step
+    float seam_gap_rate = 0;                           // m per sub-step by which the gap shrinks within the step
     std::span<const KinematicVertex> kinematic{};
     // Optional: solves constraints of the caller in each sub-step, as the last of stretch. points: by vertex, x, y, z
     // (m) and the inverse mass (1/kg), then the dummy vertex. Such a cloth never rests. See
