@@ -245,6 +245,9 @@ void add_garment_options(CLI::App& command, DressArguments& arguments) {
                        "Edges shorter than this, in cm, are not halved (default 2)",
                        [&dress](double length_cm) { dress.shortest_edge = length_cm / 100; })
         ->type_name("CM");
+    command.add_flag(
+        "--no-self-collision", [&dress](std::int64_t) { dress.self_collision = false; },
+        "Let the cloth pass through itself, which is faster");
     command
         .add_option_function<std::string>(
             "--criteria", [&dress](const std::string& text) { dress.criteria = parse_criteria(text); },

@@ -148,6 +148,7 @@ void DrapeRun::adapt_once(Cloth& cloth, const Collider& body, const AdaptClothOp
 
 void DrapeRun::run_steps(Cloth& cloth, const Collider& body, StepOptions stepping) {
     const std::vector<Vec4f> before = cloth.x;
+    stepping.self_contact = options_.self_contact;
     for (int i = 0; i < options_.steps_per_adaptation; ++i) {
         const auto start = Clock::now();
         if (options_.kinematic_vertices)

@@ -26,6 +26,7 @@ struct DrapeOptions {
     bool may_rest = false;                // whether steps skip a cloth at rest during the fall (sim/cloth/resting.h)
     AdaptClothOptions adapt{};
     ContactOptions contact{};
+    std::optional<SelfContactOptions> self_contact{};  // none: cloth passes through itself
 
     // Optional; called before each step with its duration (s). Returns the vertices that the user drags.
     std::function<std::span<const KinematicVertex>(const Cloth&, float)> kinematic_vertices = {};

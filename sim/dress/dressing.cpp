@@ -138,6 +138,7 @@ DrapeOptions Dressing::draping() const {
     DrapeOptions draping{
         .max_seconds = options_.max_seconds, .finish_time = options_.finish_time, .may_rest = options_.may_rest};
     if (!options_.has_gravity) draping.gravity.setZero();
+    if (options_.self_collision) draping.self_contact.emplace();
     draping.adapt.criteria = options_.criteria;
     draping.adapt.curvature = options_.curvature;
     draping.adapt.shortest_edge = static_cast<float>(options_.shortest_edge);

@@ -40,7 +40,8 @@ struct DressOptions {
     double max_seconds = 12;                          // of simulated time, without sewing
     double finish_time = DrapeOptions{}.finish_time;  // s, see DrapeOptions
     bool has_gravity = true;
-    bool may_rest = false;  // whether steps skip a cloth at rest (sim/cloth/resting.h)
+    bool self_collision = true;  // whether the cloth collides with itself
+    bool may_rest = false;       // whether steps skip a cloth at rest (sim/cloth/resting.h)
 
     bool operator==(const DressOptions&) const = default;
 };

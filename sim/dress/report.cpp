@@ -8,6 +8,7 @@
 
 #include "sim/adaptive/check.h"
 #include "sim/cloth/cloth.h"
+#include "sim/cloth/contact_surface.h"
 #include "sim/collide/body_collider.h"
 #include "sim/core/json.h"
 #include "sim/core/math.h"
@@ -55,6 +56,7 @@ Json contact_json(const ContactCounts& contact) {
     Json json = Json::object();
     json[report_key::kInside] = contact.inside;
     json[report_key::kDeepestM] = contact.deepest_m;
+    json[report_key::kSelfCrossings] = contact.self_crossings;
     return json;
 }
 
@@ -180,6 +182,12 @@ std::string describe_tight(const std::vector<TightLevel>& tight) {
     return text;
 }
 
+// Cloth that passes through itself.
+void validate_crossings(const Cloth& cloth, DressReport& report) {
+    const ContactSurface surface = contact_surface(cloth, order_of_base_triangles(cloth));
+    report.contact.self_crossings = static_cast<int>(find_crossing_triangles(surface, cloth.x.front().data()).size());
+}
+
 void validate_rest(const DrapeResult& draped, DressReport& report) {
     if (!draped.settled) {
         add_fault(report, "not_settled", "whole garment, rms speed in m/s", draped.rms_speed);
@@ -243,6 +251,7 @@ void validate(const Cloth& cloth, const BodyCollider& body, const Pattern& patte
         add_fault(report, "not_finite", describe_place(cloth, pattern, *draped.bad_vertex), 0);
     } else {
         validate_contact(cloth, body, pattern, limits, report);
+        validate_crossings(cloth, report);
         validate_stretch(cloth, body.body(), pattern, limits, report);
         validate_floor(cloth, report);
     }

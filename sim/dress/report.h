@@ -49,6 +49,7 @@ inline constexpr std::string_view kWorstLengthMismatch = "worst_length_mismatch"
 inline constexpr std::string_view kContact = "contact";
 inline constexpr std::string_view kInside = "inside";
 inline constexpr std::string_view kDeepestM = "deepest_m";
+inline constexpr std::string_view kSelfCrossings = "self_crossings";
 
 inline constexpr std::string_view kStretch = "stretch";
 inline constexpr std::string_view kWarpWeftP50 = "warp_weft_p50";
@@ -90,8 +91,9 @@ struct SeamCounts {
 };
 
 struct ContactCounts {
-    int inside = 0;        // leaf vertices inside the body
-    double deepest_m = 0;  // 0 when no vertex is inside
+    int inside = 0;          // leaf vertices inside the body
+    double deepest_m = 0;    // 0 when no vertex is inside
+    int self_crossings = 0;  // pairs of leaf triangles without a common vertex that cross each other
 };
 
 // Statistics over the leaf triangles: strain along warp and weft (deformed length - 1), and the angle between them - 90
