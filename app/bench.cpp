@@ -16,6 +16,7 @@
 #include "app/picture.h"
 #include "app/progress_bar.h"
 #include "bench/collide/collide.h"
+#include "bench/contact/contact.h"
 #include "bench/drop/report.h"
 #include "bench/fabric/report.h"
 #include "bench/picture/picture.h"
@@ -60,6 +61,7 @@ void add_bench_command(CLI::App& app, int& exit_code) {
     command->require_subcommand(1);
     command->footer("Example: selvedge bench thesis --table 3.6 --json figures.json");
     add_bench_collide(*command, exit_code);
+    add_bench_contact(*command, exit_code);
     add_bench_drop(*command, exit_code);
     add_bench_fabric(*command, exit_code);
     add_bench_picture(*command, exit_code);
@@ -102,6 +104,38 @@ void add_bench_collide(CLI::App& bench, int& exit_code) {
         ->capture_default_str();
     add_json_option(*command, arguments->json);
     command->footer("Example: selvedge bench collide --triangles 67000 500000 --json collide.json");
+    command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+// selvedge bench contact: cloth against itself.
+
+namespace {
+
+struct ContactArguments {
+    bench::ContactExperiment experiment;
+    std::string json;
+};
+
+int run(const ContactArguments& arguments) {
+    check_json_output(arguments.json);
+    ProgressBar bar(progress_bar_options(false));
+    const std::vector<bench::Table> tables = tables_of(measure_contact(arguments.experiment, bar.progress()));
+    bar.finish();
+    for (const bench::Table& table : tables) print_table(table);
+    write_json_output(arguments.json, document_of(tables));
+    return 0;
+}
+
+}  // namespace
+
+void add_bench_contact(CLI::App& bench, int& exit_code) {
+    auto arguments = std::make_shared<ContactArguments>();
+    CLI::App* command = bench.add_subcommand("contact", "Cloth that meets itself and other cloth, with and without");
+    command->add_option("GARMENT", arguments->experiment.pattern, "Garment file (default patterns/tshirt.json)")
+        ->type_name("FILE");
+    command->add_option("--scene", arguments->experiment.only, "Run this scene only")->type_name("NAME");
+    add_json_option(*command, arguments->json);
+    command->footer("Example: selvedge bench contact --json contact.json");
     command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

@@ -13,6 +13,7 @@ class App;
 namespace selvedge::app {
 
 void add_bench_collide(CLI::App& bench, int& exit_code);
+void add_bench_contact(CLI::App& bench, int& exit_code);
 void add_bench_drop(CLI::App& bench, int& exit_code);
 void add_bench_fabric(CLI::App& bench, int& exit_code);
 void add_bench_picture(CLI::App& bench, int& exit_code);

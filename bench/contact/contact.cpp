@@ -1,0 +1,237 @@
+#include "bench/contact/contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "bench/support/cloth_run.h"
+#include "sim/cloth/adapt_cloth.h"
+#include "sim/cloth/contact_surface.h"
+#include "sim/dress/dressing.h"
+#include "sim/pattern/pattern_file.h"
+
+namespace selvedge::bench {
+namespace {
+
+// The fabric of all sheets: a cotton of 1 mm, so that thickness is easy to see.
+sim::Fabric sheet_fabric() {
+    return {.name = "sheet",
+            .area_density = 0.18,
+            .stretch_warp = 8000,
+            .stretch_weft = 8000,
+            .shear = 56,
+            .bending_warp = 1e-5,
+            .bending_weft = 1e-5,
+            .thickness = 0.001,
+            .friction = 0.3,
+            .damping = 0.6};
+}
+
+int crossings_of(const sim::Cloth& cloth) {
+    const sim::ContactSurface surface = contact_surface(cloth, order_of_base_triangles(cloth));
+    return static_cast<int>(find_crossing_triangles(surface, cloth.x.front().data()).size());
+}
+
+// Where a point is nearest to a triangle, if its foot is inside: the signed distance, m.
+std::optional<float> height_above(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Vec3f& c) {
+    const Vec3f normal = (b - a).cross(c - a).normalized();
+    const float height = normal.dot(p - a);
+    const Vec3f foot = p - normal * height;
+    const auto is_left = [&](const Vec3f& from, const Vec3f& to) {
+        return (to - from).cross(foot - from).dot(normal) >= 0;
+    };
+    if (!is_left(a, b) || !is_left(b, c) || !is_left(c, a)) return std::nullopt;
+    return height;
+}
+
+// Counts the vertices of the sheet above `lower` by the side of its nearest triangle.
+void count_order(const sim::Cloth& cloth, int lower, ContactRun& run) {
+    constexpr float kNear = 0.02F;  // m
+    std::vector<bool> is_upper(cloth.x.size(), false);
+    std::vector<std::array<Vec3f, 3>> below;
+    for (const sim::LeafTriangle& leaf : cloth.mesh.leaf_triangles()) {
+        const auto at = [&](std::size_t k) -> Vec3f { return cloth.x[leaf.v[k].value].head<3>(); };
+        if (leaf.panel == lower) below.push_back({at(0), at(1), at(2)});
+        if (leaf.panel != lower + 1) continue;
+        for (const sim::VertexId v : leaf.v) is_upper[v.value] = true;
+    }
+    for (std::size_t v = 0; v < cloth.x.size(); ++v) {
+        if (!is_upper[v]) continue;
+        float nearest = kNear;
+        for (const auto& [a, b, c] : below) {
+            const std::optional<float> height = height_above(cloth.x[v].head<3>(), a, b, c);
+            if (height && std::abs(*height) < std::abs(nearest)) nearest = *height;
+        }
+        if (nearest < 0) ++run.wrong_order;
+        if (nearest >= 0 && nearest < kNear) ++run.in_order;
+    }
+}
+
+sim::Cloth start_of(const ContactScene& scene) {
+    const std::vector<sim::Fabric> fabrics(static_cast<std::size_t>(scene.mesh.panel_names.size()), sheet_fabric());
+    sim::Cloth cloth = make_cloth(scene.mesh, fabrics, {.max_level = scene.is_adaptive ? 3 : 0});
+    for (int i = 0; i < scene.sheets; ++i) cloth.material.layers.push_back(i);
+    for (const sim::LeafTriangle& leaf : cloth.mesh.leaf_triangles()) {
+        if (leaf.panel + 1 != scene.sheets) continue;
+        for (const sim::VertexId v : leaf.v) {
+            cloth.x_prev[v.value] =
+                cloth.x[v.value] -
+                sim::with_zero_w(scene.last_velocity * (cloth.inverse_mass[v.value] > 0 ? cloth.substep : 0));
+        }
+    }
+    return cloth;
+}
+
+}  // namespace
+
+ContactRun run_contact_scene(const ContactScene& scene, bool with) {
+    ContactRun run;
+    sim::Cloth cloth = start_of(scene);
+    const sim::ContactOptions contact{.offset = 0.001F, .floor = scene.floor};
+    refresh_contacts(cloth, contact);
+    run.crossings_at_start = crossings_of(cloth);
+    double seconds = 0, seconds_at_end = 0;
+    const int last_quarter = scene.steps - scene.steps / 4;
+    for (int i = 0; i < scene.steps; ++i) {
+        sim::StepOptions stepping{.gravity = scene.gravity, .contact = contact};
+        const float time = static_cast<float>(i) * step_seconds(cloth, stepping);
+        stepping.extra_damping = scene.damping + 4 * time;  // as a drape, so that it comes to rest
+        if (with) stepping.self_contact.emplace();
+        std::vector<sim::KinematicVertex> kinematic;
+        if (scene.kinematic) kinematic = scene.kinematic(cloth, time + step_seconds(cloth, stepping));
+        stepping.kinematic = kinematic;
+        const std::vector<Vec4f> before = cloth.x;
+        const double start = thread_seconds();
+        if (scene.is_adaptive && i % 4 == 0) adapt_cloth(cloth, *scene.body, {.shortest_edge = 0.012F}, contact);
+        step(cloth, *scene.body, stepping);
+        const double taken = thread_seconds() - start;
+        seconds += taken;
+        if (i >= last_quarter) seconds_at_end += taken;
+        if (i + 1 == scene.steps)
+            run.rms_speed_at_end = static_cast<double>(rms_speed(cloth, before, step_seconds(cloth, stepping)));
+        if (i % 10 == 9 || i + 1 == scene.steps) {
+            run.crossings_at_end = crossings_of(cloth);
+            run.worst_crossings = std::max(run.worst_crossings, run.crossings_at_end);
+        }
+    }
+    run.triangles = static_cast<int>(cloth.mesh.leaf_triangles().size());
+    run.counts = cloth.solver.self_contact->contact.counts();
+    run.ms_per_step = 1e3 * seconds / scene.steps;
+    run.ms_at_end = 1e3 * seconds_at_end / (scene.steps - last_quarter);
+    for (int i = 0; i + 1 < scene.sheets; ++i) count_order(cloth, i, run);
+    return run;
+}
+
+namespace {
+
+struct GarmentTimes {
+    double drape = 0, rest = 0;  // ms: in all; per frame
+    int crossings = 0, triangles = 0;
+};
+
+GarmentTimes run_garment(const sim::Pattern& pattern, const std::shared_ptr<const sim::Body>& body, bool with,
+                         int rest_frames) {
+    sim::Dressing dressing;
+    sim::DressOptions options;
+    options.self_collision = with;
+    dressing.set_options(options);
+    dressing.set_body(body);
+    dressing.set_pattern(pattern);
+    while (!dressing.is_hanging()) dressing.advance();
+    GarmentTimes times;
+    const double start = thread_seconds();
+    while (dressing.stage() != sim::DressingStage::Done) dressing.advance();
+    times.drape = 1e3 * (thread_seconds() - start);
+    sim::Cloth cloth = dressing.drape().cloth;
+    times.crossings = crossings_of(cloth);
+    times.triangles = static_cast<int>(cloth.mesh.leaf_triangles().size());
+    sim::DrapeOptions hanging{.max_seconds = std::numeric_limits<double>::infinity(),
+                              .rest_time = std::numeric_limits<double>::infinity(),
+                              .relax_time = 0};
+    if (with) hanging.self_contact.emplace();
+    sim::DrapeRun run(cloth, hanging);
+    std::vector<double> frames;
+    for (int i = 0; i < rest_frames; ++i) {
+        const double frame_start = thread_seconds();
+        run.advance(cloth, dressing.collider());
+        frames.push_back(1e3 * (thread_seconds() - frame_start));
+    }
+    times.rest = sim::quantile(frames, 0.5);
+    return times;
+}
+
+}  // namespace
+
+ContactBenchReport measure_contact(const ContactExperiment& experiment, const sim::Progress& progress) {
+    ContactBenchReport report;
+    const std::vector<ContactScene> scenes = all_contact_scenes();
+    const double parts = static_cast<double>(scenes.size()) + 1;
+    for (const ContactScene& scene : scenes) {
+        if (!experiment.only.empty() && experiment.only != scene.name) continue;
+        sim::report(progress, scene.name, static_cast<double>(report.scenes.size()) / parts);
+        report.scenes.push_back({scene.name, run_contact_scene(scene, true), run_contact_scene(scene, false)});
+    }
+    if (!experiment.only.empty()) return report;
+    const sim::Pattern pattern = sim::load_pattern(experiment.pattern).pattern;
+    const auto body = std::make_shared<const sim::Body>(placed_for(pattern));
+    sim::report(progress, pattern.name, static_cast<double>(scenes.size()) / parts);
+    const GarmentTimes with = run_garment(pattern, body, true, experiment.rest_frames);
+    const GarmentTimes without = run_garment(pattern, body, false, experiment.rest_frames);
+    report.garments.push_back({.name = pattern.name,
+                               .triangles = with.triangles,
+                               .crossings_with = with.crossings,
+                               .crossings_without = without.crossings,
+                               .drape_ms_with = with.drape,
+                               .drape_ms_without = without.drape,
+                               .rest_ms_with = with.rest,
+                               .rest_ms_without = without.rest});
+    return report;
+}
+
+std::vector<Table> tables_of(const ContactBenchReport& report) {
+    Table scenes{.name = "contact",
+                 .title = "Cloth against itself: scenes of sheets, by processor time of one thread",
+                 .note =
+                     "Crossings: pairs of triangles without a common vertex, by an exact test of all pairs. Cost: of "
+                     "self-contact, as a share of the same scene without it, over the whole run and in its last "
+                     "quarter. Wrong: vertices of a sheet on the wrong side of the sheet below."};
+    scenes.columns = {"scene", "triangles", "crossings at start", "worst", "at end",      "without: at end",
+                      "wrong", "right",     "ms per step",        "cost",  "cost at end", "rms at end, mm/s"};
+    for (const ContactBenchReport::SceneRow& row : report.scenes) {
+        const ContactRun &with = row.with, &without = row.without;
+        scenes.add_row({row.name, with.triangles, with.crossings_at_start, with.worst_crossings, with.crossings_at_end,
+                        without.crossings_at_end, with.wrong_order, with.in_order, Cell(with.ms_per_step, 2),
+                        Cell(with.ms_per_step / without.ms_per_step - 1, 2),
+                        Cell(with.ms_at_end / without.ms_at_end - 1, 2), Cell(1e3 * with.rms_speed_at_end, 1)});
+    }
+    Table garments{.name = "garments",
+                   .title = "Cloth against itself: garments, by processor time of one thread",
+                   .note = "The whole drape after sewing, and a frame (one adaptation, four steps) at its end."};
+    garments.columns = {"garment", "triangles", "crossings", "without", "drape, ms", "cost", "at rest, ms", "cost"};
+    for (const GarmentContactRow& row : report.garments) {
+        garments.add_row({row.name, row.triangles, row.crossings_with, row.crossings_without,
+                          Cell(row.drape_ms_with, 0), Cell(row.drape_ms_with / row.drape_ms_without - 1, 2),
+                          Cell(row.rest_ms_with, 2), Cell(row.rest_ms_with / row.rest_ms_without - 1, 2)});
+    }
+    Table counts{
+        .name = "counts",
+        .title = "What self-contact did in these scenes",
+        .note = "Per step of 12 sub-steps; triangle pairs and candidates per detection, contacts per refresh."};
+    counts.columns = {"scene",    "detections", "exact tests", "triangle pairs", "candidates",
+                      "contacts", "acted",      "parted",      "truncated",      "rounds"};
+    for (const ContactBenchReport::SceneRow& row : report.scenes) {
+        const sim::SelfContactCounts& c = row.with.counts;
+        const auto per = [](long count, long of) {
+            return static_cast<double>(count) / static_cast<double>(std::max(1L, of));
+        };
+        counts.add_row({row.name, Cell(per(c.detections, c.steps), 2), Cell(per(c.exact_tests, c.steps), 2),
+                        Cell(per(c.triangle_pairs, c.detections), 0), Cell(per(c.pairs, c.detections), 0),
+                        Cell(per(c.contacts, c.refreshes), 0), Cell(per(c.acted, c.steps), 0),
+                        Cell(per(c.parted, c.steps), 1), Cell(per(c.truncated, c.steps), 1),
+                        Cell(per(c.untangling_rounds, c.steps), 1)});
+    }
+    return {scenes, counts, garments};
+}
+
+}  // namespace selvedge::bench

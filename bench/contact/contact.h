@@ -1,0 +1,57 @@
+#pragma once
+// Contact of cloth with itself: runs each scene with and without it, and compares crossings, order and cost.
+#include <filesystem>
+#include <vector>
+
+#include "bench/contact/scenes.h"
+#include "bench/support/table.h"
+#include "sim/core/parallel.h"
+#include "sim/selfcontact/self_contact.h"
+
+namespace selvedge::bench {
+
+struct ContactRun {
+    int triangles = 0;
+    int crossings_at_start = 0;  // pairs of triangles without a common vertex that cross each other
+    int worst_crossings = 0;     // of the tests, one every ten steps
+    int crossings_at_end = 0;
+    int wrong_order = 0;  // vertices of a sheet that lie on the wrong side of the sheet below, within 20 mm
+    int in_order = 0;
+    double ms_per_step = 0;       // processor time
+    double ms_at_end = 0;         // the same in the last quarter
+    double rms_speed_at_end = 0;  // m/s, of the last step
+    sim::SelfContactCounts counts{};
+};
+
+// with: whether the cloth meets itself.
+ContactRun run_contact_scene(const ContactScene& scene, bool with);
+
+struct ContactExperiment {
+    std::filesystem::path pattern = "patterns/tshirt.json";
+    int rest_frames = 60;  // of four steps, after the drape
+    std::string only{};    // the one scene to run, or empty: all, and the garment
+};
+
+// A garment, dressed and then stepped on at rest.
+struct GarmentContactRow {
+    std::string name;
+    int triangles = 0;
+    int crossings_with = 0, crossings_without = 0;
+    double drape_ms_with = 0, drape_ms_without = 0;  // processor time of the whole drape
+    double rest_ms_with = 0, rest_ms_without = 0;    // per frame
+};
+
+struct ContactBenchReport {
+    struct SceneRow {
+        std::string name;
+        ContactRun with, without;
+    };
+    std::vector<SceneRow> scenes;
+    std::vector<GarmentContactRow> garments;
+};
+
+ContactBenchReport measure_contact(const ContactExperiment& experiment, const sim::Progress& progress = {});
+
+std::vector<Table> tables_of(const ContactBenchReport& report);
+
+}  // namespace selvedge::bench
