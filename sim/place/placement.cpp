@@ -11,6 +11,7 @@
 #include "sim/collide/body_collider.h"
 #include "sim/collide/surface_bvh.h"
 #include "sim/pattern/outline.h"
+#include "sim/place/limbs.h"
 
 namespace selvedge::sim {
 namespace {
@@ -204,22 +205,6 @@ double widest_x(const std::vector<Vec3d>& points, const Vec3d& centre) {
 
 // Torso.
 
-// Section points of the trunk or of both legs. Arms and hands are excluded: they are thin or far from the centre.
-std::vector<Vec3d> trunk_points(const Body& body, double y, double stature) {
-    const std::vector<SectionLoop> loops = section(body, {.point = Vec3d(0, y, 0)});
-    double largest = 0;
-    const auto is_middle = [&](const SectionLoop& loop) { return std::abs(loop.centre.x()) < 0.1 * stature; };
-    for (const SectionLoop& loop : loops) {
-        if (is_middle(loop)) largest = std::max(largest, loop.area);
-    }
-    std::vector<Vec3d> points;
-    for (const SectionLoop& loop : loops) {
-        if (is_middle(loop) && loop.area > 0.35 * largest)
-            points.insert(points.end(), loop.points.begin(), loop.points.end());
-    }
-    return points;
-}
-
 Vec3d middle_of_box(const std::vector<Vec3d>& points) {
     Eigen::AlignedBox3d box;
     for (const Vec3d& p : points) box.extend(p);
@@ -232,51 +217,26 @@ struct TorsoLevel {
     double reach = 0;  // m above and below that a panel placed here must clear
 };
 
-// Height of the smallest girth of the trunk, m.
-double waist_level(const Body& body, const HeightRange& height) {
-    const double stature = height.high - height.low;
-    double least = std::numeric_limits<double>::max();
-    double waist = height.low + 0.62 * stature;
-    for (double share = 0.57; share < 0.685; share += 0.01) {
-        const double y = height.low + share * stature;
-        const std::vector<Vec3d> points = trunk_points(body, y, stature);
-        if (points.empty()) continue;
-        const double girth = tape_length({.points = points, .centre = {}, .area = 0}, {.point = Vec3d(0, y, 0)});
-        if (girth >= least) continue;
-        least = girth;
-        waist = y;
-    }
-    return waist;
-}
-
-double joint_height(const Body& body, std::string_view name, double otherwise) {
-    const auto found = std::ranges::find(body.bones, name, &Bone::name);
-    return found == body.bones.end() ? otherwise : found->joint.y();
-}
-
 std::array<TorsoLevel, 5> torso_levels(const Body& body) {
     const HeightRange height = height_range(body);
-    const double stature = height.high - height.low;
-    const auto at = [&](double share) { return height.low + share * stature; };
-    const double hip = joint_height(body, "hips", at(0.525)) - 0.037 * stature;
-    return {{{"neck", joint_height(body, "neck", at(0.848)) + 0.012 * stature, 0},
-             {"chest", at(0.728), 0.08},
-             {"waist", waist_level(body, height), 0.08},
-             {"hip", hip, 0.08},
-             {"below hip", hip - 0.07 * stature, 0.04}}};
+    const TorsoHeights heights = torso_heights(body);
+    return {{{"neck", heights.neck, 0},
+             {"chest", heights.chest, 0.08},
+             {"waist", heights.waist, 0.08},
+             {"hip", heights.hip, 0.08},
+             {"below hip", heights.hip - 0.07 * (height.high - height.low), 0.04}}};
 }
 
 std::optional<Cut> cut_torso(const Body& body, const TorsoLevel& level) {
     constexpr double kMuchWider = 1.45;  // so much wider where the arms join the trunk
-    const HeightRange height = height_range(body);
     Cut cut;
-    cut.points = trunk_points(body, level.y, height.high - height.low);
+    cut.points = trunk_points(body, level.y);
     if (cut.points.empty()) return std::nullopt;
     cut.centre = middle_of_box(cut.points);
     cut.nearby = cut.points;
     for (const double way : {-1.0, -0.5, 0.5, 1.0}) {
         if (level.reach == 0) break;
-        const auto points = trunk_points(body, level.y + way * level.reach, height.high - height.low);
+        const auto points = trunk_points(body, level.y + way * level.reach);
         if (widest_x(points, cut.centre) > kMuchWider * widest_x(cut.points, cut.centre)) continue;
         cut.nearby.insert(cut.nearby.end(), points.begin(), points.end());
     }
@@ -285,14 +245,15 @@ std::optional<Cut> cut_torso(const Body& body, const TorsoLevel& level) {
 
 // Limbs.
 
-struct Limb {
+// A part of a limb at which panels are placed.
+struct LimbPart {
     std::string name;  // "left upper arm"
     Vec3d top = Vec3d::Zero();
     Vec3d bottom = Vec3d::Zero();
     double share = 0.5;  // fraction of the way from top to bottom
 };
 
-std::optional<Cut> cut_limb(const Body& body, const Limb& limb) {
+std::optional<Cut> cut_limb(const Body& body, const LimbPart& limb) {
     const Vec3d point = limb.top + limb.share * (limb.bottom - limb.top);
     const auto loop =
         nearest_loop(section(body, {.point = point, .normal = (limb.top - limb.bottom).normalized()}), point);
@@ -300,66 +261,28 @@ std::optional<Cut> cut_limb(const Body& body, const Limb& limb) {
     return Cut{.points = loop->points, .nearby = loop->points, .centre = loop->centre};
 }
 
-struct LimbBones {
-    std::string_view name, top, bottom;
-    double share;
-};
-constexpr std::array<LimbBones, 4> kLimbs{{{"upper arm", "upper_arm", "lower_arm", 0.6},
-                                           {"forearm", "lower_arm", "hand", 0.35},
-                                           {"thigh", "upper_leg", "lower_leg", 0.55},
-                                           {"calf", "lower_leg", "foot", 0.3}}};
-
-std::vector<Limb> limbs_of_bones(const Body& body) {
-    std::vector<Limb> limbs;
-    const auto add = [&](const std::string& side, const LimbBones& bones) {
-        const auto top = std::ranges::find(body.bones, side + "_" + std::string(bones.top), &Bone::name);
-        const auto bottom = std::ranges::find(body.bones, side + "_" + std::string(bones.bottom), &Bone::name);
-        if (top == body.bones.end() || bottom == body.bones.end()) return;
-        limbs.push_back({side + " " + std::string(bones.name), top->joint, bottom->joint, bones.share});
-    };
-    for (const std::size_t first : {0U, 2U}) {  // arms, then legs
-        for (const std::string side : {"left", "right"}) {
-            add(side, kLimbs[first]);
-            add(side, kLimbs[first + 1]);
-        }
-    }
-    return limbs;
-}
-
-// Centre of the loop farthest to the given side at a level, if it is off the body's middle.
-std::optional<Vec3d> outermost(const Body& body, double y, double side) {
-    std::optional<Vec3d> found;
-    double most = 0.01;
-    for (const SectionLoop& loop : section(body, {.point = Vec3d(0, y, 0)})) {
-        if (side * loop.centre.x() <= most) continue;
-        most = side * loop.centre.x();
-        found = loop.centre;
-    }
-    return found;
-}
-
-// Without a skeleton: limbs from horizontal sections.
-std::vector<Limb> limbs_of_sections(const Body& body) {
-    struct Levels {
+std::vector<LimbPart> limb_parts(const BodyLimbs& limbs) {
+    struct Place {
         std::string_view name;
-        double top, bottom;  // as a fraction of the stature
+        std::size_t joint;
+        double share;
     };
-    const std::array<Levels, 4> levels{
-        {{"upper arm", 0.74, 0.69}, {"forearm", 0.66, 0.63}, {"thigh", 0.40, 0.34}, {"calf", 0.24, 0.20}}};
-    const HeightRange height = height_range(body);
-    std::vector<Limb> limbs;
-    for (const std::size_t first : {0U, 2U}) {
-        for (const double side : {1.0, -1.0}) {
-            for (const std::size_t i : {first, first + 1}) {
-                const auto at = [&](double share) { return height.low + share * (height.high - height.low); };
-                const auto top = outermost(body, at(levels[i].top), side);
-                const auto bottom = outermost(body, at(levels[i].bottom), side);
-                if (!top || !bottom) continue;
-                limbs.push_back({(side > 0 ? "left " : "right ") + std::string(levels[i].name), *top, *bottom});
-            }
+    constexpr std::array<Place, 2> kArm{{{"upper arm", 0, 0.6}, {"forearm", 1, 0.35}}};
+    constexpr std::array<Place, 2> kLeg{{{"thigh", 0, 0.55}, {"calf", 1, 0.3}}};
+    std::vector<LimbPart> parts;
+    const auto add = [&](LimbKind kind, const std::string& side, const std::array<Place, 2>& places) {
+        if (!limbs[kind].is_found) return;
+        const std::vector<LimbJoint>& joints = limbs[kind].joints;
+        for (const Place& place : places) {
+            parts.push_back({side + " " + std::string(place.name), joints[place.joint].centre,
+                             joints[place.joint + 1].centre, place.share});
         }
-    }
-    return limbs;
+    };
+    add(LimbKind::LeftArm, "left", kArm);
+    add(LimbKind::RightArm, "right", kArm);
+    add(LimbKind::LeftLeg, "left", kLeg);
+    add(LimbKind::RightLeg, "right", kLeg);
+    return parts;
 }
 
 // Points.
@@ -409,7 +332,7 @@ void add_points(std::vector<ArrangementPoint>& points, const std::string& name, 
     }
 }
 
-std::array<Direction, 4> directions_about(const Limb& limb, const Vec3d& upward) {
+std::array<Direction, 4> directions_about(const LimbPart& limb, const Vec3d& upward) {
     const auto across = [&](const Vec3d& way) { return Vec3d((way - way.dot(upward) * upward).normalized()); };
     const Vec3d front = across(Vec3d::UnitZ());
     const Vec3d outside = across(limb.name.starts_with("left") ? Vec3d(Vec3d::UnitX()) : Vec3d(-Vec3d::UnitX()));
@@ -437,7 +360,7 @@ std::vector<ArrangementPoint> arrangement_points(const Body& body) {
         if (const auto cut = cut_torso(body, level))
             add_points(points, std::string(level.name), *cut, Vec3d::UnitY(), ways, surface);
     }
-    for (const Limb& limb : body.bones.empty() ? limbs_of_sections(body) : limbs_of_bones(body)) {
+    for (const LimbPart& limb : limb_parts(find_limbs(body))) {
         const Vec3d upward = (limb.top - limb.bottom).normalized();
         if (const auto cut = cut_limb(body, limb))
             add_points(points, limb.name, *cut, upward, directions_about(limb, upward), surface);
