@@ -195,8 +195,13 @@ void print_sett_note(const sim::Pattern& pattern, const PictureOptions& picture)
 }
 
 void print_faults(const sim::DressReport& report) {
-    for (const sim::DressFault& fault : report.faults)
-        std::printf("fault: %s: %s (%.4g)\n", fault_text(fault.kind).c_str(), fault.place.c_str(), fault.value);
+    for (const sim::DressFault& fault : report.faults) {
+        if (class_of(fault) == sim::FaultClass::DoesNotFit) {
+            std::printf("does not fit: %s\n", fault.place.c_str());
+        } else {
+            std::printf("defect: %s: %s (%.4g)\n", fault_text(fault.kind).c_str(), fault.place.c_str(), fault.value);
+        }
+    }
 }
 
 int run(DressArguments arguments) {
@@ -293,7 +298,8 @@ void add_dress_command(CLI::App& app, int& exit_code) {
     add_output_options(*command, *arguments);
     add_turntable_options(*command, arguments->turntable);
     command->footer(
-        "Exit code: 0 dressed, 2 wrong input or a file that could not be written, 3 dressed with a fault.\n"
+        "Exit code: 0 dressed, 2 wrong input or a file that could not be written, 3 dressed with a fault: a defect of\n"
+        "the drape, or a garment that does not fit.\n"
         "Examples:\n"
         "  selvedge dress patterns/tshirt.json --render tshirt.png\n"
         "  selvedge dress patterns/skirt.json --body mannequin:waist=68,hip=96 --tartan 'Black Watch' \\\n"

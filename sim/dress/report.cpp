@@ -4,15 +4,19 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <map>
 #include <numbers>
+#include <optional>
 
 #include "sim/adaptive/check.h"
 #include "sim/cloth/cloth.h"
 #include "sim/cloth/contact_surface.h"
 #include "sim/collide/body_collider.h"
+#include "sim/collide/penetration.h"
 #include "sim/core/json.h"
 #include "sim/core/math.h"
 #include "sim/place/fit.h"
+#include "sim/place/limbs.h"
 
 namespace selvedge::sim {
 namespace {
@@ -22,6 +26,7 @@ Json faults_json(const std::vector<DressFault>& faults) {
     for (const DressFault& fault : faults) {
         Json item = Json::object();
         item[report_key::kKind] = fault.kind;
+        item[report_key::kClass] = std::string(name_of(class_of(fault)));
         item[report_key::kPlace] = fault.place;
         item[report_key::kValue] = fault.value;
         list.push_back(std::move(item));
@@ -56,7 +61,13 @@ Json contact_json(const ContactCounts& contact) {
     Json json = Json::object();
     json[report_key::kInside] = contact.inside;
     json[report_key::kDeepestM] = contact.deepest_m;
+    json[report_key::kFacesInBody] = contact.faces_in_body;
+    json[report_key::kEdgesInBody] = contact.edges_in_body;
+    json[report_key::kDeepestFaceM] = contact.deepest_face_m;
+    json[report_key::kDeepestFaceAt] = contact.deepest_face_at;
     json[report_key::kSelfCrossings] = contact.self_crossings;
+    json[report_key::kSelfCrossingM] = contact.self_crossing_m;
+    json[report_key::kSelfCrossingAt] = contact.self_crossing_at;
     return json;
 }
 
@@ -84,6 +95,14 @@ Json timing_json(const DressTiming& timing) {
 
 }  // namespace
 
+FaultClass class_of(const DressFault& fault) {
+    return fault.kind == "does_not_fit" ? FaultClass::DoesNotFit : FaultClass::Defect;
+}
+
+std::string_view name_of(FaultClass fault_class) {
+    return fault_class == FaultClass::DoesNotFit ? "does_not_fit" : "defect";
+}
+
 std::string to_json(const DressReport& report) {
     Json json = Json::object();
     json[report_key::kGarment] = report.garment;
@@ -109,6 +128,13 @@ void add_fault(DressReport& report, std::string kind, std::string place, double 
     report.faults.push_back({std::move(kind), std::move(place), value});
 }
 
+std::string describe_position(const Vec3f& x) {
+    char text[96];
+    std::snprintf(text, sizeof text, " at x %.3f y %.3f z %.3f m", static_cast<double>(x.x()),
+                  static_cast<double>(x.y()), static_cast<double>(x.z()));
+    return text;
+}
+
 std::string describe_seam(const Pattern& pattern, int seam) {
     const auto side = [&](const SeamSide& s) {
         return "'" + pattern.panels[static_cast<std::size_t>(s.panel)].name + "' edge " + std::to_string(s.edge);
@@ -125,27 +151,58 @@ void validate_mesh(const Cloth& cloth, DressReport& report) {
     for (const std::string& broken : check(cloth.mesh)) add_fault(report, "broken_mesh", broken, 0);
 }
 
+// For example "the left ankle, 'pant_f_l' at x 0.113 y 0.071 z 0.029 m".
+std::string describe_point(const BodyLimbs& limbs, const Pattern& pattern, std::uint16_t panel, const Vec3f& x) {
+    const std::string part = place_on_body(limbs, x.cast<double>());
+    const std::string beside = part.empty() ? "" : "the " + part + ", ";
+    return beside + "'" + pattern.panels[panel].name + "'" + describe_position(x);
+}
+
+// One fault for each part of the body through which edges pass, at its deepest edge.
+void add_passages(const std::vector<PassingEdge>& passing, const std::vector<std::uint16_t>& panels,
+                  const BodyLimbs& limbs, const Pattern& pattern, DressReport& report) {
+    std::map<std::string, const PassingEdge*> deepest;
+    for (const PassingEdge& edge : passing) {
+        const PassingEdge*& known = deepest[place_on_body(limbs, edge.at.cast<double>())];
+        if (known == nullptr || edge.depth > known->depth) known = &edge;
+    }
+    for (const auto& [part, edge] : deepest) {
+        add_fault(report, "through_body",
+                  "cloth passes through " + describe_point(limbs, pattern, panels[edge->triangle], edge->at),
+                  static_cast<double>(edge->depth));
+    }
+}
+
 void validate_contact(const Cloth& cloth, const BodyCollider& body, const Pattern& pattern, const FaultLimits& limits,
                       DressReport& report) {
-    VertexId deepest;
-    for (const VertexId v : cloth.mesh.leaf_vertices()) {
-        const auto closest = body.surface().closest(cloth.x[v.value].head<3>(), std::numeric_limits<float>::infinity());
-        if (!closest || closest->distance >= 0) continue;
-        ++report.contact.inside;
-        if (-closest->distance <= report.contact.deepest_m) continue;
-        report.contact.deepest_m = -closest->distance;
-        deepest = v;
+    const DrawMesh mesh = draw_mesh(cloth, {});
+    const Penetration found =
+        find_penetration(mesh.x, mesh.triangles, body.surface(), {.depth = static_cast<float>(limits.depth)});
+    ContactCounts& contact = report.contact;
+    contact.inside = found.vertices;
+    contact.deepest_m = static_cast<double>(found.deepest_vertex);
+    contact.faces_in_body = found.faces;
+    contact.edges_in_body = found.edges;
+    if (found.faces == 0) return;
+    const BodyLimbs limbs = find_limbs(body.body());
+    contact.deepest_face_m = static_cast<double>(found.deepest);
+    contact.deepest_face_at = describe_point(limbs, pattern, mesh.panel[found.triangle], found.at);
+    add_passages(found.passing, mesh.panel, limbs, pattern, report);
+    if (contact.deepest_m > limits.depth) {
+        const VertexId deepest = cloth.mesh.leaf_vertices()[found.vertex];
+        add_fault(report, "inside_body", describe_place(cloth, pattern, deepest), contact.deepest_m);
+    } else if (contact.deepest_face_m > limits.face_depth && found.passing.empty()) {
+        add_fault(report, "inside_body", "a face at " + contact.deepest_face_at, contact.deepest_face_m);
     }
-    if (report.contact.deepest_m <= limits.depth) return;
-    add_fault(report, "inside_body", describe_place(cloth, pattern, deepest), report.contact.deepest_m);
 }
 
 float larger_of(const TriangleStrain& strain) {
     return std::max(strain.warp, strain.weft);
 }
 
-TriangleStrain beyond_limit(const TriangleStrain& strain, const Fabric& fabric) {
-    const auto limit = static_cast<float>(fabric.strain_limit);
+// Strain minus what the fabric and the tightness of the garment allow.
+TriangleStrain beyond(const TriangleStrain& strain, double allowed) {
+    const auto limit = static_cast<float>(allowed);
     return {.warp = strain.warp - limit, .weft = strain.weft - limit, .shear = strain.shear};
 }
 
@@ -169,23 +226,63 @@ StretchStatistics stretch_statistics(const std::vector<TriangleStrain>& strains)
     return statistics;
 }
 
-// For example "smaller than the body and the gap kept from it by up to 7.3 cm, between 1.14 and 1.26 m up: it stretches
-// there".
+// For example "smaller than the body by up to 1.9 cm, between 1.14 and 1.26 m up: it stretches there". Pre: not empty.
 std::string describe_tight(const std::vector<TightLevel>& tight) {
-    double least = 0;
-    for (const TightLevel& level : tight) least = std::max(least, level.body_girth - level.garment_girth);
+    double most = 0;
+    for (const TightLevel& level : tight) most = std::max(most, shortfall(level));
     char text[160];
     std::snprintf(text, sizeof text,
-                  "smaller than the body and the gap kept from it by up to %.1f cm, between %.2f and %.2f m up: it "
-                  "stretches there",
-                  least * 100, tight.front().y, tight.back().y);
+                  "smaller than the body by up to %.1f cm, between %.2f and %.2f m up: it stretches there", most * 100,
+                  tight.front().y, tight.back().y);
     return text;
 }
 
 // Cloth that passes through itself.
-void validate_crossings(const Cloth& cloth, DressReport& report) {
+void validate_crossings(const Cloth& cloth, const Pattern& pattern, const FaultLimits& limits, DressReport& report) {
     const ContactSurface surface = contact_surface(cloth, order_of_base_triangles(cloth));
-    report.contact.self_crossings = static_cast<int>(find_crossing_triangles(surface, cloth.x.front().data()).size());
+    const float* const points = cloth.x.front().data();
+    const std::vector<TrianglePair> pairs = find_crossing_triangles(surface, points);
+    if (pairs.empty()) return;
+    ContactCounts& contact = report.contact;
+    contact.self_crossings = static_cast<int>(pairs.size());
+    contact.self_crossing_m = contour_length(surface, points, pairs);
+    contact.self_crossing_at =
+        describe_place(cloth, pattern, VertexId{surface.triangles[pairs.front().first].vertices[0]});
+    if (limits.may_cross_itself) return;
+    add_fault(report, "self_crossing", std::to_string(pairs.size()) + " pairs of triangles, one at " + contact.self_crossing_at,
+              contact.self_crossing_m);
+}
+
+// For example "too small at the waist (y 1.02 m) by 36.5 cm".
+std::string describe_too_small(const TightLevel& level, const std::string& part) {
+    char where[96];
+    std::snprintf(where, sizeof where, "(y %.2f m) by %.1f cm", level.y, shortfall(level) * 100);
+    return "too small " + (part.empty() ? std::string() : "at the " + part + " ") + where;
+}
+
+// What stretches no more than its fabric does is noted; beyond, the garment does not fit. One fault for each limb and
+// for the torso, where they are tightest.
+void validate_fit(const std::vector<TightLevel>& tight, const Body& body, DressReport& report) {
+    std::vector<TightLevel> noted;
+    std::map<int, const TightLevel*> too_small;
+    std::optional<BodyLimbs> limbs;
+    for (const TightLevel& level : tight) {
+        if (shortfall(level) == 0) continue;
+        if (level.limit_girth >= level.body_girth) {
+            noted.push_back(level);
+            continue;
+        }
+        if (!limbs) limbs = find_limbs(body);
+        const auto position = nearest_on_limbs(*limbs, (level.low + level.high) / 2);
+        const int limb = position && position->limb ? static_cast<int>(*position->limb) : -1;
+        const TightLevel*& worst = too_small[limb];
+        if (worst == nullptr || shortfall(level) > shortfall(*worst)) worst = &level;
+    }
+    if (!noted.empty()) report.notes.push_back(describe_tight(noted));
+    for (const auto& [limb, level] : too_small) {
+        const std::string part = place_on_body(*limbs, (level->low + level->high) / 2);
+        add_fault(report, "does_not_fit", describe_too_small(*level, part), shortfall(*level));
+    }
 }
 
 void validate_rest(const DrapeResult& draped, DressReport& report) {
@@ -197,47 +294,30 @@ void validate_rest(const DrapeResult& draped, DressReport& report) {
     }
 }
 
-// Stretch where the garment is smaller than the body is unavoidable: a note. Elsewhere it is a fault.
+// Stretch is a fault beyond the fabric's limit and what the garment's tightness explains.
 void validate_stretch(const Cloth& cloth, const Body& body, const Pattern& pattern, const FaultLimits& limits,
                       DressReport& report) {
     const std::vector<TriangleStrain> strains = measure_strain(cloth);
+    if (strains.empty()) return;
     report.stretch = stretch_statistics(strains);
-    const std::vector<TightLevel> tight = tight_levels(draw_mesh(cloth, {}), body);
-    if (!tight.empty()) report.notes.push_back(describe_tight(tight));
-    std::vector<TriangleStrain> free, beyond;  // beyond: strain minus the fabric's strain limit
+    FitOptions fit;
+    for (const Fabric& fabric : cloth.material.fabrics) fit.strain_limits.push_back(fabric.strain_limit);
+    const std::vector<TightLevel> tight = tight_levels(draw_mesh(cloth, {}), body, fit);
+    validate_fit(tight, body, report);
+    std::vector<TriangleStrain> unexplained;
     std::size_t worst = 0;
-    float max_beyond = -std::numeric_limits<float>::infinity();
     for (std::size_t i = 0; i < strains.size(); ++i) {
         const LeafTriangle& leaf = cloth.mesh.leaf_triangles()[i];
-        if (is_tight_at(tight, middle_of(cloth, leaf))) continue;
-        free.push_back(strains[i]);
-        beyond.push_back(beyond_limit(strains[i], cloth.material.fabrics[leaf.panel]));
-        if (larger_of(beyond.back()) <= max_beyond) continue;
-        max_beyond = larger_of(beyond.back());
-        worst = i;
+        const double explained = explained_strain(tight, middle_of(cloth, leaf));
+        unexplained.push_back(beyond(strains[i], fit.strain_limits[leaf.panel] + explained));
+        if (larger_of(unexplained[i]) > larger_of(unexplained[worst])) worst = i;
     }
-    if (free.empty()) return;
-    const StretchStatistics statistics = stretch_statistics(beyond);
+    const StretchStatistics statistics = stretch_statistics(unexplained);
     const std::string place = describe_place(cloth, pattern, cloth.mesh.leaf_triangles()[worst].v[0]);
-    if (statistics.warp_weft_p99 > limits.stretch_p99) {
-        add_fault(report, "overstretched", "99th percentile, worst at " + place,
-                  stretch_statistics(free).warp_weft_p99);
-    }
-    if (statistics.warp_weft_max > limits.stretch_max) {
+    if (statistics.warp_weft_p99 > limits.stretch_p99)
+        add_fault(report, "overstretched", "99th percentile, worst at " + place, report.stretch.warp_weft_p99);
+    if (statistics.warp_weft_max > limits.stretch_max)
         add_fault(report, "overstretched", place, static_cast<double>(larger_of(strains[worst])));
-    }
-}
-
-// Not a fault of the drape but unwanted: the garment did not hold on the body and lies on the floor.
-void validate_floor(const Cloth& cloth, DressReport& report) {
-    constexpr float kNear = 0.02F;   // m, above the floor
-    constexpr double kShare = 0.01;  // of the vertices
-    const auto lies = [&](VertexId v) { return cloth.x[v.value].y() < kNear; };
-    const std::span<const VertexId> vertices = cloth.mesh.leaf_vertices();
-    const auto lying = std::count_if(vertices.begin(), vertices.end(), lies);
-    if (static_cast<double>(lying) > kShare * static_cast<double>(vertices.size())) {
-        report.notes.push_back("part of the garment lies on the floor: does it hold on this body?");
-    }
 }
 
 }  // namespace
@@ -251,9 +331,8 @@ void validate(const Cloth& cloth, const BodyCollider& body, const Pattern& patte
         add_fault(report, "not_finite", describe_place(cloth, pattern, *draped.bad_vertex), 0);
     } else {
         validate_contact(cloth, body, pattern, limits, report);
-        validate_crossings(cloth, report);
+        validate_crossings(cloth, pattern, limits, report);
         validate_stretch(cloth, body.body(), pattern, limits, report);
-        validate_floor(cloth, report);
     }
     validate_rest(draped, report);
     validate_mesh(cloth, report);
@@ -267,11 +346,7 @@ std::string describe_place(const Cloth& cloth, const Pattern& pattern, VertexId 
         for (const TriangleId t : cloth.mesh.triangles_at(vertex)) found = found || touches(t);
         if (found) panels += (panels.empty() ? "'" : " beside '") + pattern.panels[p].name + "'";
     }
-    const Vec4f& x = cloth.x[vertex.value];
-    char where[96];
-    std::snprintf(where, sizeof where, " at x %.3f y %.3f z %.3f m", static_cast<double>(x.x()),
-                  static_cast<double>(x.y()), static_cast<double>(x.z()));
-    return panels + where;
+    return panels + describe_position(cloth.x[vertex.value].head<3>());
 }
 
 }  // namespace selvedge::sim

@@ -28,6 +28,7 @@ inline constexpr std::string_view kNotes = "notes";
 
 inline constexpr std::string_view kFaults = "faults";
 inline constexpr std::string_view kKind = "kind";
+inline constexpr std::string_view kClass = "class";
 inline constexpr std::string_view kPlace = "place";
 inline constexpr std::string_view kValue = "value";
 
@@ -49,7 +50,13 @@ inline constexpr std::string_view kWorstLengthMismatch = "worst_length_mismatch"
 inline constexpr std::string_view kContact = "contact";
 inline constexpr std::string_view kInside = "inside";
 inline constexpr std::string_view kDeepestM = "deepest_m";
+inline constexpr std::string_view kFacesInBody = "faces_in_body";
+inline constexpr std::string_view kEdgesInBody = "edges_in_body";
+inline constexpr std::string_view kDeepestFaceM = "deepest_face_m";
+inline constexpr std::string_view kDeepestFaceAt = "deepest_face_at";
 inline constexpr std::string_view kSelfCrossings = "self_crossings";
+inline constexpr std::string_view kSelfCrossingM = "self_crossing_m";
+inline constexpr std::string_view kSelfCrossingAt = "self_crossing_at";
 
 inline constexpr std::string_view kStretch = "stretch";
 inline constexpr std::string_view kWarpWeftP50 = "warp_weft_p50";
@@ -66,12 +73,21 @@ inline constexpr std::string_view kPhases = "phases";
 inline constexpr std::string_view kPeakMemoryMb = "peak_memory_mb";
 }  // namespace report_key
 
-// A fault of a dressed garment, and where it is.
+// A fault of a dressed garment, and where it is. Kinds: "not_settled", "open_seam", "inside_body", "through_body",
+// "self_crossing", "limb_missed", "displaced", "on_floor", "overstretched", "not_finite", "broken_mesh",
+// "does_not_fit".
 struct DressFault {
-    std::string kind;   // "not_settled", "open_seam", "inside_body", "overstretched", "not_finite", "broken_mesh"
-    std::string place;  // a seam, panel or point that the user can find
-    double value = 0;   // in the unit of the kind: m, m/s, strain
+    std::string kind;
+    std::string place;  // a seam, panel, opening or point that the user can find
+    double value = 0;   // in the unit of the kind: m, m/s, strain, number of limbs, share of the vertices
 };
+
+enum class FaultClass {
+    Defect,     // the drape is wrong, although the garment may fit
+    DoesNotFit  // the garment is too small for the body, in any drape
+};
+FaultClass class_of(const DressFault& fault);
+std::string_view name_of(FaultClass fault_class);  // "defect" or "does_not_fit"
 
 struct MeshCounts {
     int base_triangles = 0;
@@ -91,9 +107,15 @@ struct SeamCounts {
 };
 
 struct ContactCounts {
-    int inside = 0;          // leaf vertices inside the body
-    double deepest_m = 0;    // 0 when no vertex is inside
-    int self_crossings = 0;  // pairs of leaf triangles without a common vertex that cross each other
+    int inside = 0;                 // leaf vertices inside the body
+    double deepest_m = 0;           // 0 when no vertex is inside
+    int faces_in_body = 0;          // leaf triangles of which a part is deeper than FaultLimits::depth
+    int edges_in_body = 0;          // leaf edges of which a part is
+    double deepest_face_m = 0;      // of these; 0 when there are none
+    std::string deepest_face_at{};  // its place, empty when there are none
+    int self_crossings = 0;          // pairs of leaf triangles without a common vertex that cross each other
+    double self_crossing_m = 0;      // total length of the contours of these, m
+    std::string self_crossing_at{};  // the place of one of them, empty when there are none
 };
 
 // Statistics over the leaf triangles: strain along warp and weft (deformed length - 1), and the angle between them - 90
@@ -136,9 +158,11 @@ std::string to_json(const DressReport& report);
 
 // Limits above which a value is a fault.
 struct FaultLimits {
-    double depth = 0.0005;      // m, depth of a vertex inside the body
-    double stretch_p99 = 0.02;  // warp or weft strain beyond the fabric's strain limit
-    double stretch_max = 0.12;  // warp or weft strain beyond the fabric's strain limit
+    double depth = 0.0005;      // m, depth of a vertex inside the body; of what counts as an edge or face in it
+    double face_depth = 0.003;  // m, of an edge or face: as much as its vertices keep from the body
+    double stretch_p99 = 0.02;  // warp or weft strain beyond the fabric's limit and what tightness explains
+    double stretch_max = 0.12;  // the same
+    bool may_cross_itself = false;  // whether cloth that passes through itself is no fault
 };
 
 // Fills in mesh counts, contact, stretch, open seams, notes and faults.

@@ -30,12 +30,14 @@ struct CutSegment {
     CutEdge exit;
     Vec3d point = Vec3d::Zero();  // on the entry edge
     double material_length = 0;   // m
+    std::uint16_t panel = 0;
 };
 
 // One closed loop of the garment at a level.
 struct GarmentLoop {
     std::vector<Vec3d> points;
-    double girth = 0;  // m, in material coordinates
+    double girth = 0;        // m, in material coordinates
+    double limit_girth = 0;  // m, at the fabrics' strain limits
 };
 
 // A vertex in the plane counts as below it, so no loop passes through a vertex.
@@ -66,6 +68,7 @@ std::optional<CutSegment> cut_triangle(const DrawMesh& garment, std::size_t tria
     }
     if (!is_cut) return std::nullopt;
     segment.material_length = (exit_u - entry_u).norm();
+    segment.panel = panel_of(garment, triangle);
     return segment;
 }
 
@@ -88,7 +91,7 @@ std::size_t find_next(const std::vector<CutSegment>& segments, CutEdge exit) {
                                                      : segments.size();
 }
 
-std::vector<GarmentLoop> closed_loops(const std::vector<CutSegment>& segments) {
+std::vector<GarmentLoop> closed_loops(const std::vector<CutSegment>& segments, const std::vector<double>& limits) {
     std::vector<GarmentLoop> loops;
     std::vector<bool> used(segments.size(), false);
     for (std::size_t first = 0; first < segments.size(); ++first) {
@@ -98,6 +101,8 @@ std::vector<GarmentLoop> closed_loops(const std::vector<CutSegment>& segments) {
             used[at] = true;
             loop.points.push_back(segments[at].point);
             loop.girth += segments[at].material_length;
+            const double limit = limits.empty() ? 0 : limits[segments[at].panel];
+            loop.limit_girth += (1 + limit) * segments[at].material_length;
             at = find_next(segments, segments[at].exit);
         }
         if (at == first && !loop.points.empty()) loops.push_back(std::move(loop));
@@ -132,7 +137,7 @@ double enclosed_girth(const GarmentLoop& garment, const std::vector<SectionLoop>
 
 void add_tight_loops(const DrawMesh& garment, const Body& body, const FitOptions& options, double y,
                      std::vector<TightLevel>& levels) {
-    const std::vector<GarmentLoop> loops = closed_loops(cut(garment, y));
+    const std::vector<GarmentLoop> loops = closed_loops(cut(garment, y), options.strain_limits);
     if (loops.empty()) return;
     const Plane plane{.point = Vec3d(0, y, 0), .normal = Vec3d::UnitY()};
     const std::vector<SectionLoop> sections = section(body, plane);
@@ -140,12 +145,17 @@ void add_tight_loops(const DrawMesh& garment, const Body& body, const FitOptions
         const double tape = enclosed_girth(loop, sections, plane);
         if (tape == 0) continue;
         // A curve at distance d outside a convex one is longer by 2 pi d (Steiner's formula).
-        const double girth = tape + 2 * std::numbers::pi * options.contact_offset;
-        if (loop.girth >= (1 - options.tolerance) * girth) continue;
+        const double contact_girth = tape + 2 * std::numbers::pi * options.contact_offset;
+        if (loop.girth >= (1 - options.tolerance) * contact_girth) continue;
         Eigen::AlignedBox3d box;
         for (const Vec3d& point : loop.points) box.extend(point);
-        levels.push_back(
-            {.y = y, .garment_girth = loop.girth, .body_girth = girth, .low = box.min(), .high = box.max()});
+        levels.push_back({.y = y,
+                          .garment_girth = loop.girth,
+                          .limit_girth = loop.limit_girth,
+                          .body_girth = tape + 2 * std::numbers::pi * options.thickness,
+                          .contact_girth = contact_girth,
+                          .low = box.min(),
+                          .high = box.max()});
     }
 }
 
@@ -165,16 +175,19 @@ std::vector<TightLevel> tight_levels(const DrawMesh& garment, const Body& body, 
     return levels;
 }
 
-bool is_tight_at(const std::vector<TightLevel>& levels, double y, const FitOptions& options) {
-    return std::any_of(levels.begin(), levels.end(),
-                       [&](const TightLevel& level) { return std::abs(level.y - y) <= options.reach; });
+double shortfall(const TightLevel& level, const FitOptions& options) {
+    const bool is_smaller = level.garment_girth < (1 - options.tolerance) * level.body_girth;
+    return is_smaller ? level.body_girth - level.garment_girth : 0;
 }
 
-bool is_tight_at(const std::vector<TightLevel>& levels, const Vec3d& x, const FitOptions& options) {
-    return std::any_of(levels.begin(), levels.end(), [&](const TightLevel& level) {
+double explained_strain(const std::vector<TightLevel>& levels, const Vec3d& x, const FitOptions& options) {
+    double strain = 0;
+    for (const TightLevel& level : levels) {
         const Vec3d outside = (level.low - x).cwiseMax(x - level.high);
-        return outside.maxCoeff() <= options.reach;
-    });
+        if (outside.maxCoeff() <= options.reach)
+            strain = std::max(strain, level.contact_girth / level.garment_girth - 1);
+    }
+    return strain;
 }
 
 std::vector<float> measure_clearance(const std::vector<Vec3f>& points, const Body& body) {

@@ -13,16 +13,20 @@ namespace selvedge::sim {
 
 struct FitOptions {
     double step = 0.02;             // m between levels
-    double contact_offset = 0.003;  // m between cloth and body
+    double contact_offset = 0.003;  // m, that the simulation keeps between cloth and body
+    double thickness = 0.0003;      // m, half of the cloth's, which a tape on the body does not see
     double tolerance = 0.005;       // relative to the body's girth: smaller differences are ignored
     double reach = 0.05;            // m around a tight cut within which the cloth is stretched: one step plus 3 cm
+    std::vector<double> strain_limits{};  // of the fabric, per panel; empty: 0
 };
 
-// A level at which one closed loop of the garment is shorter than what it encloses.
+// A level at which one closed loop of the garment is shorter than a tape at the contact offset round what it encloses.
 struct TightLevel {
     double y = 0;                // m
     double garment_girth = 0;    // m, around the garment in material coordinates
-    double body_girth = 0;       // m, tape around the body at a distance of contact_offset
+    double limit_girth = 0;      // m, the same with each panel stretched to its fabric's limit
+    double body_girth = 0;       // m, tape around the body over the cloth's thickness
+    double contact_girth = 0;    // m, tape around the body at a distance of contact_offset
     Vec3d low = Vec3d::Zero();   // m, bounding box of the garment's loop in 3D
     Vec3d high = Vec3d::Zero();  // its y equals the level's
 };
@@ -33,11 +37,13 @@ struct TightLevel {
 // corner material coordinates and consistent orientation; positions are finite.
 std::vector<TightLevel> tight_levels(const DrawMesh& garment, const Body& body, const FitOptions& options = {});
 
-// Whether the height is within reach of a tight level.
-bool is_tight_at(const std::vector<TightLevel>& levels, double y, const FitOptions& options = {});
+// By how much the loop is smaller than the body, m; 0 where the difference is below the tolerance. The contact offset
+// does not count.
+double shortfall(const TightLevel& level, const FitOptions& options = {});
 
-// Whether the point is within reach of a tight loop. For example, a tight sleeve does not affect the waist beside it.
-bool is_tight_at(const std::vector<TightLevel>& levels, const Vec3d& x, const FitOptions& options = {});
+// The strain that tightness explains at a point: that of the tightest loop within reach, 0 where there is none. For
+// example, a tight sleeve explains nothing at the waist beside it.
+double explained_strain(const std::vector<TightLevel>& levels, const Vec3d& x, const FitOptions& options = {});
 
 // Distance between garment and body.
 

@@ -122,4 +122,27 @@ std::vector<TrianglePair> find_crossing_triangles(const ContactSurface& surface,
     return pairs;
 }
 
+double contour_length(const ContactSurface& surface, const float* points, std::span<const TrianglePair> pairs) {
+    double length = 0;
+    for (const auto [a, b] : pairs) {
+        std::vector<Vec3f> ends;
+        const auto add = [&](std::uint32_t from, std::uint32_t into) {
+            for (const std::uint32_t e : surface.triangles[from].edges) {
+                const auto found = find_crossing(surface, points, e, into);
+                const auto [p, q] = surface.edges[e].ends;
+                if (found)
+                    ends.push_back(point_at(points, p) * (1 - found->along) + point_at(points, q) * found->along);
+            }
+        };
+        add(a, b);
+        add(b, a);
+        double longest = 0;
+        for (const Vec3f& p : ends) {
+            for (const Vec3f& q : ends) longest = std::max(longest, static_cast<double>((p - q).norm()));
+        }
+        length += longest;
+    }
+    return length;
+}
+
 }  // namespace selvedge::sim

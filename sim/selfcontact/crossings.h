@@ -34,4 +34,7 @@ std::vector<Crossing> find_crossings(const ContactSurface& surface, const PairSe
 // (Ericson, Real-Time Collision Detection, 5.2.10: edges of each against the other; sweep and prune along x)
 std::vector<TrianglePair> find_crossing_triangles(const ContactSurface& surface, const float* points);
 
+// The total length of the segments in which such pairs cut each other, m.
+double contour_length(const ContactSurface& surface, const float* points, std::span<const TrianglePair> pairs);
+
 }  // namespace selvedge::sim

@@ -81,7 +81,7 @@ TEST_F(DressCommand, the_report_has_every_key_that_scripts_rely_on) {
          {"base_triangles", "leaf_triangles", "leaf_vertices", "by_level", "min_angle_deg", "splits", "rejoins",
           "transitions"}},
         {"seams", {"count", "open", "worst_length_mismatch"}},
-        {"contact", {"inside", "deepest_m"}},
+        {"contact", {"inside", "deepest_m", "faces_in_body", "edges_in_body", "deepest_face_m", "deepest_face_at"}},
         {"stretch", {"warp_weft_p50", "warp_weft_p99", "warp_weft_max", "shear_deg_p99"}},
         {"timing", {"wall_s", "ms_per_adaption", "ms_per_step", "ms_adapt_plus_4_steps", "phases", "peak_memory_mb"}}};
     for (const auto& [group, keys] : groups) {
@@ -123,6 +123,8 @@ TEST_F(DressCommand, a_fault_exits_3_is_named_and_still_makes_the_picture) {
     const sim::Json report = sim::read_json(folder / "report.json");
     ASSERT_FALSE(report.find("faults")->elements().empty());
     EXPECT_EQ(report.find("faults")->elements().front().find("kind")->string(), "not_settled");
+    EXPECT_EQ(report.find("faults")->elements().front().find("class")->string(), "defect");
+    EXPECT_EQ(lines_with(hasty.out, "defect: not settled: ").size(), 1U) << hasty.out;
     EXPECT_EQ(render::read_png(folder / "picture.png").width_px, 160);
 }
 

@@ -1,7 +1,9 @@
 // The report finds planted faults, names their places, and reports nothing else.
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
 
 #include "sim/collide/body_collider.h"
@@ -59,11 +61,12 @@ TEST(Report, has_the_keys_that_were_promised_and_no_others) {
     const Json json = parsed(full_report());
     EXPECT_EQ(keys_of(json), (Keys{"garment", "body", "settled", "stopped_because", "simulated_seconds", "faults",
                                    "notes", "mesh", "seams", "contact", "stretch", "timing"}));
-    EXPECT_EQ(keys_of(json.find("faults")->elements().at(0)), (Keys{"kind", "place", "value"}));
+    EXPECT_EQ(keys_of(json.find("faults")->elements().at(0)), (Keys{"kind", "class", "place", "value"}));
     EXPECT_EQ(keys_of(*json.find("mesh")), (Keys{"base_triangles", "leaf_triangles", "leaf_vertices", "by_level",
                                                  "min_angle_deg", "splits", "rejoins", "transitions"}));
     EXPECT_EQ(keys_of(*json.find("seams")), (Keys{"count", "open", "worst_length_mismatch"}));
-    EXPECT_EQ(keys_of(*json.find("contact")), (Keys{"inside", "deepest_m"}));
+    EXPECT_EQ(keys_of(*json.find("contact")),
+              (Keys{"inside", "deepest_m", "faces_in_body", "edges_in_body", "deepest_face_m", "deepest_face_at"}));
     EXPECT_EQ(keys_of(*json.find("stretch")),
               (Keys{"warp_weft_p50", "warp_weft_p99", "warp_weft_max", "shear_deg_p99"}));
     EXPECT_EQ(keys_of(*json.find("timing")),
@@ -91,6 +94,15 @@ TEST(Report, gives_back_what_was_put_in) {
     EXPECT_EQ(view.at("contact").at("deepest_m").number(), 0.0004);
     EXPECT_EQ(view.at("stretch").at("warp_weft_max").number(), 0.03);
     EXPECT_EQ(view.at("timing").at("phases").at("sewing").number(), 2.0);
+}
+
+TEST(Report, tells_a_garment_that_does_not_fit_from_a_defect_of_the_drape) {
+    DressReport report = full_report();
+    report.faults.push_back({"does_not_fit", "too small at the waist (y 1.02 m) by 36.5 cm", 0.365});
+    const Json json = parsed(report);
+    const JsonView faults = JsonView(json, "report.json").at("faults");
+    EXPECT_EQ(faults.at(0).at("class").string(), "defect");
+    EXPECT_EQ(faults.at(1).at("class").string(), "does_not_fit");
 }
 
 TEST(Report, survives_places_that_need_escaping) {
@@ -261,6 +273,120 @@ TEST_F(Validate, gives_the_leaves_as_a_draw_mesh) {
             EXPECT_NEAR(mesh.normals[v].z(), mesh.panel[t] == 0 ? 1.0F : -1.0F, 1e-5F) << "outward, both of them";
         }
     }
+}
+
+// One triangle over the ball, whose edges pass it by.
+class ValidateTriangle : public Validate {
+ protected:
+    DressReport report_at(double y) {
+        GarmentMesh mesh;
+        mesh.panel_names = {"front"};
+        mesh.panel_grain_angles = {0};
+        mesh.x = {Vec3d(-0.08, y, -0.06), Vec3d(0.08, y, -0.06), Vec3d(0, y, 0.1)};
+        mesh.triangles = {{.vertices = {0, 1, 2}, .u = {Vec2d(-0.08, -0.06), Vec2d(0.08, -0.06), Vec2d(0, 0.1)}}};
+        cloth_ = make_cloth(mesh, {Fabric{}});
+        return look();
+    }
+};
+
+TEST_F(ValidateTriangle, is_found_in_the_body_although_its_vertices_and_edges_are_outside) {
+    const DressReport report = report_at(1.049);
+    EXPECT_EQ(report.contact.inside, 0);
+    EXPECT_EQ(report.contact.edges_in_body, 0);
+    EXPECT_EQ(report.contact.faces_in_body, 1);
+    EXPECT_NEAR(report.contact.deepest_face_m, 0.001, 4e-4);
+    EXPECT_NE(report.contact.deepest_face_at.find("'front'"), std::string::npos) << report.contact.deepest_face_at;
+    EXPECT_TRUE(report.faults.empty()) << "less than the contact offset";
+}
+
+TEST_F(ValidateTriangle, is_a_fault_where_it_is_deeper_than_the_contact_offset) {
+    const DressReport report = report_at(1.044);
+    EXPECT_EQ(report.contact.inside, 0);
+    const DressFault* fault = find(report, "inside_body");
+    ASSERT_NE(fault, nullptr);
+    EXPECT_NEAR(fault->value, 0.006, 1e-3);
+}
+
+TEST_F(Validate, finds_a_triangle_that_passes_right_through_the_body) {
+    const LeafTriangle& t = cloth_.mesh.leaf_triangles()[0];
+    cloth_.x[t.v[0].value] = Vec4f(-0.2F, 0.95F, 0, 0);
+    cloth_.x[t.v[1].value] = Vec4f(0.2F, 0.95F, 0, 0);
+    const DressReport report = look();
+    EXPECT_EQ(report.contact.inside, 0);
+    EXPECT_GE(report.contact.edges_in_body, 1);
+    const DressFault* fault = find(report, "through_body");
+    ASSERT_NE(fault, nullptr);
+    EXPECT_NEAR(fault->value, 0.1, 2e-3);
+    EXPECT_NE(fault->place.find("'front'"), std::string::npos) << fault->place;
+}
+
+// A sewn cotton tube of this girth round a post of 0.7 m, stretched alike everywhere.
+class ValidateTube : public testing::Test {
+ protected:
+    static constexpr double kGirth = 0.7, kHeight = 0.4;
+
+    static Body post() {
+        Body body = shapes::box(Vec3d(-1, 0, -1), Vec3d(1, 1.7, 1), 24);
+        for (Vec3d& x : body.x) {
+            const double out = std::max(std::abs(x.x()), std::abs(x.z()));
+            if (out == 0) continue;
+            const double radius = out * kGirth / (2 * std::numbers::pi);
+            const Vec2d round = radius * Vec2d(x.x(), x.z()).normalized();
+            x = {round.x(), x.y(), round.y()};
+        }
+        return body;
+    }
+
+    static DressReport report_on(double girth, double strain) {
+        const Pattern pattern = tube(girth / 2, kHeight, 0.8, 0.3);
+        GarmentMesh mesh = assemble(pattern, {.target_edge = 0.03});
+        const double radius = (1 + strain) * girth / (2 * std::numbers::pi);
+        for (Vec3d& x : mesh.x) {
+            const double angle = std::numbers::pi * (x.z() > 0 ? x.x() / (girth / 2) : 1 - x.x() / (girth / 2));
+            x = {radius * std::sin(angle), x.y(), radius * std::cos(angle)};
+        }
+        merge_seams(mesh);
+        const Body body = post();
+        const Cloth cloth = make_cloth(mesh, {Fabric{}, Fabric{}});
+        DrapeResult draped;
+        draped.settled = true;
+        DressReport report;
+        validate(cloth, BodyCollider(body, {.cell = 0.006F, .band = 0.024F}), pattern, {}, draped, report);
+        return report;
+    }
+
+    static int count(const DressReport& report, const std::string& kind) {
+        return int(std::ranges::count(report.faults, kind, &DressFault::kind));
+    }
+};
+
+TEST_F(ValidateTube, excuses_the_stretch_that_tightness_explains) {
+    const DressReport report = report_on(kGirth / 1.02, 0.06);  // 2 % too small; limit of the fabric 3 %
+    EXPECT_EQ(count(report, "overstretched"), 0);
+    EXPECT_EQ(count(report, "does_not_fit"), 0) << "2 % are within the fabric's limit";
+    ASSERT_EQ(report.notes.size(), 1U);
+    EXPECT_NE(report.notes[0].find("smaller than the body"), std::string::npos) << report.notes[0];
+}
+
+TEST_F(ValidateTube, does_not_excuse_more_stretch_than_tightness_explains) {
+    const DressReport report = report_on(kGirth / 1.02, 0.30);
+    EXPECT_EQ(count(report, "overstretched"), 2) << "the 99th percentile and the maximum";
+}
+
+TEST_F(ValidateTube, says_by_how_much_and_where_a_garment_is_too_small) {
+    const DressReport report = report_on(kGirth - 0.1, 0.2);
+    ASSERT_EQ(count(report, "does_not_fit"), 1);
+    const DressFault& fault = *std::ranges::find(report.faults, "does_not_fit", &DressFault::kind);
+    EXPECT_NEAR(fault.value, 0.1, 0.004);
+    EXPECT_NE(fault.place.find("too small at the "), std::string::npos) << fault.place;
+    EXPECT_NE(fault.place.find(" m) by 10."), std::string::npos) << fault.place;
+    EXPECT_EQ(count(report, "overstretched"), 0) << "0.1 m of 0.6 m explain 17 %";
+}
+
+TEST_F(ValidateTube, does_not_call_a_garment_without_ease_too_small) {
+    const DressReport report = report_on(kGirth, 0.027);
+    EXPECT_TRUE(report.faults.empty()) << report.faults[0].kind << " " << report.faults[0].place;
+    EXPECT_TRUE(report.notes.empty()) << report.notes[0];
 }
 
 }  // namespace
