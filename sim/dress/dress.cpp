@@ -6,6 +6,7 @@
 
 #include "sim/core/math.h"
 #include "sim/dress/session_frame.h"
+#include "sim/dress/wearing.h"
 #include "sim/mesh/garment_mesh.h"
 
 namespace selvedge::sim {
@@ -100,6 +101,10 @@ DressedGarment dress(const Pattern& pattern, const Body& body, const DressOption
 
     const Cloth& cloth = *dressing.cloth();
     validate(cloth, dressing.collider(), dressing.anchored(), dressing.open_seams(), dressing.result(), report);
+    if (!dressing.result().bad_vertex) {
+        const DesignedGarment designed{.unsewn = dressing.designed(), .body = &dressing.designed_for()};
+        validate_wearing(cloth, dressing.sewn_mesh(), designed, body, report);
+    }
     dressed.mesh = draw_mesh(cloth, dressing.sewn_mesh().panel_names);
     dressed.hierarchy = triangle_hierarchy(cloth);
     timer.done("inspection");

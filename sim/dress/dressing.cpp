@@ -231,17 +231,22 @@ std::shared_ptr<const BodyCollider> Dressing::shared_collider() const {
     return collider_ ? std::shared_ptr<const BodyCollider>(collider_, &collider_->collider) : nullptr;
 }
 
-// Panels that were placed for another body move with this one. The body that the pattern names is made only if it is
-// another, and once, because that is slow.
+// The body that the pattern names is made only if it is another than this one, and once, because that is slow.
+const Body& Dressing::designed_for() {
+    SELVEDGE_ASSERT(body_);
+    const std::string text = made_from(mannequin_of(pattern_));
+    if (text == body_->made_from) return *body_;
+    if (!placed_for_ || placed_for_->text != text) placed_for_ = NamedBody{text, placed_for(pattern_)};
+    return placed_for_->body;
+}
+
+// Panels that were placed for another body move with this one.
 const Pattern& Dressing::anchored() {
     if (anchored_) return *anchored_;
     Pattern moved = pattern_;
     if (body_ && !pattern_.panels.empty()) {
-        const std::string text = made_from(mannequin_of(pattern_));
-        if (text != body_->made_from) {
-            if (!placed_for_ || placed_for_->text != text) placed_for_ = NamedBody{text, placed_for(pattern_)};
-            anchor_panels(moved, placed_for_->body, *body_);
-        }
+        const Body& from = designed_for();
+        if (&from != body_.get()) anchor_panels(moved, from, *body_);
     }
     return anchored_.emplace(std::move(moved));
 }
@@ -257,6 +262,10 @@ MeshOptions Dressing::meshing() const {
 
 std::vector<Fabric> Dressing::fabrics() const {
     return options_.fabric ? std::vector(pattern_.panels.size(), *options_.fabric) : fabrics_of(pattern_);
+}
+
+GarmentMesh Dressing::designed() {
+    return assemble(pattern_, meshing(), meshes_);
 }
 
 // The quick mesh is for display only, so its quality is not relaxed.

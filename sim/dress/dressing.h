@@ -87,6 +87,8 @@ class Dressing {
     const Pattern& pattern() const { return pattern_; }
     const DressOptions& options() const { return options_; }
     const Pattern& anchored();       // the pattern with its panels moved from the body that it names to this one
+    GarmentMesh designed();          // the unsewn pattern where its panels were placed, round designed_for()
+    const Body& designed_for();      // the body that the pattern names; made when first needed. Pre: there is a body
     const BodyCollider& collider();  // of the body; built when first needed, which is slow. Pre: there is a body
     // The same, with its body, for others to keep; null if it has not been needed.
     std::shared_ptr<const BodyCollider> shared_collider() const;

@@ -231,6 +231,23 @@ TEST_P(PublishedPattern, is_dressed_without_a_fault) {
     expect_dressed(dress(load_pattern(folder() / GetParam()).pattern, body), body);
 }
 
+// Regression: the dress is drafted for a larger body. It slips off the shoulders, which was no fault.
+class PublishedDress : public PublishedPattern {};
+
+TEST_P(PublishedDress, that_slips_off_the_shoulders_misses_the_arms) {
+    if (folder().empty()) GTEST_SKIP() << "SELVEDGE_TEST_DATA is not set";
+    const DressReport report = dress(load_pattern(folder() / GetParam()).pattern, mannequin(), up_to_level(1)).report;
+    const std::string faults = list_faults(report);
+    for (const std::string arm : {"left", "right"}) {
+        const std::string missed =
+            "limb_missed: the " + arm + " arm does not pass through the armhole of '" + arm + "_ftorso'";
+        EXPECT_NE(faults.find(missed), std::string::npos) << faults;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(GarmentCode, PublishedDress, testing::Values("dress_pencil_specification.json"),
+                         [](const auto&) { return std::string("dress_pencil"); });
+
 INSTANTIATE_TEST_SUITE_P(GarmentCode, PublishedPattern,
                          testing::Values("shirt_mean_specification.json", "dress_pencil_specification.json"),
                          [](const auto& instance) {

@@ -1,0 +1,306 @@
+#include "sim/dress/wearing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "sim/core/assert.h"
+#include "sim/core/math.h"
+#include "sim/mesh/sew.h"
+#include "sim/place/limbs.h"
+#include "sim/place/openings.h"
+
+namespace selvedge::sim {
+namespace {
+
+// The garment before and after draping: its separate panels, and the same with all seams closed. A seam that did not
+// close joins its two sides here at their mean positions.
+struct WornGarment {
+    GarmentMesh panels;                // as placed
+    std::vector<Vec3d> draped;         // m, per vertex of `panels`
+    GarmentMesh closed;                // as placed
+    std::vector<int> in_closed;        // vertex of `closed`, per vertex of `panels`
+    std::vector<Vec3d> closed_draped;  // m, per vertex of `closed`
+};
+
+WornGarment compare_drape(const Cloth& cloth, const GarmentMesh& sewn, const GarmentMesh& unsewn) {
+    SELVEDGE_ASSERT(unsewn.triangles.size() == sewn.triangles.size());
+    WornGarment garment{.panels = unsewn, .draped = unsewn.x, .closed = unsewn, .in_closed = {}, .closed_draped = {}};
+    for (std::size_t t = 0; t < sewn.triangles.size(); ++t) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto now = static_cast<std::size_t>(sewn.triangles[t].vertices[k]);
+            garment.draped[static_cast<std::size_t>(unsewn.triangles[t].vertices[k])] =
+                cloth.x[now].head<3>().cast<double>();
+        }
+    }
+    garment.in_closed = merge_seams(garment.closed);
+    garment.closed_draped.assign(garment.closed.x.size(), Vec3d::Zero());
+    std::vector<int> joined(garment.closed.x.size(), 0);
+    for (std::size_t v = 0; v < garment.draped.size(); ++v) {
+        const auto at = static_cast<std::size_t>(garment.in_closed[v]);
+        garment.closed_draped[at] += garment.draped[v];
+        ++joined[at];
+    }
+    for (std::size_t v = 0; v < joined.size(); ++v) garment.closed_draped[v] /= joined[v];
+    return garment;
+}
+
+// "the left arm and the right arm"
+std::string list_limbs(LimbSet limbs) {
+    std::string text;
+    for (std::size_t i = 0; i < kLimbCount; ++i) {
+        if (limbs[i]) text += (text.empty() ? "the " : " and the ") + std::string(name_of(static_cast<LimbKind>(i)));
+    }
+    return text;
+}
+
+Vec3d centre_of(const Opening& opening, const std::vector<Vec3d>& x) {
+    Vec3d sum = Vec3d::Zero();
+    for (const int v : opening.vertices) sum += x[static_cast<std::size_t>(v)];
+    return sum / static_cast<double>(opening.vertices.size());
+}
+
+// The arm to which most of the vertices are nearest.
+std::optional<LimbKind> arm_of(const std::vector<std::size_t>& vertices, const std::vector<Vec3d>& x,
+                               const BodyLimbs& body) {
+    for (const LimbKind arm : {LimbKind::LeftArm, LimbKind::RightArm}) {
+        const auto is_there = [&](std::size_t v) {
+            const auto position = nearest_on_limbs(body, x[v]);
+            return position && position->limb == arm;
+        };
+        if (2 * std::ranges::count_if(vertices, is_there) > std::ssize(vertices)) return arm;
+    }
+    return std::nullopt;
+}
+
+// What a tailor calls an opening for these limbs, from its place on the body for which the garment was placed.
+std::string_view call_opening(LimbSet limbs, std::string_view place, bool is_of_sleeve) {
+    if (limbs.none()) return "opening";
+    if (limbs.count() == 1 && limbs[index_of(LimbKind::Head)]) return "neckline";
+    if (limbs.count() == 1 && (limbs[index_of(LimbKind::LeftArm)] || limbs[index_of(LimbKind::RightArm)]))
+        return is_of_sleeve ? "cuff" : "armhole";
+    if (place == "waist") return "waist";
+    return place == "chest" || place == "neck" ? "upper edge" : "hem";
+}
+
+// The limbs that should not be in the opening, and those that should but are not. Both sets of limbs are only defined
+// up to their complement: what leaves through a skirt's waist is all that does not leave through its hem.
+struct Mismatch {
+    LimbSet expected;
+    LimbSet extra;
+    LimbSet missing;
+};
+
+std::optional<Mismatch> compare(LimbSet expected, LimbSet found, LimbSet known) {
+    expected &= known;
+    found &= known;
+    if (2 * expected.count() > known.count()) {
+        expected = known & ~expected;
+        found = known & ~found;
+    }
+    if (2 * (expected ^ found).count() > known.count()) found = known & ~found;
+    if (expected == found) return std::nullopt;
+    return Mismatch{.expected = expected, .extra = found & ~expected, .missing = expected & ~found};
+}
+
+// "the hem of 'skirt_front' holds the left arm"
+std::string describe(const Mismatch& mismatch, const std::string& opening) {
+    std::string text;
+    if (mismatch.extra.any()) text = opening + " holds " + list_limbs(mismatch.extra);
+    if (mismatch.missing.none()) return text;
+    const bool is_one = mismatch.missing.count() == 1;
+    const std::string lacks = (is_one ? " does" : " do") + std::string(" not pass through ");
+    return (text.empty() ? "" : text + "; ") + list_limbs(mismatch.missing) + lacks + (text.empty() ? opening : "it");
+}
+
+using PanelVertices = std::vector<std::vector<std::size_t>>;  // per panel, ascending
+
+PanelVertices vertices_by_panel(const GarmentMesh& mesh) {
+    PanelVertices panels(mesh.panel_names.size());
+    for (const GarmentTriangle& t : mesh.triangles) {
+        for (const int v : t.vertices) panels[static_cast<std::size_t>(t.panel)].push_back(static_cast<std::size_t>(v));
+    }
+    for (std::vector<std::size_t>& vertices : panels) {
+        std::ranges::sort(vertices);
+        const auto rest = std::ranges::unique(vertices);
+        vertices.erase(rest.begin(), rest.end());
+    }
+    return panels;
+}
+
+void validate_openings(const WornGarment& garment, const PanelVertices& panels, const BodyLimbs& meant_for,
+                       const BodyLimbs& worn_by, DressReport& report) {
+    const std::vector<Opening> openings = find_openings(garment.closed);
+    const LimbPassages expected =
+        find_passages(garment.closed, garment.closed.x, openings, meant_for, {.ends_at_cloth = true});
+    const LimbPassages found = find_passages(garment.closed, garment.closed_draped, openings, worn_by);
+    const LimbSet known = expected.known & found.known;
+    for (std::size_t i = 0; i < openings.size(); ++i) {
+        const auto mismatch = compare(expected.through[i], found.through[i], known);
+        if (!mismatch) continue;
+        const auto panel = static_cast<std::size_t>(openings[i].panels.front());
+        const bool is_of_sleeve = arm_of(panels[panel], garment.panels.x, meant_for).has_value();
+        const std::string place = place_on_body(meant_for, centre_of(openings[i], garment.closed.x));
+        const std::string name = "the " + std::string(call_opening(mismatch->expected, place, is_of_sleeve)) + " of '" +
+                                 garment.panels.panel_names[panel] + "'";
+        report.faults.push_back({.kind = "limb_missed",
+                                 .place = describe(*mismatch, name),
+                                 .value = static_cast<double>((mismatch->extra | mismatch->missing).count())});
+    }
+}
+
+// The heights of a body's joints, ascending, m: floor, hips, waist, chest, neck, top.
+using Heights = std::vector<double>;
+
+Heights heights_of(const BodyLimbs& body) {
+    Heights heights{body.height.low};
+    for (const LimbJoint& joint : body.torso) heights.push_back(joint.centre.y());
+    heights.push_back(body.height.high);
+    return heights;
+}
+
+bool is_ascending(const Heights& heights) {
+    return std::ranges::adjacent_find(heights, std::greater_equal<>()) == heights.end();
+}
+
+// The height on the other body between the same joints; linear beyond the ends.
+double carry_over(double y, const Heights& from, const Heights& to) {
+    std::size_t i = 0;
+    while (i + 2 < from.size() && y > from[i + 1]) ++i;
+    return to[i] + (y - from[i]) * (to[i + 1] - to[i]) / (from[i + 1] - from[i]);
+}
+
+struct Range {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+
+    void extend(double value) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    double middle() const { return (low + high) / 2; }
+    double length() const { return high - low; }
+};
+
+struct PanelShift {
+    double moved = 0;              // m, upward, of the middle
+    Vec3d middle = Vec3d::Zero();  // m, draped
+    bool is_displaced = false;
+};
+
+// A panel is displaced if it has left more than half of the heights over which it was placed: what is gone lies where
+// another part of the garment belongs. Panels stand free of the body and settle on it, a waistband by more than its
+// width, and a poncho that is placed flat hangs down; so a panel shorter than from the hips to the waist may also be
+// off by half of what it is shorter.
+PanelShift measure_shift(const WornGarment& garment, const std::vector<std::size_t>& vertices, const Heights& from,
+                         const Heights& to) {
+    constexpr double kLeastCovered = 0.5;
+    Range placed, draped;
+    PanelShift shift;
+    for (const std::size_t v : vertices) {
+        placed.extend(carry_over(garment.panels.x[v].y(), from, to));
+        draped.extend(garment.draped[v].y());
+        shift.middle += garment.draped[v] / static_cast<double>(vertices.size());
+    }
+    shift.moved = draped.middle() - placed.middle();
+    const double reach = std::max(0.0, (to[2] - to[1] - placed.length()) / 2);
+    const double covered = std::min(placed.high, draped.high + reach) - std::max(placed.low, draped.low - reach);
+    shift.is_displaced = covered < kLeastCovered * placed.length();
+    return shift;
+}
+
+// Per panel, the first of those that seams join it with.
+std::vector<std::size_t> garment_parts(const WornGarment& garment, const PanelVertices& panels) {
+    DisjointSets parts(panels.size());
+    std::vector<int> panel_at(garment.closed.x.size(), -1);
+    for (std::size_t p = 0; p < panels.size(); ++p) {
+        for (const std::size_t v : panels[p]) {
+            int& panel = panel_at[static_cast<std::size_t>(garment.in_closed[v])];
+            if (panel >= 0) parts.join(panel, static_cast<int>(p));
+            panel = static_cast<int>(p);
+        }
+    }
+    std::vector<std::size_t> first;
+    for (std::size_t p = 0; p < panels.size(); ++p)
+        first.push_back(static_cast<std::size_t>(parts.find(static_cast<int>(p))));
+    return first;
+}
+
+// Panels that seams join are displaced together: where one is at its place, the others are as near to theirs as their
+// seams let them, and were placed loosely, as GarmentCode does with long skirts. Panels round an arm are left out: they
+// cannot leave it unless their openings miss it.
+void validate_panels(const WornGarment& garment, const PanelVertices& panels, const BodyLimbs& meant_for,
+                     const BodyLimbs& worn_by, DressReport& report) {
+    const Heights from = heights_of(meant_for), to = heights_of(worn_by);
+    if (!is_ascending(from) || !is_ascending(to)) return;
+    const std::vector<std::size_t> parts = garment_parts(garment, panels);
+    std::vector<std::optional<PanelShift>> shifts(panels.size());
+    std::vector<bool> is_at_place(panels.size(), false);  // per part
+    for (std::size_t p = 0; p < panels.size(); ++p) {
+        if (panels[p].empty() || arm_of(panels[p], garment.panels.x, meant_for)) continue;
+        shifts[p] = measure_shift(garment, panels[p], from, to);
+        if (!shifts[p]->is_displaced) is_at_place[parts[p]] = true;
+    }
+    for (std::size_t p = 0; p < panels.size(); ++p) {
+        if (!shifts[p] || is_at_place[parts[p]]) continue;
+        const double moved = shifts[p]->moved;
+        report.faults.push_back({.kind = "displaced",
+                                 .place = "'" + garment.panels.panel_names[p] + "' lies " +
+                                          std::to_string(std::lround(100 * std::abs(moved))) + " cm " +
+                                          (moved > 0 ? "higher" : "lower") + " than it was placed, at the " +
+                                          place_on_body(worn_by, shifts[p]->middle),
+                                 .value = std::abs(moved)});
+    }
+}
+
+// Cloth on the floor has fallen if it was placed above the knees; a hem that was placed lower is only long.
+void validate_floor(const WornGarment& garment, const BodyLimbs& meant_for, const BodyLimbs& worn_by,
+                    DressReport& report) {
+    constexpr double kNear = 0.02;   // m, above the floor
+    constexpr double kShare = 0.01;  // of the vertices
+    const Heights from = heights_of(meant_for), to = heights_of(worn_by);
+    if (!is_ascending(from) || !is_ascending(to)) return;
+    const double knees = (to[0] + to[1]) / 2;  // half the height of the hips
+    long lying = 0, fallen = 0;
+    for (std::size_t v = 0; v < garment.draped.size(); ++v) {
+        if (garment.draped[v].y() >= worn_by.height.low + kNear) continue;
+        ++lying;
+        if (carry_over(garment.panels.x[v].y(), from, to) > knees) ++fallen;
+    }
+    const auto vertices = static_cast<double>(garment.draped.size());
+    if (static_cast<double>(fallen) > kShare * vertices) {
+        report.faults.push_back({.kind = "on_floor",
+                                 .place = "cloth lies on the floor that was placed above the knees",
+                                 .value = static_cast<double>(fallen) / vertices});
+    } else if (static_cast<double>(lying) > kShare * vertices) {
+        report.notes.emplace_back("part of the garment lies on the floor: is it too long for this body?");
+    }
+}
+
+void note_missing_limbs(const BodyLimbs& body, DressReport& report) {
+    if (body.found().all()) return;
+    report.notes.push_back("could not find " + list_limbs(~body.found()) + " of the body: not checked what covers it");
+}
+
+}  // namespace
+
+void validate_wearing(const Cloth& cloth, const GarmentMesh& sewn, const DesignedGarment& designed, const Body& wearer,
+                      DressReport& report) {
+    const WornGarment garment = compare_drape(cloth, sewn, designed.unsewn);
+    const BodyLimbs meant_for = find_limbs(*designed.body);
+    const BodyLimbs worn_by = find_limbs(wearer);
+    note_missing_limbs(worn_by, report);
+    if (worn_by.torso.empty() || meant_for.torso.empty()) return;
+    const PanelVertices panels = vertices_by_panel(garment.panels);
+    validate_openings(garment, panels, meant_for, worn_by, report);
+    validate_panels(garment, panels, meant_for, worn_by, report);
+    validate_floor(garment, meant_for, worn_by, report);
+}
+
+}  // namespace selvedge::sim

@@ -1,0 +1,177 @@
+// Whether a garment is worn as it was placed, on mannequins and small tubes.
+#include "sim/dress/wearing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "sim/mannequin/mannequin.h"
+#include "sim/mesh/sew.h"
+#include "sim/place/limbs.h"
+#include "tests/sim/dress/shapes.h"
+#include "tests/support/bodies.h"
+#include "tests/support/posed_body.h"
+
+namespace selvedge::sim::test {
+namespace {
+
+const Body& mannequin() {
+    static const Body body = make_mannequin({.subdivisions = 1}).body;
+    return body;
+}
+
+const Body& mannequin_in_t_pose() {
+    static const Body body = shapes::in_t_pose(mannequin());
+    return body;
+}
+
+std::string list(const DressReport& report) {
+    std::string text;
+    for (const DressFault& fault : report.faults) text += fault.kind + ": " + fault.place + "\n";
+    return text;
+}
+
+using Move = std::function<Vec3d(const Vec3d&)>;
+
+// The report on a garment whose vertices ended where `move` brought them from where they were placed.
+DressReport report_on(const Pattern& pattern, const Move& move, const Body& wearer) {
+    const GarmentMesh unsewn = assemble(pattern);
+    GarmentMesh sewn = unsewn;
+    merge_seams(sewn);
+    for (Vec3d& x : sewn.x) x = move(x);
+    const Cloth cloth = make_cloth(sewn, std::vector<Fabric>(pattern.panels.size()));
+    DressReport report;
+    validate_wearing(cloth, sewn, {.unsewn = unsewn, .body = &mannequin()}, wearer, report);
+    return report;
+}
+
+Pattern skirt() {
+    return tube(0.5, 0.5, 0.5, 0.2);
+}
+
+// Round the left forearm, front and back of it.
+Pattern sleeve() {
+    Pattern pattern = tube(0.2, 0.2, 0, 0.1);
+    const std::vector<LimbJoint> joints = find_limbs(mannequin())[LimbKind::LeftArm].joints;
+    const Vec3d middle = (joints[1].centre + joints[2].centre) / 2, up = (joints[1].centre - joints[2].centre);
+    const Eigen::AngleAxisd turn(std::atan2(-up.x(), up.y()), Vec3d::UnitZ());
+    for (Panel& panel : pattern.panels) {
+        const double side = panel.translation.z();
+        panel.rotation = turn.toRotationMatrix();
+        panel.translation = middle - turn * Vec3d(0, 0.1, 0) + Vec3d(0, 0, side);
+    }
+    return pattern;
+}
+
+Vec3d stays(const Vec3d& x) {
+    return x;
+}
+
+TEST(Wearing, of_a_garment_where_it_was_placed_has_no_fault) {
+    for (const Pattern& pattern : {skirt(), sleeve()}) {
+        const DressReport report = report_on(pattern, stays, mannequin());
+        EXPECT_EQ(list(report), "");
+        EXPECT_TRUE(report.notes.empty());
+    }
+}
+
+TEST(Wearing, of_a_garment_that_settled_by_a_few_centimetres_has_no_fault) {
+    EXPECT_EQ(list(report_on(
+                  skirt(), [](const Vec3d& x) { return Vec3d(x - Vec3d(0, 0.06, 0)); }, mannequin())),
+              "");
+}
+
+TEST(Wearing, finds_a_skirt_at_the_ankles) {
+    const DressReport report = report_on(
+        skirt(), [](const Vec3d& x) { return Vec3d(x.x(), 0.05 + 0.2 * (x.y() - 0.5), x.z()); }, mannequin());
+    ASSERT_EQ(report.faults.size(), 2U) << list(report);
+    EXPECT_EQ(report.faults[0].kind, "displaced");
+    EXPECT_NE(report.faults[0].place.find("'front' lies 65 cm lower than it was placed"), std::string::npos)
+        << report.faults[0].place;
+    EXPECT_NEAR(report.faults[0].value, 0.65, 0.03);
+}
+
+// GarmentCode places long skirts below the bodice that they are sewn to.
+TEST(Wearing, lets_seams_pull_a_panel_to_its_neighbour) {
+    Pattern pattern = skirt();
+    pattern.panels.push_back(rectangle("bodice", {.width = 0.5, .height = 0.3, .y = 1.0, .z = 0.2}));
+    pattern.seams.push_back({.first = {0, 2}, .second = {2, 0}});
+    for (const int p : {0, 1}) pattern.panels[std::size_t(p)].translation.y() -= 0.4;
+    const auto pulled_up = [](const Vec3d& x) { return x.y() < 0.9 ? Vec3d(x + Vec3d(0, 0.4, 0)) : x; };
+    EXPECT_EQ(list(report_on(pattern, pulled_up, mannequin())), "");
+    const auto fallen = [](const Vec3d& x) { return Vec3d(x.x(), 0.03 + 0.1 * x.y(), x.z()); };
+    EXPECT_NE(list(report_on(pattern, fallen, mannequin())).find("displaced: 'bodice' lies"), std::string::npos);
+}
+
+TEST(Wearing, finds_a_skirt_on_the_floor) {
+    const DressReport report = report_on(
+        skirt(), [](const Vec3d& x) { return Vec3d(x.x(), 0.004, x.z()); }, mannequin());
+    EXPECT_EQ(std::ranges::count(report.faults, "on_floor", &DressFault::kind), 1) << list(report);
+}
+
+TEST(Wearing, only_notes_a_hem_that_is_long_enough_to_lie_on_the_floor) {
+    const DressReport report = report_on(
+        tube(0.5, 1.0, 0.05, 0.2), [](const Vec3d& x) { return Vec3d(x.x(), std::max(0.004, x.y() - 0.1), x.z()); },
+        mannequin());
+    EXPECT_EQ(list(report), "");
+    EXPECT_EQ(report.notes.size(), 1U);
+}
+
+TEST(Wearing, finds_a_garment_beside_the_body) {
+    const DressReport report = report_on(
+        skirt(), [](const Vec3d& x) { return Vec3d(x + Vec3d(0, 0, 0.8)); }, mannequin());
+    ASSERT_EQ(report.faults.size(), 2U) << list(report);
+    for (const DressFault& fault : report.faults) {
+        EXPECT_EQ(fault.kind, "limb_missed");
+        EXPECT_NE(fault.place.find("the left leg and the right leg do not pass through the "), std::string::npos)
+            << fault.place;
+    }
+}
+
+TEST(Wearing, finds_a_hem_that_holds_an_arm) {
+    const auto swallow = [](const Vec3d& x) {
+        const double low = std::clamp((1.0 - x.y()) / 0.2, 0.0, 1.0);
+        return Vec3d(x.x() > 0 ? x.x() * (1 + 3 * low) : x.x(), x.y(), x.z());
+    };
+    const DressReport report = report_on(skirt(), swallow, mannequin());
+    ASSERT_EQ(report.faults.size(), 1U) << list(report);
+    EXPECT_EQ(report.faults[0].kind, "limb_missed");
+    EXPECT_EQ(report.faults[0].place, "the hem of 'front' holds the left arm");
+    EXPECT_EQ(report.faults[0].value, 1);
+}
+
+TEST(Wearing, finds_an_empty_sleeve) {
+    const DressReport report = report_on(
+        sleeve(), [](const Vec3d& x) { return Vec3d(x + Vec3d(0, 0, 0.2)); }, mannequin());
+    ASSERT_GE(report.faults.size(), 1U) << list(report);
+    EXPECT_EQ(report.faults[0].kind, "limb_missed");
+    EXPECT_EQ(report.faults[0].place, "the left arm does not pass through the cuff of 'front'");
+}
+
+// The garment was placed round an arm that hangs at an angle, and is worn on one that is level.
+TEST(Wearing, expects_the_same_arm_in_a_sleeve_whatever_the_pose) {
+    const DressReport missed = report_on(sleeve(), stays, mannequin_in_t_pose());
+    EXPECT_EQ(std::ranges::count(missed.faults, "limb_missed", &DressFault::kind), 2) << list(missed);
+    const auto turned = [](const Vec3d& x) {
+        const auto arm_a = find_limbs(mannequin())[LimbKind::LeftArm].joints;
+        static const auto arm_t = find_limbs(mannequin_in_t_pose())[LimbKind::LeftArm].joints;
+        const auto turn =
+            Eigen::Quaterniond::FromTwoVectors(arm_a[2].centre - arm_a[1].centre, arm_t[2].centre - arm_t[1].centre);
+        return Vec3d((arm_t[1].centre + arm_t[2].centre) / 2 + turn * (x - (arm_a[1].centre + arm_a[2].centre) / 2));
+    };
+    EXPECT_EQ(list(report_on(sleeve(), turned, mannequin_in_t_pose())), "");
+}
+
+TEST(Wearing, says_which_limbs_it_could_not_check) {
+    const Body column = shapes::box(Vec3d(-0.15, 0, -0.1), Vec3d(0.15, 1.7, 0.1), 8);
+    const DressReport report = report_on(skirt(), stays, column);
+    ASSERT_GE(report.notes.size(), 1U);
+    EXPECT_NE(report.notes[0].find("could not find the left arm and the right arm"), std::string::npos)
+        << report.notes[0];
+}
+
+}  // namespace
+}  // namespace selvedge::sim::test
