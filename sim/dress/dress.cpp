@@ -100,7 +100,8 @@ DressedGarment dress(const Pattern& pattern, const Body& body, const DressOption
     timer.done("draping");
 
     const Cloth& cloth = *dressing.cloth();
-    validate(cloth, dressing.collider(), dressing.anchored(), dressing.open_seams(), dressing.result(), report);
+    validate(cloth, dressing.collider(), dressing.anchored(), dressing.open_seams(), dressing.result(), report,
+             {.may_cross_itself = !options.self_collision});
     if (!dressing.result().bad_vertex) {
         const DesignedGarment designed{.unsewn = dressing.designed(), .body = &dressing.designed_for()};
         validate_wearing(cloth, dressing.sewn_mesh(), designed, body, report);

@@ -249,7 +249,8 @@ void validate_crossings(const Cloth& cloth, const Pattern& pattern, const FaultL
     contact.self_crossing_at =
         describe_place(cloth, pattern, VertexId{surface.triangles[pairs.front().first].vertices[0]});
     if (limits.may_cross_itself) return;
-    add_fault(report, "self_crossing", std::to_string(pairs.size()) + " pairs of triangles, one at " + contact.self_crossing_at,
+    add_fault(report, "self_crossing",
+              std::to_string(pairs.size()) + " pairs of triangles, one at " + contact.self_crossing_at,
               contact.self_crossing_m);
 }
 

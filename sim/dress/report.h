@@ -107,12 +107,12 @@ struct SeamCounts {
 };
 
 struct ContactCounts {
-    int inside = 0;                 // leaf vertices inside the body
-    double deepest_m = 0;           // 0 when no vertex is inside
-    int faces_in_body = 0;          // leaf triangles of which a part is deeper than FaultLimits::depth
-    int edges_in_body = 0;          // leaf edges of which a part is
-    double deepest_face_m = 0;      // of these; 0 when there are none
-    std::string deepest_face_at{};  // its place, empty when there are none
+    int inside = 0;                  // leaf vertices inside the body
+    double deepest_m = 0;            // 0 when no vertex is inside
+    int faces_in_body = 0;           // leaf triangles of which a part is deeper than FaultLimits::depth
+    int edges_in_body = 0;           // leaf edges of which a part is
+    double deepest_face_m = 0;       // of these; 0 when there are none
+    std::string deepest_face_at{};   // its place, empty when there are none
     int self_crossings = 0;          // pairs of leaf triangles without a common vertex that cross each other
     double self_crossing_m = 0;      // total length of the contours of these, m
     std::string self_crossing_at{};  // the place of one of them, empty when there are none
@@ -158,10 +158,10 @@ std::string to_json(const DressReport& report);
 
 // Limits above which a value is a fault.
 struct FaultLimits {
-    double depth = 0.0005;      // m, depth of a vertex inside the body; of what counts as an edge or face in it
-    double face_depth = 0.003;  // m, of an edge or face: as much as its vertices keep from the body
-    double stretch_p99 = 0.02;  // warp or weft strain beyond the fabric's limit and what tightness explains
-    double stretch_max = 0.12;  // the same
+    double depth = 0.0005;          // m, depth of a vertex inside the body; of what counts as an edge or face in it
+    double face_depth = 0.003;      // m, of an edge or face: as much as its vertices keep from the body
+    double stretch_p99 = 0.02;      // warp or weft strain beyond the fabric's limit and what tightness explains
+    double stretch_max = 0.12;      // the same
     bool may_cross_itself = false;  // whether cloth that passes through itself is no fault
 };
 
