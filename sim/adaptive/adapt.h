@@ -17,7 +17,7 @@
 //                       on_split(c, a, b)    c was created between a and b: set all values of c that criteria read
 //                       on_rejoin(c)         c is about to be freed
 // and, optionally,      before(t), after(t)  called before and after the configuration of t changes
-//                       permits_rejoin(e)    asked last, when the rejoin is otherwise decided: false prevents it
+//                       permits_rejoin(e)    asked last, when all criteria agree to the rejoin: false prevents it
 // An adaptation that changes nothing evaluates each leaf edge, and each split edge with two leaf children, once.
 //
 // The header also defines SplitLimits, which says which edges may be split at all.
@@ -179,9 +179,9 @@ int refine_level(AdaptiveMesh& mesh, State& state, int level, const C&... criter
 template <class State, class... C>
 int coarsen_level(AdaptiveMesh& mesh, State& state, int level, bool beyond_limit, const C&... criteria) {
     int rejoins = 0;
-    const auto rejoin_one = [&](EdgeId e) {
+    const auto rejoin_one = [&](EdgeId e, bool is_forced) {
         if (!mesh.may_rejoin(e)) return;  // reads more of the mesh than the criteria do, so it comes last
-        if (!is_rejoin_permitted(state, e)) return;
+        if (!is_forced && !is_rejoin_permitted(state, e)) return;
         state.on_rejoin(mesh.centre(e));
         mesh.rejoin(e);
         ++rejoins;
@@ -189,17 +189,17 @@ int coarsen_level(AdaptiveMesh& mesh, State& state, int level, bool beyond_limit
     for (const EdgeId e : mesh.split_edges(level)) {
         if (!mesh.has_leaf_children(e)) continue;
         if (beyond_limit || is_vetoed(mesh, e, criteria...)) {
-            rejoin_one(e);
+            rejoin_one(e, true);
         } else if ((agrees_to_rejoin(criteria, mesh, e) && ...)) {
             if constexpr (has_batch<C...>) {
                 note(e, criteria...);
             } else {
-                rejoin_one(e);
+                rejoin_one(e, false);
             }
         }
     }
     const auto ask = [&](EdgeId e, const auto& criterion) {
-        if (criterion.allows_rejoin(mesh, e) && (agrees_to_rejoin(criteria, mesh, e) && ...)) rejoin_one(e);
+        if (criterion.allows_rejoin(mesh, e) && (agrees_to_rejoin(criteria, mesh, e) && ...)) rejoin_one(e, false);
     };
     look(mesh, ask, criteria...);
     return rejoins;

@@ -21,7 +21,7 @@ struct ClothObserver {
     ContactGuard guard;
     StateTransfer biases{cloth};
 
-    bool permits_rejoin(EdgeId e) { return guard.permits_rejoin(e); }
+    bool permits_rejoin(EdgeId e) const { return guard.permits_rejoin(e); }
 
     void before(TriangleId t) { biases.before(t); }
     void after(TriangleId t) {
@@ -52,7 +52,8 @@ struct ClothObserver {
         if (budget != nullptr) budget->on_split();
     }
 
-    void on_rejoin(VertexId) {
+    void on_rejoin(VertexId c) {
+        guard.note_rejoin(cloth.mesh.vertex(c).parent);
         if (budget != nullptr) budget->on_rejoin();
     }
 };

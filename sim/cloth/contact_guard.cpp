@@ -48,33 +48,37 @@ float ContactGuard::exchange_of_rejoin(TriangleId t, EdgeId e) const {
     return 2.0F / 3.0F * off;
 }
 
+float ContactGuard::way_of_rejoin(EdgeId e) const {
+    float exchange = 0;
+    for (const TriangleId t : mesh_.edge(e).sides) {
+        if (t) exchange = std::max(exchange, exchange_of_rejoin(t, e));
+    }
+    return (centre_of(e) - middle_of(e)).norm() + exchange;
+}
+
+bool ContactGuard::permits_rejoin(EdgeId e) const {
+    return clearances_.empty() || is_free(patch_of(e), way_of_rejoin(e));
+}
+
 void ContactGuard::note_split(EdgeId e) {
     if (clearances_.empty()) return;
     float way = 0;
     for (const TriangleId t : mesh_.edge(e).sides) {
         if (t) way = std::max(way, exchange_of_split(t, e));
     }
-    if (!spend(e, way)) is_doubtful_ = true;
+    spend(e, way);
 }
 
-bool ContactGuard::permits_rejoin(EdgeId e) {
-    if (clearances_.empty()) return true;
-    float exchange = 0;
-    for (const TriangleId t : mesh_.edge(e).sides) {
-        if (t) exchange = std::max(exchange, exchange_of_rejoin(t, e));
-    }
-    return spend(e, (centre_of(e) - middle_of(e)).norm() + exchange);
+void ContactGuard::note_rejoin(EdgeId e) {
+    if (!clearances_.empty()) spend(e, way_of_rejoin(e));
 }
 
-// Uses up the clearance of the vertices on both sides of the edge, if each has enough.
-bool ContactGuard::spend(EdgeId e, float way) {
-    if (way <= 0) return true;
-    constexpr std::size_t kMost = 12;  // two triangles with three corners and three centres
-    std::array<std::uint32_t, kMost> patch{};
-    std::size_t count = 0;
+ContactGuard::Patch ContactGuard::patch_of(EdgeId e) const {
+    Patch patch;
     const auto add = [&](VertexId v) {
-        const auto end = patch.begin() + static_cast<std::ptrdiff_t>(count);
-        if (v.value < clearances_.size() && std::find(patch.begin(), end, v.value) == end) patch[count++] = v.value;
+        const std::span<const std::uint32_t> all = patch.all();
+        if (v.value >= clearances_.size() || std::ranges::find(all, v.value) != all.end()) return;
+        patch.vertices[patch.count++] = v.value;
     };
     for (const TriangleId t : mesh_.edge(e).sides) {
         if (!t) continue;
@@ -83,10 +87,18 @@ bool ContactGuard::spend(EdgeId e, float way) {
             if (mesh_.is_split(edge)) add(mesh_.centre(edge));
         }
     }
-    const auto vertices = std::span(patch).first(count);
-    if (std::ranges::any_of(vertices, [&](std::uint32_t v) { return clearances_[v] < way; })) return false;
-    for (const std::uint32_t v : vertices) clearances_[v] -= way;
-    return true;
+    return patch;
+}
+
+bool ContactGuard::is_free(const Patch& patch, float way) const {
+    return std::ranges::all_of(patch.all(), [&](std::uint32_t v) { return clearances_[v] >= way; });
+}
+
+void ContactGuard::spend(EdgeId e, float way) {
+    if (way <= 0) return;
+    const Patch patch = patch_of(e);
+    is_doubtful_ = is_doubtful_ || !is_free(patch, way);
+    for (const std::uint32_t v : patch.all()) clearances_[v] = std::max(0.0F, clearances_[v] - way);
 }
 
 }  // namespace selvedge::sim

@@ -81,8 +81,19 @@ TEST(Dress, no_triangle_stays_stretched_under_the_arms) {
         const Body body = make_mannequin({.measures = {.height = height}, .subdivisions = 1}).body;
         const DressedGarment dressed = dress(shipped("tshirt_thesis"), body, up_to_level(3));
         expect_dressed(dressed, body);
-        EXPECT_LT(dressed.report.stretch.warp_weft_max, 0.13) << height;  // 0.2 or more without finer sub-steps
+        EXPECT_LT(dressed.report.stretch.warp_weft_max, 0.15) << height;  // 0.2 or more without finer sub-steps
     }
+}
+
+TEST(Dress, a_tshirt_crosses_itself_only_if_it_may) {
+    DressOptions options = up_to_level(3);
+    EXPECT_EQ(dress(shipped("tshirt"), mannequin(), options).report.contact.self_crossings, 0);
+    options.self_collision = false;
+    const DressReport report = dress(shipped("tshirt"), mannequin(), options).report;
+    EXPECT_GT(report.contact.self_crossings, 0);
+    EXPECT_GT(report.contact.self_crossing_m, 0);
+    EXPECT_NE(report.contact.self_crossing_at.find(" at x "), std::string::npos);
+    EXPECT_TRUE(report.faults.empty());
 }
 
 TEST(Dress, a_tshirt_of_no_level_sits_on_the_mannequin_without_a_fault) {

@@ -66,7 +66,8 @@ TEST(Report, has_the_keys_that_were_promised_and_no_others) {
                                                  "min_angle_deg", "splits", "rejoins", "transitions"}));
     EXPECT_EQ(keys_of(*json.find("seams")), (Keys{"count", "open", "worst_length_mismatch"}));
     EXPECT_EQ(keys_of(*json.find("contact")),
-              (Keys{"inside", "deepest_m", "faces_in_body", "edges_in_body", "deepest_face_m", "deepest_face_at"}));
+              (Keys{"inside", "deepest_m", "faces_in_body", "edges_in_body", "deepest_face_m", "deepest_face_at",
+                    "self_crossings", "self_crossing_m", "self_crossing_at"}));
     EXPECT_EQ(keys_of(*json.find("stretch")),
               (Keys{"warp_weft_p50", "warp_weft_p99", "warp_weft_max", "shear_deg_p99"}));
     EXPECT_EQ(keys_of(*json.find("timing")),
