@@ -310,6 +310,8 @@ void Dressing::change_cloth(const Pattern& pattern) {
         compare(drape_->pattern, pattern) == PatternChange::Fabrics || fabrics != cloth.material.fabrics;
     cloth.material.fabrics = std::move(fabrics);
     cloth.material.sett_offsets.clear();
+    cloth.material.layers.clear();
+    for (const Panel& panel : pattern.panels) cloth.material.layers.push_back(panel.layer);
     for (std::size_t p = 0; p < pattern.panels.size(); ++p) {
         cloth.material.grain_angles[p] = static_cast<float>(pattern.panels[p].grain_angle);
         cloth.material.sett_offsets.push_back(pattern.panels[p].sett_offset.cast<float>());

@@ -58,7 +58,7 @@ struct Panel {
     Vec2d sett_offset = Vec2d::Zero();  // m, (weft, warp), seen from the right side: position in the sett =
                                         // panel point rotated into the yarn directions + sett_offset
     std::string fabric;                 // empty: the pattern's fabric
-    int layer = 0;                      // higher: farther from the body. Stored, but not used yet
+    int layer = 0;                      // higher: farther from the body, where panels lie on each other
     std::vector<int> pins;              // indices of outline vertices that are pinned
     std::vector<InternalLine> internal_lines;
     std::vector<Notch> notches = {};
