@@ -1,7 +1,7 @@
 #pragma once
 // Turns the triangles of an imported file into closed surfaces with outward orientation: welds vertices, drops
 // degenerate and duplicate triangles, orients pieces, caps small holes. RepairReport counts each change. Also here: the
-// parts that it uses (connected pieces, vertex welding), and the search for self-intersections.
+// parts that it uses (connected pieces, vertex welding).
 #include <array>
 #include <string>
 #include <vector>
@@ -59,12 +59,5 @@ double area(const std::vector<Vec3d>& x, const Triangles& triangles, const Surfa
 // Maps each point to its representative: the first representative at most `distance` (m) away, or the point itself when
 // there is none. Pre: distance > 0.
 std::vector<int> weld(const std::vector<Vec3d>& x, double distance);
-
-// Self-intersections of a body's surface: pairs of triangles that pierce each other.
-
-// All pairs of triangles in which an edge of one pierces the other. Each pair has the lower index first; the list is
-// sorted. Triangles that share one vertex count if they meet anywhere else; triangles that share an edge, and mere
-// contact, do not count. Computed in double precision: a contact within rounding error may be classified either way.
-std::vector<std::array<int, 2>> self_intersections(const Body& body);
 
 }  // namespace selvedge::sim

@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-#include "sim/body/surface_repair.h"
+#include "sim/body/self_intersections.h"
 #include "sim/core/error.h"
 #include "sim/mannequin/measures.h"
 #include "sim/mannequin/shape.h"

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "sim/body/surface_repair.h"
+#include "sim/body/self_intersections.h"
 #include "sim/mannequin/mannequin.h"
 #include "tests/support/bodies.h"
 #include "tests/support/body_checks.h"
