@@ -142,6 +142,15 @@ std::string counted(int count, const char* what) {
     return std::to_string(count) + ' ' + what;
 }
 
+// For example "cut 2 edges where more than two triangles meet, the first at (0.012, 1.530, 0.104) m".
+std::string describe_cuts(const EdgeCuts& cuts, double lift) {
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "cut %d edges where more than two triangles meet, the first at (%.3f, %.3f, %.3f) m", cuts.edges,
+                  cuts.at.x(), cuts.at.y() + lift, cuts.at.z());
+    return cuts.dropped == 0 ? text : std::string(text) + ", and left out " + counted(cuts.dropped, "triangles there");
+}
+
 void write_notes(LoadBodyReport& report) {
     std::vector<std::string>& notes = report.notes;
     const RepairReport& repair = report.repair;
@@ -150,6 +159,7 @@ void write_notes(LoadBodyReport& report) {
     if (std::abs(report.floor_shift) > 1e-4) notes.push_back(describe_shift(report.floor_shift));
     if (repair.dropped_triangles > 0)
         notes.push_back("left out " + counted(repair.dropped_triangles, "triangles without area or twice there"));
+    if (repair.cuts.edges > 0) notes.push_back(describe_cuts(repair.cuts, report.floor_shift));
     if (repair.turned_triangles > 0)
         notes.push_back("turned " + counted(repair.turned_triangles, "triangles to face outward"));
     if (repair.capped_holes > 0) notes.push_back("capped " + counted(repair.capped_holes, "holes"));

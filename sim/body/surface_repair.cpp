@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <unordered_map>
 #include <utility>
 
@@ -17,12 +18,33 @@
 namespace selvedge::sim {
 namespace {
 
-void weld_vertices(Surface& surface, double distance, RepairReport& report) {
-    const std::vector<int> same = weld(surface.x, distance);
-    for (std::size_t i = 0; i < same.size(); ++i)
+constexpr double kSamePlace = 1e-12;  // m, coordinates that are equal in the file
+
+// Merges only vertices on open edges. Vertices of parts that are closed already may come as near as they like.
+void weld_open_edges(Surface& surface, double distance, RepairReport& report) {
+    std::vector<bool> is_open(surface.x.size(), false);
+    const std::vector<TriangleSide> sides = sorted_sides(surface.triangles);
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        if (i > 0 && sides[i].same_edge(sides[i - 1])) continue;
+        if (i + 1 < sides.size() && sides[i].same_edge(sides[i + 1])) continue;
+        is_open[std::size_t(sides[i].low)] = is_open[std::size_t(sides[i].high)] = true;
+    }
+    std::vector<int> vertices;
+    std::vector<Vec3d> x;
+    for (std::size_t v = 0; v < is_open.size(); ++v) {
+        if (!is_open[v]) continue;
+        vertices.push_back(int(v));
+        x.push_back(surface.x[v]);
+    }
+    const std::vector<int> same = weld(x, distance);
+    std::vector<int> replacement(surface.x.size());
+    std::iota(replacement.begin(), replacement.end(), 0);
+    for (std::size_t i = 0; i < same.size(); ++i) {
+        replacement[std::size_t(vertices[i])] = vertices[std::size_t(same[i])];
         if (same[i] != int(i)) ++report.welded_vertices;
+    }
     for (std::array<int, 3>& triangle : surface.triangles)
-        for (int& v : triangle) v = same[std::size_t(v)];
+        for (int& v : triangle) v = replacement[std::size_t(v)];
 }
 
 // Drops triangles with a repeated vertex after welding, and duplicates: of those with the same vertices the first
@@ -250,8 +272,12 @@ Surface repair(Surface surface, const std::string& file, const RepairOptions& op
     report = {};
     surface.origin.clear();
     for (std::size_t v = 0; v < surface.x.size(); ++v) surface.origin.push_back(int(v));
-    weld_vertices(surface, options.weld_distance, report);
-    drop_degenerate(surface, report);
+    // Readers split vertices at seams of their texture, and some files share none: copies at one place come first.
+    for (const double distance : {kSamePlace, options.weld_distance}) {
+        weld_open_edges(surface, distance, report);
+        drop_degenerate(surface, report);
+    }
+    report.cuts = cut_crowded_edges(surface.x, surface.origin, surface.triangles);
     if (surface.triangles.empty()) throw InputError(file, "", "its triangles have no area");
 
     const std::vector<std::array<int, 3>> before = surface.triangles;
@@ -267,7 +293,7 @@ namespace {
 constexpr int kNone = -1;
 
 struct Topology {
-    std::vector<std::array<int, 3>> neighbours;  // across side k; kNone at a boundary or a non-manifold edge
+    std::vector<std::array<int, 3>> neighbours;  // across side k; kNone at a boundary
     std::vector<int> piece;                      // per triangle
     std::vector<SurfacePiece> pieces;
 };
@@ -277,18 +303,17 @@ Topology connect(const Triangles& triangles) {
     Topology topology;
     topology.neighbours.assign(triangles.size(), {kNone, kNone, kNone});
     UnionFind groups(triangles.size());
-    std::vector<int> crowded;  // one triangle of each edge with more than two triangles
     for (std::size_t first = 0; first < sides.size();) {
         std::size_t last = first + 1;
         while (last < sides.size() && sides[last].same_edge(sides[first])) ++last;
-        for (std::size_t i = first + 1; i < last; ++i) groups.join(sides[first].triangle, sides[i].triangle);
+        SELVEDGE_ASSERT(last - first <= 2);
         if (last - first == 2) {
+            groups.join(sides[first].triangle, sides[first + 1].triangle);
             const TriangleSide& a = sides[first];
             const TriangleSide& b = sides[first + 1];
             topology.neighbours[std::size_t(a.triangle)][std::size_t(a.k)] = b.triangle;
             topology.neighbours[std::size_t(b.triangle)][std::size_t(b.k)] = a.triangle;
         }
-        if (last - first > 2) crowded.push_back(sides[first].triangle);
         first = last;
     }
     std::map<int, int> piece_of_group;
@@ -298,8 +323,6 @@ Topology connect(const Triangles& triangles) {
         topology.piece.push_back(found->second);
         topology.pieces[std::size_t(found->second)].triangles.push_back(int(t));
     }
-    for (const int t : crowded)
-        topology.pieces[std::size_t(topology.piece[std::size_t(t)])].flaw = "more than two triangles meet at an edge";
     return topology;
 }
 
@@ -364,7 +387,6 @@ std::vector<std::vector<int>> chain(std::multimap<int, int> edges) {
     return loops;
 }
 
-// Pre: no edge of the piece has more than two triangles, so an edge without a neighbour is a boundary.
 // topology.neighbours follows the side numbers before triangles were flipped, so each side's neighbour is found again
 // by its vertices.
 std::vector<std::vector<int>> find_holes(const Triangles& triangles, const Topology& topology,

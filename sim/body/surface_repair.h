@@ -1,12 +1,13 @@
 #pragma once
-// Turns the triangles of an imported file into closed surfaces with outward orientation: welds vertices, drops
-// degenerate and duplicate triangles, orients pieces, caps small holes. RepairReport counts each change. Also here: the
-// parts that it uses (connected pieces, vertex welding).
+// Turns the triangles of an imported file into closed surfaces with outward orientation: welds vertices on open edges,
+// drops degenerate and duplicate triangles, cuts where too many triangles meet, orients pieces, caps small holes.
+// RepairReport counts each change. Also here: the parts that it uses (connected pieces, vertex welding).
 #include <array>
 #include <string>
 #include <vector>
 
 #include "sim/body/body.h"
+#include "sim/body/crowded_edges.h"
 #include "sim/core/math.h"
 
 namespace selvedge::sim {
@@ -18,13 +19,14 @@ struct Surface {
 };
 
 struct RepairOptions {
-    double weld_distance = 1e-6;  // m, vertices at most this far apart are merged
+    double weld_distance = 1e-6;  // m, vertices on open edges at most this far apart are merged
     double largest_hole = 0.6;    // m, perimeter: an open neck or eye is capped, a missing half of the body is not
 };
 
 struct RepairReport {
     int welded_vertices = 0;
     int dropped_triangles = 0;  // degenerate after welding, or duplicates
+    EdgeCuts cuts;
     int turned_triangles = 0;
     int capped_holes = 0;
     int pieces = 0;                           // connected pieces that remain
@@ -46,7 +48,8 @@ struct SurfacePiece {
 };
 
 // Flips triangles in place so that neighbours within each piece have consistent orientation; it may still be inward.
-// Pieces are ordered by their first triangle. Pre: the three corners of each triangle are different vertices.
+// Pieces are ordered by their first triangle. Pre: the three corners of each triangle are different vertices; at most
+// two triangles meet at any edge.
 std::vector<SurfacePiece> find_pieces(Triangles& triangles);
 
 // Six times the signed volume under the piece's triangles, m^3: positive for a closed piece with outward orientation.

@@ -1,3 +1,5 @@
+#include "sim/body/surface_repair.h"
+
 #include <gtest/gtest.h>
 
 #include "sim/body/self_intersections.h"
@@ -17,6 +19,29 @@ Body join(Body body, const Body& other) {
 
 Body ball(double x) {
     return shapes::sphere(Vec3d(x, 0.01, 0.02), 1, 9);
+}
+
+TEST(SurfaceRepair, keeps_the_indices_of_a_file_where_they_close_the_surface) {
+    // Equal vertices with indices of their own, as of lips that touch.
+    const Body two =
+        join(shapes::box({-0.2, 0, -0.1}, {0.2, 0.8, 0.1}, 4), shapes::box({-0.2, 0.8, -0.1}, {0.2, 1, 0.1}, 4));
+    RepairReport report;
+    const Surface surface = repair({two.x, two.triangles, {}}, "file", {}, report);
+    EXPECT_EQ(report.welded_vertices, 0);
+    EXPECT_EQ(report.cuts.edges, 0);
+    EXPECT_EQ(surface.x.size(), two.x.size());
+    EXPECT_EQ(surface.triangles, two.triangles);
+}
+
+TEST(SurfaceRepair, welds_only_at_open_edges) {
+    Body two = join(shapes::box({-0.2, 0, -0.1}, {0.2, 0.8, 0.1}, 4), shapes::box({-0.2, 0.8, -0.1}, {0.2, 1, 0.1}, 4));
+    two.x.push_back(two.x[std::size_t(two.triangles[0][0])]);  // as a seam of the texture splits a vertex
+    two.triangles[0][0] = int(two.x.size()) - 1;
+    RepairReport report;
+    const Surface surface = repair({two.x, two.triangles, {}}, "file", {}, report);
+    EXPECT_EQ(report.welded_vertices, 1);
+    EXPECT_EQ(report.pieces, 2);
+    EXPECT_EQ(surface.x.size(), two.x.size() - 1);
 }
 
 TEST(SelfIntersections, of_one_ball_or_of_two_apart_are_none) {
