@@ -34,10 +34,9 @@ T named(const std::map<std::string, T>& values, const std::string& option, const
     throw sim::InputError("", option, "'" + text + "' is none of " + names);
 }
 
-const std::map<std::string, sim::LengthUnit> kUnits{{"auto", sim::LengthUnit::Auto},
-                                                    {"m", sim::LengthUnit::Metres},
-                                                    {"cm", sim::LengthUnit::Centimetres},
-                                                    {"mm", sim::LengthUnit::Millimetres}};
+const std::map<std::string, sim::LengthUnit> kUnits{
+    {"auto", sim::LengthUnit::Auto},      {"m", sim::LengthUnit::Metres},       {"dm", sim::LengthUnit::Decimetres},
+    {"cm", sim::LengthUnit::Centimetres}, {"mm", sim::LengthUnit::Millimetres}, {"in", sim::LengthUnit::Inches}};
 const std::map<std::string, sim::UpAxis> kUpAxes{
     {"auto", sim::UpAxis::Auto}, {"y", sim::UpAxis::Y}, {"z", sim::UpAxis::Z}};
 
@@ -56,7 +55,7 @@ void add_body_options(CLI::App& command, BodyOptions& options, const std::string
         if (is_mannequin(text)) sim::parse_mannequin(text);
         options.source = text;
     })->type_name("BODY");
-    add("--body-unit", "Unit of a body's file: auto, m, cm, mm (default auto: by its height)", [&](Text text) {
+    add("--body-unit", "Unit of a body's file: auto, m, dm, cm, mm, in (default auto: by its size)", [&](Text text) {
         options.load.unit = named(kUnits, "--body-unit", text);
     })->type_name("UNIT");
     add("--body-up", "Axis of a body's file that points up: auto, y, z (default auto)", [&](Text text) {

@@ -28,6 +28,8 @@ struct Body {
     std::vector<Bone> bones;                    // empty when unknown
     std::vector<SkinWeights> skin;              // per vertex, empty when unknown
     std::string made_from{};                    // bodies with equal text have equal surfaces; empty: unknown
+    std::string file{};                         // canonical path that it was read from; empty: none
+    double lift = 0;                            // m, by which it was raised from the file's frame to the floor
 };
 
 // Minimum and maximum y of the surface, m; `high` is the stature when the body stands on the floor.

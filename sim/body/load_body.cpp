@@ -1,5 +1,7 @@
 #include "sim/body/load_body.h"
 
+#include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
@@ -41,25 +43,47 @@ UpAxis up_axis(const ImportedScene& scene, const std::filesystem::path& path, Up
     return range_along(scene, 2).extent() > range_along(scene, 1).extent() ? UpAxis::Z : UpAxis::Y;
 }
 
-// Bodies are 0.4 to 4 m tall, which includes children and giants; the ranges of the three units do not overlap.
-LengthUnit length_unit(double height, const std::string& file, LengthUnit requested) {
-    if (requested != LengthUnit::Auto) return requested;
-    if (height >= 0.4 && height <= 4) return LengthUnit::Metres;
-    if (height >= 40 && height <= 400) return LengthUnit::Centimetres;
-    if (height > 400 && height <= 4000) return LengthUnit::Millimetres;
-    throw InputError(file, "",
-                     "a body " + std::to_string(height) + " units tall is not one in m, cm or mm: name its unit");
+struct UnitOfLength {
+    LengthUnit unit;
+    double metres;
+    const char* name;
+};
+constexpr std::array<UnitOfLength, 5> kUnits{{{LengthUnit::Metres, 1, "metres"},
+                                              {LengthUnit::Decimetres, 0.1, "decimetres"},
+                                              {LengthUnit::Centimetres, 0.01, "centimetres"},
+                                              {LengthUnit::Millimetres, 0.001, "millimetres"},
+                                              {LengthUnit::Inches, 0.0254, "inches"}}};
+
+const UnitOfLength& unit_of_length(LengthUnit unit) {
+    return *std::ranges::find(kUnits, unit, &UnitOfLength::unit);
 }
 
-double metres(LengthUnit unit) {
-    switch (unit) {
-        case LengthUnit::Centimetres:
-            return 0.01;
-        case LengthUnit::Millimetres:
-            return 0.001;
-        default:
-            return 1;
+// How unlike a person a body of this size is: a stature of 1.6 m and a depth of 28 cm cost nothing. The depth tells a
+// bust in centimetres from a body in inches: it is about the same for whole bodies, without a head, or without legs.
+double implausibility(double height, double depth) {
+    constexpr double kHeight = 1.6, kDepth = 0.28;  // m
+    return std::abs(std::log(height / kHeight)) + std::abs(std::log(depth / kDepth));
+}
+
+// The most plausible unit in which the body is 0.3 to 2.3 m tall; otherwise, for giants, up to 4 m.
+LengthUnit length_unit(double height, double depth, const std::string& file, LengthUnit requested) {
+    if (requested != LengthUnit::Auto) return requested;
+    constexpr double kLeast = 0.3, kTallest = 2.3, kGiant = 4;  // m
+    depth = std::max(depth, 1e-3 * height);
+    for (const double most : {kTallest, kGiant}) {
+        const UnitOfLength* best = nullptr;
+        const auto cost = [&](const UnitOfLength& unit) {
+            return implausibility(height * unit.metres, depth * unit.metres);
+        };
+        for (const UnitOfLength& unit : kUnits) {
+            if (height * unit.metres < kLeast || height * unit.metres > most) continue;
+            if (!best || cost(unit) < cost(*best)) best = &unit;
+        }
+        if (best) return best->unit;
     }
+    throw InputError(
+        file, "",
+        "a body " + std::to_string(height) + " units tall is not one in m, dm, cm, mm or inches: name its unit");
 }
 
 // Applies to any unit: nothing larger is a person, and the memory of the collision field grows with the volume.
@@ -70,17 +94,6 @@ void check_size(const ImportedScene& scene, double scale, const std::string& fil
         if (extent <= kLargest) continue;
         throw InputError(file, "",
                          "a body of " + std::to_string(extent) + " m is too large to dress: is its unit right?");
-    }
-}
-
-const char* name_of(LengthUnit unit) {
-    switch (unit) {
-        case LengthUnit::Centimetres:
-            return "centimetres";
-        case LengthUnit::Millimetres:
-            return "millimetres";
-        default:
-            return "metres";
     }
 }
 
@@ -99,10 +112,13 @@ struct Frame {
 Frame choose_frame(const ImportedScene& scene, const std::filesystem::path& path, const LoadBodyOptions& options,
                    LoadBodyReport& report) {
     report.up = up_axis(scene, path, options.up);
-    const Range height = range_along(scene, report.up == UpAxis::Z ? 2 : 1);
-    report.unit = length_unit(height.extent(), path.string(), options.unit);
-    check_size(scene, metres(report.unit), path.string());
-    return {.scale = metres(report.unit), .up = report.up};
+    const int up = report.up == UpAxis::Z ? 2 : 1;
+    const double depth = std::min(range_along(scene, 0).extent(), range_along(scene, 3 - up).extent());
+    report.unit = length_unit(range_along(scene, up).extent(), depth, path.string(), options.unit);
+    report.is_unit_assumed = options.unit == LengthUnit::Auto;
+    const double scale = unit_of_length(report.unit).metres;
+    check_size(scene, scale, path.string());
+    return {.scale = scale, .up = report.up};
 }
 
 struct JoinedScene {
@@ -124,10 +140,10 @@ JoinedScene join(const ImportedScene& scene, const Frame& frame) {
     return joined;
 }
 
-void stand_on_floor(Body& body, LoadBodyReport& report) {
-    report.floor_shift = -height_range(body).low;
-    for (Vec3d& p : body.x) p.y() += report.floor_shift;
-    for (Bone& bone : body.bones) bone.joint.y() += report.floor_shift;
+void stand_on_floor(Body& body) {
+    body.lift = -height_range(body).low;
+    for (Vec3d& p : body.x) p.y() += body.lift;
+    for (Bone& bone : body.bones) bone.joint.y() += body.lift;
 }
 
 // For example "moved 0.9 mm down to stand on the floor".
@@ -142,6 +158,14 @@ std::string counted(int count, const char* what) {
     return std::to_string(count) + ' ' + what;
 }
 
+// For example "assumed decimetres: 1.68 m tall".
+std::string describe_unit(const LoadBodyReport& report, double height) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%s %s: %.2f m tall", report.is_unit_assumed ? "assumed" : "read as",
+                  unit_of_length(report.unit).name, height);
+    return text;
+}
+
 // For example "cut 2 edges where more than two triangles meet, the first at (0.012, 1.530, 0.104) m".
 std::string describe_cuts(const EdgeCuts& cuts, double lift) {
     char text[160];
@@ -151,15 +175,16 @@ std::string describe_cuts(const EdgeCuts& cuts, double lift) {
     return cuts.dropped == 0 ? text : std::string(text) + ", and left out " + counted(cuts.dropped, "triangles there");
 }
 
-void write_notes(LoadBodyReport& report) {
+void write_notes(LoadBodyReport& report, const Body& body) {
     std::vector<std::string>& notes = report.notes;
     const RepairReport& repair = report.repair;
-    if (report.unit != LengthUnit::Metres) notes.push_back(std::string("read as ") + name_of(report.unit));
+    const HeightRange height = height_range(body);
+    if (report.unit != LengthUnit::Metres) notes.push_back(describe_unit(report, height.high - height.low));
     if (report.up == UpAxis::Z) notes.emplace_back("turned from z up to y up");
-    if (std::abs(report.floor_shift) > 1e-4) notes.push_back(describe_shift(report.floor_shift));
+    if (std::abs(body.lift) > 1e-4) notes.push_back(describe_shift(body.lift));
     if (repair.dropped_triangles > 0)
         notes.push_back("left out " + counted(repair.dropped_triangles, "triangles without area or twice there"));
-    if (repair.cuts.edges > 0) notes.push_back(describe_cuts(repair.cuts, report.floor_shift));
+    if (repair.cuts.edges > 0) notes.push_back(describe_cuts(repair.cuts, body.lift));
     if (repair.turned_triangles > 0)
         notes.push_back("turned " + counted(repair.turned_triangles, "triangles to face outward"));
     if (repair.capped_holes > 0) notes.push_back("capped " + counted(repair.capped_holes, "holes"));
@@ -167,6 +192,12 @@ void write_notes(LoadBodyReport& report) {
 }
 
 }  // namespace
+
+std::string canonical_name(const std::filesystem::path& path) {
+    std::error_code error;
+    const std::filesystem::path name = std::filesystem::weakly_canonical(std::filesystem::absolute(path), error);
+    return error ? path.string() : name.string();
+}
 
 Body load_body(const std::filesystem::path& path, const LoadBodyOptions& options, LoadBodyReport* report) {
     LoadBodyReport own;
@@ -179,14 +210,15 @@ Body load_body(const std::filesystem::path& path, const LoadBodyOptions& options
 
     Body body;
     body.name = path.stem().string();
+    body.file = canonical_name(path);
     body.x = std::move(surface.x);
     body.triangles = std::move(surface.triangles);
     body.bones = scene.bones;
     for (Bone& bone : body.bones) bone.joint = frame(bone.joint);
     if (!joined.skin.empty())
         for (const int origin : surface.origin) body.skin.push_back(joined.skin[std::size_t(origin)]);
-    if (options.stands_on_floor) stand_on_floor(body, filled_report);
-    write_notes(filled_report);
+    if (options.stands_on_floor) stand_on_floor(body);
+    write_notes(filled_report, body);
     return body;
 }
 

@@ -10,8 +10,8 @@
 
 namespace selvedge::sim {
 
-enum class LengthUnit { Auto, Metres, Centimetres, Millimetres };  // Auto: guessed from the height
-enum class UpAxis { Auto, Y, Z };                                  // Auto: the longer of y and z; y for glTF
+enum class LengthUnit { Auto, Metres, Decimetres, Centimetres, Millimetres, Inches };  // Auto: by height and depth
+enum class UpAxis { Auto, Y, Z };  // Auto: the longer of y and z; y for glTF
 
 struct LoadBodyOptions {
     LengthUnit unit = LengthUnit::Auto;
@@ -22,11 +22,14 @@ struct LoadBodyOptions {
 
 struct LoadBodyReport {
     LengthUnit unit = LengthUnit::Metres;  // as used
+    bool is_unit_assumed = true;           // not requested
     UpAxis up = UpAxis::Y;                 // as used
-    double floor_shift = 0;                // m, added to y
     RepairReport repair;
     std::vector<std::string> notes;  // one sentence per change; empty when nothing was changed
 };
+
+// Body::file of a body that is read from this path, which need not exist.
+std::string canonical_name(const std::filesystem::path& path);
 
 // Throws InputError when the file cannot be read, is not a body, or its surface cannot be closed. Post: the surface is
 // closed, each piece is manifold and has outward orientation.

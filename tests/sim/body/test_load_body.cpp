@@ -72,8 +72,32 @@ TEST_F(LoadBody, tells_centimetres_and_millimetres_by_the_height) {
         EXPECT_NEAR(height_range(body).high, 1.7, 1e-5);
         EXPECT_TRUE(noted("metres"));
     }
-    EXPECT_NE(problem_of(obj_of(post(), 10)).find("name its unit"), std::string::npos);
+}
+
+TEST_F(LoadBody, assumes_the_unit_in_which_the_body_has_the_size_of_a_person_and_says_so) {
+    const Body grown = shapes::box({-0.2, 0, -0.15}, {0.2, 1.68, 0.15}, 6);
+    const Body bust = shapes::box({-0.2, 0, -0.14}, {0.2, 0.75, 0.14}, 6);
+    const std::array<std::pair<double, std::string>, 5> units{{{1, ""},
+                                                               {10, "assumed decimetres"},
+                                                               {100, "assumed centimetres"},
+                                                               {1000, "assumed millimetres"},
+                                                               {1 / 0.0254, "assumed inches"}}};
+    for (const auto& [scale, note] : units) {
+        for (const Body& whole : {grown, bust}) {
+            const double height = height_range(whole).high;
+            EXPECT_NEAR(height_range(load_text(obj_of(whole, scale))).high, height, 1e-5) << note << ' ' << height;
+            EXPECT_EQ(report_.notes.empty(), note.empty());
+            EXPECT_TRUE(note.empty() || noted(note + (height > 1 ? ": 1.68 m tall" : ": 0.75 m tall"))) << note;
+        }
+    }
+}
+
+TEST_F(LoadBody, takes_a_unit_that_is_named_and_refuses_a_size_that_no_unit_explains) {
     EXPECT_NEAR(height_range(load_text(obj_of(post(), 10), {.unit = LengthUnit::Centimetres})).high, 0.17, 1e-6);
+    EXPECT_TRUE(noted("read as centimetres: 0.17 m tall"));
+    EXPECT_NEAR(height_range(load_text(obj_of(post(), 40), {.unit = LengthUnit::Inches})).high, 1.7272, 1e-6);
+    EXPECT_NE(problem_of(obj_of(post(), 0.01)).find("name its unit"), std::string::npos);
+    EXPECT_NE(problem_of(obj_of(post(), 1e5)).find("name its unit"), std::string::npos);
 }
 
 TEST_F(LoadBody, turns_a_body_that_lies_along_z_upright_with_its_front_to_the_front) {
@@ -97,7 +121,7 @@ TEST_F(LoadBody, stands_it_on_the_floor_and_says_so) {
     Body floating = post();
     for (Vec3d& p : floating.x) p.y() += 0.25;
     EXPECT_NEAR(height_range(load_text(obj_of(floating))).low, 0, 1e-9);
-    EXPECT_NEAR(report_.floor_shift, -0.25, 1e-6);
+    EXPECT_NEAR(load_text(obj_of(floating)).lift, -0.25, 1e-6);
     EXPECT_TRUE(noted("floor"));
     EXPECT_NEAR(height_range(load_text(obj_of(floating), {.stands_on_floor = false})).low, 0.25, 1e-6);
 }
