@@ -245,10 +245,10 @@ void take_bones(const Body& body, BodyLimbs& limbs) {
     }
 }
 
-void find_torso(const Body& body, BodyLimbs& limbs) {
-    const TorsoHeights heights = torso_heights(body);
+void find_torso(const Body& body, const Stature& stature, BodyLimbs& limbs) {
+    const TorsoHeights heights = torso_heights(body, stature);
     for (const double y : {heights.hip, heights.waist, heights.chest, heights.neck}) {
-        const std::vector<Vec3d> points = trunk_points(body, y);
+        const std::vector<Vec3d> points = trunk_points(body, y, stature_of(limbs.height));
         if (points.empty()) {
             limbs.torso.clear();
             return;
@@ -258,7 +258,7 @@ void find_torso(const Body& body, BodyLimbs& limbs) {
     const Vec3d& neck = limbs.torso.back().centre;
     const double chin = limbs.height.low + kChinHeight * stature_of(limbs.height);
     const double middle = (std::max(neck.y(), chin) + limbs.height.high) / 2;
-    const std::vector<Vec3d> head = trunk_points(body, middle);
+    const std::vector<Vec3d> head = trunk_points(body, middle, stature_of(limbs.height));
     if (head.empty()) return;
     const Vec3d centre = middle_of_box(head);
     limbs.limbs[index_of(LimbKind::Head)].joints = {
@@ -280,8 +280,9 @@ LimbSet BodyLimbs::found() const {
 BodyLimbs find_limbs(const Body& body) {
     BodyLimbs found;
     if (body.triangles.empty()) return found;
-    found.height = height_range(body);
-    find_torso(body, found);
+    const Stature stature = find_stature(body);
+    found.height = {stature.floor, stature.crown};
+    find_torso(body, stature, found);
     if (found.torso.empty()) return found;
     if (has_known_bones(body)) {
         take_bones(body, found);
@@ -382,8 +383,7 @@ std::string place_on_body(const BodyLimbs& limbs, const Vec3d& x) {
 
 // Torso.
 
-std::vector<Vec3d> trunk_points(const Body& body, double y) {
-    const double stature = stature_of(height_range(body));
+std::vector<Vec3d> trunk_points(const Body& body, double y, double stature) {
     const std::vector<SectionLoop> loops = section(body, {.point = Vec3d(0, y, 0)});
     double largest = 0;
     const auto is_middle = [&](const SectionLoop& loop) { return std::abs(loop.centre.x()) < 0.1 * stature; };
@@ -400,13 +400,13 @@ std::vector<Vec3d> trunk_points(const Body& body, double y) {
 
 namespace {
 
-double waist_level(const Body& body, const HeightRange& height) {
-    const double stature = stature_of(height);
+// Height of the smallest girth of the trunk, m.
+double waist_level(const Body& body, const Stature& stature) {
     double least = std::numeric_limits<double>::max();
-    double waist = height.low + 0.62 * stature;
+    double waist = stature.floor + 0.62 * stature.height();
     for (double share = 0.57; share < 0.685; share += 0.01) {
-        const double y = height.low + share * stature;
-        const std::vector<Vec3d> points = trunk_points(body, y);
+        const double y = stature.floor + share * stature.height();
+        const std::vector<Vec3d> points = trunk_points(body, y, stature.height());
         if (points.empty()) continue;
         const double girth = tape_length({.points = points, .centre = {}, .area = 0}, {.point = Vec3d(0, y, 0)});
         if (girth >= least) continue;
@@ -423,14 +423,12 @@ double joint_height(const Body& body, const std::string& name, double otherwise)
 
 }  // namespace
 
-TorsoHeights torso_heights(const Body& body) {
-    const HeightRange height = height_range(body);
-    const double stature = stature_of(height);
-    const auto at = [&](double share) { return height.low + share * stature; };
-    return {.neck = joint_height(body, "neck", at(0.848)) + 0.012 * stature,
+TorsoHeights torso_heights(const Body& body, const Stature& stature) {
+    const auto at = [&](double share) { return stature.floor + share * stature.height(); };
+    return {.neck = joint_height(body, "neck", at(0.848)) + 0.012 * stature.height(),
             .chest = at(0.728),
-            .waist = waist_level(body, height),
-            .hip = joint_height(body, "hips", at(0.525)) - 0.037 * stature};
+            .waist = waist_level(body, stature),
+            .hip = joint_height(body, "hips", at(0.525)) - 0.037 * stature.height()};
 }
 
 }  // namespace selvedge::sim

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "sim/body/body.h"
+#include "sim/body/landmarks.h"
 #include "sim/body/section.h"
 #include "sim/core/math.h"
 
@@ -74,10 +75,10 @@ struct TorsoHeights {
     double waist = 0;  // of the smallest girth
     double hip = 0;
 };
-TorsoHeights torso_heights(const Body& body);
+TorsoHeights torso_heights(const Body& body, const Stature& stature);
 
-// Section points of the trunk or of both legs at height y (m). Arms and hands are excluded: they are thin or far from
-// the centre.
-std::vector<Vec3d> trunk_points(const Body& body, double y);
+// Section points of the trunk or of both legs at height y (m), for a body of that stature (m). Arms and hands are
+// excluded: they are thin or far from the centre.
+std::vector<Vec3d> trunk_points(const Body& body, double y, double stature);
 
 }  // namespace selvedge::sim

@@ -28,10 +28,9 @@ Vec3d panel_centre(const Panel& panel) {
 }
 
 // Centre of the torso's section at this height, clamped to between crotch and shoulder; arms and legs are other loops.
-Vec3d torso_centre(const Body& body, double y) {
-    const HeightRange height = height_range(body);
-    const double stature = height.high - height.low;
-    const double level = std::clamp(y, height.low + 0.52 * stature, height.low + 0.80 * stature);
+Vec3d torso_centre(const Body& body, const Stature& stature, double y) {
+    const double level =
+        std::clamp(y, stature.floor + 0.52 * stature.height(), stature.floor + 0.80 * stature.height());
     const Plane plane{.point = Vec3d(0, level, 0)};
     const auto loop = nearest_loop(section(body, plane), Vec3d(0, level, 0));
     const Vec3d centre = loop ? loop->centre : Vec3d(0, level, 0);
@@ -139,15 +138,16 @@ double seam_clearing_lift(const GarmentMesh& unsewn, const BodyCollider& body) {
     return best;
 }
 
-void anchor_panels(Pattern& pattern, const Body& from, const Body& onto) {
-    const HeightRange a = height_range(from);
-    const HeightRange b = height_range(onto);
-    const double ratio = (b.high - b.low) / (a.high - a.low);
+Stature anchor_panels(Pattern& pattern, const Body& from, const Body& onto) {
+    const Stature a = find_stature(from);
+    const Stature b = find_stature(onto);
+    const double ratio = b.height() / a.height();
     for (Panel& panel : pattern.panels) {
         const Vec3d centre = panel_centre(panel);
-        const double level = b.low + (centre.y() - a.low) * ratio;
-        panel.translation += torso_centre(onto, level) - torso_centre(from, centre.y());
+        const double level = b.floor + (centre.y() - a.floor) * ratio;
+        panel.translation += torso_centre(onto, b, level) - torso_centre(from, a, centre.y());
     }
+    return b;
 }
 
 std::vector<std::string> clear_panels(GarmentMesh& unsewn, const BodyCollider& body) {
@@ -217,26 +217,25 @@ struct TorsoLevel {
     double reach = 0;  // m above and below that a panel placed here must clear
 };
 
-std::array<TorsoLevel, 5> torso_levels(const Body& body) {
-    const HeightRange height = height_range(body);
-    const TorsoHeights heights = torso_heights(body);
+std::array<TorsoLevel, 5> torso_levels(const Body& body, const Stature& stature) {
+    const TorsoHeights heights = torso_heights(body, stature);
     return {{{"neck", heights.neck, 0},
              {"chest", heights.chest, 0.08},
              {"waist", heights.waist, 0.08},
              {"hip", heights.hip, 0.08},
-             {"below hip", heights.hip - 0.07 * (height.high - height.low), 0.04}}};
+             {"below hip", heights.hip - 0.07 * stature.height(), 0.04}}};
 }
 
-std::optional<Cut> cut_torso(const Body& body, const TorsoLevel& level) {
+std::optional<Cut> cut_torso(const Body& body, const Stature& stature, const TorsoLevel& level) {
     constexpr double kMuchWider = 1.45;  // so much wider where the arms join the trunk
     Cut cut;
-    cut.points = trunk_points(body, level.y);
+    cut.points = trunk_points(body, level.y, stature.height());
     if (cut.points.empty()) return std::nullopt;
     cut.centre = middle_of_box(cut.points);
     cut.nearby = cut.points;
     for (const double way : {-1.0, -0.5, 0.5, 1.0}) {
         if (level.reach == 0) break;
-        const auto points = trunk_points(body, level.y + way * level.reach);
+        const auto points = trunk_points(body, level.y + way * level.reach, stature.height());
         if (widest_x(points, cut.centre) > kMuchWider * widest_x(cut.points, cut.centre)) continue;
         cut.nearby.insert(cut.nearby.end(), points.begin(), points.end());
     }
@@ -356,8 +355,9 @@ std::vector<ArrangementPoint> arrangement_points(const Body& body) {
     const SurfaceBvh surface(body);
     const std::array<Direction, 4> ways{
         {{"front", Vec3d::UnitZ()}, {"back", -Vec3d::UnitZ()}, {"left", Vec3d::UnitX()}, {"right", -Vec3d::UnitX()}}};
-    for (const TorsoLevel& level : torso_levels(body)) {
-        if (const auto cut = cut_torso(body, level))
+    const Stature stature = find_stature(body);
+    for (const TorsoLevel& level : torso_levels(body, stature)) {
+        if (const auto cut = cut_torso(body, stature, level))
             add_points(points, std::string(level.name), *cut, Vec3d::UnitY(), ways, surface);
     }
     for (const LimbPart& limb : limb_parts(find_limbs(body))) {

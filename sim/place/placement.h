@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/body/body.h"
+#include "sim/body/landmarks.h"
 #include "sim/mesh/garment_mesh.h"
 #include "sim/pattern/pattern.h"
 
@@ -12,9 +13,10 @@ namespace selvedge::sim {
 
 class BodyCollider;
 
-// Shifts each panel: its height scales with stature, and it moves with the centre of the torso's section at that
-// height. `from` is the body that the pattern names. Does not change the pattern when both bodies are equal.
-void anchor_panels(Pattern& pattern, const Body& from, const Body& onto);
+// Shifts each panel: its height scales with stature, also that of a body without head or legs (sim/body/landmarks.h),
+// and it moves with the centre of the torso's section at that height. `from` is the body that the pattern names. Does
+// not change the pattern when both bodies are equal. Returns the stature that `onto` was taken to have.
+Stature anchor_panels(Pattern& pattern, const Body& from, const Body& onto);
 
 // Moves each panel that intersects the body outward along its front normal until it is clear, by at most 40 cm. Returns
 // one note per moved or stuck panel.

@@ -1,11 +1,12 @@
 #pragma once
-// Closed test surfaces (box, sphere), and simple checks of a body's surface.
+// Closed test surfaces (box, sphere), a body cut at a height, and simple checks of a body's surface.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "sim/body/body.h"
 
@@ -79,6 +80,42 @@ inline Body together(const Body& first, const Body& second) {
     body.x.insert(body.x.end(), second.x.begin(), second.x.end());
     for (const auto& [a, b, c] : second.triangles) body.triangles.push_back({a + offset, b + offset, c + offset});
     return body;
+}
+
+enum class Side { Below, Above };
+
+// The part of a closed body on one side of the level y, m; the cut is closed. Pre: no vertex lies at the level.
+inline Body cut(const Body& body, double y, Side side) {
+    Body part;
+    std::map<std::pair<int, int>, int> vertices;  // by the edge's ends; equal for an own vertex
+    const auto is_kept = [&](int v) { return (body.x[std::size_t(v)].y() < y) == (side == Side::Below); };
+    const auto vertex = [&](int a, int b) {
+        const auto [found, is_new] = vertices.try_emplace(std::minmax(a, b), int(part.x.size()));
+        const Vec3d &from = body.x[std::size_t(a)], &to = body.x[std::size_t(b)];
+        if (is_new)
+            part.x.push_back(a == b ? from : Vec3d(from + (to - from) * ((y - from.y()) / (to.y() - from.y()))));
+        return found->second;
+    };
+    std::vector<std::array<int, 2>> rim;
+    for (const auto& triangle : body.triangles) {
+        std::vector<int> polygon;
+        std::array<int, 2> opening{-1, -1};  // where the outline leaves the part, and where it returns
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int a = triangle[k], b = triangle[(k + 1) % 3];
+            if (is_kept(a)) polygon.push_back(vertex(a, a));
+            if (is_kept(a) == is_kept(b)) continue;
+            polygon.push_back(vertex(a, b));
+            opening[is_kept(a) ? 0 : 1] = polygon.back();
+        }
+        for (std::size_t k = 2; k < polygon.size(); ++k)
+            part.triangles.push_back({polygon[0], polygon[k - 1], polygon[k]});
+        if (opening[0] >= 0) rim.push_back(opening);
+    }
+    Vec3d centre = Vec3d::Zero();
+    for (const auto& [leaves, returns] : rim) centre += part.x[std::size_t(leaves)] / double(rim.size());
+    for (const auto& [leaves, returns] : rim) part.triangles.push_back({returns, leaves, int(part.x.size())});
+    if (!rim.empty()) part.x.push_back(centre);
+    return part;
 }
 
 }  // namespace selvedge::sim::shapes

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <string>
 
 #include "sim/collide/body_collider.h"
 #include "sim/collide/surface_bvh.h"
@@ -71,6 +72,39 @@ TEST(AnchorPanels, moves_a_shirt_up_on_a_taller_mannequin) {
     Pattern pattern = tube(0.5, 0.4, 0.9, 0.2);
     anchor_panels(pattern, make_mannequin(small).body, make_mannequin(tall).body);
     for (const Panel& panel : pattern.panels) EXPECT_NEAR(centre_height(panel), 1.1 * 1.8 / 1.6, 0.01);
+}
+
+// The bodies that a mannequin leaves when it is cut: without a head, without legs, without both.
+std::vector<Body> parts_of(const Body& whole) {
+    const double height = height_range(whole).high;
+    const Body headless = shapes::cut(whole, 0.8701 * height, shapes::Side::Below);
+    return {headless, shapes::cut(whole, 0.4201 * height, shapes::Side::Above),
+            shapes::cut(headless, 0.5201 * height, shapes::Side::Above)};
+}
+
+TEST(AnchorPanels, puts_a_shirt_on_the_chest_of_a_body_without_head_or_legs) {
+    const Body from = make_mannequin({.measures = {.height = 1.7}, .subdivisions = 1}).body;
+    const Body whole = make_mannequin({.subdivisions = 1}).body;
+    const auto placed_on = [&](const Body& onto) {
+        Pattern pattern = tube(0.5, 0.4, 1.2, 0.2);
+        anchor_panels(pattern, from, onto);
+        return pattern.panels[0].translation;
+    };
+    const Vec3d expected = placed_on(whole);
+    for (const Body& part : parts_of(whole)) EXPECT_LT((placed_on(part) - expected).norm(), 0.02);
+}
+
+TEST(ArrangementPoints, are_the_same_on_a_body_without_a_head) {
+    const Body whole = make_mannequin({.subdivisions = 1}).body;
+    Body bare = whole;
+    bare.bones.clear();
+    const Body headless = parts_of(bare)[0];
+    std::map<std::string, Vec3d> expected;
+    for (const ArrangementPoint& point : arrangement_points(bare)) expected[point.name] = point.position;
+    const std::vector<ArrangementPoint> found = arrangement_points(headless);
+    EXPECT_EQ(found.size(), expected.size());
+    for (const ArrangementPoint& point : found)
+        EXPECT_LT((point.position - expected.at(point.name)).norm(), 0.03) << point.name;
 }
 
 // The smallest distance of the mesh from the body, m: at vertices and triangle centres.
