@@ -120,6 +120,7 @@ void fill_in(DressArguments& arguments, const sim::Pattern& pattern) {
     if (!picture.sett_position) picture.sett_position = pattern.sett_position;
     if (arguments.body.source.empty())
         arguments.body.source = pattern.body.empty() ? "mannequin:sex=female" : pattern.body;
+    if (arguments.body.is_file()) check_distinct(all_outputs(arguments), {arguments.body.source});
 }
 
 // The files that were written, and the failures.

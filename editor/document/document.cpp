@@ -135,8 +135,8 @@ void Document::go_to(std::size_t position) {
     while (position_ < position) redo();
 }
 
-std::string Document::text() const {
-    return write_json(pattern_as_json(source_.pattern, with_present_names(source_.json, file_names_)));
+std::string Document::text(const std::string& file) const {
+    return write_json(pattern_as_json(source_.pattern, with_present_names(source_.json, file_names_), file));
 }
 
 bool Document::has_unsaved_changes() const {

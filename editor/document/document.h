@@ -79,7 +79,7 @@ class Document {
     void go_to(std::size_t position);  // undoes or redoes up to there. Pre: position <= history().size()
 
     // The document as the text of a pattern file.
-    std::string text() const;
+    std::string text(const std::string& file = {}) const;
 
     bool has_unsaved_changes() const;
     void mark_saved();

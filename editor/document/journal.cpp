@@ -95,7 +95,7 @@ std::optional<Recovery> recover(std::string_view journal) {
         } catch (const std::runtime_error&) {  // invalid line: keep the changes before it
         }
         document.commit();
-        recovery.text = document.text();
+        recovery.text = document.text(recovery.file);
         return recovery;
     } catch (const sim::InputError&) {
         return std::nullopt;

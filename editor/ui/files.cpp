@@ -68,7 +68,7 @@ std::string with_ending(const std::string& file, const std::string& ending) {
 void write_document(AppState& state, const std::string& file) {
     Document& document = *state.workspace.document;
     document.commit();
-    state.services.save(file, document.text());
+    state.services.save(file, document.text(file));
     document.mark_saved();
     state.workspace.file = file;
     state.services.remember_file(file);
@@ -216,7 +216,7 @@ void offer_recovery(AppState& state) {
 
 void begin_journal(AppState& state) {
     Document& document = *state.workspace.document;
-    state.services.begin_journal(journal_head(state.workspace.file, document.text()));
+    state.services.begin_journal(journal_head(state.workspace.file, document.text(state.workspace.file)));
     document.set_journal([&state](std::string_view line) { state.services.note_in_journal(line); });
 }
 

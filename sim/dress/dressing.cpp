@@ -9,7 +9,6 @@
 #include "sim/core/assert.h"
 #include "sim/core/error.h"
 #include "sim/dress/carry_over.h"
-#include "sim/mannequin/mannequin.h"
 #include "sim/place/placement.h"
 
 namespace selvedge::sim {
@@ -28,17 +27,6 @@ bool is_placed_otherwise(const Pattern& a, const Pattern& b) {
     });
 }
 
-MannequinOptions mannequin_of(const Pattern& pattern) {
-    if (!pattern.body.empty()) return parse_mannequin(pattern.body);
-    // GarmentCode's mean body, by its published measurements.
-    MannequinOptions mean;
-    mean.measures.height = pattern.body_height;
-    mean.measures.bust = 0.998;
-    mean.measures.waist = 0.843;
-    mean.measures.hip = 1.035;
-    return mean;
-}
-
 }  // namespace
 
 std::vector<Fabric> fabrics_of(const Pattern& pattern) {
@@ -46,10 +34,6 @@ std::vector<Fabric> fabrics_of(const Pattern& pattern) {
     for (const Panel& panel : pattern.panels)
         fabrics.push_back(find_fabric(panel.fabric.empty() ? pattern.fabric : panel.fabric));
     return fabrics;
-}
-
-Body placed_for(const Pattern& pattern) {
-    return make_mannequin(mannequin_of(pattern)).body;
 }
 
 Dressing::Dressing(std::function<void()> interrupt) : interrupt_(std::move(interrupt)) {}
@@ -111,7 +95,8 @@ bool Dressing::advance() {
 void Dressing::sew() {
     if (!body_) throw InputError("", "", "there is no body to put it on");
     GarmentMesh unsewn = assemble(anchored(), meshing(), meshes_);
-    std::vector<std::string> notes = make_sewable(unsewn, collider());
+    std::vector<std::string> notes = anchored_->notes;
+    std::ranges::move(make_sewable(unsewn, collider()), std::back_inserter(notes));
     SewingRun sewing(std::move(unsewn), fabrics(), {});
     clear();
     sewing_.emplace(std::move(sewing));
@@ -197,7 +182,7 @@ void Dressing::set_body(std::shared_ptr<const Body> body) {
     const std::shared_ptr<const Body> last = std::exchange(body_, std::move(body));
     if (is_same) return;  // collider_ still holds the previous body, which is equal
     const auto last_collider = std::exchange(collider_, nullptr);
-    std::optional<Pattern> last_anchored = std::exchange(anchored_, std::nullopt);
+    std::optional<AnchoredPattern> last_anchored = std::exchange(anchored_, std::nullopt);
     try {
         take_body();
     } catch (...) {
@@ -231,24 +216,20 @@ std::shared_ptr<const BodyCollider> Dressing::shared_collider() const {
     return collider_ ? std::shared_ptr<const BodyCollider>(collider_, &collider_->collider) : nullptr;
 }
 
-// The body that the pattern names is made only if it is another than this one, and once, because that is slow.
-const Body& Dressing::designed_for() {
-    SELVEDGE_ASSERT(body_);
-    const std::string text = made_from(mannequin_of(pattern_));
-    if (text == body_->made_from) return *body_;
-    if (!placed_for_ || placed_for_->text != text) placed_for_ = NamedBody{text, placed_for(pattern_)};
-    return placed_for_->body;
+// Panels that were placed for another body move with this one.
+const AnchoredPattern& Dressing::anchor() {
+    if (!anchored_)
+        anchored_ = body_ ? anchor_.anchor(pattern_, *body_) : AnchoredPattern{pattern_, pattern_, nullptr, {}};
+    return *anchored_;
 }
 
-// Panels that were placed for another body move with this one.
 const Pattern& Dressing::anchored() {
-    if (anchored_) return *anchored_;
-    Pattern moved = pattern_;
-    if (body_ && !pattern_.panels.empty()) {
-        const Body& from = designed_for();
-        if (&from != body_.get()) anchor_panels(moved, from, *body_);
-    }
-    return anchored_.emplace(std::move(moved));
+    return anchor().pattern;
+}
+
+const Body& Dressing::designed_for() {
+    SELVEDGE_ASSERT(body_);
+    return *anchor().designed_for;
 }
 
 // Pattern.
@@ -265,7 +246,7 @@ std::vector<Fabric> Dressing::fabrics() const {
 }
 
 GarmentMesh Dressing::designed() {
-    return assemble(pattern_, meshing(), meshes_);
+    return assemble(anchor().designed, meshing(), meshes_);
 }
 
 // The quick mesh is for display only, so its quality is not relaxed.
@@ -277,7 +258,7 @@ void Dressing::place() {
 
 void Dressing::set_pattern(Pattern pattern) {
     Pattern last = std::exchange(pattern_, std::move(pattern));
-    std::optional<Pattern> last_anchored = std::exchange(anchored_, std::nullopt);
+    std::optional<AnchoredPattern> last_anchored = std::exchange(anchored_, std::nullopt);
     try {
         fabrics();
         take_pattern(last);

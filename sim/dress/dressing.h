@@ -17,6 +17,7 @@
 #include "sim/adaptive/triangle_budget.h"
 #include "sim/body/body.h"
 #include "sim/collide/body_collider.h"
+#include "sim/dress/anchor.h"
 #include "sim/dress/drag_constraint.h"
 #include "sim/dress/drape.h"
 #include "sim/dress/sewing.h"
@@ -146,6 +147,7 @@ class Dressing {
     void take_body();
     void place();
     void clear();
+    const AnchoredPattern& anchor();
     void take_pattern(const Pattern& last);
     void change_cloth(const Pattern& pattern);
     void change_outlines(const Pattern& pattern);
@@ -155,14 +157,10 @@ class Dressing {
     std::function<void()> interrupt_;
     DressOptions options_;
     Pattern pattern_;  // the newest one that can be meshed
-    std::optional<Pattern> anchored_;
+    std::optional<AnchoredPattern> anchored_;
     std::shared_ptr<const Body> body_;
     std::shared_ptr<const ColliderOfBody> collider_;
-    struct NamedBody {
-        std::string text;  // canonical
-        Body body;
-    };
-    std::optional<NamedBody> placed_for_;  // cache: the body that a pattern named
+    PatternAnchor anchor_;
 
     PanelMeshCache quick_meshes_, meshes_;
     GarmentMesh placed_;
@@ -175,10 +173,6 @@ class Dressing {
 };
 
 inline constexpr int kSewingSteps = 4;  // per frame, as many as per adaptation
-
-// The body that the pattern's panels were placed for: the one it names, or GarmentCode's mean body
-// (patterns/FORMAT.md).
-Body placed_for(const Pattern& pattern);
 
 // One fabric per panel: the panel's own or else the pattern's. Throws InputError for an unknown fabric.
 std::vector<Fabric> fabrics_of(const Pattern& pattern);

@@ -14,6 +14,10 @@ Vec3d Panel::place(const Vec2d& u) const {
     return rotation * local + translation;
 }
 
+bool is_body_file(std::string_view body) {
+    return !body.empty() && body != "mannequin" && !body.starts_with("mannequin:");
+}
+
 const Panel& panel_of(const Pattern& pattern, const SeamSide& side) {
     return pattern.panels[static_cast<std::size_t>(side.panel)];
 }

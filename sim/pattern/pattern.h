@@ -112,12 +112,16 @@ struct Pattern {
     std::optional<double> sett_size = {};          // m, warp repeat; none: the size in the tartan
     Vec2d sett_position = Vec2d::Zero();           // m, (weft, warp): origin of the sett, for all panels
     std::optional<MatchedSett> matched_sett = {};  // none: the sett was not matched
-    std::string body;                   // the body of this placement: "mannequin:sex=female"; empty: GarmentCode's
-    double body_height = 1.7199;        // m, stature of that body, feet at y = 0
+    std::string body;             // of this placement: "mannequin:sex=female", or the canonical path of a file, in
+                                  // whose own frame the panels are placed; empty: GarmentCode's
+    double body_height = 1.7199;  // m, stature of that body, feet at y = 0
     std::optional<double> edge_length;  // m, of the base mesh; none: the mesher's default
 
     bool operator==(const Pattern&) const = default;
 };
+
+// Whether the text, as in Pattern::body, names a file and not a mannequin.
+bool is_body_file(std::string_view body);
 
 // The panel that a side of a seam lies on. Pre: the pattern has it.
 const Panel& panel_of(const Pattern& pattern, const SeamSide& side);

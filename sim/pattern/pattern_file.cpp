@@ -24,10 +24,30 @@ std::string garment_name(const std::string& file) {
     return name;
 }
 
+// The canonical path of a body file that a garment file names.
+std::string resolve_body(const std::string& body, const std::filesystem::path& file) {
+    if (!is_body_file(body)) return body;
+    std::error_code error;
+    const std::filesystem::path path =
+        std::filesystem::weakly_canonical(std::filesystem::absolute(file).parent_path() / body, error);
+    return error ? body : path.string();
+}
+
+// Relative to the garment file if the body lies in its folder or below.
+std::string name_body(const std::string& body, const std::filesystem::path& file) {
+    if (!is_body_file(body) || file.empty()) return body;
+    std::error_code error;
+    const std::filesystem::path folder =
+        std::filesystem::weakly_canonical(std::filesystem::absolute(file), error).parent_path();
+    const std::string name = std::filesystem::path(body).lexically_relative(folder).string();
+    return error || name.empty() || name.starts_with("..") ? body : name;
+}
+
 PatternReading examine(const Json& json, const std::string& file) {
     PatternReading reading = read_pattern(json, file);
     check_shapes(reading, file, units_in_meter(json));
     reading.pattern.name = garment_name(file);
+    reading.pattern.body = resolve_body(reading.pattern.body, file);
     return reading;
 }
 
@@ -66,12 +86,12 @@ std::vector<Fault> check_pattern_text(std::string_view text, const std::string& 
     return check(file, [&] { return parse_json(text, file); });
 }
 
-std::string write_pattern(const PatternDocument& document) {
-    return write_json(pattern_as_json(document.pattern, document.json));
+std::string write_pattern(const PatternDocument& document, const std::filesystem::path& file) {
+    return write_json(pattern_as_json(document.pattern, document.json, file));
 }
 
 void save_pattern(const PatternDocument& document, const std::filesystem::path& path) {
-    write_file_atomically(path, write_pattern(document));
+    write_file_atomically(path, write_pattern(document, path));
 }
 
 namespace {
@@ -183,8 +203,11 @@ void set_number_unless_zero(Json& object, const char* key, double value) {
 
 class Writer {
  public:
-    Writer(const Pattern& pattern, const Json& base)
-        : pattern_(pattern), root_(base.is_object() ? base : Json::object()), units_(units_in_meter(root_)) {}
+    Writer(const Pattern& pattern, const Json& base, const std::filesystem::path& file)
+        : pattern_(pattern),
+          root_(base.is_object() ? base : Json::object()),
+          file_(file),
+          units_(units_in_meter(root_)) {}
 
     Json write() {
         if (!root_.find("pattern")) begin_specification();
@@ -434,13 +457,20 @@ class Writer {
         write_matched_sett(own);
         write_seam_names(own);
         write_eased(own);
-        set_unless_default(own, "body", pattern_.body, std::string());
+        write_body(own);
         if (own.find("body_height") || pattern_.body_height != Pattern().body_height) {
             set_number(own["body_height"], units_ * pattern_.body_height);
         }
         if (pattern_.edge_length) set_number(own["edge_length"], units_ * *pattern_.edge_length);
         if (!pattern_.edge_length) own.erase("edge_length");
         if (found || !own.members().empty()) root_["selvedge"] = std::move(own);
+    }
+
+    // Keeps a name that still leads to the same file.
+    void write_body(Json& own) const {
+        const Json* found = own.find("body");
+        if (found && found->is_string() && resolve_body(found->string(), file_) == pattern_.body) return;
+        set_unless_default(own, "body", name_body(pattern_.body, file_), std::string());
     }
 
     void write_sett_place(Json& own) const {
@@ -511,6 +541,7 @@ class Writer {
 
     const Pattern& pattern_;
     Json root_;
+    const std::filesystem::path& file_;
     double units_;
 };
 
@@ -546,8 +577,8 @@ void rename_panel_in_file(Json& specification, const std::string& from, const st
     }
 }
 
-Json pattern_as_json(const Pattern& pattern, const Json& base) {
-    return Writer(pattern, base).write();
+Json pattern_as_json(const Pattern& pattern, const Json& base, const std::filesystem::path& file) {
+    return Writer(pattern, base, file).write();
 }
 
 }  // namespace selvedge::sim

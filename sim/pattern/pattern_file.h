@@ -27,8 +27,9 @@ PatternDocument parse_pattern(std::string_view text, const std::string& file);
 std::vector<Fault> check_pattern_file(const std::filesystem::path& path);
 std::vector<Fault> check_pattern_text(std::string_view text, const std::string& file);
 
-// The document as JSON text. Keys, their order and the text of unchanged numbers are preserved.
-std::string write_pattern(const PatternDocument& document);
+// The document as JSON text. Keys, their order and the text of unchanged numbers are preserved. file: where the text
+// will be stored; a body in its folder is named relative to it.
+std::string write_pattern(const PatternDocument& document, const std::filesystem::path& file = {});
 
 // Replaces the file atomically. Throws InputError if it cannot be written.
 void save_pattern(const PatternDocument& document, const std::filesystem::path& path);
@@ -36,7 +37,7 @@ void save_pattern(const PatternDocument& document, const std::filesystem::path& 
 // The pattern as a GarmentCode specification: a copy of `base` in which everything that differs from the pattern is
 // overwritten. A null base gives a new specification in centimetres. Panels are matched by name: those that are not in
 // the pattern are removed, new ones are added at the end.
-Json pattern_as_json(const Pattern& pattern, const Json& base);
+Json pattern_as_json(const Pattern& pattern, const Json& base, const std::filesystem::path& file = {});
 
 // Renames a panel in a specification, and all references to it in stitches, in the panel order and under `selvedge`.
 // Call it when a panel of the pattern is renamed, so that pattern_as_json() matches the panel. Does nothing if panel

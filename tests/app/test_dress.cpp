@@ -1,11 +1,14 @@
 // selvedge dress and render, as black boxes: their output files, identical output for any thread count, exit codes.
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 
 #include "render/image/image.h"
 #include "sim/core/json.h"
+#include "sim/pattern/pattern_file.h"
 #include "tests/app/selvedge_program.h"
 
 namespace selvedge::app {
@@ -187,6 +190,40 @@ TEST_F(DressCommand, each_way_of_looking_gives_another_picture) {
     }
     for (std::size_t i = 0; i < pictures.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(pictures[i] == pictures[j]) << i << " and " << j;
+}
+
+// A garment file that names the body in its folder, whose origin is at the chest, in decimetres.
+TEST(DressOnAFile, takes_the_body_that_the_garment_names_and_raises_both_to_the_floor) {
+    const ScratchFolder folder;
+    ASSERT_EQ(run_selvedge("mannequin --resolution 1 -o '" + folder / "stand.obj" + "'").exit_code, 0);
+    std::istringstream lines(content_of(folder / "stand.obj"));
+    std::ofstream lowered(folder / "anna.obj");
+    for (std::string line; std::getline(lines, line);) {
+        double x = 0, y = 0, z = 0;
+        if (std::sscanf(line.c_str(), "v %lf %lf %lf", &x, &y, &z) == 3) {
+            lowered << "v " << 10 * x << ' ' << 10 * (y - 1.1) << ' ' << 10 * z << '\n';
+        } else {
+            lowered << line << '\n';
+        }
+    }
+    lowered.close();
+    sim::PatternDocument garment = sim::load_pattern(SELVEDGE_SOURCE_DIR "/patterns/two_squares.json");
+    garment.pattern.body = folder / "anna.obj";
+    for (sim::Panel& panel : garment.pattern.panels) panel.translation.y() -= 1.1;
+    save_pattern(garment, folder / "anna.json");
+    EXPECT_NE(content_of(folder / "anna.json").find("\"body\": \"anna.obj\""), std::string::npos);
+
+    const ProgramResult own = run_selvedge("dress '" + folder / "anna.json" + "' --max-level 0");
+    EXPECT_EQ(own.exit_code, 0) << own.out << own.err;
+    EXPECT_NE(own.out.find("on anna"), std::string::npos) << own.out;
+    EXPECT_NE(own.out.find("note: assumed decimetres: 1.61 m tall"), std::string::npos) << own.out;
+    EXPECT_NE(own.out.find("all panels moved up 1100 mm"), std::string::npos) << own.out;
+    const ProgramResult other =
+        run_selvedge("dress '" + folder / "anna.json" + "' --body mannequin:resolution=1 --max-level 0");
+    EXPECT_EQ(other.exit_code, 0) << other.out << other.err;
+    const ProgramResult over =
+        run_selvedge("dress '" + folder / "anna.json" + "' --export-body '" + folder / "anna.obj" + "'");
+    EXPECT_EQ(over.exit_code, 2) << over.out;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "sim/pattern/pattern_file.h"
 #include "sim/pattern/pattern_read.h"
 #include "tests/sim/pattern/sample.h"
+#include "tests/support/temporary_folder.h"
 
 namespace selvedge::sim {
 namespace {
@@ -114,6 +115,40 @@ TEST(PatternFile, seams_join_start_to_end_unless_they_say_right_wrong) {
     const std::string other =
         replaced(sample_text(), R"({"panel": "back", "edge": 2}])", R"({"panel": "back", "edge": 2}, "right_wrong"])");
     EXPECT_FALSE(parse_pattern(other, "").pattern.seams[0].is_reversed);
+}
+
+std::string for_body(const std::string& body) {
+    return replaced(sample_text(), R"("pattern": {)", R"("selvedge": {"body": ")" + body + R"("}, "pattern": {)");
+}
+
+TEST(PatternFile, names_a_body_file_relative_to_itself) {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder / "shirt.json";
+    const std::string place = std::filesystem::canonical(file.parent_path()).string();
+    const auto body_of = [&](const std::string& body) {
+        return parse_pattern(for_body(body), file.string()).pattern.body;
+    };
+    EXPECT_EQ(body_of("anna.obj"), place + "/anna.obj");
+    EXPECT_EQ(body_of("bodies/../anna.obj"), place + "/anna.obj");
+    EXPECT_EQ(body_of("/scans/anna.obj"), "/scans/anna.obj");
+    EXPECT_EQ(body_of("mannequin:sex=male"), "mannequin:sex=male");
+    EXPECT_EQ(body_of(""), "");
+}
+
+TEST(PatternFile, keeps_a_body_files_name_and_names_another_from_where_it_is_stored) {
+    const TemporaryFolder folder;
+    const std::string place = std::filesystem::canonical((folder / "x").parent_path()).string();
+    PatternDocument document = parse_pattern(for_body("./anna.obj"), place + "/shirt.json");
+    const auto body_in = [&](const std::string& file) {
+        const Json json = parse_json(write_pattern(document, file), file);
+        return json.find("selvedge")->find("body")->string();
+    };
+    EXPECT_EQ(body_in(place + "/copy.json"), "./anna.obj");
+    EXPECT_EQ(body_in(place + "/below/copy.json"), place + "/anna.obj");
+    document.pattern.body = place + "/scans/berta.obj";
+    EXPECT_EQ(body_in(place + "/copy.json"), "scans/berta.obj");
+    const std::string copy = place + "/c.json";
+    EXPECT_EQ(parse_pattern(write_pattern(document, copy), copy).pattern.body, document.pattern.body);
 }
 
 std::string with_additions() {

@@ -1,0 +1,115 @@
+#include "sim/dress/anchor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <utility>
+
+#include "sim/body/landmarks.h"
+#include "sim/body/load_body.h"
+#include "sim/core/error.h"
+#include "sim/mannequin/mannequin.h"
+#include "sim/place/placement.h"
+
+namespace selvedge::sim {
+namespace {
+
+// Height of the origin of SMPL's body over the floor, m, for which Garment-Pattern-Generator places panels.
+// (Korosteleva and Lee 2021, Generating datasets of 3D garments with sewing patterns)
+constexpr double kChestOrigin = 1.12;
+constexpr double kRaisedFrame = 0.5;  // m: a body raised by more has its origin in itself, not at its feet
+
+MannequinOptions mannequin_of(const Pattern& pattern) {
+    if (!pattern.body.empty() && !is_body_file(pattern.body)) return parse_mannequin(pattern.body);
+    // GarmentCode's mean body, by its published measurements.
+    MannequinOptions mean;
+    mean.measures.height = pattern.body_height;
+    mean.measures.bust = 0.998;
+    mean.measures.waist = 0.843;
+    mean.measures.hip = 1.035;
+    return mean;
+}
+
+std::string describe_rise(const char* why, double lift) {
+    char text[160];
+    std::snprintf(text, sizeof text, "%s: all panels moved %s %.0f mm", why, lift > 0 ? "up" : "down",
+                  std::abs(lift) * 1000);
+    return text;
+}
+
+void note_stature(const Stature& stature, std::vector<std::string>& notes) {
+    if (stature.has_head && stature.has_legs) return;
+    const char* missing = stature.has_head ? "legs" : stature.has_legs ? "head" : "head and no legs";
+    char text[96];
+    std::snprintf(text, sizeof text, "the body has no %s: panels placed as on a whole one %.2f m tall", missing,
+                  stature.height());
+    notes.emplace_back(text);
+}
+
+}  // namespace
+
+Body placed_for(const Pattern& pattern) {
+    if (!is_body_file(pattern.body)) return make_mannequin(mannequin_of(pattern)).body;
+    return load_body(pattern.body, {.stands_on_floor = false});
+}
+
+bool is_placed_below_floor(const Pattern& pattern) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Panel& panel : pattern.panels) {
+        for (const Vec2d& u : panel.vertices) {
+            low = std::min(low, panel.place(u).y());
+            high = std::max(high, panel.place(u).y());
+        }
+    }
+    return low < 0 && high < pattern.body_height / 2;
+}
+
+void raise_panels(Pattern& pattern, double lift) {
+    for (Panel& panel : pattern.panels) panel.translation.y() += lift;
+}
+
+const Body& PatternAnchor::named(const std::string& text, const Pattern& pattern) {
+    if (!named_ || named_->text != text) named_ = NamedBody{text, placed_for(pattern)};
+    return named_->body;
+}
+
+AnchoredPattern PatternAnchor::anchor(const Pattern& pattern, const Body& onto) {
+    AnchoredPattern anchored{pattern, pattern, &onto, {}};
+    if (pattern.panels.empty()) return anchored;
+    std::vector<std::string>& notes = anchored.notes;
+    Pattern named_by = pattern;
+    if (is_body_file(pattern.body)) {
+        if (canonical_name(pattern.body) == onto.file) {
+            raise_panels(anchored.pattern, onto.lift);
+            anchored.designed = anchored.pattern;
+            if (std::abs(onto.lift) > 1e-4) notes.push_back(describe_rise("with the body's file", onto.lift));
+            return anchored;
+        }
+        try {
+            const Body& from = named(pattern.body, pattern);
+            note_stature(anchor_panels(anchored.pattern, from, onto), notes);
+            anchored.designed_for = &from;
+            return anchored;
+        } catch (const InputError& error) {
+            notes.push_back(std::string("the body that the pattern names is not used: ") + error.what());
+            named_by.body.clear();
+        }
+    }
+    if (named_by.body.empty() && is_placed_below_floor(pattern)) {
+        const bool is_for_this_file = onto.lift > kRaisedFrame;
+        const double lift = is_for_this_file ? onto.lift : kChestOrigin;
+        raise_panels(anchored.pattern, lift);
+        anchored.designed = anchored.pattern;
+        notes.push_back(
+            describe_rise("the panels lie below the floor, as for a body with its origin at the chest", lift));
+        if (is_for_this_file) return anchored;
+    }
+    const std::string text = made_from(mannequin_of(named_by));
+    if (text == onto.made_from) return anchored;
+    anchored.designed_for = &named(text, named_by);
+    note_stature(anchor_panels(anchored.pattern, *anchored.designed_for, onto), notes);
+    return anchored;
+}
+
+}  // namespace selvedge::sim

@@ -1,0 +1,49 @@
+#pragma once
+// Moves a pattern's panels from the body that they were placed for to the one that is dressed. The pattern names a
+// mannequin, a body file in whose own frame the panels are placed, or nothing: then they were placed for GarmentCode's
+// mean body (patterns/FORMAT.md).
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/body/body.h"
+#include "sim/pattern/pattern.h"
+
+namespace selvedge::sim {
+
+// The body that the pattern's panels were placed for, in the frame in which they were placed. Throws InputError for an
+// unknown mannequin, and for a file as load_body() does.
+Body placed_for(const Pattern& pattern);
+
+struct AnchoredPattern {
+    Pattern pattern;
+    Pattern designed;                    // as it was placed, in the frame of ...
+    const Body* designed_for = nullptr;  // ... the body that it was placed for; valid until the next call of anchor()
+    std::vector<std::string> notes;      // one sentence per assumption
+};
+
+// Keeps the body that was named last, because it is slow to make.
+class PatternAnchor {
+ public:
+    // Does not change a pattern that was placed for an equal body. Throws InputError for an unknown mannequin. If the
+    // named file cannot be read, a note says so, and the panels are taken as placed for GarmentCode's body.
+    AnchoredPattern anchor(const Pattern& pattern, const Body& onto);
+
+ private:
+    const Body& named(const std::string& text, const Pattern& pattern);
+
+    struct NamedBody {
+        std::string text;  // canonical
+        Body body;
+    };
+    std::optional<NamedBody> named_;
+};
+
+// Whether the panels lie too low for a body that stands on the floor: some below the floor, and none above its knees
+// and hips. Garment-Pattern-Generator places panels so, for bodies whose origin is at the chest.
+bool is_placed_below_floor(const Pattern& pattern);
+
+// Adds `lift` (m) to the height of every panel.
+void raise_panels(Pattern& pattern, double lift);
+
+}  // namespace selvedge::sim

@@ -1,0 +1,113 @@
+#include "sim/dress/anchor.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <sstream>
+
+#include "sim/body/load_body.h"
+#include "sim/dress/dressing.h"
+#include "sim/mannequin/mannequin.h"
+#include "tests/sim/dress/shapes.h"
+#include "tests/support/bodies.h"
+#include "tests/support/temporary_folder.h"
+
+namespace selvedge::sim::test {
+namespace {
+
+constexpr double kChest = 1.12;  // m, of the file's origin over the floor
+
+class PatternForAFile : public testing::Test {
+ protected:
+    // A post whose origin is at its chest, with panels placed about it in the file's frame.
+    PatternForAFile() {
+        Body post = shapes::box({-0.15, 0, -0.1}, {0.15, 1.6, 0.1}, 6);
+        std::ostringstream text;
+        for (const Vec3d& p : post.x) text << "v " << p.x() << ' ' << p.y() - kChest << ' ' << p.z() << '\n';
+        for (const auto& [a, b, c] : post.triangles) text << "f " << a + 1 << ' ' << b + 1 << ' ' << c + 1 << '\n';
+        std::ofstream(file_) << text.str();
+        pattern_ = tube(0.5, 0.4, -0.2, 0.2);
+        pattern_.body = canonical_name(file_);
+    }
+    AnchoredPattern anchored(const Body& onto) const { return PatternAnchor().anchor(pattern_, onto); }
+    void expect_raised(const AnchoredPattern& anchored, double lift) const {
+        for (std::size_t p = 0; p < pattern_.panels.size(); ++p) {
+            const Vec3d moved = anchored.pattern.panels[p].translation - pattern_.panels[p].translation;
+            EXPECT_LT((moved - Vec3d(0, lift, 0)).norm(), 1e-5) << p;
+        }
+    }
+
+    TemporaryFolder folder_;
+    std::filesystem::path file_ = folder_ / "post.obj";
+    Pattern pattern_;
+};
+
+TEST_F(PatternForAFile, moves_up_to_the_floor_with_its_body) {
+    const Body body = load_body(file_);
+    EXPECT_NEAR(body.lift, kChest, 1e-6);
+    const AnchoredPattern moved = anchored(body);
+    expect_raised(moved, kChest);
+    ASSERT_EQ(moved.notes.size(), 1U);
+    EXPECT_NE(moved.notes[0].find("up 1120 mm"), std::string::npos) << moved.notes[0];
+}
+
+TEST_F(PatternForAFile, is_anchored_from_the_named_body_to_another) {
+    expect_raised(anchored(shapes::box({-0.15, 0, -0.1}, {0.15, 1.6, 0.1}, 5)), kChest);
+    // On a body 1.25 times as tall, panels go to 1.25 times their height over the floor.
+    expect_raised(anchored(shapes::box({-0.15, 0, -0.1}, {0.15, 2.0, 0.1}, 5)), 1.25 * kChest);
+}
+
+TEST_F(PatternForAFile, can_be_set_while_another_body_is_worn) {
+    Dressing dressing;
+    dressing.set_body(std::make_shared<const Body>(shapes::box({-0.15, 0, -0.1}, {0.15, 1.6, 0.1}, 5)));
+    dressing.set_pattern(pattern_);
+    for (const Vec3d& x : dressing.placed().x) EXPECT_GT(x.y(), 0.5);
+}
+
+TEST_F(PatternForAFile, is_dressed_on_another_body_without_its_file_and_says_so) {
+    std::filesystem::remove(file_);
+    const AnchoredPattern moved = anchored(make_mannequin({.subdivisions = 1}).body);
+    ASSERT_FALSE(moved.notes.empty());
+    EXPECT_NE(moved.notes[0].find("post.obj"), std::string::npos) << moved.notes[0];
+    for (const Panel& panel : moved.pattern.panels) EXPECT_GT(panel.translation.y(), 0.6);
+}
+
+TEST(PlacedBelowFloor, are_panels_for_a_body_with_its_origin_at_the_chest) {
+    EXPECT_TRUE(is_placed_below_floor(tube(0.5, 0.6, -0.1, 0.2)));
+    EXPECT_FALSE(is_placed_below_floor(tube(0.5, 0.4, 0.9, 0.2)));
+    EXPECT_FALSE(is_placed_below_floor(tube(0.5, 1.4, -0.15, 0.2))) << "a train on the floor";
+    EXPECT_FALSE(is_placed_below_floor({}));
+}
+
+TEST(PlacedBelowFloor, move_up_as_a_whole_and_say_so) {
+    const Pattern low = tube(0.5, 0.6, -0.1, 0.2);
+    Pattern high = low;
+    raise_panels(high, kChest);
+    const Body worn = make_mannequin({.subdivisions = 1}).body;
+    const AnchoredPattern moved = PatternAnchor().anchor(low, worn);
+    EXPECT_EQ(moved.pattern, PatternAnchor().anchor(high, worn).pattern);
+    ASSERT_EQ(moved.notes.size(), 1U);
+    EXPECT_NE(moved.notes[0].find("below the floor"), std::string::npos) << moved.notes[0];
+}
+
+TEST(PlacedBelowFloor, move_up_with_a_body_that_was_lifted_to_the_floor) {
+    const Pattern low = tube(0.5, 0.6, -0.1, 0.2);
+    Body worn = shapes::box({-0.15, 0, -0.1}, {0.15, 1.6, 0.1}, 5);
+    worn.lift = 1.05;
+    Pattern high = low;
+    raise_panels(high, 1.05);
+    EXPECT_EQ(PatternAnchor().anchor(low, worn).pattern, high);
+}
+
+TEST(Anchor, says_what_it_assumes_of_a_body_without_a_head) {
+    const Body whole = make_mannequin({.subdivisions = 1}).body;
+    const Body headless = shapes::cut(whole, 1.4001, shapes::Side::Below);
+    const AnchoredPattern moved = PatternAnchor().anchor(tube(0.5, 0.4, 0.9, 0.2), headless);
+    ASSERT_EQ(moved.notes.size(), 1U);
+    EXPECT_NE(moved.notes[0].find("no head: panels placed as on a whole one 1.6"), std::string::npos) << moved.notes[0];
+}
+
+}  // namespace
+}  // namespace selvedge::sim::test
