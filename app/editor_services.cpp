@@ -38,9 +38,13 @@ editor::FolderListing list_folder(const std::string& folder) {
 
 editor::CurrentBody make_body(const std::string& text) {
     if (text.starts_with("mannequin")) return editor::make_mannequin_body(text);
-    editor::CurrentBody made{
-        .text = text, .body = std::make_shared<const sim::Body>(sim::load_body(text)), .measures = {}, .points = {}};
+    sim::LoadBodyReport report;
+    editor::CurrentBody made{.text = text,
+                             .body = std::make_shared<const sim::Body>(sim::load_body(text, {}, &report)),
+                             .measures = {},
+                             .points = {}};
     made.points = arrangement_points(*made.body);
+    made.notes = std::move(report.notes);
     return made;
 }
 

@@ -11,6 +11,7 @@
 #include "editor/inspectors/material_inspector.h"
 #include "editor/inspectors/number_box.h"
 #include "sim/core/error.h"
+#include "sim/dress/anchor.h"
 #include "sim/place/placement.h"
 
 namespace selvedge::editor {
@@ -225,7 +226,7 @@ void draw_body(InspectorContext& context) {
     if (context.open_body &&
         row.button({.name = "body.open",
                     .title = "Body from file...",
-                    .tip = with_key(context, "An OBJ, GLB or glTF file in metres, y up", "file.body")})) {
+                    .tip = with_key(context, "An OBJ, GLB or glTF file, in any unit", "file.body")})) {
         context.open_body();
     }
     ImGui::PopID();
@@ -258,7 +259,7 @@ constexpr std::array<std::pair<std::string_view, const char*>, 19> kTips{{
 }  // namespace
 
 bool is_mannequin(std::string_view body) {
-    return body.empty() || body.starts_with("mannequin");
+    return !sim::is_body_file(body);
 }
 
 std::string mannequin_text(const sim::MannequinOptions& options) {
@@ -299,8 +300,10 @@ const char* measure_tip(std::string_view name) {
 SetBody set_body_command(const sim::Pattern& pattern, const std::string& text, const sim::Body& from,
                          const sim::Body& onto) {
     sim::Pattern moved = pattern;
+    raise_panels(moved, from.lift);
     anchor_panels(moved, from, onto);
-    SetBody command{.body = text};
+    raise_panels(moved, -onto.lift);
+    SetBody command{.body = onto.file.empty() ? text : onto.file};
     for (std::size_t i = 0; i < pattern.panels.size(); ++i) {
         command.shifts.push_back(moved.panels[i].translation - pattern.panels[i].translation);
     }

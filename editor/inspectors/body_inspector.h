@@ -44,7 +44,8 @@ std::string measure_label(std::string_view name, sim::Sex sex);
 // How a tailor takes this measurement.
 const char* measure_tip(std::string_view name);
 
-// Sets the body and shifts the panels so that they keep their placement relative to the body.
+// Sets the body and shifts the panels so that they keep their placement relative to the body. Panels for a body from a
+// file are placed in the file's frame.
 SetBody set_body_command(const sim::Pattern& pattern, const std::string& text, const sim::Body& from,
                          const sim::Body& onto);
 

@@ -78,6 +78,7 @@ void Drape::update_body(Messages& messages) {
     try {
         current_body_ = making_.get();
         session_.set_body(current_body_.body);
+        for (const std::string& note : current_body_.notes) messages.note("Body: " + note);
     } catch (const sim::InputError& error) {
         messages.say({.kind = MessageKind::Error, .text = error.what(), .places = {}});
     }

@@ -67,6 +67,7 @@ struct CurrentBody {
     std::shared_ptr<const sim::Body> body;
     std::optional<sim::MeasureReport> measures;  // only for a mannequin
     std::vector<sim::ArrangementPoint> points;
+    std::vector<std::string> notes{};  // what was assumed about a file, and repaired
 };
 
 // Makes a body from its text or file. Throws InputError. The host program provides this function, since it reads the

@@ -7,6 +7,7 @@
 #include "editor/inspectors/drape_inspector.h"
 #include "editor/inspectors/material_inspector.h"
 #include "editor/inspectors/pattern_measures.h"
+#include "sim/mannequin/mannequin.h"
 #include "sim/pattern/outline.h"
 #include "sim/pattern/pattern_read.h"
 #include "sim/tartan/tartan_file.h"
@@ -159,6 +160,20 @@ TEST(BodyInspector, a_measure_becomes_the_documents_with_the_panels_moved_along)
     EXPECT_TRUE(inspector.state.body.pending.empty());
     inspector.document().undo();
     EXPECT_EQ(inspector.panel(0).translation.y(), before);
+}
+
+TEST(BodyInspector, a_body_from_a_file_takes_the_panels_into_its_own_frame) {
+    const sim::Pattern pattern = shipped_pattern("tshirt.json").pattern;
+    const sim::Body mannequin = sim::make_mannequin({.subdivisions = 1}).body;
+    sim::Body scan = mannequin;  // in its file, its feet are 1.1 m below the origin
+    scan.file = "/scans/anna.obj";
+    scan.lift = 1.1;
+    const SetBody adopt = set_body_command(pattern, "anna.obj", mannequin, scan);
+    EXPECT_EQ(adopt.body, scan.file);
+    ASSERT_EQ(adopt.shifts.size(), pattern.panels.size());
+    for (const Vec3d& shift : adopt.shifts) EXPECT_LT((shift - Vec3d(0, -1.1, 0)).norm(), 1e-9);
+    for (const Vec3d& shift : set_body_command(pattern, kDefaultBody, scan, mannequin).shifts)
+        EXPECT_LT((shift - Vec3d(0, 1.1, 0)).norm(), 1e-9);
 }
 
 TEST(BodyInspector, a_measure_that_no_body_has_is_told_and_not_worn) {
