@@ -1,12 +1,14 @@
 #include "sim/adaptive/adaptive_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <string>
 #include <tuple>
 #include <utility>
 
 #include "sim/adaptive/configuration_tables.h"
+#include "sim/adaptive/orient.h"
 #include "sim/core/error.h"
 #include "sim/mesh/sew.h"
 
@@ -29,6 +31,18 @@ TriangleId AdaptiveMesh::leaf_at(EdgeId e, int side) const {
     if (is_leaf(t)) return owner;
     const std::uint8_t slot = layout(t.configuration).slot_at_unsplit[index_of(t, e)];
     return slot == kNoSlot ? TriangleId{} : t.internal_triangles[slot];
+}
+
+int AdaptiveMesh::side_of(TriangleId t, std::size_t k) const {
+    const EdgeId e = triangles_[t].edges[k];
+    const AdaptiveEdge& edge = edges_[e];
+    if (!edge.right_wrong) return edge.ends[0] == triangles_[t].vertices[k] ? 0 : 1;
+    return edge.sides[0] == t || leaf_at(e, 0) == t ? 0 : 1;
+}
+
+bool AdaptiveMesh::is_cut(EdgeId e) const {
+    const AdaptiveEdge& edge = edges_[e];
+    return edge.right_wrong && triangles_[edge.sides[0]].turned == triangles_[edge.sides[1]].turned;
 }
 
 // The sides of an edge are triangles of the edge's own level. An unsplit edge of an S1..S6 triangle also borders one of
@@ -72,7 +86,8 @@ VertexId AdaptiveMesh::split(EdgeId e) {
     const float half = 0.5F * edge.rest_length;
     edges_[edge.children[0]].set({edge.ends[0], centre}, {}, half, level);
     edges_[edge.children[1]].set({centre, edge.ends[1]}, {}, half, level);
-    vertices_[centre] = {.parent = e, .level = level};
+    for (const EdgeId child : edge.children) edges_[child].right_wrong = edge.right_wrong;
+    vertices_[centre] = {.parent = e, .level = level, .on_cut = has_cuts_ && is_cut(e)};
     splitting_.push_back(e);
     mark_sides(e);
     return centre;
@@ -137,17 +152,22 @@ void AdaptiveMesh::grow_lists() {
 
 // For a base vertex the first base triangle of each fan is stored. A centre has one fan; it starts beside a child edge
 // of its parent. Children of edges split since the last retriangulate() have no sides yet and are skipped.
-TriangleId AdaptiveMesh::first_at(VertexId v, std::size_t fan) const {
+AdaptiveMesh::FanStep AdaptiveMesh::first_at(VertexId v, std::size_t fan) const {
     if (v.value < base_vertices_) {
         const std::size_t place = fan_starts_[v.value] + fan;
-        return place < fan_starts_[v.value + 1] ? first_inside(fans_[place], v) : TriangleId{};
+        if (place >= fan_starts_[v.value + 1]) return {};
+        FanStep at{first_inside(fans_[place].triangle, v), false};
+        if (!fans_[place].is_clockwise) return at;
+        // The walk starts at the anticlockwise end of the base triangle, where the surface ends.
+        for (FanStep next = next_at(v, at); next.triangle; next = next_at(v, at)) at = next;
+        return {at.triangle, true};
     }
     if (fan > 0) return {};
     const AdaptiveEdge& parent = edges_[vertices_[v].parent];
     const std::size_t child = parent.sides[0] ? 1 : 0, side = 1 - child;  // the side that the child has on its left
     EdgeId e = parent.children[child];
     while (edges_[e].centre && edges_[edges_[e].children[1 - child]].sides[side]) e = edges_[e].children[1 - child];
-    return leaf_at(e, static_cast<int>(side));
+    return {leaf_at(e, static_cast<int>(side)), false};
 }
 
 TriangleId AdaptiveMesh::first_inside(TriangleId owner, VertexId v) const {
@@ -158,11 +178,11 @@ TriangleId AdaptiveMesh::first_inside(TriangleId owner, VertexId v) const {
     return owner;
 }
 
-TriangleId AdaptiveMesh::next_at(VertexId v, TriangleId id) const {
-    const AdaptiveTriangle& t = triangles_[id];
-    const std::size_t before = (corner_at(t, v) + 2) % 3;
-    const EdgeId e = t.edges[before];
-    return leaf_at(e, edges_[e].ends[0] == t.vertices[before] ? 1 : 0);
+AdaptiveMesh::FanStep AdaptiveMesh::next_at(VertexId v, FanStep at) const {
+    const AdaptiveTriangle& t = triangles_[at.triangle];
+    const std::size_t k = (corner_at(t, v) + (at.is_clockwise ? 0 : 2)) % 3;
+    const EdgeId e = t.edges[k];
+    return {leaf_at(e, 1 - side_of(at.triangle, k)), at.is_clockwise != edges_[e].right_wrong};
 }
 
 // Construction of level 0 from a triangle mesh.
@@ -199,9 +219,21 @@ void require_manifold(std::span<const BaseSide> edge) {
     const std::string place = "edge " + std::to_string(edge[0].low) + "-" + std::to_string(edge[0].high);
     if (edge[0].low == edge[0].high) throw InputError("", place, "both ends are the same vertex");
     if (edge.size() > 2) throw InputError("", place, "is shared by " + std::to_string(edge.size()) + " triangles");
-    if (edge.size() == 2 && edge[0].rises == edge[1].rises) {
-        throw InputError("", place, "its two triangles face opposite ways");
+}
+
+// Directed as its first triangle has it if that is right_wrong, else from the lower vertex to the higher one.
+AdaptiveEdge make_base_edge(std::span<const BaseSide> edge, double rest_length) {
+    AdaptiveEdge made;
+    made.ends = {VertexId(static_cast<std::uint32_t>(edge[0].low)), VertexId(static_cast<std::uint32_t>(edge[0].high))};
+    made.rest_length = static_cast<float>(rest_length);
+    made.right_wrong = edge.size() == 2 && edge[0].rises == edge[1].rises;
+    if (made.right_wrong) {
+        if (!edge[0].rises) std::swap(made.ends[0], made.ends[1]);
+        made.sides = {TriangleId(edge[0].triangle), TriangleId(edge[1].triangle)};
+    } else {
+        for (const BaseSide& side : edge) made.sides[side.rises ? 0 : 1] = TriangleId(side.triangle);
     }
+    return made;
 }
 
 AdaptiveTriangle make_base_triangle(const GarmentTriangle& from) {
@@ -241,6 +273,7 @@ AdaptiveMesh::AdaptiveMesh(std::size_t vertex_count, std::span<const GarmentTria
     for (const GarmentTriangle& triangle : triangles) triangles_.create(make_base_triangle(triangle));
     add_base_edges(triangles);
     add_base_fans();
+    orient_base();
     levels_.set_deepest(options.max_level);
     grow_lists();
     list_base();
@@ -254,32 +287,83 @@ void AdaptiveMesh::list_base() {
     for (std::uint32_t i = 0; i < base_edges_; ++i) levels_.add_unsplit(0, EdgeId(i));
 }
 
-// A fan starts with the triangle that has no neighbour on its clockwise side; a closed fan with its lowest id.
+// The neighbour round a vertex of the base mesh, before any triangle is refined.
+AdaptiveMesh::FanStep AdaptiveMesh::base_neighbour(VertexId v, FanStep at) const {
+    const AdaptiveTriangle& t = triangles_[at.triangle];
+    const std::size_t k = (corner_at(t, v) + (at.is_clockwise ? 0 : 2)) % 3;
+    const AdaptiveEdge& edge = edges_[t.edges[k]];
+    const auto other = static_cast<std::size_t>(1 - side_of(at.triangle, k));
+    return {edge.sides[other], at.is_clockwise != edge.right_wrong};
+}
+
+// A closed fan starts with its lowest id. An open fan starts with the triangle that has no neighbour on its clockwise
+// side; with right_wrong edges two triangles may be like that, or none: then with the lower id of the two at its ends.
+// Marks the fan's corners, three per triangle, as visited.
+AdaptiveMesh::FanStep AdaptiveMesh::start_of_fan(VertexId v, TriangleId t, std::vector<bool>& is_visited) const {
+    const auto visit = [&](TriangleId at) { is_visited[3 * at.value + corner_at(triangles_[at], v)] = true; };
+    FanStep at{t, true};
+    TriangleId lowest = t;
+    for (FanStep next = base_neighbour(v, at); next.triangle; next = base_neighbour(v, at)) {
+        visit(at.triangle);
+        lowest = std::min(lowest, at.triangle);
+        if (next.triangle == t) return {lowest, false};
+        at = next;
+    }
+    const FanStep start{at.triangle, !at.is_clockwise};
+    at = start;
+    for (FanStep next = base_neighbour(v, at); next.triangle; next = base_neighbour(v, at)) {
+        visit(at.triangle);
+        at = next;
+    }
+    visit(at.triangle);
+    const FanStep other{at.triangle, !at.is_clockwise};
+    if (start.is_clockwise != other.is_clockwise) return start.is_clockwise ? other : start;
+    return start.triangle < other.triangle ? start : other;
+}
+
 void AdaptiveMesh::add_base_fans() {
-    const auto clockwise_of = [&](TriangleId id, VertexId v) {
-        const AdaptiveTriangle& t = triangles_[id];
-        const std::size_t k = corner_at(t, v);
-        const AdaptiveEdge& edge = edges_[t.edges[k]];
-        return edge.sides[edge.ends[0] == v ? 1 : 0];
-    };
-    const auto starts_fan = [&](TriangleId first, VertexId v) {
-        TriangleId t = clockwise_of(first, v);
-        while (t && t > first) t = clockwise_of(t, v);
-        return !t ? !clockwise_of(first, v) : t == first;
-    };
-    std::vector<std::pair<VertexId, TriangleId>> found;
+    std::vector<bool> is_visited(3 * base_triangles_, false);
+    std::vector<std::pair<VertexId, FanStep>> found;
     for (std::uint32_t i = 0; i < base_triangles_; ++i) {
-        for (const VertexId v : triangles_[TriangleId(i)].vertices) {
-            if (starts_fan(TriangleId(i), v)) found.emplace_back(v, TriangleId(i));
+        const TriangleId t(i);
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (is_visited[3 * i + k]) continue;
+            const VertexId v = triangles_[t].vertices[k];
+            found.emplace_back(v, start_of_fan(v, t, is_visited));
         }
     }
-    std::sort(found.begin(), found.end());
+    std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
+        return std::tie(a.first, a.second.triangle) < std::tie(b.first, b.second.triangle);
+    });
     fan_starts_.assign(base_vertices_ + 1, 0);
-    for (const auto& [v, t] : found) {
-        fans_.push_back(t);
+    for (const auto& [v, start] : found) {
+        fans_.push_back(start);
         ++fan_starts_[v.value + 1];
     }
     std::partial_sum(fan_starts_.begin(), fan_starts_.end(), fan_starts_.begin());
+}
+
+void AdaptiveMesh::orient_base() {
+    std::vector<OrientedEdge> inner;
+    for (std::uint32_t i = 0; i < base_edges_; ++i) {
+        const AdaptiveEdge& edge = edges_[EdgeId(i)];
+        has_right_wrong_edges_ = has_right_wrong_edges_ || edge.right_wrong;
+        if (edge.sides[0] && edge.sides[1])
+            inner.push_back({edge.sides[0].value, edge.sides[1].value, edge.right_wrong});
+    }
+    if (!has_right_wrong_edges_) return;
+    std::vector<OrientedTriangle> triangles;
+    for (std::uint32_t i = 0; i < base_triangles_; ++i) {
+        const AdaptiveTriangle& t = triangles_[TriangleId(i)];
+        triangles.push_back({std::abs(double(material_area(t.u))), t.panel});
+    }
+    const std::vector<bool> is_turned = find_turned(inner, triangles);
+    for (std::uint32_t i = 0; i < base_triangles_; ++i) triangles_[TriangleId(i)].turned = is_turned[i];
+    for (std::uint32_t i = 0; i < base_edges_; ++i) {
+        if (!is_cut(EdgeId(i))) continue;
+        has_cuts_ = true;
+        for (const VertexId v : edges_[EdgeId(i)].ends) vertices_[v].on_cut = true;
+    }
 }
 
 void AdaptiveMesh::add_base_edges(std::span<const GarmentTriangle> base) {
@@ -289,12 +373,7 @@ void AdaptiveMesh::add_base_edges(std::span<const GarmentTriangle> base) {
         while (last < sides.size() && sides[last].is_of_same_edge(sides[first])) ++last;
         const std::span<const BaseSide> edge(sides.data() + first, last - first);
         require_manifold(edge);
-        AdaptiveEdge made;
-        made.ends = {VertexId(static_cast<std::uint32_t>(edge[0].low)),
-                     VertexId(static_cast<std::uint32_t>(edge[0].high))};
-        made.rest_length = static_cast<float>(edge_length(base, edge, options_.seam_ease));
-        for (const BaseSide& side : edge) made.sides[side.rises ? 0 : 1] = TriangleId(side.triangle);
-        const EdgeId id = edges_.create(made);
+        const EdgeId id = edges_.create(make_base_edge(edge, edge_length(base, edge, options_.seam_ease)));
         for (const BaseSide& side : edge) triangles_[TriangleId(side.triangle)].edges[side.corner] = id;
         first = last;
     }
@@ -393,7 +472,7 @@ struct AdaptiveMesh::Change::One {
     static void make(AdaptiveMesh& mesh, TriangleId id) {
         SELVEDGE_ASSERT(mesh.triangles_[id].regular);
         One one{mesh, mesh.triangles_[id], {}, {}, {}, {}, {}};
-        one.look_round();
+        one.look_round(id);
         one.release_edges_and_triangles();
         one.take_ids();
         one.write_edges();
@@ -405,14 +484,15 @@ struct AdaptiveMesh::Change::One {
 
     // Reads the external edges that are split before or after the transition. Clears the owner's side of the children
     // of edges that no longer count as split, unless the edge is rejoining.
-    void look_round() {
+    void look_round(TriangleId id) {
         for_each_slot<3>([&](auto k) {
             if constexpr (splits(from, k) || splits(to, k)) {
                 const AdaptiveEdge& external = mesh.edges_[owner.edges[k]];
-                const std::size_t side = external.ends[0] == owner.vertices[k] ? 0 : 1;
+                const std::size_t first = external.ends[0] == owner.vertices[k] ? 0 : 1;
+                const std::size_t side = external.right_wrong && external.sides[0] != id ? 1 : first;
                 side_of[k] = side;
                 centres[k] = external.centre;
-                children[k] = {external.children[side], external.children[1 - side]};
+                children[k] = {external.children[first], external.children[1 - first]};
                 if constexpr (!splits(to, k)) {
                     if (external.rejoining) return;  // the children will be freed
                     for (const EdgeId child : children[k]) mesh.edges_[child].sides[side] = {};
@@ -566,6 +646,7 @@ struct AdaptiveMesh::Change::One {
         triangle.internal_triangles = {};
         triangle.internal_edges = {};
         triangle.panel = owner.panel;
+        triangle.turned = owner.turned;
         triangle.level = inner_level();
         triangle.configuration = Configuration::C0;
         triangle.marked = false;

@@ -2,6 +2,21 @@
 // The edge-based adaptive mesh: a hierarchy of edges and triangles over a sewn base mesh, changed one edge at a time.
 // It stores topology, levels and material coordinates. Positions and all other state are kept outside, in flat arrays
 // indexed by vertex id. adapt() in sim/adaptive/adapt.h decides which edges to split and rejoin.  (thesis 3.2-3.4)
+//
+// Orientation. Every triangle is anticlockwise seen from its fabric's right side. A seam may join the right side of one
+// panel to the wrong side of another (a lapel, see Seam::is_reversed). The triangles on both sides of such an edge have
+// it in the same direction; the edge is then right_wrong. Flipping whole panels instead would not do, because a loop of
+// panels with an odd number of such seams cannot be oriented (a Moebius band).
+//
+//          B
+//        / ^ \       Side 0 of the edge AB has the corners A B C in this order, anticlockwise.
+//       C 0|1 D      Side 1 has B A D. If the edge is right_wrong, it has A B D.
+//        \ | /
+//          A
+//
+// Quantities that are averaged over triangles, such as normals, need one orientation of the surface: `turned` triangles
+// have theirs opposite to the fabric's right side. It changes at every right_wrong edge, except at cuts: right_wrong
+// edges at which a surface that cannot be oriented has two equal sides. See sim/adaptive/surface_normals.h.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -36,6 +51,7 @@ struct MinimalChange {};
 struct AdaptiveVertex {
     EdgeId parent;           // the edge whose centre it is; none in the base mesh
     std::uint8_t level = 0;  // of the child edges created with it; 0 in the base mesh
+    bool on_cut = false;     // at an end of, or on, a cut: see the top of this file
 
     bool operator==(const AdaptiveVertex&) const = default;
 };
@@ -48,7 +64,8 @@ struct AdaptiveEdge {
     std::array<TriangleId, 2> sides;  // at the edge's own level; [0] has A to B anticlockwise. None: boundary
     float rest_length = 0.0F;         // m
     std::uint8_t level = 0;
-    bool rejoining = false;  // counts as unsplit; the next retriangulate() frees its children
+    bool rejoining = false;    // counts as unsplit; the next retriangulate() frees its children
+    bool right_wrong = false;  // both sides exist, and [1] has A to B anticlockwise as well
 
     // Makes it an unsplit edge. Assigns field by field: copying a temporary edge would stall on store forwarding.
     void set(const std::array<VertexId, 2>& new_ends, const std::array<TriangleId, 2>& new_sides, float length,
@@ -60,6 +77,7 @@ struct AdaptiveEdge {
         rest_length = length;
         level = new_level;
         rejoining = false;
+        right_wrong = false;
     }
 
     bool operator==(const AdaptiveEdge&) const = default;
@@ -76,6 +94,7 @@ struct AdaptiveTriangle {
     Configuration configuration : 4 = Configuration::C0;
     bool regular : 1 = true;  // a base triangle or a child of C10: only these may be refined
     bool marked : 1 = false;  // the next retriangulate() processes it
+    bool turned : 1 = false;  // the surface's orientation is opposite to the fabric's right side
 
     bool operator==(const AdaptiveTriangle&) const = default;
 };
@@ -118,8 +137,7 @@ struct TransitionCounts {
 class AdaptiveMesh {
  public:
     // Base vertices and triangles keep their indices as ids. Pre: the triangles' vertices are 0 to vertex_count - 1.
-    // Throws InputError if an edge joins a vertex to itself, or has more than two triangles, or two that face opposite
-    // ways.
+    // Throws InputError if an edge joins a vertex to itself, or has more than two triangles.
     AdaptiveMesh(std::size_t vertex_count, std::span<const GarmentTriangle> triangles,
                  const AdaptiveMeshOptions& options = {});
     // The same over a sewn garment. Pre: base has no links.
@@ -147,11 +165,22 @@ class AdaptiveMesh {
     // The size for state arrays. It grows only by whole blocks, and ids never change.
     std::size_t vertex_capacity() const { return vertices_.capacity(); }
 
+    // Whether a base edge is right_wrong; whether the surface can be oriented only with cuts; whether this edge is, or
+    // lies on, a cut.
+    bool has_right_wrong_edges() const { return has_right_wrong_edges_; }
+    bool has_cuts() const { return has_cuts_; }
+    bool is_cut(EdgeId e) const;
+
     // The leaf triangle on one side of an unsplit edge; none at a boundary. It may be one level deeper than the edge.
     TriangleId leaf_at(EdgeId e, int side) const;
 
-    // for (TriangleId t : mesh.triangles_at(v)): the leaf triangles round a vertex, anticlockwise; at a boundary from
-    // one boundary edge to the other. No adjacency list is stored: the iterator uses the sides of the edges.
+    // The side, 0 or 1, of the external edge k of a triangle on which the triangle lies: it is leaf_at() that side, or
+    // sides[] that side.
+    int side_of(TriangleId t, std::size_t k) const;
+
+    // for (TriangleId t : mesh.triangles_at(v)): the leaf triangles round a vertex, anticlockwise as seen from the
+    // right side of the first one; at a boundary from one boundary edge to the other (clockwise if no end of the fan
+    // allows anticlockwise). No adjacency list is stored: the iterator uses the sides of the edges.
     class TrianglesAt;
     TrianglesAt triangles_at(VertexId v) const;
 
@@ -226,21 +255,31 @@ class AdaptiveMesh {
     Configuration chosen(const AdaptiveTriangle& t, SplitMask split, const Choice& choice) const;
     Diagonal diagonal(const AdaptiveTriangle& t, const InternalEdge& drawn) const;
 
-    // Walking round a vertex: the first leaf triangle of a fan, and the next one anticlockwise.
-    TriangleId first_at(VertexId v, std::size_t fan) const;
-    TriangleId next_at(VertexId v, TriangleId id) const;
+    // Walking round a vertex. The direction as seen from the right side of the present triangle changes where the walk
+    // crosses a right_wrong edge.
+    struct FanStep {
+        TriangleId triangle;
+        bool is_clockwise = false;
+    };
+    FanStep first_at(VertexId v, std::size_t fan) const;  // of a fan
+    FanStep next_at(VertexId v, FanStep at) const;
     TriangleId first_inside(TriangleId owner, VertexId v) const;
+    FanStep base_neighbour(VertexId v, FanStep at) const;
+    FanStep start_of_fan(VertexId v, TriangleId t, std::vector<bool>& is_visited) const;
+    void orient_base();
 
     AdaptiveMeshOptions options_;
     std::size_t base_vertices_ = 0;
     std::size_t base_edges_ = 0;
     std::size_t base_triangles_ = 0;
+    bool has_right_wrong_edges_ = false;
+    bool has_cuts_ = false;
     Pool<AdaptiveVertex, VertexId> vertices_;
     Pool<AdaptiveEdge, EdgeId> edges_;
     Pool<AdaptiveTriangle, TriangleId> triangles_;
     // The first base triangle of each fan of a base vertex. A vertex normally has one fan, and several where parts of
     // the surface meet only in that vertex. Those of v are fans_[fan_starts_[v]] to fans_[fan_starts_[v + 1] - 1].
-    std::vector<TriangleId> fans_;
+    std::vector<FanStep> fans_;
     std::vector<std::uint32_t> fan_starts_;
     std::vector<TriangleId> marked_;
     std::vector<EdgeId> splitting_;
@@ -307,26 +346,33 @@ class AdaptiveMesh::TrianglesAt {
  public:
     class Iterator {
      public:
-        Iterator(const AdaptiveMesh& mesh, VertexId v, TriangleId t) : mesh_(&mesh), vertex_(v), first_(t), at_(t) {}
-        TriangleId operator*() const { return at_; }
+        Iterator(const AdaptiveMesh& mesh, VertexId v, FanStep at)
+            : mesh_(&mesh), vertex_(v), first_(at.triangle), at_(at), starts_clockwise_(at.is_clockwise) {}
+        TriangleId operator*() const { return at_.triangle; }
+        // Whether the right side of this triangle is on the other side of the surface than that of the fan's first one.
+        bool is_turned() const { return at_.is_clockwise != starts_clockwise_; }
         Iterator& operator++() {
             at_ = mesh_->next_at(vertex_, at_);
-            if (!at_ || at_ == first_) at_ = first_ = mesh_->first_at(vertex_, ++fan_);
+            if (at_.triangle && at_.triangle != first_) return *this;
+            at_ = mesh_->first_at(vertex_, ++fan_);
+            first_ = at_.triangle;
+            starts_clockwise_ = at_.is_clockwise;
             return *this;
         }
-        bool operator!=(const Iterator& other) const { return at_ != other.at_; }
+        bool operator!=(const Iterator& other) const { return at_.triangle != other.at_.triangle; }
 
      private:
         const AdaptiveMesh* mesh_;
         VertexId vertex_;
         TriangleId first_;
-        TriangleId at_;
+        FanStep at_;
+        bool starts_clockwise_;
         std::size_t fan_ = 0;
     };
 
     TrianglesAt(const AdaptiveMesh& mesh, VertexId v) : mesh_(mesh), vertex_(v) {}
     Iterator begin() const { return {mesh_, vertex_, mesh_.first_at(vertex_, 0)}; }
-    Iterator end() const { return {mesh_, vertex_, TriangleId{}}; }
+    Iterator end() const { return {mesh_, vertex_, FanStep{}}; }
 
  private:
     const AdaptiveMesh& mesh_;

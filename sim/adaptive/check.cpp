@@ -119,6 +119,7 @@ class Checker {
         expect(edge.ends[0] != edge.ends[1], "edge", e, "its ends are one vertex");
         expect(edge.rest_length > 0.0F, "edge", e, "its rest length is not positive");
         for (std::size_t s = 0; s < 2; ++s) check_side(e, edge, s);
+        check_orientation(e, edge);
         if (edge.centre) check_children(e, edge);
     }
 
@@ -128,8 +129,24 @@ class Checker {
         const std::size_t k = index_of(t, e);
         expect(reached_.triangles[edge.sides[s].value] > 0 && t.edges[k] == e, "edge", e, "a side is not its triangle");
         expect(t.level == edge.level, "edge", e, "a side is not at its level");
-        expect(t.vertices[k] == edge.ends[s] && t.vertices[(k + 1) % 3] == edge.ends[1 - s], "edge", e,
+        const std::size_t first = edge.right_wrong ? 0 : s;
+        expect(t.vertices[k] == edge.ends[first] && t.vertices[(k + 1) % 3] == edge.ends[1 - first], "edge", e,
                "runs the wrong way round a side");
+    }
+
+    // The surface's orientation changes between panels only at right_wrong edges, and stays the same there only at
+    // cuts.
+    void check_orientation(EdgeId e, const AdaptiveEdge& edge) {
+        const bool has_both = edge.sides[0] && edge.sides[1];
+        expect(!edge.right_wrong || (has_both && edge.sides[0] != edge.sides[1]), "edge", e,
+               "is right_wrong without two sides");
+        if (!has_both) return;
+        const bool is_same = mesh_.triangle(edge.sides[0]).turned == mesh_.triangle(edge.sides[1]).turned;
+        expect(edge.right_wrong || is_same, "edge", e, "the surface's orientation changes at an ordinary edge");
+        if (!edge.right_wrong || !is_same) return;
+        const auto is_on_cut = [&](VertexId v) { return mesh_.vertex(v).on_cut; };
+        expect(mesh_.has_cuts() && is_on_cut(edge.ends[0]) && is_on_cut(edge.ends[1]), "edge", e,
+               "is a cut, and its ends do not say so");
     }
 
     void check_children(EdgeId e, const AdaptiveEdge& edge) {
@@ -140,6 +157,7 @@ class Checker {
             expect(child.ends[i] == edge.ends[i] && child.ends[1 - i] == edge.centre, "edge", e,
                    "a child is elsewhere");
             expect(child.level == edge.level + 1, "edge", e, "a child has the wrong level");
+            expect(child.right_wrong == edge.right_wrong, "edge", e, "only one of it and its child is right_wrong");
             expect(child.rest_length == 0.5F * edge.rest_length, "edge", e, "a child is not half as long");
             for (std::size_t s = 0; s < 2; ++s) {
                 expect(bool(child.sides[s]) == bool(edge.sides[s]), "edge", e, "a hole opens along a child");
@@ -153,11 +171,13 @@ class Checker {
         unsigned split = 0;
         for (std::size_t k = 0; k < 3; ++k) {
             const AdaptiveEdge& edge = mesh_.edge(t.edges[k]);
-            const std::size_t s = edge.ends[0] == t.vertices[k] ? 0 : 1;
-            expect(edge.ends[s] == t.vertices[k] && edge.ends[1 - s] == t.vertices[(k + 1) % 3], "triangle", id,
+            const std::size_t first = edge.ends[0] == t.vertices[k] ? 0 : 1;
+            expect(edge.ends[first] == t.vertices[k] && edge.ends[1 - first] == t.vertices[(k + 1) % 3], "triangle", id,
                    "an edge does not join its vertices");
-            expect(edge.sides[s] == id || (!t.regular && edge.level < t.level), "triangle", id,
-                   "it is not a side of its edge");
+            const int s = mesh_.side_of(id, k);
+            expect(edge.sides[static_cast<std::size_t>(s)] == id ||
+                       (!t.regular && edge.level < t.level && mesh_.leaf_at(t.edges[k], s) == id),
+                   "triangle", id, "it is not a side of its edge");
             split |= edge.centre ? 1U << k : 0U;
         }
         expect(t.regular || is_leaf(t), "triangle", id, "is irregular, yet refined");
@@ -171,6 +191,7 @@ class Checker {
             const AdaptiveEdge& edge = mesh_.edge(owner.internal_edges[i]);
             expect(edge.level == owner.level + 1, "triangle", id, "an internal edge has the wrong level");
             expect(edge.sides[0] && edge.sides[1], "triangle", id, "a hole opens along an internal edge");
+            expect(!edge.right_wrong, "triangle", id, "an internal edge is right_wrong");
             for (std::size_t k = 0; k < 2; ++k) {
                 expect(edge.ends[k] == point(owner, inside.edges[i].points[k]), "triangle", id,
                        "an internal edge is not drawn as its configuration says");
@@ -183,8 +204,8 @@ class Checker {
 
     void check_internal(TriangleId id, const AdaptiveTriangle& owner, const InternalTriangle& drawn,
                         const AdaptiveTriangle& inner) {
-        expect(inner.level == owner.level + 1 && inner.panel == owner.panel, "triangle", id,
-               "an internal triangle has the wrong level or panel");
+        expect(inner.level == owner.level + 1 && inner.panel == owner.panel && inner.turned == owner.turned, "triangle",
+               id, "an internal triangle has the wrong level, panel or orientation");
         expect(inner.regular == (owner.configuration == Configuration::C10), "triangle", id,
                "an internal triangle is wrongly regular or irregular");
         for (std::size_t k = 0; k < 3; ++k) {
@@ -225,8 +246,9 @@ class Checker {
         if (!leaf) return;
         const AdaptiveTriangle& t = mesh_.triangle(leaf);
         const std::size_t k = index_of(t, e);
-        expect(is_leaf(t) && t.edges[k] == e && t.vertices[k] == mesh_.end(e, side), "edge", e,
-               "finds the wrong leaf triangle");
+        const int first = mesh_.edge(e).right_wrong ? 0 : side;
+        expect(is_leaf(t) && t.edges[k] == e && t.vertices[k] == mesh_.end(e, first) && mesh_.side_of(leaf, k) == side,
+               "edge", e, "finds the wrong leaf triangle");
     }
 
     // triangles_at() visits each leaf triangle of a vertex once.
@@ -313,8 +335,9 @@ class Checker {
                    "edge", e.edge, "its leaf is out of date");
         }
         for (const LeafTriangle& t : mesh_.leaf_triangles()) {
-            expect(t.v == mesh_.triangle(t.triangle).vertices && t.u == mesh_.triangle(t.triangle).u, "triangle",
-                   t.triangle, "its leaf is out of date");
+            const AdaptiveTriangle& own = mesh_.triangle(t.triangle);
+            expect(t.v == own.vertices && t.u == own.u && t.turned == own.turned, "triangle", t.triangle,
+                   "its leaf is out of date");
         }
         for (std::size_t i = 0; i < mesh_.hinges().size() && i < mesh_.leaf_edges().size(); ++i) {
             const Hinge& h = mesh_.hinges()[i];
@@ -324,7 +347,8 @@ class Checker {
     }
 
     void check_hinge(const Hinge& h) {
-        expect(h.a == mesh_.end(h.edge, 0) && h.b == mesh_.end(h.edge, 1) && h.rest_length == mesh_.rest_length(h.edge),
+        expect(h.a == mesh_.end(h.edge, 0) && h.b == mesh_.end(h.edge, 1) &&
+                   h.rest_length == mesh_.rest_length(h.edge) && h.right_wrong == mesh_.edge(h.edge).right_wrong,
                "edge", h.edge, "its hinge is out of date");
         check_half_hinge(h, 0, h.left, h.left_at);
         check_half_hinge(h, 1, h.right, h.right_at);
@@ -337,7 +361,8 @@ class Checker {
         const std::size_t a = corner_at(t, h.a), b = corner_at(t, h.b), c = 3 - a - b;
         if (c > 2) return expect(false, "edge", h.edge, "its hinge is not at its triangle");
         const Vec2f along = (t.u[b] - t.u[a]).normalized(), arm = t.u[c] - 0.5F * (t.u[a] + t.u[b]);
-        const Vec2f expected(along.dot(arm), along.x() * arm.y() - along.y() * arm.x());
+        const float mirror = h.right_wrong && side == 1 ? -1.0F : 1.0F;
+        const Vec2f expected(along.dot(arm), mirror * (along.x() * arm.y() - along.y() * arm.x()));
         const float tolerance = 1e-5F * (arm.norm() + t.u[c].norm());
         expect(opposite == t.vertices[c] && (at - expected).norm() <= tolerance &&
                    (h.along[static_cast<std::size_t>(side)] - along).norm() <= 1e-4F,

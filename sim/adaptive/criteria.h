@@ -24,7 +24,8 @@ struct CurvatureOptions {
 };
 
 // Split edges where the cloth bends, rejoin them where it lies flat. A rejoin compares the normals at both ends and at
-// the centre; otherwise it would remove a symmetric bump.  (thesis 3.4.2)
+// the centre; otherwise it would remove a symmetric bump.  (thesis 3.4.2) The sign of a normal on a cut means nothing
+// (sim/adaptive/surface_normals.h), so angles there count as at most a right angle.
 // Normal: a unit vector of three components, or of four with the fourth 0.
 template <class Normal>
 class CurvatureCriterion {
@@ -38,18 +39,23 @@ class CurvatureCriterion {
 
     bool wants_split(const AdaptiveMesh& mesh, EdgeId e) const {
         const AdaptiveEdge& edge = mesh.edge(e);
-        return dot(edge.ends[0], edge.ends[1]) < split_cosine_;
+        return dot(mesh, edge.ends[0], edge.ends[1]) < split_cosine_;
     }
-    bool wants_split(const AdaptiveMesh&, const LeafEdge& e) const { return dot(e.a, e.b) < split_cosine_; }
+    bool wants_split(const AdaptiveMesh& mesh, const LeafEdge& e) const { return dot(mesh, e.a, e.b) < split_cosine_; }
 
     bool allows_rejoin(const AdaptiveMesh& mesh, EdgeId e) const {
         const AdaptiveEdge& edge = mesh.edge(e);
-        return dot(edge.ends[0], edge.ends[1]) > rejoin_cosine_ && dot(edge.ends[0], edge.centre) > rejoin_cosine_ &&
-               dot(edge.centre, edge.ends[1]) > rejoin_cosine_;
+        return dot(mesh, edge.ends[0], edge.ends[1]) > rejoin_cosine_ &&
+               dot(mesh, edge.ends[0], edge.centre) > rejoin_cosine_ &&
+               dot(mesh, edge.centre, edge.ends[1]) > rejoin_cosine_;
     }
 
  private:
-    float dot(VertexId a, VertexId b) const { return normals_[a.value].dot(normals_[b.value]); }
+    float dot(const AdaptiveMesh& mesh, VertexId a, VertexId b) const {
+        const float cosine = normals_[a.value].dot(normals_[b.value]);
+        const bool is_on_cut = mesh.has_cuts() && (mesh.vertex(a).on_cut || mesh.vertex(b).on_cut);
+        return is_on_cut ? std::abs(cosine) : cosine;
+    }
 
     const std::vector<Normal>& normals_;
     float split_cosine_;

@@ -193,6 +193,7 @@ void LeafTracker::insert(const AdaptiveMesh& mesh, EdgeId e) {
     hinge.b = edge.ends[1];
     hinge.rest_length = edge.rest_length;
     hinge.edge = e;
+    hinge.right_wrong = edge.right_wrong;
     if (place < old_hinges_) mark_fresh(e, place);
 }
 
@@ -208,24 +209,27 @@ void LeafTracker::insert(const AdaptiveMesh& mesh, TriangleId id) {
     leaf.triangle = id;
     leaf.panel = t.panel;
     leaf.level = t.level;
+    leaf.turned = t.turned;
     add_areas(leaf, 1.0);
-    write_hinges(t);
+    write_hinges(mesh, id);
 }
 
 // Each triangle writes its own half of the hinges at its edges: the left half if the edge is directed anticlockwise in
-// the triangle, else the right half, rotated by 180 degrees about the middle of the edge.
-void LeafTracker::write_hinges(const AdaptiveTriangle& t) {
+// the triangle, else the right half, rotated by 180 degrees about the middle of the edge. At a right_wrong edge the
+// right half is mirrored at the edge instead.
+void LeafTracker::write_hinges(const AdaptiveMesh& mesh, TriangleId id) {
+    const AdaptiveTriangle& t = mesh.triangle(id);
     const Unfolded unfolded = unfold(t.u);
     for (std::size_t k = 0; k < 3; ++k) {
         Place& place = edges_.by_id[t.edges[k].value];
         if ((place & kIsBoundary) != 0 || !is_listed(place)) continue;
         Hinge& hinge = lists_.hinges[place & kPosition];
         const auto lane = static_cast<Eigen::Index>(k);
-        const bool is_left = hinge.a == t.vertices[k];
-        const float sign = is_left ? 1.0F : -1.0F;
+        const bool is_left = hinge.right_wrong ? mesh.side_of(id, k) == 0 : hinge.a == t.vertices[k];
+        const float sign_x = is_left || hinge.right_wrong ? 1.0F : -1.0F, sign_y = is_left ? 1.0F : -1.0F;
         (is_left ? hinge.left : hinge.right) = t.vertices[(k + 2) % 3];
-        (is_left ? hinge.left_at : hinge.right_at) = sign * Vec2f(unfolded.at_x[lane], unfolded.at_y[lane]);
-        hinge.along[is_left ? 0 : 1] = sign * Vec2f(unfolded.along_x[lane], unfolded.along_y[lane]);
+        (is_left ? hinge.left_at : hinge.right_at) = Vec2f(sign_x * unfolded.at_x[lane], sign_y * unfolded.at_y[lane]);
+        hinge.along[is_left ? 0 : 1] = sign_x * Vec2f(unfolded.along_x[lane], unfolded.along_y[lane]);
         if ((place & kPosition) >= old_hinges_ || (place & kIsFresh) != 0) continue;
         changes_.hinges_changed.push_back(t.edges[k]);
         mark_fresh(t.edges[k], place);

@@ -31,13 +31,15 @@ struct LeafTriangle {
     TriangleId triangle;
     std::uint16_t panel = 0;
     std::uint8_t level = 0;
+    bool turned = false;  // see AdaptiveTriangle
 
     bool operator==(const LeafTriangle&) const = default;
 };
 
 // Two leaf triangles about the edge ab, unfolded into one plane: the origin is the middle of ab, x runs from a to b,
 // the left triangle has y > 0. At a seam each triangle is taken in its own panel's coordinates, then rotated and
-// translated so that the mid-points coincide.  (thesis 4.3.2, fig. 4.6)
+// translated so that the mid-points coincide.  (thesis 4.3.2, fig. 4.6) At a right_wrong edge the right triangle is
+// also mirrored at the edge: it is seen from its fabric's wrong side.
 struct Hinge {
     VertexId a, b, left, right;
     float rest_length = 0.0F;        // of ab, m; a = (-rest_length/2, 0), b = (rest_length/2, 0)
@@ -45,6 +47,7 @@ struct Hinge {
     Vec2f right_at = Vec2f::Zero();  // m
     std::array<Vec2f, 2> along{Vec2f::Zero(), Vec2f::Zero()};  // unit vector a to b in the left and the right panel
     EdgeId edge;
+    bool right_wrong = false;  // see AdaptiveEdge
 
     bool operator==(const Hinge&) const = default;
 };
@@ -180,7 +183,7 @@ class LeafTracker {
     void insert(const AdaptiveMesh& mesh, EdgeId e);
     void insert(const AdaptiveMesh& mesh, TriangleId id);
     void insert(VertexId v);
-    void write_hinges(const AdaptiveTriangle& t);
+    void write_hinges(const AdaptiveMesh& mesh, TriangleId id);
     void mark_fresh(EdgeId e, Place& place);
     void add_areas(const LeafTriangle& triangle, double sign);
     void close_gaps();

@@ -11,6 +11,7 @@
 #include "sim/adaptive/check.h"
 #include "sim/adaptive/criteria.h"
 #include "tests/sim/adaptive/fixtures.h"
+#include "tests/support/right_wrong.h"
 
 namespace selvedge::sim::test {
 namespace {
@@ -211,6 +212,7 @@ TEST(Changes, let_a_copy_of_the_lists_follow_them) {
     follow_random_adaptations(tube(5, 2), 6);
     follow_random_adaptations(octahedron(), 7);
     follow_random_adaptations(bow_tie(), 8);
+    follow_random_adaptations(moebius_band(3), 9);
 }
 
 TEST(Changes, are_all_of_the_lists_of_a_fresh_mesh) {
@@ -313,6 +315,20 @@ TEST(Cycles, bring_a_sewn_tube_back) {
 
 TEST(Cycles, bring_two_sewn_panels_back) {
     expect_cycles_to_come_back(front_and_back(3, 1.3), 40);
+}
+
+TEST(Cycles, bring_panels_back_that_are_sewn_right_side_to_wrong_side) {
+    GarmentMesh base = front_and_back(3, 1.3);
+    mirror_panel(base, 1);
+    expect_cycles_to_come_back(base, 40);
+}
+
+TEST(Cycles, bring_a_moebius_band_back) {
+    expect_cycles_to_come_back(moebius_band(3), 40);
+    GarmentMesh base = moebius_band(3);
+    mirror_panel(base, 1);
+    expect_cycles_to_come_back(base, 40);
+    expect_cycles_to_come_back(moebius_band(1), 40);
 }
 
 TEST(Cycles, with_the_same_seed_give_the_same_bits) {

@@ -2,13 +2,20 @@
 // check(), which must find faults as far as operations of the mesh can create them.
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <map>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "bench/support/measured_mesh.h"
 #include "sim/adaptive/adaptive_mesh.h"
 #include "sim/adaptive/check.h"
 #include "sim/adaptive/criteria.h"
 #include "sim/core/error.h"
+#include "sim/mesh/sew.h"
 #include "tests/sim/adaptive/fixtures.h"
+#include "tests/support/right_wrong.h"
 
 namespace selvedge::sim::test {
 namespace {
@@ -122,10 +129,127 @@ TEST(BaseMesh, refuses_an_edge_with_three_triangles) {
     expect_refused(base, "edge 1-2: is shared by 3 triangles");
 }
 
-TEST(BaseMesh, refuses_triangles_that_face_opposite_ways) {
+// The panels whose right side is opposite to the orientation of the surface.
+std::vector<int> turned_panels(const AdaptiveMesh& mesh) {
+    std::set<int> panels;
+    for (const LeafTriangle& t : mesh.leaf_triangles()) {
+        if (t.turned) panels.insert(t.panel);
+    }
+    return {panels.begin(), panels.end()};
+}
+
+int count_right_wrong(const AdaptiveMesh& mesh) {
+    int count = 0;
+    for (const LeafEdge& e : mesh.leaf_edges()) count += mesh.edge(e.edge).right_wrong ? 1 : 0;
+    return count;
+}
+
+int count_cuts(const AdaptiveMesh& mesh) {
+    int count = 0;
+    for (const LeafEdge& e : mesh.leaf_edges()) count += mesh.is_cut(e.edge) ? 1 : 0;
+    return count;
+}
+
+TEST(RightWrong, both_sides_of_such_an_edge_have_it_in_its_direction) {
     GarmentMesh base = two_triangles();
-    base.triangles[1].vertices = {3, 1, 2};
-    expect_refused(base, "edge 1-2: its two triangles face opposite ways");
+    base.triangles[1].vertices = {1, 2, 3};
+    std::swap(base.triangles[1].u[1], base.triangles[1].u[2]);
+    for (Vec2d& u : base.triangles[1].u) u.x() *= -1;
+    const AdaptiveMesh mesh(base);
+    EXPECT_TRUE(check(mesh).empty());
+    const EdgeId e = edge_between(mesh, VertexId(1), VertexId(2));
+    EXPECT_TRUE(mesh.edge(e).right_wrong);
+    EXPECT_EQ(mesh.edge(e).ends, (std::array{VertexId(1), VertexId(2)}));
+    EXPECT_EQ(mesh.edge(e).sides, (std::array{TriangleId(0), TriangleId(1)}));
+    // The hinge is that of two triangles that face the same way.
+    const AdaptiveMesh plain(two_triangles());
+    const Hinge &hinge = *mesh.hinge(e), &ordinary = *plain.hinge(edge_between(plain, VertexId(1), VertexId(2)));
+    EXPECT_LT((hinge.left_at - ordinary.left_at).norm(), 1e-6F);
+    EXPECT_LT((hinge.right_at - ordinary.right_at).norm(), 1e-6F);
+}
+
+TEST(RightWrong, turns_the_smaller_area_where_the_surface_can_be_oriented) {
+    GarmentMesh base = front_and_back(2, 1.3);
+    EXPECT_FALSE(AdaptiveMesh(base).has_right_wrong_edges());
+    for (const int mirrored : {0, 1}) {
+        GarmentMesh half = base;
+        mirror_panel(half, mirrored);
+        const AdaptiveMesh mesh(half);
+        EXPECT_TRUE(check(mesh).empty());
+        EXPECT_EQ(count_right_wrong(mesh), 4);  // two seams of two edges
+        EXPECT_FALSE(mesh.has_cuts());
+        EXPECT_EQ(turned_panels(mesh), std::vector<int>{0}) << "the back is larger";
+    }
+}
+
+TEST(RightWrong, cuts_a_moebius_band_at_one_seam) {
+    for (const int mirrored : {-1, 0, 1, 2}) {
+        GarmentMesh base = moebius_band(3);
+        mirror_panel(base, mirrored);
+        const AdaptiveMesh mesh(base);
+        EXPECT_TRUE(check(mesh).empty());
+        EXPECT_TRUE(mesh.has_cuts());
+        EXPECT_EQ(count_cuts(mesh), 2) << "one seam of two edges";
+        const auto on_cut =
+            std::ranges::count_if(mesh.leaf_vertices(), [&](VertexId v) { return mesh.vertex(v).on_cut; });
+        EXPECT_EQ(on_cut, 3);
+    }
+}
+
+// Whatever edges of a few panels are sewn, in whatever direction.
+TEST(RightWrong, panels_sewn_at_random_make_a_sound_mesh) {
+    std::mt19937 random(11);
+    int with_cuts = 0;
+    for (int run = 0; run < 150; ++run) {
+        Pattern pattern;
+        std::vector<SeamSide> free;
+        for (int p = 0; p < 3; ++p) {
+            Panel& panel = pattern.panels.emplace_back();
+            panel.name = "panel" + std::to_string(p);
+            panel.vertices = {{0, 0}, {0.3, 0}, {0.3, 0.2}, {0, 0.2}};
+            panel.translation = {0.5 * p, 0, 0};
+            for (int e = 0; e < 4; ++e) {
+                panel.edges.push_back({.start = e, .end = (e + 1) % 4});
+                free.push_back({p, e});
+            }
+        }
+        std::shuffle(free.begin(), free.end(), random);
+        const std::size_t seams = 1 + random() % 5;
+        for (std::size_t i = 0; i < seams; ++i)
+            pattern.seams.push_back({free[2 * i], free[2 * i + 1], random() % 2 == 0});
+        GarmentMesh base = assemble(pattern, {.target_edge = 0.1});
+        merge_seams(base);
+        AdaptiveMesh mesh(base, {.max_level = 2});
+        ASSERT_TRUE(check(mesh).empty()) << "run " << run << ": " << check(mesh).front();
+        with_cuts += mesh.has_cuts() ? 1 : 0;
+        NoState state;
+        for (int i = 0; i < 4; ++i) {
+            adapt(mesh, state, {}, RandomCriterion{random, 0.5, 0.4});
+            ASSERT_TRUE(check(mesh).empty()) << "run " << run << ": " << check(mesh).front();
+        }
+    }
+    EXPECT_GT(with_cuts, 10);
+    EXPECT_LT(with_cuts, 140);
+}
+
+// Round a vertex, the walk crosses each edge between its triangles; round an inner one it comes back.
+TEST(RightWrong, the_walk_round_a_vertex_tells_which_triangles_look_the_other_way) {
+    GarmentMesh base = moebius_band(3);
+    mirror_panel(base, 1);
+    AdaptiveMesh mesh(base);
+    NoState state;
+    set_uniform_level(mesh, state, 1);
+    for (const VertexId v : mesh.leaf_vertices()) {
+        std::map<TriangleId, bool> is_turned;
+        const AdaptiveMesh::TrianglesAt around = mesh.triangles_at(v);
+        for (auto at = around.begin(); at != around.end(); ++at) is_turned[*at] = at.is_turned();
+        for (const LeafEdge& e : mesh.leaf_edges()) {
+            if (e.a != v && e.b != v) continue;
+            const TriangleId first = mesh.leaf_at(e.edge, 0), second = mesh.leaf_at(e.edge, 1);
+            if (!first || !second) continue;
+            EXPECT_EQ(is_turned.at(first) != is_turned.at(second), mesh.edge(e.edge).right_wrong);
+        }
+    }
 }
 
 TEST(BaseMesh, keeps_the_indices_of_vertices_and_triangles_as_ids) {
