@@ -106,12 +106,25 @@ int start_of(const GarmentMesh& mesh, const EdgeUse& use) {
     return mesh.triangles[static_cast<std::size_t>(use.triangle)].vertices[static_cast<std::size_t>(use.corner)];
 }
 
+// Whether both triangles lie in one panel with the same material coordinates at the edge: then it is no seam.
+bool is_inside_panel(const GarmentMesh& mesh, const EdgeUse& first, const EdgeUse& second) {
+    const GarmentTriangle& a = mesh.triangles[static_cast<std::size_t>(first.triangle)];
+    const GarmentTriangle& b = mesh.triangles[static_cast<std::size_t>(second.triangle)];
+    const auto u_at = [](const GarmentTriangle& t, int vertex) {
+        return t.u[static_cast<std::size_t>(std::ranges::find(t.vertices, vertex) - t.vertices.begin())];
+    };
+    const auto is_same = [&](int vertex) { return u_at(a, vertex) == u_at(b, vertex); };
+    const auto corner = static_cast<std::size_t>(first.corner);
+    return a.panel == b.panel && is_same(a.vertices[corner]) && is_same(a.vertices[(corner + 1) % 3]);
+}
+
 void check_edges(const GarmentMesh& mesh, Faults& faults) {
     for (const auto& [edge, uses] : edges_of(mesh)) {
         if (uses.size() > 2) {
             faults.push_back(name_of(edge) + ": " + std::to_string(uses.size()) + " triangles meet, first " +
                              name_of(mesh, uses[0].triangle));
-        } else if (uses.size() == 2 && start_of(mesh, uses[0]) == start_of(mesh, uses[1])) {
+        } else if (uses.size() == 2 && start_of(mesh, uses[0]) == start_of(mesh, uses[1]) &&
+                   is_inside_panel(mesh, uses[0], uses[1])) {
             faults.push_back(name_of(edge) + ": " + name_of(mesh, uses[0].triangle) + " and " +
                              name_of(mesh, uses[1].triangle) + " face opposite sides");
         }

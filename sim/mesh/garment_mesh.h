@@ -50,8 +50,9 @@ struct GarmentMesh {
 
 // All faults of the mesh, each with its location ("triangle 12 (front): ..."); empty for a valid mesh. A valid mesh has
 // indices in range, finite numbers, no duplicate triangle and none of zero or negative area, no edge with three
-// triangles or with two of opposite orientation, and no vertex without a triangle or with two separate fans of
-// triangles. If an index is out of range, only index faults are reported.
+// triangles, none inside a panel whose two triangles have opposite orientation (at a seam they may: Seam::is_reversed),
+// and no vertex without a triangle or with two separate fans of triangles. If an index is out of range, only index
+// faults are reported.
 std::vector<std::string> check_mesh(const GarmentMesh& mesh);
 
 // The seam whose sides have the largest length ratio.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -124,24 +125,18 @@ inline Topology topology_of(const GarmentMesh& mesh) {
             ++edges[ends];
         }
     }
-    std::map<int, int> next;  // next boundary vertex
-    for (const GarmentTriangle& t : mesh.triangles) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::pair<int, int> ends = std::minmax({t.vertices[k], t.vertices[(k + 1) % 3]});
-            if (edges[ends] == 1) next[t.vertices[k]] = t.vertices[(k + 1) % 3];
-        }
-    }
     Topology topology;
     topology.euler =
         static_cast<int>(mesh.x.size()) - static_cast<int>(edges.size()) + static_cast<int>(mesh.triangles.size());
-    while (!next.empty()) {
-        ++topology.boundary_loops;
-        for (auto at = next.begin(); at != next.end();) {
-            const int following = at->second;
-            next.erase(at);
-            at = next.find(following);
-        }
+    DisjointSets loops(mesh.x.size());  // directions change where a seam joins right side to wrong side
+    std::set<int> on_boundary;
+    for (const auto& [ends, count] : edges) {
+        if (count != 1) continue;
+        loops.join(ends.first, ends.second);
+        on_boundary.insert({ends.first, ends.second});
     }
+    for (const int v : on_boundary)
+        topology.boundary_loops += on_boundary.contains(loops.find(v)) && loops.find(v) == v;
     return topology;
 }
 

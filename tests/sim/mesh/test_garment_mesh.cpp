@@ -4,6 +4,7 @@
 
 #include "sim/mesh/draw_mesh.h"
 #include "sim/mesh/garment_mesh.h"
+#include "tests/support/right_wrong.h"
 
 namespace selvedge::sim {
 namespace {
@@ -69,10 +70,19 @@ TEST(CheckMesh, finds_an_edge_of_three_triangles) {
     expect_fault(mesh, "edge 0-4: 3 triangles meet");
 }
 
-TEST(CheckMesh, finds_neighbours_that_face_opposite_sides) {
+TEST(CheckMesh, finds_neighbours_in_a_panel_that_face_opposite_sides) {
     GarmentMesh mesh = pinwheel();
     std::swap(mesh.triangles[0].vertices[0], mesh.triangles[0].vertices[1]);
+    std::swap(mesh.triangles[0].u[0], mesh.triangles[0].u[1]);
     expect_fault(mesh, "face opposite sides");
+}
+
+TEST(CheckMesh, allows_a_seam_of_right_side_to_wrong_side) {
+    GarmentMesh mesh = pinwheel();
+    std::swap(mesh.triangles[0].vertices[0], mesh.triangles[0].vertices[1]);
+    std::swap(mesh.triangles[0].u[0], mesh.triangles[0].u[1]);
+    for (Vec2d& u : mesh.triangles[0].u) u.x() = -1 - u.x();
+    EXPECT_TRUE(check_mesh(mesh).empty()) << check_mesh(mesh).front();
 }
 
 TEST(CheckMesh, finds_a_triangle_given_twice) {
@@ -177,6 +187,37 @@ TEST(VertexNormals, are_unit_and_lean_to_the_larger_triangle) {
 TEST(VertexNormals, point_up_where_a_vertex_has_no_area_round_it) {
     const std::vector<Vec3f> normals = vertex_normals({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {5, 5, 5}}, {{0, 1, 2}});
     EXPECT_EQ(normals, std::vector<Vec3f>(4, Vec3f(0, 1, 0)));
+}
+
+TEST(VertexNormals, are_those_of_consistent_triangles_where_some_look_the_other_way) {
+    DrawMesh mesh = ridge();
+    EXPECT_TRUE(find_turned_corners(mesh.triangles).empty());
+    mesh.triangles[1] = {0, 1, 3};
+    mesh.turned_corners = find_turned_corners(mesh.triangles);
+    EXPECT_EQ(mesh.turned_corners, (std::vector<std::uint8_t>{0, 3})) << "at the common vertices";
+    const std::vector<Vec3f> normals = vertex_normals(mesh);
+    EXPECT_TRUE(normals[0].isApprox(Vec3f(2, 0, 1).normalized())) << normals[0].transpose();
+    EXPECT_TRUE(normals[3].isApprox(Vec3f(-1, 0, 0))) << "its only triangle's right side";
+}
+
+TEST(VertexNormals, of_a_moebius_band_never_cancel) {
+    const GarmentMesh band = test::moebius_band(3);
+    DrawMesh mesh;
+    for (const Vec3d& x : band.x) mesh.x.emplace_back(x.cast<float>());
+    for (const GarmentTriangle& t : band.triangles) {
+        auto& triangle = mesh.triangles.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k) triangle[k] = static_cast<std::uint32_t>(t.vertices[k]);
+    }
+    mesh.turned_corners = find_turned_corners(mesh.triangles);
+    const std::vector<Vec3f> normals = vertex_normals(mesh);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto& [a, b, c] = mesh.triangles[t];
+        const Vec3f right = (mesh.x[b] - mesh.x[a]).cross(mesh.x[c] - mesh.x[a]).normalized();
+        for (std::size_t k = 0; k < 3; ++k) {
+            const float cosine = right.dot(normals[mesh.triangles[t][k]]);
+            EXPECT_GT(is_turned(mesh, t, k) ? -cosine : cosine, 0.5F) << "triangle " << t << ", corner " << k;
+        }
+    }
 }
 
 TEST(VertexNormals, are_the_meshs_own_where_it_has_one_for_each_vertex) {
