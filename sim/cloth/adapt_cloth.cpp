@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/adaptive/criteria.h"
+#include "sim/adaptive/surface_normals.h"
 #include "sim/cloth/contact_guard.h"
 #include "sim/cloth/contact_surface.h"
 #include "sim/cloth/state_transfer.h"
@@ -40,7 +41,7 @@ struct ClothObserver {
     void on_split(VertexId c, VertexId a, VertexId b) {
         const Vec4f middle = (cloth.x[a.value] + cloth.x[b.value]) * 0.5F;
         const Vec4f velocity = middle - (cloth.x_prev[a.value] + cloth.x_prev[b.value]) * 0.5F;
-        const Vec3f normal = cloth.normals[a.value] + cloth.normals[b.value];
+        const Vec3f normal = sum_of_ends(cloth.mesh, cloth.normals, a, b);
         cloth.x[c.value] = with_zero_w(outside(middle.head<3>(), normal, body, contact.offset));
         cloth.x_prev[c.value] = cloth.x[c.value] - velocity;
         cloth.normals[c.value] = normal.squaredNorm() > 0 ? Vec3f(normal.normalized()) : Vec3f::Zero();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/adaptive/surface_normals.h"
 #include "sim/cloth/material_frame.h"
 #include "sim/cloth/state_transfer.h"
 #include "sim/core/assert.h"
@@ -125,14 +126,12 @@ void set_substep(Cloth& cloth, float substep) {
 }
 
 void update_normals(Cloth& cloth) {
-    for (const VertexId v : cloth.mesh.leaf_vertices()) cloth.normals[v.value].setZero();
-    for (const LeafTriangle& triangle : cloth.mesh.leaf_triangles()) {
-        const Vec3f x0 = cloth.x[triangle.v[0].value].head<3>();
-        const Vec3f x1 = cloth.x[triangle.v[1].value].head<3>();
-        const Vec3f x2 = cloth.x[triangle.v[2].value].head<3>();
-        const Vec3f area = (x1 - x0).cross(x2 - x0);
-        for (const VertexId v : triangle.v) cloth.normals[v.value] += area;
-    }
+    sum_normals(cloth.mesh, cloth.normals, [&](const std::array<VertexId, 3>& v) -> Vec3f {
+        const Vec3f x0 = cloth.x[v[0].value].head<3>();
+        const Vec3f x1 = cloth.x[v[1].value].head<3>();
+        const Vec3f x2 = cloth.x[v[2].value].head<3>();
+        return (x1 - x0).cross(x2 - x0);
+    });
     for (const VertexId v : cloth.mesh.leaf_vertices()) {
         const float length = cloth.normals[v.value].norm();
         if (length > 0) cloth.normals[v.value] /= length;
@@ -193,7 +192,8 @@ DrawMesh draw_mesh(const Cloth& cloth, const std::vector<std::string>& panel_nam
         mesh.panel.push_back(t.panel);
         mesh.level.push_back(t.level);
     }
-    mesh.normals = vertex_normals(mesh.x, mesh.triangles);
+    if (cloth.mesh.has_right_wrong_edges()) mesh.turned_corners = find_turned_corners(mesh.triangles);
+    mesh.normals = vertex_normals(mesh.x, mesh.triangles, mesh.turned_corners);
     return mesh;
 }
 

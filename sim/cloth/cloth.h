@@ -33,7 +33,7 @@ struct Cloth {
     std::vector<Vec4f> x{};             // position, m
     std::vector<Vec4f> x_prev{};        // position one sub-step ago, m; velocity = (x - x_prev) / substep
     std::vector<float> inverse_mass{};  // 1/kg; 0 for a vertex that cannot move or is not in use
-    std::vector<Vec3f> normals{};       // unit, of the fabric's right side; see update_normals
+    std::vector<Vec3f> normals{};       // unit, of the surface; see update_normals
     std::vector<bool> is_pinned{};
 
     float substep = 0;              // s, the length that x_prev and the solver's constraints refer to
@@ -67,7 +67,8 @@ void update_solver(Cloth& cloth);
 // result is more accurate for shorter sub-steps than for longer ones, which also amplify the errors of the biases.
 void set_substep(Cloth& cloth, float substep);
 
-// Area-weighted normals of the leaf triangles.
+// Area-weighted normals of the leaf triangles. They look to the fabric's right side, except on panels that are turned
+// (sim/adaptive/surface_normals.h).
 void update_normals(Cloth& cloth);
 
 // Mass-weighted root mean square of the vertices' mean velocities from the positions `before` to the present ones,

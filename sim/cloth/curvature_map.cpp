@@ -141,9 +141,13 @@ Mat3d curvature_map(const CurvatureFit& own, const std::array<FitBeside, 3>& bes
     for (std::size_t i = 0; i < 3; ++i) {
         if (beside[i].fit == nullptr) continue;
         const CurvatureFit& other = *beside[i].fit;
-        const Vec2d &here = own.along[i], there = -other.along[beside[i].edge];
+        const bool is_mirrored = beside[i].is_mirrored;
+        const Vec2d there = (is_mirrored ? 1 : -1) * other.along[beside[i].edge];
+        const Vec2d here(own.along[i].x(), (is_mirrored ? -1 : 1) * own.along[i].y());
         const double c = here.dot(there), s = cross2(there, here);
-        const Vec3d z = exchanged(own, i, other, beside[i].edge, turned(c, s), turned(c, -s));
+        Mat3d turn = turned(c, s), back = turned(c, -s);
+        if (is_mirrored) turn.col(2) *= -1, back.row(2) *= -1;  // mirrored in y, 2 k_12 changes its sign
+        const Vec3d z = exchanged(own, i, other, beside[i].edge, turn, back);
         map.col(static_cast<Eigen::Index>(i)) += kShare / own.area * z;
     }
     return map;

@@ -8,7 +8,8 @@
 // surfaces as well as possible.
 //
 // Curvatures are (k_warp, k_weft, 2 k_twist), 1/m, in the triangle's own frame of warp and weft. Angles are positive
-// where the fabric's right side is concave.
+// where the fabric's right side is concave. Across a right_wrong edge the neighbour's curvatures and angles both have
+// the opposite sign, and its frame is mirrored; so its map is that of an ordinary neighbour in a mirrored frame.
 #include <array>
 #include <optional>
 
@@ -32,7 +33,8 @@ struct RestTriangle {
 
     double area() const { return 0.5 * cross2(x[1] - x[0], x[2] - x[0]); }
     HingeSide own_side(std::size_t i) const;
-    // The same side for use by the neighbour across the edge, which has the edge in the opposite direction.
+    // The same side for use by the neighbour across the edge, which has the edge in the opposite direction. (A
+    // neighbour across a right_wrong edge has it in the same direction and uses own_side().)
     HingeSide side_for_neighbour(std::size_t i) const;
 };
 
@@ -52,6 +54,7 @@ CurvatureFit fit_curvature(const RestTriangle& triangle);
 struct FitBeside {
     const CurvatureFit* fit = nullptr;  // none at a boundary
     std::size_t edge = 0;               // the index of the shared edge in the neighbour
+    bool is_mirrored = false;           // the neighbour's right side is on this triangle's wrong side (AdaptiveEdge)
 };
 
 // C: the triangle's own fit, corrected by one exchange with each neighbour that minimises the squared errors of both.

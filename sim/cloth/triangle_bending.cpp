@@ -20,19 +20,20 @@ namespace {
 enum class Level { Leaves, Refined };
 
 struct Beside {
-    TriangleId triangle;   // none at a boundary
-    std::size_t edge = 0;  // the shared edge in the neighbour: the index of the opposite corner
+    TriangleId triangle;       // none at a boundary
+    std::size_t edge = 0;      // the shared edge in the neighbour: the index of the opposite corner
+    bool right_wrong = false;  // see AdaptiveEdge
 };
 
 Beside beside(const AdaptiveMesh& mesh, TriangleId t, std::size_t i, Level level) {
     const AdaptiveTriangle& triangle = mesh.triangle(t);
     const std::size_t k = (i + 1) % 3;
     const EdgeId e = triangle.edges[k];
-    const int other = mesh.edge(e).ends[0] == triangle.vertices[k] ? 1 : 0;
+    const int other = 1 - mesh.side_of(t, k);
     const TriangleId found =
         level == Level::Leaves ? mesh.leaf_at(e, other) : mesh.edge(e).sides[static_cast<std::size_t>(other)];
     if (!found) return {};
-    return {found, (index_of(mesh.triangle(found), e) + 2) % 3};
+    return {found, (index_of(mesh.triangle(found), e) + 2) % 3, mesh.edge(e).right_wrong};
 }
 
 // A triangle with its neighbours. points: the corners, then the apex beyond each edge; for an edge without a hinge the
@@ -80,8 +81,10 @@ Neighbourhood neighbourhood(const Cloth& cloth, TriangleId t, Level level) {
     Neighbourhood found = points_about(cloth.mesh, t, level);
     found.rest = alone(cloth, t);
     for (std::size_t i = 0; i < 3; ++i) {
-        const auto& [triangle, edge] = found.beside[i];
-        if (triangle) found.rest.beyond[i] = alone(cloth, triangle).side_for_neighbour(edge);
+        const auto& [triangle, edge, right_wrong] = found.beside[i];
+        if (!triangle) continue;
+        const RestTriangle rest = alone(cloth, triangle);
+        found.rest.beyond[i] = right_wrong ? rest.own_side(edge) : rest.side_for_neighbour(edge);
     }
     return found;
 }
@@ -108,7 +111,8 @@ class Fits {
         }
         std::array<FitBeside, 3> around;  // pointers are safe now: scratch_.fits does not grow any more
         for (std::size_t i = 0; i < 3; ++i) {
-            if (own.beside[i].triangle) around[i] = {&scratch_.fits[places[i]], own.beside[i].edge};
+            const Beside& other = own.beside[i];
+            if (other.triangle) around[i] = {&scratch_.fits[places[i]], other.edge, other.right_wrong};
         }
         return selvedge::sim::curvature_map(scratch_.fits[here], around);
     }
