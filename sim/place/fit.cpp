@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <optional>
 
 #include "sim/body/section.h"
@@ -28,8 +29,9 @@ struct CutEdge {
 struct CutSegment {
     CutEdge entry;
     CutEdge exit;
-    Vec3d point = Vec3d::Zero();  // on the entry edge
-    double material_length = 0;   // m
+    Vec3d point = Vec3d::Zero();       // on the entry edge
+    Vec3d exit_point = Vec3d::Zero();  // on the exit edge
+    double material_length = 0;        // m
     std::uint16_t panel = 0;
 };
 
@@ -64,7 +66,7 @@ std::optional<CutSegment> cut_triangle(const DrawMesh& garment, std::size_t tria
         const auto [low, high] = std::minmax(vertices[k], vertices[next]);
         (is_entry ? segment.entry : segment.exit) = {low, high};
         (is_entry ? entry_u : exit_u) = u;
-        if (is_entry) segment.point = a + t * (b - a);
+        (is_entry ? segment.point : segment.exit_point) = a + t * (b - a);
     }
     if (!is_cut) return std::nullopt;
     segment.material_length = (exit_u - entry_u).norm();
@@ -83,29 +85,71 @@ std::vector<CutSegment> cut(const DrawMesh& garment, double y) {
     return segments;
 }
 
-// The segment that continues where this one ends, or segments.size() at the garment's boundary.
-std::size_t find_next(const std::vector<CutSegment>& segments, CutEdge exit) {
-    const auto it = std::lower_bound(segments.begin(), segments.end(), exit,
-                                     [](const CutSegment& segment, CutEdge edge) { return segment.entry < edge; });
-    return it != segments.end() && it->entry == exit ? static_cast<std::size_t>(it - segments.begin())
-                                                     : segments.size();
-}
+// The segments at one level, and the way from one to the next. Neighbours have opposite directions where a seam joins
+// right side to wrong side; there the walk goes on backwards, from exit to entry.
+class CutWalk {
+ public:
+    struct Step {
+        std::size_t segment = 0;  // the number of segments at the garment's boundary
+        bool is_backward = false;
+    };
+
+    explicit CutWalk(const std::vector<CutSegment>& by_entry) : segments_(by_entry), by_exit_(by_entry.size()) {
+        std::iota(by_exit_.begin(), by_exit_.end(), std::size_t{0});
+        std::stable_sort(by_exit_.begin(), by_exit_.end(),
+                         [&](std::size_t a, std::size_t b) { return segments_[a].exit < segments_[b].exit; });
+    }
+
+    Step next(const Step& at) const {
+        const CutEdge edge = at.is_backward ? segments_[at.segment].entry : segments_[at.segment].exit;
+        Step found = starting_at(edge, at.segment, at.is_backward);
+        if (found.segment == segments_.size()) found = starting_at(edge, at.segment, !at.is_backward);
+        return found;
+    }
+
+ private:
+    // Another segment that starts at the edge when walked in that direction.
+    Step starting_at(CutEdge edge, std::size_t from, bool is_backward) const {
+        const auto edge_of = [&](std::size_t i) {
+            return is_backward ? segments_[by_exit_[i]].exit : segments_[i].entry;
+        };
+        std::size_t low = 0, high = segments_.size();
+        while (low < high) {
+            const std::size_t middle = (low + high) / 2;
+            if (edge_of(middle) < edge) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        for (; low < segments_.size() && edge_of(low) == edge; ++low) {
+            const std::size_t segment = is_backward ? by_exit_[low] : low;
+            if (segment != from) return {segment, is_backward};
+        }
+        return {segments_.size(), is_backward};
+    }
+
+    const std::vector<CutSegment>& segments_;
+    std::vector<std::size_t> by_exit_;  // segments, sorted by exit edge
+};
 
 std::vector<GarmentLoop> closed_loops(const std::vector<CutSegment>& segments, const std::vector<double>& limits) {
+    const CutWalk walk(segments);
     std::vector<GarmentLoop> loops;
     std::vector<bool> used(segments.size(), false);
     for (std::size_t first = 0; first < segments.size(); ++first) {
         GarmentLoop loop;
-        std::size_t at = first;
-        while (at < segments.size() && !used[at]) {
-            used[at] = true;
-            loop.points.push_back(segments[at].point);
-            loop.girth += segments[at].material_length;
-            const double limit = limits.empty() ? 0 : limits[segments[at].panel];
-            loop.limit_girth += (1 + limit) * segments[at].material_length;
-            at = find_next(segments, segments[at].exit);
+        CutWalk::Step at{first};
+        while (at.segment < segments.size() && !used[at.segment]) {
+            const CutSegment& segment = segments[at.segment];
+            used[at.segment] = true;
+            loop.points.push_back(at.is_backward ? segment.exit_point : segment.point);
+            loop.girth += segment.material_length;
+            const double limit = limits.empty() ? 0 : limits[segment.panel];
+            loop.limit_girth += (1 + limit) * segment.material_length;
+            at = walk.next(at);
         }
-        if (at == first && !loop.points.empty()) loops.push_back(std::move(loop));
+        if (at.segment == first && !loop.points.empty()) loops.push_back(std::move(loop));
     }
     return loops;
 }

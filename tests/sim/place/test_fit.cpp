@@ -116,6 +116,19 @@ TEST(Fit, each_panel_may_stretch_to_its_own_limit) {
     EXPECT_NEAR(tight_levels(garment, column()).at(0).limit_girth, 0.9, 1e-5);
 }
 
+TEST(Fit, a_tube_whose_left_half_shows_its_wrong_side_is_as_tight) {
+    DrawMesh garment = round_garment({.girth = 0.9, .radius = 0.2, .low = 0.51, .high = 0.91});
+    const auto expected = tight_levels(garment, column());
+    for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
+        if (garment.u[t][0].x() < 0.45F && garment.u[t][1].x() < 0.46F && garment.u[t][2].x() < 0.46F)
+            std::swap(garment.triangles[t][1], garment.triangles[t][2]), std::swap(garment.u[t][1], garment.u[t][2]);
+    }
+    const auto levels = tight_levels(garment, column());
+    ASSERT_EQ(levels.size(), expected.size());
+    for (std::size_t i = 0; i < levels.size(); ++i)
+        EXPECT_NEAR(levels[i].garment_girth, expected[i].garment_girth, 1e-6);
+}
+
 TEST(Fit, the_room_that_cloth_keeps_from_the_body_counts_but_half_a_percent_does_not) {
     const auto is_tight = [](double girth) {
         return !tight_levels(round_garment({.girth = girth, .radius = 0.2}), column()).empty();
