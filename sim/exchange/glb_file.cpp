@@ -163,9 +163,10 @@ Json panel_materials(const std::vector<PanelPart>& parts) {
 Json panel_primitive(const PanelPart& part, std::size_t material, const std::vector<Vec3f>& x,
                      const std::vector<Vec3f>& normals, Document& document) {
     std::vector<Vec3f> part_x, part_normals;
-    for (const std::uint32_t v : part.vertices) {
-        part_x.push_back(x[v]);
-        part_normals.push_back(normals[v]);
+    for (std::size_t i = 0; i < part.vertices.size(); ++i) {
+        part_x.push_back(x[part.vertices[i]]);
+        const Vec3f& normal = normals[part.vertices[i]];
+        part_normals.push_back(part.is_turned[i] ? Vec3f(-normal) : normal);
     }
     std::vector<Vec2f> downward;
     for (const Vec2f& u : part.u) downward.emplace_back(u.x(), 1 - u.y());

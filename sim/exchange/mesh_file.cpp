@@ -170,7 +170,8 @@ DrawMesh read_garment(const std::filesystem::path& path) {
     }
     if (!has_u) mesh.u.clear();
     merge_positions(corners, mesh);
-    mesh.normals = vertex_normals(mesh.x, mesh.triangles);
+    mesh.turned_corners = find_turned_corners(mesh.triangles);
+    mesh.normals = vertex_normals(mesh.x, mesh.triangles, mesh.turned_corners);
     add_panel_data(path, format, mesh);
     return mesh;
 }
@@ -186,12 +187,13 @@ struct Copies {
     std::vector<std::uint32_t> next;   // per vertex of the part
 };
 
-std::uint32_t part_vertex(PanelPart& part, Copies& copies, std::uint32_t vertex, const Vec2f* u) {
+std::uint32_t part_vertex(PanelPart& part, Copies& copies, std::uint32_t vertex, const Vec2f* u, bool is_turned) {
     for (std::uint32_t copy = copies.first[vertex]; copy != kNone; copy = copies.next[copy])
-        if (!u || part.u[copy] == *u) return copy;
+        if ((!u || part.u[copy] == *u) && part.is_turned[copy] == is_turned) return copy;
     const std::uint32_t added = std::uint32_t(part.vertices.size());
     part.vertices.push_back(vertex);
     if (u) part.u.push_back(*u);
+    part.is_turned.push_back(is_turned);
     copies.next.push_back(copies.first[vertex]);
     copies.first[vertex] = added;
     return added;
@@ -224,7 +226,8 @@ std::vector<PanelPart> split_by_panel(const DrawMesh& mesh) {
             std::array<std::uint32_t, 3> corners{};
             for (std::size_t k = 0; k < 3; ++k) {
                 SELVEDGE_ASSERT(mesh.triangles[t][k] < mesh.x.size());
-                corners[k] = part_vertex(part, copies, mesh.triangles[t][k], mesh.u.empty() ? nullptr : &mesh.u[t][k]);
+                const Vec2f* const u = mesh.u.empty() ? nullptr : &mesh.u[t][k];
+                corners[k] = part_vertex(part, copies, mesh.triangles[t][k], u, is_turned(mesh, t, k));
             }
             part.triangles.push_back(corners);
         }

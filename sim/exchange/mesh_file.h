@@ -60,10 +60,11 @@ DrawMesh read_garment(const std::filesystem::path& path);
 // have different material coordinates (at a seam or dart) is duplicated.
 struct PanelPart {
     std::string name;
-    float grain_angle = 0;                                // rad
-    Vec2f sett_offset = Vec2f::Zero();                    // m, see Panel::sett_offset
-    std::vector<std::uint32_t> vertices;                  // per vertex of the part: index in the mesh
-    std::vector<Vec2f> u;                                 // m, parallel to `vertices`; empty: none in the mesh
+    float grain_angle = 0;                // rad
+    Vec2f sett_offset = Vec2f::Zero();    // m, see Panel::sett_offset
+    std::vector<std::uint32_t> vertices;  // per vertex of the part: index in the mesh
+    std::vector<Vec2f> u;                 // m, parallel to `vertices`; empty: none in the mesh
+    std::vector<bool> is_turned;  // parallel to `vertices`: the mesh's normal looks to the part's wrong side there
     std::vector<std::array<std::uint32_t, 3>> triangles;  // indices into `vertices`
 };
 

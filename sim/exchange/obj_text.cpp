@@ -47,17 +47,30 @@ void append_points(std::string& text, const std::vector<Vec3f>& x, const std::ve
 }
 
 // Appends "position/texture/normal", or "position//normal" without a texture coordinate; indices start at 1.
-void append_corner(std::string& text, std::size_t vertex, std::optional<std::size_t> texture) {
+void append_corner(std::string& text, std::size_t vertex, std::optional<std::size_t> texture, std::size_t normal) {
     text += ' ';
     append_number(text, vertex + 1);
     text += '/';
     if (texture) append_number(text, *texture + 1);
     text += '/';
-    append_number(text, vertex + 1);
+    append_number(text, normal + 1);
 }
 
-void append_part(std::string& text, const PanelPart& part, std::size_t first_texture) {
+// The numbers of texture coordinates and of normals written so far.
+struct Written {
+    std::size_t textures = 0;
+    std::size_t normals = 0;
+};
+
+// normals: of the mesh's vertices. A corner at which its vertex's normal looks to the wrong side gets a normal of its
+// own, so that every corner's normal looks to the right side.
+void append_part(std::string& text, const PanelPart& part, const std::vector<Vec3f>& normals, Written& written) {
     for (const Vec2f& u : part.u) append_vector(text, "vt", u);
+    std::vector<std::size_t> normal_of;  // by vertex of the part
+    for (std::size_t i = 0; i < part.vertices.size(); ++i) {
+        normal_of.push_back(part.is_turned[i] ? written.normals++ : part.vertices[i]);
+        if (part.is_turned[i]) append_vector(text, "vn", Vec3f(-normals[part.vertices[i]]));
+    }
     text += "g " + one_word(part.name) + '\n';
     text += kGrainComment;
     append_number(text, part.grain_angle);
@@ -68,9 +81,10 @@ void append_part(std::string& text, const PanelPart& part, std::size_t first_tex
         text += 'f';
         for (const std::uint32_t corner : triangle)
             append_corner(text, part.vertices[corner],
-                          part.u.empty() ? std::nullopt : std::optional(first_texture + corner));
+                          part.u.empty() ? std::nullopt : std::optional(written.textures + corner), normal_of[corner]);
         text += '\n';
     }
+    written.textures += part.u.size();
 }
 
 // Calls take(group, rest of the line) for each line that begins with `comment`; group: the current group's name.
@@ -100,12 +114,10 @@ std::string garment_obj(const DrawMesh& mesh) {
     std::string text =
         "# Selvedge garment: metres, y up; vt = material coordinates in metres; grain_angle in rad, sett_offset in "
         "metres\n";
-    append_points(text, mesh.x, vertex_normals(mesh));
-    std::size_t textures = 0;
-    for (const PanelPart& part : split_by_panel(mesh)) {
-        append_part(text, part, textures);
-        textures += part.u.size();
-    }
+    const std::vector<Vec3f> normals = vertex_normals(mesh);
+    append_points(text, mesh.x, normals);
+    Written written{.normals = normals.size()};
+    for (const PanelPart& part : split_by_panel(mesh)) append_part(text, part, normals, written);
     return text;
 }
 
@@ -122,7 +134,7 @@ std::string body_obj(const Body& body) {
     text += "g " + one_word(body.name.empty() ? "body" : body.name) + '\n';
     for (const auto& triangle : triangles) {
         text += 'f';
-        for (const std::uint32_t v : triangle) append_corner(text, v, std::nullopt);
+        for (const std::uint32_t v : triangle) append_corner(text, v, std::nullopt, v);
         text += '\n';
     }
     return text;

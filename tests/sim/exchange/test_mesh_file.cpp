@@ -56,6 +56,55 @@ TEST(MeshFile, a_garment_comes_back_from_glb_as_it_went) {
     EXPECT_EQ(read.panel_names, two_panels().panel_names);
 }
 
+// Corner by corner, the normal on the triangle's right side.
+std::vector<Vec3f> right_side_normals(const DrawMesh& mesh) {
+    std::vector<Vec3f> normals;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3f& normal = mesh.normals[mesh.triangles[t][k]];
+            normals.push_back(is_turned(mesh, t, k) ? Vec3f(-normal) : normal);
+        }
+    }
+    return normals;
+}
+
+// The sleeve's wrong side continues the right side of the front.
+DrawMesh sewn_right_to_wrong() {
+    DrawMesh mesh = two_panels();
+    for (const std::size_t t : {2U, 3U}) {
+        std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+        std::swap(mesh.u[t][1], mesh.u[t][2]);
+        for (Vec2f& u : mesh.u[t]) u.x() *= -1;
+    }
+    mesh.turned_corners = find_turned_corners(mesh.triangles);
+    mesh.normals = vertex_normals(mesh.x, mesh.triangles, mesh.turned_corners);
+    return mesh;
+}
+
+TEST(MeshFile, each_panel_keeps_its_right_side_where_a_seam_joins_right_to_wrong) {
+    const TemporaryFolder folder;
+    const DrawMesh mesh = sewn_right_to_wrong();
+    ASSERT_FALSE(mesh.turned_corners.empty());
+    for (const char* name : {"garment.obj", "garment.glb"}) {
+        write_garment(mesh, folder / name);
+        const DrawMesh read = read_garment(folder / name);
+        expect_same_garment(read, mesh, 2e-7F);
+        const std::vector<Vec3f> found = right_side_normals(read), expected = right_side_normals(mesh);
+        for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_LT((found[i] - expected[i]).norm(), 1e-5F) << name;
+    }
+    // Every corner names a normal on its triangle's right side: the front's look forward, the sleeve's back.
+    std::istringstream lines(garment_obj(mesh));
+    std::vector<float> z;
+    std::size_t faces = 0;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("vn ")) z.push_back(std::stof(line.substr(line.rfind(' '))));
+        if (!line.starts_with("f ")) continue;
+        const std::size_t normal = std::stoul(line.substr(line.rfind('/') + 1));
+        EXPECT_GT((faces++ < 2 ? 1 : -1) * z.at(normal - 1), 0.5F) << line;
+    }
+    EXPECT_EQ(faces, 4U);
+}
+
 TEST(MeshFile, a_garment_without_material_coordinates_or_panels_comes_back) {
     const TemporaryFolder folder;
     DrawMesh mesh = two_panels();
