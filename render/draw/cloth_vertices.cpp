@@ -50,12 +50,14 @@ std::vector<ClothVertex> make_cloth_vertices(const sim::DrawMesh& mesh, const st
             const std::uint32_t v = mesh.triangles[t][corner];
             ClothVertex vertex{};
             vertex.position = to_array(mesh.x[v]);
-            vertex.normal = to_array(normals[v]);
+            const bool is_turned = sim::is_turned(mesh, t, corner);
+            vertex.normal = to_array(is_turned ? Vec3f(-normals[v]) : normals[v]);
             if (!mesh.u.empty()) {
                 vertex.place = turned_to_grain(mesh.u[t][corner], grain_of(mesh, t), sett_offset_of(mesh, t));
             }
             vertex.heights[corner] = heights[corner];
             vertex.ambient_visibility = {ambient_visibility[v].front, ambient_visibility[v].back};
+            if (is_turned) std::swap(vertex.ambient_visibility[0], vertex.ambient_visibility[1]);
             vertex.touch = {touches[t][corner].seam, touches[t][corner].hem};
             vertex.marks = level | marks[t].seam << 8 | marks[t].hem << 11;
             vertices.push_back(vertex);

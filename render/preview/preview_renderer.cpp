@@ -371,11 +371,14 @@ void PreviewCloth::fill_fixed(const ClothItem& item) {
 void PreviewCloth::fill_moving(const ClothItem& item) {
     const sim::DrawMesh& mesh = item.mesh;
     const bool has_normals = mesh.normals.size() == mesh.x.size();
-    const std::vector<Vec3f> own = has_normals ? std::vector<Vec3f>{} : sim::vertex_normals(mesh.x, mesh.triangles);
+    const std::vector<Vec3f> own = has_normals ? std::vector<Vec3f>{} : sim::vertex_normals(mesh);
     const std::vector<Vec3f>& normals = has_normals ? mesh.normals : own;
     corners_.clear();
-    for (const auto& triangle : mesh.triangles) {
-        for (const std::uint32_t v : triangle) corners_.push_back({mesh.x[v], normals[v]});
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t v = mesh.triangles[t][k];
+            corners_.push_back({mesh.x[v], sim::is_turned(mesh, t, k) ? Vec3f(-normals[v]) : normals[v]});
+        }
     }
     upload(gl_, GL_ARRAY_BUFFER, moving_, corners_, GL_STREAM_DRAW);
     vertex_count_ = static_cast<int>(corners_.size());

@@ -176,6 +176,7 @@ class MeshWriter {
         mesh_.triangles.push_back({place(t.vertices[0]), place(t.vertices[1]), place(t.vertices[2])});
         if (!base_mesh_.u.empty()) mesh_.u.push_back(t.u);
         if (!base_mesh_.panel.empty()) mesh_.panel.push_back(t.panel);
+        if (surface_.mesh.has_right_wrong_edges()) mesh_.turned_corners.push_back(t.turned ? 7 : 0);
         mesh_.level.push_back(level_from_base(t.level));
     }
 

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "sim/adaptive/criteria.h"
+#include "sim/adaptive/surface_normals.h"
 #include "sim/collide/collider.h"
 #include "sim/core/assert.h"
 
@@ -12,6 +13,11 @@ namespace selvedge::render {
 namespace {
 
 constexpr float kNoArea = 1e-30F;
+
+Vec4f area_of(const std::array<sim::VertexId, 3>& v, const std::vector<Vec4f>& x) {
+    const Vec4f& a = x[v[0].value];
+    return (x[v[1].value] - a).cross3(x[v[2].value] - a);
+}
 
 void size_arrays(CurvedSurface& surface, std::size_t capacity) {
     surface.x.resize(capacity, Vec4f::Zero());
@@ -77,7 +83,9 @@ void note_crease_normals(CurvedSurface& surface, const SurfacePlan::Point& point
     for (std::uint32_t side = 0; side < 2; ++side) {
         const sim::TriangleId triangle = surface.mesh.edge(root).sides[side];
         const EdgeCurve seen = make_edge_curve(ends_from(surface, curve, triangle), surface.modifier);
-        sum += surface.creases.normals[{point.v, side}] = surface.weights.normal(seen, point.step);
+        const Vec4f normal = surface.weights.normal(seen, point.step);
+        surface.creases.normals[{point.v, side}] = normal;
+        sum += surface.mesh.is_cut(root) && sum.dot(normal) < 0 ? Vec4f(-normal) : normal;
     }
     if (sum.squaredNorm() > 0) surface.normals[point.v.value] = sum.normalized();
 }
@@ -156,8 +164,15 @@ void SurfaceObserver::on_split(sim::VertexId c, sim::VertexId a, sim::VertexId b
     surface_.places[second.value] = {place.root, middle, half};
 
     const sim::AdaptiveEdge& root = mesh.edge(place.root);
-    const EdgeCurve curve =
-        make_edge_curve(ends_of(surface_, root.ends[0], root.ends[1], root.rest_length), surface_.modifier);
+    CurveEnds ends = ends_of(surface_, root.ends[0], root.ends[1], root.rest_length);
+    if (mesh.has_cuts() && ends.normal_a.dot(ends.normal_b) < 0) {  // the sign of a normal on a cut means nothing
+        if (mesh.vertex(root.ends[0]).on_cut) {
+            ends.normal_a *= -1;
+        } else if (mesh.vertex(root.ends[1]).on_cut) {
+            ends.normal_b *= -1;
+        }
+    }
+    const EdgeCurve curve = make_edge_curve(ends, surface_.modifier);
     const bool is_whole = spawn_ == SpawnPosition::Curve;
     surface_.shown[c.value] = is_whole ? 1.0F : 0.0F;
     surface_.is_leaving[c.value] = false;
@@ -217,12 +232,7 @@ void move_surface(CurvedSurface& surface, std::span<const Vec4f> x, std::span<co
 
 void leaf_normals(const sim::AdaptiveMesh& mesh, const std::vector<Vec4f>& x, std::vector<Vec4f>& normals) {
     normals.resize(mesh.vertex_capacity());
-    for (const sim::VertexId v : mesh.leaf_vertices()) normals[v.value].setZero();
-    for (const sim::LeafTriangle& t : mesh.leaf_triangles()) {
-        const Vec4f& a = x[t.v[0].value];
-        const Vec4f area = (x[t.v[1].value] - a).cross3(x[t.v[2].value] - a);
-        for (const sim::VertexId v : t.v) normals[v.value] += area;
-    }
+    sum_normals(mesh, normals, [&](const std::array<sim::VertexId, 3>& v) { return area_of(v, x); });
     for (const sim::VertexId v : mesh.leaf_vertices()) {
         Vec4f& normal = normals[v.value];
         const float squared = normal.squaredNorm();
@@ -321,9 +331,9 @@ void make_unit(std::map<SidedVertex, Vec4f>& normals) {
     }
 }
 
-Vec4f area_of(const std::array<sim::VertexId, 3>& v, const std::vector<Vec4f>& x) {
-    const Vec4f& a = x[v[0].value];
-    return (x[v[1].value] - a).cross3(x[v[2].value] - a);
+Vec4f area_of(const sim::AdaptiveTriangle& t, const std::vector<Vec4f>& x) {
+    const Vec4f area = area_of(t.vertices, x);
+    return t.turned ? Vec4f(-area) : area;
 }
 
 // The component of d along the line in which the planes of two normals meet; in the plane of their mean if the normals
@@ -333,7 +343,7 @@ Vec4f along_both(const Vec4f& d, const Vec4f& first, const Vec4f& second) {
     const Vec4f line = first.cross3(second);
     const float squared = line.squaredNorm();
     if (squared > kNearlyOne * kNearlyOne) return line * (d.dot(line) / squared);
-    const Vec4f mean = (first + second).normalized();
+    const Vec4f mean = (first.dot(second) < 0 ? Vec4f(first - second) : Vec4f(first + second)).normalized();
     return d - mean * d.dot(mean);
 }
 
@@ -341,7 +351,7 @@ Vec4f along_both(const Vec4f& d, const Vec4f& first, const Vec4f& second) {
 
 Creases find_creases(const sim::AdaptiveMesh& mesh, std::span<const CreaseEdge> edges) {
     Creases creases;
-    if (edges.empty()) return creases;
+    if (edges.empty() && !mesh.has_cuts()) return creases;
     creases.is_crease.resize(mesh.base_edge_count());
     creases.is_creased.resize(mesh.base_vertex_count());
     std::vector<CreaseEdge> wanted(edges.begin(), edges.end());
@@ -352,7 +362,7 @@ Creases find_creases(const sim::AdaptiveMesh& mesh, std::span<const CreaseEdge> 
         const sim::AdaptiveEdge& edge = mesh.edge(sim::EdgeId(i));
         CreaseEdge ends{static_cast<int>(edge.ends[0].value), static_cast<int>(edge.ends[1].value)};
         std::sort(ends.begin(), ends.end());
-        creases.is_crease[i] = std::binary_search(wanted.begin(), wanted.end(), ends);
+        creases.is_crease[i] = std::binary_search(wanted.begin(), wanted.end(), ends) || mesh.is_cut(sim::EdgeId(i));
         SELVEDGE_ASSERT(!creases.is_crease[i] || (edge.sides[0] && edge.sides[1]));
         for (const sim::VertexId v : edge.ends) {
             if (creases.is_crease[i]) {
@@ -389,12 +399,13 @@ std::optional<SidedVertex> sided(const Creases& creases, const sim::AdaptiveMesh
 void update_base_normals(Creases& creases, const sim::AdaptiveMesh& mesh, const std::vector<Vec4f>& x) {
     creases.normals.clear();
     for (std::uint32_t t = 0; t < mesh.base_triangle_count(); ++t) {
-        const std::array<sim::VertexId, 3>& vertices = mesh.triangle(sim::TriangleId(t)).vertices;
+        const sim::AdaptiveTriangle& triangle = mesh.triangle(sim::TriangleId(t));
+        const std::array<sim::VertexId, 3>& vertices = triangle.vertices;
         for (std::size_t k = 0; k < 3; ++k) {
             if (!creases.is_creased[vertices[k].value]) continue;
             Vec4f& sum =
                 creases.normals.try_emplace({vertices[k], creases.corner_side[t][k]}, Vec4f::Zero()).first->second;
-            sum += area_of(vertices, x);
+            sum += area_of(triangle, x);
         }
     }
     make_unit(creases.normals);
@@ -404,9 +415,10 @@ void update_light_normals(Creases& creases, const sim::AdaptiveMesh& mesh, const
                           const std::vector<Vec4f>& x) {
     creases.light_normals.clear();
     for (const sim::LeafTriangle& t : mesh.leaf_triangles()) {
+        const Vec4f area = area_of(mesh.triangle(t.triangle), x);
         for (const sim::VertexId v : t.v) {
             const auto vertex = sided(creases, mesh, v, roots[v.value], creases.base_of[t.triangle.value]);
-            if (vertex) creases.light_normals.try_emplace(*vertex, Vec4f::Zero()).first->second += area_of(t.v, x);
+            if (vertex) creases.light_normals.try_emplace(*vertex, Vec4f::Zero()).first->second += area;
         }
     }
     make_unit(creases.light_normals);

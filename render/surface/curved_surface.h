@@ -29,6 +29,7 @@ namespace selvedge::render {
 
 // Creases: base edges at which the drawn surface stays sharp, such as a pressed fold. Along a crease the surface has
 // one normal per side, and the crease's curve lies in the tangent planes of both sides.  (Vlachos et al. 2001, 4.2)
+// Cuts (AdaptiveMesh::is_cut) are creases too, because the normals of their sides have no common orientation.
 
 // The two base vertices of an edge.
 using CreaseEdge = std::array<int, 2>;
@@ -48,7 +49,7 @@ struct Creases {
     bool empty() const { return is_crease.empty(); }
 };
 
-// Pre: mesh is at level 0; each edge is a base edge with a triangle on both sides.
+// The cuts are added to the edges. Pre: mesh is at level 0; each edge is a base edge with a triangle on both sides.
 Creases find_creases(const sim::AdaptiveMesh& mesh, std::span<const CreaseEdge> edges);
 
 // Updates base_of for the children of t. Call after t has changed its configuration.

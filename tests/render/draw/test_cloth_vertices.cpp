@@ -50,6 +50,21 @@ TEST(ClothVertices, a_dart_is_a_seam_within_one_panel) {
     EXPECT_EQ(vertices_of(mesh)[0].marks >> 8 & 7U, 1U);
 }
 
+TEST(ClothVertices, a_turned_corner_has_the_normal_and_the_light_of_its_own_right_side) {
+    sim::DrawMesh mesh = sewn_square();
+    std::vector<AmbientVisibility> light(mesh.x.size(), {.front = 0.75F, .back = 0.25F});
+    mesh.turned_corners = {0, 5};
+    const std::vector<ClothVertex> vertices = make_cloth_vertices(mesh, mesh.normals, light);
+    const std::vector<ClothVertex> plain = make_cloth_vertices(sewn_square(), mesh.normals, light);
+    for (const std::size_t corner : {3U, 4U, 5U}) {
+        const float sign = corner == 4 ? 1 : -1;
+        for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(vertices[corner].normal[i], sign * plain[corner].normal[i]);
+        EXPECT_EQ(vertices[corner].ambient_visibility[0], corner == 4 ? 0.75F : 0.25F);
+        EXPECT_EQ(vertices[corner].ambient_visibility[1], corner == 4 ? 0.25F : 0.75F);
+    }
+    EXPECT_EQ(vertices[0].normal, plain[0].normal);
+}
+
 TEST(ClothVertices, the_sett_follows_the_grain_of_each_panel) {
     const std::vector<ClothVertex> vertices = vertices_of(sewn_square());
     // Straight grain: the warp runs along +y of the panel, the weft along +x.

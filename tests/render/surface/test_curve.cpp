@@ -8,6 +8,7 @@
 #include "sim/core/error.h"
 #include "sim/dress/report.h"
 #include "tests/sim/cloth/fixtures.h"
+#include "tests/support/right_wrong.h"
 
 namespace selvedge::render {
 namespace {
@@ -163,6 +164,68 @@ TEST(CurvedMesh, shares_the_vertices_of_a_seam) {
     const sim::DrawMesh drawn = curved_mesh(ridge(), {.curve = {.level = 2}});
     EXPECT_EQ(drawn.x.size(), 9U * 5U);
     EXPECT_EQ(drawn.normals.size(), drawn.x.size());
+}
+
+// Directs the triangles of the second panel the other way round.
+sim::DrawMesh with_second_panel_turned(sim::DrawMesh mesh) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (mesh.panel[t] != 1) continue;
+        std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+        std::swap(mesh.u[t][1], mesh.u[t][2]);
+        for (Vec2f& u : mesh.u[t]) u.x() *= -1;
+    }
+    return mesh;
+}
+
+// The normal of a drawn triangle, and that of a corner on the triangle's right side.
+Vec3f facet_normal(const sim::DrawMesh& mesh, std::size_t t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    return (mesh.x[b] - mesh.x[a]).cross(mesh.x[c] - mesh.x[a]).normalized();
+}
+Vec3f corner_normal(const sim::DrawMesh& mesh, std::size_t t, std::size_t k) {
+    const Vec3f& normal = mesh.normals[mesh.triangles[t][k]];
+    return sim::is_turned(mesh, t, k) ? Vec3f(-normal) : normal;
+}
+
+TEST(CurvedMesh, over_a_seam_of_right_side_to_wrong_side_is_as_smooth_as_over_any_other) {
+    for (const LightNormals which : {LightNormals::Recomputed, LightNormals::Interpolated}) {
+        const CurvedMeshOptions options{.curve = {.level = 2}, .light_normals = which};
+        const sim::DrawMesh plain = curved_mesh(ridge(), options);
+        const sim::DrawMesh half = curved_mesh(with_second_panel_turned(ridge()), options);
+        ASSERT_EQ(half.x.size(), plain.x.size()) << "no vertex is drawn twice";
+        ASSERT_EQ(half.turned_corners.size(), half.triangles.size());
+        const auto has_near = [&](const Vec3f& x) {
+            return std::ranges::any_of(plain.x, [&](const Vec3f& y) { return (x - y).norm() < 1e-6F; });
+        };
+        for (const Vec3f& x : half.x) EXPECT_TRUE(has_near(x));
+        for (std::size_t t = 0; t < half.triangles.size(); ++t) {
+            for (std::size_t k = 0; k < 3; ++k) EXPECT_GT(corner_normal(half, t, k).dot(facet_normal(half, t)), 0.5F);
+        }
+    }
+}
+
+TEST(CurvedMesh, of_a_moebius_band_is_closed_and_lit_on_the_right_side_of_each_triangle) {
+    const sim::GarmentMesh band = sim::test::moebius_band(3);
+    sim::DrawMesh coarse;
+    for (const Vec3d& x : band.x) coarse.x.emplace_back(x.cast<float>());
+    for (const sim::GarmentTriangle& t : band.triangles) {
+        auto& triangle = coarse.triangles.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k) triangle[k] = static_cast<std::uint32_t>(t.vertices[k]);
+        coarse.u.push_back({t.u[0].cast<float>(), t.u[1].cast<float>(), t.u[2].cast<float>()});
+        coarse.panel.push_back(static_cast<std::uint16_t>(t.panel));
+    }
+    coarse.panel_names = band.panel_names;
+    const sim::DrawMesh drawn = curved_mesh(coarse, {.curve = {.level = 2}});
+    for (std::size_t t = 0; t < drawn.triangles.size(); ++t) {
+        for (std::size_t k = 0; k < 3; ++k) EXPECT_GT(corner_normal(drawn, t, k).dot(facet_normal(drawn, t)), 0.5F);
+    }
+    // Each vertex on the cut is drawn once per side, at one place: two quads of four edges each.
+    std::size_t twice = 0;
+    for (std::size_t i = 0; i < drawn.x.size(); ++i) {
+        for (std::size_t k = i + 1; k < drawn.x.size(); ++k) twice += (drawn.x[i] - drawn.x[k]).norm() < 1e-7F ? 1 : 0;
+    }
+    EXPECT_EQ(twice, 9U);
+    EXPECT_LT(curved_mesh(coarse).triangles.size(), drawn.triangles.size() * 4) << "settles";
 }
 
 TEST(CurvedMesh, at_level_0_is_the_coarse_mesh) {
