@@ -126,7 +126,10 @@ void seam_buttons(InspectorContext& context, int seam) {
         context.workspace.run(AcceptEase{.seam = seam, .is_eased = !measures.is_eased});
     } else if (row.button({.name = "seam.reverse",
                            .title = "Reverse",
-                           .tip = with_key(context, "Sews it the other way round", "seam.reverse")})) {
+                           .tip = with_key(context,
+                                           "Sews it the other way round: right side to wrong side, or back to right "
+                                           "side to right side",
+                                           "seam.reverse")})) {
         context.workspace.run(ReverseSeam{seam});
     } else if (row.button({.name = "seam.delete",
                            .title = "Delete",
@@ -146,6 +149,10 @@ void draw_seam_section(InspectorContext& context, int seam) {
     fact(context, "Second side", quantity_text(measures.second, Unit::Centimetres), "The length of its second side.");
     fact(context, "Difference", difference_text(measures) + (measures.is_eased ? ", eased" : ""),
          "What the second side has more than the first.");
+    if (joins_right_to_wrong(context.pattern().seams[static_cast<std::size_t>(seam)])) {
+        message_text(context.theme.faint, "Right side to wrong side: Reverse joins it right side to right side.");
+        note_widget(context, "seam.right_wrong");
+    }
     if (measures.is_wrong()) {
         message_text(context.theme.error, "The sides differ by more than 1 mm: even them, or accept it as ease.");
     }

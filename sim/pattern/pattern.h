@@ -81,8 +81,10 @@ struct SeamSide {
 };
 
 // Joins two outline edges, of one panel or of two panels.
-// is_reversed: the start of `first` is sewn to the end of `second`. This is usual, because both outlines run
-// counter-clockwise. Otherwise start is sewn to start.
+// is_reversed: the start of `first` is sewn to the end of `second`. Both outlines run counter-clockwise seen from the
+// right side, so the right side of one panel continues that of the other. Otherwise start is sewn to start, and the
+// right side of one panel continues the wrong side of the other, as at a lapel ("right_wrong" in the file). There is no
+// third way: the direction of sewing and the sides that meet determine each other.
 struct Seam {
     SeamSide first;
     SeamSide second;
@@ -92,6 +94,11 @@ struct Seam {
 
     bool operator==(const Seam&) const = default;
 };
+
+// Whether the right side of one panel continues the wrong side of the other.
+constexpr bool joins_right_to_wrong(const Seam& seam) {
+    return !seam.is_reversed;
+}
 
 // The sett for which the panels' sett offsets were computed.
 struct MatchedSett {

@@ -418,10 +418,10 @@ class Writer {
             const Seam& seam = pattern_.seams[i];
             Json& place = json.elements()[i];
             if (!place.is_array()) place = Json::array();
-            place.elements().resize(seam.is_reversed ? 2 : 3);
+            place.elements().resize(joins_right_to_wrong(seam) ? 3 : 2);
             write_side(place.elements()[0], seam.first);
             write_side(place.elements()[1], seam.second);
-            if (!seam.is_reversed) place.elements()[2] = "right_wrong";
+            if (joins_right_to_wrong(seam)) place.elements()[2] = "right_wrong";
         }
     }
 

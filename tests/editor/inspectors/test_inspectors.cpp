@@ -94,8 +94,12 @@ TEST(SeamInspector, a_click_selects_a_seam_and_the_buttons_change_it) {
     EXPECT_EQ(inspector.document().selection().seams, std::set<int>{2});
     EXPECT_EQ(inspector.workspace.hover.seam, std::optional<int>(2)) << "lights up where the cursor rests";
     const bool was_reversed = inspector.document().pattern().seams[2].is_reversed;
+    EXPECT_FALSE(inspector.widgets.contains("seam.right_wrong"));
     inspector.click("seam.reverse");
     EXPECT_NE(inspector.document().pattern().seams[2].is_reversed, was_reversed);
+    inspector.frame();
+    EXPECT_TRUE(joins_right_to_wrong(inspector.document().pattern().seams[2]));
+    EXPECT_TRUE(inspector.widgets.contains("seam.right_wrong")) << "says which sides it joins";
     inspector.click("seam.delete");
     EXPECT_EQ(inspector.document().pattern().seams.size(), 11U);
 }

@@ -114,7 +114,14 @@ TEST(PatternFile, seams_join_start_to_end_unless_they_say_right_wrong) {
     }
     const std::string other =
         replaced(sample_text(), R"({"panel": "back", "edge": 2}])", R"({"panel": "back", "edge": 2}, "right_wrong"])");
-    EXPECT_FALSE(parse_pattern(other, "").pattern.seams[0].is_reversed);
+    const PatternDocument document = parse_pattern(other, "");
+    EXPECT_FALSE(document.pattern.seams[0].is_reversed);
+    EXPECT_TRUE(joins_right_to_wrong(document.pattern.seams[0]));
+    EXPECT_FALSE(joins_right_to_wrong(document.pattern.seams[1]));
+    EXPECT_EQ(write_json(parse_json(write_pattern(document), ""), -1), write_json(parse_json(other, ""), -1));
+    PatternDocument toggled = parse_pattern(sample_text(), "");
+    toggled.pattern.seams[0].is_reversed = false;
+    EXPECT_EQ(parse_pattern(write_pattern(toggled), "").pattern, document.pattern);
 }
 
 std::string for_body(const std::string& body) {
